@@ -1,0 +1,94 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Links the device program that holds the subjects, and weighs each of them.
+
+Every global function <operation>_<format>_<implementation> of the objects is a subject. An assembly
+kernel fixedpoint_<operation>_<format>[_<variant>] takes the place of the C++ subject of that name
+(without a variant: `default`), so that a call reaches it without a jump in between.
+
+The footprint of a subject is what a program grows by that uses it alone: flash (code, tables,
+initialised data) and static RAM, everything it pulls in included.
+"""
+import argparse
+import concurrent.futures
+import csv
+import os
+import re
+import subprocess
+import sys
+import tempfile
+
+FORMAT = r"(?:q\d+_\d+|s\d+_\d+|float|int\d+)"
+SUBJECT = re.compile(rf"^([a-z]\w*?)_({FORMAT})_([a-z_]+)$")
+KERNEL = re.compile(rf"^fixedpoint_([a-z]\w*?)_({FORMAT})(?:_([a-z_]+))?$")
+
+
+def run(command):
+    done = subprocess.run(command, capture_output=True, text=True)
+    if done.returncode != 0:
+        sys.exit(f"{' '.join(command)}\n{done.stderr}")
+    return done.stdout
+
+
+def functions(objects):
+    """The global functions that the objects define."""
+    lines = run(["avr-nm", "--defined-only", "-g", *objects]).splitlines()
+    return sorted({line.split()[2] for line in lines if re.match(r"^[0-9a-f]+ [TW] ", line)})
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--output", required=True, help="the ELF to write")
+    parser.add_argument("--footprints", required=True, help="the CSV of footprints to write")
+    parser.add_argument("objects", nargs="+")
+    arguments = parser.parse_args()
+
+    names = functions(arguments.objects)
+    aliases = {}
+    for name in names:
+        kernel = KERNEL.match(name)
+        if kernel:
+            operation, number_format, variant = kernel.groups()
+            aliases[f"{operation}_{number_format}_{variant or 'default'}"] = name
+    subjects = sorted(name for name in names
+                      if SUBJECT.match(name) and not name.startswith("fixedpoint_"))
+    # A kernel without a C++ subject of its name belongs to another program.
+    aliases = {subject: kernel for subject, kernel in aliases.items() if subject in subjects}
+
+    def link(chosen, output):
+        options = []
+        for subject in chosen:
+            options.append(f"-Wl,-u,{subject}")
+            if subject in aliases:
+                options += [f"-Wl,-u,{aliases[subject]}",
+                            f"-Wl,--defsym={subject}={aliases[subject]}"]
+        run(["avr-g++", "-mmcu=atmega328p", "-Os", "-Wl,--gc-sections", *options,
+             *arguments.objects, "-lm", "-o", output])
+
+    def weigh(chosen, directory):
+        output = os.path.join(directory, ("_".join(chosen) or "empty") + ".elf")
+        link(chosen, output)
+        sizes = run(["avr-size", output]).splitlines()[1].split()
+        os.unlink(output)
+        text, data, bss = (int(size) for size in sizes[:3])
+        return text + data, data + bss
+
+    with tempfile.TemporaryDirectory() as directory:
+        empty_flash, empty_ram = weigh([], directory)
+        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+            weights = list(pool.map(lambda subject: weigh([subject], directory), subjects))
+        partial = os.path.join(directory, "footprints.csv")
+        with open(partial, "w", newline="", encoding="ascii") as stream:
+            rows = csv.writer(stream, lineterminator="\n")
+            rows.writerow(["subject", "flash_bytes", "ram_bytes"])
+            for subject, (flash, ram) in zip(subjects, weights):
+                rows.writerow([subject, flash - empty_flash, ram - empty_ram])
+        link(subjects, arguments.output + ".partial")
+        with open(partial, encoding="ascii") as stream, \
+                open(arguments.footprints, "w", encoding="ascii") as target:
+            target.write(stream.read())
+    os.replace(arguments.output + ".partial", arguments.output)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fixbench, the command line of the bench: each sub-command measures one thing and writes its files.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdlib>
+#include <exception>
+#include <functional>
+#include <string>
+#include <thread>
+
+#include "bench/operations/measure_accuracy.hpp"
+#include "bench/operations/measure_cycles.hpp"
+#include "bench/table_3_2/table_3_2.hpp"
+
+namespace {
+
+// What a sub-command returns: 0 only when everything asked for was done and every check held.
+using Action = std::function<int()>;
+
+void add_selection(CLI::App& command, operations::Selection& selection, bool operands) {
+    command
+        .add_option("--operation", selection.operations,
+                    "only these operations, e.g. multiply,divide,sqrt,atan2")
+        ->delimiter(',');
+    command.add_option("--format", selection.formats, "only these formats, e.g. q16_16,q8_8,float")
+        ->delimiter(',');
+    command
+        .add_option("--implementation", selection.implementations,
+                    "only these implementations, e.g. default,published,libc")
+        ->delimiter(',');
+    if (!operands) return;
+    command
+        .add_option("--operands", selection.operands,
+                    "only these operand classes: small, physics, full, published, boundary, all")
+        ->delimiter(',');
+}
+
+int held(std::uint64_t violations) {
+    if (violations == 0) return EXIT_SUCCESS;
+    fmt::print(stderr, "fixbench: {} results are not what their definition says\n", violations);
+    return EXIT_FAILURE;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app(
+        "Measures fixed-point arithmetic on a simulated ATmega328P: cycles, error, flash and stack.\n"
+        "bench/run_all.sh runs all of it; each sub-command runs alone too.");
+    app.require_subcommand(1);
+    app.get_formatter()->column_width(34);
+    std::string output = "results/data";
+    unsigned threads = std::max(1u, std::thread::hardware_concurrency());
+    Action action;
+
+    const auto add_command = [&](const char* name, const std::string& description) {
+        CLI::App* command = app.add_subcommand(name, description);
+        command->add_option("--output", output, "folder that the data files are written to")
+            ->capture_default_str();
+        command->add_option("--threads", threads, "threads to run on")
+            ->capture_default_str()
+            ->check(CLI::Range(1, 1024));
+        return command;
+    };
+
+    operations::CycleOptions cycles;
+    cycles.programs = {FIXBENCH_LIBRARY_ELF, FIXBENCH_RIVALS_ELF};
+    CLI::App* command = add_command(
+        "cycles",
+        "Cycles, stack, flash and error of each subject on classes of operands.\n"
+        "Writes operations.csv and operations.json (Google Benchmark's schema).\n\n"
+        "A subject is an extern \"C\" function <operation>_<format>_<implementation> of a device\n"
+        "program, by default\n  " FIXBENCH_LIBRARY_ELF "\n  " FIXBENCH_RIVALS_ELF "\n"
+        "(avr-nm lists them), for avr-gcc's calling convention: any other tool can call it too.\n"
+        "Cycles include call (4) and ret (4), not the loading of operands.\n\n"
+        "Operand classes: small |x| < 1; physics 0.01..20; full, log-uniform over the range;\n"
+        "published, those of the rebuilt harness; boundary, an annotated table; all, every input\n"
+        "where there are at most 65536.\n\n"
+        "Example: fixbench cycles --operation divide --format q16_16,float --operands physics");
+    add_selection(*command, cycles.selection, true);
+    command->add_option("--program", cycles.programs, "device programs, e.g. one of your own")
+        ->check(CLI::ExistingFile);
+    command->add_option("--samples", cycles.samples, "operands of each random class")
+        ->capture_default_str()
+        ->check(CLI::Range(std::uint64_t(1), std::uint64_t(1) << 40));
+    command->callback([&] {
+        action = [&] {
+            cycles.output = output;
+            cycles.threads = threads;
+            return held(operations::measure_cycles(cycles));
+        };
+    });
+
+    operations::AccuracyOptions accuracy;
+    std::string shard = "1/1";
+    command = add_command(
+        "accuracy",
+        "Error of the portable code, which the device's results equal bit for bit, over whole input\n"
+        "spaces where they are finite enough (bound `exact`), else over boundary tables, random\n"
+        "operands and a search for the worst case (bound `lower bound`).\n"
+        "Writes accuracy.csv, error_histograms.csv and error_along_input.csv.\n\n"
+        "Example: fixbench accuracy --operation sqrt --format q16_16");
+    add_selection(*command, accuracy.selection, false);
+    command->add_flag("--quick", accuracy.quick,
+                      "sample the input spaces of more than 2^24 points instead of exhausting them");
+    command->callback([&] {
+        action = [&] {
+            accuracy.output = output;
+            accuracy.threads = threads;
+            return held(operations::measure_accuracy(accuracy));
+        };
+    });
+
+    table_3_2::Options table;
+    command = add_command("table",
+                          "The published timing table, measured again cell by cell with a verdict.\n"
+                          "Writes table_3_2.csv, table_3_2_hypotheses.csv, division_cycles.csv and\n"
+                          "table_3_1.csv.");
+    command->add_flag("--quick", table.quick, "without the search over hypotheses");
+    command->callback([&] {
+        action = [&] {
+            table.output = output;
+            table.threads = threads;
+            table_3_2::measure_table_3_2(table);
+            return EXIT_SUCCESS;
+        };
+    });
+
+    std::string results = "results";
+    command = app.add_subcommand("report", "Figures and pages out of the data files.");
+    command->add_option("--results", results, "folder that holds data/ and gets figures/ and README.md")
+        ->capture_default_str();
+    command->callback([&] {
+        action = [&] {
+            execl(FIXBENCH_PYTHON, FIXBENCH_PYTHON, FIXBENCH_REPORT, "--results", results.c_str(), nullptr);
+            throw std::runtime_error(fmt::format("cannot run {}", FIXBENCH_PYTHON));
+            return EXIT_FAILURE;
+        };
+    });
+
+    CLI11_PARSE(app, argc, argv);
+    try {
+        return action();
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "fixbench: {}\n", error.what());
+        return EXIT_FAILURE;
+    }
+}

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tables of text cells, saved and loaded as CSV (RFC 4180).
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace records {
+
+// A number as a cell: up to six significant digits, integers in full, no trailing zeros; empty for
+// NaN, which stands for "not measured".
+std::string cell(double value);
+
+class Table {
+ public:
+    explicit Table(std::vector<std::string> columns);
+
+    // Throws std::logic_error where the row has another number of cells than there are columns.
+    void add(std::vector<std::string> row);
+
+    const std::vector<std::string>& columns() const { return columns_; }
+    const std::vector<std::vector<std::string>>& rows() const { return rows_; }
+
+    // The index of a column; throws std::runtime_error where there is none of that name.
+    std::size_t column(std::string_view name) const;
+
+    std::string to_csv() const;
+    void save(const std::filesystem::path& path) const;
+
+    // Throws std::runtime_error with file and line where the file is missing or malformed.
+    static Table load(const std::filesystem::path& path);
+
+ private:
+    std::vector<std::string> columns_;
+    std::vector<std::vector<std::string>> rows_;
+};
+
+}  // namespace records

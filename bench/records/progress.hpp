@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A progress bar with the time left, on stderr.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <mutex>
+#include <string>
+
+namespace records {
+
+// Counts steps of a task towards a total. On a terminal it redraws one line, elsewhere it prints a
+// line every ten seconds. Safe to advance from several threads.
+class Progress {
+ public:
+    Progress(std::string task, std::uint64_t total);
+    ~Progress();
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+
+    void advance(std::uint64_t steps = 1);
+
+ private:
+    void print(std::uint64_t done, bool last);
+
+    const std::string task_;
+    const std::uint64_t total_;
+    const bool terminal_;
+    const std::chrono::steady_clock::time_point start_;
+    std::atomic<std::uint64_t> done_{0};
+    std::atomic<std::int64_t> next_print_ms_;
+    std::mutex printing_;
+};
+
+}  // namespace records

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Files that are written whole or not at all.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+namespace records {
+
+// Writes `content` to `path` through a temporary file beside it that is then renamed; makes the
+// folder where it is missing. Throws std::runtime_error with one line that names the path.
+void write_whole(const std::filesystem::path& path, std::string_view content);
+
+}  // namespace records

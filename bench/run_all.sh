@@ -1,0 +1,62 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Measures everything and writes results/: sets up, builds, runs every bench, draws the report.
+#
+# Usage: bench/run_all.sh [--quick | --full] [--check] [--help]
+#   --full   every input space exhausted, all samples, the search over hypotheses (default);
+#            writes results/
+#   --quick  the same benches on fewer operands, three minutes after the build; writes
+#            build/quick/ and leaves results/ alone
+#   --check  measures into build/check/ instead and fails where a deterministic figure (cycles,
+#            sizes, errors, hashes) differs from the committed results/
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+mode=full check=
+for argument in "$@"; do
+    case $argument in
+        --quick) mode=quick ;;
+        --full) mode=full ;;
+        --check) check=yes ;;
+        --help) sed -n '3,/^set /{/^set /d;s/^# \{0,1\}//p}' "$0"; exit 0 ;;
+        *) echo "run_all.sh: unknown argument '$argument'; see --help" >&2; exit 2 ;;
+    esac
+done
+if [ "$mode" = quick ] && [ -n "$check" ]; then
+    echo "run_all.sh: --check compares full results; it does not go with --quick" >&2
+    exit 2
+fi
+
+results=results
+[ "$mode" = quick ] && results=build/quick
+[ -n "$check" ] && results=build/check
+data=$results/data
+
+scripts/build.sh release
+bin=build/release/bench
+fixbench=$bin/fixbench
+mkdir -p "$data"
+
+quick=() samples=20000 repetitions=0.2
+if [ "$mode" = quick ]; then
+    quick=(--quick) samples=1000 repetitions=0.02
+fi
+"$fixbench" cycles --samples "$samples" --output "$data"
+"$fixbench" table "${quick[@]}" --output "$data"
+"$fixbench" accuracy "${quick[@]}" --output "$data"
+"$bin/operations/host_throughput" --benchmark_min_time="$repetitions" \
+    --benchmark_out="$data/host_throughput.json.partial" --benchmark_out_format=json >&2
+mv "$data/host_throughput.json.partial" "$data/host_throughput.json"
+"$fixbench" report --results "$results"
+
+if [ -n "$check" ]; then
+    # Times of the host differ from run to run; everything else is a function of the toolchain.
+    if ! diff -r --brief --exclude=host_throughput.json results/data "$data" >&2; then
+        diff -r --exclude=host_throughput.json results/data "$data" | head -40 >&2
+        echo "run_all.sh: deterministic figures differ from results/data" >&2
+        exit 1
+    fi
+    echo "run_all.sh: every deterministic figure equals results/data" >&2
+else
+    echo "run_all.sh: wrote $results/README.md" >&2
+fi

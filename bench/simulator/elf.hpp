@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An ELF file for the ATmega328P: its flash image, symbols and sections. Addresses of functions are
+// flash byte addresses (twice the program counter's words); addresses of data are data-space
+// addresses, without the 0x800000 that the linker adds.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace simulator {
+
+class ElfError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+struct Symbol {
+    std::string name;
+    std::uint32_t address;
+    std::uint32_t size;  // bytes; 0 where the file does not say
+};
+
+// In hexadecimal, as sha256sum prints it.
+std::string sha256_of_file(const std::filesystem::path& path);
+
+struct Section {
+    std::string name;
+    std::uint32_t address;  // as in the file: data at 0x800000 and above
+    std::uint32_t size;
+    bool in_flash;  // counts towards flash: text, tables, initial values of data
+    bool in_ram;    // counts towards RAM: data, bss, noinit
+};
+
+class Elf {
+  public:
+    static constexpr std::uint32_t flash_size = 0x8000;
+
+    // Throws ElfError when there is no such file, or it is not a program for the AVR.
+    explicit Elf(const std::filesystem::path& path);
+
+    const std::filesystem::path& path() const { return path_; }
+    const std::string& sha256() const { return sha256_; }  // of the whole file, in hexadecimal
+
+    // The bytes at flash address 0 and on; ends with the last byte that the program sets.
+    const std::vector<std::uint8_t>& flash() const { return flash_; }
+    const std::vector<Section>& sections() const { return sections_; }
+    std::uint32_t flash_bytes() const;
+    std::uint32_t ram_bytes() const;
+
+    // Throws ElfError, with the closest names there are, when the name is not there.
+    const Symbol& function(std::string_view name) const { return find(functions_, name); }
+    const Symbol& object(std::string_view name) const { return find(objects_, name); }
+    bool has_function(std::string_view name) const {
+        return functions_.find(name) != functions_.end();
+    }
+
+    // Functions, and global labels in flash without a type (assembly labels, the linker's --defsym,
+    // which take the size of the function at the same address). By name.
+    using Symbols = std::map<std::string, Symbol, std::less<>>;
+    const Symbols& functions() const { return functions_; }
+    const Symbols& objects() const { return objects_; }
+
+    // "name" or "name+offset" of the function that holds a flash address, for messages.
+    std::string describe(std::uint32_t flash_address) const;
+
+  private:
+    const Symbol& find(const Symbols& symbols, std::string_view name) const;
+
+    std::filesystem::path path_;
+    std::string sha256_;
+    std::vector<std::uint8_t> flash_;
+    std::vector<Section> sections_;
+    Symbols functions_, objects_;
+};
+
+}  // namespace simulator

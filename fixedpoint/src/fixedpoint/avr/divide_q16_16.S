@@ -1,0 +1,673 @@
+// SPDX-License-Identifier: MIT
+#ifdef __AVR__
+
+#define n0 r22
+#define n1 r23
+#define n2 r24
+#define n3 r25
+
+    .section .text.fixedpoint_divide_q16_16, "ax", @progbits
+
+    // x1..x3 of x = n w, from x0, x1 = n0 w0
+    .macro multiply_low x1, x2, x3
+    mul n0, r27
+    clr \x2
+    add \x1, r0
+    adc \x2, r1
+    mul n1, r26
+    clr \x3
+    add \x1, r0
+    adc \x2, r1
+    rol \x3
+    mul n1, r27
+    add \x2, r0
+    adc \x3, r1
+    .endm
+    // adds n2 w
+    .macro multiply_byte byte, x2, x3, x4
+    mul \byte, r26
+    clr \x4
+    add \x2, r0
+    adc \x3, r1
+    rol \x4
+    mul \byte, r27
+    add \x3, r0
+    adc \x4, r1
+    .endm
+
+    .macro digit24 q, x0, x1, x2, x3
+    mul \q, r31
+    movw r26, r0
+    mul \q, r18
+    add \x0, r0
+    adc \x1, r1
+    adc \x2, r26
+    adc \x3, r27
+    brcs 7f
+    mul \q, r19
+    add \x1, r0
+    adc \x2, r1
+    adc \x3, r24
+    brcc 9f
+    rjmp 8f
+7:  mul \q, r19
+    add \x1, r0
+    adc \x2, r1
+    adc \x3, r24
+8:  add \x0, r18
+    adc \x1, r19
+    adc \x2, r31
+    adc \x3, r24
+    .endm
+    // q E = r1:r27..r24
+    .macro multiply32 q
+    mul \q, r28
+    movw r24, r0
+    mul \q, r30
+    movw r26, r0
+    mul \q, r29
+    add r25, r0
+    adc r26, r1
+    adc r27, r16
+    mul \q, r31
+    add r27, r0
+    adc r1, r16
+    .endm
+
+    // ---- rare entries of the short divisor
+.Lclamp:
+    mov r0, n0
+    or r0, n1
+    or r0, n2
+    or r0, n3
+    breq 1f
+.Lclamp_to_sign:
+    ldi r22, 0xff
+    ldi r23, 0xff
+    movw r24, r22
+    andi r25, 0x7f
+    brtc 1f
+    com r22
+    com r23
+    com r24
+    com r25
+1:  ret
+.Lsmallest:
+    mov r0, r21
+    and r0, r20
+    com r0
+    or r0, r19
+    or r0, r18
+    brne 1f
+    rjmp .Lcomplement
+1:  rjmp .Lpositive
+.Lnot_short:
+    rjmp .Lmedium_or_long
+
+.Lcheck:
+    mov r0, n1
+    mov r26, n2
+    mov r27, n3
+    lsl r0
+    rol r26
+    rol r27
+    brcs .Lclamp
+    cp r26, r18
+    cpc r27, r19
+    brsh .Lclamp
+    tst r19
+    brne .Lshort
+    mov r19, r18
+    clr r18
+    mov n3, n2
+    mov n2, n1
+    mov n1, n0
+    clr n0
+    rjmp .Lshort
+
+    .global fixedpoint_divide_q16_16
+    .type fixedpoint_divide_q16_16, @function
+fixedpoint_divide_q16_16:
+    mov r0, r25
+    eor r0, r21
+    bst r0, 7
+    tst r25
+    brpl 1f
+    com r25
+    com r24
+    com r23
+    neg r22
+    sbci r23, 0xff
+    sbci r24, 0xff
+    sbci r25, 0xff
+    brmi .Lsmallest
+1:
+.Lpositive:
+    tst r21
+    brpl 2f
+    com r21
+    com r20
+    com r19
+    neg r18
+    sbci r19, 0xff
+    sbci r20, 0xff
+    sbci r21, 0xff
+2:  mov r0, r20
+    or r0, r21
+    brne .Lnot_short
+    cpi r19, 2
+    brlo .Lcheck
+    tst n3
+    brne .Lcheck
+.Lshort:
+    ldi r31, hi8(fixedpoint_reciprocal_table)
+    mov r30, r19
+    lpm r20, Z
+    mul r18, r20
+    movw r26, r0
+    mul r19, r20
+    add r27, r0
+    mov r30, r27
+    mov r18, r26
+    lsl r18
+    rol r30
+    inc r31
+    lpm r30, Z
+    // E = r18:r19
+    mul r27, r30
+    movw r18, r0
+    add r18, r26
+    adc r19, r27
+    mul r26, r30
+    add r18, r1
+    adc r19, r21
+    com r18
+    neg r0
+    sbci r18, 0xff
+    adc r19, r21
+    mov r19, r0
+    breq 1f
+    sub r19, r26
+    sbc r18, r27
+    inc r30
+1:  mul r20, r30
+    movw r26, r0
+    add r27, r20
+    // X
+    mul n0, r26
+    mov r31, r0
+    mov r20, r1
+    multiply_low r20, r21, r22
+    mov r23, n2
+    or r23, n3
+    breq 2f
+    multiply_byte n2, r21, r22, r23
+    tst n3
+    brne .Lshort_large
+1:  tst r23
+    breq 2f
+    // digit 3
+    mul r23, r19
+    movw r26, r0
+    mul r23, r18
+    add r0, r27
+    adc r1, r25
+    add r20, r26
+    adc r21, r0
+    adc r22, r1
+    brcc 2f
+    inc r23
+    add r20, r19
+    adc r21, r18
+    adc r22, r25
+2:  tst r22
+    breq 3f
+    // digit 2
+    mul r22, r19
+    movw r26, r0
+    mul r22, r18
+    add r0, r27
+    adc r1, r25
+    add r31, r26
+    adc r20, r0
+    adc r21, r1
+    brcc 3f
+    subi r22, 0xff
+    sbci r23, 0xff
+    add r31, r19
+    adc r20, r18
+    adc r21, r25
+3:  // digit 1
+    mul r21, r19
+    movw r26, r0
+    mul r21, r18
+    add r0, r27
+    adc r1, r25
+    add r31, r0
+    adc r20, r1
+    brcc 4f
+    subi r21, 0xff
+    sbci r22, 0xff
+    sbci r23, 0xff
+    add r26, r19
+    adc r31, r18
+    adc r20, r25
+4:  // digit 0
+    mul r20, r18
+    add r26, r0
+    adc r31, r1
+    brcs .Lshort_carry
+    cpi r31, 0x80
+    brsh .Lshort_up
+    cpi r31, 0x7d
+    brsh .Lshort_exact
+.Lshort_down:
+    movw r24, r22
+    movw r22, r20
+    clr r1
+    brts .Lnegate
+    ret
+.Lshort_large:
+    mul n3, r26
+    add r22, r0
+    adc r23, r1
+    mul n3, r27
+    add r23, r0
+    clr r25
+    rjmp 1b
+.Lshort_up:
+    movw r24, r22
+    movw r22, r20
+.Lup:
+    clr r1
+    brts .Lcomplement
+    subi r22, 0xff
+    sbci r23, 0xff
+    sbci r24, 0xff
+    sbci r25, 0xff
+    ret
+.Lcomplement:
+    com r22
+    com r23
+    com r24
+    com r25
+    ret
+.Lnegate:
+    com r25
+    com r24
+    com r23
+    neg r22
+    sbci r23, 0xff
+    sbci r24, 0xff
+    sbci r25, 0xff
+    ret
+.Lshort_carry:
+    cpi r31, 0x7d
+    brlo .Lshort_up
+    cpi r31, 0x80
+    brlo 1f
+    rcall .Lshort_increment
+    rjmp .Lshort_up
+1:  // exact, q + 1
+    mul r20, r19
+    add r26, r1
+    adc r31, r25
+    add r0, r19
+    adc r26, r18
+    adc r31, r25
+    rcall .Lshort_increment
+    rjmp 2f
+.Lshort_exact:
+    mul r20, r19
+    add r26, r1
+    adc r31, r25
+2:  lsl r0
+    rol r26
+    rol r31
+    brcs .Lshort_up
+    add r0, r19
+    adc r26, r18
+    adc r31, r25
+    brcc .Lshort_down
+    brtc .Lshort_up
+    or r0, r26
+    or r0, r31
+    brne .Lshort_up
+    rjmp .Lshort_down
+.Lshort_increment:
+    subi r20, 0xff
+    sbci r21, 0xff
+    sbci r22, 0xff
+    sbci r23, 0xff
+    ret
+
+.Lmedium_or_long:
+    tst r21
+    breq .Lmedium
+    rjmp .Llong
+.Lmedium:
+    ldi r31, hi8(fixedpoint_reciprocal_table)
+    mov r30, r20
+    lpm r21, Z
+    // D = r20:r27:r26
+    mul r20, r21
+    mov r20, r0
+    mul r18, r21
+    movw r26, r0
+    mul r19, r21
+    add r27, r0
+    adc r20, r1
+    mov r30, r20
+    mov r18, r27
+    lsl r18
+    rol r30
+    inc r31
+    lpm r30, Z
+    // E = r31:r19:r18
+    mul r26, r30
+    movw r18, r0
+    mul r27, r30
+    clr r31
+    add r19, r0
+    adc r31, r1
+    mul r20, r30
+    add r31, r0
+    adc r1, r20
+    clr r0
+    add r19, r26
+    adc r31, r27
+    adc r1, r0
+    com r31
+    com r19
+    neg r18
+    sbci r19, 0xff
+    sbci r31, 0xff
+    adc r1, r0
+    breq 1f
+    sub r18, r26
+    sbc r19, r27
+    sbc r31, r20
+    inc r30
+1:  mul r21, r30
+    movw r26, r0
+    add r27, r21
+    mul n0, r26
+    movw r20, r0
+    multiply_low r21, r22, r30
+    mov r23, n2
+    or r23, n3
+    breq 3f
+    multiply_byte n2, r22, r30, r23
+    tst n3
+    brne .Lto_medium_large
+    clr r24
+.Lmedium_digit_2:
+    tst r23
+    breq 3f
+    digit24 r23, r20, r21, r22, r30
+    subi r23, 0xff
+    sbci r25, 0xff
+9:
+3:  // digit 1
+    mul r30, r31
+    movw r26, r0
+    mul r30, r18
+    add r20, r1
+    adc r21, r26
+    adc r22, r27
+    mov r26, r0
+    brcs 7f
+    mul r30, r19
+    add r20, r0
+    adc r21, r1
+    adc r22, r24
+    brcs 8f
+9:  // digit 0
+    mul r22, r31
+    add r20, r0
+    adc r21, r1
+    brcs .Lmedium_carry
+    cpi r21, 0x80
+    brsh .Lmedium_up
+    cpi r21, 0x7d
+    brsh .Lmedium_exact
+.Lmedium_down:
+    mov r24, r23
+    mov r23, r30
+    clr r1
+    brts 1f
+    ret
+1:  rjmp .Lnegate
+.Lmedium_up:
+    mov r24, r23
+    mov r23, r30
+    rjmp .Lup
+.Lto_medium_large:
+    rjmp .Lmedium_large
+7:  mul r30, r19
+    add r20, r0
+    adc r21, r1
+    adc r22, r24
+8:  subi r30, 0xff
+    sbci r23, 0xff
+    sbci r25, 0xff
+    add r26, r18
+    adc r20, r19
+    adc r21, r31
+    adc r22, r24
+    rjmp 9b
+.Lmedium_exact:
+    rcall .Lmedium_rest
+.Lmedium_compare:
+    lsl r0
+    rol r26
+    rol r20
+    rol r21
+    brcs 1f
+    add r0, r18
+    adc r26, r19
+    adc r20, r31
+    adc r21, r24
+    brcc .Lmedium_down
+    brtc 1f
+    or r0, r26
+    or r0, r20
+    or r0, r21
+    breq .Lmedium_down
+1:  rjmp .Lmedium_up
+.Lmedium_carry:
+    cpi r21, 0x7d
+    brlo .Lmedium_up
+    cpi r21, 0x80
+    brsh 1f
+    rcall .Lmedium_rest
+    add r0, r18
+    adc r26, r19
+    adc r20, r31
+    adc r21, r24
+    rcall .Lmedium_increment
+    rjmp .Lmedium_compare
+1:  rcall .Lmedium_increment
+    rjmp .Lmedium_up
+.Lmedium_rest:
+    mul r22, r19
+    add r26, r0
+    adc r20, r1
+    adc r21, r24
+    mul r22, r18
+    add r26, r1
+    adc r20, r24
+    adc r21, r24
+    ret
+.Lmedium_increment:
+    subi r22, 0xff
+    sbci r30, 0xff
+    sbci r23, 0xff
+    sbci r25, 0xff
+    ret
+
+.Lmedium_large:
+    clr r24
+    mul n3, r26
+    add r30, r0
+    adc r23, r1
+    rol r24
+    mul n3, r27
+    add r23, r0
+    adc r24, r1
+    mov r25, r24
+    clr r24
+    digit24 r25, r21, r22, r30, r23
+    inc r25
+9:  rjmp .Lmedium_digit_2
+
+.Llong:
+    push r16
+    push r17
+    push r28
+    push r29
+    ldi r31, hi8(fixedpoint_reciprocal_table)
+    mov r30, r21
+    lpm r26, Z
+    // D = r21:r18
+    clr r16
+    mul r21, r26
+    mov r21, r0
+    mul r19, r26
+    movw r28, r0
+    mul r18, r26
+    movw r18, r0
+    mul r20, r26
+    mov r20, r0
+    add r21, r1
+    add r19, r28
+    adc r20, r29
+    adc r21, r16
+    mov r30, r21
+    mov r0, r20
+    lsl r0
+    rol r30
+    inc r31
+    lpm r27, Z
+    // E = r31:r28
+    mul r18, r27
+    movw r28, r0
+    mul r20, r27
+    movw r30, r0
+    mul r21, r27
+    add r31, r0
+    adc r1, r21
+    mov r17, r1
+    mul r19, r27
+    add r29, r0
+    adc r30, r1
+    adc r31, r16
+    adc r17, r16
+    add r29, r18
+    adc r30, r19
+    adc r31, r20
+    adc r17, r16
+    com r31
+    com r30
+    com r29
+    neg r28
+    sbci r29, 0xff
+    sbci r30, 0xff
+    sbci r31, 0xff
+    adc r17, r16
+    breq 1f
+    sub r28, r18
+    sbc r29, r19
+    sbc r30, r20
+    sbc r31, r21
+    inc r27
+1:  mov r17, r26
+    mul r26, r27
+    movw r26, r0
+    add r27, r17
+    mul n0, r26
+    movw r18, r0
+    multiply_low r19, r20, r21
+    multiply_byte n2, r20, r21, r22
+    multiply_byte n3, r21, r22, r23
+    // digit 2
+    multiply32 r23
+    add r18, r24
+    adc r19, r25
+    adc r20, r26
+    adc r21, r27
+    adc r22, r1
+    brcc 1f
+    inc r23
+    add r18, r28
+    adc r19, r29
+    adc r20, r30
+    adc r21, r31
+    adc r22, r16
+1:  // digit 1
+    multiply32 r22
+    mov r17, r24
+    add r18, r25
+    adc r19, r26
+    adc r20, r27
+    adc r21, r1
+    brcc 1f
+    subi r22, 0xff
+    sbci r23, 0xff
+    add r17, r28
+    adc r18, r29
+    adc r19, r30
+    adc r20, r31
+    adc r21, r16
+1:  // digit 0
+    multiply32 r21
+    add r17, r25
+    adc r18, r26
+    adc r19, r27
+    adc r20, r1
+    brcc 1f
+    subi r21, 0xff
+    sbci r22, 0xff
+    sbci r23, 0xff
+    add r24, r28
+    adc r17, r29
+    adc r18, r30
+    adc r19, r31
+    adc r20, r16
+1:  lsl r24
+    rol r17
+    rol r18
+    rol r19
+    rol r20
+    brcs 1f
+    add r24, r28
+    adc r17, r29
+    adc r18, r30
+    adc r19, r31
+    adc r20, r16
+    brcc .Llong_down
+    brtc 1f
+    or r24, r17
+    or r24, r18
+    or r24, r19
+    or r24, r20
+    breq .Llong_down
+1:  subi r21, 0xff
+    sbci r22, 0xff
+    sbci r23, 0xff
+.Llong_down:
+    pop r29
+    pop r28
+    pop r17
+    pop r16
+    mov r24, r23
+    mov r23, r22
+    mov r22, r21
+    clr r25
+    clr r1
+    brts 1f
+    ret
+1:  rjmp .Lnegate
+    .size fixedpoint_divide_q16_16, .-fixedpoint_divide_q16_16
+
+#endif

@@ -1,0 +1,619 @@
+// SPDX-License-Identifier: MIT
+// int64_t fixedpoint_divide_q32_32(int64_t a, int64_t b)
+
+#ifdef __AVR__
+
+// |a|, later the quotient
+#define q0 r18
+#define q1 r19
+#define q2 r20
+#define q3 r21
+#define q4 r22
+#define q5 r23
+#define q6 r24
+#define q7 r25
+// b, then d = 2^k |b|
+#define d0 r10
+#define d1 r11
+#define d2 r12
+#define d3 r13
+#define d4 r14
+#define d5 r15
+#define d6 r16
+#define d7 r17
+#define power r26
+#define low r26
+#define digit r27
+
+    // digit = u2:u1:u0 / h1:h0, u1:u0 = the remainder, where digit 0 with u2 != 0 stands for 256.
+    .macro estimate u2, u1, u0, h1, h0, inverse, name
+    mul \inverse, \u2
+    add r0, \u1
+    adc r1, \u2
+    movw low, r0
+    mul digit, \h1
+    sub \u1, r0
+    mul digit, \h0
+    sub \u0, r0
+    sbc \u1, r1
+    sub \u0, \h0
+    sbc \u1, \h1
+    inc digit
+    cp \u1, low
+    brcs 1f
+    dec digit
+    add \u0, \h0
+    adc \u1, \h1
+1:  cp \u0, \h0
+    cpc \u1, \h1
+    brcc .L\name\()_low
+.L\name\()_estimated:
+    tst digit
+    breq .L\name\()_zero
+    .endm
+
+    // power = 2^k that moves the leading one of `byte` to bit 7.
+    .macro find_power byte
+    mov r30, \byte
+    ldi r31, hi8(fixedpoint_normalise_table)
+    ldi power, 1
+    sbrs r30, 7
+    lpm power, Z
+    .endm
+
+    // inverse = floor((2^24 - 1) / h1:h0) - 256. Clobbers r30, r31.
+    .macro invert inverse, h1, h0
+    mov r30, \h1
+    ldi r31, hi8(fixedpoint_normalise_table)
+    lpm \inverse, Z
+    mul \inverse, \h1
+    add r0, \h0
+    mov r30, r0
+    brcc 2f
+    dec \inverse
+    cp r30, \h1
+    brcs 1f
+    dec \inverse
+    sub r30, \h1
+1:  sub r30, \h1
+2:  mul \inverse, \h0
+    add r30, r1
+    brcc 3f
+    dec \inverse
+    cp r0, \h0
+    cpc r30, \h1
+    brcs 3f
+    dec \inverse
+3:
+    .endm
+
+    // byte * 2^k: the low half to `low_half`, what is shifted out into the zeros of `high_half`.
+    .macro scale high_half, low_half, byte
+    mul \byte, power
+    or \high_half, r1
+    mov \low_half, r0
+    .endm
+
+    .macro negate_q
+    com q1
+    com q2
+    com q3
+    com q4
+    com q5
+    com q6
+    com q7
+    neg q0
+    sbci q1, 0xff
+    sbci q2, 0xff
+    sbci q3, 0xff
+    sbci q4, 0xff
+    sbci q5, 0xff
+    sbci q6, 0xff
+    sbci q7, 0xff
+    .endm
+
+    .section .text.fixedpoint_divide_q32_32, "ax", @progbits
+
+    // Divisors of at most five bytes. u5..u0:q7..q0 moves up by a byte for each digit, which comes
+    // in at the bottom.
+#define u0 r6
+#define u1 r7
+#define u2 r8
+#define u3 r9
+#define u4 r28
+#define u5 r29
+#define inverse r15
+#define zero r16
+#define count r17
+
+    .macro move_up
+    mov u5, u4
+    mov u4, u3
+    mov u3, u2
+    mov u2, u1
+    mov u1, u0
+    mov u0, q7
+    mov q7, q6
+    mov q6, q5
+    mov q5, q4
+    mov q4, q3
+    mov q3, q2
+    mov q2, q1
+    mov q1, q0
+    .endm
+
+    .global fixedpoint_divide_q32_32
+    .type fixedpoint_divide_q32_32, @function
+fixedpoint_divide_q32_32:
+    push r14
+    push r13
+    push r12
+    push r11
+    push r10
+    push r29
+    push r28
+    push r9
+    push r8
+    push r7
+    push r6
+    push r17
+    mov r26, q7
+    eor r26, d7
+    bst r26, 7
+    tst q7
+    brpl 1f
+    negate_q
+1:  tst d7
+    brpl 1f
+    rjmp .Lnegative_divisor
+1:  mov r0, d5
+    or r0, d6
+    or r0, d7
+    breq .Lshort
+    rjmp .Llong
+
+.Lshort:
+    mov r0, q5
+    or r0, q6
+    or r0, q7
+    brne .Lcheck_range
+    mov r0, d2
+    or r0, d3
+    or r0, d4
+    brne .Lin_range
+    // |a| < 2^31 |b|?
+.Lcheck_range:
+    movw r26, q4
+    movw r30, q6
+    mov r0, q3
+    lsl r0
+    rol r26
+    rol r27
+    rol r30
+    rol r31
+    clr r0
+    rol r0
+    cp r26, d0
+    cpc r27, d1
+    cpc r30, d2
+    cpc r31, d3
+    cpc r0, d4
+    brcs .Lin_range
+    rjmp .Lout_of_range
+
+.Lin_range:
+    clr zero
+    ldi count, 5
+1:  tst d4
+    brne 2f
+    mov d4, d3
+    mov d3, d2
+    mov d2, d1
+    mov d1, d0
+    clr d0
+    inc count
+    rjmp 1b
+2:  find_power d4
+    mul d4, power
+    mov d4, r0
+    scale d4, d3, d3
+    scale d3, d2, d2
+    scale d2, d1, d1
+    scale d1, d0, d0
+    mov r0, q5
+    or r0, q6
+    or r0, q7
+    brne .Llong_dividend
+    mul q4, power
+    mov u5, r1
+    mov u4, r0
+    scale u4, u3, q3
+    scale u3, u2, q2
+    scale u2, u1, q1
+    scale u1, u0, q0
+    rjmp 3f
+.Llong_dividend:
+    subi count, -3
+    mul q7, power
+    mov u5, r1
+    mov u4, r0
+    scale u4, u3, q6
+    scale u3, u2, q5
+    scale u2, u1, q4
+    scale u1, u0, q3
+    scale u0, q7, q2
+    scale q7, q6, q1
+    scale q6, q5, q0
+3:  clr q0
+    clr q1
+    movw q2, q0
+    clr q4
+    invert inverse, d4, d3
+    rjmp 2f
+
+.Lshort_low:
+    inc digit
+    sub u3, d3
+    sbc u4, d4
+    rjmp .Lshort_estimated
+
+.Lshort_zero:
+    tst u5
+    brne 1f
+    rjmp .Lshort_next
+1:  sub u1, d0
+    sbc u2, d1
+    sbc u3, d2
+    sbc u4, zero
+    rjmp .Lshort_high
+
+    // Digits that are surely zero.
+1:  move_up
+    dec count
+    brne 2f
+    rjmp .Lcompare
+2:  tst u5
+    brne .Ldigit
+    cp u4, d4
+    brlo 1b
+
+.Ldigit:
+    estimate u5, u4, u3, d4, d3, inverse, short
+    mul digit, d0
+    movw r30, r0
+    mul digit, d1
+    add r31, r0
+    mov u5, r1
+    adc u5, zero
+    mul digit, d2
+    add r0, u5
+    adc r1, zero
+    sub u0, r30
+    sbc u1, r31
+    sbc u2, r0
+    sbc u3, r1
+    sbc u4, zero
+    brcs .Lshort_high
+.Lshort_next:
+    move_up
+    mov q0, digit
+    dec count
+    brne .Ldigit
+
+.Lcompare:
+    lsl u1
+    rol u2
+    rol u3
+    rol u4
+    rol u5
+    brcs 2f
+    brtc 1f
+    sec
+1:  cpc u1, d0
+    cpc u2, d1
+    cpc u3, d2
+    cpc u4, d3
+    cpc u5, d4
+    rjmp 3f
+2:  clc
+    // d7..d5 are the sign of b again.
+3:  pop d7
+    mov d6, d7
+    mov d5, d7
+    rjmp .Lround
+
+.Lshort_high:
+    dec digit
+    add u0, d0
+    adc u1, d1
+    adc u2, d2
+    adc u3, d3
+    adc u4, d4
+    rjmp .Lshort_next
+
+.Lsaturate:
+    ldi q0, 0xff
+    brtc 1f
+    clr q0
+1:  mov q1, q0
+    movw q2, q0
+    movw q4, q0
+    movw q6, q0
+    subi q7, 0x80
+    rjmp .Lrestore
+
+    // One more where the carry is clear.
+.Lround:
+    sbci q0, 0xff
+    sbci q1, 0xff
+    sbci q2, 0xff
+    sbci q3, 0xff
+    sbci q4, 0xff
+    sbci q5, 0xff
+    sbci q6, 0xff
+    sbci q7, 0xff
+    brmi .Lsaturate
+    brtc .Lrestore
+    negate_q
+.Lrestore:
+    clr r1
+    pop r6
+    pop r7
+    pop r8
+    pop r9
+    pop r28
+    pop r29
+    pop r10
+    pop r11
+    pop r12
+    pop r13
+    pop r14
+    ret
+
+    // b may be zero, and then a, too.
+.Lout_of_range:
+    pop d7
+    mov d6, d7
+    mov d5, d7
+    mov r0, q0
+    or r0, q1
+    or r0, q2
+    or r0, q3
+    or r0, q4
+    or r0, q5
+    or r0, q6
+    or r0, q7
+    breq 1f
+    rjmp .Lsaturate
+1:  rjmp .Lrestore
+#undef u0
+#undef u1
+#undef u2
+#undef u3
+#undef u4
+#undef u5
+#undef u6
+#undef u7
+#undef u8
+#undef zero
+#undef count
+#undef inverse
+
+
+    // Divisors of six to eight bytes. The quotient has at most seven, and no dividend is too large.
+    // u8..u0 = 2^k |a|, later the remainder.
+#define u0 r18
+#define u1 r19
+#define u2 r20
+#define u3 r21
+#define u4 r22
+#define u5 r23
+#define u6 r24
+#define u7 r25
+#define u8 r29
+#define zero r28
+#define count r4
+#define inverse r5
+
+.Lnegative_divisor:
+    mov r0, d5
+    and r0, d6
+    and r0, d7
+    com r0
+    brne 1f
+    com d1
+    com d2
+    com d3
+    com d4
+    neg d0
+    sbc d1, d5
+    sbc d2, d5
+    sbc d3, d5
+    sbc d4, d5
+    brcc 1f
+    rjmp .Lshort
+1:  push d6
+    push d5
+    com d1
+    com d2
+    com d3
+    com d4
+    com d5
+    com d6
+    com d7
+    ldi r26, 0xff
+    neg d0
+    sbc d1, r26
+    sbc d2, r26
+    sbc d3, r26
+    sbc d4, r26
+    sbc d5, r26
+    sbci d6, 0xff
+    sbci d7, 0xff
+    rjmp 2f
+
+.Llong:
+    push d6
+    push d5
+2:  push r5
+    push r4
+    ldi r27, 2
+    ldi r26, 5
+1:  tst d7
+    brne 2f
+    mov d7, d6
+    mov d6, d5
+    mov d5, d4
+    mov d4, d3
+    mov d3, d2
+    mov d2, d1
+    mov d1, d0
+    clr d0
+    inc r26
+    dec r27
+    rjmp 1b
+2:  mov count, r26
+    clr zero
+    // The bytes of the quotient that are known to be zero.
+1:  subi r27, 1
+    brcs 2f
+    push zero
+    rjmp 1b
+
+2:  find_power d7
+    mul d7, power
+    mov d7, r0
+    scale d7, d6, d6
+    scale d6, d5, d5
+    scale d5, d4, d4
+    scale d4, d3, d3
+    scale d3, d2, d2
+    scale d2, d1, d1
+    scale d1, d0, d0
+    mul u7, power
+    mov u8, r1
+    mov u7, r0
+    scale u7, u6, u6
+    scale u6, u5, u5
+    scale u5, u4, u4
+    scale u4, u3, u3
+    scale u3, u2, u2
+    scale u2, u1, u1
+    scale u1, u0, u0
+    invert inverse, d7, d6
+    rjmp .Llong_digit
+
+.Llong_low:
+    inc digit
+    sub u6, d6
+    sbc u7, d7
+    rjmp .Llong_estimated
+
+.Llong_zero:
+    tst u8
+    brne 1f
+    rjmp .Llong_next
+1:  sub u1, d0
+    sbc u2, d1
+    sbc u3, d2
+    sbc u4, d3
+    sbc u5, d4
+    sbc u6, d5
+    sbc u7, zero
+    rjmp .Llong_high
+
+.Llong_digit:
+    estimate u8, u7, u6, d7, d6, inverse, long
+    mul digit, d0
+    movw r30, r0
+    mul digit, d2
+    movw r8, r0
+    mul digit, d4
+    movw r6, r0
+    mul digit, d1
+    add r31, r0
+    adc r8, r1
+    adc r9, zero
+    mul digit, d3
+    add r9, r0
+    adc r6, r1
+    adc r7, zero
+    mul digit, d5
+    add r7, r0
+    adc r1, zero
+    sub u0, r30
+    sbc u1, r31
+    sbc u2, r8
+    sbc u3, r9
+    sbc u4, r6
+    sbc u5, r7
+    sbc u6, r1
+    sbc u7, zero
+    brcs .Llong_high
+.Llong_next:
+    push digit
+    dec count
+    breq .Llong_round
+    mov u8, u7
+    mov u7, u6
+    mov u6, u5
+    mov u5, u4
+    mov u4, u3
+    mov u3, u2
+    mov u2, u1
+    mov u1, u0
+    clr u0
+    rjmp .Llong_digit
+
+.Llong_high:
+    dec digit
+    add u0, d0
+    adc u1, d1
+    adc u2, d2
+    adc u3, d3
+    adc u4, d4
+    adc u5, d5
+    adc u6, d6
+    adc u7, d7
+    rjmp .Llong_next
+
+    // 2 r >= |d|, for a negative quotient 2 r > |d|: carry clear.
+.Llong_round:
+    lsl u0
+    rol u1
+    rol u2
+    rol u3
+    rol u4
+    rol u5
+    rol u6
+    rol u7
+    brcs 2f
+    brtc 1f
+    sec
+1:  cpc u0, d0
+    cpc u1, d1
+    cpc u2, d2
+    cpc u3, d3
+    cpc u4, d4
+    cpc u5, d5
+    cpc u6, d6
+    cpc u7, d7
+    rjmp 3f
+2:  clc
+3:  pop q0
+    pop q1
+    pop q2
+    pop q3
+    pop q4
+    pop q5
+    pop q6
+    ldi q7, 0
+    pop r4
+    pop r5
+    pop d5
+    pop d6
+    pop d7
+    rjmp .Lround
+    .size fixedpoint_divide_q32_32, .-fixedpoint_divide_q32_32
+
+#endif

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// int8_t fixedpoint_divide_q4_4(int8_t a, int8_t b)
+// floor(2^4 a / b + 1/2), clamped; b = 0: the largest number where a > 0, the smallest where a < 0,
+// 0 where a = 0.
+//
+// In:       a r24, b r22
+// Out:      r24
+// Clobbers: r0, r18..r21, r23, r25, r30, r31
+// Cycles, call and return included: DIVIDE_CYCLES. Stack: 0 bytes.
+//
+// a times a signed reciprocal R of 16 bits, one for every b, is the quotient: R is the integer
+// nearest to 2^19 / b where |b| > 16, so that the quotient stands at bit 15 of a R, and to 2^16 / b
+// where 2 <= |b| <= 16, with the quotient at bit 12 (2^16 / 2 is one too large for R, and one less
+// does no harm). a R is off by less than 64 units, since |a| <= 128 and R is off by half a unit at
+// most; 64 units are added. So the error lies in [0, 128) units, and what it must not bridge, the
+// step from one possible fraction of a quotient to the next, is 2^15 / 2 |b| >= 128 units where
+// |b| > 16, and 2^12 / 2 |b| >= 128 units elsewhere. Hence ties round upward and nothing else does.
+
+#ifdef __AVR__
+
+    .section .text.fixedpoint_divide_q4_4, "ax", @progbits
+
+    // r24:r25 = (a R + 64) >> 8, r1 = 0. Both halves of the product fit: |a R| < 2^22.
+    .macro multiply_by_reciprocal
+    mov r30, r22
+    ldi r31, hi8(fixedpoint_divide_q4_4_table)
+    lpm r18, Z
+    inc r31
+    lpm r19, Z
+    mov r20, r24
+    ldi r21, 64
+    muls r20, r19
+    movw r24, r0
+    mulsu r20, r18
+    sbci r25, 0
+    add r0, r21
+    adc r24, r1
+    clr r1
+    adc r25, r1
+    .endm
+
+    .global fixedpoint_divide_q4_4
+    .type fixedpoint_divide_q4_4, @function
+fixedpoint_divide_q4_4:
+    mov r23, r22
+    subi r23, -16
+    cpi r23, 33
+    brlo .Lsmall_divisor
+
+    multiply_by_reciprocal
+    lsl r24
+    rol r25
+    lsl r24
+    adc r25, r1
+    mov r24, r25
+    ret
+
+.Lsmall_divisor:
+    subi r23, 15
+    cpi r23, 3
+    brlo .Lunit_or_zero
+    multiply_by_reciprocal
+    subi r24, -8
+    sbci r25, -1
+    mov r23, r25
+    subi r23, -8
+    cpi r23, 16
+    brsh .Lclamp_to_sign_of_r25
+    andi r24, 0xf0
+    andi r25, 0x0f
+    or r24, r25
+    swap r24
+    ret
+
+.Lunit_or_zero:
+    mov r25, r24
+    dec r23
+    breq .Lzero
+    brmi .Lminus_one
+    subi r24, -8
+    cpi r24, 16
+    brsh .Lclamp_to_sign_of_r25
+    subi r24, 8
+    swap r24
+    andi r24, 0xf0
+    ret
+
+    // 16 a fits for -7 <= a <= 8, and is negated.
+.Lminus_one:
+    com r25
+    subi r24, -7
+    cpi r24, 16
+    brsh .Lclamp_to_sign_of_r25
+    subi r24, 7
+    swap r24
+    andi r24, 0xf0
+    neg r24
+    ret
+
+.Lzero:
+    tst r24
+    breq .Lreturn
+.Lclamp_to_sign_of_r25:
+    ldi r24, 0x7f
+    sbrc r25, 7
+    inc r24
+.Lreturn:
+    ret
+    .size fixedpoint_divide_q4_4, .-fixedpoint_divide_q4_4
+
+#endif

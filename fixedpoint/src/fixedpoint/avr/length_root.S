@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+#ifdef __AVR__
+// Internal to the lengths. Arguments and results in registers of their own choice.
+//
+// fixedpoint_length_root: r25:r24:r23:r22 = r, the integer nearest to the root of
+//     N = r23:r22:r21:r20:r19:r18. Also leaves r21:r20:r19:r18 = N - r (r + 1) - 1, which is
+//     negative. Needs N < 3 * 2^46. Changes call-clobbered registers only.
+// fixedpoint_length_long: the length of the r26 components at r31:r30, for components of any size.
+//     Enter by jmp.
+//
+// Technique. N is shifted left by k = 0..23 bits, even, whole bytes first, so that its top byte M3
+// is 64 at least. The 16-bit root c of M3:M2 comes from the tables of sqrt_table.S and is at most 3
+// below that of N; e = M3:M2:M1 - c^2 / 2^8 and the slope (which is 2^23 / c) make eight more bits of the
+// root. That 24-bit root S is more than 5 and less than 6 off either way; less 6, and shifted back,
+// it is at most 11 / 2^k + 2 below r, and the exact remainder decides how often it is stepped up.
+
+#define n0 r18
+#define n1 r19
+#define n2 r20
+#define n3 r21
+#define k r22
+#define s0 r31
+#define s1 r23
+#define s2 r27
+#define slope r24
+#define m1 r25
+#define m2 r26
+
+    .section .text.fixedpoint_length_root, "ax", @progbits
+    .global fixedpoint_length_root
+    .type fixedpoint_length_root, @function
+fixedpoint_length_root:
+    movw r26, r22
+    movw r24, n2
+    movw r30, n0
+    clr k
+1:  tst r27
+    brne 2f
+    mov r27, r26
+    mov r26, r25
+    mov r25, r24
+    mov r24, r31
+    mov r31, r30
+    clr r30
+    subi k, -4
+    cpi k, 24
+    brne 1b
+    rjmp .Lzero
+2:  ldi r23, 1
+    cpi r27, 64
+    brsh 3f
+    inc k
+    ldi r23, 4
+    cpi r27, 16
+    brsh 3f
+    inc k
+    ldi r23, 16
+    cpi r27, 4
+    brsh 3f
+    inc k
+    ldi r23, 64
+3:  mul r27, r23
+    mov r30, r0
+    mul r26, r23
+    or r30, r1
+    mov m2, r0
+    mul r25, r23
+    or m2, r1
+    mov m1, r0
+    mul r24, r23
+    or m1, r1
+    ldi r31, hi8(fixedpoint_sqrt_table)
+    lpm s1, Z
+    inc r31
+    lpm s2, Z
+    inc r31
+    lpm slope, Z
+    mul slope, m2
+    add s1, r1
+    brcc 4f
+    inc s2
+4:  mul s1, s1
+    sub m1, r1
+    sbci m2, 0
+    mul s2, s2
+    sub m2, r0
+    mul s1, s2
+    lsl r0
+    rol r1
+    sub m1, r0
+    sbc m2, r1
+    mul m1, slope
+    mov s0, r1
+    mul m2, slope
+    add s0, r0
+    adc s1, r1
+    brcc 5f
+    inc s2
+5:  subi s0, 6
+    sbci s1, 0
+    sbci s2, 0
+6:  cpi k, 8
+    brlo 7f
+    mov s0, s1
+    mov s1, s2
+    clr s2
+    subi k, 8
+    rjmp 6b
+7:  cpi k, 4
+    brlo 10f
+    ldi r30, 16
+    mul s0, r30
+    mov s0, r1
+    mul s1, r30
+    or s0, r0
+    mov s1, r1
+    mul s2, r30
+    or s1, r0
+    mov s2, r1
+    subi k, 4
+    rjmp 10f
+9:  lsr s2
+    ror s1
+    ror s0
+10: dec k
+    brpl 9b
+    sec
+    sbc n0, s0
+    sbc n1, s1
+    sbc n2, s2
+    sbci n3, 0
+    mul s0, s0
+    sub n0, r0
+    sbc n1, r1
+    sbci n2, 0
+    sbci n3, 0
+    mul s0, s1
+    sub n1, r0
+    sbc n2, r1
+    sbci n3, 0
+    sub n1, r0
+    sbc n2, r1
+    sbci n3, 0
+    mul s0, s2
+    sub n2, r0
+    sbc n3, r1
+    sub n2, r0
+    sbc n3, r1
+    mul s1, s2
+    sub n3, r0
+    sub n3, r0
+    mul s1, s1
+    sub n2, r0
+    sbc n3, r1
+    brmi 12f
+11: subi s0, 0xff
+    sbci s1, 0xff
+    sbci s2, 0xff
+    sub n0, s0
+    sbc n1, s1
+    sbc n2, s2
+    sbci n3, 0
+    sub n0, s0
+    sbc n1, s1
+    sbc n2, s2
+    sbci n3, 0
+    brpl 11b
+12: mov r22, s0
+    mov r24, s2
+    clr r25
+    clr r1
+    ret
+.Lzero:
+    clr r22
+    clr r23
+    clr r24
+    clr r25
+    ret
+    .size fixedpoint_length_root, . - fixedpoint_length_root
+#endif

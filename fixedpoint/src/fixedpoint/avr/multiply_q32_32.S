@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+// int64_t fixedpoint_multiply_q32_32(int64_t a, int64_t b)
+// floor(a b / 2^32 + 1/2) modulo 2^64.
+//
+// In:       a r25..r18, b r17..r10
+// Out:      r25..r18
+// Clobbers: r0, r26, r27, r30, r31
+// Cycles:   CYCLES. Stack: 4 bytes.
+//
+// Column by column: byte k of the product is the sum of all a_i b_j with i + j = k and what the
+// column before left over, in three registers that change roles from column to column. Of the
+// result, bytes 4..7 wait on the stack, since all of a and b is still needed, and bytes 8..11 take
+// the place of a0 and a1 and what has become free. 0x80 at byte 3 rounds; it is what the register
+// of byte 3 starts from.
+//
+// b7 is signed, and its products are extended by one byte. So that no sum is negative and needs
+// further extension, bytes 9 and 10 start from 1, which is taken off at the end: a_i b7 is above
+// -2^15, hence the sum of all columns up to 7 is above -2^72, and that up to 8 above -2^80. Byte 11
+// is the highest that counts. Where a is negative, its unsigned product is 2^64 b too large.
+
+#ifdef __AVR__
+
+#define a0 r18
+#define a1 r19
+#define a2 r20
+#define a3 r21
+#define a4 r22
+#define a5 r23
+#define a6 r24
+#define a7 r25
+#define b0 r10
+#define b1 r11
+#define b2 r12
+#define b3 r13
+#define b4 r14
+#define b5 r15
+#define b6 r16
+#define b7 r17
+#define zero r31
+
+    .macro accumulate low, high, carry
+    add \low, r0
+    adc \high, r1
+    adc \carry, zero
+    .endm
+
+    .macro product p, q, low, high, carry
+    mul \p, \q
+    accumulate \low, \high, \carry
+    .endm
+
+    .macro signed_product p, q, low, high, carry
+    mulsu \p, \q
+    sbc \carry, zero
+    accumulate \low, \high, \carry
+    .endm
+
+    .section .text.fixedpoint_multiply_q32_32, "ax", @progbits
+    .global fixedpoint_multiply_q32_32
+    .type fixedpoint_multiply_q32_32, @function
+fixedpoint_multiply_q32_32:
+    clr zero
+    // byte 0
+    mul a0, b0
+    mov r30, r1
+    // byte 1
+    mul a0, b1
+    add r30, r0
+    mov r26, r1
+    adc r26, zero
+    ldi r27, 0x80
+    product a1, b0, r30, r26, r27
+    // byte 2
+    clr r30
+    product a0, b2, r26, r27, r30
+    product a1, b1, r26, r27, r30
+    product a2, b0, r26, r27, r30
+    // byte 3
+    clr r26
+    product a0, b3, r27, r30, r26
+    product a1, b2, r27, r30, r26
+    product a2, b1, r27, r30, r26
+    product a3, b0, r27, r30, r26
+    // byte 4
+    clr r27
+    product a0, b4, r30, r26, r27
+    product a1, b3, r30, r26, r27
+    product a2, b2, r30, r26, r27
+    product a3, b1, r30, r26, r27
+    product a4, b0, r30, r26, r27
+    push r30
+    // byte 5
+    clr r30
+    product a0, b5, r26, r27, r30
+    product a1, b4, r26, r27, r30
+    product a2, b3, r26, r27, r30
+    product a3, b2, r26, r27, r30
+    product a4, b1, r26, r27, r30
+    product a5, b0, r26, r27, r30
+    push r26
+    // byte 6
+    clr r26
+    product a0, b6, r27, r30, r26
+    product a1, b5, r27, r30, r26
+    product a2, b4, r27, r30, r26
+    product a3, b3, r27, r30, r26
+    product a4, b2, r27, r30, r26
+    product a5, b1, r27, r30, r26
+    product a6, b0, r27, r30, r26
+    push r27
+    // byte 7
+    ldi r27, 1
+    signed_product b7, a0, r30, r26, r27
+    product a1, b6, r30, r26, r27
+    product a2, b5, r30, r26, r27
+    product a3, b4, r30, r26, r27
+    product a4, b3, r30, r26, r27
+    product a5, b2, r30, r26, r27
+    product a6, b1, r30, r26, r27
+    product a7, b0, r30, r26, r27
+    push r30
+    // byte 8
+    ldi r18, 1
+    signed_product b7, a1, r26, r27, r18
+    product a2, b6, r26, r27, r18
+    product a3, b5, r26, r27, r18
+    product a4, b4, r26, r27, r18
+    product a5, b3, r26, r27, r18
+    product a6, b2, r26, r27, r18
+    product a7, b1, r26, r27, r18
+    // byte 9
+    clr r19
+    signed_product b7, a2, r27, r18, r19
+    product a3, b6, r27, r18, r19
+    product a4, b5, r27, r18, r19
+    product a5, b4, r27, r18, r19
+    product a6, b3, r27, r18, r19
+    product a7, b2, r27, r18, r19
+    // byte 10
+    mulsu b7, a3
+    add r18, r0
+    adc r19, r1
+    mul a4, b6
+    add r18, r0
+    adc r19, r1
+    mul a5, b5
+    add r18, r0
+    adc r19, r1
+    mul a6, b4
+    add r18, r0
+    adc r19, r1
+    mul a7, b3
+    add r18, r0
+    adc r19, r1
+    // byte 11
+    mul a4, b7
+    add r19, r0
+    mul a5, b6
+    add r19, r0
+    mul a6, b5
+    add r19, r0
+    mul a7, b4
+    add r19, r0
+    sbrs a7, 7
+    rjmp 1f
+    sub r26, b0
+    sbc r27, b1
+    sbc r18, b2
+    sbc r19, b3
+1:  subi r27, 1
+    sbci r18, 1
+    sbci r19, 0
+    clr r1
+    movw r22, r26
+    movw r24, r18
+    pop r21
+    pop r20
+    pop r19
+    pop r18
+    ret
+    .size fixedpoint_multiply_q32_32, .-fixedpoint_multiply_q32_32
+
+#endif

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// int16_t fixedpoint_sqrt_q8_8(int16_t a)
+// The nearest number to the square root of a (there are no ties); 0 where a < 0.
+//
+// In:       a r25:r24
+// Out:      r25:r24
+// Clobbers: r0, r18..r20, r22, r23, r30, r31
+// Cycles, call and return included: a < 0 13; a < 1 17; a < 16 58..59; a >= 16 50..51.
+// Stack: 0 bytes.
+//
+// The root of a raw number below 2^8 is in the table. Above, a chord gives r, which is the root or
+// one less (sqrt_q8_8.py sees to it), and r + 1 it is where r^2 + r < 2^8 a, that is, where
+// r + 1/2 < sqrt(2^8 a): the difference fits in 16 bits, so that no more of it is computed.
+
+#ifdef __AVR__
+
+#define r_0 r22
+#define r_1 r23
+#define slope r18
+#define next r20
+
+    .section .text.fixedpoint_sqrt_q8_8, "ax", @progbits
+    .global fixedpoint_sqrt_q8_8
+    .type fixedpoint_sqrt_q8_8, @function
+fixedpoint_sqrt_q8_8:
+    tst r25
+    brmi .Lnegative
+    breq .Lsmall
+    mov next, r24
+    mov r30, r25
+    cpi r25, 16
+    brlo .Lbelow_16
+
+.Lchord:
+    ldi r31, hi8(fixedpoint_sqrt_q8_8_table + 256)
+    lpm r_0, Z
+    inc r31
+    lpm r_1, Z
+    inc r31
+    lpm slope, Z
+    mul slope, next
+    mov r19, r_1
+    andi r19, 0xf0
+    andi r_1, 0x0f
+    add r0, r19
+    adc r_0, r1
+    clr r1
+    adc r_1, r1
+
+    // r19 = the high byte of r^2 + r - 2^8 a
+    mul r_0, r_0
+    movw r18, r0
+    add r18, r_0
+    adc r19, r_1
+    sub r19, r24
+    mul r_0, r_1
+    lsl r0
+    add r19, r0
+    clr r1
+    movw r24, r_0
+    sbrc r19, 7
+    adiw r24, 1
+    ret
+
+.Lbelow_16:
+    andi next, 0x1f
+    mov r31, r24
+    lsl r31
+    rol r30
+    lsl r31
+    rol r30
+    lsl r31
+    rol r30
+    ori r30, 0x80
+    rjmp .Lchord
+
+.Lsmall:
+    mov r30, r24
+    ldi r31, hi8(fixedpoint_sqrt_q8_8_table)
+    lpm r24, Z
+    ret
+
+.Lnegative:
+    clr r24
+    clr r25
+    ret
+    .size fixedpoint_sqrt_q8_8, .-fixedpoint_sqrt_q8_8
+
+#endif

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// The functions of fixed-point numbers. Each returns what its arithmetic defines for every input;
+// the sentence stands in arithmetic/nearest.hpp for the default.
+#pragma once
+
+#include <fixedpoint/fixed.hpp>
+#include <fixedpoint/portable/round.hpp>
+
+namespace fixedpoint {
+
+template <int I, int F, class A>
+constexpr Fixed<I, F, A> sqrt(Fixed<I, F, A> a) {
+    return Fixed<I, F, A>::from_raw(A::template sqrt<Integer<I + F>, F>(a.raw()));
+}
+template <int I, int F, class A>
+constexpr Fixed<I, F, A> reciprocal_sqrt(Fixed<I, F, A> a) {
+    return Fixed<I, F, A>::from_raw(A::template reciprocal_sqrt<Integer<I + F>, F>(a.raw()));
+}
+template <int I, int F, class A>
+constexpr Fixed<I, F, A> atan(Fixed<I, F, A> a) {
+    return Fixed<I, F, A>::from_raw(A::template atan<Integer<I + F>, F>(a.raw()));
+}
+template <int I, int F, class A>
+constexpr Fixed<I, F, A> atan2(Fixed<I, F, A> y, Fixed<I, F, A> x) {
+    return Fixed<I, F, A>::from_raw(A::template atan2<Integer<I + F>, F>(y.raw(), x.raw()));
+}
+
+// |a|, the smallest number as the arithmetic negates it.
+template <int I, int F, class A>
+constexpr Fixed<I, F, A> abs(Fixed<I, F, A> a) {
+    return a.raw() < 0 ? -a : a;
+}
+template <int I, int F, class A>
+constexpr Fixed<I, F, A> min(Fixed<I, F, A> a, Fixed<I, F, A> b) {
+    return b < a ? b : a;
+}
+template <int I, int F, class A>
+constexpr Fixed<I, F, A> max(Fixed<I, F, A> a, Fixed<I, F, A> b) {
+    return a < b ? b : a;
+}
+// a, but at least `low` and at most `high`; `low` where the two bounds contradict each other.
+template <int I, int F, class A>
+constexpr Fixed<I, F, A> clamp(Fixed<I, F, A> a, Fixed<I, F, A> low, Fixed<I, F, A> high) {
+    return max(low, min(a, high));
+}
+
+}  // namespace fixedpoint

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// atan: the arc tangent in radians, within 0.75 ulp.
+#pragma once
+
+#include <fixedpoint/portable/atan2.hpp>
+
+namespace fixedpoint {
+namespace portable {
+
+// For every format; small, as it has no table but the word's few atan(2^-i).
+template <class Raw, int F>
+constexpr Raw atan_small(Raw a) {
+    // 1 may be beyond the signed format, never beyond the unsigned one.
+    constexpr Unsigned<Raw> one = static_cast<Unsigned<Raw>>(Unsigned<Raw>(1) << F);
+    return round_from_cordic<Raw, F>(first_quadrant_angle<F>(magnitude(a), one), a < 0);
+}
+
+template <class Raw, int F>
+constexpr Raw atan(Raw a) {
+    return atan_small<Raw, F>(a);
+}
+
+template <>
+constexpr int32_t atan<int32_t, 16>(int32_t a) {
+    return atan_q16_16(a);
+}
+
+}  // namespace portable
+}  // namespace fixedpoint

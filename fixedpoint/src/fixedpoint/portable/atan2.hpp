@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// atan2: the angle of the vector (x, y) in radians, in (-pi, pi], within 0.75 ulp, clamped where
+// the format cannot hold it; atan2(0, 0) = 0.
+#pragma once
+
+#include <fixedpoint/portable/atan2_q16_16.hpp>
+#include <fixedpoint/portable/cordic.hpp>
+
+namespace fixedpoint {
+namespace portable {
+
+// The angle of (x, y), both coordinates non-negative, not both zero, in the word's scale, within
+// 0.2 ulp of F fraction bits.
+//
+// The vector is turned towards the x axis by atan(2^-i), i = 1, 2, ..., each turn only if y stays
+// non-negative. With Y = 2^i y, turn i is Y -= x, x += Y / 2^(2i), and y / x < 2^-i holds after it,
+// since y < 2^-(i-1) x before. Y is exact and only x is truncated. Where x grows too little to
+// matter (3 i >= F + 5), atan(2^-i) is 2^-i and the turns become the long division Y / x.
+// x starts below 2^(Bits-2) and grows by less than sqrt(2) 1.17, so that Y < 2 x fits.
+template <int F, class Coordinate>
+constexpr CordicWord<F> first_quadrant_angle(Coordinate y, Coordinate x) {
+    using Word = CordicWord<F>;
+    using Constants = CordicConstants<Word>;
+    constexpr int bits = cordic_bits<Word>;
+    constexpr int rotations = (F + 7) / 3;
+    constexpr int turns = F + 4;
+
+    const bool steep = y > x;
+    Coordinate larger = steep ? y : x;
+    Coordinate smaller = steep ? x : y;
+    while ((larger >> (width_of<Coordinate> - 1)) == 0) {
+        larger = static_cast<Coordinate>(larger << 1);
+        smaller = static_cast<Coordinate>(smaller << 1);
+    }
+    Word adjacent = cordic_coordinate<Word>(larger);
+    Word opposite = cordic_coordinate<Word>(smaller);
+
+    // Half of what the turns leave over.
+    Word angle = Word(1) << (bits - 2 - turns - 1);
+    for (int i = 1; i <= rotations; ++i) {
+        opposite = opposite << 1;
+        if (opposite >= adjacent) {
+            const Word before = opposite;
+            opposite = opposite - adjacent;
+            adjacent = adjacent + (before >> 2 * i);
+            angle = angle + read_program_memory(Constants::arctangent[i - 1]);
+        }
+    }
+    for (int i = rotations + 1; i <= turns; ++i) {
+        opposite = opposite << 1;
+        if (opposite >= adjacent) {
+            opposite = opposite - adjacent;
+            angle = angle + (Word(1) << (bits - 2 - i));
+        }
+    }
+    return steep ? Constants::half_pi() - angle : angle;
+}
+
+// For every format; small, as it has no table but the word's few atan(2^-i).
+template <class Raw, int F>
+constexpr Raw atan2_small(Raw y, Raw x) {
+    if (x == 0 && y == 0) return 0;
+    CordicWord<F> angle = first_quadrant_angle<F>(magnitude(y), magnitude(x));
+    if (x < 0) angle = CordicConstants<CordicWord<F>>::pi() - angle;
+    return round_from_cordic<Raw, F>(angle, y < 0);
+}
+
+template <class Raw, int F>
+constexpr Raw atan2(Raw y, Raw x) {
+    return atan2_small<Raw, F>(y, x);
+}
+
+template <>
+constexpr int32_t atan2<int32_t, 16>(int32_t y, int32_t x) {
+    return atan2_q16_16(y, x);
+}
+
+}  // namespace portable
+}  // namespace fixedpoint

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// Conversion between fixed-point formats and integers of any width and signedness. An integer is
+// the format with F = 0, so that every conversion is one shift, rounded to nearest with ties upward
+// where it drops bits. convert wraps, convert_clamped clamps and says so.
+#pragma once
+
+#include <fixedpoint/integer.hpp>
+#include <fixedpoint/portable/converted.hpp>
+#include <fixedpoint/portable/round.hpp>
+
+namespace fixedpoint {
+namespace portable {
+
+// The integer n 2^Shift mod 2^W, W the width of Target.
+template <class Target, int Shift, class Source>
+constexpr Target scale(Source n) {
+    return static_cast<Target>(
+        static_cast<Unsigned<Target>>(static_cast<Unsigned<Target>>(n) << Shift));
+}
+
+// The integer n 2^Shift, clamped to the range of Target.
+template <class Target, int Shift, class Source>
+constexpr Converted<Target> scale_clamped(Source n) {
+    constexpr bool target_is_signed = Target(-1) < Target(1);
+    constexpr Target max = target_is_signed ? static_cast<Target>(raw_max<Target>) : Target(-1);
+    constexpr Target min = target_is_signed ? static_cast<Target>(raw_min<Target>) : Target(0);
+    // Zero and negative sources are compared as signed numbers and the others as unsigned ones, so
+    // that no comparison mixes the two, nor asks whether an unsigned number is below zero.
+    if (n < Source(1)) {
+        const bool fits = static_cast<Integer<width_of<Source>>>(n) >=
+                          static_cast<Integer<width_of<Target>>>(min >> Shift);
+        if (!fits) return {min, false};
+    } else {
+        const bool fits =
+            static_cast<Unsigned<Source>>(n) <= static_cast<Unsigned<Target>>(max >> Shift);
+        if (!fits) return {max, false};
+    }
+    return {scale<Target, Shift>(n), true};
+}
+
+// How far a point moves left or right from one format to another.
+template <int FromF, int ToF>
+constexpr int left_shift = ToF > FromF ? ToF - FromF : 0;
+template <int FromF, int ToF>
+constexpr int right_shift = left_shift<ToF, FromF>;
+
+// a 2^-FromF in the format (ToRaw, ToF): floor(a 2^(ToF - FromF) + 1/2) mod 2^W.
+template <class ToRaw, int ToF, class FromRaw, int FromF>
+constexpr ToRaw convert(FromRaw a) {
+    return scale<ToRaw, left_shift<FromF, ToF>>(integer_round<FromRaw, right_shift<FromF, ToF>>(a));
+}
+
+// The same, clamped instead of wrapped.
+template <class ToRaw, int ToF, class FromRaw, int FromF>
+constexpr Converted<ToRaw> convert_clamped(FromRaw a) {
+    return scale_clamped<ToRaw, left_shift<FromF, ToF>>(
+        integer_round<FromRaw, right_shift<FromF, ToF>>(a));
+}
+
+}  // namespace portable
+}  // namespace fixedpoint

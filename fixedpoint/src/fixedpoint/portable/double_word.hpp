@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// Unsigned integers of twice a Raw's width: a native one up to 64 bits, Word128 beyond. Square roots
+// of sums of squares and of ratios need them.
+#pragma once
+
+#include <fixedpoint/integer.hpp>
+#include <fixedpoint/portable/wide.hpp>
+#include <fixedpoint/portable/word128.hpp>
+
+namespace fixedpoint {
+namespace portable {
+
+template <class Raw>
+struct DoubleWordOf {
+    using Type = UnsignedInteger<2 * width_of<Raw>>;
+    static constexpr Unsigned<Raw> high(Type a) {
+        return static_cast<Unsigned<Raw>>(a >> width_of<Raw>);
+    }
+    static constexpr Unsigned<Raw> low(Type a) { return static_cast<Unsigned<Raw>>(a); }
+    static constexpr Type square(Unsigned<Raw> a) {
+        return static_cast<Type>(static_cast<Type>(a) * a);
+    }
+};
+
+template <>
+struct DoubleWordOf<int64_t> {
+    using Type = Word128;
+    static constexpr uint64_t high(Type a) { return a.high; }
+    static constexpr uint64_t low(Type a) { return a.low; }
+    static constexpr Type square(uint64_t a) {
+        const Wide128 product = multiply_full(a, a);
+        return {product.high, product.low};
+    }
+};
+
+template <class Raw>
+using DoubleWord = typename DoubleWordOf<Raw>::Type;
+
+// a^2, and a_0^2 + ... + a_(n-1)^2, exact for up to 3 components: at most 3 * 2^(2W-2).
+template <class Raw>
+constexpr DoubleWord<Raw> square(Raw a) {
+    return DoubleWordOf<Raw>::square(magnitude(a));
+}
+template <class Raw>
+constexpr DoubleWord<Raw> sum_of_squares(const Raw* a, int n) {
+    DoubleWord<Raw> sum = square(a[0]);
+    for (int i = 1; i < n; ++i) sum = static_cast<DoubleWord<Raw>>(sum + square(a[i]));
+    return sum;
+}
+
+}  // namespace portable
+}  // namespace fixedpoint

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// from_decimal: a number written as an integer and a power of ten below it.
+#pragma once
+
+#include <fixedpoint/integer.hpp>
+#include <fixedpoint/portable/decimal_fraction.hpp>
+
+namespace fixedpoint {
+namespace portable {
+
+// n / 10^decimals, rounded to nearest, ties toward +infinity, and clamped: from_decimal(38, 2) is
+// 0.38. n is a signed integer of any width.
+template <class Raw, int F, class Int>
+constexpr Converted<Raw> from_decimal(Int n, uint8_t decimals) {
+    static_assert(Int(-1) < Int(1), "from_decimal takes a signed integer.");
+    using Word = UnsignedInteger<(width_of<Raw> > 32 || width_of<Int> > 32) ? 64 : 32>;
+    Word integer = magnitude<Integer<width_of<Int>>>(n);
+    DecimalFraction<Word> fraction = {0, false};
+    for (; decimals > 0; --decimals) {
+        fraction.prepend(static_cast<uint8_t>(integer % 10));
+        integer /= 10;
+    }
+    return assemble<Raw, F>(integer, fraction, n < 0);
+}
+
+}  // namespace portable
+}  // namespace fixedpoint

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// length2, length3: the square root of the sum of the squares of 2 or 3 components, rounded to
+// nearest (never a tie); the squares do not overflow, the result clamps.
+#pragma once
+
+#include <fixedpoint/portable/nearest_root.hpp>
+
+namespace fixedpoint {
+namespace portable {
+
+// The fraction bits cancel: the length of raw numbers is the raw length.
+template <class Raw>
+constexpr Raw length2(const Raw* v) {
+    return nearest_root<Raw>(sum_of_squares(v, 2));
+}
+template <class Raw>
+constexpr Raw length3(const Raw* v) {
+    return nearest_root<Raw>(sum_of_squares(v, 3));
+}
+
+}  // namespace portable
+}  // namespace fixedpoint

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// multiply_saturating: floor(a b / 2^F + 1/2), clamped to the smallest or largest number where it
+// does not fit.
+#pragma once
+
+#include <fixedpoint/integer.hpp>
+#include <fixedpoint/portable/wide.hpp>
+
+namespace fixedpoint {
+namespace portable {
+
+template <class Raw, int F>
+struct SaturatingMultiplication {
+    static constexpr Raw apply(Raw a, Raw b) {
+        const Wide<Raw> rounded = (static_cast<Wide<Raw>>(a) * b + ((Wide<Raw>(1) << F) >> 1)) >> F;
+        return rounded > raw_max<Raw>   ? raw_max<Raw>
+               : rounded < raw_min<Raw> ? raw_min<Raw>
+                                        : static_cast<Raw>(rounded);
+    }
+};
+
+template <int F>
+struct SaturatingMultiplication<int64_t, F> {
+    static constexpr int64_t apply(int64_t a, int64_t b) {
+        const bool negative = (a < 0) != (b < 0);
+        const Wide128 product = multiply_full(magnitude(a), magnitude(b));
+        // Half an ulp, less one unit where the result is negative: a tie then goes towards zero.
+        const uint64_t half = (uint64_t(1) << F) >> 1;
+        const uint64_t bias = half - (negative && F != 0 ? 1 : 0);
+        const uint64_t low = product.low + bias;
+        const uint64_t high = product.high + (low < bias ? 1 : 0);
+        if (F == 0 ? high != 0 : (high >> F) != 0) return negative ? raw_min<int64_t> : raw_max<int64_t>;
+        const uint64_t rounded = F == 0 ? low : (high << (63 - (F - 1))) | (low >> F);
+        return clamped_with_sign<int64_t>(rounded, negative);
+    }
+};
+
+template <class Raw, int F>
+constexpr Raw multiply_saturating(Raw a, Raw b) {
+    return SaturatingMultiplication<Raw, F>::apply(a, b);
+}
+
+}  // namespace portable
+}  // namespace fixedpoint

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// Correctly rounded square roots of integers and of ratios, on which sqrt, reciprocal_sqrt, length
+// and normalise stand. Shift and subtract only.
+#pragma once
+
+#include <fixedpoint/portable/double_word.hpp>
+
+namespace fixedpoint {
+namespace portable {
+
+// sqrt(high 2^W + low) to nearest, never a tie; clamped to what a Raw holds. Digit by digit: two
+// bits of the radicand make one bit of the root.
+template <class Raw>
+constexpr Raw nearest_root(Unsigned<Raw> high, Unsigned<Raw> low) {
+    using Word = Unsigned<Raw>;
+    constexpr int W = width_of<Raw>;
+    constexpr Word quarter = static_cast<Word>(Word(1) << (W - 2));
+    if (high >= quarter) return raw_max<Raw>;
+    Word root = 0, remainder = 0, digits = high;
+    int pair = 0;
+    // Leading zeros make no digit.
+    for (; pair < W / 2 && digits < quarter; ++pair) digits = static_cast<Word>(digits << 2);
+    for (; pair < W; ++pair) {
+        if (pair == W / 2) digits = low;
+        // 4 remainder + digit >= 4 root + 1, without its overflow. What is left is at most twice
+        // the new root and fits.
+        const bool one = static_cast<Word>(remainder + (digits >= quarter ? 1 : 0)) > root;
+        // One bit at a time: the device has no shifts by 30.
+        remainder = static_cast<Word>((remainder << 1) | (digits >> (W - 1)));
+        digits = static_cast<Word>(digits << 1);
+        remainder = static_cast<Word>((remainder << 1) | (digits >> (W - 1)));
+        digits = static_cast<Word>(digits << 1);
+        root = static_cast<Word>(root << 1);
+        // No branch: on the host its misprediction would cost more than the round.
+        const Word mask = static_cast<Word>(-static_cast<int>(one));
+        remainder = static_cast<Word>(remainder - (static_cast<Word>((root << 1) | 1) & mask));
+        root = static_cast<Word>(root | (mask & 1));
+    }
+    // remainder > root: the radicand lies beyond (root + 1/2)^2 = root^2 + root + 1/4.
+    const Word rounded = static_cast<Word>(root + (remainder > root ? 1 : 0));
+    return rounded > static_cast<Word>(raw_max<Raw>) ? raw_max<Raw> : static_cast<Raw>(rounded);
+}
+
+template <class Raw>
+constexpr Raw nearest_root(DoubleWord<Raw> radicand) {
+    return nearest_root<Raw>(DoubleWordOf<Raw>::high(radicand), DoubleWordOf<Raw>::low(radicand));
+}
+
+// sqrt(numerator 2^doublings / denominator) to nearest, ties upward; clamped to what a Raw holds.
+// Needs numerator < 2 denominator.
+template <class Raw>
+constexpr Raw nearest_root_of_ratio(DoubleWord<Raw> numerator, DoubleWord<Raw> denominator,
+                                    int doublings) {
+    using Word = Unsigned<Raw>;
+    using Double = DoubleWord<Raw>;
+    constexpr int W = width_of<Raw>;
+    Word high = 0, low = 0;
+    Double remainder = numerator;
+    for (;;) {
+        if (!(remainder < denominator)) {
+            remainder = static_cast<Double>(remainder - denominator);
+            low = static_cast<Word>(low | 1);
+        }
+        if (doublings-- == 0) break;
+        if (high >> (W - 2) != 0) return raw_max<Raw>;
+        high = static_cast<Word>((high << 1) | (low >> (W - 1)));
+        low = static_cast<Word>(low << 1);
+        const bool carry = (DoubleWordOf<Raw>::high(remainder) >> (W - 1)) != 0;
+        remainder = static_cast<Double>(remainder << 1);
+        if (carry) {
+            remainder = static_cast<Double>(remainder - denominator);
+            low = static_cast<Word>(low | 1);
+        }
+    }
+    // A ratio x is beyond (r + 1/2)^2 where x + 3/4 reaches the integer r^2 + r + 1: the root of
+    // floor(x + 3/4) rounds like that of x.
+    const Double left = static_cast<Double>(denominator - remainder);
+    if (!(remainder < left) ||
+        !(static_cast<Double>(remainder << 1) < static_cast<Double>(left - remainder))) {
+        low = static_cast<Word>(low + 1);
+        if (low == 0) high = static_cast<Word>(high + 1);
+    }
+    return nearest_root<Raw>(high, low);
+}
+
+}  // namespace portable
+}  // namespace fixedpoint

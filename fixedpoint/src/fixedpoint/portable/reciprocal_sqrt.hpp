@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// reciprocal_sqrt: 2^F sqrt(2^F / a), clamped; the largest number where a = 0, 0 where a < 0. Rounded
+// to nearest, except in Q16.16: there within 0.66 ulp, bit for bit as the kernel computes it.
+#pragma once
+
+#include <fixedpoint/portable/nearest_root.hpp>
+#include <fixedpoint/portable/reciprocal_sqrt_table.hpp>
+
+namespace fixedpoint {
+namespace portable {
+
+// Rounded to nearest in every format, and with no table: the small variant.
+template <class Raw, int F>
+constexpr Raw nearest_reciprocal_sqrt(Raw a) {
+    return a < 0 ? Raw(0)
+           : a == 0
+               ? raw_max<Raw>
+               : nearest_root_of_ratio<Raw>(
+                     DoubleWord<Raw>(1), static_cast<DoubleWord<Raw>>(static_cast<Unsigned<Raw>>(a)),
+                     3 * F);
+}
+
+// 2^38 / sqrt(radicand) less than 6 from the exact value, below 2^23. Needs a radicand of at least
+// 2^30 and looks at its upper 24 bits; tables/reciprocal_sqrt.py gives the formula.
+constexpr uint32_t reciprocal_root_mantissa(uint32_t radicand) {
+    const int h = static_cast<int>(radicand >> 24) - 64;
+    const uint32_t l = radicand >> 16 & 0xff, x = radicand >> 8 & 0xff;
+    const uint32_t slope = reciprocal_sqrt_slope[h];
+    const uint32_t parabola = (l * (256 - l) >> 7) * reciprocal_sqrt_bulge[h] >> 7;
+    return reciprocal_sqrt_value[h] - (l * (slope & 0xff) >> 8) - l * (slope >> 8) -
+           (x * (slope >> 8) >> 8) - parabola;
+}
+
+constexpr int32_t reciprocal_sqrt_q16_16(int32_t a) {
+    if (a < 64) return nearest_reciprocal_sqrt<int32_t, 16>(a);
+    uint32_t radicand = static_cast<uint32_t>(a);
+    // The kernel drops the last byte of four before it normalises.
+    if (radicand >> 24 != 0) radicand &= ~uint32_t(0xff);
+    int shift = 14;
+    while (radicand < uint32_t(1) << 30) {
+        radicand <<= 2;
+        --shift;
+    }
+    return static_cast<int32_t>(((reciprocal_root_mantissa(radicand) >> (shift - 1)) + 1) >> 1);
+}
+
+template <class Raw, int F>
+struct ReciprocalSqrt {
+    static constexpr Raw apply(Raw a) { return nearest_reciprocal_sqrt<Raw, F>(a); }
+};
+template <>
+struct ReciprocalSqrt<int32_t, 16> {
+    static constexpr int32_t apply(int32_t a) { return reciprocal_sqrt_q16_16(a); }
+};
+
+template <class Raw, int F>
+constexpr Raw reciprocal_sqrt(Raw a) {
+    return ReciprocalSqrt<Raw, F>::apply(a);
+}
+
+}  // namespace portable
+}  // namespace fixedpoint

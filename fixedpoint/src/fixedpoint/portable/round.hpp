@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// Rounding to an integer: as a plain integer (integer_floor and its kin, which always fit a Raw)
+// and as a fixed-point number again (floor and its kin, which clamp what does not fit).
+#pragma once
+
+#include <fixedpoint/integer.hpp>
+
+namespace fixedpoint {
+namespace portable {
+
+// The bits of a Raw that lie behind the point.
+template <class Raw, int F>
+constexpr Raw fraction_mask = static_cast<Raw>((Unsigned<Raw>(1) << F) - 1);
+
+// a - floor(a): what lies behind the point, in [0, 1) for negative a too.
+template <class Raw, int F>
+constexpr Raw fraction(Raw a) {
+    return static_cast<Raw>(a & fraction_mask<Raw, F>);
+}
+
+// The largest integer <= a / 2^F.
+template <class Raw, int F>
+constexpr Raw integer_floor(Raw a) {
+    return static_cast<Raw>(a >> F);
+}
+
+// The smallest integer >= a / 2^F.
+template <class Raw, int F>
+constexpr Raw integer_ceil(Raw a) {
+    return static_cast<Raw>((a >> F) + (fraction<Raw, F>(a) != 0 ? 1 : 0));
+}
+
+// The integer nearest to a / 2^F, ties upward: floor(a / 2^F + 1/2).
+template <class Raw, int F>
+constexpr Raw integer_round(Raw a) {
+    // The sum a + 2^(F-1) could overflow; the bit behind the point says the same.
+    constexpr Raw half = static_cast<Raw>((Unsigned<Raw>(1) << F) >> 1);
+    Raw rounded = integer_floor<Raw, F>(a);
+    if ((a & half) != 0) ++rounded;
+    return rounded;
+}
+
+// The number n; the largest number where n lies beyond it.
+template <class Raw, int F>
+constexpr Raw integral_clamped_above(Raw n) {
+    return n > (raw_max<Raw> >> F)
+               ? raw_max<Raw>
+               : static_cast<Raw>(static_cast<Unsigned<Raw>>(static_cast<Unsigned<Raw>>(n) << F));
+}
+
+// The largest integral number <= a; always representable.
+template <class Raw, int F>
+constexpr Raw floor(Raw a) {
+    return static_cast<Raw>(a & ~fraction_mask<Raw, F>);
+}
+
+// The smallest integral number >= a; where that integer is not representable, the largest number.
+template <class Raw, int F>
+constexpr Raw ceil(Raw a) {
+    return integral_clamped_above<Raw, F>(integer_ceil<Raw, F>(a));
+}
+
+// The integral number nearest to a, ties upward; where that integer is not representable, the
+// largest number.
+template <class Raw, int F>
+constexpr Raw round(Raw a) {
+    return integral_clamped_above<Raw, F>(integer_round<Raw, F>(a));
+}
+
+// a without its fraction, rounded toward zero; always representable.
+template <class Raw, int F>
+constexpr Raw trunc(Raw a) {
+    return a < 0 ? ceil<Raw, F>(a) : floor<Raw, F>(a);
+}
+
+}  // namespace portable
+}  // namespace fixedpoint

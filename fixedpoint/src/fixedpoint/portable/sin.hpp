@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+// sin, cos, sincos of an angle in radians: for every input within 0.75 ulp and never beyond +-1,
+// clamped where the format does not hold 1.
+#pragma once
+
+#include <fixedpoint/portable/cordic.hpp>
+#include <fixedpoint/portable/sin_q16_16.hpp>
+
+namespace fixedpoint {
+namespace portable {
+
+// The word in which an angle of W bits is reduced: twice as wide, so that pi/2 times the number of
+// quarter turns keeps W - 1 bits beyond the angle's range.
+template <int W>
+struct ReductionWordOf {
+    using Type = uint32_t;
+};
+template <>
+struct ReductionWordOf<32> {
+    using Type = uint64_t;
+};
+template <>
+struct ReductionWordOf<64> {
+    using Type = Word128;
+};
+
+constexpr bool is_negative(uint32_t word) { return (word >> 31) != 0; }
+constexpr bool is_negative(uint64_t word) { return (word >> 63) != 0; }
+constexpr bool is_negative(const Word128& word) { return is_negative(word.high); }
+
+template <class Word>
+constexpr Word negated(const Word& word) {
+    return Word(0) - word;
+}
+
+// Halves a two's-complement word count times.
+template <class Word>
+constexpr Word shift_right_signed(const Word& word, int count) {
+    return is_negative(word) ? negated(Word(1)) - ((negated(Word(1)) - word) >> count)
+                             : word >> count;
+}
+
+// The unit vector at an angle within a little over +-pi/4 of the x axis; two's complement, all with
+// Bits - 2 fraction bits.
+template <class Word>
+struct UnitVector {
+    Word cosine;
+    Word sine;
+};
+
+// Turns by +-atan(2^-i) leave an angle below 2^-turns, whose own turn is a multiplication by it:
+// the cosine of what is left differs from 1 by less than 2^-(F + 6).
+template <int F, class Word>
+constexpr UnitVector<Word> unit_vector(Word angle) {
+    using Constants = CordicConstants<Word>;
+    constexpr int bits = cordic_bits<Word>;
+    constexpr int turns = (F + 6) / 2;
+    constexpr int angle_bits = F + 5;
+
+    Word x = Constants::gain();
+    Word y(0);
+    for (int i = 1; i <= turns; ++i) {
+        const Word step = i <= Constants::arctangent_count
+                              ? read_program_memory(Constants::arctangent[i - 1])
+                              : Word(1) << (bits - 2 - i);
+        const Word x_part = x >> i;
+        const Word y_part = shift_right_signed(y, i);
+        if (is_negative(angle)) {
+            x = x + y_part;
+            y = y - x_part;
+            angle = angle + step;
+        } else {
+            x = x - y_part;
+            y = y + x_part;
+            angle = angle - step;
+        }
+    }
+
+    // x and y times the angle that is left, bit by bit from the lowest.
+    const bool negative = is_negative(angle);
+    Word factor = (negative ? negated(angle) : angle) >> (bits - 2 - angle_bits);
+    Word x_part(0);
+    Word y_part(0);
+    for (int i = turns - 1; i < angle_bits; ++i) {
+        if ((static_cast<uint8_t>(factor) & 1) != 0) {
+            x_part = x_part + x;
+            y_part = y_part + y;
+        }
+        x_part = x_part >> 1;
+        y_part = shift_right_signed(y_part, 1);
+        factor = factor >> 1;
+    }
+    x_part = x_part >> (turns - 1);
+    y_part = shift_right_signed(y_part, turns - 1);
+    if (negative) return {x + y_part, y - x_part};
+    return {x - y_part, y + x_part};
+}
+
+template <class Raw, int F, class Word>
+constexpr Raw round_signed_from_cordic(Word value, bool negate) {
+    const bool negative = is_negative(value);
+    return round_from_cordic<Raw, F>(negative ? negated(value) : value, negative != negate);
+}
+
+template <class Raw>
+struct SineCosine {
+    Raw sine;
+    Raw cosine;
+};
+
+template <class Raw, int F>
+constexpr SineCosine<Raw> sine_and_cosine(Raw angle) {
+    using Reduction = typename ReductionWordOf<width_of<Raw>>::Type;
+    using Constants = CordicConstants<Reduction>;
+    using Word = CordicWord<F>;
+    constexpr int bits = cordic_bits<Reduction>;
+
+    // The nearest whole number of quarter turns, or where F is 0 or 1, with too few bits of 2/pi
+    // for that, one whose remainder the turns still reach.
+    const Unsigned<Raw> positive = magnitude(angle);
+    const Reduction product = Constants::two_over_pi() * positive;
+    const Unsigned<Raw> quarters = static_cast<Unsigned<Raw>>(
+        (product + (Reduction(1) << (bits / 2 + F - 1))) >> (bits / 2 + F));
+    const Reduction remainder =
+        (Reduction(positive) << (bits - 2 - F)) - Constants::half_pi() * quarters;
+
+    const UnitVector<Word> unit =
+        unit_vector<F>(static_cast<Word>(remainder >> (bits - cordic_bits<Word>)));
+    const bool odd = (quarters & 1) != 0;
+    const bool beyond = (quarters & 2) != 0;
+    return {round_signed_from_cordic<Raw, F>(odd ? unit.cosine : unit.sine, beyond != (angle < 0)),
+            round_signed_from_cordic<Raw, F>(odd ? unit.sine : unit.cosine, beyond != odd)};
+}
+
+// For every format; small, as they have no table but the word's few atan(2^-i).
+template <class Raw, int F>
+constexpr Raw sin_small(Raw angle) {
+    return sine_and_cosine<Raw, F>(angle).sine;
+}
+template <class Raw, int F>
+constexpr Raw cos_small(Raw angle) {
+    return sine_and_cosine<Raw, F>(angle).cosine;
+}
+template <class Raw, int F>
+constexpr void sincos_small(Raw angle, Raw* result) {
+    const SineCosine<Raw> both = sine_and_cosine<Raw, F>(angle);
+    result[0] = both.sine;
+    result[1] = both.cosine;
+}
+
+template <class Raw, int F>
+constexpr Raw sin(Raw angle) {
+    return sin_small<Raw, F>(angle);
+}
+template <class Raw, int F>
+constexpr Raw cos(Raw angle) {
+    return cos_small<Raw, F>(angle);
+}
+template <class Raw, int F>
+constexpr void sincos(Raw angle, Raw* result) {
+    sincos_small<Raw, F>(angle, result);
+}
+
+template <>
+constexpr int32_t sin<int32_t, 16>(int32_t angle) {
+    return sin_q16_16(angle);
+}
+template <>
+constexpr int32_t cos<int32_t, 16>(int32_t angle) {
+    return cos_q16_16(angle);
+}
+template <>
+constexpr void sincos<int32_t, 16>(int32_t angle, int32_t* result) {
+    result[0] = sin_q16_16(angle);
+    result[1] = cos_q16_16(angle);
+}
+
+}  // namespace portable
+}  // namespace fixedpoint

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// The two 128-bit operations that 64-bit formats need: a full product and a quotient. The host has
+// a native 128-bit integer; the 8-bit device, whose compiler has none, works in 32-bit digits.
+#pragma once
+
+#include <fixedpoint/integer.hpp>
+
+namespace fixedpoint {
+namespace portable {
+
+struct Wide128 {
+    uint64_t high;
+    uint64_t low;
+};
+
+struct Division128 {
+    uint64_t quotient;
+    uint64_t remainder;
+};
+
+// a * b, exact, from four 32 x 32 bit products.
+constexpr Wide128 multiply_full_by_digits(uint64_t a, uint64_t b) {
+    const uint32_t a0 = static_cast<uint32_t>(a), a1 = static_cast<uint32_t>(a >> 32);
+    const uint32_t b0 = static_cast<uint32_t>(b), b1 = static_cast<uint32_t>(b >> 32);
+    const uint64_t p00 = static_cast<uint64_t>(a0) * b0;
+    const uint64_t p01 = static_cast<uint64_t>(a0) * b1;
+    const uint64_t p10 = static_cast<uint64_t>(a1) * b0;
+    const uint64_t p11 = static_cast<uint64_t>(a1) * b1;
+    // At most 3 (2^32 - 1), so that nothing is lost.
+    const uint64_t middle =
+        (p00 >> 32) + static_cast<uint32_t>(p01) + static_cast<uint32_t>(p10);
+    return {p11 + (p01 >> 32) + (p10 >> 32) + (middle >> 32),
+            (middle << 32) | static_cast<uint32_t>(p00)};
+}
+
+// (high 2^64 + low) / divisor by shift and subtract. Needs high < divisor, so that the quotient
+// fits in 64 bits.
+constexpr Division128 divide_full_by_bits(uint64_t high, uint64_t low, uint64_t divisor) {
+    uint64_t remainder = high;
+    for (int i = 0; i < 64; ++i) {
+        const bool carry = (remainder >> 63) != 0;
+        remainder = (remainder << 1) | (low >> 63);
+        low <<= 1;
+        if (carry || remainder >= divisor) {
+            remainder -= divisor;
+            low |= 1;
+        }
+    }
+    return {low, remainder};
+}
+
+#if defined(__SIZEOF_INT128__)
+constexpr Wide128 multiply_full(uint64_t a, uint64_t b) {
+    const unsigned __int128 product = static_cast<unsigned __int128>(a) * b;
+    return {static_cast<uint64_t>(product >> 64), static_cast<uint64_t>(product)};
+}
+constexpr Division128 divide_full(uint64_t high, uint64_t low, uint64_t divisor) {
+    const unsigned __int128 dividend = (static_cast<unsigned __int128>(high) << 64) | low;
+    return {static_cast<uint64_t>(dividend / divisor), static_cast<uint64_t>(dividend % divisor)};
+}
+#else
+constexpr Wide128 multiply_full(uint64_t a, uint64_t b) { return multiply_full_by_digits(a, b); }
+constexpr Division128 divide_full(uint64_t high, uint64_t low, uint64_t divisor) {
+    return divide_full_by_bits(high, low, divisor);
+}
+#endif
+
+}  // namespace portable
+}  // namespace fixedpoint

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Constants that stay in flash: FIXEDPOINT_PROGRAM_MEMORY places a table there,
+// read_program_memory(entry) reads an entry of it. Off the chip, and while the compiler evaluates a
+// constant expression, an entry is an ordinary constant.
+#pragma once
+
+#include <stdint.h>
+
+#ifdef __AVR__
+#include <avr/pgmspace.h>
+#define FIXEDPOINT_PROGRAM_MEMORY PROGMEM
+#else
+#define FIXEDPOINT_PROGRAM_MEMORY
+#endif
+
+namespace fixedpoint {
+
+#ifdef __AVR__
+inline uint8_t load_program_memory(const uint8_t* entry) { return pgm_read_byte(entry); }
+inline uint16_t load_program_memory(const uint16_t* entry) { return pgm_read_word(entry); }
+inline uint32_t load_program_memory(const uint32_t* entry) { return pgm_read_dword(entry); }
+inline uint64_t load_program_memory(const uint64_t* entry) {
+    const uint32_t* const halves = reinterpret_cast<const uint32_t*>(entry);
+    return static_cast<uint64_t>(pgm_read_dword(halves + 1)) << 32 | pgm_read_dword(halves);
+}
+
+template <class T>
+constexpr T read_program_memory(const T& entry) {
+    return __builtin_constant_p(entry) ? entry : load_program_memory(&entry);
+}
+#else
+template <class T>
+constexpr T read_program_memory(const T& entry) {
+    return entry;
+}
+#endif
+
+}  // namespace fixedpoint

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// from_decimal: integer / 10^decimals truncated toward zero, modulo 2^W: the report's conversion,
+// from_decimal<int32_t, 16>(38, 2) being 0.38.
+#pragma once
+
+#include <fixedpoint/integer.hpp>
+#include <fixedpoint/portable/wide.hpp>
+#include <fixedpoint/published/magnitude.hpp>
+
+namespace fixedpoint {
+namespace published {
+
+// Mended: the power of ten, an int of 16 bits in the report, overflowed from the fifth decimal on.
+// Beyond the 19th decimal nothing of an integer of 32 bits is left.
+template <class Raw, int F>
+constexpr Raw from_decimal(int32_t integer, uint8_t decimals) {
+    if (decimals > 19) return 0;
+    uint64_t power = 1;
+    for (uint8_t i = 0; i < decimals; ++i) power *= 10;
+    return flip_sign<Raw>(
+        static_cast<Unsigned<Raw>>(divide_magnitudes<int64_t, F>(magnitude(integer), power)),
+        integer < 0 ? -1 : 1);
+}
+
+}  // namespace published
+}  // namespace fixedpoint

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// What the published multiplication, division and arc tangent share: the quotient of magnitudes
+// and the sign flip.
+#pragma once
+
+#include <fixedpoint/integer.hpp>
+#include <fixedpoint/portable/wide.hpp>
+
+namespace fixedpoint {
+namespace published {
+
+// value * flip modulo 2^W, flip being 1 or -1. The report puts a sign back by a multiplication,
+// where a conditional negation would do; that is most of what the sign costs, and is kept.
+template <class Raw>
+constexpr Raw flip_sign(Unsigned<Raw> value, int flip) {
+    return static_cast<Raw>(static_cast<Unsigned<Raw>>(value * static_cast<Unsigned<Raw>>(flip)));
+}
+
+// floor(a 2^F / b) modulo 2^W. Needs b > 0.
+template <class Raw, int F>
+struct MagnitudeDivision {
+    static constexpr Unsigned<Raw> apply(Unsigned<Raw> a, Unsigned<Raw> b) {
+        using Dividend = Unsigned<Wide<Raw>>;
+        return static_cast<Unsigned<Raw>>((static_cast<Dividend>(a) << F) / b);
+    }
+};
+
+// divide_full wants a quotient of 64 bits: reducing the upper half first drops what lies above.
+template <int F>
+struct MagnitudeDivision<int64_t, F> {
+    static constexpr uint64_t apply(uint64_t a, uint64_t b) {
+        const uint64_t high = F == 0 ? 0 : a >> (63 - (F - 1));
+        return portable::divide_full(high % b, a << F, b).quotient;
+    }
+};
+
+template <class Raw, int F>
+constexpr Unsigned<Raw> divide_magnitudes(Unsigned<Raw> a, Unsigned<Raw> b) {
+    return MagnitudeDivision<Raw, F>::apply(a, b);
+}
+
+}  // namespace published
+}  // namespace fixedpoint

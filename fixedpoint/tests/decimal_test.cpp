@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: MIT
+// Decimal text against exact integers: every number of 8 and 16 bits and boundaries of the others,
+// printed, read back and read between two numbers; malformed text; buffers and texts without a byte
+// to spare.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <fixedpoint/text.hpp>
+#include <string>
+
+#include "exact.hpp"
+
+namespace {
+
+using namespace fixedpoint;
+using exact::Format;
+using exact::Int;
+
+// n / 10^decimals as text.
+std::string decimal_text(const Int& n, unsigned decimals) {
+    std::string digits = Int(abs(n)).str();
+    if (digits.size() <= decimals) digits.insert(0, decimals + 1 - digits.size(), '0');
+    if (decimals > 0) digits.insert(digits.size() - decimals, 1, '.');
+    return (n < 0 ? "-" : "") + digits;
+}
+
+// From a copy on the heap that ends where the text ends, so that the sanitizer sees a read beyond
+// it.
+template <class Raw, int F>
+Parsed<Raw> parse_text(const std::string& text) {
+    const std::vector<char> copy(text.begin(), text.end());
+    return portable::parse_decimal<Raw, F>(copy.data(), copy.size());
+}
+
+template <class Raw, int F>
+std::string print_text(Raw a) {
+    char buffer[portable::decimal_capacity<Raw, F>()];
+    return {buffer, portable::print_decimal<Raw, F>(a, buffer, sizeof buffer)};
+}
+
+template <class Raw, int F>
+std::string print_text(Raw a, uint8_t decimals) {
+    std::vector<char> buffer(portable::decimal_capacity<Raw, F>(decimals));
+    return {buffer.data(),
+            portable::print_decimal<Raw, F>(a, decimals, buffer.data(), buffer.size())};
+}
+
+// Whether the text is read as n / 10^decimals has to be.
+template <class Raw, int F>
+void check_parse(const std::string& text, const Int& n, unsigned decimals) {
+    const Int expected = exact::nearest(n << F, exact::power(10, decimals));
+    const auto result = parse_text<Raw, F>(text);
+    ASSERT_EQ(result.number, exact::clamped<Raw>(expected)) << text;
+    ASSERT_EQ(result.status, exact::fits<Raw>(expected) ? TextStatus::ok : TextStatus::out_of_range)
+        << text;
+    ASSERT_EQ(result.position, text.size()) << text;
+}
+
+template <class F>
+class Decimal : public testing::Test {};
+using Formats =
+    testing::Types<Format<int8_t, 0>, Format<int8_t, 1>, Format<int8_t, 2>, Format<int8_t, 4>,
+                   Format<int8_t, 7>, Format<int16_t, 0>, Format<int16_t, 1>, Format<int16_t, 8>,
+                   Format<int16_t, 15>, Format<int32_t, 0>, Format<int32_t, 16>,
+                   Format<int32_t, 24>, Format<int32_t, 31>, Format<int64_t, 0>,
+                   Format<int64_t, 32>, Format<int64_t, 62>, Format<int64_t, 63>>;
+TYPED_TEST_SUITE(Decimal, Formats);
+
+TYPED_TEST(Decimal, PrintsTheShortestAndClosestThatReadsBack) {
+    using Raw = typename TypeParam::Raw;
+    constexpr int F = TypeParam::F;
+    for (const Raw a : exact::raws<Raw>()) {
+        // The first number of decimals whose closest number is read as a.
+        Int closest;
+        unsigned decimals = 0;
+        for (;; ++decimals) {
+            const Int power = exact::power(10, decimals);
+            closest = exact::nearest(a * power, Int(1) << F);
+            if (exact::nearest(closest << F, power) == a) break;
+        }
+        const std::string text = print_text<Raw, F>(a);
+        ASSERT_EQ(text, decimal_text(closest, decimals)) << +a;
+        const auto result = parse_text<Raw, F>(text);
+        ASSERT_EQ(result.number, a) << text;
+        ASSERT_EQ(result.status, TextStatus::ok) << text;
+    }
+}
+
+TYPED_TEST(Decimal, PrintsDecimalsRounded) {
+    using Raw = typename TypeParam::Raw;
+    constexpr int F = TypeParam::F;
+    for (const Raw a : exact::raws<Raw>()) {
+        for (const int decimals : {0, 1, 2, 5, F, F + 2}) {
+            const Int closest = exact::nearest(a * exact::power(10, decimals), Int(1) << F);
+            ASSERT_EQ((print_text<Raw, F>(a, static_cast<uint8_t>(decimals))),
+                      decimal_text(closest, decimals))
+                << +a;
+        }
+    }
+}
+
+TYPED_TEST(Decimal, ReadsNumbersBetweenTwoOthers) {
+    using Raw = typename TypeParam::Raw;
+    constexpr int F = TypeParam::F;
+    const std::vector<Raw> numbers = exact::raws<Raw>();
+    // Every number of 8 bits and a part of the others, since each has three long texts.
+    for (size_t i = 0; i < numbers.size(); i += sizeof(Raw) == 1 ? 1 : 7) {
+        // The tie above it, (a + 1/2) / 2^F, has F + 1 decimals; then what lies closely beside it.
+        const Int tie = (2 * Int(numbers[i]) + 1) * exact::power(5, F + 1);
+        const Int scale = exact::power(10, 90);
+        check_parse<Raw, F>(decimal_text(tie, F + 1), tie, F + 1);
+        for (const Int& n : {Int(tie * scale - 1), Int(tie * scale), Int(tie * scale + 1)}) {
+            check_parse<Raw, F>(decimal_text(n, F + 91), n, F + 91);
+        }
+    }
+}
+
+TYPED_TEST(Decimal, ReadsExponents) {
+    using Raw = typename TypeParam::Raw;
+    constexpr int F = TypeParam::F;
+    for (const int n : {0, 1, -1, 5, -25, 127, -128, 32767, -12345678}) {
+        for (int exponent = -40; exponent <= 40; ++exponent) {
+            const std::string digits = std::to_string(n);
+            const Int up = exact::power(10, std::max(exponent, 0));
+            check_parse<Raw, F>(digits + "e" + std::to_string(exponent), Int(n) * up,
+                                std::max(-exponent, 0));
+            check_parse<Raw, F>(
+                digits + ".250E" + (exponent < 0 ? "" : "+") + std::to_string(exponent),
+                (Int(n) * 1000 + (n < 0 ? -250 : 250)) * up, std::max(-exponent, 0) + 3);
+        }
+    }
+}
+
+TYPED_TEST(Decimal, ReportsABufferThatIsTooSmall) {
+    using Raw = typename TypeParam::Raw;
+    constexpr int F = TypeParam::F;
+    for (const Raw a :
+         {std::numeric_limits<Raw>::min(), std::numeric_limits<Raw>::max(), Raw(-3)}) {
+        const size_t shortest = print_text<Raw, F>(a).size();
+        const size_t rounded = print_text<Raw, F>(a, 9).size();
+        for (size_t capacity = 0; capacity <= rounded + shortest; ++capacity) {
+            std::vector<char> buffer(capacity);
+            ASSERT_EQ((portable::print_decimal<Raw, F>(a, buffer.data(), capacity)),
+                      capacity < shortest ? 0 : shortest);
+            ASSERT_EQ((portable::print_decimal<Raw, F>(a, 9, buffer.data(), capacity)),
+                      capacity < rounded ? 0 : rounded);
+        }
+    }
+}
+
+TYPED_TEST(Decimal, CapacityIsReached) {
+    using Raw = typename TypeParam::Raw;
+    constexpr int F = TypeParam::F;
+    EXPECT_EQ((print_text<Raw, F>(std::numeric_limits<Raw>::min(), F).size()),
+              (portable::decimal_capacity<Raw, F>() - (F == 0 ? 1 : 0)));
+}
+
+template <class Word>
+void check_digit_steps() {
+    const Int one = Int(1) << static_cast<int>(8 * sizeof(Word));
+    for (int digit = 0; digit <= 9; ++digit) {
+        // The smallest fraction that begins with this digit, and its neighbours.
+        const Int first = -exact::floor_of(-digit * one, 10);
+        for (int offset = -1; offset <= 1; ++offset) {
+            const Int bits = exact::clamped<Word>(first + offset);
+            portable::DecimalFraction<Word> fraction = {static_cast<Word>(bits), false};
+            ASSERT_EQ(fraction.take(), exact::floor_of(10 * bits, one)) << bits;
+            ASSERT_EQ(fraction.bits, 10 * bits % one) << bits;
+
+            fraction = {static_cast<Word>(bits), false};
+            fraction.prepend(static_cast<uint8_t>(digit));
+            ASSERT_EQ(fraction.bits, (digit * one + bits) / 10) << bits;
+            ASSERT_EQ(fraction.inexact, (digit * one + bits) % 10 != 0) << bits;
+        }
+    }
+}
+
+TEST(DecimalFraction, GivesAndTakesDigitsExactly) {
+    check_digit_steps<uint32_t>();
+    check_digit_steps<uint64_t>();
+}
+
+TEST(DecimalText, DoesNotWrapAroundTheWord) {
+    for (int offset = -10; offset <= 20; ++offset) {
+        for (const int bits : {32, 64}) {
+            const Int n = (Int(1) << bits) + offset;
+            check_parse<int8_t, 0>(n.str(), n, 0);
+            check_parse<int32_t, 0>(n.str(), n, 0);
+            check_parse<int64_t, 0>(n.str(), n, 0);
+            check_parse<int64_t, 0>("-" + n.str(), -n, 0);
+        }
+    }
+}
+
+struct Malformed {
+    const char* text;
+    TextStatus status;
+    size_t position;
+};
+
+TEST(DecimalText, SaysWhereItIsMalformed) {
+    const Malformed table[] = {
+        {"", TextStatus::empty, 0},           // nothing
+        {" ", TextStatus::malformed, 0},      // no white space, in front
+        {" 1", TextStatus::malformed, 0},     //
+        {"1 ", TextStatus::malformed, 1},     // nor behind
+        {"+", TextStatus::malformed, 1},      // a sign alone
+        {"-", TextStatus::malformed, 1},      //
+        {"--1", TextStatus::malformed, 1},    // one sign
+        {"+-1", TextStatus::malformed, 1},    //
+        {".", TextStatus::malformed, 1},      // a point alone
+        {"-.", TextStatus::malformed, 2},     //
+        {"..1", TextStatus::malformed, 1},    // one point
+        {"1.2.3", TextStatus::malformed, 3},  //
+        {"1,5", TextStatus::malformed, 1},    // the point is no comma
+        {"e5", TextStatus::malformed, 0},     // an exponent alone
+        {".e5", TextStatus::malformed, 1},    //
+        {"1e", TextStatus::malformed, 2},     // an exponent without digits
+        {"1e+", TextStatus::malformed, 3},    //
+        {"1e-x", TextStatus::malformed, 3},   //
+        {"1e1.5", TextStatus::malformed, 3},  // an exponent is an integer
+        {"1e5e5", TextStatus::malformed, 3},  //
+        {"0x1p3", TextStatus::malformed, 1},  // decimal only
+        {"inf", TextStatus::malformed, 0},    // no infinities
+        {"nan", TextStatus::malformed, 0},    //
+        {"12a", TextStatus::malformed, 2},    // the first bad character
+        {"1\xff", TextStatus::malformed, 1},  // beyond ASCII
+        {"\x2f", TextStatus::malformed, 0},   // the character in front of 0
+        {"\x3a", TextStatus::malformed, 0},   // the character behind 9
+    };
+    for (const Malformed& row : table) {
+        const auto result = parse_text<int32_t, 16>(row.text);
+        EXPECT_EQ(result.status, row.status) << row.text;
+        EXPECT_EQ(result.position, row.position) << row.text;
+        EXPECT_EQ(result.number, 0) << row.text;
+    }
+    const auto zero_byte = parse_text<int32_t, 16>(std::string("1\0", 2));
+    EXPECT_EQ(zero_byte.status, TextStatus::malformed);
+    EXPECT_EQ(zero_byte.position, 1u);
+}
+
+TEST(DecimalText, ReadsEveryWellFormedShape) {
+    for (const char* text : {"1.5", "+1.5", "1.50", "01.5", "15e-1", "15E-1", "0.15e1", ".15e+1",
+                             "150.e-2", "1.5e0", "1.5e-0", "1.5e00000000000000000000000000"}) {
+        EXPECT_EQ((parse_text<int16_t, 8>(text).number), 0x180) << text;
+        EXPECT_EQ((parse_text<int16_t, 8>(text).status), TextStatus::ok) << text;
+    }
+    EXPECT_EQ((parse_text<int16_t, 8>("-0").number), 0);
+    EXPECT_EQ((parse_text<int16_t, 8>("2.").number), 0x200);
+}
+
+TEST(DecimalText, TakesExponentsAndDigitsOfAnyLength) {
+    const std::string nines(40, '9');
+    EXPECT_EQ((parse_text<int64_t, 32>("1e" + nines).status), TextStatus::out_of_range);
+    EXPECT_EQ((parse_text<int64_t, 32>("-1e" + nines).number), std::numeric_limits<int64_t>::min());
+    EXPECT_EQ((parse_text<int64_t, 32>("1e-" + nines).number), 0);
+    EXPECT_EQ((parse_text<int64_t, 32>("0e" + nines).status), TextStatus::ok);
+    EXPECT_EQ((parse_text<int32_t, 0>(nines).number), std::numeric_limits<int32_t>::max());
+    const std::string zeros(1000000, '0');
+    EXPECT_EQ((parse_text<int16_t, 8>("0." + zeros + "15e1000001").number), 0x180);
+    EXPECT_EQ((parse_text<int16_t, 8>("15" + zeros + "e-1000001").number), 0x180);
+    // The last of many digits decides the tie of a negative number.
+    EXPECT_EQ((parse_text<int16_t, 8>("-0.001953125" + zeros).number), 0);
+    EXPECT_EQ((parse_text<int16_t, 8>("-0.001953125" + zeros + "1").number), -1);
+}
+
+template <class Raw, int F>
+void random_text(bool negative, const std::vector<uint8_t>& digits, size_t point, int exponent) {
+    Int n = 0;
+    std::string text = negative ? "-" : "";
+    point = std::min(point, digits.size());
+    for (size_t i = 0; i < digits.size(); ++i) {
+        if (i == point) text += '.';
+        text += static_cast<char>('0' + digits[i]);
+        n = n * 10 + digits[i];
+    }
+    if (negative) n = -n;
+    const int decimals = static_cast<int>(digits.size() - point) - exponent;
+    check_parse<Raw, F>(text + "e" + std::to_string(exponent),
+                        n * exact::power(10, std::max(-decimals, 0)), std::max(decimals, 0));
+}
+
+RC_GTEST_PROP(DecimalProperty, RandomText, (bool negative)) {
+    const auto digits = *rc::gen::nonEmpty(
+        rc::gen::container<std::vector<uint8_t>>(rc::gen::inRange<uint8_t>(0, 10)));
+    const auto point = *rc::gen::inRange<size_t>(0, 12);
+    const auto exponent = *rc::gen::inRange(-12, 12);
+    random_text<int8_t, 4>(negative, digits, point, exponent);
+    random_text<int16_t, 15>(negative, digits, point, exponent);
+    random_text<int32_t, 16>(negative, digits, point, exponent);
+    random_text<int64_t, 32>(negative, digits, point, exponent);
+    random_text<int64_t, 63>(negative, digits, point, exponent);
+    RC_ASSERT(!testing::Test::HasFatalFailure());
+}
+
+RC_GTEST_PROP(DecimalProperty, AnyBytesAreReadOrRefused, (const std::string& text)) {
+    const auto result = parse_text<int32_t, 16>(text);
+    RC_ASSERT(result.position <= text.size());
+    RC_ASSERT((result.status == TextStatus::empty) == text.empty());
+    if (result.status == TextStatus::ok) RC_ASSERT(result.position == text.size());
+}
+
+RC_GTEST_PROP(DecimalProperty, TextReadsBack, (int64_t raw)) {
+    const Q32_32 x = Q32_32::from_raw(raw);
+    char buffer[text_capacity<Q32_32>()];
+    RC_ASSERT(parse<Q32_32>(buffer, print(x, buffer, sizeof buffer)).number == x);
+    RC_ASSERT(parse<Q32_32>(buffer, print(x, 32, buffer, sizeof buffer)).number == x);
+}
+
+static_assert(parse<Q16_16>("0.38", 4).number.raw() == 24904, "0.38 2^16 = 24903.68");
+static_assert(parse<Q8_8>("-128", 4).number == Q8_8::min(), "the smallest number has a text");
+static_assert(parse<Q8_8>("128", 3).status == TextStatus::out_of_range,
+              "and its negative has none");
+static_assert(parse<Q8_8>("127.998", 7).status == TextStatus::ok, "rounds to the largest number");
+static_assert(parse<Q8_8>("127.9981", 8).status == TextStatus::out_of_range, "rounds to 128");
+
+}  // namespace

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// Literals are constants of the exact value. That a literal out of range or malformed does not
+// compile is the compiler's to say: literal() is used here the way the operators use it.
+#include <gtest/gtest.h>
+
+#include <fixedpoint/literals.hpp>
+
+namespace {
+
+using namespace fixedpoint;
+using namespace fixedpoint::literals;
+
+static_assert((0.38_q16_16).raw() == 24904, "0.38 2^16 = 24903.68");
+static_assert((-0.38_q16_16).raw() == -24904, "the negative of the literal");
+static_assert((32767.99999_q16_16).raw() == 0x7fffffff, "rounds to the largest number");
+static_assert((7.9375_q4_4).raw() == 127, "the largest number");
+static_assert((0.03125_q4_4).raw() == 1, "a tie rounds upward");
+static_assert((0.031249999999999999999999_q4_4).raw() == 0,
+              "which a double cannot tell from the tie");
+static_assert((12_q8_8).raw() == 0xc00, "an integer");
+static_assert((017_q8_8).raw() == 0x1100, "always decimal");
+static_assert((1'000.5_q16_16).raw() == 0x3e88000, "digit separators");
+static_assert((1e-3_q16_16).raw() == 66, "an exponent");
+static_assert((.5_q8_8).raw() == 0x80, "no digit in front of the point");
+static_assert((2147483647.9999999998_q32_32).raw() == INT64_MAX, "20 digits");
+static_assert((3.14159265358979323846_q32_32).raw() == 13493037705, "pi 2^32 = 13493037704.52");
+
+template <char... Text>
+constexpr Fixed<1, 63> operator""_q1_63() {
+    return literal<Fixed<1, 63>, Text...>();
+}
+static_assert((0.1_q1_63).raw() == 922337203685477581, "2^63 / 10 = 922337203685477580.8");
+
+// What the operators refuse, seen before they do.
+static_assert(parse_literal<Q4_4, '8'>().status == TextStatus::out_of_range, "8 is beyond Q4.4");
+static_assert(parse_literal<Q4_4, '0', 'x', '1'>().status == TextStatus::malformed, "hexadecimal");
+static_assert(parse_literal<Q4_4, '0', 'b', '1'>().status == TextStatus::malformed, "binary");
+
+TEST(Literals, AreTheNumbersThatTheTextSays) {
+    EXPECT_EQ(1.5_q16_16, parse<Q16_16>("1.5", 3).number);
+    EXPECT_EQ(0.1_q32_32, parse<Q32_32>("0.1", 3).number);
+}
+
+}  // namespace

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/exact.hpp"
+
+#include <gsl/gsl_complex_math.h>
+#include <gsl/gsl_sf_exp.h>
+#include <gsl/gsl_sf_log.h>
+#include <gsl/gsl_sf_trig.h>
+
+#include <stdexcept>
+
+namespace reference {
+namespace {
+
+Rational truncate(const Rational& x) { return x < 0 ? Rational(-floor(-x)) : floor(x); }
+
+Rational dot(std::span<const Rational> a, std::span<const Rational> b) {
+    Rational sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+    return sum;
+}
+
+Real length(std::span<const Rational> v) { return sqrt(to_real(dot(v, v))); }
+
+}  // namespace
+
+const Real& pi() {
+    static const Real value = 4 * atan(Real(1));
+    return value;
+}
+
+Exact exact(Operation operation, std::span<const Rational> operands, std::size_t component) {
+    const auto& x = operands;
+    const auto real = [&](std::size_t i) { return to_real(x[i]); };
+    switch (operation) {
+        case Operation::add:
+            return Rational(x[0] + x[1]);
+        case Operation::subtract:
+            return Rational(x[0] - x[1]);
+        case Operation::multiply:
+            return Rational(x[0] * x[1]);
+        case Operation::divide:
+            return Rational(x[0] / x[1]);
+        case Operation::remainder:
+            return Rational(x[0] - x[1] * truncate(x[0] / x[1]));
+        case Operation::negate:
+            return Rational(-x[0]);
+        case Operation::abs:
+            return Rational(abs(x[0]));
+        case Operation::shift_left:
+            return scale(x[0], int(numerator(x[1])));
+        case Operation::shift_right:
+            return scale(x[0], -int(numerator(x[1])));
+        case Operation::convert:
+            return x[0];
+        case Operation::multiply_add:
+            return Rational(x[0] * x[1] + x[2]);
+        case Operation::dot2:
+            return dot(x.subspan(0, 2), x.subspan(2, 2));
+        case Operation::dot3:
+            return dot(x.subspan(0, 3), x.subspan(3, 3));
+        case Operation::sqrt:
+            return Real(sqrt(real(0)));
+        case Operation::reciprocal_sqrt:
+            return Real(1 / sqrt(real(0)));
+        case Operation::atan:
+            return Real(atan(real(0)));
+        case Operation::atan2:
+            return Real(atan2(real(0), real(1)));
+        case Operation::sin:
+            return Real(sin(real(0)));
+        case Operation::cos:
+            return Real(cos(real(0)));
+        case Operation::sincos:
+            return Real(component == 0 ? sin(real(0)) : cos(real(0)));
+        case Operation::exp:
+            return Real(exp(real(0)));
+        case Operation::log:
+            return Real(log(real(0)));
+        case Operation::length2:
+        case Operation::length3:
+            return length(x);
+        case Operation::normalise3:
+            return Real(real(component) / length(x));
+    }
+    throw std::logic_error("an operation without an exact value");
+}
+
+std::optional<double> second_opinion(Operation operation, std::span<const double> operands) {
+    const auto& x = operands;
+    switch (operation) {
+        case Operation::sqrt:
+            return GSL_REAL(gsl_complex_sqrt_real(x[0]));
+        case Operation::atan:
+            return GSL_REAL(gsl_complex_arctan(gsl_complex_rect(x[0], 0)));
+        case Operation::atan2:
+            return gsl_complex_arg(gsl_complex_rect(x[1], x[0]));
+        case Operation::sin:
+            return gsl_sf_sin(x[0]);
+        case Operation::cos:
+            return gsl_sf_cos(x[0]);
+        case Operation::exp:
+            return gsl_sf_exp(x[0]);
+        case Operation::log:
+            return gsl_sf_log(x[0]);
+        case Operation::length2:
+            return gsl_sf_hypot(x[0], x[1]);
+        default:
+            return std::nullopt;
+    }
+}
+
+}  // namespace reference

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/number_format.hpp"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+
+namespace reference {
+namespace {
+
+std::optional<int> parse_number(std::string_view digits) {
+    int number = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    const bool canonical =
+        !digits.empty() && digits[0] != '-' && (digits[0] != '0' || digits == "0");
+    if (error != std::errc() || end != digits.data() + digits.size() || !canonical)
+        return std::nullopt;
+    return number;
+}
+
+bool is_width(int bits) { return bits == 8 || bits == 16 || bits == 32 || bits == 64; }
+
+std::optional<NumberFormat> parse_split(FormatKind kind, int sign_bits, std::string_view split) {
+    const size_t underscore = split.find('_');
+    if (underscore == split.npos) return std::nullopt;
+    const auto integer_bits = parse_number(split.substr(0, underscore));
+    const auto fraction_bits = parse_number(split.substr(underscore + 1));
+    if (!integer_bits || !fraction_bits || *integer_bits > 64 || *fraction_bits > 63)
+        return std::nullopt;
+    const int width = sign_bits + *integer_bits + *fraction_bits;
+    if (!is_width(width) || sign_bits + *integer_bits < 1) return std::nullopt;
+    return NumberFormat{kind, width, *fraction_bits};
+}
+
+std::optional<NumberFormat> try_parse(std::string_view name) {
+    if (name == "float") return ieee_single;
+    if (name.starts_with("int")) {
+        const auto width = parse_number(name.substr(3));
+        if (!width || !is_width(*width)) return std::nullopt;
+        return NumberFormat{FormatKind::integer, *width, 0};
+    }
+    if (name.starts_with("q")) return parse_split(FormatKind::fixed, 0, name.substr(1));
+    if (name.starts_with("s")) return parse_split(FormatKind::accum, 1, name.substr(1));
+    return std::nullopt;
+}
+
+// The exponent of a float's last place in the binade of x.
+int last_place(const Rational& x) { return std::max(x == 0 ? -149 : binade(x) - 23, -149); }
+
+}  // namespace
+
+NumberFormat parse_format(std::string_view name) {
+    if (const auto format = try_parse(name)) return *format;
+    throw std::invalid_argument(
+        fmt::format("unknown number format '{}': allowed are q<integer bits>_<fraction bits> and "
+                    "s<integer bits>_<fraction bits> (GCC's _Accum, its sign not counted) of 8, "
+                    "16, 32 or 64 bits "
+                    "in all, int8, int16, int32, int64 and float",
+                    name));
+}
+
+std::string format_name(const NumberFormat& format) {
+    const int integer_bits = format.width - format.fraction;
+    switch (format.kind) {
+        case FormatKind::fixed:
+            return fmt::format("q{}_{}", integer_bits, format.fraction);
+        case FormatKind::accum:
+            return fmt::format("s{}_{}", integer_bits - 1, format.fraction);
+        case FormatKind::integer:
+            return fmt::format("int{}", format.width);
+        case FormatKind::single:
+            return "float";
+    }
+    throw std::logic_error("a number format of no kind");
+}
+
+bool is_nan(const NumberFormat& format, std::int64_t raw) {
+    return format.is_float() && std::isnan(float_of_raw(raw));
+}
+
+bool is_finite(const NumberFormat& format, std::int64_t raw) {
+    return !format.is_float() || std::isfinite(float_of_raw(raw));
+}
+
+Rational value(const NumberFormat& format, std::int64_t raw) {
+    if (format.is_float()) {
+        int exponent;
+        const float significand = std::frexp(float_of_raw(raw), &exponent);
+        return scale(Rational(std::int64_t(std::ldexp(significand, 24))), exponent - 24);
+    }
+    return scale(Rational(raw), -format.fraction);
+}
+
+Rational ulp(const NumberFormat& format, const Rational& at) {
+    return scale(Rational(1), format.is_float() ? last_place(at) : -format.fraction);
+}
+
+std::int64_t nearest_raw(const NumberFormat& format, const Rational& number) {
+    if (number >= value(format, format.max())) return format.max();
+    if (number <= value(format, format.min())) return format.min();
+    const Rational scaled = number / ulp(format, number);
+    Rational rounded = floor(scaled + Rational(1, 2));
+    if (!format.is_float()) return std::int64_t(numerator(rounded));
+    if (rounded - scaled == Rational(1, 2) && numerator(rounded) % 2 != 0) rounded -= 1;
+    return raw_of_float(std::ldexp(float(numerator(rounded)), last_place(number)));
+}
+
+std::int64_t raw_of_float(float number) { return std::bit_cast<std::int32_t>(number); }
+
+float float_of_raw(std::int64_t raw) { return std::bit_cast<float>(std::int32_t(raw)); }
+
+}  // namespace reference

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a bit pattern means: the number formats by name, their range, resolution and exact values.
+// A raw is always the pattern's low W bits sign-extended to int64_t, an IEEE single's included.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "reference/numbers.hpp"
+
+namespace reference {
+
+enum class FormatKind {
+    fixed,    // q<integer bits>_<fraction bits>, the sign among the integer bits: value = raw / 2^F
+    integer,  // int8, int16, int32, int64: F = 0, C's arithmetic
+    accum,    // s<integer bits>_<fraction bits>, GCC's _Accum types, the sign is a bit of its own
+    single    // float, IEEE 754 binary32
+};
+
+struct NumberFormat {
+    FormatKind kind = FormatKind::fixed;
+    int width = 32;     // W: 8, 16, 32 or 64
+    int fraction = 16;  // F: bits after the binary point; 0 for integers and for float
+
+    bool operator==(const NumberFormat&) const = default;
+
+    constexpr bool is_float() const { return kind == FormatKind::single; }
+
+    // Least and greatest raw; for float the patterns of the least and greatest finite number.
+    constexpr std::int64_t min() const {
+        return is_float() ? sign_extend(0xff7fffff)
+                          : std::int64_t(std::uint64_t(-1) << (width - 1));
+    }
+    constexpr std::int64_t max() const { return is_float() ? 0x7f7fffff : ~min(); }
+
+    // The low W bits of a pattern as a raw.
+    constexpr std::int64_t sign_extend(std::uint64_t pattern) const {
+        return std::int64_t(pattern << (64 - width)) >> (64 - width);
+    }
+};
+
+constexpr NumberFormat fixed_format(int integer_bits, int fraction_bits) {
+    return {FormatKind::fixed, integer_bits + fraction_bits, fraction_bits};
+}
+inline constexpr NumberFormat q4_4 = fixed_format(4, 4);
+inline constexpr NumberFormat q8_8 = fixed_format(8, 8);
+inline constexpr NumberFormat q16_16 = fixed_format(16, 16);
+inline constexpr NumberFormat q32_32 = fixed_format(32, 32);
+inline constexpr NumberFormat ieee_single = {FormatKind::single, 32, 0};
+
+// Reads "q16_16", "int32", "s16_15" or "float". Throws std::invalid_argument that names what is
+// allowed.
+NumberFormat parse_format(std::string_view name);
+std::string format_name(const NumberFormat& format);
+
+bool is_nan(const NumberFormat& format, std::int64_t raw);
+bool is_finite(const NumberFormat& format, std::int64_t raw);
+
+// The exact number that a raw stands for. Precondition: is_finite(format, raw).
+Rational value(const NumberFormat& format, std::int64_t raw);
+
+// Distance between neighbours, 2^-F. For float the distance within the binade of `at`.
+Rational ulp(const NumberFormat& format, const Rational& at = 1);
+
+// The raw nearest to an exact number, ties toward +infinity (float: ties to even); a number out of
+// range gives the nearest finite raw.
+std::int64_t nearest_raw(const NumberFormat& format, const Rational& number);
+
+std::int64_t raw_of_float(float number);
+float float_of_raw(std::int64_t raw);
+
+}  // namespace reference

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The published figures as data: what results are printed beside. See published/README.md.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace reference {
+
+inline const std::filesystem::path published_folder = REFERENCE_PUBLISHED_FOLDER;
+
+// Milliseconds for 30000 operations.
+struct PublishedTiming {
+    std::string type;       // as the report names it: int16_t, fixed_16_16, float ...
+    std::string operation;  // add, subtract, multiply, divide; sqrt, atan2, shift_left_16
+    double milliseconds;
+    std::string note;  // of a function only
+
+    // 30000 operations at 16 MHz.
+    double cycles_per_operation() const { return milliseconds * 16000 / 30000; }
+};
+
+struct WorkloadFigure {
+    std::string quantity;
+    std::string arithmetic;
+    double value;
+    std::string unit;
+    std::string where;
+};
+
+// Of a force sensor: what it read under a weight, and the weight that the fitted curve gives back.
+struct ForceCalibration {
+    double adc_reading;
+    double actual_grams;
+    double calculated_grams;
+};
+
+// Force per acceleration of the sensor's frame.
+struct ForceCorrection {
+    double acceleration;  // m/s^2
+    double correction;    // N per m/s^2
+};
+
+// Each throws std::runtime_error with file, line and reason where the file is missing or malformed.
+// The 24 cells of Table 3.2, row by row.
+std::vector<PublishedTiming> load_table_3_2(const std::filesystem::path& folder = published_folder);
+std::vector<PublishedTiming> load_functions(const std::filesystem::path& folder = published_folder);
+std::vector<WorkloadFigure> load_workload(const std::filesystem::path& folder = published_folder);
+std::vector<ForceCalibration> load_table_d_1(
+    const std::filesystem::path& folder = published_folder);
+std::vector<ForceCorrection> load_table_d_2(const std::filesystem::path& folder = published_folder);
+
+}  // namespace reference

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The fast judge against the exact one, on boundary and random operands with results at, next to
+// and far from the right one.
+#include "reference/bulk.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "reference/exact.hpp"
+#include "reference/judge.hpp"
+
+namespace reference {
+namespace {
+
+std::vector<std::int64_t> boundary(const NumberFormat& format) {
+    std::vector<std::int64_t> raws = {0, format.min(), format.min() + 1, format.max(),
+                                      format.max() - 1};
+    for (int bit = 0; bit < format.width - 1; ++bit) {
+        for (const std::int64_t step : {-1, 0, 1}) {
+            raws.push_back((std::int64_t(1) << bit) + step);
+            raws.push_back(-(std::int64_t(1) << bit) + step);
+        }
+    }
+    return raws;
+}
+
+class Operands {
+  public:
+    explicit Operands(const NumberFormat& format) : format_(format), boundary_(boundary(format)) {}
+
+    std::int64_t next() {
+        const std::uint64_t pattern = random_();
+        switch (pattern % 4) {
+            case 0:
+                return boundary_[(pattern >> 8) % boundary_.size()];
+            case 1:
+                return format_.sign_extend(random_());
+            // Uniform in length, so that small raws occur.
+            default:
+                return format_.sign_extend(random_()) >> ((pattern >> 8) % format_.width);
+        }
+    }
+
+  private:
+    NumberFormat format_;
+    std::vector<std::int64_t> boundary_;
+    std::mt19937_64 random_{7};
+};
+
+// A result that is right or wrong by little, wherever the exact value lies.
+std::int64_t plausible(const Subject& subject, std::span<const std::int64_t> operands,
+                       std::size_t index, std::int64_t step) {
+    // The judge's own error of result 0 leads to the right one, modulo 2^W, as far as double
+    // reaches.
+    std::vector<std::int64_t> results(shape(subject.operation).results, 0);
+    if (results.size() > 1) {
+        std::vector<Rational> values;
+        for (const std::int64_t raw : operands) values.push_back(value(subject.format, raw));
+        if (values[0] == 0 && values[1] == 0 && values[2] == 0) return step;
+        const Real x =
+            scale(std::get<Real>(exact(subject.operation, values, index)), subject.format.fraction);
+        return std::clamp(std::int64_t(floor(x)), subject.format.min() + 2,
+                          subject.format.max() - 2) +
+               step;
+    }
+    std::int64_t result = 0;
+    for (int round = 0; round < 3; ++round) {
+        const Judgement judgement = judge(subject, operands, result);
+        if (judgement.excluded) break;
+        result = subject.format.sign_extend(
+            std::uint64_t(result) - std::uint64_t(__int128(std::floor(judgement.error_ulp))));
+    }
+    return subject.format.sign_extend(std::uint64_t(result + step));
+}
+
+using FastJudge = Judgement(std::span<const std::int64_t>, std::span<const std::int64_t>);
+
+void compare(const Subject& subject, FastJudge* fast_judge, int rounds) {
+    SCOPED_TRACE(std::string(shape(subject.operation).name) + " " + format_name(subject.format) +
+                 " arithmetic " + std::to_string(int(subject.arithmetic)));
+    Operands source(subject.operand_format);
+    int right = 0, wrong = 0;
+    for (int i = 0; i < rounds; ++i) {
+        std::int64_t operands[most_operands], results[most_results];
+        const OperationShape& of = shape(subject.operation);
+        const std::span operand_span(operands, of.operands), result_span(results, of.results);
+        for (std::int64_t& operand : operand_span) operand = source.next();
+        for (std::size_t k = 0; k < of.results; ++k)
+            results[k] = i % 8 == 7 ? subject.format.sign_extend(std::uint64_t(source.next()))
+                                    : plausible(subject, operand_span, k, i % 4 - 1);
+        const Judgement expected = judge(subject, operand_span, result_span);
+        const Judgement got = fast_judge(operand_span, result_span);
+        ASSERT_EQ(got.excluded == nullptr, expected.excluded == nullptr)
+            << operands[0] << " " << operands[1];
+        if (expected.excluded) continue;
+        ASSERT_NEAR(got.error_ulp, expected.error_ulp, 1e-4 + 1e-12 * std::abs(expected.error_ulp))
+            << operands[0] << " " << operands[1] << " -> " << results[0];
+        ASSERT_EQ(got.defined, expected.defined) << operands[0] << " " << operands[1];
+        // Where a bound is met to the last bit the fast judge may err either way.
+        const bool on_bound =
+            definition(subject).rounding == Rounding::within_bound &&
+            std::abs(std::abs(expected.error_ulp) - definition(subject).bound_ulp) < 1e-4;
+        ASSERT_TRUE(on_bound || got.as_defined == expected.as_defined)
+            << operands[0] << " " << operands[1] << " -> " << results[0] << " error "
+            << expected.error_ulp;
+        right += expected.as_defined;
+        wrong += !expected.as_defined;
+    }
+    EXPECT_GT(right, rounds / 20);  // both verdicts have been compared
+    if (definition(subject).bound_ulp != no_bound) {
+        EXPECT_GT(wrong, rounds / 20);
+    }
+}
+
+template <Subject subject>
+void compare(int rounds) {
+    compare(subject, bulk::judge<subject>, rounds);
+}
+
+template <NumberFormat format, Arithmetic arithmetic, Operation... operation>
+void compare_all(int rounds) {
+    (compare<Subject{operation, format, arithmetic}>(rounds), ...);
+}
+
+template <NumberFormat format>
+void compare_arithmetics(int rounds) {
+    using enum Operation;
+    compare_all<format, Arithmetic::nearest, add, subtract, multiply, divide, remainder, negate,
+                Operation::abs, multiply_add, dot2, dot3, Operation::sqrt, reciprocal_sqrt,
+                Operation::atan, Operation::atan2, Operation::sin, Operation::cos, Operation::log,
+                length2, length3, normalise3>(rounds);
+    compare_all<format, Arithmetic::published, add, multiply, divide, Operation::sqrt,
+                Operation::atan, Operation::atan2>(rounds);
+    compare_all<format, Arithmetic::saturating, add, subtract, multiply, negate, Operation::abs,
+                multiply_add, divide>(rounds);
+    compare_all<format, Arithmetic::truncating, multiply, divide, Operation::sqrt>(rounds);
+    if constexpr (format.width <= 32)
+        compare_all<format, Arithmetic::nearest, Operation::exp>(rounds);
+}
+
+TEST(Bulk, AgreesInQ4_4) { compare_arithmetics<q4_4>(1000); }
+TEST(Bulk, AgreesInQ8_8) { compare_arithmetics<q8_8>(1000); }
+TEST(Bulk, AgreesInQ16_16) { compare_arithmetics<q16_16>(1000); }
+TEST(Bulk, AgreesInQ32_32) { compare_arithmetics<q32_32>(1000); }
+TEST(Bulk, AgreesInQ1_15) { compare_arithmetics<fixed_format(1, 15)>(1000); }
+TEST(Bulk, AgreesInQ8_24) { compare_arithmetics<fixed_format(8, 24)>(1000); }
+TEST(Bulk, AgreesInQ1_31) { compare_arithmetics<fixed_format(1, 31)>(1000); }
+TEST(Bulk, AgreesInQ16_0) { compare_arithmetics<fixed_format(16, 0)>(1000); }
+
+TEST(Bulk, AgreesOnIntegers) {
+    using enum Operation;
+    constexpr NumberFormat int16{FormatKind::integer, 16, 0}, int64{FormatKind::integer, 64, 0};
+    compare_all<int16, Arithmetic::integer, add, subtract, multiply, divide, remainder>(2000);
+    compare_all<int64, Arithmetic::integer, add, subtract, multiply, divide, remainder>(2000);
+}
+
+TEST(Bulk, AgreesOnConversions) {
+    compare<Subject{Operation::convert, q8_8, Arithmetic::nearest, q16_16}>(4000);
+    compare<Subject{Operation::convert, q8_8, Arithmetic::saturating, q32_32}>(4000);
+    compare<Subject{Operation::convert, q32_32, Arithmetic::nearest, q8_8}>(4000);
+    compare<Subject{Operation::convert, q4_4, Arithmetic::published, q16_16}>(4000);
+}
+
+}  // namespace
+}  // namespace reference

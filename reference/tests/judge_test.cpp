@@ -1,0 +1,370 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every row is worked out by hand.
+#include "reference/judge.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cfloat>
+#include <cmath>
+#include <cstdint>
+#include <stdexcept>
+#include <vector>
+
+namespace reference {
+namespace {
+
+using Raws = std::vector<std::int64_t>;
+
+constexpr std::int64_t max16 = INT16_MAX, min16 = INT16_MIN, max32 = INT32_MAX, min32 = INT32_MIN;
+constexpr std::int64_t one = 65536;  // 1 in q16_16
+
+Judgement judged(Operation operation, const char* format, Arithmetic arithmetic,
+                 const Raws& operands, const Raws& results) {
+    return judge({operation, parse_format(format), arithmetic}, operands, results);
+}
+
+struct Row {
+    Operation operation;
+    const char* format;
+    Arithmetic arithmetic;
+    Raws operands;
+    std::int64_t result;  // what the definition demands
+    double error_ulp;     // of that result
+    bool defined;
+    const char* what;
+};
+
+void PrintTo(const Row& row, std::ostream* out) {
+    *out << shape(row.operation).name << " " << row.format << ": " << row.what;
+}
+
+class DefinedResult : public testing::TestWithParam<Row> {};
+
+TEST_P(DefinedResult, AloneIsAccepted) {
+    const Row& row = GetParam();
+    const Judgement right =
+        judged(row.operation, row.format, row.arithmetic, row.operands, {row.result});
+    EXPECT_TRUE(right.as_defined);
+    EXPECT_EQ(right.defined, row.defined);
+    EXPECT_NEAR(right.error_ulp, row.error_ulp, 1e-4);
+    EXPECT_EQ(right.excluded, nullptr);
+    if (definition(row.operation, row.arithmetic).rounding == Rounding::within_bound &&
+        !row.defined)
+        return;
+    const NumberFormat format = parse_format(row.format);
+    for (const std::int64_t step : {-1, 1}) {
+        const std::int64_t neighbour = format.sign_extend(std::uint64_t(row.result + step));
+        const Judgement wrong =
+            judged(row.operation, row.format, row.arithmetic, row.operands, {neighbour});
+        EXPECT_FALSE(wrong.as_defined) << "neighbour " << neighbour;
+    }
+}
+
+constexpr auto nearest = Arithmetic::nearest;
+constexpr auto published = Arithmetic::published;
+constexpr auto saturating = Arithmetic::saturating;
+constexpr auto truncating = Arithmetic::truncating;
+constexpr auto integer = Arithmetic::integer;
+
+INSTANTIATE_TEST_SUITE_P(
+    Ring, DefinedResult,
+    testing::Values(
+        Row{Operation::add, "q4_4", nearest, {100, 100}, -56, 0, false, "200 wraps to -56"},
+        Row{Operation::add, "q4_4", saturating, {100, 100}, 127, 0, true, "200 clamps"},
+        Row{Operation::add, "q4_4", published, {100, 100}, -56, 0, false, "200 wraps to -56"},
+        Row{Operation::subtract, "q8_8", nearest, {min16, 1}, max16, 0, false, "below MIN wraps"},
+        Row{Operation::subtract,
+            "q8_8",
+            saturating,
+            {min16, 1},
+            min16,
+            0,
+            true,
+            "below MIN clamps"},
+        Row{Operation::negate, "q16_16", nearest, {min32}, min32, 0, false, "-MIN wraps to MIN"},
+        Row{Operation::abs, "q16_16", nearest, {min32}, min32, 0, false, "|MIN| wraps to MIN"},
+        Row{Operation::abs, "q16_16", saturating, {min32}, max32, 0, true, "|MIN| clamps"},
+        Row{Operation::multiply, "q4_4", nearest, {2, 4}, 1, 0.5, false, "0.5 ulp: up"},
+        Row{Operation::multiply, "q4_4", nearest, {-2, 4}, 0, 0.5, false, "-0.5 ulp: up"},
+        Row{Operation::multiply, "q4_4", nearest, {3, 3}, 1, 0.4375, false, "9/16"},
+        Row{Operation::multiply, "q4_4", nearest, {-3, 3}, -1, -0.4375, false, "-9/16"},
+        Row{Operation::multiply,
+            "q4_4",
+            nearest,
+            {127, 127},
+            -16,
+            -1.0 / 16,
+            false,
+            "1008.0625 wraps to -16"},
+        Row{Operation::multiply, "q4_4", published, {3, 3}, 0, -0.5625, false, "9/16 truncated"},
+        Row{Operation::multiply, "q4_4", published, {-3, 3}, 0, 0.5625, false, "-9/16 truncated"},
+        Row{Operation::multiply,
+            "q4_4",
+            published,
+            {-127, 127},
+            16,
+            1.0 / 16,
+            false,
+            "-1008.0625 truncates to -1008 and wraps to 16"},
+        Row{Operation::multiply, "q4_4", truncating, {-3, 3}, 0, 0.5625, false, "toward zero"},
+        Row{Operation::multiply, "q4_4", saturating, {127, 127}, 127, 0, true, "clamps"},
+        Row{Operation::multiply, "q4_4", saturating, {-128, 127}, -128, 0, true, "clamps"},
+        Row{Operation::multiply, "q16_16", nearest, {min32, min32}, 0, 0, false, "2^46 wraps to 0"},
+        Row{Operation::multiply,
+            "q32_32",
+            nearest,
+            {INT64_MIN, -1},
+            INT64_C(1) << 31,
+            0,
+            false,
+            "-2^31 times -ulp"},
+        Row{Operation::multiply,
+            "q32_32",
+            nearest,
+            {INT64_MAX, INT64_MAX},
+            -(INT64_C(1) << 32),
+            -std::ldexp(1, -32),
+            false,
+            "2^94 - 2^32 + 2^-32 ulp"},
+        Row{Operation::shift_left, "q8_8", nearest, {0x4001, 2}, 4, 0, false, "top bits leave"},
+        Row{Operation::shift_left, "q8_8", saturating, {0x4001, 2}, max16, 0, true, "clamps"},
+        Row{Operation::shift_right, "q8_8", nearest, {-1, 3}, -1, -0.875, false, "downward"},
+        Row{Operation::shift_right, "q8_8", nearest, {15, 3}, 1, -0.875, false, "downward"},
+        Row{Operation::multiply_add,
+            "q4_4",
+            nearest,
+            {2, 4, 10},
+            11,
+            0.5,
+            false,
+            "tie, rounded once"},
+        Row{Operation::dot2,
+            "q4_4",
+            nearest,
+            {1, 1, 4, 4},
+            1,
+            0.5,
+            false,
+            "two quarters, rounded once"},
+        Row{Operation::dot3,
+            "q4_4",
+            nearest,
+            {127, 127, 127, 127, 127, 127},
+            -48,
+            -3.0 / 16,
+            false,
+            "3024.1875 wraps to -48"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Division, DefinedResult,
+    testing::Values(
+        Row{Operation::divide, "q4_4", nearest, {1, 32}, 1, 0.5, false, "0.5 ulp: up"},
+        Row{Operation::divide, "q4_4", nearest, {-1, 32}, 0, 0.5, false, "-0.5 ulp: up"},
+        Row{Operation::divide, "q4_4", nearest, {1, -32}, 0, 0.5, false, "-0.5 ulp: up"},
+        Row{Operation::divide, "q4_4", published, {-1, 17}, 0, 16.0 / 17, false, "toward zero"},
+        Row{Operation::divide, "q4_4", published, {100, 1}, 64, 0, false, "1600 wraps to 64"},
+        Row{Operation::divide, "q4_4", nearest, {100, 1}, 127, 0, true, "1600 clamps"},
+        Row{Operation::divide, "q4_4", nearest, {-100, 1}, -128, 0, true, "clamps"},
+        Row{Operation::divide, "q4_4", nearest, {-128, -16}, 127, 0, true, "MIN / -1 clamps"},
+        Row{Operation::divide, "q4_4", nearest, {1, 0}, 127, 0, true, "a > 0 by zero"},
+        Row{Operation::divide, "q4_4", nearest, {-1, 0}, -128, 0, true, "a < 0 by zero"},
+        Row{Operation::divide, "q4_4", nearest, {0, 0}, 0, 0, true, "0 / 0"},
+        Row{Operation::divide, "q4_4", published, {1, 0}, 127, 0, true, "a > 0 by zero"},
+        Row{Operation::divide,
+            "q32_32",
+            nearest,
+            {INT64_MAX, INT64_MAX - 1},
+            (INT64_C(1) << 32) + 0,
+            -std::ldexp(1, -31),
+            false,
+            "just above 1"},
+        Row{Operation::divide, "int16", integer, {-7, 2}, -3, 0.5, false, "C truncates"},
+        Row{Operation::remainder, "q4_4", nearest, {-23, 16}, -7, 0, false, "sign of a"},
+        Row{Operation::remainder, "q4_4", nearest, {23, -16}, 7, 0, false, "sign of a"},
+        Row{Operation::remainder, "q4_4", nearest, {23, 0}, 23, 0, true, "by zero: a"},
+        Row{Operation::remainder, "q4_4", nearest, {-128, -1}, 0, 0, false, "MIN by -ulp"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Functions, DefinedResult,
+    testing::Values(
+        Row{Operation::sqrt, "q16_16", nearest, {2 * one}, 92682, 0.0999, false, "92681.900"},
+        Row{Operation::sqrt, "q16_16", published, {2 * one}, 92681, -0.9001, false, "92681.900"},
+        Row{Operation::sqrt, "q16_16", nearest, {max32}, 11863283, -0.2003, false, "11863283.2003"},
+        Row{Operation::sqrt, "q16_16", nearest, {-1}, 0, 0, true, "a < 0"},
+        Row{Operation::sqrt,
+            "q32_32",
+            nearest,
+            {INT64_MAX},
+            199032864766430,
+            -0.3926,
+            false,
+            "199032864766430.3926"},
+        Row{Operation::reciprocal_sqrt, "q16_16", nearest, {4 * one}, one / 2, 0, false, "1/2"},
+        Row{Operation::reciprocal_sqrt, "q16_16", nearest, {0}, max32, 0, true, "a = 0"},
+        Row{Operation::reciprocal_sqrt, "q16_16", nearest, {-1}, 0, 0, true, "a < 0"},
+        Row{Operation::reciprocal_sqrt, "q4_4", nearest, {1}, 64, 0, false, "4"},
+        Row{Operation::reciprocal_sqrt, "q1_15", nearest, {16384}, 32767, 0, true, "1.41 clamps"},
+        Row{Operation::atan2, "q16_16", nearest, {0, 0}, 0, 0, true, "the origin"},
+        Row{Operation::atan2, "q16_16", nearest, {0, -1}, 205887, -0.4161, false, "pi"},
+        Row{Operation::atan2, "q16_16", nearest, {-1, min32}, -205887, 0.4161, false, "nearly -pi"},
+        Row{Operation::atan2, "q16_16", published, {-one, 0}, 308831, -0.1242, false, "3 pi/2"},
+        Row{Operation::atan, "q16_16", nearest, {one}, 51472, 0.1460, false, "pi/4"},
+        Row{Operation::atan, "q16_16", published, {max32}, 51471, -0.8540, false, "beyond 1: pi/4"},
+        Row{Operation::sin, "q16_16", nearest, {one}, 55147, 0.3575, false, "55146.6425"},
+        Row{Operation::cos, "q16_16", nearest, {0}, one, 0, false, "1"},
+        Row{Operation::cos, "q1_15", nearest, {0}, 32767, 0, true, "1 clamps"},
+        Row{Operation::exp, "q16_16", nearest, {one}, 178145, -0.3179, false, "e"},
+        Row{Operation::exp, "q16_16", nearest, {min32}, 0, 0, false, "underflows"},
+        Row{Operation::exp, "q16_16", nearest, {11 * one}, max32, 0, true, "clamps"},
+        Row{Operation::exp, "q32_32", nearest, {INT64_MAX}, INT64_MAX, 0, true, "e^(2^31) clamps"},
+        Row{Operation::log, "q16_16", nearest, {one}, 0, 0, false, "0"},
+        Row{Operation::log, "q16_16", nearest, {0}, min32, 0, true, "log 0"},
+        Row{Operation::log, "q16_16", nearest, {-1}, min32, 0, true, "log of a negative number"},
+        Row{Operation::length2, "q16_16", nearest, {3 * one, -4 * one}, 5 * one, 0, false, "3 4 5"},
+        Row{Operation::length3,
+            "q16_16",
+            nearest,
+            {min32, min32, min32},
+            max32,
+            0,
+            true,
+            "clamps"}));
+
+TEST(Judge, FunctionsMayErrWithinTheirBound) {
+    // sin(1) is 55146.6425 ulp, so that 55146 errs by 0.6425 and 55145 by 1.6425.
+    const auto sine = [](std::int64_t result) {
+        return judged(Operation::sin, "q16_16", nearest, {one}, {result});
+    };
+    EXPECT_TRUE(sine(55146).as_defined);
+    EXPECT_NEAR(sine(55146).error_ulp, -0.6425, 1e-4);
+    EXPECT_FALSE(sine(55145).as_defined);
+    EXPECT_FALSE(sine(55148).as_defined);
+}
+
+TEST(Judge, VectorsReportTheirWorstComponent) {
+    // (3, 4, 0) / 5 = (39321.6, 52428.8, 0) ulp
+    const Raws v = {3 * one, 4 * one, 0};
+    const Judgement good = judged(Operation::normalise3, "q16_16", nearest, v, {39322, 52429, 0});
+    EXPECT_TRUE(good.as_defined);
+    EXPECT_NEAR(good.error_ulp, 0.4, 1e-9);
+    const Judgement bad = judged(Operation::normalise3, "q16_16", nearest, v, {39322, 52427, 0});
+    EXPECT_FALSE(bad.as_defined);
+    EXPECT_NEAR(bad.error_ulp, -1.8, 1e-9);
+    EXPECT_TRUE(judged(Operation::normalise3, "q16_16", nearest, {0, 0, 0}, {0, 0, 0}).as_defined);
+    EXPECT_FALSE(judged(Operation::normalise3, "q16_16", nearest, {0, 0, 0}, {0, 0, 1}).as_defined);
+    // sin(1), cos(1) = 55146.6425, 35409.2517 ulp
+    const Judgement both = judged(Operation::sincos, "q16_16", nearest, {one}, {55147, 35409});
+    EXPECT_TRUE(both.as_defined);
+    EXPECT_NEAR(both.error_ulp, 0.3575, 1e-4);
+}
+
+TEST(Judge, WrongPinnedResultsAreRejectedWithTheirDistance) {
+    const Judgement wrong = judged(Operation::divide, "q4_4", nearest, {1, 0}, {0});
+    EXPECT_TRUE(wrong.defined);
+    EXPECT_FALSE(wrong.as_defined);
+    EXPECT_EQ(wrong.error_ulp, -127);
+}
+
+TEST(Judge, UndefinedOperationsAreExcluded) {
+    EXPECT_NE(judged(Operation::divide, "int16", integer, {1, 0}, {0}).excluded, nullptr);
+    EXPECT_NE(judged(Operation::divide, "int16", integer, {min16, -1}, {0}).excluded, nullptr);
+    EXPECT_NE(judged(Operation::multiply, "s8_7", Arithmetic::accum, {max16, max16}, {0}).excluded,
+              nullptr);
+    const Judgement accum = judged(Operation::multiply, "s8_7", Arithmetic::accum, {128, 3}, {5});
+    EXPECT_EQ(accum.excluded, nullptr);
+    EXPECT_EQ(accum.error_ulp, 2);
+    EXPECT_TRUE(accum.as_defined);
+}
+
+Judgement judged_float(Operation operation, std::initializer_list<float> operands, float result) {
+    Raws raws;
+    for (const float operand : operands) raws.push_back(raw_of_float(operand));
+    return judged(operation, "float", Arithmetic::ieee, raws, {raw_of_float(result)});
+}
+
+TEST(JudgeFloat, BasicOperationsAreRoundedToNearestEven) {
+    EXPECT_TRUE(judged_float(Operation::add, {16777216, 1}, 16777216).as_defined);
+    EXPECT_EQ(judged_float(Operation::add, {16777216, 1}, 16777216).error_ulp, -0.5);
+    EXPECT_FALSE(judged_float(Operation::add, {16777216, 1}, 16777218).as_defined);
+    EXPECT_TRUE(judged_float(Operation::add, {16777218, 1}, 16777220).as_defined);
+    EXPECT_TRUE(judged_float(Operation::divide, {1, 3}, 1.0f / 3).as_defined);
+    EXPECT_FALSE(judged_float(Operation::divide, {1, 3}, std::nextafter(1.0f / 3, 0.f)).as_defined);
+    EXPECT_TRUE(judged_float(Operation::sqrt, {2}, std::sqrt(2.0f)).as_defined);
+    // A subnormal result: the ulp stays 2^-149.
+    EXPECT_EQ(judged_float(Operation::multiply, {FLT_TRUE_MIN, 0.75f}, FLT_TRUE_MIN).error_ulp,
+              0.25);
+    EXPECT_EQ(judged_float(Operation::subtract, {1, 1}, -0.0f).error_ulp, 0);
+}
+
+TEST(JudgeFloat, RoundedUpOverABinadeIsStillNearest) {
+    // 1 - 2^-25 lies in the binade below 1, whose ulp is 2^-24: a tie, and 1 is the even neighbour.
+    EXPECT_TRUE(judged_float(Operation::subtract, {1, std::ldexp(1.f, -25)}, 1).as_defined);
+    EXPECT_EQ(judged_float(Operation::subtract, {1, std::ldexp(1.f, -25)}, 1).error_ulp, 0.5);
+}
+
+TEST(JudgeFloat, SpecialCases) {
+    const auto accepted = [](Operation operation, std::initializer_list<float> operands,
+                             float result) {
+        const Judgement judgement = judged_float(operation, operands, result);
+        return judgement.defined && judgement.as_defined && judgement.error_ulp == 0;
+    };
+    EXPECT_TRUE(accepted(Operation::multiply, {FLT_MAX, 2}, INFINITY));
+    EXPECT_TRUE(accepted(Operation::multiply, {FLT_MAX, -2}, -INFINITY));
+    EXPECT_TRUE(accepted(Operation::divide, {1, 0}, INFINITY));
+    EXPECT_TRUE(accepted(Operation::divide, {1, -0.0f}, -INFINITY));
+    EXPECT_TRUE(accepted(Operation::divide, {0, 0}, NAN));
+    EXPECT_TRUE(accepted(Operation::sqrt, {-1}, -NAN));
+    EXPECT_TRUE(accepted(Operation::log, {0}, -INFINITY));
+    EXPECT_TRUE(accepted(Operation::add, {INFINITY, -INFINITY}, NAN));
+    EXPECT_TRUE(accepted(Operation::exp, {-INFINITY}, 0));
+    EXPECT_TRUE(accepted(Operation::exp, {FLT_MAX}, INFINITY));
+    EXPECT_TRUE(accepted(Operation::atan2, {0, 1}, 0) ||
+                judged_float(Operation::atan2, {0, 1}, 0).as_defined);
+    EXPECT_FALSE(accepted(Operation::divide, {1, 0}, FLT_MAX));
+    EXPECT_EQ(judged_float(Operation::divide, {1, 0}, FLT_MAX).error_ulp, INFINITY);
+    EXPECT_FALSE(judged_float(Operation::add, {1, 1}, NAN).as_defined);
+    // Half an ulp beyond the largest float overflows, less than that does not.
+    EXPECT_TRUE(accepted(Operation::add, {FLT_MAX, std::ldexp(1.f, 103)}, INFINITY));
+    EXPECT_TRUE(judged_float(Operation::add, {FLT_MAX, std::ldexp(1.f, 102)}, FLT_MAX).as_defined);
+}
+
+TEST(JudgeFloat, AtanTwoFollowsTheSignOfZero) {
+    const float pi = 3.14159265f;
+    EXPECT_LT(std::abs(judged_float(Operation::atan2, {0, -1}, pi).error_ulp), 0.5);
+    EXPECT_LT(std::abs(judged_float(Operation::atan2, {-0.0f, -1}, -pi).error_ulp), 0.5);
+}
+
+TEST(JudgeConversion, BetweenFormats) {
+    const auto accepted = [](const char* from, const char* to, Arithmetic arithmetic,
+                             std::int64_t raw, std::int64_t result) {
+        const NumberFormat format = parse_format(to);
+        const Judgement judgement =
+            judge({Operation::convert, format, arithmetic, parse_format(from)}, Raws{raw}, result);
+        const Judgement next = judge({Operation::convert, format, arithmetic, parse_format(from)},
+                                     Raws{raw}, format.sign_extend(std::uint64_t(result + 1)));
+        return judgement.as_defined && !next.as_defined;
+    };
+    EXPECT_TRUE(accepted("q16_16", "q8_8", nearest, 128, 1));     // a tie: upward
+    EXPECT_TRUE(accepted("q16_16", "q8_8", nearest, -128, 0));    // a tie: upward
+    EXPECT_TRUE(accepted("q16_16", "q8_8", published, -255, 0));  // toward zero
+    EXPECT_TRUE(accepted("q16_16", "q8_8", nearest, max32, 0));   // 32768 wraps
+    EXPECT_TRUE(accepted("q16_16", "q8_8", saturating, max32, max16));
+    EXPECT_TRUE(accepted("q8_8", "q32_32", nearest, -1, -(1 << 24)));
+    EXPECT_TRUE(accepted("q16_16", "int16", nearest, 98304, 2));  // 1.5: upward
+    EXPECT_TRUE(accepted("float", "q16_16", nearest, raw_of_float(0.1f), 6554));
+    EXPECT_TRUE(accepted("float", "q16_16", nearest, raw_of_float(1e9f), max32));  // clamps
+    EXPECT_TRUE(accepted("float", "q16_16", nearest, raw_of_float(-INFINITY), min32));
+    EXPECT_TRUE(accepted("float", "q16_16", nearest, raw_of_float(NAN), 0));
+    EXPECT_TRUE(accepted("q16_16", "float", nearest, max32, raw_of_float(32768)));
+    EXPECT_TRUE(accepted("float", "int32", integer, raw_of_float(-1.75f), -1));
+}
+
+TEST(Judge, WrongNumberOfOperandsOrResults) {
+    const Subject add{Operation::add, q4_4, nearest};
+    EXPECT_THROW(judge(add, Raws{1}, 1), std::invalid_argument);
+    EXPECT_THROW(judge(add, Raws{1, 2, 3}, 1), std::invalid_argument);
+    EXPECT_THROW(judge(add, Raws{1, 2}, Raws{1, 2}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace reference

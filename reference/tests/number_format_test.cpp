@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/number_format.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cfloat>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "reference/operation.hpp"
+
+namespace reference {
+namespace {
+
+TEST(NumberFormat, NamesAreReadAndPrinted) {
+    for (const char* name :
+         {"q4_4", "q8_8", "q16_16", "q32_32", "q8_24", "q1_15", "q16_0", "s8_7", "s0_7", "s16_15",
+          "s32_31", "s16_47", "int8", "int16", "int32", "int64", "float"}) {
+        EXPECT_EQ(format_name(parse_format(name)), name);
+    }
+    EXPECT_EQ(parse_format("s16_15"), (NumberFormat{FormatKind::accum, 32, 15}));
+    EXPECT_EQ(parse_format("q8_24"), (NumberFormat{FormatKind::fixed, 32, 24}));
+}
+
+TEST(NumberFormat, UnknownNamesAreRejected) {
+    for (const char* name :
+         {"", "q", "q16", "q16_", "q_16", "q16_17", "q0_16", "q-1_17", "q016_16", "int", "int24",
+          "int-8", "double", "s16_16", "q4_4_", "q99999999999_1", "Q16_16", "q16_16 "}) {
+        EXPECT_THROW(parse_format(name), std::invalid_argument) << name;
+    }
+}
+
+TEST(NumberFormat, RangeAndResolution) {
+    EXPECT_EQ(q4_4.min(), -128);
+    EXPECT_EQ(q4_4.max(), 127);
+    EXPECT_EQ(q32_32.min(), std::numeric_limits<std::int64_t>::min());
+    EXPECT_EQ(q32_32.max(), std::numeric_limits<std::int64_t>::max());
+    EXPECT_EQ(value(q16_16, q16_16.max()), Rational(2147483647) / 65536);
+    EXPECT_EQ(ulp(q16_16), Rational(1) / 65536);
+    EXPECT_EQ(q8_8.sign_extend(0x1ffff), -1);
+    EXPECT_EQ(double(value(ieee_single, ieee_single.max())), FLT_MAX);
+    EXPECT_EQ(double(value(ieee_single, ieee_single.min())), -FLT_MAX);
+}
+
+TEST(NumberFormat, FloatPatterns) {
+    for (float number : {0.1f, -1.0f, FLT_MAX, FLT_MIN, FLT_TRUE_MIN, 3 * FLT_TRUE_MIN, 0.0f}) {
+        EXPECT_EQ(double(value(ieee_single, raw_of_float(number))), double(number));
+        EXPECT_EQ(nearest_raw(ieee_single, value(ieee_single, raw_of_float(number))),
+                  raw_of_float(number));
+    }
+    EXPECT_TRUE(is_nan(ieee_single, raw_of_float(NAN)));
+    EXPECT_FALSE(is_finite(ieee_single, raw_of_float(INFINITY)));
+    EXPECT_EQ(ulp(ieee_single, 1), scale(Rational(1), -23));
+    EXPECT_EQ(ulp(ieee_single, Rational(99, 100)), scale(Rational(1), -24));
+    EXPECT_EQ(ulp(ieee_single, 0), scale(Rational(1), -149));
+}
+
+TEST(NumberFormat, NearestRawBreaksTies) {
+    EXPECT_EQ(nearest_raw(q4_4, Rational(1, 32)), 1);   // half an ulp: upward
+    EXPECT_EQ(nearest_raw(q4_4, Rational(-1, 32)), 0);  // minus half an ulp: upward
+    EXPECT_EQ(nearest_raw(q4_4, 1000), 127);
+    EXPECT_EQ(nearest_raw(q4_4, -1000), -128);
+    EXPECT_EQ(nearest_raw(ieee_single, 16777217), raw_of_float(16777216));  // tie to even, down
+    EXPECT_EQ(nearest_raw(ieee_single, 16777219), raw_of_float(16777220));  // tie to even, up
+    EXPECT_EQ(nearest_raw(ieee_single, Rational(33554431) / 2), raw_of_float(16777216));
+    EXPECT_EQ(nearest_raw(ieee_single, Rational(-1, 10)), raw_of_float(-0.1f));
+}
+
+TEST(Symbol, NamesTheSubject) {
+    const NamedSubject dot = parse_symbol("dot3_q16_16_default");
+    EXPECT_EQ(dot.subject, (Subject{Operation::dot3, q16_16, Arithmetic::nearest}));
+    EXPECT_EQ(dot.implementation, "default");
+    const NamedSubject root = parse_symbol("reciprocal_sqrt_q8_8_saturating_small");
+    EXPECT_EQ(root.subject, (Subject{Operation::reciprocal_sqrt, q8_8, Arithmetic::saturating}));
+    EXPECT_EQ(root.implementation, "saturating_small");
+    EXPECT_EQ(parse_symbol("multiply_add_int16_native").subject,
+              (Subject{Operation::multiply_add, parse_format("int16"), Arithmetic::integer}));
+    EXPECT_EQ(parse_symbol("atan2_float_libc").subject,
+              (Subject{Operation::atan2, ieee_single, Arithmetic::ieee}));
+    EXPECT_EQ(parse_symbol("divide_s16_15_accum").subject.arithmetic, Arithmetic::accum);
+    EXPECT_EQ(parse_symbol("convert_q8_8_q16_16_default").subject,
+              (Subject{Operation::convert, q16_16, Arithmetic::nearest, q8_8}));
+    EXPECT_EQ(parse_symbol("convert_float_q16_16_saturating").subject,
+              (Subject{Operation::convert, q16_16, Arithmetic::saturating, ieee_single}));
+}
+
+TEST(Symbol, WhatItDoesNotUnderstandIsRejected) {
+    for (const char* symbol :
+         {"", "main", "multiply", "multiply_", "multiply_q16_16", "cube_q16_16_x",
+          "multiply_q16_16_", "multiply_double_libc", "convert_q8_8_default"}) {
+        EXPECT_THROW(parse_symbol(symbol), std::invalid_argument) << symbol;
+    }
+    EXPECT_THROW(parse_operation("cube"), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace reference
