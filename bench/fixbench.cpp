@@ -13,6 +13,7 @@
 #include "bench/operations/measure_accuracy.hpp"
 #include "bench/operations/measure_cycles.hpp"
 #include "bench/table_3_2/table_3_2.hpp"
+#include "reference/published.hpp"
 
 namespace {
 
@@ -66,13 +67,16 @@ int main(int argc, char** argv) {
     };
 
     operations::CycleOptions cycles;
-    cycles.programs = {FIXBENCH_LIBRARY_ELF, FIXBENCH_RIVALS_ELF};
+    for (const char* name : {"q4_4", "q8_8", "q16_16", "q32_32", "rivals"}) {
+        cycles.programs.push_back(fmt::format(FIXBENCH_DEVICE_FOLDER "/{}.elf", name));
+    }
     CLI::App* command = add_command(
         "cycles",
         "Cycles, stack, flash and error of each subject on classes of operands.\n"
         "Writes operations.csv and operations.json (Google Benchmark's schema).\n\n"
         "A subject is an extern \"C\" function <operation>_<format>_<implementation> of a device\n"
-        "program, by default\n  " FIXBENCH_LIBRARY_ELF "\n  " FIXBENCH_RIVALS_ELF "\n"
+        "program, by default q4_4.elf, q8_8.elf, q16_16.elf, q32_32.elf and rivals.elf in\n"
+        "  " FIXBENCH_DEVICE_FOLDER "\n"
         "(avr-nm lists them), for avr-gcc's calling convention: any other tool can call it too.\n"
         "Cycles include call (4) and ret (4), not the loading of operands.\n\n"
         "Operand classes: small |x| < 1; physics 0.01..20; full, log-uniform over the range;\n"
@@ -94,7 +98,6 @@ int main(int argc, char** argv) {
     });
 
     operations::AccuracyOptions accuracy;
-    std::string shard = "1/1";
     command = add_command(
         "accuracy",
         "Error of the portable code, which the device's results equal bit for bit, over whole input\n"
@@ -114,15 +117,20 @@ int main(int argc, char** argv) {
     });
 
     table_3_2::Options table;
+    table.programs_csv = FIXBENCH_TABLE_3_2_PROGRAMS;
+    table.division_elf = FIXBENCH_TABLE_3_2_DIVISION_ELF;
+    table.published = reference::published_folder;
+    bool table_quick = false;
     command = add_command("table",
-                          "The published timing table, measured again cell by cell with a verdict.\n"
-                          "Writes table_3_2.csv, table_3_2_hypotheses.csv, division_cycles.csv and\n"
-                          "table_3_1.csv.");
-    command->add_flag("--quick", table.quick, "without the search over hypotheses");
+                          "The published timing table, measured again cell by cell with a verdict,\n"
+                          "the cost of its division by operand, and Table 3.1, computed.\n"
+                          "Writes table_3_1.csv, table_3_2.csv, division_cycles.csv and, with the\n"
+                          "search over hypotheses, table_3_2_hypotheses.csv.");
+    command->add_flag("--quick", table_quick, "without the search over hypotheses");
     command->callback([&] {
         action = [&] {
-            table.output = output;
-            table.threads = threads;
+            table.data = output;
+            table.search = !table_quick;
             table_3_2::measure_table_3_2(table);
             return EXIT_SUCCESS;
         };

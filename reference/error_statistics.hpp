@@ -55,7 +55,11 @@ class ErrorStatistics {
         if (!judgement.as_defined) [[unlikely]] {
             if (wrong_++ == 0) wrong_witness_ = Witness(operands);
         }
-        if (judgement.defined) ++defined_;
+        if (judgement.defined) {
+            ++defined_;
+            // A pinned result that is right has no rounding error to speak of.
+            if (judgement.as_defined) return;
+        }
         add_error(judgement.error_ulp, operands);
     }
 

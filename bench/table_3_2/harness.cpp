@@ -51,10 +51,8 @@ std::vector<std::uint32_t> back_edges(const std::vector<std::uint8_t>& flash,
 }  // namespace
 
 std::string Operands::name() const {
-    const std::string integers = fmt::format("{:g} and {:g}", integer.a, integer.b);
-    if (raw) return integers + " (raw)";
-    if (integer.a == real.a && integer.b == real.b) return integers;
-    return fmt::format("{:g} and {:g} ({} as integers)", real.a, real.b, integers);
+    return fmt::format("{:.0f} and {:.0f}{} {:g} and {:g}", integer.a, integer.b,
+                       raw ? " raw; float" : "; real", real.a, real.b);
 }
 
 double undisturbed_ms(double cycles) {

@@ -24,7 +24,6 @@ struct Operands {
     bool raw;
 
     std::string name() const;
-    bool operator==(const Operands&) const;
 };
 
 // A row and a column of the published table: "int16_t", "subtract".

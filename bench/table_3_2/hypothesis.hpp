@@ -35,8 +35,7 @@ struct Hypothesis {
 };
 
 // The axes by name and the value that a hypothesis has on each, in words of the report.
-constexpr std::array axes{"form",      "operands", "flags",   "loop",
-                          "operators", "shift",    "widening"};
+constexpr std::array axes{"form", "operands", "flags", "loop", "operators", "shift", "widening"};
 std::array<std::string, axes.size()> values(const Hypothesis& hypothesis);
 
 // The axes on which two hypotheses differ.
@@ -49,6 +48,8 @@ const std::vector<Operands>& operand_pairs();
 // Short measurements: a few passes of the loop, without the timer's interrupt (half a percent).
 double quick_ms(Harness& harness, const Hypothesis& hypothesis, const Cell& cell);
 
+bool within_10_percent(double ratio);
+
 struct Fit {
     Hypothesis hypothesis;
     double log_ratio_sum = 0;  // over the rows, of |log(measured / published)|
@@ -60,7 +61,13 @@ std::vector<Fit> search(const std::vector<Program>& programs,
                         const std::vector<Published>& published,
                         const std::function<void()>& program_done);
 
-// The hypothesis that the search finds best.
+// The hypothesis of the table, out of fits sorted best first. None whose floating-point operands
+// only serve an early exit (no author times a division by zero knowingly; it remains an
+// explanation of a cell), and where several are as good as equal, one with the toolchain's usual
+// flags and an int counter.
+const Fit& preferred(const std::vector<Fit>& fits);
+
+// The hypothesis that is preferred after a search, for when there is none.
 Hypothesis best_known(const std::vector<Program>& programs);
 
 }  // namespace table_3_2

@@ -1,12 +1,12 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
 """Writes src/fixedpoint/avr/reciprocal_table.S: what a divisor is multiplied with so that it becomes
-a power of two, or a little less.
+a power of two, less a 256th of it at most.
 
 power[i]       2^(7 - floor(log2 i)), i = 1..255: moves the leading one of a byte to bit 7.
-reciprocal[i]  floor(2^17 / (257 + i)) - 256, the low byte of the largest v with v D < 2^25 for
-               every D < 257 + i (in units of the index, D = 256 + i and a fraction). The next
-               larger v fits the D of an interval where 2^25 - v D >= D, scaled likewise.
+reciprocal[i]  floor(2^17 / (257 + i)) - 256, the low byte of the largest v with v D < 2^17 for
+               every D, 256 + i <= D < 257 + i. With it or with v + 1, 2^17 - v D is above 0 and
+               below 512.
 """
 
 import page
@@ -17,7 +17,10 @@ def power(byte):
 
 
 def reciprocal(index):
-    return 2**17 // (257 + index) - 256
+    v = 2**17 // (257 + index)
+    # v + 1 is taken where 2^17 - v D >= 512, which exceeds every D; then the same must hold of it.
+    assert 257 + index <= 512 and 2**17 - (v + 1) * (256 + index) < 512
+    return v - 256
 
 
 if __name__ == "__main__":

@@ -35,8 +35,20 @@ def largest_slope(h, root):
     return slope
 
 
+def check_extrapolation(root, slope):
+    """The 24-bit root S = 256 c + floor(floor(e / 256) slope / 256), with c the 16-bit root and
+    e = m - c^2, is less than 5 off sqrt(m 2^16) at both ends of the 2^16 numbers m that share a c.
+    Between the ends S - sqrt(m 2^16) is convex but for the rounding down, which stays below 2."""
+    for t in range(256 * FIRST, 1 << 16):
+        h, l = divmod(t, 256)
+        c = root[h] + (slope[h] * l >> 8)
+        for m in (t << 16, (t << 16) + 0xFFFF):
+            s = 256 * c + ((m - c * c >> 8) * slope[h] >> 8)
+            assert (max(s - 5, 0)) ** 2 <= m << 16 < (s + 5) ** 2, (h, l)
+
+
 def page(comment, values):
-    rows = [f"    ; {comment}"]
+    rows = [f"    // {comment}"]
     for start in range(0, len(values), 16):
         rows.append("    .byte " + ", ".join(f"{v:3d}" for v in values[start : start + 16]))
     return rows
@@ -45,9 +57,10 @@ def page(comment, values):
 def main():
     root = [nearest_root(h << 16) if h < FIRST else exact_root(h, 0) for h in range(256)]
     slope = [0] * FIRST + [largest_slope(h, root[h]) for h in range(FIRST, 256)]
+    check_extrapolation(root, slope)
     lines = [
-        "; SPDX-License-Identifier: MIT",
-        "; DO NOT EDIT: written by fixedpoint/tables/sqrt.py, which says what the entries are.",
+        "// SPDX-License-Identifier: MIT",
+        "// DO NOT EDIT: written by fixedpoint/tables/sqrt.py, which says what the entries are.",
         "#ifdef __AVR__",
         "    .section .progmem.data.fixedpoint_sqrt_table, \"a\", @progbits",
         "    .balign 256",

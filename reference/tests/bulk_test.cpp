@@ -73,7 +73,7 @@ std::int64_t plausible(const Subject& subject, std::span<const std::int64_t> ope
         result = subject.format.sign_extend(
             std::uint64_t(result) - std::uint64_t(__int128(std::floor(judgement.error_ulp))));
     }
-    return subject.format.sign_extend(std::uint64_t(result + step));
+    return subject.format.sign_extend(std::uint64_t(result) + std::uint64_t(step));
 }
 
 using FastJudge = Judgement(std::span<const std::int64_t>, std::span<const std::int64_t>);

@@ -17,7 +17,7 @@ using Raws = std::vector<std::int64_t>;
 std::vector<double> some_errors(std::size_t count) {
     std::mt19937_64 random(3);
     std::vector<double> errors(count);
-    for (double& error : errors) error = (double(random() % 33) - 16) / 8;
+    for (double& error : errors) error = (double(random() % 41) - 20) / 8;
     return errors;
 }
 

@@ -53,7 +53,8 @@ TEST_P(DefinedResult, AloneIsAccepted) {
         return;
     const NumberFormat format = parse_format(row.format);
     for (const std::int64_t step : {-1, 1}) {
-        const std::int64_t neighbour = format.sign_extend(std::uint64_t(row.result + step));
+        const std::int64_t neighbour =
+            format.sign_extend(std::uint64_t(row.result) + std::uint64_t(step));
         const Judgement wrong =
             judged(row.operation, row.format, row.arithmetic, row.operands, {neighbour});
         EXPECT_FALSE(wrong.as_defined) << "neighbour " << neighbour;

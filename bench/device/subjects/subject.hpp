@@ -21,6 +21,11 @@
         return Policy::operation<Raw, F>(a, b);                              \
     }
 
+#define SUBJECT_TERNARY(operation, format, implementation, Raw, F, Policy)       \
+    SUBJECT Raw operation##_##format##_##implementation(Raw a, Raw b, Raw c) {   \
+        return Policy::operation<Raw, F>(a, b, c);                               \
+    }
+
 #define SUBJECT_DOT(operation, format, implementation, Raw, F, Policy)                   \
     SUBJECT Raw operation##_##format##_##implementation(const Raw* a, const Raw* b) {    \
         return Policy::operation<Raw, F>(a, b);                                          \

@@ -10,6 +10,7 @@
 // alone, and reads `elapsed_ms` when `finished` is reached.
 
 #include <Arduino.h>
+
 #include <fixedpoint/published/atan2.hpp>
 #include <fixedpoint/published/divide.hpp>
 #include <fixedpoint/published/multiply.hpp>
@@ -98,7 +99,9 @@ struct Arithmetic {
 
 template <class Raw, int F>
 struct Arithmetic {
-    static INLINED Raw multiply(Raw a, Raw b) { return fixedpoint::published::multiply<Raw, F>(a, b); }
+    static INLINED Raw multiply(Raw a, Raw b) {
+        return fixedpoint::published::multiply<Raw, F>(a, b);
+    }
     static INLINED Raw divide(Raw a, Raw b) { return fixedpoint::published::divide<Raw, F>(a, b); }
 };
 
@@ -143,7 +146,9 @@ struct Fixed {
     static OPERATOR Raw divide(Argument a, Argument b) {
         return constructed(Arithmetic<Raw, F>::divide(a, b));
     }
-    static OPERATOR Raw sqrt(Argument a, Argument) { return fixedpoint::published::sqrt<Raw, F>(a); }
+    static OPERATOR Raw sqrt(Argument a, Argument) {
+        return fixedpoint::published::sqrt<Raw, F>(a);
+    }
     static OPERATOR Raw atan2(Argument a, Argument b) {
         return fixedpoint::published::atan2<Raw, F>(a, b);
     }
@@ -159,26 +164,26 @@ struct Fixed {
 #else
 #define OPERANDS(type, T) volatile T &a = type##_a, &b = type##_b, &c = type##_c;
 #endif
-#define CELL(form, type, T, operation, step)                                           \
+#define CELL(form, type, T, operation, step)                                               \
     extern "C" __attribute__((noinline, used)) void cell_##form##_##type##_##operation() { \
-        OPERANDS(type, T)                                                              \
-        (void)b, (void)c;                                                              \
-        for (COUNTER i = 0; i < iterations; i++) step;                                 \
+        OPERANDS(type, T)                                                                  \
+        (void)b, (void)c;                                                                  \
+        for (COUNTER i = 0; i < iterations; i++) step;                                     \
     }
-#define CELLS(type, T, Number, operation)                                              \
-    CELL(assign, type, T, operation, c = Number::operation(a, b))                      \
+#define CELLS(type, T, Number, operation)                                                \
+    CELL(assign, type, T, operation, c = Number::operation(a, b))                        \
     CELL(accumulate, type, T, operation, Number::accumulate(c, Number::operation(a, b))) \
     CELL(replace, type, T, operation, a = Number::operation(a, b))
-#define TYPE(type, T, Number)                        \
-    extern "C" {                                     \
-    volatile T type##_a NOINIT;                      \
-    volatile T type##_b NOINIT;                      \
-    volatile T type##_c NOINIT;                      \
-    }                                                \
-    using Number_##type = Number;                    \
-    CELLS(type, T, Number_##type, add)               \
-    CELLS(type, T, Number_##type, subtract)          \
-    CELLS(type, T, Number_##type, multiply)          \
+#define TYPE(type, T, Number)               \
+    extern "C" {                            \
+    volatile T type##_a NOINIT;             \
+    volatile T type##_b NOINIT;             \
+    volatile T type##_c NOINIT;             \
+    }                                       \
+    using Number_##type = Number;           \
+    CELLS(type, T, Number_##type, add)      \
+    CELLS(type, T, Number_##type, subtract) \
+    CELLS(type, T, Number_##type, multiply) \
     CELLS(type, T, Number_##type, divide)
 #define COMMA ,
 
@@ -196,6 +201,9 @@ CELLS(float, float, Number_float, sqrt)
 extern "C" {
 void (*volatile timed_cell)() NOINIT;
 volatile uint32_t elapsed_ms NOINIT;
+
+// What the core's delay(), which nothing calls, refers to.
+void yield() {}
 
 CALLED __attribute__((used)) void finished() {
     for (;;) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Numbers of one kind as numbers of another: fixed-point formats, integers, float and double.
-// Every conversion rounds to nearest, ties upward (to_float: to even), and none is implicit. Those
-// named _clamped and those from float and decimal return Converted: `number` is the nearest number
-// of the target, `fits` says whether the source, rounded, is in its range.
+// Every conversion rounds to nearest, ties upward (to_float: to even), and none is implicit. What
+// does not fit is treated as the arithmetic of the target says (integers: modulo 2^W); those named
+// _clamped and those from float and decimal return Converted: `number` is the nearest number of the
+// target, `fits` says whether the source, rounded, is in its range.
 //
 // An integer rounded otherwise is convert<int>(floor(x)), and so on: see math.hpp.
 #pragma once
@@ -22,6 +23,7 @@ struct NumberFormat {
     static_assert(Number(3) / Number(2) == Number(1),
                   "convert is for fixed-point numbers and integers: use from_float and to_float.");
     using Raw = Number;
+    using Arithmetic = Nearest;
     static constexpr int fraction_bits = 0;
     static constexpr Number number(Raw raw) { return raw; }
     static constexpr Raw raw(Number number) { return number; }
@@ -29,19 +31,21 @@ struct NumberFormat {
 template <int I, int F, class A>
 struct NumberFormat<Fixed<I, F, A>> {
     using Raw = Integer<I + F>;
+    using Arithmetic = A;
     static constexpr int fraction_bits = F;
     static constexpr Fixed<I, F, A> number(Raw raw) { return Fixed<I, F, A>::from_raw(raw); }
     static constexpr Raw raw(Fixed<I, F, A> number) { return number.raw(); }
 };
 
-// The source rounded to the fraction bits of the target, modulo 2^W: convert<Q8_8>(x),
+// The source rounded to the fraction bits of the target: convert<Q8_8>(x),
 // convert<int>(x), convert<Q16_16>(38).
 template <class Target, class Source>
 constexpr Target convert(Source source) {
     using To = NumberFormat<Target>;
     using From = NumberFormat<Source>;
-    return To::number(portable::convert<typename To::Raw, To::fraction_bits, typename From::Raw,
-                                        From::fraction_bits>(From::raw(source)));
+    return To::number(
+        To::Arithmetic::template convert<typename To::Raw, To::fraction_bits, typename From::Raw,
+                                         From::fraction_bits>(From::raw(source)));
 }
 
 // The same, clamped to the range of the target.

@@ -25,6 +25,21 @@ constexpr Fixed<I, F, A> atan2(Fixed<I, F, A> y, Fixed<I, F, A> x) {
     return Fixed<I, F, A>::from_raw(A::template atan2<Integer<I + F>, F>(y.raw(), x.raw()));
 }
 
+template <int I, int F, class A>
+constexpr Fixed<I, F, A> sin(Fixed<I, F, A> angle) {
+    return Fixed<I, F, A>::from_raw(A::template sin<Integer<I + F>, F>(angle.raw()));
+}
+template <int I, int F, class A>
+constexpr Fixed<I, F, A> cos(Fixed<I, F, A> angle) {
+    return Fixed<I, F, A>::from_raw(A::template cos<Integer<I + F>, F>(angle.raw()));
+}
+// a b + c, rounded once.
+template <int I, int F, class A>
+constexpr Fixed<I, F, A> multiply_add(Fixed<I, F, A> a, Fixed<I, F, A> b, Fixed<I, F, A> c) {
+    return Fixed<I, F, A>::from_raw(
+        A::template multiply_add<Integer<I + F>, F>(a.raw(), b.raw(), c.raw()));
+}
+
 // |a|, the smallest number as the arithmetic negates it.
 template <int I, int F, class A>
 constexpr Fixed<I, F, A> abs(Fixed<I, F, A> a) {
@@ -42,6 +57,28 @@ constexpr Fixed<I, F, A> max(Fixed<I, F, A> a, Fixed<I, F, A> b) {
 template <int I, int F, class A>
 constexpr Fixed<I, F, A> clamp(Fixed<I, F, A> a, Fixed<I, F, A> low, Fixed<I, F, A> high) {
     return max(low, min(a, high));
+}
+
+
+// The largest integral number <= a.
+template <int I, int F, class A>
+constexpr Fixed<I, F, A> floor(Fixed<I, F, A> a) {
+    return Fixed<I, F, A>::from_raw(portable::floor<Integer<I + F>, F>(a.raw()));
+}
+// The smallest integral number >= a; the largest number where that does not fit.
+template <int I, int F, class A>
+constexpr Fixed<I, F, A> ceil(Fixed<I, F, A> a) {
+    return Fixed<I, F, A>::from_raw(portable::ceil<Integer<I + F>, F>(a.raw()));
+}
+// The nearest integral number, ties upward; the largest number where that does not fit.
+template <int I, int F, class A>
+constexpr Fixed<I, F, A> round(Fixed<I, F, A> a) {
+    return Fixed<I, F, A>::from_raw(portable::round<Integer<I + F>, F>(a.raw()));
+}
+// a without its fraction.
+template <int I, int F, class A>
+constexpr Fixed<I, F, A> trunc(Fixed<I, F, A> a) {
+    return Fixed<I, F, A>::from_raw(portable::trunc<Integer<I + F>, F>(a.raw()));
 }
 
 }  // namespace fixedpoint

@@ -75,6 +75,18 @@ struct Checked : Nearest {
         return wrapped<Raw>(Nearest::shift_left<Raw, F>(a, count),
                             Saturating::shift_left<Raw, F>(a, count), Operation::shift_left);
     }
+    template <class Raw, int F, class FromRaw, int FromF>
+    static constexpr Raw convert(FromRaw a) {
+        if (!portable::convert_clamped<Raw, F, FromRaw, FromF>(a).fits) {
+            Hook::notify(Event::overflow, Operation::convert);
+        }
+        return Nearest::convert<Raw, F, FromRaw, FromF>(a);
+    }
+    template <class Raw, int F>
+    static constexpr Raw sqrt(Raw a) {
+        if (a < 0) Hook::notify(Event::domain_error, Operation::sqrt);
+        return Nearest::sqrt<Raw, F>(a);
+    }
 
  private:
     template <class Raw>

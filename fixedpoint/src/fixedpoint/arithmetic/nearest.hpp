@@ -12,9 +12,18 @@
 #include <fixedpoint/integer.hpp>
 #include <fixedpoint/kernel/atan.hpp>
 #include <fixedpoint/kernel/atan2.hpp>
+#include <fixedpoint/kernel/cos.hpp>
 #include <fixedpoint/kernel/divide.hpp>
+#include <fixedpoint/kernel/dot.hpp>
+#include <fixedpoint/kernel/length.hpp>
 #include <fixedpoint/kernel/multiply.hpp>
+#include <fixedpoint/kernel/multiply_add.hpp>
+#include <fixedpoint/kernel/normalise.hpp>
+#include <fixedpoint/kernel/reciprocal_sqrt.hpp>
+#include <fixedpoint/kernel/sin.hpp>
+#include <fixedpoint/kernel/sincos.hpp>
 #include <fixedpoint/kernel/sqrt.hpp>
+#include <fixedpoint/portable/convert.hpp>
 #include <fixedpoint/portable/remainder.hpp>
 
 namespace fixedpoint {
@@ -50,10 +59,20 @@ struct Nearest {
     static constexpr Raw remainder(Raw a, Raw b) {
         return portable::remainder<Raw, F>(a, b);
     }
+    // a, of another format, rounded to F fraction bits, mod 2^W.
+    template <class Raw, int F, class FromRaw, int FromF>
+    static constexpr Raw convert(FromRaw a) {
+        return portable::convert<Raw, F, FromRaw, FromF>(a);
+    }
     // sqrt(a) rounded; 0 where a < 0.
     template <class Raw, int F>
     static constexpr Raw sqrt(Raw a) {
         return kernel::sqrt<Raw, F>(a);
+    }
+    // 1 / sqrt(a) within 0.75 ulp; the largest number where a = 0, 0 where a < 0.
+    template <class Raw, int F>
+    static constexpr Raw reciprocal_sqrt(Raw a) {
+        return kernel::reciprocal_sqrt<Raw, F>(a);
     }
     // The arc tangent within 0.75 ulp, in radians.
     template <class Raw, int F>
@@ -64,6 +83,48 @@ struct Nearest {
     template <class Raw, int F>
     static constexpr Raw atan2(Raw y, Raw x) {
         return kernel::atan2<Raw, F>(y, x);
+    }
+    // The sine and the cosine of an angle in radians, each within 0.75 ulp and never beyond +-1.
+    template <class Raw, int F>
+    static constexpr Raw sin(Raw angle) {
+        return kernel::sin<Raw, F>(angle);
+    }
+    template <class Raw, int F>
+    static constexpr Raw cos(Raw angle) {
+        return kernel::cos<Raw, F>(angle);
+    }
+    // Both at once, the sine first: the same results for less than both cost.
+    template <class Raw, int F>
+    static constexpr void sincos(Raw angle, Raw* sine_and_cosine) {
+        kernel::sincos<Raw, F>(angle, sine_and_cosine);
+    }
+    // a b + c, rounded once, mod 2^W.
+    template <class Raw, int F>
+    static constexpr Raw multiply_add(Raw a, Raw b, Raw c) {
+        return kernel::multiply_add<Raw, F>(a, b, c);
+    }
+    // The sum of a_i b_i over two or three components, rounded once, mod 2^W.
+    template <class Raw, int F>
+    static constexpr Raw dot2(const Raw* a, const Raw* b) {
+        return kernel::dot2<Raw, F>(a, b);
+    }
+    template <class Raw, int F>
+    static constexpr Raw dot3(const Raw* a, const Raw* b) {
+        return kernel::dot3<Raw, F>(a, b);
+    }
+    // The length of a vector of two or three components within 1 ulp, clamped; no square overflows.
+    template <class Raw, int F>
+    static constexpr Raw length2(const Raw* v) {
+        return kernel::length2<Raw, F>(v);
+    }
+    template <class Raw, int F>
+    static constexpr Raw length3(const Raw* v) {
+        return kernel::length3<Raw, F>(v);
+    }
+    // v / length3(v), each component within 1 ulp; the zero vector stays zero. `unit` may be v.
+    template <class Raw, int F>
+    static constexpr void normalise3(const Raw* v, Raw* unit) {
+        kernel::normalise3<Raw, F>(v, unit);
     }
     // a 2^count mod 2^W; 0 from count = W on.
     template <class Raw, int F>

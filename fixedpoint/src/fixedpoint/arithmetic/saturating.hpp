@@ -40,6 +40,11 @@ struct Saturating : Nearest {
             a == 0 || (count < width_of<Raw> && static_cast<Raw>(shifted >> count) == a);
         return fits ? shifted : limit_by_sign(a);
     }
+    // a, of another format, rounded, clamped.
+    template <class Raw, int F, class FromRaw, int FromF>
+    static constexpr Raw convert(FromRaw a) {
+        return portable::convert_clamped<Raw, F, FromRaw, FromF>(a).number;
+    }
 
  private:
     template <class Raw>

@@ -1,4 +1,38 @@
 // SPDX-License-Identifier: MIT
+// int32_t fixedpoint_divide_q16_16(int32_t a, int32_t b)
+// floor(a 2^16 / b + 1/2), clamped: the Q16.16 quotient rounded to nearest, ties upward; for b = 0
+// the largest number where a > 0, the smallest where a < 0, 0 where a = 0.
+//
+// In       a = r25:r22, b = r21:r18
+// Out      r25:r22
+// Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
+// Stack    4 bytes where |b| >= 2^24, else at most 2
+// Table    512 bytes, fixedpoint_reciprocal_table
+// Cycles   @CYCLES@
+//
+// On the magnitudes n = |a| and d = |b|; T is the sign. Both are multiplied by the same w = p v, p
+// the power of two that moves the leading one of d to the top of its highest byte, v a 9-bit
+// reciprocal of what comes out, so that d w = D = 2^k - E with 0 < E < 2^(k-8), where k is 8 times
+// one more than the bytes of d. (tables/reciprocal.py: the v of the table or, where E takes another
+// bit, v + 1.) A digit of the quotient to base 256 is then the highest byte of the dividend
+// x = n w itself (A. Svoboda, An algorithm for division, 1963):
+//
+//     x - digit D = x - digit 2^k + digit E
+//
+// drops the byte and adds digit E below it. Where that carries out of k bits the digit is one
+// larger, and E is added once more. That cannot carry again: digit E <= 255 (2^(k-8) - 1), so that
+// less than 2^k - 2^(k-8) is left after the carry. The larger digit may be 256, so that it is added
+// to all the digits above.
+//
+// Of the last digit's product only the highest byte of E takes part, which leaves the highest byte
+// of the remainder R at most 1 too small. The digits grow by 0 where R < D/2, by 1 below 3/2 D, by 2
+// from there, that is, as D > 2^k - 2^(k-8), from 7f.8..80.0 and 17e.8..180.0 in units of the highest
+// byte: unless that is 7d, 7e or 7f it decides, else R is completed and compared. A tie needs d to
+// be an odd multiple of 2^17 at least.
+//
+// Zero leading bytes of n and of x are skipped. Overflow, n >= 2^15 d, is sorted out first, where
+// d < 2^16; n < 2^24 and d >= 2^9 cannot overflow. Above, only -2^31 / -2^16 can.
+
 #ifdef __AVR__
 
 #define n0 r22
@@ -8,7 +42,7 @@
 
     .section .text.fixedpoint_divide_q16_16, "ax", @progbits
 
-    // x1..x3 of x = n w, from x0, x1 = n0 w0
+    // Bytes x1..x3 of (n1:n0) w, from x1:x0 = n0 w0; w = r27:r26.
     .macro multiply_low x1, x2, x3
     mul n0, r27
     clr \x2
@@ -23,7 +57,7 @@
     add \x2, r0
     adc \x3, r1
     .endm
-    // adds n2 w
+    // Adds byte w at x2, x3 and the new x4.
     .macro multiply_byte byte, x2, x3, x4
     mul \byte, r26
     clr \x4
@@ -35,6 +69,8 @@
     adc \x4, r1
     .endm
 
+    // A digit in q below which the bytes x3..x0 follow, E = r31:r19:r18, r24 = 0. Goes to 9 where
+    // it was right, else falls through, for q to be raised by 1.
     .macro digit24 q, x0, x1, x2, x3
     mul \q, r31
     movw r26, r0
@@ -59,7 +95,7 @@
     adc \x2, r31
     adc \x3, r24
     .endm
-    // q E = r1:r27..r24
+    // r1:r27..r24 = q E, E = r31..r28, r16 = 0.
     .macro multiply32 q
     mul \q, r28
     movw r24, r0
@@ -74,14 +110,13 @@
     adc r1, r16
     .endm
 
-    // ---- rare entries of the short divisor
+    // n >= 2^15 d, d = 0 included: 0 only for 0 / 0.
 .Lclamp:
     mov r0, n0
     or r0, n1
     or r0, n2
     or r0, n3
     breq 1f
-.Lclamp_to_sign:
     ldi r22, 0xff
     ldi r23, 0xff
     movw r24, r22
@@ -92,6 +127,7 @@
     com r24
     com r25
 1:  ret
+    // a = -2^31: overflows for b = -2^16, which is r21 = r20 = 0xff, r19 = r18 = 0.
 .Lsmallest:
     mov r0, r21
     and r0, r20
@@ -104,6 +140,7 @@
 .Lnot_short:
     rjmp .Lmedium_or_long
 
+    // d < 2^9 or n >= 2^24. Where d < 2^8, n < 2^23, and both are shifted by a byte.
 .Lcheck:
     mov r0, n1
     mov r26, n2
@@ -159,10 +196,12 @@ fixedpoint_divide_q16_16:
     brlo .Lcheck
     tst n3
     brne .Lcheck
+
+    // d < 2^16, r21 = r20 = 0; k = 24, E = r18:r19 (high:low), x = r23..r20, r31, and two bytes 0.
 .Lshort:
     ldi r31, hi8(fixedpoint_reciprocal_table)
     mov r30, r19
-    lpm r20, Z
+    lpm r20, Z              // p
     mul r18, r20
     movw r26, r0
     mul r19, r20
@@ -172,8 +211,8 @@ fixedpoint_divide_q16_16:
     lsl r18
     rol r30
     inc r31
-    lpm r30, Z
-    // E = r18:r19
+    lpm r30, Z              // v, its ninth bit left out
+    // r19:r18:r0 = (d p) v
     mul r27, r30
     movw r18, r0
     add r18, r26
@@ -181,7 +220,7 @@ fixedpoint_divide_q16_16:
     mul r26, r30
     add r18, r1
     adc r19, r21
-    com r18
+    com r18                 // E, and whether its third byte is 0
     neg r0
     sbci r18, 0xff
     adc r19, r21
@@ -190,10 +229,9 @@ fixedpoint_divide_q16_16:
     sub r19, r26
     sbc r18, r27
     inc r30
-1:  mul r20, r30
+1:  mul r20, r30            // w
     movw r26, r0
     add r27, r20
-    // X
     mul n0, r26
     mov r31, r0
     mov r20, r1
@@ -206,8 +244,7 @@ fixedpoint_divide_q16_16:
     brne .Lshort_large
 1:  tst r23
     breq 2f
-    // digit 3
-    mul r23, r19
+    mul r23, r19            // bits 24..31 of the quotient
     movw r26, r0
     mul r23, r18
     add r0, r27
@@ -222,8 +259,7 @@ fixedpoint_divide_q16_16:
     adc r22, r25
 2:  tst r22
     breq 3f
-    // digit 2
-    mul r22, r19
+    mul r22, r19            // bits 16..23
     movw r26, r0
     mul r22, r18
     add r0, r27
@@ -237,9 +273,8 @@ fixedpoint_divide_q16_16:
     add r31, r19
     adc r20, r18
     adc r21, r25
-3:  // digit 1
-    mul r21, r19
-    movw r26, r0
+3:  mul r21, r19            // bits 8..15
+    movw r26, r0            // r26 is the byte below r31
     mul r21, r18
     add r0, r27
     adc r1, r25
@@ -252,8 +287,7 @@ fixedpoint_divide_q16_16:
     add r26, r19
     adc r31, r18
     adc r20, r25
-4:  // digit 0
-    mul r20, r18
+4:  mul r20, r18            // bits 0..7
     add r26, r0
     adc r31, r1
     brcs .Lshort_carry
@@ -308,8 +342,7 @@ fixedpoint_divide_q16_16:
     brlo 1f
     rcall .Lshort_increment
     rjmp .Lshort_up
-1:  // exact, q + 1
-    mul r20, r19
+1:  mul r20, r19
     add r26, r1
     adc r31, r25
     add r0, r19
@@ -329,11 +362,7 @@ fixedpoint_divide_q16_16:
     adc r26, r18
     adc r31, r25
     brcc .Lshort_down
-    brtc .Lshort_up
-    or r0, r26
-    or r0, r31
-    brne .Lshort_up
-    rjmp .Lshort_down
+    rjmp .Lshort_up
 .Lshort_increment:
     subi r20, 0xff
     sbci r21, 0xff
@@ -341,6 +370,7 @@ fixedpoint_divide_q16_16:
     sbci r23, 0xff
     ret
 
+    // 2^16 <= d < 2^24; k = 32, E = r31:r19:r18, x = r25, r23, r30, r22, r21, r20, and two bytes 0.
 .Lmedium_or_long:
     tst r21
     breq .Lmedium
@@ -348,8 +378,8 @@ fixedpoint_divide_q16_16:
 .Lmedium:
     ldi r31, hi8(fixedpoint_reciprocal_table)
     mov r30, r20
-    lpm r21, Z
-    // D = r20:r27:r26
+    lpm r21, Z              // p
+    // d p = r20:r27:r26
     mul r20, r21
     mov r20, r0
     mul r18, r21
@@ -363,7 +393,7 @@ fixedpoint_divide_q16_16:
     rol r30
     inc r31
     lpm r30, Z
-    // E = r31:r19:r18
+    // r1:r31:r19:r18 = (d p) v
     mul r26, r30
     movw r18, r0
     mul r27, r30
@@ -408,8 +438,7 @@ fixedpoint_divide_q16_16:
     subi r23, 0xff
     sbci r25, 0xff
 9:
-3:  // digit 1
-    mul r30, r31
+3:  mul r30, r31            // bits 8..15
     movw r26, r0
     mul r30, r18
     add r20, r1
@@ -422,8 +451,7 @@ fixedpoint_divide_q16_16:
     adc r21, r1
     adc r22, r24
     brcs 8f
-9:  // digit 0
-    mul r22, r31
+9:  mul r22, r31            // bits 0..7
     add r20, r0
     adc r21, r1
     brcs .Lmedium_carry
@@ -521,6 +549,7 @@ fixedpoint_divide_q16_16:
     inc r25
 9:  rjmp .Lmedium_digit_2
 
+    // 2^24 <= d; k = 40, E = r31..r28, x = r23..r18, and two bytes 0; r16 = 0.
 .Llong:
     push r16
     push r17
@@ -529,7 +558,7 @@ fixedpoint_divide_q16_16:
     ldi r31, hi8(fixedpoint_reciprocal_table)
     mov r30, r21
     lpm r26, Z
-    // D = r21:r18
+    // d p = r21..r18
     clr r16
     mul r21, r26
     mov r21, r0
@@ -549,7 +578,7 @@ fixedpoint_divide_q16_16:
     rol r30
     inc r31
     lpm r27, Z
-    // E = r31:r28
+    // r17:r31..r28 = (d p) v
     mul r18, r27
     movw r28, r0
     mul r20, r27
@@ -590,8 +619,7 @@ fixedpoint_divide_q16_16:
     multiply_low r19, r20, r21
     multiply_byte n2, r20, r21, r22
     multiply_byte n3, r21, r22, r23
-    // digit 2
-    multiply32 r23
+    multiply32 r23          // bits 16..23
     add r18, r24
     adc r19, r25
     adc r20, r26
@@ -604,8 +632,7 @@ fixedpoint_divide_q16_16:
     adc r20, r30
     adc r21, r31
     adc r22, r16
-1:  // digit 1
-    multiply32 r22
+1:  multiply32 r22          // bits 8..15
     mov r17, r24
     add r18, r25
     adc r19, r26
@@ -619,8 +646,7 @@ fixedpoint_divide_q16_16:
     adc r19, r30
     adc r20, r31
     adc r21, r16
-1:  // digit 0
-    multiply32 r21
+1:  multiply32 r21          // bits 0..7
     add r17, r25
     adc r18, r26
     adc r19, r27

@@ -1,7 +1,32 @@
 // SPDX-License-Identifier: MIT
 // int64_t fixedpoint_divide_q32_32(int64_t a, int64_t b)
+// floor(2^32 a / b + 1/2), clamped; b = 0: the largest number where a > 0, the smallest where a < 0,
+// 0 where a = 0.
+//
+// In:       a r25..r18, b r17..r10
+// Out:      r25..r18
+// Clobbers: r0, r26, r27, r30, r31
+// Cycles, call and return included (worst found): |b| < 256: |a| < 256 286..753, else 477..804;
+// |b| >= 256: 452..845; clamped 111..131. About 50 for each byte of the quotient.
+// Stack: 12 bytes, 23 where |b| >= 256.
+//
+// Long division of magnitudes in base 256 by d = 2^k |b|, whose leading one is the highest bit of
+// five bytes, or, where |b| >= 256, of eight; a is multiplied by 2^k likewise. A digit that comes from
+// the highest three bytes of the remainder and the highest two of d is at most 1 too large; then the
+// remainder turns negative and d is added back. The remainder stays below d, hence its highest bytes
+// are at most d's, and where they are equal, the digit from them is 256 and becomes 255: the rest of
+// the remainder is at least 2^16 (h1:h0) - 255 (h1:h0 + 1) 2^8 > 0 then, so nothing is added back twice.
+// Last, twice the remainder is compared with d: not less, for a negative quotient more, rounds away
+// from zero, so that ties go upward.
+//
+// Five bytes: the remainder, the rest of the dividend and the quotient are one row of bytes that
+// moves up a byte for each digit. Where |a| < 2^31 |b| fails, the result is clamped before.
+// Eight bytes: after the first digit the dividend is all zeros; the digits wait on the stack. The
+// quotient is below 2^55.
 
 #ifdef __AVR__
+
+#include <fixedpoint/avr/long_division.inc>
 
 // |a|, later the quotient
 #define q0 r18
@@ -22,29 +47,11 @@
 #define d6 r16
 #define d7 r17
 #define power r26
-#define low r26
-#define digit r27
 
     // digit = u2:u1:u0 / h1:h0, u1:u0 = the remainder, where digit 0 with u2 != 0 stands for 256.
     .macro estimate u2, u1, u0, h1, h0, inverse, name
-    mul \inverse, \u2
-    add r0, \u1
-    adc r1, \u2
-    movw low, r0
-    mul digit, \h1
-    sub \u1, r0
-    mul digit, \h0
-    sub \u0, r0
-    sbc \u1, r1
-    sub \u0, \h0
-    sbc \u1, \h1
-    inc digit
-    cp \u1, low
-    brcs 1f
-    dec digit
-    add \u0, \h0
-    adc \u1, \h1
-1:  cp \u0, \h0
+    estimate_digit \u2, \u1, \u0, \h1, \h0, \inverse
+    cp \u0, \h0
     cpc \u1, \h1
     brcc .L\name\()_low
 .L\name\()_estimated:
@@ -59,39 +66,6 @@
     ldi power, 1
     sbrs r30, 7
     lpm power, Z
-    .endm
-
-    // inverse = floor((2^24 - 1) / h1:h0) - 256. Clobbers r30, r31.
-    .macro invert inverse, h1, h0
-    mov r30, \h1
-    ldi r31, hi8(fixedpoint_normalise_table)
-    lpm \inverse, Z
-    mul \inverse, \h1
-    add r0, \h0
-    mov r30, r0
-    brcc 2f
-    dec \inverse
-    cp r30, \h1
-    brcs 1f
-    dec \inverse
-    sub r30, \h1
-1:  sub r30, \h1
-2:  mul \inverse, \h0
-    add r30, r1
-    brcc 3f
-    dec \inverse
-    cp r0, \h0
-    cpc r30, \h1
-    brcs 3f
-    dec \inverse
-3:
-    .endm
-
-    // byte * 2^k: the low half to `low_half`, what is shifted out into the zeros of `high_half`.
-    .macro scale high_half, low_half, byte
-    mul \byte, power
-    or \high_half, r1
-    mov \low_half, r0
     .endm
 
     .macro negate_q
@@ -216,10 +190,10 @@ fixedpoint_divide_q32_32:
 2:  find_power d4
     mul d4, power
     mov d4, r0
-    scale d4, d3, d3
-    scale d3, d2, d2
-    scale d2, d1, d1
-    scale d1, d0, d0
+    scale d4, d3, d3, power
+    scale d3, d2, d2, power
+    scale d2, d1, d1, power
+    scale d1, d0, d0, power
     mov r0, q5
     or r0, q6
     or r0, q7
@@ -227,23 +201,23 @@ fixedpoint_divide_q32_32:
     mul q4, power
     mov u5, r1
     mov u4, r0
-    scale u4, u3, q3
-    scale u3, u2, q2
-    scale u2, u1, q1
-    scale u1, u0, q0
+    scale u4, u3, q3, power
+    scale u3, u2, q2, power
+    scale u2, u1, q1, power
+    scale u1, u0, q0, power
     rjmp 3f
 .Llong_dividend:
     subi count, -3
     mul q7, power
     mov u5, r1
     mov u4, r0
-    scale u4, u3, q6
-    scale u3, u2, q5
-    scale u2, u1, q4
-    scale u1, u0, q3
-    scale u0, q7, q2
-    scale q7, q6, q1
-    scale q6, q5, q0
+    scale u4, u3, q6, power
+    scale u3, u2, q5, power
+    scale u2, u1, q4, power
+    scale u1, u0, q3, power
+    scale u0, q7, q2, power
+    scale q7, q6, q1, power
+    scale q6, q5, q0, power
 3:  clr q0
     clr q1
     movw q2, q0
@@ -483,23 +457,23 @@ fixedpoint_divide_q32_32:
 2:  find_power d7
     mul d7, power
     mov d7, r0
-    scale d7, d6, d6
-    scale d6, d5, d5
-    scale d5, d4, d4
-    scale d4, d3, d3
-    scale d3, d2, d2
-    scale d2, d1, d1
-    scale d1, d0, d0
+    scale d7, d6, d6, power
+    scale d6, d5, d5, power
+    scale d5, d4, d4, power
+    scale d4, d3, d3, power
+    scale d3, d2, d2, power
+    scale d2, d1, d1, power
+    scale d1, d0, d0, power
     mul u7, power
     mov u8, r1
     mov u7, r0
-    scale u7, u6, u6
-    scale u6, u5, u5
-    scale u5, u4, u4
-    scale u4, u3, u3
-    scale u3, u2, u2
-    scale u2, u1, u1
-    scale u1, u0, u0
+    scale u7, u6, u6, power
+    scale u6, u5, u5, power
+    scale u5, u4, u4, power
+    scale u4, u3, u3, power
+    scale u3, u2, u2, power
+    scale u2, u1, u1, power
+    scale u1, u0, u0, power
     invert inverse, d7, d6
     rjmp .Llong_digit
 

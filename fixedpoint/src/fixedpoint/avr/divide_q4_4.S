@@ -6,7 +6,8 @@
 // In:       a r24, b r22
 // Out:      r24
 // Clobbers: r0, r18..r21, r23, r25, r30, r31
-// Cycles, call and return included: DIVIDE_CYCLES. Stack: 0 bytes.
+// Cycles, call and return included: |b| > 1 (raw 16) 38; |b| > 1/16 (raw 1) 47; b = 0, +-1 24..30.
+// Stack: 0 bytes.
 //
 // a times a signed reciprocal R of 16 bits, one for every b, is the quotient: R is the integer
 // nearest to 2^19 / b where |b| > 16, so that the quotient stands at bit 15 of a R, and to 2^16 / b
@@ -20,7 +21,7 @@
 
     .section .text.fixedpoint_divide_q4_4, "ax", @progbits
 
-    // r24:r25 = (a R + 64) >> 8, r1 = 0. Both halves of the product fit: |a R| < 2^22.
+    // r25:r24 = (a R + 64) >> 8, r1 = 0. Both halves of the product fit: |a R| < 2^22.
     .macro multiply_by_reciprocal
     mov r30, r22
     ldi r31, hi8(fixedpoint_divide_q4_4_table)

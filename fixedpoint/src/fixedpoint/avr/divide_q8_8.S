@@ -1,5 +1,28 @@
 // SPDX-License-Identifier: MIT
 // int16_t fixedpoint_divide_q8_8(int16_t a, int16_t b)
+// floor(2^8 a / b + 1/2), clamped; b = 0: the largest number where a > 0, the smallest where a < 0,
+// 0 where a = 0.
+//
+// In:       a r25:r24, b r23:r22
+// Out:      r25:r24
+// Clobbers: r0, r18..r23, r26, r27, r30, r31
+// Cycles, call and return included: |b| >= 1: |a| < |b| 74..115, |a| >= |b| 105..151;
+// 1/2 <= |b| < 1: 63..87; |b| < 1/2: 75..99; clamped: 27..41. Stack: 0 bytes.
+//
+// On magnitudes, the sign put back at the end; for a negative quotient half a divisor less one unit
+// rounds, so that ties go upward.
+//
+// |b| < 1: b has one byte. With its leading one moved to bit 7 it divides 2^9 |a|, moved likewise, in
+// two digits by Moeller and Granlund's reciprocal, exactly; 2 |a| < 2^8 b where nothing clamps, so
+// that the first digit fits. In the second step the remainder is never the divisor or more (all 2^14
+// pairs of divisor and remainder were tried), so that it lacks the second correction. The quotient
+// has one bit more than the result: it is what rounds, and only a negative tie must look at the
+// remainder.
+//
+// |b| >= 1: the integer part, not 0 only where |a| >= |b|, and one digit of fraction, both from the
+// reciprocal of b's leading eight bits plus one. They are therefore never too large and at most 3
+// too small, and the remainder is brought below b by subtraction; half a divisor, added to the
+// remainder beforehand, makes the last digit round. |b| = 128 is a shift.
 
 #ifdef __AVR__
 

@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: MIT
-#ifdef __AVR__
-// Internal to the lengths. Arguments and results in registers of their own choice.
+// The root that the lengths share. Not a C function: its arguments are where their sums are.
 //
-// fixedpoint_length_root: r25:r24:r23:r22 = r, the integer nearest to the root of
-//     N = r23:r22:r21:r20:r19:r18. Also leaves r21:r20:r19:r18 = N - r (r + 1) - 1, which is
-//     negative. Needs N < 3 * 2^46. Changes call-clobbered registers only.
-// fixedpoint_length_long: the length of the r26 components at r31:r30, for components of any size.
-//     Enter by jmp.
+// r25:r24:r23:r22 = r, the integer nearest to sqrt(N), N = r23:r22:r21:r20:r19:r18 < 3 * 2^46. Leaves
+// r21:r20:r19:r18 = N - r (r + 1) - 1, which is negative. Changes r26, r27, r30, r31, r0 as well; r1
+// is zero at return.
 //
-// Technique. N is shifted left by k = 0..23 bits, even, whole bytes first, so that its top byte M3
-// is 64 at least. The 16-bit root c of M3:M2 comes from the tables of sqrt_table.S and is at most 3
-// below that of N; e = M3:M2:M1 - c^2 / 2^8 and the slope (which is 2^23 / c) make eight more bits of the
-// root. That 24-bit root S is more than 5 and less than 6 off either way; less 6, and shifted back,
-// it is at most 11 / 2^k + 2 below r, and the exact remainder decides how often it is stepped up.
+// Cycles with ret: 36 for N = 0, else 124 to 253: 10 a zero byte ahead, 6 a bit that the root is
+// shifted back, 13 a step of the last loop.
+//
+// Technique. That of sqrt_q16_16.S: N is shifted left by 2 k bits, a 16-bit root from tables gets
+// eight more bits by the table's slope. Of the numbers that share a 16-bit root the fourth byte is
+// dropped here, so that the 24-bit root is less than 6 above and less than 5.1 below sqrt(N 2^(2 k)).
+// Less 6 and shifted back by k it is not above sqrt(N), and N - r (r + 1) - 1 says how often it is
+// stepped up: once or twice, but up to 12 times where k is 0.
 
+#ifdef __AVR__
 #define n0 r18
 #define n1 r19
 #define n2 r20
@@ -30,6 +31,7 @@
     .global fixedpoint_length_root
     .type fixedpoint_length_root, @function
 fixedpoint_length_root:
+    // k: 4 for each zero byte ahead.
     movw r26, r22
     movw r24, n2
     movw r30, n0
@@ -106,6 +108,7 @@ fixedpoint_length_root:
     clr s2
     subi k, 8
     rjmp 6b
+    // Four bits by a product.
 7:  cpi k, 4
     brlo 10f
     ldi r30, 16
@@ -124,6 +127,7 @@ fixedpoint_length_root:
     ror s0
 10: dec k
     brpl 9b
+    // N - r (r + 1) - 1 modulo 2^32
     sec
     sbc n0, s0
     sbc n1, s1

@@ -5,7 +5,7 @@
 // In:       a r25..r18, b r17..r10
 // Out:      r25..r18
 // Clobbers: r0, r26, r27, r30, r31
-// Cycles:   CYCLES. Stack: 4 bytes.
+// Cycles:   321 where a >= 0, 324 where a < 0, call and return included. Stack: 4 bytes.
 //
 // Column by column: byte k of the product is the sum of all a_i b_j with i + j = k and what the
 // column before left over, in three registers that change roles from column to column. Of the

@@ -5,10 +5,10 @@
 // In:       a r24, b r22
 // Out:      r24
 // Clobbers: r0
-// Cycles:   19, call and return included. Stack: 0 bytes.
+// Cycles:   18, call and return included. Stack: 0 bytes.
 //
-// The result is bits 11..4 of the product: the nibbles beside each other's wrong end, so that one
-// swap puts both in place, and one more where bit 3 is set.
+// The result is bits 11..4 of the product: the high byte's low nibble and the low byte's high nibble,
+// which one swap puts in place, and one more where bit 3 is set.
 
 #ifdef __AVR__
 

@@ -1,4 +1,30 @@
 // SPDX-License-Identifier: MIT
+// int32_t fixedpoint_reciprocal_sqrt_q16_16(int32_t a);
+//
+// 2^24 / sqrt(a), the reciprocal root of a 2^-16 in units of 2^-16, within 0.6441 ulp; 2^31 - 1 where
+// a = 0; 0 where a < 0.
+//
+// a and the result in r25:r24:r23:r22. Changes r18-r27, r30, r31, r0; r1 is zero at entry and return.
+//
+// Cycles, call and ret included (a in raw units):
+//     a < 0                   19
+//     0, 1                    48
+//     2 .. 63                 46   a table entry
+//     64 .. 255               53   a table entry, shifted
+//     2^8, 2^10, 2^12, 2^14   95, 91, 87, 79 up to the next
+//     2^16, 2^18, 2^20, 2^22  97, 99, 109, 116
+//     2^24, 2^26, 2^28, 2^30  117, 127, 137, 144
+//
+// Technique. a is shifted left by an even number of bits, so that its top byte is at least 64. The
+// mantissa 2^22 / sqrt(t / 2^16) of its upper 24 bits comes from the tables, by a chord less a
+// parabola, and is shifted back with one rounding. A fourth byte of a is dropped: it is beyond the 12
+// bits that such a result has.
+//
+// Error. The mantissa is too far off by at most 2^s (0.1441) in units of its 23 bits, where the
+// result is the mantissa shifted right by s bits; the tables are chosen for that. portable/
+// reciprocal_sqrt.hpp is bit for bit the same, so that its largest error over all inputs, 0.64405 ulp
+// at a = 1037, is the kernel's.
+
 #ifdef __AVR__
 #include <fixedpoint/avr/reciprocal_root.inc>
 
@@ -10,6 +36,7 @@
 fixedpoint_reciprocal_sqrt_q16_16:
     sbiw r24, 0
     brne 0f
+    // 2^8 .. 2^16: r20 = 4^j normalises, r21 = 4 2^j shifts back by 6 - j bits, all but a byte.
     cpi r23, 64
     brlo 1f
     ldi r21, 4
@@ -85,6 +112,8 @@ fixedpoint_reciprocal_sqrt_q16_16:
     movw r24, r22
     ret
 
+    // r24:r23:r22 holds the three upper bytes, r20 = 4^j normalises; the mantissa is shifted right
+    // by 7 + r26 bits.
 .Labove_one:
     brmi .Lnegative
     tst r25

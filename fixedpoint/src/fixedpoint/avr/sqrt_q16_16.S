@@ -1,4 +1,36 @@
-; SPDX-License-Identifier: MIT
+// SPDX-License-Identifier: MIT
+// int32_t fixedpoint_sqrt_q16_16(int32_t a);
+//
+// The integer r nearest to sqrt(a 2^16), which is never half-way between two; 0 where a < 0.
+//
+// a and r in r25:r24:r23:r22. Changes r18-r27, r30, r31, r0; r1 is zero at entry and return.
+//
+// Cycles, call and ret included (a in raw units):
+//     a < 0                   19
+//     0 .. 63                 37   r is a table entry
+//     64 .. 255               58   so is 16 r
+//     2^8 .. 2^12        60 - 88   16-bit root; shifted back
+//     2^12 .. 2^14       47 - 70   the same, without the multiplications
+//     2^14 .. 2^16       49 - 67   16-bit root
+//     2^16 .. 2^24      86 - 123   24-bit root; shifted back by 4 bits or more
+//     2^24 .. 2^31     153 - 184   24-bit root, corrected; shifted back by 3 bits or less
+// The upper ends are those that need the exact remainder.
+//
+// Technique. a is shifted left by an even number of bits 2 k, so that its top byte h is at least 64;
+// the root of that is shifted back by k. With l the byte below h, the tables give
+//     c = root[h] + floor(slope[h] l / 256),
+// at most 2 below the integer part of the root of h:l, in 16 bits; tables/sqrt.py asserts that for
+// every h:l. Where more bytes follow, the exact e = m - c^2 over m, the upper 32 bits of the
+// shifted number, makes eight more bits: the root's slope at c is 2^15 / c, which is slope[h] / 256
+// to within its rounding, so that S = 256 c + e slope[h] / 2^16 is the root in 24 bits. tables/sqrt.py
+// asserts that it is less than 5 off at either end of the numbers that share c; floors and the
+// dropped low byte of e add less than 1 to S above and are part of the 5 below.
+//
+// Rounding. Let r' be the shifted root without its k fraction bits f. r is r' or r' + 1, and it is
+// r' + 1 where N = a 2^16 exceeds (r' + 1/2)^2, which for integers is N > r'^2 + r'. The difference
+// of the two sides fits in the bytes it is computed in, as r' is less than 2 off, so that the
+// upper bytes need no product. Where f is further than the root's error from 1/2, r is known without.
+
 #ifdef __AVR__
 
 #define c0 r22
@@ -6,7 +38,7 @@
 #define c2 r24
 #define zero r25
 
-    ; root16 = root[index] + slope[index] * next / 256, from r30 = index
+// high:low = root[r30] + slope[r30] next / 256. 16 cycles.
     .macro root16 low, high, slope, next
     ldi r31, hi8(fixedpoint_sqrt_table)
     lpm \low, Z
@@ -19,7 +51,8 @@
     adc \high, zero
     .endm
 
-    ; r26:r19:r18 = c^2 + c - (a0 << 16) modulo 2^24, from r26 = (c0 c2 << 1) - a0
+// r26:r19:r18 = c^2 + c - a 2^16 modulo 2^24, from r26 = 2 c0 c2 - a0 with a0 the low byte of a.
+// Negative where c is to be rounded up. 15 cycles.
     .macro test_half
     mul c0, c0
     movw r18, r0
@@ -44,7 +77,7 @@ fixedpoint_sqrt_q16_16:
     cpi r23, 64
     brlo .Lbelow_quarter
 
-    ; 1/4 <= a < 1
+    // 2^14 .. 2^16: k = 0. c is up to 2 below r.
     mov r30, r23
     mov r26, r22
     root16 c0, c1, r18, r26
@@ -53,6 +86,7 @@ fixedpoint_sqrt_q16_16:
     brmi 1f
 2:  clr r1
     ret
+    // r is c + 2 where the difference is below -2 c - 2 <= -2^16 - 2: never if its top byte is 0xff.
 1:  subi c0, 0xff
     sbci c1, 0xff
     cpi r26, 0xff
@@ -63,6 +97,7 @@ fixedpoint_sqrt_q16_16:
     cpi r23, 16
     brsh 1f
     rjmp .Lbelow_sixteenth
+    // 2^12 .. 2^14: k = 1. An odd c rounds up, whether it is 1 too small or not.
 1:  movw r18, r22
     lsl r18
     rol r19
@@ -90,6 +125,8 @@ fixedpoint_sqrt_q16_16:
     movw r24, r22
     ret
 2:
+    // 2^16 .. 2^24: r20 = 2^(2 k - 8) normalises a, whose top byte is r24; r27 = 2^(8 - k) shifts
+    // back, and leaves f in a byte. Between r18 and 256 - r18 f is too close to 1/2.
     ldi r20, 64
     ldi r27, 2
     ldi r18, 0x80 - 6 * 2
@@ -117,6 +154,7 @@ fixedpoint_sqrt_q16_16:
     or r26, r1
     mov r19, r0
     root16 r20, r21, r24, r26
+    // e / 256 in r26:r19, S in r21:r20:r19
     mul r20, r20
     sub r19, r1
     sbc r26, zero
@@ -147,6 +185,7 @@ fixedpoint_sqrt_q16_16:
     brlo .Ldone
     add r19, r18
     brcs .Lup
+    // r' = c; a0 in r26
 .Lnear_half:
     neg r26
     mul c0, c2
@@ -162,6 +201,7 @@ fixedpoint_sqrt_q16_16:
     clr r1
     ret
 
+    // The difference for c + 1 where c was not enough.
 .Lremainder_of_two:
     add r18, c0
     adc r19, c1
@@ -173,6 +213,7 @@ fixedpoint_sqrt_q16_16:
     clr r1
     ret
 
+    // 2^8 .. 2^12: k = 2, 3. r20 = 2^(2 k) and r27 = 2^(8 - k); only f = 1/2 - 2^-k is in doubt.
 .Lbelow_sixteenth:
     ldi r20, 16
     ldi r27, 64
@@ -219,6 +260,9 @@ fixedpoint_sqrt_q16_16:
     adc c1, zero
 2:  ret
 
+    // 2^24 .. 2^31: r27 = 2^(2 k). S is made 6 less, so that it is 1 to 11 below the root, and stepped
+    // up by the same slope times its exact remainder, of which the upper half of 32 bits is enough.
+    // That leaves it at most 0.1 above and 1.2 below the root, so that r is r' or r' + 1 once more.
 .Labove_256:
     ldi r27, 1
     cpi r25, 64
@@ -255,7 +299,7 @@ fixedpoint_sqrt_q16_16:
     rol r1
     sub r19, r0
     sbc r26, r1
-    ; 24-bit root
+    // S in r21:r20:r18
     mul r19, r24
     mov r18, r1
     mul r26, r24
@@ -265,7 +309,7 @@ fixedpoint_sqrt_q16_16:
     subi r18, 6
     sbc r20, zero
     sbc r21, zero
-    ; its remainder, upper half
+    // Its remainder's upper half in r31:r30
     mul r20, r18
     lsl r0
     rol r1
@@ -298,7 +342,7 @@ fixedpoint_sqrt_q16_16:
 2:  lsr r27
     lsr r27
     brne 1b
-    ; test
+    // c^2 + c - a 2^16 modulo 2^32, with c = r' in r21:r20:r18
     com r23
     neg r22
     sbci r23, 0xff

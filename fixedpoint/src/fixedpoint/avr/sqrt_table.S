@@ -1,12 +1,12 @@
-; SPDX-License-Identifier: MIT
-; DO NOT EDIT: written by fixedpoint/tables/sqrt.py, which says what the entries are.
+// SPDX-License-Identifier: MIT
+// DO NOT EDIT: written by fixedpoint/tables/sqrt.py, which says what the entries are.
 #ifdef __AVR__
     .section .progmem.data.fixedpoint_sqrt_table, "a", @progbits
     .balign 256
     .global fixedpoint_sqrt_table
     .type fixedpoint_sqrt_table, @object
 fixedpoint_sqrt_table:
-    ; root, low bytes
+    // root, low bytes
     .byte   0,   0, 106, 187,   0,  60, 115, 165, 212,   0,  42,  81, 119, 155, 190, 223
     .byte   0,  32,  62,  92, 121, 149, 177, 204, 230,   0,  25,  50,  75,  99, 122, 145
     .byte 168, 191, 213, 235,   0,  21,  42,  63,  83, 103, 123, 143, 162, 181, 200, 219
@@ -23,7 +23,7 @@ fixedpoint_sqrt_table:
     .byte 193,  79, 220, 105, 246, 131,  15, 155,  38, 177,  60, 199,  81, 219, 101, 238
     .byte 119,   0, 136,  16, 152,  31, 166,  45, 180,  58, 192,  70, 203,  81, 214,  90
     .byte 222,  99, 230, 106, 237, 112, 243, 117, 247, 121, 251, 124, 253, 126, 255, 127
-    ; root, high bytes
+    // root, high bytes
     .byte   0,   1,   1,   1,   2,   2,   2,   2,   2,   3,   3,   3,   3,   3,   3,   3
     .byte   4,   4,   4,   4,   4,   4,   4,   4,   4,   5,   5,   5,   5,   5,   5,   5
     .byte   5,   5,   5,   5,   6,   6,   6,   6,   6,   6,   6,   6,   6,   6,   6,   6
@@ -40,7 +40,7 @@ fixedpoint_sqrt_table:
     .byte 230, 231, 231, 232, 232, 233, 234, 234, 235, 235, 236, 236, 237, 237, 238, 238
     .byte 239, 240, 240, 241, 241, 242, 242, 243, 243, 244, 244, 245, 245, 246, 246, 247
     .byte 247, 248, 248, 249, 249, 250, 250, 251, 251, 252, 252, 253, 253, 254, 254, 255
-    ; slope
+    // slope
     .byte   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0
     .byte   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0
     .byte   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0

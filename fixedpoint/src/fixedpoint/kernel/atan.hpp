@@ -11,6 +11,10 @@ extern "C" __attribute__((gnu_inline, noinline, noclone)) constexpr inline int32
 fixedpoint_atan_q16_16(int32_t a) {
     return fixedpoint::portable::atan_q16_16(a);
 }
+extern "C" __attribute__((gnu_inline, noinline, noclone)) constexpr inline int32_t
+fixedpoint_atan_small_q16_16(int32_t a) {
+    return fixedpoint::portable::atan_small_q16_16(a);
+}
 #endif
 
 namespace fixedpoint {
@@ -20,11 +24,20 @@ template <class Raw, int F>
 constexpr Raw atan(Raw a) {
     return portable::atan<Raw, F>(a);
 }
+// Less flash, more cycles.
+template <class Raw, int F>
+constexpr Raw atan_small(Raw a) {
+    return portable::atan_small<Raw, F>(a);
+}
 
 #ifdef __AVR__
 template <>
 constexpr int32_t atan<int32_t, 16>(int32_t a) {
     return fixedpoint_atan_q16_16(a);
+}
+template <>
+constexpr int32_t atan_small<int32_t, 16>(int32_t a) {
+    return fixedpoint_atan_small_q16_16(a);
 }
 #endif
 

@@ -3,7 +3,8 @@
 // result[0] is the sine, result[1] the cosine.
 #pragma once
 
-#include <fixedpoint/portable/sin.hpp>
+#include <fixedpoint/kernel/cos.hpp>
+#include <fixedpoint/kernel/sin.hpp>
 
 #ifdef __AVR__
 // In constant expressions the body; at run time always a call, which the assembly kernel answers,
@@ -21,11 +22,21 @@ template <class Raw, int F>
 constexpr void sincos(Raw angle, Raw* result) {
     portable::sincos<Raw, F>(angle, result);
 }
+// Less flash, more cycles.
+template <class Raw, int F>
+constexpr void sincos_small(Raw angle, Raw* result) {
+    portable::sincos_small<Raw, F>(angle, result);
+}
 
 #ifdef __AVR__
 template <>
 constexpr void sincos<int32_t, 16>(int32_t angle, int32_t* result) {
     fixedpoint_sincos_q16_16(angle, result);
+}
+template <>
+constexpr void sincos_small<int32_t, 16>(int32_t angle, int32_t* result) {
+    result[0] = sin_small<int32_t, 16>(angle);
+    result[1] = cos_small<int32_t, 16>(angle);
 }
 #endif
 

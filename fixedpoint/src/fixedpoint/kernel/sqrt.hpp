@@ -4,6 +4,15 @@
 
 #include <fixedpoint/portable/sqrt.hpp>
 
+#ifdef __AVR__
+// In constant expressions the body; at run time always a call, which the assembly kernel answers,
+// as gnu_inline emits no code for the body.
+extern "C" __attribute__((gnu_inline, noinline)) constexpr inline int32_t fixedpoint_sqrt_q16_16(
+    int32_t a) {
+    return fixedpoint::portable::sqrt<int32_t, 16>(a);
+}
+#endif
+
 namespace fixedpoint {
 namespace kernel {
 
@@ -11,6 +20,13 @@ template <class Raw, int F>
 constexpr Raw sqrt(Raw a) {
     return portable::sqrt<Raw, F>(a);
 }
+
+#ifdef __AVR__
+template <>
+constexpr int32_t sqrt<int32_t, 16>(int32_t a) {
+    return fixedpoint_sqrt_q16_16(a);
+}
+#endif
 
 }  // namespace kernel
 }  // namespace fixedpoint

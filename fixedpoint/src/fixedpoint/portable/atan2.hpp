@@ -4,6 +4,7 @@
 #pragma once
 
 #include <fixedpoint/portable/atan2_q16_16.hpp>
+#include <fixedpoint/portable/atan2_small_q16_16.hpp>
 #include <fixedpoint/portable/cordic.hpp>
 
 namespace fixedpoint {
@@ -56,13 +57,18 @@ constexpr CordicWord<F> first_quadrant_angle(Coordinate y, Coordinate x) {
     return steep ? Constants::half_pi() - angle : angle;
 }
 
-// For every format; small, as it has no table but the word's few atan(2^-i).
+// The small variant, for every format: no table but the word's few atan(2^-i), in Q16.16 none.
 template <class Raw, int F>
 constexpr Raw atan2_small(Raw y, Raw x) {
     if (x == 0 && y == 0) return 0;
     CordicWord<F> angle = first_quadrant_angle<F>(magnitude(y), magnitude(x));
     if (x < 0) angle = CordicConstants<CordicWord<F>>::pi() - angle;
     return round_from_cordic<Raw, F>(angle, y < 0);
+}
+
+template <>
+constexpr int32_t atan2_small<int32_t, 16>(int32_t y, int32_t x) {
+    return atan2_small_q16_16(y, x);
 }
 
 template <class Raw, int F>

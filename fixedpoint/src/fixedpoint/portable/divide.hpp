@@ -9,29 +9,40 @@
 namespace fixedpoint {
 namespace portable {
 
-// |a| 2^F / |b|: the integer part, clamped to 2^(W-1), and whether twice the rest is at least (more
-// than) |b|, as the rounding needs it.
+// A magnitude that no Raw holds: what clamps.
+template <class Raw>
+constexpr Unsigned<Raw> magnitude_overflow = static_cast<Unsigned<Raw>>(raw_min<Raw>);
+
+// dividend / divisor, rounded to nearest; ties go upward or downward. From 2^(W-1) on it is an
+// overflow.
+template <class Raw, class Dividend>
+constexpr Unsigned<Raw> rounded_quotient(Dividend dividend, Unsigned<Raw> divisor,
+                                         bool tie_upward) {
+    const Dividend quotient = static_cast<Dividend>(dividend / divisor);
+    if (quotient >> (width_of<Raw> - 1) != 0) return magnitude_overflow<Raw>;
+    const Unsigned<Raw> rest = static_cast<Unsigned<Raw>>(
+        static_cast<Unsigned<Raw>>(dividend) - static_cast<Unsigned<Raw>>(quotient) * divisor);
+    const Unsigned<Raw> other = static_cast<Unsigned<Raw>>(divisor - rest);
+    return static_cast<Unsigned<Raw>>(quotient + (tie_upward ? rest >= other : rest > other));
+}
+
+// The same of a 2^F / b, in a dividend of twice the width.
 template <class Raw, int F>
-struct MagnitudeQuotient {
+struct WideQuotient {
     static constexpr Unsigned<Raw> rounded(Unsigned<Raw> a, Unsigned<Raw> b, bool tie_upward) {
         using Dividend = Unsigned<Wide<Raw>>;
-        const Dividend dividend = static_cast<Dividend>(a) << F;
-        const Dividend quotient = dividend / b;
-        if (quotient >> (width_of<Raw> - 1) != 0) return Unsigned<Raw>(raw_max<Raw>) + 1u;
-        const Unsigned<Raw> rest = static_cast<Unsigned<Raw>>(dividend - quotient * b);
-        const Unsigned<Raw> other = static_cast<Unsigned<Raw>>(b - rest);
-        return static_cast<Unsigned<Raw>>(quotient + (tie_upward ? rest >= other : rest > other));
+        return rounded_quotient<Raw>(static_cast<Dividend>(static_cast<Dividend>(a) << F), b,
+                                     tie_upward);
     }
 };
-
 template <int F>
-struct MagnitudeQuotient<int64_t, F> {
+struct WideQuotient<int64_t, F> {
     static constexpr uint64_t rounded(uint64_t a, uint64_t b, bool tie_upward) {
         const uint64_t high = F == 0 ? 0 : a >> (63 - (F - 1));
         // The integer part takes at least 64 bits.
-        if (high >= b) return uint64_t(1) << 63;
+        if (high >= b) return magnitude_overflow<int64_t>;
         const Division128 division = divide_full(high, a << F, b);
-        if (division.quotient >> 63 != 0) return uint64_t(1) << 63;
+        if (division.quotient >> 63 != 0) return magnitude_overflow<int64_t>;
         const uint64_t rest = division.remainder, other = b - rest;
         return division.quotient + (tie_upward ? rest >= other : rest > other);
     }
@@ -42,7 +53,7 @@ constexpr Raw divide(Raw a, Raw b) {
     if (b == 0) return a > 0 ? raw_max<Raw> : a < 0 ? raw_min<Raw> : Raw(0);
     const bool negative = (a < 0) != (b < 0);
     return clamped_with_sign<Raw>(
-        MagnitudeQuotient<Raw, F>::rounded(magnitude(a), magnitude(b), !negative), negative);
+        WideQuotient<Raw, F>::rounded(magnitude(a), magnitude(b), !negative), negative);
 }
 
 }  // namespace portable

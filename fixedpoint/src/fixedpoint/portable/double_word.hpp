@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Unsigned integers of twice a Raw's width: a native one up to 64 bits, Word128 beyond. Square roots
-// of sums of squares and of ratios need them.
+// Unsigned integers of twice a Raw's width: a native one up to 64 bits, Word128 beyond. Square
+// roots of sums of squares and of ratios need them.
 #pragma once
 
 #include <fixedpoint/integer.hpp>

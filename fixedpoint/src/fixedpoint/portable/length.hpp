@@ -9,11 +9,11 @@ namespace fixedpoint {
 namespace portable {
 
 // The fraction bits cancel: the length of raw numbers is the raw length.
-template <class Raw>
+template <class Raw, int F>
 constexpr Raw length2(const Raw* v) {
     return nearest_root<Raw>(sum_of_squares(v, 2));
 }
-template <class Raw>
+template <class Raw, int F>
 constexpr Raw length3(const Raw* v) {
     return nearest_root<Raw>(sum_of_squares(v, 3));
 }

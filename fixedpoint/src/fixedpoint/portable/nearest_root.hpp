@@ -47,36 +47,33 @@ constexpr Raw nearest_root(DoubleWord<Raw> radicand) {
 }
 
 // sqrt(numerator 2^doublings / denominator) to nearest, ties upward; clamped to what a Raw holds.
-// Needs numerator < 2 denominator.
-template <class Raw>
-constexpr Raw nearest_root_of_ratio(DoubleWord<Raw> numerator, DoubleWord<Raw> denominator,
-                                    int doublings) {
+// Needs numerator < 2 denominator. Number is any unsigned integer that holds the two.
+template <class Raw, class Number>
+constexpr Raw nearest_root_of_ratio(Number numerator, Number denominator, int doublings) {
     using Word = Unsigned<Raw>;
-    using Double = DoubleWord<Raw>;
     constexpr int W = width_of<Raw>;
     Word high = 0, low = 0;
-    Double remainder = numerator;
-    for (;;) {
-        if (!(remainder < denominator)) {
-            remainder = static_cast<Double>(remainder - denominator);
-            low = static_cast<Word>(low | 1);
+    Number remainder = numerator;
+    bool carry = false;
+    for (int round = 0; round <= doublings; ++round) {
+        if (round > 0) {
+            if (high >> (W - 2) != 0) return raw_max<Raw>;
+            high = static_cast<Word>((high << 1) | (low >> (W - 1)));
+            low = static_cast<Word>(low << 1);
+            const Number doubled = static_cast<Number>(remainder << 1);
+            carry = doubled < remainder;
+            remainder = doubled;
         }
-        if (doublings-- == 0) break;
-        if (high >> (W - 2) != 0) return raw_max<Raw>;
-        high = static_cast<Word>((high << 1) | (low >> (W - 1)));
-        low = static_cast<Word>(low << 1);
-        const bool carry = (DoubleWordOf<Raw>::high(remainder) >> (W - 1)) != 0;
-        remainder = static_cast<Double>(remainder << 1);
-        if (carry) {
-            remainder = static_cast<Double>(remainder - denominator);
+        if (carry || !(remainder < denominator)) {
+            remainder = static_cast<Number>(remainder - denominator);
             low = static_cast<Word>(low | 1);
         }
     }
     // A ratio x is beyond (r + 1/2)^2 where x + 3/4 reaches the integer r^2 + r + 1: the root of
     // floor(x + 3/4) rounds like that of x.
-    const Double left = static_cast<Double>(denominator - remainder);
+    const Number left = static_cast<Number>(denominator - remainder);
     if (!(remainder < left) ||
-        !(static_cast<Double>(remainder << 1) < static_cast<Double>(left - remainder))) {
+        !(static_cast<Number>(remainder << 1) < static_cast<Number>(left - remainder))) {
         low = static_cast<Word>(low + 1);
         if (low == 0) high = static_cast<Word>(high + 1);
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// reciprocal_sqrt: 2^F sqrt(2^F / a), clamped; the largest number where a = 0, 0 where a < 0. Rounded
-// to nearest, except in Q16.16: there within 0.66 ulp, bit for bit as the kernel computes it.
+// reciprocal_sqrt: 2^F sqrt(2^F / a), clamped; the largest number where a = 0, 0 where a < 0.
+// Rounded to nearest, except in Q16.16: there within 0.66 ulp, bit for bit as the kernel computes
+// it.
 #pragma once
 
 #include <fixedpoint/portable/nearest_root.hpp>
@@ -12,12 +13,10 @@ namespace portable {
 // Rounded to nearest in every format, and with no table: the small variant.
 template <class Raw, int F>
 constexpr Raw nearest_reciprocal_sqrt(Raw a) {
-    return a < 0 ? Raw(0)
-           : a == 0
-               ? raw_max<Raw>
-               : nearest_root_of_ratio<Raw>(
-                     DoubleWord<Raw>(1), static_cast<DoubleWord<Raw>>(static_cast<Unsigned<Raw>>(a)),
-                     3 * F);
+    using Word = Unsigned<Raw>;
+    return a < 0    ? Raw(0)
+           : a == 0 ? raw_max<Raw>
+                    : nearest_root_of_ratio<Raw, Word>(1, static_cast<Word>(a), 3 * F);
 }
 
 // 2^38 / sqrt(radicand) less than 6 from the exact value, below 2^23. Needs a radicand of at least

@@ -5,6 +5,7 @@
 
 #include <fixedpoint/portable/cordic.hpp>
 #include <fixedpoint/portable/sin_q16_16.hpp>
+#include <fixedpoint/portable/sin_small_q16_16.hpp>
 
 namespace fixedpoint {
 namespace portable {
@@ -132,7 +133,7 @@ constexpr SineCosine<Raw> sine_and_cosine(Raw angle) {
             round_signed_from_cordic<Raw, F>(odd ? unit.sine : unit.cosine, beyond != odd)};
 }
 
-// For every format; small, as they have no table but the word's few atan(2^-i).
+// The small variants, for every format: no table but the word's few atan(2^-i), in Q16.16 none.
 template <class Raw, int F>
 constexpr Raw sin_small(Raw angle) {
     return sine_and_cosine<Raw, F>(angle).sine;
@@ -146,6 +147,20 @@ constexpr void sincos_small(Raw angle, Raw* result) {
     const SineCosine<Raw> both = sine_and_cosine<Raw, F>(angle);
     result[0] = both.sine;
     result[1] = both.cosine;
+}
+
+template <>
+constexpr int32_t sin_small<int32_t, 16>(int32_t angle) {
+    return sin_small_q16_16(angle);
+}
+template <>
+constexpr int32_t cos_small<int32_t, 16>(int32_t angle) {
+    return cos_small_q16_16(angle);
+}
+template <>
+constexpr void sincos_small<int32_t, 16>(int32_t angle, int32_t* result) {
+    result[0] = sin_small_q16_16(angle);
+    result[1] = cos_small_q16_16(angle);
 }
 
 template <class Raw, int F>

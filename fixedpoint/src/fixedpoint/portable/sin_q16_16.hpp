@@ -4,33 +4,16 @@
 #pragma once
 
 #include <fixedpoint/portable/interpolation.hpp>
+#include <fixedpoint/portable/quarter_turns_q16_16.hpp>
 #include <fixedpoint/portable/sine_table.hpp>
 
 namespace fixedpoint {
 namespace portable {
 
-// The angle in quarter turns, modulo 256: 24 fraction bits, less at most 6 units that come from
-// products the kernel leaves out.
-constexpr uint32_t quarter_turns_q16_16(int32_t angle) {
-    const uint32_t a = static_cast<uint32_t>(angle);
-    const uint32_t a0 = a & 0xff, a1 = a >> 8 & 0xff, a2 = a >> 16 & 0xff, a3 = a >> 24;
-    // 2/pi = 0.a2f9836e4e...
-    constexpr uint32_t m0 = 0x4e, m1 = 0x6e, m2 = 0x83, m3 = 0xf9, m4 = 0xa2;
-    const uint32_t near_zero = (a0 * m3 >> 8) + (a1 * m2 >> 8) + (a2 * m1 >> 8) + a0 * m4 +
-                               a1 * m3 + a2 * m2 + ((a1 * m4 + a2 * m3) << 8) + (a2 * m4 << 16);
-    if (a3 == 0) return near_zero;
-    if (a3 == 0xff) return near_zero - 0xa2f9836e;
-    const uint32_t unsigned_turns =
-        near_zero + (a3 * m0 >> 8) + a3 * m1 + (a3 * m2 << 8) + (a3 * m3 << 16) + (a3 * m4 << 24);
-    return angle < 0 ? unsigned_turns - 0xf9836e4e : unsigned_turns;
-}
-
 constexpr int32_t sine_of_quarter_turns_q16_16(uint32_t turns) {
-    const bool backward = (turns >> 24 & 1) != 0;
-    const bool negative = (turns >> 25 & 1) != 0;
-    const uint32_t position = (backward ? ~turns : turns) & 0xffffff;
+    const uint32_t position = fold_quarter_turns_q16_16(turns);
     const int32_t sine = static_cast<int32_t>(interpolate_rising<SineTable<>>(position) >> 7);
-    return negative ? -sine : sine;
+    return is_lower_half_turn_q16_16(turns) ? -sine : sine;
 }
 
 constexpr int32_t sin_q16_16(int32_t angle) {
@@ -38,7 +21,7 @@ constexpr int32_t sin_q16_16(int32_t angle) {
 }
 
 constexpr int32_t cos_q16_16(int32_t angle) {
-    return sine_of_quarter_turns_q16_16(quarter_turns_q16_16(angle) + (uint32_t(1) << 24));
+    return sine_of_quarter_turns_q16_16(quarter_turns_q16_16(angle) + one_quarter_turn_q16_16);
 }
 
 }  // namespace portable

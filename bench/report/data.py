@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Loads the data files of the bench as lists of rows with typed cells."""
+import csv
+import json
+import pathlib
+
+
+def _typed(cell):
+    if cell == "":
+        return None
+    for convert in (int, float):
+        try:
+            return convert(cell)
+        except ValueError:
+            pass
+    return cell
+
+
+class Data:
+    """The folder of data files. A missing file is an error that names the command that makes it."""
+
+    MADE_BY = {
+        "operations": "fixbench cycles",
+        "accuracy": "fixbench accuracy",
+        "error_histograms": "fixbench accuracy",
+        "error_along_input": "fixbench accuracy",
+        "table_3_2": "fixbench table",
+        "table_3_2_hypotheses": "fixbench table",
+        "division_cycles": "fixbench table",
+        "table_3_1": "fixbench table",
+        "exhaustive": "fixbench exhaustive",
+        "host_throughput": "host_throughput",
+    }
+
+    def __init__(self, folder):
+        self.folder = pathlib.Path(folder)
+
+    def _path(self, name, suffix):
+        path = self.folder / (name + suffix)
+        if not path.exists():
+            raise SystemExit(f"report: {path} is missing; {self.MADE_BY[name]} writes it")
+        return path
+
+    def has(self, name):
+        return (self.folder / (name + ".csv")).exists()
+
+    def rows(self, name, **wanted):
+        """The rows of <name>.csv whose cells equal `wanted`, as dictionaries."""
+        with open(self._path(name, ".csv"), newline="", encoding="utf-8") as stream:
+            rows = [{key: _typed(cell) for key, cell in row.items()}
+                    for row in csv.DictReader(stream)]
+        return [row for row in rows if all(row[key] == value for key, value in wanted.items())]
+
+    def json(self, name):
+        with open(self._path(name, ".json"), encoding="utf-8") as stream:
+            return json.load(stream)

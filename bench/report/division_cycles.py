@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the report's Q16.16 division costs by operand class, its two published figures, and ours."""
+import matplotlib.pyplot as plt
+
+import style
+
+BIN = 16  # cycles, as division_cycles.csv counts them
+
+
+def draw(data):
+    rows = data.rows("division_cycles")
+    classes = [operands for operands in dict.fromkeys(row["operands"] for row in rows)
+               if operands and any(row["operands"] == operands
+                                   and row["kind"] == "fixed_16_16_histogram" for row in rows)]
+    figure, grid = plt.subplots(len(classes), 1, figsize=(9, 1.5 * len(classes) + 1), sharex=True,
+                                squeeze=False)
+    ours = {row["operands"]: row["cycles_mean"]
+            for row in data.rows("operations", operation="divide", format="q16_16",
+                                 implementation="default")}
+    for axes, operands in zip(grid.flat, classes):
+        for kind, implementation, name in (("fixed_16_16_histogram", "published", "the report's"),
+                                           ("float_histogram", "libc", "avr-libc float")):
+            bins = [row for row in rows if row["kind"] == kind and row["operands"] == operands]
+            total = sum(row["count"] for row in bins)
+            axes.bar([row["cycles"] for row in bins], [row["count"] / total for row in bins],
+                     width=BIN, align="edge", color=style.colour(implementation), label=name)
+        if operands in ours:
+            axes.axvline(ours[operands], color=style.colour("default"), linewidth=2,
+                         label="ours, mean")
+        for row in rows:
+            if row["kind"] == "published":
+                axes.axvline(row["cycles"], color="#222222", linewidth=1, linestyle="--")
+        axes.set(title=f"operands: {operands}", ylabel="share")
+        axes.set_yticks([])
+    top = grid.flat[0]
+    for row in rows:
+        if row["kind"] == "published":
+            top.annotate(f"{row['value']:g} µs", (row["cycles"], 1), xycoords=("data", "axes fraction"),
+                         fontsize=7, xytext=(2, 2), textcoords="offset points")
+    grid.flat[-1].set_xlabel("cycles with call and return")
+    handles, labels = top.get_legend_handles_labels()
+    figure.legend(handles, labels, loc="outside upper center", ncols=3)
+    return figure

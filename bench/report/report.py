@@ -1,0 +1,93 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Draws the figures and writes the pages of results/ out of its data files."""
+import argparse
+import pathlib
+import subprocess
+import sys
+
+import jinja2
+import tqdm
+
+import division_cycles
+import error_against_cycles
+import error_along_input
+import error_histograms
+import style
+import table_3_2
+from data import Data
+
+HERE = pathlib.Path(__file__).resolve().parent
+
+
+def figures(data):
+    """Name and maker of each figure."""
+    return {
+        "table_3_2": lambda: table_3_2.draw(data),
+        "division_cycles": lambda: division_cycles.draw(data),
+        "error_against_cycles_32": lambda: error_against_cycles.draw(data, "32 bits"),
+        "error_against_cycles_16": lambda: error_against_cycles.draw(data, "16 bits"),
+        "error_against_cycles_64": lambda: error_against_cycles.draw(data, "64 bits"),
+        "error_histograms": lambda: error_histograms.draw(data),
+        "error_along_input": lambda: error_along_input.draw(data),
+    }
+
+
+def version(*command):
+    try:
+        done = subprocess.run(command, capture_output=True, text=True, check=True)
+    except (OSError, subprocess.CalledProcessError):
+        return "not found"
+    return done.stdout.splitlines()[0].strip()
+
+
+def tool_versions():
+    def package(name):
+        return version("dpkg-query", "-W", "-f=${Version}", name)
+    return {
+        "avr-gcc": version("avr-gcc", "--version"),
+        "avr-libc": package("avr-libc"),
+        "simavr": package("libsimavr-dev"),
+        "Arduino core": package("arduino-core-avr"),
+        "g++": version("g++", "--version"),
+        "GSL": package("libgsl-dev"),
+        "MPFR": package("libmpfr-dev"),
+        "matplotlib": package("python3-matplotlib"),
+    }
+
+
+def cell(value):
+    """A cell of a Markdown table."""
+    if value is None:
+        return "–"
+    if isinstance(value, float):
+        return f"{value:.4g}" if abs(value) < 1000 else f"{value:.0f}"
+    return str(value).replace("|", "\\|")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--results", required=True,
+                        help="folder that holds data/ and gets figures/ and README.md")
+    arguments = parser.parse_args()
+    results = pathlib.Path(arguments.results)
+    data = Data(results / "data")
+
+    folder = results / "figures"
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, draw in tqdm.tqdm(figures(data).items(), desc="figures", file=sys.stderr):
+        style.save(draw(), folder, name)
+
+    templates = jinja2.Environment(loader=jinja2.FileSystemLoader(HERE), trim_blocks=True,
+                                   lstrip_blocks=True, keep_trailing_newline=True,
+                                   undefined=jinja2.StrictUndefined)
+    templates.filters["cell"] = cell
+    page = templates.get_template("results.md.j2").render(
+        data=data, hashes=data.json("operations")["context"]["sha256"], versions=tool_versions())
+    partial = results / ".README.md.partial"
+    partial.write_text(page, encoding="utf-8")
+    partial.replace(results / "README.md")
+
+
+if __name__ == "__main__":
+    main()

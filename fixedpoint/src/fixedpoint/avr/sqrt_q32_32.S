@@ -1,0 +1,464 @@
+// SPDX-License-Identifier: MIT
+// int64_t fixedpoint_sqrt_q32_32(int64_t a)
+// The nearest number to the square root of a (there are no ties); 0 where a < 0.
+//
+// In:       a r25..r18
+// Out:      r25..r18
+// Clobbers: r0, r26, r27, r30, r31
+// Cycles, call and return included (worst found): a < 0 18; a = 0 59; by the length of a in bytes
+// 1: 317, 2: 342, 3: 382, 4: 398, 5: 431, 6: 446, 7: 479, 8: 489. Stack: 10 bytes.
+//
+// a moves up by whole bytes and then by an even number of bits until its highest byte is 64 or more.
+// The first two bytes of the root s come from a chord and are at most 3 too small for the highest
+// four bytes of a: the remainder is brought to at most 2 s by subtraction. Each further byte d of the
+// root is found by division, R being half of the remainder R2: R2 2^16 + next two bytes >=
+// 2 (2^8 s) d + d^2, so d is about 2^8 R / s. The digit from the highest three bytes of R and the
+// highest two of s is 256 at most, which becomes 255, and too large by little, as it ignores the
+// lower bytes of s and d^2 / 2: where R turns negative, d is one less and R gets back 2^8 s + d - 1/2.
+// The lowest bit of R2 is the highest of the byte that follows R; the shift by one bit puts it there.
+//
+// The root is then moved down by the bits and half bytes that a was moved up, 0 to 7 bits and whole
+// bytes that are never computed. The bit below the last rounds: a number of F bits whose root's next
+// bits are 1000... would be a square of a half integer, which no integer is. Where there is no bit
+// below, one more byte is computed, or, for the longest a, the remainder compared with s.
+
+#ifdef __AVR__
+
+#include <fixedpoint/avr/long_division.inc>
+
+#define a0 r18
+#define a1 r19
+#define a2 r20
+#define a3 r21
+#define a4 r22
+#define a5 r23
+#define a6 r24
+#define a7 r25
+// The root's bytes, the highest first.
+#define x0 r29
+#define x1 r28
+#define x2 r17
+#define x3 r16
+#define x4 r15
+#define x5 r14
+#define inverse r13
+#define zero r12
+#define shift r11
+#define count r10
+#define power r26
+#define half r30
+
+    // digit = u2:u1:u0 / x0:x1, at most 255; u2:u1:u0 = the remainder.
+    .macro estimate u2, u1, u0
+    estimate_digit \u2, \u1, \u0, x0, x1, inverse
+    cp \u0, x1
+    cpc \u1, x0
+    brcs 1f
+    inc digit
+    sub \u0, x1
+    sbc \u1, x0
+1:  tst digit
+    brne 2f
+    tst \u2
+    breq 2f
+    dec digit
+    add \u0, x1
+    adc \u1, x0
+    clr \u2
+    rol \u2
+    rjmp 3f
+2:  clr \u2
+3:
+    .endm
+
+    // r1:r0:half = digit^2 / 2
+    .macro half_square
+    mul digit, digit
+    lsr r1
+    ror r0
+    clr half
+    ror half
+    .endm
+
+    .section .text.fixedpoint_sqrt_q32_32, "ax", @progbits
+
+.Lzero:
+    movw a0, a2
+    movw a4, a2
+    movw a6, a2
+    ret
+.Lnegative:
+    clr a2
+    clr a3
+    rjmp .Lzero
+
+    .global fixedpoint_sqrt_q32_32
+    .type fixedpoint_sqrt_q32_32, @function
+fixedpoint_sqrt_q32_32:
+    tst a7
+    brmi .Lnegative
+    ldi r30, 4
+1:  mov r0, a7
+    or r0, a6
+    brne 2f
+    movw a6, a4
+    movw a4, a2
+    movw a2, a0
+    clr a0
+    clr a1
+    dec r30
+    brne 1b
+    rjmp .Lzero
+
+2:  push r10
+    push r11
+    push r12
+    push r13
+    push r14
+    push r15
+    push r16
+    push r17
+    push r28
+    push r29
+    mov count, r30
+    clr zero
+    clt
+    // shift, for now the power that brings the leading one to bit 7 or 6, and what undoes it
+    ldi r31, 0
+    tst a7
+    brne 1f
+    mov a7, a6
+    mov a6, a5
+    mov a5, a4
+    mov a4, a3
+    mov a3, a2
+    mov a2, a1
+    mov a1, a0
+    clr a0
+    ldi r31, 1
+1:  ldi r30, 1
+    cpi a7, 64
+    brsh .Lscaled
+    ldi power, 4
+    ldi r30, 0x80
+    cpi a7, 16
+    brsh 1f
+    ldi power, 16
+    ldi r30, 0x40
+    cpi a7, 4
+    brsh 1f
+    ldi power, 64
+    ldi r30, 0x20
+1:  mul a7, power
+    mov a7, r0
+    scale a7, a6, a6, power
+    scale a6, a5, a5, power
+    scale a5, a4, a4, power
+    scale a4, a3, a3, power
+    scale a3, a2, a2, power
+    scale a2, a1, a1, power
+    scale a1, a0, a0, power
+.Lscaled:
+    sbrc r31, 0
+    swap r30
+    mov shift, r30
+    // Nothing to be shifted out: one byte more, or, for the longest, the remainder, rounds.
+    cpi r30, 1
+    brne 1f
+    inc count
+    sbrs count, 2
+    rjmp 1f
+    sbrs count, 0
+    rjmp 1f
+    dec count
+    set
+
+    // x0:x1 = the root of a7:a6, at most 3 too small for a7..a4
+1:  mov r30, a7
+    ldi r31, hi8(fixedpoint_sqrt_table)
+    lpm x1, Z
+    inc r31
+    lpm x0, Z
+    inc r31
+    lpm r0, Z
+    mul r0, a6
+    add x1, r1
+    adc x0, zero
+    mul x1, x1
+    sub a4, r0
+    sbc a5, r1
+    sbc a6, zero
+    sbc a7, zero
+    mul x0, x0
+    sub a6, r0
+    sbc a7, r1
+    mul x0, x1
+    sub a5, r0
+    sbc a6, r1
+    sbc a7, zero
+    sub a5, r0
+    sbc a6, r1
+    // Halved, with what follows.
+    lsr a6
+    ror a5
+    ror a4
+    ror a3
+    ror a2
+    ror a1
+    ror a0
+    clr a7
+    ror a7
+    ldi half, 0x80
+    rjmp 2f
+1:  adiw x1, 1
+2:  sub a3, half
+    sbc a4, x1
+    sbc a5, x0
+    sbc a6, zero
+    brcc 1b
+    add a3, half
+    adc a4, x1
+    adc a5, x0
+    adc a6, zero
+    invert inverse, x0, x1
+
+    // The third byte.
+    estimate a5, a4, a3
+    half_square
+    sub a1, half
+    sbc a2, r0
+    sbc a3, r1
+    sbc a4, zero
+    sbc a5, zero
+    brmi .Lthird_high
+.Lthird:
+    mov x2, digit
+    dec count
+    brne 1f
+    rjmp .Lthird_is_last
+
+.Lthird_high:
+    dec digit
+    ldi half, 0x80
+    add a1, half
+    adc a2, digit
+    adc a3, x1
+    adc a4, x0
+    adc a5, zero
+    brmi .Lthird_high
+    rjmp .Lthird
+
+1:
+
+    // The fourth byte.
+    estimate a4, a3, a2
+    mul digit, x2
+    sub a1, r0
+    sbc a2, r1
+    sbc a3, zero
+    sbc a4, zero
+    half_square
+    sub a7, half
+    sbc a0, r0
+    sbc a1, r1
+    sbc a2, zero
+    sbc a3, zero
+    sbc a4, zero
+    brmi .Lfourth_high
+.Lfourth:
+    mov x3, digit
+    dec count
+    brne 1f
+    rjmp .Lfourth_is_last
+
+.Lfourth_high:
+    dec digit
+    ldi half, 0x80
+    add a7, half
+    adc a0, digit
+    adc a1, x2
+    adc a2, x1
+    adc a3, x0
+    adc a4, zero
+    brmi .Lfourth_high
+    rjmp .Lfourth
+
+1:
+
+    // The fifth byte.
+    estimate a3, a2, a1
+    mul digit, x3
+    sub a7, r0
+    sbc a0, r1
+    sbc a1, zero
+    sbc a2, zero
+    sbc a3, zero
+    mul digit, x2
+    sub a0, r0
+    sbc a1, r1
+    sbc a2, zero
+    sbc a3, zero
+    half_square
+    sub a5, half
+    sbc a6, r0
+    sbc a7, r1
+    sbc a0, zero
+    sbc a1, zero
+    sbc a2, zero
+    sbc a3, zero
+    brmi .Lfifth_high
+.Lfifth:
+    mov x4, digit
+    dec count
+    brne 1f
+    rjmp .Lfifth_is_last
+
+.Lfifth_high:
+    dec digit
+    ldi half, 0x80
+    add a5, half
+    adc a6, digit
+    adc a7, x3
+    adc a0, x2
+    adc a1, x1
+    adc a2, x0
+    adc a3, zero
+    brmi .Lfifth_high
+    rjmp .Lfifth
+
+1:
+
+    // The sixth byte.
+    estimate a2, a1, a0
+    mul digit, x4
+    sub a5, r0
+    sbc a6, r1
+    sbc a7, zero
+    sbc a0, zero
+    sbc a1, zero
+    sbc a2, zero
+    mul digit, x3
+    sub a6, r0
+    sbc a7, r1
+    sbc a0, zero
+    sbc a1, zero
+    sbc a2, zero
+    mul digit, x2
+    sub a7, r0
+    sbc a0, r1
+    sbc a1, zero
+    sbc a2, zero
+    half_square
+    sub a3, half
+    sbc a4, r0
+    sbc a5, r1
+    sbc a6, zero
+    sbc a7, zero
+    sbc a0, zero
+    sbc a1, zero
+    sbc a2, zero
+    brmi .Lsixth_high
+.Lsixth:
+    mov x5, digit
+    brtc .Lshift_root
+
+    // R > s?
+    lsl a3
+    rol a4
+    rol a5
+    rol a6
+    rol a7
+    rol a0
+    rol a1
+    brcs 1f
+    cp x5, a4
+    cpc x4, a5
+    cpc x3, a6
+    cpc x2, a7
+    cpc x1, a0
+    cpc x0, a1
+1:  mov a0, x5
+    mov a1, x4
+    mov a2, x3
+    mov a3, x2
+    mov a4, x1
+    mov a5, x0
+    rjmp .Lround
+
+.Lsixth_high:
+    dec digit
+    ldi half, 0x80
+    add a3, half
+    adc a4, digit
+    adc a5, x4
+    adc a6, x3
+    adc a7, x2
+    adc a0, x1
+    adc a1, x0
+    adc a2, zero
+    brmi .Lsixth_high
+    rjmp .Lsixth
+
+.Lthird_is_last:
+    mov x5, x2
+    mov x4, x1
+    mov x3, x0
+    clr x2
+    rjmp 1f
+.Lfourth_is_last:
+    movw x5, x3
+    movw x3, x1
+1:  clr x1
+    rjmp 1f
+.Lfifth_is_last:
+    mov x5, x4
+    mov x4, x3
+    mov x3, x2
+    mov x2, x1
+    mov x1, x0
+1:  clr x0
+
+.Lshift_root:
+    mul x5, shift
+    mov a0, r1
+    mov digit, r0
+    mul x4, shift
+    or a0, r0
+    mov a1, r1
+    mul x3, shift
+    or a1, r0
+    mov a2, r1
+    mul x2, shift
+    or a2, r0
+    mov a3, r1
+    mul x1, shift
+    or a3, r0
+    mov a4, r1
+    mul x0, shift
+    or a4, r0
+    mov a5, r1
+    lsl digit
+.Lround:
+    adc a0, zero
+    adc a1, zero
+    adc a2, zero
+    adc a3, zero
+    adc a4, zero
+    adc a5, zero
+    clr a6
+    clr a7
+    clr r1
+    pop r29
+    pop r28
+    pop r17
+    pop r16
+    pop r15
+    pop r14
+    pop r13
+    pop r12
+    pop r11
+    pop r10
+    ret
+    .size fixedpoint_sqrt_q32_32, .-fixedpoint_sqrt_q32_32
+
+#endif

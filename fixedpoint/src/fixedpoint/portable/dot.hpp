@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// dot2, dot3: floor(sum a_i b_i / 2^F + 1/2) modulo 2^W of 2 or 3 components: the sum is exact and
+// is rounded once.
+#pragma once
+
+#include <fixedpoint/portable/product_sum.hpp>
+
+namespace fixedpoint {
+namespace portable {
+
+template <class Raw, int F>
+constexpr Raw dot(const Raw* a, const Raw* b, int n) {
+    DoubleWord<Raw> sum = exact_product(a[0], b[0]);
+    for (int i = 1; i < n; ++i) {
+        sum = static_cast<DoubleWord<Raw>>(sum + exact_product(a[i], b[i]));
+    }
+    return round_product_sum<Raw, F>(sum);
+}
+
+template <class Raw, int F>
+constexpr Raw dot2(const Raw* a, const Raw* b) {
+    return dot<Raw, F>(a, b, 2);
+}
+template <class Raw, int F>
+constexpr Raw dot3(const Raw* a, const Raw* b) {
+    return dot<Raw, F>(a, b, 3);
+}
+
+}  // namespace portable
+}  // namespace fixedpoint
