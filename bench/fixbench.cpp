@@ -6,12 +6,14 @@
 #include <CLI/CLI.hpp>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <thread>
 
 #include "bench/operations/measure_accuracy.hpp"
 #include "bench/operations/measure_cycles.hpp"
+#include "bench/operations/verify_kernels.hpp"
 #include "bench/table_3_2/table_3_2.hpp"
 #include "reference/published.hpp"
 
@@ -66,10 +68,12 @@ int main(int argc, char** argv) {
         return command;
     };
 
-    operations::CycleOptions cycles;
+    std::vector<std::filesystem::path> programs;
     for (const char* name : {"q4_4", "q8_8", "q16_16", "q32_32", "rivals"}) {
-        cycles.programs.push_back(fmt::format(FIXBENCH_DEVICE_FOLDER "/{}.elf", name));
+        programs.push_back(fmt::format(FIXBENCH_DEVICE_FOLDER "/{}.elf", name));
     }
+    operations::CycleOptions cycles;
+    cycles.programs = programs;
     CLI::App* command = add_command(
         "cycles",
         "Cycles, stack, flash and error of each subject on classes of operands.\n"
@@ -113,6 +117,28 @@ int main(int argc, char** argv) {
             accuracy.output = output;
             accuracy.threads = threads;
             return held(operations::measure_accuracy(accuracy));
+        };
+    });
+
+    operations::VerifyOptions verify;
+    verify.programs = programs;
+    command = add_command(
+        "verify",
+        "The device's machine code against the host, bit for bit: boundary tables, random operands,\n"
+        "all inputs where there are at most 65536; the calling convention, stray writes, and which\n"
+        "instructions were executed. Writes kernels.csv.\n\n"
+        "Example: fixbench verify --operation divide --samples 10000000");
+    add_selection(*command, verify.selection, false);
+    command->add_option("--program", verify.programs, "device programs")->check(CLI::ExistingFile);
+    command->add_option("--samples", verify.samples, "random operands of each subject")
+        ->capture_default_str();
+    command->callback([&] {
+        action = [&] {
+            verify.output = output;
+            verify.threads = threads;
+            const std::uint64_t differing = operations::verify_kernels(verify);
+            if (differing != 0) fmt::print(stderr, "fixbench: {} subjects differ\n", differing);
+            return differing == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
         };
     });
 

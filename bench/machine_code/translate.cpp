@@ -13,7 +13,6 @@ namespace {
 
 constexpr int call_cycles = 4;
 constexpr std::size_t deepest_call = 16, most_states = 100000;
-constexpr int first_call_saved = 2, last_call_saved = 17, register_y = 28;
 constexpr int budget = 1'000'000;  // cycles
 
 [[noreturn]] void fail(const simulator::Elf& elf, const Instruction& at, std::string_view why) {
@@ -54,6 +53,14 @@ Instruction decode_usable(const simulator::Elf& elf, std::uint32_t address) {
     if (is_other_io(instruction)) fail(elf, instruction, "only SPL, SPH and SREG may be used");
     if (moves_its_own_pointer(instruction)) fail(elf, instruction, "its outcome is undefined");
     return instruction;
+}
+
+// r2..r17, r28, r29.
+std::vector<int> call_saved() {
+    std::vector<int> numbers;
+    for (int i = 2; i <= 29; ++i)
+        if (i <= 17 || i >= 28) numbers.push_back(i);
+    return numbers;
 }
 
 // An instruction under the calls that led to it, each by its return address.
@@ -209,6 +216,7 @@ class Translator {
             line("  r{} = {};", place.address, value & 0xff);
             line("  r{} = {};", place.address + 1, value >> 8);
         }
+        for (const int i : call_saved()) line("  const Byte entry{0} = r{0};", i);
         // For the results, which a function might forget to write.
         for (const Place& place : convention_.results)
             if (!place.in_registers())
@@ -222,11 +230,8 @@ class Translator {
              convention_.entry_stack_pointer);
         line("  if (r1) throw Fault{{\"does not leave zero in r1 but\", r1}};");
         line("  if (f.i) throw Fault{{\"leaves interrupts on, flag\", f.i}};");
-        for (int i = first_call_saved; i <= register_y + 1; ++i)
-            if (i <= last_call_saved || i >= register_y)
-                line("  if (r{0} != unspecified(pattern, {0})) throw Fault{{\"changes call-saved "
-                     "register\", {0}}};",
-                     i);
+        for (const int i : call_saved())
+            line("  if (r{0} != entry{0}) throw Fault{{\"changes call-saved register\", {0}}};", i);
         for (std::size_t i = 0; i < convention_.results.size(); ++i) {
             const Place& place = convention_.results[i];
             line("  results[{}] = 0;", i);

@@ -69,8 +69,9 @@ Sampler::Sampler(Operation operation, const NumberFormat& format, OperandClass o
 void Sampler::next(std::span<std::int64_t> operands) {
     for (std::size_t i = 0; i < operands.size(); ++i) {
         if (class_ == OperandClass::published) {
-            const PublishedOperands& pair = published_operands_of(format_);
-            operands[i] = reference::nearest_raw(format_, i % 2 == 0 ? pair.first : pair.second);
+            operands[i] = format_.is_float()
+                              ? reference::raw_of_float(published_floats[i % 2])
+                              : format_.sign_extend(std::uint64_t(published_raws[i % 2]));
         } else {
             operands[i] = draw();
         }

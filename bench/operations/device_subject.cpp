@@ -69,6 +69,12 @@ DeviceSubject::DeviceSubject(simulator::Chip& chip, const std::string& symbol)
       result_address_(result_in_memory_ ? chip.allocate(size_of_results(named_.subject)) : 0),
       function_(chip, symbol, signature_of(named_.subject)) {}
 
+void DeviceSubject::forbid_stray_writes() {
+    std::vector<simulator::DeviceFunction::Area> writable;
+    if (result_in_memory_) writable.push_back({result_address_, size_of_results(named_.subject)});
+    function_.forbid_writes_except(std::move(writable));
+}
+
 DeviceResult DeviceSubject::call(std::span<const std::int64_t> operands) {
     const reference::Subject& subject = named_.subject;
     const int bytes = subject.format.width / 8;

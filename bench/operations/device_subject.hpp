@@ -34,6 +34,9 @@ class DeviceSubject {
     // Throws simulator::SimulationError where the call does not return or breaks the convention.
     DeviceResult call(std::span<const std::int64_t> operands);
 
+    // From now on a call also fails that writes outside of its stack frame and its result.
+    void forbid_stray_writes();
+
     void record(simulator::Coverage* coverage) { function_.record(coverage); }
 
  private:

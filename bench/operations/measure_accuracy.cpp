@@ -1,153 +1,54 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bench/operations/measure_accuracy.hpp"
 
-#include <fixedpoint/arithmetic/published.hpp>
-#include <fixedpoint/arithmetic/saturating.hpp>
 #include <fmt/format.h>
 
 #include <array>
-#include <atomic>
 #include <cmath>
-#include <functional>
 #include <stdexcept>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "bench/operands/boundary.hpp"
 #include "bench/operands/operand_class.hpp"
 #include "bench/operands/search.hpp"
 #include "bench/operations/host_subject.hpp"
+#include "bench/operations/parallel.hpp"
 #include "bench/operations/witness.hpp"
 #include "bench/records/csv.hpp"
 #include "bench/records/progress.hpp"
-#include "reference/bulk.hpp"
 #include "reference/error_statistics.hpp"
-#include "reference/judge.hpp"
 
 namespace operations {
 
 namespace {
 
-using reference::Arithmetic;
 using reference::ErrorStatistics;
-using reference::Judgement;
 using reference::NumberFormat;
-using reference::Operation;
-using reference::Subject;
 
 using Operands = std::array<std::int64_t, reference::most_operands>;
 
-// Spaces of up to 2^32 inputs are exhausted, in this many parts whatever the number of threads: the
-// sums of a run then do not depend on the machine.
+// Spaces of up to 2^32 inputs are exhausted.
 constexpr int exhaustive_bits = 32;
 constexpr int quick_exhaustive_bits = 24;
-constexpr std::uint64_t parts = 256;
 
 constexpr std::uint64_t random_samples = 2'000'000, quick_random_samples = 20'000;
 constexpr std::uint64_t search_evaluations = 4'000'000, quick_search_evaluations = 40'000;
 
-template <Subject subject, class Policy>
-Judgement judge_one(std::span<const std::int64_t> operands) {
-    constexpr std::size_t results = reference::shape(subject.operation).results;
-    std::array<std::int64_t, results> computed;
-    evaluate<subject, Policy>(operands, computed);
-    // No C type holds exp of a 64-bit format to a fraction of its ulp.
-    if constexpr (subject.operation == Operation::exp && subject.format.width == 64) {
-        return reference::judge(subject, operands, computed);
-    } else {
-        return reference::bulk::judge<subject>(operands, computed);
-    }
-}
-
-// One row of accuracy.csv in the making.
-struct Job {
-    Subject subject;
-    std::string implementation;
-    int input_bits;
-    std::function<Judgement(std::span<const std::int64_t>)> judge;
-    // The errors over part `part` of the whole input space.
-    std::function<ErrorStatistics(std::uint64_t part)> exhaust;
-
-    std::string name() const {
-        return fmt::format("{}_{}_{}", reference::shape(subject.operation).name,
-                           reference::format_name(subject.format), implementation);
-    }
-};
-
-template <Subject subject, class Policy>
-ErrorStatistics exhaust(std::uint64_t part) {
-    constexpr NumberFormat format = subject.format;
-    constexpr std::size_t arity = reference::shape(subject.operation).operands;
-    constexpr std::uint64_t inputs = std::uint64_t(1) << (format.width * arity);
-    constexpr std::uint64_t share = inputs / parts;
-    ErrorStatistics statistics;
-    std::array<std::int64_t, arity> operands;
-    for (std::uint64_t i = part * share; i < (part + 1) * share; ++i) {
-        for (std::size_t k = 0; k < arity; ++k) {
-            operands[k] = format.sign_extend(i >> (k * format.width));
-        }
-        statistics.add(judge_one<subject, Policy>(operands), operands);
-    }
-    return statistics;
-}
-
-template <class Policy, Arithmetic arithmetic, NumberFormat format, Operation operation>
-void add_job(std::vector<Job>& jobs, const char* implementation) {
-    constexpr Subject subject{operation, format, arithmetic};
-    constexpr int bits = format.width * static_cast<int>(reference::shape(operation).operands);
-    Job job{subject, implementation, bits, judge_one<subject, Policy>, nullptr};
-    if constexpr (bits <= exhaustive_bits) job.exhaust = exhaust<subject, Policy>;
-    jobs.push_back(std::move(job));
-}
-
-template <class Policy, Arithmetic arithmetic, NumberFormat format, Operation... operations>
-void add_jobs(std::vector<Job>& jobs, const char* implementation) {
-    (add_job<Policy, arithmetic, format, operations>(jobs, implementation), ...);
-}
-
-template <NumberFormat format>
-void add_format(std::vector<Job>& jobs) {
-    using enum Operation;
-    add_jobs<fixedpoint::Nearest, Arithmetic::nearest, format, add, subtract, multiply, divide,
-             remainder, sqrt, atan, atan2>(jobs, "default");
-    add_jobs<fixedpoint::Published, Arithmetic::published, format, multiply, divide, sqrt, atan2>(
-        jobs, "published");
-    add_jobs<fixedpoint::Saturating, Arithmetic::saturating, format, add, subtract, multiply>(
-        jobs, "saturating");
-}
-
-std::vector<Job> all_jobs() {
-    std::vector<Job> jobs;
-    add_format<reference::q4_4>(jobs);
-    add_format<reference::q8_8>(jobs);
-    add_format<reference::q16_16>(jobs);
-    add_format<reference::q32_32>(jobs);
-    return jobs;
-}
-
-ErrorStatistics exhaust_in_parallel(const Job& job, unsigned threads) {
-    std::vector<ErrorStatistics> results(parts);
-    records::Progress progress(job.name(), parts);
-    std::atomic<std::uint64_t> next{0};
-    {
-        std::vector<std::jthread> workers;
-        for (unsigned i = 0; i < threads; ++i) {
-            workers.emplace_back([&] {
-                for (std::uint64_t part = next++; part < parts; part = next++) {
-                    results[part] = job.exhaust(part);
-                    progress.advance();
-                }
-            });
-        }
-    }
+ErrorStatistics exhaust_in_parallel(const HostSubject& job, unsigned threads) {
+    std::vector<ErrorStatistics> results(exhaustive_parts);
+    records::Progress progress(job.name(), exhaustive_parts);
+    in_parallel(threads, exhaustive_parts, [&](std::size_t part) {
+        results[part] = job.exhaust(part);
+        progress.advance();
+    });
     ErrorStatistics statistics;
     for (const ErrorStatistics& result : results) statistics.merge(result);
     return statistics;
 }
 
 // Boundary table, random operands of every class, and a climb towards the largest error.
-ErrorStatistics sample(const Job& job, bool quick) {
+ErrorStatistics sample(const HostSubject& job, bool quick) {
     ErrorStatistics statistics;
     records::Progress progress(job.name(), 1);
     for (const operands::BoundaryCase& each : operands::boundary_cases(job.subject.operation, job.subject.format)) {
@@ -171,11 +72,11 @@ ErrorStatistics sample(const Job& job, bool quick) {
     return statistics;
 }
 
-bool is_exhaustive(const Job& job, bool quick) {
+bool is_exhaustive(const HostSubject& job, bool quick) {
     return job.exhaust && job.input_bits <= (quick ? quick_exhaustive_bits : exhaustive_bits);
 }
 
-void add_histogram(records::Table& table, const Job& job, const ErrorStatistics& statistics) {
+void add_histogram(records::Table& table, const HostSubject& job, const ErrorStatistics& statistics) {
     const gsl_histogram& histogram = statistics.histogram();
     const auto add = [&](double low, double high, double count) {
         if (count == 0) return;
@@ -191,7 +92,7 @@ void add_histogram(records::Table& table, const Job& job, const ErrorStatistics&
 }
 
 // The largest and the rms error in each of many intervals of the input, log-spaced.
-void add_along_input(records::Table& table, const Job& job) {
+void add_along_input(records::Table& table, const HostSubject& job) {
     constexpr int intervals_per_octave = 8;
     constexpr std::uint64_t samples = 2000;
     const NumberFormat& format = job.subject.format;
@@ -222,9 +123,10 @@ void add_along_input(records::Table& table, const Job& job) {
 }  // namespace
 
 std::uint64_t measure_accuracy(const AccuracyOptions& options) {
-    std::vector<Job> jobs;
-    for (Job& job : all_jobs()) {
-        if (options.selection.selects(job.subject, job.implementation)) jobs.push_back(std::move(job));
+    std::vector<HostSubject> jobs;
+    for (const HostSubject& each : host_subjects()) {
+        if (each.same_as_default) continue;
+        if (options.selection.selects(each.subject, each.implementation)) jobs.push_back(each);
     }
     if (jobs.empty()) throw std::invalid_argument("no subject of the host is selected");
 
@@ -235,7 +137,7 @@ std::uint64_t measure_accuracy(const AccuracyOptions& options) {
     records::Table along({"operation", "format", "implementation", "low", "high", "samples", "max_ulp",
                           "rms_ulp", "mean_ulp"});
     std::uint64_t violations = 0;
-    for (const Job& job : jobs) {
+    for (const HostSubject& job : jobs) {
         const bool exhaustive = is_exhaustive(job, options.quick);
         const ErrorStatistics statistics =
             exhaustive ? exhaust_in_parallel(job, options.threads) : sample(job, options.quick);

@@ -4,18 +4,15 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <atomic>
 #include <cmath>
-#include <exception>
 #include <limits>
 #include <map>
-#include <optional>
 #include <stdexcept>
-#include <thread>
 
 #include "bench/operands/boundary.hpp"
 #include "bench/operands/operand_class.hpp"
 #include "bench/operations/device_subject.hpp"
+#include "bench/operations/parallel.hpp"
 #include "bench/operations/witness.hpp"
 #include "bench/records/benchmark_json.hpp"
 #include "bench/records/csv.hpp"
@@ -245,29 +242,12 @@ std::uint64_t measure_cycles(const CycleOptions& options) {
     if (rows.empty()) throw std::invalid_argument("no subject of the device programs is selected");
 
     records::Progress progress("cycles", rows.size());
-    std::atomic<std::size_t> next{0};
-    std::vector<std::exception_ptr> failures(options.threads);
-    {
-        std::vector<std::jthread> workers;
-        for (unsigned i = 0; i < options.threads; ++i) {
-            workers.emplace_back([&, i] {
-                try {
-                    for (std::size_t k = next++; k < rows.size(); k = next++) {
-                        simulator::Chip chip(*rows[k].program);
-                        chip.run_until_function("main");
-                        run(chip, rows[k], options.samples);
-                        progress.advance();
-                    }
-                } catch (...) {
-                    failures[i] = std::current_exception();
-                    next = rows.size();
-                }
-            });
-        }
-    }
-    for (const std::exception_ptr& failure : failures) {
-        if (failure) std::rethrow_exception(failure);
-    }
+    in_parallel(options.threads, rows.size(), [&](std::size_t i) {
+        simulator::Chip chip(*rows[i].program);
+        chip.run_until_function("main");
+        run(chip, rows[i], options.samples);
+        progress.advance();
+    });
 
     std::uint64_t violations = 0;
     for (const Row& row : rows) {

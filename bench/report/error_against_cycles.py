@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Error against cycles, a panel an operation, a point an implementation, the Pareto front drawn."""
 import matplotlib.pyplot as plt
+from matplotlib.ticker import LogLocator, NullFormatter, ScalarFormatter
 
 import style
 
@@ -61,9 +62,16 @@ def draw(data, family):
                   [point[1] for point in front] + [front[-1][1]], where="post", color="#888888",
                   linewidth=1, zorder=2)
         axes.set(xscale="log", yscale="log", title=operation)
+        wide = right > 12 * min(point[0] for point in points)
+        axes.xaxis.set_major_locator(LogLocator(subs=(1, 3) if wide else (1, 1.5, 2, 3, 5, 7)))
+        axes.xaxis.set_major_formatter(ScalarFormatter())
+        axes.xaxis.set_minor_formatter(NullFormatter())
+        low = min(point[1] for point in points)
+        axes.set_ylim(low / 3, max(max(point[1] for point in points) * 3, low * 30))
+        axes.yaxis.set_minor_formatter(NullFormatter())
     for axes in list(grid.flat)[len(operations):]:
         axes.set_axis_off()
     figure.supxlabel("cycles, mean over operands of 0.01 to 20 (call and return included)")
     figure.supylabel("rms error, in the unit of the result")
-    figure.legend(seen.values(), seen.keys(), loc="outside upper center", ncols=len(seen))
+    style.legend_above(figure, list(seen.values()), list(seen.keys()), 5)
     return figure

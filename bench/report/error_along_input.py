@@ -26,5 +26,5 @@ def draw(data):
         axes.set_ylim(bottom=0)
     grid.flat[-1].set_xlabel("input (positive)")
     handles, labels = grid.flat[0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside upper center", ncols=4)
+    style.legend_above(figure, handles, labels, 4)
     return figure

@@ -28,5 +28,5 @@ def draw(data):
         axes.axvline(0.5, color="#444444", linewidth=0.7, linestyle=":")
     grid[0].set_ylabel("share of inputs")
     handles, labels = grid[0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside upper center", ncols=2)
+    style.legend_above(figure, handles, labels, 2)
     return figure

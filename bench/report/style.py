@@ -77,3 +77,10 @@ def save(figure, folder, name):
         figure.savefig(partial, **options)
         partial.replace(folder / (name + suffix))
     plt.close(figure)
+
+
+def legend_above(figure, handles, labels, columns):
+    """One legend for all panels, in a strip above them."""
+    strip = 0.3 * -(-len(labels) // columns)  # inches
+    figure.get_layout_engine().set(rect=(0, 0, 1, 1 - strip / figure.get_figheight()))
+    figure.legend(handles, labels, loc="upper center", ncols=columns)

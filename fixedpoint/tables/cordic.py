@@ -14,15 +14,14 @@ def literal(value, bits):
     if bits <= 64:
         return f"0x{value:0{bits // 4}x}" + ("u" if bits == 32 else "ull")
     high, low = divmod(value, 1 << 64)
-    return f"Word128(0x{high:016x}u, 0x{low:016x}u)".replace("u,", "ull,").replace("u)", "ull)")
+    return f"Word128(0x{high:016x}ull, 0x{low:016x}ull)"
 
 
 def table(word, bits, largest_fraction_bits):
     # atan(2^-i) differs from 2^-i by less than 1/96 ulp when 3 i >= F + 5.
     rotations = -(-(largest_fraction_bits + 5) // 3)
     scale = bits - 2
-    entries = [series.arctangent(1, 1 << i, scale)
-               for i in range(1, rotations + 1)]
+    entries = [series.arctangent(1, 1 << i, scale) for i in range(1, rotations + 1)]
     lines = ",\n".join("        " + literal(entry, bits) for entry in entries)
     return f"""
 template <class Any>
@@ -31,10 +30,18 @@ struct CordicConstants<{word}, Any> {{
     static constexpr int arctangent_count = {rotations};
     static constexpr {word} arctangent[{rotations}] FIXEDPOINT_PROGRAM_MEMORY = {{
 {lines}}};
-    static constexpr {word} pi() {{ return {literal(series.pi(scale), bits)}; }}
-    static constexpr {word} gain() {{ return {literal(series.rotation_gain(1, scale), bits)}; }}
-    static constexpr {word} two_over_pi() {{ return {literal(series.two_over_pi(bits // 2), bits)}; }}
-    static constexpr {word} half_pi() {{ return {literal(series.pi(scale - 1), bits)}; }}
+    static constexpr {word} pi() {{
+        return {literal(series.pi(scale), bits)};
+    }}
+    static constexpr {word} gain() {{
+        return {literal(series.rotation_gain(1, scale), bits)};
+    }}
+    static constexpr {word} two_over_pi() {{
+        return {literal(series.two_over_pi(bits // 2), bits)};
+    }}
+    static constexpr {word} half_pi() {{
+        return {literal(series.pi(scale - 1), bits)};
+    }}
 }};
 template <class Any>
 constexpr {word} CordicConstants<{word}, Any>::arctangent[];

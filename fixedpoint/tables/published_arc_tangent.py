@@ -1,9 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Writes the published arc tangent table: atan(i / 200) for i = 0..200 with 32 fraction bits,
-rounded to nearest. Usage: published_arc_tangent.py > arc_tangent_table.hpp"""
+"""Writes src/fixedpoint/published/arc_tangent_table.hpp, the published table: atan(i / 200) for
+i = 0..200 with 32 fraction bits, rounded to nearest."""
 
 from fractions import Fraction
+
+import page
 
 INTERVALS = 200
 FRACTION_BITS = 32
@@ -29,8 +31,10 @@ def entry(i):
     return int(scaled + Fraction(1, 2))
 
 
-print(f"""// SPDX-License-Identifier: MIT
-// DO NOT EDIT: made by fixedpoint/tables/published_arc_tangent.py.
+values = [f"{entry(i):#011x}" for i in range(INTERVALS + 1)]
+lines = ",\n".join("    " + row for row in page.rows(values, 7, "{}"))
+(page.SOURCE / "published/arc_tangent_table.hpp").write_text(f"""// SPDX-License-Identifier: MIT
+// DO NOT EDIT: written by python3 fixedpoint/tables/published_arc_tangent.py
 // atan(i / {INTERVALS}), i = 0..{INTERVALS}, {FRACTION_BITS} fraction bits, rounded to nearest.
 #pragma once
 
@@ -48,13 +52,11 @@ constexpr uint8_t arc_tangent_intervals = {INTERVALS};
 #ifdef __AVR__
 __attribute__((section(".progmem.data.fixedpoint_published_arc_tangent")))
 #endif
-static const uint64_t arc_tangent_table[arc_tangent_intervals + 1] = {{""")
-values = [f"{entry(i):#011x}" for i in range(INTERVALS + 1)]
-for start in range(0, len(values), 7):
-    print("    " + ", ".join(values[start:start + 7]) + ",")
-print("""};
+static const uint64_t arc_tangent_table[arc_tangent_intervals + 1] = {{
+{lines},
+}};
 
-static inline uint64_t arc_tangent_entry(uint8_t i) {
+static inline uint64_t arc_tangent_entry(uint8_t i) {{
 #ifdef __AVR__
     uint64_t entry;
     memcpy_P(&entry, arc_tangent_table + i, sizeof entry);
@@ -62,7 +64,8 @@ static inline uint64_t arc_tangent_entry(uint8_t i) {
 #else
     return arc_tangent_table[i];
 #endif
-}
+}}
 
-}  // namespace published
-}  // namespace fixedpoint""")
+}}  // namespace published
+}}  // namespace fixedpoint
+""")

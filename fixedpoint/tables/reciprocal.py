@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Writes src/fixedpoint/avr/reciprocal_table.S: what a divisor is multiplied with so that it becomes
-a power of two, less a 256th of it at most.
+"""Writes src/fixedpoint/avr/reciprocal_table.S: what a divisor is multiplied with so that it
+becomes a power of two, less a 256th of it at most.
 
 power[i]       2^(7 - floor(log2 i)), i = 1..255: moves the leading one of a byte to bit 7.
 reciprocal[i]  floor(2^17 / (257 + i)) - 256, the low byte of the largest v with v D < 2^17 for

@@ -52,7 +52,7 @@ def entry(h):
         for bulge in range(rounded((start + end) // 2 - middle) - 2, 256):
             if bulge > rounded((start + end) // 2 - middle) + 3:
                 break
-            # The value that is too high by as much of a result's ulp as it is too low.
+            # What value would be exact, by operand; the best one is the least far from all of them.
             limits = [
                 (y + (fall(slope, bulge, l, x) << GUARD), shift) for l, x, shift, y in exact
             ]
@@ -86,12 +86,11 @@ def array(declaration, values, row):
 
 def main():
     entries = [entry(h) for h in range(FIRST, 256)]
-    print(f"largest error of the sampled results: {max(e[0] for e in entries) / 2**GUARD + 0.5:.4f} ulp")
     value = [direct(raw) for raw in range(FIRST)] + [e[1] for e in entries]
     slope = [e[2] for e in entries]
     bulge = [e[3] for e in entries]
     unused = [0] * FIRST
-    notice = "DO NOT EDIT: written by fixedpoint/tables/reciprocal_sqrt.py, which says what this is."
+    notice = "DO NOT EDIT: written by fixedpoint/tables/reciprocal_sqrt.py, which says what it is."
     (SOURCE / "avr/reciprocal_sqrt_table.S").write_text(
         "\n".join(
             [

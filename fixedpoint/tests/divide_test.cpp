@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // divide, and the division that widens only where it must, against exact integers.
+#include <gtest/gtest.h>
+
 #include <fixedpoint/kernel/divide.hpp>
 #include <fixedpoint/portable/divide_widening.hpp>
-
-#include <gtest/gtest.h>
 
 #include "exact.hpp"
 #include "formats.hpp"
@@ -54,6 +54,6 @@ TYPED_TEST(Divide, TiesGoUpward) {
 
 static_assert(kernel::divide<int32_t, 16>(3 << 16, 7 << 16) == 28087,
               "A division of constants is a constant.");
-static_assert(kernel::divide<int32_t, 16>(-1, 2 << 16) == 0, "-1/2 ulp is a tie, which goes upward.");
+static_assert(kernel::divide<int32_t, 16>(-1, 2 << 16) == 0, "Half an ulp is a tie: upward.");
 
 }  // namespace

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // dot2 and dot3 against exact integers: one rounding, modulo 2^W.
-#include <fixedpoint/kernel/dot.hpp>
-
 #include <gtest/gtest.h>
+
+#include <fixedpoint/kernel/dot.hpp>
 
 #include "exact.hpp"
 #include "formats.hpp"

@@ -11,17 +11,18 @@
 
 #include "exact.hpp"
 
-using Formats = testing::Types<
-    exact::Format<int8_t, 0>, exact::Format<int8_t, 1>, exact::Format<int8_t, 2>,
-    exact::Format<int8_t, 3>, exact::Format<int8_t, 4>, exact::Format<int8_t, 5>,
-    exact::Format<int8_t, 6>, exact::Format<int8_t, 7>, exact::Format<int8_t, 8>,
-    exact::Format<int16_t, 0>, exact::Format<int16_t, 5>, exact::Format<int16_t, 8>,
-    exact::Format<int16_t, 15>, exact::Format<int16_t, 16>, exact::Format<int32_t, 0>,
-    exact::Format<int32_t, 1>, exact::Format<int32_t, 8>, exact::Format<int32_t, 13>,
-    exact::Format<int32_t, 16>, exact::Format<int32_t, 24>, exact::Format<int32_t, 31>,
-    exact::Format<int32_t, 32>, exact::Format<int64_t, 0>, exact::Format<int64_t, 1>,
-    exact::Format<int64_t, 16>, exact::Format<int64_t, 32>, exact::Format<int64_t, 47>,
-    exact::Format<int64_t, 63>>;
+using Formats =
+    testing::Types<exact::Format<int8_t, 0>, exact::Format<int8_t, 1>, exact::Format<int8_t, 2>,
+                   exact::Format<int8_t, 3>, exact::Format<int8_t, 4>, exact::Format<int8_t, 5>,
+                   exact::Format<int8_t, 6>, exact::Format<int8_t, 7>, exact::Format<int8_t, 8>,
+                   exact::Format<int16_t, 0>, exact::Format<int16_t, 5>, exact::Format<int16_t, 8>,
+                   exact::Format<int16_t, 15>, exact::Format<int16_t, 16>,
+                   exact::Format<int32_t, 0>, exact::Format<int32_t, 1>, exact::Format<int32_t, 8>,
+                   exact::Format<int32_t, 13>, exact::Format<int32_t, 16>,
+                   exact::Format<int32_t, 24>, exact::Format<int32_t, 31>,
+                   exact::Format<int32_t, 32>, exact::Format<int64_t, 0>, exact::Format<int64_t, 1>,
+                   exact::Format<int64_t, 16>, exact::Format<int64_t, 32>,
+                   exact::Format<int64_t, 47>, exact::Format<int64_t, 63>>;
 
 // All pairs of 8-bit numbers; of wider ones each with a few chosen at random, and with 0, 1, -1 and
 // the limits.
@@ -35,8 +36,8 @@ void for_each_pair(Check check) {
             continue;
         }
         for (int i = 0; i < 4; ++i) check(a, numbers[random() % numbers.size()]);
-        for (const Raw b : {Raw(0), Raw(1), Raw(-1), fixedpoint::raw_min<Raw>,
-                            fixedpoint::raw_max<Raw>}) {
+        for (const Raw b :
+             {Raw(0), Raw(1), Raw(-1), fixedpoint::raw_min<Raw>, fixedpoint::raw_max<Raw>}) {
             check(a, b);
             check(b, a);
         }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // multiply and multiply_add against exact integers.
-#include <fixedpoint/kernel/multiply_add.hpp>
-
 #include <gtest/gtest.h>
+
+#include <fixedpoint/kernel/multiply_add.hpp>
 
 #include "exact.hpp"
 #include "formats.hpp"

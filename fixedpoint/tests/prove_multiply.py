@@ -9,13 +9,13 @@ The kernel is straight code. Its disassembly is executed with every register hol
 an integer combination of the bytes that multiplications return and of carry flags, both integer
 variables. A multiplication is not looked into: whatever byte of a and byte of b it takes, its two
 result bytes and its carry are variables, and they make up the product. The exact a b is a linear
-form of the 16 products too; a3 b3, which is not formed, has the weight 2^48. What remains is one statement about integers
-without products of variables,
+form of the 16 products too; a3 b3, which is not formed, has the weight 2^48. What remains is one
+statement about integers without products of variables,
 
     0 <= (a b + 2^15 - 2^16 result) mod 2^48 < 2^16,
 
-which z3 decides. It says that the result is right modulo 2^32. Then every instruction is left out in
-turn, and the proof must fail each time.
+which z3 decides. It says that the result is right modulo 2^32. Then every instruction is left out
+in turn, and the proof must fail each time.
 """
 
 import pathlib
@@ -26,6 +26,7 @@ import tempfile
 
 import z3
 
+CALL_CLOBBERED = {0, 1, *range(18, 28), 30, 31}
 SYMBOL = "fixedpoint_multiply_q16_16"
 SOURCE = pathlib.Path(__file__).parent.parent / "src"
 MODULUS = 1 << 48
@@ -157,6 +158,8 @@ def prove(instructions):
         machine.step(mnemonic, registers)
     if any(machine.registers[1].values()):
         raise Unprovable("r1 is not zero at return")
+    if not CALL_CLOBBERED.issuperset(machine.registers):
+        raise Unprovable("a call-saved register is changed")
     rest = Form({1: 1 << 15})
     for i in range(4):
         for j in range(4):

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // remainder against exact integers.
-#include <fixedpoint/portable/remainder.hpp>
-
 #include <gtest/gtest.h>
+
+#include <fixedpoint/portable/remainder.hpp>
 
 #include "exact.hpp"
 #include "formats.hpp"

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <fixedpoint/kernel/sqrt.hpp>
+#include <fixedpoint/kernel/sqrt_small.hpp>
 #include <limits>
 
 #include "exact.hpp"
@@ -37,6 +38,7 @@ TYPED_TEST(Sqrt, RoundsToNearest) {
     constexpr int F = TypeParam::F;
     for (const Raw a : exact::raws<Raw>()) {
         const Raw root = fixedpoint::kernel::sqrt<Raw, F>(a);
+        ASSERT_EQ((fixedpoint::kernel::sqrt_small<Raw, F>(a)), root) << +a;
         if (a < 0) {
             ASSERT_EQ(root, 0) << +a;
         } else if (sizeof(Raw) <= 4) {

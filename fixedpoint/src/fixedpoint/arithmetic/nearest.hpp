@@ -24,7 +24,7 @@
 #include <fixedpoint/kernel/sincos.hpp>
 #include <fixedpoint/kernel/sqrt.hpp>
 #include <fixedpoint/portable/convert.hpp>
-#include <fixedpoint/portable/remainder.hpp>
+#include <fixedpoint/kernel/remainder.hpp>
 
 namespace fixedpoint {
 
@@ -57,7 +57,7 @@ struct Nearest {
     // a - b trunc(a / b), exact, with the sign of a; a where b is 0.
     template <class Raw, int F>
     static constexpr Raw remainder(Raw a, Raw b) {
-        return portable::remainder<Raw, F>(a, b);
+        return kernel::remainder<Raw, F>(a, b);
     }
     // a, of another format, rounded to F fraction bits, mod 2^W.
     template <class Raw, int F, class FromRaw, int FromF>

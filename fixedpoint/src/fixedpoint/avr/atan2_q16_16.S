@@ -21,10 +21,10 @@
 // intervals; octants fold by pi/2 and pi. atan of less than 1 needs no division.
 //
 // Error in ulp: chord of the arc tangent 0.041; chord of the reciprocal 2^-19, of which the angle
-// takes at most half, 0.063; the ratio cut to 23 bits, less than 5 units of them, 0.039; D and N cut
-// to 24 bits 0.016; rise and entries of the reciprocal 0.005, of the arc tangent 0.013; pi 0.002.
-// Rounding 0.5. The worst of all 2^32 inputs of atan is 0.58382, at -68608; the worst found of
-// atan2, in 10^9 pairs and by climbing, is 0.62455, at (-25067099, -33685966).
+// takes at most half, 0.063; the ratio cut to 23 bits, less than 5 units of them, 0.039; D and N
+// cut to 24 bits 0.016; rise and entries of the reciprocal 0.005, of the arc tangent 0.013; pi
+// 0.002. Rounding 0.5. The worst of all 2^32 inputs of atan is 0.58382, at -68608; the worst found
+// of atan2, in 10^9 pairs and by climbing, is 0.62549, at (-25067131, -33686008).
 
 #ifdef __AVR__
 
@@ -85,7 +85,7 @@ fixedpoint_atan2_q16_16:
     ret                 // D is 0, and so is N
 .Lthree_bytes:
     mov r30, d2
-    ldi page, hi8(fixedpoint_normalise_table)
+    ldi page, hi8(fixedpoint_long_division_table)
     lpm power, Z
     sbrc d2, 7
     ldi power, 1
@@ -191,7 +191,7 @@ fixedpoint_atan2_q16_16:
 
 .Lfour_bytes:
     mov r30, d3
-    ldi page, hi8(fixedpoint_normalise_table)
+    ldi page, hi8(fixedpoint_long_division_table)
     lpm power, Z
     sbrc d3, 7
     ldi power, 1

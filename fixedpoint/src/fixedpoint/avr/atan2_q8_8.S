@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // int16_t fixedpoint_atan2_q8_8(int16_t y, int16_t x)
-// The angle of the vector (x, y) in radians, in (-pi, pi], within 0.5493 ulp (exact, over all pairs);
-// 0 for (0, 0).
+// The angle of the vector (x, y) in radians, in (-pi, pi], within 0.5494 ulp (exact, over all
+// pairs); 0 for (0, 0).
 //
 // In:       y r25:r24, x r23:r22
 // Out:      r25:r24
 // Clobbers: r0, r18..r23, r26, r27, r30, r31
-// Cycles, call and return included: 106..119; 119..128 where |x|, |y| < 1; (0, 0) 27. Stack: 0 bytes.
+// Cycles, call and return included: 107..120; 117..126 where |x|, |y| < 1; (0, 0) 25. Stack: 0
+// bytes.
 //
 // The smaller coordinate times the reciprocal of the larger, both moved up so that the larger's
 // leading one is in bit 15, is the ratio t in 15 bits, below 1 as the reciprocal always is a little
@@ -42,17 +43,6 @@
 
     .section .text.fixedpoint_atan2_q8_8, "ax", @progbits
 
-.Lbelow_one:
-    tst large0
-    breq .Lorigin
-    mov large1, large0
-    mov small1, small0
-    clr large0
-    clr small0
-    rjmp .Lnormalise
-.Lorigin:
-    ret
-
     .global fixedpoint_atan2_q8_8
     .type fixedpoint_atan2_q8_8, @function
 fixedpoint_atan2_q8_8:
@@ -77,12 +67,19 @@ fixedpoint_atan2_q8_8:
     movw small0, large0
     movw large0, r26
 1:  tst large1
-    breq .Lbelow_one
+    brne .Lnormalise
+    tst large0
+    brne 1f
+    ret
+1:  mov large1, large0
+    mov small1, small0
+    clr large0
+    clr small0
 
     // large and small = 2^k large and 2^k small, with the leading one of large in bit 15.
 .Lnormalise:
     mov r30, large1
-    ldi r31, hi8(fixedpoint_normalise_table)
+    ldi r31, hi8(fixedpoint_long_division_table)
     ldi r26, 1
     sbrs large1, 7
     lpm r26, Z

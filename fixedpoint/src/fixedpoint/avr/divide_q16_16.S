@@ -8,7 +8,9 @@
 // Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
 // Stack    4 bytes where |b| >= 2^24, else at most 2
 // Table    512 bytes, fixedpoint_reciprocal_table
-// Cycles   @CYCLES@
+// Cycles   call and ret included, 144 in the mean over 0.01..20 of both signs. The fewest and the
+//          most that were found: |b| < 1: 113..234; 1 <= |b| < 256: 128..274; beyond: 228..279;
+//          clamped before the division: 29..67
 //
 // On the magnitudes n = |a| and d = |b|; T is the sign. Both are multiplied by the same w = p v, p
 // the power of two that moves the leading one of d to the top of its highest byte, v a 9-bit
@@ -25,10 +27,10 @@
 // to all the digits above.
 //
 // Of the last digit's product only the highest byte of E takes part, which leaves the highest byte
-// of the remainder R at most 1 too small. The digits grow by 0 where R < D/2, by 1 below 3/2 D, by 2
-// from there, that is, as D > 2^k - 2^(k-8), from 7f.8..80.0 and 17e.8..180.0 in units of the highest
-// byte: unless that is 7d, 7e or 7f it decides, else R is completed and compared. A tie needs d to
-// be an odd multiple of 2^17 at least.
+// of the remainder R at most 1 too small. The quotient grows by 0 where R < D/2, by 1 below 3/2 D,
+// by 2 from there. As D > 2^k - 2^(k-8), that is from 7f.8..80.0 and from 17e.8..180.0 on, in units
+// of the highest byte: unless it is 7d, 7e or 7f it decides, else R is completed and compared.
+// A tie, a 2^17 / d odd, needs a d that 2^17 divides.
 //
 // Zero leading bytes of n and of x are skipped. Overflow, n >= 2^15 d, is sorted out first, where
 // d < 2^16; n < 2^24 and d >= 2^9 cannot overflow. Above, only -2^31 / -2^16 can.

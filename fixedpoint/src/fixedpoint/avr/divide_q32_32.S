@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // int64_t fixedpoint_divide_q32_32(int64_t a, int64_t b)
-// floor(2^32 a / b + 1/2), clamped; b = 0: the largest number where a > 0, the smallest where a < 0,
-// 0 where a = 0.
+// floor(2^32 a / b + 1/2), clamped; b = 0: the largest number where a > 0, the smallest where a <
+// 0, 0 where a = 0.
 //
 // In:       a r25..r18, b r17..r10
 // Out:      r25..r18
@@ -11,13 +11,13 @@
 // Stack: 12 bytes, 23 where |b| >= 256.
 //
 // Long division of magnitudes in base 256 by d = 2^k |b|, whose leading one is the highest bit of
-// five bytes, or, where |b| >= 256, of eight; a is multiplied by 2^k likewise. A digit that comes from
-// the highest three bytes of the remainder and the highest two of d is at most 1 too large; then the
-// remainder turns negative and d is added back. The remainder stays below d, hence its highest bytes
-// are at most d's, and where they are equal, the digit from them is 256 and becomes 255: the rest of
-// the remainder is at least 2^16 (h1:h0) - 255 (h1:h0 + 1) 2^8 > 0 then, so nothing is added back twice.
-// Last, twice the remainder is compared with d: not less, for a negative quotient more, rounds away
-// from zero, so that ties go upward.
+// five bytes, or, where |b| >= 256, of eight; a is multiplied by 2^k likewise. A digit that comes
+// from the highest three bytes of the remainder and the highest two of d is at most 1 too large;
+// then the remainder turns negative and d is added back. The remainder stays below d, hence its
+// highest bytes are at most d's, and where they are equal, the digit from them is 256 and becomes
+// 255: the rest of the remainder is at least 2^16 (h1:h0) - 255 (h1:h0 + 1) 2^8 > 0 then, so
+// nothing is added back twice. Last, twice the remainder is compared with d: not less, for a
+// negative quotient more, rounds away from zero, so that ties go upward.
 //
 // Five bytes: the remainder, the rest of the dividend and the quotient are one row of bytes that
 // moves up a byte for each digit. Where |a| < 2^31 |b| fails, the result is clamped before.
@@ -62,7 +62,7 @@
     // power = 2^k that moves the leading one of `byte` to bit 7.
     .macro find_power byte
     mov r30, \byte
-    ldi r31, hi8(fixedpoint_normalise_table)
+    ldi r31, hi8(fixedpoint_long_division_table)
     ldi power, 1
     sbrs r30, 7
     lpm power, Z

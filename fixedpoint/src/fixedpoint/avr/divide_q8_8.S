@@ -12,17 +12,18 @@
 // On magnitudes, the sign put back at the end; for a negative quotient half a divisor less one unit
 // rounds, so that ties go upward.
 //
-// |b| < 1: b has one byte. With its leading one moved to bit 7 it divides 2^9 |a|, moved likewise, in
-// two digits by Moeller and Granlund's reciprocal, exactly; 2 |a| < 2^8 b where nothing clamps, so
-// that the first digit fits. In the second step the remainder is never the divisor or more (all 2^14
-// pairs of divisor and remainder were tried), so that it lacks the second correction. The quotient
-// has one bit more than the result: it is what rounds, and only a negative tie must look at the
-// remainder.
+// |b| < 1: b has one byte. With its leading one moved to bit 7 it divides 2^9 |a|, moved likewise,
+// in two digits by Moeller and Granlund's reciprocal, exactly; 2 |a| < 2^8 b where nothing clamps,
+// so that the first digit fits. In the second step the remainder is never the divisor or more (all
+// 2^14 pairs of divisor and remainder were tried), so that it lacks the second correction. The
+// quotient has one bit more than the result: it is what rounds, and only a negative tie must look
+// at the remainder.
 //
 // |b| >= 1: the integer part, not 0 only where |a| >= |b|, and one digit of fraction, both from the
-// reciprocal of b's leading eight bits plus one. They are therefore never too large and at most 3
-// too small, and the remainder is brought below b by subtraction; half a divisor, added to the
-// remainder beforehand, makes the last digit round. |b| = 128 is a shift.
+// reciprocal of b's leading eight bits plus one. They are therefore never too large, and at most 2
+// and 4 too small (all dividends and divisors were tried): the remainder is brought below b by
+// subtraction. Half a divisor, added to the remainder beforehand, makes the last digit round.
+// |b| = 128 is a shift.
 
 #ifdef __AVR__
 
@@ -83,7 +84,7 @@ fixedpoint_divide_q8_8:
     com a1
     neg a0
     sbci a1, 0xff
-1:  ldi r31, hi8(fixedpoint_normalise_table)
+1:  ldi r31, hi8(fixedpoint_long_division_table)
     tst b1
     breq .Lshort
     brmi .Lnegative_divisor

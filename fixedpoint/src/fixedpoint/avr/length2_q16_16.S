@@ -3,14 +3,17 @@
 //
 // The integer nearest to the root of the sum of the squares of v[0] .. v[1], at most 2^31 - 1.
 //
-// v in r25:r24, the result in r25:r24:r23:r22. Changes r18-r27, r30, r31, r0; r1 is zero at entry and
-// return.
+// v in r25:r24, the result in r25:r24:r23:r22. Changes r18-r27, r30, r31, r0; r1 is zero at entry
+// and return.
 //
-// Cycles, call and ret included: 259 to 334 for 0.01 .. 20; up to 367 below 128, up to 850 from there.
-//     A zero vector takes 200.
+// Cycles, call and ret included; maxima are the most found:
+//     zero vector               200
+//     components 0.01 .. 20     259 to 334
+//     components below 128      374 at most
+//     larger components         855 at most
 //
-// Technique. Components below 2^23 have squares that sum to less than 2^48, which six registers hold;
-// larger ones start again in length_long.S. length_root.S takes the root.
+// Technique. Components below 2^23 have squares that sum to less than 2^48, which six registers
+// hold; larger ones start again in length_long.S. length_root.S takes the root.
 
 #ifdef __AVR__
 #include <fixedpoint/avr/sum_of_squares.inc>

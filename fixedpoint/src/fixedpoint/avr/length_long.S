@@ -5,8 +5,9 @@
 // r25:r24:r23:r22 = the integer nearest to the length, at most 2^31 - 1. Keeps what calls keep.
 //
 // Technique. The squares of the bytes are summed in r23:...:r16, the products of two bytes in
-// r14:...:r8, to be doubled once. length_root.S takes the root of the upper six bytes; its remainder
-// and the lower two bytes make eight more bits, one at a time. About 95 cycles a component, 30 a bit.
+// r14:...:r8, to be doubled once. length_root.S takes the root of the upper six bytes; its
+// remainder and the lower two bytes make eight more bits, one at a time. About 95 cycles a
+// component, 30 a bit.
 
 #ifdef __AVR__
 #define zero r15

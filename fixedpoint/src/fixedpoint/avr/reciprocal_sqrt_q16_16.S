@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // int32_t fixedpoint_reciprocal_sqrt_q16_16(int32_t a);
 //
-// 2^24 / sqrt(a), the reciprocal root of a 2^-16 in units of 2^-16, within 0.6441 ulp; 2^31 - 1 where
-// a = 0; 0 where a < 0.
+// 2^24 / sqrt(a), the reciprocal root of a 2^-16 in units of 2^-16, within 0.6441 ulp; 2^31 - 1
+// where a = 0; 0 where a < 0.
 //
-// a and the result in r25:r24:r23:r22. Changes r18-r27, r30, r31, r0; r1 is zero at entry and return.
+// a and the result in r25:r24:r23:r22. Changes r18-r27, r30, r31, r0; r1 is zero at entry and
+// return.
 //
 // Cycles, call and ret included (a in raw units):
 //     a < 0                   19
@@ -17,13 +18,13 @@
 //
 // Technique. a is shifted left by an even number of bits, so that its top byte is at least 64. The
 // mantissa 2^22 / sqrt(t / 2^16) of its upper 24 bits comes from the tables, by a chord less a
-// parabola, and is shifted back with one rounding. A fourth byte of a is dropped: it is beyond the 12
-// bits that such a result has.
+// parabola, and is shifted back with one rounding. A fourth byte of a is dropped: it is beyond the
+// 12 bits that such a result has.
 //
 // Error. The mantissa is too far off by at most 2^s (0.1441) in units of its 23 bits, where the
 // result is the mantissa shifted right by s bits; the tables are chosen for that. portable/
-// reciprocal_sqrt.hpp is bit for bit the same, so that its largest error over all inputs, 0.64405 ulp
-// at a = 1037, is the kernel's.
+// reciprocal_sqrt.hpp is bit for bit the same, so that its largest error over all inputs, 0.64405
+// ulp at a = 1037, is the kernel's.
 
 #ifdef __AVR__
 #include <fixedpoint/avr/reciprocal_root.inc>

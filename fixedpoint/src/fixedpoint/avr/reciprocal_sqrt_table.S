@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// DO NOT EDIT: written by fixedpoint/tables/reciprocal_sqrt.py, which says what this is.
+// DO NOT EDIT: written by fixedpoint/tables/reciprocal_sqrt.py, which says what it is.
 #ifdef __AVR__
     .section .progmem.data.fixedpoint_reciprocal_sqrt_table, "a", @progbits
     .balign 256

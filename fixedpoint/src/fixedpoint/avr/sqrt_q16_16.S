@@ -16,20 +16,20 @@
 //     2^24 .. 2^31     153 - 184   24-bit root, corrected; shifted back by 3 bits or less
 // The upper ends are those that need the exact remainder.
 //
-// Technique. a is shifted left by an even number of bits 2 k, so that its top byte h is at least 64;
-// the root of that is shifted back by k. With l the byte below h, the tables give
+// Technique. a is shifted left by an even number of bits 2 k, so that its top byte h is at least
+// 64; the root of that is shifted back by k. With l the byte below h, the tables give
 //     c = root[h] + floor(slope[h] l / 256),
 // at most 2 below the integer part of the root of h:l, in 16 bits; tables/sqrt.py asserts that for
 // every h:l. Where more bytes follow, the exact e = m - c^2 over m, the upper 32 bits of the
 // shifted number, makes eight more bits: the root's slope at c is 2^15 / c, which is slope[h] / 256
-// to within its rounding, so that S = 256 c + e slope[h] / 2^16 is the root in 24 bits. tables/sqrt.py
-// asserts that it is less than 5 off at either end of the numbers that share c; floors and the
-// dropped low byte of e add less than 1 to S above and are part of the 5 below.
+// to within its rounding, so that S = 256 c + e slope[h] / 2^16 is the root in 24 bits.
+// tables/sqrt.py asserts that it is less than 5 off at either end of the numbers that share c;
+// floors and the dropped low byte of e add less than 1 to S above and are part of the 5 below.
 //
 // Rounding. Let r' be the shifted root without its k fraction bits f. r is r' or r' + 1, and it is
 // r' + 1 where N = a 2^16 exceeds (r' + 1/2)^2, which for integers is N > r'^2 + r'. The difference
-// of the two sides fits in the bytes it is computed in, as r' is less than 2 off, so that the
-// upper bytes need no product. Where f is further than the root's error from 1/2, r is known without.
+// of the two sides fits in the bytes it is computed in, as r' is less than 2 off, so that the upper
+// bytes need no product. Where f is further than the root's error from 1/2, r is known without.
 
 #ifdef __AVR__
 
@@ -86,7 +86,8 @@ fixedpoint_sqrt_q16_16:
     brmi 1f
 2:  clr r1
     ret
-    // r is c + 2 where the difference is below -2 c - 2 <= -2^16 - 2: never if its top byte is 0xff.
+    // r is c + 2 where the difference is below -2 c - 2 <= -2^16 - 2: never if its top byte is
+    // 0xff.
 1:  subi c0, 0xff
     sbci c1, 0xff
     cpi r26, 0xff
@@ -260,9 +261,10 @@ fixedpoint_sqrt_q16_16:
     adc c1, zero
 2:  ret
 
-    // 2^24 .. 2^31: r27 = 2^(2 k). S is made 6 less, so that it is 1 to 11 below the root, and stepped
-    // up by the same slope times its exact remainder, of which the upper half of 32 bits is enough.
-    // That leaves it at most 0.1 above and 1.2 below the root, so that r is r' or r' + 1 once more.
+    // 2^24 .. 2^31: r27 = 2^(2 k). S is made 6 less, so that it is 1 to 11 below the root, and
+    // stepped up by the same slope times its exact remainder, of which the upper half of 32 bits is
+    // enough. That leaves it at most 0.1 above and 1.2 below the root, so that r is r' or r' + 1
+    // once more.
 .Labove_256:
     ldi r27, 1
     cpi r25, 64

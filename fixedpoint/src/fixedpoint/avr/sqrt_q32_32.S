@@ -5,22 +5,23 @@
 // In:       a r25..r18
 // Out:      r25..r18
 // Clobbers: r0, r26, r27, r30, r31
-// Cycles, call and return included (worst found): a < 0 18; a = 0 59; by the length of a in bytes
+// Cycles, call and return included (worst found): a < 0 18; a = 0 57; by the length of a in bytes
 // 1: 317, 2: 342, 3: 382, 4: 398, 5: 431, 6: 446, 7: 479, 8: 489. Stack: 10 bytes.
 //
-// a moves up by whole bytes and then by an even number of bits until its highest byte is 64 or more.
-// The first two bytes of the root s come from a chord and are at most 3 too small for the highest
-// four bytes of a: the remainder is brought to at most 2 s by subtraction. Each further byte d of the
-// root is found by division, R being half of the remainder R2: R2 2^16 + next two bytes >=
-// 2 (2^8 s) d + d^2, so d is about 2^8 R / s. The digit from the highest three bytes of R and the
-// highest two of s is 256 at most, which becomes 255, and too large by little, as it ignores the
-// lower bytes of s and d^2 / 2: where R turns negative, d is one less and R gets back 2^8 s + d - 1/2.
-// The lowest bit of R2 is the highest of the byte that follows R; the shift by one bit puts it there.
+// a moves up by whole bytes and then by an even number of bits until its highest byte is 64 or
+// more. The first two bytes of the root s come from a chord and are at most 3 too small for the
+// highest four bytes of a: the remainder is brought to at most 2 s by subtraction. Each further
+// byte d of the root is the largest with 2 (2^8 s) d + d^2 <= 2^16 R2 + the next two bytes, R2 the
+// remainder, so about 2^8 R / s with R = R2 / 2. The digit from the highest three bytes of R and
+// the highest two of s is 256 at most, which becomes 255, and too large by little, as it ignores
+// the lower bytes of s and d^2 / 2: where R turns negative, d is one less and R gets back 2^8 s + d
+// - 1/2. The lowest bit of R2 is the highest of the byte that follows R; the shift by one bit puts
+// it there.
 //
-// The root is then moved down by the bits and half bytes that a was moved up, 0 to 7 bits and whole
-// bytes that are never computed. The bit below the last rounds: a number of F bits whose root's next
-// bits are 1000... would be a square of a half integer, which no integer is. Where there is no bit
-// below, one more byte is computed, or, for the longest a, the remainder compared with s.
+// The root is then moved down by half as many bits as a was moved up: 0 to 7, for bytes that would
+// be moved out entirely are not computed. The highest bit that goes out rounds: a root of exactly
+// half an ulp more would be that of no integer. Where no bit goes out, one more byte is computed,
+// or, for the longest a, the remainder compared with s.
 
 #ifdef __AVR__
 
@@ -82,16 +83,6 @@
 
     .section .text.fixedpoint_sqrt_q32_32, "ax", @progbits
 
-.Lzero:
-    movw a0, a2
-    movw a4, a2
-    movw a6, a2
-    ret
-.Lnegative:
-    clr a2
-    clr a3
-    rjmp .Lzero
-
     .global fixedpoint_sqrt_q32_32
     .type fixedpoint_sqrt_q32_32, @function
 fixedpoint_sqrt_q32_32:
@@ -108,6 +99,14 @@ fixedpoint_sqrt_q32_32:
     clr a1
     dec r30
     brne 1b
+.Lzero:
+    movw a0, a2
+    movw a4, a2
+    movw a6, a2
+    ret
+.Lnegative:
+    clr a2
+    clr a3
     rjmp .Lzero
 
 2:  push r10
@@ -123,7 +122,7 @@ fixedpoint_sqrt_q32_32:
     mov count, r30
     clr zero
     clt
-    // shift, for now the power that brings the leading one to bit 7 or 6, and what undoes it
+    // power brings the leading one to bit 7 or 6; shift undoes it, and a move by half a byte.
     ldi r31, 0
     tst a7
     brne 1f

@@ -5,7 +5,7 @@
 // In:       a r25:r24
 // Out:      r25:r24
 // Clobbers: r0, r18..r20, r22, r23, r30, r31
-// Cycles, call and return included: a < 0 15; a < 1 17; a < 16 63; a >= 16 51.
+// Cycles, call and return included: a < 0 13; a < 1 17; a < 16 63; a >= 16 51.
 // Stack: 0 bytes.
 //
 // The root of a raw number below 2^8 is in the table. Above, a chord gives r, which is the root or

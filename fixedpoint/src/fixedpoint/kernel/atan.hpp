@@ -1,21 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The seam of atan: which code a format's arc tangent runs through.
+// The seam of atan, and of its variant without tables: which code a format runs through.
 #pragma once
 
+#include <fixedpoint/kernel/assembly.hpp>
 #include <fixedpoint/portable/atan.hpp>
-
-#ifdef __AVR__
-// In constant expressions the body; at run time always a call, which the assembly kernel answers,
-// as gnu_inline emits no code for the body.
-extern "C" __attribute__((gnu_inline, noinline, noclone)) constexpr inline int32_t
-fixedpoint_atan_q16_16(int32_t a) {
-    return fixedpoint::portable::atan_q16_16(a);
-}
-extern "C" __attribute__((gnu_inline, noinline, noclone)) constexpr inline int32_t
-fixedpoint_atan_small_q16_16(int32_t a) {
-    return fixedpoint::portable::atan_small_q16_16(a);
-}
-#endif
 
 namespace fixedpoint {
 namespace kernel {
@@ -24,22 +12,15 @@ template <class Raw, int F>
 constexpr Raw atan(Raw a) {
     return portable::atan<Raw, F>(a);
 }
-// Less flash, more cycles.
 template <class Raw, int F>
 constexpr Raw atan_small(Raw a) {
     return portable::atan_small<Raw, F>(a);
 }
 
-#ifdef __AVR__
-template <>
-constexpr int32_t atan<int32_t, 16>(int32_t a) {
-    return fixedpoint_atan_q16_16(a);
-}
-template <>
-constexpr int32_t atan_small<int32_t, 16>(int32_t a) {
-    return fixedpoint_atan_small_q16_16(a);
-}
-#endif
-
 }  // namespace kernel
 }  // namespace fixedpoint
+
+FIXEDPOINT_ASSEMBLY_KERNEL(int32_t, atan, int32_t, 16, fixedpoint_atan_q16_16, atan, (int32_t a),
+                           (a))
+FIXEDPOINT_ASSEMBLY_KERNEL(int32_t, atan_small, int32_t, 16, fixedpoint_atan_q16_16_small,
+                           atan_small, (int32_t a), (a))

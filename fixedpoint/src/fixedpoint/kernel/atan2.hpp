@@ -1,21 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The seam of atan2: which code a format's angle of a vector runs through.
+// The seam of atan2, and of its variant without tables: which code a format runs through.
 #pragma once
 
+#include <fixedpoint/kernel/assembly.hpp>
 #include <fixedpoint/portable/atan2.hpp>
-
-#ifdef __AVR__
-// In constant expressions the body; at run time always a call, which the assembly kernel answers,
-// as gnu_inline emits no code for the body.
-extern "C" __attribute__((gnu_inline, noinline, noclone)) constexpr inline int32_t
-fixedpoint_atan2_q16_16(int32_t y, int32_t x) {
-    return fixedpoint::portable::atan2_q16_16(y, x);
-}
-extern "C" __attribute__((gnu_inline, noinline, noclone)) constexpr inline int32_t
-fixedpoint_atan2_small_q16_16(int32_t y, int32_t x) {
-    return fixedpoint::portable::atan2_small_q16_16(y, x);
-}
-#endif
 
 namespace fixedpoint {
 namespace kernel {
@@ -24,22 +12,17 @@ template <class Raw, int F>
 constexpr Raw atan2(Raw y, Raw x) {
     return portable::atan2<Raw, F>(y, x);
 }
-// Less flash, more cycles.
 template <class Raw, int F>
 constexpr Raw atan2_small(Raw y, Raw x) {
     return portable::atan2_small<Raw, F>(y, x);
 }
 
-#ifdef __AVR__
-template <>
-constexpr int32_t atan2<int32_t, 16>(int32_t y, int32_t x) {
-    return fixedpoint_atan2_q16_16(y, x);
-}
-template <>
-constexpr int32_t atan2_small<int32_t, 16>(int32_t y, int32_t x) {
-    return fixedpoint_atan2_small_q16_16(y, x);
-}
-#endif
-
 }  // namespace kernel
 }  // namespace fixedpoint
+
+FIXEDPOINT_ASSEMBLY_KERNEL(int16_t, atan2, int16_t, 8, fixedpoint_atan2_q8_8, atan2,
+                           (int16_t y, int16_t x), (y, x))
+FIXEDPOINT_ASSEMBLY_KERNEL(int32_t, atan2, int32_t, 16, fixedpoint_atan2_q16_16, atan2,
+                           (int32_t y, int32_t x), (y, x))
+FIXEDPOINT_ASSEMBLY_KERNEL(int32_t, atan2_small, int32_t, 16, fixedpoint_atan2_q16_16_small,
+                           atan2_small, (int32_t y, int32_t x), (y, x))

@@ -1,21 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The seam of cos: which code a format's cosine runs through.
+// The seam of cos, and of its variant without tables: which code a format runs through.
 #pragma once
 
+#include <fixedpoint/kernel/assembly.hpp>
 #include <fixedpoint/portable/sin.hpp>
-
-#ifdef __AVR__
-// In constant expressions the body; at run time always a call, which the assembly kernel answers,
-// as gnu_inline emits no code for the body.
-extern "C" __attribute__((gnu_inline, noinline, noclone)) constexpr inline int32_t
-fixedpoint_cos_q16_16(int32_t angle) {
-    return fixedpoint::portable::cos_q16_16(angle);
-}
-extern "C" __attribute__((gnu_inline, noinline, noclone)) constexpr inline int32_t
-fixedpoint_cos_small_q16_16(int32_t angle) {
-    return fixedpoint::portable::cos_small_q16_16(angle);
-}
-#endif
 
 namespace fixedpoint {
 namespace kernel {
@@ -24,22 +12,15 @@ template <class Raw, int F>
 constexpr Raw cos(Raw angle) {
     return portable::cos<Raw, F>(angle);
 }
-// Less flash, more cycles.
 template <class Raw, int F>
 constexpr Raw cos_small(Raw angle) {
     return portable::cos_small<Raw, F>(angle);
 }
 
-#ifdef __AVR__
-template <>
-constexpr int32_t cos<int32_t, 16>(int32_t angle) {
-    return fixedpoint_cos_q16_16(angle);
-}
-template <>
-constexpr int32_t cos_small<int32_t, 16>(int32_t angle) {
-    return fixedpoint_cos_small_q16_16(angle);
-}
-#endif
-
 }  // namespace kernel
 }  // namespace fixedpoint
+
+FIXEDPOINT_ASSEMBLY_KERNEL(int32_t, cos, int32_t, 16, fixedpoint_cos_q16_16, cos, (int32_t angle),
+                           (angle))
+FIXEDPOINT_ASSEMBLY_KERNEL(int32_t, cos_small, int32_t, 16, fixedpoint_cos_q16_16_small, cos_small,
+                           (int32_t angle), (angle))

@@ -2,16 +2,8 @@
 // The seam of divide: which code a format's quotient runs through.
 #pragma once
 
+#include <fixedpoint/kernel/assembly.hpp>
 #include <fixedpoint/portable/divide.hpp>
-
-#ifdef __AVR__
-// In constant expressions the body; at run time always a call, which the assembly kernel answers,
-// as gnu_inline emits no code for the body.
-extern "C" __attribute__((gnu_inline, noinline, noclone)) constexpr inline int32_t
-fixedpoint_divide_q16_16(int32_t a, int32_t b) {
-    return fixedpoint::portable::divide<int32_t, 16>(a, b);
-}
-#endif
 
 namespace fixedpoint {
 namespace kernel {
@@ -21,12 +13,14 @@ constexpr Raw divide(Raw a, Raw b) {
     return portable::divide<Raw, F>(a, b);
 }
 
-#ifdef __AVR__
-template <>
-constexpr int32_t divide<int32_t, 16>(int32_t a, int32_t b) {
-    return fixedpoint_divide_q16_16(a, b);
-}
-#endif
-
 }  // namespace kernel
 }  // namespace fixedpoint
+
+FIXEDPOINT_ASSEMBLY_KERNEL(int8_t, divide, int8_t, 4, fixedpoint_divide_q4_4, divide,
+                           (int8_t a, int8_t b), (a, b))
+FIXEDPOINT_ASSEMBLY_KERNEL(int16_t, divide, int16_t, 8, fixedpoint_divide_q8_8, divide,
+                           (int16_t a, int16_t b), (a, b))
+FIXEDPOINT_ASSEMBLY_KERNEL(int32_t, divide, int32_t, 16, fixedpoint_divide_q16_16, divide,
+                           (int32_t a, int32_t b), (a, b))
+FIXEDPOINT_ASSEMBLY_KERNEL(int64_t, divide, int64_t, 32, fixedpoint_divide_q32_32, divide,
+                           (int64_t a, int64_t b), (a, b))

@@ -1,21 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The seam of dot2 and dot3: which code the dot product of a format's vectors runs through.
+// The seam of dot2 and dot3: which code a format runs through.
 #pragma once
 
+#include <fixedpoint/kernel/assembly.hpp>
 #include <fixedpoint/portable/dot.hpp>
-
-#ifdef __AVR__
-// In constant expressions the body; at run time always a call, which the assembly kernel answers,
-// as gnu_inline emits no code for the body.
-extern "C" __attribute__((gnu_inline, noinline, noclone)) constexpr inline int32_t
-fixedpoint_dot2_q16_16(const int32_t* a, const int32_t* b) {
-    return fixedpoint::portable::dot2<int32_t, 16>(a, b);
-}
-extern "C" __attribute__((gnu_inline, noinline, noclone)) constexpr inline int32_t
-fixedpoint_dot3_q16_16(const int32_t* a, const int32_t* b) {
-    return fixedpoint::portable::dot3<int32_t, 16>(a, b);
-}
-#endif
 
 namespace fixedpoint {
 namespace kernel {
@@ -29,16 +17,10 @@ constexpr Raw dot3(const Raw* a, const Raw* b) {
     return portable::dot3<Raw, F>(a, b);
 }
 
-#ifdef __AVR__
-template <>
-constexpr int32_t dot2<int32_t, 16>(const int32_t* a, const int32_t* b) {
-    return fixedpoint_dot2_q16_16(a, b);
-}
-template <>
-constexpr int32_t dot3<int32_t, 16>(const int32_t* a, const int32_t* b) {
-    return fixedpoint_dot3_q16_16(a, b);
-}
-#endif
-
 }  // namespace kernel
 }  // namespace fixedpoint
+
+FIXEDPOINT_ASSEMBLY_KERNEL(int32_t, dot2, int32_t, 16, fixedpoint_dot2_q16_16, dot2,
+                           (const int32_t* a, const int32_t* b), (a, b))
+FIXEDPOINT_ASSEMBLY_KERNEL(int32_t, dot3, int32_t, 16, fixedpoint_dot3_q16_16, dot3,
+                           (const int32_t* a, const int32_t* b), (a, b))

@@ -1,21 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The seam of length: which code the length of a format's vectors runs through.
+// The seam of length2 and length3: which code a format runs through.
 #pragma once
 
+#include <fixedpoint/kernel/assembly.hpp>
 #include <fixedpoint/portable/length.hpp>
-
-#ifdef __AVR__
-// In constant expressions the body; at run time always a call, which the assembly kernel answers,
-// as gnu_inline emits no code for the body.
-extern "C" __attribute__((gnu_inline, noinline)) constexpr inline int32_t fixedpoint_length2_q16_16(
-    const int32_t* v) {
-    return fixedpoint::portable::length2<int32_t, 16>(v);
-}
-extern "C" __attribute__((gnu_inline, noinline)) constexpr inline int32_t fixedpoint_length3_q16_16(
-    const int32_t* v) {
-    return fixedpoint::portable::length3<int32_t, 16>(v);
-}
-#endif
 
 namespace fixedpoint {
 namespace kernel {
@@ -29,16 +17,10 @@ constexpr Raw length3(const Raw* v) {
     return portable::length3<Raw, F>(v);
 }
 
-#ifdef __AVR__
-template <>
-constexpr int32_t length2<int32_t, 16>(const int32_t* v) {
-    return fixedpoint_length2_q16_16(v);
-}
-template <>
-constexpr int32_t length3<int32_t, 16>(const int32_t* v) {
-    return fixedpoint_length3_q16_16(v);
-}
-#endif
-
 }  // namespace kernel
 }  // namespace fixedpoint
+
+FIXEDPOINT_ASSEMBLY_KERNEL(int32_t, length2, int32_t, 16, fixedpoint_length2_q16_16, length2,
+                           (const int32_t* v), (v))
+FIXEDPOINT_ASSEMBLY_KERNEL(int32_t, length3, int32_t, 16, fixedpoint_length3_q16_16, length3,
+                           (const int32_t* v), (v))

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The seam of multiply: which code a format's product runs through.
+// The seam of multiply: which code a format runs through.
 #pragma once
 
+#include <fixedpoint/kernel/assembly.hpp>
 #include <fixedpoint/portable/multiply.hpp>
-
-#ifdef __AVR__
-extern "C" int32_t fixedpoint_multiply_q16_16(int32_t a, int32_t b);
-#endif
 
 namespace fixedpoint {
 namespace kernel {
@@ -16,13 +13,14 @@ constexpr Raw multiply(Raw a, Raw b) {
     return portable::multiply<Raw, F>(a, b);
 }
 
-#ifdef __AVR__
-template <>
-constexpr int32_t multiply<int32_t, 16>(int32_t a, int32_t b) {
-    return __builtin_constant_p(a) && __builtin_constant_p(b) ? portable::multiply<int32_t, 16>(a, b)
-                                                              : fixedpoint_multiply_q16_16(a, b);
-}
-#endif
-
 }  // namespace kernel
 }  // namespace fixedpoint
+
+FIXEDPOINT_ASSEMBLY_KERNEL(int8_t, multiply, int8_t, 4, fixedpoint_multiply_q4_4, multiply,
+                           (int8_t a, int8_t b), (a, b))
+FIXEDPOINT_ASSEMBLY_KERNEL(int16_t, multiply, int16_t, 8, fixedpoint_multiply_q8_8, multiply,
+                           (int16_t a, int16_t b), (a, b))
+FIXEDPOINT_ASSEMBLY_KERNEL(int32_t, multiply, int32_t, 16, fixedpoint_multiply_q16_16, multiply,
+                           (int32_t a, int32_t b), (a, b))
+FIXEDPOINT_ASSEMBLY_KERNEL(int64_t, multiply, int64_t, 32, fixedpoint_multiply_q32_32, multiply,
+                           (int64_t a, int64_t b), (a, b))

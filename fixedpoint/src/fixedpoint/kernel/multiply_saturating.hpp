@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The seam of multiply_saturating.
+// The seam of multiply_saturating: which code a format's clamped product runs through.
 #pragma once
 
+#include <fixedpoint/kernel/assembly.hpp>
 #include <fixedpoint/portable/multiply_saturating.hpp>
 
 namespace fixedpoint {
@@ -14,3 +15,7 @@ constexpr Raw multiply_saturating(Raw a, Raw b) {
 
 }  // namespace kernel
 }  // namespace fixedpoint
+
+FIXEDPOINT_ASSEMBLY_KERNEL(int32_t, multiply_saturating, int32_t, 16,
+                           fixedpoint_multiply_q16_16_saturating, multiply_saturating,
+                           (int32_t a, int32_t b), (a, b))

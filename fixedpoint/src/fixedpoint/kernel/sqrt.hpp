@@ -1,17 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The seam of sqrt: which code a format's square root runs through.
+// The seam of sqrt, and of its variant without tables: which code a format runs through.
 #pragma once
 
+#include <fixedpoint/kernel/assembly.hpp>
 #include <fixedpoint/portable/sqrt.hpp>
-
-#ifdef __AVR__
-// In constant expressions the body; at run time always a call, which the assembly kernel answers,
-// as gnu_inline emits no code for the body.
-extern "C" __attribute__((gnu_inline, noinline)) constexpr inline int32_t fixedpoint_sqrt_q16_16(
-    int32_t a) {
-    return fixedpoint::portable::sqrt<int32_t, 16>(a);
-}
-#endif
 
 namespace fixedpoint {
 namespace kernel {
@@ -20,13 +12,19 @@ template <class Raw, int F>
 constexpr Raw sqrt(Raw a) {
     return portable::sqrt<Raw, F>(a);
 }
-
-#ifdef __AVR__
-template <>
-constexpr int32_t sqrt<int32_t, 16>(int32_t a) {
-    return fixedpoint_sqrt_q16_16(a);
+template <class Raw, int F>
+constexpr Raw sqrt_small(Raw a) {
+    return portable::sqrt<Raw, F>(a);
 }
-#endif
 
 }  // namespace kernel
 }  // namespace fixedpoint
+
+FIXEDPOINT_ASSEMBLY_KERNEL(int8_t, sqrt, int8_t, 4, fixedpoint_sqrt_q4_4, sqrt, (int8_t a), (a))
+FIXEDPOINT_ASSEMBLY_KERNEL(int16_t, sqrt, int16_t, 8, fixedpoint_sqrt_q8_8, sqrt, (int16_t a), (a))
+FIXEDPOINT_ASSEMBLY_KERNEL(int32_t, sqrt, int32_t, 16, fixedpoint_sqrt_q16_16, sqrt, (int32_t a),
+                           (a))
+FIXEDPOINT_ASSEMBLY_KERNEL(int64_t, sqrt, int64_t, 32, fixedpoint_sqrt_q32_32, sqrt, (int64_t a),
+                           (a))
+FIXEDPOINT_ASSEMBLY_KERNEL(int32_t, sqrt_small, int32_t, 16, fixedpoint_sqrt_q16_16_small, sqrt,
+                           (int32_t a), (a))

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <fixedpoint/portable/atan2_q16_16.hpp>
+#include <fixedpoint/portable/atan2_q8_8.hpp>
 #include <fixedpoint/portable/atan2_small_q16_16.hpp>
 #include <fixedpoint/portable/cordic.hpp>
 
@@ -76,6 +77,10 @@ constexpr Raw atan2(Raw y, Raw x) {
     return atan2_small<Raw, F>(y, x);
 }
 
+template <>
+constexpr int16_t atan2<int16_t, 8>(int16_t y, int16_t x) {
+    return atan2_q8_8(y, x);
+}
 template <>
 constexpr int32_t atan2<int32_t, 16>(int32_t y, int32_t x) {
     return atan2_q16_16(y, x);

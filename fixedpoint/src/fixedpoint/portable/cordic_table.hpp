@@ -27,10 +27,18 @@ struct CordicConstants<uint32_t, Any> {
         0x007fff55u,
         0x003fffebu,
         0x001ffffdu};
-    static constexpr uint32_t pi() { return 0xc90fdaa2u; }
-    static constexpr uint32_t gain() { return 0x36f656c6u; }
-    static constexpr uint32_t two_over_pi() { return 0x0000a2fau; }
-    static constexpr uint32_t half_pi() { return 0x6487ed51u; }
+    static constexpr uint32_t pi() {
+        return 0xc90fdaa2u;
+    }
+    static constexpr uint32_t gain() {
+        return 0x36f656c6u;
+    }
+    static constexpr uint32_t two_over_pi() {
+        return 0x0000a2fau;
+    }
+    static constexpr uint32_t half_pi() {
+        return 0x6487ed51u;
+    }
 };
 template <class Any>
 constexpr uint32_t CordicConstants<uint32_t, Any>::arctangent[];
@@ -59,10 +67,18 @@ struct CordicConstants<uint64_t, Any> {
         0x00001ffffffffd55ull,
         0x00000fffffffffabull,
         0x000007fffffffff5ull};
-    static constexpr uint64_t pi() { return 0xc90fdaa22168c235ull; }
-    static constexpr uint64_t gain() { return 0x36f656c59df04dbbull; }
-    static constexpr uint64_t two_over_pi() { return 0x00000000a2f9836eull; }
-    static constexpr uint64_t half_pi() { return 0x6487ed5110b4611aull; }
+    static constexpr uint64_t pi() {
+        return 0xc90fdaa22168c235ull;
+    }
+    static constexpr uint64_t gain() {
+        return 0x36f656c59df04dbbull;
+    }
+    static constexpr uint64_t two_over_pi() {
+        return 0x00000000a2f9836eull;
+    }
+    static constexpr uint64_t half_pi() {
+        return 0x6487ed5110b4611aull;
+    }
 };
 template <class Any>
 constexpr uint64_t CordicConstants<uint64_t, Any>::arctangent[];
@@ -95,10 +111,18 @@ struct CordicConstants<Word128, Any> {
         Word128(0x000001ffffffffffull, 0xd5555555555bbbbcull),
         Word128(0x000000ffffffffffull, 0xfaaaaaaaaaaadddeull),
         Word128(0x0000007fffffffffull, 0xff555555555556efull)};
-    static constexpr Word128 pi() { return Word128(0xc90fdaa22168c234ull, 0xc4c6628b80dc1cd1ull); }
-    static constexpr Word128 gain() { return Word128(0x36f656c59df04dbaull, 0xd9877ade5e6a30c7ull); }
-    static constexpr Word128 two_over_pi() { return Word128(0x0000000000000000ull, 0xa2f9836e4e44152aull); }
-    static constexpr Word128 half_pi() { return Word128(0x6487ed5110b4611aull, 0x62633145c06e0e69ull); }
+    static constexpr Word128 pi() {
+        return Word128(0xc90fdaa22168c234ull, 0xc4c6628b80dc1cd1ull);
+    }
+    static constexpr Word128 gain() {
+        return Word128(0x36f656c59df04dbaull, 0xd9877ade5e6a30c7ull);
+    }
+    static constexpr Word128 two_over_pi() {
+        return Word128(0x0000000000000000ull, 0xa2f9836e4e44152aull);
+    }
+    static constexpr Word128 half_pi() {
+        return Word128(0x6487ed5110b4611aull, 0x62633145c06e0e69ull);
+    }
 };
 template <class Any>
 constexpr Word128 CordicConstants<Word128, Any>::arctangent[];

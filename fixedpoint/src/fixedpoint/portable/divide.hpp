@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// divide: floor(a 2^F / b + 1/2), the quotient rounded to nearest, ties upward, clamped to what fits.
-// b = 0: the largest number where a > 0, the smallest where a < 0, 0 where a = 0.
+// divide: floor(a 2^F / b + 1/2), the quotient rounded to nearest, ties upward, clamped to what
+// fits. b = 0: the largest number where a > 0, the smallest where a < 0, 0 where a = 0.
 #pragma once
 
 #include <fixedpoint/integer.hpp>

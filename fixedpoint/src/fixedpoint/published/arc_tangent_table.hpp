@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// DO NOT EDIT: made by fixedpoint/tables/published_arc_tangent.py.
+// DO NOT EDIT: written by python3 fixedpoint/tables/published_arc_tangent.py
 // atan(i / 200), i = 0..200, 32 fraction bits, rounded to nearest.
 #pragma once
 

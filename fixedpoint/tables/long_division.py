@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Writes src/fixedpoint/avr/normalise_table.S: what a byte is multiplied with so that its leading
+"""Writes src/fixedpoint/avr/long_division_table.S: what a byte is multiplied with so that its leading
 one moves to bit 7, and the reciprocal of a byte whose leading one is there.
 
 byte 1..127:   2^(7 - floor(log2 byte)); entry 0 is 0, the reciprocal of 256 in the form below.
@@ -21,7 +21,7 @@ def reciprocal(byte):
 
 
 if __name__ == "__main__":
-    page.write_assembly("normalise_table", "normalise.py",
+    page.write_assembly("long_division_table", "long_division.py",
                         "Powers of two and reciprocals, by which divisors are normalised.",
                         [("powers of two", [power(byte) for byte in range(128)]),
                          ("reciprocals", [reciprocal(byte) for byte in range(128, 256)])])

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// int32_t fixedpoint_sqrt_small_q16_16(int32_t a);
+// int32_t fixedpoint_sqrt_q16_16_small(int32_t a);
 //
 // What fixedpoint_sqrt_q16_16 returns, with no table: the integer nearest to sqrt(a 2^16); 0 where
 // a < 0.
 //
-// a and the result in r25:r24:r23:r22. Changes r18-r27, r30, r31, r0; r1 is zero at entry and return.
+// a and the result in r25:r24:r23:r22. Changes r18-r27, r30, r31, r0; r1 is zero at entry and
+// return.
 //
 // Cycles, call and ret included: 23 for a < 0, about 400 below 2^16, about 750 from
 // there, at most 800.
@@ -30,10 +31,10 @@
     rol remainder1
     .endm
 
-    .section .text.fixedpoint_sqrt_small_q16_16, "ax", @progbits
-    .global fixedpoint_sqrt_small_q16_16
-    .type fixedpoint_sqrt_small_q16_16, @function
-fixedpoint_sqrt_small_q16_16:
+    .section .text.fixedpoint_sqrt_q16_16_small, "ax", @progbits
+    .global fixedpoint_sqrt_q16_16_small
+    .type fixedpoint_sqrt_q16_16_small, @function
+fixedpoint_sqrt_q16_16_small:
     clr r18
     clr r19
     movw r20, r18
@@ -117,5 +118,5 @@ fixedpoint_sqrt_small_q16_16:
     mov r24, root2
     clr r25
     ret
-    .size fixedpoint_sqrt_small_q16_16, . - fixedpoint_sqrt_small_q16_16
+    .size fixedpoint_sqrt_q16_16_small, . - fixedpoint_sqrt_q16_16_small
 #endif

@@ -1,22 +1,27 @@
 // SPDX-License-Identifier: MIT
-// int32_t fixedpoint_atan2_small_q16_16(int32_t y, int32_t x)
-// The angle of the vector (x, y) in Q16.16 radians, in (-pi, pi], within 0.75 ulp; (0, 0): 0.
+// int32_t fixedpoint_atan2_q16_16_small(int32_t y, int32_t x)
+// The angle of the vector (x, y) in Q16.16 radians, in (-pi, pi], within 0.59 ulp; (0, 0): 0.
 //
-// int32_t fixedpoint_atan_small_q16_16(int32_t a)
-// The arc tangent of a Q16.16 number in radians, within 0.75 ulp: atan2(a, 1).
+// int32_t fixedpoint_atan_q16_16_small(int32_t a)
+// The arc tangent of a Q16.16 number in radians, within 0.59 ulp: atan2(a, 1).
 //
 // Without a table: an eighth of the flash of fixedpoint_atan2_q16_16, in four times its cycles.
 //
 // In       y or a = r25:r22, x = r21:r18
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
-// CYCLES
+// Cycles   call and ret included, by octant, counted from the positive x axis: 744 759 761 758 771
+//          774 772 757, and 3 more for each one among the ratio's 24 bits, 4 more where the larger
+//          magnitude is 2^31: at most 850. 26 for (0, 0). atan 4 more.
 //
 // The smaller magnitude is divided by the larger one bit by bit. Of the ratio x, atan(x) =
-// x (c0 - z (c1 - z (c2 - ... z c6))), z = x^2: the polynomial of least largest error, 2.5e-7, found
-// by Remez exchange. All factors are 24-bit fractions.
+// x (c0 - z (c1 - z (c2 - ... z c6))), z = x^2: the polynomial of least largest error, 2.5e-7, that
+// fixedpoint/tables/minimax.py finds. All factors are 24-bit fractions.
 //
-// BUDGET
+// Error in ulp: polynomial 0.017; ratio 0.004; products cut and coefficients rounded, 0.06 around
+// the mean that is added with the half ulp; pi 0.002. Rounding 0.5. The worst of all 2^32 inputs of
+// atan is 0.52690, at -60901; the worst found of atan2, in 10^9 pairs and by climbing, is 0.53494,
+// at (139315820, 151594038).
 
 #ifdef __AVR__
 
@@ -40,20 +45,20 @@
 // Half an ulp, and what the products cut in the mean.
 #define ROUNDING 130
 
-    .section .text.fixedpoint_atan2_small_q16_16, "ax", @progbits
+    .section .text.fixedpoint_atan2_q16_16_small, "ax", @progbits
 
-    .global fixedpoint_atan_small_q16_16
-    .type fixedpoint_atan_small_q16_16, @function
-fixedpoint_atan_small_q16_16:
+    .global fixedpoint_atan_q16_16_small
+    .type fixedpoint_atan_q16_16_small, @function
+fixedpoint_atan_q16_16_small:
     ldi d0, 0
     ldi d1, 0
     ldi d2, 1
     ldi d3, 0
-    .size fixedpoint_atan_small_q16_16, .-fixedpoint_atan_small_q16_16
+    .size fixedpoint_atan_q16_16_small, .-fixedpoint_atan_q16_16_small
 
-    .global fixedpoint_atan2_small_q16_16
-    .type fixedpoint_atan2_small_q16_16, @function
-fixedpoint_atan2_small_q16_16:
+    .global fixedpoint_atan2_q16_16_small
+    .type fixedpoint_atan2_q16_16_small, @function
+fixedpoint_atan2_q16_16_small:
     into_first_octant
     cp d0, r1
     cpc d1, r1
@@ -128,6 +133,6 @@ fixedpoint_atan2_small_q16_16:
     return_negated
 
     multiply_high_24
-    .size fixedpoint_atan2_small_q16_16, .-fixedpoint_atan2_small_q16_16
+    .size fixedpoint_atan2_q16_16_small, .-fixedpoint_atan2_q16_16_small
 
 #endif

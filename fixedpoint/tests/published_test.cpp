@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: MIT
 // The published arithmetic against plain definitions in 128-bit integers, and its mended defects.
 #include <gtest/gtest.h>
 

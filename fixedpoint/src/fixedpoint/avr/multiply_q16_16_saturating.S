@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+// int32_t fixedpoint_multiply_q16_16_saturating(int32_t a, int32_t b)
+// floor(a b / 2^16 + 1/2), clamped: the Q16.16 product rounded to nearest, ties upward.
+//
+// In       a = r25:r22, b = r21:r18
+// Out      r25:r22
+// Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
+// Cycles   84 where |a|, |b| <= 256 and the result fits, call and ret included; else at most 104
+//
+// The sum of byte products is carried to byte 6, and it fits where byte 6 is the sign of byte 5.
+// - |a|, |b| <= 2^24, both highest bytes 0 or -1: 9 unsigned products of the lower three bytes,
+//   less the other operand 2^24 where one is negative.
+// - One is beyond that, the other is small, -2^23 <= x < 2^23, and has three bytes: 12 products,
+//   of which those with a highest byte are signed; `mulsu` sets the carry to the sign.
+// - One is beyond, the other is not small: |a b| >= 2^47 overflows.
+// Rounding adds 2^15, which carries into byte 2 exactly when byte 1 has its top bit set: `lsl` of
+// it is the carry of the next chain. Byte 2 and 3 begin as a1 b1 <= 0xfe01, which takes up what the
+// columns below it carry.
+
+#ifdef __AVR__
+
+#define a0 r22
+#define a1 r23
+#define a2 r24
+#define a3 r25
+#define b0 r18
+#define b1 r19
+#define b2 r20
+#define b3 r21
+#define s1 r26
+#define s2 r30
+#define s3 r31
+
+    // Sets Z where the number is small, else `brlt` and `brge` tell its sign. Uses up x3; r1 = 0.
+    .macro test_small x2, x3
+    mov r0, \x2
+    lsl r0
+    adc \x3, r1
+    .endm
+
+    // s3:s1 = the products of a1, a0, b2..b0 up to a0 b2, rounded; s4 takes the carry.
+    .macro multiply_low s4
+    clr \s4
+    mul a0, b0
+    mov s1, r1
+    mul a1, b1
+    movw s2, r0
+    mul a0, b1
+    add s1, r0
+    adc s2, r1
+    adc s3, \s4
+    mul a1, b0
+    add s1, r0
+    adc s2, r1
+    adc s3, \s4
+    mul a0, b2
+    lsl s1              // rounds
+    adc s2, r0
+    adc s3, r1
+    rol \s4
+    .endm
+
+    .section .text.fixedpoint_multiply_q16_16_saturating, "ax", @progbits
+
+    // a is beyond 2^24: swaps the operands where b is small.
+.La_beyond:
+    test_small b2, b3
+    brne .Lbeyond
+    movw r26, a0
+    movw a0, b0
+    movw b0, r26
+    movw r26, a2
+    movw a2, b2
+    movw b2, r26
+    rjmp .La_small
+    // b is beyond 2^24.
+.Lb_beyond:
+    test_small a2, a3
+    brne .Lbeyond
+    rjmp .La_small
+.Lbeyond:
+    // r26 is one more than the highest byte of the other.
+    brge 1f
+    neg r26             // the complement of the byte
+    inc r26
+1:  dec r26
+    mov r27, r26
+    rjmp .Lclamp
+
+    .global fixedpoint_multiply_q16_16_saturating
+    .type fixedpoint_multiply_q16_16_saturating, @function
+fixedpoint_multiply_q16_16_saturating:
+    mov r26, a3
+    inc r26
+    cpi r26, 2
+    brsh .La_beyond
+    mov r26, b3
+    inc r26
+    cpi r26, 2
+    brsh .Lb_beyond
+
+    // Bytes 2..6: r30, r31, r27, r26, r0.
+    multiply_low r27
+    clr r26
+    mul a1, b2
+    add r31, r0
+    adc r27, r1
+    rol r26
+    mul a2, b2
+    add r27, r0
+    adc r26, r1
+    mul a2, b1
+    add r31, r0
+    adc r27, r1
+    clr r1
+    adc r26, r1
+    mul a2, b0
+    add r30, r0
+    adc r31, r1
+    clr r1
+    adc r27, r1
+    adc r26, r1
+    and a0, b3
+    and a1, b3
+    and a2, b3
+    sub r31, a0
+    sbc r27, a1
+    sbc r26, a2
+    sbc r0, r0
+    and b0, a3
+    and b1, a3
+    and b2, a3
+    sub r31, b0
+    sbc r27, b1
+    sbc r26, b2
+    sbc r0, r1
+    and a3, b3          // 2^48 where both are negative
+    sub r0, a3
+    mov a3, r26
+    mov a2, r27
+    movw a0, r30
+    lsl r26
+    adc r0, r1
+    brne 1f
+    ret
+1:  mov r27, r0
+    rjmp .Lclamp
+
+    // Bytes 2..6: r30, r31, r25, r26, r27. A byte of an operand that is used up takes the sign of
+    // its last product.
+.La_small:
+    multiply_low r25
+    muls b3, a2
+    movw r26, r0
+    mulsu b3, a0
+    sbc a0, a0
+    add r31, r0
+    adc r25, r1
+    adc r26, a0
+    adc r27, a0
+    mul a1, b2
+    clr a0
+    add r31, r0
+    adc r25, r1
+    adc r26, a0
+    adc r27, a0
+    mulsu b3, a1
+    sbc a1, a1
+    add r25, r0
+    adc r26, r1
+    adc r27, a1
+    mov a1, a2          // mulsu wants it below r24
+    mulsu a1, b2
+    sbc b2, b2
+    add r25, r0
+    adc r26, r1
+    adc r27, b2
+    mulsu a1, b1
+    sbc b1, b1
+    add r31, r0
+    adc r25, r1
+    adc r26, b1
+    adc r27, b1
+    mulsu a1, b0
+    sbc b0, b0
+    add r30, r0
+    adc r31, r1
+    adc r25, b0
+    adc r26, b0
+    adc r27, b0
+    clr r1
+    mov r0, r26
+    lsl r0
+    adc r27, r1
+    brne .Lclamp
+    movw r22, r30
+    mov r24, r25
+    mov r25, r26
+    ret
+    // To the limit of the sign of r27.
+.Lclamp:
+    cpi r27, 0x80
+    sbc r22, r22
+    mov r23, r22
+    movw r24, r22
+    subi r25, 0x80
+    ret
+    .size fixedpoint_multiply_q16_16_saturating, .-fixedpoint_multiply_q16_16_saturating
+
+#endif

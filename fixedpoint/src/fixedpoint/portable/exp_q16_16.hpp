@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// The exponential function in Q16.16, bit for bit as avr/exp_q16_16.S computes it.
+#pragma once
+
+#include <fixedpoint/integer.hpp>
+#include <fixedpoint/portable/exp_table.hpp>
+
+namespace fixedpoint {
+namespace portable {
+
+// e^node (1 + growth) 2^23 from the upper three bytes of the power; growth in units of 2^-24, of
+// which 16 bits count.
+constexpr uint32_t grown_power_24(uint8_t node, int16_t growth) {
+    const uint32_t power = read_program_memory(ExpTable<>::power[node]) >> 8;
+    const int32_t power1 = power >> 8 & 0xff, power2 = static_cast<int32_t>(power >> 16);
+    const int32_t growth1 = growth >> 8, growth0 = growth & 0xff;
+    return power + static_cast<uint32_t>(power2 * growth1 + (power1 * growth1 >> 8) +
+                                         (power2 * growth0 >> 8));
+}
+
+// e^node (1 + growth) 2^39, growth in units of 2^-40.
+constexpr uint64_t grown_power_40(uint8_t node, int32_t growth) {
+    const uint32_t power = read_program_memory(ExpTable<>::power[node]);
+    const int32_t power1 = power & 0xff, power2 = power >> 8 & 0xff, power3 = power >> 16 & 0xff,
+                  power4 = static_cast<int32_t>(power >> 24);
+    const int32_t growth0 = growth & 0xff, growth1 = growth >> 8 & 0xff,
+                  growth2 = growth >> 16 & 0xff, growth3 = growth >> 24;
+    const int32_t low = (power4 * growth0 >> 8) + (power3 * growth1 >> 8) +
+                        (power2 * growth2 >> 8) + (power1 * growth3 >> 8) + power4 * growth1 +
+                        power3 * growth2 + power2 * growth3;
+    const int64_t high = static_cast<int64_t>(power4) * growth3 * 256 + power4 * growth2 +
+                         power3 * growth3;
+    return (static_cast<uint64_t>(power) << 8 | read_program_memory(ExpTable<>::power_low[node])) +
+           static_cast<uint64_t>(high * 256 + low);
+}
+
+constexpr int32_t exp_q16_16(int32_t a) {
+    const int32_t whole = a >> 16;
+    if (whole == ((a & 0x8000) != 0 ? -1 : 0)) {
+        const int16_t growth = static_cast<int16_t>(((a & 0xff) - 128) * 256);
+        return static_cast<int32_t>(
+            (grown_power_24(static_cast<uint8_t>(a >> 8), growth) + 64) >> 7);
+    }
+    if (whole < -12) return 0;
+    if (whole > 10) return raw_max<int32_t>;
+
+    // k + 17, k being about x / ln 2 less up to 0.7: x - k ln 2 is between -0.26 and 0.49.
+    const int k = ((whole + 12) * 185 + ((a >> 8 & 0xff) * 185 >> 8)) >> 7;
+    if (k > 32) return raw_max<int32_t>;
+    const uint16_t position =
+        static_cast<uint16_t>(a + read_program_memory(ExpTable<>::offset[k]));
+    const uint32_t tail = read_program_memory(ExpTable<>::tail[k]);
+    uint8_t node = static_cast<uint8_t>(position >> 8);
+    const int32_t s = (position & 0xff) - 128;
+    const int factor_bits = k & 7;
+
+    if (k < 22) {
+        const int16_t growth =
+            static_cast<int16_t>(s * 256 + static_cast<int32_t>(tail >> 16) + (s * s >> 9));
+        const uint32_t scaled = grown_power_24(node, growth) << factor_bits;
+        const int shift = 8 * (3 - (k >> 3));
+        return static_cast<int32_t>(((scaled >> (shift - 1)) + 1) >> 1);
+    }
+
+    // e^r - 1 = r + r^2 / 2 + r^3 / 6 for r = s + tail.
+    const int32_t square = s * s;
+    const int32_t cube = s * (square >> 8) >> 8;
+    int64_t growth = static_cast<int64_t>(s) * (int32_t(1) << 24) + static_cast<int32_t>(tail) +
+                     square * 128 + s * static_cast<int32_t>(tail >> 16) + cube * 43;
+    if (growth >> 31 == 1) {
+        // Only k = 11, s = 127: seen from the next node.
+        ++node;
+        growth += (int32_t(14) << 8) - (int64_t(1) << 32);
+    }
+    const uint64_t mantissa = grown_power_40(node, static_cast<int32_t>(growth));
+    if (k == 32) {
+        const uint32_t result = static_cast<uint32_t>(((mantissa >> 7) + 1) >> 1);
+        return result >> 31 != 0 ? raw_max<int32_t> : static_cast<int32_t>(result);
+    }
+    const uint64_t scaled = mantissa << factor_bits;
+    const int shift = 8 * (5 - (k >> 3));
+    return static_cast<int32_t>(((scaled >> (shift - 1)) + 1) >> 1);
+}
+
+}  // namespace portable
+}  // namespace fixedpoint

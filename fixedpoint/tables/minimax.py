@@ -1,0 +1,47 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: MIT
+"""Prints the coefficients of avr/sin_q16_16_small.S and avr/atan2_q16_16_small.S: odd polynomials
+of least largest error on [0, 1], by the exchange algorithm (Evgeny Remez, 1934), as 24-bit
+fractions, with the error that they leave."""
+
+from math import atan, pi, sin
+
+GRID = 20000
+
+
+def solve(rows):
+    """The solution of a system of linear equations; the last entry of a row is its right side."""
+    rows = [row[:] for row in rows]
+    for i in range(len(rows)):
+        pivot = max(range(i, len(rows)), key=lambda r: abs(rows[r][i]))
+        rows[i], rows[pivot] = rows[pivot], rows[i]
+        for r in range(len(rows)):
+            if r != i:
+                factor = rows[r][i] / rows[i][i]
+                rows[r] = [a - factor * b for a, b in zip(rows[r], rows[i])]
+    return [row[-1] / row[i] for i, row in enumerate(rows)]
+
+
+def minimax(function, terms):
+    """Coefficients of x, x^3, ... and the largest error."""
+    points = [sin(pi / 2 * (k + 0.5) / (terms + 0.5)) for k in range(terms)] + [1.0]
+    for _ in range(20):
+        *coefficients, error = solve(
+            [[x**(2 * j + 1) for j in range(terms)] + [(-1)**k, function(x)]
+             for k, x in enumerate(points)])
+
+        def deviation(x):
+            return abs(function(x) - sum(c * x**(2 * j + 1) for j, c in enumerate(coefficients)))
+
+        size = [deviation(i / GRID) for i in range(GRID + 1)] + [0.0]
+        extremes = [i / GRID for i in range(1, GRID + 1)
+                    if size[i] >= size[i - 1] and size[i] > size[i + 1]]
+        points = extremes[-(terms + 1):]
+    return coefficients, abs(error)
+
+
+if __name__ == "__main__":
+    for name, function, terms in [("sin(pi/2 x) / 2", lambda x: sin(pi / 2 * x) / 2, 4),
+                                  ("atan(x)", atan, 7)]:
+        coefficients, error = minimax(function, terms)
+        print(f"{name}: {[round(abs(c) * 2**24) for c in coefficients]}, error {error:.1e}")

@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: MIT
+"""Writes the header through which portable code reads the numbers of a table."""
+
+from page import SOURCE, rows
+
+
+def write(name, generator, sentence, structure, arrays):
+    """src/fixedpoint/portable/<name>.hpp with a structure of arrays (type, member, numbers,
+    format of a number)."""
+    lines = [
+        "// SPDX-License-Identifier: MIT",
+        f"// DO NOT EDIT: written by python3 fixedpoint/tables/{generator}",
+        *(f"// {line}" for line in sentence.split("\n")),
+        "#pragma once", "",
+        "#include <fixedpoint/program_memory.hpp>", "",
+        "namespace fixedpoint {", "namespace portable {", "",
+        "// Any is void: a template's static member may stand in a header.",
+        "template <class Any = void>",
+        f"struct {structure} {{",
+    ]
+    for kind, member, numbers, form in arrays:
+        lines += [f"    static constexpr {kind} {member}[{len(numbers)}] "
+                  "FIXEDPOINT_PROGRAM_MEMORY = {",
+                  ",\n".join(f"        {row}" for row in rows(numbers, 8, form)) + "};"]
+    lines.append("};")
+    for kind, member, _, _ in arrays:
+        lines += ["template <class Any>", f"constexpr {kind} {structure}<Any>::{member}[];"]
+    lines += ["", "}  // namespace portable", "}  // namespace fixedpoint"]
+    (SOURCE / "portable" / f"{name}.hpp").write_text("\n".join(lines) + "\n")
