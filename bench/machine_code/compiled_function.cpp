@@ -43,8 +43,13 @@ class ScratchFolder {
 
 void compile(const fs::path& source, const fs::path& output, const fs::path& messages,
              const Compilation& compilation) {
-    std::vector<std::string> words = {MACHINE_CODE_COMPILER, "-std=c++20", "-shared", "-fPIC", "-w",
-                                      "-I", compilation.include_folder.string()};
+    std::vector<std::string> words = {MACHINE_CODE_COMPILER,
+                                      "-std=c++20",
+                                      "-shared",
+                                      "-fPIC",
+                                      "-w",
+                                      "-I",
+                                      compilation.include_folder.string()};
     std::istringstream options(compilation.options);
     words.insert(words.end(), std::istream_iterator<std::string>(options), {});
     words.insert(words.end(), {source.string(), "-o", output.string()});
@@ -117,8 +122,8 @@ void CompiledFunction::Session::run(std::span<const std::int64_t> operands,
         function_.flash_.data(), covered_.data(), ++pattern_ * 0x9e3779b97f4a7c15, &what, &where);
     if (done == cycles.size()) return;
     const std::size_t arity = function_.arity();
-    throw Misbehaviour(fmt::format("{} {} 0x{:x}, for the operands {}", function_.symbol_, what, where,
-                                   fmt::join(operands.subspan(done * arity, arity), " ")));
+    throw Misbehaviour(fmt::format("{} {} 0x{:x}, for the operands {}", function_.symbol_, what,
+                                   where, fmt::join(operands.subspan(done * arity, arity), " ")));
 }
 
 std::vector<std::uint32_t> CompiledFunction::Session::reached_blocks() const {

@@ -44,8 +44,8 @@ class SharedObject {
 class CompiledFunction {
   public:
     // Throws TranslationError, std::runtime_error.
-    CompiledFunction(const simulator::Elf& elf, std::string_view symbol, const Convention& convention,
-                     const Compilation& compilation = {});
+    CompiledFunction(const simulator::Elf& elf, std::string_view symbol,
+                     const Convention& convention, const Compilation& compilation = {});
 
     const std::string& symbol() const { return symbol_; }
     std::size_t arity() const { return convention_.operands.size(); }

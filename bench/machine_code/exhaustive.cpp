@@ -5,8 +5,8 @@
 
 #include <charconv>
 #include <cmath>
-#include <mutex>
 #include <fstream>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <stdexcept>
@@ -45,21 +45,21 @@ class Worker {
     Part exhaust(std::uint64_t first, std::uint64_t last) {
         const reference::NumberFormat& format = referee_.subject.operand_format;
         Part part;
-        for (std::uint64_t i = first; i < last; ++i) {
-            for (std::size_t k = 0; k < arity_; ++k)
-                operands_[count_ * arity_ + k] = format.sign_extend(i >> (int(k) * format.width));
-            if (++count_ == calls_of_a_batch) run_batch(part);
-        }
+        for (std::uint64_t i = first; i < last; ++i)
+            add(part, [&](std::span<std::int64_t> raws) {
+                for (std::size_t k = 0; k < raws.size(); ++k)
+                    raws[k] = format.sign_extend(i >> (int(k) * format.width));
+            });
         run_batch(part);
         return part;
     }
 
-    // A part of a search: its share of the boundary table; then half of the budget random, a quarter
-    // each climbing towards the largest error and the most cycles.
-    Part search(std::uint64_t index, std::uint64_t budget, std::uint64_t seed) {
+    // A part of a search: its share of the boundary table; then half of the budget random, a
+    // quarter each climbing towards the largest error and the most cycles.
+    Part search(std::span<const operands::BoundaryCase> cases, std::uint64_t index,
+                std::uint64_t budget, std::uint64_t seed) {
         Part part;
         const auto& [operation, format, arithmetic, operand_format] = referee_.subject;
-        const auto cases = operands::boundary_cases(operation, operand_format);
         for (std::uint64_t i = index; i < cases.size(); i += operations::exhaustive_parts)
             add(part, [&](std::span<std::int64_t> raws) {
                 std::copy(cases[i].operands.begin(), cases[i].operands.end(), raws.begin());
@@ -81,8 +81,8 @@ class Worker {
             });
         run_batch(part);
 
-        const auto climb = [&](auto&& height) {
-            operands::search_worst(operation, operand_format, budget / 4, seed,
+        const auto climb = [&](std::uint64_t start, auto&& height) {
+            operands::search_worst(operation, operand_format, budget / 4, start,
                                    [&](std::span<const std::int64_t> raws) {
                                        add(part, [&](std::span<std::int64_t> first) {
                                            std::copy(raws.begin(), raws.end(), first.begin());
@@ -91,13 +91,13 @@ class Worker {
                                        return height();
                                    });
         };
-        climb([&] {
-            const reference::Judgement judgement = referee_.judge(
-                std::span(operands_).first(arity_),
-                std::span(results_).first(results_.size() / calls_of_a_batch));
+        climb(seed, [&] {
+            const reference::Judgement judgement =
+                referee_.judge(std::span(operands_).first(arity_),
+                               std::span(results_).first(results_.size() / calls_of_a_batch));
             return judgement.excluded ? -INFINITY : std::abs(judgement.error_ulp);
         });
-        climb([&] { return double(cycles_[0]); });
+        climb(~seed, [&] { return double(cycles_[0]); });
         return part;
     }
 
@@ -133,6 +133,7 @@ class Worker {
 struct Job {
     std::string symbol;
     Referee referee;
+    std::vector<operands::BoundaryCase> boundary{};  // for a search
 
     int bits() const {
         return referee.subject.operand_format.width *
@@ -147,8 +148,8 @@ std::vector<Job> jobs_of(const simulator::Elf& elf, const std::vector<std::strin
         elf.function(symbol);
         const auto referee = referee_of(reference::parse_symbol(symbol));
         if (!referee)
-            throw std::invalid_argument(
-                fmt::format("{}: only fixed-point functions can be judged over all inputs", symbol));
+            throw std::invalid_argument(fmt::format(
+                "{}: only fixed-point functions can be judged over all inputs", symbol));
         jobs.push_back({symbol, *referee});
     }
     if (!symbols.empty()) return jobs;
@@ -171,11 +172,15 @@ Part run_part(Worker& worker, const Job& job, std::uint64_t index, const Options
         const std::uint64_t share = (std::uint64_t(1) << job.bits()) / operations::exhaustive_parts;
         return worker.exhaust(index * share, (index + 1) * share);
     }
-    const std::uint64_t budget = (options.search_operands + operations::exhaustive_parts - 1) / operations::exhaustive_parts;
-    return worker.search(index, budget, seed_of(job.symbol, index));
+    const std::uint64_t budget =
+        (options.search_operands + operations::exhaustive_parts - 1) / operations::exhaustive_parts;
+    return worker.search(job.boundary, index, budget, seed_of(job.symbol, index));
 }
 
-Measurement measure(const simulator::Elf& elf, const Job& job, const Options& options) {
+Measurement measure(const simulator::Elf& elf, Job& job, const Options& options) {
+    const reference::Subject& subject = job.referee.subject;
+    if (!job.every_input())
+        job.boundary = operands::boundary_cases(subject.operation, subject.operand_format);
     Measurement measurement{.symbol = job.symbol,
                             .elf_sha256 = elf.sha256(),
                             .kernel_sha256 = fingerprint(elf, job.symbol),
@@ -183,7 +188,7 @@ Measurement measure(const simulator::Elf& elf, const Job& job, const Options& op
                             .has_twin = job.referee.twin != nullptr,
                             .parts = {},
                             .unreached = {}};
-    const CompiledFunction function(elf, job.symbol, convention_of(job.referee.subject));
+    const CompiledFunction function(elf, job.symbol, convention_of(subject));
     const Shard& shard = options.shard;
     const std::uint64_t first = operations::exhaustive_parts * (shard.index - 1) / shard.count;
     const std::uint64_t last = operations::exhaustive_parts * shard.index / shard.count;
@@ -212,8 +217,9 @@ Measurement measure(const simulator::Elf& elf, const Job& job, const Options& op
 records::Table empty_table() {
     return records::Table({"operation", "format", "implementation", "inputs", "max_ulp",
                            "max_ulp_witness", "rms_ulp", "mean_ulp", "cycles_min", "cycles_mean",
-                           "cycles_max", "cycles_max_witness", "unreached_instructions", "violations",
-                           "twin_differences", "bound", "elf_sha256", "kernel_sha256"});
+                           "cycles_max", "cycles_max_witness", "unreached_instructions",
+                           "violations", "twin_differences", "bound", "elf_sha256",
+                           "kernel_sha256"});
 }
 
 std::vector<std::string> row_of(const Measurement& measurement, const Part& total) {
@@ -256,7 +262,8 @@ void report(const Measurement& measurement, const Part& total) {
 }
 
 // Puts the rows of the measurements in the place of those of the same functions.
-std::uint64_t save(const std::vector<Measurement>& measurements, const std::filesystem::path& output) {
+std::uint64_t save(const std::vector<Measurement>& measurements,
+                   const std::filesystem::path& output) {
     const std::filesystem::path path = output / "exhaustive.csv";
     std::map<std::vector<std::string>, std::vector<std::string>> rows;
     const auto add = [&](const std::vector<std::string>& row) {
@@ -293,14 +300,14 @@ Shard parse_shard(const std::string& text) {
             shard.index <= shard.count && shard.count <= operations::exhaustive_parts)
             return shard;
     }
-    throw std::invalid_argument(
-        fmt::format("shard '{}': allowed is i/n with 1 <= i <= n <= {}", text, operations::exhaustive_parts));
+    throw std::invalid_argument(fmt::format("shard '{}': allowed is i/n with 1 <= i <= n <= {}",
+                                            text, operations::exhaustive_parts));
 }
 
 std::uint64_t run_exhaustive(const Options& options) {
     const simulator::Elf elf(options.program);
     std::uint64_t violations = 0;
-    for (const Job& job : jobs_of(elf, options.symbols)) {
+    for (Job& job : jobs_of(elf, options.symbols)) {
         const Measurement measurement = measure(elf, job, options);
         if (measurement.is_complete()) {
             violations += save({measurement}, options.output);
@@ -333,9 +340,9 @@ std::uint64_t merge_exhaustive(const std::vector<std::filesystem::path>& shards,
     std::vector<Measurement> measurements;
     for (auto& [symbol, measurement] : by_symbol) {
         if (!measurement.is_complete())
-            throw std::runtime_error(
-                fmt::format("{}: the shards hold {} of {} parts", symbol, measurement.parts.size(),
-                            operations::exhaustive_parts));
+            throw std::runtime_error(fmt::format("{}: the shards hold {} of {} parts", symbol,
+                                                 measurement.parts.size(),
+                                                 operations::exhaustive_parts));
         measurements.push_back(std::move(measurement));
     }
     if (measurements.empty()) throw std::runtime_error("no shards to merge");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Judges the machine code of a device program over whole input spaces: functions of up to 32 bits of
-// operands over every input, the others over a long search for the largest error and the most
+// Judges the machine code of a device program over whole input spaces: functions of up to 32 bits
+// of operands over every input, the others over a long search for the largest error and the most
 // cycles. Bounds are `exact` where every input was run, for the bytes that are flashed.
 #pragma once
 
@@ -21,18 +21,21 @@ struct Shard {
 Shard parse_shard(const std::string& text);
 
 struct Options {
-    std::filesystem::path program;     // the device ELF, linked with --emit-relocs
-    std::filesystem::path output;      // folder for exhaustive.csv, or for the files of a shard
-    std::vector<std::string> symbols;  // <operation>_<format>_<implementation>; empty: all there are
-    std::uint64_t search_operands = 1'000'000'000;  // of a function of more than 32 bits of operands
+    std::filesystem::path program;  // the device ELF, linked with --emit-relocs
+    std::filesystem::path output;   // folder for exhaustive.csv, or for the files of a shard
+    std::vector<std::string>
+        symbols;  // <operation>_<format>_<implementation>; empty: all there are
+    std::uint64_t search_operands =
+        1'000'000'000;  // of a function of more than 32 bits of operands
     Shard shard;
     unsigned threads = 1;
 };
 
 // Writes exhaustive.csv, in which the rows of other functions stay, or, of a shard of many,
 // exhaustive.<symbol>.<i>-of-<n>.json for each function. Returns how many results broke their
-// definition or differ from the portable code's; each function's first is reported on stderr. Throws
-// std::invalid_argument where a symbol is none that can be judged, TranslationError, Misbehaviour.
+// definition or differ from the portable code's; each function's first is reported on stderr.
+// Throws std::invalid_argument where a symbol is none that can be judged, TranslationError,
+// Misbehaviour.
 std::uint64_t run_exhaustive(const Options& options);
 
 // Joins the files of all shards, of one or more functions, into exhaustive.csv; the same file as a

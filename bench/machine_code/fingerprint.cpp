@@ -43,7 +43,8 @@ void read_symbols(LinkRecord& record, Elf_Scn* section) {
     GElf_Sym symbol;
     for (int i = 0; gelf_getsym(data, i, &symbol); ++i) {
         if (GELF_ST_TYPE(symbol.st_info) == STT_OBJECT && symbol.st_value < data_origin)
-            record.tables.push_back({std::uint32_t(symbol.st_value), std::uint32_t(symbol.st_size)});
+            record.tables.push_back(
+                {std::uint32_t(symbol.st_value), std::uint32_t(symbol.st_size)});
     }
 }
 
@@ -76,9 +77,9 @@ LinkRecord read_link_record(const std::filesystem::path& path) {
     }
     close(descriptor);
     if (record.relocations.empty())
-        throw TranslationError(
-            fmt::format("{}: linked without --emit-relocs, so that a function's tables are not known",
-                        path.string()));
+        throw TranslationError(fmt::format(
+            "{}: linked without --emit-relocs, so that a function's tables are not known",
+            path.string()));
     return record;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The instruction set of the AVR, one row an instruction: its bits, its assembler text, what it does
-// as a C++ statement, its cycles. Decoding, disassembly and translation all read these rows.
+// The instruction set of the AVR, one row an instruction: its bits, its assembler text, what it
+// does as a C++ statement, its cycles. Decoding, disassembly and translation all read these rows.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,7 @@ struct InstructionRow {
     //   h     upper bits of a word address whose lower 16 bits are the second word
     std::string_view pattern;
     std::string_view mnemonic;
-    std::string_view operands;   // as avr-objdump prints them, with {field}
+    std::string_view operands;  // as avr-objdump prints them, with {field}
     Flow flow;
     int cycles;                  // on the ATmega328P; of a branch or skip not taken
     std::string_view statement;  // C++ over semantics.hpp; a condition for branch and skip

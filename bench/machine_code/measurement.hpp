@@ -47,7 +47,7 @@ struct Measurement {
     bool every_input = false;  // and not a search
     bool has_twin = false;
     std::map<std::uint64_t, Part> parts;  // of operations::exhaustive_parts
-    std::set<std::uint32_t> unreached;  // flash byte addresses
+    std::set<std::uint32_t> unreached;    // flash byte addresses
 
     // Throws std::runtime_error where the two are not of one run.
     void join(const Measurement& other);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bench/machine_code/referee.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -64,9 +63,9 @@ void find(const reference::NamedSubject& named, std::optional<Referee>& found) {
 template <NumberFormat format>
 void find_in_format(const reference::NamedSubject& named, std::optional<Referee>& found) {
     using enum Operation;
-    find<Arithmetic::nearest, format, add, subtract, multiply, divide, remainder, multiply_add, dot2,
-         dot3, sqrt, reciprocal_sqrt, atan, atan2, sin, cos, sincos, exp, log, length2, length3,
-         normalise3>(named, found);
+    find<Arithmetic::nearest, format, add, subtract, multiply, divide, remainder, multiply_add,
+         dot2, dot3, sqrt, reciprocal_sqrt, atan, atan2, sin, cos, sincos, exp, log, length2,
+         length3, normalise3>(named, found);
     find<Arithmetic::saturating, format, add, subtract, multiply, divide>(named, found);
     find<Arithmetic::truncating, format, multiply, divide, sqrt>(named, found);
     find<Arithmetic::published, format, multiply, divide, sqrt, atan2>(named, found);
@@ -94,9 +93,10 @@ void Referee::compare_all(std::span<const std::int64_t> operands,
     for (std::size_t i = 0; i < results.size() / shape.results; ++i) {
         const Raws each = operands.subspan(i * shape.operands, shape.operands);
         twin->evaluate(each, std::span(expected).first(shape.results));
-        const auto computed = results.begin() + std::ptrdiff_t(i * shape.results);
-        if (std::equal(computed, computed + std::ptrdiff_t(shape.results), expected.begin()))
-            [[likely]]
+        bool same = true;
+        for (std::size_t k = 0; k < shape.results; ++k)
+            same &= results[i * shape.results + k] == expected[k];
+        if (same) [[likely]]
             continue;
         if (found.count++ == 0) found.witness = reference::Witness(each);
     }

@@ -168,7 +168,8 @@ struct Fault {
 
 // Data space as a function may use it: it reads its operands, its results and its stack, and writes
 // its results and its stack. Areas are [begin, end) of data-space addresses.
-template <Word operands_begin, Word operands_end, Word results_begin, Word results_end, Word ram_end>
+template <Word operands_begin, Word operands_end, Word results_begin, Word results_end,
+          Word ram_end>
 struct Memory {
     static constexpr Word ram_begin = 0x100;
     Byte* bytes;  // ram_end of them

@@ -115,8 +115,8 @@ class Translator {
 
     void go_to(const State& state, std::uint32_t from) {
         if (state.address <= from)
-            line("  if (cycles > {}) throw Fault{{\"does not return, at address\", 0x{:x}}};", budget,
-                 from);
+            line("  if (cycles > {}) throw Fault{{\"does not return, at address\", 0x{:x}}};",
+                 budget, from);
         line("  goto block{};", label(state));
     }
 
@@ -198,11 +198,14 @@ class Translator {
         const Place &in = convention_.operand_area, &out = convention_.result_area;
         line("#include \"bench/machine_code/semantics.hpp\"");
         line("using namespace machine_code::semantics;");
-        line("using Area = Memory<{}, {}, {}, {}, {}>;", in.address, in.end(), out.address, out.end(),
-             simulator::Chip::ram_end);
-        line("static inline __attribute__((always_inline)) unsigned call(const std::int64_t* operands,"
-             " std::int64_t* results, Area m, const Byte* __restrict flash, Byte* __restrict covered,"
-             " std::uint64_t pattern) {{");
+        line("using Area = Memory<{}, {}, {}, {}, {}>;", in.address, in.end(), out.address,
+             out.end(), simulator::Chip::ram_end);
+        line(
+            "static inline __attribute__((always_inline)) unsigned call(const std::int64_t* "
+            "operands,"
+            " std::int64_t* results, Area m, const Byte* __restrict flash, Byte* __restrict "
+            "covered,"
+            " std::uint64_t pattern) {{");
         for (int i = 0; i < 32; ++i) line("  Byte r{} = unspecified(pattern, {});", i, i);
         line("  r1 = 0;");
         line("  Status f;");
@@ -210,7 +213,8 @@ class Translator {
         for (std::size_t i = 0; i < convention_.operands.size(); ++i) {
             const Place& place = convention_.operands[i];
             for (int byte = 0; byte < place.size; ++byte)
-                line("  {} = Byte(operands[{}] >> {});", name_of(place.address + byte), i, 8 * byte);
+                line("  {} = Byte(operands[{}] >> {});", name_of(place.address + byte), i,
+                     8 * byte);
         }
         for (const auto& [place, value] : convention_.pointers) {
             line("  r{} = {};", place.address, value & 0xff);
@@ -243,7 +247,8 @@ class Translator {
                  excess);
         }
         line("  return cycles;\n}}");
-        line(R"(extern "C" std::size_t machine_code_run(const std::int64_t* operands, std::size_t count,
+        line(
+            R"(extern "C" std::size_t machine_code_run(const std::int64_t* operands, std::size_t count,
     std::int64_t* __restrict results, std::uint32_t* __restrict cycles, Byte* memory,
     const Byte* flash, Byte* covered, std::uint64_t pattern, const char** what, unsigned* where) {{
   std::size_t i = 0;
@@ -258,8 +263,8 @@ class Translator {
   }}
   return i;
 }})",
-             convention_.operands.size(), convention_.results.size(),
-             convention_.entry_stack_pointer);
+            convention_.operands.size(), convention_.results.size(),
+            convention_.entry_stack_pointer);
     }
 
     static std::string name_of(int address) {
@@ -311,8 +316,7 @@ ControlFlow control_flow(const simulator::Elf& elf, std::string_view symbol) {
         const Instruction instruction = decode_usable(elf, address);
         flow.instructions.push_back(instruction);
         const auto successors = ControlFlow::successors(instruction, elf.flash());
-        const bool falls_through =
-            instruction.row->flow == Flow::next || only_pushes(instruction);
+        const bool falls_through = instruction.row->flow == Flow::next || only_pushes(instruction);
         if (!falls_through) flow.leaders.insert(successors.begin(), successors.end());
         // The next instruction comes off the stack first.
         open.insert(open.end(), successors.rbegin(), successors.rend());

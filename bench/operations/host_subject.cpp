@@ -5,6 +5,7 @@
 #include <fixedpoint/arithmetic/published.hpp>
 #include <fixedpoint/arithmetic/saturating.hpp>
 #include <fixedpoint/arithmetic/small.hpp>
+#include <fixedpoint/portable/floating_point.hpp>
 #include <fmt/format.h>
 
 #include <array>
@@ -25,6 +26,27 @@ using reference::NumberFormat;
 using reference::Operation;
 using reference::Subject;
 
+// Floating point is clamped and never wrapped, whatever the policy.
+template <Subject subject, class Policy>
+std::int64_t converted(std::int64_t operand) {
+    constexpr NumberFormat to = subject.format, from = subject.operand_format;
+    if constexpr (from.is_float()) {
+        return fixedpoint::portable::from_float<fixedpoint::Integer<to.width>, to.fraction>(
+                   reference::float_of_raw(operand))
+            .number;
+    } else {
+        using From = fixedpoint::Integer<from.width>;
+        const From raw = static_cast<From>(operand);
+        if constexpr (to.is_float()) {
+            return reference::raw_of_float(
+                fixedpoint::portable::to_float<float, From, from.fraction>(raw));
+        } else {
+            return Policy::template convert<fixedpoint::Integer<to.width>, to.fraction, From,
+                                            from.fraction>(raw);
+        }
+    }
+}
+
 // Computes `operation` of the operands in the policy's arithmetic.
 template <reference::Subject subject, class Policy>
 void evaluate(std::span<const std::int64_t> operands, std::span<std::int64_t> results) {
@@ -33,7 +55,9 @@ void evaluate(std::span<const std::int64_t> operands, std::span<std::int64_t> re
     using Raw = fixedpoint::Integer<subject.format.width>;
     const auto raw = [&](std::size_t i) { return static_cast<Raw>(operands[i]); };
 
-    if constexpr (operation == Operation::add) {
+    if constexpr (operation == Operation::convert) {
+        results[0] = converted<subject, Policy>(operands[0]);
+    } else if constexpr (operation == Operation::add) {
         results[0] = Policy::template add<Raw, F>(raw(0), raw(1));
     } else if constexpr (operation == Operation::subtract) {
         results[0] = Policy::template subtract<Raw, F>(raw(0), raw(1));
@@ -93,8 +117,10 @@ Judgement judge_one(std::span<const std::int64_t> operands) {
     constexpr std::size_t results = reference::shape(subject.operation).results;
     std::array<std::int64_t, results> computed;
     evaluate<subject, Policy>(operands, computed);
-    // No C type holds exp of a 64-bit format to a fraction of its ulp.
-    if constexpr (subject.operation == Operation::exp && subject.format.width == 64) {
+    // The fast judge has no float and no sincos, and no C type holds exp of a 64-bit format to a fraction of its ulp.
+    if constexpr (subject.format.is_float() || subject.operand_format.is_float() ||
+                  subject.operation == Operation::sincos ||
+                  (subject.operation == Operation::exp && subject.format.width == 64)) {
         return reference::judge(subject, operands, computed);
     } else {
         return reference::bulk::judge<subject>(operands, computed);
@@ -103,7 +129,7 @@ Judgement judge_one(std::span<const std::int64_t> operands) {
 
 template <Subject subject, class Policy>
 ErrorStatistics exhaust(std::uint64_t part) {
-    constexpr NumberFormat format = subject.format;
+    constexpr NumberFormat format = subject.operand_format;
     constexpr std::size_t arity = reference::shape(subject.operation).operands;
     constexpr std::uint64_t inputs = std::uint64_t(1) << (format.width * arity);
     constexpr std::uint64_t share = inputs / exhaustive_parts;
@@ -118,28 +144,29 @@ ErrorStatistics exhaust(std::uint64_t part) {
     return statistics;
 }
 
-template <class Policy, Arithmetic arithmetic, NumberFormat format, Operation operation>
+template <Subject subject, class Policy>
 void add_subject(std::vector<HostSubject>& subjects, const char* implementation) {
-    constexpr Subject subject{operation, format, arithmetic};
-    constexpr int bits = format.width * static_cast<int>(reference::shape(operation).operands);
+    constexpr int bits =
+        subject.operand_format.width * static_cast<int>(reference::shape(subject.operation).operands);
     const bool same_as_default = std::is_same_v<Policy, fixedpoint::Nearest> &&
                                  std::string_view(implementation) != "default";
-    HostSubject host{subject, implementation, bits, same_as_default, evaluate<subject, Policy>,
-                     judge_one<subject, Policy>, nullptr};
+    HostSubject host{subject,         implementation,
+                     bits,            same_as_default,
+                     evaluate<subject, Policy>, judge_one<subject, Policy>, nullptr};
     if constexpr (bits <= 32) host.exhaust = exhaust<subject, Policy>;
     subjects.push_back(std::move(host));
 }
 
 template <class Policy, Arithmetic arithmetic, NumberFormat format, Operation... operations>
 void add_subjects(std::vector<HostSubject>& subjects, const char* implementation) {
-    (add_subject<Policy, arithmetic, format, operations>(subjects, implementation), ...);
+    (add_subject<Subject{operations, format, arithmetic}, Policy>(subjects, implementation), ...);
 }
 
 template <NumberFormat format>
 void add_format(std::vector<HostSubject>& subjects) {
     using enum Operation;
     add_subjects<fixedpoint::Nearest, Arithmetic::nearest, format, add, subtract, multiply, divide,
-                 remainder, sqrt, atan, atan2, reciprocal_sqrt, sin, cos, multiply_add, dot2, dot3,
+                 remainder, sqrt, atan, atan2, reciprocal_sqrt, sin, cos, sincos, exp, log, multiply_add, dot2, dot3,
                  length2, length3, normalise3>(subjects, "default");
     // The portable code by itself; on the host it is the default.
     add_subjects<fixedpoint::Nearest, Arithmetic::nearest, format, multiply, divide, sqrt>(
@@ -150,11 +177,33 @@ void add_format(std::vector<HostSubject>& subjects) {
         subjects, "saturating");
 }
 
+template <NumberFormat from, NumberFormat to>
+void add_conversion(std::vector<HostSubject>& subjects) {
+    using enum Arithmetic;
+    add_subject<Subject{Operation::convert, to, to.is_float() ? ieee : nearest, from},
+                fixedpoint::Nearest>(subjects, "default");
+    if constexpr (!to.is_float() && !from.is_float()) {
+        add_subject<Subject{Operation::convert, to, saturating, from}, fixedpoint::Saturating>(
+            subjects, "saturating");
+    }
+}
+
+template <NumberFormat one, NumberFormat other>
+void add_conversions(std::vector<HostSubject>& subjects) {
+    add_conversion<one, other>(subjects);
+    add_conversion<other, one>(subjects);
+}
+
 }  // namespace
 
+std::string operation_name(const reference::Subject& subject) {
+    const std::string_view name = reference::shape(subject.operation).name;
+    if (subject.operation != Operation::convert) return std::string(name);
+    return fmt::format("{}_{}", name, reference::format_name(subject.operand_format));
+}
+
 std::string HostSubject::name() const {
-    return fmt::format("{}_{}_{}", reference::shape(subject.operation).name,
-                       reference::format_name(subject.format), implementation);
+    return fmt::format("{}_{}_{}", operation_name(subject), reference::format_name(subject.format), implementation);
 }
 
 const std::vector<HostSubject>& host_subjects() {
@@ -164,11 +213,18 @@ const std::vector<HostSubject>& host_subjects() {
         add_format<reference::q8_8>(subjects);
         add_format<reference::q16_16>(subjects);
         add_format<reference::q32_32>(subjects);
+        add_conversions<reference::q8_8, reference::q4_4>(subjects);
+        add_conversions<reference::q16_16, reference::q8_8>(subjects);
+        add_conversions<reference::q32_32, reference::q16_16>(subjects);
+        add_conversions<reference::q4_4, reference::ieee_single>(subjects);
+        add_conversions<reference::q8_8, reference::ieee_single>(subjects);
+        add_conversions<reference::q16_16, reference::ieee_single>(subjects);
+        add_conversions<reference::q32_32, reference::ieee_single>(subjects);
         using enum Operation;
-        add_subject<fixedpoint::Nearest, Arithmetic::nearest, reference::q16_16, divide>(subjects,
-                                                                                        "widening");
+        add_subjects<fixedpoint::Nearest, Arithmetic::nearest, reference::q16_16, divide>(subjects,
+                                                                                         "widening");
         add_subjects<fixedpoint::Small, Arithmetic::nearest, reference::q16_16, sqrt, reciprocal_sqrt,
-                     atan, atan2, sin, cos>(subjects, "small");
+                     atan, atan2, sin, cos, sincos, exp, log>(subjects, "small");
         return subjects;
     }();
     return all;

@@ -39,4 +39,7 @@ struct HostSubject {
 
 const std::vector<HostSubject>& host_subjects();
 
+// The operation as symbols and tables name it: of a conversion with the format it starts from.
+std::string operation_name(const reference::Subject& subject);
+
 }  // namespace operations

@@ -12,6 +12,7 @@
 #include "bench/operands/boundary.hpp"
 #include "bench/operands/operand_class.hpp"
 #include "bench/operations/device_subject.hpp"
+#include "bench/operations/host_subject.hpp"
 #include "bench/operations/parallel.hpp"
 #include "bench/operations/witness.hpp"
 #include "bench/records/benchmark_json.hpp"
@@ -190,7 +191,7 @@ records::Table table_of(const std::vector<Row>& rows, const Footprints& footprin
         const auto footprint = footprints.find(row.subject);
         const Footprint weight = footprint == footprints.end() ? Footprint{} : footprint->second;
         const bool judged = row.errors.count() > 0;
-        table.add({std::string(reference::shape(row.named.subject.operation).name),
+        table.add({operation_name(row.named.subject),
                    reference::format_name(row.named.subject.format), row.named.implementation,
                    row.operands, fmt::to_string(row.samples), fmt::to_string(row.cycles_min),
                    records::cell(row.cycles_mean()), fmt::to_string(row.cycles_max),

@@ -112,7 +112,7 @@ std::uint64_t verify_kernels(const VerifyOptions& options) {
         const simulator::Elf& program = *each.program;
         const std::size_t unreached =
             each.coverage.missed(program, program.function(each.host->name())).size();
-        table.add({std::string(reference::shape(each.host->subject.operation).name),
+        table.add({operation_name(each.host->subject),
                    reference::format_name(each.host->subject.format), each.host->implementation,
                    each.host->input_bits <= 16 ? "all" : "boundary, random",
                    fmt::to_string(each.compared), fmt::to_string(each.mismatches),

@@ -13,7 +13,7 @@ nlohmann::json benchmark_document(const std::vector<SimulatedBenchmark>& benchma
                            {"cpu_scaling_enabled", false},
                            {"caches", nlohmann::json::array()},
                            {"library_build_type", "release"}};
-    document["context"].update(context);
+    if (!context.is_null()) document["context"].update(context);
     document["benchmarks"] = nlohmann::json::array();
     int family = 0;
     for (const SimulatedBenchmark& benchmark : benchmarks) {
@@ -30,7 +30,7 @@ nlohmann::json benchmark_document(const std::vector<SimulatedBenchmark>& benchma
                                 {"cpu_time", benchmark.cycles_mean * nanoseconds_per_cycle},
                                 {"time_unit", "ns"},
                                 {"cycles", benchmark.cycles_mean}};
-        entry.update(benchmark.counters);
+        if (!benchmark.counters.is_null()) entry.update(benchmark.counters);
         document["benchmarks"].push_back(std::move(entry));
     }
     return document;

@@ -13,6 +13,7 @@ import division_cycles
 import error_against_cycles
 import error_along_input
 import error_histograms
+import headline
 import style
 import table_3_2
 from data import Data
@@ -23,6 +24,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 def figures(data):
     """Name and maker of each figure."""
     return {
+        "headline": lambda: headline.draw(data),
         "table_3_2": lambda: table_3_2.draw(data),
         "division_cycles": lambda: division_cycles.draw(data),
         "error_against_cycles_32": lambda: error_against_cycles.draw(data, "32 bits"),

@@ -15,13 +15,13 @@ import table_header
 from exponential_series import exponential, logarithm
 
 FRACTION_BITS = 39
-FIRST, FIRST_LARGE, LAST = -17, 5, 15
+FIRST, FIRST_LARGE, LAST = -17, 5, 16
 GUARD = 64
 NODE_SHIFT = Fraction(1, 16)
 # What the products lose in the mean, in units of the tail's last bit.
 SMALL_LOSS, LARGE_LOSS = 3, 64
-# Leaves room for the 31 / 256 that the square adds at l = 255. Where this cuts a tail, the result is
-# small.
+# Leaves room for the 31 / 256 that the square adds at l = 255. A tail that this cuts has a small
+# result.
 LARGEST_SMALL_TAIL = 224
 
 
@@ -32,14 +32,16 @@ def power(index):
 
 def reduction(k):
     """(offset, tail) of k, exact."""
-    shift = Fraction(-k * logarithm(2, 1, 16 + GUARD), 1 << GUARD) - NODE_SHIFT
+    # k = 16 is beyond every result: half a unit less leaves mantissas from 1 on, which are clamped.
+    multiple = Fraction(31, 2) if k == LAST else k
+    shift = -multiple * Fraction(logarithm(2, 1, 16 + GUARD), 1 << GUARD) - NODE_SHIFT
     offset = shift.numerator // shift.denominator
     return offset & 0xffff, shift - offset
 
 
 SENTENCE = """\
 2^39 e^x at the nodes x = (256 h + 128 + 1/16) / 2^16, h being the index as a signed byte. For k
-from -17 to 15: offset and tail, 16 and 24 bits of -k ln 2 - 2^-20 behind the point; below k = 5
+from -17 to 16: offset and tail, 16 and 24 bits of -k ln 2 - 2^-20 behind the point; below k = 5
 the tail has 8 bits."""
 
 
@@ -62,8 +64,8 @@ def main():
     page.write_assembly("exp_table", "exp.py", SENTENCE, [
         *((f"power, bits {bit}..{bit + 7}", [value >> bit & 255 for value in powers])
           for bit in (32, 24, 16, 8, 0)),
-        ("for each k: offset, bits 0..7; offset, bits 8..15; tail, bits 16..23; 2^((k + 1) mod 8); "
-         "from k = 5 on: tail, bits 8..15; tail, bits 0..7", records)])
+        ("for each k: offset low, high; tail, bits 16..23; 2^((k + 1) mod 8); tail, bits 8..15, 0..7",
+         records)])
     table_header.write("exp_table", "exp.py", SENTENCE, "ExpTable", [
         ("uint32_t", "power", [value >> 8 for value in powers], "0x{:08x}"),
         ("uint8_t", "power_low", [value & 255 for value in powers], "0x{:02x}"),

@@ -62,8 +62,8 @@ def main():
         ("5 log2 of a byte, by its upper 7 bits", [5 * max(0, (2 * i).bit_length() - 1)
                                                    for i in range(128)]),
         ("value, bits 16..23", byte(values, 2)),
-        ("for each exponent: what its leading byte is multiplied with so that bit 7 is set, and "
-         "the four bytes of its logarithm", records)])
+        ("for each exponent: the factor that sets the leading byte's bit 7, four bytes of logarithm",
+         records)])
     table_header.write("log_table", "log.py", SENTENCE, "LogTable", [
         ("uint32_t", "value", values, "0x{:06x}"),
         ("uint16_t", "slope", slopes, "0x{:04x}"),

@@ -21,7 +21,7 @@ def write(name, generator, sentence, structure, arrays):
     for kind, member, numbers, form in arrays:
         lines += [f"    static constexpr {kind} {member}[{len(numbers)}] "
                   "FIXEDPOINT_PROGRAM_MEMORY = {",
-                  ",\n".join(f"        {row}" for row in rows(numbers, 8, form)) + "};"]
+                  ",\n".join(f"        {row}" for row in rows(numbers, 6, form)) + "};"]
     lines.append("};")
     for kind, member, _, _ in arrays:
         lines += ["template <class Any>", f"constexpr {kind} {structure}<Any>::{member}[];"]

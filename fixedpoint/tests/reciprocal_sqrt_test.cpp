@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <fixedpoint/kernel/reciprocal_sqrt.hpp>
-#include <fixedpoint/kernel/reciprocal_sqrt_small.hpp>
 #include <limits>
 
 #include "exact.hpp"

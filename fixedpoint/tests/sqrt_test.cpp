@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <fixedpoint/kernel/sqrt.hpp>
-#include <fixedpoint/kernel/sqrt_small.hpp>
 #include <limits>
 
 #include "exact.hpp"

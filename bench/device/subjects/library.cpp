@@ -18,6 +18,8 @@ using fixedpoint::Saturating;
     SUBJECT_UNARY(reciprocal_sqrt, format, default, Raw, F, Nearest)     \
     SUBJECT_UNARY(sin, format, default, Raw, F, Nearest)                 \
     SUBJECT_UNARY(cos, format, default, Raw, F, Nearest)                 \
+    SUBJECT_UNARY(exp, format, default, Raw, F, Nearest)                 \
+    SUBJECT_UNARY(log, format, default, Raw, F, Nearest)                 \
     SUBJECT_SINCOS(format, default, Raw, F, Nearest)                     \
     SUBJECT_TERNARY(multiply_add, format, default, Raw, F, Nearest)      \
     SUBJECT_DOT(dot2, format, default, Raw, F, Nearest)                  \

@@ -42,13 +42,13 @@ std::string normalised(std::string text) {
 
 // The disassembly by address.
 std::map<std::uint32_t, std::string> objdump(const std::vector<std::uint8_t>& bytes) {
-    const auto path = std::filesystem::temp_directory_path() /
-                      fmt::format("every_opcode.{}.bin", getpid());
+    const auto path =
+        std::filesystem::temp_directory_path() / fmt::format("every_opcode.{}.bin", getpid());
     records::write_whole(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-    const std::string command =
-        fmt::format("avr-objdump --disassemble-all --disassemble-zeroes --target=binary "
-                    "--architecture=avr5 {}",
-                    path.string());
+    const std::string command = fmt::format(
+        "avr-objdump --disassemble-all --disassemble-zeroes --target=binary "
+        "--architecture=avr5 {}",
+        path.string());
     std::map<std::uint32_t, std::string> lines;
     {
         const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);

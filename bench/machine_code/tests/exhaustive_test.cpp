@@ -95,7 +95,8 @@ TEST_F(ExhaustiveTest, ShardsMergeToWhatOneRunGives) {
     EXPECT_GT(merge_exhaustive(shards, folder_), 0u);
     EXPECT_EQ(csv(), whole);
 
-    EXPECT_THROW(merge_exhaustive({shards.begin(), shards.begin() + 4}, folder_), std::runtime_error);
+    EXPECT_THROW(merge_exhaustive({shards.begin(), shards.begin() + 4}, folder_),
+                 std::runtime_error);
     EXPECT_THROW(merge_exhaustive({shards[0], shards[0]}, folder_), std::runtime_error);
     records::write_whole(folder_ / "none.json", "{}");
     EXPECT_THROW(merge_exhaustive({folder_ / "none.json"}, folder_), std::runtime_error);

@@ -145,7 +145,8 @@ class SemanticsTest : public testing::Test {
     }
 
     // What differs, as text; empty where nothing does.
-    std::string difference(const Instruction& instruction, void (*translated)(State&, const std::uint8_t*)) {
+    std::string difference(const Instruction& instruction,
+                           void (*translated)(State&, const std::uint8_t*)) {
         put_word(here, instruction.opcode);
         // Behind a skip an instruction of one word or of two.
         const bool long_next = random_() & 1;
@@ -175,7 +176,8 @@ class SemanticsTest : public testing::Test {
         if (expected.flags != computed.flags)
             text += fmt::format(" flags {:02x} not {:02x}", computed.flags, expected.flags);
         if (expected.sp != computed.sp) text += " stack pointer";
-        if (std::memcmp(expected.memory, computed.memory, sizeof expected.memory)) text += " memory";
+        if (std::memcmp(expected.memory, computed.memory, sizeof expected.memory))
+            text += " memory";
         return text;
     }
 
@@ -225,31 +227,32 @@ TEST_P(BrokenSemanticsTest, IsFoundOut) {
     ASSERT_NE(place, header.npos) << "the header no longer holds: " << GetParam().right;
     header.replace(place, std::strlen(GetParam().right), GetParam().wrong);
 
-    const fs::path folder = fs::temp_directory_path() / fmt::format("broken_semantics.{}", getpid());
+    const fs::path folder =
+        fs::temp_directory_path() / fmt::format("broken_semantics.{}", getpid());
     records::write_whole(folder / name, header);
     std::string text;
-    const int found = count_differences(
-        GetParam().mnemonic, {.options = "-O0", .include_folder = folder}, text);
+    const int found =
+        count_differences(GetParam().mnemonic, {.options = "-O0", .include_folder = folder}, text);
     fs::remove_all(folder);
     EXPECT_GT(found, 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(
     Mutants, BrokenSemanticsTest,
-    testing::Values(Mutant{"adc", "f.h = (d & 15) + (r & 15) + carry > 15", "f.h = (d & 15) + (r & 15) > 15"},
-                    Mutant{"add", "f.c = sum > 255", "f.c = sum > 256"},
-                    Mutant{"sbc", "f.c = d < unsigned(r) + borrow", "f.c = d < r"},
-                    Mutant{"cpi", "f.v = ((d ^ r) & (d ^ result)) >> 7", "f.v = ((d ^ r) & (r ^ result)) >> 7"},
-                    Mutant{"sbci", "f.z &= d == 0", "f.z = d == 0"},
-                    Mutant{"and", "f.s = f.n != f.v", "f.s = f.v"},
-                    Mutant{"com", "f.c = true", "f.c = false"},
-                    Mutant{"dec", "f.v = d == 0x7f", "f.v = d == 0x80"},
-                    Mutant{"ror", "f.v = f.n != f.c", "f.v = f.n"},
-                    Mutant{"mulsu", "std::int8_t(d) * int(r)", "std::int8_t(d) * std::int8_t(r)"},
-                    Mutant{"fmul", "product << 1", "product"},
-                    Mutant{"sbiw", "f.c = (~before & after) >> 15", "f.c = (before & after) >> 15"},
-                    Mutant{"ld", "Word(word(low, high) - 1)", "word(low, high)"},
-                    Mutant{"push", "bytes[sp--] = value", "bytes[--sp] = value"}));
+    testing::Values(
+        Mutant{"adc", "f.h = (d & 15) + (r & 15) + carry > 15", "f.h = (d & 15) + (r & 15) > 15"},
+        Mutant{"add", "f.c = sum > 255", "f.c = sum > 256"},
+        Mutant{"sbc", "f.c = d < unsigned(r) + borrow", "f.c = d < r"},
+        Mutant{"cpi", "f.v = ((d ^ r) & (d ^ result)) >> 7", "f.v = ((d ^ r) & (r ^ result)) >> 7"},
+        Mutant{"sbci", "f.z &= d == 0", "f.z = d == 0"},
+        Mutant{"and", "f.s = f.n != f.v", "f.s = f.v"}, Mutant{"com", "f.c = true", "f.c = false"},
+        Mutant{"dec", "f.v = d == 0x7f", "f.v = d == 0x80"},
+        Mutant{"ror", "f.v = f.n != f.c", "f.v = f.n"},
+        Mutant{"mulsu", "std::int8_t(d) * int(r)", "std::int8_t(d) * std::int8_t(r)"},
+        Mutant{"fmul", "product << 1", "product"},
+        Mutant{"sbiw", "f.c = (~before & after) >> 15", "f.c = (before & after) >> 15"},
+        Mutant{"ld", "Word(word(low, high) - 1)", "word(low, high)"},
+        Mutant{"push", "bytes[sp--] = value", "bytes[--sp] = value"}));
 
 }  // namespace
 }  // namespace machine_code

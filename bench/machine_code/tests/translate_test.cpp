@@ -142,9 +142,9 @@ INSTANTIATE_TEST_SUITE_P(
                     Fault{"changes_r17", "changes call-saved register 0x11"},
                     Fault{"pushes_only", "stack pointer unbalanced"},
                     Fault{"returns_early", "returns to another address"},
-                    Fault{"writes_away", "writes outside of its results and its stack, data address 0x123"},
-                    Fault{"hangs", "does not return"},
-                    Fault{"recurses", "calls nest too deep"},
+                    Fault{"writes_away",
+                          "writes outside of its results and its stack, data address 0x123"},
+                    Fault{"hangs", "does not return"}, Fault{"recurses", "calls nest too deep"},
                     Fault{"jumps_indirectly", "opcode 0x9409, ijmp"},
                     Fault{"reads_a_port", "in r24, 0x03: only SPL, SPH and SREG"},
                     Fault{"is_no_code", "opcode 0x00ff, .word 0x00ff: no such instruction"}));

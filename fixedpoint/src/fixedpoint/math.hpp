@@ -33,6 +33,14 @@ template <int I, int F, class A>
 constexpr Fixed<I, F, A> cos(Fixed<I, F, A> angle) {
     return Fixed<I, F, A>::from_raw(A::template cos<Integer<I + F>, F>(angle.raw()));
 }
+template <int I, int F, class A>
+constexpr Fixed<I, F, A> exp(Fixed<I, F, A> a) {
+    return Fixed<I, F, A>::from_raw(A::template exp<Integer<I + F>, F>(a.raw()));
+}
+template <int I, int F, class A>
+constexpr Fixed<I, F, A> log(Fixed<I, F, A> a) {
+    return Fixed<I, F, A>::from_raw(A::template log<Integer<I + F>, F>(a.raw()));
+}
 // a b + c, rounded once.
 template <int I, int F, class A>
 constexpr Fixed<I, F, A> multiply_add(Fixed<I, F, A> a, Fixed<I, F, A> b, Fixed<I, F, A> c) {

@@ -15,7 +15,9 @@
 #include <fixedpoint/kernel/cos.hpp>
 #include <fixedpoint/kernel/divide.hpp>
 #include <fixedpoint/kernel/dot.hpp>
+#include <fixedpoint/kernel/exp.hpp>
 #include <fixedpoint/kernel/length.hpp>
+#include <fixedpoint/kernel/log.hpp>
 #include <fixedpoint/kernel/multiply.hpp>
 #include <fixedpoint/kernel/multiply_add.hpp>
 #include <fixedpoint/kernel/normalise.hpp>
@@ -97,6 +99,16 @@ struct Nearest {
     template <class Raw, int F>
     static constexpr void sincos(Raw angle, Raw* sine_and_cosine) {
         kernel::sincos<Raw, F>(angle, sine_and_cosine);
+    }
+    // e^a within 1 ulp; the largest number where it does not fit.
+    template <class Raw, int F>
+    static constexpr Raw exp(Raw a) {
+        return kernel::exp<Raw, F>(a);
+    }
+    // The natural logarithm within 1 ulp; the smallest number where a <= 0.
+    template <class Raw, int F>
+    static constexpr Raw log(Raw a) {
+        return kernel::log<Raw, F>(a);
     }
     // a b + c, rounded once, mod 2^W.
     template <class Raw, int F>

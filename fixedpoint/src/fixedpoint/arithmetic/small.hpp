@@ -33,6 +33,14 @@ struct Small : Nearest {
         return kernel::cos_small<Raw, F>(angle);
     }
     template <class Raw, int F>
+    static constexpr Raw exp(Raw a) {
+        return kernel::exp_small<Raw, F>(a);
+    }
+    template <class Raw, int F>
+    static constexpr Raw log(Raw a) {
+        return kernel::log_small<Raw, F>(a);
+    }
+    template <class Raw, int F>
     static constexpr void sincos(Raw angle, Raw* sine_and_cosine) {
         sine_and_cosine[0] = sin<Raw, F>(angle);
         sine_and_cosine[1] = cos<Raw, F>(angle);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <fixedpoint/kernel/assembly.hpp>
+#include <fixedpoint/kernel/through_q16_16.hpp>
 #include <fixedpoint/portable/atan.hpp>
 
 namespace fixedpoint {
@@ -10,11 +11,14 @@ namespace kernel {
 
 template <class Raw, int F>
 constexpr Raw atan(Raw a) {
-    return portable::atan<Raw, F>(a);
+    return through_q16_16<Raw, F> ? from_q16_16<Raw, F>(atan<int32_t, 16>(to_q16_16<Raw, F>(a)))
+                                  : portable::atan<Raw, F>(a);
 }
 template <class Raw, int F>
 constexpr Raw atan_small(Raw a) {
-    return portable::atan_small<Raw, F>(a);
+    return through_q16_16<Raw, F>
+               ? from_q16_16<Raw, F>(atan_small<int32_t, 16>(to_q16_16<Raw, F>(a)))
+               : portable::atan_small<Raw, F>(a);
 }
 
 }  // namespace kernel

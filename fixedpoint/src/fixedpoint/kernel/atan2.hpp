@@ -3,18 +3,24 @@
 #pragma once
 
 #include <fixedpoint/kernel/assembly.hpp>
+#include <fixedpoint/kernel/through_q16_16.hpp>
 #include <fixedpoint/portable/atan2.hpp>
 
 namespace fixedpoint {
 namespace kernel {
 
+// Q8.8 has a kernel of its own.
 template <class Raw, int F>
 constexpr Raw atan2(Raw y, Raw x) {
-    return portable::atan2<Raw, F>(y, x);
+    return through_q16_16<Raw, F> && !(sizeof(Raw) == 2 && F == 8)
+               ? from_q16_16<Raw, F>(atan2<int32_t, 16>(to_q16_16<Raw, F>(y), to_q16_16<Raw, F>(x)))
+               : portable::atan2<Raw, F>(y, x);
 }
 template <class Raw, int F>
 constexpr Raw atan2_small(Raw y, Raw x) {
-    return portable::atan2_small<Raw, F>(y, x);
+    return through_q16_16<Raw, F> ? from_q16_16<Raw, F>(atan2_small<int32_t, 16>(
+                                        to_q16_16<Raw, F>(y), to_q16_16<Raw, F>(x)))
+                                  : portable::atan2_small<Raw, F>(y, x);
 }
 
 }  // namespace kernel

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <fixedpoint/kernel/assembly.hpp>
+#include <fixedpoint/kernel/through_q16_16.hpp>
 #include <fixedpoint/portable/sin.hpp>
 
 namespace fixedpoint {
@@ -10,11 +11,14 @@ namespace kernel {
 
 template <class Raw, int F>
 constexpr Raw cos(Raw angle) {
-    return portable::cos<Raw, F>(angle);
+    return through_q16_16<Raw, F> ? from_q16_16<Raw, F>(cos<int32_t, 16>(to_q16_16<Raw, F>(angle)))
+                                  : portable::cos<Raw, F>(angle);
 }
 template <class Raw, int F>
 constexpr Raw cos_small(Raw angle) {
-    return portable::cos_small<Raw, F>(angle);
+    return through_q16_16<Raw, F>
+               ? from_q16_16<Raw, F>(cos_small<int32_t, 16>(to_q16_16<Raw, F>(angle)))
+               : portable::cos_small<Raw, F>(angle);
 }
 
 }  // namespace kernel

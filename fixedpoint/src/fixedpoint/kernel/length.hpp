@@ -3,6 +3,7 @@
 #pragma once
 
 #include <fixedpoint/kernel/assembly.hpp>
+#include <fixedpoint/kernel/through_q16_16.hpp>
 #include <fixedpoint/portable/length.hpp>
 
 namespace fixedpoint {
@@ -10,11 +11,16 @@ namespace kernel {
 
 template <class Raw, int F>
 constexpr Raw length2(const Raw* v) {
-    return portable::length2<Raw, F>(v);
+    if (!through_q16_16<Raw, F>) return portable::length2<Raw, F>(v);
+    const int32_t wide[2] = {to_q16_16<Raw, F>(v[0]), to_q16_16<Raw, F>(v[1])};
+    return from_q16_16<Raw, F>(length2<int32_t, 16>(wide));
 }
 template <class Raw, int F>
 constexpr Raw length3(const Raw* v) {
-    return portable::length3<Raw, F>(v);
+    if (!through_q16_16<Raw, F>) return portable::length3<Raw, F>(v);
+    const int32_t wide[3] = {to_q16_16<Raw, F>(v[0]), to_q16_16<Raw, F>(v[1]),
+                             to_q16_16<Raw, F>(v[2])};
+    return from_q16_16<Raw, F>(length3<int32_t, 16>(wide));
 }
 
 }  // namespace kernel

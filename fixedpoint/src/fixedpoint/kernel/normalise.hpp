@@ -3,6 +3,7 @@
 #pragma once
 
 #include <fixedpoint/kernel/assembly.hpp>
+#include <fixedpoint/kernel/through_q16_16.hpp>
 #include <fixedpoint/portable/normalise.hpp>
 
 namespace fixedpoint {
@@ -10,7 +11,14 @@ namespace kernel {
 
 template <class Raw, int F>
 constexpr void normalise3(const Raw* v, Raw* unit) {
-    portable::normalise3<Raw, F>(v, unit);
+    if (through_q16_16<Raw, F>) {
+        int32_t wide[3] = {to_q16_16<Raw, F>(v[0]), to_q16_16<Raw, F>(v[1]),
+                           to_q16_16<Raw, F>(v[2])};
+        normalise3<int32_t, 16>(wide, wide);
+        for (unsigned char i = 0; i < 3; ++i) unit[i] = from_q16_16<Raw, F>(wide[i]);
+    } else {
+        portable::normalise3<Raw, F>(v, unit);
+    }
 }
 
 }  // namespace kernel

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <fixedpoint/kernel/assembly.hpp>
+#include <fixedpoint/kernel/through_q16_16.hpp>
 #include <fixedpoint/portable/reciprocal_sqrt.hpp>
 
 namespace fixedpoint {
@@ -10,11 +11,15 @@ namespace kernel {
 
 template <class Raw, int F>
 constexpr Raw reciprocal_sqrt(Raw a) {
-    return portable::reciprocal_sqrt<Raw, F>(a);
+    return through_q16_16<Raw, F>
+               ? from_q16_16<Raw, F>(reciprocal_sqrt<int32_t, 16>(to_q16_16<Raw, F>(a)))
+               : portable::reciprocal_sqrt<Raw, F>(a);
 }
 template <class Raw, int F>
 constexpr Raw reciprocal_sqrt_small(Raw a) {
-    return portable::nearest_reciprocal_sqrt<Raw, F>(a);
+    return through_q16_16<Raw, F>
+               ? from_q16_16<Raw, F>(reciprocal_sqrt_small<int32_t, 16>(to_q16_16<Raw, F>(a)))
+               : portable::nearest_reciprocal_sqrt<Raw, F>(a);
 }
 
 }  // namespace kernel

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <fixedpoint/kernel/assembly.hpp>
+#include <fixedpoint/kernel/through_q16_16.hpp>
 #include <fixedpoint/portable/sin.hpp>
 
 namespace fixedpoint {
@@ -10,11 +11,14 @@ namespace kernel {
 
 template <class Raw, int F>
 constexpr Raw sin(Raw angle) {
-    return portable::sin<Raw, F>(angle);
+    return through_q16_16<Raw, F> ? from_q16_16<Raw, F>(sin<int32_t, 16>(to_q16_16<Raw, F>(angle)))
+                                  : portable::sin<Raw, F>(angle);
 }
 template <class Raw, int F>
 constexpr Raw sin_small(Raw angle) {
-    return portable::sin_small<Raw, F>(angle);
+    return through_q16_16<Raw, F>
+               ? from_q16_16<Raw, F>(sin_small<int32_t, 16>(to_q16_16<Raw, F>(angle)))
+               : portable::sin_small<Raw, F>(angle);
 }
 
 }  // namespace kernel

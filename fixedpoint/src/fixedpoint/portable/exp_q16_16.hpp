@@ -28,8 +28,8 @@ constexpr uint64_t grown_power_40(uint8_t node, int32_t growth) {
     const int32_t low = (power4 * growth0 >> 8) + (power3 * growth1 >> 8) +
                         (power2 * growth2 >> 8) + (power1 * growth3 >> 8) + power4 * growth1 +
                         power3 * growth2 + power2 * growth3;
-    const int64_t high = static_cast<int64_t>(power4) * growth3 * 256 + power4 * growth2 +
-                         power3 * growth3;
+    const int64_t high =
+        static_cast<int64_t>(power4) * growth3 * 256 + power4 * growth2 + power3 * growth3;
     return (static_cast<uint64_t>(power) << 8 | read_program_memory(ExpTable<>::power_low[node])) +
            static_cast<uint64_t>(high * 256 + low);
 }
@@ -38,17 +38,15 @@ constexpr int32_t exp_q16_16(int32_t a) {
     const int32_t whole = a >> 16;
     if (whole == ((a & 0x8000) != 0 ? -1 : 0)) {
         const int16_t growth = static_cast<int16_t>(((a & 0xff) - 128) * 256);
-        return static_cast<int32_t>(
-            (grown_power_24(static_cast<uint8_t>(a >> 8), growth) + 64) >> 7);
+        return static_cast<int32_t>((grown_power_24(static_cast<uint8_t>(a >> 8), growth) + 64) >>
+                                    7);
     }
     if (whole < -12) return 0;
     if (whole > 10) return raw_max<int32_t>;
 
     // k + 17, k being about x / ln 2 less up to 0.7: x - k ln 2 is between -0.26 and 0.49.
     const int k = ((whole + 12) * 185 + ((a >> 8 & 0xff) * 185 >> 8)) >> 7;
-    if (k > 32) return raw_max<int32_t>;
-    const uint16_t position =
-        static_cast<uint16_t>(a + read_program_memory(ExpTable<>::offset[k]));
+    const uint16_t position = static_cast<uint16_t>(a + read_program_memory(ExpTable<>::offset[k]));
     const uint32_t tail = read_program_memory(ExpTable<>::tail[k]);
     uint8_t node = static_cast<uint8_t>(position >> 8);
     const int32_t s = (position & 0xff) - 128;
@@ -73,7 +71,7 @@ constexpr int32_t exp_q16_16(int32_t a) {
         growth += (int32_t(14) << 8) - (int64_t(1) << 32);
     }
     const uint64_t mantissa = grown_power_40(node, static_cast<int32_t>(growth));
-    if (k == 32) {
+    if (k >= 32) {
         const uint32_t result = static_cast<uint32_t>(((mantissa >> 7) + 1) >> 1);
         return result >> 31 != 0 ? raw_max<int32_t> : static_cast<int32_t>(result);
     }

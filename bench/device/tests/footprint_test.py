@@ -1,0 +1,60 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the library takes of flash and RAM: nothing that a program does not use.
+Usage: footprint_test.py FOLDER_OF_THE_DEVICE_PROGRAMS"""
+
+import csv
+import subprocess
+import sys
+import unittest
+from pathlib import Path
+
+FOLDER = Path(sys.argv.pop())
+LIBRARY = ["q4_4", "q8_8", "q16_16", "q32_32"]
+
+
+def run(*command):
+    return subprocess.run(command, check=True, capture_output=True, text=True).stdout
+
+
+def data_in_flash(program):
+    """The names of what a program reads from program memory."""
+    symbols = map(str.split, run("avr-readelf", "-sW", FOLDER / f"{program}.elf").splitlines())
+    return {symbol[7] for symbol in symbols
+            if len(symbol) == 8 and symbol[3] == "OBJECT" and int(symbol[1], 16) < 0x800000}
+
+
+def flash_bytes(program):
+    text, data = run("avr-size", FOLDER / f"{program}.elf").splitlines()[1].split()[:2]
+    return int(text) + int(data)
+
+
+def footprints(program):
+    with open(FOLDER / f"{program}.footprints.csv", encoding="ascii") as stream:
+        return {row["subject"]: row for row in csv.DictReader(stream)}
+
+
+class Footprint(unittest.TestCase):
+    def test_multiplication_alone_links_no_table(self):
+        self.assertEqual(data_in_flash("multiply_footprint"), set())
+
+    def test_all_functions_of_angles_fit_six_kilobytes(self):
+        self.assertLessEqual({"fixedpoint_sine_table", "fixedpoint_arctangent_table"},
+                             data_in_flash("angles_footprint"))
+        # The start-up code is in both.
+        self.assertLessEqual(flash_bytes("angles_footprint") - flash_bytes("multiply_footprint"),
+                             6 * 1024)
+
+    def test_no_subject_of_the_library_takes_ram(self):
+        for program in LIBRARY:
+            self.assertTrue(footprints(program))
+            for subject, row in footprints(program).items():
+                self.assertEqual(row["ram_bytes"], "0", subject)
+
+    def test_multiplication_fits_two_hundred_bytes(self):
+        self.assertIn(int(footprints("q16_16")["multiply_q16_16_default"]["flash_bytes"]),
+                      range(1, 201))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+// int32_t fixedpoint_log_q16_16(int32_t a)
+// ln a in Q16.16, within 0.76 ulp for every a > 0; the smallest number where a <= 0.
+//
+// In       a = r25:r22
+// Out      r25:r22
+// Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
+// Cycles   call and ret included
+//              a < 256          94 up to 1, then 97
+//              a >= 256        104
+//              a <= 0           18, a = 0 21
+//
+// The leading byte of the raw number looks up its base-2 logarithm, and with the number of bytes
+// below it that finds a record of five bytes: the power of two that moves the leading one to bit 7,
+// and ln 2 (e - 16) in units of 2^-24. The normalised byte is the interval of the table, 128..255,
+// the next 16 bits the fraction of it. Slopes are stored less 2^16.
+//
+// Error in ulp: chord 0.25; table entries, cut low bytes 0.002. Rounding 0.5. The worst of all
+// inputs is 0.75176, at 1073757184.
+
+#ifdef __AVR__
+
+#define a0 r22
+#define a1 r23
+#define a2 r24
+#define a3 r25
+#define factor r18
+// The normalised number: its top byte and the 16 bits behind that.
+#define interval r19
+#define fraction1 r21
+#define fraction0 r20
+#define slope1 r19
+#define slope0 r27
+#define rise0 r30
+#define rise1 r31
+// The result in units of 2^-24; bytes 1..3 take the place of the argument.
+#define sum0 r26
+#define sum1 r22
+#define sum2 r23
+#define sum3 r24
+#define zero r25
+
+    .section .text.fixedpoint_log_q16_16, "ax", @progbits
+
+// The factor by which the leading byte is normalised; Z then points to the exponent's logarithm.
+    .macro find_record leading, bytes_below
+    mov r30, \leading
+    lsr r30
+    ldi r31, hi8(fixedpoint_log_table + 0x200)
+    lpm r30, Z
+    inc r31
+    subi r30, -40 * \bytes_below
+    lpm factor, Z+
+    .endm
+
+    .global fixedpoint_log_q16_16
+    .type fixedpoint_log_q16_16, @function
+fixedpoint_log_q16_16:
+    sbiw a2, 0
+    brne .Labove_one
+    tst a1
+    breq .Lbyte
+    find_record a1, 1
+    mul a1, factor
+    mov interval, r0
+    mul a0, factor
+    or interval, r1
+    mov fraction1, r0
+    ldi fraction0, 0
+    rjmp .Llook_up
+
+.Lno_logarithm:
+    ldi r22, 0
+    ldi r23, 0
+    ldi r24, 0
+    ldi r25, 0x80
+    ret
+.Lbyte:
+    tst a0
+    breq .Lno_logarithm
+    find_record a0, 0
+    mul a0, factor
+    mov interval, r0
+    ldi fraction1, 0
+    ldi fraction0, 0
+    rjmp .Llook_up
+
+.Lfour_bytes:
+    find_record a3, 3
+    mul a3, factor
+    mov interval, r0
+    mul a2, factor
+    or interval, r1
+    mov fraction1, r0
+    mul a1, factor
+    or fraction1, r1
+    mov fraction0, r0
+    mul a0, factor
+    or fraction0, r1
+    ldi zero, 0
+    rjmp .Llook_up
+
+.Labove_one:
+    brmi .Lno_logarithm
+    tst a3
+    brne .Lfour_bytes
+    find_record a2, 2
+    mul a2, factor
+    mov interval, r0
+    mul a1, factor
+    or interval, r1
+    mov fraction1, r0
+    mul a0, factor
+    or fraction1, r1
+    mov fraction0, r0
+.Llook_up:
+    lpm sum0, Z+
+    lpm sum1, Z+
+    lpm sum2, Z+
+    lpm sum3, Z
+    mov r30, interval
+    // Values lie in the upper halves of the pages, slopes in the lower ones.
+    ldi r31, hi8(fixedpoint_log_table)
+    lpm r0, Z
+    add sum0, r0
+    inc r31
+    lpm r0, Z
+    adc sum1, r0
+    inc r31
+    lpm r0, Z
+    adc sum2, r0
+    adc sum3, zero
+    subi r30, 128
+    dec r31
+    lpm slope1, Z
+    dec r31
+    lpm slope0, Z
+    mul slope1, fraction1
+    movw rise0, r0
+    mul slope1, fraction0
+    add rise0, r1
+    adc rise1, zero
+    mul slope0, fraction1
+    add rise0, r1
+    adc rise1, zero
+    add sum0, rise0
+    adc sum1, rise1
+    adc sum2, zero
+    adc sum3, zero
+    add sum0, fraction0 // the slope's bit 16
+    adc sum1, fraction1
+    adc sum2, zero
+    adc sum3, zero
+    clr r1
+    sbrc sum3, 7
+    com r25
+    ret
+    .size fixedpoint_log_q16_16, .-fixedpoint_log_q16_16
+#endif

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// exp: e^a within 1 ulp, clamped to the largest number; 0 where that is nearest.
+#pragma once
+
+#include <fixedpoint/portable/double_word.hpp>
+#include <fixedpoint/portable/exp_q16_16.hpp>
+#include <fixedpoint/portable/pseudo_division_table.hpp>
+
+namespace fixedpoint {
+namespace portable {
+
+// Twice as wide as the result, and at least 32 bits: e^a has W - 1 significant bits where it is
+// large, and the argument has six bits before the point.
+template <class Raw>
+using ExponentialWord = DoubleWord<Integer<(width_of<Raw> < 16 ? 16 : width_of<Raw>)>>;
+
+// e^a 2^-k, from 1 to 2.1, with Bits - 3 fraction bits, by pseudo-multiplication (J. E. Meggitt,
+// "Pseudo division and pseudo multiplication processes", 1962). `rest` is a - k ln 2, from 0 to
+// 0.73, with Bits - 6 fraction bits: it is the sum of some ln(1 + 2^-i), each of which multiplies
+// the result by 1 + 2^-i, and of what is left below 2^-steps, whose own factor differs from 1 +
+// rest by less than 2^-(W + 2).
+template <int W, class Word>
+constexpr Word exponential_mantissa(Word rest) {
+    using Constants = PseudoDivisionConstants<Word>;
+    constexpr int bits = static_cast<int>(8 * sizeof(Word));
+    constexpr int steps = (W + 2) / 2;
+    constexpr int factor_bits = W + 5;
+
+    Word result = Word(1) << (bits - 3);
+    for (int i = 1; i <= steps; ++i) {
+        const Word logarithm = read_program_memory(Constants::logarithm[i - 1]);
+        if (rest >= logarithm) {
+            rest = rest - logarithm;
+            result = result + (result >> i);
+        }
+    }
+
+    // The result times what is left, bit by bit from the lowest.
+    Word factor = rest >> (bits - 6 - factor_bits);
+    Word product(0);
+    for (int i = steps; i < factor_bits; ++i) {
+        if ((static_cast<uint8_t>(factor) & 1) != 0) product = product + result;
+        product = product >> 1;
+        factor = factor >> 1;
+    }
+    return result + (product >> steps);
+}
+
+// For every format; small, as it has no table but the word's few ln(1 + 2^-i).
+template <class Raw, int F>
+constexpr Raw exp_small(Raw a) {
+    using Word = ExponentialWord<Raw>;
+    constexpr int bits = static_cast<int>(8 * sizeof(Word));
+    constexpr int W = width_of<Raw>;
+
+    // 2^63 and 2^-65 are the limits of any format.
+    const Raw whole = static_cast<Raw>(a >> F);
+    if (whole > 44) return raw_max<Raw>;
+    if (whole < -46) return 0;
+
+    // k = floor(a / ln 2) or, where a is less than 0.04 above a multiple of ln 2, one less.
+    constexpr int down = F > 6 ? F - 6 : 0, up = F > 6 ? 0 : 6 - F;
+    const int32_t sixty_fourths = static_cast<int32_t>(a >> down) * (int32_t(1) << up);
+    const int k = static_cast<int>((sixty_fourths * 1477 - 1000) >> 16);
+
+    const int exponent = k + F;
+    if (exponent >= W - 1) return raw_max<Raw>;
+    if (exponent < -2) return 0;
+
+    const Word position = Word(magnitude(a)) << (bits - 6 - F);
+    const Word multiple = PseudoDivisionConstants<Word>::ln2() * magnitude(static_cast<int16_t>(k));
+    const Word mantissa = exponential_mantissa<W>(a < 0   ? multiple - position
+                                                  : k < 0 ? position + multiple
+                                                          : position - multiple);
+    const int surplus = bits - 3 - exponent;
+    return clamped_with_sign<Raw>((mantissa + (Word(1) << (surplus - 1))) >> surplus, false);
+}
+
+template <class Raw, int F>
+constexpr Raw exp(Raw a) {
+    return exp_small<Raw, F>(a);
+}
+
+template <>
+constexpr int32_t exp<int32_t, 16>(int32_t a) {
+    return exp_q16_16(a);
+}
+
+}  // namespace portable
+}  // namespace fixedpoint

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// log: the natural logarithm within 1 ulp, clamped where the format cannot hold it; the smallest
+// number where a <= 0.
+#pragma once
+
+#include <fixedpoint/portable/cordic.hpp>
+#include <fixedpoint/portable/log_q16_16.hpp>
+#include <fixedpoint/portable/pseudo_division_table.hpp>
+
+namespace fixedpoint {
+namespace portable {
+
+// ln(mantissa) with Bits - 6 fraction bits, by pseudo-division (J. E. Meggitt, "Pseudo division and
+// pseudo multiplication processes", 1962); mantissa from 1 to 2, with Bits - 3 fraction bits.
+//
+// A product of some 1 + 2^-i climbs towards the mantissa, step i being taken only if it does not
+// pass it. Before step i, rest is 2^(i-1) (mantissa - product), less than 2^(i-1) times the
+// product's 2^-(i-1), the largest step left: twice that fits. Once a step changes the product too
+// little to matter, 2^-2i < 2^-(F + 3), the steps become the long division of the rest by it.
+template <int F, class Word>
+constexpr Word mantissa_logarithm(Word mantissa) {
+    using Constants = PseudoDivisionConstants<Word>;
+    constexpr int bits = cordic_bits<Word>;
+    constexpr int factors = (F + 5) / 2;
+    constexpr int steps = F + 4;
+
+    Word product = Word(1) << (bits - 3);
+    Word rest = mantissa - product;
+    // Half of what the steps leave over.
+    Word logarithm = Word(1) << (bits - 6 - steps - 1);
+    for (int i = 1; i <= steps; ++i) {
+        rest = rest << 1;
+        if (rest >= product) {
+            rest = rest - product;
+            if (i <= factors) {
+                product = product + (product >> i);
+                logarithm = logarithm + read_program_memory(Constants::logarithm[i - 1]);
+            } else {
+                logarithm = logarithm + (Word(1) << (bits - 6 - i));
+            }
+        }
+    }
+    return logarithm;
+}
+
+// For every format; small, as it has no table but the word's few ln(1 + 2^-i).
+template <class Raw, int F>
+constexpr Raw log_small(Raw a) {
+    using Word = CordicWord<F>;
+    constexpr int surplus = cordic_bits<Word> - 6 - F;
+
+    if (a <= 0) return raw_min<Raw>;
+    Unsigned<Raw> normalised = static_cast<Unsigned<Raw>>(a);
+    int exponent = width_of<Raw> - 1 - F;
+    while ((normalised >> (width_of<Raw> - 1)) == 0) {
+        normalised = static_cast<Unsigned<Raw>>(normalised << 1);
+        --exponent;
+    }
+    const Word fraction = mantissa_logarithm<F>(cordic_coordinate<Word>(normalised));
+    const Word multiple =
+        PseudoDivisionConstants<Word>::ln2() * magnitude(static_cast<int16_t>(exponent));
+    // A number below 1 is at most 1 - 2^-F: its logarithm stays negative.
+    const Word result = exponent < 0 ? multiple - fraction : multiple + fraction;
+    return clamped_with_sign<Raw>((result + (Word(1) << (surplus - 1))) >> surplus, exponent < 0);
+}
+
+template <class Raw, int F>
+constexpr Raw log(Raw a) {
+    return log_small<Raw, F>(a);
+}
+
+template <>
+constexpr int32_t log<int32_t, 16>(int32_t a) {
+    return log_q16_16(a);
+}
+
+}  // namespace portable
+}  // namespace fixedpoint

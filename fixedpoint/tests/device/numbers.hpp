@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// The format under test, INTEGER_BITS and FRACTION_BITS, and the rows of expected results that
+// expected.py computes for it, in program memory.
+#pragma once
+
+#include <avr/pgmspace.h>
+#include <fixedpoint/conversion.hpp>
+#include <fixedpoint/fixed.hpp>
+#include <fixedpoint/text.hpp>
+#include <string.h>
+
+#include "check.hpp"
+
+using Number = fixedpoint::Fixed<INTEGER_BITS, FRACTION_BITS>;
+using Raw = Number::Raw;
+
+struct Pair {
+    Raw a, b;
+    Raw sum, difference, product, quotient, remainder;
+    Raw saturated_sum, saturated_difference, saturated_product;
+    // Whether sum, difference, product and quotient, rounded, do not fit: bits 0 to 3.
+    uint8_t overflows;
+};
+struct Shift {
+    Raw a;
+    uint8_t count;  // that of the last row of an `a` stands for all larger counts too
+    Raw left, saturated_left, right;
+};
+struct Single {
+    Raw a;
+    Raw negated, saturated_negated, absolute, sqrt, floor, ceil, round, trunc;
+    int8_t as_q4_4, clamped_q4_4;
+    int16_t as_q8_8, clamped_q8_8;
+    int32_t as_q16_16, clamped_q16_16;
+    int64_t as_q32_32, clamped_q32_32;
+    int16_t as_int16, clamped_int16;
+    uint8_t fits;  // into q4_4, q8_8, q16_16, q32_32, int16: bits 0 to 4
+    uint32_t float_bits;
+};
+struct FromFloat {
+    uint32_t bits;
+    Raw number;
+    bool fits;
+};
+struct FromDecimal {
+    int32_t n;
+    uint8_t decimals;
+    Raw number;
+    bool fits;
+};
+struct Parse {
+    char text[60];
+    Raw number;
+    fixedpoint::TextStatus status;
+    uint8_t position;
+};
+struct Print {
+    Raw number;
+    int8_t decimals;  // -1: the shortest that reads back
+    char text[40];
+};
+
+template <class Row>
+struct Rows {
+    const Row* first;
+    uint16_t count;
+};
+extern const Rows<Pair> pairs;
+extern const Rows<Shift> shifts;
+extern const Rows<Single> singles;
+extern const Rows<FromFloat> from_floats;
+extern const Rows<FromDecimal> from_decimals;
+extern const Rows<Parse> parses;
+extern const Rows<Print> prints;
+
+template <class Row, class Check>
+void for_each(const Rows<Row>& rows, Check check) {
+    for (row = 0; row < rows.count; ++row) {
+        Row expected;
+        memcpy_P(&expected, rows.first + row, sizeof expected);
+        check(expected);
+    }
+    row = 0;
+}
+
+// A number that the compiler knows nothing of.
+__attribute__((noinline)) inline Number operand(Raw raw) {
+    volatile Raw hidden = raw;
+    return Number::from_raw(hidden);
+}

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// Shifts by every count from 0 to 255, in every arithmetic.
+#include <fixedpoint/arithmetic/saturating.hpp>
+
+#include "hook.hpp"
+#include "numbers.hpp"
+
+using namespace fixedpoint;
+
+uint8_t Hook::calls = 0;
+Event Hook::event;
+Operation Hook::operation;
+
+namespace {
+
+void check_count(const Shift& expected, uint8_t count) {
+    const Number a = operand(expected.a);
+    CHECK((a << count).raw() == expected.left);
+    CHECK((a >> count).raw() == expected.right);
+    using Clamped = Fixed<INTEGER_BITS, FRACTION_BITS, Saturating>;
+    CHECK((Clamped::from_raw(a.raw()) << count).raw() == expected.saturated_left);
+    CHECK((checked(expected.a) << count).raw() == expected.left);
+    CHECK(hooked(expected.left != expected.saturated_left, Event::overflow, Operation::shift_left));
+    Number x = a;
+    CHECK((x <<= count).raw() == expected.left);
+    x = a;
+    CHECK((x >>= count).raw() == expected.right);
+}
+
+void check_shift(const Shift& expected) {
+    const uint8_t last = expected.count == width_of<Raw> ? 255 : expected.count;
+    for (uint8_t count = expected.count;; ++count) {
+        check_count(expected, count);
+        if (count == last) break;
+    }
+}
+
+}  // namespace
+
+void test_shifts() { for_each(shifts, check_shift); }
