@@ -11,6 +11,7 @@
 #include <string>
 #include <thread>
 
+#include "bench/machine_code/exhaustive.hpp"
 #include "bench/operations/measure_accuracy.hpp"
 #include "bench/operations/measure_cycles.hpp"
 #include "bench/operations/verify_kernels.hpp"
@@ -160,6 +161,45 @@ int main(int argc, char** argv) {
             table_3_2::measure_table_3_2(table);
             return EXIT_SUCCESS;
         };
+    });
+
+    machine_code::Options exhaustive;
+    exhaustive.program = FIXBENCH_DEVICE_FOLDER "/q16_16.elf";
+    std::string shard = "1/1";
+    command = add_command(
+        "exhaustive",
+        "Kernels as machine code, translated instruction by instruction and run over all inputs\n"
+        "where there are at most 2^32 (bound `exact`), else over a long search (`lower bound`).\n"
+        "About a minute a function. Rows go into exhaustive.csv; those of other functions stay.\n"
+        "With --shard i/n a part of the work goes into files that `fixbench merge` joins:\n\n"
+        "  parallel fixbench exhaustive --shard {}/16 ::: $(seq 16); fixbench merge FILES\n\n"
+        "Example: fixbench exhaustive --symbol sqrt_q16_16_default,sin_q16_16_default");
+    command->add_option("--program", exhaustive.program, "device program")
+        ->check(CLI::ExistingFile)
+        ->capture_default_str();
+    command->add_option("--symbol", exhaustive.symbols, "only these functions; else all that can be judged")
+        ->delimiter(',');
+    command->add_option("--search-operands", exhaustive.search_operands,
+                        "operands of a search, for functions of more than 32 bits of operands")
+        ->capture_default_str();
+    command->add_option("--shard", shard, "i/n: the i-th of n parts of the work")->capture_default_str();
+    command->callback([&] {
+        action = [&] {
+            exhaustive.output = output;
+            exhaustive.threads = threads;
+            exhaustive.shard = machine_code::parse_shard(shard);
+            return held(machine_code::run_exhaustive(exhaustive));
+        };
+    });
+
+    std::vector<std::filesystem::path> shards;
+    command = add_command("merge", "Joins the files of all shards of `exhaustive` into exhaustive.csv.\n"
+                                   "Writes what a run without shards would have written.");
+    command->add_option("files", shards, "the files exhaustive.<symbol>.<i>-of-<n>.json")
+        ->required()
+        ->check(CLI::ExistingFile);
+    command->callback([&] {
+        action = [&] { return held(machine_code::merge_exhaustive(shards, output)); };
     });
 
     std::string results = "results";

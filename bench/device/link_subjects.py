@@ -62,7 +62,8 @@ def main():
             if subject in aliases:
                 options += [f"-Wl,-u,{aliases[subject]}",
                             f"-Wl,--defsym={subject}={aliases[subject]}"]
-        run(["avr-g++", "-mmcu=atmega328p", "-Os", "-Wl,--gc-sections", *options,
+        # The relocations tell which tables a kernel reads.
+        run(["avr-g++", "-mmcu=atmega328p", "-Os", "-Wl,--gc-sections,--emit-relocs", *options,
              *arguments.objects, "-lm", "-o", output])
 
     def weigh(chosen, directory):

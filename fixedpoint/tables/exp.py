@@ -64,7 +64,7 @@ def main():
     page.write_assembly("exp_table", "exp.py", SENTENCE, [
         *((f"power, bits {bit}..{bit + 7}", [value >> bit & 255 for value in powers])
           for bit in (32, 24, 16, 8, 0)),
-        ("for each k: offset low, high; tail, bits 16..23; 2^((k + 1) mod 8); tail, bits 8..15, 0..7",
+        ("of k: offset low, high; tail, bits 16..23; 2^((k + 1) mod 8); tail, bits 8..15, 0..7",
          records)])
     table_header.write("exp_table", "exp.py", SENTENCE, "ExpTable", [
         ("uint32_t", "power", [value >> 8 for value in powers], "0x{:08x}"),

@@ -62,7 +62,7 @@ def main():
         ("5 log2 of a byte, by its upper 7 bits", [5 * max(0, (2 * i).bit_length() - 1)
                                                    for i in range(128)]),
         ("value, bits 16..23", byte(values, 2)),
-        ("for each exponent: the factor that sets the leading byte's bit 7, four bytes of logarithm",
+        ("of e: the factor that moves the leading one to bit 7, four bytes of logarithm",
          records)])
     table_header.write("log_table", "log.py", SENTENCE, "LogTable", [
         ("uint32_t", "value", values, "0x{:06x}"),

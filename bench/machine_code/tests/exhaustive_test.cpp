@@ -76,6 +76,23 @@ TEST_F(ExhaustiveTest, ViolationsAreCounted) {
     EXPECT_EQ(cell("violations"), "0");
 }
 
+TEST_F(ExhaustiveTest, LargerSpacesAreSearched) {
+    options_.symbols = {"add_q32_32_default"};
+    options_.search_operands = 100000;
+    EXPECT_EQ(run_exhaustive(options_), 0u);
+    EXPECT_GT(std::stoull(cell("inputs")), 90000u);
+    EXPECT_EQ(cell("bound"), "lower bound");
+    EXPECT_EQ(cell("max_ulp"), "0");
+    EXPECT_EQ(cell("rms_ulp"), "");
+    EXPECT_EQ(cell("cycles_min"), "19");
+    EXPECT_EQ(cell("cycles_max"), "21");
+    EXPECT_EQ(cell("unreached_instructions"), "0");
+    const std::string first = csv();
+    options_.threads = 1;
+    run_exhaustive(options_);
+    EXPECT_EQ(csv(), first);
+}
+
 TEST_F(ExhaustiveTest, ShardsMergeToWhatOneRunGives) {
     options_.symbols = {"multiply_q4_4_default", "multiply_q4_4_unrounded"};
     options_.threads = 1;

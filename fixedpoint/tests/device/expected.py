@@ -61,7 +61,8 @@ def operand_pairs():
             yield a, b
     half = ONE // 2
     yield from [(half, 3), (half, -3), (-half, -5)]          # products that are ties
-    yield from [(1, 2 * half - 2), (3, -half), (-3, half)]   # quotients near and at ties
+    if 2 * ONE <= high():                                    # quotients that are ties
+        yield from [(1, 2 * ONE), (-1, 2 * ONE), (5, -2 * ONE), (-5, -2 * ONE)]
     for i, a in enumerate(numbers):
         yield a, numbers[(i + 1) % len(numbers)]
         if W <= 32:

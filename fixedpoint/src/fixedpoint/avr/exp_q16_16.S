@@ -6,18 +6,22 @@
 // In       a = r25:r22
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
-// Stack    2 bytes; 6 where a >= 3.12
+// Stack    2 bytes; 6 from 3.22 on
 // Cycles   call and ret included
-//              -1/2 <= a < 1/2         52
-//              others from -1.07 on   111 below 3.12, then 222 to 226, but 203 from 10.15 on
-//              others from -12 on     116, 114 below -6.61
-//              limits                 210 up to 11; 29 beyond; 29 below -12
+//              -1/2 <= a < 1/2                52
+//              others, -0.93 <= a < 3.22     111
+//              -12 <= a < -0.93              116
+//              3.22 <= a < 4.61              226
+//              4.61 <= a < 10.14             221, one in 256 of k = 11 226
+//              10.14 <= a < ln 32768         203
+//              ln 32768 <= a < 11            210
+//              a < -12, a >= 11               29
 //
-// a - k ln 2, k about a / ln 2, lies between -0.26 and 0.49, where the table holds e^x at 256 nodes.
-// A multiple of ln 2 is a 16-bit offset and a constant tail behind the 16 bits, so that what is left
-// to the node is an integer s, a signed byte, and that tail: r = s + tail, in units of 2^-16. The
-// mantissa is power + power (e^r - 1), and 2^k a multiplication by 2^((k + 1) mod 8), then a choice
-// of bytes.
+// a - k ln 2, k about a / ln 2, lies between -0.26 and 0.49, where the table holds e^x at 256
+// nodes. A multiple of ln 2 is a 16-bit offset and a constant tail behind the 16 bits, so that what
+// is left to the node is an integer s, a signed byte, and that tail: r = s + tail, in units of
+// 2^-16. The mantissa is power + power (e^r - 1), and 2^k a multiplication by 2^((k + 1) mod 8),
+// then a choice of bytes.
 //   k = 0:   e^r - 1 = s: the nodes lie 1/16 unit aside, the mean of s^2 / 2.
 //   k < 5:   the power's upper 24 bits; e^r - 1 = r + s^2 / 2, 16 bits.
 //   k >= 5:  the power's 40 bits; e^r - 1 = r + s^2 / 2 + s tail + s^3 / 6, 32 bits.
@@ -25,8 +29,8 @@
 // Error in ulp, rounding 0.5 included. k = 0: s^2 / 2 less its mean is 2^-20 of a result of up to
 // 1.65 2^16, 0.1; worst 0.594. k < 5: 2^-23 of the mantissa is 1/8 at k = 4, and what the products
 // lose beside the mean that is in the tail comes to 2.2 of these; worst 0.772, of all 2^32 inputs,
-// at 208884. k >= 5: the cut of the cube is 0.08 at 2^31, s times the tail's lower bytes 0.06; worst
-// 0.655.
+// at 208884. k >= 5: at 2^31 the cut of the cube is 0.08, s times the tail's lower bytes 0.06;
+// worst 0.655.
 
 #ifdef __AVR__
 
@@ -216,8 +220,8 @@ fixedpoint_exp_q16_16:
     adc r24, r1
     ret
 .Lnext_node:
-    // k = 11, s = 127: the growth is 128.03 units, which from the next node is -127.97; what
-    // e^(2^-8) has beyond 1 + 256 units is 14 of 2^-32.
+    // k = 11, s = 127: a growth of 128.03 units of 2^-16 does not fit. From the next node it is 256
+    // units less, which is what the signed byte made of it, and 14 of 2^-32 more.
     inc a1
     subi growth1, -14
     rjmp .Lmultiply

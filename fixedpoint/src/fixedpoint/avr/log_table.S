@@ -65,7 +65,7 @@ fixedpoint_log_table:
     .byte 124, 125, 126, 127, 129, 130, 131, 132, 133, 135, 136, 137, 138, 139, 140, 142
     .byte 143, 144, 145, 146, 147, 148, 150, 151, 152, 153, 154, 155, 156, 157, 158, 159
     .byte 160, 161, 163, 164, 165, 166, 167, 168, 169, 170, 171, 172, 173, 174, 175, 176
-    // for each exponent: the factor that sets the leading byte's bit 7, four bytes of logarithm
+    // of e: the factor that moves the leading one to bit 7, four bytes of logarithm
     .byte 128, 129, 222, 232, 244,  64, 152,  80, 154, 245,  32, 176, 194,  75, 246,  16
     .byte 200,  52, 253, 246,   8, 224, 166, 174, 247,   4, 248,  24,  96, 248,   2,  16
     .byte 139,  17, 249,   1,  40, 253, 194, 249, 128,  64, 111, 116, 250,  64,  88, 225

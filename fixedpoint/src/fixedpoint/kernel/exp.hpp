@@ -16,9 +16,7 @@ constexpr Raw exp(Raw a) {
 }
 template <class Raw, int F>
 constexpr Raw exp_small(Raw a) {
-    return through_q16_16<Raw, F>
-               ? from_q16_16<Raw, F>(exp_small<int32_t, 16>(to_q16_16<Raw, F>(a)))
-               : portable::exp_small<Raw, F>(a);
+    return portable::exp_small<Raw, F>(a);
 }
 
 }  // namespace kernel

@@ -16,9 +16,7 @@ constexpr Raw log(Raw a) {
 }
 template <class Raw, int F>
 constexpr Raw log_small(Raw a) {
-    return through_q16_16<Raw, F>
-               ? from_q16_16<Raw, F>(log_small<int32_t, 16>(to_q16_16<Raw, F>(a)))
-               : portable::log_small<Raw, F>(a);
+    return portable::log_small<Raw, F>(a);
 }
 
 }  // namespace kernel

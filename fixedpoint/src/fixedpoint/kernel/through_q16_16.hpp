@@ -2,7 +2,7 @@
 // Functions of the formats of 8 and 16 bits by way of Q16.16, which holds all their numbers: its
 // kernels are many times faster than the portable code of a narrow format, and exact enough. An
 // error of e ulp in Q16.16 leaves 1/2 + e 2^(F-16) ulp after the rounding to F fraction bits: at
-// most 0.59 ulp for e < 0.7 and F <= 13.
+// most 0.6 ulp for e < 0.8 and F <= 13.
 #pragma once
 
 #include <fixedpoint/portable/convert.hpp>

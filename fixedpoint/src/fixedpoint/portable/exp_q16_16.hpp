@@ -49,7 +49,7 @@ constexpr int32_t exp_q16_16(int32_t a) {
     const uint16_t position = static_cast<uint16_t>(a + read_program_memory(ExpTable<>::offset[k]));
     const uint32_t tail = read_program_memory(ExpTable<>::tail[k]);
     uint8_t node = static_cast<uint8_t>(position >> 8);
-    const int32_t s = (position & 0xff) - 128;
+    const int32_t s = static_cast<int32_t>(position & 0xff) - 128;
     const int factor_bits = k & 7;
 
     if (k < 22) {
