@@ -37,12 +37,13 @@ bin=build/release/bench
 fixbench=$bin/fixbench
 mkdir -p "$data"
 
-quick=() samples=20000 repetitions=0.2
+quick=() samples=20000 verified=1000000 repetitions=0.2
 if [ "$mode" = quick ]; then
-    quick=(--quick) samples=1000 repetitions=0.02
+    quick=(--quick) samples=1000 verified=2000 repetitions=0.02
 fi
 "$fixbench" cycles --samples "$samples" --output "$data"
 "$fixbench" table "${quick[@]}" --output "$data"
+"$fixbench" verify --samples "$verified" --output "$data"
 "$fixbench" accuracy "${quick[@]}" --output "$data"
 "$bin/operations/host_throughput" --benchmark_min_time="$repetitions" \
     --benchmark_out="$data/host_throughput.json.partial" --benchmark_out_format=json >&2

@@ -28,6 +28,7 @@ class Data:
         "table_3_2_hypotheses": "fixbench table",
         "division_cycles": "fixbench table",
         "table_3_1": "fixbench table",
+        "kernels": "fixbench verify",
         "exhaustive": "fixbench exhaustive",
         "host_throughput": "host_throughput",
     }

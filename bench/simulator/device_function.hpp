@@ -52,6 +52,12 @@ struct Outcome {
 class Coverage {
   public:
     void mark(std::uint32_t flash_address) { executed_[flash_address / 2] = true; }
+    // Marks what the other has marked, of the same program.
+    void merge(const Coverage& other) {
+        for (std::size_t i = 0; i < executed_.size(); ++i) {
+            if (other.executed_[i]) executed_[i] = true;
+        }
+    }
     // Addresses of the instructions of a symbol's range that were not executed.
     std::vector<std::uint32_t> missed(const Elf& elf, const Symbol& symbol) const;
 
