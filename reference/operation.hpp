@@ -84,6 +84,21 @@ constexpr const OperationShape& shape(Operation operation) {
     return operations[std::size_t(operation)];
 }
 
+// How many vectors an operation takes as its operands; 0 where they are plain numbers.
+constexpr std::size_t vector_operands(Operation operation) {
+    switch (operation) {
+        case Operation::dot2:
+        case Operation::dot3:
+            return 2;
+        case Operation::length2:
+        case Operation::length3:
+        case Operation::normalise3:
+            return 1;
+        default:
+            return 0;
+    }
+}
+
 // Throws std::invalid_argument that lists the operations.
 Operation parse_operation(std::string_view name);
 

@@ -8,8 +8,6 @@
 namespace machine_code {
 namespace {
 
-using reference::Operation;
-
 constexpr int pointer_size = 2, return_address_size = 2;
 // Both areas lie across a 256-byte page, where a pointer's low byte wraps.
 constexpr std::uint16_t operand_area = 0x01f9, result_area = 0x02fb;
@@ -46,21 +44,6 @@ std::vector<Place> vector_at(std::uint16_t address, std::size_t count, int size)
     return places;
 }
 
-// How many pointers to vectors an operation takes; 0: it takes scalars by value.
-std::size_t vectors_of(Operation operation) {
-    switch (operation) {
-        case Operation::dot2:
-        case Operation::dot3:
-            return 2;
-        case Operation::length2:
-        case Operation::length3:
-        case Operation::normalise3:
-            return 1;
-        default:
-            return 0;
-    }
-}
-
 }  // namespace
 
 Convention convention_of(const std::vector<int>& operand_sizes, int result_size) {
@@ -74,11 +57,12 @@ Convention convention_of(const reference::Subject& subject) {
     const reference::OperationShape& shape = reference::shape(subject.operation);
     const int result_size = subject.format.width / 8;
     const int operand_size = subject.operand_format.width / 8;
-    const std::size_t vectors = vectors_of(subject.operation);
+    const std::size_t vectors = reference::vector_operands(subject.operation);
     const bool returns = shape.results == 1;
 
     const std::size_t scalars = vectors ? 0 : shape.operands;
     std::vector<int> sizes(scalars, operand_size);
+    using reference::Operation;
     if (subject.operation == Operation::shift_left || subject.operation == Operation::shift_right)
         sizes[1] = 1;
     sizes.insert(sizes.end(), vectors + !returns, pointer_size);

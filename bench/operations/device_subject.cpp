@@ -9,23 +9,6 @@ namespace {
 
 using reference::Operation;
 
-bool takes_vectors(Operation operation) {
-    switch (operation) {
-        case Operation::dot2:
-        case Operation::dot3:
-        case Operation::length2:
-        case Operation::length3:
-        case Operation::normalise3:
-            return true;
-        default:
-            return false;
-    }
-}
-
-bool is_dot(Operation operation) {
-    return operation == Operation::dot2 || operation == Operation::dot3;
-}
-
 constexpr int pointer = 2;
 
 std::uint16_t size_of_operands(const reference::Subject& subject) {
@@ -43,10 +26,8 @@ simulator::Signature signature_of(const reference::Subject& subject) {
     const int bytes = subject.format.width / 8;
     const int operand_bytes = subject.operand_format.width / 8;
     simulator::Signature signature{shape.results > 1 ? 0 : bytes, {}};
-    if (is_dot(subject.operation)) {
-        signature.operands = {pointer, pointer};
-    } else if (takes_vectors(subject.operation)) {
-        signature.operands = {pointer};
+    if (const std::size_t vectors = reference::vector_operands(subject.operation)) {
+        signature.operands.assign(vectors, pointer);
     } else {
         signature.operands.assign(shape.operands, operand_bytes);
         const bool shifts = subject.operation == Operation::shift_left ||
@@ -63,7 +44,7 @@ DeviceSubject::DeviceSubject(simulator::Chip& chip, const std::string& symbol)
     : chip_(chip),
       symbol_(symbol),
       named_(reference::parse_symbol(symbol)),
-      by_pointer_(takes_vectors(named_.subject.operation)),
+      by_pointer_(reference::vector_operands(named_.subject.operation) > 0),
       result_in_memory_(reference::shape(named_.subject.operation).results > 1),
       operands_address_(by_pointer_ ? chip.allocate(size_of_operands(named_.subject)) : 0),
       result_address_(result_in_memory_ ? chip.allocate(size_of_results(named_.subject)) : 0),
@@ -86,9 +67,9 @@ DeviceResult DeviceSubject::call(std::span<const std::int64_t> operands) {
             chip_.write(static_cast<std::uint16_t>(operands_address_ + i * bytes),
                         {low_bytes, static_cast<std::size_t>(bytes)});
         }
-        arguments[count++] = operands_address_;
-        if (is_dot(subject.operation)) {
-            arguments[count++] = operands_address_ + operands.size() / 2 * bytes;
+        const std::size_t vectors = reference::vector_operands(subject.operation);
+        for (std::size_t i = 0; i < vectors; ++i) {
+            arguments[count++] = operands_address_ + operands.size() / vectors * i * bytes;
         }
     } else {
         for (const std::int64_t operand : operands) {

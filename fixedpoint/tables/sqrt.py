@@ -47,6 +47,31 @@ def check_extrapolation(root, slope):
             assert (max(s - 5, 0)) ** 2 <= m << 16 < (s + 5) ** 2, (h, l)
 
 
+def check_third_digit(root, slope):
+    """The 32-bit root that length_long.S takes of a 48-bit number M is less than 0.44 off.
+    S, 6 less than above, lacks d. Its remainder (S + d)^2 - S^2 times slope / 2^24 is q, nearly
+    2^8 d; with x = floor((slope (S >> 8) - 2^23) / 2^10) it becomes q - floor(q / 32) x / 256.
+    What is dropped of the remainder and of q comes to less than 1/64."""
+    for t in range(256 * FIRST, 1 << 16):
+        h, l = divmod(t, 256)
+        c = root[h] + (slope[h] * l >> 8)
+        # Not rounded, S - sqrt(M) is convex in M and least where the slopes agree. Rounding takes
+        # less than 2 off, a borrow that is ignored adds less than 1.
+        ends = math.sqrt(t << 16), math.sqrt(t + 1 << 16)
+        agree = min(max((1 << 23) / slope[h], ends[0]), ends[1])
+        lack = [256 * r + 6 - 256 * c - (r * r - c * c) * slope[h] / 65536 for r in (*ends, agree)]
+        extremes = min(lack) - 1, max(lack) + 2
+        assert 0 < extremes[0] and extremes[1] < 12, (h, l)
+        for upper in range(c - 1, c + 4):
+            x = (slope[h] * upper >> 10) - (1 << 13)
+            assert -128 <= x < 128, (h, l)
+            for s in (256 * upper, 256 * upper + 255):
+                for d in extremes:
+                    q = (2 * s + d) * d * slope[h] / (1 << 24)
+                    for floor in (q / 32 - 1, q / 32):
+                        assert abs(q - floor * x / 256 - 256 * d) < 0.44 - 1 / 64, (h, l)
+
+
 def page(comment, values):
     rows = [f"    // {comment}"]
     for start in range(0, len(values), 16):
@@ -58,6 +83,7 @@ def main():
     root = [nearest_root(h << 16) if h < FIRST else exact_root(h, 0) for h in range(256)]
     slope = [0] * FIRST + [largest_slope(h, root[h]) for h in range(FIRST, 256)]
     check_extrapolation(root, slope)
+    check_third_digit(root, slope)
     lines = [
         "// SPDX-License-Identifier: MIT",
         "// DO NOT EDIT: written by fixedpoint/tables/sqrt.py, which says what the entries are.",

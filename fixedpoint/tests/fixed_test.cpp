@@ -122,11 +122,12 @@ TYPED_TEST(Operators, SaturatingClamps) {
     });
 }
 
-int overflows = 0, zero_divisors = 0;
+int overflows = 0, zero_divisors = 0, domain_errors = 0;
 struct Counter {
     static void notify(Event event, fixedpoint::Operation) {
         overflows += event == Event::overflow;
         zero_divisors += event == Event::division_by_zero;
+        domain_errors += event == Event::domain_error;
     }
 };
 
@@ -156,6 +157,20 @@ TYPED_TEST(Operators, CheckedNotifiesExactlyWhereTheResultDoesNotFit) {
         ASSERT_EQ(count([&] { ASSERT_EQ((x % y).raw(), (p % q).raw()); }), 0);
         ASSERT_EQ(zero_divisors, b == 0);
     });
+}
+
+TEST(Checked, NotifiesOfDomainErrors) {
+    using Number = Fixed<16, 16, Checked<Counter>>;
+    const Number zero, negative = Number::from_raw(-1), positive = Number::from_integer(2);
+    overflows = zero_divisors = domain_errors = 0;
+    (void)sqrt(zero), (void)sqrt(positive), (void)log(positive), (void)reciprocal_sqrt(positive);
+    EXPECT_EQ(overflows + zero_divisors + domain_errors, 0);
+    EXPECT_EQ(sqrt(negative).raw(), 0);
+    EXPECT_EQ(log(zero).raw(), raw_min<int32_t>);
+    EXPECT_EQ(reciprocal_sqrt(negative).raw(), 0);
+    EXPECT_EQ(domain_errors, 3);
+    EXPECT_EQ(reciprocal_sqrt(zero).raw(), raw_max<int32_t>);
+    EXPECT_EQ(zero_divisors, 1);
 }
 
 TYPED_TEST(Operators, ShiftsAreDefinedForEveryCount) {

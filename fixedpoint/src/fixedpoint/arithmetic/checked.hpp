@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Checked<Hook>: returns what Nearest returns, and calls Hook::notify(event, operation) first where
-// the result is not the rounded exact one: on overflow, division by zero and domain errors.
+// the result is not the rounded exact one: on overflow, division by zero and domain errors of the
+// operations named below. Dot products, lengths and the other functions are not watched.
 #pragma once
 
 #include <fixedpoint/arithmetic/saturating.hpp>
@@ -20,11 +21,7 @@ enum class Operation : unsigned char {
     convert,
     sqrt,
     reciprocal_sqrt,
-    atan2,
-    exp,
     log,
-    dot,
-    length,
 };
 
 template <class Hook>
@@ -86,6 +83,17 @@ struct Checked : Nearest {
     static constexpr Raw sqrt(Raw a) {
         if (a < 0) Hook::notify(Event::domain_error, Operation::sqrt);
         return Nearest::sqrt<Raw, F>(a);
+    }
+    template <class Raw, int F>
+    static constexpr Raw reciprocal_sqrt(Raw a) {
+        if (a < 0) Hook::notify(Event::domain_error, Operation::reciprocal_sqrt);
+        if (a == 0) Hook::notify(Event::division_by_zero, Operation::reciprocal_sqrt);
+        return Nearest::reciprocal_sqrt<Raw, F>(a);
+    }
+    template <class Raw, int F>
+    static constexpr Raw log(Raw a) {
+        if (a <= 0) Hook::notify(Event::domain_error, Operation::log);
+        return Nearest::log<Raw, F>(a);
     }
 
  private:

@@ -9,7 +9,7 @@
 // state their bound where they are defined.
 #pragma once
 
-#include <fixedpoint/integer.hpp>
+#include <fixedpoint/arithmetic/wrapping.hpp>
 #include <fixedpoint/kernel/atan.hpp>
 #include <fixedpoint/kernel/atan2.hpp>
 #include <fixedpoint/kernel/cos.hpp>
@@ -30,22 +30,7 @@
 
 namespace fixedpoint {
 
-struct Nearest {
-    // (a + b) mod 2^W.
-    template <class Raw, int F>
-    static constexpr Raw add(Raw a, Raw b) {
-        return wrapping_add(a, b);
-    }
-    // (a - b) mod 2^W.
-    template <class Raw, int F>
-    static constexpr Raw subtract(Raw a, Raw b) {
-        return wrapping_subtract(a, b);
-    }
-    // -a mod 2^W: the smallest number is its own negative.
-    template <class Raw, int F>
-    static constexpr Raw negate(Raw a) {
-        return wrapping_negate(a);
-    }
+struct Nearest : Wrapping {
     // a * b rounded, mod 2^W.
     template <class Raw, int F>
     static constexpr Raw multiply(Raw a, Raw b) {
@@ -137,11 +122,6 @@ struct Nearest {
     template <class Raw, int F>
     static constexpr void normalise3(const Raw* v, Raw* unit) {
         kernel::normalise3<Raw, F>(v, unit);
-    }
-    // a 2^count mod 2^W; 0 from count = W on.
-    template <class Raw, int F>
-    static constexpr Raw shift_left(Raw a, unsigned char count) {
-        return wrapping_shift_left(a, count);
     }
 };
 

@@ -5,7 +5,7 @@
 // taken modulo 2^W. What used to hang or return garbage is mended where it is defined.
 #pragma once
 
-#include <fixedpoint/integer.hpp>
+#include <fixedpoint/arithmetic/wrapping.hpp>
 #include <fixedpoint/published/atan2.hpp>
 #include <fixedpoint/published/divide.hpp>
 #include <fixedpoint/published/multiply.hpp>
@@ -13,22 +13,7 @@
 
 namespace fixedpoint {
 
-struct Published {
-    // (a + b) mod 2^W.
-    template <class Raw, int F>
-    static constexpr Raw add(Raw a, Raw b) {
-        return wrapping_add(a, b);
-    }
-    // (a - b) mod 2^W.
-    template <class Raw, int F>
-    static constexpr Raw subtract(Raw a, Raw b) {
-        return wrapping_subtract(a, b);
-    }
-    // -a mod 2^W.
-    template <class Raw, int F>
-    static constexpr Raw negate(Raw a) {
-        return wrapping_negate(a);
-    }
+struct Published : Wrapping {
     // a b / 2^F toward zero, mod 2^W.
     template <class Raw, int F>
     static constexpr Raw multiply(Raw a, Raw b) {
@@ -48,11 +33,6 @@ struct Published {
     template <class Raw, int F>
     static Raw atan2(Raw y, Raw x) {
         return published::atan2<Raw, F>(y, x);
-    }
-    // a 2^count mod 2^W; 0 from count = W on.
-    template <class Raw, int F>
-    static constexpr Raw shift_left(Raw a, unsigned char count) {
-        return wrapping_shift_left(a, count);
     }
 };
 

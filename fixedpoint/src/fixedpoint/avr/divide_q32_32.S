@@ -6,23 +6,29 @@
 // In:       a r25..r18, b r17..r10
 // Out:      r25..r18
 // Clobbers: r0, r26, r27, r30, r31
-// Cycles, call and return included (worst found): |b| < 256: |a| < 256 286..753, else 477..804;
-// |b| >= 256: 452..845; clamped 111..131. About 50 for each byte of the quotient.
-// Stack: 12 bytes, 23 where |b| >= 256.
+// Cycles, call and return included (worst found): |b| < 2^-16: 344..619; |b| < 256: |a| < 256
+// 254..731, else 439..785; |b| >= 256: 443..778; clamped 107..143. 40 to 65 for each byte of the
+// quotient. Stack: 11 bytes, 23 where |b| >= 256.
 //
 // Long division of magnitudes in base 256 by d = 2^k |b|, whose leading one is the highest bit of
 // five bytes, or, where |b| >= 256, of eight; a is multiplied by 2^k likewise. A digit that comes
-// from the highest three bytes of the remainder and the highest two of d is at most 1 too large;
-// then the remainder turns negative and d is added back. The remainder stays below d, hence its
-// highest bytes are at most d's, and where they are equal, the digit from them is 256 and becomes
-// 255: the rest of the remainder is at least 2^16 (h1:h0) - 255 (h1:h0 + 1) 2^8 > 0 then, so
-// nothing is added back twice. Last, twice the remainder is compared with d: not less, for a
-// negative quotient more, rounds away from zero, so that ties go upward.
+// from the highest three bytes of the remainder and the highest two of d is at most 1 too large,
+// for the lower bytes of d; it is at most 256, and they are less than d / 2^15: where the remainder
+// turns negative, it is above -d / 2^7. Then the digit is taken as 1 less, and instead of another
+// division the next digit is -1 or -2, for as often d is added to 2^8 times the remainder and the
+// next byte. So a digit that is too large costs nothing; the last one need not be mended, as a
+// remainder that close to d rounds back.
+//
+// The remainder stays below d, hence its highest bytes are at most d's, and where they are equal,
+// the digit from them is 256, and surely too large. Last, twice the remainder is compared with d:
+// not less, for a negative quotient more, rounds away from zero, so that ties go upward.
 //
 // Five bytes: the remainder, the rest of the dividend and the quotient are one row of bytes that
-// moves up a byte for each digit. Where |a| < 2^31 |b| fails, the result is clamped before.
+// moves up a byte for each digit. Where |a| < 2^31 |b| fails, the result is clamped before. Where
+// only two bytes of d are not zero, the digits from them are exact.
 // Eight bytes: after the first digit the dividend is all zeros; the digits wait on the stack. The
-// quotient is below 2^55.
+// quotient is below 2^55. It is longest for divisors of six bytes, for which two products of each
+// digit are left out.
 
 #ifdef __AVR__
 
@@ -68,7 +74,7 @@
     lpm power, Z
     .endm
 
-    .macro negate_q
+    .macro complement_q
     com q1
     com q2
     com q3
@@ -76,6 +82,9 @@
     com q5
     com q6
     com q7
+    .endm
+    .macro negate_q
+    complement_q
     neg q0
     sbci q1, 0xff
     sbci q2, 0xff
@@ -88,20 +97,18 @@
 
     .section .text.fixedpoint_divide_q32_32, "ax", @progbits
 
-    // Divisors of at most five bytes. u5..u0:q7..q0 moves up by a byte for each digit, which comes
+    // Divisors of at most five bytes. u4..u0:q7..q0 moves up by a byte for each digit, which comes
     // in at the bottom.
-#define u0 r6
-#define u1 r7
-#define u2 r8
-#define u3 r9
-#define u4 r28
-#define u5 r29
+#define u0 r7
+#define u1 r8
+#define u2 r9
+#define u3 r28
+#define u4 r29
 #define inverse r15
 #define zero r16
 #define count r17
 
-    .macro move_up
-    mov u5, u4
+    .macro move_up_dividend
     mov u4, u3
     mov u3, u2
     mov u2, u1
@@ -111,6 +118,9 @@
     mov q6, q5
     mov q5, q4
     mov q4, q3
+    .endm
+    .macro move_up
+    move_up_dividend
     mov q3, q2
     mov q2, q1
     mov q1, q0
@@ -129,7 +139,6 @@ fixedpoint_divide_q32_32:
     push r9
     push r8
     push r7
-    push r6
     push r17
     mov r26, q7
     eor r26, d7
@@ -179,15 +188,22 @@ fixedpoint_divide_q32_32:
     clr zero
     ldi count, 5
 1:  tst d4
+    brne 3f
+    tst d3
     brne 2f
-    mov d4, d3
+    mov d4, d2
+    movw d2, d0
+    clr d0
+    clr d1
+    subi count, -2
+    rjmp 1b
+2:  mov d4, d3
     mov d3, d2
     mov d2, d1
     mov d1, d0
     clr d0
     inc count
-    rjmp 1b
-2:  find_power d4
+3:  find_power d4
     mul d4, power
     mov d4, r0
     scale d4, d3, d3, power
@@ -199,74 +215,112 @@ fixedpoint_divide_q32_32:
     or r0, q7
     brne .Llong_dividend
     mul q4, power
-    mov u5, r1
-    mov u4, r0
-    scale u4, u3, q3, power
-    scale u3, u2, q2, power
-    scale u2, u1, q1, power
-    scale u1, u0, q0, power
+    mov u4, r1
+    mov u3, r0
+    scale u3, u2, q3, power
+    scale u2, u1, q2, power
+    scale u1, u0, q1, power
+    scale u0, q7, q0, power
+    clr q4
     rjmp 3f
 .Llong_dividend:
     subi count, -3
-    mul q7, power
-    mov u5, r1
-    mov u4, r0
-    scale u4, u3, q6, power
-    scale u3, u2, q5, power
-    scale u2, u1, q4, power
-    scale u1, u0, q3, power
-    scale u0, q7, q2, power
-    scale q7, q6, q1, power
-    scale q6, q5, q0, power
+    tst q7
+    brne 2f
+    tst q6
+    brne 1f
+    movw q6, q4
+    movw q4, q2
+    movw q2, q0
+    clr q0
+    clr q1
+    subi count, 2
+    rjmp 2f
+1:  mov q7, q6
+    mov q6, q5
+    mov q5, q4
+    mov q4, q3
+    mov q3, q2
+    mov q2, q1
+    mov q1, q0
+    clr q0
+    dec count
+2:  mul q7, power
+    mov u4, r1
+    mov u3, r0
+    scale u3, u2, q6, power
+    scale u2, u1, q5, power
+    scale u1, u0, q4, power
+    scale u0, q7, q3, power
+    scale q7, q6, q2, power
+    scale q6, q5, q1, power
+    scale q5, q4, q0, power
 3:  clr q0
     clr q1
     movw q2, q0
-    clr q4
     invert inverse, d4, d3
-    rjmp 2f
+    // Digits that are surely zero.
+1:  tst u4
+    brne 2f
+    cp u3, d4
+    brsh 2f
+    move_up_dividend
+    dec count
+    brne 1b
+    rjmp .Lcompare
+2:  tst d2
+    brne .Ldigit
+    mov r0, d1
+    or r0, d0
+    brne .Ldigit
+
+    // Two bytes divide: the digits are exact.
+.Lexact_digit:
+    estimate_digit u4, u3, u2, d4, d3, inverse
+    cp u2, d3
+    cpc u3, d4
+    brcs 1f
+    inc digit
+    sub u2, d3
+    sbc u3, d4
+1:  move_up
+    mov q0, digit
+    dec count
+    brne .Lexact_digit
+    rjmp .Lcompare
 
 .Lshort_low:
     inc digit
-    sub u3, d3
-    sbc u4, d4
+    sub u2, d3
+    sbc u3, d4
     rjmp .Lshort_estimated
 
 .Lshort_zero:
-    tst u5
+    tst u4
     brne 1f
     rjmp .Lshort_next
-1:  sub u1, d0
-    sbc u2, d1
-    sbc u3, d2
-    sbc u4, zero
+1:  sub u0, d0
+    sbc u1, d1
+    sbc u2, d2
+    sbc u3, zero
     rjmp .Lshort_high
 
-    // Digits that are surely zero.
-1:  move_up
-    dec count
-    brne 2f
-    rjmp .Lcompare
-2:  tst u5
-    brne .Ldigit
-    cp u4, d4
-    brlo 1b
-
 .Ldigit:
-    estimate u5, u4, u3, d4, d3, inverse, short
+    estimate u4, u3, u2, d4, d3, inverse, short
     mul digit, d0
     movw r30, r0
     mul digit, d1
     add r31, r0
-    mov u5, r1
-    adc u5, zero
+    mov estimate_low, r1
+    adc estimate_low, zero
     mul digit, d2
-    add r0, u5
+    add r0, estimate_low
     adc r1, zero
-    sub u0, r30
-    sbc u1, r31
-    sbc u2, r0
-    sbc u3, r1
-    sbc u4, zero
+    sub q7, r30
+    sbc u0, r31
+    sbc u1, r0
+    sbc u2, r1
+    sbc u3, zero
     brcs .Lshort_high
 .Lshort_next:
     move_up
@@ -275,20 +329,21 @@ fixedpoint_divide_q32_32:
     brne .Ldigit
 
 .Lcompare:
-    lsl u1
+    lsl u0
+    rol u1
     rol u2
     rol u3
     rol u4
-    rol u5
     brcs 2f
     brtc 1f
     sec
-1:  cpc u1, d0
-    cpc u2, d1
-    cpc u3, d2
-    cpc u4, d3
-    cpc u5, d4
+1:  cpc u0, d0
+    cpc u1, d1
+    cpc u2, d2
+    cpc u3, d3
+    cpc u4, d4
     rjmp 3f
+.Lround_up:
 2:  clc
     // d7..d5 are the sign of b again.
 3:  pop d7
@@ -296,13 +351,22 @@ fixedpoint_divide_q32_32:
     mov d5, d7
     rjmp .Lround
 
+    // The remainder is negative: the digit is 1 less, and the next one -1 or -2.
 .Lshort_high:
     dec digit
-    add u0, d0
-    adc u1, d1
-    adc u2, d2
-    adc u3, d3
-    adc u4, d4
+    move_up
+    mov q0, digit
+    dec count
+    breq .Lround_up
+    clr digit
+1:  dec digit
+    add q7, d0
+    adc u0, d1
+    adc u1, d2
+    adc u2, d3
+    adc u3, d4
+    adc u4, zero
+    brcc 1b
     rjmp .Lshort_next
 
 .Lsaturate:
@@ -316,8 +380,9 @@ fixedpoint_divide_q32_32:
     subi q7, 0x80
     rjmp .Lrestore
 
-    // One more where the carry is clear.
+    // One more where the carry is clear; then the complement is the negative.
 .Lround:
+    brts .Lround_negative
     sbci q0, 0xff
     sbci q1, 0xff
     sbci q2, 0xff
@@ -327,11 +392,8 @@ fixedpoint_divide_q32_32:
     sbci q6, 0xff
     sbci q7, 0xff
     brmi .Lsaturate
-    brtc .Lrestore
-    negate_q
 .Lrestore:
     clr r1
-    pop r6
     pop r7
     pop r8
     pop r9
@@ -343,6 +405,14 @@ fixedpoint_divide_q32_32:
     pop r13
     pop r14
     ret
+
+.Lround_negative:
+    brcs 1f
+    com q0
+    complement_q
+    rjmp .Lrestore
+1:  negate_q
+    rjmp .Lrestore
 
     // b may be zero, and then a, too.
 .Lout_of_range:
@@ -365,10 +435,6 @@ fixedpoint_divide_q32_32:
 #undef u2
 #undef u3
 #undef u4
-#undef u5
-#undef u6
-#undef u7
-#undef u8
 #undef zero
 #undef count
 #undef inverse
@@ -388,6 +454,36 @@ fixedpoint_divide_q32_32:
 #define zero r28
 #define count r4
 #define inverse r5
+
+.Lsix_bytes:
+    movw d6, d4
+    movw d4, d2
+    movw d2, d0
+    clr d0
+    clr d1
+    rjmp .Llong_scale
+.Lseven_bytes:
+    mov d7, d6
+    mov d6, d5
+    mov d5, d4
+    mov d4, d3
+    mov d3, d2
+    mov d2, d1
+    mov d1, d0
+    clr d0
+    rjmp .Llong_scale
+
+    .macro shift_remainder
+    mov u8, u7
+    mov u7, u6
+    mov u6, u5
+    mov u5, u4
+    mov u4, u3
+    mov u3, u2
+    mov u2, u1
+    mov u1, u0
+    clr u0
+    .endm
 
 .Lnegative_divisor:
     mov r0, d5
@@ -429,32 +525,23 @@ fixedpoint_divide_q32_32:
 .Llong:
     push d6
     push d5
-2:  push r5
+2:  push r6
+    push r5
     push r4
-    ldi r27, 2
-    ldi r26, 5
-1:  tst d7
-    brne 2f
-    mov d7, d6
-    mov d6, d5
-    mov d5, d4
-    mov d4, d3
-    mov d3, d2
-    mov d2, d1
-    mov d1, d0
-    clr d0
-    inc r26
-    dec r27
-    rjmp 1b
-2:  mov count, r26
     clr zero
-    // The bytes of the quotient that are known to be zero.
-1:  subi r27, 1
-    brcs 2f
+    ldi r30, 7
+    mov r0, d7
+    or r0, d6
+    breq .Lsix_bytes
     push zero
-    rjmp 1b
-
-2:  find_power d7
+    dec r30
+    tst d7
+    breq .Lseven_bytes
+    push zero
+    dec r30
+.Llong_scale:
+    mov count, r30
+    find_power d7
     mul d7, power
     mov d7, r0
     scale d7, d6, d6, power
@@ -496,8 +583,33 @@ fixedpoint_divide_q32_32:
     sbc u7, zero
     rjmp .Llong_high
 
+.Llong_six:
+    mul digit, d2
+    movw r30, r0
+    mul digit, d4
+    movw r8, r0
+    mul digit, d3
+    add r31, r0
+    adc r8, r1
+    adc r9, zero
+    mul digit, d5
+    add r9, r0
+    adc r1, zero
+    sub u2, r30
+    sbc u3, r31
+    sbc u4, r8
+    sbc u5, r9
+    sbc u6, r1
+    sbc u7, zero
+    brcc 1f
+    rjmp .Llong_high
+1:  rjmp .Llong_next
+
 .Llong_digit:
     estimate u8, u7, u6, d7, d6, inverse, long
+    cp d0, zero
+    cpc d1, zero
+    breq .Llong_six
     mul digit, d0
     movw r30, r0
     mul digit, d2
@@ -528,19 +640,17 @@ fixedpoint_divide_q32_32:
     push digit
     dec count
     breq .Llong_round
-    mov u8, u7
-    mov u7, u6
-    mov u6, u5
-    mov u5, u4
-    mov u4, u3
-    mov u3, u2
-    mov u2, u1
-    mov u1, u0
-    clr u0
+    shift_remainder
     rjmp .Llong_digit
 
 .Llong_high:
     dec digit
+    push digit
+    dec count
+    breq .Llong_round_up
+    shift_remainder
+    clr digit
+1:  dec digit
     add u0, d0
     adc u1, d1
     adc u2, d2
@@ -549,6 +659,8 @@ fixedpoint_divide_q32_32:
     adc u5, d5
     adc u6, d6
     adc u7, d7
+    adc u8, zero
+    brcc 1b
     rjmp .Llong_next
 
     // 2 r >= |d|, for a negative quotient 2 r > |d|: carry clear.
@@ -573,6 +685,7 @@ fixedpoint_divide_q32_32:
     cpc u6, d6
     cpc u7, d7
     rjmp 3f
+.Llong_round_up:
 2:  clc
 3:  pop q0
     pop q1
@@ -584,6 +697,7 @@ fixedpoint_divide_q32_32:
     ldi q7, 0
     pop r4
     pop r5
+    pop r6
     pop d5
     pop d6
     pop d7

@@ -6,8 +6,9 @@
 // In:       a r25:r24, b r23:r22
 // Out:      r25:r24
 // Clobbers: r0, r18..r23, r26, r27, r30, r31
-// Cycles, call and return included: |b| >= 1: |a| < |b| 74..115, |a| >= |b| 105..151;
-// 1/2 <= |b| < 1: 63..87; |b| < 1/2: 75..99; clamped: 27..41. Stack: 0 bytes.
+// Cycles, call and return included: 28..129, mean 103 (of every input). |b| >= 1: |a| < |b|
+// 74..115, |a| >= |b| 106..129; 1/2 <= |b| < 1: 62..86; |b| < 1/2: 74..98; b = -128: 39..42;
+// clamped, |b| < 1: 28..44. Stack: 0 bytes.
 //
 // On magnitudes, the sign put back at the end; for a negative quotient half a divisor less one unit
 // rounds, so that ties go upward.
@@ -19,13 +20,21 @@
 // quotient has one bit more than the result: it is what rounds, and only a negative tie must look
 // at the remainder.
 //
-// |b| >= 1: the integer part, not 0 only where |a| >= |b|, and one digit of fraction, both from the
-// reciprocal of b's leading eight bits plus one. They are therefore never too large, and at most 2
-// and 4 too small (all dividends and divisors were tried): the remainder is brought below b by
-// subtraction. Half a divisor, added to the remainder beforehand, makes the last digit round.
-// |b| = 128 is a shift.
+// |b| >= 1, |a| < |b|: one digit, from the reciprocal of b's leading eight bits plus one. It is
+// therefore never too large, and at most 4 too small (all dividends and divisors were tried): the
+// remainder is brought below b by subtraction. Half a divisor, added to the remainder beforehand,
+// makes the digit round. |b| = 128 is a shift.
+//
+// |b| >= 1, |a| >= |b|: all bits at once. Let d = 2^k |b| have its leading one in bit 15, v be the
+// largest number with d v < 2^24, and e = 2^24 - d v <= d. A step of Newton's iteration makes of v
+// the reciprocal v (1 + e / 2^24); times 2^k that is u, 2^24 / |b| less 1 unit or so. q = (u |a| +
+// 2^14) / 2^16, rounded down, is the rounded quotient or 1 less: all dividends and divisors were
+// tried, and 60 2^8 to 64 2^8 would do for 2^14. So half a divisor plus the remainder is at least 0
+// and below 2 |b| < 2^16: its lower 16 bits tell which. Only 2^15 / 2^8 is too large.
 
 #ifdef __AVR__
+
+#include <fixedpoint/avr/long_division.inc>
 
 #define a0 r24
 #define a1 r25
@@ -33,46 +42,14 @@
 #define b1 r23
 #define d0 r26
 #define d1 r27
-#define integer r20
+#define u0 r26
+#define u1 r27
+#define q0 r18
+#define q1 r19
+#define zero r20
 #define sign r21
 
     .section .text.fixedpoint_divide_q8_8, "ax", @progbits
-.Linteger_part:
-    mul a0, r18
-    mov r30, r1
-    mul a1, r18
-    add r30, r0
-    adc r1, integer
-    mov r31, r1
-    mul r31, r19
-    add r0, r30
-    adc r1, r31
-    mov integer, r1
-    mul integer, b0
-    sub a0, r0
-    sbc a1, r1
-    mul integer, b1
-    sub a1, r0
-    rjmp 2f
-1:  inc integer
-2:  sub a0, b0
-    sbc a1, b1
-    brcc 1b
-    add a0, b0
-    adc a1, b1
-    sbrs integer, 7
-    rjmp .Lfraction
-    rjmp .Lsaturate
-
-.Lnegative_divisor:
-    com b1
-    neg b0
-    sbci b1, 0xff
-    brmi 1f
-    tst b1
-    brne .Llong
-    rjmp .Lshort
-1:  rjmp .Lsmallest_divisor
 
     .global fixedpoint_divide_q8_8
     .type fixedpoint_divide_q8_8, @function
@@ -86,68 +63,14 @@ fixedpoint_divide_q8_8:
     sbci a1, 0xff
 1:  ldi r31, hi8(fixedpoint_long_division_table)
     tst b1
-    breq .Lshort
-    brmi .Lnegative_divisor
-
-    // d = 2^k b with its leading one in bit 15, v = the reciprocal of its high byte + 1.
-.Llong:
-    mov r30, b1
-    lpm r18, Z
-    mul b0, r18
-    movw d0, r0
-    mul b1, r18
-    add d1, r0
-    mov r30, d1
-    inc r30
-    lpm r19, Z
-    clr integer
-    cp a0, b0
-    cpc a1, b1
-    brsh .Linteger_part
-
-    // A = 2^k a < d. The quotient's digit is 2^8 A / d.
-.Lfraction:
-    mul a0, r18
-    movw b0, r0
-    mul a1, r18
-    add b1, r0
-    mul b1, r19
-    add r0, b0
-    adc r1, b1
-    mov a0, r1
-    mov a1, integer
-    movw r30, d0
-    lsr r31
-    ror r30
-    sbrc sign, 7
-    sbiw r30, 1
-    add r31, b0
-    brcc 1f
-    inc b1
-1:  mul a0, d0
-    sub r30, r0
-    sbc r31, r1
-    sbci b1, 0
-    mul a0, d1
-    sub r31, r0
-    sbc b1, r1
-    clr r1
-    rjmp 2f
-1:  adiw a0, 1
-2:  sub r30, d0
-    sbc r31, d1
-    sbc b1, r1
-    brcc 1b
-    sbrc sign, 7
-    rjmp .Lnegate
-    ret
+    brne .Llong
 
 .Lshort:
     lsl a0
     rol a1
-    brcs .Lsaturate
+    brcs .Lsaturate_short
     cp a1, b0
-    brsh .Lclamp
+    brsh .Lclamp_short
     movw d0, a0
     sbrc b0, 7
     rjmp 1f
@@ -187,47 +110,100 @@ fixedpoint_divide_q8_8:
     dec a0
     add r0, b0
 1:  clr r1
-    tst sign
-    brmi .Lround_negative
     lsr a1
     ror a0
+    tst sign
+    brmi .Lround_negative
     adc a0, r1
     adc a1, r1
     ret
+
+    // A tie of a negative quotient has no remainder.
 .Lround_negative:
-    lsr a1
-    ror a0
     brcc .Lnegate
     cp r1, r0
     adc a0, r1
     adc a1, r1
-    rjmp .Lnegate
-
 .Lnegate:
     com a1
     neg a0
     sbci a1, 0xff
     ret
 
-.Lclamp:
-    mov r18, a0
-    or r18, a1
-    breq .Lreturn
-.Lsaturate:
-    ldi a0, 0xff
-    ldi a1, 0x7f
-    sbrc sign, 7
-    adiw a0, 1
-.Lreturn:
-    ret
+.Lclamp_short:
+    rjmp .Lclamp
+.Lsaturate_short:
+    rjmp .Lsaturate
 
 .Lfirst_digit_low:
     inc a1
     sub d0, b0
     rjmp .Lsecond_digit
 
+    // d = 2^k b with its leading one in bit 15.
+.Llong:
+    brmi .Lnegative_divisor
+.Llong_positive:
+    mov r30, b1
+    lpm r18, Z
+    mul b0, r18
+    movw d0, r0
+    mul b1, r18
+    add d1, r0
+    cp a0, b0
+    cpc a1, b1
+    brsh .Lwhole
+
+    // A = 2^k a < d. The quotient's digit is 2^8 A / d; v = the reciprocal of d's high byte + 1.
+    mov r30, d1
+    inc r30
+    lpm r19, Z
+    mul a0, r18
+    movw b0, r0
+    mul a1, r18
+    add b1, r0
+    mul b1, r19
+    add r0, b0
+    adc r1, b1
+    mov a0, r1
+    clr a1
+    movw r30, d0
+    lsr r31
+    ror r30
+    sbrc sign, 7
+    sbiw r30, 1
+    add r31, b0
+    brcc 1f
+    inc b1
+1:  mul a0, d0
+    sub r30, r0
+    sbc r31, r1
+    sbci b1, 0
+    mul a0, d1
+    sub r31, r0
+    sbc b1, r1
+    clr r1
+    rjmp 2f
+1:  adiw a0, 1
+2:  sub r30, d0
+    sbc r31, d1
+    sbc b1, r1
+    brcc 1b
+    sbrc sign, 7
+    rjmp .Lnegate
+    ret
+
+.Lnegative_divisor:
+    com b1
+    neg b0
+    sbci b1, 0xff
+    brmi .Lsmallest_divisor
+    tst b1
+    brne .Llong_positive
+    rjmp .Lshort
+
+    // |b| = 2^15: the quotient is |a| / 2^7.
 .Lsmallest_divisor:
-    // |b| = 2^15: the quotient is |a| / 2^7
     sbrc sign, 7
     sbiw a0, 1
     adiw a0, 0x20
@@ -239,6 +215,75 @@ fixedpoint_divide_q8_8:
     rol a1
     sbrc sign, 7
     rjmp .Lnegate
+    ret
+
+.Lwhole:
+    clr zero
+    invert q1, d1, d0       // v - 2^8
+    com r30                 // e / 2^8
+    // r30 = the byte below v in v (1 + e / 2^24)
+    mul q1, r30
+    add r30, r1
+    // u = 2^k v:r30 / 2^8, rounded
+    mul q1, r18
+    movw u0, r0
+    add u1, r18
+    mul r30, r18
+    lsl r0
+    adc u0, r1
+    adc u1, zero
+    // q = (u |a| + 2^14) / 2^16
+    mul u1, a1
+    movw q0, r0
+    mul u0, a0
+    mov r30, r1
+    mul u0, a1
+    add r30, r0
+    adc q0, r1
+    adc q1, zero
+    mul u1, a0
+    add r30, r0
+    adc q0, r1
+    adc q1, zero
+    subi r30, 0xc0
+    sbci q0, 0xff
+    sbci q1, 0xff
+    // r31:r30 = the remainder and half a divisor
+    movw r30, b0
+    sbrc sign, 7
+    sbiw r30, 1
+    lsr r31
+    ror r30
+    add r31, a0
+    mul q0, b0
+    sub r30, r0
+    sbc r31, r1
+    mul q0, b1
+    sub r31, r0
+    mul q1, b0
+    sub r31, r0
+    clr r1
+    cp r30, b0
+    cpc r31, b1
+    sbci q0, 0xff
+    sbci q1, 0xff
+    brmi .Lsaturate
+    movw a0, q0
+    sbrc sign, 7
+    rjmp .Lnegate
+    ret
+
+    // Too large, or 0 / 0.
+.Lclamp:
+    mov r18, a0
+    or r18, a1
+    breq .Lreturn
+.Lsaturate:
+    ldi a0, 0xff
+    ldi a1, 0x7f
+    sbrc sign, 7
+    adiw a0, 1
+.Lreturn:
     ret
 
     .size fixedpoint_divide_q8_8, .-fixedpoint_divide_q8_8

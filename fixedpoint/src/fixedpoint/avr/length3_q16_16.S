@@ -7,13 +7,14 @@
 // and return.
 //
 // Cycles, call and ret included; maxima are the most found:
-//     zero vector               258
-//     components 0.01 .. 20     317 to 392
-//     components below 128      440 at most
-//     larger components         1000 at most
+//     zero vector               249
+//     components 0.01 .. 20     308 to 388
+//     components below 128      450 at most
+//     larger components         523 at most
 //
 // Technique. Components below 2^23 have squares that sum to less than 2^48, which six registers
-// hold; larger ones start again in length_long.S. length_root.S takes the root.
+// hold, and length_root.S takes the root. From the first larger one on length_long.S takes over,
+// with the sum so far and the components that are left in r28.
 
 #ifdef __AVR__
 #include <fixedpoint/avr/sum_of_squares.inc>
@@ -23,15 +24,28 @@
     .type fixedpoint_length3_q16_16, @function
 fixedpoint_length3_q16_16:
     movw r30, r24
-    load_magnitude 0, .Llong
-    first_square .Llong
-    load_magnitude 4, .Llong
-    add_square .Llong
-    load_magnitude 8, .Llong
-    add_square .Llong
+    load_magnitude .Llong_first
+    first_square
+    load_magnitude .Llong_second
+    add_square
+    load_magnitude .Llong_third
+    add_square
     jmp fixedpoint_length_root
-.Llong:
-    ldi r26, 3
+.Llong_first:
+    push r28
+    ldi r28, 3
+    clr r18
+    clr r19
+    movw r20, r18
+    movw r22, r18
+    jmp fixedpoint_length_long
+.Llong_second:
+    push r28
+    ldi r28, 2
+    jmp fixedpoint_length_long
+.Llong_third:
+    push r28
+    ldi r28, 1
     jmp fixedpoint_length_long
     .size fixedpoint_length3_q16_16, . - fixedpoint_length3_q16_16
 #endif

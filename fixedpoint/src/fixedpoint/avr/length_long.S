@@ -1,227 +1,389 @@
 // SPDX-License-Identifier: MIT
-// The length of vectors with a component of 2^23 (128 in Q16.16) or more. Not a C function: entered
-// by a jump from the lengths with r31:r30 the vector and r26 its number of components, 2 or 3.
+// The length of vectors with a component of 2^23 (128 in Q16.16) or more. Not a C function: the
+// lengths jump here from the first such component.
 //
-// r25:r24:r23:r22 = the integer nearest to the length, at most 2^31 - 1. Keeps what calls keep.
+// r25:r24:r23:r22 = the integer nearest to the root of n = r23:...:r18, the sum of the squares so
+// far, plus the square of r27:r26:r25:r24, a magnitude of 2^23 to 2^31, plus the squares of the
+// r28 - 1 components that follow at r31:r30; at most 2^31 - 1. The caller's r28 has been pushed.
+// Keeps what calls keep; r1 is zero at return. Stack: 8 bytes with the r28 and the return address.
 //
-// Technique. The squares of the bytes are summed in r23:...:r16, the products of two bytes in
-// r14:...:r8, to be doubled once. length_root.S takes the root of the upper six bytes; its
-// remainder and the lower two bytes make eight more bits, one at a time. About 95 cycles a
-// component, 30 a bit.
+// Cycles, ret included: 15, 62 a square, 13 to load the next component, 22 where it is negative,
+// and 240 at most after the last square. Less where -2^31 or a sum of 2^62 or more clamps.
+//
+// Technique. k is 1 to 8, such that M = n 4^k / 2^16 has its leading one in bit 47 or 46: whole
+// bytes by moves, up to 6 bits by a product. The root of M 2^16, 32 bits, shifted back by k, is
+// the length.
+//
+// Root. c, the root of the upper two bytes, and S, in 24 bits, are those of sqrt_q16_16.S. S is
+// made 6 less, which leaves it 0 to 12 below sqrt(M). Its remainder R = M - S^2, of which bytes 1
+// to 3 are enough, makes eight more bits: 2^8 R / (2 S), about q = R slope / 2^24. The slope is up
+// to 1 % off, which would make q wrong by 28. Its product with S says how far it is off:
+//     x = floor((slope (S >> 8) - 2^23) / 2^10),
+// and q - floor(q / 32) x / 256 is less than 0.44 off, which tables/sqrt.py asserts for every
+// upper two bytes of M. It is at most 2^32, which becomes 2^32 - 1.
+//
+// Rounding. The bytes of n that m1 does not reach are worth less than 0.02, 0.07 and 0.26 in 32
+// bits where k is 1, 2 and 3 or more, so that the shifted root is less than 1/4 off. Where its
+// fraction f is below 1/4 or at least 3/4 the nearest integer is known. Between, the integer part r
+// is rounded up where n exceeds (r + 1/2)^2, for integers n > r^2 + r. As sqrt(n) is less than 1/2
+// from r + 1/2, and r below 2^31, the two differ by less than 2^31: four bytes tell.
 
 #ifdef __AVR__
-#define zero r15
+#define zero r29
 #define count r28
+// A component's magnitude and the sum of squares
+#define a0 r24
+#define a1 r25
+#define a2 r26
+#define a3 r27
+#define n0 r18
+#define n1 r19
+#define n2 r20
+#define n3 r21
+#define n4 r22
+#define n5 r23
+#define n6 r16
+#define n7 r17
+#define t0 r14
+#define t1 r15
+// M and, in its lower bytes, R
+#define m1 r24
+#define m2 r25
+#define m3 r26
+#define m4 r27
+#define m5 r30
+#define power r16
+#define back r17
+#define slope r14
+#define s1 r22
+#define s2 r15
+#define s3 r28
+#define q1 r31
+#define q0 r30
+#define qf r27
+#define x r16
+#define q8 r23
+// The root
+#define l0 r22
+#define l1 r23
+#define l2 r24
+#define l3 r25
+#define f r30
 
     .section .text.fixedpoint_length_long, "ax", @progbits
+.Lclamp:
+    ldi l0, 0xff
+    ldi l1, 0xff
+    ldi l2, 0xff
+    ldi l3, 0x7f
+.Lrestore:
+    pop r14
+    pop r15
+    pop r16
+    pop r17
+    pop r29
+    pop r28
+    clr r1
+    ret
+
     .global fixedpoint_length_long
     .type fixedpoint_length_long, @function
 fixedpoint_length_long:
-    .irp register, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 28
-    push r\register
-    .endr
-    mov count, r26
+    push r29
+    push r17
+    push r16
+    push r15
+    push r14
     clr zero
-    clr r16
-    clr r17
-    movw r18, r16
-    movw r20, r16
-    movw r22, r16
-    movw r8, r16
-    movw r10, r16
-    movw r12, r16
-    clr r14
-1:  ld r24, Z+
-    ld r25, Z+
-    ld r26, Z+
-    ld r27, Z+
-    tst r27
-    brpl 2f
-    com r25
-    com r26
-    com r27
-    neg r24
-    sbci r25, 0xff
-    sbci r26, 0xff
-    sbci r27, 0xff
-    // The squares of the bytes
-2:  mul r24, r24
-    add r16, r0
-    adc r17, r1
-    adc r18, zero
-    adc r19, zero
-    adc r20, zero
-    adc r21, zero
-    adc r22, zero
-    adc r23, zero
-    mul r25, r25
-    add r18, r0
-    adc r19, r1
-    adc r20, zero
-    adc r21, zero
-    adc r22, zero
-    adc r23, zero
-    mul r26, r26
-    add r20, r0
-    adc r21, r1
-    adc r22, zero
-    adc r23, zero
-    mul r27, r27
-    add r22, r0
-    adc r23, r1
-    // The products of two bytes
-    mul r24, r25
-    add r8, r0
-    adc r9, r1
-    adc r10, zero
-    adc r11, zero
-    adc r12, zero
-    adc r13, zero
-    adc r14, zero
-    mul r24, r26
-    add r9, r0
-    adc r10, r1
-    adc r11, zero
-    adc r12, zero
-    adc r13, zero
-    adc r14, zero
-    mul r24, r27
-    add r10, r0
-    adc r11, r1
-    adc r12, zero
-    adc r13, zero
-    adc r14, zero
-    mul r25, r26
-    add r10, r0
-    adc r11, r1
-    adc r12, zero
-    adc r13, zero
-    adc r14, zero
-    mul r25, r27
-    add r11, r0
-    adc r12, r1
-    adc r13, zero
-    adc r14, zero
-    mul r26, r27
-    add r12, r0
-    adc r13, r1
-    adc r14, zero
+    clr n6
+    clr n7
+    tst a3
+    brmi .Lclamp
+    // n += a^2: the squares of the bytes, 2 a3 a2, then 2 (a3:a2) (a1:a0), as 2 (a3:a2) fits in two
+    // bytes, and a1 a0 twice.
+.Lsquare:
+    mul a0, a0
+    movw t0, r0
+    mul a1, a1
+    add n0, t0
+    adc n1, t1
+    adc n2, r0
+    adc n3, r1
+    adc n4, zero
+    adc n5, zero
+    adc n6, zero
+    adc n7, zero
+    mul a2, a2
+    movw t0, r0
+    mul a3, a3
+    add n4, t0
+    adc n5, t1
+    adc n6, r0
+    adc n7, r1
+    lsl a3
+    mul a2, a3
+    add n5, r0
+    adc n6, r1
+    adc n7, zero
+    lsl a2
+    adc a3, zero
+    mul a0, a1
+    movw t0, r0
+    mul a0, a3
+    add n1, t0
+    adc n2, t1
+    adc n3, r0
+    adc n4, r1
+    adc n5, zero
+    adc n6, zero
+    adc n7, zero
+    mul a1, a2
+    add n1, t0
+    adc n2, t1
+    adc n3, r0
+    adc n4, r1
+    adc n5, zero
+    adc n6, zero
+    adc n7, zero
+    mul a0, a2
+    movw t0, r0
+    mul a1, a3
+    add n2, t0
+    adc n3, t1
+    adc n4, r0
+    adc n5, r1
+    adc n6, zero
+    adc n7, zero
     dec count
-    breq 3f
-    rjmp 1b
-3:  lsl r8
-    rol r9
-    rol r10
-    rol r11
-    rol r12
-    rol r13
-    rol r14
-    add r17, r8
-    adc r18, r9
-    adc r19, r10
-    adc r20, r11
-    adc r21, r12
-    adc r22, r13
-    adc r23, r14
-    cpi r23, 0x40
-    brlo 4f
+    breq .Lsum
+    ld a0, Z+
+    ld a1, Z+
+    ld a2, Z+
+    ld a3, Z+
+    tst a3
+    brpl .Lsquare
+    com a1
+    com a2
+    com a3
+    neg a0
+    sbci a1, 0xff
+    sbci a2, 0xff
+    sbci a3, 0xff
+    brmi 1f
+    rjmp .Lsquare
+1:  rjmp .Lclamp
+
+.Lshort:
+    mov m5, n5
+    mov m4, n4
+    mov m3, n3
+    mov m2, n2
+    mov m1, n1
+    ldi back, 1
+    rjmp .Lnormalised
+
+    // M = n 4^k / 2^16 without what is below m1; back = 2^(8 - k).
+.Lsum:
+    cpi n7, 0x40
+    brsh 1b
+    tst n7
+    breq 1f
+    mov m5, n7
+    mov m4, n6
+    mov m3, n5
+    mov m2, n4
+    mov m1, n3
+    ldi back, 0x80
+    rjmp 2f
+1:  tst n6
+    breq .Lshort
+    mov m5, n6
+    movw m3, n4
+    movw m1, n2
+    ldi back, 16
+    ldi power, 1
+    cpi m5, 0x40
+    brsh 3f
+    ldi back, 8
+2:  ldi power, 4
+    cpi m5, 0x10
+    brsh 3f
+    lsr back
+    ldi power, 16
+    cpi m5, 4
+    brsh 3f
+    lsr back
+    ldi power, 64
+3:  mul m5, power
+    mov m5, r0
+    mul m4, power
+    or m5, r1
+    mov m4, r0
+    mul m3, power
+    or m4, r1
+    mov m3, r0
+    mul m2, power
+    or m3, r1
+    mov m2, r0
+    mul m1, power
+    or m2, r1
+    mov m1, r0
+.Lnormalised:
+    ldi r31, hi8(fixedpoint_sqrt_table)
+    lpm s2, Z
+    inc r31
+    lpm s3, Z
+    inc r31
+    lpm slope, Z
+    mul slope, m4
+    add s2, r1
+    adc s3, zero
+    // c in s3:s2; its remainder over 256, modulo 2^16, in r31:r30
+    movw r30, m3
+    mul s2, s2
+    sub r30, r1
+    sbc r31, zero
+    mul s3, s3
+    sub r31, r0
+    mul s2, s3
+    lsl r0
+    rol r1
+    sub r30, r0
+    sbc r31, r1
+    // S = s3:s2:s1
+    mul r30, slope
+    mov s1, r1
+    mul r31, slope
+    add s1, r0
+    adc s2, r1
+    adc s3, zero
+    subi s1, 6
+    sbc s2, zero
+    sbc s3, zero
+    // R over 256 in m3:m2:m1
+    mul s1, s1
+    sub m1, r1
+    sbc m2, zero
+    sbc m3, zero
+    mul s1, s2
+    lsl r0
+    rol r1
+    sbc m3, zero
+    sub m1, r0
+    sbc m2, r1
+    sbc m3, zero
+    mul s1, s3
+    lsl r0
+    rol r1
+    sub m2, r0
+    sbc m3, r1
+    mul s2, s2
+    sub m2, r0
+    sbc m3, r1
+    mul s2, s3
+    lsl r0
+    sub m3, r0
+    // q = q1:q0:qf
+    mul m3, slope
+    movw q0, r0
+    mul m2, slope
+    mov qf, r0
+    add q0, r1
+    adc q1, zero
+    mul m1, slope
+    add qf, r1
+    adc q0, zero
+    adc q1, zero
+    // x
+    mul s2, slope
+    mov x, r1
+    mul s3, slope
+    add x, r0
+    adc r1, zero
+    lsr r1
+    ror x
+    lsr r1
+    ror x
+    // q - floor(q / 32) x / 256, and S with it
+    mov q8, q0
+    andi q8, 0xf0
+    or q8, q1
+    swap q8
+    lsr q8
+    mulsu x, q8
+    sbrc r1, 7
+    inc q1
+    sub qf, r0
+    sbc q0, r1
+    sbc q1, zero
+    add s1, q1
+    adc s2, zero
+    adc s3, zero
+    brcs .Loverflow
+    // r = l3:l2:l1:l0, its fraction f
+4:  mul s3, back
+    movw l2, r0
+    mul s2, back
+    or l2, r1
+    mov l1, r0
+    mul s1, back
+    or l1, r1
+    mov l0, r0
+    mul q0, back
+    or l0, r1
+    mov f, r0
+    mul qf, back
+    or f, r1
+    subi f, 0x40
+    brmi 5f
+    // Near 1/2: up where n - r (r + 1) - 1, modulo 2^32, is not negative.
+    sec
+    sbc n0, l0
+    sbc n1, l1
+    sbc n2, l2
+    sbc n3, l3
+    mul l0, l0
+    sub n0, r0
+    sbc n1, r1
+    sbc n2, zero
+    sbc n3, zero
+    mul l0, l1
+    sub n1, r0
+    sbc n2, r1
+    sbc n3, zero
+    sub n1, r0
+    sbc n2, r1
+    sbc n3, zero
+    mul l0, l2
+    sub n2, r0
+    sbc n3, r1
+    sub n2, r0
+    sbc n3, r1
+    mul l1, l1
+    sub n2, r0
+    sbc n3, r1
+    mul l0, l3
+    sub n3, r0
+    sub n3, r0
+    mul l1, l2
+    sub n3, r0
+    sub n3, r0
+    lsl n3
+5:  brcs 6f
+    subi l0, 0xff
+    sbci l1, 0xff
+    sbci l2, 0xff
+    sbci l3, 0xff
+    brpl 6f
     rjmp .Lclamp
-4:  call fixedpoint_length_root
-    // The remainder of the root, which was rounded, brought to 0 .. 2 root.
-    sec
-    adc r18, r22
-    adc r19, r23
-    adc r20, r24
-    adc r21, r25
-    brpl 5f
-    subi r22, 1
-    sbci r23, 0
-    sbci r24, 0
-    sec
-    adc r18, r22
-    adc r19, r23
-    adc r20, r24
-    adc r21, r25
-    add r18, r22
-    adc r19, r23
-    adc r20, r24
-    adc r21, r25
-    // A bit: one where the remainder, or it with the next two bits of N, exceeds the root.
-5:  ldi count, 8
-    ldi r26, 0x3f
-6:  cp r26, r17
-    cpc r22, r18
-    cpc r23, r19
-    cpc r24, r20
-    cpc r25, r21
-    brcs 7f
-    lsl r16
-    rol r17
-    rol r18
-    rol r19
-    rol r20
-    rol r21
-    lsl r16
-    rol r17
-    rol r18
-    rol r19
-    rol r20
-    rol r21
-    lsl r22
-    rol r23
-    rol r24
-    rol r25
-    dec count
-    brne 6b
-    rjmp 8f
-7:  lsl r16
-    rol r17
-    rol r18
-    rol r19
-    rol r20
-    rol r21
-    lsl r16
-    rol r17
-    rol r18
-    rol r19
-    rol r20
-    rol r21
-    lsl r22
-    rol r23
-    rol r24
-    rol r25
-    sec
-    sbc r18, r22
-    sbc r19, r23
-    sbc r20, r24
-    sbc r21, r25
-    sub r18, r22
-    sbc r19, r23
-    sbc r20, r24
-    sbc r21, r25
-    inc r22
-    dec count
-    brne 6b
-    // Round.
-8:  cp r22, r18
-    cpc r23, r19
-    cpc r24, r20
-    cpc r25, r21
-    adc r22, r1
-    adc r23, r1
-    adc r24, r1
-    adc r25, r1
-    brpl 9f
-.Lclamp:
-    clr r1
-    ldi r22, 0xff
-    ldi r23, 0xff
-    ldi r24, 0xff
-    ldi r25, 0x7f
-9:
-    .irp register, 28, 17, 16, 15, 14, 13, 12, 11, 10, 9, 8
-    pop r\register
-    .endr
-    ret
+6:  rjmp .Lrestore
+
+    // 2^32, to be 2^32 - 1.
+.Loverflow:
+    com s1
+    com s2
+    com s3
+    com q0
+    rjmp 4b
     .size fixedpoint_length_long, . - fixedpoint_length_long
 #endif

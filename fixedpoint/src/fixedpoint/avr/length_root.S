@@ -2,8 +2,7 @@
 // The root that the lengths share. Not a C function: its arguments are where their sums are.
 //
 // r25:r24:r23:r22 = r, the integer nearest to sqrt(N), N = r23:r22:r21:r20:r19:r18 < 3 * 2^46.
-// Leaves r21:r20:r19:r18 = N - r (r + 1) - 1, which is negative. Changes r26, r27, r30, r31, r0 as
-// well; r1 is zero at return.
+// Changes r18-r21, r26, r27, r30, r31, r0 as well; r1 is zero at return.
 //
 // Cycles with ret: 85 for N = 0, to 240 below 2^28, 138 to 181 below 2^44, 246 at most:
 // 12 a zero byte ahead, 6 a bit that the root is shifted back, 13 a step of the last loop.

@@ -6,7 +6,7 @@
 // Out:      r25..r18
 // Clobbers: r0, r26, r27, r30, r31
 // Cycles, call and return included (worst found): a < 0 18; a = 0 57; by the length of a in bytes
-// 1: 317, 2: 342, 3: 382, 4: 398, 5: 431, 6: 446, 7: 479, 8: 489. Stack: 10 bytes.
+// 1: 316, 2: 341, 3: 382, 4: 402, 5: 432, 6: 461, 7: 491, 8: 489. Stack: 10 bytes.
 //
 // a moves up by whole bytes and then by an even number of bits until its highest byte is 64 or
 // more. The first two bytes of the root s come from a chord and are at most 3 too small for the
