@@ -17,3 +17,4 @@
 #include <fixedpoint/literals.hpp>
 #include <fixedpoint/math.hpp>
 #include <fixedpoint/text.hpp>
+#include <fixedpoint/vector.hpp>

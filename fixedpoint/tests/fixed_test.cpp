@@ -5,6 +5,7 @@
 #include <fixedpoint/arithmetic/published.hpp>
 #include <fixedpoint/arithmetic/saturating.hpp>
 #include <fixedpoint/math.hpp>
+#include <fixedpoint/vector.hpp>
 
 #include <gtest/gtest.h>
 
@@ -231,6 +232,24 @@ TEST(Fixed, ClampPrefersTheLowerBoundOfAContradiction) {
     EXPECT_EQ(clamp(n(-5), n(0), n(3)), n(0));
     EXPECT_EQ(clamp(n(2), n(0), n(3)), n(2));
     EXPECT_EQ(clamp(n(2), n(3), n(0)), n(3));
+}
+
+TEST(Vector, OperationsTakeNumbersInARow) {
+    const auto n = [](int i) { return Q16_16::from_integer(i); };
+    const Q16_16 a[3] = {n(2), n(-3), n(6)}, b[3] = {n(5), n(7), n(-1)};
+    EXPECT_EQ(dot2(a, b), n(-11));
+    EXPECT_EQ(dot3(a, b), n(-17));
+    EXPECT_EQ(length2(b + 1).raw(), 463410);  // 5 sqrt(2) 2^16 = 463409.5..
+    EXPECT_EQ(length3(a), n(7));
+    Q16_16 unit[3];
+    normalise3(a, unit);
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(unit[i].raw(), a[i].raw() / 7.0, 1) << i;
+}
+
+TEST(Math, SincosIsSineAndCosine) {
+    const Q16_16 angle = Q16_16::from_raw(123456);
+    EXPECT_EQ(sincos(angle).sine, sin(angle));
+    EXPECT_EQ(sincos(angle).cosine, cos(angle));
 }
 
 TEST(Published, TruncatesTowardZero) {

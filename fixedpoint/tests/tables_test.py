@@ -39,7 +39,7 @@ def main():
                 faults.append(f"{path}: is missing")
             elif (LIBRARY / path).read_bytes() != (copy / path).read_bytes():
                 faults.append(f"{path}: differs from what its generator writes")
-    print("\n".join(faults) or f"{len(written)} generated files are as their generators write them.")
+    print("\n".join(faults) or f"{len(written)} files are as their generators write them.")
     return 1 if faults else 0
 
 

@@ -41,6 +41,18 @@ template <int I, int F, class A>
 constexpr Fixed<I, F, A> log(Fixed<I, F, A> a) {
     return Fixed<I, F, A>::from_raw(A::template log<Integer<I + F>, F>(a.raw()));
 }
+template <class Number>
+struct SineAndCosine {
+    Number sine, cosine;
+};
+// Both of one angle, for less than sin and cos take.
+template <int I, int F, class A>
+constexpr SineAndCosine<Fixed<I, F, A>> sincos(Fixed<I, F, A> angle) {
+    Integer<I + F> both[2] = {};
+    A::template sincos<Integer<I + F>, F>(angle.raw(), both);
+    return {Fixed<I, F, A>::from_raw(both[0]), Fixed<I, F, A>::from_raw(both[1])};
+}
+
 // a b + c, rounded once.
 template <int I, int F, class A>
 constexpr Fixed<I, F, A> multiply_add(Fixed<I, F, A> a, Fixed<I, F, A> b, Fixed<I, F, A> c) {
@@ -66,7 +78,6 @@ template <int I, int F, class A>
 constexpr Fixed<I, F, A> clamp(Fixed<I, F, A> a, Fixed<I, F, A> low, Fixed<I, F, A> high) {
     return max(low, min(a, high));
 }
-
 
 // The largest integral number <= a.
 template <int I, int F, class A>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Checks that count themselves, for a chip that has nowhere to print: whoever runs the program reads
-// the counters once it has reached finished().
+// Checks that count themselves, for a chip that has nowhere to print: whoever runs the program
+// reads the counters once it has reached finished().
 #pragma once
 
 #include <stdint.h>

@@ -33,8 +33,8 @@ void check_pair(const Pair& expected) {
 void check_single(const Single& expected) {
     const auto a = checked(expected.a);
     CHECK((-a).raw() == expected.negated);
-    CHECK(hooked(expected.negated != expected.saturated_negated, Event::overflow,
-                 Operation::negate));
+    CHECK(
+        hooked(expected.negated != expected.saturated_negated, Event::overflow, Operation::negate));
     CHECK(sqrt(a).raw() == expected.sqrt);
     CHECK(hooked(expected.a < 0, Event::domain_error, Operation::sqrt));
     CHECK((convert<Fixed<8, 8, ::Checked>>(a).raw()) == expected.as_q8_8);

@@ -57,6 +57,7 @@ template <Raw A, Raw B>
 void check_small_functions() {
     CHECK_CONSTANT(sqrt(as<Small>(x)));
     CHECK_CONSTANT(reciprocal_sqrt(as<Small>(x)));
+    CHECK_CONSTANT(atan(as<Small>(x)));
     CHECK_CONSTANT(atan2(as<Small>(x), as<Small>(y)));
     CHECK_CONSTANT(sin(as<Small>(x)));
     CHECK_CONSTANT(cos(as<Small>(x)));

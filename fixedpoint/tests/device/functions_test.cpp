@@ -61,9 +61,22 @@ void check_from_decimal(const FromDecimal& expected) {
     CHECK(result.fits == expected.fits);
 }
 
+// By hand, where a 16-bit int could be too short.
+void check_integers() {
+    CHECK(Q16_16::from_integer(-300).raw() == -300l * 65536);
+    CHECK(convert<Q16_16>(38).raw() == 38l * 65536);
+    CHECK(convert<Q32_32>(INT32_MIN).raw() == INT64_MIN);
+    CHECK(convert<uint16_t>(Q16_16::from_raw(0x7fff8000)) == 0x8000);
+    CHECK(convert_clamped<uint8_t>(Q16_16::from_integer(-1)).number == 0);
+    CHECK(from_decimal<Q16_16>(38, 2).number.raw() == 24904);  // 24903.68
+    CHECK(from_decimal<Q4_4>(int8_t(-15), 1).number.raw() == -24);
+    CHECK(from_decimal<Q32_32>(int64_t(314159265358979), 14).number.raw() == 13493037705);
+}
+
 void check_order(const Pair& expected) {
     const Number a = operand(expected.a), b = operand(expected.b), zero;
-    const Number smaller = expected.a < expected.b ? a : b, larger = expected.a < expected.b ? b : a;
+    const Number smaller = expected.a < expected.b ? a : b,
+                 larger = expected.a < expected.b ? b : a;
     CHECK(min(a, b) == smaller && max(a, b) == larger);
     CHECK(clamp(a, zero, b) == (expected.b < 0 || expected.a < 0 ? zero : smaller));
 }
@@ -77,4 +90,5 @@ void test_functions() {
     for_each(from_floats, check_from_float);
     for_each(from_decimals, check_from_decimal);
     for_each(pairs, check_order);
+    check_integers();
 }

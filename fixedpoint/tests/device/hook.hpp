@@ -19,11 +19,13 @@ struct Hook {
         operation = operation_;
     }
 };
+
 // Whether the hook was called as it should have been since this was last asked.
 inline bool hooked(bool expected, Event event, Operation operation) {
     const uint8_t calls = Hook::calls;
     Hook::calls = 0;
-    return expected ? calls == 1 && Hook::event == event && Hook::operation == operation : calls == 0;
+    return expected ? calls == 1 && Hook::event == event && Hook::operation == operation
+                    : calls == 0;
 }
 
 using Checked = fixedpoint::Checked<Hook>;

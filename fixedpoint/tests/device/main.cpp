@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Runs the tests that are linked.
-#include "check.hpp"
-
 #include <string.h>
+
+#include "check.hpp"
 
 uint16_t checks = 0, failures = 0;
 char first_failing_test[32] = "";

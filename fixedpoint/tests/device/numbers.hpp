@@ -4,10 +4,11 @@
 #pragma once
 
 #include <avr/pgmspace.h>
+#include <string.h>
+
 #include <fixedpoint/conversion.hpp>
 #include <fixedpoint/fixed.hpp>
 #include <fixedpoint/text.hpp>
-#include <string.h>
 
 #include "check.hpp"
 

@@ -28,8 +28,8 @@ void check_print(const Print& expected) {
     CHECK(print_into(length - 1) == 0);
     CHECK(print_into(length) == length);
     CHECK(memcmp(buffer, expected.text, length) == 0);
-    CHECK(length <= text_capacity<Number>(expected.decimals < 0 ? Number::fraction_bits
-                                                                : expected.decimals));
+    CHECK(length <=
+          text_capacity<Number>(expected.decimals < 0 ? Number::fraction_bits : expected.decimals));
 }
 
 template <char... Text>
