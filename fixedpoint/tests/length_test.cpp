@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <fixedpoint/kernel/length.hpp>
+#include <fixedpoint/portable/length.hpp>
 #include <limits>
 
 #include "exact.hpp"
@@ -28,8 +28,8 @@ void expect_lengths(const std::array<Raw, 3>& v) {
     constexpr int F = 4 * sizeof(Raw);
     SCOPED_TRACE(testing::Message() << +v[0] << " " << +v[1] << " " << +v[2]);
     const Int two = Int(v[0]) * v[0] + Int(v[1]) * v[1];
-    expect_nearest<Raw, Int>(fixedpoint::kernel::length2<Raw, F>(v.data()), two);
-    expect_nearest<Raw, Int>(fixedpoint::kernel::length3<Raw, F>(v.data()), two + Int(v[2]) * v[2]);
+    expect_nearest<Raw, Int>(fixedpoint::portable::length2<Raw, F>(v.data()), two);
+    expect_nearest<Raw, Int>(fixedpoint::portable::length3<Raw, F>(v.data()), two + Int(v[2]) * v[2]);
 }
 
 template <class Raw, class Int>
@@ -66,8 +66,8 @@ TEST(Length, RoundsToNearest64) { expect_lengths_of_samples<int64_t, exact::Int>
 
 TEST(Length, IsExactForPythagoreanTriples) {
     constexpr int32_t v[] = {-3 * 65536, 4 * 65536, 12 * 65536};
-    static_assert(fixedpoint::kernel::length2<int32_t, 16>(v) == 5 * 65536, "3, 4, 5");
-    static_assert(fixedpoint::kernel::length3<int32_t, 16>(v) == 13 * 65536, "3, 4, 12, 13");
+    static_assert(fixedpoint::portable::length2<int32_t, 16>(v) == 5 * 65536, "3, 4, 5");
+    static_assert(fixedpoint::portable::length3<int32_t, 16>(v) == 13 * 65536, "3, 4, 12, 13");
 }
 
 }  // namespace

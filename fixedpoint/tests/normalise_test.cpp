@@ -5,7 +5,7 @@
 
 #include <array>
 #include <cmath>
-#include <fixedpoint/kernel/normalise.hpp>
+#include <fixedpoint/portable/normalise.hpp>
 #include <limits>
 
 #include "exact.hpp"
@@ -19,7 +19,7 @@ template <class Raw, int F, class Int>
 void expect_nearest(const Vector<Raw>& v) {
     SCOPED_TRACE(testing::Message() << +v[0] << " " << +v[1] << " " << +v[2]);
     Vector<Raw> unit;
-    fixedpoint::kernel::normalise3<Raw, F>(v.data(), unit.data());
+    fixedpoint::portable::normalise3<Raw, F>(v.data(), unit.data());
     const Int n = Int(v[0]) * v[0] + Int(v[1]) * v[1] + Int(v[2]) * v[2];
     for (int i = 0; i < 3; ++i) {
         const Int u = unit[i] < 0 ? -Int(unit[i]) : Int(unit[i]);
@@ -85,7 +85,7 @@ TEST(NormaliseQ16_16, StaysWithinItsBound) {
     for (int i = 0; i < 500000; ++i) {
         const Vector<int32_t> v = random_vector<int32_t>(random);
         Vector<int32_t> unit;
-        fixedpoint::kernel::normalise3<int32_t, 16>(v.data(), unit.data());
+        fixedpoint::portable::normalise3<int32_t, 16>(v.data(), unit.data());
         const long double x = v[0], y = v[1], z = v[2];
         const long double length = std::sqrt(x * x + y * y + z * z);
         for (int k = 0; k < 3 && length > 0; ++k) {
@@ -97,12 +97,12 @@ TEST(NormaliseQ16_16, StaysWithinItsBound) {
 
 TEST(NormaliseQ16_16, WorksInPlaceAndKeepsZero) {
     int32_t v[] = {3, 0, -4};
-    fixedpoint::kernel::normalise3<int32_t, 16>(v, v);
+    fixedpoint::portable::normalise3<int32_t, 16>(v, v);
     EXPECT_NEAR(v[0], 0.6 * 65536, 0.9);
     EXPECT_EQ(v[1], 0);
     EXPECT_NEAR(v[2], -0.8 * 65536, 0.9);
     int32_t zero[] = {0, 0, 0};
-    fixedpoint::kernel::normalise3<int32_t, 16>(zero, zero);
+    fixedpoint::portable::normalise3<int32_t, 16>(zero, zero);
     EXPECT_EQ(zero[0] | zero[1] | zero[2], 0);
 }
 

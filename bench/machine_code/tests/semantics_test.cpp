@@ -213,6 +213,8 @@ TEST_F(SemanticsTest, EveryInstructionDoesWhatItDoesInSimavr) {
 
 struct Mutant {
     const char *mnemonic, *right, *wrong;
+
+    friend void PrintTo(const Mutant& mutant, std::ostream* stream) { *stream << mutant.mnemonic; }
 };
 
 // semantics.hpp with one thing wrong.

@@ -125,6 +125,8 @@ TEST_F(TranslateTest, KernelsOfTheDeviceProgram) {
 
 struct Fault {
     const char *symbol, *message;
+
+    friend void PrintTo(const Fault& fault, std::ostream* stream) { *stream << fault.symbol; }
 };
 
 class FaultTest : public TranslateTest, public testing::WithParamInterface<Fault> {};
