@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fixbench, the command line of the bench: each sub-command measures one thing and writes its files.
+// fixbench, the command line of the bench: each sub-command measures one thing and writes its
+// files.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -51,7 +52,8 @@ int held(std::uint64_t violations) {
 
 int main(int argc, char** argv) {
     CLI::App app(
-        "Measures fixed-point arithmetic on a simulated ATmega328P: cycles, error, flash and stack.\n"
+        "Measures fixed-point arithmetic on a simulated ATmega328P: cycles, error, flash and "
+        "stack.\n"
         "bench/run_all.sh runs all of it; each sub-command runs alone too.");
     app.require_subcommand(1);
     app.get_formatter()->column_width(34);
@@ -81,7 +83,8 @@ int main(int argc, char** argv) {
         "Writes operations.csv and operations.json (Google Benchmark's schema).\n\n"
         "A subject is an extern \"C\" function <operation>_<format>_<implementation> of a device\n"
         "program, by default q4_4.elf, q8_8.elf, q16_16.elf, q32_32.elf and rivals.elf in\n"
-        "  " FIXBENCH_DEVICE_FOLDER "\n"
+        "  " FIXBENCH_DEVICE_FOLDER
+        "\n"
         "(avr-nm lists them), for avr-gcc's calling convention: any other tool can call it too.\n"
         "Cycles include call (4) and ret (4), not the loading of operands.\n\n"
         "Operand classes: small |x| < 1; physics 0.01..20; full, log-uniform over the range;\n"
@@ -105,14 +108,16 @@ int main(int argc, char** argv) {
     operations::AccuracyOptions accuracy;
     command = add_command(
         "accuracy",
-        "Error of the portable code, which the device's results equal bit for bit, over whole input\n"
+        "Error of the portable code, which the device's results equal bit for bit, over whole "
+        "input\n"
         "spaces where they are finite enough (bound `exact`), else over boundary tables, random\n"
         "operands and a search for the worst case (bound `lower bound`).\n"
         "Writes accuracy.csv, error_histograms.csv and error_along_input.csv.\n\n"
         "Example: fixbench accuracy --operation sqrt --format q16_16");
     add_selection(*command, accuracy.selection, false);
-    command->add_flag("--quick", accuracy.quick,
-                      "sample the input spaces of more than 2^24 points instead of exhausting them");
+    command->add_flag(
+        "--quick", accuracy.quick,
+        "sample the input spaces of more than 2^24 points instead of exhausting them");
     command->callback([&] {
         action = [&] {
             accuracy.output = output;
@@ -123,12 +128,13 @@ int main(int argc, char** argv) {
 
     operations::VerifyOptions verify;
     verify.programs = programs;
-    command = add_command(
-        "verify",
-        "The device's machine code against the host, bit for bit: boundary tables, random operands,\n"
-        "all inputs where there are at most 65536; the calling convention, stray writes, and which\n"
-        "instructions were executed. Writes kernels.csv.\n\n"
-        "Example: fixbench verify --operation divide --samples 10000000");
+    command = add_command("verify",
+                          "The device's machine code against the host, bit for bit: boundary "
+                          "tables, random operands,\n"
+                          "all inputs where there are at most 65536; the calling convention, stray "
+                          "writes, and which\n"
+                          "instructions were executed. Writes kernels.csv.\n\n"
+                          "Example: fixbench verify --operation divide --samples 10000000");
     add_selection(*command, verify.selection, false);
     command->add_option("--program", verify.programs, "device programs")->check(CLI::ExistingFile);
     command->add_option("--samples", verify.samples, "random operands of each subject")
@@ -148,11 +154,12 @@ int main(int argc, char** argv) {
     table.division_elf = FIXBENCH_TABLE_3_2_DIVISION_ELF;
     table.published = reference::published_folder;
     bool table_quick = false;
-    command = add_command("table",
-                          "The published timing table, measured again cell by cell with a verdict,\n"
-                          "the cost of its division by operand, and Table 3.1, computed.\n"
-                          "Writes table_3_1.csv, table_3_2.csv, division_cycles.csv and, with the\n"
-                          "search over hypotheses, table_3_2_hypotheses.csv.");
+    command =
+        add_command("table",
+                    "The published timing table, measured again cell by cell with a verdict,\n"
+                    "the cost of its division by operand, and Table 3.1, computed.\n"
+                    "Writes table_3_1.csv, table_3_2.csv, division_cycles.csv and, with the\n"
+                    "search over hypotheses, table_3_2_hypotheses.csv.");
     command->add_flag("--quick", table_quick, "without the search over hypotheses");
     command->callback([&] {
         action = [&] {
@@ -177,12 +184,16 @@ int main(int argc, char** argv) {
     command->add_option("--program", exhaustive.program, "device program")
         ->check(CLI::ExistingFile)
         ->capture_default_str();
-    command->add_option("--symbol", exhaustive.symbols, "only these functions; else all that can be judged")
+    command
+        ->add_option("--symbol", exhaustive.symbols,
+                     "only these functions; else all that can be judged")
         ->delimiter(',');
-    command->add_option("--search-operands", exhaustive.search_operands,
-                        "operands of a search, for functions of more than 32 bits of operands")
+    command
+        ->add_option("--search-operands", exhaustive.search_operands,
+                     "operands of a search, for functions of more than 32 bits of operands")
         ->capture_default_str();
-    command->add_option("--shard", shard, "i/n: the i-th of n parts of the work")->capture_default_str();
+    command->add_option("--shard", shard, "i/n: the i-th of n parts of the work")
+        ->capture_default_str();
     command->callback([&] {
         action = [&] {
             exhaustive.output = output;
@@ -193,22 +204,25 @@ int main(int argc, char** argv) {
     });
 
     std::vector<std::filesystem::path> shards;
-    command = add_command("merge", "Joins the files of all shards of `exhaustive` into exhaustive.csv.\n"
-                                   "Writes what a run without shards would have written.");
+    command = add_command("merge",
+                          "Joins the files of all shards of `exhaustive` into exhaustive.csv.\n"
+                          "Writes what a run without shards would have written.");
     command->add_option("files", shards, "the files exhaustive.<symbol>.<i>-of-<n>.json")
         ->required()
         ->check(CLI::ExistingFile);
-    command->callback([&] {
-        action = [&] { return held(machine_code::merge_exhaustive(shards, output)); };
-    });
+    command->callback(
+        [&] { action = [&] { return held(machine_code::merge_exhaustive(shards, output)); }; });
 
     std::string results = "results";
     command = app.add_subcommand("report", "Figures and pages out of the data files.");
-    command->add_option("--results", results, "folder that holds data/ and gets figures/ and README.md")
+    command
+        ->add_option("--results", results,
+                     "folder that holds data/ and gets figures/ and README.md")
         ->capture_default_str();
     command->callback([&] {
         action = [&] {
-            execl(FIXBENCH_PYTHON, FIXBENCH_PYTHON, FIXBENCH_REPORT, "--results", results.c_str(), nullptr);
+            execl(FIXBENCH_PYTHON, FIXBENCH_PYTHON, FIXBENCH_REPORT, "--results", results.c_str(),
+                  nullptr);
             throw std::runtime_error(fmt::format("cannot run {}", FIXBENCH_PYTHON));
             return EXIT_FAILURE;
         };

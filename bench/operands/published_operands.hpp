@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The operands with which the rebuilt timing harness fits the published table best (`fixbench table`
-// finds them). Operations of more than two operands repeat them in turn.
+// The operands with which the rebuilt timing harness fits the published table best (`fixbench
+// table` finds them). Operations of more than two operands repeat them in turn.
 #pragma once
 
 #include <array>

@@ -84,8 +84,9 @@ DeviceResult DeviceSubject::call(std::span<const std::int64_t> operands) {
         const std::size_t results = reference::shape(subject.operation).results;
         for (std::size_t i = 0; i < results; ++i) {
             std::uint64_t pattern = 0;
-            chip_.read(static_cast<std::uint16_t>(result_address_ + i * bytes),
-                       {reinterpret_cast<std::uint8_t*>(&pattern), static_cast<std::size_t>(bytes)});
+            chip_.read(
+                static_cast<std::uint16_t>(result_address_ + i * bytes),
+                {reinterpret_cast<std::uint8_t*>(&pattern), static_cast<std::size_t>(bytes)});
             result.raws[i] = subject.format.sign_extend(pattern);
         }
     } else {

@@ -22,7 +22,7 @@ struct DeviceResult {
 };
 
 class DeviceSubject {
- public:
+  public:
     // Throws std::invalid_argument where the name is not <operation>_<format>_<implementation>,
     // simulator::SimulationError where the program has no such function.
     DeviceSubject(simulator::Chip& chip, const std::string& symbol);
@@ -39,11 +39,11 @@ class DeviceSubject {
 
     void record(simulator::Coverage* coverage) { function_.record(coverage); }
 
- private:
+  private:
     simulator::Chip& chip_;
     std::string symbol_;
     reference::NamedSubject named_;
-    bool by_pointer_;       // operands lie in memory as vectors
+    bool by_pointer_;  // operands lie in memory as vectors
     bool result_in_memory_;
     std::uint16_t operands_address_;
     std::uint16_t result_address_;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bench/operations/host_subject.hpp"
 
+#include <fmt/format.h>
+
+#include <array>
 #include <fixedpoint/arithmetic/nearest.hpp>
 #include <fixedpoint/arithmetic/published.hpp>
 #include <fixedpoint/arithmetic/saturating.hpp>
 #include <fixedpoint/arithmetic/small.hpp>
 #include <fixedpoint/portable/floating_point.hpp>
-#include <fmt/format.h>
-
-#include <array>
 #include <string_view>
 #include <type_traits>
 
@@ -117,7 +117,8 @@ Judgement judge_one(std::span<const std::int64_t> operands) {
     constexpr std::size_t results = reference::shape(subject.operation).results;
     std::array<std::int64_t, results> computed;
     evaluate<subject, Policy>(operands, computed);
-    // The fast judge has no float and no sincos, and no C type holds exp of a 64-bit format to a fraction of its ulp.
+    // The fast judge has no float and no sincos, and no C type holds exp of a 64-bit format to a
+    // fraction of its ulp.
     if constexpr (subject.format.is_float() || subject.operand_format.is_float() ||
                   subject.operation == Operation::sincos ||
                   (subject.operation == Operation::exp && subject.format.width == 64)) {
@@ -146,13 +147,17 @@ ErrorStatistics exhaust(std::uint64_t part) {
 
 template <Subject subject, class Policy>
 void add_subject(std::vector<HostSubject>& subjects, const char* implementation) {
-    constexpr int bits =
-        subject.operand_format.width * static_cast<int>(reference::shape(subject.operation).operands);
+    constexpr int bits = subject.operand_format.width *
+                         static_cast<int>(reference::shape(subject.operation).operands);
     const bool same_as_default = std::is_same_v<Policy, fixedpoint::Nearest> &&
                                  std::string_view(implementation) != "default";
-    HostSubject host{subject,         implementation,
-                     bits,            same_as_default,
-                     evaluate<subject, Policy>, judge_one<subject, Policy>, nullptr};
+    HostSubject host{subject,
+                     implementation,
+                     bits,
+                     same_as_default,
+                     evaluate<subject, Policy>,
+                     judge_one<subject, Policy>,
+                     nullptr};
     if constexpr (bits <= 32) host.exhaust = exhaust<subject, Policy>;
     subjects.push_back(std::move(host));
 }
@@ -166,13 +171,13 @@ template <NumberFormat format>
 void add_format(std::vector<HostSubject>& subjects) {
     using enum Operation;
     add_subjects<fixedpoint::Nearest, Arithmetic::nearest, format, add, subtract, multiply, divide,
-                 remainder, sqrt, atan, atan2, reciprocal_sqrt, sin, cos, sincos, exp, log, multiply_add, dot2, dot3,
-                 length2, length3, normalise3>(subjects, "default");
+                 remainder, sqrt, atan, atan2, reciprocal_sqrt, sin, cos, sincos, exp, log,
+                 multiply_add, dot2, dot3, length2, length3, normalise3>(subjects, "default");
     // The portable code by itself; on the host it is the default.
     add_subjects<fixedpoint::Nearest, Arithmetic::nearest, format, multiply, divide, sqrt>(
         subjects, "portable");
-    add_subjects<fixedpoint::Published, Arithmetic::published, format, multiply, divide, sqrt, atan2>(
-        subjects, "published");
+    add_subjects<fixedpoint::Published, Arithmetic::published, format, multiply, divide, sqrt,
+                 atan2>(subjects, "published");
     add_subjects<fixedpoint::Saturating, Arithmetic::saturating, format, add, subtract, multiply>(
         subjects, "saturating");
 }
@@ -203,7 +208,8 @@ std::string operation_name(const reference::Subject& subject) {
 }
 
 std::string HostSubject::name() const {
-    return fmt::format("{}_{}_{}", operation_name(subject), reference::format_name(subject.format), implementation);
+    return fmt::format("{}_{}_{}", operation_name(subject), reference::format_name(subject.format),
+                       implementation);
 }
 
 const std::vector<HostSubject>& host_subjects() {
@@ -221,10 +227,10 @@ const std::vector<HostSubject>& host_subjects() {
         add_conversions<reference::q16_16, reference::ieee_single>(subjects);
         add_conversions<reference::q32_32, reference::ieee_single>(subjects);
         using enum Operation;
-        add_subjects<fixedpoint::Nearest, Arithmetic::nearest, reference::q16_16, divide>(subjects,
-                                                                                         "widening");
-        add_subjects<fixedpoint::Small, Arithmetic::nearest, reference::q16_16, sqrt, reciprocal_sqrt,
-                     atan, atan2, sin, cos, sincos, exp, log>(subjects, "small");
+        add_subjects<fixedpoint::Nearest, Arithmetic::nearest, reference::q16_16, divide>(
+            subjects, "widening");
+        add_subjects<fixedpoint::Small, Arithmetic::nearest, reference::q16_16, sqrt,
+                     reciprocal_sqrt, atan, atan2, sin, cos, sincos, exp, log>(subjects, "small");
         return subjects;
     }();
     return all;

@@ -24,14 +24,15 @@ struct HostSubject {
     reference::Subject subject;
     std::string implementation;
     int input_bits;  // of all operands together
-    // Whether the results are those of the default by definition, and only the device's code differs.
+    // Whether the results are those of the default by definition, and only the device's code
+    // differs.
     bool same_as_default;
     // Computes the results of the operands.
     std::function<void(Raws operands, std::span<std::int64_t> results)> evaluate;
     // Computes and judges.
     std::function<reference::Judgement(Raws operands)> judge;
-    // The errors over one of exhaustive_parts parts of the input space; empty where it has more than
-    // 2^32 points.
+    // The errors over one of exhaustive_parts parts of the input space; empty where it has more
+    // than 2^32 points.
     std::function<reference::ErrorStatistics(std::uint64_t part)> exhaust;
 
     std::string name() const;  // as the symbol of the device subject

@@ -2,12 +2,12 @@
 // What the portable code costs on the host, by Google Benchmark: host_throughput
 // --benchmark_out=host.json. Names are those of the device subjects.
 #include <benchmark/benchmark.h>
-#include <fixedpoint/arithmetic/published.hpp>
-#include <fixedpoint/fixed.hpp>
 
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <fixedpoint/arithmetic/published.hpp>
+#include <fixedpoint/fixed.hpp>
 #include <random>
 #include <string>
 
@@ -53,7 +53,8 @@ template <class Policy, int I, int F>
 void measure_format(const std::string& suffix) {
     using Raw = Integer<I + F>;
     const auto named = [&](const char* operation) { return operation + suffix; };
-    measure_binary<Raw, F>(named("add"), [](Raw a, Raw b) { return Policy::template add<Raw, F>(a, b); });
+    measure_binary<Raw, F>(named("add"),
+                           [](Raw a, Raw b) { return Policy::template add<Raw, F>(a, b); });
     measure_binary<Raw, F>(named("multiply"),
                            [](Raw a, Raw b) { return Policy::template multiply<Raw, F>(a, b); });
     measure_binary<Raw, F>(named("divide"),
@@ -75,7 +76,8 @@ void measure_float() {
     const auto named = [](const std::string& operation) { return operation + "_float_host"; };
     const auto measure = [&](const char* operation, float (*function)(float, float)) {
         benchmark::RegisterBenchmark(named(operation).c_str(), [function](benchmark::State& state) {
-            const auto a = physics_operands<std::int32_t, 16>(1), b = physics_operands<std::int32_t, 16>(2);
+            const auto a = physics_operands<std::int32_t, 16>(1),
+                       b = physics_operands<std::int32_t, 16>(2);
             std::array<float, 1024> x, y;
             for (std::size_t i = 0; i < x.size(); ++i) {
                 x[i] = std::ldexp(static_cast<float>(a[i]), -16);

@@ -50,7 +50,8 @@ ErrorStatistics exhaust_in_parallel(const HostSubject& job, unsigned threads) {
 ErrorStatistics sample(const HostSubject& job, bool quick) {
     ErrorStatistics statistics;
     records::Progress progress(job.name(), 1);
-    for (const operands::BoundaryCase& each : operands::boundary_cases(job.subject.operation, job.subject.operand_format)) {
+    for (const operands::BoundaryCase& each :
+         operands::boundary_cases(job.subject.operation, job.subject.operand_format)) {
         statistics.add(job.judge(each.operands), each.operands);
     }
     Operands operands{};
@@ -76,8 +77,8 @@ bool is_exhaustive(const HostSubject& job, bool quick) {
     if (job.input_bits <= quick_exhaustive_bits) return true;
     if (quick) return false;
     // 2^32 inputs: for the default's operations, and for the report's product and quotient. Lengths
-    // are bounded by construction, sincos is sin and cos, and 2^32 floats would take the exact judge
-    // half a day.
+    // are bounded by construction, sincos is sin and cos, and 2^32 floats would take the exact
+    // judge half a day.
     const reference::Subject& subject = job.subject;
     if (subject.format.is_float() || subject.operand_format.is_float()) return false;
     if (job.implementation == "published") {
@@ -88,13 +89,14 @@ bool is_exhaustive(const HostSubject& job, bool quick) {
            subject.operation != reference::Operation::sincos;
 }
 
-void add_histogram(records::Table& table, const HostSubject& job, const ErrorStatistics& statistics) {
+void add_histogram(records::Table& table, const HostSubject& job,
+                   const ErrorStatistics& statistics) {
     const gsl_histogram& histogram = statistics.histogram();
     const auto add = [&](double low, double high, double count) {
         if (count == 0) return;
-        table.add({operation_name(job.subject),
-                   reference::format_name(job.subject.format), job.implementation,
-                   records::cell(low), records::cell(high), records::cell(count)});
+        table.add({operation_name(job.subject), reference::format_name(job.subject.format),
+                   job.implementation, records::cell(low), records::cell(high),
+                   records::cell(count)});
     };
     add(-INFINITY, histogram.range[0], static_cast<double>(statistics.below_histogram()));
     for (std::size_t i = 0; i < histogram.n; ++i) {
@@ -112,7 +114,8 @@ void add_along_input(records::Table& table, const HostSubject& job) {
     while (low < static_cast<double>(format.max())) {
         const double high = low * std::exp2(1.0 / intervals_per_octave);
         const auto first = static_cast<std::int64_t>(std::ceil(low));
-        const auto last = static_cast<std::int64_t>(std::min(high, static_cast<double>(format.max())));
+        const auto last =
+            static_cast<std::int64_t>(std::min(high, static_cast<double>(format.max())));
         if (last >= first) {
             const std::uint64_t count = static_cast<std::uint64_t>(last - first) + 1;
             const std::uint64_t taken = std::min(count, samples);
@@ -121,9 +124,8 @@ void add_along_input(records::Table& table, const HostSubject& job) {
                 const std::int64_t operand = first + static_cast<std::int64_t>(i * count / taken);
                 statistics.add(job.judge({&operand, 1}), {&operand, 1});
             }
-            table.add({operation_name(job.subject),
-                       reference::format_name(format), job.implementation,
-                       records::cell(std::ldexp(low, -format.fraction)),
+            table.add({operation_name(job.subject), reference::format_name(format),
+                       job.implementation, records::cell(std::ldexp(low, -format.fraction)),
                        records::cell(std::ldexp(high, -format.fraction)), fmt::to_string(taken),
                        records::cell(statistics.max_ulp()), records::cell(statistics.rms_ulp()),
                        records::cell(statistics.mean_ulp())});
@@ -142,20 +144,20 @@ std::uint64_t measure_accuracy(const AccuracyOptions& options) {
     }
     if (jobs.empty()) throw std::invalid_argument("no subject of the host is selected");
 
-    records::Table accuracy({"operation", "format", "implementation", "inputs", "samples", "defined",
-                             "max_ulp", "max_ulp_witness", "rms_ulp", "mean_ulp", "bound",
-                             "violations"});
-    records::Table histograms({"operation", "format", "implementation", "low_ulp", "high_ulp", "count"});
-    records::Table along({"operation", "format", "implementation", "low", "high", "samples", "max_ulp",
-                          "rms_ulp", "mean_ulp"});
+    records::Table accuracy({"operation", "format", "implementation", "inputs", "samples",
+                             "defined", "max_ulp", "max_ulp_witness", "rms_ulp", "mean_ulp",
+                             "bound", "violations"});
+    records::Table histograms(
+        {"operation", "format", "implementation", "low_ulp", "high_ulp", "count"});
+    records::Table along({"operation", "format", "implementation", "low", "high", "samples",
+                          "max_ulp", "rms_ulp", "mean_ulp"});
     std::uint64_t violations = 0;
     for (const HostSubject& job : jobs) {
         const bool exhaustive = is_exhaustive(job, options.quick);
         const ErrorStatistics statistics =
             exhaustive ? exhaust_in_parallel(job, options.threads) : sample(job, options.quick);
-        accuracy.add({operation_name(job.subject),
-                      reference::format_name(job.subject.format), job.implementation,
-                      exhaustive ? "all" : "boundary, random, search",
+        accuracy.add({operation_name(job.subject), reference::format_name(job.subject.format),
+                      job.implementation, exhaustive ? "all" : "boundary, random, search",
                       fmt::to_string(statistics.count()), fmt::to_string(statistics.defined()),
                       records::cell(statistics.max_ulp()), text_of(statistics.max_witness()),
                       records::cell(statistics.rms_ulp()), records::cell(statistics.mean_ulp()),

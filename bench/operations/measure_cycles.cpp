@@ -77,7 +77,8 @@ struct Row {
         errors.add(judgement, operands);
         if (judgement.excluded || !std::isfinite(judgement.error_ulp)) return;
         double ulp = 0;
-        for (const std::int64_t raw : results) ulp = std::max(ulp, ulp_at(named.subject.format, raw));
+        for (const std::int64_t raw : results)
+            ulp = std::max(ulp, ulp_at(named.subject.format, raw));
         const double error = std::abs(judgement.error_ulp) * ulp;
         max_error = std::max(max_error, error);
         sum_of_squared_errors += error * error;
@@ -114,8 +115,8 @@ void run_all_inputs(DeviceSubject& subject, Row& row) {
 
 // Thinned evenly to at most `samples` cases: pairs of a 64-bit format are over 100000.
 void run_boundary(DeviceSubject& subject, Row& row, std::uint64_t samples) {
-    const std::vector<operands::BoundaryCase> cases = operands::boundary_cases(
-        row.named.subject.operation, row.named.subject.operand_format);
+    const std::vector<operands::BoundaryCase> cases =
+        operands::boundary_cases(row.named.subject.operation, row.named.subject.operand_format);
     const std::uint64_t taken = std::min<std::uint64_t>(samples, cases.size());
     for (std::uint64_t i = 0; i < taken; ++i) {
         const operands::BoundaryCase& each = cases[i * cases.size() / taken];
@@ -182,27 +183,34 @@ void load_footprints(Footprints& footprints, std::filesystem::path program) {
 }
 
 records::Table table_of(const std::vector<Row>& rows, const Footprints& footprints) {
-    records::Table table({"operation",   "format",      "implementation",     "operands",
-                          "samples",     "cycles_min",  "cycles_mean",        "cycles_max",
-                          "cycles_max_witness", "max_ulp", "max_ulp_witness", "rms_ulp",
-                          "bound",       "flash_bytes", "stack_bytes",        "mean_ulp",
-                          "ram_bytes",   "violations",  "max_error",       "rms_error"});
+    records::Table table(
+        {"operation",       "format",      "implementation", "operands",           "samples",
+         "cycles_min",      "cycles_mean", "cycles_max",     "cycles_max_witness", "max_ulp",
+         "max_ulp_witness", "rms_ulp",     "bound",          "flash_bytes",        "stack_bytes",
+         "mean_ulp",        "ram_bytes",   "violations",     "max_error",          "rms_error"});
     for (const Row& row : rows) {
         const auto footprint = footprints.find(row.subject);
         const Footprint weight = footprint == footprints.end() ? Footprint{} : footprint->second;
         const bool judged = row.errors.count() > 0;
         table.add({operation_name(row.named.subject),
-                   reference::format_name(row.named.subject.format), row.named.implementation,
-                   row.operands, fmt::to_string(row.samples), fmt::to_string(row.cycles_min),
-                   records::cell(row.cycles_mean()), fmt::to_string(row.cycles_max),
+                   reference::format_name(row.named.subject.format),
+                   row.named.implementation,
+                   row.operands,
+                   fmt::to_string(row.samples),
+                   fmt::to_string(row.cycles_min),
+                   records::cell(row.cycles_mean()),
+                   fmt::to_string(row.cycles_max),
                    text_of(row.cycles_max_witness),
                    judged ? records::cell(row.errors.max_ulp()) : "",
                    judged ? text_of(row.errors.max_witness()) : "",
                    judged ? records::cell(row.errors.rms_ulp()) : "",
-                   row.all_inputs ? "exact" : "lower bound", weight.flash_bytes,
+                   row.all_inputs ? "exact" : "lower bound",
+                   weight.flash_bytes,
                    fmt::to_string(row.stack_bytes),
-                   judged ? records::cell(row.errors.mean_ulp()) : "", weight.ram_bytes,
-                   fmt::to_string(row.errors.wrong()), judged ? records::cell(row.max_error) : "",
+                   judged ? records::cell(row.errors.mean_ulp()) : "",
+                   weight.ram_bytes,
+                   fmt::to_string(row.errors.wrong()),
+                   judged ? records::cell(row.max_error) : "",
                    judged ? records::cell(row.rms_error()) : ""});
     }
     return table;
@@ -211,7 +219,9 @@ records::Table table_of(const std::vector<Row>& rows, const Footprints& footprin
 std::string json_of(const std::vector<Row>& rows, const std::vector<simulator::Elf>& programs) {
     std::vector<records::SimulatedBenchmark> benchmarks;
     for (const Row& row : rows) {
-        benchmarks.push_back({row.subject + "/" + row.operands, row.samples, row.cycles_mean(),
+        benchmarks.push_back({row.subject + "/" + row.operands,
+                              row.samples,
+                              row.cycles_mean(),
                               {{"cycles_min", row.cycles_min},
                                {"cycles_max", row.cycles_max},
                                {"max_ulp", row.errors.max_ulp()},
@@ -225,7 +235,8 @@ std::string json_of(const std::vector<Row>& rows, const std::vector<simulator::E
     return records::benchmark_document(benchmarks, {{"sha256", hashes}}).dump(1) + "\n";
 }
 
-// Whether an implementation must keep to its definition; what the toolchain brings is only measured.
+// Whether an implementation must keep to its definition; what the toolchain brings is only
+// measured.
 bool is_ours(const reference::NamedSubject& named) {
     return named.subject.format.kind == reference::FormatKind::fixed;
 }

@@ -67,7 +67,8 @@ void run(Comparison& comparison, std::uint64_t samples) {
     if (comparison.host->input_bits <= 16) {
         for (std::uint64_t i = 0; i < std::uint64_t(1) << comparison.host->input_bits; ++i) {
             for (std::size_t k = 0; k < used.size(); ++k) {
-                used[k] = subject.operand_format.sign_extend(i >> (k * subject.operand_format.width));
+                used[k] =
+                    subject.operand_format.sign_extend(i >> (k * subject.operand_format.width));
             }
             compare(device, comparison, used);
         }
@@ -97,7 +98,8 @@ std::uint64_t verify_kernels(const VerifyOptions& options) {
             }
         }
     }
-    if (comparisons.empty()) throw std::invalid_argument("no subject that the host has is selected");
+    if (comparisons.empty())
+        throw std::invalid_argument("no subject that the host has is selected");
 
     records::Progress progress("machine code against the host", comparisons.size());
     in_parallel(options.threads, comparisons.size(), [&](std::size_t i) {
@@ -110,8 +112,8 @@ std::uint64_t verify_kernels(const VerifyOptions& options) {
     for (const Comparison& each : comparisons) coverage[each.program].merge(each.coverage);
 
     std::uint64_t failures = 0;
-    records::Table table({"operation", "format", "implementation", "inputs", "compared", "mismatches",
-                          "first_mismatch", "instructions_unreached"});
+    records::Table table({"operation", "format", "implementation", "inputs", "compared",
+                          "mismatches", "first_mismatch", "instructions_unreached"});
     for (const Comparison& each : comparisons) {
         const simulator::Elf& program = *each.program;
         const std::size_t unreached =

@@ -15,7 +15,8 @@ struct VerifyOptions {
     std::vector<std::filesystem::path> programs;
     std::filesystem::path output;  // folder for kernels.csv
     Selection selection;           // operand classes are not asked
-    std::uint64_t samples = 1'000'000;  // random operands of each subject, less where they take over 10^9 cycles
+    std::uint64_t samples =
+        1'000'000;  // random operands of each subject, less where they take over 10^9 cycles
     unsigned threads = 1;
 };
 

@@ -112,8 +112,9 @@ Table Table::load(const std::filesystem::path& path) {
     Table table(std::move(lines.front()));
     for (std::size_t i = 1; i < lines.size(); ++i) {
         if (lines[i].size() != table.columns_.size()) {
-            throw std::runtime_error(fmt::format("{}:{}: {} cells, the header has {}", path.string(),
-                                                 i + 1, lines[i].size(), table.columns_.size()));
+            throw std::runtime_error(fmt::format("{}:{}: {} cells, the header has {}",
+                                                 path.string(), i + 1, lines[i].size(),
+                                                 table.columns_.size()));
         }
         table.rows_.push_back(std::move(lines[i]));
     }

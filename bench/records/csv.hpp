@@ -14,7 +14,7 @@ namespace records {
 std::string cell(double value);
 
 class Table {
- public:
+  public:
     explicit Table(std::vector<std::string> columns);
 
     // Throws std::logic_error where the row has another number of cells than there are columns.
@@ -32,7 +32,7 @@ class Table {
     // Throws std::runtime_error with file and line where the file is missing or malformed.
     static Table load(const std::filesystem::path& path);
 
- private:
+  private:
     std::vector<std::string> columns_;
     std::vector<std::vector<std::string>> rows_;
 };

@@ -33,7 +33,8 @@ void Progress::advance(std::uint64_t steps) {
                                  .count();
     std::int64_t due = next_print_ms_;
     // Whoever moves the due time on is the one who prints.
-    if (now >= due && next_print_ms_.compare_exchange_strong(due, now + (terminal_ ? 200 : 10000))) {
+    if (now >= due &&
+        next_print_ms_.compare_exchange_strong(due, now + (terminal_ ? 200 : 10000))) {
         print(done, false);
     }
 }

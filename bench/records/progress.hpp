@@ -13,7 +13,7 @@ namespace records {
 // Counts steps of a task towards a total. On a terminal it redraws one line, elsewhere it prints a
 // line every ten seconds. Safe to advance from several threads.
 class Progress {
- public:
+  public:
     Progress(std::string task, std::uint64_t total);
     ~Progress();
     Progress(const Progress&) = delete;
@@ -21,7 +21,7 @@ class Progress {
 
     void advance(std::uint64_t steps = 1);
 
- private:
+  private:
     void print(std::uint64_t done, bool last);
 
     const std::string task_;

@@ -24,14 +24,6 @@ std::vector<char> read_file(const std::filesystem::path& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-std::string sha256_of(const std::vector<char>& bytes) {
-    unsigned char digest[EVP_MAX_MD_SIZE];
-    unsigned length = 0;
-    if (!EVP_Digest(bytes.data(), bytes.size(), digest, &length, EVP_sha256(), nullptr))
-        throw ElfError("SHA-256 is not available in libcrypto");
-    return fmt::format("{:02x}", fmt::join(digest, digest + length, ""));
-}
-
 std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> row(b.size() + 1);
     std::iota(row.begin(), row.end(), 0);
@@ -48,11 +40,16 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-std::string sha256_of_file(const std::filesystem::path& path) { return sha256_of(read_file(path)); }
+std::string sha256_of(std::span<const std::uint8_t> bytes) {
+    unsigned char digest[EVP_MAX_MD_SIZE];
+    unsigned length = 0;
+    if (!EVP_Digest(bytes.data(), bytes.size(), digest, &length, EVP_sha256(), nullptr))
+        throw ElfError("SHA-256 is not available in libcrypto");
+    return fmt::format("{:02x}", fmt::join(digest, digest + length, ""));
+}
 
 Elf::Elf(const std::filesystem::path& path) : path_(path) {
     std::vector<char> bytes = read_file(path);
-    sha256_ = sha256_of(bytes);
 
     elf_version(EV_CURRENT);
     const std::unique_ptr<::Elf, decltype(&elf_end)> file(elf_memory(bytes.data(), bytes.size()),
@@ -78,6 +75,7 @@ Elf::Elf(const std::filesystem::path& path) : path_(path) {
         std::copy_n(bytes.data() + segment.p_offset, segment.p_filesz,
                     reinterpret_cast<char*>(flash_.data()) + segment.p_paddr);
     }
+    sha256_ = sha256_of(flash_);
     if (flash_.empty()) throw ElfError(fmt::format("{}: nothing to load", path.string()));
 
     for (Elf_Scn* section = nullptr; (section = elf_nextscn(file.get(), section));) {

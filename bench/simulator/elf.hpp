@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -26,7 +27,7 @@ struct Symbol {
 };
 
 // In hexadecimal, as sha256sum prints it.
-std::string sha256_of_file(const std::filesystem::path& path);
+std::string sha256_of(std::span<const std::uint8_t> bytes);
 
 struct Section {
     std::string name;
@@ -44,7 +45,9 @@ class Elf {
     explicit Elf(const std::filesystem::path& path);
 
     const std::filesystem::path& path() const { return path_; }
-    const std::string& sha256() const { return sha256_; }  // of the whole file, in hexadecimal
+    // Of the flash image: what `avr-objcopy -O binary -j .text -j .data` writes of the file.
+    // Debugging information, which tells where a program was built, plays no part.
+    const std::string& sha256() const { return sha256_; }
 
     // The bytes at flash address 0 and on; ends with the last byte that the program sets.
     const std::vector<std::uint8_t>& flash() const { return flash_; }

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The operators of Fixed in every arithmetic, against exact integers: all pairs of Q4.4, boundary
 // and random pairs of the others.
+#include <gtest/gtest.h>
+
+#include <boost/multiprecision/cpp_int.hpp>
 #include <fixedpoint/arithmetic/checked.hpp>
 #include <fixedpoint/arithmetic/published.hpp>
 #include <fixedpoint/arithmetic/saturating.hpp>
 #include <fixedpoint/math.hpp>
 #include <fixedpoint/vector.hpp>
-
-#include <gtest/gtest.h>
-
-#include <boost/multiprecision/cpp_int.hpp>
 #include <random>
 #include <vector>
 
@@ -48,9 +47,18 @@ template <class Number>
 std::vector<typename Number::Raw> boundary() {
     using Raw = typename Number::Raw;
     constexpr int F = Number::fraction_bits;
-    std::vector<Raw> values = {0, 1, -1, 2, -2, 3, raw_max<Raw>, raw_min<Raw>,
-                               Raw(raw_max<Raw> - 1), Raw(raw_min<Raw> + 1), raw_max<Raw> / 2};
-    for (int bit = 1; bit < width_of<Raw> - 1; bit += width_of<Raw> > 16 ? 3 : 1) {
+    std::vector<Raw> values = {0,
+                               1,
+                               -1,
+                               2,
+                               -2,
+                               3,
+                               raw_max<Raw>,
+                               raw_min<Raw>,
+                               Raw(raw_max<Raw> - 1),
+                               Raw(raw_min<Raw> + 1),
+                               raw_max<Raw> / 2};
+    for (int bit = 1; bit<width_of<Raw> - 1; bit += width_of<Raw>> 16 ? 3 : 1) {
         const Raw power = static_cast<Raw>(Raw(1) << bit);
         for (const Raw value : {power, Raw(power - 1), Raw(power + 1)}) {
             values.push_back(value);
@@ -99,7 +107,9 @@ TYPED_TEST(Operators, DefaultRoundsToNearestAndWrapsOrClamps) {
         ASSERT_EQ((x + y).raw(), wrapped<Number>(A + B)) << +a << " " << +b;
         ASSERT_EQ((x - y).raw(), wrapped<Number>(A - B)) << +a << " " << +b;
         ASSERT_EQ((-x).raw(), wrapped<Number>(-A)) << +a;
-        ASSERT_EQ((x * y).raw(), wrapped<Number>(nearest(A * B, cpp_int(1) << Number::fraction_bits))) << +a << " " << +b;
+        ASSERT_EQ((x * y).raw(),
+                  wrapped<Number>(nearest(A * B, cpp_int(1) << Number::fraction_bits)))
+            << +a << " " << +b;
         const cpp_int quotient = b != 0  ? clamped<Number>(nearest(A * one, B))
                                  : a > 0 ? cpp_int(Number::max().raw())
                                  : a < 0 ? cpp_int(Number::min().raw())
@@ -119,7 +129,9 @@ TYPED_TEST(Operators, SaturatingClamps) {
         ASSERT_EQ((x - y).raw(), clamped<Number>(A - B)) << +a << " " << +b;
         ASSERT_EQ((-x).raw(), clamped<Number>(-A)) << +a;
         ASSERT_EQ(abs(x).raw(), clamped<Number>(A < 0 ? cpp_int(-A) : A)) << +a;
-        ASSERT_EQ((x * y).raw(), clamped<Number>(nearest(A * B, cpp_int(1) << Number::fraction_bits))) << +a << " " << +b;
+        ASSERT_EQ((x * y).raw(),
+                  clamped<Number>(nearest(A * B, cpp_int(1) << Number::fraction_bits)))
+            << +a << " " << +b;
     });
 }
 

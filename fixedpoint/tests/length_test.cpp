@@ -29,7 +29,8 @@ void expect_lengths(const std::array<Raw, 3>& v) {
     SCOPED_TRACE(testing::Message() << +v[0] << " " << +v[1] << " " << +v[2]);
     const Int two = Int(v[0]) * v[0] + Int(v[1]) * v[1];
     expect_nearest<Raw, Int>(fixedpoint::portable::length2<Raw, F>(v.data()), two);
-    expect_nearest<Raw, Int>(fixedpoint::portable::length3<Raw, F>(v.data()), two + Int(v[2]) * v[2]);
+    expect_nearest<Raw, Int>(fixedpoint::portable::length3<Raw, F>(v.data()),
+                             two + Int(v[2]) * v[2]);
 }
 
 template <class Raw, class Int>

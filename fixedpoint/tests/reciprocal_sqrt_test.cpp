@@ -66,7 +66,8 @@ TEST(ReciprocalSqrtQ16_16, IsExactAtPowersOfFour) {
         EXPECT_EQ((fixedpoint::portable::reciprocal_sqrt<int32_t, 16>(int32_t(1) << 2 * i)),
                   int32_t(1) << (24 - i));
     }
-    static_assert(fixedpoint::portable::reciprocal_sqrt<int32_t, 16>(65536) == 65536, "1 / sqrt(1)");
+    static_assert(fixedpoint::portable::reciprocal_sqrt<int32_t, 16>(65536) == 65536,
+                  "1 / sqrt(1)");
 }
 
 }  // namespace

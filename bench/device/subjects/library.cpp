@@ -9,26 +9,26 @@
 using fixedpoint::Nearest;
 using fixedpoint::Saturating;
 
-#define LIBRARY(format, Raw, F)                                          \
-    SUBJECT_OPERATORS(format, default, Raw, F, Nearest)                  \
-    SUBJECT_BINARY(remainder, format, default, Raw, F, Nearest)          \
-    SUBJECT_UNARY(sqrt, format, default, Raw, F, Nearest)                \
-    SUBJECT_UNARY(atan, format, default, Raw, F, Nearest)                \
-    SUBJECT_BINARY(atan2, format, default, Raw, F, Nearest)              \
-    SUBJECT_UNARY(reciprocal_sqrt, format, default, Raw, F, Nearest)     \
-    SUBJECT_UNARY(sin, format, default, Raw, F, Nearest)                 \
-    SUBJECT_UNARY(cos, format, default, Raw, F, Nearest)                 \
-    SUBJECT_UNARY(exp, format, default, Raw, F, Nearest)                 \
-    SUBJECT_UNARY(log, format, default, Raw, F, Nearest)                 \
-    SUBJECT_SINCOS(format, default, Raw, F, Nearest)                     \
-    SUBJECT_TERNARY(multiply_add, format, default, Raw, F, Nearest)      \
-    SUBJECT_DOT(dot2, format, default, Raw, F, Nearest)                  \
-    SUBJECT_DOT(dot3, format, default, Raw, F, Nearest)                  \
-    SUBJECT_LENGTH(length2, format, default, Raw, F, Nearest)            \
-    SUBJECT_LENGTH(length3, format, default, Raw, F, Nearest)            \
-    SUBJECT_NORMALISE(normalise3, format, default, Raw, F, Nearest)      \
-    SUBJECT_BINARY(add, format, saturating, Raw, F, Saturating)          \
-    SUBJECT_BINARY(subtract, format, saturating, Raw, F, Saturating)     \
+#define LIBRARY(format, Raw, F)                                      \
+    SUBJECT_OPERATORS(format, default, Raw, F, Nearest)              \
+    SUBJECT_BINARY(remainder, format, default, Raw, F, Nearest)      \
+    SUBJECT_UNARY(sqrt, format, default, Raw, F, Nearest)            \
+    SUBJECT_UNARY(atan, format, default, Raw, F, Nearest)            \
+    SUBJECT_BINARY(atan2, format, default, Raw, F, Nearest)          \
+    SUBJECT_UNARY(reciprocal_sqrt, format, default, Raw, F, Nearest) \
+    SUBJECT_UNARY(sin, format, default, Raw, F, Nearest)             \
+    SUBJECT_UNARY(cos, format, default, Raw, F, Nearest)             \
+    SUBJECT_UNARY(exp, format, default, Raw, F, Nearest)             \
+    SUBJECT_UNARY(log, format, default, Raw, F, Nearest)             \
+    SUBJECT_SINCOS(format, default, Raw, F, Nearest)                 \
+    SUBJECT_TERNARY(multiply_add, format, default, Raw, F, Nearest)  \
+    SUBJECT_DOT(dot2, format, default, Raw, F, Nearest)              \
+    SUBJECT_DOT(dot3, format, default, Raw, F, Nearest)              \
+    SUBJECT_LENGTH(length2, format, default, Raw, F, Nearest)        \
+    SUBJECT_LENGTH(length3, format, default, Raw, F, Nearest)        \
+    SUBJECT_NORMALISE(normalise3, format, default, Raw, F, Nearest)  \
+    SUBJECT_BINARY(add, format, saturating, Raw, F, Saturating)      \
+    SUBJECT_BINARY(subtract, format, saturating, Raw, F, Saturating) \
     SUBJECT_BINARY(multiply, format, saturating, Raw, F, Saturating)
 
 LIBRARY(LIBRARY_FORMAT, LIBRARY_RAW, LIBRARY_FRACTION_BITS)

@@ -7,13 +7,13 @@
 
 #include "subject.hpp"
 
-#define PORTABLE(format, Raw, F)                                                             \
-    SUBJECT Raw multiply_##format##_portable(Raw a, Raw b) {                                 \
-        return fixedpoint::portable::multiply<Raw, F>(a, b);                                 \
-    }                                                                                        \
-    SUBJECT Raw divide_##format##_portable(Raw a, Raw b) {                                   \
-        return fixedpoint::portable::divide<Raw, F>(a, b);                                   \
-    }                                                                                        \
+#define PORTABLE(format, Raw, F)                             \
+    SUBJECT Raw multiply_##format##_portable(Raw a, Raw b) { \
+        return fixedpoint::portable::multiply<Raw, F>(a, b); \
+    }                                                        \
+    SUBJECT Raw divide_##format##_portable(Raw a, Raw b) {   \
+        return fixedpoint::portable::divide<Raw, F>(a, b);   \
+    }                                                        \
     SUBJECT Raw sqrt_##format##_portable(Raw a) { return fixedpoint::portable::sqrt<Raw, F>(a); }
 
 PORTABLE(q4_4, int8_t, 4)

@@ -6,9 +6,9 @@
 
 using fixedpoint::Published;
 
-#define PUBLISHED(format, Raw, F)                               \
-    SUBJECT_OPERATORS(format, published, Raw, F, Published)     \
-    SUBJECT_UNARY(sqrt, format, published, Raw, F, Published)   \
+#define PUBLISHED(format, Raw, F)                             \
+    SUBJECT_OPERATORS(format, published, Raw, F, Published)   \
+    SUBJECT_UNARY(sqrt, format, published, Raw, F, Published) \
     SUBJECT_BINARY(atan2, format, published, Raw, F, Published)
 
 PUBLISHED(q4_4, int8_t, 4)

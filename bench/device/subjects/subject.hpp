@@ -11,39 +11,39 @@
 
 #define SUBJECT extern "C" __attribute__((weak))
 
-#define SUBJECT_UNARY(operation, format, implementation, Raw, F, Policy)     \
-    SUBJECT Raw operation##_##format##_##implementation(Raw a) {             \
-        return Policy::operation<Raw, F>(a);                                 \
+#define SUBJECT_UNARY(operation, format, implementation, Raw, F, Policy) \
+    SUBJECT Raw operation##_##format##_##implementation(Raw a) {         \
+        return Policy::operation<Raw, F>(a);                             \
     }
 
-#define SUBJECT_BINARY(operation, format, implementation, Raw, F, Policy)    \
-    SUBJECT Raw operation##_##format##_##implementation(Raw a, Raw b) {      \
-        return Policy::operation<Raw, F>(a, b);                              \
+#define SUBJECT_BINARY(operation, format, implementation, Raw, F, Policy) \
+    SUBJECT Raw operation##_##format##_##implementation(Raw a, Raw b) {   \
+        return Policy::operation<Raw, F>(a, b);                           \
     }
 
-#define SUBJECT_TERNARY(operation, format, implementation, Raw, F, Policy)       \
-    SUBJECT Raw operation##_##format##_##implementation(Raw a, Raw b, Raw c) {   \
-        return Policy::operation<Raw, F>(a, b, c);                               \
+#define SUBJECT_TERNARY(operation, format, implementation, Raw, F, Policy)     \
+    SUBJECT Raw operation##_##format##_##implementation(Raw a, Raw b, Raw c) { \
+        return Policy::operation<Raw, F>(a, b, c);                             \
     }
 
-#define SUBJECT_DOT(operation, format, implementation, Raw, F, Policy)                   \
-    SUBJECT Raw operation##_##format##_##implementation(const Raw* a, const Raw* b) {    \
-        return Policy::operation<Raw, F>(a, b);                                          \
+#define SUBJECT_DOT(operation, format, implementation, Raw, F, Policy)                \
+    SUBJECT Raw operation##_##format##_##implementation(const Raw* a, const Raw* b) { \
+        return Policy::operation<Raw, F>(a, b);                                       \
     }
 
-#define SUBJECT_LENGTH(operation, format, implementation, Raw, F, Policy)    \
-    SUBJECT Raw operation##_##format##_##implementation(const Raw* v) {      \
-        return Policy::operation<Raw, F>(v);                                 \
+#define SUBJECT_LENGTH(operation, format, implementation, Raw, F, Policy) \
+    SUBJECT Raw operation##_##format##_##implementation(const Raw* v) {   \
+        return Policy::operation<Raw, F>(v);                              \
     }
 
-#define SUBJECT_NORMALISE(operation, format, implementation, Raw, F, Policy)            \
-    SUBJECT void operation##_##format##_##implementation(const Raw* v, Raw* unit) {     \
-        Policy::operation<Raw, F>(v, unit);                                             \
+#define SUBJECT_NORMALISE(operation, format, implementation, Raw, F, Policy)        \
+    SUBJECT void operation##_##format##_##implementation(const Raw* v, Raw* unit) { \
+        Policy::operation<Raw, F>(v, unit);                                         \
     }
 
-#define SUBJECT_SINCOS(format, implementation, Raw, F, Policy)                               \
-    SUBJECT void sincos_##format##_##implementation(Raw angle, Raw* sine_and_cosine) {       \
-        Policy::sincos<Raw, F>(angle, sine_and_cosine);                                      \
+#define SUBJECT_SINCOS(format, implementation, Raw, F, Policy)                         \
+    SUBJECT void sincos_##format##_##implementation(Raw angle, Raw* sine_and_cosine) { \
+        Policy::sincos<Raw, F>(angle, sine_and_cosine);                                \
     }
 
 // The four operators and the remainder.

@@ -55,8 +55,8 @@ TEST(WholeFile, LeavesTheOldFileWhereTheNewOneCannotBeWritten) {
 }
 
 TEST(BenchmarkJson, TimesAreCyclesAt16MHz) {
-    const auto document =
-        records::benchmark_document({{"multiply_q16_16_default/physics", 1000, 84, {{"max", 84}}}}, {});
+    const auto document = records::benchmark_document(
+        {{"multiply_q16_16_default/physics", 1000, 84, {{"max", 84}}}}, {});
     const auto& entry = document["benchmarks"][0];
     EXPECT_DOUBLE_EQ(entry["real_time"], 84 * 62.5);
     EXPECT_EQ(entry["time_unit"], "ns");

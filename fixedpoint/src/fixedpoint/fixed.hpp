@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Fixed<IntegerBits, FractionBits, Arithmetic>: a signed fixed-point number, value = raw / 2^F, in a
-// two's-complement integer of IntegerBits + FractionBits = 8, 16, 32 or 64 bits. The sign counts as
-// an integer bit. Arithmetic decides how results are rounded and what happens when they do not fit:
-// see arithmetic/nearest.hpp for the rule that the default follows for every input.
+// Fixed<IntegerBits, FractionBits, Arithmetic>: a signed fixed-point number, value = raw / 2^F, in
+// a two's-complement integer of IntegerBits + FractionBits = 8, 16, 32 or 64 bits. The sign counts
+// as an integer bit. Arithmetic decides how results are rounded and what happens when they do not
+// fit: see arithmetic/nearest.hpp for the rule that the default follows for every input.
 //
 // Conversions are explicit: from_raw, from_integer, or a literal of literals.hpp.
 #pragma once
@@ -17,7 +17,7 @@ class Fixed {
     static_assert(IntegerBits >= 1, "IntegerBits counts the sign and is at least 1.");
     static_assert(FractionBits >= 0, "FractionBits is not negative.");
 
- public:
+  public:
     using Raw = Integer<IntegerBits + FractionBits>;
     using Arithmetic = ArithmeticPolicy;
     static constexpr int integer_bits = IntegerBits;
@@ -84,7 +84,7 @@ class Fixed {
     friend constexpr bool operator<=(Fixed a, Fixed b) { return a.raw_ <= b.raw_; }
     friend constexpr bool operator>=(Fixed a, Fixed b) { return a.raw_ >= b.raw_; }
 
- private:
+  private:
     explicit constexpr Fixed(Raw raw) : raw_(raw) {}
 
     Raw raw_;

@@ -10,9 +10,10 @@ namespace fixedpoint {
 
 template <int Bits>
 struct IntegerOf {
-    static_assert(Bits == 8 || Bits == 16 || Bits == 32 || Bits == 64,
-                  "A fixed-point number has 8, 16, 32 or 64 bits: choose IntegerBits + FractionBits "
-                  "accordingly.");
+    static_assert(
+        Bits == 8 || Bits == 16 || Bits == 32 || Bits == 64,
+        "A fixed-point number has 8, 16, 32 or 64 bits: choose IntegerBits + FractionBits "
+        "accordingly.");
 };
 template <>
 struct IntegerOf<8> {
@@ -96,8 +97,7 @@ template <class Raw, class Magnitude>
 constexpr Raw clamped_with_sign(Magnitude magnitude, bool negative) {
     const Magnitude limit = static_cast<Magnitude>(raw_max<Raw>);
     if (negative) {
-        return magnitude > limit ? raw_min<Raw>
-                                 : static_cast<Raw>(-static_cast<Raw>(magnitude));
+        return magnitude > limit ? raw_min<Raw> : static_cast<Raw>(-static_cast<Raw>(magnitude));
     }
     return magnitude > limit ? raw_max<Raw> : static_cast<Raw>(magnitude);
 }

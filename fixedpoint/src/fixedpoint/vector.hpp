@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Vectors of two and three components, which lie one after the other as a[0], a[1], a[2]: operations
-// that round once, and so are faster and more exact than their parts.
+// Vectors of two and three components, which lie one after the other as a[0], a[1], a[2]:
+// operations that round once, and so are faster and more exact than their parts.
 #pragma once
 
 #include <fixedpoint/fixed.hpp>

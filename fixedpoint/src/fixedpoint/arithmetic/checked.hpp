@@ -28,7 +28,8 @@ template <class Hook>
 struct Checked : Nearest {
     template <class Raw, int F>
     static constexpr Raw add(Raw a, Raw b) {
-        return wrapped<Raw>(Nearest::add<Raw, F>(a, b), Saturating::add<Raw, F>(a, b), Operation::add);
+        return wrapped<Raw>(Nearest::add<Raw, F>(a, b), Saturating::add<Raw, F>(a, b),
+                            Operation::add);
     }
     template <class Raw, int F>
     static constexpr Raw subtract(Raw a, Raw b) {
@@ -45,8 +46,8 @@ struct Checked : Nearest {
         const Raw result = Nearest::multiply<Raw, F>(a, b);
         const Raw clamped = Saturating::multiply<Raw, F>(a, b);
         // Comparing the two would miss a product that wraps all the way round to its limit.
-        if ((clamped == raw_max<Raw> || clamped == raw_min<Raw>) &&
-            product_exceeds<Raw, F>(a, b, clamped)) {
+        if ((clamped == raw_max<Raw> || clamped == raw_min<Raw>)&&product_exceeds<Raw, F>(
+                a, b, clamped)) {
             Hook::notify(Event::overflow, Operation::multiply);
         }
         return result;
@@ -56,8 +57,8 @@ struct Checked : Nearest {
         const Raw result = Nearest::divide<Raw, F>(a, b);
         if (b == 0) {
             Hook::notify(Event::division_by_zero, Operation::divide);
-        } else if ((result == raw_max<Raw> || result == raw_min<Raw>) &&
-                   quotient_exceeds<Raw, F>(a, b, result)) {
+        } else if ((result == raw_max<Raw> || result == raw_min<Raw>)&&quotient_exceeds<Raw, F>(
+                       a, b, result)) {
             Hook::notify(Event::overflow, Operation::divide);
         }
         return result;
@@ -96,7 +97,7 @@ struct Checked : Nearest {
         return Nearest::log<Raw, F>(a);
     }
 
- private:
+  private:
     template <class Raw>
     static constexpr Raw wrapped(Raw result, Raw clamped, Operation operation) {
         if (result != clamped) Hook::notify(Event::overflow, operation);
@@ -131,8 +132,8 @@ struct Checked : Nearest {
         // a 2^F against limit b; half an ulp is |b| / 2, a tie only where b is even.
         const uint64_t divisor = magnitude<int64_t>(b);
         return beyond(shifted(magnitude<int64_t>(a), F),
-                      portable::multiply_full(magnitude<int64_t>(limit), divisor), (divisor + 1) >> 1,
-                      limit > 0 || (divisor & 1) != 0);
+                      portable::multiply_full(magnitude<int64_t>(limit), divisor),
+                      (divisor + 1) >> 1, limit > 0 || (divisor & 1) != 0);
     }
 };
 

@@ -2,11 +2,11 @@
 // Nearest, the default arithmetic, on raw integers of W bits with F fraction bits.
 //
 // One rule for every operation and every input: the exact result is rounded to the nearest
-// representable number, ties upward: floor(x + 1/2). The ring operations (+ - * negate, abs, shifts,
-// dot, multiply_add) are then taken modulo 2^W, so that sums whose intermediates overflow still come
-// out right. Everything else (division, square root, functions, lengths) clamps what does not fit,
-// since a wrapped quotient would carry no information. Functions that are not correctly rounded
-// state their bound where they are defined.
+// representable number, ties upward: floor(x + 1/2). The ring operations (+ - * negate, abs,
+// shifts, dot, multiply_add) are then taken modulo 2^W, so that sums whose intermediates overflow
+// still come out right. Everything else (division, square root, functions, lengths) clamps what
+// does not fit, since a wrapped quotient would carry no information. Functions that are not
+// correctly rounded state their bound where they are defined.
 #pragma once
 
 #include <fixedpoint/arithmetic/wrapping.hpp>
@@ -22,11 +22,11 @@
 #include <fixedpoint/kernel/multiply_add.hpp>
 #include <fixedpoint/kernel/normalise.hpp>
 #include <fixedpoint/kernel/reciprocal_sqrt.hpp>
+#include <fixedpoint/kernel/remainder.hpp>
 #include <fixedpoint/kernel/sin.hpp>
 #include <fixedpoint/kernel/sincos.hpp>
 #include <fixedpoint/kernel/sqrt.hpp>
 #include <fixedpoint/portable/convert.hpp>
-#include <fixedpoint/kernel/remainder.hpp>
 
 namespace fixedpoint {
 

@@ -46,7 +46,7 @@ struct Saturating : Nearest {
         return portable::convert_clamped<Raw, F, FromRaw, FromF>(a).number;
     }
 
- private:
+  private:
     template <class Raw>
     static constexpr Raw limit_by_sign(Raw a) {
         return a < 0 ? raw_min<Raw> : raw_max<Raw>;

@@ -29,7 +29,8 @@ struct SaturatingMultiplication<int64_t, F> {
         const uint64_t bias = half - (negative && F != 0 ? 1 : 0);
         const uint64_t low = product.low + bias;
         const uint64_t high = product.high + (low < bias ? 1 : 0);
-        if (F == 0 ? high != 0 : (high >> F) != 0) return negative ? raw_min<int64_t> : raw_max<int64_t>;
+        if (F == 0 ? high != 0 : (high >> F) != 0)
+            return negative ? raw_min<int64_t> : raw_max<int64_t>;
         const uint64_t rounded = F == 0 ? low : (high << (63 - (F - 1))) | (low >> F);
         return clamped_with_sign<int64_t>(rounded, negative);
     }

@@ -27,8 +27,7 @@ constexpr Wide128 multiply_full_by_digits(uint64_t a, uint64_t b) {
     const uint64_t p10 = static_cast<uint64_t>(a1) * b0;
     const uint64_t p11 = static_cast<uint64_t>(a1) * b1;
     // At most 3 (2^32 - 1), so that nothing is lost.
-    const uint64_t middle =
-        (p00 >> 32) + static_cast<uint32_t>(p01) + static_cast<uint32_t>(p10);
+    const uint64_t middle = (p00 >> 32) + static_cast<uint32_t>(p01) + static_cast<uint32_t>(p10);
     return {p11 + (p01 >> 32) + (p10 >> 32) + (middle >> 32),
             (middle << 32) | static_cast<uint32_t>(p00)};
 }
