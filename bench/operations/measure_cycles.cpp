@@ -28,6 +28,10 @@ namespace {
 
 using Operands = std::array<std::int64_t, reference::most_operands>;
 
+// What the random operands of a row may take, since the portable functions of the 64-bit formats
+// cost up to half a million cycles a call.
+constexpr std::uint64_t cycle_budget = 200'000'000;
+
 // Input spaces up to this size are run through as a class of their own.
 constexpr int all_inputs_bits = 16;
 
@@ -131,7 +135,8 @@ void run_class(DeviceSubject& subject, Row& row, operands::OperandClass operand_
                               seed_of(judged.operation, row.operands));
     Operands operands{};
     const std::span used(operands.data(), subject.arity());
-    for (std::uint64_t i = operands::distinct_samples(operand_class, samples); i > 0; --i) {
+    for (std::uint64_t i = operands::distinct_samples(operand_class, samples);
+         i > 0 && row.cycles_sum < cycle_budget; --i) {
         sampler.next(used);
         row.add(used, subject.call(used));
     }
