@@ -163,7 +163,8 @@ std::uint64_t measure_accuracy(const AccuracyOptions& options) {
                       records::cell(statistics.rms_ulp()), records::cell(statistics.mean_ulp()),
                       exhaustive ? "exact" : "lower bound", fmt::to_string(statistics.wrong())});
         add_histogram(histograms, job, statistics);
-        const bool unary = reference::shape(job.subject.operation).operands == 1;
+        const bool unary = reference::shape(job.subject.operation).operands == 1 &&
+                           job.subject.operand_format == job.subject.format;
         if (unary && job.subject.format == reference::q16_16) add_along_input(along, job);
         if (statistics.wrong() != 0) {
             violations += statistics.wrong();
