@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 class ScratchFolder {
   public:
     ScratchFolder() {
-        std::string name = (fs::temp_directory_path() / "machine_code.XXXXXX").string();
+        std::string name = (fs::temp_directory_path() / "machine_code-XXXXXX").string();
         if (!mkdtemp(name.data())) throw std::runtime_error(fmt::format("cannot make {}", name));
         path_ = name;
     }
