@@ -8,21 +8,20 @@
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <thread>
 
+#include "bench/calibration/command.hpp"
+#include "bench/command.hpp"
 #include "bench/machine_code/exhaustive.hpp"
 #include "bench/operations/measure_accuracy.hpp"
 #include "bench/operations/measure_cycles.hpp"
 #include "bench/operations/verify_kernels.hpp"
+#include "bench/profile/command.hpp"
 #include "bench/table_3_2/table_3_2.hpp"
 #include "reference/published.hpp"
 
 namespace {
-
-// What a sub-command returns: 0 only when everything asked for was done and every check held.
-using Action = std::function<int()>;
 
 void add_selection(CLI::App& command, operations::Selection& selection, bool operands) {
     command
@@ -59,7 +58,7 @@ int main(int argc, char** argv) {
     app.get_formatter()->column_width(34);
     std::string output = "results/data";
     unsigned threads = std::max(1u, std::thread::hardware_concurrency());
-    Action action;
+    fixbench::Action action;
 
     const auto add_command = [&](const char* name, const std::string& description) {
         CLI::App* command = app.add_subcommand(name, description);
@@ -213,6 +212,8 @@ int main(int argc, char** argv) {
     command->callback(
         [&] { action = [&] { return held(machine_code::merge_exhaustive(shards, output)); }; });
 
+    profile::add_profile_command(app, action);
+
     std::string results = "results";
     command = app.add_subcommand("report", "Figures and pages out of the data files.");
     command
@@ -227,6 +228,8 @@ int main(int argc, char** argv) {
             return EXIT_FAILURE;
         };
     });
+
+    calibration::add_calibrate_command(app, action);
 
     CLI11_PARSE(app, argc, argv);
     try {

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// What rods, ropes, planes and touching particles tell the resolver of a world. A direction points
+// from the second end to the first.
+#pragma once
+
+#include <engine/choice.hpp>
+#include <engine/decimal.hpp>
+#include <engine/links.hpp>
+#include <engine/particle.hpp>
+
+namespace engine {
+
+// In every step: a rod bounds the velocities of its ends also where its length is right. Nothing
+// where its ends coincide, since it has no direction there.
+template <class World, class Scalar, class Ends, class TimeStep>
+void constrain(const Rod<Scalar, Ends>& rod, World& world, TimeStep dt) {
+    const auto difference = rod.ends.difference(world);
+    const Scalar distance = length(difference);
+    if (distance == Scalar()) return;
+    World::Resolver::rod(world, rod.ends.a, rod.ends.second(), divided(difference, distance),
+                         distance - rod.length, rod.length, dt);
+}
+
+// Where a rope is taut or longer.
+template <class World, class Scalar, class Ends, class TimeStep>
+void constrain(const Rope<Scalar, Ends>& rope, World& world, TimeStep dt) {
+    const auto difference = rope.ends.difference(world);
+    const Scalar distance = length(difference);
+    if (distance < rope.length) return;
+    World::Resolver::rope(world, rope.ends.a, rope.ends.second(), divided(difference, distance),
+                          distance - rope.length, rope.length, rope.restitution, dt);
+}
+
+// Where a particle reaches into a plane.
+template <class World, class Scalar, class Vector, class Index, class TimeStep>
+void constrain(const Plane<Scalar, Vector>& plane, Index a, World& world, TimeStep dt) {
+    const auto& particle = world.particles()[a];
+    if (!movable(particle)) return;
+    Scalar height = dot(plane.normal, particle.position) - plane.offset;
+    only_if<World::Uses::radii>(particle, [&](auto& sphere) { height -= sphere.radius; });
+    if (height < Scalar()) {
+        World::Resolver::contact(world, a, nothing<Index>, plane.normal, -height, plane.restitution,
+                                 dt);
+    }
+}
+
+// Where two particles overlap. What is apart along one axis is apart: that is told without a
+// product, and no square of a distance beyond the radii is ever formed. Coinciding centres have no
+// normal: they part along the first axis.
+template <class World, class Index, class TimeStep>
+void collide(Index a, Index b, World& world, TimeStep dt) {
+    using namespace literals;
+    using Scalar = typename World::Scalar;
+    const auto& first = world.particles()[a];
+    const auto& second = world.particles()[b];
+    const Scalar reach = first.radius + second.radius;
+    const auto difference = first.position - second.position;
+    for (unsigned char i = 0; i < World::dimensions; ++i) {
+        if (!(absolute(difference[i]) < reach)) return;
+    }
+    if (!movable(first) && !movable(second)) return;
+    const Scalar distance = length(difference);
+    if (!(distance < reach)) return;
+    auto normal = divided(difference, distance);
+    if (distance == Scalar()) normal[0] = 1_d;
+    World::Resolver::contact(world, a, b, normal, reach - distance, world.restitution, dt);
+}
+
+}  // namespace engine

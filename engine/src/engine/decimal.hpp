@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// Decimal constants for every scalar: `0.38_d` is the number 0.38, rounded once, at compile time,
+// to whatever scalar it becomes: Q16.16, Q8.24, float, double or a wide type. What does not fit a
+// fixed-point format does not compile.
+#pragma once
+
+#include <engine/scalar.hpp>
+
+namespace engine {
+
+template <int64_t digits, unsigned char places>
+struct Decimal;
+
+// digits / 10^places in a scalar.
+template <class Scalar, int64_t digits, unsigned char places>
+struct DecimalIn {
+    static constexpr int64_t power_of_ten(unsigned char exponent) {
+        return exponent == 0 ? 1 : 10 * power_of_ten(exponent - 1);
+    }
+    static constexpr Scalar value() { return Scalar(digits) / Scalar(power_of_ten(places)); }
+};
+template <int I, int F, class A, int64_t digits, unsigned char places>
+struct DecimalIn<Fixed<I, F, A>, digits, places> {
+    using Number = Fixed<I, F, A>;
+    static constexpr Number value() {
+        constexpr auto rounded = fixedpoint::from_decimal<Number>(digits, places);
+        static_assert(rounded.fits, "This decimal constant lies outside the range of the format.");
+        constexpr typename Number::Raw raw = rounded.number.raw();
+        return Number::from_raw(raw);
+    }
+};
+
+template <int64_t digits, unsigned char places>
+struct Decimal {
+    template <class Scalar>
+    constexpr operator Scalar() const {
+        return DecimalIn<Scalar, digits, places>::value();
+    }
+    constexpr Decimal<-digits, places> operator-() const { return {}; }
+};
+
+// The characters of a literal: digits, at most one point, separators.
+template <char... Text>
+struct DecimalText {
+    static constexpr int64_t digits() {
+        const char text[] = {Text...};
+        int64_t value = 0;
+        for (char c : text) {
+            if (c >= '0' && c <= '9') value = 10 * value + (c - '0');
+        }
+        return value;
+    }
+    static constexpr unsigned char places() {
+        const char text[] = {Text...};
+        unsigned char count = 0;
+        bool fraction = false;
+        for (char c : text) {
+            if (fraction && c != '\'') ++count;
+            if (c == '.') fraction = true;
+        }
+        return count;
+    }
+    static constexpr bool plain() {
+        const char text[] = {Text...};
+        for (char c : text) {
+            if ((c < '0' || c > '9') && c != '.' && c != '\'') return false;
+        }
+        return true;
+    }
+};
+
+namespace literals {
+
+template <char... Text>
+constexpr Decimal<DecimalText<Text...>::digits(), DecimalText<Text...>::places()> operator""_d() {
+    static_assert(DecimalText<Text...>::plain() && sizeof...(Text) < 19,
+                  "A decimal constant is digits with at most one point: 12, 0.38.");
+    return {};
+}
+
+}  // namespace literals
+}  // namespace engine

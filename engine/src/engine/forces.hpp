@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// The forces of springs and drag, added to the accumulators of particles.
+#pragma once
+
+#include <engine/links.hpp>
+
+namespace engine {
+
+// -(stiffness extension + damping closing velocity) along the spring; nothing where its ends
+// coincide, since it has no direction there.
+template <class World, class Scalar, class Ends>
+void apply(const Spring<Scalar, Ends>& spring, World& world) {
+    const auto a = spring.ends.a;
+    const auto b = spring.ends.second();
+    const auto difference = spring.ends.difference(world);
+    const Scalar distance = length(difference);
+    if (distance == Scalar()) return;
+    const auto direction = divided(difference, distance);
+    Scalar tension = spring.stiffness * (distance - spring.rest_length);
+    if (!(spring.damping == Scalar())) {
+        tension =
+            product_plus(spring.damping, dot(relative_velocity(world, a, b), direction), tension);
+    }
+    const auto force = direction * tension;
+    world.particles()[a].force -= force;
+    if (b != nothing<decltype(spring.ends.a)>) world.particles()[b].force += force;
+}
+
+template <class World, class Scalar, class Index>
+void apply(const Drag<Scalar, Index>& drag, World& world) {
+    auto& particle = world.particles()[drag.particle];
+    Scalar factor = drag.linear;
+    if (!(drag.quadratic == Scalar())) {
+        factor = product_plus(drag.quadratic, length(particle.velocity), factor);
+    }
+    particle.force.add_scaled(particle.velocity, -factor);
+}
+
+}  // namespace engine

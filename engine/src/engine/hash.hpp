@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// state_hash: FNV-1a of the positions and velocities of all particles, in the order in which they
+// were added. Equal worlds of one scalar have equal hashes on every machine.
+// (G. Fowler, L. C. Noll, K.-P. Vo, The FNV Non-Cryptographic Hash Algorithm, 1991.)
+#pragma once
+
+#include <stdint.h>
+
+namespace engine {
+
+template <class Vector>
+uint32_t hash_into(uint32_t hash, const Vector& vector) {
+    const unsigned char* bytes = reinterpret_cast<const unsigned char*>(&vector);
+    for (unsigned char i = 0; i < sizeof vector; ++i) hash = (hash ^ bytes[i]) * 16777619u;
+    return hash;
+}
+
+template <class World>
+uint32_t state_hash(const World& world) {
+    uint32_t hash = 2166136261u;
+    for (const auto& particle : world.particles()) {
+        hash = hash_into(hash, particle.position);
+        hash = hash_into(hash, particle.velocity);
+    }
+    return hash;
+}
+
+}  // namespace engine

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// ImplicitSprings: SemiImplicitEuler, but each spring pulls as it will at the end of the
+// step: stable for every stiffness, while the step resolves oscillations of omega h < 1 only and
+// damps faster ones away. First order. Springs are solved one after the other.
+// (D. Baraff, A. Witkin, Large Steps in Cloth Simulation, 1998, for the implicit step; the closed
+// form of a single spring is its solution in one dimension.)
+#pragma once
+
+#include <engine/decimal.hpp>
+#include <engine/parting.hpp>
+#include <engine/time_step.hpp>
+
+namespace engine {
+
+struct ImplicitSprings {
+    static constexpr bool implicit_springs = true;
+    template <class World>
+    struct Memory {};
+
+    template <class World, class TimeStep>
+    static void step(World& world, TimeStep dt) {
+        world.accumulate_forces();
+        world.kick(dt);
+        const auto pull_it = [&](const auto& spring) { pull(spring, world, dt); };
+        world.anchored_springs().for_each(pull_it);
+        world.springs().for_each(pull_it);
+        world.damp();
+        world.gather(dt);
+        world.resolve();
+        world.drift(dt);
+    }
+
+  private:
+    // With i the sum of the inverse masses, x the extension, u the velocity along the spring, k the
+    // stiffness and c the damping, the velocity along it at the end of the step solves
+    //   u' = u - h i (k (x + h u') + c u'),  so  u' = (u - s x) / (1 + s h + h i c)  with s = h i
+    //   k.
+    template <class Spring, class World, class TimeStep>
+    static void pull(const Spring& spring, World& world, TimeStep dt) {
+        using namespace literals;
+        using Scalar = typename World::Scalar;
+        const auto a = spring.ends.a;
+        const auto b = spring.ends.second();
+        const auto difference = spring.ends.difference(world);
+        const Scalar distance = length(difference);
+        if (distance == Scalar()) return;
+        const auto direction = divided(difference, distance);
+        const Scalar velocity = dot(relative_velocity(world, a, b), direction);
+        const Scalar mobility = inverse_mass_sum(world, a, b) * dt;
+        const Scalar s = mobility * spring.stiffness;
+        const Scalar one = 1_d;
+        const Scalar divisor = product_plus(mobility, spring.damping, one + s * dt);
+        const Scalar pulled = (velocity - s * (distance - spring.rest_length)) / divisor;
+        part(world, a, b, direction, pulled - velocity, share_of(world, a, b), VelocityOf());
+    }
+
+    template <class World, class Index>
+    static typename World::Scalar inverse_mass_sum(const World& world, Index a, Index b) {
+        auto sum = world.particles()[a].inverse_mass;
+        if (b != nothing<Index>) sum += world.particles()[b].inverse_mass;
+        return sum;
+    }
+};
+
+}  // namespace engine

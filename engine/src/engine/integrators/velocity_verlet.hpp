@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// VelocityVerlet: half of the velocities' change by the old forces, positions, the other half by
+// the new forces, which the next step begins with: one evaluation of forces a step. Second order
+// and symplectic, stable up to omega h = 2. (L. Verlet, Computer experiments on classical fluids I,
+// 1967.)
+#pragma once
+
+#include <engine/time_step.hpp>
+
+namespace engine {
+
+struct VelocityVerlet {
+    static constexpr bool implicit_springs = false;
+    template <class World>
+    struct Memory {
+        bool begun = false;  // whether the forces are those at the present positions
+    };
+
+    template <class World, class TimeStep>
+    static void step(World& world, TimeStep dt) {
+        if (!world.integrator().begun) world.accumulate_forces();
+        world.integrator().begun = true;
+        world.kick(half(dt));
+        world.gather(dt);
+        world.resolve();
+        world.drift(dt);
+        world.accumulate_forces();
+        world.kick(half(dt));
+        world.damp();
+    }
+};
+
+}  // namespace engine

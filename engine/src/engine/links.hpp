@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// What lies between particles, or between a particle and a fixed point: springs, rods, ropes; and
+// drag and planes, which act on one.
+#pragma once
+
+#include <engine/vector.hpp>
+
+namespace engine {
+
+// In place of the second particle's index where there is none.
+template <class Index>
+constexpr Index nothing = static_cast<Index>(-1);
+
+// The ends are the particles a and b.
+template <class Vector, class Index>
+struct Between {
+    Index a, b;
+
+    constexpr Index second() const { return b; }
+    template <class World>
+    constexpr Vector difference(const World& world) const {
+        return world.particles()[a].position - world.particles()[b].position;
+    }
+};
+
+// The ends are the particle a and the fixed point `anchor`.
+template <class Vector, class Index>
+struct Anchored {
+    Index a;
+    Vector anchor;  // m
+
+    constexpr Index second() const { return nothing<Index>; }
+    template <class World>
+    constexpr Vector difference(const World& world) const {
+        return world.particles()[a].position - anchor;
+    }
+};
+
+// A massless spring with damping along its length.
+template <class Scalar, class Ends>
+struct Spring {
+    Ends ends;
+    Scalar stiffness;    // N/m
+    Scalar damping;      // N s/m
+    Scalar rest_length;  // m
+};
+
+// Holds its ends at a distance.
+template <class Scalar, class Ends>
+struct Rod {
+    Ends ends;
+    Scalar length;  // m
+};
+
+// Keeps its ends from parting further than its length.
+template <class Scalar, class Ends>
+struct Rope {
+    Ends ends;
+    Scalar length;       // m
+    Scalar restitution;  // of the jerk when it becomes taut
+};
+
+// Slows a particle: force = -velocity (linear + quadratic |velocity|).
+template <class Scalar, class Index>
+struct Drag {
+    Index particle;
+    Scalar linear;     // N s/m
+    Scalar quadratic;  // N s^2/m^2
+};
+
+// The half space of the points x with normal . x >= offset is free, the rest is solid.
+template <class Scalar, class Vector>
+struct Plane {
+    Vector normal;       // of length 1
+    Scalar offset;       // m
+    Scalar restitution;  // 0..1
+};
+
+// The velocity of a against b, which may be nothing.
+template <class World, class Index>
+typename World::Vector relative_velocity(const World& world, Index a, Index b) {
+    typename World::Vector velocity = world.particles()[a].velocity;
+    if (b != nothing<Index>) velocity -= world.particles()[b].velocity;
+    return velocity;
+}
+
+}  // namespace engine

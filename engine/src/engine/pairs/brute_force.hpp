@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// BruteForce: every pair of particles is tested, N (N - 1) / 2 tests a step and no memory.
+#pragma once
+
+#include <engine/constraints.hpp>
+
+namespace engine {
+
+struct BruteForce {
+    template <class World>
+    struct Memory {};
+
+    template <class World, class TimeStep>
+    static void collide_all(World& world, TimeStep dt) {
+        using Index = typename World::Index;
+        const Index count = world.particles().size();
+        for (Index b = 1; b < count; ++b) {
+            for (Index a = 0; a < b; ++a) collide(a, b, world, dt);
+        }
+    }
+};
+
+}  // namespace engine

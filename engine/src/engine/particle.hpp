@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// A particle: a sphere that does not turn. It holds what its scene uses and no more.
+#pragma once
+
+#include <engine/decimal.hpp>
+#include <engine/vector.hpp>
+
+namespace engine {
+
+template <class Vector, bool used>
+struct Force {};
+template <class Vector>
+struct Force<Vector, true> {
+    Vector force;  // N, of this step
+};
+
+template <class Scalar, bool used>
+struct Radius {};
+template <class Scalar>
+struct Radius<Scalar, true> {
+    Scalar radius = Scalar();  // m
+};
+
+template <class Scalar, bool used>
+struct Damping {};
+template <class Scalar>
+struct Damping<Scalar, true> {
+    Scalar damping = Scalar();  // factor of the velocity in each step
+};
+
+template <class Vector, bool used>
+struct Displacement {};
+template <class Vector>
+struct Displacement<Vector, true> {
+    Vector displacement;  // m, by the resolution of this step's contacts
+};
+
+// What a particle is made from: all that there is to say about one. What the scene does not use is
+// left out of account.
+template <class Scalar, int N>
+struct Body {
+    Vector<Scalar, N> position;        // m
+    Vector<Scalar, N> velocity;        // m/s
+    Scalar inverse_mass = Scalar();    // 1/kg; 0 is immovable
+    Scalar radius = Scalar();          // m
+    Scalar damping = Decimal<1, 0>();  // factor of the velocity in each step
+};
+
+template <class Scalar, class Uses, bool forces, bool displacement>
+struct Particle : Force<Vector<Scalar, Uses::dimensions>, forces>,
+                  Radius<Scalar, Uses::radii>,
+                  Damping<Scalar, Uses::damping>,
+                  Displacement<Vector<Scalar, Uses::dimensions>, displacement> {
+    Vector<Scalar, Uses::dimensions> position;  // m
+    Vector<Scalar, Uses::dimensions> velocity;  // m/s
+    Scalar inverse_mass = Scalar();             // 1/kg; 0 is immovable
+};
+
+template <class Particle>
+constexpr bool movable(const Particle& particle) {
+    return particle.inverse_mass > decltype(particle.inverse_mass)();
+}
+
+}  // namespace engine

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// What a scene uses. A scene's own struct derives from Uses and states what differs:
+//
+//     struct Pendulum : engine::Uses {
+//         static constexpr unsigned particles = 2, rods = 1;
+//         static constexpr bool gravity = true;
+//     };
+//     engine::World<Q16_16, Pendulum> world;
+//
+// What is left at 0 or false is not compiled: no code, no table, no byte of RAM.
+#pragma once
+
+#include <engine/integrators/semi_implicit_euler.hpp>
+#include <engine/pairs/brute_force.hpp>
+#include <engine/resolvers/sweeps.hpp>
+
+namespace engine {
+
+// The custom force of a scene that has none.
+struct NoCustomForce {
+    template <class World>
+    void apply(World&) const {}
+};
+
+struct Uses {
+    static constexpr unsigned char dimensions = 2;
+
+    // Capacities.
+    static constexpr unsigned particles = 0;
+    static constexpr unsigned springs = 0;           // between two particles
+    static constexpr unsigned anchored_springs = 0;  // between a particle and a point
+    static constexpr unsigned drags = 0;
+    static constexpr unsigned rods = 0;
+    static constexpr unsigned anchored_rods = 0;
+    static constexpr unsigned ropes = 0;
+    static constexpr unsigned anchored_ropes = 0;
+    static constexpr unsigned planes = 0;
+    static constexpr unsigned contacts = 0;  // at once in a step, beside those of rods and ropes
+
+    static constexpr bool gravity = false;     // one acceleration of all movable particles
+    static constexpr bool damping = false;     // a factor of each particle's velocity
+    static constexpr bool collisions = false;  // between particles
+    static constexpr bool radii = false;       // particles are spheres, not points
+
+    // A force of the scene's own: `void apply(World&)` adds to the forces of particles in each
+    // step.
+    template <class World>
+    using CustomForce = NoCustomForce;
+    static constexpr bool custom_force = false;
+
+    using Integrator = SemiImplicitEuler;
+    using Resolver = Sweeps<4>;
+    using PairSearch = BruteForce;
+};
+
+// Whether anything in a scene pushes one way only: contacts and ropes.
+template <class SceneUses>
+constexpr bool may_bounce() {
+    return SceneUses::contacts + SceneUses::ropes + SceneUses::anchored_ropes > 0;
+}
+
+}  // namespace engine
