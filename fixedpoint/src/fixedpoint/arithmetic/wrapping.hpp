@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Wrapping: the operations that are exact modulo 2^W, whatever else an arithmetic does.
+// Wrapping: the operations that are exact modulo 2^W, whatever else an arithmetic does, and the
+// division by a power of two.
 #pragma once
 
-#include <fixedpoint/integer.hpp>
+#include <fixedpoint/portable/scale_down.hpp>
 
 namespace fixedpoint {
 
@@ -26,6 +27,11 @@ struct Wrapping {
     template <class Raw, int F>
     static constexpr Raw shift_left(Raw a, unsigned char count) {
         return wrapping_shift_left(a, count);
+    }
+    // a / 2^K rounded to nearest, ties upward.
+    template <int K, class Raw>
+    static constexpr Raw scale_down(Raw a) {
+        return portable::scale_down<K>(a);
     }
 };
 

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// scale_down: floor(a / 2^K + 1/2), for every a and K.
+#pragma once
+
+#include <fixedpoint/integer.hpp>
+
+namespace fixedpoint {
+namespace portable {
+
+template <int K, class Raw>
+constexpr Raw scale_down_plain(Raw a) {
+    return K == 0 ? a : K > width_of<Raw> ? Raw(0) : Raw((Raw(a >> (K - 1)) + 1) >> 1);
+}
+
+#ifdef __AVR__
+// Whole bytes first, then bit by bit: left to itself the compiler shifts in a loop of K rounds.
+template <int K, class Raw>
+inline Raw scale_down_by_bytes(Raw a) {
+    constexpr unsigned char bits = K - 1;
+    a >>= bits / 8 * 8;
+    for (unsigned char i = 0; i < bits % 8; ++i) {
+        a >>= 1;
+        __asm__("" : "+r"(a));
+    }
+    a += 1;
+    __asm__("" : "+r"(a));
+    return a >> 1;
+}
+template <int K, class Raw>
+constexpr Raw scale_down(Raw a) {
+    return K == 0 || K > width_of<Raw> || __builtin_constant_p(a)
+               ? scale_down_plain<K>(a)
+               : scale_down_by_bytes<(K == 0 || K > width_of<Raw> ? 1 : K)>(a);
+}
+#else
+template <int K, class Raw>
+constexpr Raw scale_down(Raw a) {
+    return scale_down_plain<K>(a);
+}
+#endif
+
+}  // namespace portable
+}  // namespace fixedpoint
