@@ -13,38 +13,6 @@ struct BinaryStep {
     static_assert(K >= 0 && K < 60, "A binary step is 2^-K seconds, K from 0 to 59.");
 };
 
-// The integer floor(a / 2^K + 1/2), for every a.
-template <int K, class Raw>
-constexpr Raw shift_nearest_plain(Raw a) {
-    return K == 0 ? a : K > fixedpoint::width_of<Raw> ? 0 : ((a >> (K - 1)) + 1) >> 1;
-}
-#ifdef __AVR__
-// Whole bytes first, then bit by bit: left to itself the compiler shifts in a loop of K rounds.
-template <int K, class Raw>
-inline Raw shift_nearest_by_bytes(Raw a) {
-    constexpr unsigned char bits = K - 1;
-    a >>= bits / 8 * 8;
-    for (unsigned char i = 0; i < bits % 8; ++i) {
-        a >>= 1;
-        __asm__("" : "+r"(a));
-    }
-    a += 1;
-    __asm__("" : "+r"(a));
-    return a >> 1;
-}
-template <int K, class Raw>
-constexpr Raw shift_nearest(Raw a) {
-    return K == 0 || K > fixedpoint::width_of<Raw> || __builtin_constant_p(a)
-               ? shift_nearest_plain<K>(a)
-               : shift_nearest_by_bytes<(K == 0 || K > fixedpoint::width_of<Raw> ? 1 : K)>(a);
-}
-#else
-template <int K, class Raw>
-constexpr Raw shift_nearest(Raw a) {
-    return shift_nearest_plain<K>(a);
-}
-#endif
-
 // A step in seconds, as a scalar holds it.
 template <class Scalar>
 struct Seconds {
@@ -59,7 +27,9 @@ struct Seconds<Fixed<I, F, A>> {
     using Number = Fixed<I, F, A>;
     template <int K>
     static constexpr Number of(BinaryStep<K>) {
-        return Number::from_raw(shift_nearest<K>(typename Number::Raw(1) << F));
+        using Raw = typename Number::Raw;
+        // Half an ulp rounds up to one, less to none.
+        return Number::from_raw(F >= K ? Raw(1) << (F >= K ? F - K : 0) : Raw(F + 1 == K));
     }
     static constexpr Number of(Number dt) { return dt; }
 };
@@ -88,7 +58,7 @@ constexpr Scalar operator*(Scalar a, BinaryStep<K>) {
 }
 template <int I, int F, class A, int K>
 constexpr Fixed<I, F, A> operator*(Fixed<I, F, A> a, BinaryStep<K>) {
-    return Fixed<I, F, A>::from_raw(shift_nearest<K>(a.raw()));
+    return fixedpoint::scale_down<K>(a);
 }
 
 }  // namespace engine
