@@ -2,6 +2,11 @@
 // The physics engine, for sketches: everything but the hash of a world's state.
 #pragma once
 
+#include <fixedpoint.h>
+#ifdef ARDUINO
+#undef constrain  // a macro of Arduino's core
+#endif
+
 #include <engine/integrators/explicit_euler.hpp>
 #include <engine/integrators/implicit_springs.hpp>
 #include <engine/integrators/velocity_verlet.hpp>

@@ -13,13 +13,13 @@ set(AVR_C_OPTIONS -std=gnu11)
 set(AVR_CXX_OPTIONS -std=gnu++14 -fno-exceptions -fno-rtti -fno-threadsafe-statics)
 
 # The kernels of the fixed-point library: every assembly file, each in a section of its own.
-file(GLOB FIXEDPOINT_KERNELS CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/fixedpoint/src/fixedpoint/avr/*.S)
+file(GLOB FIXEDPOINT_KERNELS CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/fixedpoint/src/fixedpoint/avr/*.S)
 
 # avr_objects(OUT NAME SOURCES ... [OPTIONS ...] [INCLUDES ...]): compiles, sets OUT to the objects.
 # OPTIONS come last on the command line, so that they win over the common ones.
 function(avr_objects out name)
     cmake_parse_arguments(ARG "" "" "SOURCES;OPTIONS;INCLUDES" ${ARGN})
-    set(includes -I${PROJECT_SOURCE_DIR}/fixedpoint/src -I${PROJECT_SOURCE_DIR}/engine/src)
+    set(includes -I${CMAKE_SOURCE_DIR}/fixedpoint/src -I${CMAKE_SOURCE_DIR}/engine/src)
     foreach(directory ${ARG_INCLUDES})
         list(APPEND includes -I${directory})
     endforeach()

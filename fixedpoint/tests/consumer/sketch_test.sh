@@ -1,0 +1,33 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# An example compiles as an Arduino sketch for the Nano, with the kernels it uses linked.
+# Usage: sketch_test.sh SKETCH.ino SCRATCH_FOLDER
+set -euo pipefail
+sketch=$1 scratch=$2
+root=$(cd "$(dirname "$0")/../../.." && pwd)
+rm -rf "$scratch" && mkdir -p "$scratch/libraries" "$scratch/build"
+for library in fixedpoint engine; do ln -s "$root/$library" "$scratch/libraries/$library"; done
+
+# The core's own options ask for C++11, and its compiler lacks a macro that Debian's <float.h> wants.
+arduino-builder -compile -quiet -warnings more \
+    -hardware /usr/share/arduino-builder -hardware /usr/share/arduino/hardware \
+    -tools /usr/share/arduino-builder -prefs runtime.tools.avr-gcc.path=/usr \
+    -prefs "compiler.cpp.extra_flags=-std=gnu++14 -DDECIMAL_DIG=__DECIMAL_DIG__" \
+    -libraries "$scratch/libraries" -fqbn arduino:avr:nano:cpu=atmega328 \
+    -build-path "$scratch/build" "$sketch" >"$scratch/log" 2>&1 || {
+    cat "$scratch/log"
+    exit 1
+}
+if grep -E 'libraries/[^:]*: warning' "$scratch/log"; then
+    echo "FAILED: warnings in the libraries"
+    exit 1
+fi
+elf=$scratch/build/$(basename "$sketch").elf
+kernels=$(avr-nm "$elf" | grep -oE ' T fixedpoint_[a-z0-9_]+' | sort | sed 's/.*fixedpoint_//' | paste -sd ' ')
+[ -n "$kernels" ] || {
+    echo "FAILED: no kernel of fixedpoint in $elf"
+    exit 1
+}
+avr-size -A "$elf" | awk -v name="$(basename "$sketch")" '/^\.(text|data|bss)/ { bytes[$1] = $2 }
+    END { print name ": " bytes[".text"] + bytes[".data"] " bytes of flash, " bytes[".data"] + bytes[".bss"] " of RAM" }'
+echo "kernels: $kernels"

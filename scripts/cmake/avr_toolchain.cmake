@@ -1,0 +1,18 @@
+# SPDX-License-Identifier: MIT
+# Toolchain file for projects of their own on an ATmega328P at 16 MHz, or another chip by AVR_MCU and
+# AVR_FREQUENCY: cmake -DCMAKE_TOOLCHAIN_FILE=avr_toolchain.cmake ...
+set(CMAKE_SYSTEM_NAME Generic)
+set(CMAKE_SYSTEM_PROCESSOR avr)
+set(AVR_MCU atmega328p CACHE STRING "The chip, as avr-gcc names it")
+set(AVR_FREQUENCY 16000000UL CACHE STRING "Its clock in Hz")
+set(CMAKE_TRY_COMPILE_PLATFORM_VARIABLES AVR_MCU AVR_FREQUENCY)
+
+set(CMAKE_C_COMPILER avr-gcc)
+set(CMAKE_CXX_COMPILER avr-g++)
+set(CMAKE_EXECUTABLE_SUFFIX_C .elf)
+set(CMAKE_EXECUTABLE_SUFFIX_CXX .elf)
+set(options "-mmcu=${AVR_MCU} -DF_CPU=${AVR_FREQUENCY} -Os -ffunction-sections -fdata-sections")
+set(CMAKE_C_FLAGS_INIT "${options}")
+set(CMAKE_ASM_FLAGS_INIT "${options}")
+set(CMAKE_CXX_FLAGS_INIT "${options} -fno-exceptions -fno-rtti -fno-threadsafe-statics")
+set(CMAKE_EXE_LINKER_FLAGS_INIT "-Wl,--gc-sections")
