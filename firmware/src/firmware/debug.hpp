@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// Debug text by topic. A topic that the board's configuration does not name in `debugged` compiles
+// to nothing, its strings included. Strings stay in flash: FIRMWARE_TEXT("...").
+//
+// Each topic has a line of its own below the renderer's grid, which its newest text replaces. A
+// text that the serial port has no room for is dropped and counted: nothing here waits.
+#pragma once
+
+#include <firmware/configuration.hpp>
+#include <firmware/flash_text.hpp>
+#include <firmware/terminal.hpp>
+#include <fixedpoint/text.hpp>
+
+namespace firmware {
+
+// First_line is the terminal's line of the first topic.
+template <class Board, uint8_t first_line>
+class Debug {
+  public:
+    // The text, and behind it the number with so many decimals.
+    template <Topic topic, class Number>
+    static void print(FlashText text, Number number, uint8_t decimals) {
+        if (!on(topic)) return;
+        char digits[fixedpoint::text_capacity<Number>()];
+        const uint8_t length = fixedpoint::print(number, decimals, digits, sizeof digits);
+        write(line_of(topic), text, digits, length);
+    }
+    template <Topic topic>
+    static void print(FlashText text, int32_t number) {
+        if (!on(topic)) return;
+        print<topic>(text, fixedpoint::Fixed<32, 0>::from_raw(number), 0);
+    }
+    template <Topic topic>
+    static void print(FlashText text) {
+        if (!on(topic)) return;
+        write(line_of(topic), text, nullptr, 0);
+    }
+
+    // Texts that were dropped since the start; stops at 255.
+    static uint8_t dropped() { return dropped_; }
+
+  private:
+    static constexpr bool on(Topic topic) {
+        return contains(Board::Configuration::debugged, topic);
+    }
+    static constexpr uint8_t line_of(Topic topic) {
+        return first_line + static_cast<uint8_t>(topic);
+    }
+
+    static void write(uint8_t line, FlashText text, const char* digits, uint8_t length) {
+        char place[terminal::longest_move];
+        const uint8_t moved = terminal::move(place, line, 1);
+        // Together at most 255, or it would not fit the largest ring buffer either.
+        const uint16_t needed = moved + text.length + length + terminal::erase_length;
+        if (needed > Board::writable()) {
+            if (dropped_ != 255) ++dropped_;
+            return;
+        }
+        Board::try_write(place, moved);
+        terminal::write<Board>(text);
+        if (length != 0) Board::try_write(digits, length);
+        terminal::erase_rest_of_line<Board>();
+    }
+
+    static uint8_t dropped_;
+};
+
+template <class Board, uint8_t first_line>
+uint8_t Debug<Board, first_line>::dropped_;
+
+}  // namespace firmware

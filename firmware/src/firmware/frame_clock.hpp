@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+// When to step the physics and when to render. Times are a board's ticks, modulo 2^32: what is
+// asked must be asked again within 17 minutes. Plain logic, without a clock of its own:
+//
+//     while (const uint32_t length = steps.due(Board::ticks())) {
+//         step(seconds<Scalar>(length));
+//         steps.done(Board::ticks());
+//     }
+//     if (frames.due(Board::ticks())) draw();
+//
+// So that one of two policies is a matter of one type.
+#pragma once
+
+#include <firmware/hardware/readings.hpp>
+#include <fixedpoint/conversion.hpp>
+
+namespace firmware {
+
+// How much later `now` is than `then`, negative where it is earlier.
+constexpr int32_t elapsed(uint32_t then, uint32_t now) { return static_cast<int32_t>(now - then); }
+
+// A length of time as a number of the physics, rounded to nearest.
+template <class Scalar>
+constexpr Scalar seconds(uint32_t ticks) {
+    return fixedpoint::from_decimal<Scalar>(static_cast<int32_t>(ticks / ticks_per_microsecond), 6)
+        .number;
+}
+template <>
+constexpr float seconds<float>(uint32_t ticks) {
+    return static_cast<float>(ticks) / ticks_per_second;
+}
+
+// Steps of one length, each due at its time. Late ones are made up for, up to most_behind steps;
+// what is later than that is given up, so that one long wait is not followed by a burst of steps.
+// Nothing of it is silent: late steps (a whole step or more), steps given up and the worst delay
+// are counted.
+template <uint16_t step_length = ticks_per_millisecond, uint8_t most_behind = 10>
+class FixedSteps {
+    static_assert(step_length > 0, "A step takes time.");
+    static_assert(most_behind > 0, "Steps that are late at all cannot be made up for.");
+
+  public:
+    // The first step is due one step after `now`.
+    explicit FixedSteps(uint32_t now) : next_(now + step_length) {}
+
+    // The length of the step that is due, 0 where none is.
+    uint16_t due(uint32_t now) {
+        const int32_t behind = elapsed(next_, now);
+        if (behind < 0) return 0;
+        if (static_cast<uint32_t>(behind) > worst_delay_) worst_delay_ = behind;
+        if (behind >= step_length) ++late_;
+        if (behind > int32_t{most_behind} * step_length) give_up(behind);
+        next_ += step_length;
+        return step_length;
+    }
+    void done(uint32_t) {}
+
+    uint32_t late() const { return late_; }
+    uint32_t given_up() const { return given_up_; }
+    uint32_t worst_delay() const { return worst_delay_; }  // ticks
+
+  private:
+    void give_up(int32_t behind) {
+        const uint32_t steps = static_cast<uint32_t>(behind) / step_length - most_behind;
+        given_up_ += steps;
+        next_ += steps * step_length;
+    }
+
+    uint32_t next_;
+    uint32_t late_ = 0, given_up_ = 0, worst_delay_ = 0;
+};
+
+// The published policy: physics waits until it is 10 ms behind the clock, then catches up until it
+// is ahead, each step as long as the one before took to compute, and 5 ms on top.
+class PublishedSteps {
+  public:
+    explicit PublishedSteps(uint32_t now) : physics_(now) {}
+
+    // The length of the step that is due, 0 where none is.
+    uint32_t due(uint32_t now) {
+        const int32_t behind = elapsed(physics_, now);
+        if (behind <= 0) catching_up_ = false;
+        if (behind >= wait_until_behind) catching_up_ = true;
+        if (!catching_up_) return 0;
+        const uint32_t length = duration_ + 5 * ticks_per_millisecond;
+        begun_ = now;
+        physics_ += length;
+        return length;
+    }
+    void done(uint32_t now) { duration_ = now - begun_; }
+
+  private:
+    static constexpr int32_t wait_until_behind = 10 * ticks_per_millisecond;
+
+    uint32_t physics_;  // the time up to which physics has come
+    uint32_t begun_ = 0, duration_ = 0;
+    bool catching_up_ = false;
+};
+
+// Frames of one length, 20 a second. One that is late by a whole frame or more is left out.
+template <uint32_t frame_length = 50ul * ticks_per_millisecond>
+class Frames {
+  public:
+    // The first frame is due at once.
+    explicit Frames(uint32_t now) : next_(now) {}
+
+    bool due(uint32_t now) {
+        const int32_t behind = elapsed(next_, now);
+        if (behind < 0) return false;
+        next_ =
+            behind < static_cast<int32_t>(frame_length) ? next_ + frame_length : now + frame_length;
+        return true;
+    }
+
+  private:
+    uint32_t next_;
+};
+
+}  // namespace firmware

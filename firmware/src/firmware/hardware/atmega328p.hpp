@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: MIT
+// The ATmega328P at 16 MHz: analogue inputs, serial port, servo, clock and profiling pins. All is
+// done in interrupts; nothing here waits for the hardware but idle(). One Board a program, whose
+// main file says FIRMWARE_INTERRUPTS(Board) outside of every namespace.
+//
+// Timer1 counts half microseconds, all 16 bits of it: its overflows make the clock, its compare
+// unit A the edges of the servo's pulse.
+#pragma once
+
+#include <avr/interrupt.h>
+#include <avr/io.h>
+#include <avr/sleep.h>
+#include <util/atomic.h>
+
+#include <firmware/configuration.hpp>
+#include <firmware/hardware/readings.hpp>
+#include <firmware/hardware/ring_buffer.hpp>
+
+namespace firmware {
+
+static_assert(F_CPU == 16000000, "The timings are those of a 16 MHz clock.");
+
+template <class Chosen>
+class Atmega328p : CheckedConfiguration<Chosen> {
+  public:
+    using Configuration = Chosen;
+
+    // Sets every register that matters, whatever a bootloader left in it, and enables interrupts.
+    static void start();
+
+    // The clock: half microseconds since start(), modulo 2^32.
+    static uint32_t ticks();
+
+    // The newest readings of each input, summed.
+    static Readings readings();
+
+    // The servo's pulse from the next frame on, in half microseconds, held to its travel.
+    static void command_servo(uint16_t pulse);
+
+    // The serial port, 250000 baud 8N1. try_write takes as many bytes as there is room for and
+    // returns their number. read returns the oldest byte received, -1 where there is none.
+    static uint8_t writable() { return transmit_.free(); }
+    static uint8_t try_write(const char* text, uint8_t length);
+    static int16_t read() { return receive_.empty() ? -1 : receive_.pop(); }
+    // Received bytes that were lost, as nobody read or as they came damaged; stops at 255. Those
+    // that an overrun of the receiver itself loses count as one.
+    static uint8_t lost() { return lost_; }
+
+    // The profiling pins, 2 cycles each; nothing where the category is not profiled.
+    template <Category category>
+    static void raise() {
+        if (contains(Configuration::profiled, category)) PORTD |= pin_of(category);
+    }
+    template <Category category>
+    static void lower() {
+        if (contains(Configuration::profiled, category)) PORTD &= ~pin_of(category);
+    }
+
+    // Sleeps until an interrupt, at most for the 0.1 ms of a conversion.
+    static void idle() { sleep_mode(); }
+
+    // For FIRMWARE_INTERRUPTS.
+    static inline void conversion_complete() __attribute__((always_inline));
+    static inline void servo_edge_is_near() __attribute__((always_inline));
+    static inline void clock_overflow() __attribute__((always_inline)) {
+        overflows_ = overflows_ + 1;
+    }
+    static inline void transmitter_ready() __attribute__((always_inline));
+    static inline void byte_received() __attribute__((always_inline));
+
+  private:
+    static constexpr uint8_t servo_pin = 1 << PD7;
+    static constexpr uint8_t pin_of(Category category) {
+        return 1 << (PD2 + static_cast<uint8_t>(category));
+    }
+    static constexpr uint8_t profiling_pins = static_cast<uint8_t>(Configuration::profiled << PD2);
+
+    // The supply is the reference, as it is of the dividers.
+    static constexpr uint8_t multiplexer(uint8_t input) {
+        return 1 << REFS0 | (input == sensor_a   ? Configuration::sensor_a_input
+                             : input == sensor_b ? Configuration::sensor_b_input
+                                                 : Configuration::dial_input);
+    }
+    // 125 kHz: the fastest of the converter's clocks that keeps all ten bits.
+    static constexpr uint8_t start_conversion =
+        1 << ADEN | 1 << ADSC | 1 << ADIE | 1 << ADPS2 | 1 << ADPS1 | 1 << ADPS0;
+
+    static constexpr uint8_t receiver_on = 1 << RXEN0 | 1 << TXEN0 | 1 << RXCIE0;
+    static constexpr uint8_t transmitter_on = receiver_on | 1 << UDRIE0;
+
+    static constexpr uint16_t servo_period = 20 * ticks_per_millisecond;
+    // How much earlier than an edge its interrupt comes. Covers the longest time for which
+    // another interrupt or an atomic block holds it up, and its own entry.
+    static constexpr uint8_t servo_lead = 12 * ticks_per_microsecond;
+
+    // The newest readings, those of input i at i, i + inputs and so on.
+    static constexpr uint8_t places = inputs * Configuration::readings_in_sum;
+    static volatile uint16_t history_[places];
+    static volatile uint8_t place_;  // that the next reading takes
+    static volatile uint16_t overflows_;
+    static uint16_t pulse_, rise_, edge_;
+    static RingBuffer<Configuration::transmit_capacity> transmit_;
+    static RingBuffer<Configuration::receive_capacity> receive_;
+    static volatile uint8_t lost_;
+};
+
+template <class C>
+volatile uint16_t Atmega328p<C>::history_[places];
+template <class C>
+volatile uint8_t Atmega328p<C>::place_;
+template <class C>
+volatile uint16_t Atmega328p<C>::overflows_;
+template <class C>
+uint16_t Atmega328p<C>::pulse_;
+template <class C>
+uint16_t Atmega328p<C>::rise_;
+template <class C>
+uint16_t Atmega328p<C>::edge_;
+template <class C>
+RingBuffer<C::transmit_capacity> Atmega328p<C>::transmit_;
+template <class C>
+RingBuffer<C::receive_capacity> Atmega328p<C>::receive_;
+template <class C>
+volatile uint8_t Atmega328p<C>::lost_;
+
+template <class C>
+void Atmega328p<C>::start() {
+    PORTD &= ~(servo_pin | profiling_pins);
+    DDRD |= servo_pin | profiling_pins;
+
+    pulse_ = C::servo_at_start * ticks_per_microsecond;
+    rise_ = edge_ = ticks_per_millisecond;
+    TCCR1B = 0;  // stopped
+    TCCR1A = 0;
+    TCNT1 = 0;
+    OCR1A = edge_ - servo_lead;
+    TIFR1 = 1 << OCF1A | 1 << TOV1;
+    TIMSK1 = 1 << OCIE1A | 1 << TOIE1;
+    TCCR1B = 1 << CS11;  // 2 MHz
+
+    UCSR0A = 0;
+    UCSR0C = 1 << UCSZ01 | 1 << UCSZ00;
+    UBRR0 = 3;  // 16 * (3 + 1) cycles a bit
+    UCSR0B = receiver_on;
+
+    DIDR0 = (1 << C::sensor_a_input | 1 << C::sensor_b_input | 1 << C::dial_input) & 0x3f;
+    ADCSRB = 0;
+    ADMUX = multiplexer(sensor_a);
+    ADCSRA = start_conversion;
+
+    set_sleep_mode(SLEEP_MODE_IDLE);
+    sei();
+}
+
+template <class C>
+uint32_t Atmega328p<C>::ticks() {
+    uint16_t high, low;
+    ATOMIC_BLOCK(ATOMIC_RESTORESTATE) {
+        low = TCNT1;
+        high = overflows_;
+        // An overflow whose interrupt is still to come: before the count was read if that is low.
+        if ((TIFR1 & 1 << TOV1) != 0 && low < 0x8000) ++high;
+    }
+    return static_cast<uint32_t>(high) << 16 | low;
+}
+
+// Reads again where a reading came in between, which none does twice: the next is 0.1 ms away.
+template <class C>
+Readings Atmega328p<C>::readings() {
+    Readings result;
+    uint8_t place;
+    do {
+        place = place_;
+        result = Readings();
+        for (uint8_t i = 0; i < places; i += inputs)
+            for (uint8_t input = 0; input < inputs; ++input)
+                result.sum[input] += history_[i + input];
+    } while (place != place_);
+    return result;
+}
+
+template <class C>
+void Atmega328p<C>::command_servo(uint16_t pulse) {
+    pulse = servo_pulse<C>(pulse);
+    ATOMIC_BLOCK(ATOMIC_RESTORESTATE) { pulse_ = pulse; }
+}
+
+template <class C>
+uint8_t Atmega328p<C>::try_write(const char* text, uint8_t length) {
+    const uint8_t room = transmit_.free();
+    const uint8_t taken = length < room ? length : room;
+    for (uint8_t i = 0; i < taken; ++i) transmit_.push(text[i]);
+    // The interrupt turns itself off with the last byte: decide and write as one.
+    ATOMIC_BLOCK(ATOMIC_RESTORESTATE) {
+        if (!transmit_.empty()) UCSR0B = transmitter_on;
+    }
+    return taken;
+}
+
+// The next conversion is started first, so that nothing delays it.
+template <class C>
+void Atmega328p<C>::conversion_complete() {
+    const uint16_t reading = ADC;
+    const uint8_t selected = ADMUX;
+    ADMUX = selected == multiplexer(sensor_a)   ? multiplexer(sensor_b)
+            : selected == multiplexer(sensor_b) ? multiplexer(dial)
+                                                : multiplexer(sensor_a);
+    ADCSRA = start_conversion;
+    const uint8_t place = place_;
+    history_[place] = reading;
+    place_ = place == places - 1 ? 0 : place + 1;
+}
+
+// Waits for the very tick of the edge, 6 cycles a round, so that neither other interrupts nor
+// atomic blocks move it. A pulse's length is fixed as it begins.
+template <class C>
+void Atmega328p<C>::servo_edge_is_near() {
+    const uint8_t edge = static_cast<uint8_t>(edge_);
+    while (static_cast<int8_t>(TCNT1L - edge) < 0) {
+    }
+    PIND = servo_pin;  // toggles
+    const bool rising = (PORTD & servo_pin) != 0;
+    edge_ = rising ? rise_ + pulse_ : (rise_ += servo_period);
+    OCR1A = edge_ - servo_lead;
+}
+
+template <class C>
+void Atmega328p<C>::transmitter_ready() {
+    UDR0 = transmit_.pop();
+    if (transmit_.empty()) UCSR0B = receiver_on;
+}
+
+template <class C>
+void Atmega328p<C>::byte_received() {
+    const uint8_t status = UCSR0A;
+    const uint8_t byte = UDR0;
+    const bool kept = (status & 1 << FE0) == 0 && receive_.free() != 0;
+    if (kept) receive_.push(byte);
+    // An overrun tells of bytes that came after this one.
+    if ((!kept || (status & 1 << DOR0) != 0) && lost_ != 255) lost_ = lost_ + 1;
+}
+
+}  // namespace firmware
+
+#define FIRMWARE_INTERRUPTS(Board)                          \
+    ISR(TIMER1_COMPA_vect) { Board::servo_edge_is_near(); } \
+    ISR(TIMER1_OVF_vect) { Board::clock_overflow(); }       \
+    ISR(ADC_vect) { Board::conversion_complete(); }         \
+    ISR(USART_UDRE_vect) { Board::transmitter_ready(); }    \
+    ISR(USART_RX_vect) { Board::byte_received(); }

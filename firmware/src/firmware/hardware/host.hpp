@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// The hardware layer as tests see it: a clock that the test moves, readings that it sets, the bytes
+// that were written, the pulse that was commanded. Same functions as Atmega328p; one type a test,
+// since all is static there.
+#pragma once
+
+#include <firmware/configuration.hpp>
+#include <firmware/hardware/readings.hpp>
+#include <string>
+
+namespace firmware {
+
+template <class Chosen>
+class Host : CheckedConfiguration<Chosen> {
+  public:
+    using Configuration = Chosen;
+
+    // The world, for the test to read and set.
+    struct World {
+        uint32_t ticks = 0;
+        uint16_t inputs[firmware::inputs] = {};  // a reading each, 0 .. 1023
+        uint16_t pulse = Configuration::servo_at_start * ticks_per_microsecond;
+        std::string transmitted;  // what the ring buffer let go of
+        std::string waiting;      // what it holds
+        std::string received;     // what read() is to return
+        uint8_t lost = 0;
+        uint8_t pins = 0;  // a bit a category
+
+        // The line takes what waits.
+        void drain() {
+            transmitted += waiting;
+            waiting.clear();
+        }
+    };
+    static World& world() {
+        static World world;
+        return world;
+    }
+
+    static void start() { world() = World(); }
+    static uint32_t ticks() { return world().ticks; }
+    static Readings readings() {
+        Readings result;
+        for (int i = 0; i < inputs; ++i)
+            result.sum[i] = world().inputs[i] * Configuration::readings_in_sum;
+        return result;
+    }
+    static void command_servo(uint16_t pulse) { world().pulse = servo_pulse<Configuration>(pulse); }
+    static uint8_t writable() {
+        return static_cast<uint8_t>(Configuration::transmit_capacity - world().waiting.size());
+    }
+    static uint8_t try_write(const char* text, uint8_t length) {
+        const uint8_t taken = length < writable() ? length : writable();
+        world().waiting.append(text, taken);
+        return taken;
+    }
+    static int16_t read() {
+        if (world().received.empty()) return -1;
+        const uint8_t byte = world().received.front();
+        world().received.erase(0, 1);
+        return byte;
+    }
+    static uint8_t lost() { return world().lost; }
+    template <Category category>
+    static void raise() {
+        if (contains(Configuration::profiled, category)) world().pins |= set_of(category);
+    }
+    template <Category category>
+    static void lower() {
+        if (contains(Configuration::profiled, category)) world().pins &= ~set_of(category);
+    }
+    static void idle() {}
+};
+
+}  // namespace firmware

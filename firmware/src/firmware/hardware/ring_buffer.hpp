@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// A ring of bytes between an interrupt and the program, one of which writes and the other reads.
+// Both counts run on modulo 256, so that every one of the Capacity places is used.
+#pragma once
+
+#include <stdint.h>
+
+namespace firmware {
+
+template <uint8_t Capacity>
+class RingBuffer {
+  public:
+    uint8_t size() const { return written_ - read_; }
+    bool empty() const { return written_ == read_; }
+    uint8_t free() const { return Capacity - size(); }
+
+    // Where there is room.
+    void push(uint8_t byte) {
+        const uint8_t written = written_;
+        bytes_[written % Capacity] = byte;
+        written_ = written + 1;
+    }
+    // Where there is a byte.
+    uint8_t pop() {
+        const uint8_t read = read_;
+        const uint8_t byte = bytes_[read % Capacity];
+        read_ = read + 1;
+        return byte;
+    }
+
+  private:
+    volatile uint8_t written_, read_;  // zero at reset, as all static data
+    volatile uint8_t bytes_[Capacity];
+};
+
+}  // namespace firmware

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+// Shows a grid on a terminal at the other end of the serial port, a row a call, and never waits:
+//
+//     if (renderer.idle() && frames.due(Board::ticks())) {
+//         Grid& grid = renderer.begin();  // blank
+//         ... draw ...
+//         renderer.finish();
+//     }
+//     renderer.transmit();  // in every pass of the loop
+//
+// Row 0 is the terminal's line `rows`, the top row its line 1.
+#pragma once
+
+#include <stdint.h>
+
+#include <firmware/flash_text.hpp>
+#include <firmware/grid.hpp>
+#include <firmware/terminal.hpp>
+
+namespace firmware {
+
+enum class Protocol : uint8_t {
+    changes,  // only the cells that changed, each run of them behind a cursor movement
+    lines     // every frame from the top, as many blank lines first: as published
+};
+
+// What a screen is; derive from it and hide what differs.
+struct Screen {
+    static constexpr uint8_t columns = 20;
+    static constexpr uint8_t rows = 20;
+    static constexpr uint8_t bits = 2;  // a cell; 2^bits colours
+    static constexpr bool depth = false;
+    static constexpr Protocol protocol = Protocol::changes;
+
+    // The character of a colour; a blank's is a space.
+    static char character(uint8_t colour) { return FIRMWARE_TEXT(" .o#+x*@%&$=-:|^")[colour]; }
+};
+
+template <class Screen>
+using GridOf = Grid<Screen::columns, Screen::rows, Screen::bits, Screen::depth>;
+
+template <class Board, class Screen, Protocol protocol>
+class Transmission;
+
+template <class Board, class Screen>
+class Transmission<Board, Screen, Protocol::changes> {
+  protected:
+    // The cell that the terminal shows, and nothing else, changes as it is sent, so that a row may
+    // be left in the middle, when the port is full, and begun again.
+    bool send_row(GridOf<Screen>& grid, uint8_t row) {
+        const uint8_t* const wanted = grid.row(row);
+        uint8_t* const shown = shown_[row];
+        bool adjacent = false;
+        uint8_t column = 0;
+        for (uint8_t i = 0; i < Grid::row_bytes; ++i) {
+            if (wanted[i] == shown[i]) {
+                adjacent = false;
+                column += Grid::cells_per_byte;
+                continue;
+            }
+            for (uint8_t k = 0; k < Grid::cells_per_byte; ++k, ++column) {
+                const uint8_t mask = Grid::mask(column);
+                if (((wanted[i] ^ shown[i]) & mask) == 0) {
+                    adjacent = false;
+                    continue;
+                }
+                char piece[terminal::longest_move + 1];
+                uint8_t length = 0;
+                if (!adjacent) length = terminal::move(piece, Grid::rows - row, column + 1);
+                piece[length++] = Screen::character(grid.colour(column, row));
+                if (Board::writable() < length) return false;
+                Board::try_write(piece, length);
+                shown[i] = (shown[i] & ~mask) | (wanted[i] & mask);
+                adjacent = true;
+            }
+        }
+        return true;
+    }
+
+    // Clears the terminal where it is not known what it shows.
+    bool send_head() {
+        if (known_) return true;
+        if (Board::writable() < terminal::clear_length) return false;
+        terminal::clear_screen<Board>();
+        for (auto& row : shown_)
+            for (uint8_t& cells : row) cells = 0;
+        known_ = true;
+        return true;
+    }
+    void begin_frame() {}
+    void forget() { known_ = false; }
+
+  private:
+    using Grid = GridOf<Screen>;
+
+    bool known_ = false;
+    uint8_t shown_[Grid::rows][Grid::row_bytes] = {};
+};
+
+template <class Board, class Screen>
+class Transmission<Board, Screen, Protocol::lines> {
+  protected:
+    bool send_row(GridOf<Screen>& grid, uint8_t row) {
+        for (; column_ < Screen::columns; ++column_)
+            if (!send(Screen::character(grid.colour(column_, row)))) return false;
+        return end_line();
+    }
+    bool send_head() {
+        for (; blank_lines_ < Screen::rows; ++blank_lines_)
+            if (!end_line()) return false;
+        return true;
+    }
+    void begin_frame() { blank_lines_ = 0; }
+    void forget() {}
+
+  private:
+    static bool send(char character) { return Board::try_write(&character, 1) == 1; }
+    bool end_line() {
+        if (Board::writable() < 2) return false;
+        send('\r');
+        send('\n');
+        column_ = 0;
+        return true;
+    }
+
+    uint8_t column_ = 0, blank_lines_ = 0;  // sent
+};
+
+template <class Board, class Screen>
+class Renderer : Transmission<Board, Screen, Screen::protocol> {
+    using Transmission = firmware::Transmission<Board, Screen, Screen::protocol>;
+
+  public:
+    using Grid = GridOf<Screen>;
+
+    // Whether the last frame has been sent to its end.
+    bool idle() const { return rows_left_ == 0; }
+
+    // A blank grid for the next frame; while idle.
+    Grid& begin() {
+        grid_.clear();
+        return grid_;
+    }
+    // What was drawn is what transmit() sends.
+    void finish() {
+        Transmission::begin_frame();
+        rows_left_ = Grid::rows;
+    }
+
+    // The next frame is sent whole: a terminal has been attached, or garbled.
+    void refresh() { Transmission::forget(); }
+
+    // Sends a row, or as much of it as the port takes. While more than half of the port's buffer is
+    // full it does nothing, since each call has to find its place in the row again.
+    void transmit() {
+        if (!idle() && Board::writable() >= Board::Configuration::transmit_capacity / 2) send();
+    }
+
+  private:
+    // Apart, so that a call that has nothing to send saves no registers.
+    __attribute__((noinline)) void send() {
+        if (!Transmission::send_head()) return;
+        if (Transmission::send_row(grid_, rows_left_ - 1)) --rows_left_;
+    }
+
+    Grid grid_;
+    uint8_t rows_left_ = 0;  // the top row is sent first
+};
+
+}  // namespace firmware

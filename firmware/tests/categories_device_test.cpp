@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Debug text and profiling: what they do where they are on, and that they cost nothing where they
+// are off.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "device_program.hpp"
+#include "terminal_emulator.hpp"
+
+namespace {
+
+using simulator::Cycle;
+
+bool holds(const DeviceProgram& program, std::string_view text) {
+    const auto& flash = program.chip.elf().flash();
+    return std::search(flash.begin(), flash.end(), text.begin(), text.end()) != flash.end();
+}
+
+// To the last byte of flash, and in RAM.
+TEST(Categories, OffIsTheSameProgramAsWithout) {
+    const DeviceProgram silent("silent"), bare("bare"), talkative("talkative");
+    EXPECT_EQ(silent.chip.elf().sha256(), bare.chip.elf().sha256());
+    EXPECT_EQ(silent.chip.elf().ram_bytes(), bare.chip.elf().ram_bytes());
+    EXPECT_GT(talkative.chip.elf().flash_bytes(), bare.chip.elf().flash_bytes() + 500);
+    std::printf("debug text and profiling: flash %u, RAM %u bytes\n",
+                talkative.chip.elf().flash_bytes() - bare.chip.elf().flash_bytes(),
+                talkative.chip.elf().ram_bytes() - bare.chip.elf().ram_bytes());
+}
+
+TEST(Categories, OnlyTheTopicsThatAreOnHaveTheirStrings) {
+    const DeviceProgram talkative("talkative"), silent("silent");
+    EXPECT_TRUE(holds(talkative, "the root is "));
+    EXPECT_FALSE(holds(talkative, "never said"));
+    EXPECT_FALSE(holds(talkative, "nor this"));
+    EXPECT_FALSE(holds(silent, "the root is "));
+    // In flash only.
+    EXPECT_EQ(talkative.chip.elf().ram_bytes(), silent.chip.elf().ram_bytes() + 1);
+}
+
+TEST(Categories, TextOfEachTopicOnItsLine) {
+    DeviceProgram program("talkative");
+    TerminalEmulator terminal(20, 24);
+    program.chip.on_uart_byte(
+        [&](Cycle, std::uint8_t byte) { terminal.take(static_cast<char>(byte)); });
+    program.run_for(0.05);
+    const auto& lines = terminal.screen();
+    EXPECT_EQ(lines[20], "a loop              ");
+    EXPECT_EQ(lines[21], std::string(20, '?'));
+    EXPECT_EQ(lines[22], std::string(20, '?'));
+    EXPECT_EQ(lines[23], "the root is 2.500   ");
+}
+
+// Up for two cycles longer than what is within takes.
+TEST(Categories, EachHasItsPin) {
+    DeviceProgram program("talkative");
+    std::vector<Cycle> up[8], shortest(8, 1'000'000);
+    int rises[8] = {};
+    Cycle since[8] = {};
+    for (int pin = 2; pin <= 6; ++pin)
+        program.chip.on_edge({'D', pin}, [&, pin](Cycle cycle, bool level) {
+            if (level) {
+                ++rises[pin];
+                since[pin] = cycle;
+            } else {
+                shortest[pin] = std::min(shortest[pin], cycle - since[pin]);
+            }
+        });
+    program.run_for(0.05);
+    for (int pin = 2; pin <= 4; ++pin) EXPECT_EQ(shortest[pin], 2u + 1) << pin;
+    EXPECT_GT(shortest[5], 50u);  // the square root
+    EXPECT_LT(shortest[5], 1000u);
+    EXPECT_GT(shortest[6], 50u);  // the product
+    EXPECT_LT(shortest[6], 200u);
+    EXPECT_NEAR(rises[5], rises[2], 1);
+    EXPECT_NEAR(rises[6], rises[2], 1);
+    EXPECT_GT(rises[2], 20);
+}
+
+}  // namespace

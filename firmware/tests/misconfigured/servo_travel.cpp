@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: MIT
+// The servo's shortest pulse is shorter than its longest one.
+#include <firmware/hardware/atmega328p.hpp>
+
+struct Chosen : firmware::Configuration {
+    static constexpr uint16_t servo_shortest = 1500;
+    static constexpr uint16_t servo_longest = 1500;
+};
+template class firmware::Atmega328p<Chosen>;
