@@ -182,6 +182,15 @@ void add_format(std::vector<HostSubject>& subjects) {
         subjects, "saturating");
 }
 
+// A split whose functions run through the generic code: what has kernels of its own.
+template <NumberFormat format>
+void add_split(std::vector<HostSubject>& subjects) {
+    using enum Operation;
+    add_subjects<fixedpoint::Nearest, Arithmetic::nearest, format, add, subtract, multiply, divide,
+                 remainder, sqrt, multiply_add, dot2, dot3, length2, length3, normalise3>(
+        subjects, "default");
+}
+
 template <NumberFormat from, NumberFormat to>
 void add_conversion(std::vector<HostSubject>& subjects) {
     using enum Arithmetic;
@@ -218,6 +227,7 @@ const std::vector<HostSubject>& host_subjects() {
         add_format<reference::q4_4>(subjects);
         add_format<reference::q8_8>(subjects);
         add_format<reference::q16_16>(subjects);
+        add_split<reference::fixed_format(8, 24)>(subjects);
         add_format<reference::q32_32>(subjects);
         add_conversions<reference::q8_8, reference::q4_4>(subjects);
         add_conversions<reference::q16_16, reference::q8_8>(subjects);

@@ -70,4 +70,19 @@ TEST(ReciprocalSqrtQ16_16, IsExactAtPowersOfFour) {
                   "1 / sqrt(1)");
 }
 
+// r is within 0.63 ulp where (r - 0.63)^2 a <= 2^96 <= (r + 0.63)^2 a.
+TEST(ReciprocalSqrtQ32_32, StaysWithinItsBound) {
+    const exact::Int numerator = exact::power(2, 96) * 10000;
+    for (const int64_t a : exact::raws<int64_t>()) {
+        const int64_t result = fixedpoint::portable::reciprocal_sqrt<int64_t, 32>(a);
+        if (a <= 0) {
+            ASSERT_EQ(result, a < 0 ? 0 : std::numeric_limits<int64_t>::max()) << a;
+            continue;
+        }
+        const exact::Int below = 100 * exact::Int(result) - 63, above = below + 126;
+        ASSERT_LE(below * below * a, numerator) << a;
+        ASSERT_GE(above * above * a, numerator) << a;
+    }
+}
+
 }  // namespace

@@ -92,6 +92,14 @@ constexpr Raw with_sign(Unsigned<Raw> magnitude, bool negative) {
         static_cast<Unsigned<Raw>>(negative ? Unsigned<Raw>(0) - magnitude : magnitude));
 }
 
+// The Raw nearest to a number of a wider type.
+template <class Raw, class Number>
+constexpr Raw clamped(Number number) {
+    return number > raw_max<Raw>   ? raw_max<Raw>
+           : number < raw_min<Raw> ? raw_min<Raw>
+                                   : static_cast<Raw>(number);
+}
+
 // `magnitude` with the sign put back, clamped to what a Raw holds.
 template <class Raw, class Magnitude>
 constexpr Raw clamped_with_sign(Magnitude magnitude, bool negative) {

@@ -7,6 +7,9 @@
 // r28 - 1 components that follow at r31:r30; at most 2^31 - 1. The caller's r28 has been pushed.
 // Keeps what calls keep; r1 is zero at return. Stack: 8 bytes with the r28 and the return address.
 //
+// fixedpoint_root_long: the root of n itself, 2^46 at least, after r28, r29, r17, r16, r15 and r14
+// have been pushed and r29 cleared, for sqrt_32.S.
+//
 // Cycles, ret included: 15, 62 a square, 13 to load the next component, 22 where it is negative,
 // and 240 at most after the last square. Less where -2^31 or a sum of 2^62 or more clamps.
 //
@@ -183,6 +186,8 @@ fixedpoint_length_long:
     rjmp .Lnormalised
 
     // M = n 4^k / 2^16 without what is below m1; back = 2^(8 - k).
+    .global fixedpoint_root_long
+fixedpoint_root_long:
 .Lsum:
     cpi n7, 0x40
     brsh 1b

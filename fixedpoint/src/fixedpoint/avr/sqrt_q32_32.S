@@ -25,8 +25,6 @@
 
 #ifdef __AVR__
 
-#include <fixedpoint/avr/long_division.inc>
-
 #define a0 r18
 #define a1 r19
 #define a2 r20
@@ -49,37 +47,7 @@
 #define power r26
 #define half r30
 
-    // digit = u2:u1:u0 / x0:x1, at most 255; u2:u1:u0 = the remainder.
-    .macro estimate u2, u1, u0
-    estimate_digit \u2, \u1, \u0, x0, x1, inverse
-    cp \u0, x1
-    cpc \u1, x0
-    brcs 1f
-    inc digit
-    sub \u0, x1
-    sbc \u1, x0
-1:  tst digit
-    brne 2f
-    tst \u2
-    breq 2f
-    dec digit
-    add \u0, x1
-    adc \u1, x0
-    clr \u2
-    rol \u2
-    rjmp 3f
-2:  clr \u2
-3:
-    .endm
-
-    // r1:r0:half = digit^2 / 2
-    .macro half_square
-    mul digit, digit
-    lsr r1
-    ror r0
-    clr half
-    ror half
-    .endm
+#include "long_root.inc"
 
     .section .text.fixedpoint_sqrt_q32_32, "ax", @progbits
 

@@ -3,14 +3,20 @@
 #pragma once
 
 #include <fixedpoint/kernel/assembly.hpp>
+#include <fixedpoint/kernel/splits_32.hpp>
 #include <fixedpoint/portable/divide.hpp>
 
 namespace fixedpoint {
 namespace kernel {
 
+// Formats of 8 and 16 bits have the quotient a 2^16 / (b 2^(16 - F)) of Q16.16, rounded once.
 template <class Raw, int F>
 constexpr Raw divide(Raw a, Raw b) {
-    return portable::divide<Raw, F>(a, b);
+    return has_assembly && sizeof(Raw) <= 2
+               ? clamped<Raw>(divide<int32_t, 16>(
+                     static_cast<int32_t>(a),
+                     static_cast<int32_t>(b) * (int32_t(1) << (F < 16 ? 16 - F : 0))))
+               : portable::divide<Raw, F>(a, b);
 }
 
 }  // namespace kernel
@@ -24,3 +30,9 @@ FIXEDPOINT_ASSEMBLY_KERNEL(int32_t, divide, int32_t, 16, fixedpoint_divide_q16_1
                            (int32_t a, int32_t b), (a, b))
 FIXEDPOINT_ASSEMBLY_KERNEL(int64_t, divide, int64_t, 32, fixedpoint_divide_q32_32, divide,
                            (int64_t a, int64_t b), (a, b))
+
+#define FIXEDPOINT_DIVIDE(I, F)                                                                   \
+    FIXEDPOINT_ASSEMBLY_KERNEL(int32_t, divide, int32_t, F, fixedpoint_divide_q##I##_##F, divide, \
+                               (int32_t a, int32_t b), (a, b))
+FIXEDPOINT_SPLITS_32(FIXEDPOINT_DIVIDE)
+#undef FIXEDPOINT_DIVIDE

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <fixedpoint/kernel/assembly.hpp>
+#include <fixedpoint/kernel/splits_16.hpp>
+#include <fixedpoint/kernel/splits_32.hpp>
 #include <fixedpoint/portable/multiply.hpp>
 
 namespace fixedpoint {
@@ -24,3 +26,15 @@ FIXEDPOINT_ASSEMBLY_KERNEL(int32_t, multiply, int32_t, 16, fixedpoint_multiply_q
                            (int32_t a, int32_t b), (a, b))
 FIXEDPOINT_ASSEMBLY_KERNEL(int64_t, multiply, int64_t, 32, fixedpoint_multiply_q32_32, multiply,
                            (int64_t a, int64_t b), (a, b))
+
+#define FIXEDPOINT_MULTIPLY_16(I, F)                                                          \
+    FIXEDPOINT_ASSEMBLY_KERNEL(int16_t, multiply, int16_t, F, fixedpoint_multiply_q##I##_##F, \
+                               multiply, (int16_t a, int16_t b), (a, b))
+FIXEDPOINT_SPLITS_16(FIXEDPOINT_MULTIPLY_16)
+#undef FIXEDPOINT_MULTIPLY_16
+
+#define FIXEDPOINT_MULTIPLY_32(I, F)                                                          \
+    FIXEDPOINT_ASSEMBLY_KERNEL(int32_t, multiply, int32_t, F, fixedpoint_multiply_q##I##_##F, \
+                               multiply, (int32_t a, int32_t b), (a, b))
+FIXEDPOINT_SPLITS_32(FIXEDPOINT_MULTIPLY_32)
+#undef FIXEDPOINT_MULTIPLY_32

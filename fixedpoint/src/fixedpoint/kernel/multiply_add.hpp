@@ -19,3 +19,10 @@ constexpr Raw multiply_add(Raw a, Raw b, Raw c) {
 
 FIXEDPOINT_ASSEMBLY_KERNEL(int32_t, multiply_add, int32_t, 16, fixedpoint_multiply_add_q16_16,
                            multiply_add, (int32_t a, int32_t b, int32_t c), (a, b, c))
+
+#define FIXEDPOINT_MULTIPLY_ADD(I, F)                                            \
+    FIXEDPOINT_ASSEMBLY_KERNEL(int32_t, multiply_add, int32_t, F,                \
+                               fixedpoint_multiply_add_q##I##_##F, multiply_add, \
+                               (int32_t a, int32_t b, int32_t c), (a, b, c))
+FIXEDPOINT_SPLITS_32(FIXEDPOINT_MULTIPLY_ADD)
+#undef FIXEDPOINT_MULTIPLY_ADD

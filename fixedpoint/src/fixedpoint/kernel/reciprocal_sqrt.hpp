@@ -3,6 +3,8 @@
 #pragma once
 
 #include <fixedpoint/kernel/assembly.hpp>
+#include <fixedpoint/kernel/divide.hpp>
+#include <fixedpoint/kernel/sqrt.hpp>
 #include <fixedpoint/kernel/through_q16_16.hpp>
 #include <fixedpoint/portable/reciprocal_sqrt.hpp>
 
@@ -20,6 +22,17 @@ constexpr Raw reciprocal_sqrt_small(Raw a) {
     return through_q16_16<Raw, F>
                ? from_q16_16<Raw, F>(reciprocal_sqrt_small<int32_t, 16>(to_q16_16<Raw, F>(a)))
                : portable::nearest_reciprocal_sqrt<Raw, F>(a);
+}
+
+struct SqrtAndDivision {
+    static constexpr int64_t sqrt(int64_t a) { return kernel::sqrt<int64_t, 32>(a); }
+    static constexpr int64_t divide(int64_t a, int64_t b) {
+        return kernel::divide<int64_t, 32>(a, b);
+    }
+};
+template <>
+constexpr int64_t reciprocal_sqrt<int64_t, 32>(int64_t a) {
+    return portable::reciprocal_sqrt_by_division<SqrtAndDivision>(a);
 }
 
 }  // namespace kernel

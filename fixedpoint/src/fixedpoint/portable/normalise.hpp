@@ -1,15 +1,63 @@
 // SPDX-License-Identifier: MIT
-// normalise3: v / |v|, in place or elsewhere; a zero vector stays zero. Each component is rounded
-// to nearest, except in Q16.16: there within 0.9 ulp, bit for bit as the kernel computes it.
+// normalise3: v / |v|, in place or elsewhere; a zero vector stays zero. Each component is within
+// 0.9 ulp in Q16.16, bit for bit as the kernel computes it, within 0.97 ulp where
+// normalises_by_length, and rounded to nearest in the other formats.
 #pragma once
 
+#include <fixedpoint/portable/divide.hpp>
+#include <fixedpoint/portable/length.hpp>
 #include <fixedpoint/portable/reciprocal_sqrt.hpp>
 
 namespace fixedpoint {
 namespace portable {
 
+// Whether the numbers of a format have four bits above 2^F for normalise_by_length to scale in.
 template <class Raw, int F>
+constexpr bool normalises_by_length = sizeof(Raw) >= 4 && F <= width_of<Raw> - 5;
+
+// v / |v| by the length and the division of Operations, a class with these of Raw and F.
+//
+// v is scaled first, so that its largest component is at least 2^(F + 2), and below 2^(W - 2), for
+// the length to fit. Scaled up, it is exact: the length, half a unit off, makes 1/8 ulp of an error
+// in a component, and the division 1/2. Halved and rounded, each component is up to 1/2 off, the
+// length up to sqrt(3) / 2 + 1/2, of at least 2^(W - 3) >= 2^(F + 2): 0.47 ulp together.
+template <class Raw, int F, class Operations>
+constexpr void normalise_by_length(const Raw* v, Raw* unit) {
+    constexpr int W = width_of<Raw>, room = W - 4 - F, step = room < 8 ? room : 8;
+    Raw scaled[3] = {v[0], v[1], v[2]};
+    // Has the largest component's leading one, or, of -2^n, a lower one, but no lower than bit 0.
+    Unsigned<Raw> largest = (v[0] | v[1] | v[2]) != 0;
+    for (const Raw component : scaled) {
+        largest = static_cast<Unsigned<Raw>>(largest | (component < 0 ? ~component : component));
+    }
+    if (largest >> (W - 2) != 0) {
+        for (Raw& component : scaled) {
+            component = static_cast<Raw>((component >> 1) + (component & 1));
+        }
+    } else if (largest != 0) {
+        for (; largest >> (F + 2) == 0; largest = static_cast<Unsigned<Raw>>(largest << step)) {
+            for (Raw& component : scaled) component = wrapping_shift_left(component, step);
+        }
+    }
+    const Raw length = Operations::length3(scaled);
+    for (uint8_t i = 0; i < 3; ++i) unit[i] = Operations::divide(scaled[i], length);
+}
+
+template <class Raw, int F>
+struct LengthAndDivision {
+    static constexpr Raw length3(const Raw* v) { return portable::length3<Raw, F>(v); }
+    static constexpr Raw divide(Raw a, Raw b) { return portable::divide<Raw, F>(a, b); }
+};
+
+template <class Raw, int F, bool by_length = normalises_by_length<Raw, F>>
 struct Normalisation {
+    static constexpr void apply(const Raw* v, Raw* unit) {
+        normalise_by_length<Raw, F, LengthAndDivision<Raw, F>>(v, unit);
+    }
+};
+
+template <class Raw, int F>
+struct Normalisation<Raw, F, false> {
     static constexpr void apply(const Raw* v, Raw* unit) {
         const DoubleWord<Raw> length_squared = sum_of_squares(v, 3);
         for (int i = 0; i < 3; ++i) {
@@ -24,7 +72,7 @@ struct Normalisation {
 
 // The steps of the kernel; their error budget is in avr/normalise3_q16_16.S.
 template <>
-struct Normalisation<int32_t, 16> {
+struct Normalisation<int32_t, 16, true> {
     static constexpr void apply(const int32_t* v, int32_t* unit) {
         uint32_t scaled[3] = {};
         uint32_t largest = 0;

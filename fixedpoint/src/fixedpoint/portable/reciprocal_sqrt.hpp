@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // reciprocal_sqrt: 2^F sqrt(2^F / a), clamped; the largest number where a = 0, 0 where a < 0.
-// Rounded to nearest, except in Q16.16: there within 0.66 ulp, bit for bit as the kernel computes
-// it.
+// Rounded to nearest, except in Q16.16, there within 0.66 ulp, bit for bit as the kernel computes
+// it, and in Q32.32, there within 0.63 ulp.
 #pragma once
 
+#include <fixedpoint/portable/divide.hpp>
 #include <fixedpoint/portable/nearest_root.hpp>
 #include <fixedpoint/portable/reciprocal_sqrt_table.hpp>
+#include <fixedpoint/portable/sqrt.hpp>
 
 namespace fixedpoint {
 namespace portable {
@@ -43,6 +45,25 @@ constexpr int32_t reciprocal_sqrt_q16_16(int32_t a) {
     return static_cast<int32_t>(((reciprocal_root_mantissa(radicand) >> (shift - 1)) + 1) >> 1);
 }
 
+// 2^48 / sqrt(a) by the square root and the division of Operations, a class with these of Q32.32.
+//
+// a 4^k is at least 2^54, so that its root s, half a unit off, is at least 2^43, and the quotient
+// 2^(64 + k) / s is off by 2^48 / sqrt(a) / 2^44 at most for that: 1/8 ulp from a = 2^14 on.
+template <class Operations>
+constexpr int64_t reciprocal_sqrt_by_division(int64_t a) {
+    if (a < int64_t(1) << 14) return nearest_reciprocal_sqrt<int64_t, 32>(a);
+    int64_t numerator = int64_t(1) << 32;
+    for (; a >> 54 == 0; a = a << 8) numerator = numerator << 4;
+    return Operations::divide(numerator, Operations::sqrt(a));
+}
+
+struct SqrtAndDivision {
+    static constexpr int64_t sqrt(int64_t a) { return portable::sqrt<int64_t, 32>(a); }
+    static constexpr int64_t divide(int64_t a, int64_t b) {
+        return portable::divide<int64_t, 32>(a, b);
+    }
+};
+
 template <class Raw, int F>
 struct ReciprocalSqrt {
     static constexpr Raw apply(Raw a) { return nearest_reciprocal_sqrt<Raw, F>(a); }
@@ -50,6 +71,12 @@ struct ReciprocalSqrt {
 template <>
 struct ReciprocalSqrt<int32_t, 16> {
     static constexpr int32_t apply(int32_t a) { return reciprocal_sqrt_q16_16(a); }
+};
+template <>
+struct ReciprocalSqrt<int64_t, 32> {
+    static constexpr int64_t apply(int64_t a) {
+        return reciprocal_sqrt_by_division<SqrtAndDivision>(a);
+    }
 };
 
 template <class Raw, int F>

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The kernels of every split of 16 and 32 bits on the simulated chip against the portable code, bit
+// for bit: they are macros with the split as a parameter, and only some splits are programs of the
+// bench. And operands for which rounding is a near thing.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <fixedpoint/portable/divide.hpp>
+#include <fixedpoint/portable/dot.hpp>
+#include <fixedpoint/portable/length.hpp>
+#include <fixedpoint/portable/multiply_add.hpp>
+#include <fixedpoint/portable/sqrt.hpp>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bench/simulator/device_function.hpp"
+#include "fixedpoint/tests/exact.hpp"
+
+namespace {
+
+namespace portable = fixedpoint::portable;
+using simulator::Chip;
+using simulator::DeviceFunction;
+using simulator::Signature;
+using Vector = std::array<int32_t, 3>;
+
+constexpr int pairs = 10000;
+
+class Operands {
+  public:
+    int32_t next() { return numbers_[random_() % numbers_.size()]; }
+    Vector vector() { return {next(), next(), next()}; }
+
+  private:
+    std::vector<int32_t> numbers_ = exact::raws<int32_t>();
+    std::mt19937_64 random_{32};
+};
+
+// A program of one operation, and its subject of each split.
+class Program {
+  public:
+    explicit Program(const std::string& operation, int bits = 32)
+        : operation_(operation),
+          bits_(bits),
+          chip_(simulator::Elf(fmt::format(PROGRAM_FOLDER "/splits_{}_{}.elf", bits, operation))) {
+        chip_.run_until_function("main");
+        for (std::uint16_t& address : vectors_) address = chip_.allocate(sizeof(Vector));
+    }
+    DeviceFunction subject(int fraction_bits, const Signature& signature) {
+        return {chip_,
+                fmt::format("{}_q{}_{}_default", operation_, bits_ - fraction_bits, fraction_bits),
+                signature};
+    }
+    std::uint16_t put(int index, const Vector& v) {
+        chip_.write(vectors_[index], {reinterpret_cast<const std::uint8_t*>(v.data()), sizeof v});
+        return vectors_[index];
+    }
+
+  private:
+    std::string operation_;
+    int bits_;
+    Chip chip_;
+    std::array<std::uint16_t, 2> vectors_;
+};
+
+// check(F) for every split but Q16.16.
+template <class Check, int... F>
+void for_each_split(Check check, std::integer_sequence<int, F...>) {
+    (..., (F == 16 ? void() : check(std::integral_constant<int, F>())));
+}
+template <class Check>
+void for_each_split(Check check) {
+    for_each_split(check, std::make_integer_sequence<int, 33>());
+}
+
+// The quotients and roots of random numbers lie far from where rounding is decided. These are the
+// operands on either side: of the divisor b and the root r, those for which a 2^F / b is about
+// q + 1/2, and a 2^F about (r + 1/2)^2.
+TEST(Splits, DivideBesideHalves) {
+    Program program("divide");
+    for_each_split([&](auto F) {
+        DeviceFunction divide = program.subject(F, {4, {4, 4}});
+        std::mt19937_64 random(1);
+        for (int i = 0; i < pairs; ++i) {
+            const int64_t b = static_cast<int64_t>(random() >> 33 >> random() % 31);
+            const int64_t q = static_cast<int64_t>(random() >> 33 >> random() % 31);
+            const int64_t half = static_cast<int64_t>((__int128(2 * q + 1) * b / 2) >> F);
+            for (int64_t a = half; a <= half + 1; ++a) {
+                if (a > fixedpoint::raw_max<int32_t>) continue;
+                for (const int32_t sign : {1, -1}) {
+                    const int32_t n = static_cast<int32_t>(a) * sign, d = static_cast<int32_t>(b);
+                    ASSERT_EQ(divide(n, d).template as<int32_t>(),
+                              (portable::divide<int32_t, F>(n, d)))
+                        << F << " fraction bits: " << n << " " << d;
+                }
+            }
+        }
+    });
+}
+TEST(Splits, SqrtBesideHalves) {
+    Program program("sqrt");
+    for_each_split([&](auto F) {
+        DeviceFunction sqrt = program.subject(F, {4, {4}});
+        std::mt19937_64 random(2);
+        for (int i = 0; i < pairs; ++i) {
+            const uint64_t r = random() >> 33 >> random() % 31, half = (r * r + r) >> F;
+            for (uint64_t a = half; a <= half + 1; ++a) {
+                if (a > static_cast<uint64_t>(fixedpoint::raw_max<int32_t>)) continue;
+                const auto n = static_cast<int32_t>(a);
+                ASSERT_EQ(sqrt(n).template as<int32_t>(), (portable::sqrt<int32_t, F>(n)))
+                    << F << " fraction bits: " << a;
+            }
+        }
+    });
+}
+
+// r^2 + r, the largest sum of squares below (r + 1/2)^2, is that of (m^2, m, 0), and r^2 + r + 1,
+// the next, that of (m^2 - 1, m, 0).
+TEST(LengthQ32_32, RoundsBesideHalves) {
+    Chip chip(simulator::Elf(PROGRAM_FOLDER "/q32_32.elf"));
+    chip.run_until_function("main");
+    const std::uint16_t address = chip.allocate(3 * sizeof(int64_t));
+    DeviceFunction length(chip, "length3_q32_32_default", {8, {2}});
+    std::mt19937_64 random(3);
+    for (int i = 0; i < pairs; ++i) {
+        const int64_t m = static_cast<int64_t>(2 + (random() % 3037000000u >> random() % 31));
+        for (const int64_t below : {0, 1}) {
+            const int64_t v[3] = {m * m - below, below ? -m : m, 0};
+            chip.write(address, {reinterpret_cast<const std::uint8_t*>(v), sizeof v});
+            ASSERT_EQ(length(address).as<int64_t>(), m * m) << m << " " << below;
+        }
+    }
+}
+
+// Of 16 bits; check(F, a, b) for operands of all of them.
+template <class Check>
+void for_each_short_pair(Check check) {
+    const std::vector<int16_t> edges = {0, 1, -1, 2, 255, 256, -256, 32767, -32767, -32768};
+    const auto check_split = [&](auto F) {
+        std::mt19937 random(16);
+        const auto next = [&] {
+            return random() % 4 == 0
+                       ? edges[random() % edges.size()]
+                       : static_cast<int16_t>(static_cast<int16_t>(random()) >> random() % 16);
+        };
+        auto check_pair = check(F);
+        for (int i = 0; i < pairs; ++i) {
+            const int16_t a = next(), b = next();
+            check_pair(a, b);
+        }
+    };
+    [&]<int... F>(std::integer_sequence<int, F...>) {
+        (..., (F == 8 ? void() : check_split(std::integral_constant<int, F>())));
+    }
+    (std::make_integer_sequence<int, 17>());
+}
+
+TEST(ShortSplits, Multiply) {
+    Program program("multiply", 16);
+    for_each_short_pair([&](auto F) {
+        return [F, multiply = program.subject(F, {2, {2, 2}})](int16_t a, int16_t b) mutable {
+            ASSERT_EQ(multiply(a, b).template as<int16_t>(), (portable::multiply<int16_t, F>(a, b)))
+                << F << " fraction bits: " << a << " " << b;
+        };
+    });
+}
+TEST(ShortSplits, Divide) {
+    Program program("divide", 16);
+    for_each_short_pair([&](auto F) {
+        return [F, divide = program.subject(F, {2, {2, 2}})](int16_t a, int16_t b) mutable {
+            ASSERT_EQ(divide(a, b).template as<int16_t>(), (portable::divide<int16_t, F>(a, b)))
+                << F << " fraction bits: " << a << " " << b;
+        };
+    });
+}
+TEST(ShortSplits, Sqrt) {
+    Program program("sqrt", 16);
+    for_each_short_pair([&](auto F) {
+        return [F, sqrt = program.subject(F, {2, {2}})](int16_t a, int16_t) mutable {
+            ASSERT_EQ(sqrt(a).template as<int16_t>(), (portable::sqrt<int16_t, F>(a)))
+                << F << " fraction bits: " << a;
+        };
+    });
+}
+
+TEST(Splits, Multiply) {
+    Program program("multiply");
+    for_each_split([&](auto F) {
+        DeviceFunction multiply = program.subject(F, {4, {4, 4}});
+        Operands operands;
+        for (int i = 0; i < pairs; ++i) {
+            const int32_t a = operands.next(), b = operands.next();
+            ASSERT_EQ(multiply(a, b).template as<int32_t>(), (portable::multiply<int32_t, F>(a, b)))
+                << F << " fraction bits: " << a << " " << b;
+        }
+    });
+}
+
+TEST(Splits, MultiplyAdd) {
+    Program program("multiply_add");
+    for_each_split([&](auto F) {
+        DeviceFunction multiply_add = program.subject(F, {4, {4, 4, 4}});
+        Operands operands;
+        for (int i = 0; i < pairs; ++i) {
+            const auto [a, b, c] = operands.vector();
+            ASSERT_EQ(multiply_add(a, b, c).template as<int32_t>(),
+                      (portable::multiply_add<int32_t, F>(a, b, c)))
+                << F << " fraction bits: " << a << " " << b << " " << c;
+        }
+    });
+}
+
+TEST(Splits, Divide) {
+    Program program("divide");
+    for_each_split([&](auto F) {
+        DeviceFunction divide = program.subject(F, {4, {4, 4}});
+        Operands operands;
+        for (int i = 0; i < pairs; ++i) {
+            const int32_t a = operands.next(), b = operands.next();
+            ASSERT_EQ(divide(a, b).template as<int32_t>(), (portable::divide<int32_t, F>(a, b)))
+                << F << " fraction bits: " << a << " " << b;
+        }
+    });
+}
+
+TEST(Splits, Sqrt) {
+    Program program("sqrt");
+    for_each_split([&](auto F) {
+        DeviceFunction sqrt = program.subject(F, {4, {4}});
+        Operands operands;
+        for (int i = 0; i < pairs; ++i) {
+            const int32_t a = operands.next();
+            ASSERT_EQ(sqrt(a).template as<int32_t>(), (portable::sqrt<int32_t, F>(a)))
+                << F << " fraction bits: " << a;
+        }
+    });
+}
+
+template <class Expected>
+void expect_dots(Program& program, int fraction_bits, Expected expected) {
+    DeviceFunction dot = program.subject(fraction_bits, {4, {2, 2}});
+    Operands operands;
+    for (int i = 0; i < pairs; ++i) {
+        const Vector a = operands.vector(), b = operands.vector();
+        ASSERT_EQ(dot(program.put(0, a), program.put(1, b)).template as<int32_t>(),
+                  expected(a.data(), b.data()))
+            << fraction_bits << " fraction bits: " << testing::PrintToString(a) << " "
+            << testing::PrintToString(b);
+    }
+}
+
+TEST(Splits, Dot2) {
+    Program program("dot2");
+    for_each_split([&](auto F) { expect_dots(program, F, portable::dot2<int32_t, F>); });
+}
+TEST(Splits, Dot3) {
+    Program program("dot3");
+    for_each_split([&](auto F) { expect_dots(program, F, portable::dot3<int32_t, F>); });
+}
+
+TEST(Splits, Length3) {
+    Program program("length3");
+    for_each_split([&](auto F) {
+        DeviceFunction length = program.subject(F, {4, {2}});
+        Operands operands;
+        for (int i = 0; i < pairs / 8; ++i) {
+            const Vector v = operands.vector();
+            ASSERT_EQ(length(program.put(0, v)).template as<int32_t>(),
+                      (portable::length3<int32_t, F>(v.data())))
+                << F << " fraction bits: " << testing::PrintToString(v);
+        }
+    });
+}
+
+}  // namespace

@@ -1,0 +1,468 @@
+// SPDX-License-Identifier: MIT
+// int64_t fixedpoint_length2_q32_32(const int64_t* v)
+// int64_t fixedpoint_length3_q32_32(const int64_t* v)
+// The integer nearest to the root of the sum of the squares of 2 or 3 components, at most 2^63 - 1.
+//
+// In       v = r25:r24, in RAM
+// Out      r25:r18
+// Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
+// Stack    23 bytes
+// Table    768 bytes, fixedpoint_sqrt_table; 256 bytes, fixedpoint_long_division_table
+// Cycles   call and ret included, the most that were found: length2 1407, length3 1698; components
+//          of 0.01 .. 20: length2 1081..1238, length3 1386..1547
+//
+// Squares. Row k of |v_i| = a7:...:a0 is a_k 2^(8 k) (a_k 2^(8 k) + twice the bytes above k), from
+// row 7 downward, while the bytes above k are doubled one by one. The even and the odd
+// products of a row lie side by side and go into the sum in one carry chain each.
+//
+// Root. That of sqrt_q32_32.S, of a sum A of 16 bytes that moves up by pairs of bytes, by one byte
+// and by an even number of bits until its highest byte is 64 or more. Each pair of bytes leaves out
+// one of the root's eight bytes. Its first two come from the table, each further one from a step of
+// long division. The root moves down again by half as many bits, and the last one that leaves it
+// rounds; where none would leave, one more byte is computed. A sum of 2^126 or more clamps, so that
+// there is a byte for that, and the lowest bit of A is 0, which the halving of the remainder drops.
+
+#ifdef __AVR__
+
+// The component, then the root, the highest byte first.
+#define x0 r25
+#define x1 r24
+#define x2 r23
+#define x3 r22
+#define x4 r21
+#define x5 r20
+#define x6 r19
+#define x7 r18
+#define inverse r28
+#define digits r29
+#define half r30
+#define zero r31
+#define power r27
+
+#include "long_root.inc"
+
+    // Of byte `byte` of the sum, r2 + byte, unless it lies outside.
+    .macro into operation, byte, value
+    .irp n, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17
+    .if \n - 2 == \byte
+    \operation r\n, \value
+    .endif
+    .endr
+    .endm
+
+    // Products of `digit` by up to four bytes, side by side into bytes `byte`.. of the sum.
+    .macro chain byte, digit, p0, p1, p2, p3
+    .ifnb \p3
+    mul \p3, \digit
+    movw r30, r0
+    .endif
+    .ifnb \p2
+    mul \p2, \digit
+    movw r28, r0
+    .endif
+    .ifnb \p1
+    mul \p1, \digit
+    movw r26, r0
+    .endif
+    mul \p0, \digit
+    into add, (\byte), r0
+    into adc, (\byte + 1), r1
+    .ifnb \p1
+    into adc, (\byte + 2), r26
+    into adc, (\byte + 3), r27
+    .endif
+    .ifnb \p2
+    into adc, (\byte + 4), r28
+    into adc, (\byte + 5), r29
+    .endif
+    .ifnb \p3
+    into adc, (\byte + 6), r30
+    into adc, (\byte + 7), r31
+    carry (\byte + 8)
+    .else
+    .ifnb \p2
+    carry (\byte + 6)
+    .else
+    .ifnb \p1
+    carry (\byte + 4)
+    .else
+    carry (\byte + 2)
+    .endif
+    .endif
+    .endif
+    .endm
+    // The carry into bytes `byte`..15.
+    .macro carry byte
+    clr r1
+    .irp i, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15
+    .if \i >= \byte
+    into adc, \i, r1
+    .endif
+    .endr
+    .endm
+    // Doubles a byte into the doubled one above it.
+    .macro double byte, above
+    lsl \byte
+    clr r1
+    adc \above, r1
+    .endm
+
+    // The borrow into bytes `from` to `to`.
+    .macro borrow from, to
+    .irp i, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13
+    .if (\i >= \from) && (\i <= \to)
+    into sbc, \i, zero
+    .endif
+    .endr
+    .endm
+
+    // The root's byte x_m, r25 - m, from the remainder's highest bytes u2:u1:u0; u2 is byte 15 - m.
+    // The digit takes off what the bytes x_2.. of the root make with it, and half its square. Where
+    // that is too much the digit is one less, and 2^8 x + digit - 1/2 comes back. Below the lowest
+    // byte the last digit needs one more, r0. Goes to .Ldone with the last digit.
+    .macro step m, u2, u1, u0
+    estimate \u2, \u1, \u0
+    .irp n, 18, 19, 20, 21, 22, 23
+    .if 25 - \n < \m
+    mul digit, r\n
+    into sub, (\n - 11 - \m), r0
+    into sbc, (\n - 10 - \m), r1
+    borrow (\n - 9 - \m), (15 - \m)
+    .endif
+    .endr
+    half_square
+    .if \m < 7
+    into sub, (13 - 2 * \m), half
+    .else
+    cp zero, half
+    .endif
+    into sbc, (14 - 2 * \m), r0
+    into sbc, (15 - 2 * \m), r1
+    borrow (16 - 2 * \m), (15 - \m)
+    brpl 7f
+    .if \m == 7
+    mov r0, half
+    .endif
+6:  dec digit
+    ldi half, 0x80
+    .if \m < 7
+    into add, (13 - 2 * \m), half
+    .else
+    add r0, half
+    .endif
+    into adc, (14 - 2 * \m), digit
+    .irp n, 18, 19, 20, 21, 22, 23, 24, 25
+    .if 25 - \n < \m
+    into adc, (\n - 11 - \m), r\n
+    .endif
+    .endr
+    into adc, (15 - \m), zero
+    brmi 6b
+7:
+    .irp n, 18, 19, 20, 21, 22, 23
+    .if 25 - \n == \m
+    mov r\n, digit
+    .endif
+    .endr
+    .if \m < 7
+    dec digits
+    brne 8f
+    rjmp .Ldone
+8:
+    .endif
+    .endm
+
+    .section .text.fixedpoint_length_q32_32, "ax", @progbits
+    .global fixedpoint_length2_q32_32
+    .type fixedpoint_length2_q32_32, @function
+fixedpoint_length2_q32_32:
+    ldi r26, 2
+    rjmp 1f
+    .size fixedpoint_length2_q32_32, .-fixedpoint_length2_q32_32
+
+    .global fixedpoint_length3_q32_32
+    .type fixedpoint_length3_q32_32, @function
+fixedpoint_length3_q32_32:
+    ldi r26, 3
+1:
+    .irp n, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 28, 29
+    push r\n
+    .endr
+    clr r2
+    clr r3
+    .irp n, 4, 6, 8, 10, 12, 14, 16
+    movw r\n, r2
+    .endr
+    movw r30, r24
+.Lcomponent:
+    .irp n, 18, 19, 20, 21, 22, 23, 24, 25
+    ld r\n, Z+
+    .endr
+    push r26
+    push r30
+    push r31
+    tst r25
+    brpl 1f
+    .irp n, 19, 20, 21, 22, 23, 24, 25
+    com r\n
+    .endr
+    neg r18
+    .irp n, 19, 20, 21, 22, 23, 24, 25
+    sbci r\n, 0xff
+    .endr
+    brpl 1f
+    pop r31
+    pop r30
+    pop r26
+    rjmp .Lclamp
+1:  chain 14, r25, r25
+    lsl r25
+    chain 12, r24, r24
+    chain 13, r24, r25
+    double r24, r25
+    chain 10, r23, r23, r25
+    chain 11, r23, r24
+    double r23, r24
+    chain 8, r22, r22, r24
+    chain 9, r22, r23, r25
+    double r22, r23
+    chain 6, r21, r21, r23, r25
+    chain 7, r21, r22, r24
+    double r21, r22
+    chain 4, r20, r20, r22, r24
+    chain 5, r20, r21, r23, r25
+    double r20, r21
+    chain 2, r19, r19, r21, r23, r25
+    chain 3, r19, r20, r22, r24
+    double r19, r20
+    chain 0, r18, r18, r20, r22, r24
+    chain 1, r18, r19, r21, r23, r25
+    pop r31
+    pop r30
+    pop r26
+    dec r26
+    breq 1f
+    rjmp .Lcomponent
+1:  ldi r26, 8
+    cpi r17, 0x40
+    brsh .Lclamp
+    // A pair of bytes up
+1:  mov r0, r17
+    or r0, r16
+    brne 2f
+    movw r16, r14
+    movw r14, r12
+    movw r12, r10
+    movw r10, r8
+    movw r8, r6
+    movw r6, r4
+    movw r4, r2
+    clr r2
+    clr r3
+    dec r26
+    brne 1b
+    clr r18
+    clr r19
+    movw r20, r18
+    movw r22, r18
+    movw r24, r18
+    rjmp .Lrestore
+.Lclamp:
+    ldi r18, 0xff
+    ldi r19, 0xff
+    movw r20, r18
+    movw r22, r18
+    movw r24, r18
+    andi r25, 0x7f
+.Lrestore:
+    .irp n, 29, 28, 17, 16, 15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2
+    pop r\n
+    .endr
+    clr r1
+    ret
+2:  clr r31
+    tst r17
+    brne 3f
+    mov r17, r16
+    mov r16, r15
+    mov r15, r14
+    mov r14, r13
+    mov r13, r12
+    mov r12, r11
+    mov r11, r10
+    mov r10, r9
+    mov r9, r8
+    mov r8, r7
+    mov r7, r6
+    mov r6, r5
+    mov r5, r4
+    mov r4, r3
+    mov r3, r2
+    clr r2
+    ldi r31, 1
+    // `power` brings the leading one to bit 7 or 6; r30 undoes it, and a move by half a byte.
+3:  ldi r30, 1
+    cpi r17, 64
+    brsh .Lscaled
+    ldi power, 4
+    ldi r30, 0x80
+    cpi r17, 16
+    brsh 4f
+    ldi power, 16
+    ldi r30, 0x40
+    cpi r17, 4
+    brsh 4f
+    ldi power, 64
+    ldi r30, 0x20
+4:  mul r17, power
+    mov r17, r0
+    scale r17, r16, r16, power
+    scale r16, r15, r15, power
+    scale r15, r14, r14, power
+    scale r14, r13, r13, power
+    scale r13, r12, r12, power
+    scale r12, r11, r11, power
+    scale r11, r10, r10, power
+    scale r10, r9, r9, power
+    scale r9, r8, r8, power
+    scale r8, r7, r7, power
+    scale r7, r6, r6, power
+    scale r6, r5, r5, power
+    scale r5, r4, r4, power
+    scale r4, r3, r3, power
+    scale r3, r2, r2, power
+.Lscaled:
+    sbrc r31, 0
+    swap r30
+    push r30
+    push r26
+    // Nothing to be shifted out: one byte more rounds.
+    cpi r30, 1
+    brne 1f
+    inc r26
+1:
+    // x0:x1 = the root of r17:r16, at most 3 too small for r17..r14
+    clr digits
+    mov r30, r17
+    ldi r31, hi8(fixedpoint_sqrt_table)
+    lpm x1, Z
+    inc r31
+    lpm x0, Z
+    inc r31
+    lpm r0, Z
+    mul r0, r16
+    add x1, r1
+    adc x0, digits
+    mul x1, x1
+    sub r14, r0
+    sbc r15, r1
+    sbc r16, digits
+    sbc r17, digits
+    mul x0, x0
+    sub r16, r0
+    sbc r17, r1
+    mul x0, x1
+    sub r15, r0
+    sbc r16, r1
+    sbc r17, digits
+    sub r15, r0
+    sbc r16, r1
+    // Halved, with what follows.
+    lsr r16
+    ror r15
+    ror r14
+    ror r13
+    ror r12
+    ror r11
+    ror r10
+    ror r9
+    ror r8
+    ror r7
+    ror r6
+    ror r5
+    ror r4
+    ror r3
+    ror r2
+    ldi half, 0x80
+    rjmp 2f
+1:  adiw x1, 1
+2:  sub r13, half
+    sbc r14, x1
+    sbc r15, x0
+    sbc r16, digits
+    brcc 1b
+    add r13, half
+    adc r14, x1
+    adc r15, x0
+    invert inverse, x0, x1
+    clr x2
+    clr x3
+    movw x5, x3
+    movw x7, x3
+    clr zero
+    mov digits, r26
+    subi digits, 3
+    brsh 1f
+    rjmp .Ldone
+1:  inc digits
+    step 2, r15, r14, r13
+    step 3, r14, r13, r12
+    step 4, r13, r12, r11
+    step 5, r12, r11, r10
+    step 6, r11, r10, r9
+    step 7, r10, r9, r8
+
+    // Down by whole bytes, and by bits; r27 = what left last.
+.Ldone:
+    pop r26
+    pop r30
+    clr r27
+1:  cpi r26, 8
+    breq 2f
+    mov r27, r18
+    mov r18, r19
+    mov r19, r20
+    mov r20, r21
+    mov r21, r22
+    mov r22, r23
+    mov r23, r24
+    mov r24, r25
+    clr r25
+    inc r26
+    rjmp 1b
+2:  cpi r30, 1
+    breq 3f
+    mul r18, r30
+    mov r27, r0
+    mov r18, r1
+    mul r19, r30
+    or r18, r0
+    mov r19, r1
+    mul r20, r30
+    or r19, r0
+    mov r20, r1
+    mul r21, r30
+    or r20, r0
+    mov r21, r1
+    mul r22, r30
+    or r21, r0
+    mov r22, r1
+    mul r23, r30
+    or r22, r0
+    mov r23, r1
+    mul r24, r30
+    or r23, r0
+    mov r24, r1
+    mul r25, r30
+    or r24, r0
+    mov r25, r1
+3:  lsl r27
+    .irp n, 18, 19, 20, 21, 22, 23, 24, 25
+    adc r\n, zero
+    .endr
+    brpl 4f
+    rjmp .Lclamp
+4:  rjmp .Lrestore
+    .size fixedpoint_length3_q32_32, .-fixedpoint_length3_q32_32
+
+#endif

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// int16_t fixedpoint_multiply_q<16 - F>_<F>(int16_t a, int16_t b)
+// floor(a b / 2^F + 1/2) modulo 2^16: the product of each split of 16 bits but Q8.8, whose own is
+// faster, rounded to nearest, ties upward.
+//
+// In       a = r25:r24, b = r23:r22
+// Out      r25:r24
+// Changes  r0, r19..r21, r26, r27; r1 is 0 again at return
+// Cycles   29 to 46, the same on every path, call and ret included: F = 4, 12 46; F = 5, 11 43, 42;
+//          F = 15 37
+//
+// The result is in three of the product's four bytes, from byte floor((F - 1) / 8) on, shifted to
+// whole bytes by at most four bits either way; the bit that leaves last rounds.
+
+#ifdef __AVR__
+
+#define a0 r20
+#define a1 r21
+#define b0 r22
+#define b1 r23
+#define zero r19
+#define p0 r24
+#define p1 r25
+#define p2 r26
+#define p3 r27
+
+    .macro product
+    movw a0, r24
+    clr zero
+    muls a1, b1
+    movw p2, r0
+    mul a0, b0
+    movw p0, r0
+    mulsu a1, b0
+    sbc p3, zero
+    add p1, r0
+    adc p2, r1
+    adc p3, zero
+    mulsu b1, a0
+    sbc p3, zero
+    add p1, r0
+    adc p2, r1
+    adc p3, zero
+    clr r1
+    .endm
+
+    // high:middle:low / 2^(8 - left), rounded, of which the lower two bytes count.
+    .macro round_bytes left, low, middle, high
+    .if \left < 5
+    .rept \left
+    lsl \low
+    rol \middle
+    rol \high
+    .endr
+    lsl \low
+    move \middle, \high
+    .else
+    .rept 8 - \left
+    lsr \high
+    ror \middle
+    ror \low
+    .endr
+    move \low, \middle
+    .endif
+    .if \left < 8
+    adc r24, r1
+    adc r25, r1
+    .endif
+    .endm
+    .macro move low, high
+    .ifnc \low, r24
+    mov r24, \low
+    mov r25, \high
+    .endif
+    .endm
+
+    .macro kernels integer, fraction
+    .section .text.fixedpoint_multiply_q\integer\()_\fraction, "ax", @progbits
+    .global fixedpoint_multiply_q\integer\()_\fraction
+    .type fixedpoint_multiply_q\integer\()_\fraction, @function
+fixedpoint_multiply_q\integer\()_\fraction:
+    product
+    .if (\fraction - 1) / 8 == 0
+    round_bytes (8 - \fraction), p0, p1, p2
+    .else
+    round_bytes (16 - \fraction), p1, p2, p3
+    .endif
+    ret
+    .size fixedpoint_multiply_q\integer\()_\fraction, .-fixedpoint_multiply_q\integer\()_\fraction
+    .endm
+
+#include "splits_16.inc"
+
+#endif

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+// int32_t fixedpoint_multiply_q<32 - F>_<F>(int32_t a, int32_t b)
+// int32_t fixedpoint_multiply_add_q<32 - F>_<F>(int32_t a, int32_t b, int32_t c)
+// floor(a b / 2^F + 1/2) modulo 2^32, and c more: the product of each split of 32 bits but Q16.16,
+// whose own is faster, rounded to nearest, ties upward.
+//
+// In       a = r25:r22, b = r21:r18, c = r17:r14
+// Out      r25:r22
+// Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
+// Stack    2 bytes
+// Cycles   the same on every path, call and ret included; multiply_add 4 more than multiply:
+//              F = 0      76    F = 8      81    F = 24    108    F = 32    116
+//              F < 8  85-101    F < 16 101-116    F < 24 112-128    F < 32 119-136
+//
+// Column by column: byte k of the product is the sum of all a_i b_j with i + j = k, and each
+// column's carries go no further than two bytes up. The result is in five bytes of the product,
+// from byte floor((F - 1) / 8) on, shifted to whole bytes by at most four bits either way; the bit
+// that leaves last rounds. Bytes below the five only carry, bytes above are not formed.
+//
+// `mulsu` sets the carry to the sign of its product, which is subtracted from the byte above it.
+// Bytes 5 and 6 each receive two such signs and start from 2, which is taken off at the end: no
+// sum is negative before, and none needs extension. a1 b1 <= 0xfe01 takes up the at most 0x1fd that
+// the columns below carry into it.
+
+#ifdef __AVR__
+
+#define a0 r22
+#define a1 r23
+#define a2 r16
+#define a3 r17
+#define b0 r18
+#define b1 r19
+#define b2 r20
+#define b3 r21
+#define zero r27
+// Bytes of the sum; the first ones have been dropped where the last ones begin.
+#define s0 r26
+#define s1 r25
+#define s2 r30
+#define s3 r31
+#define s4 r24
+#define s5 r26
+#define s6 r25
+#define s7 r30
+
+#include "round_32.inc"
+
+    .macro product p, q, low, high, carry
+    mul \p, \q
+    add \low, r0
+    adc \high, r1
+    adc \carry, zero
+    .endm
+    .macro signed_product p, q, low, high, carry
+    mulsu \p, \q
+    sbc \carry, zero
+    add \low, r0
+    adc \high, r1
+    adc \carry, zero
+    .endm
+    .macro top_product multiplication, p, q, low, high
+    \multiplication \p, \q
+    add \low, r0
+    adc \high, r1
+    .endm
+    .macro last_product p, q, low
+    mul \p, \q
+    add \low, r0
+    .endm
+
+    // The five bytes from `first` = 0..3 on.
+    .macro five_bytes first
+    movw a2, r24
+    clr zero
+    mul a0, b0
+    .if \first == 0
+    mov s0, r0
+    .endif
+    mov s1, r1
+    mul a1, b1
+    movw s2, r0
+    product a0, b1, s1, s2, s3
+    product a1, b0, s1, s2, s3
+    clr s4
+    product a0, b2, s2, s3, s4
+    product a2, b0, s2, s3, s4
+    .if \first == 0
+    top_product mul, a1, b2, s3, s4
+    top_product mul, a2, b1, s3, s4
+    top_product mulsu, b3, a0, s3, s4
+    top_product mulsu, a3, b0, s3, s4
+    last_product a2, b2, s4
+    last_product b3, a1, s4
+    last_product a3, b1, s4
+    .else
+    ldi s5, 2
+    product a1, b2, s3, s4, s5
+    product a2, b1, s3, s4, s5
+    signed_product b3, a0, s3, s4, s5
+    signed_product a3, b0, s3, s4, s5
+    .if \first == 1
+    top_product mul, a2, b2, s4, s5
+    top_product mulsu, b3, a1, s4, s5
+    top_product mulsu, a3, b1, s4, s5
+    last_product a2, b3, s5
+    last_product a3, b2, s5
+    subi s5, 2
+    .else
+    ldi s6, 2
+    product a2, b2, s4, s5, s6
+    signed_product b3, a1, s4, s5, s6
+    signed_product a3, b1, s4, s5, s6
+    .if \first == 2
+    top_product mulsu, b3, a2, s5, s6
+    top_product mulsu, a3, b2, s5, s6
+    last_product a3, b3, s6
+    subi s5, 2
+    sbci s6, 2
+    .else
+    ldi s7, 2
+    signed_product b3, a2, s5, s6, s7
+    signed_product a3, b2, s5, s6, s7
+    muls a3, b3
+    add s6, r0
+    adc s7, r1
+    subi s5, 2
+    sbci s6, 2
+    sbci s7, 2
+    .endif
+    .endif
+    .endif
+    .endm
+
+    .macro multiply fraction
+    push r16
+    push r17
+    five_bytes ((\fraction - 1) / 8)
+    clr r1
+    round \fraction
+    pop r17
+    pop r16
+    .endm
+
+    .macro kernels integer, fraction
+    .section .text.fixedpoint_multiply_q\integer\()_\fraction, "ax", @progbits
+    .global fixedpoint_multiply_q\integer\()_\fraction
+    .type fixedpoint_multiply_q\integer\()_\fraction, @function
+fixedpoint_multiply_q\integer\()_\fraction:
+    multiply \fraction
+    ret
+    .size fixedpoint_multiply_q\integer\()_\fraction, .-fixedpoint_multiply_q\integer\()_\fraction
+
+    .section .text.fixedpoint_multiply_add_q\integer\()_\fraction, "ax", @progbits
+    .global fixedpoint_multiply_add_q\integer\()_\fraction
+    .type fixedpoint_multiply_add_q\integer\()_\fraction, @function
+fixedpoint_multiply_add_q\integer\()_\fraction:
+    multiply \fraction
+    add r22, r14
+    adc r23, r15
+    adc r24, r16
+    adc r25, r17
+    ret
+    .size fixedpoint_multiply_add_q\integer\()_\fraction, \
+          .-fixedpoint_multiply_add_q\integer\()_\fraction
+    .endm
+
+#include "splits_32.inc"
+
+#endif

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+// int32_t fixedpoint_sqrt_q<32 - F>_<F>(int32_t a)
+// The integer nearest to sqrt(a 2^F), which is never half-way between two, at most 2^31 - 1; 0
+// where a < 0: the square root of each split of 32 bits but Q16.16, whose own is faster.
+//
+// In       a = r25:r22
+// Out      r25:r22
+// Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
+// Stack    6 bytes
+// Cycles   call and ret included: a < 0 13; a 2^F < 2^47 237 at most, beyond 288 at most; operands
+//          of 0.01 .. 20 in Q8.24 161..271, 217 in the mean
+//
+// a 2^F is a sum of squares to length_root.S, below 3 * 2^46, or to length_long.S.
+
+#ifdef __AVR__
+
+    // r26:r25..r22 = r25..r22 2^left
+    .macro shift_left left
+    .if \left == 0
+    clr r26
+    .else
+    ldi r27, 1 << \left
+    mul r25, r27
+    mov r26, r1
+    mov r25, r0
+    mul r24, r27
+    or r25, r1
+    mov r24, r0
+    mul r23, r27
+    or r24, r1
+    mov r23, r0
+    mul r22, r27
+    or r23, r1
+    mov r22, r0
+    clr r1
+    .endif
+    .endm
+
+    .macro long_root
+    push r28
+    push r29
+    push r17
+    push r16
+    push r15
+    push r14
+    clr r29
+    .endm
+
+    // The root of r26:r25..r22 2^(8 bytes)
+    .macro root bytes
+    .if \bytes == 0
+    movw r18, r22
+    movw r20, r24
+    mov r22, r26
+    clr r23
+    jmp fixedpoint_length_root
+    .elseif \bytes == 1
+    clr r18
+    mov r19, r22
+    mov r20, r23
+    mov r21, r24
+    mov r22, r25
+    mov r23, r26
+    jmp fixedpoint_length_root
+    .elseif \bytes == 2
+    movw r20, r22
+    clr r18
+    clr r19
+    movw r22, r24
+    tst r26
+    brne 1f
+    cpi r23, 0xc0
+    brsh 1f
+    jmp fixedpoint_length_root
+1:  long_root
+    clr r17
+    mov r16, r26
+    jmp fixedpoint_root_long
+    .elseif \bytes == 3
+    clr r18
+    clr r19
+    clr r20
+    mov r21, r22
+    mov r22, r23
+    mov r23, r24
+    mov r0, r25
+    or r0, r26
+    brne 1f
+    cpi r23, 0xc0
+    brsh 1f
+    jmp fixedpoint_length_root
+1:  long_root
+    mov r16, r25
+    mov r17, r26
+    jmp fixedpoint_root_long
+    .else
+    clr r18
+    clr r19
+    movw r20, r18
+    sbiw r24, 0
+    brne 1f
+    cpi r23, 0xc0
+    brsh 1f
+    jmp fixedpoint_length_root
+1:  long_root
+    movw r16, r24
+    jmp fixedpoint_root_long
+    .endif
+    .endm
+
+    .macro kernels integer, fraction
+    .section .text.fixedpoint_sqrt_q\integer\()_\fraction, "ax", @progbits
+    .global fixedpoint_sqrt_q\integer\()_\fraction
+    .type fixedpoint_sqrt_q\integer\()_\fraction, @function
+fixedpoint_sqrt_q\integer\()_\fraction:
+    tst r25
+    brpl 2f
+    clr r22
+    clr r23
+    movw r24, r22
+    ret
+2:  shift_left (\fraction % 8)
+    root (\fraction / 8)
+    .size fixedpoint_sqrt_q\integer\()_\fraction, .-fixedpoint_sqrt_q\integer\()_\fraction
+    .endm
+
+#include "splits_32.inc"
+
+#endif
