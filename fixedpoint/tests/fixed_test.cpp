@@ -201,6 +201,10 @@ TYPED_TEST(Operators, CheckedNotifiesWhereACompoundDoesNotFit) {
         ASSERT_EQ(count([&] { (void)length3(x); }), 4 * (A * A + B * B + C * C) >= limit * limit);
         ASSERT_EQ(count([&] { ASSERT_EQ(scale_down<3>(x[0]).raw(), nearest(A, 8)); }), 0);
         ASSERT_EQ(underflows, A != 0 && nearest(A, 8) == 0);
+        constexpr int width = 8 * sizeof(a);
+        ASSERT_EQ(scale_down<1>(x[0]).raw(), nearest(A, 2));
+        ASSERT_EQ(scale_down<width - 1>(x[0]).raw(), nearest(A, cpp_int(1) << (width - 1)));
+        ASSERT_EQ(scale_down<width>(x[0]).raw(), nearest(A, cpp_int(1) << width));
     });
 }
 

@@ -9,7 +9,8 @@ namespace portable {
 
 template <int K, class Raw>
 constexpr Raw scale_down_plain(Raw a) {
-    return K == 0 ? a : K > width_of<Raw> ? Raw(0) : Raw((Raw(a >> (K - 1)) + 1) >> 1);
+    constexpr int shift = K == 0 || K >= width_of<Raw> ? 1 : K;
+    return K == 0 ? a : K >= width_of<Raw> ? Raw(0) : Raw((a >> shift) + (a >> (shift - 1) & 1));
 }
 
 #ifdef __AVR__
@@ -22,15 +23,16 @@ inline Raw scale_down_by_bytes(Raw a) {
         a >>= 1;
         __asm__("" : "+r"(a));
     }
+    if (K == 1) return (a >> 1) + (a & 1);  // a + 1 may overflow
     a += 1;
     __asm__("" : "+r"(a));
     return a >> 1;
 }
 template <int K, class Raw>
 constexpr Raw scale_down(Raw a) {
-    return K == 0 || K > width_of<Raw> || __builtin_constant_p(a)
+    return K == 0 || K >= width_of<Raw> || __builtin_constant_p(a)
                ? scale_down_plain<K>(a)
-               : scale_down_by_bytes<(K == 0 || K > width_of<Raw> ? 1 : K)>(a);
+               : scale_down_by_bytes<(K == 0 || K >= width_of<Raw> ? 1 : K)>(a);
 }
 #else
 template <int K, class Raw>
