@@ -7,6 +7,7 @@
 #include <fixedpoint/arithmetic/checked.hpp>
 #include <fixedpoint/arithmetic/published.hpp>
 #include <fixedpoint/arithmetic/saturating.hpp>
+#include <fixedpoint/arithmetic/small.hpp>
 #include <fixedpoint/math.hpp>
 #include <fixedpoint/vector.hpp>
 #include <random>
@@ -116,6 +117,16 @@ TYPED_TEST(Operators, DefaultRoundsToNearestAndWrapsOrClamps) {
                                          : cpp_int(0);
         ASSERT_EQ((x / y).raw(), quotient) << +a << " " << +b;
         ASSERT_EQ((x % y).raw(), b == 0 ? A : cpp_int(A % B)) << +a << " " << +b;
+    });
+}
+
+TYPED_TEST(Operators, SmallDividesAsTheDefault) {
+    using Number = TypeParam;
+    using SmallNumber = Fixed<Number::integer_bits, Number::fraction_bits, Small>;
+    for_each_pair<Number>([](auto a, auto b) {
+        ASSERT_EQ((SmallNumber::from_raw(a) / SmallNumber::from_raw(b)).raw(),
+                  (Number::from_raw(a) / Number::from_raw(b)).raw())
+            << +a << " " << +b;
     });
 }
 

@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: MIT
-// Small: as Nearest, with functions that take little flash instead of little time: no tables on the
-// device but a few constants. Bounds are the same, results may differ in the last place.
+// Small: as Nearest, with a division and functions that take little flash instead of little time: no
+// tables on the device but a few constants. Bounds are the same; quotients are the same too, other
+// results may differ in the last place.
 #pragma once
 
 #include <fixedpoint/arithmetic/nearest.hpp>
+#include <fixedpoint/portable/divide_small.hpp>
 
 namespace fixedpoint {
 
 struct Small : Nearest {
+    template <class Raw, int F>
+    static constexpr Raw divide(Raw a, Raw b) {
+        return portable::divide_small<Raw, F>(a, b);
+    }
     template <class Raw, int F>
     static constexpr Raw sqrt(Raw a) {
         return kernel::sqrt_small<Raw, F>(a);
