@@ -13,11 +13,16 @@
 
 #include "bench/calibration/command.hpp"
 #include "bench/command.hpp"
+#include "bench/haptic/command.hpp"
+#include "bench/features/command.hpp"
+#include "bench/growth/command.hpp"
 #include "bench/machine_code/exhaustive.hpp"
 #include "bench/operations/measure_accuracy.hpp"
 #include "bench/operations/measure_cycles.hpp"
 #include "bench/operations/verify_kernels.hpp"
 #include "bench/profile/command.hpp"
+#include "bench/scenes/command.hpp"
+#include "bench/stability/command.hpp"
 #include "bench/table_3_2/table_3_2.hpp"
 #include "reference/published.hpp"
 
@@ -71,7 +76,7 @@ int main(int argc, char** argv) {
     };
 
     std::vector<std::filesystem::path> programs;
-    for (const char* name : {"q4_4", "q8_8", "q16_16", "q32_32", "rivals"}) {
+    for (const char* name : {"q4_4", "q8_8", "q16_16", "q8_24", "q32_32", "rivals"}) {
         programs.push_back(fmt::format(FIXBENCH_DEVICE_FOLDER "/{}.elf", name));
     }
     operations::CycleOptions cycles;
@@ -81,7 +86,8 @@ int main(int argc, char** argv) {
         "Cycles, stack, flash and error of each subject on classes of operands.\n"
         "Writes operations.csv and operations.json (Google Benchmark's schema).\n\n"
         "A subject is an extern \"C\" function <operation>_<format>_<implementation> of a device\n"
-        "program, by default q4_4.elf, q8_8.elf, q16_16.elf, q32_32.elf and rivals.elf in\n"
+        "program, by default q4_4.elf, q8_8.elf, q16_16.elf, q8_24.elf, q32_32.elf and\n"
+        "rivals.elf in\n"
         "  " FIXBENCH_DEVICE_FOLDER
         "\n"
         "(avr-nm lists them), for avr-gcc's calling convention: any other tool can call it too.\n"
@@ -213,6 +219,8 @@ int main(int argc, char** argv) {
         [&] { action = [&] { return held(machine_code::merge_exhaustive(shards, output)); }; });
 
     profile::add_profile_command(app, action);
+    features::add_features_command(app, action);
+    growth::add_growth_command(app, action);
 
     std::string results = "results";
     command = app.add_subcommand("report", "Figures and pages out of the data files.");
@@ -230,6 +238,10 @@ int main(int argc, char** argv) {
     });
 
     calibration::add_calibrate_command(app, action);
+    haptic::add_haptic_command(app, action);
+    scene_bench::add_scenes_command(app, action);
+    stability::add_stability_command(app, action);
+    scene_bench::add_workload_command(app, action);
 
     CLI11_PARSE(app, argc, argv);
     try {

@@ -49,9 +49,9 @@ if [ "$mode" = exhaustive ]; then
     exit 0
 fi
 
-quick=() samples=20000 verified=1000000 repetitions=0.2
+quick=() samples=20000 verified=1000000 repetitions=0.2 most=4096
 if [ "$mode" = quick ]; then
-    quick=(--quick) samples=1000 verified=2000 repetitions=0.02
+    quick=(--quick) samples=1000 verified=2000 repetitions=0.02 most=64
 fi
 "$fixbench" cycles --samples "$samples" --output "$data"
 "$fixbench" table "${quick[@]}" --output "$data"
@@ -60,12 +60,23 @@ fi
 "$bin/operations/host_throughput" --benchmark_min_time="$repetitions" \
     --benchmark_out="$data/host_throughput.json.partial" --benchmark_out_format=json >&2
 mv "$data/host_throughput.json.partial" "$data/host_throughput.json"
+"$fixbench" features --output "$data" >&2
+"$fixbench" growth --output "$data" >&2
+"$fixbench" growth --host --most "$most" --output "$data" >&2
+"$fixbench" scenes "${quick[@]}" --output "$data"
+"$fixbench" workload --output "$data"
+"$fixbench" stability "${quick[@]}" --output "$data"
+header=firmware/src/firmware/calibration_table.hpp
+[ "$results" = results ] || header=$data/calibration_table.hpp
+"$fixbench" calibrate reference/published/table_d_1.csv --output "$data" --header "$header" >&2
+"$fixbench" haptic --output "$data"
 "$fixbench" report --results "$results"
 
 if [ -n "$check" ]; then
     # Times of the host differ from run to run, and the exhaustive runs are a mode of their own;
     # everything else is a function of the toolchain.
-    measured_elsewhere=(--exclude=host_throughput.json --exclude=exhaustive.csv)
+    measured_elsewhere=(--exclude=host_throughput.json --exclude=growth_host.csv
+                        --exclude=exhaustive.csv --exclude=calibration_table.hpp)
     if ! diff -r --brief "${measured_elsewhere[@]}" results/data "$data" >&2; then
         diff -r "${measured_elsewhere[@]}" results/data "$data" | head -40 >&2
         echo "run_all.sh: deterministic figures differ from results/data" >&2

@@ -31,6 +31,22 @@ class Data:
         "kernels": "fixbench verify",
         "exhaustive": "fixbench exhaustive",
         "host_throughput": "host_throughput",
+        "features": "fixbench features",
+        "growth": "fixbench growth",
+        "growth_host": "fixbench growth --host",
+        "stability": "fixbench stability",
+        "stability_map": "fixbench stability",
+        "envelope": "fixbench stability",
+        "mends": "fixbench stability",
+        "calibration": "fixbench calibrate",
+        "calibration_candidates": "fixbench calibrate",
+        "calibration_verdicts": "fixbench calibrate",
+        "haptic": "fixbench haptic",
+        "workload_firmware": "fixbench haptic",
+        "scenes": "fixbench scenes",
+        "workload": "fixbench workload",
+        "workload_rounds": "fixbench workload",
+        "workload_trace": "fixbench workload",
     }
 
     def __init__(self, folder):

@@ -13,17 +13,29 @@ import division_cycles
 import error_against_cycles
 import error_along_input
 import error_histograms
+import growth
 import headline
+import scenes
+import scenes_workload
+import stability
 import style
 import table_3_2
 from data import Data
 
 HERE = pathlib.Path(__file__).resolve().parent
 
+# The page that a template becomes, where the data file that it is about is there.
+PAGES = {
+    "results.md.j2": ("README.md", "operations"),
+    "engine.md.j2": ("engine.md", "scenes"),
+    "stability.md.j2": ("stability.md", "stability"),
+    "lever.md.j2": ("lever.md", "haptic"),
+}
+
 
 def figures(data):
     """Name and maker of each figure."""
-    return {
+    makers = {
         "headline": lambda: headline.draw(data),
         "table_3_2": lambda: table_3_2.draw(data),
         "division_cycles": lambda: division_cycles.draw(data),
@@ -33,6 +45,20 @@ def figures(data):
         "error_histograms": lambda: error_histograms.draw(data),
         "error_along_input": lambda: error_along_input.draw(data),
     }
+    if data.has("scenes"):
+        makers["scenes"] = lambda: scenes.draw(data)
+        makers["scenes_time_steps"] = lambda: scenes.draw_time_steps(data)
+    if data.has("growth"):
+        makers["growth"] = lambda: growth.draw(data)
+    if data.has("stability"):
+        makers["stability_verdicts"] = lambda: stability.draw_verdicts(data)
+        makers["stability_stiffness"] = lambda: stability.draw_stiffness(data)
+        makers["stability_chain"] = lambda: stability.draw_chain(data)
+        makers["stability_speed"] = lambda: stability.draw_speed(data)
+    if data.has("workload"):
+        makers["scenes_workload_trace"] = lambda: scenes_workload.draw_trace(data)
+        makers["scenes_workload_rounds"] = lambda: scenes_workload.draw_rounds(data)
+    return makers
 
 
 def version(*command):
@@ -84,11 +110,15 @@ def main():
                                    lstrip_blocks=True, keep_trailing_newline=True,
                                    undefined=jinja2.StrictUndefined)
     templates.filters["cell"] = cell
-    page = templates.get_template("results.md.j2").render(
-        data=data, hashes=data.json("operations")["context"]["sha256"], versions=tool_versions())
-    partial = results / ".README.md.partial"
-    partial.write_text(page, encoding="utf-8")
-    partial.replace(results / "README.md")
+    names = {"data": data, "hashes": data.json("operations")["context"]["sha256"],
+             "versions": tool_versions(), "scenes": scenes, "growth": growth,
+             "stability": stability}
+    for template, (page, needed) in PAGES.items():
+        if not data.has(needed):
+            continue
+        partial = results / f".{page}.partial"
+        partial.write_text(templates.get_template(template).render(names), encoding="utf-8")
+        partial.replace(results / page)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A pendulum: a point of 1 kg on a rod of 1 m, released at rest with the rod 37 degrees from the
 // vertical. Truth: the equation of the angle, which has a closed form by elliptic functions.
+// Conserved: the energy.
 #pragma once
 
 #include <scenes/methods.hpp>

@@ -5,18 +5,21 @@
 
 #include <engine/choice.hpp>
 #include <engine/decimal.hpp>
+#include <engine/error.hpp>
 #include <engine/links.hpp>
+#include <engine/observe.hpp>
 #include <engine/particle.hpp>
 
 namespace engine {
 
-// In every step: a rod bounds the velocities of its ends also where its length is right. Nothing
-// where its ends coincide, since it has no direction there.
+// In every step: a rod bounds the velocities of its ends also where its length is right. An
+// error where its ends coincide, since it has no direction there.
 template <class World, class Scalar, class Ends, class TimeStep>
 void constrain(const Rod<Scalar, Ends>& rod, World& world, TimeStep dt) {
+    observe<Scalar>(Quantity::rod);
     const auto difference = rod.ends.difference(world);
     const Scalar distance = length(difference);
-    if (distance == Scalar()) return;
+    if (distance == Scalar()) return world.report(Error::no_direction);
     World::Resolver::rod(world, rod.ends.a, rod.ends.second(), divided(difference, distance),
                          distance - rod.length, rod.length, dt);
 }
@@ -24,6 +27,7 @@ void constrain(const Rod<Scalar, Ends>& rod, World& world, TimeStep dt) {
 // Where a rope is taut or longer.
 template <class World, class Scalar, class Ends, class TimeStep>
 void constrain(const Rope<Scalar, Ends>& rope, World& world, TimeStep dt) {
+    observe<Scalar>(Quantity::rope);
     const auto difference = rope.ends.difference(world);
     const Scalar distance = length(difference);
     if (distance < rope.length) return;
@@ -34,6 +38,7 @@ void constrain(const Rope<Scalar, Ends>& rope, World& world, TimeStep dt) {
 // Where a particle reaches into a plane.
 template <class World, class Scalar, class Vector, class Index, class TimeStep>
 void constrain(const Plane<Scalar, Vector>& plane, Index a, World& world, TimeStep dt) {
+    observe<Scalar>(Quantity::plane);
     const auto& particle = world.particles()[a];
     if (!movable(particle)) return;
     Scalar height = dot(plane.normal, particle.position) - plane.offset;
@@ -51,6 +56,7 @@ template <class World, class Index, class TimeStep>
 void collide(Index a, Index b, World& world, TimeStep dt) {
     using namespace literals;
     using Scalar = typename World::Scalar;
+    observe<Scalar>(Quantity::contact);
     const auto& first = world.particles()[a];
     const auto& second = world.particles()[b];
     const Scalar reach = first.radius + second.radius;

@@ -11,14 +11,43 @@ namespace engine {
 template <int64_t digits, unsigned char places>
 struct Decimal;
 
+constexpr int64_t power_of_ten(unsigned char exponent) {
+    return exponent == 0 ? 1 : 10 * power_of_ten(exponent - 1);
+}
+
 // digits / 10^places in a scalar.
 template <class Scalar, int64_t digits, unsigned char places>
 struct DecimalIn {
-    static constexpr int64_t power_of_ten(unsigned char exponent) {
-        return exponent == 0 ? 1 : 10 * power_of_ten(exponent - 1);
-    }
     static constexpr Scalar value() { return Scalar(digits) / Scalar(power_of_ten(places)); }
 };
+// Rounded once also where the digits are more than the type holds: a quotient of at least two bits
+// more, its last bit set where a remainder is left, and the exact power of two.
+template <class Binary, int bits, int64_t digits, unsigned char places>
+struct DecimalInBinary {
+    static constexpr Binary value() {
+        constexpr Binary number = rounded();
+        return number;
+    }
+    static constexpr Binary rounded() {
+        const int64_t divisor = power_of_ten(places);
+        const int64_t magnitude = digits < 0 ? -digits : digits;
+        int64_t quotient = magnitude / divisor;
+        int64_t remainder = magnitude % divisor;
+        Binary unit = 1;
+        while (remainder != 0 && quotient >> (bits + 2) == 0) {
+            remainder *= 2;
+            quotient = 2 * quotient + (remainder >= divisor);
+            remainder %= divisor;
+            unit /= 2;
+        }
+        const Binary size = static_cast<Binary>(quotient | (remainder != 0)) * unit;
+        return digits < 0 ? -size : size;
+    }
+};
+template <int64_t digits, unsigned char places>
+struct DecimalIn<float, digits, places> : DecimalInBinary<float, 24, digits, places> {};
+template <int64_t digits, unsigned char places>
+struct DecimalIn<double, digits, places> : DecimalInBinary<double, 53, digits, places> {};
 template <int I, int F, class A, int64_t digits, unsigned char places>
 struct DecimalIn<Fixed<I, F, A>, digits, places> {
     using Number = Fixed<I, F, A>;

@@ -15,6 +15,7 @@ enum class Error : unsigned char {
     bad_stiffness,     // a negative stiffness, damping or drag
     bad_normal,        // a plane whose normal has no length
     contacts_full,     // in a step: more contacts at once than the scene's type states
+    no_direction,      // in a step: both ends of a rod are at one place
 };
 
 // The error in words, for hosts.
@@ -40,6 +41,8 @@ constexpr const char* describe(Error error) {
             return "the normal of a plane has no length";
         case Error::contacts_full:
             return "more contacts in a step than the scene states";
+        case Error::no_direction:
+            return "both ends of a rod are at one place, where it has no direction";
     }
     return "unknown error";
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <engine/links.hpp>
+#include <engine/observe.hpp>
 
 namespace engine {
 
@@ -10,6 +11,7 @@ namespace engine {
 // coincide, since it has no direction there.
 template <class World, class Scalar, class Ends>
 void apply(const Spring<Scalar, Ends>& spring, World& world) {
+    observe<Scalar>(Quantity::spring_force);
     const auto a = spring.ends.a;
     const auto b = spring.ends.second();
     const auto difference = spring.ends.difference(world);
@@ -23,11 +25,12 @@ void apply(const Spring<Scalar, Ends>& spring, World& world) {
     }
     const auto force = direction * tension;
     world.particles()[a].force -= force;
-    if (b != nothing<decltype(spring.ends.a)>) world.particles()[b].force += force;
+    if (is_particle(world, b)) world.particles()[b].force += force;
 }
 
 template <class World, class Scalar, class Index>
 void apply(const Drag<Scalar, Index>& drag, World& world) {
+    observe<Scalar>(Quantity::drag_force);
     auto& particle = world.particles()[drag.particle];
     Scalar factor = drag.linear;
     if (!(drag.quadratic == Scalar())) {

@@ -14,7 +14,7 @@ constexpr Index nothing = static_cast<Index>(-1);
 // The ends are the particles a and b.
 template <class Vector, class Index>
 struct Between {
-    Index a, b;
+    Index a = 0, b = 0;
 
     constexpr Index second() const { return b; }
     template <class World>
@@ -26,7 +26,7 @@ struct Between {
 // The ends are the particle a and the fixed point `anchor`.
 template <class Vector, class Index>
 struct Anchored {
-    Index a;
+    Index a = 0;
     Vector anchor;  // m
 
     constexpr Index second() const { return nothing<Index>; }
@@ -39,48 +39,55 @@ struct Anchored {
 // A massless spring with damping along its length.
 template <class Scalar, class Ends>
 struct Spring {
-    Ends ends;
-    Scalar stiffness;    // N/m
-    Scalar damping;      // N s/m
-    Scalar rest_length;  // m
+    Ends ends = {};
+    Scalar stiffness = Scalar();    // N/m
+    Scalar damping = Scalar();      // N s/m
+    Scalar rest_length = Scalar();  // m
 };
 
 // Holds its ends at a distance.
 template <class Scalar, class Ends>
 struct Rod {
-    Ends ends;
-    Scalar length;  // m
+    Ends ends = {};
+    Scalar length = Scalar();  // m
 };
 
 // Keeps its ends from parting further than its length.
 template <class Scalar, class Ends>
 struct Rope {
-    Ends ends;
-    Scalar length;       // m
-    Scalar restitution;  // of the jerk when it becomes taut
+    Ends ends = {};
+    Scalar length = Scalar();       // m
+    Scalar restitution = Scalar();  // of the jerk when it becomes taut
 };
 
 // Slows a particle: force = -velocity (linear + quadratic |velocity|).
 template <class Scalar, class Index>
 struct Drag {
-    Index particle;
-    Scalar linear;     // N s/m
-    Scalar quadratic;  // N s^2/m^2
+    Index particle = 0;
+    Scalar linear = Scalar();     // N s/m
+    Scalar quadratic = Scalar();  // N s^2/m^2
 };
 
 // The half space of the points x with normal . x >= offset is free, the rest is solid.
 template <class Scalar, class Vector>
 struct Plane {
-    Vector normal;       // of length 1
-    Scalar offset;       // m
-    Scalar restitution;  // 0..1
+    Vector normal;                  // of length 1
+    Scalar offset = Scalar();       // m
+    Scalar restitution = Scalar();  // 0..1
 };
+
+// Whether the second of two is a particle. In a world in which nothing links or lets touch two
+// particles, that is known when it is compiled.
+template <class World, class Index>
+constexpr bool is_particle(const World&, Index second) {
+    return World::has_pairs && second != nothing<Index>;
+}
 
 // The velocity of a against b, which may be nothing.
 template <class World, class Index>
-typename World::Vector relative_velocity(const World& world, Index a, Index b) {
+ENGINE_INLINE typename World::Vector relative_velocity(const World& world, Index a, Index b) {
     typename World::Vector velocity = world.particles()[a].velocity;
-    if (b != nothing<Index>) velocity -= world.particles()[b].velocity;
+    if (is_particle(world, b)) velocity -= world.particles()[b].velocity;
     return velocity;
 }
 

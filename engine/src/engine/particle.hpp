@@ -3,6 +3,7 @@
 #pragma once
 
 #include <engine/decimal.hpp>
+#include <engine/time_step.hpp>
 #include <engine/vector.hpp>
 
 namespace engine {
@@ -35,6 +36,40 @@ struct Displacement<Vector, true> {
     Vector displacement;  // m, by the resolution of this step's contacts
 };
 
+// How a rate moves what it is the rate of, over a step; with residues, exactly.
+template <class Vector, bool exact>
+struct Residues {
+    template <class TimeStep>
+    static ENGINE_INLINE void move(Vector& position, Vector velocity, TimeStep dt) {
+        position += velocity *= dt;
+    }
+    template <class TimeStep>
+    static ENGINE_INLINE void accelerate(Vector& velocity, Vector acceleration, TimeStep dt) {
+        velocity += acceleration *= dt;
+    }
+};
+template <class Vector>
+struct Residues<Vector, true> {
+    Vector position_residue, velocity_residue;  // less than one ulp of each, times 2^K
+
+    template <class TimeStep>
+    void move(Vector& position, const Vector& velocity, TimeStep dt) {
+        carry(position, velocity, dt, position_residue);
+    }
+    template <class TimeStep>
+    void accelerate(Vector& velocity, const Vector& acceleration, TimeStep dt) {
+        carry(velocity, acceleration, dt, velocity_residue);
+    }
+
+  private:
+    template <class TimeStep>
+    static void carry(Vector& sum, const Vector& rate, TimeStep dt, Vector& residue) {
+        for (unsigned char i = 0; i < sizeof sum / sizeof sum[0]; ++i) {
+            sum[i] += carried_product(rate[i], dt, residue[i]);
+        }
+    }
+};
+
 // What a particle is made from: all that there is to say about one. What the scene does not use is
 // left out of account.
 template <class Scalar, int N>
@@ -50,7 +85,8 @@ template <class Scalar, class Uses, bool forces, bool displacement>
 struct Particle : Force<Vector<Scalar, Uses::dimensions>, forces>,
                   Radius<Scalar, Uses::radii>,
                   Damping<Scalar, Uses::damping>,
-                  Displacement<Vector<Scalar, Uses::dimensions>, displacement> {
+                  Displacement<Vector<Scalar, Uses::dimensions>, displacement>,
+                  Residues<Vector<Scalar, Uses::dimensions>, Uses::exact_steps> {
     Vector<Scalar, Uses::dimensions> position;  // m
     Vector<Scalar, Uses::dimensions> velocity;  // m/s
     Scalar inverse_mass = Scalar();             // 1/kg; 0 is immovable

@@ -6,6 +6,7 @@
 
 #include <math.h>
 
+#include <fixedpoint/arithmetic/saturating.hpp>
 #include <fixedpoint/conversion.hpp>
 #include <fixedpoint/math.hpp>
 #include <fixedpoint/vector.hpp>
@@ -33,6 +34,28 @@ Scalar length(const Scalar* v) {
 template <class Scalar>
 constexpr Scalar product_plus(Scalar a, Scalar b, Scalar c) {
     return a * b + c;
+}
+
+// a + b and a b, clamped to the scalar's range: for what is better too small than of the wrong sign.
+template <class Scalar>
+constexpr Scalar clamped_sum(Scalar a, Scalar b) {
+    return a + b;
+}
+template <int I, int F, class A>
+constexpr Fixed<I, F, A> clamped_sum(Fixed<I, F, A> a, Fixed<I, F, A> b) {
+    using Raw = typename Fixed<I, F, A>::Raw;
+    return Fixed<I, F, A>::from_raw(
+        fixedpoint::Saturating::template add<Raw, F>(a.raw(), b.raw()));
+}
+template <class Scalar>
+constexpr Scalar clamped_product(Scalar a, Scalar b) {
+    return a * b;
+}
+template <int I, int F, class A>
+constexpr Fixed<I, F, A> clamped_product(Fixed<I, F, A> a, Fixed<I, F, A> b) {
+    using Raw = typename Fixed<I, F, A>::Raw;
+    return Fixed<I, F, A>::from_raw(
+        fixedpoint::Saturating::template multiply<Raw, F>(a.raw(), b.raw()));
 }
 
 // |a|.

@@ -16,12 +16,24 @@ ENGINE_INLINE void for_components(Function function) {
     if (N == 3) function(N - 1);
 }
 
+// The indices of a vector's components, as a list for the compiler.
+template <unsigned char... i>
+struct Components {};
+template <int N>
+struct ComponentsOf {
+    using List = Components<0, 1>;
+};
+template <>
+struct ComponentsOf<3> {
+    using List = Components<0, 1, 2>;
+};
+
 template <class Scalar, int N>
 struct Vector {
     static_assert(N == 2 || N == 3, "A vector has two or three components.");
     Scalar component[N];
 
-    constexpr Vector() : component{} {}
+    constexpr Vector() : Vector(typename ComponentsOf<N>::List()) {}
     template <class X, class Y>
     constexpr Vector(X x, Y y) : component{scalar(x), scalar(y)} {
         static_assert(N == 2, "A vector of three components is made of three.");
@@ -30,7 +42,8 @@ struct Vector {
     constexpr Vector(X x, Y y, Z z) : component{scalar(x), scalar(y), scalar(z)} {
         static_assert(N == 3, "A vector of two components is made of two.");
     }
-    ENGINE_INLINE Vector(const Vector& v) { *this = v; }
+    // Without zeros first, and without the loop over bytes that the device's compiler would make.
+    ENGINE_INLINE Vector(const Vector& v) : Vector(v, typename ComponentsOf<N>::List()) {}
     ENGINE_INLINE Vector& operator=(const Vector& v) {
         for_components<N>([&](unsigned char i)
                               ENGINE_INLINE_LAMBDA { component[i] = v.component[i]; });
@@ -90,6 +103,10 @@ struct Vector {
     friend constexpr bool operator!=(const Vector& a, const Vector& b) { return !(a == b); }
 
   private:
+    template <unsigned char... i>
+    explicit constexpr Vector(Components<i...>) : component{(static_cast<void>(i), Scalar())...} {}
+    template <unsigned char... i>
+    ENGINE_INLINE Vector(const Vector& v, Components<i...>) : component{v[i]...} {}
     // By implicit conversion only, which a Decimal has and a raw integer has not.
     static constexpr Scalar scalar(Scalar x) { return x; }
 };
@@ -120,9 +137,9 @@ Vector<Scalar, N> normalise(const Vector<Scalar, N>& v) {
 // v / divisor; the zero vector where the divisor is zero.
 template <class Scalar, int N>
 Vector<Scalar, N> divided(const Vector<Scalar, N>& v, Scalar divisor) {
-    Vector<Scalar, N> quotient;
-    if (divisor == Scalar()) return quotient;
-    for_components<N>([&](unsigned char i) ENGINE_INLINE_LAMBDA { quotient[i] = v[i] / divisor; });
+    if (divisor == Scalar()) return {};
+    Vector<Scalar, N> quotient(v);
+    for_components<N>([&](unsigned char i) ENGINE_INLINE_LAMBDA { quotient[i] /= divisor; });
     return quotient;
 }
 

@@ -18,6 +18,7 @@
 #include <engine/constraints.hpp>
 #include <engine/error.hpp>
 #include <engine/forces.hpp>
+#include <engine/observe.hpp>
 #include <engine/particle.hpp>
 #include <engine/pool.hpp>
 #include <engine/time_step.hpp>
@@ -27,10 +28,13 @@ namespace engine {
 
 // Members that a scene does not use take no room.
 template <class Vector, bool used>
-struct Gravity {};
+struct Gravity {
+    constexpr Vector fall() const { return Vector(); }
+};
 template <class Vector>
 struct Gravity<Vector, true> {
     Vector gravity;  // m/s^2, of every movable particle
+    constexpr const Vector& fall() const { return gravity; }
 };
 
 template <class Scalar, bool used>
@@ -60,6 +64,8 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
     static constexpr unsigned char dimensions = Uses::dimensions;
     static constexpr unsigned capacity = Uses::particles;
     static constexpr bool bounces = may_bounce<Uses>();
+    static constexpr bool has_pairs =
+        Uses::springs + Uses::rods + Uses::ropes > 0 || Uses::collisions;
     static constexpr bool has_springs = Uses::springs + Uses::anchored_springs > 0;
     static constexpr bool has_forces =
         (has_springs && !Integrator::implicit_springs) || Uses::drags > 0 || Uses::custom_force;
@@ -138,6 +144,8 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
     auto& anchored_rods() { return anchored_rods_; }
     auto& ropes() { return ropes_; }
     auto& anchored_ropes() { return anchored_ropes_; }
+    auto& drags() { return drags_; }
+    auto& planes() { return planes_; }
     auto& custom_force() { return custom_force_; }
 
     // Moves the world on by dt: a BinaryStep, or a Scalar in seconds.
@@ -151,13 +159,14 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
     // The force of each particle anew.
     void accumulate_forces() {
         only_if<has_forces>(*this, [](auto& world) {
-            for (auto& particle : world.particles_) particle.force = Vector();
+            world.particles_.for_each([](auto& particle) { particle.force = Vector(); });
             const auto apply_it = [&](const auto& each) { apply(each, world); };
             only_if<!Integrator::implicit_springs>(world, [&](auto& w) {
                 w.springs_.for_each(apply_it);
                 w.anchored_springs_.for_each(apply_it);
             });
             world.drags_.for_each(apply_it);
+            observe<Scalar>(Quantity::custom_force);
             world.custom_force_.apply(world);
         });
     }
@@ -165,33 +174,32 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
     // Velocities by forces and gravity.
     template <class TimeStep>
     void kick(TimeStep dt) {
-        Vector fall;
-        only_if<Uses::gravity>(*this, [&](auto& world) { fall = world.gravity; });
-        if (!has_forces) fall *= dt;
-        for (auto& particle : particles_) {
-            if (!movable(particle)) continue;
-            Vector change = fall;
-            only_if<has_forces>(particle, [&](auto& p) {
-                change.add_scaled(p.force, p.inverse_mass);
-                change *= dt;
+        observe<Scalar>(Quantity::velocity);
+        only_if<Uses::gravity || has_forces>(particles_, [&](auto& particles) {
+            particles.for_each([&](auto& particle) {
+                if (!movable(particle)) return;
+                Vector acceleration = this->fall();
+                only_if<has_forces>(
+                    particle, [&](auto& p) { acceleration.add_scaled(p.force, p.inverse_mass); });
+                particle.accelerate(particle.velocity, acceleration, dt);
             });
-            if (Uses::gravity || has_forces) particle.velocity += change;
-        }
+        });
     }
 
     // Positions by velocities.
     template <class TimeStep>
     void drift(TimeStep dt) {
-        for (auto& particle : particles_) {
-            if (!movable(particle)) continue;
-            Vector way = particle.velocity;
-            particle.position += way *= dt;
-        }
+        observe<Scalar>(Quantity::position);
+        particles_.for_each([&](auto& particle) {
+            if (!movable(particle)) return;
+            particle.move(particle.position, particle.velocity, dt);
+        });
     }
 
     void damp() {
-        only_if<Uses::damping>(*this, [](auto& world) {
-            for (auto& particle : world.particles_) particle.velocity *= particle.damping;
+        observe<Scalar>(Quantity::damping);
+        only_if<Uses::damping>(particles_, [](auto& particles) {
+            particles.for_each([](auto& particle) { particle.velocity *= particle.damping; });
         });
     }
 
@@ -209,17 +217,18 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
         });
         only_if<Uses::collisions>(*this, [&](auto& world) { PairSearch::collide_all(world, dt); });
     }
-    void append(const Row& row) {
-        only_if<(most_rows > 0)>(rows_, [&](auto& rows) {
-            if (rows.full()) {
-                this->fail(Error::contacts_full);
-            } else {
-                rows.append(row);
-            }
-        });
+    // Another row, in which fill(row) writes; an error where the scene has not stated that many.
+    template <class Function>
+    ENGINE_INLINE void append_row(Function fill) {
+        if (rows_.full()) {
+            fail(Error::contacts_full);
+        } else {
+            fill(rows_.append());
+        }
     }
     const auto& rows() const { return rows_; }
     void resolve() {
+        observe<Scalar>(Quantity::resolution);
         only_if<(most_rows > 0)>(*this, [](auto& world) { Resolver::resolve(world); });
     }
 
@@ -228,12 +237,14 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
         Vector gravity;
         only_if<Uses::gravity>(*this, [&](auto& world) {
             const bool falls = movable(world.particles_[a]);
-            const bool other_falls = b != nothing<Index> && movable(world.particles_[b]);
-            if (falls && !other_falls) gravity = world.gravity;
-            if (other_falls && !falls) gravity = -world.gravity;
+            const bool other_falls = is_particle(*this, b) && movable(world.particles_[b]);
+            if (falls && !other_falls) gravity = world.fall();
+            if (other_falls && !falls) gravity = -world.fall();
         });
         return gravity;
     }
+
+    void report(Error error) { fail(error); }
 
     auto& pair_memory() { return pair_memory_; }
     auto& integrator() { return integrator_; }

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <engine/decimal.hpp>
+#include <engine/observe.hpp>
 #include <engine/parting.hpp>
 #include <engine/time_step.hpp>
 
@@ -33,12 +34,16 @@ struct ImplicitSprings {
   private:
     // With i the sum of the inverse masses, x the extension, u the velocity along the spring, k the
     // stiffness and c the damping, the velocity along it at the end of the step solves
-    //   u' = u - h i (k (x + h u') + c u'),  so  u' = (u - s x) / (1 + s h + h i c)  with s = h i
-    //   k.
+    //   u' = u - h i (k (x + h u') + c u'),  so  u' = u / d - (s / d) x
+    // with s = i h k and d = 1 + h i (h k + c). s / d is at most 1 / h, so that only s itself and
+    // i (h k + c) can leave a format, of very stiff springs on very light masses: these are clamped,
+    // which makes such a spring softer and no less stable, as both are clamped alike. h k comes
+    // before i, since h i vanishes for heavy masses.
     template <class Spring, class World, class TimeStep>
     static void pull(const Spring& spring, World& world, TimeStep dt) {
         using namespace literals;
         using Scalar = typename World::Scalar;
+        observe<Scalar>(Quantity::spring_force);
         const auto a = spring.ends.a;
         const auto b = spring.ends.second();
         const auto difference = spring.ends.difference(world);
@@ -46,18 +51,24 @@ struct ImplicitSprings {
         if (distance == Scalar()) return;
         const auto direction = divided(difference, distance);
         const Scalar velocity = dot(relative_velocity(world, a, b), direction);
-        const Scalar mobility = inverse_mass_sum(world, a, b) * dt;
-        const Scalar s = mobility * spring.stiffness;
+        const Scalar mobility = inverse_mass_sum(world, a, b);
+        const Scalar push = spring.stiffness * dt;
+        const Scalar s = clamped_product(mobility, push);
+        const Scalar slowing =
+            spring.damping == Scalar()
+                ? s
+                : clamped_product(mobility, clamped_sum(push, spring.damping));
         const Scalar one = 1_d;
-        const Scalar divisor = product_plus(mobility, spring.damping, one + s * dt);
-        const Scalar pulled = (velocity - s * (distance - spring.rest_length)) / divisor;
-        part(world, a, b, direction, pulled - velocity, share_of(world, a, b), VelocityOf());
+        const Scalar d = clamped_sum(one, slowing * dt);
+        const Scalar pulled = product_plus(s / d, spring.rest_length - distance, velocity / d);
+        part(world, a, b, direction, pulled - velocity, share_of(world, a, b),
+             &World::Particle::velocity);
     }
 
     template <class World, class Index>
     static typename World::Scalar inverse_mass_sum(const World& world, Index a, Index b) {
         auto sum = world.particles()[a].inverse_mass;
-        if (b != nothing<Index>) sum += world.particles()[b].inverse_mass;
+        if (is_particle(world, b)) sum = clamped_sum(sum, world.particles()[b].inverse_mass);
         return sum;
     }
 };

@@ -12,7 +12,7 @@ namespace engine {
 struct SortAndSweep {
     template <class World>
     struct Memory {
-        typename World::Index order[World::capacity];
+        typename World::Index order[World::capacity] = {};
         typename World::Index count = 0;  // of particles in the order
     };
 

@@ -17,44 +17,83 @@
 
 namespace engine {
 
+// Of a row, in scenes where some rows only push: contacts and ropes.
+template <class Scalar, bool used>
+struct Pushing {
+    constexpr void set_pushing(bool, Scalar) {}
+    template <class World>
+    static constexpr bool acts(const World&, Scalar, Scalar&) {
+        return true;
+    }
+};
+template <class Scalar>
+struct Pushing<Scalar, true> {
+    bool pushes_only = false;
+    Scalar restitution = Scalar();  // of closing velocities
+
+    constexpr void set_pushing(bool pushes, Scalar of_closing_velocities) {
+        pushes_only = pushes;
+        restitution = of_closing_velocities;
+    }
+    // Whether it acts on a velocity, and the velocity that it is to become.
+    template <class World>
+    constexpr bool acts(const World& world, Scalar velocity, Scalar& goal) const {
+        if (!pushes_only) return true;
+        if (!(velocity < Scalar()) && !(velocity < goal)) return false;
+        if (-velocity > world.rest_velocity) {
+            goal = product_plus(restitution, -velocity, goal);
+        } else if (goal < Scalar()) {
+            goal = Scalar();
+        }
+        return true;
+    }
+};
+
+// Of a row, in scenes where two particles can share a correction.
+template <class Scalar, bool used>
+struct Sharing {
+    constexpr void set_share(Scalar) {}
+    constexpr Scalar share() const { return Scalar(); }
+};
+template <class Scalar>
+struct Sharing<Scalar, true> {
+    constexpr void set_share(Scalar share) { share_ = share; }
+    constexpr Scalar share() const { return share_; }
+
+  private:
+    Scalar share_ = Scalar();  // a's part of each correction, b's being the rest
+};
+
 template <unsigned char most>
 struct Sweeps {
     static constexpr bool needs_displacement = false;
     static constexpr unsigned rows_per_rod = 1;
 
     template <class World>
-    struct Row {
-        using Scalar = typename World::Scalar;
-        typename World::Index a, b;  // b may be nothing
-        bool two_sided;
-        typename World::Vector normal;  // from b to a
-        Scalar target;                  // velocity of a against b along the normal
-        Scalar restitution;             // of closing velocities, where not two-sided
-        Scalar share;                   // a's part of each correction, b's being the rest
+    struct Row : Pushing<typename World::Scalar, World::bounces>,
+                 Sharing<typename World::Scalar, World::has_pairs> {
+        typename World::Index a = 0, b = 0;  // b may be nothing
+        typename World::Vector normal;       // from b to a
+        typename World::Scalar target = {};  // velocity of a against b along the normal
     };
 
     template <class World, class Index, class Vector, class Scalar, class TimeStep>
     static void rod(World& world, Index a, Index b, const Vector& direction, Scalar excess,
                     Scalar length, TimeStep dt) {
-        const Scalar share = share_of(world, a, b);
-        displace(world, a, b, direction, -excess, share);
-        world.append(
-            {a, b, true, direction, -chord_velocity(world, a, b, length, dt), Scalar(), share});
+        bind(world, a, b, false, direction, -excess, -chord_velocity(world, a, b, length, dt),
+             Scalar());
     }
 
     template <class World, class Index, class Vector, class Scalar, class TimeStep>
     static void rope(World& world, Index a, Index b, const Vector& direction, Scalar excess,
                      Scalar length, Scalar restitution, TimeStep dt) {
-        const Scalar share = share_of(world, a, b);
-        displace(world, a, b, direction, -excess, share);
-        world.append(
-            {a, b, false, -direction, chord_velocity(world, a, b, length, dt), restitution, share});
+        bind(world, a, b, true, -direction, excess, chord_velocity(world, a, b, length, dt),
+             restitution);
     }
 
     template <class World, class Index, class Vector, class Scalar, class TimeStep>
     static void contact(World& world, Index a, Index b, const Vector& normal, Scalar penetration,
                         Scalar restitution, TimeStep dt) {
-        const Scalar share = share_of(world, a, b);
         const Scalar closing = -dot(relative_velocity(world, a, b), normal);
         Scalar target = Scalar();
         Scalar correction = penetration;
@@ -64,56 +103,50 @@ struct Sweeps {
                      (penetration / closing + seconds<Scalar>(half(dt)));
             target = product_plus(restitution, target, target);
         }
-        displace(world, a, b, normal, correction, share);
-        world.append({a, b, false, normal, target, restitution, share});
+        bind(world, a, b, true, normal, correction, target, restitution);
     }
 
     template <class World>
     static void resolve(World& world) {
         for (unsigned char sweep = 0; sweep < most; ++sweep) {
             bool changed = false;
-            for (const auto& row : world.rows()) {
-                if (solve(world, row)) changed = true;
-            }
+            world.rows().for_each([&](const auto& row) {
+                if (Sweeps::solve(world, row)) changed = true;
+            });
             if (!changed || world.rows().size() == 1) break;
         }
     }
 
   private:
+    // Parts a from b by `correction` at once and appends the row that sees to their velocities.
+    template <class World, class Index, class Vector, class Scalar>
+    static void bind(World& world, Index a, Index b, bool pushes_only, const Vector& normal,
+                     Scalar correction, Scalar target, Scalar restitution) {
+        const Scalar share = share_of(world, a, b);
+        if (!(correction == Scalar())) {
+            part(world, a, b, normal, correction, share, &World::Particle::position);
+        }
+        world.append_row([&](Row<World>& row) ENGINE_INLINE_LAMBDA {
+            row.a = a;
+            row.b = b;
+            row.normal = normal;
+            row.target = target;
+            row.set_share(share);
+            row.set_pushing(pushes_only, restitution);
+        });
+    }
+
     // Gives the two of a row the velocity that it asks for; whether that changed anything.
     template <class World, class Row>
     static bool solve(World& world, const Row& row) {
         using Scalar = typename World::Scalar;
         const Scalar velocity = dot(relative_velocity(world, row.a, row.b), row.normal);
         Scalar goal = row.target;
-        bool pushes = true;
-        only_if<World::bounces>(world, [&](auto& w) {
-            if (!row.two_sided) pushes = bounce(w.rest_velocity, velocity, row.restitution, goal);
-        });
-        if (!pushes) return false;
+        if (!row.acts(world, velocity, goal)) return false;
         const Scalar change = goal - velocity;
         if (change == Scalar()) return false;
-        part(world, row.a, row.b, row.normal, change, row.share, VelocityOf());
+        part(world, row.a, row.b, row.normal, change, row.share(), &World::Particle::velocity);
         return true;
-    }
-
-    // Of a row that only pushes: whether it does, and to what velocity.
-    template <class Scalar>
-    static bool bounce(Scalar rest_velocity, Scalar velocity, Scalar restitution, Scalar& goal) {
-        if (!(velocity < Scalar()) && !(velocity < goal)) return false;
-        if (-velocity > rest_velocity) {
-            goal = product_plus(restitution, -velocity, goal);
-        } else if (goal < Scalar()) {
-            goal = Scalar();
-        }
-        return true;
-    }
-
-    template <class World, class Index, class Vector, class Scalar>
-    static void displace(World& world, Index a, Index b, const Vector& direction, Scalar distance,
-                         Scalar share) {
-        if (distance == Scalar()) return;
-        part(world, a, b, direction, distance, share, PositionOf());
     }
 
     // h w^2 / 2L, by way of the way that w makes in half a step: that stays in range where w^2

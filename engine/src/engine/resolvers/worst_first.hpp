@@ -20,30 +20,30 @@ struct WorstFirst {
     template <class World>
     struct Row {
         using Scalar = typename World::Scalar;
-        typename World::Index a, b;     // b may be nothing
-        typename World::Vector normal;  // from b to a
-        Scalar penetration;             // when it was found
-        Scalar restitution;
+        typename World::Index a = 0, b = 0;  // b may be nothing
+        typename World::Vector normal;       // from b to a
+        Scalar penetration = Scalar();       // when it was found
+        Scalar restitution = Scalar();
     };
 
     template <class World, class Index, class Vector, class Scalar, class TimeStep>
     static void rod(World& world, Index a, Index b, const Vector& direction, Scalar excess, Scalar,
                     TimeStep) {
         if (excess == Scalar()) return;
-        world.append({a, b, direction, -excess, Scalar()});
-        world.append({a, b, -direction, excess, Scalar()});
+        append(world, a, b, direction, -excess, Scalar());
+        append(world, a, b, -direction, excess, Scalar());
     }
 
     template <class World, class Index, class Vector, class Scalar, class TimeStep>
     static void rope(World& world, Index a, Index b, const Vector& direction, Scalar excess, Scalar,
                      Scalar restitution, TimeStep) {
-        world.append({a, b, -direction, excess, restitution});
+        append(world, a, b, -direction, excess, restitution);
     }
 
     template <class World, class Index, class Vector, class Scalar, class TimeStep>
     static void contact(World& world, Index a, Index b, const Vector& normal, Scalar penetration,
                         Scalar restitution, TimeStep) {
-        world.append({a, b, normal, penetration, restitution});
+        append(world, a, b, normal, penetration, restitution);
     }
 
     template <class World>
@@ -75,17 +75,29 @@ struct WorstFirst {
     }
 
   private:
+    template <class World, class Index, class Vector, class Scalar>
+    static void append(World& world, Index a, Index b, const Vector& normal, Scalar penetration,
+                       Scalar restitution) {
+        world.append_row([&](Row<World>& row) ENGINE_INLINE_LAMBDA {
+            row.a = a;
+            row.b = b;
+            row.normal = normal;
+            row.penetration = penetration;
+            row.restitution = restitution;
+        });
+    }
+
     template <class World, class Index>
     static typename World::Vector displacement(const World& world, Index a, Index b) {
         auto moved = world.particles()[a].displacement;
-        if (b != nothing<Index>) moved -= world.particles()[b].displacement;
+        if (is_particle(world, b)) moved -= world.particles()[b].displacement;
         return moved;
     }
 
     template <class World, class Scalar>
     static void push(World& world, const Row<World>& row, Scalar velocity, Scalar penetration) {
         auto& a = world.particles()[row.a];
-        auto* b = row.b == nothing<decltype(row.b)> ? nullptr : &world.particles()[row.b];
+        auto* b = is_particle(world, row.b) ? &world.particles()[row.b] : nullptr;
         const Scalar total = b == nullptr ? a.inverse_mass : a.inverse_mass + b->inverse_mass;
         if (!(total > Scalar())) return;
         if (velocity < Scalar()) {

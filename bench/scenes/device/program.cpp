@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A scene as a program for the chip: -DSCENE=Pendulum -DSCALAR=scalars::q16_16 or float
+// -DMETHOD=SemiImplicit. The linker keeps what it is told to (--undefined), so that each time step
+// is a program of its own and weighs what its scene takes.
+#include <engine/hash.hpp>
+#include <scenes/all.hpp>
+
+#include "scalars.hpp"
+
+using Scene = scenes::SCENE;
+using Scalar = SCALAR;
+using World = engine::World<Scalar, Scene::Uses<scenes::METHOD>>;
+
+World world;
+
+extern "C" {
+
+void build() { scenes::build<Scene>(world); }
+
+// By 2^-K seconds.
+#define STEP(K) \
+    void step_##K() { world.step(engine::BinaryStep<K>()); }
+STEP(5)
+STEP(6)
+STEP(7)
+STEP(8)
+STEP(9)
+STEP(10)
+STEP(11)
+STEP(12)
+
+// For the measuring side, and not counted: where a particle's position lies, its velocity behind
+// it; the world's error; the hash of its state.
+const Scalar* position_of(uint8_t i) {
+    static_assert(sizeof world.particles()[i].position == World::dimensions * sizeof(Scalar), "");
+    return &world.particles()[i].position[0];
+}
+engine::Error world_error() { return world.error(); }
+uint32_t state_hash() { return engine::state_hash(world); }
+}
+
+int main() {
+    for (;;) {
+    }
+}

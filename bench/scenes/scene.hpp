@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a run of a scene is, wherever it ran, and the scenes with their runs on the host.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "reference/trajectories/trajectory.hpp"
+
+namespace scene_bench {
+
+using reference::ParticleState;
+using reference::State;
+using reference::Trajectory;
+
+// Runs are looked at so often, at 0 s first.
+constexpr int observations_per_second = 4;
+
+struct Run {
+    Trajectory trajectory;              // ends early where the run failed
+    std::string failure;                // empty where nothing went wrong
+    std::vector<std::uint32_t> hashes;  // of the state after each step, where asked for
+    double largest_number = 0;          // of any result, where the scalar tells (double)
+};
+
+// Whether every number is one.
+bool finite(const State& state);
+
+enum class Hashes { no, of_each_step };
+
+struct HostSubject {
+    std::string scalar;  // as in scalars.hpp, or double, fifty_digits
+    std::string method;  // as in scenes/methods.hpp
+    // For the scene's duration in steps of 2^-exponent s.
+    Run (*run)(int exponent, Hashes hashes);
+};
+
+struct Scene {
+    std::string name;
+    unsigned duration;  // s
+    unsigned dimensions;
+    unsigned particles;
+    bool springs;
+    std::vector<HostSubject> subjects;
+    // The largest |length - distance| / length of a rod.
+    double (*rod_error)(const State& state);
+
+    const HostSubject* find(std::string_view scalar, std::string_view method) const;
+};
+
+// Those of engine/scenes/, in that order.
+const std::vector<Scene>& all_scenes();
+
+}  // namespace scene_bench

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The published workload, measured: the lever's step and its parts.
+#pragma once
+
+#include <filesystem>
+
+namespace scene_bench {
+
+struct WorkloadOptions {
+    std::filesystem::path programs;  // folder of the device programs
+    std::filesystem::path output;
+    unsigned threads = 1;
+};
+
+// Writes workload.csv, workload_rounds.csv and workload_trace.csv.
+void measure_workload(const WorkloadOptions& options);
+
+}  // namespace scene_bench

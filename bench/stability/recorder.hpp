@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The recording scalar: arithmetics that return what Nearest and Published return and tell the
+// thread's recorder what overflowed, what was divided by zero and which results vanished, in the
+// computation of which quantity and in which step.
+#pragma once
+
+#include <cmath>
+#include <engine/observe.hpp>
+#include <fixedpoint/arithmetic/checked.hpp>
+#include <fixedpoint/arithmetic/published.hpp>
+#include <limits>
+#include <optional>
+#include <string>
+
+namespace stability {
+
+struct Occurrence {
+    fixedpoint::Event event;
+    fixedpoint::Operation operation;
+    const char* quantity;
+    unsigned step;
+};
+// "overflow multiply spring_force"
+std::string to_text(const Occurrence& occurrence);
+
+// Of the magnitudes of a quantity: the largest, and the smallest that is not zero.
+struct Magnitudes {
+    double smallest = std::numeric_limits<double>::infinity();
+    double largest = 0;
+
+    void include(double x) {
+        x = std::abs(x);
+        if (x > largest) largest = x;
+        if (x > 0 && x < smallest) smallest = x;
+    }
+};
+
+class Recorder {
+  public:
+    unsigned step = 0;
+    Magnitudes position, velocity, force;  // of all particles, after each step: m, m/s, N
+
+    void enter(const char* quantity) { quantity_ = quantity; }
+    void notify(fixedpoint::Event event, fixedpoint::Operation operation) {
+        if (event == fixedpoint::Event::underflow) {
+            if (!first_underflow_) first_underflow_ = {event, operation, quantity_, step};
+            if (step != last_underflow_step_) ++steps_with_underflow_;
+            last_underflow_step_ = step;
+        } else if (event == fixedpoint::Event::overflow &&
+                   (operation == fixedpoint::Operation::divide ||
+                    operation == fixedpoint::Operation::length)) {
+            ++clamped_;
+        } else if (!first_failure_) {
+            first_failure_ = {event, operation, quantity_, step};
+        }
+    }
+
+    // Of what wrapped, of divisions by zero and domain errors; quotients and lengths beyond the
+    // range are clamped, as documented, and counted alone.
+    const std::optional<Occurrence>& first_failure() const { return first_failure_; }
+    const std::optional<Occurrence>& first_underflow() const { return first_underflow_; }
+    unsigned steps_with_underflow() const { return steps_with_underflow_; }
+    unsigned clamped() const { return clamped_; }
+
+  private:
+    const char* quantity_ = "description";
+    std::optional<Occurrence> first_failure_, first_underflow_;
+    unsigned steps_with_underflow_ = 0, last_underflow_step_ = 0, clamped_ = 0;
+};
+
+// The recorder of this thread's run, or none.
+Recorder*& active_recorder();
+// Records into a recorder while it lives.
+class Recorded {
+  public:
+    explicit Recorded(Recorder& recorder) { active_recorder() = &recorder; }
+    ~Recorded() { active_recorder() = nullptr; }
+    Recorded(const Recorded&) = delete;
+    Recorded& operator=(const Recorded&) = delete;
+};
+
+const char* name_of(engine::Quantity quantity);
+
+struct Hook {
+    static void notify(fixedpoint::Event event, fixedpoint::Operation operation) {
+        if (Recorder* recorder = active_recorder()) recorder->notify(event, operation);
+    }
+};
+
+struct Recording : fixedpoint::Checked<Hook> {
+    static void enter(engine::Quantity quantity) {
+        if (Recorder* recorder = active_recorder()) recorder->enter(name_of(quantity));
+    }
+};
+
+// The published results; an exact result beyond the range differs from what is returned by more
+// than the truncation does.
+struct RecordingPublished : fixedpoint::Published {
+    static void enter(engine::Quantity quantity) { Recording::enter(quantity); }
+
+    template <class Raw, int F>
+    static Raw add(Raw a, Raw b) {
+        return Recording::add<Raw, F>(a, b);
+    }
+    template <class Raw, int F>
+    static Raw subtract(Raw a, Raw b) {
+        return Recording::subtract<Raw, F>(a, b);
+    }
+    template <class Raw, int F>
+    static Raw negate(Raw a) {
+        return Recording::negate<Raw, F>(a);
+    }
+    template <class Raw, int F>
+    static Raw multiply(Raw a, Raw b) {
+        Recording::multiply<Raw, F>(a, b);
+        return Published::multiply<Raw, F>(a, b);
+    }
+    template <class Raw, int F>
+    static Raw divide(Raw a, Raw b) {
+        Recording::divide<Raw, F>(a, b);
+        return Published::divide<Raw, F>(a, b);
+    }
+    template <class Raw, int F>
+    static Raw sqrt(Raw a) {
+        Recording::sqrt<Raw, F>(a);
+        return Published::sqrt<Raw, F>(a);
+    }
+};
+
+}  // namespace stability

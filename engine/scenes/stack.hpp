@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// A stack: four balls above each other over a floor, each with a gap below it, fall onto each other
+// without a bounce and lie. Truth: each ball falls freely until the gaps below it are closed and
+// lies from then on, in closed form. In the end the centres lie at radius (2 k + 1).
+#pragma once
+
+#include <scenes/methods.hpp>
+
+namespace scenes {
+
+struct Stack {
+    static constexpr const char* name = "stack";
+    static constexpr unsigned duration = 2;  // s
+    static constexpr unsigned balls = 4;
+
+    template <class Method>
+    struct Uses : UsesWith<Method> {
+        static constexpr unsigned particles = balls, planes = 1, contacts = balls;
+        static constexpr bool gravity = true, radii = true, collisions = true;
+    };
+
+    template <class Scalar>
+    struct Parameters {
+        Scalar gravity = engine::Decimal<981, 2>();      // m/s^2
+        Scalar radius = engine::Decimal<25, 2>();        // m
+        Scalar gap = engine::Decimal<125, 3>();          // m, below each at the start
+        Scalar rest_velocity = engine::Decimal<5, 1>();  // m/s
+    };
+
+    template <class World>
+    static void build(World& world, const Parameters<typename World::Scalar>& with) {
+        using namespace engine::literals;
+        world.gravity = {0_d, -with.gravity};
+        world.restitution = 0_d;
+        world.rest_velocity = with.rest_velocity;
+        world.add_plane({0_d, 1_d}, 0_d, 0_d);
+        typename World::Body ball;
+        ball.inverse_mass = 1_d;
+        ball.radius = with.radius;
+        ball.position[1] = with.gap + with.radius;
+        for (unsigned char i = 0; i < balls; ++i) {
+            world.add_particle(ball);
+            ball.position[1] += with.gap + with.radius + with.radius;
+        }
+    }
+};
+
+}  // namespace scenes

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// The numbers of the haptic lever, and where each scene keeps its arm.
+#pragma once
+
+#include <firmware/hardware/readings.hpp>
+#include <fixedpoint/arithmetic/small.hpp>
+#include <scenes/lever.hpp>
+#include <scenes/published_lever.hpp>
+
+namespace firmware {
+
+// Q16_16 but for its arc tangent, which takes 600 cycles more and 3 KB of flash less.
+struct LeverArithmetic : fixedpoint::Nearest {
+    template <class Raw, int F>
+    static constexpr Raw atan2(Raw y, Raw x) {
+        return fixedpoint::Small::atan2<Raw, F>(y, x);
+    }
+};
+using LeverScalar = fixedpoint::Fixed<16, 16, LeverArithmetic>;
+
+// The arm points to the left of its pivot and goes from 30 degrees below the horizontal to 30
+// degrees above it: 60 degrees of the servo. Its shortest pulse stands for the lower stop.
+template <class ScalarType>
+struct LeverGeometry {
+    using Scalar = ScalarType;
+    template <int64_t digits, unsigned char places>
+    using Decimal = engine::Decimal<digits, places>;
+
+    static constexpr Scalar one() { return Decimal<1, 0>(); }
+
+    static constexpr Scalar lower_stop_from_below() { return Decimal<10471976, 7>(); }  // rad
+    static constexpr Scalar travel() { return Decimal<10471976, 7>(); }                 // rad
+    static constexpr Scalar cosine_of_stop() { return Decimal<8660254, 7>(); }
+    static constexpr Scalar sine_of_stop() { return Decimal<5, 1>(); }
+
+    // Of the velocity, off a stop.
+    static constexpr Scalar bounce() { return -Decimal<5, 1>(); }
+
+    // A hobby servo: 1 ms for 90 degrees.
+    static constexpr uint16_t pulse_at_lower_stop = 1000 * ticks_per_microsecond;
+    static constexpr Scalar ticks_per_radian() { return Decimal<12732395, 4>(); }
+
+    static constexpr Scalar sensor_radius() { return Decimal<4, 2>(); }  // m
+    static constexpr Scalar newtons_per_gram() { return Decimal<980665, 8>(); }
+
+    // Of the arm, m: from one end of the dial to the other. The sum is of two readings.
+    static constexpr Scalar shortest() { return Decimal<23, 2>(); }
+    static Scalar length_at(uint16_t sum) {
+        return shortest() + calibration::scaled<Scalar, 11>(sum) * longer();
+    }
+
+    // Of the screen: 0.5 m on each side, 2.5 cm a cell.
+    struct View {
+        using Scalar = ScalarType;
+        static constexpr uint16_t cells_per_unit = 40;
+        static constexpr Scalar left() { return -Decimal<11, 2>(); }
+        static constexpr Scalar bottom() { return -Decimal<1, 1>(); }
+        static constexpr Scalar slice() { return Decimal<0, 0>(); }
+    };
+
+  private:
+    // 0.25 m at 2046 of 2048.
+    static constexpr Scalar longer() { return Decimal<2502444, 7>(); }
+};
+
+// The rod, its moving end and its fixed one.
+template <class Scene>
+struct ArmOf;
+template <>
+struct ArmOf<scenes::Lever> {
+    template <class World>
+    static auto& rod(World& world) {
+        return world.anchored_rods()[0];
+    }
+    template <class World>
+    static auto& end(World& world) {
+        return world.particles()[0];
+    }
+    template <class World>
+    static auto& pivot(World& world) {
+        return rod(world).ends.anchor;
+    }
+};
+template <>
+struct ArmOf<scenes::PublishedLever> {
+    template <class World>
+    static auto& rod(World& world) {
+        return world.rods()[0];
+    }
+    template <class World>
+    static auto& end(World& world) {
+        return world.particles()[1];
+    }
+    template <class World>
+    static auto& pivot(World& world) {
+        return world.particles()[0].position;
+    }
+};
+
+}  // namespace firmware

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// The lever as a program on a Board: steps when they are due, frames in between, sleep in the rest.
+//
+//     Program::start();
+//     for (;;) Program::pass();
+//
+// Whatever comes in on the serial port asks for a full frame.
+#pragma once
+
+#include <firmware/frame_clock.hpp>
+#include <firmware/lever.hpp>
+#include <firmware/profiling.hpp>
+#include <firmware/renderer.hpp>
+
+namespace firmware {
+
+template <class Board, class Choices, class Screen = firmware::Screen>
+class LeverProgram {
+  public:
+    using Lever = firmware::Lever<Choices>;
+
+    static void start() {
+        Board::start();
+        steps = Steps(Board::ticks());
+        frames = Frames<>(Board::ticks());
+    }
+
+    static void pass() {
+        uint32_t now = Board::ticks();
+        while (const auto length = steps.due(now)) {
+            step(length);
+            now = Board::ticks();
+            steps.done(now);
+        }
+        render(now);
+        Board::idle();
+    }
+
+    using Steps = typename Choices::Steps;
+    static Lever lever;
+    static Steps steps;
+    static Frames<> frames;
+    static Renderer<Board, Screen> renderer;
+
+  private:
+    template <class Length>
+    static void step(Length length) {
+        const Profiled<Board, Category::step> profiled;
+        Board::command_servo(lever.step(Board::readings(), Choices::time_step(length)));
+    }
+    static void render(uint32_t now) {
+        const bool idle = renderer.idle();
+        if (idle && !frames.due(now)) return;
+        const Profiled<Board, Category::render> profiled;
+        if (idle) {
+            if (Board::read() >= 0) renderer.refresh();
+            lever.draw(renderer.begin());
+            renderer.finish();
+        }
+        renderer.transmit();
+    }
+};
+
+template <class B, class C, class S>
+typename LeverProgram<B, C, S>::Lever LeverProgram<B, C, S>::lever;
+template <class B, class C, class S>
+typename LeverProgram<B, C, S>::Steps LeverProgram<B, C, S>::steps(0);
+template <class B, class C, class S>
+Frames<> LeverProgram<B, C, S>::frames(0);
+template <class B, class C, class S>
+Renderer<B, S> LeverProgram<B, C, S>::renderer;
+
+}  // namespace firmware

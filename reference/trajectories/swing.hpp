@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A point on a rod about a pivot, released at rest under a constant acceleration: the pendulum in
+// closed form by Jacobi's elliptic functions, for every amplitude below half a turn.
+#pragma once
+
+#include "reference/trajectories/trajectory.hpp"
+
+namespace reference {
+
+struct Swing {
+    std::array<double, 2> pivot;         // m
+    std::array<double, 2> start;         // m
+    std::array<double, 2> acceleration;  // m/s^2, not zero
+};
+
+// At that time, s.
+ParticleState at(const Swing& swing, double time);
+
+// s, of a full swing to and fro.
+double period(const Swing& swing);
+
+}  // namespace reference
