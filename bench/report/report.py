@@ -14,6 +14,7 @@ import error_against_cycles
 import error_along_input
 import error_histograms
 import growth
+import haptic_timing
 import headline
 import scenes
 import scenes_workload
@@ -55,6 +56,8 @@ def figures(data):
         makers["stability_stiffness"] = lambda: stability.draw_stiffness(data)
         makers["stability_chain"] = lambda: stability.draw_chain(data)
         makers["stability_speed"] = lambda: stability.draw_speed(data)
+    if data.has("haptic_pins"):
+        makers["haptic_timing"] = lambda: haptic_timing.draw(data)
     if data.has("workload"):
         makers["scenes_workload_trace"] = lambda: scenes_workload.draw_trace(data)
         makers["scenes_workload_rounds"] = lambda: scenes_workload.draw_rounds(data)
