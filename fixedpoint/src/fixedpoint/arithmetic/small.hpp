@@ -10,8 +10,9 @@
 namespace fixedpoint {
 
 struct Small : Nearest {
+    // Once in a program, however many quotients it takes.
     template <class Raw, int F>
-    static constexpr Raw divide(Raw a, Raw b) {
+    __attribute__((noinline)) static constexpr Raw divide(Raw a, Raw b) {
         return portable::divide_small<Raw, F>(a, b);
     }
     template <class Raw, int F>
