@@ -33,8 +33,12 @@ def draw(data):
             axes.plot(counts, [row["cost_per_step"] for row in mine], marker, color=colour,
                       label=label)
             axes.plot(counts, [row["fitted"] for row in mine], "-", color=colour, linewidth=1)
-        axes.set(title=title, xlabel="particles in a box", ylim=None if logarithmic else (0, None))
+        axes.set(title=title, xlabel="particles in a box")
         if logarithmic:
-            axes.set(xscale="log", yscale="log")
+            # The fit of a few particles may be negative: the measured costs set the axis.
+            costs = [row["cost_per_step"] for row in rows]
+            axes.set(xscale="log", yscale="log", ylim=(min(costs) / 2, max(costs) * 2))
+        else:
+            axes.set_ylim(bottom=0)
         axes.legend()
     return figure
