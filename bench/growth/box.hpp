@@ -8,8 +8,9 @@ namespace growth {
 
 template <unsigned N, class Search>
 struct Uses : scenes::BoxOf<N>::template Uses<scenes::SemiImplicit> {
-    // So few touch at once that the particles, and not their contacts, fill the chip's memory.
-    static constexpr unsigned contacts = N / 4 + 6;
+    // On the chip few enough that the particles, and not their contacts, fill its memory; crowds
+    // that only the host holds get room for all that may touch in a long run.
+    static constexpr unsigned contacts = N < 64 ? N / 4 + 6 : 2 * N;
     using PairSearch = Search;
 };
 
