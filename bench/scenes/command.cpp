@@ -56,7 +56,8 @@ void add_scenes_command(CLI::App& app, fixbench::Action& action) {
     };
     add_names("--scene", options->scenes, "only these scenes, e.g. pendulum,lever");
     add_names("--scalar", options->scalars,
-              "only these of q8_8, q8_24, q16_16, q16_16_published, q32_32, float, double, "
+              "only these of q8_8, q8_24, q16_16, q16_16_published, q16_16_saturating, q32_32, "
+              "float, double, "
               "fifty_digits");
     add_names("--method", options->methods,
               "only these of explicit_euler, semi_implicit_euler, velocity_verlet, "

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -57,16 +58,21 @@ bool contains(const std::vector<int>& exponents, int exponent) {
     return std::find(exponents.begin(), exponents.end(), exponent) != exponents.end();
 }
 
+// Of fixed-point scalars, at the end of their names: q16_16_published.
+constexpr std::array<std::string_view, 2> named_arithmetics = {"published", "saturating"};
+
 std::string arithmetic_of(std::string_view scalar) {
     if (scalar == "float") return "avr-libc";
     if (scalar == recording) return "host";
     if (scalar == wide) return "50 digits";
-    return scalar.ends_with("_published") ? "published" : "nearest";
+    for (const std::string_view arithmetic : named_arithmetics)
+        if (scalar.ends_with(arithmetic)) return std::string(arithmetic);
+    return "nearest";
 }
 
 std::string format_of(std::string_view scalar) {
-    const std::string_view published = "_published";
-    if (scalar.ends_with(published)) scalar.remove_suffix(published.size());
+    for (const std::string_view arithmetic : named_arithmetics)
+        if (scalar.ends_with(arithmetic)) scalar.remove_suffix(1 + arithmetic.size());
     return std::string(scalar);
 }
 

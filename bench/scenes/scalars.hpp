@@ -4,6 +4,7 @@
 #pragma once
 
 #include <fixedpoint/arithmetic/published.hpp>
+#include <fixedpoint/arithmetic/saturating.hpp>
 #include <fixedpoint/fixed.hpp>
 
 namespace scalars {
@@ -12,6 +13,7 @@ using q8_8 = fixedpoint::Q8_8;
 using q8_24 = fixedpoint::Fixed<8, 24>;
 using q16_16 = fixedpoint::Q16_16;
 using q32_32 = fixedpoint::Q32_32;
+using q16_16_saturating = fixedpoint::Fixed<16, 16, fixedpoint::Saturating>;
 using q16_16_published = fixedpoint::Fixed<16, 16, fixedpoint::Published>;
 
 }  // namespace scalars

@@ -146,6 +146,24 @@ TYPED_TEST(Operators, SaturatingClamps) {
     });
 }
 
+// Each product and each sum by itself, in exact arithmetic.
+TYPED_TEST(Operators, SaturatingClampsProductsAndSumsOfSeveral) {
+    using Number = Fixed<TypeParam::integer_bits, TypeParam::fraction_bits, Saturating>;
+    const auto product = [](const cpp_int& a, const cpp_int& b) -> cpp_int {
+        return clamped<Number>(nearest(a * b, cpp_int(1) << Number::fraction_bits));
+    };
+    for_each_pair<Number>([&](auto a, auto b) {
+        const Number x = Number::from_raw(a), y = Number::from_raw(b);
+        const cpp_int A = a, B = b, square = product(A, A), crossed = product(A, B);
+        ASSERT_EQ(multiply_add(x, y, x).raw(), clamped<Number>(crossed + A)) << +a << " " << +b;
+        const cpp_int both = clamped<Number>(square + crossed);
+        const Number left[3] = {x, x, y}, right[3] = {x, y, y};
+        ASSERT_EQ(dot2(left, right).raw(), both) << +a << " " << +b;
+        ASSERT_EQ(dot3(left, right).raw(), clamped<Number>(both + product(B, B)))
+            << +a << " " << +b;
+    });
+}
+
 int overflows = 0, zero_divisors = 0, domain_errors = 0, underflows = 0;
 struct Counter {
     static void notify(Event event, fixedpoint::Operation) {

@@ -126,6 +126,9 @@ Scene describe() {
     scene.subjects.push_back(
         {"q16_16_published", scenes::Published::name,
          run_on_host<SceneType, scalars::q16_16_published, scenes::Published>});
+    scene.subjects.push_back(
+        {"q16_16_saturating", scenes::SemiImplicit::name,
+         run_on_host<SceneType, scalars::q16_16_saturating, scenes::SemiImplicit>});
     add_runs<SceneType, scenes::SemiImplicit>(scene.subjects);
     add_runs<SceneType, scenes::Verlet>(scene.subjects);
     if constexpr (has_springs<SceneType>()) add_runs<SceneType, scenes::Implicit>(scene.subjects);

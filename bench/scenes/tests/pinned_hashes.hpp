@@ -12,7 +12,7 @@
 
 namespace scene_bench {
 
-constexpr std::array pinned_scalars = {"q8_8", "q8_24", "q16_16", "q32_32"};
+constexpr std::array pinned_scalars = {"q8_8", "q8_24", "q16_16", "q16_16_saturating", "q32_32"};
 constexpr const char* pinned_method = "semi_implicit_euler";
 constexpr int pinned_exponent = 8;
 

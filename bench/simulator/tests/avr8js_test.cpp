@@ -57,9 +57,17 @@ void compare(const Elf& elf, const std::vector<Call>& calls) {
     }
 }
 
+class Avr8jsTest : public testing::Test {
+  protected:
+    void SetUp() override {
+        if (!std::filesystem::exists(std::filesystem::path(AVR8JS_DIRECTORY) / "node_modules"))
+            GTEST_SKIP() << "avr8js is not installed: see the test Avr8jsTest.install";
+    }
+};
+
 // But for `cbi`, which takes two cycles by the data sheet's instruction set summary, and one in
 // avr8js.
-TEST(Avr8jsTest, AgreesOnHandCountedSequences) {
+TEST_F(Avr8jsTest, AgreesOnHandCountedSequences) {
     std::vector<Call> calls;
     for (const char* name : {"count_nothing", "count_single", "count_double", "count_memory",
                              "count_branches", "count_skips", "count_calls", "count_loop"})
@@ -67,7 +75,7 @@ TEST(Avr8jsTest, AgreesOnHandCountedSequences) {
     compare(test_program("counted"), calls);
 }
 
-TEST(Avr8jsTest, AgreesOnArithmetic) {
+TEST_F(Avr8jsTest, AgreesOnArithmetic) {
     const std::pair<const char*, Signature> functions[] = {
         {"negate_int8", {1, {1}}},
         {"subtract_int16", {2, {2, 2}}},

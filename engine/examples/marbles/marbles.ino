@@ -5,7 +5,7 @@
 
 using namespace engine;
 using namespace engine::literals;
-using fixedpoint::Q16_16;
+using Number = Clamped<16, 16>;
 
 struct Tray : Uses {
     static constexpr unsigned particles = 4, anchored_springs = 1, planes = 4;
@@ -13,7 +13,7 @@ struct Tray : Uses {
     static constexpr bool radii = true, collisions = true, damping = true;
 };
 
-using TrayWorld = World<Q16_16, Tray>;
+using TrayWorld = World<Number, Tray>;
 TrayWorld world;
 
 void setup() {
@@ -45,7 +45,7 @@ void loop() {
     }
     for (const auto& marble : world.particles()) {
         for (unsigned char axis = 0; axis < 2; ++axis) {
-            char text[fixedpoint::text_capacity<Q16_16>()];
+            char text[fixedpoint::text_capacity<Number>()];
             Serial.write(text, fixedpoint::print(marble.position[axis], 3, text, sizeof text));
             Serial.print(' ');
         }

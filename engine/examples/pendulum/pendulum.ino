@@ -4,14 +4,14 @@
 
 using namespace engine;
 using namespace engine::literals;
-using fixedpoint::Q16_16;
+using Number = Clamped<16, 16>;
 
 struct Pendulum : Uses {
     static constexpr unsigned particles = 1, anchored_rods = 1;
     static constexpr bool gravity = true;
 };
 
-using PendulumWorld = World<Q16_16, Pendulum>;
+using PendulumWorld = World<Number, Pendulum>;
 PendulumWorld world;
 PendulumWorld::Handle bob;
 
@@ -26,8 +26,8 @@ void setup() {
 }
 
 // Metres, to the millimetre.
-void write(Q16_16 metres) {
-    char text[fixedpoint::text_capacity<Q16_16>()];
+void write(Number metres) {
+    char text[fixedpoint::text_capacity<Number>()];
     Serial.write(text, fixedpoint::print(metres, 3, text, sizeof text));
 }
 

@@ -15,6 +15,12 @@ namespace engine {
 
 using fixedpoint::Fixed;
 
+// The scalar of choice where nobody has bounded a scene's numbers: nothing wraps, what does not fit
+// stays at the end of the range, where it
+// is seen. A plain Fixed wraps, and is faster: for scenes of which it is known that they fit.
+template <int I, int F>
+using Clamped = Fixed<I, F, fixedpoint::Saturating>;
+
 // The sum of a_i b_i over N components.
 template <int N, class Scalar>
 constexpr Scalar dot(const Scalar* a, const Scalar* b) {
@@ -36,7 +42,8 @@ constexpr Scalar product_plus(Scalar a, Scalar b, Scalar c) {
     return a * b + c;
 }
 
-// a + b and a b, clamped to the scalar's range: for what is better too small than of the wrong sign.
+// a + b and a b, clamped to the scalar's range: for what is better too small than of the wrong
+// sign.
 template <class Scalar>
 constexpr Scalar clamped_sum(Scalar a, Scalar b) {
     return a + b;
@@ -44,8 +51,7 @@ constexpr Scalar clamped_sum(Scalar a, Scalar b) {
 template <int I, int F, class A>
 constexpr Fixed<I, F, A> clamped_sum(Fixed<I, F, A> a, Fixed<I, F, A> b) {
     using Raw = typename Fixed<I, F, A>::Raw;
-    return Fixed<I, F, A>::from_raw(
-        fixedpoint::Saturating::template add<Raw, F>(a.raw(), b.raw()));
+    return Fixed<I, F, A>::from_raw(fixedpoint::Saturating::template add<Raw, F>(a.raw(), b.raw()));
 }
 template <class Scalar>
 constexpr Scalar clamped_product(Scalar a, Scalar b) {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Saturating: as Nearest, but every result that does not fit is clamped to the smallest or the
-// largest number, in the ring operations too.
+// largest number, in the ring operations too. What is computed of several (multiply_add, dot) is
+// clamped product by product and sum by sum.
 #pragma once
 
 #include <fixedpoint/arithmetic/nearest.hpp>
+#include <fixedpoint/kernel/add_saturating.hpp>
 #include <fixedpoint/kernel/multiply_saturating.hpp>
 
 namespace fixedpoint {
@@ -12,15 +14,12 @@ struct Saturating : Nearest {
     // a + b, clamped.
     template <class Raw, int F>
     static constexpr Raw add(Raw a, Raw b) {
-        // An overflow has happened where both operands differ in sign from the wrapped sum.
-        const Raw sum = wrapping_add(a, b);
-        return ((a ^ sum) & (b ^ sum)) < 0 ? limit_by_sign(a) : sum;
+        return kernel::add_saturating(a, b);
     }
     // a - b, clamped.
     template <class Raw, int F>
     static constexpr Raw subtract(Raw a, Raw b) {
-        const Raw difference = wrapping_subtract(a, b);
-        return ((a ^ b) & (a ^ difference)) < 0 ? limit_by_sign(a) : difference;
+        return kernel::subtract_saturating(a, b);
     }
     // -a; the negative of the smallest number is the largest.
     template <class Raw, int F>
@@ -32,24 +31,33 @@ struct Saturating : Nearest {
     static constexpr Raw multiply(Raw a, Raw b) {
         return kernel::multiply_saturating<Raw, F>(a, b);
     }
+    // a b, rounded, clamped, + c, clamped.
+    template <class Raw, int F>
+    static constexpr Raw multiply_add(Raw a, Raw b, Raw c) {
+        return add<Raw, F>(multiply<Raw, F>(a, b), c);
+    }
+    // The sum of a_i b_i over two or three components, from the first on; each product is rounded
+    // and clamped, and each sum is clamped: within 1 and 1.5 ulp where nothing is clamped.
+    template <class Raw, int F>
+    static constexpr Raw dot2(const Raw* a, const Raw* b) {
+        return multiply_add<Raw, F>(a[1], b[1], multiply<Raw, F>(a[0], b[0]));
+    }
+    template <class Raw, int F>
+    static constexpr Raw dot3(const Raw* a, const Raw* b) {
+        return multiply_add<Raw, F>(a[2], b[2], dot2<Raw, F>(a, b));
+    }
     // a 2^count, clamped.
     template <class Raw, int F>
     static constexpr Raw shift_left(Raw a, unsigned char count) {
         const Raw shifted = Nearest::shift_left<Raw, F>(a, count);
         const bool fits =
             a == 0 || (count < width_of<Raw> && static_cast<Raw>(shifted >> count) == a);
-        return fits ? shifted : limit_by_sign(a);
+        return fits ? shifted : portable::limit_by_sign(a);
     }
     // a, of another format, rounded, clamped.
     template <class Raw, int F, class FromRaw, int FromF>
     static constexpr Raw convert(FromRaw a) {
         return portable::convert_clamped<Raw, F, FromRaw, FromF>(a).number;
-    }
-
-  private:
-    template <class Raw>
-    static constexpr Raw limit_by_sign(Raw a) {
-        return a < 0 ? raw_min<Raw> : raw_max<Raw>;
     }
 };
 

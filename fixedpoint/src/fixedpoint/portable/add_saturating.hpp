@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// add_saturating, subtract_saturating: a + b and a - b, clamped to the smallest or largest number
+// where they do not fit.
+#pragma once
+
+#include <fixedpoint/integer.hpp>
+
+namespace fixedpoint {
+namespace portable {
+
+template <class Raw>
+constexpr Raw limit_by_sign(Raw a) {
+    return a < 0 ? raw_min<Raw> : raw_max<Raw>;
+}
+
+template <class Raw>
+constexpr Raw add_saturating(Raw a, Raw b) {
+    // An overflow has happened where both operands differ in sign from the wrapped sum.
+    const Raw sum = wrapping_add(a, b);
+    return ((a ^ sum) & (b ^ sum)) < 0 ? limit_by_sign(a) : sum;
+}
+
+template <class Raw>
+constexpr Raw subtract_saturating(Raw a, Raw b) {
+    const Raw difference = wrapping_subtract(a, b);
+    return ((a ^ b) & (a ^ difference)) < 0 ? limit_by_sign(a) : difference;
+}
+
+}  // namespace portable
+}  // namespace fixedpoint
