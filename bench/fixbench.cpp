@@ -14,8 +14,10 @@
 #include "bench/calibration/command.hpp"
 #include "bench/command.hpp"
 #include "bench/haptic/command.hpp"
+#include "bench/haptic/region/command.hpp"
 #include "bench/features/command.hpp"
 #include "bench/growth/command.hpp"
+#include "bench/live/command.hpp"
 #include "bench/machine_code/exhaustive.hpp"
 #include "bench/operations/measure_accuracy.hpp"
 #include "bench/operations/measure_cycles.hpp"
@@ -239,6 +241,8 @@ int main(int argc, char** argv) {
 
     calibration::add_calibrate_command(app, action);
     haptic::add_haptic_command(app, action);
+    live::add_lever_command(app, action);
+    haptic::region::add_region_command(app, action);
     scene_bench::add_scenes_command(app, action);
     stability::add_stability_command(app, action);
     scene_bench::add_workload_command(app, action);

@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Installs what the project builds and runs with, from Debian's packages. Does nothing, fast, where
-# all of it is there. Usage: scripts/setup.sh [--list]
+# all of it is there. Usage: scripts/setup.sh [--list | --fuzz]; --fuzz: what fuzzing needs, too
 set -euo pipefail
 
 packages=(
     g++ cmake ninja-build git ca-certificates
     gcc-avr binutils-avr avr-libc arduino-core-avr arduino-builder avrdude libsimavr-dev simavr
-    libelf-dev libssl-dev
+    libelf-dev libssl-dev libncurses-dev
     libgsl-dev libboost-dev libgmp-dev libmpfr-dev
     libbenchmark-dev libgtest-dev libgmock-dev librapidcheck-dev
     libcli11-dev nlohmann-json3-dev libfmt-dev
@@ -18,8 +18,10 @@ packages=(
 if [ "${1:-}" = "--list" ]; then
     printf '%s\n' "${packages[@]}"
     exit 0
+elif [ "${1:-}" = "--fuzz" ]; then
+    packages+=(clang libclang-rt-dev)
 elif [ $# -gt 0 ]; then
-    echo "setup.sh: unknown argument '$1'; the only option is --list" >&2
+    echo "setup.sh: unknown argument '$1'; the options are --list and --fuzz" >&2
     exit 2
 fi
 

@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <memory>
+#include <thread>
 
 #include "bench/haptic/haptic.hpp"
 #include "bench/haptic/workload.hpp"
@@ -15,6 +17,7 @@ void add_haptic_command(CLI::App& app, fixbench::Action& action) {
     const auto options = std::make_shared<Options>();
     options->firmware = HAPTIC_FIRMWARE_FOLDER;
     options->output = "results/data";
+    options->threads = std::max(1u, std::thread::hardware_concurrency());
     CLI::App* const command = app.add_subcommand(
         "haptic",
         "The lever's firmware in the simulated chip, coupled to a model of servo, foam, sensors\n"
@@ -28,9 +31,14 @@ void add_haptic_command(CLI::App& app, fixbench::Action& action) {
     command
         ->add_option("--arithmetic", options->arithmetics, "only these: q16_16, published, float")
         ->delimiter(',');
-    command->add_option("--seconds", options->longest, "scenarios end after so long")
-        ->capture_default_str()
+    command
+        ->add_option("--seconds", options->longest,
+                     "scenarios end after so long; by default an hour for q16_16, where nothing is "
+                     "recorded, and 240 for the others")
         ->check(CLI::Range(1, 1000000));
+    command->add_option("--threads", options->threads, "threads to run on")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 1024));
     command->add_option("--record", options->record, "folder for recordings");
     command->add_option("--firmware", options->firmware, "folder of the programs")
         ->check(CLI::ExistingDirectory);
@@ -39,10 +47,8 @@ void add_haptic_command(CLI::App& app, fixbench::Action& action) {
     command->callback([options, &action] {
         action = [options] {
             const std::uint64_t failed = run_scenarios(*options);
-            if (options->scenarios.empty() && options->arithmetics.empty()) {
+            if (options->scenarios.empty() && options->arithmetics.empty())
                 write_workload(*options);
-                write_pins(*options);
-            }
             if (failed == 0) return EXIT_SUCCESS;
             fmt::print(stderr, "fixbench: {} runs left their envelope: see {}\n", failed,
                        (options->output / "haptic.csv").string());

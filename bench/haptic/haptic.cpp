@@ -5,8 +5,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <atomic>
+#include <numeric>
 #include <stdexcept>
+#include <utility>
 
+#include "bench/operations/parallel.hpp"
 #include "bench/records/progress.hpp"
 #include "firmware/src/firmware/hardware/readings.hpp"
 
@@ -35,6 +39,13 @@ std::vector<Named> selected(const std::vector<Named>& all, const std::vector<std
         chosen.push_back(*found);
     }
     return chosen;
+}
+
+// The device itself for an hour, what is shown beside it for four minutes; and recordings, of which
+// an hour would fill a disk.
+double longest(const Options& options, const Firmware& program) {
+    if (options.longest) return *options.longest;
+    return program.flashed && options.record.empty() ? 3600 : 240;
 }
 
 // What lies beyond the end is not asked for.
@@ -94,39 +105,53 @@ std::uint64_t run_scenarios(const Options& options) {
                           "cpu_percent",  "render_percent", "frames_per_s", "servo_min_us",
                           "servo_max_us", "fall_s",         "swing_deg",    "stack_bytes",
                           "bytes_sent",   "verdict",        "reason",       "elf_sha256"});
-    records::Progress progress("haptic", scenes.size() * programs.size());
-    std::uint64_t failed = 0;
-    for (const Firmware& program : programs) {
-        for (const Scenario& scenario : scenes) {
-            const Run r = run(program, shortened(scenario, options.longest), published_parameters(),
-                              options.record);
-            const Judgement& j = r.judgement;
-            const bool timed = program.limits.has_value();
-            const bool held = j.violations.empty();
-            if (!held && program.flashed) ++failed;
-            table.add({r.scenario,
-                       r.arithmetic,
-                       cell(r.duration),
-                       cell(j.loop_rate),
-                       cell(j.step_mean * 1e3),
-                       cell(j.step_most * 1e3),
-                       timed ? cell(static_cast<double>(j.late_steps)) : "",
-                       cell(j.worst_lateness * 1e3),
-                       cell(j.cpu_share * 100),
-                       cell(j.rendering_share * 100),
-                       cell(j.frames_per_second),
-                       cell(r.timing.shortest_pulse * 1e6),
-                       cell(r.timing.longest_pulse * 1e6),
-                       cell(j.fall),
-                       cell(j.swing / degrees(1)),
-                       cell(r.stack_bytes),
-                       cell(static_cast<double>(r.timing.bytes_sent)),
-                       held ? "held" : "failed",
-                       fmt::format("{}", fmt::join(j.violations, "; ")),
-                       r.elf_sha256});
-            progress.advance();
-        }
-    }
+    struct Job {
+        Firmware program;
+        Scenario scenario;
+    };
+    std::vector<Job> jobs;
+    for (const Firmware& program : programs)
+        for (const Scenario& scenario : scenes)
+            jobs.push_back({program, shortened(scenario, longest(options, program))});
+    // The longest first, so that none is left to one thread in the end.
+    std::vector<std::size_t> order(jobs.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return jobs[a].scenario.duration > jobs[b].scenario.duration;
+    });
+    std::vector<std::vector<std::string>> rows(jobs.size());
+    std::atomic<std::uint64_t> failed = 0;
+    records::Progress progress("haptic", jobs.size());
+    operations::in_parallel(options.threads, jobs.size(), [&](std::size_t k) {
+        const auto& [program, scenario] = jobs[order[k]];
+        const Run r = run(program, scenario, published_parameters(), options.record);
+        const Judgement& j = r.judgement;
+        const bool timed = program.limits.has_value();
+        const bool held = j.violations.empty();
+        if (!held && program.flashed) ++failed;
+        rows[order[k]] = {r.scenario,
+                          r.arithmetic,
+                          cell(r.duration),
+                          cell(j.loop_rate),
+                          cell(j.step_mean * 1e3),
+                          cell(j.step_most * 1e3),
+                          timed ? cell(static_cast<double>(j.late_steps)) : "",
+                          cell(j.worst_lateness * 1e3),
+                          cell(j.cpu_share * 100),
+                          cell(j.rendering_share * 100),
+                          cell(j.frames_per_second),
+                          cell(r.timing.shortest_pulse * 1e6),
+                          cell(r.timing.longest_pulse * 1e6),
+                          cell(j.fall),
+                          cell(j.swing / degrees(1)),
+                          cell(r.stack_bytes),
+                          cell(static_cast<double>(r.timing.bytes_sent)),
+                          held ? "held" : "failed",
+                          fmt::format("{}", fmt::join(j.violations, "; ")),
+                          r.elf_sha256};
+        progress.advance();
+    });
+    for (auto& row : rows) table.add(std::move(row));
     table.save(options.output / "haptic.csv");
     return failed;
 }

@@ -41,7 +41,8 @@ Run run(const Firmware& firmware, const Scenario& scenario, const Parameters& pa
 struct Options {
     std::filesystem::path firmware, output, record;
     std::vector<std::string> scenarios, arithmetics;  // all where empty
-    double longest = 240;                             // s of a scenario
+    // s of a scenario; by itself an hour of the device that is flashed, four minutes of the others.
+    std::optional<double> longest;
     unsigned threads = 1;
 };
 

@@ -7,11 +7,9 @@
 namespace haptic {
 
 // Writes workload_firmware.csv: what the device of the report, rebuilt, does beside what was
-// published of it, and ours beside both, each by the ELF that was measured.
+// published of it, and ours beside both, on the bare chip and as an Arduino sketch, each by the ELF
+// that was measured; and haptic_pins.csv: when the profiling pins of the published device and of
+// ours were high, step and rendering over three frames, the other pins within one step.
 void write_workload(const Options& options);
-
-// Writes haptic_pins.csv: when the profiling pins of the published device and of ours were high,
-// step and rendering over three frames, products and roots within one step.
-void write_pins(const Options& options);
 
 }  // namespace haptic

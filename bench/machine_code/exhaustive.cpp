@@ -59,7 +59,8 @@ class Worker {
     Part search(std::span<const operands::BoundaryCase> cases, std::uint64_t index,
                 std::uint64_t budget, std::uint64_t seed) {
         Part part;
-        const auto& [operation, format, arithmetic, operand_format] = referee_.subject;
+        const reference::Operation operation = referee_.subject.operation;
+        const reference::NumberFormat& operand_format = referee_.subject.operand_format;
         for (std::uint64_t i = index; i < cases.size(); i += operations::exhaustive_parts)
             add(part, [&](std::span<std::int64_t> raws) {
                 std::copy(cases[i].operands.begin(), cases[i].operands.end(), raws.begin());

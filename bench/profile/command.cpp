@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "bench/haptic/device_loop.hpp"
+#include "bench/haptic/scenarios.hpp"
 #include "bench/profile/profiler.hpp"
 #include "bench/profile/report.hpp"
 #include "bench/profile/stack_bound.hpp"
@@ -26,7 +28,8 @@ struct Options {
     std::filesystem::path program;
     double seconds = 1;
     std::optional<int> from, to;
-    std::filesystem::path output;
+    std::string scenario;
+    std::filesystem::path output, figures;
 };
 
 void check(const Options& options) {
@@ -76,15 +79,27 @@ Profile measure(const Options& options, Chip& chip) {
     return profiler.profile();
 }
 
+// Alone, or in the loop with the plant, which moves on as the chip looks at it.
+Profile measure(const Options& options, const simulator::Elf& elf) {
+    if (options.scenario.empty()) {
+        Chip chip(elf);
+        return measure(options, chip);
+    }
+    const haptic::Scenario scenario = haptic::scenario(options.scenario);
+    haptic::DeviceLoop loop(elf, scenario.adapted(haptic::published_parameters()), scenario.script);
+    return measure(options, loop.chip());
+}
+
 int run(const Options& options) {
     check(options);
     const simulator::Elf elf(options.program);
-    Chip chip(elf);
-    const Profile profile = measure(options, chip);
+    const Profile profile = measure(options, elf);
     const StackBound bound = static_stack_bound(elf);
     fmt::print("{}", readable_report(profile, bound));
-    if (!options.output.empty())
-        save_report(profile, bound, options.program.filename().string(), options.output);
+    const std::string program = options.program.stem().string();
+    const auto& figures = options.figures.empty() ? options.output : options.figures;
+    if (!options.output.empty()) save_tables(profile, bound, program, options.output);
+    if (!figures.empty()) save_figure(profile, program, figures);
     return EXIT_SUCCESS;
 }
 
@@ -96,7 +111,8 @@ void add_profile_command(CLI::App& app, fixbench::Action& action) {
         "profile",
         "Where each cycle and stack byte of a program for the ATmega328P goes, function by\n"
         "function, its interrupts' latencies and a bound of its stack by its machine code.\n"
-        "With --output: profile.csv, interrupts.csv, stack.csv, stacks.folded, flame_graph.svg.\n\n"
+        "With --output, for firmware.elf: profile_firmware.csv, interrupts_firmware.csv,\n"
+        "stack_firmware.csv, stacks_firmware.folded and the flame graph firmware_flame.svg.\n\n"
         "A function's cycles include its call and return; inlined functions belong to the one\n"
         "that they were inlined into. A marker is a byte that the program writes to GPIOR0.\n\n"
         "Example: fixbench profile firmware.elf --seconds 5 --output profile");
@@ -109,7 +125,10 @@ void add_profile_command(CLI::App& app, fixbench::Action& action) {
         command->add_option("--from", options->from, "begins behind this marker");
     command->add_option("--to", options->to, "ends with the next marker of this value")
         ->needs(from);
+    command->add_option("--scenario", options->scenario,
+                        "of `fixbench haptic`: a lever, coupled to the model of its device");
     command->add_option("--output", options->output, "folder for the files");
+    command->add_option("--figures", options->figures, "folder for the flame graph, if another");
     command->callback([&action, options] { action = [options] { return run(*options); }; });
 }
 

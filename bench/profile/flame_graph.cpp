@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "bench/profile/short_name.hpp"
+
 namespace profile {
 namespace {
 
@@ -22,7 +24,8 @@ struct Colour {
 };
 constexpr Colour program{"program", 32, 85, 70}, kernel{"fixed-point kernels", 208, 65, 74},
     run_time{"compiler's run-time", 150, 38, 70}, interrupt{"interrupts", 350, 70, 78},
-    idle{"asleep", 0, 0, 86};
+    ground_colour{"", 0, 0, 86};
+constexpr std::string_view asleep = "(asleep)", kernel_prefix = "fixedpoint_";
 
 struct Bar {
     std::string name;
@@ -54,8 +57,7 @@ std::size_t levels(const Bar& bar) {
 }
 
 const Colour& colour_of(const std::string& name, bool in_interrupt) {
-    if (name == "(asleep)") return idle;
-    if (name.starts_with("fixedpoint_")) return kernel;
+    if (name.starts_with(kernel_prefix)) return kernel;
     if (name.starts_with("__") || name.starts_with('(')) return run_time;
     return in_interrupt ? interrupt : program;
 }
@@ -87,19 +89,24 @@ std::string hsl(const Colour& colour, int lightness) {
     return fmt::format("hsl({},{}%,{}%)", colour.hue, colour.saturation, lightness);
 }
 
-std::string fitting(std::string_view name, double pixels) {
+// Colours tell kernels.
+std::string fitting(const std::string& name, double pixels) {
+    std::string label = short_name(name);
+    if (label.starts_with(kernel_prefix)) label.erase(0, kernel_prefix.size());
     const auto room = static_cast<std::size_t>(std::max(0.0, pixels / character_width));
-    if (name.size() <= room) return std::string(name);
-    if (room < 4) return "";
-    return std::string(name.substr(0, room - 2)) + "..";
+    if (label.size() <= room) return label;
+    return room < 4 ? "" : label.substr(0, room - 2) + "..";
 }
 
 class Drawing {
   public:
-    Drawing(const Profile& profile, std::string_view title) : elapsed_(profile.elapsed) {
-        Bar ground{.name = "all"};
-        for (const StackCost& stack : profile.stacks) add(ground, stack);
+    Drawing(const Profile& profile, std::string_view title) {
+        Bar ground{.name = "awake"};
+        for (const StackCost& stack : profile.stacks)
+            if (stack.path.back() != asleep) add(ground, stack);
         widest_first(ground);
+        const Cycle whole = std::max<Cycle>(profile.elapsed, 1);
+        awake_ = static_cast<double>(std::max<Cycle>(ground.inclusive, 1));
         for (const InterruptCost& vector : profile.interrupts) handlers_.push_back(vector.handler);
 
         height_ = header + bar_height * static_cast<double>(levels(ground)) + margin;
@@ -107,8 +114,10 @@ class Drawing {
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" "
             "height=\"{1}\" font-family=\"monospace\" font-size=\"11\">\n"
             "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n"
-            "<text x=\"{2}\" y=\"22\" font-size=\"15\">{3}</text>\n",
-            width, height_, margin, escaped(title));
+            "<text x=\"{2}\" y=\"22\" font-size=\"15\">{3}: awake for {4} cycles, {5:.2f}% of the "
+            "time</text>\n",
+            width, height_, margin, escaped(title), ground.inclusive,
+            100.0 * static_cast<double>(ground.inclusive) / static_cast<double>(whole));
         legend();
         draw(ground, margin, 0, false);
         text_ += "</svg>\n";
@@ -119,7 +128,7 @@ class Drawing {
   private:
     void legend() {
         double x = margin;
-        for (const Colour& colour : {program, kernel, run_time, interrupt, idle}) {
+        for (const Colour& colour : {program, kernel, run_time, interrupt}) {
             text_ += fmt::format(
                 "<rect x=\"{:.1f}\" y=\"34\" width=\"12\" height=\"12\" fill=\"{}\"/>"
                 "<text x=\"{:.1f}\" y=\"44\">{}</text>\n",
@@ -129,22 +138,19 @@ class Drawing {
     }
 
     void draw(const Bar& bar, double x, int level, bool in_interrupt) {
-        const double pixels = static_cast<double>(bar.inclusive) /
-                              static_cast<double>(std::max<Cycle>(elapsed_, 1)) *
-                              (width - 2 * margin);
+        const double share = static_cast<double>(bar.inclusive) / awake_;
+        const double pixels = share * (width - 2 * margin);
         if (pixels < narrowest) return;
         // Neighbours and callers differ a little.
-        const Colour& colour = level ? colour_of(bar.name, in_interrupt) : idle;
+        const Colour& colour = level ? colour_of(bar.name, in_interrupt) : ground_colour;
         const int lightness = colour.lightness + (level % 2 ? 0 : 5);
         const double y = height_ - margin - bar_height * (level + 1);
         text_ += fmt::format(
             "<g><title>{0}: {1} cycles ({2:.2f}%), {3} of its own</title>"
             "<rect x=\"{4:.2f}\" y=\"{5:.0f}\" width=\"{6:.2f}\" height=\"{7}\" fill=\"{8}\" "
             "stroke=\"#ffffff\" stroke-width=\"0.6\"/>",
-            escaped(bar.name), bar.inclusive,
-            100.0 * static_cast<double>(bar.inclusive) /
-                static_cast<double>(std::max<Cycle>(elapsed_, 1)),
-            bar.self, x, y, pixels, bar_height, hsl(colour, lightness));
+            escaped(bar.name), bar.inclusive, 100 * share, bar.self, x, y, pixels, bar_height,
+            hsl(colour, lightness));
         const std::string label = fitting(bar.name, pixels - 2 * text_padding);
         if (!label.empty())
             text_ +=
@@ -155,12 +161,11 @@ class Drawing {
             const bool handler =
                 level == 0 && std::ranges::find(handlers_, next.name) != handlers_.end();
             draw(next, x, level + 1, in_interrupt || handler);
-            x += static_cast<double>(next.inclusive) / static_cast<double>(elapsed_) *
-                 (width - 2 * margin);
+            x += static_cast<double>(next.inclusive) / awake_ * (width - 2 * margin);
         }
     }
 
-    Cycle elapsed_;
+    double awake_ = 1;  // cycles
     double height_ = 0;
     std::vector<std::string> handlers_;
     std::string text_;

@@ -11,7 +11,7 @@
 namespace profile {
 
 // A self-contained SVG document without scripts; a bar names itself and its cycles when pointed at.
-// Interrupt handlers stand beside the program, on the same ground.
+// Interrupt handlers stand beside the program, on the same ground: the time awake.
 std::string flame_graph(const Profile& profile, std::string_view title);
 
 }  // namespace profile

@@ -8,20 +8,14 @@
 #include <map>
 
 #include "bench/profile/flame_graph.hpp"
+#include "bench/profile/short_name.hpp"
 #include "bench/records/csv.hpp"
 #include "bench/records/whole_file.hpp"
 
 namespace profile {
 namespace {
 
-constexpr std::size_t name_width = 44;
-
-// The end of a C++ name tells it apart, and so does its beginning.
-std::string shortened(const std::string& name) {
-    if (name.size() <= name_width) return name;
-    constexpr std::size_t end = 14;
-    return name.substr(0, name_width - end - 2) + ".." + name.substr(name.size() - end);
-}
+constexpr std::size_t name_width = 34;
 
 double share(Cycle part, Cycle whole) {
     return whole ? static_cast<double>(part) / static_cast<double>(whole) : 0;
@@ -52,7 +46,9 @@ std::string bound_text(const StackBound& bound, unsigned measured) {
         text += "without a bound by the machine code:\n";
     for (const std::string& reason : bound.unbounded) text += fmt::format("  {}\n", reason);
     if (!bound.bytes) return text;
-    text += fmt::format("  {} for {}\n", bound.path_bytes, fmt::join(bound.path, " > "));
+    std::vector<std::string> path;
+    for (const std::string& function : bound.path) path.push_back(short_name(function));
+    text += fmt::format("  {} for {}\n", bound.path_bytes, fmt::join(path, " > "));
     if (!bound.interrupts.empty())
         text += fmt::format("  {} for {}\n", bound.interrupt_bytes,
                             fmt::join(bound.interrupts, " in "));
@@ -67,7 +63,7 @@ records::Table profile_table(const Profile& profile) {
                           "cycles_max"});
     for (const FunctionCost& function : profile.functions) {
         std::vector<std::string> row = {
-            function.name,
+            short_name(function.name),
             function.symbol,
             fmt::format("{}", function.calls),
             fmt::format("{}", function.self_cycles),
@@ -112,9 +108,9 @@ records::Table stack_table(const Profile& profile, const StackBound& bound) {
         const auto bounded = [&](std::optional<unsigned> FunctionBound::*bytes) {
             return row.bound && row.bound->*bytes ? fmt::format("{}", *(row.bound->*bytes)) : "";
         };
-        table.add({name, measured(&FunctionCost::frame_bytes), bounded(&FunctionBound::frame_bytes),
-                   measured(&FunctionCost::stack_bytes), bounded(&FunctionBound::stack_bytes),
-                   row.bound ? row.bound->unbounded : ""});
+        table.add({short_name(name), measured(&FunctionCost::frame_bytes),
+                   bounded(&FunctionBound::frame_bytes), measured(&FunctionCost::stack_bytes),
+                   bounded(&FunctionBound::stack_bytes), row.bound ? row.bound->unbounded : ""});
     }
     return table;
 }
@@ -138,7 +134,7 @@ std::string readable_report(const Profile& profile, const StackBound& bound) {
         const auto known = bounds.find(function.name);
         text += fmt::format(
             "{:<{}} {:>8} {:>12} {:>6.2f} {:>12} {:>6.2f} {} {:>5} {:>5} {:>5}\n",
-            shortened(function.name), name_width, function.calls, function.self_cycles,
+            short_name(function.name), name_width, function.calls, function.self_cycles,
             100 * share(function.self_cycles, profile.elapsed), function.inclusive_cycles,
             100 * share(function.inclusive_cycles, profile.elapsed), cells(function.per_call, 8),
             function.frame_bytes, function.stack_bytes,
@@ -157,13 +153,20 @@ std::string readable_report(const Profile& profile, const StackBound& bound) {
     return text + '\n' + bound_text(bound, profile.stack_bytes);
 }
 
-void save_report(const Profile& profile, const StackBound& bound, std::string_view title,
+void save_tables(const Profile& profile, const StackBound& bound, const std::string& program,
                  const std::filesystem::path& folder) {
-    profile_table(profile).save(folder / "profile.csv");
-    interrupt_table(profile).save(folder / "interrupts.csv");
-    stack_table(profile, bound).save(folder / "stack.csv");
-    records::write_whole(folder / "stacks.folded", profile.folded());
-    records::write_whole(folder / "flame_graph.svg", flame_graph(profile, title));
+    const auto file = [&](const char* kind, const char* suffix) {
+        return folder / fmt::format("{}_{}.{}", kind, program, suffix);
+    };
+    profile_table(profile).save(file("profile", "csv"));
+    interrupt_table(profile).save(file("interrupts", "csv"));
+    stack_table(profile, bound).save(file("stack", "csv"));
+    records::write_whole(file("stacks", "folded"), profile.folded());
+}
+
+void save_figure(const Profile& profile, const std::string& program,
+                 const std::filesystem::path& folder) {
+    records::write_whole(folder / (program + "_flame.svg"), flame_graph(profile, program + ".elf"));
 }
 
 }  // namespace profile

@@ -4,7 +4,6 @@
 
 #include <filesystem>
 #include <string>
-#include <string_view>
 
 #include "bench/profile/profiler.hpp"
 #include "bench/profile/stack_bound.hpp"
@@ -13,8 +12,13 @@ namespace profile {
 
 std::string readable_report(const Profile& profile, const StackBound& bound);
 
-// Writes profile.csv, interrupts.csv, stack.csv, stacks.folded and flame_graph.svg.
-void save_report(const Profile& profile, const StackBound& bound, std::string_view title,
+// Writes profile_<program>.csv, interrupts_<program>.csv, stack_<program>.csv and
+// stacks_<program>.folded.
+void save_tables(const Profile& profile, const StackBound& bound, const std::string& program,
+                 const std::filesystem::path& folder);
+
+// Writes the flame graph <program>_flame.svg.
+void save_figure(const Profile& profile, const std::string& program,
                  const std::filesystem::path& folder);
 
 }  // namespace profile

@@ -14,8 +14,11 @@ import error_against_cycles
 import error_along_input
 import error_histograms
 import growth
+import haptic_region
 import haptic_timing
 import headline
+import lever
+import replay
 import scenes
 import scenes_workload
 import stability
@@ -58,6 +61,9 @@ def figures(data):
         makers["stability_speed"] = lambda: stability.draw_speed(data)
     if data.has("haptic_pins"):
         makers["haptic_timing"] = lambda: haptic_timing.draw(data)
+    if data.has("stable_region"):
+        makers["haptic_region"] = lambda: haptic_region.draw(data)
+        makers["haptic_oscillation"] = lambda: haptic_region.draw_oscillation(data)
     if data.has("workload"):
         makers["scenes_workload_trace"] = lambda: scenes_workload.draw_trace(data)
         makers["scenes_workload_rounds"] = lambda: scenes_workload.draw_rounds(data)
@@ -96,6 +102,12 @@ def cell(value):
     return str(value).replace("|", "\\|")
 
 
+def write_whole(path, text):
+    partial = path.parent / f".{path.name}.partial"
+    partial.write_text(text, encoding="utf-8")
+    partial.replace(path)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--results", required=True,
@@ -114,14 +126,14 @@ def main():
                                    undefined=jinja2.StrictUndefined)
     templates.filters["cell"] = cell
     names = {"data": data, "hashes": data.json("operations")["context"]["sha256"],
-             "versions": tool_versions(), "scenes": scenes, "growth": growth,
-             "stability": stability}
+             "versions": tool_versions(), "scenes": scenes, "growth": growth, "lever": lever,
+             "stability": stability, "haptic_region": haptic_region}
     for template, (page, needed) in PAGES.items():
         if not data.has(needed):
             continue
-        partial = results / f".{page}.partial"
-        partial.write_text(templates.get_template(template).render(names), encoding="utf-8")
-        partial.replace(results / page)
+        write_whole(results / page, templates.get_template(template).render(names))
+    if (results / "data" / "replay.json").exists():
+        write_whole(results / "replay.html", replay.page(templates, data))
 
 
 if __name__ == "__main__":

@@ -9,6 +9,7 @@ SCALARS = {
     ("q8_8", "nearest"): ("Q8.8", "#cc79a7"),
     ("q8_24", "nearest"): ("Q8.24", "#009e73"),
     ("q16_16", "nearest"): ("Q16.16", "#0072b2"),
+    ("q16_16", "saturating"): ("Q16.16 clamped", "#332288"),
     ("q32_32", "nearest"): ("Q32.32", "#56b4e9"),
     ("float", "avr-libc"): ("float", "#e69f00"),
     ("q16_16", "published"): ("Q16.16 as published", "#d55e00"),
@@ -35,7 +36,7 @@ def scalar(row):
 
 
 def ours(row):
-    return row["arithmetic"] == "nearest"
+    return row["arithmetic"] in ("nearest", "saturating")
 
 
 def method(row):
@@ -114,6 +115,19 @@ def reason(rival, match):
         return cause + "; none of ours reaches float's error"
     return (f"{cause}; ours reaches float's error as {scalar(match)}, {method(match)}, at "
             f"{match['cycles_per_simulated_second'] / 1e6:.3g} million cycles")
+
+
+def clamping(data):
+    """For each scene the rows of Q16.16, Q16.16 clamped and float at 1/256 s that all took cycles."""
+    kinds = [("q16_16", "nearest"), ("q16_16", "saturating"), ("float", "avr-libc")]
+    lines = []
+    for scene in names(data):
+        rows = {(row["scalar"], row["arithmetic"]): row
+                for row in data.rows("scenes", scene=scene, integrator="semi_implicit_euler")
+                if row["dt"] == 1 / 256 and row["cycles_per_step_mean"] is not None}
+        if all(kind in rows for kind in kinds):
+            lines.append([rows[kind] for kind in kinds])
+    return lines
 
 
 def failures(data):

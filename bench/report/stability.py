@@ -12,6 +12,8 @@ FORMAT_LABELS = {"q8_8": "Q8.8", "q8_24": "Q8.24", "q16_16": "Q16.16", "q32_32":
 # Okabe and Ito, 2008: one colour a format.
 FORMAT_COLOURS = {"q8_8": "#d55e00", "q8_24": "#cc79a7", "q16_16": "#0072b2",
                   "q32_32": "#009e73", "float": "#444444"}
+# The arithmetic of a format where nothing else is said.
+DEFAULT = ["nearest", "ieee"]
 METHODS = ["explicit_euler", "semi_implicit_euler", "velocity_verlet", "implicit_springs"]
 METHOD_LABELS = {"explicit_euler": "explicit Euler (the report's)",
                  "semi_implicit_euler": "semi-implicit Euler",
@@ -23,11 +25,38 @@ def number(cell):
     return math.nan if cell in (None, "none", "") else float(cell)
 
 
+def whole(value):
+    """An integer with its thousands apart."""
+    return f"{value:,}".replace(",", "\u202f")
+
+
+def figure(value):
+    """A cell of the page's tables: a number to three significant digits, as a power of ten where
+    it is very small or large; a text as it is."""
+    if not isinstance(value, (int, float)):
+        return str(value)
+    if value == 0:
+        return "0"
+    mantissa, exponent = f"{value:.2e}".split("e")
+    if -3 <= int(exponent) <= 2:
+        return f"{float(f'{value:.3g}'):g}"
+    if 3 <= int(exponent) <= 5:
+        return whole(round(float(f"{value:.2e}")))
+    factor = "" if float(mantissa) == 1 else f"{float(mantissa):g}·"
+    return f"{factor}10<sup>{int(exponent)}</sup>".replace("-", "−")
+
+
+def change(before, after):
+    """By how many percent a number of cycles changed."""
+    percent = round(100 * (after / before - 1))
+    return f"{percent:+d} %".replace("-", "−") if percent else "±0 %"
+
+
 def points(rows, name, scalar, method, arithmetic=None):
     """The x and the limits of a map's line, in order of x."""
     mine = [row for row in rows if row["map"] == name and row["scalar"] == scalar
             and row["integrator"] == method
-            and (row["arithmetic"] == arithmetic if arithmetic else row["arithmetic"] != "published")]
+            and row["arithmetic"] in ([arithmetic] if arithmetic else DEFAULT)]
     mine.sort(key=lambda row: number(row["x"]))
     return [number(row["x"]) for row in mine], [number(row["limit"]) for row in mine]
 
@@ -111,16 +140,17 @@ def draw_speed(data):
 def draw_verdicts(data):
     """How many cases end in which verdict, by format and method."""
     rows = data.rows("stability")
-    kinds = ["stable", "drifts", "diverges", "overflows", "stalls", "reports"]
-    colours = ["#009e73", "#e69f00", "#d55e00", "#0072b2", "#999999", "#cc79a7"]
-    bars = [(scalar, "published" if arithmetic == "published" else "", method)
-            for scalar, arithmetic in [(s, None) for s in FORMATS] + [("q16_16", "published")]
+    kinds = ["stable", "drifts", "diverges", "overflows", "saturates", "stalls", "reports"]
+    colours = ["#009e73", "#e69f00", "#d55e00", "#0072b2", "#56b4e9", "#999999", "#cc79a7"]
+    bars = [(scalar, arithmetic, method)
+            for scalar, arithmetic in [(s, "") for s in FORMATS]
+            + [("q16_16", "saturating"), ("q16_16", "published")]
             for method in METHODS]
     figure, axes = plt.subplots(figsize=(9, 6))
     for place, (scalar, arithmetic, method) in enumerate(reversed(bars)):
         mine = [row["verdict"].split()[0] for row in rows
                 if row["scalar"] == scalar and row["integrator"] == method
-                and (row["arithmetic"] == "published") == bool(arithmetic)]
+                and row["arithmetic"] in ([arithmetic] if arithmetic else DEFAULT)]
         left = 0
         for kind, colour in zip(kinds, colours):
             count = mine.count(kind)
@@ -132,5 +162,5 @@ def draw_verdicts(data):
                      for s, a, m in reversed(bars)], fontsize=7)
     axes.set_xlabel("cases, by what ends them")
     handles, labels = axes.get_legend_handles_labels()
-    style.legend_above(figure, handles, labels, 6)
+    style.legend_above(figure, handles, labels, len(kinds))
     return figure

@@ -50,6 +50,9 @@ std::string sha256_of(std::span<const std::uint8_t> bytes) {
 
 Elf::Elf(const std::filesystem::path& path) : path_(path) {
     std::vector<char> bytes = read_file(path);
+    const auto expect = [&](bool intact, const char* part) {
+        if (!intact) throw ElfError(fmt::format("{}: its {} is damaged", path.string(), part));
+    };
 
     elf_version(EV_CURRENT);
     const std::unique_ptr<::Elf, decltype(&elf_end)> file(elf_memory(bytes.data(), bytes.size()),
@@ -61,14 +64,17 @@ Elf::Elf(const std::filesystem::path& path) : path_(path) {
         throw ElfError(fmt::format("{}: not a linked program for the AVR", path.string()));
 
     std::size_t segments = 0;
-    elf_getphdrnum(file.get(), &segments);
+    expect(elf_getphdrnum(file.get(), &segments) == 0, "table of segments");
     for (std::size_t i = 0; i < segments; ++i) {
         GElf_Phdr segment;
-        gelf_getphdr(file.get(), static_cast<int>(i), &segment);
+        expect(gelf_getphdr(file.get(), static_cast<int>(i), &segment), "table of segments");
         if (segment.p_type != PT_LOAD || !segment.p_filesz || segment.p_paddr >= data_origin)
             continue;
+        expect(
+            segment.p_offset <= bytes.size() && segment.p_filesz <= bytes.size() - segment.p_offset,
+            "segment");
         const std::size_t end = segment.p_paddr + segment.p_filesz;
-        if (end > flash_size || segment.p_offset + segment.p_filesz > bytes.size())
+        if (end > flash_size)
             throw ElfError(fmt::format("{}: {} bytes do not fit into {} bytes of flash",
                                        path.string(), end, flash_size));
         if (flash_.size() < end) flash_.resize(end, 0xff);
@@ -78,22 +84,27 @@ Elf::Elf(const std::filesystem::path& path) : path_(path) {
     sha256_ = sha256_of(flash_);
     if (flash_.empty()) throw ElfError(fmt::format("{}: nothing to load", path.string()));
 
+    const auto text = [&](std::size_t section, std::size_t offset) {
+        const char* const found = elf_strptr(file.get(), section, offset);
+        expect(found, "table of names");
+        return std::string(found);
+    };
     for (Elf_Scn* section = nullptr; (section = elf_nextscn(file.get(), section));) {
         GElf_Shdr about;
-        gelf_getshdr(section, &about);
+        expect(gelf_getshdr(section, &about), "table of sections");
         if (about.sh_flags & SHF_ALLOC && about.sh_addr < eeprom_origin) {
             const bool in_ram = about.sh_addr >= data_origin;
-            sections_.push_back({elf_strptr(file.get(), header.e_shstrndx, about.sh_name),
-                                 static_cast<std::uint32_t>(about.sh_addr),
-                                 static_cast<std::uint32_t>(about.sh_size),
-                                 about.sh_type == SHT_PROGBITS, in_ram});
+            sections_.push_back(
+                {text(header.e_shstrndx, about.sh_name), static_cast<std::uint32_t>(about.sh_addr),
+                 static_cast<std::uint32_t>(about.sh_size), about.sh_type == SHT_PROGBITS, in_ram});
         }
         if (about.sh_type != SHT_SYMTAB) continue;
         Elf_Data* const table = elf_getdata(section, nullptr);
+        expect(table && about.sh_entsize, "table of symbols");
         for (int i = 0; i < static_cast<int>(about.sh_size / about.sh_entsize); ++i) {
             GElf_Sym symbol;
-            gelf_getsym(table, i, &symbol);
-            const std::string name = elf_strptr(file.get(), about.sh_link, symbol.st_name);
+            expect(gelf_getsym(table, i, &symbol), "table of symbols");
+            const std::string name = text(about.sh_link, symbol.st_name);
             const auto address = static_cast<std::uint32_t>(symbol.st_value);
             const auto size = static_cast<std::uint32_t>(symbol.st_size);
             const int type = GELF_ST_TYPE(symbol.st_info);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -102,21 +103,34 @@ Result run(const std::string& scene, const reference::Trajectory& truth, const C
     return result;
 }
 
+double number(const std::string& cell, const std::filesystem::path& file) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+    if (error != std::errc() || end != cell.data() + cell.size() || !(value >= 0))
+        throw std::runtime_error(
+            fmt::format("{}: '{}' is not a number of cycles or bytes", file.string(), cell));
+    return value;
+}
+
 // Cycles and flash as measured, of this scene and method; of the same width where this split was
 // not measured, and of any step where this one was not.
 class Costs {
   public:
     Costs(const std::filesystem::path& data, const std::string& scene) {
-        if (!std::filesystem::exists(data / "scenes.csv")) return;
-        const records::Table table = records::Table::load(data / "scenes.csv");
+        const std::filesystem::path file = data / "scenes.csv";
+        if (!std::filesystem::exists(file)) return;
+        const records::Table table = records::Table::load(file);
         const auto column = [&](const char* name) { return table.column(name); };
         for (const auto& row : table.rows()) {
-            if (row[column("scene")] != scene || row[column("arithmetic")] == "published") continue;
+            const std::string &scalar = row[column("scalar")],
+                              &arithmetic = row[column("arithmetic")];
+            if (row[column("scene")] != scene) continue;
+            if (arithmetic != "nearest" && scalar != "float") continue;
             const std::string& cycles = row[column("cycles_per_step_mean")];
             if (cycles.empty()) continue;
             const std::string& flash = row[column("flash_bytes")];
-            measured_[{row[column("scalar")], row[column("integrator")]}] = {
-                std::stod(cycles), flash.empty() ? 0 : std::stod(flash)};
+            measured_[{scalar, row[column("integrator")]}] = {
+                number(cycles, file), flash.empty() ? 0 : number(flash, file)};
         }
     }
     void add_to(Result& result) const {

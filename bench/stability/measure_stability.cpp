@@ -12,6 +12,7 @@
 #include "bench/records/csv.hpp"
 #include "bench/records/progress.hpp"
 #include "bench/stability/advise.hpp"
+#include "bench/stability/mends.hpp"
 #include "bench/stability/search.hpp"
 
 namespace stability {
@@ -60,40 +61,6 @@ constexpr struct {
     {"smallest step", "small_binary_step"},
     {"largest step of the lever", "lever_step"},
     {"largest mass ratio in a chain of 4", "rod_chain_of_4_heavy_end"},
-};
-
-// What was mended in the published engine: a case before and after.
-constexpr struct {
-    const char *mend, *found_by, *arithmetic_before, *integrator_before, *integrator_after;
-} mends[] = {
-    {"velocities before positions", "spring_frame_step", "published", "explicit_euler",
-     "semi_implicit_euler"},
-    {"velocities before positions", "spring_stiffness", "published", "explicit_euler",
-     "semi_implicit_euler"},
-    {"springs solved implicitly", "spring_critically_damped", "published", "explicit_euler",
-     "implicit_springs"},
-    {"springs solved implicitly, clamped", "spring_light_and_stiff", "published", "explicit_euler",
-     "implicit_springs"},
-    {"lengths without overflow of squares", "pendulum_long", "published", "explicit_euler",
-     "semi_implicit_euler"},
-    {"lengths without overflow of squares", "rod_span", "published", "explicit_euler",
-     "semi_implicit_euler"},
-    {"rods as two-sided constraints", "rod_speed", "published", "explicit_euler",
-     "semi_implicit_euler"},
-    {"rods as two-sided constraints", "rod_chain_of_8_heavy_end", "published", "explicit_euler",
-     "semi_implicit_euler"},
-    {"sweeps over all contacts", "stack_of_10", "published", "explicit_euler",
-     "semi_implicit_euler"},
-    {"bounces back-dated", "bounces_under_gravity", "published", "explicit_euler",
-     "semi_implicit_euler"},
-    {"shares of very light masses", "resting_light_mass", "published", "explicit_euler",
-     "semi_implicit_euler"},
-    {"residues of products with the step", "slow", "nearest", "semi_implicit_euler",
-     "semi_implicit_exact_steps"},
-    {"residues of products with the step", "small_binary_step", "nearest", "semi_implicit_euler",
-     "semi_implicit_exact_steps"},
-    {"residues of products with the step", "weak_gravity", "nearest", "semi_implicit_euler",
-     "semi_implicit_exact_steps"},
 };
 
 // A point of a map: the limit of one case at a value of the other axis.
@@ -146,35 +113,6 @@ void save_envelope(const Options& options, const Found& found) {
                        subject.integrator, number(finding.limit), cause(finding), name});
         }
     table.save(options.output / "envelope.csv");
-}
-
-// Errors are the measures in tolerances where the method before breaks.
-template <class Found>
-void save_mends(const Options& options, const Found& found) {
-    records::Table table({"mend", "case", "parameter", "unit", "before_method", "after_method",
-                          "before", "after", "before_error", "after_error", "before_cause",
-                          "after_cause"});
-    for (const auto& mend : mends) {
-        const Case& one = case_named(mend.found_by);
-        const Subject& before = subject("q16_16", mend.arithmetic_before, mend.integrator_before);
-        const Subject& after = subject("q16_16", "nearest", mend.integrator_after);
-        const Finding& was = found(one.name, before);
-        const Finding& is = found(one.name, after);
-        const double broken =
-            one.endurance
-                ? std::min(one.to, 2 * was.limit)
-                : (std::isnan(was.limit) ? one.from
-                                         : was.limit * (one.to > one.from ? 1.5 : 1 / 1.5));
-        const auto error = [&](const Subject& of) {
-            const Trial trial = attempt(of, one.at(broken), 1e9);
-            return trial.outcome.steps > 0 ? records::cell(trial.worst) : "does not fit";
-        };
-        table.add({mend.mend, one.name, one.parameter, one.unit,
-                   before.arithmetic + " " + before.integrator,
-                   after.arithmetic + " " + after.integrator, number(was.limit), number(is.limit),
-                   error(before), error(after), cause(was), cause(is)});
-    }
-    table.save(options.output / "mends.csv");
 }
 
 void save_map(const Options& options, const Effort& effort) {
@@ -236,7 +174,7 @@ void measure_stability(const Options& options) {
         throw std::logic_error("no finding of " + name);
     };
     save_envelope(options, found);
-    save_mends(options, found);
+    measure_mends(options.output, effort, options.threads);
     save_map(options, effort);
     if (!options.quick) measure_suitability(options.output, options.threads);
 }

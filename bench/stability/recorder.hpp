@@ -55,16 +55,23 @@ class Recorder {
         }
     }
 
+    // In an arithmetic that clamps everything.
+    void clamp(fixedpoint::Operation operation) {
+        ++clamped_;
+        if (!first_clamp_) first_clamp_ = {fixedpoint::Event::overflow, operation, quantity_, step};
+    }
+
     // Of what wrapped, of divisions by zero and domain errors; quotients and lengths beyond the
     // range are clamped, as documented, and counted alone.
     const std::optional<Occurrence>& first_failure() const { return first_failure_; }
+    const std::optional<Occurrence>& first_clamp() const { return first_clamp_; }
     const std::optional<Occurrence>& first_underflow() const { return first_underflow_; }
     unsigned steps_with_underflow() const { return steps_with_underflow_; }
     unsigned clamped() const { return clamped_; }
 
   private:
     const char* quantity_ = "description";
-    std::optional<Occurrence> first_failure_, first_underflow_;
+    std::optional<Occurrence> first_failure_, first_clamp_, first_underflow_;
     unsigned steps_with_underflow_ = 0, last_underflow_step_ = 0, clamped_ = 0;
 };
 
@@ -90,6 +97,58 @@ struct Hook {
 struct Recording : fixedpoint::Checked<Hook> {
     static void enter(engine::Quantity quantity) {
         if (Recorder* recorder = active_recorder()) recorder->enter(name_of(quantity));
+    }
+};
+
+// What saturates, each product and sum by itself.
+struct ClampHook {
+    static void notify(fixedpoint::Event event, fixedpoint::Operation operation) {
+        Recorder* const recorder = active_recorder();
+        if (recorder == nullptr) return;
+        if (event == fixedpoint::Event::overflow) {
+            recorder->clamp(operation);
+        } else {
+            recorder->notify(event, operation);
+        }
+    }
+};
+struct RecordingSaturating : fixedpoint::Checked<ClampHook> {
+    using Watched = fixedpoint::Checked<ClampHook>;
+    using Saturating = fixedpoint::Saturating;
+    static void enter(engine::Quantity quantity) { Recording::enter(quantity); }
+
+    template <class Raw, int F>
+    static Raw add(Raw a, Raw b) {
+        Watched::add<Raw, F>(a, b);
+        return Saturating::add<Raw, F>(a, b);
+    }
+    template <class Raw, int F>
+    static Raw subtract(Raw a, Raw b) {
+        Watched::subtract<Raw, F>(a, b);
+        return Saturating::subtract<Raw, F>(a, b);
+    }
+    template <class Raw, int F>
+    static Raw negate(Raw a) {
+        Watched::negate<Raw, F>(a);
+        return Saturating::negate<Raw, F>(a);
+    }
+    template <class Raw, int F>
+    static Raw multiply(Raw a, Raw b) {
+        Watched::multiply<Raw, F>(a, b);
+        return Saturating::multiply<Raw, F>(a, b);
+    }
+    template <class Raw, int F>
+    static Raw multiply_add(Raw a, Raw b, Raw c) {
+        return add<Raw, F>(multiply<Raw, F>(a, b), c);
+    }
+    template <class Raw, int F>
+    static Raw dot2(const Raw* a, const Raw* b) {
+        return multiply_add<Raw, F>(a[1], b[1], multiply<Raw, F>(a[0], b[0]));
+    }
+    template <class Raw, int F>
+    static Raw shift_left(Raw a, unsigned char count) {
+        Watched::shift_left<Raw, F>(a, count);
+        return Saturating::shift_left<Raw, F>(a, count);
     }
 };
 

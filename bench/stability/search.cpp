@@ -15,8 +15,10 @@ constexpr double runaway = 10;  // tolerances
 // Whether the method alone holds: in double, where nothing is rounded to speak of.
 bool holds_in_double(const Experiment& experiment, const Subject& subject) {
     static const std::vector<Subject> in_double = subjects_of_double();
-    for (const Subject& one : in_double)
-        if (one.integrator == subject.integrator) return attempt(one, experiment).held;
+    static const std::vector<Subject> unmended = subjects_of_unmended_in_double();
+    for (const auto* list : {&in_double, &unmended})
+        for (const Subject& one : *list)
+            if (one.integrator == subject.integrator) return attempt(one, experiment).held;
     return false;
 }
 
@@ -44,12 +46,17 @@ void diagnose(const Case& one, double parameter, const Subject& subject, Finding
         return;
     }
     const auto& failure = outcome.record.first_failure();
+    const auto& clamp = outcome.record.first_clamp();
     const auto& underflow = outcome.record.first_underflow();
     const bool ran_away = !(trial.worst < runaway);
     if (failure && failure->step <= trial.failed_step) {
         finding.verdict = Verdict::overflows;
         finding.first_event = to_text(*failure);
         finding.step = failure->step;
+    } else if (clamp && clamp->step <= trial.failed_step) {
+        finding.verdict = Verdict::saturates;
+        finding.first_event = to_text(*clamp);
+        finding.step = clamp->step;
     } else if (!ran_away && underflow &&
                outcome.record.steps_with_underflow() >= trial.failed_step / 2 &&
                holds_in_double(again(), subject)) {
@@ -77,8 +84,8 @@ Finding find_endurance(const Case& one, const Subject& subject, const Effort& ef
 }  // namespace
 
 std::string to_text(Verdict verdict) {
-    constexpr const char* names[] = {"stable",    "drifts", "diverges",
-                                     "overflows", "stalls", "reports"};
+    constexpr const char* names[] = {"stable",    "drifts", "diverges", "overflows",
+                                     "saturates", "stalls", "reports"};
     return names[static_cast<int>(verdict)];
 }
 

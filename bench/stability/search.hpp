@@ -12,6 +12,7 @@ enum class Verdict {
     drifts,     // away from the reference, by `rate` tolerances a second
     diverges,   // to ten tolerances and beyond, or no number any more
     overflows,  // by the first event
+    saturates,  // by the first result that was clamped, where everything is
     stalls,     // products vanish that move something, where double holds
     reports,    // the engine says that a capacity does not suffice
 };

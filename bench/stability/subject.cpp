@@ -10,8 +10,9 @@ namespace stability {
 const std::vector<Subject>& subjects() {
     static const std::vector<Subject> all = [] {
         std::vector<Subject> list;
-        for (const auto part : {subjects_of_q8_8, subjects_of_q16_16, subjects_of_q32_32,
-                                subjects_of_q8_24, subjects_of_float, subjects_of_q16_16_published})
+        for (const auto part :
+             {subjects_of_q8_8, subjects_of_q16_16, subjects_of_q32_32, subjects_of_q8_24,
+              subjects_of_float, subjects_of_q16_16_published, subjects_of_q16_16_saturating})
             for (Subject& one : part()) list.push_back(std::move(one));
         return list;
     }();
@@ -20,9 +21,12 @@ const std::vector<Subject>& subjects() {
 
 const Subject& subject(const std::string& scalar, const std::string& arithmetic,
                        const std::string& integrator) {
-    for (const Subject& one : subjects())
-        if (one.scalar == scalar && one.arithmetic == arithmetic && one.integrator == integrator)
-            return one;
+    static const std::vector<Subject> unmended = subjects_of_unmended();
+    for (const auto* list : {&subjects(), &unmended})
+        for (const Subject& one : *list)
+            if (one.scalar == scalar && one.arithmetic == arithmetic &&
+                one.integrator == integrator)
+                return one;
     throw std::runtime_error(fmt::format("no subject {} {} {}", scalar, arithmetic, integrator));
 }
 

@@ -30,7 +30,7 @@ struct Subject {
 
 // Every scalar with every method.
 const std::vector<Subject>& subjects();
-// Throws std::runtime_error where there is none such.
+// One of them, or of the unmended ones. Throws std::runtime_error where there is none such.
 const Subject& subject(const std::string& scalar, const std::string& arithmetic,
                        const std::string& integrator);
 
@@ -40,8 +40,12 @@ std::vector<Subject> subjects_of_q16_16();
 std::vector<Subject> subjects_of_q32_32();
 std::vector<Subject> subjects_of_q8_24();
 std::vector<Subject> subjects_of_q16_16_published();
+std::vector<Subject> subjects_of_q16_16_saturating();
 std::vector<Subject> subjects_of_float();
+// Q16.16 with one mend of the engine left out; not among subjects().
+std::vector<Subject> subjects_of_unmended();
 // Truth by the engine itself, where nothing is rounded to speak of; not among subjects().
 std::vector<Subject> subjects_of_double();
+std::vector<Subject> subjects_of_unmended_in_double();
 
 }  // namespace stability

@@ -6,29 +6,13 @@
 #include <algorithm>
 #include <cstdint>
 #include <fixedpoint/conversion.hpp>
-#include <scenes/methods.hpp>
 #include <string_view>
-#include <type_traits>
 #include <utility>
 
+#include "bench/stability/methods.hpp"
 #include "bench/stability/subject.hpp"
 
 namespace stability {
-
-template <class World>
-struct ConstantForces {
-    typename World::Vector force[World::capacity];  // N
-    void apply(World& world) const {
-        for (typename World::Index i = 0; i < world.particles().size(); ++i) {
-            world.particles()[i].force += force[i];
-        }
-    }
-};
-
-// SemiImplicit with residues of products with the step, as a method of its own.
-struct ExactSteps : scenes::SemiImplicit {
-    static constexpr const char* name = "semi_implicit_exact_steps";
-};
 
 template <class Method>
 struct Everything : scenes::UsesWith<Method> {
@@ -37,7 +21,7 @@ struct Everything : scenes::UsesWith<Method> {
                               planes = 4, contacts = 48;
     static constexpr bool gravity = true, damping = true, collisions = true, radii = true,
                           custom_force = true;
-    static constexpr bool exact_steps = std::is_same_v<Method, ExactSteps>;
+    static constexpr bool exact_steps = HasExactSteps<Method>::value;
     template <class World>
     using CustomForce = ConstantForces<World>;
 };
@@ -268,19 +252,16 @@ class Run {
     }
 };
 
+template <class Scalar, class... Method>
+std::vector<Subject> subjects_of_methods(const char* scalar, const char* arithmetic, double largest,
+                                         double ulp) {
+    return {{scalar, arithmetic, Method::name, largest, ulp, Run<Scalar, Method>::run}...};
+}
 template <class Scalar>
 std::vector<Subject> subjects_with(const char* scalar, const char* arithmetic, double largest,
                                    double ulp) {
-    return {
-        {scalar, arithmetic, scenes::Published::name, largest, ulp,
-         Run<Scalar, scenes::Published>::run},
-        {scalar, arithmetic, scenes::SemiImplicit::name, largest, ulp,
-         Run<Scalar, scenes::SemiImplicit>::run},
-        {scalar, arithmetic, scenes::Verlet::name, largest, ulp, Run<Scalar, scenes::Verlet>::run},
-        {scalar, arithmetic, scenes::Implicit::name, largest, ulp,
-         Run<Scalar, scenes::Implicit>::run},
-        {scalar, arithmetic, ExactSteps::name, largest, ulp, Run<Scalar, ExactSteps>::run},
-    };
+    return subjects_of_methods<Scalar, scenes::Published, scenes::SemiImplicit, scenes::Verlet,
+                               scenes::Implicit, ExactSteps>(scalar, arithmetic, largest, ulp);
 }
 template <int I, int F, class Arithmetic>
 std::vector<Subject> subjects_of_format(const char* scalar, const char* arithmetic) {

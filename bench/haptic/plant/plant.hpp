@@ -48,6 +48,9 @@ class Plant {
     double stored_energy() const;
     const Parameters& parameters() const { return parameters_; }
 
+    // What is yet to happen; a change counts from now on.
+    Script& script() { return script_; }
+
   private:
     struct Body {
         double angle, velocity;

@@ -31,7 +31,7 @@ Profile example() {
 
 TEST(FlameGraph, WidthsAreInclusiveCycles) {
     const std::string svg = flame_graph(example(), "x & y");
-    const Bar all = bar(svg, "all"), main = bar(svg, "main"), wide = bar(svg, "wide"),
+    const Bar all = bar(svg, "awake"), main = bar(svg, "main"), wide = bar(svg, "wide"),
               step = bar(svg, "step&lt;int&gt;");
     EXPECT_DOUBLE_EQ(main.width, all.width);
     EXPECT_NEAR(wide.width, 0.6 * all.width, 0.01);
@@ -42,6 +42,16 @@ TEST(FlameGraph, WidthsAreInclusiveCycles) {
     EXPECT_NEAR(step.x, wide.x + wide.width, 0.02);
     EXPECT_NE(svg.find("x &amp; y"), std::string::npos);
     EXPECT_NE(svg.find("step&lt;int&gt;: 300 cycles (30.00%), 300 of its own"), std::string::npos);
+}
+
+TEST(FlameGraph, LeavesOutTheTimeAsleep) {
+    Profile profile = example();
+    profile.elapsed = 4000;
+    profile.stacks.push_back({{"main", "(asleep)"}, 3000});
+    const std::string svg = flame_graph(profile, "x");
+    EXPECT_NE(svg.find("awake for 1000 cycles, 25.00% of the time"), std::string::npos);
+    EXPECT_EQ(svg.find("(asleep)"), std::string::npos);
+    EXPECT_NEAR(bar(svg, "wide").width, 0.6 * bar(svg, "awake").width, 0.01);
 }
 
 TEST(FlameGraph, NothingMeasuredIsStillADocument) {

@@ -56,6 +56,37 @@ TEST(ElfTest, HashIsThatOfSha256sum) {
     EXPECT_EQ(program.sha256(), sha256_of(program.flash()));
 }
 
+// Each byte of the ELF header and of the symbol table's header, as all zeros and all ones: the file
+// is read or refused, and one whose entries have no size is refused.
+TEST(ElfTest, ADamagedHeaderIsReadOrRefused) {
+    const Elf intact = test_program("calls");
+    std::ifstream stream(intact.path(), std::ios::binary);
+    const std::string bytes((std::istreambuf_iterator<char>(stream)), {});
+    const auto number = [&](std::size_t at, int size) {
+        std::size_t value = 0;
+        for (int i = size; i-- > 0;)
+            value = value << 8 | static_cast<unsigned char>(bytes.at(at + std::size_t(i)));
+        return value;
+    };
+    constexpr std::size_t header = 52, entry = 40, type_of_symbols = 2, entry_size = 36;
+    std::size_t symbols = number(0x20, 4);
+    while (number(symbols + 4, 4) != type_of_symbols) symbols += entry;
+
+    const auto path = std::filesystem::path(testing::TempDir()) / "damaged.elf";
+    const auto message_with = [&](std::size_t at, std::size_t count, char byte) {
+        std::string damaged = bytes;
+        damaged.replace(at, count, count, byte);
+        std::ofstream(path, std::ios::binary) << damaged;
+        return message_of([&] { Elf{path}; });
+    };
+    for (const char byte : {'\0', '\xff'}) {
+        for (std::size_t i = 0; i < header; ++i) message_with(i, 1, byte);
+        for (std::size_t i = 0; i < entry; ++i) message_with(symbols + i, 1, byte);
+    }
+    EXPECT_EQ(message_with(symbols + entry_size, 4, '\0'),
+              path.string() + ": its table of symbols is damaged");
+}
+
 TEST(ElfTest, SaysWhatIsWrongWithAFile) {
     EXPECT_EQ(message_of([] { Elf{"/no/such.elf"}; }), "/no/such.elf: cannot be opened");
     EXPECT_EQ(message_of([] { Elf{"/proc/self/exe"}; }),

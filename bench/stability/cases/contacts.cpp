@@ -65,6 +65,12 @@ Experiment between_walls(double steps) {
             }};
 }
 
+// Where a ball of `reach` from its target's centre begins, so that its step before it touches ends
+// just short of it: the start that takes it furthest in.
+double just_short_of(double reach, double speed, TimeStep dt) {
+    return -1.01 * reach - 4 * speed * dt.value();
+}
+
 Experiment at_rest(double steps, double restitution, double rest_velocity) {
     Description made = on_floor(9.81, TimeStep::binary(8), unsigned(steps), restitution);
     made.rest_velocity = rest_velocity;
@@ -132,10 +138,10 @@ std::vector<Case> contact_cases() {
         {"thin_wall", "contacts", "speed", "m/s", 0.1, 1e7, geometry,
          [](double p) {
              Description made;
-             made.bodies = {ball({-1, 0}, {p, 0}, 1, 0.05)};
+             made.dt = TimeStep::binary(8);
+             made.bodies = {ball({just_short_of(0.1, p, made.dt), 0}, {p, 0}, 1, 0.05)};
              for (int i = -1; i <= 1; ++i) made.bodies.push_back(ball({0, 0.1 * i}, {}, 0, 0.05));
              made.restitution = 0.5;
-             made.dt = TimeStep::binary(8);
              made.steps = unsigned(std::min(4000.0, 500 + 512 / p));
              return Experiment{
                  made, [](const State& state, unsigned) { return 1 + state[0].position.x - 0.05; }};
@@ -143,9 +149,10 @@ std::vector<Case> contact_cases() {
         {"thin_target", "contacts", "speed", "m/s", 0.1, 1e7, geometry,
          [](double p) {
              Description made;
-             made.bodies = {ball({-1, 0}, {p, 0}, 1, 0.05), ball({0, 0}, {}, 1, 0.05)};
-             made.restitution = 0.5;
              made.dt = TimeStep::binary(8);
+             made.bodies = {ball({just_short_of(0.1, p, made.dt), 0}, {p, 0}, 1, 0.05),
+                            ball({0, 0}, {}, 1, 0.05)};
+             made.restitution = 0.5;
              made.steps = unsigned(std::min(4000.0, 50 + 512 / p));
              return Experiment{made, [](const State& state, unsigned) {
                                    return 1 + state[0].position.x - state[1].position.x;

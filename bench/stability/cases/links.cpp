@@ -193,6 +193,26 @@ std::vector<Case> link_cases() {
              made.steps = 500;
              return Experiment{made, ropes_hold(made, 0.05)};
          }},
+        {"rope_weight", "links", "gravity", "m/s^2", 1, 1e10, held,
+         [](double p) {
+             Description made;
+             made.bodies = {{.position = {0, -1}}};
+             made.ropes = {{{.length = 1}, 0}};
+             made.gravity = {0, -p};
+             made.dt = TimeStep::binary(8);
+             made.steps = 500;
+             return Experiment{made, ropes_hold(made, 0.05)};
+         }},
+        {"rope_short", "links", "length", "m", 1, 1e-9, "constraint: length within 10 %",
+         [](double p) {
+             Description made;
+             made.bodies = {{.position = {0.6 * p, -0.8 * p}}};
+             made.ropes = {{{.length = p}, 0}};
+             made.gravity = {0, -9.81};
+             made.dt = TimeStep::binary(10);
+             made.steps = 1000;
+             return Experiment{made, ropes_hold(made, 0.1)};
+         }},
         {"rope_jerk", "links", "speed", "m/s", 0.5, 1e8, "constraint: length within 20 %",
          [](double p) {
              Description made;
@@ -238,6 +258,26 @@ std::vector<Case> link_cases() {
              Description turned = made;
              turned.rods[0].length = p;
              return Experiment{made, from_step(104, rods_hold(turned, 0.1))};
+         }},
+        {"lever_dial_across", "links", "speed", "m/s", 0.1, 1e9,
+         "constraint: length within 5 %, speed",
+         [](double p) {
+             // From one end of the dial to the other in one step, in mid-swing.
+             constexpr double shortest = 0.23, longest = 0.48;  // m
+             Description made = lever(TimeStep::binary(8), 200);
+             made.bodies[0].position = made.rods[0].anchor - Point{shortest, 0};
+             made.bodies[0].velocity = {0, p};
+             made.rods[0].length = shortest;
+             made.dial_step = 20;
+             made.dial_length = longest;
+             Description turned = made;
+             turned.rods[0].length = longest;
+             return Experiment{
+                 made,
+                 from_step(24, all_of({rods_hold(turned, 0.05), [p](const State& state, unsigned) {
+                                           // Beside what gravity and the push give it.
+                                           return length(state[0].velocity) / (p + 5);
+                                       }}))};
          }},
         {"lever_push", "links", "force", "N", 0.1, 1e9, held,
          [](double p) {

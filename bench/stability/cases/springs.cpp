@@ -108,7 +108,7 @@ std::vector<Case> spring_cases() {
     return {
         {"spring_coarse_step", "springs", "omega dt", "1", 0.03, 1e4, bound,
          [](double p) { return at_step_product(p, TimeStep::binary(2), 1000); }},
-        {"spring_frame_step", "springs", "omega dt", "1", 0.03, 1e4, bound,
+        {"spring_frame_step", "springs", "omega dt", "1", 0.01, 1e4, bound,
          [](double p) { return at_step_product(p, TimeStep::binary(6), 1000); }},
         {"spring_stiffness", "springs", "stiffness", "N/m", 10, 1e12, bound,
          [](double p) { return bounded(on_spring(p, 0, 1, TimeStep::binary(10), 1024)); }},
@@ -140,7 +140,7 @@ std::vector<Case> spring_cases() {
                                                                  },
                                                                  0.05))})};
          }},
-        {"spring_critically_damped", "springs", "omega dt", "1", 0.03, 1e4, "GSL msbdf",
+        {"spring_critically_damped", "springs", "omega dt", "1", 0.01, 1e4, "GSL msbdf",
          [](double p) {
              const double omega = 64 * p;
              const Description made =

@@ -4,6 +4,7 @@
 #include <rapidcheck.h>
 
 #include <cmath>
+#include <functional>
 #include <scenes/all.hpp>
 #include <set>
 
@@ -125,20 +126,126 @@ TEST(Engine, ResiduesMoveWhatRoundingHolds) {
     EXPECT_LT(carried, rounded / 100);
 }
 
+// Pools filled to their capacity, and by one more, in every subject.
 TEST(Engine, ReportsWhatAWorldHasNoRoomFor) {
-    Description made;
-    for (int i = 0; i < 18; ++i) made.bodies.push_back({.position = {0.01 * i, 0}, .radius = 1});
-    made.steps = 1;
     const Measure anything = [](const State&, unsigned) { return 0.0; };
+    Description bodies;
+    for (int i = 0; i < 18; ++i) bodies.bodies.push_back({.position = {4.0 * i, 0}});
+    bodies.dt = TimeStep::binary(8);
+    bodies.steps = 1;
+    // How many of a kind there may be, and what adds the i-th of them.
+    const struct {
+        const char* kind;
+        int capacity;
+        std::function<void(Description&, int)> add;
+    } pools[] = {
+        {"particles", 0, [](Description& d, int) { d.bodies.push_back({}); }},
+        {"springs", 17,
+         [](Description& d, int i) {
+             d.springs.push_back({{.a = i % 17, .b = i % 17 + 1, .length = 4}, 1, 0});
+         }},
+        {"anchored springs", 2,
+         [](Description& d, int i) {
+             d.springs.push_back({{.a = i}, 0.01, 0});
+         }},
+        {"drags", 2,
+         [](Description& d, int i) {
+             d.drags.push_back({i, 0.1, 0});
+         }},
+        {"rods", 16,
+         [](Description& d, int i) { d.rods.push_back({.a = i, .b = i + 1, .length = 4}); }},
+        {"anchored rods", 6,
+         [](Description& d, int i) {
+             d.rods.push_back({.a = i, .anchor = {4.0 * i, 1}, .length = 1});
+         }},
+        {"ropes", 16,
+         [](Description& d, int i) {
+             d.ropes.push_back({{.a = i, .b = i + 1, .length = 5}, 0});
+         }},
+        {"anchored ropes", 2,
+         [](Description& d, int i) {
+             d.ropes.push_back({{.a = i, .length = 100}, 0});
+         }},
+        {"planes", 4,
+         [](Description& d, int) {
+             d.planes.push_back({{0, 1}, -100, 0});
+         }},
+    };
+    for (const auto& [kind, capacity, add] : pools) {
+        Description full = bodies;
+        for (int i = 0; i < capacity; ++i) add(full, i);
+        Description more = full;
+        add(more, capacity);
+        for (const Subject& one : subjects()) {
+            EXPECT_EQ(attempt(one, {full, anything}).outcome.error, "") << kind;
+            const Trial refused = attempt(one, {more, anything});
+            EXPECT_FALSE(refused.held) << kind;
+            EXPECT_EQ(refused.outcome.error,
+                      "a pool is full: raise the capacity that the scene states")
+                << kind;
+        }
+    }
+    // Contacts are found in a step.
+    for (int i = 0; i < 18; ++i) {
+        bodies.bodies[std::size_t(i)].position = {0.01 * i, 0};
+        bodies.bodies[std::size_t(i)].radius = 1;
+    }
     for (const Subject& one : subjects()) {
-        const Trial full = attempt(one, {made, anything});
+        const Trial full = attempt(one, {bodies, anything});
         EXPECT_FALSE(full.held);
         EXPECT_EQ(full.outcome.error, "more contacts in a step than the scene states");
-        Description more = made;
-        more.bodies.push_back({});
-        EXPECT_EQ(attempt(one, {more, anything}).outcome.error,
-                  "a pool is full: raise the capacity that the scene states");
     }
+}
+
+// A mend is one thing: what it does not touch moves as before.
+TEST(Mends, LeaveEverythingElseAsItIs) {
+    const auto ends_at = [](const Description& made, const char* method,
+                            const char* arithmetic = "nearest") {
+        State last;
+        attempt(subject("q16_16", arithmetic, method), {made, [&](const State& state, unsigned) {
+                                                            last = state;
+                                                            return 0.0;
+                                                        }});
+        std::vector<double> numbers;
+        for (const BodyState& body : last)
+            for (const double x :
+                 {body.position.x, body.position.y, body.velocity.x, body.velocity.y})
+                numbers.push_back(x);
+        return numbers;
+    };
+    Description springs;
+    springs.bodies = {{.position = {3, 0.25}, .velocity = {0, 1}}};
+    springs.springs = {{{.length = 2}, 50, 0.5}};
+    springs.gravity = {0, -9.81};
+    springs.dt = TimeStep::binary(8);
+    springs.steps = 300;
+    Description bounces = springs, rods = springs;
+    bounces.springs.clear();
+    bounces.restitution = 0.5;
+    bounces.planes = {{{0, 1}, 0, 0.5}};
+    rods.springs.clear();
+    rods.rods = {{.length = 3}};
+    Description still = rods;  // where chord and tangent are one
+    still.bodies[0] = {.position = {0, -3}};
+
+    const char* ours = "semi_implicit_euler";
+    const auto on_springs = ends_at(springs, ours), bouncing = ends_at(bounces, ours),
+               on_rods = ends_at(rods, ours);
+    for (const char* resolver :
+         {"worst_contact_first", "rods_as_opposed_contacts", "rods_along_tangents",
+          "bounces_when_found", "velocities_by_impulses"})
+        EXPECT_EQ(ends_at(springs, resolver), on_springs) << resolver;
+    EXPECT_EQ(ends_at(springs, ours, "roots_of_squares").size(), on_springs.size());
+    for (const char* of_rods : {"rods_as_opposed_contacts", "rods_along_tangents"}) {
+        EXPECT_EQ(ends_at(bounces, of_rods), bouncing) << of_rods;
+        EXPECT_NE(ends_at(rods, of_rods), on_rods) << of_rods;
+    }
+    EXPECT_EQ(ends_at(still, "rods_along_tangents"), ends_at(still, ours));
+    EXPECT_EQ(ends_at(rods, "bounces_when_found"), on_rods);
+    EXPECT_NE(ends_at(bounces, "bounces_when_found"), bouncing);
+    EXPECT_EQ(ends_at(rods, "implicit_springs"), on_rods);
+    EXPECT_NE(ends_at(springs, "implicit_springs"), on_springs);
+    EXPECT_NE(ends_at(springs, "positions_first"), on_springs);
 }
 
 // The world that has everything moves as the one that has only what its scene states.

@@ -48,6 +48,22 @@ struct LeverChoices {
 
     // What the sensors feel of their frame's own acceleration is taken off: table D.2.
     static constexpr bool frame_correction = false;
+
+    // Of a sensor: the least reading at which the other one may be free. Above the reading at rest,
+    // so that a sensor that is unplugged then is noticed; below that which holds the weight alone,
+    // for where it is not, a held lever loses its force whenever a foam lets go, and swings.
+    static constexpr uint16_t pressed = 895;
+};
+
+// The device of the report: its scene, method, clock and damping.
+template <class ScalarType>
+struct PublishedLeverChoices : LeverChoices<ScalarType> {
+    using Scene = scenes::PublishedLever;
+    using Method = scenes::Published;
+    using Steps = PublishedSteps;
+    static constexpr ScalarType time_step(uint32_t ticks) { return seconds<ScalarType>(ticks); }
+    static constexpr ScalarType servo_delay() { return ScalarType(); }
+    static constexpr uint8_t damping_exponent = 0;
 };
 
 template <class Choices>
@@ -126,7 +142,7 @@ class Lever {
     }
     __attribute__((noinline)) static Scalar weight(uint16_t sum) { return grams<Scalar, 1>(sum); }
     static bool connected(uint16_t sum, uint16_t other) {
-        constexpr uint16_t free = 2 * 8, pressed = 2 * 900, shorted = 2 * 1018;
+        constexpr uint16_t free = 2 * 8, pressed = 2 * Choices::pressed, shorted = 2 * 1018;
         return sum < shorted && (sum > free || other > pressed);
     }
 

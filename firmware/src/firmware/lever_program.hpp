@@ -14,10 +14,27 @@
 
 namespace firmware {
 
+// What a lever asks of its Board: 60 degrees of the servo, pins that show when it works.
+struct LeverWiring : Configuration {
+    static constexpr uint16_t servo_shortest = 1000;
+    static constexpr uint16_t servo_longest = 1667;
+    static constexpr uint16_t servo_at_start = 1000;
+    static constexpr uint8_t profiled = set_of(Category::step, Category::render);
+};
+
+// The same choices, with contacts on their pin.
+template <class Board, class Choices>
+struct WatchedSteps : Choices {
+    struct Method : Choices::Method {
+        using Integrator = ProfiledIntegrator<Board, typename Choices::Method::Integrator>;
+    };
+};
+
 template <class Board, class Choices, class Screen = firmware::Screen>
 class LeverProgram {
   public:
-    using Lever = firmware::Lever<Choices>;
+    using Lever = firmware::Lever<
+        WhereProfiled<Board, set_of(Category::collision), WatchedSteps<Board, Choices>, Choices>>;
 
     static void start() {
         Board::start();

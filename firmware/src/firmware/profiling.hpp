@@ -17,25 +17,155 @@ class Profiled {
     Profiled& operator=(const Profiled&) = delete;
 };
 
-// An arithmetic for Fixed whose multiplications and divisions raise the pin of `operation`, and
-// whose square roots raise that of `square_root`.
+// As Profiled, and the compiler keeps what is within within: left alone it would compute inlined
+// operations before the pin rises or behind its fall. `operands` are what is computed from.
+template <class Board, Category category>
+class ProfiledOperation {
+  public:
+    template <class... Values>
+    explicit ProfiledOperation(Values&... operands) {
+        Board::template raise<category>();
+        fence();
+        const bool settled[] = {true, settle(operands)...};
+        static_cast<void>(settled);
+    }
+    ~ProfiledOperation() {
+        fence();
+        Board::template lower<category>();
+    }
+    ProfiledOperation(const ProfiledOperation&) = delete;
+    ProfiledOperation& operator=(const ProfiledOperation&) = delete;
+
+    template <class Value>
+    Value result(Value value) const {
+        settle(value);
+        return value;
+    }
+
+  private:
+    static constexpr bool on = contains(Board::Configuration::profiled, category);
+
+    static void fence() {
+        if (on) asm volatile("" ::: "memory");
+    }
+    template <class Value>
+    static bool settle(Value& value) {
+        if (on) asm volatile("" : "+r"(value));
+        return true;
+    }
+};
+
+// Watched where one of the categories is profiled, else Plain itself: the same program as without.
+template <bool profiled, class Watched, class Plain>
+struct Either {
+    using Type = Watched;
+};
+template <class Watched, class Plain>
+struct Either<false, Watched, Plain> {
+    using Type = Plain;
+};
+template <class Board, uint8_t categories, class Watched, class Plain>
+using WhereProfiled =
+    typename Either<(Board::Configuration::profiled & categories) != 0, Watched, Plain>::Type;
+
 template <class Board, class Arithmetic>
-struct ProfiledArithmetic : Arithmetic {
+struct WatchedArithmetic : Arithmetic {
     template <class Raw, int F>
     static Raw multiply(Raw a, Raw b) {
-        const Profiled<Board, Category::operation> profiled;
-        return Arithmetic::template multiply<Raw, F>(a, b);
+        const Operation profiled(a, b);
+        return profiled.result(Arithmetic::template multiply<Raw, F>(a, b));
     }
     template <class Raw, int F>
     static Raw divide(Raw a, Raw b) {
-        const Profiled<Board, Category::operation> profiled;
-        return Arithmetic::template divide<Raw, F>(a, b);
+        const Operation profiled(a, b);
+        return profiled.result(Arithmetic::template divide<Raw, F>(a, b));
+    }
+    template <class Raw, int F, class A = Arithmetic>
+    static auto multiply_add(Raw a, Raw b, Raw c)
+        -> decltype(A::template multiply_add<Raw, F>(a, b, c)) {
+        const Operation profiled(a, b, c);
+        return profiled.result(Arithmetic::template multiply_add<Raw, F>(a, b, c));
+    }
+    template <class Raw, int F, class A = Arithmetic>
+    static auto dot2(const Raw* a, const Raw* b) -> decltype(A::template dot2<Raw, F>(a, b)) {
+        const Operation profiled(a, b);
+        return profiled.result(Arithmetic::template dot2<Raw, F>(a, b));
+    }
+    template <class Raw, int F, class A = Arithmetic>
+    static auto dot3(const Raw* a, const Raw* b) -> decltype(A::template dot3<Raw, F>(a, b)) {
+        const Operation profiled(a, b);
+        return profiled.result(Arithmetic::template dot3<Raw, F>(a, b));
     }
     template <class Raw, int F>
     static Raw sqrt(Raw a) {
-        const Profiled<Board, Category::square_root> profiled;
-        return Arithmetic::template sqrt<Raw, F>(a);
+        const SquareRoot profiled(a);
+        return profiled.result(Arithmetic::template sqrt<Raw, F>(a));
     }
+    template <class Raw, int F, class A = Arithmetic>
+    static auto length2(const Raw* v) -> decltype(A::template length2<Raw, F>(v)) {
+        const SquareRoot profiled(v);
+        return profiled.result(Arithmetic::template length2<Raw, F>(v));
+    }
+    template <class Raw, int F, class A = Arithmetic>
+    static auto length3(const Raw* v) -> decltype(A::template length3<Raw, F>(v)) {
+        const SquareRoot profiled(v);
+        return profiled.result(Arithmetic::template length3<Raw, F>(v));
+    }
+
+  private:
+    using Operation = ProfiledOperation<Board, Category::operation>;
+    using SquareRoot = ProfiledOperation<Board, Category::square_root>;
 };
+
+// An arithmetic for Fixed whose products and quotients, and sums of products, raise the pin of
+// `operation`, whose square roots and lengths raise that of `square_root`. What the arithmetic does
+// not have this one has not either.
+template <class Board, class Arithmetic>
+using ProfiledArithmetic = WhereProfiled<Board, set_of(Category::operation, Category::square_root),
+                                         WatchedArithmetic<Board, Arithmetic>, Arithmetic>;
+
+template <class Board, class Integrator>
+struct WatchedIntegrator : Integrator {
+    template <class World, class TimeStep>
+    static void step(World& world, TimeStep dt) {
+        Parts<World> parts{world};
+        Integrator::step(parts, dt);
+    }
+
+  private:
+    using Collision = ProfiledOperation<Board, Category::collision>;
+
+    // What an integrator asks of a world.
+    template <class World>
+    struct Parts {
+        World& world;
+
+        void accumulate_forces() { world.accumulate_forces(); }
+        template <class TimeStep>
+        void kick(TimeStep dt) {
+            world.kick(dt);
+        }
+        template <class TimeStep>
+        void drift(TimeStep dt) {
+            world.drift(dt);
+        }
+        void damp() { world.damp(); }
+        template <class TimeStep>
+        void gather(TimeStep dt) {
+            const Collision profiled;
+            world.gather(dt);
+        }
+        void resolve() {
+            const Collision profiled;
+            world.resolve();
+        }
+    };
+};
+
+// An integrator of the engine that raises the pin of `collision` twice a step: while contacts and
+// constraints are found, and while they are resolved.
+template <class Board, class Integrator>
+using ProfiledIntegrator = WhereProfiled<Board, set_of(Category::collision),
+                                         WatchedIntegrator<Board, Integrator>, Integrator>;
 
 }  // namespace firmware

@@ -6,7 +6,7 @@ set -euo pipefail
 sketch=$1 scratch=$2
 root=$(cd "$(dirname "$0")/../../.." && pwd)
 rm -rf "$scratch" && mkdir -p "$scratch/libraries" "$scratch/build"
-for library in fixedpoint engine; do ln -s "$root/$library" "$scratch/libraries/$library"; done
+for library in fixedpoint engine firmware; do ln -s "$root/$library" "$scratch/libraries/$library"; done
 
 # The core's own options ask for C++11, and its compiler lacks a macro that Debian's <float.h> wants.
 arduino-builder -compile -quiet -warnings more \

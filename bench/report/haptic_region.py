@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Where a held lever is still: measured over a family of plants, beside the linear theory."""
+import matplotlib.pyplot as plt
+import numpy
+from matplotlib.lines import Line2D
+
+import style
+
+ARITHMETICS = {"published": "the report's", "q16_16": "ours, Q16.16", "float": "ours, float"}
+DAMPINGS = {"no": "without damping", "yes": "selective damping"}
+COLOURS = {"yes": "#0072b2", "no": "#d55e00"}
+THEORY = "#d55e00"
+STILL = 1.5  # degrees
+
+
+def key(row):
+    return row["arithmetic"], row["damping"], row["clock"], row["loop_rate_hz"]
+
+
+def grouped(rows):
+    groups = {}
+    for row in rows:
+        groups.setdefault(key(row), []).append(row)
+    return groups
+
+
+def grid(rows, column):
+    """Shares of the plants over arms (columns) and hands (rows)."""
+    arms = sorted({row["arm_m"] for row in rows})
+    hands = sorted({row["hand_n_per_m"] for row in rows})
+    shares = numpy.zeros((len(hands), len(arms)))
+    for row in rows:
+        shares[hands.index(row["hand_n_per_m"]), arms.index(row["arm_m"])] = (
+            row[column] / row["plants"])
+    return arms, hands, shares
+
+
+def write_thrown(axes, rows, arms, hands):
+    """How many plants are still when they are thrown, where not all are."""
+    for row in rows:
+        if row["still_thrown"] == row["plants"]:
+            continue
+        axes.text(arms.index(row["arm_m"]), hands.index(row["hand_n_per_m"]),
+                  str(row["still_thrown"]), ha="center", va="center", fontsize=6,
+                  color="white" if 2 * row["still"] < row["plants"] else "black")
+
+
+def draw(data):
+    """A panel a lever and loop rate: shades are measured, the dashed line is the theory's."""
+    groups = grouped(data.rows("stable_region"))
+    columns = sorted({(clock, rate) for _, _, clock, rate in groups},
+                     key=lambda column: (column[0] != "report", column[1]))
+    lines = [(arithmetic, damping) for arithmetic in ARITHMETICS for damping in DAMPINGS]
+    figure, panels = plt.subplots(len(lines), len(columns), squeeze=False, sharex=True,
+                                  sharey=True, figsize=(11, 1.55 * len(lines) + 0.6))
+    image = None
+    for (arithmetic, damping), axes_of_line in zip(lines, panels):
+        for (clock, rate), axes in zip(columns, axes_of_line):
+            axes.grid(visible=False)
+            rows = groups.get((arithmetic, damping, clock, rate))
+            if rows is None:
+                axes.set_axis_off()
+                continue
+            arms, hands, measured = grid(rows, "still")
+            theory = grid(rows, "linear_stable")[2]
+            write_thrown(axes, rows, arms, hands)
+            image = axes.imshow(measured, origin="lower", aspect="auto", vmin=0, vmax=1,
+                                cmap="cividis")
+            if theory.min() < 0.5 <= theory.max():
+                axes.contour(theory, levels=[0.5], colors=THEORY, linestyles="dashed",
+                             linewidths=1.6)
+            axes.set_xticks(range(len(arms)), [f"{100 * arm:.0f}" for arm in arms], fontsize=7)
+            axes.set_yticks(range(len(hands)), [f"{hand:.0f}" for hand in hands], fontsize=7)
+    for (clock, rate), axes in zip(columns, panels[0]):
+        axes.set_title(f"{rate:.0f} Hz" if clock == "fixed" else "its own clock")
+    for (arithmetic, damping), axes_of_line in zip(lines, panels):
+        first = next(axes for axes in axes_of_line if axes.axison)
+        first.set_ylabel(f"{ARITHMETICS[arithmetic]},\n{DAMPINGS[damping]}\nhand, N/m",
+                         fontsize=7)
+        first.tick_params(labelleft=True)
+    for axes in panels[-1]:
+        axes.set_xlabel("arm, cm", fontsize=8)
+    bar = figure.colorbar(image, ax=panels, shrink=0.5, pad=0.01)
+    bar.set_label("share of the plants that are still when taken up")
+    style.legend_above(figure, [Line2D([], [], color=THEORY, linestyle="dashed")],
+                       ["linear theory: below, half of the plants and more are stable; where there "
+                        "is no line, everywhere. Numbers: plants still when thrown, where not "
+                        "all"], 1)
+    return figure
+
+
+def draw_oscillation(data):
+    """The poked lever over time."""
+    rows = data.rows("oscillation")
+    time = [row["time_s"] for row in rows]
+    figure, panels = plt.subplots(2, 1, sharex=True, sharey=True, figsize=(9, 4.6))
+    for axes, arithmetic in zip(panels, ("published", "q16_16")):
+        for damping, name in (("no", "undamped"), ("yes", "damped")):
+            axes.plot(time, [row[f"{arithmetic}_{name}_deg"] for row in rows],
+                      color=COLOURS[damping], linewidth=1, label=DAMPINGS[damping])
+        axes.axvline(2, color="#888888", linewidth=0.8, linestyle=":")
+        axes.set(title=ARITHMETICS[arithmetic], ylabel="lever, degrees", xlim=(0, time[-1]))
+    panels[1].set_xlabel("s; poked at 2 s")
+    style.legend_above(figure, *panels[0].get_legend_handles_labels(), 2)
+    return figure
+
+
+def oscillation(data):
+    """Of each trace in its last second: lever, damping, swing in degrees, frequency in Hz."""
+    rows = [row for row in data.rows("oscillation")]
+    end = rows[-1]["time_s"]
+    last = [row for row in rows if row["time_s"] > end - 1]
+    result = []
+    for arithmetic in ("published", "q16_16"):
+        for damping, name in (("no", "undamped"), ("yes", "damped")):
+            angles = numpy.array([row[f"{arithmetic}_{name}_deg"] for row in last])
+            swing = angles.max() - angles.min()
+            above = angles > angles.mean()
+            passes = int(numpy.sum(above[1:] & ~above[:-1]))
+            result.append({"lever": ARITHMETICS[arithmetic], "damping": DAMPINGS[damping],
+                           "swing": float(swing), "frequency": passes if swing > STILL else None})
+    return result
+
+
+def share(rows, column):
+    return 100 * sum(row[column] for row in rows) / sum(row["plants"] for row in rows)
+
+
+def least(values):
+    """None, which stands for no value, is less than any."""
+    values = list(values)
+    return None if None in values else min(values)
+
+
+def most(values):
+    """None, which stands for no value, is more than any."""
+    values = list(values)
+    return None if None in values else max(values)
+
+
+def summary(data):
+    """A row a lever, its damping and its loop rate."""
+    limits = grouped(data.rows("stable_limits"))
+    chips = grouped(data.rows("stable_on_chip"))
+    result = []
+    for lever, rows in grouped(data.rows("stable_region")).items():
+        arithmetic, damping, clock, rate = lever
+        of_plants, seen = limits[lever], chips.get(lever, [])
+        result.append({
+            "lever": ARITHMETICS[arithmetic], "damping": damping,
+            "rate": f"{rate:.0f}" + (", its own clock" if clock == "report" else ""),
+            "taken_up": share(rows, "still"), "thrown": share(rows, "still_thrown"),
+            "theory": share(rows, "linear_stable"), "plants": len(of_plants),
+            "still": sum(row["still_at_shortest"] == "yes" for row in of_plants),
+            "hardest": least(row["hardest_hand_n_per_m"] for row in of_plants),
+            "theory_arm": most(row["linear_shortest_arm_m"] for row in of_plants),
+            "chip": f"{sum(row['chip'] == 'still' for row in seen)} of {len(seen)}" if seen
+                    else None,
+        })
+    return result
+
+
+def agreement(data):
+    """Points at which chip and host say the same, and all of them."""
+    rows = data.rows("stable_on_chip")
+    return sum(row["chip"] == row["host"] for row in rows), len(rows)
+
+
+def differing(data):
+    """The levers at which they do not, each with how often."""
+    counts = {}
+    for row in data.rows("stable_on_chip"):
+        if row["chip"] != row["host"]:
+            name = f"{ARITHMETICS[row['arithmetic']]} at {row['loop_rate_hz']:.0f} Hz"
+            counts[name] = counts.get(name, 0) + 1
+    return counts

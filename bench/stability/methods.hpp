@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Methods beside those of scenes/methods.hpp, for the host and the chip: the engine with residues,
+// and the engine with one of its mends left out, each as scenes::SemiImplicit in all else.
+#pragma once
+
+#include <fixedpoint/arithmetic/nearest.hpp>
+#include <scenes/methods.hpp>
+
+namespace stability {
+
+// SemiImplicit with residues of products with the step.
+struct ExactSteps : scenes::SemiImplicit {
+    static constexpr const char* name = "semi_implicit_exact_steps";
+};
+template <class Method>
+struct HasExactSteps {
+    static constexpr bool value = false;
+};
+template <>
+struct HasExactSteps<ExactSteps> {
+    static constexpr bool value = true;
+};
+
+// The positions of a step by the velocities before it.
+struct PositionsFirst : scenes::SemiImplicit {
+    static constexpr const char* name = "positions_first";
+    using Integrator = engine::ExplicitEuler;
+};
+
+// Of the contacts of a step the worst again and again, in as many rounds as there are sweeps.
+struct WorstContactFirst : scenes::SemiImplicit {
+    static constexpr const char* name = "worst_contact_first";
+    using Resolver = engine::WorstFirst<10>;
+};
+
+// A resolver by sweeps, to derive from.
+struct PlainSweeps : engine::Sweeps<10> {
+  protected:
+    template <class World, class Index, class Vector, class Scalar>
+    static void bind(World& world, Index a, Index b, bool pushes_only, const Vector& normal,
+                     Scalar correction, Scalar target, Scalar restitution) {
+        using namespace engine;
+        const Scalar share = share_of(world, a, b);
+        if (!(correction == Scalar())) {
+            part(world, a, b, normal, correction, share, &World::Particle::position);
+        }
+        world.append_row([&](Row<World>& row) ENGINE_INLINE_LAMBDA {
+            row.a = a;
+            row.b = b;
+            row.normal = normal;
+            row.target = target;
+            row.set_share(share);
+            row.set_pushing(pushes_only, restitution);
+        });
+    }
+};
+
+// A rod as two opposed contacts, where its length is off.
+struct OpposedContacts : scenes::SemiImplicit {
+    static constexpr const char* name = "rods_as_opposed_contacts";
+    struct Resolver : PlainSweeps {
+        static constexpr unsigned rows_per_rod = 2;
+
+        template <class World, class Index, class Vector, class Scalar, class TimeStep>
+        static void rod(World& world, Index a, Index b, const Vector& direction, Scalar excess,
+                        Scalar, TimeStep) {
+            if (excess == Scalar()) return;
+            bind(world, a, b, true, direction, -excess, Scalar(), Scalar());
+            bind(world, a, b, true, -direction, Scalar(), Scalar(), Scalar());
+        }
+    };
+};
+
+// A rod's end moves along the tangent of its arc.
+struct TangentRods : scenes::SemiImplicit {
+    static constexpr const char* name = "rods_along_tangents";
+    struct Resolver : PlainSweeps {
+        template <class World, class Index, class Vector, class Scalar, class TimeStep>
+        static void rod(World& world, Index a, Index b, const Vector& direction, Scalar excess,
+                        Scalar, TimeStep) {
+            bind(world, a, b, false, direction, -excess, Scalar(), Scalar());
+        }
+    };
+};
+
+// A bounce begins where it is found.
+struct LateBounces : scenes::SemiImplicit {
+    static constexpr const char* name = "bounces_when_found";
+    struct Resolver : PlainSweeps {
+        template <class World, class Index, class Vector, class Scalar, class TimeStep>
+        static void contact(World& world, Index a, Index b, const Vector& normal,
+                            Scalar penetration, Scalar restitution, TimeStep) {
+            bind(world, a, b, true, normal, penetration, Scalar(), restitution);
+        }
+    };
+};
+
+// Velocities by impulses, change / (sum of inverse masses), in place of shares.
+struct Impulses : scenes::SemiImplicit {
+    static constexpr const char* name = "velocities_by_impulses";
+    struct Resolver : PlainSweeps {
+        template <class World>
+        static void resolve(World& world) {
+            for (unsigned char sweep = 0; sweep < 10; ++sweep) {
+                bool changed = false;
+                world.rows().for_each([&](const auto& row) {
+                    if (Resolver::push(world, row)) changed = true;
+                });
+                if (!changed || world.rows().size() == 1) break;
+            }
+        }
+
+      private:
+        template <class World, class Row>
+        static bool push(World& world, const Row& row) {
+            using namespace engine;
+            using Scalar = typename World::Scalar;
+            const Scalar velocity = dot(relative_velocity(world, row.a, row.b), row.normal);
+            Scalar goal = row.target;
+            if (!row.acts(world, velocity, goal)) return false;
+            const Scalar change = goal - velocity;
+            if (change == Scalar()) return false;
+            auto& a = world.particles()[row.a];
+            Scalar total = a.inverse_mass;
+            if (is_particle(world, row.b)) total += world.particles()[row.b].inverse_mass;
+            const Scalar impulse = change / total;
+            a.velocity.add_scaled(row.normal, impulse * a.inverse_mass);
+            if (is_particle(world, row.b)) {
+                auto& b = world.particles()[row.b];
+                b.velocity.add_scaled(row.normal, -(impulse * b.inverse_mass));
+            }
+            return true;
+        }
+    };
+};
+
+// Of an arithmetic: the length of a vector as the root of the sum of squares, which wraps where the
+// sum does.
+template <class Arithmetic>
+struct RootsOfSquares : Arithmetic {
+    template <class Raw, int F>
+    static Raw length2(const Raw* v) {
+        return Arithmetic::template sqrt<Raw, F>(Arithmetic::template dot2<Raw, F>(v, v));
+    }
+};
+
+// A force of each particle that stays as it is, N.
+template <class World>
+struct ConstantForces {
+    typename World::Vector force[World::capacity];
+    void apply(World& world) const {
+        for (typename World::Index i = 0; i < world.particles().size(); ++i) {
+            world.particles()[i].force += force[i];
+        }
+    }
+};
+
+}  // namespace stability
