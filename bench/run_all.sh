@@ -3,8 +3,8 @@
 # Measures everything and writes results/: sets up, builds, runs every bench, draws the report.
 #
 # Usage: bench/run_all.sh [--quick | --full | --exhaustive] [--check] [--help]
-#   --full   every input space exhausted, all samples, the search over hypotheses (default);
-#            writes results/
+#   --full   every input space exhausted, all samples, the search over hypotheses, an hour of the
+#            lever, and four minutes of fuzzing (default); writes results/
 #   --quick  the same benches on fewer operands, about ten minutes after the build; writes
 #            build/quick/ and leaves results/ alone
 #   --exhaustive  only the kernels as machine code, over all inputs or 10^9 of them: an hour on two
@@ -36,9 +36,15 @@ results=results
 [ -n "$check" ] && results=build/check
 data=$results/data
 
+fuzzing=
+if [ "$mode" = full ] && [ -z "$check" ]; then
+    fuzzing=yes
+    scripts/setup.sh --fuzz
+fi
 scripts/build.sh release
 bin=build/release/bench
 fixbench=$bin/fixbench
+firmware=build/release/firmware
 mkdir -p "$data"
 
 if [ "$mode" = exhaustive ]; then
@@ -49,9 +55,9 @@ if [ "$mode" = exhaustive ]; then
     exit 0
 fi
 
-quick=() samples=20000 verified=1000000 repetitions=0.2 most=4096
+quick=() samples=20000 verified=1000000 repetitions=0.2 most=4096 seconds=()
 if [ "$mode" = quick ]; then
-    quick=(--quick) samples=1000 verified=2000 repetitions=0.02 most=64
+    quick=(--quick) samples=1000 verified=2000 repetitions=0.02 most=64 seconds=(--seconds 30)
 fi
 "$fixbench" cycles --samples "$samples" --output "$data"
 "$fixbench" table "${quick[@]}" --output "$data"
@@ -69,8 +75,14 @@ mv "$data/host_throughput.json.partial" "$data/host_throughput.json"
 header=firmware/src/firmware/calibration_table.hpp
 [ "$results" = results ] || header=$data/calibration_table.hpp
 "$fixbench" calibrate reference/published/table_d_1.csv --output "$data" --header "$header" >&2
-"$fixbench" haptic --output "$data"
+"$fixbench" haptic "${seconds[@]}" --output "$data"
+"$fixbench" region "${quick[@]}" --output "$data"
+"$fixbench" profile "$firmware/lever.elf" --scenario poke_while_held --seconds 5 --output "$data" \
+    --figures "$results/figures" >&2
+"$fixbench" lever --scenario demonstration --record "$data" >&2
 "$fixbench" report --results "$results"
+
+[ -z "$fuzzing" ] || cmake --build build/release --target fuzz >&2
 
 if [ -n "$check" ]; then
     # Times of the host differ from run to run, and the exhaustive runs are a mode of their own;

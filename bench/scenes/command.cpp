@@ -41,7 +41,8 @@ void add_scenes_command(CLI::App& app, fixbench::Action& action) {
     options->threads = all_threads();
     CLI::App* const command = app.add_subcommand(
         "scenes",
-        "Error of every scene of engine/scenes/ in every scalar, method and time step, against\n"
+        "Error of every scene of engine/src/scenes/ in every scalar, method and time step, "
+        "against\n"
         "cycles on the simulated chip. Builds the device programs where they are out of date.\n"
         "Writes scenes.csv.\n\n"
         "error is against the truth; error_method that of the same method in 50 digits; and\n"

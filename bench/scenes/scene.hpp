@@ -39,18 +39,18 @@ struct HostSubject {
 
 struct Scene {
     std::string name;
-    unsigned duration;  // s
-    unsigned dimensions;
-    unsigned particles;
-    bool springs;
-    std::vector<HostSubject> subjects;
+    unsigned duration = 0;  // s
+    unsigned dimensions = 0;
+    unsigned particles = 0;
+    bool springs = false;
+    std::vector<HostSubject> subjects = {};
     // The largest |length - distance| / length of a rod.
-    double (*rod_error)(const State& state);
+    double (*rod_error)(const State& state) = nullptr;
 
     const HostSubject* find(std::string_view scalar, std::string_view method) const;
 };
 
-// Those of engine/scenes/, in that order.
+// Those of engine/src/scenes/, in that order.
 const std::vector<Scene>& all_scenes();
 
 }  // namespace scene_bench

@@ -55,7 +55,7 @@ void add_stability_command(CLI::App& app, fixbench::Action& action) {
         "splits Q2.14 to Q12.4, Q4.28 to Q24.8 and Q12.52 to Q40.24 are tried, and float. Exits\n"
         "with 1 where nothing meets the error.\n\n"
         "Example: fixbench advise --scene pendulum --error 5 --unit mm");
-    command->add_option("--scene", advice->scene, "a scene of engine/scenes/, e.g. pendulum")
+    command->add_option("--scene", advice->scene, "a scene of engine/src/scenes/, e.g. pendulum")
         ->required();
     command->add_option("--error", advice->error, "the largest error of a position")
         ->required()

@@ -3,6 +3,7 @@
 // that the board's configuration does not name in `profiled` compiles to nothing.
 #pragma once
 
+#include <engine/choice.hpp>
 #include <firmware/configuration.hpp>
 
 namespace firmware {
@@ -56,17 +57,9 @@ class ProfiledOperation {
 };
 
 // Watched where one of the categories is profiled, else Plain itself: the same program as without.
-template <bool profiled, class Watched, class Plain>
-struct Either {
-    using Type = Watched;
-};
-template <class Watched, class Plain>
-struct Either<false, Watched, Plain> {
-    using Type = Plain;
-};
 template <class Board, uint8_t categories, class Watched, class Plain>
-using WhereProfiled =
-    typename Either<(Board::Configuration::profiled & categories) != 0, Watched, Plain>::Type;
+using WhereProfiled = typename engine::Either<(Board::Configuration::profiled & categories) != 0,
+                                              Watched, Plain>::Type;
 
 template <class Board, class Arithmetic>
 struct WatchedArithmetic : Arithmetic {
