@@ -73,6 +73,12 @@ class Show {
     long long samples_ = 0;
 };
 
+// A folder that takes no recording is told of before somebody plays, not after.
+void try_folder(const std::filesystem::path& folder) {
+    records::write_whole(folder / "lever.trial", "");
+    std::filesystem::remove(folder / "lever.trial");
+}
+
 double wall_clock() {
     const auto now = std::chrono::steady_clock::now().time_since_epoch();
     return std::chrono::duration<double>(now).count();
@@ -147,6 +153,7 @@ haptic::Scenario demonstration() {
 int run_lever(const Options& options) {
     const bool recorded = !options.record.empty(), alone = recorded && !options.scenario.empty();
     Session session(chosen(options), chosen_scenario(options.scenario));
+    if (recorded) try_folder(options.record);
     Show show(session, recorded);
     int signal = 0;
     if (alone) {

@@ -257,6 +257,14 @@ TEST(Lever, RefusesAScenarioThatThereIsNot) {
     EXPECT_FALSE(std::filesystem::exists("/tmp/nowhere"));
 }
 
+TEST(Lever, RefusesAFolderThatTakesNoRecordingBeforeItBegins) {
+    const Result result = run("--record /proc/recording");
+    EXPECT_NE(result.status, 0);
+    EXPECT_THAT(result.text, HasSubstr("/proc/recording"));
+    EXPECT_THAT(result.text, Not(HasSubstr("input or output is none")));
+    EXPECT_EQ(std::count(result.text.begin(), result.text.end(), '\n'), 1);
+}
+
 TEST(Lever, RecordsTheSameTwice) {
     Folder first, second;
     const std::string arguments = "--scenario release_and_fall --record ";
