@@ -56,7 +56,7 @@ FAULTS = [
     Fault.on_device("overflow of a difference that is not seen", "portable/add_saturating.hpp",
                     "(a ^ b) & (a ^ difference)", "(a ^ b) & (b ^ difference)",
                     "operators_test_q1_15"),
-    Fault.on_device("clamped sum of 32 bits that is none but in its sign",
+    Fault.on_device("clamped sum of which only the sign is right",
                     "kernel/add_saturating.hpp", "sbc %D0, %D0", "eor %D0, %D0",
                     "operators_test_q16_16"),
     Fault.on_device("digits behind a tie in decimal text", "portable/decimal_fraction.hpp",
