@@ -5,7 +5,7 @@
 # Usage: bench/run_all.sh [--quick | --full | --exhaustive] [--check] [--help]
 #   --full   every input space exhausted, all samples, the search over hypotheses, an hour of the
 #            lever, and four minutes of fuzzing (default); writes results/
-#   --quick  the same benches on fewer operands, about ten minutes after the build; writes
+#   --quick  the same benches on fewer operands, some minutes after the build; writes
 #            build/quick/ and leaves results/ alone
 #   --exhaustive  only the kernels as machine code, over all inputs or 10^9 of them: an hour on two
 #            cores; writes results/data/exhaustive.csv, which the other modes leave as it is, and
