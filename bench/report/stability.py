@@ -46,6 +46,16 @@ def figure(value):
     return f"{factor}10<sup>{int(exponent)}</sup>".replace("-", "−")
 
 
+def silent(rows, arithmetic):
+    """Of Q16.16 in the engine's own methods: all rows, those that a result ends which wraps within
+    a step, and those that a number of the scene ends which the format cannot hold at all."""
+    mine = [row for row in rows if row["scalar"] == "q16_16" and row["arithmetic"] == arithmetic
+            and row["integrator"] != "explicit_euler"]
+    ended = [row for row in mine if row["verdict"] == "overflows"]
+    unfit = [row for row in ended if row["first_event"].startswith("overflow convert")]
+    return len(mine), len(ended) - len(unfit), len(unfit)
+
+
 def change(before, after):
     """By how many percent a number of cycles changed."""
     percent = round(100 * (after / before - 1))
