@@ -33,27 +33,7 @@ struct WorstContactFirst : scenes::SemiImplicit {
     using Resolver = engine::WorstFirst<10>;
 };
 
-// A resolver by sweeps, to derive from.
-struct PlainSweeps : engine::Sweeps<10> {
-  protected:
-    template <class World, class Index, class Vector, class Scalar>
-    static void bind(World& world, Index a, Index b, bool pushes_only, const Vector& normal,
-                     Scalar correction, Scalar target, Scalar restitution) {
-        using namespace engine;
-        const Scalar share = share_of(world, a, b);
-        if (!(correction == Scalar())) {
-            part(world, a, b, normal, correction, share, &World::Particle::position);
-        }
-        world.append_row([&](Row<World>& row) ENGINE_INLINE_LAMBDA {
-            row.a = a;
-            row.b = b;
-            row.normal = normal;
-            row.target = target;
-            row.set_share(share);
-            row.set_pushing(pushes_only, restitution);
-        });
-    }
-};
+using PlainSweeps = engine::Sweeps<10>;
 
 // A rod as two opposed contacts, where its length is off.
 struct OpposedContacts : scenes::SemiImplicit {

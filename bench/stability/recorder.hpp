@@ -146,6 +146,10 @@ struct RecordingSaturating : fixedpoint::Checked<ClampHook> {
         return multiply_add<Raw, F>(a[1], b[1], multiply<Raw, F>(a[0], b[0]));
     }
     template <class Raw, int F>
+    static Raw dot3(const Raw* a, const Raw* b) {
+        return multiply_add<Raw, F>(a[2], b[2], dot2<Raw, F>(a, b));
+    }
+    template <class Raw, int F>
     static Raw shift_left(Raw a, unsigned char count) {
         Watched::shift_left<Raw, F>(a, count);
         return Saturating::shift_left<Raw, F>(a, count);

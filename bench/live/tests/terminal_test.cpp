@@ -32,8 +32,8 @@ std::string content(const std::filesystem::path& path) {
 class Folder {
   public:
     Folder() {
-        char name[] = "/tmp/live_test.XXXXXX";
-        path = mkdtemp(name);
+        std::string name = (std::filesystem::temp_directory_path() / "live_test.XXXXXX").string();
+        path = mkdtemp(name.data());
     }
     ~Folder() { std::filesystem::remove_all(path); }
     std::filesystem::path path;
@@ -250,11 +250,13 @@ TEST(Lever, SaysThatItNeedsATerminal) {
 }
 
 TEST(Lever, RefusesAScenarioThatThereIsNot) {
-    const Result result = run("--scenario nonsense --record /tmp/nowhere");
+    const Folder folder;
+    const std::filesystem::path unmade = folder.path / "unmade";
+    const Result result = run("--scenario nonsense --record " + unmade.string());
     EXPECT_NE(result.status, 0);
     EXPECT_THAT(result.text, HasSubstr("demonstration"));
     EXPECT_THAT(result.text, HasSubstr("release_and_fall"));
-    EXPECT_FALSE(std::filesystem::exists("/tmp/nowhere"));
+    EXPECT_FALSE(std::filesystem::exists(unmade));
 }
 
 TEST(Lever, RefusesAFolderThatTakesNoRecordingBeforeItBegins) {

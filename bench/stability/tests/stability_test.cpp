@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <scenes/all.hpp>
@@ -27,6 +28,34 @@ const Case& case_named(const std::string& name) {
 Finding find(const std::string& name, const std::string& scalar, const std::string& integrator,
              const std::string& arithmetic = "nearest") {
     return find_limit(case_named(name), subject(scalar, arithmetic, integrator), fine);
+}
+
+TEST(Recording, SaturatingReturnsWhatSaturatingReturnsAndTellsWhatItClamped) {
+    using S = fixedpoint::Saturating;
+    using R = RecordingSaturating;
+    EXPECT_TRUE(rc::check([](const std::array<std::int16_t, 3>& a,
+                             const std::array<std::int16_t, 3>& b) {
+        const auto [x, y, z] = a;
+        RC_ASSERT((R::add<std::int16_t, 8>(x, y)) == (S::add<std::int16_t, 8>(x, y)));
+        RC_ASSERT((R::subtract<std::int16_t, 8>(x, y)) == (S::subtract<std::int16_t, 8>(x, y)));
+        RC_ASSERT((R::negate<std::int16_t, 8>(x)) == (S::negate<std::int16_t, 8>(x)));
+        RC_ASSERT((R::multiply<std::int16_t, 8>(x, y)) == (S::multiply<std::int16_t, 8>(x, y)));
+        RC_ASSERT((R::divide<std::int16_t, 8>(x, y)) == (S::divide<std::int16_t, 8>(x, y)));
+        RC_ASSERT((R::multiply_add<std::int16_t, 8>(x, y, z)) ==
+                  (S::multiply_add<std::int16_t, 8>(x, y, z)));
+        RC_ASSERT((R::dot2<std::int16_t, 8>(a.data(), b.data())) ==
+                  (S::dot2<std::int16_t, 8>(a.data(), b.data())));
+        RC_ASSERT((R::dot3<std::int16_t, 8>(a.data(), b.data())) ==
+                  (S::dot3<std::int16_t, 8>(a.data(), b.data())));
+        RC_ASSERT((R::shift_left<std::int16_t, 8>(x, 3)) == (S::shift_left<std::int16_t, 8>(x, 3)));
+    }));
+    Recorder recorder;
+    const Recorded recorded(recorder);
+    const std::int16_t most[2] = {32767, 32767};
+    EXPECT_EQ((R::dot2<std::int16_t, 8>(most, most)), 32767);
+    ASSERT_TRUE(recorder.first_clamp());
+    EXPECT_EQ(recorder.first_clamp()->operation, fixedpoint::Operation::multiply);
+    EXPECT_FALSE(recorder.first_failure());
 }
 
 TEST(Battery, NamesAreUniqueAndRangesPositive) {

@@ -117,7 +117,7 @@ struct Sweeps {
         }
     }
 
-  private:
+  protected:
     // Parts a from b by `correction` at once and appends the row that sees to their velocities.
     template <class World, class Index, class Vector, class Scalar>
     static void bind(World& world, Index a, Index b, bool pushes_only, const Vector& normal,
@@ -136,6 +136,7 @@ struct Sweeps {
         });
     }
 
+  private:
     // Gives the two of a row the velocity that it asks for; whether that changed anything.
     template <class World, class Row>
     static bool solve(World& world, const Row& row) {
