@@ -11,21 +11,21 @@
 #include <string>
 #include <thread>
 
-#include "bench/calibration/command.hpp"
-#include "bench/command.hpp"
-#include "bench/haptic/command.hpp"
-#include "bench/haptic/region/command.hpp"
-#include "bench/features/command.hpp"
-#include "bench/growth/command.hpp"
+#include "bench/experiments/calibration/command.hpp"
+#include "bench/lab/command.hpp"
+#include "bench/experiments/haptic/command.hpp"
+#include "bench/experiments/haptic/region/command.hpp"
+#include "bench/experiments/cost/features/command.hpp"
+#include "bench/experiments/cost/growth/command.hpp"
 #include "bench/live/command.hpp"
-#include "bench/machine_code/exhaustive.hpp"
-#include "bench/operations/measure_accuracy.hpp"
-#include "bench/operations/measure_cycles.hpp"
-#include "bench/operations/verify_kernels.hpp"
-#include "bench/profile/command.hpp"
-#include "bench/scenes/command.hpp"
-#include "bench/stability/command.hpp"
-#include "bench/table_3_2/table_3_2.hpp"
+#include "bench/experiments/exhaustive/exhaustive.hpp"
+#include "bench/experiments/operations/measure_accuracy.hpp"
+#include "bench/experiments/operations/measure_cycles.hpp"
+#include "bench/experiments/operations/verify_kernels.hpp"
+#include "bench/experiments/profile/command.hpp"
+#include "bench/experiments/scenes/command.hpp"
+#include "bench/experiments/stability/command.hpp"
+#include "bench/experiments/table_3_2/table_3_2.hpp"
 #include "reference/published.hpp"
 
 namespace {
@@ -159,7 +159,7 @@ int main(int argc, char** argv) {
     table_3_2::Options table;
     table.programs_csv = FIXBENCH_TABLE_3_2_PROGRAMS;
     table.division_elf = FIXBENCH_TABLE_3_2_DIVISION_ELF;
-    table.published = reference::published_folder;
+    table.published = reference::published_folder();
     bool table_quick = false;
     command =
         add_command("table",

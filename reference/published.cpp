@@ -84,6 +84,11 @@ std::vector<Row> read_rows(const std::filesystem::path& file,
 
 }  // namespace
 
+const std::filesystem::path& published_folder() {
+    static const std::filesystem::path folder = REFERENCE_PUBLISHED_FOLDER;
+    return folder;
+}
+
 std::vector<PublishedTiming> load_table_3_2(const std::filesystem::path& folder) {
     const char* operations[] = {"add", "subtract", "multiply", "divide"};
     std::vector<PublishedTiming> cells;

@@ -8,7 +8,8 @@
 
 namespace reference {
 
-inline const std::filesystem::path published_folder = REFERENCE_PUBLISHED_FOLDER;
+// The folder of the sources that holds them.
+const std::filesystem::path& published_folder();
 
 // Milliseconds for 30000 operations.
 struct PublishedTiming {
@@ -44,11 +45,11 @@ struct ForceCorrection {
 
 // Each throws std::runtime_error with file, line and reason where the file is missing or malformed.
 // The 24 cells of Table 3.2, row by row.
-std::vector<PublishedTiming> load_table_3_2(const std::filesystem::path& folder = published_folder);
-std::vector<PublishedTiming> load_functions(const std::filesystem::path& folder = published_folder);
-std::vector<WorkloadFigure> load_workload(const std::filesystem::path& folder = published_folder);
+std::vector<PublishedTiming> load_table_3_2(const std::filesystem::path& folder = published_folder());
+std::vector<PublishedTiming> load_functions(const std::filesystem::path& folder = published_folder());
+std::vector<WorkloadFigure> load_workload(const std::filesystem::path& folder = published_folder());
 std::vector<ForceCalibration> load_table_d_1(
-    const std::filesystem::path& folder = published_folder);
-std::vector<ForceCorrection> load_table_d_2(const std::filesystem::path& folder = published_folder);
+    const std::filesystem::path& folder = published_folder());
+std::vector<ForceCorrection> load_table_d_2(const std::filesystem::path& folder = published_folder());
 
 }  // namespace reference

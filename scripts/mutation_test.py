@@ -69,7 +69,7 @@ FAULTS = [
           "fixedpoint/src/fixedpoint/portable/round.hpp",
           "return n > (raw_max<Raw> >> F)", "return n >= (raw_max<Raw> >> F)",
           "^fixedpoint/round_test$", "round_test"),
-    Fault("simulated interrupt entry without its cycles", "bench/simulator/mends/interrupts.cpp",
+    Fault("simulated interrupt entry without its cycles", "bench/chip/simulator/workarounds/interrupts.cpp",
           "entry_cycles = 4", "entry_cycles = 0",
           "^InterruptTest.EntryTakesFourCycles$", "simulator_tests"),
     Fault("judge that rounds ties downward", "reference/judge.cpp",

@@ -4,7 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "bench/command.hpp"
+#include "bench/lab/command.hpp"
 
 namespace live {
 

@@ -15,8 +15,8 @@
 #include "bench/live/panel.hpp"
 #include "bench/live/replay.hpp"
 #include "bench/live/terminal.hpp"
-#include "bench/records/progress.hpp"
-#include "bench/records/whole_file.hpp"
+#include "bench/lab/records/progress.hpp"
+#include "bench/lab/records/whole_file.hpp"
 
 namespace live {
 namespace {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "bench/haptic/scenarios.hpp"
+#include "bench/experiments/haptic/scenarios.hpp"
 
 namespace live {
 

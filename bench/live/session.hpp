@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/haptic/haptic.hpp"
+#include "bench/experiments/haptic/haptic.hpp"
 
 namespace live {
 

@@ -37,7 +37,7 @@ class Data:
         "stability": "fixbench stability",
         "stability_map": "fixbench stability",
         "envelope": "fixbench stability",
-        "mends": "fixbench stability",
+        "ablations": "fixbench stability",
         "calibration": "fixbench calibrate",
         "calibration_candidates": "fixbench calibrate",
         "calibration_verdicts": "fixbench calibrate",

@@ -9,7 +9,7 @@ SEARCHES = {"brute_force": ("#d55e00", "o", "every pair"),
 def crossing(rows):
     """The fewest particles from which on sort and sweep is the cheaper."""
     cost = {name: {row["particles"]: row["cost_per_step"] for row in rows
-                   if row["pair_search"] == name} for name in SEARCHES}
+                   if row["broad_phase"] == name} for name in SEARCHES}
     first = None
     for count in sorted(cost["sort_and_sweep"]):
         if cost["sort_and_sweep"][count] < cost["brute_force"].get(count, float("inf")):
@@ -27,7 +27,7 @@ def draw(data):
     for axes, (name, title, logarithmic) in zip(panels[0], places):
         rows = data.rows(name)
         for search, (colour, marker, label) in SEARCHES.items():
-            mine = sorted((row for row in rows if row["pair_search"] == search),
+            mine = sorted((row for row in rows if row["broad_phase"] == search),
                           key=lambda row: row["particles"])
             counts = [row["particles"] for row in mine]
             axes.plot(counts, [row["cost_per_step"] for row in mine], marker, color=colour,

@@ -150,7 +150,7 @@ def draw_speed(data):
 def draw_verdicts(data):
     """How many cases end in which verdict, by format and method."""
     rows = data.rows("stability")
-    kinds = ["stable", "drifts", "diverges", "overflows", "saturates", "stalls", "reports"]
+    kinds = ["stable", "drifts", "diverges", "overflows", "saturates", "underflows", "reports"]
     colours = ["#009e73", "#e69f00", "#d55e00", "#0072b2", "#56b4e9", "#999999", "#cc79a7"]
     bars = [(scalar, arithmetic, method)
             for scalar, arithmetic in [(s, "") for s in FORMATS]

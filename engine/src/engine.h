@@ -10,6 +10,6 @@
 #include <engine/integrators/explicit_euler.hpp>
 #include <engine/integrators/implicit_springs.hpp>
 #include <engine/integrators/velocity_verlet.hpp>
-#include <engine/pairs/sort_and_sweep.hpp>
-#include <engine/resolvers/worst_first.hpp>
+#include <engine/broad_phase/sort_and_sweep.hpp>
+#include <engine/solvers/worst_first.hpp>
 #include <engine/world.hpp>

@@ -71,7 +71,7 @@ TEST(Clamped, ForcesAndAccelerationsBeyondTheRangePullTheRightWay) {
 
 struct Rolling : engine::Uses {
     static constexpr unsigned particles = 1, planes = 1, contacts = 1;
-    using Resolver = engine::Sweeps<10>;
+    using Solver = engine::ProjectedGaussSeidel<10>;
 };
 
 // The velocity changes by twice what it was: 240 in a range of 128.

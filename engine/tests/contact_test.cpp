@@ -59,18 +59,18 @@ struct Crowd : engine::Uses {
     static constexpr unsigned char dimensions = 3;
     static constexpr unsigned particles = 40, contacts = 40 * 39 / 2;
     static constexpr bool radii = true, collisions = true;
-    using Resolver = engine::WorstFirst<1>;  // moves nothing while it looks for pairs
+    using Solver = engine::WorstFirst<1>;  // moves nothing while it looks for pairs
 };
 struct CrowdByForce : Crowd {
-    using PairSearch = engine::BruteForce;
+    using BroadPhase = engine::BruteForce;
 };
 struct CrowdBySweep : Crowd {
-    using PairSearch = engine::SortAndSweep;
+    using BroadPhase = engine::SortAndSweep;
 };
 
 template <class World>
 std::set<std::pair<int, int>> pairs(World& world) {
-    world.gather(engine::BinaryStep<8>());
+    world.collect_constraints(engine::BinaryStep<8>());
     std::set<std::pair<int, int>> found;
     for (const auto& row : world.rows())
         RC_ASSERT(found.insert(std::minmax<int>(row.a, row.b)).second);
@@ -226,7 +226,7 @@ TEST(Contact, StackComesToRest) {
     check(Fixed<8, 8>(), 3e-2);
 }
 
-RC_GTEST_PROP(PairSearch, SortAndSweepFindsWhatBruteForceFinds, ()) {
+RC_GTEST_PROP(BroadPhase, SortAndSweepFindsWhatBruteForceFinds, ()) {
     engine::World<Number, CrowdByForce> by_force;
     engine::World<Number, CrowdBySweep> by_sweep;
     const int count = *rc::gen::inRange(0, 41);

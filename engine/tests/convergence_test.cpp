@@ -20,10 +20,10 @@ void expect_order(int order) {
 
 // Verlet, but with sweeps until rods agree with each other to the last bit.
 struct VerletSolved : Verlet {
-    using Resolver = engine::Sweeps<255>;
+    using Solver = engine::ProjectedGaussSeidel<255>;
 };
 struct SemiImplicitSolved : SemiImplicit {
-    using Resolver = engine::Sweeps<255>;
+    using Solver = engine::ProjectedGaussSeidel<255>;
 };
 
 }  // namespace

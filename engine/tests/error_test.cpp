@@ -16,7 +16,7 @@ struct Everything : engine::Uses {
                               anchored_rods = 1, ropes = 1, anchored_ropes = 1, planes = 1,
                               contacts = 1;
     static constexpr bool radii = true, collisions = true, gravity = true, damping = true;
-    using Resolver = engine::WorstFirst<4>;
+    using Solver = engine::WorstFirst<4>;
 };
 
 template <class Scalar>

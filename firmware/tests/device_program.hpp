@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/simulator/chip.hpp"
+#include "bench/chip/simulator/chip.hpp"
 
 class DeviceProgram {
   public:

@@ -4,7 +4,7 @@
 
 #include <map>
 
-#include "bench/haptic/haptic.hpp"
+#include "bench/experiments/haptic/haptic.hpp"
 
 namespace {
 

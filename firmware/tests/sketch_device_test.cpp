@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "bench/haptic/haptic.hpp"
+#include "bench/experiments/haptic/haptic.hpp"
 
 namespace {
 

@@ -1,19 +1,21 @@
 # SPDX-License-Identifier: MIT
 # Compiles programs for the ATmega328P inside the host build: avr_executable(NAME SOURCES ...
-# [OPTIONS ...] [INCLUDES ...] [LINK_OPTIONS ...]) makes ${CMAKE_CURRENT_BINARY_DIR}/NAME.elf and
-# sets the target property ELF to its path. Sources may be .c, .cpp and .S.
+# [OPTIONS ...] [INCLUDES ...] [LINK_OPTIONS ...] [OBJECTS ...] [KERNELS]) makes
+# ${CMAKE_CURRENT_BINARY_DIR}/NAME.elf and sets the target property ELF to its path. Sources may be
+# .c, .cpp and .S; OBJECTS come from avr_objects(); KERNELS links the library's assembly kernels.
 
 find_program(AVR_GCC avr-gcc REQUIRED)
 find_program(AVR_GXX avr-g++ REQUIRED)
+find_program(AVR_AR avr-ar REQUIRED)
 find_program(AVR_OBJCOPY avr-objcopy REQUIRED)
 
 set(AVR_COMMON_OPTIONS -mmcu=atmega328p -DF_CPU=16000000UL -Os -g -Wall -Wextra -Werror
     -ffunction-sections -fdata-sections -fshort-enums)
 set(AVR_C_OPTIONS -std=gnu11)
 set(AVR_CXX_OPTIONS -std=gnu++14 -fno-exceptions -fno-rtti -fno-threadsafe-statics)
-
-# The kernels of the fixed-point library: every assembly file, each in a section of its own.
-file(GLOB FIXEDPOINT_KERNELS CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/fixedpoint/src/fixedpoint/avr/*.S)
+# The host compiler's launcher, if there is one (ccache), serves the cross compiler too.
+set(AVR_COMPILE_GCC ${CMAKE_CXX_COMPILER_LAUNCHER} ${AVR_GCC})
+set(AVR_COMPILE_GXX ${CMAKE_CXX_COMPILER_LAUNCHER} ${AVR_GXX})
 
 # avr_objects(OUT NAME SOURCES ... [OPTIONS ...] [INCLUDES ...]): compiles, sets OUT to the objects.
 # OPTIONS come last on the command line, so that they win over the common ones.
@@ -23,6 +25,7 @@ function(avr_objects out name)
     foreach(directory ${ARG_INCLUDES})
         list(APPEND includes -I${directory})
     endforeach()
+    file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/${name}.dir)
     set(objects)
     foreach(source ${ARG_SOURCES})
         get_filename_component(source ${source} ABSOLUTE)
@@ -30,15 +33,14 @@ function(avr_objects out name)
         get_filename_component(extension ${source} LAST_EXT)
         set(object ${CMAKE_CURRENT_BINARY_DIR}/${name}.dir/${stem}.o)
         if(extension STREQUAL ".cpp")
-            set(compile ${AVR_GXX} ${AVR_COMMON_OPTIONS} ${AVR_CXX_OPTIONS})
+            set(compile ${AVR_COMPILE_GXX} ${AVR_COMMON_OPTIONS} ${AVR_CXX_OPTIONS})
         elseif(extension STREQUAL ".c")
-            set(compile ${AVR_GCC} ${AVR_COMMON_OPTIONS} ${AVR_C_OPTIONS})
+            set(compile ${AVR_COMPILE_GCC} ${AVR_COMMON_OPTIONS} ${AVR_C_OPTIONS})
         else()
-            set(compile ${AVR_GCC} ${AVR_COMMON_OPTIONS} -x assembler-with-cpp)
+            set(compile ${AVR_COMPILE_GCC} ${AVR_COMMON_OPTIONS} -x assembler-with-cpp)
         endif()
         add_custom_command(
             OUTPUT ${object}
-            COMMAND ${CMAKE_COMMAND} -E make_directory ${CMAKE_CURRENT_BINARY_DIR}/${name}.dir
             COMMAND ${compile} ${includes} ${ARG_OPTIONS} -MMD -MF ${object}.d -c ${source} -o ${object}
             DEPENDS ${source}
             DEPFILE ${object}.d
@@ -49,9 +51,24 @@ function(avr_objects out name)
     set(${out} ${objects} PARENT_SCOPE)
 endfunction()
 
+# The kernels of the fixed-point library, assembled once for all programs: every assembly file, each
+# in a section of its own; as objects, and as an archive of which the linker takes what is used.
+file(GLOB kernel_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/fixedpoint/src/fixedpoint/avr/*.S)
+avr_objects(AVR_KERNEL_OBJECTS kernels SOURCES ${kernel_sources})
+set(AVR_KERNEL_ARCHIVE ${CMAKE_CURRENT_BINARY_DIR}/kernels.a)
+add_custom_command(OUTPUT ${AVR_KERNEL_ARCHIVE}
+    COMMAND ${CMAKE_COMMAND} -E rm -f ${AVR_KERNEL_ARCHIVE}
+    COMMAND ${AVR_AR} rcs ${AVR_KERNEL_ARCHIVE} ${AVR_KERNEL_OBJECTS}
+    DEPENDS ${AVR_KERNEL_OBJECTS} COMMENT "AVR kernels.a" VERBATIM)
+add_custom_target(avr_kernels DEPENDS ${AVR_KERNEL_OBJECTS} ${AVR_KERNEL_ARCHIVE})
+
 function(avr_executable name)
-    cmake_parse_arguments(ARG "" "" "SOURCES;OPTIONS;INCLUDES;LINK_OPTIONS" ${ARGN})
+    cmake_parse_arguments(ARG "KERNELS" "" "SOURCES;OPTIONS;INCLUDES;LINK_OPTIONS;OBJECTS" ${ARGN})
     avr_objects(objects ${name} SOURCES ${ARG_SOURCES} OPTIONS ${ARG_OPTIONS} INCLUDES ${ARG_INCLUDES})
+    list(APPEND objects ${ARG_OBJECTS})
+    if(ARG_KERNELS)
+        list(PREPEND objects ${AVR_KERNEL_OBJECTS})
+    endif()
     set(elf ${CMAKE_CURRENT_BINARY_DIR}/${name}.elf)
     add_custom_command(
         OUTPUT ${elf}
@@ -59,6 +76,9 @@ function(avr_executable name)
         DEPENDS ${objects}
         COMMENT "AVR ${name}.elf"
         VERBATIM COMMAND_EXPAND_LISTS)
-    add_custom_target(${name} ALL DEPENDS ${elf})
+    add_custom_target(${name} DEPENDS ${elf})
+    if(ARG_KERNELS)
+        add_dependencies(${name} avr_kernels)
+    endif()
     set_target_properties(${name} PROPERTIES ELF ${elf})
 endfunction()

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/simulator/chip.hpp"
+#include "bench/chip/simulator/chip.hpp"
 
 namespace {
 

@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-#include "bench/simulator/device_function.hpp"
+#include "bench/chip/simulator/device_function.hpp"
 #include "fixedpoint/tests/exact.hpp"
 
 namespace {

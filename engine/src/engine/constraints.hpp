@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What rods, ropes, planes and touching particles tell the resolver of a world. A direction points
+// What rods, ropes, planes and touching particles tell the solver of a world. A direction points
 // from the second end to the first.
 #pragma once
 
@@ -20,7 +20,7 @@ void constrain(const Rod<Scalar, Ends>& rod, World& world, TimeStep dt) {
     const auto difference = rod.ends.difference(world);
     const Scalar distance = length(difference);
     if (distance == Scalar()) return world.report(Error::no_direction);
-    World::Resolver::rod(world, rod.ends.a, rod.ends.second(), divided(difference, distance),
+    World::Solver::rod(world, rod.ends.a, rod.ends.second(), divided(difference, distance),
                          distance - rod.length, rod.length, dt);
 }
 
@@ -31,7 +31,7 @@ void constrain(const Rope<Scalar, Ends>& rope, World& world, TimeStep dt) {
     const auto difference = rope.ends.difference(world);
     const Scalar distance = length(difference);
     if (distance < rope.length) return;
-    World::Resolver::rope(world, rope.ends.a, rope.ends.second(), divided(difference, distance),
+    World::Solver::rope(world, rope.ends.a, rope.ends.second(), divided(difference, distance),
                           distance - rope.length, rope.length, rope.restitution, dt);
 }
 
@@ -44,7 +44,7 @@ void constrain(const Plane<Scalar, Vector>& plane, Index a, World& world, TimeSt
     Scalar height = dot(plane.normal, particle.position) - plane.offset;
     only_if<World::Uses::radii>(particle, [&](auto& sphere) { height -= sphere.radius; });
     if (height < Scalar()) {
-        World::Resolver::contact(world, a, nothing<Index>, plane.normal, -height, plane.restitution,
+        World::Solver::contact(world, a, nothing<Index>, plane.normal, -height, plane.restitution,
                                  dt);
     }
 }
@@ -69,7 +69,7 @@ void collide(Index a, Index b, World& world, TimeStep dt) {
     if (!(distance < reach)) return;
     auto normal = divided(difference, distance);
     if (distance == Scalar()) normal[0] = 1_d;
-    World::Resolver::contact(world, a, b, normal, reach - distance, world.restitution, dt);
+    World::Solver::contact(world, a, b, normal, reach - distance, world.restitution, dt);
 }
 
 }  // namespace engine

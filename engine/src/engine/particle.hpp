@@ -36,9 +36,9 @@ struct Displacement<Vector, true> {
     Vector displacement;  // m, by the resolution of this step's contacts
 };
 
-// How a rate moves what it is the rate of, over a step; with residues, exactly.
+// How a rate moves what it is the rate of, over a step; with residuals, exactly.
 template <class Vector, bool exact>
-struct Residues {
+struct Residuals {
     template <class TimeStep>
     static ENGINE_INLINE void move(Vector& position, Vector velocity, TimeStep dt) {
         position += velocity *= dt;
@@ -49,7 +49,7 @@ struct Residues {
     }
 };
 template <class Vector>
-struct Residues<Vector, true> {
+struct Residuals<Vector, true> {
     Vector position_residue, velocity_residue;  // less than one ulp of each, times 2^K
 
     template <class TimeStep>
@@ -63,9 +63,9 @@ struct Residues<Vector, true> {
 
   private:
     template <class TimeStep>
-    static void carry(Vector& sum, const Vector& rate, TimeStep dt, Vector& residue) {
+    static void carry(Vector& sum, const Vector& rate, TimeStep dt, Vector& residual) {
         for (unsigned char i = 0; i < sizeof sum / sizeof sum[0]; ++i) {
-            sum[i] += carried_product(rate[i], dt, residue[i]);
+            sum[i] += carried_product(rate[i], dt, residual[i]);
         }
     }
 };
@@ -86,7 +86,7 @@ struct Particle : Force<Vector<Scalar, Uses::dimensions>, forces>,
                   Radius<Scalar, Uses::radii>,
                   Damping<Scalar, Uses::damping>,
                   Displacement<Vector<Scalar, Uses::dimensions>, displacement>,
-                  Residues<Vector<Scalar, Uses::dimensions>, Uses::exact_steps> {
+                  Residuals<Vector<Scalar, Uses::dimensions>, Uses::compensated_integration> {
     Vector<Scalar, Uses::dimensions> position;  // m
     Vector<Scalar, Uses::dimensions> velocity;  // m/s
     Scalar inverse_mass = Scalar();             // 1/kg; 0 is immovable

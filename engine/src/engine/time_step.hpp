@@ -61,19 +61,19 @@ constexpr Fixed<I, F, A> operator*(Fixed<I, F, A> a, BinaryStep<K>) {
     return fixedpoint::scale_down<K>(a);
 }
 
-// floor((a + residue) / 2^count); the remainder, in units of an ulp, is the new residue.
+// floor((a + residual) / 2^count); the remainder, in units of an ulp, is the new residual.
 template <int I, int F, class A>
 constexpr Fixed<I, F, A> carried_shift(Fixed<I, F, A> a, unsigned char count,
-                                       Fixed<I, F, A>& residue) {
+                                       Fixed<I, F, A>& residual) {
     using Raw = typename Fixed<I, F, A>::Raw;
-    const auto sum = clamped_sum(a, residue);
+    const auto sum = clamped_sum(a, residual);
     const auto whole = sum >> count;
     const bool holds = count < I + F - 1;
-    residue = Fixed<I, F, A>::from_raw(
+    residual = Fixed<I, F, A>::from_raw(
         holds ? static_cast<Raw>(sum.raw() & ((Raw(1) << (holds ? count : 0)) - 1)) : Raw(0));
     return whole;
 }
-// a dt, of which what is less than one ulp waits in `residue` for the next product: over many binary
+// a dt, of which what is less than one ulp waits in `residual` for the next product: over many binary
 // steps nothing is lost. Every other step, and every other scalar, rounds.
 template <class Scalar, class TimeStep>
 constexpr Scalar carried_product(Scalar a, TimeStep dt, Scalar&) {
@@ -81,8 +81,8 @@ constexpr Scalar carried_product(Scalar a, TimeStep dt, Scalar&) {
 }
 template <int I, int F, class A, int K>
 constexpr Fixed<I, F, A> carried_product(Fixed<I, F, A> a, BinaryStep<K>,
-                                         Fixed<I, F, A>& residue) {
-    return carried_shift(a, K, residue);
+                                         Fixed<I, F, A>& residual) {
+    return carried_shift(a, K, residual);
 }
 
 }  // namespace engine

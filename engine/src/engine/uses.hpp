@@ -11,8 +11,8 @@
 #pragma once
 
 #include <engine/integrators/semi_implicit_euler.hpp>
-#include <engine/pairs/brute_force.hpp>
-#include <engine/resolvers/sweeps.hpp>
+#include <engine/broad_phase/brute_force.hpp>
+#include <engine/solvers/projected_gauss_seidel.hpp>
 
 namespace engine {
 
@@ -43,7 +43,7 @@ struct Uses {
     static constexpr bool radii = false;       // particles are spheres, not points
     // Velocities and positions keep what a product with a binary step loses: for slow motion and
     // small steps, at 4 numbers of RAM a particle in two dimensions.
-    static constexpr bool exact_steps = false;
+    static constexpr bool compensated_integration = false;
 
     // A force of the scene's own: `void apply(World&)` adds to the forces of particles in each
     // step.
@@ -52,8 +52,8 @@ struct Uses {
     static constexpr bool custom_force = false;
 
     using Integrator = SemiImplicitEuler;
-    using Resolver = Sweeps<4>;
-    using PairSearch = BruteForce;
+    using Solver = ProjectedGaussSeidel<4>;
+    using BroadPhase = BruteForce;
 };
 
 // Whether anything in a scene pushes one way only: contacts and ropes.

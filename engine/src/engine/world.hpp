@@ -42,7 +42,7 @@ struct Bounce {};
 template <class Scalar>
 struct Bounce<Scalar, true> {
     Scalar restitution = Scalar();    // of particles that meet: 0 (none) to 1 (all)
-    Scalar rest_velocity = Scalar();  // m/s; what meets no faster does not bounce
+    Scalar restitution_threshold = Scalar();  // m/s; what meets no faster does not bounce
 };
 
 template <class Index>
@@ -58,8 +58,8 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
     using Scalar = ScalarType;
     using Uses = SceneUses;
     using Integrator = typename Uses::Integrator;
-    using Resolver = typename Uses::Resolver;
-    using PairSearch = typename Uses::PairSearch;
+    using Solver = typename Uses::Solver;
+    using BroadPhase = typename Uses::BroadPhase;
 
     static constexpr unsigned char dimensions = Uses::dimensions;
     static constexpr unsigned capacity = Uses::particles;
@@ -70,17 +70,17 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
     static constexpr bool has_forces =
         (has_springs && !Integrator::implicit_springs) || Uses::drags > 0 || Uses::custom_force;
     static constexpr unsigned most_rows =
-        Resolver::rows_per_rod * (Uses::rods + Uses::anchored_rods) + Uses::ropes +
+        Solver::rows_per_rod * (Uses::rods + Uses::anchored_rods) + Uses::ropes +
         Uses::anchored_ropes + Uses::contacts;
 
     using Vector = engine::Vector<Scalar, dimensions>;
     using Body = engine::Body<Scalar, dimensions>;
     using Index = typename Either<(capacity < 255), uint8_t, uint16_t>::Type;
     using Handle = ParticleHandle<Index>;
-    using Particle = engine::Particle<Scalar, Uses, has_forces, Resolver::needs_displacement>;
+    using Particle = engine::Particle<Scalar, Uses, has_forces, Solver::needs_displacement>;
     using Ends = Between<Vector, Index>;
     using Anchor = Anchored<Vector, Index>;
-    using Row = typename Resolver::template Row<World>;
+    using Row = typename Solver::template Row<World>;
     using CustomForce = typename Uses::template CustomForce<World>;
 
     // Building. What cannot be added leaves the world as it was, sets error() and returns false;
@@ -154,7 +154,7 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
         Integrator::step(*this, dt);
     }
 
-    // The parts of a step, for integrators and resolvers.
+    // The parts of a step, for integrators and solvers.
 
     // The force of each particle anew.
     void accumulate_forces() {
@@ -173,7 +173,7 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
 
     // Velocities by forces and gravity.
     template <class TimeStep>
-    void kick(TimeStep dt) {
+    void integrate_velocities(TimeStep dt) {
         observe<Scalar>(Quantity::velocity);
         only_if<Uses::gravity || has_forces>(particles_, [&](auto& particles) {
             particles.for_each([&](auto& particle) {
@@ -188,7 +188,7 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
 
     // Positions by velocities.
     template <class TimeStep>
-    void drift(TimeStep dt) {
+    void integrate_positions(TimeStep dt) {
         observe<Scalar>(Quantity::position);
         particles_.for_each([&](auto& particle) {
             if (!movable(particle)) return;
@@ -205,7 +205,7 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
 
     // Finds the rows that bound velocities and positions in this step.
     template <class TimeStep>
-    void gather(TimeStep dt) {
+    void collect_constraints(TimeStep dt) {
         rows_.clear();
         const auto constrain_by = [&](const auto& each) { constrain(each, *this, dt); };
         anchored_rods_.for_each(constrain_by);
@@ -215,7 +215,7 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
         planes_.for_each([&](const auto& plane) {
             for (Index i = 0; i < particles_.size(); ++i) constrain(plane, i, *this, dt);
         });
-        only_if<Uses::collisions>(*this, [&](auto& world) { PairSearch::collide_all(world, dt); });
+        only_if<Uses::collisions>(*this, [&](auto& world) { BroadPhase::collide_all(world, dt); });
     }
     // Another row, in which fill(row) writes; an error where the scene has not stated that many.
     template <class Function>
@@ -227,9 +227,9 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
         }
     }
     const auto& rows() const { return rows_; }
-    void resolve() {
+    void solve_constraints() {
         observe<Scalar>(Quantity::resolution);
-        only_if<(most_rows > 0)>(*this, [](auto& world) { Resolver::resolve(world); });
+        only_if<(most_rows > 0)>(*this, [](auto& world) { Solver::solve(world); });
     }
 
     // The acceleration of a against b by gravity.
@@ -296,7 +296,7 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
     Pool<Rope<Scalar, Anchor>, Uses::anchored_ropes, Index> anchored_ropes_;
     Pool<Plane<Scalar, Vector>, Uses::planes, Index> planes_;
     Pool<Row, most_rows, Index> rows_;  // of the step under way
-    typename PairSearch::template Memory<World> pair_memory_;
+    typename BroadPhase::template Memory<World> pair_memory_;
     typename Integrator::template Memory<World> integrator_;
     CustomForce custom_force_;
     Error error_ = Error::none;

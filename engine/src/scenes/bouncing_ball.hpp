@@ -25,14 +25,14 @@ struct BouncingBall {
         Scalar velocity_x = engine::Decimal<5, 1>();  // m/s
         Scalar radius = engine::Decimal<125, 3>();    // m
         Scalar restitution = engine::Decimal<8, 1>();
-        Scalar rest_velocity = engine::Decimal<25, 2>();  // m/s, below which it lies
+        Scalar restitution_threshold = engine::Decimal<25, 2>();  // m/s, below which it lies
     };
 
     template <class World>
     static void build(World& world, const Parameters<typename World::Scalar>& with) {
         using namespace engine::literals;
         world.gravity = {0_d, -with.gravity};
-        world.rest_velocity = with.rest_velocity;
+        world.restitution_threshold = with.restitution_threshold;
         world.add_plane({0_d, 1_d}, 0_d, with.restitution);
         typename World::Body ball;
         ball.position = {0_d, with.height};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The methods that scenes are run with: an integrator and a resolver each. A scene's Uses derives
+// The methods that scenes are run with: an integrator and a solver each. A scene's Uses derives
 // from UsesWith<Method>.
 #pragma once
 
@@ -11,28 +11,28 @@ namespace scenes {
 struct Published {
     static constexpr const char* name = "explicit_euler";
     using Integrator = engine::ExplicitEuler;
-    using Resolver = engine::WorstFirst<10>;
+    using Solver = engine::WorstFirst<10>;
 };
 struct SemiImplicit {
     static constexpr const char* name = "semi_implicit_euler";
     using Integrator = engine::SemiImplicitEuler;
-    using Resolver = engine::Sweeps<10>;
+    using Solver = engine::ProjectedGaussSeidel<10>;
 };
 struct Verlet {
     static constexpr const char* name = "velocity_verlet";
     using Integrator = engine::VelocityVerlet;
-    using Resolver = engine::Sweeps<10>;
+    using Solver = engine::ProjectedGaussSeidel<10>;
 };
 struct Implicit {
     static constexpr const char* name = "implicit_springs";
     using Integrator = engine::ImplicitSprings;
-    using Resolver = engine::Sweeps<10>;
+    using Solver = engine::ProjectedGaussSeidel<10>;
 };
 
 template <class Method>
 struct UsesWith : engine::Uses {
     using Integrator = typename Method::Integrator;
-    using Resolver = typename Method::Resolver;
+    using Solver = typename Method::Solver;
 };
 
 // The scene with its numbers as they stand. (A default argument would do, but for avr-gcc 5.4,

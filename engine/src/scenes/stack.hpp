@@ -24,7 +24,7 @@ struct Stack {
         Scalar gravity = engine::Decimal<981, 2>();      // m/s^2
         Scalar radius = engine::Decimal<25, 2>();        // m
         Scalar gap = engine::Decimal<125, 3>();          // m, below each at the start
-        Scalar rest_velocity = engine::Decimal<5, 1>();  // m/s
+        Scalar restitution_threshold = engine::Decimal<5, 1>();  // m/s
     };
 
     template <class World>
@@ -32,7 +32,7 @@ struct Stack {
         using namespace engine::literals;
         world.gravity = {0_d, -with.gravity};
         world.restitution = 0_d;
-        world.rest_velocity = with.rest_velocity;
+        world.restitution_threshold = with.restitution_threshold;
         world.add_plane({0_d, 1_d}, 0_d, 0_d);
         typename World::Body ball;
         ball.inverse_mass = 1_d;

@@ -135,22 +135,22 @@ struct WatchedIntegrator : Integrator {
 
         void accumulate_forces() { world.accumulate_forces(); }
         template <class TimeStep>
-        void kick(TimeStep dt) {
-            world.kick(dt);
+        void integrate_velocities(TimeStep dt) {
+            world.integrate_velocities(dt);
         }
         template <class TimeStep>
-        void drift(TimeStep dt) {
-            world.drift(dt);
+        void integrate_positions(TimeStep dt) {
+            world.integrate_positions(dt);
         }
         void damp() { world.damp(); }
         template <class TimeStep>
-        void gather(TimeStep dt) {
+        void collect_constraints(TimeStep dt) {
             const Collision profiled;
-            world.gather(dt);
+            world.collect_constraints(dt);
         }
-        void resolve() {
+        void solve_constraints() {
             const Collision profiled;
-            world.resolve();
+            world.solve_constraints();
         }
     };
 };

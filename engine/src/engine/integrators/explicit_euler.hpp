@@ -14,10 +14,10 @@ struct ExplicitEuler {
     template <class World, class TimeStep>
     static void step(World& world, TimeStep dt) {
         world.accumulate_forces();
-        world.gather(dt);
-        world.resolve();
-        world.drift(dt);
-        world.kick(dt);
+        world.collect_constraints(dt);
+        world.solve_constraints();
+        world.integrate_positions(dt);
+        world.integrate_velocities(dt);
         world.damp();
     }
 };

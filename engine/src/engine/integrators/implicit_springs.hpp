@@ -21,14 +21,14 @@ struct ImplicitSprings {
     template <class World, class TimeStep>
     static void step(World& world, TimeStep dt) {
         world.accumulate_forces();
-        world.kick(dt);
+        world.integrate_velocities(dt);
         const auto pull_it = [&](const auto& spring) { pull(spring, world, dt); };
         world.anchored_springs().for_each(pull_it);
         world.springs().for_each(pull_it);
         world.damp();
-        world.gather(dt);
-        world.resolve();
-        world.drift(dt);
+        world.collect_constraints(dt);
+        world.solve_constraints();
+        world.integrate_positions(dt);
     }
 
   private:

@@ -13,11 +13,11 @@ struct SemiImplicitEuler {
     template <class World, class TimeStep>
     static void step(World& world, TimeStep dt) {
         world.accumulate_forces();
-        world.kick(dt);
+        world.integrate_velocities(dt);
         world.damp();
-        world.gather(dt);
-        world.resolve();
-        world.drift(dt);
+        world.collect_constraints(dt);
+        world.solve_constraints();
+        world.integrate_positions(dt);
     }
 };
 

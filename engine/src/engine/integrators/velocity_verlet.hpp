@@ -20,12 +20,12 @@ struct VelocityVerlet {
     static void step(World& world, TimeStep dt) {
         if (!world.integrator().begun) world.accumulate_forces();
         world.integrator().begun = true;
-        world.kick(half(dt));
-        world.gather(dt);
-        world.resolve();
-        world.drift(dt);
+        world.integrate_velocities(half(dt));
+        world.collect_constraints(dt);
+        world.solve_constraints();
+        world.integrate_positions(dt);
         world.accumulate_forces();
-        world.kick(half(dt));
+        world.integrate_velocities(half(dt));
         world.damp();
     }
 };

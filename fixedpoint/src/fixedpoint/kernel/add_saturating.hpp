@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The seam of add_saturating and subtract_saturating. On the device a sum of 32 bits asks the
+// The dispatch of add_saturating and subtract_saturating. On the device a sum of 32 bits asks the
 // processor's overflow flag, in line: 6 cycles where it fits, 12 and 14 where it does not; the
 // compiler's code for the portable test takes 65.
 #pragma once

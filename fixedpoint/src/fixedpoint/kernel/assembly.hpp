@@ -5,7 +5,7 @@
 #include <fixedpoint/integer.hpp>
 
 // FIXEDPOINT_ASSEMBLY_KERNEL(Result, operation, Raw, F, symbol, twin, parameters, arguments): the
-// seam `operation<Raw, F>` calls the assembly function `symbol`, and in constant expressions its
+// dispatch `operation<Raw, F>` calls the assembly function `symbol`, and in constant expressions its
 // portable twin, which has the same results.
 //
 // gnu_inline lets the function have a body for constant expressions that is never compiled into the

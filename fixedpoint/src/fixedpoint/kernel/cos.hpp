@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The seam of cos, and of its variant without tables: which code a format runs through.
+// The dispatch of cos, and of its variant without tables: which code a format runs through.
 #pragma once
 
 #include <fixedpoint/kernel/assembly.hpp>

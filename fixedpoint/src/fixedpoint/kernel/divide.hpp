@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The seam of divide: which code a format's quotient runs through.
+// The dispatch of divide: which code a format's quotient runs through.
 #pragma once
 
 #include <fixedpoint/kernel/assembly.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The seam of dot2 and dot3: which code a format runs through.
+// The dispatch of dot2 and dot3: which code a format runs through.
 #pragma once
 
 #include <fixedpoint/kernel/assembly.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The seam of length2 and length3: which code a format runs through.
+// The dispatch of length2 and length3: which code a format runs through.
 #pragma once
 
 #include <fixedpoint/kernel/assembly.hpp>

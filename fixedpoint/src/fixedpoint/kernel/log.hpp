@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The seam of log, and of its variant with small tables: which code a format runs through.
+// The dispatch of log, and of its variant with small tables: which code a format runs through.
 #pragma once
 
 #include <fixedpoint/kernel/assembly.hpp>

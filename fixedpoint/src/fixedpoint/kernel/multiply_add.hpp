@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The seam of multiply_add: which code a format runs through.
+// The dispatch of multiply_add: which code a format runs through.
 #pragma once
 
 #include <fixedpoint/kernel/assembly.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The seam of multiply_saturating: which code a format's clamped product runs through.
+// The dispatch of multiply_saturating: which code a format's clamped product runs through.
 #pragma once
 
 #include <fixedpoint/kernel/assembly.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The seam of normalise3: which code a format runs through.
+// The dispatch of normalise3: which code a format runs through.
 #pragma once
 
 #include <fixedpoint/kernel/assembly.hpp>

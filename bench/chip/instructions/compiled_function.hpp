@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A function of a device program as host code: translated, compiled, loaded. Some ten nanoseconds a
+// call, against a microsecond in the simulator.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "bench/chip/instructions/translate.hpp"
+
+namespace machine_code {
+
+// A call that broke the calling convention, accessed memory that is not its own, or did not return.
+class Misbehaviour : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+// How the source is compiled.
+struct Compilation {
+    std::string options = "-O3 -march=native";
+    std::filesystem::path include_folder = MACHINE_CODE_INCLUDE_FOLDER;  // holds bench/chip/instructions
+};
+
+// A shared object made of C++ source, unloaded at the end. Throws std::runtime_error where the
+// compiler refuses the source.
+class SharedObject {
+  public:
+    explicit SharedObject(const std::string& source, const Compilation& compilation = {});
+    ~SharedObject();
+    SharedObject(const SharedObject&) = delete;
+    SharedObject& operator=(const SharedObject&) = delete;
+
+    void* symbol(const char* name) const;
+
+  private:
+    void* handle_;
+};
+
+class CompiledFunction {
+  public:
+    // Throws TranslationError, std::runtime_error.
+    CompiledFunction(const simulator::Elf& elf, std::string_view symbol,
+                     const Convention& convention, const Compilation& compilation = {});
+
+    const std::string& symbol() const { return symbol_; }
+    std::size_t arity() const { return convention_.operands.size(); }
+    std::size_t result_count() const { return convention_.results.size(); }
+    // Every instruction that control flow can meet, calls included.
+    const ControlFlow& flow() const { return flow_; }
+
+    // What a caller of its own thread needs: memory, and which blocks were executed.
+    class Session {
+      public:
+        explicit Session(const CompiledFunction& function);
+
+        // As many calls as `cycles` has room for; raws lie one call after the other. Cycles include
+        // call (4) and ret (4). Throws Misbehaviour with the operands.
+        void run(std::span<const std::int64_t> operands, std::span<std::int64_t> results,
+                 std::span<std::uint32_t> cycles);
+
+        std::vector<std::uint32_t> reached_blocks() const;  // addresses of their first instructions
+
+      private:
+        const CompiledFunction& function_;
+        std::vector<std::uint8_t> memory_, covered_;
+        std::uint64_t pattern_ = 0;
+    };
+
+    // The instructions of the symbol's own bytes that are in none of the given blocks, sorted.
+    std::vector<std::uint32_t> unreached(const std::set<std::uint32_t>& reached_blocks) const;
+
+  private:
+    using Run = std::size_t(const std::int64_t* operands, std::size_t count, std::int64_t* results,
+                            std::uint32_t* cycles, std::uint8_t* memory, const std::uint8_t* flash,
+                            std::uint8_t* covered, std::uint64_t pattern, const char** what,
+                            unsigned* where);
+
+    std::string symbol_;
+    std::uint32_t begin_, end_;
+    Convention convention_;
+    ControlFlow flow_;
+    Translation translation_;
+    std::vector<std::uint8_t> flash_;
+    SharedObject object_;
+    Run* run_;
+};
+
+}  // namespace machine_code

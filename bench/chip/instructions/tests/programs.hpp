@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The test programs, as the build made them.
+#pragma once
+
+#include <string>
+
+#include "bench/chip/simulator/elf.hpp"
+
+namespace machine_code {
+
+inline std::string test_program(const std::string& name) {
+    return std::string(TEST_PROGRAM_FOLDER) + "/machine_code_test_" + name + ".elf";
+}
+
+}  // namespace machine_code

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The test programs, as the build made them.
+#pragma once
+
+#include <string>
+
+#include "bench/chip/simulator/elf.hpp"
+
+namespace profile {
+
+inline simulator::Elf test_program(const std::string& name) {
+    return simulator::Elf(TEST_PROGRAM_FOLDER "/profile_test_" + name + ".elf");
+}
+
+}  // namespace profile

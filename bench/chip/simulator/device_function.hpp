@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Calls a function of the loaded program by avr-gcc's convention, on the bare core: no peripheral
+// runs and no interrupt comes meanwhile. The start-up code must have run before where the function
+// uses variables: `chip.run_until_function("main")`.
+//
+//     DeviceFunction multiply(chip, "multiply_q16_16_default", {.result = 4, .operands = {4, 4}});
+//     const Outcome outcome = multiply(std::int32_t{1 << 16}, std::int32_t{3 << 16});
+//     outcome.as<std::int32_t>(), outcome.cycles, outcome.stack_bytes
+//
+// What is counted:
+// - cycles: `call` (4), the function from its first instruction to its `ret` (4) included; not the
+//   loading of operands into registers, not their pushing onto the stack.
+// - stack_bytes: from the byte below the operands down to the lowest address that the stack pointer
+//   made free for pushes, i.e. the return address (2) plus all that the function and what it calls
+//   push or reserve. Operands that are passed on the stack belong to the caller.
+#pragma once
+
+#include <bit>
+#include <concepts>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "bench/chip/simulator/chip.hpp"
+
+namespace simulator {
+
+// Sizes in bytes: 1, 2 (also pointers), 4 or 8; 0 is a function that returns nothing.
+struct Signature {
+    int result;
+    std::vector<int> operands;
+};
+
+struct Outcome {
+    std::uint64_t result;  // the result's bytes, zero-extended
+    std::uint32_t cycles;
+    std::uint16_t stack_bytes;
+
+    template <class T>
+    T as() const {
+        T value;
+        std::memcpy(&value, &result, sizeof value);  // both machines are little-endian
+        return value;
+    }
+};
+
+// The flash words at which an executed instruction began.
+class Coverage {
+  public:
+    void mark(std::uint32_t flash_address) { executed_[flash_address / 2] = true; }
+    // Marks what the other has marked, of the same program.
+    void merge(const Coverage& other) {
+        for (std::size_t i = 0; i < executed_.size(); ++i) {
+            if (other.executed_[i]) executed_[i] = true;
+        }
+    }
+    // Addresses of the instructions of a symbol's range that were not executed.
+    std::vector<std::uint32_t> missed(const Elf& elf, const Symbol& symbol) const;
+
+  private:
+    std::vector<bool> executed_ = std::vector<bool>(Elf::flash_size / 2);
+};
+
+class DeviceFunction {
+  public:
+    DeviceFunction(Chip& chip, std::string_view symbol, Signature signature);
+
+    // The operands' low bytes count. Throws SimulationError where the function does not return
+    // within the budget, crashes, or breaks the calling convention: r1 is zero, r2..r17, r28 and
+    // r29 and the stack pointer are as before, interrupts are off as before.
+    Outcome call(std::span<const std::uint64_t> operands);
+
+    template <class... Operands>
+    requires(std::is_arithmetic_v<Operands>&&...) Outcome operator()(Operands... operands) {
+        const std::uint64_t raw[sizeof...(operands) + 1] = {bits(operands)...};
+        return call({raw, sizeof...(operands)});
+    }
+
+    void set_budget(Cycle cycles) { budget_ = cycles; }
+
+    // Each instruction executed is marked from now on, until set to nullptr.
+    void record(Coverage* coverage) { coverage_ = coverage; }
+
+    // From now on each call also fails that changes a byte of SRAM outside of its stack frame, its
+    // operands on the stack and the given areas.
+    struct Area {
+        std::uint16_t address;
+        std::uint16_t size;
+    };
+    void forbid_writes_except(std::vector<Area> writable);
+
+    const Symbol& symbol() const { return symbol_; }
+    const Signature& signature() const { return signature_; }
+
+  private:
+    template <class T>
+    static std::uint64_t bits(T value) {
+        std::uint64_t raw = 0;
+        std::memcpy(&raw, &value, sizeof value);
+        return raw;
+    }
+    void run();
+    void check_convention(std::uint64_t saved_low, std::uint64_t saved_high, std::uint16_t saved_y);
+    void check_writes();
+    [[noreturn]] void fail(const std::string& reason) const;
+
+    Chip& chip_;
+    avr_t* core_;
+    Symbol symbol_;
+    Signature signature_;
+    struct Place {
+        std::uint16_t address;
+        int size;
+    };
+    std::vector<Place> places_;  // of the operands, in data space
+    int result_register_;
+    std::uint16_t entry_stack_pointer_;  // below the return address
+    std::uint64_t pattern_ = 0;          // for the call-saved registers, another in each call
+    Cycle budget_ = 1'000'000;
+    Coverage* coverage_ = nullptr;
+    bool watch_writes_ = false;
+    std::vector<Area> writable_;
+    std::vector<std::uint8_t> memory_;  // as it was before the call
+};
+
+}  // namespace simulator

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+#include "bench/experiments/calibration/calibrate.hpp"
+#include "bench/experiments/calibration/verdicts.hpp"
+#include "bench/chip/simulator/device_function.hpp"
+#include "reference/published.hpp"
+
+namespace calibration {
+namespace {
+
+using testing::HasSubstr;
+
+const DeviceProgram program{CALIBRATION_ELF, CALIBRATION_FOOTPRINTS};
+
+std::filesystem::path scratch() {
+    const auto folder = std::filesystem::path(testing::TempDir()) / "calibration_test";
+    std::filesystem::create_directories(folder);
+    return folder;
+}
+
+std::string content(const std::filesystem::path& file) {
+    std::ifstream stream(file);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::vector<Reading> published_readings() {
+    return load_readings(reference::published_folder() / "table_d_1.csv");
+}
+
+std::string reason(const std::string& csv) {
+    const auto file = scratch() / "bad.csv";
+    std::ofstream(file) << csv;
+    try {
+        calibrate({file, scratch() / "bad", scratch() / "bad" / "table.hpp", program});
+    } catch (const std::runtime_error& error) {
+        EXPECT_FALSE(std::filesystem::exists(scratch() / "bad"));
+        return error.what();
+    }
+    return "no error";
+}
+
+TEST(Readings, BadOnesAreRefusedWithTheirLine) {
+    const std::string header = "adc_reading,actual_g\n";
+    EXPECT_THAT(reason("reading,actual_g\n1,2\n"), HasSubstr("bad.csv:1: no column 'adc_reading'"));
+    EXPECT_THAT(reason("adc_reading,grams\n1,2\n"), HasSubstr(":1: no column 'actual_g'"));
+    EXPECT_THAT(reason(header + "1,10\nmany,20\n"), HasSubstr(":3: adc_reading 'many' is not"));
+    EXPECT_THAT(reason(header + "1,10\n2.5,20\n"), HasSubstr(":3: adc_reading '2.5' is not"));
+    EXPECT_THAT(reason(header + "1,10\n1024,20\n"), HasSubstr(":3: adc_reading '1024' is not"));
+    EXPECT_THAT(reason(header + "1,nan\n"), HasSubstr(":2: actual_g 'nan' is not"));
+    EXPECT_THAT(reason(header + "1,-3\n"), HasSubstr(":2: actual_g '-3' is not"));
+    EXPECT_THAT(reason(header + "1,\n"), HasSubstr(":2: actual_g '' is not"));
+    EXPECT_THAT(reason(header + "5,10\n5,20\n"), HasSubstr(":3: adc_reading 5 after 5"));
+    EXPECT_THAT(reason(header + "5,10\n6,9\n"), HasSubstr(":3: actual_g 9 after 10"));
+    EXPECT_THAT(reason(header + "5,10,3\n"), HasSubstr(":2: 3 cells"));
+    EXPECT_THAT(reason(header + "1,1\n2,2\n3,3\n4,4\n"), HasSubstr("4 readings; at least 5"));
+}
+
+// The curves that the fit has to find again from readings without error.
+const Curve known[] = {{Family::rational_quadratic, {-1.3e-5, 1.06e-2, 2.3}},
+                       {Family::quadratic, {8.5e-4, -0.29, 55}},
+                       {Family::hyperbola, {70, 60, 990}},
+                       {Family::conductance_power, {40, 4.1, 1.2}}};
+
+TEST(Fit, FindsKnownCurves) {
+    for (const Curve& curve : known) {
+        std::vector<Reading> readings;
+        for (int x = 200; x <= 950; x += 50) readings.push_back({x, value<double>(curve, x)});
+        const Fit found = fit(curve.family, readings);
+        for (std::size_t i = 0; i < parameters; ++i)
+            EXPECT_NEAR(found.curve.coefficients[i] / curve.coefficients[i], 1, 1e-7)
+                << name_of(curve.family) << " coefficient " << i;
+    }
+}
+
+TEST(Fit, NoNeighbourHasASmallerSquareSum) {
+    const auto readings = published_readings();
+    for (const Curve& curve : known) {
+        const Fit found = fit(curve.family, readings);
+        for (std::size_t i = 0; i < parameters; ++i) {
+            for (const double shift : {-1e-3, 1e-3}) {
+                Curve neighbour = found.curve;
+                neighbour.coefficients[i] += shift * found.standard_errors[i];
+                EXPECT_GT(square_sum(neighbour, readings), found.square_sum)
+                    << name_of(curve.family) << " coefficient " << i;
+            }
+        }
+    }
+}
+
+TEST(Fit, TheCubicPassesThroughEveryReadingAndRises) {
+    const auto readings = published_readings();
+    const Curve curve = fit(Family::monotone_cubic, readings).curve;
+    for (const Reading& r : readings) EXPECT_NEAR(value<double>(curve, r.adc), r.grams, 1e-9);
+    for (int x = 1; x <= readings.back().adc; ++x)
+        EXPECT_GE(value<double>(curve, x), value<double>(curve, x - 1)) << x;
+}
+
+TEST(Fit, TooFewReadingsAreRefused) {
+    EXPECT_THROW(fit(Family::hyperbola, {{100, 1}, {200, 2}, {300, 4}}), std::runtime_error);
+}
+
+TEST(Range, EndsBeforeThePole) {
+    const auto readings = published_readings();
+    const Range range = rising_range(published_function_1, readings);
+    EXPECT_EQ(range.lowest, 0);
+    EXPECT_LE(value<double>(published_function_1, range.highest), most_grams);
+    EXPECT_GT(value<double>(published_function_1, range.highest + 1), most_grams);
+    EXPECT_LT(value<double>(published_function_1, 1023), 0);
+    EXPECT_EQ(held_value(published_function_1, range, 1023),
+              value<double>(published_function_1, range.highest));
+    // A parabola is used from its lowest point, at 173.2, on.
+    EXPECT_EQ(rising_range(published_function_2, readings).lowest, 173);
+}
+
+// The published table is the truth on what the published curve is.
+TEST(Published, Function1GivesThePublishedTable) {
+    for (const reference::ForceCalibration& row : reference::load_table_d_1())
+        EXPECT_NEAR(value<double>(published_function_1, row.adc_reading), row.calculated_grams,
+                    0.0501);
+}
+
+TEST(Published, VerdictsTellCurvesApart) {
+    std::vector<Reading> readings;
+    for (int x = 0; x <= 900; x += 100) {
+        // Errors that alternate, so that the least square sum is not zero.
+        readings.push_back({x, value<double>(published_function_2, x) + (x % 200 == 0 ? 1 : -1)});
+    }
+    const Curve right = fit(Family::quadratic, readings).curve;
+    EXPECT_EQ(reproduce("right", right, readings).verdict, "reproduced");
+    Curve wrong = right;
+    wrong.coefficients[2] += 0.2;
+    EXPECT_EQ(reproduce("wrong", wrong, readings).verdict, "not reproducible");
+    Curve near = right;
+    near.coefficients[2] += 0.001;
+    EXPECT_EQ(reproduce("near", near, readings).verdict, "equivalent");
+}
+
+TEST(EvaluationError, SeesWhatIsWrong) {
+    const Curve curve = {Family::hyperbola, {70, 60, 990}};
+    const Range range = rising_range(curve, published_readings());
+    std::array<std::int32_t, 1024> raw;
+    const DeviceCurve device(curve, range);
+    for (int x = 0; x < 1024; ++x) raw[static_cast<std::size_t>(x)] = device.raw(x);
+    EXPECT_LT(evaluation_error(curve, range, raw), 0.01);
+    auto wrong = raw;
+    for (std::size_t x = 500; x < 1024; ++x) wrong[x] += 65536 / 2;
+    EXPECT_NEAR(evaluation_error(curve, range, wrong), 0.5, 0.01);
+    wrong = raw;
+    wrong[600] = wrong[599] - 1;
+    EXPECT_THROW(evaluation_error(curve, range, wrong), std::runtime_error);
+    wrong = raw;
+    wrong[0] = -1;
+    EXPECT_THROW(evaluation_error(curve, range, wrong), std::runtime_error);
+    wrong = raw;
+    wrong[1023] = 2001 << 16;
+    EXPECT_THROW(evaluation_error(curve, range, wrong), std::runtime_error);
+}
+
+TEST(DeviceCurve, RefusesCoefficientsThatDoNotFit) {
+    EXPECT_THROW(DeviceCurve({Family::hyperbola, {0, 1000, 990}}, {0, 900}), std::runtime_error);
+    EXPECT_THROW(DeviceCurve({Family::hyperbola, {0, 10, 2100}}, {0, 900}), std::runtime_error);
+}
+
+TEST(Choice, FewestCyclesWithinOneStandardError) {
+    const auto candidate = [](double leave_one_out, double cycles, const char* rejected) {
+        Candidate c{"", {Family::hyperbola, {}}, {}, {}, {}, {}, leave_one_out, {}, 0, rejected};
+        c.device = DeviceMeasurement{{}, cycles, cycles, 0, 0};
+        return c;
+    };
+    // 1 + 1 / sqrt(2 x 18) = 1.1667 for 20 readings.
+    EXPECT_EQ(choose({candidate(10, 500, ""), candidate(11.6, 300, ""), candidate(11.7, 100, ""),
+                      candidate(5, 1, "for a reason")},
+                     20),
+              1u);
+    EXPECT_THROW(choose({candidate(10, 500, "for a reason")}, 20), std::runtime_error);
+}
+
+// The committed header is what the command makes of the published readings, to the last byte.
+TEST(Calibrate, MakesTheCommittedHeader) {
+    const auto root = reference::published_folder().parent_path().parent_path();
+    std::filesystem::current_path(root);
+    const auto header = scratch() / "calibration_table.hpp";
+    calibrate({"reference/published/table_d_1.csv", scratch() / "data", header, program});
+    EXPECT_EQ(content(header), content(root / "firmware/src/firmware/calibration_table.hpp"));
+    const records::Table table = records::Table::load(scratch() / "data/calibration.csv");
+    EXPECT_EQ(table.rows().size(), published_readings().size());
+}
+
+// What the firmware compiles from the header, with its coefficients as constants.
+TEST(Calibrate, TheFirmwareEvaluatesTheChosenCurve) {
+    const auto readings = published_readings();
+    const auto all = candidates(readings, program);
+    const Candidate& chosen = all[choose(all, readings.size())];
+    simulator::Chip chip{simulator::Elf(program.elf)};
+    chip.run_until_function("main");
+    simulator::DeviceFunction grams(chip, "grams_q16_16_default", {4, {2}});
+    for (int x = -5; x < 1100; ++x) {
+        const auto i = static_cast<std::size_t>(std::clamp(x, 0, 1023));
+        const simulator::Outcome outcome = grams(static_cast<std::int16_t>(x));
+        ASSERT_EQ(outcome.as<std::int32_t>(), chosen.device->raw[i]) << x;
+        ASSERT_LE(outcome.cycles, chosen.device->cycles_max);
+    }
+}
+
+}  // namespace
+}  // namespace calibration

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bench/experiments/cost/features/linked.hpp"
+
+#include <cxxabi.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <memory>
+#include <regex>
+
+namespace features {
+namespace {
+
+struct Rule {
+    std::string what;
+    std::regex symbol;                    // of a function or table that belongs to it, demangled
+    std::vector<std::string> users;       // features of which each needs it ...
+    std::vector<std::string> given = {};  // ... where one of these is used too, if there are any
+};
+
+const std::vector<std::string> links = {"SPRINGS", "ANCHORED_SPRINGS", "RODS", "ANCHORED_RODS",
+                                        "ROPES",   "ANCHORED_ROPES"};
+
+const std::vector<std::string> constraints = {"RODS",           "ANCHORED_RODS", "ROPES",
+                                              "ANCHORED_ROPES", "PLANES",        "COLLISIONS"};
+const std::string pull = "apply|ImplicitSprings::pull";
+
+std::vector<std::string> links_and(std::initializer_list<std::string> more) {
+    std::vector<std::string> users = links;
+    users.insert(users.end(), more);
+    return users;
+}
+
+std::regex acts(const std::string& function, const std::string& on) {
+    return std::regex("^(void )?engine::(" + function + ")<.*>\\(engine::" + on);
+}
+std::regex begins(const std::string& text) { return std::regex("^(void |bool )?" + text); }
+
+const std::vector<Rule>& rules() {
+    static const std::vector<Rule> all = {
+        {"gravity", begins("engine::Gravity<.*, true>::fall"), {"GRAVITY"}},
+        {"springs", acts(pull, "Spring<.*Between<"), {"SPRINGS"}},
+        {"anchored springs", acts(pull, "Spring<.*Anchored<"), {"ANCHORED_SPRINGS"}},
+        {"drag", acts("apply", "Drag<"), {"DRAG"}},
+        {"rods", acts("constrain", "Rod<.*Between<"), {"RODS"}},
+        {"anchored rods", acts("constrain", "Rod<.*Anchored<"), {"ANCHORED_RODS"}},
+        {"ropes", acts("constrain", "Rope<.*Between<"), {"ROPES"}},
+        {"anchored ropes", acts("constrain", "Rope<.*Anchored<"), {"ANCHORED_ROPES"}},
+        {"planes", acts("constrain", "Plane<"), {"PLANES"}},
+        {"collisions", begins("engine::collide<"), {"COLLISIONS"}},
+        {"contacts", std::regex("::contact<"), {"PLANES", "COLLISIONS"}},
+        {"damping", begins("engine::OnlyIfTrue<true>::call<.*::damp\\(\\)"), {"DAMPING"}},
+        {"a custom force", begins("Push<.*>::apply"), {"CUSTOM_FORCE"}},
+        {"a third dimension", begins("engine::Vector<.*, 3>::"), {"3"}},
+        {"explicit Euler", begins("engine::ExplicitEuler::"), {"ExplicitEuler"}},
+        {"velocity Verlet", begins("engine::VelocityVerlet::"), {"VelocityVerlet"}},
+        {"projected_gauss_seidel", std::regex("engine::ProjectedGaussSeidel<.*>::solve<"), {"ProjectedGaussSeidel<10>"}, constraints},
+        {"worst first",
+         std::regex("engine::WorstFirst<.*>::solve<"),
+         {"WorstFirst<10>"},
+         constraints},
+        {"sort and sweep",
+         std::regex("SortAndSweep::collide_all"),
+         {"SortAndSweep"},
+         {"COLLISIONS"}},
+        {"division", std::regex("fixedpoint_(divide|reciprocal_table)"),
+         links_and({"PLANES", "COLLISIONS"}),
+         {"Nearest"}},
+        {"lengths", std::regex("fixedpoint_(length|sqrt_table)"),
+         links_and({"DRAG", "COLLISIONS"})},
+        {"dot products", std::regex("fixedpoint_dot"), links_and({"PLANES", "COLLISIONS"})},
+        {"square roots", std::regex("^fixedpoint_sqrt_q"), {}},
+        {"floating point", std::regex("^__\\w+(sf|df)\\d?$"), {}},
+        {"64-bit integers", std::regex("^__\\w+di3?(_\\w+)?$"), {}},
+        {"the heap", std::regex("^(malloc|free|operator (new|delete))"), {}},
+        {"constructors at start-up", std::regex("^_GLOBAL__sub_I"), {}},
+    };
+    return all;
+}
+
+bool used(const Rule& rule, const Uses& uses) {
+    const auto is_used = [&](const std::string& name) { return uses.contains(name); };
+    return std::ranges::any_of(rule.users, is_used) &&
+           (rule.given.empty() || std::ranges::any_of(rule.given, is_used));
+}
+
+std::string demangled(const std::string& name) {
+    int status = 0;
+    const std::unique_ptr<char, decltype(&std::free)> text(
+        abi::__cxa_demangle(name.c_str(), nullptr, nullptr, &status), &std::free);
+    return status == 0 ? text.get() : name;
+}
+
+std::vector<std::string> symbols(const simulator::Elf& elf) {
+    std::vector<std::string> names;
+    for (const auto* group : {&elf.functions(), &elf.objects()})
+        for (const auto& [name, symbol] : *group) names.push_back(demangled(name));
+    return names;
+}
+
+}  // namespace
+
+std::vector<std::string> unneeded(const simulator::Elf& elf, const Uses& uses) {
+    std::vector<std::string> found;
+    const auto names = symbols(elf);
+    for (const Rule& rule : rules()) {
+        if (used(rule, uses)) continue;
+        for (const auto& name : names)
+            if (std::regex_search(name, rule.symbol)) found.push_back(name + " of " + rule.what);
+    }
+    return found;
+}
+
+std::vector<std::string> missing(const simulator::Elf& elf, const Uses& uses) {
+    std::vector<std::string> absent;
+    const auto names = symbols(elf);
+    for (const Rule& rule : rules()) {
+        if (!used(rule, uses)) continue;
+        bool present = false;
+        for (const auto& name : names) present |= std::regex_search(name, rule.symbol);
+        if (!present) absent.push_back(rule.what);
+    }
+    return absent;
+}
+
+}  // namespace features

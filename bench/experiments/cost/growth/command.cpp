@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bench/experiments/cost/growth/command.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "bench/experiments/cost/growth/fit.hpp"
+#include "bench/lab/records/csv.hpp"
+
+namespace growth {
+namespace {
+
+struct Options {
+    bool host = false;
+    unsigned most = 4096;
+    std::filesystem::path output;
+};
+
+int run(const Options& options) {
+    const auto costs = options.host ? costs_on_host(options.most) : costs_on_chip();
+    const char* const where = options.host ? "host" : "chip";
+    const char* const unit = options.host ? "ns" : "cycles";
+    records::Table points({"where", "broad_phase", "particles", "cost_per_step", "unit",
+                           "ram_bytes", "stack_bytes", "fitted", "fit_constant", "fit_linear",
+                           "fit_quadratic", "fit_worst_percent", "cheapest"});
+    const auto brute = of_search(costs, "brute_force"), sweep = of_search(costs, "sort_and_sweep");
+    for (const auto& series : {brute, sweep}) {
+        const Fit fit = fitted(series);
+        for (std::size_t i = 0; i < series.size(); ++i) {
+            const Cost& cost = series[i];
+            const bool cheapest = brute[i].per_step < sweep[i].per_step
+                                      ? cost.broad_phase == "brute_force"
+                                      : cost.broad_phase == "sort_and_sweep";
+            points.add({where, cost.broad_phase, std::to_string(cost.particles),
+                        fmt::format("{:.1f}", cost.per_step), unit,
+                        options.host ? "" : std::to_string(cost.ram),
+                        options.host ? "" : std::to_string(cost.stack),
+                        fmt::format("{:.1f}", fit(cost.particles)), fmt::format("{:.5g}", fit.a),
+                        fmt::format("{:.5g}", fit.b), fmt::format("{:.5g}", fit.c),
+                        fmt::format("{:.1f}", 100 * fit.worst), cheapest ? "yes" : "no"});
+        }
+        fmt::print(stderr, "{}: {:.5g} + {:.5g} N + {:.5g} N^2 {}, within {:.1f} %\n",
+                   series.front().broad_phase, fit.a, fit.b, fit.c, unit, 100 * fit.worst);
+    }
+    if (const auto from = crossing(brute, sweep))
+        fmt::print(stderr, "sort_and_sweep is the cheaper from {} particles on\n", *from);
+    else
+        fmt::print(stderr, "brute_force is the cheaper up to the end\n");
+    if (options.output.empty())
+        fmt::print("{}", points.to_csv());
+    else
+        points.save(options.output / (options.host ? "growth_host.csv" : "growth.csv"));
+    return EXIT_SUCCESS;
+}
+
+}  // namespace
+
+void add_growth_command(CLI::App& app, fixbench::Action& action) {
+    const auto options = std::make_shared<Options>();
+    CLI::App* const command = app.add_subcommand(
+        "growth",
+        "The cost of a step against the number of particles in a box, with either broad phase,\n"
+        "and its fit by a + b N + c N^2: on the simulated chip up to what its memory holds, or\n"
+        "with --host on this machine, in nanoseconds.\n\n"
+        "Example: fixbench growth --output results/data");
+    command->add_flag("--host", options->host, "time this machine instead");
+    command->add_option("--most", options->most, "particles on the host")
+        ->check(CLI::Range(16, 4096))
+        ->capture_default_str();
+    command->add_option("--output", options->output,
+                        "folder for growth.csv or growth_host.csv; printed without");
+    command->callback([&action, options] { action = [options] { return run(*options); }; });
+}
+
+}  // namespace growth

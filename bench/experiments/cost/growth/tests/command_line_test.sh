@@ -1,0 +1,24 @@
+#!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# command_line_test.sh FIXBENCH FOLDER: what `fixbench growth` writes and refuses.
+set -euo pipefail
+fixbench=$1 folder=$2
+rm -rf "$folder"
+mkdir -p "$folder"
+fail() { echo "$*" >&2; exit 1; }
+
+"$fixbench" growth --output "$folder" 2>/dev/null
+# Both broad phasees, more cycles and more memory for more particles, the cheapest of each pair named.
+awk -F, 'NR > 1 {
+        if ($2 == search && !($4 > cost && $6 > ram)) { print "not growing: " $0; exit 1 }
+        search = $2; cost = $4; ram = $6; searches[$2]++; cheapest[$3] += $13 == "yes"
+    }
+    END {
+        if (searches["brute_force"] < 8 || searches["brute_force"] != searches["sort_and_sweep"]) exit 1
+        for (n in cheapest) if (cheapest[n] != 1) { print n " particles: no cheapest"; exit 1 }
+    }' "$folder/growth.csv" || fail "growth.csv is not as it should be"
+"$fixbench" growth --host --most 16 --output "$folder" 2>/dev/null
+[ "$(wc -l <"$folder/growth_host.csv")" -eq 9 ] || fail "growth_host.csv has not two rows for each of 2, 4, 8, 16"
+status=0
+"$fixbench" growth --host --most 5000 >/dev/null 2>"$folder/err" || status=$?
+[ "$status" -ne 0 ] || fail "accepted 5000 particles"

@@ -1,0 +1,353 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bench/experiments/exhaustive/exhaustive.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <stdexcept>
+
+#include "bench/chip/instructions/compiled_function.hpp"
+#include "bench/chip/instructions/fingerprint.hpp"
+#include "bench/experiments/exhaustive/measurement.hpp"
+#include "bench/lab/operands/boundary.hpp"
+#include "bench/lab/operands/operand_class.hpp"
+#include "bench/lab/operands/search.hpp"
+#include "bench/lab/subjects/device_subject.hpp"
+#include "bench/lab/parallel.hpp"
+#include "bench/lab/subjects/witness.hpp"
+#include "bench/lab/records/csv.hpp"
+#include "bench/lab/records/progress.hpp"
+#include "bench/lab/records/whole_file.hpp"
+
+namespace machine_code {
+namespace {
+
+constexpr int exhaustive_bits = 32;
+constexpr std::size_t calls_of_a_batch = 512;  // raws and cycles of a batch stay in the first cache
+
+// Runs one part of a function's inputs.
+class Worker {
+  public:
+    Worker(const CompiledFunction& function, const Oracle& oracle)
+        : session_(function),
+          oracle_(oracle),
+          arity_(function.arity()),
+          operands_(calls_of_a_batch * arity_),
+          results_(calls_of_a_batch * function.result_count()),
+          cycles_(calls_of_a_batch) {}
+
+    // Inputs first..last-1 of all, an input being the operands' bits one above the other.
+    Part exhaust(std::uint64_t first, std::uint64_t last) {
+        const reference::NumberFormat& format = oracle_.subject.operand_format;
+        Part part;
+        for (std::uint64_t i = first; i < last; ++i)
+            add(part, [&](std::span<std::int64_t> raws) {
+                for (std::size_t k = 0; k < raws.size(); ++k)
+                    raws[k] = format.sign_extend(i >> (int(k) * format.width));
+            });
+        run_batch(part);
+        return part;
+    }
+
+    // A part of a search: its share of the boundary table; then half of the budget random, a
+    // quarter each climbing towards the largest error and the most cycles.
+    Part search(std::span<const operands::BoundaryCase> cases, std::uint64_t index,
+                std::uint64_t budget, std::uint64_t seed) {
+        Part part;
+        const reference::Operation operation = oracle_.subject.operation;
+        const reference::NumberFormat& operand_format = oracle_.subject.operand_format;
+        for (std::uint64_t i = index; i < cases.size(); i += operations::exhaustive_parts)
+            add(part, [&](std::span<std::int64_t> raws) {
+                std::copy(cases[i].operands.begin(), cases[i].operands.end(), raws.begin());
+            });
+
+        using operands::OperandClass;
+        constexpr OperandClass classes[] = {OperandClass::small, OperandClass::physics,
+                                            OperandClass::full};
+        constexpr std::uint64_t kinds = std::size(classes) + 1;
+        for (const OperandClass each : classes) {
+            operands::Sampler sampler(operation, operand_format, each, seed);
+            for (std::uint64_t i = 0; i < budget / 2 / kinds; ++i)
+                add(part, [&](std::span<std::int64_t> raws) { sampler.next(raws); });
+        }
+        std::mt19937_64 random(seed);
+        for (std::uint64_t i = 0; i < budget / 2 / kinds; ++i)
+            add(part, [&](std::span<std::int64_t> raws) {
+                for (std::int64_t& raw : raws) raw = operand_format.sign_extend(random());
+            });
+        run_batch(part);
+
+        const auto climb = [&](std::uint64_t start, auto&& height) {
+            operands::search_worst(operation, operand_format, budget / 4, start,
+                                   [&](std::span<const std::int64_t> raws) {
+                                       add(part, [&](std::span<std::int64_t> first) {
+                                           std::copy(raws.begin(), raws.end(), first.begin());
+                                       });
+                                       run_batch(part);
+                                       return height();
+                                   });
+        };
+        climb(seed, [&] {
+            const reference::Judgement judgement =
+                oracle_.judge(std::span(operands_).first(arity_),
+                               std::span(results_).first(results_.size() / calls_of_a_batch));
+            return judgement.excluded ? -INFINITY : std::abs(judgement.error_ulp);
+        });
+        climb(~seed, [&] { return double(cycles_[0]); });
+        return part;
+    }
+
+    std::vector<std::uint32_t> reached_blocks() const { return session_.reached_blocks(); }
+
+  private:
+    template <class Fill>
+    void add(Part& part, Fill&& fill) {
+        fill(std::span(operands_).subspan(count_ * arity_, arity_));
+        if (++count_ == calls_of_a_batch) run_batch(part);
+    }
+
+    void run_batch(Part& part) {
+        const std::span raws = std::span(operands_).first(count_ * arity_);
+        const std::span computed =
+            std::span(results_).first(count_ * (results_.size() / calls_of_a_batch));
+        const std::span cycles = std::span(cycles_).first(count_);
+        session_.run(raws, computed, cycles);
+        oracle_.judge_all(raws, computed, part.errors);
+        if (oracle_.portable) oracle_.compare_all(raws, computed, part.differences);
+        for (std::size_t i = 0; i < count_; ++i)
+            part.cycles.add(cycles[i], raws.subspan(i * arity_, arity_));
+        count_ = 0;
+    }
+
+    CompiledFunction::Session session_;
+    const Oracle& oracle_;
+    std::size_t arity_, count_ = 0;
+    std::vector<std::int64_t> operands_, results_;
+    std::vector<std::uint32_t> cycles_;
+};
+
+struct Job {
+    std::string symbol;
+    Oracle oracle;
+    std::vector<operands::BoundaryCase> boundary{};  // for a search
+
+    int bits() const {
+        return oracle.subject.operand_format.width *
+               int(reference::shape(oracle.subject.operation).operands);
+    }
+    bool every_input() const { return bits() <= exhaustive_bits; }
+};
+
+std::vector<Job> jobs_of(const simulator::Elf& elf, const std::vector<std::string>& symbols) {
+    std::vector<Job> jobs;
+    for (const std::string& symbol : symbols) {
+        elf.function(symbol);
+        const auto oracle = oracle_of(reference::parse_symbol(symbol));
+        if (!oracle)
+            throw std::invalid_argument(fmt::format(
+                "{}: only fixed-point functions can be judged over all inputs", symbol));
+        jobs.push_back({symbol, *oracle});
+    }
+    if (!symbols.empty()) return jobs;
+    for (const std::string& symbol : operations::subjects_of(elf))
+        if (const auto oracle = oracle_of(reference::parse_symbol(symbol)))
+            jobs.push_back({symbol, *oracle});
+    if (jobs.empty())
+        throw std::invalid_argument(fmt::format("{}: no function to judge", elf.path().string()));
+    return jobs;
+}
+
+std::uint64_t seed_of(std::string_view symbol, std::uint64_t part) {
+    std::uint64_t hash = 0xcbf29ce484222325;  // FNV-1a
+    for (const char c : symbol) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+    return hash + part;
+}
+
+Part run_part(Worker& worker, const Job& job, std::uint64_t index, const Options& options) {
+    if (job.every_input()) {
+        const std::uint64_t share = (std::uint64_t(1) << job.bits()) / operations::exhaustive_parts;
+        return worker.exhaust(index * share, (index + 1) * share);
+    }
+    const std::uint64_t budget =
+        (options.search_operands + operations::exhaustive_parts - 1) / operations::exhaustive_parts;
+    return worker.search(job.boundary, index, budget, seed_of(job.symbol, index));
+}
+
+Measurement measure(const simulator::Elf& elf, Job& job, const Options& options) {
+    const reference::Subject& subject = job.oracle.subject;
+    if (!job.every_input())
+        job.boundary = operands::boundary_cases(subject.operation, subject.operand_format);
+    Measurement measurement{.symbol = job.symbol,
+                            .elf_sha256 = elf.sha256(),
+                            .kernel_sha256 = fingerprint(elf, job.symbol),
+                            .every_input = job.every_input(),
+                            .has_portable = job.oracle.portable != nullptr,
+                            .parts = {},
+                            .unreached = {}};
+    const CompiledFunction function(elf, job.symbol, convention_of(subject));
+    const Shard& shard = options.shard;
+    const std::uint64_t first = operations::exhaustive_parts * (shard.index - 1) / shard.count;
+    const std::uint64_t last = operations::exhaustive_parts * shard.index / shard.count;
+
+    std::vector<Part> parts(last - first);
+    std::set<std::uint32_t> reached;
+    std::mutex reaching;
+    {
+        records::Progress progress(job.symbol, parts.size());
+        operations::in_parallel(options.threads, parts.size(), [&](std::size_t k) {
+            Worker worker(function, job.oracle);
+            parts[k] = run_part(worker, job, first + k, options);
+            const std::vector<std::uint32_t> blocks = worker.reached_blocks();
+            const std::lock_guard lock(reaching);
+            reached.insert(blocks.begin(), blocks.end());
+            progress.advance();
+        });
+    }
+    for (std::uint64_t k = first; k < last; ++k)
+        measurement.parts.emplace(k, std::move(parts[k - first]));
+    const auto unreached = function.unreached(reached);
+    measurement.unreached.insert(unreached.begin(), unreached.end());
+    return measurement;
+}
+
+records::Table empty_table() {
+    return records::Table({"operation", "format", "implementation", "inputs", "max_ulp",
+                           "max_ulp_witness", "rms_ulp", "mean_ulp", "cycles_min", "cycles_mean",
+                           "cycles_max", "cycles_max_witness", "unreached_instructions",
+                           "violations", "portable_differences", "bound", "elf_sha256",
+                           "kernel_sha256"});
+}
+
+std::vector<std::string> row_of(const Measurement& measurement, const Part& total) {
+    const reference::NamedSubject named = reference::parse_symbol(measurement.symbol);
+    // The means over the operands of a search would tell of the search.
+    const auto mean = [&](double value) {
+        return measurement.every_input ? records::cell(value) : std::string();
+    };
+    return {std::string(reference::shape(named.subject.operation).name),
+            reference::format_name(named.subject.format),
+            named.implementation,
+            fmt::to_string(total.cycles.calls),
+            records::cell(total.errors.max_ulp()),
+            operations::text_of(total.errors.max_witness()),
+            mean(total.errors.rms_ulp()),
+            mean(total.errors.mean_ulp()),
+            fmt::to_string(total.cycles.min),
+            mean(total.cycles.mean()),
+            fmt::to_string(total.cycles.max),
+            operations::text_of(total.cycles.max_witness),
+            fmt::to_string(measurement.unreached.size()),
+            fmt::to_string(total.errors.wrong()),
+            measurement.has_portable ? fmt::to_string(total.differences.count) : "",
+            measurement.every_input ? "exact" : "lower bound",
+            measurement.elf_sha256,
+            measurement.kernel_sha256};
+}
+
+void report(const Measurement& measurement, const Part& total) {
+    if (total.errors.wrong() != 0)
+        fmt::print(stderr, "{}: {} operands break the definition, the first: {}\n",
+                   measurement.symbol, total.errors.wrong(),
+                   operations::text_of(total.errors.wrong_witness()));
+    if (total.differences.count != 0)
+        fmt::print(stderr, "{}: {} results differ from the portable code's, the first: {}\n",
+                   measurement.symbol, total.differences.count,
+                   operations::text_of(total.differences.witness));
+    for (const std::uint32_t address : measurement.unreached)
+        fmt::print(stderr, "{}: no input reached 0x{:04x}\n", measurement.symbol, address);
+}
+
+// Puts the rows of the measurements in the place of those of the same functions.
+std::uint64_t save(const std::vector<Measurement>& measurements,
+                   const std::filesystem::path& output) {
+    const std::filesystem::path path = output / "exhaustive.csv";
+    std::map<std::vector<std::string>, std::vector<std::string>> rows;
+    const auto add = [&](const std::vector<std::string>& row) {
+        rows[{row.begin(), row.begin() + 3}] = row;
+    };
+    records::Table table = empty_table();
+    if (std::filesystem::exists(path)) {
+        const records::Table old = records::Table::load(path);
+        if (old.columns() != table.columns())
+            throw std::runtime_error(fmt::format("{}: has other columns", path.string()));
+        for (const auto& row : old.rows()) add(row);
+    }
+    std::uint64_t violations = 0;
+    for (const Measurement& measurement : measurements) {
+        const Part total = measurement.total();
+        add(row_of(measurement, total));
+        report(measurement, total);
+        violations += total.errors.wrong() + total.differences.count;
+    }
+    for (auto& [key, row] : rows) table.add(std::move(row));
+    table.save(path);
+    return violations;
+}
+
+}  // namespace
+
+Shard parse_shard(const std::string& text) {
+    Shard shard;
+    const char* const end = text.data() + text.size();
+    const auto [slash, bad_index] = std::from_chars(text.data(), end, shard.index);
+    if (bad_index == std::errc() && slash != end && *slash == '/') {
+        const auto [rest, bad_count] = std::from_chars(slash + 1, end, shard.count);
+        if (bad_count == std::errc() && rest == end && shard.index >= 1 &&
+            shard.index <= shard.count && shard.count <= operations::exhaustive_parts)
+            return shard;
+    }
+    throw std::invalid_argument(fmt::format("shard '{}': allowed is i/n with 1 <= i <= n <= {}",
+                                            text, operations::exhaustive_parts));
+}
+
+std::uint64_t run_exhaustive(const Options& options) {
+    const simulator::Elf elf(options.program);
+    std::uint64_t violations = 0;
+    for (Job& job : jobs_of(elf, options.symbols)) {
+        const Measurement measurement = measure(elf, job, options);
+        if (measurement.is_complete()) {
+            violations += save({measurement}, options.output);
+            continue;
+        }
+        const std::string name = fmt::format("exhaustive.{}.{}-of-{}.json", job.symbol,
+                                             options.shard.index, options.shard.count);
+        records::write_whole(options.output / name, nlohmann::json(measurement).dump() + "\n");
+        const Part total = measurement.total();
+        violations += total.errors.wrong() + total.differences.count;
+    }
+    return violations;
+}
+
+std::uint64_t merge_exhaustive(const std::vector<std::filesystem::path>& shards,
+                               const std::filesystem::path& output) {
+    std::map<std::string, Measurement> by_symbol;
+    for (const std::filesystem::path& path : shards) {
+        Measurement shard;
+        try {
+            std::ifstream stream(path);
+            nlohmann::json::parse(stream).get_to(shard);
+        } catch (const nlohmann::json::exception& error) {
+            throw std::runtime_error(
+                fmt::format("{}: not a shard's file: {}", path.string(), error.what()));
+        }
+        const auto [place, fresh] = by_symbol.emplace(shard.symbol, shard);
+        if (!fresh) place->second.join(shard);
+    }
+    std::vector<Measurement> measurements;
+    for (auto& [symbol, measurement] : by_symbol) {
+        if (!measurement.is_complete())
+            throw std::runtime_error(fmt::format("{}: the shards hold {} of {} parts", symbol,
+                                                 measurement.parts.size(),
+                                                 operations::exhaustive_parts));
+        measurements.push_back(std::move(measurement));
+    }
+    if (measurements.empty()) throw std::runtime_error("no shards to merge");
+    return save(measurements, output);
+}
+
+}  // namespace machine_code

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What running a function over a space of inputs found, part by part, so that the sums of a run do
+// not depend on the number of threads and shards.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <nlohmann/json_fwd.hpp>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "bench/experiments/exhaustive/oracle.hpp"
+#include "reference/error_statistics.hpp"
+
+namespace machine_code {
+
+struct CycleStatistics {
+    std::uint64_t calls = 0, sum = 0;
+    std::uint32_t min = std::numeric_limits<std::uint32_t>::max(), max = 0;
+    reference::Witness max_witness;  // the first
+
+    void add(std::uint32_t cycles, std::span<const std::int64_t> operands) {
+        ++calls;
+        sum += cycles;
+        if (cycles < min) min = cycles;
+        if (cycles > max) [[unlikely]] {
+            max = cycles;
+            max_witness = reference::Witness(operands);
+        }
+    }
+    void merge(const CycleStatistics& later);
+    double mean() const { return double(sum) / double(calls); }
+};
+
+struct Part {
+    reference::ErrorStatistics errors;
+    CycleStatistics cycles;
+    Differences differences;
+
+    void merge(const Part& later);
+};
+
+struct Measurement {
+    std::string symbol, elf_sha256, kernel_sha256;
+    bool every_input = false;  // and not a search
+    bool has_portable = false;
+    std::map<std::uint64_t, Part> parts;  // of operations::exhaustive_parts
+    std::set<std::uint32_t> unreached;    // flash byte addresses
+
+    // Throws std::runtime_error where the two are not of one run.
+    void join(const Measurement& other);
+    bool is_complete() const { return parts.size() == operations::exhaustive_parts; }
+    Part total() const;
+};
+
+void to_json(nlohmann::json& json, const Measurement& measurement);
+void from_json(const nlohmann::json& json, Measurement& measurement);
+
+}  // namespace machine_code

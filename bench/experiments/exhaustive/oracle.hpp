@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The reference's bulk judge, and the host's portable of the device's code, for a subject that is known
+// only at run time.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "bench/lab/subjects/host_subject.hpp"
+#include "reference/error_statistics.hpp"
+#include "reference/operation.hpp"
+
+namespace machine_code {
+
+struct Differences {
+    std::uint64_t count = 0;
+    reference::Witness witness;  // the first
+};
+
+struct Oracle {
+    reference::Subject subject;
+    // Raws lie one call after the other.
+    reference::Judgement (*judge)(std::span<const std::int64_t> operands,
+                                  std::span<const std::int64_t> results);
+    void (*judge_all)(std::span<const std::int64_t> operands, std::span<const std::int64_t> results,
+                      reference::ErrorStatistics& statistics);
+    // The portable code that promises the same bits; null where there is none.
+    const operations::HostSubject* portable;
+
+    // Counts the calls whose results differ from the portable's. Precondition: there is one.
+    void compare_all(std::span<const std::int64_t> operands, std::span<const std::int64_t> results,
+                     Differences& found) const;
+};
+
+// None where the reference has no bulk judge for the subject (float, _Accum, integers).
+std::optional<Oracle> oracle_of(const reference::NamedSubject& named);
+
+}  // namespace machine_code

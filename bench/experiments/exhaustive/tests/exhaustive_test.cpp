@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bench/experiments/exhaustive/exhaustive.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "bench/chip/instructions/tests/programs.hpp"
+#include "bench/lab/records/csv.hpp"
+#include "bench/lab/records/whole_file.hpp"
+
+namespace machine_code {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ExhaustiveTest : public testing::Test {
+  protected:
+    ExhaustiveTest()
+        : folder_(fs::temp_directory_path() / fmt::format("exhaustive_test.{}", getpid())) {
+        options_.program = test_program("functions");
+        options_.output = folder_;
+        options_.threads = 2;
+    }
+    ~ExhaustiveTest() override { fs::remove_all(folder_); }
+
+    std::string csv() const {
+        std::ifstream stream(folder_ / "exhaustive.csv");
+        return {std::istreambuf_iterator<char>(stream), {}};
+    }
+    // The cell of the only row, or of the row of an implementation.
+    std::string cell(const char* column, const char* implementation = "default") const {
+        const records::Table table = records::Table::load(folder_ / "exhaustive.csv");
+        for (const auto& row : table.rows())
+            if (row[table.column("implementation")] == implementation)
+                return row[table.column(column)];
+        return "no such row";
+    }
+
+    fs::path folder_;
+    Options options_;
+};
+
+TEST_F(ExhaustiveTest, KnownAnswersOfAHandMadeProduct) {
+    options_.symbols = {"multiply_q4_4_default"};
+    EXPECT_EQ(run_exhaustive(options_), 0u);
+    EXPECT_EQ(cell("inputs"), "65536");
+    EXPECT_EQ(cell("max_ulp"), "0.5");
+    EXPECT_EQ(cell("cycles_min"), "12");
+    EXPECT_EQ(cell("cycles_max"), "26");
+    EXPECT_EQ(cell("cycles_max_witness"), "0 1");
+    EXPECT_EQ(cell("cycles_mean"), "25.9453");  // 26 - 14 / 256
+    EXPECT_EQ(cell("unreached_instructions"), "2");
+    EXPECT_EQ(cell("violations"), "0");
+    EXPECT_EQ(cell("portable_differences"), "0");
+    EXPECT_EQ(cell("bound"), "exact");
+}
+
+TEST_F(ExhaustiveTest, ViolationsAreCounted) {
+    options_.symbols = {"multiply_q4_4_unrounded"};
+    // Every product whose fraction is a half or more: counted here by the same formula.
+    std::uint64_t wrong = 0;
+    for (int a = -128; a < 128; ++a)
+        for (int b = -128; b < 128; ++b) wrong += (a * b & 15) >= 8;
+    EXPECT_EQ(run_exhaustive(options_), wrong);
+    EXPECT_EQ(cell("violations", "unrounded"), fmt::to_string(wrong));
+    EXPECT_EQ(cell("max_ulp", "unrounded"), "0.9375");
+    EXPECT_EQ(cell("portable_differences", "unrounded"), "");
+    // Rows of other functions stay.
+    options_.symbols = {"multiply_q4_4_default"};
+    run_exhaustive(options_);
+    EXPECT_EQ(cell("violations", "unrounded"), fmt::to_string(wrong));
+    EXPECT_EQ(cell("violations"), "0");
+}
+
+TEST_F(ExhaustiveTest, LargerSpacesAreSearched) {
+    options_.symbols = {"add_q32_32_default"};
+    options_.search_operands = 100000;
+    EXPECT_EQ(run_exhaustive(options_), 0u);
+    EXPECT_GT(std::stoull(cell("inputs")), 90000u);
+    EXPECT_EQ(cell("bound"), "lower bound");
+    EXPECT_EQ(cell("max_ulp"), "0");
+    EXPECT_EQ(cell("rms_ulp"), "");
+    EXPECT_EQ(cell("cycles_min"), "19");
+    EXPECT_EQ(cell("cycles_max"), "21");
+    EXPECT_EQ(cell("unreached_instructions"), "0");
+    const std::string first = csv();
+    options_.threads = 1;
+    run_exhaustive(options_);
+    EXPECT_EQ(csv(), first);
+}
+
+TEST_F(ExhaustiveTest, ShardsMergeToWhatOneRunGives) {
+    options_.symbols = {"multiply_q4_4_default", "multiply_q4_4_unrounded"};
+    options_.threads = 1;
+    run_exhaustive(options_);
+    const std::string whole = csv();
+    fs::remove(folder_ / "exhaustive.csv");
+
+    std::vector<fs::path> shards;
+    for (const unsigned index : {3u, 1u, 2u}) {
+        options_.shard = {index, 3};
+        options_.threads = index;
+        run_exhaustive(options_);
+        for (const std::string& symbol : options_.symbols)
+            shards.push_back(folder_ / fmt::format("exhaustive.{}.{}-of-3.json", symbol, index));
+    }
+    EXPECT_FALSE(fs::exists(folder_ / "exhaustive.csv"));
+    EXPECT_GT(merge_exhaustive(shards, folder_), 0u);
+    EXPECT_EQ(csv(), whole);
+
+    EXPECT_THROW(merge_exhaustive({shards.begin(), shards.begin() + 4}, folder_),
+                 std::runtime_error);
+    EXPECT_THROW(merge_exhaustive({shards[0], shards[0]}, folder_), std::runtime_error);
+    records::write_whole(folder_ / "none.json", "{}");
+    EXPECT_THROW(merge_exhaustive({folder_ / "none.json"}, folder_), std::runtime_error);
+}
+
+TEST_F(ExhaustiveTest, RejectsWhatCannotBeJudged) {
+    options_.symbols = {"skips"};
+    EXPECT_THROW(run_exhaustive(options_), std::invalid_argument);
+    EXPECT_THROW(parse_shard("0/3"), std::invalid_argument);
+    EXPECT_THROW(parse_shard("4/3"), std::invalid_argument);
+    EXPECT_THROW(parse_shard("1"), std::invalid_argument);
+    EXPECT_THROW(parse_shard("1/300"), std::invalid_argument);
+    EXPECT_EQ(parse_shard("2/3").index, 2u);
+}
+
+}  // namespace
+}  // namespace machine_code

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bench/experiments/haptic/haptic.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <atomic>
+#include <numeric>
+#include <stdexcept>
+#include <utility>
+
+#include "bench/lab/parallel.hpp"
+#include "bench/lab/records/progress.hpp"
+#include "firmware/src/firmware/hardware/readings.hpp"
+
+namespace haptic {
+namespace {
+
+using simulator::Chip;
+
+constexpr double millisecond = 1e-3;
+constexpr Cycle cycles_of_tick = Chip::frequency / firmware::ticks_per_second;
+
+template <class Named>
+std::vector<Named> selected(const std::vector<Named>& all, const std::vector<std::string>& names,
+                            std::string Named::*name, const char* what) {
+    if (names.empty()) return all;
+    std::vector<Named> chosen;
+    for (const std::string& wanted : names) {
+        const auto found = std::find_if(all.begin(), all.end(),
+                                        [&](const Named& each) { return each.*name == wanted; });
+        if (found == all.end()) {
+            std::vector<std::string> known;
+            for (const Named& each : all) known.push_back(each.*name);
+            throw std::runtime_error(
+                fmt::format("no {} '{}'; there are {}", what, wanted, fmt::join(known, ", ")));
+        }
+        chosen.push_back(*found);
+    }
+    return chosen;
+}
+
+// The device itself for an hour, what is shown beside it for four minutes; and recordings, of which
+// an hour would fill a disk.
+double longest(const Options& options, const Firmware& program) {
+    if (options.longest) return *options.longest;
+    return program.flashed && options.record.empty() ? 3600 : 240;
+}
+
+// What lies beyond the end is not asked for.
+Scenario shortened(Scenario scenario, double longest) {
+    if (scenario.duration <= longest) return scenario;
+    scenario.duration = longest;
+    // Half a minute after its pushes the lever rests.
+    if (scenario.envelope.rest && scenario.envelope.rest->from > longest)
+        scenario.envelope.rest->from = longest - 1;
+    return scenario;
+}
+
+}  // namespace
+
+std::vector<Firmware> firmwares(const std::filesystem::path& folder) {
+    const auto period = [](int rate) {
+        return (firmware::ticks_per_second >> rate) * cycles_of_tick;
+    };
+    TimingLimits limits{period(10)};
+    // Published: more than 500 steps a second in float.
+    TimingLimits in_float{period(9)};
+    in_float.loop_rate = 500;
+    in_float.cpu_share = 1;
+    in_float.lateness = 2e-3;
+    return {{"q16_16", folder / "lever.elf", limits, true},
+            {"published", folder / "lever_published.elf", {}, false},
+            {"float", folder / "lever_float.elf", in_float, false}};
+}
+
+Run run(const Firmware& firmware, const Scenario& scenario, const Parameters& parameters,
+        const std::filesystem::path& record) {
+    const simulator::Elf elf(firmware.elf);
+    DeviceLoop loop(elf, scenario.adapted(parameters), scenario.script);
+    loop.wrap_clock_at(scenario.duration / 2);
+    Judge judge(scenario, firmware.limits);
+    std::optional<Recording> recording;
+    if (!record.empty()) recording.emplace(loop);
+    for (double now = millisecond; now < scenario.duration; now += millisecond) {
+        loop.run_until(now);
+        judge.watch(loop, loop.plant());
+        if (recording) recording->watch(loop);
+    }
+    if (recording) recording->save(record, scenario.name + "." + firmware.arithmetic);
+    const unsigned stack = Chip::ram_end - 1u - loop.chip().lowest_stack_pointer();
+    return {scenario.name, firmware.arithmetic, loop.time(), judge.judge(loop), loop.timing(),
+            stack,         elf.sha256()};
+}
+
+std::uint64_t run_scenarios(const Options& options) {
+    using records::cell;
+    const std::vector<Scenario> scenes =
+        selected(scenarios(), options.scenarios, &Scenario::name, "scenario");
+    const std::vector<Firmware> programs = selected(
+        firmwares(options.firmware), options.arithmetics, &Firmware::arithmetic, "arithmetic");
+    records::Table table({"scenario",     "arithmetic",     "seconds",      "loop_rate_hz",
+                          "step_mean_ms", "step_max_ms",    "late_steps",   "worst_lateness_ms",
+                          "cpu_percent",  "render_percent", "frames_per_s", "servo_min_us",
+                          "servo_max_us", "fall_s",         "swing_deg",    "stack_bytes",
+                          "bytes_sent",   "verdict",        "reason",       "elf_sha256"});
+    struct Job {
+        Firmware program;
+        Scenario scenario;
+    };
+    std::vector<Job> jobs;
+    for (const Firmware& program : programs)
+        for (const Scenario& scenario : scenes)
+            jobs.push_back({program, shortened(scenario, longest(options, program))});
+    // The longest first, so that none is left to one thread in the end.
+    std::vector<std::size_t> order(jobs.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return jobs[a].scenario.duration > jobs[b].scenario.duration;
+    });
+    std::vector<std::vector<std::string>> rows(jobs.size());
+    std::atomic<std::uint64_t> failed = 0;
+    records::Progress progress("haptic", jobs.size());
+    operations::in_parallel(options.threads, jobs.size(), [&](std::size_t k) {
+        const auto& [program, scenario] = jobs[order[k]];
+        const Run r = run(program, scenario, published_parameters(), options.record);
+        const Judgement& j = r.judgement;
+        const bool timed = program.limits.has_value();
+        const bool held = j.violations.empty();
+        if (!held && program.flashed) ++failed;
+        rows[order[k]] = {r.scenario,
+                          r.arithmetic,
+                          cell(r.duration),
+                          cell(j.loop_rate),
+                          cell(j.step_mean * 1e3),
+                          cell(j.step_most * 1e3),
+                          timed ? cell(static_cast<double>(j.late_steps)) : "",
+                          cell(j.worst_lateness * 1e3),
+                          cell(j.cpu_share * 100),
+                          cell(j.rendering_share * 100),
+                          cell(j.frames_per_second),
+                          cell(r.timing.shortest_pulse * 1e6),
+                          cell(r.timing.longest_pulse * 1e6),
+                          cell(j.fall),
+                          cell(j.swing / degrees(1)),
+                          cell(r.stack_bytes),
+                          cell(static_cast<double>(r.timing.bytes_sent)),
+                          held ? "held" : "failed",
+                          fmt::format("{}", fmt::join(j.violations, "; ")),
+                          r.elf_sha256};
+        progress.advance();
+    });
+    for (auto& row : rows) table.add(std::move(row));
+    table.save(options.output / "haptic.csv");
+    return failed;
+}
+
+}  // namespace haptic

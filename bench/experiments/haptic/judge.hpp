@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Watches a device loop through a scenario and says whether the run stayed in its envelope.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/experiments/haptic/device_loop.hpp"
+#include "bench/experiments/haptic/scenarios.hpp"
+
+namespace haptic {
+
+// What a loop that keeps time is held to; none where a device has no steps of one length.
+struct TimingLimits {
+    Cycle step_period;        // nominal
+    double loop_rate = 1000;  // Hz, at least
+    double lateness = 1e-3;   // s, of any step
+    double cpu_share = 0.5;
+    double rendering_share = 0.05;
+    double frames_per_second = 19.5;
+};
+
+struct Judgement {
+    double loop_rate = 0, step_mean = 0, step_most = 0;  // Hz, s, s
+    // Against steps of the nominal period of which none is earlier than due; s. NaN without limits.
+    double worst_lateness = std::numeric_limits<double>::quiet_NaN();
+    std::uint64_t late_steps = 0;  // by more than the limit
+    double cpu_share = 0, rendering_share = 0, frames_per_second = 0;
+    double fall = std::numeric_limits<double>::quiet_NaN();   // s
+    double swing = std::numeric_limits<double>::quiet_NaN();  // rad, where it is to be quiet
+    std::vector<std::string> violations;  // empty where the run is as it should be
+};
+
+class Judge {
+  public:
+    Judge(const Scenario& scenario, std::optional<TimingLimits> limits)
+        : scenario_(scenario), limits_(limits) {}
+
+    // To be called each millisecond.
+    void watch(const DeviceLoop& loop, Plant& plant);
+    Judgement judge(const DeviceLoop& loop);
+
+  private:
+    void violate(bool violated, std::string what);
+    void judge_timing(const Timing& timing, double end);
+
+    Scenario scenario_;
+    std::optional<TimingLimits> limits_;
+    Judgement judgement_;
+    std::optional<double> let_go_, fallen_;
+    double turning_point_ = 0;  // of the servo since it came down
+    int direction_ = 0, turns_ = 0;
+    double least_ = 1e9, most_ = -1e9;
+    bool screen_right_ = true, rested_ = true, held_before_ = false;
+};
+
+}  // namespace haptic

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The error of the library's portable code against the exact reference: over every input where
+// there are at most 2^32, else over boundary tables, random operands and a search for the worst.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+#include "bench/lab/subjects/selection.hpp"
+
+namespace operations {
+
+struct AccuracyOptions {
+    std::filesystem::path output;  // folder for accuracy.csv and its companions
+    Selection selection;
+    bool quick = false;  // sample the spaces of more than 2^24 inputs
+    unsigned threads = 1;
+};
+
+// Writes accuracy.csv, error_histograms.csv and error_along_input.csv. Returns how many results
+// broke their definition; each subject's first is reported on stderr.
+std::uint64_t measure_accuracy(const AccuracyOptions& options);
+
+}  // namespace operations

@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bench/experiments/operations/measure_cycles.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <stdexcept>
+
+#include "bench/lab/operands/boundary.hpp"
+#include "bench/lab/operands/operand_class.hpp"
+#include "bench/lab/subjects/device_subject.hpp"
+#include "bench/lab/subjects/host_subject.hpp"
+#include "bench/lab/parallel.hpp"
+#include "bench/lab/subjects/witness.hpp"
+#include "bench/lab/records/benchmark_json.hpp"
+#include "bench/lab/records/csv.hpp"
+#include "bench/lab/records/progress.hpp"
+#include "bench/lab/records/whole_file.hpp"
+#include "reference/error_statistics.hpp"
+#include "reference/judge.hpp"
+
+namespace operations {
+
+namespace {
+
+using Operands = std::array<std::int64_t, reference::most_operands>;
+
+// What the random operands of a row may take, since the portable functions of the 64-bit formats
+// cost up to half a million cycles a call.
+constexpr std::uint64_t cycle_budget = 200'000'000;
+
+// Input spaces up to this size are run through as a class of their own.
+constexpr int all_inputs_bits = 16;
+
+struct Footprint {
+    std::string flash_bytes;
+    std::string ram_bytes;
+};
+
+// The distance between neighbours at a number of the format.
+double ulp_at(const reference::NumberFormat& format, std::int64_t raw) {
+    if (!format.is_float()) return std::ldexp(1.0, -format.fraction);
+    const int exponent = std::max(1, static_cast<int>(raw >> 23 & 0xff));
+    return std::ldexp(1.0, exponent - 127 - 23);
+}
+
+// One row of operations.csv.
+struct Row {
+    const simulator::Elf* program;
+    std::string subject;
+    reference::NamedSubject named;
+    std::string operands;
+    bool all_inputs;
+
+    std::uint64_t samples = 0;
+    std::uint32_t cycles_min = std::numeric_limits<std::uint32_t>::max();
+    std::uint32_t cycles_max = 0;
+    std::uint64_t cycles_sum = 0;
+    reference::Witness cycles_max_witness{};
+    std::uint16_t stack_bytes = 0;
+    reference::ErrorStatistics errors{};
+    // In the unit of the result, so that formats can be held against each other.
+    double max_error = 0;
+    double sum_of_squared_errors = 0;
+
+    void add(std::span<const std::int64_t> operands, const DeviceResult& result) {
+        ++samples;
+        cycles_sum += result.cycles;
+        cycles_min = std::min(cycles_min, result.cycles);
+        stack_bytes = std::max(stack_bytes, result.stack_bytes);
+        if (result.cycles > cycles_max) {
+            cycles_max = result.cycles;
+            cycles_max_witness = reference::Witness(operands);
+        }
+        const std::span results(result.raws.data(),
+                                reference::shape(named.subject.operation).results);
+        const reference::Judgement judgement = reference::judge(named.subject, operands, results);
+        errors.add(judgement, operands);
+        if (judgement.excluded || !std::isfinite(judgement.error_ulp)) return;
+        double ulp = 0;
+        for (const std::int64_t raw : results)
+            ulp = std::max(ulp, ulp_at(named.subject.format, raw));
+        const double error = std::abs(judgement.error_ulp) * ulp;
+        max_error = std::max(max_error, error);
+        sum_of_squared_errors += error * error;
+    }
+    double rms_error() const {
+        return std::sqrt(sum_of_squared_errors / static_cast<double>(errors.count()));
+    }
+    double cycles_mean() const {
+        return static_cast<double>(cycles_sum) / static_cast<double>(samples);
+    }
+};
+
+// The same operands for every implementation of an operation.
+std::uint64_t seed_of(reference::Operation operation, std::string_view operand_class) {
+    std::uint64_t hash = 0xcbf29ce484222325;  // FNV-1a
+    for (const std::string_view text : {reference::shape(operation).name, operand_class}) {
+        for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+    }
+    return hash;
+}
+
+void run_all_inputs(DeviceSubject& subject, Row& row) {
+    const int width = row.named.subject.operand_format.width;
+    const std::uint64_t count = std::uint64_t(1) << (width * subject.arity());
+    Operands operands{};
+    const std::span used(operands.data(), subject.arity());
+    for (std::uint64_t i = 0; i < count; ++i) {
+        for (std::size_t k = 0; k < used.size(); ++k) {
+            used[k] = row.named.subject.operand_format.sign_extend(i >> (k * width));
+        }
+        row.add(used, subject.call(used));
+    }
+}
+
+// Thinned evenly to at most `samples` cases: pairs of a 64-bit format are over 100000.
+void run_boundary(DeviceSubject& subject, Row& row, std::uint64_t samples) {
+    const std::vector<operands::BoundaryCase> cases =
+        operands::boundary_cases(row.named.subject.operation, row.named.subject.operand_format);
+    const std::uint64_t taken = std::min<std::uint64_t>(samples, cases.size());
+    for (std::uint64_t i = 0; i < taken; ++i) {
+        const operands::BoundaryCase& each = cases[i * cases.size() / taken];
+        row.add(each.operands, subject.call(each.operands));
+    }
+}
+
+void run_class(DeviceSubject& subject, Row& row, operands::OperandClass operand_class,
+               std::uint64_t samples) {
+    const reference::Subject& judged = row.named.subject;
+    operands::Sampler sampler(judged.operation, judged.operand_format, operand_class,
+                              seed_of(judged.operation, row.operands));
+    Operands operands{};
+    const std::span used(operands.data(), subject.arity());
+    for (std::uint64_t i = operands::distinct_samples(operand_class, samples);
+         i > 0 && row.cycles_sum < cycle_budget; --i) {
+        sampler.next(used);
+        row.add(used, subject.call(used));
+    }
+}
+
+void run(simulator::Chip& chip, Row& row, std::uint64_t samples) {
+    DeviceSubject subject(chip, row.subject);
+    if (row.operands == "all") {
+        run_all_inputs(subject, row);
+    } else if (row.operands == "boundary") {
+        run_boundary(subject, row, samples);
+    } else {
+        run_class(subject, row, operands::parse_class(row.operands), samples);
+    }
+}
+
+void add_rows(std::vector<Row>& rows, const simulator::Elf& program, const Selection& selection) {
+    for (const std::string& name : subjects_of(program)) {
+        const reference::NamedSubject named = reference::parse_symbol(name);
+        if (!selection.selects(named.subject, named.implementation)) continue;
+        std::vector<std::string> classes;
+        for (const operands::OperandClass each : operands::operand_classes) {
+            classes.emplace_back(operands::class_name(each));
+        }
+        classes.emplace_back("boundary");
+        const int bits = named.subject.operand_format.width *
+                         static_cast<int>(reference::shape(named.subject.operation).operands);
+        if (bits <= all_inputs_bits) classes.emplace_back("all");
+        for (const std::string& operand_class : classes) {
+            if (!selection.selects_operands(operand_class)) continue;
+            rows.push_back({.program = &program,
+                            .subject = name,
+                            .named = named,
+                            .operands = operand_class,
+                            .all_inputs = operand_class == "all"});
+        }
+    }
+}
+
+using Footprints = std::map<std::string, Footprint>;
+
+void load_footprints(Footprints& footprints, std::filesystem::path program) {
+    const std::filesystem::path path = program.replace_extension(".footprints.csv");
+    if (!std::filesystem::exists(path)) return;
+    const records::Table table = records::Table::load(path);
+    const std::size_t subject = table.column("subject"), flash = table.column("flash_bytes"),
+                      ram = table.column("ram_bytes");
+    for (const auto& row : table.rows()) footprints[row[subject]] = {row[flash], row[ram]};
+}
+
+records::Table table_of(const std::vector<Row>& rows, const Footprints& footprints) {
+    records::Table table(
+        {"operation",       "format",      "implementation", "operands",           "samples",
+         "cycles_min",      "cycles_mean", "cycles_max",     "cycles_max_witness", "max_ulp",
+         "max_ulp_witness", "rms_ulp",     "bound",          "flash_bytes",        "stack_bytes",
+         "mean_ulp",        "ram_bytes",   "violations",     "max_error",          "rms_error"});
+    for (const Row& row : rows) {
+        const auto footprint = footprints.find(row.subject);
+        const Footprint weight = footprint == footprints.end() ? Footprint{} : footprint->second;
+        const bool judged = row.errors.count() > 0;
+        table.add({operation_name(row.named.subject),
+                   reference::format_name(row.named.subject.format),
+                   row.named.implementation,
+                   row.operands,
+                   fmt::to_string(row.samples),
+                   fmt::to_string(row.cycles_min),
+                   records::cell(row.cycles_mean()),
+                   fmt::to_string(row.cycles_max),
+                   text_of(row.cycles_max_witness),
+                   judged ? records::cell(row.errors.max_ulp()) : "",
+                   judged ? text_of(row.errors.max_witness()) : "",
+                   judged ? records::cell(row.errors.rms_ulp()) : "",
+                   row.all_inputs ? "exact" : "lower bound",
+                   weight.flash_bytes,
+                   fmt::to_string(row.stack_bytes),
+                   judged ? records::cell(row.errors.mean_ulp()) : "",
+                   weight.ram_bytes,
+                   fmt::to_string(row.errors.wrong()),
+                   judged ? records::cell(row.max_error) : "",
+                   judged ? records::cell(row.rms_error()) : ""});
+    }
+    return table;
+}
+
+std::string json_of(const std::vector<Row>& rows, const std::vector<simulator::Elf>& programs) {
+    std::vector<records::SimulatedBenchmark> benchmarks;
+    for (const Row& row : rows) {
+        benchmarks.push_back({row.subject + "/" + row.operands,
+                              row.samples,
+                              row.cycles_mean(),
+                              {{"cycles_min", row.cycles_min},
+                               {"cycles_max", row.cycles_max},
+                               {"max_ulp", row.errors.max_ulp()},
+                               {"rms_ulp", row.errors.rms_ulp()},
+                               {"stack_bytes", row.stack_bytes}}});
+    }
+    nlohmann::json hashes;
+    for (const simulator::Elf& program : programs) {
+        hashes[program.path().filename().string()] = program.sha256();
+    }
+    return records::benchmark_document(benchmarks, {{"sha256", hashes}}).dump(1) + "\n";
+}
+
+// Whether an implementation must keep to its definition; what the toolchain brings is only
+// measured.
+bool is_ours(const reference::NamedSubject& named) {
+    return named.subject.format.kind == reference::FormatKind::fixed;
+}
+
+}  // namespace
+
+std::uint64_t measure_cycles(const CycleOptions& options) {
+    const std::vector<simulator::Elf> programs(options.programs.begin(), options.programs.end());
+    Footprints footprints;
+    std::vector<Row> rows;
+    for (const simulator::Elf& program : programs) {
+        load_footprints(footprints, program.path());
+        add_rows(rows, program, options.selection);
+    }
+    if (rows.empty()) throw std::invalid_argument("no subject of the device programs is selected");
+
+    records::Progress progress("cycles", rows.size());
+    in_parallel(options.threads, rows.size(), [&](std::size_t i) {
+        simulator::Chip chip(*rows[i].program);
+        chip.run_until_function("main");
+        run(chip, rows[i], options.samples);
+        progress.advance();
+    });
+
+    std::uint64_t violations = 0;
+    for (const Row& row : rows) {
+        if (row.errors.wrong() == 0 || !is_ours(row.named)) continue;
+        violations += row.errors.wrong();
+        fmt::print(stderr, "{}: {} of {} {} operands break the definition, the first: {}\n",
+                   row.subject, row.errors.wrong(), row.samples, row.operands,
+                   text_of(row.errors.wrong_witness()));
+    }
+    table_of(rows, footprints).save(options.output / "operations.csv");
+    records::write_whole(options.output / "operations.json", json_of(rows, programs));
+    return violations;
+}
+
+}  // namespace operations

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Runs subjects of the device program on classes of operands: cycles, stack and error of each, and
+// whether every result is what its definition says.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "bench/lab/subjects/selection.hpp"
+
+namespace operations {
+
+struct CycleOptions {
+    // Device programs, each with a table <name>.footprints.csv (subject, flash_bytes, ram_bytes)
+    // beside it where its footprints are known.
+    std::vector<std::filesystem::path> programs;
+    std::filesystem::path output;  // folder for operations.csv and operations.json
+    Selection selection;
+    std::uint64_t samples = 20000;  // of each random class, less where they take over 2 10^8 cycles
+    unsigned threads = 1;
+};
+
+// Writes operations.csv and operations.json. Returns how many results broke their definition; each
+// subject's first is reported on stderr. Throws std::invalid_argument where nothing is selected or
+// a name is unknown, and simulator::SimulationError where a call does not return.
+std::uint64_t measure_cycles(const CycleOptions& options);
+
+}  // namespace operations

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bench/experiments/operations/verify_kernels.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <stdexcept>
+#include <string>
+
+#include "bench/lab/operands/boundary.hpp"
+#include "bench/lab/operands/operand_class.hpp"
+#include "bench/lab/subjects/device_subject.hpp"
+#include "bench/lab/subjects/host_subject.hpp"
+#include "bench/lab/parallel.hpp"
+#include "bench/lab/subjects/witness.hpp"
+#include "bench/lab/records/csv.hpp"
+#include "bench/lab/records/progress.hpp"
+
+namespace operations {
+
+namespace {
+
+using Operands = std::array<std::int64_t, reference::most_operands>;
+
+// What the random operands of a subject may take: the portable functions of the 64-bit formats cost
+// up to half a million cycles a call.
+constexpr std::uint64_t cycle_budget = 1'000'000'000;
+
+struct Comparison {
+    const simulator::Elf* program;
+    const HostSubject* host;
+    std::uint64_t compared = 0;
+    std::uint64_t cycles = 0;
+    std::uint64_t mismatches = 0;
+    reference::Witness first_mismatch{};
+    simulator::Coverage coverage{};
+};
+
+void compare(DeviceSubject& device, Comparison& comparison, Raws operands) {
+    const std::size_t results = reference::shape(comparison.host->subject.operation).results;
+    std::array<std::int64_t, reference::most_results> expected{};
+    comparison.host->evaluate(operands, std::span(expected).first(results));
+    const DeviceResult result = device.call(operands);
+    ++comparison.compared;
+    comparison.cycles += result.cycles;
+    if (std::equal(result.raws.begin(), result.raws.begin() + results, expected.begin())) return;
+    if (comparison.mismatches++ == 0) comparison.first_mismatch = reference::Witness(operands);
+}
+
+void run(Comparison& comparison, std::uint64_t samples) {
+    simulator::Chip chip(*comparison.program);
+    chip.run_until_function("main");
+    DeviceSubject device(chip, comparison.host->name());
+    device.record(&comparison.coverage);
+    device.forbid_stray_writes();
+    const reference::Subject& subject = comparison.host->subject;
+    const std::vector<operands::BoundaryCase> boundary =
+        operands::boundary_cases(subject.operation, subject.operand_format);
+    const std::uint64_t taken = std::min<std::uint64_t>(boundary.size(), samples);
+    for (std::uint64_t i = 0; i < taken; ++i) {
+        compare(device, comparison, boundary[i * boundary.size() / taken].operands);
+    }
+    Operands operands{};
+    const std::span used(operands.data(), device.arity());
+    if (comparison.host->input_bits <= 16) {
+        for (std::uint64_t i = 0; i < std::uint64_t(1) << comparison.host->input_bits; ++i) {
+            for (std::size_t k = 0; k < used.size(); ++k) {
+                used[k] =
+                    subject.operand_format.sign_extend(i >> (k * subject.operand_format.width));
+            }
+            compare(device, comparison, used);
+        }
+        return;
+    }
+    for (const operands::OperandClass each :
+         {operands::OperandClass::physics, operands::OperandClass::full}) {
+        operands::Sampler sampler(subject.operation, subject.operand_format, each, 2);
+        const std::uint64_t limit = comparison.cycles + cycle_budget / 2;
+        for (std::uint64_t i = 0; i < samples / 2 && comparison.cycles < limit; ++i) {
+            sampler.next(used);
+            compare(device, comparison, used);
+        }
+    }
+}
+
+}  // namespace
+
+std::uint64_t verify_kernels(const VerifyOptions& options) {
+    const std::vector<simulator::Elf> programs(options.programs.begin(), options.programs.end());
+    std::vector<Comparison> comparisons;
+    for (const HostSubject& host : host_subjects()) {
+        if (!options.selection.selects(host.subject, host.implementation)) continue;
+        for (const simulator::Elf& program : programs) {
+            if (program.has_function(host.name())) {
+                comparisons.push_back({.program = &program, .host = &host});
+            }
+        }
+    }
+    if (comparisons.empty())
+        throw std::invalid_argument("no subject that the host has is selected");
+
+    records::Progress progress("machine code against the host", comparisons.size());
+    in_parallel(options.threads, comparisons.size(), [&](std::size_t i) {
+        run(comparisons[i], options.samples);
+        progress.advance();
+    });
+
+    // Functions share code, as cosine does the sine's: what one reached counts for all.
+    std::map<const simulator::Elf*, simulator::Coverage> coverage;
+    for (const Comparison& each : comparisons) coverage[each.program].merge(each.coverage);
+
+    std::uint64_t failures = 0;
+    records::Table table({"operation", "format", "implementation", "inputs", "compared",
+                          "mismatches", "first_mismatch", "instructions_unreached"});
+    for (const Comparison& each : comparisons) {
+        const simulator::Elf& program = *each.program;
+        const std::size_t unreached =
+            coverage[&program].missed(program, program.function(each.host->name())).size();
+        table.add({operation_name(each.host->subject),
+                   reference::format_name(each.host->subject.format), each.host->implementation,
+                   each.host->input_bits <= 16 ? "all" : "boundary, random",
+                   fmt::to_string(each.compared), fmt::to_string(each.mismatches),
+                   text_of(each.first_mismatch), fmt::to_string(unreached)});
+        if (each.mismatches != 0) {
+            ++failures;
+            fmt::print(stderr, "{}: {} of {} results differ from the host, the first: {}\n",
+                       each.host->name(), each.mismatches, each.compared,
+                       text_of(each.first_mismatch));
+        }
+    }
+    table.save(options.output / "kernels.csv");
+    return failures;
+}
+
+}  // namespace operations

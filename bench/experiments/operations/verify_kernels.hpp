@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Holds the device's machine code against the host: every result bit for bit, the calling
+// convention and stray writes in every call, and which instructions of each kernel were executed.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "bench/lab/subjects/selection.hpp"
+
+namespace operations {
+
+struct VerifyOptions {
+    std::vector<std::filesystem::path> programs;
+    std::filesystem::path output;  // folder for kernels.csv
+    Selection selection;           // operand classes are not asked
+    std::uint64_t samples =
+        1'000'000;  // random operands of each subject, less where they take over 10^9 cycles
+    unsigned threads = 1;
+};
+
+// Runs each subject that the host has too on its boundary table, on random operands of the classes
+// physics and full, and on all inputs where there are at most 65536. Writes kernels.csv and returns
+// how many subjects differ from the host. Throws simulator::SimulationError
+// where a call breaks the calling convention.
+std::uint64_t verify_kernels(const VerifyOptions& options);
+
+}  // namespace operations

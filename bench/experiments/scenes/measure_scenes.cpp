@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bench/experiments/scenes/measure_scenes.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <stdexcept>
+
+#include "bench/lab/parallel.hpp"
+#include "bench/lab/records/csv.hpp"
+#include "bench/lab/records/progress.hpp"
+#include "bench/experiments/scenes/chip_run.hpp"
+#include "bench/experiments/scenes/judge.hpp"
+#include "reference/trajectories/trajectory.hpp"
+
+namespace scene_bench {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+// The yardsticks, on the host alone.
+constexpr std::string_view wide = "fifty_digits", recording = "double";
+
+// Time steps, as exponents: on the chip, and on the host, whose results the chip's are bit for bit.
+const std::vector<int> chip_exponents = {6, 8, 10};
+const std::vector<int> host_exponents = {5, 6, 7, 8, 9, 10, 11, 12};
+
+struct Subject {
+    const Scene* scene;
+    std::string scalar, method;
+    int exponent;
+    bool on_chip;
+};
+
+// A method at a time step: what all scalars have in common.
+struct Method {
+    const Scene* scene;
+    std::string method;
+    int exponent;
+    auto operator<=>(const Method&) const = default;
+};
+
+struct Yardstick {
+    Trajectory wide;
+    double needed_range = 0;
+};
+
+bool wanted(const std::vector<std::string>& names, std::string_view name) {
+    return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
+}
+
+bool contains(const std::vector<int>& exponents, int exponent) {
+    return std::find(exponents.begin(), exponents.end(), exponent) != exponents.end();
+}
+
+// Of fixed-point scalars, at the end of their names: q16_16_published.
+constexpr std::array<std::string_view, 2> named_arithmetics = {"published", "saturating"};
+
+std::string arithmetic_of(std::string_view scalar) {
+    if (scalar == "float") return "avr-libc";
+    if (scalar == recording) return "host";
+    if (scalar == wide) return "50 digits";
+    for (const std::string_view arithmetic : named_arithmetics)
+        if (scalar.ends_with(arithmetic)) return std::string(arithmetic);
+    return "nearest";
+}
+
+std::string format_of(std::string_view scalar) {
+    for (const std::string_view arithmetic : named_arithmetics)
+        if (scalar.ends_with(arithmetic)) scalar.remove_suffix(1 + arithmetic.size());
+    return std::string(scalar);
+}
+
+void check_names(const std::string& what, const std::vector<std::string>& asked,
+                 const std::vector<std::string>& known) {
+    for (const std::string& name : asked)
+        if (std::find(known.begin(), known.end(), name) == known.end())
+            throw std::runtime_error(fmt::format("there is no {} '{}'; there are {}", what, name,
+                                                 fmt::join(known, ", ")));
+}
+
+void add_once(std::vector<std::string>& names, const std::string& name) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+}
+
+void check(const SceneOptions& options) {
+    std::vector<std::string> scenes, scalars = {"float"}, methods;
+    for (const Scene& scene : all_scenes()) {
+        add_once(scenes, scene.name);
+        for (const HostSubject& subject : scene.subjects) {
+            add_once(scalars, subject.scalar);
+            add_once(methods, subject.method);
+        }
+    }
+    check_names("scene", options.scenes, scenes);
+    check_names("scalar", options.scalars, scalars);
+    check_names("method", options.methods, methods);
+}
+
+std::vector<Subject> subjects_of(const SceneOptions& options) {
+    std::vector<Subject> subjects;
+    for (const Scene& scene : all_scenes()) {
+        if (!wanted(options.scenes, scene.name)) continue;
+        for (const HostSubject& subject : scene.subjects) {
+            if (!wanted(options.methods, subject.method)) continue;
+            const bool yardstick = subject.scalar == wide || subject.scalar == recording;
+            const auto add = [&](const std::string& scalar, int exponent, bool on_chip) {
+                if (wanted(options.scalars, scalar) && !(options.quick && exponent > 8))
+                    subjects.push_back({&scene, scalar, subject.method, exponent, on_chip});
+            };
+            // The chip's float is another than the host's, and runs there alone.
+            if (subject.scalar == recording)
+                for (const int exponent : chip_exponents) add("float", exponent, true);
+            for (const int exponent : host_exponents)
+                add(subject.scalar, exponent, !yardstick && contains(chip_exponents, exponent));
+        }
+    }
+    return subjects;
+}
+
+// At the times of a run; empty where only conserved quantities are known.
+Trajectory truth_of(const Scene& scene) {
+    reference::Times times;
+    for (unsigned i = 0; i <= scene.duration * observations_per_second; ++i)
+        times.push_back(static_cast<double>(i) / observations_per_second);
+    return reference::trajectory(scene.name, times).value_or(Trajectory());
+}
+
+bool equal(const Trajectory& a, const Trajectory& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const State& s, const State& t) {
+        return std::equal(s.begin(), s.end(), t.begin(), t.end(),
+                          [](const ParticleState& p, const ParticleState& q) {
+                              return p.position == q.position && p.velocity == q.velocity;
+                          });
+    });
+}
+
+ChipRun run(const Subject& subject, const std::filesystem::path& programs) {
+    const HostSubject* const host = subject.scene->find(subject.scalar, subject.method);
+    ChipRun run;
+    if (subject.on_chip) {
+        const auto program = program_path(programs, subject.scene->name, subject.scalar,
+                                          subject.method, std::to_string(subject.exponent));
+        run = run_on_chip(program, *subject.scene, subject.scalar, subject.exponent, Hashes::no);
+    }
+    if (host == nullptr) return run;
+    Run on_host = host->run(subject.exponent, Hashes::no);
+    if (!subject.on_chip) {
+        static_cast<Run&>(run) = std::move(on_host);
+        run.steps = static_cast<std::uint64_t>(subject.scene->duration) << subject.exponent;
+    } else if (on_host.failure.empty() && !equal(on_host.trajectory, run.trajectory)) {
+        throw std::runtime_error(fmt::format("{} {} {} 2^-{} s: chip and host differ",
+                                             subject.scene->name, subject.scalar, subject.method,
+                                             subject.exponent));
+    }
+    return run;
+}
+
+std::vector<std::string> row(const Subject& subject, const ChipRun& run, const Yardstick& yardstick,
+                             const Trajectory& truth) {
+    const Scene& scene = *subject.scene;
+    const bool is_wide = subject.scalar == wide;
+    const bool has_truth = !truth.empty();
+    const Trajectory& held_to = has_truth ? truth : yardstick.wide;
+    const double error = has_truth ? largest_distance(run.trajectory, truth) : none;
+    const double error_method = has_truth ? largest_distance(yardstick.wide, truth) : none;
+    const double error_arithmetic =
+        is_wide ? none : largest_distance(run.trajectory, yardstick.wide);
+    const double range = subject.scalar == wide || subject.scalar == recording
+                             ? std::numeric_limits<double>::infinity()
+                             : layout_of(subject.scalar).range();
+    const std::string said =
+        verdict({scene, run, has_truth ? error : error_arithmetic, error_method, extent(held_to),
+                 range, yardstick.needed_range});
+    const double steps_a_second = std::ldexp(1.0, subject.exponent);
+    const auto on_chip = [&](double value) {
+        return records::cell(subject.on_chip ? value : none);
+    };
+    return {scene.name,
+            format_of(subject.scalar),
+            arithmetic_of(subject.scalar),
+            subject.method,
+            records::cell(1 / steps_a_second),
+            std::to_string(run.steps),
+            on_chip(run.cycles_mean),
+            on_chip(run.cycles_max),
+            on_chip(run.cycles_mean * steps_a_second),
+            records::cell(error),
+            records::cell(error_method),
+            records::cell(error_arithmetic),
+            "m",
+            records::cell(energy_drift(scene.name, run.trajectory, truth)),
+            on_chip(run.flash_bytes),
+            on_chip(run.ram_bytes),
+            on_chip(run.stack_bytes),
+            said};
+}
+
+// Calls the task for each element, the costliest first, with a bar.
+template <class T, class Cost, class Task>
+void for_all(const char* name, unsigned threads, const std::vector<T>& elements, Cost cost,
+             Task task) {
+    std::vector<std::size_t> order(elements.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return cost(elements[a]) > cost(elements[b]);
+    });
+    records::Progress progress(name, elements.size());
+    operations::in_parallel(threads, elements.size(), [&](std::size_t i) {
+        task(order[i]);
+        progress.advance();
+    });
+}
+
+}  // namespace
+
+void measure_scenes(const SceneOptions& options) {
+    check(options);
+    const std::vector<Subject> subjects = subjects_of(options);
+    if (subjects.empty()) throw std::runtime_error("no run matches the selection");
+
+    std::map<const Scene*, Trajectory> truths;
+    std::map<Method, Yardstick> yardsticks;
+    for (const Subject& subject : subjects) {
+        if (!truths.contains(subject.scene)) truths[subject.scene] = truth_of(*subject.scene);
+        yardsticks[{subject.scene, subject.method, subject.exponent}];
+    }
+    std::vector<std::pair<const Method, Yardstick>*> methods;
+    for (auto& entry : yardsticks) methods.push_back(&entry);
+    for_all(
+        "scenes in 50 digits", options.threads, methods,
+        [](const auto* entry) { return entry->first.scene->particles << entry->first.exponent; },
+        [&](std::size_t i) {
+            const auto& [method, of] = *methods[i];
+            methods[i]->second.wide = method.scene->find(wide, method.method)
+                                          ->run(method.exponent, Hashes::no)
+                                          .trajectory;
+            methods[i]->second.needed_range = method.scene->find(recording, method.method)
+                                                  ->run(method.exponent, Hashes::no)
+                                                  .largest_number;
+        });
+
+    std::vector<std::vector<std::string>> rows(subjects.size());
+    for_all(
+        "scenes", options.threads, subjects,
+        [](const Subject& subject) {
+            return subject.on_chip ? subject.scene->particles << subject.exponent : 0;
+        },
+        [&](std::size_t i) {
+            const Subject& subject = subjects[i];
+            rows[i] = row(subject, run(subject, options.programs),
+                          yardsticks.at({subject.scene, subject.method, subject.exponent}),
+                          truths.at(subject.scene));
+        });
+    records::Table table({"scene", "scalar", "arithmetic", "integrator", "dt", "steps",
+                          "cycles_per_step_mean", "cycles_per_step_max",
+                          "cycles_per_simulated_second", "error", "error_method",
+                          "error_arithmetic", "unit", "energy_drift", "flash_bytes", "ram_bytes",
+                          "stack_bytes", "verdict"});
+    for (auto& row : rows) table.add(std::move(row));
+    table.save(options.output / "scenes.csv");
+}
+
+}  // namespace scene_bench

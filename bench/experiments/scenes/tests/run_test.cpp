@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Runs on the chip and on the host against a fall computed by hand, and runs that fail.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+
+#include "bench/experiments/scenes/chip_run.hpp"
+#include "bench/experiments/scenes/host/describe.hpp"
+#include "bench/experiments/scenes/tests/failing_scenes.hpp"
+
+namespace scene_bench {
+namespace {
+
+const std::filesystem::path programs = SCENE_PROGRAMS;
+
+const Scene& scene_named(std::string_view name) {
+    for (const Scene& scene : all_scenes())
+        if (scene.name == name) return scene;
+    throw std::runtime_error("no such scene");
+}
+
+std::int64_t rounded(std::int64_t a, int shift) {
+    return (a + (std::int64_t(1) << (shift - 1))) >> shift;
+}
+
+// The free fall from (0, 20) at (3, 4) m/s in plain integers of 16 fraction bits: 9.81 is 642908.
+void expect_free_fall(const Run& run, int exponent) {
+    std::int64_t x = 0, y = 20 << 16;
+    const std::int64_t horizontal = 3 << 16;
+    std::int64_t vertical = 4 << 16;
+    ASSERT_EQ(run.trajectory.size(), 9u);  // 2 s in quarters
+    for (int quarter = 1; quarter <= 8; ++quarter) {
+        for (int step = 0; step < (1 << exponent) / 4; ++step) {
+            vertical += rounded(-642908, exponent);
+            x += rounded(horizontal, exponent);
+            y += rounded(vertical, exponent);
+        }
+        const ParticleState& point = run.trajectory[quarter].at(0);
+        EXPECT_EQ(point.position[0], std::ldexp(static_cast<double>(x), -16)) << quarter;
+        EXPECT_EQ(point.position[1], std::ldexp(static_cast<double>(y), -16)) << quarter;
+        EXPECT_EQ(point.velocity[1], std::ldexp(static_cast<double>(vertical), -16)) << quarter;
+    }
+}
+
+TEST(FreeFall, ByHandOnTheHost) {
+    const HostSubject* const subject =
+        scene_named("free_fall").find("q16_16", "semi_implicit_euler");
+    ASSERT_NE(subject, nullptr);
+    for (const int exponent : {5, 6, 8, 10, 12})
+        expect_free_fall(subject->run(exponent, Hashes::no), exponent);
+}
+
+TEST(FreeFall, ByHandOnTheChip) {
+    for (const int exponent : {6, 8, 10}) {
+        const ChipRun run =
+            run_on_chip(program_path(programs, "free_fall", "q16_16", "semi_implicit_euler",
+                                     std::to_string(exponent)),
+                        scene_named("free_fall"), "q16_16", exponent, Hashes::no);
+        expect_free_fall(run, exponent);
+        EXPECT_EQ(run.steps, 2u << exponent);
+        // Four additions of four bytes at least, and far less than a product.
+        EXPECT_GT(run.cycles_mean, 100);
+        EXPECT_LT(run.cycles_mean, 1000);
+        EXPECT_GE(run.cycles_max, run.cycles_mean);
+        EXPECT_GE(run.ram_bytes, 28u);  // position, velocity, inverse mass, gravity
+        EXPECT_LT(run.ram_bytes, 48u);
+        EXPECT_GT(run.flash_bytes, 100u);
+        EXPECT_LT(run.flash_bytes, 1000u);  // no product, no quotient, no table
+        EXPECT_GE(run.stack_bytes, 2);
+    }
+}
+
+Scene overfull_scene() {
+    Scene scene = scene_named("free_fall");
+    scene.name = scenes::Overfull::name;
+    scene.duration = scenes::Overfull::duration;
+    scene.particles = 2;
+    return scene;
+}
+
+TEST(FailingRun, AContactTooManyEndsIt) {
+    const ChipRun on_chip =
+        run_on_chip(program_path(programs, "overfull", "q16_16", "semi_implicit_euler", "8"),
+                    overfull_scene(), "q16_16", 8, Hashes::no);
+    EXPECT_EQ(on_chip.failure, "more contacts in a step than the scene states");
+    EXPECT_LT(on_chip.steps, 256u);
+    const scene_bench::Run on_host =
+        run_on_host<scenes::Overfull, scalars::q16_16, scenes::SemiImplicit>(8, Hashes::no);
+    EXPECT_EQ(on_host.failure, on_chip.failure);
+}
+
+TEST(FailingRun, ANumberThatIsNoneEndsIt) {
+    Scene scene = scene_named("free_fall");
+    scene.duration = scenes::Exploding::duration;
+    const ChipRun run =
+        run_on_chip(program_path(programs, "exploding", "float", "semi_implicit_euler", "8"), scene,
+                    "float", 8, Hashes::no);
+    EXPECT_EQ(run.failure, "a number is not finite");
+    EXPECT_LT(run.steps, 4u << 8);
+}
+
+TEST(Layout, OfNames) {
+    EXPECT_EQ(layout_of("q16_16_published").fraction_bits, 16);
+    EXPECT_EQ(layout_of("q8_24").range(), 128);
+    EXPECT_EQ(layout_of("q32_32").bytes, 8);
+    EXPECT_TRUE(std::isinf(layout_of("float").range()));
+    EXPECT_THROW(layout_of("double"), std::runtime_error);
+    EXPECT_THROW(layout_of("q16"), std::runtime_error);
+    const std::uint8_t minus_one_and_a_half[] = {0x80, 0xfe};
+    EXPECT_EQ(layout_of("q8_8").value(minus_one_and_a_half), -1.5);
+}
+
+}  // namespace
+}  // namespace scene_bench

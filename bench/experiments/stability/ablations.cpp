@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bench/experiments/stability/ablations.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "bench/lab/parallel.hpp"
+#include "bench/lab/records/csv.hpp"
+#include "bench/lab/records/progress.hpp"
+#include "bench/experiments/stability/chip_world.hpp"
+
+namespace stability {
+namespace {
+
+// A method of Q16.16 and its arithmetic.
+struct Method {
+    const char *arithmetic, *integrator;
+};
+constexpr Method ours{"nearest", "semi_implicit_euler"};
+constexpr Method implicit_springs{"nearest", "implicit_springs"};
+constexpr Method compensated_integration{"nearest", "semi_implicit_compensated"};
+constexpr Method positions_first{"nearest", "positions_first"};
+constexpr Method worst_contact_first{"nearest", "worst_contact_first"};
+constexpr Method opposed_contacts{"nearest", "rods_as_opposed_contacts"};
+constexpr Method tangent_rods{"nearest", "rods_along_tangents"};
+constexpr Method late_bounces{"nearest", "bounces_when_found"};
+constexpr Method impulses{"nearest", "velocities_by_impulses"};
+constexpr Method saturating{"saturating", "semi_implicit_euler"};
+constexpr Method roots_of_squares{"roots_of_squares", "semi_implicit_euler"};
+
+// Before and after differ in the ablation alone. Cycles are of the case at the parameter `timed_at`,
+// where both hold, or at its easy end.
+constexpr struct {
+    const char *ablation, *found_by;
+    Method before, after;
+    double timed_at;
+} ablations[] = {
+    {"velocities before positions", "spring_frame_step", positions_first, ours, 0.01},
+    {"velocities before positions", "spring_stiffness", positions_first, ours, 10},
+    {"springs solved implicitly", "spring_coarse_step", ours, implicit_springs, 0.03},
+    {"springs solved implicitly", "spring_critically_damped", ours, implicit_springs, 0.01},
+    {"springs solved implicitly", "spring_light_and_stiff", ours, implicit_springs, 1},
+    {"lengths without squares that overflow", "pendulum_long", roots_of_squares, ours, 1},
+    {"lengths without squares that overflow", "rod_span", roots_of_squares, ours, 1},
+    {"a rod as one two-sided constraint", "rod_speed", opposed_contacts, tangent_rods, 0.1},
+    {"a rod as one two-sided constraint", "rod_chain_of_8_heavy_end", opposed_contacts,
+     tangent_rods, 1},
+    {"rods along the chord of the arc", "rod_speed", tangent_rods, ours, 0.1},
+    {"sweeps over all contacts", "stack_of_5", worst_contact_first, ours, 1},
+    {"sweeps over all contacts", "stack_of_10", worst_contact_first, ours, 1},
+    {"bounces back-dated", "bounces_under_gravity", late_bounces, ours, 1000},
+    {"shares in place of impulses", "resting_light_mass", impulses, ours, 1},
+    {"residuals of products with the step", "slow", ours, compensated_integration, 10},
+    {"residuals of products with the step", "small_binary_step", ours, compensated_integration, 0x1p-8},
+    {"residuals of products with the step", "weak_gravity", ours, compensated_integration, 10},
+    {"sums and products that clamp", "spring_extension", ours, saturating, 0.1},
+    {"sums and products that clamp", "drag_quadratic", ours, saturating, 1},
+};
+
+const Case& case_named(const std::string& name) {
+    for (const Case& one : all_cases())
+        if (one.name == name) return one;
+    throw std::logic_error("no case " + name);
+}
+const Subject& subject_of(Method method) {
+    return subject("q16_16", method.arithmetic, method.integrator);
+}
+// What tells it from ours.
+std::string name_of(Method method) {
+    return method.arithmetic == std::string("nearest") ? method.integrator : method.arithmetic;
+}
+
+struct Cycles {
+    double mean;
+    std::uint32_t most;
+};
+// Of a step of the program that is the case and no more.
+Cycles cycles_of(const Case& one, Method method, double parameter) {
+    constexpr unsigned most_steps = 1000;
+    const Description description = one.at(parameter).description;
+    const std::filesystem::path program = std::filesystem::path(ABLATION_PROGRAMS) /
+                                          fmt::format("ablation_{}_{}.elf", one.name, name_of(method));
+    ChipWorld world(program, description);
+    std::uint64_t sum = 0;
+    std::uint32_t most = 0;
+    const unsigned steps = std::min(description.steps, most_steps);
+    for (unsigned step = 0; step < steps; ++step) {
+        const std::uint32_t cycles = world.step();
+        sum += cycles;
+        most = std::max(most, cycles);
+    }
+    if (world.error() != engine::Error::none)
+        throw std::runtime_error(fmt::format("{}: {}", program.string(), describe(world.error())));
+    return {double(sum) / steps, most};
+}
+
+// A parameter that the method before does not bear, a half beyond its limit.
+double beyond(const Case& one, double limit) {
+    if (std::isnan(limit)) return one.from;
+    if (one.endurance) return std::min(one.to, 2 * limit);
+    return limit * (one.to > one.from ? 1.5 : 1 / 1.5);
+}
+
+std::string limit_text(double limit) {
+    return std::isnan(limit) ? "none" : fmt::format("{:.4g}", limit);
+}
+// The measure of the case, in tolerances; or that the engine stopped with an error.
+std::string error_text(const Case& one, Method method, double parameter) {
+    const Trial trial = attempt(subject_of(method), one.at(parameter), 1e9);
+    if (!trial.outcome.error.empty()) return "stops";
+    return trial.outcome.steps > 0 ? fmt::format("{:.4g}", trial.worst) : "does not fit";
+}
+std::string cause(const Finding& finding) {
+    const std::string verdict = to_text(finding.verdict);
+    return finding.first_event.empty() ? verdict : verdict + ": " + finding.first_event;
+}
+
+std::vector<std::string> row(std::size_t i, const Effort& effort) {
+    const auto& ablation = ablations[i];
+    const Case& one = case_named(ablation.found_by);
+    const Finding was = find_limit(one, subject_of(ablation.before), effort);
+    const Finding is = find_limit(one, subject_of(ablation.after), effort);
+    const double broken = beyond(one, was.limit);
+    const Cycles before = cycles_of(one, ablation.before, ablation.timed_at);
+    const Cycles after = cycles_of(one, ablation.after, ablation.timed_at);
+    return {ablation.ablation,
+            one.name,
+            one.parameter,
+            one.unit,
+            name_of(ablation.before),
+            name_of(ablation.after),
+            limit_text(was.limit),
+            limit_text(is.limit),
+            error_text(one, ablation.before, broken),
+            error_text(one, ablation.after, broken),
+            fmt::format("{:.0f}", before.mean),
+            fmt::format("{:.0f}", after.mean),
+            std::to_string(before.most),
+            std::to_string(after.most),
+            cause(was),
+            cause(is)};
+}
+
+}  // namespace
+
+void measure_mends(const std::filesystem::path& output, const Effort& effort, unsigned threads) {
+    std::vector<std::vector<std::string>> rows(std::size(ablations));
+    records::Progress progress("ablations", rows.size());
+    operations::in_parallel(threads, rows.size(), [&](std::size_t i) {
+        rows[i] = row(i, effort);
+        progress.advance();
+    });
+    records::Table table({"ablation", "case", "parameter", "unit", "before_method", "after_method",
+                          "before", "after", "before_error", "after_error", "before_cycles",
+                          "after_cycles", "before_cycles_max", "after_cycles_max", "before_cause",
+                          "after_cause"});
+    for (auto& each : rows) table.add(std::move(each));
+    table.save(output / "ablations.csv");
+}
+
+}  // namespace stability

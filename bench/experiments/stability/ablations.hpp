@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What was mended in the published methods: each ablation against the engine without that one ablation, in
+// limit, error and cycles.
+#pragma once
+
+#include <filesystem>
+
+#include "bench/experiments/stability/search.hpp"
+
+namespace stability {
+
+// Writes ablations.csv.
+void measure_mends(const std::filesystem::path& output, const Effort& effort, unsigned threads);
+
+}  // namespace stability

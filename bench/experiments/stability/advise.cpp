@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bench/experiments/stability/advise.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <tuple>
+
+#include "bench/lab/parallel.hpp"
+#include "bench/lab/records/csv.hpp"
+#include "bench/lab/records/progress.hpp"
+#include "bench/experiments/stability/any_format.hpp"
+#include "bench/experiments/stability/scene_description.hpp"
+#include "bench/experiments/stability/search.hpp"
+#include "reference/trajectories/trajectory.hpp"
+
+namespace stability {
+
+std::vector<Subject> subjects_of_any_format(Split split);
+
+namespace {
+
+constexpr int first_exponent = 5, last_exponent = 12;
+constexpr unsigned looks_per_second = 4;
+
+// A format (of width 0: float), a method by its index and a step of 2^-exponent s.
+struct Choice {
+    Split split;
+    std::size_t method;
+    int exponent;
+};
+struct Result {
+    Choice choice;
+    std::string format, method;
+    double error = std::numeric_limits<double>::infinity();  // m
+    std::string fault;
+    double position_bits = 0, velocity_bits = 0, force_bits = 0;  // to overflow
+    double cycles = 0, flash = 0;  // a simulated second, bytes; 0 where not measured
+    bool estimated = false;        // from another split of the same width or another step
+};
+
+std::vector<Split> splits() {
+    std::vector<Split> list = {{0, 0}};
+    for (int i = 2; i <= 12; ++i) list.push_back({i, 16 - i});
+    for (int i = 4; i <= 24; ++i) list.push_back({i, 32 - i});
+    for (int i = 12; i <= 40; i += 4) list.push_back({i, 64 - i});
+    return list;
+}
+
+double margin(double largest, double limit) {
+    return largest > 0 ? std::log2(limit / largest) : std::log2(limit);
+}
+
+Result run(const std::string& scene, const reference::Trajectory& truth, const Choice& choice) {
+    const bool floating = choice.split.width() == 0;
+    const Subject subject =
+        (floating ? subjects_of_float() : subjects_of_any_format(choice.split))[choice.method];
+    const Description description = describe_scene(scene, choice.exponent);
+    const unsigned between = (1u << choice.exponent) / looks_per_second;
+    double worst = 0;
+    const Trial trial =
+        attempt(subject, {description, [&](const State& state, unsigned step) {
+                              if (step == 0 || step % between != 0) return 0.0;
+                              const auto& true_state = truth.at(step / between);
+                              for (std::size_t i = 0; i < state.size(); ++i) {
+                                  const double apart =
+                                      std::hypot(state[i].position.x - true_state[i].position[0],
+                                                 state[i].position.y - true_state[i].position[1]);
+                                  if (!(apart <= worst)) worst = apart;
+                              }
+                              return std::isfinite(worst) ? 0.0 : worst;
+                          }});
+    Result result;
+    result.choice = choice;
+    result.format =
+        floating ? "float"
+                 : fmt::format("Q{}.{}", choice.split.integer_bits, choice.split.fraction_bits);
+    result.method = subject.integrator;
+    const Recorder& record = trial.outcome.record;
+    if (trial.held) {
+        result.error = worst;
+    } else if (!trial.outcome.unfit.empty()) {
+        result.fault = trial.outcome.unfit + " does not fit";
+    } else if (!trial.outcome.vanished.empty()) {
+        result.fault = trial.outcome.vanished + " rounds to 0";
+    } else if (!trial.outcome.error.empty()) {
+        result.fault = trial.outcome.error;
+    } else if (record.first_failure()) {
+        result.fault = to_text(*record.first_failure());
+    } else {
+        result.fault = "diverges";
+    }
+    result.position_bits = margin(record.position.largest, subject.largest);
+    result.velocity_bits = margin(record.velocity.largest, subject.largest);
+    result.force_bits = margin(record.force.largest, subject.largest);
+    return result;
+}
+
+double number(const std::string& cell, const std::filesystem::path& file) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+    if (error != std::errc() || end != cell.data() + cell.size() || !(value >= 0))
+        throw std::runtime_error(
+            fmt::format("{}: '{}' is not a number of cycles or bytes", file.string(), cell));
+    return value;
+}
+
+// Cycles and flash as measured, of this scene and method; of the same width where this split was
+// not measured, and of any step where this one was not.
+class Costs {
+  public:
+    Costs(const std::filesystem::path& data, const std::string& scene) {
+        const std::filesystem::path file = data / "scenes.csv";
+        if (!std::filesystem::exists(file)) return;
+        const records::Table table = records::Table::load(file);
+        const auto column = [&](const char* name) { return table.column(name); };
+        for (const auto& row : table.rows()) {
+            const std::string &scalar = row[column("scalar")],
+                              &arithmetic = row[column("arithmetic")];
+            if (row[column("scene")] != scene) continue;
+            if (arithmetic != "nearest" && scalar != "float") continue;
+            const std::string& cycles = row[column("cycles_per_step_mean")];
+            if (cycles.empty()) continue;
+            const std::string& flash = row[column("flash_bytes")];
+            measured_[{scalar, row[column("integrator")]}] = {
+                number(cycles, file), flash.empty() ? 0 : number(flash, file)};
+        }
+    }
+    void add_to(Result& result) const {
+        const Split split = result.choice.split;
+        const std::string own = fmt::format("q{}_{}", split.integer_bits, split.fraction_bits);
+        for (const std::string& scalar : {split.width() == 0 ? std::string("float") : own,
+                                          fmt::format("q{0}_{0}", split.width() / 2)}) {
+            // Without springs the implicit method is the semi-implicit one.
+            for (const std::string& method : {result.method, std::string("semi_implicit_euler")}) {
+                if (method != result.method && result.method != "implicit_springs") break;
+                const auto found = measured_.find({scalar, method});
+                if (found == measured_.end()) continue;
+                result.cycles = std::ldexp(found->second.first, result.choice.exponent);
+                result.flash = found->second.second;
+                result.estimated = split.width() != 0 && scalar != own;
+                return;
+            }
+        }
+    }
+
+  private:
+    std::map<std::pair<std::string, std::string>, std::pair<double, double>> measured_;
+};
+
+// How far a run is from both limits of its split, in bits: to overflow, and to the error allowed.
+double reserve(const Result& result, double error) {
+    return std::min({result.position_bits, result.velocity_bits, result.force_bits,
+                     std::log2(error / result.error)});
+}
+
+// By cycles where they were measured, else by the number of bits and steps.
+auto price(const Result& result) {
+    const int width = result.choice.split.width();
+    const double bits = width == 0 ? 48 : width;  // float lies between 32 and 64 bits
+    return std::tuple(result.cycles == 0, result.cycles, std::ldexp(bits, result.choice.exponent),
+                      result.error);
+}
+
+void print(const Result& result) {
+    const std::string cycles = result.cycles > 0 ? fmt::format("{:.0f}{}", result.cycles,
+                                                               result.estimated ? " (est.)" : "")
+                                                 : "not measured";
+    const std::string flash = result.flash > 0 ? fmt::format("{:.0f}", result.flash) : "-";
+    const bool floating = result.choice.split.width() == 0;
+    const auto bits = [&](double x) { return floating ? "-" : fmt::format("{:.1f}", x); };
+    fmt::print("{:<8} {:<26} 2^-{:<4} {:>10.3g} {:>18} {:>6} {:>9} {:>9} {:>6}\n", result.format,
+               result.method, result.choice.exponent, result.error, cycles, flash,
+               bits(result.position_bits), bits(result.velocity_bits), bits(result.force_bits));
+}
+
+std::optional<reference::Trajectory> truth_of(const std::string& scene) {
+    const Description description = describe_scene(scene, last_exponent);
+    const unsigned duration = description.steps >> last_exponent;
+    reference::Times times;
+    for (unsigned i = 0; i <= duration * looks_per_second; ++i)
+        times.push_back(double(i) / looks_per_second);
+    return reference::trajectory(scene, times);
+}
+
+std::vector<Result> run_all(const std::string& scene, const reference::Trajectory& truth,
+                            unsigned threads) {
+    std::vector<Choice> choices;
+    for (const Split& split : splits())
+        for (std::size_t method = 0; method < 5; ++method)
+            for (int exponent = first_exponent; exponent <= last_exponent; ++exponent)
+                choices.push_back({split, method, exponent});
+    std::vector<Result> results(choices.size());
+    operations::in_parallel(threads, choices.size(),
+                            [&](std::size_t i) { results[i] = run(scene, truth, choices[i]); });
+    return results;
+}
+
+// The diagonal of the box that holds all of a motion, m.
+double extent(const reference::Trajectory& truth) {
+    Point low{1e300, 1e300}, high{-1e300, -1e300};
+    for (const reference::State& state : truth)
+        for (const auto& body : state) {
+            low = {std::min(low.x, body.position[0]), std::min(low.y, body.position[1])};
+            high = {std::max(high.x, body.position[0]), std::max(high.y, body.position[1])};
+        }
+    return std::hypot(high.x - low.x, high.y - low.y);
+}
+
+}  // namespace
+
+void measure_suitability(const std::filesystem::path& output, unsigned threads) {
+    records::Table table({"scene", "formats", "best_format", "integrator", "dt", "error", "unit",
+                          "error_by_extent", "fault"});
+    const std::pair<const char*, std::function<bool(const Result&)>> groups[] = {
+        {"Q8.8", [](const Result& r) { return r.format == "Q8.8"; }},
+        {"16 bits", [](const Result& r) { return r.choice.split.width() == 16; }},
+        {"Q16.16", [](const Result& r) { return r.format == "Q16.16"; }},
+        {"32 bits", [](const Result& r) { return r.choice.split.width() == 32; }},
+        {"64 bits", [](const Result& r) { return r.choice.split.width() == 64; }},
+        {"float", [](const Result& r) { return r.choice.split.width() == 0; }},
+    };
+    const std::vector<std::string> names = plane_scenes();
+    records::Progress progress("suitability", names.size());
+    for (const std::string& scene : names) {
+        progress.advance();
+        const auto truth = truth_of(scene);
+        if (!truth) continue;
+        const std::vector<Result> results = run_all(scene, *truth, threads);
+        for (const auto& [name, belongs] : groups) {
+            const Result* best = nullptr;
+            for (const Result& result : results)
+                if (belongs(result) && (best == nullptr || result.error < best->error))
+                    best = &result;
+            const bool ran = std::isfinite(best->error);
+            table.add({scene, name, ran ? best->format : "none", ran ? best->method : "",
+                       ran ? records::cell(std::ldexp(1.0, -best->choice.exponent)) : "",
+                       ran ? records::cell(best->error) : "", "m",
+                       ran ? records::cell(best->error / extent(*truth)) : "", best->fault});
+        }
+    }
+    table.save(output / "suitability.csv");
+}
+
+bool advise(const AdviceOptions& options) {
+    const auto truth = truth_of(options.scene);
+    if (!truth)
+        throw std::runtime_error(
+            fmt::format("no true motion is known of scene '{}'", options.scene));
+    std::vector<Result> results = run_all(options.scene, *truth, options.threads);
+
+    const Costs costs(options.data, options.scene);
+    for (Result& result : results) costs.add_to(result);
+    // The split with most in reserve of each width, method and step, among those within the error.
+    std::map<std::tuple<int, std::size_t, int>, Result> best;
+    std::vector<Result> good;
+    for (const Result& result : results) {
+        if (!(result.error <= options.error)) continue;
+        const Choice& choice = result.choice;
+        const auto key = std::tuple(choice.split.width(), choice.method, choice.exponent);
+        const auto [place, added] = best.try_emplace(key, result);
+        if (!added && reserve(result, options.error) > reserve(place->second, options.error))
+            place->second = result;
+    }
+    for (const auto& [key, result] : best) good.push_back(result);
+    std::stable_sort(good.begin(), good.end(),
+                     [](const Result& a, const Result& b) { return price(a) < price(b); });
+    if (good.empty()) {
+        const Result& nearest =
+            *std::min_element(results.begin(), results.end(),
+                              [](const Result& a, const Result& b) { return a.error < b.error; });
+        fmt::print(
+            "{}: nothing stays within {:.3g} m. The nearest is {} {} at 2^-{} s with {:.3g} m.\n",
+            options.scene, options.error, nearest.format, nearest.method, nearest.choice.exponent,
+            nearest.error);
+        return false;
+    }
+    fmt::print("{}: within {:.3g} m of the true positions over {} s, cheapest first\n",
+               options.scene, options.error,
+               describe_scene(options.scene, first_exponent).steps >> first_exponent);
+    fmt::print("{:<8} {:<26} {:<8} {:>8} {:>18} {:>6} {:>9} {:>9} {:>6}\n", "format", "method",
+               "step, s", "error, m", "cycles/s", "flash", "position", "velocity", "force");
+    fmt::print("{:>82} bits to overflow\n", "");
+    for (std::size_t i = 0; i < good.size() && i < options.most; ++i) print(good[i]);
+    return true;
+}
+
+}  // namespace stability

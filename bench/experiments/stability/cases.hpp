@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The battery: what is driven to where it breaks. A case sweeps one parameter from easy to hard; an
+// experiment is the case at one value of it.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "bench/experiments/stability/description.hpp"
+
+namespace stability {
+
+// How far the state after a step is from what the case allows: up to 1 it holds, NaN does not.
+using Measure = std::function<double(const State& state, unsigned step)>;
+
+struct Experiment {
+    Description description;
+    Measure measure;
+};
+
+struct Case {
+    std::string name;
+    std::string group;  // springs, links, contacts, edges
+    std::string parameter, unit;
+    double from = 0, to = 0;  // from easy to hard, either may be the larger; both positive
+    std::string reference;    // what the measure compares with
+    std::function<Experiment(double)> at;
+    // Of an endurance the parameter is a number of steps: `to` of them at most, in one run.
+    bool endurance = false;
+};
+
+std::vector<Case> spring_cases();
+std::vector<Case> link_cases();
+std::vector<Case> contact_cases();
+std::vector<Case> edge_cases();
+const std::vector<Case>& all_cases();
+
+// The cases of the maps: the limit along one axis at a value of the other.
+Case stiffness_at_step(int exponent, bool softer);  // a step of 2^-exponent s
+Case mass_ratio_at_links(unsigned links);           // a hanging chain of rods
+Case speed_at_length(double length, int exponent);  // a body that circles on a rod
+
+}  // namespace stability

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bench/experiments/stability/measure_stability.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "bench/lab/parallel.hpp"
+#include "bench/lab/records/csv.hpp"
+#include "bench/lab/records/progress.hpp"
+#include "bench/experiments/stability/advise.hpp"
+#include "bench/experiments/stability/ablations.hpp"
+#include "bench/experiments/stability/search.hpp"
+
+namespace stability {
+namespace {
+
+bool wanted(const std::vector<std::string>& names, const std::string& name) {
+    return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::string number(double x) { return std::isnan(x) ? "none" : fmt::format("{:.4g}", x); }
+
+std::vector<std::string> row(const Case& one, const Subject& subject, const Finding& finding) {
+    std::string verdict = to_text(finding.verdict);
+    if (finding.verdict == Verdict::drifts) verdict += fmt::format(" ({:.2g}/s)", finding.rate);
+    if (finding.verdict == Verdict::diverges)
+        verdict += fmt::format(" (after {} steps)", finding.step);
+    return {one.name,
+            subject.scalar,
+            subject.arithmetic,
+            subject.integrator,
+            one.parameter,
+            number(finding.limit),
+            one.unit,
+            verdict,
+            finding.first_event,
+            finding.verdict == Verdict::stable ? "" : std::to_string(finding.step),
+            one.reference};
+}
+
+// What a format and a method can do, each told by a case.
+constexpr struct {
+    const char *quantity, *found_by;
+} envelope[] = {
+    {"largest position", "far_from_origin"},
+    {"largest half distance between bodies", "distant_pair"},
+    {"longest rod, half span", "rod_span"},
+    {"shortest rod", "rod_short"},
+    {"highest speed on a rod of 1 m", "rod_speed"},
+    {"highest speed into a plane", "half_space"},
+    {"slowest motion at 4 ms steps", "slow"},
+    {"largest stiffness at 1 ms steps", "spring_stiffness"},
+    {"smallest stiffness", "spring_slow"},
+    {"lightest mass, inverse", "light_body"},
+    {"heaviest mass, inverse", "heavy_body"},
+    {"strongest gravity on a rod", "rod_weight"},
+    {"smallest step", "small_binary_step"},
+    {"largest step of the lever", "lever_step"},
+    {"largest mass ratio in a chain of 4", "rod_chain_of_4_heavy_end"},
+};
+
+// A point of a map: the limit of one case at a value of the other axis.
+struct MapPoint {
+    std::string map, x_name;
+    double x;
+    Case one;
+    double bound;  // by theory, of undamped motion without rounding; NaN where there is none
+};
+
+std::vector<MapPoint> map_points() {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    std::vector<MapPoint> points;
+    for (int exponent = 1; exponent <= 14; ++exponent) {
+        const double dt = std::ldexp(1.0, -exponent);
+        points.push_back({"stiffness_upper", "time step", dt, stiffness_at_step(exponent, false),
+                          4 / (dt * dt)});
+        points.push_back(
+            {"stiffness_lower", "time step", dt, stiffness_at_step(exponent, true), none});
+    }
+    for (const unsigned links : {2u, 3u, 4u, 6u, 8u, 12u, 16u})
+        points.push_back({"mass_ratio", "links", double(links), mass_ratio_at_links(links), none});
+    for (int power = -10; power <= 14; power += 2) {
+        const double rod = std::ldexp(1.0, power);
+        // A body that would pass its chord's centre in one step has no rod any more: v dt = r.
+        points.push_back({"speed", "length", rod, speed_at_length(rod, 8), rod * 256});
+    }
+    return points;
+}
+
+const Case& case_named(const std::string& name) {
+    for (const Case& one : all_cases())
+        if (one.name == name) return one;
+    throw std::logic_error("no case " + name);
+}
+
+std::string cause(const Finding& finding) {
+    const std::string verdict = to_text(finding.verdict);
+    return finding.first_event.empty() ? verdict : verdict + ": " + finding.first_event;
+}
+
+template <class Found>
+void save_envelope(const Options& options, const Found& found) {
+    records::Table table(
+        {"quantity", "unit", "scalar", "arithmetic", "integrator", "limit", "limited_by", "case"});
+    for (const auto& [quantity, name] : envelope)
+        for (const Subject& subject : subjects()) {
+            const Finding& finding = found(name, subject);
+            table.add({quantity, case_named(name).unit, subject.scalar, subject.arithmetic,
+                       subject.integrator, number(finding.limit), cause(finding), name});
+        }
+    table.save(options.output / "envelope.csv");
+}
+
+void save_map(const Options& options, const Effort& effort) {
+    const std::vector<MapPoint> points = map_points();
+    const std::size_t count = subjects().size();
+    std::vector<Finding> findings(points.size() * count);
+    {
+        records::Progress progress("stability map", findings.size());
+        operations::in_parallel(options.threads, findings.size(), [&](std::size_t i) {
+            const Effort coarse{1, options.quick ? 2u : 6u, effort.longest_endurance};
+            findings[i] = find_limit(points[i / count].one, subjects()[i % count], coarse);
+            progress.advance();
+        });
+    }
+    records::Table table({"map", "x_name", "x", "y_name", "unit", "scalar", "arithmetic",
+                          "integrator", "limit", "limited_by", "bound"});
+    for (std::size_t i = 0; i < findings.size(); ++i) {
+        const MapPoint& point = points[i / count];
+        const Subject& subject = subjects()[i % count];
+        table.add({point.map, point.x_name, records::cell(point.x), point.one.parameter,
+                   point.one.unit, subject.scalar, subject.arithmetic, subject.integrator,
+                   number(findings[i].limit), to_text(findings[i].verdict),
+                   records::cell(point.bound)});
+    }
+    table.save(options.output / "stability_map.csv");
+}
+
+}  // namespace
+
+void measure_stability(const Options& options) {
+    const Effort effort = options.quick ? Effort{1, 3, 20000} : Effort{};
+    std::vector<std::pair<const Case*, const Subject*>> work;
+    for (const Case& one : all_cases()) {
+        if (!wanted(options.cases, one.name)) continue;
+        for (const Subject& subject : subjects())
+            if (wanted(options.scalars, subject.scalar) &&
+                wanted(options.integrators, subject.integrator))
+                work.emplace_back(&one, &subject);
+    }
+    if (work.empty()) throw std::runtime_error("no such case, scalar or integrator");
+    std::vector<Finding> findings(work.size());
+    {
+        records::Progress progress("stability", work.size());
+        operations::in_parallel(options.threads, work.size(), [&](std::size_t i) {
+            findings[i] = find_limit(*work[i].first, *work[i].second, effort);
+            progress.advance();
+        });
+    }
+    records::Table table({"case", "scalar", "arithmetic", "integrator", "parameter", "limit",
+                          "unit", "verdict", "first_event", "step", "reference"});
+    for (std::size_t i = 0; i < work.size(); ++i)
+        table.add(row(*work[i].first, *work[i].second, findings[i]));
+    table.save(options.output / "stability.csv");
+    if (!options.cases.empty() || !options.scalars.empty() || !options.integrators.empty()) return;
+
+    const auto found = [&](const std::string& name, const Subject& subject) -> const Finding& {
+        for (std::size_t i = 0; i < work.size(); ++i)
+            if (work[i].first->name == name && work[i].second == &subject) return findings[i];
+        throw std::logic_error("no finding of " + name);
+    };
+    save_envelope(options, found);
+    measure_mends(options.output, effort, options.threads);
+    save_map(options, effort);
+    if (!options.quick) measure_suitability(options.output, options.threads);
+}
+
+}  // namespace stability

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Methods beside those of scenes/methods.hpp, for the host and the chip: the engine with residuals,
+// and the engine with one of its ablations left out, each as scenes::SemiImplicit in all else.
+#pragma once
+
+#include <fixedpoint/arithmetic/nearest.hpp>
+#include <scenes/methods.hpp>
+
+namespace stability {
+
+// SemiImplicit with residuals of products with the step.
+struct CompensatedIntegration : scenes::SemiImplicit {
+    static constexpr const char* name = "semi_implicit_compensated";
+};
+template <class Method>
+struct HasExactSteps {
+    static constexpr bool value = false;
+};
+template <>
+struct HasExactSteps<CompensatedIntegration> {
+    static constexpr bool value = true;
+};
+
+// The positions of a step by the velocities before it.
+struct PositionsFirst : scenes::SemiImplicit {
+    static constexpr const char* name = "positions_first";
+    using Integrator = engine::ExplicitEuler;
+};
+
+// Of the contacts of a step the worst again and again, in as many rounds as there are sweeps.
+struct WorstContactFirst : scenes::SemiImplicit {
+    static constexpr const char* name = "worst_contact_first";
+    using Solver = engine::WorstFirst<10>;
+};
+
+using PlainSweeps = engine::ProjectedGaussSeidel<10>;
+
+// A rod as two opposed contacts, where its length is off.
+struct OpposedContacts : scenes::SemiImplicit {
+    static constexpr const char* name = "rods_as_opposed_contacts";
+    struct Solver : PlainSweeps {
+        static constexpr unsigned rows_per_rod = 2;
+
+        template <class World, class Index, class Vector, class Scalar, class TimeStep>
+        static void rod(World& world, Index a, Index b, const Vector& direction, Scalar excess,
+                        Scalar, TimeStep) {
+            if (excess == Scalar()) return;
+            bind(world, a, b, true, direction, -excess, Scalar(), Scalar());
+            bind(world, a, b, true, -direction, Scalar(), Scalar(), Scalar());
+        }
+    };
+};
+
+// A rod's end moves along the tangent of its arc.
+struct TangentRods : scenes::SemiImplicit {
+    static constexpr const char* name = "rods_along_tangents";
+    struct Solver : PlainSweeps {
+        template <class World, class Index, class Vector, class Scalar, class TimeStep>
+        static void rod(World& world, Index a, Index b, const Vector& direction, Scalar excess,
+                        Scalar, TimeStep) {
+            bind(world, a, b, false, direction, -excess, Scalar(), Scalar());
+        }
+    };
+};
+
+// A bounce begins where it is found.
+struct LateBounces : scenes::SemiImplicit {
+    static constexpr const char* name = "bounces_when_found";
+    struct Solver : PlainSweeps {
+        template <class World, class Index, class Vector, class Scalar, class TimeStep>
+        static void contact(World& world, Index a, Index b, const Vector& normal,
+                            Scalar penetration, Scalar restitution, TimeStep) {
+            bind(world, a, b, true, normal, penetration, Scalar(), restitution);
+        }
+    };
+};
+
+// Velocities by impulses, change / (sum of inverse masses), in place of shares.
+struct Impulses : scenes::SemiImplicit {
+    static constexpr const char* name = "velocities_by_impulses";
+    struct Solver : PlainSweeps {
+        template <class World>
+        static void solve(World& world) {
+            for (unsigned char sweep = 0; sweep < 10; ++sweep) {
+                bool changed = false;
+                world.rows().for_each([&](const auto& row) {
+                    if (Solver::push(world, row)) changed = true;
+                });
+                if (!changed || world.rows().size() == 1) break;
+            }
+        }
+
+      private:
+        template <class World, class Row>
+        static bool push(World& world, const Row& row) {
+            using namespace engine;
+            using Scalar = typename World::Scalar;
+            const Scalar velocity = dot(relative_velocity(world, row.a, row.b), row.normal);
+            Scalar goal = row.target;
+            if (!row.acts(world, velocity, goal)) return false;
+            const Scalar change = goal - velocity;
+            if (change == Scalar()) return false;
+            auto& a = world.particles()[row.a];
+            Scalar total = a.inverse_mass;
+            if (is_particle(world, row.b)) total += world.particles()[row.b].inverse_mass;
+            const Scalar impulse = change / total;
+            a.velocity.add_scaled(row.normal, impulse * a.inverse_mass);
+            if (is_particle(world, row.b)) {
+                auto& b = world.particles()[row.b];
+                b.velocity.add_scaled(row.normal, -(impulse * b.inverse_mass));
+            }
+            return true;
+        }
+    };
+};
+
+// Of an arithmetic: the length of a vector as the root of the sum of squares, which wraps where the
+// sum does.
+template <class Arithmetic>
+struct RootsOfSquares : Arithmetic {
+    template <class Raw, int F>
+    static Raw length2(const Raw* v) {
+        return Arithmetic::template sqrt<Raw, F>(Arithmetic::template dot2<Raw, F>(v, v));
+    }
+};
+
+// A force of each particle that stays as it is, N.
+template <class World>
+struct ConstantForces {
+    typename World::Vector force[World::capacity];
+    void apply(World& world) const {
+        for (typename World::Index i = 0; i < world.particles().size(); ++i) {
+            world.particles()[i].force += force[i];
+        }
+    }
+};
+
+}  // namespace stability

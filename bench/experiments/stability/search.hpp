@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The limit of a case for a subject, by bisection, and what goes wrong just beyond it.
+#pragma once
+
+#include "bench/experiments/stability/cases.hpp"
+#include "bench/experiments/stability/subject.hpp"
+
+namespace stability {
+
+enum class Verdict {
+    stable,     // as far as the case goes
+    drifts,     // away from the reference, by `rate` tolerances a second
+    diverges,   // to ten tolerances and beyond, or no number any more
+    overflows,  // by the first event
+    saturates,  // by the first result that was clamped, where everything is
+    underflows,     // products vanish that move something, where double holds
+    reports,    // the engine says that a capacity does not suffice
+};
+std::string to_text(Verdict verdict);
+
+struct Finding {
+    Verdict verdict = Verdict::stable;
+    double limit = 0;  // the last parameter that held; NaN where none did
+    std::string first_event;
+    unsigned step = 0;  // of what went wrong, just beyond the limit
+    double rate = 0;    // of a drift
+    Outcome last_held;  // at the limit
+};
+
+struct Effort {
+    unsigned points_per_decade = 2;
+    unsigned bisections = 10;
+    double longest_endurance = 1e9;  // steps
+};
+
+// One run: whether it held, and in which step it did not.
+struct Trial {
+    Outcome outcome;
+    unsigned failed_step = 0;
+    bool held = false;
+    double worst = 0;  // of the measure
+};
+// Runs until the measure passes `stop`.
+Trial attempt(const Subject& subject, const Experiment& experiment, double stop = 1);
+
+Finding find_limit(const Case& one, const Subject& subject, const Effort& effort);
+
+}  // namespace stability

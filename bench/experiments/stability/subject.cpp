@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bench/experiments/stability/subject.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace stability {
+
+const std::vector<Subject>& subjects() {
+    static const std::vector<Subject> all = [] {
+        std::vector<Subject> list;
+        for (const auto part :
+             {subjects_of_q8_8, subjects_of_q16_16, subjects_of_q32_32, subjects_of_q8_24,
+              subjects_of_float, subjects_of_q16_16_published, subjects_of_q16_16_saturating})
+            for (Subject& one : part()) list.push_back(std::move(one));
+        return list;
+    }();
+    return all;
+}
+
+const Subject& subject(const std::string& scalar, const std::string& arithmetic,
+                       const std::string& integrator) {
+    static const std::vector<Subject> ablated = subjects_of_ablated();
+    for (const auto* list : {&subjects(), &ablated})
+        for (const Subject& one : *list)
+            if (one.scalar == scalar && one.arithmetic == arithmetic &&
+                one.integrator == integrator)
+                return one;
+    throw std::runtime_error(fmt::format("no subject {} {} {}", scalar, arithmetic, integrator));
+}
+
+}  // namespace stability

@@ -1,0 +1,433 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The battery against what theory says, and what the engine promises for scenes at random.
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <scenes/all.hpp>
+#include <set>
+
+#include "bench/experiments/stability/any_format.hpp"
+#include "bench/experiments/stability/measures.hpp"
+#include "bench/experiments/stability/scene_description.hpp"
+#include "bench/experiments/stability/search.hpp"
+#include "bench/experiments/stability/world_of.hpp"
+
+namespace stability {
+namespace {
+
+const Effort fine{1, 14, 20000};
+
+const Case& case_named(const std::string& name) {
+    for (const Case& one : all_cases())
+        if (one.name == name) return one;
+    throw std::runtime_error("no case " + name);
+}
+Finding find(const std::string& name, const std::string& scalar, const std::string& integrator,
+             const std::string& arithmetic = "nearest") {
+    return find_limit(case_named(name), subject(scalar, arithmetic, integrator), fine);
+}
+
+TEST(Recording, SaturatingReturnsWhatSaturatingReturnsAndTellsWhatItClamped) {
+    using S = fixedpoint::Saturating;
+    using R = RecordingSaturating;
+    EXPECT_TRUE(rc::check([](const std::array<std::int16_t, 3>& a,
+                             const std::array<std::int16_t, 3>& b) {
+        const auto [x, y, z] = a;
+        RC_ASSERT((R::add<std::int16_t, 8>(x, y)) == (S::add<std::int16_t, 8>(x, y)));
+        RC_ASSERT((R::subtract<std::int16_t, 8>(x, y)) == (S::subtract<std::int16_t, 8>(x, y)));
+        RC_ASSERT((R::negate<std::int16_t, 8>(x)) == (S::negate<std::int16_t, 8>(x)));
+        RC_ASSERT((R::multiply<std::int16_t, 8>(x, y)) == (S::multiply<std::int16_t, 8>(x, y)));
+        RC_ASSERT((R::divide<std::int16_t, 8>(x, y)) == (S::divide<std::int16_t, 8>(x, y)));
+        RC_ASSERT((R::multiply_add<std::int16_t, 8>(x, y, z)) ==
+                  (S::multiply_add<std::int16_t, 8>(x, y, z)));
+        RC_ASSERT((R::dot2<std::int16_t, 8>(a.data(), b.data())) ==
+                  (S::dot2<std::int16_t, 8>(a.data(), b.data())));
+        RC_ASSERT((R::dot3<std::int16_t, 8>(a.data(), b.data())) ==
+                  (S::dot3<std::int16_t, 8>(a.data(), b.data())));
+        RC_ASSERT((R::shift_left<std::int16_t, 8>(x, 3)) == (S::shift_left<std::int16_t, 8>(x, 3)));
+    }));
+    Recorder recorder;
+    const Recorded recorded(recorder);
+    const std::int16_t most[2] = {32767, 32767};
+    EXPECT_EQ((R::dot2<std::int16_t, 8>(most, most)), 32767);
+    ASSERT_TRUE(recorder.first_clamp());
+    EXPECT_EQ(recorder.first_clamp()->operation, fixedpoint::Operation::multiply);
+    EXPECT_FALSE(recorder.first_failure());
+}
+
+TEST(Battery, NamesAreUniqueAndRangesPositive) {
+    std::set<std::string> names;
+    for (const Case& one : all_cases()) {
+        EXPECT_TRUE(names.insert(one.name).second) << one.name;
+        EXPECT_TRUE(one.from > 0 && one.to > 0 && one.from != one.to) << one.name;
+    }
+    EXPECT_GE(names.size(), 60u);
+    EXPECT_GE(subjects().size(), 20u);
+}
+
+class OmegaTimesStep : public testing::TestWithParam<std::pair<const char*, const char*>> {};
+
+// Undamped: symplectic steps are stable up to omega dt = 2. (E. Hairer, C. Lubich, G. Wanner,
+// Geometric Numerical Integration, 2006, I.1.)
+TEST_P(OmegaTimesStep, EndsAtTwo) {
+    const auto [scalar, integrator] = GetParam();
+    const bool floating = std::string(scalar) == "float";
+    const Finding found =
+        find("spring_coarse_step", scalar, integrator, floating ? "ieee" : "nearest");
+    EXPECT_NEAR(found.limit, 2, 0.02);
+    EXPECT_TRUE(found.verdict == Verdict::drifts || found.verdict == Verdict::diverges);
+}
+INSTANTIATE_TEST_SUITE_P(Symplectic, OmegaTimesStep,
+                         testing::Values(std::pair{"q16_16", "semi_implicit_euler"},
+                                         std::pair{"q16_16", "velocity_verlet"},
+                                         std::pair{"q32_32", "semi_implicit_euler"},
+                                         std::pair{"q32_32", "velocity_verlet"},
+                                         std::pair{"float", "semi_implicit_euler"},
+                                         std::pair{"float", "velocity_verlet"}));
+
+// The amplitude of an oscillation that one body of 1 kg on a spring reaches in so many steps.
+double amplitude_after(const Subject& subject, double omega_dt, unsigned steps) {
+    const double omega = omega_dt * 16;
+    Description made;
+    made.bodies = {{.position = {32.25, 0}}};
+    made.springs = {{{.length = 32}, omega * omega, 0}};
+    made.dt = TimeStep::binary(4);
+    made.steps = steps;
+    double amplitude = 0;
+    attempt(subject, {made, [&](const State& state, unsigned) {
+                          const double x = state[0].position.x - 32;
+                          const double v = state[0].velocity.x / omega;
+                          amplitude = std::hypot(x, v);
+                          return 0.0;
+                      }});
+    return amplitude;
+}
+
+// Explicit Euler multiplies the amplitude by sqrt(1 + (omega dt)^2) a step, for every omega dt.
+TEST(ExplicitEuler, GrowsForEveryStep) {
+    const Subject& explicit_euler = subject("q32_32", "nearest", "explicit_euler");
+    for (const double omega_dt : {0.01, 0.1, 0.5, 1.0}) {
+        const unsigned steps = std::min(2000u, unsigned(4 / (omega_dt * omega_dt)));
+        const double growth = std::pow(1 + omega_dt * omega_dt, steps / 2.0);
+        EXPECT_NEAR(amplitude_after(explicit_euler, omega_dt, steps) / 0.25, growth, 0.01 * growth)
+            << omega_dt;
+        EXPECT_GT(growth, 1.05);
+    }
+}
+
+TEST(ImplicitSprings, AreStableFarBeyondTheExplicitLimit) {
+    EXPECT_EQ(find_limit(case_named("spring_coarse_step"),
+                         subject("float", "ieee", "implicit_springs"), fine)
+                  .verdict,
+              Verdict::stable);
+    EXPECT_DOUBLE_EQ(find("spring_coarse_step", "q32_32", "implicit_springs").limit, 1e4);
+    // In Q16.16 up to the stiffness that the format holds.
+    const Finding found = find("spring_coarse_step", "q16_16", "implicit_springs");
+    EXPECT_EQ(found.first_event, "overflow convert stiffness");
+    EXPECT_NEAR(found.limit, std::sqrt(32768.0) / 4, 0.5);
+    EXPECT_EQ(find("spring_light_and_stiff", "q16_16", "implicit_springs").first_event,
+              "overflow convert inverse_mass");
+    EXPECT_EQ(find("spring_light_and_damped", "q16_16", "implicit_springs").first_event,
+              "overflow convert inverse_mass");
+}
+
+TEST(Recorder, NamesOperationQuantityAndStep) {
+    const Finding found = find("spring_extension", "q16_16", "semi_implicit_euler");
+    EXPECT_EQ(found.verdict, Verdict::overflows);
+    EXPECT_EQ(found.first_event, "overflow multiply spring_force");
+    EXPECT_EQ(found.step, 1u);
+    EXPECT_NEAR(found.limit, 32768.0 / 40, 2);  // stiffness times extension
+}
+
+TEST(Engine, DefaultOutlivesThePublishedByAHundredfoldStiffness) {
+    const double published =
+        find("spring_coarse_step", "q16_16", "explicit_euler", "published").limit;
+    const double ours = find("spring_coarse_step", "q16_16", "semi_implicit_euler").limit;
+    EXPECT_GT(ours * ours, 100 * published * published);
+}
+
+TEST(Engine, ResiduesMoveWhatRoundingHolds) {
+    const double rounded = find("slow", "q16_16", "semi_implicit_euler").limit;
+    const double carried = find("slow", "q16_16", "semi_implicit_compensated").limit;
+    EXPECT_LT(carried, rounded / 100);
+}
+
+// Pools filled to their capacity, and by one more, in every subject.
+TEST(Engine, ReportsWhatAWorldHasNoRoomFor) {
+    const Measure anything = [](const State&, unsigned) { return 0.0; };
+    Description bodies;
+    for (int i = 0; i < 18; ++i) bodies.bodies.push_back({.position = {4.0 * i, 0}});
+    bodies.dt = TimeStep::binary(8);
+    bodies.steps = 1;
+    // How many of a kind there may be, and what adds the i-th of them.
+    const struct {
+        const char* kind;
+        int capacity;
+        std::function<void(Description&, int)> add;
+    } pools[] = {
+        {"particles", 0, [](Description& d, int) { d.bodies.push_back({}); }},
+        {"springs", 17,
+         [](Description& d, int i) {
+             d.springs.push_back({{.a = i % 17, .b = i % 17 + 1, .length = 4}, 1, 0});
+         }},
+        {"anchored springs", 2,
+         [](Description& d, int i) {
+             d.springs.push_back({{.a = i}, 0.01, 0});
+         }},
+        {"drags", 2,
+         [](Description& d, int i) {
+             d.drags.push_back({i, 0.1, 0});
+         }},
+        {"rods", 16,
+         [](Description& d, int i) { d.rods.push_back({.a = i, .b = i + 1, .length = 4}); }},
+        {"anchored rods", 6,
+         [](Description& d, int i) {
+             d.rods.push_back({.a = i, .anchor = {4.0 * i, 1}, .length = 1});
+         }},
+        {"ropes", 16,
+         [](Description& d, int i) {
+             d.ropes.push_back({{.a = i, .b = i + 1, .length = 5}, 0});
+         }},
+        {"anchored ropes", 2,
+         [](Description& d, int i) {
+             d.ropes.push_back({{.a = i, .length = 100}, 0});
+         }},
+        {"planes", 4,
+         [](Description& d, int) {
+             d.planes.push_back({{0, 1}, -100, 0});
+         }},
+    };
+    for (const auto& [kind, capacity, add] : pools) {
+        Description full = bodies;
+        for (int i = 0; i < capacity; ++i) add(full, i);
+        Description more = full;
+        add(more, capacity);
+        for (const Subject& one : subjects()) {
+            EXPECT_EQ(attempt(one, {full, anything}).outcome.error, "") << kind;
+            const Trial refused = attempt(one, {more, anything});
+            EXPECT_FALSE(refused.held) << kind;
+            EXPECT_EQ(refused.outcome.error,
+                      "a pool is full: raise the capacity that the scene states")
+                << kind;
+        }
+    }
+    // Contacts are found in a step.
+    for (int i = 0; i < 18; ++i) {
+        bodies.bodies[std::size_t(i)].position = {0.01 * i, 0};
+        bodies.bodies[std::size_t(i)].radius = 1;
+    }
+    for (const Subject& one : subjects()) {
+        const Trial full = attempt(one, {bodies, anything});
+        EXPECT_FALSE(full.held);
+        EXPECT_EQ(full.outcome.error, "more contacts in a step than the scene states");
+    }
+}
+
+// A ablation is one thing: what it does not touch moves as before.
+TEST(Ablations, LeaveEverythingElseAsItIs) {
+    const auto ends_at = [](const Description& made, const char* method,
+                            const char* arithmetic = "nearest") {
+        State last;
+        attempt(subject("q16_16", arithmetic, method), {made, [&](const State& state, unsigned) {
+                                                            last = state;
+                                                            return 0.0;
+                                                        }});
+        std::vector<double> numbers;
+        for (const BodyState& body : last)
+            for (const double x :
+                 {body.position.x, body.position.y, body.velocity.x, body.velocity.y})
+                numbers.push_back(x);
+        return numbers;
+    };
+    Description springs;
+    springs.bodies = {{.position = {3, 0.25}, .velocity = {0, 1}}};
+    springs.springs = {{{.length = 2}, 50, 0.5}};
+    springs.gravity = {0, -9.81};
+    springs.dt = TimeStep::binary(8);
+    springs.steps = 300;
+    Description bounces = springs, rods = springs;
+    bounces.springs.clear();
+    bounces.restitution = 0.5;
+    bounces.planes = {{{0, 1}, 0, 0.5}};
+    rods.springs.clear();
+    rods.rods = {{.length = 3}};
+    Description still = rods;  // where chord and tangent are one
+    still.bodies[0] = {.position = {0, -3}};
+
+    const char* ours = "semi_implicit_euler";
+    const auto on_springs = ends_at(springs, ours), bouncing = ends_at(bounces, ours),
+               on_rods = ends_at(rods, ours);
+    for (const char* solver :
+         {"worst_contact_first", "rods_as_opposed_contacts", "rods_along_tangents",
+          "bounces_when_found", "velocities_by_impulses"})
+        EXPECT_EQ(ends_at(springs, solver), on_springs) << solver;
+    EXPECT_EQ(ends_at(springs, ours, "roots_of_squares").size(), on_springs.size());
+    for (const char* of_rods : {"rods_as_opposed_contacts", "rods_along_tangents"}) {
+        EXPECT_EQ(ends_at(bounces, of_rods), bouncing) << of_rods;
+        EXPECT_NE(ends_at(rods, of_rods), on_rods) << of_rods;
+    }
+    EXPECT_EQ(ends_at(still, "rods_along_tangents"), ends_at(still, ours));
+    EXPECT_EQ(ends_at(rods, "bounces_when_found"), on_rods);
+    EXPECT_NE(ends_at(bounces, "bounces_when_found"), bouncing);
+    EXPECT_EQ(ends_at(rods, "implicit_springs"), on_rods);
+    EXPECT_NE(ends_at(springs, "implicit_springs"), on_springs);
+    EXPECT_NE(ends_at(springs, "positions_first"), on_springs);
+}
+
+// The world that has everything moves as the one that has only what its scene states.
+TEST(Everything, MovesAsTheSceneItself) {
+    unsigned compared = 0;
+    scenes::for_each_scene([&](auto scene) {
+        using Scene = decltype(scene);
+        using Uses = typename Scene::template Uses<scenes::SemiImplicit>;
+        if constexpr (Uses::dimensions == 2) {
+            engine::World<fixedpoint::Q16_16, Uses> world;
+            scenes::build<Scene>(world);
+            Description made = describe_scene(Scene::name, 8);
+            made.steps = 400;
+            // A scene may add up positions in its own scalar.
+            for (std::size_t i = 0; i < made.bodies.size(); ++i) {
+                const auto& position = world.particles()[i].position;
+                made.bodies[i].position = {to_double(position[0]), to_double(position[1])};
+            }
+            unsigned differing = 0;
+            attempt(subject("q16_16", "nearest", "semi_implicit_euler"),
+                    {made, [&](const State& state, unsigned step) {
+                         if (step > 0) world.step(engine::BinaryStep<8>());
+                         for (std::size_t i = 0; i < state.size(); ++i) {
+                             const auto& position = world.particles()[i].position;
+                             if (to_double(position[0]) != state[i].position.x ||
+                                 to_double(position[1]) != state[i].position.y)
+                                 ++differing;
+                         }
+                         return 0.0;
+                     }});
+            EXPECT_EQ(differing, 0u) << Scene::name;
+            ++compared;
+        }
+    });
+    EXPECT_GE(compared, 10u);
+}
+
+// AnyFormat computes as Fixed does.
+template <class Number>
+void expect_the_same(std::int64_t a_raw, std::int64_t b_raw, std::int64_t c_raw) {
+    using Raw = typename Number::Raw;
+    AnyFormat::split() = {Number::integer_bits, Number::fraction_bits};
+    const Number a = Number::from_raw(static_cast<Raw>(a_raw));
+    const Number b = Number::from_raw(static_cast<Raw>(b_raw));
+    const Number c = Number::from_raw(static_cast<Raw>(c_raw));
+    const auto any = [](Number x) { return AnyFormat::from_raw(x.raw()); };
+    RC_ASSERT((any(a) + any(b)).raw() == (a + b).raw());
+    RC_ASSERT((any(a) - any(b)).raw() == (a - b).raw());
+    RC_ASSERT((-any(a)).raw() == (-a).raw());
+    RC_ASSERT((any(a) * any(b)).raw() == (a * b).raw());
+    RC_ASSERT((any(a) / any(b)).raw() == (a / b).raw());
+    RC_ASSERT(product_plus(any(a), any(b), any(c)).raw() == engine::product_plus(a, b, c).raw());
+    RC_ASSERT(clamped_sum(any(a), any(b)).raw() == engine::clamped_sum(a, b).raw());
+    RC_ASSERT(clamped_product(any(a), any(b)).raw() == engine::clamped_product(a, b).raw());
+    RC_ASSERT(scaled_down(any(a), 5).raw() == fixedpoint::scale_down<5>(a).raw());
+    const Number first[] = {a, b}, second[] = {c, a};
+    const AnyFormat any_first[] = {any(a), any(b)}, any_second[] = {any(c), any(a)};
+    RC_ASSERT(dot<2>(any_first, any_second).raw() == engine::dot<2>(first, second).raw());
+    const auto apart = length<2>(any_first).raw() - engine::length<2>(first).raw();
+    RC_ASSERT(apart >= -1 && apart <= 1);
+}
+TEST(AnyFormat, ComputesAsFixedDoes) {
+    EXPECT_TRUE(rc::check([](std::int64_t a, std::int64_t b, std::int64_t c, unsigned char shift) {
+        // Of all magnitudes.
+        a >>= shift % 64;
+        b >>= shift / 5 % 64;
+        c >>= shift / 7 % 64;
+        expect_the_same<fixedpoint::Q8_8>(a, b, c);
+        expect_the_same<fixedpoint::Q16_16>(a, b, c);
+        expect_the_same<fixedpoint::Fixed<8, 24>>(a, b, c);
+        expect_the_same<fixedpoint::Q32_32>(a, b, c);
+    }));
+}
+
+// Worlds at random within what a format holds with room to spare.
+Description random_springs() {
+    Description made;
+    const int n = *rc::gen::inRange(2, 6);
+    for (int i = 0; i < n; ++i)
+        made.bodies.push_back(
+            {.position = {4.0 * i, 0.25 * *rc::gen::inRange(-4, 5)},
+             .velocity = {0.25 * *rc::gen::inRange(-4, 5), 0.25 * *rc::gen::inRange(-4, 5)},
+             .inverse_mass = 0.25 * *rc::gen::inRange(1, 9)});
+    for (int i = 1; i < n; ++i) {
+        Spring spring{{.a = i, .b = i - 1, .length = 4}, double(*rc::gen::inRange(1, 50)), 0};
+        made.springs.push_back(spring);
+    }
+    made.dt = TimeStep::binary(8);
+    made.steps = 200;
+    return made;
+}
+
+TEST(RandomSprings, KeepTheirMomentumToTheRounding) {
+    EXPECT_TRUE(rc::check([] {
+        const Description made = random_springs();
+        // A step rounds each velocity by an ulp or so a spring, and each product with inverse mass.
+        const double ulp = std::ldexp(1.0, -16);
+        Point before;
+        for (const Body& body : made.bodies)
+            before = before + body.velocity * (1 / body.inverse_mass);
+        double worst = 0;
+        attempt(subject("q16_16", "nearest", "semi_implicit_euler"),
+                {made, [&](const State& state, unsigned step) {
+                     Point now;
+                     double bound = ulp;
+                     for (std::size_t i = 0; i < state.size(); ++i) {
+                         const double mass = 1 / made.bodies[i].inverse_mass;
+                         now = now + state[i].velocity * mass;
+                         // Each velocity changes by a rounded product, of rounded forces.
+                         bound += mass * ulp * step;
+                     }
+                     worst = std::max(worst, length(now - before) / bound);
+                     return 0.0;
+                 }});
+        RC_ASSERT(worst <= 1.0);
+    }));
+}
+
+TEST(RandomSprings, SolvedImplicitlyNeverGainEnergy) {
+    EXPECT_TRUE(rc::check([] {
+        Description made = random_springs();
+        for (Spring& spring : made.springs) spring.stiffness *= *rc::gen::inRange(1, 400);
+        State start;
+        for (const Body& body : made.bodies) start.push_back({body.position, body.velocity});
+        const double scale = energy(made, start) + 0.01;
+        const Trial trial = attempt(subject("q16_16", "nearest", "implicit_springs"),
+                                    {made, energy_does_not_grow(made, 0.02, scale)});
+        RC_ASSERT(trial.held);
+    }));
+}
+
+TEST(RandomStacks, DoNotOverlapAtRest) {
+    EXPECT_TRUE(rc::check([] {
+        Description made;
+        made.gravity = {0, -9.81};
+        made.planes = {{{0, 1}, 0, 0}};
+        made.restitution_threshold = 0.25;
+        made.restitution = 0.25 * *rc::gen::inRange(0, 3);
+        made.planes[0].restitution = made.restitution;
+        made.dt = TimeStep::binary(8);
+        made.steps = 1500;
+        const int n = *rc::gen::inRange(1, 5);
+        for (int i = 0; i < n; ++i)
+            made.bodies.push_back({.position = {0, 0.25 + 0.53 * i},
+                                   .inverse_mass = 0.5 * *rc::gen::inRange(1, 5),
+                                   .radius = 0.25});
+        for (const char* method : {"semi_implicit_euler", "velocity_verlet"}) {
+            const Trial trial = attempt(subject("q16_16", "nearest", method),
+                                        {made, from_step(1250, no_overlap(made, 0.05))});
+            RC_ASSERT(trial.held);
+        }
+    }));
+}
+
+}  // namespace
+}  // namespace stability

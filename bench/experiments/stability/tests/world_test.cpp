@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Worlds at random, and those of the ablations, are the same on the host and on the simulated chip: the
+// hash of the state after each step, and the error that ends them.
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <array>
+#include <engine/hash.hpp>
+#include <engine/vector.hpp>
+#include <fixedpoint/conversion.hpp>
+#include <optional>
+
+#include "bench/experiments/stability/cases.hpp"
+#include "bench/experiments/stability/chip_world.hpp"
+#include "bench/experiments/stability/subject.hpp"
+
+namespace stability {
+namespace {
+
+std::filesystem::path program(const std::string& name) {
+    return std::filesystem::path(WORLD_PROGRAMS) / (name + ".elf");
+}
+
+std::uint32_t hash_of(const State& state) {
+    const auto exact = [](Point p) {
+        using fixedpoint::Q16_16;
+        return engine::Vector<Q16_16, 2>(fixedpoint::from_float<Q16_16>(p.x).number,
+                                         fixedpoint::from_float<Q16_16>(p.y).number);
+    };
+    std::uint32_t hash = 2166136261u;
+    for (const BodyState& body : state) {
+        hash = engine::hash_into(hash, exact(body.position));
+        hash = engine::hash_into(hash, exact(body.velocity));
+    }
+    return hash;
+}
+
+// How many steps the host took, in each of which the chip's state was the same. The first that
+// differs is told by `differs_at`.
+struct Comparison {
+    unsigned steps = 0;
+    std::optional<unsigned> differs_at;
+    std::string error;
+};
+Comparison compare(const Subject& on_host, const std::filesystem::path& on_chip,
+                   const Description& description) {
+    Comparison result;
+    ChipWorld chip(on_chip, description);
+    const Outcome host = on_host.run(description, [&](const State& state, unsigned step) {
+        if (step > 0) chip.step();
+        result.steps = step;
+        if (hash_of(state) != chip.hash()) result.differs_at = step;
+        return !result.differs_at;
+    });
+    result.error = host.error;
+    // The step that an error ends is not shown on the host.
+    if (!host.error.empty() && host.steps > result.steps) chip.step();
+    const std::string chip_error =
+        chip.error() == engine::Error::none ? "" : engine::describe(chip.error());
+    if (!result.differs_at && chip_error != host.error) result.differs_at = host.steps;
+    return result;
+}
+
+double random_number(int most, double unit) { return unit * *rc::gen::inRange(-most, most + 1); }
+Point random_point(int most, double unit) {
+    const double x = random_number(most, unit);
+    return {x, random_number(most, unit)};
+}
+
+// Of four bodies in a few metres, which overlap, pull and hold one another.
+Description random_world() {
+    Description made;
+    const int n = *rc::gen::inRange(1, 5);
+    for (int i = 0; i < n; ++i)
+        made.bodies.push_back({.position = random_point(300, 0x1p-7),
+                               .velocity = random_point(2000, 0x1p-8),
+                               .inverse_mass = *rc::gen::inRange(0, 40) / 8.0,
+                               .radius = *rc::gen::inRange(0, 100) / 128.0,
+                               .force = random_point(50, 0.3),
+                               .damping = 1 - *rc::gen::inRange(0, 4) / 1024.0});
+    const auto body = [n] { return *rc::gen::inRange(0, n); };
+    const auto ends = [&] {
+        Link link{.a = body(), .anchor = random_point(300, 0x1p-7)};
+        link.length = *rc::gen::inRange(1, 500) / 128.0;
+        if (n > 1 && *rc::gen::arbitrary<bool>()) link.b = (link.a + *rc::gen::inRange(1, n)) % n;
+        return link;
+    };
+    // Two of each kind there is room for.
+    for (int i = *rc::gen::inRange(0, 3); i > 0; --i)
+        made.springs.push_back(
+            {ends(), *rc::gen::inRange(0, 4000) / 16.0, *rc::gen::inRange(0, 40) / 16.0});
+    for (int i = *rc::gen::inRange(0, 3); i > 0; --i) made.rods.push_back(ends());
+    for (int i = *rc::gen::inRange(0, 3); i > 0; --i)
+        made.ropes.push_back({ends(), *rc::gen::inRange(0, 9) / 8.0});
+    for (int i = *rc::gen::inRange(0, 3); i > 0; --i)
+        made.drags.push_back(
+            {body(), *rc::gen::inRange(0, 20) / 16.0, *rc::gen::inRange(0, 20) / 64.0});
+    const Point normals[] = {{0, 1}, {0.6, 0.8}, {-0.8, 0.6}, {1, 0}};
+    for (int i = *rc::gen::inRange(0, 3); i > 0; --i)
+        made.planes.push_back({normals[*rc::gen::inRange(0, 4)], random_number(100, 0x1p-6),
+                               *rc::gen::inRange(0, 9) / 8.0});
+    made.gravity = random_point(100, 0.1);
+    made.restitution = *rc::gen::inRange(0, 9) / 8.0;
+    made.restitution_threshold = *rc::gen::inRange(0, 3) / 4.0;
+    made.dt = TimeStep::binary(8);
+    made.steps = 64;
+    return made;
+}
+
+class RandomWorlds : public testing::TestWithParam<std::pair<const char*, const char*>> {};
+
+TEST_P(RandomWorlds, MoveOnTheChipAsOnTheHost) {
+    const auto [integrator, name] = GetParam();
+    const Subject& on_host = subject("q16_16", "nearest", integrator);
+    const auto on_chip = program(std::string("random_") + name);
+    unsigned long steps = 0;
+    EXPECT_TRUE(rc::check([&] {
+        const Description made = random_world();
+        const Comparison result = compare(on_host, on_chip, made);
+        steps += result.steps;
+        RC_ASSERT(!result.differs_at);
+    }));
+    EXPECT_GT(steps, 1000u);
+}
+INSTANTIATE_TEST_SUITE_P(Methods, RandomWorlds,
+                         testing::Values(std::pair{"explicit_euler", "Published"},
+                                         std::pair{"semi_implicit_euler", "SemiImplicit"},
+                                         std::pair{"velocity_verlet", "Verlet"},
+                                         std::pair{"implicit_springs", "Implicit"},
+                                         std::pair{"semi_implicit_compensated", "CompensatedIntegration"}),
+                         [](const auto& info) { return info.param.second; });
+
+// A chip that is another world differs: the comparison can fail.
+TEST(Comparison, TellsAnotherMethodAndAnotherNumber) {
+    Description made;
+    made.bodies = {{.position = {3, 0}}};
+    made.springs = {{{.length = 2}, 50, 0}};
+    made.dt = TimeStep::binary(8);
+    made.steps = 64;
+    const Subject& ours = subject("q16_16", "nearest", "semi_implicit_euler");
+    EXPECT_FALSE(compare(ours, program("random_SemiImplicit"), made).differs_at);
+    EXPECT_EQ(compare(ours, program("random_Published"), made).differs_at, 1u);
+    ChipWorld chip(program("random_SemiImplicit"), made);
+    made.bodies[0].position.x += 0x1p-16;
+    EXPECT_NE(ChipWorld(program("random_SemiImplicit"), made).hash(), chip.hash());
+    made.dt = TimeStep::binary(9);
+    EXPECT_THROW(ChipWorld(program("random_SemiImplicit"), made), std::runtime_error);
+}
+
+// The programs whose cycles ablations.csv tells are the methods whose limits it tells.
+class AblationPrograms : public testing::TestWithParam<std::array<const char*, 3>> {};
+
+TEST_P(AblationPrograms, MoveAsTheirMethodsOnTheHost) {
+    const auto [name, integrator, arithmetic] = GetParam();
+    for (const Case& one : all_cases()) {
+        if (one.name != name) continue;
+        Description made = one.at(one.endurance ? 400 : one.from).description;
+        made.steps = std::min(made.steps, 400u);
+        const std::string method = arithmetic == std::string("nearest") ? integrator : arithmetic;
+        const Comparison result = compare(subject("q16_16", arithmetic, integrator),
+                                          program("ablation_" + one.name + "_" + method), made);
+        EXPECT_FALSE(result.differs_at) << "after step " << *result.differs_at;
+        EXPECT_EQ(result.steps, made.steps) << result.error;
+        return;
+    }
+    FAIL() << "no case " << name;
+}
+constexpr const char* nearest = "nearest";
+constexpr const char* ours = "semi_implicit_euler";
+INSTANTIATE_TEST_SUITE_P(
+    Ablations, AblationPrograms,
+    testing::Values(std::array{"spring_stiffness", "positions_first", nearest},
+                    std::array{"spring_stiffness", ours, nearest},
+                    std::array{"spring_coarse_step", "implicit_springs", nearest},
+                    std::array{"pendulum_long", ours, "roots_of_squares"},
+                    std::array{"rod_span", ours, nearest},
+                    std::array{"rod_chain_of_8_heavy_end", "rods_as_opposed_contacts", nearest},
+                    std::array{"rod_chain_of_8_heavy_end", "rods_along_tangents", nearest},
+                    std::array{"stack_of_10", "worst_contact_first", nearest},
+                    std::array{"stack_of_10", ours, nearest},
+                    std::array{"bounces_under_gravity", "bounces_when_found", nearest},
+                    std::array{"bounces_under_gravity", ours, nearest},
+                    std::array{"resting_light_mass", "velocities_by_impulses", nearest},
+                    std::array{"drag_quadratic", ours, "saturating"},
+                    std::array{"slow", "semi_implicit_compensated", nearest}),
+    [](const auto& info) {
+        return std::string(info.param[0]) + "_" + info.param[1] + "_" + info.param[2];
+    });
+
+}  // namespace
+}  // namespace stability

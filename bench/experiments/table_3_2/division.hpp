@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the published Q16.16 division and the toolchain's float division cost, by operand, and the
+// law that predicts the former: libgcc's 64-bit division skips the leading zero bytes of the
+// quotient, and spends 8 cycles on each of its one bits.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "bench/lab/records/csv.hpp"
+#include "bench/experiments/table_3_2/harness.hpp"
+
+namespace table_3_2 {
+
+struct Division {
+    std::int32_t a, b;
+    std::uint32_t cycles;  // with call and return
+};
+
+// The magnitude of a 2^16 / b before it is cut to 32 bits. Needs b != 0.
+std::uint64_t published_quotient(std::int32_t a, std::int32_t b);
+int quotient_bytes(std::int32_t a, std::int32_t b);  // without the leading zero bytes
+
+// The report measured 62 us in its running engine.
+constexpr double engine_division_cycles = 62e-6 * simulator::Chip::frequency;
+
+// cycles = constant + per_byte * (bytes of the quotient) + per_one * (its one bits)
+//          + negative_a [a < 0] + negative_b [b < 0] + both [both] + zero [quotient 0],
+// by least squares.
+struct DivisionLaw {
+    double constant, per_byte, per_one, negative_a, negative_b, both, zero;
+    double rms_residual, max_residual;
+
+    double predict(std::int32_t a, std::int32_t b) const;
+};
+DivisionLaw fit_division_law(const std::vector<Division>& divisions);
+
+struct DivisionCost {
+    std::string operands;  // small, physics, full, published
+    std::vector<std::uint32_t> fixed, floating;
+};
+
+struct DivisionStudy {
+    std::vector<DivisionCost> costs;
+    DivisionLaw law;
+    std::vector<Division> divisions;
+};
+
+// `samples` random operand pairs of each class; `published` is what the harness fits best with.
+DivisionStudy study_division(const std::filesystem::path& division_elf, const Operands& published,
+                             int samples);
+
+// kind,operands,cycles,count,value,note: `histogram` rows of 16 cycles from `cycles` on, `summary`
+// rows, `published` markers and the coefficients of the `law`.
+records::Table division_table(const DivisionStudy& study, double published_table_ms,
+                              double loop_cycles);
+
+}  // namespace table_3_2

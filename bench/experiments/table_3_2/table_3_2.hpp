@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Table 3.2: the published figures beside ours, cell by cell, each with a verdict; the hypotheses
+// on the published harness and how they fit; the cycles of its division; and Table 3.1, computed.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "bench/lab/records/csv.hpp"
+#include "bench/experiments/table_3_2/hypothesis.hpp"
+
+namespace table_3_2 {
+
+struct Options {
+    std::filesystem::path programs_csv;  // what was built: bench/experiments/table_3_2/CMakeLists.txt
+    std::filesystem::path division_elf;
+    std::filesystem::path published;  // the folder of table_3_2.csv and functions.csv
+    std::filesystem::path data;       // the folder that is written to
+    bool search = true;               // false: the best known hypothesis only
+};
+
+// Writes table_3_1.csv, table_3_2.csv, division_cycles.csv and, with the search,
+// table_3_2_hypotheses.csv. Throws where a program, a published figure or a measurement fails.
+void measure_table_3_2(const Options& options);
+
+// A measurement of one cell under another hypothesis than the table's.
+struct Alternative {
+    Hypothesis hypothesis;
+    double ms;
+};
+
+struct Verdict {
+    std::string verdict;  // reproduced, explained, not reproducible
+    std::string reason;
+};
+// reproduced: within 10%. explained: within 10% once what the nearest alternative changes is
+// changed. `nearest` is the alternative that comes closest, of the `tried` ones.
+Verdict judge(double published_ms, double measured_ms, const Hypothesis& hypothesis,
+              const std::optional<Alternative>& nearest, int tried);
+
+records::Table table_3_1();
+
+}  // namespace table_3_2

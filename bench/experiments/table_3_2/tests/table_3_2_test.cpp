@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bench/experiments/table_3_2/table_3_2.hpp"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+
+#include "bench/experiments/table_3_2/division.hpp"
+
+namespace table_3_2 {
+namespace {
+
+const Operands seven_by_three{{7, 3}, {3.75, 1.25}, false};
+
+std::vector<Program> programs() { return load_programs(PROGRAMS_CSV); }
+
+Program plain_program() {
+    for (const Program& program : programs()) {
+        if (program.flags == "-Os" && program.loop == "int" && program.operators == "inlined" &&
+            program.shift == "constant" && program.widening == "after") {
+            return program;
+        }
+    }
+    throw std::runtime_error("no plain program");
+}
+
+// By hand: lds 2 a byte of both operands, sub and sbc 1 a byte, sts 2 a byte, sbiw 2 and brne 2.
+TEST(Harness, CyclesOfAPassAreThoseCountedByHand) {
+    Harness harness(plain_program().elf);
+    EXPECT_EQ(harness.cycles("assign", {"int16_t", "subtract"}, seven_by_three, 5), 7 * 2 + 4);
+    EXPECT_EQ(harness.cycles("assign", {"int32_t", "subtract"}, seven_by_three, 5), 7 * 4 + 4);
+    // One more load and one more addition a byte.
+    EXPECT_EQ(harness.cycles("accumulate", {"int16_t", "add"}, seven_by_three, 5), 10 * 2 + 4);
+}
+
+// 30000 passes of 18 cycles are 33.75 ms, of which the timer's interrupt takes half a percent more.
+TEST(Harness, MillisecondsAreTheCoresOwn) {
+    Harness harness(plain_program().elf);
+    const auto ms = harness.milliseconds("assign", {"int16_t", "subtract"}, seven_by_three);
+    EXPECT_GE(ms, 33u);
+    EXPECT_LE(ms, 35u);
+    const auto longer = harness.milliseconds("assign", {"int32_t", "divide"}, seven_by_three);
+    const double undisturbed =
+        undisturbed_ms(harness.cycles("assign", {"int32_t", "divide"}, seven_by_three, 5));
+    EXPECT_NEAR(longer / undisturbed, 1.0055, 0.0015);
+}
+
+TEST(Harness, SaysWhichCellIsMissing) {
+    Harness harness(plain_program().elf);
+    EXPECT_THROW(harness.cycles("assign", {"int16_t", "power"}, seven_by_three, 1),
+                 simulator::ElfError);
+}
+
+TEST(Judge, WithinTenPercentIsReproduced) {
+    const Hypothesis hypothesis{plain_program(), "assign", seven_by_three};
+    EXPECT_EQ(judge(100, 109, hypothesis, {}, 0).verdict, "reproduced");
+    EXPECT_EQ(judge(100, 91, hypothesis, {}, 0).verdict, "reproduced");
+    EXPECT_EQ(judge(100, 111, hypothesis, {}, 0).verdict, "not reproducible");
+}
+
+TEST(Judge, AnAlternativeExplainsWhenItComesWithinTenPercent) {
+    const Hypothesis hypothesis{plain_program(), "assign", seven_by_three};
+    Hypothesis other = hypothesis;
+    other.form = "accumulate";
+    const Verdict explained = judge(100, 70, hypothesis, Alternative{other, 96}, 9);
+    EXPECT_EQ(explained.verdict, "explained");
+    EXPECT_EQ(explained.reason, "96 ms (-4.0%) with c += a op b in place of c = a op b");
+    const Verdict failed = judge(100, 70, hypothesis, Alternative{other, 80}, 9);
+    EXPECT_EQ(failed.verdict, "not reproducible");
+    EXPECT_EQ(failed.reason,
+              "nearest of 9 alternatives: 80 ms (-20.0%) with c += a op b in place of c = a op b");
+}
+
+TEST(Hypothesis, TheSearchFindsTheBestKnown) {
+    std::vector<Program> usual;
+    for (const Program& program : programs()) {
+        if (program.flags == "-Os" && program.loop == "int") usual.push_back(program);
+    }
+    const std::vector<Fit> fits = search(usual, load_published(PUBLISHED), [] {});
+    EXPECT_EQ(fits.size(), usual.size() * forms().size() * operand_pairs().size());
+    EXPECT_EQ(values(preferred(fits).hypothesis), values(best_known(programs())));
+}
+
+TEST(Division, AFitFindsTheCoefficientsOfALaw) {
+    std::vector<Division> divisions;
+    for (std::int32_t a = -40; a <= 40; a += 3) {
+        for (std::int32_t b = -70001; b <= 70001; b += 10000) {
+            const std::uint64_t q = published_quotient(a, b);
+            const int cycles = 500 + 200 * quotient_bytes(a, b) + 8 * std::popcount(q) +
+                               (a < 0) * 7 + (b < 0) * 11 + (a < 0 && b < 0) * 3 - (q == 0) * 9;
+            divisions.push_back({a, b, static_cast<std::uint32_t>(cycles)});
+        }
+    }
+    const DivisionLaw law = fit_division_law(divisions);
+    EXPECT_NEAR(law.constant, 500, 1e-6);
+    EXPECT_NEAR(law.per_byte, 200, 1e-6);
+    EXPECT_NEAR(law.per_one, 8, 1e-6);
+    EXPECT_NEAR(law.max_residual, 0, 1e-6);
+    divisions.front().cycles += 100;
+    EXPECT_GT(fit_division_law(divisions).max_residual, 50);
+}
+
+TEST(Division, QuotientBytesAreCountedWithoutLeadingZeros) {
+    EXPECT_EQ(quotient_bytes(0, 1), 0);
+    EXPECT_EQ(quotient_bytes(1 << 16, 1 << 16), 3);  // 0x10000
+    EXPECT_EQ(quotient_bytes((1 << 16) - 1, 1 << 16), 2);
+    EXPECT_EQ(quotient_bytes(INT32_MIN, 1), 6);
+}
+
+// The law is exact: not a cycle is left over on any operands.
+TEST(Division, TheDevicesDivisionFollowsTheLaw) {
+    const DivisionStudy study = study_division(DIVISION_ELF, seven_by_three, 500);
+    EXPECT_LT(study.law.max_residual, 1e-6);
+    EXPECT_NEAR(study.law.per_byte, 205, 1e-6);
+    EXPECT_NEAR(study.law.per_one, 8, 1e-6);
+    const Division& last = study.divisions.back();
+    EXPECT_NEAR(study.law.predict(last.a, last.b), last.cycles, 1e-6);
+}
+
+TEST(Table31, Q16_16) {
+    const records::Table table = table_3_1();
+    EXPECT_EQ(table.rows().at(2),
+              (std::vector<std::string>{"q16_16", "32", "-32768", "32767.9999847412109375",
+                                        "1.52588e-05", "4", "7.63e-06"}));
+}
+
+}  // namespace
+}  // namespace table_3_2

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bench/lab/operands/boundary.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+#include <numbers>
+
+namespace operands {
+namespace {
+
+using reference::Integer;
+using reference::NumberFormat;
+using reference::Operation;
+using reference::Rational;
+
+// The first description of a raw stays.
+using Table = std::map<std::int64_t, std::string>;
+
+// What a format does not hold is left out.
+class FixedTable {
+  public:
+    explicit FixedTable(const NumberFormat& format) : format_(format), F_(format.fraction) {
+        ends_and_zero();
+        around("1", Integer(1) << F_);
+        around("-1", -(Integer(1) << F_));
+        if (F_ > 0) {
+            around("0.5", Integer(1) << (F_ - 1));
+            around("-0.5", -(Integer(1) << (F_ - 1)));
+        }
+        angles();
+        function_borders();
+        patterns();
+        for (int bit = 0; bit < format.width - 1; ++bit) {
+            around(fmt::format("2^{}", bit - F_), Integer(1) << bit);
+            around(fmt::format("-2^{}", bit - F_), -(Integer(1) << bit));
+        }
+    }
+
+    Table take() { return std::move(table_); }
+
+  private:
+    void add(const std::string& what, const Integer& raw) {
+        if (raw >= format_.min() && raw <= format_.max()) table_.emplace(std::int64_t(raw), what);
+    }
+
+    void around(const std::string& what, const Integer& raw) {
+        add(what, raw);
+        add(what + " - ulp", raw - 1);
+        add(what + " + ulp", raw + 1);
+    }
+
+    void ends_and_zero() {
+        add("0", 0);
+        add("1 ulp, the smallest positive number", 1);
+        add("-1 ulp, all bits set", -1);
+        add("MAX", format_.max());
+        add("MAX - ulp", Integer(format_.max()) - 1);
+        add("MIN, whose negative does not fit", format_.min());
+        add("MIN + ulp, the negative of MAX", Integer(format_.min()) + 1);
+    }
+
+    void rounded(const std::string& what, long double number) {
+        if (std::abs(number) < std::ldexp(1.0L, format_.width - 1 - F_))
+            around(what, Integer(std::floor(std::ldexp(number, F_) + 0.5L)));
+    }
+
+    // Where octants meet and sines are extreme or zero.
+    void angles() {
+        for (const int k : {1, 2, 3, 4, 5, 6, 7, 8, 16, 400}) {
+            rounded(fmt::format("{} pi/4, rounded", k), k * std::numbers::pi_v<long double> / 4);
+            rounded(fmt::format("-{} pi/4, rounded", k), -k * std::numbers::pi_v<long double> / 4);
+        }
+    }
+
+    void function_borders() {
+        const Integer max = format_.max();
+        const Integer root = sqrt(Integer((max << F_) + (Integer(1) << F_) - 1));
+        around("the largest number whose square fits", root);
+        around("the smallest number whose square fits", -root);
+        around("the largest number whose three equal squares sum up to one that fits",
+               sqrt(Integer(((max << F_) + (Integer(1) << F_) - 1) / 3)));
+        const Integer reciprocal = ((Integer(1) << (2 * F_)) + max - 1) / max;
+        around("the smallest number whose reciprocal fits", reciprocal);
+        around("the negative of the smallest number whose reciprocal fits", -reciprocal);
+        rounded("ln MAX, the border of exp",
+                std::log(std::ldexp((long double)(format_.max()), -F_)));
+        rounded("ln of half an ulp, below which exp is 0",
+                -(F_ + 1) * std::numbers::ln2_v<long double>);
+    }
+
+    // Bytes and bits that make carries run or tables begin and end.
+    void patterns() {
+        for (const std::uint64_t pattern :
+             {0x5555555555555555u, 0xaaaaaaaaaaaaaaaau, 0x00ff00ff00ff00ffu, 0xff00ff00ff00ff00u,
+              0x7f7f7f7f7f7f7f7fu, 0x8080808080808080u}) {
+            const std::int64_t raw = format_.sign_extend(pattern);
+            const std::uint64_t bits =
+                std::uint64_t(raw) << (64 - format_.width) >> (64 - format_.width);
+            add(fmt::format("the pattern 0x{:0{}x}", bits, format_.width / 4), raw);
+        }
+    }
+
+    NumberFormat format_;
+    int F_;
+    Table table_;
+};
+
+Table float_table() {
+    Table table;
+    const auto pattern = [&](std::uint32_t bits, const char* what) {
+        table.emplace(reference::ieee_single.sign_extend(bits), what);
+    };
+    const auto around = [&](const std::string& what, float number) {
+        for (const float x : {number, -number}) {
+            const std::string sign = std::signbit(x) ? "-" : "";
+            table.emplace(reference::raw_of_float(x), sign + what);
+            table.emplace(reference::raw_of_float(std::nextafterf(x, 0)),
+                          sign + what + ", toward 0");
+            table.emplace(reference::raw_of_float(std::nextafterf(x, x * 2)),
+                          sign + what + ", away from 0");
+        }
+    };
+    pattern(0x00000000, "0");
+    pattern(0x80000000, "-0");
+    pattern(0x7f800000, "infinity");
+    pattern(0xff800000, "-infinity");
+    pattern(0x7fc00000, "not a number");
+    pattern(0x7f7fffff, "MAX");
+    pattern(0xff7fffff, "-MAX");
+    pattern(0x00000001, "the smallest subnormal");
+    pattern(0x80000001, "the negative of the smallest subnormal");
+    pattern(0x007fffff, "the largest subnormal");
+    pattern(0x807fffff, "the negative of the largest subnormal");
+    pattern(0x00800000, "the smallest normal");
+    pattern(0x80800000, "the negative of the smallest normal");
+    around("1", 1);
+    around("0.5", 0.5f);
+    around("2^24, above which odd integers are missing", 16777216);
+    around("2^31", 2147483648.0f);
+    around("the root of the smallest normal", 0x1p-63f);
+    around("the root of 2^128", 0x1p64f);
+    around("ln MAX, the border of exp", 88.72284f);
+    around("ln of the smallest subnormal", -103.27893f);
+    for (const int k : {1, 2, 3, 4, 5, 6, 7, 8, 16, 400}) {
+        around(fmt::format("{} pi/4, rounded", k), float(k * std::numbers::pi / 4));
+    }
+    for (int exponent = -120; exponent <= 120; exponent += 24)
+        around(fmt::format("2^{}", exponent), std::ldexp(1.0f, exponent));
+    return table;
+}
+
+// Products and quotients that lie exactly between two raws: with odd u and v,
+// (u 2^i) (v 2^(F-1-i)) / 2^F = u v / 2 and (u w 2^i) 2^F / (w 2^(F+1+i)) = u / 2.
+std::vector<BoundaryCase> ties(Operation operation, const NumberFormat& format) {
+    std::vector<BoundaryCase> cases;
+    const int F = format.fraction;
+    const auto add = [&](const Integer& a, const Integer& b, const char* what) {
+        const auto fits = [&](const Integer& raw) {
+            return raw >= format.min() && raw <= format.max();
+        };
+        if (fits(a) && fits(b)) cases.push_back({{std::int64_t(a), std::int64_t(b)}, what});
+    };
+    for (const int u : {1, -1, 3, -3, 255, -255}) {
+        for (const int v : {1, -1, 5, -127}) {
+            if (operation == Operation::multiply) {
+                for (int i = 0; i < F; ++i)
+                    add(Integer(u) << i, Integer(v) << (F - 1 - i),
+                        "a product half way between two raws");
+            } else if (operation == Operation::divide) {
+                for (int i = 0; F + 1 + i < format.width; ++i)
+                    add(Integer(u * v) << i, Integer(v) << (F + 1 + i),
+                        "a quotient half way between two raws");
+            }
+        }
+    }
+    return cases;
+}
+
+// A few operands of the table for operations of three and more.
+std::vector<BoundaryOperand> few(const NumberFormat& format, std::size_t count) {
+    const auto nearest = [&](int number) { return reference::nearest_raw(format, number); };
+    const std::vector<BoundaryOperand> by_weight = {
+        {format.max(), "MAX"}, {format.min(), "MIN"}, {nearest(-1), "-1"}, {1, "1 ulp"},
+        {nearest(0), "0"},     {nearest(1), "1"},     {-1, "-1 ulp"},      {nearest(3), "3"},
+    };
+    return {by_weight.begin(), by_weight.begin() + std::min(count, by_weight.size())};
+}
+
+std::vector<BoundaryCase> combinations(const std::vector<BoundaryOperand>& operands,
+                                       std::size_t arity) {
+    std::vector<BoundaryCase> cases = {{}};
+    for (std::size_t i = 0; i < arity; ++i) {
+        std::vector<BoundaryCase> longer;
+        longer.reserve(cases.size() * operands.size());
+        for (const BoundaryCase& start : cases) {
+            for (const BoundaryOperand& operand : operands) {
+                BoundaryCase extended = start;
+                extended.operands.push_back(operand.raw);
+                extended.what += (i > 0 ? "; " : "") + operand.what;
+                longer.push_back(std::move(extended));
+            }
+        }
+        cases = std::move(longer);
+    }
+    return cases;
+}
+
+std::vector<BoundaryCase> shifts(const NumberFormat& format) {
+    std::vector<BoundaryCase> cases;
+    for (const BoundaryOperand& operand : boundary_operands(format)) {
+        for (int count = 0; count < format.width; ++count)
+            cases.push_back({{operand.raw, count}, fmt::format("{}; by {}", operand.what, count)});
+    }
+    return cases;
+}
+
+}  // namespace
+
+std::vector<BoundaryOperand> boundary_operands(const NumberFormat& format) {
+    std::vector<BoundaryOperand> operands;
+    for (const auto& [raw, what] : format.is_float() ? float_table() : FixedTable(format).take())
+        operands.push_back({raw, what});
+    return operands;
+}
+
+std::vector<BoundaryCase> boundary_cases(Operation operation, const NumberFormat& format) {
+    if (operation == Operation::shift_left || operation == Operation::shift_right)
+        return shifts(format);
+    const std::size_t arity = reference::shape(operation).operands;
+    switch (arity) {
+        case 1:
+            return combinations(boundary_operands(format), 1);
+        case 2: {
+            std::vector<BoundaryCase> cases = combinations(boundary_operands(format), 2);
+            for (BoundaryCase& tie : ties(operation, format)) cases.push_back(std::move(tie));
+            return cases;
+        }
+        case 3:
+            return combinations(few(format, 8), 3);
+        case 4:
+            return combinations(few(format, 6), 4);
+        default:
+            return combinations(few(format, 4), arity);
+    }
+}
+
+}  // namespace operands

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bench/lab/operands/operand_class.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "bench/lab/operands/published_operands.hpp"
+
+namespace operands {
+namespace {
+
+using reference::NumberFormat;
+using reference::Operation;
+
+__extension__ using Unsigned128 = unsigned __int128;
+
+constexpr double physics_least = 0.01, physics_greatest = 20;
+
+bool takes_positive_operands(Operation operation) {
+    return operation == Operation::sqrt || operation == Operation::reciprocal_sqrt ||
+           operation == Operation::log;
+}
+
+bool is_shift(Operation operation) {
+    return operation == Operation::shift_left || operation == Operation::shift_right;
+}
+
+// The raw nearest to mantissa 2^(exponent - 63), the mantissa's top bit being set, among the
+// positive ones. For float the mantissa is cut to 24 bits.
+std::int64_t raw_of(const NumberFormat& format, std::uint64_t mantissa, int exponent) {
+    if (format.is_float())
+        return (std::int64_t(exponent + 127) << 23) | std::int64_t((mantissa >> 40) & 0x7fffff);
+    const int drop = 63 - exponent - format.fraction;  // 1..63
+    const std::uint64_t twice = mantissa >> (drop - 1);
+    return std::int64_t(std::min((twice + 1) >> 1, std::uint64_t(format.max())));
+}
+
+}  // namespace
+
+std::string_view class_name(OperandClass operand_class) {
+    switch (operand_class) {
+        case OperandClass::small:
+            return "small";
+        case OperandClass::physics:
+            return "physics";
+        case OperandClass::full:
+            return "full";
+        case OperandClass::published:
+            return "published";
+    }
+    throw std::logic_error("an operand class without a name");
+}
+
+OperandClass parse_class(std::string_view name) {
+    for (const OperandClass candidate : operand_classes) {
+        if (class_name(candidate) == name) return candidate;
+    }
+    throw std::invalid_argument(fmt::format(
+        "unknown operand class '{}': allowed are small, physics, full, published", name));
+}
+
+Sampler::Sampler(Operation operation, const NumberFormat& format, OperandClass operand_class,
+                 std::uint64_t seed)
+    : operation_(operation), format_(format), class_(operand_class), random_(seed) {}
+
+void Sampler::next(std::span<std::int64_t> operands) {
+    for (std::size_t i = 0; i < operands.size(); ++i) {
+        if (class_ == OperandClass::published) {
+            operands[i] = format_.is_float()
+                              ? reference::raw_of_float(published_floats[i % 2])
+                              : format_.sign_extend(std::uint64_t(published_raws[i % 2]));
+        } else {
+            operands[i] = draw();
+        }
+    }
+    if (is_shift(operation_)) operands[1] = below(format_.width);
+}
+
+std::int64_t Sampler::draw() {
+    const std::int64_t magnitude = draw_magnitude();
+    const bool negative = !takes_positive_operands(operation_) && (random_() >> 63) != 0;
+    if (!negative) return magnitude;
+    return format_.is_float() ? format_.sign_extend(std::uint64_t(magnitude) | 0x80000000)
+                              : -magnitude;
+}
+
+std::int64_t Sampler::draw_magnitude() {
+    switch (class_) {
+        case OperandClass::small: {
+            if (format_.is_float())
+                return reference::raw_of_float(std::ldexp(float(1 + below((1 << 24) - 1)), -24));
+            const std::int64_t one = std::int64_t(1) << format_.fraction;
+            return one == 1 ? 1 : 1 + below(one - 1);
+        }
+        case OperandClass::physics:
+            return log_uniform(physics_least, physics_greatest);
+        default:
+            return log_uniform(0, HUGE_VAL);
+    }
+}
+
+std::int64_t Sampler::log_uniform(double least, double greatest) {
+    // The binades of the format's positive numbers (float: of its normal ones).
+    const int first = format_.is_float() ? -126 : -format_.fraction;
+    const int last = format_.is_float() ? 127 : format_.width - 2 - format_.fraction;
+    const int low = std::max(first, least > 0 ? std::ilogb(least) : first);
+    const int high = std::min(last, std::isfinite(greatest) ? std::ilogb(greatest) : last);
+    for (;;) {
+        const int exponent = low + int(below(high - low + 1));
+        const std::uint64_t mantissa = random_() | std::uint64_t(1) << 63;
+        // Within a binade the density of a log-uniform number is that of 1 / mantissa.
+        const bool accepted = Unsigned128(random_()) * mantissa < Unsigned128(1) << 127;
+        const double number = std::ldexp(double(mantissa), exponent - 63);
+        if (accepted && number >= least && number <= greatest)
+            return raw_of(format_, mantissa, exponent);
+    }
+}
+
+std::int64_t Sampler::below(std::int64_t count) {
+    return std::int64_t((Unsigned128(random_()) * std::uint64_t(count)) >> 64);
+}
+
+}  // namespace operands

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+// ProjectedGaussSeidel<most>: the solver of choice. Positions are put right once, where a contact is found;
+// velocities in at most `most` sweeps over all rows, which end when a sweep changes nothing.
+//
+// A rod is one two-sided row. Its end moves along the chord of its arc, not the tangent: the
+// velocity along the rod becomes -h w^2 / 2L (w the relative velocity, h the step), which keeps the
+// speed to second order where a velocity of 0 would lose it to first.
+//
+// A bounce began where the surfaces met, a time t = penetration / closing velocity ago: the
+// particle is put where it would be by now, restitution x penetration beyond the surface, and has
+// the velocity that gravity gave it since. At most `restitution_threshold` fast, it does not bounce.
+#pragma once
+
+#include <engine/choice.hpp>
+#include <engine/parting.hpp>
+#include <engine/time_step.hpp>
+
+namespace engine {
+
+// Of a row, in scenes where some rows only push: contacts and ropes.
+template <class Scalar, bool used>
+struct Pushing {
+    constexpr void set_pushing(bool, Scalar) {}
+    template <class World>
+    static constexpr bool acts(const World&, Scalar, Scalar&) {
+        return true;
+    }
+};
+template <class Scalar>
+struct Pushing<Scalar, true> {
+    bool pushes_only = false;
+    Scalar restitution = Scalar();  // of closing velocities
+
+    constexpr void set_pushing(bool pushes, Scalar of_closing_velocities) {
+        pushes_only = pushes;
+        restitution = of_closing_velocities;
+    }
+    // Whether it acts on a velocity, and the velocity that it is to become.
+    template <class World>
+    constexpr bool acts(const World& world, Scalar velocity, Scalar& goal) const {
+        if (!pushes_only) return true;
+        if (!(velocity < Scalar()) && !(velocity < goal)) return false;
+        if (-velocity > world.restitution_threshold) {
+            goal = product_plus(restitution, -velocity, goal);
+        } else if (goal < Scalar()) {
+            goal = Scalar();
+        }
+        return true;
+    }
+};
+
+// Of a row, in scenes where two particles can share a correction.
+template <class Scalar, bool used>
+struct Sharing {
+    constexpr void set_share(Scalar) {}
+    constexpr Scalar share() const { return Scalar(); }
+};
+template <class Scalar>
+struct Sharing<Scalar, true> {
+    constexpr void set_share(Scalar share) { share_ = share; }
+    constexpr Scalar share() const { return share_; }
+
+  private:
+    Scalar share_ = Scalar();  // a's part of each correction, b's being the rest
+};
+
+template <unsigned char most>
+struct ProjectedGaussSeidel {
+    static constexpr bool needs_displacement = false;
+    static constexpr unsigned rows_per_rod = 1;
+
+    template <class World>
+    struct Row : Pushing<typename World::Scalar, World::bounces>,
+                 Sharing<typename World::Scalar, World::has_pairs> {
+        typename World::Index a = 0, b = 0;  // b may be nothing
+        typename World::Vector normal;       // from b to a
+        typename World::Scalar target = {};  // velocity of a against b along the normal
+    };
+
+    template <class World, class Index, class Vector, class Scalar, class TimeStep>
+    static void rod(World& world, Index a, Index b, const Vector& direction, Scalar excess,
+                    Scalar length, TimeStep dt) {
+        bind(world, a, b, false, direction, -excess, -chord_velocity(world, a, b, length, dt),
+             Scalar());
+    }
+
+    template <class World, class Index, class Vector, class Scalar, class TimeStep>
+    static void rope(World& world, Index a, Index b, const Vector& direction, Scalar excess,
+                     Scalar length, Scalar restitution, TimeStep dt) {
+        bind(world, a, b, true, -direction, excess, chord_velocity(world, a, b, length, dt),
+             restitution);
+    }
+
+    template <class World, class Index, class Vector, class Scalar, class TimeStep>
+    static void contact(World& world, Index a, Index b, const Vector& normal, Scalar penetration,
+                        Scalar restitution, TimeStep dt) {
+        const Scalar closing = -dot(relative_velocity(world, a, b), normal);
+        Scalar target = Scalar();
+        Scalar correction = penetration;
+        if (closing > world.restitution_threshold) {
+            correction = product_plus(restitution, penetration, penetration);
+            target = dot(world.relative_gravity(a, b), normal) *
+                     (penetration / closing + seconds<Scalar>(half(dt)));
+            target = product_plus(restitution, target, target);
+        }
+        bind(world, a, b, true, normal, correction, target, restitution);
+    }
+
+    template <class World>
+    static void solve(World& world) {
+        for (unsigned char sweep = 0; sweep < most; ++sweep) {
+            bool changed = false;
+            world.rows().for_each([&](const auto& row) {
+                if (ProjectedGaussSeidel::solve_row(world, row)) changed = true;
+            });
+            if (!changed || world.rows().size() == 1) break;
+        }
+    }
+
+  protected:
+    // Parts a from b by `correction` at once and appends the row that sees to their velocities.
+    template <class World, class Index, class Vector, class Scalar>
+    static void bind(World& world, Index a, Index b, bool pushes_only, const Vector& normal,
+                     Scalar correction, Scalar target, Scalar restitution) {
+        const Scalar share = share_of(world, a, b);
+        if (!(correction == Scalar())) {
+            part(world, a, b, normal, correction, share, &World::Particle::position);
+        }
+        world.append_row([&](Row<World>& row) ENGINE_INLINE_LAMBDA {
+            row.a = a;
+            row.b = b;
+            row.normal = normal;
+            row.target = target;
+            row.set_share(share);
+            row.set_pushing(pushes_only, restitution);
+        });
+    }
+
+  private:
+    // Gives the two of a row the velocity that it asks for; whether that changed anything.
+    template <class World, class Row>
+    static bool solve_row(World& world, const Row& row) {
+        using Scalar = typename World::Scalar;
+        const Scalar velocity = dot(relative_velocity(world, row.a, row.b), row.normal);
+        Scalar goal = row.target;
+        if (!row.acts(world, velocity, goal)) return false;
+        const Scalar change = goal - velocity;
+        if (change == Scalar()) return false;
+        part(world, row.a, row.b, row.normal, change, row.share(), &World::Particle::velocity);
+        return true;
+    }
+
+    // h w^2 / 2L, by way of the way that w makes in half a step: that stays in range where w^2
+    // does not.
+    template <class World, class Index, class Scalar, class TimeStep>
+    static Scalar chord_velocity(const World& world, Index a, Index b, Scalar length, TimeStep dt) {
+        const auto velocity = relative_velocity(world, a, b);
+        auto way = velocity;
+        way *= half(dt);
+        return dot(way, velocity) / length;
+    }
+};
+
+}  // namespace engine

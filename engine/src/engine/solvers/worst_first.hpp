@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// WorstFirst<rounds>: the published resolution, the baseline. In each round every contact's
+// separating velocity and present penetration (as found, less what its particles were moved since)
+// are computed again, and the worst closing contact gets an impulse by its restitution and a
+// correction of positions in proportion to inverse mass; it ends when none closes or overlaps.
+// A rod is a pair of opposed contacts where its length is off, since later resolutions may change
+// which side is wrong; a rope is one contact where it is taut.
+#pragma once
+
+#include <engine/decimal.hpp>
+#include <engine/links.hpp>
+
+namespace engine {
+
+template <unsigned char rounds>
+struct WorstFirst {
+    static constexpr bool needs_displacement = true;
+    static constexpr unsigned rows_per_rod = 2;
+
+    template <class World>
+    struct Row {
+        using Scalar = typename World::Scalar;
+        typename World::Index a = 0, b = 0;  // b may be nothing
+        typename World::Vector normal;       // from b to a
+        Scalar penetration = Scalar();       // when it was found
+        Scalar restitution = Scalar();
+    };
+
+    template <class World, class Index, class Vector, class Scalar, class TimeStep>
+    static void rod(World& world, Index a, Index b, const Vector& direction, Scalar excess, Scalar,
+                    TimeStep) {
+        if (excess == Scalar()) return;
+        append(world, a, b, direction, -excess, Scalar());
+        append(world, a, b, -direction, excess, Scalar());
+    }
+
+    template <class World, class Index, class Vector, class Scalar, class TimeStep>
+    static void rope(World& world, Index a, Index b, const Vector& direction, Scalar excess, Scalar,
+                     Scalar restitution, TimeStep) {
+        append(world, a, b, -direction, excess, restitution);
+    }
+
+    template <class World, class Index, class Vector, class Scalar, class TimeStep>
+    static void contact(World& world, Index a, Index b, const Vector& normal, Scalar penetration,
+                        Scalar restitution, TimeStep) {
+        append(world, a, b, normal, penetration, restitution);
+    }
+
+    template <class World>
+    static void solve(World& world) {
+        using Scalar = typename World::Scalar;
+        // A contact that rounding leaves open by a few ulp would take every round there is.
+        const Scalar closing_epsilon = Decimal<1, 2>();  // m/s
+        const Scalar slop = Decimal<1, 4>();             // m
+        if (world.rows().size() == 0) return;
+        for (auto& particle : world.particles()) particle.displacement = {};
+        for (unsigned char round = 0; round < rounds; ++round) {
+            const Row<World>* worst = nullptr;
+            Scalar worst_velocity = Scalar();
+            Scalar worst_penetration = Scalar();
+            for (const auto& row : world.rows()) {
+                const Scalar velocity = dot(relative_velocity(world, row.a, row.b), row.normal);
+                const Scalar penetration =
+                    row.penetration - dot(displacement(world, row.a, row.b), row.normal);
+                if (!(velocity < -closing_epsilon) && !(penetration > slop)) continue;
+                if (worst == nullptr || velocity < worst_velocity) {
+                    worst = &row;
+                    worst_velocity = velocity;
+                    worst_penetration = penetration;
+                }
+            }
+            if (worst == nullptr) return;
+            push(world, *worst, worst_velocity, worst_penetration);
+        }
+    }
+
+  private:
+    template <class World, class Index, class Vector, class Scalar>
+    static void append(World& world, Index a, Index b, const Vector& normal, Scalar penetration,
+                       Scalar restitution) {
+        world.append_row([&](Row<World>& row) ENGINE_INLINE_LAMBDA {
+            row.a = a;
+            row.b = b;
+            row.normal = normal;
+            row.penetration = penetration;
+            row.restitution = restitution;
+        });
+    }
+
+    template <class World, class Index>
+    static typename World::Vector displacement(const World& world, Index a, Index b) {
+        auto moved = world.particles()[a].displacement;
+        if (is_particle(world, b)) moved -= world.particles()[b].displacement;
+        return moved;
+    }
+
+    template <class World, class Scalar>
+    static void push(World& world, const Row<World>& row, Scalar velocity, Scalar penetration) {
+        auto& a = world.particles()[row.a];
+        auto* b = is_particle(world, row.b) ? &world.particles()[row.b] : nullptr;
+        const Scalar total = b == nullptr ? a.inverse_mass : a.inverse_mass + b->inverse_mass;
+        if (!(total > Scalar())) return;
+        if (velocity < Scalar()) {
+            const Scalar impulse = (-row.restitution * velocity - velocity) / total;
+            a.velocity += row.normal * (impulse * a.inverse_mass);
+            if (b != nullptr) b->velocity -= row.normal * (impulse * b->inverse_mass);
+        }
+        if (penetration > Scalar()) {
+            const Scalar part = penetration / total;
+            move(a, row.normal * (part * a.inverse_mass));
+            if (b != nullptr) move(*b, -(row.normal * (part * b->inverse_mass)));
+        }
+    }
+
+    template <class Particle, class Vector>
+    static void move(Particle& particle, const Vector& way) {
+        particle.position += way;
+        particle.displacement += way;
+    }
+};
+
+}  // namespace engine
