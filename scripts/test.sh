@@ -42,6 +42,7 @@ part() {
 }
 run_tests() { ctest --preset "$1" --no-tests=error --parallel "$(nproc)" --output-on-failure "${@:2}"; }
 
+part "set-up" scripts/setup.sh --tests
 if [ $tier = quick ]; then
     part "build of the unit tests" scripts/build.sh release quick_tests
     part "unit tests" run_tests release --label-regex '^(host|device)$'
