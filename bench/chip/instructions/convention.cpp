@@ -62,9 +62,7 @@ Convention convention_of(const reference::Subject& subject) {
 
     const std::size_t scalars = vectors ? 0 : shape.operands;
     std::vector<int> sizes(scalars, operand_size);
-    using reference::Operation;
-    if (subject.operation == Operation::shift_left || subject.operation == Operation::shift_right)
-        sizes[1] = 1;
+    if (reference::is_shift(subject.operation)) sizes[1] = 1;
     sizes.insert(sizes.end(), vectors + !returns, pointer_size);
 
     Convention convention{};

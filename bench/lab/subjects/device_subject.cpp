@@ -7,8 +7,6 @@ namespace operations {
 
 namespace {
 
-using reference::Operation;
-
 constexpr int pointer = 2;
 
 std::uint16_t size_of_operands(const reference::Subject& subject) {
@@ -30,9 +28,7 @@ simulator::Signature signature_of(const reference::Subject& subject) {
         signature.operands.assign(vectors, pointer);
     } else {
         signature.operands.assign(shape.operands, operand_bytes);
-        const bool shifts = subject.operation == Operation::shift_left ||
-                            subject.operation == Operation::shift_right;
-        if (shifts) signature.operands[1] = 1;
+        if (reference::is_shift(subject.operation)) signature.operands[1] = 1;
     }
     if (shape.results > 1) signature.operands.push_back(pointer);
     return signature;
