@@ -37,9 +37,10 @@ struct Pin {
 class Chip {
   public:
     static constexpr std::uint32_t frequency = 16'000'000;  // Hz
-    static constexpr std::uint16_t ram_begin = 0x0100;
-    static constexpr std::uint16_t ram_end = 0x0900;            // one past the last byte
+    static constexpr std::uint16_t ram_begin = Elf::ram_begin;
+    static constexpr std::uint16_t ram_end = Elf::ram_end;      // one past the last byte
     static constexpr Cycle default_budget = 60ull * frequency;  // one minute
+    static constexpr Cycle call_budget = frequency;  // a second: start-up code, a function
 
     // Loads the program and resets.
     explicit Chip(Elf elf);
@@ -56,7 +57,7 @@ class Chip {
     void step();  // one instruction, an interrupt's entry, or the time asleep until the next event
     void run_until_cycle(Cycle cycle);
     void run_until_address(std::uint32_t flash_address, Cycle budget = default_budget);
-    void run_until_function(std::string_view name, Cycle budget = default_budget);
+    void run_until_function(std::string_view name, Cycle budget = call_budget);
     template <class Predicate>  // asked after each instruction
     void run_until(Predicate&& reached, Cycle budget = default_budget) {
         const Cycle limit = cycle() + budget;
@@ -110,6 +111,7 @@ class Chip {
   private:
     void advance(Cycle most);  // a burst that ends with the instruction that reaches so many cycles
     void note_stack_pointer();
+    void expect_in_data_space(std::uint16_t address, std::size_t bytes) const;
     void fail(const std::string& reason);  // stops the core; thrown once it has returned
     static void on_message(avr_t* avr, int level, const char* format, va_list arguments);
 

@@ -154,6 +154,23 @@ TEST_F(FaultsTest, ProgramsThatGoWrong) {
                  "sleep with interrupts off, which nothing ends, at sleep_forever+4");
 }
 
+// simavr itself would write over the host's memory.
+TEST_F(FaultsTest, AddressesBeyondTheChip) {
+    for (const char* name :
+         {"write_beyond_ram", "write_last_address", "read_beyond_ram", "stack_beyond_ram"}) {
+        const std::string message = message_of_call(name);
+        EXPECT_EQ(message.find("access to a data address beyond the RAM at " + std::string(name)),
+                  0u)
+            << message;
+    }
+    EXPECT_EQ(DeviceFunction(chip, "read_beyond_flash", {1, {1}})(std::uint8_t{1}).result, 0xffu);
+    EXPECT_EQ(DeviceFunction(chip, "eeprom_end", {2, {1}})(std::uint8_t{77}).result, 0x0300u | 77u);
+    std::uint8_t bytes[2];
+    EXPECT_THROW(chip.read(Chip::ram_end - 1, bytes), SimulationError);
+    EXPECT_THROW(chip.write(Chip::ram_end - 1, bytes), SimulationError);
+    EXPECT_NO_THROW(chip.read(Chip::ram_end - 2, bytes));
+}
+
 TEST_F(FaultsTest, TheCallerRecovers) {
     message_of_call("recurse");
     EXPECT_EQ(DeviceFunction(chip, "push_three", {0, {}})().stack_bytes, 7);

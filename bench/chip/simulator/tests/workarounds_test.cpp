@@ -36,7 +36,7 @@ class MendsTest : public testing::Test {
         chip->reset();
         chip->run_until_function("main");
         chip->set_program_counter(chip->elf().function(program).address);
-        chip->run_until_function("done");
+        chip->run_until_function("done", Chip::default_budget);
     }
     std::vector<int> values() const {
         std::vector<int> all;
