@@ -15,12 +15,12 @@
 #include <utility>
 
 #include "bench/chip/simulator/hooks.hpp"
+#include "bench/chip/simulator/registers.hpp"
 #include "bench/chip/simulator/workarounds/adc.hpp"
 #include "bench/chip/simulator/workarounds/interrupts.hpp"
 #include "bench/chip/simulator/workarounds/timer1.hpp"
 #include "bench/chip/simulator/workarounds/uart.hpp"
 #include "bench/chip/simulator/workarounds/write_one.hpp"
-#include "bench/chip/simulator/registers.hpp"
 
 namespace simulator {
 namespace {
@@ -210,8 +210,8 @@ std::uint8_t Chip::status() const {
 
 void Chip::expect_in_data_space(std::uint16_t address, std::size_t bytes) const {
     if (address + bytes > ram_end)
-        throw SimulationError(fmt::format("{} bytes at data address 0x{:04x} reach beyond the RAM",
-                                          bytes, address));
+        throw SimulationError(
+            fmt::format("{} bytes at data address 0x{:04x} reach beyond the RAM", bytes, address));
 }
 
 void Chip::read(std::uint16_t address, std::span<std::uint8_t> bytes) const {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A simulated ATmega328P at 16 MHz: libsimavr 1.6 with the faults mended that matter to a cycle
-// count (workarounds/, and Chip's constructor). Nothing can hang: a run that exceeds its cycle budget, an
-// illegal opcode, a jump out of the program and a stack that runs into the data end in a
+// count (workarounds/, and Chip's constructor). Nothing can hang: a run that exceeds its cycle
+// budget, an illegal opcode, a jump out of the program and a stack that runs into the data end in a
 // SimulationError of one line.
 //
 // Cycle stamps that callbacks get are the cycle at which the instruction began that caused them.

@@ -159,8 +159,9 @@ class Elf::Reader {
         const std::size_t end = note.find('\0', begin);
         expect(end != note.npos && end > begin, "note");
         const std::string name(note.substr(begin, end - begin));
-        expect(std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c); }),
-               "note");
+        expect(
+            std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c); }),
+            "note");
         return name;
     }
 
@@ -178,8 +179,7 @@ class Elf::Reader {
                    "segment");
             const std::size_t begin = segment.p_paddr, end = begin + segment.p_filesz;
             if (end > flash_size)
-                refuse(
-                    fmt::format("{} bytes do not fit into {} bytes of flash", end, flash_size));
+                refuse(fmt::format("{} bytes do not fit into {} bytes of flash", end, flash_size));
             if (std::find(loaded.begin() + begin, loaded.begin() + end, true) !=
                 loaded.begin() + end)
                 refuse("two of its segments overlap");
@@ -203,10 +203,9 @@ class Elf::Reader {
             refuse(fmt::format("data from 0x{:x} to 0x{:x} is not in the RAM, 0x{:x} to 0x{:x}",
                                about.sh_addr - data_origin, end - 1 - data_origin, ram_begin,
                                ram_end - 1));
-        elf_.sections_.push_back({text(header_.e_shstrndx, about.sh_name),
-                                  static_cast<std::uint32_t>(about.sh_addr),
-                                  static_cast<std::uint32_t>(about.sh_size),
-                                  about.sh_type == SHT_PROGBITS, in_ram});
+        elf_.sections_.push_back(
+            {text(header_.e_shstrndx, about.sh_name), static_cast<std::uint32_t>(about.sh_addr),
+             static_cast<std::uint32_t>(about.sh_size), about.sh_type == SHT_PROGBITS, in_ram});
     }
 
     // The entries of a table of symbols or relocations.

@@ -17,15 +17,17 @@
 #include "bench/lab/operands/boundary.hpp"
 #include "bench/lab/operands/operand_class.hpp"
 #include "bench/lab/operands/search.hpp"
-#include "bench/lab/subjects/device_subject.hpp"
 #include "bench/lab/parallel.hpp"
-#include "bench/lab/subjects/witness.hpp"
 #include "bench/lab/records/csv.hpp"
 #include "bench/lab/records/progress.hpp"
 #include "bench/lab/records/whole_file.hpp"
+#include "bench/lab/subjects/device_subject.hpp"
+#include "bench/lab/subjects/witness.hpp"
 
 namespace machine_code {
 namespace {
+
+using instructions::CompiledFunction;
 
 constexpr int exhaustive_bits = 32;
 constexpr std::size_t calls_of_a_batch = 512;  // raws and cycles of a batch stay in the first cache
@@ -95,7 +97,7 @@ class Worker {
         climb(seed, [&] {
             const reference::Judgement judgement =
                 oracle_.judge(std::span(operands_).first(arity_),
-                               std::span(results_).first(results_.size() / calls_of_a_batch));
+                              std::span(results_).first(results_.size() / calls_of_a_batch));
             return judgement.excluded ? -INFINITY : std::abs(judgement.error_ulp);
         });
         climb(~seed, [&] { return double(cycles_[0]); });
@@ -184,12 +186,14 @@ Measurement measure(const simulator::Elf& elf, Job& job, const Options& options)
         job.boundary = operands::boundary_cases(subject.operation, subject.operand_format);
     Measurement measurement{.symbol = job.symbol,
                             .elf_sha256 = elf.sha256(),
-                            .kernel_sha256 = fingerprint(elf, job.symbol),
+                            .kernel_sha256 = instructions::fingerprint(elf, job.symbol),
                             .every_input = job.every_input(),
                             .has_portable = job.oracle.portable != nullptr,
                             .parts = {},
                             .unreached = {}};
-    const CompiledFunction function(elf, job.symbol, convention_of(subject));
+    const operations::Calling calling = operations::calling_of(subject);
+    const CompiledFunction function(
+        elf, job.symbol, instructions::interface_of(calling.signature, calling.pointers));
     const Shard& shard = options.shard;
     const std::uint64_t first = operations::exhaustive_parts * (shard.index - 1) / shard.count;
     const std::uint64_t last = operations::exhaustive_parts * shard.index / shard.count;

@@ -179,10 +179,10 @@ TEST_F(FaultsTest, TheCallerRecovers) {
 TEST_F(FaultsTest, CallingConvention) {
     EXPECT_EQ(message_of_call("leave_r1"), "leave_r1: r1 is not zero at return");
     EXPECT_EQ(message_of_call("change_r5"),
-              "change_r5: a call-saved register of r2..r9 is changed at return");
+              "change_r5: call-saved register r5 is changed at return");
     EXPECT_EQ(message_of_call("change_r17"),
-              "change_r17: a call-saved register of r10..r17 is changed at return");
-    EXPECT_EQ(message_of_call("change_r28"), "change_r28: r29:r28 is changed at return");
+              "change_r17: call-saved register r17 is changed at return");
+    EXPECT_EQ(message_of_call("change_r28"), "change_r28: call-saved register r28 is changed at return");
     EXPECT_EQ(message_of_call("enable_interrupts"),
               "enable_interrupts: interrupts are on at return");
     EXPECT_EQ(message_of_call("unbalanced"),

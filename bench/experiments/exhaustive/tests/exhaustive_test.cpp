@@ -21,7 +21,7 @@ class ExhaustiveTest : public testing::Test {
   protected:
     ExhaustiveTest()
         : folder_(fs::temp_directory_path() / fmt::format("exhaustive_test.{}", getpid())) {
-        options_.program = test_program("functions");
+        options_.program = instructions::test_program("functions");
         options_.output = folder_;
         options_.threads = 2;
     }
