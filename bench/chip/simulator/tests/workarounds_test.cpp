@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Each test holds one mend of libsimavr against the ATmega328P's data sheet, and fails without it.
+// Each test holds one workaround of a libsimavr defect against the ATmega328P's data sheet, and fails
+// without it.
 #include <avr_extint.h>
 #include <gtest/gtest.h>
 
@@ -20,7 +21,7 @@ struct Mark {
 };
 
 // Runs a test program and records its writes to GPIOR0.
-class MendsTest : public testing::Test {
+class WorkaroundTest : public testing::Test {
   protected:
     void load(const char* name) {
         chip = std::make_unique<Chip>(test_program(name));
@@ -54,7 +55,7 @@ class MendsTest : public testing::Test {
     std::vector<Mark> marks, sent;
 };
 
-class InterruptTest : public MendsTest {
+class InterruptTest : public WorkaroundTest {
   protected:
     void SetUp() override { load("interrupts"); }
 };
@@ -95,7 +96,7 @@ TEST_F(InterruptTest, SleepDoesNotWaitForTheWallClock) {
     EXPECT_LT(wall.count(), 1.0);
 }
 
-class PeripheralTest : public MendsTest {
+class PeripheralTest : public WorkaroundTest {
   protected:
     void SetUp() override { load("peripherals"); }
 };
