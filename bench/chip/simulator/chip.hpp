@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A simulated ATmega328P at 16 MHz: libsimavr 1.6 with the faults mended that matter to a cycle
-// count (workarounds/, and Chip's constructor). Nothing can hang: a run that exceeds its cycle
-// budget, an illegal opcode, a jump out of the program and a stack that runs into the data end in a
-// SimulationError of one line.
+// A simulated ATmega328P at 16 MHz: libsimavr 1.6, with a workaround for each of its defects
+// that changes a cycle count or a result (workarounds/, and Chip's constructor). Nothing can hang:
+// a run that exceeds its cycle budget, an illegal opcode, a jump out of the program and a stack
+// that runs into the data end in a SimulationError of one line.
 //
 // Cycle stamps that callbacks get are the cycle at which the instruction began that caused them.
 // Callbacks must not throw.
@@ -103,7 +103,7 @@ class Chip {
     void on_uart_byte(WriteCallback callback);  // at the end of each frame that the chip sends
     void send_to_uart(std::uint8_t byte);       // arrives a frame later, behind what is queued
 
-    // Of use to what works on the core itself (device_function.cpp, mends).
+    // For what works on the core itself (device_function.cpp, workarounds/).
     avr_t* core() const { return avr_; }
     void throw_if_crashed() const;
     [[noreturn]] void throw_budget_exceeded(Cycle budget) const;
@@ -120,7 +120,7 @@ class Chip {
     std::uint8_t* data_;
     std::uint16_t data_end_ = 0;
     std::uint16_t lowest_stack_pointer_ = 0;
-    struct Attachments;  // mends and callbacks
+    struct Attachments;  // workarounds and callbacks
     std::unique_ptr<Attachments> attachments_;
     std::string failure_;
 };

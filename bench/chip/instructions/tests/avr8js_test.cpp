@@ -178,8 +178,8 @@ struct Answer {
     explicit Answer(const std::string& line) {
         int read = 0;
         std::sscanf(line.c_str(), "%d %x %x%n", &cycles, &program_counter, &flags, &read);
-        program_counter &=
-            0xffff;  // simavr keeps more bits of a return address than there is flash
+        // A return address may have more bits than the flash has addresses.
+        program_counter &= simulator::Elf::flash_size - 1;
         rest = line.substr(std::size_t(read));
     }
     bool operator==(const Answer&) const = default;
