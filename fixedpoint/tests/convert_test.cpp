@@ -189,16 +189,16 @@ TEST(PublicConversion, NamesWhatItConvertsTo) {
     EXPECT_EQ(convert<Q8_8>(x).raw(), -0x280);
     EXPECT_EQ(convert<int>(x), -2);
     EXPECT_EQ(convert<Q16_16>(-3).raw(), -0x30000);
-    EXPECT_EQ(convert_clamped<Q4_4>(Q16_16::max()).number, Q4_4::max());
-    EXPECT_FALSE(convert_clamped<uint8_t>(x).fits);
-    EXPECT_EQ(convert_clamped<uint8_t>(x).number, 0);
-    EXPECT_EQ(from_float<Q16_16>(-2.5f).number, x);
+    EXPECT_EQ(convert_checked<Q4_4>(Q16_16::max()).number, Q4_4::max());
+    EXPECT_FALSE(convert_checked<uint8_t>(x).fits);
+    EXPECT_EQ(convert_checked<uint8_t>(x).number, 0);
+    EXPECT_EQ(from_float<Q16_16>(-2.5f), x);
     EXPECT_EQ(to_float<double>(x), -2.5);
-    EXPECT_EQ(from_decimal<Q16_16>(-25, 1).number, x);
+    EXPECT_EQ(from_decimal<Q16_16>(-25, 1), x);
 }
 
-static_assert(from_decimal<Q16_16>(38, 2).number.raw() == 24904, "0.38 2^16 = 24903.68");
-static_assert(from_float<Q16_16>(0.38).number.raw() == 24904, "a constant on the host");
+static_assert(from_decimal<Q16_16>(38, 2).raw() == 24904, "0.38 2^16 = 24903.68");
+static_assert(from_float<Q16_16>(0.38).raw() == 24904, "a constant on the host");
 static_assert(to_float<float>(Q8_8::from_raw(0x180)) == 1.5f, "1.5 is exact");
 static_assert(convert<Q4_4>(convert<Q32_32>(Q4_4::min())) == Q4_4::min(), "there and back");
 

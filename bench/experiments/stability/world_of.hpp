@@ -96,7 +96,7 @@ template <int I, int F, class A>
 struct Rounding<fixedpoint::Fixed<I, F, A>> {
     std::string unfit, vanished;
     fixedpoint::Fixed<I, F, A> operator()(double x, const char* name) {
-        const auto rounded = fixedpoint::from_float<fixedpoint::Fixed<I, F, A>>(x);
+        const auto rounded = fixedpoint::from_float_checked<fixedpoint::Fixed<I, F, A>>(x);
         if (!rounded.fits && unfit.empty()) unfit = name;
         if (rounded.number.raw() == 0 && x != 0 && is_essential(name) && vanished.empty())
             vanished = name;
@@ -143,7 +143,8 @@ class Run {
     void build(const Description& description) {
         world_.gravity = vector(description.gravity, "gravity");
         world_.restitution = rounded_(description.restitution, "restitution");
-        world_.restitution_threshold = rounded_(description.restitution_threshold, "restitution_threshold");
+        world_.restitution_threshold =
+            rounded_(description.restitution_threshold, "restitution_threshold");
         for (const Body& body : description.bodies) add(body);
         for (const Spring& spring : description.springs) {
             const Scalar stiffness = rounded_(spring.stiffness, "stiffness");
@@ -261,7 +262,8 @@ template <class Scalar>
 std::vector<Subject> subjects_with(const char* scalar, const char* arithmetic, double largest,
                                    double ulp) {
     return subjects_of_methods<Scalar, scenes::Published, scenes::SemiImplicit, scenes::Verlet,
-                               scenes::Implicit, CompensatedIntegration>(scalar, arithmetic, largest, ulp);
+                               scenes::Implicit, CompensatedIntegration>(scalar, arithmetic,
+                                                                         largest, ulp);
 }
 template <int I, int F, class Arithmetic>
 std::vector<Subject> subjects_of_format(const char* scalar, const char* arithmetic) {
