@@ -40,12 +40,13 @@ constexpr bool cos_fits(Raw a) {
 // e^a >= 2^(I-1) - 2^-(F+1) from a = (I - 1) ln 2 - 2^-W on, rounded up to an ulp.
 template <class Raw, int F>
 constexpr Raw exp_limit() {
-    constexpr uint64_t ln2 = 0xb17217f7d1cf79ab;  // ln(2) 2^64
+    // ln(2) 2^120
+    constexpr Word128 ln2(0xb17217f7d1cf79, 0xabc9e3b39803f2f6);
     constexpr int W = width_of<Raw>;
     if (integer_bits<Raw, F> == 1) return 0;
     const Word128 limit =
-        Word128(ln2) * static_cast<uint64_t>(integer_bits<Raw, F> - 1) - (Word128(1) << (64 - W));
-    return static_cast<Raw>((limit + ((Word128(1) << (64 - F)) - Word128(1))) >> (64 - F));
+        ln2 * static_cast<uint64_t>(integer_bits<Raw, F> - 1) - (Word128(1) << (120 - W));
+    return static_cast<Raw>((limit + ((Word128(1) << (120 - F)) - Word128(1))) >> (120 - F));
 }
 template <class Raw, int F>
 constexpr bool exp_fits(Raw a) {
@@ -60,9 +61,9 @@ constexpr Raw log_limit() {
     // e^-2^k in units of 2^-64.
     constexpr uint64_t powers[] = {0x5e2d58d8b3bcdf1a, 0x22a555477f03973f, 0x04b0556e084f3d1d,
                                    0x0015fc21041027ac, 0x000001e355bbaee8, 0x000000000003908c};
-    constexpr int I = integer_bits<Raw, F>;
-    if (I > 6) return 0;
-    const uint64_t power = powers[I > 6 ? 0 : I - 1];
+    constexpr int whole_bits = integer_bits<Raw, F>;
+    if (whole_bits > 6) return 0;
+    const uint64_t power = powers[whole_bits > 6 ? 0 : whole_bits - 1];
     const uint64_t first_order = power >> F >> 1;
     const uint64_t second_order = first_order >> F >> 2;
     return static_cast<Raw>((power - first_order + second_order) >> ((64 - F) % 64));
@@ -76,13 +77,15 @@ constexpr bool log_fits(Raw a) {
 
 // The angle of (x, y) leaves [-c, c), c = 2^(I-1), where I is 1 or 2: where it is at least c - d,
 // d = 2^-(F+1) being half an ulp, or below -c - d, that is where x / |y| <= cot(c -+ d).
+// The constants have 62 bits: with 64-bit operands the limit is that of the angle to 2^-61, closer
+// than the function itself comes to it.
 template <class Raw, int F>
 constexpr bool atan2_fits(Raw y, Raw x) {
-    constexpr int I = integer_bits<Raw, F>;
-    if (I > 2) return true;
+    constexpr int whole_bits = integer_bits<Raw, F>;
+    if (whole_bits > 2) return true;
     if (y == 0) return x >= 0;
     // |cot(c)|, 1 + cot(c)^2 and their product, in units of 2^-62: the terms of d^0, d and d^2.
-    constexpr bool obtuse = I == 2;  // cot(2) is negative
+    constexpr bool obtuse = whole_bits == 2;  // cot(2) is negative
     constexpr uint64_t cotangent = obtuse ? 0x1d4a42e92faa4dee : 0x29180ba09c39fb06;
     constexpr uint64_t slope = (obtuse ? 0x4d67a2ce5464d462 : 0x5a62d7ee82bc3ddf) >> F >> 1;
     constexpr uint64_t bend = (obtuse ? 0x236cc686a3a6d81e : 0x3a0947d1960d41db) >> F >> F >> 2;
