@@ -148,6 +148,9 @@ Rounded decimal(int64_t n, int decimals, Format format) {
 Rounded binary(int64_t mantissa, int exponent, Format format) {
     return scale(mantissa, exponent + format.fraction, format.width);
 }
+Rounded reciprocal_sqrt(int64_t a, Format format) {
+    return in_range(nearest_root(power_of_two(3 * format.fraction), a), format.width);
+}
 Rounded length(const int64_t* v, int n, Format format) {
     return in_range(nearest_root(squares(v, n), 1), format.width);
 }

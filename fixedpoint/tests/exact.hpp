@@ -35,6 +35,8 @@ Rounded scale(__int128 a, int shift, int width, bool is_signed = true);
 Rounded decimal(int64_t n, int decimals, Format);
 // mantissa 2^exponent.
 Rounded binary(int64_t mantissa, int exponent, Format);
+// 1 / sqrt(a), a above 0.
+Rounded reciprocal_sqrt(int64_t a, Format);
 // |v| and the component v_i / |v| of a vector other than 0.
 Rounded length(const int64_t* v, int n, Format);
 Rounded normalised(const int64_t* v, int i, Format);

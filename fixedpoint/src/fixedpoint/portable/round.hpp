@@ -36,7 +36,7 @@ constexpr Raw integer_round(Raw a) {
     // The sum a + 2^(F-1) could overflow; the bit behind the point says the same.
     constexpr Raw half = static_cast<Raw>((Unsigned<Raw>(1) << F) >> 1);
     Raw rounded = integer_floor<Raw, F>(a);
-    if ((a & half) != 0) ++rounded;
+    if ((a & half) != 0) rounded = static_cast<Raw>(rounded + 1);
     return rounded;
 }
 
