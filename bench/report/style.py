@@ -34,7 +34,7 @@ LABELS = {
     "truncating": "ours, truncating",
     "small": "ours, small tables",
     "portable": "ours, portable C++",
-    "published": "the report's",
+    "published": "2016 design",
     "libc": "avr-libc float",
     "accum": "GCC _Accum",
     "native": "plain integer",

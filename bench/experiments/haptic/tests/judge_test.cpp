@@ -14,21 +14,21 @@ namespace {
 
 constexpr Cycle ms = simulator::Chip::frequency / 1000;
 
-// A hundred steps of a millisecond from 0.5 s on, each of 0.2 ms; three of four cycles asleep, one
-// in 32 rendering; all that is asked for, and no more.
+// Steps of a millisecond from 0.5 s to 0.75 s, each of 0.2 ms; three of four cycles asleep, one in
+// 32 rendering, five frames; all that is asked for, and no more. Times are exact in double.
 Timing punctual() {
     Timing timing;
-    for (Cycle k = 0; k < 100; ++k) timing.step_begins.push_back((500 + k) * ms);
-    timing.step_lengths.assign(100, static_cast<std::uint32_t>(ms / 5));
-    timing.frame_begins.assign(2, 500 * ms);
-    timing.asleep = 75 * ms;
-    timing.rendering = 25 * ms / 8;
+    for (Cycle k = 0; k < 250; ++k) timing.step_begins.push_back((500 + k) * ms);
+    timing.step_lengths.assign(250, static_cast<std::uint32_t>(ms / 5));
+    timing.frame_begins.assign(5, 500 * ms);
+    timing.asleep = 250 * ms * 3 / 4;
+    timing.rendering = 250 * ms / 32;
     timing.shortest_pulse = 1e-3;
     timing.longest_pulse = 1.667e-3;
     timing.longest_period = 0.02;
     return timing;
 }
-constexpr double end = 0.6, shortest_arm = 0.23;
+constexpr double end = 0.75, shortest_arm = 0.23;
 const TimingLimits limits{ms, 1000, 1e-3, 0.25, 0.03125, 20};
 
 Judgement judge(const Timing& timing, const TimingLimits& held_to = limits) {
@@ -48,13 +48,13 @@ TEST(JudgeTiming, MeasuresWhatTheStepsSay) {
     EXPECT_EQ(j.late_steps, 0u);
     Timing uneven = punctual();
     uneven.step_lengths[70] = static_cast<std::uint32_t>(ms);
-    EXPECT_DOUBLE_EQ(judge(uneven).step_mean, 0.208e-3);
+    EXPECT_DOUBLE_EQ(judge(uneven).step_mean, 0.2032e-3);
     EXPECT_DOUBLE_EQ(judge(uneven).step_most, 1e-3);
 }
 
 TEST(JudgeTiming, CountsFramesByLinesWhereLinesAreSent) {
     Timing timing = punctual();
-    timing.lines_sent = 2 * 40;  // as many as two frames of twenty lines, each with a blank one
+    timing.lines_sent = 5 * 40;  // as many as five frames of twenty lines, each with a blank one
     timing.frame_begins.clear();
     EXPECT_DOUBLE_EQ(judge(timing).frames_per_second, 20);
 }
