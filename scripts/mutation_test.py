@@ -610,15 +610,17 @@ def check(arguments):
     rooms = list(dict.fromkeys(slot.room for slot in slots))
 
     build = (ROOT / arguments.build).resolve()
-    targets = [name for room in rooms for name in ([] if is_script(room) else
-                                                   [room.target] + room.devices.split())]
     say(f"Seed {arguments.seed}: {len(slots)} faults. Building what they need in {arguments.build} ...")
-    if targets:
-        done = subprocess.run(["ninja", "-C", build, "--quiet", *dict.fromkeys(targets)],
+    tests = Tests(None)
+    if not all(map(is_script, rooms)):
+        tests.graph = Graph(build)
+        goals = [goal for room in rooms if not is_script(room)
+                 for goal in [tests.graph.goal(room.target), *tests.goals(room)]]
+        done = subprocess.run(["ninja", "-C", build, "--quiet", *dict.fromkeys(goals)],
                               stdout=sys.stderr)
         if done.returncode != 0:
             raise Failure(f"{arguments.build} does not build")
-    tests = Tests(Graph(build) if targets else None)
+        tests.graph = Graph(build)  # with what the build found out of dependencies
     for room in rooms:
         tests.demand_soundness(room)
 
