@@ -4,7 +4,6 @@
 namespace operations {
 
 Calling calling_of(const reference::Subject& subject) {
-    using reference::Operation;
     const reference::OperationShape& shape = reference::shape(subject.operation);
     const int result_size = subject.format.width / 8;
     const int operand_size = subject.operand_format.width / 8;
@@ -19,9 +18,7 @@ Calling calling_of(const reference::Subject& subject) {
         calling.pointers.element_size = operand_size;
     } else {
         calling.signature.operands.assign(shape.operands, operand_size);
-        if (subject.operation == Operation::shift_left ||
-            subject.operation == Operation::shift_right)
-            calling.signature.operands[1] = 1;
+        if (reference::is_shift(subject.operation)) calling.signature.operands[1] = 1;
     }
     if (!returns) {
         calling.signature.operands.push_back(simulator::pointer_size);
