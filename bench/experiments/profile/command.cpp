@@ -10,11 +10,11 @@
 #include <stdexcept>
 #include <string>
 
-#include "bench/experiments/haptic/device_loop.hpp"
-#include "bench/experiments/haptic/scenarios.hpp"
 #include "bench/chip/profile/profiler.hpp"
 #include "bench/chip/profile/report.hpp"
 #include "bench/chip/profile/stack_bound.hpp"
+#include "bench/experiments/haptic/device_loop.hpp"
+#include "bench/experiments/haptic/scenarios.hpp"
 #include "bench/experiments/profile/files.hpp"
 #include "bench/lab/records/progress.hpp"
 
