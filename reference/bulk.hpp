@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The judge for exhaustive runs and long searches: the definitions of definition.hpp for one
 // subject that is known at compile time, a few nanoseconds each. Integer results are judged by
-// their residual in integers, exactly; functions by the C library in double (64-bit formats: long
-// double), whose error stays below 2^-14 ulp of the result's format.
+// their residual in integers, exactly; functions in double or __float128, whose error stays below
+// 2^-14 ulp of the result's format. The C library computes in double by other instructions on other
+// processors, and the last bit of its results with them: sums over many inputs hide it, a search
+// that compares two errors does not. Binary128 is integer arithmetic, the same everywhere.
 //
 // Holds fixed-point, integer and (for multiply, divide ...) any width; not float and _Accum, not
 // exp of a 64-bit format. A test compares it with judge.hpp.
@@ -10,14 +12,39 @@
 
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <span>
 #include <type_traits>
 
 #include "reference/definition.hpp"
 #include "reference/judgement.hpp"
 
+// Of the C library, on x86-64 for every compiler.
+extern "C" {
+__extension__ __float128 sinf128(__float128) noexcept;
+__extension__ __float128 cosf128(__float128) noexcept;
+__extension__ __float128 atanf128(__float128) noexcept;
+__extension__ __float128 atan2f128(__float128, __float128) noexcept;
+__extension__ __float128 expf128(__float128) noexcept;
+__extension__ __float128 logf128(__float128) noexcept;
+__extension__ __float128 sqrtf128(__float128) noexcept;
+__extension__ __float128 floorf128(__float128) noexcept;
+}
+
 namespace reference::bulk {
+
+__extension__ using Binary128 = __float128;
+
+namespace functions {
+using std::atan, std::atan2, std::cos, std::exp, std::floor, std::log, std::sin, std::sqrt;
+inline Binary128 sin(Binary128 x) { return sinf128(x); }
+inline Binary128 cos(Binary128 x) { return cosf128(x); }
+inline Binary128 atan(Binary128 x) { return atanf128(x); }
+inline Binary128 atan2(Binary128 y, Binary128 x) { return atan2f128(y, x); }
+inline Binary128 exp(Binary128 x) { return expf128(x); }
+inline Binary128 log(Binary128 x) { return logf128(x); }
+inline Binary128 sqrt(Binary128 x) { return sqrtf128(x); }
+inline Binary128 floor(Binary128 x) { return floorf128(x); }
+}  // namespace functions
 
 // Raws of 8 and 16 bits and their products leave room in 64 bits.
 __extension__ using Integer128 = __int128;
@@ -113,8 +140,8 @@ constexpr Judgement judge_quotient(Number n, Number q, std::int64_t result) {
 template <NumberFormat format, class Number>
 Number wrapped(Number error) {
     constexpr Number turn = Number(2) * -Number(format.min());
-    if (std::abs(error) < turn / 2) return error;
-    return error - turn * std::floor(error / turn + Number(0.5));
+    if ((error < 0 ? -error : error) < turn / 2) return error;
+    return error - turn * functions::floor(error / turn + Number(0.5));
 }
 
 // x of a function, in ulp.
@@ -207,8 +234,12 @@ Judgement judge_unit_vector(std::span<const std::int64_t> v,
     return worst;
 }
 
+// What functions are computed in, unless a caller says otherwise.
+template <int width>
+using FunctionFloat = std::conditional_t<(width <= 32), double, Binary128>;
+
 // Takes what reference::judge takes; the number of operands and results is not checked.
-template <Subject subject>
+template <Subject subject, class Real = FunctionFloat<subject.format.width>>
 Judgement judge(std::span<const std::int64_t> operands, std::span<const std::int64_t> results) {
     constexpr Operation operation = subject.operation;
     constexpr NumberFormat format = subject.format;
@@ -219,10 +250,9 @@ Judgement judge(std::span<const std::int64_t> operands, std::span<const std::int
     static_assert(operation != Operation::exp || format.width <= 32,
                   "No C type holds exp of a 64-bit format to a fraction of its ulp.");
     using Number = Wide<format.width>;
-    using Real = Float<format.width>;
     const auto raw = [&](std::size_t i) { return Number(operands[i]); };
-    const auto real = [&](std::size_t i) { return Real(operands[i]) * std::ldexp(Real(1), -F); };
-    const Real one = std::ldexp(Real(1), F);
+    const auto real = [&](std::size_t i) { return Real(operands[i]) * Real(std::ldexp(1.0, -F)); };
+    const Real one = Real(std::ldexp(1.0, F));
     const std::int64_t a = operands[0], result = results[0];
     const auto whole = [&](auto x) {
         return judge_quotient<subject, 0>(x, decltype(x)(1), result);
@@ -278,25 +308,27 @@ Judgement judge(std::span<const std::int64_t> operands, std::span<const std::int
         return judge_root<subject>(a, result);
     } else if constexpr (operation == Operation::reciprocal_sqrt) {
         if (a <= 0) return pinned(a == 0 ? format.max() : 0, result);
-        return function(1 / std::sqrt(real(0)));
+        return function(1 / functions::sqrt(real(0)));
     } else if constexpr (operation == Operation::atan) {
         if constexpr (published)
-            return function(std::atan(real(0) < 0 ? Real(0) : real(0) > 1 ? Real(1) : real(0)));
-        return function(std::atan(real(0)));
+            return function(functions::atan(real(0) < 0   ? Real(0)
+                                            : real(0) > 1 ? Real(1)
+                                                          : real(0)));
+        return function(functions::atan(real(0)));
     } else if constexpr (operation == Operation::atan2) {
         if (operands[0] == 0 && operands[1] == 0) return pinned(0, result);
-        Real angle = std::atan2(real(0), real(1));
-        if (published && angle < 0) angle += 2 * std::numbers::pi_v<Real>;
+        Real angle = functions::atan2(real(0), real(1));
+        if (published && angle < 0) angle += 2 * functions::atan2(Real(0), Real(-1));
         return function(angle);
     } else if constexpr (operation == Operation::sin) {
-        return function(std::sin(real(0)));
+        return function(functions::sin(real(0)));
     } else if constexpr (operation == Operation::cos) {
-        return function(std::cos(real(0)));
+        return function(functions::cos(real(0)));
     } else if constexpr (operation == Operation::exp) {
-        return function(std::exp(real(0)));
+        return function(functions::exp(real(0)));
     } else if constexpr (operation == Operation::log) {
         if (a <= 0) return pinned(format.min(), result);
-        return function(std::log(real(0)));
+        return function(functions::log(real(0)));
     } else if constexpr (operation == Operation::length2 || operation == Operation::length3) {
         return judge_length<subject>(operands.first(shape(operation).operands), result);
     } else if constexpr (operation == Operation::normalise3) {

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Draws the figures and writes the pages of results/ out of its data files."""
 import argparse
+import json
 import pathlib
 import subprocess
 import sys
@@ -112,9 +113,11 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--results", required=True,
                         help="folder that holds data/ and gets figures/ and README.md")
+    parser.add_argument("--experiments", type=json.loads, default=[],
+                        help="what `fixbench --list --json` prints: who makes which file")
     arguments = parser.parse_args()
     results = pathlib.Path(arguments.results)
-    data = Data(results / "data")
+    data = Data(results / "data", arguments.experiments)
 
     folder = results / "figures"
     folder.mkdir(parents=True, exist_ok=True)

@@ -11,12 +11,12 @@
 
 #include "bench/lab/operands/boundary.hpp"
 #include "bench/lab/operands/operand_class.hpp"
-#include "bench/lab/subjects/device_subject.hpp"
-#include "bench/lab/subjects/host_subject.hpp"
 #include "bench/lab/parallel.hpp"
-#include "bench/lab/subjects/witness.hpp"
 #include "bench/lab/records/csv.hpp"
 #include "bench/lab/records/progress.hpp"
+#include "bench/lab/subjects/device_subject.hpp"
+#include "bench/lab/subjects/host_subject.hpp"
+#include "bench/lab/subjects/witness.hpp"
 
 namespace operations {
 
@@ -36,6 +36,7 @@ struct Comparison {
     std::uint64_t mismatches = 0;
     reference::Witness first_mismatch{};
     simulator::Coverage coverage{};
+    std::string failure{};  // why it could not be compared to its end
 };
 
 void compare(DeviceSubject& device, Comparison& comparison, Raws operands) {
@@ -103,7 +104,11 @@ std::uint64_t verify_kernels(const VerifyOptions& options) {
 
     records::Progress progress("machine code against the host", comparisons.size());
     in_parallel(options.threads, comparisons.size(), [&](std::size_t i) {
-        run(comparisons[i], options.samples);
+        try {
+            run(comparisons[i], options.samples);
+        } catch (const simulator::SimulationError& error) {
+            comparisons[i].failure = error.what();
+        }
         progress.advance();
     });
 
@@ -112,6 +117,12 @@ std::uint64_t verify_kernels(const VerifyOptions& options) {
     for (const Comparison& each : comparisons) coverage[each.program].merge(each.coverage);
 
     std::uint64_t failures = 0;
+    for (const Comparison& each : comparisons) {
+        if (each.failure.empty()) continue;
+        ++failures;
+        fmt::print(stderr, "{}\n", each.failure);
+    }
+    std::erase_if(comparisons, [](const Comparison& each) { return !each.failure.empty(); });
     records::Table table({"operation", "format", "implementation", "inputs", "compared",
                           "mismatches", "first_mismatch", "instructions_unreached"});
     for (const Comparison& each : comparisons) {

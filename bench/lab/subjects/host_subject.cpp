@@ -112,7 +112,9 @@ void evaluate(std::span<const std::int64_t> operands, std::span<std::int64_t> re
     }
 }
 
-template <Subject subject, class Policy>
+// Functions are judged in `Real`: by binary128 where errors are compared, so that a search takes
+// the same way on every processor.
+template <Subject subject, class Policy, class Real = reference::bulk::Binary128>
 Judgement judge_one(std::span<const std::int64_t> operands) {
     constexpr std::size_t results = reference::shape(subject.operation).results;
     std::array<std::int64_t, results> computed;
@@ -124,7 +126,7 @@ Judgement judge_one(std::span<const std::int64_t> operands) {
                   (subject.operation == Operation::exp && subject.format.width == 64)) {
         return reference::judge(subject, operands, computed);
     } else {
-        return reference::bulk::judge<subject>(operands, computed);
+        return reference::bulk::judge<subject, Real>(operands, computed);
     }
 }
 
@@ -134,13 +136,15 @@ ErrorStatistics exhaust(std::uint64_t part) {
     constexpr std::size_t arity = reference::shape(subject.operation).operands;
     constexpr std::uint64_t inputs = std::uint64_t(1) << (format.width * arity);
     constexpr std::uint64_t share = inputs / exhaustive_parts;
+    using Real =
+        std::conditional_t<(format.width * arity <= 24), reference::bulk::Binary128, double>;
     ErrorStatistics statistics;
     std::array<std::int64_t, arity> operands;
     for (std::uint64_t i = part * share; i < (part + 1) * share; ++i) {
         for (std::size_t k = 0; k < arity; ++k) {
             operands[k] = format.sign_extend(i >> (k * format.width));
         }
-        statistics.add(judge_one<subject, Policy>(operands), operands);
+        statistics.add(judge_one<subject, Policy, Real>(operands), operands);
     }
     return statistics;
 }
