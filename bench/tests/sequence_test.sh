@@ -55,7 +55,12 @@ grep -q "^growth:" "$scratch/err" && ! grep -q "^lever:" "$scratch/err" || fail 
 # Interrupted, nothing is lost or half-written, no child goes on, and the run can be taken up.
 "$fixbench" all --quick --only features,growth --threads 1 --results "$scratch/results" 2>"$scratch/err" &
 pid=$!
-sleep 0.7
+children() { tr ' ' '\n' <"/proc/$pid/task/$pid/children" 2>/dev/null; }
+for _ in $(seq 300); do
+    for child in $(children); do [ "$(cat "/proc/$child/comm" 2>/dev/null)" = fixbench ] && break 2; done
+    sleep 0.1
+done
+sleep 0.3
 kill -INT $pid
 wait $pid
 status=$?
@@ -63,7 +68,7 @@ status=$?
 grep -q "interrupted; . of 2 steps are done" "$scratch/err" || fail "interrupted: $(cat "$scratch/err")"
 [ "$(sha256sum <"$scratch/results/data/growth.csv")" = "$sum" ] || fail "an old file was harmed"
 [ -z "$(find "$scratch/results" -name '*partial*' -o -name '*trial*')" ] || fail "half a file is left"
-pgrep -P $pid >/dev/null && fail "a child goes on"
+[ -e "/proc/$child" ] && fail "a child goes on"
 
 # The shell and the manual know what the command line knows.
 "$fixbench" completion >"$scratch/completion" && bash -n "$scratch/completion" || fail "the completion"
