@@ -16,35 +16,10 @@
 #include <type_traits>
 
 #include "reference/definition.hpp"
+#include "reference/function.hpp"
 #include "reference/judgement.hpp"
 
-// Of the C library, on x86-64 for every compiler.
-extern "C" {
-__extension__ __float128 sinf128(__float128) noexcept;
-__extension__ __float128 cosf128(__float128) noexcept;
-__extension__ __float128 atanf128(__float128) noexcept;
-__extension__ __float128 atan2f128(__float128, __float128) noexcept;
-__extension__ __float128 expf128(__float128) noexcept;
-__extension__ __float128 logf128(__float128) noexcept;
-__extension__ __float128 sqrtf128(__float128) noexcept;
-__extension__ __float128 floorf128(__float128) noexcept;
-}
-
 namespace reference::bulk {
-
-__extension__ using Binary128 = __float128;
-
-namespace functions {
-using std::atan, std::atan2, std::cos, std::exp, std::floor, std::log, std::sin, std::sqrt;
-inline Binary128 sin(Binary128 x) { return sinf128(x); }
-inline Binary128 cos(Binary128 x) { return cosf128(x); }
-inline Binary128 atan(Binary128 x) { return atanf128(x); }
-inline Binary128 atan2(Binary128 y, Binary128 x) { return atan2f128(y, x); }
-inline Binary128 exp(Binary128 x) { return expf128(x); }
-inline Binary128 log(Binary128 x) { return logf128(x); }
-inline Binary128 sqrt(Binary128 x) { return sqrtf128(x); }
-inline Binary128 floor(Binary128 x) { return floorf128(x); }
-}  // namespace functions
 
 // Raws of 8 and 16 bits and their products leave room in 64 bits.
 __extension__ using Integer128 = __int128;
@@ -178,7 +153,6 @@ Judgement judge_root(std::int64_t a, std::int64_t result) {
     constexpr NumberFormat format = subject.format;
     constexpr Definition held_to = definition(subject);
     using Number = Wide<format.width>;
-    if (a < 0) return pinned(0, result);
     const Number square = Number(a) << format.fraction;
     const Number r = result;
     const bool nearest = square <= r * r + r && (r == 0 || square > r * r - r);
@@ -260,8 +234,12 @@ Judgement judge(std::span<const std::int64_t> operands, std::span<const std::int
     const auto product = [&](auto x) {
         return judge_quotient<subject, F>(x, decltype(x)(1) << F, result);
     };
-    const auto function = [&](Real x) { return judge_function<subject>(x * one, result); };
 
+    if (shape(operation).results == 1 && !in_domain(operation, operands)) {
+        if constexpr (subject.arithmetic == Arithmetic::integer)
+            return {.excluded = "undefined outside the operation's domain"};
+        return pinned(outside_domain(operation, format, a), result);
+    }
     if constexpr (operation == Operation::add) {
         return whole(raw(0) + raw(1));
     } else if constexpr (operation == Operation::subtract) {
@@ -284,19 +262,9 @@ Judgement judge(std::span<const std::int64_t> operands, std::span<const std::int
         return product(total);
     } else if constexpr (operation == Operation::divide) {
         const std::int64_t b = operands[1];
-        if (b == 0) {
-            if constexpr (subject.arithmetic == Arithmetic::integer)
-                return {.excluded = "undefined outside the operation's domain"};
-            return pinned(a > 0 ? format.max() : a < 0 ? format.min() : 0, result);
-        }
         const Number n = raw(0) << F;
         return judge_quotient<subject>(b < 0 ? -n : n, b < 0 ? -raw(1) : raw(1), result);
     } else if constexpr (operation == Operation::remainder) {
-        if (operands[1] == 0) {
-            if constexpr (subject.arithmetic == Arithmetic::integer)
-                return {.excluded = "undefined outside the operation's domain"};
-            return pinned(a, result);
-        }
         return whole(raw(0) % raw(1));
     } else if constexpr (operation == Operation::convert) {
         constexpr int gained = F - subject.operand_format.fraction;
@@ -306,35 +274,29 @@ Judgement judge(std::span<const std::int64_t> operands, std::span<const std::int
         return judge_quotient<subject, lost>(n, Either(1) << lost, result);
     } else if constexpr (operation == Operation::sqrt) {
         return judge_root<subject>(a, result);
-    } else if constexpr (operation == Operation::reciprocal_sqrt) {
-        if (a <= 0) return pinned(a == 0 ? format.max() : 0, result);
-        return function(1 / functions::sqrt(real(0)));
-    } else if constexpr (operation == Operation::atan) {
-        if constexpr (published)
-            return function(functions::atan(real(0) < 0   ? Real(0)
-                                            : real(0) > 1 ? Real(1)
-                                                          : real(0)));
-        return function(functions::atan(real(0)));
-    } else if constexpr (operation == Operation::atan2) {
-        if (operands[0] == 0 && operands[1] == 0) return pinned(0, result);
-        Real angle = functions::atan2(real(0), real(1));
-        if (published && angle < 0) angle += 2 * functions::atan2(Real(0), Real(-1));
-        return function(angle);
-    } else if constexpr (operation == Operation::sin) {
-        return function(functions::sin(real(0)));
-    } else if constexpr (operation == Operation::cos) {
-        return function(functions::cos(real(0)));
-    } else if constexpr (operation == Operation::exp) {
-        return function(functions::exp(real(0)));
-    } else if constexpr (operation == Operation::log) {
-        if (a <= 0) return pinned(format.min(), result);
-        return function(functions::log(real(0)));
+    } else if constexpr (operation == Operation::sincos) {
+        constexpr Subject sine{Operation::sin, format, subject.arithmetic};
+        constexpr Subject cosine{Operation::cos, format, subject.arithmetic};
+        const Judgement s = judge<sine, Real>(operands, results.first(1));
+        const Judgement c = judge<cosine, Real>(operands, results.subspan(1, 1));
+        Judgement worse = std::abs(c.error_ulp) > std::abs(s.error_ulp) ? c : s;
+        worse.defined = s.defined && c.defined;
+        worse.as_defined = s.as_defined && c.as_defined;
+        return worse;
     } else if constexpr (operation == Operation::length2 || operation == Operation::length3) {
         return judge_length<subject>(operands.first(shape(operation).operands), result);
     } else if constexpr (operation == Operation::normalise3) {
         return judge_unit_vector<subject>(operands.first(3), results.first(3));
     } else {
-        static_assert(operation == Operation::sqrt, "This operation has no fast judge.");
+        static_assert(shape(operation).operands <= 2, "This operation has no fast judge.");
+        Real x[2] = {real(0)};
+        if constexpr (shape(operation).operands == 2) x[1] = real(1);
+        if (published && operation == Operation::atan)
+            x[0] = x[0] < 0 ? Real(0) : x[0] > 1 ? Real(1) : x[0];
+        Real exact = function(operation, x);
+        if (published && operation == Operation::atan2 && exact < 0)
+            exact += 2 * functions::atan2(Real(0), Real(-1));
+        return judge_function<subject>(exact * one, result);
     }
 }
 

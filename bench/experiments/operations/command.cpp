@@ -9,6 +9,7 @@
 #include "bench/experiments/operations/measure_accuracy.hpp"
 #include "bench/experiments/operations/measure_cycles.hpp"
 #include "bench/experiments/operations/verify_kernels.hpp"
+#include "bench/lab/catalogue/catalogue.hpp"
 #include "bench/lab/operands/operand_class.hpp"
 #include "bench/lab/program/build.hpp"
 #include "bench/lab/program/experiment.hpp"
@@ -27,8 +28,8 @@ const auto most_samples = CLI::Range(std::uint64_t(1), std::uint64_t(1) << 40);
 
 std::vector<std::filesystem::path> all_programs() {
     std::vector<std::filesystem::path> programs;
-    for (const char* name : {"q4_4", "q8_8", "q16_16", "q8_24", "q32_32", "rivals"})
-        programs.push_back(device_folder / (std::string(name) + ".elf"));
+    for (const std::string& name : catalogue::programs())
+        programs.push_back(device_folder / (name + ".elf"));
     return programs;
 }
 
@@ -88,7 +89,7 @@ const fixbench::Registration cycles({
         "(avr-nm lists them), for avr-gcc's calling convention: any other tool can call it too.\n"
         "Cycles include call (4) and ret (4), not the loading of operands.\n\n"
         "Operand classes: small |x| < 1; physics 0.01..20; full, log-uniform over the range;\n"
-        "published, those of the rebuilt harness; boundary, an annotated table; all, every input\n"
+        "uniform, every raw alike; published, those of the rebuilt harness; boundary, an annotated table; all, every input\n"
         "where there are at most 65536.\n\n"
         "Example: fixbench cycles --operation divide --format q16_16,float --operands physics",
     .prints = {"operations.csv"},

@@ -14,6 +14,7 @@
 #include "bench/chip/profile/stack_bound.hpp"
 #include "bench/experiments/haptic/device_loop.hpp"
 #include "bench/experiments/haptic/scenarios.hpp"
+#include "bench/experiments/profile/files.hpp"
 #include "bench/lab/program/build.hpp"
 #include "bench/lab/program/experiment.hpp"
 #include "bench/lab/program/output.hpp"
