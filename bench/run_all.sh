@@ -22,7 +22,5 @@ for argument in "$@"; do
     fi
 done
 
-scripts/setup.sh
-cmake --preset release --log-level=WARNING >&2
-cmake --build --preset release --target fixbench >&2
+scripts/build.sh release fixbench
 exec build/release/bench/fixbench all "$@"
