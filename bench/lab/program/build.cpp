@@ -58,7 +58,7 @@ void build(const std::vector<std::string>& targets) {
     const std::string ninja = "ninja -C '" FIXBENCH_BUILD_FOLDER "'";
     const auto [plan, planned] = output_of(ninja + " -n" + list + " 2>&1");
     if (planned && plan.find("no work to do") != std::string::npos) return;
-    fmt::print(stderr, "fixbench: building {} of the device programs it reads\n",
+    fmt::print(stderr, "fixbench: building {}, for what it reads is out of date\n",
                targets.size() == 1 ? targets.front() : fmt::format("{} targets", targets.size()));
     const auto [text, built] = output_of(ninja + list + " 2>&1");
     if (!built) {
