@@ -58,7 +58,7 @@ std::string entries(const CLI::App& app) {
     std::string text;
     for (const CLI::Option* option : options_of(app)) {
         const std::string type = option->get_type_size() == 0 ? "" : " " + option->get_type_name();
-        text += fmt::format(".TP\n.B {}{}\n{}\n", roff(option->get_name(true)), roff(type),
+        text += fmt::format(".TP\n.B {}{}\n{}\n", roff(option->get_name(false, true)), roff(type),
                             roff(option->get_description()));
     }
     return text;
