@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the portable code costs on the host, by Google Benchmark: host_throughput
-// --benchmark_out=host.json. Names are those of the device subjects.
+#include "bench/experiments/operations/host_throughput.hpp"
+
 #include <benchmark/benchmark.h>
+#include <fmt/format.h>
 
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <fixedpoint/arithmetic/published.hpp>
 #include <fixedpoint/fixed.hpp>
+#include <iostream>
+#include <iterator>
 #include <random>
 #include <string>
 
@@ -95,13 +98,24 @@ void measure_float() {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+void operations::measure_throughput(const std::filesystem::path& file, double seconds) {
     measure_formats<Nearest>("default");
     measure_formats<Published>("published");
     measure_float();
-    benchmark::Initialize(&argc, argv);
-    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
-    benchmark::RunSpecifiedBenchmarks();
+    // The table that the library shows goes to stderr, as all that is not the result does.
+    std::filesystem::path partial = file;
+    partial += ".partial";
+    std::string arguments[] = {"fixbench", fmt::format("--benchmark_min_time={}", seconds),
+                               "--benchmark_out=" + partial.string(),
+                               "--benchmark_out_format=json"};
+    char* pointers[std::size(arguments)];
+    for (std::size_t i = 0; i < std::size(arguments); ++i) pointers[i] = arguments[i].data();
+    int count = std::size(arguments);
+    benchmark::Initialize(&count, pointers);
+    benchmark::ConsoleReporter console;
+    console.SetOutputStream(&std::cerr);
+    console.SetErrorStream(&std::cerr);
+    benchmark::RunSpecifiedBenchmarks(&console);
     benchmark::Shutdown();
-    return 0;
+    std::filesystem::rename(partial, file);
 }

@@ -656,8 +656,9 @@ class Damage(unittest.TestCase):
             self.assertIn(message, told)
 
     def test_a_missing_file_names_the_command(self):
-        with self.assertRaisesRegex(DataError, "missing; fixbench scenes writes it"):
-            Data("/nonexistent").rows("scenes")
+        experiments = [{"command": "fixbench scenes", "writes": ["scenes.csv"], "full_only": []}]
+        with self.assertRaisesRegex(DataError, "missing; `fixbench scenes` writes it"):
+            Data("/nonexistent", experiments).rows("scenes")
         with tempfile.TemporaryDirectory() as folder:
             (pathlib.Path(folder) / "replay.json").write_text('{"a": [1,', encoding="utf-8")
             with self.assertRaisesRegex(DataError, "replay.json.* column"):

@@ -56,10 +56,30 @@ TEST(Readings, BadOnesAreRefusedWithTheirLine) {
     EXPECT_THAT(reason(header + "1,nan\n"), HasSubstr(":2: actual_g 'nan' is not"));
     EXPECT_THAT(reason(header + "1,-3\n"), HasSubstr(":2: actual_g '-3' is not"));
     EXPECT_THAT(reason(header + "1,\n"), HasSubstr(":2: actual_g '' is not"));
-    EXPECT_THAT(reason(header + "5,10\n5,20\n"), HasSubstr(":3: adc_reading 5 after 5"));
-    EXPECT_THAT(reason(header + "5,10\n6,9\n"), HasSubstr(":3: actual_g 9 after 10"));
+    EXPECT_THAT(reason(header + "5,10\n5,20\n"), HasSubstr(":3: adc_reading 5 of 20 g after 5"));
+    EXPECT_THAT(reason(header + "\n5,10\n6,9\n"), HasSubstr(":3: adc_reading 5 of 10 g after 6"));
     EXPECT_THAT(reason(header + "5,10,3\n"), HasSubstr(":2: 3 cells"));
     EXPECT_THAT(reason(header + "1,1\n2,2\n3,3\n4,4\n"), HasSubstr("4 readings; at least 5"));
+}
+
+// As spreadsheets write them.
+TEST(Readings, ComeInAnyOrderAndWithDecimalCommas) {
+    const auto loaded = [](const std::string& text) {
+        const auto file = scratch() / "sheet.csv";
+        std::ofstream(file) << text;
+        std::string readings;
+        for (const Reading& reading : load_readings(file))
+            readings += std::to_string(reading.adc) + ":" + std::to_string(reading.grams) + " ";
+        return readings;
+    };
+    const std::string expected = "10:1.500000 20:2.000000 31:4.000000 ";
+    EXPECT_EQ(loaded("adc_reading,actual_g\n10,1.5\n20,2\n31,4\n"), expected);
+    EXPECT_EQ(loaded("\xef\xbb\xbf"
+                     "adc_reading;actual_g;note\r\n31;4;\r\n10;1,5;x\r\n 20 ; 2,0 ;\r\n;;\r\n\r\n"),
+              expected);
+    // Readings of a weight are averaged.
+    EXPECT_EQ(loaded("actual_g,adc_reading\n4,30\n1.5,10\n4,32\n2,20\n4,31\n"), expected);
+    EXPECT_EQ(loaded("actual_g,\"adc_reading\"\n\"1.5\",10\n2,20\n4,31"), expected);
 }
 
 // The curves that the fit has to find again from readings without error.
