@@ -84,7 +84,8 @@ ROOMS = [
     Room("firmware", "firmware/src/firmware/lever.hpp", 2, "firmware_lever_test"),
     Room("firmware", "firmware/src/firmware/renderer.hpp", 1,
          "firmware_renderer_test"),
-    Room("verdicts", "bench/experiments/table_3_2/table_3_2.cpp", 2, "table_3_2_test"),
+    Room("verdicts", "bench/experiments/table_3_2/table_3_2.cpp", 2, "table_3_2_test",
+         "Judge*:Table31*:Hypothesis.ThePref*:Hypothesis.AnAlt*"),
     Room("verdicts", "bench/experiments/calibration/verdicts.cpp"
          " bench/experiments/calibration/fit.cpp", 2, "calibration_test"),
     Room("verdicts", "bench/experiments/scenes/judge.cpp", 2, "scene_bench_tests",
