@@ -15,7 +15,7 @@ constexpr bool two = SPRINGS || RODS || ROPES || COLLISIONS;
 template <class World>
 struct Push {
     typename World::Vector force;  // N
-    void apply(World& world) const { world.particles()[0].force += force; }
+    void apply(World& world) const { world.step_particles()[0].force += force; }
 };
 
 struct Scene : Uses {
