@@ -139,6 +139,22 @@ TEST(Range, EndsBeforeThePole) {
     EXPECT_EQ(rising_range(published_function_2, readings).lowest, 173);
 }
 
+// The range goes from the middle reading as far as the curve neither falls nor is negative, up to
+// the last reading of the converter; it may begin at 0 grams and at reading 0.
+TEST(Range, EndsWhereTheCurveTurnsOrIsNegative) {
+    const std::vector<Reading> readings{{400, 1}, {500, 2}, {600, 3}};
+    const auto range = [&](std::vector<double> coefficients) {
+        const Range found = rising_range({Family::quadratic, coefficients}, readings);
+        return std::pair(found.lowest, found.highest);
+    };
+    // a x^2 + b x + c
+    EXPECT_EQ(range({0, 1, 0}), std::pair(0, 1023));
+    EXPECT_EQ(range({0, 1, 5}), std::pair(0, 1023));
+    EXPECT_EQ(range({0, 1, -100}), std::pair(100, 1023));  // 0 g at reading 100
+    EXPECT_EQ(range({0, 1, -100.5}), std::pair(101, 1023));
+    EXPECT_EQ(range({0.015625, -6.25, 625}), std::pair(200, 557));  // (x - 200)^2 / 64, to 2000 g
+}
+
 // The published table is the truth on what the published curve is.
 TEST(Published, Function1GivesThePublishedTable) {
     for (const reference::ForceCalibration& row : reference::load_table_d_1())
