@@ -4,16 +4,8 @@
 #pragma once
 
 #if __cplusplus < 201402L
-#error "The library fixedpoint is written in C++14: compile with -std=gnu++14 (README.md says how in Arduino)."
-#endif
-
-#ifdef ARDUINO
-// The Arduino core has macros of these names, which would break every function that is called so,
-// the library's included. Integers and floats keep abs and round from <stdlib.h> and <math.h>.
-#undef abs
-#undef max
-#undef min
-#undef round
+#error \
+    "The library fixedpoint is written in C++14: compile with -std=gnu++14 (README.md says how in Arduino)."
 #endif
 
 #include <fixedpoint/conversion.hpp>

@@ -96,7 +96,7 @@ template <int I, int F, class A>
 struct Rounding<fixedpoint::Fixed<I, F, A>> {
     std::string unfit, vanished;
     fixedpoint::Fixed<I, F, A> operator()(double x, const char* name) {
-        const auto rounded = fixedpoint::from_float<fixedpoint::Fixed<I, F, A>>(x);
+        const auto rounded = fixedpoint::from_float_checked<fixedpoint::Fixed<I, F, A>>(x);
         if (!rounded.fits && unfit.empty()) unfit = name;
         if (rounded.number.raw() == 0 && x != 0 && is_essential(name) && vanished.empty())
             vanished = name;
@@ -264,7 +264,8 @@ template <class Scalar>
 std::vector<Subject> subjects_with(const char* scalar, const char* arithmetic, double largest,
                                    double ulp) {
     return subjects_of_methods<Scalar, scenes::Published, scenes::SemiImplicit, scenes::Verlet,
-                               scenes::Implicit, CompensatedIntegration>(scalar, arithmetic, largest, ulp);
+                               scenes::Implicit, CompensatedIntegration>(scalar, arithmetic,
+                                                                         largest, ulp);
 }
 template <int I, int F, class Arithmetic>
 std::vector<Subject> subjects_of_format(const char* scalar, const char* arithmetic) {

@@ -26,7 +26,6 @@
 #include <fixedpoint/kernel/sin.hpp>
 #include <fixedpoint/kernel/sincos.hpp>
 #include <fixedpoint/kernel/sqrt.hpp>
-#include <fixedpoint/portable/convert.hpp>
 
 namespace fixedpoint {
 
@@ -45,11 +44,6 @@ struct Nearest : Wrapping {
     template <class Raw, int F>
     static constexpr Raw remainder(Raw a, Raw b) {
         return kernel::remainder<Raw, F>(a, b);
-    }
-    // a, of another format, rounded to F fraction bits, mod 2^W.
-    template <class Raw, int F, class FromRaw, int FromF>
-    static constexpr Raw convert(FromRaw a) {
-        return portable::convert<Raw, F, FromRaw, FromF>(a);
     }
     // sqrt(a) rounded; 0 where a < 0.
     template <class Raw, int F>

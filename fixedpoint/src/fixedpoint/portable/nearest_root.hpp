@@ -8,14 +8,14 @@
 namespace fixedpoint {
 namespace portable {
 
-// sqrt(high 2^W + low) to nearest, never a tie; clamped to what a Raw holds. Digit by digit: two
-// bits of the radicand make one bit of the root.
+// sqrt(high 2^W + low) to nearest, never a tie; 2^(W-1), which no Raw holds, where it is no less.
+// Digit by digit: two bits of the radicand make one bit of the root.
 template <class Raw>
-constexpr Raw nearest_root(Unsigned<Raw> high, Unsigned<Raw> low) {
+constexpr Unsigned<Raw> nearest_root_magnitude(Unsigned<Raw> high, Unsigned<Raw> low) {
     using Word = Unsigned<Raw>;
     constexpr int W = width_of<Raw>;
     constexpr Word quarter = static_cast<Word>(Word(1) << (W - 2));
-    if (high >= quarter) return raw_max<Raw>;
+    if (high >= quarter) return static_cast<Word>(Word(1) << (W - 1));
     Word root = 0, remainder = 0, digits = high;
     int pair = 0;
     // Leading zeros make no digit.
@@ -37,8 +37,13 @@ constexpr Raw nearest_root(Unsigned<Raw> high, Unsigned<Raw> low) {
         root = static_cast<Word>(root | (mask & 1));
     }
     // remainder > root: the radicand lies beyond (root + 1/2)^2 = root^2 + root + 1/4.
-    const Word rounded = static_cast<Word>(root + (remainder > root ? 1 : 0));
-    return rounded > static_cast<Word>(raw_max<Raw>) ? raw_max<Raw> : static_cast<Raw>(rounded);
+    return static_cast<Word>(root + (remainder > root ? 1 : 0));
+}
+
+// The same, saturated.
+template <class Raw>
+constexpr Raw nearest_root(Unsigned<Raw> high, Unsigned<Raw> low) {
+    return clamped_with_sign<Raw>(nearest_root_magnitude<Raw>(high, low), false);
 }
 
 template <class Raw>
@@ -46,10 +51,11 @@ constexpr Raw nearest_root(DoubleWord<Raw> radicand) {
     return nearest_root<Raw>(DoubleWordOf<Raw>::high(radicand), DoubleWordOf<Raw>::low(radicand));
 }
 
-// sqrt(numerator 2^doublings / denominator) to nearest, ties upward; clamped to what a Raw holds.
-// Needs numerator < 2 denominator. Number is any unsigned integer that holds the two.
+// sqrt(numerator 2^doublings / denominator) to nearest, half up, negated where `negative`;
+// saturated. Needs numerator < 2 denominator. Number is any unsigned integer that holds the two.
 template <class Raw, class Number>
-constexpr Raw nearest_root_of_ratio(Number numerator, Number denominator, int doublings) {
+constexpr Raw nearest_root_of_ratio(Number numerator, Number denominator, int doublings,
+                                    bool negative = false) {
     using Word = Unsigned<Raw>;
     constexpr int W = width_of<Raw>;
     Word high = 0, low = 0;
@@ -57,7 +63,7 @@ constexpr Raw nearest_root_of_ratio(Number numerator, Number denominator, int do
     bool carry = false;
     for (int round = 0; round <= doublings; ++round) {
         if (round > 0) {
-            if (high >> (W - 2) != 0) return raw_max<Raw>;
+            if (high >> (W - 2) != 0) return negative ? raw_min<Raw> : raw_max<Raw>;
             high = static_cast<Word>((high << 1) | (low >> (W - 1)));
             low = static_cast<Word>(low << 1);
             const Number doubled = static_cast<Number>(remainder << 1);
@@ -77,7 +83,7 @@ constexpr Raw nearest_root_of_ratio(Number numerator, Number denominator, int do
         low = static_cast<Word>(low + 1);
         if (low == 0) high = static_cast<Word>(high + 1);
     }
-    return nearest_root<Raw>(high, low);
+    return clamped_with_sign<Raw>(nearest_root_magnitude<Raw>(high, low), negative);
 }
 
 }  // namespace portable

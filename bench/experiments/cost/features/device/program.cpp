@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A scene whose features come from the command line: -DGRAVITY=1 -DSPRINGS=0 ... -DDIMENSIONS=2
-// -DINTEGRATOR=SemiImplicitEuler -DRESOLVER=ProjectedGaussSeidel<10> -DBROAD_PHASE=BruteForce
+// -DINTEGRATOR=SemiImplicitEuler -DSOLVER=ProjectedGaussSeidel<10> -DBROAD_PHASE=BruteForce
 // -DARITHMETIC=Nearest. Every feature that is in acts in every step. The first particle is the lever's end; a second hangs beside it where
 // something needs two.
 #include <engine.h>
