@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One operation of every split of SPLIT_BITS, for splits_test.cpp: SPLIT_OPERATION, and
-// SPLIT_SHAPE, the macro that defines its subject.
+// One operation of every split of SPLIT_BITS, for splits_test.cpp: SPLIT_OPERATION.
 #include <fixedpoint/arithmetic/nearest.hpp>
 #include <fixedpoint/kernel/splits_16.hpp>
 #include <fixedpoint/kernel/splits_32.hpp>
 
-#include "../subjects/subject.hpp"
+#include "../subjects/subject.h"
 
 using fixedpoint::Nearest;
 
-#define SPLIT_SUBJECT(shape, operation, I, F) \
-    shape(operation, q##I##_##F, default, fixedpoint::Integer<SPLIT_BITS>, F, Nearest)
-#define SPLIT(I, F) SPLIT_SUBJECT(SPLIT_SHAPE, SPLIT_OPERATION, I, F)
+#define SPLIT_ROW(operation) OPERATION_##operation
+#define SPLIT_SUBJECT(row, I, F) \
+    row(SUBJECT_OF_OPERATION, q##I##_##F, fixedpoint::Integer<SPLIT_BITS>, F, default, Nearest)
+#define SPLIT_OF(operation, I, F) SPLIT_SUBJECT(SPLIT_ROW(operation), I, F)
+#define SPLIT(I, F) SPLIT_OF(SPLIT_OPERATION, I, F)
 #if SPLIT_BITS == 16
 #define SPLITS FIXEDPOINT_SPLITS_16
 #else
