@@ -141,10 +141,36 @@ def headers(command, on_chip):
                 yield f"{path} alone:\n" + "\n".join(output.splitlines()[:12])
 
 
+def tables_in_ram(command):
+    """Without optimisation and sections of their own, tables still stay in flash."""
+    program = """#include <fixedpoint.h>
+        volatile int32_t raw;
+        template <class Number> void use(Number x) {
+            raw = (sin(x) + exp(x) + log(x) + atan2(x, x) + atan(x) + sqrt(x) + x / x).raw();
+            raw = reciprocal_sqrt(x).raw();
+        }
+        int main() {
+            use(fixedpoint::Q16_16::from_raw(raw)), use(fixedpoint::Fixed<8, 24>::from_raw(raw));
+            use(fixedpoint::Q8_8::from_raw(static_cast<int16_t>(raw)));
+        }"""
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder) / "program.cpp"
+        path.write_text(program)
+        subprocess.run([*command, "-O0", "-I", SOURCE, "-c", path, "-o", path.with_suffix(".o")],
+                       check=True)
+        sizes = subprocess.run(["avr-size", "-A", path.with_suffix(".o")], text=True, check=True,
+                               capture_output=True).stdout
+    size = sum(int(bytes_) for bytes_ in re.findall(r"^\.(?:rodata|data)\S* +(\d+)", sizes, re.M))
+    if size > 128:  # constants of the integer types
+        yield f"{size} bytes of tables in RAM"
+
+
 def main():
     command = sys.argv[1:]
     on_chip = "avr" in command[0]
     faults = [*refusals(command), *headers(command, on_chip)]
+    if on_chip:
+        faults += tables_in_ram(command)
     print("\n".join(faults) or f"{len(REFUSED + ASSERTED)} statements are refused in words.")
     return 1 if faults else 0
 

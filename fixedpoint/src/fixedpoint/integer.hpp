@@ -107,7 +107,7 @@ constexpr Raw clamped(Number number) {
                                    : static_cast<Raw>(number);
 }
 
-// `magnitude` with the sign put back, clamped to what a Raw holds.
+// `magnitude` with the sign put back, saturated to what a Raw holds.
 template <class Raw, class Magnitude>
 constexpr Raw clamped_with_sign(Magnitude magnitude, bool negative) {
     const Magnitude limit = static_cast<Magnitude>(raw_max<Raw>);

@@ -110,7 +110,7 @@ constexpr Fixed<IntegerBits, F, A> ceil(Fixed<IntegerBits, F, A> a) {
     return Fixed<IntegerBits, F, A>::from_raw(
         A::template ceil<Integer<IntegerBits + F>, F>(a.raw()));
 }
-// The nearest integral number, ties upward; the largest number where that does not fit.
+// The nearest integral number, half up; the largest number where that does not fit.
 template <int IntegerBits, int F, class A>
 constexpr Fixed<IntegerBits, F, A> round(Fixed<IntegerBits, F, A> a) {
     return Fixed<IntegerBits, F, A>::from_raw(

@@ -33,7 +33,7 @@ Fixed<IntegerBits, F, A> dot3(const Fixed<IntegerBits, F, A>* a,
         A::template dot3<Integer<IntegerBits + F>, F>(raws(a), raws(b)));
 }
 
-// The length of v within 1 ulp, clamped; no square overflows.
+// The length of v within 1 ulp, saturated; no square overflows.
 template <int IntegerBits, int F, class A>
 Fixed<IntegerBits, F, A> length2(const Fixed<IntegerBits, F, A>* v) {
     return Fixed<IntegerBits, F, A>::from_raw(

@@ -2,9 +2,9 @@
 // Nearest, the default arithmetic, on raw integers of W bits with F fraction bits.
 //
 // One rule for every operation and every input: the exact result is rounded to the nearest
-// representable number, ties upward: floor(x + 1/2). The ring operations (+ - * negate, abs,
+// representable number, half up: floor(x + 1/2). The ring operations (+ - * negate, abs,
 // shifts, dot, multiply_add) are then taken modulo 2^W, so that sums whose intermediates overflow
-// still come out right. Everything else (division, square root, functions, lengths) clamps what
+// still come out right. Everything else (division, square root, functions, lengths) saturates what
 // does not fit, since a wrapped quotient would carry no information. Functions that are not
 // correctly rounded state their bound where they are defined.
 #pragma once
@@ -35,7 +35,8 @@ struct Nearest : Wrapping {
     static constexpr Raw multiply(Raw a, Raw b) {
         return kernel::multiply<Raw, F>(a, b);
     }
-    // a / b rounded, clamped; a / 0 is the largest number, the smallest one or 0, by the sign of a.
+    // a / b rounded, saturated; a / 0 is the largest number, the smallest one or 0, by the sign of
+    // a.
     template <class Raw, int F>
     static constexpr Raw divide(Raw a, Raw b) {
         return kernel::divide<Raw, F>(a, b);
@@ -50,22 +51,23 @@ struct Nearest : Wrapping {
     static constexpr Raw sqrt(Raw a) {
         return kernel::sqrt<Raw, F>(a);
     }
-    // 1 / sqrt(a) within 0.75 ulp; the largest number where a = 0, 0 where a < 0.
+    // 1 / sqrt(a), faithful (error below 0.75 ulp); the largest number where a = 0, 0 where a < 0.
     template <class Raw, int F>
     static constexpr Raw reciprocal_sqrt(Raw a) {
         return kernel::reciprocal_sqrt<Raw, F>(a);
     }
-    // The arc tangent within 0.75 ulp, in radians.
+    // The arc tangent in radians, faithful (error below 0.75 ulp).
     template <class Raw, int F>
     static constexpr Raw atan(Raw a) {
         return kernel::atan<Raw, F>(a);
     }
-    // The angle of (x, y) in (-pi, pi], within 0.75 ulp; 0 where both are 0.
+    // The angle of (x, y) in (-pi, pi], faithful (error below 0.75 ulp); 0 where both are 0.
     template <class Raw, int F>
     static constexpr Raw atan2(Raw y, Raw x) {
         return kernel::atan2<Raw, F>(y, x);
     }
-    // The sine and the cosine of an angle in radians, each within 0.75 ulp and never beyond +-1.
+    // The sine and the cosine of an angle in radians, each faithful (error below 0.75 ulp) and
+    // never beyond +-1.
     template <class Raw, int F>
     static constexpr Raw sin(Raw angle) {
         return kernel::sin<Raw, F>(angle);
@@ -103,7 +105,8 @@ struct Nearest : Wrapping {
     static constexpr Raw dot3(const Raw* a, const Raw* b) {
         return kernel::dot3<Raw, F>(a, b);
     }
-    // The length of a vector of two or three components within 1 ulp, clamped; no square overflows.
+    // The length of a vector of two or three components within 1 ulp, saturated; no square
+    // overflows.
     template <class Raw, int F>
     static constexpr Raw length2(const Raw* v) {
         return kernel::length2<Raw, F>(v);

@@ -40,7 +40,7 @@ struct Saturating : Nearest {
         return add<Raw, F>(multiply<Raw, F>(a, b), c);
     }
     // The sum of a_i b_i over two or three components, from the first on; each product is rounded
-    // and clamped, and each sum is clamped: within 1 and 1.5 ulp where nothing is saturated.
+    // and saturated, and each sum is saturated: within 1 and 1.5 ulp where nothing is saturated.
     template <class Raw, int F>
     static constexpr Raw dot2(const Raw* a, const Raw* b) {
         return multiply_add<Raw, F>(a[1], b[1], multiply<Raw, F>(a[0], b[0]));

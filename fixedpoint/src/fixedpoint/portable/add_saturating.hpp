@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// add_saturating, subtract_saturating: a + b and a - b, clamped to the smallest or largest number
+// add_saturating, subtract_saturating: a + b and a - b, saturated to the smallest or largest number
 // where they do not fit.
 #pragma once
 

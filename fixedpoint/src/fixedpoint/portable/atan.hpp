@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// atan: the arc tangent in radians, within 0.75 ulp.
+// atan: the arc tangent in radians, faithful (error below 0.75 ulp).
 #pragma once
 
 #include <fixedpoint/portable/atan2.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// atan2: the angle of the vector (x, y) in radians, in (-pi, pi], within 0.75 ulp, clamped where
-// the format cannot hold it; atan2(0, 0) = 0.
+// atan2: the angle of the vector (x, y) in radians, in (-pi, pi], faithful (error below 0.75 ulp),
+// saturated where the format cannot hold it; atan2(0, 0) = 0.
 #pragma once
 
 #include <fixedpoint/portable/atan2_q16_16.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Conversion between fixed-point formats and integers of any width and signedness. An integer is
-// the format with F = 0, so that every conversion is one shift, rounded to nearest with ties upward
-// where it drops bits. convert wraps, convert_clamped clamps and says so.
+// the format with F = 0, so that every conversion is one shift, rounded to nearest half up
+// where it drops bits. convert wraps, convert_clamped saturates and says so.
 #pragma once
 
 #include <fixedpoint/integer.hpp>
@@ -18,7 +18,7 @@ constexpr Target scale(Source n) {
         static_cast<Unsigned<Target>>(static_cast<Unsigned<Target>>(n) << Shift));
 }
 
-// The integer n 2^Shift, clamped to the range of Target.
+// The integer n 2^Shift, saturated to the range of Target.
 template <class Target, int Shift, class Source>
 constexpr Converted<Target> scale_clamped(Source n) {
     constexpr bool target_is_signed = Target(-1) < Target(1);
@@ -50,7 +50,7 @@ constexpr ToRaw convert(FromRaw a) {
     return scale<ToRaw, left_shift<FromF, ToF>>(integer_round<FromRaw, right_shift<FromF, ToF>>(a));
 }
 
-// The same, clamped instead of wrapped.
+// The same, saturated instead of wrapped.
 template <class ToRaw, int ToF, class FromRaw, int FromF>
 constexpr Converted<ToRaw> convert_clamped(FromRaw a) {
     return scale_clamped<ToRaw, left_shift<FromF, ToF>>(

@@ -38,7 +38,7 @@ constexpr Word cordic_coordinate(Coordinate a) {
                        : Word(a) << (surplus > 0 ? 0 : -surplus);
 }
 
-// An angle or coordinate with Bits - 2 fraction bits, rounded to F bits, signed and clamped.
+// An angle or coordinate with Bits - 2 fraction bits, rounded to F bits, signed and saturated.
 template <class Raw, int F, class Word>
 constexpr Raw round_from_cordic(Word magnitude, bool negative) {
     constexpr int surplus = cordic_bits<Word> - 2 - F;

@@ -42,7 +42,7 @@ struct DecimalFraction {
         return static_cast<uint8_t>(digit);
     }
 
-    // Whether rounding to an integer moves the magnitude up: nearest, ties toward +infinity.
+    // Whether rounding to an integer moves the magnitude up: nearest, half up.
     constexpr bool rounds_away(bool negative) const {
         constexpr Word half = Word(1) << (width_of<Word> - 1);
         return bits > half || (bits == half && (inexact || !negative));
@@ -57,7 +57,7 @@ constexpr DecimalFraction<Word> fraction_of(Word magnitude) {
 }
 
 // The number (integer + fraction), negated where `negative`, as a raw number: rounded to nearest,
-// ties toward +infinity, and clamped.
+// half up, and saturated.
 template <class Raw, int F, class Word>
 constexpr Converted<Raw> assemble(Word integer, DecimalFraction<Word> fraction, bool negative) {
     const Word limit = static_cast<Word>(raw_max<Raw>) + (negative ? 1 : 0);

@@ -17,7 +17,7 @@ enum class TextStatus : unsigned char {
     ok,
     empty,         // no text at all
     malformed,     // not a decimal number: it ends, or has an unexpected character, at `position`
-    out_of_range,  // a decimal number that the format cannot hold, clamped
+    out_of_range,  // a decimal number that the format cannot hold, saturated
 };
 
 template <class Number>
@@ -87,7 +87,7 @@ constexpr Word append_digit(Word integer, uint8_t digit) {
     return integer > (max - 9) / 10 ? max : integer * 10 + digit;
 }
 
-// The number that the text says, rounded to nearest, ties toward +infinity. Out of range it is the
+// The number that the text says, rounded to nearest, half up. Out of range it is the
 // limit of the range; for empty or malformed text it is 0. Reads text[0] to text[length - 1] only.
 template <class Raw, int F>
 constexpr Parsed<Raw> parse_decimal(const char* text, size_t length) {

@@ -73,7 +73,7 @@ constexpr size_t print_decimal(Raw raw, char* buffer, size_t capacity) {
     return writer.written();
 }
 
-// The number with so many decimals, rounded to nearest, ties toward +infinity; exact from F
+// The number with so many decimals, rounded to nearest, half up; exact from F
 // decimals on. A number that rounds to zero has no sign, and without decimals there is no point.
 template <class Raw, int F>
 constexpr size_t print_decimal(Raw raw, uint8_t decimals, char* buffer, size_t capacity) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// divide: floor(a 2^F / b + 1/2), the quotient rounded to nearest, ties upward, clamped to what
+// divide: floor(a 2^F / b + 1/2), the quotient rounded to nearest, half up, saturated to what
 // fits. b = 0: the largest number where a > 0, the smallest where a < 0, 0 where a = 0.
 #pragma once
 
@@ -9,7 +9,7 @@
 namespace fixedpoint {
 namespace portable {
 
-// A magnitude that no Raw holds: what clamps.
+// A magnitude that no Raw holds: what saturates.
 template <class Raw>
 constexpr Unsigned<Raw> magnitude_overflow = static_cast<Unsigned<Raw>>(raw_min<Raw>);
 

@@ -37,7 +37,7 @@ constexpr typename FloatLayout<sizeof(Float)>::Bits bits_of(Float x) {
 #endif
 }
 
-// x rounded to nearest, ties toward +infinity, and clamped; NaN gives 0, which does not fit.
+// x rounded to nearest, half up, and saturated; NaN gives 0, which does not fit.
 template <class Raw, int F, class Float>
 constexpr Converted<Raw> from_float(Float x) {
     using Layout = FloatLayout<sizeof(Float)>;
@@ -72,7 +72,7 @@ constexpr Converted<Raw> from_float(Float x) {
     return {with_sign<Raw>(static_cast<Unsigned<Raw>>(mantissa), negative), true};
 }
 
-// a / 2^F rounded to the nearest Float, ties to even as IEEE 754 rounds.
+// a / 2^F rounded to the nearest Float, half to even as IEEE 754 rounds.
 template <class Float, class Raw, int F>
 constexpr Float to_float(Raw a) {
     // Only the conversion of the integer rounds: the product by a power of two is exact.

@@ -8,7 +8,7 @@
 namespace fixedpoint {
 namespace portable {
 
-// n / 10^decimals, rounded to nearest, ties toward +infinity, and clamped: from_decimal(38, 2) is
+// n / 10^decimals, rounded to nearest, half up, and saturated: from_decimal(38, 2) is
 // 0.38. n is a signed integer of any width.
 template <class Raw, int F, class Int>
 constexpr Converted<Raw> from_decimal(Int n, uint8_t decimals) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // length2, length3: the square root of the sum of the squares of 2 or 3 components, rounded to
-// nearest (never a tie); the squares do not overflow, the result clamps.
+// nearest (never a tie); the squares do not overflow, the result saturates.
 #pragma once
 
 #include <fixedpoint/portable/nearest_root.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// multiply: floor(a b / 2^F + 1/2) modulo 2^W, the product rounded to nearest, ties upward.
+// multiply: floor(a b / 2^F + 1/2) modulo 2^W, the product rounded to nearest, half up.
 #pragma once
 
 #include <fixedpoint/portable/product_sum.hpp>

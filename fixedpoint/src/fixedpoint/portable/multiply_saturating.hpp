@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// multiply_saturating: floor(a b / 2^F + 1/2), clamped to the smallest or largest number where it
+// multiply_saturating: floor(a b / 2^F + 1/2), saturated to the smallest or largest number where it
 // does not fit.
 #pragma once
 

@@ -8,14 +8,15 @@
 namespace fixedpoint {
 namespace portable {
 
-// sqrt(high 2^W + low) to nearest, never a tie; 2^(W-1), which no Raw holds, where it is no less.
-// Digit by digit: two bits of the radicand make one bit of the root.
-template <class Raw>
-constexpr Unsigned<Raw> nearest_root_magnitude(Unsigned<Raw> high, Unsigned<Raw> low) {
+// sqrt(high 2^W + low) to nearest, never a tie; at most `limit`. Digit by digit: two bits of the
+// radicand make one bit of the root. A limit of 2^(W-1) comes out as the smallest number, which is
+// its negative.
+template <class Raw, Unsigned<Raw> limit = static_cast<Unsigned<Raw>>(raw_max<Raw>)>
+constexpr Raw nearest_root(Unsigned<Raw> high, Unsigned<Raw> low) {
     using Word = Unsigned<Raw>;
     constexpr int W = width_of<Raw>;
     constexpr Word quarter = static_cast<Word>(Word(1) << (W - 2));
-    if (high >= quarter) return static_cast<Word>(Word(1) << (W - 1));
+    if (high >= quarter) return static_cast<Raw>(limit);
     Word root = 0, remainder = 0, digits = high;
     int pair = 0;
     // Leading zeros make no digit.
@@ -37,13 +38,8 @@ constexpr Unsigned<Raw> nearest_root_magnitude(Unsigned<Raw> high, Unsigned<Raw>
         root = static_cast<Word>(root | (mask & 1));
     }
     // remainder > root: the radicand lies beyond (root + 1/2)^2 = root^2 + root + 1/4.
-    return static_cast<Word>(root + (remainder > root ? 1 : 0));
-}
-
-// The same, saturated.
-template <class Raw>
-constexpr Raw nearest_root(Unsigned<Raw> high, Unsigned<Raw> low) {
-    return clamped_with_sign<Raw>(nearest_root_magnitude<Raw>(high, low), false);
+    const Word rounded = static_cast<Word>(root + (remainder > root ? 1 : 0));
+    return rounded > limit ? static_cast<Raw>(limit) : static_cast<Raw>(rounded);
 }
 
 template <class Raw>
@@ -51,11 +47,10 @@ constexpr Raw nearest_root(DoubleWord<Raw> radicand) {
     return nearest_root<Raw>(DoubleWordOf<Raw>::high(radicand), DoubleWordOf<Raw>::low(radicand));
 }
 
-// sqrt(numerator 2^doublings / denominator) to nearest, half up, negated where `negative`;
-// saturated. Needs numerator < 2 denominator. Number is any unsigned integer that holds the two.
-template <class Raw, class Number>
-constexpr Raw nearest_root_of_ratio(Number numerator, Number denominator, int doublings,
-                                    bool negative = false) {
+// sqrt(numerator 2^doublings / denominator) to nearest, half up; at most `limit`, as above. Needs
+// numerator < 2 denominator. Number is any unsigned integer that holds the two.
+template <class Raw, class Number, Unsigned<Raw> limit = static_cast<Unsigned<Raw>>(raw_max<Raw>)>
+constexpr Raw nearest_root_of_ratio(Number numerator, Number denominator, int doublings) {
     using Word = Unsigned<Raw>;
     constexpr int W = width_of<Raw>;
     Word high = 0, low = 0;
@@ -63,7 +58,7 @@ constexpr Raw nearest_root_of_ratio(Number numerator, Number denominator, int do
     bool carry = false;
     for (int round = 0; round <= doublings; ++round) {
         if (round > 0) {
-            if (high >> (W - 2) != 0) return negative ? raw_min<Raw> : raw_max<Raw>;
+            if (high >> (W - 2) != 0) return static_cast<Raw>(limit);
             high = static_cast<Word>((high << 1) | (low >> (W - 1)));
             low = static_cast<Word>(low << 1);
             const Number doubled = static_cast<Number>(remainder << 1);
@@ -83,7 +78,7 @@ constexpr Raw nearest_root_of_ratio(Number numerator, Number denominator, int do
         low = static_cast<Word>(low + 1);
         if (low == 0) high = static_cast<Word>(high + 1);
     }
-    return clamped_with_sign<Raw>(nearest_root_magnitude<Raw>(high, low), negative);
+    return nearest_root<Raw, limit>(high, low);
 }
 
 }  // namespace portable

@@ -61,10 +61,18 @@ struct Normalisation<Raw, F, false> {
     static constexpr void apply(const Raw* v, Raw* unit) {
         const DoubleWord<Raw> length_squared = sum_of_squares(v, 3);
         for (int i = 0; i < 3; ++i) {
-            // The zero vector has no ratio; a zero component needs none.
-            unit[i] = v[i] == 0 ? Raw(0)
-                                : nearest_root_of_ratio<Raw>(square(v[i]), length_squared, 2 * F,
-                                                             v[i] < 0);
+            // The zero vector has no ratio; a zero component needs none. With one integer bit -1 is
+            // a number and 1 is none.
+            if (v[i] < 0) {
+                unit[i] = wrapping_negate(
+                    nearest_root_of_ratio<Raw, DoubleWord<Raw>,
+                                          Unsigned<Raw>(Unsigned<Raw>(1) << (width_of<Raw> - 1))>(
+                        square(v[i]), length_squared, 2 * F));
+            } else {
+                unit[i] = v[i] == 0
+                              ? Raw(0)
+                              : nearest_root_of_ratio<Raw>(square(v[i]), length_squared, 2 * F);
+            }
         }
     }
 };

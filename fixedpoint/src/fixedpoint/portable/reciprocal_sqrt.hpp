@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// reciprocal_sqrt: 2^F sqrt(2^F / a), clamped; the largest number where a = 0, 0 where a < 0.
+// reciprocal_sqrt: 2^F sqrt(2^F / a), saturated; the largest number where a = 0, 0 where a < 0.
 // Rounded to nearest, except in Q16.16, there within 0.66 ulp, bit for bit as the kernel computes
 // it, and in Q32.32, there within 0.63 ulp.
 #pragma once

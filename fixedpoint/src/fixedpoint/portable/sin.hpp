@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// sin, cos, sincos of an angle in radians: for every input within 0.75 ulp and never beyond +-1,
-// clamped where the format does not hold 1.
+// sin, cos, sincos of an angle in radians: for every input faithful (error below 0.75 ulp) and
+// never beyond +-1, saturated where the format does not hold 1.
 #pragma once
 
 #include <fixedpoint/portable/cordic.hpp>
