@@ -4,8 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fixedpoint/kernel/atan.hpp>
-#include <fixedpoint/kernel/atan2.hpp>
+#include <fixedpoint/kernel/dispatch.hpp>
 #include <random>
 #include <utility>
 #include <vector>

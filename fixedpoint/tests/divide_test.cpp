@@ -2,7 +2,7 @@
 // divide, and the division that widens only where it must, against exact integers.
 #include <gtest/gtest.h>
 
-#include <fixedpoint/kernel/divide.hpp>
+#include <fixedpoint/kernel/dispatch.hpp>
 #include <fixedpoint/portable/divide_widening.hpp>
 
 #include "exact.hpp"
@@ -15,7 +15,7 @@ using namespace fixedpoint;
 template <class Raw>
 Raw defined_quotient(Raw a, Raw b, int F) {
     using exact::Int;
-    if (b == 0) return a == 0 ? Raw(0) : a > 0 ? raw_max<Raw> : raw_min<Raw>;
+    if (b == 0) return a == 0 ? Raw(0) : a > 0 ? RawLimits<Raw>::max : RawLimits<Raw>::min;
     const Int numerator = Int(a) << F;
     return exact::clamped<Raw>(b > 0 ? exact::nearest(numerator, b)
                                      : exact::nearest(-numerator, -Int(b)));
@@ -39,7 +39,7 @@ TYPED_TEST(Divide, IsTheNearestNumberClamped) {
 TYPED_TEST(Divide, TiesGoUpward) {
     using Raw = typename TypeParam::Raw;
     constexpr int F = TypeParam::F;
-    if constexpr (F > 0 && F < width_of<Raw> - 2) {
+    if constexpr (F > 0 && F < RawLimits<Raw>::width - 2) {
         const Raw divisor = static_cast<Raw>(Raw(1) << (F + 1));
         for (int offset = -2; offset <= 2; ++offset) {
             for (int half = -9; half <= 9; half += 2) {

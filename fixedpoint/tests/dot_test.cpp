@@ -2,7 +2,7 @@
 // dot2 and dot3 against exact integers: one rounding, modulo 2^W.
 #include <gtest/gtest.h>
 
-#include <fixedpoint/kernel/dot.hpp>
+#include <fixedpoint/kernel/dispatch.hpp>
 
 #include "exact.hpp"
 #include "formats.hpp"
@@ -39,7 +39,7 @@ TYPED_TEST(Dot, IsTheNearestNumberModuloTheRange) {
 TYPED_TEST(Dot, HoldsThreeSquaresOfTheSmallestNumber) {
     using Raw = typename TypeParam::Raw;
     constexpr int F = TypeParam::F;
-    const Raw v[3] = {raw_min<Raw>, raw_min<Raw>, raw_min<Raw>};
+    const Raw v[3] = {RawLimits<Raw>::min, RawLimits<Raw>::min, RawLimits<Raw>::min};
     EXPECT_EQ((kernel::dot3<Raw, F>(v, v)), defined_dot(v, v, 3, F));
 }
 

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fixedpoint/kernel/exp.hpp>
+#include <fixedpoint/kernel/dispatch.hpp>
 #include <limits>
 #include <random>
 #include <utility>
@@ -50,7 +50,7 @@ template <class Raw, int F>
 void check_boundaries_and_random(int samples, int stride) {
     for (const Raw a : boundaries<Raw>(stride)) check<Raw, F>(a);
     // From underflow to overflow.
-    const int width = fixedpoint::width_of<Raw>;
+    const int width = fixedpoint::RawLimits<Raw>::width;
     const double low = std::max(-(F + 2) * M_LN2, -std::ldexp(1, width - 1 - F));
     const double high = std::min((width - F) * M_LN2, std::ldexp(0.999, width - 1 - F));
     std::mt19937_64 generator(F);

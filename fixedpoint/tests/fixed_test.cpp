@@ -38,7 +38,7 @@ cpp_int clamped(const cpp_int& exact) {
 
 template <class Number>
 cpp_int wrapped(const cpp_int& exact) {
-    const cpp_int modulus = cpp_int(1) << width_of<typename Number::Raw>;
+    const cpp_int modulus = cpp_int(1) << RawLimits<typename Number::Raw>::width;
     cpp_int result = exact % modulus;
     if (result < 0) result += modulus;
     return result >= modulus / 2 ? cpp_int(result - modulus) : result;
@@ -54,12 +54,12 @@ std::vector<typename Number::Raw> boundary() {
                                2,
                                -2,
                                3,
-                               raw_max<Raw>,
-                               raw_min<Raw>,
-                               Raw(raw_max<Raw> - 1),
-                               Raw(raw_min<Raw> + 1),
-                               raw_max<Raw> / 2};
-    for (int bit = 1; bit<width_of<Raw> - 1; bit += width_of<Raw>> 16 ? 3 : 1) {
+                               RawLimits<Raw>::max,
+                               RawLimits<Raw>::min,
+                               Raw(RawLimits<Raw>::max - 1),
+                               Raw(RawLimits<Raw>::min + 1),
+                               RawLimits<Raw>::max / 2};
+    for (int bit = 1; bit<RawLimits<Raw>::width - 1; bit += RawLimits<Raw>::width> 16 ? 3 : 1) {
         const Raw power = static_cast<Raw>(Raw(1) << bit);
         for (const Raw value : {power, Raw(power - 1), Raw(power + 1)}) {
             values.push_back(value);
@@ -86,7 +86,8 @@ void for_each_pair(const Judge& judge) {
     for (int i = 0; i < 20000; ++i) {
         // Log-uniform magnitudes: shifts by a random number of bits.
         const auto draw = [&] {
-            return static_cast<Raw>(static_cast<Raw>(random()) >> (random() % width_of<Raw>));
+            return static_cast<Raw>(static_cast<Raw>(random()) >>
+                                    (random() % RawLimits<Raw>::width));
         };
         judge(draw(), draw());
     }
@@ -244,10 +245,10 @@ TEST(Checked, NotifiesOfDomainErrors) {
     (void)sqrt(zero), (void)sqrt(positive), (void)log(positive), (void)reciprocal_sqrt(positive);
     EXPECT_EQ(overflows + zero_divisors + domain_errors, 0);
     EXPECT_EQ(sqrt(negative).raw(), 0);
-    EXPECT_EQ(log(zero).raw(), raw_min<int32_t>);
+    EXPECT_EQ(log(zero).raw(), RawLimits<int32_t>::min);
     EXPECT_EQ(reciprocal_sqrt(negative).raw(), 0);
     EXPECT_EQ(domain_errors, 3);
-    EXPECT_EQ(reciprocal_sqrt(zero).raw(), raw_max<int32_t>);
+    EXPECT_EQ(reciprocal_sqrt(zero).raw(), RawLimits<int32_t>::max);
     EXPECT_EQ(zero_divisors, 1);
 }
 

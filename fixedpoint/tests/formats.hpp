@@ -36,8 +36,8 @@ void for_each_pair(Check check) {
             continue;
         }
         for (int i = 0; i < 4; ++i) check(a, numbers[random() % numbers.size()]);
-        for (const Raw b :
-             {Raw(0), Raw(1), Raw(-1), fixedpoint::raw_min<Raw>, fixedpoint::raw_max<Raw>}) {
+        for (const Raw b : {Raw(0), Raw(1), Raw(-1), fixedpoint::RawLimits<Raw>::min,
+                            fixedpoint::RawLimits<Raw>::max}) {
             check(a, b);
             check(b, a);
         }

@@ -45,7 +45,7 @@ double error_in_ulp(Raw result, const Exact<Raw>& exact) {
 template <class Raw>
 std::vector<Raw> boundaries(int stride) {
     std::vector<Raw> values{0, std::numeric_limits<Raw>::min(), std::numeric_limits<Raw>::max()};
-    for (int bit = 0; bit < width_of<Raw> - 1; bit += stride) {
+    for (int bit = 0; bit < RawLimits<Raw>::width - 1; bit += stride) {
         for (int offset = -1; offset <= 1; ++offset) {
             const Raw value = static_cast<Raw>((Raw(1) << bit) + offset);
             values.push_back(value);
@@ -58,8 +58,9 @@ std::vector<Raw> boundaries(int stride) {
 // Log-uniform magnitudes over the whole range, both signs.
 template <class Raw>
 Raw random_raw(std::mt19937_64& generator) {
-    const int shift = static_cast<int>(generator() % width_of<Raw>);
-    return static_cast<Raw>(static_cast<int64_t>(generator()) >> (64 - width_of<Raw> + shift));
+    const int shift = static_cast<int>(generator() % RawLimits<Raw>::width);
+    return static_cast<Raw>(static_cast<int64_t>(generator()) >>
+                            (64 - RawLimits<Raw>::width + shift));
 }
 
 }  // namespace tests

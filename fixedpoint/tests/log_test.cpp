@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fixedpoint/kernel/log.hpp>
+#include <fixedpoint/kernel/dispatch.hpp>
 #include <limits>
 #include <random>
 #include <utility>

@@ -2,7 +2,7 @@
 // multiply and multiply_add against exact integers.
 #include <gtest/gtest.h>
 
-#include <fixedpoint/kernel/multiply_add.hpp>
+#include <fixedpoint/kernel/dispatch.hpp>
 
 #include "exact.hpp"
 #include "formats.hpp"

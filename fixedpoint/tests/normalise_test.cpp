@@ -18,7 +18,7 @@ using Vector = std::array<Raw, 3>;
 
 // Hundredths of an ulp that a component of a format may be off.
 template <class Raw, int F>
-constexpr int allowed = fixedpoint::portable::normalises_by_length<Raw, F> ? 97 : 50;
+constexpr int allowed = fixedpoint::portable::normalises_by_length<Raw, F>() ? 97 : 50;
 
 template <class Raw, int F, class Int>
 void expect_within_bound(const Vector<Raw>& v) {

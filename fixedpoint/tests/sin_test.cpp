@@ -4,9 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fixedpoint/kernel/cos.hpp>
-#include <fixedpoint/kernel/sin.hpp>
-#include <fixedpoint/kernel/sincos.hpp>
+#include <fixedpoint/kernel/dispatch.hpp>
 #include <limits>
 #include <random>
 #include <utility>
@@ -33,8 +31,8 @@ void expect_sine_and_cosine(Raw angle, Raw sine, Raw cosine) {
         << "sin(" << +angle << "), " << F << " fraction bits, gave " << +sine;
     ASSERT_LE((error_in_ulp<Raw, F>(cosine, exact_cosine)), bound)
         << "cos(" << +angle << "), " << F << " fraction bits, gave " << +cosine;
-    if (F < fixedpoint::width_of<Raw> - 1) {
-        const Raw one = static_cast<Raw>(Raw(1) << (F % (fixedpoint::width_of<Raw> - 1)));
+    if (F < fixedpoint::RawLimits<Raw>::width - 1) {
+        const Raw one = static_cast<Raw>(Raw(1) << (F % (fixedpoint::RawLimits<Raw>::width - 1)));
         ASSERT_TRUE(-one <= sine && sine <= one && -one <= cosine && cosine <= one)
             << "beyond 1 at " << +angle << ", " << F << " fraction bits";
     }

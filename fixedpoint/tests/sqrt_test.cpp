@@ -3,7 +3,7 @@
 // (r - 1/2)^2 < n < (r + 1/2)^2.
 #include <gtest/gtest.h>
 
-#include <fixedpoint/kernel/sqrt.hpp>
+#include <fixedpoint/kernel/dispatch.hpp>
 #include <limits>
 
 #include "exact.hpp"

@@ -2,27 +2,24 @@
 // One operation of every split of SPLIT_BITS, for splits_test.cpp: SPLIT_OPERATION, and
 // SPLIT_SHAPE, the macro that defines its subject.
 #include <fixedpoint/arithmetic/nearest.hpp>
-#include <fixedpoint/kernel/splits_16.hpp>
-#include <fixedpoint/kernel/splits_32.hpp>
+#include <fixedpoint/kernel/dispatch.hpp>
 
 #include "../subjects/subject.hpp"
 
 using fixedpoint::Nearest;
 
-#define SPLIT_SUBJECT(shape, operation, I, F) \
+#define SPLIT(unused, shape, operation, I, F) \
     shape(operation, q##I##_##F, default, fixedpoint::Integer<SPLIT_BITS>, F, Nearest)
-#define SPLIT(I, F) SPLIT_SUBJECT(SPLIT_SHAPE, SPLIT_OPERATION, I, F)
 #if SPLIT_BITS == 16
 #define SPLITS FIXEDPOINT_SPLITS_16
 #else
 #define SPLITS FIXEDPOINT_SPLITS_32
 #endif
-SPLITS(SPLIT)
+SPLITS(SPLIT, , SPLIT_SHAPE, SPLIT_OPERATION)
 
 // The linker keeps what is referred to.
-#define SPLIT_NAME(operation, I, F) operation##_q##I##_##F##_default
-#define SPLIT_ADDRESS_OF(operation, I, F) reinterpret_cast<void (*)()>(SPLIT_NAME(operation, I, F)),
-#define SPLIT_ADDRESS(I, F) SPLIT_ADDRESS_OF(SPLIT_OPERATION, I, F)
-void (*const volatile subjects[])() = {SPLITS(SPLIT_ADDRESS)};
+#define SPLIT_ADDRESS(unused, shape, operation, I, F) \
+    reinterpret_cast<void (*)()>(operation##_q##I##_##F##_default),
+void (*const volatile subjects[])() = {SPLITS(SPLIT_ADDRESS, , SPLIT_SHAPE, SPLIT_OPERATION)};
 
 int main() { return subjects[0] != nullptr; }

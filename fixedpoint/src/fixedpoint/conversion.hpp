@@ -50,7 +50,7 @@ constexpr Target convert(Source source) {
 
 // The same, clamped to the range of the target.
 template <class Target, class Source>
-constexpr Converted<Target> convert_clamped(Source source) {
+FIXEDPOINT_CONSTEXPR Converted<Target> convert_clamped(Source source) {
     using To = NumberFormat<Target>;
     using From = NumberFormat<Source>;
     const auto result =
@@ -62,7 +62,7 @@ constexpr Converted<Target> convert_clamped(Source source) {
 // The float or double x rounded and clamped; NaN gives 0, which does not fit. Exact: x is taken
 // apart by its bits.
 template <class Target, class Float>
-constexpr Converted<Target> from_float(Float x) {
+FIXEDPOINT_CONSTEXPR Converted<Target> from_float(Float x) {
     const auto result = portable::from_float<typename Target::Raw, Target::fraction_bits>(x);
     return {Target::from_raw(result.number), result.fits};
 }
@@ -75,7 +75,7 @@ constexpr Float to_float(Fixed<I, F, A> x) {
 
 // n / 10^decimals rounded and clamped: from_decimal<Q16_16>(38, 2) is 0.38.
 template <class Target, class Int>
-constexpr Converted<Target> from_decimal(Int n, uint8_t decimals) {
+FIXEDPOINT_CONSTEXPR Converted<Target> from_decimal(Int n, uint8_t decimals) {
     const auto result =
         portable::from_decimal<typename Target::Raw, Target::fraction_bits>(n, decimals);
     return {Target::from_raw(result.number), result.fits};

@@ -35,8 +35,8 @@ class Fixed {
     }
 
     // The largest and the smallest number, and the distance between neighbours (one ulp).
-    static constexpr Fixed max() { return Fixed(raw_max<Raw>); }
-    static constexpr Fixed min() { return Fixed(raw_min<Raw>); }
+    static constexpr Fixed max() { return Fixed(RawLimits<Raw>::max); }
+    static constexpr Fixed min() { return Fixed(RawLimits<Raw>::min); }
     static constexpr Fixed ulp() { return Fixed(1); }
 
     friend constexpr Fixed operator+(Fixed a, Fixed b) {
@@ -64,18 +64,18 @@ class Fixed {
         return Fixed(Arithmetic::template shift_left<Raw, FractionBits>(a.raw_, count));
     }
     // floor(a / 2^count) in units of one ulp, for every count.
-    friend constexpr Fixed operator>>(Fixed a, unsigned char count) {
-        constexpr unsigned char last = width_of<Raw> - 1;
+    friend FIXEDPOINT_CONSTEXPR Fixed operator>>(Fixed a, unsigned char count) {
+        constexpr unsigned char last = RawLimits<Raw>::width - 1;
         return Fixed(static_cast<Raw>(a.raw_ >> (count < last ? count : last)));
     }
 
-    constexpr Fixed& operator+=(Fixed b) { return *this = *this + b; }
-    constexpr Fixed& operator-=(Fixed b) { return *this = *this - b; }
-    constexpr Fixed& operator*=(Fixed b) { return *this = *this * b; }
-    constexpr Fixed& operator/=(Fixed b) { return *this = *this / b; }
-    constexpr Fixed& operator%=(Fixed b) { return *this = *this % b; }
-    constexpr Fixed& operator<<=(unsigned char count) { return *this = *this << count; }
-    constexpr Fixed& operator>>=(unsigned char count) { return *this = *this >> count; }
+    FIXEDPOINT_CONSTEXPR Fixed& operator+=(Fixed b) { return *this = *this + b; }
+    FIXEDPOINT_CONSTEXPR Fixed& operator-=(Fixed b) { return *this = *this - b; }
+    FIXEDPOINT_CONSTEXPR Fixed& operator*=(Fixed b) { return *this = *this * b; }
+    FIXEDPOINT_CONSTEXPR Fixed& operator/=(Fixed b) { return *this = *this / b; }
+    FIXEDPOINT_CONSTEXPR Fixed& operator%=(Fixed b) { return *this = *this % b; }
+    FIXEDPOINT_CONSTEXPR Fixed& operator<<=(unsigned char count) { return *this = *this << count; }
+    FIXEDPOINT_CONSTEXPR Fixed& operator>>=(unsigned char count) { return *this = *this >> count; }
 
     friend constexpr bool operator==(Fixed a, Fixed b) { return a.raw_ == b.raw_; }
     friend constexpr bool operator!=(Fixed a, Fixed b) { return a.raw_ != b.raw_; }

@@ -16,7 +16,7 @@ namespace fixedpoint {
 namespace literals {
 
 template <class Number, char... Text>
-constexpr Parsed<Number> parse_literal() {
+FIXEDPOINT_CONSTEXPR Parsed<Number> parse_literal() {
     // Digit separators are the only characters that a literal has and decimal text has not.
     char text[] = {Text...};
     size_t length = 0;
@@ -28,7 +28,7 @@ constexpr Parsed<Number> parse_literal() {
 
 // The number that the characters say; what is not a decimal number in range does not compile.
 template <class Number, char... Text>
-constexpr Number literal() {
+FIXEDPOINT_CONSTEXPR Number literal() {
     constexpr Parsed<Number> result = parse_literal<Number, Text...>();
     static_assert(result.status != TextStatus::malformed,
                   "A fixed-point literal is a decimal number: 12, 0.38, 1e-3.");

@@ -47,7 +47,7 @@ struct SineAndCosine {
 };
 // Both of one angle, for less than sin and cos take.
 template <int I, int F, class A>
-constexpr SineAndCosine<Fixed<I, F, A>> sincos(Fixed<I, F, A> angle) {
+FIXEDPOINT_CONSTEXPR SineAndCosine<Fixed<I, F, A>> sincos(Fixed<I, F, A> angle) {
     Integer<I + F> both[2] = {};
     A::template sincos<Integer<I + F>, F>(angle.raw(), both);
     return {Fixed<I, F, A>::from_raw(both[0]), Fixed<I, F, A>::from_raw(both[1])};

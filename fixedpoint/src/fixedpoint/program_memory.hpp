@@ -8,7 +8,11 @@
 
 #ifdef __AVR__
 #include <avr/pgmspace.h>
+#ifdef __clang__  // which does not know the attribute of PROGMEM
+#define FIXEDPOINT_PROGRAM_MEMORY __attribute__((section(".progmem.data.fixedpoint")))
+#else
 #define FIXEDPOINT_PROGRAM_MEMORY PROGMEM
+#endif
 #else
 #define FIXEDPOINT_PROGRAM_MEMORY
 #endif

@@ -28,7 +28,7 @@ void check_count(const Shift& expected, uint8_t count) {
 }
 
 void check_shift(const Shift& expected) {
-    const uint8_t last = expected.count == width_of<Raw> ? 255 : expected.count;
+    const uint8_t last = expected.count == RawLimits<Raw>::width ? 255 : expected.count;
     for (uint8_t count = expected.count;; ++count) {
         check_count(expected, count);
         if (count == last) break;

@@ -6,7 +6,6 @@
 
 #include <fixedpoint/arithmetic/nearest.hpp>
 #include <fixedpoint/kernel/add_saturating.hpp>
-#include <fixedpoint/kernel/multiply_saturating.hpp>
 
 namespace fixedpoint {
 
@@ -24,7 +23,7 @@ struct Saturating : Nearest {
     // -a; the negative of the smallest number is the largest.
     template <class Raw, int F>
     static constexpr Raw negate(Raw a) {
-        return a == raw_min<Raw> ? raw_max<Raw> : static_cast<Raw>(-a);
+        return a == RawLimits<Raw>::min ? RawLimits<Raw>::max : static_cast<Raw>(-a);
     }
     // a * b rounded, clamped.
     template <class Raw, int F>
@@ -48,10 +47,10 @@ struct Saturating : Nearest {
     }
     // a 2^count, clamped.
     template <class Raw, int F>
-    static constexpr Raw shift_left(Raw a, unsigned char count) {
+    static FIXEDPOINT_CONSTEXPR Raw shift_left(Raw a, unsigned char count) {
         const Raw shifted = Nearest::shift_left<Raw, F>(a, count);
         const bool fits =
-            a == 0 || (count < width_of<Raw> && static_cast<Raw>(shifted >> count) == a);
+            a == 0 || (count < RawLimits<Raw>::width && static_cast<Raw>(shifted >> count) == a);
         return fits ? shifted : portable::limit_by_sign(a);
     }
     // a, of another format, rounded, clamped.

@@ -10,7 +10,7 @@ namespace portable {
 
 // 2^16 atan(numerator / denominator), for numerator <= denominator, denominator not 0. Reciprocal
 // and arc tangent are chords, the ratio has 15 bits and is below 1.
-constexpr uint16_t arctangent_q8_8(uint16_t numerator, uint16_t denominator) {
+FIXEDPOINT_CONSTEXPR uint16_t arctangent_q8_8(uint16_t numerator, uint16_t denominator) {
     using Table = Atan2Q8_8Table<>;
     while ((denominator >> 15) == 0) {
         denominator = static_cast<uint16_t>(denominator << 1);
@@ -29,7 +29,7 @@ constexpr uint16_t arctangent_q8_8(uint16_t numerator, uint16_t denominator) {
         (read_program_memory(Table::angle_slope[interval]) * (ratio & 0xffu) >> 8));
 }
 
-constexpr int16_t atan2_q8_8(int16_t y, int16_t x) {
+FIXEDPOINT_CONSTEXPR int16_t atan2_q8_8(int16_t y, int16_t x) {
     if (x == 0 && y == 0) return 0;
     // With half an ulp, so that cutting 8 bits rounds.
     constexpr uint32_t half_pi = 103072, pi = 206015, half_ulp = 128;

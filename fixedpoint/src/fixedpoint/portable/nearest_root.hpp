@@ -11,11 +11,11 @@ namespace portable {
 // sqrt(high 2^W + low) to nearest, never a tie; clamped to what a Raw holds. Digit by digit: two
 // bits of the radicand make one bit of the root.
 template <class Raw>
-constexpr Raw nearest_root(Unsigned<Raw> high, Unsigned<Raw> low) {
+FIXEDPOINT_CONSTEXPR Raw nearest_root(Unsigned<Raw> high, Unsigned<Raw> low) {
     using Word = Unsigned<Raw>;
-    constexpr int W = width_of<Raw>;
+    constexpr int W = RawLimits<Raw>::width;
     constexpr Word quarter = static_cast<Word>(Word(1) << (W - 2));
-    if (high >= quarter) return raw_max<Raw>;
+    if (high >= quarter) return RawLimits<Raw>::max;
     Word root = 0, remainder = 0, digits = high;
     int pair = 0;
     // Leading zeros make no digit.
@@ -38,7 +38,8 @@ constexpr Raw nearest_root(Unsigned<Raw> high, Unsigned<Raw> low) {
     }
     // remainder > root: the radicand lies beyond (root + 1/2)^2 = root^2 + root + 1/4.
     const Word rounded = static_cast<Word>(root + (remainder > root ? 1 : 0));
-    return rounded > static_cast<Word>(raw_max<Raw>) ? raw_max<Raw> : static_cast<Raw>(rounded);
+    return rounded > static_cast<Word>(RawLimits<Raw>::max) ? RawLimits<Raw>::max
+                                                            : static_cast<Raw>(rounded);
 }
 
 template <class Raw>
@@ -49,15 +50,16 @@ constexpr Raw nearest_root(DoubleWord<Raw> radicand) {
 // sqrt(numerator 2^doublings / denominator) to nearest, ties upward; clamped to what a Raw holds.
 // Needs numerator < 2 denominator. Number is any unsigned integer that holds the two.
 template <class Raw, class Number>
-constexpr Raw nearest_root_of_ratio(Number numerator, Number denominator, int doublings) {
+FIXEDPOINT_CONSTEXPR Raw nearest_root_of_ratio(Number numerator, Number denominator,
+                                               int doublings) {
     using Word = Unsigned<Raw>;
-    constexpr int W = width_of<Raw>;
+    constexpr int W = RawLimits<Raw>::width;
     Word high = 0, low = 0;
     Number remainder = numerator;
     bool carry = false;
     for (int round = 0; round <= doublings; ++round) {
         if (round > 0) {
-            if (high >> (W - 2) != 0) return raw_max<Raw>;
+            if (high >> (W - 2) != 0) return RawLimits<Raw>::max;
             high = static_cast<Word>((high << 1) | (low >> (W - 1)));
             low = static_cast<Word>(low << 1);
             const Number doubled = static_cast<Number>(remainder << 1);

@@ -8,9 +8,11 @@ namespace fixedpoint {
 namespace portable {
 
 template <int K, class Raw>
-constexpr Raw scale_down_plain(Raw a) {
-    constexpr int shift = K == 0 || K >= width_of<Raw> ? 1 : K;
-    return K == 0 ? a : K >= width_of<Raw> ? Raw(0) : Raw((a >> shift) + (a >> (shift - 1) & 1));
+FIXEDPOINT_CONSTEXPR Raw scale_down_plain(Raw a) {
+    constexpr int shift = K == 0 || K >= RawLimits<Raw>::width ? 1 : K;
+    return K == 0                       ? a
+           : K >= RawLimits<Raw>::width ? Raw(0)
+                                        : Raw((a >> shift) + (a >> (shift - 1) & 1));
 }
 
 #ifdef __AVR__
@@ -30,9 +32,9 @@ inline Raw scale_down_by_bytes(Raw a) {
 }
 template <int K, class Raw>
 constexpr Raw scale_down(Raw a) {
-    return K == 0 || K >= width_of<Raw> || __builtin_constant_p(a)
+    return K == 0 || K >= RawLimits<Raw>::width || __builtin_constant_p(a)
                ? scale_down_plain<K>(a)
-               : scale_down_by_bytes<(K == 0 || K >= width_of<Raw> ? 1 : K)>(a);
+               : scale_down_by_bytes<(K == 0 || K >= RawLimits<Raw>::width ? 1 : K)>(a);
 }
 #else
 template <int K, class Raw>

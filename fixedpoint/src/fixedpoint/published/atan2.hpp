@@ -18,7 +18,7 @@ constexpr uint64_t from_32_fraction_bits(uint64_t value) {
 
 // pi / 2^halvings rounded to F fraction bits, from the 61 that 64 bits hold.
 template <class Raw, int F>
-constexpr Raw pi_share(int halvings) {
+FIXEDPOINT_CONSTEXPR Raw pi_share(int halvings) {
     static_assert(F <= 60, "pi is kept to 61 fraction bits: at most 60 can be rounded from it.");
     const uint64_t pi_61 = 0x6487ed5110b4611aull;
     const int drop = 61 - F + halvings;
@@ -30,9 +30,9 @@ constexpr Raw pi_share(int halvings) {
 template <class Raw, int F>
 Raw atan(Raw ratio) {
     // 200 intervals times a ratio of at most 1, so that 8 bits above the fraction suffice.
-    using Position = UnsignedInteger<(width_of<Raw> < 16 ? 16 : width_of<Raw>)>;
+    using Position = UnsignedInteger<(RawLimits<Raw>::width < 16 ? 16 : RawLimits<Raw>::width)>;
     static_assert(
-        F + 8 <= width_of<Position>,
+        F + 8 <= RawLimits<Position>::width,
         "The published arc tangent needs 8 bits above the fraction to address its table.");
     if (ratio <= 0) return 0;
     const Position one = static_cast<Position>(Position(1) << F);
