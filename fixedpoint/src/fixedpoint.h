@@ -3,9 +3,6 @@
 // What is not used costs nothing: no function, no table.
 #pragma once
 
-#if __cplusplus < 201402L
-#error "The library fixedpoint is written in C++14: compile with -std=gnu++14 (README.md says how in Arduino)."
-#endif
 
 #ifdef ARDUINO
 // The Arduino core has macros of these names, which would break every function that is called so,

@@ -16,7 +16,7 @@ FIXEDPOINT_CONSTEXPR Raw atan_small(Raw a) {
 }
 
 template <>
-constexpr int32_t atan_small<int32_t, 16>(int32_t a) {
+FIXEDPOINT_CONSTEXPR int32_t atan_small<int32_t, 16>(int32_t a) {
     return atan_small_q16_16(a);
 }
 
@@ -26,7 +26,7 @@ constexpr Raw atan(Raw a) {
 }
 
 template <>
-constexpr int32_t atan<int32_t, 16>(int32_t a) {
+FIXEDPOINT_CONSTEXPR int32_t atan<int32_t, 16>(int32_t a) {
     return atan_q16_16(a);
 }
 

@@ -68,7 +68,7 @@ FIXEDPOINT_CONSTEXPR Raw atan2_small(Raw y, Raw x) {
 }
 
 template <>
-constexpr int32_t atan2_small<int32_t, 16>(int32_t y, int32_t x) {
+FIXEDPOINT_CONSTEXPR int32_t atan2_small<int32_t, 16>(int32_t y, int32_t x) {
     return atan2_small_q16_16(y, x);
 }
 
@@ -78,11 +78,11 @@ constexpr Raw atan2(Raw y, Raw x) {
 }
 
 template <>
-constexpr int16_t atan2<int16_t, 8>(int16_t y, int16_t x) {
+FIXEDPOINT_CONSTEXPR int16_t atan2<int16_t, 8>(int16_t y, int16_t x) {
     return atan2_q8_8(y, x);
 }
 template <>
-constexpr int32_t atan2<int32_t, 16>(int32_t y, int32_t x) {
+FIXEDPOINT_CONSTEXPR int32_t atan2<int32_t, 16>(int32_t y, int32_t x) {
     return atan2_q16_16(y, x);
 }
 

@@ -16,14 +16,14 @@ FIXEDPOINT_CONSTEXPR uint16_t arctangent_q8_8(uint16_t numerator, uint16_t denom
         denominator = static_cast<uint16_t>(denominator << 1);
         numerator = static_cast<uint16_t>(numerator << 1);
     }
-    const uint8_t row = denominator >> 8 & 0x7f;
+    const uint8_t row = static_cast<uint8_t>(denominator >> 8 & 0x7f);
     const uint16_t reciprocal = static_cast<uint16_t>(
         read_program_memory(Table::reciprocal[row]) -
         (read_program_memory(Table::reciprocal_slope[row]) * (denominator & 0xffu) >> 8));
     const uint16_t n1 = numerator >> 8, n0 = numerator & 0xff;
     const uint16_t r1 = reciprocal >> 8, r0 = reciprocal & 0xff;
     const uint16_t ratio = static_cast<uint16_t>((n1 * r1 + (n1 * r0 >> 8) + (n0 * r1 >> 8)) << 1);
-    const uint8_t interval = ratio >> 8;
+    const uint8_t interval = static_cast<uint8_t>(ratio >> 8);
     return static_cast<uint16_t>(
         read_program_memory(Table::angle[interval]) + ratio +
         (read_program_memory(Table::angle_slope[interval]) * (ratio & 0xffu) >> 8));

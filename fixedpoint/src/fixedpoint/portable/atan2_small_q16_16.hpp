@@ -41,7 +41,9 @@ FIXEDPOINT_CONSTEXPR int32_t atan2_small_q16_16(int32_t y, int32_t x) {
     return angle_in_octant_q16_16(arctangent_polynomial_q16_16(ratio), steep, x < 0, y < 0);
 }
 
-constexpr int32_t atan_small_q16_16(int32_t a) { return atan2_small_q16_16(a, int32_t(1) << 16); }
+FIXEDPOINT_CONSTEXPR int32_t atan_small_q16_16(int32_t a) {
+    return atan2_small_q16_16(a, int32_t(1) << 16);
+}
 
 }  // namespace portable
 }  // namespace fixedpoint

@@ -83,7 +83,7 @@ constexpr Raw exp(Raw a) {
 }
 
 template <>
-constexpr int32_t exp<int32_t, 16>(int32_t a) {
+FIXEDPOINT_CONSTEXPR int32_t exp<int32_t, 16>(int32_t a) {
     return exp_q16_16(a);
 }
 

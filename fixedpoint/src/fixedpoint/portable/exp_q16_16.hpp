@@ -45,7 +45,7 @@ FIXEDPOINT_CONSTEXPR int32_t exp_q16_16(int32_t a) {
     if (whole > 10) return RawLimits<int32_t>::max;
 
     // k + 17, k being about x / ln 2 less up to 0.7: x - k ln 2 is between -0.26 and 0.49.
-    const int k = ((whole + 12) * 185 + ((a >> 8 & 0xff) * 185 >> 8)) >> 7;
+    const int k = static_cast<int>(((whole + 12) * 185 + ((a >> 8 & 0xff) * 185 >> 8)) >> 7);
     const uint16_t position = static_cast<uint16_t>(a + read_program_memory(ExpTable<>::offset[k]));
     const uint32_t tail = read_program_memory(ExpTable<>::tail[k]);
     uint8_t node = static_cast<uint8_t>(position >> 8);

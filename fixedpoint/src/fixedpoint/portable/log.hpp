@@ -70,7 +70,7 @@ constexpr Raw log(Raw a) {
 }
 
 template <>
-constexpr int32_t log<int32_t, 16>(int32_t a) {
+FIXEDPOINT_CONSTEXPR int32_t log<int32_t, 16>(int32_t a) {
     return log_q16_16(a);
 }
 

@@ -12,7 +12,8 @@ namespace portable {
 template <class Raw, int F>
 struct SaturatingMultiplication {
     static FIXEDPOINT_CONSTEXPR Raw apply(Raw a, Raw b) {
-        const Wide<Raw> rounded = (static_cast<Wide<Raw>>(a) * b + ((Wide<Raw>(1) << F) >> 1)) >> F;
+        const Wide<Raw> rounded = static_cast<Wide<Raw>>(
+            (static_cast<Wide<Raw>>(a) * b + ((Wide<Raw>(1) << F) >> 1)) >> F);
         return rounded > RawLimits<Raw>::max   ? RawLimits<Raw>::max
                : rounded < RawLimits<Raw>::min ? RawLimits<Raw>::min
                                                : static_cast<Raw>(rounded);

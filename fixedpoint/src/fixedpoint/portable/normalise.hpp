@@ -30,7 +30,8 @@ FIXEDPOINT_CONSTEXPR void normalise_by_length(const Raw* v, Raw* unit) {
     // Has the largest component's leading one, or, of -2^n, a lower one, but no lower than bit 0.
     Unsigned<Raw> largest = (v[0] | v[1] | v[2]) != 0;
     for (const Raw component : scaled) {
-        largest = static_cast<Unsigned<Raw>>(largest | (component < 0 ? ~component : component));
+        largest = static_cast<Unsigned<Raw>>(
+            largest | static_cast<Unsigned<Raw>>(component < 0 ? ~component : component));
     }
     if (largest >> (W - 2) != 0) {
         for (Raw& component : scaled) {

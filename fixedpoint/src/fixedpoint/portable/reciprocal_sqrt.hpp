@@ -58,8 +58,8 @@ FIXEDPOINT_CONSTEXPR int64_t reciprocal_sqrt_by_division(int64_t a) {
 }
 
 struct SqrtAndDivision {
-    static constexpr int64_t sqrt(int64_t a) { return portable::sqrt<int64_t, 32>(a); }
-    static constexpr int64_t divide(int64_t a, int64_t b) {
+    static FIXEDPOINT_CONSTEXPR int64_t sqrt(int64_t a) { return portable::sqrt<int64_t, 32>(a); }
+    static FIXEDPOINT_CONSTEXPR int64_t divide(int64_t a, int64_t b) {
         return portable::divide<int64_t, 32>(a, b);
     }
 };
@@ -70,11 +70,11 @@ struct ReciprocalSqrt {
 };
 template <>
 struct ReciprocalSqrt<int32_t, 16> {
-    static constexpr int32_t apply(int32_t a) { return reciprocal_sqrt_q16_16(a); }
+    static FIXEDPOINT_CONSTEXPR int32_t apply(int32_t a) { return reciprocal_sqrt_q16_16(a); }
 };
 template <>
 struct ReciprocalSqrt<int64_t, 32> {
-    static constexpr int64_t apply(int64_t a) {
+    static FIXEDPOINT_CONSTEXPR int64_t apply(int64_t a) {
         return reciprocal_sqrt_by_division<SqrtAndDivision>(a);
     }
 };

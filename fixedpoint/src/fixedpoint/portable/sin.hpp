@@ -150,11 +150,11 @@ FIXEDPOINT_CONSTEXPR void sincos_small(Raw angle, Raw* result) {
 }
 
 template <>
-constexpr int32_t sin_small<int32_t, 16>(int32_t angle) {
+FIXEDPOINT_CONSTEXPR int32_t sin_small<int32_t, 16>(int32_t angle) {
     return sin_small_q16_16(angle);
 }
 template <>
-constexpr int32_t cos_small<int32_t, 16>(int32_t angle) {
+FIXEDPOINT_CONSTEXPR int32_t cos_small<int32_t, 16>(int32_t angle) {
     return cos_small_q16_16(angle);
 }
 template <>
@@ -177,11 +177,11 @@ FIXEDPOINT_CONSTEXPR void sincos(Raw angle, Raw* result) {
 }
 
 template <>
-constexpr int32_t sin<int32_t, 16>(int32_t angle) {
+FIXEDPOINT_CONSTEXPR int32_t sin<int32_t, 16>(int32_t angle) {
     return sin_q16_16(angle);
 }
 template <>
-constexpr int32_t cos<int32_t, 16>(int32_t angle) {
+FIXEDPOINT_CONSTEXPR int32_t cos<int32_t, 16>(int32_t angle) {
     return cos_q16_16(angle);
 }
 template <>

@@ -16,11 +16,11 @@ FIXEDPOINT_CONSTEXPR int32_t sine_of_quarter_turns_q16_16(uint32_t turns) {
     return is_lower_half_turn_q16_16(turns) ? -sine : sine;
 }
 
-constexpr int32_t sin_q16_16(int32_t angle) {
+FIXEDPOINT_CONSTEXPR int32_t sin_q16_16(int32_t angle) {
     return sine_of_quarter_turns_q16_16(quarter_turns_q16_16(angle));
 }
 
-constexpr int32_t cos_q16_16(int32_t angle) {
+FIXEDPOINT_CONSTEXPR int32_t cos_q16_16(int32_t angle) {
     return sine_of_quarter_turns_q16_16(quarter_turns_q16_16(angle) + one_quarter_turn_q16_16);
 }
 

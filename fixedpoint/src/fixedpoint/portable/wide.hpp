@@ -50,17 +50,20 @@ FIXEDPOINT_CONSTEXPR Division128 divide_full_by_bits(uint64_t high, uint64_t low
 }
 
 #if defined(__SIZEOF_INT128__)
+__extension__ typedef unsigned __int128 Native128;
 FIXEDPOINT_CONSTEXPR Wide128 multiply_full(uint64_t a, uint64_t b) {
-    const unsigned __int128 product = static_cast<unsigned __int128>(a) * b;
+    const Native128 product = static_cast<Native128>(a) * b;
     return {static_cast<uint64_t>(product >> 64), static_cast<uint64_t>(product)};
 }
 FIXEDPOINT_CONSTEXPR Division128 divide_full(uint64_t high, uint64_t low, uint64_t divisor) {
-    const unsigned __int128 dividend = (static_cast<unsigned __int128>(high) << 64) | low;
+    const Native128 dividend = (static_cast<Native128>(high) << 64) | low;
     return {static_cast<uint64_t>(dividend / divisor), static_cast<uint64_t>(dividend % divisor)};
 }
 #else
-constexpr Wide128 multiply_full(uint64_t a, uint64_t b) { return multiply_full_by_digits(a, b); }
-constexpr Division128 divide_full(uint64_t high, uint64_t low, uint64_t divisor) {
+FIXEDPOINT_CONSTEXPR Wide128 multiply_full(uint64_t a, uint64_t b) {
+    return multiply_full_by_digits(a, b);
+}
+FIXEDPOINT_CONSTEXPR Division128 divide_full(uint64_t high, uint64_t low, uint64_t divisor) {
     return divide_full_by_bits(high, low, divisor);
 }
 #endif

@@ -43,7 +43,7 @@ Raw atan(Raw ratio) {
     const uint8_t interval = static_cast<uint8_t>(position >> F);
     const Position fraction = position & static_cast<Position>(one - 1);
     const uint64_t below = arc_tangent_entry(interval);
-    const uint64_t step = arc_tangent_entry(interval + 1) - below;
+    const uint64_t step = arc_tangent_entry(static_cast<uint8_t>(interval + 1)) - below;
     // step < 2^25 and fraction < 2^F, F <= 39 wherever the product is taken whole.
     static_assert(F <= 39,
                   "The published arc tangent interpolates in 64 bits: at most 39 fraction bits.");
@@ -60,18 +60,18 @@ Raw atan2(Raw y, Raw x) {
     Unsigned<Raw> across = magnitude(x);
     Unsigned<Raw> up = magnitude(y);
     Unsigned<Raw> angle = 0;
-    if (y < 0) angle += pi_share<Raw, F>(0);
+    if (y < 0) angle += static_cast<Unsigned<Raw>>(pi_share<Raw, F>(0));
     if (y < 0 ? x > 0 : x < 0) {
         const Unsigned<Raw> turned = across;
         across = up;
         up = turned;
-        angle += pi_share<Raw, F>(1);
+        angle += static_cast<Unsigned<Raw>>(pi_share<Raw, F>(1));
     }
     if (up > across) {
         const Unsigned<Raw> sum = across + up;
         up -= across;
         across = sum;
-        angle += pi_share<Raw, F>(2);
+        angle += static_cast<Unsigned<Raw>>(pi_share<Raw, F>(2));
     }
     const Raw ratio = static_cast<Raw>(divide_magnitudes<Raw, F>(up, across));
     return static_cast<Raw>(angle + static_cast<Unsigned<Raw>>(atan<Raw, F>(ratio)));
