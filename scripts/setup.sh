@@ -1,7 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Installs what the project builds and runs with, from Debian's packages. Does nothing, fast, where
-# all of it is there. Usage: scripts/setup.sh [--list | --fuzz]; --fuzz: what fuzzing needs, too
+# all of it is there.
+#
+# Usage: scripts/setup.sh [--tests | --fuzz] [--list]
+#   --tests  what the tests need, too
+#   --fuzz   what fuzzing needs, too
+#   --list   prints the packages and installs nothing
 set -euo pipefail
 
 packages=(
@@ -14,15 +19,21 @@ packages=(
     python3 python3-matplotlib python3-jinja2 python3-tqdm python3-z3 python3-jsonschema
     nodejs npm
 )
+for_tests=(clang-format clang-tidy shellcheck python3-pyflakes)
+for_fuzzing=(clang libclang-rt-dev)
 
-if [ "${1:-}" = "--list" ]; then
+list=
+for argument in "$@"; do
+    case $argument in
+        --tests) packages+=("${for_tests[@]}") ;;
+        --fuzz) packages+=("${for_fuzzing[@]}") ;;
+        --list) list=yes ;;
+        *) echo "setup.sh: unknown argument '$argument'; the options are --tests, --fuzz and --list" >&2; exit 2 ;;
+    esac
+done
+if [ -n "$list" ]; then
     printf '%s\n' "${packages[@]}"
     exit 0
-elif [ "${1:-}" = "--fuzz" ]; then
-    packages+=(clang libclang-rt-dev)
-elif [ $# -gt 0 ]; then
-    echo "setup.sh: unknown argument '$1'; the options are --list and --fuzz" >&2
-    exit 2
 fi
 
 if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then

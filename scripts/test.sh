@@ -1,22 +1,64 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# All tests: installs what is missing, builds, runs the suite on the host and on the simulated chip,
-# again under the sanitizers what the host can run, and checks that deliberate faults are caught.
+# All tests: installs what is missing, builds, runs, and says how long each part took.
 #
-# Usage: scripts/test.sh [--help]
+# Usage: scripts/test.sh [--quick | --full] [--help]
+#   --quick  unit tests on the host and on the simulated chip: for every edit
+#   (none)   what has to pass before a change goes in: all tests; again under the sanitizers what
+#            the host can run; deliberate faults, each of which a test must notice; and the main
+#            job, bench/run_all.sh --quick
+#   --full   the same with more deliberate faults, and four minutes of fuzzing
+# One test alone: ctest --preset release -R NAME. Exit status: 0 when all passed, 1 when one failed,
+# 2 for a wrong call.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-if [ $# -gt 0 ]; then
-    if [ "$1" = --help ]; then
-        sed -n '3,/^set /{/^set /d;s/^# \{0,1\}//p}' "$0"
-        exit 0
-    fi
-    echo "test.sh: unknown argument '$1'; see --help" >&2
-    exit 2
+
+tier=default
+for argument in "$@"; do
+    case $argument in
+        --quick) tier=quick ;;
+        --full) tier=full ;;
+        --help) sed -n '3,/^set /{/^set /d;s/^# \{0,1\}//p}' "$0"; exit 0 ;;
+        *) echo "test.sh: unknown argument '$argument'; see --help" >&2; exit 2 ;;
+    esac
+done
+
+times=()
+report() {
+    printf '\n%s tier\n' "$tier"
+    printf '%s\n' "${times[@]}"
+    printf '%6d s  in all\n' "$SECONDS"
+}
+trap report EXIT
+
+# part NAME COMMAND ...: runs the command and notes its time, also where it fails.
+part() {
+    local name=$1 start=$SECONDS status=0
+    shift
+    printf '\n== %s\n' "$name"
+    "$@" || status=$?
+    times+=("$(printf '%6d s  %s%s' $((SECONDS - start)) "$name" "$([ $status = 0 ] || echo ': FAILED')")")
+    [ $status = 0 ] || exit 1
+}
+run_tests() { ctest --preset "$1" --no-tests=error --parallel "$(nproc)" --output-on-failure "${@:2}"; }
+
+part "set-up" scripts/setup.sh --tests
+if [ $tier = quick ]; then
+    part "build of the unit tests" scripts/build.sh release quick_tests
+    part "unit tests" run_tests release --label-regex '^(host|device)$'
+    exit 0
 fi
 
-scripts/build.sh release
-ctest --preset release --parallel "$(nproc)"
-scripts/build.sh sanitize
-ctest --preset sanitize --parallel "$(nproc)"
-/usr/bin/python3 scripts/mutation_test.py
+part "build" scripts/build.sh release all tests
+part "tests" run_tests release
+part "sanitized build of the host's tests" scripts/build.sh sanitize
+part "host's tests under the sanitizers" run_tests sanitize
+faults=()
+if [ $tier = full ]; then
+    faults=(--full)
+    part "set-up for fuzzing" scripts/setup.sh --fuzz
+    part "fuzzing" cmake --build build/release --target fuzz
+fi
+part "deliberate faults" /usr/bin/python3 scripts/mutation_test.py "${faults[@]}"
+part "main job, bench/run_all.sh --quick" bench/run_all.sh --quick
+scripts/build_times.py build/release

@@ -2,6 +2,7 @@
 // Decimal constants and binary time steps, against exact integers.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <engine/decimal.hpp>
 #include <engine/time_step.hpp>
 #include <limits>
@@ -38,9 +39,8 @@ void check(engine::Decimal<digits, places> decimal, const char* text) {
     const reference::FiftyDigits fifty = decimal;
     EXPECT_EQ(single, std::strtof(text, nullptr)) << text;
     EXPECT_EQ(wide, std::strtod(text, nullptr)) << text;
-    using Value = reference::FiftyDigits::Value;
-    const Value off = fifty.value() - Value(text);
-    EXPECT_LE(abs(off), Value("1e-48")) << text;
+    const reference::FiftyDigits off = fifty - reference::FiftyDigits(text);
+    EXPECT_LE(std::abs(static_cast<double>(off)), 1e-48) << text;
 }
 
 // The integer floor(a / 2^K + 1/2), with a wide enough for every K.

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Compiles programs for the ATmega328P inside the host build: avr_executable(NAME SOURCES ...
-# [OPTIONS ...] [INCLUDES ...] [LINK_OPTIONS ...] [OBJECTS ...] [KERNELS]) makes
+# [OPTIONS ...] [INCLUDES ...] [LINK_OPTIONS ...] [OBJECTS ...] [ARCHIVES ...] [KERNELS]) makes
 # ${CMAKE_CURRENT_BINARY_DIR}/NAME.elf and sets the target property ELF to its path. Sources may be
 # .c, .cpp and .S; OBJECTS come from avr_objects(); KERNELS links the library's assembly kernels.
 
@@ -17,31 +17,36 @@ set(AVR_CXX_OPTIONS -std=gnu++14 -fno-exceptions -fno-rtti -fno-threadsafe-stati
 set(AVR_COMPILE_GCC ${CMAKE_CXX_COMPILER_LAUNCHER} ${AVR_GCC})
 set(AVR_COMPILE_GXX ${CMAKE_CXX_COMPILER_LAUNCHER} ${AVR_GXX})
 
-# avr_objects(OUT NAME SOURCES ... [OPTIONS ...] [INCLUDES ...]): compiles, sets OUT to the objects.
+# avr_compile(OUT SOURCE [OPTIONS ...] [INCLUDES ...]): sets OUT to the command that compiles SOURCE.
 # OPTIONS come last on the command line, so that they win over the common ones.
+function(avr_compile out source)
+    cmake_parse_arguments(ARG "" "" "OPTIONS;INCLUDES" ${ARGN})
+    list(TRANSFORM ARG_INCLUDES PREPEND -I)
+    get_filename_component(extension ${source} LAST_EXT)
+    if(extension STREQUAL ".cpp")
+        set(compile ${AVR_COMPILE_GXX} ${AVR_COMMON_OPTIONS} ${AVR_CXX_OPTIONS})
+    elseif(extension STREQUAL ".c")
+        set(compile ${AVR_COMPILE_GCC} ${AVR_COMMON_OPTIONS} ${AVR_C_OPTIONS})
+    else()
+        set(compile ${AVR_COMPILE_GCC} ${AVR_COMMON_OPTIONS} -x assembler-with-cpp)
+    endif()
+    set(${out} ${compile} -I${CMAKE_SOURCE_DIR}/fixedpoint/src -I${CMAKE_SOURCE_DIR}/engine/src
+        ${ARG_INCLUDES} ${ARG_OPTIONS} -c ${source} PARENT_SCOPE)
+endfunction()
+
+# avr_objects(OUT NAME SOURCES ... [OPTIONS ...] [INCLUDES ...]): compiles, sets OUT to the objects.
 function(avr_objects out name)
     cmake_parse_arguments(ARG "" "" "SOURCES;OPTIONS;INCLUDES" ${ARGN})
-    set(includes -I${CMAKE_SOURCE_DIR}/fixedpoint/src -I${CMAKE_SOURCE_DIR}/engine/src)
-    foreach(directory ${ARG_INCLUDES})
-        list(APPEND includes -I${directory})
-    endforeach()
     file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/${name}.dir)
     set(objects)
     foreach(source ${ARG_SOURCES})
         get_filename_component(source ${source} ABSOLUTE)
         get_filename_component(stem ${source} NAME)
-        get_filename_component(extension ${source} LAST_EXT)
         set(object ${CMAKE_CURRENT_BINARY_DIR}/${name}.dir/${stem}.o)
-        if(extension STREQUAL ".cpp")
-            set(compile ${AVR_COMPILE_GXX} ${AVR_COMMON_OPTIONS} ${AVR_CXX_OPTIONS})
-        elseif(extension STREQUAL ".c")
-            set(compile ${AVR_COMPILE_GCC} ${AVR_COMMON_OPTIONS} ${AVR_C_OPTIONS})
-        else()
-            set(compile ${AVR_COMPILE_GCC} ${AVR_COMMON_OPTIONS} -x assembler-with-cpp)
-        endif()
+        avr_compile(compile ${source} OPTIONS ${ARG_OPTIONS} INCLUDES ${ARG_INCLUDES})
         add_custom_command(
             OUTPUT ${object}
-            COMMAND ${compile} ${includes} ${ARG_OPTIONS} -MMD -MF ${object}.d -c ${source} -o ${object}
+            COMMAND ${compile} -MMD -MF ${object}.d -o ${object}
             DEPENDS ${source}
             DEPFILE ${object}.d
             COMMENT "AVR ${name}: ${stem}"
@@ -63,22 +68,29 @@ add_custom_command(OUTPUT ${AVR_KERNEL_ARCHIVE}
 add_custom_target(avr_kernels DEPENDS ${AVR_KERNEL_OBJECTS} ${AVR_KERNEL_ARCHIVE})
 
 function(avr_executable name)
-    cmake_parse_arguments(ARG "KERNELS" "" "SOURCES;OPTIONS;INCLUDES;LINK_OPTIONS;OBJECTS" ${ARGN})
+    cmake_parse_arguments(ARG "KERNELS" "" "SOURCES;OPTIONS;INCLUDES;LINK_OPTIONS;OBJECTS;ARCHIVES" ${ARGN})
+    set(elf ${CMAKE_CURRENT_BINARY_DIR}/${name}.elf)
+    list(POP_BACK ARG_SOURCES last)
     avr_objects(objects ${name} SOURCES ${ARG_SOURCES} OPTIONS ${ARG_OPTIONS} INCLUDES ${ARG_INCLUDES})
-    list(APPEND objects ${ARG_OBJECTS})
     if(ARG_KERNELS)
         list(PREPEND objects ${AVR_KERNEL_OBJECTS})
     endif()
-    set(elf ${CMAKE_CURRENT_BINARY_DIR}/${name}.elf)
+    # The last source, mostly the only one, is compiled and linked in one step.
+    get_filename_component(last ${last} ABSOLUTE)
+    get_filename_component(stem ${last} NAME)
+    set(object ${CMAKE_CURRENT_BINARY_DIR}/${name}.dir/${stem}.o)
+    file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/${name}.dir)
+    avr_compile(compile ${last} OPTIONS ${ARG_OPTIONS} INCLUDES ${ARG_INCLUDES})
     add_custom_command(
         OUTPUT ${elf}
-        COMMAND ${AVR_GXX} -mmcu=atmega328p -Os ${ARG_OPTIONS} -Wl,--gc-sections ${ARG_LINK_OPTIONS} ${objects} -lm -o ${elf}
-        DEPENDS ${objects}
+        COMMAND ${compile} -MMD -MF ${object}.d -MT ${elf} -o ${object}
+        COMMAND ${AVR_GXX} -mmcu=atmega328p -Os ${ARG_OPTIONS} -Wl,--gc-sections ${ARG_LINK_OPTIONS}
+                ${objects} ${object} ${ARG_OBJECTS} ${ARG_ARCHIVES} -lm -o ${elf}
+        DEPENDS ${last} ${objects} ${ARG_OBJECTS} ${ARG_ARCHIVES}
+        DEPFILE ${object}.d
         COMMENT "AVR ${name}.elf"
         VERBATIM COMMAND_EXPAND_LISTS)
     add_custom_target(${name} DEPENDS ${elf})
-    if(ARG_KERNELS)
-        add_dependencies(${name} avr_kernels)
-    endif()
+    add_dependencies(${name} avr_kernels)
     set_target_properties(${name} PROPERTIES ELF ${elf})
 endfunction()

@@ -1,15 +1,28 @@
 # SPDX-License-Identifier: MIT
-# Tests are built by the target `tests` and not by default. They compile at -O1: most of them are
-# compiled for longer than they run.
+# Tests are built by the target `tests`, not by default, and at -O1: most of them compile for longer
+# than they run. A label says what a test needs:
+#   host     neither the cross compiler nor the simulated chip; runs under the sanitizers too
+#   device   programs for the chip of its own
+#   slow     fixbench, the device programs of an experiment, or a project or sketch of its own
+# The target `quick_tests` makes those of the first two.
 
-add_custom_target(tests)
-# The tests that need neither the device's toolchain nor the simulated chip, labelled `host`.
 add_custom_target(host_tests)
-add_dependencies(tests host_tests)
+add_custom_target(quick_tests)
+add_custom_target(tests)
+add_dependencies(quick_tests host_tests)
+add_dependencies(tests quick_tests)
 
-# test_needs(TARGET ...): what a test runs or reads, built with the tests.
-function(test_needs)
-    add_dependencies(tests ${ARGN})
+# add_labelled(LABEL TARGETS ...): builds the targets with the tests of that label.
+function(add_labelled label)
+    if(label STREQUAL "host")
+        add_dependencies(host_tests ${ARGN})
+    elseif(label STREQUAL "device")
+        add_dependencies(quick_tests ${ARGN})
+    elseif(label STREQUAL "slow")
+        add_dependencies(tests ${ARGN})
+    else()
+        message(FATAL_ERROR "a test's label is host, device or slow, not ${label}")
+    endif()
 endfunction()
 
 # test_program(TARGET LABEL SOURCES ... [LIBRARIES ...] [DEFINITIONS ...] [NEEDS ...] [NAME name]
@@ -33,10 +46,7 @@ function(test_program target label)
     else()
         gtest_discover_tests(${target} TEST_PREFIX ${ARG_PREFIX} PROPERTIES LABELS ${label} ${ARG_PROPERTIES})
     endif()
-    add_dependencies(tests ${target})
-    if(label STREQUAL "host")
-        add_dependencies(host_tests ${target})
-    endif()
+    add_labelled(${label} ${target})
 endfunction()
 
 # test_command(NAME LABEL COMMAND ... [NEEDS ...]): a test that is a command.
@@ -45,6 +55,6 @@ function(test_command name label)
     add_test(NAME ${name} COMMAND ${ARG_COMMAND})
     set_tests_properties(${name} PROPERTIES LABELS ${label})
     if(ARG_NEEDS)
-        test_needs(${ARG_NEEDS})
+        add_labelled(${label} ${ARG_NEEDS})
     endif()
 endfunction()

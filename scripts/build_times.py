@@ -1,0 +1,70 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Where the time of a build goes: seconds by room, and the slowest steps, from Ninja's log.
+
+Usage: scripts/build_times.py [BUILD_FOLDER] [--slowest N]
+
+Seconds are of one core, as the machine's load let them be; a step of ccache counts what it took.
+"""
+import argparse
+import collections
+import re
+import sys
+from pathlib import Path
+
+
+def steps_of(log):
+    """The last run of each step: output -> seconds. A step of several outputs counts once."""
+    seconds, seen = {}, set()
+    for line in reversed(log.read_text(encoding="utf-8").splitlines()):
+        fields = line.split("\t")
+        if len(fields) != 5:
+            continue  # the first line, which tells the version
+        begin, end, _, output, command = fields
+        if output in seen or (begin, end, command) in seen:
+            continue
+        seen |= {output, (begin, end, command)}
+        seconds[output] = (int(end) - int(begin)) / 1000
+    return seconds
+
+
+def room_of(output, folder):
+    """The folder of the sources that made it; tests and programs of the chip apart."""
+    path = re.sub(rf"^{re.escape(str(folder.resolve()))}/", "", output)
+    parts = path.split("/")
+    depth = 3 if parts[0] == "bench" and len(parts) > 3 and parts[1] in ("chip", "lab", "experiments") else \
+        2 if parts[0] == "bench" and len(parts) > 2 else 1
+    room = "/".join(part for part in parts[:depth] if part != "CMakeFiles") if len(parts) > 1 else "."
+    tests = "/tests/" in path or "_test" in path
+    kind = "tests" if tests else "host" if "CMakeFiles" in path or "." not in parts[-1] else "chip"
+    return room, kind
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("folder", nargs="?", default="build/release", type=Path)
+    parser.add_argument("--slowest", type=int, default=15, metavar="N", help="steps to name (15)")
+    arguments = parser.parse_args()
+    log = arguments.folder / ".ninja_log"
+    if not log.is_file():
+        print(f"build_times.py: no {log}: nothing was built there", file=sys.stderr)
+        return 2
+
+    steps = steps_of(log)
+    rooms = collections.defaultdict(lambda: collections.Counter())
+    for output, seconds in steps.items():
+        room, kind = room_of(output, arguments.folder)
+        rooms[room][kind] += seconds
+        rooms[room]["steps"] += 1
+    print(f"{len(steps)} steps, {sum(steps.values()):.0f} s of one core\n")
+    print(f"{'room':34}{'steps':>7}{'host':>8}{'chip':>8}{'tests':>8}  seconds")
+    for room, row in sorted(rooms.items(), key=lambda item: -sum(item[1].values())):
+        print(f"{room:34}{row['steps']:7}{row['host']:8.0f}{row['chip']:8.0f}{row['tests']:8.0f}")
+    print("\nslowest steps")
+    for output, seconds in sorted(steps.items(), key=lambda item: -item[1])[:arguments.slowest]:
+        print(f"{seconds:8.1f}  {output}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,44 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Checks what needs no build: formatting (clang-format), shell scripts (shellcheck), Python
+# (pyflakes), and the public headers (clang-tidy, .clang-tidy). Exit status 1 where one complains.
+#
+# Usage: scripts/lint.sh [--fix | --all]
+#   --fix  formats the sources instead
+#   --all  clang-tidy on every source of the host too; needs a configured build/release; half an hour
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+all= fix=
+case ${1:-} in
+    '') ;;
+    --fix) fix=yes ;;
+    --all) all=yes ;;
+    --help) sed -n '3,/^set /{/^set /d;s/^# \{0,1\}//p}' "$0"; exit 0 ;;
+    *) echo "lint.sh: unknown argument '$1'; see --help" >&2; exit 2 ;;
+esac
+for tool in clang-format clang-tidy shellcheck; do
+    command -v $tool >/dev/null || { echo "lint.sh: $tool is missing; scripts/setup.sh --tests installs it" >&2; exit 2; }
+done
+
+# Generated tables are formatted by their generators.
+readarray -t cpp < <(git ls-files '*.cpp' '*.hpp' '*.h' '*.c' '*.ino' | grep -v '_table\.hpp$')
+readarray -t shell < <(git ls-files '*.sh')
+readarray -t python < <(git ls-files '*.py')
+
+if [ -n "$fix" ]; then
+    clang-format -i "${cpp[@]}"
+    exit 0
+fi
+
+status=0
+clang-format --dry-run --Werror "${cpp[@]}" || status=1
+shellcheck --severity=warning "${shell[@]}" .ci/run || status=1
+/usr/bin/python3 -m pyflakes "${python[@]}" || status=1
+for program in fixedpoint/tests/consumer/{fixedpoint,engine}.cpp; do
+    clang-tidy --quiet "$program" -- -std=c++17 -Ifixedpoint/src -Iengine/src || status=1
+done
+if [ -n "$all" ]; then
+    run-clang-tidy -quiet -p build/release "^$PWD/(reference|bench|fixedpoint|engine|firmware)/.*" || status=1
+fi
+exit $status
