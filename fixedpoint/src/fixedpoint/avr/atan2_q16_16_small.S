@@ -120,9 +120,9 @@
     mov angle0, t0
     mov angle1, t1
     mov angle2, t2
-    subi angle0, lo8(-ROUNDING)
-    sbci angle1, hi8(-ROUNDING)
-    sbci angle2, hlo8(-ROUNDING)
+    subi angle0, lo8(0x1000000 - ROUNDING)
+    sbci angle1, hi8(0x1000000 - ROUNDING)
+    sbci angle2, hlo8(0x1000000 - ROUNDING)
     return_from_first_octant
     return_negated
 

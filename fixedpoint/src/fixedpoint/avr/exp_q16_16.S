@@ -211,7 +211,7 @@
     rjmp .Lmultiply
 
 .Llarge:
-    subi r30, -(COLUMNS + LARGE_COLUMNS)
+    subi r30, lo8(-(COLUMNS + LARGE_COLUMNS))
     lpm growth1, Z
     subi r30, -LARGE_COLUMNS
     lpm growth0, Z

@@ -66,9 +66,9 @@
     subtract_from C0
     rcall .Lmultiply_by_x
     clr r1
-    subi t0, lo8(-ROUNDING)
-    sbci t1, hi8(-ROUNDING)
-    sbci t2, hlo8(-ROUNDING)
+    subi t0, lo8(0x1000000 - ROUNDING)
+    sbci t1, hi8(0x1000000 - ROUNDING)
+    sbci t2, hlo8(0x1000000 - ROUNDING)
     lsl t0              // the unit is 2^-7 ulp: result = t2:t1, 2^16 in the carry
     rol t1
     rol t2
