@@ -29,13 +29,16 @@ static_assert(
 // FIXEDPOINT_DISPATCH(shape, operation, Raw, F, symbol, implementation), a row of kernel/table.hpp,
 // makes kernel::operation<Raw, F> call `symbol` at run time, and portable::implementation<Raw, F>
 // in constant expressions. How the two are told apart depends on the compiler:
-// - GCC from 9 and clang from 9 have __builtin_is_constant_evaluated.
-// - GCC 5 to 7 do not. Their gnu_inline gives `symbol` a body for constant expressions that is
-// never
-//   compiled into the program; noinline and noclone keep the optimiser from using it at run time.
-// - GCC 8 refuses that pair of attributes, and C++11 has no such constant expressions: there is
-// only
-//   the call, so that what would be a constant is computed at run time.
+//
+// GCC from 9 and clang from 9 have __builtin_is_constant_evaluated.
+//
+// GCC 5 to 7 do not. Their gnu_inline gives `symbol` a body for constant expressions that is never
+// compiled into the program. noinline and noclone keep the optimiser from using it at run time; a
+// section of its own, from taking it for another symbol whose body is the same (sqrt and
+// sqrt_small), for which no_icf does not suffice.
+//
+// GCC 8 refuses that pair of attributes, and C++11 has no such constant expressions: there is only
+// the call, so that what would be a constant is computed at run time.
 #if __cplusplus < 201402L || (__GNUC__ == 8 && !defined(__clang__))
 #define FIXEDPOINT_DECLARE_KERNEL(shape, Raw, F, symbol, implementation) \
     FIXEDPOINT_RESULT_##shape(Raw) symbol FIXEDPOINT_PARAMETERS_##shape(Raw);
@@ -51,10 +54,12 @@ static_assert(
                                       : symbol FIXEDPOINT_ARGUMENTS_##shape
 #define FIXEDPOINT_KERNEL_CONSTEXPR constexpr
 #else
-#define FIXEDPOINT_DECLARE_KERNEL(shape, Raw, F, symbol, implementation)                           \
-    __attribute__((gnu_inline, noinline, noclone)) constexpr inline FIXEDPOINT_RESULT_##shape(Raw) \
-        symbol FIXEDPOINT_PARAMETERS_##shape(Raw) {                                                \
-        return ::fixedpoint::portable::implementation<Raw, F> FIXEDPOINT_ARGUMENTS_##shape;        \
+#define FIXEDPOINT_DECLARE_KERNEL(shape, Raw, F, symbol, implementation)                    \
+    __attribute__((                                                                         \
+        gnu_inline, noinline, noclone,                                                      \
+        section(".discarded." #symbol))) constexpr inline FIXEDPOINT_RESULT_##shape(Raw)    \
+        symbol FIXEDPOINT_PARAMETERS_##shape(Raw) {                                         \
+        return ::fixedpoint::portable::implementation<Raw, F> FIXEDPOINT_ARGUMENTS_##shape; \
     }
 #define FIXEDPOINT_CALL_KERNEL(shape, Raw, F, symbol, implementation) \
     symbol FIXEDPOINT_ARGUMENTS_##shape
