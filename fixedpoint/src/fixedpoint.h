@@ -3,7 +3,6 @@
 // What is not used costs nothing: no function, no table.
 #pragma once
 
-
 #ifdef ARDUINO
 // The Arduino core has macros of these names, which would break every function that is called so,
 // the library's included. Integers and floats keep abs and round from <stdlib.h> and <math.h>.
@@ -17,5 +16,6 @@
 #include <fixedpoint/fixed.hpp>
 #include <fixedpoint/literals.hpp>
 #include <fixedpoint/math.hpp>
+#include <fixedpoint/serial.hpp>
 #include <fixedpoint/text.hpp>
 #include <fixedpoint/vector.hpp>

@@ -39,6 +39,12 @@ struct Hook {
     static void notify(Event, Operation) {}
 };
 
+struct Serial {
+    size_t write(const char*, size_t length) { return length; }
+    int peek() { return -1; }
+    int read() { return -1; }
+};
+
 template <class Number>
 void ring(Number& a, Number b) {
     a = a + b - a * b / (-b) % +a;
@@ -73,6 +79,8 @@ void conversions(Number& a) {
     a += from_float<Number>(to_float<float>(a)).number;
     a += from_float<Number>(to_float<double>(a)).number;
     a += from_decimal<Number>(38, 2).number + Number::from_integer(1);
+    Serial serial;
+    if (print(serial, a) < print(serial, a, 3)) a = read<Number>(serial).number;
     char text[text_capacity<Number>()];
     a += parse<Number>(text, print(a, text, sizeof text) + print(a, 3, text, sizeof text)).number;
 }
