@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "bench/experiments/calibration/command.hpp"
+#include "bench/lab/catalogue/catalogue.hpp"
 #include "bench/lab/command.hpp"
 #include "bench/experiments/haptic/command.hpp"
 #include "bench/experiments/haptic/region/command.hpp"
@@ -44,7 +45,7 @@ void add_selection(CLI::App& command, operations::Selection& selection, bool ope
     if (!operands) return;
     command
         .add_option("--operands", selection.operands,
-                    "only these operand classes: small, physics, full, published, boundary, all")
+                    "only these operand classes: small, physics, full, uniform, published, boundary, all")
         ->delimiter(',');
 }
 
@@ -78,7 +79,7 @@ int main(int argc, char** argv) {
     };
 
     std::vector<std::filesystem::path> programs;
-    for (const char* name : {"q4_4", "q8_8", "q16_16", "q8_24", "q32_32", "rivals"}) {
+    for (const std::string& name : catalogue::programs()) {
         programs.push_back(fmt::format(FIXBENCH_DEVICE_FOLDER "/{}.elf", name));
     }
     operations::CycleOptions cycles;
@@ -95,6 +96,7 @@ int main(int argc, char** argv) {
         "(avr-nm lists them), for avr-gcc's calling convention: any other tool can call it too.\n"
         "Cycles include call (4) and ret (4), not the loading of operands.\n\n"
         "Operand classes: small |x| < 1; physics 0.01..20; full, log-uniform over the range;\n"
+        "uniform, every raw alike; "
         "published, those of the rebuilt harness; boundary, an annotated table; all, every input\n"
         "where there are at most 65536.\n\n"
         "Example: fixbench cycles --operation divide --format q16_16,float --operands physics");

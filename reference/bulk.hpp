@@ -15,6 +15,7 @@
 #include <type_traits>
 
 #include "reference/definition.hpp"
+#include "reference/function.hpp"
 #include "reference/judgement.hpp"
 
 namespace reference::bulk {
@@ -151,7 +152,6 @@ Judgement judge_root(std::int64_t a, std::int64_t result) {
     constexpr NumberFormat format = subject.format;
     constexpr Definition held_to = definition(subject);
     using Number = Wide<format.width>;
-    if (a < 0) return pinned(0, result);
     const Number square = Number(a) << format.fraction;
     const Number r = result;
     const bool nearest = square <= r * r + r && (r == 0 || square > r * r - r);
@@ -230,8 +230,12 @@ Judgement judge(std::span<const std::int64_t> operands, std::span<const std::int
     const auto product = [&](auto x) {
         return judge_quotient<subject, F>(x, decltype(x)(1) << F, result);
     };
-    const auto function = [&](Real x) { return judge_function<subject>(x * one, result); };
 
+    if (shape(operation).results == 1 && !in_domain(operation, operands)) {
+        if constexpr (subject.arithmetic == Arithmetic::integer)
+            return {.excluded = "undefined outside the operation's domain"};
+        return pinned(outside_domain(operation, format, a), result);
+    }
     if constexpr (operation == Operation::add) {
         return whole(raw(0) + raw(1));
     } else if constexpr (operation == Operation::subtract) {
@@ -254,19 +258,9 @@ Judgement judge(std::span<const std::int64_t> operands, std::span<const std::int
         return product(total);
     } else if constexpr (operation == Operation::divide) {
         const std::int64_t b = operands[1];
-        if (b == 0) {
-            if constexpr (subject.arithmetic == Arithmetic::integer)
-                return {.excluded = "undefined outside the operation's domain"};
-            return pinned(a > 0 ? format.max() : a < 0 ? format.min() : 0, result);
-        }
         const Number n = raw(0) << F;
         return judge_quotient<subject>(b < 0 ? -n : n, b < 0 ? -raw(1) : raw(1), result);
     } else if constexpr (operation == Operation::remainder) {
-        if (operands[1] == 0) {
-            if constexpr (subject.arithmetic == Arithmetic::integer)
-                return {.excluded = "undefined outside the operation's domain"};
-            return pinned(a, result);
-        }
         return whole(raw(0) % raw(1));
     } else if constexpr (operation == Operation::convert) {
         constexpr int gained = F - subject.operand_format.fraction;
@@ -276,33 +270,29 @@ Judgement judge(std::span<const std::int64_t> operands, std::span<const std::int
         return judge_quotient<subject, lost>(n, Either(1) << lost, result);
     } else if constexpr (operation == Operation::sqrt) {
         return judge_root<subject>(a, result);
-    } else if constexpr (operation == Operation::reciprocal_sqrt) {
-        if (a <= 0) return pinned(a == 0 ? format.max() : 0, result);
-        return function(1 / std::sqrt(real(0)));
-    } else if constexpr (operation == Operation::atan) {
-        if constexpr (published)
-            return function(std::atan(real(0) < 0 ? Real(0) : real(0) > 1 ? Real(1) : real(0)));
-        return function(std::atan(real(0)));
-    } else if constexpr (operation == Operation::atan2) {
-        if (operands[0] == 0 && operands[1] == 0) return pinned(0, result);
-        Real angle = std::atan2(real(0), real(1));
-        if (published && angle < 0) angle += 2 * std::numbers::pi_v<Real>;
-        return function(angle);
-    } else if constexpr (operation == Operation::sin) {
-        return function(std::sin(real(0)));
-    } else if constexpr (operation == Operation::cos) {
-        return function(std::cos(real(0)));
-    } else if constexpr (operation == Operation::exp) {
-        return function(std::exp(real(0)));
-    } else if constexpr (operation == Operation::log) {
-        if (a <= 0) return pinned(format.min(), result);
-        return function(std::log(real(0)));
+    } else if constexpr (operation == Operation::sincos) {
+        constexpr Subject sine{Operation::sin, format, subject.arithmetic};
+        constexpr Subject cosine{Operation::cos, format, subject.arithmetic};
+        const Judgement s = judge<sine>(operands, results.first(1));
+        const Judgement c = judge<cosine>(operands, results.subspan(1, 1));
+        Judgement worse = std::abs(c.error_ulp) > std::abs(s.error_ulp) ? c : s;
+        worse.defined = s.defined && c.defined;
+        worse.as_defined = s.as_defined && c.as_defined;
+        return worse;
     } else if constexpr (operation == Operation::length2 || operation == Operation::length3) {
         return judge_length<subject>(operands.first(shape(operation).operands), result);
     } else if constexpr (operation == Operation::normalise3) {
         return judge_unit_vector<subject>(operands.first(3), results.first(3));
     } else {
-        static_assert(operation == Operation::sqrt, "This operation has no fast judge.");
+        static_assert(shape(operation).operands <= 2, "This operation has no fast judge.");
+        Real x[2] = {real(0)};
+        if constexpr (shape(operation).operands == 2) x[1] = real(1);
+        if (published && operation == Operation::atan)
+            x[0] = x[0] < 0 ? Real(0) : x[0] > 1 ? Real(1) : x[0];
+        Real exact = function(operation, x);
+        if (published && operation == Operation::atan2 && exact < 0)
+            exact += 2 * std::numbers::pi_v<Real>;
+        return judge_function<subject>(exact * one, result);
     }
 }
 

@@ -6,7 +6,10 @@
 #include <gsl/gsl_sf_log.h>
 #include <gsl/gsl_sf_trig.h>
 
-#include <stdexcept>
+#include <algorithm>
+#include <cmath>
+
+#include "reference/function.hpp"
 
 namespace reference {
 namespace {
@@ -21,7 +24,33 @@ Rational dot(std::span<const Rational> a, std::span<const Rational> b) {
 
 Real length(std::span<const Rational> v) { return sqrt(to_real(dot(v, v))); }
 
+// The exponent of a float's last place in the binade of x.
+int last_place(const Rational& x) { return std::max(x == 0 ? -149 : binade(x) - 23, -149); }
+
 }  // namespace
+
+Rational value(const NumberFormat& format, std::int64_t raw) {
+    if (format.is_float()) {
+        int exponent;
+        const float significand = std::frexp(float_of_raw(raw), &exponent);
+        return scale(Rational(std::int64_t(std::ldexp(significand, 24))), exponent - 24);
+    }
+    return scale(Rational(raw), -format.fraction);
+}
+
+Rational ulp(const NumberFormat& format, const Rational& at) {
+    return scale(Rational(1), format.is_float() ? last_place(at) : -format.fraction);
+}
+
+std::int64_t nearest_raw(const NumberFormat& format, const Rational& number) {
+    if (number >= value(format, format.max())) return format.max();
+    if (number <= value(format, format.min())) return format.min();
+    const Rational scaled = number / ulp(format, number);
+    Rational rounded = floor(scaled + Rational(1, 2));
+    if (!format.is_float()) return std::int64_t(numerator(rounded));
+    if (rounded - scaled == Rational(1, 2) && numerator(rounded) % 2 != 0) rounded -= 1;
+    return raw_of_float(std::ldexp(float(numerator(rounded)), last_place(number)));
+}
 
 const Real& pi() {
     static const Real value = 4 * atan(Real(1));
@@ -58,31 +87,21 @@ Exact exact(Operation operation, std::span<const Rational> operands, std::size_t
             return dot(x.subspan(0, 2), x.subspan(2, 2));
         case Operation::dot3:
             return dot(x.subspan(0, 3), x.subspan(3, 3));
-        case Operation::sqrt:
-            return Real(sqrt(real(0)));
-        case Operation::reciprocal_sqrt:
-            return Real(1 / sqrt(real(0)));
-        case Operation::atan:
-            return Real(atan(real(0)));
-        case Operation::atan2:
-            return Real(atan2(real(0), real(1)));
-        case Operation::sin:
-            return Real(sin(real(0)));
-        case Operation::cos:
-            return Real(cos(real(0)));
-        case Operation::sincos:
-            return Real(component == 0 ? sin(real(0)) : cos(real(0)));
-        case Operation::exp:
-            return Real(exp(real(0)));
-        case Operation::log:
-            return Real(log(real(0)));
+        case Operation::sincos: {
+            const Real angle = real(0);
+            return function(component == 0 ? Operation::sin : Operation::cos, &angle);
+        }
         case Operation::length2:
         case Operation::length3:
             return length(x);
         case Operation::normalise3:
             return Real(real(component) / length(x));
+        default: {
+            Real numbers[2];
+            for (std::size_t i = 0; i < x.size(); ++i) numbers[i] = real(i);
+            return function(operation, numbers);
+        }
     }
-    throw std::logic_error("an operation without an exact value");
 }
 
 std::optional<double> second_opinion(Operation operation, std::span<const double> operands) {

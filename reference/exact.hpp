@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The exact value of every operation on exact operands, in no format: rational where the result
-// is, otherwise a real of over 300 bits from MPFR.
+// The exact value of a raw, and of every operation on exact operands, in no format: rational where
+// the result is, otherwise a real of over 300 bits from MPFR. Boost's number types take seconds to
+// compile: judge.hpp asks the same questions of raws, without them.
 #pragma once
 
 #include <cstddef>
@@ -12,6 +13,16 @@
 #include "reference/operation.hpp"
 
 namespace reference {
+
+// The exact number that a raw stands for. Precondition: is_finite(format, raw).
+Rational value(const NumberFormat& format, std::int64_t raw);
+
+// Distance between neighbours, 2^-F. For float the distance within the binade of `at`.
+Rational ulp(const NumberFormat& format, const Rational& at = 1);
+
+// The raw nearest to an exact number, ties toward +infinity (float: ties to even); a number out of
+// range gives the nearest finite raw.
+std::int64_t nearest_raw(const NumberFormat& format, const Rational& number);
 
 using Exact = std::variant<Rational, Real>;
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "reference/exact.hpp"
+#include "reference/function.hpp"
 
 namespace reference {
 namespace {
@@ -131,62 +132,8 @@ float special_case(Operation operation, std::span<const float> x) {
             return x[0] * x[2] + x[1] * x[3];
         case Operation::dot3:
             return x[0] * x[3] + x[1] * x[4] + x[2] * x[5];
-        case Operation::sqrt:
-            return std::sqrt(x[0]);
-        case Operation::reciprocal_sqrt:
-            return 1 / std::sqrt(x[0]);
-        case Operation::atan:
-            return std::atan(x[0]);
-        case Operation::atan2:
-            return std::atan2(x[0], x[1]);
-        case Operation::sin:
-            return std::sin(x[0]);
-        case Operation::cos:
-            return std::cos(x[0]);
-        case Operation::exp:
-            return std::exp(x[0]);
-        case Operation::log:
-            return std::log(x[0]);
         default:
-            return NAN;
-    }
-}
-
-// Whether the operation has an exact value there.
-bool in_domain(Operation operation, std::span<const Rational> x) {
-    switch (operation) {
-        case Operation::divide:
-        case Operation::remainder:
-            return x[1] != 0;
-        case Operation::sqrt:
-            return x[0] >= 0;
-        case Operation::reciprocal_sqrt:
-        case Operation::log:
-            return x[0] > 0;
-        case Operation::atan2:
-            return x[0] != 0 || x[1] != 0;
-        case Operation::normalise3:
-            return x[0] != 0 || x[1] != 0 || x[2] != 0;
-        default:
-            return true;
-    }
-}
-
-// What a fixed-point operation returns where there is no exact value.
-std::int64_t outside_domain(Operation operation, const NumberFormat& format,
-                            std::span<const std::int64_t> operands) {
-    const std::int64_t a = operands[0];
-    switch (operation) {
-        case Operation::divide:
-            return a > 0 ? format.max() : a < 0 ? format.min() : 0;
-        case Operation::remainder:
-            return a;
-        case Operation::reciprocal_sqrt:
-            return a == 0 ? format.max() : 0;
-        case Operation::log:
-            return format.min();
-        default:
-            return 0;  // sqrt of a negative number, atan2(0, 0), the zero vector normalised
+            return function(operation, x.data());
     }
 }
 
@@ -216,13 +163,14 @@ class Judge {
     Judgement component(std::size_t index, std::int64_t result) const {
         if (subject_.operand_format.is_float()) {
             if (!subject_.format.is_float()) return from_float(result);
-            if (!finite_ || !in_domain(subject_.operation, values_)) return special(index, result);
-        } else if (!in_domain(subject_.operation, values_)) {
+            if (!finite_ || !in_domain<Rational>(subject_.operation, values_))
+                return special(index, result);
+        } else if (!in_domain<Rational>(subject_.operation, values_)) {
             if (subject_.arithmetic == Arithmetic::integer ||
                 subject_.arithmetic == Arithmetic::accum)
                 return {.excluded = "undefined outside the operation's domain"};
             return judge_pinned(subject_.format,
-                                outside_domain(subject_.operation, subject_.format, operands_),
+                                outside_domain(subject_.operation, subject_.format, operands_[0]),
                                 result);
         }
         return against(exact_value(index), result);
@@ -230,9 +178,7 @@ class Judge {
 
   private:
     NumberFormat operand_format(std::size_t index) const {
-        const bool shift = subject_.operation == Operation::shift_left ||
-                           subject_.operation == Operation::shift_right;
-        if (shift && index == 1) return {FormatKind::integer, 64, 0};
+        if (is_shift(subject_.operation) && index == 1) return {FormatKind::integer, 64, 0};
         return subject_.operand_format;
     }
 

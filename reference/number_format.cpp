@@ -48,9 +48,6 @@ std::optional<NumberFormat> try_parse(std::string_view name) {
     return std::nullopt;
 }
 
-// The exponent of a float's last place in the binade of x.
-int last_place(const Rational& x) { return std::max(x == 0 ? -149 : binade(x) - 23, -149); }
-
 }  // namespace
 
 NumberFormat parse_format(std::string_view name) {
@@ -86,27 +83,8 @@ bool is_finite(const NumberFormat& format, std::int64_t raw) {
     return !format.is_float() || std::isfinite(float_of_raw(raw));
 }
 
-Rational value(const NumberFormat& format, std::int64_t raw) {
-    if (format.is_float()) {
-        int exponent;
-        const float significand = std::frexp(float_of_raw(raw), &exponent);
-        return scale(Rational(std::int64_t(std::ldexp(significand, 24))), exponent - 24);
-    }
-    return scale(Rational(raw), -format.fraction);
-}
-
-Rational ulp(const NumberFormat& format, const Rational& at) {
-    return scale(Rational(1), format.is_float() ? last_place(at) : -format.fraction);
-}
-
-std::int64_t nearest_raw(const NumberFormat& format, const Rational& number) {
-    if (number >= value(format, format.max())) return format.max();
-    if (number <= value(format, format.min())) return format.min();
-    const Rational scaled = number / ulp(format, number);
-    Rational rounded = floor(scaled + Rational(1, 2));
-    if (!format.is_float()) return std::int64_t(numerator(rounded));
-    if (rounded - scaled == Rational(1, 2) && numerator(rounded) % 2 != 0) rounded -= 1;
-    return raw_of_float(std::ldexp(float(numerator(rounded)), last_place(number)));
+double to_double(const NumberFormat& format, std::int64_t raw) {
+    return format.is_float() ? float_of_raw(raw) : std::ldexp(double(raw), -format.fraction);
 }
 
 std::int64_t raw_of_float(float number) { return std::bit_cast<std::int32_t>(number); }

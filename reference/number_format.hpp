@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a bit pattern means: the number formats by name, their range, resolution and exact values.
+// What a bit pattern means: the number formats by name, and their range.
 // A raw is always the pattern's low W bits sign-extended to int64_t, an IEEE single's included.
 #pragma once
 
 #include <cstdint>
 #include <string>
 #include <string_view>
-
-#include "reference/numbers.hpp"
 
 namespace reference {
 
@@ -57,15 +55,8 @@ std::string format_name(const NumberFormat& format);
 bool is_nan(const NumberFormat& format, std::int64_t raw);
 bool is_finite(const NumberFormat& format, std::int64_t raw);
 
-// The exact number that a raw stands for. Precondition: is_finite(format, raw).
-Rational value(const NumberFormat& format, std::int64_t raw);
-
-// Distance between neighbours, 2^-F. For float the distance within the binade of `at`.
-Rational ulp(const NumberFormat& format, const Rational& at = 1);
-
-// The raw nearest to an exact number, ties toward +infinity (float: ties to even); a number out of
-// range gives the nearest finite raw.
-std::int64_t nearest_raw(const NumberFormat& format, const Rational& number);
+// The double nearest to what a raw stands for.
+double to_double(const NumberFormat& format, std::int64_t raw);
 
 std::int64_t raw_of_float(float number);
 float float_of_raw(std::int64_t raw);

@@ -8,13 +8,12 @@
 namespace reference {
 namespace {
 
-constexpr bool operations_are_in_order() {
-    for (std::size_t i = 0; i < operations.size(); ++i) {
-        if (operations[i].operation != Operation(i)) return false;
-    }
+constexpr bool rows_fit_their_limits() {
+    for (const OperationShape& row : operations)
+        if (row.operands > most_operands || row.results > most_results) return false;
     return true;
 }
-static_assert(operations_are_in_order(), "shape() finds an operation's row by its number.");
+static_assert(rows_fit_their_limits(), "Arrays of operands and results are of these sizes.");
 
 // The longest operation name that the symbol begins with and an underscore follows.
 const OperationShape* leading_operation(std::string_view symbol) {
@@ -64,7 +63,6 @@ Arithmetic arithmetic_of(const NumberFormat& format, std::string_view implementa
     }
     if (implementation.starts_with("published")) return Arithmetic::published;
     if (implementation.starts_with("saturating")) return Arithmetic::saturating;
-    if (implementation.starts_with("truncating")) return Arithmetic::truncating;
     return Arithmetic::nearest;
 }
 

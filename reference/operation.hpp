@@ -9,74 +9,32 @@
 #include <string_view>
 
 #include "reference/number_format.hpp"
+#include "reference/operation_table.h"
 
 namespace reference {
 
-// Vectors lie one after the other: the operands of dot3 are a0 a1 a2 b0 b1 b2. atan2 takes y, x.
-// The second operand of a shift is a count, a plain integer. The results of sincos are sine and
-// cosine.
-enum class Operation {
-    add,
-    subtract,
-    multiply,
-    divide,
-    remainder,
-    negate,
-    abs,
-    shift_left,
-    shift_right,
-    convert,
-    multiply_add,
-    dot2,
-    dot3,
-    sqrt,
-    reciprocal_sqrt,
-    atan,
-    atan2,
-    sin,
-    cos,
-    sincos,
-    exp,
-    log,
-    length2,
-    length3,
-    normalise3,
-};
+// The rows of operation_table.h as values.
+enum class Signature { unary, binary, ternary, shift, conversion, pair, dot, length, direction };
+enum class Kind { ring, rounded, function };
+enum class Domain { everywhere, nonzero_divisor, not_negative, positive, nonzero_vector };
 
 struct OperationShape {
     Operation operation;
     std::string_view name;
+    Signature signature;
     std::size_t operands;
     std::size_t results;
+    Kind kind;
+    double bound_ulp;
+    Domain domain;
 };
 
-inline constexpr std::array operations = {
-    OperationShape{Operation::add, "add", 2, 1},
-    OperationShape{Operation::subtract, "subtract", 2, 1},
-    OperationShape{Operation::multiply, "multiply", 2, 1},
-    OperationShape{Operation::divide, "divide", 2, 1},
-    OperationShape{Operation::remainder, "remainder", 2, 1},
-    OperationShape{Operation::negate, "negate", 1, 1},
-    OperationShape{Operation::abs, "abs", 1, 1},
-    OperationShape{Operation::shift_left, "shift_left", 2, 1},
-    OperationShape{Operation::shift_right, "shift_right", 2, 1},
-    OperationShape{Operation::convert, "convert", 1, 1},
-    OperationShape{Operation::multiply_add, "multiply_add", 3, 1},
-    OperationShape{Operation::dot2, "dot2", 4, 1},
-    OperationShape{Operation::dot3, "dot3", 6, 1},
-    OperationShape{Operation::sqrt, "sqrt", 1, 1},
-    OperationShape{Operation::reciprocal_sqrt, "reciprocal_sqrt", 1, 1},
-    OperationShape{Operation::atan, "atan", 1, 1},
-    OperationShape{Operation::atan2, "atan2", 2, 1},
-    OperationShape{Operation::sin, "sin", 1, 1},
-    OperationShape{Operation::cos, "cos", 1, 1},
-    OperationShape{Operation::sincos, "sincos", 1, 2},
-    OperationShape{Operation::exp, "exp", 1, 1},
-    OperationShape{Operation::log, "log", 1, 1},
-    OperationShape{Operation::length2, "length2", 2, 1},
-    OperationShape{Operation::length3, "length3", 3, 1},
-    OperationShape{Operation::normalise3, "normalise3", 3, 3},
-};
+#define OPERATION_SHAPE(name, signature, operands, results, kind, bound_ulp, domain, ...) \
+    OperationShape{Operation::name, #name,     Signature::signature, operands, results,   \
+                   Kind::kind,      bound_ulp, Domain::domain},
+inline constexpr std::array operations = {OPERATIONS(OPERATION_SHAPE)};
+#undef OPERATION_SHAPE
+
 inline constexpr std::size_t most_operands = 6;
 inline constexpr std::size_t most_results = 3;
 
@@ -86,17 +44,19 @@ constexpr const OperationShape& shape(Operation operation) {
 
 // How many vectors an operation takes as its operands; 0 where they are plain numbers.
 constexpr std::size_t vector_operands(Operation operation) {
-    switch (operation) {
-        case Operation::dot2:
-        case Operation::dot3:
+    switch (shape(operation).signature) {
+        case Signature::dot:
             return 2;
-        case Operation::length2:
-        case Operation::length3:
-        case Operation::normalise3:
+        case Signature::length:
+        case Signature::direction:
             return 1;
         default:
             return 0;
     }
+}
+
+constexpr bool is_shift(Operation operation) {
+    return shape(operation).signature == Signature::shift;
 }
 
 // Throws std::invalid_argument that lists the operations.
@@ -107,7 +67,6 @@ enum class Arithmetic {
     nearest,     // the default: nearest, ties upward; ring operations wrap, everything else clamps
     published,   // the report's: truncation toward zero, the low W bits are kept
     saturating,  // nearest, and every operation clamps
-    truncating,  // as the default with truncation toward zero in place of the rounding
     integer,     // C's integers: toward zero, wrapping; what C leaves undefined is not judged
     ieee,        // IEEE 754: nearest, ties to even, overflow to infinity
     accum,       // GCC's _Accum: the error is measured, overflow is undefined and not judged
@@ -123,8 +82,8 @@ struct Subject {
 };
 
 // The definitions that an implementation in a format claims: float is IEEE 754, the _Accum formats
-// GCC's, an integer C's; in fixed-point formats `published`, `saturating` and `truncating` (also as
-// a prefix: "saturating_small") name their own and every other implementation claims the default's.
+// GCC's, an integer C's; in fixed-point formats `published` and `saturating` (also as a prefix:
+// "saturating_small") name their own and every other implementation claims the default's.
 Arithmetic arithmetic_of(const NumberFormat& format, std::string_view implementation);
 
 // A subject and the implementation's name from a symbol <operation>_<format>_<implementation>, such

@@ -43,6 +43,10 @@ struct ForceCorrection {
     double correction;    // N per m/s^2
 };
 
+// Whether a measured figure reproduces the published one, given their ratio: within 10%, both ends
+// included. The ends are compared as they stand: 1.1 - 1 is not 0.1 in double.
+constexpr bool within_10_percent(double ratio) { return ratio >= 0.9 && ratio <= 1.1; }
+
 // Each throws std::runtime_error with file, line and reason where the file is missing or malformed.
 // The 24 cells of Table 3.2, row by row.
 std::vector<PublishedTiming> load_table_3_2(const std::filesystem::path& folder = published_folder());

@@ -1,14 +1,30 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Checks the tests: builds deliberate faults into a copy of the sources, one at a time, and demands
-that a certain test of the suite fails. Exit status 0 only when every fault was caught."""
+"""Tests the tests: puts deliberate faults into the sources, one at a time, and demands that a test of
+the room notices each. Exit status 0 only when every fault was noticed.
+
+The faults come from mutation operators (a comparison swapped, a carry dropped, a number one too
+large, a statement left out ...) at places that a seed chooses by the text of the line, so that code
+may move without another choice being made. The sources and the build tree stay as they are: a fault
+goes into a copy of the sources, and the commands by which ninja builds what depends on the changed
+file are repeated with their outputs elsewhere. A fault that changes no object, or that the compiler
+refuses, is replaced by another and counted."""
 
 import argparse
+import concurrent.futures
+import fnmatch
+import hashlib
+import json
 import os
+import queue
+import re
+import resource
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 from pathlib import Path
 from typing import NamedTuple
@@ -16,161 +32,641 @@ from typing import NamedTuple
 ROOT = Path(__file__).resolve().parent.parent
 
 
-class Fault(NamedTuple):
-    what: str
-    path: str
-    original: str  # stands in the file exactly once
-    replacement: str
-    test: str  # regular expression of ctest
-    target: str = None  # what is to be built for it; nothing where the test reads the sources
-
-    @classmethod
-    def on_device(cls, what, path, original, replacement, program):
-        """One that the library's own tests find on the simulated chip."""
-        return cls(what, f"fixedpoint/src/fixedpoint/{path}", original, replacement,
-                   f"LibraryOnDevice.*/{program}", program)
+class Room(NamedTuple):
+    """Files, and the test that is to notice what is wrong with them."""
+    name: str
+    files: str  # patterns, separated by spaces; one with ! excludes
+    count: int  # faults
+    target: str  # the test program; a Python file is run as it stands
+    cases: str = "*"  # filter of GoogleTest
+    devices: str = ""  # programs for the chip that the test program runs, and that hold the fault
 
 
-FAULTS = [
-    Fault.on_device("rounding bit of the Q16.16 product", "avr/multiply_q16_16.inc",
-                    "    lsl s1              // rounds", "    clc",
-                    "operators_test_q16_16"),
-    Fault.on_device("carry into the top byte of the Q16.16 product", "avr/multiply_q16_16.inc",
-                    "    adc t4, s4\n    adc t5, b3", "    adc t4, s4\n    add t5, b3",
-                    "operators_test_q16_16"),
-    Fault.on_device("entry of the Q4.4 square roots, one too large", "avr/sqrt_q4_4_table.S",
-                    ".byte  16,  16,", ".byte  17,  16,",
-                    "functions_test_q4_4"),
-    Fault.on_device("sign of the sine in the third quadrant", "avr/sin_q16_16.S",
-                    "    sbrs quadrant, 1", "    sbrc quadrant, 1",
-                    "constant_functions_test_q16_16"),
-    Fault("comparison that rounds a tie of quotients",
-          "fixedpoint/src/fixedpoint/portable/divide.hpp",
-          "static_cast<Unsigned<Raw>>(quotient + (tie_upward ? rest >= other",
-          "static_cast<Unsigned<Raw>>(quotient + (tie_upward ? rest > other",
-          "^fixedpoint/fixed_test$", "fixed_test"),
-    Fault("clamp of positive quotients", "fixedpoint/src/fixedpoint/integer.hpp",
-          "return magnitude > limit ? RawLimits<Raw>::max : static_cast<Raw>(magnitude);",
-          "return static_cast<Raw>(magnitude);",
-          "^fixedpoint/fixed_test$", "fixed_test"),
-    Fault.on_device("overflow of a difference that is not seen", "portable/add_saturating.hpp",
-                    "(a ^ b) & (a ^ difference)", "(a ^ b) & (b ^ difference)",
-                    "operators_test_q1_15"),
-    Fault.on_device("clamped sum of which only the sign is right",
-                    "kernel/add_saturating.hpp", "sbc %D0, %D0", "eor %D0, %D0",
-                    "operators_test_q16_16"),
-    Fault.on_device("digits behind a tie in decimal text", "portable/decimal_fraction.hpp",
-                    "(inexact || !negative)", "!negative",
-                    "text_test_q8_8"),
-    Fault("generator of the sine table, another rounding", "fixedpoint/tables/sine.py",
-          "HALF_ULP = 1 << 6", "HALF_ULP = 1 << 5",
-          "^fixedpoint/tables$"),
-    Fault("round() just below the largest integral number",
-          "fixedpoint/src/fixedpoint/portable/round.hpp",
-          "return n > (RawLimits<Raw>::max >> F)", "return n >= (RawLimits<Raw>::max >> F)",
-          "^fixedpoint/round_test$", "round_test"),
-    Fault("simulated interrupt entry without its cycles", "bench/chip/simulator/workarounds/interrupts.cpp",
-          "entry_cycles = 4", "entry_cycles = 0",
-          "^InterruptTest.EntryTakesFourCycles$", "simulator_tests"),
-    Fault("judge that rounds ties downward", "reference/judge.cpp",
-          "return floor(Number(x + scale(Number(1), -1)));",
-          "return Number(-floor(Number(scale(Number(1), -1) - x)));",
-          "^(Judge|Bulk)", "reference_tests"),
+FIXED = "fixedpoint/src/fixedpoint"
+
+
+def kernels(name, files, count, program):
+    return Room(name, files, count, "kernels_test", f"*/{program}", program)
+
+
+def on_device(name, files, count, program):
+    return Room(name, files, count, "library_on_device_test", f"*/{program}", program)
+
+
+ROOMS = [
+    kernels("kernels", f"{FIXED}/avr/*_q16_16.S {FIXED}/avr/*_q16_16.inc", 8, "q16_16"),
+    kernels("kernels", f"{FIXED}/avr/*_q8_8.S", 3, "q8_8"),
+    kernels("kernels", f"{FIXED}/avr/*_q4_4.S", 2, "q4_4"),
+    kernels("kernels", f"{FIXED}/avr/*_q32_32.S", 1, "q32_32"),
+    on_device("kernels", f"{FIXED}/kernel/*_saturating.hpp", 1, "operators_test_q16_16"),
+    kernels("tables", f"{FIXED}/avr/sine_table.S {FIXED}/avr/reciprocal_table.S", 2, "q16_16"),
+    kernels("tables", f"{FIXED}/avr/sqrt_q4_4_table.S {FIXED}/avr/divide_q4_4_table.S", 1, "q4_4"),
+    Room("tables", "fixedpoint/tables/*.py", 3, "fixedpoint/tests/tables_test.py"),
+    Room("portable", f"{FIXED}/portable/divide.hpp {FIXED}/portable/divide_w*.hpp", 2, "divide_test"),
+    Room("portable", f"{FIXED}/portable/round.hpp", 1, "round_test"),
+    Room("portable", f"{FIXED}/portable/remainder.hpp", 1, "remainder_test"),
+    Room("portable", f"{FIXED}/portable/decimal_*.hpp", 2, "decimal_test"),
+    Room("arithmetic", f"{FIXED}/arithmetic/*.hpp !*/published.hpp !*/small.hpp", 2, "fixed_test"),
+    Room("arithmetic", f"{FIXED}/arithmetic/published.hpp {FIXED}/published/*.hpp", 2,
+         "published_test"),
+    Room("oracle", "reference/judge.cpp reference/exact.cpp reference/error_statistics.cpp", 4,
+         "reference_tests"),
+    Room("simulator", "bench/chip/simulator/*.cpp bench/chip/simulator/workarounds/*.cpp", 4,
+         "simulator_tests"),
+    Room("translator", "bench/chip/instructions/instruction.cpp bench/chip/instructions/translate.cpp"
+         " bench/chip/instructions/convention.cpp", 4, "instructions_tests"),
+    Room("engine", "engine/src/engine/solvers/*.hpp engine/src/engine/constraints.hpp"
+         " engine/src/engine/links.hpp", 3, "engine_contact_test"),
+    Room("engine", "engine/src/engine/integrators/*.hpp engine/src/engine/forces.hpp", 3,
+         "engine_convergence_test"),
+    Room("firmware", "firmware/src/firmware/frame_clock.hpp", 2, "firmware_frame_clock_test"),
+    Room("firmware", "firmware/src/firmware/grid.hpp", 1, "firmware_grid_test"),
+    Room("firmware", "firmware/src/firmware/lever.hpp", 2, "firmware_lever_test"),
+    Room("firmware", "firmware/src/firmware/renderer.hpp", 1,
+         "firmware_renderer_test"),
+    Room("verdicts", "bench/experiments/table_3_2/table_3_2.cpp", 2, "table_3_2_test"),
+    Room("verdicts", "bench/experiments/calibration/verdicts.cpp"
+         " bench/experiments/calibration/fit.cpp", 2, "calibration_test"),
+    Room("verdicts", "bench/experiments/scenes/judge.cpp", 2, "scene_bench_tests", "Judge*"),
+    Room("verdicts", "bench/experiments/cost/growth/fit.cpp", 1, "growth_tests"),
+    Room("stability", "bench/experiments/stability/search.cpp", 3, "search_test"),
+    Room("haptic", "bench/experiments/haptic/plant/*.cpp", 4, "haptic_plant_test"),
+    Room("haptic", "bench/experiments/haptic/judge.cpp", 3, "haptic_judge_test"),
+    Room("report", "bench/report/*.py !*/report.py", 6, "bench/report/tests/report_test.py"),
+]
+
+# Lines where a fault of the default seed changes nothing that a test could see, each with the reason.
+HARMLESS = [
 ]
 
 
 class Failure(Exception):
-    """What keeps the check from meaning anything, in one line."""
+    """A setup error that invalidates the run, in one line."""
 
 
 def say(text):
     print(text, file=sys.stderr, flush=True)
 
 
-class Copy:
-    """The sources and a build of them, in a folder of their own."""
+# --- Faults -----------------------------------------------------------------------------------------
 
-    def __init__(self, folder):
-        self.source, self.build = folder / "source", folder / "build"
-        shutil.copytree(ROOT, self.source,
-                        ignore=shutil.ignore_patterns(".git", "build", "node_modules"))
-        self.run("cmake", "-S", self.source, "-B", self.build, "-G", "Ninja",
-                 "--log-level=WARNING", "-DCMAKE_BUILD_TYPE=Release")
+class Fault(NamedTuple):
+    room: Room
+    path: str
+    line: int  # from 0
+    begin: int  # what is replaced in the line
+    end: int
+    replacement: str
+    key: str  # names the fault: equal for equal text, wherever it stands
 
-    def run(self, *command):
-        done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    def text(self, original):
+        return original[:self.begin] + self.replacement + original[self.end:]
+
+
+def swap(pairs):
+    """Each word of a pair for the other."""
+    words = {}
+    for pair in pairs.split(", "):
+        a, b = pair.split()
+        words[a], words[b] = b, a
+    pattern = "|".join(map(re.escape, sorted(words, key=len, reverse=True)))
+    return rf"(?<![\w<>=&|!+*/-])(?:{pattern})(?![\w<>=&|+*/])", lambda found: words[found]
+
+
+def one_more(found):
+    return hex(int(found, 16) + 1) if found.startswith("0x") else str(int(found) + 1)
+
+
+def one_way(text):
+    words = dict(pair.split(":") for pair in text.split())
+    return rf"\b(?:{'|'.join(words)})\b", lambda found: words[found]
+
+
+NUMBER = r"(?<![\w.$'\"])(?:0x[0-9a-f]+|\d+)(?![\w.'\"])"
+# Operators in code have a space on both sides, which brackets of templates have not.
+SYMBOLS = (r"(?<= )(?:<|>|<=|>=|==|!=|\+|-|\*|&&|\|\||\+=|-=)(?= )", {
+    "<": "<=", "<=": "<", ">": ">=", ">=": ">", "==": "!=", "!=": "==", "+": "-", "-": "+", "*": "/",
+    "&&": "||", "||": "&&", "+=": "-=", "-=": "+="}.__getitem__)
+NAMES = r"(?<!\w)(?:min|max|floor|ceil|true|false|sin|cos|front|back|and|or)(?!\w)", {
+    "min": "max", "max": "min", "floor": "ceil", "ceil": "floor", "true": "false", "false": "true",
+    "sin": "cos", "cos": "sin", "front": "back", "back": "front", "and": "or",
+    "or": "and"}.__getitem__
+OPERATORS = {
+    "code": [
+        SYMBOLS, NAMES, (NUMBER, one_more),
+        (r"(?<=[( ])!(?=\w)", lambda found: ""),
+        (r"(?<=[=(] )-(?=\w)|(?<=return )-(?=\w)", lambda found: ""),
+        (r"^ +[\w.>\[\]-]+ [-+|&^]?= [^{}]*;$", lambda found: ""),  # a statement left out
+    ],
+    "assembly": [
+        swap("brcs brcc, breq brne, brmi brpl, brlt brge, sbrc sbrs, brlo brsh, inc dec, brtc brts"),
+        one_way("adc:add sbc:sub rol:lsl ror:lsr sbci:subi cpc:cp mulsu:mul add:sub sub:add"),
+        (r"(?<=[\s,])\d+(?=,|\s*$)", one_more),  # an entry of a table
+        (r"^    (?:adc|add|sub|sbc|mov|movw|lsl|lsr|com|neg|inc|dec|clr|eor|or|subi|sbci)\b.*$",
+         lambda found: ""),
+    ],
+}
+
+
+def kind_of(path):
+    return "assembly" if path.endswith((".S", ".inc")) else "code"
+
+
+def code_of(line, path):
+    """The line with its comment and its texts blanked, of the same length."""
+    line = re.sub(r'"(?:\\.|[^"\\])*"', lambda text: "\x00" * len(text.group()), line)
+    mark = {".py": "#", ".S": "//", ".inc": "//"}.get(Path(path).suffix, "//")
+    comment = line.find(mark)
+    if mark == "//" and line.lstrip().startswith("*"):
+        comment = 0
+    return line if comment < 0 else line[:comment].rstrip()
+
+
+SKIPPED = re.compile(r"^\s*(#|import |from |using |template|static_assert|throw |namespace|class |struct "
+                     r"|@|case |\.(?!byte|word)|say\(|print\(|raise )")
+
+
+def lines_of(path):
+    """Number and code of the lines that may hold a fault."""
+    within_text = False
+    for number, line in enumerate((ROOT / path).read_text(encoding="utf-8").splitlines()):
+        if path.endswith(".py") and line.count('"""') % 2:
+            within_text = not within_text
+            continue
+        code = code_of(line, path)
+        if code.strip() and not within_text and '"""' not in line and not SKIPPED.match(code):
+            yield number, line, code
+
+
+def digest(*parts):
+    return hashlib.sha256("\0".join(map(str, parts)).encode()).hexdigest()
+
+
+def files_of(room, known):
+    found, excluded = [], [p[1:] for p in room.files.split() if p.startswith("!")]
+    for pattern in room.files.split():
+        if not pattern.startswith("!"):
+            found += [path for path in known if fnmatch.fnmatch(path, pattern)
+                      and path.count("/") == pattern.count("/")
+                      and not any(fnmatch.fnmatch(path, e) for e in excluded)]
+    if not found:
+        raise Failure(f"the room '{room.name}' has no file {room.files}")
+    return dict.fromkeys(found)
+
+
+def candidates(room, known, seed):
+    """Faults of a room, in the seed's order, the files by turns, one fault a line."""
+    by_file = []
+    for path in files_of(room, known):
+        faults, seen = [], {}
+        for number, line, code in lines_of(path):
+            if any(path.endswith(file) and text in line for file, text, _ in HARMLESS):
+                continue
+            seen[line] = seen.get(line, -1) + 1
+            sites = [Fault(room, path, number, match.start(), match.end(),
+                           change(match.group()), digest(seed, path, line.strip(), seen[line],
+                                                         index, match.start() - len(line)
+                                                         + len(line.lstrip())))
+                     for index, (pattern, change) in enumerate(OPERATORS[kind_of(path)])
+                     for match in re.finditer(pattern, code)]
+            if sites:
+                faults.append(min(sites, key=lambda fault: fault.key))
+        by_file.append(sorted(faults, key=lambda fault: fault.key))
+    ranked = [(rank, fault.key, fault) for faults in by_file for rank, fault in enumerate(faults)]
+    return [fault for _, _, fault in sorted(ranked, key=lambda entry: entry[:2])]
+
+
+# --- The build, repeated elsewhere ------------------------------------------------------------------
+
+class Edge(NamedTuple):
+    output: str  # relative to the build tree, as are the inputs within it
+    inputs: frozenset
+    command: str
+
+
+class Graph:
+    """What ninja knows: by which command each output is made, and of what."""
+
+    def __init__(self, build):
+        self.build = build
+        deps = self.dependencies()
+        inputs = self.inputs()
+        self.edges = {}
+        for entry in json.loads(self.ask("compdb", "-x")):
+            output, command = entry["output"], entry["command"]
+            # Neither lists of tests nor files of dependencies are wanted.
+            command = re.split(r" && (?:cd \S+ && )?/\S+/cmake (?:-D|-E cmake_transform_depfile)",
+                               command)[0]
+            if command:
+                self.edges[output] = Edge(output, frozenset(inputs.get(output, ())) |
+                                          deps.get(output, frozenset()), command)
+        self.inputs_of = {output: edge.inputs for output, edge in self.edges.items()}
+        for output, of_it in inputs.items():  # phony ones too
+            self.inputs_of.setdefault(output, frozenset(of_it))
+
+    def ask(self, *tool):
+        done = subprocess.run(["ninja", "-C", self.build, "-t", *tool], capture_output=True, text=True)
         if done.returncode != 0:
-            say(done.stdout)
-            raise Failure(f"`{' '.join(map(str, command))}` failed")
+            raise Failure(f"ninja -t {tool[0]}: {done.stderr.strip()}")
+        return "\n".join(line for line in done.stdout.splitlines()
+                         if not line.startswith("ninja: Entering"))
 
-    def make(self, targets):
-        if targets:
-            self.run("cmake", "--build", self.build, "--target", *targets)
+    def name(self, path):
+        """A path in the build tree relative to it, any other absolute."""
+        path = os.path.normpath(os.path.join(self.build, path))
+        inside = str(self.build) + "/"
+        return path[len(inside):] if path.startswith(inside) else path
 
-    def passes(self, test):
-        """Whether the tests of that name pass; there must be one."""
-        return subprocess.run(
-            ["ctest", "--test-dir", self.build, "-R", test, "--no-tests=error", "--timeout", "60",
-             "--parallel", str(os.cpu_count())],
-            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode == 0
+    def dependencies(self):
+        found, output = {}, None
+        for line in self.ask("deps").splitlines():
+            if line.startswith("    "):
+                found[output].add(self.name(line.strip()))
+            elif ": #deps" in line:
+                output = self.name(line.split(": #deps")[0])
+                found[output] = set()
+        return {output: frozenset(inputs) for output, inputs in found.items()}
 
-    def demand_soundness(self, faults):
-        """Fails unless every test passes as long as there is no fault."""
-        self.make(["library_on_device_test",
-                   *dict.fromkeys(fault.target for fault in faults if fault.target)])
-        for test in dict.fromkeys(fault.test for fault in faults):
-            if not self.passes(test):
-                raise Failure(f"the test {test} fails without a fault, or is not there")
+    def inputs(self):
+        """Of every output what its build statement and its own file of dependencies name; order-only
+        inputs are left out."""
+        found, outputs = {}, []
+        text = (self.build / "build.ninja").read_text(encoding="utf-8").replace("$\n", "")
+        for line in text.splitlines():
+            if line.startswith("build "):
+                made, _, of = line[6:].partition(": ")
+                outputs = [self.name(output) for output in
+                           made.replace("${cmake_ninja_workdir}", "").split() if output != "|"]
+                _, *rest = of.split(" || ")[0].split() or [""]
+                names = [self.name(path) for path in rest if path != "|"]
+                found |= {output: names for output in outputs}
+            elif line.startswith("  depfile = ") and (self.build / line[12:]).is_file():
+                listed = (self.build / line[12:]).read_text(encoding="utf-8").replace("\\\n", " ")
+                names = [self.name(path) for path in listed.partition(": ")[2].split()]
+                found |= {output: found[output] + names for output in outputs}
+        return found
 
-    def survives(self, fault):
-        """Whether the test still passes with the fault."""
-        path = self.source / fault.path
-        sound = path.read_text()
-        path.write_text(sound.replace(fault.original, fault.replacement))
+    def closure(self, goals):
+        """All that the goals are made of."""
+        seen, waiting = set(), list(goals)
+        while waiting:
+            output = waiting.pop()
+            if output not in seen:
+                seen.add(output)
+                waiting += self.inputs_of.get(output, ())
+        return seen
+
+    def affected(self, path, goals):
+        """The edges on the way from a source to the goals, inputs first."""
+        within = self.closure(goals)
+        source = str(ROOT / path)
+        order, state = [], {source: True}
+
+        def reaches(output):
+            if output not in state:
+                state[output] = False
+                # No short cut: each input must be visited, for the order.
+                state[output] = any([reaches(i) for i in sorted(self.inputs_of.get(output, ()))
+                                     if i in within or i == source])
+                if state[output] and output in self.edges:
+                    order.append(self.edges[output])
+            return state[output]
+        for goal in goals:
+            reaches(goal)
+        return order
+
+    def goal(self, name, suffix=""):
+        """The file that a target of that name makes."""
+        ends = name + suffix
+        found = [output for output in self.edges if output == ends or output.endswith("/" + ends)]
+        if len(found) != 1:
+            raise Failure(f"the build tree {self.build} makes {len(found)} files {ends}, not one")
+        return found[0]
+
+
+class Worker:
+    """A copy of the sources and what is built of it."""
+
+    def __init__(self, folder, build, known):
+        self.source, self.made, self.build = folder / "source", folder / "made", build
+        for path in known:
+            (self.source / path).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy2(ROOT / path, self.source / path)
+
+    def elsewhere(self, command, outputs):
+        """The command on the copy, with these outputs apart from the build tree."""
+        build = str(self.build)
+        # What each subject weighs takes longest, and no test asks for it.
+        command = re.sub(r" --footprints \S+", "", command)
+        command = command.replace(build, "\x01").replace(f"{ROOT}/", f"{self.source}/")
+        for output in outputs:
+            command = re.sub(rf"(?<![\w./]){re.escape(output)}(?=\s|$|\.d\b)|\x01/{re.escape(output)}"
+                             r"(?=\s|$|\.d\b|\")", str(self.made / output), command)
+        return command.replace("\x01", build)
+
+
+class Refused(Exception):
+    """The fault does not compile."""
+
+
+class NoticedByCompiler(Exception):
+    """A check at compile time fails with the fault."""
+
+
+RUNNING, STOPPING = set(), threading.Event()
+
+
+def run(command, folder, seconds, environment=None):
+    """Exit status and output; None as status where the time does not suffice."""
+    if STOPPING.is_set():
+        raise KeyboardInterrupt
+
+    def limit():
+        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+        resource.setrlimit(resource.RLIMIT_AS, (6 << 30, 6 << 30))
+    process = subprocess.Popen(command, cwd=folder, shell=isinstance(command, str), text=True,
+                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, errors="replace",
+                               start_new_session=True, preexec_fn=limit,
+                               env=os.environ | (environment or {}))
+    RUNNING.add(process)
+    try:
+        return process.communicate(timeout=seconds)[0], process.returncode
+    except subprocess.TimeoutExpired:
+        os.killpg(process.pid, signal.SIGKILL)
+        return process.communicate()[0], None
+    finally:
+        RUNNING.discard(process)
+
+
+def is_script(room):
+    return room.target.endswith(".py")
+
+
+class Tests:
+    """Runs the test of a room, with and without a fault."""
+
+    def __init__(self, graph):
+        self.graph = graph
+        self.seconds = {}  # that the test takes without a fault
+
+    def run(self, room, source, program, devices, seconds):
+        if is_script(room):
+            return run([sys.executable, "-B", str(source / room.target)], source, seconds)
+        return run([str(program), "--gtest_brief=1", f"--gtest_filter={room.cases}"],
+                   self.graph.build / Path(self.graph.goal(room.target)).parent, seconds,
+                   {"DEVICE_PROGRAMS": str(devices)} if devices else None)
+
+    def demand_soundness(self, room):
+        check = room.target, room.cases
+        if check in self.seconds:
+            return
+        program = None if is_script(room) else self.graph.build / self.graph.goal(room.target)
+        begin = time.monotonic()
+        output, status = self.run(room, ROOT, program, None, 300)
+        if status != 0 or "Running 0 tests" in output or "0 tests." in output:
+            raise Failure(f"the test {room.target} {room.cases} fails without a fault:\n{output}")
+        self.seconds[check] = time.monotonic() - begin
+
+    def goals(self, room):
+        if is_script(room):
+            return []
+        return [self.graph.goal(device, ".elf") for device in room.devices.split()] or \
+            [self.graph.goal(room.target)]
+
+    def notices(self, fault, worker):
+        """Whether the test fails with the fault; None where the fault changes no object."""
+        room, copy = fault.room, worker.source / fault.path
+        sound = copy.read_text(encoding="utf-8")
+        lines = sound.splitlines(keepends=True)
+        end = "\n" if lines[fault.line].endswith("\n") else ""
+        lines[fault.line] = fault.text(lines[fault.line].rstrip("\n")) + end
+        copy.write_text("".join(lines), encoding="utf-8")
         try:
-            self.make([fault.target] if fault.target else [])
-            return self.passes(fault.test)
+            if not is_script(room) and not self.build(fault, worker):
+                return None
+            limit = 5 + 5 * self.seconds[room.target, room.cases]
+            if is_script(room):
+                return self.run(room, worker.source, None, None, limit)[1] != 0
+            program = self.graph.goal(room.target)
+            if not room.devices:
+                return self.run(room, None, worker.made / program, None, limit)[1] != 0
+            for device in self.goals(room):
+                if not (worker.made / device).exists():  # one that the fault is not in
+                    shutil.copy(self.graph.build / device, worker.made / device)
+            return self.run(room, None, self.graph.build / program,
+                            (worker.made / device).parent, limit)[1] != 0
+        except NoticedByCompiler:
+            return True
         finally:
-            path.write_text(sound)
+            copy.write_text(sound, encoding="utf-8")
+            shutil.rmtree(worker.made, ignore_errors=True)
+
+    def build(self, fault, worker):
+        """Builds what the test runs; whether an object changed."""
+        edges = self.graph.affected(fault.path, self.goals(fault.room))
+        outputs = [edge.output for edge in edges]
+        if not edges:
+            raise Failure(f"{fault.room.target} does not depend on {fault.path}")
+        changed = False
+        for edge in edges:
+            compiles = str(ROOT / fault.path) in edge.inputs
+            if not compiles and not changed:
+                return False
+            # A program for the chip is compiled and linked in one step, with an object in between.
+            written = {edge.output, *map(self.graph.name, re.findall(r" -o (\S+)", edge.command))}
+            for path in written:
+                (worker.made / path).parent.mkdir(parents=True, exist_ok=True)
+            output, status = run(worker.elsewhere(edge.command, written.union(outputs)),
+                                 self.graph.build, 120)
+            if status != 0:
+                if "static assertion failed" in output or "is not a constant expression" in output:
+                    raise NoticedByCompiler
+                raise Refused(output)
+            if compiles:
+                changed |= sections(worker.made / edge.output) != sections(
+                    self.graph.build / edge.output)
+        return True
 
 
-def check(faults):
-    for fault in faults:
-        path = ROOT / fault.path
-        count = path.read_text().count(fault.original) if path.is_file() else 0
-        if count != 1:
-            raise Failure(f"{fault.path}: {fault.original!r} stands there {count} times, not once")
-    survivors = 0
+def sections(path):
+    """What of an object reaches the program: the disassembly with its data, without its name."""
+    tool = "avr-objdump" if b"\x53\x00" == path.read_bytes()[18:20] else "objdump"
+    done = subprocess.run([tool, "-sr", "-j", ".*", path], capture_output=True)
+    if done.returncode != 0 or not done.stdout:
+        done = subprocess.run([tool, "-sr", path], capture_output=True)
+    kept, keep = [], True
+    for line in done.stdout.split(b"\n")[3:]:
+        if line.startswith((b"Contents of section ", b"RELOCATION RECORDS FOR ")):
+            keep = not re.search(rb"\.(debug|comment|note)", line)
+        if keep:
+            kept.append(line)
+    return b"\n".join(kept)
+
+
+# --- The run ----------------------------------------------------------------------------------------
+
+def known_files():
+    """All sources: the results are made of them, and need no copy."""
+    listed = subprocess.run(["git", "-C", ROOT, "ls-files", "-co", "--exclude-standard"],
+                            capture_output=True, text=True)
+    if listed.returncode == 0:
+        paths = listed.stdout.splitlines()
+    else:
+        paths = [str(path.relative_to(ROOT)) for path in ROOT.rglob("*") if path.is_file()]
+    return sorted(path for path in paths if (ROOT / path).is_file()
+                  and not path.startswith(("build/", "results/", ".git/")))
+
+
+class Slot:
+    """The faults that are to come of one room, until its count of them has been tried."""
+
+    def __init__(self, room, faults):
+        self.room, self.faults, self.lock = room, faults, threading.Lock()
+
+    def next(self):
+        with self.lock:
+            return self.faults.pop(0) if self.faults else None
+
+
+def describe(fault):
+    line = (ROOT / fault.path).read_text(encoding="utf-8").splitlines()[fault.line]
+    return (f"{fault.path}:{fault.line + 1}\n    - {line.strip()}\n    + {fault.text(line).strip()}")
+
+
+class Campaign:
+    """All faults, tried by several workers; what became of them."""
+
+    def __init__(self, tests, workers, slots):
+        self.tests, self.slots, self.begin = tests, slots, time.monotonic()
+        self.workers = queue.SimpleQueue()
+        for worker in workers:
+            self.workers.put(worker)
+        self.lock = threading.Lock()
+        self.noticed, self.survivors, self.equal, self.refused, self.done = 0, [], 0, 0, 0
+        self.by_room = {}
+
+    def try_one(self, slot):
+        worker = self.workers.get()
+        begin = time.monotonic()
+        try:
+            while (fault := slot.next()) is not None:
+                try:
+                    noticed = self.tests.notices(fault, worker)
+                except Refused:
+                    with self.lock:
+                        self.refused += 1
+                    continue
+                if noticed is None:
+                    with self.lock:
+                        self.equal += 1
+                    continue
+                self.tell(fault, noticed, time.monotonic() - begin)
+                return
+            raise Failure(f"the room '{slot.room.name}' has too few lines for its faults: "
+                          f"{slot.room.files}")
+        finally:
+            self.workers.put(worker)
+
+    def tell(self, fault, noticed, seconds):
+        with self.lock:
+            self.done += 1
+            counts = self.by_room.setdefault(fault.room.name, [0, 0])
+            counts[0] += noticed
+            counts[1] += 1
+            if not noticed:
+                self.survivors.append(fault)
+            left = (time.monotonic() - self.begin) / self.done * (len(self.slots) - self.done)
+            print(f"{fault.key[:8]} {fault.room.name:11}{'noticed' if noticed else 'UNNOTICED':10}"
+                  f"{seconds:5.1f} s  {fault.path}:{fault.line + 1}", flush=True)
+            say(f"  [{self.done}/{len(self.slots)}] {left // 60:.0f}:{left % 60:02.0f} left")
+
+    def run(self, jobs):
+        with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+            futures = [pool.submit(self.try_one, slot) for slot in self.slots]
+            try:
+                for future in concurrent.futures.as_completed(futures):
+                    future.result()
+            except BaseException:
+                STOPPING.set()
+                for future in futures:
+                    future.cancel()
+                for process in list(RUNNING):
+                    os.killpg(process.pid, signal.SIGKILL)
+                raise
+
+
+def check(arguments):
+    known = known_files()
+    chosen = [room for room in ROOMS if arguments.room in (None, room.name)]
+    queues = [candidates(room, known, arguments.seed) for room in chosen]
+    if arguments.only:
+        queues = [[f for f in faults if f.key.startswith(arguments.only)] for faults in queues]
+        if not any(queues):
+            raise Failure(f"no fault of seed {arguments.seed} is named {arguments.only}")
+    slots = []
+    for room, faults in zip(chosen, queues):
+        shared = Slot(room, faults)
+        slots += [shared] * (len(faults) if arguments.only else room.count * (3 if arguments.full else 1))
+    rooms = list(dict.fromkeys(slot.room for slot in slots))
+
+    build = (ROOT / arguments.build).resolve()
+    say(f"Seed {arguments.seed}: {len(slots)} faults. Building what they need in {arguments.build} ...")
+    tests = Tests(None)
+    if not all(map(is_script, rooms)):
+        tests.graph = Graph(build)
+        goals = [goal for room in rooms if not is_script(room)
+                 for goal in [tests.graph.goal(room.target), *tests.goals(room)]]
+        done = subprocess.run(["ninja", "-C", build, "--quiet", *dict.fromkeys(goals)],
+                              stdout=sys.stderr)
+        if done.returncode != 0:
+            raise Failure(f"{arguments.build} does not build")
+        tests.graph = Graph(build)  # with what the build found out of dependencies
+    for room in rooms:
+        tests.demand_soundness(room)
+
+    begin = time.monotonic()
     with tempfile.TemporaryDirectory(prefix="mutation_test_") as folder:
-        say("Building a copy of the sources ...")
-        copy = Copy(Path(folder))
-        copy.demand_soundness(faults)
-        print(f"{'fault':51}{'test':49}{'result':10}seconds")
-        for fault in faults:
-            start = time.monotonic()
-            survived = copy.survives(fault)
-            survivors += survived
-            print(f"{fault.what:51}{fault.test:49}{'SURVIVED' if survived else 'caught':10}"
-                  f"{time.monotonic() - start:7.1f}", flush=True)
-        # So it was the fault that made a test fail.
-        copy.demand_soundness(faults)
-    print(f"{len(faults) - survivors} of {len(faults)} faults caught.")
-    return 1 if survivors else 0
+        jobs = arguments.jobs
+        workers = [Worker(Path(folder) / str(i), build, known) for i in range(jobs)]
+        campaign = Campaign(tests, workers, slots)
+        campaign.run(jobs)
+
+    print()
+    for room, (noticed, tried) in campaign.by_room.items():
+        print(f"{room:12}{noticed:3} of {tried}")
+    for fault in campaign.survivors:
+        print(f"\nUNNOTICED by {fault.room.target}: {describe(fault)}\n"
+              f"    again: scripts/mutation_test.py --seed {arguments.seed} --only {fault.key[:8]}")
+    count = len(slots) - len(campaign.survivors)
+    print(f"\nSeed {arguments.seed}: {count} of {len(slots)} faults noticed in "
+          f"{time.monotonic() - begin:.0f} s; {campaign.equal} changed no object and "
+          f"{campaign.refused} did not compile, others took their place.")
+    return 1 if campaign.survivors else 0
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--fault", default="", metavar="TEXT",
-                        help="only the faults whose description contains the text")
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--seed", type=int, default=1, help="chooses the faults (default: 1)")
+    parser.add_argument("--room", choices=sorted({room.name for room in ROOMS}),
+                        help="faults of one room only")
+    parser.add_argument("--only", metavar="NAME", help="the one fault whose name begins so")
+    parser.add_argument("--full", action="store_true", help="three times as many faults")
+    parser.add_argument("--build", default="build/release", metavar="DIR",
+                        help="the build tree (default: build/release)")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count(), metavar="N",
+                        help="faults at a time (default: one a core)")
     arguments = parser.parse_args()
-    faults = [fault for fault in FAULTS if arguments.fault in fault.what]
-    if not faults:
-        parser.error(f"no fault is described by '{arguments.fault}'")
+    if arguments.jobs < 1:
+        parser.error("--jobs must be 1 or more")
     try:
-        return check(faults)
+        return check(arguments)
     except Failure as failure:
         say(f"mutation_test.py: {failure}")
         return 1
+    except KeyboardInterrupt:
+        say("mutation_test.py: interrupted; the sources are as they were")
+        return 130
 
 
 if __name__ == "__main__":

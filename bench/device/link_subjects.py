@@ -39,7 +39,7 @@ def functions(objects):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--output", required=True, help="the ELF to write")
-    parser.add_argument("--footprints", required=True, help="the CSV of footprints to write")
+    parser.add_argument("--footprints", help="the CSV of footprints to write")
     parser.add_argument("objects", nargs="+")
     arguments = parser.parse_args()
 
@@ -75,6 +75,9 @@ def main():
         return text + data, data + bss
 
     with tempfile.TemporaryDirectory() as directory:
+        if arguments.footprints is None:
+            link(subjects, arguments.output)
+            return
         empty_flash, empty_ram = weigh([], directory)
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
             weights = list(pool.map(lambda subject: weigh([subject], directory), subjects))

@@ -1,19 +1,87 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Loads the data files of the bench as lists of rows with typed cells."""
+"""Loads the data files of the bench as lists of rows with typed cells. What is wrong with one is a
+DataError that names file, row and column; a row is counted from 1, the line of the names."""
 import csv
 import json
+import math
 import pathlib
 
 
-def _typed(cell):
+class DataError(Exception):
+    """What is wrong with the data, in one line."""
+
+
+# Columns that hold text in at least one file. All others hold numbers.
+TEXT = frozenset("""
+ablation after_cause after_method arithmetic before_cause before_error before_method best_format bound
+broad_phase case change cheapest chip clock coefficient coefficients curve cycles_max_witness damping
+device elf_sha256 fault feature first_event first_mismatch fitted_to flags form format formats formula
+function handler hand_n_per_m host implementation inputs integrator interrupt kernel_sha256 kind lane
+limit limited_by loop map max_ulp_witness note operands operation operators parameter pin quantity
+readings reason reference scalar scenario scene shift standard_errors still_at_shortest symbol type
+unbounded unit vector verdict view where widening with x_name y_name
+""".split())
+# Numbers that a row may lack: what the chip cannot hold has no cycles, an exact result no error.
+OPTIONAL = frozenset("""
+chip_frequency_hz count cycles cycles_max cycles_mean cycles_min cycles_per_simulated_second
+cycles_per_step_max cycles_per_step_mean error error_arithmetic error_by_extent error_method
+evaluation_error_g fall_s flash_bytes frame_bytes_bound frame_bytes_measured hardest_hand_n_per_m
+late_steps leave_one_out_rms_g linear_shortest_arm_m max_error max_ulp mean_ulp published ram_bytes
+ratio refitted rms_error rms_ulp shortest_arm_m softest_hand_n_per_m square_sum_excess stack_bytes
+stack_bytes_bound stack_bytes_measured standard_error step swing_deg value worst_frequency_hz
+worst_lateness_ms worst_thrown_frequency_hz
+""".split())
+
+
+class Row(dict):
+    """A row by the names of its columns; the file is told where one is missing."""
+
+    def __init__(self, file, cells):
+        super().__init__(cells)
+        self.file = file
+
+    def __missing__(self, column):
+        raise DataError(f"{self.file}: there is no column '{column}'")
+
+
+def _typed(cell, column, place):
     if cell == "":
-        return None
+        if column in TEXT or column in OPTIONAL:
+            return None
+        raise DataError(f"{place}, column {column}: the number is missing")
     for convert in (int, float):
         try:
-            return convert(cell)
+            value = convert(cell)
         except ValueError:
-            pass
+            continue
+        if isinstance(value, float) and math.isnan(value):
+            raise DataError(f"{place}, column {column}: '{cell}' is no number")
+        return value
+    if column not in TEXT:
+        raise DataError(f"{place}, column {column}: '{cell}' is no number")
     return cell
+
+
+def load(path):
+    """All rows of a CSV file."""
+    try:
+        with open(path, newline="", encoding="utf-8") as stream:
+            lines = list(csv.reader(stream, strict=True))
+    except (OSError, UnicodeDecodeError, csv.Error) as error:
+        raise DataError(f"{path}: {error}") from None
+    if not lines:
+        raise DataError(f"{path}: is empty")
+    columns, *cells = lines
+    if not cells:
+        raise DataError(f"{path}: has no rows below the names of its columns")
+    rows = []
+    for number, row in enumerate(cells, 2):
+        place = f"{path}, row {number}"
+        if len(row) != len(columns):
+            raise DataError(f"{place}: {len(row)} cells under {len(columns)} columns")
+        rows.append(Row(path, ((column, _typed(cell, column, place))
+                               for column, cell in zip(columns, row))))
+    return rows
 
 
 class Data:
@@ -62,11 +130,12 @@ class Data:
 
     def __init__(self, folder):
         self.folder = pathlib.Path(folder)
+        self._loaded = {}
 
     def _path(self, name, suffix):
         path = self.folder / (name + suffix)
         if not path.exists():
-            raise SystemExit(f"report: {path} is missing; {self.MADE_BY[name]} writes it")
+            raise DataError(f"{path} is missing; {self.MADE_BY[name]} writes it")
         return path
 
     def has(self, name):
@@ -74,11 +143,15 @@ class Data:
 
     def rows(self, name, **wanted):
         """The rows of <name>.csv whose cells equal `wanted`, as dictionaries."""
-        with open(self._path(name, ".csv"), newline="", encoding="utf-8") as stream:
-            rows = [{key: _typed(cell) for key, cell in row.items()}
-                    for row in csv.DictReader(stream)]
-        return [row for row in rows if all(row[key] == value for key, value in wanted.items())]
+        if name not in self._loaded:
+            self._loaded[name] = load(self._path(name, ".csv"))
+        return [row for row in self._loaded[name]
+                if all(row[key] == value for key, value in wanted.items())]
 
     def json(self, name):
-        with open(self._path(name, ".json"), encoding="utf-8") as stream:
-            return json.load(stream)
+        path = self._path(name, ".json")
+        try:
+            with open(path, encoding="utf-8") as stream:
+                return json.load(stream)
+        except (OSError, ValueError) as error:
+            raise DataError(f"{path}: {error}") from None

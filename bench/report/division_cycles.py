@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the report's Q16.16 division costs by operand class, its two published figures, and ours."""
+"""What the 2016 design's Q16.16 division costs by operand class, its two published figures, and ours."""
 import matplotlib.pyplot as plt
 
 import style
@@ -18,7 +18,7 @@ def draw(data):
             for row in data.rows("operations", operation="divide", format="q16_16",
                                  implementation="default")}
     for axes, operands in zip(grid.flat, classes):
-        for kind, implementation, name in (("fixed_16_16_histogram", "published", "the report's"),
+        for kind, implementation, name in (("fixed_16_16_histogram", "published", "2016 design"),
                                            ("float_histogram", "libc", "avr-libc float")):
             bins = [row for row in rows if row["kind"] == kind and row["operands"] == operands]
             total = sum(row["count"] for row in bins)

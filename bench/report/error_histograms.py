@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Distribution of the error in ulp: the default arithmetic over the report's."""
+"""Distribution of the error in ulp: the default arithmetic over the 2016 design's."""
 import matplotlib.pyplot as plt
 
 import style

@@ -6,7 +6,7 @@ from matplotlib.lines import Line2D
 
 import style
 
-ARITHMETICS = {"published": "the report's", "q16_16": "ours, Q16.16", "float": "ours, float"}
+ARITHMETICS = {"published": "2016 design", "q16_16": "ours, Q16.16", "float": "ours, float"}
 DAMPINGS = {"no": "without damping", "yes": "selective damping"}
 COLOURS = {"yes": "#0072b2", "no": "#d55e00"}
 THEORY = "#d55e00"
@@ -50,7 +50,8 @@ def draw(data):
     groups = grouped(data.rows("stable_region"))
     columns = sorted({(clock, rate) for _, _, clock, rate in groups},
                      key=lambda column: (column[0] != "report", column[1]))
-    lines = [(arithmetic, damping) for arithmetic in ARITHMETICS for damping in DAMPINGS]
+    lines = [(arithmetic, damping) for arithmetic in ARITHMETICS for damping in DAMPINGS
+             if any(group[:2] == (arithmetic, damping) for group in groups)]
     figure, panels = plt.subplots(len(lines), len(columns), squeeze=False, sharex=True,
                                   sharey=True, figsize=(11, 1.55 * len(lines) + 0.6))
     image = None
@@ -81,11 +82,11 @@ def draw(data):
     for axes in panels[-1]:
         axes.set_xlabel("arm, cm", fontsize=8)
     bar = figure.colorbar(image, ax=panels, shrink=0.5, pad=0.01)
-    bar.set_label("share of the plants that are still when taken up")
+    bar.set_label("share of the plants that are at rest when grasped")
     style.legend_above(figure, [Line2D([], [], color=THEORY, linestyle="dashed")],
                        ["linear theory: below, half of the plants and more are stable; where there "
-                        "is no line, everywhere. Numbers: plants still when thrown, where not "
-                        "all"], 1)
+                        "is no line, everywhere. Numbers: plants at rest when released against, "
+                        "where not all"], 1)
     return figure
 
 

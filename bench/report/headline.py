@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The result in one picture: cycles of the report's fixed point, of emulated float and of ours."""
+"""The result in one picture: cycles of the 2016 design's fixed point, of emulated float and of ours."""
 import matplotlib.pyplot as plt
 
 import style

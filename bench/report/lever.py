@@ -4,6 +4,8 @@ the engine alone and in the whole device, and the device in each arithmetic."""
 import csv
 import pathlib
 
+from data import DataError
+
 PUBLISHED = pathlib.Path(__file__).resolve().parents[2] / "reference/published/workload.csv"
 
 # Columns of the comparison: arithmetic in the data, heading.
@@ -25,7 +27,7 @@ def verdicts(data):
     judged = [(row["quantity"], row["arithmetic"]) for row in rows]
     missing = [" ".join(figure) for figure in figures if figure not in judged]
     if missing:
-        raise SystemExit(f"report: no verdict on the published {', '.join(missing)}")
+        raise DataError(f"no verdict on the published {', '.join(missing)}")
     return sorted(rows, key=lambda row: figures.index((row["quantity"], row["arithmetic"])))
 
 

@@ -2,6 +2,8 @@
 """The page that replays a recording of the lever: one file with all that it needs."""
 import json
 
+from data import DataError
+
 SIGNALS = ("lever", "servo", "told", "hand", "force_a", "force_b", "reading_a", "reading_b", "arm",
            "held")
 CELLS = 20 * 20
@@ -9,10 +11,10 @@ ARITHMETIC = {"q16_16": "Q16.16", "published": "the published arithmetic", "floa
 
 
 def check(recording):
-    """Raises SystemExit with one line where the recording is not one that the page can show."""
+    """Raises DataError where the recording is not one that the page can show."""
     def require(held, what):
         if not held:
-            raise SystemExit(f"report: replay.json: {what}; fixbench lever writes it")
+            raise DataError(f"replay.json: {what}; fixbench lever writes it")
     signals = recording["signals"]
     require(set(signals) == set(SIGNALS), f"the signals are not {', '.join(SIGNALS)}")
     lengths = {len(values) for values in signals.values()}

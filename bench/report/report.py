@@ -2,9 +2,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Draws the figures and writes the pages of results/ out of its data files."""
 import argparse
+import contextlib
 import pathlib
+import re
 import subprocess
 import sys
+import traceback
 
 import jinja2
 import tqdm
@@ -24,7 +27,7 @@ import scenes_workload
 import stability
 import style
 import table_3_2
-from data import Data
+from data import Data, DataError
 
 HERE = pathlib.Path(__file__).resolve().parent
 
@@ -108,33 +111,81 @@ def write_whole(path, text):
     partial.replace(path)
 
 
+def no_gap(value):
+    """A value as it stands on a page. What is missing is an error: None would hide a finding."""
+    if value is None:
+        raise DataError("a value is missing")
+    return value
+
+
+def templates():
+    environment = jinja2.Environment(loader=jinja2.FileSystemLoader(HERE), trim_blocks=True,
+                                     lstrip_blocks=True, keep_trailing_newline=True,
+                                     undefined=jinja2.StrictUndefined, finalize=no_gap)
+    environment.filters["cell"] = cell
+    return environment
+
+
+def page(environment, template, names):
+    """The text of a page."""
+    text = environment.get_template(template).render(names)
+    gap = re.search(r"^.*\b(?:None|nan|NaN)\b.*$", text, re.MULTILINE)
+    if gap:
+        raise DataError(f"a value is missing in '{gap.group().strip()}'")
+    return text
+
+
+@contextlib.contextmanager
+def telling(what):
+    """Whatever the data make impossible is a DataError that says what was to be made of them."""
+    try:
+        yield
+    except (DataError, jinja2.TemplateError, ArithmeticError, LookupError, StopIteration, TypeError,
+            ValueError) as error:
+        # The innermost line of a template, if it was one.
+        lines = [f"{pathlib.Path(frame.filename).name}, line {frame.lineno}: "
+                 for frame in traceback.extract_tb(error.__traceback__)
+                 if frame.filename.endswith(".j2")]
+        kind = "" if isinstance(error, DataError) else f"{type(error).__name__}: "
+        raise DataError(f"{what}: {lines[-1] if lines else ''}{kind}{error}") from error
+
+
+def write(results):
+    """Everything: the figures, then the pages that show them."""
+    data = Data(results / "data")
+    folder = results / "figures"
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, draw in tqdm.tqdm(figures(data).items(), desc="figures", file=sys.stderr):
+        with telling(f"figure {name}"):
+            style.save(draw(), folder, name)
+
+    environment = templates()
+    names = {"data": data, "hashes": data.json("operations")["context"]["sha256"],
+             "versions": tool_versions(), "scenes": scenes, "growth": growth, "lever": lever,
+             "stability": stability, "haptic_region": haptic_region}
+    for template, (name, needed) in PAGES.items():
+        if data.has(needed):
+            with telling(name):
+                write_whole(results / name, page(environment, template, names))
+    if (results / "data" / "replay.json").exists():
+        with telling("replay.html"):
+            write_whole(results / "replay.html", replay.page(environment, data))
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--results", required=True,
                         help="folder that holds data/ and gets figures/ and README.md")
-    arguments = parser.parse_args()
-    results = pathlib.Path(arguments.results)
-    data = Data(results / "data")
-
-    folder = results / "figures"
-    folder.mkdir(parents=True, exist_ok=True)
-    for name, draw in tqdm.tqdm(figures(data).items(), desc="figures", file=sys.stderr):
-        style.save(draw(), folder, name)
-
-    templates = jinja2.Environment(loader=jinja2.FileSystemLoader(HERE), trim_blocks=True,
-                                   lstrip_blocks=True, keep_trailing_newline=True,
-                                   undefined=jinja2.StrictUndefined)
-    templates.filters["cell"] = cell
-    names = {"data": data, "hashes": data.json("operations")["context"]["sha256"],
-             "versions": tool_versions(), "scenes": scenes, "growth": growth, "lever": lever,
-             "stability": stability, "haptic_region": haptic_region}
-    for template, (page, needed) in PAGES.items():
-        if not data.has(needed):
-            continue
-        write_whole(results / page, templates.get_template(template).render(names))
-    if (results / "data" / "replay.json").exists():
-        write_whole(results / "replay.html", replay.page(templates, data))
+    results = pathlib.Path(parser.parse_args().results)
+    try:
+        with telling(str(results)):
+            write(results)
+    except (DataError, OSError) as error:
+        print("\nreport: " + " ".join(str(error).removeprefix(f"{results}: ").split()),
+              file=sys.stderr)
+        return 1
+    return 0
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

@@ -9,7 +9,7 @@ SCALARS = {
     ("q8_8", "nearest"): ("Q8.8", "#cc79a7"),
     ("q8_24", "nearest"): ("Q8.24", "#009e73"),
     ("q16_16", "nearest"): ("Q16.16", "#0072b2"),
-    ("q16_16", "saturating"): ("Q16.16 clamped", "#332288"),
+    ("q16_16", "saturating"): ("Q16.16 saturating", "#332288"),
     ("q32_32", "nearest"): ("Q32.32", "#56b4e9"),
     ("float", "avr-libc"): ("float", "#e69f00"),
     ("q16_16", "published"): ("Q16.16 as published", "#d55e00"),
@@ -96,19 +96,21 @@ def float_wins(data):
             match = min((other for other in rows if ours(other) and other["error"] <= row["error"]),
                         key=lambda other: other["cycles_per_simulated_second"], default=None)
             wins.append({"scene": scene, "row": row, "rival": rival, "match": match,
-                         "reason": reason(rival, match)})
+                         "reason": reason(row, rival, match)})
     return wins
 
 
-def reason(rival, match):
-    """Why none of ours is as good at that cost, from the two shares of the rival's error."""
+def reason(row, rival, match):
+    """Why none of ours is as good as that row at its cost, from the two shares of the rival's error."""
     if rival is None:
         return "none of ours is as cheap"
     if rival["error_arithmetic"] > rival["error_method"]:
         cause = (f"{scalar(rival)} errs by its resolution there "
                  f"({rival['error_arithmetic']:.1e} m, the method by {rival['error_method']:.1e} m)")
     else:
-        cause = (f"{scalar(rival)} errs by its method there, at a longer step "
+        step_of_it = ("a longer" if rival["dt"] > row["dt"] else
+                      "a shorter" if rival["dt"] < row["dt"] else "the same")
+        cause = (f"{scalar(rival)} errs by {method(rival)} there, at {step_of_it} step "
                  f"({rival['error_method']:.1e} m, the arithmetic by "
                  f"{rival['error_arithmetic']:.1e} m)")
     if match is None:
@@ -117,8 +119,8 @@ def reason(rival, match):
             f"{match['cycles_per_simulated_second'] / 1e6:.3g} million cycles")
 
 
-def clamping(data):
-    """For each scene the rows of Q16.16, Q16.16 clamped and float at 1/256 s that all took cycles."""
+def saturation(data):
+    """For each scene the rows of Q16.16, Q16.16 saturating and float at 1/256 s that all took cycles."""
     kinds = [("q16_16", "nearest"), ("q16_16", "saturating"), ("float", "avr-libc")]
     lines = []
     for scene in names(data):

@@ -49,6 +49,6 @@ def draw_rounds(data):
     axes.axhline(4.4e-3 * 16e6, color="#222222", linewidth=1, linestyle="--")
     axes.annotate("published step: 4.4 ms", (10, 4.4e-3 * 16e6), fontsize=7, ha="right",
                   xytext=(0, -9), textcoords="offset points")
-    axes.set(xlabel="rounds of contact resolution", ylabel="cycles of a step", ylim=(0, None))
+    axes.set(xlabel="iterations of the contact solver", ylabel="cycles of a step", ylim=(0, None))
     axes.legend()
     return figure

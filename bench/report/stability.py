@@ -15,7 +15,7 @@ FORMAT_COLOURS = {"q8_8": "#d55e00", "q8_24": "#cc79a7", "q16_16": "#0072b2",
 # The arithmetic of a format where nothing else is said.
 DEFAULT = ["nearest", "ieee"]
 METHODS = ["explicit_euler", "semi_implicit_euler", "velocity_verlet", "implicit_springs"]
-METHOD_LABELS = {"explicit_euler": "explicit Euler (the report's)",
+METHOD_LABELS = {"explicit_euler": "explicit Euler (2016 design)",
                  "semi_implicit_euler": "semi-implicit Euler",
                  "velocity_verlet": "velocity Verlet",
                  "implicit_springs": "springs solved implicitly"}
@@ -44,6 +44,11 @@ def figure(value):
         return whole(round(float(f"{value:.2e}")))
     factor = "" if float(mantissa) == 1 else f"{float(mantissa):g}·"
     return f"{factor}10<sup>{int(exponent)}</sup>".replace("-", "−")
+
+
+def scalars(rows):
+    """How many formats with their arithmetic there are."""
+    return len({(row["scalar"], row["arithmetic"]) for row in rows})
 
 
 def silent(rows, arithmetic):

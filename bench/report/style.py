@@ -1,44 +1,23 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """How every figure looks, and how it is saved: the same data give the same bytes."""
+import pathlib
+import re
+
 import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
-# A colour-blind-safe palette (Okabe and Ito, 2008). One colour an implementation, everywhere.
-COLOURS = {
-    "default": "#0072b2",
-    "saturating": "#56b4e9",
-    "truncating": "#009e73",
-    "small": "#cc79a7",
-    "portable": "#999999",
-    "published": "#d55e00",
-    "libc": "#e69f00",
-    "accum": "#8c6d00",
-    "native": "#444444",
-}
-MARKERS = {
-    "default": "o",
-    "saturating": "^",
-    "truncating": "v",
-    "small": "P",
-    "portable": "s",
-    "published": "X",
-    "libc": "D",
-    "accum": "*",
-    "native": ".",
-}
-LABELS = {
-    "default": "ours, default",
-    "saturating": "ours, saturating",
-    "truncating": "ours, truncating",
-    "small": "ours, small tables",
-    "portable": "ours, portable C++",
-    "published": "the report's",
-    "libc": "avr-libc float",
-    "accum": "GCC _Accum",
-    "native": "plain integer",
-}
+# A colour-blind-safe palette (Okabe and Ito, 2008) and a marker, in the order of the catalogue's
+# implementations: one an implementation, everywhere.
+STYLES = [("#0072b2", "o"), ("#999999", "s"), ("#d55e00", "X"), ("#56b4e9", "^"), ("#000000", "p"),
+          ("#cc79a7", "P"), ("#e69f00", "D"), ("#8c6d00", "*"), ("#444444", ".")]
+OTHER = ("#000000", "p")
+
+CATALOGUE = pathlib.Path(__file__).parents[1] / "lab" / "catalogue" / "subjects.h"
+# The rows X(implementation, ..., "label").
+LABELS = dict(re.findall(r'^ *X\((\w+), .*"(.*)"\)$', CATALOGUE.read_text(encoding="utf-8"), re.M))
+STYLE = dict(zip(LABELS, STYLES))
 
 
 def label(implementation):
@@ -46,11 +25,11 @@ def label(implementation):
 
 
 def colour(implementation):
-    return COLOURS.get(implementation, "#000000")
+    return STYLE.get(implementation, OTHER)[0]
 
 
 def marker(implementation):
-    return MARKERS.get(implementation, "p")
+    return STYLE.get(implementation, OTHER)[1]
 
 
 plt.rcParams.update({

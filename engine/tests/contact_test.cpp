@@ -84,7 +84,7 @@ std::set<std::pair<int, int>> pairs(World& world) {
 // each component.
 RC_GTEST_PROP(Contact, MomentumIsConservedToTheRounding, ()) {
     engine::World<Number, Collision> world;
-    world.restitution = any_between(0, 1);
+    world.set_restitution(any_between(0, 1));
     typename decltype(world)::Body disc;
     disc.radius = 1_d;
     double mass[2];
@@ -115,7 +115,7 @@ RC_GTEST_PROP(Contact, MomentumIsConservedToTheRounding, ()) {
 
 TEST(Contact, EqualDiscsSwapVelocitiesHeadOn) {
     engine::World<Number, Collision> world;
-    world.restitution = 1_d;
+    world.set_restitution(1_d);
     typename decltype(world)::Body disc;
     disc.radius = 0.5_d;
     disc.inverse_mass = 1_d;

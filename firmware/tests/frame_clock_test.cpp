@@ -146,6 +146,37 @@ TEST_P(ClockTest, FramesNoneIsMadeUpFor) {
     EXPECT_TRUE(frames.due(start + 310 * ms));
 }
 
+// A frame that is late by less than a frame keeps the beat; one that is late by exactly a frame or
+// more starts another.
+TEST_P(ClockTest, FramesKeepTheBeatWhereTheyAreLateByLessThanAFrame) {
+    constexpr uint32_t frame = 50 * ms;
+    for (const uint32_t late : {uint32_t{0}, uint32_t{1}, frame / 2, frame - 1, frame, frame + 1}) {
+        Frames<> frames(start);
+        EXPECT_TRUE(frames.due(start));
+        EXPECT_TRUE(frames.due(start + frame + late));
+        const uint32_t next = late < frame ? 2 * frame : 2 * frame + late;
+        EXPECT_FALSE(frames.due(start + next - 1)) << late;
+        EXPECT_TRUE(frames.due(start + next)) << late;
+    }
+}
+
+// Late by a step to the tick is late; as far behind as is made up for, nothing is given up.
+TEST_P(ClockTest, FixedStepsCountAtTheTick) {
+    const auto after = [&](uint32_t behind) {
+        FixedSteps<ms, 10> steps(start);
+        steps.due(start + ms + behind);
+        return std::vector<uint32_t>{steps.late(), steps.given_up(), steps.worst_delay()};
+    };
+    EXPECT_EQ(after(ms - 1), (std::vector<uint32_t>{0, 0, ms - 1}));
+    EXPECT_EQ(after(ms), (std::vector<uint32_t>{1, 0, ms}));
+    EXPECT_EQ(after(10 * ms), (std::vector<uint32_t>{1, 0, 10 * ms}));
+    EXPECT_EQ(after(11 * ms - 1), (std::vector<uint32_t>{1, 0, 11 * ms - 1}));
+    EXPECT_EQ(after(11 * ms), (std::vector<uint32_t>{1, 1, 11 * ms}));
+    FixedSteps<ms, 10> steps(start);
+    EXPECT_EQ(steps.due(start + ms - 1), 0u);
+    EXPECT_EQ(steps.due(start + ms), ms);
+}
+
 TEST(Seconds, AreRoundedToNearest) {
     using fixedpoint::Q16_16;
     EXPECT_EQ(seconds<Q16_16>(ms).raw(), 66);           // 65.536

@@ -152,11 +152,11 @@ double number<double>(double x) {
 }
 template <>
 fixedpoint::Q16_16 number<fixedpoint::Q16_16>(double x) {
-    return fixedpoint::from_float<fixedpoint::Q16_16>(x).number;
+    return fixedpoint::from_float<fixedpoint::Q16_16>(x);
 }
 template <>
 fixedpoint::Q8_8 number<fixedpoint::Q8_8>(double x) {
-    return fixedpoint::from_float<fixedpoint::Q8_8>(x).number;
+    return fixedpoint::from_float<fixedpoint::Q8_8>(x);
 }
 
 template <class Number, int cells>

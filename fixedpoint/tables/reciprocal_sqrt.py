@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
 """Writes the tables of the reciprocal square root: src/fixedpoint/avr/reciprocal_sqrt_table.S for
-the kernels and src/fixedpoint/portable/reciprocal_sqrt_table.hpp for their twins.
+the kernels and src/fixedpoint/portable/reciprocal_sqrt_table.hpp for the portable implementation.
 
 The root's mantissa is y(t) = 2^22 / sqrt(t / 2^16), 2^14 <= t < 2^16. With t = 256 h + l + x / 256
 it is taken from the chord over [256 h, 256 h + 256] less a parabola:
@@ -20,6 +20,8 @@ elsewhere.
 """
 import math
 import pathlib
+
+import table_header
 
 SOURCE = pathlib.Path(__file__).parent.parent / "src/fixedpoint"
 FIRST = 64
@@ -77,13 +79,6 @@ def page(comment, values):
     return rows
 
 
-def array(declaration, values, row):
-    rows = [f"constexpr {declaration}[] = {{"]
-    for start in range(0, len(values), row):
-        rows.append("    " + ", ".join(map(str, values[start : start + row])) + ",")
-    return rows + ["};"]
-
-
 def main():
     entries = [entry(h) for h in range(FIRST, 256)]
     value = [direct(raw) for raw in range(FIRST)] + [e[1] for e in entries]
@@ -111,28 +106,11 @@ def main():
         )
         + "\n"
     )
-    (SOURCE / "portable/reciprocal_sqrt_table.hpp").write_text(
-        "\n".join(
-            [
-                "// SPDX-License-Identifier: MIT",
-                f"// {notice}",
-                "#pragma once",
-                "",
-                "#include <stdint.h>",
-                "",
-                "namespace fixedpoint {",
-                "namespace portable {",
-                "",
-                *array("uint32_t reciprocal_sqrt_value", value[FIRST:], 10),
-                *array("uint16_t reciprocal_sqrt_slope", slope, 14),
-                *array("uint8_t reciprocal_sqrt_bulge", bulge, 18),
-                "",
-                "}  // namespace portable",
-                "}  // namespace fixedpoint",
-            ]
-        )
-        + "\n"
-    )
+    table_header.write(
+        "reciprocal_sqrt_table", "reciprocal_sqrt.py, which says what it is.",
+        "From 2^14 on, in steps of 256.", "ReciprocalSqrtTable",
+        [("uint32_t", "value", value[FIRST:], "{}"), ("uint16_t", "slope", slope, "{}"),
+         ("uint8_t", "bulge", bulge, "{}")])
 
 
 if __name__ == "__main__":

@@ -1,177 +1,200 @@
 // SPDX-License-Identifier: MIT
-// Conversions against exact integers: formats, integers, float and double, integers with decimals.
+// Conversions against exact arithmetic: formats, integers, float and double, integers with
+// decimals.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
 #include <cstring>
+#include <fixedpoint/arithmetic/saturating.hpp>
 #include <fixedpoint/conversion.hpp>
 #include <limits>
+#include <type_traits>
 
-#include "exact.hpp"
+#include "subjects.hpp"
 
 namespace {
 
 using namespace fixedpoint;
-using exact::Format;
-using exact::Int;
-using Rational = boost::multiprecision::cpp_rational;
 
-template <class To, class From>
-void check_format_conversion() {
-    using ToRaw = typename To::Raw;
-    using FromRaw = typename From::Raw;
-    for (const FromRaw a : exact::raws<FromRaw>()) {
-        const Int expected = exact::nearest(Int(a) << To::F, Int(1) << From::F);
-        ASSERT_EQ((portable::convert<ToRaw, To::F, FromRaw, From::F>(a)),
-                  exact::wrapped<ToRaw>(expected))
-            << +a << " / 2^" << From::F << " to " << sizeof(ToRaw) << " bytes, F = " << To::F;
-        const auto result = portable::convert_clamped<ToRaw, To::F, FromRaw, From::F>(a);
-        ASSERT_EQ(result.number, exact::clamped<ToRaw>(expected)) << +a;
-        ASSERT_EQ(result.fits, exact::fits<ToRaw>(expected)) << +a;
+// One pair of types: a format, or an integer type as the format without fraction bits.
+struct Type {
+    int width, fraction;
+    bool is_signed;
+};
+struct Pair {
+    Type to, from;
+    void (*compute)(int64_t a, int64_t* wrapped, int64_t* saturated, bool* fits);
+};
+template <class Raw, int F>
+constexpr Type type = {8 * static_cast<int>(sizeof(Raw)), F, std::is_signed_v<Raw>};
+template <class To, int ToF, class From, int FromF>
+constexpr Pair pair = {type<To, ToF>, type<From, FromF>,
+                       [](int64_t n, int64_t* wrapped, int64_t* saturated, bool* fits) {
+                           const From a = static_cast<From>(n);
+                           const auto result = portable::convert_clamped<To, ToF, From, FromF>(a);
+                           *wrapped =
+                               static_cast<int64_t>(portable::convert<To, ToF, From, FromF>(a));
+                           *saturated = static_cast<int64_t>(result.number);
+                           *fits = result.fits;
+                       }};
+
+// From and to every format below.
+template <class Raw, int F>
+void add_pairs(std::vector<Pair>& pairs) {
+    pairs.insert(pairs.end(), {pair<Raw, F, int8_t, 0>,
+                               pair<Raw, F, int8_t, 4>,
+                               pair<Raw, F, int8_t, 7>,
+                               pair<Raw, F, int16_t, 8>,
+                               pair<Raw, F, int32_t, 16>,
+                               pair<Raw, F, int32_t, 31>,
+                               pair<Raw, F, int64_t, 32>,
+                               pair<Raw, F, int64_t, 63>,
+                               pair<Raw, F, signed char, 0>,
+                               pair<Raw, F, unsigned char, 0>,
+                               pair<Raw, F, unsigned short, 0>,
+                               pair<Raw, F, int, 0>,
+                               pair<Raw, F, unsigned, 0>,
+                               pair<Raw, F, long long, 0>,
+                               pair<Raw, F, unsigned long long, 0>,
+                               pair<unsigned char, 0, Raw, F>,
+                               pair<short, 0, Raw, F>,
+                               pair<unsigned short, 0, Raw, F>,
+                               pair<int, 0, Raw, F>,
+                               pair<unsigned, 0, Raw, F>,
+                               pair<unsigned long long, 0, Raw, F>});
+}
+
+TEST(Conversion, BetweenFormatsAndIntegersIsTheNearestNumber) {
+    std::vector<Pair> pairs;
+    add_pairs<int8_t, 0>(pairs);
+    add_pairs<int8_t, 4>(pairs);
+    add_pairs<int8_t, 7>(pairs);
+    add_pairs<int16_t, 8>(pairs);
+    add_pairs<int16_t, 15>(pairs);
+    add_pairs<int32_t, 0>(pairs);
+    add_pairs<int32_t, 16>(pairs);
+    add_pairs<int32_t, 31>(pairs);
+    add_pairs<int64_t, 0>(pairs);
+    add_pairs<int64_t, 32>(pairs);
+    add_pairs<int64_t, 63>(pairs);
+    for (const Pair& pair : pairs) {
+        SCOPED_TRACE(testing::Message()
+                     << pair.from.width << " bits, F = " << pair.from.fraction << " to "
+                     << pair.to.width << " bits, F = " << pair.to.fraction);
+        std::vector<int64_t> operands = exact::raws(pair.from.width, 10);
+        if (operands.size() > 60000) operands.erase(operands.begin() + 3000, operands.end() - 3000);
+        for (const int64_t a : operands) {
+            int64_t wrapped, saturated;
+            bool fits;
+            pair.compute(a, &wrapped, &saturated, &fits);
+            const __int128 mask = (static_cast<__int128>(1) << pair.from.width) - 1;
+            const exact::Rounded expected = exact::scale(
+                pair.from.is_signed ? static_cast<__int128>(a) : a & mask,
+                pair.to.fraction - pair.from.fraction, pair.to.width, pair.to.is_signed);
+            ASSERT_EQ(wrapped, expected.wrapped) << a;
+            ASSERT_EQ(saturated, expected.saturated) << a;
+            ASSERT_EQ(fits, expected.fits) << a;
+        }
     }
 }
 
-template <class Raw, int F, class Integer>
-void check_integer_conversion() {
-    std::vector<Integer> integers;
-    for (const auto n : exact::raws<Unsigned<Integer>>())
-        integers.push_back(static_cast<Integer>(n));
-    for (const Integer n : integers) {
-        const Int expected = Int(n) << F;
-        ASSERT_EQ((portable::convert<Raw, F, Integer, 0>(n)), exact::wrapped<Raw>(expected)) << +n;
-        const auto result = portable::convert_clamped<Raw, F, Integer, 0>(n);
-        ASSERT_EQ(result.number, exact::clamped<Raw>(expected)) << +n;
-        ASSERT_EQ(result.fits, exact::fits<Raw>(expected)) << +n;
-    }
-    for (const Raw a : exact::raws<Raw>()) {
-        const Int expected = exact::nearest(a, Int(1) << F);
-        ASSERT_EQ((portable::convert<Integer, 0, Raw, F>(a)), exact::wrapped<Integer>(expected))
-            << +a;
-        const auto result = portable::convert_clamped<Integer, 0, Raw, F>(a);
-        ASSERT_EQ(result.number, exact::clamped<Integer>(expected)) << +a;
-        ASSERT_EQ(result.fits, exact::fits<Integer>(expected)) << +a;
-    }
-}
-
-template <class F>
-class Conversion : public testing::Test {};
-using Formats = testing::Types<Format<int8_t, 0>, Format<int8_t, 4>, Format<int8_t, 7>,
-                               Format<int16_t, 0>, Format<int16_t, 8>, Format<int16_t, 15>,
-                               Format<int32_t, 0>, Format<int32_t, 16>, Format<int32_t, 31>,
-                               Format<int64_t, 0>, Format<int64_t, 32>, Format<int64_t, 63>>;
-TYPED_TEST_SUITE(Conversion, Formats);
-
-TYPED_TEST(Conversion, FromEveryFormat) {
-    check_format_conversion<TypeParam, Format<int8_t, 0>>();
-    check_format_conversion<TypeParam, Format<int8_t, 4>>();
-    check_format_conversion<TypeParam, Format<int8_t, 7>>();
-    check_format_conversion<TypeParam, Format<int16_t, 8>>();
-    check_format_conversion<TypeParam, Format<int16_t, 15>>();
-    check_format_conversion<TypeParam, Format<int32_t, 16>>();
-    check_format_conversion<TypeParam, Format<int32_t, 31>>();
-    check_format_conversion<TypeParam, Format<int64_t, 0>>();
-    check_format_conversion<TypeParam, Format<int64_t, 32>>();
-    check_format_conversion<TypeParam, Format<int64_t, 63>>();
-}
-
-TYPED_TEST(Conversion, FromAndToIntegers) {
-    using Raw = typename TypeParam::Raw;
-    constexpr int F = TypeParam::F;
-    check_integer_conversion<Raw, F, signed char>();
-    check_integer_conversion<Raw, F, unsigned char>();
-    check_integer_conversion<Raw, F, short>();
-    check_integer_conversion<Raw, F, unsigned short>();
-    check_integer_conversion<Raw, F, int>();
-    check_integer_conversion<Raw, F, unsigned>();
-    check_integer_conversion<Raw, F, long long>();
-    check_integer_conversion<Raw, F, unsigned long long>();
-}
-
-// x 2^F exactly, as numerator and denominator.
+// x as mantissa and exponent.
 template <class Float>
-std::pair<Int, Int> scaled(Float x, int f) {
+std::pair<int64_t, int> parts(Float x) {
     int exponent = 0;
     const Float mantissa = std::ldexp(std::frexp(x, &exponent), std::numeric_limits<Float>::digits);
-    exponent += f - std::numeric_limits<Float>::digits;
-    const Int numerator = static_cast<int64_t>(mantissa);
-    return exponent >= 0 ? std::pair(Int(numerator << exponent), Int(1))
-                         : std::pair(numerator, Int(Int(1) << -exponent));
+    return {static_cast<int64_t>(mantissa), exponent - std::numeric_limits<Float>::digits};
 }
 
 template <class Raw, int F, class Float>
 void check_from_float(Float x) {
-    const auto [numerator, denominator] = scaled(x, F);
-    const Int expected = exact::nearest(numerator, denominator);
+    const auto [mantissa, exponent] = parts(x);
+    const exact::Rounded expected = exact::binary(mantissa, exponent, {RawLimits<Raw>::width, F});
     const auto result = portable::from_float<Raw, F>(x);
-    ASSERT_EQ(result.number, exact::clamped<Raw>(expected)) << x;
-    ASSERT_EQ(result.fits, exact::fits<Raw>(expected)) << x;
+    ASSERT_EQ(result.number, expected.saturated) << x;
+    ASSERT_EQ(result.fits, expected.fits) << x;
 }
 
 template <class Raw, int F, class Float>
 void check_floating_point() {
-    constexpr Float infinity = std::numeric_limits<Float>::infinity();
-    for (const Raw a : exact::raws<Raw>()) {
+    SCOPED_TRACE(testing::Message() << RawLimits<Raw>::width << " bits, F = " << F);
+    using Limits = std::numeric_limits<Float>;
+    constexpr Float infinity = Limits::infinity();
+    const std::vector<int64_t> operands = exact::raws(RawLimits<Raw>::width, 10);
+    // A fifth of those of 16 bits.
+    for (std::size_t i = 0; i<operands.size(); i += operands.size()> 60000 ? 5 : 1) {
+        const auto a = static_cast<Raw>(operands[i]);
         const Float x = portable::to_float<Float, Raw, F>(a);
-        // The nearest Float: neither neighbour is closer, and a tie has an even last bit.
-        const auto distance = [&](Float y) {
-            const auto [numerator, denominator] = scaled(y, F);
-            return Rational(abs(Int(numerator - a * denominator)), denominator);
-        };
-        for (const Float neighbour : {std::nextafter(x, infinity), std::nextafter(x, -infinity)}) {
-            const Rational here = distance(x), there = distance(neighbour);
-            const bool even = (portable::bits_of(x) & 1) == 0;
-            ASSERT_TRUE(here < there || (here == there && even)) << +a;
-            if (neighbour != 0) check_from_float<Raw, F>(neighbour);
-        }
-        // Numbers midway between two raw ones, where a Float holds them.
-        check_from_float<Raw, F>(x);
+        const auto [mantissa, exponent] = parts(x);
+        ASSERT_TRUE(exact::is_nearest_float(a, mantissa, exponent, Limits::digits,
+                                            {RawLimits<Raw>::width, F}))
+            << +a;
+        // Numbers midway between two raw ones, where a Float holds them, and their neighbours.
         const Float ulp = std::ldexp(Float(1), -F);
-        for (const Float offset : {Float(0.25), Float(0.5), Float(0.75)}) {
-            check_from_float<Raw, F>(x + offset * ulp);
-            check_from_float<Raw, F>(std::nextafter(x + offset * ulp, infinity));
-            check_from_float<Raw, F>(std::nextafter(x + offset * ulp, -infinity));
+        for (const Float offset : {Float(0), Float(0.25), Float(0.5), Float(0.75)}) {
+            const Float y = x + offset * ulp;
+            check_from_float<Raw, F>(y);
+            check_from_float<Raw, F>(std::nextafter(y, infinity));
+            check_from_float<Raw, F>(std::nextafter(y, -infinity));
         }
+        if (testing::Test::HasFatalFailure()) return;
     }
-    for (const Float x :
-         {Float(0), -Float(0), std::numeric_limits<Float>::max(),
-          std::numeric_limits<Float>::lowest(), std::numeric_limits<Float>::min(),
-          std::numeric_limits<Float>::denorm_min(), -std::numeric_limits<Float>::denorm_min()}) {
+    for (const Float x : {Float(0), -Float(0), Limits::max(), Limits::lowest(), Limits::min(),
+                          Limits::denorm_min(), -Limits::denorm_min()}) {
         check_from_float<Raw, F>(x);
     }
-    const auto positive = portable::from_float<Raw, F>(infinity);
-    EXPECT_EQ(positive.number, std::numeric_limits<Raw>::max());
-    EXPECT_FALSE(positive.fits);
-    const auto negative = portable::from_float<Raw, F>(-infinity);
-    EXPECT_EQ(negative.number, std::numeric_limits<Raw>::min());
-    EXPECT_FALSE(negative.fits);
-    for (const Float nan :
-         {std::numeric_limits<Float>::quiet_NaN(), -std::numeric_limits<Float>::signaling_NaN()}) {
-        EXPECT_EQ((portable::from_float<Raw, F>(nan).number), 0);
-        EXPECT_FALSE((portable::from_float<Raw, F>(nan).fits));
+    for (const bool negative : {false, true}) {
+        const auto result = portable::from_float<Raw, F>(negative ? -infinity : infinity);
+        EXPECT_EQ(result.number, negative ? RawLimits<Raw>::min : RawLimits<Raw>::max);
+        EXPECT_FALSE(result.fits);
+        const auto none =
+            portable::from_float<Raw, F>(negative ? -Limits::signaling_NaN() : Limits::quiet_NaN());
+        EXPECT_EQ(none.number, 0);
+        EXPECT_FALSE(none.fits);
     }
 }
 
-TYPED_TEST(Conversion, FromAndToFloat) {
-    check_floating_point<typename TypeParam::Raw, TypeParam::F, float>();
+template <class Float>
+void check_floating_point_of_formats() {
+    check_floating_point<int8_t, 0, Float>();
+    check_floating_point<int8_t, 4, Float>();
+    check_floating_point<int8_t, 7, Float>();
+    check_floating_point<int16_t, 8, Float>();
+    check_floating_point<int16_t, 15, Float>();
+    check_floating_point<int32_t, 0, Float>();
+    check_floating_point<int32_t, 16, Float>();
+    check_floating_point<int32_t, 31, Float>();
+    check_floating_point<int64_t, 0, Float>();
+    check_floating_point<int64_t, 32, Float>();
+    check_floating_point<int64_t, 63, Float>();
 }
-TYPED_TEST(Conversion, FromAndToDouble) {
-    check_floating_point<typename TypeParam::Raw, TypeParam::F, double>();
-}
+TEST(Conversion, FromAndToFloat) { check_floating_point_of_formats<float>(); }
+TEST(Conversion, FromAndToDouble) { check_floating_point_of_formats<double>(); }
 
-TYPED_TEST(Conversion, FromIntegersWithDecimals) {
-    using Raw = typename TypeParam::Raw;
-    constexpr int F = TypeParam::F;
-    const auto check = [&](auto n, uint8_t decimals) {
-        const Int expected = exact::nearest(Int(n) << F, exact::power(10, decimals));
-        const auto result = portable::from_decimal<Raw, F>(n, decimals);
-        ASSERT_EQ(result.number, exact::clamped<Raw>(expected)) << +n << " e-" << +decimals;
-        ASSERT_EQ(result.fits, exact::fits<Raw>(expected)) << +n << " e-" << +decimals;
-    };
-    for (const int16_t n : exact::raws<int16_t>()) check(n, static_cast<uint8_t>(n & 7));
-    for (const int64_t n : exact::raws<int64_t>()) {
-        for (const uint8_t decimals : {0, 1, 9, 18, 19, 20, 255}) check(n, decimals);
+template <class Raw, int F, class Int>
+void check_decimals(int stride) {
+    const std::vector<int64_t> numbers = exact::raws(RawLimits<Int>::width, 5);
+    for (std::size_t i = 0; i < numbers.size(); i += static_cast<std::size_t>(stride)) {
+        for (const uint8_t decimals : {0, 1, 3, 9, 18, 19, 20, 255}) {
+            const exact::Rounded expected =
+                exact::decimal(numbers[i], decimals, {RawLimits<Raw>::width, F});
+            const auto result =
+                portable::from_decimal<Raw, F>(static_cast<Int>(numbers[i]), decimals);
+            ASSERT_EQ(result.number, expected.saturated) << numbers[i] << " e-" << +decimals;
+            ASSERT_EQ(result.fits, expected.fits) << numbers[i] << " e-" << +decimals;
+        }
     }
+}
+TEST(Conversion, FromIntegersWithDecimals) {
+    check_decimals<int8_t, 4, int16_t>(17);
+    check_decimals<int16_t, 8, int16_t>(17);
+    check_decimals<int32_t, 16, int16_t>(17);
+    check_decimals<int32_t, 16, int64_t>(1);
+    check_decimals<int32_t, 31, int32_t>(1);
+    check_decimals<int64_t, 0, int64_t>(1);
+    check_decimals<int64_t, 32, int32_t>(1);
+    check_decimals<int64_t, 63, int64_t>(1);
 }
 
 RC_GTEST_PROP(ConversionProperty, RandomFloats, (uint32_t bits)) {
@@ -189,16 +212,28 @@ TEST(PublicConversion, NamesWhatItConvertsTo) {
     EXPECT_EQ(convert<Q8_8>(x).raw(), -0x280);
     EXPECT_EQ(convert<int>(x), -2);
     EXPECT_EQ(convert<Q16_16>(-3).raw(), -0x30000);
-    EXPECT_EQ(convert_clamped<Q4_4>(Q16_16::max()).number, Q4_4::max());
-    EXPECT_FALSE(convert_clamped<uint8_t>(x).fits);
-    EXPECT_EQ(convert_clamped<uint8_t>(x).number, 0);
-    EXPECT_EQ(from_float<Q16_16>(-2.5f).number, x);
+    EXPECT_EQ(convert_checked<Q4_4>(Q16_16::max()).number, Q4_4::max());
+    EXPECT_FALSE(convert_checked<uint8_t>(x).fits);
+    EXPECT_EQ(convert_checked<uint8_t>(x).number, 0);
+    EXPECT_EQ(from_float<Q16_16>(-2.5f), x);
     EXPECT_EQ(to_float<double>(x), -2.5);
-    EXPECT_EQ(from_decimal<Q16_16>(-25, 1).number, x);
+    EXPECT_EQ(from_decimal<Q16_16>(-25, 1), x);
+    EXPECT_EQ(from_float<Q8_8>(1e9f), Q8_8::max());
+    EXPECT_FALSE(from_float_checked<Q8_8>(1e9f).fits);
+    EXPECT_EQ(from_decimal<Q4_4>(-1000, 1), Q4_4::min());
+    EXPECT_FALSE(from_decimal_checked<Q4_4>(-1000, 1).fits);
 }
 
-static_assert(from_decimal<Q16_16>(38, 2).number.raw() == 24904, "0.38 2^16 = 24903.68");
-static_assert(from_float<Q16_16>(0.38).number.raw() == 24904, "a constant on the host");
+// An integer has no arithmetic of its own.
+TEST(PublicConversion, ToAnIntegerIsInTheArithmeticOfTheSource) {
+    const auto raw = 300 << 16;
+    EXPECT_EQ(convert<int8_t>(Q16_16::from_raw(raw)), 44);
+    EXPECT_EQ(convert<int8_t>(Fixed<16, 16, Saturating>::from_raw(raw)), 127);
+    EXPECT_EQ(convert<uint8_t>(Fixed<16, 16, Saturating>::from_raw(-raw)), 0);
+}
+
+static_assert(from_decimal<Q16_16>(38, 2).raw() == 24904, "0.38 2^16 = 24903.68");
+static_assert(from_float<Q16_16>(0.38).raw() == 24904, "a constant on the host");
 static_assert(to_float<float>(Q8_8::from_raw(0x180)) == 1.5f, "1.5 is exact");
 static_assert(convert<Q4_4>(convert<Q32_32>(Q4_4::min())) == Q4_4::min(), "there and back");
 

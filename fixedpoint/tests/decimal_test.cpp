@@ -9,7 +9,7 @@
 #include <fixedpoint/text.hpp>
 #include <string>
 
-#include "exact.hpp"
+#include "exact_integer.hpp"
 
 namespace {
 

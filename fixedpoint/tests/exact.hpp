@@ -1,83 +1,63 @@
 // SPDX-License-Identifier: MIT
-// Exact integers for tests: the rounding rule of the library said once more, without a limit of
-// width, and the raw numbers that a test of a format goes through.
+// What the library is held against: the definition of every operation in exact arithmetic, for raw
+// numbers of any format. The format is an argument and not a template parameter, and the arithmetic
+// is hidden in exact.cpp: no test compiles it.
 #pragma once
 
-#include <boost/multiprecision/cpp_int.hpp>
-#include <fixedpoint/integer.hpp>
-#include <random>
+#include <cstdint>
 #include <vector>
 
 namespace exact {
 
-using Int = boost::multiprecision::cpp_int;
-
-template <class RawType, int FractionBits>
+// W bits, F of them behind the point.
 struct Format {
-    using Raw = RawType;
-    static constexpr int F = FractionBits;
+    int width;
+    int fraction;
 };
 
-inline Int floor_of(const Int& numerator, const Int& denominator) {
-    const Int quotient = numerator / denominator;
-    return numerator < 0 && quotient * denominator != numerator ? quotient - 1 : quotient;
-}
+// An exact value rounded to nearest, half up: modulo 2^W, saturated, and whether the two agree.
+struct Rounded {
+    int64_t wrapped;
+    int64_t saturated;
+    bool fits;
+};
 
-// numerator / denominator to nearest, ties upward. The denominator is positive.
-inline Int nearest(const Int& numerator, const Int& denominator) {
-    return floor_of(2 * numerator + denominator, 2 * denominator);
-}
+Rounded add(int64_t a, int64_t b, Format);
+Rounded subtract(int64_t a, int64_t b, Format);
+Rounded multiply_add(int64_t a, int64_t b, int64_t c, Format);
+Rounded dot(const int64_t* a, const int64_t* b, int n, Format);
+// b is not 0.
+Rounded divide(int64_t a, int64_t b, Format);
+// a 2^shift; the result is signed unless said otherwise, its wrapped and saturated bits then being
+// those of an unsigned number.
+Rounded scale(__int128 a, int shift, int width, bool is_signed = true);
+// n / 10^decimals.
+Rounded decimal(int64_t n, int decimals, Format);
+// mantissa 2^exponent.
+Rounded binary(int64_t mantissa, int exponent, Format);
+// 1 / sqrt(a), a above 0.
+Rounded reciprocal_sqrt(int64_t a, Format);
+// |v| and the component v_i / |v| of a vector other than 0.
+Rounded length(const int64_t* v, int n, Format);
+Rounded normalised(const int64_t* v, int i, Format);
 
-inline Int power(int base, unsigned exponent) {
-    return boost::multiprecision::pow(Int(base), exponent);
-}
+// Whether no number of `digits` binary digits is closer to a / 2^F than mantissa 2^exponent, which
+// in a tie is even.
+bool is_nearest_float(int64_t a, int64_t mantissa, int exponent, int digits, Format);
 
-template <class Raw>
-bool fits(const Int& n) {
-    return n >= std::numeric_limits<Raw>::min() && n <= std::numeric_limits<Raw>::max();
-}
+enum class Function { sin, cos, atan, exp, log, sqrt, reciprocal_sqrt };
+Rounded function(Function, int64_t a, Format);
+Rounded atan2(int64_t y, int64_t x, Format);
+// The distance, in ulp, of a result from the exact value after saturating that.
+double function_error(Function, int64_t a, int64_t result, Format);
+double atan2_error(int64_t y, int64_t x, int64_t result, Format);
+double normalise_error(const int64_t* v, int i, int64_t result, Format);
 
-template <class Raw>
-Raw clamped(const Int& n) {
-    return n < std::numeric_limits<Raw>::min()   ? std::numeric_limits<Raw>::min()
-           : n > std::numeric_limits<Raw>::max() ? std::numeric_limits<Raw>::max()
-                                                 : static_cast<Raw>(n);
-}
-
-// n modulo 2^W, as a two's-complement number is.
-template <class Raw>
-Raw wrapped(const Int& n) {
-    const Int modulus = Int(1) << static_cast<int>(8 * sizeof(Raw));
-    const Int rest = n - floor_of(n, modulus) * modulus;
-    return static_cast<Raw>(static_cast<uint64_t>(rest));
-}
+int64_t smallest(int width);
+int64_t largest(int width);
 
 // Every number of 8 and 16 bits; of wider ones those within 2 of a power of two, of either sign,
-// and of the limits, and random ones of every magnitude.
-template <class Raw>
-std::vector<Raw> raws() {
-    std::vector<Raw> numbers;
-    if (sizeof(Raw) <= 2) {
-        for (long n = std::numeric_limits<Raw>::min(); n <= std::numeric_limits<Raw>::max(); ++n) {
-            numbers.push_back(static_cast<Raw>(n));
-        }
-        return numbers;
-    }
-    std::mt19937_64 random(20);
-    const int width = static_cast<int>(8 * sizeof(Raw));
-    for (int bit = 0; bit < width; ++bit) {
-        const uint64_t one = uint64_t(1) << bit;
-        for (int offset = -2; offset <= 2; ++offset) {
-            numbers.push_back(static_cast<Raw>(one + static_cast<uint64_t>(offset)));
-            numbers.push_back(static_cast<Raw>(static_cast<uint64_t>(offset) - one));
-        }
-        for (int i = 0; i < 50; ++i) {
-            const uint64_t n = random() >> (63 - bit);
-            numbers.push_back(static_cast<Raw>(n));
-            numbers.push_back(static_cast<Raw>(-n));
-        }
-    }
-    return numbers;
-}
+// and of the limits, and `random` ones of every magnitude.
+std::vector<int64_t> raws(int width, int random = 50);
 
 }  // namespace exact

@@ -1,307 +1,272 @@
 // SPDX-License-Identifier: MIT
-// The operators of Fixed in every arithmetic, against exact integers: all pairs of Q4.4, boundary
-// and random pairs of the others.
-#include <gtest/gtest.h>
-
-#include <boost/multiprecision/cpp_int.hpp>
+// The operators of Fixed in every arithmetic, against exact arithmetic: all pairs of Q4.4, boundary
+// and random pairs of the others. That Checked tells what it must is in checked_test.cpp.
+#include <algorithm>
 #include <fixedpoint/arithmetic/checked.hpp>
 #include <fixedpoint/arithmetic/published.hpp>
 #include <fixedpoint/arithmetic/saturating.hpp>
 #include <fixedpoint/arithmetic/small.hpp>
+#include <fixedpoint/conversion.hpp>
 #include <fixedpoint/math.hpp>
 #include <fixedpoint/vector.hpp>
-#include <random>
-#include <vector>
+
+#include "subjects.hpp"
 
 namespace {
 
 using namespace fixedpoint;
-using boost::multiprecision::cpp_int;
 
-// floor(numerator / denominator + 1/2), exact.
-cpp_int nearest(cpp_int numerator, cpp_int denominator) {
-    if (denominator < 0) {
-        numerator = -numerator;
-        denominator = -denominator;
-    }
-    const cpp_int twice = 2 * numerator + denominator;
-    cpp_int quotient = twice / (2 * denominator);
-    if (twice < 0 && quotient * 2 * denominator != twice) --quotient;
-    return quotient;
-}
-
-template <class Number>
-cpp_int clamped(const cpp_int& exact) {
-    const cpp_int low = Number::min().raw(), high = Number::max().raw();
-    return exact < low ? low : exact > high ? high : exact;
-}
-
-template <class Number>
-cpp_int wrapped(const cpp_int& exact) {
-    const cpp_int modulus = cpp_int(1) << RawLimits<typename Number::Raw>::width;
-    cpp_int result = exact % modulus;
-    if (result < 0) result += modulus;
-    return result >= modulus / 2 ? cpp_int(result - modulus) : result;
-}
-
-template <class Number>
-std::vector<typename Number::Raw> boundary() {
-    using Raw = typename Number::Raw;
-    constexpr int F = Number::fraction_bits;
-    std::vector<Raw> values = {0,
-                               1,
-                               -1,
-                               2,
-                               -2,
-                               3,
-                               RawLimits<Raw>::max,
-                               RawLimits<Raw>::min,
-                               Raw(RawLimits<Raw>::max - 1),
-                               Raw(RawLimits<Raw>::min + 1),
-                               RawLimits<Raw>::max / 2};
-    for (int bit = 1; bit<RawLimits<Raw>::width - 1; bit += RawLimits<Raw>::width> 16 ? 3 : 1) {
-        const Raw power = static_cast<Raw>(Raw(1) << bit);
-        for (const Raw value : {power, Raw(power - 1), Raw(power + 1)}) {
-            values.push_back(value);
-            values.push_back(static_cast<Raw>(-value));
-        }
-    }
-    values.push_back(static_cast<Raw>(Unsigned<Raw>(1) << F));
-    return values;
-}
-
-template <class Number, class Judge>
-void for_each_pair(const Judge& judge) {
-    using Raw = typename Number::Raw;
-    if (sizeof(Raw) == 1) {
-        for (int a = -128; a < 128; ++a) {
-            for (int b = -128; b < 128; ++b) judge(Raw(a), Raw(b));
-        }
-        return;
-    }
-    for (const Raw a : boundary<Number>()) {
-        for (const Raw b : boundary<Number>()) judge(a, b);
-    }
-    std::mt19937_64 random(20260);
-    for (int i = 0; i < 20000; ++i) {
-        // Log-uniform magnitudes: shifts by a random number of bits.
-        const auto draw = [&] {
-            return static_cast<Raw>(static_cast<Raw>(random()) >>
-                                    (random() % RawLimits<Raw>::width));
-        };
-        judge(draw(), draw());
-    }
-}
-
-template <class Number>
-struct Operators : testing::Test {};
-
-using Formats = testing::Types<Q4_4, Q8_8, Q16_16, Q32_32, Fixed<1, 7>, Fixed<8, 0>, Fixed<1, 15>,
-                               Fixed<8, 24>, Fixed<24, 8>, Fixed<1, 31>, Fixed<32, 0>, Fixed<1, 63>,
-                               Fixed<16, 48>, Fixed<64, 0>>;
-TYPED_TEST_SUITE(Operators, Formats);
-
-TYPED_TEST(Operators, DefaultRoundsToNearestAndWrapsOrClamps) {
-    using Number = TypeParam;
-    for_each_pair<Number>([](auto a, auto b) {
-        const Number x = Number::from_raw(a), y = Number::from_raw(b);
-        const cpp_int A = a, B = b, one = cpp_int(1) << Number::fraction_bits;
-        ASSERT_EQ((x + y).raw(), wrapped<Number>(A + B)) << +a << " " << +b;
-        ASSERT_EQ((x - y).raw(), wrapped<Number>(A - B)) << +a << " " << +b;
-        ASSERT_EQ((-x).raw(), wrapped<Number>(-A)) << +a;
-        ASSERT_EQ((x * y).raw(),
-                  wrapped<Number>(nearest(A * B, cpp_int(1) << Number::fraction_bits)))
-            << +a << " " << +b;
-        const cpp_int quotient = b != 0  ? clamped<Number>(nearest(A * one, B))
-                                 : a > 0 ? cpp_int(Number::max().raw())
-                                 : a < 0 ? cpp_int(Number::min().raw())
-                                         : cpp_int(0);
-        ASSERT_EQ((x / y).raw(), quotient) << +a << " " << +b;
-        ASSERT_EQ((x % y).raw(), b == 0 ? A : cpp_int(A % B)) << +a << " " << +b;
-    });
-}
-
-TYPED_TEST(Operators, SmallDividesAsTheDefault) {
-    using Number = TypeParam;
-    using SmallNumber = Fixed<Number::integer_bits, Number::fraction_bits, Small>;
-    for_each_pair<Number>([](auto a, auto b) {
-        ASSERT_EQ((SmallNumber::from_raw(a) / SmallNumber::from_raw(b)).raw(),
-                  (Number::from_raw(a) / Number::from_raw(b)).raw())
-            << +a << " " << +b;
-    });
-}
-
-TYPED_TEST(Operators, SaturatingClamps) {
-    using Plain = TypeParam;
-    using Number = Fixed<Plain::integer_bits, Plain::fraction_bits, Saturating>;
-    for_each_pair<Number>([](auto a, auto b) {
-        const Number x = Number::from_raw(a), y = Number::from_raw(b);
-        const cpp_int A = a, B = b;
-        ASSERT_EQ((x + y).raw(), clamped<Number>(A + B)) << +a << " " << +b;
-        ASSERT_EQ((x - y).raw(), clamped<Number>(A - B)) << +a << " " << +b;
-        ASSERT_EQ((-x).raw(), clamped<Number>(-A)) << +a;
-        ASSERT_EQ(abs(x).raw(), clamped<Number>(A < 0 ? cpp_int(-A) : A)) << +a;
-        ASSERT_EQ((x * y).raw(),
-                  clamped<Number>(nearest(A * B, cpp_int(1) << Number::fraction_bits)))
-            << +a << " " << +b;
-    });
-}
-
-// Each product and each sum by itself, in exact arithmetic.
-TYPED_TEST(Operators, SaturatingClampsProductsAndSumsOfSeveral) {
-    using Number = Fixed<TypeParam::integer_bits, TypeParam::fraction_bits, Saturating>;
-    const auto product = [](const cpp_int& a, const cpp_int& b) -> cpp_int {
-        return clamped<Number>(nearest(a * b, cpp_int(1) << Number::fraction_bits));
-    };
-    for_each_pair<Number>([&](auto a, auto b) {
-        const Number x = Number::from_raw(a), y = Number::from_raw(b);
-        const cpp_int A = a, B = b, square = product(A, A), crossed = product(A, B);
-        ASSERT_EQ(multiply_add(x, y, x).raw(), clamped<Number>(crossed + A)) << +a << " " << +b;
-        const cpp_int both = clamped<Number>(square + crossed);
-        const Number left[3] = {x, x, y}, right[3] = {x, y, y};
-        ASSERT_EQ(dot2(left, right).raw(), both) << +a << " " << +b;
-        ASSERT_EQ(dot3(left, right).raw(), clamped<Number>(both + product(B, B)))
-            << +a << " " << +b;
-    });
-}
-
-int overflows = 0, zero_divisors = 0, domain_errors = 0, underflows = 0;
-struct Counter {
-    static void notify(Event event, fixedpoint::Operation) {
-        underflows += event == Event::underflow;
-        overflows += event == Event::overflow;
-        zero_divisors += event == Event::division_by_zero;
-        domain_errors += event == Event::domain_error;
-    }
+// What is computed of two operands in one format: each row the result of one operation.
+constexpr int most_results = 24;
+struct Results {
+    int count = 0;
+    int64_t values[most_results];
+    void add(int64_t value) { values[count++] = value; }
+};
+struct Operators {
+    exact::Format format;
+    void (*compute)(int64_t a, int64_t b, Results& results);
 };
 
-TYPED_TEST(Operators, CheckedNotifiesExactlyWhereTheResultDoesNotFit) {
-    using Plain = TypeParam;
-    using Number = Fixed<Plain::integer_bits, Plain::fraction_bits, Checked<Counter>>;
-    const auto count = [](const auto& operation) {
-        overflows = zero_divisors = underflows = 0;
-        operation();
-        return overflows;
-    };
-    const auto exceeds = [](const cpp_int& exact) { return exact != clamped<Number>(exact); };
-    for_each_pair<Number>([&](auto a, auto b) {
-        const Number x = Number::from_raw(a), y = Number::from_raw(b);
-        const Plain p = Plain::from_raw(a), q = Plain::from_raw(b);
-        const cpp_int A = a, B = b, one = cpp_int(1) << Number::fraction_bits;
-        ASSERT_EQ(count([&] { ASSERT_EQ((x + y).raw(), (p + q).raw()); }), exceeds(A + B));
-        ASSERT_EQ(count([&] { ASSERT_EQ((x - y).raw(), (p - q).raw()); }), exceeds(A - B));
-        ASSERT_EQ(count([&] { ASSERT_EQ((-x).raw(), (-p).raw()); }), exceeds(-A));
-        ASSERT_EQ(count([&] { ASSERT_EQ((x * y).raw(), (p * q).raw()); }),
-                  exceeds(nearest(A * B, one)))
-            << +a << " " << +b;
-        ASSERT_EQ(underflows, A * B != 0 && nearest(A * B, one) == 0) << +a << " " << +b;
-        ASSERT_EQ(count([&] { ASSERT_EQ((x / y).raw(), (p / q).raw()); }),
-                  b != 0 && exceeds(nearest(A * one, B)))
-            << +a << " " << +b;
-        ASSERT_EQ(zero_divisors, b == 0);
-        ASSERT_EQ(count([&] { ASSERT_EQ((x % y).raw(), (p % q).raw()); }), 0);
-        ASSERT_EQ(zero_divisors, b == 0);
-    });
+template <class Number>
+typename Number::Raw cast(int64_t a) {
+    return static_cast<typename Number::Raw>(a);
 }
 
-TYPED_TEST(Operators, CheckedNotifiesWhereACompoundDoesNotFit) {
-    using Plain = TypeParam;
-    using Number = Fixed<Plain::integer_bits, Plain::fraction_bits, Checked<Counter>>;
-    const auto count = [](const auto& operation) {
-        overflows = underflows = 0;
-        operation();
-        return overflows;
-    };
-    const auto exceeds = [](const cpp_int& exact) { return exact != clamped<Number>(exact); };
-    for_each_pair<Number>([&](auto a, auto b) {
-        const auto c = static_cast<decltype(a)>(a ^ static_cast<decltype(a)>(b << 1));
-        const Number x[3] = {Number::from_raw(a), Number::from_raw(b), Number::from_raw(c)};
-        const Number y[3] = {Number::from_raw(b), Number::from_raw(a), Number::from_raw(c)};
-        const cpp_int A = a, B = b, C = c, one = cpp_int(1) << Number::fraction_bits;
-        ASSERT_EQ(count([&] { (void)dot2(x, y); }), exceeds(nearest(2 * A * B, one)))
-            << +a << " " << +b;
-        ASSERT_EQ(count([&] { (void)dot3(x, y); }), exceeds(nearest(2 * A * B + C * C, one)))
-            << +a << " " << +b;
-        ASSERT_EQ(count([&] { (void)multiply_add(x[0], x[1], x[2]); }),
-                  exceeds(nearest(A * B + C * one, one)))
-            << +a << " " << +b;
-        ASSERT_EQ(underflows, A * B != 0 && nearest(A * B, one) == 0);
-        const cpp_int limit = 2 * cpp_int(Number::max().raw()) + 1;
-        ASSERT_EQ(count([&] { (void)length2(x); }), 4 * (A * A + B * B) >= limit * limit);
-        ASSERT_EQ(count([&] { (void)length3(x); }), 4 * (A * A + B * B + C * C) >= limit * limit);
-        ASSERT_EQ(count([&] { ASSERT_EQ(scale_down<3>(x[0]).raw(), nearest(A, 8)); }), 0);
-        ASSERT_EQ(underflows, A != 0 && nearest(A, 8) == 0);
-        constexpr int width = 8 * sizeof(a);
-        ASSERT_EQ(scale_down<1>(x[0]).raw(), nearest(A, 2));
-        ASSERT_EQ(scale_down<width - 1>(x[0]).raw(), nearest(A, cpp_int(1) << (width - 1)));
-        ASSERT_EQ(scale_down<width>(x[0]).raw(), nearest(A, cpp_int(1) << width));
-    });
+template <class Wrap, class... Numbers>
+std::vector<Operators> operators_of(Wrap) {
+    return {Operators{{RawLimits<typename Numbers::Raw>::width, Numbers::fraction_bits},
+                      [](int64_t a, int64_t b, Results& results) {
+                          Wrap().template operator()<Numbers>(Numbers::from_raw(cast<Numbers>(a)),
+                                                              Numbers::from_raw(cast<Numbers>(b)),
+                                                              results);
+                      }}...};
+}
+template <class Arithmetic, class Wrap>
+std::vector<Operators> operators_in(Wrap wrap) {
+    return operators_of<Wrap, Fixed<4, 4, Arithmetic>, Fixed<1, 7, Arithmetic>,
+                        Fixed<8, 8, Arithmetic>, Fixed<16, 16, Arithmetic>,
+                        Fixed<8, 24, Arithmetic>, Fixed<32, 32, Arithmetic>,
+                        Fixed<1, 63, Arithmetic>, Fixed<64, 0, Arithmetic>>(wrap);
 }
 
-TEST(Checked, NotifiesOfDomainErrors) {
-    using Number = Fixed<16, 16, Checked<Counter>>;
-    const Number zero, negative = Number::from_raw(-1), positive = Number::from_integer(2);
-    overflows = zero_divisors = domain_errors = 0;
-    (void)sqrt(zero), (void)sqrt(positive), (void)log(positive), (void)reciprocal_sqrt(positive);
-    EXPECT_EQ(overflows + zero_divisors + domain_errors, 0);
-    EXPECT_EQ(sqrt(negative).raw(), 0);
-    EXPECT_EQ(log(zero).raw(), RawLimits<int32_t>::min);
-    EXPECT_EQ(reciprocal_sqrt(negative).raw(), 0);
-    EXPECT_EQ(domain_errors, 3);
-    EXPECT_EQ(reciprocal_sqrt(zero).raw(), RawLimits<int32_t>::max);
-    EXPECT_EQ(zero_divisors, 1);
-}
-
-TYPED_TEST(Operators, ShiftsAreDefinedForEveryCount) {
-    using Number = TypeParam;
-    for (const auto a : boundary<Number>()) {
-        for (int n = 0; n < 256; ++n) {
-            const auto count = static_cast<unsigned char>(n);
-            const Number x = Number::from_raw(a);
-            ASSERT_EQ((x << count).raw(), wrapped<Number>(cpp_int(a) << n)) << +a << " << " << n;
-            // Floor division: round toward minus infinity.
-            const cpp_int power = cpp_int(1) << n;
-            cpp_int floor = cpp_int(a) / power;
-            if (a < 0 && floor * power != a) --floor;
-            ASSERT_EQ((x >> count).raw(), floor) << +a << " >> " << n;
-        }
+template <class Expected>
+void check(const std::vector<Operators>& all, Expected expect) {
+    for (const Operators& subject : all) {
+        SCOPED_TRACE(testing::Message()
+                     << subject.format.width << " bits, F = " << subject.format.fraction);
+        for_each_pair(subject.format.width, [&](int64_t a, int64_t b) {
+            Results results, expected;
+            subject.compute(a, b, results);
+            expect(a, b, subject.format, expected);
+            ASSERT_EQ(results.count, expected.count);
+            for (int i = 0; i < results.count; ++i) {
+                ASSERT_EQ(results.values[i], expected.values[i])
+                    << "result " << i << " of " << a << " and " << b;
+            }
+        });
+        if (testing::Test::HasFatalFailure()) return;
     }
 }
 
-TYPED_TEST(Operators, ComparisonsFollowTheRaws) {
-    using Number = TypeParam;
-    for_each_pair<Number>([](auto a, auto b) {
-        const Number x = Number::from_raw(a), y = Number::from_raw(b);
-        ASSERT_EQ(x == y, a == b);
-        ASSERT_EQ(x != y, a != b);
-        ASSERT_EQ(x < y, a < b);
-        ASSERT_EQ(x > y, a > b);
-        ASSERT_EQ(x <= y, a <= b);
-        ASSERT_EQ(x >= y, a >= b);
-        ASSERT_EQ(min(x, y).raw(), std::min(a, b));
-        ASSERT_EQ(max(x, y).raw(), std::max(a, b));
-    });
+constexpr auto arithmetic_operators = []<class Number>(Number x, Number y, Results& results) {
+    Number sum = x, difference = x, product = x, quotient = x, rest = x;
+    for (const Number number : {x + y, x - y, -x, +x, x * y, x / y, x % y, abs(x), sum += y,
+                                difference -= y, product *= y, quotient /= y, rest %= y}) {
+        results.add(number.raw());
+    }
+    for (const Number number : {min(x, y), max(x, y)}) results.add(number.raw());
+    for (const bool answer : {x == y, x != y, x<y, x> y, x <= y, x >= y}) results.add(answer);
+};
+
+// As it is defined; pick takes the wrapped or the saturated result of the ring operations.
+template <class Pick>
+auto defined(Pick pick) {
+    return [pick](int64_t a, int64_t b, exact::Format format, Results& results) {
+        const int64_t sum = pick(exact::add(a, b, format));
+        const int64_t difference = pick(exact::subtract(a, b, format));
+        const int64_t negated = pick(exact::subtract(0, a, format));
+        const int64_t product = pick(exact::multiply_add(a, b, 0, format));
+        const int64_t quotient = b != 0  ? exact::divide(a, b, format).saturated
+                                 : a > 0 ? exact::largest(format.width)
+                                 : a < 0 ? exact::smallest(format.width)
+                                         : 0;
+        const int64_t rest = b == 0 ? a : b == -1 ? 0 : a % b;
+        for (const int64_t value :
+             {sum, difference, negated, a, product, quotient, rest, a < 0 ? negated : a, sum,
+              difference, product, quotient, rest, std::min(a, b), std::max(a, b)}) {
+            results.add(value);
+        }
+        for (const bool answer : {a == b, a != b, a<b, a> b, a <= b, a >= b}) {
+            results.add(answer);
+        }
+    };
+}
+constexpr auto wrapped = [](const exact::Rounded& result) { return result.wrapped; };
+constexpr auto saturated = [](const exact::Rounded& result) { return result.saturated; };
+
+struct Silent {
+    static void notify(Event, fixedpoint::Operation) {}
+};
+
+TEST(Operators, DefaultRoundsToNearestAndWrapsOrSaturates) {
+    check(operators_in<Nearest>(arithmetic_operators), defined(wrapped));
+}
+TEST(Operators, SmallHasTheSameResults) {
+    check(operators_in<Small>(arithmetic_operators), defined(wrapped));
+}
+TEST(Operators, CheckedHasTheSameResults) {
+    check(operators_in<Checked<Silent>>(arithmetic_operators), defined(wrapped));
+}
+TEST(Operators, SaturatingSaturates) {
+    check(operators_in<Saturating>(arithmetic_operators), defined(saturated));
 }
 
-TYPED_TEST(Operators, AssignmentsEqualTheirOperators) {
-    using Number = TypeParam;
-    for_each_pair<Number>([](auto a, auto b) {
-        const Number x = Number::from_raw(a), y = Number::from_raw(b);
-        Number sum = x, difference = x, product = x, quotient = x, rest = x;
-        ASSERT_EQ(sum += y, x + y);
-        ASSERT_EQ(difference -= y, x - y);
-        ASSERT_EQ(product *= y, x * y);
-        ASSERT_EQ(quotient /= y, x / y);
-        ASSERT_EQ(rest %= y, x % y);
-    });
+// Each product and each sum by itself.
+TEST(Operators, SaturatingSaturatesProductsAndSumsOfSeveral) {
+    check(operators_in<Saturating>([]<class Number>(Number x, Number y, Results& results) {
+              const Number left[3] = {x, x, y}, right[3] = {x, y, y};
+              results.add(multiply_add(x, y, x).raw());
+              results.add(dot2(left, right).raw());
+              results.add(dot3(left, right).raw());
+          }),
+          [](int64_t a, int64_t b, exact::Format format, Results& results) {
+              const auto product = [&](int64_t x, int64_t y) {
+                  return exact::multiply_add(x, y, 0, format).saturated;
+              };
+              const auto sum = [&](int64_t x, int64_t y) {
+                  return exact::add(x, y, format).saturated;
+              };
+              const int64_t both = sum(product(a, a), product(a, b));
+              results.add(sum(product(a, b), a));
+              results.add(both);
+              results.add(sum(both, product(b, b)));
+          });
 }
 
-TEST(Fixed, FromIntegerWrapsOrSaturates) {
-    EXPECT_EQ(Q8_8::from_integer(3).raw(), 768);
-    EXPECT_EQ(Q8_8::from_integer(128).raw(), -32768);
-    using Clamping = Fixed<8, 8, Saturating>;
-    EXPECT_EQ(Clamping::from_integer(128).raw(), 32767);
-    EXPECT_EQ(Clamping::from_integer(-129).raw(), -32768);
+// A product, quotient or part that vanishes is told, and no other.
+int underflows = 0;
+struct Underflow {
+    static void notify(Event event, fixedpoint::Operation) {
+        underflows += event == Event::underflow;
+    }
+};
+TEST(Checked, TellsWhatVanishes) {
+    check(operators_in<Checked<Underflow>>([]<class Number>(Number x, Number y, Results& results) {
+              const auto count = [&](const auto& operation) {
+                  underflows = 0;
+                  operation();
+                  results.add(underflows);
+              };
+              count([&] { (void)(x + y), (void)(x - y), (void)(x << 1), (void)(x % y); });
+              count([&] { (void)(x * y); });
+              count([&] { (void)(x / y); });
+              count([&] { (void)multiply_add(x, y, x); });
+              count([&] { (void)scale_down<3>(x); });
+          }),
+          [](int64_t a, int64_t b, exact::Format format, Results& results) {
+              const bool product =
+                  a != 0 && b != 0 && exact::multiply_add(a, b, 0, format).saturated == 0;
+              results.add(0);
+              results.add(product);
+              results.add(a != 0 && b != 0 && exact::divide(a, b, format).saturated == 0);
+              results.add(product);
+              results.add(a != 0 && exact::scale(a, -3, format.width).saturated == 0);
+          });
+}
+
+TEST(Operators, ScaleDownRoundsForEveryPower) {
+    check(operators_in<Nearest>([]<class Number>(Number x, Number, Results& results) {
+              constexpr int width = RawLimits<typename Number::Raw>::width;
+              for (const Number number :
+                   {scale_down<0>(x), scale_down<1>(x), scale_down<3>(x), scale_down<width - 1>(x),
+                    scale_down<width>(x), scale_down<width + 9>(x)}) {
+                  results.add(number.raw());
+              }
+          }),
+          [](int64_t a, int64_t, exact::Format format, Results& results) {
+              for (const int power : {0, 1, 3, format.width - 1, format.width, format.width + 9}) {
+                  results.add(exact::scale(a, -power, format.width).wrapped);
+              }
+          });
+}
+
+// Counts of every type, up to those that no unsigned char holds.
+template <class Number, class Count>
+void check_shift(int64_t a, Count count, int meaning) {
+    using SaturatingNumber = Fixed<Number::integer_bits, Number::fraction_bits, Saturating>;
+    const int width = RawLimits<typename Number::Raw>::width;
+    const Number x = Number::from_raw(cast<Number>(a));
+    const exact::Rounded left = exact::scale(a, std::min(meaning, 200), width);
+    Number shifted = x;
+    ASSERT_EQ((x << count).raw(), left.wrapped) << a << " << " << meaning;
+    ASSERT_EQ((shifted <<= count).raw(), left.wrapped) << a << " << " << meaning;
+    ASSERT_EQ((SaturatingNumber::from_raw(cast<Number>(a)) << count).raw(), left.saturated);
+    shifted = x;
+    ASSERT_EQ((x >> count).raw(), a >> std::min(meaning, 63)) << a << " >> " << meaning;
+    ASSERT_EQ((shifted >>= count).raw(), (x >> count).raw());
+}
+template <class Number>
+void check_shifts() {
+    const int width = RawLimits<typename Number::Raw>::width;
+    std::vector<int64_t> operands = {
+        0, 1, -1, -3, 5, exact::smallest(width), exact::largest(width)};
+    for (int bit = 1; bit < width - 1; ++bit) {
+        for (const int64_t a : {int64_t(1) << bit, (int64_t(1) << bit) - 1}) {
+            operands.insert(operands.end(), {a, -a});
+        }
+    }
+    for (const int64_t a : operands) {
+        for (int count = 0; count < 256; ++count) {
+            check_shift<Number>(a, static_cast<unsigned char>(count), count);
+        }
+        for (const int count : {0, 1, width - 1, width, 255, 256, 257, 65536, 65537}) {
+            check_shift<Number>(a, count, count);
+            check_shift<Number>(a, static_cast<int64_t>(count) << 32 | 1, count == 0 ? 1 : 1000);
+            check_shift<Number>(a, static_cast<unsigned>(count), count);
+        }
+        check_shift<Number>(a, -1, 1000);
+        check_shift<Number>(a, static_cast<signed char>(-128), 1000);
+    }
+}
+TEST(Operators, ShiftsAreDefinedForEveryCount) {
+    check_shifts<Q4_4>();
+    check_shifts<Q8_8>();
+    check_shifts<Q16_16>();
+    check_shifts<Q32_32>();
+}
+
+// Every integer type, before anything narrows it.
+template <class Number, class Integral>
+void check_from_integer() {
+    using SaturatingNumber = Fixed<Number::integer_bits, Number::fraction_bits, Saturating>;
+    const int width = RawLimits<typename Number::Raw>::width, F = Number::fraction_bits;
+    for (const int64_t bits : exact::raws(64, 3)) {
+        const auto n = static_cast<Integral>(bits);
+        const exact::Rounded expected = exact::scale(n, F, width);
+        ASSERT_EQ(Number::from_integer(n).raw(), expected.wrapped) << n;
+        ASSERT_EQ(SaturatingNumber::from_integer(n).raw(), expected.saturated) << n;
+    }
+}
+template <class Integral>
+void check_from_integer_type() {
+    check_from_integer<Q4_4, Integral>();
+    check_from_integer<Q8_8, Integral>();
+    check_from_integer<Q16_16, Integral>();
+    check_from_integer<Fixed<64, 0>, Integral>();
+    check_from_integer<Fixed<1, 63>, Integral>();
+}
+TEST(Fixed, FromIntegerWrapsOrSaturatesTheWholeInteger) {
+    EXPECT_EQ(Q8_8::from_integer(65537).raw(), 256);
+    EXPECT_EQ((Fixed<8, 8, Saturating>::from_integer(65537).raw()), 32767);
+    check_from_integer_type<signed char>();
+    check_from_integer_type<unsigned short>();
+    check_from_integer_type<int>();
+    check_from_integer_type<unsigned>();
+    check_from_integer_type<long long>();
+    check_from_integer_type<unsigned long long>();
+    EXPECT_EQ(Q8_8::from_integer(true).raw(), 256);
+    EXPECT_EQ(Q8_8::from_integer('0').raw(), 48 * 256);
 }
 
 TEST(Fixed, ClampPrefersTheLowerBoundOfAContradiction) {

@@ -3,6 +3,11 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <fixedpoint/arithmetic/checked.hpp>
+#include <fixedpoint/arithmetic/published.hpp>
+#include <fixedpoint/arithmetic/saturating.hpp>
+#include <fixedpoint/arithmetic/small.hpp>
+#include <fixedpoint/conversion.hpp>
 #include <fixedpoint/host/format.hpp>
 #include <fixedpoint/host/hash.hpp>
 #include <fixedpoint/host/limits.hpp>
@@ -37,7 +42,22 @@ TEST(OutputStream, WritesTheShortestTextOrThePrecision) {
 TEST(OutputStream, HonoursWidthFillAndSign) {
     EXPECT_EQ(streamed('[', std::setw(8), -1.5_q8_8, ']'), "[    -1.5]");
     EXPECT_EQ(streamed(std::setw(6), std::setfill('*'), std::left, 1.5_q8_8, '|'), "1.5***|");
+    EXPECT_EQ(streamed(std::internal, std::setw(8), -1.5_q8_8, '|'), "-    1.5|");
+    EXPECT_EQ(streamed(std::internal, std::setfill('0'), std::setw(6), 1.5_q8_8, '|'), "0001.5|");
     EXPECT_EQ(streamed(std::showpos, 1.5_q8_8, ' ', -1.5_q8_8, ' ', 0_q8_8), "+1.5 -1.5 +0");
+}
+
+// As of a double of the same value.
+TEST(OutputStream, PadsAsOfDouble) {
+    for (const auto adjust : {std::left, std::right, std::internal}) {
+        for (const auto sign : {std::showpos, std::noshowpos}) {
+            for (const int width : {0, 3, 4, 5, 9}) {
+                const auto set = std::setw(width);
+                EXPECT_EQ(streamed(std::setfill('*'), adjust, sign, set, -1.5_q8_8, set, 1.5_q8_8),
+                          streamed(std::setfill('*'), adjust, sign, set, -1.5, set, 1.5));
+            }
+        }
+    }
 }
 
 struct Extraction {
@@ -101,6 +121,18 @@ TEST(Format, HonoursDecimalsWidthFillAndAlignment) {
     EXPECT_EQ(fmt::format("{:.0f} {}", x, 1), "0 1");
 }
 
+TEST(Format, PadsAsOfDouble) {
+    for (const char* text : {"{:08}", "{:<08}", "{:>08}", "{:^08}", "{:*^08}", "{:8}", "{:*<8}",
+                             "{:05.1f}", "{:02}", "{:0}", "{:*>9.2f}", "{:010.3f}"}) {
+        for (const double x : {-1.5, 1.5, 0.25, -0.25}) {
+            const auto number = from_float<Q8_8>(x);
+            // Numbers are aligned to the right by default.
+            EXPECT_EQ(fmt::format(fmt::runtime(text), number), fmt::format(fmt::runtime(text), x))
+                << text << " of " << x;
+        }
+    }
+}
+
 TEST(Format, RefusesWhatItDoesNotKnow) {
     for (const char* text :
          {"{:x}", "{:.}", "{:.3g}", "{:3.2.1}", "{:256}", "{:.256f}", "{:>>>5}"}) {
@@ -114,7 +146,31 @@ TEST(Hash, TellsNumbersApart) {
     EXPECT_TRUE(numbers.contains(1.5_q16_16));
 }
 
+TEST(Text, IsReadFromStrings) {
+    EXPECT_EQ(parse<Q8_8>(std::string("-1.5")).number, -1.5_q8_8);
+    EXPECT_EQ(parse<Q8_8>("1.5").number, 1.5_q8_8);
+    EXPECT_EQ(parse<Q8_8>("1.5x").position, 3u);
+    EXPECT_EQ(parse<Q8_8>("").status, TextStatus::empty);
+}
+
+// Whether max() + ulp() is min(), as is_modulo says.
+template <class Arithmetic>
+constexpr bool is_modulo_as_it_says() {
+    using Number = Fixed<8, 8, Arithmetic>;
+    const bool wraps = Number::max() + Number::ulp() == Number::min();
+    return wraps == std::numeric_limits<Number>::is_modulo;
+}
+struct Silent {
+    static constexpr void notify(Event, fixedpoint::Operation) {}
+};
+static_assert(is_modulo_as_it_says<Nearest>() && is_modulo_as_it_says<Small>(), "");
+static_assert(is_modulo_as_it_says<Saturating>() && is_modulo_as_it_says<Published>(), "");
+static_assert(is_modulo_as_it_says<Checked<Silent>>(), "");
+
 using Limits = std::numeric_limits<Q16_16>;
+static_assert(Limits::is_exact && Limits::is_bounded && Limits::radix == 2, "");
+static_assert(Limits::round_style == std::round_to_nearest && Limits::max_digits10 == 0, "");
+static_assert(Limits::denorm_min() == Q16_16::ulp() && Limits::infinity() == Q16_16(), "");
 static_assert(Limits::is_specialized && Limits::is_signed && !Limits::is_integer, "");
 static_assert(Limits::max() == Q16_16::max() && Limits::lowest() == Q16_16::min(), "");
 static_assert(Limits::min() == Q16_16::ulp() && Limits::epsilon() == Q16_16::ulp(), "");

@@ -5,11 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <vector>
 
-#include "reference/exact.hpp"
 #include "reference/judge.hpp"
 
 namespace reference {
@@ -50,6 +50,20 @@ class Operands {
     std::mt19937_64 random_{7};
 };
 
+// One of several results, in ulp.
+long double component(const Subject& subject, std::span<const std::int64_t> v, std::size_t index) {
+    const auto scale = [&](long double x, int sign) {
+        return std::ldexp(x, sign * subject.format.fraction);
+    };
+    if (subject.operation == Operation::sincos) {
+        const long double angle = scale(v[0], -1);
+        return scale(index == 0 ? std::sin(angle) : std::cos(angle), 1);
+    }
+    long double square = 0;
+    for (const std::int64_t each : v) square += (long double)(each)*each;
+    return square == 0 ? 0 : scale(v[index] / std::sqrt(square), 1);
+}
+
 // A result that is right or wrong by little, wherever the exact value lies.
 std::int64_t plausible(const Subject& subject, std::span<const std::int64_t> operands,
                        std::size_t index, std::int64_t step) {
@@ -57,12 +71,8 @@ std::int64_t plausible(const Subject& subject, std::span<const std::int64_t> ope
     // reaches.
     std::vector<std::int64_t> results(shape(subject.operation).results, 0);
     if (results.size() > 1) {
-        std::vector<Rational> values;
-        for (const std::int64_t raw : operands) values.push_back(value(subject.format, raw));
-        if (values[0] == 0 && values[1] == 0 && values[2] == 0) return step;
-        const Real x =
-            scale(std::get<Real>(exact(subject.operation, values, index)), subject.format.fraction);
-        return std::clamp(std::int64_t(floor(x)), subject.format.min() + 2,
+        const long double x = component(subject, operands, index);
+        return std::clamp(std::int64_t(std::floor(x)), subject.format.min() + 2,
                           subject.format.max() - 2) +
                step;
     }
@@ -96,7 +106,10 @@ void compare(const Subject& subject, FastJudge* fast_judge, int rounds) {
         ASSERT_EQ(got.excluded == nullptr, expected.excluded == nullptr)
             << operands[0] << " " << operands[1];
         if (expected.excluded) continue;
-        ASSERT_NEAR(got.error_ulp, expected.error_ulp, 1e-4 + 1e-12 * std::abs(expected.error_ulp))
+        // Of several results the largest error counts; two of one size may differ in sign.
+        const auto size = [&](double error) { return of.results > 1 ? std::abs(error) : error; };
+        ASSERT_NEAR(size(got.error_ulp), size(expected.error_ulp),
+                    1e-4 + 1e-12 * std::abs(expected.error_ulp))
             << operands[0] << " " << operands[1] << " -> " << results[0];
         ASSERT_EQ(got.defined, expected.defined) << operands[0] << " " << operands[1];
         // Where a bound is met to the last bit the fast judge may err either way.
@@ -130,13 +143,12 @@ void compare_arithmetics(int rounds) {
     using enum Operation;
     compare_all<format, Arithmetic::nearest, add, subtract, multiply, divide, remainder, negate,
                 Operation::abs, multiply_add, dot2, dot3, Operation::sqrt, reciprocal_sqrt,
-                Operation::atan, Operation::atan2, Operation::sin, Operation::cos, Operation::log,
-                length2, length3, normalise3>(rounds);
-    compare_all<format, Arithmetic::published, add, multiply, divide, Operation::sqrt,
+                Operation::atan, Operation::atan2, Operation::sin, Operation::cos, sincos,
+                Operation::log, length2, length3, normalise3>(rounds);
+    compare_all<format, Arithmetic::published, add, subtract, multiply, divide, Operation::sqrt,
                 Operation::atan, Operation::atan2>(rounds);
     compare_all<format, Arithmetic::saturating, add, subtract, multiply, negate, Operation::abs,
                 multiply_add, divide>(rounds);
-    compare_all<format, Arithmetic::truncating, multiply, divide, Operation::sqrt>(rounds);
     if constexpr (format.width <= 32)
         compare_all<format, Arithmetic::nearest, Operation::exp>(rounds);
 }

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cfloat>
 #include <cmath>
 #include <random>
 
@@ -87,6 +88,31 @@ TEST(Exact, RationalOperations) {
     EXPECT_EQ(rational(Operation::dot3, {1, 2, 3, 4, 5, Rational(1, 2)}), Rational(31, 2));
     EXPECT_EQ(rational(Operation::multiply_add, {2, 3, Rational(1, 8)}), Rational(49, 8));
     EXPECT_EQ(rational(Operation::shift_right, {3, 2}), Rational(3, 4));
+}
+
+TEST(ExactNumber, ValuesAndResolution) {
+    EXPECT_EQ(value(q16_16, q16_16.max()), Rational(2147483647) / 65536);
+    EXPECT_EQ(ulp(q16_16), Rational(1) / 65536);
+    EXPECT_EQ(double(value(ieee_single, ieee_single.max())), FLT_MAX);
+    for (float number : {0.1f, -1.0f, FLT_MAX, FLT_MIN, FLT_TRUE_MIN, 3 * FLT_TRUE_MIN, 0.0f}) {
+        EXPECT_EQ(double(value(ieee_single, raw_of_float(number))), double(number));
+        EXPECT_EQ(nearest_raw(ieee_single, value(ieee_single, raw_of_float(number))),
+                  raw_of_float(number));
+    }
+    EXPECT_EQ(ulp(ieee_single, 1), scale(Rational(1), -23));
+    EXPECT_EQ(ulp(ieee_single, Rational(99, 100)), scale(Rational(1), -24));
+    EXPECT_EQ(ulp(ieee_single, 0), scale(Rational(1), -149));
+}
+
+TEST(ExactNumber, NearestRawBreaksTies) {
+    EXPECT_EQ(nearest_raw(q4_4, Rational(1, 32)), 1);   // half an ulp: upward
+    EXPECT_EQ(nearest_raw(q4_4, Rational(-1, 32)), 0);  // minus half an ulp: upward
+    EXPECT_EQ(nearest_raw(q4_4, 1000), 127);
+    EXPECT_EQ(nearest_raw(q4_4, -1000), -128);
+    EXPECT_EQ(nearest_raw(ieee_single, 16777217), raw_of_float(16777216));  // tie to even, down
+    EXPECT_EQ(nearest_raw(ieee_single, 16777219), raw_of_float(16777220));  // tie to even, up
+    EXPECT_EQ(nearest_raw(ieee_single, Rational(33554431) / 2), raw_of_float(16777216));
+    EXPECT_EQ(nearest_raw(ieee_single, Rational(-1, 10)), raw_of_float(-0.1f));
 }
 
 TEST(Numbers, FloorAndBinade) {

@@ -64,7 +64,6 @@ TEST_P(DefinedResult, AloneIsAccepted) {
 constexpr auto nearest = Arithmetic::nearest;
 constexpr auto published = Arithmetic::published;
 constexpr auto saturating = Arithmetic::saturating;
-constexpr auto truncating = Arithmetic::truncating;
 constexpr auto integer = Arithmetic::integer;
 
 INSTANTIATE_TEST_SUITE_P(
@@ -107,7 +106,6 @@ INSTANTIATE_TEST_SUITE_P(
             1.0 / 16,
             false,
             "-1008.0625 truncates to -1008 and wraps to 16"},
-        Row{Operation::multiply, "q4_4", truncating, {-3, 3}, 0, 0.5625, false, "toward zero"},
         Row{Operation::multiply, "q4_4", saturating, {127, 127}, 127, 0, true, "clamps"},
         Row{Operation::multiply, "q4_4", saturating, {-128, 127}, -128, 0, true, "clamps"},
         Row{Operation::multiply, "q16_16", nearest, {min32, min32}, 0, 0, false, "2^46 wraps to 0"},

@@ -12,12 +12,11 @@
 #include <iterator>
 #include <sstream>
 
-#include "bench/lab/records/whole_file.hpp"
 #include "bench/chip/simulator/chip.hpp"
 
 extern char** environ;
 
-namespace machine_code {
+namespace instructions {
 namespace {
 
 namespace fs = std::filesystem;
@@ -26,7 +25,7 @@ namespace fs = std::filesystem;
 class ScratchFolder {
   public:
     ScratchFolder() {
-        std::string name = (fs::temp_directory_path() / "machine_code-XXXXXX").string();
+        std::string name = (fs::temp_directory_path() / "instructions-XXXXXX").string();
         if (!mkdtemp(name.data())) throw std::runtime_error(fmt::format("cannot make {}", name));
         path_ = name;
     }
@@ -43,7 +42,7 @@ class ScratchFolder {
 
 void compile(const fs::path& source, const fs::path& output, const fs::path& messages,
              const Compilation& compilation) {
-    std::vector<std::string> words = {MACHINE_CODE_COMPILER,
+    std::vector<std::string> words = {INSTRUCTIONS_COMPILER,
                                       "-std=c++20",
                                       "-shared",
                                       "-fPIC",
@@ -79,7 +78,10 @@ void compile(const fs::path& source, const fs::path& output, const fs::path& mes
 SharedObject::SharedObject(const std::string& source, const Compilation& compilation) {
     const ScratchFolder folder;
     const fs::path file = folder / "translation.cpp", object = folder / "translation.so";
-    records::write_whole(file, source);
+    std::ofstream stream(file);
+    stream << source;
+    stream.close();
+    if (!stream) throw std::runtime_error(fmt::format("cannot write {}", file.string()));
     compile(file, object, folder / "messages", compilation);
     handle_ = dlopen(object.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (!handle_) throw std::runtime_error(fmt::format("cannot load a translation: {}", dlerror()));
@@ -94,16 +96,16 @@ void* SharedObject::symbol(const char* name) const {
 }
 
 CompiledFunction::CompiledFunction(const simulator::Elf& elf, std::string_view symbol,
-                                   const Convention& convention, const Compilation& compilation)
+                                   const Interface& interface, const Compilation& compilation)
     : symbol_(symbol),
       begin_(elf.function(symbol).address),
       end_(begin_ + elf.function(symbol).size),
-      convention_(convention),
+      interface_(interface),
       flow_(control_flow(elf, symbol)),
-      translation_(translate(elf, symbol, convention)),
+      translation_(translate(elf, symbol, interface)),
       flash_(elf.flash()),
       object_(translation_.source, compilation),
-      run_(reinterpret_cast<Run*>(object_.symbol("machine_code_run"))) {
+      run_(reinterpret_cast<Run*>(object_.symbol("instructions_run"))) {
     flash_.resize(0x10000, 0xff);  // whatever Z holds
 }
 
@@ -149,4 +151,4 @@ std::vector<std::uint32_t> CompiledFunction::unreached(
     return unreached;
 }
 
-}  // namespace machine_code
+}  // namespace instructions

@@ -12,7 +12,7 @@
 
 #include "bench/chip/instructions/translate.hpp"
 
-namespace machine_code {
+namespace instructions {
 
 // A call that broke the calling convention, accessed memory that is not its own, or did not return.
 class Misbehaviour : public std::runtime_error {
@@ -23,7 +23,7 @@ class Misbehaviour : public std::runtime_error {
 // How the source is compiled.
 struct Compilation {
     std::string options = "-O3 -march=native";
-    std::filesystem::path include_folder = MACHINE_CODE_INCLUDE_FOLDER;  // holds bench/chip/instructions
+    std::filesystem::path include_folder = INSTRUCTIONS_INCLUDE_FOLDER;  // holds bench/chip/instructions
 };
 
 // A shared object made of C++ source, unloaded at the end. Throws std::runtime_error where the
@@ -45,11 +45,11 @@ class CompiledFunction {
   public:
     // Throws TranslationError, std::runtime_error.
     CompiledFunction(const simulator::Elf& elf, std::string_view symbol,
-                     const Convention& convention, const Compilation& compilation = {});
+                     const Interface& interface, const Compilation& compilation = {});
 
     const std::string& symbol() const { return symbol_; }
-    std::size_t arity() const { return convention_.operands.size(); }
-    std::size_t result_count() const { return convention_.results.size(); }
+    std::size_t arity() const { return interface_.operands.size(); }
+    std::size_t result_count() const { return interface_.results.size(); }
     // Every instruction that control flow can meet, calls included.
     const ControlFlow& flow() const { return flow_; }
 
@@ -82,7 +82,7 @@ class CompiledFunction {
 
     std::string symbol_;
     std::uint32_t begin_, end_;
-    Convention convention_;
+    Interface interface_;
     ControlFlow flow_;
     Translation translation_;
     std::vector<std::uint8_t> flash_;
@@ -90,4 +90,4 @@ class CompiledFunction {
     Run* run_;
 };
 
-}  // namespace machine_code
+}  // namespace instructions

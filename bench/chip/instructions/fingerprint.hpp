@@ -9,7 +9,7 @@
 #include "bench/chip/instructions/translate.hpp"
 #include "bench/chip/simulator/elf.hpp"
 
-namespace machine_code {
+namespace instructions {
 
 // SHA-256, in hexadecimal, over the instructions that the function's control flow can meet and the
 // tables that they name, with addresses replaced by ordinal numbers. Two functions of equal
@@ -17,4 +17,4 @@ namespace machine_code {
 // linked without --emit-relocs: which constants are addresses is then not known.
 std::string fingerprint(const simulator::Elf& elf, std::string_view symbol);
 
-}  // namespace machine_code
+}  // namespace instructions

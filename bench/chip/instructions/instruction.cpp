@@ -6,7 +6,7 @@
 #include <array>
 #include <stdexcept>
 
-namespace machine_code {
+namespace instructions {
 namespace {
 
 using enum Flow;
@@ -257,4 +257,4 @@ Instruction decode(std::span<const std::uint8_t> flash, std::uint32_t address) {
     return decoded;
 }
 
-}  // namespace machine_code
+}  // namespace instructions

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace machine_code {
+namespace instructions {
 
 // How an instruction goes on.
 enum class Flow {
@@ -59,4 +59,4 @@ struct Instruction {
 // The instruction at a flash byte address. Throws std::out_of_range where the flash ends before.
 Instruction decode(std::span<const std::uint8_t> flash, std::uint32_t address);
 
-}  // namespace machine_code
+}  // namespace instructions

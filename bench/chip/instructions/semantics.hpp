@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-namespace machine_code::semantics {
+namespace instructions::semantics {
 
 using Byte = std::uint8_t;
 using Word = std::uint16_t;
@@ -240,4 +240,4 @@ constexpr Byte unspecified(std::uint64_t pattern, int number) {
     return Byte((pattern >> number % 8 * 8) ^ unsigned(number) * 37);
 }
 
-}  // namespace machine_code::semantics
+}  // namespace instructions::semantics

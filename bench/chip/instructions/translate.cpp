@@ -8,10 +8,12 @@
 
 #include "bench/chip/simulator/chip.hpp"
 
-namespace machine_code {
+namespace instructions {
 namespace {
 
-constexpr int call_cycles = 4;
+// Both areas lie across a 256-byte page, where a pointer's low byte wraps.
+constexpr std::uint16_t operand_area = 0x01f9, result_area = 0x02fb;
+
 constexpr std::size_t deepest_call = 16, most_states = 100000;
 constexpr int budget = 1'000'000;  // cycles
 
@@ -55,12 +57,18 @@ Instruction decode_usable(const simulator::Elf& elf, std::uint32_t address) {
     return instruction;
 }
 
-// r2..r17, r28, r29.
 std::vector<int> call_saved() {
     std::vector<int> numbers;
-    for (int i = 2; i <= 29; ++i)
-        if (i <= 17 || i >= 28) numbers.push_back(i);
+    for (int i = 0; i < 32; ++i)
+        if (simulator::is_call_saved(i)) numbers.push_back(i);
     return numbers;
+}
+
+std::vector<simulator::Place> array_at(std::uint16_t address, std::size_t count, int size) {
+    std::vector<simulator::Place> places;
+    for (std::size_t i = 0; i < count; ++i)
+        places.push_back({std::uint16_t(address + int(i) * size), size});
+    return places;
 }
 
 // An instruction under the calls that led to it, each by its return address.
@@ -72,10 +80,10 @@ struct State {
 
 class Translator {
   public:
-    Translator(const simulator::Elf& elf, std::string_view symbol, const Convention& convention)
+    Translator(const simulator::Elf& elf, std::string_view symbol, const Interface& interface)
         : elf_(elf),
           entry_(elf.function(symbol).address),
-          convention_(convention),
+          interface_(interface),
           flow_(control_flow(elf, symbol)) {
         for (const Instruction& instruction : flow_.instructions)
             instructions_.emplace(instruction.address, instruction);
@@ -195,9 +203,9 @@ class Translator {
     }
 
     void begin() {
-        const Place &in = convention_.operand_area, &out = convention_.result_area;
+        const simulator::Place &in = interface_.operand_area, &out = interface_.result_area;
         line("#include \"bench/chip/instructions/semantics.hpp\"");
-        line("using namespace machine_code::semantics;");
+        line("using namespace instructions::semantics;");
         line("using Area = Memory<{}, {}, {}, {}, {}>;", in.address, in.end(), out.address,
              out.end(), simulator::Chip::ram_end);
         line(
@@ -209,20 +217,20 @@ class Translator {
         for (int i = 0; i < 32; ++i) line("  Byte r{} = unspecified(pattern, {});", i, i);
         line("  r1 = 0;");
         line("  Status f;");
-        line("  unsigned cycles = {};", call_cycles);
-        for (std::size_t i = 0; i < convention_.operands.size(); ++i) {
-            const Place& place = convention_.operands[i];
+        line("  unsigned cycles = {};", simulator::call_cycles);
+        for (std::size_t i = 0; i < interface_.operands.size(); ++i) {
+            const simulator::Place& place = interface_.operands[i];
             for (int byte = 0; byte < place.size; ++byte)
                 line("  {} = Byte(operands[{}] >> {});", name_of(place.address + byte), i,
                      8 * byte);
         }
-        for (const auto& [place, value] : convention_.pointers) {
+        for (const auto& [place, value] : interface_.pointers) {
             line("  r{} = {};", place.address, value & 0xff);
             line("  r{} = {};", place.address + 1, value >> 8);
         }
         for (const int i : call_saved()) line("  const Byte entry{0} = r{0};", i);
         // For the results, which a function might forget to write.
-        for (const Place& place : convention_.results)
+        for (const simulator::Place& place : interface_.results)
             if (!place.in_registers())
                 for (int byte = 0; byte < place.size; ++byte)
                     line("  {} = unspecified(pattern, {});", name_of(place.address + byte), byte);
@@ -231,13 +239,13 @@ class Translator {
     void end() {
         line("returned:");
         line("  if (m.sp != {}) throw Fault{{\"leaves the stack pointer unbalanced at\", m.sp}};",
-             convention_.entry_stack_pointer);
+             interface_.entry_stack_pointer);
         line("  if (r1) throw Fault{{\"does not leave zero in r1 but\", r1}};");
         line("  if (f.i) throw Fault{{\"leaves interrupts on, flag\", f.i}};");
         for (const int i : call_saved())
             line("  if (r{0} != entry{0}) throw Fault{{\"changes call-saved register\", {0}}};", i);
-        for (std::size_t i = 0; i < convention_.results.size(); ++i) {
-            const Place& place = convention_.results[i];
+        for (std::size_t i = 0; i < interface_.results.size(); ++i) {
+            const simulator::Place& place = interface_.results[i];
             line("  results[{}] = 0;", i);
             for (int byte = 0; byte < place.size; ++byte)
                 line("  results[{}] |= std::int64_t(std::uint64_t({}) << {});", i,
@@ -248,7 +256,7 @@ class Translator {
         }
         line("  return cycles;\n}}");
         line(
-            R"(extern "C" std::size_t machine_code_run(const std::int64_t* operands, std::size_t count,
+            R"(extern "C" std::size_t instructions_run(const std::int64_t* operands, std::size_t count,
     std::int64_t* __restrict results, std::uint32_t* __restrict cycles, Byte* memory,
     const Byte* flash, Byte* covered, std::uint64_t pattern, const char** what, unsigned* where) {{
   std::size_t i = 0;
@@ -263,8 +271,7 @@ class Translator {
   }}
   return i;
 }})",
-            convention_.operands.size(), convention_.results.size(),
-            convention_.entry_stack_pointer);
+            interface_.operands.size(), interface_.results.size(), interface_.entry_stack_pointer);
     }
 
     static std::string name_of(int address) {
@@ -273,7 +280,7 @@ class Translator {
 
     const simulator::Elf& elf_;
     std::uint32_t entry_;
-    const Convention& convention_;
+    const Interface& interface_;
     ControlFlow flow_;
     std::map<std::uint32_t, Instruction> instructions_;
     std::map<std::uint32_t, std::size_t> block_of_;
@@ -324,9 +331,39 @@ ControlFlow control_flow(const simulator::Elf& elf, std::string_view symbol) {
     return flow;
 }
 
-Translation translate(const simulator::Elf& elf, std::string_view symbol,
-                      const Convention& convention) {
-    return Translator(elf, symbol, convention).run();
+Interface interface_of(const simulator::Signature& signature) {
+    return interface_of(signature, Pointers{});
 }
 
-}  // namespace machine_code
+Interface interface_of(const simulator::Signature& signature, const Pointers& pointers) {
+    const simulator::Frame frame = simulator::frame_of(signature);
+    Interface interface {};
+    interface.entry_stack_pointer = frame.entry_stack_pointer;
+    const std::size_t scalars = frame.operands.size() - pointers.vectors - (pointers.results != 0);
+    interface.operands.assign(frame.operands.begin(),
+                              frame.operands.begin() + std::ptrdiff_t(scalars));
+    if (pointers.vectors) {
+        const std::size_t raws = pointers.vectors * pointers.elements;
+        const auto areas = array_at(operand_area, raws, pointers.element_size);
+        interface.operands.insert(interface.operands.end(), areas.begin(), areas.end());
+        interface.operand_area = {operand_area, int(raws) * pointers.element_size};
+        for (std::size_t i = 0; i < pointers.vectors; ++i)
+            interface.pointers.push_back(
+                {frame.operands[scalars + i], areas[i * pointers.elements].address});
+    }
+    if (pointers.results) {
+        interface.results = array_at(result_area, pointers.results, pointers.result_size);
+        interface.result_area = {result_area, int(pointers.results) * pointers.result_size};
+        interface.pointers.push_back({frame.operands.back(), result_area});
+    } else if (signature.result) {
+        interface.results = {frame.result};
+    }
+    return interface;
+}
+
+Translation translate(const simulator::Elf& elf, std::string_view symbol,
+                      const Interface& interface) {
+    return Translator(elf, symbol, interface).run();
+}
+
+}  // namespace instructions

@@ -11,11 +11,11 @@
 #include <string_view>
 #include <vector>
 
-#include "bench/chip/instructions/convention.hpp"
 #include "bench/chip/instructions/instruction.hpp"
+#include "bench/chip/simulator/convention.hpp"
 #include "bench/chip/simulator/elf.hpp"
 
-namespace machine_code {
+namespace instructions {
 
 // Names the address and the opcode.
 class TranslationError : public std::runtime_error {
@@ -37,6 +37,32 @@ struct ControlFlow {
 
 ControlFlow control_flow(const simulator::Elf& elf, std::string_view symbol);
 
+// Where a function's numbers lie as it is called, in the order of the caller's raws.
+struct Interface {
+    std::vector<simulator::Place> operands, results;
+    struct Pointer {
+        simulator::Place place;
+        std::uint16_t value;
+    };
+    std::vector<Pointer> pointers;  // operands that say where the raws lie
+    simulator::Place operand_area, result_area;
+    std::uint16_t entry_stack_pointer;
+};
+
+// Of a function that takes and returns plain numbers.
+Interface interface_of(const simulator::Signature& signature);
+
+// Of a function that takes `vectors` pointers to arrays of `elements` raws each, or that leaves
+// `results` raws through a pointer that comes last; 0 of either: by value, as `signature` has it,
+// in which the pointers stand as operands.
+struct Pointers {
+    std::size_t vectors, elements;
+    int element_size;
+    std::size_t results;
+    int result_size;
+};
+Interface interface_of(const simulator::Signature& signature, const Pointers& pointers);
+
 struct Translation {
     std::string source;
     std::vector<std::uint32_t> leaders;  // the block that each byte of the coverage stands for
@@ -46,8 +72,8 @@ struct Translation {
 // control flow depends on data (ijmp, icall), or calls nest too deep (recursion).
 //
 // The source defines, with C linkage, a function of type Run (compiled_function.hpp) named
-// `machine_code_run`.
+// `instructions_run`.
 Translation translate(const simulator::Elf& elf, std::string_view symbol,
-                      const Convention& convention);
+                      const Interface& interface);
 
-}  // namespace machine_code
+}  // namespace instructions

@@ -130,8 +130,8 @@ FunctionMap::FunctionMap(const simulator::Elf& elf)
         const std::uint32_t slot = static_cast<std::uint32_t>(vector) * vector_bytes;
         handlers_.push_back(slot);
         if (slot + vector_bytes > elf.flash().size()) continue;
-        const machine_code::Instruction entry = machine_code::decode(elf.flash(), slot);
-        if (entry.row && entry.row->flow == machine_code::Flow::jump)
+        const instructions::Instruction entry = instructions::decode(elf.flash(), slot);
+        if (entry.row && entry.row->flow == instructions::Flow::jump)
             handlers_.back() = entry.target() % simulator::Elf::flash_size;
     }
 }

@@ -41,7 +41,7 @@ Profiler::Profiler(simulator::Chip& chip)
 std::vector<Profiler::Kind> Profiler::kinds_of(const simulator::Elf& elf) {
     std::vector<Kind> kinds(simulator::Elf::flash_size / 2, Kind::plain);
     for (std::uint32_t at = 0; at + 4 <= elf.flash().size(); at += 2) {
-        const machine_code::Instruction instruction = machine_code::decode(elf.flash(), at);
+        const instructions::Instruction instruction = instructions::decode(elf.flash(), at);
         if (!instruction.row) continue;
         const std::string_view mnemonic = instruction.row->mnemonic;
         Kind& kind = kinds[at / 2];

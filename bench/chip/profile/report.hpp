@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A profile and a stack bound as text for a terminal and as files.
+// A profile and a stack bound as text for a terminal.
 #pragma once
 
-#include <filesystem>
 #include <string>
 
 #include "bench/chip/profile/profiler.hpp"
@@ -11,14 +10,5 @@
 namespace profile {
 
 std::string readable_report(const Profile& profile, const StackBound& bound);
-
-// Writes profile_<program>.csv, interrupts_<program>.csv, stack_<program>.csv and
-// stacks_<program>.folded.
-void save_tables(const Profile& profile, const StackBound& bound, const std::string& program,
-                 const std::filesystem::path& folder);
-
-// Writes the flame graph <program>_flame.svg.
-void save_figure(const Profile& profile, const std::string& program,
-                 const std::filesystem::path& folder);
 
 }  // namespace profile

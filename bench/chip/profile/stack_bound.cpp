@@ -19,8 +19,8 @@
 namespace profile {
 namespace {
 
-using machine_code::Flow;
-using machine_code::Instruction;
+using instructions::Flow;
+using instructions::Instruction;
 
 constexpr int return_address_bytes = 2;
 constexpr int ram_bytes = simulator::Chip::ram_end - simulator::Chip::ram_begin;
@@ -163,7 +163,7 @@ class CallGraph::Walk {
         const auto [address, depth] = place;
         if (address + 2 > graph_.elf_.flash().size())
             return give_up("a jump out of the program", address);
-        const Instruction now = machine_code::decode(graph_.elf_.flash(), address);
+        const Instruction now = instructions::decode(graph_.elf_.flash(), address);
         if (!now.row) return give_up("an illegal opcode", address);
         const std::string_view name = now.row->mnemonic;
 
@@ -194,7 +194,7 @@ class CallGraph::Walk {
             visit(now.next(), depth, registers);
         } else if (now.row->flow == Flow::skip || name == "sbic" || name == "sbis") {
             visit(now.next(), depth, registers);
-            visit(now.next() + machine_code::decode(graph_.elf_.flash(), now.next()).size(), depth,
+            visit(now.next() + instructions::decode(graph_.elf_.flash(), now.next()).size(), depth,
                   registers);
         } else {
             straight_on(now, depth, registers);
@@ -242,7 +242,7 @@ class CallGraph::Walk {
                     visit(at, jump.second, registers);
                     return true;
                 }
-                at += machine_code::decode(graph_.elf_.flash(), at).size();
+                at += instructions::decode(graph_.elf_.flash(), at).size();
             }
         }
         return false;

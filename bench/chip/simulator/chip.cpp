@@ -11,23 +11,37 @@
 #include <cstdlib>
 #include <cstring>
 #include <list>
+#include <new>
 #include <utility>
 
 #include "bench/chip/simulator/hooks.hpp"
+#include "bench/chip/simulator/registers.hpp"
 #include "bench/chip/simulator/workarounds/adc.hpp"
 #include "bench/chip/simulator/workarounds/interrupts.hpp"
 #include "bench/chip/simulator/workarounds/timer1.hpp"
 #include "bench/chip/simulator/workarounds/uart.hpp"
 #include "bench/chip/simulator/workarounds/write_one.hpp"
-#include "bench/chip/simulator/registers.hpp"
 
 namespace simulator {
 namespace {
 
+// simavr reports an access beyond RAM, then does it all the same; `lpm` and `spm` it does not check
+// at all. A guest's addresses have 16 bits, so 64 KiB of host memory hold whatever it reaches
+// before the run ends, at no cost in speed.
+void widen(std::uint8_t*& memory, std::size_t size, std::uint8_t fill) {
+    constexpr std::size_t address_space = 0x10000;
+    auto* const wider = static_cast<std::uint8_t*>(std::realloc(memory, address_space));
+    if (!wider) throw std::bad_alloc();
+    memory = wider;
+    std::memset(memory + size, fill, address_space - size);
+}
+
 avr_t* make_core() {
-    avr_t* const avr = avr_make_mcu_by_name("atmega328p");
+    avr_t* const avr = avr_make_mcu_by_name(Elf::device.data());
     if (!avr) throw SimulationError("libsimavr was built without the ATmega328P");
     avr_init(avr);
+    widen(avr->data, Chip::ram_end, 0);
+    widen(avr->flash, Elf::flash_size + 2, 0xff);  // with the word that stops the core
     avr->frequency = Chip::frequency;
     avr->vcc = avr->avcc = avr->aref = 1000 * Adc::supply;  // millivolts; simavr's default is 3300
     return avr;
@@ -63,6 +77,9 @@ struct Chip::Attachments {
                          hook.forward(value);
                          if (!is_out(current_opcode(chip.avr_))) chip.note_stack_pointer();
                      }),
+          // EEARH holds two bits; simavr follows the address that all eight make.
+          eeprom_high(chip.avr_, registers::eearh,
+                      [](const WriteHook& hook, std::uint8_t value) { hook.forward(value & 3); }),
           gpior0(chip.avr_, registers::gpior0,
                  [&chip, this](const WriteHook& hook, std::uint8_t value) {
                      hook.forward(value);
@@ -73,7 +90,7 @@ struct Chip::Attachments {
     Timer1Compare timer1;
     Uart uart;
     Adc adc;
-    WriteHook stack_low, stack_high, gpior0;
+    WriteHook stack_low, stack_high, eeprom_high, gpior0;
     WriteCallback at_gpior0;
     std::list<SignalHook> edges;
 };
@@ -191,11 +208,19 @@ std::uint8_t Chip::status() const {
     return bits;
 }
 
+void Chip::expect_in_data_space(std::uint16_t address, std::size_t bytes) const {
+    if (address + bytes > ram_end)
+        throw SimulationError(
+            fmt::format("{} bytes at data address 0x{:04x} reach beyond the RAM", bytes, address));
+}
+
 void Chip::read(std::uint16_t address, std::span<std::uint8_t> bytes) const {
+    expect_in_data_space(address, bytes.size());
     std::copy_n(data_ + address, bytes.size(), bytes.begin());
 }
 
 void Chip::write(std::uint16_t address, std::span<const std::uint8_t> bytes) {
+    expect_in_data_space(address, bytes.size());
     std::copy(bytes.begin(), bytes.end(), data_ + address);
 }
 

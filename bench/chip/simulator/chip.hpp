@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A simulated ATmega328P at 16 MHz: libsimavr 1.6 with the faults mended that matter to a cycle
-// count (workarounds/, and Chip's constructor). Nothing can hang: a run that exceeds its cycle budget, an
-// illegal opcode, a jump out of the program and a stack that runs into the data end in a
-// SimulationError of one line.
+// A simulated ATmega328P at 16 MHz: libsimavr 1.6, with a workaround for each of its defects
+// that changes a cycle count or a result (workarounds/, and Chip's constructor). Nothing can hang:
+// a run that exceeds its cycle budget, an illegal opcode, a jump out of the program and a stack
+// that runs into the data end in a SimulationError of one line.
 //
 // Cycle stamps that callbacks get are the cycle at which the instruction began that caused them.
 // Callbacks must not throw.
@@ -37,9 +37,10 @@ struct Pin {
 class Chip {
   public:
     static constexpr std::uint32_t frequency = 16'000'000;  // Hz
-    static constexpr std::uint16_t ram_begin = 0x0100;
-    static constexpr std::uint16_t ram_end = 0x0900;            // one past the last byte
+    static constexpr std::uint16_t ram_begin = Elf::ram_begin;
+    static constexpr std::uint16_t ram_end = Elf::ram_end;      // one past the last byte
     static constexpr Cycle default_budget = 60ull * frequency;  // one minute
+    static constexpr Cycle call_budget = frequency;  // a second: start-up code, a function
 
     // Loads the program and resets.
     explicit Chip(Elf elf);
@@ -56,7 +57,7 @@ class Chip {
     void step();  // one instruction, an interrupt's entry, or the time asleep until the next event
     void run_until_cycle(Cycle cycle);
     void run_until_address(std::uint32_t flash_address, Cycle budget = default_budget);
-    void run_until_function(std::string_view name, Cycle budget = default_budget);
+    void run_until_function(std::string_view name, Cycle budget = call_budget);
     template <class Predicate>  // asked after each instruction
     void run_until(Predicate&& reached, Cycle budget = default_budget) {
         const Cycle limit = cycle() + budget;
@@ -102,7 +103,7 @@ class Chip {
     void on_uart_byte(WriteCallback callback);  // at the end of each frame that the chip sends
     void send_to_uart(std::uint8_t byte);       // arrives a frame later, behind what is queued
 
-    // Of use to what works on the core itself (device_function.cpp, mends).
+    // For what works on the core itself (device_function.cpp, workarounds/).
     avr_t* core() const { return avr_; }
     void throw_if_crashed() const;
     [[noreturn]] void throw_budget_exceeded(Cycle budget) const;
@@ -110,6 +111,7 @@ class Chip {
   private:
     void advance(Cycle most);  // a burst that ends with the instruction that reaches so many cycles
     void note_stack_pointer();
+    void expect_in_data_space(std::uint16_t address, std::size_t bytes) const;
     void fail(const std::string& reason);  // stops the core; thrown once it has returned
     static void on_message(avr_t* avr, int level, const char* format, va_list arguments);
 
@@ -118,7 +120,7 @@ class Chip {
     std::uint8_t* data_;
     std::uint16_t data_end_ = 0;
     std::uint16_t lowest_stack_pointer_ = 0;
-    struct Attachments;  // mends and callbacks
+    struct Attachments;  // workarounds and callbacks
     std::unique_ptr<Attachments> attachments_;
     std::string failure_;
 };

@@ -6,6 +6,7 @@
 #include <sim_core.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace simulator {
@@ -16,9 +17,7 @@ namespace {
 constexpr std::uint32_t sentinel = Elf::flash_size - 2;
 constexpr std::uint16_t end_of_flash[] = {0x00ff, 0x00ff, 0x9588};
 constexpr Cycle sleep_cycles = 1;
-constexpr Cycle call_cycles = 4;
-constexpr int return_address_size = 2;
-constexpr int first_call_saved = 2, register_y = 28;
+constexpr int registers = 32;
 
 bool is_two_words(std::uint16_t opcode) {
     return (opcode & 0xfc0f) == 0x9000 /* lds, sts */ ||
@@ -74,56 +73,39 @@ DeviceFunction::DeviceFunction(Chip& chip, std::string_view symbol, Signature si
     : chip_(chip),
       core_(chip.core()),
       symbol_(chip.elf().function(symbol)),
-      signature_(std::move(signature)) {
+      signature_(std::move(signature)),
+      frame_(frame_of(signature_)) {
     if (chip.elf().flash().size() > Elf::flash_size - sizeof end_of_flash)
         throw SimulationError("the program leaves no words of flash free to return to");
     std::memcpy(core_->flash + Elf::flash_size - sizeof end_of_flash, end_of_flash,
                 sizeof end_of_flash);
-
-    // Operands go from r25 downwards, each to an even register; from the first one that would begin
-    // below r8 on, all go onto the stack, the first at the lowest address, without padding.
-    int next_register = 26;
-    std::uint16_t stack_bytes = 0;
-    for (const int size : signature_.operands) {
-        next_register -= size + size % 2;
-        if (next_register < 8) {
-            next_register = 0;
-            stack_bytes += size;
-        }
-        places_.push_back({static_cast<std::uint16_t>(next_register), size});
-    }
-    std::uint16_t address = Chip::ram_end - stack_bytes;
-    for (Place& place : places_)
-        if (!place.address) place.address = std::exchange(address, address + place.size);
-    entry_stack_pointer_ = Chip::ram_end - stack_bytes - return_address_size - 1;
-
-    const int result_size = signature_.result + signature_.result % 2;
-    result_register_ = 26 - result_size;
 }
 
 Outcome DeviceFunction::call(std::span<const std::uint64_t> operands) {
-    if (operands.size() != places_.size())
+    if (operands.size() != frame_.operands.size())
         throw SimulationError(fmt::format("{} takes {} operands, got {}", symbol_.name,
-                                          places_.size(), operands.size()));
+                                          frame_.operands.size(), operands.size()));
     std::uint8_t* const data = chip_.data();
     const Interlude interlude(core_);
 
     // Registers without a meaning hold another value in each call: who relies on one is found out.
     pattern_ = pattern_ * 6364136223846793005u + 1442695040888963407u;
-    for (int i = 0; i < 32; i += 8) std::memcpy(data + i, &pattern_, 8);
-    data[1] = 0;
-    for (std::size_t i = 0; i < places_.size(); ++i)
-        for (int byte = 0; byte < places_[i].size; ++byte)
-            data[places_[i].address + byte] = static_cast<std::uint8_t>(operands[i] >> 8 * byte);
-    data[entry_stack_pointer_ + 1] = sentinel / 2 >> 8;
-    data[entry_stack_pointer_ + 2] = sentinel / 2 & 0xff;
-    data[R_SPL] = entry_stack_pointer_ & 0xff;
-    data[R_SPH] = entry_stack_pointer_ >> 8;
+    for (int i = 0; i < registers; i += 8) std::memcpy(data + i, &pattern_, 8);
+    data[zero_register] = 0;
+    for (std::size_t i = 0; i < operands.size(); ++i) {
+        const Place& place = frame_.operands[i];
+        for (int byte = 0; byte < place.size; ++byte)
+            data[place.address + byte] = static_cast<std::uint8_t>(operands[i] >> 8 * byte);
+    }
+    const std::uint16_t entry = frame_.entry_stack_pointer;
+    data[entry + 1] = sentinel / 2 >> 8;
+    data[entry + 2] = sentinel / 2 & 0xff;
+    data[R_SPL] = entry & 0xff;
+    data[R_SPH] = entry >> 8;
     chip_.forget_lowest_stack_pointer();
 
-    const auto saved_low = load<std::uint64_t>(data + first_call_saved);
-    const auto saved_high = load<std::uint64_t>(data + first_call_saved + 8);
-    const auto saved_y = load<std::uint16_t>(data + register_y);
+    std::array<std::uint8_t, registers> at_entry;
+    std::copy_n(data, registers, at_entry.begin());
     if (watch_writes_) std::copy(data + Chip::ram_begin, data + Chip::ram_end, memory_.begin());
 
     core_->pc = symbol_.address;
@@ -131,11 +113,11 @@ Outcome DeviceFunction::call(std::span<const std::uint64_t> operands) {
     run();
     Outcome outcome;
     outcome.cycles = static_cast<std::uint32_t>(core_->cycle - begin - sleep_cycles + call_cycles);
-    outcome.stack_bytes = entry_stack_pointer_ + return_address_size - chip_.lowest_stack_pointer();
+    outcome.stack_bytes = frame_.caller_stack_pointer() - chip_.lowest_stack_pointer();
     outcome.result = 0;
-    std::memcpy(&outcome.result, data + result_register_, signature_.result);
+    std::memcpy(&outcome.result, data + frame_.result.address, signature_.result);
 
-    check_convention(saved_low, saved_high, saved_y);
+    check_convention(at_entry);
     if (watch_writes_) check_writes();
     return outcome;
 }
@@ -154,18 +136,15 @@ void DeviceFunction::run() {
     fail("stopped before it returned");
 }
 
-void DeviceFunction::check_convention(std::uint64_t saved_low, std::uint64_t saved_high,
-                                      std::uint16_t saved_y) {
+void DeviceFunction::check_convention(std::span<const std::uint8_t> at_entry) {
     const std::uint8_t* const data = chip_.data();
-    if (chip_.stack_pointer() != entry_stack_pointer_ + return_address_size)
+    if (chip_.stack_pointer() != frame_.caller_stack_pointer())
         fail("the stack pointer is not balanced at return");
-    if (data[1]) fail("r1 is not zero at return");
+    if (data[zero_register]) fail("r1 is not zero at return");
     if (core_->sreg[S_I]) fail("interrupts are on at return");
-    if (load<std::uint64_t>(data + first_call_saved) != saved_low)
-        fail("a call-saved register of r2..r9 is changed at return");
-    if (load<std::uint64_t>(data + first_call_saved + 8) != saved_high)
-        fail("a call-saved register of r10..r17 is changed at return");
-    if (load<std::uint16_t>(data + register_y) != saved_y) fail("r29:r28 is changed at return");
+    for (int i = 0; i < registers; ++i)
+        if (is_call_saved(i) && data[i] != at_entry[i])
+            fail(fmt::format("call-saved register r{} is changed at return", i));
 }
 
 void DeviceFunction::forbid_writes_except(std::vector<Area> writable) {

@@ -26,14 +26,9 @@
 #include <vector>
 
 #include "bench/chip/simulator/chip.hpp"
+#include "bench/chip/simulator/convention.hpp"
 
 namespace simulator {
-
-// Sizes in bytes: 1, 2 (also pointers), 4 or 8; 0 is a function that returns nothing.
-struct Signature {
-    int result;
-    std::vector<int> operands;
-};
 
 struct Outcome {
     std::uint64_t result;  // the result's bytes, zero-extended
@@ -104,7 +99,7 @@ class DeviceFunction {
         return raw;
     }
     void run();
-    void check_convention(std::uint64_t saved_low, std::uint64_t saved_high, std::uint16_t saved_y);
+    void check_convention(std::span<const std::uint8_t> at_entry);
     void check_writes();
     [[noreturn]] void fail(const std::string& reason) const;
 
@@ -112,14 +107,8 @@ class DeviceFunction {
     avr_t* core_;
     Symbol symbol_;
     Signature signature_;
-    struct Place {
-        std::uint16_t address;
-        int size;
-    };
-    std::vector<Place> places_;  // of the operands, in data space
-    int result_register_;
-    std::uint16_t entry_stack_pointer_;  // below the return address
-    std::uint64_t pattern_ = 0;          // for the call-saved registers, another in each call
+    Frame frame_;
+    std::uint64_t pattern_ = 0;  // for the call-saved registers, another in each call
     Cycle budget_ = 1'000'000;
     Coverage* coverage_ = nullptr;
     bool watch_writes_ = false;

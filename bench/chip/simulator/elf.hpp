@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An ELF file for the ATmega328P: its flash image, symbols and sections. Addresses of functions are
-// flash byte addresses (twice the program counter's words); addresses of data are data-space
-// addresses, without the 0x800000 that the linker adds.
+// An ELF file for the ATmega328P: its flash image, symbols, sections and relocations. Addresses of
+// functions are flash byte addresses (twice the program counter's words); addresses of data are
+// data-space addresses, without the 0x800000 that the linker adds.
+//
+// A file is judged as a whole before anybody uses it: programs for other chips, programs that do
+// not fit and damaged files are refused, so that every address and size below lies in the chip.
 #pragma once
 
 #include <cstdint>
@@ -37,11 +40,22 @@ struct Section {
     bool in_ram;    // counts towards RAM: data, bss, noinit
 };
 
+// A constant that the linker put into an instruction.
+struct Relocation {
+    unsigned type;         // R_AVR_...
+    std::uint32_t target;  // the address that it stands for
+};
+
 class Elf {
   public:
+    static constexpr std::string_view device = "atmega328p";
     static constexpr std::uint32_t flash_size = 0x8000;
+    static constexpr std::uint32_t ram_begin = 0x0100;
+    static constexpr std::uint32_t ram_end = 0x0900;  // one past the last byte
 
-    // Throws ElfError when there is no such file, or it is not a program for the AVR.
+    // Throws ElfError of one line when there is no such file, or it is not a whole program for the
+    // device. Which device a program was built for, its note .note.gnu.avr.deviceinfo tells;
+    // without one (no start-up code of avr-libc) the architecture and the sizes have to fit.
     explicit Elf(const std::filesystem::path& path);
 
     const std::filesystem::path& path() const { return path_; }
@@ -68,10 +82,16 @@ class Elf {
     const Symbols& functions() const { return functions_; }
     const Symbols& objects() const { return objects_; }
 
+    // Constant tables, in the order of the file.
+    const std::vector<Symbol>& flash_objects() const { return flash_objects_; }
+    // Of the code, by the address of the instruction; empty without the linker's --emit-relocs.
+    const std::map<std::uint32_t, Relocation>& relocations() const { return relocations_; }
+
     // "name" or "name+offset" of the function that holds a flash address, for messages.
     std::string describe(std::uint32_t flash_address) const;
 
   private:
+    class Reader;
     const Symbol& find(const Symbols& symbols, std::string_view name) const;
 
     std::filesystem::path path_;
@@ -79,6 +99,8 @@ class Elf {
     std::vector<std::uint8_t> flash_;
     std::vector<Section> sections_;
     Symbols functions_, objects_;
+    std::vector<Symbol> flash_objects_;
+    std::map<std::uint32_t, Relocation> relocations_;
 };
 
 }  // namespace simulator

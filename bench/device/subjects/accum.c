@@ -1,16 +1,21 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
- * GCC's fixed-point types (ISO/IEC TR 18037): the toolchain's own fixed point, C only. A format is
- * named s<integer bits>_<fraction bits>, the sign bit apart: short _Accum s8.7, _Accum s16.15,
- * long _Accum s32.31, long long _Accum s16.47. */
+ * GCC's fixed-point types (ISO/IEC TR 18037): the toolchain's own fixed point, C only. */
 #include <stdfix.h>
 
-#define ACCUM(format, Type)                                                  \
-    Type add_##format##_accum(Type a, Type b) { return a + b; }              \
-    Type subtract_##format##_accum(Type a, Type b) { return a - b; }         \
-    Type multiply_##format##_accum(Type a, Type b) { return a * b; }         \
-    Type divide_##format##_accum(Type a, Type b) { return a / b; }
+#include "bench/lab/catalogue/invoke.h"
+#include "bench/lab/catalogue/subjects.h"
 
-ACCUM(s8_7, short _Accum)
-ACCUM(s16_15, _Accum)
-ACCUM(s32_31, long _Accum)
-ACCUM(s16_47, long long _Accum)
+#define EXPRESSION_add a + b
+#define EXPRESSION_subtract a - b
+#define EXPRESSION_multiply a* b
+#define EXPRESSION_divide a / b
+
+#define SUBJECT_OF_OPERATION(name, signature, operands, results, kind, bound_ulp, domain, format, \
+                             Type, F, operations)                                                 \
+    Type name##_##format##_accum PARAMETERS_##signature(Type) { return EXPRESSION_##name; }
+#define SUBJECTS_OF_FORMAT(format, Type, F, operations) \
+    operations(SUBJECT_OF_OPERATION, format, Type, F, operations)
+#define SUBJECTS(implementation, Policy, provenance, host, formats, operations, label) \
+    formats(SUBJECTS_OF_FORMAT, operations)
+
+IMPLEMENTATION_accum(SUBJECTS)

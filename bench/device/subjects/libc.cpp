@@ -3,36 +3,95 @@
 // against.
 #include <math.h>
 
-#include "subject.hpp"
+#include "subject.h"
 
-SUBJECT float add_float_libc(float a, float b) { return a + b; }
-SUBJECT float subtract_float_libc(float a, float b) { return a - b; }
-SUBJECT float multiply_float_libc(float a, float b) { return a * b; }
-SUBJECT float divide_float_libc(float a, float b) { return a / b; }
-SUBJECT float remainder_float_libc(float a, float b) { return fmod(a, b); }
-SUBJECT float sqrt_float_libc(float a) { return sqrt(a); }
-SUBJECT float reciprocal_sqrt_float_libc(float a) { return 1.0f / sqrt(a); }
-SUBJECT float atan_float_libc(float a) { return atan(a); }
-SUBJECT float atan2_float_libc(float y, float x) { return atan2(y, x); }
-SUBJECT float sin_float_libc(float a) { return sin(a); }
-SUBJECT float cos_float_libc(float a) { return cos(a); }
-SUBJECT void sincos_float_libc(float angle, float* sine_and_cosine) {
-    sine_and_cosine[0] = sin(angle);
-    sine_and_cosine[1] = cos(angle);
-}
-SUBJECT float exp_float_libc(float a) { return exp(a); }
-SUBJECT float log_float_libc(float a) { return log(a); }
-SUBJECT float multiply_add_float_libc(float a, float b, float c) { return a * b + c; }
-SUBJECT float dot2_float_libc(const float* a, const float* b) { return a[0] * b[0] + a[1] * b[1]; }
-SUBJECT float dot3_float_libc(const float* a, const float* b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-SUBJECT float length2_float_libc(const float* v) { return sqrt(v[0] * v[0] + v[1] * v[1]); }
-SUBJECT float length3_float_libc(const float* v) {
-    return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-}
-SUBJECT void normalise3_float_libc(const float* v, float* unit) {
-    const float length = length3_float_libc(v);
-    const float scale = length == 0 ? 0 : 1 / length;
-    for (uint8_t i = 0; i < 3; ++i) unit[i] = v[i] * scale;
-}
+// The length has a body of its own: a direction calls it.
+SUBJECT float length3_float_libc(const float* v);
+
+struct Libc {
+    template <class Float, int>
+    static Float add(Float a, Float b) {
+        return a + b;
+    }
+    template <class Float, int>
+    static Float subtract(Float a, Float b) {
+        return a - b;
+    }
+    template <class Float, int>
+    static Float multiply(Float a, Float b) {
+        return a * b;
+    }
+    template <class Float, int>
+    static Float divide(Float a, Float b) {
+        return a / b;
+    }
+    template <class Float, int>
+    static Float remainder(Float a, Float b) {
+        return fmod(a, b);
+    }
+    template <class Float, int>
+    static Float sqrt(Float a) {
+        return ::sqrt(a);
+    }
+    template <class Float, int>
+    static Float reciprocal_sqrt(Float a) {
+        return 1.0f / ::sqrt(a);
+    }
+    template <class Float, int>
+    static Float atan(Float a) {
+        return ::atan(a);
+    }
+    template <class Float, int>
+    static Float atan2(Float y, Float x) {
+        return ::atan2(y, x);
+    }
+    template <class Float, int>
+    static Float sin(Float a) {
+        return ::sin(a);
+    }
+    template <class Float, int>
+    static Float cos(Float a) {
+        return ::cos(a);
+    }
+    template <class Float, int>
+    static void sincos(Float angle, Float* sine_and_cosine) {
+        sine_and_cosine[0] = ::sin(angle);
+        sine_and_cosine[1] = ::cos(angle);
+    }
+    template <class Float, int>
+    static Float exp(Float a) {
+        return ::exp(a);
+    }
+    template <class Float, int>
+    static Float log(Float a) {
+        return ::log(a);
+    }
+    template <class Float, int>
+    static Float multiply_add(Float a, Float b, Float c) {
+        return a * b + c;
+    }
+    template <class Float, int>
+    static Float dot2(const Float* a, const Float* b) {
+        return a[0] * b[0] + a[1] * b[1];
+    }
+    template <class Float, int>
+    static Float dot3(const Float* a, const Float* b) {
+        return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    }
+    template <class Float, int>
+    static Float length2(const Float* v) {
+        return ::sqrt(v[0] * v[0] + v[1] * v[1]);
+    }
+    template <class Float, int>
+    static Float length3(const Float* v) {
+        return ::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    }
+    template <class Float, int>
+    static void normalise3(const Float* v, Float* unit) {
+        const Float length = length3_float_libc(v);
+        const Float scale = length == 0 ? 0 : 1 / length;
+        for (uint8_t i = 0; i < 3; ++i) unit[i] = v[i] * scale;
+    }
+};
+
+IMPLEMENTATION_libc(SUBJECTS)

@@ -1,20 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The compiler's own integers: what an operation costs without any fixed point.
-#include "subject.hpp"
+#include <fixedpoint/integer.hpp>
+
+#include "subject.h"
+
+using fixedpoint::Unsigned;
 
 // Sums and products wrap, as the machine's do: computed without sign, where that is defined.
-#define NATIVE(format, Type)                                                                     \
-    SUBJECT Type add_##format##_native(Type a, Type b) { return Type(u##Type(a) + u##Type(b)); } \
-    SUBJECT Type subtract_##format##_native(Type a, Type b) {                                    \
-        return Type(u##Type(a) - u##Type(b));                                                    \
-    }                                                                                            \
-    SUBJECT Type multiply_##format##_native(Type a, Type b) {                                    \
-        return Type(u##Type(a) * u##Type(b));                                                    \
-    }                                                                                            \
-    SUBJECT Type divide_##format##_native(Type a, Type b) { return Type(a / b); }                \
-    SUBJECT Type remainder_##format##_native(Type a, Type b) { return Type(a % b); }
+struct Native {
+    template <class Raw, int F>
+    static constexpr Raw add(Raw a, Raw b) {
+        return Raw(Unsigned<Raw>(a) + Unsigned<Raw>(b));
+    }
+    template <class Raw, int F>
+    static constexpr Raw subtract(Raw a, Raw b) {
+        return Raw(Unsigned<Raw>(a) - Unsigned<Raw>(b));
+    }
+    template <class Raw, int F>
+    static constexpr Raw multiply(Raw a, Raw b) {
+        return Raw(Unsigned<Raw>(a) * Unsigned<Raw>(b));
+    }
+    template <class Raw, int F>
+    static constexpr Raw divide(Raw a, Raw b) {
+        return Raw(a / b);
+    }
+    template <class Raw, int F>
+    static constexpr Raw remainder(Raw a, Raw b) {
+        return Raw(a % b);
+    }
+};
 
-NATIVE(int8, int8_t)
-NATIVE(int16, int16_t)
-NATIVE(int32, int32_t)
-NATIVE(int64, int64_t)
+IMPLEMENTATION_native(SUBJECTS)

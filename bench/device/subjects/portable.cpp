@@ -5,23 +5,29 @@
 #include <fixedpoint/portable/multiply.hpp>
 #include <fixedpoint/portable/sqrt.hpp>
 
-#include "subject.hpp"
+#include "subject.h"
 
-#define PORTABLE(format, Raw, F)                             \
-    SUBJECT Raw multiply_##format##_portable(Raw a, Raw b) { \
-        return fixedpoint::portable::multiply<Raw, F>(a, b); \
-    }                                                        \
-    SUBJECT Raw divide_##format##_portable(Raw a, Raw b) {   \
-        return fixedpoint::portable::divide<Raw, F>(a, b);   \
-    }                                                        \
-    SUBJECT Raw sqrt_##format##_portable(Raw a) { return fixedpoint::portable::sqrt<Raw, F>(a); }
+struct Portable {
+    template <class Raw, int F>
+    static constexpr Raw multiply(Raw a, Raw b) {
+        return fixedpoint::portable::multiply<Raw, F>(a, b);
+    }
+    template <class Raw, int F>
+    static constexpr Raw divide(Raw a, Raw b) {
+        return fixedpoint::portable::divide<Raw, F>(a, b);
+    }
+    template <class Raw, int F>
+    static constexpr Raw sqrt(Raw a) {
+        return fixedpoint::portable::sqrt<Raw, F>(a);
+    }
+};
 
-PORTABLE(q4_4, int8_t, 4)
-PORTABLE(q8_8, int16_t, 8)
-PORTABLE(q16_16, int32_t, 16)
-PORTABLE(q32_32, int64_t, 32)
+// The idea of the 2016 design for a better division: widen only where it must.
+struct Widening {
+    template <class Raw, int F>
+    static constexpr Raw divide(Raw a, Raw b) {
+        return fixedpoint::portable::divide_widening<Raw, F>(a, b);
+    }
+};
 
-// The report's own idea for a better division: widen only where it must.
-SUBJECT int32_t divide_q16_16_widening(int32_t a, int32_t b) {
-    return fixedpoint::portable::divide_widening<int32_t, 16>(a, b);
-}
+IMPLEMENTATION_portable(SUBJECTS) IMPLEMENTATION_widening(SUBJECTS)

@@ -2,6 +2,7 @@
 // Runs the library's own tests on the simulated chip and reports what they counted.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -36,8 +37,14 @@ std::string text(const simulator::Chip& chip, const char* name) {
     return characters;
 }
 
+// The folder of the programs: scripts/mutation_test.py names another, with faults in them.
+std::string folder() {
+    const char* other = std::getenv("DEVICE_PROGRAMS");
+    return other ? other : PROGRAM_FOLDER;
+}
+
 TEST_P(LibraryOnDevice, EveryCheckHolds) {
-    simulator::Chip chip(simulator::Elf(std::string(PROGRAM_FOLDER) + "/" + GetParam() + ".elf"));
+    simulator::Chip chip(simulator::Elf(folder() + "/" + GetParam() + ".elf"));
     EXPECT_LE(chip.elf().flash_bytes(), usable_flash);
     ASSERT_NO_THROW(chip.run_until_function("finished", budget));
     EXPECT_GT(counter(chip, "checks"), 0u);

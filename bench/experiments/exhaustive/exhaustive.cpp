@@ -3,13 +3,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
+#include <chrono>
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <stdexcept>
+#include <utility>
 
 #include "bench/chip/instructions/compiled_function.hpp"
 #include "bench/chip/instructions/fingerprint.hpp"
@@ -17,15 +21,17 @@
 #include "bench/lab/operands/boundary.hpp"
 #include "bench/lab/operands/operand_class.hpp"
 #include "bench/lab/operands/search.hpp"
-#include "bench/lab/subjects/device_subject.hpp"
 #include "bench/lab/parallel.hpp"
-#include "bench/lab/subjects/witness.hpp"
 #include "bench/lab/records/csv.hpp"
 #include "bench/lab/records/progress.hpp"
 #include "bench/lab/records/whole_file.hpp"
+#include "bench/lab/subjects/device_subject.hpp"
+#include "bench/lab/subjects/witness.hpp"
 
 namespace machine_code {
 namespace {
+
+using instructions::CompiledFunction;
 
 constexpr int exhaustive_bits = 32;
 constexpr std::size_t calls_of_a_batch = 512;  // raws and cycles of a batch stay in the first cache
@@ -95,7 +101,7 @@ class Worker {
         climb(seed, [&] {
             const reference::Judgement judgement =
                 oracle_.judge(std::span(operands_).first(arity_),
-                               std::span(results_).first(results_.size() / calls_of_a_batch));
+                              std::span(results_).first(results_.size() / calls_of_a_batch));
             return judgement.excluded ? -INFINITY : std::abs(judgement.error_ulp);
         });
         climb(~seed, [&] { return double(cycles_[0]); });
@@ -178,41 +184,111 @@ Part run_part(Worker& worker, const Job& job, std::uint64_t index, const Options
     return worker.search(job.boundary, index, budget, seed_of(job.symbol, index));
 }
 
-Measurement measure(const simulator::Elf& elf, Job& job, const Options& options) {
-    const reference::Subject& subject = job.oracle.subject;
-    if (!job.every_input())
-        job.boundary = operands::boundary_cases(subject.operation, subject.operand_format);
-    Measurement measurement{.symbol = job.symbol,
-                            .elf_sha256 = elf.sha256(),
-                            .kernel_sha256 = fingerprint(elf, job.symbol),
-                            .every_input = job.every_input(),
-                            .has_portable = job.oracle.portable != nullptr,
-                            .parts = {},
-                            .unreached = {}};
-    const CompiledFunction function(elf, job.symbol, convention_of(subject));
+// The parts of a function's run that are done, in a file beside the results: an interrupted run
+// goes on from there. It holds for the very program that judged, whatever has been built since.
+class Checkpoint {
+  public:
+    Checkpoint(const Options& options, const Measurement& run)
+        : path_(options.output / fmt::format("exhaustive.{}.{}-of-{}.checkpoint.json", run.symbol,
+                                             options.shard.index, options.shard.count)) {}
+
+    // What was done of the run, without which it begins anew.
+    void resume(Measurement& run) const {
+        std::ifstream stream(path_);
+        if (!stream) return;
+        try {
+            const auto json = nlohmann::json::parse(stream);
+            const auto done = json.at("measurement").get<Measurement>();
+            if (json.at("judge") != judge_sha256() || !done.is_of_the_run_of(run)) return;
+            run.parts = done.parts;
+            run.unreached = done.unreached;
+        } catch (const std::exception&) {
+            // Not a checkpoint of this program.
+        }
+    }
+
+    // Where the last one is so old that losing the work since would matter.
+    void save_if_due(const Measurement& run) {
+        constexpr std::chrono::seconds interval(2);
+        const auto now = std::chrono::steady_clock::now();
+        if (now - saved_ < interval) return;
+        save(run);
+        saved_ = std::chrono::steady_clock::now();
+    }
+    void save(const Measurement& run) const {
+        const nlohmann::json json = {{"judge", judge_sha256()}, {"measurement", run}};
+        records::write_whole(path_, json.dump() + "\n");
+    }
+
+    void remove() const {
+        std::error_code ignored;
+        std::filesystem::remove(path_, ignored);
+    }
+
+  private:
+    static const std::string& judge_sha256() {
+        static const std::string hash = [] {
+            std::ifstream stream("/proc/self/exe", std::ios::binary);
+            const std::string bytes((std::istreambuf_iterator<char>(stream)), {});
+            return simulator::sha256_of(
+                {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+        }();
+        return hash;
+    }
+
+    std::filesystem::path path_;
+    std::chrono::steady_clock::time_point saved_ = std::chrono::steady_clock::now();
+};
+
+// Runs the parts that the checkpoint lacks.
+void run_parts(const simulator::Elf& elf, const Job& job, const Options& options,
+               Measurement& measurement, Checkpoint& checkpoint) {
     const Shard& shard = options.shard;
     const std::uint64_t first = operations::exhaustive_parts * (shard.index - 1) / shard.count;
     const std::uint64_t last = operations::exhaustive_parts * shard.index / shard.count;
-
-    std::vector<Part> parts(last - first);
-    std::set<std::uint32_t> reached;
-    std::mutex reaching;
-    {
-        records::Progress progress(job.symbol, parts.size());
-        operations::in_parallel(options.threads, parts.size(), [&](std::size_t k) {
-            Worker worker(function, job.oracle);
-            parts[k] = run_part(worker, job, first + k, options);
-            const std::vector<std::uint32_t> blocks = worker.reached_blocks();
-            const std::lock_guard lock(reaching);
-            reached.insert(blocks.begin(), blocks.end());
-            progress.advance();
-        });
-    }
+    std::vector<std::uint64_t> missing;
     for (std::uint64_t k = first; k < last; ++k)
-        measurement.parts.emplace(k, std::move(parts[k - first]));
-    const auto unreached = function.unreached(reached);
-    measurement.unreached.insert(unreached.begin(), unreached.end());
-    return measurement;
+        if (!measurement.parts.contains(k)) missing.push_back(k);
+    if (missing.empty()) return;
+
+    const operations::Calling calling = operations::calling_of(job.oracle.subject);
+    const CompiledFunction function(
+        elf, job.symbol, instructions::interface_of(calling.signature, calling.pointers));
+    records::Progress progress(job.symbol, last - first);
+    progress.advance(last - first - missing.size());
+    bool resumed = !measurement.parts.empty();
+    std::mutex recording;
+    operations::in_parallel(options.threads, missing.size(), [&](std::size_t k) {
+        Worker worker(function, job.oracle);
+        Part part = run_part(worker, job, missing[k], options);
+        const std::vector<std::uint32_t> blocks = worker.reached_blocks();
+        const std::vector<std::uint32_t> unreached =
+            function.unreached({blocks.begin(), blocks.end()});
+        const std::lock_guard lock(recording);
+        measurement.parts.emplace(missing[k], std::move(part));
+        std::set<std::uint32_t> common;
+        if (!std::exchange(resumed, true))
+            common.insert(unreached.begin(), unreached.end());
+        else
+            std::set_intersection(measurement.unreached.begin(), measurement.unreached.end(),
+                                  unreached.begin(), unreached.end(),
+                                  std::inserter(common, common.end()));
+        measurement.unreached = std::move(common);
+        checkpoint.save_if_due(measurement);
+        progress.advance();
+    });
+}
+
+// What tells the run of a job from any other; without a part yet.
+Measurement run_of(const simulator::Elf& elf, const Job& job, const Options& options) {
+    return {.symbol = job.symbol,
+            .elf_sha256 = elf.sha256(),
+            .kernel_sha256 = instructions::fingerprint(elf, job.symbol),
+            .every_input = job.every_input(),
+            .search_operands = job.every_input() ? 0 : options.search_operands,
+            .has_portable = job.oracle.portable != nullptr,
+            .parts = {},
+            .unreached = {}};
 }
 
 records::Table empty_table() {
@@ -308,8 +384,17 @@ Shard parse_shard(const std::string& text) {
 std::uint64_t run_exhaustive(const Options& options) {
     const simulator::Elf elf(options.program);
     std::uint64_t violations = 0;
+    std::vector<Checkpoint> checkpoints;
     for (Job& job : jobs_of(elf, options.symbols)) {
-        const Measurement measurement = measure(elf, job, options);
+        const reference::Subject& subject = job.oracle.subject;
+        Measurement measurement = run_of(elf, job, options);
+        Checkpoint& checkpoint = checkpoints.emplace_back(options, measurement);
+        checkpoint.resume(measurement);
+        if (!job.every_input())
+            job.boundary = operands::boundary_cases(subject.operation, subject.operand_format);
+        run_parts(elf, job, options, measurement, checkpoint);
+        // A finished function, too, is not run again where one after it is interrupted.
+        checkpoint.save(measurement);
         if (measurement.is_complete()) {
             violations += save({measurement}, options.output);
             continue;
@@ -320,6 +405,7 @@ std::uint64_t run_exhaustive(const Options& options) {
         const Part total = measurement.total();
         violations += total.errors.wrong() + total.differences.count;
     }
+    for (const Checkpoint& checkpoint : checkpoints) checkpoint.remove();
     return violations;
 }
 
@@ -331,7 +417,7 @@ std::uint64_t merge_exhaustive(const std::vector<std::filesystem::path>& shards,
         try {
             std::ifstream stream(path);
             nlohmann::json::parse(stream).get_to(shard);
-        } catch (const nlohmann::json::exception& error) {
+        } catch (const std::exception& error) {
             throw std::runtime_error(
                 fmt::format("{}: not a shard's file: {}", path.string(), error.what()));
         }

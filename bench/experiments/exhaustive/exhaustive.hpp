@@ -34,13 +34,14 @@ struct Options {
 // Writes exhaustive.csv, in which the rows of other functions stay, or, of a shard of many,
 // exhaustive.<symbol>.<i>-of-<n>.json for each function. Returns how many results broke their
 // definition or differ from the portable code's; each function's first is reported on stderr.
-// Throws std::invalid_argument where a symbol is none that can be judged, TranslationError,
-// Misbehaviour.
+// Meanwhile exhaustive.<symbol>.<i>-of-<n>.checkpoint.json keep what is done: the same call after
+// an interruption goes on from there, and writes the same bytes as a run without one. Throws
+// std::invalid_argument where a symbol is none that can be judged, TranslationError, Misbehaviour.
 std::uint64_t run_exhaustive(const Options& options);
 
 // Joins the files of all shards, of one or more functions, into exhaustive.csv; the same file as a
-// run without shards writes. Throws std::runtime_error where shards are missing, there twice or of
-// different programs.
+// run without shards writes. Throws std::runtime_error where shards are missing, there twice, of
+// different programs or of searches of different lengths.
 std::uint64_t merge_exhaustive(const std::vector<std::filesystem::path>& shards,
                                const std::filesystem::path& output);
 

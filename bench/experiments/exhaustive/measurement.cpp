@@ -4,9 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <string_view>
+#include <tuple>
 
 namespace machine_code {
 namespace {
@@ -38,14 +41,24 @@ void Part::merge(const Part& later) {
     differences.count += later.differences.count;
 }
 
+bool Measurement::is_of_the_run_of(const Measurement& other) const {
+    return std::tie(symbol, elf_sha256, kernel_sha256, every_input, search_operands,
+                    has_portable) == std::tie(other.symbol, other.elf_sha256, other.kernel_sha256,
+                                              other.every_input, other.search_operands,
+                                              other.has_portable);
+}
+
 void Measurement::join(const Measurement& other) {
-    const auto reject = [&](const char* why) {
+    const auto reject = [&](std::string_view why) {
         throw std::runtime_error(fmt::format("{}: the shards {}", symbol, why));
     };
     if (other.symbol != symbol || other.elf_sha256 != elf_sha256 ||
         other.kernel_sha256 != kernel_sha256 || other.every_input != every_input ||
         other.has_portable != has_portable)
         reject("are not of one program");
+    if (!is_of_the_run_of(other))
+        reject(fmt::format("are of searches of {} and of {} operands", search_operands,
+                           other.search_operands));
     for (const auto& [index, part] : other.parts)
         if (!parts.emplace(index, part).second) reject("overlap");
     std::set<std::uint32_t> common;
@@ -89,6 +102,7 @@ void to_json(nlohmann::json& json, const Measurement& measurement) {
             {"elf_sha256", measurement.elf_sha256},
             {"kernel_sha256", measurement.kernel_sha256},
             {"every_input", measurement.every_input},
+            {"search_operands", measurement.search_operands},
             {"has_portable", measurement.has_portable},
             {"unreached", measurement.unreached},
             {"parts", parts}};
@@ -99,11 +113,19 @@ void from_json(const nlohmann::json& json, Measurement& measurement) {
     json.at("elf_sha256").get_to(measurement.elf_sha256);
     json.at("kernel_sha256").get_to(measurement.kernel_sha256);
     json.at("every_input").get_to(measurement.every_input);
+    json.at("search_operands").get_to(measurement.search_operands);
     json.at("has_portable").get_to(measurement.has_portable);
     json.at("unreached").get_to(measurement.unreached);
     measurement.parts.clear();
-    for (const auto& [index, part] : json.at("parts").items())
-        measurement.parts.emplace(std::stoull(index), part.get<Part>());
+    for (const auto& [index, part] : json.at("parts").items()) {
+        std::uint64_t number = 0;
+        const char* const end = index.data() + index.size();
+        const auto [rest, bad] = std::from_chars(index.data(), end, number);
+        if (bad != std::errc() || rest != end || number >= operations::exhaustive_parts)
+            throw std::runtime_error(fmt::format("no part '{}': they are 0 to {}", index,
+                                                 operations::exhaustive_parts - 1));
+        measurement.parts.emplace(number, part.get<Part>());
+    }
 }
 
 }  // namespace machine_code

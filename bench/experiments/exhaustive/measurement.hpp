@@ -44,12 +44,16 @@ struct Part {
 
 struct Measurement {
     std::string symbol, elf_sha256, kernel_sha256;
-    bool every_input = false;  // and not a search
+    bool every_input = false;           // and not a search
+    std::uint64_t search_operands = 0;  // of a search
     bool has_portable = false;
     std::map<std::uint64_t, Part> parts;  // of operations::exhaustive_parts
     std::set<std::uint32_t> unreached;    // flash byte addresses
 
-    // Throws std::runtime_error where the two are not of one run.
+    // Whether both measure the same function of the same program in the same way, so that their
+    // parts are those of one run.
+    bool is_of_the_run_of(const Measurement& other) const;
+    // Throws std::runtime_error where the two are not of one run, or share a part.
     void join(const Measurement& other);
     bool is_complete() const { return parts.size() == operations::exhaustive_parts; }
     Part total() const;

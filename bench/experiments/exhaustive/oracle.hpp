@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The reference's bulk judge, and the host's portable of the device's code, for a subject that is known
-// only at run time.
+// What judges the results of a subject that is known only at run time: the reference's bulk judge
+// and, where the host has it, the portable implementation that promises the same bits.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@ struct Oracle {
                                   std::span<const std::int64_t> results);
     void (*judge_all)(std::span<const std::int64_t> operands, std::span<const std::int64_t> results,
                       reference::ErrorStatistics& statistics);
-    // The portable code that promises the same bits; null where there is none.
+    // Null where there is none.
     const operations::HostSubject* portable;
 
     // Counts the calls whose results differ from the portable's. Precondition: there is one.
@@ -33,7 +33,7 @@ struct Oracle {
                      Differences& found) const;
 };
 
-// None where the reference has no bulk judge for the subject (float, _Accum, integers).
+// None where the host has no subject of these definitions (float, _Accum, integers).
 std::optional<Oracle> oracle_of(const reference::NamedSubject& named);
 
 }  // namespace machine_code

@@ -85,13 +85,16 @@ Run run(const Firmware& firmware, const Scenario& scenario, const Parameters& pa
     if (!record.empty()) recording.emplace(loop);
     for (double now = millisecond; now < scenario.duration; now += millisecond) {
         loop.run_until(now);
-        judge.watch(loop, loop.plant());
+        judge.watch({loop.time(), loop.plant().servo_angle(), loop.plant().lever_angle(),
+                     loop.screen_is_right()});
         if (recording) recording->watch(loop);
     }
     if (recording) recording->save(record, scenario.name + "." + firmware.arithmetic);
     const unsigned stack = Chip::ram_end - 1u - loop.chip().lowest_stack_pointer();
-    return {scenario.name, firmware.arithmetic, loop.time(), judge.judge(loop), loop.timing(),
-            stack,         elf.sha256()};
+    return {scenario.name, firmware.arithmetic,
+            loop.time(),   judge.judge(loop.timing(), loop.time(), loop.arm_length()),
+            loop.timing(), stack,
+            elf.sha256()};
 }
 
 std::uint64_t run_scenarios(const Options& options) {

@@ -17,8 +17,8 @@ bool within(double value, Span span) { return value >= span.least && value <= sp
 
 }  // namespace
 
-void Judge::watch(const DeviceLoop& loop, Plant& plant) {
-    const double now = loop.time(), servo = plant.servo_angle();
+void Judge::watch(const Glance& glance) {
+    const double now = glance.time, servo = glance.servo_angle;
     const Envelope& envelope = scenario_.envelope;
 
     const bool held = scenario_.script.hand_grip.at(now) > 0;
@@ -41,13 +41,13 @@ void Judge::watch(const DeviceLoop& loop, Plant& plant) {
         }
     }
     if (envelope.quiet && now >= envelope.quiet->from) {
-        least_ = std::min(least_, plant.lever_angle());
-        most_ = std::max(most_, plant.lever_angle());
+        least_ = std::min(least_, glance.lever_angle);
+        most_ = std::max(most_, glance.lever_angle);
     }
     if (envelope.rest && now >= envelope.rest->from &&
         std::abs(servo - envelope.rest->angle) > degree)
         rested_ = false;
-    if (!loop.screen_is_right()) screen_right_ = false;
+    if (!glance.screen_is_right) screen_right_ = false;
 }
 
 void Judge::violate(bool violated, std::string what) {
@@ -102,10 +102,9 @@ void Judge::judge_timing(const Timing& timing, double end) {
             fmt::format("{:.2f} frames a second", j.frames_per_second));
 }
 
-Judgement Judge::judge(const DeviceLoop& loop) {
-    const Timing& timing = loop.timing();
+Judgement Judge::judge(const Timing& timing, double end, double arm_length) {
     const Envelope& envelope = scenario_.envelope;
-    judge_timing(timing, loop.time());
+    judge_timing(timing, end);
 
     const double half_step = 0.29 / 2 / 90 * 1e-3;
     violate(timing.shortest_pulse < 1e-3 - half_step || timing.longest_pulse > 1.667e-3 + half_step,
@@ -127,7 +126,7 @@ Judgement Judge::judge(const DeviceLoop& loop) {
                 fmt::format("swung by {:.2f} degrees", in_degrees(judgement_.swing)));
     }
     if (envelope.arm) {
-        const double share = (loop.arm_length() - 0.23) / 0.25;
+        const double share = (arm_length - 0.23) / 0.25;
         violate(!within(share, envelope.arm->dial),
                 fmt::format("the arm stands for {:.3f} of the dial", share));
     }

@@ -33,14 +33,21 @@ struct Judgement {
     std::vector<std::string> violations;  // empty where the run is as it should be
 };
 
+// What is seen of a run at one time; angles in rad.
+struct Glance {
+    double time, servo_angle, lever_angle;
+    bool screen_is_right = true;
+};
+
 class Judge {
   public:
     Judge(const Scenario& scenario, std::optional<TimingLimits> limits)
         : scenario_(scenario), limits_(limits) {}
 
     // To be called each millisecond.
-    void watch(const DeviceLoop& loop, Plant& plant);
-    Judgement judge(const DeviceLoop& loop);
+    void watch(const Glance& glance);
+    // Of a run that ended at `end`, with the virtual arm so long, m.
+    Judgement judge(const Timing& timing, double end, double arm_length);
 
   private:
     void violate(bool violated, std::string what);

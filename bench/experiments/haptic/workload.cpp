@@ -17,7 +17,6 @@ namespace haptic {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-constexpr double close_enough = 0.1;
 
 // The program that was measured.
 struct Source {
@@ -33,7 +32,7 @@ class Sheet {
             if (figure.quantity != quantity || figure.arithmetic != arithmetic) continue;
             const double ratio = measured / figure.value;
             add(quantity, arithmetic, figure.value, measured, figure.unit, ratio,
-                std::abs(ratio - 1) <= close_enough ? "reproduced" : otherwise, reason, source);
+                reference::within_10_percent(ratio) ? "reproduced" : otherwise, reason, source);
             return;
         }
         throw std::logic_error("no published figure: " + quantity);

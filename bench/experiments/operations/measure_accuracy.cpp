@@ -12,11 +12,11 @@
 #include "bench/lab/operands/boundary.hpp"
 #include "bench/lab/operands/operand_class.hpp"
 #include "bench/lab/operands/search.hpp"
-#include "bench/lab/subjects/host_subject.hpp"
 #include "bench/lab/parallel.hpp"
-#include "bench/lab/subjects/witness.hpp"
-#include "bench/lab/records/csv.hpp"
 #include "bench/lab/records/progress.hpp"
+#include "bench/lab/records/record.hpp"
+#include "bench/lab/subjects/host_subject.hpp"
+#include "bench/lab/subjects/witness.hpp"
 #include "reference/error_statistics.hpp"
 
 namespace operations {
@@ -33,6 +33,11 @@ constexpr int quick_exhaustive_bits = 24;
 
 constexpr std::uint64_t random_samples = 2'000'000, quick_random_samples = 20'000;
 constexpr std::uint64_t search_evaluations = 4'000'000, quick_search_evaluations = 40'000;
+
+// Uniform operands are nearly all of the largest magnitudes: they would weigh the mean errors down.
+constexpr operands::OperandClass random_classes[] = {
+    operands::OperandClass::small, operands::OperandClass::physics, operands::OperandClass::full,
+    operands::OperandClass::published};
 
 ErrorStatistics exhaust_in_parallel(const HostSubject& job, unsigned threads) {
     std::vector<ErrorStatistics> results(exhaustive_parts);
@@ -52,51 +57,102 @@ ErrorStatistics sample(const HostSubject& job, bool quick) {
     records::Progress progress(job.name(), 1);
     for (const operands::BoundaryCase& each :
          operands::boundary_cases(job.subject.operation, job.subject.operand_format)) {
-        statistics.add(job.judge(each.operands), each.operands);
+        statistics.add(job.judge_own(each.operands), each.operands);
     }
     Operands operands{};
     const std::span used(operands.data(), reference::shape(job.subject.operation).operands);
-    for (const operands::OperandClass each : operands::operand_classes) {
+    for (const operands::OperandClass each : random_classes) {
         operands::Sampler sampler(job.subject.operation, job.subject.operand_format, each, 1);
         const std::uint64_t wanted = quick ? quick_random_samples : random_samples;
         for (std::uint64_t i = operands::distinct_samples(each, wanted); i > 0; --i) {
             sampler.next(used);
-            statistics.add(job.judge(used), used);
+            statistics.add(job.judge_own(used), used);
         }
     }
-    const auto worst = operands::search_worst(
-        job.subject.operation, job.subject.operand_format,
-        quick ? quick_search_evaluations : search_evaluations, 1,
-        [&](std::span<const std::int64_t> each) { return std::abs(job.judge(each).error_ulp); });
-    statistics.add(job.judge(worst.operands), worst.operands);
+    const auto worst = operands::search_worst(job.subject.operation, job.subject.operand_format,
+                                              quick ? quick_search_evaluations : search_evaluations,
+                                              1, [&](std::span<const std::int64_t> each) {
+                                                  return std::abs(job.judge_own(each).error_ulp);
+                                              });
+    statistics.add(job.judge_own(worst.operands), worst.operands);
     return statistics;
 }
 
 bool is_exhaustive(const HostSubject& job, bool quick) {
-    if (!job.exhaust) return false;
-    if (job.input_bits <= quick_exhaustive_bits) return true;
+    if (job.input_bits() > exhaustive_bits) return false;
+    if (job.input_bits() <= quick_exhaustive_bits) return true;
     if (quick) return false;
-    // 2^32 inputs: for the default's operations, and for the report's product and quotient. Lengths
-    // are bounded by construction, sincos is sin and cos, and 2^32 floats would take the exact
-    // judge half a day.
+    // 2^32 inputs: for the default's operations, and for the published product and quotient.
+    // Lengths are bounded by construction, sincos is sin and cos, the functions of a format that is
+    // not square run through Q16.16's, and 2^32 floats would take the exact judge half a day.
     const reference::Subject& subject = job.subject;
     if (subject.format.is_float() || subject.operand_format.is_float()) return false;
     if (job.implementation == "published") {
         return subject.operation == reference::Operation::multiply ||
                subject.operation == reference::Operation::divide;
     }
+    const bool square = 2 * subject.format.fraction == subject.format.width;
+    const bool function = reference::shape(subject.operation).kind == reference::Kind::function;
     return job.implementation == "default" && subject.operation != reference::Operation::length2 &&
-           subject.operation != reference::Operation::sincos;
+           subject.operation != reference::Operation::sincos && (square || !function);
 }
 
-void add_histogram(records::Table& table, const HostSubject& job,
+using records::column;
+
+// A row of accuracy.csv.
+struct Accuracy {
+    std::string operation, format, implementation;
+    std::string inputs;
+    std::uint64_t samples, defined;
+    double max_ulp;
+    std::string max_ulp_witness;
+    double rms_ulp, mean_ulp;
+    std::string bound;
+    std::uint64_t violations;
+
+    static constexpr auto columns =
+        std::tuple(column("operation", &Accuracy::operation), column("format", &Accuracy::format),
+                   column("implementation", &Accuracy::implementation),
+                   column("inputs", &Accuracy::inputs), column("samples", &Accuracy::samples),
+                   column("defined", &Accuracy::defined), column("max_ulp", &Accuracy::max_ulp),
+                   column("max_ulp_witness", &Accuracy::max_ulp_witness),
+                   column("rms_ulp", &Accuracy::rms_ulp), column("mean_ulp", &Accuracy::mean_ulp),
+                   column("bound", &Accuracy::bound), column("violations", &Accuracy::violations));
+};
+
+// A row of error_histograms.csv.
+struct Bin {
+    std::string operation, format, implementation;
+    double low_ulp, high_ulp, count;
+
+    static constexpr auto columns =
+        std::tuple(column("operation", &Bin::operation), column("format", &Bin::format),
+                   column("implementation", &Bin::implementation), column("low_ulp", &Bin::low_ulp),
+                   column("high_ulp", &Bin::high_ulp), column("count", &Bin::count));
+};
+
+// A row of error_along_input.csv.
+struct Interval {
+    std::string operation, format, implementation;
+    double low, high;
+    std::uint64_t samples;
+    double max_ulp, rms_ulp, mean_ulp;
+
+    static constexpr auto columns =
+        std::tuple(column("operation", &Interval::operation), column("format", &Interval::format),
+                   column("implementation", &Interval::implementation),
+                   column("low", &Interval::low), column("high", &Interval::high),
+                   column("samples", &Interval::samples), column("max_ulp", &Interval::max_ulp),
+                   column("rms_ulp", &Interval::rms_ulp), column("mean_ulp", &Interval::mean_ulp));
+};
+
+void add_histogram(std::vector<Bin>& bins, const HostSubject& job,
                    const ErrorStatistics& statistics) {
     const gsl_histogram& histogram = statistics.histogram();
     const auto add = [&](double low, double high, double count) {
         if (count == 0) return;
-        table.add({operation_name(job.subject), reference::format_name(job.subject.format),
-                   job.implementation, records::cell(low), records::cell(high),
-                   records::cell(count)});
+        bins.push_back({operation_name(job.subject), reference::format_name(job.subject.format),
+                        job.implementation, low, high, count});
     };
     add(-INFINITY, histogram.range[0], static_cast<double>(statistics.below_histogram()));
     for (std::size_t i = 0; i < histogram.n; ++i) {
@@ -106,7 +162,7 @@ void add_histogram(records::Table& table, const HostSubject& job,
 }
 
 // The largest and the rms error in each of many intervals of the input, log-spaced.
-void add_along_input(records::Table& table, const HostSubject& job) {
+void add_along_input(std::vector<Interval>& intervals, const HostSubject& job) {
     constexpr int intervals_per_octave = 8;
     constexpr std::uint64_t samples = 2000;
     const NumberFormat& format = job.subject.format;
@@ -122,13 +178,12 @@ void add_along_input(records::Table& table, const HostSubject& job) {
             ErrorStatistics statistics;
             for (std::uint64_t i = 0; i < taken; ++i) {
                 const std::int64_t operand = first + static_cast<std::int64_t>(i * count / taken);
-                statistics.add(job.judge({&operand, 1}), {&operand, 1});
+                statistics.add(job.judge_own({&operand, 1}), {&operand, 1});
             }
-            table.add({operation_name(job.subject), reference::format_name(format),
-                       job.implementation, records::cell(std::ldexp(low, -format.fraction)),
-                       records::cell(std::ldexp(high, -format.fraction)), fmt::to_string(taken),
-                       records::cell(statistics.max_ulp()), records::cell(statistics.rms_ulp()),
-                       records::cell(statistics.mean_ulp())});
+            intervals.push_back({operation_name(job.subject), reference::format_name(format),
+                                 job.implementation, std::ldexp(low, -format.fraction),
+                                 std::ldexp(high, -format.fraction), taken, statistics.max_ulp(),
+                                 statistics.rms_ulp(), statistics.mean_ulp()});
         }
         low = high;
     }
@@ -144,24 +199,20 @@ std::uint64_t measure_accuracy(const AccuracyOptions& options) {
     }
     if (jobs.empty()) throw std::invalid_argument("no subject of the host is selected");
 
-    records::Table accuracy({"operation", "format", "implementation", "inputs", "samples",
-                             "defined", "max_ulp", "max_ulp_witness", "rms_ulp", "mean_ulp",
-                             "bound", "violations"});
-    records::Table histograms(
-        {"operation", "format", "implementation", "low_ulp", "high_ulp", "count"});
-    records::Table along({"operation", "format", "implementation", "low", "high", "samples",
-                          "max_ulp", "rms_ulp", "mean_ulp"});
+    std::vector<Accuracy> accuracy;
+    std::vector<Bin> histograms;
+    std::vector<Interval> along;
     std::uint64_t violations = 0;
     for (const HostSubject& job : jobs) {
         const bool exhaustive = is_exhaustive(job, options.quick);
         const ErrorStatistics statistics =
             exhaustive ? exhaust_in_parallel(job, options.threads) : sample(job, options.quick);
-        accuracy.add({operation_name(job.subject), reference::format_name(job.subject.format),
-                      job.implementation, exhaustive ? "all" : "boundary, random, search",
-                      fmt::to_string(statistics.count()), fmt::to_string(statistics.defined()),
-                      records::cell(statistics.max_ulp()), text_of(statistics.max_witness()),
-                      records::cell(statistics.rms_ulp()), records::cell(statistics.mean_ulp()),
-                      exhaustive ? "exact" : "lower bound", fmt::to_string(statistics.wrong())});
+        accuracy.push_back({operation_name(job.subject), reference::format_name(job.subject.format),
+                            job.implementation, exhaustive ? "all" : "boundary, random, search",
+                            statistics.count(), statistics.defined(), statistics.max_ulp(),
+                            text_of(statistics.max_witness()), statistics.rms_ulp(),
+                            statistics.mean_ulp(), exhaustive ? "exact" : "lower bound",
+                            statistics.wrong()});
         add_histogram(histograms, job, statistics);
         const bool unary = reference::shape(job.subject.operation).operands == 1 &&
                            job.subject.operand_format == job.subject.format;
@@ -172,9 +223,9 @@ std::uint64_t measure_accuracy(const AccuracyOptions& options) {
                        statistics.wrong(), text_of(statistics.wrong_witness()));
         }
     }
-    accuracy.save(options.output / "accuracy.csv");
-    histograms.save(options.output / "error_histograms.csv");
-    along.save(options.output / "error_along_input.csv");
+    records::table_of(accuracy).save(options.output / "accuracy.csv");
+    records::table_of(histograms).save(options.output / "error_histograms.csv");
+    records::table_of(along).save(options.output / "error_along_input.csv");
     return violations;
 }
 

@@ -7,18 +7,20 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <stdexcept>
 
+#include "bench/lab/catalogue/catalogue.hpp"
 #include "bench/lab/operands/boundary.hpp"
 #include "bench/lab/operands/operand_class.hpp"
+#include "bench/lab/parallel.hpp"
+#include "bench/lab/records/benchmark_json.hpp"
+#include "bench/lab/records/progress.hpp"
+#include "bench/lab/records/record.hpp"
+#include "bench/lab/records/whole_file.hpp"
 #include "bench/lab/subjects/device_subject.hpp"
 #include "bench/lab/subjects/host_subject.hpp"
-#include "bench/lab/parallel.hpp"
 #include "bench/lab/subjects/witness.hpp"
-#include "bench/lab/records/benchmark_json.hpp"
-#include "bench/lab/records/csv.hpp"
-#include "bench/lab/records/progress.hpp"
-#include "bench/lab/records/whole_file.hpp"
 #include "reference/error_statistics.hpp"
 #include "reference/judge.hpp"
 
@@ -35,9 +37,45 @@ constexpr std::uint64_t cycle_budget = 200'000'000;
 // Input spaces up to this size are run through as a class of their own.
 constexpr int all_inputs_bits = 16;
 
+using records::column;
+
 struct Footprint {
     std::string flash_bytes;
     std::string ram_bytes;
+};
+
+// A row of operations.csv.
+struct Figures {
+    std::string operation, format, implementation, operands;
+    std::uint64_t samples;
+    std::uint32_t cycles_min;
+    double cycles_mean;
+    std::uint32_t cycles_max;
+    std::string cycles_max_witness;
+    // Errors are missing where no result was judged.
+    std::optional<double> max_ulp;
+    std::string max_ulp_witness;
+    std::optional<double> rms_ulp;
+    std::string bound;
+    std::string flash_bytes;  // empty where the program's footprints are not known
+    std::uint16_t stack_bytes;
+    std::optional<double> mean_ulp;
+    std::string ram_bytes;
+    std::uint64_t violations;
+    std::optional<double> max_error, rms_error;
+
+    static constexpr auto columns = std::tuple(
+        column("operation", &Figures::operation), column("format", &Figures::format),
+        column("implementation", &Figures::implementation), column("operands", &Figures::operands),
+        column("samples", &Figures::samples), column("cycles_min", &Figures::cycles_min),
+        column("cycles_mean", &Figures::cycles_mean), column("cycles_max", &Figures::cycles_max),
+        column("cycles_max_witness", &Figures::cycles_max_witness),
+        column("max_ulp", &Figures::max_ulp), column("max_ulp_witness", &Figures::max_ulp_witness),
+        column("rms_ulp", &Figures::rms_ulp), column("bound", &Figures::bound),
+        column("flash_bytes", &Figures::flash_bytes), column("stack_bytes", &Figures::stack_bytes),
+        column("mean_ulp", &Figures::mean_ulp), column("ram_bytes", &Figures::ram_bytes),
+        column("violations", &Figures::violations), column("max_error", &Figures::max_error),
+        column("rms_error", &Figures::rms_error));
 };
 
 // The distance between neighbours at a number of the format.
@@ -47,7 +85,7 @@ double ulp_at(const reference::NumberFormat& format, std::int64_t raw) {
     return std::ldexp(1.0, exponent - 127 - 23);
 }
 
-// One row of operations.csv.
+// One measurement: a subject on a class of operands.
 struct Row {
     const simulator::Elf* program;
     std::string subject;
@@ -187,38 +225,36 @@ void load_footprints(Footprints& footprints, std::filesystem::path program) {
     for (const auto& row : table.rows()) footprints[row[subject]] = {row[flash], row[ram]};
 }
 
-records::Table table_of(const std::vector<Row>& rows, const Footprints& footprints) {
-    records::Table table(
-        {"operation",       "format",      "implementation", "operands",           "samples",
-         "cycles_min",      "cycles_mean", "cycles_max",     "cycles_max_witness", "max_ulp",
-         "max_ulp_witness", "rms_ulp",     "bound",          "flash_bytes",        "stack_bytes",
-         "mean_ulp",        "ram_bytes",   "violations",     "max_error",          "rms_error"});
+std::vector<Figures> figures_of(const std::vector<Row>& rows, const Footprints& footprints) {
+    std::vector<Figures> figures;
     for (const Row& row : rows) {
         const auto footprint = footprints.find(row.subject);
         const Footprint weight = footprint == footprints.end() ? Footprint{} : footprint->second;
-        const bool judged = row.errors.count() > 0;
-        table.add({operation_name(row.named.subject),
-                   reference::format_name(row.named.subject.format),
-                   row.named.implementation,
-                   row.operands,
-                   fmt::to_string(row.samples),
-                   fmt::to_string(row.cycles_min),
-                   records::cell(row.cycles_mean()),
-                   fmt::to_string(row.cycles_max),
-                   text_of(row.cycles_max_witness),
-                   judged ? records::cell(row.errors.max_ulp()) : "",
-                   judged ? text_of(row.errors.max_witness()) : "",
-                   judged ? records::cell(row.errors.rms_ulp()) : "",
-                   row.all_inputs ? "exact" : "lower bound",
-                   weight.flash_bytes,
-                   fmt::to_string(row.stack_bytes),
-                   judged ? records::cell(row.errors.mean_ulp()) : "",
-                   weight.ram_bytes,
-                   fmt::to_string(row.errors.wrong()),
-                   judged ? records::cell(row.max_error) : "",
-                   judged ? records::cell(row.rms_error()) : ""});
+        const auto judged = [&](double error) {
+            return row.errors.count() > 0 ? std::optional(error) : std::nullopt;
+        };
+        figures.push_back({operation_name(row.named.subject),
+                           reference::format_name(row.named.subject.format),
+                           row.named.implementation,
+                           row.operands,
+                           row.samples,
+                           row.cycles_min,
+                           row.cycles_mean(),
+                           row.cycles_max,
+                           text_of(row.cycles_max_witness),
+                           judged(row.errors.max_ulp()),
+                           text_of(row.errors.max_witness()),
+                           judged(row.errors.rms_ulp()),
+                           row.all_inputs ? "exact" : "lower bound",
+                           weight.flash_bytes,
+                           row.stack_bytes,
+                           judged(row.errors.mean_ulp()),
+                           weight.ram_bytes,
+                           row.errors.wrong(),
+                           judged(row.max_error),
+                           judged(row.rms_error())});
     }
-    return table;
+    return figures;
 }
 
 std::string json_of(const std::vector<Row>& rows, const std::vector<simulator::Elf>& programs) {
@@ -238,12 +274,6 @@ std::string json_of(const std::vector<Row>& rows, const std::vector<simulator::E
         hashes[program.path().filename().string()] = program.sha256();
     }
     return records::benchmark_document(benchmarks, {{"sha256", hashes}}).dump(1) + "\n";
-}
-
-// Whether an implementation must keep to its definition; what the toolchain brings is only
-// measured.
-bool is_ours(const reference::NamedSubject& named) {
-    return named.subject.format.kind == reference::FormatKind::fixed;
 }
 
 }  // namespace
@@ -268,13 +298,13 @@ std::uint64_t measure_cycles(const CycleOptions& options) {
 
     std::uint64_t violations = 0;
     for (const Row& row : rows) {
-        if (row.errors.wrong() == 0 || !is_ours(row.named)) continue;
+        if (row.errors.wrong() == 0 || !catalogue::is_held_to_its_definition(row.named)) continue;
         violations += row.errors.wrong();
         fmt::print(stderr, "{}: {} of {} {} operands break the definition, the first: {}\n",
                    row.subject, row.errors.wrong(), row.samples, row.operands,
                    text_of(row.errors.wrong_witness()));
     }
-    table_of(rows, footprints).save(options.output / "operations.csv");
+    records::table_of(figures_of(rows, footprints)).save(options.output / "operations.csv");
     records::write_whole(options.output / "operations.json", json_of(rows, programs));
     return violations;
 }

@@ -11,22 +11,27 @@
 
 #include "bench/lab/operands/boundary.hpp"
 #include "bench/lab/operands/operand_class.hpp"
+#include "bench/lab/parallel.hpp"
+#include "bench/lab/records/progress.hpp"
+#include "bench/lab/records/record.hpp"
 #include "bench/lab/subjects/device_subject.hpp"
 #include "bench/lab/subjects/host_subject.hpp"
-#include "bench/lab/parallel.hpp"
 #include "bench/lab/subjects/witness.hpp"
-#include "bench/lab/records/csv.hpp"
-#include "bench/lab/records/progress.hpp"
 
 namespace operations {
 
 namespace {
 
+using records::column;
 using Operands = std::array<std::int64_t, reference::most_operands>;
 
 // What the random operands of a subject may take: the portable functions of the 64-bit formats cost
 // up to half a million cycles a call.
 constexpr std::uint64_t cycle_budget = 1'000'000'000;
+
+// Log-uniform ones reach every binade, uniform ones every pattern of bits.
+constexpr operands::OperandClass random_classes[] = {
+    operands::OperandClass::physics, operands::OperandClass::full, operands::OperandClass::uniform};
 
 struct Comparison {
     const simulator::Elf* program;
@@ -36,6 +41,22 @@ struct Comparison {
     std::uint64_t mismatches = 0;
     reference::Witness first_mismatch{};
     simulator::Coverage coverage{};
+};
+
+// A row of kernels.csv.
+struct Kernel {
+    std::string operation, format, implementation;
+    std::string inputs;
+    std::uint64_t compared, mismatches;
+    std::string first_mismatch;
+    std::size_t instructions_unreached;
+
+    static constexpr auto columns = std::tuple(
+        column("operation", &Kernel::operation), column("format", &Kernel::format),
+        column("implementation", &Kernel::implementation), column("inputs", &Kernel::inputs),
+        column("compared", &Kernel::compared), column("mismatches", &Kernel::mismatches),
+        column("first_mismatch", &Kernel::first_mismatch),
+        column("instructions_unreached", &Kernel::instructions_unreached));
 };
 
 void compare(DeviceSubject& device, Comparison& comparison, Raws operands) {
@@ -64,8 +85,8 @@ void run(Comparison& comparison, std::uint64_t samples) {
     }
     Operands operands{};
     const std::span used(operands.data(), device.arity());
-    if (comparison.host->input_bits <= 16) {
-        for (std::uint64_t i = 0; i < std::uint64_t(1) << comparison.host->input_bits; ++i) {
+    if (comparison.host->input_bits() <= 16) {
+        for (std::uint64_t i = 0; i < std::uint64_t(1) << comparison.host->input_bits(); ++i) {
             for (std::size_t k = 0; k < used.size(); ++k) {
                 used[k] =
                     subject.operand_format.sign_extend(i >> (k * subject.operand_format.width));
@@ -74,11 +95,11 @@ void run(Comparison& comparison, std::uint64_t samples) {
         }
         return;
     }
-    for (const operands::OperandClass each :
-         {operands::OperandClass::physics, operands::OperandClass::full}) {
+    for (const operands::OperandClass each : random_classes) {
         operands::Sampler sampler(subject.operation, subject.operand_format, each, 2);
-        const std::uint64_t limit = comparison.cycles + cycle_budget / 2;
-        for (std::uint64_t i = 0; i < samples / 2 && comparison.cycles < limit; ++i) {
+        const std::uint64_t limit = comparison.cycles + cycle_budget / std::size(random_classes);
+        for (std::uint64_t i = 0;
+             i < samples / std::size(random_classes) && comparison.cycles < limit; ++i) {
             sampler.next(used);
             compare(device, comparison, used);
         }
@@ -112,17 +133,15 @@ std::uint64_t verify_kernels(const VerifyOptions& options) {
     for (const Comparison& each : comparisons) coverage[each.program].merge(each.coverage);
 
     std::uint64_t failures = 0;
-    records::Table table({"operation", "format", "implementation", "inputs", "compared",
-                          "mismatches", "first_mismatch", "instructions_unreached"});
+    std::vector<Kernel> kernels;
     for (const Comparison& each : comparisons) {
         const simulator::Elf& program = *each.program;
         const std::size_t unreached =
             coverage[&program].missed(program, program.function(each.host->name())).size();
-        table.add({operation_name(each.host->subject),
-                   reference::format_name(each.host->subject.format), each.host->implementation,
-                   each.host->input_bits <= 16 ? "all" : "boundary, random",
-                   fmt::to_string(each.compared), fmt::to_string(each.mismatches),
-                   text_of(each.first_mismatch), fmt::to_string(unreached)});
+        kernels.push_back(
+            {operation_name(each.host->subject), reference::format_name(each.host->subject.format),
+             each.host->implementation, each.host->input_bits() <= 16 ? "all" : "boundary, random",
+             each.compared, each.mismatches, text_of(each.first_mismatch), unreached});
         if (each.mismatches != 0) {
             ++failures;
             fmt::print(stderr, "{}: {} of {} results differ from the host, the first: {}\n",
@@ -130,7 +149,7 @@ std::uint64_t verify_kernels(const VerifyOptions& options) {
                        text_of(each.first_mismatch));
         }
     }
-    table.save(options.output / "kernels.csv");
+    records::table_of(kernels).save(options.output / "kernels.csv");
     return failures;
 }
 

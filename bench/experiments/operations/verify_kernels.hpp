@@ -21,9 +21,9 @@ struct VerifyOptions {
 };
 
 // Runs each subject that the host has too on its boundary table, on random operands of the classes
-// physics and full, and on all inputs where there are at most 65536. Writes kernels.csv and returns
-// how many subjects differ from the host. Throws simulator::SimulationError
-// where a call breaks the calling convention.
+// physics, full and uniform, and on all inputs where there are at most 65536. Writes kernels.csv
+// and returns how many subjects differ from the host. Throws simulator::SimulationError where a
+// call breaks the calling convention.
 std::uint64_t verify_kernels(const VerifyOptions& options);
 
 }  // namespace operations

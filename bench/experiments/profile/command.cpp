@@ -15,6 +15,7 @@
 #include "bench/chip/profile/profiler.hpp"
 #include "bench/chip/profile/report.hpp"
 #include "bench/chip/profile/stack_bound.hpp"
+#include "bench/experiments/profile/files.hpp"
 #include "bench/lab/records/progress.hpp"
 
 namespace profile {

@@ -13,12 +13,12 @@
 #include <stdexcept>
 #include <vector>
 
+#include "bench/chip/simulator/chip.hpp"
+#include "bench/chip/simulator/device_function.hpp"
+#include "bench/experiments/scenes/call_trace.hpp"
 #include "bench/lab/parallel.hpp"
 #include "bench/lab/records/csv.hpp"
 #include "bench/lab/records/progress.hpp"
-#include "bench/experiments/scenes/call_trace.hpp"
-#include "bench/chip/simulator/chip.hpp"
-#include "bench/chip/simulator/device_function.hpp"
 #include "reference/published.hpp"
 
 namespace scene_bench {
@@ -161,7 +161,6 @@ double milliseconds(double cycles) { return cycles * 1e3 / Chip::frequency; }
 double per_second(double cycles) { return Chip::frequency / cycles; }
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-constexpr double close_enough = 0.1;
 constexpr const char* explained = "explained";
 constexpr const char* not_reproducible = "not reproducible";
 
@@ -179,7 +178,7 @@ class Sheet {
             if (figure.quantity != quantity || figure.arithmetic != arithmetic) continue;
             const double ratio = measured / figure.value;
             add(quantity, arithmetic, figure.value, measured, figure.unit, ratio,
-                std::abs(ratio - 1) <= close_enough ? "reproduced" : otherwise, reason);
+                reference::within_10_percent(ratio) ? "reproduced" : otherwise, reason);
             return;
         }
         throw std::logic_error("no published figure: " + quantity);
@@ -268,11 +267,12 @@ void compare_published(Sheet& sheet, const Runs& runs, const Rounds& rounds) {
         "a prediction for a full 64-bit division, which skips the quotient's leading zero "
         "bytes; " +
             span(division));
-    sheet.compare("object_size", who, steps.particle_bytes,
-                  "52 bytes are four vectors and a number: position, velocity, acceleration, force, "
-                  "inverse mass; ours has no acceleration, and holds displacement, radius and "
-                  "damping, which the original counts among its 16 bytes of attributes",
-                  explained);
+    sheet.compare(
+        "object_size", who, steps.particle_bytes,
+        "52 bytes are four vectors and a number: position, velocity, acceleration, force, "
+        "inverse mass; ours has no acceleration, and holds displacement, radius and "
+        "damping, which the original counts among its 16 bytes of attributes",
+        explained);
 }
 
 // Each arithmetic on the same source: at the same flags and at the best.

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <engine/decimal.hpp>
 #include <engine/time_step.hpp>
+#include <engine/validity.hpp>
 
 #include "bench/experiments/stability/recorder.hpp"
 
@@ -57,16 +58,16 @@ class AnyFormat {
     friend AnyFormat operator/(AnyFormat a, AnyFormat b) {
         if (b.raw_ == 0) {
             tell(Event::division_by_zero, Operation::divide);
-            return a.raw_ == 0 ? AnyFormat() : clamped(a.raw_ < 0 ? -limit() - 1 : limit());
+            return a.raw_ == 0 ? AnyFormat() : saturated(a.raw_ < 0 ? -limit() - 1 : limit());
         }
         // floor(a / b + 1/2) with a positive divisor b: floor((a + floor(b / 2)) / b), since there
         // is no tie where b is odd.
         const Wide numerator = (Wide(a.raw_) << fraction()) * (b.raw_ < 0 ? -1 : 1);
         const Wide divisor = b.raw_ < 0 ? -Wide(b.raw_) : Wide(b.raw_);
         const Wide quotient = floored(numerator + divisor / 2, divisor);
-        if (quotient != clamped(quotient).raw_) tell(Event::overflow, Operation::divide);
+        if (quotient != saturated(quotient).raw_) tell(Event::overflow, Operation::divide);
         if (quotient == 0 && a.raw_ != 0) tell(Event::underflow, Operation::divide);
-        return clamped(quotient);
+        return saturated(quotient);
     }
     AnyFormat& operator+=(AnyFormat b) { return *this = *this + b; }
     AnyFormat& operator-=(AnyFormat b) { return *this = *this - b; }
@@ -92,19 +93,19 @@ class AnyFormat {
             sum += static_cast<unsigned __int128>(Wide(v[i].raw_) * v[i].raw_);
         const Wide root = rounded_root(sum);
         if (root > limit()) tell(Event::overflow, Operation::length);
-        return clamped(root);
+        return saturated(root);
     }
-    friend AnyFormat product_plus(AnyFormat a, AnyFormat b, AnyFormat c) {
+    static AnyFormat multiply_add(AnyFormat a, AnyFormat b, AnyFormat c) {
         const Wide exact = Wide(a.raw_) * b.raw_;
         if (a.raw_ != 0 && b.raw_ != 0 && rounded(exact, fraction()) == 0)
             tell(Event::underflow, Operation::multiply_add);
         return product(exact + (Wide(c.raw_) << fraction()), false, Operation::multiply_add);
     }
-    friend AnyFormat clamped_sum(AnyFormat a, AnyFormat b) {
-        return clamped(Wide(a.raw_) + b.raw_);
+    friend AnyFormat saturating_sum(AnyFormat a, AnyFormat b) {
+        return saturated(Wide(a.raw_) + b.raw_);
     }
-    friend AnyFormat clamped_product(AnyFormat a, AnyFormat b) {
-        return clamped(rounded(Wide(a.raw_) * b.raw_, fraction()));
+    friend AnyFormat saturating_product(AnyFormat a, AnyFormat b) {
+        return saturated(rounded(Wide(a.raw_) * b.raw_, fraction()));
     }
     // a / 2^count.
     friend AnyFormat scaled_down(AnyFormat a, int count) {
@@ -134,13 +135,13 @@ class AnyFormat {
     static Wide rounded(Wide a, int count) {
         return count == 0 ? a : (a + (Wide(1) << (count - 1))) >> count;
     }
-    static AnyFormat clamped(Wide raw) {
+    static AnyFormat saturated(Wide raw) {
         return from_raw(static_cast<std::int64_t>(raw > limit()        ? limit()
                                                   : raw < -limit() - 1 ? -limit() - 1
                                                                        : raw));
     }
     static AnyFormat wrapped(Wide raw, Operation operation) {
-        const AnyFormat fitting = clamped(raw);
+        const AnyFormat fitting = saturated(raw);
         if (fitting.raw_ == raw) return fitting;
         tell(Event::overflow, operation);
         const int spare = 64 - split().width();
@@ -172,6 +173,20 @@ struct DecimalIn<stability::AnyFormat, digits, places> {
     static stability::AnyFormat value() {
         bool fits;
         return stability::AnyFormat::nearest(digits / std::pow(10.0, places), fits);
+    }
+};
+
+template <>
+struct MultiplyAdd<stability::AnyFormat> {
+    using Number = stability::AnyFormat;
+    static Number of(Number a, Number b, Number c) { return Number::multiply_add(a, b, c); }
+};
+
+template <>
+struct NormalTolerance<stability::AnyFormat> {
+    static stability::AnyFormat value() {
+        const int fraction = stability::AnyFormat::split().fraction_bits;
+        return stability::AnyFormat::from_raw(fraction > 10 ? std::int64_t(1) << (fraction - 8) : 4);
     }
 };
 

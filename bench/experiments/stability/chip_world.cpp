@@ -48,7 +48,7 @@ ChipWorld::ChipWorld(const std::filesystem::path& program, const Description& de
 void ChipWorld::call(const char* function, std::initializer_list<double> numbers, int a, int b) {
     std::vector<std::uint8_t> bytes;
     for (const double number : numbers) {
-        const std::int32_t raw = fixedpoint::from_float<fixedpoint::Q16_16>(number).number.raw();
+        const std::int32_t raw = fixedpoint::from_float<fixedpoint::Q16_16>(number).raw();
         const auto* const first = reinterpret_cast<const std::uint8_t*>(&raw);
         bytes.insert(bytes.end(), first, first + sizeof raw);
     }

@@ -100,13 +100,13 @@ struct Impulses : scenes::SemiImplicit {
             if (!row.acts(world, velocity, goal)) return false;
             const Scalar change = goal - velocity;
             if (change == Scalar()) return false;
-            auto& a = world.particles()[row.a];
+            auto& a = world.step_particles()[row.a];
             Scalar total = a.inverse_mass;
             if (is_particle(world, row.b)) total += world.particles()[row.b].inverse_mass;
             const Scalar impulse = change / total;
             a.velocity.add_scaled(row.normal, impulse * a.inverse_mass);
             if (is_particle(world, row.b)) {
-                auto& b = world.particles()[row.b];
+                auto& b = world.step_particles()[row.b];
                 b.velocity.add_scaled(row.normal, -(impulse * b.inverse_mass));
             }
             return true;
@@ -130,7 +130,7 @@ struct ConstantForces {
     typename World::Vector force[World::capacity];
     void apply(World& world) const {
         for (typename World::Index i = 0; i < world.particles().size(); ++i) {
-            world.particles()[i].force += force[i];
+            world.step_particles()[i].force += force[i];
         }
     }
 };

@@ -39,8 +39,8 @@ Description describe() {
     Description made;
     if constexpr (World::Uses::gravity) made.gravity = point(world.gravity);
     if constexpr (World::bounces) {
-        made.restitution = world.restitution;
-        made.restitution_threshold = world.restitution_threshold;
+        made.restitution = world.restitution();
+        made.restitution_threshold = world.restitution_threshold();
     }
     if constexpr (World::Uses::custom_force) world.custom_force().apply(world);
     for (const auto& particle : world.particles()) {

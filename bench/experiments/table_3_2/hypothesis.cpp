@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "bench/lab/records/csv.hpp"
+#include "reference/published.hpp"
 
 namespace table_3_2 {
 
@@ -34,7 +35,7 @@ std::vector<Fit> fits_of(const Program& program, const std::vector<Published>& p
             for (const Published& row : published) {
                 const double ratio = quick_ms(harness, fit.hypothesis, row.cell) / row.ms;
                 fit.log_ratio_sum += std::abs(std::log(ratio));
-                fit.within_10_percent += within_10_percent(ratio);
+                fit.within_10_percent += reference::within_10_percent(ratio);
             }
             fits.push_back(fit);
         }
@@ -43,8 +44,6 @@ std::vector<Fit> fits_of(const Program& program, const std::vector<Published>& p
 }
 
 }  // namespace
-
-bool within_10_percent(double ratio) { return std::abs(ratio - 1) <= 0.1; }
 
 std::vector<Published> load_published(const std::filesystem::path& directory) {
     std::vector<Published> published;

@@ -48,8 +48,6 @@ const std::vector<Operands>& operand_pairs();
 // Short measurements: a few passes of the loop, without the timer's interrupt (half a percent).
 double quick_ms(Harness& harness, const Hypothesis& hypothesis, const Cell& cell);
 
-bool within_10_percent(double ratio);
-
 struct Fit {
     Hypothesis hypothesis;
     double log_ratio_sum = 0;  // over the rows, of |log(measured / published)|

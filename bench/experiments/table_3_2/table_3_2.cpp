@@ -10,8 +10,9 @@
 #include <memory>
 #include <numeric>
 
-#include "bench/lab/records/progress.hpp"
 #include "bench/experiments/table_3_2/division.hpp"
+#include "bench/lab/records/progress.hpp"
+#include "reference/published.hpp"
 
 namespace table_3_2 {
 
@@ -101,7 +102,7 @@ std::optional<Alternative> nearest_alternative(const Published& row, const Hypot
     for (const Candidate& candidate : candidates) {
         if (candidate.miss > 0.1) continue;
         const Alternative alternative = measured(candidate);
-        if (within_10_percent(alternative.ms / row.ms)) return alternative;
+        if (reference::within_10_percent(alternative.ms / row.ms)) return alternative;
     }
     if (candidates.empty()) return std::nullopt;
     return measured(
@@ -159,7 +160,7 @@ std::string remark(const Cell& cell, const DivisionStudy& study, const Operands&
 Verdict judge(double published_ms, double measured_ms, const Hypothesis& hypothesis,
               const std::optional<Alternative>& nearest, int tried) {
     const double ratio = measured_ms / published_ms;
-    if (within_10_percent(ratio)) {
+    if (reference::within_10_percent(ratio)) {
         return {"reproduced",
                 fmt::format("{:+.1f}% under the single best hypothesis", (ratio - 1) * 100)};
     }
@@ -168,7 +169,7 @@ Verdict judge(double published_ms, double measured_ms, const Hypothesis& hypothe
     const std::string change =
         fmt::format("{:.0f} ms ({:+.1f}%) with {}", nearest->ms, (nearest_ratio - 1) * 100,
                     change_in_words(hypothesis, nearest->hypothesis));
-    if (within_10_percent(nearest_ratio)) return {"explained", change};
+    if (reference::within_10_percent(nearest_ratio)) return {"explained", change};
     return {"not reproducible", fmt::format("nearest of {} alternatives: {}", tried, change)};
 }
 
@@ -219,7 +220,7 @@ void measure_table_3_2(const Options& options) {
         const double ms = harnesses[best.program].milliseconds(best.form, row.cell, best.operands);
         std::optional<Alternative> nearest;
         int tried = 0;
-        if (!within_10_percent(ms / row.ms)) {
+        if (!reference::within_10_percent(ms / row.ms)) {
             nearest = nearest_alternative(row, best, programs, harnesses, tried);
         }
         Verdict verdict = judge(row.ms, ms, best, nearest, tried);

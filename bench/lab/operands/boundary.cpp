@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -10,13 +11,23 @@
 namespace operands {
 namespace {
 
-using reference::Integer;
 using reference::NumberFormat;
 using reference::Operation;
-using reference::Rational;
+
+__extension__ using Integer = __int128;  // holds 2^(2 F)
 
 // The first description of a raw stays.
 using Table = std::map<std::int64_t, std::string>;
+
+// floor(sqrt(square)), by bisection.
+Integer root_of(Integer square) {
+    Integer low = 0, high = Integer(1) << 63;
+    while (high - low > 1) {
+        const Integer middle = (low + high) / 2;
+        (middle * middle <= square ? low : high) = middle;
+    }
+    return low;
+}
 
 // What a format does not hold is left out.
 class FixedTable {
@@ -76,11 +87,11 @@ class FixedTable {
 
     void function_borders() {
         const Integer max = format_.max();
-        const Integer root = sqrt(Integer((max << F_) + (Integer(1) << F_) - 1));
+        const Integer root = root_of((max << F_) + (Integer(1) << F_) - 1);
         around("the largest number whose square fits", root);
         around("the smallest number whose square fits", -root);
         around("the largest number whose three equal squares sum up to one that fits",
-               sqrt(Integer(((max << F_) + (Integer(1) << F_) - 1) / 3)));
+               root_of(((max << F_) + (Integer(1) << F_) - 1) / 3));
         const Integer reciprocal = ((Integer(1) << (2 * F_)) + max - 1) / max;
         around("the smallest number whose reciprocal fits", reciprocal);
         around("the negative of the smallest number whose reciprocal fits", -reciprocal);
@@ -180,7 +191,11 @@ std::vector<BoundaryCase> ties(Operation operation, const NumberFormat& format) 
 
 // A few operands of the table for operations of three and more.
 std::vector<BoundaryOperand> few(const NumberFormat& format, std::size_t count) {
-    const auto nearest = [&](int number) { return reference::nearest_raw(format, number); };
+    const auto nearest = [&](int number) {
+        if (format.is_float()) return reference::raw_of_float(float(number));
+        return std::int64_t(std::clamp(Integer(number) << format.fraction, Integer(format.min()),
+                                       Integer(format.max())));
+    };
     const std::vector<BoundaryOperand> by_weight = {
         {format.max(), "MAX"}, {format.min(), "MIN"}, {nearest(-1), "-1"}, {1, "1 ulp"},
         {nearest(0), "0"},     {nearest(1), "1"},     {-1, "-1 ulp"},      {nearest(3), "3"},
@@ -226,8 +241,7 @@ std::vector<BoundaryOperand> boundary_operands(const NumberFormat& format) {
 }
 
 std::vector<BoundaryCase> boundary_cases(Operation operation, const NumberFormat& format) {
-    if (operation == Operation::shift_left || operation == Operation::shift_right)
-        return shifts(format);
+    if (reference::is_shift(operation)) return shifts(format);
     const std::size_t arity = reference::shape(operation).operands;
     switch (arity) {
         case 1:

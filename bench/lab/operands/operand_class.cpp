@@ -20,12 +20,8 @@ __extension__ using Unsigned128 = unsigned __int128;
 constexpr double physics_least = 0.01, physics_greatest = 20;
 
 bool takes_positive_operands(Operation operation) {
-    return operation == Operation::sqrt || operation == Operation::reciprocal_sqrt ||
-           operation == Operation::log;
-}
-
-bool is_shift(Operation operation) {
-    return operation == Operation::shift_left || operation == Operation::shift_right;
+    const reference::Domain domain = reference::shape(operation).domain;
+    return domain == reference::Domain::not_negative || domain == reference::Domain::positive;
 }
 
 // The raw nearest to mantissa 2^(exponent - 63), the mantissa's top bit being set, among the
@@ -48,6 +44,8 @@ std::string_view class_name(OperandClass operand_class) {
             return "physics";
         case OperandClass::full:
             return "full";
+        case OperandClass::uniform:
+            return "uniform";
         case OperandClass::published:
             return "published";
     }
@@ -58,8 +56,11 @@ OperandClass parse_class(std::string_view name) {
     for (const OperandClass candidate : operand_classes) {
         if (class_name(candidate) == name) return candidate;
     }
-    throw std::invalid_argument(fmt::format(
-        "unknown operand class '{}': allowed are small, physics, full, published", name));
+    std::string allowed;
+    for (const OperandClass each : operand_classes)
+        allowed += fmt::format("{}{}", allowed.empty() ? "" : ", ", class_name(each));
+    throw std::invalid_argument(
+        fmt::format("unknown operand class '{}': allowed are {}", name, allowed));
 }
 
 Sampler::Sampler(Operation operation, const NumberFormat& format, OperandClass operand_class,
@@ -76,15 +77,26 @@ void Sampler::next(std::span<std::int64_t> operands) {
             operands[i] = draw();
         }
     }
-    if (is_shift(operation_)) operands[1] = below(format_.width);
+    if (reference::is_shift(operation_)) operands[1] = below(format_.width);
 }
 
 std::int64_t Sampler::draw() {
+    const bool positive = takes_positive_operands(operation_);
+    if (class_ == OperandClass::uniform) return draw_uniform(positive);
     const std::int64_t magnitude = draw_magnitude();
-    const bool negative = !takes_positive_operands(operation_) && (random_() >> 63) != 0;
+    const bool negative = !positive && (random_() >> 63) != 0;
     if (!negative) return magnitude;
     return format_.is_float() ? format_.sign_extend(std::uint64_t(magnitude) | 0x80000000)
                               : -magnitude;
+}
+
+std::int64_t Sampler::draw_uniform(bool positive) {
+    for (;;) {
+        const std::uint64_t sign_bit = std::uint64_t(1) << (format_.width - 1);
+        const std::uint64_t pattern = random_() >> (64 - format_.width);
+        const std::int64_t raw = format_.sign_extend(positive ? pattern & ~sign_bit : pattern);
+        if (reference::is_finite(format_, raw)) return raw;
+    }
 }
 
 std::int64_t Sampler::draw_magnitude() {

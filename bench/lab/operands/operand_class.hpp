@@ -12,10 +12,10 @@
 
 namespace operands {
 
-// A class's range is clipped to the magnitudes that the format holds; no class draws 0 or MIN,
-// which the boundary tables hold. Signs are even, but sqrt, reciprocal_sqrt and log get positive
-// operands only: outside their domain they do no work worth measuring. The count of a shift is
-// uniform in 0..W-1 in every class.
+// A class's range is clipped to the magnitudes that the format holds; no class but `uniform` draws
+// 0 or MIN, which the boundary tables hold. Signs are even, but sqrt, reciprocal_sqrt and log get
+// positive operands only: outside their domain they do no work worth measuring. The count of a
+// shift is uniform in 0..W-1 in every class.
 enum class OperandClass {
     // Uniform over the numbers with 0 < |x| < 1 (float: over the multiples of 2^-24; integers have
     // none, which leaves +-1).
@@ -24,12 +24,17 @@ enum class OperandClass {
     physics,
     // Log-uniform over all magnitudes of the format (float: over all normal ones).
     full,
+    // Every raw of the format with the same probability (float: every finite pattern). Most have
+    // the
+    // largest magnitudes, and all their bits are random: what log-uniform operands seldom have.
+    uniform,
     // The operands of the published timing harness, the same at every draw.
     published,
 };
 
 inline constexpr OperandClass operand_classes[] = {OperandClass::small, OperandClass::physics,
-                                                   OperandClass::full, OperandClass::published};
+                                                   OperandClass::full, OperandClass::uniform,
+                                                   OperandClass::published};
 
 std::string_view class_name(OperandClass operand_class);
 // Throws std::invalid_argument that lists the classes.
@@ -51,6 +56,7 @@ class Sampler {
 
   private:
     std::int64_t draw();
+    std::int64_t draw_uniform(bool positive);
     std::int64_t draw_magnitude();
     std::int64_t log_uniform(double least, double greatest);
     std::int64_t below(std::int64_t count);

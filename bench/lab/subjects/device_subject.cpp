@@ -5,92 +5,57 @@
 
 namespace operations {
 
-namespace {
-
-using reference::Operation;
-
-constexpr int pointer = 2;
-
-std::uint16_t size_of_operands(const reference::Subject& subject) {
-    return static_cast<std::uint16_t>(reference::shape(subject.operation).operands *
-                                      subject.format.width / 8);
-}
-
-std::uint16_t size_of_results(const reference::Subject& subject) {
-    return static_cast<std::uint16_t>(reference::shape(subject.operation).results *
-                                      subject.format.width / 8);
-}
-
-simulator::Signature signature_of(const reference::Subject& subject) {
-    const reference::OperationShape& shape = reference::shape(subject.operation);
-    const int bytes = subject.format.width / 8;
-    const int operand_bytes = subject.operand_format.width / 8;
-    simulator::Signature signature{shape.results > 1 ? 0 : bytes, {}};
-    if (const std::size_t vectors = reference::vector_operands(subject.operation)) {
-        signature.operands.assign(vectors, pointer);
-    } else {
-        signature.operands.assign(shape.operands, operand_bytes);
-        const bool shifts = subject.operation == Operation::shift_left ||
-                            subject.operation == Operation::shift_right;
-        if (shifts) signature.operands[1] = 1;
-    }
-    if (shape.results > 1) signature.operands.push_back(pointer);
-    return signature;
-}
-
-}  // namespace
-
 DeviceSubject::DeviceSubject(simulator::Chip& chip, const std::string& symbol)
     : chip_(chip),
       symbol_(symbol),
       named_(reference::parse_symbol(symbol)),
-      by_pointer_(reference::vector_operands(named_.subject.operation) > 0),
-      result_in_memory_(reference::shape(named_.subject.operation).results > 1),
-      operands_address_(by_pointer_ ? chip.allocate(size_of_operands(named_.subject)) : 0),
-      result_address_(result_in_memory_ ? chip.allocate(size_of_results(named_.subject)) : 0),
-      function_(chip, symbol, signature_of(named_.subject)) {}
+      calling_(calling_of(named_.subject)),
+      operands_address_(chip.allocate(
+          static_cast<std::uint16_t>(calling_.pointers.vectors * calling_.pointers.elements *
+                                     calling_.pointers.element_size))),
+      result_size_(
+          static_cast<std::uint16_t>(calling_.pointers.results * calling_.pointers.result_size)),
+      result_address_(chip.allocate(result_size_)),
+      function_(chip, symbol, calling_.signature) {}
 
 void DeviceSubject::forbid_stray_writes() {
     std::vector<simulator::DeviceFunction::Area> writable;
-    if (result_in_memory_) writable.push_back({result_address_, size_of_results(named_.subject)});
+    if (result_size_) writable.push_back({result_address_, result_size_});
     function_.forbid_writes_except(std::move(writable));
 }
 
 DeviceResult DeviceSubject::call(std::span<const std::int64_t> operands) {
     const reference::Subject& subject = named_.subject;
-    const int bytes = subject.format.width / 8;
+    const instructions::Pointers& pointers = calling_.pointers;
     std::array<std::uint64_t, reference::most_operands + 1> arguments;
     std::size_t count = 0;
-    if (by_pointer_) {
+    if (pointers.vectors) {
+        const auto bytes = static_cast<std::size_t>(pointers.element_size);
         for (std::size_t i = 0; i < operands.size(); ++i) {
             const auto low_bytes = reinterpret_cast<const std::uint8_t*>(&operands[i]);
             chip_.write(static_cast<std::uint16_t>(operands_address_ + i * bytes),
-                        {low_bytes, static_cast<std::size_t>(bytes)});
+                        {low_bytes, bytes});
         }
-        const std::size_t vectors = reference::vector_operands(subject.operation);
-        for (std::size_t i = 0; i < vectors; ++i) {
-            arguments[count++] = operands_address_ + operands.size() / vectors * i * bytes;
-        }
+        for (std::size_t i = 0; i < pointers.vectors; ++i)
+            arguments[count++] = operands_address_ + i * pointers.elements * bytes;
     } else {
-        for (const std::int64_t operand : operands) {
+        for (const std::int64_t operand : operands)
             arguments[count++] = static_cast<std::uint64_t>(operand);
-        }
     }
-    if (result_in_memory_) arguments[count++] = result_address_;
+    if (result_size_) arguments[count++] = result_address_;
 
     const simulator::Outcome outcome = function_.call({arguments.data(), count});
     DeviceResult result{{}, outcome.cycles, outcome.stack_bytes};
-    if (result_in_memory_) {
-        const std::size_t results = reference::shape(subject.operation).results;
-        for (std::size_t i = 0; i < results; ++i) {
-            std::uint64_t pattern = 0;
-            chip_.read(
-                static_cast<std::uint16_t>(result_address_ + i * bytes),
-                {reinterpret_cast<std::uint8_t*>(&pattern), static_cast<std::size_t>(bytes)});
-            result.raws[i] = subject.format.sign_extend(pattern);
-        }
-    } else {
+    if (!result_size_) {
         result.raws[0] = subject.format.sign_extend(outcome.result);
+        return result;
+    }
+    const auto bytes = static_cast<std::size_t>(pointers.result_size);
+    for (std::size_t i = 0; i < pointers.results; ++i) {
+        std::uint64_t pattern = 0;
+        chip_.read(static_cast<std::uint16_t>(result_address_ + i * bytes),
+                   {reinterpret_cast<std::uint8_t*>(&pattern), bytes});
+        result.raws[i] = subject.format.sign_extend(pattern);
     }
     return result;
 }

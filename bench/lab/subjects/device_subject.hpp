@@ -11,6 +11,7 @@
 
 #include "bench/chip/simulator/chip.hpp"
 #include "bench/chip/simulator/device_function.hpp"
+#include "bench/lab/subjects/calling.hpp"
 #include "reference/operation.hpp"
 
 namespace operations {
@@ -43,10 +44,9 @@ class DeviceSubject {
     simulator::Chip& chip_;
     std::string symbol_;
     reference::NamedSubject named_;
-    bool by_pointer_;  // operands lie in memory as vectors
-    bool result_in_memory_;
-    std::uint16_t operands_address_;
-    std::uint16_t result_address_;
+    Calling calling_;
+    std::uint16_t operands_address_;              // of vectors
+    std::uint16_t result_size_, result_address_;  // of results that go through a pointer
     simulator::DeviceFunction function_;
 };
 

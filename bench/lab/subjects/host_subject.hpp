@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The subjects on the host: the source that the device compiles, or the portable twin of its
-// assembly, with the same results bit for bit.
+// The subjects on the host: the source that the device compiles, or the portable implementation of
+// its assembly, with the same results bit for bit.
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,25 +18,32 @@ using Raws = std::span<const std::int64_t>;
 // An exhaustive run is divided into this many parts, whatever the number of threads: its sums then
 // do not depend on the machine.
 constexpr std::uint64_t exhaustive_parts = 256;
+constexpr int exhaustive_bits = 32;
 
 struct HostSubject {
     reference::Subject subject;
     std::string implementation;
-    int input_bits;  // of all operands together
     // Whether the results are those of the default by definition, and only the device's code
     // differs.
     bool same_as_default;
-    // Computes the results of the operands.
-    std::function<void(Raws operands, std::span<std::int64_t> results)> evaluate;
-    // Computes and judges.
-    std::function<reference::Judgement(Raws operands)> judge;
-    // The errors over one of exhaustive_parts parts of the input space; empty where it has more
-    // than 2^32 points.
-    std::function<reference::ErrorStatistics(std::uint64_t part)> exhaust;
+
+    // Of any number of calls, their raws one after the other.
+    void (*evaluate)(Raws operands, std::span<std::int64_t> results);
+    void (*judge_all)(Raws operands, Raws results, reference::ErrorStatistics& statistics);
+    // Of one call.
+    reference::Judgement (*judge)(Raws operands, Raws results);
 
     std::string name() const;  // as the symbol of the device subject
+    int input_bits() const;    // of all operands together
+
+    // Computes and judges one call.
+    reference::Judgement judge_own(Raws operands) const;
+    // The errors over one of exhaustive_parts parts of the input space. Precondition: it has at
+    // most 2^exhaustive_bits points.
+    reference::ErrorStatistics exhaust(std::uint64_t part) const;
 };
 
+// By format in the catalogue's order, then by implementation; conversions last.
 const std::vector<HostSubject>& host_subjects();
 
 // The operation as symbols and tables name it: of a conversion with the format it starts from.

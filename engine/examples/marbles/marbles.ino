@@ -5,7 +5,7 @@
 
 using namespace engine;
 using namespace engine::literals;
-using Number = Clamped<16, 16>;
+using Number = SaturatingFixed<16, 16>;
 
 struct Tray : Uses {
     static constexpr unsigned particles = 4, anchored_springs = 1, planes = 4;

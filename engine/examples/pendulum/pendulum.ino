@@ -4,7 +4,7 @@
 
 using namespace engine;
 using namespace engine::literals;
-using Number = Clamped<16, 16>;
+using Number = SaturatingFixed<16, 16>;
 
 struct Pendulum : Uses {
     static constexpr unsigned particles = 1, anchored_rods = 1;

@@ -21,7 +21,7 @@ void constrain(const Rod<Scalar, Ends>& rod, World& world, TimeStep dt) {
     const Scalar distance = length(difference);
     if (distance == Scalar()) return world.report(Error::no_direction);
     World::Solver::rod(world, rod.ends.a, rod.ends.second(), divided(difference, distance),
-                         distance - rod.length, rod.length, dt);
+                       distance - rod.length, rod.length, dt);
 }
 
 // Where a rope is taut or longer.
@@ -32,20 +32,20 @@ void constrain(const Rope<Scalar, Ends>& rope, World& world, TimeStep dt) {
     const Scalar distance = length(difference);
     if (distance < rope.length) return;
     World::Solver::rope(world, rope.ends.a, rope.ends.second(), divided(difference, distance),
-                          distance - rope.length, rope.length, rope.restitution, dt);
+                        distance - rope.length, rope.length, rope.restitution, dt);
 }
 
 // Where a particle reaches into a plane.
 template <class World, class Scalar, class Vector, class Index, class TimeStep>
 void constrain(const Plane<Scalar, Vector>& plane, Index a, World& world, TimeStep dt) {
     observe<Scalar>(Quantity::plane);
-    const auto& particle = world.particles()[a];
+    const auto& particle = world.step_particles()[a];
     if (!movable(particle)) return;
     Scalar height = dot(plane.normal, particle.position) - plane.offset;
     only_if<World::Uses::radii>(particle, [&](auto& sphere) { height -= sphere.radius; });
     if (height < Scalar()) {
         World::Solver::contact(world, a, nothing<Index>, plane.normal, -height, plane.restitution,
-                                 dt);
+                               dt);
     }
 }
 
@@ -57,8 +57,8 @@ void collide(Index a, Index b, World& world, TimeStep dt) {
     using namespace literals;
     using Scalar = typename World::Scalar;
     observe<Scalar>(Quantity::contact);
-    const auto& first = world.particles()[a];
-    const auto& second = world.particles()[b];
+    const auto& first = world.step_particles()[a];
+    const auto& second = world.step_particles()[b];
     const Scalar reach = first.radius + second.radius;
     const auto difference = first.position - second.position;
     for (unsigned char i = 0; i < World::dimensions; ++i) {
@@ -69,7 +69,7 @@ void collide(Index a, Index b, World& world, TimeStep dt) {
     if (!(distance < reach)) return;
     auto normal = divided(difference, distance);
     if (distance == Scalar()) normal[0] = 1_d;
-    World::Solver::contact(world, a, b, normal, reach - distance, world.restitution, dt);
+    World::Solver::contact(world, a, b, normal, reach - distance, world.restitution(), dt);
 }
 
 }  // namespace engine

@@ -52,7 +52,7 @@ template <int I, int F, class A, int64_t digits, unsigned char places>
 struct DecimalIn<Fixed<I, F, A>, digits, places> {
     using Number = Fixed<I, F, A>;
     static constexpr Number value() {
-        constexpr auto rounded = fixedpoint::from_decimal<Number>(digits, places);
+        constexpr auto rounded = fixedpoint::from_decimal_checked<Number>(digits, places);
         static_assert(rounded.fits, "This decimal constant lies outside the range of the format.");
         constexpr typename Number::Raw raw = rounded.number.raw();
         return Number::from_raw(raw);
@@ -63,6 +63,9 @@ template <int64_t digits, unsigned char places>
 struct Decimal {
     template <class Scalar>
     constexpr operator Scalar() const {
+        static_assert(!fixedpoint::BuiltinNumber<Scalar>::is_integer,
+                      "A decimal constant is a fixed-point or floating-point number: an integer "
+                      "would lose its fraction.");
         return DecimalIn<Scalar, digits, places>::value();
     }
     constexpr Decimal<-digits, places> operator-() const { return {}; }

@@ -20,21 +20,21 @@ void apply(const Spring<Scalar, Ends>& spring, World& world) {
     const auto direction = divided(difference, distance);
     Scalar tension = spring.stiffness * (distance - spring.rest_length);
     if (!(spring.damping == Scalar())) {
-        tension =
-            product_plus(spring.damping, dot(relative_velocity(world, a, b), direction), tension);
+        tension = engine::multiply_add(spring.damping,
+                                       dot(relative_velocity(world, a, b), direction), tension);
     }
     const auto force = direction * tension;
-    world.particles()[a].force -= force;
-    if (is_particle(world, b)) world.particles()[b].force += force;
+    world.step_particles()[a].force -= force;
+    if (is_particle(world, b)) world.step_particles()[b].force += force;
 }
 
 template <class World, class Scalar, class Index>
 void apply(const Drag<Scalar, Index>& drag, World& world) {
     observe<Scalar>(Quantity::drag_force);
-    auto& particle = world.particles()[drag.particle];
+    auto& particle = world.step_particles()[drag.particle];
     Scalar factor = drag.linear;
     if (!(drag.quadratic == Scalar())) {
-        factor = product_plus(drag.quadratic, length(particle.velocity), factor);
+        factor = engine::multiply_add(drag.quadratic, length(particle.velocity), factor);
     }
     particle.force.add_scaled(particle.velocity, -factor);
 }

@@ -57,8 +57,17 @@ template <class Scalar, class Ends>
 struct Rope {
     Ends ends = {};
     Scalar length = Scalar();       // m
-    Scalar restitution = Scalar();  // of the jerk when it becomes taut
+    Scalar restitution = Scalar();  // 0..1 of the velocity at which it becomes taut
 };
+
+template <class Link>
+auto length_in(Link& link) -> decltype((link.length)) {
+    return link.length;
+}
+template <class Scalar, class Ends>
+Scalar& length_in(Spring<Scalar, Ends>& spring) {
+    return spring.rest_length;
+}
 
 // Slows a particle: force = -velocity (linear + quadratic |velocity|).
 template <class Scalar, class Index>

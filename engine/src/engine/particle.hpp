@@ -33,7 +33,7 @@ template <class Vector, bool used>
 struct Displacement {};
 template <class Vector>
 struct Displacement<Vector, true> {
-    Vector displacement;  // m, by the resolution of this step's contacts
+    Vector displacement;  // m, by what the solver moved it in this step
 };
 
 // How a rate moves what it is the rate of, over a step; with residuals, exactly.
@@ -50,15 +50,15 @@ struct Residuals {
 };
 template <class Vector>
 struct Residuals<Vector, true> {
-    Vector position_residue, velocity_residue;  // less than one ulp of each, times 2^K
+    Vector position_residual, velocity_residual;  // less than one ulp of each, times 2^K
 
     template <class TimeStep>
     void move(Vector& position, const Vector& velocity, TimeStep dt) {
-        carry(position, velocity, dt, position_residue);
+        carry(position, velocity, dt, position_residual);
     }
     template <class TimeStep>
     void accelerate(Vector& velocity, const Vector& acceleration, TimeStep dt) {
-        carry(velocity, acceleration, dt, velocity_residue);
+        carry(velocity, acceleration, dt, velocity_residual);
     }
 
   private:

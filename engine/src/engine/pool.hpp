@@ -1,25 +1,31 @@
 // SPDX-License-Identifier: MIT
-// Pool<T, capacity, Index>: up to `capacity` elements in place, no heap. Elements keep their index.
-// A pool of capacity 0 is an empty class, and loops over it compile to nothing.
+// Pool<T, capacity>: up to `capacity` elements in place, no heap. Elements keep their index. A pool
+// of capacity 0 is an empty class, and loops over it compile to nothing.
 #pragma once
 
 #include <stdint.h>
 
+#include <engine/choice.hpp>
 #include <engine/inline.hpp>
 
 namespace engine {
 
-template <class T, unsigned capacity, class Index>
-class Pool {
+// The smallest type that counts to `capacity`.
+template <unsigned capacity>
+struct CountTo {
+    static_assert(capacity <= 65535,
+                  "A pool holds at most 65535 elements: Uses states a larger capacity.");
+    using Type = typename Either<(capacity < 256), uint8_t, uint16_t>::Type;
+};
+
+// The elements of a pool, to be read and changed, but neither added nor removed. An index must be
+// less than size().
+template <class T, unsigned capacity>
+class Elements {
   public:
-    static constexpr Index size_limit = capacity;
+    using Index = typename CountTo<capacity>::Type;
 
     constexpr Index size() const { return size_; }
-    constexpr bool full() const { return size_ == capacity; }
-    constexpr void clear() { size_ = 0; }
-    // Needs !full(). The new element is still what it was made as, or what it was before clear().
-    constexpr T& append() { return (*this)[size_++]; }
-    constexpr T& append(const T& element) { return append() = element; }
 
     // Where there is room for one only, it needs no look-up.
     constexpr T& operator[](Index i) { return elements_[capacity == 1 ? 0 : i]; }
@@ -41,33 +47,50 @@ class Pool {
     }
 
   private:
-    template <class Pool, class Function>
-    ENGINE_INLINE static void visit(Pool& pool, Function& function) {
+    template <class Self, class Function>
+    ENGINE_INLINE static void visit(Self& self, Function& function) {
         if (capacity == 1) {
-            if (pool.size_ != 0) function(pool.elements_[0]);
+            if (self.size_ != 0) function(self.elements_[0]);
         } else {
-            for (auto& element : pool) function(element);
+            for (auto& element : self) function(element);
         }
     }
 
     T elements_[capacity]{};
+
+  protected:
     Index size_ = 0;
 };
 
-template <class T, class Index>
-class Pool<T, 0, Index> {
+template <class T>
+class Elements<T, 0> {
   public:
-    static constexpr Index size_limit = 0;
+    using Index = uint8_t;
 
     constexpr Index size() const { return 0; }
-    constexpr bool full() const { return true; }
-    constexpr void clear() {}
     constexpr T* begin() { return nullptr; }
     constexpr T* end() { return nullptr; }
     constexpr const T* begin() const { return nullptr; }
     constexpr const T* end() const { return nullptr; }
     template <class Function>
     void for_each(Function) const {}
+};
+
+template <class T, unsigned capacity>
+class Pool : public Elements<T, capacity> {
+  public:
+    constexpr bool full() const { return this->size_ == capacity; }
+    constexpr void clear() { this->size_ = 0; }
+    // Needs !full(). The new element is still what it was made as, or what it was before clear().
+    constexpr T& append() { return (*this)[this->size_++]; }
+    constexpr T& append(const T& element) { return append() = element; }
+};
+
+template <class T>
+class Pool<T, 0> : public Elements<T, 0> {
+  public:
+    constexpr bool full() const { return true; }
+    constexpr void clear() {}
 };
 
 }  // namespace engine

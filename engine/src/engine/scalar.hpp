@@ -6,6 +6,7 @@
 
 #include <math.h>
 
+#include <engine/inline.hpp>
 #include <fixedpoint/arithmetic/saturating.hpp>
 #include <fixedpoint/conversion.hpp>
 #include <fixedpoint/math.hpp>
@@ -15,11 +16,11 @@ namespace engine {
 
 using fixedpoint::Fixed;
 
-// The scalar of choice where nobody has bounded a scene's numbers: nothing wraps, what does not fit
-// stays at the end of the range, where it
-// is seen. A plain Fixed wraps, and is faster: for scenes of which it is known that they fit.
+// The scalar to begin with: nothing wraps, and what does not fit stays at the end of the range,
+// where it is seen. A plain Fixed wraps and takes fewer cycles: it is for scenes whose numbers are
+// known to fit.
 template <int I, int F>
-using Clamped = Fixed<I, F, fixedpoint::Saturating>;
+using SaturatingFixed = Fixed<I, F, fixedpoint::Saturating>;
 
 // The sum of a_i b_i over N components.
 template <int N, class Scalar>
@@ -36,32 +37,36 @@ Scalar length(const Scalar* v) {
     return sqrt(dot<N>(v, v));
 }
 
-// a b + c.
+// a + b and a b, at the end of the scalar's range where they leave it: for what is better too small
+// than of the wrong sign.
 template <class Scalar>
-constexpr Scalar product_plus(Scalar a, Scalar b, Scalar c) {
-    return a * b + c;
-}
-
-// a + b and a b, clamped to the scalar's range: for what is better too small than of the wrong
-// sign.
-template <class Scalar>
-constexpr Scalar clamped_sum(Scalar a, Scalar b) {
+constexpr Scalar saturating_sum(Scalar a, Scalar b) {
     return a + b;
 }
 template <int I, int F, class A>
-constexpr Fixed<I, F, A> clamped_sum(Fixed<I, F, A> a, Fixed<I, F, A> b) {
+constexpr Fixed<I, F, A> saturating_sum(Fixed<I, F, A> a, Fixed<I, F, A> b) {
     using Raw = typename Fixed<I, F, A>::Raw;
     return Fixed<I, F, A>::from_raw(fixedpoint::Saturating::template add<Raw, F>(a.raw(), b.raw()));
 }
 template <class Scalar>
-constexpr Scalar clamped_product(Scalar a, Scalar b) {
+constexpr Scalar saturating_product(Scalar a, Scalar b) {
     return a * b;
 }
 template <int I, int F, class A>
-constexpr Fixed<I, F, A> clamped_product(Fixed<I, F, A> a, Fixed<I, F, A> b) {
+constexpr Fixed<I, F, A> saturating_product(Fixed<I, F, A> a, Fixed<I, F, A> b) {
     using Raw = typename Fixed<I, F, A>::Raw;
     return Fixed<I, F, A>::from_raw(
         fixedpoint::Saturating::template multiply<Raw, F>(a.raw(), b.raw()));
+}
+
+// Whether a is neither infinite nor NaN, as every Fixed is.
+template <class Scalar>
+ENGINE_INLINE constexpr bool is_finite(Scalar a) {
+    return a - a == Scalar();
+}
+template <int I, int F, class A>
+constexpr bool is_finite(Fixed<I, F, A>) {
+    return true;
 }
 
 // |a|.
@@ -97,9 +102,36 @@ template <int N, int I, int F, class A>
 Compound<I, F, A> length(const Fixed<I, F, A>* v) {
     return N == 2 ? fixedpoint::length2(v) : fixedpoint::length3(v);
 }
+
+// a b + c: of a Fixed by fixedpoint::multiply_add, which rounds once. The engine calls it with its
+// namespace, since a plain multiply_add of Fixed numbers is the library's. A scalar that computes
+// it otherwise specialises MultiplyAdd.
+template <class Scalar>
+struct MultiplyAdd {
+    static ENGINE_INLINE constexpr Scalar of(Scalar a, Scalar b, Scalar c) { return a * b + c; }
+};
 template <int I, int F, class A>
-constexpr Compound<I, F, A> product_plus(Fixed<I, F, A> a, Fixed<I, F, A> b, Fixed<I, F, A> c) {
-    return fixedpoint::multiply_add(a, b, c);
+struct MultiplyAdd<Fixed<I, F, A>> {
+    using Number = Fixed<I, F, A>;
+    static ENGINE_INLINE constexpr Number of(Number a, Number b, Number c) {
+        return sum<A>(a, b, c, 0);
+    }
+
+  private:
+    // The first where the arithmetic rounds once: an int is the better match for 0.
+    template <class Arithmetic>
+    static ENGINE_INLINE constexpr Compound<I, F, Arithmetic> sum(Number a, Number b, Number c,
+                                                                  int) {
+        return fixedpoint::multiply_add(a, b, c);
+    }
+    template <class Arithmetic>
+    static ENGINE_INLINE constexpr Number sum(Number a, Number b, Number c, long) {
+        return a * b + c;
+    }
+};
+template <class Scalar>
+ENGINE_INLINE constexpr Scalar multiply_add(Scalar a, Scalar b, Scalar c) {
+    return MultiplyAdd<Scalar>::of(a, b, c);
 }
 
 }  // namespace engine

@@ -27,6 +27,7 @@ struct Seconds<Fixed<I, F, A>> {
     using Number = Fixed<I, F, A>;
     template <int K>
     static constexpr Number of(BinaryStep<K>) {
+        static_assert(I > 1 || K > 0, "A step of 1 s does not fit a format of one integer bit.");
         using Raw = typename Number::Raw;
         // Half an ulp rounds up to one, less to none.
         return Number::from_raw(F >= K ? Raw(1) << (F >= K ? F - K : 0) : Raw(F + 1 == K));
@@ -66,15 +67,15 @@ template <int I, int F, class A>
 constexpr Fixed<I, F, A> carried_shift(Fixed<I, F, A> a, unsigned char count,
                                        Fixed<I, F, A>& residual) {
     using Raw = typename Fixed<I, F, A>::Raw;
-    const auto sum = clamped_sum(a, residual);
+    const auto sum = saturating_sum(a, residual);
     const auto whole = sum >> count;
     const bool holds = count < I + F - 1;
     residual = Fixed<I, F, A>::from_raw(
         holds ? static_cast<Raw>(sum.raw() & ((Raw(1) << (holds ? count : 0)) - 1)) : Raw(0));
     return whole;
 }
-// a dt, of which what is less than one ulp waits in `residual` for the next product: over many binary
-// steps nothing is lost. Every other step, and every other scalar, rounds.
+// a dt, of which what is less than one ulp waits in `residual` for the next product: over many
+// binary steps nothing is lost. Every other step, and every other scalar, rounds.
 template <class Scalar, class TimeStep>
 constexpr Scalar carried_product(Scalar a, TimeStep dt, Scalar&) {
     return a * dt;

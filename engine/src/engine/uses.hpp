@@ -10,8 +10,8 @@
 // What is left at 0 or false is not compiled: no code, no table, no byte of RAM.
 #pragma once
 
-#include <engine/integrators/semi_implicit_euler.hpp>
 #include <engine/broad_phase/brute_force.hpp>
+#include <engine/integrators/semi_implicit_euler.hpp>
 #include <engine/solvers/projected_gauss_seidel.hpp>
 
 namespace engine {
@@ -59,7 +59,7 @@ struct Uses {
 // Whether anything in a scene pushes one way only: contacts and ropes.
 template <class SceneUses>
 constexpr bool may_bounce() {
-    return SceneUses::contacts + SceneUses::ropes + SceneUses::anchored_ropes > 0;
+    return SceneUses::contacts > 0 || SceneUses::ropes > 0 || SceneUses::anchored_ropes > 0;
 }
 
 }  // namespace engine

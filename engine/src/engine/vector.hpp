@@ -71,7 +71,7 @@ struct Vector {
     // this + b factor, each component rounded once.
     ENGINE_INLINE Vector& add_scaled(const Vector& b, Scalar factor) {
         for_components<N>([&](unsigned char i) ENGINE_INLINE_LAMBDA {
-            component[i] = product_plus(b[i], factor, component[i]);
+            component[i] = engine::multiply_add(b[i], factor, component[i]);
         });
         return *this;
     }
@@ -122,7 +122,7 @@ Scalar squared_length(const Vector<Scalar, N>& v) {
     return dot(v, v);
 }
 
-// |v|; in the default fixed-point arithmetic no square overflows, and the result is clamped.
+// |v|; in the default fixed-point arithmetic no square overflows, and the result saturates.
 template <class Scalar, int N>
 Scalar length(const Vector<Scalar, N>& v) {
     return length<N>(v.component);
@@ -141,6 +141,11 @@ Vector<Scalar, N> divided(const Vector<Scalar, N>& v, Scalar divisor) {
     Vector<Scalar, N> quotient(v);
     for_components<N>([&](unsigned char i) ENGINE_INLINE_LAMBDA { quotient[i] /= divisor; });
     return quotient;
+}
+
+template <class Scalar, int N>
+ENGINE_INLINE bool is_finite(const Vector<Scalar, N>& v) {
+    return is_finite(v[0]) && is_finite(v[1]) && is_finite(v[N - 1]);
 }
 
 template <class Scalar>

@@ -23,6 +23,7 @@
 #include <engine/pool.hpp>
 #include <engine/time_step.hpp>
 #include <engine/uses.hpp>
+#include <engine/validity.hpp>
 
 namespace engine {
 
@@ -41,19 +42,20 @@ template <class Scalar, bool used>
 struct Bounce {};
 template <class Scalar>
 struct Bounce<Scalar, true> {
-    Scalar restitution = Scalar();    // of particles that meet: 0 (none) to 1 (all)
-    Scalar restitution_threshold = Scalar();  // m/s; what meets no faster does not bounce
+    Scalar restitution_ = Scalar(), restitution_threshold_ = Scalar();
 };
 
-template <class Index>
+// Says which particle of a World is meant. One that was not made by add_particle means none; those
+// of another type of world do not compile.
+template <class World, class Index>
 struct ParticleHandle {
-    Index index;
+    Index index = nothing<Index>;
     constexpr explicit operator bool() const { return index != nothing<Index>; }
 };
 
 template <class ScalarType, class SceneUses>
 class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUses::gravity>,
-              public Bounce<ScalarType, may_bounce<SceneUses>()> {
+              Bounce<ScalarType, may_bounce<SceneUses>()> {
   public:
     using Scalar = ScalarType;
     using Uses = SceneUses;
@@ -65,18 +67,21 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
     static constexpr unsigned capacity = Uses::particles;
     static constexpr bool bounces = may_bounce<Uses>();
     static constexpr bool has_pairs =
-        Uses::springs + Uses::rods + Uses::ropes > 0 || Uses::collisions;
-    static constexpr bool has_springs = Uses::springs + Uses::anchored_springs > 0;
+        Uses::springs > 0 || Uses::rods > 0 || Uses::ropes > 0 || Uses::collisions;
+    static constexpr bool has_springs = Uses::springs > 0 || Uses::anchored_springs > 0;
     static constexpr bool has_forces =
         (has_springs && !Integrator::implicit_springs) || Uses::drags > 0 || Uses::custom_force;
-    static constexpr unsigned most_rows =
-        Solver::rows_per_rod * (Uses::rods + Uses::anchored_rods) + Uses::ropes +
+    // In more bits than an unsigned of the device has.
+    static constexpr unsigned long max_rows =
+        Solver::rows_per_rod * (0ul + Uses::rods + Uses::anchored_rods) + Uses::ropes +
         Uses::anchored_ropes + Uses::contacts;
+    static_assert(max_rows <= 65535,
+                  "Rods, ropes and contacts make at most 65535 rows: Uses states more.");
 
     using Vector = engine::Vector<Scalar, dimensions>;
     using Body = engine::Body<Scalar, dimensions>;
-    using Index = typename Either<(capacity < 255), uint8_t, uint16_t>::Type;
-    using Handle = ParticleHandle<Index>;
+    using Index = typename CountTo<capacity>::Type;
+    using Handle = ParticleHandle<World, Index>;
     using Particle = engine::Particle<Scalar, Uses, has_forces, Solver::needs_displacement>;
     using Ends = Between<Vector, Index>;
     using Anchor = Anchored<Vector, Index>;
@@ -84,10 +89,14 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
     using CustomForce = typename Uses::template CustomForce<World>;
 
     // Building. What cannot be added leaves the world as it was, sets error() and returns false;
-    // of particles, a handle that is false.
+    // of particles, a handle that is false. What the scene does not use of a body is ignored.
     Handle add_particle(const Body& body) {
-        if (body.inverse_mass < Scalar()) return refuse(Error::bad_mass);
-        if (body.radius < Scalar()) return refuse(Error::bad_radius);
+        if (!is_finite(body.position) || !is_finite(body.velocity)) {
+            return refuse(Error::not_finite);
+        }
+        if (!is_at_least_0(body.inverse_mass)) return refuse(Error::bad_mass);
+        if (Uses::radii && !is_at_least_0(body.radius)) return refuse(Error::bad_radius);
+        if (Uses::damping && !is_between_0_and_1(body.damping)) return refuse(Error::bad_damping);
         if (particles_.full()) return refuse(Error::pool_full);
         Particle particle;
         particle.position = body.position;
@@ -96,65 +105,108 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
         only_if<Uses::radii>(particle, [&](auto& p) { p.radius = body.radius; });
         only_if<Uses::damping>(particle, [&](auto& p) { p.damping = body.damping; });
         particles_.append(particle);
+        integrator_memory_.restart();
         return {static_cast<Index>(particles_.size() - 1)};
     }
     bool add_spring(Handle a, Handle b, Scalar stiffness, Scalar damping, Scalar rest_length) {
-        return spring(springs_, Ends{a.index, b.index}, stiffness, damping, rest_length);
+        return add(springs_, {{a.index, b.index}, stiffness, damping, rest_length});
     }
     bool add_anchored_spring(Handle a, const Vector& anchor, Scalar stiffness, Scalar damping,
                              Scalar rest_length) {
-        return spring(anchored_springs_, Anchor{a.index, anchor}, stiffness, damping, rest_length);
+        return add(anchored_springs_, {{a.index, anchor}, stiffness, damping, rest_length});
     }
     bool add_rod(Handle a, Handle b, Scalar length) {
-        return limited(rods_, {{a.index, b.index}, length});
+        return add(rods_, {{a.index, b.index}, length});
     }
     bool add_anchored_rod(Handle a, const Vector& anchor, Scalar length) {
-        return limited(anchored_rods_, {{a.index, anchor}, length});
+        return add(anchored_rods_, {{a.index, anchor}, length});
     }
     bool add_rope(Handle a, Handle b, Scalar length, Scalar restitution) {
-        return limited(ropes_, {{a.index, b.index}, length, restitution});
+        return add(ropes_, {{a.index, b.index}, length, restitution});
     }
     bool add_anchored_rope(Handle a, const Vector& anchor, Scalar length, Scalar restitution) {
-        return limited(anchored_ropes_, {{a.index, anchor}, length, restitution});
+        return add(anchored_ropes_, {{a.index, anchor}, length, restitution});
     }
     bool add_drag(Handle a, Scalar linear, Scalar quadratic) {
-        if (linear < Scalar() || quadratic < Scalar()) return fail(Error::bad_stiffness);
-        if (!(a.index < particles_.size())) return fail(Error::no_such_particle);
-        return append_to(drags_, {a.index, linear, quadratic});
+        return add(drags_, {a.index, linear, quadratic});
     }
-    // The normal points out of the solid and is taken to have length 1.
+    // The half space of the points x with normal . x >= offset is free. The normal must be of
+    // length 1 (within 2^-9), as normalise() makes it.
     bool add_plane(const Vector& normal, Scalar offset, Scalar restitution) {
-        if (normal == Vector()) return fail(Error::bad_normal);
-        return append_to(planes_, {normal, offset, restitution});
+        return add(planes_, {normal, offset, restitution});
     }
+
+    // Between steps: another length of a rod, a rope or a spring of this world, as in
+    // set_length(world.rods()[0], 0.3_d). It is refused as the add_ functions refuse it.
+    template <class Link>
+    bool set_length(const Link& link, Scalar length) {
+        auto& pool = pool_of(link);
+        if (&link < pool.begin() || !(&link < pool.end())) return fail(Error::no_such_link);
+        if (!takes_length(link, length)) return fail(Error::bad_length);
+        length_in(const_cast<Link&>(link)) = length;  // an element of this world, which may change
+        integrator_memory_.restart();
+        return true;
+    }
+
+    // Of particles that meet: 0 (no bounce) to 1 (as fast as before).
+    bool set_restitution(Scalar restitution) {
+        if (!is_between_0_and_1(restitution)) return fail(Error::bad_restitution);
+        this->restitution_ = restitution;
+        return true;
+    }
+    // In m/s: what meets no faster does not bounce.
+    bool set_restitution_threshold(Scalar threshold) {
+        if (!is_at_least_0(threshold)) return fail(Error::bad_restitution);
+        this->restitution_threshold_ = threshold;
+        return true;
+    }
+    const Scalar& restitution() const { return this->restitution_; }
+    const Scalar& restitution_threshold() const { return this->restitution_threshold_; }
 
     // The first error since the world was made or the error was cleared.
     Error error() const { return error_; }
     void clear_error() { error_ = Error::none; }
 
-    Particle& operator[](Handle handle) { return particles_[handle.index]; }
-    const Particle& operator[](Handle handle) const { return particles_[handle.index]; }
+    // Particles and the custom force may be changed between steps. What is written there is not
+    // checked. A handle of no particle is reported, and gives the first.
+    Particle& operator[](Handle handle) { return particles()[known(handle)]; }
+    const Particle& operator[](Handle handle) const { return particles_[known(handle)]; }
+    Elements<Particle, Uses::particles>& particles() {
+        integrator_memory_.restart();
+        return particles_;
+    }
+    CustomForce& custom_force() {
+        integrator_memory_.restart();
+        return custom_force_;
+    }
 
-    // For those who draw, or change lengths between steps. In the order in which they were added.
-    auto& particles() { return particles_; }
-    const auto& particles() const { return particles_; }
-    auto& springs() { return springs_; }
-    auto& anchored_springs() { return anchored_springs_; }
-    auto& rods() { return rods_; }
-    auto& anchored_rods() { return anchored_rods_; }
-    auto& ropes() { return ropes_; }
-    auto& anchored_ropes() { return anchored_ropes_; }
-    auto& drags() { return drags_; }
-    auto& planes() { return planes_; }
-    auto& custom_force() { return custom_force_; }
+    // For those who look. In the order in which they were added.
+    const Elements<Particle, Uses::particles>& particles() const { return particles_; }
+    const auto& springs() const { return springs_; }
+    const auto& anchored_springs() const { return anchored_springs_; }
+    const auto& rods() const { return rods_; }
+    const auto& anchored_rods() const { return anchored_rods_; }
+    const auto& ropes() const { return ropes_; }
+    const auto& anchored_ropes() const { return anchored_ropes_; }
+    const auto& drags() const { return drags_; }
+    const auto& planes() const { return planes_; }
+    const CustomForce& custom_force() const { return custom_force_; }
 
-    // Moves the world on by dt: a BinaryStep, or a Scalar in seconds.
-    template <class TimeStep>
-    void step(TimeStep dt) {
+    // Moves the world on by 2^-K s.
+    template <int K>
+    void step(BinaryStep<K> dt) {
+        Integrator::step(*this, dt);
+    }
+    // Moves the world on by dt seconds, which must be positive; others are reported and do nothing.
+    void step(Scalar dt) {
+        if (!is_finite(dt) || !(dt > Scalar())) return report(Error::bad_time_step);
         Integrator::step(*this, dt);
     }
 
-    // The parts of a step, for integrators and solvers.
+    // The parts of a step, for integrators, solvers and custom forces.
+
+    // The particles, to be changed by a step: the integrator is not told.
+    Elements<Particle, Uses::particles>& step_particles() { return particles_; }
 
     // The force of each particle anew.
     void accumulate_forces() {
@@ -229,7 +281,7 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
     const auto& rows() const { return rows_; }
     void solve_constraints() {
         observe<Scalar>(Quantity::resolution);
-        only_if<(most_rows > 0)>(*this, [](auto& world) { Solver::solve(world); });
+        only_if<(max_rows > 0)>(*this, [](auto& world) { Solver::solve(world); });
     }
 
     // The acceleration of a against b by gravity.
@@ -247,7 +299,7 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
     void report(Error error) { fail(error); }
 
     auto& pair_memory() { return pair_memory_; }
-    auto& integrator() { return integrator_; }
+    auto& integrator_memory() { return integrator_memory_; }
 
   private:
     bool fail(Error error) {
@@ -258,48 +310,44 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
         fail(error);
         return {nothing<Index>};
     }
-    template <class T, unsigned size>
-    bool append_to(Pool<T, size, Index>& pool, const T& element) {
-        static_assert(size > 0, "The scene's Uses does not state this force or constraint.");
+    // The index that a handle means, and 0 where it means none.
+    Index known(Handle handle) const {
+        if (handle.index < particles_.size()) return handle.index;
+        if (error_ == Error::none) error_ = Error::no_such_particle;
+        return 0;
+    }
+    template <class Link, unsigned capacity>
+    bool add(Pool<Link, capacity>& pool, const Link& link) {
+        static_assert(capacity > 0, "The scene's Uses does not state this force or constraint.");
+        const Error fault = fault_in(link, particles_.size());
+        if (fault != Error::none) return fail(fault);
         if (pool.full()) return fail(Error::pool_full);
-        pool.append(element);
+        pool.append(link);
+        integrator_memory_.restart();
         return true;
     }
-    bool known(const Ends& ends) {
-        if (ends.a < particles_.size() && ends.b < particles_.size()) {
-            return ends.a != ends.b || fail(Error::same_particle);
-        }
-        return fail(Error::no_such_particle);
-    }
-    bool known(const Anchor& anchor) {
-        return anchor.a < particles_.size() || fail(Error::no_such_particle);
-    }
-    template <class Pool, class E>
-    bool spring(Pool& pool, const E& ends, Scalar stiffness, Scalar damping, Scalar rest_length) {
-        if (stiffness < Scalar() || damping < Scalar()) return fail(Error::bad_stiffness);
-        if (rest_length < Scalar()) return fail(Error::bad_length);
-        return known(ends) && append_to(pool, {ends, stiffness, damping, rest_length});
-    }
-    template <class T, unsigned size>
-    bool limited(Pool<T, size, Index>& pool, const T& link) {
-        if (!(link.length > Scalar())) return fail(Error::bad_length);
-        return known(link.ends) && append_to(pool, link);
-    }
 
-    Pool<Particle, Uses::particles, Index> particles_;
-    Pool<Spring<Scalar, Ends>, Uses::springs, Index> springs_;
-    Pool<Spring<Scalar, Anchor>, Uses::anchored_springs, Index> anchored_springs_;
-    Pool<Drag<Scalar, Index>, Uses::drags, Index> drags_;
-    Pool<Rod<Scalar, Ends>, Uses::rods, Index> rods_;
-    Pool<Rod<Scalar, Anchor>, Uses::anchored_rods, Index> anchored_rods_;
-    Pool<Rope<Scalar, Ends>, Uses::ropes, Index> ropes_;
-    Pool<Rope<Scalar, Anchor>, Uses::anchored_ropes, Index> anchored_ropes_;
-    Pool<Plane<Scalar, Vector>, Uses::planes, Index> planes_;
-    Pool<Row, most_rows, Index> rows_;  // of the step under way
+    auto& pool_of(const Spring<Scalar, Ends>&) { return springs_; }
+    auto& pool_of(const Spring<Scalar, Anchor>&) { return anchored_springs_; }
+    auto& pool_of(const Rod<Scalar, Ends>&) { return rods_; }
+    auto& pool_of(const Rod<Scalar, Anchor>&) { return anchored_rods_; }
+    auto& pool_of(const Rope<Scalar, Ends>&) { return ropes_; }
+    auto& pool_of(const Rope<Scalar, Anchor>&) { return anchored_ropes_; }
+
+    Pool<Particle, Uses::particles> particles_;
+    Pool<Spring<Scalar, Ends>, Uses::springs> springs_;
+    Pool<Spring<Scalar, Anchor>, Uses::anchored_springs> anchored_springs_;
+    Pool<Drag<Scalar, Index>, Uses::drags> drags_;
+    Pool<Rod<Scalar, Ends>, Uses::rods> rods_;
+    Pool<Rod<Scalar, Anchor>, Uses::anchored_rods> anchored_rods_;
+    Pool<Rope<Scalar, Ends>, Uses::ropes> ropes_;
+    Pool<Rope<Scalar, Anchor>, Uses::anchored_ropes> anchored_ropes_;
+    Pool<Plane<Scalar, Vector>, Uses::planes> planes_;
+    Pool<Row, static_cast<unsigned>(max_rows)> rows_;  // of the step under way
     typename BroadPhase::template Memory<World> pair_memory_;
-    typename Integrator::template Memory<World> integrator_;
+    typename Integrator::template Memory<World> integrator_memory_;
     CustomForce custom_force_;
-    Error error_ = Error::none;
+    mutable Error error_ = Error::none;
 };
 
 }  // namespace engine

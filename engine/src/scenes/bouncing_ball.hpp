@@ -32,7 +32,7 @@ struct BouncingBall {
     static void build(World& world, const Parameters<typename World::Scalar>& with) {
         using namespace engine::literals;
         world.gravity = {0_d, -with.gravity};
-        world.restitution_threshold = with.restitution_threshold;
+        world.set_restitution_threshold(with.restitution_threshold);
         world.add_plane({0_d, 1_d}, 0_d, with.restitution);
         typename World::Body ball;
         ball.position = {0_d, with.height};

@@ -38,7 +38,7 @@ struct BoxOf {
     static void build(World& world, const Parameters<typename World::Scalar>& with) {
         using namespace engine::literals;
         using Scalar = typename World::Scalar;
-        world.restitution = with.restitution;
+        world.set_restitution(with.restitution);
         const Scalar wall = times(edge(), with.half_spacing);
         for (unsigned char axis = 0; axis < 3; ++axis) {
             typename World::Vector normal;

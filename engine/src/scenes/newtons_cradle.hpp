@@ -33,7 +33,7 @@ struct NewtonsCradle {
     static void build(World& world, const Parameters<typename World::Scalar>& with) {
         using namespace engine::literals;
         world.gravity = {0_d, -with.gravity};
-        world.restitution = with.restitution;
+        world.set_restitution(with.restitution);
         typename World::Body ball;
         ball.position = {with.x, with.y};
         ball.inverse_mass = 1_d;

@@ -34,7 +34,7 @@ struct PublishedLever {
     static void build(World& world, const Parameters<typename World::Scalar>& with) {
         using namespace engine::literals;
         world.gravity = {0_d, -9.81_d, 0_d};
-        world.restitution = 0.5_d;
+        world.set_restitution(0.5_d);
         typename World::Body pivot;
         pivot.position = {0.38_d, 0.15_d, 0_d};
         const auto fixed = world.add_particle(pivot);

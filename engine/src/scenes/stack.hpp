@@ -21,9 +21,9 @@ struct Stack {
 
     template <class Scalar>
     struct Parameters {
-        Scalar gravity = engine::Decimal<981, 2>();      // m/s^2
-        Scalar radius = engine::Decimal<25, 2>();        // m
-        Scalar gap = engine::Decimal<125, 3>();          // m, below each at the start
+        Scalar gravity = engine::Decimal<981, 2>();              // m/s^2
+        Scalar radius = engine::Decimal<25, 2>();                // m
+        Scalar gap = engine::Decimal<125, 3>();                  // m, below each at the start
         Scalar restitution_threshold = engine::Decimal<5, 1>();  // m/s
     };
 
@@ -31,8 +31,8 @@ struct Stack {
     static void build(World& world, const Parameters<typename World::Scalar>& with) {
         using namespace engine::literals;
         world.gravity = {0_d, -with.gravity};
-        world.restitution = 0_d;
-        world.restitution_threshold = with.restitution_threshold;
+        world.set_restitution(0_d);
+        world.set_restitution_threshold(with.restitution_threshold);
         world.add_plane({0_d, 1_d}, 0_d, 0_d);
         typename World::Body ball;
         ball.inverse_mass = 1_d;

@@ -33,7 +33,7 @@ struct TwoBodyCollision {
     template <class World>
     static void build(World& world, const Parameters<typename World::Scalar>& with) {
         using namespace engine::literals;
-        world.restitution = with.restitution;
+        world.set_restitution(with.restitution);
         typename World::Body disc;
         disc.radius = with.radius;
         disc.velocity = {with.velocity, 0_d};

@@ -7,7 +7,7 @@ namespace scenes {
 template <class World, unsigned char particle>
 struct UserForce {
     typename World::Vector force;  // N
-    void apply(World& world) const { world.particles()[particle].force += force; }
+    void apply(World& world) const { world.step_particles()[particle].force += force; }
 };
 
 }  // namespace scenes

@@ -22,8 +22,7 @@ constexpr int32_t elapsed(uint32_t then, uint32_t now) { return static_cast<int3
 // A length of time as a number of the physics, rounded to nearest.
 template <class Scalar>
 constexpr Scalar seconds(uint32_t ticks) {
-    return fixedpoint::from_decimal<Scalar>(static_cast<int32_t>(ticks / ticks_per_microsecond), 6)
-        .number;
+    return fixedpoint::from_decimal<Scalar>(static_cast<int32_t>(ticks / ticks_per_microsecond), 6);
 }
 template <>
 constexpr float seconds<float>(uint32_t ticks) {

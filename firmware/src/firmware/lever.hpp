@@ -204,7 +204,7 @@ class Lever {
         look();
     }
     void set_length(Scalar length) {
-        Arm::rod(world_).length = length;
+        world_.set_length(Arm::rod(world_), length);
         inverse_length_ = Geometry::one() / length;
         leverage_ = Geometry::sensor_radius() * inverse_length_;
         lead_ = Choices::servo_delay() * inverse_length_ * inverse_length_;

@@ -4,13 +4,17 @@
 // as an integer bit. Arithmetic decides how results are rounded and what happens when they do not
 // fit: see arithmetic/nearest.hpp for the rule that the default follows for every input.
 //
-// Conversions are explicit: from_raw, from_integer, or a literal of literals.hpp.
+// Both operands of an operator have the same format and arithmetic, and no conversion is implicit:
+// use a literal of literals.hpp, from_integer or from_raw, and conversion.hpp for everything else.
 #pragma once
 
 #include <fixedpoint/arithmetic/nearest.hpp>
+#include <fixedpoint/builtin.hpp>
 #include <fixedpoint/integer.hpp>
 
 namespace fixedpoint {
+
+struct convert_one_operand_to_the_format_of_the_other;
 
 template <int IntegerBits, int FractionBits, class ArithmeticPolicy = Nearest>
 class Fixed {
@@ -26,47 +30,58 @@ class Fixed {
     constexpr Fixed() : raw_(0) {}
 
     // The number raw / 2^F.
-    static constexpr Fixed from_raw(Raw raw) { return Fixed(raw); }
+    static constexpr Fixed from_raw(Raw raw) { return Fixed(raw, Private()); }
     constexpr Raw raw() const { return raw_; }
 
-    // The integer n: n 2^F as the arithmetic shifts (Nearest: modulo 2^W; Saturating: clamped).
-    static constexpr Fixed from_integer(Raw n) {
-        return Fixed(Arithmetic::template shift_left<Raw, FractionBits>(n, FractionBits));
+    // The integer n, of any integer type. Where the format does not hold it, the arithmetic
+    // decides: Nearest takes n 2^F modulo 2^W, Saturating returns the nearest number, Checked
+    // notifies.
+    template <class Integral>
+    static constexpr Fixed from_integer(Integral n) {
+        static_assert(BuiltinNumber<Integral>::is_integer,
+                      "from_integer takes an integer: use from_float for a float or double, and "
+                      "convert for a fixed-point number.");
+        return from_raw(Arithmetic::template convert<Raw, FractionBits, Integral, 0>(n));
     }
 
     // The largest and the smallest number, and the distance between neighbours (one ulp).
-    static constexpr Fixed max() { return Fixed(RawLimits<Raw>::max); }
-    static constexpr Fixed min() { return Fixed(RawLimits<Raw>::min); }
-    static constexpr Fixed ulp() { return Fixed(1); }
+    static constexpr Fixed max() { return from_raw(RawLimits<Raw>::max); }
+    static constexpr Fixed min() { return from_raw(RawLimits<Raw>::min); }
+    static constexpr Fixed ulp() { return from_raw(1); }
 
     friend constexpr Fixed operator+(Fixed a, Fixed b) {
-        return Fixed(Arithmetic::template add<Raw, FractionBits>(a.raw_, b.raw_));
+        return from_raw(Arithmetic::template add<Raw, FractionBits>(a.raw_, b.raw_));
     }
     friend constexpr Fixed operator-(Fixed a, Fixed b) {
-        return Fixed(Arithmetic::template subtract<Raw, FractionBits>(a.raw_, b.raw_));
+        return from_raw(Arithmetic::template subtract<Raw, FractionBits>(a.raw_, b.raw_));
     }
     friend constexpr Fixed operator*(Fixed a, Fixed b) {
-        return Fixed(Arithmetic::template multiply<Raw, FractionBits>(a.raw_, b.raw_));
+        return from_raw(Arithmetic::template multiply<Raw, FractionBits>(a.raw_, b.raw_));
     }
     friend constexpr Fixed operator/(Fixed a, Fixed b) {
-        return Fixed(Arithmetic::template divide<Raw, FractionBits>(a.raw_, b.raw_));
+        return from_raw(Arithmetic::template divide<Raw, FractionBits>(a.raw_, b.raw_));
     }
     friend constexpr Fixed operator%(Fixed a, Fixed b) {
-        return Fixed(Arithmetic::template remainder<Raw, FractionBits>(a.raw_, b.raw_));
+        return from_raw(Arithmetic::template remainder<Raw, FractionBits>(a.raw_, b.raw_));
     }
     constexpr Fixed operator-() const {
-        return Fixed(Arithmetic::template negate<Raw, FractionBits>(raw_));
+        return from_raw(Arithmetic::template negate<Raw, FractionBits>(raw_));
     }
     constexpr Fixed operator+() const { return *this; }
 
-    // a 2^count as the arithmetic shifts.
-    friend constexpr Fixed operator<<(Fixed a, unsigned char count) {
-        return Fixed(Arithmetic::template shift_left<Raw, FractionBits>(a.raw_, count));
+    // a 2^count as the arithmetic shifts. A count may be of any integer type; from W on, all counts
+    // mean the same, and a negative one counts as larger than W, as converted to unsigned it is.
+    template <class Count>
+    friend constexpr Fixed operator<<(Fixed a, Count count) {
+        return from_raw(
+            Arithmetic::template shift_left<Raw, FractionBits>(a.raw_, shift_count(count)));
     }
     // floor(a / 2^count) in units of one ulp, for every count.
-    friend FIXEDPOINT_CONSTEXPR Fixed operator>>(Fixed a, unsigned char count) {
+    template <class Count>
+    friend FIXEDPOINT_CONSTEXPR Fixed operator>>(Fixed a, Count count) {
         constexpr unsigned char last = RawLimits<Raw>::width - 1;
-        return Fixed(static_cast<Raw>(a.raw_ >> (count < last ? count : last)));
+        return from_raw(
+            static_cast<Raw>(a.raw_ >> (shift_count(count) < last ? shift_count(count) : last)));
     }
 
     FIXEDPOINT_CONSTEXPR Fixed& operator+=(Fixed b) { return *this = *this + b; }
@@ -74,8 +89,14 @@ class Fixed {
     FIXEDPOINT_CONSTEXPR Fixed& operator*=(Fixed b) { return *this = *this * b; }
     FIXEDPOINT_CONSTEXPR Fixed& operator/=(Fixed b) { return *this = *this / b; }
     FIXEDPOINT_CONSTEXPR Fixed& operator%=(Fixed b) { return *this = *this % b; }
-    FIXEDPOINT_CONSTEXPR Fixed& operator<<=(unsigned char count) { return *this = *this << count; }
-    FIXEDPOINT_CONSTEXPR Fixed& operator>>=(unsigned char count) { return *this = *this >> count; }
+    template <class Count>
+    FIXEDPOINT_CONSTEXPR Fixed& operator<<=(Count count) {
+        return *this = *this << count;
+    }
+    template <class Count>
+    FIXEDPOINT_CONSTEXPR Fixed& operator>>=(Count count) {
+        return *this = *this >> count;
+    }
 
     friend constexpr bool operator==(Fixed a, Fixed b) { return a.raw_ == b.raw_; }
     friend constexpr bool operator!=(Fixed a, Fixed b) { return a.raw_ != b.raw_; }
@@ -84,11 +105,77 @@ class Fixed {
     friend constexpr bool operator<=(Fixed a, Fixed b) { return a.raw_ <= b.raw_; }
     friend constexpr bool operator>=(Fixed a, Fixed b) { return a.raw_ >= b.raw_; }
 
+    // Operands of two kinds do not compile: a mixed product would hide in which of the two formats
+    // it is rounded, and an integer or a float would be narrowed before the arithmetic sees it.
+    template <class Number,
+              class write_a_literal_or_from_integer_or_from_float =
+                  typename BuiltinNumber<Number>::write_a_literal_or_from_integer_or_from_float>
+    explicit Fixed(Number) = delete;
+
+#define FIXEDPOINT_REFUSE_MIXED(operation)                                                       \
+    template <class Number>                                                                      \
+    friend                                                                                       \
+        typename BuiltinNumber<Number>::write_a_literal_or_from_integer_or_from_float operation( \
+            Fixed, Number) = delete;                                                             \
+    template <class Number>                                                                      \
+    friend                                                                                       \
+        typename BuiltinNumber<Number>::write_a_literal_or_from_integer_or_from_float operation( \
+            Number, Fixed) = delete;                                                             \
+    template <int OtherInteger, int OtherFraction, class OtherArithmetic>                        \
+    friend convert_one_operand_to_the_format_of_the_other operation(                             \
+        Fixed, Fixed<OtherInteger, OtherFraction, OtherArithmetic>) = delete;
+    FIXEDPOINT_REFUSE_MIXED(operator+)
+    FIXEDPOINT_REFUSE_MIXED(operator-)
+    FIXEDPOINT_REFUSE_MIXED(operator*)
+    FIXEDPOINT_REFUSE_MIXED(operator/)
+    FIXEDPOINT_REFUSE_MIXED(operator%)
+    FIXEDPOINT_REFUSE_MIXED(operator==)
+    FIXEDPOINT_REFUSE_MIXED(operator!=)
+    FIXEDPOINT_REFUSE_MIXED(operator<)
+    FIXEDPOINT_REFUSE_MIXED(operator>)
+    FIXEDPOINT_REFUSE_MIXED(operator<=)
+    FIXEDPOINT_REFUSE_MIXED(operator>=)
+#undef FIXEDPOINT_REFUSE_MIXED
+
+#define FIXEDPOINT_REFUSE_MIXED(operation)                                                   \
+    template <class Number>                                                                  \
+    typename BuiltinNumber<Number>::write_a_literal_or_from_integer_or_from_float operation( \
+        Number) = delete;                                                                    \
+    template <int OtherInteger, int OtherFraction, class OtherArithmetic>                    \
+    convert_one_operand_to_the_format_of_the_other operation(                                \
+        Fixed<OtherInteger, OtherFraction, OtherArithmetic>) = delete;
+    FIXEDPOINT_REFUSE_MIXED(operator+=)
+    FIXEDPOINT_REFUSE_MIXED(operator-=)
+    FIXEDPOINT_REFUSE_MIXED(operator*=)
+    FIXEDPOINT_REFUSE_MIXED(operator/=)
+    FIXEDPOINT_REFUSE_MIXED(operator%=)
+#undef FIXEDPOINT_REFUSE_MIXED
+
   private:
-    explicit constexpr Fixed(Raw raw) : raw_(raw) {}
+    struct Private {};
+    constexpr Fixed(Raw raw, Private) : raw_(raw) {}
+
+    // What an unsigned char does not hold is beyond every width.
+    template <class Count>
+    static constexpr unsigned char shift_count(Count count) {
+        static_assert(BuiltinNumber<Count>::is_integer, "A shift takes an integer count.");
+        return static_cast<unsigned char>(count) == count ? static_cast<unsigned char>(count) : 255;
+    }
 
     Raw raw_;
 };
+
+// Takes any stream of the C++ library, and ranks behind the operators of host/stream.hpp.
+struct include_fixedpoint_host_stream_hpp {
+    template <class Stream, class = decltype(static_cast<Stream*>(nullptr)->rdbuf())>
+    include_fixedpoint_host_stream_hpp(Stream&);
+};
+template <int IntegerBits, int FractionBits, class Arithmetic>
+void operator<<(include_fixedpoint_host_stream_hpp,
+                Fixed<IntegerBits, FractionBits, Arithmetic>) = delete;
+template <int IntegerBits, int FractionBits, class Arithmetic>
+void operator>>(include_fixedpoint_host_stream_hpp,
+                Fixed<IntegerBits, FractionBits, Arithmetic>&) = delete;
 
 // The formats of every width with equal halves, in the default arithmetic.
 using Q4_4 = Fixed<4, 4>;

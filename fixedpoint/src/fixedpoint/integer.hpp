@@ -8,6 +8,13 @@
 
 #include <fixedpoint/constexpr.hpp>
 
+// Macros of the Arduino core and of Windows that would break every function of these names, the
+// library's included. Integers and floats keep abs and round from <stdlib.h> and <math.h>.
+#undef abs
+#undef max
+#undef min
+#undef round
+
 namespace fixedpoint {
 
 template <int Bits>

@@ -12,7 +12,7 @@ using portable::Parsed;
 using portable::TextStatus;
 
 // The number that text[0 .. length) says, as a whole: a sign or none, digits with or without a
-// point, an exponent or none. Rounded to nearest, ties upward; the limit of the range with
+// point, an exponent or none. Rounded to nearest, half up; the limit of the range with
 // TextStatus::out_of_range; 0 with TextStatus::empty or malformed, and then `position` is where.
 template <class Number>
 FIXEDPOINT_CONSTEXPR Parsed<Number> parse(const char* text, size_t length) {
@@ -20,19 +20,28 @@ FIXEDPOINT_CONSTEXPR Parsed<Number> parse(const char* text, size_t length) {
         portable::parse_decimal<typename Number::Raw, Number::fraction_bits>(text, length);
     return {Number::from_raw(result.number), result.status, result.position};
 }
+// The same of text that ends with a zero: parse<Q16_16>("1.5").number.
+template <class Number>
+FIXEDPOINT_CONSTEXPR Parsed<Number> parse(const char* text) {
+    size_t length = 0;
+    while (text[length] != '\0') ++length;
+    return parse<Number>(text, length);
+}
 
 // The shortest text that parse reads as x and, of those, the closest to it, without a terminating
 // zero. Returns its length, or 0 where it does not fit into the buffer.
-template <int I, int F, class A>
-constexpr size_t print(Fixed<I, F, A> x, char* buffer, size_t capacity) {
-    return portable::print_decimal<Integer<I + F>, F>(x.raw(), buffer, capacity);
+template <int IntegerBits, int F, class A>
+constexpr size_t print(Fixed<IntegerBits, F, A> x, char* buffer, size_t capacity) {
+    return portable::print_decimal<Integer<IntegerBits + F>, F>(x.raw(), buffer, capacity);
 }
 
-// x with so many decimals, rounded to nearest, ties upward; exact from F decimals on. Returns as
+// x with so many decimals, rounded to nearest, half up; exact from F decimals on. Returns as
 // above.
-template <int I, int F, class A>
-constexpr size_t print(Fixed<I, F, A> x, uint8_t decimals, char* buffer, size_t capacity) {
-    return portable::print_decimal<Integer<I + F>, F>(x.raw(), decimals, buffer, capacity);
+template <int IntegerBits, int F, class A>
+constexpr size_t print(Fixed<IntegerBits, F, A> x, uint8_t decimals, char* buffer,
+                       size_t capacity) {
+    return portable::print_decimal<Integer<IntegerBits + F>, F>(x.raw(), decimals, buffer,
+                                                                capacity);
 }
 
 // The capacity that is always enough: for the shortest text, or for so many decimals.

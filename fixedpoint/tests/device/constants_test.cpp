@@ -48,10 +48,10 @@ void check_rounding() {
     CHECK_CONSTANT(trunc(x));
     CHECK_CONSTANT(convert<Q4_4>(x));
     CHECK_CONSTANT(convert<Q32_32>(x));
-    CHECK_CONSTANT(convert_clamped<Q8_8>(x).number);
-    CHECK_CONSTANT(convert_clamped<int16_t>(x).fits);
+    CHECK_CONSTANT(convert_checked<Q8_8>(x).number);
+    CHECK_CONSTANT(convert_checked<int16_t>(x).fits);
     CHECK_CONSTANT(to_float<float>(x));
-    CHECK_CONSTANT(from_decimal<Number>(x.raw(), 3).number);
+    CHECK_CONSTANT(from_decimal<Number>(x.raw(), 3));
 }
 
 }  // namespace

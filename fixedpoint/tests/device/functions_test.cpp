@@ -21,7 +21,7 @@ void check_single(const Single& expected) {
 template <class Target, class TargetRaw>
 void check_format(Number a, TargetRaw wrapped, TargetRaw clamped, bool fits) {
     CHECK(NumberFormat<Target>::raw(convert<Target>(a)) == wrapped);
-    const Converted<Target> result = convert_clamped<Target>(a);
+    const Converted<Target> result = convert_checked<Target>(a);
     CHECK(NumberFormat<Target>::raw(result.number) == clamped);
     CHECK(result.fits == fits);
 }
@@ -50,13 +50,13 @@ void check_to_float(const Single& expected) {
 void check_from_float(const FromFloat& expected) {
     volatile float x;
     memcpy(const_cast<float*>(&x), &expected.bits, sizeof x);
-    const Converted<Number> result = from_float<Number>(static_cast<float>(x));
+    const Converted<Number> result = from_float_checked<Number>(static_cast<float>(x));
     CHECK(result.number.raw() == expected.number);
     CHECK(result.fits == expected.fits);
 }
 
 void check_from_decimal(const FromDecimal& expected) {
-    const Converted<Number> result = from_decimal<Number>(expected.n, expected.decimals);
+    const Converted<Number> result = from_decimal_checked<Number>(expected.n, expected.decimals);
     CHECK(result.number.raw() == expected.number);
     CHECK(result.fits == expected.fits);
 }
@@ -67,10 +67,10 @@ void check_integers() {
     CHECK(convert<Q16_16>(38).raw() == 38l * 65536);
     CHECK(convert<Q32_32>(INT32_MIN).raw() == INT64_MIN);
     CHECK(convert<uint16_t>(Q16_16::from_raw(0x7fff8000)) == 0x8000);
-    CHECK(convert_clamped<uint8_t>(Q16_16::from_integer(-1)).number == 0);
-    CHECK(from_decimal<Q16_16>(38, 2).number.raw() == 24904);  // 24903.68
-    CHECK(from_decimal<Q4_4>(int8_t(-15), 1).number.raw() == -24);
-    CHECK(from_decimal<Q32_32>(int64_t(314159265358979), 14).number.raw() == 13493037705);
+    CHECK(convert_checked<uint8_t>(Q16_16::from_integer(-1)).number == 0);
+    CHECK(from_decimal<Q16_16>(38, 2).raw() == 24904);  // 24903.68
+    CHECK(from_decimal<Q4_4>(int8_t(-15), 1).raw() == -24);
+    CHECK(from_decimal<Q32_32>(int64_t(314159265358979), 14).raw() == 13493037705);
 }
 
 void check_order(const Pair& expected) {

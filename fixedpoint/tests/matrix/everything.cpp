@@ -75,10 +75,11 @@ template <class Number>
 void conversions(Number& a) {
     a = convert<Number>(convert<int16_t>(a));
     a = convert<Number>(convert<Q4_4>(a)) + convert<Number>(convert<Q32_32>(a));
-    a += convert_clamped<Number>(convert_clamped<Q16_16>(a).number).number;
-    a += from_float<Number>(to_float<float>(a)).number;
-    a += from_float<Number>(to_float<double>(a)).number;
-    a += from_decimal<Number>(38, 2).number + Number::from_integer(1);
+    a += convert_checked<Number>(convert_checked<Q16_16>(a).number).number;
+    a += from_float<Number>(to_float<float>(a));
+    a += from_float_checked<Number>(to_float<double>(a)).number;
+    a += from_decimal<Number>(38, 2) + from_decimal_checked<Number>(1, 2).number +
+         Number::from_integer(1);
     Serial serial;
     if (print(serial, a) < print(serial, a, 3)) a = read<Number>(serial).number;
     char text[text_capacity<Number>()];

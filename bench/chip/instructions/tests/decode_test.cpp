@@ -7,13 +7,13 @@
 #include <cctype>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <memory>
 
 #include "bench/chip/instructions/instruction.hpp"
-#include "bench/lab/records/whole_file.hpp"
 
-namespace machine_code {
+namespace instructions {
 namespace {
 
 constexpr std::uint32_t opcodes = 0x10000;
@@ -44,7 +44,8 @@ std::string normalised(std::string text) {
 std::map<std::uint32_t, std::string> objdump(const std::vector<std::uint8_t>& bytes) {
     const auto path =
         std::filesystem::temp_directory_path() / fmt::format("every_opcode.{}.bin", getpid());
-    records::write_whole(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    std::ofstream(path, std::ios::binary)
+        .write(reinterpret_cast<const char*>(bytes.data()), std::ssize(bytes));
     const std::string command = fmt::format(
         "avr-objdump --disassemble-all --disassemble-zeroes --target=binary "
         "--architecture=avr5 {}",
@@ -88,4 +89,4 @@ TEST(DecodeTest, TargetsOfJumpsAreByteAddresses) {
 }
 
 }  // namespace
-}  // namespace machine_code
+}  // namespace instructions

@@ -6,10 +6,10 @@
 
 #include "bench/chip/simulator/elf.hpp"
 
-namespace machine_code {
+namespace instructions {
 
 inline std::string test_program(const std::string& name) {
-    return std::string(TEST_PROGRAM_FOLDER) + "/machine_code_test_" + name + ".elf";
+    return std::string(TEST_PROGRAM_FOLDER) + "/instructions_test_" + name + ".elf";
 }
 
-}  // namespace machine_code
+}  // namespace instructions

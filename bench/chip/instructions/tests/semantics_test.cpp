@@ -13,10 +13,9 @@
 
 #include "bench/chip/instructions/compiled_function.hpp"
 #include "bench/chip/instructions/tests/programs.hpp"
-#include "bench/lab/records/whole_file.hpp"
 #include "bench/chip/simulator/chip.hpp"
 
-namespace machine_code {
+namespace instructions {
 namespace {
 
 using simulator::Chip;
@@ -35,7 +34,7 @@ struct State {
 
 constexpr const char* prelude = R"(
 #include "bench/chip/instructions/semantics.hpp"
-using namespace machine_code::semantics;
+using namespace instructions::semantics;
 struct State { Byte r[32]; Byte flags, condition; Word sp; Byte memory[0x900]; };
 #define STEP(name, ...)                                                                         \
     extern "C" void name(State& state, const Byte* flash) {                                     \
@@ -231,7 +230,8 @@ TEST_P(BrokenSemanticsTest, IsFoundOut) {
 
     const fs::path folder =
         fs::temp_directory_path() / fmt::format("broken_semantics.{}", getpid());
-    records::write_whole(folder / name, header);
+    fs::create_directories((folder / name).parent_path());
+    std::ofstream(folder / name) << header;
     std::string text;
     const int found =
         count_differences(GetParam().mnemonic, {.options = "-O0", .include_folder = folder}, text);
@@ -257,4 +257,4 @@ INSTANTIATE_TEST_SUITE_P(
         Mutant{"push", "bytes[sp--] = value", "bytes[--sp] = value"}));
 
 }  // namespace
-}  // namespace machine_code
+}  // namespace instructions

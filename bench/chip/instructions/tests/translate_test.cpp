@@ -8,11 +8,9 @@
 #include "bench/chip/instructions/compiled_function.hpp"
 #include "bench/chip/instructions/fingerprint.hpp"
 #include "bench/chip/instructions/tests/programs.hpp"
-#include "bench/lab/operands/operand_class.hpp"
-#include "bench/lab/subjects/device_subject.hpp"
 #include "bench/chip/simulator/device_function.hpp"
 
-namespace machine_code {
+namespace instructions {
 namespace {
 
 using simulator::Chip;
@@ -31,7 +29,7 @@ class TranslateTest : public testing::Test {
 template <class Next>
 void compare(const Elf& elf, const char* symbol, const std::vector<int>& sizes, int result_size,
              int calls, Next&& next) {
-    const CompiledFunction function(elf, symbol, convention_of(sizes, result_size), quickly);
+    const CompiledFunction function(elf, symbol, interface_of({result_size, sizes}), quickly);
     CompiledFunction::Session session(function);
     Chip chip(elf);
     chip.run_until_function("main");
@@ -68,9 +66,9 @@ TEST_F(TranslateTest, CallsFramesAndLoops) {
 }
 
 TEST_F(TranslateTest, VectorsThroughEveryPointer) {
-    const Convention convention =
-        convention_of(reference::parse_symbol("normalise3_q16_16_pointers").subject);
-    const CompiledFunction function(elf_, "normalise3_q16_16_pointers", convention, quickly);
+    const simulator::Signature signature = {0, {2, 2}};
+    const CompiledFunction function(elf_, "normalise3_q16_16_pointers",
+                                    interface_of(signature, {1, 3, 4, 3, 4}), quickly);
     CompiledFunction::Session session(function);
     const std::vector<std::int64_t> operands = {0x12345678, -5, 1000000};
     std::vector<std::int64_t> results(3);
@@ -80,47 +78,17 @@ TEST_F(TranslateTest, VectorsThroughEveryPointer) {
 
     Chip chip(elf_);
     chip.run_until_function("main");
-    operations::DeviceSubject device(chip, "normalise3_q16_16_pointers");
-    const auto expected = device.call(operands);
-    EXPECT_EQ(cycles, expected.cycles);
-    for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(results[i], expected.raws[i]);
-}
-
-// Subjects in assembly have a second name, under which the library calls them.
-bool is_kernel(const Elf& elf, const std::string& subject) {
-    for (const auto& [name, symbol] : elf.functions())
-        if (name.starts_with("fixedpoint_") && symbol.address == elf.function(subject).address)
-            return true;
-    return false;
-}
-
-TEST_F(TranslateTest, KernelsOfTheDeviceProgram) {
-    const Elf library(DEVICE_PROGRAM);
-    Chip chip(library);
-    chip.run_until_function("main");
-    int subjects = 0;
-    for (const std::string& symbol : operations::subjects_of(library)) {
-        const reference::NamedSubject named = reference::parse_symbol(symbol);
-        if (!is_kernel(library, symbol)) continue;
-        ++subjects;
-        const CompiledFunction function(library, symbol, convention_of(named.subject),
-                                        {.options = "-O0"});
-        CompiledFunction::Session session(function);
-        operations::DeviceSubject device(chip, symbol);
-        operands::Sampler sampler(named.subject.operation, named.subject.operand_format,
-                                  operands::OperandClass::full, 1);
-        std::vector<std::int64_t> operands(function.arity()), results(function.result_count());
-        for (int i = 0; i < 300; ++i) {
-            sampler.next(operands);
-            std::uint32_t cycles;
-            session.run(operands, results, {&cycles, 1});
-            const auto expected = device.call(operands);
-            ASSERT_EQ(cycles, expected.cycles) << symbol << " of " << operands[0];
-            for (std::size_t k = 0; k < results.size(); ++k)
-                ASSERT_EQ(results[k], expected.raws[k]) << symbol << " of " << operands[0];
-        }
+    const std::uint16_t from = chip.allocate(12), to = chip.allocate(12);
+    for (std::size_t i = 0; i < 3; ++i)
+        chip.write(std::uint16_t(from + 4 * i),
+                   {reinterpret_cast<const std::uint8_t*>(&operands[i]), 4});
+    DeviceFunction device(chip, "normalise3_q16_16_pointers", signature);
+    EXPECT_EQ(device(from, to).cycles, cycles);
+    for (std::size_t i = 0; i < 3; ++i) {
+        std::int32_t result;
+        chip.read(std::uint16_t(to + 4 * i), {reinterpret_cast<std::uint8_t*>(&result), 4});
+        EXPECT_EQ(result, results[i]);
     }
-    EXPECT_GT(subjects, 0);
 }
 
 struct Fault {
@@ -133,7 +101,7 @@ class FaultTest : public TranslateTest, public testing::WithParamInterface<Fault
 
 TEST_P(FaultTest, IsReported) {
     try {
-        const CompiledFunction function(elf_, GetParam().symbol, convention_of({1}, 1), quickly);
+        const CompiledFunction function(elf_, GetParam().symbol, interface_of({1, {1}}), quickly);
         CompiledFunction::Session session(function);
         const std::int64_t operand = 3;
         std::int64_t result;
@@ -176,4 +144,4 @@ TEST(FingerprintTest, NeedsRelocations) {
 }
 
 }  // namespace
-}  // namespace machine_code
+}  // namespace instructions

@@ -9,7 +9,8 @@ foreach(tool node npm)
     endif()
 endforeach()
 file(COPY ${CMAKE_CURRENT_LIST_DIR}/package.json ${CMAKE_CURRENT_LIST_DIR}/package-lock.json
-     ${CMAKE_CURRENT_LIST_DIR}/call.mjs DESTINATION ${DIRECTORY})
+     ${CMAKE_CURRENT_LIST_DIR}/call.mjs
+     ${CMAKE_CURRENT_LIST_DIR}/step.mjs DESTINATION ${DIRECTORY})
 file(SHA256 ${DIRECTORY}/package-lock.json wanted)
 set(stamp ${DIRECTORY}/node_modules/installed-lock)
 if(EXISTS ${stamp})

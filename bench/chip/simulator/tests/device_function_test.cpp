@@ -154,6 +154,23 @@ TEST_F(FaultsTest, ProgramsThatGoWrong) {
                  "sleep with interrupts off, which nothing ends, at sleep_forever+4");
 }
 
+// simavr itself would write over the host's memory.
+TEST_F(FaultsTest, AddressesBeyondTheChip) {
+    for (const char* name :
+         {"write_beyond_ram", "write_last_address", "read_beyond_ram", "stack_beyond_ram"}) {
+        const std::string message = message_of_call(name);
+        EXPECT_EQ(message.find("access to a data address beyond the RAM at " + std::string(name)),
+                  0u)
+            << message;
+    }
+    EXPECT_EQ(DeviceFunction(chip, "read_beyond_flash", {1, {1}})(std::uint8_t{1}).result, 0xffu);
+    EXPECT_EQ(DeviceFunction(chip, "eeprom_end", {2, {1}})(std::uint8_t{77}).result, 0x0300u | 77u);
+    std::uint8_t bytes[2];
+    EXPECT_THROW(chip.read(Chip::ram_end - 1, bytes), SimulationError);
+    EXPECT_THROW(chip.write(Chip::ram_end - 1, bytes), SimulationError);
+    EXPECT_NO_THROW(chip.read(Chip::ram_end - 2, bytes));
+}
+
 TEST_F(FaultsTest, TheCallerRecovers) {
     message_of_call("recurse");
     EXPECT_EQ(DeviceFunction(chip, "push_three", {0, {}})().stack_bytes, 7);
@@ -162,10 +179,10 @@ TEST_F(FaultsTest, TheCallerRecovers) {
 TEST_F(FaultsTest, CallingConvention) {
     EXPECT_EQ(message_of_call("leave_r1"), "leave_r1: r1 is not zero at return");
     EXPECT_EQ(message_of_call("change_r5"),
-              "change_r5: a call-saved register of r2..r9 is changed at return");
+              "change_r5: call-saved register r5 is changed at return");
     EXPECT_EQ(message_of_call("change_r17"),
-              "change_r17: a call-saved register of r10..r17 is changed at return");
-    EXPECT_EQ(message_of_call("change_r28"), "change_r28: r29:r28 is changed at return");
+              "change_r17: call-saved register r17 is changed at return");
+    EXPECT_EQ(message_of_call("change_r28"), "change_r28: call-saved register r28 is changed at return");
     EXPECT_EQ(message_of_call("enable_interrupts"),
               "enable_interrupts: interrupts are on at return");
     EXPECT_EQ(message_of_call("unbalanced"),

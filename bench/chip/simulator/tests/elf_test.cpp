@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <numeric>
+#include <random>
 
 #include "programs.hpp"
 
@@ -56,35 +59,194 @@ TEST(ElfTest, HashIsThatOfSha256sum) {
     EXPECT_EQ(program.sha256(), sha256_of(program.flash()));
 }
 
-// Each byte of the ELF header and of the symbol table's header, as all zeros and all ones: the file
-// is read or refused, and one whose entries have no size is refused.
-TEST(ElfTest, ADamagedHeaderIsReadOrRefused) {
-    const Elf intact = test_program("calls");
-    std::ifstream stream(intact.path(), std::ios::binary);
-    const std::string bytes((std::istreambuf_iterator<char>(stream)), {});
-    const auto number = [&](std::size_t at, int size) {
-        std::size_t value = 0;
-        for (int i = size; i-- > 0;)
-            value = value << 8 | static_cast<unsigned char>(bytes.at(at + std::size_t(i)));
-        return value;
-    };
-    constexpr std::size_t header = 52, entry = 40, type_of_symbols = 2, entry_size = 36;
-    std::size_t symbols = number(0x20, 4);
-    while (number(symbols + 4, 4) != type_of_symbols) symbols += entry;
+// A program's bytes to be damaged; fields are those of the ELF specification for 32 bits.
+class DamagedElfTest : public testing::Test {
+  protected:
+    static constexpr std::size_t e_type = 0x10, e_machine = 0x12, e_phoff = 0x1c, e_shoff = 0x20,
+                                 e_flags = 0x24, e_phentsize = 0x2a, e_phnum = 0x2c,
+                                 e_shentsize = 0x2e, e_shnum = 0x30, e_shstrndx = 0x32;
+    static constexpr std::size_t header_size = 52, segment_size = 32, section_size = 40;
+    static constexpr std::size_t p_offset = 4, p_paddr = 12, p_filesz = 16;
+    static constexpr std::size_t sh_type = 4, sh_addr = 12, sh_offset = 16, sh_size = 20,
+                                 sh_link = 24, sh_entsize = 36;
+    static constexpr std::uint32_t symtab = 2, strtab = 3, note = 7;
+    static constexpr std::size_t st_value = 4, st_size = 8, symbol_size = 16;
 
-    const auto path = std::filesystem::path(testing::TempDir()) / "damaged.elf";
-    const auto message_with = [&](std::size_t at, std::size_t count, char byte) {
-        std::string damaged = bytes;
-        damaged.replace(at, count, count, byte);
-        std::ofstream(path, std::ios::binary) << damaged;
-        return message_of([&] { Elf{path}; });
-    };
-    for (const char byte : {'\0', '\xff'}) {
-        for (std::size_t i = 0; i < header; ++i) message_with(i, 1, byte);
-        for (std::size_t i = 0; i < entry; ++i) message_with(symbols + i, 1, byte);
+    DamagedElfTest() {
+        std::ifstream stream(test_program("calls").path(), std::ios::binary);
+        bytes.assign(std::istreambuf_iterator<char>(stream), {});
     }
-    EXPECT_EQ(message_with(symbols + entry_size, 4, '\0'),
-              path.string() + ": its table of symbols is damaged");
+    std::uint32_t number(std::size_t at, int size = 4) const {
+        std::uint32_t value = 0;
+        std::memcpy(&value, &bytes.at(at), std::size_t(size));
+        return value;
+    }
+    void set(std::size_t at, std::uint32_t value, int size = 4) {
+        std::memcpy(&bytes.at(at), &value, std::size_t(size));
+    }
+    std::size_t section(std::uint32_t type) const {
+        std::size_t at = number(e_shoff);
+        while (number(at + sh_type) != type) at += section_size;
+        return at;
+    }
+    std::size_t segment(int index) const {
+        return number(e_phoff) + std::size_t(index) * segment_size;
+    }
+    // Some file systems wait for the disk where a file is truncated and written anew.
+    void write() const {
+        std::filesystem::remove(path);
+        std::ofstream(path, std::ios::binary) << bytes;
+    }
+    // What is said of the bytes, without the path; empty where they are read.
+    std::string message() const {
+        write();
+        const std::string text = message_of([&] { Elf{path}; });
+        if (text == "no exception") return "";
+        EXPECT_EQ(text.find(path.string() + ": "), 0u) << text;
+        EXPECT_EQ(text.find('\n'), text.npos) << text;
+        return text.substr(path.string().size() + 2);
+    }
+    void expect(const std::string& expected) const { EXPECT_EQ(message(), expected); }
+
+    std::string bytes;
+    const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "damaged.elf";
+};
+
+TEST_F(DamagedElfTest, ProgramsForOtherChipsAreRefused) {
+    const std::size_t name = bytes.find("atmega328p");
+    ASSERT_NE(name, bytes.npos);
+    const auto rename = [&](std::string other) {
+        other.resize(std::strlen("atmega328p"));  // filled with zeros, which end it
+        bytes.replace(name, other.size(), other);
+    };
+    for (const char* other : {"atmega644", "atmega644p", "atmega2560", "attiny85", "atmega168"}) {
+        rename(other);
+        expect(std::string("built for the ") + other + "; only the atmega328p is simulated");
+    }
+    rename("atmega328");  // the same chip without the P's lower power
+    expect("");
+    // Without the note the architecture tells.
+    set(section(note) + sh_type, 1);
+    expect("");
+    for (const std::uint32_t architecture : {6, 25, 51}) {
+        set(e_flags, architecture);
+        expect("built for the architecture avr:" + std::to_string(architecture) +
+               "; the atmega328p is an avr:5");
+    }
+}
+
+TEST_F(DamagedElfTest, WhatDoesNotFitIsRefused) {
+    const std::string intact = bytes;
+    set(segment(0) + p_paddr, 0x7fff);
+    expect(std::to_string(0x7fff + number(segment(0) + p_filesz)) +
+           " bytes do not fit into 32768 bytes of flash");
+    bytes = intact;
+    set(segment(0) + p_paddr, 2);  // over the initial values of data
+    expect("two of its segments overlap");
+    bytes = intact;
+    std::size_t data = number(e_shoff);
+    while (number(data + sh_addr) < 0x800000 || !number(data + sh_size)) data += section_size;
+    set(data + sh_size, 0x801);
+    expect("data from 0x100 to 0x900 is not in the RAM, 0x100 to 0x8ff");
+    set(data + sh_size, 0xffffffff);
+    EXPECT_NE(message(), "");
+    set(data + sh_size, 1);
+    set(data + sh_addr, 0x8000ff);  // an I/O register
+    expect("data from 0xff to 0xff is not in the RAM, 0x100 to 0x8ff");
+}
+
+TEST_F(DamagedElfTest, AnotherMachineOrKindIsRefused) {
+    set(e_machine, 40, 2);  // Arm
+    expect("not a linked program for the AVR");
+    set(e_machine, 83, 2);
+    expect("");
+    set(e_type, 1, 2);  // an object file
+    expect("not a linked program for the AVR");
+}
+
+TEST_F(DamagedElfTest, TablesAreCheckedEntryByEntry) {
+    const std::string intact = bytes;
+    const auto damaged = [&](std::size_t at, std::uint32_t value, int size, const char* part) {
+        set(at, value, size);
+        const std::string text = message();
+        EXPECT_TRUE(text == std::string("its ") + part + " is damaged" ||
+                    text == "not an ELF file" || text == "nothing to load")
+            << part << " at " << at << ": " << text;
+        bytes = intact;
+    };
+    const std::size_t symbols = section(symtab), about = section(note),
+                      names = number(e_shoff) + number(symbols + sh_link) * section_size;
+    for (const std::uint32_t huge : {0x7fffffffu, 0xfffffff0u, 0xffffffffu}) {
+        damaged(e_phoff, huge, 4, "table of segments");
+        damaged(e_shoff, huge, 4, "table of sections");
+        damaged(segment(0) + p_offset, huge, 4, "segment");
+        damaged(symbols + sh_offset, huge, 4, "table of symbols");
+        damaged(symbols + sh_size, huge, 4, "table of symbols");
+        damaged(symbols + sh_link, huge, 4, "table of names");
+        damaged(names + sh_offset, huge, 4, "table of names");
+        damaged(about + sh_offset, huge, 4, "note");
+        damaged(number(about + sh_offset) + 4, huge, 4, "note");  // the description's size
+        damaged(number(about + sh_offset) + 16 + 24, huge, 4, "note");  // of its table of names
+    }
+    damaged(symbols + sh_entsize, 0, 4, "table of symbols");
+    for (std::size_t i = 1; i < 20; ++i) {
+        const std::size_t entry = number(symbols + sh_offset) + i * symbol_size;
+        damaged(entry, 0x7fffffff, 4, "table of names");
+        damaged(entry + st_size, 0xffffffff, 4, "table of symbols");
+    }
+    for (const std::size_t field : {e_phentsize, e_phnum, e_shentsize, e_shnum, e_shstrndx})
+        for (const std::uint32_t value : {0u, 1u, 0xffffu}) {
+            bytes = intact;
+            set(field, value, 2);
+            message();  // read or refused, in one line
+        }
+}
+
+TEST_F(DamagedElfTest, EndsAnywhere) {
+    const std::string intact = bytes;
+    for (std::size_t size = 0; size < intact.size(); size += 1 + size / 16) {
+        bytes.resize(size);
+        EXPECT_NE(message(), "") << size;
+        bytes = intact;
+    }
+}
+
+TEST_F(DamagedElfTest, AnyByteOfItsTables) {
+    const std::string intact = bytes;
+    std::vector<std::size_t> places(header_size);
+    std::iota(places.begin(), places.end(), 0);
+    for (const std::size_t table : {segment(0), section(symtab), section(strtab), section(note),
+                                    std::size_t(number(section(note) + sh_offset))})
+        for (std::size_t i = 0; i < section_size; ++i) places.push_back(table + i);
+    for (const std::size_t at : places)
+        for (const char byte : {'\0', '\1', '\x7f', '\x80', '\xff'}) {
+            bytes[at] = byte;
+            message();
+            bytes = intact;
+        }
+}
+
+// Thousands of random faults in a blink: what is refused is refused soon, what is read is whole.
+TEST_F(DamagedElfTest, RandomFaults) {
+    const std::string intact = bytes;
+    std::mt19937 random(1);
+    for (int i = 0; i < 3000; ++i) {
+        for (int count = int(random() % 4); count >= 0; --count)
+            bytes[random() % bytes.size()] = char(random());
+        write();
+        try {
+            const Elf elf(path);
+            EXPECT_LE(elf.flash().size(), Elf::flash_size);
+            EXPECT_LE(elf.ram_bytes(), Elf::ram_end - Elf::ram_begin);
+            for (const auto& [name, symbol] : elf.functions())
+                EXPECT_LE(symbol.address + symbol.size, elf.flash().size()) << name;
+            Chip chip(elf);
+            chip.run_until_function("main", 10000);
+        } catch (const std::runtime_error& error) {
+            EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+        }
+        bytes = intact;
+    }
 }
 
 TEST(ElfTest, SaysWhatIsWrongWithAFile) {

@@ -57,6 +57,65 @@ program sleep_forever
     ret
     .size sleep_forever, . - sleep_forever
 
+; From the end of the RAM to the end of the address space.
+program write_beyond_ram
+    ldi r26, lo8(RAMEND + 1)
+    ldi r27, hi8(RAMEND + 1)
+1:  st X+, r24
+    adiw r26, 0
+    brne 1b
+    ret
+    .size write_beyond_ram, . - write_beyond_ram
+
+program write_last_address
+    ldi r30, 0xff
+    ldi r31, 0xff
+    st Z, r24
+    ret
+    .size write_last_address, . - write_last_address
+
+program read_beyond_ram
+    ldi r28, lo8(RAMEND)
+    ldi r29, hi8(RAMEND)
+    ldd r24, Y+63
+    ldi r28, 0
+    ldi r29, 0
+    ret
+    .size read_beyond_ram, . - read_beyond_ram
+
+; The words above the flash read as erased.
+program read_beyond_flash
+    ldi r30, 0xff
+    ldi r31, 0xff
+    lpm r24, Z
+    ret
+    .size read_beyond_flash, . - read_beyond_flash
+
+; A push at 0xffff.
+program stack_beyond_ram
+    ldi r24, 0xff
+    out SPL, r24
+    out SPH, r24
+    push r24
+    ret
+    .size stack_beyond_ram, . - stack_beyond_ram
+
+; Writes r24 to the last byte of the EEPROM by an address with all bits set, and reads it back.
+program eeprom_end
+    ldi r30, 0xff
+    out EEARL, r30
+    out EEARH, r30
+    in r25, EEARH
+    out EEDR, r24
+    sbi EECR, EEMPE
+    sbi EECR, EEPE
+1:  sbic EECR, EEPE
+    rjmp 1b
+    sbi EECR, EERE
+    in r24, EEDR
+    ret
+    .size eeprom_end, . - eeprom_end
+
 program leave_r1
     ldi r24, 1
     mov r1, r24

@@ -44,6 +44,11 @@ program TIMER1_COMPB_vect
     reti
     .size TIMER1_COMPB_vect, . - TIMER1_COMPB_vect
 
+program TIMER1_OVF_vect
+    out GPIOR0, r20
+    reti
+    .size TIMER1_OVF_vect, . - TIMER1_OVF_vect
+
 ; An interrupt amid 100 nops between two marks.
 program interrupted_nops
     sei
@@ -99,3 +104,36 @@ program long_sleep
     sleep
     rjmp done
     .size long_sleep, . - long_sleep
+
+; Fast PWM with ICR1 as TOP, 2000 cycles a period. The compare value is 499, and 999 from the
+; second period on, after whose match it is written. Interrupts meet instructions of one cycle.
+program fast_pwm
+    ldi r18, 3
+    ldi r20, 5
+    ldi r24, hi8(1999)
+    sts ICR1H, r24
+    ldi r24, lo8(1999)
+    sts ICR1L, r24
+    ldi r24, hi8(499)
+    sts OCR1AH, r24
+    ldi r24, lo8(499)
+    sts OCR1AL, r24
+    ldi r24, (1 << WGM11)
+    sts TCCR1A, r24
+    ldi r24, (1 << OCIE1A) | (1 << TOIE1)
+    sts TIMSK1, r24
+    ldi r22, hi8(999)
+    ldi r23, lo8(999)
+    sei
+    ldi r24, (1 << WGM13) | (1 << WGM12) | (1 << CS10)
+    sts TCCR1B, r24
+    .rept 2800
+    nop
+    .endr
+    sts OCR1AH, r22
+    sts OCR1AL, r23
+    .rept 5000
+    nop
+    .endr
+    jmp done
+    .size fast_pwm, . - fast_pwm

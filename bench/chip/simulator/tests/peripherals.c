@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Programs that exercise what the simulator mends in simavr's peripherals.
+// Programs that exercise the peripherals where libsimavr has defects.
 #include "workarounds.h"
 
 // --- USART0 ---
@@ -76,6 +76,13 @@ TEST_PROGRAM uart_echo(void) {
         }
         mark(UDR0);
     }
+    done();
+}
+
+// Instructions of one cycle, so that the host sees flags and interrupts come to the cycle.
+TEST_PROGRAM uart_listen(void) {
+    uart_start(1 << UCSZ01 | 1 << UCSZ00);
+    asm volatile(".rept 3000\n nop\n .endr");
     done();
 }
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Test programs are functions that a test starts by name after the start-up code; they end in
    done(). What they observe they write to GPIOR0, where the test reads it with its cycle. */
-#ifndef MENDS_H
-#define MENDS_H
+#ifndef WORKAROUNDS_H
+#define WORKAROUNDS_H
 
 #include <avr/interrupt.h>
 #include <avr/io.h>

@@ -7,9 +7,9 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "bench/chip/simulator/device_function.hpp"
 #include "bench/experiments/calibration/calibrate.hpp"
 #include "bench/experiments/calibration/verdicts.hpp"
-#include "bench/chip/simulator/device_function.hpp"
 #include "reference/published.hpp"
 
 namespace calibration {
@@ -140,6 +140,60 @@ TEST(Published, VerdictsTellCurvesApart) {
     Curve near = right;
     near.coefficients[2] += 0.001;
     EXPECT_EQ(reproduce("near", near, readings).verdict, "equivalent");
+}
+
+// About the least square sum S of n readings, a constant that is off by d has S + n d^2: the curve
+// is equivalent below a ten-thousandth of S more, and reproduced below a millionth of each value.
+TEST(Published, VerdictsChangeAtTheirThresholds) {
+    std::vector<Reading> readings;
+    for (int x = 0; x <= 900; x += 100)
+        readings.push_back({x, value<double>(published_function_2, x) + (x % 200 == 0 ? 1 : -1)});
+    const Fit least = fit(Family::quadratic, readings);
+    const auto off_by = [&](std::size_t coefficient, double difference) {
+        Curve curve = least.curve;
+        curve.coefficients[coefficient] += difference;
+        return reproduce("test", curve, readings);
+    };
+    const double at_limit = std::sqrt(1e-4 * least.square_sum / 10);
+    for (const double side : {-1, 1}) {
+        EXPECT_EQ(off_by(2, side * at_limit * 0.999).verdict, "equivalent");
+        EXPECT_EQ(off_by(2, side * at_limit * 1.001).verdict, "not reproducible");
+    }
+    const PublishedFit shifted = off_by(2, 0.004);
+    EXPECT_EQ(shifted.first, 0);
+    EXPECT_EQ(shifted.last, 900);
+    EXPECT_NEAR(shifted.excess, 10 * 0.004 * 0.004 / least.square_sum, 1e-9);
+    EXPECT_NEAR(shifted.largest_distance, 0.004, 1e-9);
+    EXPECT_NEAR(shifted.worst_coefficient, 0.004 / (least.curve.coefficients[2] + 0.004), 1e-8);
+    for (const std::size_t i : {0u, 1u, 2u}) {
+        const double millionth = 1e-6 * least.curve.coefficients[i];
+        EXPECT_EQ(off_by(i, 0.99 * millionth).verdict, "reproduced") << i;
+        EXPECT_NE(off_by(i, 1.01 * millionth).verdict, "reproduced") << i;
+        EXPECT_EQ(off_by(i, -0.99 * millionth).verdict, "reproduced") << i;
+        EXPECT_NE(off_by(i, -1.01 * millionth).verdict, "reproduced") << i;
+    }
+}
+
+// The readings that the published coefficients were fitted to are found among others, at either
+// end.
+TEST(Published, FindsTheRunOfReadings) {
+    std::vector<Reading> run;
+    for (int x = 200; x <= 700; x += 100)
+        run.push_back({x, value<double>(published_function_2, x) + (x % 200 == 0 ? 1 : -1)});
+    const Curve published = fit(Family::quadratic, run).curve;
+    std::vector<Reading> readings = run;
+    readings.insert(readings.begin(), {{0, 500}, {100, 90}});
+    readings.push_back({800, 900});
+    for (const bool cut : {false, true}) {
+        const std::vector<Reading> given = cut ? run : readings;
+        const PublishedFit found = reproduce("test", published, given);
+        EXPECT_EQ(found.verdict, "reproduced");
+        EXPECT_EQ(found.first, 200);
+        EXPECT_EQ(found.last, 700);
+    }
+    const std::vector<Reading> fewest(run.begin(), run.begin() + 4);
+    EXPECT_EQ(reproduce("test", fit(Family::quadratic, fewest).curve, fewest).last, 500);
+    EXPECT_THROW(reproduce("test", published, {run[0], run[1], run[2]}), std::runtime_error);
 }
 
 TEST(EvaluationError, SeesWhatIsWrong) {

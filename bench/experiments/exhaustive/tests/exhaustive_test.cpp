@@ -3,10 +3,14 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <fstream>
 #include <iterator>
+#include <thread>
 
 #include "bench/chip/instructions/tests/programs.hpp"
 #include "bench/lab/records/csv.hpp"
@@ -21,7 +25,7 @@ class ExhaustiveTest : public testing::Test {
   protected:
     ExhaustiveTest()
         : folder_(fs::temp_directory_path() / fmt::format("exhaustive_test.{}", getpid())) {
-        options_.program = test_program("functions");
+        options_.program = instructions::test_program("functions");
         options_.output = folder_;
         options_.threads = 2;
     }
@@ -117,6 +121,96 @@ TEST_F(ExhaustiveTest, ShardsMergeToWhatOneRunGives) {
     EXPECT_THROW(merge_exhaustive({shards[0], shards[0]}, folder_), std::runtime_error);
     records::write_whole(folder_ / "none.json", "{}");
     EXPECT_THROW(merge_exhaustive({folder_ / "none.json"}, folder_), std::runtime_error);
+}
+
+TEST_F(ExhaustiveTest, ShardsOfSearchesOfDifferentLengthsAreRefused) {
+    options_.symbols = {"add_q32_32_default"};
+    std::vector<fs::path> shards;
+    for (const unsigned index : {1u, 2u}) {
+        options_.shard = {index, 2};
+        options_.search_operands = 10000 * index;
+        run_exhaustive(options_);
+        shards.push_back(folder_ /
+                         fmt::format("exhaustive.add_q32_32_default.{}-of-2.json", index));
+    }
+    try {
+        merge_exhaustive(shards, folder_);
+        ADD_FAILURE() << "nothing was refused";
+    } catch (const std::runtime_error& error) {
+        EXPECT_STREQ(
+            error.what(),
+            "add_q32_32_default: the shards are of searches of 10000 and of 20000 operands");
+    }
+    EXPECT_FALSE(fs::exists(folder_ / "exhaustive.csv"));
+}
+
+TEST_F(ExhaustiveTest, PartsThatDoNotExistAreRefused) {
+    options_.symbols = {"multiply_q4_4_default"};
+    options_.shard = {1, 256};
+    run_exhaustive(options_);
+    const fs::path path = folder_ / "exhaustive.multiply_q4_4_default.1-of-256.json";
+    std::ifstream stream(path);
+    std::string text((std::istreambuf_iterator<char>(stream)), {});
+    const std::string key = "\"parts\":{\"0\"";
+    const std::size_t place = text.find(key);
+    ASSERT_NE(place, text.npos);
+    for (const char* other : {"256", "-1", "0x", ""}) {
+        std::string damaged = text;
+        damaged.replace(place, key.size(), fmt::format("\"parts\":{{\"{}\"", other));
+        records::write_whole(path, damaged);
+        EXPECT_THROW(merge_exhaustive({path}, folder_), std::runtime_error) << other;
+    }
+}
+
+std::string content(const fs::path& path) {
+    std::ifstream stream(path);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+// A child process is killed amid a run of two functions, whatever it is doing; the next run goes on
+// from the checkpoint and writes what an undisturbed one does.
+TEST_F(ExhaustiveTest, AKilledRunGoesOn) {
+    options_.symbols = {"multiply_q4_4_default", "add_q32_32_default"};
+    options_.search_operands = 3'000'000;
+    run_exhaustive(options_);
+    const std::string whole = csv();
+    fs::remove_all(folder_);
+
+    const fs::path checkpoint = folder_ / "exhaustive.add_q32_32_default.1-of-1.checkpoint.json";
+    int resumed_parts = 0;
+    for (const int signal : {SIGKILL, SIGINT}) {
+        const std::string before = content(checkpoint);
+        const pid_t child = fork();
+        if (child == 0) {
+            run_exhaustive(options_);
+            _exit(0);
+        }
+        int status = 0;
+        while (waitpid(child, &status, WNOHANG) == 0) {
+            if (fs::exists(checkpoint) && content(checkpoint) != before) kill(child, signal);
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        }
+        resumed_parts += WIFSIGNALED(status);
+    }
+    EXPECT_GT(resumed_parts, 0) << "the run was over before its first checkpoint";
+    EXPECT_TRUE(fs::exists(checkpoint));
+    run_exhaustive(options_);
+    EXPECT_EQ(csv(), whole);
+    for (const auto& file : fs::directory_iterator(folder_))
+        EXPECT_EQ(file.path().string().find("checkpoint"), std::string::npos) << file.path();
+}
+
+// What another program or other parameters left does not count.
+TEST_F(ExhaustiveTest, CheckpointsOfOtherRunsAreNotUsed) {
+    options_.symbols = {"multiply_q4_4_default"};
+    run_exhaustive(options_);
+    const std::string whole = csv();
+    const fs::path checkpoint = folder_ / "exhaustive.multiply_q4_4_default.1-of-1.checkpoint.json";
+    for (const char* text : {"", "{}", "[1, 2]", "{\"judge\": 1, \"measurement\": {}}"}) {
+        records::write_whole(checkpoint, text);
+        run_exhaustive(options_);
+        EXPECT_EQ(csv(), whole);
+    }
 }
 
 TEST_F(ExhaustiveTest, RejectsWhatCannotBeJudged) {

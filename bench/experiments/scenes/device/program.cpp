@@ -32,8 +32,9 @@ STEP(12)
 // For the measuring side, and not counted: where a particle's position lies, its velocity behind
 // it; the world's error; the hash of its state.
 const Scalar* position_of(uint8_t i) {
-    static_assert(sizeof world.particles()[i].position == World::dimensions * sizeof(Scalar), "");
-    return &world.particles()[i].position[0];
+    const World& looked_at = world;
+    static_assert(sizeof looked_at.particles()[i].position == World::dimensions * sizeof(Scalar), "");
+    return &looked_at.particles()[i].position[0];
 }
 engine::Error world_error() { return world.error(); }
 uint32_t state_hash() { return engine::state_hash(world); }

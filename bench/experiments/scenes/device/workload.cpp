@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A lever as a program whose step can be taken apart: -DSCENE=PublishedLever
-// -DARITHMETIC=published, nearest or float_ -DINTEGRATOR=ExplicitEuler -DRESOLVER=WorstFirst<10>.
+// -DARITHMETIC=published, nearest or float_ -DINTEGRATOR=ExplicitEuler -DSOLVER=WorstFirst<10>.
 //
 // What is watched is a function of its own. For the parts of a step that costs a call each; the
 // report's arithmetic, which was kept in one source file of its own, was called so too.

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <engine/scalar.hpp>
 
 namespace scene_bench {
 
@@ -63,8 +64,18 @@ Ranged length(const Ranged* v) {
     for (int i = 0; i < N; ++i) sum += static_cast<double>(v[i]) * static_cast<double>(v[i]);
     return Ranged::result(std::sqrt(sum));
 }
-inline Ranged product_plus(Ranged a, Ranged b, Ranged c) {
-    return Ranged::result(static_cast<double>(a) * static_cast<double>(b) + static_cast<double>(c));
-}
 
 }  // namespace scene_bench
+
+namespace engine {
+
+template <>
+struct MultiplyAdd<scene_bench::Ranged> {
+    using Ranged = scene_bench::Ranged;
+    static Ranged of(Ranged a, Ranged b, Ranged c) {
+        return Ranged::result(static_cast<double>(a) * static_cast<double>(b) +
+                              static_cast<double>(c));
+    }
+};
+
+}  // namespace engine

@@ -82,6 +82,25 @@ TEST_F(Verdict, TheEnginesOwnError) {
     EXPECT_EQ(of(along_x({0, 0}), 0, 0, 0),
               "failed: more contacts in a step than the scene states");
 }
+// Each threshold is reached without being passed; a number at the format's end does not fit.
+TEST_F(Verdict, AtItsThresholds) {
+    EXPECT_EQ(of(along_x({0, 0}), 10, 0, 200), "held");
+    EXPECT_EQ(of(along_x({0, 0}), 10.1, 10, 127),
+              "failed: error beyond the size of the scene (10 m)");
+    EXPECT_EQ(of(along_x({0, 0}), 10.1, 0, 128),
+              "failed: overflow: numbers up to 128 where the format ends at 128");
+    EXPECT_EQ(of(along_x({0, 0}), 10.1, none, std::nextafter(128.0, 0)),
+              "failed: error beyond the size of the scene (10 m)");
+    scene_.rod_error = rod_error;
+    EXPECT_EQ(of(along_x({0, 0.1}), 0, 0, 0), "held");
+    EXPECT_EQ(of(along_x({0, std::nextafter(0.1, 1)}), 0, 0, 0),
+              "failed: a rod is 10% off its length");
+    // The worst rod counts, whenever it was, and is told apart from what explains it.
+    EXPECT_EQ(of(along_x({0, 0.5, 0.2, 0}), 0, 0, 0), "failed: a rod is 50% off its length");
+    EXPECT_EQ(of(along_x({0, 0.5}), 0, 11, 0).substr(0, 19), "failed: the method ");
+    EXPECT_EQ(of(along_x({0, 0.5}), 0, 0, 128).substr(0, 16), "failed: overflow");
+}
+
 TEST_F(Verdict, ALostRodButNotAtTheStart) {
     scene_.rod_error = rod_error;
     EXPECT_EQ(of(along_x({0.5, 0.09}), 0, 0, 0), "held");

@@ -52,8 +52,8 @@ FROM_OUTSIDE void set_world() {
     keep();
     only_if<GRAVITY>(world, [](auto& w) { w.gravity = vector(0); });
     only_if<World::bounces>(world, [](auto& w) {
-        w.restitution = numbers[2];
-        w.restitution_threshold = numbers[3];
+        w.set_restitution(numbers[2]);
+        w.set_restitution_threshold(numbers[3]);
     });
 }
 // Position, velocity, inverse mass, radius, damping, force.

@@ -326,9 +326,10 @@ void expect_the_same(std::int64_t a_raw, std::int64_t b_raw, std::int64_t c_raw)
     RC_ASSERT((-any(a)).raw() == (-a).raw());
     RC_ASSERT((any(a) * any(b)).raw() == (a * b).raw());
     RC_ASSERT((any(a) / any(b)).raw() == (a / b).raw());
-    RC_ASSERT(product_plus(any(a), any(b), any(c)).raw() == engine::product_plus(a, b, c).raw());
-    RC_ASSERT(clamped_sum(any(a), any(b)).raw() == engine::clamped_sum(a, b).raw());
-    RC_ASSERT(clamped_product(any(a), any(b)).raw() == engine::clamped_product(a, b).raw());
+    RC_ASSERT(engine::multiply_add(any(a), any(b), any(c)).raw() ==
+              engine::multiply_add(a, b, c).raw());
+    RC_ASSERT(saturating_sum(any(a), any(b)).raw() == engine::saturating_sum(a, b).raw());
+    RC_ASSERT(saturating_product(any(a), any(b)).raw() == engine::saturating_product(a, b).raw());
     RC_ASSERT(scaled_down(any(a), 5).raw() == fixedpoint::scale_down<5>(a).raw());
     const Number first[] = {a, b}, second[] = {c, a};
     const AnyFormat any_first[] = {any(a), any(b)}, any_second[] = {any(c), any(a)};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Worlds at random, and those of the ablations, are the same on the host and on the simulated chip: the
-// hash of the state after each step, and the error that ends them.
+// Worlds at random, and those of the ablations, are the same on the host and on the simulated chip:
+// the hash of the state after each step, and the error that ends them.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -24,8 +24,8 @@ std::filesystem::path program(const std::string& name) {
 std::uint32_t hash_of(const State& state) {
     const auto exact = [](Point p) {
         using fixedpoint::Q16_16;
-        return engine::Vector<Q16_16, 2>(fixedpoint::from_float<Q16_16>(p.x).number,
-                                         fixedpoint::from_float<Q16_16>(p.y).number);
+        return engine::Vector<Q16_16, 2>(fixedpoint::from_float<Q16_16>(p.x),
+                                         fixedpoint::from_float<Q16_16>(p.y));
     };
     std::uint32_t hash = 2166136261u;
     for (const BodyState& body : state) {
@@ -127,7 +127,8 @@ INSTANTIATE_TEST_SUITE_P(Methods, RandomWorlds,
                                          std::pair{"semi_implicit_euler", "SemiImplicit"},
                                          std::pair{"velocity_verlet", "Verlet"},
                                          std::pair{"implicit_springs", "Implicit"},
-                                         std::pair{"semi_implicit_compensated", "CompensatedIntegration"}),
+                                         std::pair{"semi_implicit_compensated",
+                                                   "CompensatedIntegration"}),
                          [](const auto& info) { return info.param.second; });
 
 // A chip that is another world differs: the comparison can fail.

@@ -58,6 +58,47 @@ TEST(Judge, WithinTenPercentIsReproduced) {
     EXPECT_EQ(judge(100, 111, hypothesis, {}, 0).verdict, "not reproducible");
 }
 
+// Both ends belong to the 10%, of published figures of every size.
+TEST(Judge, ExactlyTenPercentIsReproduced) {
+    const Hypothesis hypothesis{plain_program(), "assign", seven_by_three};
+    Hypothesis other = hypothesis;
+    other.form = "accumulate";
+    for (int published = 10; published <= 5000; published += 10) {
+        for (const int side : {-1, 1}) {
+            const int at = published + side * published / 10, beyond = at + side;
+            EXPECT_EQ(judge(published, at, hypothesis, {}, 0).verdict, "reproduced") << published;
+            EXPECT_EQ(judge(published, beyond, hypothesis, {}, 0).verdict, "not reproducible");
+            EXPECT_EQ(judge(published, 1, hypothesis, Alternative{other, double(at)}, 1).verdict,
+                      "explained");
+            EXPECT_EQ(
+                judge(published, 1, hypothesis, Alternative{other, double(beyond)}, 1).verdict,
+                "not reproducible");
+        }
+    }
+    EXPECT_EQ(judge(200, 190, hypothesis, {}, 0).reason, "-5.0% under the single best hypothesis");
+    EXPECT_EQ(judge(200, 300, hypothesis, {}, 0).reason, "no alternative tried");
+}
+
+// The first that is as good as the best, has the usual flags and does not leave early.
+TEST(Hypothesis, ThePreferredOneIsAsGoodAsTheBest) {
+    const auto fit = [](double sum, const char* flags, const char* loop, Operands operands) {
+        Program program{};
+        program.flags = flags;
+        program.loop = loop;
+        return Fit{{program, "assign", operands}, sum, 0};
+    };
+    const Operands plain = seven_by_three, by_zero{{7, 3}, {3.75, 0}, false},
+                   too_large{{7, 3}, {1e30, 1e30}, false};
+    const auto rank = [&](const std::vector<Fit>& fits) { return &preferred(fits) - fits.data(); };
+    EXPECT_EQ(rank({fit(1, "-O2", "int", plain), fit(1.05, "-Os", "int", plain)}), 1);
+    EXPECT_EQ(rank({fit(1, "-O2", "int", plain), fit(1.15, "-Os", "int", plain)}), 0);
+    EXPECT_EQ(rank({fit(1, "-O2", "int", plain), fit(1.05, "-Os", "long", plain)}), 0);
+    EXPECT_EQ(rank({fit(1, "-Os", "int", by_zero), fit(1, "-Os", "int", too_large),
+                    fit(2, "-O2", "int", plain), fit(2.05, "-Os", "int", plain)}),
+              3);
+    EXPECT_THROW(preferred({fit(1, "-Os", "int", by_zero)}), std::invalid_argument);
+}
+
 TEST(Judge, AnAlternativeExplainsWhenItComesWithinTenPercent) {
     const Hypothesis hypothesis{plain_program(), "assign", seven_by_three};
     Hypothesis other = hypothesis;

@@ -25,8 +25,7 @@ std::vector<double> sample(Operation operation, const char* format_name, Operand
     std::vector<double> values;
     for (int i = 0; i < draws; ++i) {
         sampler.next(operands);
-        for (const std::int64_t raw : operands)
-            values.push_back(double(reference::value(format, raw)));
+        for (const std::int64_t raw : operands) values.push_back(reference::to_double(format, raw));
     }
     return values;
 }
@@ -106,6 +105,26 @@ TEST(OperandClass, FullCoversEveryBinade) {
     EXPECT_GT(share(values, 0.00001, 0.00002), 0.005);
     const auto singles = sample(Operation::divide, "float", OperandClass::full);
     EXPECT_NEAR(share(singles, 1e20, HUGE_VAL), 0.12, 0.01);
+}
+
+TEST(OperandClass, UniformTakesEveryRawAlike) {
+    Sampler sampler(Operation::divide, reference::q4_4, OperandClass::uniform, 1);
+    std::vector<int> counts(256);
+    std::int64_t operands[2];
+    for (int i = 0; i < 128 * 1000; ++i) {
+        sampler.next(operands);
+        for (const std::int64_t raw : operands) ++counts.at(std::size_t(raw + 128));
+    }
+    // The sum of squared deviations over 256 cells is 255 +- 23; beyond 5 of those it is no chance.
+    double deviation = 0;
+    for (const int count : counts) deviation += (count - 1000.0) * (count - 1000.0) / 1000;
+    EXPECT_NEAR(deviation, 255, 5 * 23);
+    // Pairs too: a quotient's path depends on both.
+    const auto values = sample(Operation::multiply, "q32_32", OperandClass::uniform);
+    EXPECT_NEAR(share(values, 0, 0x1p30), 0.25, 0.01);
+    EXPECT_NEAR(share(values, -0x1p31, -0x1p30), 0.25, 0.01);
+    for (const double number : sample(Operation::add, "float", OperandClass::uniform))
+        ASSERT_TRUE(std::isfinite(number));
 }
 
 TEST(OperandClass, LowBitsOfWideRawsAreRandom) {

@@ -7,6 +7,7 @@
 
 #include "bench/lab/records/benchmark_json.hpp"
 #include "bench/lab/records/csv.hpp"
+#include "bench/lab/records/record.hpp"
 #include "bench/lab/records/whole_file.hpp"
 
 namespace {
@@ -21,6 +22,23 @@ TEST(Cell, PrintsWhatAReaderExpects) {
     EXPECT_EQ(records::cell(0.5), "0.5");
     EXPECT_EQ(records::cell(1.0 / 3), "0.333333");
     EXPECT_EQ(records::cell(std::nan("")), "");
+}
+
+struct Reading {
+    std::string name;
+    int count;
+    double mean;
+    std::optional<double> error;
+
+    static constexpr auto columns = std::tuple(
+        records::column("name", &Reading::name), records::column("count", &Reading::count),
+        records::column("mean", &Reading::mean), records::column("error", &Reading::error));
+};
+
+TEST(Record, ColumnsFollowFromTheStruct) {
+    const std::vector<Reading> readings = {{"a, b", 3, 1.0 / 3, 0.25}, {"c", -1, 2, {}}};
+    EXPECT_EQ(records::table_of(readings).to_csv(),
+              "name,count,mean,error\n\"a, b\",3,0.333333,0.25\nc,-1,2,\n");
 }
 
 TEST(Table, SurvivesQuotesCommasAndLineBreaks) {

@@ -13,7 +13,7 @@ struct BruteForce {
     template <class World, class TimeStep>
     static void collide_all(World& world, TimeStep dt) {
         using Index = typename World::Index;
-        const Index count = world.particles().size();
+        const Index count = world.step_particles().size();
         for (Index b = 1; b < count; ++b) {
             for (Index a = 0; a < b; ++a) collide(a, b, world, dt);
         }

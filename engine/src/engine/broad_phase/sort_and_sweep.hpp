@@ -21,7 +21,7 @@ struct SortAndSweep {
         using Index = typename World::Index;
         using Scalar = typename World::Scalar;
         auto& memory = world.pair_memory();
-        const auto& particles = world.particles();
+        const auto& particles = world.step_particles();
         const auto left = [&](Index i) { return particles[i].position[0] - particles[i].radius; };
         while (memory.count < particles.size()) {
             memory.order[memory.count] = memory.count;

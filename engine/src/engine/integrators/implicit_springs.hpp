@@ -8,7 +8,7 @@
 
 #include <engine/decimal.hpp>
 #include <engine/observe.hpp>
-#include <engine/parting.hpp>
+#include <engine/shared_change.hpp>
 #include <engine/time_step.hpp>
 
 namespace engine {
@@ -16,7 +16,9 @@ namespace engine {
 struct ImplicitSprings {
     static constexpr bool implicit_springs = true;
     template <class World>
-    struct Memory {};
+    struct Memory {
+        constexpr void restart() const {}
+    };
 
     template <class World, class TimeStep>
     static void step(World& world, TimeStep dt) {
@@ -36,9 +38,9 @@ struct ImplicitSprings {
     // stiffness and c the damping, the velocity along it at the end of the step solves
     //   u' = u - h i (k (x + h u') + c u'),  so  u' = u / d - (s / d) x
     // with s = i h k and d = 1 + h i (h k + c). s / d is at most 1 / h, so that only s itself and
-    // i (h k + c) can leave a format, of very stiff springs on very light masses: these are clamped,
-    // which makes such a spring softer and no less stable, as both are clamped alike. h k comes
-    // before i, since h i vanishes for heavy masses.
+    // i (h k + c) can leave a format, of very stiff springs on very light masses: these are
+    // clamped, which makes such a spring softer and no less stable, as both are clamped alike. h k
+    // comes before i, since h i vanishes for heavy masses.
     template <class Spring, class World, class TimeStep>
     static void pull(const Spring& spring, World& world, TimeStep dt) {
         using namespace literals;
@@ -53,22 +55,23 @@ struct ImplicitSprings {
         const Scalar velocity = dot(relative_velocity(world, a, b), direction);
         const Scalar mobility = inverse_mass_sum(world, a, b);
         const Scalar push = spring.stiffness * dt;
-        const Scalar s = clamped_product(mobility, push);
+        const Scalar s = saturating_product(mobility, push);
         const Scalar slowing =
             spring.damping == Scalar()
                 ? s
-                : clamped_product(mobility, clamped_sum(push, spring.damping));
+                : saturating_product(mobility, saturating_sum(push, spring.damping));
         const Scalar one = 1_d;
-        const Scalar d = clamped_sum(one, slowing * dt);
-        const Scalar pulled = product_plus(s / d, spring.rest_length - distance, velocity / d);
-        part(world, a, b, direction, pulled - velocity, share_of(world, a, b),
-             &World::Particle::velocity);
+        const Scalar d = saturating_sum(one, slowing * dt);
+        const Scalar pulled =
+            engine::multiply_add(s / d, spring.rest_length - distance, velocity / d);
+        apply_shared(world, a, b, direction, pulled - velocity, mass_share(world, a, b),
+                     &World::Particle::velocity);
     }
 
     template <class World, class Index>
     static typename World::Scalar inverse_mass_sum(const World& world, Index a, Index b) {
         auto sum = world.particles()[a].inverse_mass;
-        if (is_particle(world, b)) sum = clamped_sum(sum, world.particles()[b].inverse_mass);
+        if (is_particle(world, b)) sum = saturating_sum(sum, world.particles()[b].inverse_mass);
         return sum;
     }
 };

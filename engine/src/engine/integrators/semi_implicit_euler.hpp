@@ -8,7 +8,9 @@ namespace engine {
 struct SemiImplicitEuler {
     static constexpr bool implicit_springs = false;
     template <class World>
-    struct Memory {};
+    struct Memory {
+        constexpr void restart() const {}
+    };
 
     template <class World, class TimeStep>
     static void step(World& world, TimeStep dt) {

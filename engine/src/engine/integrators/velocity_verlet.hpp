@@ -13,13 +13,14 @@ struct VelocityVerlet {
     static constexpr bool implicit_springs = false;
     template <class World>
     struct Memory {
-        bool begun = false;  // whether the forces are those at the present positions
+        bool forces_are_current = false;  // computed where the particles are
+        constexpr void restart() { forces_are_current = false; }
     };
 
     template <class World, class TimeStep>
     static void step(World& world, TimeStep dt) {
-        if (!world.integrator().begun) world.accumulate_forces();
-        world.integrator().begun = true;
+        auto& memory = world.integrator_memory();
+        if (!memory.forces_are_current) world.accumulate_forces();
         world.integrate_velocities(half(dt));
         world.collect_constraints(dt);
         world.solve_constraints();
@@ -27,6 +28,7 @@ struct VelocityVerlet {
         world.accumulate_forces();
         world.integrate_velocities(half(dt));
         world.damp();
+        memory.forces_are_current = true;
     }
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// ProjectedGaussSeidel<most>: the solver of choice. Positions are put right once, where a contact is found;
-// velocities in at most `most` sweeps over all rows, which end when a sweep changes nothing.
+// ProjectedGaussSeidel<most>: the solver of choice. Positions are put right once, where a contact
+// is found; velocities in at most `most` sweeps over all rows, which end when a sweep changes
+// nothing.
 //
 // A rod is one two-sided row. Its end moves along the chord of its arc, not the tangent: the
 // velocity along the rod becomes -h w^2 / 2L (w the relative velocity, h the step), which keeps the
@@ -8,11 +9,12 @@
 //
 // A bounce began where the surfaces met, a time t = penetration / closing velocity ago: the
 // particle is put where it would be by now, restitution x penetration beyond the surface, and has
-// the velocity that gravity gave it since. At most `restitution_threshold` fast, it does not bounce.
+// the velocity that gravity gave it since. At most `restitution_threshold` fast, it does not
+// bounce.
 #pragma once
 
 #include <engine/choice.hpp>
-#include <engine/parting.hpp>
+#include <engine/shared_change.hpp>
 #include <engine/time_step.hpp>
 
 namespace engine {
@@ -40,8 +42,8 @@ struct Pushing<Scalar, true> {
     constexpr bool acts(const World& world, Scalar velocity, Scalar& goal) const {
         if (!pushes_only) return true;
         if (!(velocity < Scalar()) && !(velocity < goal)) return false;
-        if (-velocity > world.restitution_threshold) {
-            goal = product_plus(restitution, -velocity, goal);
+        if (-velocity > world.restitution_threshold()) {
+            goal = engine::multiply_add(restitution, -velocity, goal);
         } else if (goal < Scalar()) {
             goal = Scalar();
         }
@@ -97,11 +99,11 @@ struct ProjectedGaussSeidel {
         const Scalar closing = -dot(relative_velocity(world, a, b), normal);
         Scalar target = Scalar();
         Scalar correction = penetration;
-        if (closing > world.restitution_threshold) {
-            correction = product_plus(restitution, penetration, penetration);
+        if (closing > world.restitution_threshold()) {
+            correction = engine::multiply_add(restitution, penetration, penetration);
             target = dot(world.relative_gravity(a, b), normal) *
                      (penetration / closing + seconds<Scalar>(half(dt)));
-            target = product_plus(restitution, target, target);
+            target = engine::multiply_add(restitution, target, target);
         }
         bind(world, a, b, true, normal, correction, target, restitution);
     }
@@ -122,9 +124,9 @@ struct ProjectedGaussSeidel {
     template <class World, class Index, class Vector, class Scalar>
     static void bind(World& world, Index a, Index b, bool pushes_only, const Vector& normal,
                      Scalar correction, Scalar target, Scalar restitution) {
-        const Scalar share = share_of(world, a, b);
+        const Scalar share = mass_share(world, a, b);
         if (!(correction == Scalar())) {
-            part(world, a, b, normal, correction, share, &World::Particle::position);
+            apply_shared(world, a, b, normal, correction, share, &World::Particle::position);
         }
         world.append_row([&](Row<World>& row) ENGINE_INLINE_LAMBDA {
             row.a = a;
@@ -146,7 +148,8 @@ struct ProjectedGaussSeidel {
         if (!row.acts(world, velocity, goal)) return false;
         const Scalar change = goal - velocity;
         if (change == Scalar()) return false;
-        part(world, row.a, row.b, row.normal, change, row.share(), &World::Particle::velocity);
+        apply_shared(world, row.a, row.b, row.normal, change, row.share(),
+                     &World::Particle::velocity);
         return true;
     }
 

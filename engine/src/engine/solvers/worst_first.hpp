@@ -53,7 +53,7 @@ struct WorstFirst {
         const Scalar closing_epsilon = Decimal<1, 2>();  // m/s
         const Scalar slop = Decimal<1, 4>();             // m
         if (world.rows().size() == 0) return;
-        for (auto& particle : world.particles()) particle.displacement = {};
+        for (auto& particle : world.step_particles()) particle.displacement = {};
         for (unsigned char round = 0; round < rounds; ++round) {
             const Row<World>* worst = nullptr;
             Scalar worst_velocity = Scalar();
@@ -96,8 +96,8 @@ struct WorstFirst {
 
     template <class World, class Scalar>
     static void push(World& world, const Row<World>& row, Scalar velocity, Scalar penetration) {
-        auto& a = world.particles()[row.a];
-        auto* b = is_particle(world, row.b) ? &world.particles()[row.b] : nullptr;
+        auto& a = world.step_particles()[row.a];
+        auto* b = is_particle(world, row.b) ? &world.step_particles()[row.b] : nullptr;
         const Scalar total = b == nullptr ? a.inverse_mass : a.inverse_mass + b->inverse_mass;
         if (!(total > Scalar())) return;
         if (velocity < Scalar()) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Checked<Hook>: returns what Nearest returns, and calls Hook::notify(event, operation) first where
-// the result is not the rounded exact one (overflow, division by zero, domain error), and where a
-// product or quotient other than 0 was rounded to 0. The operations named below are watched, the
-// other functions cannot leave their range but for exp, whose limit is documented.
+// the exact result, rounded, is not in the range (overflow), where there is none (division by zero,
+// domain error), and where a product or quotient other than 0 is rounded to 0 (underflow).
+// Operations that are not named below have a result in range for every operand. parse and the
+// conversions named _checked return their status and do not notify.
 #pragma once
 
 #include <fixedpoint/arithmetic/saturating.hpp>
@@ -27,6 +28,14 @@ enum class Operation : unsigned char {
     dot,
     length,
     scale_down,
+    cos,
+    atan2,
+    exp,
+    normalise,
+    ceil,
+    round,
+    from_float,
+    from_decimal,
 };
 
 template <class Hook>
@@ -49,13 +58,13 @@ struct Checked : Nearest {
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR Raw multiply(Raw a, Raw b) {
         const Raw result = Nearest::multiply<Raw, F>(a, b);
-        const Raw clamped = Saturating::multiply<Raw, F>(a, b);
+        const Raw saturated = Saturating::multiply<Raw, F>(a, b);
         // Comparing the two would miss a product that wraps all the way round to its limit.
-        if ((clamped == RawLimits<Raw>::max || clamped == RawLimits<Raw>::min) &&
-            product_exceeds<Raw, F>(a, b, clamped)) {
+        if ((saturated == RawLimits<Raw>::max || saturated == RawLimits<Raw>::min) &&
+            product_exceeds<Raw, F>(a, b, saturated)) {
             Hook::notify(Event::overflow, Operation::multiply);
         }
-        watch_underflow(clamped == 0 && a != 0 && b != 0, Operation::multiply);
+        watch_underflow(saturated == 0 && a != 0 && b != 0, Operation::multiply);
         return result;
     }
     template <class Raw, int F>
@@ -76,15 +85,13 @@ struct Checked : Nearest {
         return Nearest::remainder<Raw, F>(a, b);
     }
     template <class Raw, int F>
-    static constexpr Raw shift_left(Raw a, unsigned char count) {
-        return wrapped<Raw>(Nearest::shift_left<Raw, F>(a, count),
-                            Saturating::shift_left<Raw, F>(a, count), Operation::shift_left);
+    static FIXEDPOINT_CONSTEXPR Raw shift_left(Raw a, unsigned char count) {
+        watch_range(portable::shift_left_fits(a, count), Operation::shift_left);
+        return Nearest::shift_left<Raw, F>(a, count);
     }
     template <class Raw, int F, class FromRaw, int FromF>
     static FIXEDPOINT_CONSTEXPR Raw convert(FromRaw a) {
-        if (!portable::convert_clamped<Raw, F, FromRaw, FromF>(a).fits) {
-            Hook::notify(Event::overflow, Operation::convert);
-        }
+        watch_range(portable::convert_clamped<Raw, F, FromRaw, FromF>(a).fits, Operation::convert);
         return Nearest::convert<Raw, F, FromRaw, FromF>(a);
     }
     template <class Raw, int F>
@@ -96,12 +103,59 @@ struct Checked : Nearest {
     static FIXEDPOINT_CONSTEXPR Raw reciprocal_sqrt(Raw a) {
         if (a < 0) Hook::notify(Event::domain_error, Operation::reciprocal_sqrt);
         if (a == 0) Hook::notify(Event::division_by_zero, Operation::reciprocal_sqrt);
+        watch_range(a <= 0 || portable::reciprocal_sqrt_fits<Raw, F>(a),
+                    Operation::reciprocal_sqrt);
         return Nearest::reciprocal_sqrt<Raw, F>(a);
     }
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR Raw log(Raw a) {
         if (a <= 0) Hook::notify(Event::domain_error, Operation::log);
+        watch_range(a <= 0 || portable::log_fits<Raw, F>(a), Operation::log);
         return Nearest::log<Raw, F>(a);
+    }
+    template <class Raw, int F>
+    static FIXEDPOINT_CONSTEXPR Raw exp(Raw a) {
+        watch_range(portable::exp_fits<Raw, F>(a), Operation::exp);
+        return Nearest::exp<Raw, F>(a);
+    }
+    template <class Raw, int F>
+    static FIXEDPOINT_CONSTEXPR Raw atan2(Raw y, Raw x) {
+        watch_range(portable::atan2_fits<Raw, F>(y, x), Operation::atan2);
+        return Nearest::atan2<Raw, F>(y, x);
+    }
+    template <class Raw, int F>
+    static FIXEDPOINT_CONSTEXPR Raw cos(Raw angle) {
+        watch_range(portable::cos_fits<Raw, F>(angle), Operation::cos);
+        return Nearest::cos<Raw, F>(angle);
+    }
+    template <class Raw, int F>
+    static FIXEDPOINT_CONSTEXPR void sincos(Raw angle, Raw* sine_and_cosine) {
+        watch_range(portable::cos_fits<Raw, F>(angle), Operation::cos);
+        Nearest::sincos<Raw, F>(angle, sine_and_cosine);
+    }
+    template <class Raw, int F>
+    static FIXEDPOINT_CONSTEXPR Raw ceil(Raw a) {
+        watch_range(portable::integral_fits<Raw, F>(portable::integer_ceil<Raw, F>(a)),
+                    Operation::ceil);
+        return Nearest::ceil<Raw, F>(a);
+    }
+    template <class Raw, int F>
+    static FIXEDPOINT_CONSTEXPR Raw round(Raw a) {
+        watch_range(portable::integral_fits<Raw, F>(portable::integer_round<Raw, F>(a)),
+                    Operation::round);
+        return Nearest::round<Raw, F>(a);
+    }
+    // NaN is a domain error.
+    template <class Raw, int F, class Float>
+    static FIXEDPOINT_CONSTEXPR Raw from_float(Float x) {
+        if (x != x) Hook::notify(Event::domain_error, Operation::from_float);
+        watch_range(x != x || portable::from_float<Raw, F>(x).fits, Operation::from_float);
+        return Nearest::from_float<Raw, F>(x);
+    }
+    template <class Raw, int F, class Int>
+    static FIXEDPOINT_CONSTEXPR Raw from_decimal(Int n, uint8_t decimals) {
+        watch_range(portable::from_decimal<Raw, F>(n, decimals).fits, Operation::from_decimal);
+        return Nearest::from_decimal<Raw, F>(n, decimals);
     }
 
     template <class Raw, int F>
@@ -130,6 +184,15 @@ struct Checked : Nearest {
     static constexpr Raw length3(const Raw* v) {
         return watched_length<Raw>(v, 3, Nearest::length3<Raw, F>(v));
     }
+    // One event for a vector, however many of its components are 1.
+    template <class Raw, int F>
+    static FIXEDPOINT_CONSTEXPR void normalise3(const Raw* v, Raw* unit) {
+        watch_range(portable::normalised_fits<Raw, F>(v, 0) &&
+                        portable::normalised_fits<Raw, F>(v, 1) &&
+                        portable::normalised_fits<Raw, F>(v, 2),
+                    Operation::normalise);
+        Nearest::normalise3<Raw, F>(v, unit);
+    }
     template <int K, class Raw>
     static FIXEDPOINT_CONSTEXPR Raw scale_down(Raw a) {
         const Raw result = Nearest::scale_down<K>(a);
@@ -138,6 +201,9 @@ struct Checked : Nearest {
     }
 
   private:
+    static FIXEDPOINT_CONSTEXPR void watch_range(bool fits, Operation operation) {
+        if (!fits) Hook::notify(Event::overflow, operation);
+    }
     static FIXEDPOINT_CONSTEXPR void watch_underflow(bool vanished, Operation operation) {
         if (vanished) Hook::notify(Event::underflow, operation);
     }
@@ -193,14 +259,15 @@ struct Checked : Nearest {
         return result;
     }
 
+    // For sums, which cannot wrap all the way round to the saturated result.
     template <class Raw>
-    static FIXEDPOINT_CONSTEXPR Raw wrapped(Raw result, Raw clamped, Operation operation) {
-        if (result != clamped) Hook::notify(Event::overflow, operation);
+    static FIXEDPOINT_CONSTEXPR Raw wrapped(Raw result, Raw saturated, Operation operation) {
+        watch_range(result == saturated, operation);
         return result;
     }
 
     // Whether |numerator| 2^shift lies more than half of |unit| beyond |limit| |unit| (by half
-    // itself only where the result is positive, since ties go upward).
+    // itself only where the result is positive, since halves are rounded up).
     static FIXEDPOINT_CONSTEXPR bool beyond(portable::Wide128 value, portable::Wide128 limit,
                                             uint64_t half, bool tie_counts) {
         const uint64_t low = value.low - limit.low;

@@ -11,7 +11,6 @@
 
 #include <fixedpoint/arithmetic/wrapping.hpp>
 #include <fixedpoint/kernel/dispatch.hpp>
-#include <fixedpoint/portable/convert.hpp>
 
 namespace fixedpoint {
 
@@ -30,11 +29,6 @@ struct Nearest : Wrapping {
     template <class Raw, int F>
     static constexpr Raw remainder(Raw a, Raw b) {
         return kernel::remainder<Raw, F>(a, b);
-    }
-    // a, of another format, rounded to F fraction bits, mod 2^W.
-    template <class Raw, int F, class FromRaw, int FromF>
-    static constexpr Raw convert(FromRaw a) {
-        return portable::convert<Raw, F, FromRaw, FromF>(a);
     }
     // sqrt(a) rounded; 0 where a < 0.
     template <class Raw, int F>

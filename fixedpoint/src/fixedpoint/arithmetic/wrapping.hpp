@@ -1,13 +1,21 @@
 // SPDX-License-Identifier: MIT
-// Wrapping: the operations that are exact modulo 2^W, whatever else an arithmetic does, and the
-// division by a power of two.
+// Wrapping: what every arithmetic has in common. Sums and shifts are exact modulo 2^W; conversions,
+// divisions by a power of two and roundings to an integer are not what arithmetics differ in, but
+// for those that saturate or tell.
 #pragma once
 
+#include <fixedpoint/portable/convert.hpp>
+#include <fixedpoint/portable/floating_point.hpp>
+#include <fixedpoint/portable/from_decimal.hpp>
+#include <fixedpoint/portable/round.hpp>
 #include <fixedpoint/portable/scale_down.hpp>
 
 namespace fixedpoint {
 
 struct Wrapping {
+    // Whether sums, differences and products beyond the range are taken modulo 2^W.
+    static constexpr bool is_modulo = true;
+
     // (a + b) mod 2^W.
     template <class Raw, int F>
     static constexpr Raw add(Raw a, Raw b) {
@@ -28,10 +36,34 @@ struct Wrapping {
     static constexpr Raw shift_left(Raw a, unsigned char count) {
         return wrapping_shift_left(a, count);
     }
-    // a / 2^K rounded to nearest, ties upward.
+    // a / 2^K rounded to nearest, half up.
     template <int K, class Raw>
     static constexpr Raw scale_down(Raw a) {
         return portable::scale_down<K>(a);
+    }
+    // a, an integer or of another format, rounded to F fraction bits, mod 2^W.
+    template <class Raw, int F, class FromRaw, int FromF>
+    static constexpr Raw convert(FromRaw a) {
+        return portable::convert<Raw, F, FromRaw, FromF>(a);
+    }
+    // The float or double x, rounded, saturated; 0 where x is NaN.
+    template <class Raw, int F, class Float>
+    static constexpr Raw from_float(Float x) {
+        return portable::from_float<Raw, F>(x).number;
+    }
+    // n / 10^decimals, rounded, saturated.
+    template <class Raw, int F, class Int>
+    static constexpr Raw from_decimal(Int n, uint8_t decimals) {
+        return portable::from_decimal<Raw, F>(n, decimals).number;
+    }
+    // The smallest integral number >= a, and the nearest one, half up; saturated.
+    template <class Raw, int F>
+    static constexpr Raw ceil(Raw a) {
+        return portable::ceil<Raw, F>(a);
+    }
+    template <class Raw, int F>
+    static constexpr Raw round(Raw a) {
+        return portable::round<Raw, F>(a);
     }
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// fmt of fixed-point numbers: {:[[fill]align][width][.decimals][f]}, aligned to the right by
-// default. Without decimals it is the shortest text that reads back.
+// fmt of fixed-point numbers: {:[[fill]align][0][width][.decimals][f]}, aligned to the right by
+// default; 0 fills with zeros behind the sign where no alignment is given, as for double. Without
+// decimals it is the shortest text that reads back.
 #pragma once
 
 #include <fmt/format.h>
@@ -8,8 +9,8 @@
 #include <algorithm>
 #include <fixedpoint/host/text.hpp>
 
-template <int I, int F, class A>
-class fmt::formatter<fixedpoint::Fixed<I, F, A>> {
+template <int IntegerBits, int F, class A>
+class fmt::formatter<fixedpoint::Fixed<IntegerBits, F, A>> {
   public:
     FIXEDPOINT_CONSTEXPR auto parse(fmt::format_parse_context& context) {
         const char* at = context.begin();
@@ -19,6 +20,10 @@ class fmt::formatter<fixedpoint::Fixed<I, F, A>> {
         };
         if (at != end && *at != '}' && is_align(at + 1)) fill_ = *at++;
         if (is_align(at)) align_ = *at++;
+        if (at != end && *at == '0') {
+            ++at;
+            if (align_ == default_align) align_ = '0';
+        }
         width_ = parse_count(at, end);
         if (at != end && *at == '.') {
             const char* const digits = ++at;
@@ -27,18 +32,22 @@ class fmt::formatter<fixedpoint::Fixed<I, F, A>> {
         }
         if (at != end && *at == 'f') ++at;
         if (at != end && *at != '}') {
-            throw fmt::format_error("allowed for fixed point: [[fill]align][width][.decimals][f]");
+            throw fmt::format_error(
+                "allowed for fixed point: [[fill]align][0][width][.decimals][f]");
         }
         return at;
     }
 
     template <class Context>
-    auto format(fixedpoint::Fixed<I, F, A> number, Context& context) const {
-        const std::string text =
-            decimals_ < 0 ? fixedpoint::to_string(number)
-                          : fixedpoint::to_string(number, static_cast<uint8_t>(decimals_));
+    auto format(fixedpoint::Fixed<IntegerBits, F, A> number, Context& context) const {
+        std::string text = decimals_ < 0
+                               ? fixedpoint::to_string(number)
+                               : fixedpoint::to_string(number, static_cast<uint8_t>(decimals_));
+        if (align_ == '0') {
+            text = fixedpoint::fill_behind_sign(text, static_cast<std::size_t>(width_), '0');
+        }
         const int padding = std::max(0, width_ - static_cast<int>(text.size()));
-        const int left = align_ == '<' ? 0 : align_ == '>' ? padding : padding / 2;
+        const int left = align_ == '<' ? 0 : align_ == '^' ? padding / 2 : padding;
         auto out = std::fill_n(context.out(), left, fill_);
         out = std::copy(text.begin(), text.end(), out);
         return std::fill_n(out, padding - left, fill_);
@@ -54,8 +63,10 @@ class fmt::formatter<fixedpoint::Fixed<I, F, A>> {
         return count;
     }
 
+    static constexpr char default_align = '\0';
+
     char fill_ = ' ';
-    char align_ = '>';
+    char align_ = default_align;
     int width_ = 0;
     int decimals_ = -1;
 };

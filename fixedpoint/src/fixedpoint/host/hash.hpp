@@ -5,9 +5,9 @@
 #include <fixedpoint/fixed.hpp>
 #include <functional>
 
-template <int I, int F, class A>
-struct std::hash<fixedpoint::Fixed<I, F, A>> {
-    std::size_t operator()(fixedpoint::Fixed<I, F, A> number) const noexcept {
-        return std::hash<fixedpoint::Integer<I + F>>()(number.raw());
+template <int IntegerBits, int F, class A>
+struct std::hash<fixedpoint::Fixed<IntegerBits, F, A>> {
+    std::size_t operator()(fixedpoint::Fixed<IntegerBits, F, A> number) const noexcept {
+        return std::hash<fixedpoint::Integer<IntegerBits + F>>()(number.raw());
     }
 };

@@ -6,9 +6,9 @@
 #include <fixedpoint/fixed.hpp>
 #include <limits>
 
-template <int I, int F, class A>
-class std::numeric_limits<fixedpoint::Fixed<I, F, A>> {
-    using Number = fixedpoint::Fixed<I, F, A>;
+template <int IntegerBits, int F, class A>
+class std::numeric_limits<fixedpoint::Fixed<IntegerBits, F, A>> {
+    using Number = fixedpoint::Fixed<IntegerBits, F, A>;
     using Raw = typename Number::Raw;
 
   public:
@@ -17,7 +17,7 @@ class std::numeric_limits<fixedpoint::Fixed<I, F, A>> {
     static constexpr bool is_integer = F == 0;
     static constexpr bool is_exact = true;
     static constexpr bool is_bounded = true;
-    static constexpr bool is_modulo = false;
+    static constexpr bool is_modulo = A::is_modulo;
     static constexpr bool is_iec559 = false;
     static constexpr bool has_infinity = false;
     static constexpr bool has_quiet_NaN = false;
@@ -29,10 +29,10 @@ class std::numeric_limits<fixedpoint::Fixed<I, F, A>> {
     static constexpr std::float_round_style round_style = std::round_to_nearest;
 
     static constexpr int radix = 2;
-    static constexpr int digits = I + F - 1;
+    static constexpr int digits = IntegerBits + F - 1;
     // The decimal digits that survive in front of the point and behind it; floor(n log10(2)) =
     // floor(3 n / 10) for n < 64.
-    static constexpr int digits10 = (I - 1) * 3 / 10 + F * 3 / 10;
+    static constexpr int digits10 = (IntegerBits - 1) * 3 / 10 + F * 3 / 10;
     static constexpr int max_digits10 = 0;
     // There is no exponent.
     static constexpr int min_exponent = 0;

@@ -10,22 +10,25 @@
 namespace fixedpoint {
 
 // With std::fixed, as many decimals as precision() says, 255 at most; otherwise the shortest text
-// that reads back. Honours width, fill, left, right and showpos.
-template <int I, int F, class A>
-std::ostream& operator<<(std::ostream& stream, Fixed<I, F, A> number) {
+// that reads back. Honours width, fill, left, right, internal and showpos.
+template <int IntegerBits, int F, class A>
+std::ostream& operator<<(std::ostream& stream, Fixed<IntegerBits, F, A> number) {
     const bool is_fixed = (stream.flags() & std::ios::floatfield) == std::ios::fixed;
     const auto decimals =
         std::min<std::streamsize>(std::max<std::streamsize>(stream.precision(), 0), 255);
     std::string text =
         is_fixed ? to_string(number, static_cast<uint8_t>(decimals)) : to_string(number);
     if ((stream.flags() & std::ios::showpos) && text[0] != '-') text.insert(0, 1, '+');
+    if ((stream.flags() & std::ios::adjustfield) == std::ios::internal) {
+        text = fill_behind_sign(text, static_cast<std::size_t>(stream.width()), stream.fill());
+    }
     return stream << text;
 }
 
 // Takes the longest run of characters that can begin a decimal number. As for float: malformed
 // text gives 0, a number out of range the limit of the range, and both set failbit.
-template <int I, int F, class A>
-std::istream& operator>>(std::istream& stream, Fixed<I, F, A>& number) {
+template <int IntegerBits, int F, class A>
+std::istream& operator>>(std::istream& stream, Fixed<IntegerBits, F, A>& number) {
     const std::istream::sentry ready(stream);
     if (!ready) return stream;
     std::string text;
@@ -49,7 +52,7 @@ std::istream& operator>>(std::istream& stream, Fixed<I, F, A>& number) {
          next = stream.peek()) {
         text += Traits::to_char_type(stream.get());
     }
-    const auto result = parse<Fixed<I, F, A>>(text.data(), text.size());
+    const auto result = parse<Fixed<IntegerBits, F, A>>(text.data(), text.size());
     number = result.number;
     if (result.status != TextStatus::ok) stream.setstate(std::ios::failbit);
     return stream;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// to_string: decimal text as std::string, which streams and fmt pad and align.
+// parse and to_string: decimal text as std::string.
 #pragma once
 
 #include <fixedpoint/text.hpp>
@@ -7,18 +7,30 @@
 
 namespace fixedpoint {
 
+template <class Number>
+Parsed<Number> parse(const std::string& text) {
+    return parse<Number>(text.data(), text.size());
+}
+
 // The shortest text that reads back.
-template <int I, int F, class A>
-std::string to_string(Fixed<I, F, A> number) {
-    char buffer[text_capacity<Fixed<I, F, A>>()];
+template <int IntegerBits, int F, class A>
+std::string to_string(Fixed<IntegerBits, F, A> number) {
+    char buffer[text_capacity<Fixed<IntegerBits, F, A>>()];
     return {buffer, print(number, buffer, sizeof buffer)};
 }
 
 // The text with so many decimals.
-template <int I, int F, class A>
-std::string to_string(Fixed<I, F, A> number, uint8_t decimals) {
-    std::string text(text_capacity<Fixed<I, F, A>>(decimals), '\0');
+template <int IntegerBits, int F, class A>
+std::string to_string(Fixed<IntegerBits, F, A> number, uint8_t decimals) {
+    std::string text(text_capacity<Fixed<IntegerBits, F, A>>(decimals), '\0');
     text.resize(print(number, decimals, &text[0], text.size()));
+    return text;
+}
+
+// `text` of a number, filled up to `width` between its sign and its digits.
+inline std::string fill_behind_sign(std::string text, std::size_t width, char fill) {
+    const std::size_t sign = text[0] == '-' || text[0] == '+' ? 1 : 0;
+    if (text.size() < width) text.insert(sign, width - text.size(), fill);
     return text;
 }
 

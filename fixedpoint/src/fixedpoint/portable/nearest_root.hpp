@@ -8,14 +8,14 @@
 namespace fixedpoint {
 namespace portable {
 
-// sqrt(high 2^W + low) to nearest, never a tie; clamped to what a Raw holds. Digit by digit: two
-// bits of the radicand make one bit of the root.
+// sqrt(high 2^W + low) to nearest, never a tie; 2^(W-1), which no Raw holds, where it is no less.
+// Digit by digit: two bits of the radicand make one bit of the root.
 template <class Raw>
-FIXEDPOINT_CONSTEXPR Raw nearest_root(Unsigned<Raw> high, Unsigned<Raw> low) {
+FIXEDPOINT_CONSTEXPR Unsigned<Raw> nearest_root_magnitude(Unsigned<Raw> high, Unsigned<Raw> low) {
     using Word = Unsigned<Raw>;
     constexpr int W = RawLimits<Raw>::width;
     constexpr Word quarter = static_cast<Word>(Word(1) << (W - 2));
-    if (high >= quarter) return RawLimits<Raw>::max;
+    if (high >= quarter) return static_cast<Word>(Word(1) << (W - 1));
     Word root = 0, remainder = 0, digits = high;
     int pair = 0;
     // Leading zeros make no digit.
@@ -37,9 +37,13 @@ FIXEDPOINT_CONSTEXPR Raw nearest_root(Unsigned<Raw> high, Unsigned<Raw> low) {
         root = static_cast<Word>(root | (mask & 1));
     }
     // remainder > root: the radicand lies beyond (root + 1/2)^2 = root^2 + root + 1/4.
-    const Word rounded = static_cast<Word>(root + (remainder > root ? 1 : 0));
-    return rounded > static_cast<Word>(RawLimits<Raw>::max) ? RawLimits<Raw>::max
-                                                            : static_cast<Raw>(rounded);
+    return static_cast<Word>(root + (remainder > root ? 1 : 0));
+}
+
+// The same, saturated.
+template <class Raw>
+constexpr Raw nearest_root(Unsigned<Raw> high, Unsigned<Raw> low) {
+    return clamped_with_sign<Raw>(nearest_root_magnitude<Raw>(high, low), false);
 }
 
 template <class Raw>
@@ -47,11 +51,11 @@ constexpr Raw nearest_root(DoubleWord<Raw> radicand) {
     return nearest_root<Raw>(DoubleWordOf<Raw>::high(radicand), DoubleWordOf<Raw>::low(radicand));
 }
 
-// sqrt(numerator 2^doublings / denominator) to nearest, ties upward; clamped to what a Raw holds.
-// Needs numerator < 2 denominator. Number is any unsigned integer that holds the two.
+// sqrt(numerator 2^doublings / denominator) to nearest, half up, negated where `negative`;
+// saturated. Needs numerator < 2 denominator. Number is any unsigned integer that holds the two.
 template <class Raw, class Number>
-FIXEDPOINT_CONSTEXPR Raw nearest_root_of_ratio(Number numerator, Number denominator,
-                                               int doublings) {
+FIXEDPOINT_CONSTEXPR Raw nearest_root_of_ratio(Number numerator, Number denominator, int doublings,
+                                               bool negative = false) {
     using Word = Unsigned<Raw>;
     constexpr int W = RawLimits<Raw>::width;
     Word high = 0, low = 0;
@@ -59,7 +63,7 @@ FIXEDPOINT_CONSTEXPR Raw nearest_root_of_ratio(Number numerator, Number denomina
     bool carry = false;
     for (int round = 0; round <= doublings; ++round) {
         if (round > 0) {
-            if (high >> (W - 2) != 0) return RawLimits<Raw>::max;
+            if (high >> (W - 2) != 0) return negative ? RawLimits<Raw>::min : RawLimits<Raw>::max;
             high = static_cast<Word>((high << 1) | (low >> (W - 1)));
             low = static_cast<Word>(low << 1);
             const Number doubled = static_cast<Number>(remainder << 1);
@@ -79,7 +83,7 @@ FIXEDPOINT_CONSTEXPR Raw nearest_root_of_ratio(Number numerator, Number denomina
         low = static_cast<Word>(low + 1);
         if (low == 0) high = static_cast<Word>(high + 1);
     }
-    return nearest_root<Raw>(high, low);
+    return clamped_with_sign<Raw>(nearest_root_magnitude<Raw>(high, low), negative);
 }
 
 }  // namespace portable

@@ -65,10 +65,9 @@ struct Normalisation<Raw, F, false> {
         const DoubleWord<Raw> length_squared = sum_of_squares(v, 3);
         for (int i = 0; i < 3; ++i) {
             // The zero vector has no ratio; a zero component needs none.
-            const Raw component =
-                v[i] == 0 ? Raw(0)
-                          : nearest_root_of_ratio<Raw>(square(v[i]), length_squared, 2 * F);
-            unit[i] = v[i] < 0 ? static_cast<Raw>(-component) : component;
+            unit[i] = v[i] == 0 ? Raw(0)
+                                : nearest_root_of_ratio<Raw>(square(v[i]), length_squared, 2 * F,
+                                                             v[i] < 0);
         }
     }
 };

@@ -26,10 +26,11 @@ constexpr Raw nearest_reciprocal_sqrt(Raw a) {
 FIXEDPOINT_CONSTEXPR uint32_t reciprocal_root_mantissa(uint32_t radicand) {
     const int h = static_cast<int>(radicand >> 24) - 64;
     const uint32_t l = radicand >> 16 & 0xff, x = radicand >> 8 & 0xff;
-    const uint32_t slope = reciprocal_sqrt_slope[h];
-    const uint32_t parabola = (l * (256 - l) >> 7) * reciprocal_sqrt_bulge[h] >> 7;
-    return reciprocal_sqrt_value[h] - (l * (slope & 0xff) >> 8) - l * (slope >> 8) -
-           (x * (slope >> 8) >> 8) - parabola;
+    const uint32_t slope = read_program_memory(ReciprocalSqrtTable<>::slope[h]);
+    const uint32_t parabola =
+        (l * (256 - l) >> 7) * read_program_memory(ReciprocalSqrtTable<>::bulge[h]) >> 7;
+    return read_program_memory(ReciprocalSqrtTable<>::value[h]) - (l * (slope & 0xff) >> 8) -
+           l * (slope >> 8) - (x * (slope >> 8) >> 8) - parabola;
 }
 
 FIXEDPOINT_CONSTEXPR int32_t reciprocal_sqrt_q16_16(int32_t a) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Rounding to an integer: as a plain integer (integer_floor and its kin, which always fit a Raw)
-// and as a fixed-point number again (floor and its kin, which clamp what does not fit).
+// and as a fixed-point number again (floor and its kin, which saturate what does not fit).
 #pragma once
 
 #include <fixedpoint/integer.hpp>
@@ -32,20 +32,26 @@ constexpr Raw integer_ceil(Raw a) {
     return static_cast<Raw>((a >> F) + (fraction<Raw, F>(a) != 0 ? 1 : 0));
 }
 
-// The integer nearest to a / 2^F, ties upward: floor(a / 2^F + 1/2).
+// The integer nearest to a / 2^F, half up: floor(a / 2^F + 1/2).
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw integer_round(Raw a) {
     // The sum a + 2^(F-1) could overflow; the bit behind the point says the same.
     constexpr Raw half = static_cast<Raw>((Unsigned<Raw>(1) << F) >> 1);
     Raw rounded = integer_floor<Raw, F>(a);
-    if ((a & half) != 0) ++rounded;
+    if ((a & half) != 0) rounded = static_cast<Raw>(rounded + 1);
     return rounded;
+}
+
+// Whether the integer n is not beyond the largest number. Needs an n that is not below the range.
+template <class Raw, int F>
+constexpr bool integral_fits(Raw n) {
+    return n <= (RawLimits<Raw>::max >> F);
 }
 
 // The number n; the largest number where n lies beyond it.
 template <class Raw, int F>
-constexpr Raw integral_clamped_above(Raw n) {
-    return n > (RawLimits<Raw>::max >> F)
+constexpr Raw integral_saturated_above(Raw n) {
+    return !integral_fits<Raw, F>(n)
                ? RawLimits<Raw>::max
                : static_cast<Raw>(static_cast<Unsigned<Raw>>(static_cast<Unsigned<Raw>>(n) << F));
 }
@@ -59,14 +65,14 @@ constexpr Raw floor(Raw a) {
 // The smallest integral number >= a; where that integer is not representable, the largest number.
 template <class Raw, int F>
 constexpr Raw ceil(Raw a) {
-    return integral_clamped_above<Raw, F>(integer_ceil<Raw, F>(a));
+    return integral_saturated_above<Raw, F>(integer_ceil<Raw, F>(a));
 }
 
-// The integral number nearest to a, ties upward; where that integer is not representable, the
+// The integral number nearest to a, half up; where that integer is not representable, the
 // largest number.
 template <class Raw, int F>
 constexpr Raw round(Raw a) {
-    return integral_clamped_above<Raw, F>(integer_round<Raw, F>(a));
+    return integral_saturated_above<Raw, F>(integer_round<Raw, F>(a));
 }
 
 // a without its fraction, rounded toward zero; always representable.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A scene whose features come from the command line: -DGRAVITY=1 -DSPRINGS=0 ... -DDIMENSIONS=2
-// -DINTEGRATOR=SemiImplicitEuler -DRESOLVER=ProjectedGaussSeidel<10> -DBROAD_PHASE=BruteForce
+// -DINTEGRATOR=SemiImplicitEuler -DSOLVER=ProjectedGaussSeidel<10> -DBROAD_PHASE=BruteForce
 // -DARITHMETIC=Nearest. Every feature that is in acts in every step. The first particle is the lever's end; a second hangs beside it where
 // something needs two.
 #include <engine.h>
@@ -15,7 +15,7 @@ constexpr bool two = SPRINGS || RODS || ROPES || COLLISIONS;
 template <class World>
 struct Push {
     typename World::Vector force;  // N
-    void apply(World& world) const { world.particles()[0].force += force; }
+    void apply(World& world) const { world.step_particles()[0].force += force; }
 };
 
 struct Scene : Uses {

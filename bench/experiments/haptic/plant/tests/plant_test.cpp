@@ -299,6 +299,43 @@ TEST(Plant, ConvergesWithTheStep) {
     EXPECT_LT(std::abs(fine), degrees(0.001));
 }
 
+// A pulse between two steps drives the servo from the next one on: as one at the step before would,
+// and unlike one at the step after. Only whole steps have passed when it comes.
+TEST(Plant, APulseBetweenTwoStepsActsFromTheNextOneOn) {
+    const auto after_a_pulse_at = [](double steps) {
+        Plant plant(published_parameters(), {});
+        const double step = plant.parameters().step;
+        plant.servo_pulse(width_for(plant.parameters(), degrees(60)), steps * step);
+        EXPECT_NEAR(plant.time() / step, std::floor(steps), 1e-9);
+        EXPECT_EQ(plant.servo_angle(), 0);
+        plant.advance_to(40 * step);
+        return plant.servo_angle();
+    };
+    const double at_step = after_a_pulse_at(10);
+    EXPECT_GT(at_step, 0);
+    for (const double part : {0.01, 0.25, 0.5, 0.75, 0.99})
+        EXPECT_EQ(after_a_pulse_at(10 + part), at_step) << part;
+    EXPECT_LT(after_a_pulse_at(11), at_step);
+}
+
+// One step from rest, each body by its closed form.
+TEST(Plant, AStepIsItsEquations) {
+    Parameters p = published_parameters();
+    Script script;
+    script.hand_angle.from(degrees(30));
+    script.hand_force.from(2);
+    Plant plant(p, script);
+    plant.servo_pulse(width_for(p, degrees(60)), 0);
+    plant.advance_to(p.step);
+    // The foams hold each other at rest; the drive is full, and nothing turns yet.
+    EXPECT_NEAR(plant.lever_velocity(), 2 * p.lever.length / p.lever.inertia * p.step, 1e-12);
+    EXPECT_NEAR(plant.lever_angle() - degrees(30), plant.lever_velocity() * p.step, 1e-15);
+    EXPECT_NEAR(plant.servo_velocity(), p.servo.stall_torque / p.servo.inertia * p.step, 1e-12);
+    EXPECT_NEAR(plant.servo_angle() - degrees(30), plant.servo_velocity() * p.step, 1e-15);
+    EXPECT_NEAR(plant.time(), p.step, 1e-15);
+    EXPECT_EQ(plant.hand_force(), 2);
+}
+
 TEST(Plant, AWholeNumberOfStepsIsAllOfThem) {
     Plant plant(published_parameters(), stalled_at(0));
     const double step = plant.parameters().step;

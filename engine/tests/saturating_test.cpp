@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// In Clamped numbers what leaves the range stays at its end, on the side where it left: in Q8.8,
+// In SaturatingFixed numbers what leaves the range stays at its end, on the side where it left: in
+// Q8.8,
 // +-128, in every place where the plain format comes back from the other side.
 #include <engine.h>
 #include <gtest/gtest.h>
@@ -9,7 +10,7 @@ using engine::BinaryStep;
 
 namespace {
 
-using Number = engine::Clamped<8, 8>;
+using Number = engine::SaturatingFixed<8, 8>;
 using Plain = engine::Fixed<8, 8>;
 constexpr int16_t most = 32767, least = -32768;
 
@@ -35,22 +36,22 @@ struct Falling : engine::Uses {
     static constexpr bool gravity = true;
 };
 
-TEST(Clamped, WhatFallsOnAndOnStaysAtTheEndOfPositionsAndVelocities) {
-    OneBody<Number, Falling> clamped(-100_d, 0_d, 1_d);
+TEST(Saturating, WhatFallsOnAndOnStaysAtTheEndOfPositionsAndVelocities) {
+    OneBody<Number, Falling> saturating(-100_d, 0_d, 1_d);
     OneBody<Plain, Falling> plain(-100_d, 0_d, 1_d);
-    clamped.world.gravity[0] = -100_d;
+    saturating.world.gravity[0] = -100_d;
     plain.world.gravity[0] = -100_d;
     bool plain_came_back = false;
-    int16_t before = clamped.x();
+    int16_t before = saturating.x();
     for (int step = 0; step < 1000; ++step) {
-        clamped.world.step(BinaryStep<6>());
+        saturating.world.step(BinaryStep<6>());
         plain.world.step(BinaryStep<6>());
-        ASSERT_LE(clamped.x(), before);
-        before = clamped.x();
+        ASSERT_LE(saturating.x(), before);
+        before = saturating.x();
         plain_came_back |= plain.x() > 0;
     }
-    EXPECT_EQ(clamped.x(), least);
-    EXPECT_EQ(clamped.velocity(), least);
+    EXPECT_EQ(saturating.x(), least);
+    EXPECT_EQ(saturating.velocity(), least);
     EXPECT_TRUE(plain_came_back);
 }
 
@@ -59,7 +60,7 @@ struct Pulled : engine::Uses {
 };
 
 // 100 N/m by 100 m, and then by an inverse mass of 100: 10^4 and 10^6 in a range of 128.
-TEST(Clamped, ForcesAndAccelerationsBeyondTheRangePullTheRightWay) {
+TEST(Saturating, ForcesAndAccelerationsBeyondTheRangePullTheRightWay) {
     OneBody<Number, Pulled> right(100_d, 0_d, 100_d), left(-100_d, 0_d, 100_d);
     right.world.add_anchored_spring(right.body, {0_d, 0_d}, 100_d, 0_d, 0_d);
     left.world.add_anchored_spring(left.body, {0_d, 0_d}, 100_d, 0_d, 0_d);
@@ -75,7 +76,7 @@ struct Rolling : engine::Uses {
 };
 
 // The velocity changes by twice what it was: 240 in a range of 128.
-TEST(Clamped, ABounceTurnsTheVelocityRound) {
+TEST(Saturating, ABounceTurnsTheVelocityRound) {
     OneBody<Number, Rolling> body(1_d, -120_d, 1_d);
     body.world.add_plane({1_d, 0_d}, 0_d, 1_d);
     body.world.step(BinaryStep<4>());
@@ -103,7 +104,7 @@ bool touch(Scalar a, Scalar b, Scalar radius) {
 }
 
 // 255.5 m apart, which is -0.5 m in a range of 256; two radii of 100 m are -56 m there.
-TEST(Clamped, WhatIsFarApartDoesNotTouchAndLargeBodiesDo) {
+TEST(Saturating, WhatIsFarApartDoesNotTouchAndLargeBodiesDo) {
     EXPECT_FALSE(touch<Number>(127.75_d, -127.75_d, 1_d));
     EXPECT_TRUE(touch<Plain>(127.75_d, -127.75_d, 1_d));
     EXPECT_TRUE(touch<Number>(0_d, 50_d, 100_d));

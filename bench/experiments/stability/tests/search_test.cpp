@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The search against closed forms: a subject that does nothing, and a case that breaks exactly at a
+// parameter and in a step.
+#include "bench/experiments/stability/search.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace stability {
+namespace {
+
+using fixedpoint::Event;
+using fixedpoint::Operation;
+
+// What the run tells besides the steps; set by a test.
+std::function<void(Outcome&, unsigned step)> incident;
+
+Outcome run(const Description& description, const Watch& watch) {
+    Outcome outcome;
+    for (unsigned step = 0; step <= description.steps; ++step) {
+        outcome.steps = outcome.record.step = step;
+        if (incident) incident(outcome, step);
+        if (!watch({}, step)) break;
+    }
+    return outcome;
+}
+const Subject nothing{"none", "exact", "no_such_method", 128, 0.125, run};
+const Subject like_euler{"none", "exact", "explicit_euler", 128, 0.125, run};
+
+class Search : public testing::Test {
+  protected:
+    ~Search() override { incident = nullptr; }
+
+    // Holds up to `limit`, and breaks beyond it in step `from`, from where the measure is `beyond`.
+    Case breaking(double first, double last, double limit, double beyond = 20, unsigned from = 7) {
+        Case one{"test", "springs", "parameter", "m", first, last, "closed form", {}};
+        const bool rising = last > first;
+        one.at = [=](double parameter) {
+            Experiment experiment;
+            experiment.description.steps = 100;
+            experiment.description.dt = TimeStep::binary(3);
+            const bool breaks = rising ? parameter > limit : parameter < limit;
+            experiment.measure = [=](const State&, unsigned step) {
+                return breaks && step >= from ? beyond : 1;
+            };
+            return experiment;
+        };
+        return one;
+    }
+};
+
+// The k-th point of `count` between the ends, on a logarithmic scale.
+double point(double first, double last, double k, double count) {
+    return first * std::pow(last / first, k / count);
+}
+
+// The last parameter that held is the limit rounded down to the grid that bisection divides.
+TEST_F(Search, BisectsToTheLastPointBeforeTheLimit) {
+    struct {
+        double first, last, count;
+    } const ranges[] = {{1, 1000, 6}, {1000, 1, 6}, {0.5, 5, 4}, {1e-6, 1e6, 24}};
+    for (const auto& [first, last, count] : ranges) {
+        for (const double place : {0.26, 1.01, 2.5, 3.37, count - 0.003}) {
+            const Case one = breaking(first, last, point(first, last, place, count));
+            for (const unsigned bisections : {0u, 1u, 5u, 10u}) {
+                const double parts = std::ldexp(1, static_cast<int>(bisections));
+                const double held = std::floor(place * parts + 1e-9) / parts;
+                const Finding finding = find_limit(one, nothing, {2, bisections});
+                EXPECT_NEAR(finding.limit / point(first, last, held, count), 1, 1e-12)
+                    << first << " to " << last << " at " << place << ", " << bisections;
+                EXPECT_EQ(finding.verdict, Verdict::diverges);
+                EXPECT_EQ(finding.step, 7u);
+            }
+        }
+    }
+}
+
+TEST_F(Search, HoldsThroughout) {
+    const Finding finding = find_limit(breaking(1, 1000, 1000.5), nothing, {2, 10});
+    EXPECT_EQ(finding.verdict, Verdict::stable);
+    EXPECT_NEAR(finding.limit, 1000, 1e-9);
+    EXPECT_EQ(finding.last_held.steps, 100u);
+}
+
+TEST_F(Search, NothingHolds) {
+    const Finding finding = find_limit(breaking(1, 1000, 0.5), nothing, {2, 10});
+    EXPECT_TRUE(std::isnan(finding.limit));
+    EXPECT_EQ(finding.verdict, Verdict::diverges);
+    EXPECT_EQ(finding.step, 7u);
+}
+
+// Ten tolerances are a divergence, less is a drift by so many tolerances a second.
+TEST_F(Search, TellsDriftFromDivergence) {
+    const auto found = [&](double measure, unsigned from) {
+        return find_limit(breaking(1, 1000, 30, measure, from), nothing, {2, 3});
+    };
+    EXPECT_EQ(found(10, 7).verdict, Verdict::diverges);
+    EXPECT_EQ(found(std::numeric_limits<double>::quiet_NaN(), 7).verdict, Verdict::diverges);
+    const Finding drift = found(9.75, 26);
+    EXPECT_EQ(drift.verdict, Verdict::drifts);
+    EXPECT_EQ(drift.step, 26u);
+    EXPECT_DOUBLE_EQ(drift.rate, 9.75 / (26 / 8.0));
+    EXPECT_EQ(find_limit(breaking(1, 1000, 30, 1), nothing, {2, 3}).verdict, Verdict::stable);
+    EXPECT_EQ(found(std::nextafter(1.0, 2), 7).verdict, Verdict::drifts);
+}
+
+TEST_F(Search, ABreakAtTheStartIsOneOfTheFirstStep) {
+    const Trial trial = attempt(nothing, breaking(1, 1000, 0.5, 20, 0).at(1));
+    EXPECT_FALSE(trial.held);
+    EXPECT_EQ(trial.failed_step, 1u);
+    EXPECT_EQ(trial.outcome.steps, 0u);
+}
+
+TEST_F(Search, AttemptRunsOnUntilTheMeasurePassesWhereItIsToStop) {
+    Experiment growing = breaking(1, 1000, 1000).at(1);
+    growing.measure = [](const State&, unsigned step) { return step / 10.0; };
+    const Trial trial = attempt(nothing, growing, 5);
+    EXPECT_EQ(trial.failed_step, 11u);
+    EXPECT_EQ(trial.outcome.steps, 50u);
+    EXPECT_EQ(trial.worst, 5);
+    EXPECT_EQ(attempt(nothing, growing).outcome.steps, 11u);
+}
+
+// An endurance ends with the last step before the break.
+TEST_F(Search, EnduranceCountsTheStepsThatHeld) {
+    Case one = breaking(1, 50, 60);
+    one.endurance = true;
+    one.at = [](double steps) {
+        Experiment experiment;
+        experiment.description.steps = static_cast<unsigned>(steps);
+        experiment.measure = [](const State&, unsigned step) { return step >= 41 ? 2 : 0; };
+        return experiment;
+    };
+    const Finding broken = find_limit(one, nothing, {});
+    EXPECT_EQ(broken.limit, 40);
+    EXPECT_EQ(broken.step, 41u);
+    EXPECT_EQ(broken.verdict, Verdict::drifts);
+    EXPECT_EQ(find_limit(one, nothing, {2, 10, 40}).limit, 40);  // no longer than it is told
+    EXPECT_EQ(find_limit(one, nothing, {2, 10, 40}).verdict, Verdict::stable);
+    EXPECT_EQ(find_limit(one, nothing, {2, 10, 30}).limit, 30);
+}
+
+// What the subject itself tells comes before what the measure says; the earliest cause counts.
+TEST_F(Search, NamesWhatTheSubjectTells) {
+    const Case one = breaking(1, 1000, 30, 20, 7);
+    const auto found = [&](std::function<void(Outcome&, unsigned)> happens) {
+        incident = std::move(happens);
+        return find_limit(one, nothing, {2, 3});
+    };
+    Finding finding = found([](Outcome& outcome, unsigned) { outcome.unfit = "mass"; });
+    EXPECT_EQ(finding.verdict, Verdict::overflows);
+    EXPECT_EQ(finding.first_event, "overflow convert mass");
+    EXPECT_TRUE(std::isnan(finding.limit));
+    finding = found([](Outcome& outcome, unsigned) { outcome.vanished = "mass"; });
+    EXPECT_EQ(finding.verdict, Verdict::underflows);
+    EXPECT_EQ(finding.first_event, "underflow convert mass");
+    finding = found([](Outcome& outcome, unsigned) { outcome.error = "too many contacts"; });
+    EXPECT_EQ(finding.verdict, Verdict::reports);
+    EXPECT_EQ(finding.first_event, "too many contacts");
+}
+
+TEST_F(Search, WhatWrapsFailsWithoutAMeasure) {
+    incident = [](Outcome& outcome, unsigned step) {
+        if (step == 5) outcome.record.notify(Event::overflow, Operation::multiply);
+    };
+    const Finding finding = find_limit(breaking(1, 1000, 1000.5), nothing, {2, 3});
+    EXPECT_TRUE(std::isnan(finding.limit));
+    EXPECT_EQ(finding.verdict, Verdict::overflows);
+    EXPECT_EQ(finding.first_event, "overflow multiply description");
+    EXPECT_EQ(finding.step, 5u);
+}
+
+// A cause counts up to the step in which the measure fails, and no later.
+TEST_F(Search, ACauseIsNoLaterThanItsEffect) {
+    // The measure passes 1 in step 7 and 10 in step 60, so that the run goes on in between.
+    Case one = breaking(1, 1000, 30);
+    const auto at = one.at;
+    one.at = [at](double parameter) {
+        Experiment experiment = at(parameter);
+        if (parameter > 30)
+            experiment.measure = [](const State&, unsigned step) {
+                return step < 7 ? 0 : step < 60 ? 2 : 20;
+            };
+        return experiment;
+    };
+    const auto found = [&](unsigned when, bool clamps) {
+        incident = [=](Outcome& outcome, unsigned step) {
+            if (step != when) return;
+            if (clamps) {
+                outcome.record.clamp(Operation::add);
+            } else {
+                outcome.record.notify(Event::overflow, Operation::add);
+            }
+        };
+        const Experiment experiment = one.at(1000);
+        const Trial trial = attempt(nothing, experiment, 10);
+        EXPECT_EQ(trial.failed_step, 7u);
+        Case broken = one;
+        broken.from = 1000, broken.to = 2000;
+        return find_limit(broken, nothing, {2, 3});
+    };
+    for (const bool clamps : {false, true}) {
+        const Verdict verdict = clamps ? Verdict::saturates : Verdict::overflows;
+        EXPECT_EQ(found(6, clamps).verdict, verdict);
+        EXPECT_EQ(found(7, clamps).verdict, verdict);
+        EXPECT_EQ(found(7, clamps).step, 7u);
+        EXPECT_EQ(found(6, clamps).step, 6u);
+        EXPECT_EQ(found(8, clamps).verdict, Verdict::diverges);
+    }
+}
+
+// Products that vanish explain a drift where they do so in half of the steps and double holds. The
+// engine in double hands over the one body of the description, the subject above hands over none.
+TEST_F(Search, UnderflowsWhereHalfOfTheStepsDoAndDoubleHolds) {
+    const auto found = [&](const Subject& subject, unsigned steps, double measure,
+                           double in_double) {
+        incident = [=](Outcome& outcome, unsigned step) {
+            if (step >= 1 && step <= steps)
+                outcome.record.notify(Event::underflow, Operation::multiply);
+        };
+        Case one = breaking(1, 1000, 30);
+        one.at = [=](double) {
+            Experiment experiment;
+            experiment.description.bodies.resize(1);
+            experiment.description.steps = 100;
+            experiment.measure = [=](const State& state, unsigned step) {
+                return step < 40 ? 0 : state.empty() ? measure : in_double;
+            };
+            return experiment;
+        };
+        return find_limit(one, subject, {2, 3});
+    };
+    const Finding finding = found(like_euler, 20, 2, 1);
+    EXPECT_EQ(finding.verdict, Verdict::underflows);
+    EXPECT_EQ(finding.step, 1u);
+    EXPECT_EQ(finding.first_event, "underflow multiply description");
+    EXPECT_EQ(found(like_euler, 19, 2, 1).verdict, Verdict::drifts);
+    EXPECT_EQ(found(like_euler, 20, 2, 2).verdict, Verdict::drifts);  // the method itself fails
+    EXPECT_EQ(found(like_euler, 20, 20, 1).verdict, Verdict::diverges);
+    EXPECT_EQ(found(nothing, 20, 2, 1).verdict, Verdict::drifts);  // no such method in double
+}
+
+TEST(VerdictText, IsTheDataFiles) {
+    EXPECT_EQ(to_text(Verdict::stable), "stable");
+    EXPECT_EQ(to_text(Verdict::drifts), "drifts");
+    EXPECT_EQ(to_text(Verdict::diverges), "diverges");
+    EXPECT_EQ(to_text(Verdict::overflows), "overflows");
+    EXPECT_EQ(to_text(Verdict::saturates), "saturates");
+    EXPECT_EQ(to_text(Verdict::underflows), "underflows");
+    EXPECT_EQ(to_text(Verdict::reports), "reports");
+}
+
+}  // namespace
+}  // namespace stability

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The rows of subjects.h as values.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bench/lab/catalogue/subjects.h"
+#include "reference/operation.hpp"
+
+namespace catalogue {
+
+enum class Provenance { ours, published, rival };
+
+struct Implementation {
+    std::string_view name;
+    Provenance provenance;
+};
+
+#define IMPLEMENTATION_ROW(name, Policy, provenance, ...) \
+    Implementation{#name, Provenance::provenance},
+inline constexpr std::array implementations = {IMPLEMENTATIONS(IMPLEMENTATION_ROW)};
+#undef IMPLEMENTATION_ROW
+
+// Whether a wrong result is a failure: a rival's error is only measured. An implementation that the
+// catalogue does not have, in somebody's own program, claims the definitions of its format.
+inline bool is_held_to_its_definition(const reference::NamedSubject& named) {
+    for (const Implementation& row : implementations)
+        if (row.name == named.implementation) return row.provenance != Provenance::rival;
+    return named.subject.format.kind == reference::FormatKind::fixed;
+}
+
+// The device programs without their suffix: one for each format of the library, and the rivals'.
+inline std::vector<std::string> programs() {
+#define PROGRAM_NAME(format, ...) #format,
+    return {LIBRARY_FORMATS(PROGRAM_NAME) "rivals"};
+#undef PROGRAM_NAME
+}
+
+}  // namespace catalogue

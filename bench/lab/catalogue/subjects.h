@@ -1,0 +1,94 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * Every implementation that is measured, once, and the formats and operations that it has. The
+ * subjects of the host and of the device, the device programs, and the names, order and labels in
+ * the figures are expanded from these rows. */
+#ifndef BENCH_LAB_CATALOGUE_SUBJECTS_H
+#define BENCH_LAB_CATALOGUE_SUBJECTS_H
+
+#include "reference/operation_table.h"
+
+/* X(format, raw type, fraction bits, ...). Each FORMAT_q is a format of the library and has a
+ * device program of its own. */
+/* clang-format off */
+#define FORMAT_q4_4(X, ...)   X(q4_4, int8_t, 4, __VA_ARGS__)
+#define FORMAT_q8_8(X, ...)   X(q8_8, int16_t, 8, __VA_ARGS__)
+#define FORMAT_q16_16(X, ...) X(q16_16, int32_t, 16, __VA_ARGS__)
+#define FORMAT_q8_24(X, ...)  X(q8_24, int32_t, 24, __VA_ARGS__)
+#define FORMAT_q32_32(X, ...) X(q32_32, int64_t, 32, __VA_ARGS__)
+/* clang-format on */
+
+#define SQUARE_FORMATS(X, ...)                                                            \
+    FORMAT_q4_4(X, __VA_ARGS__) FORMAT_q8_8(X, __VA_ARGS__) FORMAT_q16_16(X, __VA_ARGS__) \
+        FORMAT_q32_32(X, __VA_ARGS__)
+#define LIBRARY_FORMATS(X, ...)                                                           \
+    FORMAT_q4_4(X, __VA_ARGS__) FORMAT_q8_8(X, __VA_ARGS__) FORMAT_q16_16(X, __VA_ARGS__) \
+        FORMAT_q8_24(X, __VA_ARGS__) FORMAT_q32_32(X, __VA_ARGS__)
+#define SINGLE(X, ...) X(float, float, 0, __VA_ARGS__)
+#define INTEGERS(X, ...)              \
+    X(int8, int8_t, 0, __VA_ARGS__)   \
+    X(int16, int16_t, 0, __VA_ARGS__) \
+    X(int32, int32_t, 0, __VA_ARGS__) \
+    X(int64, int64_t, 0, __VA_ARGS__)
+/* GCC's, by integer and fraction bits, the sign bit apart. */
+#define ACCUMS(X, ...)                      \
+    X(s8_7, short _Accum, 7, __VA_ARGS__)   \
+    X(s16_15, _Accum, 15, __VA_ARGS__)      \
+    X(s32_31, long _Accum, 31, __VA_ARGS__) \
+    X(s16_47, long long _Accum, 47, __VA_ARGS__)
+
+#define SUMS_AND_PRODUCTS(X, ...)                                    \
+    OPERATION_add(X, __VA_ARGS__) OPERATION_subtract(X, __VA_ARGS__) \
+        OPERATION_multiply(X, __VA_ARGS__)
+#define OPERATORS(X, ...)             \
+    SUMS_AND_PRODUCTS(X, __VA_ARGS__) \
+    OPERATION_divide(X, __VA_ARGS__)
+#define INTEGER_OPERATORS(X, ...) \
+    OPERATORS(X, __VA_ARGS__)     \
+    OPERATION_remainder(X, __VA_ARGS__)
+#define PORTABLE_OPERATIONS(X, ...)                                     \
+    OPERATION_multiply(X, __VA_ARGS__) OPERATION_divide(X, __VA_ARGS__) \
+        OPERATION_sqrt(X, __VA_ARGS__)
+#define PUBLISHED_OPERATIONS(X, ...) \
+    OPERATORS(X, __VA_ARGS__)        \
+    OPERATION_sqrt(X, __VA_ARGS__) OPERATION_atan2(X, __VA_ARGS__)
+#define SMALL_OPERATIONS(X, ...)                                                                  \
+    OPERATION_sqrt(X, __VA_ARGS__) OPERATION_atan(X, __VA_ARGS__) OPERATION_atan2(X, __VA_ARGS__) \
+        OPERATION_reciprocal_sqrt(X, __VA_ARGS__) OPERATION_sin(X, __VA_ARGS__)                   \
+            OPERATION_cos(X, __VA_ARGS__) OPERATION_sincos(X, __VA_ARGS__)                        \
+                OPERATION_exp(X, __VA_ARGS__) OPERATION_log(X, __VA_ARGS__)
+
+/* X(implementation, policy, provenance, on the host, formats, operations, label)
+ *
+ * policy       the struct of static member functions that computes; on the device the file of that
+ *              name in bench/device/subjects/ knows it
+ * provenance   ours and published: each result is held to its definition; rival: the error is
+ *              measured and not judged
+ * on the host  own: through the same policy; as_default: by definition with the default's results;
+ *              none: what the toolchain of the device brings */
+/* clang-format off */
+#define IMPLEMENTATION_default(X) \
+    X(default, Nearest, ours, own, LIBRARY_FORMATS, MEASURED_OPERATIONS, "ours, default")
+#define IMPLEMENTATION_portable(X) \
+    X(portable, Portable, ours, as_default, SQUARE_FORMATS, PORTABLE_OPERATIONS, "ours, portable C++")
+#define IMPLEMENTATION_published(X) \
+    X(published, Published, published, own, SQUARE_FORMATS, PUBLISHED_OPERATIONS, "the report's")
+#define IMPLEMENTATION_saturating(X) \
+    X(saturating, Saturating, ours, own, LIBRARY_FORMATS, SUMS_AND_PRODUCTS, "ours, saturating")
+#define IMPLEMENTATION_widening(X) \
+    X(widening, Widening, ours, as_default, FORMAT_q16_16, OPERATION_divide, "ours, widening")
+#define IMPLEMENTATION_small(X) \
+    X(small, Small, ours, own, FORMAT_q16_16, SMALL_OPERATIONS, "ours, small tables")
+#define IMPLEMENTATION_libc(X) \
+    X(libc, Libc, rival, none, SINGLE, MEASURED_OPERATIONS, "avr-libc float")
+#define IMPLEMENTATION_accum(X) \
+    X(accum, Accum, rival, none, ACCUMS, OPERATORS, "GCC _Accum")
+#define IMPLEMENTATION_native(X) \
+    X(native, Native, rival, none, INTEGERS, INTEGER_OPERATORS, "plain integer")
+/* clang-format on */
+
+#define IMPLEMENTATIONS(X)                                                              \
+    IMPLEMENTATION_default(X) IMPLEMENTATION_portable(X) IMPLEMENTATION_published(X)    \
+        IMPLEMENTATION_saturating(X) IMPLEMENTATION_widening(X) IMPLEMENTATION_small(X) \
+            IMPLEMENTATION_libc(X) IMPLEMENTATION_accum(X) IMPLEMENTATION_native(X)
+
+#endif

@@ -1,0 +1,668 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The report on small made-up data whose results are known by hand: the values behind each figure,
+each computation of the pages, and what is told of damaged data."""
+
+import contextlib
+import io
+import pathlib
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+import data as data_module  # noqa: E402
+import division_cycles  # noqa: E402
+import error_against_cycles  # noqa: E402
+import error_along_input  # noqa: E402
+import error_histograms  # noqa: E402
+import growth  # noqa: E402
+import haptic_region  # noqa: E402
+import haptic_timing  # noqa: E402
+import headline  # noqa: E402
+import lever  # noqa: E402
+import replay  # noqa: E402
+import report  # noqa: E402
+import scenes  # noqa: E402
+import scenes_workload  # noqa: E402
+import stability  # noqa: E402
+import style  # noqa: E402
+import table_3_2  # noqa: E402
+from data import Data, DataError  # noqa: E402
+from matplotlib.colors import to_hex  # noqa: E402
+
+
+def golden(**files):
+    """Data of rows that stand here: of each file the names of its columns, then a row a line."""
+    made = Data("nowhere")
+    for name, text in files.items():
+        columns, *lines = [line.split() for line in text.strip().splitlines()]
+        made._loaded[name] = [
+            data_module.Row(name, {column: data_module._typed("" if cell == "-" else cell, column, name)
+                                   for column, cell in zip(columns, line)}) for line in lines]
+        if any(len(line) != len(columns) for line in lines):
+            raise ValueError(f"{name}: a row of another length than its columns")
+    made.has = lambda name: name in files
+    return made
+
+
+def points(axes):
+    """The points of each scatter of the axes, with its colour."""
+    return [(tuple(map(float, collection.get_offsets()[0])), to_hex(collection.get_facecolor()[0]))
+            for collection in axes.collections if len(collection.get_offsets())]
+
+
+def curves(axes):
+    return [(list(map(float, line.get_xdata())), list(map(float, line.get_ydata())))
+            for line in axes.lines]
+
+
+def spans(collection):
+    """Begin and length of the bars of a broken_barh."""
+    return [(round(path.vertices[:, 0].min(), 6), round(path.vertices[:, 0].max()
+                                                        - path.vertices[:, 0].min(), 6))
+            for path in collection.get_paths()]
+
+
+def texts(axes):
+    return [text.get_text() for text in axes.texts]
+
+
+OPERATIONS = """
+operation format implementation operands samples cycles_min cycles_mean cycles_max max_ulp rms_error
+add q16_16 default physics 9 8 10 12 0.5 0.001
+add q16_16 published physics 9 8 40 12 0.5 0.001
+add float libc physics 9 8 100 112 0.5 0.0001
+add q16_16 default full 9 8 77 99 0.5 0.7
+add q8_8 default physics 9 8 5 12 0.5 0.02
+add q16_16 small physics 9 8 70 90 - -
+sqrt q16_16 default physics 9 8 300 999 0.5 0
+sqrt float libc physics 9 8 500 999 0.5 0.01
+exp float libc physics 9 8 500 999 0.5 0.01
+"""
+
+
+class Operations(unittest.TestCase):
+    def test_headline_shows_the_means_of_physics_operands(self):
+        axes = headline.draw(golden(operations=OPERATIONS)).axes[0]
+        bars = [[(round(bar.get_x() + bar.get_width() / 2, 6), bar.get_height())
+                 for bar in container] for container in axes.containers]
+        self.assertEqual(bars, [[(-0.27, 40)], [(0, 100), (1, 500)], [(0.27, 10), (1.27, 300)]])
+        self.assertEqual([label.get_text() for label in axes.get_xticklabels()], ["add", "sqrt"])
+        self.assertEqual([container.get_label() for container in axes.containers],
+                         ["2016 design Q16.16", "avr-libc float", "ours, default Q16.16"])
+
+    def test_a_pareto_front_is_what_no_other_beats(self):
+        front = error_against_cycles.pareto([(3, 5), (1, 9), (2, 9), (4, 5), (5, 1), (3, 6)])
+        self.assertEqual(front, [(1, 9), (3, 5), (5, 1)])
+        self.assertEqual(error_against_cycles.pareto([(1, 2), (1, 1), (0, 3)]), [(0, 3), (1, 1)])
+
+    def test_error_against_cycles(self):
+        figure = error_against_cycles.draw(golden(operations=OPERATIONS), "32 bits")
+        shown = [axes for axes in figure.axes if axes.axison]
+        self.assertEqual([axes.get_title() for axes in shown], ["add", "sqrt"])  # exp has no rival
+        self.assertEqual(points(shown[0]), [((10, 0.001), style.COLOURS["default"]),
+                                            ((40, 0.001), style.COLOURS["published"]),
+                                            ((100, 0.0001), style.COLOURS["libc"])])
+        self.assertEqual(points(shown[1])[0][0], (300, error_against_cycles.FLOOR))
+        self.assertEqual(curves(shown[0]), [([10, 100, 130], [0.001, 0.0001, 0.0001])])
+        self.assertAlmostEqual(shown[0].get_ylim()[0], 0.0001 / 3)
+        self.assertAlmostEqual(shown[0].get_ylim()[1], 0.003)
+
+    def test_error_along_the_input_stands_at_the_geometric_mean(self):
+        axes = error_along_input.draw(golden(error_along_input="""
+operation format implementation low high samples max_ulp rms_ulp mean_ulp
+sin q16_16 default 1 4 5 0.75 0.25 0
+sin q16_16 default 4 9 5 0.625 0.125 0
+sin q16_16 published 1 4 5 3 2 0
+""")).axes[0]
+        self.assertEqual(curves(axes), [([2], [3]), ([2], [2]), ([2, 6], [0.75, 0.625]),
+                                        ([2, 6], [0.25, 0.125])])
+        self.assertEqual(axes.get_ylim()[0], 0)
+
+    def test_histograms_are_shares_of_all_inputs(self):
+        rows = "operation format implementation low_ulp high_ulp count\n"
+        for operation, number_format in error_histograms.PANELS:
+            for implementation in ("published", "default"):
+                rows += f"""{operation} {number_format} {implementation} -inf -1 10
+{operation} {number_format} {implementation} -1 -0.5 20
+{operation} {number_format} {implementation} -0.5 0.5 65
+{operation} {number_format} {implementation} 1 inf 5
+"""
+        for axes in error_histograms.draw(golden(error_histograms=rows)).axes:
+            self.assertEqual([(bar.get_x(), bar.get_width(), bar.get_height()) for bar in axes.patches],
+                             2 * [(-1, 0.5, 0.2), (-0.5, 1, 0.65)])
+            self.assertEqual([line.get_xdata()[0] for line in axes.lines], [-0.5, 0.5])
+
+    def test_division_cycles(self):
+        figure = division_cycles.draw(golden(operations="""
+operation format implementation operands cycles_mean
+divide q16_16 default small 481
+divide q16_16 default physics 480
+""", division_cycles="""
+kind operands cycles count value note
+fixed_16_16_histogram small 1600 3 - -
+fixed_16_16_histogram small 1616 1 - -
+float_histogram small 480 4 - -
+float_histogram full 480 4 - -
+published - 992 - 62 engine
+published - 1920 - 120 Table
+published - 1900 - 120 less
+law - - - 2 constant
+"""))
+        self.assertEqual([axes.get_title() for axes in figure.axes], ["operands: small"])
+        axes = figure.axes[0]
+        self.assertEqual([(bar.get_x(), bar.get_width(), bar.get_height()) for bar in axes.patches],
+                         [(1600, 16, 0.75), (1616, 16, 0.25), (480, 16, 1)])
+        self.assertEqual([line.get_xdata()[0] for line in axes.lines], [481, 992, 1920, 1900])
+        self.assertEqual([(text.get_text(), text.xy[0]) for text in axes.texts],
+                         [("engine: 62 µs", 992), ("Table 3.2", 1920), ("Table 3.2 less loop", 1900)])
+
+    def test_table_3_2(self):
+        axes = table_3_2.draw(golden(table_3_2="""
+type operation published_ms measured_ms ratio verdict reason
+int16_t add 44 45 1.02 reproduced -
+int16_t divide 34 45 1.32 explained -
+float add 30 31 1.03 reproduced -
+""")).axes[0]
+        self.assertEqual(curves(axes), [([0, 0], [44, 45]), ([1, 1], [34, 45]), ([2, 2], [30, 31])])
+        drawn = {collection.get_label(): collection.get_offsets().tolist()
+                 for collection in axes.collections}
+        self.assertEqual(drawn, {"published": [[0, 44], [1, 34], [2, 30]],
+                                 "measured: reproduced (2)": [[0, 45], [2, 31]],
+                                 "measured: explained (1)": [[1, 45]]})
+        self.assertEqual(axes.get_xlim(), (-0.7, 2.7))
+
+
+GROWTH = """
+where broad_phase particles cost_per_step fitted
+chip brute_force 2 50 51
+chip brute_force 4 200 199
+chip brute_force 3 100 101
+chip brute_force 8 800 801
+chip sort_and_sweep 2 40 41
+chip sort_and_sweep 3 100 101
+chip sort_and_sweep 4 199 198
+chip sort_and_sweep 8 300 301
+"""
+
+
+class Growth(unittest.TestCase):
+    def test_the_crossing_is_where_it_stays_cheaper(self):
+        self.assertEqual(growth.crossing(golden(growth=GROWTH).rows("growth")), 4)
+        dearer = GROWTH.replace("sort_and_sweep 8 300", "sort_and_sweep 8 800")
+        self.assertIsNone(growth.crossing(golden(growth=dearer).rows("growth")))
+        alone = GROWTH + "chip sort_and_sweep 16 9 9"
+        self.assertEqual(growth.crossing(golden(growth=alone).rows("growth")), 4)
+
+    def test_points_are_measured_and_lines_fitted_by_particles(self):
+        chip, host = growth.draw(golden(growth=GROWTH, growth_host=GROWTH)).axes
+        for axes in (chip, host):
+            self.assertEqual(curves(axes), [([2, 3, 4, 8], [50, 100, 200, 800]),
+                                            ([2, 3, 4, 8], [51, 101, 199, 801]),
+                                            ([2, 3, 4, 8], [40, 100, 199, 300]),
+                                            ([2, 3, 4, 8], [41, 101, 198, 301])])
+        self.assertEqual(chip.get_ylim()[0], 0)
+        self.assertEqual(host.get_ylim(), (20, 1600))
+        self.assertEqual(host.get_xscale(), "log")
+
+
+SCENES = """
+scene scalar arithmetic integrator dt steps cycles_per_step_mean cycles_per_simulated_second error error_method error_arithmetic flash_bytes verdict
+fall q16_16 nearest semi_implicit_euler 0.00390625 9 100 25600 0.01 0.009 0.001 500 held
+fall q16_16 saturating semi_implicit_euler 0.00390625 9 110 28160 0.01 0.009 0.001 520 held
+fall float avr-libc semi_implicit_euler 0.00390625 9 400 102400 0.004 0.003 0.001 900 held
+fall q16_16 nearest velocity_verlet 0.0078125 9 150 19200 0.02 0.001 0.019 500 held
+fall q32_32 nearest velocity_verlet 0.0078125 9 900 115200 0.001 0.001 0 500 held
+fall q16_16 published explicit_euler 0.0078125 9 90 11520 0.5 0.4 0.1 500 held
+fall fifty_digits nearest velocity_verlet 0.0078125 9 - - 0.001 0.001 0 - held
+fall q8_8 nearest velocity_verlet 0.0078125 9 80 10240 9 0.001 9 400 failed:
+rope q16_16 nearest velocity_verlet 0.5 9 80 160 - - - 400 held
+"""
+
+
+class Scenes(unittest.TestCase):
+    def setUp(self):
+        self.data = golden(scenes=SCENES)
+
+    def test_what_held_on_the_chip_and_can_be_judged_counts(self):
+        self.assertEqual(len(scenes.measured(self.data)), 6)
+        self.assertEqual(scenes.judged(self.data), ["fall"])
+        self.assertEqual(scenes.names(self.data), ["fall", "rope"])
+        self.assertEqual(scenes.measured(self.data, "rope"), [])
+        self.assertEqual([row["scalar"] for row in scenes.failures(self.data)], ["q8_8"])
+
+    def test_names(self):
+        row = self.data.rows("scenes")[5]
+        self.assertEqual((scenes.scalar(row), scenes.method(row), scenes.step(row), scenes.ours(row)),
+                         ("Q16.16 as published", "explicit Euler", "1/128 s", False))
+        self.assertEqual(scenes.step({"dt": 1 / 3}), "1/3 s")
+        self.assertEqual(scenes.title("two_words"), "two words")
+        self.assertTrue(scenes.ours({"arithmetic": "saturating"}))
+
+    def test_the_front(self):
+        front = scenes.front(scenes.measured(self.data))
+        self.assertEqual([(row["cycles_per_simulated_second"], row["error"]) for row in front],
+                         [(11520, 0.5), (19200, 0.02), (25600, 0.01), (102400, 0.004),
+                          (115200, 0.001)])
+
+    def test_the_cheapest_for_an_error_may_have_that_error(self):
+        def cost(error):
+            row = scenes.cheapest(self.data, "fall", error)
+            return row and row["cycles_per_simulated_second"]
+        self.assertEqual([cost(e) for e in (1, 0.5, 0.02, 0.0199, 0.01, 0.004, 0.001, 0.0009)],
+                         [11520, 11520, 19200, 25600, 25600, 102400, 115200, None])
+
+    def test_float_wins_where_none_of_ours_is_as_good_at_that_cost(self):
+        win, = scenes.float_wins(self.data)
+        self.assertEqual((win["row"]["error"], win["rival"]["error"], win["match"]["error"]),
+                         (0.004, 0.01, 0.001))
+        self.assertEqual(win["reason"],
+                         "Q16.16 errs by semi-implicit Euler there, at the same step (9.0e-03 m, the "
+                         "arithmetic by 1.0e-03 m); ours reaches float's error as Q32.32, velocity "
+                         "Verlet, at 0.115 million cycles")
+
+    def test_an_error_that_differs_by_five_percent_is_the_same(self):
+        def wins(error):
+            return len(scenes.float_wins(golden(scenes=SCENES.replace("102400 0.004", f"102400 {error}"))))
+        self.assertEqual([wins(error) for error in (0.0094, 0.0095, 0.0096, 0.01)], [1, 1, 0, 0])
+
+    def test_the_reason_is_what_the_data_say(self):
+        row = {"dt": 0.25}
+
+        def reason(dt, method, arithmetic):
+            rival = {"scalar": "q8_8", "arithmetic": "nearest", "integrator": "velocity_verlet",
+                     "dt": dt, "error_method": method, "error_arithmetic": arithmetic}
+            return scenes.reason(row, rival, None)
+        self.assertEqual(reason(0.25, 1, 2), "Q8.8 errs by its resolution there (2.0e+00 m, the method "
+                         "by 1.0e+00 m); none of ours reaches float's error")
+        self.assertIn("velocity Verlet there, at a longer step (1.0e+00 m, the arithmetic by "
+                      "1.0e+00 m)", reason(0.5, 1, 1))
+        self.assertIn("at a shorter step", reason(0.125, 1, 1))
+        self.assertEqual(scenes.reason(row, None, None), "none of ours is as cheap")
+
+    def test_saturation(self):
+        (plain, saturating, real), = scenes.saturation(self.data)
+        self.assertEqual([row["cycles_per_step_mean"] for row in (plain, saturating, real)],
+                         [100, 110, 400])
+
+    def test_figures(self):
+        axes = scenes.draw(self.data).axes[0]
+        self.assertEqual([point for point, _ in points(axes)],
+                         [(25600, 0.01), (28160, 0.01), (102400, 0.004), (19200, 0.02),
+                          (115200, 0.001), (11520, 0.5)])
+        right = 115200 * 1.3
+        self.assertEqual(curves(axes)[0], ([11520, 19200, 25600, 102400, 115200, right],
+                                           [0.5, 0.02, 0.01, 0.004, 0.001, 0.001]))
+        self.assertEqual(curves(axes)[1][0], [16e6, 16e6])
+        steps = curves(scenes.draw_time_steps(self.data).axes[0])
+        self.assertEqual(steps[0], ([0.0078125], [0.001]))
+        self.assertEqual([line for line in steps[1:] if line[0]],
+                         [([0.0078125], [0.019]), ([0.0078125], [scenes.FLOOR])])
+
+
+class Workload(unittest.TestCase):
+    def test_trace(self):
+        rows = "arithmetic lane begin_us end_us\n"
+        for factor, arithmetic in enumerate(scenes_workload.ARITHMETICS, 1):
+            rows += f"{arithmetic} step 0 {1000 * factor}\n"
+            rows += f"{arithmetic} divide 10 {10 + 40 * factor}\n{arithmetic} divide 100 {100 + 20 * factor}\n"
+        for factor, axes in enumerate(
+                scenes_workload.draw_trace(golden(workload_trace=rows)).axes, 1):
+            self.assertTrue(axes.get_title().endswith(f": {factor}.00 ms"))
+            self.assertEqual([spans(lane) for lane in axes.collections],
+                             [[(10, 40 * factor), (100, 20 * factor)], [(0, 1000 * factor)]])
+            self.assertEqual(texts(axes), [f"2 × {30 * factor:.1f} µs", f"1 × {1000 * factor:.1f} µs"])
+            self.assertEqual([label.get_text() for label in axes.get_yticklabels()],
+                             ["divide", "step"])
+            self.assertEqual(axes.get_xlim(), (0, 1000 * factor))
+
+    def test_rounds(self):
+        axes = scenes_workload.draw_rounds(golden(workload_rounds="""
+arithmetic rounds cycles steps
+fixed_16_16 0 100 0
+fixed_16_16 1 300 7
+q16_16 0 50 3
+""")).axes[0]
+        self.assertEqual(curves(axes)[:2], [([0, 1], [100, 300]), ([0], [50])])
+        self.assertEqual(curves(axes)[3][1], [70400, 70400])  # 4.4 ms of 16 MHz
+        self.assertEqual(texts(axes), ["7 steps", "3 steps", "published step: 4.4 ms"])
+        self.assertEqual(axes.get_ylim()[0], 0)
+
+
+class Stability(unittest.TestCase):
+    def test_numbers(self):
+        self.assertEqual([stability.figure(x) for x in (0, 0.5, 0.00123456, 999, 1000, 123456, 1234567,
+                                                        0.000999, 1e-5, -2.5e-7, "none")],
+                         ["0", "0.5", "0.00123", "999", "1\u202f000", "123\u202f000",
+                          "1.23·10<sup>6</sup>", "9.99·10<sup>−4</sup>", "10<sup>−5</sup>",
+                          "−2.5·10<sup>−7</sup>", "none"])
+        self.assertEqual([stability.change(a, b) for a, b in ((100, 119), (200, 160), (100, 100.4),
+                                                              (100, 200))],
+                         ["+19 %", "−20 %", "±0 %", "+100 %"])
+        self.assertEqual(stability.whole(1234567), "1\u202f234\u202f567")
+        self.assertEqual(stability.number("2.5"), 2.5)
+        for gap in (None, "none", ""):
+            self.assertNotEqual(stability.number(gap), stability.number(gap))
+
+    ROWS = """
+case scalar arithmetic integrator limit verdict first_event
+a q16_16 nearest velocity_verlet 1 overflows overflow_add
+b q16_16 nearest velocity_verlet 1 overflows overflow_convert
+c q16_16 nearest velocity_verlet 1 drifts -
+d q16_16 nearest explicit_euler 1 overflows overflow_add
+e q16_16 saturating velocity_verlet 1 overflows overflow_convert
+f q8_8 nearest velocity_verlet 1 overflows overflow_add
+"""
+
+    def rows(self):
+        made = golden(stability=self.ROWS)
+        for row in made.rows("stability"):
+            row["first_event"] = (row["first_event"] or "").replace("_", " ")
+        return made
+
+    def test_what_fails_in_silence(self):
+        rows = self.rows().rows("stability")
+        self.assertEqual(stability.silent(rows, "nearest"), (3, 1, 1))
+        self.assertEqual(stability.silent(rows, "saturating"), (1, 0, 1))
+        self.assertEqual(stability.scalars(rows), 3)
+
+    def test_verdicts_are_counted_by_format_and_method(self):
+        axes = stability.draw_verdicts(self.rows()).axes[0]
+        wide = [(round(bar.get_y() + 0.4), bar.get_x(), bar.get_width(), to_hex(bar.get_facecolor()))
+                for bar in axes.patches if bar.get_width()]
+        names = [label.get_text() for label in axes.get_yticklabels()]
+        drifts, overflows = "#e69f00", "#0072b2"
+        self.assertEqual(sorted((names[place], left, width, colour)
+                                for place, left, width, colour in wide),
+                         [("Q16.16 saturating, velocity Verlet", 0, 1, overflows),
+                          ("Q16.16, explicit Euler (2016 design)", 0, 1, overflows),
+                          ("Q16.16, velocity Verlet", 0, 1, drifts),
+                          ("Q16.16, velocity Verlet", 1, 2, overflows),
+                          ("Q8.8, velocity Verlet", 0, 1, overflows)])
+
+    MAP = """
+map x limit scalar arithmetic integrator bound
+{0} 0.5 20 q16_16 nearest explicit_euler 16
+{0} 0.25 10 q16_16 nearest explicit_euler 64
+{0} 0.25 11 q16_16 saturating explicit_euler 64
+{0} 0.25 none float ieee semi_implicit_euler 64
+{1} 0.25 1 q16_16 nearest explicit_euler 64
+{1} 0.5 2 q16_16 nearest explicit_euler 16
+{1} 0.25 none float ieee semi_implicit_euler 64
+"""
+
+    def test_maps_are_in_order_of_x_with_their_bound(self):
+        rows = golden(stability_map=self.MAP.format("up", "low")).rows("stability_map")
+        self.assertEqual(stability.points(rows, "up", "q16_16", "explicit_euler"),
+                         ([0.25, 0.5], [10, 20]))
+        self.assertEqual(stability.points(rows, "up", "q16_16", "explicit_euler", "saturating"),
+                         ([0.25], [11]))
+        self.assertEqual(stability.points(rows, "up", "q8_8", "explicit_euler"), ([], []))
+        self.assertEqual(stability.bound(rows, "up"), ([0.25, 0.5], [64, 16]))
+
+    def test_map_figures(self):
+        made = golden(stability_map=self.MAP.format("stiffness_upper", "stiffness_lower"))
+        shown = [line for line in curves(stability.draw_stiffness(made).axes[0]) if line[0]]
+        self.assertEqual(shown, [([0.25, 0.5], [10, 20]), ([0.25, 0.5], [1, 2]),
+                                 ([0.25, 0.5], [64, 16])])
+        made = golden(stability_map=self.MAP.format("speed", "mass_ratio"))
+        shown = [line for line in curves(stability.draw_speed(made).axes[0]) if line[0]]
+        self.assertEqual(shown, [([0.25, 0.5], [10, 20]), ([0.25, 0.5], [64, 16])])
+        shown = [line for line in curves(stability.draw_chain(made).axes[0]) if line[0]]
+        self.assertEqual(shown[:-1], [([0.25, 0.5], [1, 2])])  # the last holds nowhere
+
+
+REGION = """
+arithmetic damping clock loop_rate_hz arm_m hand_n_per_m plants still still_thrown linear_stable
+q16_16 yes fixed 1000 0.23 30 4 4 2 1
+q16_16 yes fixed 1000 0.48 30 4 3 4 2
+q16_16 yes fixed 1000 0.23 60 4 1 4 3
+q16_16 yes fixed 1000 0.48 60 4 0 0 4
+published no report 100 0.23 30 4 1 0 0
+"""
+
+
+class Region(unittest.TestCase):
+    def data(self):
+        return golden(stable_region=REGION, stable_limits="""
+arithmetic damping clock loop_rate_hz plant still_at_shortest hardest_hand_n_per_m linear_shortest_arm_m
+q16_16 yes fixed 1000 1 yes 500 0.2
+q16_16 yes fixed 1000 2 no 400 0.3
+published no report 100 1 no - -
+published no report 100 2 no 100 0.1
+""", stable_on_chip="""
+arithmetic damping clock loop_rate_hz chip host
+q16_16 yes fixed 1000 still still
+q16_16 yes fixed 1000 still swings
+q16_16 yes fixed 1000 swings swings
+""")
+
+    def test_grid(self):
+        rows = self.data().rows("stable_region")[:4]
+        arms, hands, shares = haptic_region.grid(rows, "still")
+        self.assertEqual((arms, hands, shares.tolist()),
+                         ([0.23, 0.48], [30, 60], [[1, 0.75], [0.25, 0]]))
+
+    def test_summary(self):
+        ours, published = haptic_region.summary(self.data())
+        self.assertEqual(ours, {"lever": "ours, Q16.16", "damping": "yes", "rate": "1000",
+                                "taken_up": 50, "thrown": 62.5, "theory": 62.5, "plants": 2,
+                                "still": 1, "hardest": 400, "theory_arm": 0.3, "chip": "2 of 3"})
+        self.assertEqual(published, {"lever": "2016 design", "damping": "no",
+                                     "rate": "100, its own clock", "taken_up": 25, "thrown": 0,
+                                     "theory": 0, "plants": 2, "still": 0, "hardest": None,
+                                     "theory_arm": None, "chip": None})
+
+    def test_agreement(self):
+        self.assertEqual(haptic_region.agreement(self.data()), (2, 3))
+        self.assertEqual(haptic_region.differing(self.data()), {"ours, Q16.16 at 1000 Hz": 1})
+
+    def test_figure(self):
+        figure = haptic_region.draw(self.data())
+        shown = [axes for axes in figure.axes if axes.images]
+        self.assertEqual([axes.images[0].get_array().tolist() for axes in shown],
+                         [[[0.25]], [[1, 0.75], [0.25, 0]]])
+        self.assertEqual([(text.get_text(), text.get_position(), text.get_color())
+                          for text in shown[1].texts],
+                         [("2", (0, 0), "black"), ("0", (1, 1), "white")])
+        self.assertEqual([axes.get_title() for axes in figure.axes[:2]], ["its own clock", "1000 Hz"])
+
+    def test_oscillation_of_the_last_second(self):
+        import math
+        rows = ("time_s published_damped_deg published_undamped_deg q16_16_damped_deg "
+                "q16_16_undamped_deg\n")
+        for k in range(3000):
+            time = k / 1000
+            late = time > 1.999
+            rows += (f"{time} {9 if k < 1000 else 0.1 * math.sin(time)} "
+                     f"{5 * math.sin(2 * math.pi * (7 * time + 0.3))} {1.5 if k == 2500 else 0} "
+                     f"{1.6 if late and k % 100 == 50 else 0}\n")
+        made = golden(oscillation=rows)
+        found = haptic_region.oscillation(made)
+        self.assertEqual([row["frequency"] for row in found], [7, None, 10, None])
+        for row, swing in zip(found, (10, 0.1 * (math.sin(2) - math.sin(2.999)), 1.6, 1.5)):
+            self.assertAlmostEqual(row["swing"], swing, 3)
+        self.assertEqual([row["lever"] for row in found],
+                         2 * ["2016 design"] + 2 * ["ours, Q16.16"])
+        self.assertEqual([row["damping"] for row in found],
+                         2 * ["without damping", "selective damping"])
+        axes = haptic_region.draw_oscillation(made).axes[1]
+        self.assertEqual(max(curves(axes)[1][1]), 1.5)
+        self.assertEqual(curves(axes)[2][0], [2, 2])
+
+    def test_none_is_less_and_more_than_any(self):
+        self.assertEqual((haptic_region.least([3, 2]), haptic_region.most([3, 4])), (2, 4))
+        self.assertEqual((haptic_region.least([3, None]), haptic_region.most([None])), (None, None))
+
+
+class Pins(unittest.TestCase):
+    def test_lanes(self):
+        rows = "device view pin begin_ms end_ms\n"
+        for scale, device in enumerate(haptic_timing.DEVICES, 1):
+            rows += f"""{device} frames step 10 {10 + scale}
+{device} frames step 60 {60 + 2 * scale}
+{device} frames render 20 {20 + scale}
+{device} step step 0 {4 * scale}
+{device} step collision 1 {1 + scale}
+{device} step collision 2 {2 + 2 * scale}
+{device} step operation 3 {3 + scale}
+"""
+        figure = haptic_timing.draw(golden(haptic_pins=rows))
+        for scale, (frames, step) in enumerate(zip(figure.axes[::2], figure.axes[1::2]), 1):
+            self.assertEqual([spans(lane) for lane in frames.collections],
+                             [[(20, scale)], [(10, scale), (60, 2 * scale)]])
+            self.assertEqual(texts(frames), [f"1 × {scale} ms", f"2 × {1.5 * scale:.3g} ms"])
+            self.assertEqual([spans(lane) for lane in step.collections],
+                             [[(3, scale)], [], [(2, 2 * scale)], [(1, scale)], [(0, 4 * scale)]])
+            self.assertIn(f"a step of {4 * scale}.00 ms", step.get_title())
+            self.assertEqual(step.get_xlim(), (0, 4 * scale))
+
+
+class Lever(unittest.TestCase):
+    ROWS = """
+quantity arithmetic published measured unit verdict reason
+loop_step q16_16 - 0.5 ms measured -
+loop_step q16_16_arduino - 0.625 ms measured -
+loop_step float - 2 ms measured -
+flash_bytes q16_16 - 9 bytes measured -
+"""
+
+    def test_devices(self):
+        made = golden(workload_firmware=self.ROWS)
+        self.assertEqual(lever.devices(made), [("loop_step", "ms", [0.5, 0.625, 2, None])])
+
+    def test_pins(self):
+        rows = self.ROWS + ("physics_step fixed_16_16 4 4.5 ms reproduced pin_D2\n"
+                            "physics_step q16_16 - 0.5 ms measured pin_D2\n")
+        made = golden(workload_firmware=rows)
+        for row in made.rows("workload_firmware"):
+            row["reason"] = row["reason"] and row["reason"].replace("_", " ")
+        self.assertEqual(lever.pins(made), [("physics_step", "ms", 4.5, 0.5)])
+
+    def test_every_published_figure_has_its_verdict(self):
+        with open(lever.PUBLISHED, encoding="utf-8") as stream:
+            figures = [line.split(",")[:2] for line in stream.read().splitlines()[1:] if line]
+        columns = "quantity arithmetic published measured unit verdict reason\n"
+        lines = [f"{quantity} {arithmetic} 1 2 ms explained -" for quantity, arithmetic in figures]
+        half = len(lines) // 2
+        split = golden(workload=columns + "\n".join(lines[half:]) + "\nx y - 2 ms measured -",
+                       workload_firmware=columns + "\n".join(lines[:half]))
+        told = lever.verdicts(split)
+        self.assertEqual([[row["quantity"], row["arithmetic"]] for row in told], figures)
+        self.assertEqual([row["measured_in"] for row in told],
+                         half * ["whole device"] + (len(lines) - half) * ["engine alone"])
+        with self.assertRaisesRegex(DataError, f"no verdict on the published {figures[0][0]}"):
+            lever.verdicts(golden(workload=columns + "\n".join(lines[half:]),
+                                  workload_firmware=columns + "\n".join(lines[1:half])))
+
+
+def recording(**changes):
+    made = {"signals": {name: [0, 1] for name in replay.SIGNALS},
+            "pins": {"step": [], "render": [], "servo": []}, "screens": [{"cells": " " * 400}],
+            "arithmetic": "q16_16", "what": "a </script> within", "elf_sha256": "0123456789abcdef",
+            "scenario": "bounce"}
+    return made | changes
+
+
+class Replay(unittest.TestCase):
+    def test_a_recording_is_checked(self):
+        replay.check(recording())
+        signals = recording()["signals"]
+        for changes, message in (
+                ({"signals": signals | {"more": [0, 1]}}, "signals are not"),
+                ({"signals": signals | {"lever": [0]}}, "differ in length"),
+                ({"signals": {name: [0] for name in signals}}, "or are empty"),
+                ({"pins": {"step": []}}, "pins are not"),
+                ({"screens": []}, "20 x 20"),
+                ({"screens": [{"cells": " " * 400}, {"cells": " " * 399}]}, "20 x 20")):
+            with self.assertRaisesRegex(DataError, message):
+                replay.check(recording(**changes))
+
+    def test_the_page_embeds_it(self):
+        made = golden()
+        made.json = lambda name: recording()
+        text = replay.page(report.templates(), made)
+        self.assertIn("(Q16.16, SHA-256", text)
+        self.assertIn('"what":"a <\\/script> within"', text)
+        self.assertIn(">0123456789ab…<", text)
+
+
+class Cells(unittest.TestCase):
+    def test_cells(self):
+        self.assertEqual([report.cell(x) for x in (None, 1.23456, 999.96, 1000.4, -0.00012346, 7, "a|b")],
+                         ["–", "1.235", "1000", "1000", "-0.0001235", "7", "a\\|b"])
+
+    def test_a_gap_on_a_page_is_an_error(self):
+        environment = report.templates()
+        for template in ("{{ row.value }}", "a {{ 'x ' ~ row.value }}", "{{ number }}"):
+            with self.assertRaises(DataError):
+                environment.loader.get_source = lambda _, name, text=template: (text, None, None)
+                environment.cache.clear()
+                report.page(environment, "page", {"row": {"value": None}, "number": float("nan")})
+        environment.loader.get_source = lambda _, name: ("{{ row.value | cell }}", None, None)
+        environment.cache.clear()
+        self.assertEqual(report.page(environment, "page", {"row": {"value": None}}), "–")
+
+
+class Damage(unittest.TestCase):
+    """What is wrong with a file is told in a line, with exit status 1."""
+
+    GOOD = "operation,format,cycles_max,loops\nadd,q8_8,9,1\nadd,q16_16,,2\n"
+
+    def told(self, content):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "data"
+            path.mkdir()
+            (path / "operations.csv").write_bytes(content)
+            errors = io.StringIO()
+            arguments, sys.argv = sys.argv, ["report.py", "--results", folder]
+            try:
+                with contextlib.redirect_stderr(errors):
+                    status = report.main()
+            finally:
+                sys.argv = arguments
+            self.assertEqual(status, 1)
+            self.assertNotIn("Traceback", errors.getvalue())
+            *_, line = errors.getvalue().strip().splitlines()
+            return line.replace(str(path) + "/", "")
+
+    def test_files(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "operations.csv"
+            path.write_text(self.GOOD, encoding="utf-8")
+            rows = Data(folder).rows("operations")
+            self.assertEqual([dict(row) for row in rows],
+                             [{"operation": "add", "format": "q8_8", "cycles_max": 9, "loops": 1},
+                              {"operation": "add", "format": "q16_16", "cycles_max": None, "loops": 2}])
+            self.assertEqual(len(Data(folder).rows("operations", format="q16_16", loops=2)), 1)
+            with self.assertRaisesRegex(DataError, "no column 'cost'"):
+                rows[0]["cost"]
+
+    def test_damage(self):
+        good = self.GOOD.encode()
+        for content, message in (
+                (b"", "operations.csv: is empty"),
+                (good.splitlines()[0] + b"\n", "operations.csv: has no rows"),
+                (good[:-6], "operations.csv, row 3: 2 cells under 4 columns"),
+                (good + b"add,q8_8,1,2,3\n", "operations.csv, row 4: 5 cells under 4 columns"),
+                (good.replace(b",9,1", b",9,"), "row 2, column loops: the number is missing"),
+                (good.replace(b",9,1", b",nan,1"), "row 2, column cycles_max: 'nan' is no number"),
+                (good.replace(b",9,1", b",9 1,1"), "row 2, column cycles_max: '9 1' is no number"),
+                (good.replace(b"add,q8", b"\xff\xfe"), "operations.csv: 'utf-8' codec"),
+                (good, "operations.csv: there is no column 'operands'")):
+            told = self.told(content)
+            self.assertTrue(told.startswith("report: "), told)
+            self.assertIn(message, told)
+
+    def test_a_missing_file_names_the_command(self):
+        with self.assertRaisesRegex(DataError, "missing; fixbench scenes writes it"):
+            Data("/nonexistent").rows("scenes")
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / "replay.json").write_text('{"a": [1,', encoding="utf-8")
+            with self.assertRaisesRegex(DataError, "replay.json.* column"):
+                Data(folder).json("replay")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: MIT
+# cmake -DCOMPILER=... -DSOURCE=... -DINCLUDES=a;b -P refused.cmake: compiles SOURCE, which must
+# fail, and looks for each sentence behind `// refused: ` among the errors, as often as it is there.
+set(flags)
+foreach(include ${INCLUDES})
+    list(APPEND flags -I${include})
+endforeach()
+execute_process(COMMAND ${COMPILER} -std=gnu++14 -fsyntax-only ${flags} ${SOURCE}
+    RESULT_VARIABLE result ERROR_VARIABLE errors)
+if(result EQUAL 0)
+    message(FATAL_ERROR "${SOURCE} compiles")
+endif()
+file(STRINGS ${SOURCE} expected REGEX "// refused: ")
+list(LENGTH expected count)
+if(count EQUAL 0)
+    message(FATAL_ERROR "${SOURCE} names nothing to refuse")
+endif()
+foreach(line ${expected})
+    string(REGEX REPLACE ".*// refused: " "" sentence "${line}")
+    string(FIND "${errors}" "error: static assertion failed: ${sentence}" at)
+    if(at EQUAL -1)
+        message(FATAL_ERROR "Not refused: ${sentence}\n${errors}")
+    endif()
+    # Each error answers for one line only.
+    string(SUBSTRING "${errors}" 0 ${at} before)
+    math(EXPR at "${at} + 1")
+    string(SUBSTRING "${errors}" ${at} -1 behind)
+    set(errors "${before}${behind}")
+endforeach()

@@ -1,0 +1,153 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: MIT
+"""What must not compile says what to write instead, in the first line of the compiler's output that
+names the statement; and all headers compile behind the macros of C and of Arduino.
+Usage: compile_test.py COMPILER [OPTION ...]"""
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+SOURCE = pathlib.Path(__file__).parent.parent / "src"
+LITERAL = "write_a_literal_or_from_integer_or_from_float"
+CONVERT = "convert_one_operand_to_the_format_of_the_other"
+
+# Statements on Q16_16 x, Q8_8 z and Saturating s of 16 and 16 bits, and what the compiler says.
+REFUSED = [
+    *((f"(void)(2 {sign} x)", LITERAL) for sign in "+-*/%<>"),
+    *((f"(void)(x {sign} 3)", LITERAL) for sign in ("+", "-", "*", "/", "%", "==", "!=", "<", ">", "<=", ">=")),
+    *((f"x {sign}= 1", LITERAL) for sign in "+-*/%"),
+    ("(void)(x * 0.5)", LITERAL),
+    ("(void)(0.5f * x)", LITERAL),
+    ("(void)(x + 'a')", LITERAL),
+    ("x *= 0.5", LITERAL),
+    ("Q16_16 y(1)", LITERAL),
+    ("Q16_16 y(0.5)", LITERAL),
+    ("(void)static_cast<Q16_16>(1)", LITERAL),
+    ("Q16_16 y = 1", "conversion from 'int' to non-scalar type"),
+    ("x = 1", "no match for 'operator='"),
+    ("int i = x", "cannot convert"),
+    ("(void)(x + z)", CONVERT),
+    ("(void)(z < x)", CONVERT),
+    ("(void)(x == s)", CONVERT),
+    ("x -= z", CONVERT),
+    ("stream << x", "include_fixedpoint_host_stream_hpp"),
+    ("stream >> x", "include_fixedpoint_host_stream_hpp"),
+]
+# Failed assertions stand in the header, with the statement as where they are required from.
+ASSERTED = [
+    ("(void)Q16_16::from_integer(0.5)", "from_integer takes an integer"),
+    ("(void)from_float<Q16_16>(1)", "from_float takes a float or double"),
+    ("(void)convert<Q16_16>(0.5)", "use from_float and to_float"),
+    ("(void)(x << 0.5)", "A shift takes an integer count"),
+    ("(void)Fixed<8, 7>()", "8, 16, 32 or 64 bits"),
+    ("(void)123456_q16_16", "outside the range"),
+]
+PRELUDE = """
+#include <fixedpoint.h>
+#include <fixedpoint/arithmetic/saturating.hpp>
+using namespace fixedpoint;
+using namespace fixedpoint::literals;
+struct Stream { Stream* rdbuf(); } stream;
+void statement(Q16_16 x, Q8_8 z, Fixed<16, 16, Saturating> s) {
+    (void)x, (void)z, (void)s;
+#line 1 "statements"
+"""
+
+# Macros of <complex.h>, <termios.h>, <ctype.h>, Windows and the Arduino core.
+MACROS = """
+#define I (__extension__ 1.0iF)
+#define F(text) (text)
+#define B0 0
+#define B1 1
+#define ECHO 8
+#define EOF (-1)
+#define PI 3.14159
+#define HALF_PI 1.5707
+#define TWO_PI 6.2831
+#define DEG_TO_RAD 0.0174
+#define RAD_TO_DEG 57.29
+#define EULER 2.718
+#define HIGH 1
+#define LOW 0
+#define DEFAULT 1
+#define CHANGE 1
+#define abs(x) ((x) > 0 ? (x) : -(x))
+#define round(x) ((x) >= 0 ? (long)((x) + 0.5) : (long)((x) - 0.5))
+#define min(a, b) ((a) < (b) ? (a) : (b))
+#define max(a, b) ((a) > (b) ? (a) : (b))
+#define constrain(x, low, high) ((x) < (low) ? (low) : (x) > (high) ? (high) : (x))
+#define radians(deg) ((deg) * DEG_TO_RAD)
+#define degrees(rad) ((rad) * RAD_TO_DEG)
+#define sq(x) ((x) * (x))
+#define bit(b) (1UL << (b))
+#define word(...) makeWord(__VA_ARGS__)
+#define lowByte(w) ((w) & 0xff)
+#define highByte(w) ((w) >> 8)
+#define bitRead(value, bit) (((value) >> (bit)) & 1)
+#define interrupts() sei()
+#define _A 1
+#define _B 1
+#define _C 1
+#define _L 1
+#define _N 1
+#define _P 1
+#define _S 1
+#define _U 1
+#define _X 1
+"""
+
+
+def compile_text(command, text):
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder) / "text.cpp"
+        path.write_text(text)
+        result = subprocess.run([*command, "-I", SOURCE, "-fsyntax-only", path], text=True,
+                                capture_output=True, env={"LC_ALL": "C", "PATH": "/usr/bin:/bin"})
+        return result.returncode, result.stderr
+
+
+def refusals(command):
+    statements = REFUSED + ASSERTED
+    text = PRELUDE + "\n".join(f"{{ {statement}; }}" for statement, _ in statements) + "\n}\n"
+    lines = compile_text(command, text)[1].splitlines()
+    for number, (statement, message) in enumerate(statements, 1):
+        place = re.compile(rf"statements:{number}:")
+        at = next((i for i, line in enumerate(lines) if place.match(line.strip())), None)
+        if at is None:
+            yield f"{statement}: compiles"
+        elif message not in "\n".join(lines[at:at + (1 if number <= len(REFUSED) else 4)]):
+            yield f"{statement}: not '{message}' but\n    {lines[at]}"
+
+
+def headers(command, on_chip):
+    paths = sorted(path.relative_to(SOURCE) for path in SOURCE.rglob("*.hpp")
+                   if not (on_chip and path.parent.name == "host"))
+    standard = "" if on_chip else "".join(
+        f"#include <{name}>\n" for name in ("complex.h", "termios.h", "functional", "istream",
+                                            "limits", "ostream", "string", "fmt/format.h"))
+    chip = "#include <avr/io.h>\n#include <avr/pgmspace.h>\n" if on_chip else ""
+    undefined = "".join(f"#undef {name}\n" for name in re.findall(r"#define (\w+)", MACROS))
+    includes = "".join(f"#include <{path}>\n" for path in paths)
+    status, output = compile_text(command, standard + chip + undefined + MACROS + includes)
+    if status != 0:
+        yield "behind the macros of C and Arduino:\n" + "\n".join(output.splitlines()[:12])
+    for path in paths:
+        # Each brings what it needs; those of one folder are alike.
+        if path.parent.name in ("fixedpoint", "arithmetic", "host"):
+            status, output = compile_text(command, f"#include <{path}>\n")
+            if status != 0:
+                yield f"{path} alone:\n" + "\n".join(output.splitlines()[:12])
+
+
+def main():
+    command = sys.argv[1:]
+    on_chip = "avr" in command[0]
+    faults = [*refusals(command), *headers(command, on_chip)]
+    print("\n".join(faults) or f"{len(REFUSED + ASSERTED)} statements are refused in words.")
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,113 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * Every operation, once: OPERATION_<name>(X, ...) passes its row to the macro X, further arguments
+ * after it. What lists operations expands these rows: the reference, the subjects of the host, and
+ * those of the device, whose compilers speak C11 and C++14.
+ *
+ * X(name, signature, operands, results, kind, bound_ulp, domain, ...)
+ *
+ * signature  how the function is called (bench/lab/catalogue/invoke.h)
+ * operands   how many numbers it takes, and `results` how many it gives. Vectors lie one after the
+ *            other: the operands of dot3 are a0 a1 a2 b0 b1 b2. atan2 takes y, x. The second operand
+ *            of a shift is a count, a plain integer. The results of sincos are sine and cosine.
+ * kind       ring: exact, rounded, then taken modulo 2^W in the wrapping arithmetics, so that sums
+ *            whose intermediates overflow still come out right; rounded: exact, rounded, clamped;
+ *            function: within bound_ulp of the exact value, clamped
+ * domain     where it has an exact value; what it returns elsewhere stands behind the row
+ *
+ * Notation: a, b raws of W bits, value = raw / 2^F; x the exact result in units of the last place. */
+#ifndef REFERENCE_OPERATION_TABLE_H
+#define REFERENCE_OPERATION_TABLE_H
+
+/* clang-format off */
+#define OPERATION_add(X, ...) /* x = a + b */ \
+    X(add, binary, 2, 1, ring, 0, everywhere, __VA_ARGS__)
+#define OPERATION_subtract(X, ...) /* x = a - b */ \
+    X(subtract, binary, 2, 1, ring, 0, everywhere, __VA_ARGS__)
+#define OPERATION_multiply(X, ...) /* x = a b / 2^F */ \
+    X(multiply, binary, 2, 1, ring, 0, everywhere, __VA_ARGS__)
+#define OPERATION_divide(X, ...) /* x = a 2^F / b; b = 0: MAX if a > 0, MIN if a < 0, 0 if a = 0 */ \
+    X(divide, binary, 2, 1, rounded, 0, nonzero_divisor, __VA_ARGS__)
+#define OPERATION_remainder(X, ...) /* x = a - b trunc(a / b), exact; b = 0: a */ \
+    X(remainder, binary, 2, 1, rounded, 0, nonzero_divisor, __VA_ARGS__)
+#define OPERATION_sqrt(X, ...) /* x = sqrt(a 2^F), never a tie; a < 0: 0 */ \
+    X(sqrt, unary, 1, 1, rounded, 0, not_negative, __VA_ARGS__)
+#define OPERATION_atan(X, ...) \
+    X(atan, unary, 1, 1, function, 0.75, everywhere, __VA_ARGS__)
+#define OPERATION_atan2(X, ...) /* in (-pi, pi]; a = b = 0: 0 */ \
+    X(atan2, binary, 2, 1, function, 0.75, nonzero_vector, __VA_ARGS__)
+#define OPERATION_reciprocal_sqrt(X, ...) /* a = 0: MAX; a < 0: 0 */ \
+    X(reciprocal_sqrt, unary, 1, 1, function, 0.75, positive, __VA_ARGS__)
+#define OPERATION_sin(X, ...) /* any angle; never beyond +-1, which errs by 1 ulp or more */ \
+    X(sin, unary, 1, 1, function, 0.75, everywhere, __VA_ARGS__)
+#define OPERATION_cos(X, ...) /* as sin */ \
+    X(cos, unary, 1, 1, function, 0.75, everywhere, __VA_ARGS__)
+#define OPERATION_sincos(X, ...) /* of each result */ \
+    X(sincos, pair, 1, 2, function, 0.75, everywhere, __VA_ARGS__)
+#define OPERATION_exp(X, ...) /* underflows to 0 by rounding */ \
+    X(exp, unary, 1, 1, function, 1, everywhere, __VA_ARGS__)
+#define OPERATION_log(X, ...) /* a <= 0: MIN */ \
+    X(log, unary, 1, 1, function, 1, positive, __VA_ARGS__)
+#define OPERATION_multiply_add(X, ...) /* x = a b / 2^F + c, one rounding */ \
+    X(multiply_add, ternary, 3, 1, ring, 0, everywhere, __VA_ARGS__)
+#define OPERATION_dot2(X, ...) /* x = sum of a_i b_i / 2^F, one rounding */ \
+    X(dot2, dot, 4, 1, ring, 0, everywhere, __VA_ARGS__)
+#define OPERATION_dot3(X, ...) /* as dot2 */ \
+    X(dot3, dot, 6, 1, ring, 0, everywhere, __VA_ARGS__)
+#define OPERATION_length2(X, ...) /* no overflow of the squares */ \
+    X(length2, length, 2, 1, function, 1, everywhere, __VA_ARGS__)
+#define OPERATION_length3(X, ...) /* as length2 */ \
+    X(length3, length, 3, 1, function, 1, everywhere, __VA_ARGS__)
+#define OPERATION_normalise3(X, ...) /* of each component; the zero vector stays zero */ \
+    X(normalise3, direction, 3, 3, function, 1, nonzero_vector, __VA_ARGS__)
+#define OPERATION_negate(X, ...) /* x = -a */ \
+    X(negate, unary, 1, 1, ring, 0, everywhere, __VA_ARGS__)
+#define OPERATION_abs(X, ...) /* x = |a| */ \
+    X(abs, unary, 1, 1, ring, 0, everywhere, __VA_ARGS__)
+#define OPERATION_shift_left(X, ...) /* x = a 2^n */ \
+    X(shift_left, shift, 2, 1, ring, 0, everywhere, __VA_ARGS__)
+#define OPERATION_shift_right(X, ...) /* x = a / 2^n, rounded downward: an arithmetic shift */ \
+    X(shift_right, shift, 2, 1, ring, 0, everywhere, __VA_ARGS__)
+#define OPERATION_convert(X, ...) /* x = the value in the result's last places */ \
+    X(convert, conversion, 1, 1, ring, 0, everywhere, __VA_ARGS__)
+/* clang-format on */
+
+/* Those that are measured on the device in every format, and the rest. */
+#define MEASURED_OPERATIONS(X, ...)         \
+    OPERATION_add(X, __VA_ARGS__)             \
+    OPERATION_subtract(X, __VA_ARGS__)        \
+    OPERATION_multiply(X, __VA_ARGS__)        \
+    OPERATION_divide(X, __VA_ARGS__)          \
+    OPERATION_remainder(X, __VA_ARGS__)       \
+    OPERATION_sqrt(X, __VA_ARGS__)            \
+    OPERATION_atan(X, __VA_ARGS__)            \
+    OPERATION_atan2(X, __VA_ARGS__)           \
+    OPERATION_reciprocal_sqrt(X, __VA_ARGS__) \
+    OPERATION_sin(X, __VA_ARGS__)             \
+    OPERATION_cos(X, __VA_ARGS__)             \
+    OPERATION_sincos(X, __VA_ARGS__)          \
+    OPERATION_exp(X, __VA_ARGS__)             \
+    OPERATION_log(X, __VA_ARGS__)             \
+    OPERATION_multiply_add(X, __VA_ARGS__)    \
+    OPERATION_dot2(X, __VA_ARGS__)            \
+    OPERATION_dot3(X, __VA_ARGS__)            \
+    OPERATION_length2(X, __VA_ARGS__)         \
+    OPERATION_length3(X, __VA_ARGS__)         \
+    OPERATION_normalise3(X, __VA_ARGS__)
+
+#define OPERATIONS(X, ...)                \
+    MEASURED_OPERATIONS(X, __VA_ARGS__)   \
+    OPERATION_negate(X, __VA_ARGS__)      \
+    OPERATION_abs(X, __VA_ARGS__)         \
+    OPERATION_shift_left(X, __VA_ARGS__)  \
+    OPERATION_shift_right(X, __VA_ARGS__) \
+    OPERATION_convert(X, __VA_ARGS__)
+
+#ifdef __cplusplus
+namespace reference {
+#define OPERATION_NAME(name, ...) name,
+enum class Operation : unsigned char { OPERATIONS(OPERATION_NAME) };
+#undef OPERATION_NAME
+}  // namespace reference
+#endif
+
+#endif
