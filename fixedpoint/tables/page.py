@@ -18,15 +18,11 @@ def write_assembly(name, generator, sentence, pages):
         "// SPDX-License-Identifier: MIT",
         f"// DO NOT EDIT: written by python3 fixedpoint/tables/{generator}",
         *(f"// {line}" for line in sentence.split("\n")), "",
-        "#ifdef __AVR__", "",
-        f"    .section .progmem.data.{symbol}, \"a\", @progbits",
-        "    .balign 256",
-        f"    .global {symbol}",
-        f"    .type {symbol}, @object",
-        f"{symbol}:",
+        "#ifdef __AVR_HAVE_MUL__", "#include \"prelude.inc\"", "",
+        f"    TABLE {symbol}",
     ]
     for title, values in pages:
         lines.append(f"    // {title}")
         lines += [f"    .byte {row}" for row in rows(values)]
-    lines += [f"    .size {symbol}, .-{symbol}", "", "#endif"]
+    lines += [f"    ENDTABLE {symbol}", "", "#endif"]
     (SOURCE / "avr" / f"{name}.S").write_text("\n".join(lines) + "\n")

@@ -91,19 +91,16 @@ def main():
             [
                 "// SPDX-License-Identifier: MIT",
                 f"// {notice}",
-                "#ifdef __AVR__",
-                '    .section .progmem.data.fixedpoint_reciprocal_sqrt_table, "a", @progbits',
-                "    .balign 256",
-                "    .global fixedpoint_reciprocal_sqrt_table",
-                "    .type fixedpoint_reciprocal_sqrt_table, @object",
-                "fixedpoint_reciprocal_sqrt_table:",
+                "#ifdef __AVR_HAVE_MUL__",
+                '#include "prelude.inc"',
+                "    TABLE fixedpoint_reciprocal_sqrt_table",
                 *page("slope, low bytes", unused + [s & 255 for s in slope]),
                 *page("slope, high bytes", unused + [s >> 8 for s in slope]),
                 *page("bulge", unused + bulge),
                 *page("value, low bytes", [v & 255 for v in value]),
                 *page("value, middle bytes", [v >> 8 & 255 for v in value]),
                 *page("value, high bytes", [v >> 16 for v in value]),
-                "    .size fixedpoint_reciprocal_sqrt_table, . - fixedpoint_reciprocal_sqrt_table",
+                "    ENDTABLE fixedpoint_reciprocal_sqrt_table",
                 "#endif",
             ]
         )

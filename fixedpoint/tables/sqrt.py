@@ -87,16 +87,13 @@ def main():
     lines = [
         "// SPDX-License-Identifier: MIT",
         "// DO NOT EDIT: written by fixedpoint/tables/sqrt.py, which says what the entries are.",
-        "#ifdef __AVR__",
-        "    .section .progmem.data.fixedpoint_sqrt_table, \"a\", @progbits",
-        "    .balign 256",
-        "    .global fixedpoint_sqrt_table",
-        "    .type fixedpoint_sqrt_table, @object",
-        "fixedpoint_sqrt_table:",
+        "#ifdef __AVR_HAVE_MUL__",
+        '#include "prelude.inc"',
+        "    TABLE fixedpoint_sqrt_table",
         *page("root, low bytes", [r & 255 for r in root]),
         *page("root, high bytes", [r >> 8 for r in root]),
         *page("slope", slope),
-        "    .size fixedpoint_sqrt_table, . - fixedpoint_sqrt_table",
+        "    ENDTABLE fixedpoint_sqrt_table",
         "#endif",
     ]
     OUTPUT.write_text("\n".join(lines) + "\n")

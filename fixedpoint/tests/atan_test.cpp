@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // atan, atan2 and the reciprocal square roots by tables: faithful, and saturated.
-#include <fixedpoint/kernel/atan.hpp>
-#include <fixedpoint/kernel/atan2.hpp>
-#include <fixedpoint/kernel/reciprocal_sqrt.hpp>
+#include <fixedpoint/kernel/dispatch.hpp>
 
 #include "accuracy.hpp"
 

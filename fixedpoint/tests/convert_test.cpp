@@ -110,7 +110,7 @@ std::pair<int64_t, int> parts(Float x) {
 template <class Raw, int F, class Float>
 void check_from_float(Float x) {
     const auto [mantissa, exponent] = parts(x);
-    const exact::Rounded expected = exact::binary(mantissa, exponent, {width_of<Raw>, F});
+    const exact::Rounded expected = exact::binary(mantissa, exponent, {RawLimits<Raw>::width, F});
     const auto result = portable::from_float<Raw, F>(x);
     ASSERT_EQ(result.number, expected.saturated) << x;
     ASSERT_EQ(result.fits, expected.fits) << x;
@@ -118,17 +118,17 @@ void check_from_float(Float x) {
 
 template <class Raw, int F, class Float>
 void check_floating_point() {
-    SCOPED_TRACE(testing::Message() << width_of<Raw> << " bits, F = " << F);
+    SCOPED_TRACE(testing::Message() << RawLimits<Raw>::width << " bits, F = " << F);
     using Limits = std::numeric_limits<Float>;
     constexpr Float infinity = Limits::infinity();
-    const std::vector<int64_t> operands = exact::raws(width_of<Raw>, 10);
+    const std::vector<int64_t> operands = exact::raws(RawLimits<Raw>::width, 10);
     // A fifth of those of 16 bits.
     for (std::size_t i = 0; i<operands.size(); i += operands.size()> 60000 ? 5 : 1) {
         const auto a = static_cast<Raw>(operands[i]);
         const Float x = portable::to_float<Float, Raw, F>(a);
         const auto [mantissa, exponent] = parts(x);
-        ASSERT_TRUE(
-            exact::is_nearest_float(a, mantissa, exponent, Limits::digits, {width_of<Raw>, F}))
+        ASSERT_TRUE(exact::is_nearest_float(a, mantissa, exponent, Limits::digits,
+                                            {RawLimits<Raw>::width, F}))
             << +a;
         // Numbers midway between two raw ones, where a Float holds them, and their neighbours.
         const Float ulp = std::ldexp(Float(1), -F);
@@ -146,7 +146,7 @@ void check_floating_point() {
     }
     for (const bool negative : {false, true}) {
         const auto result = portable::from_float<Raw, F>(negative ? -infinity : infinity);
-        EXPECT_EQ(result.number, negative ? raw_min<Raw> : raw_max<Raw>);
+        EXPECT_EQ(result.number, negative ? RawLimits<Raw>::min : RawLimits<Raw>::max);
         EXPECT_FALSE(result.fits);
         const auto none =
             portable::from_float<Raw, F>(negative ? -Limits::signaling_NaN() : Limits::quiet_NaN());
@@ -174,11 +174,11 @@ TEST(Conversion, FromAndToDouble) { check_floating_point_of_formats<double>(); }
 
 template <class Raw, int F, class Int>
 void check_decimals(int stride) {
-    const std::vector<int64_t> numbers = exact::raws(width_of<Int>, 5);
+    const std::vector<int64_t> numbers = exact::raws(RawLimits<Int>::width, 5);
     for (std::size_t i = 0; i < numbers.size(); i += static_cast<std::size_t>(stride)) {
         for (const uint8_t decimals : {0, 1, 3, 9, 18, 19, 20, 255}) {
             const exact::Rounded expected =
-                exact::decimal(numbers[i], decimals, {width_of<Raw>, F});
+                exact::decimal(numbers[i], decimals, {RawLimits<Raw>::width, F});
             const auto result =
                 portable::from_decimal<Raw, F>(static_cast<Int>(numbers[i]), decimals);
             ASSERT_EQ(result.number, expected.saturated) << numbers[i] << " e-" << +decimals;

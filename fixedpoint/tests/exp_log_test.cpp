@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // exp and log: faithful, within 1 ulp, and saturated.
 #include <cmath>
-#include <fixedpoint/kernel/exp.hpp>
-#include <fixedpoint/kernel/log.hpp>
+#include <fixedpoint/kernel/dispatch.hpp>
 
 #include "accuracy.hpp"
 

@@ -35,7 +35,7 @@ typename Number::Raw cast(int64_t a) {
 
 template <class Wrap, class... Numbers>
 std::vector<Operators> operators_of(Wrap) {
-    return {Operators{{width_of<typename Numbers::Raw>, Numbers::fraction_bits},
+    return {Operators{{RawLimits<typename Numbers::Raw>::width, Numbers::fraction_bits},
                       [](int64_t a, int64_t b, Results& results) {
                           Wrap().template operator()<Numbers>(Numbers::from_raw(cast<Numbers>(a)),
                                                               Numbers::from_raw(cast<Numbers>(b)),
@@ -177,7 +177,7 @@ TEST(Checked, TellsWhatVanishes) {
 
 TEST(Operators, ScaleDownRoundsForEveryPower) {
     check(operators_in<Nearest>([]<class Number>(Number x, Number, Results& results) {
-              constexpr int width = width_of<typename Number::Raw>;
+              constexpr int width = RawLimits<typename Number::Raw>::width;
               for (const Number number :
                    {scale_down<0>(x), scale_down<1>(x), scale_down<3>(x), scale_down<width - 1>(x),
                     scale_down<width>(x), scale_down<width + 9>(x)}) {
@@ -195,7 +195,7 @@ TEST(Operators, ScaleDownRoundsForEveryPower) {
 template <class Number, class Count>
 void check_shift(int64_t a, Count count, int meaning) {
     using SaturatingNumber = Fixed<Number::integer_bits, Number::fraction_bits, Saturating>;
-    const int width = width_of<typename Number::Raw>;
+    const int width = RawLimits<typename Number::Raw>::width;
     const Number x = Number::from_raw(cast<Number>(a));
     const exact::Rounded left = exact::scale(a, std::min(meaning, 200), width);
     Number shifted = x;
@@ -208,7 +208,7 @@ void check_shift(int64_t a, Count count, int meaning) {
 }
 template <class Number>
 void check_shifts() {
-    const int width = width_of<typename Number::Raw>;
+    const int width = RawLimits<typename Number::Raw>::width;
     std::vector<int64_t> operands = {
         0, 1, -1, -3, 5, exact::smallest(width), exact::largest(width)};
     for (int bit = 1; bit < width - 1; ++bit) {
@@ -240,7 +240,7 @@ TEST(Operators, ShiftsAreDefinedForEveryCount) {
 template <class Number, class Integral>
 void check_from_integer() {
     using SaturatingNumber = Fixed<Number::integer_bits, Number::fraction_bits, Saturating>;
-    const int width = width_of<typename Number::Raw>, F = Number::fraction_bits;
+    const int width = RawLimits<typename Number::Raw>::width, F = Number::fraction_bits;
     for (const int64_t bits : exact::raws(64, 3)) {
         const auto n = static_cast<Integral>(bits);
         const exact::Rounded expected = exact::scale(n, F, width);

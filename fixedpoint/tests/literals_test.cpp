@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <fixedpoint/literals.hpp>
+#include <fixedpoint/text.hpp>
+#include <random>
+#include <string>
 
 namespace {
 
@@ -32,9 +35,43 @@ constexpr Fixed<1, 63> operator""_q1_63() {
 static_assert((0.1_q1_63).raw() == 922337203685477581, "2^63 / 10 = 922337203685477580.8");
 
 // What the operators refuse, seen before they do.
-static_assert(parse_literal<Q4_4, '8'>().status == TextStatus::out_of_range, "8 is beyond Q4.4");
-static_assert(parse_literal<Q4_4, '0', 'x', '1'>().status == TextStatus::malformed, "hexadecimal");
-static_assert(parse_literal<Q4_4, '0', 'b', '1'>().status == TextStatus::malformed, "binary");
+constexpr bool is_decimal(const char* text, int length) {
+    return portable::is_decimal_literal(text, text + length);
+}
+static_assert(is_decimal("1'000.5e-3", 10) && is_decimal("7.", 2) && is_decimal("1E+2", 4), "");
+static_assert(!is_decimal("0x1", 3), "hexadecimal");
+static_assert(!is_decimal("0b1", 3), "binary");
+static_assert(!is_decimal("1.2.3", 5) && !is_decimal("1e", 2) && !is_decimal("1e+", 3), "");
+
+// A literal's constant is the number that the parser of text reads, and out of range where it says
+// so.
+template <int I, int F>
+void expect_as_parsed(const std::string& text) {
+    using Number = Fixed<I, F>;
+    const auto parsed = parse<Number>(text.data(), text.size());
+    const auto magnitude =
+        portable::parse_literal<typename Number::Raw, F>(text.data(), text.data() + text.size());
+    const auto largest = static_cast<decltype(magnitude)>(Number::max().raw());
+    ASSERT_EQ(magnitude > largest, parsed.status == TextStatus::out_of_range) << text;
+    if (magnitude <= largest) {
+        ASSERT_EQ(magnitude, static_cast<decltype(magnitude)>(parsed.number.raw())) << text;
+    }
+}
+
+TEST(Literals, AreWhatTheParserReads) {
+    std::mt19937_64 random(1);
+    for (int i = 0; i < 100000; ++i) {
+        std::string text = std::to_string(random() >> random() % 64);
+        if (random() % 2) text.insert(random() % (text.size() + 1), ".");
+        if (text == ".") continue;
+        if (random() % 2) text += "e" + std::to_string(static_cast<int>(random() % 40) - 25);
+        expect_as_parsed<4, 4>(text);
+        expect_as_parsed<8, 24>(text);
+        expect_as_parsed<16, 16>(text);
+        expect_as_parsed<32, 32>(text);
+        expect_as_parsed<1, 63>(text);
+    }
+}
 
 TEST(Literals, AreTheNumbersThatTheTextSays) {
     EXPECT_EQ(1.5_q16_16, parse<Q16_16>("1.5", 3).number);

@@ -2,10 +2,7 @@
 // Products, sums of products, quotients and remainders against exact arithmetic: rounded once, then
 // modulo 2^W, or saturated.
 #include <algorithm>
-#include <fixedpoint/kernel/divide.hpp>
-#include <fixedpoint/kernel/dot.hpp>
-#include <fixedpoint/kernel/multiply_add.hpp>
-#include <fixedpoint/kernel/multiply_saturating.hpp>
+#include <fixedpoint/kernel/dispatch.hpp>
 #include <fixedpoint/portable/divide_small.hpp>
 #include <fixedpoint/portable/divide_widening.hpp>
 #include <fixedpoint/portable/remainder.hpp>
@@ -87,7 +84,7 @@ TEST(Dot, IsRoundedOnce) {
 // Three products of the smallest number exceed what twice the width holds as a signed number.
 TEST(Dot, HoldsThreeSquaresOfTheSmallestNumber) {
     for (const Subject& subject : subjects([]<class Raw, int F>(const int64_t*) -> int64_t {
-             const Raw v[3] = {raw_min<Raw>, raw_min<Raw>, raw_min<Raw>};
+             const Raw v[3] = {RawLimits<Raw>::min, RawLimits<Raw>::min, RawLimits<Raw>::min};
              return kernel::dot3<Raw, F>(v, v);
          })) {
         const int64_t least = exact::smallest(subject.format.width), v[3] = {least, least, least};

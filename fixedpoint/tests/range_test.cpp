@@ -26,7 +26,7 @@ struct Ranges {
 };
 template <class Raw, int F>
 constexpr Ranges ranges = {
-    {width_of<Raw>, F},
+    {RawLimits<Raw>::width, F},
     portable::exp_limit<Raw, F>(),
     portable::log_limit<Raw, F>(),
     [](int64_t a) { return portable::cos_fits<Raw, F>(Raw(a)); },

@@ -2,9 +2,7 @@
 // Square roots, lengths, unit vectors and roundings to an integer against exact arithmetic, and the
 // reciprocal square roots that are rounded to nearest.
 #include <algorithm>
-#include <fixedpoint/kernel/length.hpp>
-#include <fixedpoint/kernel/normalise.hpp>
-#include <fixedpoint/kernel/sqrt.hpp>
+#include <fixedpoint/kernel/dispatch.hpp>
 #include <fixedpoint/portable/reciprocal_sqrt.hpp>
 #include <fixedpoint/portable/round.hpp>
 
@@ -184,7 +182,7 @@ struct Roundings {
     void (*compute)(int64_t a, int64_t* results);
 };
 template <class Raw, int F>
-constexpr Roundings roundings = {{width_of<Raw>, F}, [](int64_t n, int64_t* results) {
+constexpr Roundings roundings = {{RawLimits<Raw>::width, F}, [](int64_t n, int64_t* results) {
                                      using namespace portable;
                                      const Raw a = Raw(n);
                                      const int64_t all[] = {

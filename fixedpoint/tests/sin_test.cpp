@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // sin, cos and sincos: faithful, and never beyond +-1.
-#include <fixedpoint/kernel/cos.hpp>
-#include <fixedpoint/kernel/sin.hpp>
-#include <fixedpoint/kernel/sincos.hpp>
+#include <fixedpoint/kernel/dispatch.hpp>
 
 #include "accuracy.hpp"
 
@@ -19,8 +17,8 @@ int64_t sine_or_cosine(Raw angle, int which) {
     kernel::sincos<Raw, F>(angle, both);
     const bool agree =
         which == 0 ? both[0] == kernel::sin<Raw, F>(angle) : both[1] == kernel::cos<Raw, F>(angle);
-    const bool within_one = F == width_of<Raw> - 1 || (magnitude(both[which]) >> F) == 0 ||
-                            magnitude(both[which]) == Unsigned<Raw>(1) << F % width_of<Raw>;
+    const bool within_one = F == RawLimits<Raw>::width - 1 || (magnitude(both[which]) >> F) == 0 ||
+                            magnitude(both[which]) == Unsigned<Raw>(1) << F % RawLimits<Raw>::width;
     return agree && within_one ? int64_t(both[which]) : INT64_MIN / 2 + 12345;
 }
 

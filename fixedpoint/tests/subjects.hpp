@@ -24,7 +24,7 @@ struct Subject {
 // Wrap is a lambda without captures: []<class Raw, int F>(const int64_t* v) -> int64_t {...}.
 template <class Raw, int F, class Wrap>
 constexpr Subject subject(Wrap) {
-    return {{fixedpoint::width_of<Raw>, F},
+    return {{fixedpoint::RawLimits<Raw>::width, F},
             [](const int64_t* v) { return Wrap().template operator()<Raw, F>(v); }};
 }
 template <class Raw, class Wrap, int... F>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One operation of every split of SPLIT_BITS, for splits_test.cpp: SPLIT_OPERATION.
 #include <fixedpoint/arithmetic/nearest.hpp>
-#include <fixedpoint/kernel/splits_16.hpp>
-#include <fixedpoint/kernel/splits_32.hpp>
+#include <fixedpoint/kernel/dispatch.hpp>
 
 #include "../subjects/subject.h"
 
@@ -12,18 +11,18 @@ using fixedpoint::Nearest;
 #define SPLIT_SUBJECT(row, I, F) \
     row(SUBJECT_OF_OPERATION, q##I##_##F, fixedpoint::Integer<SPLIT_BITS>, F, default, Nearest)
 #define SPLIT_OF(operation, I, F) SPLIT_SUBJECT(SPLIT_ROW(operation), I, F)
-#define SPLIT(I, F) SPLIT_OF(SPLIT_OPERATION, I, F)
+#define SPLIT(kernel, shape, operation, I, F) SPLIT_OF(operation, I, F)
 #if SPLIT_BITS == 16
 #define SPLITS FIXEDPOINT_SPLITS_16
 #else
 #define SPLITS FIXEDPOINT_SPLITS_32
 #endif
-SPLITS(SPLIT)
+SPLITS(SPLIT, , , SPLIT_OPERATION)
 
 // The linker keeps what is referred to.
 #define SPLIT_NAME(operation, I, F) operation##_q##I##_##F##_default
 #define SPLIT_ADDRESS_OF(operation, I, F) reinterpret_cast<void (*)()>(SPLIT_NAME(operation, I, F)),
-#define SPLIT_ADDRESS(I, F) SPLIT_ADDRESS_OF(SPLIT_OPERATION, I, F)
-void (*const volatile subjects[])() = {SPLITS(SPLIT_ADDRESS)};
+#define SPLIT_ADDRESS(kernel, shape, operation, I, F) SPLIT_ADDRESS_OF(operation, I, F)
+void (*const volatile subjects[])() = {SPLITS(SPLIT_ADDRESS, , , SPLIT_OPERATION)};
 
 int main() { return subjects[0] != nullptr; }

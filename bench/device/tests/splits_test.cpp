@@ -89,7 +89,7 @@ TEST(Splits, DivideBesideHalves) {
             const int64_t q = static_cast<int64_t>(random() >> 33 >> random() % 31);
             const int64_t half = static_cast<int64_t>((__int128(2 * q + 1) * b / 2) >> F);
             for (int64_t a = half; a <= half + 1; ++a) {
-                if (a > fixedpoint::raw_max<int32_t>) continue;
+                if (a > fixedpoint::RawLimits<int32_t>::max) continue;
                 for (const int32_t sign : {1, -1}) {
                     const int32_t n = static_cast<int32_t>(a) * sign, d = static_cast<int32_t>(b);
                     ASSERT_EQ(divide(n, d).template as<int32_t>(),
@@ -108,7 +108,7 @@ TEST(Splits, SqrtBesideHalves) {
         for (int i = 0; i < pairs; ++i) {
             const uint64_t r = random() >> 33 >> random() % 31, half = (r * r + r) >> F;
             for (uint64_t a = half; a <= half + 1; ++a) {
-                if (a > static_cast<uint64_t>(fixedpoint::raw_max<int32_t>)) continue;
+                if (a > static_cast<uint64_t>(fixedpoint::RawLimits<int32_t>::max)) continue;
                 const auto n = static_cast<int32_t>(a);
                 ASSERT_EQ(sqrt(n).template as<int32_t>(), (portable::sqrt<int32_t, F>(n)))
                     << F << " fraction bits: " << a;

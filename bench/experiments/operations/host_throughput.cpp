@@ -32,7 +32,7 @@ std::array<Raw, 1024> physics_operands(std::uint64_t seed) {
     std::array<Raw, 1024> operands;
     for (Raw& operand : operands) {
         const double magnitude = std::exp(exponent(random)) * std::exp2(F);
-        const double limit = static_cast<double>(fixedpoint::raw_max<Raw>);
+        const double limit = static_cast<double>(fixedpoint::RawLimits<Raw>::max);
         operand = static_cast<Raw>(magnitude < limit ? magnitude : limit);
         if (random() & 1) operand = static_cast<Raw>(-operand);
     }

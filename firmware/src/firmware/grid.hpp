@@ -13,7 +13,7 @@
 
 #include <stdint.h>
 
-#include <fixedpoint/kernel/sqrt.hpp>
+#include <fixedpoint/kernel/dispatch.hpp>
 
 namespace firmware {
 

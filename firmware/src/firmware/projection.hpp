@@ -17,7 +17,7 @@
 
 #include <firmware/grid.hpp>
 #include <fixedpoint/conversion.hpp>
-#include <fixedpoint/kernel/sqrt.hpp>
+#include <fixedpoint/kernel/dispatch.hpp>
 
 namespace firmware {
 

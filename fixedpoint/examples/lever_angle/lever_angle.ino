@@ -15,10 +15,9 @@ void loop() {
     const Q16_16 degrees = atan2(y, x) * 57.29577951308232_q16_16;
     const Q16_16 metres = sqrt(x * x + y * y);
 
-    char text[text_capacity<Q16_16>()];
-    Serial.write(text, print(degrees, 1, text, sizeof text));
-    Serial.write(" degrees, ");
-    Serial.write(text, print(metres, 3, text, sizeof text));
+    print(Serial, degrees, 1);
+    Serial.print(" degrees, ");
+    print(Serial, metres, 3);
     Serial.println(" m");
     delay(200);
 }

@@ -58,7 +58,7 @@ constexpr Target convert(Source source) {
                                      From::fraction_bits>(From::raw(source)));
 }
 template <class Target, class Source>
-constexpr Converted<Target> convert_checked(Source source) {
+FIXEDPOINT_CONSTEXPR Converted<Target> convert_checked(Source source) {
     using To = NumberFormat<Target>;
     using From = NumberFormat<Source>;
     const auto result =
@@ -77,7 +77,7 @@ constexpr Target from_float(Float x) {
         Target::Arithmetic::template from_float<typename Target::Raw, Target::fraction_bits>(x));
 }
 template <class Target, class Float>
-constexpr Converted<Target> from_float_checked(Float x) {
+FIXEDPOINT_CONSTEXPR Converted<Target> from_float_checked(Float x) {
     static_assert(!BuiltinNumber<Float>::is_integer, "from_float_checked takes a float or double.");
     const auto result = portable::from_float<typename Target::Raw, Target::fraction_bits>(x);
     return {Target::from_raw(result.number), result.fits};
@@ -97,7 +97,7 @@ constexpr Target from_decimal(Int n, uint8_t decimals) {
             n, decimals));
 }
 template <class Target, class Int>
-constexpr Converted<Target> from_decimal_checked(Int n, uint8_t decimals) {
+FIXEDPOINT_CONSTEXPR Converted<Target> from_decimal_checked(Int n, uint8_t decimals) {
     const auto result =
         portable::from_decimal<typename Target::Raw, Target::fraction_bits>(n, decimals);
     return {Target::from_raw(result.number), result.fits};

@@ -45,8 +45,8 @@ class Fixed {
     }
 
     // The largest and the smallest number, and the distance between neighbours (one ulp).
-    static constexpr Fixed max() { return from_raw(raw_max<Raw>); }
-    static constexpr Fixed min() { return from_raw(raw_min<Raw>); }
+    static constexpr Fixed max() { return from_raw(RawLimits<Raw>::max); }
+    static constexpr Fixed min() { return from_raw(RawLimits<Raw>::min); }
     static constexpr Fixed ulp() { return from_raw(1); }
 
     friend constexpr Fixed operator+(Fixed a, Fixed b) {
@@ -78,23 +78,23 @@ class Fixed {
     }
     // floor(a / 2^count) in units of one ulp, for every count.
     template <class Count>
-    friend constexpr Fixed operator>>(Fixed a, Count count) {
-        constexpr unsigned char last = width_of<Raw> - 1;
+    friend FIXEDPOINT_CONSTEXPR Fixed operator>>(Fixed a, Count count) {
+        constexpr unsigned char last = RawLimits<Raw>::width - 1;
         return from_raw(
             static_cast<Raw>(a.raw_ >> (shift_count(count) < last ? shift_count(count) : last)));
     }
 
-    constexpr Fixed& operator+=(Fixed b) { return *this = *this + b; }
-    constexpr Fixed& operator-=(Fixed b) { return *this = *this - b; }
-    constexpr Fixed& operator*=(Fixed b) { return *this = *this * b; }
-    constexpr Fixed& operator/=(Fixed b) { return *this = *this / b; }
-    constexpr Fixed& operator%=(Fixed b) { return *this = *this % b; }
+    FIXEDPOINT_CONSTEXPR Fixed& operator+=(Fixed b) { return *this = *this + b; }
+    FIXEDPOINT_CONSTEXPR Fixed& operator-=(Fixed b) { return *this = *this - b; }
+    FIXEDPOINT_CONSTEXPR Fixed& operator*=(Fixed b) { return *this = *this * b; }
+    FIXEDPOINT_CONSTEXPR Fixed& operator/=(Fixed b) { return *this = *this / b; }
+    FIXEDPOINT_CONSTEXPR Fixed& operator%=(Fixed b) { return *this = *this % b; }
     template <class Count>
-    constexpr Fixed& operator<<=(Count count) {
+    FIXEDPOINT_CONSTEXPR Fixed& operator<<=(Count count) {
         return *this = *this << count;
     }
     template <class Count>
-    constexpr Fixed& operator>>=(Count count) {
+    FIXEDPOINT_CONSTEXPR Fixed& operator>>=(Count count) {
         return *this = *this >> count;
     }
 

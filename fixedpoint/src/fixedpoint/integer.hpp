@@ -6,6 +6,8 @@
 
 #include <stdint.h>
 
+#include <fixedpoint/constexpr.hpp>
+
 // Macros of the Arduino core and of Windows that would break every function of these names, the
 // library's included. Integers and floats keep abs and round from <stdlib.h> and <math.h>.
 #undef abs
@@ -48,18 +50,24 @@ using Integer = typename IntegerOf<Bits>::Signed;
 template <int Bits>
 using UnsignedInteger = typename IntegerOf<Bits>::Unsigned;
 
+// The bits of a Raw, and its largest and smallest value.
 template <class Raw>
-constexpr int width_of = static_cast<int>(8 * sizeof(Raw));
+struct RawLimits {
+    static constexpr int width = static_cast<int>(8 * sizeof(Raw));
+    static constexpr Raw max = static_cast<Raw>((UnsignedInteger<width>(1) << (width - 1)) - 1);
+    static constexpr Raw min = static_cast<Raw>(-max - 1);
+};
 template <class Raw>
-using Unsigned = UnsignedInteger<width_of<Raw>>;
+constexpr int RawLimits<Raw>::width;
 template <class Raw>
-using Wide = Integer<2 * width_of<Raw>>;
+constexpr Raw RawLimits<Raw>::max;
+template <class Raw>
+constexpr Raw RawLimits<Raw>::min;
 
-// The largest and the smallest value of a Raw.
 template <class Raw>
-constexpr Raw raw_max = static_cast<Raw>((Unsigned<Raw>(1) << (width_of<Raw> - 1)) - 1);
+using Unsigned = UnsignedInteger<RawLimits<Raw>::width>;
 template <class Raw>
-constexpr Raw raw_min = static_cast<Raw>(-raw_max<Raw> - 1);
+using Wide = Integer<2 * RawLimits<Raw>::width>;
 
 // a + b, a - b, -a modulo 2^W.
 template <class Raw>
@@ -80,9 +88,9 @@ constexpr Raw wrapping_negate(Raw a) {
 // a 2^count modulo 2^W, 0 from count = W on.
 template <class Raw>
 constexpr Raw wrapping_shift_left(Raw a, unsigned char count) {
-    return count >= width_of<Raw> ? Raw(0)
-                                  : static_cast<Raw>(static_cast<Unsigned<Raw>>(
-                                        static_cast<Unsigned<Raw>>(a) << count));
+    return count >= RawLimits<Raw>::width ? Raw(0)
+                                          : static_cast<Raw>(static_cast<Unsigned<Raw>>(
+                                                static_cast<Unsigned<Raw>>(a) << count));
 }
 
 // |a| as an unsigned number: exact for the smallest value too.
@@ -102,19 +110,20 @@ constexpr Raw with_sign(Unsigned<Raw> magnitude, bool negative) {
 // The Raw nearest to a number of a wider type.
 template <class Raw, class Number>
 constexpr Raw clamped(Number number) {
-    return number > raw_max<Raw>   ? raw_max<Raw>
-           : number < raw_min<Raw> ? raw_min<Raw>
-                                   : static_cast<Raw>(number);
+    return number > RawLimits<Raw>::max   ? RawLimits<Raw>::max
+           : number < RawLimits<Raw>::min ? RawLimits<Raw>::min
+                                          : static_cast<Raw>(number);
 }
 
 // `magnitude` with the sign put back, saturated to what a Raw holds.
 template <class Raw, class Magnitude>
-constexpr Raw clamped_with_sign(Magnitude magnitude, bool negative) {
-    const Magnitude limit = static_cast<Magnitude>(raw_max<Raw>);
+FIXEDPOINT_CONSTEXPR Raw clamped_with_sign(Magnitude magnitude, bool negative) {
+    const Magnitude limit = static_cast<Magnitude>(RawLimits<Raw>::max);
     if (negative) {
-        return magnitude > limit ? raw_min<Raw> : static_cast<Raw>(-static_cast<Raw>(magnitude));
+        return magnitude > limit ? RawLimits<Raw>::min
+                                 : static_cast<Raw>(-static_cast<Raw>(magnitude));
     }
-    return magnitude > limit ? raw_max<Raw> : static_cast<Raw>(magnitude);
+    return magnitude > limit ? RawLimits<Raw>::max : static_cast<Raw>(magnitude);
 }
 
 }  // namespace fixedpoint

@@ -10,34 +10,40 @@
 #pragma once
 
 #include <fixedpoint/fixed.hpp>
-#include <fixedpoint/text.hpp>
+#include <fixedpoint/portable/decimal_literal.hpp>
 
 namespace fixedpoint {
 namespace literals {
 
-template <class Number, char... Text>
-constexpr Parsed<Number> parse_literal() {
-    // Digit separators are the only characters that a literal has and decimal text has not.
-    char text[] = {Text...};
-    size_t length = 0;
-    for (char character : text) {
-        if (character != '\'') text[length++] = character;
+template <char... Text>
+struct LiteralText {
+    static constexpr char text[] = {Text...};
+    static constexpr bool is_decimal = portable::is_decimal_literal(text, text + sizeof...(Text));
+    template <class Raw, int F>
+    static constexpr portable::DecimalWord<Raw> magnitude() {
+        return portable::parse_literal<Raw, F>(text, text + sizeof...(Text));
     }
-    return parse<Number>(text, length);
-}
+};
+template <char... Text>
+constexpr char LiteralText<Text...>::text[];
+
+// The raw number of a literal, a member so that it is always a constant.
+template <class Raw, int F, char... Text>
+struct LiteralRaw {
+    static constexpr portable::DecimalWord<Raw> magnitude =
+        LiteralText<Text...>::template magnitude<Raw, F>();
+    static_assert(magnitude <= static_cast<portable::DecimalWord<Raw>>(RawLimits<Raw>::max),
+                  "This literal lies outside the range of its fixed-point format.");
+    static constexpr Raw value = static_cast<Raw>(magnitude);
+};
 
 // The number that the characters say; what is not a decimal number in range does not compile.
 template <class Number, char... Text>
 constexpr Number literal() {
-    constexpr Parsed<Number> result = parse_literal<Number, Text...>();
-    static_assert(result.status != TextStatus::malformed,
+    static_assert(LiteralText<Text...>::is_decimal,
                   "A fixed-point literal is a decimal number: 12, 0.38, 1e-3.");
-    static_assert(result.status != TextStatus::out_of_range,
-                  "This literal lies outside the range of its fixed-point format.");
-    // By way of an integer, which the device's compiler makes an immediate operand; the struct
-    // would take up RAM.
-    constexpr typename Number::Raw raw = result.number.raw();
-    return Number::from_raw(raw);
+    return Number::from_raw(
+        LiteralRaw<typename Number::Raw, Number::fraction_bits, Text...>::value);
 }
 
 template <char... Text>

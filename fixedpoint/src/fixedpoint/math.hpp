@@ -55,7 +55,8 @@ struct SineAndCosine {
 };
 // Both of one angle, for less than sin and cos take.
 template <int IntegerBits, int F, class A>
-constexpr SineAndCosine<Fixed<IntegerBits, F, A>> sincos(Fixed<IntegerBits, F, A> angle) {
+FIXEDPOINT_CONSTEXPR SineAndCosine<Fixed<IntegerBits, F, A>> sincos(
+    Fixed<IntegerBits, F, A> angle) {
     Integer<IntegerBits + F> both[2] = {};
     A::template sincos<Integer<IntegerBits + F>, F>(angle.raw(), both);
     return {Fixed<IntegerBits, F, A>::from_raw(both[0]),

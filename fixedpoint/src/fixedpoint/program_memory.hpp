@@ -8,7 +8,11 @@
 
 #ifdef __AVR__
 #include <avr/pgmspace.h>
+#ifdef __clang__  // which does not know the attribute of PROGMEM
+#define FIXEDPOINT_PROGRAM_MEMORY __attribute__((section(".progmem.data.fixedpoint")))
+#else
 #define FIXEDPOINT_PROGRAM_MEMORY PROGMEM
+#endif
 #else
 #define FIXEDPOINT_PROGRAM_MEMORY
 #endif
@@ -18,10 +22,18 @@ namespace fixedpoint {
 #ifdef __AVR__
 inline uint8_t load_program_memory(const uint8_t* entry) { return pgm_read_byte(entry); }
 inline uint16_t load_program_memory(const uint16_t* entry) { return pgm_read_word(entry); }
-inline uint32_t load_program_memory(const uint32_t* entry) { return pgm_read_dword(entry); }
+inline uint32_t load_program_memory(const uint32_t* entry) {
+#ifdef __clang__  // whose assembly has no operands of four registers, as pgm_read_dword has
+    const uint16_t* const halves = reinterpret_cast<const uint16_t*>(entry);
+    return static_cast<uint32_t>(pgm_read_word(halves + 1)) << 16 | pgm_read_word(halves);
+#else
+    return pgm_read_dword(entry);
+#endif
+}
 inline uint64_t load_program_memory(const uint64_t* entry) {
     const uint32_t* const halves = reinterpret_cast<const uint32_t*>(entry);
-    return static_cast<uint64_t>(pgm_read_dword(halves + 1)) << 32 | pgm_read_dword(halves);
+    return static_cast<uint64_t>(load_program_memory(halves + 1)) << 32 |
+           load_program_memory(halves);
 }
 
 template <class T>

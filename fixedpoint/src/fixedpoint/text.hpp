@@ -15,14 +15,14 @@ using portable::TextStatus;
 // point, an exponent or none. Rounded to nearest, half up; the limit of the range with
 // TextStatus::out_of_range; 0 with TextStatus::empty or malformed, and then `position` is where.
 template <class Number>
-constexpr Parsed<Number> parse(const char* text, size_t length) {
+FIXEDPOINT_CONSTEXPR Parsed<Number> parse(const char* text, size_t length) {
     const auto result =
         portable::parse_decimal<typename Number::Raw, Number::fraction_bits>(text, length);
     return {Number::from_raw(result.number), result.status, result.position};
 }
 // The same of text that ends with a zero: parse<Q16_16>("1.5").number.
 template <class Number>
-constexpr Parsed<Number> parse(const char* text) {
+FIXEDPOINT_CONSTEXPR Parsed<Number> parse(const char* text) {
     size_t length = 0;
     while (text[length] != '\0') ++length;
     return parse<Number>(text, length);

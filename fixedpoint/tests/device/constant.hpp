@@ -35,7 +35,8 @@ constexpr fixedpoint::Fixed<INTEGER_BITS, FRACTION_BITS, Arithmetic> as(Number x
 }
 
 // Operands: in the middle of the range, and near 1, or 1/2 where there is no 1.
-constexpr Raw third = fixedpoint::raw_max<Raw> / 3, fifth = fixedpoint::raw_min<Raw> / 5;
+constexpr Raw third = fixedpoint::RawLimits<Raw>::max / 3,
+              fifth = fixedpoint::RawLimits<Raw>::min / 5;
 constexpr Raw one = static_cast<Raw>(fixedpoint::Unsigned<Raw>(1)
                                      << (INTEGER_BITS > 1 ? FRACTION_BITS : FRACTION_BITS - 1));
 constexpr Raw above_one = one + one / 3, below_one = one - one / 5;

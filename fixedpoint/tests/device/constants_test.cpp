@@ -58,9 +58,9 @@ void check_rounding() {
 
 void test_constants() {
     check_operators<third, fifth>();
-    check_operators<raw_min<Raw>, Raw(-1)>();
+    check_operators<RawLimits<Raw>::min, Raw(-1)>();
     check_operators<above_one, below_one>();
     check_rounding<third, fifth>();
     check_rounding<fifth, third>();
-    check_rounding<raw_min<Raw>, raw_max<Raw>>();
+    check_rounding<RawLimits<Raw>::min, RawLimits<Raw>::max>();
 }

@@ -56,51 +56,51 @@ struct Checked : Nearest {
                             Operation::negate);
     }
     template <class Raw, int F>
-    static constexpr Raw multiply(Raw a, Raw b) {
+    static FIXEDPOINT_CONSTEXPR Raw multiply(Raw a, Raw b) {
         const Raw result = Nearest::multiply<Raw, F>(a, b);
         const Raw saturated = Saturating::multiply<Raw, F>(a, b);
         // Comparing the two would miss a product that wraps all the way round to its limit.
-        if ((saturated == raw_max<Raw> || saturated == raw_min<Raw>)&&product_exceeds<Raw, F>(
-                a, b, saturated)) {
+        if ((saturated == RawLimits<Raw>::max || saturated == RawLimits<Raw>::min) &&
+            product_exceeds<Raw, F>(a, b, saturated)) {
             Hook::notify(Event::overflow, Operation::multiply);
         }
         watch_underflow(saturated == 0 && a != 0 && b != 0, Operation::multiply);
         return result;
     }
     template <class Raw, int F>
-    static constexpr Raw divide(Raw a, Raw b) {
+    static FIXEDPOINT_CONSTEXPR Raw divide(Raw a, Raw b) {
         const Raw result = Nearest::divide<Raw, F>(a, b);
         if (b == 0) {
             Hook::notify(Event::division_by_zero, Operation::divide);
-        } else if ((result == raw_max<Raw> || result == raw_min<Raw>)&&quotient_exceeds<Raw, F>(
-                       a, b, result)) {
+        } else if ((result == RawLimits<Raw>::max || result == RawLimits<Raw>::min) &&
+                   quotient_exceeds<Raw, F>(a, b, result)) {
             Hook::notify(Event::overflow, Operation::divide);
         }
         watch_underflow(result == 0 && a != 0, Operation::divide);
         return result;
     }
     template <class Raw, int F>
-    static constexpr Raw remainder(Raw a, Raw b) {
+    static FIXEDPOINT_CONSTEXPR Raw remainder(Raw a, Raw b) {
         if (b == 0) Hook::notify(Event::division_by_zero, Operation::remainder);
         return Nearest::remainder<Raw, F>(a, b);
     }
     template <class Raw, int F>
-    static constexpr Raw shift_left(Raw a, unsigned char count) {
+    static FIXEDPOINT_CONSTEXPR Raw shift_left(Raw a, unsigned char count) {
         watch_range(portable::shift_left_fits(a, count), Operation::shift_left);
         return Nearest::shift_left<Raw, F>(a, count);
     }
     template <class Raw, int F, class FromRaw, int FromF>
-    static constexpr Raw convert(FromRaw a) {
+    static FIXEDPOINT_CONSTEXPR Raw convert(FromRaw a) {
         watch_range(portable::convert_clamped<Raw, F, FromRaw, FromF>(a).fits, Operation::convert);
         return Nearest::convert<Raw, F, FromRaw, FromF>(a);
     }
     template <class Raw, int F>
-    static constexpr Raw sqrt(Raw a) {
+    static FIXEDPOINT_CONSTEXPR Raw sqrt(Raw a) {
         if (a < 0) Hook::notify(Event::domain_error, Operation::sqrt);
         return Nearest::sqrt<Raw, F>(a);
     }
     template <class Raw, int F>
-    static constexpr Raw reciprocal_sqrt(Raw a) {
+    static FIXEDPOINT_CONSTEXPR Raw reciprocal_sqrt(Raw a) {
         if (a < 0) Hook::notify(Event::domain_error, Operation::reciprocal_sqrt);
         if (a == 0) Hook::notify(Event::division_by_zero, Operation::reciprocal_sqrt);
         watch_range(a <= 0 || portable::reciprocal_sqrt_fits<Raw, F>(a),
@@ -108,58 +108,58 @@ struct Checked : Nearest {
         return Nearest::reciprocal_sqrt<Raw, F>(a);
     }
     template <class Raw, int F>
-    static constexpr Raw log(Raw a) {
+    static FIXEDPOINT_CONSTEXPR Raw log(Raw a) {
         if (a <= 0) Hook::notify(Event::domain_error, Operation::log);
         watch_range(a <= 0 || portable::log_fits<Raw, F>(a), Operation::log);
         return Nearest::log<Raw, F>(a);
     }
     template <class Raw, int F>
-    static constexpr Raw exp(Raw a) {
+    static FIXEDPOINT_CONSTEXPR Raw exp(Raw a) {
         watch_range(portable::exp_fits<Raw, F>(a), Operation::exp);
         return Nearest::exp<Raw, F>(a);
     }
     template <class Raw, int F>
-    static constexpr Raw atan2(Raw y, Raw x) {
+    static FIXEDPOINT_CONSTEXPR Raw atan2(Raw y, Raw x) {
         watch_range(portable::atan2_fits<Raw, F>(y, x), Operation::atan2);
         return Nearest::atan2<Raw, F>(y, x);
     }
     template <class Raw, int F>
-    static constexpr Raw cos(Raw angle) {
+    static FIXEDPOINT_CONSTEXPR Raw cos(Raw angle) {
         watch_range(portable::cos_fits<Raw, F>(angle), Operation::cos);
         return Nearest::cos<Raw, F>(angle);
     }
     template <class Raw, int F>
-    static constexpr void sincos(Raw angle, Raw* sine_and_cosine) {
+    static FIXEDPOINT_CONSTEXPR void sincos(Raw angle, Raw* sine_and_cosine) {
         watch_range(portable::cos_fits<Raw, F>(angle), Operation::cos);
         Nearest::sincos<Raw, F>(angle, sine_and_cosine);
     }
     template <class Raw, int F>
-    static constexpr Raw ceil(Raw a) {
+    static FIXEDPOINT_CONSTEXPR Raw ceil(Raw a) {
         watch_range(portable::integral_fits<Raw, F>(portable::integer_ceil<Raw, F>(a)),
                     Operation::ceil);
         return Nearest::ceil<Raw, F>(a);
     }
     template <class Raw, int F>
-    static constexpr Raw round(Raw a) {
+    static FIXEDPOINT_CONSTEXPR Raw round(Raw a) {
         watch_range(portable::integral_fits<Raw, F>(portable::integer_round<Raw, F>(a)),
                     Operation::round);
         return Nearest::round<Raw, F>(a);
     }
     // NaN is a domain error.
     template <class Raw, int F, class Float>
-    static constexpr Raw from_float(Float x) {
+    static FIXEDPOINT_CONSTEXPR Raw from_float(Float x) {
         if (x != x) Hook::notify(Event::domain_error, Operation::from_float);
         watch_range(x != x || portable::from_float<Raw, F>(x).fits, Operation::from_float);
         return Nearest::from_float<Raw, F>(x);
     }
     template <class Raw, int F, class Int>
-    static constexpr Raw from_decimal(Int n, uint8_t decimals) {
+    static FIXEDPOINT_CONSTEXPR Raw from_decimal(Int n, uint8_t decimals) {
         watch_range(portable::from_decimal<Raw, F>(n, decimals).fits, Operation::from_decimal);
         return Nearest::from_decimal<Raw, F>(n, decimals);
     }
 
     template <class Raw, int F>
-    static constexpr Raw multiply_add(Raw a, Raw b, Raw c) {
+    static FIXEDPOINT_CONSTEXPR Raw multiply_add(Raw a, Raw b, Raw c) {
         const Raw result = Nearest::multiply_add<Raw, F>(a, b, c);
         const portable::DoubleWord<Raw> terms[2] = {portable::exact_product(a, b),
                                                     widened<Raw, F>(c)};
@@ -186,7 +186,7 @@ struct Checked : Nearest {
     }
     // One event for a vector, however many of its components are 1.
     template <class Raw, int F>
-    static constexpr void normalise3(const Raw* v, Raw* unit) {
+    static FIXEDPOINT_CONSTEXPR void normalise3(const Raw* v, Raw* unit) {
         watch_range(portable::normalised_fits<Raw, F>(v, 0) &&
                         portable::normalised_fits<Raw, F>(v, 1) &&
                         portable::normalised_fits<Raw, F>(v, 2),
@@ -194,23 +194,23 @@ struct Checked : Nearest {
         Nearest::normalise3<Raw, F>(v, unit);
     }
     template <int K, class Raw>
-    static constexpr Raw scale_down(Raw a) {
+    static FIXEDPOINT_CONSTEXPR Raw scale_down(Raw a) {
         const Raw result = Nearest::scale_down<K>(a);
         watch_underflow(result == 0 && a != 0, Operation::scale_down);
         return result;
     }
 
   private:
-    static constexpr void watch_range(bool fits, Operation operation) {
+    static FIXEDPOINT_CONSTEXPR void watch_range(bool fits, Operation operation) {
         if (!fits) Hook::notify(Event::overflow, operation);
     }
-    static constexpr void watch_underflow(bool vanished, Operation operation) {
+    static FIXEDPOINT_CONSTEXPR void watch_underflow(bool vanished, Operation operation) {
         if (vanished) Hook::notify(Event::underflow, operation);
     }
 
     // c 2^F, in twice the width.
     template <class Raw, int F>
-    static constexpr portable::DoubleWord<Raw> widened(Raw c) {
+    static FIXEDPOINT_CONSTEXPR portable::DoubleWord<Raw> widened(Raw c) {
         using Sum = portable::DoubleWord<Raw>;
         const Sum wide = static_cast<Sum>(static_cast<Sum>(portable::exact_product(c, Raw(1))));
         return static_cast<Sum>(wide << F);
@@ -219,39 +219,40 @@ struct Checked : Nearest {
     // differ by a multiple of 2^W where it overflowed and by at most 1/2 where it did not, which
     // can be told from a quarter of each term: three quarters do not overflow 2W bits.
     template <class Raw, int F>
-    static constexpr void watch_sum(const portable::DoubleWord<Raw>* terms, int n, Raw result,
-                                    Operation operation) {
+    static FIXEDPOINT_CONSTEXPR void watch_sum(const portable::DoubleWord<Raw>* terms, int n,
+                                               Raw result, Operation operation) {
         using Sum = portable::DoubleWord<Raw>;
         Sum difference = Sum(uint8_t(0));
         for (int i = 0; i < n; ++i) {
             difference = static_cast<Sum>(difference + quarter<Raw>(terms[i]));
         }
         difference = static_cast<Sum>(difference - quarter<Raw>(widened<Raw, F>(result)));
-        const Sum most = static_cast<Sum>(Sum(uint8_t(1)) << (width_of<Raw> + F - 3));
+        const Sum most = static_cast<Sum>(Sum(uint8_t(1)) << (RawLimits<Raw>::width + F - 3));
         if (static_cast<Sum>(difference + most) >= static_cast<Sum>(most << 1)) {
             Hook::notify(Event::overflow, operation);
         }
     }
     // floor(a / 4) of a two's-complement number of 2W bits.
     template <class Raw>
-    static constexpr portable::DoubleWord<Raw> quarter(portable::DoubleWord<Raw> a) {
+    static FIXEDPOINT_CONSTEXPR portable::DoubleWord<Raw> quarter(portable::DoubleWord<Raw> a) {
         using Sum = portable::DoubleWord<Raw>;
-        const Sum bias = static_cast<Sum>(Sum(uint8_t(1)) << (2 * width_of<Raw> - 1));
+        const Sum bias = static_cast<Sum>(Sum(uint8_t(1)) << (2 * RawLimits<Raw>::width - 1));
         return static_cast<Sum>(static_cast<Sum>(static_cast<Sum>(a + bias) >> 2) -
                                 static_cast<Sum>(bias >> 2));
     }
     template <class Raw, int F>
-    static constexpr Raw watched_dot(const Raw* a, const Raw* b, int n, Raw result) {
+    static FIXEDPOINT_CONSTEXPR Raw watched_dot(const Raw* a, const Raw* b, int n, Raw result) {
         portable::DoubleWord<Raw> terms[3] = {};
         for (int i = 0; i < n; ++i) terms[i] = portable::exact_product(a[i], b[i]);
         watch_sum<Raw, F>(terms, n, result, Operation::dot);
         return result;
     }
     template <class Raw>
-    static constexpr Raw watched_length(const Raw* v, int n, Raw result) {
+    static FIXEDPOINT_CONSTEXPR Raw watched_length(const Raw* v, int n, Raw result) {
         // Beyond (max + 1/2)^2 the root rounds to more than the largest number.
         const portable::DoubleWord<Raw> most = static_cast<portable::DoubleWord<Raw>>(
-            portable::square(raw_max<Raw>) + portable::DoubleWord<Raw>(magnitude(raw_max<Raw>)));
+            portable::square(RawLimits<Raw>::max) +
+            portable::DoubleWord<Raw>(magnitude(RawLimits<Raw>::max)));
         if (portable::sum_of_squares(v, n) > most) {
             Hook::notify(Event::overflow, Operation::length);
         }
@@ -260,15 +261,15 @@ struct Checked : Nearest {
 
     // For sums, which cannot wrap all the way round to the saturated result.
     template <class Raw>
-    static constexpr Raw wrapped(Raw result, Raw saturated, Operation operation) {
+    static FIXEDPOINT_CONSTEXPR Raw wrapped(Raw result, Raw saturated, Operation operation) {
         watch_range(result == saturated, operation);
         return result;
     }
 
     // Whether |numerator| 2^shift lies more than half of |unit| beyond |limit| |unit| (by half
     // itself only where the result is positive, since halves are rounded up).
-    static constexpr bool beyond(portable::Wide128 value, portable::Wide128 limit, uint64_t half,
-                                 bool tie_counts) {
+    static FIXEDPOINT_CONSTEXPR bool beyond(portable::Wide128 value, portable::Wide128 limit,
+                                            uint64_t half, bool tie_counts) {
         const uint64_t low = value.low - limit.low;
         const uint64_t borrow = value.low < limit.low ? 1 : 0;
         if (value.high < limit.high || (value.high == limit.high && borrow != 0)) return false;
@@ -279,7 +280,7 @@ struct Checked : Nearest {
         return {count == 0 ? 0 : value >> (64 - count), value << count};
     }
     template <class Raw, int F>
-    static constexpr bool product_exceeds(Raw a, Raw b, Raw limit) {
+    static FIXEDPOINT_CONSTEXPR bool product_exceeds(Raw a, Raw b, Raw limit) {
         // a b against limit 2^F, in units of 1: half an ulp is 2^(F-1).
         if (F == 0) {
             return beyond(portable::multiply_full(magnitude<int64_t>(a), magnitude<int64_t>(b)),
@@ -289,7 +290,7 @@ struct Checked : Nearest {
                       shifted(magnitude<int64_t>(limit), F), (uint64_t(1) << F) >> 1, limit > 0);
     }
     template <class Raw, int F>
-    static constexpr bool quotient_exceeds(Raw a, Raw b, Raw limit) {
+    static FIXEDPOINT_CONSTEXPR bool quotient_exceeds(Raw a, Raw b, Raw limit) {
         // a 2^F against limit b; half an ulp is |b| / 2, a tie only where b is even.
         const uint64_t divisor = magnitude<int64_t>(b);
         return beyond(shifted(magnitude<int64_t>(a), F),

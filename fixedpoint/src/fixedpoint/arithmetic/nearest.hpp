@@ -10,22 +10,7 @@
 #pragma once
 
 #include <fixedpoint/arithmetic/wrapping.hpp>
-#include <fixedpoint/kernel/atan.hpp>
-#include <fixedpoint/kernel/atan2.hpp>
-#include <fixedpoint/kernel/cos.hpp>
-#include <fixedpoint/kernel/divide.hpp>
-#include <fixedpoint/kernel/dot.hpp>
-#include <fixedpoint/kernel/exp.hpp>
-#include <fixedpoint/kernel/length.hpp>
-#include <fixedpoint/kernel/log.hpp>
-#include <fixedpoint/kernel/multiply.hpp>
-#include <fixedpoint/kernel/multiply_add.hpp>
-#include <fixedpoint/kernel/normalise.hpp>
-#include <fixedpoint/kernel/reciprocal_sqrt.hpp>
-#include <fixedpoint/kernel/remainder.hpp>
-#include <fixedpoint/kernel/sin.hpp>
-#include <fixedpoint/kernel/sincos.hpp>
-#include <fixedpoint/kernel/sqrt.hpp>
+#include <fixedpoint/kernel/dispatch.hpp>
 
 namespace fixedpoint {
 
@@ -78,7 +63,7 @@ struct Nearest : Wrapping {
     }
     // Both at once, the sine first: the same results for less than both cost.
     template <class Raw, int F>
-    static constexpr void sincos(Raw angle, Raw* sine_and_cosine) {
+    static FIXEDPOINT_CONSTEXPR void sincos(Raw angle, Raw* sine_and_cosine) {
         kernel::sincos<Raw, F>(angle, sine_and_cosine);
     }
     // e^a within 1 ulp; the largest number where it does not fit.
@@ -117,7 +102,7 @@ struct Nearest : Wrapping {
     }
     // v / length3(v), each component within 1 ulp; the zero vector stays zero. `unit` may be v.
     template <class Raw, int F>
-    static constexpr void normalise3(const Raw* v, Raw* unit) {
+    static FIXEDPOINT_CONSTEXPR void normalise3(const Raw* v, Raw* unit) {
         kernel::normalise3<Raw, F>(v, unit);
     }
 };

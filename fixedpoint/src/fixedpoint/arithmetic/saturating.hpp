@@ -6,7 +6,7 @@
 
 #include <fixedpoint/arithmetic/nearest.hpp>
 #include <fixedpoint/kernel/add_saturating.hpp>
-#include <fixedpoint/kernel/multiply_saturating.hpp>
+#include <fixedpoint/kernel/dispatch.hpp>
 #include <fixedpoint/portable/range.hpp>
 
 namespace fixedpoint {
@@ -27,7 +27,7 @@ struct Saturating : Nearest {
     // -a; the negative of the smallest number is the largest.
     template <class Raw, int F>
     static constexpr Raw negate(Raw a) {
-        return a == raw_min<Raw> ? raw_max<Raw> : static_cast<Raw>(-a);
+        return a == RawLimits<Raw>::min ? RawLimits<Raw>::max : static_cast<Raw>(-a);
     }
     // a * b rounded, saturated.
     template <class Raw, int F>

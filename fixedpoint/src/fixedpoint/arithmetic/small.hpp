@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Small: as Nearest, with a division and functions that take little flash instead of little time: no
-// tables on the device but a few constants. Bounds are the same; quotients are the same too, other
-// results may differ in the last place.
+// Small: as Nearest, with a division and functions that take little flash instead of little time:
+// no tables on the device but a few constants. Bounds are the same; quotients are the same too,
+// other results may differ in the last place.
 #pragma once
 
 #include <fixedpoint/arithmetic/nearest.hpp>
@@ -48,7 +48,7 @@ struct Small : Nearest {
         return kernel::log_small<Raw, F>(a);
     }
     template <class Raw, int F>
-    static constexpr void sincos(Raw angle, Raw* sine_and_cosine) {
+    static FIXEDPOINT_CONSTEXPR void sincos(Raw angle, Raw* sine_and_cosine) {
         sine_and_cosine[0] = sin<Raw, F>(angle);
         sine_and_cosine[1] = cos<Raw, F>(angle);
     }

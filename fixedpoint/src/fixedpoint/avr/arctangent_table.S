@@ -3,13 +3,10 @@
 // 2^24 atan(x) + 128 on 256 intervals of [0, 1]: half an ulp of Q16.16 is in it, so that
 // cutting 8 bits rounds.
 
-#ifdef __AVR__
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
 
-    .section .progmem.data.fixedpoint_arctangent_table, "a", @progbits
-    .balign 256
-    .global fixedpoint_arctangent_table
-    .type fixedpoint_arctangent_table, @object
-fixedpoint_arctangent_table:
+    TABLE fixedpoint_arctangent_table
     // slope, bits 0..7
     .byte 255, 254, 250, 244, 236, 226, 214, 200, 184, 166, 146, 124, 100,  74,  46,  17
     .byte 241, 207, 171, 134,  94,  53,  10, 220, 173, 124,  73,  20, 222, 165, 107,  46
@@ -95,6 +92,6 @@ fixedpoint_arctangent_table:
     .byte 215, 192,  17, 205, 243, 132, 129, 232, 188, 253, 171, 198,  79,  71, 173, 131
     .byte 201, 127, 165,  61,  71, 195, 177,  19, 232,  50, 240,  35, 203, 234, 127, 140
     .byte  16,  12, 128, 110, 213, 182,  17, 232,  58,   8,  82,  26,  95,  34, 100,  36
-    .size fixedpoint_arctangent_table, .-fixedpoint_arctangent_table
+    ENDTABLE fixedpoint_arctangent_table
 
 #endif

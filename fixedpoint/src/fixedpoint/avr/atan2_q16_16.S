@@ -8,12 +8,6 @@
 // In       y or a = r25:r22, x = r21:r18
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
-// Cycles   call and ret included. atan2 with the larger magnitude from 1 up to 256, by octant,
-//          counted from the positive x axis: 167 182 184 181 194 197 195 180; 8 more from 1/256
-//          up to 1, 19 more below 1/256, 7 more from 256; 6 more where the ratio comes out as 1 or
-//          above. At most 216, since 8-bit magnitudes lie where the reciprocal is rounded down.
-//          35 for (0, 0).
-//          atan below 1: 48, or 61 where negative; from 1: 179 or 192, 7 more from 256.
 //
 // The smaller magnitude N is divided by the larger one D: both are shifted until D has 24 bits (a
 // multiplication by a power of two), the reciprocal of D comes from chords on 256 intervals, and
@@ -26,7 +20,8 @@
 // 0.002. Rounding 0.5. The worst of all 2^32 inputs of atan is 0.58382, at -68608; the worst found
 // of atan2, in 10^9 pairs and by climbing, is 0.62549, at (-25067131, -33686008).
 
-#ifdef __AVR__
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
 
 #define octant r27
 #define power r26
@@ -60,11 +55,7 @@
 
 #include "octants_q16_16.inc"
 
-    .section .text.fixedpoint_atan2_q16_16, "ax", @progbits
-
-    .global fixedpoint_atan2_q16_16
-    .type fixedpoint_atan2_q16_16, @function
-fixedpoint_atan2_q16_16:
+    FUNCTION fixedpoint_atan2_q16_16
     into_first_octant
     cpse d3, r1
     rjmp .Lfour_bytes
@@ -218,11 +209,9 @@ fixedpoint_atan2_q16_16:
     rjmp .Lnormalised
 
     return_negated
-    .size fixedpoint_atan2_q16_16, .-fixedpoint_atan2_q16_16
+    ENDFUNC fixedpoint_atan2_q16_16
 
-    .global fixedpoint_atan_q16_16
-    .type fixedpoint_atan_q16_16, @function
-fixedpoint_atan_q16_16:
+    ENTRY fixedpoint_atan_q16_16
     bst r25, 7
     brtc .Lpositive
     com r25
@@ -268,6 +257,6 @@ fixedpoint_atan_q16_16:
     ldi n3, 0
     ldi octant, 1 << STEEP
     rjmp .Lfirst_octant
-    .size fixedpoint_atan_q16_16, .-fixedpoint_atan_q16_16
+    ENDFUNC fixedpoint_atan_q16_16
 
 #endif

@@ -5,14 +5,11 @@
 // int32_t fixedpoint_atan_q16_16_small(int32_t a)
 // The arc tangent of a Q16.16 number in radians, within 0.59 ulp: atan2(a, 1).
 //
-// Without a table: an eighth of the flash of fixedpoint_atan2_q16_16, in four times its cycles.
+// Without a table: an eighth of the flash of fixedpoint_atan2_q16_16, and slower.
 //
 // In       y or a = r25:r22, x = r21:r18
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
-// Cycles   call and ret included, by octant, counted from the positive x axis: 744 759 761 758 771
-//          774 772 757, and 3 more for each one among the ratio's 24 bits, 4 more where the larger
-//          magnitude is 2^31: at most 850. 26 for (0, 0). atan 4 more.
 //
 // The smaller magnitude is divided by the larger one bit by bit. Of the ratio x, atan(x) =
 // x (c0 - z (c1 - z (c2 - ... z c6))), z = x^2: the polynomial of least largest error, 2.5e-7, that
@@ -23,7 +20,8 @@
 // atan is 0.52690, at -60901; the worst found of atan2, in 10^9 pairs and by climbing, is 0.53494,
 // at (139315820, 151594038).
 
-#ifdef __AVR__
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
 
 #define octant r27
 #define angle0 r19
@@ -45,20 +43,16 @@
 // Half an ulp, and what the products cut in the mean.
 #define ROUNDING 130
 
-    .section .text.fixedpoint_atan2_q16_16_small, "ax", @progbits
+    SECTION fixedpoint_atan2_q16_16_small
 
-    .global fixedpoint_atan_q16_16_small
-    .type fixedpoint_atan_q16_16_small, @function
-fixedpoint_atan_q16_16_small:
+    ENTRY fixedpoint_atan_q16_16_small
     ldi d0, 0
     ldi d1, 0
     ldi d2, 1
     ldi d3, 0
-    .size fixedpoint_atan_q16_16_small, .-fixedpoint_atan_q16_16_small
+    ENDFUNC fixedpoint_atan_q16_16_small
 
-    .global fixedpoint_atan2_q16_16_small
-    .type fixedpoint_atan2_q16_16_small, @function
-fixedpoint_atan2_q16_16_small:
+    ENTRY fixedpoint_atan2_q16_16_small
     into_first_octant
     cp d0, r1
     cpc d1, r1
@@ -74,7 +68,7 @@ fixedpoint_atan2_q16_16_small:
     ror n1
     ror n0
 .Lfits:
-    // 24 bits, inverted; the one ahead of them leaves when they are complete. 15 or 18 cycles each.
+    // 24 bits, inverted; the one ahead of them leaves when they are complete.
     ldi x0, 1
     ldi x1, 0
     ldi x2, 0
@@ -126,13 +120,13 @@ fixedpoint_atan2_q16_16_small:
     mov angle0, t0
     mov angle1, t1
     mov angle2, t2
-    subi angle0, lo8(-ROUNDING)
-    sbci angle1, hi8(-ROUNDING)
-    sbci angle2, hlo8(-ROUNDING)
+    subi angle0, lo8(0x1000000 - ROUNDING)
+    sbci angle1, hi8(0x1000000 - ROUNDING)
+    sbci angle2, hlo8(0x1000000 - ROUNDING)
     return_from_first_octant
     return_negated
 
     multiply_high_24
-    .size fixedpoint_atan2_q16_16_small, .-fixedpoint_atan2_q16_16_small
+    ENDFUNC fixedpoint_atan2_q16_16_small
 
 #endif

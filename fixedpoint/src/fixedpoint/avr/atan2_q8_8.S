@@ -6,15 +6,15 @@
 // In:       y r25:r24, x r23:r22
 // Out:      r25:r24
 // Clobbers: r0, r18..r23, r26, r27, r30, r31
-// Cycles, call and return included: 107..120; 117..126 where |x|, |y| < 1; (0, 0) 25. Stack: 0
-// bytes.
+// Stack:    0 bytes.
 //
 // The smaller coordinate times the reciprocal of the larger, both moved up so that the larger's
 // leading one is in bit 15, is the ratio t in 15 bits, below 1 as the reciprocal always is a little
 // less than 1 / larger. Reciprocal and arc tangent are chords, of 128 intervals each (3 loads and a
 // multiplication); atan2_q8_8.py makes them. portable/atan2_q8_8.hpp is the same, bit for bit.
 
-#ifdef __AVR__
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
 
 #define small0 r24
 #define small1 r25
@@ -41,11 +41,7 @@
     lpm r0, Z
     .endm
 
-    .section .text.fixedpoint_atan2_q8_8, "ax", @progbits
-
-    .global fixedpoint_atan2_q8_8
-    .type fixedpoint_atan2_q8_8, @function
-fixedpoint_atan2_q8_8:
+    FUNCTION fixedpoint_atan2_q8_8
     mov sign_y, small1
     mov sign_x, large1
     tst small1
@@ -160,6 +156,6 @@ fixedpoint_atan2_q8_8:
     neg r24
     sbci r25, 0xff
     ret
-    .size fixedpoint_atan2_q8_8, .-fixedpoint_atan2_q8_8
+    ENDFUNC fixedpoint_atan2_q8_8
 
 #endif

@@ -2,13 +2,10 @@
 // DO NOT EDIT: written by python3 fixedpoint/tables/atan2_q8_8.py
 // Chords of the arc tangent (0..127) and of the reciprocal (128..255).
 
-#ifdef __AVR__
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
 
-    .section .progmem.data.fixedpoint_atan2_q8_8_table, "a", @progbits
-    .balign 256
-    .global fixedpoint_atan2_q8_8_table
-    .type fixedpoint_atan2_q8_8_table, @object
-fixedpoint_atan2_q8_8_table:
+    TABLE fixedpoint_atan2_q8_8_table
     // value, low bytes
     .byte   1,   0,   0,   0,   0, 255, 254, 253, 251, 249, 246, 243, 239, 234, 228, 222
     .byte 214, 206, 197, 186, 174, 162, 148, 132, 116,  97,  78,  57,  34,  10, 240, 213
@@ -60,6 +57,6 @@ fixedpoint_atan2_q8_8_table:
     .byte  96,  96,  94,  94,  93,  92,  91,  90,  90,  89,  87,  87,  87,  85,  85,  84
     .byte  83,  83,  81,  81,  81,  79,  79,  79,  77,  77,  76,  76,  75,  74,  74,  73
     .byte  73,  72,  71,  71,  70,  69,  70,  68,  68,  67,  67,  66,  66,  65,  65,  64
-    .size fixedpoint_atan2_q8_8_table, .-fixedpoint_atan2_q8_8_table
+    ENDTABLE fixedpoint_atan2_q8_8_table
 
 #endif

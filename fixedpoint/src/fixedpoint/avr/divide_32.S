@@ -9,8 +9,6 @@
 // Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
 // Stack    6 bytes
 // Table    512 bytes, fixedpoint_reciprocal_table
-// Cycles   call and ret included: 409 the most found in any split; operands of 0.01 .. 20 in Q8.24
-//          123..351, 309 in the mean
 //
 // The method is that of divide_q16_16.S: the divisor d = 2^k |b| has its leading one in bit 31,
 // and v = 2^8..2^9 makes D = d v = 2^40 - E, 0 < E < 2^32. A digit of the quotient to base 256 is
@@ -28,7 +26,8 @@
 // is always r22: a dividend with fewer digits begins further down. Last, twice the remainder is
 // compared with D; a tie rounds up.
 
-#ifdef __AVR__
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
 
 #define n0 r22
 #define n1 r23
@@ -48,7 +47,7 @@
 #define e3 r31
 
     // A digit in q; x4..x0 = the rest of the dividend. Goes to 9 where it was right, else falls
-    // through, for q to be raised by 1. 22 cycles, 26 where it falls through.
+    // through, for q to be raised by 1.
     .macro digit q, x4, x3, x2, x1, x0
     mul \q, e0
     movw r14, r0
@@ -74,7 +73,7 @@
     adc \x4, zero
     .endm
 
-    .section .text.fixedpoint_divide_32, "ax", @progbits
+    SECTION fixedpoint_divide_32
 .Lzero_divisor:
     mov r0, n0
     or r0, n1
@@ -115,9 +114,7 @@
     rjmp .Ldivisor
 
     // r30 = 2^(F mod 8), r31 = floor(F / 8)
-    .type fixedpoint_divide_32, @function
-    .global fixedpoint_divide_32
-fixedpoint_divide_32:
+    ENTRY fixedpoint_divide_32
     push r14
     push r15
     push r16
@@ -351,17 +348,14 @@ fixedpoint_divide_32:
     sbci r24, 0xff
     sbci r25, 0xff
 4:  rjmp .Lrestore
-    .size fixedpoint_divide_32, .-fixedpoint_divide_32
+    ENDFUNC fixedpoint_divide_32
 
     .macro kernels integer, fraction
-    .section .text.fixedpoint_divide_q\integer\()_\fraction, "ax", @progbits
-    .global fixedpoint_divide_q\integer\()_\fraction
-    .type fixedpoint_divide_q\integer\()_\fraction, @function
-fixedpoint_divide_q\integer\()_\fraction:
+    FUNCTION fixedpoint_divide_q\integer\()_\fraction
     ldi r30, 1 << (\fraction % 8)
     ldi r31, \fraction / 8
-    jmp fixedpoint_divide_32
-    .size fixedpoint_divide_q\integer\()_\fraction, .-fixedpoint_divide_q\integer\()_\fraction
+    XJMP fixedpoint_divide_32
+    ENDFUNC fixedpoint_divide_q\integer\()_\fraction
     .endm
 
 #include "splits_32.inc"

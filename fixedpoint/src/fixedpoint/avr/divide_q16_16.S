@@ -8,9 +8,6 @@
 // Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
 // Stack    4 bytes where |b| >= 2^24, else at most 2
 // Table    512 bytes, fixedpoint_reciprocal_table
-// Cycles   call and ret included, 144 in the mean over 0.01..20 of both signs. The fewest and the
-//          most that were found: |b| < 1: 113..234; 1 <= |b| < 256: 128..274; beyond: 228..279;
-//          clamped before the division: 29..67
 //
 // On the magnitudes n = |a| and d = |b|; T is the sign. Both are multiplied by the same w = p v, p
 // the power of two that moves the leading one of d to the top of its highest byte, v a 9-bit
@@ -35,14 +32,15 @@
 // Zero leading bytes of n and of x are skipped. Overflow, n >= 2^15 d, is sorted out first, where
 // d < 2^16; n < 2^24 and d >= 2^9 cannot overflow. Above, only -2^31 / -2^16 can.
 
-#ifdef __AVR__
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
 
 #define n0 r22
 #define n1 r23
 #define n2 r24
 #define n3 r25
 
-    .section .text.fixedpoint_divide_q16_16, "ax", @progbits
+    SECTION fixedpoint_divide_q16_16
 
     // Bytes x1..x3 of (n1:n0) w, from x1:x0 = n0 w0; w = r27:r26.
     .macro multiply_low x1, x2, x3
@@ -164,9 +162,7 @@
     clr n0
     rjmp .Lshort
 
-    .global fixedpoint_divide_q16_16
-    .type fixedpoint_divide_q16_16, @function
-fixedpoint_divide_q16_16:
+    ENTRY fixedpoint_divide_q16_16
     mov r0, r25
     eor r0, r21
     bst r0, 7
@@ -696,6 +692,6 @@ fixedpoint_divide_q16_16:
     brts 1f
     ret
 1:  rjmp .Lnegate
-    .size fixedpoint_divide_q16_16, .-fixedpoint_divide_q16_16
+    ENDFUNC fixedpoint_divide_q16_16
 
 #endif

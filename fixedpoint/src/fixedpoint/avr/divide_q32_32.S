@@ -6,9 +6,7 @@
 // In:       a r25..r18, b r17..r10
 // Out:      r25..r18
 // Clobbers: r0, r26, r27, r30, r31
-// Cycles, call and return included (worst found): |b| < 2^-16: 344..619; |b| < 256: |a| < 256
-// 254..731, else 439..785; |b| >= 256: 443..778; clamped 107..143. 40 to 65 for each byte of the
-// quotient. Stack: 11 bytes, 23 where |b| >= 256.
+// Stack:    11 bytes, 23 where |b| >= 256.
 //
 // Long division of magnitudes in base 256 by d = 2^k |b|, whose leading one is the highest bit of
 // five bytes, or, where |b| >= 256, of eight; a is multiplied by 2^k likewise. A digit that comes
@@ -30,7 +28,8 @@
 // quotient is below 2^55. It is longest for divisors of six bytes, for which two products of each
 // digit are left out.
 
-#ifdef __AVR__
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
 
 #include <fixedpoint/avr/long_division.inc>
 
@@ -95,7 +94,7 @@
     sbci q7, 0xff
     .endm
 
-    .section .text.fixedpoint_divide_q32_32, "ax", @progbits
+    SECTION fixedpoint_divide_q32_32
 
     // Divisors of at most five bytes. u4..u0:q7..q0 moves up by a byte for each digit, which comes
     // in at the bottom.
@@ -126,9 +125,7 @@
     mov q1, q0
     .endm
 
-    .global fixedpoint_divide_q32_32
-    .type fixedpoint_divide_q32_32, @function
-fixedpoint_divide_q32_32:
+    ENTRY fixedpoint_divide_q32_32
     push r14
     push r13
     push r12
@@ -702,6 +699,6 @@ fixedpoint_divide_q32_32:
     pop d6
     pop d7
     rjmp .Lround
-    .size fixedpoint_divide_q32_32, .-fixedpoint_divide_q32_32
+    ENDFUNC fixedpoint_divide_q32_32
 
 #endif

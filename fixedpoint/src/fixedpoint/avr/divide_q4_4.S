@@ -6,8 +6,7 @@
 // In:       a r24, b r22
 // Out:      r24
 // Clobbers: r0, r18..r21, r23, r25, r30, r31
-// Cycles, call and return included: |b| > 1 (raw 16) 38; |b| > 1/16 (raw 1) 47; b = 0, +-1 24..30.
-// Stack: 0 bytes.
+// Stack:    0 bytes.
 //
 // a times a signed reciprocal R of 16 bits, one for every b, is the quotient: R is the integer
 // nearest to 2^19 / b where |b| > 16, so that the quotient stands at bit 15 of a R, and to 2^16 / b
@@ -17,9 +16,10 @@
 // step from one possible fraction of a quotient to the next, is 2^15 / 2 |b| >= 128 units where
 // |b| > 16, and 2^12 / 2 |b| >= 128 units elsewhere. Hence ties round upward and nothing else does.
 
-#ifdef __AVR__
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
 
-    .section .text.fixedpoint_divide_q4_4, "ax", @progbits
+    SECTION fixedpoint_divide_q4_4
 
     // r25:r24 = (a R + 64) >> 8, r1 = 0. Both halves of the product fit: |a R| < 2^22.
     .macro multiply_by_reciprocal
@@ -40,9 +40,7 @@
     adc r25, r1
     .endm
 
-    .global fixedpoint_divide_q4_4
-    .type fixedpoint_divide_q4_4, @function
-fixedpoint_divide_q4_4:
+    ENTRY fixedpoint_divide_q4_4
     mov r23, r22
     subi r23, -16
     cpi r23, 33
@@ -107,6 +105,6 @@ fixedpoint_divide_q4_4:
     inc r24
 .Lreturn:
     ret
-    .size fixedpoint_divide_q4_4, .-fixedpoint_divide_q4_4
+    ENDFUNC fixedpoint_divide_q4_4
 
 #endif

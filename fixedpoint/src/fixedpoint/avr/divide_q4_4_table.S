@@ -2,13 +2,10 @@
 // DO NOT EDIT: written by python3 fixedpoint/tables/divide_q4_4.py
 // Signed reciprocals of Q4.4 divisors.
 
-#ifdef __AVR__
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
 
-    .section .progmem.data.fixedpoint_divide_q4_4_table, "a", @progbits
-    .balign 256
-    .global fixedpoint_divide_q4_4_table
-    .type fixedpoint_divide_q4_4_table, @object
-fixedpoint_divide_q4_4_table:
+    TABLE fixedpoint_divide_q4_4_table
     // low bytes
     .byte   0,   0, 255,  85,   0,  51, 171, 146,   0, 114, 154,  70,  85, 177,  73,  17
     .byte   0, 120, 199, 202, 102, 134,  23,  11,  85, 236, 197, 218,  37, 159,  68,  17
@@ -43,6 +40,6 @@ fixedpoint_divide_q4_4_table:
     .byte 213, 212, 211, 210, 209, 208, 207, 206, 204, 203, 202, 200, 199, 197, 195, 193
     .byte 192, 189, 187, 185, 182, 180, 177, 174, 170, 166, 162, 158, 153, 148, 142, 135
     .byte 240, 238, 237, 236, 234, 232, 230, 227, 224, 219, 213, 204, 192, 170, 128,   0
-    .size fixedpoint_divide_q4_4_table, .-fixedpoint_divide_q4_4_table
+    ENDTABLE fixedpoint_divide_q4_4_table
 
 #endif

@@ -6,9 +6,7 @@
 // In:       a r25:r24, b r23:r22
 // Out:      r25:r24
 // Clobbers: r0, r18..r23, r26, r27, r30, r31
-// Cycles, call and return included: 28..129, mean 103 (of every input). |b| >= 1: |a| < |b|
-// 74..115, |a| >= |b| 106..129; 1/2 <= |b| < 1: 62..86; |b| < 1/2: 74..98; b = -128: 39..42;
-// clamped, |b| < 1: 28..44. Stack: 0 bytes.
+// Stack:    0 bytes.
 //
 // On magnitudes, the sign put back at the end; for a negative quotient half a divisor less one unit
 // rounds, so that ties go upward.
@@ -32,7 +30,8 @@
 // tried, and 60 2^8 to 64 2^8 would do for 2^14. So half a divisor plus the remainder is at least 0
 // and below 2 |b| < 2^16: its lower 16 bits tell which. Only 2^15 / 2^8 is too large.
 
-#ifdef __AVR__
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
 
 #include <fixedpoint/avr/long_division.inc>
 
@@ -49,11 +48,7 @@
 #define zero r20
 #define sign r21
 
-    .section .text.fixedpoint_divide_q8_8, "ax", @progbits
-
-    .global fixedpoint_divide_q8_8
-    .type fixedpoint_divide_q8_8, @function
-fixedpoint_divide_q8_8:
+    FUNCTION fixedpoint_divide_q8_8
     mov sign, a1
     eor sign, b1
     tst a1
@@ -286,6 +281,6 @@ fixedpoint_divide_q8_8:
 .Lreturn:
     ret
 
-    .size fixedpoint_divide_q8_8, .-fixedpoint_divide_q8_8
+    ENDFUNC fixedpoint_divide_q8_8
 
 #endif

@@ -8,17 +8,14 @@
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
 // Stack    11 bytes
-// Cycles   call and ret included, least to most found, by the signs of the components:
-//              F = 8    dot2 231..235, dot3 312..318
-//              F = 24   dot2 281..301, dot3 387..417
-//              F = 28   dot2 317..345, dot3 431..473, the most of all splits
 //
 // Bytes 0..top of the exact sum, what lies above `top` being beyond the result, take one component
 // after the other, and of it one byte of b after the other. The even and the odd products of a byte
 // of b lie side by side and go into the sum in one carry chain each. They are products of unsigned
 // numbers: where a_i is negative, they are 2^32 b_i too much, and likewise for b_i.
 
-#ifdef __AVR__
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
 
 #define s0 r10
 #define s1 r11
@@ -140,20 +137,16 @@
     .endm
 
     .macro kernels integer, fraction
-    .section .text.fixedpoint_dot_q\integer\()_\fraction, "ax", @progbits
-    .global fixedpoint_dot2_q\integer\()_\fraction
-    .type fixedpoint_dot2_q\integer\()_\fraction, @function
-fixedpoint_dot2_q\integer\()_\fraction:
+    SECTION fixedpoint_dot_q\integer\()_\fraction
+    ENTRY fixedpoint_dot2_q\integer\()_\fraction
     ldi r26, 2
     rjmp 1f
-    .size fixedpoint_dot2_q\integer\()_\fraction, .-fixedpoint_dot2_q\integer\()_\fraction
+    ENDFUNC fixedpoint_dot2_q\integer\()_\fraction
 
-    .global fixedpoint_dot3_q\integer\()_\fraction
-    .type fixedpoint_dot3_q\integer\()_\fraction, @function
-fixedpoint_dot3_q\integer\()_\fraction:
+    ENTRY fixedpoint_dot3_q\integer\()_\fraction
     ldi r26, 3
     dot \fraction, ((\fraction - 1) / 8 + 4)
-    .size fixedpoint_dot3_q\integer\()_\fraction, .-fixedpoint_dot3_q\integer\()_\fraction
+    ENDFUNC fixedpoint_dot3_q\integer\()_\fraction
     .endm
 
 #include "splits_32.inc"

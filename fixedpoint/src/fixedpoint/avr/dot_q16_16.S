@@ -7,7 +7,6 @@
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
 // Stack    6 bytes
-// Cycles   dot3 297, dot2 215 on every path, call and ret included
 //
 // Bytes 0..5 of the exact sum, 2^48 being beyond the result, take one component after the other,
 // and of it one byte of b after the other, so that no more than one byte of b is held. The even
@@ -16,7 +15,8 @@
 // above it. Rounding adds 2^15, which carries into byte 2 exactly when byte 1 has its top bit set:
 // in the last component `lsl` of it is the carry of the first chain that begins at byte 2.
 
-#ifdef __AVR__
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
 
 #define a0 r18
 #define a1 r19
@@ -96,7 +96,7 @@
     adc s5, r1
     .endm
 
-    // s = a_0 b_0, 82 cycles
+    // s = a_0 b_0
     .macro first_product
     load_a
     ldd digit, Z + 2
@@ -118,7 +118,7 @@
     add_row_3 0
     .endm
 
-    // s += a_i b_i, 87 cycles; the last component rounds, which takes one more.
+    // s += a_i b_i; the last component rounds.
     .macro add_product offset, last
     load_a
     ldd digit, Z + 4 * \offset
@@ -150,17 +150,13 @@
     add_row_3 \offset
     .endm
 
-    .section .text.fixedpoint_dot_q16_16, "ax", @progbits
-    .global fixedpoint_dot2_q16_16
-    .type fixedpoint_dot2_q16_16, @function
-fixedpoint_dot2_q16_16:
+    SECTION fixedpoint_dot_q16_16
+    ENTRY fixedpoint_dot2_q16_16
     clt
     rjmp 1f
-    .size fixedpoint_dot2_q16_16, .-fixedpoint_dot2_q16_16
+    ENDFUNC fixedpoint_dot2_q16_16
 
-    .global fixedpoint_dot3_q16_16
-    .type fixedpoint_dot3_q16_16, @function
-fixedpoint_dot3_q16_16:
+    ENTRY fixedpoint_dot3_q16_16
     set
 1:  push s0
     push s1
@@ -186,6 +182,6 @@ fixedpoint_dot3_q16_16:
     pop s0
     clr r1
     ret
-    .size fixedpoint_dot3_q16_16, .-fixedpoint_dot3_q16_16
+    ENDFUNC fixedpoint_dot3_q16_16
 
 #endif

@@ -7,14 +7,14 @@
 // Out      r25:r18
 // Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
 // Stack    23 bytes
-// Cycles   dot2 791..819, dot3 1131..1173 by the signs of the components, call and ret included
 //
 // Bytes 0..11 of the exact sum, 2^96 being beyond the result, take one component after the other,
 // and of it one byte of b after the other. The even and the odd products of a byte of b lie side by
 // side and go into the sum in one carry chain each. They are products of unsigned numbers: where
 // a_i is negative, they are 2^64 b_i too much, and likewise for b_i.
 
-#ifdef __AVR__
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
 
 #define s3 r5
 #define s8 r10
@@ -70,17 +70,13 @@
     into adc, (\byte + 11), zero
     .endm
 
-    .section .text.fixedpoint_dot_q32_32, "ax", @progbits
-    .global fixedpoint_dot2_q32_32
-    .type fixedpoint_dot2_q32_32, @function
-fixedpoint_dot2_q32_32:
+    SECTION fixedpoint_dot_q32_32
+    ENTRY fixedpoint_dot2_q32_32
     ldi r21, 2
     rjmp 1f
-    .size fixedpoint_dot2_q32_32, .-fixedpoint_dot2_q32_32
+    ENDFUNC fixedpoint_dot2_q32_32
 
-    .global fixedpoint_dot3_q32_32
-    .type fixedpoint_dot3_q32_32, @function
-fixedpoint_dot3_q32_32:
+    ENTRY fixedpoint_dot3_q32_32
     ldi r21, 3
 1:
     .irp n, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 28, 29
@@ -143,6 +139,6 @@ fixedpoint_dot3_q32_32:
     pop r\n
     .endr
     ret
-    .size fixedpoint_dot3_q32_32, .-fixedpoint_dot3_q32_32
+    ENDFUNC fixedpoint_dot3_q32_32
 
 #endif

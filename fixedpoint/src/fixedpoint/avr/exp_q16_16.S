@@ -7,15 +7,6 @@
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
 // Stack    2 bytes; 6 from 3.22 on
-// Cycles   call and ret included
-//              -1/2 <= a < 1/2                52
-//              others, -0.93 <= a < 3.22     111
-//              -12 <= a < -0.93              116
-//              3.22 <= a < 4.61              226
-//              4.61 <= a < 10.14             221, one in 256 of k = 11 226
-//              10.14 <= a < ln 32768         203
-//              ln 32768 <= a < 11            210
-//              a < -12, a >= 11               29
 //
 // a - k ln 2, k about a / ln 2, lies between -0.26 and 0.49, where the table holds e^x at 256
 // nodes. A multiple of ln 2 is a 16-bit offset and a constant tail behind the 16 bits, so that what
@@ -32,13 +23,10 @@
 // at 208884. k >= 5: at 2^31 the cut of the cube is 0.08, s times the tail's lower bytes 0.06;
 // worst 0.655.
 
-#ifdef __AVR__
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
 
-// The argument. a0 becomes s, then the top byte of e^r - 1, the growth.
-#define a0 r22
-#define a1 r23
-#define a2 r24
-#define a3 r25
+// The argument. rA0 becomes s, then the top byte of e^r - 1, the growth.
 #define growth3 r22
 #define growth2 r20
 #define growth1 r21
@@ -46,7 +34,7 @@
 // k + 17.
 #define k r27
 #define zero r18
-// The mantissa of 40 bits starts as the power; m4 lies where a1 was.
+// The mantissa of 40 bits starts as the power; m4 lies where rA1 was.
 #define m0 r28
 #define m1 r16
 #define m2 r17
@@ -67,21 +55,17 @@
 #define COLUMNS 34
 #define LARGE_COLUMNS 12
 
-    .section .text.fixedpoint_exp_q16_16, "ax", @progbits
-
-    .global fixedpoint_exp_q16_16
-    .type fixedpoint_exp_q16_16, @function
-fixedpoint_exp_q16_16:
-    mov r30, a1
-    mov r18, a1
+    FUNCTION fixedpoint_exp_q16_16
+    mov r30, rA1
+    mov r18, rA1
     lsl r18
     sbc r18, r18
-    cp a2, r18
-    cpc a3, r18
+    cp rA2, r18
+    cpc rA3, r18
     brne .Lreduce
 
     // The integer part is 0 or -1 as the fraction's sign says.
-    mov r20, a0
+    mov r20, rA0
     subi r20, 128
     ldi r31, POWER
     lpm r23, Z
@@ -113,7 +97,7 @@ fixedpoint_exp_q16_16:
     ret
 
 .Lout_of_range:
-    tst a3
+    tst rA3
     brmi 1f
 .Lmaximum:
     ldi r22, 0xff
@@ -144,7 +128,7 @@ fixedpoint_exp_q16_16:
     ret
 
 .Lreduce:
-    movw r26, a2
+    movw r26, rA2
     adiw r26, 12
     cpi r26, 23
     cpc r27, r1
@@ -153,7 +137,7 @@ fixedpoint_exp_q16_16:
     ldi r18, 185
     mul r26, r18
     movw r26, r0
-    mul a1, r18
+    mul rA1, r18
     clr zero
     add r26, r1
     adc k, zero
@@ -164,9 +148,9 @@ fixedpoint_exp_q16_16:
     lpm r20, Z
     subi r30, -COLUMNS
     lpm r21, Z
-    add a0, r20
-    adc a1, r21
-    subi a0, 128
+    add rA0, r20
+    adc rA1, r21
+    subi rA0, 128
     subi r30, -COLUMNS
     lpm growth2, Z
     cpi k, 22
@@ -174,7 +158,7 @@ fixedpoint_exp_q16_16:
 
     subi r30, -COLUMNS
     lpm r25, Z
-    mov r30, a1
+    mov r30, rA1
     ldi r31, POWER
     lpm r23, Z
     inc r31
@@ -222,12 +206,12 @@ fixedpoint_exp_q16_16:
 .Lnext_node:
     // k = 11, s = 127: a growth of 128.03 units of 2^-16 does not fit. From the next node it is 256
     // units less, which is what the signed byte made of it, and 14 of 2^-32 more.
-    inc a1
+    inc rA1
     subi growth1, -14
     rjmp .Lmultiply
 
 .Llarge:
-    subi r30, -(COLUMNS + LARGE_COLUMNS)
+    subi r30, lo8(-(COLUMNS + LARGE_COLUMNS))
     lpm growth1, Z
     subi r30, -LARGE_COLUMNS
     lpm growth0, Z
@@ -261,7 +245,7 @@ fixedpoint_exp_q16_16:
     push r17
     push r28
     push r29
-    mov r30, a1
+    mov r30, rA1
     ldi r31, POWER
     lpm m4, Z
     inc r31
@@ -368,5 +352,5 @@ fixedpoint_exp_q16_16:
     sbrs r25, 7
     ret
     rjmp .Lmaximum
-    .size fixedpoint_exp_q16_16, .-fixedpoint_exp_q16_16
+    ENDFUNC fixedpoint_exp_q16_16
 #endif

@@ -4,13 +4,10 @@
 // from -17 to 16: offset and tail, 16 and 24 bits of -k ln 2 - 2^-20 behind the point; below k = 5
 // the tail has 8 bits.
 
-#ifdef __AVR__
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
 
-    .section .progmem.data.fixedpoint_exp_table, "a", @progbits
-    .balign 256
-    .global fixedpoint_exp_table
-    .type fixedpoint_exp_table, @object
-fixedpoint_exp_table:
+    TABLE fixedpoint_exp_table
     // power, bits 32..39
     .byte 128, 128, 129, 129, 130, 130, 131, 131, 132, 132, 133, 133, 134, 134, 135, 135
     .byte 136, 137, 137, 138, 138, 139, 139, 140, 140, 141, 141, 142, 143, 143, 144, 144
@@ -107,6 +104,6 @@ fixedpoint_exp_table:
     .byte   4,   8,  16,  32,  64, 128,   1,   2,   4,   8,  16,  32,  64, 128,   1,   2
     .byte   4,   8,  16,  32,  64, 128,   1,   2,  41,  49,  57,  65,  73,  82,  90,  98
     .byte 106, 114, 122, 127,  39,  85, 131, 178, 224,  14,  60, 106, 152, 199, 245,  12
-    .size fixedpoint_exp_table, .-fixedpoint_exp_table
+    ENDTABLE fixedpoint_exp_table
 
 #endif

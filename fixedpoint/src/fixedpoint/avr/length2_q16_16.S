@@ -6,29 +6,22 @@
 // v in r25:r24, the result in r25:r24:r23:r22. Changes r18-r27, r30, r31, r0; r1 is zero at entry
 // and return.
 //
-// Cycles, call and ret included; maxima are the most found:
-//     zero vector               194
-//     components 0.01 .. 20     253 to 334
-//     components below 128      373 at most
-//     larger components         439 at most
-//
 // Technique. Components below 2^23 have squares that sum to less than 2^48, which six registers
 // hold, and length_root.S takes the root. From the first larger one on length_long.S takes over,
 // with the sum so far and the components that are left in r28.
 
-#ifdef __AVR__
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
+
 #include <fixedpoint/avr/sum_of_squares.inc>
 
-    .section .text.fixedpoint_length2_q16_16, "ax", @progbits
-    .global fixedpoint_length2_q16_16
-    .type fixedpoint_length2_q16_16, @function
-fixedpoint_length2_q16_16:
+    FUNCTION fixedpoint_length2_q16_16
     movw r30, r24
     load_magnitude .Llong_first
     first_square
     load_magnitude .Llong_second
     add_square
-    jmp fixedpoint_length_root
+    XJMP fixedpoint_length_root
 .Llong_first:
     push r28
     ldi r28, 2
@@ -36,10 +29,10 @@ fixedpoint_length2_q16_16:
     clr r19
     movw r20, r18
     movw r22, r18
-    jmp fixedpoint_length_long
+    XJMP fixedpoint_length_long
 .Llong_second:
     push r28
     ldi r28, 1
-    jmp fixedpoint_length_long
-    .size fixedpoint_length2_q16_16, . - fixedpoint_length2_q16_16
+    XJMP fixedpoint_length_long
+    ENDFUNC fixedpoint_length2_q16_16
 #endif

@@ -10,9 +10,6 @@
 // fixedpoint_root_long: the root of n itself, 2^46 at least, after r28, r29, r17, r16, r15 and r14
 // have been pushed and r29 cleared, for sqrt_32.S.
 //
-// Cycles, ret included: 15, 62 a square, 13 to load the next component, 22 where it is negative,
-// and 240 at most after the last square. Less where -2^31 or a sum of 2^62 or more clamps.
-//
 // Technique. k is 1 to 8, such that M = n 4^k / 2^16 has its leading one in bit 47 or 46: whole
 // bytes by moves, up to 6 bits by a product. The root of M 2^16, 32 bits, shifted back by k, is
 // the length.
@@ -31,7 +28,9 @@
 // is rounded up where n exceeds (r + 1/2)^2, for integers n > r^2 + r. As sqrt(n) is less than 1/2
 // from r + 1/2, and r below 2^31, the two differ by less than 2^31: four bytes tell.
 
-#ifdef __AVR__
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
+
 #define zero r29
 #define count r28
 // A component's magnitude and the sum of squares
@@ -73,7 +72,7 @@
 #define l3 r25
 #define f r30
 
-    .section .text.fixedpoint_length_long, "ax", @progbits
+    SECTION fixedpoint_length_long
 .Lclamp:
     ldi l0, 0xff
     ldi l1, 0xff
@@ -89,9 +88,7 @@
     clr r1
     ret
 
-    .global fixedpoint_length_long
-    .type fixedpoint_length_long, @function
-fixedpoint_length_long:
+    ENTRY fixedpoint_length_long
     push r29
     push r17
     push r16
@@ -186,8 +183,7 @@ fixedpoint_length_long:
     rjmp .Lnormalised
 
     // M = n 4^k / 2^16 without what is below m1; back = 2^(8 - k).
-    .global fixedpoint_root_long
-fixedpoint_root_long:
+    ENTRY fixedpoint_root_long
 .Lsum:
     cpi n7, 0x40
     brsh 1b
@@ -390,5 +386,5 @@ fixedpoint_root_long:
     com s3
     com q0
     rjmp 4b
-    .size fixedpoint_length_long, . - fixedpoint_length_long
+    ENDFUNC fixedpoint_length_long
 #endif

@@ -8,8 +8,6 @@
 // Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
 // Stack    23 bytes
 // Table    768 bytes, fixedpoint_sqrt_table; 256 bytes, fixedpoint_long_division_table
-// Cycles   call and ret included, the most that were found: length2 1407, length3 1698; components
-//          of 0.01 .. 20: length2 1081..1238, length3 1386..1547
 //
 // Squares. Row k of |v_i| = a7:...:a0 is a_k 2^(8 k) (a_k 2^(8 k) + twice the bytes above k), from
 // row 7 downward, while the bytes above k are doubled one by one. The even and the odd
@@ -22,7 +20,8 @@
 // rounds; where none would leave, one more byte is computed. A sum of 2^126 or more clamps, so that
 // there is a byte for that, and the lowest bit of A is 0, which the halving of the remainder drops.
 
-#ifdef __AVR__
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
 
 // The component, then the root, the highest byte first.
 #define x0 r25
@@ -172,17 +171,13 @@
     .endif
     .endm
 
-    .section .text.fixedpoint_length_q32_32, "ax", @progbits
-    .global fixedpoint_length2_q32_32
-    .type fixedpoint_length2_q32_32, @function
-fixedpoint_length2_q32_32:
+    SECTION fixedpoint_length_q32_32
+    ENTRY fixedpoint_length2_q32_32
     ldi r26, 2
     rjmp 1f
-    .size fixedpoint_length2_q32_32, .-fixedpoint_length2_q32_32
+    ENDFUNC fixedpoint_length2_q32_32
 
-    .global fixedpoint_length3_q32_32
-    .type fixedpoint_length3_q32_32, @function
-fixedpoint_length3_q32_32:
+    ENTRY fixedpoint_length3_q32_32
     ldi r26, 3
 1:
     .irp n, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 28, 29
@@ -463,6 +458,6 @@ fixedpoint_length3_q32_32:
     brpl 4f
     rjmp .Lclamp
 4:  rjmp .Lrestore
-    .size fixedpoint_length3_q32_32, .-fixedpoint_length3_q32_32
+    ENDFUNC fixedpoint_length3_q32_32
 
 #endif

@@ -4,16 +4,15 @@
 // r25:r24:r23:r22 = r, the integer nearest to sqrt(N), N = r23:r22:r21:r20:r19:r18 < 3 * 2^46.
 // Changes r18-r21, r26, r27, r30, r31, r0 as well; r1 is zero at return.
 //
-// Cycles with ret: 85 for N = 0, to 240 below 2^28, 138 to 181 below 2^44, 246 at most:
-// 12 a zero byte ahead, 6 a bit that the root is shifted back, 13 a step of the last loop.
-//
 // Technique. That of sqrt_q16_16.S: N is shifted left by 2 k bits, a 16-bit root from tables gets
 // eight more bits by the table's slope. Of the numbers that share a 16-bit root the fourth byte is
 // dropped here, so that the 24-bit root is less than 6 above and less than 5.1 below sqrt(N
 // 4^k). Less 6 and shifted back by k it is not above sqrt(N), and N - r (r + 1) - 1 says how often
 // it is stepped up: once or twice, but up to 12 times where k is 0.
 
-#ifdef __AVR__
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
+
 #define n0 r18
 #define n1 r19
 #define n2 r20
@@ -26,10 +25,7 @@
 #define m1 r25
 #define m2 r26
 
-    .section .text.fixedpoint_length_root, "ax", @progbits
-    .global fixedpoint_length_root
-    .type fixedpoint_length_root, @function
-fixedpoint_length_root:
+    FUNCTION fixedpoint_length_root
     // k: 4 for each zero byte ahead.
     movw r26, r22
     movw r24, n2
@@ -179,5 +175,5 @@ fixedpoint_length_root:
     clr r24
     clr r25
     ret
-    .size fixedpoint_length_root, . - fixedpoint_length_root
+    ENDFUNC fixedpoint_length_root
 #endif

@@ -5,10 +5,6 @@
 // In       a = r25:r22
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
-// Cycles   call and ret included
-//              a < 256          94 up to 1, then 97
-//              a >= 256        104
-//              a <= 0           18, a = 0 21
 //
 // The leading byte of the raw number looks up its base-2 logarithm, and with the number of bytes
 // below it that finds a record of five bytes: the power of two that moves the leading one to bit 7,
@@ -18,12 +14,9 @@
 // Error in ulp: chord 0.25; table entries, cut low bytes 0.002. Rounding 0.5. The worst of all
 // inputs is 0.75176, at 1073757184.
 
-#ifdef __AVR__
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
 
-#define a0 r22
-#define a1 r23
-#define a2 r24
-#define a3 r25
 #define factor r18
 // The normalised number: its top byte and the 16 bits behind that.
 #define interval r19
@@ -40,7 +33,7 @@
 #define sum3 r24
 #define zero r25
 
-    .section .text.fixedpoint_log_q16_16, "ax", @progbits
+    SECTION fixedpoint_log_q16_16
 
 // The factor by which the leading byte is normalised; Z then points to the exponent's logarithm.
     .macro find_record leading, bytes_below
@@ -53,17 +46,15 @@
     lpm factor, Z+
     .endm
 
-    .global fixedpoint_log_q16_16
-    .type fixedpoint_log_q16_16, @function
-fixedpoint_log_q16_16:
-    sbiw a2, 0
+    ENTRY fixedpoint_log_q16_16
+    sbiw rA2, 0
     brne .Labove_one
-    tst a1
+    tst rA1
     breq .Lbyte
-    find_record a1, 1
-    mul a1, factor
+    find_record rA1, 1
+    mul rA1, factor
     mov interval, r0
-    mul a0, factor
+    mul rA0, factor
     or interval, r1
     mov fraction1, r0
     ldi fraction0, 0
@@ -76,41 +67,41 @@ fixedpoint_log_q16_16:
     ldi r25, 0x80
     ret
 .Lbyte:
-    tst a0
+    tst rA0
     breq .Lno_logarithm
-    find_record a0, 0
-    mul a0, factor
+    find_record rA0, 0
+    mul rA0, factor
     mov interval, r0
     ldi fraction1, 0
     ldi fraction0, 0
     rjmp .Llook_up
 
 .Lfour_bytes:
-    find_record a3, 3
-    mul a3, factor
+    find_record rA3, 3
+    mul rA3, factor
     mov interval, r0
-    mul a2, factor
+    mul rA2, factor
     or interval, r1
     mov fraction1, r0
-    mul a1, factor
+    mul rA1, factor
     or fraction1, r1
     mov fraction0, r0
-    mul a0, factor
+    mul rA0, factor
     or fraction0, r1
     ldi zero, 0
     rjmp .Llook_up
 
 .Labove_one:
     brmi .Lno_logarithm
-    tst a3
+    tst rA3
     brne .Lfour_bytes
-    find_record a2, 2
-    mul a2, factor
+    find_record rA2, 2
+    mul rA2, factor
     mov interval, r0
-    mul a1, factor
+    mul rA1, factor
     or interval, r1
     mov fraction1, r0
-    mul a0, factor
+    mul rA0, factor
     or fraction1, r1
     mov fraction0, r0
 .Llook_up:
@@ -155,5 +146,5 @@ fixedpoint_log_q16_16:
     sbrc sum3, 7
     com r25
     ret
-    .size fixedpoint_log_q16_16, .-fixedpoint_log_q16_16
+    ENDFUNC fixedpoint_log_q16_16
 #endif

@@ -4,13 +4,10 @@
 // logarithm rises over the interval, less 2^16; ln 2 (e - 16) 2^24 for the exponent e of the raw
 // number.
 
-#ifdef __AVR__
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
 
-    .section .progmem.data.fixedpoint_log_table, "a", @progbits
-    .balign 256
-    .global fixedpoint_log_table
-    .type fixedpoint_log_table, @object
-fixedpoint_log_table:
+    TABLE fixedpoint_log_table
     // slope, bits 0..7
     .byte   3,  18,  50,  96, 157, 233,  66, 170,  31, 161,  48, 203, 115,  39, 231, 179
     .byte 138, 108,  89,  80,  82,  95, 117, 149, 191, 242,  47, 116, 195,  26, 122, 227
@@ -76,6 +73,6 @@ fixedpoint_log_table:
     .byte 172,  40,   4,   1, 168,  30, 218,   4, 128, 192, 144, 139,   5,  64, 216,   2
     .byte  61,   6,  32, 240, 116, 238,   6,  16,   8, 231, 159,   7,   8,  32,  89,  81
     .byte   8,   4,  56, 203,   2,   9,   2,  80,  61, 180,   9
-    .size fixedpoint_log_table, .-fixedpoint_log_table
+    ENDTABLE fixedpoint_log_table
 
 #endif

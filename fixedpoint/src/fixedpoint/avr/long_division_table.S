@@ -2,13 +2,10 @@
 // DO NOT EDIT: written by python3 fixedpoint/tables/long_division.py
 // Powers of two and reciprocals, by which divisors are normalised.
 
-#ifdef __AVR__
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
 
-    .section .progmem.data.fixedpoint_long_division_table, "a", @progbits
-    .balign 256
-    .global fixedpoint_long_division_table
-    .type fixedpoint_long_division_table, @object
-fixedpoint_long_division_table:
+    TABLE fixedpoint_long_division_table
     // powers of two
     .byte   0, 128,  64,  64,  32,  32,  32,  32,  16,  16,  16,  16,  16,  16,  16,  16
     .byte   8,   8,   8,   8,   8,   8,   8,   8,   8,   8,   8,   8,   8,   8,   8,   8
@@ -27,6 +24,6 @@ fixedpoint_long_division_table:
     .byte  59,  57,  56,  54,  53,  51,  50,  48,  47,  46,  44,  43,  41,  40,  39,  37
     .byte  36,  35,  33,  32,  31,  30,  28,  27,  26,  25,  24,  22,  21,  20,  19,  18
     .byte  17,  15,  14,  13,  12,  11,  10,   9,   8,   7,   6,   5,   4,   3,   2,   1
-    .size fixedpoint_long_division_table, .-fixedpoint_long_division_table
+    ENDTABLE fixedpoint_long_division_table
 
 #endif

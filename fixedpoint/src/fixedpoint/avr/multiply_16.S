@@ -6,13 +6,12 @@
 // In       a = r25:r24, b = r23:r22
 // Out      r25:r24
 // Changes  r0, r19..r21, r26, r27; r1 is 0 again at return
-// Cycles   29 to 46, the same on every path, call and ret included: F = 4, 12 46; F = 5, 11 43, 42;
-//          F = 15 37
 //
 // The result is in three of the product's four bytes, from byte floor((F - 1) / 8) on, shifted to
 // whole bytes by at most four bits either way; the bit that leaves last rounds.
 
-#ifdef __AVR__
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
 
 #define a0 r20
 #define a1 r21
@@ -75,10 +74,7 @@
     .endm
 
     .macro kernels integer, fraction
-    .section .text.fixedpoint_multiply_q\integer\()_\fraction, "ax", @progbits
-    .global fixedpoint_multiply_q\integer\()_\fraction
-    .type fixedpoint_multiply_q\integer\()_\fraction, @function
-fixedpoint_multiply_q\integer\()_\fraction:
+    FUNCTION fixedpoint_multiply_q\integer\()_\fraction
     product
     .if (\fraction - 1) / 8 == 0
     round_bytes (8 - \fraction), p0, p1, p2
@@ -86,7 +82,7 @@ fixedpoint_multiply_q\integer\()_\fraction:
     round_bytes (16 - \fraction), p1, p2, p3
     .endif
     ret
-    .size fixedpoint_multiply_q\integer\()_\fraction, .-fixedpoint_multiply_q\integer\()_\fraction
+    ENDFUNC fixedpoint_multiply_q\integer\()_\fraction
     .endm
 
 #include "splits_16.inc"

@@ -8,9 +8,6 @@
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
 // Stack    2 bytes
-// Cycles   the same on every path, call and ret included; multiply_add 4 more than multiply:
-//              F = 0      76    F = 8      81    F = 24    108    F = 32    116
-//              F < 8  85-101    F < 16 101-116    F < 24 112-128    F < 32 119-136
 //
 // Column by column: byte k of the product is the sum of all a_i b_j with i + j = k, and each
 // column's carries go no further than two bytes up. The result is in five bytes of the product,
@@ -22,16 +19,13 @@
 // sum is negative before, and none needs extension. a1 b1 <= 0xfe01 takes up the at most 0x1fd that
 // the columns below carry into it.
 
-#ifdef __AVR__
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
 
 #define a0 r22
 #define a1 r23
 #define a2 r16
 #define a3 r17
-#define b0 r18
-#define b1 r19
-#define b2 r20
-#define b3 r21
 #define zero r27
 // Bytes of the sum; the first ones have been dropped where the last ones begin.
 #define s0 r26
@@ -72,55 +66,55 @@
     .macro five_bytes first
     movw a2, r24
     clr zero
-    mul a0, b0
+    mul a0, rB0
     .if \first == 0
     mov s0, r0
     .endif
     mov s1, r1
-    mul a1, b1
+    mul a1, rB1
     movw s2, r0
-    product a0, b1, s1, s2, s3
-    product a1, b0, s1, s2, s3
+    product a0, rB1, s1, s2, s3
+    product a1, rB0, s1, s2, s3
     clr s4
-    product a0, b2, s2, s3, s4
-    product a2, b0, s2, s3, s4
+    product a0, rB2, s2, s3, s4
+    product a2, rB0, s2, s3, s4
     .if \first == 0
-    top_product mul, a1, b2, s3, s4
-    top_product mul, a2, b1, s3, s4
-    top_product mulsu, b3, a0, s3, s4
-    top_product mulsu, a3, b0, s3, s4
-    last_product a2, b2, s4
-    last_product b3, a1, s4
-    last_product a3, b1, s4
+    top_product mul, a1, rB2, s3, s4
+    top_product mul, a2, rB1, s3, s4
+    top_product mulsu, rB3, a0, s3, s4
+    top_product mulsu, a3, rB0, s3, s4
+    last_product a2, rB2, s4
+    last_product rB3, a1, s4
+    last_product a3, rB1, s4
     .else
     ldi s5, 2
-    product a1, b2, s3, s4, s5
-    product a2, b1, s3, s4, s5
-    signed_product b3, a0, s3, s4, s5
-    signed_product a3, b0, s3, s4, s5
+    product a1, rB2, s3, s4, s5
+    product a2, rB1, s3, s4, s5
+    signed_product rB3, a0, s3, s4, s5
+    signed_product a3, rB0, s3, s4, s5
     .if \first == 1
-    top_product mul, a2, b2, s4, s5
-    top_product mulsu, b3, a1, s4, s5
-    top_product mulsu, a3, b1, s4, s5
-    last_product a2, b3, s5
-    last_product a3, b2, s5
+    top_product mul, a2, rB2, s4, s5
+    top_product mulsu, rB3, a1, s4, s5
+    top_product mulsu, a3, rB1, s4, s5
+    last_product a2, rB3, s5
+    last_product a3, rB2, s5
     subi s5, 2
     .else
     ldi s6, 2
-    product a2, b2, s4, s5, s6
-    signed_product b3, a1, s4, s5, s6
-    signed_product a3, b1, s4, s5, s6
+    product a2, rB2, s4, s5, s6
+    signed_product rB3, a1, s4, s5, s6
+    signed_product a3, rB1, s4, s5, s6
     .if \first == 2
-    top_product mulsu, b3, a2, s5, s6
-    top_product mulsu, a3, b2, s5, s6
-    last_product a3, b3, s6
+    top_product mulsu, rB3, a2, s5, s6
+    top_product mulsu, a3, rB2, s5, s6
+    last_product a3, rB3, s6
     subi s5, 2
     sbci s6, 2
     .else
     ldi s7, 2
-    signed_product b3, a2, s5, s6, s7
-    signed_product a3, b2, s5, s6, s7
-    muls a3, b3
+    signed_product rB3, a2, s5, s6, s7
+    signed_product a3, rB2, s5, s6, s7
+    muls a3, rB3
     add s6, r0
     adc s7, r1
     subi s5, 2
@@ -142,26 +136,19 @@
     .endm
 
     .macro kernels integer, fraction
-    .section .text.fixedpoint_multiply_q\integer\()_\fraction, "ax", @progbits
-    .global fixedpoint_multiply_q\integer\()_\fraction
-    .type fixedpoint_multiply_q\integer\()_\fraction, @function
-fixedpoint_multiply_q\integer\()_\fraction:
+    FUNCTION fixedpoint_multiply_q\integer\()_\fraction
     multiply \fraction
     ret
-    .size fixedpoint_multiply_q\integer\()_\fraction, .-fixedpoint_multiply_q\integer\()_\fraction
+    ENDFUNC fixedpoint_multiply_q\integer\()_\fraction
 
-    .section .text.fixedpoint_multiply_add_q\integer\()_\fraction, "ax", @progbits
-    .global fixedpoint_multiply_add_q\integer\()_\fraction
-    .type fixedpoint_multiply_add_q\integer\()_\fraction, @function
-fixedpoint_multiply_add_q\integer\()_\fraction:
+    FUNCTION fixedpoint_multiply_add_q\integer\()_\fraction
     multiply \fraction
     add r22, r14
     adc r23, r15
     adc r24, r16
     adc r25, r17
     ret
-    .size fixedpoint_multiply_add_q\integer\()_\fraction, \
-          .-fixedpoint_multiply_add_q\integer\()_\fraction
+    ENDFUNC fixedpoint_multiply_add_q\integer\()_\fraction
     .endm
 
 #include "splits_32.inc"

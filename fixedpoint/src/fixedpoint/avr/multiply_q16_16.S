@@ -5,18 +5,15 @@
 // In       a = r25:r22, b = r21:r18
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
-// Cycles   79 on every path, call and ret included
 
-#ifdef __AVR__
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
 
 #include "multiply_q16_16.inc"
 
-    .section .text.fixedpoint_multiply_q16_16, "ax", @progbits
-    .global fixedpoint_multiply_q16_16
-    .type fixedpoint_multiply_q16_16, @function
-fixedpoint_multiply_q16_16:
+    FUNCTION fixedpoint_multiply_q16_16
     multiply_q16_16
     ret
-    .size fixedpoint_multiply_q16_16, .-fixedpoint_multiply_q16_16
+    ENDFUNC fixedpoint_multiply_q16_16
 
 #endif

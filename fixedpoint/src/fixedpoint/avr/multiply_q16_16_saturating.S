@@ -5,7 +5,6 @@
 // In       a = r25:r22, b = r21:r18
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
-// Cycles   84 where |a|, |b| <= 256 and the result fits, call and ret included; else at most 104
 //
 // The sum of byte products is carried to byte 6, and it fits where byte 6 is the sign of byte 5.
 // - |a|, |b| <= 2^24, both highest bytes 0 or -1: 9 unsigned products of the lower three bytes,
@@ -17,16 +16,9 @@
 // it is the carry of the next chain. Byte 2 and 3 begin as a1 b1 <= 0xfe01, which takes up what the
 // columns below it carry.
 
-#ifdef __AVR__
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
 
-#define a0 r22
-#define a1 r23
-#define a2 r24
-#define a3 r25
-#define b0 r18
-#define b1 r19
-#define b2 r20
-#define b3 r21
 #define s1 r26
 #define s2 r30
 #define s3 r31
@@ -38,44 +30,44 @@
     adc \x3, r1
     .endm
 
-    // s3:s1 = the products of a1, a0, b2..b0 up to a0 b2, rounded; s4 takes the carry.
+    // s3:s1 = the products of rA1, rA0, rB2..rB0 up to rA0 rB2, rounded; s4 takes the carry.
     .macro multiply_low s4
     clr \s4
-    mul a0, b0
+    mul rA0, rB0
     mov s1, r1
-    mul a1, b1
+    mul rA1, rB1
     movw s2, r0
-    mul a0, b1
+    mul rA0, rB1
     add s1, r0
     adc s2, r1
     adc s3, \s4
-    mul a1, b0
+    mul rA1, rB0
     add s1, r0
     adc s2, r1
     adc s3, \s4
-    mul a0, b2
+    mul rA0, rB2
     lsl s1              // rounds
     adc s2, r0
     adc s3, r1
     rol \s4
     .endm
 
-    .section .text.fixedpoint_multiply_q16_16_saturating, "ax", @progbits
+    SECTION fixedpoint_multiply_q16_16_saturating
 
     // a is beyond 2^24: swaps the operands where b is small.
 .La_beyond:
-    test_small b2, b3
+    test_small rB2, rB3
     brne .Lbeyond
-    movw r26, a0
-    movw a0, b0
-    movw b0, r26
-    movw r26, a2
-    movw a2, b2
-    movw b2, r26
+    movw r26, rA0
+    movw rA0, rB0
+    movw rB0, r26
+    movw r26, rA2
+    movw rA2, rB2
+    movw rB2, r26
     rjmp .La_small
     // b is beyond 2^24.
 .Lb_beyond:
-    test_small a2, a3
+    test_small rA2, rA3
     brne .Lbeyond
     rjmp .La_small
 .Lbeyond:
@@ -87,14 +79,12 @@
     mov r27, r26
     rjmp .Lclamp
 
-    .global fixedpoint_multiply_q16_16_saturating
-    .type fixedpoint_multiply_q16_16_saturating, @function
-fixedpoint_multiply_q16_16_saturating:
-    mov r26, a3
+    ENTRY fixedpoint_multiply_q16_16_saturating
+    mov r26, rA3
     inc r26
     cpi r26, 2
     brsh .La_beyond
-    mov r26, b3
+    mov r26, rB3
     inc r26
     cpi r26, 2
     brsh .Lb_beyond
@@ -102,43 +92,43 @@ fixedpoint_multiply_q16_16_saturating:
     // Bytes 2..6: r30, r31, r27, r26, r0.
     multiply_low r27
     clr r26
-    mul a1, b2
+    mul rA1, rB2
     add r31, r0
     adc r27, r1
     rol r26
-    mul a2, b2
+    mul rA2, rB2
     add r27, r0
     adc r26, r1
-    mul a2, b1
+    mul rA2, rB1
     add r31, r0
     adc r27, r1
     clr r1
     adc r26, r1
-    mul a2, b0
+    mul rA2, rB0
     add r30, r0
     adc r31, r1
     clr r1
     adc r27, r1
     adc r26, r1
-    and a0, b3
-    and a1, b3
-    and a2, b3
-    sub r31, a0
-    sbc r27, a1
-    sbc r26, a2
+    and rA0, rB3
+    and rA1, rB3
+    and rA2, rB3
+    sub r31, rA0
+    sbc r27, rA1
+    sbc r26, rA2
     sbc r0, r0
-    and b0, a3
-    and b1, a3
-    and b2, a3
-    sub r31, b0
-    sbc r27, b1
-    sbc r26, b2
+    and rB0, rA3
+    and rB1, rA3
+    and rB2, rA3
+    sub r31, rB0
+    sbc r27, rB1
+    sbc r26, rB2
     sbc r0, r1
-    and a3, b3          // 2^48 where both are negative
-    sub r0, a3
-    mov a3, r26
-    mov a2, r27
-    movw a0, r30
+    and rA3, rB3          // 2^48 where both are negative
+    sub r0, rA3
+    mov rA3, r26
+    mov rA2, r27
+    movw rA0, r30
     lsl r26
     adc r0, r1
     brne 1f
@@ -150,44 +140,44 @@ fixedpoint_multiply_q16_16_saturating:
     // its last product.
 .La_small:
     multiply_low r25
-    muls b3, a2
+    muls rB3, rA2
     movw r26, r0
-    mulsu b3, a0
-    sbc a0, a0
+    mulsu rB3, rA0
+    sbc rA0, rA0
     add r31, r0
     adc r25, r1
-    adc r26, a0
-    adc r27, a0
-    mul a1, b2
-    clr a0
+    adc r26, rA0
+    adc r27, rA0
+    mul rA1, rB2
+    clr rA0
     add r31, r0
     adc r25, r1
-    adc r26, a0
-    adc r27, a0
-    mulsu b3, a1
-    sbc a1, a1
+    adc r26, rA0
+    adc r27, rA0
+    mulsu rB3, rA1
+    sbc rA1, rA1
     add r25, r0
     adc r26, r1
-    adc r27, a1
-    mov a1, a2          // mulsu wants it below r24
-    mulsu a1, b2
-    sbc b2, b2
+    adc r27, rA1
+    mov rA1, rA2          // mulsu wants it below r24
+    mulsu rA1, rB2
+    sbc rB2, rB2
     add r25, r0
     adc r26, r1
-    adc r27, b2
-    mulsu a1, b1
-    sbc b1, b1
+    adc r27, rB2
+    mulsu rA1, rB1
+    sbc rB1, rB1
     add r31, r0
     adc r25, r1
-    adc r26, b1
-    adc r27, b1
-    mulsu a1, b0
-    sbc b0, b0
+    adc r26, rB1
+    adc r27, rB1
+    mulsu rA1, rB0
+    sbc rB0, rB0
     add r30, r0
     adc r31, r1
-    adc r25, b0
-    adc r26, b0
-    adc r27, b0
+    adc r25, rB0
+    adc r26, rB0
+    adc r27, rB0
     clr r1
     mov r0, r26
     lsl r0
@@ -205,6 +195,6 @@ fixedpoint_multiply_q16_16_saturating:
     movw r24, r22
     subi r25, 0x80
     ret
-    .size fixedpoint_multiply_q16_16_saturating, .-fixedpoint_multiply_q16_16_saturating
+    ENDFUNC fixedpoint_multiply_q16_16_saturating
 
 #endif

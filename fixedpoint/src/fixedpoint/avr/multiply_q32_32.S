@@ -5,7 +5,7 @@
 // In:       a r25..r18, b r17..r10
 // Out:      r25..r18
 // Clobbers: r0, r26, r27, r30, r31
-// Cycles:   321 where a >= 0, 324 where a < 0, call and return included. Stack: 4 bytes.
+// Stack:    4 bytes.
 //
 // Column by column: byte k of the product is the sum of all a_i b_j with i + j = k and what the
 // column before left over, in three registers that change roles from column to column. Of the
@@ -18,7 +18,8 @@
 // -2^15, hence the sum of all columns up to 7 is above -2^72, and that up to 8 above -2^80. Byte 11
 // is the highest that counts. Where a is negative, its unsigned product is 2^64 b too large.
 
-#ifdef __AVR__
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
 
 #define a0 r18
 #define a1 r19
@@ -55,10 +56,7 @@
     accumulate \low, \high, \carry
     .endm
 
-    .section .text.fixedpoint_multiply_q32_32, "ax", @progbits
-    .global fixedpoint_multiply_q32_32
-    .type fixedpoint_multiply_q32_32, @function
-fixedpoint_multiply_q32_32:
+    FUNCTION fixedpoint_multiply_q32_32
     clr zero
     // byte 0
     mul a0, b0
@@ -178,6 +176,6 @@ fixedpoint_multiply_q32_32:
     pop r19
     pop r18
     ret
-    .size fixedpoint_multiply_q32_32, .-fixedpoint_multiply_q32_32
+    ENDFUNC fixedpoint_multiply_q32_32
 
 #endif

@@ -5,17 +5,15 @@
 // In:       a r24, b r22
 // Out:      r24
 // Clobbers: r0
-// Cycles:   18, call and return included. Stack: 0 bytes.
+// Stack:    0 bytes.
 //
 // The result is bits 11..4 of the product: the high byte's low nibble and the low byte's high
 // nibble, which one swap puts in place, and one more where bit 3 is set.
 
-#ifdef __AVR__
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
 
-    .section .text.fixedpoint_multiply_q4_4, "ax", @progbits
-    .global fixedpoint_multiply_q4_4
-    .type fixedpoint_multiply_q4_4, @function
-fixedpoint_multiply_q4_4:
+    FUNCTION fixedpoint_multiply_q4_4
     muls r24, r22
     mov r24, r0
     eor r24, r1
@@ -26,6 +24,6 @@ fixedpoint_multiply_q4_4:
     inc r24
     clr r1
     ret
-    .size fixedpoint_multiply_q4_4, .-fixedpoint_multiply_q4_4
+    ENDFUNC fixedpoint_multiply_q4_4
 
 #endif

@@ -5,18 +5,16 @@
 // In:       a r25:r24, b r23:r22
 // Out:      r25:r24
 // Clobbers: r0, r20, r21
-// Cycles:   25, call and return included. Stack: 0 bytes.
+// Stack:    0 bytes.
 //
 // The four byte products, of which bits 23..8 count. mulsu makes the middle two signed; it takes
 // r16..r23 only, hence the copy of a. The lowest product comes last: its bit 7 rounds, and r1,
 // cleared for the caller anyway, is the zero that the carry needs.
 
-#ifdef __AVR__
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
 
-    .section .text.fixedpoint_multiply_q8_8, "ax", @progbits
-    .global fixedpoint_multiply_q8_8
-    .type fixedpoint_multiply_q8_8, @function
-fixedpoint_multiply_q8_8:
+    FUNCTION fixedpoint_multiply_q8_8
     movw r20, r24
     mulsu r21, r22
     movw r24, r0
@@ -31,6 +29,6 @@ fixedpoint_multiply_q8_8:
     clr r1
     adc r25, r1
     ret
-    .size fixedpoint_multiply_q8_8, .-fixedpoint_multiply_q8_8
+    ENDFUNC fixedpoint_multiply_q8_8
 
 #endif

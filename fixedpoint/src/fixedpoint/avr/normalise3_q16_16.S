@@ -5,9 +5,6 @@
 //
 // v in r25:r24, unit in r23:r22. Changes r18-r27, r30, r31, r0; r1 is zero at entry and return.
 //
-// Cycles, call and ret included: 481 to 574 for components of 0.01 .. 20; 592 the most found; 269
-// for zero.
-//
 // Technique. All magnitudes are shifted left by the same number of bits, so that the largest has
 // its top bit in bit 30, and keep their upper three bytes. The sum of their squares less what is
 // below 2^16 of it, normalised to 2^30 .. 2^32, has a reciprocal root of 23 bits, by which the
@@ -21,7 +18,9 @@
 //     0.02     magnitude, cut after 23 bits; its largest is 2^31 - 1
 // The largest found is 0.67.
 
-#ifdef __AVR__
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
+
 #include <fixedpoint/avr/reciprocal_root.inc>
 
 #define zero r25
@@ -144,10 +143,7 @@
     st Y+, r27
     .endm
 
-    .section .text.fixedpoint_normalise3_q16_16, "ax", @progbits
-    .global fixedpoint_normalise3_q16_16
-    .type fixedpoint_normalise3_q16_16, @function
-fixedpoint_normalise3_q16_16:
+    FUNCTION fixedpoint_normalise3_q16_16
     .irp register, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 28, 29
     push r\register
     .endr
@@ -245,5 +241,5 @@ fixedpoint_normalise3_q16_16:
     dec r24
     brne 1b
     rjmp .Lrestore
-    .size fixedpoint_normalise3_q16_16, . - fixedpoint_normalise3_q16_16
+    ENDFUNC fixedpoint_normalise3_q16_16
 #endif

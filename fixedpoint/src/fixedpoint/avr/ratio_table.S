@@ -2,13 +2,10 @@
 // DO NOT EDIT: written by python3 fixedpoint/tables/ratio.py
 // 2^24 / (1 + x) on 256 intervals of [0, 1], falling: the slope is its negative.
 
-#ifdef __AVR__
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
 
-    .section .progmem.data.fixedpoint_ratio_table, "a", @progbits
-    .balign 256
-    .global fixedpoint_ratio_table
-    .type fixedpoint_ratio_table, @object
-fixedpoint_ratio_table:
+    TABLE fixedpoint_ratio_table
     // slope, bits 0..7
     .byte   1,   7,  19,  36,  60,  88, 123, 163, 208,   2,  58, 118, 184, 255,  74, 155
     .byte 240,  74, 168,  11, 115, 222,  79, 195,  60, 185,  58, 191,  72, 213, 101, 250
@@ -94,6 +91,6 @@ fixedpoint_ratio_table:
     .byte 196,   2, 149, 125, 186,  74,  46, 100, 236, 199, 242, 110,  58,  86, 193, 122
     .byte 130, 216, 122, 106, 165,  44, 255,  29, 132,  54,  49, 118,   2, 215, 244,  88
     .byte   2, 243,  42, 167, 105, 111, 186,  73,  27,  48, 136,  34, 254,  28, 123,  27
-    .size fixedpoint_ratio_table, .-fixedpoint_ratio_table
+    ENDTABLE fixedpoint_ratio_table
 
 #endif

@@ -7,15 +7,6 @@
 // a and the result in r25:r24:r23:r22. Changes r18-r27, r30, r31, r0; r1 is zero at entry and
 // return.
 //
-// Cycles, call and ret included (a in raw units):
-//     a < 0                   19
-//     0, 1                    48
-//     2 .. 63                 46   a table entry
-//     64 .. 255               53   a table entry, shifted
-//     2^8, 2^10, 2^12, 2^14   95, 91, 87, 79 up to the next
-//     2^16, 2^18, 2^20, 2^22  97, 99, 109, 116
-//     2^24, 2^26, 2^28, 2^30  117, 127, 137, 144
-//
 // Technique. a is shifted left by an even number of bits, so that its top byte is at least 64. The
 // mantissa 2^22 / sqrt(t / 2^16) of its upper 24 bits comes from the tables, by a chord less a
 // parabola, and is shifted back with one rounding. A fourth byte of a is dropped: it is beyond the
@@ -26,15 +17,14 @@
 // reciprocal_sqrt.hpp is bit for bit the same, so that its largest error over all inputs, 0.64405
 // ulp at a = 1037, is the kernel's.
 
-#ifdef __AVR__
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
+
 #include <fixedpoint/avr/reciprocal_root.inc>
 
 #define zero r25
 
-    .section .text.fixedpoint_reciprocal_sqrt_q16_16, "ax", @progbits
-    .global fixedpoint_reciprocal_sqrt_q16_16
-    .type fixedpoint_reciprocal_sqrt_q16_16, @function
-fixedpoint_reciprocal_sqrt_q16_16:
+    FUNCTION fixedpoint_reciprocal_sqrt_q16_16
     sbiw r24, 0
     brne 0f
     // 2^8 .. 2^16: r20 = 4^j normalises, r21 = 4 2^j shifts back by 6 - j bits, all but a byte.
@@ -169,5 +159,5 @@ fixedpoint_reciprocal_sqrt_q16_16:
     adc r24, zero
     clr r1
     ret
-    .size fixedpoint_reciprocal_sqrt_q16_16, . - fixedpoint_reciprocal_sqrt_q16_16
+    ENDFUNC fixedpoint_reciprocal_sqrt_q16_16
 #endif

@@ -6,13 +6,13 @@
 // a and the result in r25:r24:r23:r22. Changes r18-r27, r30, r31, r0; r1 is zero at entry and
 // return.
 //
-// Cycles, call and ret included: 17 for a < 0, about 30 for 0 and 1, else 1800 to 2050.
-//
 // Technique. 2^48 / a by restoring division, then its root like that of sqrt_q16_16_small.S. The
 // quotient is rounded so that its root rounds like that of the ratio x: x is beyond (r + 1/2)^2
 // where x + 3/4 reaches the integer r^2 + r + 1, so floor(x + 3/4) is taken.
 
-#ifdef __AVR__
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
+
 #define zero r1
 #define count r28
 
@@ -31,10 +31,7 @@
     rol r21
     .endm
 
-    .section .text.fixedpoint_reciprocal_sqrt_q16_16_small, "ax", @progbits
-    .global fixedpoint_reciprocal_sqrt_q16_16_small
-    .type fixedpoint_reciprocal_sqrt_q16_16_small, @function
-fixedpoint_reciprocal_sqrt_q16_16_small:
+    FUNCTION fixedpoint_reciprocal_sqrt_q16_16_small
     // 0 below zero, 2^24 and 2^31 - 1 for 1 and 0
     clr r18
     clr r19
@@ -152,5 +149,5 @@ fixedpoint_reciprocal_sqrt_q16_16_small:
     pop r17
     pop r16
     ret
-    .size fixedpoint_reciprocal_sqrt_q16_16_small, . - fixedpoint_reciprocal_sqrt_q16_16_small
+    ENDFUNC fixedpoint_reciprocal_sqrt_q16_16_small
 #endif

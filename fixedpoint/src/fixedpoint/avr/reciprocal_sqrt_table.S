@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 // DO NOT EDIT: written by fixedpoint/tables/reciprocal_sqrt.py, which says what it is.
-#ifdef __AVR__
-    .section .progmem.data.fixedpoint_reciprocal_sqrt_table, "a", @progbits
-    .balign 256
-    .global fixedpoint_reciprocal_sqrt_table
-    .type fixedpoint_reciprocal_sqrt_table, @object
-fixedpoint_reciprocal_sqrt_table:
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
+    TABLE fixedpoint_reciprocal_sqrt_table
     // slope, low bytes
     .byte   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0
     .byte   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0
@@ -108,5 +105,5 @@ fixedpoint_reciprocal_sqrt_table:
     .byte  71,  70,  70,  70,  70,  70,  69,  69,  69,  69,  69,  69,  69,  68,  68,  68
     .byte  68,  68,  68,  67,  67,  67,  67,  67,  67,  67,  66,  66,  66,  66,  66,  66
     .byte  66,  65,  65,  65,  65,  65,  65,  65,  65,  64,  64,  64,  64,  64,  64,  64
-    .size fixedpoint_reciprocal_sqrt_table, . - fixedpoint_reciprocal_sqrt_table
+    ENDTABLE fixedpoint_reciprocal_sqrt_table
 #endif

@@ -2,13 +2,10 @@
 // DO NOT EDIT: written by python3 fixedpoint/tables/reciprocal.py
 // Powers of two and reciprocals, by which divisors are scaled.
 
-#ifdef __AVR__
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
 
-    .section .progmem.data.fixedpoint_reciprocal_table, "a", @progbits
-    .balign 256
-    .global fixedpoint_reciprocal_table
-    .type fixedpoint_reciprocal_table, @object
-fixedpoint_reciprocal_table:
+    TABLE fixedpoint_reciprocal_table
     // powers of two
     .byte   0, 128,  64,  64,  32,  32,  32,  32,  16,  16,  16,  16,  16,  16,  16,  16
     .byte   8,   8,   8,   8,   8,   8,   8,   8,   8,   8,   8,   8,   8,   8,   8,   8
@@ -43,6 +40,6 @@ fixedpoint_reciprocal_table:
     .byte  25,  25,  24,  24,  23,  22,  22,  21,  21,  20,  19,  19,  18,  18,  17,  17
     .byte  16,  15,  15,  14,  14,  13,  13,  12,  12,  11,  10,  10,   9,   9,   8,   8
     .byte   7,   7,   6,   6,   5,   5,   4,   4,   3,   3,   2,   2,   1,   1,   0,   0
-    .size fixedpoint_reciprocal_table, .-fixedpoint_reciprocal_table
+    ENDTABLE fixedpoint_reciprocal_table
 
 #endif

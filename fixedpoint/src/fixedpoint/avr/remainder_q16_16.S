@@ -6,8 +6,7 @@
 //
 // Restoring division of the magnitudes that produces no quotient: the divisor is moved up under the
 // dividend, by whole bytes first, then by bits until it is larger, and comes down again bit by bit.
-// Its cost follows the length of the quotient: 35 cycles of frame (up to 14 more for the signs), 14
-// for each byte moved up, 12 for each bit moved up, 13 to 16 for each bit that comes down.
+// Its cost follows the length of the quotient.
 //
 // In:        r25:r22 a, r21:r18 b
 // Out:       r25:r22
@@ -17,7 +16,9 @@
 //   r26      bits that the divisor has been moved up by
 //   T        the sign of a
 
-#ifdef __AVR__
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
+
     .macro negate r0, r1, r2, r3
     com \r3
     com \r2
@@ -28,10 +29,7 @@
     sbci \r3, 0xff
     .endm
 
-    .section .text.fixedpoint_remainder_q16_16, "ax", @progbits
-    .global fixedpoint_remainder_q16_16
-    .type fixedpoint_remainder_q16_16, @function
-fixedpoint_remainder_q16_16:
+    FUNCTION fixedpoint_remainder_q16_16
     bst r25, 7
     brtc .Ldividend_positive
     negate r22, r23, r24, r25
@@ -106,5 +104,5 @@ fixedpoint_remainder_q16_16:
     negate r22, r23, r24, r25
 .Lpositive:
     ret
-    .size fixedpoint_remainder_q16_16, . - fixedpoint_remainder_q16_16
+    ENDFUNC fixedpoint_remainder_q16_16
 #endif

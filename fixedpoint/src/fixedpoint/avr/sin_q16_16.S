@@ -9,13 +9,6 @@
 // In       angle = r25:r22; sine_and_cosine = r21:r20
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
-// Cycles   call and ret included, for quadrants 0, 1, 2, 3 of the angle:
-//              0 <= angle < 256       102 104 109 111
-//              -256 <= angle < 0      107 109 114 116
-//              256 <= angle           131 133 138 140
-//              angle < -256           136 138 143 145
-//          cos 2 more, its quadrants counted from a quarter turn further on.
-//          sincos 85, 92, 92, 85 more than sin.
 //
 // Byte 6 of the quarter turns is the interval of the table, bytes 5 and 4 the fraction of it. Odd
 // quadrants run backwards (one's complement), quadrants 2 and 3 are negated.
@@ -24,7 +17,8 @@
 // 2^-7 around the mean that is in the table, 0.012; table entries 0.008. Rounding 0.5. The worst of
 // all 2^32 angles is 0.66588, at -1103431490.
 
-#ifdef __AVR__
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
 
 #include "quarter_turns_q16_16.inc"
 
@@ -37,11 +31,9 @@
 #define rise0 r24
 #define rise1 r25
 
-    .section .text.fixedpoint_sin_q16_16, "ax", @progbits
+    SECTION fixedpoint_sin_q16_16
 
-    .global fixedpoint_sincos_q16_16
-    .type fixedpoint_sincos_q16_16, @function
-fixedpoint_sincos_q16_16:
+    ENTRY fixedpoint_sincos_q16_16
     push r28
     push r29
     movw r28, r20
@@ -63,18 +55,14 @@ fixedpoint_sincos_q16_16:
     pop r29
     pop r28
     ret
-    .size fixedpoint_sincos_q16_16, .-fixedpoint_sincos_q16_16
+    ENDFUNC fixedpoint_sincos_q16_16
 
-    .global fixedpoint_cos_q16_16
-    .type fixedpoint_cos_q16_16, @function
-fixedpoint_cos_q16_16:
+    ENTRY fixedpoint_cos_q16_16
     ldi b7, 1
     rjmp .Lreduce
-    .size fixedpoint_cos_q16_16, .-fixedpoint_cos_q16_16
+    ENDFUNC fixedpoint_cos_q16_16
 
-    .global fixedpoint_sin_q16_16
-    .type fixedpoint_sin_q16_16, @function
-fixedpoint_sin_q16_16:
+    ENTRY fixedpoint_sin_q16_16
     ldi b7, 0
 .Lreduce:
     quarter_turns
@@ -124,5 +112,5 @@ fixedpoint_sin_q16_16:
     ret
 
     quarter_turns_far
-    .size fixedpoint_sin_q16_16, .-fixedpoint_sin_q16_16
+    ENDFUNC fixedpoint_sin_q16_16
 #endif

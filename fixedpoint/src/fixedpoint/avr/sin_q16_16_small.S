@@ -2,17 +2,11 @@
 // int32_t fixedpoint_sin_q16_16_small(int32_t angle)
 // int32_t fixedpoint_cos_q16_16_small(int32_t angle)
 // Sine and cosine of a Q16.16 angle in radians, for every input; within 0.58 ulp, in [-1, 1].
-// Without a table: about a fifth of the flash of fixedpoint_sin_q16_16, in 2.7 times its cycles.
+// Without a table: about a fifth of the flash of fixedpoint_sin_q16_16, and slower.
 //
 // In       angle = r25:r22
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
-// Cycles   call and ret included, for quadrants 0, 1, 2, 3 of the angle:
-//              0 <= angle < 256       282 284 289 291
-//              -256 <= angle < 0      287 289 294 296
-//              256 <= angle           311 313 318 320
-//              angle < -256           316 318 323 325
-//          cos 2 more, its quadrants counted from a quarter turn further on.
 //
 // Of the quarter turns x, folded into [0, 1), sin(pi/2 x) / 2 = x (c0 - z (c1 - z (c2 - z c3))),
 // z = x^2: the polynomial of least largest error, 5.9e-7 of the sine, that
@@ -22,7 +16,8 @@
 // their mean, which is added with the half ulp for rounding. Rounding 0.5. The worst of all
 // 2^32 angles is 0.57980, of cos at 1006179769.
 
-#ifdef __AVR__
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
 
 #include "quarter_turns_q16_16.inc"
 
@@ -38,18 +33,14 @@
 #define x2 b6
 #include "multiply_high_24.inc"
 
-    .section .text.fixedpoint_sin_q16_16_small, "ax", @progbits
+    SECTION fixedpoint_sin_q16_16_small
 
-    .global fixedpoint_cos_q16_16_small
-    .type fixedpoint_cos_q16_16_small, @function
-fixedpoint_cos_q16_16_small:
+    ENTRY fixedpoint_cos_q16_16_small
     ldi b7, 1
     rjmp .Lreduce
-    .size fixedpoint_cos_q16_16_small, .-fixedpoint_cos_q16_16_small
+    ENDFUNC fixedpoint_cos_q16_16_small
 
-    .global fixedpoint_sin_q16_16_small
-    .type fixedpoint_sin_q16_16_small, @function
-fixedpoint_sin_q16_16_small:
+    ENTRY fixedpoint_sin_q16_16_small
     ldi b7, 0
 .Lreduce:
     quarter_turns
@@ -75,9 +66,9 @@ fixedpoint_sin_q16_16_small:
     subtract_from C0
     rcall .Lmultiply_by_x
     clr r1
-    subi t0, lo8(-ROUNDING)
-    sbci t1, hi8(-ROUNDING)
-    sbci t2, hlo8(-ROUNDING)
+    subi t0, lo8(0x1000000 - ROUNDING)
+    sbci t1, hi8(0x1000000 - ROUNDING)
+    sbci t2, hlo8(0x1000000 - ROUNDING)
     lsl t0              // the unit is 2^-7 ulp: result = t2:t1, 2^16 in the carry
     rol t1
     rol t2
@@ -99,6 +90,6 @@ fixedpoint_sin_q16_16_small:
     quarter_turns_far
 
     multiply_high_24
-    .size fixedpoint_sin_q16_16_small, .-fixedpoint_sin_q16_16_small
+    ENDFUNC fixedpoint_sin_q16_16_small
 
 #endif

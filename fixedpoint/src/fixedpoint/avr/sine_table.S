@@ -3,13 +3,10 @@
 // 2^23 sin(pi/2 x) + 64 on 256 intervals of [0, 1]: half an ulp of Q16.16 is in it, so
 // that cutting 7 bits rounds.
 
-#ifdef __AVR__
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
 
-    .section .progmem.data.fixedpoint_sine_table, "a", @progbits
-    .balign 256
-    .global fixedpoint_sine_table
-    .type fixedpoint_sine_table, @object
-fixedpoint_sine_table:
+    TABLE fixedpoint_sine_table
     // slope, bits 0..7
     .byte  16,  14,  10,   4, 252, 242, 231, 217, 202, 184, 165, 144, 120,  95,  68,  39
     .byte   8, 231, 197, 160, 121,  81,  38, 250, 203, 155, 105,  53, 255, 199, 141,  81
@@ -95,6 +92,6 @@ fixedpoint_sine_table:
     .byte  90,  32, 184,  32,  88,  96,  55, 221,  81, 146, 161, 124,  35, 151, 214, 224
     .byte 180,  83, 187, 238, 233, 173,  58, 142, 171, 143,  59, 173, 231, 231, 173,  57
     .byte 140, 164, 129,  36, 140, 185, 171,  97, 221,  29,  33, 234, 119, 200, 222, 183
-    .size fixedpoint_sine_table, .-fixedpoint_sine_table
+    ENDTABLE fixedpoint_sine_table
 
 #endif

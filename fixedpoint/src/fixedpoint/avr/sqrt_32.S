@@ -7,12 +7,11 @@
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
 // Stack    6 bytes
-// Cycles   call and ret included: a < 0 13; a 2^F < 2^47 237 at most, beyond 288 at most; operands
-//          of 0.01 .. 20 in Q8.24 161..271, 217 in the mean
 //
 // a 2^F is a sum of squares to length_root.S, below 3 * 2^46, or to length_long.S.
 
-#ifdef __AVR__
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
 
     // r26:r25..r22 = r25..r22 2^left
     .macro shift_left left
@@ -53,7 +52,7 @@
     movw r20, r24
     mov r22, r26
     clr r23
-    jmp fixedpoint_length_root
+    XJMP fixedpoint_length_root
     .elseif \bytes == 1
     clr r18
     mov r19, r22
@@ -61,7 +60,7 @@
     mov r21, r24
     mov r22, r25
     mov r23, r26
-    jmp fixedpoint_length_root
+    XJMP fixedpoint_length_root
     .elseif \bytes == 2
     movw r20, r22
     clr r18
@@ -71,11 +70,11 @@
     brne 1f
     cpi r23, 0xc0
     brsh 1f
-    jmp fixedpoint_length_root
+    XJMP fixedpoint_length_root
 1:  long_root
     clr r17
     mov r16, r26
-    jmp fixedpoint_root_long
+    XJMP fixedpoint_root_long
     .elseif \bytes == 3
     clr r18
     clr r19
@@ -88,11 +87,11 @@
     brne 1f
     cpi r23, 0xc0
     brsh 1f
-    jmp fixedpoint_length_root
+    XJMP fixedpoint_length_root
 1:  long_root
     mov r16, r25
     mov r17, r26
-    jmp fixedpoint_root_long
+    XJMP fixedpoint_root_long
     .else
     clr r18
     clr r19
@@ -101,18 +100,15 @@
     brne 1f
     cpi r23, 0xc0
     brsh 1f
-    jmp fixedpoint_length_root
+    XJMP fixedpoint_length_root
 1:  long_root
     movw r16, r24
-    jmp fixedpoint_root_long
+    XJMP fixedpoint_root_long
     .endif
     .endm
 
     .macro kernels integer, fraction
-    .section .text.fixedpoint_sqrt_q\integer\()_\fraction, "ax", @progbits
-    .global fixedpoint_sqrt_q\integer\()_\fraction
-    .type fixedpoint_sqrt_q\integer\()_\fraction, @function
-fixedpoint_sqrt_q\integer\()_\fraction:
+    FUNCTION fixedpoint_sqrt_q\integer\()_\fraction
     tst r25
     brpl 2f
     clr r22
@@ -121,7 +117,7 @@ fixedpoint_sqrt_q\integer\()_\fraction:
     ret
 2:  shift_left (\fraction % 8)
     root (\fraction / 8)
-    .size fixedpoint_sqrt_q\integer\()_\fraction, .-fixedpoint_sqrt_q\integer\()_\fraction
+    ENDFUNC fixedpoint_sqrt_q\integer\()_\fraction
     .endm
 
 #include "splits_32.inc"

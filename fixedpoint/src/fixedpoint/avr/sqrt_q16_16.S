@@ -5,17 +5,6 @@
 //
 // a and r in r25:r24:r23:r22. Changes r18-r27, r30, r31, r0; r1 is zero at entry and return.
 //
-// Cycles, call and ret included (a in raw units):
-//     a < 0                   19
-//     0 .. 63                 37   r is a table entry
-//     64 .. 255               58   so is 16 r
-//     2^8 .. 2^12        60 - 88   16-bit root; shifted back
-//     2^12 .. 2^14       47 - 70   the same, without the multiplications
-//     2^14 .. 2^16       49 - 67   16-bit root
-//     2^16 .. 2^24      86 - 123   24-bit root; shifted back by 4 bits or more
-//     2^24 .. 2^31     153 - 184   24-bit root, corrected; shifted back by 3 bits or less
-// The upper ends are those that need the exact remainder.
-//
 // Technique. a is shifted left by an even number of bits 2 k, so that its top byte h is at least
 // 64; the root of that is shifted back by k. With l the byte below h, the tables give
 //     c = root[h] + floor(slope[h] l / 256),
@@ -31,14 +20,15 @@
 // of the two sides fits in the bytes it is computed in, as r' is less than 2 off, so that the upper
 // bytes need no product. Where f is further than the root's error from 1/2, r is known without.
 
-#ifdef __AVR__
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
 
 #define c0 r22
 #define c1 r23
 #define c2 r24
 #define zero r25
 
-// high:low = root[r30] + slope[r30] next / 256. 16 cycles.
+// high:low = root[r30] + slope[r30] next / 256.
     .macro root16 low, high, slope, next
     ldi r31, hi8(fixedpoint_sqrt_table)
     lpm \low, Z
@@ -52,7 +42,7 @@
     .endm
 
 // r26:r19:r18 = c^2 + c - a 2^16 modulo 2^24, from r26 = 2 c0 c2 - a0 with a0 the low byte of a.
-// Negative where c is to be rounded up. 15 cycles.
+// Negative where c is to be rounded up.
     .macro test_half
     mul c0, c0
     movw r18, r0
@@ -68,10 +58,7 @@
     adc r26, r1
     .endm
 
-    .section .text.fixedpoint_sqrt_q16_16, "ax", @progbits
-    .global fixedpoint_sqrt_q16_16
-    .type fixedpoint_sqrt_q16_16, @function
-fixedpoint_sqrt_q16_16:
+    FUNCTION fixedpoint_sqrt_q16_16
     sbiw r24, 0
     brne .Labove_one
     cpi r23, 64
@@ -379,5 +366,5 @@ fixedpoint_sqrt_q16_16:
     rjmp .Lup
 1:  clr r1
     ret
-    .size fixedpoint_sqrt_q16_16, . - fixedpoint_sqrt_q16_16
+    ENDFUNC fixedpoint_sqrt_q16_16
 #endif

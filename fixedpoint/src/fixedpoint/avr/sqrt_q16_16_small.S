@@ -7,14 +7,13 @@
 // a and the result in r25:r24:r23:r22. Changes r18-r27, r30, r31, r0; r1 is zero at entry and
 // return.
 //
-// Cycles, call and ret included: 23 for a < 0, about 400 below 2^16, about 750 from
-// there, at most 800.
-//
 // Technique. Restoring, two bits of a 2^16 for one of the root: the next bit is one where the
 // remainder, or it with the next two bits of a, exceeds the root so far. Eight bits at a time, of
 // which the first eight fit in one byte; leading zeros of a are skipped by 16.
 
-#ifdef __AVR__
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
+
 #define root0 r26
 #define root1 r27
 #define root2 r30
@@ -31,10 +30,7 @@
     rol remainder1
     .endm
 
-    .section .text.fixedpoint_sqrt_q16_16_small, "ax", @progbits
-    .global fixedpoint_sqrt_q16_16_small
-    .type fixedpoint_sqrt_q16_16_small, @function
-fixedpoint_sqrt_q16_16_small:
+    FUNCTION fixedpoint_sqrt_q16_16_small
     clr r18
     clr r19
     movw r20, r18
@@ -50,7 +46,6 @@ fixedpoint_sqrt_q16_16_small:
     movw r24, r22
     movw r22, r18
 1:  ldi r21, 8
-    // 21 cycles a one, 18 a zero
 2:  cp r31, r25
     cpc root0, remainder0
     cpc zero, remainder1
@@ -118,5 +113,5 @@ fixedpoint_sqrt_q16_16_small:
     mov r24, root2
     clr r25
     ret
-    .size fixedpoint_sqrt_q16_16_small, . - fixedpoint_sqrt_q16_16_small
+    ENDFUNC fixedpoint_sqrt_q16_16_small
 #endif

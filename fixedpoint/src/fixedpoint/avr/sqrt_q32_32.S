@@ -5,8 +5,7 @@
 // In:       a r25..r18
 // Out:      r25..r18
 // Clobbers: r0, r26, r27, r30, r31
-// Cycles, call and return included (worst found): a < 0 18; a = 0 57; by the length of a in bytes
-// 1: 316, 2: 341, 3: 382, 4: 402, 5: 432, 6: 461, 7: 491, 8: 489. Stack: 10 bytes.
+// Stack:    10 bytes.
 //
 // a moves up by whole bytes and then by an even number of bits until its highest byte is 64 or
 // more. The first two bytes of the root s come from a chord and are at most 3 too small for the
@@ -23,7 +22,8 @@
 // half an ulp more would be that of no integer. Where no bit goes out, one more byte is computed,
 // or, for the longest a, the remainder compared with s.
 
-#ifdef __AVR__
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
 
 #define a0 r18
 #define a1 r19
@@ -49,11 +49,7 @@
 
 #include "long_root.inc"
 
-    .section .text.fixedpoint_sqrt_q32_32, "ax", @progbits
-
-    .global fixedpoint_sqrt_q32_32
-    .type fixedpoint_sqrt_q32_32, @function
-fixedpoint_sqrt_q32_32:
+    FUNCTION fixedpoint_sqrt_q32_32
     tst a7
     brmi .Lnegative
     ldi r30, 4
@@ -426,6 +422,6 @@ fixedpoint_sqrt_q32_32:
     pop r11
     pop r10
     ret
-    .size fixedpoint_sqrt_q32_32, .-fixedpoint_sqrt_q32_32
+    ENDFUNC fixedpoint_sqrt_q32_32
 
 #endif

@@ -5,20 +5,18 @@
 // In:       a r24
 // Out:      r24
 // Clobbers: r30, r31
-// Cycles:   13, call and return included. Stack: 0 bytes.
+// Stack:    0 bytes.
 //
 // The table holds the root of every number: no arithmetic is faster than one load.
 
-#ifdef __AVR__
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
 
-    .section .text.fixedpoint_sqrt_q4_4, "ax", @progbits
-    .global fixedpoint_sqrt_q4_4
-    .type fixedpoint_sqrt_q4_4, @function
-fixedpoint_sqrt_q4_4:
+    FUNCTION fixedpoint_sqrt_q4_4
     mov r30, r24
     ldi r31, hi8(fixedpoint_sqrt_q4_4_table)
     lpm r24, Z
     ret
-    .size fixedpoint_sqrt_q4_4, .-fixedpoint_sqrt_q4_4
+    ENDFUNC fixedpoint_sqrt_q4_4
 
 #endif

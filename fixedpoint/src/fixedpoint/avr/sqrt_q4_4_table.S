@@ -2,13 +2,10 @@
 // DO NOT EDIT: written by python3 fixedpoint/tables/sqrt_q4_4.py
 // Square roots of Q4.4 numbers.
 
-#ifdef __AVR__
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
 
-    .section .progmem.data.fixedpoint_sqrt_q4_4_table, "a", @progbits
-    .balign 256
-    .global fixedpoint_sqrt_q4_4_table
-    .type fixedpoint_sqrt_q4_4_table, @object
-fixedpoint_sqrt_q4_4_table:
+    TABLE fixedpoint_sqrt_q4_4_table
     // roots
     .byte   0,   4,   6,   7,   8,   9,  10,  11,  11,  12,  13,  13,  14,  14,  15,  15
     .byte  16,  16,  17,  17,  18,  18,  19,  19,  20,  20,  20,  21,  21,  22,  22,  22
@@ -26,6 +23,6 @@ fixedpoint_sqrt_q4_4_table:
     .byte   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0
     .byte   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0
     .byte   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0
-    .size fixedpoint_sqrt_q4_4_table, .-fixedpoint_sqrt_q4_4_table
+    ENDTABLE fixedpoint_sqrt_q4_4_table
 
 #endif

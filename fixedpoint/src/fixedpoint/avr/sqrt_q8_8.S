@@ -5,24 +5,21 @@
 // In:       a r25:r24
 // Out:      r25:r24
 // Clobbers: r0, r18..r20, r22, r23, r30, r31
-// Cycles, call and return included: a < 0 13; a < 1 17; a < 16 63; a >= 16 51.
-// Stack: 0 bytes.
+// Stack:    0 bytes.
 //
 // The root of a raw number below 2^8 is in the table. Above, a chord gives r, which is the root or
 // one less (sqrt_q8_8.py sees to it), and r + 1 it is where r^2 + r < 2^8 a, that is, where
 // r + 1/2 < sqrt(2^8 a): the difference fits in 16 bits, so that no more of it is computed.
 
-#ifdef __AVR__
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
 
 #define r_0 r22
 #define r_1 r23
 #define slope r18
 #define next r20
 
-    .section .text.fixedpoint_sqrt_q8_8, "ax", @progbits
-    .global fixedpoint_sqrt_q8_8
-    .type fixedpoint_sqrt_q8_8, @function
-fixedpoint_sqrt_q8_8:
+    FUNCTION fixedpoint_sqrt_q8_8
     tst r25
     brmi .Lnegative
     breq .Lsmall
@@ -84,6 +81,6 @@ fixedpoint_sqrt_q8_8:
     clr r24
     clr r25
     ret
-    .size fixedpoint_sqrt_q8_8, .-fixedpoint_sqrt_q8_8
+    ENDFUNC fixedpoint_sqrt_q8_8
 
 #endif

@@ -2,13 +2,10 @@
 // DO NOT EDIT: written by python3 fixedpoint/tables/sqrt_q8_8.py
 // Square roots of Q8.8 numbers.
 
-#ifdef __AVR__
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
 
-    .section .progmem.data.fixedpoint_sqrt_q8_8_table, "a", @progbits
-    .balign 256
-    .global fixedpoint_sqrt_q8_8_table
-    .type fixedpoint_sqrt_q8_8_table, @object
-fixedpoint_sqrt_q8_8_table:
+    TABLE fixedpoint_sqrt_q8_8_table
     // small
     .byte   0,  16,  23,  28,  32,  36,  39,  42,  45,  48,  51,  53,  55,  58,  60,  62
     .byte  64,  66,  68,  70,  72,  73,  75,  77,  78,  80,  82,  83,  85,  86,  88,  89
@@ -77,6 +74,6 @@ fixedpoint_sqrt_q8_8_table:
     .byte  39,  39,  38,  38,  39,  39,  38,  38,  38,  38,  37,  38,  38,  38,  36,  38
     .byte  36,  36,  36,  36,  35,  36,  34,  34,  35,  35,  34,  35,  34,  35,  35,  33
     .byte  33,  33,  32,  33,  33,  32,  33,  33,  33,  31,  33,  31,  31,  31,  31,  31
-    .size fixedpoint_sqrt_q8_8_table, .-fixedpoint_sqrt_q8_8_table
+    ENDTABLE fixedpoint_sqrt_q8_8_table
 
 #endif

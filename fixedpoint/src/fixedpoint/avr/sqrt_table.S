@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 // DO NOT EDIT: written by fixedpoint/tables/sqrt.py, which says what the entries are.
-#ifdef __AVR__
-    .section .progmem.data.fixedpoint_sqrt_table, "a", @progbits
-    .balign 256
-    .global fixedpoint_sqrt_table
-    .type fixedpoint_sqrt_table, @object
-fixedpoint_sqrt_table:
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
+    TABLE fixedpoint_sqrt_table
     // root, low bytes
     .byte   0,   0, 106, 187,   0,  60, 115, 165, 212,   0,  42,  81, 119, 155, 190, 223
     .byte   0,  32,  62,  92, 121, 149, 177, 204, 230,   0,  25,  50,  75,  99, 122, 145
@@ -57,5 +54,5 @@ fixedpoint_sqrt_table:
     .byte 142, 141, 141, 141, 141, 140, 140, 139, 139, 139, 139, 138, 138, 138, 137, 137
     .byte 137, 136, 136, 136, 135, 136, 135, 135, 134, 134, 134, 134, 134, 133, 132, 133
     .byte 133, 131, 132, 131, 131, 131, 130, 131, 131, 130, 130, 130, 130, 129, 129, 128
-    .size fixedpoint_sqrt_table, . - fixedpoint_sqrt_table
+    ENDTABLE fixedpoint_sqrt_table
 #endif

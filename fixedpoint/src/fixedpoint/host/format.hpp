@@ -12,7 +12,7 @@
 template <int IntegerBits, int F, class A>
 class fmt::formatter<fixedpoint::Fixed<IntegerBits, F, A>> {
   public:
-    constexpr auto parse(fmt::format_parse_context& context) {
+    FIXEDPOINT_CONSTEXPR auto parse(fmt::format_parse_context& context) {
         const char* at = context.begin();
         const char* const end = context.end();
         const auto is_align = [end](const char* c) {
@@ -54,7 +54,7 @@ class fmt::formatter<fixedpoint::Fixed<IntegerBits, F, A>> {
     }
 
   private:
-    static constexpr int parse_count(const char*& at, const char* end) {
+    static FIXEDPOINT_CONSTEXPR int parse_count(const char*& at, const char* end) {
         int count = 0;
         for (; at != end && fixedpoint::portable::is_digit(*at); ++at) {
             count = 10 * count + (*at - '0');

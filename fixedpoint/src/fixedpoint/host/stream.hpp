@@ -6,7 +6,6 @@
 #include <fixedpoint/host/text.hpp>
 #include <istream>
 #include <ostream>
-#include <utility>
 
 namespace fixedpoint {
 
@@ -40,10 +39,10 @@ std::istream& operator>>(std::istream& stream, Fixed<IntegerBits, F, A>& number)
             case '-':
                 return text.empty() || text.back() == 'e' || text.back() == 'E';
             case '.':
-                return !has_exponent && !std::exchange(has_point, true);
+                return !has_exponent && !has_point && (has_point = true);
             case 'e':
             case 'E':
-                return has_digits && !std::exchange(has_exponent, true);
+                return has_digits && !has_exponent && (has_exponent = true);
             default:
                 return portable::is_digit(c) && (has_digits = true);
         }

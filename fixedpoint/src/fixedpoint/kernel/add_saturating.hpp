@@ -18,7 +18,8 @@ constexpr Raw subtract_saturating(Raw a, Raw b) {
     return portable::subtract_saturating(a, b);
 }
 
-#ifdef __AVR__
+// clang has no operands of four registers.
+#if defined(__AVR__) && !defined(__clang__) && !defined(FIXEDPOINT_NO_ASSEMBLY)
 // Where a + b overflows, both have the sign that the sum should have: that of b (`bst`) atop copies
 // of the wrong one.
 inline int32_t sum_clamped(int32_t a, int32_t b) {
@@ -62,12 +63,12 @@ inline int32_t difference_clamped(int32_t a, int32_t b) {
 }
 
 template <>
-constexpr int32_t add_saturating(int32_t a, int32_t b) {
+FIXEDPOINT_CONSTEXPR int32_t add_saturating(int32_t a, int32_t b) {
     return __builtin_constant_p(a) && __builtin_constant_p(b) ? portable::add_saturating(a, b)
                                                               : sum_clamped(a, b);
 }
 template <>
-constexpr int32_t subtract_saturating(int32_t a, int32_t b) {
+FIXEDPOINT_CONSTEXPR int32_t subtract_saturating(int32_t a, int32_t b) {
     return __builtin_constant_p(a) && __builtin_constant_p(b) ? portable::subtract_saturating(a, b)
                                                               : difference_clamped(a, b);
 }

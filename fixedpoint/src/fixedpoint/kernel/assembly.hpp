@@ -1,39 +1,81 @@
 // SPDX-License-Identifier: MIT
-// How an assembly kernel takes the place of portable code on the device, and whether there are any.
+// Whether the assembly kernels of avr/ are used, and how one takes the place of portable code.
+//
+// They need an AVR that multiplies in hardware; FIXEDPOINT_NO_ASSEMBLY turns them off. A program
+// that must not run without them defines FIXEDPOINT_ASSEMBLY.
 #pragma once
 
-#include <fixedpoint/integer.hpp>
+#include <fixedpoint/constexpr.hpp>
 
-// FIXEDPOINT_ASSEMBLY_KERNEL(Result, operation, Raw, F, symbol, twin, parameters, arguments): the
-// dispatch `operation<Raw, F>` calls the assembly function `symbol`, and in constant expressions its
-// portable twin, which has the same results.
-//
-// gnu_inline lets the function have a body for constant expressions that is never compiled into the
-// program; noinline and noclone keep the compiler from using that body in calls at run time.
 namespace fixedpoint {
 namespace kernel {
-#ifdef __AVR__
+#if defined(__AVR__) && defined(__AVR_HAVE_MUL__) && !defined(FIXEDPOINT_NO_ASSEMBLY)
 constexpr bool has_assembly = true;
+#define FIXEDPOINT_DISPATCH FIXEDPOINT_DISPATCH_TO_KERNEL
 #else
 constexpr bool has_assembly = false;
+#define FIXEDPOINT_DISPATCH(shape, operation, Raw, F, symbol, implementation)
 #endif
 }  // namespace kernel
 }  // namespace fixedpoint
 
-#ifdef __AVR__
-#define FIXEDPOINT_ASSEMBLY_KERNEL(Result, operation, Raw, F, symbol, twin, parameters, arguments) \
-    extern "C"                                                                                     \
-        __attribute__((gnu_inline, noinline, noclone)) constexpr inline Result symbol parameters { \
-        return ::fixedpoint::portable::twin<Raw, F> arguments;                                     \
-    }                                                                                              \
-    namespace fixedpoint {                                                                         \
-    namespace kernel {                                                                             \
-    template <>                                                                                    \
-    constexpr Result operation<Raw, F> parameters {                                                \
-        return symbol arguments;                                                                   \
-    }                                                                                              \
-    }                                                                                              \
-    }
-#else
-#define FIXEDPOINT_ASSEMBLY_KERNEL(Result, operation, Raw, F, symbol, twin, parameters, arguments)
+#ifdef FIXEDPOINT_ASSEMBLY
+static_assert(
+    fixedpoint::kernel::has_assembly,
+    "FIXEDPOINT_ASSEMBLY asks for the assembly kernels, which there are for an AVR with a "
+    "hardware multiplier and without FIXEDPOINT_NO_ASSEMBLY.");
 #endif
+
+// FIXEDPOINT_DISPATCH(shape, operation, Raw, F, symbol, implementation), a row of kernel/table.hpp,
+// makes kernel::operation<Raw, F> call `symbol` at run time, and portable::implementation<Raw, F>
+// in constant expressions. How the two are told apart depends on the compiler:
+//
+// GCC from 9 and clang from 9 have __builtin_is_constant_evaluated.
+//
+// GCC 5 to 7 do not. Their gnu_inline gives `symbol` a body for constant expressions that is never
+// compiled into the program. noinline and noclone keep the optimiser from using it at run time; a
+// section of its own, from taking it for another symbol whose body is the same (sqrt and
+// sqrt_small), for which no_icf does not suffice.
+//
+// GCC 8 refuses that pair of attributes, and C++11 has no such constant expressions: there is only
+// the call, so that what would be a constant is computed at run time.
+#if __cplusplus < 201402L || (__GNUC__ == 8 && !defined(__clang__))
+#define FIXEDPOINT_DECLARE_KERNEL(shape, Raw, F, symbol, implementation) \
+    FIXEDPOINT_RESULT_##shape(Raw) symbol FIXEDPOINT_PARAMETERS_##shape(Raw);
+#define FIXEDPOINT_CALL_KERNEL(shape, Raw, F, symbol, implementation) \
+    symbol FIXEDPOINT_ARGUMENTS_##shape
+#define FIXEDPOINT_KERNEL_CONSTEXPR inline
+#elif __GNUC__ >= 9 || defined(__clang__)
+#define FIXEDPOINT_DECLARE_KERNEL(shape, Raw, F, symbol, implementation) \
+    FIXEDPOINT_RESULT_##shape(Raw) symbol FIXEDPOINT_PARAMETERS_##shape(Raw);
+#define FIXEDPOINT_CALL_KERNEL(shape, Raw, F, symbol, implementation)                  \
+    __builtin_is_constant_evaluated() ? ::fixedpoint::portable::implementation<Raw, F> \
+                                            FIXEDPOINT_ARGUMENTS_##shape               \
+                                      : symbol FIXEDPOINT_ARGUMENTS_##shape
+#define FIXEDPOINT_KERNEL_CONSTEXPR constexpr
+#else
+#define FIXEDPOINT_DECLARE_KERNEL(shape, Raw, F, symbol, implementation)                    \
+    __attribute__((                                                                         \
+        gnu_inline, noinline, noclone,                                                      \
+        section(".discarded." #symbol))) constexpr inline FIXEDPOINT_RESULT_##shape(Raw)    \
+        symbol FIXEDPOINT_PARAMETERS_##shape(Raw) {                                         \
+        return ::fixedpoint::portable::implementation<Raw, F> FIXEDPOINT_ARGUMENTS_##shape; \
+    }
+#define FIXEDPOINT_CALL_KERNEL(shape, Raw, F, symbol, implementation) \
+    symbol FIXEDPOINT_ARGUMENTS_##shape
+#define FIXEDPOINT_KERNEL_CONSTEXPR constexpr
+#endif
+
+#define FIXEDPOINT_DISPATCH_TO_KERNEL(shape, operation, Raw, F, symbol, implementation) \
+    extern "C" {                                                                        \
+    FIXEDPOINT_DECLARE_KERNEL(shape, Raw, F, symbol, implementation)                    \
+    }                                                                                   \
+    namespace fixedpoint {                                                              \
+    namespace kernel {                                                                  \
+    template <>                                                                         \
+    FIXEDPOINT_KERNEL_CONSTEXPR FIXEDPOINT_RESULT_##shape(                              \
+        Raw) operation<Raw, F> FIXEDPOINT_PARAMETERS_##shape(Raw) {                     \
+        return FIXEDPOINT_CALL_KERNEL(shape, Raw, F, symbol, implementation);           \
+    }                                                                                   \
+    }                                                                                   \
+    }

@@ -10,18 +10,18 @@ namespace portable {
 
 template <class Raw>
 constexpr Raw limit_by_sign(Raw a) {
-    return a < 0 ? raw_min<Raw> : raw_max<Raw>;
+    return a < 0 ? RawLimits<Raw>::min : RawLimits<Raw>::max;
 }
 
 template <class Raw>
-constexpr Raw add_saturating(Raw a, Raw b) {
+FIXEDPOINT_CONSTEXPR Raw add_saturating(Raw a, Raw b) {
     // An overflow has happened where both operands differ in sign from the wrapped sum.
     const Raw sum = wrapping_add(a, b);
     return ((a ^ sum) & (b ^ sum)) < 0 ? limit_by_sign(a) : sum;
 }
 
 template <class Raw>
-constexpr Raw subtract_saturating(Raw a, Raw b) {
+FIXEDPOINT_CONSTEXPR Raw subtract_saturating(Raw a, Raw b) {
     const Raw difference = wrapping_subtract(a, b);
     return ((a ^ b) & (a ^ difference)) < 0 ? limit_by_sign(a) : difference;
 }

@@ -9,14 +9,14 @@ namespace portable {
 
 // The small variant, for every format: no table but the word's few atan(2^-i), in Q16.16 none.
 template <class Raw, int F>
-constexpr Raw atan_small(Raw a) {
+FIXEDPOINT_CONSTEXPR Raw atan_small(Raw a) {
     // 1 may be beyond the signed format, never beyond the unsigned one.
     constexpr Unsigned<Raw> one = static_cast<Unsigned<Raw>>(Unsigned<Raw>(1) << F);
     return round_from_cordic<Raw, F>(first_quadrant_angle<F>(magnitude(a), one), a < 0);
 }
 
 template <>
-constexpr int32_t atan_small<int32_t, 16>(int32_t a) {
+FIXEDPOINT_CONSTEXPR int32_t atan_small<int32_t, 16>(int32_t a) {
     return atan_small_q16_16(a);
 }
 
@@ -26,7 +26,7 @@ constexpr Raw atan(Raw a) {
 }
 
 template <>
-constexpr int32_t atan<int32_t, 16>(int32_t a) {
+FIXEDPOINT_CONSTEXPR int32_t atan<int32_t, 16>(int32_t a) {
     return atan_q16_16(a);
 }
 

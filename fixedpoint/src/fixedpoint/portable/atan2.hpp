@@ -20,17 +20,17 @@ namespace portable {
 // matter (3 i >= F + 5), atan(2^-i) is 2^-i and the turns become the long division Y / x.
 // x starts below 2^(Bits-2) and grows by less than sqrt(2) 1.17, so that Y < 2 x fits.
 template <int F, class Coordinate>
-constexpr CordicWord<F> first_quadrant_angle(Coordinate y, Coordinate x) {
+FIXEDPOINT_CONSTEXPR CordicWord<F> first_quadrant_angle(Coordinate y, Coordinate x) {
     using Word = CordicWord<F>;
     using Constants = CordicConstants<Word>;
-    constexpr int bits = cordic_bits<Word>;
+    constexpr int bits = cordic_bits<Word>();
     constexpr int rotations = (F + 7) / 3;
     constexpr int turns = F + 4;
 
     const bool steep = y > x;
     Coordinate larger = steep ? y : x;
     Coordinate smaller = steep ? x : y;
-    while ((larger >> (width_of<Coordinate> - 1)) == 0) {
+    while ((larger >> (RawLimits<Coordinate>::width - 1)) == 0) {
         larger = static_cast<Coordinate>(larger << 1);
         smaller = static_cast<Coordinate>(smaller << 1);
     }
@@ -60,7 +60,7 @@ constexpr CordicWord<F> first_quadrant_angle(Coordinate y, Coordinate x) {
 
 // The small variant, for every format: no table but the word's few atan(2^-i), in Q16.16 none.
 template <class Raw, int F>
-constexpr Raw atan2_small(Raw y, Raw x) {
+FIXEDPOINT_CONSTEXPR Raw atan2_small(Raw y, Raw x) {
     if (x == 0 && y == 0) return 0;
     CordicWord<F> angle = first_quadrant_angle<F>(magnitude(y), magnitude(x));
     if (x < 0) angle = CordicConstants<CordicWord<F>>::pi() - angle;
@@ -68,7 +68,7 @@ constexpr Raw atan2_small(Raw y, Raw x) {
 }
 
 template <>
-constexpr int32_t atan2_small<int32_t, 16>(int32_t y, int32_t x) {
+FIXEDPOINT_CONSTEXPR int32_t atan2_small<int32_t, 16>(int32_t y, int32_t x) {
     return atan2_small_q16_16(y, x);
 }
 
@@ -78,11 +78,11 @@ constexpr Raw atan2(Raw y, Raw x) {
 }
 
 template <>
-constexpr int16_t atan2<int16_t, 8>(int16_t y, int16_t x) {
+FIXEDPOINT_CONSTEXPR int16_t atan2<int16_t, 8>(int16_t y, int16_t x) {
     return atan2_q8_8(y, x);
 }
 template <>
-constexpr int32_t atan2<int32_t, 16>(int32_t y, int32_t x) {
+FIXEDPOINT_CONSTEXPR int32_t atan2<int32_t, 16>(int32_t y, int32_t x) {
     return atan2_q16_16(y, x);
 }
 

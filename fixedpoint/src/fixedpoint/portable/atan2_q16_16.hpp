@@ -13,7 +13,7 @@ namespace fixedpoint {
 namespace portable {
 
 // numerator / denominator with 24 fraction bits, below 1. Needs numerator <= denominator, not 0.
-constexpr uint32_t ratio_q16_16(uint32_t numerator, uint32_t denominator) {
+FIXEDPOINT_CONSTEXPR uint32_t ratio_q16_16(uint32_t numerator, uint32_t denominator) {
     while ((denominator >> 31) == 0) {
         denominator <<= 1;
         numerator <<= 1;
@@ -24,7 +24,7 @@ constexpr uint32_t ratio_q16_16(uint32_t numerator, uint32_t denominator) {
     return half >= uint32_t(1) << 23 ? 0xffffff : half << 1;
 }
 
-constexpr int32_t atan2_q16_16(int32_t y, int32_t x) {
+FIXEDPOINT_CONSTEXPR int32_t atan2_q16_16(int32_t y, int32_t x) {
     if (x == 0 && y == 0) return 0;
     const uint32_t height = magnitude(y), width = magnitude(x);
     const bool steep = height > width;
@@ -33,7 +33,7 @@ constexpr int32_t atan2_q16_16(int32_t y, int32_t x) {
                                   y < 0);
 }
 
-constexpr int32_t atan_q16_16(int32_t a) {
+FIXEDPOINT_CONSTEXPR int32_t atan_q16_16(int32_t a) {
     constexpr uint32_t one = uint32_t(1) << 16;
     const uint32_t height = magnitude(a);
     const bool steep = height >= one;

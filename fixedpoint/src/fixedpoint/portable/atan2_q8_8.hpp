@@ -10,26 +10,26 @@ namespace portable {
 
 // 2^16 atan(numerator / denominator), for numerator <= denominator, denominator not 0. Reciprocal
 // and arc tangent are chords, the ratio has 15 bits and is below 1.
-constexpr uint16_t arctangent_q8_8(uint16_t numerator, uint16_t denominator) {
+FIXEDPOINT_CONSTEXPR uint16_t arctangent_q8_8(uint16_t numerator, uint16_t denominator) {
     using Table = Atan2Q8_8Table<>;
     while ((denominator >> 15) == 0) {
         denominator = static_cast<uint16_t>(denominator << 1);
         numerator = static_cast<uint16_t>(numerator << 1);
     }
-    const uint8_t row = denominator >> 8 & 0x7f;
+    const uint8_t row = static_cast<uint8_t>(denominator >> 8 & 0x7f);
     const uint16_t reciprocal = static_cast<uint16_t>(
         read_program_memory(Table::reciprocal[row]) -
         (read_program_memory(Table::reciprocal_slope[row]) * (denominator & 0xffu) >> 8));
     const uint16_t n1 = numerator >> 8, n0 = numerator & 0xff;
     const uint16_t r1 = reciprocal >> 8, r0 = reciprocal & 0xff;
     const uint16_t ratio = static_cast<uint16_t>((n1 * r1 + (n1 * r0 >> 8) + (n0 * r1 >> 8)) << 1);
-    const uint8_t interval = ratio >> 8;
+    const uint8_t interval = static_cast<uint8_t>(ratio >> 8);
     return static_cast<uint16_t>(
         read_program_memory(Table::angle[interval]) + ratio +
         (read_program_memory(Table::angle_slope[interval]) * (ratio & 0xffu) >> 8));
 }
 
-constexpr int16_t atan2_q8_8(int16_t y, int16_t x) {
+FIXEDPOINT_CONSTEXPR int16_t atan2_q8_8(int16_t y, int16_t x) {
     if (x == 0 && y == 0) return 0;
     // With half an ulp, so that cutting 8 bits rounds.
     constexpr uint32_t half_pi = 103072, pi = 206015, half_ulp = 128;

@@ -18,7 +18,7 @@ constexpr uint32_t exact_ratio_q16_16(uint32_t numerator, uint32_t denominator) 
 
 // x (c0 - z (c1 - z (c2 - ... z c6))), z = x^2: the polynomial of least largest error, 2.5e-7,
 // in fractions of 24 bits. With half an ulp and what the products cut in the mean.
-constexpr uint32_t arctangent_polynomial_q16_16(uint32_t x) {
+FIXEDPOINT_CONSTEXPR uint32_t arctangent_polynomial_q16_16(uint32_t x) {
     constexpr uint32_t c0 = 16777151, c1 = 5589727, c2 = 3323200, c3 = 2220186, c4 = 1335864,
                        c5 = 563785, c6 = 114283;
     constexpr uint32_t rounding = 130;
@@ -32,7 +32,7 @@ constexpr uint32_t arctangent_polynomial_q16_16(uint32_t x) {
     return multiply_high_24(factor, x) + rounding;
 }
 
-constexpr int32_t atan2_small_q16_16(int32_t y, int32_t x) {
+FIXEDPOINT_CONSTEXPR int32_t atan2_small_q16_16(int32_t y, int32_t x) {
     if (x == 0 && y == 0) return 0;
     const uint32_t height = magnitude(y), width = magnitude(x);
     const bool steep = height > width;
@@ -41,7 +41,9 @@ constexpr int32_t atan2_small_q16_16(int32_t y, int32_t x) {
     return angle_in_octant_q16_16(arctangent_polynomial_q16_16(ratio), steep, x < 0, y < 0);
 }
 
-constexpr int32_t atan_small_q16_16(int32_t a) { return atan2_small_q16_16(a, int32_t(1) << 16); }
+FIXEDPOINT_CONSTEXPR int32_t atan_small_q16_16(int32_t a) {
+    return atan2_small_q16_16(a, int32_t(1) << 16);
+}
 
 }  // namespace portable
 }  // namespace fixedpoint

@@ -20,15 +20,17 @@ constexpr Target scale(Source n) {
 
 // The integer n 2^Shift, saturated to the range of Target.
 template <class Target, int Shift, class Source>
-constexpr Converted<Target> scale_clamped(Source n) {
+FIXEDPOINT_CONSTEXPR Converted<Target> scale_clamped(Source n) {
     constexpr bool target_is_signed = Target(-1) < Target(1);
-    constexpr Target max = target_is_signed ? static_cast<Target>(raw_max<Target>) : Target(-1);
-    constexpr Target min = target_is_signed ? static_cast<Target>(raw_min<Target>) : Target(0);
+    constexpr Target max =
+        target_is_signed ? static_cast<Target>(RawLimits<Target>::max) : Target(-1);
+    constexpr Target min =
+        target_is_signed ? static_cast<Target>(RawLimits<Target>::min) : Target(0);
     // Zero and negative sources are compared as signed numbers and the others as unsigned ones, so
     // that no comparison mixes the two, nor asks whether an unsigned number is below zero.
     if (n < Source(1)) {
-        const bool fits = static_cast<Integer<width_of<Source>>>(n) >=
-                          static_cast<Integer<width_of<Target>>>(min >> Shift);
+        const bool fits = static_cast<Integer<RawLimits<Source>::width>>(n) >=
+                          static_cast<Integer<RawLimits<Target>::width>>(min >> Shift);
         if (!fits) return {min, false};
     } else {
         const bool fits =
@@ -40,21 +42,26 @@ constexpr Converted<Target> scale_clamped(Source n) {
 
 // How far a point moves left or right from one format to another.
 template <int FromF, int ToF>
-constexpr int left_shift = ToF > FromF ? ToF - FromF : 0;
+constexpr int left_shift() {
+    return ToF > FromF ? ToF - FromF : 0;
+}
 template <int FromF, int ToF>
-constexpr int right_shift = left_shift<ToF, FromF>;
+constexpr int right_shift() {
+    return left_shift<ToF, FromF>();
+}
 
 // a 2^-FromF in the format (ToRaw, ToF): floor(a 2^(ToF - FromF) + 1/2) mod 2^W.
 template <class ToRaw, int ToF, class FromRaw, int FromF>
 constexpr ToRaw convert(FromRaw a) {
-    return scale<ToRaw, left_shift<FromF, ToF>>(integer_round<FromRaw, right_shift<FromF, ToF>>(a));
+    return scale<ToRaw, left_shift<FromF, ToF>()>(
+        integer_round<FromRaw, right_shift<FromF, ToF>()>(a));
 }
 
 // The same, saturated instead of wrapped.
 template <class ToRaw, int ToF, class FromRaw, int FromF>
 constexpr Converted<ToRaw> convert_clamped(FromRaw a) {
-    return scale_clamped<ToRaw, left_shift<FromF, ToF>>(
-        integer_round<FromRaw, right_shift<FromF, ToF>>(a));
+    return scale_clamped<ToRaw, left_shift<FromF, ToF>()>(
+        integer_round<FromRaw, right_shift<FromF, ToF>()>(a));
 }
 
 }  // namespace portable

@@ -28,20 +28,22 @@ template <int F>
 using CordicWord = typename CordicWordOf<F>::Type;
 
 template <class Word>
-constexpr int cordic_bits = static_cast<int>(8 * sizeof(Word));
+constexpr int cordic_bits() {
+    return static_cast<int>(8 * sizeof(Word));
+}
 
 // An unsigned integer with its top bit moved to bit Bits - 3 of the word; what falls below is cut.
 template <class Word, class Coordinate>
-constexpr Word cordic_coordinate(Coordinate a) {
-    constexpr int surplus = width_of<Coordinate> - (cordic_bits<Word> - 2);
+FIXEDPOINT_CONSTEXPR Word cordic_coordinate(Coordinate a) {
+    constexpr int surplus = RawLimits<Coordinate>::width - (cordic_bits<Word>() - 2);
     return surplus > 0 ? Word(a >> (surplus > 0 ? surplus : 0))
                        : Word(a) << (surplus > 0 ? 0 : -surplus);
 }
 
 // An angle or coordinate with Bits - 2 fraction bits, rounded to F bits, signed and saturated.
 template <class Raw, int F, class Word>
-constexpr Raw round_from_cordic(Word magnitude, bool negative) {
-    constexpr int surplus = cordic_bits<Word> - 2 - F;
+FIXEDPOINT_CONSTEXPR Raw round_from_cordic(Word magnitude, bool negative) {
+    constexpr int surplus = cordic_bits<Word>() - 2 - F;
     return clamped_with_sign<Raw>((magnitude + (Word(1) << (surplus - 1))) >> surplus, negative);
 }
 

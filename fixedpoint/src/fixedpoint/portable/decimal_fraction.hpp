@@ -13,7 +13,7 @@ namespace portable {
 // The word in which a Raw meets decimal digits: at least 32 bits, so that the narrow formats share
 // their code and no operand is promoted to a signed int.
 template <class Raw>
-using DecimalWord = UnsignedInteger<(width_of<Raw> > 32) ? 64 : 32>;
+using DecimalWord = UnsignedInteger<(RawLimits<Raw>::width > 32) ? 64 : 32>;
 
 // A number in [0, 1): bits / 2^P, P the width of Word, and a little more where `inexact`.
 template <class Word>
@@ -24,7 +24,7 @@ struct DecimalFraction {
     // Becomes (digit + *this) / 10. Going from the last digit to the first, bits is the exact
     // fraction of arbitrarily many digits rounded down, since floor((d + x) / 10) =
     // floor((d + floor(x)) / 10) for integer d; inexact says whether anything was dropped.
-    constexpr void prepend(uint8_t digit) {
+    FIXEDPOINT_CONSTEXPR void prepend(uint8_t digit) {
         // 2^P = 10 tenth + 6 for P = 32 and 64, so that digit 2^P / 10 = digit tenth + 6 digit
         // / 10.
         constexpr Word tenth = static_cast<Word>(-1) / 10;
@@ -34,17 +34,18 @@ struct DecimalFraction {
     }
 
     // Gives away the first decimal digit d and becomes 10 *this - d.
-    constexpr uint8_t take() {
+    FIXEDPOINT_CONSTEXPR uint8_t take() {
         // With bits = 16 a + b, 10 bits / 2^P = (10 a + 10 b / 16) / 2^(P-4), which stays below
         // 2^P.
-        const Word digit = ((bits >> 4) * 10 + (bits & 15) * 10 / 16) >> (width_of<Word> - 4);
+        const Word digit =
+            ((bits >> 4) * 10 + (bits & 15) * 10 / 16) >> (RawLimits<Word>::width - 4);
         bits *= 10;
         return static_cast<uint8_t>(digit);
     }
 
     // Whether rounding to an integer moves the magnitude up: nearest, half up.
-    constexpr bool rounds_away(bool negative) const {
-        constexpr Word half = Word(1) << (width_of<Word> - 1);
+    FIXEDPOINT_CONSTEXPR bool rounds_away(bool negative) const {
+        constexpr Word half = Word(1) << (RawLimits<Word>::width - 1);
         return bits > half || (bits == half && (inexact || !negative));
     }
 };
@@ -53,19 +54,21 @@ struct DecimalFraction {
 template <class Word, int F>
 constexpr DecimalFraction<Word> fraction_of(Word magnitude) {
     // Two shifts, since one by P (F = 0) is undefined.
-    return {(magnitude << (width_of<Word> - 1 - F)) << 1, false};
+    return {(magnitude << (RawLimits<Word>::width - 1 - F)) << 1, false};
 }
 
 // The number (integer + fraction), negated where `negative`, as a raw number: rounded to nearest,
 // half up, and saturated.
 template <class Raw, int F, class Word>
-constexpr Converted<Raw> assemble(Word integer, DecimalFraction<Word> fraction, bool negative) {
-    const Word limit = static_cast<Word>(raw_max<Raw>) + (negative ? 1 : 0);
-    const Converted<Raw> clamped = {negative ? raw_min<Raw> : raw_max<Raw>, false};
+FIXEDPOINT_CONSTEXPR Converted<Raw> assemble(Word integer, DecimalFraction<Word> fraction,
+                                             bool negative) {
+    const Word limit = static_cast<Word>(RawLimits<Raw>::max) + (negative ? 1 : 0);
+    const Converted<Raw> clamped = {negative ? RawLimits<Raw>::min : RawLimits<Raw>::max, false};
     if (integer > (limit >> F)) return clamped;
     // What lies below one ulp, again as a fraction of it.
     const DecimalFraction<Word> below = {fraction.bits << F, fraction.inexact};
-    const Word magnitude = (integer << F) + ((fraction.bits >> (width_of<Word> - 1 - F)) >> 1);
+    const Word magnitude =
+        (integer << F) + ((fraction.bits >> (RawLimits<Word>::width - 1 - F)) >> 1);
     const Word up = below.rounds_away(negative) ? 1 : 0;
     if (magnitude > limit - up) return clamped;
     return {with_sign<Raw>(static_cast<Unsigned<Raw>>(magnitude + up), negative), true};

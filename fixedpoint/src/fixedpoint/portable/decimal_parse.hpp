@@ -39,7 +39,7 @@ struct DecimalText {
     size_t position;
 };
 
-constexpr DecimalText scan_decimal(const char* text, size_t length) {
+FIXEDPOINT_CONSTEXPR DecimalText scan_decimal(const char* text, size_t length) {
     const char* const end = text + length;
     const char* at = text;
     const bool negative = at != end && *at == '-';
@@ -82,7 +82,7 @@ constexpr DecimalText scan_decimal(const char* text, size_t length) {
 
 // 10 integer + digit, or the largest Word where that is larger; once reached, it stays.
 template <class Word>
-constexpr Word append_digit(Word integer, uint8_t digit) {
+FIXEDPOINT_CONSTEXPR Word append_digit(Word integer, uint8_t digit) {
     constexpr Word max = static_cast<Word>(-1);
     return integer > (max - 9) / 10 ? max : integer * 10 + digit;
 }
@@ -90,7 +90,7 @@ constexpr Word append_digit(Word integer, uint8_t digit) {
 // The number that the text says, rounded to nearest, half up. Out of range it is the
 // limit of the range; for empty or malformed text it is 0. Reads text[0] to text[length - 1] only.
 template <class Raw, int F>
-constexpr Parsed<Raw> parse_decimal(const char* text, size_t length) {
+FIXEDPOINT_CONSTEXPR Parsed<Raw> parse_decimal(const char* text, size_t length) {
     using Word = DecimalWord<Raw>;
     const DecimalText source = scan_decimal(text, length);
     if (source.status != TextStatus::ok) return {0, source.status, source.position};

@@ -17,7 +17,7 @@ namespace portable {
 template <class Raw, int F>
 constexpr size_t decimal_capacity(uint8_t decimals = F) {
     // floor(n log10(2)) = floor(3 n / 10) for n < 64.
-    return 1 + ((width_of<Raw> - 1 - F) * 3 / 10 + 1) + 1 + decimals;
+    return 1 + ((RawLimits<Raw>::width - 1 - F) * 3 / 10 + 1) + 1 + decimals;
 }
 
 // Counts every character and keeps those that fit.
@@ -26,13 +26,13 @@ struct DecimalWriter {
     const size_t capacity;
     size_t length;
 
-    constexpr void put(char character) {
+    FIXEDPOINT_CONSTEXPR void put(char character) {
         if (length < capacity) buffer[length] = character;
         ++length;
     }
-    constexpr void put_digit(int digit) { put(static_cast<char>('0' + digit)); }
+    FIXEDPOINT_CONSTEXPR void put_digit(int digit) { put(static_cast<char>('0' + digit)); }
     template <class Word>
-    constexpr void put_integer(Word n) {
+    FIXEDPOINT_CONSTEXPR void put_integer(Word n) {
         Word unit = 1;
         while (n / unit >= 10) unit *= 10;
         for (; unit != 0; unit /= 10) put_digit(static_cast<int>(n / unit % 10));
@@ -43,7 +43,7 @@ struct DecimalWriter {
 // The shortest decimal that parse_decimal reads as the same number and, of those, the closest to
 // it.
 template <class Raw, int F>
-constexpr size_t print_decimal(Raw raw, char* buffer, size_t capacity) {
+FIXEDPOINT_CONSTEXPR size_t print_decimal(Raw raw, char* buffer, size_t capacity) {
     using Word = DecimalWord<Raw>;
     constexpr Word max = static_cast<Word>(-1);
     const bool negative = raw < 0;
@@ -57,7 +57,7 @@ constexpr size_t print_decimal(Raw raw, char* buffer, size_t capacity) {
     // away, since such a number has F + 1 decimals. Rounding up never carries: the digit in front
     // of a 9 would have been close enough already.
     DecimalFraction<Word> fraction = fraction_of<Word, F>(number);
-    Word half_ulp = Word(1) << (width_of<Word> - 1 - F);
+    Word half_ulp = Word(1) << (RawLimits<Word>::width - 1 - F);
     bool last = fraction.bits == 0;
     if (!last) writer.put('.');
     while (!last) {
@@ -76,7 +76,8 @@ constexpr size_t print_decimal(Raw raw, char* buffer, size_t capacity) {
 // The number with so many decimals, rounded to nearest, half up; exact from F
 // decimals on. A number that rounds to zero has no sign, and without decimals there is no point.
 template <class Raw, int F>
-constexpr size_t print_decimal(Raw raw, uint8_t decimals, char* buffer, size_t capacity) {
+FIXEDPOINT_CONSTEXPR size_t print_decimal(Raw raw, uint8_t decimals, char* buffer,
+                                          size_t capacity) {
     using Word = DecimalWord<Raw>;
     const Word number = magnitude(raw);
     const Word integer = number >> F;

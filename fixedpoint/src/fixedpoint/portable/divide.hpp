@@ -11,15 +11,17 @@ namespace portable {
 
 // A magnitude that no Raw holds: what saturates.
 template <class Raw>
-constexpr Unsigned<Raw> magnitude_overflow = static_cast<Unsigned<Raw>>(raw_min<Raw>);
+constexpr Unsigned<Raw> magnitude_overflow() {
+    return static_cast<Unsigned<Raw>>(RawLimits<Raw>::min);
+}
 
 // dividend / divisor, rounded to nearest; ties go upward or downward. From 2^(W-1) on it is an
 // overflow.
 template <class Raw, class Dividend>
-constexpr Unsigned<Raw> rounded_quotient(Dividend dividend, Unsigned<Raw> divisor,
-                                         bool tie_upward) {
+FIXEDPOINT_CONSTEXPR Unsigned<Raw> rounded_quotient(Dividend dividend, Unsigned<Raw> divisor,
+                                                    bool tie_upward) {
     const Dividend quotient = static_cast<Dividend>(dividend / divisor);
-    if (quotient >> (width_of<Raw> - 1) != 0) return magnitude_overflow<Raw>;
+    if (quotient >> (RawLimits<Raw>::width - 1) != 0) return magnitude_overflow<Raw>();
     const Unsigned<Raw> rest = static_cast<Unsigned<Raw>>(
         static_cast<Unsigned<Raw>>(dividend) - static_cast<Unsigned<Raw>>(quotient) * divisor);
     const Unsigned<Raw> other = static_cast<Unsigned<Raw>>(divisor - rest);
@@ -37,20 +39,20 @@ struct WideQuotient {
 };
 template <int F>
 struct WideQuotient<int64_t, F> {
-    static constexpr uint64_t rounded(uint64_t a, uint64_t b, bool tie_upward) {
+    static FIXEDPOINT_CONSTEXPR uint64_t rounded(uint64_t a, uint64_t b, bool tie_upward) {
         const uint64_t high = F == 0 ? 0 : a >> (63 - (F - 1));
         // The integer part takes at least 64 bits.
-        if (high >= b) return magnitude_overflow<int64_t>;
+        if (high >= b) return magnitude_overflow<int64_t>();
         const Division128 division = divide_full(high, a << F, b);
-        if (division.quotient >> 63 != 0) return magnitude_overflow<int64_t>;
+        if (division.quotient >> 63 != 0) return magnitude_overflow<int64_t>();
         const uint64_t rest = division.remainder, other = b - rest;
         return division.quotient + (tie_upward ? rest >= other : rest > other);
     }
 };
 
 template <class Raw, int F>
-constexpr Raw divide(Raw a, Raw b) {
-    if (b == 0) return a > 0 ? raw_max<Raw> : a < 0 ? raw_min<Raw> : Raw(0);
+FIXEDPOINT_CONSTEXPR Raw divide(Raw a, Raw b) {
+    if (b == 0) return a > 0 ? RawLimits<Raw>::max : a < 0 ? RawLimits<Raw>::min : Raw(0);
     const bool negative = (a < 0) != (b < 0);
     return clamped_with_sign<Raw>(
         WideQuotient<Raw, F>::rounded(magnitude(a), magnitude(b), !negative), negative);

@@ -9,13 +9,13 @@ namespace fixedpoint {
 namespace portable {
 
 template <class Raw, int F>
-constexpr Raw divide_widening(Raw a, Raw b) {
+FIXEDPOINT_CONSTEXPR Raw divide_widening(Raw a, Raw b) {
     const Unsigned<Raw> dividend = magnitude(a);
-    const bool fits = F == 0 || dividend >> (F == 0 ? 0 : width_of<Raw> - F) == 0;
+    const bool fits = F == 0 || dividend >> (F == 0 ? 0 : RawLimits<Raw>::width - F) == 0;
     if (!fits || b == 0) return divide<Raw, F>(a, b);
     const bool negative = (a < 0) != (b < 0);
     return clamped_with_sign<Raw>(
-        rounded_quotient<Raw>(static_cast<Unsigned<Raw>>(dividend << F % width_of<Raw>),
+        rounded_quotient<Raw>(static_cast<Unsigned<Raw>>(dividend << F % RawLimits<Raw>::width),
                               magnitude(b), !negative),
         negative);
 }

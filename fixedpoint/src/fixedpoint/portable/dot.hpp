@@ -9,7 +9,7 @@ namespace fixedpoint {
 namespace portable {
 
 template <class Raw, int F>
-constexpr Raw dot(const Raw* a, const Raw* b, int n) {
+FIXEDPOINT_CONSTEXPR Raw dot(const Raw* a, const Raw* b, int n) {
     DoubleWord<Raw> sum = exact_product(a[0], b[0]);
     for (int i = 1; i < n; ++i) {
         sum = static_cast<DoubleWord<Raw>>(sum + exact_product(a[i], b[i]));

@@ -12,9 +12,9 @@ namespace portable {
 
 template <class Raw>
 struct DoubleWordOf {
-    using Type = UnsignedInteger<2 * width_of<Raw>>;
+    using Type = UnsignedInteger<2 * RawLimits<Raw>::width>;
     static constexpr Unsigned<Raw> high(Type a) {
-        return static_cast<Unsigned<Raw>>(a >> width_of<Raw>);
+        return static_cast<Unsigned<Raw>>(a >> RawLimits<Raw>::width);
     }
     static constexpr Unsigned<Raw> low(Type a) { return static_cast<Unsigned<Raw>>(a); }
     static constexpr Type square(Unsigned<Raw> a) {
@@ -27,7 +27,7 @@ struct DoubleWordOf<int64_t> {
     using Type = Word128;
     static constexpr uint64_t high(Type a) { return a.high; }
     static constexpr uint64_t low(Type a) { return a.low; }
-    static constexpr Type square(uint64_t a) {
+    static FIXEDPOINT_CONSTEXPR Type square(uint64_t a) {
         const Wide128 product = multiply_full(a, a);
         return {product.high, product.low};
     }
@@ -42,7 +42,7 @@ constexpr DoubleWord<Raw> square(Raw a) {
     return DoubleWordOf<Raw>::square(magnitude(a));
 }
 template <class Raw>
-constexpr DoubleWord<Raw> sum_of_squares(const Raw* a, int n) {
+FIXEDPOINT_CONSTEXPR DoubleWord<Raw> sum_of_squares(const Raw* a, int n) {
     DoubleWord<Raw> sum = square(a[0]);
     for (int i = 1; i < n; ++i) sum = static_cast<DoubleWord<Raw>>(sum + square(a[i]));
     return sum;

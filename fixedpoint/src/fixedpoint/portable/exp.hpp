@@ -12,7 +12,8 @@ namespace portable {
 // Twice as wide as the result, and at least 32 bits: e^a has W - 1 significant bits where it is
 // large, and the argument has six bits before the point.
 template <class Raw>
-using ExponentialWord = DoubleWord<Integer<(width_of<Raw> < 16 ? 16 : width_of<Raw>)>>;
+using ExponentialWord =
+    DoubleWord<Integer<(RawLimits<Raw>::width < 16 ? 16 : RawLimits<Raw>::width)>>;
 
 // e^a 2^-k, from 1 to 2.1, with Bits - 3 fraction bits, by pseudo-multiplication (J. E. Meggitt,
 // "Pseudo division and pseudo multiplication processes", 1962). `rest` is a - k ln 2, from 0 to
@@ -20,7 +21,7 @@ using ExponentialWord = DoubleWord<Integer<(width_of<Raw> < 16 ? 16 : width_of<R
 // the result by 1 + 2^-i, and of what is left below 2^-steps, whose own factor differs from 1 +
 // rest by less than 2^-(W + 2).
 template <int W, class Word>
-constexpr Word exponential_mantissa(Word rest) {
+FIXEDPOINT_CONSTEXPR Word exponential_mantissa(Word rest) {
     using Constants = PseudoDivisionConstants<Word>;
     constexpr int bits = static_cast<int>(8 * sizeof(Word));
     constexpr int steps = (W + 2) / 2;
@@ -48,14 +49,14 @@ constexpr Word exponential_mantissa(Word rest) {
 
 // For every format; small, as it has no table but the word's few ln(1 + 2^-i).
 template <class Raw, int F>
-constexpr Raw exp_small(Raw a) {
+FIXEDPOINT_CONSTEXPR Raw exp_small(Raw a) {
     using Word = ExponentialWord<Raw>;
     constexpr int bits = static_cast<int>(8 * sizeof(Word));
-    constexpr int W = width_of<Raw>;
+    constexpr int W = RawLimits<Raw>::width;
 
     // 2^63 and 2^-65 are the limits of any format.
     const Raw whole = static_cast<Raw>(a >> F);
-    if (whole > 44) return raw_max<Raw>;
+    if (whole > 44) return RawLimits<Raw>::max;
     if (whole < -46) return 0;
 
     // k = floor(a / ln 2) or, where a is less than 0.04 above a multiple of ln 2, one less.
@@ -64,7 +65,7 @@ constexpr Raw exp_small(Raw a) {
     const int k = static_cast<int>((sixty_fourths * 1477 - 1000) >> 16);
 
     const int exponent = k + F;
-    if (exponent >= W - 1) return raw_max<Raw>;
+    if (exponent >= W - 1) return RawLimits<Raw>::max;
     if (exponent < -2) return 0;
 
     const Word position = Word(magnitude(a)) << (bits - 6 - F);
@@ -82,7 +83,7 @@ constexpr Raw exp(Raw a) {
 }
 
 template <>
-constexpr int32_t exp<int32_t, 16>(int32_t a) {
+FIXEDPOINT_CONSTEXPR int32_t exp<int32_t, 16>(int32_t a) {
     return exp_q16_16(a);
 }
 

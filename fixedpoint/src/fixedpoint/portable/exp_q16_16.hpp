@@ -10,7 +10,7 @@ namespace portable {
 
 // e^node (1 + growth) 2^23 from the upper three bytes of the power; growth in units of 2^-24, of
 // which 16 bits count.
-constexpr uint32_t grown_power_24(uint8_t node, int16_t growth) {
+FIXEDPOINT_CONSTEXPR uint32_t grown_power_24(uint8_t node, int16_t growth) {
     const uint32_t power = read_program_memory(ExpTable<>::power[node]) >> 8;
     const int32_t power1 = power >> 8 & 0xff, power2 = static_cast<int32_t>(power >> 16);
     const int32_t growth1 = growth >> 8, growth0 = growth & 0xff;
@@ -19,7 +19,7 @@ constexpr uint32_t grown_power_24(uint8_t node, int16_t growth) {
 }
 
 // e^node (1 + growth) 2^39, growth in units of 2^-40.
-constexpr uint64_t grown_power_40(uint8_t node, int32_t growth) {
+FIXEDPOINT_CONSTEXPR uint64_t grown_power_40(uint8_t node, int32_t growth) {
     const uint32_t power = read_program_memory(ExpTable<>::power[node]);
     const int32_t power1 = power & 0xff, power2 = power >> 8 & 0xff, power3 = power >> 16 & 0xff,
                   power4 = static_cast<int32_t>(power >> 24);
@@ -34,7 +34,7 @@ constexpr uint64_t grown_power_40(uint8_t node, int32_t growth) {
            static_cast<uint64_t>(high * 256 + low);
 }
 
-constexpr int32_t exp_q16_16(int32_t a) {
+FIXEDPOINT_CONSTEXPR int32_t exp_q16_16(int32_t a) {
     const int32_t whole = a >> 16;
     if (whole == ((a & 0x8000) != 0 ? -1 : 0)) {
         const int16_t growth = static_cast<int16_t>(((a & 0xff) - 128) * 256);
@@ -42,10 +42,10 @@ constexpr int32_t exp_q16_16(int32_t a) {
                                     7);
     }
     if (whole < -12) return 0;
-    if (whole > 10) return raw_max<int32_t>;
+    if (whole > 10) return RawLimits<int32_t>::max;
 
     // k + 17, k being about x / ln 2 less up to 0.7: x - k ln 2 is between -0.26 and 0.49.
-    const int k = ((whole + 12) * 185 + ((a >> 8 & 0xff) * 185 >> 8)) >> 7;
+    const int k = static_cast<int>(((whole + 12) * 185 + ((a >> 8 & 0xff) * 185 >> 8)) >> 7);
     const uint16_t position = static_cast<uint16_t>(a + read_program_memory(ExpTable<>::offset[k]));
     const uint32_t tail = read_program_memory(ExpTable<>::tail[k]);
     uint8_t node = static_cast<uint8_t>(position >> 8);
@@ -73,7 +73,7 @@ constexpr int32_t exp_q16_16(int32_t a) {
     const uint64_t mantissa = grown_power_40(node, static_cast<int32_t>(growth));
     if (k >= 32) {
         const uint32_t result = static_cast<uint32_t>(((mantissa >> 7) + 1) >> 1);
-        return result >> 31 != 0 ? raw_max<int32_t> : static_cast<int32_t>(result);
+        return result >> 31 != 0 ? RawLimits<int32_t>::max : static_cast<int32_t>(result);
     }
     const uint64_t scaled = mantissa << factor_bits;
     const int shift = 8 * (5 - (k >> 3));

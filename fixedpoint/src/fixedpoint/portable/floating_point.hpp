@@ -25,7 +25,7 @@ struct FloatLayout<8> {
 };
 
 template <class Float>
-constexpr typename FloatLayout<sizeof(Float)>::Bits bits_of(Float x) {
+FIXEDPOINT_CONSTEXPR typename FloatLayout<sizeof(Float)>::Bits bits_of(Float x) {
     using Bits = typename FloatLayout<sizeof(Float)>::Bits;
 #ifdef __AVR__
     // Not a constant expression for this compiler, but folded where x is a constant.
@@ -39,27 +39,27 @@ constexpr typename FloatLayout<sizeof(Float)>::Bits bits_of(Float x) {
 
 // x rounded to nearest, half up, and saturated; NaN gives 0, which does not fit.
 template <class Raw, int F, class Float>
-constexpr Converted<Raw> from_float(Float x) {
+FIXEDPOINT_CONSTEXPR Converted<Raw> from_float(Float x) {
     using Layout = FloatLayout<sizeof(Float)>;
     using Bits = typename Layout::Bits;
-    using Word = UnsignedInteger<(sizeof(Raw) > sizeof(Bits)) ? 64 : width_of<Bits>>;
+    using Word = UnsignedInteger<(sizeof(Raw) > sizeof(Bits)) ? 64 : RawLimits<Bits>::width>;
     constexpr int m = Layout::mantissa_bits;
     constexpr int exponent_mask = 2 * Layout::exponent_bias + 1;
 
     const Bits bits = bits_of(x);
-    const bool negative = (bits >> (width_of<Bits> - 1)) != 0;
+    const bool negative = (bits >> (RawLimits<Bits>::width - 1)) != 0;
     const int exponent = static_cast<int>(bits >> m) & exponent_mask;
     const Bits fraction = bits & ((Bits(1) << m) - 1);
-    const Converted<Raw> clamped = {negative ? raw_min<Raw> : raw_max<Raw>, false};
+    const Converted<Raw> clamped = {negative ? RawLimits<Raw>::min : RawLimits<Raw>::max, false};
     if (exponent == exponent_mask) return fraction != 0 ? Converted<Raw>{0, false} : clamped;
 
     // |x| 2^F = mantissa 2^shift. Subnormals need not be told apart: below 2^-125 all is far less
     // than half an ulp of any format.
     Word mantissa = fraction | (Bits(1) << m);
     const int shift = exponent - Layout::exponent_bias - m + F;
-    const Word limit = static_cast<Word>(raw_max<Raw>) + (negative ? 1 : 0);
+    const Word limit = static_cast<Word>(RawLimits<Raw>::max) + (negative ? 1 : 0);
     if (shift >= 0) {
-        if (shift >= width_of<Raw> || mantissa > (limit >> shift)) return clamped;
+        if (shift >= RawLimits<Raw>::width || mantissa > (limit >> shift)) return clamped;
         mantissa <<= shift;
     } else if (-shift > m + 2) {
         mantissa = 0;

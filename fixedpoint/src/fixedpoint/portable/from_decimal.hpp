@@ -11,10 +11,11 @@ namespace portable {
 // n / 10^decimals, rounded to nearest, half up, and saturated: from_decimal(38, 2) is
 // 0.38. n is a signed integer of any width.
 template <class Raw, int F, class Int>
-constexpr Converted<Raw> from_decimal(Int n, uint8_t decimals) {
+FIXEDPOINT_CONSTEXPR Converted<Raw> from_decimal(Int n, uint8_t decimals) {
     static_assert(Int(-1) < Int(1), "from_decimal takes a signed integer.");
-    using Word = UnsignedInteger<(width_of<Raw> > 32 || width_of<Int> > 32) ? 64 : 32>;
-    Word integer = magnitude<Integer<width_of<Int>>>(n);
+    using Word =
+        UnsignedInteger<(RawLimits<Raw>::width > 32 || RawLimits<Int>::width > 32) ? 64 : 32>;
+    Word integer = magnitude<Integer<RawLimits<Int>::width>>(n);
     DecimalFraction<Word> fraction = {0, false};
     for (; decimals > 0; --decimals) {
         fraction.prepend(static_cast<uint8_t>(integer % 10));

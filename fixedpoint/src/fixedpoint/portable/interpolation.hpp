@@ -8,7 +8,7 @@ namespace fixedpoint {
 namespace portable {
 
 // slope * fraction / 2^16 from three of the four byte products, two of them without their low byte.
-constexpr uint16_t rise(uint16_t slope, uint16_t fraction) {
+FIXEDPOINT_CONSTEXPR uint16_t rise(uint16_t slope, uint16_t fraction) {
     const uint16_t slope_high = slope >> 8, slope_low = slope & 0xff;
     const uint16_t fraction_high = fraction >> 8, fraction_low = fraction & 0xff;
     return static_cast<uint16_t>(slope_high * fraction_high + (slope_high * fraction_low >> 8) +
@@ -17,13 +17,13 @@ constexpr uint16_t rise(uint16_t slope, uint16_t fraction) {
 
 // `position`: the interval in bits 16..23, the fraction of it in bits 0..15.
 template <class Table>
-constexpr uint32_t interpolate_rising(uint32_t position) {
+FIXEDPOINT_CONSTEXPR uint32_t interpolate_rising(uint32_t position) {
     const uint8_t interval = static_cast<uint8_t>(position >> 16);
     return read_program_memory(Table::value[interval]) +
            rise(read_program_memory(Table::slope[interval]), static_cast<uint16_t>(position));
 }
 template <class Table>
-constexpr uint32_t interpolate_falling(uint32_t position) {
+FIXEDPOINT_CONSTEXPR uint32_t interpolate_falling(uint32_t position) {
     const uint8_t interval = static_cast<uint8_t>(position >> 16);
     return read_program_memory(Table::value[interval]) -
            rise(read_program_memory(Table::slope[interval]), static_cast<uint16_t>(position));

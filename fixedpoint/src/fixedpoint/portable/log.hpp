@@ -18,9 +18,9 @@ namespace portable {
 // product's 2^-(i-1), the largest step left: twice that fits. Once a step changes the product too
 // little to matter, 2^-2i < 2^-(F + 3), the steps become the long division of the rest by it.
 template <int F, class Word>
-constexpr Word mantissa_logarithm(Word mantissa) {
+FIXEDPOINT_CONSTEXPR Word mantissa_logarithm(Word mantissa) {
     using Constants = PseudoDivisionConstants<Word>;
-    constexpr int bits = cordic_bits<Word>;
+    constexpr int bits = cordic_bits<Word>();
     constexpr int factors = (F + 5) / 2;
     constexpr int steps = F + 4;
 
@@ -45,14 +45,14 @@ constexpr Word mantissa_logarithm(Word mantissa) {
 
 // For every format; small, as it has no table but the word's few ln(1 + 2^-i).
 template <class Raw, int F>
-constexpr Raw log_small(Raw a) {
+FIXEDPOINT_CONSTEXPR Raw log_small(Raw a) {
     using Word = CordicWord<F>;
-    constexpr int surplus = cordic_bits<Word> - 6 - F;
+    constexpr int surplus = cordic_bits<Word>() - 6 - F;
 
-    if (a <= 0) return raw_min<Raw>;
+    if (a <= 0) return RawLimits<Raw>::min;
     Unsigned<Raw> normalised = static_cast<Unsigned<Raw>>(a);
-    int exponent = width_of<Raw> - 1 - F;
-    while ((normalised >> (width_of<Raw> - 1)) == 0) {
+    int exponent = RawLimits<Raw>::width - 1 - F;
+    while ((normalised >> (RawLimits<Raw>::width - 1)) == 0) {
         normalised = static_cast<Unsigned<Raw>>(normalised << 1);
         --exponent;
     }
@@ -70,7 +70,7 @@ constexpr Raw log(Raw a) {
 }
 
 template <>
-constexpr int32_t log<int32_t, 16>(int32_t a) {
+FIXEDPOINT_CONSTEXPR int32_t log<int32_t, 16>(int32_t a) {
     return log_q16_16(a);
 }
 

@@ -9,8 +9,8 @@
 namespace fixedpoint {
 namespace portable {
 
-constexpr int32_t log_q16_16(int32_t a) {
-    if (a <= 0) return raw_min<int32_t>;
+FIXEDPOINT_CONSTEXPR int32_t log_q16_16(int32_t a) {
+    if (a <= 0) return RawLimits<int32_t>::min;
     uint32_t normalised = static_cast<uint32_t>(a);
     int exponent = 31;
     while (normalised >> 31 == 0) {

@@ -11,17 +11,18 @@ namespace portable {
 
 template <class Raw, int F>
 struct SaturatingMultiplication {
-    static constexpr Raw apply(Raw a, Raw b) {
-        const Wide<Raw> rounded = (static_cast<Wide<Raw>>(a) * b + ((Wide<Raw>(1) << F) >> 1)) >> F;
-        return rounded > raw_max<Raw>   ? raw_max<Raw>
-               : rounded < raw_min<Raw> ? raw_min<Raw>
-                                        : static_cast<Raw>(rounded);
+    static FIXEDPOINT_CONSTEXPR Raw apply(Raw a, Raw b) {
+        const Wide<Raw> rounded = static_cast<Wide<Raw>>(
+            (static_cast<Wide<Raw>>(a) * b + ((Wide<Raw>(1) << F) >> 1)) >> F);
+        return rounded > RawLimits<Raw>::max   ? RawLimits<Raw>::max
+               : rounded < RawLimits<Raw>::min ? RawLimits<Raw>::min
+                                               : static_cast<Raw>(rounded);
     }
 };
 
 template <int F>
 struct SaturatingMultiplication<int64_t, F> {
-    static constexpr int64_t apply(int64_t a, int64_t b) {
+    static FIXEDPOINT_CONSTEXPR int64_t apply(int64_t a, int64_t b) {
         const bool negative = (a < 0) != (b < 0);
         const Wide128 product = multiply_full(magnitude(a), magnitude(b));
         // Half an ulp, less one unit where the result is negative: a tie then goes towards zero.
@@ -30,7 +31,7 @@ struct SaturatingMultiplication<int64_t, F> {
         const uint64_t low = product.low + bias;
         const uint64_t high = product.high + (low < bias ? 1 : 0);
         if (F == 0 ? high != 0 : (high >> F) != 0)
-            return negative ? raw_min<int64_t> : raw_max<int64_t>;
+            return negative ? RawLimits<int64_t>::min : RawLimits<int64_t>::max;
         const uint64_t rounded = F == 0 ? low : (high << (63 - (F - 1))) | (low >> F);
         return clamped_with_sign<int64_t>(rounded, negative);
     }

@@ -11,10 +11,10 @@ namespace portable {
 // sqrt(high 2^W + low) to nearest, never a tie; at most `limit`. Digit by digit: two bits of the
 // radicand make one bit of the root. A limit of 2^(W-1) comes out as the smallest number, which is
 // its negative.
-template <class Raw, Unsigned<Raw> limit = static_cast<Unsigned<Raw>>(raw_max<Raw>)>
-constexpr Raw nearest_root(Unsigned<Raw> high, Unsigned<Raw> low) {
+template <class Raw, Unsigned<Raw> limit = static_cast<Unsigned<Raw>>(RawLimits<Raw>::max)>
+FIXEDPOINT_CONSTEXPR Raw nearest_root(Unsigned<Raw> high, Unsigned<Raw> low) {
     using Word = Unsigned<Raw>;
-    constexpr int W = width_of<Raw>;
+    constexpr int W = RawLimits<Raw>::width;
     constexpr Word quarter = static_cast<Word>(Word(1) << (W - 2));
     if (high >= quarter) return static_cast<Raw>(limit);
     Word root = 0, remainder = 0, digits = high;
@@ -43,16 +43,18 @@ constexpr Raw nearest_root(Unsigned<Raw> high, Unsigned<Raw> low) {
 }
 
 template <class Raw>
-constexpr Raw nearest_root(DoubleWord<Raw> radicand) {
+FIXEDPOINT_CONSTEXPR Raw nearest_root(DoubleWord<Raw> radicand) {
     return nearest_root<Raw>(DoubleWordOf<Raw>::high(radicand), DoubleWordOf<Raw>::low(radicand));
 }
 
 // sqrt(numerator 2^doublings / denominator) to nearest, half up; at most `limit`, as above. Needs
 // numerator < 2 denominator. Number is any unsigned integer that holds the two.
-template <class Raw, class Number, Unsigned<Raw> limit = static_cast<Unsigned<Raw>>(raw_max<Raw>)>
-constexpr Raw nearest_root_of_ratio(Number numerator, Number denominator, int doublings) {
+template <class Raw, class Number,
+          Unsigned<Raw> limit = static_cast<Unsigned<Raw>>(RawLimits<Raw>::max)>
+FIXEDPOINT_CONSTEXPR Raw nearest_root_of_ratio(Number numerator, Number denominator,
+                                               int doublings) {
     using Word = Unsigned<Raw>;
-    constexpr int W = width_of<Raw>;
+    constexpr int W = RawLimits<Raw>::width;
     Word high = 0, low = 0;
     Number remainder = numerator;
     bool carry = false;

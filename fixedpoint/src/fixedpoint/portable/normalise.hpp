@@ -13,7 +13,9 @@ namespace portable {
 
 // Whether the numbers of a format have four bits above 2^F for normalise_by_length to scale in.
 template <class Raw, int F>
-constexpr bool normalises_by_length = sizeof(Raw) >= 4 && F <= width_of<Raw> - 5;
+constexpr bool normalises_by_length() {
+    return sizeof(Raw) >= 4 && F <= RawLimits<Raw>::width - 5;
+}
 
 // v / |v| by the length and the division of Operations, a class with these of Raw and F.
 //
@@ -22,13 +24,14 @@ constexpr bool normalises_by_length = sizeof(Raw) >= 4 && F <= width_of<Raw> - 5
 // in a component, and the division 1/2. Halved and rounded, each component is up to 1/2 off, the
 // length up to sqrt(3) / 2 + 1/2, of at least 2^(W - 3) >= 2^(F + 2): 0.47 ulp together.
 template <class Raw, int F, class Operations>
-constexpr void normalise_by_length(const Raw* v, Raw* unit) {
-    constexpr int W = width_of<Raw>, room = W - 4 - F, step = room < 8 ? room : 8;
+FIXEDPOINT_CONSTEXPR void normalise_by_length(const Raw* v, Raw* unit) {
+    constexpr int W = RawLimits<Raw>::width, room = W - 4 - F, step = room < 8 ? room : 8;
     Raw scaled[3] = {v[0], v[1], v[2]};
     // Has the largest component's leading one, or, of -2^n, a lower one, but no lower than bit 0.
     Unsigned<Raw> largest = (v[0] | v[1] | v[2]) != 0;
     for (const Raw component : scaled) {
-        largest = static_cast<Unsigned<Raw>>(largest | (component < 0 ? ~component : component));
+        largest = static_cast<Unsigned<Raw>>(
+            largest | static_cast<Unsigned<Raw>>(component < 0 ? ~component : component));
     }
     if (largest >> (W - 2) != 0) {
         for (Raw& component : scaled) {
@@ -49,16 +52,16 @@ struct LengthAndDivision {
     static constexpr Raw divide(Raw a, Raw b) { return portable::divide<Raw, F>(a, b); }
 };
 
-template <class Raw, int F, bool by_length = normalises_by_length<Raw, F>>
+template <class Raw, int F, bool by_length = normalises_by_length<Raw, F>()>
 struct Normalisation {
-    static constexpr void apply(const Raw* v, Raw* unit) {
+    static FIXEDPOINT_CONSTEXPR void apply(const Raw* v, Raw* unit) {
         normalise_by_length<Raw, F, LengthAndDivision<Raw, F>>(v, unit);
     }
 };
 
 template <class Raw, int F>
 struct Normalisation<Raw, F, false> {
-    static constexpr void apply(const Raw* v, Raw* unit) {
+    static FIXEDPOINT_CONSTEXPR void apply(const Raw* v, Raw* unit) {
         const DoubleWord<Raw> length_squared = sum_of_squares(v, 3);
         for (int i = 0; i < 3; ++i) {
             // The zero vector has no ratio; a zero component needs none. With one integer bit -1 is
@@ -66,7 +69,8 @@ struct Normalisation<Raw, F, false> {
             if (v[i] < 0) {
                 unit[i] = wrapping_negate(
                     nearest_root_of_ratio<Raw, DoubleWord<Raw>,
-                                          Unsigned<Raw>(Unsigned<Raw>(1) << (width_of<Raw> - 1))>(
+                                          Unsigned<Raw>(Unsigned<Raw>(1)
+                                                        << (RawLimits<Raw>::width - 1))>(
                         square(v[i]), length_squared, 2 * F));
             } else {
                 unit[i] = v[i] == 0
@@ -80,11 +84,12 @@ struct Normalisation<Raw, F, false> {
 // The steps of the kernel; their error budget is in avr/normalise3_q16_16.S.
 template <>
 struct Normalisation<int32_t, 16, true> {
-    static constexpr void apply(const int32_t* v, int32_t* unit) {
+    static FIXEDPOINT_CONSTEXPR void apply(const int32_t* v, int32_t* unit) {
         uint32_t scaled[3] = {};
         uint32_t largest = 0;
         for (int i = 0; i < 3; ++i) {
-            scaled[i] = v[i] == raw_min<int32_t> ? magnitude(raw_max<int32_t>) : magnitude(v[i]);
+            scaled[i] = v[i] == RawLimits<int32_t>::min ? magnitude(RawLimits<int32_t>::max)
+                                                        : magnitude(v[i]);
             largest |= scaled[i];
         }
         if (largest == 0) {
@@ -116,7 +121,7 @@ struct Normalisation<int32_t, 16, true> {
 };
 
 template <class Raw, int F>
-constexpr void normalise3(const Raw* v, Raw* unit) {
+FIXEDPOINT_CONSTEXPR void normalise3(const Raw* v, Raw* unit) {
     Normalisation<Raw, F>::apply(v, unit);
 }
 

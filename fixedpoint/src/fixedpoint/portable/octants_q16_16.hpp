@@ -11,7 +11,8 @@ namespace portable {
 // `first` is the angle of the vector folded into the first octant, with 24 fraction bits and half
 // an ulp of Q16.16 for rounding. The octant is `steep` (beyond pi/4 from the x axis), `left` (x <
 // 0) and `below` (y < 0).
-constexpr int32_t angle_in_octant_q16_16(uint32_t first, bool steep, bool left, bool below) {
+FIXEDPOINT_CONSTEXPR int32_t angle_in_octant_q16_16(uint32_t first, bool steep, bool left,
+                                                    bool below) {
     constexpr uint32_t half_pi = 26353589, pi = 52707179, ulp = 256;
     // Where the angle is taken off, so is the half ulp.
     const uint32_t angle = steep ? (left ? half_pi + first : half_pi + ulp - first)

@@ -13,7 +13,7 @@ constexpr DoubleWord<Raw> exact_product(Raw a, Raw b) {
     return static_cast<DoubleWord<Raw>>(static_cast<Wide<Raw>>(a) * b);
 }
 template <>
-constexpr Word128 exact_product<int64_t>(int64_t a, int64_t b) {
+FIXEDPOINT_CONSTEXPR Word128 exact_product<int64_t>(int64_t a, int64_t b) {
     // Two's complement: the signed product is the unsigned one less b 2^64 where a < 0 and
     // a 2^64 where b < 0.
     const Wide128 product = multiply_full(static_cast<uint64_t>(a), static_cast<uint64_t>(b));
@@ -24,7 +24,7 @@ constexpr Word128 exact_product<int64_t>(int64_t a, int64_t b) {
 
 // floor(sum / 2^F + 1/2) modulo 2^W. The carry out of 2W bits lies beyond the result, F <= W.
 template <class Raw, int F>
-constexpr Raw round_product_sum(DoubleWord<Raw> sum) {
+FIXEDPOINT_CONSTEXPR Raw round_product_sum(DoubleWord<Raw> sum) {
     using Sum = DoubleWord<Raw>;
     const Sum half = static_cast<Sum>(Sum(uint8_t(F != 0)) << (F == 0 ? 0 : F - 1));
     return static_cast<Raw>(static_cast<Sum>(sum + half) >> F);

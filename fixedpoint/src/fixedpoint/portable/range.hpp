@@ -11,20 +11,22 @@ namespace fixedpoint {
 namespace portable {
 
 template <class Raw, int F>
-constexpr int integer_bits = width_of<Raw> - F;
+constexpr int integer_bits_of() {
+    return RawLimits<Raw>::width - F;
+}
 
 // a 2^count, which shifted back gives a.
 template <class Raw>
 constexpr bool shift_left_fits(Raw a, unsigned char count) {
-    return a == 0 ||
-           (count < width_of<Raw> && static_cast<Raw>(wrapping_shift_left(a, count) >> count) == a);
+    return a == 0 || (count < RawLimits<Raw>::width &&
+                      static_cast<Raw>(wrapping_shift_left(a, count) >> count) == a);
 }
 
 // 2^(3F/2) / sqrt(a) >= 2^(W-1) - 1/2. With e = 3F + 2 - 2W that is a <= 2^e (1 + 2^(1-W) + ...),
 // and the bracket adds nothing to the integer a, e being at most W - 1. Needs a > 0.
 template <class Raw, int F>
-constexpr bool reciprocal_sqrt_fits(Raw a) {
-    constexpr int e = 3 * F + 2 - 2 * width_of<Raw>;
+FIXEDPOINT_CONSTEXPR bool reciprocal_sqrt_fits(Raw a) {
+    constexpr int e = 3 * F + 2 - 2 * RawLimits<Raw>::width;
     return e < 0 || static_cast<Raw>(a - 1) >> (e < 0 ? 0 : e) != 0;
 }
 
@@ -33,35 +35,35 @@ constexpr bool reciprocal_sqrt_fits(Raw a) {
 template <class Raw, int F>
 constexpr bool cos_fits(Raw a) {
     using Square = DoubleWord<Raw>;
-    return integer_bits<Raw, F> > 1 ||
-           square(a) >= static_cast<Square>(Square(uint8_t(1)) << (width_of<Raw> - 1));
+    return integer_bits_of<Raw, F>() > 1 ||
+           square(a) >= static_cast<Square>(Square(uint8_t(1)) << (RawLimits<Raw>::width - 1));
 }
 
 // e^a >= 2^(I-1) - 2^-(F+1) from a = (I - 1) ln 2 - 2^-W on, rounded up to an ulp.
 template <class Raw, int F>
-constexpr Raw exp_limit() {
+FIXEDPOINT_CONSTEXPR Raw exp_limit() {
     // ln(2) 2^120
     constexpr Word128 ln2(0xb17217f7d1cf79, 0xabc9e3b39803f2f6);
-    constexpr int W = width_of<Raw>;
-    if (integer_bits<Raw, F> == 1) return 0;
+    constexpr int W = RawLimits<Raw>::width;
+    if (integer_bits_of<Raw, F>() == 1) return 0;
     const Word128 limit =
-        ln2 * static_cast<uint64_t>(integer_bits<Raw, F> - 1) - (Word128(1) << (120 - W));
+        ln2 * static_cast<uint64_t>(integer_bits_of<Raw, F>() - 1) - (Word128(1) << (120 - W));
     return static_cast<Raw>((limit + ((Word128(1) << (120 - F)) - Word128(1))) >> (120 - F));
 }
 template <class Raw, int F>
-constexpr bool exp_fits(Raw a) {
-    constexpr Raw limit = exp_limit<Raw, F>();
+FIXEDPOINT_CONSTEXPR bool exp_fits(Raw a) {
+    const Raw limit = exp_limit<Raw, F>();
     return a < limit;
 }
 
 // ln(a) < -2^(I-1) - 2^-(F+1) below a = e^-2^(I-1) (1 - d + d^2 / 2), d = 2^-(F+1). Of the numbers
 // of a format with seven integer bits or more none is that small.
 template <class Raw, int F>
-constexpr Raw log_limit() {
+FIXEDPOINT_CONSTEXPR Raw log_limit() {
     // e^-2^k in units of 2^-64.
     constexpr uint64_t powers[] = {0x5e2d58d8b3bcdf1a, 0x22a555477f03973f, 0x04b0556e084f3d1d,
                                    0x0015fc21041027ac, 0x000001e355bbaee8, 0x000000000003908c};
-    constexpr int whole_bits = integer_bits<Raw, F>;
+    constexpr int whole_bits = integer_bits_of<Raw, F>();
     if (whole_bits > 6) return 0;
     const uint64_t power = powers[whole_bits > 6 ? 0 : whole_bits - 1];
     const uint64_t first_order = power >> F >> 1;
@@ -70,8 +72,8 @@ constexpr Raw log_limit() {
 }
 // Needs a > 0.
 template <class Raw, int F>
-constexpr bool log_fits(Raw a) {
-    constexpr Raw limit = log_limit<Raw, F>();
+FIXEDPOINT_CONSTEXPR bool log_fits(Raw a) {
+    const Raw limit = log_limit<Raw, F>();
     return a > limit;
 }
 
@@ -80,8 +82,8 @@ constexpr bool log_fits(Raw a) {
 // The constants have 62 bits: with 64-bit operands the limit is that of the angle to 2^-61, closer
 // than the function itself comes to it.
 template <class Raw, int F>
-constexpr bool atan2_fits(Raw y, Raw x) {
-    constexpr int whole_bits = integer_bits<Raw, F>;
+FIXEDPOINT_CONSTEXPR bool atan2_fits(Raw y, Raw x) {
+    constexpr int whole_bits = integer_bits_of<Raw, F>();
     if (whole_bits > 2) return true;
     if (y == 0) return x >= 0;
     // |cot(c)|, 1 + cot(c)^2 and their product, in units of 2^-62: the terms of d^0, d and d^2.
@@ -99,9 +101,9 @@ constexpr bool atan2_fits(Raw y, Raw x) {
 // the other squares that is 4 v[i]^2 > n (2^(F+2) - 3), but for a rest below 1 of the integers; and
 // it cannot be where n >= 2^F.
 template <class Raw, int F>
-constexpr bool normalised_fits(const Raw* v, int i) {
+FIXEDPOINT_CONSTEXPR bool normalised_fits(const Raw* v, int i) {
     using Square = DoubleWord<Raw>;
-    if (integer_bits < Raw, F >> 1 || v[i] <= 0) return true;
+    if (integer_bits_of<Raw, F>() > 1 || v[i] <= 0) return true;
     const Square rest = static_cast<Square>(square(v[(i + 1) % 3]) + square(v[(i + 2) % 3]));
     const Square one = Square(uint8_t(1));
     if (rest >= static_cast<Square>(one << F)) return true;

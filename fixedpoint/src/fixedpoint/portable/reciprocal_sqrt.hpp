@@ -17,13 +17,13 @@ template <class Raw, int F>
 constexpr Raw nearest_reciprocal_sqrt(Raw a) {
     using Word = Unsigned<Raw>;
     return a < 0    ? Raw(0)
-           : a == 0 ? raw_max<Raw>
+           : a == 0 ? RawLimits<Raw>::max
                     : nearest_root_of_ratio<Raw, Word>(1, static_cast<Word>(a), 3 * F);
 }
 
 // 2^38 / sqrt(radicand) less than 6 from the exact value, below 2^23. Needs a radicand of at least
 // 2^30 and looks at its upper 24 bits; tables/reciprocal_sqrt.py gives the formula.
-constexpr uint32_t reciprocal_root_mantissa(uint32_t radicand) {
+FIXEDPOINT_CONSTEXPR uint32_t reciprocal_root_mantissa(uint32_t radicand) {
     const int h = static_cast<int>(radicand >> 24) - 64;
     const uint32_t l = radicand >> 16 & 0xff, x = radicand >> 8 & 0xff;
     const uint32_t slope = read_program_memory(ReciprocalSqrtTable<>::slope[h]);
@@ -33,7 +33,7 @@ constexpr uint32_t reciprocal_root_mantissa(uint32_t radicand) {
            l * (slope >> 8) - (x * (slope >> 8) >> 8) - parabola;
 }
 
-constexpr int32_t reciprocal_sqrt_q16_16(int32_t a) {
+FIXEDPOINT_CONSTEXPR int32_t reciprocal_sqrt_q16_16(int32_t a) {
     if (a < 64) return nearest_reciprocal_sqrt<int32_t, 16>(a);
     uint32_t radicand = static_cast<uint32_t>(a);
     // The kernel drops the last byte of four before it normalises.
@@ -51,7 +51,7 @@ constexpr int32_t reciprocal_sqrt_q16_16(int32_t a) {
 // a 4^k is at least 2^54, so that its root s, half a unit off, is at least 2^43, and the quotient
 // 2^(64 + k) / s is off by 2^48 / sqrt(a) / 2^44 at most for that: 1/8 ulp from a = 2^14 on.
 template <class Operations>
-constexpr int64_t reciprocal_sqrt_by_division(int64_t a) {
+FIXEDPOINT_CONSTEXPR int64_t reciprocal_sqrt_by_division(int64_t a) {
     if (a < int64_t(1) << 14) return nearest_reciprocal_sqrt<int64_t, 32>(a);
     int64_t numerator = int64_t(1) << 32;
     for (; a >> 54 == 0; a = a << 8) numerator = numerator << 4;
@@ -59,8 +59,8 @@ constexpr int64_t reciprocal_sqrt_by_division(int64_t a) {
 }
 
 struct SqrtAndDivision {
-    static constexpr int64_t sqrt(int64_t a) { return portable::sqrt<int64_t, 32>(a); }
-    static constexpr int64_t divide(int64_t a, int64_t b) {
+    static FIXEDPOINT_CONSTEXPR int64_t sqrt(int64_t a) { return portable::sqrt<int64_t, 32>(a); }
+    static FIXEDPOINT_CONSTEXPR int64_t divide(int64_t a, int64_t b) {
         return portable::divide<int64_t, 32>(a, b);
     }
 };
@@ -71,11 +71,11 @@ struct ReciprocalSqrt {
 };
 template <>
 struct ReciprocalSqrt<int32_t, 16> {
-    static constexpr int32_t apply(int32_t a) { return reciprocal_sqrt_q16_16(a); }
+    static FIXEDPOINT_CONSTEXPR int32_t apply(int32_t a) { return reciprocal_sqrt_q16_16(a); }
 };
 template <>
 struct ReciprocalSqrt<int64_t, 32> {
-    static constexpr int64_t apply(int64_t a) {
+    static FIXEDPOINT_CONSTEXPR int64_t apply(int64_t a) {
         return reciprocal_sqrt_by_division<SqrtAndDivision>(a);
     }
 };

@@ -10,12 +10,14 @@ namespace portable {
 
 // The bits of a Raw that lie behind the point.
 template <class Raw, int F>
-constexpr Raw fraction_mask = static_cast<Raw>((Unsigned<Raw>(1) << F) - 1);
+constexpr Raw fraction_mask() {
+    return static_cast<Raw>((Unsigned<Raw>(1) << F) - 1);
+}
 
 // a - floor(a): what lies behind the point, in [0, 1) for negative a too.
 template <class Raw, int F>
 constexpr Raw fraction(Raw a) {
-    return static_cast<Raw>(a & fraction_mask<Raw, F>);
+    return static_cast<Raw>(a & fraction_mask<Raw, F>());
 }
 
 // The largest integer <= a / 2^F.
@@ -32,7 +34,7 @@ constexpr Raw integer_ceil(Raw a) {
 
 // The integer nearest to a / 2^F, half up: floor(a / 2^F + 1/2).
 template <class Raw, int F>
-constexpr Raw integer_round(Raw a) {
+FIXEDPOINT_CONSTEXPR Raw integer_round(Raw a) {
     // The sum a + 2^(F-1) could overflow; the bit behind the point says the same.
     constexpr Raw half = static_cast<Raw>((Unsigned<Raw>(1) << F) >> 1);
     Raw rounded = integer_floor<Raw, F>(a);
@@ -43,21 +45,21 @@ constexpr Raw integer_round(Raw a) {
 // Whether the integer n is not beyond the largest number. Needs an n that is not below the range.
 template <class Raw, int F>
 constexpr bool integral_fits(Raw n) {
-    return n <= (raw_max<Raw> >> F);
+    return n <= (RawLimits<Raw>::max >> F);
 }
 
 // The number n; the largest number where n lies beyond it.
 template <class Raw, int F>
 constexpr Raw integral_saturated_above(Raw n) {
     return !integral_fits<Raw, F>(n)
-               ? raw_max<Raw>
+               ? RawLimits<Raw>::max
                : static_cast<Raw>(static_cast<Unsigned<Raw>>(static_cast<Unsigned<Raw>>(n) << F));
 }
 
 // The largest integral number <= a; always representable.
 template <class Raw, int F>
 constexpr Raw floor(Raw a) {
-    return static_cast<Raw>(a & ~fraction_mask<Raw, F>);
+    return static_cast<Raw>(a & ~fraction_mask<Raw, F>());
 }
 
 // The smallest integral number >= a; where that integer is not representable, the largest number.

@@ -8,31 +8,33 @@ namespace fixedpoint {
 namespace portable {
 
 template <int K, class Raw>
-constexpr Raw scale_down_plain(Raw a) {
-    constexpr int shift = K == 0 || K >= width_of<Raw> ? 1 : K;
-    return K == 0 ? a : K >= width_of<Raw> ? Raw(0) : Raw((a >> shift) + (a >> (shift - 1) & 1));
+FIXEDPOINT_CONSTEXPR Raw scale_down_plain(Raw a) {
+    constexpr int shift = K == 0 || K >= RawLimits<Raw>::width ? 1 : K;
+    return K == 0                       ? a
+           : K >= RawLimits<Raw>::width ? Raw(0)
+                                        : Raw((a >> shift) + (a >> (shift - 1) & 1));
 }
 
-#ifdef __AVR__
+#if defined(__AVR__) && !defined(__clang__)
 // Whole bytes first, then bit by bit: left to itself the compiler shifts in a loop of K rounds.
 template <int K, class Raw>
 inline Raw scale_down_by_bytes(Raw a) {
     constexpr unsigned char bits = K - 1;
-    a >>= bits / 8 * 8;
+    a = static_cast<Raw>(a >> (bits / 8 * 8));
     for (unsigned char i = 0; i < bits % 8; ++i) {
-        a >>= 1;
+        a = static_cast<Raw>(a >> 1);
         __asm__("" : "+r"(a));
     }
-    if (K == 1) return (a >> 1) + (a & 1);  // a + 1 may overflow
-    a += 1;
+    if (K == 1) return static_cast<Raw>((a >> 1) + (a & 1));  // a + 1 may overflow
+    a = static_cast<Raw>(a + 1);
     __asm__("" : "+r"(a));
-    return a >> 1;
+    return static_cast<Raw>(a >> 1);
 }
 template <int K, class Raw>
 constexpr Raw scale_down(Raw a) {
-    return K == 0 || K >= width_of<Raw> || __builtin_constant_p(a)
+    return K == 0 || K >= RawLimits<Raw>::width || __builtin_constant_p(a)
                ? scale_down_plain<K>(a)
-               : scale_down_by_bytes<(K == 0 || K >= width_of<Raw> ? 1 : K)>(a);
+               : scale_down_by_bytes<(K == 0 || K >= RawLimits<Raw>::width ? 1 : K)>(a);
 }
 #else
 template <int K, class Raw>

@@ -52,9 +52,9 @@ struct UnitVector {
 // Turns by +-atan(2^-i) leave an angle below 2^-turns, whose own turn is a multiplication by it:
 // the cosine of what is left differs from 1 by less than 2^-(F + 6).
 template <int F, class Word>
-constexpr UnitVector<Word> unit_vector(Word angle) {
+FIXEDPOINT_CONSTEXPR UnitVector<Word> unit_vector(Word angle) {
     using Constants = CordicConstants<Word>;
-    constexpr int bits = cordic_bits<Word>;
+    constexpr int bits = cordic_bits<Word>();
     constexpr int turns = (F + 6) / 2;
     constexpr int angle_bits = F + 5;
 
@@ -98,7 +98,7 @@ constexpr UnitVector<Word> unit_vector(Word angle) {
 }
 
 template <class Raw, int F, class Word>
-constexpr Raw round_signed_from_cordic(Word value, bool negate) {
+FIXEDPOINT_CONSTEXPR Raw round_signed_from_cordic(Word value, bool negate) {
     const bool negative = is_negative(value);
     return round_from_cordic<Raw, F>(negative ? negated(value) : value, negative != negate);
 }
@@ -110,11 +110,11 @@ struct SineCosine {
 };
 
 template <class Raw, int F>
-constexpr SineCosine<Raw> sine_and_cosine(Raw angle) {
-    using Reduction = typename ReductionWordOf<width_of<Raw>>::Type;
+FIXEDPOINT_CONSTEXPR SineCosine<Raw> sine_and_cosine(Raw angle) {
+    using Reduction = typename ReductionWordOf<RawLimits<Raw>::width>::Type;
     using Constants = CordicConstants<Reduction>;
     using Word = CordicWord<F>;
-    constexpr int bits = cordic_bits<Reduction>;
+    constexpr int bits = cordic_bits<Reduction>();
 
     // The nearest whole number of quarter turns, or where F is 0 or 1, with too few bits of 2/pi
     // for that, one whose remainder the turns still reach.
@@ -126,7 +126,7 @@ constexpr SineCosine<Raw> sine_and_cosine(Raw angle) {
         (Reduction(positive) << (bits - 2 - F)) - Constants::half_pi() * quarters;
 
     const UnitVector<Word> unit =
-        unit_vector<F>(static_cast<Word>(remainder >> (bits - cordic_bits<Word>)));
+        unit_vector<F>(static_cast<Word>(remainder >> (bits - cordic_bits<Word>())));
     const bool odd = (quarters & 1) != 0;
     const bool beyond = (quarters & 2) != 0;
     return {round_signed_from_cordic<Raw, F>(odd ? unit.cosine : unit.sine, beyond != (angle < 0)),
@@ -143,22 +143,22 @@ constexpr Raw cos_small(Raw angle) {
     return sine_and_cosine<Raw, F>(angle).cosine;
 }
 template <class Raw, int F>
-constexpr void sincos_small(Raw angle, Raw* result) {
+FIXEDPOINT_CONSTEXPR void sincos_small(Raw angle, Raw* result) {
     const SineCosine<Raw> both = sine_and_cosine<Raw, F>(angle);
     result[0] = both.sine;
     result[1] = both.cosine;
 }
 
 template <>
-constexpr int32_t sin_small<int32_t, 16>(int32_t angle) {
+FIXEDPOINT_CONSTEXPR int32_t sin_small<int32_t, 16>(int32_t angle) {
     return sin_small_q16_16(angle);
 }
 template <>
-constexpr int32_t cos_small<int32_t, 16>(int32_t angle) {
+FIXEDPOINT_CONSTEXPR int32_t cos_small<int32_t, 16>(int32_t angle) {
     return cos_small_q16_16(angle);
 }
 template <>
-constexpr void sincos_small<int32_t, 16>(int32_t angle, int32_t* result) {
+FIXEDPOINT_CONSTEXPR void sincos_small<int32_t, 16>(int32_t angle, int32_t* result) {
     result[0] = sin_small_q16_16(angle);
     result[1] = cos_small_q16_16(angle);
 }
@@ -172,20 +172,20 @@ constexpr Raw cos(Raw angle) {
     return cos_small<Raw, F>(angle);
 }
 template <class Raw, int F>
-constexpr void sincos(Raw angle, Raw* result) {
+FIXEDPOINT_CONSTEXPR void sincos(Raw angle, Raw* result) {
     sincos_small<Raw, F>(angle, result);
 }
 
 template <>
-constexpr int32_t sin<int32_t, 16>(int32_t angle) {
+FIXEDPOINT_CONSTEXPR int32_t sin<int32_t, 16>(int32_t angle) {
     return sin_q16_16(angle);
 }
 template <>
-constexpr int32_t cos<int32_t, 16>(int32_t angle) {
+FIXEDPOINT_CONSTEXPR int32_t cos<int32_t, 16>(int32_t angle) {
     return cos_q16_16(angle);
 }
 template <>
-constexpr void sincos<int32_t, 16>(int32_t angle, int32_t* result) {
+FIXEDPOINT_CONSTEXPR void sincos<int32_t, 16>(int32_t angle, int32_t* result) {
     result[0] = sin_q16_16(angle);
     result[1] = cos_q16_16(angle);
 }

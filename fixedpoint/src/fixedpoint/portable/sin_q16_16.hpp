@@ -10,17 +10,17 @@
 namespace fixedpoint {
 namespace portable {
 
-constexpr int32_t sine_of_quarter_turns_q16_16(uint32_t turns) {
+FIXEDPOINT_CONSTEXPR int32_t sine_of_quarter_turns_q16_16(uint32_t turns) {
     const uint32_t position = fold_quarter_turns_q16_16(turns);
     const int32_t sine = static_cast<int32_t>(interpolate_rising<SineTable<>>(position) >> 7);
     return is_lower_half_turn_q16_16(turns) ? -sine : sine;
 }
 
-constexpr int32_t sin_q16_16(int32_t angle) {
+FIXEDPOINT_CONSTEXPR int32_t sin_q16_16(int32_t angle) {
     return sine_of_quarter_turns_q16_16(quarter_turns_q16_16(angle));
 }
 
-constexpr int32_t cos_q16_16(int32_t angle) {
+FIXEDPOINT_CONSTEXPR int32_t cos_q16_16(int32_t angle) {
     return sine_of_quarter_turns_q16_16(quarter_turns_q16_16(angle) + one_quarter_turn_q16_16);
 }
 

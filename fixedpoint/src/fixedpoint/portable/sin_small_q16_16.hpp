@@ -11,7 +11,7 @@ namespace portable {
 
 // sin(pi/2 x) / 2 = x (c0 - z (c1 - z (c2 - z c3))), z = x^2: the polynomial of least largest
 // error, 5.9e-7; fractions of 24 bits.
-constexpr int32_t sine_of_quarter_turns_small_q16_16(uint32_t turns) {
+FIXEDPOINT_CONSTEXPR int32_t sine_of_quarter_turns_small_q16_16(uint32_t turns) {
     constexpr uint32_t c0 = 13176750, c1 = 5418142, c2 = 666344, c3 = 36349;
     // Half an ulp in units of 2^-7 and two units for what the products cut.
     constexpr uint32_t rounding = 66;
@@ -23,11 +23,11 @@ constexpr int32_t sine_of_quarter_turns_small_q16_16(uint32_t turns) {
     return is_lower_half_turn_q16_16(turns) ? -sine : sine;
 }
 
-constexpr int32_t sin_small_q16_16(int32_t angle) {
+FIXEDPOINT_CONSTEXPR int32_t sin_small_q16_16(int32_t angle) {
     return sine_of_quarter_turns_small_q16_16(quarter_turns_q16_16(angle));
 }
 
-constexpr int32_t cos_small_q16_16(int32_t angle) {
+FIXEDPOINT_CONSTEXPR int32_t cos_small_q16_16(int32_t angle) {
     return sine_of_quarter_turns_small_q16_16(quarter_turns_q16_16(angle) +
                                               one_quarter_turn_q16_16);
 }

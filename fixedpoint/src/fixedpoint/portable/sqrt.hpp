@@ -8,15 +8,14 @@ namespace fixedpoint {
 namespace portable {
 
 template <class Raw, int F>
-constexpr Raw sqrt(Raw a) {
+FIXEDPOINT_CONSTEXPR Raw sqrt(Raw a) {
     using Word = Unsigned<Raw>;
     // a 2^F in two words. In two shifts each, as one by W would be undefined where F is 0 or W.
-    constexpr int low = F / 2, high = (width_of<Raw> - F) / 2;
-    return a <= 0
-               ? Raw(0)
-               : nearest_root<Raw>(
-                     static_cast<Word>(static_cast<Word>(a) >> high >> (width_of<Raw> - F - high)),
-                     static_cast<Word>(static_cast<Word>(a) << low << (F - low)));
+    constexpr int low = F / 2, high = (RawLimits<Raw>::width - F) / 2;
+    return a <= 0 ? Raw(0)
+                  : nearest_root<Raw>(static_cast<Word>(static_cast<Word>(a) >> high >>
+                                                        (RawLimits<Raw>::width - F - high)),
+                                      static_cast<Word>(static_cast<Word>(a) << low << (F - low)));
 }
 
 }  // namespace portable

@@ -19,7 +19,7 @@ struct Division128 {
 };
 
 // a * b, exact, from four 32 x 32 bit products.
-constexpr Wide128 multiply_full_by_digits(uint64_t a, uint64_t b) {
+FIXEDPOINT_CONSTEXPR Wide128 multiply_full_by_digits(uint64_t a, uint64_t b) {
     const uint32_t a0 = static_cast<uint32_t>(a), a1 = static_cast<uint32_t>(a >> 32);
     const uint32_t b0 = static_cast<uint32_t>(b), b1 = static_cast<uint32_t>(b >> 32);
     const uint64_t p00 = static_cast<uint64_t>(a0) * b0;
@@ -34,7 +34,8 @@ constexpr Wide128 multiply_full_by_digits(uint64_t a, uint64_t b) {
 
 // (high 2^64 + low) / divisor by shift and subtract. Needs high < divisor, so that the quotient
 // fits in 64 bits.
-constexpr Division128 divide_full_by_bits(uint64_t high, uint64_t low, uint64_t divisor) {
+FIXEDPOINT_CONSTEXPR Division128 divide_full_by_bits(uint64_t high, uint64_t low,
+                                                     uint64_t divisor) {
     uint64_t remainder = high;
     for (int i = 0; i < 64; ++i) {
         const bool carry = (remainder >> 63) != 0;
@@ -49,17 +50,20 @@ constexpr Division128 divide_full_by_bits(uint64_t high, uint64_t low, uint64_t 
 }
 
 #if defined(__SIZEOF_INT128__)
-constexpr Wide128 multiply_full(uint64_t a, uint64_t b) {
-    const unsigned __int128 product = static_cast<unsigned __int128>(a) * b;
+__extension__ typedef unsigned __int128 Native128;
+FIXEDPOINT_CONSTEXPR Wide128 multiply_full(uint64_t a, uint64_t b) {
+    const Native128 product = static_cast<Native128>(a) * b;
     return {static_cast<uint64_t>(product >> 64), static_cast<uint64_t>(product)};
 }
-constexpr Division128 divide_full(uint64_t high, uint64_t low, uint64_t divisor) {
-    const unsigned __int128 dividend = (static_cast<unsigned __int128>(high) << 64) | low;
+FIXEDPOINT_CONSTEXPR Division128 divide_full(uint64_t high, uint64_t low, uint64_t divisor) {
+    const Native128 dividend = (static_cast<Native128>(high) << 64) | low;
     return {static_cast<uint64_t>(dividend / divisor), static_cast<uint64_t>(dividend % divisor)};
 }
 #else
-constexpr Wide128 multiply_full(uint64_t a, uint64_t b) { return multiply_full_by_digits(a, b); }
-constexpr Division128 divide_full(uint64_t high, uint64_t low, uint64_t divisor) {
+FIXEDPOINT_CONSTEXPR Wide128 multiply_full(uint64_t a, uint64_t b) {
+    return multiply_full_by_digits(a, b);
+}
+FIXEDPOINT_CONSTEXPR Division128 divide_full(uint64_t high, uint64_t low, uint64_t divisor) {
     return divide_full_by_bits(high, low, divisor);
 }
 #endif

@@ -33,7 +33,7 @@ struct Word128 {
     friend constexpr Word128 operator-(const Word128& a, const Word128& b) {
         return {a.high - b.high - (a.low < b.low ? 1 : 0), a.low - b.low};
     }
-    friend constexpr Word128 operator*(const Word128& a, uint64_t b) {
+    friend FIXEDPOINT_CONSTEXPR Word128 operator*(const Word128& a, uint64_t b) {
         const Wide128 low_product = multiply_full(a.low, b);
         return {a.high * b + low_product.high, low_product.low};
     }

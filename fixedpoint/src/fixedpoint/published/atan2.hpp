@@ -18,7 +18,7 @@ constexpr uint64_t from_32_fraction_bits(uint64_t value) {
 
 // pi / 2^halvings rounded to F fraction bits, from the 61 that 64 bits hold.
 template <class Raw, int F>
-constexpr Raw pi_share(int halvings) {
+FIXEDPOINT_CONSTEXPR Raw pi_share(int halvings) {
     static_assert(F <= 60, "pi is kept to 61 fraction bits: at most 60 can be rounded from it.");
     const uint64_t pi_61 = 0x6487ed5110b4611aull;
     const int drop = 61 - F + halvings;
@@ -30,9 +30,9 @@ constexpr Raw pi_share(int halvings) {
 template <class Raw, int F>
 Raw atan(Raw ratio) {
     // 200 intervals times a ratio of at most 1, so that 8 bits above the fraction suffice.
-    using Position = UnsignedInteger<(width_of<Raw> < 16 ? 16 : width_of<Raw>)>;
+    using Position = UnsignedInteger<(RawLimits<Raw>::width < 16 ? 16 : RawLimits<Raw>::width)>;
     static_assert(
-        F + 8 <= width_of<Position>,
+        F + 8 <= RawLimits<Position>::width,
         "The published arc tangent needs 8 bits above the fraction to address its table.");
     if (ratio <= 0) return 0;
     const Position one = static_cast<Position>(Position(1) << F);
@@ -43,7 +43,7 @@ Raw atan(Raw ratio) {
     const uint8_t interval = static_cast<uint8_t>(position >> F);
     const Position fraction = position & static_cast<Position>(one - 1);
     const uint64_t below = arc_tangent_entry(interval);
-    const uint64_t step = arc_tangent_entry(interval + 1) - below;
+    const uint64_t step = arc_tangent_entry(static_cast<uint8_t>(interval + 1)) - below;
     // step < 2^25 and fraction < 2^F, F <= 39 wherever the product is taken whole.
     static_assert(F <= 39,
                   "The published arc tangent interpolates in 64 bits: at most 39 fraction bits.");
@@ -60,18 +60,18 @@ Raw atan2(Raw y, Raw x) {
     Unsigned<Raw> across = magnitude(x);
     Unsigned<Raw> up = magnitude(y);
     Unsigned<Raw> angle = 0;
-    if (y < 0) angle += pi_share<Raw, F>(0);
+    if (y < 0) angle += static_cast<Unsigned<Raw>>(pi_share<Raw, F>(0));
     if (y < 0 ? x > 0 : x < 0) {
         const Unsigned<Raw> turned = across;
         across = up;
         up = turned;
-        angle += pi_share<Raw, F>(1);
+        angle += static_cast<Unsigned<Raw>>(pi_share<Raw, F>(1));
     }
     if (up > across) {
         const Unsigned<Raw> sum = across + up;
         up -= across;
         across = sum;
-        angle += pi_share<Raw, F>(2);
+        angle += static_cast<Unsigned<Raw>>(pi_share<Raw, F>(2));
     }
     const Raw ratio = static_cast<Raw>(divide_magnitudes<Raw, F>(up, across));
     return static_cast<Raw>(angle + static_cast<Unsigned<Raw>>(atan<Raw, F>(ratio)));

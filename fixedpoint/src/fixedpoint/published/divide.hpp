@@ -13,8 +13,8 @@ namespace published {
 // back. Mended: a zero divisor has a result, the most negative number a magnitude, and nothing
 // negative is shifted left.
 template <class Raw, int F>
-constexpr Raw divide(Raw a, Raw b) {
-    if (b == 0) return a > 0 ? raw_max<Raw> : a < 0 ? raw_min<Raw> : Raw(0);
+FIXEDPOINT_CONSTEXPR Raw divide(Raw a, Raw b) {
+    if (b == 0) return a > 0 ? RawLimits<Raw>::max : a < 0 ? RawLimits<Raw>::min : Raw(0);
     int flip = 1;
     if (a < 0) {
         a = wrapping_negate(a);

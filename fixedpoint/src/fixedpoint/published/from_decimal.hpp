@@ -13,7 +13,7 @@ namespace published {
 // Mended: the power of ten, an int of 16 bits in the report, overflowed from the fifth decimal on.
 // Beyond the 19th decimal nothing of an integer of 32 bits is left.
 template <class Raw, int F>
-constexpr Raw from_decimal(int32_t integer, uint8_t decimals) {
+FIXEDPOINT_CONSTEXPR Raw from_decimal(int32_t integer, uint8_t decimals) {
     if (decimals > 19) return 0;
     uint64_t power = 1;
     for (uint8_t i = 0; i < decimals; ++i) power *= 10;

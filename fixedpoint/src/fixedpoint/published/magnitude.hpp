@@ -28,7 +28,7 @@ struct MagnitudeDivision {
 // divide_full wants a quotient of 64 bits: reducing the upper half first drops what lies above.
 template <int F>
 struct MagnitudeDivision<int64_t, F> {
-    static constexpr uint64_t apply(uint64_t a, uint64_t b) {
+    static FIXEDPOINT_CONSTEXPR uint64_t apply(uint64_t a, uint64_t b) {
         const uint64_t high = F == 0 ? 0 : a >> (63 - (F - 1));
         return portable::divide_full(high % b, a << F, b).quotient;
     }

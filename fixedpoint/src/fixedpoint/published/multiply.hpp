@@ -19,7 +19,7 @@ struct MagnitudeProduct {
 
 template <int F>
 struct MagnitudeProduct<int64_t, F> {
-    static constexpr uint64_t apply(uint64_t a, uint64_t b) {
+    static FIXEDPOINT_CONSTEXPR uint64_t apply(uint64_t a, uint64_t b) {
         const portable::Wide128 product = portable::multiply_full(a, b);
         return F == 0 ? product.low : (product.high << (63 - (F - 1))) | (product.low >> F);
     }
@@ -28,7 +28,7 @@ struct MagnitudeProduct<int64_t, F> {
 // Both operands are made positive, multiplied in twice the width, shifted right, and the sign is
 // put back. Mended: the most negative number, whose negation overflowed, has a magnitude here.
 template <class Raw, int F>
-constexpr Raw multiply(Raw a, Raw b) {
+FIXEDPOINT_CONSTEXPR Raw multiply(Raw a, Raw b) {
     int flip = 1;
     if (a < 0) {
         a = wrapping_negate(a);

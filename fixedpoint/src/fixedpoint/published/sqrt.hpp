@@ -13,11 +13,11 @@ namespace published {
 // instruction, is a loop of its own in each round: that is most of the cost.
 // Mended: a negative radicand has a result.
 template <class Raw, int F>
-constexpr Raw sqrt(Raw a) {
+FIXEDPOINT_CONSTEXPR Raw sqrt(Raw a) {
     static_assert(F % 2 == 0,
                   "The published square root takes two bits of the radicand a round: "
                   "the number of fraction bits must be even.");
-    static_assert(F <= width_of<Raw> - 4,
+    static_assert(F <= RawLimits<Raw>::width - 4,
                   "The remainder of the published square root, at most 4 times the root, must fit: "
                   "at least four integer bits are needed.");
     using U = Unsigned<Raw>;
@@ -25,10 +25,10 @@ constexpr Raw sqrt(Raw a) {
     U root = 0;
     U remainder = 0;
     U radicand = static_cast<U>(a);
-    uint8_t rounds = width_of<Raw> / 2 + F / 2;
+    uint8_t rounds = RawLimits<Raw>::width / 2 + F / 2;
     do {
         remainder = static_cast<U>(static_cast<U>(remainder << 2) |
-                                   static_cast<U>(radicand >> (width_of<Raw> - 2)));
+                                   static_cast<U>(radicand >> (RawLimits<Raw>::width - 2)));
         radicand = static_cast<U>(radicand << 2);
         root = static_cast<U>(root << 1);
         const U trial = static_cast<U>(static_cast<U>(root << 1) | 1);

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+// The assembly kernels: FIXEDPOINT_KERNELS(KERNEL) invokes, for each of them,
+//     KERNEL(shape, operation, Raw, fraction bits, symbol, implementation)
+// `symbol` is the function in avr/ that kernel::operation<Raw, fraction bits> calls in place of
+// portable::implementation<Raw, fraction bits>, with the same results. `shape` names its parameters.
+#pragma once
+
+// clang-format off
+// What kernel::operation<Raw, F> returns, its parameters, and a call's arguments, by shape.
+#define FIXEDPOINT_RESULT_UNARY(Raw) Raw
+#define FIXEDPOINT_PARAMETERS_UNARY(Raw) (Raw a)
+#define FIXEDPOINT_ARGUMENTS_UNARY (a)
+#define FIXEDPOINT_RESULT_BINARY(Raw) Raw
+#define FIXEDPOINT_PARAMETERS_BINARY(Raw) (Raw a, Raw b)
+#define FIXEDPOINT_ARGUMENTS_BINARY (a, b)
+#define FIXEDPOINT_RESULT_TERNARY(Raw) Raw
+#define FIXEDPOINT_PARAMETERS_TERNARY(Raw) (Raw a, Raw b, Raw c)
+#define FIXEDPOINT_ARGUMENTS_TERNARY (a, b, c)
+// Of a vector, of two vectors, and into one: of a number, and of a vector.
+#define FIXEDPOINT_RESULT_VECTOR(Raw) Raw
+#define FIXEDPOINT_PARAMETERS_VECTOR(Raw) (const Raw* v)
+#define FIXEDPOINT_ARGUMENTS_VECTOR (v)
+#define FIXEDPOINT_RESULT_VECTORS(Raw) Raw
+#define FIXEDPOINT_PARAMETERS_VECTORS(Raw) (const Raw* a, const Raw* b)
+#define FIXEDPOINT_ARGUMENTS_VECTORS (a, b)
+#define FIXEDPOINT_RESULT_PAIR(Raw) void
+#define FIXEDPOINT_PARAMETERS_PAIR(Raw) (Raw a, Raw* pair)
+#define FIXEDPOINT_ARGUMENTS_PAIR (a, pair)
+#define FIXEDPOINT_RESULT_MAPPING(Raw) void
+#define FIXEDPOINT_PARAMETERS_MAPPING(Raw) (const Raw* v, Raw* mapped)
+#define FIXEDPOINT_ARGUMENTS_MAPPING (v, mapped)
+
+// ROW(KERNEL, shape, operation, integer bits, fraction bits) for every split of 16 bits but Q8.8,
+// and of 32 bits but Q16.16, whose kernels are their own.
+#define FIXEDPOINT_SPLITS_16(ROW, KERNEL, shape, operation) \
+    ROW(KERNEL, shape, operation, 16, 0) \
+    ROW(KERNEL, shape, operation, 15, 1) \
+    ROW(KERNEL, shape, operation, 14, 2) \
+    ROW(KERNEL, shape, operation, 13, 3) \
+    ROW(KERNEL, shape, operation, 12, 4) \
+    ROW(KERNEL, shape, operation, 11, 5) \
+    ROW(KERNEL, shape, operation, 10, 6) \
+    ROW(KERNEL, shape, operation, 9, 7) \
+    ROW(KERNEL, shape, operation, 7, 9) \
+    ROW(KERNEL, shape, operation, 6, 10) \
+    ROW(KERNEL, shape, operation, 5, 11) \
+    ROW(KERNEL, shape, operation, 4, 12) \
+    ROW(KERNEL, shape, operation, 3, 13) \
+    ROW(KERNEL, shape, operation, 2, 14) \
+    ROW(KERNEL, shape, operation, 1, 15) \
+    ROW(KERNEL, shape, operation, 0, 16)
+
+#define FIXEDPOINT_SPLITS_32(ROW, KERNEL, shape, operation) \
+    ROW(KERNEL, shape, operation, 32, 0) \
+    ROW(KERNEL, shape, operation, 31, 1) \
+    ROW(KERNEL, shape, operation, 30, 2) \
+    ROW(KERNEL, shape, operation, 29, 3) \
+    ROW(KERNEL, shape, operation, 28, 4) \
+    ROW(KERNEL, shape, operation, 27, 5) \
+    ROW(KERNEL, shape, operation, 26, 6) \
+    ROW(KERNEL, shape, operation, 25, 7) \
+    ROW(KERNEL, shape, operation, 24, 8) \
+    ROW(KERNEL, shape, operation, 23, 9) \
+    ROW(KERNEL, shape, operation, 22, 10) \
+    ROW(KERNEL, shape, operation, 21, 11) \
+    ROW(KERNEL, shape, operation, 20, 12) \
+    ROW(KERNEL, shape, operation, 19, 13) \
+    ROW(KERNEL, shape, operation, 18, 14) \
+    ROW(KERNEL, shape, operation, 17, 15) \
+    ROW(KERNEL, shape, operation, 15, 17) \
+    ROW(KERNEL, shape, operation, 14, 18) \
+    ROW(KERNEL, shape, operation, 13, 19) \
+    ROW(KERNEL, shape, operation, 12, 20) \
+    ROW(KERNEL, shape, operation, 11, 21) \
+    ROW(KERNEL, shape, operation, 10, 22) \
+    ROW(KERNEL, shape, operation, 9, 23) \
+    ROW(KERNEL, shape, operation, 8, 24) \
+    ROW(KERNEL, shape, operation, 7, 25) \
+    ROW(KERNEL, shape, operation, 6, 26) \
+    ROW(KERNEL, shape, operation, 5, 27) \
+    ROW(KERNEL, shape, operation, 4, 28) \
+    ROW(KERNEL, shape, operation, 3, 29) \
+    ROW(KERNEL, shape, operation, 2, 30) \
+    ROW(KERNEL, shape, operation, 1, 31) \
+    ROW(KERNEL, shape, operation, 0, 32)
+
+#define FIXEDPOINT_KERNEL_OF_SPLIT_16(KERNEL, shape, operation, I, F) \
+    KERNEL(shape, operation, int16_t, F, fixedpoint_##operation##_q##I##_##F, operation)
+#define FIXEDPOINT_KERNEL_OF_SPLIT_32(KERNEL, shape, operation, I, F) \
+    KERNEL(shape, operation, int32_t, F, fixedpoint_##operation##_q##I##_##F, operation)
+
+#define FIXEDPOINT_KERNELS(KERNEL) \
+    KERNEL(BINARY, multiply, int8_t, 4, fixedpoint_multiply_q4_4, multiply) \
+    KERNEL(BINARY, multiply, int16_t, 8, fixedpoint_multiply_q8_8, multiply) \
+    KERNEL(BINARY, multiply, int32_t, 16, fixedpoint_multiply_q16_16, multiply) \
+    KERNEL(BINARY, multiply, int64_t, 32, fixedpoint_multiply_q32_32, multiply) \
+    FIXEDPOINT_SPLITS_16(FIXEDPOINT_KERNEL_OF_SPLIT_16, KERNEL, BINARY, multiply) \
+    FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, BINARY, multiply) \
+    KERNEL(BINARY, multiply_saturating, int32_t, 16, fixedpoint_multiply_q16_16_saturating, multiply_saturating) \
+    KERNEL(TERNARY, multiply_add, int32_t, 16, fixedpoint_multiply_add_q16_16, multiply_add) \
+    FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, TERNARY, multiply_add) \
+    KERNEL(BINARY, divide, int8_t, 4, fixedpoint_divide_q4_4, divide) \
+    KERNEL(BINARY, divide, int16_t, 8, fixedpoint_divide_q8_8, divide) \
+    KERNEL(BINARY, divide, int32_t, 16, fixedpoint_divide_q16_16, divide) \
+    KERNEL(BINARY, divide, int64_t, 32, fixedpoint_divide_q32_32, divide) \
+    FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, BINARY, divide) \
+    KERNEL(BINARY, remainder, int32_t, 16, fixedpoint_remainder_q16_16, remainder) \
+    KERNEL(UNARY, sqrt, int8_t, 4, fixedpoint_sqrt_q4_4, sqrt) \
+    KERNEL(UNARY, sqrt, int16_t, 8, fixedpoint_sqrt_q8_8, sqrt) \
+    KERNEL(UNARY, sqrt, int32_t, 16, fixedpoint_sqrt_q16_16, sqrt) \
+    KERNEL(UNARY, sqrt, int64_t, 32, fixedpoint_sqrt_q32_32, sqrt) \
+    FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, UNARY, sqrt) \
+    KERNEL(UNARY, sqrt_small, int32_t, 16, fixedpoint_sqrt_q16_16_small, sqrt) \
+    KERNEL(UNARY, reciprocal_sqrt, int32_t, 16, fixedpoint_reciprocal_sqrt_q16_16, reciprocal_sqrt) \
+    KERNEL(UNARY, reciprocal_sqrt_small, int32_t, 16, fixedpoint_reciprocal_sqrt_q16_16_small, nearest_reciprocal_sqrt) \
+    KERNEL(UNARY, sin, int32_t, 16, fixedpoint_sin_q16_16, sin) \
+    KERNEL(UNARY, sin_small, int32_t, 16, fixedpoint_sin_q16_16_small, sin_small) \
+    KERNEL(UNARY, cos, int32_t, 16, fixedpoint_cos_q16_16, cos) \
+    KERNEL(UNARY, cos_small, int32_t, 16, fixedpoint_cos_q16_16_small, cos_small) \
+    KERNEL(UNARY, atan, int32_t, 16, fixedpoint_atan_q16_16, atan) \
+    KERNEL(UNARY, atan_small, int32_t, 16, fixedpoint_atan_q16_16_small, atan_small) \
+    KERNEL(PAIR, sincos, int32_t, 16, fixedpoint_sincos_q16_16, sincos) \
+    KERNEL(BINARY, atan2, int16_t, 8, fixedpoint_atan2_q8_8, atan2) \
+    KERNEL(BINARY, atan2, int32_t, 16, fixedpoint_atan2_q16_16, atan2) \
+    KERNEL(BINARY, atan2_small, int32_t, 16, fixedpoint_atan2_q16_16_small, atan2_small) \
+    KERNEL(UNARY, exp, int32_t, 16, fixedpoint_exp_q16_16, exp) \
+    KERNEL(UNARY, log, int32_t, 16, fixedpoint_log_q16_16, log) \
+    KERNEL(VECTORS, dot2, int32_t, 16, fixedpoint_dot2_q16_16, dot2) \
+    KERNEL(VECTORS, dot2, int64_t, 32, fixedpoint_dot2_q32_32, dot2) \
+    FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, VECTORS, dot2) \
+    KERNEL(VECTORS, dot3, int32_t, 16, fixedpoint_dot3_q16_16, dot3) \
+    KERNEL(VECTORS, dot3, int64_t, 32, fixedpoint_dot3_q32_32, dot3) \
+    FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, VECTORS, dot3) \
+    KERNEL(VECTOR, length2, int32_t, 16, fixedpoint_length2_q16_16, length2) \
+    KERNEL(VECTOR, length2, int64_t, 32, fixedpoint_length2_q32_32, length2) \
+    KERNEL(VECTOR, length3, int32_t, 16, fixedpoint_length3_q16_16, length3) \
+    KERNEL(VECTOR, length3, int64_t, 32, fixedpoint_length3_q32_32, length3) \
+    KERNEL(MAPPING, normalise3, int32_t, 16, fixedpoint_normalise3_q16_16, normalise3)
+// clang-format on

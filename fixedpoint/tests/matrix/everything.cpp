@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// Everything that the library offers, in every format of the tables and in every arithmetic: what a
+// compiler has to say about a header, it says here. Compiled, and not run.
+#include <fixedpoint.h>
+
+#include <fixedpoint/arithmetic/checked.hpp>
+#include <fixedpoint/arithmetic/published.hpp>
+#include <fixedpoint/arithmetic/saturating.hpp>
+#include <fixedpoint/arithmetic/small.hpp>
+
+#ifdef HOST_HEADERS
+#include <fixedpoint/host/hash.hpp>
+#include <fixedpoint/host/limits.hpp>
+#include <fixedpoint/host/stream.hpp>
+#include <fixedpoint/host/text.hpp>
+#endif
+#ifdef FORMAT_HEADER
+#include <fixedpoint/host/format.hpp>
+#endif
+
+using namespace fixedpoint;
+using namespace fixedpoint::literals;
+
+// Literals are constants in every standard.
+static_assert((0.38_q16_16).raw() == 24904, "0.38 2^16 = 24903.68");
+static_assert((7.9375_q4_4).raw() == 127, "the largest number");
+static_assert((1e-3_q8_8).raw() == 0, "an exponent");
+static_assert((3.14159265358979323846_q32_32).raw() == 13493037705, "pi 2^32 = 13493037704.52");
+#if __cplusplus >= 201402L
+// So is what is computed of them, from C++14 on.
+static_assert((2.5_q16_16 * 0.5_q16_16).raw() == 81920, "a product");
+static_assert((1_q16_16 / 3_q16_16).raw() == 21845, "a quotient");
+static_assert(sqrt(2_q16_16).raw() == 92682, "a root");
+#endif
+
+namespace {
+
+struct Hook {
+    static void notify(Event, Operation) {}
+};
+
+struct Serial {
+    size_t write(const char*, size_t length) { return length; }
+    int peek() { return -1; }
+    int read() { return -1; }
+};
+
+template <class Number>
+void ring(Number& a, Number b) {
+    a = a + b - a * b / (-b) % +a;
+    a += b;
+    a -= b;
+    a *= b;
+    a /= b;
+    a %= b;
+    a <<= 1;
+    a >>= 1;
+    a = a << 2 >> 3;
+    if (a == b || a != b || a < b || a > b || a <= b || a >= b) a = Number::ulp();
+    a = clamp(max(min(abs(a), b), b), Number::min(), Number::max());
+    a = floor(ceil(round(trunc(a))));
+    a = scale_down<3>(a) + sqrt(a) + atan2(a, b);
+}
+
+template <class Number>
+void functions(Number* a) {
+    a[0] = reciprocal_sqrt(a[1]) + atan(a[0]) + sin(a[0]) + cos(a[1]) + exp(a[1]) + log(a[0]);
+    const auto both = sincos(a[1]);
+    a[1] = multiply_add(both.sine, both.cosine, a[1]);
+    a[1] += dot2(a, a + 1) + dot3(a, a) + length2(a) + length3(a);
+    normalise3(a, a);
+}
+
+template <class Number>
+void conversions(Number& a) {
+    a = convert<Number>(convert<int16_t>(a));
+    a = convert<Number>(convert<Q4_4>(a)) + convert<Number>(convert<Q32_32>(a));
+    a += convert_checked<Number>(convert_checked<Q16_16>(a).number).number;
+    a += from_float<Number>(to_float<float>(a));
+    a += from_float_checked<Number>(to_float<double>(a)).number;
+    a += from_decimal<Number>(38, 2) + from_decimal_checked<Number>(1, 2).number +
+         Number::from_integer(1);
+    Serial serial;
+    if (print(serial, a) < print(serial, a, 3)) a = read<Number>(serial).number;
+    char text[text_capacity<Number>()];
+    a += parse<Number>(text, print(a, text, sizeof text) + print(a, 3, text, sizeof text)).number;
+}
+
+template <int I, int F>
+void every_arithmetic() {
+    Fixed<I, F> nearest[3];
+    ring(nearest[0], nearest[1]);
+    functions(nearest);
+    conversions(nearest[0]);
+    Fixed<I, F, Small> small[3];
+    ring(small[0], small[1]);
+    functions(small);
+    Fixed<I, F, Saturating> saturating[3];
+    ring(saturating[0], saturating[1]);
+    functions(saturating);
+    conversions(saturating[0]);
+    Fixed<I, F, Checked<Hook>> checked[3];
+    ring(checked[0], checked[1]);
+    functions(checked);
+}
+
+}  // namespace
+
+void everything();
+void everything() {
+    every_arithmetic<4, 4>();
+    every_arithmetic<8, 8>();
+    every_arithmetic<16, 16>();
+    every_arithmetic<32, 32>();
+    every_arithmetic<8, 24>();
+    every_arithmetic<1, 15>();
+    Fixed<16, 16, Published> published = Fixed<16, 16, Published>::from_integer(3);
+    published = published * published / sqrt(published) + atan2(published, published);
+}
+
+int main() { everything(); }

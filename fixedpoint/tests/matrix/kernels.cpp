@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// Calls the operation of every row of the table of kernels, once. Whoever compiles this for a chip
+// with kernels finds the symbol of each row undefined in the object, and no portable code in it.
+#include <fixedpoint/kernel/dispatch.hpp>
+
+using namespace fixedpoint;
+
+#define CALL(shape, operation, Raw, F, symbol, implementation)                        \
+    FIXEDPOINT_RESULT_##shape(Raw) call_##symbol FIXEDPOINT_PARAMETERS_##shape(Raw);  \
+    FIXEDPOINT_RESULT_##shape(Raw) call_##symbol FIXEDPOINT_PARAMETERS_##shape(Raw) { \
+        return kernel::operation<Raw, F> FIXEDPOINT_ARGUMENTS_##shape;                \
+    }
+FIXEDPOINT_KERNELS(CALL)

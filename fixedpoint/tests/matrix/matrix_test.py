@@ -1,0 +1,281 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Compilers x standards x chips: what the library promises on each, in one table.
+
+- headers: no warning from any public header, in any standard;
+- kernels: where a chip has kernels, each row of kernel/table.hpp is a call of its symbol and no
+  portable code; where it has none, no symbol is called; the table names every kernel of avr/;
+- assembly: avr/*.S assemble, to nothing where the chip does not multiply;
+- runs: the tests of tests/device on the simulated chip;
+- refused: what must not compile does not, for the reason that the library states.
+
+Usage: matrix_test.py SCRATCH_FOLDER RUN_ON_CHIP [GROUP ...]    without GROUP all of them
+"""
+import os
+import re
+import subprocess
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+scratch, run_on_chip = Path(sys.argv[1]), sys.argv[2]
+here = Path(__file__).parent
+source = here.parent.parent / "src"
+device = here.parent / "device"
+scratch.mkdir(parents=True, exist_ok=True)
+
+WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror"]
+STANDARDS = [11, 14, 17, 20, 23]
+# Chips with kernels; without; and those for which nobody has run anything.
+MULTIPLYING = ["atmega328p", "atmega32u4", "atmega1284p", "atmega2560"]
+PLAIN = ["attiny85", "attiny1634"]
+NEVER_RUN = ["atxmega128a1", "avrxmega3", "avrxmega4"]  # the last two: the cores of AVR-0/1 and -Dx
+KERNEL_FORMATS = "q4_4|q8_8|q16_16|q32_32|q8_24|q1_15"
+HOST_AS_AVR = ["-D__AVR__", "-D__AVR_HAVE_MUL__", f"-I{here / 'host_avr'}"]
+# avr-libc's <stdint.h> has its limits for C++ on request only.
+CLANG_AVR = ["clang++-19", "--target=avr", "-nostdlibinc", "-isystem", "/usr/lib/avr/include",
+             "-D__STDC_LIMIT_MACROS"]
+COMPILERS = {"g++": ["g++"], "clang++": ["clang++-19"], "avr-g++": ["avr-g++"],
+             "clang++ avr": CLANG_AVR}
+
+
+class Failure(Exception):
+    pass
+
+
+def run(command, **options):
+    environment = {**os.environ, "LC_ALL": "C"}
+    return subprocess.run([str(part) for part in command], capture_output=True, text=True,
+                          env=environment, check=False, **options)
+
+
+def must(command):
+    result = run(command)
+    if result.returncode != 0:
+        raise Failure(f"{' '.join(map(str, command))}\n{result.stdout}{result.stderr}")
+    return result.stdout
+
+
+def compiler(name, standard, chip=None):
+    return [*COMPILERS[name], f"-std=gnu++{standard}", f"-I{source}",
+            *([f"-mmcu={chip}", "-fno-exceptions"] if chip else [])]
+
+
+def headers(name, standard, chip, *options):
+    must([*compiler(name, standard, chip), *WARNINGS, *options, "-fsyntax-only",
+          here / "everything.cpp"])
+    return "no warning"
+
+
+def table_symbols():
+    """The symbols that kernel/table.hpp names."""
+    text = must(["g++", "-E", "-P", f"-I{source}", "-xc++", here / "kernels.cpp"])
+    return set(re.findall(r"\bcall_(fixedpoint_\w+)", text))
+
+
+def undefined(objects):
+    return set(re.findall(r"U (fixedpoint_\w+)", must(["nm", "-u", *objects])))
+
+
+def kernels(name, standard, chip, *options):
+    """Compiles kernels.cpp: all kernels or none are called."""
+    label = re.sub(r"\W+", "_", f"{name}_{standard}_{chip}_{'_'.join(map(str, options))[-40:]}")
+    target = scratch / f"kernels_{label}.o"
+    must([*compiler(name, standard, chip), *WARNINGS, "-Os", *options, "-c", here / "kernels.cpp",
+          "-o", target])
+    if "-flto" in options:
+        must([*COMPILERS[name], "-flto", "-r", "-nostdlib", "-flinker-output=nolto-rel", target, "-o",
+              f"{target}.linked"])
+        target = f"{target}.linked"
+    called = undefined([target])
+    if chip in PLAIN or "-DFIXEDPOINT_NO_ASSEMBLY" in options:
+        if called:
+            raise Failure(f"calls kernels that there are not: {sorted(called)}")
+        return "portable"
+    if called != SYMBOLS:
+        raise Failure(f"kernels not called: {sorted(SYMBOLS - called)}")
+    portable = [line for line in must(["nm", "-C", "--defined-only", target]).splitlines()
+                if "portable::" in line]
+    if portable:
+        raise Failure(f"portable code beside the kernels: {portable}")
+    return f"{len(called)} kernels"
+
+
+def everything(name, standard, chip):
+    """Through the public functions, too, every kernel of the formats used is called."""
+    target = scratch / f"everything_{name.replace(' ', '_')}_{standard}_{chip}.o"
+    must([*compiler(name, standard, chip), "-Os", "-c", here / "everything.cpp", "-o", target])
+    called = undefined([target])
+    expected = set() if chip in PLAIN else {
+        symbol for symbol in SYMBOLS if re.search(rf"_({KERNEL_FORMATS})(_|$)", symbol)}
+    if not expected <= called or (not expected and called):
+        raise Failure(f"kernels not called: {sorted(expected - called)}; "
+                      f"called though there are none: {sorted(called if not expected else [])}")
+    return f"{len(expected)} used" if expected else "portable"
+
+
+def assembly(chip, assembler="avr-gcc"):
+    """Assembles avr/*.S, and returns the objects."""
+    folder = scratch / f"assembly_{assembler}_{chip}"
+    folder.mkdir(exist_ok=True)
+    command = {"avr-gcc": ["avr-gcc"], "clang": ["clang-19", "--target=avr"]}[assembler]
+    objects = []
+    for path in sorted((source / "fixedpoint/avr").glob("*.S")):
+        objects.append(folder / f"{path.stem}.o")
+        must([*command, f"-mmcu={chip}", f"-I{source}", "-c", path, "-o", objects[-1]])
+    return objects
+
+
+def assembles(chip, assembler="avr-gcc"):
+    defined = set(re.findall(r" T (fixedpoint_\w+)", must(["avr-nm", *assembly(chip, assembler)])))
+    if chip in PLAIN:
+        if defined:
+            raise Failure(f"a kernel for a chip without: {sorted(defined)}")
+        return "nothing"
+    # What kernels share among themselves is no operation.
+    shared = {"fixedpoint_divide_32", "fixedpoint_length_long", "fixedpoint_length_root",
+              "fixedpoint_root_long"}
+    if defined - shared != SYMBOLS:
+        raise Failure(f"in avr/ and not in the table, or not in avr/: "
+                      f"{sorted((defined - shared) ^ SYMBOLS)}")
+    return "assembles"
+
+
+def runs(name, standard, chip, test, integer_bits, fraction_bits, *options):
+    """Links a test of tests/device and runs it. What is not the library's comes from avr-gcc."""
+    label = "_".join([re.sub(r"\W+", "_", name), str(standard), chip, test, str(integer_bits),
+                      str(fraction_bits), *(option.strip("-") for option in options)])
+    folder = scratch / label
+    folder.mkdir(exist_ok=True)
+    expected = folder / "expected.cpp"
+    must([sys.executable, device / "expected.py", integer_bits, fraction_bits, expected])
+    flags = ["-Os", "-DF_CPU=16000000UL", f"-DINTEGER_BITS={integer_bits}",
+             f"-DFRACTION_BITS={fraction_bits}", f"-I{device}", "-ffunction-sections",
+             "-fdata-sections", "-fno-threadsafe-statics", *options]
+    objects = []
+    for path, by in [(expected, "avr-g++"), (device / "main.cpp", "avr-g++"),
+                     (device / f"{test}_test.cpp", name)]:
+        objects.append(folder / f"{path.stem}.o")
+        must([*compiler(by, 14 if by != name else standard, chip), *flags, "-c", path, "-o",
+              objects[-1]])
+    archive = folder / "kernels.a"
+    must(["avr-ar", "rcs", archive, *ASSEMBLED[chip]])
+    elf = folder / "test.elf"
+    must(["avr-g++", f"-mmcu={chip}", "-Wl,--gc-sections", *objects, archive, "-o", elf])
+    symbols = {line.split()[2]: line.split()[0] for line in must(["avr-nm", elf]).splitlines()
+               if len(line.split()) == 3}
+    result = run([run_on_chip, chip, elf, *(symbols[symbol] for symbol in (
+        "finished", "checks", "failures", "first_failing_line"))])
+    if result.returncode != 0:
+        raise Failure(f"{test}_test.cpp: {result.stdout}{result.stderr}")
+    return re.search(r"\d+ checks", result.stdout)[0]
+
+
+def refuses(name, chip, statement, reason, *options):
+    program = scratch / f"refused_{abs(hash((name, chip, statement)))}.cpp"
+    program.write_text("#include <fixedpoint.h>\nusing namespace fixedpoint;\n"
+                       f"using namespace fixedpoint::literals;\nvoid f() {{ {statement} }}\n")
+    result = run([*compiler(name, 14, chip), *options, "-fsyntax-only", program])
+    if result.returncode == 0:
+        raise Failure(f"compiles: {statement}")
+    if reason not in re.sub(r"\s+", " ", result.stderr):
+        raise Failure(f"{statement}: no '{reason}' in\n{result.stderr}")
+    return "refused"
+
+
+REFUSED = [
+    ("Fixed<12, 12> x; (void)x;", "has 8, 16, 32 or 64 bits"),
+    ("Fixed<64, 64> x; (void)x;", "has 8, 16, 32 or 64 bits"),
+    ("Fixed<0, 16> x; (void)x;", "IntegerBits counts the sign"),
+    ("Fixed<17, -1> x; (void)x;", "FractionBits is not negative"),
+    ("8_q4_4;", "outside the range of its fixed-point format"),
+    ("0x10_q16_16;", "A fixed-point literal is a decimal number"),
+    ("0b1_q16_16;", "A fixed-point literal is a decimal number"),
+    ("convert<Q16_16>(0.5f);", "use from_float and to_float"),
+    ("scale_down<-1>(1_q16_16);", "scale_down divides by 2^K"),
+]
+ASSEMBLY_REASON = "FIXEDPOINT_ASSEMBLY asks for the assembly kernels"
+
+
+def cells():
+    """(group, row, column, function, arguments)"""
+    for name in ("g++", "clang++"):
+        for standard in STANDARDS:
+            options = ["-DHOST_HEADERS", *(["-DFORMAT_HEADER"] if standard >= 14 else [])]
+            yield "headers", name, f"gnu++{standard}", headers, (name, standard, None, *options)
+    for name, standards in (("avr-g++", STANDARDS[:2]), ("clang++ avr", STANDARDS)):
+        for standard in standards:
+            yield "headers", name, f"gnu++{standard}", headers, (name, standard, "atmega328p")
+    for options in ("-Os", "-O2", "-flto"):
+        yield "kernels", "g++ as AVR", options, kernels, ("g++", 14, None, options, *HOST_AS_AVR)
+    yield "kernels", "clang++ as AVR", "-O2", kernels, ("clang++", 14, None, "-O2", *HOST_AS_AVR)
+    for name, standards in (("avr-g++", (11, 14)), ("clang++ avr", (14,))):
+        for standard in standards:
+            row = f"{name} gnu++{standard}"
+            for chip in MULTIPLYING + PLAIN:
+                if name == "clang++ avr" and chip == "attiny1634":
+                    continue  # clang has the instructions of no chip beyond its own list
+                yield "kernels", row, chip, kernels, (name, standard, chip)
+            yield "kernels", row, "no assembly", kernels, (
+                name, standard, "atmega328p", "-DFIXEDPOINT_NO_ASSEMBLY")
+    for chip in ("atmega328p", "attiny85"):
+        yield "public", "avr-g++ gnu++14", chip, everything, ("avr-g++", 14, chip)
+    yield "public", "avr-g++ gnu++11", "atmega328p", everything, ("avr-g++", 11, "atmega328p")
+    yield "public", "clang++ avr gnu++14", "atmega328p", everything, (
+        "clang++ avr", 14, "atmega328p")
+    for chip in MULTIPLYING + PLAIN + NEVER_RUN:
+        yield "assembly", "avr-gcc", chip, assembles, (chip,)
+    for chip in ("atmega328p", "avrxmega4"):
+        yield "assembly", "clang", chip, assembles, (chip, "clang")
+    for name, standard, chip, options in (
+            ("avr-g++", 14, "atmega32u4", ()), ("avr-g++", 14, "atmega1284p", ()),
+            ("avr-g++", 14, "atmega2560", ()), ("clang++ avr", 14, "atmega328p", ()),
+            ("avr-g++", 14, "atmega328p", ("-DFIXEDPOINT_NO_ASSEMBLY",))):
+        row = f"{name} {chip}" + (" no assembly" if options else "")
+        for test, *bits in (("operators", 16, 16), ("functions", 16, 16), ("operators", 8, 8),
+                            ("constant_functions", 16, 16)):
+            column = f"{test} Q{bits[0]}.{bits[1]}"
+            yield "runs", row, column, runs, (name, standard, chip, test, *bits, *options)
+    for test, *bits in (("operators", 16, 16), ("functions", 16, 16), ("operators", 8, 8)):
+        yield "runs", "avr-g++ gnu++11 atmega328p", f"{test} Q{bits[0]}.{bits[1]}", runs, (
+            "avr-g++", 11, "atmega328p", test, *bits)
+    yield "runs", "avr-g++ attiny85", "shifts Q4.4", runs, ("avr-g++", 14, "attiny85", "shifts", 4, 4)
+    for statement, reason in REFUSED:
+        for name, chip in (("g++", None), ("clang++", None), ("avr-g++", "atmega328p")):
+            yield "refused", statement, name, refuses, (name, chip, statement, reason)
+    for name, chip, *options in (("g++", None), ("avr-g++", "attiny85"),
+                                 ("avr-g++", "atmega328p", "-DFIXEDPOINT_NO_ASSEMBLY")):
+        yield "refused", "-DFIXEDPOINT_ASSEMBLY", f"{name} {chip or ''}".strip(), refuses, (
+            name, chip, "", ASSEMBLY_REASON, "-DFIXEDPOINT_ASSEMBLY", *options)
+
+
+def evaluate(cell):
+    *_, function, arguments = cell
+    try:
+        return function(*arguments), None
+    except Failure as failure:
+        return "FAILED", str(failure)
+
+
+SYMBOLS = table_symbols()
+workers = ThreadPoolExecutor(os.cpu_count())
+running = MULTIPLYING + ["attiny85"]
+ASSEMBLED = dict(zip(running, workers.map(assembly, running)))
+all_cells = [cell for cell in cells() if len(sys.argv) == 3 or cell[0] in sys.argv[3:]]
+group = row = None
+failures = []
+for (cell_group, cell_row, column, *_), (verdict, failure) in zip(
+        all_cells, workers.map(evaluate, all_cells)):
+    if cell_group != group:
+        group, row = cell_group, None
+        print(f"\n{group}", end="")
+    if cell_row != row:
+        row = cell_row
+        print(f"\n  {row:38}", end="")
+    print(f"  {column}: {verdict};", end="", flush=True)
+    if failure:
+        failures.append(f"{group}, {row}, {column}: {failure}")
+print(f"\n\n{len(all_cells)} cells, {len(failures)} failed")
+for failure in failures:
+    print(f"\n{failure}")
+sys.exit(bool(failures))
