@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The judge for exhaustive runs and long searches: the definitions of definition.hpp for one
 // subject that is known at compile time, a few nanoseconds each. Integer results are judged by
-// their residual in integers, exactly; functions by the C library in double (64-bit formats: long
-// double), whose error stays below 2^-14 ulp of the result's format.
+// their residual in integers, exactly; functions in double or __float128, whose error stays below
+// 2^-14 ulp of the result's format. The C library computes in double by other instructions on other
+// processors, and the last bit of its results with them: sums over many inputs hide it, a search
+// that compares two errors does not. Binary128 is integer arithmetic, the same everywhere.
 //
 // Holds fixed-point, integer and (for multiply, divide ...) any width; not float and _Accum, not
 // exp of a 64-bit format. A test compares it with judge.hpp.
@@ -10,7 +12,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <span>
 #include <type_traits>
 
@@ -114,8 +115,8 @@ constexpr Judgement judge_quotient(Number n, Number q, std::int64_t result) {
 template <NumberFormat format, class Number>
 Number wrapped(Number error) {
     constexpr Number turn = Number(2) * -Number(format.min());
-    if (std::abs(error) < turn / 2) return error;
-    return error - turn * std::floor(error / turn + Number(0.5));
+    if ((error < 0 ? -error : error) < turn / 2) return error;
+    return error - turn * functions::floor(error / turn + Number(0.5));
 }
 
 // x of a function, in ulp.
@@ -207,8 +208,12 @@ Judgement judge_unit_vector(std::span<const std::int64_t> v,
     return worst;
 }
 
+// What functions are computed in, unless a caller says otherwise.
+template <int width>
+using FunctionFloat = std::conditional_t<(width <= 32), double, Binary128>;
+
 // Takes what reference::judge takes; the number of operands and results is not checked.
-template <Subject subject>
+template <Subject subject, class Real = FunctionFloat<subject.format.width>>
 Judgement judge(std::span<const std::int64_t> operands, std::span<const std::int64_t> results) {
     constexpr Operation operation = subject.operation;
     constexpr NumberFormat format = subject.format;
@@ -219,10 +224,9 @@ Judgement judge(std::span<const std::int64_t> operands, std::span<const std::int
     static_assert(operation != Operation::exp || format.width <= 32,
                   "No C type holds exp of a 64-bit format to a fraction of its ulp.");
     using Number = Wide<format.width>;
-    using Real = Float<format.width>;
     const auto raw = [&](std::size_t i) { return Number(operands[i]); };
-    const auto real = [&](std::size_t i) { return Real(operands[i]) * std::ldexp(Real(1), -F); };
-    const Real one = std::ldexp(Real(1), F);
+    const auto real = [&](std::size_t i) { return Real(operands[i]) * Real(std::ldexp(1.0, -F)); };
+    const Real one = Real(std::ldexp(1.0, F));
     const std::int64_t a = operands[0], result = results[0];
     const auto whole = [&](auto x) {
         return judge_quotient<subject, 0>(x, decltype(x)(1), result);
@@ -273,8 +277,8 @@ Judgement judge(std::span<const std::int64_t> operands, std::span<const std::int
     } else if constexpr (operation == Operation::sincos) {
         constexpr Subject sine{Operation::sin, format, subject.arithmetic};
         constexpr Subject cosine{Operation::cos, format, subject.arithmetic};
-        const Judgement s = judge<sine>(operands, results.first(1));
-        const Judgement c = judge<cosine>(operands, results.subspan(1, 1));
+        const Judgement s = judge<sine, Real>(operands, results.first(1));
+        const Judgement c = judge<cosine, Real>(operands, results.subspan(1, 1));
         Judgement worse = std::abs(c.error_ulp) > std::abs(s.error_ulp) ? c : s;
         worse.defined = s.defined && c.defined;
         worse.as_defined = s.as_defined && c.as_defined;
@@ -291,7 +295,7 @@ Judgement judge(std::span<const std::int64_t> operands, std::span<const std::int
             x[0] = x[0] < 0 ? Real(0) : x[0] > 1 ? Real(1) : x[0];
         Real exact = function(operation, x);
         if (published && operation == Operation::atan2 && exact < 0)
-            exact += 2 * std::numbers::pi_v<Real>;
+            exact += 2 * functions::atan2(Real(0), Real(-1));
         return judge_function<subject>(exact * one, result);
     }
 }

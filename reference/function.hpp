@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What each function of plain numbers is, once for every type in which it is computed: Real, where
-// truth is wanted; double and long double, where the bulk judge is in a hurry; float, whose special
+// truth is wanted; double and binary128, where the bulk judge is in a hurry; float, whose special
 // cases are those of C's Annex F.
 #pragma once
 
@@ -9,13 +9,40 @@
 
 #include "reference/operation.hpp"
 
+// Of the C library, on x86-64 for every compiler.
+extern "C" {
+__extension__ __float128 sinf128(__float128) noexcept;
+__extension__ __float128 cosf128(__float128) noexcept;
+__extension__ __float128 atanf128(__float128) noexcept;
+__extension__ __float128 atan2f128(__float128, __float128) noexcept;
+__extension__ __float128 expf128(__float128) noexcept;
+__extension__ __float128 logf128(__float128) noexcept;
+__extension__ __float128 sqrtf128(__float128) noexcept;
+__extension__ __float128 floorf128(__float128) noexcept;
+}
+
 namespace reference {
+
+__extension__ using Binary128 = __float128;
+
+namespace functions {
+using std::atan, std::atan2, std::cos, std::exp, std::floor, std::log, std::sin, std::sqrt;
+inline Binary128 sin(Binary128 x) { return sinf128(x); }
+inline Binary128 cos(Binary128 x) { return cosf128(x); }
+inline Binary128 atan(Binary128 x) { return atanf128(x); }
+inline Binary128 atan2(Binary128 y, Binary128 x) { return atan2f128(y, x); }
+inline Binary128 exp(Binary128 x) { return expf128(x); }
+inline Binary128 log(Binary128 x) { return logf128(x); }
+inline Binary128 sqrt(Binary128 x) { return sqrtf128(x); }
+inline Binary128 floor(Binary128 x) { return floorf128(x); }
+}  // namespace functions
 
 // Precondition: the operands lie in the operation's domain, or Number has values for what does not.
 // Inlined, since the bulk judge knows the operation at compile time.
 template <class Number>
 [[gnu::always_inline]] inline Number function(Operation operation, const Number* x) {
-    using std::sqrt, std::atan, std::atan2, std::sin, std::cos, std::exp, std::log;
+    using functions::sqrt, functions::atan, functions::atan2, functions::sin, functions::cos,
+        functions::exp, functions::log;
     switch (operation) {
         case Operation::sqrt:
             return sqrt(x[0]);

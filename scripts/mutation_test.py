@@ -84,10 +84,12 @@ ROOMS = [
     Room("firmware", "firmware/src/firmware/lever.hpp", 2, "firmware_lever_test"),
     Room("firmware", "firmware/src/firmware/renderer.hpp", 1,
          "firmware_renderer_test"),
-    Room("verdicts", "bench/experiments/table_3_2/table_3_2.cpp", 2, "table_3_2_test"),
+    Room("verdicts", "bench/experiments/table_3_2/table_3_2.cpp", 2, "table_3_2_test",
+         "Judge*:Table31*:Hypothesis.ThePref*:Hypothesis.AnAlt*"),
     Room("verdicts", "bench/experiments/calibration/verdicts.cpp"
          " bench/experiments/calibration/fit.cpp", 2, "calibration_test"),
-    Room("verdicts", "bench/experiments/scenes/judge.cpp", 2, "scene_bench_tests", "Judge*"),
+    Room("verdicts", "bench/experiments/scenes/judge.cpp", 2, "scene_bench_tests",
+         "Verdict*:LargestDistance*:Extent*:EnergyDrift*"),
     Room("verdicts", "bench/experiments/cost/growth/fit.cpp", 1, "growth_tests"),
     Room("stability", "bench/experiments/stability/search.cpp", 3, "search_test"),
     Room("haptic", "bench/experiments/haptic/plant/*.cpp", 4, "haptic_plant_test"),
@@ -95,8 +97,11 @@ ROOMS = [
     Room("report", "bench/report/*.py !*/report.py", 6, "bench/report/tests/report_test.py"),
 ]
 
-# Lines where a fault of the default seed changes nothing that a test could see, each with the reason.
+# Lines where a fault changes nothing that a test should see: files, what the line holds, the reason.
 HARMLESS = [
+    ("bench/report/*.py", r"(fontsize|linewidths?|figsize|markersize|alpha|zorder|pad|rotation|shrink)=",
+     "the look of a figure"),
+    ("bench/report/*.py", r"^ *(parser|\"--|help=)|dpi|metadata", "the look of a figure or of a help text"),
 ]
 
 
@@ -220,7 +225,8 @@ def candidates(room, known, seed):
     for path in files_of(room, known):
         faults, seen = [], {}
         for number, line, code in lines_of(path):
-            if any(path.endswith(file) and text in line for file, text, _ in HARMLESS):
+            if any(fnmatch.fnmatch(path, files) and re.search(text, line)
+                   for files, text, _ in HARMLESS):
                 continue
             seen[line] = seen.get(line, -1) + 1
             sites = [Fault(room, path, number, match.start(), match.end(),
@@ -423,7 +429,7 @@ class Tests:
         program = None if is_script(room) else self.graph.build / self.graph.goal(room.target)
         begin = time.monotonic()
         output, status = self.run(room, ROOT, program, None, 300)
-        if status != 0 or "Running 0 tests" in output or "0 tests." in output:
+        if status != 0 or re.search(r"\b0 tests", output):
             raise Failure(f"the test {room.target} {room.cases} fails without a fault:\n{output}")
         self.seconds[check] = time.monotonic() - begin
 

@@ -91,6 +91,17 @@ Terminal::~Terminal() {
 }
 
 void Terminal::show(const Picture& picture) {
+    // ncurses learns of a new size from the key KEY_RESIZE.
+    if (COLS < Picture::columns || LINES < Picture::rows) {
+        erase();
+        mvaddnstr(
+            0, 0,
+            fmt::format("too small: {} x {} cells are needed", Picture::columns, Picture::rows)
+                .c_str(),
+            COLS);
+        refresh();
+        return;
+    }
     for (int row = 0; row < Picture::rows; ++row)
         for (int column = 0; column < Picture::columns; ++column) {
             const Cell& cell = picture.at(row, column);

@@ -85,57 +85,21 @@ def load(path):
 
 
 class Data:
-    """The folder of data files. A missing file is an error that names the command that makes it."""
+    """The folder of data files. `experiments` is the list that `fixbench --list --json` prints: a
+    missing file is an error that names the command which makes it."""
 
-    MADE_BY = {
-        "operations": "fixbench cycles",
-        "accuracy": "fixbench accuracy",
-        "error_histograms": "fixbench accuracy",
-        "error_along_input": "fixbench accuracy",
-        "table_3_2": "fixbench table",
-        "table_3_2_hypotheses": "fixbench table",
-        "division_cycles": "fixbench table",
-        "table_3_1": "fixbench table",
-        "kernels": "fixbench verify",
-        "exhaustive": "fixbench exhaustive",
-        "host_throughput": "host_throughput",
-        "features": "fixbench features",
-        "growth": "fixbench growth",
-        "growth_host": "fixbench growth --host",
-        "stability": "fixbench stability",
-        "stability_map": "fixbench stability",
-        "envelope": "fixbench stability",
-        "ablations": "fixbench stability",
-        "calibration": "fixbench calibrate",
-        "calibration_candidates": "fixbench calibrate",
-        "calibration_verdicts": "fixbench calibrate",
-        "suitability": "fixbench stability",
-        "haptic": "fixbench haptic",
-        "haptic_pins": "fixbench haptic",
-        "workload_firmware": "fixbench haptic",
-        "stable_region": "fixbench region",
-        "stable_limits": "fixbench region",
-        "stable_changes": "fixbench region",
-        "stable_on_chip": "fixbench region",
-        "oscillation": "fixbench region",
-        "profile_lever": "fixbench profile lever.elf --scenario poke_while_held",
-        "interrupts_lever": "fixbench profile lever.elf --scenario poke_while_held",
-        "stack_lever": "fixbench profile lever.elf --scenario poke_while_held",
-        "replay": "fixbench lever",
-        "scenes": "fixbench scenes",
-        "workload": "fixbench workload",
-        "workload_rounds": "fixbench workload",
-        "workload_trace": "fixbench workload",
-    }
-
-    def __init__(self, folder):
+    def __init__(self, folder, experiments=()):
         self.folder = pathlib.Path(folder)
+        self.made_by = {file: experiment["command"] for experiment in experiments
+                        for file in experiment["writes"] + experiment["full_only"]}
         self._loaded = {}
 
     def _path(self, name, suffix):
         path = self.folder / (name + suffix)
         if not path.exists():
-            raise DataError(f"{path} is missing; {self.MADE_BY[name]} writes it")
+            maker = self.made_by.get(path.name)
+            raise DataError(f"{path} is missing"
+                            + (f"; `{maker}` writes it" if maker else ""))
         return path
 
     def has(self, name):

@@ -3,6 +3,7 @@
 """Draws the figures and writes the pages of results/ out of its data files."""
 import argparse
 import contextlib
+import json
 import pathlib
 import re
 import subprocess
@@ -150,9 +151,9 @@ def telling(what):
         raise DataError(f"{what}: {lines[-1] if lines else ''}{kind}{error}") from error
 
 
-def write(results):
+def write(results, experiments=()):
     """Everything: the figures, then the pages that show them."""
-    data = Data(results / "data")
+    data = Data(results / "data", experiments)
     folder = results / "figures"
     folder.mkdir(parents=True, exist_ok=True)
     for name, draw in tqdm.tqdm(figures(data).items(), desc="figures", file=sys.stderr):
@@ -176,10 +177,13 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--results", required=True,
                         help="folder that holds data/ and gets figures/ and README.md")
-    results = pathlib.Path(parser.parse_args().results)
+    parser.add_argument("--experiments", type=json.loads, default=[],
+                        help="what `fixbench --list --json` prints: who makes which file")
+    arguments = parser.parse_args()
+    results = pathlib.Path(arguments.results)
     try:
         with telling(str(results)):
-            write(results)
+            write(results, arguments.experiments)
     except (DataError, OSError) as error:
         print("\nreport: " + " ".join(str(error).removeprefix(f"{results}: ").split()),
               file=sys.stderr)

@@ -18,7 +18,7 @@ void expect_order(int order) {
     EXPECT_LT(coarse, 0.05) << Scene::name << ", " << Method::name;
 }
 
-// Verlet, but with sweeps until rods agree with each other to the last bit.
+// Verlet, but with iterations until rods agree with each other to the last bit.
 struct VerletSolved : Verlet {
     using Solver = engine::ProjectedGaussSeidel<255>;
 };
@@ -43,8 +43,8 @@ TEST(Convergence, VerletIsOfSecondOrder) {
     expect_order<ChainOfRods, VerletSolved>(2);
 }
 
-// Ten sweeps leave a part of what gravity adds in a step along rods that share a particle: an error
-// of velocity in proportion to the step.
+// Ten iterations leave a part of what gravity adds in a step along rods that share a particle: an
+// error of velocity in proportion to the step.
 TEST(Convergence, VerletIsOfFirstOrderWhereSweepsAreFew) {
     expect_order<ChainOfRods, Verlet>(1);
     EXPECT_GT((error<DoublePendulum, Verlet, double, 11>()),

@@ -4,9 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cfloat>
 #include <cmath>
 #include <cstdint>
+#include <random>
 #include <stdexcept>
 #include <vector>
 
@@ -81,6 +83,8 @@ INSTANTIATE_TEST_SUITE_P(
             0,
             true,
             "below MIN clamps"},
+        Row{Operation::add, "q4_4", saturating, {100, 27}, 127, 0, false, "MAX itself"},
+        Row{Operation::add, "q4_4", saturating, {-100, -28}, -128, 0, false, "MIN itself"},
         Row{Operation::negate, "q16_16", nearest, {min32}, min32, 0, false, "-MIN wraps to MIN"},
         Row{Operation::abs, "q16_16", nearest, {min32}, min32, 0, false, "|MIN| wraps to MIN"},
         Row{Operation::abs, "q16_16", saturating, {min32}, max32, 0, true, "|MIN| clamps"},
@@ -207,6 +211,9 @@ INSTANTIATE_TEST_SUITE_P(
         Row{Operation::atan2, "q16_16", nearest, {0, -1}, 205887, -0.4161, false, "pi"},
         Row{Operation::atan2, "q16_16", nearest, {-1, min32}, -205887, 0.4161, false, "nearly -pi"},
         Row{Operation::atan2, "q16_16", published, {-one, 0}, 308831, -0.1242, false, "3 pi/2"},
+        Row{Operation::atan2, "q16_16", published, {0, one}, 0, 0, false, "0 and not 2 pi"},
+        Row{Operation::atan, "q16_16", published, {one + 1}, 51471, -0.8540, false, "pi/4"},
+        Row{Operation::atan, "q16_16", published, {-one}, 0, 0, false, "below 0: 0"},
         Row{Operation::atan, "q16_16", nearest, {one}, 51472, 0.1460, false, "pi/4"},
         Row{Operation::atan, "q16_16", published, {max32}, 51471, -0.8540, false, "beyond 1: pi/4"},
         Row{Operation::sin, "q16_16", nearest, {one}, 55147, 0.3575, false, "55146.6425"},
@@ -240,6 +247,87 @@ TEST(Judge, FunctionsMayErrWithinTheirBound) {
     EXPECT_FALSE(sine(55148).as_defined);
 }
 
+// Sums and products of integers, rounded by integers.
+TEST(Judge, RingOperationsWrapOrClamp) {
+    constexpr int F = 8;
+    struct Ring {
+        Operation operation;
+        std::int64_t (*exact)(const std::int64_t*);  // in 2^-16
+    };
+    const Ring rings[] = {
+        {Operation::add, [](const std::int64_t* x) { return (x[0] + x[1]) << F; }},
+        {Operation::subtract, [](const std::int64_t* x) { return (x[0] - x[1]) << F; }},
+        {Operation::negate, [](const std::int64_t* x) { return -x[0] << F; }},
+        {Operation::abs, [](const std::int64_t* x) { return std::abs(x[0]) << F; }},
+        {Operation::multiply, [](const std::int64_t* x) { return x[0] * x[1]; }},
+        {Operation::multiply_add, [](const std::int64_t* x) { return x[0] * x[1] + (x[2] << F); }},
+        {Operation::dot2, [](const std::int64_t* x) { return x[0] * x[2] + x[1] * x[3]; }},
+        {Operation::dot3,
+         [](const std::int64_t* x) { return x[0] * x[3] + x[1] * x[4] + x[2] * x[5]; }},
+    };
+    std::mt19937_64 random(3);
+    for (const auto& [operation, exact] : rings) {
+        for (int i = 0; i < 300; ++i) {
+            Raws operands(shape(operation).operands);
+            for (std::int64_t& raw : operands) raw = q8_8.sign_extend(random()) >> (random() % 12);
+            const std::int64_t rounded = (exact(operands.data()) + 128) >> F;
+            const std::int64_t wrapped = q8_8.sign_extend(std::uint64_t(rounded));
+            const std::int64_t clamped = std::clamp(rounded, min16, max16);
+            const auto accepts = [&](Arithmetic arithmetic, std::int64_t result) {
+                return judged(operation, "q8_8", arithmetic, operands, {result}).as_defined;
+            };
+            EXPECT_TRUE(accepts(nearest, wrapped)) << shape(operation).name;
+            EXPECT_EQ(accepts(nearest, clamped), clamped == wrapped) << shape(operation).name;
+            EXPECT_TRUE(accepts(saturating, clamped)) << shape(operation).name;
+            EXPECT_EQ(accepts(saturating, wrapped), clamped == wrapped) << shape(operation).name;
+        }
+    }
+}
+
+// What the library promises of each function, beside the functions of the C library.
+TEST(Judge, FunctionsAreHeldToTheirBound) {
+    struct Function {
+        Operation operation;
+        double bound_ulp;
+        long double (*exact)(const long double*);
+        std::int64_t least, greatest;
+    };
+    using X = const long double*;
+    constexpr std::int64_t far = 100 * one;
+    const Function functions[] = {
+        {Operation::reciprocal_sqrt, 0.75, [](X x) { return 1 / std::sqrt(x[0]); }, 1, far},
+        {Operation::atan, 0.75, [](X x) { return std::atan(x[0]); }, -far, far},
+        {Operation::atan2, 0.75, [](X x) { return std::atan2(x[0], x[1]); }, -far, far},
+        {Operation::sin, 0.75, [](X x) { return std::sin(x[0]); }, -far, far},
+        {Operation::cos, 0.75, [](X x) { return std::cos(x[0]); }, -far, far},
+        {Operation::exp, 1, [](X x) { return std::exp(x[0]); }, -9 * one, 9 * one},
+        {Operation::log, 1, [](X x) { return std::log(x[0]); }, 1, far},
+        {Operation::length2, 1, [](X x) { return std::hypot(x[0], x[1]); }, -far, far},
+        {Operation::length3, 1, [](X x) { return std::hypot(x[0], x[1], x[2]); }, -far, far},
+    };
+    std::mt19937_64 random(5);
+    for (const auto& [operation, bound_ulp, exact, least, greatest] : functions) {
+        for (int i = 0; i < 100; ++i) {
+            Raws operands(shape(operation).operands);
+            long double numbers[3];
+            for (std::size_t k = 0; k < operands.size(); ++k) {
+                operands[k] = least + std::int64_t(random() % std::uint64_t(greatest - least + 1));
+                numbers[k] = std::ldexp((long double)(operands[k]), -16);
+            }
+            const long double x = std::ldexp(exact(numbers), 16);
+            for (int step = -1; step <= 2; ++step) {
+                const std::int64_t result = std::int64_t(std::floor(x)) + step;
+                const Judgement judgement =
+                    judged(operation, "q16_16", nearest, operands, {result});
+                const double error = double((long double)(result)-x);
+                EXPECT_NEAR(judgement.error_ulp, error, 1e-6) << shape(operation).name;
+                EXPECT_EQ(judgement.as_defined, std::abs(error) <= bound_ulp)
+                    << shape(operation).name << " at " << operands[0] << " errs by " << error;
+            }
+        }
+    }
+}
+
 TEST(Judge, VectorsReportTheirWorstComponent) {
     // (3, 4, 0) / 5 = (39321.6, 52428.8, 0) ulp
     const Raws v = {3 * one, 4 * one, 0};
@@ -255,6 +343,16 @@ TEST(Judge, VectorsReportTheirWorstComponent) {
     const Judgement both = judged(Operation::sincos, "q16_16", nearest, {one}, {55147, 35409});
     EXPECT_TRUE(both.as_defined);
     EXPECT_NEAR(both.error_ulp, 0.3575, 1e-4);
+}
+
+TEST(Judge, AVectorIsPinnedWhereAllOfItIs) {
+    // sin(0) = 0 is exact, cos(0) = 1 clamps where there is no integer bit but the sign.
+    const Judgement mixed = judged(Operation::sincos, "q1_15", nearest, {0}, {0, 32767});
+    EXPECT_TRUE(mixed.as_defined);
+    EXPECT_FALSE(mixed.defined);
+    EXPECT_TRUE(judged(Operation::normalise3, "q1_15", nearest, {0, 0, 0}, {0, 0, 0}).defined);
+    EXPECT_FALSE(judged(Operation::sincos, "q1_15", nearest, {0}, {2, 32767}).as_defined);
+    EXPECT_FALSE(judged(Operation::sincos, "q1_15", nearest, {0}, {0, 32765}).as_defined);
 }
 
 TEST(Judge, WrongPinnedResultsAreRejectedWithTheirDistance) {
@@ -319,6 +417,29 @@ TEST(JudgeFloat, SpecialCases) {
     EXPECT_TRUE(accepted(Operation::exp, {FLT_MAX}, INFINITY));
     EXPECT_TRUE(accepted(Operation::atan2, {0, 1}, 0) ||
                 judged_float(Operation::atan2, {0, 1}, 0).as_defined);
+    EXPECT_TRUE(accepted(Operation::subtract, {INFINITY, 1}, INFINITY));
+    EXPECT_TRUE(accepted(Operation::subtract, {1, INFINITY}, -INFINITY));
+    EXPECT_TRUE(accepted(Operation::remainder, {1, INFINITY}, 1));
+    EXPECT_TRUE(accepted(Operation::remainder, {INFINITY, 1}, NAN));
+    EXPECT_TRUE(accepted(Operation::remainder, {1, 0}, NAN));
+    EXPECT_TRUE(accepted(Operation::negate, {INFINITY}, -INFINITY));
+    EXPECT_TRUE(accepted(Operation::abs, {-INFINITY}, INFINITY));
+    EXPECT_TRUE(accepted(Operation::multiply_add, {INFINITY, 2, 1}, INFINITY));
+    EXPECT_TRUE(accepted(Operation::multiply_add, {1, 1, INFINITY}, INFINITY));
+    EXPECT_TRUE(accepted(Operation::multiply_add, {INFINITY, 0, 1}, NAN));
+    // Paired by component: 0 times infinity would be no number.
+    EXPECT_TRUE(accepted(Operation::dot2, {INFINITY, 0, 1, 1}, INFINITY));
+    EXPECT_TRUE(accepted(Operation::dot2, {0, INFINITY, 1, 1}, INFINITY));
+    EXPECT_TRUE(accepted(Operation::dot3, {INFINITY, 0, 0, 1, 1, 1}, INFINITY));
+    EXPECT_TRUE(accepted(Operation::dot3, {0, INFINITY, 0, 1, 1, 1}, INFINITY));
+    EXPECT_TRUE(accepted(Operation::dot3, {0, 0, INFINITY, 1, 1, 1}, INFINITY));
+    EXPECT_TRUE(accepted(Operation::reciprocal_sqrt, {0}, INFINITY));
+    EXPECT_TRUE(accepted(Operation::reciprocal_sqrt, {INFINITY}, 0));
+    EXPECT_TRUE(accepted(Operation::reciprocal_sqrt, {-1}, NAN));
+    EXPECT_TRUE(accepted(Operation::atan, {INFINITY}, 1.57079633f));
+    EXPECT_TRUE(accepted(Operation::atan2, {INFINITY, -INFINITY}, 2.35619449f));
+    EXPECT_TRUE(accepted(Operation::sin, {INFINITY}, NAN));
+    EXPECT_TRUE(accepted(Operation::cos, {-INFINITY}, NAN));
     EXPECT_FALSE(accepted(Operation::divide, {1, 0}, FLT_MAX));
     EXPECT_EQ(judged_float(Operation::divide, {1, 0}, FLT_MAX).error_ulp, INFINITY);
     EXPECT_FALSE(judged_float(Operation::add, {1, 1}, NAN).as_defined);

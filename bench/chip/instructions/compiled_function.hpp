@@ -23,7 +23,8 @@ class Misbehaviour : public std::runtime_error {
 // How the source is compiled.
 struct Compilation {
     std::string options = "-O3 -march=native";
-    std::filesystem::path include_folder = INSTRUCTIONS_INCLUDE_FOLDER;  // holds bench/chip/instructions
+    std::filesystem::path include_folder =
+        INSTRUCTIONS_INCLUDE_FOLDER;  // holds bench/chip/instructions
 };
 
 // A shared object made of C++ source, unloaded at the end. Throws std::runtime_error where the
@@ -44,8 +45,8 @@ class SharedObject {
 class CompiledFunction {
   public:
     // Throws TranslationError, std::runtime_error.
-    CompiledFunction(const simulator::Elf& elf, std::string_view symbol,
-                     const Interface& interface, const Compilation& compilation = {});
+    CompiledFunction(const simulator::Elf& elf, std::string_view symbol, const Interface& interface,
+                     const Compilation& compilation = {});
 
     const std::string& symbol() const { return symbol_; }
     std::size_t arity() const { return interface_.operands.size(); }

@@ -8,11 +8,11 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "bench/chip/simulator/chip.hpp"
 #include "bench/experiments/calibration/verdicts.hpp"
 #include "bench/lab/records/csv.hpp"
 #include "bench/lab/records/progress.hpp"
 #include "bench/lab/records/whole_file.hpp"
-#include "bench/chip/simulator/chip.hpp"
 #include "reference/numbers.hpp"
 #include "reference/published.hpp"
 
@@ -257,10 +257,12 @@ void calibrate(const Options& options) {
     readings_table(all[chosen], readings).save(options.output / "calibration.csv");
     candidate_table(all, chosen).save(options.output / "calibration_candidates.csv");
     verdicts.save(options.output / "calibration_verdicts.csv");
-    records::write_whole(options.header, header_text(all[chosen], readings, options.readings));
-    fmt::print("{}: {:.1f} g rms, {:.1f} g where left out, {:.0f} cycles -> {}\n",
+    if (!options.header.empty())
+        records::write_whole(options.header, header_text(all[chosen], readings, options.readings));
+    fmt::print(stderr, "{}: {:.1f} g rms, {:.1f} g where left out, {:.0f} cycles -> {}\n",
                label(all[chosen]), all[chosen].all.rms, *all[chosen].leave_one_out_rms,
-               all[chosen].device->cycles_mean, options.header.string());
+               all[chosen].device->cycles_mean,
+               options.header.empty() ? "no header: --header names one" : options.header.string());
 }
 
 }  // namespace calibration

@@ -52,7 +52,8 @@ struct Options {
     DeviceProgram program;
 };
 
-// Writes calibration.csv, calibration_candidates.csv, calibration_verdicts.csv and the header.
+// Writes calibration.csv, calibration_candidates.csv, calibration_verdicts.csv and, where one is
+// named, the header.
 void calibrate(const Options& options);
 
 }  // namespace calibration

@@ -1,39 +1,59 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bench/experiments/calibration/command.hpp"
-
+// fixbench calibrate.
 #include <memory>
 
 #include "bench/experiments/calibration/calibrate.hpp"
+#include "bench/lab/program/build.hpp"
+#include "bench/lab/program/experiment.hpp"
 
 namespace calibration {
+namespace {
 
-void add_calibrate_command(CLI::App& app, fixbench::Action& action) {
-    const auto options = std::make_shared<Options>();
-    options->output = "results/data";
-    options->header = "firmware/src/firmware/calibration_table.hpp";
-    options->program = {CALIBRATION_ELF, CALIBRATION_FOOTPRINTS};
-    CLI::App* command = app.add_subcommand(
-        "calibrate",
-        "The curve of a force sensor from its readings under known weights.\n"
-        "Writes the firmware's header, calibration.csv, calibration_candidates.csv and\n"
-        "calibration_verdicts.csv (whether the published readings give the published curve).\n\n"
-        "READINGS is a CSV file of 5 rows or more with the columns adc_reading (0 to 1023) and\n"
-        "actual_g, both rising. Families of curves are fitted by least squares; each is run on\n"
-        "the simulated chip for all 1024 readings. Of those within one standard error of the\n"
-        "least leave-one-out error the one of fewest cycles is taken.\n\n"
-        "Example: fixbench calibrate reference/published/table_d_1.csv");
-    command->add_option("readings", options->readings, "the readings")
-        ->required()
-        ->check(CLI::ExistingFile);
-    command->add_option("--output", options->output, "folder that the data files are written to")
-        ->capture_default_str();
-    command->add_option("--header", options->header, "the header to write")->capture_default_str();
-    command->callback([options, &action] {
-        action = [options] {
-            calibrate(*options);
-            return EXIT_SUCCESS;
-        };
-    });
-}
+const fixbench::Registration registration({
+    .name = "calibrate",
+    .description =
+        "The curve of a force sensor from its readings under known weights. Files:\n"
+        "calibration_candidates.csv, calibration.csv and calibration_verdicts.csv (whether the\n"
+        "published readings give the published curve); with --header the firmware's header.\n\n"
+        "READINGS is a CSV file with the columns adc_reading (0 to 1023) and actual_g, as\n"
+        "spreadsheets write it: separated by commas or, with decimal commas, by semicolons, in\n"
+        "any order; repeated readings of a weight are averaged. 5 weights or more are needed, and\n"
+        "readings must rise with them. Families of curves are fitted by least squares; each is\n"
+        "run on the simulated chip for all 1024 readings. Of those within one standard error of\n"
+        "the least leave-one-out error the one of fewest cycles is taken.\n\n"
+        "Example: fixbench calibrate reference/published/table_d_1.csv",
+    .prints = {"calibration_candidates.csv"},
+    .add =
+        [](CLI::App& command) {
+            const auto options = std::make_shared<Options>();
+            options->program = {CALIBRATION_ELF, CALIBRATION_FOOTPRINTS};
+            command.add_option("readings", options->readings, "the readings")
+                ->required()
+                ->check(CLI::ExistingFile);
+            command.add_option("--header", options->header,
+                               "the header to write, e.g. "
+                               "firmware/src/firmware/calibration_table.hpp");
+            return [options](const fixbench::Call& call) {
+                fixbench::build({"calibration_curves"});
+                options->output = call.output;
+                calibrate(*options);
+                return fixbench::held;
+            };
+        },
+    .steps = {{.name = "calibrate",
+               .arguments = [](const fixbench::Mode& mode) -> std::vector<std::string> {
+                   return {"calibrate", "reference/published/table_d_1.csv",
+                           "--output",  mode.data,
+                           "--header",  mode.header};
+               },
+               .writes = {"calibration.csv", "calibration_candidates.csv",
+                          "calibration_verdicts.csv"},
+               .targets = {"calibration_curves"},
+               .reads = {CALIBRATION_ELF},
+               .full_seconds = 5,
+               .quick_seconds = 5,
+               .writes_header = true}},
+});
 
+}  // namespace
 }  // namespace calibration

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "bench/lab/parallel.hpp"
+#include "bench/lab/program/names.hpp"
 #include "bench/lab/records/progress.hpp"
 #include "firmware/src/firmware/hardware/readings.hpp"
 
@@ -24,18 +25,15 @@ constexpr Cycle cycles_of_tick = Chip::frequency / firmware::ticks_per_second;
 
 template <class Named>
 std::vector<Named> selected(const std::vector<Named>& all, const std::vector<std::string>& names,
-                            std::string Named::*name, const char* what) {
+                            std::string Named::*name, const char* option) {
     if (names.empty()) return all;
+    std::vector<std::string> known;
+    for (const Named& each : all) known.push_back(each.*name);
+    fixbench::check_names(option, names, known);
     std::vector<Named> chosen;
     for (const std::string& wanted : names) {
         const auto found = std::find_if(all.begin(), all.end(),
                                         [&](const Named& each) { return each.*name == wanted; });
-        if (found == all.end()) {
-            std::vector<std::string> known;
-            for (const Named& each : all) known.push_back(each.*name);
-            throw std::runtime_error(
-                fmt::format("no {} '{}'; there are {}", what, wanted, fmt::join(known, ", ")));
-        }
         chosen.push_back(*found);
     }
     return chosen;
@@ -100,9 +98,9 @@ Run run(const Firmware& firmware, const Scenario& scenario, const Parameters& pa
 std::uint64_t run_scenarios(const Options& options) {
     using records::cell;
     const std::vector<Scenario> scenes =
-        selected(scenarios(), options.scenarios, &Scenario::name, "scenario");
+        selected(scenarios(), options.scenarios, &Scenario::name, "--scenario");
     const std::vector<Firmware> programs = selected(
-        firmwares(options.firmware), options.arithmetics, &Firmware::arithmetic, "arithmetic");
+        firmwares(options.firmware), options.arithmetics, &Firmware::arithmetic, "--arithmetic");
     records::Table table({"scenario",     "arithmetic",     "seconds",      "loop_rate_hz",
                           "step_mean_ms", "step_max_ms",    "late_steps",   "worst_lateness_ms",
                           "cpu_percent",  "render_percent", "frames_per_s", "servo_min_us",

@@ -1,21 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the portable code costs on the host, by Google Benchmark: host_throughput
-// --benchmark_out=host.json. Names are those of the device subjects.
+#include "bench/experiments/operations/host_throughput.hpp"
+
 #include <benchmark/benchmark.h>
+#include <fmt/format.h>
 
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <fixedpoint/arithmetic/published.hpp>
 #include <fixedpoint/fixed.hpp>
+#include <iostream>
+#include <iterator>
 #include <random>
 #include <string>
 
+#include "bench/lab/catalogue/invoke.h"
+#include "bench/lab/catalogue/subjects.h"
+#include "reference/operation.hpp"
+
 namespace {
 
-using fixedpoint::Integer;
 using fixedpoint::Nearest;
 using fixedpoint::Published;
+using reference::Operation;
 
 // Operands of 0.01 to 20 in both signs, log-uniform, clipped to the format.
 template <class Raw, int F>
@@ -32,44 +39,36 @@ std::array<Raw, 1024> physics_operands(std::uint64_t seed) {
     return operands;
 }
 
-template <class Raw, int F, class Function>
-void measure_binary(const std::string& name, Function function) {
-    benchmark::RegisterBenchmark(name.c_str(), [function](benchmark::State& state) {
-        const auto a = physics_operands<Raw, F>(1), b = physics_operands<Raw, F>(2);
-        std::size_t i = 0;
-        for (auto _ : state) {
-            benchmark::DoNotOptimize(function(a[i], b[i]));
-            i = (i + 1) % a.size();
-        }
-    });
+template <class Policy, class Raw, int F, Operation operation>
+void measure(const std::string& suffix) {
+    const reference::OperationShape& shape = reference::shape(operation);
+    benchmark::RegisterBenchmark(
+        (std::string(shape.name) + suffix).c_str(), [](benchmark::State& state) {
+            const auto a = physics_operands<Raw, F>(1), b = physics_operands<Raw, F>(2);
+            std::size_t i = 0;
+            for (auto _ : state) {
+                if constexpr (reference::shape(operation).operands == 1)
+                    benchmark::DoNotOptimize(catalogue::invoke<operation, Policy, Raw, F>(a[i]));
+                else
+                    benchmark::DoNotOptimize(
+                        catalogue::invoke<operation, Policy, Raw, F>(a[i], b[i]));
+                i = (i + 1) % a.size();
+            }
+        });
 }
 
-template <class Raw, int F, class Function>
-void measure_unary(const std::string& name, Function function) {
-    measure_binary<Raw, F>(name, [function](Raw a, Raw) { return function(a); });
-}
-
-template <class Policy, int I, int F>
-void measure_format(const std::string& suffix) {
-    using Raw = Integer<I + F>;
-    const auto named = [&](const char* operation) { return operation + suffix; };
-    measure_binary<Raw, F>(named("add"),
-                           [](Raw a, Raw b) { return Policy::template add<Raw, F>(a, b); });
-    measure_binary<Raw, F>(named("multiply"),
-                           [](Raw a, Raw b) { return Policy::template multiply<Raw, F>(a, b); });
-    measure_binary<Raw, F>(named("divide"),
-                           [](Raw a, Raw b) { return Policy::template divide<Raw, F>(a, b); });
-    measure_unary<Raw, F>(named("sqrt"), [](Raw a) { return Policy::template sqrt<Raw, F>(a); });
-    measure_binary<Raw, F>(named("atan2"),
-                           [](Raw a, Raw b) { return Policy::template atan2<Raw, F>(a, b); });
+template <class Policy, class Raw, int F, Operation... operations>
+void measure_all(const std::string& suffix) {
+    (measure<Policy, Raw, F, operations>(suffix), ...);
 }
 
 template <class Policy>
 void measure_formats(const std::string& implementation) {
-    measure_format<Policy, 4, 4>("_q4_4_" + implementation);
-    measure_format<Policy, 8, 8>("_q8_8_" + implementation);
-    measure_format<Policy, 16, 16>("_q16_16_" + implementation);
-    measure_format<Policy, 32, 32>("_q32_32_" + implementation);
+    using enum Operation;
+#define MEASURE_FORMAT(format, Raw, F, ...)                                                \
+    measure_all<Policy, Raw, F, add, multiply, divide, Operation::sqrt, Operation::atan2>( \
+        "_" #format "_" + implementation);
+    SQUARE_FORMATS(MEASURE_FORMAT)
 }
 
 void measure_float() {
@@ -99,13 +98,24 @@ void measure_float() {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+void operations::measure_throughput(const std::filesystem::path& file, double seconds) {
     measure_formats<Nearest>("default");
     measure_formats<Published>("published");
     measure_float();
-    benchmark::Initialize(&argc, argv);
-    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
-    benchmark::RunSpecifiedBenchmarks();
+    // The table that the library shows goes to stderr, as all that is not the result does.
+    std::filesystem::path partial = file;
+    partial += ".partial";
+    std::string arguments[] = {"fixbench", fmt::format("--benchmark_min_time={}", seconds),
+                               "--benchmark_out=" + partial.string(),
+                               "--benchmark_out_format=json"};
+    char* pointers[std::size(arguments)];
+    for (std::size_t i = 0; i < std::size(arguments); ++i) pointers[i] = arguments[i].data();
+    int count = std::size(arguments);
+    benchmark::Initialize(&count, pointers);
+    benchmark::ConsoleReporter console;
+    console.SetOutputStream(&std::cerr);
+    console.SetErrorStream(&std::cerr);
+    benchmark::RunSpecifiedBenchmarks(&console);
     benchmark::Shutdown();
-    return 0;
+    std::filesystem::rename(partial, file);
 }

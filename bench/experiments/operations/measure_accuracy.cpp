@@ -5,6 +5,8 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -13,6 +15,7 @@
 #include "bench/lab/operands/operand_class.hpp"
 #include "bench/lab/operands/search.hpp"
 #include "bench/lab/parallel.hpp"
+#include "bench/lab/records/csv.hpp"
 #include "bench/lab/records/progress.hpp"
 #include "bench/lab/records/record.hpp"
 #include "bench/lab/subjects/host_subject.hpp"
@@ -161,6 +164,71 @@ void add_histogram(std::vector<Bin>& bins, const HostSubject& job,
     add(histogram.range[histogram.n], INFINITY, static_cast<double>(statistics.above_histogram()));
 }
 
+// What an earlier run wrote of a subject: found by the first three columns.
+class Kept {
+  public:
+    explicit Kept(const std::filesystem::path& folder)
+        : accuracy_(records::Table::load(folder / "accuracy.csv")),
+          histograms_(records::Table::load(folder / "error_histograms.csv")) {}
+
+    // The row of the subject, where all inputs were run.
+    const std::vector<std::string>* row(const HostSubject& job) const {
+        for (const auto& row : accuracy_.rows())
+            if (is_of(row, job) && row[accuracy_.column("bound")] == "exact") return &row;
+        return nullptr;
+    }
+
+    // Adds the rows of the subject, once they agree with the code as it is: it errs as it did at
+    // the operands of the largest error, and at no sample by more.
+    void add(const HostSubject& job, std::vector<Accuracy>& accuracy,
+             std::vector<Bin>& histograms) const {
+        const std::vector<std::string>& kept = *row(job);
+        const std::string largest = kept[accuracy_.column("max_ulp")];
+        std::vector<std::int64_t> witness;
+        std::istringstream words(kept[accuracy_.column("max_ulp_witness")]);
+        for (std::int64_t raw; words >> raw;) witness.push_back(raw);
+        const auto stale = [&](const std::string& reason) {
+            throw std::runtime_error(
+                fmt::format("{}: the row that is kept of all inputs is not of this code: {}; "
+                            "`fixbench all --exhaustive --only accuracy` runs them again",
+                            job.name(), reason));
+        };
+        if (witness.size() != reference::shape(job.subject.operation).operands)
+            stale("it names no operands");
+        const double there = std::abs(job.judge_own(witness).error_ulp);
+        if (records::cell(there) != largest)
+            stale(fmt::format("at {} it errs by {} ulp, not {}",
+                              kept[accuracy_.column("max_ulp_witness")], records::cell(there),
+                              largest));
+        const ErrorStatistics samples = sample(job, true);
+        if (samples.wrong() != 0)
+            stale(fmt::format("{} breaks the definition", text_of(samples.wrong_witness())));
+        if (samples.max_ulp() > there)
+            stale(fmt::format("at {} it errs by {} ulp, and {} was the most",
+                              text_of(samples.max_witness()), records::cell(samples.max_ulp()),
+                              largest));
+        const auto text = [&](const char* name) { return kept[accuracy_.column(name)]; };
+        const auto count = [&](const char* name) { return std::stoull(text(name)); };
+        const auto number = [&](const char* name) { return std::stod(text(name)); };
+        accuracy.push_back({text("operation"), text("format"), text("implementation"),
+                            text("inputs"), count("samples"), count("defined"), number("max_ulp"),
+                            text("max_ulp_witness"), number("rms_ulp"), number("mean_ulp"),
+                            text("bound"), count("violations")});
+        for (const auto& row : histograms_.rows())
+            if (is_of(row, job))
+                histograms.push_back({row[0], row[1], row[2], std::stod(row[3]),
+                                      std::stod(row[4]), std::stod(row[5])});
+    }
+
+  private:
+    static bool is_of(const std::vector<std::string>& row, const HostSubject& job) {
+        return row[0] == operation_name(job.subject) &&
+               row[1] == reference::format_name(job.subject.format) && row[2] == job.implementation;
+    }
+
+    records::Table accuracy_, histograms_;
+};
+
 // The largest and the rms error in each of many intervals of the input, log-spaced.
 void add_along_input(std::vector<Interval>& intervals, const HostSubject& job) {
     constexpr int intervals_per_octave = 8;
@@ -203,8 +271,22 @@ std::uint64_t measure_accuracy(const AccuracyOptions& options) {
     std::vector<Bin> histograms;
     std::vector<Interval> along;
     std::uint64_t violations = 0;
+    std::optional<Kept> kept;
+    if (!options.kept.empty()) kept.emplace(options.kept);
     for (const HostSubject& job : jobs) {
+        const bool unary = reference::shape(job.subject.operation).operands == 1 &&
+                           job.subject.operand_format == job.subject.format;
+        if (unary && job.subject.format == reference::q16_16) add_along_input(along, job);
         const bool exhaustive = is_exhaustive(job, options.quick);
+        if (kept && exhaustive && job.input_bits() > quick_exhaustive_bits) {
+            if (kept->row(job) == nullptr)
+                throw std::runtime_error(
+                    fmt::format("{}: {} holds no row of all its inputs; `fixbench all --exhaustive "
+                                "--only accuracy` runs them",
+                                job.name(), (options.kept / "accuracy.csv").string()));
+            kept->add(job, accuracy, histograms);
+            continue;
+        }
         const ErrorStatistics statistics =
             exhaustive ? exhaust_in_parallel(job, options.threads) : sample(job, options.quick);
         accuracy.push_back({operation_name(job.subject), reference::format_name(job.subject.format),
@@ -214,9 +296,6 @@ std::uint64_t measure_accuracy(const AccuracyOptions& options) {
                             statistics.mean_ulp(), exhaustive ? "exact" : "lower bound",
                             statistics.wrong()});
         add_histogram(histograms, job, statistics);
-        const bool unary = reference::shape(job.subject.operation).operands == 1 &&
-                           job.subject.operand_format == job.subject.format;
-        if (unary && job.subject.format == reference::q16_16) add_along_input(along, job);
         if (statistics.wrong() != 0) {
             violations += statistics.wrong();
             fmt::print(stderr, "{}: {} operands break the definition, the first: {}\n", job.name(),

@@ -14,6 +14,10 @@ struct AccuracyOptions {
     std::filesystem::path output;  // folder for accuracy.csv and its companions
     Selection selection;
     bool quick = false;  // sample the spaces of more than 2^24 inputs
+    // Folder of the three files of an earlier run. Where it is named, the spaces of more than 2^24
+    // inputs are not exhausted again: their rows are kept after they have been held against the
+    // witness of the largest error and against samples.
+    std::filesystem::path kept;
     unsigned threads = 1;
 };
 

@@ -103,6 +103,7 @@ struct Row {
     // In the unit of the result, so that formats can be held against each other.
     double max_error = 0;
     double sum_of_squared_errors = 0;
+    std::string failure{};  // why it could not be measured to its end
 
     void add(std::span<const std::int64_t> operands, const DeviceResult& result) {
         ++samples;
@@ -182,6 +183,7 @@ void run_class(DeviceSubject& subject, Row& row, operands::OperandClass operand_
 
 void run(simulator::Chip& chip, Row& row, std::uint64_t samples) {
     DeviceSubject subject(chip, row.subject);
+    subject.forbid_stray_writes();
     if (row.operands == "all") {
         run_all_inputs(subject, row);
     } else if (row.operands == "boundary") {
@@ -290,13 +292,23 @@ std::uint64_t measure_cycles(const CycleOptions& options) {
 
     records::Progress progress("cycles", rows.size());
     in_parallel(options.threads, rows.size(), [&](std::size_t i) {
-        simulator::Chip chip(*rows[i].program);
-        chip.run_until_function("main");
-        run(chip, rows[i], options.samples);
+        try {
+            simulator::Chip chip(*rows[i].program);
+            chip.run_until_function("main");
+            run(chip, rows[i], options.samples);
+        } catch (const simulator::SimulationError& error) {
+            rows[i].failure = error.what();
+        }
         progress.advance();
     });
 
     std::uint64_t violations = 0;
+    for (const Row& row : rows) {
+        if (row.failure.empty()) continue;
+        ++violations;
+        fmt::print(stderr, "{}: {} operands: {}\n", row.subject, row.operands, row.failure);
+    }
+    std::erase_if(rows, [](const Row& row) { return !row.failure.empty(); });
     for (const Row& row : rows) {
         if (row.errors.wrong() == 0 || !catalogue::is_held_to_its_definition(row.named)) continue;
         violations += row.errors.wrong();

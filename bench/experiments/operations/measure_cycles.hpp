@@ -23,7 +23,8 @@ struct CycleOptions {
 
 // Writes operations.csv and operations.json. Returns how many results broke their definition; each
 // subject's first is reported on stderr. Throws std::invalid_argument where nothing is selected or
-// a name is unknown, and simulator::SimulationError where a call does not return.
+// a name is unknown. A subject that does not return, breaks the calling convention or writes where
+// it must not counts as one such result, is reported on stderr and left out of the files.
 std::uint64_t measure_cycles(const CycleOptions& options);
 
 }  // namespace operations

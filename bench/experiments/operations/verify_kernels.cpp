@@ -41,6 +41,7 @@ struct Comparison {
     std::uint64_t mismatches = 0;
     reference::Witness first_mismatch{};
     simulator::Coverage coverage{};
+    std::string failure{};  // why it could not be compared to its end
 };
 
 // A row of kernels.csv.
@@ -124,7 +125,11 @@ std::uint64_t verify_kernels(const VerifyOptions& options) {
 
     records::Progress progress("machine code against the host", comparisons.size());
     in_parallel(options.threads, comparisons.size(), [&](std::size_t i) {
-        run(comparisons[i], options.samples);
+        try {
+            run(comparisons[i], options.samples);
+        } catch (const simulator::SimulationError& error) {
+            comparisons[i].failure = error.what();
+        }
         progress.advance();
     });
 
@@ -133,6 +138,12 @@ std::uint64_t verify_kernels(const VerifyOptions& options) {
     for (const Comparison& each : comparisons) coverage[each.program].merge(each.coverage);
 
     std::uint64_t failures = 0;
+    for (const Comparison& each : comparisons) {
+        if (each.failure.empty()) continue;
+        ++failures;
+        fmt::print(stderr, "{}\n", each.failure);
+    }
+    std::erase_if(comparisons, [](const Comparison& each) { return !each.failure.empty(); });
     std::vector<Kernel> kernels;
     for (const Comparison& each : comparisons) {
         const simulator::Elf& program = *each.program;

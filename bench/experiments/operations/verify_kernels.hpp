@@ -22,8 +22,8 @@ struct VerifyOptions {
 
 // Runs each subject that the host has too on its boundary table, on random operands of the classes
 // physics, full and uniform, and on all inputs where there are at most 65536. Writes kernels.csv
-// and returns how many subjects differ from the host. Throws simulator::SimulationError where a
-// call breaks the calling convention.
+// and returns how many subjects differ from the host. A subject that does not return, breaks the
+// calling convention or writes where it must not differs: it is reported on stderr and left out.
 std::uint64_t verify_kernels(const VerifyOptions& options);
 
 }  // namespace operations

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bench/experiments/profile/command.hpp"
-
+// fixbench profile.
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -10,12 +9,15 @@
 #include <stdexcept>
 #include <string>
 
-#include "bench/experiments/haptic/device_loop.hpp"
-#include "bench/experiments/haptic/scenarios.hpp"
 #include "bench/chip/profile/profiler.hpp"
 #include "bench/chip/profile/report.hpp"
 #include "bench/chip/profile/stack_bound.hpp"
+#include "bench/experiments/haptic/device_loop.hpp"
+#include "bench/experiments/haptic/scenarios.hpp"
 #include "bench/experiments/profile/files.hpp"
+#include "bench/lab/program/build.hpp"
+#include "bench/lab/program/experiment.hpp"
+#include "bench/lab/program/output.hpp"
 #include "bench/lab/records/progress.hpp"
 
 namespace profile {
@@ -93,6 +95,8 @@ Profile measure(const Options& options, const simulator::Elf& elf) {
 
 int run(const Options& options) {
     check(options);
+    for (const auto& folder : {options.output, options.figures})
+        if (!folder.empty()) fixbench::require_writable(folder);
     const simulator::Elf elf(options.program);
     const Profile profile = measure(options, elf);
     const StackBound bound = static_stack_bound(elf);
@@ -104,33 +108,50 @@ int run(const Options& options) {
     return EXIT_SUCCESS;
 }
 
-}  // namespace
+const std::filesystem::path lever = PROFILE_LEVER;
 
-void add_profile_command(CLI::App& app, fixbench::Action& action) {
-    const auto options = std::make_shared<Options>();
-    CLI::App* const command = app.add_subcommand(
-        "profile",
+const fixbench::Registration registration({
+    .name = "profile",
+    .description =
         "Where each cycle and stack byte of a program for the ATmega328P goes, function by\n"
         "function, its interrupts' latencies and a bound of its stack by its machine code.\n"
         "With --output, for firmware.elf: profile_firmware.csv, interrupts_firmware.csv,\n"
         "stack_firmware.csv, stacks_firmware.folded and the flame graph firmware_flame.svg.\n\n"
         "A function's cycles include its call and return; inlined functions belong to the one\n"
         "that they were inlined into. A marker is a byte that the program writes to GPIOR0.\n\n"
-        "Example: fixbench profile firmware.elf --seconds 5 --output profile");
-    command->add_option("program", options->program, "the ELF file")->required();
-    command
-        ->add_option("--seconds", options->seconds,
-                     "simulated time from reset; with markers, at most")
-        ->capture_default_str();
-    CLI::Option* const from =
-        command->add_option("--from", options->from, "begins behind this marker");
-    command->add_option("--to", options->to, "ends with the next marker of this value")
-        ->needs(from);
-    command->add_option("--scenario", options->scenario,
-                        "of `fixbench haptic`: a lever, coupled to the model of its device");
-    command->add_option("--output", options->output, "folder for the files");
-    command->add_option("--figures", options->figures, "folder for the flame graph, if another");
-    command->callback([&action, options] { action = [options] { return run(*options); }; });
-}
+        "Example: fixbench profile firmware.elf --seconds 5 --output profile",
+    .add =
+        [](CLI::App& command) {
+            const auto options = std::make_shared<Options>();
+            command.add_option("program", options->program, "the ELF file")->required();
+            command
+                .add_option("--seconds", options->seconds,
+                            "simulated time from reset; with markers, at most")
+                ->capture_default_str();
+            CLI::Option* const from =
+                command.add_option("--from", options->from, "begins behind this marker");
+            command.add_option("--to", options->to, "ends with the next marker of this value")
+                ->needs(from);
+            command.add_option("--scenario", options->scenario,
+                               "of `fixbench haptic`: a lever, coupled to the model of its device");
+            command.add_option("--output", options->output, "folder for the files");
+            command.add_option("--figures", options->figures,
+                               "folder for the flame graph, if another");
+            return [options](const fixbench::Call&) { return run(*options); };
+        },
+    .steps = {{.name = "profile",
+               .arguments = [](const fixbench::Mode& mode) -> std::vector<std::string> {
+                   return {"profile", lever,      "--scenario", "poke_while_held", "--seconds",
+                           "5",       "--output", mode.data,    "--figures",       mode.figures};
+               },
+               .writes = {"profile_lever.csv", "interrupts_lever.csv", "stack_lever.csv",
+                          "stacks_lever.folded"},
+               .figures = {"lever_flame.svg"},
+               .targets = {"lever"},
+               .reads = {lever},
+               .full_seconds = 10,
+               .quick_seconds = 10}},
+});
 
+}  // namespace
 }  // namespace profile

@@ -1,99 +1,92 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bench/experiments/scenes/command.hpp"
-
-#include <fmt/format.h>
-
-#include <cstdlib>
+// fixbench scenes and fixbench workload.
 #include <memory>
-#include <stdexcept>
-#include <thread>
 
 #include "bench/experiments/scenes/measure_scenes.hpp"
 #include "bench/experiments/scenes/workload.hpp"
+#include "bench/lab/program/build.hpp"
+#include "bench/lab/program/experiment.hpp"
 
 namespace scene_bench {
 namespace {
 
-// The device programs are too many to be part of every build.
-void build_programs(const char* target, unsigned threads) {
-    const std::string command = fmt::format("cmake --build '{}' --target {} --parallel {} >&2",
-                                            BUILD_FOLDER, target, threads);
-    if (std::system(command.c_str()) != 0)
-        throw std::runtime_error(fmt::format("cannot build the target {}", target));
-}
+using fixbench::Call;
+using fixbench::Mode;
 
-void add_output(CLI::App& command, std::filesystem::path& output, unsigned& threads) {
-    command.add_option("--output", output, "folder that the data files are written to")
-        ->capture_default_str();
-    command.add_option("--threads", threads, "threads to run on")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 1024));
-}
-
-unsigned all_threads() { return std::max(1u, std::thread::hardware_concurrency()); }
-
-}  // namespace
-
-void add_scenes_command(CLI::App& app, fixbench::Action& action) {
-    const auto options = std::make_shared<SceneOptions>();
-    options->output = "results/data";
-    options->programs = SCENE_PROGRAMS;
-    options->threads = all_threads();
-    CLI::App* const command = app.add_subcommand(
-        "scenes",
+const fixbench::Registration scenes({
+    .name = "scenes",
+    .description =
         "Error of every scene of engine/src/scenes/ in every scalar, method and time step, "
         "against\n"
-        "cycles on the simulated chip. Builds the device programs where they are out of date.\n"
-        "Writes scenes.csv.\n\n"
+        "cycles on the simulated chip. Builds the device programs that were selected where they\n"
+        "are out of date. File: scenes.csv.\n\n"
         "error is against the truth; error_method that of the same method in 50 digits; and\n"
         "error_arithmetic is against the same method in 50 digits. Each is the largest distance "
         "of\n"
         "a particle at any quarter of a second, in metres. Rows without cycles ran on the host,\n"
         "which the chip equals bit for bit. A run that failed is a row with its reason.\n\n"
-        "Example: fixbench scenes --scene pendulum --scalar q16_16,float");
-    const auto add_names = [&](const char* name, std::vector<std::string>& names,
-                               const char* what) {
-        command->add_option(name, names, what)->delimiter(',');
-    };
-    add_names("--scene", options->scenes, "only these scenes, e.g. pendulum,lever");
-    add_names("--scalar", options->scalars,
-              "only these of q8_8, q8_24, q16_16, q16_16_published, q16_16_saturating, q32_32, "
-              "float, double, "
-              "fifty_digits");
-    add_names("--method", options->methods,
-              "only these of explicit_euler, semi_implicit_euler, velocity_verlet, "
-              "implicit_springs");
-    command->add_flag("--quick", options->quick, "only time steps of 2^-8 s and more");
-    add_output(*command, options->output, options->threads);
-    command->callback([&action, options] {
-        action = [options] {
-            build_programs("scene_programs", options->threads);
-            measure_scenes(*options);
-            return EXIT_SUCCESS;
-        };
-    });
-}
+        "Example: fixbench scenes --scene pendulum --scalar q16_16,float",
+    .prints = {"scenes.csv"},
+    .add =
+        [](CLI::App& command) {
+            const auto options = std::make_shared<SceneOptions>();
+            options->programs = SCENE_PROGRAMS;
+            fixbench::add_selection(command, "--scene", options->scenes,
+                                    "only these scenes, e.g. pendulum,lever");
+            fixbench::add_selection(command, "--scalar", options->scalars,
+                                    "only these scalars, e.g. q16_16,q16_16_saturating,float");
+            fixbench::add_selection(command, "--method", options->methods,
+                                    "only these methods, e.g. velocity_verlet");
+            command.add_flag("--quick", options->quick, "only time steps of 2^-8 s and more");
+            return [options](const Call& call) {
+                options->output = call.output;
+                options->threads = call.threads;
+                fixbench::build(programs_of(*options));
+                measure_scenes(*options);
+                return fixbench::held;
+            };
+        },
+    .steps = {{.name = "scenes",
+               .arguments =
+                   [](const Mode& mode) {
+                       std::vector<std::string> arguments = {"scenes", "--output", mode.data};
+                       if (mode.quick) arguments.push_back("--quick");
+                       return arguments;
+                   },
+               .writes = {"scenes.csv"},
+               .targets = {"scene_programs"},
+               .reads = {SCENE_PROGRAMS},
+               .full_seconds = 240,
+               .quick_seconds = 60}},
+});
 
-void add_workload_command(CLI::App& app, fixbench::Action& action) {
-    const auto options = std::make_shared<WorkloadOptions>();
-    options->output = "results/data";
-    options->programs = WORKLOAD_PROGRAMS;
-    options->threads = all_threads();
-    CLI::App* const command = app.add_subcommand(
-        "workload",
-        "The published lever with the report's arithmetic, ours and float on one source: its "
+const fixbench::Registration workload({
+    .name = "workload",
+    .description =
+        "The published lever with the 2016 design's arithmetic, ours and float on one source: its "
         "step,\n"
         "what its parts cost inside the running engine, and how many steps a second that makes,\n"
-        "beside the published figures. Writes workload.csv, workload_rounds.csv (cycles by rounds\n"
-        "of contact resolution) and workload_trace.csv (one step, call by call).");
-    add_output(*command, options->output, options->threads);
-    command->callback([&action, options] {
-        action = [options] {
-            build_programs("workload_programs", options->threads);
-            measure_workload(*options);
-            return EXIT_SUCCESS;
-        };
-    });
-}
+        "beside the published figures. Files: workload.csv, workload_rounds.csv (cycles by rounds\n"
+        "of contact resolution) and workload_trace.csv (one step, call by call).",
+    .prints = {"workload.csv"},
+    .add =
+        [](CLI::App&) {
+            return [](const Call& call) {
+                fixbench::build({"workload_programs"});
+                measure_workload({WORKLOAD_PROGRAMS, call.output, call.threads});
+                return fixbench::held;
+            };
+        },
+    .steps = {{.name = "workload",
+               .arguments = [](const Mode& mode) -> std::vector<std::string> {
+                   return {"workload", "--output", mode.data};
+               },
+               .writes = {"workload.csv", "workload_rounds.csv", "workload_trace.csv"},
+               .targets = {"workload_programs"},
+               .reads = {WORKLOAD_PROGRAMS},
+               .full_seconds = 15,
+               .quick_seconds = 15}},
+});
 
+}  // namespace
 }  // namespace scene_bench

@@ -2,7 +2,6 @@
 #include "bench/experiments/scenes/measure_scenes.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -12,11 +11,12 @@
 #include <optional>
 #include <stdexcept>
 
-#include "bench/lab/parallel.hpp"
-#include "bench/lab/records/csv.hpp"
-#include "bench/lab/records/progress.hpp"
 #include "bench/experiments/scenes/chip_run.hpp"
 #include "bench/experiments/scenes/judge.hpp"
+#include "bench/lab/parallel.hpp"
+#include "bench/lab/program/names.hpp"
+#include "bench/lab/records/csv.hpp"
+#include "bench/lab/records/progress.hpp"
 #include "reference/trajectories/trajectory.hpp"
 
 namespace scene_bench {
@@ -76,14 +76,6 @@ std::string format_of(std::string_view scalar) {
     return std::string(scalar);
 }
 
-void check_names(const std::string& what, const std::vector<std::string>& asked,
-                 const std::vector<std::string>& known) {
-    for (const std::string& name : asked)
-        if (std::find(known.begin(), known.end(), name) == known.end())
-            throw std::runtime_error(fmt::format("there is no {} '{}'; there are {}", what, name,
-                                                 fmt::join(known, ", ")));
-}
-
 void add_once(std::vector<std::string>& names, const std::string& name) {
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
 }
@@ -97,9 +89,9 @@ void check(const SceneOptions& options) {
             add_once(methods, subject.method);
         }
     }
-    check_names("scene", options.scenes, scenes);
-    check_names("scalar", options.scalars, scalars);
-    check_names("method", options.methods, methods);
+    fixbench::check_names("--scene", options.scenes, scenes);
+    fixbench::check_names("--scalar", options.scalars, scalars);
+    fixbench::check_names("--method", options.methods, methods);
 }
 
 std::vector<Subject> subjects_of(const SceneOptions& options) {
@@ -123,6 +115,19 @@ std::vector<Subject> subjects_of(const SceneOptions& options) {
     return subjects;
 }
 
+std::vector<Subject> selected(const SceneOptions& options) {
+    check(options);
+    std::vector<Subject> subjects = subjects_of(options);
+    if (subjects.empty())
+        throw std::invalid_argument("no run is of such a scene, scalar and method together");
+    return subjects;
+}
+
+std::filesystem::path program_of(const Subject& subject, const std::filesystem::path& programs) {
+    return program_path(programs, subject.scene->name, subject.scalar, subject.method,
+                        std::to_string(subject.exponent));
+}
+
 // At the times of a run; empty where only conserved quantities are known.
 Trajectory truth_of(const Scene& scene) {
     reference::Times times;
@@ -144,9 +149,8 @@ ChipRun run(const Subject& subject, const std::filesystem::path& programs) {
     const HostSubject* const host = subject.scene->find(subject.scalar, subject.method);
     ChipRun run;
     if (subject.on_chip) {
-        const auto program = program_path(programs, subject.scene->name, subject.scalar,
-                                          subject.method, std::to_string(subject.exponent));
-        run = run_on_chip(program, *subject.scene, subject.scalar, subject.exponent, Hashes::no);
+        run = run_on_chip(program_of(subject, programs), *subject.scene, subject.scalar,
+                          subject.exponent, Hashes::no);
     }
     if (host == nullptr) return run;
     Run on_host = host->run(subject.exponent, Hashes::no);
@@ -219,10 +223,15 @@ void for_all(const char* name, unsigned threads, const std::vector<T>& elements,
 
 }  // namespace
 
+std::vector<std::string> programs_of(const SceneOptions& options) {
+    std::vector<std::string> programs = {(options.programs / "empty.elf").string()};
+    for (const Subject& subject : selected(options))
+        if (subject.on_chip) programs.push_back(program_of(subject, options.programs).string());
+    return programs;
+}
+
 void measure_scenes(const SceneOptions& options) {
-    check(options);
-    const std::vector<Subject> subjects = subjects_of(options);
-    if (subjects.empty()) throw std::runtime_error("no run matches the selection");
+    const std::vector<Subject> subjects = selected(options);
 
     std::map<const Scene*, Trajectory> truths;
     std::map<Method, Yardstick> yardsticks;

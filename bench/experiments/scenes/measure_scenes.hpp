@@ -16,6 +16,10 @@ struct SceneOptions {
     bool quick = false;  // coarse time steps only
 };
 
+// The device programs that such a run reads, by their paths. Throws std::invalid_argument where a
+// name is none or nothing is selected.
+std::vector<std::string> programs_of(const SceneOptions& options);
+
 // Writes scenes.csv. Throws where a name is none, a program is missing, or chip and host differ.
 void measure_scenes(const SceneOptions& options);
 

@@ -13,12 +13,12 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "bench/lab/parallel.hpp"
-#include "bench/lab/records/csv.hpp"
-#include "bench/lab/records/progress.hpp"
 #include "bench/experiments/stability/any_format.hpp"
 #include "bench/experiments/stability/scene_description.hpp"
 #include "bench/experiments/stability/search.hpp"
+#include "bench/lab/parallel.hpp"
+#include "bench/lab/records/csv.hpp"
+#include "bench/lab/records/progress.hpp"
 #include "reference/trajectories/trajectory.hpp"
 
 namespace stability {
@@ -118,7 +118,13 @@ class Costs {
   public:
     Costs(const std::filesystem::path& data, const std::string& scene) {
         const std::filesystem::path file = data / "scenes.csv";
-        if (!std::filesystem::exists(file)) return;
+        if (!std::filesystem::exists(file)) {
+            fmt::print(stderr,
+                       "advise: {} is missing: without measured cycles, the order is that of bits "
+                       "and steps; `fixbench scenes --output {}` measures them\n",
+                       file.string(), data.string());
+            return;
+        }
         const records::Table table = records::Table::load(file);
         const auto column = [&](const char* name) { return table.column(name); };
         for (const auto& row : table.rows()) {

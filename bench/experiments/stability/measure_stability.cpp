@@ -8,12 +8,13 @@
 #include <limits>
 #include <stdexcept>
 
+#include "bench/experiments/stability/ablations.hpp"
+#include "bench/experiments/stability/advise.hpp"
+#include "bench/experiments/stability/search.hpp"
 #include "bench/lab/parallel.hpp"
+#include "bench/lab/program/names.hpp"
 #include "bench/lab/records/csv.hpp"
 #include "bench/lab/records/progress.hpp"
-#include "bench/experiments/stability/advise.hpp"
-#include "bench/experiments/stability/ablations.hpp"
-#include "bench/experiments/stability/search.hpp"
 
 namespace stability {
 namespace {
@@ -142,6 +143,22 @@ void save_map(const Options& options, const Effort& effort) {
 
 }  // namespace
 
+bool is_selection(const Options& options) {
+    return !options.cases.empty() || !options.scalars.empty() || !options.integrators.empty();
+}
+
+void check_selection(const Options& options) {
+    std::vector<std::string> cases, scalars, integrators;
+    for (const Case& one : all_cases()) cases.push_back(one.name);
+    for (const Subject& subject : subjects()) {
+        scalars.push_back(subject.scalar);
+        integrators.push_back(subject.integrator);
+    }
+    fixbench::check_names("--case", options.cases, cases);
+    fixbench::check_names("--scalar", options.scalars, scalars);
+    fixbench::check_names("--integrator", options.integrators, integrators);
+}
+
 void measure_stability(const Options& options) {
     const Effort effort = options.quick ? Effort{1, 3, 20000} : Effort{};
     std::vector<std::pair<const Case*, const Subject*>> work;
@@ -152,7 +169,8 @@ void measure_stability(const Options& options) {
                 wanted(options.integrators, subject.integrator))
                 work.emplace_back(&one, &subject);
     }
-    if (work.empty()) throw std::runtime_error("no such case, scalar or integrator");
+    if (work.empty())
+        throw std::invalid_argument("no subject is of such a scalar and integrator together");
     std::vector<Finding> findings(work.size());
     {
         records::Progress progress("stability", work.size());
@@ -166,7 +184,7 @@ void measure_stability(const Options& options) {
     for (std::size_t i = 0; i < work.size(); ++i)
         table.add(row(*work[i].first, *work[i].second, findings[i]));
     table.save(options.output / "stability.csv");
-    if (!options.cases.empty() || !options.scalars.empty() || !options.integrators.empty()) return;
+    if (is_selection(options)) return;
 
     const auto found = [&](const std::string& name, const Subject& subject) -> const Finding& {
         for (std::size_t i = 0; i < work.size(); ++i)

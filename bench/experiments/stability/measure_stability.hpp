@@ -14,6 +14,12 @@ struct Options {
     std::vector<std::string> cases, scalars, integrators;  // all where empty
 };
 
+// Whether only a part of the cases or subjects is asked for.
+bool is_selection(const Options& options);
+
+// Throws std::invalid_argument where a name is none.
+void check_selection(const Options& options);
+
 // Writes stability.csv and, of all cases, envelope.csv,
 // stability_map.csv, ablations.csv and, where not quick, suitability.csv.
 void measure_stability(const Options& options);

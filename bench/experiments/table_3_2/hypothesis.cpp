@@ -87,6 +87,11 @@ std::vector<std::size_t> differences(const Hypothesis& a, const Hypothesis& b) {
     return different;
 }
 
+bool is_alternative(const Hypothesis& best, const Hypothesis& other) {
+    const std::size_t changes = differences(best, other).size();
+    return changes == 1 || (changes == 2 && other.form != best.form);
+}
+
 const std::vector<std::string>& forms() {
     static const std::vector<std::string> forms{"assign", "accumulate", "replace"};
     return forms;

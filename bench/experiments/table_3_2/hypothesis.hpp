@@ -41,6 +41,9 @@ std::array<std::string, axes.size()> values(const Hypothesis& hypothesis);
 // The axes on which two hypotheses differ.
 std::vector<std::size_t> differences(const Hypothesis& a, const Hypothesis& b);
 
+// Whether they differ on one axis, or on the form and one axis more.
+bool is_alternative(const Hypothesis& best, const Hypothesis& other);
+
 // Everything that is tried: each program with each form and each pair of operands.
 const std::vector<std::string>& forms();
 const std::vector<Operands>& operand_pairs();

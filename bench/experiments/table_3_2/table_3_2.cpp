@@ -82,8 +82,8 @@ std::optional<Alternative> nearest_alternative(const Published& row, const Hypot
         for (const std::string& form : forms()) {
             for (const Operands& operands : operand_pairs()) {
                 const Hypothesis other{program, form, operands};
+                if (!is_alternative(best, other)) continue;
                 const std::size_t changes = differences(best, other).size();
-                if (changes == 0 || changes > 2 || (changes == 2 && form == best.form)) continue;
                 candidates.push_back(
                     {changes, miss(quick_ms(harnesses[program], other, row.cell)), other});
             }

@@ -71,7 +71,7 @@
 #define IMPLEMENTATION_portable(X) \
     X(portable, Portable, ours, as_default, SQUARE_FORMATS, PORTABLE_OPERATIONS, "ours, portable C++")
 #define IMPLEMENTATION_published(X) \
-    X(published, Published, published, own, SQUARE_FORMATS, PUBLISHED_OPERATIONS, "the report's")
+    X(published, Published, published, own, SQUARE_FORMATS, PUBLISHED_OPERATIONS, "2016 design")
 #define IMPLEMENTATION_saturating(X) \
     X(saturating, Saturating, ours, own, LIBRARY_FORMATS, SUMS_AND_PRODUCTS, "ours, saturating")
 #define IMPLEMENTATION_widening(X) \

@@ -70,7 +70,10 @@ Table Table::load(const std::filesystem::path& path) {
     std::ifstream stream(path, std::ios::binary);
     if (!stream) throw std::runtime_error(fmt::format("cannot read {}", path.string()));
     const std::string text((std::istreambuf_iterator<char>(stream)), {});
+    return parse(text, path.string());
+}
 
+Table Table::parse(std::string_view text, const std::string& name, char separator) {
     std::vector<std::vector<std::string>> lines;
     std::vector<std::string> cells;
     std::string current;
@@ -94,7 +97,7 @@ Table Table::load(const std::filesystem::path& path) {
             }
         } else if (c == '"' && current.empty()) {
             in_quotes = true;
-        } else if (c == ',') {
+        } else if (c == separator) {
             cells.push_back(std::move(current));
             current.clear();
         } else if (c == '\n') {
@@ -104,17 +107,16 @@ Table Table::load(const std::filesystem::path& path) {
         }
     }
     if (in_quotes) {
-        throw std::runtime_error(fmt::format("{}: a quoted cell has no end", path.string()));
+        throw std::runtime_error(fmt::format("{}: a quoted cell has no end", name));
     }
     if (!current.empty() || !cells.empty()) end_line();
-    if (lines.empty()) throw std::runtime_error(fmt::format("{}: empty", path.string()));
+    if (lines.empty()) throw std::runtime_error(fmt::format("{}: empty", name));
 
     Table table(std::move(lines.front()));
     for (std::size_t i = 1; i < lines.size(); ++i) {
         if (lines[i].size() != table.columns_.size()) {
-            throw std::runtime_error(fmt::format("{}:{}: {} cells, the header has {}",
-                                                 path.string(), i + 1, lines[i].size(),
-                                                 table.columns_.size()));
+            throw std::runtime_error(fmt::format("{}:{}: {} cells, the header has {}", name, i + 1,
+                                                 lines[i].size(), table.columns_.size()));
         }
         table.rows_.push_back(std::move(lines[i]));
     }

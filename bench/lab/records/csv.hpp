@@ -32,6 +32,9 @@ class Table {
     // Throws std::runtime_error with file and line where the file is missing or malformed.
     static Table load(const std::filesystem::path& path);
 
+    // The same of a text, which messages call `name`.
+    static Table parse(std::string_view text, const std::string& name, char separator = ',');
+
   private:
     std::vector<std::string> columns_;
     std::vector<std::vector<std::string>> rows_;

@@ -6,20 +6,19 @@
 
 #include <cstdio>
 
+#include "bench/lab/pool.hpp"
+
 namespace records {
 
-namespace {
-
-std::string duration(double seconds) {
+std::string Progress::duration(double seconds) {
     const int total = static_cast<int>(seconds + 0.5);
     return fmt::format("{}:{:02}", total / 60, total % 60);
 }
 
-}  // namespace
-
 Progress::Progress(std::string task, std::uint64_t total)
     : task_(std::move(task)),
       total_(total == 0 ? 1 : total),
+      silent_(lab::Pool::shared() != nullptr),
       terminal_(isatty(STDERR_FILENO) != 0),
       start_(std::chrono::steady_clock::now()),
       next_print_ms_(terminal_ ? 200 : 10000) {}
@@ -40,6 +39,7 @@ void Progress::advance(std::uint64_t steps) {
 }
 
 void Progress::print(std::uint64_t done, bool last) {
+    if (silent_) return;
     const std::lock_guard lock(printing_);
     const double elapsed =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();

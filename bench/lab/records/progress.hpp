@@ -11,7 +11,8 @@
 namespace records {
 
 // Counts steps of a task towards a total. On a terminal it redraws one line, elsewhere it prints a
-// line every ten seconds. Safe to advance from several threads.
+// line every ten seconds; a process that shares the cores with others is silent, since whoever
+// started it shows how far all are. Safe to advance from several threads.
 class Progress {
   public:
     Progress(std::string task, std::uint64_t total);
@@ -21,12 +22,15 @@ class Progress {
 
     void advance(std::uint64_t steps = 1);
 
+    // Minutes and seconds: 62:07.
+    static std::string duration(double seconds);
+
   private:
     void print(std::uint64_t done, bool last);
 
     const std::string task_;
     const std::uint64_t total_;
-    const bool terminal_;
+    const bool silent_, terminal_;
     const std::chrono::steady_clock::time_point start_;
     std::atomic<std::uint64_t> done_{0};
     std::atomic<std::int64_t> next_print_ms_;

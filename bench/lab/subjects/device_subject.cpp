@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bench/lab/subjects/device_subject.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <stdexcept>
 
 namespace operations {
@@ -44,7 +47,14 @@ DeviceResult DeviceSubject::call(std::span<const std::int64_t> operands) {
     }
     if (result_size_) arguments[count++] = result_address_;
 
-    const simulator::Outcome outcome = function_.call({arguments.data(), count});
+    const simulator::Outcome outcome = [&] {
+        try {
+            return function_.call({arguments.data(), count});
+        } catch (const simulator::SimulationError& error) {
+            throw simulator::SimulationError(
+                fmt::format("{}, of the operands {}", error.what(), fmt::join(operands, " ")));
+        }
+    }();
     DeviceResult result{{}, outcome.cycles, outcome.stack_bytes};
     if (!result_size_) {
         result.raws[0] = subject.format.sign_extend(outcome.result);

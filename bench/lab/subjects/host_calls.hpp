@@ -53,7 +53,9 @@ void evaluate(Raws operands, std::span<std::int64_t> results) {
     for_each_call<operation>(operands, results, call<operation, Policy, Raw, F>);
 }
 
-template <reference::Subject subject>
+// Functions are judged in binary128 where errors are compared, so that a search takes the same way
+// on every processor; `Real` is another type where there are too many of them.
+template <reference::Subject subject, class Real = reference::Binary128>
 reference::Judgement judge(Raws operands, Raws results) {
     // The bulk judge has no float, and no C type holds exp of a 64-bit format to a fraction of its
     // ulp.
@@ -61,14 +63,18 @@ reference::Judgement judge(Raws operands, Raws results) {
                   (subject.operation == reference::Operation::exp && subject.format.width == 64)) {
         return reference::judge(subject, operands, results);
     } else {
-        return reference::bulk::judge<subject>(operands, results);
+        return reference::bulk::judge<subject, Real>(operands, results);
     }
 }
 
 template <reference::Subject subject>
 void judge_all(Raws operands, Raws results, reference::ErrorStatistics& statistics) {
+    constexpr int bits = subject.operand_format.width *
+                         static_cast<int>(reference::shape(subject.operation).operands);
+    using Fast = reference::bulk::FunctionFloat<subject.format.width>;
+    using Real = std::conditional_t<(bits <= 24), reference::Binary128, Fast>;
     for_each_call<subject.operation>(operands, results, [&](Raws each, Raws computed) {
-        statistics.add(judge<subject>(each, computed), each);
+        statistics.add(judge<subject, Real>(each, computed), each);
     });
 }
 

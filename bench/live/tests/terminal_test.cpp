@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <poll.h>
 #include <pty.h>
+#include <sys/ioctl.h>
 #include <sys/wait.h>
 #include <termios.h>
 #include <unistd.h>
@@ -85,6 +86,10 @@ class Window {
         while (std::chrono::steady_clock::now() < end) read_some(10);
     }
     void send_signal(int number) { kill(child_, number); }
+    void resize(unsigned short columns, unsigned short rows) {
+        const winsize size{rows, columns, 0, 0};
+        ioctl(master_, TIOCSWINSZ, &size);
+    }
     // The status of waitpid(); -1 where it did not end within ten seconds.
     int end() {
         int status = -1;
@@ -158,6 +163,18 @@ TEST(Window, KeysReachTheDeviceAndTheTerminalIsRestored) {
     EXPECT_GT(most(signals["lever"]), 5);
     EXPECT_NEAR(signals["arm"].back().get<double>(), 0.48, 0.02);
     EXPECT_THAT(content(folder.path / "lever.cast"), HasSubstr("real time"));
+}
+
+TEST(Window, SaysSoWhereTheTerminalShrinks) {
+    Window window({});
+    ASSERT_TRUE(window.shows("real time"));
+    window.resize(40, 10);
+    EXPECT_TRUE(window.shows("too small: 80 x 24"));
+    window.output.clear();
+    window.resize(80, 24);
+    EXPECT_TRUE(window.shows("real time"));
+    window.type("q");
+    EXPECT_EQ(window.end(), 0);
 }
 
 // The lever does not lift itself, nor the arm grow by itself.

@@ -101,9 +101,9 @@ class Operations(unittest.TestCase):
         figure = error_against_cycles.draw(golden(operations=OPERATIONS), "32 bits")
         shown = [axes for axes in figure.axes if axes.axison]
         self.assertEqual([axes.get_title() for axes in shown], ["add", "sqrt"])  # exp has no rival
-        self.assertEqual(points(shown[0]), [((10, 0.001), style.COLOURS["default"]),
-                                            ((40, 0.001), style.COLOURS["published"]),
-                                            ((100, 0.0001), style.COLOURS["libc"])])
+        self.assertEqual(points(shown[0]), [((10, 0.001), style.colour("default")),
+                                            ((40, 0.001), style.colour("published")),
+                                            ((100, 0.0001), style.colour("libc"))])
         self.assertEqual(points(shown[1])[0][0], (300, error_against_cycles.FLOOR))
         self.assertEqual(curves(shown[0]), [([10, 100, 130], [0.001, 0.0001, 0.0001])])
         self.assertAlmostEqual(shown[0].get_ylim()[0], 0.0001 / 3)
@@ -656,8 +656,9 @@ class Damage(unittest.TestCase):
             self.assertIn(message, told)
 
     def test_a_missing_file_names_the_command(self):
-        with self.assertRaisesRegex(DataError, "missing; fixbench scenes writes it"):
-            Data("/nonexistent").rows("scenes")
+        experiments = [{"command": "fixbench scenes", "writes": ["scenes.csv"], "full_only": []}]
+        with self.assertRaisesRegex(DataError, "missing; `fixbench scenes` writes it"):
+            Data("/nonexistent", experiments).rows("scenes")
         with tempfile.TemporaryDirectory() as folder:
             (pathlib.Path(folder) / "replay.json").write_text('{"a": [1,', encoding="utf-8")
             with self.assertRaisesRegex(DataError, "replay.json.* column"):

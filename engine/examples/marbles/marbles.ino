@@ -18,7 +18,7 @@ TrayWorld world;
 
 void setup() {
     Serial.begin(115200);
-    world.restitution = 0.9_d;
+    world.set_restitution(0.9_d);
     world.add_plane({1_d, 0_d}, -0.2_d, 0.9_d);  // x >= -0.2 m, and so on
     world.add_plane({-1_d, 0_d}, -0.2_d, 0.9_d);
     world.add_plane({0_d, 1_d}, -0.2_d, 0.9_d);

@@ -20,8 +20,9 @@ template <class Scalar, int64_t digits, unsigned char places>
 struct DecimalIn {
     static constexpr Scalar value() { return Scalar(digits) / Scalar(power_of_ten(places)); }
 };
-// Rounded once also where the digits are more than the type holds: a quotient of at least two bits
-// more, its last bit set where a remainder is left, and the exact power of two.
+// Rounds once even where there are more digits than the type holds: the quotient has at least two
+// bits more than the type, its last bit is set where a remainder is left, and the scaling by a
+// power of two is exact.
 template <class Binary, int bits, int64_t digits, unsigned char places>
 struct DecimalInBinary {
     static constexpr Binary value() {

@@ -7,8 +7,8 @@
 
 namespace engine {
 
-// -(stiffness extension + damping closing velocity) along the spring; nothing where its ends
-// coincide, since it has no direction there.
+// A spring pulls with stiffness * extension + damping * rate of extension along its length. It does
+// nothing where its ends coincide, since it has no direction there.
 template <class World, class Scalar, class Ends>
 void apply(const Spring<Scalar, Ends>& spring, World& world) {
     observe<Scalar>(Quantity::spring_force);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What lies between particles, or between a particle and a fixed point: springs, rods, ropes; and
-// drag and planes, which act on one.
+// Springs, rods and ropes, which act between two particles or between a particle and a fixed point;
+// drag and planes, which act on one particle.
 #pragma once
 
 #include <engine/vector.hpp>
@@ -52,7 +52,7 @@ struct Rod {
     Scalar length = Scalar();  // m
 };
 
-// Keeps its ends from parting further than its length.
+// Keeps its ends no further apart than its length.
 template <class Scalar, class Ends>
 struct Rope {
     Ends ends = {};
@@ -85,8 +85,8 @@ struct Plane {
     Scalar restitution = Scalar();  // 0..1
 };
 
-// Whether the second of two is a particle. In a world in which nothing links or lets touch two
-// particles, that is known when it is compiled.
+// Whether the second end is a particle. Where a world has nothing that acts between two particles,
+// that is known at compile time.
 template <class World, class Index>
 constexpr bool is_particle(const World&, Index second) {
     return World::has_pairs && second != nothing<Index>;

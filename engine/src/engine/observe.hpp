@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Observation: which quantity a step works on, told to an arithmetic that wants to know, so that it
-// can name what overflowed or vanished. `static void enter(Quantity)` of a scalar's Arithmetic is
-// called at the head of each phase; every other scalar has no such function, and nothing is
-// compiled.
+// Observation: an arithmetic that has `static void enter(Quantity)` is told at the head of each
+// phase which quantity a step works on, so that it can name what overflowed or vanished. For every
+// other scalar nothing is compiled.
 #pragma once
 
 #include <engine/inline.hpp>

@@ -36,7 +36,7 @@ struct Displacement<Vector, true> {
     Vector displacement;  // m, by what the solver moved it in this step
 };
 
-// How a rate moves what it is the rate of, over a step; with residuals, exactly.
+// Adds rate * dt to a vector. With residuals, what is below one ulp is carried to the next step.
 template <class Vector, bool exact>
 struct Residuals {
     template <class TimeStep>
@@ -70,8 +70,7 @@ struct Residuals<Vector, true> {
     }
 };
 
-// What a particle is made from: all that there is to say about one. What the scene does not use is
-// left out of account.
+// The description that add_particle makes a particle from. What the scene does not use is ignored.
 template <class Scalar, int N>
 struct Body {
     Vector<Scalar, N> position;        // m

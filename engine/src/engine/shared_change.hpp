@@ -18,7 +18,7 @@ typename World::Scalar mass_share(const World& world, Index a, Index b) {
     if (of_a == Scalar() || of_b == Scalar()) return Scalar();
     const Scalar sum = saturating_sum(of_a, of_b);
     if (sum - of_a == of_b) return of_a / sum;
-    return half(of_a) / (half(of_a) + half(of_b));  // of masses too light for their sum
+    return half(of_a) / (half(of_a) + half(of_b));  // where the sum leaves the format
 }
 
 template <class World, class Index, class Vector, class Scalar>

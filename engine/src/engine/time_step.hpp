@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// BinaryStep<K>: a time step of 2^-K s. Every format holds products with it more exactly than with
-// a rounded 0.001, and a shift is four times as fast as a multiplication. A plain scalar in seconds
-// works as a time step too.
+// BinaryStep<K>: a time step of 2^-K s. In every format, products with it are more exact than with
+// a rounded 0.001, and a shift takes a quarter of a multiplication's time. A scalar in seconds is a
+// time step, too.
 #pragma once
 
 #include <engine/scalar.hpp>
@@ -74,8 +74,8 @@ constexpr Fixed<I, F, A> carried_shift(Fixed<I, F, A> a, unsigned char count,
         holds ? static_cast<Raw>(sum.raw() & ((Raw(1) << (holds ? count : 0)) - 1)) : Raw(0));
     return whole;
 }
-// a dt, of which what is less than one ulp waits in `residual` for the next product: over many
-// binary steps nothing is lost. Every other step, and every other scalar, rounds.
+// a dt, whose part below one ulp is carried in `residual` to the next product: over many binary
+// steps nothing is lost. With every other step and every other scalar the product is rounded.
 template <class Scalar, class TimeStep>
 constexpr Scalar carried_product(Scalar a, TimeStep dt, Scalar&) {
     return a * dt;

@@ -41,8 +41,8 @@ struct Uses {
     static constexpr bool damping = false;     // a factor of each particle's velocity
     static constexpr bool collisions = false;  // between particles
     static constexpr bool radii = false;       // particles are spheres, not points
-    // Velocities and positions keep what a product with a binary step loses: for slow motion and
-    // small steps, at 4 numbers of RAM a particle in two dimensions.
+    // Velocities and positions carry what rounding a product with a binary step loses, for slow
+    // motion and small steps. Takes 4 numbers of RAM a particle in two dimensions.
     static constexpr bool compensated_integration = false;
 
     // A force of the scene's own: `void apply(World&)` adds to the forces of particles in each
@@ -56,7 +56,7 @@ struct Uses {
     using BroadPhase = BruteForce;
 };
 
-// Whether anything in a scene pushes one way only: contacts and ropes.
+// Whether a scene has constraints that push one way only: contacts and ropes.
 template <class SceneUses>
 constexpr bool may_bounce() {
     return SceneUses::contacts > 0 || SceneUses::ropes > 0 || SceneUses::anchored_ropes > 0;

@@ -182,7 +182,8 @@ TEST_F(FaultsTest, CallingConvention) {
               "change_r5: call-saved register r5 is changed at return");
     EXPECT_EQ(message_of_call("change_r17"),
               "change_r17: call-saved register r17 is changed at return");
-    EXPECT_EQ(message_of_call("change_r28"), "change_r28: call-saved register r28 is changed at return");
+    EXPECT_EQ(message_of_call("change_r28"),
+              "change_r28: call-saved register r28 is changed at return");
     EXPECT_EQ(message_of_call("enable_interrupts"),
               "enable_interrupts: interrupts are on at return");
     EXPECT_EQ(message_of_call("unbalanced"),

@@ -185,7 +185,7 @@ TEST_F(DamagedElfTest, TablesAreCheckedEntryByEntry) {
         damaged(symbols + sh_link, huge, 4, "table of names");
         damaged(names + sh_offset, huge, 4, "table of names");
         damaged(about + sh_offset, huge, 4, "note");
-        damaged(number(about + sh_offset) + 4, huge, 4, "note");  // the description's size
+        damaged(number(about + sh_offset) + 4, huge, 4, "note");        // the description's size
         damaged(number(about + sh_offset) + 16 + 24, huge, 4, "note");  // of its table of names
     }
     damaged(symbols + sh_entsize, 0, 4, "table of symbols");

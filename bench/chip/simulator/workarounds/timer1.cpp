@@ -3,8 +3,8 @@
 
 #include <avr_timer.h>
 
-#include "bench/chip/simulator/workarounds/peripheral.hpp"
 #include "bench/chip/simulator/registers.hpp"
+#include "bench/chip/simulator/workarounds/peripheral.hpp"
 
 namespace simulator {
 

@@ -5,8 +5,8 @@
 
 #include <utility>
 
-#include "bench/chip/simulator/workarounds/peripheral.hpp"
 #include "bench/chip/simulator/registers.hpp"
+#include "bench/chip/simulator/workarounds/peripheral.hpp"
 
 namespace simulator {
 namespace {

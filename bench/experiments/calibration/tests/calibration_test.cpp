@@ -56,10 +56,30 @@ TEST(Readings, BadOnesAreRefusedWithTheirLine) {
     EXPECT_THAT(reason(header + "1,nan\n"), HasSubstr(":2: actual_g 'nan' is not"));
     EXPECT_THAT(reason(header + "1,-3\n"), HasSubstr(":2: actual_g '-3' is not"));
     EXPECT_THAT(reason(header + "1,\n"), HasSubstr(":2: actual_g '' is not"));
-    EXPECT_THAT(reason(header + "5,10\n5,20\n"), HasSubstr(":3: adc_reading 5 after 5"));
-    EXPECT_THAT(reason(header + "5,10\n6,9\n"), HasSubstr(":3: actual_g 9 after 10"));
+    EXPECT_THAT(reason(header + "5,10\n5,20\n"), HasSubstr(":3: adc_reading 5 of 20 g after 5"));
+    EXPECT_THAT(reason(header + "\n5,10\n6,9\n"), HasSubstr(":3: adc_reading 5 of 10 g after 6"));
     EXPECT_THAT(reason(header + "5,10,3\n"), HasSubstr(":2: 3 cells"));
     EXPECT_THAT(reason(header + "1,1\n2,2\n3,3\n4,4\n"), HasSubstr("4 readings; at least 5"));
+}
+
+// As spreadsheets write them.
+TEST(Readings, ComeInAnyOrderAndWithDecimalCommas) {
+    const auto loaded = [](const std::string& text) {
+        const auto file = scratch() / "sheet.csv";
+        std::ofstream(file) << text;
+        std::string readings;
+        for (const Reading& reading : load_readings(file))
+            readings += std::to_string(reading.adc) + ":" + std::to_string(reading.grams) + " ";
+        return readings;
+    };
+    const std::string expected = "10:1.500000 20:2.000000 31:4.000000 ";
+    EXPECT_EQ(loaded("adc_reading,actual_g\n10,1.5\n20,2\n31,4\n"), expected);
+    EXPECT_EQ(loaded("\xef\xbb\xbf"
+                     "adc_reading;actual_g;note\r\n31;4;\r\n10;1,5;x\r\n 20 ; 2,0 ;\r\n;;\r\n\r\n"),
+              expected);
+    // Readings of a weight are averaged.
+    EXPECT_EQ(loaded("actual_g,adc_reading\n4,30\n1.5,10\n4,32\n2,20\n4,31\n"), expected);
+    EXPECT_EQ(loaded("actual_g,\"adc_reading\"\n\"1.5\",10\n2,20\n4,31"), expected);
 }
 
 // The curves that the fit has to find again from readings without error.
@@ -117,6 +137,22 @@ TEST(Range, EndsBeforeThePole) {
               value<double>(published_function_1, range.highest));
     // A parabola is used from its lowest point, at 173.2, on.
     EXPECT_EQ(rising_range(published_function_2, readings).lowest, 173);
+}
+
+// The range goes from the middle reading as far as the curve neither falls nor is negative, up to
+// the last reading of the converter; it may begin at 0 grams and at reading 0.
+TEST(Range, EndsWhereTheCurveTurnsOrIsNegative) {
+    const std::vector<Reading> readings{{400, 1}, {500, 2}, {600, 3}};
+    const auto range = [&](std::vector<double> coefficients) {
+        const Range found = rising_range({Family::quadratic, coefficients}, readings);
+        return std::pair(found.lowest, found.highest);
+    };
+    // a x^2 + b x + c
+    EXPECT_EQ(range({0, 1, 0}), std::pair(0, 1023));
+    EXPECT_EQ(range({0, 1, 5}), std::pair(0, 1023));
+    EXPECT_EQ(range({0, 1, -100}), std::pair(100, 1023));  // 0 g at reading 100
+    EXPECT_EQ(range({0, 1, -100.5}), std::pair(101, 1023));
+    EXPECT_EQ(range({0.015625, -6.25, 625}), std::pair(200, 557));  // (x - 200)^2 / 64, to 2000 g
 }
 
 // The published table is the truth on what the published curve is.

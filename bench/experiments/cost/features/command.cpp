@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bench/experiments/cost/features/command.hpp"
-
+// fixbench features.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,10 +9,13 @@
 #include <stdexcept>
 #include <string>
 
+#include "bench/chip/simulator/device_function.hpp"
 #include "bench/experiments/cost/features/linked.hpp"
+#include "bench/lab/program/build.hpp"
+#include "bench/lab/program/experiment.hpp"
+#include "bench/lab/program/names.hpp"
 #include "bench/lab/records/csv.hpp"
 #include "bench/lab/records/progress.hpp"
-#include "bench/chip/simulator/device_function.hpp"
 
 namespace features {
 namespace {
@@ -49,10 +51,22 @@ Cost cost_of(const std::filesystem::path& program, const Elf& empty) {
     return cost;
 }
 
-int run(const std::filesystem::path& output) {
+int run(const std::vector<std::string>& scenes, const std::filesystem::path& output) {
     const std::filesystem::path folder = FEATURE_PROGRAM_FOLDER;
-    const Elf empty(folder / "features_empty.elf");
-    const auto programs = load_programs(folder);
+    auto programs = load_programs(folder);
+    std::vector<std::string> known;
+    for (const Program& program : programs) known.push_back(program.scene);
+    fixbench::check_names("--scene", scenes, known);
+    if (!scenes.empty())
+        std::erase_if(programs, [&](const Program& program) {
+            return std::find(scenes.begin(), scenes.end(), program.scene) == scenes.end();
+        });
+    const std::filesystem::path empty_program = folder / "features_empty.elf";
+    std::vector<std::string> files = {empty_program};
+    for (const Program& program : programs) files.push_back(program.measured);
+    fixbench::build(files);
+
+    const Elf empty(empty_program);
     records::Table table({"scene", "feature", "with", "flash_bytes", "ram_bytes",
                           "cycles_per_step_mean", "cycles_per_step_max"});
     records::Progress progress("features", programs.size());
@@ -68,25 +82,35 @@ int run(const std::filesystem::path& output) {
         }
         progress.advance();
     }
-    if (output.empty())
-        fmt::print("{}", table.to_csv());
-    else
-        table.save(output / "features.csv");
-    return clean ? EXIT_SUCCESS : EXIT_FAILURE;
+    table.save(output / "features.csv");
+    return clean ? fixbench::held : fixbench::check_failed;
 }
 
-}  // namespace
-
-void add_features_command(CLI::App& app, fixbench::Action& action) {
-    const auto output = std::make_shared<std::filesystem::path>();
-    CLI::App* const command = app.add_subcommand(
-        "features",
+const fixbench::Registration registration({
+    .name = "features",
+    .description =
         "What each feature of the engine costs: flash and RAM beside an empty program and cycles\n"
         "a step, in Q16.16 at -O2, of the lever's scene and of a scene with everything, with the\n"
-        "feature in and out. Fails where a program holds code or a table that it does not use.\n\n"
-        "Example: fixbench features --output results/data");
-    command->add_option("--output", *output, "folder for features.csv; printed without");
-    command->callback([&action, output] { action = [output] { return run(*output); }; });
-}
+        "feature in and out. Fails where a program holds code or a table that it does not use.\n"
+        "File: features.csv.\n\n"
+        "Example: fixbench features --scene lever",
+    .prints = {"features.csv"},
+    .add =
+        [](CLI::App& command) {
+            const auto scenes = std::make_shared<std::vector<std::string>>();
+            fixbench::add_selection(command, "--scene", *scenes, "only lever or everything");
+            return [scenes](const fixbench::Call& call) { return run(*scenes, call.output); };
+        },
+    .steps = {{.name = "features",
+               .arguments = [](const fixbench::Mode& mode) -> std::vector<std::string> {
+                   return {"features", "--output", mode.data};
+               },
+               .writes = {"features.csv"},
+               .targets = {"feature_programs"},
+               .reads = {FEATURE_PROGRAM_FOLDER},
+               .full_seconds = 8,
+               .quick_seconds = 8}},
+});
 
+}  // namespace
 }  // namespace features

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bench/experiments/cost/growth/command.hpp"
-
+// fixbench growth.
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -9,6 +8,8 @@
 #include <string>
 
 #include "bench/experiments/cost/growth/fit.hpp"
+#include "bench/lab/program/build.hpp"
+#include "bench/lab/program/experiment.hpp"
 #include "bench/lab/records/csv.hpp"
 
 namespace growth {
@@ -21,6 +22,7 @@ struct Options {
 };
 
 int run(const Options& options) {
+    if (!options.host) fixbench::build({"growth_programs"});
     const auto costs = options.host ? costs_on_host(options.most) : costs_on_chip();
     const char* const where = options.host ? "host" : "chip";
     const char* const unit = options.host ? "ns" : "cycles";
@@ -50,30 +52,49 @@ int run(const Options& options) {
         fmt::print(stderr, "sort_and_sweep is the cheaper from {} particles on\n", *from);
     else
         fmt::print(stderr, "brute_force is the cheaper up to the end\n");
-    if (options.output.empty())
-        fmt::print("{}", points.to_csv());
-    else
-        points.save(options.output / (options.host ? "growth_host.csv" : "growth.csv"));
-    return EXIT_SUCCESS;
+    points.save(options.output / (options.host ? "growth_host.csv" : "growth.csv"));
+    return fixbench::held;
 }
 
-}  // namespace
-
-void add_growth_command(CLI::App& app, fixbench::Action& action) {
-    const auto options = std::make_shared<Options>();
-    CLI::App* const command = app.add_subcommand(
-        "growth",
+const fixbench::Registration registration({
+    .name = "growth",
+    .description =
         "The cost of a step against the number of particles in a box, with either broad phase,\n"
         "and its fit by a + b N + c N^2: on the simulated chip up to what its memory holds, or\n"
-        "with --host on this machine, in nanoseconds.\n\n"
-        "Example: fixbench growth --output results/data");
-    command->add_flag("--host", options->host, "time this machine instead");
-    command->add_option("--most", options->most, "particles on the host")
-        ->check(CLI::Range(16, 4096))
-        ->capture_default_str();
-    command->add_option("--output", options->output,
-                        "folder for growth.csv or growth_host.csv; printed without");
-    command->callback([&action, options] { action = [options] { return run(*options); }; });
-}
+        "with --host on this machine, in nanoseconds. File: growth.csv or growth_host.csv.\n\n"
+        "Example: fixbench growth",
+    .prints = {"growth.csv", "growth_host.csv"},
+    .add =
+        [](CLI::App& command) {
+            const auto options = std::make_shared<Options>();
+            command.add_flag("--host", options->host, "time this machine instead");
+            command.add_option("--most", options->most, "particles on the host")
+                ->check(CLI::Range(16, 4096))
+                ->capture_default_str();
+            return [options](const fixbench::Call& call) {
+                options->output = call.output;
+                return run(*options);
+            };
+        },
+    .steps = {{.name = "growth",
+               .arguments = [](const fixbench::Mode& mode) -> std::vector<std::string> {
+                   return {"growth", "--output", mode.data};
+               },
+               .writes = {"growth.csv"},
+               .targets = {"growth_programs"},
+               .reads = {GROWTH_PROGRAM_FOLDER},
+               .full_seconds = 2,
+               .quick_seconds = 2},
+              {.name = "growth_host",
+               .arguments = [](const fixbench::Mode& mode) -> std::vector<std::string> {
+                   return {"growth",   "--host", "--most", mode.quick ? "64" : "4096",
+                           "--output", mode.data};
+               },
+               .writes = {"growth_host.csv"},
+               .full_seconds = 20,
+               .quick_seconds = 1,
+               .times_host = true}},
+});
 
+}  // namespace
 }  // namespace growth

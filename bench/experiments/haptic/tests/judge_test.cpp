@@ -119,6 +119,31 @@ TEST(JudgePulses, HalfAStepBeyondTheTravelIsAllowed) {
     EXPECT_EQ(violations(1e-3, 1.667e-3, 0.02011), 1u);
 }
 
+// What a violation says is what was measured, in the units that it names.
+TEST(JudgeTexts, SayWhatWasMeasured) {
+    Timing timing = punctual();
+    timing.shortest_pulse = 0.9e-3;
+    timing.longest_pulse = 1.25e-3;
+    timing.longest_period = 0.04;
+    timing.step_begins[3] += 5 * ms / 2;
+    EXPECT_EQ(judge(timing).violations,
+              (std::vector<std::string>{"1 steps late by more than 1 ms, the worst by 2.500 ms",
+                                        "pulses from 900.0 to 1250.0 us",
+                                        "40.00 ms from one pulse to the next"}));
+    Scenario scenario;
+    scenario.envelope.quiet = Envelope::Quiet{0, degrees(1)};
+    scenario.envelope.arm = Envelope::Settled{0, {0.5, 0.5}};
+    scenario.envelope.rest = Envelope::Rest{0, degrees(5)};
+    Judge judge(scenario, limits);
+    judge.watch({0.1, 0, degrees(2)});
+    judge.watch({0.2, 0, degrees(-1), false});
+    EXPECT_EQ(
+        judge.judge(punctual(), end, 0.2925).violations,
+        (std::vector<std::string>{"the terminal showed something else than the device believed",
+                                  "swung by 3.00 degrees", "the arm stands for 0.250 of the dial",
+                                  "did not rest where it should"}));
+}
+
 // --- The envelope
 // -----------------------------------------------------------------------------------
 

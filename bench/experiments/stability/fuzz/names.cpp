@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // libFuzzer: names that mean something: formats, operations, symbols of subjects, operand classes,
 // shards; and the command line that the battery is asked with.
+#include "bench/lab/program/names.hpp"
+
 #include <sstream>
 #include <vector>
 
 #include "bench/experiments/exhaustive/exhaustive.hpp"
-#include "bench/lab/operands/operand_class.hpp"
-#include "bench/experiments/stability/command.hpp"
 #include "bench/experiments/stability/fuzz/refusal.hpp"
+#include "bench/lab/operands/operand_class.hpp"
 #include "reference/operation.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -41,19 +42,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                 fuzz::check(1 <= shard.index && shard.index <= shard.count, "no such shard");
             });
             break;
-        case 5: {
-            CLI::App app;
-            fixbench::Action action;
-            stability::add_stability_command(app, action);
-            std::istringstream words(text);
-            std::vector<std::string> arguments;
-            for (std::string word; words >> word;) arguments.insert(arguments.begin(), word);
-            try {
-                app.parse(arguments);
-            } catch (const CLI::ParseError&) {
-            }
+        case 5:
+            fuzz::takes([&] {
+                std::istringstream words(text);
+                std::vector<std::string> names;
+                for (std::string word; words >> word;) names.push_back(word);
+                fixbench::check_names("--name", names, {"q8_8", "q16_16", "float"});
+            });
             break;
-        }
     }
     return 0;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// libFuzzer: ELF files of programs for the chip.
-#include "bench/chip/simulator/elf.hpp"
+// libFuzzer: ELF files of programs for the chip, read and run for a moment.
+#include "bench/chip/simulator/chip.hpp"
 #include "bench/experiments/stability/fuzz/refusal.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -12,7 +12,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         elf.flash_bytes();
         elf.describe(0);
         for (const auto& [name, symbol] : elf.functions())
-            fuzz::check(symbol.address < elf.flash().size(), "a function outside of the flash");
+            fuzz::check(symbol.address + symbol.size <= elf.flash().size(),
+                        "a function outside of the flash");
+        fuzz::takes([&] { simulator::Chip(elf).run_until_cycle(10000); });
         fuzz::takes([&] { elf.function("no such function"); });
     });
     return 0;

@@ -79,6 +79,24 @@ TEST(Judge, ExactlyTenPercentIsReproduced) {
     EXPECT_EQ(judge(200, 300, hypothesis, {}, 0).reason, "no alternative tried");
 }
 
+TEST(Hypothesis, AnAlternativeDiffersOnOneAxisOrOnTheFormAndOneMore) {
+    const Program program{"", "-Os", "int", "inlined", "constant", "after"};
+    const Hypothesis best{program, "assign", seven_by_three};
+    Hypothesis other = best;
+    EXPECT_FALSE(is_alternative(best, other));
+    other.program.loop = "long";
+    EXPECT_TRUE(is_alternative(best, other));
+    other.program.shift = "variable";
+    EXPECT_FALSE(is_alternative(best, other));
+    other.program.shift = best.program.shift;
+    other.form = "replace";
+    EXPECT_TRUE(is_alternative(best, other));
+    other.operands.raw = !other.operands.raw;
+    EXPECT_FALSE(is_alternative(best, other));
+    other.program.loop = best.program.loop;
+    EXPECT_TRUE(is_alternative(best, other));
+}
+
 // The first that is as good as the best, has the usual flags and does not leave early.
 TEST(Hypothesis, ThePreferredOneIsAsGoodAsTheBest) {
     const auto fit = [](double sum, const char* flags, const char* loop, Operands operands) {
@@ -156,6 +174,21 @@ TEST(Division, TheDevicesDivisionFollowsTheLaw) {
     EXPECT_NEAR(study.law.per_one, 8, 1e-6);
     const Division& last = study.divisions.back();
     EXPECT_NEAR(study.law.predict(last.a, last.b), last.cycles, 1e-6);
+}
+
+// By hand: limits, resolution, floor(F log10 2) digits, half the resolution; of float what IEEE 754
+// says.
+TEST(Table31, IsThatOfEachFormat) {
+    using Rows = std::vector<std::vector<std::string>>;
+    EXPECT_EQ(
+        table_3_1().rows(),
+        (Rows{
+            {"q4_4", "8", "-8", "7.9375", "0.0625", "1", "0.0312"},
+            {"q8_8", "16", "-128", "127.99609375", "0.00390625", "2", "0.00195"},
+            {"q16_16", "32", "-32768", "32767.9999847412109375", "1.52588e-05", "4", "7.63e-06"},
+            {"q32_32", "64", "-2147483648", "2147483647.99999999976716935634613037109375",
+             "2.32831e-10", "9", "1.16e-10"},
+            {"float", "32", "-3.40282347e+38", "3.40282347e+38", "1.4013e-45", "6", "5.96e-08"}}));
 }
 
 TEST(Table31, Q16_16) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// BruteForce: every pair of particles is tested, N (N - 1) / 2 tests a step and no memory.
+// BruteForce: every pair of particles is tested, N (N - 1) / 2 tests a step, and no RAM.
 #pragma once
 
 #include <engine/constraints.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// SortAndSweep: particles in the order of their left edges along the first axis, kept from step to
-// step and mended by insertion, so that only those are tested that overlap along this axis. One
-// index of memory a particle. (D. Baraff, Dynamic Simulation of Non-Penetrating Rigid Bodies,
+// SortAndSweep: keeps the particles sorted by their lower edges along the first axis, from step to
+// step, by insertion. Only pairs that overlap along this axis are tested. Takes one index of RAM a
+// particle. (D. Baraff, Dynamic Simulation of Non-Penetrating Rigid Bodies,
 // 1992.)
 #pragma once
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// ExplicitEuler: the published order of a step, the baseline: forces, contacts, then positions by
-// the old velocities, velocities, damping. First order; the energy of an oscillation grows by the
-// factor 1 + (omega h)^2 a step.
+// ExplicitEuler: the step of the published design, kept as the baseline: forces, constraints,
+// positions by the old velocities, velocities, damping. First order; each step multiplies the
+// energy of an oscillation by 1 + (omega h)^2.
 #pragma once
 
 namespace engine {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// ImplicitSprings: SemiImplicitEuler, but each spring pulls as it will at the end of the
-// step: stable for every stiffness, while the step resolves oscillations of omega h < 1 only and
-// damps faster ones away. First order. Springs are solved one after the other.
-// (D. Baraff, A. Witkin, Large Steps in Cloth Simulation, 1998, for the implicit step; the closed
-// form of a single spring is its solution in one dimension.)
+// ImplicitSprings: SemiImplicitEuler in which each spring pulls as it will at the end of the step.
+// Stable for every stiffness: oscillations of omega h < 1 are resolved, faster ones are damped
+// away. First order. Springs are solved one after the other. (D. Baraff, A. Witkin, Large Steps in
+// Cloth Simulation, 1998, for the implicit step; the closed form of a single spring is its solution
+// in one dimension.)
 #pragma once
 
 #include <engine/decimal.hpp>
@@ -38,9 +38,9 @@ struct ImplicitSprings {
     // stiffness and c the damping, the velocity along it at the end of the step solves
     //   u' = u - h i (k (x + h u') + c u'),  so  u' = u / d - (s / d) x
     // with s = i h k and d = 1 + h i (h k + c). s / d is at most 1 / h, so that only s itself and
-    // i (h k + c) can leave a format, of very stiff springs on very light masses: these are
-    // clamped, which makes such a spring softer and no less stable, as both are clamped alike. h k
-    // comes before i, since h i vanishes for heavy masses.
+    // i (h k + c) can leave a format, where very stiff springs pull very light masses. Both
+    // saturate alike, which makes such a spring softer and no less stable. h k is formed before i
+    // comes in, since h i vanishes for heavy masses.
     template <class Spring, class World, class TimeStep>
     static void pull(const Spring& spring, World& world, TimeStep dt) {
         using namespace literals;

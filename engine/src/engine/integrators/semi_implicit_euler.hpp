@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// SemiImplicitEuler: velocities first, positions by the new velocities. First order and
+// SemiImplicitEuler: integrates velocities, then positions by the new velocities. First order and
 // symplectic: the energy of an oscillation stays bounded up to omega h = 2.
 #pragma once
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// VelocityVerlet: half of the velocities' change by the old forces, positions, the other half by
-// the new forces, which the next step begins with: one evaluation of forces a step. Second order
-// and symplectic, stable up to omega h = 2. (L. Verlet, Computer experiments on classical fluids I,
+// VelocityVerlet: integrates velocities over half a step by the old forces, then positions, then
+// velocities over the other half by the new forces. The next step begins with those, unless
+// something was changed in between: one evaluation of forces a step. Second order and symplectic,
+// stable up to omega h = 2. (L. Verlet, Computer experiments on classical fluids I,
 // 1967.)
 #pragma once
 
@@ -13,7 +14,7 @@ struct VelocityVerlet {
     static constexpr bool implicit_springs = false;
     template <class World>
     struct Memory {
-        bool forces_are_current = false;  // computed where the particles are
+        bool forces_are_current = false;  // they are those of the particles as they are
         constexpr void restart() { forces_are_current = false; }
     };
 

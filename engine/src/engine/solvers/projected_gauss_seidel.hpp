@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// ProjectedGaussSeidel<most>: the solver of choice. Positions are put right once, where a contact
-// is found; velocities in at most `most` sweeps over all rows, which end when a sweep changes
-// nothing.
+// ProjectedGaussSeidel<max_iterations>: the solver of choice. Positions are corrected once, where a
+// constraint is found. Velocities are corrected row by row, in at most `max_iterations` iterations
+// over all rows, which end when one changes nothing. A single row is solved once.
 //
 // A rod is one two-sided row. Its end moves along the chord of its arc, not the tangent: the
 // velocity along the rod becomes -h w^2 / 2L (w the relative velocity, h the step), which keeps the
-// speed to second order where a velocity of 0 would lose it to first.
+// speed to second order. A velocity of 0 would keep it to first order only.
 //
-// A bounce began where the surfaces met, a time t = penetration / closing velocity ago: the
-// particle is put where it would be by now, restitution x penetration beyond the surface, and has
-// the velocity that gravity gave it since. At most `restitution_threshold` fast, it does not
-// bounce.
+// A bounce began when the surfaces met, a time t = penetration / closing velocity ago. The particle
+// is put where it would be by now, restitution * penetration beyond the surface, and has the
+// velocity that gravity gave it since. What closes no faster than the restitution threshold does
+// not bounce.
 #pragma once
 
 #include <engine/choice.hpp>
@@ -19,7 +19,7 @@
 
 namespace engine {
 
-// Of a row, in scenes where some rows only push: contacts and ropes.
+// The part of a row that scenes with one-sided constraints need: contacts and ropes only push.
 template <class Scalar, bool used>
 struct Pushing {
     constexpr void set_pushing(bool, Scalar) {}
@@ -37,7 +37,7 @@ struct Pushing<Scalar, true> {
         pushes_only = pushes;
         restitution = of_closing_velocities;
     }
-    // Whether it acts on a velocity, and the velocity that it is to become.
+    // Whether the row acts on a velocity; `goal` becomes the velocity that it asks for.
     template <class World>
     constexpr bool acts(const World& world, Scalar velocity, Scalar& goal) const {
         if (!pushes_only) return true;
@@ -51,7 +51,7 @@ struct Pushing<Scalar, true> {
     }
 };
 
-// Of a row, in scenes where two particles can share a correction.
+// The part of a row that scenes need in which two particles share a correction.
 template <class Scalar, bool used>
 struct Sharing {
     constexpr void set_share(Scalar) {}
@@ -63,10 +63,10 @@ struct Sharing<Scalar, true> {
     constexpr Scalar share() const { return share_; }
 
   private:
-    Scalar share_ = Scalar();  // a's part of each correction, b's being the rest
+    Scalar share_ = Scalar();  // a's part of each correction; b takes the rest
 };
 
-template <unsigned char most>
+template <unsigned char max_iterations>
 struct ProjectedGaussSeidel {
     static constexpr bool needs_displacement = false;
     static constexpr unsigned rows_per_rod = 1;
@@ -110,7 +110,7 @@ struct ProjectedGaussSeidel {
 
     template <class World>
     static void solve(World& world) {
-        for (unsigned char sweep = 0; sweep < most; ++sweep) {
+        for (unsigned char i = 0; i < max_iterations; ++i) {
             bool changed = false;
             world.rows().for_each([&](const auto& row) {
                 if (ProjectedGaussSeidel::solve_row(world, row)) changed = true;
@@ -120,7 +120,7 @@ struct ProjectedGaussSeidel {
     }
 
   protected:
-    // Parts a from b by `correction` at once and appends the row that sees to their velocities.
+    // Moves a from b by `correction` at once, and appends the row that solves their velocities.
     template <class World, class Index, class Vector, class Scalar>
     static void bind(World& world, Index a, Index b, bool pushes_only, const Vector& normal,
                      Scalar correction, Scalar target, Scalar restitution) {
@@ -139,7 +139,7 @@ struct ProjectedGaussSeidel {
     }
 
   private:
-    // Gives the two of a row the velocity that it asks for; whether that changed anything.
+    // Gives the ends of a row the velocity that it asks for. Returns whether that changed anything.
     template <class World, class Row>
     static bool solve_row(World& world, const Row& row) {
         using Scalar = typename World::Scalar;
@@ -153,14 +153,13 @@ struct ProjectedGaussSeidel {
         return true;
     }
 
-    // h w^2 / 2L, by way of the way that w makes in half a step: that stays in range where w^2
-    // does not.
+    // h w^2 / 2L through the half-step displacement, which stays in range where w^2 does not.
     template <class World, class Index, class Scalar, class TimeStep>
     static Scalar chord_velocity(const World& world, Index a, Index b, Scalar length, TimeStep dt) {
         const auto velocity = relative_velocity(world, a, b);
-        auto way = velocity;
-        way *= half(dt);
-        return dot(way, velocity) / length;
+        auto displacement = velocity;
+        displacement *= half(dt);
+        return dot(displacement, velocity) / length;
     }
 };
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// WorstFirst<rounds>: the published resolution, the baseline. In each round every contact's
-// separating velocity and present penetration (as found, less what its particles were moved since)
-// are computed again, and the worst closing contact gets an impulse by its restitution and a
-// correction of positions in proportion to inverse mass; it ends when none closes or overlaps.
-// A rod is a pair of opposed contacts where its length is off, since later resolutions may change
-// which side is wrong; a rope is one contact where it is taut.
+// WorstFirst<max_iterations>: the solver of the published design, kept as the baseline. Each
+// iteration computes every contact's separating velocity and penetration anew (as found, less what
+// its particles were moved since). The contact that closes fastest gets an impulse by its
+// restitution, and a correction of positions in proportion to inverse mass. It ends when none
+// closes or overlaps. A rod is a pair of opposed contacts where its length is off, since later
+// corrections may change which side is wrong. A rope is one contact where it is taut.
 #pragma once
 
 #include <engine/decimal.hpp>
@@ -12,7 +12,7 @@
 
 namespace engine {
 
-template <unsigned char rounds>
+template <unsigned char max_iterations>
 struct WorstFirst {
     static constexpr bool needs_displacement = true;
     static constexpr unsigned rows_per_rod = 2;
@@ -49,12 +49,12 @@ struct WorstFirst {
     template <class World>
     static void solve(World& world) {
         using Scalar = typename World::Scalar;
-        // A contact that rounding leaves open by a few ulp would take every round there is.
+        // A contact that rounding leaves open by a few ulp would take every iteration there is.
         const Scalar closing_epsilon = Decimal<1, 2>();  // m/s
         const Scalar slop = Decimal<1, 4>();             // m
         if (world.rows().size() == 0) return;
         for (auto& particle : world.step_particles()) particle.displacement = {};
-        for (unsigned char round = 0; round < rounds; ++round) {
+        for (unsigned char i = 0; i < max_iterations; ++i) {
             const Row<World>* worst = nullptr;
             Scalar worst_velocity = Scalar();
             Scalar worst_penetration = Scalar();
@@ -113,9 +113,9 @@ struct WorstFirst {
     }
 
     template <class Particle, class Vector>
-    static void move(Particle& particle, const Vector& way) {
-        particle.position += way;
-        particle.displacement += way;
+    static void move(Particle& particle, const Vector& by) {
+        particle.position += by;
+        particle.displacement += by;
     }
 };
 

@@ -8,7 +8,7 @@ mkdir -p "$folder"
 fail() { echo "$*" >&2; exit 1; }
 
 "$fixbench" features --output "$folder" 2>/dev/null
-[ "$("$fixbench" features 2>/dev/null | sha256sum)" = "$(sha256sum <"$folder/features.csv")" ] ||
+[ "$("$fixbench" features --csv 2>/dev/null | sha256sum)" = "$(sha256sum <"$folder/features.csv")" ] ||
     fail "printed and written tables differ"
 # A feature costs flash, and what it costs is as said by the two rows beside each other.
 awk -F, 'NR > 1 && $2 !~ /=/ { flash[$1 "," $2 "," $3] = $4 }

@@ -361,6 +361,43 @@ TEST(Plant, RefusesASensorThatDoesNotRise) {
     EXPECT_THROW(Plant(p, {}), std::invalid_argument);
 }
 
+// Each parameter of the family keeps to its factor, reaches both sides of it, and varies for
+// itself.
+TEST(Family, KeepsToItsFactors) {
+    using Get = double (*)(const Parameters&);
+    const std::pair<Get, double> of[] = {
+        {[](const Parameters& p) { return p.servo.no_load_speed; }, 1.2},
+        {[](const Parameters& p) { return p.servo.stall_torque; }, 1.3},
+        {[](const Parameters& p) { return p.servo.full_drive_error; }, 2},
+        {[](const Parameters& p) { return p.servo.inertia; }, 2},
+        {[](const Parameters& p) { return p.foam.stiffness; }, 1.5},
+        {[](const Parameters& p) { return p.foam.hardening; }, 2},
+        {[](const Parameters& p) { return p.foam.damping; }, 3},
+        {[](const Parameters& p) { return p.foam.preload; }, 1.2},
+        {[](const Parameters& p) { return p.lever.inertia; }, 1.5},
+        {[](const Parameters& p) { return p.lever.friction; }, 3},
+        {[](const Parameters& p) { return p.hand.stiffness; }, 3},
+        {[](const Parameters& p) { return p.hand.damping; }, 3},
+        {[](const Parameters& p) { return p.hand.mass; }, 3},
+        {[](const Parameters& p) { return p.electrical.sensor_gain[0]; }, 1.1},
+        {[](const Parameters& p) { return p.electrical.sensor_gain[1]; }, 1.1},
+        {[](const Parameters& p) { return p.electrical.sensor_lag; }, 2},
+        {[](const Parameters& p) { return p.electrical.noise; }, 2}};
+    const Parameters p = published_parameters();
+    for (const auto& [get, factor] : of) {
+        double least = 1, most = 1;
+        for (std::uint64_t seed = 0; seed < 400; ++seed) {
+            const double ratio = get(varied(p, seed)) / get(p);
+            least = std::min(least, ratio), most = std::max(most, ratio);
+        }
+        EXPECT_GE(least, 1 / factor - 1e-12);
+        EXPECT_LE(most, factor + 1e-12);
+        EXPECT_LT(least, 1 - 0.9 * (1 - 1 / factor));
+        EXPECT_GT(most, 1 + 0.9 * (factor - 1));
+    }
+    EXPECT_EQ(varied(p, 7).electrical.seed, 7u);
+}
+
 TEST(Family, IsTheSameForASeedAndDiffersBetweenSeeds) {
     const Parameters p = published_parameters();
     EXPECT_EQ(varied(p, 3).foam.stiffness, varied(p, 3).foam.stiffness);

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fixbench cycles, accuracy, verify and throughput.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "bench/chip/simulator/elf.hpp"
+#include "bench/experiments/operations/host_throughput.hpp"
+#include "bench/experiments/operations/measure_accuracy.hpp"
+#include "bench/experiments/operations/measure_cycles.hpp"
+#include "bench/experiments/operations/verify_kernels.hpp"
+#include "bench/lab/catalogue/catalogue.hpp"
+#include "bench/lab/operands/operand_class.hpp"
+#include "bench/lab/program/build.hpp"
+#include "bench/lab/program/experiment.hpp"
+#include "bench/lab/program/names.hpp"
+#include "bench/lab/subjects/device_subject.hpp"
+#include "bench/lab/subjects/host_subject.hpp"
+
+namespace operations {
+namespace {
+
+using fixbench::Call;
+using fixbench::Mode;
+
+const std::filesystem::path device_folder = FIXBENCH_DEVICE_FOLDER;
+const auto most_samples = CLI::Range(std::uint64_t(1), std::uint64_t(1) << 40);
+
+std::vector<std::filesystem::path> all_programs() {
+    std::vector<std::filesystem::path> programs;
+    for (const std::string& name : catalogue::programs())
+        programs.push_back(device_folder / (name + ".elf"));
+    return programs;
+}
+
+void add_filters(CLI::App& command, Selection& selection) {
+    fixbench::add_selection(command, "--operation", selection.operations,
+                            "only these operations, e.g. multiply,divide,sqrt,atan2");
+    fixbench::add_selection(command, "--format", selection.formats,
+                            "only these formats, e.g. q16_16,q8_8,float");
+    fixbench::add_selection(command, "--implementation", selection.implementations,
+                            "only these implementations, e.g. default,published,libc");
+}
+
+// The names that subjects go by.
+struct Known {
+    std::vector<std::string> operations, formats, implementations;
+
+    void add(const reference::Subject& subject, const std::string& implementation) {
+        operations.emplace_back(reference::shape(subject.operation).name);
+        formats.push_back(reference::format_name(subject.format));
+        implementations.push_back(implementation);
+    }
+    void check(const Selection& selection) const {
+        fixbench::check_names("--operation", selection.operations, operations);
+        fixbench::check_names("--format", selection.formats, formats);
+        fixbench::check_names("--implementation", selection.implementations, implementations);
+    }
+};
+
+Known known_to_host() {
+    Known known;
+    for (const HostSubject& each : host_subjects()) known.add(each.subject, each.implementation);
+    return known;
+}
+
+// By its own programs, or those of the build, which are made where they are missing or old.
+void settle_programs(std::vector<std::filesystem::path>& programs) {
+    if (!programs.empty()) return;
+    fixbench::build({"subjects"});
+    programs = all_programs();
+}
+
+int held(std::uint64_t violations) {
+    if (violations == 0) return fixbench::held;
+    fmt::print(stderr, "fixbench: {} results are not what their definition says\n", violations);
+    return fixbench::check_failed;
+}
+
+const fixbench::Registration cycles({
+    .name = "cycles",
+    .description =
+        "Cycles, stack, flash and error of each subject on classes of operands.\n"
+        "Files: operations.csv and operations.json (Google Benchmark's schema).\n\n"
+        "A subject is an extern \"C\" function <operation>_<format>_<implementation> of a device\n"
+        "program, by default q4_4.elf, q8_8.elf, q16_16.elf, q8_24.elf, q32_32.elf and\n"
+        "rivals.elf in\n"
+        "  " FIXBENCH_DEVICE_FOLDER "\n"
+        "(avr-nm lists them), for avr-gcc's calling convention: any other tool can call it too.\n"
+        "Cycles include call (4) and ret (4), not the loading of operands.\n\n"
+        "Operand classes: small |x| < 1; physics 0.01..20; full, log-uniform over the range;\n"
+        "uniform, every raw alike; published, those of the rebuilt harness; boundary, an annotated table; all, every input\n"
+        "where there are at most 65536.\n\n"
+        "Example: fixbench cycles --operation divide --format q16_16,float --operands physics",
+    .prints = {"operations.csv"},
+    .add =
+        [](CLI::App& command) {
+            const auto options = std::make_shared<CycleOptions>();
+            add_filters(command, options->selection);
+            fixbench::add_selection(command, "--operands", options->selection.operands,
+                                    "only these operand classes");
+            command
+                .add_option("--program", options->programs, "device programs, e.g. one of your own")
+                ->check(CLI::ExistingFile);
+            command.add_option("--samples", options->samples, "operands of each random class")
+                ->capture_default_str()
+                ->check(most_samples);
+            return [options](const Call& call) {
+                settle_programs(options->programs);
+                Known known;
+                for (const auto& program : options->programs) {
+                    const simulator::Elf elf(program);
+                    for (const std::string& symbol : subjects_of(elf)) {
+                        const reference::NamedSubject named = reference::parse_symbol(symbol);
+                        known.add(named.subject, named.implementation);
+                    }
+                }
+                known.check(options->selection);
+                std::vector<std::string> classes = {"boundary", "all"};
+                for (const operands::OperandClass each : operands::operand_classes)
+                    classes.emplace_back(operands::class_name(each));
+                fixbench::check_names("--operands", options->selection.operands, classes);
+                options->output = call.output;
+                options->threads = call.threads;
+                return held(measure_cycles(*options));
+            };
+        },
+    .steps =
+        {{.name = "cycles",
+          .arguments = [](const Mode& mode) -> std::vector<std::string> {
+              return {"cycles", "--samples", mode.quick ? "1000" : "20000", "--output", mode.data};
+          },
+          .writes = {"operations.csv", "operations.json"},
+          .targets = {"subjects"},
+          .reads = {device_folder},
+          .full_seconds = 400,
+          .quick_seconds = 60}},
+});
+
+const fixbench::Registration accuracy({
+    .name = "accuracy",
+    .description =
+        "Error of the portable code, which the device's results equal bit for bit, over whole "
+        "input\n"
+        "spaces where they are finite enough (bound `exact`), else over boundary tables, random\n"
+        "operands and a search for the worst case (bound `lower bound`).\n"
+        "Files: accuracy.csv, error_histograms.csv and error_along_input.csv.\n\n"
+        "Example: fixbench accuracy --operation sqrt --format q16_16",
+    .prints = {"accuracy.csv"},
+    .add =
+        [](CLI::App& command) {
+            const auto options = std::make_shared<AccuracyOptions>();
+            add_filters(command, options->selection);
+            CLI::Option* const quick = command.add_flag(
+                "--quick", options->quick,
+                "sample the input spaces of more than 2^24 points instead of exhausting them");
+            command
+                .add_option("--keep", options->kept,
+                            "folder of an earlier run: the rows of spaces of 2^32 points are "
+                            "its rows, held against samples of the present code")
+                ->check(CLI::ExistingDirectory)
+                ->excludes(quick);
+            return [options](const Call& call) {
+                known_to_host().check(options->selection);
+                options->output = call.output;
+                options->threads = call.threads;
+                return held(measure_accuracy(*options));
+            };
+        },
+    .steps = {{.name = "accuracy",
+               .arguments =
+                   [](const Mode& mode) {
+                       std::vector<std::string> arguments = {"accuracy", "--output", mode.data};
+                       if (mode.quick)
+                           arguments.push_back("--quick");
+                       else if (!mode.exhaustive)
+                           arguments.insert(arguments.end(), {"--keep", mode.committed});
+                       return arguments;
+                   },
+               .writes = {"accuracy.csv", "error_histograms.csv", "error_along_input.csv"},
+               .full_seconds = 600,
+               .quick_seconds = 25}},
+});
+
+const fixbench::Registration verify({
+    .name = "verify",
+    .description =
+        "The device's machine code against the host, bit for bit: boundary tables, random "
+        "operands,\n"
+        "all inputs where there are at most 65536; the calling convention, stray writes, and "
+        "which\n"
+        "instructions were executed. File: kernels.csv.\n\n"
+        "Example: fixbench verify --operation divide --samples 10000000",
+    .prints = {"kernels.csv"},
+    .add =
+        [](CLI::App& command) {
+            const auto options = std::make_shared<VerifyOptions>();
+            add_filters(command, options->selection);
+            command.add_option("--program", options->programs, "device programs")
+                ->check(CLI::ExistingFile);
+            command.add_option("--samples", options->samples, "random operands of each subject")
+                ->capture_default_str()
+                ->check(most_samples);
+            return [options](const Call& call) {
+                settle_programs(options->programs);
+                known_to_host().check(options->selection);
+                options->output = call.output;
+                options->threads = call.threads;
+                const std::uint64_t differing = verify_kernels(*options);
+                if (differing == 0) return fixbench::held;
+                fmt::print(stderr, "fixbench: {} subjects differ\n", differing);
+                return fixbench::check_failed;
+            };
+        },
+    .steps = {{.name = "verify",
+               .arguments = [](const Mode& mode) -> std::vector<std::string> {
+                   return {"verify", "--samples", mode.quick ? "2000" : "1000000", "--output",
+                           mode.data};
+               },
+               .writes = {"kernels.csv"},
+               .targets = {"subjects"},
+               .reads = {device_folder},
+               .full_seconds = 1200,
+               .quick_seconds = 30}},
+});
+
+const fixbench::Registration throughput({
+    .name = "throughput",
+    .description = "What the portable code costs on this machine, by Google Benchmark.\n"
+                   "File: host_throughput.json. Names are those of the device subjects.",
+    .prints = {"host_throughput.json"},
+    .add =
+        [](CLI::App& command) {
+            const auto seconds = std::make_shared<double>(0.2);
+            command.add_option("--seconds", *seconds, "time that each function runs for")
+                ->capture_default_str()
+                ->check(CLI::Range(0.001, 60.0));
+            return [seconds](const Call& call) {
+                measure_throughput(call.output / "host_throughput.json", *seconds);
+                return fixbench::held;
+            };
+        },
+    .steps = {{.name = "throughput",
+               .arguments = [](const Mode& mode) -> std::vector<std::string> {
+                   return {"throughput", "--seconds", mode.quick ? "0.02" : "0.2", "--output",
+                           mode.data};
+               },
+               .writes = {"host_throughput.json"},
+               .full_seconds = 30,
+               .quick_seconds = 5,
+               .times_host = true}},
+});
+
+}  // namespace
+}  // namespace operations

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fixbench table.
+#include <memory>
+
+#include "bench/experiments/table_3_2/table_3_2.hpp"
+#include "bench/lab/program/build.hpp"
+#include "bench/lab/program/experiment.hpp"
+#include "reference/published.hpp"
+
+namespace table_3_2 {
+namespace {
+
+const fixbench::Registration table({
+    .name = "table",
+    .description = "The published timing table, measured again cell by cell with a verdict,\n"
+                   "the cost of its division by operand, and Table 3.1, computed.\n"
+                   "Files: table_3_2.csv, table_3_1.csv, division_cycles.csv and, with the\n"
+                   "search over hypotheses, table_3_2_hypotheses.csv.",
+    .prints = {"table_3_2.csv"},
+    .add =
+        [](CLI::App& command) {
+            const auto quick = std::make_shared<bool>(false);
+            command.add_flag("--quick", *quick, "without the search over hypotheses");
+            return [quick](const fixbench::Call& call) {
+                fixbench::build({"table_3_2_programs"});
+                measure_table_3_2({.programs_csv = TABLE_3_2_FOLDER "/programs.csv",
+                                   .division_elf = TABLE_3_2_FOLDER "/table_3_2_division.elf",
+                                   .published = reference::published_folder(),
+                                   .data = call.output,
+                                   .search = !*quick});
+                return fixbench::held;
+            };
+        },
+    .steps = {{.name = "table",
+               .arguments =
+                   [](const fixbench::Mode& mode) {
+                       std::vector<std::string> arguments = {"table", "--output", mode.data};
+                       if (mode.quick) arguments.push_back("--quick");
+                       return arguments;
+                   },
+               .writes = {"table_3_2.csv", "table_3_1.csv", "division_cycles.csv"},
+               .full_only = {"table_3_2_hypotheses.csv"},
+               .targets = {"table_3_2_programs"},
+               .reads = {TABLE_3_2_FOLDER, reference::published_folder()},
+               .full_seconds = 60,
+               .quick_seconds = 10}},
+});
+
+}  // namespace
+}  // namespace table_3_2

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A program that runs beside this one, with what it says in a log.
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/lab/pool.hpp"
+
+namespace sequence {
+
+class Process {
+  public:
+    // Starts it in the folder. `pool` is the cores that it shares; without, it does not know of
+    // others. It ends when this process does. Throws std::runtime_error where it cannot start.
+    Process(const std::vector<std::string>& command, const std::filesystem::path& folder,
+            const std::filesystem::path& log, const lab::Pool* pool);
+
+    // The exit status once it has ended, 128 and more for a signal.
+    std::optional<int> ended();
+    // Seconds of all cores up to now.
+    double cpu_seconds() const;
+    // It and what it started.
+    void stop();
+
+  private:
+    pid_t pid_;
+    double total_ = 0;
+    std::optional<int> status_;
+};
+
+}  // namespace sequence
