@@ -125,7 +125,9 @@ TEST(Operators, SaturatingSaturates) {
 // Each product and each sum by itself.
 TEST(Operators, SaturatingSaturatesProductsAndSumsOfSeveral) {
     check(operators_in<Saturating>([]<class Number>(Number x, Number y, Results& results) {
-              const Number left[3] = {x, x, y}, right[3] = {x, y, y};
+              using Raw = typename Number::Raw;
+              const Number z = Number::from_raw(static_cast<Raw>(x.raw() ^ y.raw()));
+              const Number left[3] = {x, y, z}, right[3] = {y, z, x};
               results.add(multiply_add(x, y, x).raw());
               results.add(dot2(left, right).raw());
               results.add(dot3(left, right).raw());
@@ -137,10 +139,10 @@ TEST(Operators, SaturatingSaturatesProductsAndSumsOfSeveral) {
               const auto sum = [&](int64_t x, int64_t y) {
                   return exact::add(x, y, format).saturated;
               };
-              const int64_t both = sum(product(a, a), product(a, b));
+              const int64_t c = a ^ b, both = sum(product(a, b), product(b, c));
               results.add(sum(product(a, b), a));
               results.add(both);
-              results.add(sum(both, product(b, b)));
+              results.add(sum(both, product(c, a)));
           });
 }
 

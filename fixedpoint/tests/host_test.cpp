@@ -123,7 +123,7 @@ TEST(Format, HonoursDecimalsWidthFillAndAlignment) {
 
 TEST(Format, PadsAsOfDouble) {
     for (const char* text :
-         {"{:08}", "{:8}", "{:*<8}", "{:05.1f}", "{:02}", "{:0}", "{:*>9.2f}", "{:010.3f}"}) {
+         {"{:08}", "{:8}", "{:*<8}", "{:06.2f}", "{:02}", "{:0}", "{:*>9.2f}", "{:010.3f}"}) {
         for (const double x : {-1.5, 1.5, 0.25, -0.25}) {
             const auto number = from_float<Q8_8>(x);
             // Numbers are aligned to the right by default.
