@@ -62,9 +62,9 @@ ROOMS = [
     kernels("tables", f"{FIXED}/avr/sine_table.S {FIXED}/avr/reciprocal_table.S", 2, "q16_16"),
     kernels("tables", f"{FIXED}/avr/sqrt_q4_4_table.S {FIXED}/avr/divide_q4_4_table.S", 1, "q4_4"),
     Room("tables", "fixedpoint/tables/*.py", 3, "fixedpoint/tests/tables_test.py"),
-    Room("portable", f"{FIXED}/portable/divide.hpp {FIXED}/portable/divide_w*.hpp", 2, "divide_test"),
-    Room("portable", f"{FIXED}/portable/round.hpp", 1, "round_test"),
-    Room("portable", f"{FIXED}/portable/remainder.hpp", 1, "remainder_test"),
+    Room("portable", f"{FIXED}/portable/divide.hpp {FIXED}/portable/divide_w*.hpp"
+         f" {FIXED}/portable/remainder.hpp", 3, "products_test"),
+    Room("portable", f"{FIXED}/portable/round.hpp {FIXED}/portable/nearest_root.hpp", 2, "roots_test"),
     Room("portable", f"{FIXED}/portable/decimal_*.hpp", 2, "decimal_test"),
     Room("arithmetic", f"{FIXED}/arithmetic/*.hpp !*/published.hpp !*/small.hpp", 2, "fixed_test"),
     Room("arithmetic", f"{FIXED}/arithmetic/published.hpp {FIXED}/published/*.hpp", 2,
@@ -74,11 +74,11 @@ ROOMS = [
     Room("simulator", "bench/chip/simulator/*.cpp bench/chip/simulator/workarounds/*.cpp", 4,
          "simulator_tests"),
     Room("translator", "bench/chip/instructions/instruction.cpp bench/chip/instructions/translate.cpp"
-         " bench/chip/instructions/convention.cpp", 4, "instructions_tests"),
+         " bench/chip/instructions/fingerprint.cpp", 4, "instructions_tests"),
     Room("engine", "engine/src/engine/solvers/*.hpp engine/src/engine/constraints.hpp"
-         " engine/src/engine/links.hpp", 3, "engine_contact_test"),
+         " engine/src/engine/links.hpp", 3, "engine_model_step_test"),
     Room("engine", "engine/src/engine/integrators/*.hpp engine/src/engine/forces.hpp", 3,
-         "engine_convergence_test"),
+         "engine_model_step_test"),
     Room("firmware", "firmware/src/firmware/frame_clock.hpp", 2, "firmware_frame_clock_test"),
     Room("firmware", "firmware/src/firmware/grid.hpp", 1, "firmware_grid_test"),
     Room("firmware", "firmware/src/firmware/lever.hpp", 2, "firmware_lever_test"),

@@ -151,7 +151,9 @@ std::string header_text(const Candidate& chosen, const std::vector<Reading>& rea
         formula_of(chosen.curve.family), chosen.fitted_to,
         chosen.curve.family == Family::monotone_cubic
             ? "."
-            : fmt::format(":\n// a, b, c = {:.10g}", fmt::join(chosen.curve.coefficients, ", ")),
+            : fmt::format(":\n// {} = {:.10g}",
+                          chosen.curve.family == Family::line ? "a, b" : "a, b, c",
+                          fmt::join(chosen.curve.coefficients, ", ")),
         chosen.range.lowest, chosen.range.highest, most_grams, chosen.all.rms, chosen.all.max,
         *chosen.leave_one_out_rms, chosen.evaluation_error, device.cycles_mean, device.cycles_max,
         most_grams, DeviceCurve(chosen.curve, chosen.range).definition());

@@ -33,7 +33,7 @@ struct Candidate {
 // Curves whose evaluation is wrong by more are not used, in grams.
 inline constexpr double most_evaluation_error = 0.5;
 
-// The five families fitted to all readings, the published family fitted to those from 850 up, and
+// The six families fitted to all readings, the published family fitted to those from 850 up, and
 // the two published functions. The whole of it is in `fitted_to`.
 std::vector<Candidate> candidates(const std::vector<Reading>& readings,
                                   const DeviceProgram& program);

@@ -13,10 +13,17 @@
 
 namespace calibration {
 
-enum class Family { rational_quadratic, quadratic, hyperbola, conductance_power, monotone_cubic };
-inline constexpr std::array families = {Family::rational_quadratic, Family::quadratic,
-                                        Family::hyperbola, Family::conductance_power,
-                                        Family::monotone_cubic};
+enum class Family {
+    line,
+    rational_quadratic,
+    quadratic,
+    hyperbola,
+    conductance_power,
+    monotone_cubic
+};
+inline constexpr std::array families = {
+    Family::line,      Family::rational_quadratic, Family::quadratic,
+    Family::hyperbola, Family::conductance_power,  Family::monotone_cubic};
 
 std::string name_of(Family family);
 std::string formula_of(Family family);
@@ -34,6 +41,8 @@ Number value(const Curve& curve, const Number& x) {
     const std::vector<double>& c = curve.coefficients;
     using std::exp, std::log;
     switch (curve.family) {
+        case Family::line:
+            return Number(c[0]) * x + Number(c[1]);
         case Family::rational_quadratic:
             return x / ((Number(c[0]) * x + Number(c[1])) * x + Number(c[2]));
         case Family::quadratic:
@@ -63,7 +72,7 @@ struct Fit {
     double square_sum;                    // of the residuals, in grams^2
 };
 
-// Of each fitted family; a fit needs more readings than that.
+// Of each fitted family but the line, which has two; a fit needs more readings than that.
 inline constexpr std::size_t parameters = 3;
 
 // Least squares in grams, unweighted. Throws std::runtime_error where there are too few readings or

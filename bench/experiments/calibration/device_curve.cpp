@@ -9,9 +9,9 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "bench/chip/simulator/device_function.hpp"
 #include "bench/experiments/calibration/device/pieces_capacity.hpp"
 #include "bench/lab/records/csv.hpp"
-#include "bench/chip/simulator/device_function.hpp"
 
 namespace calibration {
 namespace {
@@ -56,6 +56,8 @@ std::vector<CubicPiece> pieces_of(const Curve& curve) {
 
 std::string type_name(Family family) {
     switch (family) {
+        case Family::line:
+            return "Line";
         case Family::rational_quadratic:
             return "RationalQuadratic";
         case Family::quadratic:
@@ -89,6 +91,9 @@ DeviceCurve::DeviceCurve(const Curve& curve, Range range)
     const auto lowest = static_cast<std::int16_t>(range.lowest);
     const auto highest = static_cast<std::int16_t>(range.highest);
     switch (family_) {
+        case Family::line:
+            curve_ = Held<Line>{lowest, highest, {q(c[0] * 0x1p10), q(c[1])}};
+            break;
         case Family::rational_quadratic:
             curve_ = Held<RationalQuadratic>{
                 lowest, highest, {q(c[0] * 0x1p25), q(c[1] * 0x1p15), q(c[2] * 32)}};

@@ -48,7 +48,7 @@ class DeviceCurve {
 
     Family family_;
     std::vector<firmware::calibration::CubicPiece> pieces_;
-    std::variant<Held<firmware::calibration::RationalQuadratic>,
+    std::variant<Held<firmware::calibration::Line>, Held<firmware::calibration::RationalQuadratic>,
                  Held<firmware::calibration::Quadratic>, Held<firmware::calibration::Hyperbola>,
                  Held<firmware::calibration::ConductancePower>,
                  Held<firmware::calibration::MonotoneCubic>>

@@ -221,6 +221,8 @@ Curve steffen(const std::vector<Reading>& readings) {
 
 std::string name_of(Family family) {
     switch (family) {
+        case Family::line:
+            return "line";
         case Family::rational_quadratic:
             return "rational_quadratic";
         case Family::quadratic:
@@ -237,6 +239,8 @@ std::string name_of(Family family) {
 
 std::string formula_of(Family family) {
     switch (family) {
+        case Family::line:
+            return "a x + b";
         case Family::rational_quadratic:
             return "x / (a x^2 + b x + c)";
         case Family::quadratic:
@@ -292,6 +296,13 @@ Fit fit(Family family, const std::vector<Reading>& readings) {
     };
     if (family == Family::monotone_cubic) {
         result.curve = steffen(readings);
+    } else if (family == Family::line) {
+        std::vector<double> e;
+        const auto c = linear(
+            points, 2, [](std::size_t j, const Point& p) { return j == 0 ? p.s : 1.0; },
+            [](const Point& p) { return p.y; }, nullptr, &e);
+        result.curve.coefficients = {c[0] * grams / counts, c[1] * grams};
+        result.standard_errors = {e[0] * grams / counts, e[1] * grams};
     } else if (family == Family::quadratic) {
         std::vector<double> e;
         const auto c = linear(

@@ -60,6 +60,17 @@ struct Held {
     }
 };
 
+// a x + b, in s = x / 1024.
+struct Line {
+    int32_t linear, constant;  // 2^10 a, b
+
+    template <class Scalar, int sum_bits = 0>
+    [[gnu::always_inline]] constexpr Scalar grams(int sum) const {
+        const Scalar s = scaled<Scalar, 10 + sum_bits>(sum);
+        return Constant<Scalar>::of(linear) * s + Constant<Scalar>::of(constant);
+    }
+};
+
 // x / (a x^2 + b x + c), the published Function 1: with s = x / 1024 as 32 x over
 // 32 (2^20 a s^2 + 2^10 b s + c), since a itself is less than one unit of 2^-16.
 struct RationalQuadratic {

@@ -13,6 +13,7 @@ using fixedpoint::Q16_16;
         return held->grams<Q16_16>(reading).raw();                                          \
     }
 
+CURVE(line, Line)
 CURVE(rational_quadratic, RationalQuadratic)
 CURVE(quadratic, Quadratic)
 CURVE(hyperbola, Hyperbola)

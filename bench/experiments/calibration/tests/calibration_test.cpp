@@ -83,7 +83,8 @@ TEST(Readings, ComeInAnyOrderAndWithDecimalCommas) {
 }
 
 // The curves that the fit has to find again from readings without error.
-const Curve known[] = {{Family::rational_quadratic, {-1.3e-5, 1.06e-2, 2.3}},
+const Curve known[] = {{Family::line, {1.7, -210}},
+                       {Family::rational_quadratic, {-1.3e-5, 1.06e-2, 2.3}},
                        {Family::quadratic, {8.5e-4, -0.29, 55}},
                        {Family::hyperbola, {70, 60, 990}},
                        {Family::conductance_power, {40, 4.1, 1.2}}};
@@ -93,7 +94,7 @@ TEST(Fit, FindsKnownCurves) {
         std::vector<Reading> readings;
         for (int x = 200; x <= 950; x += 50) readings.push_back({x, value<double>(curve, x)});
         const Fit found = fit(curve.family, readings);
-        for (std::size_t i = 0; i < parameters; ++i)
+        for (std::size_t i = 0; i < curve.coefficients.size(); ++i)
             EXPECT_NEAR(found.curve.coefficients[i] / curve.coefficients[i], 1, 1e-7)
                 << name_of(curve.family) << " coefficient " << i;
     }
@@ -103,7 +104,7 @@ TEST(Fit, NoNeighbourHasASmallerSquareSum) {
     const auto readings = published_readings();
     for (const Curve& curve : known) {
         const Fit found = fit(curve.family, readings);
-        for (std::size_t i = 0; i < parameters; ++i) {
+        for (std::size_t i = 0; i < curve.coefficients.size(); ++i) {
             for (const double shift : {-1e-3, 1e-3}) {
                 Curve neighbour = found.curve;
                 neighbour.coefficients[i] += shift * found.standard_errors[i];
