@@ -31,11 +31,11 @@ constexpr int pairs = 10000;
 
 class Operands {
   public:
-    int32_t next() { return numbers_[random_() % numbers_.size()]; }
+    int32_t next() { return static_cast<int32_t>(numbers_[random_() % numbers_.size()]); }
     Vector vector() { return {next(), next(), next()}; }
 
   private:
-    std::vector<int32_t> numbers_ = exact::raws<int32_t>();
+    std::vector<std::int64_t> numbers_ = exact::raws(32);
     std::mt19937_64 random_{32};
 };
 
