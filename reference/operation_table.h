@@ -7,14 +7,15 @@
  *
  * signature  how the function is called (bench/lab/catalogue/invoke.h)
  * operands   how many numbers it takes, and `results` how many it gives. Vectors lie one after the
- *            other: the operands of dot3 are a0 a1 a2 b0 b1 b2. atan2 takes y, x. The second operand
- *            of a shift is a count, a plain integer. The results of sincos are sine and cosine.
- * kind       ring: exact, rounded, then taken modulo 2^W in the wrapping arithmetics, so that sums
- *            whose intermediates overflow still come out right; rounded: exact, rounded, clamped;
- *            function: within bound_ulp of the exact value, clamped
- * domain     where it has an exact value; what it returns elsewhere stands behind the row
+ *            other: the operands of dot3 are a0 a1 a2 b0 b1 b2. atan2 takes y, x. The second
+ * operand of a shift is a count, a plain integer. The results of sincos are sine and cosine. kind
+ * ring: exact, rounded, then taken modulo 2^W in the wrapping arithmetics, so that sums whose
+ * intermediates overflow still come out right; rounded: exact, rounded, clamped; function: within
+ * bound_ulp of the exact value, clamped domain     where it has an exact value; what it returns
+ * elsewhere stands behind the row
  *
- * Notation: a, b raws of W bits, value = raw / 2^F; x the exact result in units of the last place. */
+ * Notation: a, b raws of W bits, value = raw / 2^F; x the exact result in units of the last place.
+ */
 #ifndef REFERENCE_OPERATION_TABLE_H
 #define REFERENCE_OPERATION_TABLE_H
 
@@ -72,35 +73,21 @@
 /* clang-format on */
 
 /* Those that are measured on the device in every format, and the rest. */
-#define MEASURED_OPERATIONS(X, ...)         \
-    OPERATION_add(X, __VA_ARGS__)             \
-    OPERATION_subtract(X, __VA_ARGS__)        \
-    OPERATION_multiply(X, __VA_ARGS__)        \
-    OPERATION_divide(X, __VA_ARGS__)          \
-    OPERATION_remainder(X, __VA_ARGS__)       \
-    OPERATION_sqrt(X, __VA_ARGS__)            \
-    OPERATION_atan(X, __VA_ARGS__)            \
-    OPERATION_atan2(X, __VA_ARGS__)           \
-    OPERATION_reciprocal_sqrt(X, __VA_ARGS__) \
-    OPERATION_sin(X, __VA_ARGS__)             \
-    OPERATION_cos(X, __VA_ARGS__)             \
-    OPERATION_sincos(X, __VA_ARGS__)          \
-    OPERATION_exp(X, __VA_ARGS__)             \
-    OPERATION_log(X, __VA_ARGS__)             \
-    OPERATION_multiply_add(X, __VA_ARGS__)    \
-    OPERATION_dot2(X, __VA_ARGS__)            \
-    OPERATION_dot3(X, __VA_ARGS__)            \
-    OPERATION_length2(X, __VA_ARGS__)         \
-    OPERATION_length3(X, __VA_ARGS__)         \
-    OPERATION_normalise3(X, __VA_ARGS__)
+#define MEASURED_OPERATIONS(X, ...)                                                             \
+    OPERATION_add(X, __VA_ARGS__) OPERATION_subtract(X, __VA_ARGS__) OPERATION_multiply(        \
+        X, __VA_ARGS__) OPERATION_divide(X, __VA_ARGS__) OPERATION_remainder(X, __VA_ARGS__)    \
+        OPERATION_sqrt(X, __VA_ARGS__) OPERATION_atan(X, __VA_ARGS__)                           \
+            OPERATION_atan2(X, __VA_ARGS__) OPERATION_reciprocal_sqrt(X, __VA_ARGS__)           \
+                OPERATION_sin(X, __VA_ARGS__) OPERATION_cos(X, __VA_ARGS__) OPERATION_sincos(   \
+                    X, __VA_ARGS__) OPERATION_exp(X, __VA_ARGS__) OPERATION_log(X, __VA_ARGS__) \
+                    OPERATION_multiply_add(X, __VA_ARGS__) OPERATION_dot2(X, __VA_ARGS__)       \
+                        OPERATION_dot3(X, __VA_ARGS__) OPERATION_length2(X, __VA_ARGS__)        \
+                            OPERATION_length3(X, __VA_ARGS__) OPERATION_normalise3(X, __VA_ARGS__)
 
-#define OPERATIONS(X, ...)                \
-    MEASURED_OPERATIONS(X, __VA_ARGS__)   \
-    OPERATION_negate(X, __VA_ARGS__)      \
-    OPERATION_abs(X, __VA_ARGS__)         \
-    OPERATION_shift_left(X, __VA_ARGS__)  \
-    OPERATION_shift_right(X, __VA_ARGS__) \
-    OPERATION_convert(X, __VA_ARGS__)
+#define OPERATIONS(X, ...)                                                               \
+    MEASURED_OPERATIONS(X, __VA_ARGS__)                                                  \
+    OPERATION_negate(X, __VA_ARGS__) OPERATION_abs(X, __VA_ARGS__) OPERATION_shift_left( \
+        X, __VA_ARGS__) OPERATION_shift_right(X, __VA_ARGS__) OPERATION_convert(X, __VA_ARGS__)
 
 #ifdef __cplusplus
 namespace reference {

@@ -49,11 +49,14 @@ constexpr bool within_10_percent(double ratio) { return ratio >= 0.9 && ratio <=
 
 // Each throws std::runtime_error with file, line and reason where the file is missing or malformed.
 // The 24 cells of Table 3.2, row by row.
-std::vector<PublishedTiming> load_table_3_2(const std::filesystem::path& folder = published_folder());
-std::vector<PublishedTiming> load_functions(const std::filesystem::path& folder = published_folder());
+std::vector<PublishedTiming> load_table_3_2(
+    const std::filesystem::path& folder = published_folder());
+std::vector<PublishedTiming> load_functions(
+    const std::filesystem::path& folder = published_folder());
 std::vector<WorkloadFigure> load_workload(const std::filesystem::path& folder = published_folder());
 std::vector<ForceCalibration> load_table_d_1(
     const std::filesystem::path& folder = published_folder());
-std::vector<ForceCorrection> load_table_d_2(const std::filesystem::path& folder = published_folder());
+std::vector<ForceCorrection> load_table_d_2(
+    const std::filesystem::path& folder = published_folder());
 
 }  // namespace reference

@@ -9,7 +9,8 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-all= fix=
+all=''
+fix=''
 case ${1:-} in
     '') ;;
     --fix) fix=yes ;;

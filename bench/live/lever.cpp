@@ -10,13 +10,13 @@
 #include <limits>
 #include <stdexcept>
 
+#include "bench/lab/records/progress.hpp"
+#include "bench/lab/records/whole_file.hpp"
 #include "bench/live/film.hpp"
 #include "bench/live/pace.hpp"
 #include "bench/live/panel.hpp"
 #include "bench/live/replay.hpp"
 #include "bench/live/terminal.hpp"
-#include "bench/lab/records/progress.hpp"
-#include "bench/lab/records/whole_file.hpp"
 
 namespace live {
 namespace {

@@ -7,9 +7,9 @@
 #undef constrain  // a macro of Arduino's core
 #endif
 
+#include <engine/broad_phase/sort_and_sweep.hpp>
 #include <engine/integrators/explicit_euler.hpp>
 #include <engine/integrators/implicit_springs.hpp>
 #include <engine/integrators/velocity_verlet.hpp>
-#include <engine/broad_phase/sort_and_sweep.hpp>
 #include <engine/solvers/worst_first.hpp>
 #include <engine/world.hpp>

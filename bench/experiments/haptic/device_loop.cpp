@@ -106,7 +106,8 @@ void DeviceLoop::at_byte(std::uint8_t byte) {
 std::uint16_t DeviceLoop::address_of(std::string_view member) const {
     const std::string end = fmt::format("{}{}E", member.size(), member);
     for (const auto& [name, object] : chip_.elf().objects())
-        if (name.starts_with("_ZN") && name.ends_with(end)) return static_cast<std::uint16_t>(object.address);
+        if (name.starts_with("_ZN") && name.ends_with(end))
+            return static_cast<std::uint16_t>(object.address);
     throw simulator::SimulationError(
         fmt::format("{}: no variable '{}', as firmware/lever_program.hpp has",
                     chip_.elf().path().string(), member));

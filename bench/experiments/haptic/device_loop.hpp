@@ -18,8 +18,8 @@
 #include <string_view>
 #include <vector>
 
-#include "bench/experiments/haptic/plant/plant.hpp"
 #include "bench/chip/simulator/chip.hpp"
+#include "bench/experiments/haptic/plant/plant.hpp"
 #include "firmware/tests/terminal_emulator.hpp"
 
 namespace haptic {

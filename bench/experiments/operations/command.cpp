@@ -89,7 +89,8 @@ const fixbench::Registration cycles({
         "(avr-nm lists them), for avr-gcc's calling convention: any other tool can call it too.\n"
         "Cycles include call (4) and ret (4), not the loading of operands.\n\n"
         "Operand classes: small |x| < 1; physics 0.01..20; full, log-uniform over the range;\n"
-        "uniform, every raw alike; published, those of the rebuilt harness; boundary, an annotated table; all, every input\n"
+        "uniform, every raw alike; published, those of the rebuilt harness; boundary, an annotated "
+        "table; all, every input\n"
         "where there are at most 65536.\n\n"
         "Example: fixbench cycles --operation divide --format q16_16,float --operands physics",
     .prints = {"operations.csv"},

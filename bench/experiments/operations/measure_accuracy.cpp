@@ -216,8 +216,8 @@ class Kept {
                             text("bound"), count("violations")});
         for (const auto& row : histograms_.rows())
             if (is_of(row, job))
-                histograms.push_back({row[0], row[1], row[2], std::stod(row[3]),
-                                      std::stod(row[4]), std::stod(row[5])});
+                histograms.push_back({row[0], row[1], row[2], std::stod(row[3]), std::stod(row[4]),
+                                      std::stod(row[5])});
     }
 
   private:

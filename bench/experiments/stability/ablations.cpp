@@ -7,10 +7,10 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "bench/experiments/stability/chip_world.hpp"
 #include "bench/lab/parallel.hpp"
 #include "bench/lab/records/csv.hpp"
 #include "bench/lab/records/progress.hpp"
-#include "bench/experiments/stability/chip_world.hpp"
 
 namespace stability {
 namespace {
@@ -31,8 +31,8 @@ constexpr Method impulses{"nearest", "velocities_by_impulses"};
 constexpr Method saturating{"saturating", "semi_implicit_euler"};
 constexpr Method roots_of_squares{"roots_of_squares", "semi_implicit_euler"};
 
-// Before and after differ in the ablation alone. Cycles are of the case at the parameter `timed_at`,
-// where both hold, or at its easy end.
+// Before and after differ in the ablation alone. Cycles are of the case at the parameter
+// `timed_at`, where both hold, or at its easy end.
 constexpr struct {
     const char *ablation, *found_by;
     Method before, after;
@@ -54,7 +54,8 @@ constexpr struct {
     {"bounces back-dated", "bounces_under_gravity", late_bounces, ours, 1000},
     {"shares in place of impulses", "resting_light_mass", impulses, ours, 1},
     {"residuals of products with the step", "slow", ours, compensated_integration, 10},
-    {"residuals of products with the step", "small_binary_step", ours, compensated_integration, 0x1p-8},
+    {"residuals of products with the step", "small_binary_step", ours, compensated_integration,
+     0x1p-8},
     {"residuals of products with the step", "weak_gravity", ours, compensated_integration, 10},
     {"sums and products that clamp", "spring_extension", ours, saturating, 0.1},
     {"sums and products that clamp", "drag_quadratic", ours, saturating, 1},
@@ -81,8 +82,9 @@ struct Cycles {
 Cycles cycles_of(const Case& one, Method method, double parameter) {
     constexpr unsigned most_steps = 1000;
     const Description description = one.at(parameter).description;
-    const std::filesystem::path program = std::filesystem::path(ABLATION_PROGRAMS) /
-                                          fmt::format("ablation_{}_{}.elf", one.name, name_of(method));
+    const std::filesystem::path program =
+        std::filesystem::path(ABLATION_PROGRAMS) /
+        fmt::format("ablation_{}_{}.elf", one.name, name_of(method));
     ChipWorld world(program, description);
     std::uint64_t sum = 0;
     std::uint32_t most = 0;

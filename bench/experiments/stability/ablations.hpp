@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What was mended in the published methods: each ablation against the engine without that one ablation, in
-// limit, error and cycles.
+// What was mended in the published methods: each ablation against the engine without that one
+// ablation, in limit, error and cycles.
 #pragma once
 
 #include <filesystem>

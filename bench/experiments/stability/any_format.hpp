@@ -186,7 +186,8 @@ template <>
 struct NormalTolerance<stability::AnyFormat> {
     static stability::AnyFormat value() {
         const int fraction = stability::AnyFormat::split().fraction_bits;
-        return stability::AnyFormat::from_raw(fraction > 10 ? std::int64_t(1) << (fraction - 8) : 4);
+        return stability::AnyFormat::from_raw(fraction > 10 ? std::int64_t(1) << (fraction - 8)
+                                                            : 4);
     }
 };
 

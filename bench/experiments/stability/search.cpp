@@ -84,7 +84,7 @@ Finding find_endurance(const Case& one, const Subject& subject, const Effort& ef
 }  // namespace
 
 std::string to_text(Verdict verdict) {
-    constexpr const char* names[] = {"stable",    "drifts", "diverges", "overflows",
+    constexpr const char* names[] = {"stable",    "drifts",     "diverges", "overflows",
                                      "saturates", "underflows", "reports"};
     return names[static_cast<int>(verdict)];
 }

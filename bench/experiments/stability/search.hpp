@@ -8,13 +8,13 @@
 namespace stability {
 
 enum class Verdict {
-    stable,     // as far as the case goes
-    drifts,     // away from the reference, by `rate` tolerances a second
-    diverges,   // to ten tolerances and beyond, or no number any more
-    overflows,  // by the first event
-    saturates,  // by the first result that was clamped, where everything is
-    underflows,     // products vanish that move something, where double holds
-    reports,    // the engine says that a capacity does not suffice
+    stable,      // as far as the case goes
+    drifts,      // away from the reference, by `rate` tolerances a second
+    diverges,    // to ten tolerances and beyond, or no number any more
+    overflows,   // by the first event
+    saturates,   // by the first result that was clamped, where everything is
+    underflows,  // products vanish that move something, where double holds
+    reports,     // the engine says that a capacity does not suffice
 };
 std::string to_text(Verdict verdict);
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "bench/lab/records/csv.hpp"
 #include "bench/experiments/table_3_2/harness.hpp"
+#include "bench/lab/records/csv.hpp"
 
 namespace table_3_2 {
 

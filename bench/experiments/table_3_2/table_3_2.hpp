@@ -7,13 +7,14 @@
 #include <optional>
 #include <string>
 
-#include "bench/lab/records/csv.hpp"
 #include "bench/experiments/table_3_2/hypothesis.hpp"
+#include "bench/lab/records/csv.hpp"
 
 namespace table_3_2 {
 
 struct Options {
-    std::filesystem::path programs_csv;  // what was built: bench/experiments/table_3_2/CMakeLists.txt
+    std::filesystem::path
+        programs_csv;  // what was built: bench/experiments/table_3_2/CMakeLists.txt
     std::filesystem::path division_elf;
     std::filesystem::path published;  // the folder of table_3_2.csv and functions.csv
     std::filesystem::path data;       // the folder that is written to

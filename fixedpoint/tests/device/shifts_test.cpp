@@ -20,7 +20,8 @@ void check_count(const Shift& expected, uint8_t count) {
     using SaturatingNumber = Fixed<INTEGER_BITS, FRACTION_BITS, Saturating>;
     CHECK((SaturatingNumber::from_raw(a.raw()) << count).raw() == expected.saturated_left);
     CHECK((checked(expected.a) << count).raw() == expected.left);
-    const bool fits = a.raw() == 0 || (count < RawLimits<Raw>::width && expected.left >> count == a.raw());
+    const bool fits =
+        a.raw() == 0 || (count < RawLimits<Raw>::width && expected.left >> count == a.raw());
     CHECK(hooked(!fits, Event::overflow, Operation::shift_left));
     Number x = a;
     CHECK((x <<= count).raw() == expected.left);

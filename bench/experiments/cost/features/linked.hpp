@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "bench/experiments/cost/features/programs.hpp"
 #include "bench/chip/simulator/elf.hpp"
+#include "bench/experiments/cost/features/programs.hpp"
 
 namespace features {
 

@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "bench/chip/simulator/device_function.hpp"
 #include "bench/experiments/cost/growth/cost.hpp"
 #include "bench/lab/records/progress.hpp"
-#include "bench/chip/simulator/device_function.hpp"
 
 namespace growth {
 namespace {

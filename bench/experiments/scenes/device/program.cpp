@@ -33,7 +33,8 @@ STEP(12)
 // it; the world's error; the hash of its state.
 const Scalar* position_of(uint8_t i) {
     const World& looked_at = world;
-    static_assert(sizeof looked_at.particles()[i].position == World::dimensions * sizeof(Scalar), "");
+    static_assert(sizeof looked_at.particles()[i].position == World::dimensions * sizeof(Scalar),
+                  "");
     return &looked_at.particles()[i].position[0];
 }
 engine::Error world_error() { return world.error(); }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes the file of pinned hashes: pin_scene_hashes bench/experiments/scenes/tests/pinned_hashes.csv
+// Writes the file of pinned hashes: pin_scene_hashes
+// bench/experiments/scenes/tests/pinned_hashes.csv
 #include <cstdio>
 #include <cstdlib>
 #include <exception>

@@ -7,8 +7,8 @@
 
 #include <array>
 
-#include "bench/lab/records/csv.hpp"
 #include "bench/experiments/scenes/scene.hpp"
+#include "bench/lab/records/csv.hpp"
 
 namespace scene_bench {
 

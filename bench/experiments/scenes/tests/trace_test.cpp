@@ -6,8 +6,8 @@
 #include <filesystem>
 
 #include "bench/chip/profile/profiler.hpp"
-#include "bench/experiments/scenes/call_trace.hpp"
 #include "bench/chip/simulator/device_function.hpp"
+#include "bench/experiments/scenes/call_trace.hpp"
 
 namespace scene_bench {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // libFuzzer: CSV tables, readings of a sensor, and the published figures.
 #include "bench/experiments/calibration/readings.hpp"
-#include "bench/lab/records/csv.hpp"
 #include "bench/experiments/stability/fuzz/refusal.hpp"
+#include "bench/lab/records/csv.hpp"
 #include "reference/published.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

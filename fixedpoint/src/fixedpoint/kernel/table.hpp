@@ -2,7 +2,8 @@
 // The assembly kernels: FIXEDPOINT_KERNELS(KERNEL) invokes, for each of them,
 //     KERNEL(shape, operation, Raw, fraction bits, symbol, implementation)
 // `symbol` is the function in avr/ that kernel::operation<Raw, fraction bits> calls in place of
-// portable::implementation<Raw, fraction bits>, with the same results. `shape` names its parameters.
+// portable::implementation<Raw, fraction bits>, with the same results. `shape` names its
+// parameters.
 #pragma once
 
 // clang-format off

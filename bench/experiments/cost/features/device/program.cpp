@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A scene whose features come from the command line: -DGRAVITY=1 -DSPRINGS=0 ... -DDIMENSIONS=2
 // -DINTEGRATOR=SemiImplicitEuler -DSOLVER=ProjectedGaussSeidel<10> -DBROAD_PHASE=BruteForce
-// -DARITHMETIC=Nearest. Every feature that is in acts in every step. The first particle is the lever's end; a second hangs beside it where
-// something needs two.
+// -DARITHMETIC=Nearest. Every feature that is in acts in every step. The first particle is the
+// lever's end; a second hangs beside it where something needs two.
 #include <engine.h>
+
 #include <fixedpoint/arithmetic/small.hpp>
 
 using namespace engine;

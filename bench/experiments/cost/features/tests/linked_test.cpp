@@ -20,8 +20,10 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 const std::filesystem::path folder = FEATURE_PROGRAM_FOLDER;
-const Uses lever = {"GRAVITY",           "ANCHORED_RODS", "CUSTOM_FORCE", "2",
-                    "SemiImplicitEuler", "ProjectedGaussSeidel<10>",    "BruteForce", "Nearest"};
+const Uses lever = {"GRAVITY",           "ANCHORED_RODS",
+                    "CUSTOM_FORCE",      "2",
+                    "SemiImplicitEuler", "ProjectedGaussSeidel<10>",
+                    "BruteForce",        "Nearest"};
 
 class FeaturePrograms : public testing::TestWithParam<Program> {};
 
