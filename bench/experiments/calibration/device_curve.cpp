@@ -2,9 +2,11 @@
 #include "bench/experiments/calibration/device_curve.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sim_avr.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <stdexcept>
@@ -187,11 +189,12 @@ std::string DeviceCurve::definition() const {
                                   "{}}}}};\n",
                                   type, held.lowest, held.highest, pieces_.size());
             } else {
-                std::int32_t c[3];
+                // The members of such a curve are its coefficients, and nothing else.
+                std::array<std::int32_t, sizeof held.curve / sizeof(std::int32_t)> c;
                 static_assert(sizeof c == sizeof held.curve);
-                std::memcpy(c, &held.curve, sizeof c);
-                return fmt::format("constexpr Held<{}> curve = {{{}, {}, {{{}, {}, {}}}}};\n", type,
-                                   held.lowest, held.highest, c[0], c[1], c[2]);
+                std::memcpy(c.data(), &held.curve, sizeof c);
+                return fmt::format("constexpr Held<{}> curve = {{{}, {}, {{{}}}}};\n", type,
+                                   held.lowest, held.highest, fmt::join(c, ", "));
             }
         },
         curve_);
