@@ -31,6 +31,11 @@ INSTEAD = [
     (r"ctest .*", "ctest --version", "runs the tests that this is one of"),
     (r"cmake .*", "cmake --version", "builds; the consumer's test does so"),
     (r"ninja .*", "ninja --version", "builds"),
+    (r"scripts/build\.sh.*", "bash -n scripts/build.sh", "builds"),
+    (r"scripts/mutation_test\.py.*", "/usr/bin/python3 scripts/mutation_test.py --help", "builds"),
+    (r"scripts/lint\.sh.*", "scripts/lint.sh --help", "a test of its own"),
+    (r"avr-gdb .*", "true", "an interactive program that the set-up does not install"),
+    (r"avr-objdump .*", "avr-objdump --version", "takes a program of the user's"),
 ]
 FLASH = 30720  # bytes that the bootloader leaves
 

@@ -230,9 +230,10 @@ class Elf::Reader {
             const bool global = GELF_ST_BIND(symbol.st_info) != STB_LOCAL;
             const bool in_flash = address < elf_.flash_.size();
             const std::uint64_t end = std::uint64_t(address) + size;
+            // Not the end of the program: avr-libc states some of its functions longer than they
+            // are, as __mulsf3x.
             if (size && address < eeprom_origin)
-                expect(end <= (address < data_origin ? elf_.flash_.size() : data_origin + ram_end),
-                       part);
+                expect(end <= (address < data_origin ? flash_size : data_origin + ram_end), part);
             // A table without a name, too, is one that relocations lead to.
             if (type == STT_OBJECT && address < data_origin)
                 elf_.flash_objects_.push_back({name, address, size});
@@ -240,7 +241,9 @@ class Elf::Reader {
             if (address >= data_origin && address < eeprom_origin)
                 elf_.objects_[name] = {name, address - data_origin, size};
             else if (in_flash && (type == STT_FUNC || (type == STT_NOTYPE && global)))
-                elf_.functions_[name] = {name, address, size};
+                elf_.functions_[name] = {
+                    name, address,
+                    std::min(size, static_cast<std::uint32_t>(elf_.flash_.size()) - address)};
         }
     }
 

@@ -76,6 +76,15 @@ struct RunStep<fixedpoint::Fixed<I, F, A>> {
     }
 };
 
+}  // namespace stability
+
+template <class Scalar>
+struct engine::IsTimeStep<stability::RunStep<Scalar>> {
+    static constexpr bool value = true;
+};
+
+namespace stability {
+
 // Without these a scene is another one: a mass is infinite, a step moves nothing.
 inline bool is_essential(const char* name) {
     const std::string_view text = name;

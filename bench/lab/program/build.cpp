@@ -6,9 +6,9 @@
 #include <sys/file.h>
 #include <unistd.h>
 
-#include <array>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <stdexcept>
 
 #include "bench/lab/pool.hpp"
@@ -32,14 +32,31 @@ class Lock {
     int file_;
 };
 
-// What the command printed, and whether it succeeded.
-std::pair<std::string, bool> output_of(const std::string& command) {
+// A line of ninja that tells of a step, other than those by which it looks for new sources.
+bool is_step(const std::string& line) {
+    return line.starts_with('[') && line.find("Re-checking globbed") == line.npos &&
+           line.find("Re-running CMake") == line.npos;
+}
+
+// What the command printed, and whether it succeeded; `at_first_step` is called when it turns out
+// that there is something to do. A dry run would not tell: to ninja, globbed folders are always out
+// of date.
+std::pair<std::string, bool> run(const std::string& command,
+                                 const std::function<void()>& at_first_step) {
     FILE* const pipe = popen(command.c_str(), "r");
     if (pipe == nullptr) return {"", false};
-    std::string text;
-    std::array<char, 4096> part;
-    while (const std::size_t size = fread(part.data(), 1, part.size(), pipe))
-        text.append(part.data(), size);
+    std::string text, line;
+    bool stepped = false;
+    for (int c; (c = std::fgetc(pipe)) != EOF;) {
+        text += static_cast<char>(c);
+        line += static_cast<char>(c);
+        if (c != '\n') continue;
+        if (!stepped && is_step(line)) {
+            stepped = true;
+            at_first_step();
+        }
+        line.clear();
+    }
     return {text, pclose(pipe) == 0};
 }
 
@@ -55,12 +72,11 @@ void build(const std::vector<std::string>& targets) {
         const bool below = std::filesystem::path(target).is_absolute() && !path.empty();
         list += fmt::format(" '{}'", below ? path.string() : target);
     }
-    const std::string ninja = "ninja -C '" FIXBENCH_BUILD_FOLDER "'";
-    const auto [plan, planned] = output_of(ninja + " -n" + list + " 2>&1");
-    if (planned && plan.find("no work to do") != std::string::npos) return;
-    fmt::print(stderr, "fixbench: building {}, for what it reads is out of date\n",
-               targets.size() == 1 ? targets.front() : fmt::format("{} targets", targets.size()));
-    const auto [text, built] = output_of(ninja + list + " 2>&1");
+    const auto [text, built] = run("ninja -C '" FIXBENCH_BUILD_FOLDER "'" + list + " 2>&1", [&] {
+        fmt::print(
+            stderr, "fixbench: building {}, for what it reads is out of date\n",
+            targets.size() == 1 ? targets.front() : fmt::format("{} targets", targets.size()));
+    });
     if (!built) {
         fmt::print(stderr, "{}", text);
         throw std::runtime_error("the device programs cannot be built");

@@ -91,7 +91,7 @@ class ReplayPage(unittest.TestCase):
             recording = copy.deepcopy(self.recording)
             replay.check(recording)
             change(recording)
-            with self.assertRaises(SystemExit, msg=change.__name__):
+            with self.assertRaises(replay.DataError, msg=change.__name__):
                 replay.check(recording)
 
     def shown_at(self, time):

@@ -13,6 +13,18 @@ struct BinaryStep {
     static_assert(K >= 0 && K < 60, "A binary step is 2^-K seconds, K from 0 to 59.");
 };
 
+// Whether T is a time step other than a scalar in seconds: such a one reaches the integrators as it
+// is. Who writes another specialises this, and gives it half(T), a product with the scalar from the
+// left, and a conversion to the scalar.
+template <class T>
+struct IsTimeStep {
+    static constexpr bool value = false;
+};
+template <int K>
+struct IsTimeStep<BinaryStep<K>> {
+    static constexpr bool value = true;
+};
+
 // A step in seconds, as a scalar holds it.
 template <class Scalar>
 struct Seconds {

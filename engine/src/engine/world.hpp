@@ -192,9 +192,9 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
     const auto& planes() const { return planes_; }
     const CustomForce& custom_force() const { return custom_force_; }
 
-    // Moves the world on by 2^-K s.
-    template <int K>
-    void step(BinaryStep<K> dt) {
+    // Moves the world on by a step of 2^-K s, or of another type of time steps.
+    template <class TimeStep>
+    typename OnlyIf<IsTimeStep<TimeStep>::value, void>::Type step(TimeStep dt) {
         Integrator::step(*this, dt);
     }
     // Moves the world on by dt seconds, which must be positive; others are reported and do nothing.

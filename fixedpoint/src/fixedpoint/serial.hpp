@@ -8,15 +8,15 @@
 namespace fixedpoint {
 
 // Writes the shortest text that parse reads as x; returns the characters written.
-template <class Out, int I, int F, class A>
-size_t print(Out& out, Fixed<I, F, A> x) {
-    char text[text_capacity<Fixed<I, F, A>>()];
+template <class Out, int IntegerBits, int F, class A>
+size_t print(Out& out, Fixed<IntegerBits, F, A> x) {
+    char text[text_capacity<Fixed<IntegerBits, F, A>>()];
     return out.write(text, print(x, text, sizeof text));
 }
 // Writes x with so many decimals, at most F, from which on they are exact.
-template <class Out, int I, int F, class A>
-size_t print(Out& out, Fixed<I, F, A> x, uint8_t decimals) {
-    char text[text_capacity<Fixed<I, F, A>>()];
+template <class Out, int IntegerBits, int F, class A>
+size_t print(Out& out, Fixed<IntegerBits, F, A> x, uint8_t decimals) {
+    char text[text_capacity<Fixed<IntegerBits, F, A>>()];
     return out.write(
         text, print(x, decimals < F ? decimals : static_cast<uint8_t>(F), text, sizeof text));
 }

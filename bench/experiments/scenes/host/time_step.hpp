@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <engine/scalar.hpp>
+#include <engine/time_step.hpp>
 
 namespace scene_bench {
 
@@ -50,3 +51,8 @@ fixedpoint::Fixed<I, F, A> PowerOfTwoStep::seconds(const fixedpoint::Fixed<I, F,
 }
 
 }  // namespace scene_bench
+
+template <>
+struct engine::IsTimeStep<scene_bench::PowerOfTwoStep> {
+    static constexpr bool value = true;
+};
