@@ -245,10 +245,12 @@ class Run {
         return healthy();
     }
     void look() {
-        state_.resize(world_.particles().size());
+        // Not to be taken for a change by hand, after which a step begins with other forces.
+        const World& world = world_;
+        state_.resize(world.particles().size());
         Recorder& record = outcome_.record;
         for (std::size_t i = 0; i < state_.size(); ++i) {
-            const auto& particle = world_.particles()[static_cast<typename World::Index>(i)];
+            const auto& particle = world.particles()[static_cast<typename World::Index>(i)];
             const Point position = point(particle.position), velocity = point(particle.velocity);
             const Point force = point(particle.force);
             state_[i] = {position, velocity};
