@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Tests the tests: puts deliberate faults into the sources, one at a time, and demands that a test of
-the room notices each. Exit status 0 only when every fault was noticed.
+the room notices each. Exit status 0 only when every fault was noticed but the known gaps.
 
 The faults come from mutation operators (a comparison swapped, a carry dropped, a number one too
 large, a statement left out ...) at places that a seed chooses by the text of the line, so that code
@@ -65,7 +65,7 @@ ROOMS = [
     Room("portable", f"{FIXED}/portable/divide.hpp {FIXED}/portable/divide_w*.hpp"
          f" {FIXED}/portable/remainder.hpp", 3, "products_test"),
     Room("portable", f"{FIXED}/portable/round.hpp {FIXED}/portable/nearest_root.hpp", 2, "roots_test"),
-    Room("portable", f"{FIXED}/portable/decimal_*.hpp", 2, "decimal_test"),
+    Room("portable", f"{FIXED}/portable/decimal_*.hpp !*/decimal_literal.hpp", 2, "decimal_test"),
     Room("arithmetic", f"{FIXED}/arithmetic/*.hpp !*/published.hpp !*/small.hpp", 2, "fixed_test"),
     Room("arithmetic", f"{FIXED}/arithmetic/published.hpp {FIXED}/published/*.hpp", 2,
          "published_test"),
@@ -103,6 +103,11 @@ HARMLESS = [
      "the look of a figure"),
     ("bench/report/*.py", r"^ *(parser|\"--|help=)|dpi|metadata", "the look of a figure or of a help text"),
 ]
+
+
+# Faults of the default seed that no test notices yet, a name and its place in each line: gaps to be
+# closed. Every other unnoticed fault fails the run, and so does one of these once it is noticed.
+GAPS = ROOT / "scripts" / "unnoticed_faults.txt"
 
 
 class Failure(Exception):
@@ -548,7 +553,7 @@ class Campaign:
         for worker in workers:
             self.workers.put(worker)
         self.lock = threading.Lock()
-        self.noticed, self.survivors, self.equal, self.refused, self.done = 0, [], 0, 0, 0
+        self.noticed, self.survivors, self.tried, self.equal, self.refused, self.done = 0, [], [], 0, 0, 0
         self.by_room = {}
 
     def try_one(self, slot):
@@ -579,6 +584,7 @@ class Campaign:
             counts = self.by_room.setdefault(fault.room.name, [0, 0])
             counts[0] += noticed
             counts[1] += 1
+            self.tried.append(fault)
             if not noticed:
                 self.survivors.append(fault)
             left = (time.monotonic() - self.begin) / self.done * (len(self.slots) - self.done)
@@ -643,11 +649,18 @@ def check(arguments):
     for fault in campaign.survivors:
         print(f"\nUNNOTICED by {fault.room.target}: {describe(fault)}\n"
               f"    again: scripts/mutation_test.py --seed {arguments.seed} --only {fault.key[:8]}")
+    gaps = {line.split()[0] for line in GAPS.read_text(encoding="utf-8").splitlines()
+            if line and not line.startswith("#")}
+    unnoticed = {fault.key[:8] for fault in campaign.survivors}
+    closed = gaps & ({fault.key[:8] for fault in campaign.tried} - unnoticed)
+    for name in sorted(closed):
+        print(f"\n{name} is noticed: take it out of {GAPS.relative_to(ROOT)}")
     count = len(slots) - len(campaign.survivors)
     print(f"\nSeed {arguments.seed}: {count} of {len(slots)} faults noticed in "
           f"{time.monotonic() - begin:.0f} s; {campaign.equal} changed no object and "
           f"{campaign.refused} did not compile, others took their place.")
-    return 1 if campaign.survivors else 0
+    print(f"{len(unnoticed & gaps)} of those unnoticed are known gaps: {GAPS.relative_to(ROOT)}")
+    return 1 if unnoticed - gaps or closed else 0
 
 
 def main():
