@@ -168,7 +168,7 @@ TEST(Normalise, HoldsMinusOneWithOneIntegerBit) {
         const int64_t least = exact::smallest(subject.format.width);
         const int64_t most = exact::largest(subject.format.width);
         for (const int64_t x : {least, -most, int64_t(-1)}) {
-            const int64_t down[4] = {0, x, 0, 1}, up[4] = {0, -(x + 1) + 1, 0, 1};
+            const int64_t down[4] = {0, x, 0, 1}, up[4] = {0, x == least ? most : -x, 0, 1};
             EXPECT_EQ(subject.compute(down), least) << x;
             if (x != least) {
                 EXPECT_EQ(subject.compute(up), most) << x;
