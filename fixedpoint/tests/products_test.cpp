@@ -131,10 +131,11 @@ TEST(Divide, RoundsHalvesUpAndSaturatesHalfAnUlpBeyondTheLimits) {
         }
         // a 2^F / b beside 2^(W-1).
         for (int64_t b = 1; b < 40; ++b) {
-            const int64_t a = static_cast<int64_t>((static_cast<__int128>(b) << (width - 1)) >> F);
-            for (int64_t offset = -1; offset <= 1; ++offset) {
-                if (a + offset > exact::largest(width)) continue;
-                check(a + offset, b), check(-a - offset, b), check(a + offset, -b);
+            const __int128 limit = (static_cast<__int128>(b) << (width - 1)) >> F;
+            for (int offset = -1; offset <= 1; ++offset) {
+                if (limit + offset > exact::largest(width)) continue;
+                const auto a = static_cast<int64_t>(limit + offset);
+                check(a, b), check(-a, b), check(a, -b);
             }
         }
     }
