@@ -23,7 +23,7 @@ namespace scene_bench {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-// The yardsticks, on the host alone.
+// The reference runs, on the host alone.
 constexpr std::string_view wide = "fifty_digits", recording = "double";
 
 // Time steps, as exponents: on the chip, and on the host, whose results the chip's are bit for bit.
@@ -45,7 +45,7 @@ struct Method {
     auto operator<=>(const Method&) const = default;
 };
 
-struct Yardstick {
+struct ReferenceRuns {
     Trajectory wide;
     double needed_range = 0;
 };
@@ -100,7 +100,7 @@ std::vector<Subject> subjects_of(const SceneOptions& options) {
         if (!wanted(options.scenes, scene.name)) continue;
         for (const HostSubject& subject : scene.subjects) {
             if (!wanted(options.methods, subject.method)) continue;
-            const bool yardstick = subject.scalar == wide || subject.scalar == recording;
+            const bool is_reference = subject.scalar == wide || subject.scalar == recording;
             const auto add = [&](const std::string& scalar, int exponent, bool on_chip) {
                 if (wanted(options.scalars, scalar) && !(options.quick && exponent > 8))
                     subjects.push_back({&scene, scalar, subject.method, exponent, on_chip});
@@ -109,7 +109,7 @@ std::vector<Subject> subjects_of(const SceneOptions& options) {
             if (subject.scalar == recording)
                 for (const int exponent : chip_exponents) add("float", exponent, true);
             for (const int exponent : host_exponents)
-                add(subject.scalar, exponent, !yardstick && contains(chip_exponents, exponent));
+                add(subject.scalar, exponent, !is_reference && contains(chip_exponents, exponent));
         }
     }
     return subjects;
@@ -165,22 +165,22 @@ ChipRun run(const Subject& subject, const std::filesystem::path& programs) {
     return run;
 }
 
-std::vector<std::string> row(const Subject& subject, const ChipRun& run, const Yardstick& yardstick,
-                             const Trajectory& truth) {
+std::vector<std::string> row(const Subject& subject, const ChipRun& run,
+                             const ReferenceRuns& reference_runs, const Trajectory& truth) {
     const Scene& scene = *subject.scene;
     const bool is_wide = subject.scalar == wide;
     const bool has_truth = !truth.empty();
-    const Trajectory& held_to = has_truth ? truth : yardstick.wide;
+    const Trajectory& held_to = has_truth ? truth : reference_runs.wide;
     const double error = has_truth ? largest_distance(run.trajectory, truth) : none;
-    const double error_method = has_truth ? largest_distance(yardstick.wide, truth) : none;
+    const double error_method = has_truth ? largest_distance(reference_runs.wide, truth) : none;
     const double error_arithmetic =
-        is_wide ? none : largest_distance(run.trajectory, yardstick.wide);
+        is_wide ? none : largest_distance(run.trajectory, reference_runs.wide);
     const double range = subject.scalar == wide || subject.scalar == recording
                              ? std::numeric_limits<double>::infinity()
                              : layout_of(subject.scalar).range();
     const std::string said =
         verdict({scene, run, has_truth ? error : error_arithmetic, error_method, extent(held_to),
-                 range, yardstick.needed_range});
+                 range, reference_runs.needed_range});
     const double steps_a_second = std::ldexp(1.0, subject.exponent);
     const auto on_chip = [&](double value) {
         return records::cell(subject.on_chip ? value : none);
@@ -234,13 +234,13 @@ void measure_scenes(const SceneOptions& options) {
     const std::vector<Subject> subjects = selected(options);
 
     std::map<const Scene*, Trajectory> truths;
-    std::map<Method, Yardstick> yardsticks;
+    std::map<Method, ReferenceRuns> reference_runs;
     for (const Subject& subject : subjects) {
         if (!truths.contains(subject.scene)) truths[subject.scene] = truth_of(*subject.scene);
-        yardsticks[{subject.scene, subject.method, subject.exponent}];
+        reference_runs[{subject.scene, subject.method, subject.exponent}];
     }
-    std::vector<std::pair<const Method, Yardstick>*> methods;
-    for (auto& entry : yardsticks) methods.push_back(&entry);
+    std::vector<std::pair<const Method, ReferenceRuns>*> methods;
+    for (auto& entry : reference_runs) methods.push_back(&entry);
     for_all(
         "scenes in 50 digits", options.threads, methods,
         [](const auto* entry) { return entry->first.scene->particles << entry->first.exponent; },
@@ -263,7 +263,7 @@ void measure_scenes(const SceneOptions& options) {
         [&](std::size_t i) {
             const Subject& subject = subjects[i];
             rows[i] = row(subject, run(subject, options.programs),
-                          yardsticks.at({subject.scene, subject.method, subject.exponent}),
+                          reference_runs.at({subject.scene, subject.method, subject.exponent}),
                           truths.at(subject.scene));
         });
     records::Table table({"scene", "scalar", "arithmetic", "integrator", "dt", "steps",
