@@ -19,6 +19,27 @@ CATALOGUE = pathlib.Path(__file__).parents[1] / "lab" / "catalogue" / "subjects.
 LABELS = dict(re.findall(r'^ *X\((\w+), .*"(.*)"\)$', CATALOGUE.read_text(encoding="utf-8"), re.M))
 STYLE = dict(zip(LABELS, STYLES))
 
+# A colour and a marker a number format. Rival families, GCC's _Accum and the plain integers, have a
+# colour each and tell their formats apart by the marker.
+FORMAT_STYLES = {
+    "q4_4": ("#e69f00", "P"), "q8_8": ("#d55e00", "^"), "q16_16": ("#0072b2", "o"),
+    "q8_24": ("#cc79a7", "D"), "q32_32": ("#009e73", "*"), "float": ("#444444", "s"),
+    "s8_7": ("#8c6d00", "^"), "s16_15": ("#8c6d00", "o"), "s32_31": ("#8c6d00", "*"),
+    "s16_47": ("#8c6d00", "D"),
+    "int8": ("#999999", "P"), "int16": ("#999999", "^"), "int32": ("#999999", "o"),
+    "int64": ("#999999", "*"),
+}
+
+
+def format_label(number_format):
+    """Q16.16 of q16_16, _Accum s16.15 of s16_15, int32_t of int32."""
+    family = number_format[0]
+    if family == "q":
+        return "Q" + number_format[1:].replace("_", ".")
+    if family == "s":
+        return "_Accum " + number_format.replace("_", ".")
+    return number_format + "_t" if family == "i" else number_format
+
 
 def label(implementation):
     return LABELS.get(implementation, "ours, " + implementation.replace("_", " "))
