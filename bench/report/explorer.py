@@ -31,6 +31,17 @@ LISTED = ("kernels", "table_3_2", "workload", "workload_firmware", "features", "
 SYMBOLS = {"o": ("circle", "●"), "s": ("square", "■"), "^": ("triangle", "▲"), "D": ("diamond", "◆"),
            "*": ("star", "★"), "P": ("cross", "✚")}
 
+# What ends a case: its letter, the level of its shade, the louder the end the darker, and its meaning.
+VERDICTS = {
+    "stable": ("S", 0, "held over the whole range; the limit is where the search ended"),
+    "reports": ("R", 1, "the engine itself tells the error"),
+    "saturates": ("A", 2, "a result stays at the end of the format"),
+    "underflows": ("U", 3, "a product with the step rounds to zero"),
+    "drifts": ("D", 4, "the error grows with time"),
+    "overflows": ("O", 6, "a result leaves the format and wraps"),
+    "diverges": ("X", 7, "growth without bound"),
+}
+
 # The largest magnitude of a result whose operands have magnitudes in [least, greatest].
 LARGEST = {
     "add": lambda least, greatest: 2 * greatest,
@@ -100,12 +111,17 @@ def compared(formats, operations):
     these share their domain, and their errors can be held against each other. The plain integers
     round their operands."""
     least, greatest = physics_operands()
-    unknown = set(operations) - set(LARGEST)
-    if unknown:
-        raise DataError(f"explorer: the largest result of {', '.join(sorted(unknown))} is not known")
+    require_known("operations", "operation", operations, LARGEST)
     return {operation: [name for name, facts in formats.items() if facts["fraction"] != 0
                         and facts["maximum"] > max(greatest, LARGEST[operation](least, greatest))]
             for operation in operations}
+
+
+def require_known(file, column, found, known):
+    unknown = {str(each) for each in found} - set(known)
+    if unknown:
+        raise DataError(f"{file}.csv, column {column}: the explorer does not know "
+                        + ", ".join(sorted(unknown)))
 
 
 def literal(value):
@@ -142,13 +158,19 @@ def gather(data):
     names += [name for name in LISTED if data.has(name)]
     operations = data.rows("operations")
     context = data.json("operations")["context"]
-    formats = {name: number_format(name, data) for name in style.FORMAT_STYLES
-               if name in {row["format"] for row in operations} | {"q8_8", "q16_16", "q32_32"}}
+    formats = {name: number_format(name, data) for name in style.FORMAT_STYLES}
     known = implementations()
-    for row in operations:
-        if row["format"] not in formats or row["implementation"] not in known:
-            raise DataError(f"operations.csv: {row['format']} {row['implementation']} is in neither "
-                            "style.py nor the catalogue")
+    require_known("operations", "format", (row["format"] for row in operations), formats)
+    require_known("operations", "implementation", (row["implementation"] for row in operations), known)
+    if "scenes" in views:
+        require_known("scenes", "scalar", (row["scalar"] for row in data.rows("scenes")
+                                           if row["cycles_per_simulated_second"] is not None), formats)
+    if "stability" in views:
+        cases = data.rows("stability")
+        require_known("stability", "scalar", (row["scalar"] for row in cases), formats)
+        require_known("stability", "verdict", (row["verdict"].split()[0] for row in cases), VERDICTS)
+        require_known("stability_map", "scalar",
+                      (row["scalar"] for row in data.rows("stability_map")), formats)
     facts = {
         "views": list(views) + ["table"],
         "formats": formats,
@@ -157,6 +179,7 @@ def gather(data):
         "compared": compared(formats, list(dict.fromkeys(row["operation"] for row in operations))),
         "hertz": context["mhz_per_cpu"] * 1e6,
         "programs": context["sha256"],
+        "verdicts": VERDICTS,
     }
     tables = ",".join(f'{json.dumps(name)}:{table(data.rows(name), data.made_by.get(name + ".csv"))}'
                       for name in names)

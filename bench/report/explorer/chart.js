@@ -110,9 +110,9 @@ export function chart({ label, points, x, y, under = [], height = 280, describe,
         Plot.axisX(x.ticks, { text: x.written, label: x.label, labelAnchor: "center", labelArrow: "none" }),
         Plot.axisY(y.ticks, { text: y.written, label: y.label, labelAnchor: "top", labelArrow: "none" }),
         ...under,
+        texts(false), texts(true),
         drawn((at) => !at.hollow, { fill: "format", stroke: (at) => (at.ringed ? "var(--text)" : "var(--card)"), strokeWidth: 1 }),
         drawn((at) => at.hollow, { stroke: "format", fill: "var(--card)", strokeWidth: 1.8 }),
-        texts(false), texts(true),
         // Finds the nearest point, and draws nothing.
         Plot.dot(points, Plot.pointer({ ...place, stroke: "none", maxRadius: 30 }))] });
     plot.addEventListener("input", () => point(plot.value, false));

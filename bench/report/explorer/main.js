@@ -24,6 +24,8 @@ function show() {
   state.defaults = known[name].defaults;
   for (const [each, link] of Object.entries(links))
     if (each === name) link.setAttribute("aria-current", "page"); else link.removeAttribute("aria-current");
+  // A link leads back to what was chosen in its view.
+  if (name === state.view) links[name].href = location.hash;
   state.saved = (address) => { links[name].href = address; };
   root.replaceChildren();
   document.body.dataset.view = name;

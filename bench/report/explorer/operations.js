@@ -13,7 +13,7 @@ const classes = { small: "below 1", physics: `${physics[0]} to ${physics[1]}`, f
   boundary: "boundary table", all: "every input" };
 
 export const title = "Operations";
-export const defaults = { operation: "add,multiply,divide,sqrt,sin,atan2", format: "q8_8,q16_16,q32_32,float,s16_15",
+export const defaults = { operation: "add,multiply,divide,sqrt,sin,atan2", format: "q8_8,q16_16,q32_32,float,s16_15", pin: "",
   implementation: Object.keys(implementations).join(","), operands: "physics", error: "max", unit: "absolute", cost: "cycles_mean" };
 
 const all = () => rows("operations");

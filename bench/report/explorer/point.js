@@ -90,7 +90,7 @@ export function details(row, unpin) {
     h("div", { class: "panels" },
       h("div", {}, facts(told.facts)),
       histogram(row), along(row),
-      h("div", { class: "scroll" }, h("table", {}, h("thead", {}, h("tr", {}, columns.map(([, text]) => h("th", { scope: "col" }, text)))),
+      h("div", { class: "scroll free whole" }, h("table", {}, h("thead", {}, h("tr", {}, columns.map(([, text]) => h("th", { scope: "col" }, text)))),
         h("tbody", {}, runs.map((run) => h("tr", {}, columns.map(([column]) => h("td", { class: typeof run[column] === "number" ? "number" : null }, number(run[column])))))))),
     ),
     h("p", { class: "soft" }, "Data: ",

@@ -7,7 +7,7 @@ import { choice, h, select } from "./dom.js";
 import { chart, colour, front, frontLine, letter, logAxis } from "./chart.js";
 import { formatLabel, number, words } from "./text.js";
 
-const errors = { error: "in all", error_method: "of the method", error_arithmetic: "of the arithmetic", larger: "the larger of the two shares" };
+const errors = { larger: "of method or arithmetic, the larger", error: "in all", error_method: "of the method", error_arithmetic: "of the arithmetic" };
 const dashes = { explicit_euler: "1 3", semi_implicit_euler: null, velocity_verlet: "6 3", implicit_springs: "8 3 1 3" };
 const plain = ["nearest", "avr-libc"];
 
@@ -25,7 +25,7 @@ const step = (row) => (row.dt >= 1 ? `${row.dt} s` : `1/${Math.round(1 / row.dt)
 const errorOf = (row, error) => (error === "larger" ? Math.max(Math.abs(row.error_method), Math.abs(row.error_arithmetic)) : Math.abs(row[error]));
 
 const first = unique(measured().map((row) => row.scene)).slice(0, 6);
-export const defaults = { scene: first.join(","), error: "error", scalar: unique(measured().map(scalarOf)).join(","),
+export const defaults = { scene: first.join(","), error: "larger", scalar: unique(measured().map(scalarOf)).join(","),
   method: unique(measured().map((row) => row.integrator)).join(",") };
 
 function describe(row) {
@@ -45,7 +45,7 @@ function panel(scene, state) {
   const error = state.get("error");
   const selected = measured().filter((row) => row.scene === scene && state.list("scalar").includes(scalarOf(row)) && state.list("method").includes(row.integrator));
   const other = rows("scenes").filter((row) => row.scene === scene && row.verdict !== "held").length;
-  const y = logAxis(selected.map((row) => errorOf(row, error)), `error ${errors[error]}, ${selected[0]?.unit ?? ""}`);
+  const y = logAxis(selected.map((row) => errorOf(row, error)), `error ${errors[error]}; ${selected[0]?.unit ?? ""}`);
   const x = logAxis(selected.map((row) => row.cycles_per_simulated_second), "cycles per simulated second", [hertz]);
   const points = selected.map((row) => ({ row, x: row.cycles_per_simulated_second, y: y.place(errorOf(row, error)), format: row.scalar,
     hollow: row.arithmetic === "published", ringed: row.arithmetic === "saturating", series: `${scalarOf(row)}/${row.integrator}` }));
@@ -83,7 +83,8 @@ export function build(root, state) {
     choice(state, "scalar", "Number formats", scalars.map((scalar) => [scalar, scalarLabel(scalar), letter(scalar.split("/")[0], scalar.endsWith("/published"))])),
     choice(state, "method", "Methods", methods.map((method) => [method, words(method), dash(method)]))),
   panels, h("p", { class: "soft" }, "A curve is a format and a method, a point a time step; hollow: the 2016 design, ringed: saturating. The grey line is the Pareto front, its points ",
-    "labelled by step in seconds; the dotted line is all that the chip has. The error is the largest distance of a particle from its true place.",
+    "labelled by step in seconds; the dotted line is all that the chip has. The error is the largest distance of a particle from its true place. ",
+    "In all, the errors of method and arithmetic may cancel each other: a front of it rewards chance.",
     unjudged.length ? ` Without a truth to be judged by: ${unjudged.map(words).join(", ")}.` : ""));
   function draw() {
     panels.replaceChildren(...scenes.filter((scene) => state.list("scene").includes(scene)).map((scene) => panel(scene, state)));

@@ -2,15 +2,11 @@
 // Where each case breaks in each format, and what goes wrong first; and how far maps of two
 // parameters reach.
 import * as Plot from "@observablehq/plot";
-import { command, rows, unique } from "./data.js";
+import { command, rows, unique, verdicts } from "./data.js";
 import { h, select } from "./dom.js";
 import { chart, hide, letter, logAxis, say, show } from "./chart.js";
 import { formatLabel, number, words } from "./text.js";
 
-// By how loud the end is: [letter, level of the shade].
-const verdicts = { stable: ["S", 0], reports: ["R", 1], saturates: ["A", 2], underflows: ["U", 3], drifts: ["D", 4], overflows: ["O", 6], diverges: ["X", 7] };
-const means = { stable: "held over the whole range; the limit is where the search ended", reports: "the engine itself tells the error", saturates: "a result stays at the end of the format",
-  underflows: "a product with the step rounds to zero", drifts: "the error grows with time", overflows: "a result leaves the format and wraps", diverges: "growth without bound" };
 const kind = (row) => row.verdict.split(" ")[0];
 const plain = ["nearest", "ieee"];
 const scalarOf = (row) => `${row.scalar}/${row.arithmetic}`;
@@ -95,19 +91,17 @@ function map(state) {
 
 export function build(root, state) {
   const all = rows("stability");
-  const unknown = unique(all.map(kind)).filter((name) => !(name in verdicts));
-  if (unknown.length) throw new Error(`stability.csv: unknown verdicts ${unknown.join(", ")}`);
   const told = h("p", { class: "verdicts", role: "status" }), holder = h("div", { class: "scroll" }), maps = h("div", { class: "panels wide" });
   const search = h("label", {}, "cases that contain", h("input", { type: "search", name: "case", value: state.get("case"), oninput: (event) => state.set("case", event.target.value) }));
   root.append(h("div", { class: "controls" },
     select(state, "method", "method", unique(all.map((row) => row.integrator)).map((name) => [name, words(name)])), search,
     select(state, "verdict", "with the verdict", [["", "any"], ...unique(all.map(kind)).map((name) => [name, name])])),
-  h("p", { class: "soft" }, Object.entries(verdicts).filter(([name]) => all.some((row) => kind(row) === name)).map(([name, [mark, level]]) => h("span", { style: "margin-right:14px;display:inline-block" },
-    h("span", { class: "key", style: `--level:${level}` }, mark), `${name}: ${means[name]}`))),
+  h("p", { class: "soft" }, Object.entries(verdicts).filter(([name]) => all.some((row) => kind(row) === name)).map(([name, [mark, level, meaning]]) => h("span", { style: "margin-right:14px;display:inline-block" },
+    h("span", { class: "key", style: `--level:${level}` }, mark), `${name}: ${meaning}`))),
   told, holder,
   h("p", { class: "soft" }, "Data: ", h("a", { href: "data/stability.csv" }, "stability.csv"), command("stability") ? [" (", h("code", {}, command("stability")), ")"] : "", "."),
-  rows("stability_map").length ? [h("h2", { style: "margin-top:18px" }, "Limits along a second parameter"),
-    h("div", { class: "controls" }, select(state, "map", "map", unique(rows("stability_map").map((row) => row.map)).map((name) => [name, words(name)]))), maps] : []);
+  ...(rows("stability_map").length ? [h("h2", { style: "margin-top:18px" }, "Limits along a second parameter"),
+    h("div", { class: "controls" }, select(state, "map", "map", unique(rows("stability_map").map((row) => row.map)).map((name) => [name, words(name)]))), maps] : []));
   function draw() {
     hide();
     const [cases, scalars, table] = grid(state);

@@ -29,6 +29,7 @@ export function power(exponent) {
 
 // A tick of a logarithmic axis.
 export function tick(value) {
+  if (value === 0) return "0";
   if (value >= 0.01 && value < 1e4) return String(Number(value.toPrecision(3)));
   if (value >= 1e4 && value < 1e9)
     return value < 1e6 ? `${Number((value / 1e3).toPrecision(3))}k` : `${Number((value / 1e6).toPrecision(3))}M`;

@@ -588,6 +588,13 @@ class Replay(unittest.TestCase):
         self.assertIn(">0123456789ab…<", text)
 
 
+class Style(unittest.TestCase):
+    def test_every_format_has_a_colour_and_marker_of_its_own(self):
+        self.assertEqual(len(set(style.FORMAT_STYLES.values())), len(style.FORMAT_STYLES))
+        labels = [style.format_label(name) for name in ("q16_16", "s16_15", "int32", "float")]
+        self.assertEqual(labels, ["Q16.16", "_Accum s16.15", "int32_t", "float"])
+
+
 class Cells(unittest.TestCase):
     def test_cells(self):
         self.assertEqual([report.cell(x) for x in (None, 1.23456, 999.96, 1000.4, -0.00012346, 7, "a|b")],
