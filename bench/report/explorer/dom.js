@@ -20,6 +20,7 @@ export function facts(pairs) {
 
 // options: [value, label, disabled].
 export function select(state, name, label, options) {
+  if (!options.some(([value]) => value === state.get(name))) state.chosen.delete(name);
   return h("label", {}, label,
     h("select", { name, onchange: (event) => state.set(name, event.target.value) },
       options.map(([value, text, disabled]) => h("option",

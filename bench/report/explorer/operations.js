@@ -60,7 +60,7 @@ function panel(operation, state, pin) {
         describe: (point) => ({ ...describe(point.row), hint: "Click or Enter pins it." }) })
       : h("p", { class: "soft" }, "No row of the data is of these formats, implementations and operands."),
     h("figcaption", {}, told.join(" "),
-      apart.length ? ` Faint, not compared: ${apart.join(", ")}, as an operand or a result may leave the range.` : "",
+      apart.length ? ` Faint, not compared: ${apart.join(", ")}, as an operand or a result may not fit.` : "",
       unjudged.length ? ` Without a judged error: ${unjudged.join(", ")}.` : ""));
 }
 

@@ -25,7 +25,7 @@ function worst(row, column, judged) {
   return largest && (runs.find(({ run, bound }) => bound === "exact" && run[column] === largest.run[column]) ?? largest);
 }
 
-export function describe(row) {
+export function describe(row, whole) {
   const error = worst(row, "max_ulp", judgedAs(row)), cycles = worst(row, "cycles_max", judgedAs(row));
   const program = `${row.format}.elf` in programs ? `${row.format}.elf` : "rivals.elf";
   const kernel = first("exhaustive", row)?.kernel_sha256;
@@ -38,10 +38,10 @@ export function describe(row) {
     judged && ["bound", row.bound],
     judged && ["rms, bias", `${number(row.rms_ulp)}, ${number(row.mean_ulp)} ulp`],
     error && ["worst of any run", `${number(error.run.max_ulp)} ulp (${error.bound}; ${error.source}) at ${witness(row.format, error.run.max_ulp_witness)}`],
-    cycles && ["most cycles of any run", `${number(cycles.run.cycles_max)} (${cycles.bound}; ${cycles.source})`],
+    cycles && ["most cycles of any run", `${number(cycles.run.cycles_max)} (${cycles.bound}; ${cycles.source}) at ${witness(row.format, cycles.run.cycles_max_witness)}`],
     ["flash, stack", `${number(row.flash_bytes)}, ${number(row.stack_bytes)} bytes`],
-    ["program", h("span", { title: programs[program] }, `${program} `, hash(programs[program]))],
-    kernel && ["kernel", hash(kernel)],
+    ["program", h("span", { title: programs[program] }, `${program} `, hash(programs[program], whole))],
+    kernel && ["kernel", hash(kernel, whole)],
   ] };
 }
 
@@ -76,13 +76,13 @@ function along(row) {
       marks: [Plot.ruleY([0]), ...lines.flatMap(([column, name, dash]) => [
         Plot.line(parts, { x: middle, y: column, stroke: colour(row.format), strokeDasharray: dash, strokeWidth: 1.4 }),
         Plot.text(parts.slice(-1), { x: middle, y: column, text: () => name, dx: 4, textAnchor: "start" })])] }),
-    h("figcaption", {}, `Largest over the range ${number(Math.max(...parts.map((part) => part.max_ulp)))} ulp, in ${number(parts.length)} parts.`));
+    h("figcaption", {}, `${whole(parts.reduce((sum, part) => sum + part.samples, 0))} samples in ${number(parts.length)} parts, of which the worst errs by ${number(Math.max(...parts.map((part) => part.max_ulp)))} ulp; of any run: ${number(worst(row, "max_ulp", judged).run.max_ulp)}.`));
 }
 
 // The card of a pinned point.
 export function details(row, unpin) {
   hide();
-  const told = describe(row);
+  const told = describe(row, true);
   const runs = rows("operations").filter(same(row));
   const columns = [["operands", "operands"], ["cycles_mean", "cycles, mean"], ["cycles_max", "largest"], ["max_ulp", "largest error, ulp"], ["rms_ulp", "rms"], ["mean_ulp", "bias"], ["bound", "bound"]];
   return h("section", { class: "card pinned", "aria-label": `Pinned: ${told.title}`, tabindex: "-1" },

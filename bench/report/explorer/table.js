@@ -21,7 +21,7 @@ export function matches(value, wanted) {
 
 export function selected(state) {
   const name = state.get("file"), sort = state.get("sort");
-  const filters = state.names("is.").map((key) => [key.slice(3), state.get(key)]);
+  const filters = state.names("is.").map((key) => [key.slice(3), state.get(key)]).filter(([column]) => columns(name).includes(column));
   const kept = rows(name).filter((row) => filters.every(([column, wanted]) => matches(row[column], wanted)));
   if (!sort) return kept;
   const column = sort.replace(/^-/, ""), sign = sort.startsWith("-") ? -1 : 1;

@@ -57,12 +57,12 @@ function value(format, raw) {
 export function witness(format, raws) {
   if (raws === null) return "–";
   const all = String(raws).split(" ");
-  return `raw ${all.join(", ")} = ${all.map((raw) => number(value(format, raw))).join(", ")}`;
+  return `raw ${all.join(", ")} = ${all.map((raw) => String(Number(value(format, raw).toPrecision(9)))).join(", ").replaceAll("-", "−")}`;
 }
 
-export function hash(text) {
+export function hash(text, whole) {
   const code = document.createElement("code");
   code.title = text;
-  code.textContent = `${text.slice(0, 12)}…`;
+  code.textContent = whole ? text : `${text.slice(0, 12)}…`;
   return code;
 }

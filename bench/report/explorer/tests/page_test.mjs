@@ -148,6 +148,17 @@ test("the worst of any run stands beside a sampled one", async () => {
   assert.match(caption, /Front: (?!.*Q16\.16.*Faint).*Faint, not compared: .*Q16\.16/);
 });
 
+test("the front is that of the rows which can be compared", async () => {
+  await go("view=operations&operation=sqrt&format=q4_4,q16_16,q32_32,float,s16_15,int32");
+  const told = [...(await page.locator("[data-operation=sqrt] figcaption").textContent()).match(/Front: [^.]*(?:\.\d[^.]*)*\./)[0].matchAll(/\(([^;()]+); ([^()]+)\)/g)];
+  // 20 does not fit Q4.4.
+  const rows = operations.filter((row) => row.operation === "sqrt" && row.operands === "physics" && ["q16_16", "q32_32", "float"].includes(row.format));
+  const front = rows.filter((row) => !rows.some((other) => Number(other.cycles_mean) <= Number(row.cycles_mean) && Number(other.max_error) <= Number(row.max_error)
+    && (other.cycles_mean !== row.cycles_mean || other.max_error !== row.max_error))).sort((a, b) => a.cycles_mean - b.cycles_mean);
+  assert.equal(told.length, front.length);
+  told.forEach(([, cycles, error], index) => { close(read(cycles), front[index].cycles_mean, "cycles"); close(read(error), front[index].max_error, "error"); });
+});
+
 test("a witness of 64 bits keeps all of its digits", async () => {
   const row = operations.find((each) => /^-?\d{17,}$/.test(each.max_ulp_witness) && each.implementation === "default");
   await go(`view=operations&pin=${row.operation}/${row.format}/default/${row.operands}`);
@@ -169,7 +180,7 @@ test("a click pins a point and shows its histogram and error along the input", a
   const highest = Math.max(...heights), most = Math.max(...bins.map((bin) => Number(bin.count)));
   heights.forEach((height, index) => assert.ok(Math.abs(height / highest - bins[index].count / most) < 0.02));
   const largest = Math.max(...load("error_along_input").filter(mine).map((part) => Number(part.max_ulp)));
-  close(read((await page.locator("[data-part=along] figcaption").textContent()).match(/range (\S+) ulp/)[1]), largest, "along");
+  close(read((await page.locator("[data-part=along] figcaption").textContent()).match(/errs by (\S+) ulp/)[1]), largest, "along");
   assert.equal(await page.locator("[data-part=along] svg [aria-label=line] path").count(), 3);
 });
 
@@ -250,6 +261,15 @@ test("the address restores what was chosen", async () => {
   await other.waitForSelector("[data-operation=exp] svg");
   assert.deepEqual(await state(other), await state(page));
   await other.close();
+});
+
+test("an address that makes no sense shows the defaults", async () => {
+  await go("view=table&file=nothing&sort=-nothing&is.nothing=1");
+  assert.match(await page.locator("[role=status]").textContent(), new RegExp(`of ${operations.length.toLocaleString("en").replace(",", "\u202f")} rows`));
+  await go("view=stability&method=magic&map=treasure&verdict=guilty");
+  assert.ok(await page.locator(".map td[data-verdict]").count() > 0);
+  await go("view=operations&operands=none&error=none&unit=none&cost=none&pin=a/b&operation=none,sqrt");
+  assert.equal(await page.locator(".chart").count(), 1);
 });
 
 test("a table is filtered, sorted and saved as it stands", async () => {
