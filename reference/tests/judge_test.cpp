@@ -40,6 +40,20 @@ void PrintTo(const Row& row, std::ostream* out) {
     *out << shape(row.operation).name << " " << row.format << ": " << row.what;
 }
 
+TEST(Judge, TellsWhereAFunctionUnderflows) {
+    // exp(x) 2^16 = 1/2 at x = -17 ln 2, raw -772243.6.
+    const auto underflows = [](Operation operation, std::int64_t operand) {
+        return judged(operation, "q16_16", Arithmetic::nearest, {operand}, {0}).underflow;
+    };
+    EXPECT_FALSE(underflows(Operation::exp, -772243));
+    EXPECT_TRUE(underflows(Operation::exp, -772244));
+    EXPECT_TRUE(underflows(Operation::exp, min32));
+    EXPECT_FALSE(underflows(Operation::exp, 0));
+    EXPECT_FALSE(underflows(Operation::sin, 1));
+    // A product below half an ulp is rounded like any other.
+    EXPECT_FALSE(judged(Operation::multiply, "q16_16", Arithmetic::nearest, {1, 1}, {0}).underflow);
+}
+
 class DefinedResult : public testing::TestWithParam<Row> {};
 
 TEST_P(DefinedResult, AloneIsAccepted) {
