@@ -240,6 +240,13 @@ class Scenes(unittest.TestCase):
         self.assertEqual(scenes.title("two_words"), "two words")
         self.assertTrue(scenes.ours({"arithmetic": "saturating"}))
 
+    def test_targets_are_the_errors_that_their_names_say(self):
+        units = {"cm": 1e-2, "mm": 1e-3, "µm": 1e-6}
+        self.assertGreater(len(scenes.TARGETS), 0)
+        for name, error in scenes.TARGETS.items():
+            number, unit = name.split()
+            self.assertAlmostEqual(error / (float(number) * units[unit]), 1)
+
     def test_the_front(self):
         front = scenes.front(scenes.measured(self.data))
         self.assertEqual([(row["cycles_per_simulated_second"], row["error"]) for row in front],
