@@ -157,7 +157,7 @@ TEST(Range, EndsWhereTheCurveTurnsOrIsNegative) {
     EXPECT_EQ(range({0, 4, 0}), std::pair(0, 500));                 // 2000 g itself
     EXPECT_EQ(range({0, 0, 70}), std::pair(0, 1023));               // level is not falling
     EXPECT_EQ(range({0, 0, 0}), std::pair(0, 1023));
-    EXPECT_EQ(range({1, -999, 249900}), std::pair(499, 539));     // level from 499 to 500
+    EXPECT_EQ(range({1, -999, 249900}), std::pair(499, 539));    // level from 499 to 500
     EXPECT_EQ(range({-1, 1001, -248600}), std::pair(457, 501));  // level from 500 to 501
 }
 

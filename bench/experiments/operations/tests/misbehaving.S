@@ -1,5 +1,5 @@
 ; SPDX-License-Identifier: GPL-3.0-or-later
-; Negations that each break one rule, most for one operand only, between two that break none.
+; Negations that each break one rule, for one operand only, between two that break none.
 #define __SFR_OFFSET 0
 #include <avr/io.h>
 
@@ -13,10 +13,10 @@
     neg r24
     sbci r25, 0xff
 .endm
-; Goes to the label but for one operand.
-.macro unless operand, label
-    ldi r18, hi8(\operand)
-    cpi r24, lo8(\operand)
+; Goes to the label but for the operand 256.
+.macro but_for_one label
+    ldi r18, 1
+    cpi r24, 0
     cpc r25, r18
     brne \label
 .endm
@@ -32,7 +32,7 @@ function negate_q8_8_before
     .size negate_q8_8_before, . - negate_q8_8_before
 
 function negate_q8_8_hangs
-    unless 301, 2f
+    but_for_one 2f
 1:  rjmp 1b
 2:  negate
     ret
@@ -40,28 +40,28 @@ function negate_q8_8_hangs
 
 ; r16 belongs to the caller.
 function negate_q8_8_clobbers
-    unless 302, 1f
+    but_for_one 1f
     inc r16
 1:  negate
     ret
     .size negate_q8_8_clobbers, . - negate_q8_8_clobbers
 
 function negate_q8_8_frames
-    unless 303, 1f
+    but_for_one 1f
     inc r29
 1:  negate
     ret
     .size negate_q8_8_frames, . - negate_q8_8_frames
 
 function negate_q8_8_multiplies
-    unless 304, 1f
+    but_for_one 1f
     inc r1
 1:  negate
     ret
     .size negate_q8_8_multiplies, . - negate_q8_8_multiplies
 
 function negate_q8_8_strays
-    unless 305, 1f
+    but_for_one 1f
     lds r18, 0x0234
     inc r18
     sts 0x0234, r18
@@ -71,7 +71,7 @@ function negate_q8_8_strays
 
 ; Returns to its caller with a byte left on the stack.
 function negate_q8_8_pushes
-    unless 306, 1f
+    but_for_one 1f
     pop r31
     pop r30
     push r18
@@ -83,7 +83,7 @@ function negate_q8_8_pushes
 
 ; Returns to an address that no caller gave it, in erased flash.
 function negate_q8_8_jumps
-    unless 307, 1f
+    but_for_one 1f
     ldi r18, 0x30
     push r18
     push r18
@@ -92,7 +92,7 @@ function negate_q8_8_jumps
     .size negate_q8_8_jumps, . - negate_q8_8_jumps
 
 function negate_q8_8_interrupts
-    unless 308, 1f
+    but_for_one 1f
     sei
 1:  negate
     ret
@@ -100,7 +100,7 @@ function negate_q8_8_interrupts
 
 ; Writes beyond the RAM that this chip has.
 function negate_q8_8_overflows
-    unless 309, 1f
+    but_for_one 1f
     sts 0x1000, r18
 1:  negate
     ret
@@ -108,29 +108,29 @@ function negate_q8_8_overflows
 
 ; Calls itself until the stack is full.
 function negate_q8_8_recurses
-    unless 310, 1f
+    but_for_one 1f
     rcall negate_q8_8_recurses
 1:  negate
     ret
     .size negate_q8_8_recurses, . - negate_q8_8_recurses
 
 function negate_q8_8_sleeps
-    unless 311, 1f
+    but_for_one 1f
     sleep
 1:  negate
     ret
     .size negate_q8_8_sleeps, . - negate_q8_8_sleeps
 
 function negate_q8_8_unaware
-    unless 312, 1f
-    .word 0xff0f  ; no instruction
+    but_for_one 1f
+    .word 0x00ff  ; no instruction
 1:  negate
     ret
     .size negate_q8_8_unaware, . - negate_q8_8_unaware
 
-; Result 0 in place of -313.
+; Result 0 in place of -256.
 function negate_q8_8_default
-    unless 313, 1f
+    but_for_one 1f
     clr r24
     clr r25
 1:  negate
