@@ -14,7 +14,7 @@ struct VelocityVerlet {
     static constexpr bool implicit_springs = false;
     template <class World>
     struct Memory {
-        bool forces_are_current = false;  // they are those of the particles as they are
+        bool forces_are_current = {};  // they are those of the particles as they are
         constexpr void restart() { forces_are_current = false; }
     };
 
