@@ -34,6 +34,7 @@ INSTEAD = [
     (r"scripts/build\.sh.*", "bash -n scripts/build.sh", "builds"),
     (r"scripts/mutation_test\.py.*", "/usr/bin/python3 scripts/mutation_test.py --help", "builds"),
     (r"scripts/lint\.sh.*", "scripts/lint.sh --help", "a test of its own"),
+    (r"(g\+\+|avr-gcc|avr-g\+\+) .*fixedpoint_c\..*", "true", "the test fixedpoint/c_interface runs it"),
     (r"avr-gdb .*", "true", "an interactive program that the set-up does not install"),
     (r"avr-objdump .*", "avr-objdump --version", "takes a program of the user's"),
 ]
