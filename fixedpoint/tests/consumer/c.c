@@ -22,10 +22,10 @@ int main(void) {
     show("quotient", text);
     q32_32_print(q32_32_sqrt(q32_32_from_q16_16(a)), text, sizeof text);
     show("root", text);
-    q16_16_print(q16_16_atan2(b, a), text, sizeof text);
-    show("angle", text);
     q8_8_print_decimals(q8_8_log(q8_8_from_q16_16(a)), 2, text, sizeof text);
     show("logarithm", text);
+    q16_16_print(q16_16_atan2(b, a), text, sizeof text);
+    show("angle", text);
     end();
     return 0;
 }
