@@ -39,7 +39,7 @@ for target in host avr; do
             ;;
     esac
     options+=(-DWAY="$way" -DORIGIN="$origin" -DLIBRARIES="$(IFS=';' && echo "${libraries[*]}")"
-              -DPROGRAM=$program -DLANGUAGE=$language -DTARGET=$linked)
+              -DPROGRAM="$program" -DLANGUAGE="$language" -DTARGET="$linked")
     quietly cmake -S "$here" -B "$build" "${options[@]}"
     quietly cmake --build "$build"
 done
