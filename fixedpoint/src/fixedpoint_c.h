@@ -23,10 +23,12 @@
 #endif
 #endif
 
+/// \cond internal
 /* n 2^F / d rounded to nearest, half up, as an integer constant expression. */
 #define FIXEDPOINT_C_FLOOR(p, q) ((p) / (q) - ((p) % (q) < 0))
 #define FIXEDPOINT_C_RATIO(n, d, F) \
     FIXEDPOINT_C_FLOOR((int64_t)(n) * (INT64_C(2) << (F)) + (d), INT64_C(2) * (d))
+/// \endcond
 
 #ifdef __cplusplus
 extern "C" {
