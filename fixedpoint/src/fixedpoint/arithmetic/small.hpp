@@ -5,15 +5,13 @@
 #pragma once
 
 #include <fixedpoint/arithmetic/nearest.hpp>
-#include <fixedpoint/portable/divide_small.hpp>
 
 namespace fixedpoint {
 
 struct Small : Nearest {
-    // Once in a program, however many quotients it takes.
     template <class Raw, int F>
-    __attribute__((noinline)) static constexpr Raw divide(Raw a, Raw b) {
-        return portable::divide_small<Raw, F>(a, b);
+    static constexpr Raw divide(Raw a, Raw b) {
+        return kernel::divide_small<Raw, F>(a, b);
     }
     template <class Raw, int F>
     static constexpr Raw sqrt(Raw a) {
