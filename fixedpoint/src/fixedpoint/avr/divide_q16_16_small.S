@@ -39,7 +39,35 @@
 #define bits r0
 #define bytes r1
 
-    .macro negate_32
+    SECTION fixedpoint_divide_q16_16_small
+    // r25:r22 = 2^j |r25:r22| with its leading one in bit 31, exponent += j; Z where it is 0.
+.Lnormalise:
+    tst r25
+    brpl .Lpositive
+    inc negatives
+    rcall .Lnegate
+.Lpositive:
+    cp r1, r22
+    cpc r1, r23
+    cpc r1, r24
+    cpc r1, r25
+    breq .Lnormalised
+1:  tst r25
+    brne 2f
+    mov r25, r24
+    mov r24, r23
+    mov r23, r22
+    clr r22
+    subi exponent, -8
+    rjmp 1b
+2:  brmi .Lnormalised
+    inc exponent
+    lsl r22
+    rol r23
+    rol r24
+    rol r25
+    rjmp 2b
+.Lnegate:
     com r25
     com r24
     com r23
@@ -47,13 +75,17 @@
     sbci r23, 0xff
     sbci r24, 0xff
     sbci r25, 0xff
-    .endm
+.Lnormalised:
+    ret
 
-    FUNCTION fixedpoint_divide_q16_16_small
+.Lto_saturate:
+    rjmp .Lsaturate
+
+    ENTRY fixedpoint_divide_q16_16_small
     ldi exponent, 0
     ldi negatives, 0
     rcall .Lnormalise
-    breq .Lreturn
+    breq .Lnormalised
     neg exponent
     movw r26, r22
     movw r22, r18
@@ -63,10 +95,10 @@
     movw r20, r26
     rcall .Lnormalise
     bst negatives, 0
-    breq .Lsaturate
+    breq .Lto_saturate
     subi exponent, -17
     cpi exponent, 33
-    brge .Lsaturate
+    brge .Lto_saturate
     mov bits, exponent
     asr exponent
     asr exponent
@@ -141,11 +173,12 @@
 .Lsigned:
     movw r22, q0
     movw r24, q2
-    brts .Lnegate
+    brts .Lnegative
     tst r25
     brmi .Lsaturate
-.Lreturn:
     ret
+.Lnegative:
+    rjmp .Lnegate
 .Lsaturate:
     ldi r22, 0xff
     ldi r23, 0xff
@@ -156,37 +189,7 @@
     com r23
     com r24
     com r25
-    ret
-
-    // r25:r22 = 2^j |r25:r22| with its leading one in bit 31, exponent += j; Z where it is 0.
-.Lnormalise:
-    tst r25
-    brpl .Lpositive
-    inc negatives
-    rcall .Lnegate
-.Lpositive:
-    cp r1, r22
-    cpc r1, r23
-    cpc r1, r24
-    cpc r1, r25
-    breq .Lreturn
-1:  tst r25
-    brne 2f
-    mov r25, r24
-    mov r24, r23
-    mov r23, r22
-    clr r22
-    subi exponent, -8
-    rjmp 1b
-2:  brmi .Lreturn
-    inc exponent
-    lsl r22
-    rol r23
-    rol r24
-    rol r25
-    rjmp 2b
-.Lnegate:
-    negate_32
+.Lreturn:
     ret
     ENDFUNC fixedpoint_divide_q16_16_small
 #endif
