@@ -10,6 +10,7 @@
 #include <fixedpoint/portable/divide.hpp>
 #include <fixedpoint/portable/dot.hpp>
 #include <fixedpoint/portable/length.hpp>
+#include <fixedpoint/portable/log.hpp>
 #include <fixedpoint/portable/multiply_add.hpp>
 #include <fixedpoint/portable/sin.hpp>
 #include <fixedpoint/portable/sqrt.hpp>
@@ -339,6 +340,24 @@ TEST(Splits, Sincos) {
             ASSERT_EQ(pair[0], expected[0]) << F << " fraction bits: " << a;
             ASSERT_EQ(pair[1], expected[1]) << F << " fraction bits: " << a;
         }
+    });
+}
+
+// The numbers from which on the upper nine bits are others.
+std::vector<int32_t> limits_of_mantissas() {
+    std::vector<int32_t> limits;
+    for (int exponent = 0; exponent < 31; ++exponent) {
+        for (int64_t leading = 256; leading < 512;
+             leading += exponent < 8 ? 1 << (8 - exponent) : 1)
+            limits.push_back(static_cast<int32_t>((leading << exponent) >> 8));
+    }
+    return limits;
+}
+
+TEST(Splits, Log) {
+    Program program("log");
+    for_each_split([&](auto F) {
+        expect_function(program, F, portable::log<int32_t, F>, limits_of_mantissas());
     });
 }
 

@@ -129,6 +129,7 @@
     KERNEL(BINARY, atan2_small, int32_t, 16, fixedpoint_atan2_q16_16_small, atan2_small) \
     KERNEL(UNARY, exp, int32_t, 16, fixedpoint_exp_q16_16, exp) \
     KERNEL(UNARY, log, int32_t, 16, fixedpoint_log_q16_16, log) \
+    FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, UNARY, log) \
     KERNEL(VECTORS, dot2, int32_t, 16, fixedpoint_dot2_q16_16, dot2) \
     KERNEL(VECTORS, dot2, int64_t, 32, fixedpoint_dot2_q32_32, dot2) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, VECTORS, dot2) \

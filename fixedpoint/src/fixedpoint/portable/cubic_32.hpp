@@ -11,6 +11,12 @@
 namespace fixedpoint {
 namespace portable {
 
+// Whether the core of 32 bits is exact enough for a function whose results are below 2.
+template <int F>
+constexpr bool is_coarse_32() {
+    return F <= 24;
+}
+
 // Signed, in program memory as a plain byte.
 template <class Table>
 FIXEDPOINT_CONSTEXPR int32_t twist_of(uint8_t interval) {

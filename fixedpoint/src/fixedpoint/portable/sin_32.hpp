@@ -10,12 +10,6 @@
 namespace fixedpoint {
 namespace portable {
 
-// A position in the table of 32 fraction bits suffices up to here.
-template <int F>
-constexpr bool is_coarse_32() {
-    return F <= 24;
-}
-
 // The angle in quarter turns, modulo 256, with 40 fraction bits, of which the lowest are zero where
 // they have no influence.
 template <int F>
