@@ -71,17 +71,18 @@ def interval(function, i):
     return nearest((max(errors) + min(errors)) / 2), slope, bend, twist
 
 
-def write(name, generator, sentence, structure, function, pages=()):
+def write(name, generator, sentence, structure, function, pages=(),
+          intervals=INTERVALS):
     """avr/<name>.S and portable/<name>.hpp. `function` of a numerator and a denominator, from 0 to 1,
     is a Fraction in units of 2^-39. `pages` follow in the assembly table alone."""
-    rows = [interval(function, i) for i in range(INTERVALS)]
+    rows = [interval(function, i) for i in range(intervals)]
     records = []
     for value, slope, bend, twist in rows:
         records += [twist & 255, *(bend >> 8 * i & 255 for i in range(2)),
                     *(slope >> 8 * i & 255 for i in range(4)),
                     *(value >> 8 * i & 255 for i in range(5))]
     page.write_assembly(name, generator, sentence, [
-        ("twist, 2 bytes of bend, 4 of slope, 5 of value; 256 times", records), *pages])
+        ("twist, 2 bytes of bend, 4 of slope, 5 of value; as often as there are intervals", records), *pages])
     table_header.write(name, generator, sentence, structure, [
         ("uint32_t", "value", [value >> 8 & 0xffffffff for value, _, _, _ in rows], "0x{:08x}"),
         ("uint8_t", "value_low", [value & 255 for value, _, _, _ in rows], "0x{:02x}"),

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <fixedpoint/portable/divide.hpp>
 #include <fixedpoint/portable/dot.hpp>
+#include <fixedpoint/portable/exp.hpp>
 #include <fixedpoint/portable/length.hpp>
 #include <fixedpoint/portable/log.hpp>
 #include <fixedpoint/portable/multiply_add.hpp>
@@ -358,6 +359,31 @@ TEST(Splits, Log) {
     Program program("log");
     for_each_split([&](auto F) {
         expect_function(program, F, portable::log<int32_t, F>, limits_of_mantissas());
+    });
+}
+
+// Where the number of factors of 2 that are split off changes or nearly does, all that saturates,
+// and operands over what does not.
+std::vector<int32_t> limits_of_exponents(int fraction_bits) {
+    std::vector<int32_t> limits;
+    const auto add = [&](double x) {
+        const double a = std::ldexp(x, fraction_bits);
+        if (std::abs(a) < 0x7ffffff0p0) limits.push_back(static_cast<int32_t>(a));
+    };
+    for (int k = -36; k <= 34; ++k) {
+        for (int i = -20; i <= 20; ++i) add((k + i / 256.0) * M_LN2);
+    }
+    std::mt19937 random(9);
+    std::uniform_real_distribution<double> representable(-(fraction_bits + 3) * M_LN2,
+                                                         (32 - fraction_bits) * M_LN2);
+    for (int i = 0; i < pairs / 2; ++i) add(representable(random));
+    return limits;
+}
+
+TEST(Splits, Exp) {
+    Program program("exp");
+    for_each_split([&](auto F) {
+        expect_function(program, F, portable::exp<int32_t, F>, limits_of_exponents(F));
     });
 }
 

@@ -6,7 +6,7 @@
 #include "prelude.inc"
 
     TABLE fixedpoint_log_32_table
-    // twist, 2 bytes of bend, 4 of slope, 5 of value; 256 times
+    // twist, 2 bytes of bend, 4 of slope, 5 of value; as often as there are intervals
     .byte 214, 255,  63, 146, 255, 255, 127,   9,   0,   0,   0,   0, 214, 129,  63, 229
     .byte 127, 128, 127, 127,  42, 192, 127,   0, 215,   2,  63, 166, 251,   1, 127,  97
     .byte  83,   1, 255,   0, 215, 134,  62,  45, 114, 132, 126,   0, 118, 196, 125,   1

@@ -128,6 +128,7 @@
     KERNEL(BINARY, atan2, int32_t, 16, fixedpoint_atan2_q16_16, atan2) \
     KERNEL(BINARY, atan2_small, int32_t, 16, fixedpoint_atan2_q16_16_small, atan2_small) \
     KERNEL(UNARY, exp, int32_t, 16, fixedpoint_exp_q16_16, exp) \
+    FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, UNARY, exp) \
     KERNEL(UNARY, log, int32_t, 16, fixedpoint_log_q16_16, log) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, UNARY, log) \
     KERNEL(VECTORS, dot2, int32_t, 16, fixedpoint_dot2_q16_16, dot2) \
