@@ -13,6 +13,7 @@
 #include <fixedpoint/portable/length.hpp>
 #include <fixedpoint/portable/log.hpp>
 #include <fixedpoint/portable/multiply_add.hpp>
+#include <fixedpoint/portable/reciprocal_sqrt.hpp>
 #include <fixedpoint/portable/sin.hpp>
 #include <fixedpoint/portable/sqrt.hpp>
 #include <random>
@@ -384,6 +385,13 @@ TEST(Splits, Exp) {
     Program program("exp");
     for_each_split([&](auto F) {
         expect_function(program, F, portable::exp<int32_t, F>, limits_of_exponents(F));
+    });
+}
+
+TEST(Splits, ReciprocalSqrt) {
+    Program program("reciprocal_sqrt");
+    for_each_split([&](auto F) {
+        expect_function(program, F, portable::reciprocal_sqrt<int32_t, F>, limits_of_mantissas());
     });
 }
 

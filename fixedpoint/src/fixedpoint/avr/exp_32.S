@@ -12,7 +12,7 @@
 // a is k ln 2 - r, 0 <= r < 0.79: k from the upper bytes of a by 185/128 = 1.4453 for 1/ln 2, with as
 // much more as makes up for the error of that, and r to 40 fraction bits. 1 - e^-r is the table's
 // function; the core of 40 bits is 0.2 units of 2^-31 off, and r's lowest byte counts with the slope.
-// The 40 bits of the mantissa e^-r go up by less than a byte and down by whole bytes to their place.
+// scale_40.S brings the mantissa e^-r to its place.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -98,14 +98,6 @@
     .endif
     .endm
 
-    .macro drop_two_bytes
-    mov r21, r23
-    movw r22, r24
-    mov r24, r26
-    clr r25
-    clr r26
-    .endm
-
     SECTION fixedpoint_exp_32
     // r27 = k + F + 9
     ENTRY fixedpoint_exp_32
@@ -128,62 +120,7 @@
     sbc r26, zero
     sbci r27, 0x80
     pop r19
-    // r26:r21 = the mantissa 2^(r19 mod 8)
-    ldi r20, 1
-    sbrc r19, 1
-    ldi r20, 4
-    sbrc r19, 0
-    lsl r20
-    sbrc r19, 2
-    swap r20
-    mul r23, r20
-    mov r21, r0
-    mov r22, r1
-    mul r24, r20
-    or r22, r0
-    mov r23, r1
-    mul r25, r20
-    or r23, r0
-    mov r24, r1
-    mul r26, r20
-    or r24, r0
-    mov r25, r1
-    mul r27, r20
-    or r25, r0
-    mov r26, r1
-    clr r1
-    // 5 - r19 / 8 bytes go; of the next one the top bit rounds.
-    sbrc r19, 5
-    rjmp 2f
-    drop_two_bytes
-    sbrc r19, 4
-    rjmp 2f
-    drop_two_bytes
-2:  sbrc r19, 3
-    rjmp 3f
-    mov r21, r22
-    mov r22, r23
-    mov r23, r24
-    mov r24, r25
-    mov r25, r26
-3:  lsl r21
-    adc r22, r1
-    adc r23, r1
-    adc r24, r1
-    adc r25, r1
-    brmi .Llargest
-    ret
-.Lzero:
-    ldi r22, 0
-    ldi r23, 0
-    movw r24, r22
-    ret
-.Llargest:
-    ldi r22, 0xff
-    ldi r23, 0xff
-    movw r24, r22
-    lsr r25
-    ret
+    XJMP fixedpoint_scale_40
     ENDFUNC fixedpoint_exp_32
 
     .macro kernels integer, fraction
@@ -206,8 +143,8 @@
     rjmp 3f
     .endif
     .endif
-    XJMP .Lzero
-1:  XJMP .Llargest
+    XJMP fixedpoint_zero_32
+1:  XJMP fixedpoint_largest_32
 3:  align \fraction
     ldi r27, 185
     mul r24, r27

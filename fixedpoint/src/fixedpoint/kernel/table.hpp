@@ -113,6 +113,7 @@
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, UNARY, sqrt) \
     KERNEL(UNARY, sqrt_small, int32_t, 16, fixedpoint_sqrt_q16_16_small, sqrt) \
     KERNEL(UNARY, reciprocal_sqrt, int32_t, 16, fixedpoint_reciprocal_sqrt_q16_16, reciprocal_sqrt) \
+    FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, UNARY, reciprocal_sqrt) \
     KERNEL(UNARY, reciprocal_sqrt_small, int32_t, 16, fixedpoint_reciprocal_sqrt_q16_16_small, nearest_reciprocal_sqrt) \
     KERNEL(UNARY, sin, int32_t, 16, fixedpoint_sin_q16_16, sin) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, UNARY, sin) \

@@ -6,6 +6,7 @@
 #include <fixedpoint/integer.hpp>
 #include <fixedpoint/portable/cubic_32.hpp>
 #include <fixedpoint/portable/exp_32_table.hpp>
+#include <fixedpoint/portable/scale_40.hpp>
 
 namespace fixedpoint {
 namespace portable {
@@ -28,8 +29,7 @@ FIXEDPOINT_CONSTEXPR int32_t exp_32(int32_t a) {
     const Cubic40 core = cubic_40<Exp32Table<>>(static_cast<uint32_t>(rest >> 8));
     const uint64_t mantissa =
         (uint64_t(1) << 39) - 1 - core.value - (core.slope * (rest & 0xff) >> 8);
-    const uint64_t result = ((mantissa >> (47 - k)) + 1) >> 1;
-    return result >> 31 != 0 ? RawLimits<int32_t>::max : static_cast<int32_t>(result);
+    return scale_40(mantissa, k);
 }
 
 }  // namespace portable
