@@ -16,6 +16,7 @@ import tqdm
 import division_cycles
 import error_against_cycles
 import error_histograms
+import explorer
 import growth
 import haptic_region
 import haptic_timing
@@ -168,6 +169,9 @@ def write(results, experiments=()):
     if (results / "data" / "replay.json").exists():
         with telling("replay.html"):
             write_whole(results / "replay.html", replay.page(environment, data))
+    if data.has("operations"):
+        with telling("index.html"):
+            explorer.write(results / "index.html", environment, data, write_whole)
 
 
 def main():
