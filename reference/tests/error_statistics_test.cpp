@@ -131,6 +131,22 @@ TEST(ErrorStatistics, MergedShardsEqualOneRun) {
     EXPECT_EQ(nlohmann::json(copy), whole);
 }
 
+TEST(ErrorStatistics, AWitnessHasAsManyOperandsAsAnyOperationTakes) {
+    const Raws most = {1, -2, 3, -4, 5, -6};
+    ErrorStatistics statistics;
+    statistics.add({.error_ulp = 1, .as_defined = false}, most);
+    const nlohmann::json json = statistics;
+    ErrorStatistics read;
+    from_json(json, read);
+    EXPECT_EQ(operands(read.max_witness()), most);
+    EXPECT_EQ(operands(read.wrong_witness()), most);
+    for (const char* witness : {"max_witness", "wrong_witness"}) {
+        nlohmann::json longer = json;
+        longer[witness].push_back(7);
+        EXPECT_THROW(from_json(longer, read), std::invalid_argument) << witness;
+    }
+}
+
 TEST(ErrorStatistics, AnotherLayoutIsRejected) {
     nlohmann::json json = ErrorStatistics();
     json["bins_per_ulp"] = 7;

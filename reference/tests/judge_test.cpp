@@ -493,6 +493,35 @@ TEST(JudgeConversion, BetweenFormats) {
     EXPECT_TRUE(accepted("float", "int32", integer, raw_of_float(-1.75f), -1));
 }
 
+// Of what is no number in range there is one definition for every format: its nearer limit, 0 of
+// NaN.
+TEST(JudgeConversion, FromFloatsThatNoFixedPointNumberIsNear) {
+    for (const char* name : {"q4_4", "q8_8", "q1_15", "q16_16", "q8_24", "q32_32"}) {
+        for (const Arithmetic arithmetic : {nearest, saturating}) {
+            const NumberFormat format = parse_format(name);
+            for (const auto& [number, result] :
+                 {std::pair{INFINITY, format.max()}, std::pair{-INFINITY, format.min()},
+                  std::pair{FLT_MAX, format.max()}, std::pair{-FLT_MAX, format.min()},
+                  std::pair{NAN, std::int64_t(0)}, std::pair{-NAN, std::int64_t(0)}}) {
+                for (const std::int64_t given : {format.min(), std::int64_t(-1), std::int64_t(0),
+                                                 std::int64_t(1), format.max()}) {
+                    const Judgement judgement =
+                        judge({Operation::convert, format, arithmetic, ieee_single},
+                              Raws{raw_of_float(number)}, given);
+                    EXPECT_EQ(judgement.as_defined, given == result)
+                        << name << ": " << given << " of " << number;
+                    EXPECT_TRUE(judgement.defined);
+                }
+            }
+        }
+    }
+    for (const float number : {INFINITY, -INFINITY, NAN, FLT_MAX})
+        EXPECT_NE(judge({Operation::convert, parse_format("int32"), integer, ieee_single},
+                        Raws{raw_of_float(number)}, 0)
+                      .excluded,
+                  nullptr);
+}
+
 TEST(Judge, WrongNumberOfOperandsOrResults) {
     const Subject add{Operation::add, q4_4, nearest};
     EXPECT_THROW(judge(add, Raws{1}, 1), std::invalid_argument);

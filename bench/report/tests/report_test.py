@@ -28,7 +28,9 @@ import scenes_workload  # noqa: E402
 import stability  # noqa: E402
 import style  # noqa: E402
 import table_3_2  # noqa: E402
+import matplotlib.pyplot as plt  # noqa: E402
 from data import Data, DataError  # noqa: E402
+
 from matplotlib.colors import to_hex  # noqa: E402
 
 
@@ -68,6 +70,45 @@ def texts(axes):
     return [text.get_text() for text in axes.texts]
 
 
+class Figures(unittest.TestCase):
+    """A test of figures, each of which must show all that was put into it."""
+
+    def tearDown(self):
+        figures = [plt.figure(number) for number in plt.get_fignums()]
+        plt.close("all")
+        for figure in figures:
+            for axes in figure.axes:
+                self.check_that_all_is_shown(axes)
+                self.check_ticks(axes)
+
+    def check_that_all_is_shown(self, axes):
+        shown = axes.viewLim
+        for line in axes.lines:
+            if line.get_transform() != axes.transData:  # one across the axes
+                continue
+            for x, y in zip(line.get_xdata(), line.get_ydata()):
+                self.assertTrue(x != x or y != y or shown.x0 <= x <= shown.x1 and shown.y0 <= y <= shown.y1,
+                                f"({x}, {y}) lies outside of {axes.get_title()}: {shown}")
+        for bars in axes.collections:
+            for path in bars.get_paths() if type(bars).__name__ == "PolyCollection" else []:
+                low, high = path.vertices[:, 1].min(), path.vertices[:, 1].max()
+                self.assertTrue(shown.y0 <= low and high <= shown.y1, axes.get_title())
+
+    def check_ticks(self, axes):
+        """A tick whose text is a number stands at that number; one of a lane within its bars."""
+        for axis in (axes.xaxis, axes.yaxis):
+            if type(axis.get_major_formatter()).__name__ != "FixedFormatter":
+                continue
+            for place, label in zip(axis.get_majorticklocs(), axis.get_ticklabels()):
+                if label.get_text().replace(".", "", 1).isdigit():
+                    self.assertEqual(float(label.get_text()), place, axes.get_title())
+        lanes = [path for bars in axes.collections if type(bars).__name__ == "PolyCollection"
+                 for path in bars.get_paths() if len(path.vertices) == 5]
+        for lane in lanes:
+            low, high = lane.vertices[:, 1].min(), lane.vertices[:, 1].max()
+            self.assertTrue(any(low < tick < high for tick in axes.get_yticks()), axes.get_title())
+
+
 OPERATIONS = """
 operation format implementation operands samples cycles_mean cycles_max cycles_max_witness max_ulp max_ulp_witness rms_error bound flash_bytes kernel_sha256
 add q16_16 default physics 9 10 12 1 0.5 1 0.001 lower 10 aa
@@ -82,7 +123,7 @@ exp float libc physics 9 500 999 1 0.5 1 0.01 lower - hh
 """
 
 
-class Operations(unittest.TestCase):
+class Operations(Figures):
     def test_headline_shows_cycles_and_flash_of_physics_operands(self):
         cycles, flash = headline.draw(golden(operations=OPERATIONS)).axes
         self.assertEqual([label.get_text() for label in cycles.get_yticklabels()], ["sqrt", "add"])
@@ -255,7 +296,7 @@ chip sort_and_sweep 8 300 301
 """
 
 
-class Growth(unittest.TestCase):
+class Growth(Figures):
     def test_the_crossing_is_where_it_stays_cheaper(self):
         self.assertEqual(growth.crossing(golden(growth=GROWTH).rows("growth")), 4)
         dearer = GROWTH.replace("sort_and_sweep 8 300", "sort_and_sweep 8 800")
@@ -302,7 +343,7 @@ rope q16_16 nearest velocity_verlet 0.5 9 80 160 - - - 400 held
 """
 
 
-class Scenes(unittest.TestCase):
+class Scenes(Figures):
     def setUp(self):
         self.data = golden(scenes=SCENES)
 
@@ -320,6 +361,13 @@ class Scenes(unittest.TestCase):
         self.assertEqual(scenes.step({"dt": 1 / 3}), "1/3 s")
         self.assertEqual(scenes.title("two_words"), "two words")
         self.assertTrue(scenes.ours({"arithmetic": "saturating"}))
+
+    def test_targets_are_the_errors_that_their_names_say(self):
+        units = {"cm": 1e-2, "mm": 1e-3, "µm": 1e-6}
+        self.assertGreater(len(scenes.TARGETS), 0)
+        for name, error in scenes.TARGETS.items():
+            number, unit = name.split()
+            self.assertAlmostEqual(error / (float(number) * units[unit]), 1)
 
     def test_the_front(self):
         front = scenes.front(scenes.measured(self.data))
@@ -395,7 +443,7 @@ class Scenes(unittest.TestCase):
                          [([0.0078125], [0.019]), ([0.0078125], [scenes.FLOOR])])
 
 
-class Workload(unittest.TestCase):
+class Workload(Figures):
     def test_trace(self):
         rows = "arithmetic lane begin_us end_us\n"
         for factor, arithmetic in enumerate(scenes_workload.ARITHMETICS, 1):
@@ -424,7 +472,7 @@ q16_16 0 50 3
         self.assertEqual(axes.get_ylim()[0], 0)
 
 
-class Stability(unittest.TestCase):
+class Stability(Figures):
     def test_numbers(self):
         self.assertEqual([stability.figure(x) for x in (0, 0.5, 0.00123456, 999, 1000, 123456, 1234567,
                                                         0.000999, 1e-5, -2.5e-7, "none")],
@@ -516,7 +564,7 @@ published no report 100 0.23 30 4 1 0 0
 """
 
 
-class Region(unittest.TestCase):
+class Region(Figures):
     def data(self):
         return golden(stable_region=REGION, stable_limits="""
 arithmetic damping clock loop_rate_hz plant still_at_shortest hardest_hand_n_per_m linear_shortest_arm_m
@@ -561,6 +609,14 @@ q16_16 yes fixed 1000 swings swings
                          [("2", (0, 0), "black"), ("0", (1, 1), "white")])
         self.assertEqual([axes.get_title() for axes in figure.axes[:2]], ["its own clock", "1000 Hz"])
 
+    def test_numbers_can_be_read_on_their_shade(self):
+        axes = plt.figure().add_subplot()
+        rows = [{"arm_m": arm, "hand_n_per_m": 30, "plants": 4, "still": arm, "still_thrown": 3}
+                for arm in range(5)]
+        haptic_region.write_thrown(axes, rows, list(range(5)), [30])
+        self.assertEqual([text.get_color() for text in axes.texts],
+                         ["white", "white", "black", "black", "black"])
+
     def test_oscillation_of_the_last_second(self):
         import math
         rows = ("time_s published_damped_deg published_undamped_deg q16_16_damped_deg "
@@ -589,7 +645,7 @@ q16_16 yes fixed 1000 swings swings
         self.assertEqual((haptic_region.least([3, None]), haptic_region.most([None])), (None, None))
 
 
-class Pins(unittest.TestCase):
+class Pins(Figures):
     def test_lanes(self):
         rows = "device view pin begin_ms end_ms\n"
         for scale, device in enumerate(haptic_timing.DEVICES, 1):
@@ -612,18 +668,21 @@ class Pins(unittest.TestCase):
             self.assertEqual(step.get_xlim(), (0, 4 * scale))
 
 
-class Lever(unittest.TestCase):
+class Lever(Figures):
     ROWS = """
 quantity arithmetic published measured unit verdict reason
 loop_step q16_16 - 0.5 ms measured -
 loop_step q16_16_arduino - 0.625 ms measured -
 loop_step float - 2 ms measured -
 flash_bytes q16_16 - 9 bytes measured -
+frame q16_16 - 4 ms measured -
+frame q16_16_arduino - 5 ms measured -
 """
 
     def test_devices(self):
         made = golden(workload_firmware=self.ROWS)
-        self.assertEqual(lever.devices(made), [("loop_step", "ms", [0.5, 0.625, 2, None])])
+        self.assertEqual(lever.devices(made), [("loop_step", "ms", [0.5, 0.625, 2, None]),
+                                               ("frame", "ms", [4, 5, None, None])])
 
     def test_pins(self):
         rows = self.ROWS + ("physics_step fixed_16_16 4 4.5 ms reproduced pin_D2\n"
@@ -676,7 +735,7 @@ def recording(**changes):
     return made | changes
 
 
-class Replay(unittest.TestCase):
+class Replay(Figures):
     def test_a_recording_is_checked(self):
         replay.check(recording())
         signals = recording()["signals"]
@@ -699,7 +758,20 @@ class Replay(unittest.TestCase):
         self.assertIn(">0123456789ab…<", text)
 
 
-class Cells(unittest.TestCase):
+class Style(unittest.TestCase):
+    def test_every_format_has_a_colour_and_marker_of_its_own(self):
+        looks = [row[1:] for row in (*style.FORMATS.values(), style.PUBLISHED)]
+        self.assertEqual(len(set(looks)), len(looks))
+        self.assertEqual([style.label(*kind) for kind in (
+            ("q16_16", "default"), ("q8_24", "saturating"), ("q16_16", "published"), ("float", "libc"),
+            ("s16_15", "accum"), ("q5_27", "default"))],
+            ["Q16.16", "Q8.24, saturating", "Q16.16, 2016 design", "avr-libc float", "_Accum s16.15",
+             "Q5.27"])
+        self.assertEqual(style.face("q16_16", "small"), "white")
+        self.assertEqual(style.face("q16_16"), style.colour("q16_16"))
+
+
+class Cells(Figures):
     def test_cells(self):
         self.assertEqual([report.cell(x) for x in (None, 1.23456, 999.96, 1000.4, -0.00012346, 7, "a|b")],
                          ["–", "1.235", "1000", "1000", "-0.0001235", "7", "a\\|b"])
@@ -716,7 +788,7 @@ class Cells(unittest.TestCase):
         self.assertEqual(report.page(environment, "page", {"row": {"value": None}}), "–")
 
 
-class Damage(unittest.TestCase):
+class Damage(Figures):
     """What is wrong with a file is told in a line, with exit status 1."""
 
     GOOD = "operation,format,cycles_max,loops\nadd,q8_8,9,1\nadd,q16_16,,2\n"
