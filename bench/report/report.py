@@ -13,6 +13,7 @@ import traceback
 import jinja2
 import tqdm
 
+import choose_a_format
 import division_cycles
 import error_against_cycles
 import error_along_input
@@ -35,6 +36,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 # The page that a template becomes, where the data file that it is about is there.
 PAGES = {
     "results.md.j2": ("README.md", "operations"),
+    "choose_a_format.md.j2": ("choose_a_format.md", "operations"),
     "engine.md.j2": ("engine.md", "scenes"),
     "stability.md.j2": ("stability.md", "stability"),
     "lever.md.j2": ("lever.md", "haptic"),
@@ -162,7 +164,7 @@ def write(results, experiments=()):
 
     environment = templates()
     names = {"data": data, "hashes": data.json("operations")["context"]["sha256"],
-             "versions": tool_versions(), "scenes": scenes, "growth": growth, "lever": lever,
+             "versions": tool_versions(), "choose": choose_a_format, "scenes": scenes, "growth": growth, "lever": lever,
              "stability": stability, "haptic_region": haptic_region}
     for template, (name, needed) in PAGES.items():
         if data.has(needed):

@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""From the numbers that a user knows, the largest value and the smallest step, to a type of the
+library, its limits and its cost."""
+import math
+
+from data import DataError
+
+WIDTHS = (8, 16, 32, 64)
+# The formats of which all operations are measured, as the library names them.
+MEASURED = {"q4_4": "`Q4_4`", "q8_8": "`Q8_8`", "q16_16": "`Q16_16`", "q8_24": "`Fixed<8, 24>`",
+            "q32_32": "`Q32_32`", "float": "float"}
+
+
+def integer_bits(largest):
+    """The least I of which -2^(I-1) .. 2^(I-1), the upper end excluded, holds +-largest."""
+    bits = 1
+    while not largest < 2.0**(bits - 1):
+        bits += 1
+    return bits
+
+
+def fraction_bits(step):
+    """The least F with 2^-F <= step."""
+    bits = 0
+    while 2.0**-bits > step:
+        bits += 1
+    return bits
+
+
+class Format:
+    """I.F bits, as the library names the type."""
+
+    def __init__(self, integer, fraction):
+        self.integer, self.fraction = integer, fraction
+
+    @property
+    def width(self):
+        return self.integer + self.fraction
+
+    @property
+    def name(self):
+        halves = self.integer == self.fraction
+        return f"Q{self.integer}_{self.fraction}" if halves else f"Fixed<{self.integer}, {self.fraction}>"
+
+    @property
+    def measured(self):
+        """Its name among the formats that are measured, if it is one."""
+        name = f"q{self.integer}_{self.fraction}"
+        return name if name in MEASURED else None
+
+    @property
+    def square_overflows_from(self):
+        return math.sqrt(2.0**(self.integer - 1))
+
+    @property
+    def square_vanishes_below(self):
+        """The magnitude whose square is half an ulp."""
+        return math.sqrt(2.0**-(self.fraction + 1))
+
+    def stands_still_below(self, rate):
+        """The speed, in units a second, whose step at that rate is half an ulp."""
+        return rate * 2.0**-(self.fraction + 1)
+
+
+def choose(largest, step):
+    """The narrowest format with that range and that resolution, of equal halves if these do. What
+    is left over makes the steps finer."""
+    integer, fraction = integer_bits(largest), fraction_bits(step)
+    for width in WIDTHS:
+        if integer + fraction <= width:
+            halves = width // 2
+            if integer <= halves and fraction <= halves:
+                return Format(halves, halves)
+            return Format(integer, width - integer)
+    raise DataError(f"no format has {integer} integer bits and {fraction} fraction bits")
+
+
+def rows_of(data, operation, number_format, implementation):
+    return data.rows("operations", operation=operation, format=number_format,
+                     implementation=implementation or ("libc" if number_format == "float" else "default"))
+
+
+def cost(data, operation, number_format, implementation=None):
+    """Mean cycles over `physics` operands, and the largest of any class."""
+    rows = rows_of(data, operation, number_format, implementation)
+    mean = [row["cycles_mean"] for row in rows if row["operands"] == "physics"]
+    return f"{mean[0]:.0f} ({max(row['cycles_max'] for row in rows)})" if mean else "–"
+
+
+def flash(data, operation, number_format):
+    """Bytes, with everything that the operation pulls in."""
+    return max((row["flash_bytes"] for row in rows_of(data, operation, number_format, None)),
+               default="–")
