@@ -3,6 +3,7 @@
 library, its limits and its cost."""
 import math
 
+import operations
 from data import DataError
 
 WIDTHS = (8, 16, 32, 64)
@@ -75,19 +76,19 @@ def choose(largest, step):
     raise DataError(f"no format has {integer} integer bits and {fraction} fraction bits")
 
 
-def rows_of(data, operation, number_format, implementation):
-    return data.rows("operations", operation=operation, format=number_format,
-                     implementation=implementation or ("libc" if number_format == "float" else "default"))
+def kind(number_format, implementation=operations.OURS):
+    return operations.FLOAT if number_format == "float" else (number_format, implementation)
 
 
-def cost(data, operation, number_format, implementation=None):
-    """Mean cycles over `physics` operands, and the largest of any class."""
-    rows = rows_of(data, operation, number_format, implementation)
-    mean = [row["cycles_mean"] for row in rows if row["operands"] == "physics"]
-    return f"{mean[0]:.0f} ({max(row['cycles_max'] for row in rows)})" if mean else "–"
+def cost(data, operation, number_format, implementation=operations.OURS):
+    """Mean and largest cycles."""
+    mean = operations.mean(data, operation, *kind(number_format, implementation))
+    if mean is None:
+        return "–"
+    return f"{mean:.0f} ({operations.worst(data, operation, *kind(number_format, implementation)).cycles})"
 
 
 def flash(data, operation, number_format):
     """Bytes, with everything that the operation pulls in."""
-    return max((row["flash_bytes"] for row in rows_of(data, operation, number_format, None)),
-               default="–")
+    row = operations.row(data, operation, *kind(number_format))
+    return row["flash_bytes"] if row else "–"

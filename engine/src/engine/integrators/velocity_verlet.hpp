@@ -18,7 +18,7 @@ struct VelocityVerlet {
     /// \cond internal
     template <class World>
     struct Memory {
-        bool forces_are_current = false;  // they are those of the particles as they are
+        bool forces_are_current = {};  // they are those of the particles as they are
         constexpr void restart() { forces_are_current = false; }
     };
     /// \endcond

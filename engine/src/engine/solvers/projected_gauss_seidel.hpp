@@ -32,8 +32,8 @@ struct Pushing {
 };
 template <class Scalar>
 struct Pushing<Scalar, true> {
-    bool pushes_only = false;
-    Scalar restitution = Scalar();  // of closing velocities
+    bool pushes_only = {};
+    Scalar restitution = {};  // of closing velocities
 
     constexpr void set_pushing(bool pushes, Scalar of_closing_velocities) {
         pushes_only = pushes;

@@ -6,16 +6,14 @@
 #pragma once
 
 #include <fixedpoint/arithmetic/nearest.hpp>
-#include <fixedpoint/portable/divide_small.hpp>
 
 namespace fixedpoint {
 
 /// As Nearest, with functions that need no tables: they take less flash and more time.
 struct Small : Nearest {
-    /// Once in a program, however many quotients it takes.
     template <class Raw, int F>
-    __attribute__((noinline)) static constexpr Raw divide(Raw a, Raw b) {
-        return portable::divide_small<Raw, F>(a, b);
+    static constexpr Raw divide(Raw a, Raw b) {
+        return kernel::divide_small<Raw, F>(a, b);
     }
     /// sqrt(a) rounded; 0 where a < 0.
     template <class Raw, int F>
