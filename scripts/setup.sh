@@ -20,7 +20,7 @@ packages=(
     nodejs npm
 )
 for_tests=(clang-format clang-tidy clang-19 shellcheck python3-pyflakes
-    gdb doxygen)
+    chromium gdb doxygen)
 for_fuzzing=(clang libclang-rt-dev)
 
 list=

@@ -17,6 +17,7 @@ import choose_a_format
 import division_cycles
 import error_against_cycles
 import error_histograms
+import explorer
 import growth
 import haptic_region
 import haptic_timing
@@ -171,6 +172,9 @@ def write(results, experiments=()):
     if (results / "data" / "replay.json").exists():
         with telling("replay.html"):
             write_whole(results / "replay.html", replay.page(environment, data))
+    if data.has("operations"):
+        with telling("index.html"):
+            explorer.write(results / "index.html", environment, data, write_whole)
 
 
 def main():
