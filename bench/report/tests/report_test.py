@@ -11,6 +11,7 @@ import tempfile
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+import choose_a_format  # noqa: E402
 import data as data_module  # noqa: E402
 import division_cycles  # noqa: E402
 import error_against_cycles  # noqa: E402
@@ -756,6 +757,35 @@ class Replay(Figures):
         self.assertIn("(Q16.16, SHA-256", text)
         self.assertIn('"what":"a <\\/script> within"', text)
         self.assertIn(">0123456789ab…<", text)
+
+
+class ChooseAFormat(unittest.TestCase):
+    def test_bits(self):
+        self.assertEqual([choose_a_format.integer_bits(x) for x in (0, 0.99, 1, 1.5, 127.9, 128, 2**31)],
+                         [1, 1, 2, 2, 8, 9, 33])
+        self.assertEqual([choose_a_format.fraction_bits(x) for x in (2, 1, 0.5, 0.4, 2**-16, 1.5e-5)],
+                         [0, 0, 1, 2, 16, 17])
+
+    def test_the_narrowest_type_that_holds_both(self):
+        for largest, step, name in ((7.9, 1 / 16, "Q4_4"), (8, 1 / 16, "Q8_8"), (100, 1 / 256, "Q8_8"),
+                                    (1, 0.0001, "Fixed<2, 14>"), (200, 0.004, "Q16_16"),
+                                    (100, 1e-7, "Fixed<8, 24>"), (1e5, 0.001, "Fixed<18, 14>"),
+                                    (2e9, 1, "Fixed<32, 0>"), (3e7, 1e-6, "Q32_32")):
+            self.assertEqual(choose_a_format.choose(largest, step).name, name)
+        with self.assertRaisesRegex(DataError, "35 integer bits and 34 fraction bits"):
+            choose_a_format.choose(1e10, 1e-10)
+
+    def test_limits(self):
+        q8_8 = choose_a_format.Format(8, 8)
+        self.assertAlmostEqual(q8_8.square_overflows_from**2, 128)
+        self.assertAlmostEqual(q8_8.square_vanishes_below**2, 1 / 512)
+        self.assertEqual(q8_8.stands_still_below(1000), 1000 / 512)
+
+    def test_cost(self):
+        made = golden(operations=OPERATIONS)
+        self.assertEqual([choose_a_format.cost(made, "add", name) for name in ("q16_16", "float", "q4_4")],
+                         ["10 (99)", "100 (112)", "–"])
+        self.assertEqual(choose_a_format.cost(made, "add", "q16_16", "small"), "70 (90)")
 
 
 class Cells(Figures):
