@@ -79,7 +79,8 @@ class Figures(unittest.TestCase):
         for figure in figures:
             for axes in figure.axes:
                 self.check_that_all_is_shown(axes)
-                self.check_ticks(axes)
+                if not axes.images:  # whose ticks are indices
+                    self.check_ticks(axes)
 
     def check_that_all_is_shown(self, axes):
         shown = axes.viewLim
@@ -97,7 +98,7 @@ class Figures(unittest.TestCase):
     def check_ticks(self, axes):
         """A tick whose text is a number stands at that number; one of a lane within its bars."""
         for axis in (axes.xaxis, axes.yaxis):
-            if type(axis.get_major_formatter()).__name__ != "FixedFormatter":
+            if type(axis.get_major_locator()).__name__ != "FixedLocator":
                 continue
             for place, label in zip(axis.get_majorticklocs(), axis.get_ticklabels()):
                 if label.get_text().replace(".", "", 1).isdigit():
@@ -517,12 +518,13 @@ q16_16 yes fixed 1000 swings swings
         self.assertEqual([axes.get_title() for axes in figure.axes[:2]], ["its own clock", "1000 Hz"])
 
     def test_numbers_can_be_read_on_their_shade(self):
-        axes = plt.figure().add_subplot()
-        rows = [{"arm_m": arm, "hand_n_per_m": 30, "plants": 4, "still": arm, "still_thrown": 3}
-                for arm in range(5)]
-        haptic_region.write_thrown(axes, rows, list(range(5)), [30])
-        self.assertEqual([text.get_color() for text in axes.texts],
-                         ["white", "white", "black", "black", "black"])
+        for plants, white in ((4, 2), (5, 3)):
+            axes = plt.figure().add_subplot()
+            rows = [{"arm_m": arm, "hand_n_per_m": 30, "plants": plants, "still": arm,
+                     "still_thrown": 3} for arm in range(5)]
+            haptic_region.write_thrown(axes, rows, list(range(5)), [30])
+            self.assertEqual([text.get_color() for text in axes.texts],
+                             white * ["white"] + (5 - white) * ["black"])
 
     def test_oscillation_of_the_last_second(self):
         import math
