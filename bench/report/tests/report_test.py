@@ -76,11 +76,10 @@ class Figures(unittest.TestCase):
     def tearDown(self):
         figures = [plt.figure(number) for number in plt.get_fignums()]
         plt.close("all")
-        for figure in figures:
-            for axes in figure.axes:
-                self.check_that_all_is_shown(axes)
-                if not axes.images:  # whose ticks are indices
-                    self.check_ticks(axes)
+        for axes in (axes for figure in figures for axes in figure.axes):
+            self.check_that_all_is_shown(axes)
+            if not any(panel.images for panel in axes.figure.axes):  # their ticks are indices
+                self.check_ticks(axes)
 
     def check_that_all_is_shown(self, axes):
         shown = axes.viewLim
