@@ -99,7 +99,9 @@ class Figures(unittest.TestCase):
         for axis in (axes.xaxis, axes.yaxis):
             if type(axis.get_major_locator()).__name__ != "FixedLocator":
                 continue
-            for place, label in zip(axis.get_majorticklocs(), axis.get_ticklabels()):
+            places = list(axis.get_majorticklocs())
+            self.assertEqual(len(set(places)), len(places), axes.get_title())
+            for place, label in zip(places, axis.get_ticklabels()):
                 if label.get_text().replace(".", "", 1).isdigit():
                     self.assertEqual(float(label.get_text()), place, axes.get_title())
         lanes = [path for bars in axes.collections if type(bars).__name__ == "PolyCollection"
