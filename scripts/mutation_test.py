@@ -118,7 +118,7 @@ SHARE = 0.95
 HARMLESS = [
     ("bench/report/*.py", r"(fontsize|linewidths?|figsize|markersize|alpha|zorder|pad|rotation|shrink)=",
      "the look of a figure"),
-    ("bench/report/*.py", r"legend|rect=|lim\(|lim=|labelpad|offset points|\"\w+\.size\"|\"(left|right)\"|label\(",
+    ("bench/report/*.py", r"legend|rect=|lim\(|lim=|labelpad|offset points|\"\w+\.size\"|strip = |columns = \d|wide = |\"(left|right)\"|label\(",
      "the look of a figure: margins, legends and titles"),
     ("bench/report/*.py", r"^ *(parser|\"--|help=)|dpi|metadata", "the look of a figure or of a help text"),
 ]

@@ -518,6 +518,14 @@ q16_16 yes fixed 1000 swings swings
                          [("2", (0, 0), "black"), ("0", (1, 1), "white")])
         self.assertEqual([axes.get_title() for axes in figure.axes[:2]], ["its own clock", "1000 Hz"])
 
+    def test_panels_are_in_order_of_rate_after_the_published_one(self):
+        rates = "".join(f"q16_16 yes {clock} {rate} 0.23 30 4 4 4 4\n"
+                        for clock, rate in (("fixed", 1000), ("report", 100), ("fixed", 50)))
+        rows = REGION.strip().splitlines()[0] + "\n" + rates
+        figure = haptic_region.draw(golden(stable_region=rows))
+        self.assertEqual([axes.get_title() for axes in figure.axes[:3]],
+                         ["its own clock", "50 Hz", "1000 Hz"])
+
     def test_numbers_can_be_read_on_their_shade(self):
         for plants, white in ((4, 2), (5, 3)):
             axes = plt.figure().add_subplot()
