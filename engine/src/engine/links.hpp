@@ -26,7 +26,7 @@ struct Between {
 // The ends are the particle a and the fixed point `anchor`.
 template <class Vector, class Index>
 struct Anchored {
-    Index a = 0;
+    Index a = {};
     Vector anchor;  // m
 
     constexpr Index second() const { return nothing<Index>; }
@@ -72,7 +72,7 @@ Scalar& length_in(Spring<Scalar, Ends>& spring) {
 // Slows a particle: force = -velocity (linear + quadratic |velocity|).
 template <class Scalar, class Index>
 struct Drag {
-    Index particle = 0;
+    Index particle = {};
     Scalar linear = Scalar();     // N s/m
     Scalar quadratic = Scalar();  // N s^2/m^2
 };
