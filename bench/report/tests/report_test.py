@@ -77,9 +77,9 @@ class Figures(unittest.TestCase):
     def tearDown(self):
         figures = [plt.figure(number) for number in plt.get_fignums()]
         plt.close("all")
-        for figure in figures:
-            for axes in figure.axes:
-                self.check_that_all_is_shown(axes)
+        for axes in (axes for figure in figures for axes in figure.axes):
+            self.check_that_all_is_shown(axes)
+            if not any(panel.images for panel in axes.figure.axes):  # their ticks are indices
                 self.check_ticks(axes)
 
     def check_that_all_is_shown(self, axes):
@@ -98,9 +98,11 @@ class Figures(unittest.TestCase):
     def check_ticks(self, axes):
         """A tick whose text is a number stands at that number; one of a lane within its bars."""
         for axis in (axes.xaxis, axes.yaxis):
-            if type(axis.get_major_formatter()).__name__ != "FixedFormatter":
+            if type(axis.get_major_locator()).__name__ != "FixedLocator":
                 continue
-            for place, label in zip(axis.get_majorticklocs(), axis.get_ticklabels()):
+            places = list(axis.get_majorticklocs())
+            self.assertEqual(len(set(places)), len(places), axes.get_title())
+            for place, label in zip(places, axis.get_ticklabels()):
                 if label.get_text().replace(".", "", 1).isdigit():
                     self.assertEqual(float(label.get_text()), place, axes.get_title())
         lanes = [path for bars in axes.collections if type(bars).__name__ == "PolyCollection"
@@ -610,13 +612,22 @@ q16_16 yes fixed 1000 swings swings
                          [("2", (0, 0), "black"), ("0", (1, 1), "white")])
         self.assertEqual([axes.get_title() for axes in figure.axes[:2]], ["its own clock", "1000 Hz"])
 
+    def test_panels_are_in_order_of_rate_after_the_published_one(self):
+        rates = "".join(f"q16_16 yes {clock} {rate} 0.23 30 4 4 4 4\n"
+                        for clock, rate in (("fixed", 1000), ("report", 100), ("fixed", 50)))
+        rows = REGION.strip().splitlines()[0] + "\n" + rates
+        figure = haptic_region.draw(golden(stable_region=rows))
+        self.assertEqual([axes.get_title() for axes in figure.axes[:3]],
+                         ["its own clock", "50 Hz", "1000 Hz"])
+
     def test_numbers_can_be_read_on_their_shade(self):
-        axes = plt.figure().add_subplot()
-        rows = [{"arm_m": arm, "hand_n_per_m": 30, "plants": 4, "still": arm, "still_thrown": 3}
-                for arm in range(5)]
-        haptic_region.write_thrown(axes, rows, list(range(5)), [30])
-        self.assertEqual([text.get_color() for text in axes.texts],
-                         ["white", "white", "black", "black", "black"])
+        for plants, white in ((4, 2), (5, 3)):
+            axes = plt.figure().add_subplot()
+            rows = [{"arm_m": arm, "hand_n_per_m": 30, "plants": plants, "still": arm,
+                     "still_thrown": 3} for arm in range(5)]
+            haptic_region.write_thrown(axes, rows, list(range(5)), [30])
+            self.assertEqual([text.get_color() for text in axes.texts],
+                             white * ["white"] + (5 - white) * ["black"])
 
     def test_oscillation_of_the_last_second(self):
         import math
