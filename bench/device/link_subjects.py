@@ -7,7 +7,8 @@ kernel fixedpoint_<operation>_<format>[_<variant>] takes the place of the C++ su
 (without a variant: `default`), so that a call reaches it without a jump in between.
 
 The footprint of a subject is what a program grows by that uses it alone: flash (code, tables,
-initialised data) and static RAM, everything it pulls in included.
+initialised data) and static RAM, everything it pulls in included. A row together_<format>_
+<implementation> is what a program grows by that uses all of that name: what they share counts once.
 """
 import argparse
 import concurrent.futures
@@ -67,7 +68,7 @@ def main():
              *arguments.objects, "-lm", "-o", output])
 
     def weigh(chosen, directory):
-        output = os.path.join(directory, ("_".join(chosen) or "empty") + ".elf")
+        output = os.path.join(directory, (chosen[0] if chosen else "empty") + f".{len(chosen)}.elf")
         link(chosen, output)
         sizes = run(["avr-size", output]).splitlines()[1].split()
         os.unlink(output)
@@ -80,12 +81,18 @@ def main():
             return
         empty_flash, empty_ram = weigh([], directory)
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-            weights = list(pool.map(lambda subject: weigh([subject], directory), subjects))
+            weights = dict(zip(subjects, pool.map(
+                lambda subject: weigh([subject], directory), subjects)))
+            together = {}
+            for subject in subjects:
+                together.setdefault("_".join(SUBJECT.match(subject).groups()[1:]), []).append(subject)
+            weights.update(zip((f"together_{name}" for name in together), pool.map(
+                lambda chosen: weigh(chosen, directory), together.values())))
         partial = os.path.join(directory, "footprints.csv")
         with open(partial, "w", newline="", encoding="ascii") as stream:
             rows = csv.writer(stream, lineterminator="\n")
             rows.writerow(["subject", "flash_bytes", "ram_bytes"])
-            for subject, (flash, ram) in zip(subjects, weights):
+            for subject, (flash, ram) in weights.items():
                 rows.writerow([subject, flash - empty_flash, ram - empty_ram])
         link(subjects, arguments.output + ".partial")
         with open(partial, encoding="ascii") as stream, \
