@@ -196,10 +196,12 @@ multiply q8_24 default physics 108
 
     def test_flash_of_a_program_with_several(self):
         made = golden(flash="""
-format implementation flash_bytes
-float libc 2388
-q16_16 small 2500
-q16_16 default 9000
+operations format implementation flash_bytes
+nine float libc 2388
+nine q16_16 small 2500
+nine q16_16 default 9000
+own q16_16 default 900
+own q8_8 small 90
 """)
         self.assertEqual(operations.flash_together(made, "q16_16"), 9000)
         self.assertIsNone(operations.flash_together(made, "q8_8"))
