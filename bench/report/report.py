@@ -13,6 +13,7 @@ import traceback
 import jinja2
 import tqdm
 
+import choose_a_format
 import division_cycles
 import error_against_cycles
 import error_histograms
@@ -36,6 +37,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 # The page that a template becomes, where the data file that it is about is there.
 PAGES = {
     "results.md.j2": ("README.md", "operations"),
+    "choose_a_format.md.j2": ("choose_a_format.md", "operations"),
     "engine.md.j2": ("engine.md", "scenes"),
     "stability.md.j2": ("stability.md", "stability"),
     "lever.md.j2": ("lever.md", "haptic"),
@@ -157,7 +159,8 @@ def write(results, experiments=()):
             style.save(draw(), folder, name)
 
     environment = templates()
-    names = {"data": data, "versions": tool_versions(), "style": style, "operations": operations,
+    names = {"data": data, "versions": tool_versions(), "choose": choose_a_format, "style": style,
+             "operations": operations,
              "headline": headline, "table_3_2": table_3_2, "division_cycles": division_cycles,
              "error_against_cycles": error_against_cycles, "error_histograms": error_histograms,
              "scenes": scenes, "scenes_workload": scenes_workload, "growth": growth, "lever": lever,

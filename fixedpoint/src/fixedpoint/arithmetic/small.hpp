@@ -9,8 +9,10 @@
 
 namespace fixedpoint {
 
-/// As Nearest, with functions that need no tables: they take less flash and more time.
+/// As Nearest, with a division and functions that take less flash and more time.
 struct Small : Nearest {
+    /// a / b rounded, saturated; a / 0 is the largest number, the smallest one or 0, by the sign of
+    /// a.
     template <class Raw, int F>
     static constexpr Raw divide(Raw a, Raw b) {
         return kernel::divide_small<Raw, F>(a, b);
