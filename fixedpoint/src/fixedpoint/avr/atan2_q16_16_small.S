@@ -33,13 +33,7 @@
 #define x2 r26
 #include "multiply_high_24.inc"
 
-#define C0 16777151
-#define C1 5589727
-#define C2 3323200
-#define C3 2220186
-#define C4 1335864
-#define C5 563785
-#define C6 114283
+#include "atan_polynomial.inc"
 // Half an ulp, and what the products cut in the mean.
 #define ROUNDING 130
 

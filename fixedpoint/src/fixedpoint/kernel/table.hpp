@@ -105,6 +105,7 @@
     KERNEL(BINARY, divide, int32_t, 16, fixedpoint_divide_q16_16, divide) \
     KERNEL(BINARY, divide, int64_t, 32, fixedpoint_divide_q32_32, divide) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, BINARY, divide) \
+    KERNEL(BINARY, divide_small, int32_t, 16, fixedpoint_divide_q16_16_small, divide) \
     KERNEL(BINARY, remainder, int32_t, 16, fixedpoint_remainder_q16_16, remainder) \
     KERNEL(UNARY, sqrt, int8_t, 4, fixedpoint_sqrt_q4_4, sqrt) \
     KERNEL(UNARY, sqrt, int16_t, 8, fixedpoint_sqrt_q8_8, sqrt) \
@@ -114,7 +115,7 @@
     KERNEL(UNARY, sqrt_small, int32_t, 16, fixedpoint_sqrt_q16_16_small, sqrt) \
     KERNEL(UNARY, reciprocal_sqrt, int32_t, 16, fixedpoint_reciprocal_sqrt_q16_16, reciprocal_sqrt) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, UNARY, reciprocal_sqrt) \
-    KERNEL(UNARY, reciprocal_sqrt_small, int32_t, 16, fixedpoint_reciprocal_sqrt_q16_16_small, nearest_reciprocal_sqrt) \
+    KERNEL(UNARY, reciprocal_sqrt_small, int32_t, 16, fixedpoint_reciprocal_sqrt_q16_16_small, reciprocal_sqrt_small) \
     KERNEL(UNARY, sin, int32_t, 16, fixedpoint_sin_q16_16, sin) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, UNARY, sin) \
     KERNEL(UNARY, sin_small, int32_t, 16, fixedpoint_sin_q16_16_small, sin_small) \
@@ -132,6 +133,7 @@
     KERNEL(BINARY, atan2_small, int32_t, 16, fixedpoint_atan2_q16_16_small, atan2_small) \
     KERNEL(UNARY, exp, int32_t, 16, fixedpoint_exp_q16_16, exp) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, UNARY, exp) \
+    KERNEL(UNARY, exp_small, int32_t, 16, fixedpoint_exp_q16_16_small, exp_small) \
     KERNEL(UNARY, log, int32_t, 16, fixedpoint_log_q16_16, log) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, UNARY, log) \
     KERNEL(VECTORS, dot2, int32_t, 16, fixedpoint_dot2_q16_16, dot2) \

@@ -5,6 +5,7 @@
 #include <fixedpoint/portable/double_word.hpp>
 #include <fixedpoint/portable/exp_32.hpp>
 #include <fixedpoint/portable/exp_q16_16.hpp>
+#include <fixedpoint/portable/exp_small_q16_16.hpp>
 #include <fixedpoint/portable/pseudo_division_table.hpp>
 
 namespace fixedpoint {
@@ -48,7 +49,7 @@ FIXEDPOINT_CONSTEXPR Word exponential_mantissa(Word rest) {
     return result + (product >> steps);
 }
 
-// For every format; small, as it has no table but the word's few ln(1 + 2^-i).
+// For every format but Q16.16; small, as it has no table but the word's few ln(1 + 2^-i).
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw exp_small(Raw a) {
     using Word = ExponentialWord<Raw>;
@@ -76,6 +77,11 @@ FIXEDPOINT_CONSTEXPR Raw exp_small(Raw a) {
                                                           : position - multiple);
     const int surplus = bits - 3 - exponent;
     return clamped_with_sign<Raw>((mantissa + (Word(1) << (surplus - 1))) >> surplus, false);
+}
+
+template <>
+FIXEDPOINT_CONSTEXPR int32_t exp_small<int32_t, 16>(int32_t a) {
+    return exp_small_q16_16(a);
 }
 
 template <class Raw, int F>

@@ -7,6 +7,7 @@
 #include <fixedpoint/portable/divide.hpp>
 #include <fixedpoint/portable/nearest_root.hpp>
 #include <fixedpoint/portable/reciprocal_sqrt_32.hpp>
+#include <fixedpoint/portable/reciprocal_sqrt_small_q16_16.hpp>
 #include <fixedpoint/portable/reciprocal_sqrt_table.hpp>
 #include <fixedpoint/portable/sqrt.hpp>
 
@@ -84,6 +85,16 @@ struct ReciprocalSqrt<int64_t, 32> {
         return reciprocal_sqrt_by_division<SqrtAndDivision>(a);
     }
 };
+
+// The small variant; nearest but in Q16.16.
+template <class Raw, int F>
+constexpr Raw reciprocal_sqrt_small(Raw a) {
+    return nearest_reciprocal_sqrt<Raw, F>(a);
+}
+template <>
+FIXEDPOINT_CONSTEXPR int32_t reciprocal_sqrt_small<int32_t, 16>(int32_t a) {
+    return reciprocal_sqrt_small_q16_16(a);
+}
 
 template <class Raw, int F>
 constexpr Raw reciprocal_sqrt(Raw a) {
