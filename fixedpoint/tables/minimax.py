@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Prints the coefficients of avr/sin_q16_16_small.S and avr/atan2_q16_16_small.S: odd polynomials
-of least largest error on [0, 1], by the exchange algorithm (Evgeny Remez, 1934), as 24-bit
-fractions, with the error that they leave."""
+"""Prints the coefficients of avr/sin_q16_16_small.S: the odd polynomial of least largest error on
+[0, 1], by the exchange algorithm (Evgeny Remez, 1934), as 24-bit fractions, with the error that it
+leaves."""
 
-from math import atan, pi, sin
+from math import pi, sin
 
 GRID = 20000
 
@@ -41,7 +41,5 @@ def minimax(function, terms):
 
 
 if __name__ == "__main__":
-    for name, function, terms in [("sin(pi/2 x) / 2", lambda x: sin(pi / 2 * x) / 2, 4),
-                                  ("atan(x)", atan, 7)]:
-        coefficients, error = minimax(function, terms)
-        print(f"{name}: {[round(abs(c) * 2**24) for c in coefficients]}, error {error:.1e}")
+    coefficients, error = minimax(lambda x: sin(pi / 2 * x) / 2, 4)
+    print(f"sin(pi/2 x) / 2: {[round(abs(c) * 2**24) for c in coefficients]}, error {error:.1e}")
