@@ -8,28 +8,68 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
-# A colour-blind-safe palette (Okabe and Ito, 2008) and a marker, in the order of the catalogue's
-# implementations: one an implementation, everywhere.
-STYLES = [("#0072b2", "o"), ("#999999", "s"), ("#d55e00", "X"), ("#56b4e9", "^"), ("#000000", "p"),
-          ("#cc79a7", "P"), ("#e69f00", "D"), ("#8c6d00", "*"), ("#444444", ".")]
-OTHER = ("#000000", "p")
+# A label, a colour and a marker for each number format, the same on all pages, and one for each that
+# it is compared with. The colours can be told apart by the colour-blind (Okabe and Ito, 2008).
+FORMATS = {
+    "q4_4": ("Q4.4", "#8c6d00", "p"),
+    "q8_8": ("Q8.8", "#cc79a7", "D"),
+    "q16_16": ("Q16.16", "#0072b2", "o"),
+    "q8_24": ("Q8.24", "#009e73", "^"),
+    "q32_32": ("Q32.32", "#56b4e9", "s"),
+    "float": ("float", "#e69f00", "P"),
+}
+RIVALS = {
+    "published": ("2016 design", "#d55e00", "X"),
+    "accum": ("GCC _Accum", "#999999", "d"),
+    "native": ("integer", "#444444", "."),
+}
+OTHER = ("#000000", "*")
+# What no format has: measured against published, verdicts, theory.
+INK = "#222222"
+PALE = "#bbbbbb"
 
 CATALOGUE = pathlib.Path(__file__).parents[1] / "lab" / "catalogue" / "subjects.h"
 # The rows X(implementation, ..., "label").
-LABELS = dict(re.findall(r'^ *X\((\w+), .*"(.*)"\)$', CATALOGUE.read_text(encoding="utf-8"), re.M))
-STYLE = dict(zip(LABELS, STYLES))
+IMPLEMENTATIONS = dict(re.findall(r'^ *X\((\w+), .*"(.*)"\)$',
+                                  CATALOGUE.read_text(encoding="utf-8"), re.M))
 
 
-def label(implementation):
-    return LABELS.get(implementation, "ours, " + implementation.replace("_", " "))
+def format_label(number_format):
+    """Q8.24 of q8_24."""
+    if number_format in FORMATS:
+        return FORMATS[number_format][0]
+    return re.sub(r"^([qs])(\d+)_(\d+)$",
+                  lambda match: f"{match[1].upper() if match[1] == 'q' else 's'}{match[2]}.{match[3]}",
+                  number_format)
 
 
-def colour(implementation):
-    return STYLE.get(implementation, OTHER)[0]
+def label(number_format, implementation="default"):
+    """How a number format in an implementation is called."""
+    if implementation in RIVALS:
+        name = RIVALS[implementation][0]
+        return f"{format_label(number_format)}, {name}" if implementation == "published" else (
+            f"{name} {format_label(number_format)}")
+    if number_format == "float":
+        return "avr-libc float"
+    plain = format_label(number_format)
+    if implementation == "default":
+        return plain
+    return f"{plain}, {IMPLEMENTATIONS.get(implementation, implementation).removeprefix('ours, ')}"
 
 
-def marker(implementation):
-    return STYLE.get(implementation, OTHER)[1]
+def colour(number_format, implementation="default"):
+    """That of the format; of a rival its own."""
+    return (RIVALS.get(implementation) or FORMATS.get(number_format) or ("", *OTHER))[1]
+
+
+def marker(number_format, implementation="default"):
+    return (RIVALS.get(implementation) or FORMATS.get(number_format) or ("", *OTHER))[2]
+
+
+def face(number_format, implementation="default"):
+    """The marker's inside: empty for a variant of a format beside its default."""
+    plain = implementation in ("default", "libc") or implementation in RIVALS
+    return colour(number_format, implementation) if plain else "white"
 
 
 plt.rcParams.update({

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Decimal constants for every scalar: `0.38_d` is the number 0.38, rounded once, at compile time,
-// to whatever scalar it becomes: Q16.16, Q8.24, float, double or a wide type. What does not fit a
-// fixed-point format does not compile.
+/// \file
+/// Decimal constants for every scalar: `0.38_d` is the number 0.38, rounded once, at compile time,
+/// to whatever scalar it becomes: Q16.16, Q8.24, float, double or a wide type. What does not fit a
+/// fixed-point format does not compile.
 #pragma once
 
 #include <engine/scalar.hpp>
 
 namespace engine {
 
+/// \cond internal
 template <int64_t digits, unsigned char places>
 struct Decimal;
 
@@ -59,9 +61,13 @@ struct DecimalIn<Fixed<I, F, A>, digits, places> {
         return Number::from_raw(raw);
     }
 };
+/// \endcond
 
+/// The constant digits / 10^places, which becomes whatever scalar it is assigned to.
 template <int64_t digits, unsigned char places>
 struct Decimal {
+    /// The constant in a scalar, rounded once. One out of the range of a fixed-point format does
+    /// not compile, nor does an integer.
     template <class Scalar>
     constexpr operator Scalar() const {
         static_assert(!fixedpoint::BuiltinNumber<Scalar>::is_integer,
@@ -69,9 +75,11 @@ struct Decimal {
                       "would lose its fraction.");
         return DecimalIn<Scalar, digits, places>::value();
     }
+    /// The negative constant.
     constexpr Decimal<-digits, places> operator-() const { return {}; }
 };
 
+/// \cond internal
 // The characters of a literal: digits, at most one point, separators.
 template <char... Text>
 struct DecimalText {
@@ -101,9 +109,11 @@ struct DecimalText {
         return true;
     }
 };
+/// \endcond
 
 namespace literals {
 
+/// The constant of up to 18 digits with at most one point: 12_d, 0.38_d.
 template <char... Text>
 constexpr Decimal<DecimalText<Text...>::digits(), DecimalText<Text...>::places()> operator""_d() {
     static_assert(DecimalText<Text...>::plain() && sizeof...(Text) < 19,

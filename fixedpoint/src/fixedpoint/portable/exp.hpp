@@ -3,6 +3,7 @@
 #pragma once
 
 #include <fixedpoint/portable/double_word.hpp>
+#include <fixedpoint/portable/exp_32.hpp>
 #include <fixedpoint/portable/exp_q16_16.hpp>
 #include <fixedpoint/portable/exp_small_q16_16.hpp>
 #include <fixedpoint/portable/pseudo_division_table.hpp>
@@ -84,13 +85,21 @@ FIXEDPOINT_CONSTEXPR int32_t exp_small<int32_t, 16>(int32_t a) {
 }
 
 template <class Raw, int F>
-constexpr Raw exp(Raw a) {
-    return exp_small<Raw, F>(a);
-}
-
+struct Exponential {
+    static constexpr Raw apply(Raw a) { return exp_small<Raw, F>(a); }
+};
+template <int F>
+struct Exponential<int32_t, F> {
+    static constexpr int32_t apply(int32_t a) { return exp_32<F>(a); }
+};
 template <>
-FIXEDPOINT_CONSTEXPR int32_t exp<int32_t, 16>(int32_t a) {
-    return exp_q16_16(a);
+struct Exponential<int32_t, 16> {
+    static constexpr int32_t apply(int32_t a) { return exp_q16_16(a); }
+};
+
+template <class Raw, int F>
+constexpr Raw exp(Raw a) {
+    return Exponential<Raw, F>::apply(a);
 }
 
 }  // namespace portable

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <fixedpoint/portable/cordic.hpp>
+#include <fixedpoint/portable/log_32.hpp>
 #include <fixedpoint/portable/log_q16_16.hpp>
 #include <fixedpoint/portable/log_small_q16_16.hpp>
 #include <fixedpoint/portable/pseudo_division_table.hpp>
@@ -71,13 +72,21 @@ FIXEDPOINT_CONSTEXPR int32_t log_small<int32_t, 16>(int32_t a) {
 }
 
 template <class Raw, int F>
-constexpr Raw log(Raw a) {
-    return log_small<Raw, F>(a);
-}
-
+struct Logarithm {
+    static constexpr Raw apply(Raw a) { return log_small<Raw, F>(a); }
+};
+template <int F>
+struct Logarithm<int32_t, F> {
+    static constexpr int32_t apply(int32_t a) { return log_32<F>(a); }
+};
 template <>
-FIXEDPOINT_CONSTEXPR int32_t log<int32_t, 16>(int32_t a) {
-    return log_q16_16(a);
+struct Logarithm<int32_t, 16> {
+    static constexpr int32_t apply(int32_t a) { return log_q16_16(a); }
+};
+
+template <class Raw, int F>
+constexpr Raw log(Raw a) {
+    return Logarithm<Raw, F>::apply(a);
 }
 
 }  // namespace portable
