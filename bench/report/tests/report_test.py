@@ -772,6 +772,19 @@ class Replay(Figures):
         self.assertIn(">0123456789ab…<", text)
 
 
+class Style(unittest.TestCase):
+    def test_every_format_has_a_colour_and_marker_of_its_own(self):
+        looks = [row[1:] for row in (*style.FORMATS.values(), style.PUBLISHED)]
+        self.assertEqual(len(set(looks)), len(looks))
+        self.assertEqual([style.label(*kind) for kind in (
+            ("q16_16", "default"), ("q8_24", "saturating"), ("q16_16", "published"), ("float", "libc"),
+            ("s16_15", "accum"), ("q5_27", "default"))],
+            ["Q16.16", "Q8.24, saturating", "Q16.16, 2016 design", "avr-libc float", "_Accum s16.15",
+             "Q5.27"])
+        self.assertEqual(style.face("q16_16", "small"), "white")
+        self.assertEqual(style.face("q16_16"), style.colour("q16_16"))
+
+
 class ChooseAFormat(unittest.TestCase):
     def test_bits(self):
         self.assertEqual([choose_a_format.integer_bits(x) for x in (0, 0.99, 1, 1.5, 127.9, 128, 2**31)],
