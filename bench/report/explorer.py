@@ -11,6 +11,7 @@ import subprocess
 import sys
 import tempfile
 
+import operations
 import style
 from data import DataError
 
@@ -19,7 +20,7 @@ BENCH = SOURCES.parents[1]
 
 # The tables of the page. Those that a view draws come first; all stand in the table view.
 DRAWN = {
-    "overview": ("operations", "accuracy", "table_3_1"),
+    "overview": ("operations", "accuracy", "exhaustive", "flash", "table_3_1"),
     "operations": ("operations", "accuracy", "exhaustive", "error_histograms", "error_along_input"),
     "scenes": ("scenes",),
     "stability": ("stability", "stability_map"),
@@ -28,8 +29,11 @@ LISTED = ("kernels", "table_3_2", "workload", "workload_firmware", "features", "
           "suitability", "ablations", "haptic", "calibration_candidates", "stable_limits")
 
 # A marker of matplotlib as the library's symbol and as a letter.
-SYMBOLS = {"o": ("circle", "●"), "s": ("square", "■"), "^": ("triangle", "▲"), "D": ("diamond", "◆"),
-           "*": ("star", "★"), "P": ("cross", "✚")}
+SYMBOLS = {"o": ("circle", "●"), "s": ("square", "■"), "^": ("triangle", "▲"), "D": ("diamond2", "◆"),
+           "p": ("hexagon", "⬢"), "P": ("cross", "✚"), "X": ("saltire", "✖"), "d": ("diamond", "♦"),
+           ".": ("circle", "•")}
+# The implementation that an arithmetic of scenes and cases is, where it has another name.
+IMPLEMENTATION = {"nearest": "default", "avr-libc": "libc", "ieee": "libc"}
 
 # What ends a case: its letter, the level of its shade, the louder the end the darker, and its meaning.
 VERDICTS = {
@@ -71,13 +75,14 @@ def read(path):
     return (BENCH / path).read_text(encoding="utf-8")
 
 
-def physics_operands():
-    """The least and the greatest magnitude of the operands `physics`, and the greatest of exp."""
-    found = re.search(r"physics_least = ([\d.]+), physics_greatest = ([\d.]+), "
-                      r"physics_greatest_of_exp = ([\d.]+);", read("lab/operands/operand_class.cpp"))
-    if not found:
+def physics_operands(operation=None):
+    """The least and the greatest magnitude of the operands `physics`, of an operation or of most."""
+    source = read("lab/operands/operand_class.cpp")
+    least = re.search(r"physics_least = ([\d.]+);", source)
+    greatest = re.search(r"return operation == Operation::(\w+) \? (\d+) : (\d+);", source)
+    if not least or not greatest:
         raise DataError("lab/operands/operand_class.cpp: the limits of the class physics are gone")
-    return tuple(float(each) for each in found.groups())
+    return float(least[1]), float(greatest[2 if operation == greatest[1] else 3])
 
 
 def implementations():
@@ -88,11 +93,21 @@ def implementations():
             for name, provenance, host, label in rows}
 
 
-def number_format(name, data):
-    """What a format can hold, and how it is drawn."""
-    label, colour, marker = style.FORMATS[name]
-    symbol, letter = SYMBOLS[marker]
-    drawn = {"label": label, "colour": colour, "symbol": symbol, "letter": letter}
+def style_of(number_format, implementation):
+    """Whose colour and marker it has."""
+    return implementation if implementation in style.RIVALS else number_format
+
+
+def subject(number_format, implementation):
+    """How a format in an implementation is called and drawn."""
+    return {"label": style.label(number_format, implementation),
+            "style": style_of(number_format, implementation),
+            "hollow": style.face(number_format, implementation) == "white"}
+
+
+def number_format(name, implementation, data):
+    """What a format can hold; `implementation` is one that has it."""
+    drawn = {"label": style.format_label(name), "style": style_of(name, implementation)}
     if name == "float":
         row, = data.rows("table_3_1", format="float")
         return drawn | {"fraction": None, "maximum": row["maximum"], "resolution": None,
@@ -106,17 +121,17 @@ def number_format(name, data):
                     "relative": None}
 
 
-def compared(formats, operations):
+def compared(formats, names):
     """Of each operation the formats that hold every operand and every result of the class physics:
     these share their domain, and their errors can be held against each other. The plain integers
     round their operands."""
-    least, usual, of_exp = physics_operands()
-    require_known("operations", "operation", operations, LARGEST)
+    require_known("operations", "operation", names, LARGEST)
     held = {}
-    for operation in operations:
-        greatest = of_exp if operation == "exp" else usual
-        held[operation] = [name for name, facts in formats.items() if facts["fraction"] != 0
-                           and facts["maximum"] > max(greatest, LARGEST[operation](least, greatest))]
+    for name in names:
+        least, greatest = physics_operands(name)
+        largest = max(greatest, LARGEST[name](least, greatest))
+        held[name] = [each for each, facts in formats.items()
+                      if facts["fraction"] != 0 and facts["maximum"] > largest]
     return held
 
 
@@ -157,29 +172,45 @@ def gather(data):
     views = {view: names for view, names in DRAWN.items() if data.has(names[0])}
     names = list(dict.fromkeys(name for drawn in views.values() for name in drawn))
     # The exhaustive run takes hours and may not have been made.
-    names = [name for name in names if name != "exhaustive" or data.has(name)]
+    names = [name for name in names if name not in ("exhaustive", "flash") or data.has(name)]
     names += [name for name in LISTED if data.has(name)]
-    operations = data.rows("operations")
+    measured = data.rows("operations")
     context = data.json("operations")["context"]
-    formats = {name: number_format(name, data) for name in style.FORMATS}
     known = implementations()
-    require_known("operations", "format", (row["format"] for row in operations), formats)
-    require_known("operations", "implementation", (row["implementation"] for row in operations), known)
+    require_known("operations", "implementation", (row["implementation"] for row in measured), known)
+    kinds = {(name, "default"): None for name in style.FORMATS}
+    kinds |= {(row["format"], row["implementation"]): None for row in measured}
+    require_known("operations", "format", (name for name, implementation in kinds
+                                           if implementation not in style.RIVALS), style.FORMATS)
+    formats = {}
+    for name, implementation in kinds:
+        formats.setdefault(name, number_format(name, implementation, data))
+    scalars = {}
     if "scenes" in views:
-        require_known("scenes", "scalar", (row["scalar"] for row in data.rows("scenes")
-                                           if row["cycles_per_simulated_second"] is not None), formats)
+        shown = [row for row in data.rows("scenes") if row["cycles_per_simulated_second"] is not None]
+        require_known("scenes", "scalar", (row["scalar"] for row in shown), style.FORMATS)
+        scalars |= {(row["scalar"], row["arithmetic"]): None for row in shown}
     if "stability" in views:
         cases = data.rows("stability")
-        require_known("stability", "scalar", (row["scalar"] for row in cases), formats)
+        require_known("stability", "scalar", (row["scalar"] for row in cases), style.FORMATS)
+        scalars |= {(row["scalar"], row["arithmetic"]): None for row in cases}
         require_known("stability", "verdict", (row["verdict"].split()[0] for row in cases), VERDICTS)
         require_known("stability_map", "scalar",
-                      (row["scalar"] for row in data.rows("stability_map")), formats)
+                      (row["scalar"] for row in data.rows("stability_map")), style.FORMATS)
     facts = {
         "views": list(views) + ["table"],
+        "styles": {name: dict(zip(("label", "colour", "symbol", "letter"),
+                                  (label, colour, *SYMBOLS[marker])))
+                   for name, (label, colour, marker) in (style.FORMATS | style.RIVALS).items()},
         "formats": formats,
         "implementations": known,
+        "subjects": {"/".join(kind): subject(*kind) for kind in kinds},
+        "scalars": {f"{scalar}/{arithmetic}": subject(scalar, IMPLEMENTATION.get(arithmetic, arithmetic))
+                    | ({"label": "float"} if scalar == "float" else {})
+                    for scalar, arithmetic in scalars},
+        "proofs": ["/".join(proven) for proven in operations.PROOFS],
         "physics": physics_operands(),
-        "compared": compared(formats, list(dict.fromkeys(row["operation"] for row in operations))),
+        "compared": compared(formats, list(dict.fromkeys(row["operation"] for row in measured))),
         "hertz": context["mhz_per_cpu"] * 1e6,
         "programs": context["sha256"],
         "verdicts": VERDICTS,

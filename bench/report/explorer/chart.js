@@ -3,17 +3,24 @@
 // pinned. What is told of a point is the same in all three.
 import * as Plot from "@observablehq/plot";
 import { h, facts } from "./dom.js";
-import { formats } from "./data.js";
+import { styles } from "./data.js";
 import { tick } from "./text.js";
 
-export const names = Object.keys(formats);
-export const colour = (format) => `color-mix(in oklab, ${formats[format].colour}, white var(--lighten))`;
-// A format's symbol in a text; hollow for the 2016 design.
-export const letter = (format, hollow) => h("span", { class: hollow ? "letter hollow" : "letter", style: `--of:${colour(format)}`, "aria-hidden": "true" }, formats[format].letter);
-// The scales that every chart shares: a colour and a symbol a format.
+const names = Object.keys(styles);
+export const colour = (style) => `color-mix(in oklab, ${styles[style].colour}, white var(--lighten))`;
+// A symbol in a text.
+export const letter = ({ style, hollow }) => h("span", { class: hollow ? "letter hollow" : "letter", style: `--of:${colour(style)}`, "aria-hidden": "true" }, styles[style].letter);
+// The library's cross, turned.
+const saltire = { draw(context, size) {
+  const arm = Math.sqrt(size / 5) / 2, turned = (x, y) => [(x - y) * Math.SQRT1_2, (x + y) * Math.SQRT1_2];
+  const corners = [[-3, -1], [-1, -1], [-1, -3], [1, -3], [1, -1], [3, -1], [3, 1], [1, 1], [1, 3], [-1, 3], [-1, 1], [-3, 1]];
+  corners.forEach(([x, y], index) => context[index ? "lineTo" : "moveTo"](...turned(x * arm, y * arm)));
+  context.closePath();
+} };
+// The scales that every chart shares: a colour and a symbol a number format, and one a rival.
 export const scales = {
   color: { domain: names, range: names.map(colour) },
-  symbol: { domain: names, range: names.map((name) => formats[name].symbol) },
+  symbol: { domain: names, range: names.map((name) => (styles[name].symbol === "saltire" ? saltire : styles[name].symbol)) },
 };
 
 const tip = document.getElementById("tip"), live = document.getElementById("live");
@@ -72,7 +79,7 @@ function legible(points, x, y, width, height) {
   return kept;
 }
 
-// points: {x, y, format, hollow, faded, text, ...}; `describe` tells {title, facts} of one, `pin` takes
+// points: {x, y, style, hollow, faded, text, ...}; `describe` tells {title, facts} of one, `pin` takes
 // one; `under` are the marks below the points.
 export function chart({ label, points, x, y, under = [], height = 280, describe, pin }) {
   const holder = h("div", { class: "chart", tabindex: points.length ? "0" : null, role: "group",
@@ -97,7 +104,7 @@ export function chart({ label, points, x, y, under = [], height = 280, describe,
   }
 
   function draw(width) {
-    const drawn = (filter, options) => Plot.dot(points.filter(filter), { ...place, symbol: "format", r: 5, ...options,
+    const drawn = (filter, options) => Plot.dot(points.filter(filter), { ...place, symbol: "style", r: 5, ...options,
       opacity: (at) => (at.faded ? 0.35 : 1) });
     const labels = legible(points, x, y, width - 66, height - 64);
     const texts = (left) => Plot.text(labels.filter((label) => label.left === left).map(({ point }) => point),
@@ -111,8 +118,8 @@ export function chart({ label, points, x, y, under = [], height = 280, describe,
         Plot.axisY(y.ticks, { text: y.written, label: y.label, labelAnchor: "top", labelArrow: "none" }),
         ...under,
         texts(false), texts(true),
-        drawn((at) => !at.hollow, { fill: "format", stroke: (at) => (at.ringed ? "var(--text)" : "var(--card)"), strokeWidth: 1 }),
-        drawn((at) => at.hollow, { stroke: "format", fill: "var(--card)", strokeWidth: 1.8 }),
+        drawn((at) => !at.hollow, { fill: "style", stroke: "var(--card)", strokeWidth: 1 }),
+        drawn((at) => at.hollow, { stroke: "style", fill: "var(--card)", strokeWidth: 1.8 }),
         // Finds the nearest point, and draws nothing.
         Plot.dot(points, Plot.pointer({ ...place, stroke: "none", maxRadius: 30 }))] });
     plot.addEventListener("input", () => point(plot.value, false));

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Error against cost of each operation: a panel an operation, a point a format and implementation.
-import { compared, formats, implementations, physics, rows, unique } from "./data.js";
+import { compared, formats, implementations, physics, rows, styles, unique } from "./data.js";
 import { choice, h, select } from "./dom.js";
-import { chart, front, frontLine, letter, logAxis, names, colour } from "./chart.js";
-import { formatLabel, number, subjectLabel, words } from "./text.js";
+import { chart, front, frontLine, letter, logAxis, colour } from "./chart.js";
+import { formatLabel, number, subjectLabel, subjectOf, words } from "./text.js";
 import { describe, details } from "./point.js";
 
 const errors = { max: "largest", rms: "rms", bias: "bias (mean)" };
@@ -17,6 +17,7 @@ export const defaults = { operation: "add,multiply,divide,sqrt,sin,atan2", forma
   implementation: Object.keys(implementations).join(","), operands: "physics", error: "max", unit: "absolute", cost: "cycles_mean" };
 
 const all = () => rows("operations");
+const rivals = Object.keys(styles).filter((style) => !(style in formats)).length;
 
 function errorOf(row, error, unit) {
   if (error === "bias") return row.mean_ulp === null ? null : Math.abs(row.mean_ulp);
@@ -40,23 +41,22 @@ function panel(operation, state, pin) {
   const y = logAxis(judged.map((row) => errorOf(row, error, unit)), unit === "ulp" ? `${errors[error]} error, ulp` : `${errors[error]} error`);
   const x = logAxis(judged.map((row) => row[cost]), costs[cost]);
   const points = judged.map((row) => {
-    const { provenance } = implementations[row.implementation];
-    return { row, x: x.place(row[cost]), y: y.place(errorOf(row, error, unit)), format: row.format,
-      hollow: provenance === "published", faded: shared && group(row, unit) !== "shared",
-      text: provenance === "published" ? "2016" : provenance === "ours" && row.implementation !== "default" ? row.implementation : "" };
+    const { style, hollow } = subjectOf(row);
+    return { row, x: x.place(row[cost]), y: y.place(errorOf(row, error, unit)), style, hollow, faded: shared && group(row, unit) !== "shared",
+      text: style !== row.format ? formatLabel(row.format) : hollow ? row.implementation : "" };
   });
   const right = x.domain[1];
   const fronts = [...groups.keys()].filter((key) => !shared || key === "shared")
     .map((key) => [key, front(points.filter((point) => group(point.row, unit) === key))]);
   const drawn = fronts.filter(([key, kept]) => key === "shared" || kept.length > 1 || groups.get(key).length > 1);
   const told = drawn.map(([key, kept]) => `${key === "shared" ? "Front" : `Front of ${formatLabel(key)}`}: ${kept
-    .map(({ row }) => `${key === "shared" ? subjectLabel(row) : implementations[row.implementation].label} (${number(row[cost])}; ${number(errorOf(row, error, unit))})`).join(", ")}.`);
-  const apart = shared ? unique(points.filter((point) => point.faded).map((point) => formatLabel(point.format))) : [];
+    .map(({ row }) => `${subjectLabel(row)} (${number(row[cost])}; ${number(errorOf(row, error, unit))})`).join(", ")}.`);
+  const apart = shared ? unique(points.filter((point) => point.faded).map((point) => formatLabel(point.row.format))) : [];
   const unjudged = selected.filter((row) => !judged.includes(row)).map(subjectLabel);
   return h("figure", { "data-operation": operation }, h("h2", {}, words(operation)),
     points.length
       ? chart({ label: `${operation}: ${errors[error]} error against ${costs[cost]}`, points, x, y, pin: (point) => pin(point.row),
-        under: drawn.map(([key, kept]) => frontLine(kept, right, key === "shared" ? "var(--soft)" : colour(key))),
+        under: drawn.map(([key, kept]) => frontLine(kept, right, key === "shared" ? "var(--soft)" : colour(formats[key].style))),
         describe: (point) => ({ ...describe(point.row), hint: "Click or Enter pins it." }) })
       : h("p", { class: "soft" }, "No row of the data is of these formats, implementations and operands."),
     h("figcaption", {}, told.join(" "),
@@ -75,13 +75,15 @@ export function build(root, state) {
       select(state, "error", "error", Object.entries(errors)), unit,
       select(state, "cost", "against", Object.entries(costs)),
       choice(state, "operation", "Operations", operations.map((value) => [value, words(value)])),
-      choice(state, "format", "Formats", names.filter((name) => present.has(name)).map((value) => [value, formatLabel(value), letter(value)])),
+      choice(state, "format", "Formats", Object.entries(formats).filter(([name]) => present.has(name)).map(([value, facts]) => [value, facts.label, letter(facts)])),
       choice(state, "implementation", "Implementations", Object.entries(implementations).filter(([value]) => used.has(value)).map(([value, { label }]) => [value, label]))),
     pinned, panels,
-    h("p", { class: "soft" }, "Filled: ours and the rivals; hollow: the 2016 design. The grey line is the Pareto front of what can be compared: ",
+    h("p", { class: "soft" }, "A colour and symbol is a number format, or a rival, whose format is written beside it: ",
+      Object.values(styles).slice(-rivals).map(({ label }, index) => [index ? ", " : "", letter({ style: Object.keys(styles).at(index - rivals) }), " ", label]),
+      "; hollow: a variant of ours. The grey line is the Pareto front of what can be compared: ",
       "errors in the unit of the result among formats that hold all operands and results, other errors within a format. ",
       "A result that the definition fixes (saturated, outside the domain) has no error and is not counted as one of 0; 0 on an axis is an exact result. ",
-      "The operands boundary and all hold such operands too, and their mean cycles count them."));
+      "Mean cycles and errors in the result's unit are over the regular operands: their result is neither fixed so, nor does it underflow."));
 
   function draw() {
     unit.querySelector("select").disabled = state.get("error") === "bias";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which format to use, what it costs, and where it loses.
-import { formats, implementations, physics, rows, unique } from "./data.js";
+import { formats, has, implementations, physics, rows, subjects as styled, unique } from "./data.js";
 import { h } from "./dom.js";
 import { letter } from "./chart.js";
 import { formatLabel, number, words } from "./text.js";
@@ -45,7 +45,7 @@ export function build(root, state) {
   root.append(h("h2", {}, "Which format?"),
     h("div", { class: "controls" }, input("range", "largest magnitude"), input("resolution", "smallest difference at it"), told), holder,
     h("p", { class: "soft", style: "margin-top:10px" }, `Cycles: mean over operands of ${physics[0]} to ${physics[1]} (fewer where the format holds less), call and return included; below it the largest that any run found. `,
-      "Flash: of the six operations, each with all that it calls; what they share counts in each. Error: the largest of the six that any run found, in ulp of the format."),
+      has("flash") ? "Flash of nine: a program with + − × ÷ sqrt sin atan2 exp log, shared code once. " : "", "Error: the largest of the six that any run found, in ulp of the format."),
     h("div", { class: "panels" }, [["operations", "Error against cost", "Each operation in every format, ours and the rivals', with witnesses, bounds, histograms."],
       ["scenes", "Work and precision", "What a scene costs for an error, by format, method and step."],
       ["stability", "Stability", "Where each case breaks, and what goes wrong first."], ["table", "Tables", "Every row, to filter, sort and save."]]
@@ -63,14 +63,13 @@ export function build(root, state) {
       : fitting.length ? `${fitting.map(formatLabel).join(", ")} ${fitting.length === 1 ? "holds" : "hold"} it.` : "No format of these holds it.";
     const everyRun = [...rows("operations"), ...rows("exhaustive")];
     holder.replaceChildren(h("table", {}, h("thead", {}, h("tr", {}, ["format", "range, resolution", "largest error, ulp"].map((text, index) => h("th", { scope: "col", class: index ? null : "corner" }, text)),
-      columns.map(([operation, sign]) => h("th", { scope: "col" }, h("abbr", { title: `${operation}, cycles`, style: "text-decoration:none" }, sign), h("small", { class: "unit" }, "cycles"))), h("th", { scope: "col" }, "flash", h("small", { class: "unit" }, "bytes")), h("th", { scope: "col" }, "where it loses"))),
+      columns.map(([operation, sign]) => h("th", { scope: "col" }, h("abbr", { title: `${operation}, cycles`, style: "text-decoration:none" }, sign), h("small", { class: "unit" }, "cycles"))), has("flash") && h("th", { scope: "col" }, "flash of nine", h("small", { class: "unit" }, "bytes")), h("th", { scope: "col" }, "where it loses"))),
     h("tbody", {}, subjects.map(([format, implementation]) => {
       const mine = of(format, implementation), found = (operation) => mine.find((row) => row.operation === operation);
-      const six = columns.map(([operation]) => found(operation)).filter((row) => row);
-      const missing = columns.filter(([operation]) => !found(operation)).map(([, sign]) => sign);
+      const together = rows("flash").find((row) => row.format === format && row.implementation === implementation);
       const { maximum, resolution: least, relative } = formats[format];
       return h("tr", { class: fits(format) ? null : "unfit", "data-subject": `${format}/${implementation}` },
-        h("th", { scope: "row" }, letter(format, implementation === "published"), " ", formatLabel(format), implementation === "published" && h("small", { class: "unit" }, implementations.published.label)),
+        h("th", { scope: "row" }, letter(styled[`${format}/${implementation}`]), " ", formatLabel(format), implementation === "published" && h("small", { class: "unit" }, implementations.published.label)),
         h("td", {}, `±${number(maximum < 1e10 ? Math.round(maximum) : maximum)}`, h("small", {}, least === null ? `${number(2 * relative)} × value` : number(least))),
         h("td", {}, worst(format, implementation)),
         columns.map(([operation]) => {
@@ -78,7 +77,7 @@ export function build(root, state) {
           const largest = Math.max(...everyRun.filter((run) => run.operation === operation && run.format === format && run.implementation === implementation).map((run) => run.cycles_max));
           return h("td", { class: "number" }, row ? [h("a", { href: `#view=operations&operation=${operation}&pin=${operation}/${format}/${implementation}/physics` }, number(Math.round(row.cycles_mean))), h("small", {}, `≤ ${number(largest)}`)] : "–");
         }),
-        h("td", { class: "number" }, number(six.reduce((sum, row) => sum + row.flash_bytes, 0)), missing.length ? h("small", {}, `without ${missing.join(", ")}`) : ""),
+        has("flash") && h("td", { class: "number" }, together ? number(together.flash_bytes) : "–"),
         h("td", { class: "wrap" }, h("small", {}, loses(format, implementation))));
     }))));
   }

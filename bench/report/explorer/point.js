@@ -2,10 +2,10 @@
 // What is known of an operation in a format and an implementation: figures with their witnesses and
 // bounds, the worst of any run, hashes; the histogram of its error, and the error along the input.
 import * as Plot from "@observablehq/plot";
-import { command, formats, has, implementations, programs, rows } from "./data.js";
+import { command, has, implementations, programs, proofs, rows } from "./data.js";
 import { facts, h } from "./dom.js";
 import { colour, drawing, hide } from "./chart.js";
-import { formatLabel, hash, number, subjectLabel, tick, whole, witness, words } from "./text.js";
+import { hash, number, subjectLabel, subjectOf, tick, whole, witness, words } from "./text.js";
 
 const same = (row) => (other) => other.operation === row.operation && other.format === row.format && other.implementation === row.implementation;
 const first = (name, row) => rows(name).find(same(row));
@@ -21,17 +21,19 @@ function worst(row, column, judged) {
     ...rows("accuracy").filter(same(judged)).map((run) => ({ run, source: "accuracy.csv", bound: run.bound })),
   ].filter(({ run }) => typeof run[column] === "number");
   const largest = runs.reduce((best, run) => (best === null || run.run[column] > best.run[column] ? run : best), null);
-  // An exact run of the same value says more than the sample that found it first.
+  if (largest && column === "max_ulp" && proofs.includes(`${row.operation}/${row.format}/${row.implementation}`)) return { ...largest, bound: "proven" };
+  // An exact run of the same value says more than the sample that found it first. Where two runs
+  // contradict each other the report has failed.
   return largest && (runs.find(({ run, bound }) => bound === "exact" && run[column] === largest.run[column]) ?? largest);
 }
 
 export function describe(row, whole) {
   const error = worst(row, "max_ulp", judgedAs(row)), cycles = worst(row, "cycles_max", judgedAs(row));
   const program = `${row.format}.elf` in programs ? `${row.format}.elf` : "rivals.elf";
-  const kernel = first("exhaustive", row)?.kernel_sha256;
+  const kernel = row.kernel_sha256 ?? first("exhaustive", row)?.kernel_sha256;
   const judged = row.max_ulp !== null;
   return { title: `${words(row.operation)}, ${subjectLabel(row)}`, facts: [
-    ["operands", `${row.operands}, ${number(row.samples)} samples`],
+    ["operands", `${row.operands}, ${number(row.samples)} samples, ${number(row.regular)} regular`],
     ["cycles", `${number(row.cycles_min)} / ${number(row.cycles_mean)} / ${number(row.cycles_max)} (least, mean, largest)`],
     judged ? ["largest error", `${number(row.max_ulp)} ulp, ${number(row.max_error)} in the result's unit`] : ["error", "not judged"],
     judged && ["witness", witness(row.format, row.max_ulp_witness)],
@@ -57,9 +59,9 @@ function histogram(row) {
     drawing(`Histogram of the error of ${row.operation} in ulp`, { height: 210, marginLeft: 48, marginBottom: 36,
       x: { label: "error, ulp", domain: [-reach, reach], labelAnchor: "center", labelArrow: "none" },
       y: { label: "share of inputs", grid: true, labelArrow: "none", tickFormat: tick, ticks: 5 },
-      marks: [Plot.rectY(inside, { x1: "low_ulp", x2: "high_ulp", y: (bin) => bin.count / total, fill: colour(row.format) }),
+      marks: [Plot.rectY(inside, { x1: "low_ulp", x2: "high_ulp", y: (bin) => bin.count / total, fill: colour(subjectOf(row).style) }),
         Plot.ruleX([-0.5, 0.5], { stroke: "var(--soft)", strokeDasharray: "2 3" }), Plot.ruleY([0])] }),
-    h("figcaption", {}, run ? `Inputs: ${run.inputs}; ${whole(run.samples)} judged, ${whole(run.defined)} more whose result the definition fixes. ` : "",
+    h("figcaption", {}, run ? `Inputs: ${run.inputs}; ${whole(run.samples)} judged, ${whole(run.defined)} more whose result the definition fixes, ${number(run.underflowed)} that underflow. ` : "",
       `${whole(beyond)} beyond ±${number(reach)} ulp. Dotted: ±0.5 ulp, correct rounding.`,
       judged.implementation !== row.implementation ? ` Its results are by definition those of ${implementations.default.label}.` : ""));
 }
@@ -74,7 +76,7 @@ function along(row) {
       x: { type: "log", label: "input (positive)", labelAnchor: "center", labelArrow: "none", tickFormat: tick, ticks: 5 },
       y: { label: "error, ulp", grid: true, labelArrow: "none", ticks: 5 },
       marks: [Plot.ruleY([0]), ...lines.flatMap(([column, name, dash]) => [
-        Plot.line(parts, { x: middle, y: column, stroke: colour(row.format), strokeDasharray: dash, strokeWidth: 1.4 }),
+        Plot.line(parts, { x: middle, y: column, stroke: colour(subjectOf(row).style), strokeDasharray: dash, strokeWidth: 1.4 }),
         Plot.text(parts.slice(-1), { x: middle, y: column, text: () => name, dx: 4, textAnchor: "start" })])] }),
     h("figcaption", {}, `${whole(parts.reduce((sum, part) => sum + part.samples, 0))} samples in ${number(parts.length)} parts, of which the worst errs by ${number(Math.max(...parts.map((part) => part.max_ulp)))} ulp; of any run: ${number(worst(row, "max_ulp", judged).run.max_ulp)}.`));
 }

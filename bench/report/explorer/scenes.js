@@ -2,24 +2,20 @@
 // Work-precision curves: error against cycles per simulated second, a panel a scene, a curve a number
 // format and method, a point a time step.
 import * as Plot from "@observablehq/plot";
-import { formats, hertz, rows, unique } from "./data.js";
+import { hertz, rows, scalars as subjects, unique } from "./data.js";
 import { choice, h, select } from "./dom.js";
-import { chart, colour, front, frontLine, letter, logAxis } from "./chart.js";
-import { formatLabel, number, words } from "./text.js";
+import { chart, front, frontLine, letter, logAxis } from "./chart.js";
+import { number, words } from "./text.js";
 
 const errors = { larger: "of method or arithmetic, the larger", error: "in all", error_method: "of the method", error_arithmetic: "of the arithmetic" };
 const dashes = { explicit_euler: "1 3", semi_implicit_euler: null, velocity_verlet: "6 3", implicit_springs: "8 3 1 3" };
-const plain = ["nearest", "avr-libc"];
 
 export const title = "Scenes";
 // Runs on the chip that held and have a truth to be judged by.
 const measured = () => rows("scenes").filter((row) => row.cycles_per_simulated_second !== null && row.error !== null
   && row.error_arithmetic !== null && row.verdict === "held");
 const scalarOf = (row) => `${row.scalar}/${row.arithmetic}`;
-const scalarLabel = (scalar) => {
-  const [format, arithmetic] = scalar.split("/");
-  return formatLabel(format) + (plain.includes(arithmetic) ? "" : arithmetic === "published" ? ", 2016 design" : `, ${words(arithmetic)}`);
-};
+const scalarLabel = (scalar) => subjects[scalar].label;
 const step = (row) => (row.dt >= 1 ? `${row.dt} s` : `1/${Math.round(1 / row.dt)} s`);
 // A sum of the shares that cancel each other would look better than either.
 const errorOf = (row, error) => (error === "larger" ? Math.max(Math.abs(row.error_method), Math.abs(row.error_arithmetic)) : Math.abs(row[error]));
@@ -47,13 +43,12 @@ function panel(scene, state) {
   const other = rows("scenes").filter((row) => row.scene === scene && row.verdict !== "held").length;
   const y = logAxis(selected.map((row) => errorOf(row, error)), `error ${errors[error]}; ${selected[0]?.unit ?? ""}`);
   const x = logAxis(selected.map((row) => row.cycles_per_simulated_second), "cycles per simulated second", [hertz]);
-  const points = selected.map((row) => ({ row, x: row.cycles_per_simulated_second, y: y.place(errorOf(row, error)), format: row.scalar,
-    hollow: row.arithmetic === "published", ringed: row.arithmetic === "saturating", series: `${scalarOf(row)}/${row.integrator}` }));
+  const points = selected.map((row) => ({ row, x: row.cycles_per_simulated_second, y: y.place(errorOf(row, error)), ...subjects[scalarOf(row)], series: `${scalarOf(row)}/${row.integrator}` }));
   const kept = front(points), few = unique(points.map((point) => point.series)).length <= 6;
   for (const point of points) if (few || kept.includes(point)) point.text = step(point.row).replace(" s", "");
   const lines = unique(selected.map((row) => row.integrator)).map((integrator) => Plot.line(
     points.filter((point) => point.row.integrator === integrator).sort((a, b) => b.row.dt - a.row.dt),
-    { x: "x", y: "y", z: "series", stroke: "format", strokeWidth: 1.2, strokeOpacity: 0.75, strokeDasharray: dashes[integrator] ?? "3 2" }));
+    { x: "x", y: "y", z: "series", stroke: "style", strokeWidth: 1.2, strokeOpacity: 0.75, strokeDasharray: dashes[integrator] ?? "3 2" }));
   const affordable = kept.filter((point) => point.x <= hertz);
   const best = affordable.at(-1)?.row;
   return h("figure", { "data-scene": scene }, h("h2", {}, words(scene)),
@@ -80,9 +75,9 @@ export function build(root, state) {
   root.append(h("div", { class: "controls" },
     select(state, "error", "error", Object.entries(errors)),
     choice(state, "scene", "Scenes", scenes.map((scene) => [scene, words(scene)])),
-    choice(state, "scalar", "Number formats", scalars.map((scalar) => [scalar, scalarLabel(scalar), letter(scalar.split("/")[0], scalar.endsWith("/published"))])),
+    choice(state, "scalar", "Number formats", scalars.map((scalar) => [scalar, scalarLabel(scalar), letter(subjects[scalar])])),
     choice(state, "method", "Methods", methods.map((method) => [method, words(method), dash(method)]))),
-  panels, h("p", { class: "soft" }, "A curve is a format and a method, a point a time step; hollow: the 2016 design, ringed: saturating. The grey line is the Pareto front, its points ",
+  panels, h("p", { class: "soft" }, "A curve is a format and a method, a point a time step; hollow: saturating. The grey line is the Pareto front, its points ",
     "labelled by step in seconds; the dotted line is all that the chip has. The error is the largest distance of a particle from its true place. ",
     "In all, the errors of method and arithmetic may cancel each other: a front of it rewards chance.",
     unjudged.length ? ` Without a truth to be judged by: ${unjudged.map(words).join(", ")}.` : ""));

@@ -2,18 +2,14 @@
 // Where each case breaks in each format, and what goes wrong first; and how far maps of two
 // parameters reach.
 import * as Plot from "@observablehq/plot";
-import { command, rows, unique, verdicts } from "./data.js";
+import { command, rows, scalars as subjects, unique, verdicts } from "./data.js";
 import { h, select } from "./dom.js";
 import { chart, hide, letter, logAxis, say, show } from "./chart.js";
-import { formatLabel, number, words } from "./text.js";
+import { number, words } from "./text.js";
 
 const kind = (row) => row.verdict.split(" ")[0];
-const plain = ["nearest", "ieee"];
 const scalarOf = (row) => `${row.scalar}/${row.arithmetic}`;
-const scalarLabel = (scalar) => {
-  const [format, arithmetic] = scalar.split("/");
-  return formatLabel(format) + (plain.includes(arithmetic) ? "" : arithmetic === "published" ? ", 2016" : `, ${words(arithmetic)}`);
-};
+const scalarLabel = (scalar) => subjects[scalar].label;
 
 export const title = "Stability";
 export const defaults = { method: "semi_implicit_euler", case: "", verdict: "", map: rows("stability_map")[0]?.map };
@@ -43,7 +39,7 @@ function grid(state) {
   const cases = [...Map.groupBy(shown, (row) => row.case)].filter(([name, of]) => words(name).toLowerCase().includes(wanted)
     && (!state.get("verdict") || of.some((row) => kind(row) === state.get("verdict"))));
   const table = h("table", { class: "map", role: "grid", "aria-label": "Limit and verdict by case and format; the arrow keys walk through it" },
-    h("thead", {}, h("tr", {}, h("th", { scope: "col", class: "corner" }, "case, parameter"), scalars.map((scalar) => h("th", { scope: "col" }, letter(scalar.split("/")[0], scalar.endsWith("/published")), " ", scalarLabel(scalar))))),
+    h("thead", {}, h("tr", {}, h("th", { scope: "col", class: "corner" }, "case, parameter"), scalars.map((scalar) => h("th", { scope: "col" }, letter(subjects[scalar]), " ", scalarLabel(scalar))))),
     h("tbody", {}, cases.map(([name, of]) => h("tr", {}, h("th", { scope: "row" }, words(name), h("small", { class: "soft" }, ` ${of[0].parameter}${of[0].unit === 1 ? "" : `, ${of[0].unit}`}`)),
       scalars.map((scalar) => { const row = of.find((row) => scalarOf(row) === scalar); return row ? cell(row) : h("td", {}, "–"); })))));
   table.querySelector("td[data-verdict]")?.setAttribute("tabindex", "0");
@@ -77,11 +73,11 @@ function map(state) {
   const bounds = unique(shown.map((row) => row.x)).map((at) => ({ x: at, y: shown.find((row) => row.x === at).bound })).filter(({ y }) => typeof y === "number");
   const x = logAxis(limited.map((row) => row.x), shown[0].x_name);
   const y = logAxis(limited.map((row) => row.limit), `${shown[0].y_name}${shown[0].unit === 1 ? "" : `, ${shown[0].unit}`}`, bounds.map((bound) => bound.y));
-  const points = limited.map((row) => ({ row, x: row.x, y: row.limit, format: row.scalar, hollow: row.arithmetic === "published", ringed: row.arithmetic === "saturating", series: scalarOf(row) }));
+  const points = limited.map((row) => ({ row, x: row.x, y: row.limit, ...subjects[scalarOf(row)], series: scalarOf(row) }));
   const widest = Map.groupBy(limited, scalarOf);
   const none = shown.length - limited.length;
   return h("figure", { "data-map": state.get("map") }, chart({ label: `${words(state.get("map"))}: limit against ${shown[0].x_name}`, points, x, y, height: 340,
-    under: [Plot.line(points.toSorted((a, b) => a.x - b.x), { x: "x", y: "y", z: "series", stroke: "format", strokeWidth: 1.3 }),
+    under: [Plot.line(points.toSorted((a, b) => a.x - b.x), { x: "x", y: "y", z: "series", stroke: "style", strokeWidth: 1.3 }),
       bounds.length ? Plot.line(bounds.sort((a, b) => a.x - b.x), { x: "x", y: "y", stroke: "var(--text)", strokeDasharray: "5 4" }) : null],
     describe: ({ row }) => ({ title: `${scalarLabel(scalarOf(row))}, ${words(row.integrator)}`, facts: [
       [row.x_name, number(row.x)], [row.y_name, `${number(row.limit)}${row.unit === 1 ? "" : ` ${row.unit}`}`], ["limited by", row.limited_by], ["bound of theory", number(row.bound)]] }) }),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How numbers and names are written.
-import { formats, implementations } from "./data.js";
+import { formats, subjects } from "./data.js";
 
 const superscripts = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 
@@ -40,10 +40,8 @@ export function tick(value) {
 export const words = (name) => name.replaceAll("_", " ").replace("euler", "Euler").replace("verlet", "Verlet").replace("semi implicit", "semi-implicit");
 export const formatLabel = (format) => formats[format]?.label ?? words(format);
 
-// "Q16.16, ours, default"; a rival is named by its library alone where the format tells it.
-export function subjectLabel(row) {
-  return `${formatLabel(row.format)}, ${implementations[row.implementation].label}`;
-}
+export const subjectOf = (row) => subjects[`${row.format}/${row.implementation}`];
+export const subjectLabel = (row) => subjectOf(row).label;
 
 // A raw operand as the number that it stands for.
 function value(format, raw) {

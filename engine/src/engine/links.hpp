@@ -33,7 +33,7 @@ struct Between {
 template <class Vector, class Index>
 struct Anchored {
     /// The index of the particle.
-    Index a = 0;
+    Index a = {};
     Vector anchor;  ///< m
 
     /// \cond internal
@@ -87,7 +87,7 @@ Scalar& length_in(Spring<Scalar, Ends>& spring) {
 template <class Scalar, class Index>
 struct Drag {
     /// The index of the particle.
-    Index particle = 0;
+    Index particle = {};
     Scalar linear = Scalar();     ///< N s/m
     Scalar quadratic = Scalar();  ///< N s^2/m^2
 };

@@ -79,9 +79,9 @@ struct ProjectedGaussSeidel {
     template <class World>
     struct Row : Pushing<typename World::Scalar, World::bounces>,
                  Sharing<typename World::Scalar, World::has_pairs> {
-        typename World::Index a = 0, b = 0;  // b may be nothing
-        typename World::Vector normal;       // from b to a
-        typename World::Scalar target = {};  // velocity of a against b along the normal
+        typename World::Index a = {}, b = {};  // b may be nothing
+        typename World::Vector normal;         // from b to a
+        typename World::Scalar target = {};    // velocity of a against b along the normal
     };
 
     template <class World, class Index, class Vector, class Scalar, class TimeStep>
