@@ -600,6 +600,18 @@ q16_16 yes fixed 1000 swings swings
                                      "theory": 0, "plants": 2, "still": 0, "hardest": None,
                                      "theory_arm": None, "chip": None})
 
+    def test_the_rate_that_a_lever_runs_at(self):
+        made, data = golden(haptic="""
+scenario arithmetic loop_rate_hz
+poke_while_held q16_16 1000.4
+poke_while_held published 94
+"""), self.data()
+        data._loaded |= made._loaded
+        self.assertEqual([row["rate"] for row in haptic_region.at_own_rate(data)],
+                         ["1000", "100, its own clock"])
+        made.rows("haptic")[0]["loop_rate_hz"] = 512
+        self.assertEqual([row["rate"] for row in haptic_region.at_own_rate(data)], ["100, its own clock"])
+
     def test_agreement(self):
         self.assertEqual(haptic_region.agreement(self.data()), (2, 3))
         self.assertEqual(haptic_region.differing(self.data()), {"ours, Q16.16 at 1000 Hz": 1})
