@@ -26,11 +26,11 @@ struct ArcTangent {
 };
 template <int F>
 struct ArcTangent<int32_t, F> {
-    static constexpr int32_t apply(int32_t a) { return atan_32<F>(a); }
+    static FIXEDPOINT_CONSTEXPR int32_t apply(int32_t a) { return atan_32<F>(a); }
 };
 template <>
 struct ArcTangent<int32_t, 16> {
-    static constexpr int32_t apply(int32_t a) { return atan_q16_16(a); }
+    static FIXEDPOINT_CONSTEXPR int32_t apply(int32_t a) { return atan_q16_16(a); }
 };
 
 template <class Raw, int F>
