@@ -3,6 +3,8 @@
 // NaN or infinite is as bad as a negative one.
 #pragma once
 
+#include <fixedpoint/constexpr.hpp>
+
 namespace engine {
 
 enum class Error : unsigned char {
@@ -25,7 +27,7 @@ enum class Error : unsigned char {
 };
 
 // The error in words, for hosts.
-constexpr const char* describe(Error error) {
+FIXEDPOINT_CONSTEXPR const char* describe(Error error) {
     switch (error) {
         case Error::none:
             return "no error";

@@ -7,6 +7,7 @@
 
 #include <engine/choice.hpp>
 #include <engine/inline.hpp>
+#include <fixedpoint/constexpr.hpp>
 
 namespace engine {
 
@@ -28,10 +29,10 @@ class Elements {
     constexpr Index size() const { return size_; }
 
     // Where there is room for one only, it needs no look-up.
-    constexpr T& operator[](Index i) { return elements_[capacity == 1 ? 0 : i]; }
+    FIXEDPOINT_CONSTEXPR T& operator[](Index i) { return elements_[capacity == 1 ? 0 : i]; }
     constexpr const T& operator[](Index i) const { return elements_[capacity == 1 ? 0 : i]; }
-    constexpr T* begin() { return elements_; }
-    constexpr T* end() { return elements_ + size_; }
+    FIXEDPOINT_CONSTEXPR T* begin() { return elements_; }
+    FIXEDPOINT_CONSTEXPR T* end() { return elements_ + size_; }
     constexpr const T* begin() const { return elements_; }
     constexpr const T* end() const { return elements_ + size_; }
 
@@ -68,8 +69,8 @@ class Elements<T, 0> {
     using Index = uint8_t;
 
     constexpr Index size() const { return 0; }
-    constexpr T* begin() { return nullptr; }
-    constexpr T* end() { return nullptr; }
+    FIXEDPOINT_CONSTEXPR T* begin() { return nullptr; }
+    FIXEDPOINT_CONSTEXPR T* end() { return nullptr; }
     constexpr const T* begin() const { return nullptr; }
     constexpr const T* end() const { return nullptr; }
     template <class Function>
@@ -80,17 +81,17 @@ template <class T, unsigned capacity>
 class Pool : public Elements<T, capacity> {
   public:
     constexpr bool full() const { return this->size_ == capacity; }
-    constexpr void clear() { this->size_ = 0; }
+    FIXEDPOINT_CONSTEXPR void clear() { this->size_ = 0; }
     // Needs !full(). The new element is still what it was made as, or what it was before clear().
-    constexpr T& append() { return (*this)[this->size_++]; }
-    constexpr T& append(const T& element) { return append() = element; }
+    FIXEDPOINT_CONSTEXPR T& append() { return (*this)[this->size_++]; }
+    FIXEDPOINT_CONSTEXPR T& append(const T& element) { return append() = element; }
 };
 
 template <class T>
 class Pool<T, 0> : public Elements<T, 0> {
   public:
     constexpr bool full() const { return true; }
-    constexpr void clear() {}
+    FIXEDPOINT_CONSTEXPR void clear() {}
 };
 
 }  // namespace engine

@@ -50,7 +50,7 @@ struct Vector {
         return *this;
     }
 
-    constexpr Scalar& operator[](unsigned char i) { return component[i]; }
+    FIXEDPOINT_CONSTEXPR Scalar& operator[](unsigned char i) { return component[i]; }
     constexpr const Scalar& operator[](unsigned char i) const { return component[i]; }
 
     ENGINE_INLINE Vector& operator+=(const Vector& b) {
@@ -94,7 +94,7 @@ struct Vector {
         return negative -= *this;
     }
 
-    friend constexpr bool operator==(const Vector& a, const Vector& b) {
+    friend FIXEDPOINT_CONSTEXPR bool operator==(const Vector& a, const Vector& b) {
         for (unsigned char i = 0; i < N; ++i) {
             if (!(a[i] == b[i])) return false;
         }

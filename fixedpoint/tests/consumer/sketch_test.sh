@@ -8,14 +8,13 @@ root=$(cd "$(dirname "$0")/../../.." && pwd)
 rm -rf "$scratch" && mkdir -p "$scratch/libraries" "$scratch/build"
 for library in fixedpoint engine firmware; do ln -s "$root/$library" "$scratch/libraries/$library"; done
 
-# No sketch compiles with the core as Debian installs it: its WString.cpp wants a macro that the
-# compiler's <float.h> has not in C++11. fixedpoint needs nothing else; the others are C++14.
-flags=-DDECIMAL_DIG=__DECIMAL_DIG__
-case $sketch in "$root"/fixedpoint/*) ;; *) flags="$flags -std=gnu++14" ;; esac
+# The core's own flags, and one macro for the core itself: its WString.cpp names DECIMAL_DIG, which
+# the <float.h> of avr-gcc 5.4 has for C only, so that Debian's core compiles with no sketch at all.
+# No library names it; the toolchain that Arduino brings (7.3) has it.
 arduino-builder -compile -quiet -warnings more \
     -hardware /usr/share/arduino-builder -hardware /usr/share/arduino/hardware \
     -tools /usr/share/arduino-builder -prefs runtime.tools.avr-gcc.path=/usr \
-    -prefs "compiler.cpp.extra_flags=$flags" \
+    -prefs compiler.cpp.extra_flags=-DDECIMAL_DIG=__DECIMAL_DIG__ \
     -libraries "$scratch/libraries" -fqbn arduino:avr:nano:cpu=atmega328 \
     -build-path "$scratch/build" "$sketch" >"$scratch/log" 2>&1 || {
     cat "$scratch/log"

@@ -10,7 +10,7 @@ struct ExplicitEuler {
     static constexpr bool implicit_springs = false;
     template <class World>
     struct Memory {
-        constexpr void restart() const {}
+        FIXEDPOINT_CONSTEXPR void restart() const {}
     };
 
     template <class World, class TimeStep>

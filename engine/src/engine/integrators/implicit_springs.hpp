@@ -17,14 +17,14 @@ struct ImplicitSprings {
     static constexpr bool implicit_springs = true;
     template <class World>
     struct Memory {
-        constexpr void restart() const {}
+        FIXEDPOINT_CONSTEXPR void restart() const {}
     };
 
     template <class World, class TimeStep>
     static void step(World& world, TimeStep dt) {
         world.accumulate_forces();
         world.integrate_velocities(dt);
-        const auto pull_it = [&](const auto& spring) { pull(spring, world, dt); };
+        const Pull<World, TimeStep> pull_it = {world, dt};
         world.anchored_springs().for_each(pull_it);
         world.springs().for_each(pull_it);
         world.damp();
@@ -34,6 +34,16 @@ struct ImplicitSprings {
     }
 
   private:
+    template <class World, class TimeStep>
+    struct Pull {
+        World& world;
+        const TimeStep& dt;
+        template <class Spring>
+        void operator()(const Spring& spring) const {
+            pull(spring, world, dt);
+        }
+    };
+
     // With i the sum of the inverse masses, x the extension, u the velocity along the spring, k the
     // stiffness and c the damping, the velocity along it at the end of the step solves
     //   u' = u - h i (k (x + h u') + c u'),  so  u' = u / d - (s / d) x

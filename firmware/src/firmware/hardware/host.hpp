@@ -56,7 +56,7 @@ class Host : CheckedConfiguration<Chosen> {
     }
     static int16_t read() {
         if (world().received.empty()) return -1;
-        const uint8_t byte = world().received.front();
+        const uint8_t byte = static_cast<uint8_t>(world().received.front());
         world().received.erase(0, 1);
         return byte;
     }
@@ -67,7 +67,8 @@ class Host : CheckedConfiguration<Chosen> {
     }
     template <Category category>
     static void lower() {
-        if (contains(Configuration::profiled, category)) world().pins &= ~set_of(category);
+        if (contains(Configuration::profiled, category))
+            world().pins &= static_cast<uint8_t>(~set_of(category));
     }
     static void idle() {}
 };
