@@ -245,7 +245,9 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
         particles_.for_each([&](Particle& particle) {
             if (!movable(particle)) return;
             Vector acceleration = this->fall();
-            if (has_forces) acceleration.add_scaled(force_of(particle), particle.inverse_mass);
+            only_if<has_forces>(particle, [&](Particle& p) {
+                acceleration.add_scaled(force_of(p), p.inverse_mass);
+            });
             particle.accelerate(particle.velocity, acceleration, dt);
         });
     }
