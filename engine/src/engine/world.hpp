@@ -51,7 +51,7 @@ template <class World, class Index>
 struct ParticleHandle {
     Index index;
     constexpr ParticleHandle() : index(nothing<Index>()) {}
-    constexpr explicit ParticleHandle(Index of_particle) : index(of_particle) {}
+    constexpr ParticleHandle(Index of_particle) : index(of_particle) {}
     constexpr explicit operator bool() const { return index != nothing<Index>(); }
 };
 
