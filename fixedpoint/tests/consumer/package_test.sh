@@ -16,7 +16,6 @@ for each in "$scratch"/sketchbook/libraries/*; do
         [ -e "$each/$name" ] || { echo "FAILED: no $name in $(basename "$each")"; exit 1; }
     done
 done
-for example in fixed-*/examples/printing/printing.ino lever-*/examples/lever/lever.ino; do
-    LIBRARIES=$scratch/sketchbook/libraries "$here/sketch_test.sh" \
-        "$scratch"/sketchbook/libraries/fixbench-$example "$scratch/build"
+for example in "$scratch"/sketchbook/libraries/fixbench-{fixed-*/examples/printing,lever-*/examples/lever}/*.ino; do
+    LIBRARIES=$scratch/sketchbook/libraries "$here/sketch_test.sh" "$example" "$scratch/build"
 done
