@@ -131,7 +131,9 @@ Judgement judge_function(Number x, std::int64_t result) {
         if (x >= Number(format.max()) + Number(0.5)) return pinned(format.max(), result);
         if (x < Number(format.min()) - Number(0.5)) return pinned(format.min(), result);
     }
-    return {.error_ulp = double(error), .as_defined = std::abs(double(error)) <= held_to.bound_ulp};
+    return {.error_ulp = double(error),
+            .as_defined = std::abs(double(error)) <= held_to.bound_ulp,
+            .underflow = (x < 0 ? -x : x) < Number(0.5)};
 }
 
 // result - sqrt(square) without cancellation, for square >= 0.
@@ -169,7 +171,8 @@ Judgement judge_root(std::int64_t a, std::int64_t result) {
     const auto error = root_error<Float<format.width>>(result, square);
     const bool wraps = held_to.overflow == Overflow::wraps;
     return {.error_ulp = double(wraps ? wrapped<format>(error) : error),
-            .as_defined = result >= 0 && rounded};
+            .as_defined = result >= 0 && rounded,
+            .underflow = a == 0};
 }
 
 template <Subject subject>
@@ -183,7 +186,9 @@ Judgement judge_length(std::span<const std::int64_t> v, std::int64_t result) {
     const Square limit = Square(format.max());
     if (square > limit * limit + limit) return pinned(format.max(), result);
     const double error = double(root_error<Float<format.width>>(result, square));
-    return {.error_ulp = error, .as_defined = std::abs(error) <= held_to.bound_ulp};
+    return {.error_ulp = error,
+            .as_defined = std::abs(error) <= held_to.bound_ulp,
+            .underflow = square == 0};
 }
 
 template <Subject subject>
@@ -204,6 +209,7 @@ Judgement judge_unit_vector(std::span<const std::int64_t> v,
             worst.error_ulp = judgement.error_ulp;
         worst.as_defined &= judgement.as_defined;
         worst.defined = (i == 0 || worst.defined) && judgement.defined;
+        worst.underflow = (i == 0 || worst.underflow) && judgement.underflow;
     }
     return worst;
 }
@@ -282,6 +288,7 @@ Judgement judge(std::span<const std::int64_t> operands, std::span<const std::int
         Judgement worse = std::abs(c.error_ulp) > std::abs(s.error_ulp) ? c : s;
         worse.defined = s.defined && c.defined;
         worse.as_defined = s.as_defined && c.as_defined;
+        worse.underflow = s.underflow && c.underflow;
         return worse;
     } else if constexpr (operation == Operation::length2 || operation == Operation::length3) {
         return judge_length<subject>(operands.first(shape(operation).operands), result);

@@ -42,6 +42,7 @@ ErrorStatistics& ErrorStatistics::operator=(ErrorStatistics other) noexcept {
     histogram_ = std::move(other.histogram_);
     count_ = other.count_;
     defined_ = other.defined_;
+    underflowed_ = other.underflowed_;
     excluded_ = other.excluded_;
     wrong_ = other.wrong_;
     below_ = other.below_;
@@ -63,6 +64,7 @@ void ErrorStatistics::merge(const ErrorStatistics& later) {
     gsl_histogram_add(histogram_.get(), later.histogram_.get());
     count_ += later.count_;
     defined_ += later.defined_;
+    underflowed_ += later.underflowed_;
     excluded_ += later.excluded_;
     wrong_ += later.wrong_;
     below_ += later.below_;
@@ -72,15 +74,20 @@ void ErrorStatistics::merge(const ErrorStatistics& later) {
 }
 
 double ErrorStatistics::rms_ulp() const {
-    return count_ ? std::sqrt(sum_of_squares_ / double(count_)) : 0;
+    const std::uint64_t regular = count_ - underflowed_;
+    return regular ? std::sqrt(sum_of_squares_ / double(regular)) : 0;
 }
 
-double ErrorStatistics::mean_ulp() const { return count_ ? sum_ / double(count_) : 0; }
+double ErrorStatistics::mean_ulp() const {
+    const std::uint64_t regular = count_ - underflowed_;
+    return regular ? sum_ / double(regular) : 0;
+}
 
 void to_json(nlohmann::json& json, const ErrorStatistics& statistics) {
     const gsl_histogram& histogram = statistics.histogram();
     json = {{"count", statistics.count_},
             {"defined", statistics.defined_},
+            {"underflowed", statistics.underflowed_},
             {"excluded", statistics.excluded_},
             {"wrong", statistics.wrong_},
             {"wrong_witness", operands_of(statistics.wrong_witness_)},
@@ -104,6 +111,7 @@ void from_json(const nlohmann::json& json, ErrorStatistics& statistics) {
     ErrorStatistics read;
     json.at("count").get_to(read.count_);
     json.at("defined").get_to(read.defined_);
+    json.at("underflowed").get_to(read.underflowed_);
     json.at("excluded").get_to(read.excluded_);
     json.at("wrong").get_to(read.wrong_);
     json.at("below").get_to(read.below_);

@@ -60,7 +60,7 @@ class ErrorStatistics {
             // A pinned result that is right has no rounding error to speak of.
             if (judgement.as_defined) return;
         }
-        add_error(judgement.error_ulp, operands);
+        add_error(judgement, operands);
     }
 
     // What `later` accumulated follows what this did; of equal maxima the earlier stays.
@@ -68,6 +68,7 @@ class ErrorStatistics {
 
     std::uint64_t count() const { return count_; }                   // judged inputs
     std::uint64_t defined() const { return defined_; }               // of them with a pinned result
+    std::uint64_t underflowed() const { return underflowed_; }       // of them below half an ulp
     std::uint64_t excluded() const { return excluded_; }             // inputs that were not judged
     std::uint64_t wrong() const { return wrong_; }                   // judged inputs not as defined
     const Witness& wrong_witness() const { return wrong_witness_; }  // the first
@@ -75,10 +76,12 @@ class ErrorStatistics {
     double max_ulp() const { return std::abs(max_error_); }
     double max_error_ulp() const { return max_error_; }  // signed
     const Witness& max_witness() const { return max_witness_; }
-    double rms_ulp() const;   // 0 where nothing was judged
+    // Over the inputs that did not underflow; 0 where there are none.
+    double rms_ulp() const;
     double mean_ulp() const;  // the bias
 
-    // Counts per bin; errors beyond the first and last are in neither.
+    // Counts per bin of the inputs that did not underflow; errors beyond the first and last are in
+    // neither.
     const gsl_histogram& histogram() const { return *histogram_; }
     std::uint64_t below_histogram() const { return below_; }
     std::uint64_t above_histogram() const { return above_; }
@@ -88,12 +91,17 @@ class ErrorStatistics {
     friend void from_json(const nlohmann::json& json, ErrorStatistics& statistics);
 
   private:
-    void add_error(double error, std::span<const std::int64_t> operands) {
+    void add_error(const Judgement& judgement, std::span<const std::int64_t> operands) {
+        const double error = judgement.error_ulp;
         if (!(std::abs(error) <= std::abs(max_error_)) || count_ == 0) [[unlikely]] {
             max_error_ = error;
             max_witness_ = Witness(operands);
         }
         ++count_;
+        if (judgement.underflow) {
+            ++underflowed_;
+            return;
+        }
         sum_ += error;
         sum_of_squares_ += error * error;
         // gsl_histogram_increment without its search: the bins are uniform.
@@ -109,7 +117,8 @@ class ErrorStatistics {
     };
 
     std::unique_ptr<gsl_histogram, FreeHistogram> histogram_;
-    std::uint64_t count_ = 0, defined_ = 0, excluded_ = 0, wrong_ = 0, below_ = 0, above_ = 0;
+    std::uint64_t count_ = 0, defined_ = 0, underflowed_ = 0, excluded_ = 0, wrong_ = 0, below_ = 0,
+                  above_ = 0;
     double sum_ = 0, sum_of_squares_ = 0, max_error_ = 0;
     Witness max_witness_, wrong_witness_;
 };

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 #include <stdexcept>
+#include <type_traits>
 #include <vector>
 
 #include "reference/exact.hpp"
@@ -83,7 +84,8 @@ Judgement judge_fixed(const NumberFormat& format, const Definition& definition, 
     const bool as_defined = definition.rounding == Rounding::within_bound
                                 ? std::abs(error_ulp) <= definition.bound_ulp
                                 : difference(target) == 0;
-    return {.error_ulp = error_ulp, .as_defined = as_defined};
+    const bool underflow = std::is_same_v<Number, Real> && abs(x) < scale(Number(1), -1);
+    return {.error_ulp = error_ulp, .as_defined = as_defined, .underflow = underflow};
 }
 
 // Of an IEEE single. The ulp is that of the exact value's binade.
@@ -256,6 +258,7 @@ Judgement judge(const Subject& subject, std::span<const std::int64_t> operands,
             worst.error_ulp = other.error_ulp;
         worst.as_defined &= other.as_defined;
         worst.defined &= other.defined;
+        worst.underflow &= other.underflow;
         if (other.excluded) worst.excluded = other.excluded;
     }
     return worst;

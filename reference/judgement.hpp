@@ -14,8 +14,15 @@ struct Judgement {
     bool defined = false;
     // The result is one that the definition allows.
     bool as_defined = true;
+    // A function's exact value is below half an ulp: the result 0 tells nothing of how exactly the
+    // function is computed. exp has such a value at half of its inputs.
+    bool underflow = false;
     // Why nothing was judged (the other members then say nothing); null where it was.
     const char* excluded = nullptr;
+
+    // The result rounds an exact value that the format can hold: the operands on which a function
+    // does its work. Neither means of errors nor means of cycles take others in.
+    constexpr bool regular() const { return excluded == nullptr && !defined && !underflow; }
 };
 
 }  // namespace reference

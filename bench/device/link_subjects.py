@@ -7,7 +7,10 @@ kernel fixedpoint_<operation>_<format>[_<variant>] takes the place of the C++ su
 (without a variant: `default`), so that a call reaches it without a jump in between.
 
 The footprint of a subject is what a program grows by that uses it alone: flash (code, tables,
-initialised data) and static RAM, everything it pulls in included.
+initialised data) and static RAM, everything it pulls in included. What operations share counts once
+in a program that uses several: `nine_<format>_<implementation>` is the footprint of those of TOGETHER,
+ours from the default implementation where this one has no variant of its own, and
+`own_<format>_<implementation>` that of all that this implementation has.
 """
 import argparse
 import concurrent.futures
@@ -19,6 +22,7 @@ import sys
 import tempfile
 
 FORMAT = r"(?:q\d+_\d+|s\d+_\d+|float|int\d+)"
+TOGETHER = ("add", "subtract", "multiply", "divide", "sqrt", "sin", "atan2", "exp", "log")
 SUBJECT = re.compile(rf"^([a-z]\w*?)_({FORMAT})_([a-z_]+)$")
 KERNEL = re.compile(rf"^fixedpoint_([a-z]\w*?)_({FORMAT})(?:_([a-z_]+))?$")
 
@@ -34,6 +38,23 @@ def functions(objects):
     """The global functions that the objects define."""
     lines = run(["avr-nm", "--defined-only", "-g", *objects]).splitlines()
     return sorted({line.split()[2] for line in lines if re.match(r"^[0-9a-f]+ [TW] ", line)})
+
+
+def together(subjects):
+    """The programs that use several subjects, by name."""
+    kinds = {SUBJECT.match(name).groups()[1:] for name in subjects}
+    programs = {}
+    for number_format, implementation in sorted(kinds):
+        programs[f"own_{number_format}_{implementation}"] = [
+            name for name in subjects
+            if SUBJECT.match(name).groups()[1:] == (number_format, implementation)]
+        chosen = [f"{operation}_{number_format}_{implementation}" for operation in TOGETHER]
+        if implementation != "published":
+            chosen = [name if name in subjects else name.removesuffix(implementation) + "default"
+                      for name in chosen]
+        if set(chosen) <= set(subjects):
+            programs[f"nine_{number_format}_{implementation}"] = chosen
+    return programs
 
 
 def main():
@@ -67,7 +88,8 @@ def main():
              *arguments.objects, "-lm", "-o", output])
 
     def weigh(chosen, directory):
-        output = os.path.join(directory, ("_".join(chosen) or "empty") + ".elf")
+        handle, output = tempfile.mkstemp(suffix=".elf", dir=directory)
+        os.close(handle)
         link(chosen, output)
         sizes = run(["avr-size", output]).splitlines()[1].split()
         os.unlink(output)
@@ -80,12 +102,13 @@ def main():
             return
         empty_flash, empty_ram = weigh([], directory)
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-            weights = list(pool.map(lambda subject: weigh([subject], directory), subjects))
+            programs = {subject: [subject] for subject in subjects} | together(subjects)
+            weights = list(pool.map(lambda chosen: weigh(chosen, directory), programs.values()))
         partial = os.path.join(directory, "footprints.csv")
         with open(partial, "w", newline="", encoding="ascii") as stream:
             rows = csv.writer(stream, lineterminator="\n")
             rows.writerow(["subject", "flash_bytes", "ram_bytes"])
-            for subject, (flash, ram) in zip(subjects, weights):
+            for subject, (flash, ram) in zip(programs, weights):
                 rows.writerow([subject, flash - empty_flash, ram - empty_ram])
         link(subjects, arguments.output + ".partial")
         with open(partial, encoding="ascii") as stream, \

@@ -2,6 +2,7 @@
 """What the 2016 design's Q16.16 division costs by operand class, its two published figures, and ours."""
 import matplotlib.pyplot as plt
 
+import operations
 import style
 
 BIN = 16  # cycles, as division_cycles.csv counts them
@@ -18,18 +19,18 @@ def draw(data):
             for row in data.rows("operations", operation="divide", format="q16_16",
                                  implementation="default")}
     for axes, operands in zip(grid.flat, classes):
-        for kind, implementation, name in (("fixed_16_16_histogram", "published", "2016 design"),
-                                           ("float_histogram", "libc", "avr-libc float")):
+        for kind, subject, name in (("fixed_16_16_histogram", operations.PUBLISHED, "2016 design"),
+                                    ("float_histogram", operations.FLOAT, "avr-libc float")):
             bins = [row for row in rows if row["kind"] == kind and row["operands"] == operands]
             total = sum(row["count"] for row in bins)
             axes.bar([row["cycles"] for row in bins], [row["count"] / total for row in bins],
-                     width=BIN, align="edge", color=style.colour(implementation), label=name)
+                     width=BIN, align="edge", color=style.colour(*subject), label=name)
         if operands in ours:
-            axes.axvline(ours[operands], color=style.colour("default"), linewidth=2,
-                         label="ours, mean")
+            axes.axvline(ours[operands], color=style.colour("q16_16"), linewidth=2,
+                         label="Q16.16, mean")
         for row in rows:
             if row["kind"] == "published":
-                axes.axvline(row["cycles"], color="#222222", linewidth=1, linestyle="--")
+                axes.axvline(row["cycles"], color=style.INK, linewidth=1, linestyle="--")
         axes.set(title=f"operands: {operands}", ylabel="share")
         axes.set_yticks([])
     top = grid.flat[0]
@@ -43,3 +44,17 @@ def draw(data):
     handles, labels = top.get_legend_handles_labels()
     style.legend_above(figure, handles, labels, 3)
     return figure
+
+
+def finding(data):
+    """What divisions of physics operands cost, and what the rebuilt engine's do."""
+    published, floats, ours = (operations.row(data, "divide", *kind)
+                               for kind in (operations.PUBLISHED, operations.FLOAT, ("q16_16", "default")))
+    text = (f"On operands of 0.01 to 20 the 2016 design divides in {published['cycles_mean'] / 16:.0f} µs, "
+            f"float in {floats['cycles_mean'] / 16:.0f} and ours in {ours['cycles_mean'] / 16:.1f}")
+    engine = data.rows("workload", quantity="divide") if data.has("workload") else []
+    if engine:
+        text += (f"; within the rebuilt engine it takes {engine[0]['measured']:.0f} µs on average "
+                 f"where {engine[0]['published']:.0f} were published, as its quotients are shorter "
+                 f"than those of the original must have been")
+    return text + "."

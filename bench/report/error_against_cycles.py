@@ -1,16 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Error against cycles, a panel an operation, a point an implementation, the Pareto front drawn."""
+"""Error against cycles with flash beside it: a panel an operation, a point an implementation of 32 bits,
+the Pareto front drawn."""
 import matplotlib.pyplot as plt
 from matplotlib.ticker import LogLocator, NullFormatter, ScalarFormatter
 
 import style
 
 # Formats of one size compete: a caller who has four bytes a number chooses among these.
-FAMILIES = {
-    "32 bits": ("q16_16", "s16_15", "float"),
-    "16 bits": ("q8_8", "s8_7"),
-    "64 bits": ("q32_32", "s32_31", "s16_47"),
-}
+FORMATS = ("q16_16", "q8_24", "s16_15", "float")
+IMPLEMENTATIONS = ("default", "small", "published", "accum", "libc")
 # An exact result has no place on a logarithmic axis; it is drawn at this floor.
 FLOOR = 1e-11
 
@@ -25,53 +23,65 @@ def pareto(points):
     return front
 
 
-def draw(data, family):
-    formats = FAMILIES[family]
+def panels(data):
+    """The rows of each operation that more than one implementation has."""
     rows = [row for row in data.rows("operations", operands="physics")
-            if row["format"] in formats and row["rms_error"] is not None]
-    operations = []
+            if row["format"] in FORMATS and row["implementation"] in IMPLEMENTATIONS
+            and row["rms_error"] is not None]
+    by_operation = {}
     for row in rows:
-        if row["operation"] not in operations:
-            operations.append(row["operation"])
-    rivals = {operation: {(row["format"], row["implementation"]) for row in rows
-                          if row["operation"] == operation} for operation in operations}
-    operations = [operation for operation in operations if len(rivals[operation]) > 1]
+        by_operation.setdefault(row["operation"], []).append(row)
+    return {operation: each for operation, each in by_operation.items() if len(each) > 1}
+
+
+def point(row):
+    return row["cycles_mean"], max(row["rms_error"], FLOOR)
+
+
+def draw(data):
+    shown = panels(data)
     columns = 4
-    lines = -(-len(operations) // columns)
+    lines = -(-len(shown) // columns)
     figure, grid = plt.subplots(lines, columns, figsize=(11, 2.5 * lines + 0.6), squeeze=False)
     seen = {}
-    for axes, operation in zip(grid.flat, operations):
-        points = []
+    for axes, (operation, rows) in zip(grid.flat, shown.items()):
+        points = [point(row) for row in rows]
         for row in rows:
-            if row["operation"] != operation:
-                continue
-            implementation = row["implementation"]
-            point = (row["cycles_mean"], max(row["rms_error"], FLOOR))
-            points.append(point)
-            handle = axes.scatter(*point, marker=style.marker(implementation), s=42, zorder=3,
-                                  color=style.colour(implementation), edgecolors="white",
-                                  linewidths=0.5)
-            name = style.label(implementation)
-            if implementation == "accum":
-                axes.annotate(row["format"], point, fontsize=6, xytext=(4, 4),
-                              textcoords="offset points")
-            seen.setdefault(name, handle)
+            kind = row["format"], row["implementation"]
+            handle = axes.scatter(*point(row), marker=style.marker(*kind), s=42, zorder=3,
+                                  facecolors=style.face(*kind), edgecolors=style.colour(*kind))
+            if row["flash_bytes"] is not None:
+                axes.annotate(row["flash_bytes"], point(row), fontsize=6, xytext=(5, 3),
+                              textcoords="offset points", color=style.colour(*kind))
+            seen.setdefault(style.label(*kind), handle)
         front = pareto(points)
-        right = max(point[0] for point in points) * 1.3
-        axes.step([point[0] for point in front] + [right],
-                  [point[1] for point in front] + [front[-1][1]], where="post", color="#888888",
-                  linewidth=1, zorder=2)
+        right = max(x for x, _ in points) * 1.3
+        axes.step([x for x, _ in front] + [right], [y for _, y in front] + [front[-1][1]],
+                  where="post", color="#888888", linewidth=1, zorder=2)
         axes.set(xscale="log", yscale="log", title=operation)
-        wide = right > 12 * min(point[0] for point in points)
+        wide = right > 12 * min(x for x, _ in points)
         axes.xaxis.set_major_locator(LogLocator(subs=(1, 3) if wide else (1, 1.5, 2, 3, 5, 7)))
         axes.xaxis.set_major_formatter(ScalarFormatter())
         axes.xaxis.set_minor_formatter(NullFormatter())
-        low = min(point[1] for point in points)
-        axes.set_ylim(low / 3, max(max(point[1] for point in points) * 3, low * 30))
+        low = min(y for _, y in points)
+        axes.set_ylim(low / 3, max(max(y for _, y in points) * 3, low * 30))
         axes.yaxis.set_minor_formatter(NullFormatter())
-    for axes in list(grid.flat)[len(operations):]:
+    for axes in list(grid.flat)[len(shown):]:
         axes.set_axis_off()
-    figure.supxlabel("cycles, mean over operands of 0.01 to 20 (call and return included)")
+    figure.supxlabel("cycles, mean over operands of 0.01 to 20; at each point its bytes of flash")
     figure.supylabel("rms error, in the unit of the result")
     style.legend_above(figure, list(seen.values()), list(seen.keys()), 5)
     return figure
+
+
+def finding(data):
+    """Of whom the fronts are, in a sentence."""
+    shown = panels(data)
+    owners = {"ours": 0, "float": 0}
+    for rows in shown.values():
+        front = pareto([point(row) for row in rows])
+        holders = {row["format"] for row in rows if point(row) in front}
+        owners["ours"] += bool(holders & {"q16_16", "q8_24"})
+        owners["float"] += "float" in holders
+    return (f"Of {len(shown)} operations ours is on the front of error against cycles in "
+            f"{owners['ours']}, float in {owners['float']}.")

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Distribution of the error in ulp: the default arithmetic over the 2016 design's."""
 import matplotlib.pyplot as plt
+from matplotlib.patches import Patch
 
+import operations
 import style
 
 PANELS = [("multiply", "q8_8"), ("divide", "q8_8"), ("sqrt", "q16_16"), ("atan2", "q16_16")]
@@ -20,13 +22,24 @@ def draw(data):
                 continue
             axes.bar([row["low_ulp"] for row in inside], [row["count"] / total for row in inside],
                      width=[row["high_ulp"] - row["low_ulp"] for row in inside], align="edge",
-                     color=style.colour(implementation), alpha=0.75,
-                     label=style.label(implementation))
-        axes.set(title=f"{operation} {number_format}", xlabel="error, ulp", xlim=(-1.6, 1.6),
+                     color=style.colour(number_format, implementation), alpha=0.75)
+        axes.set(title=f"{operation} {style.format_label(number_format)}", xlabel="error, ulp", xlim=(-1.6, 1.6),
                  yscale="log")
         axes.axvline(-0.5, color="#444444", linewidth=0.7, linestyle=":")
         axes.axvline(0.5, color="#444444", linewidth=0.7, linestyle=":")
     grid[0].set_ylabel("share of inputs")
-    handles, labels = grid[0].get_legend_handles_labels()
-    style.legend_above(figure, handles, labels, 2)
+    kinds = [("q16_16", "published")] + [(name, "default") for name in dict.fromkeys(
+        number_format for _, number_format in PANELS)]
+    handles = [Patch(color=style.colour(*kind)) for kind in kinds]
+    style.legend_above(figure, handles, ["2016 design"] + [style.label(*kind) for kind in kinds[1:]],
+                       len(kinds))
     return figure
+
+
+def finding(data):
+    """By how much the largest errors of the two differ, over the panels' operations."""
+    pairs = [tuple(operations.worst(data, operation, number_format, implementation).ulp
+                   for implementation in ("published", "default")) for operation, number_format in PANELS]
+    return ("The 2016 design truncates: its largest errors in these four are "
+            + ", ".join(f"{published:.3g}" for published, _ in pairs) + " ulp, ours "
+            + ", ".join(f"{ours:.3g}" for _, ours in pairs) + ".")

@@ -2,8 +2,10 @@
 """The cost of a step against the number of particles, and its fit."""
 import matplotlib.pyplot as plt
 
-SEARCHES = {"brute_force": ("#d55e00", "o", "every pair"),
-            "sort_and_sweep": ("#0072b2", "s", "sort and sweep")}
+import style
+
+SEARCHES = {"brute_force": (style.PALE, "o", "every pair"),
+            "sort_and_sweep": (style.INK, "s", "sort and sweep")}
 
 
 def crossing(rows):
@@ -42,3 +44,23 @@ def draw(data):
             axes.set_ylim(bottom=0)
         axes.legend()
     return figure
+
+
+def finding(data):
+    """From how many particles on sort and sweep is cheaper, in this box and in the lever's scene."""
+    def told(rows, where):
+        count = crossing(rows)
+        return f"never cheaper {where}" if count is None else f"cheaper from {count} particles on, {where}"
+
+    parts = [told(data.rows("growth"), "on the chip")]
+    if data.has("growth_host"):
+        parts.append(told(data.rows("growth_host"), "on the host, whose times vary from run to run"))
+    text = "In this box sort and sweep is " + " and ".join(parts) + "."
+    if data.has("features"):
+        cost = {row["feature"]: row["cycles_per_step_mean"] for row in data.rows("features", scene="lever")
+                if row["feature"].startswith("broad phase=") and row["with"] == "yes"}
+        brute, sweep = (cost.get(f"broad phase={name}") for name in ("BruteForce", "SortAndSweep"))
+        if brute and sweep:
+            text += (f" In the lever's scene, where few particles meet, it takes {sweep:.0f} cycles a step "
+                     f"and every pair {brute:.0f}.")
+    return text

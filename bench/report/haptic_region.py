@@ -8,8 +8,8 @@ import style
 
 ARITHMETICS = {"published": "2016 design", "q16_16": "ours, Q16.16", "float": "ours, float"}
 DAMPINGS = {"no": "without damping", "yes": "selective damping"}
-COLOURS = {"yes": "#0072b2", "no": "#d55e00"}
-THEORY = "#d55e00"
+COLOURS = {"yes": style.INK, "no": "#999999"}
+THEORY = "#777777"
 STILL = 1.5  # degrees
 
 

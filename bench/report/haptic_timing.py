@@ -4,8 +4,9 @@ and contacts, roots and operations within a step."""
 import matplotlib.pyplot as plt
 
 DEVICES = {"published": "as published, rebuilt", "q16_16": "ours, Q16.16"}
-COLOURS = {"step": "#0072b2", "render": "#e69f00", "contacts found": "#56b4e9",
-           "contacts resolved": "#cc79a7", "square_root": "#d55e00", "operation": "#009e73"}
+# Shades: no colour here is that of a number format.
+COLOURS = {"step": "#222222", "render": "#bbbbbb", "contacts found": "#888888",
+           "contacts resolved": "#555555", "square_root": "#777777", "operation": "#999999"}
 LABELS = {"square_root": "square roots", "operation": "products, quotients"}
 
 

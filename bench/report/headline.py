@@ -1,30 +1,42 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The result in one picture: cycles of the 2016 design's fixed point, of emulated float and of ours."""
+"""The result in one picture: cycles and flash of Q16.16, of the 2016 design's and of emulated float."""
 import matplotlib.pyplot as plt
 
+import operations
 import style
 
 OPERATIONS = ("add", "multiply", "divide", "sqrt", "reciprocal_sqrt", "atan2", "sin", "exp", "log",
               "dot3", "length3", "normalise3")
-CONTENDERS = (("q16_16", "published"), ("float", "libc"), ("q16_16", "default"))
+CONTENDERS = (operations.PUBLISHED, operations.FLOAT, ("q8_8", "default"), ("q16_16", "small"),
+              ("q16_16", "default"))
 
 
 def draw(data):
-    cycles = {(row["operation"], row["format"], row["implementation"]): row["cycles_mean"]
-              for row in data.rows("operations", operands="physics")}
-    operations = [name for name in OPERATIONS if (name, "q16_16", "default") in cycles]
-    figure, axes = plt.subplots(figsize=(10, 3.6))
-    for shift, (number_format, implementation) in zip((-0.27, 0, 0.27), CONTENDERS):
-        bars = [(position + shift, cycles[operation, number_format, implementation])
-                for position, operation in enumerate(operations)
-                if (operation, number_format, implementation) in cycles]
-        drawn = axes.bar([x for x, _ in bars], [height for _, height in bars], width=0.25,
-                         color=style.colour(implementation),
-                         label=f"{style.label(implementation)}"
-                               + ("" if number_format == "float" else " Q16.16"))
-        axes.bar_label(drawn, fmt="%.0f", fontsize=6.5, padding=1)
-    axes.set_xticks(range(len(operations)), operations)
-    axes.set(yscale="log", ylabel="cycles at 16 MHz", ylim=(8, 20000))
-    axes.grid(axis="x", visible=False)
-    axes.legend(loc="upper left", ncols=3)
+    shown = [name for name in OPERATIONS if operations.row(data, name, "q16_16")]
+    figure, panels = plt.subplots(1, 2, figsize=(10, 4.4), sharey=True)
+    for axes, column, unit in zip(panels, ("cycles_mean", "flash_bytes"),
+                                  ("cycles, mean over operands of 0.01 to 20",
+                                   "flash of a program that uses it alone, bytes")):
+        for contender in CONTENDERS:
+            points = [(found[column], height) for height, name in enumerate(reversed(shown))
+                      if (found := operations.row(data, name, *contender)) and found[column]]
+            axes.scatter([x for x, _ in points], [y for _, y in points], s=40, zorder=3,
+                         marker=style.marker(*contender), facecolors=style.face(*contender),
+                         edgecolors=style.colour(*contender), label=style.label(*contender))
+        axes.set(xscale="log", xlabel=unit)
+    panels[0].set_yticks(range(len(shown)), reversed(shown))
+    handles, labels = panels[0].get_legend_handles_labels()
+    style.legend_above(figure, handles, labels, len(labels))
     return figure
+
+
+def finding(data):
+    """What the picture shows, in a sentence."""
+    ratios = operations.ratios_to_float(data, "q16_16")
+    faster = sum(ratio < 1 for ratio in ratios.values())
+    flash = [name for name in ratios
+             if operations.row(data, name, "q16_16")["flash_bytes"]
+             > operations.row(data, name, *operations.FLOAT)["flash_bytes"]]
+    return (f"Q16.16 takes fewer cycles than float in {faster} of {len(ratios)} operations, "
+            f"{operations.geometric_mean(ratios.values()):.3f} of them in the geometric mean, "
+            f"and more flash in {len(flash)}.")

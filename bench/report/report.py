@@ -13,15 +13,17 @@ import traceback
 import jinja2
 import tqdm
 
+import choose_a_format
 import division_cycles
 import error_against_cycles
-import error_along_input
 import error_histograms
+import explorer
 import growth
 import haptic_region
 import haptic_timing
 import headline
 import lever
+import operations
 import replay
 import scenes
 import scenes_workload
@@ -35,6 +37,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 # The page that a template becomes, where the data file that it is about is there.
 PAGES = {
     "results.md.j2": ("README.md", "operations"),
+    "choose_a_format.md.j2": ("choose_a_format.md", "operations"),
     "engine.md.j2": ("engine.md", "scenes"),
     "stability.md.j2": ("stability.md", "stability"),
     "lever.md.j2": ("lever.md", "haptic"),
@@ -47,11 +50,8 @@ def figures(data):
         "headline": lambda: headline.draw(data),
         "table_3_2": lambda: table_3_2.draw(data),
         "division_cycles": lambda: division_cycles.draw(data),
-        "error_against_cycles_32": lambda: error_against_cycles.draw(data, "32 bits"),
-        "error_against_cycles_16": lambda: error_against_cycles.draw(data, "16 bits"),
-        "error_against_cycles_64": lambda: error_against_cycles.draw(data, "64 bits"),
+        "error_against_cycles_32": lambda: error_against_cycles.draw(data),
         "error_histograms": lambda: error_histograms.draw(data),
-        "error_along_input": lambda: error_along_input.draw(data),
     }
     if data.has("scenes"):
         makers["scenes"] = lambda: scenes.draw(data)
@@ -59,9 +59,7 @@ def figures(data):
     if data.has("growth"):
         makers["growth"] = lambda: growth.draw(data)
     if data.has("stability"):
-        makers["stability_verdicts"] = lambda: stability.draw_verdicts(data)
         makers["stability_stiffness"] = lambda: stability.draw_stiffness(data)
-        makers["stability_chain"] = lambda: stability.draw_chain(data)
         makers["stability_speed"] = lambda: stability.draw_speed(data)
     if data.has("haptic_pins"):
         makers["haptic_timing"] = lambda: haptic_timing.draw(data)
@@ -161,8 +159,11 @@ def write(results, experiments=()):
             style.save(draw(), folder, name)
 
     environment = templates()
-    names = {"data": data, "hashes": data.json("operations")["context"]["sha256"],
-             "versions": tool_versions(), "scenes": scenes, "growth": growth, "lever": lever,
+    names = {"data": data, "versions": tool_versions(), "choose": choose_a_format, "style": style,
+             "operations": operations,
+             "headline": headline, "table_3_2": table_3_2, "division_cycles": division_cycles,
+             "error_against_cycles": error_against_cycles, "error_histograms": error_histograms,
+             "scenes": scenes, "scenes_workload": scenes_workload, "growth": growth, "lever": lever,
              "stability": stability, "haptic_region": haptic_region}
     for template, (name, needed) in PAGES.items():
         if data.has(needed):
@@ -171,6 +172,9 @@ def write(results, experiments=()):
     if (results / "data" / "replay.json").exists():
         with telling("replay.html"):
             write_whole(results / "replay.html", replay.page(environment, data))
+    if data.has("operations"):
+        with telling("index.html"):
+            explorer.write(results / "index.html", environment, data, write_whole)
 
 
 def main():

@@ -5,14 +5,15 @@ from matplotlib.lines import Line2D
 
 import style
 
+# Format and implementation of the scalars, as `style` knows them.
 SCALARS = {
-    ("q8_8", "nearest"): ("Q8.8", "#cc79a7"),
-    ("q8_24", "nearest"): ("Q8.24", "#009e73"),
-    ("q16_16", "nearest"): ("Q16.16", "#0072b2"),
-    ("q16_16", "saturating"): ("Q16.16 saturating", "#332288"),
-    ("q32_32", "nearest"): ("Q32.32", "#56b4e9"),
-    ("float", "avr-libc"): ("float", "#e69f00"),
-    ("q16_16", "published"): ("Q16.16 as published", "#d55e00"),
+    ("q8_8", "nearest"): ("q8_8", "default"),
+    ("q8_24", "nearest"): ("q8_24", "default"),
+    ("q16_16", "nearest"): ("q16_16", "default"),
+    ("q16_16", "saturating"): ("q16_16", "saturating"),
+    ("q32_32", "nearest"): ("q32_32", "default"),
+    ("float", "avr-libc"): ("float", "libc"),
+    ("q16_16", "published"): ("q16_16", "published"),
 }
 METHODS = {
     "explicit_euler": ("explicit Euler, as published", "X"),
@@ -31,8 +32,18 @@ def title(scene):
     return scene.replace("_", " ")
 
 
+def kind(row):
+    return SCALARS[row["scalar"], row["arithmetic"]]
+
+
 def scalar(row):
-    return SCALARS[row["scalar"], row["arithmetic"]][0]
+    return "float" if row["scalar"] == "float" else style.label(*kind(row))
+
+
+def size(row):
+    """By what runs are ranked: the larger of the method's and the arithmetic's error. Their sum can
+    be smaller than either where the two happen to cancel, which another start would undo."""
+    return max(row["error_method"], row["error_arithmetic"])
 
 
 def ours(row):
@@ -64,18 +75,18 @@ def judged(data):
 
 
 def front(rows):
-    """The rows that no other beats in both error and cycles, by cycles."""
+    """The rows that no other beats in both size of the error and cycles, by cycles."""
     best, kept = float("inf"), []
-    for row in sorted(rows, key=lambda row: (row["cycles_per_simulated_second"], row["error"])):
-        if row["error"] < best:
-            best = row["error"]
+    for row in sorted(rows, key=lambda row: (row["cycles_per_simulated_second"], size(row))):
+        if size(row) < best:
+            best = size(row)
             kept.append(row)
     return kept
 
 
 def cheapest(data, scene, error):
     """The run with the fewest cycles whose error is no larger; None where there is none."""
-    fit = [row for row in measured(data, scene) if row["error"] <= error]
+    fit = [row for row in measured(data, scene) if size(row) <= error]
     return min(fit, key=lambda row: row["cycles_per_simulated_second"], default=None)
 
 
@@ -90,10 +101,10 @@ def float_wins(data):
                 continue
             rivals = [rival for rival in rows if ours(rival)
                       and rival["cycles_per_simulated_second"] <= row["cycles_per_simulated_second"]]
-            rival = min(rivals, key=lambda rival: rival["error"], default=None)
-            if rival is not None and row["error"] > (1 - SAME) * rival["error"]:
+            rival = min(rivals, key=size, default=None)
+            if rival is not None and size(row) > (1 - SAME) * size(rival):
                 continue
-            match = min((other for other in rows if ours(other) and other["error"] <= row["error"]),
+            match = min((other for other in rows if ours(other) and size(other) <= size(row)),
                         key=lambda other: other["cycles_per_simulated_second"], default=None)
             wins.append({"scene": scene, "row": row, "rival": rival, "match": match,
                          "reason": reason(row, rival, match)})
@@ -108,10 +119,8 @@ def reason(row, rival, match):
         cause = (f"{scalar(rival)} errs by its resolution there "
                  f"({rival['error_arithmetic']:.1e} m, the method by {rival['error_method']:.1e} m)")
     else:
-        step_of_it = ("a longer" if rival["dt"] > row["dt"] else
-                      "a shorter" if rival["dt"] < row["dt"] else "the same")
-        cause = (f"{scalar(rival)} errs by {method(rival)} there, at {step_of_it} step "
-                 f"({rival['error_method']:.1e} m, the arithmetic by "
+        cause = (f"{scalar(rival)} pays for {method(rival)} with steps of {step(rival)} there, whose "
+                 f"own error is {rival['error_method']:.1e} m (its arithmetic's "
                  f"{rival['error_arithmetic']:.1e} m)")
     if match is None:
         return cause + "; none of ours reaches float's error"
@@ -144,24 +153,36 @@ def draw(data):
     for axes, scene in zip(grid.flat, scenes):
         rows = measured(data, scene)
         for row in rows:
-            axes.scatter(row["cycles_per_simulated_second"], max(row["error"], FLOOR), s=26, zorder=3,
-                         marker=METHODS[row["integrator"]][1], edgecolors="white", linewidths=0.4,
-                         color=SCALARS[row["scalar"], row["arithmetic"]][1])
+            axes.scatter(row["cycles_per_simulated_second"], max(size(row), FLOOR), s=22, zorder=3,
+                         marker=METHODS[row["integrator"]][1], linewidths=0.8,
+                         facecolors=style.face(*kind(row)), edgecolors=style.colour(*kind(row)))
+        curves = {}
+        for row in sorted(rows, key=lambda row: row["dt"]):
+            curves.setdefault((kind(row), row["integrator"]), []).append(row)
+        for (of, _), curve in curves.items():
+            axes.plot([row["cycles_per_simulated_second"] for row in curve],
+                      [max(size(row), FLOOR) for row in curve], linewidth=0.5, zorder=2,
+                      color=style.colour(*of))
         best = front(rows)
+        for row in best:
+            axes.annotate(step(row).removesuffix(" s"), fontsize=5, xytext=(3, 3),
+                          textcoords="offset points",
+                          xy=(row["cycles_per_simulated_second"], max(size(row), FLOOR)))
         right = max(row["cycles_per_simulated_second"] for row in rows) * 1.3
         axes.step([row["cycles_per_simulated_second"] for row in best] + [right],
-                  [max(row["error"], FLOOR) for row in best] + [max(best[-1]["error"], FLOOR)],
+                  [max(size(row), FLOOR) for row in best] + [max(size(best[-1]), FLOOR)],
                   where="post", color="#888888", linewidth=1, zorder=2)
-        axes.axvline(16e6, color="#222222", linewidth=0.8, linestyle=":", zorder=1)
+        axes.axvline(16e6, color=style.INK, linewidth=0.8, linestyle=":", zorder=1)
         axes.set(xscale="log", yscale="log", title=title(scene))
     for axes in list(grid.flat)[len(scenes):]:
         axes.set_axis_off()
     figure.supxlabel("cycles per simulated second (dotted: all that the chip has)")
-    figure.supylabel("largest error, m")
-    handles = [Line2D([], [], linestyle="", marker="o", color=colour) for _, colour in SCALARS.values()]
+    figure.supylabel("the larger of the method's and the arithmetic's error, m")
+    handles = [Line2D([], [], linestyle="", marker="o", markeredgecolor=style.colour(*of),
+                      markerfacecolor=style.face(*of)) for of in SCALARS.values()]
     handles += [Line2D([], [], linestyle="", marker=marker, color="#666666")
                 for _, marker in METHODS.values()]
-    labels = [name for name, _ in SCALARS.values()] + [name for name, _ in METHODS.values()]
+    labels = [style.label(*of) for of in SCALARS.values()] + [name for name, _ in METHODS.values()]
     style.legend_above(figure, handles, labels, 5)
     return figure
 
@@ -178,20 +199,44 @@ def draw_time_steps(data):
                 if row["verdict"] == "held"]
         wide = [row for row in rows if row["scalar"] == "fifty_digits"]
         axes.plot([row["dt"] for row in wide], [max(row["error"], FLOOR) for row in wide],
-                  color="#222222", linewidth=1.2)
-        for key, (_, colour) in SCALARS.items():
+                  color=style.INK, linewidth=1.2)
+        for key, of in SCALARS.items():
             points = [row for row in rows if (row["scalar"], row["arithmetic"]) == key]
             axes.plot([row["dt"] for row in points],
-                      [max(row["error_arithmetic"], FLOOR) for row in points], color=colour,
-                      marker=".", linewidth=0.8)
+                      [max(row["error_arithmetic"], FLOOR) for row in points],
+                      color=style.colour(*of), markerfacecolor=style.face(*of),
+                      marker=style.marker(*of), markersize=3, linewidth=0.8)
         axes.set(xscale="log", yscale="log", title=title(scene))
     for axes in list(grid.flat)[len(scenes):]:
         axes.set_axis_off()
     figure.supxlabel("time step, s")
     figure.supylabel("m")
-    shown = [value for key, value in SCALARS.items() if key[1] != "published"]
-    handles = [Line2D([], [], color="#222222")]
-    handles += [Line2D([], [], marker=".", color=colour) for _, colour in shown]
-    labels = ["error of velocity Verlet itself"] + ["arithmetic, " + name for name, _ in shown]
+    shown = [of for of in SCALARS.values() if of[1] != "published"]
+    handles = [Line2D([], [], color=style.INK)]
+    handles += [Line2D([], [], marker=style.marker(*of), color=style.colour(*of),
+                       markerfacecolor=style.face(*of)) for of in shown]
+    labels = ["error of velocity Verlet itself"] + ["arithmetic, " + style.label(*of) for of in shown]
     style.legend_above(figure, handles, labels, 3)
     return figure
+
+
+def finding(data):
+    """Of how many scenes float has a point that none of ours is as good as, in a sentence."""
+    wins = {win["scene"] for win in float_wins(data)}
+    return (f"In {len(judged(data)) - len(wins)} of {len(judged(data))} scenes no choice of float errs "
+            f"less than every choice of ours that costs no more"
+            + (f"; in {', '.join(sorted(map(title, wins)))} one does." if wins else "."))
+
+
+def turning(data):
+    """In how many scenes a shorter step makes Q16.16's velocity Verlet worse, in a sentence."""
+    worse = []
+    for scene in judged(data):
+        rows = sorted((row for row in measured(data, scene) if row["scalar"] == "q16_16"
+                       and row["arithmetic"] == "nearest" and row["integrator"] == "velocity_verlet"),
+                      key=lambda row: row["dt"])
+        if rows and size(rows[0]) > min(map(size, rows)):
+            worse.append(title(scene))
+    return (f"In {len(worse)} of {len(judged(data))} scenes the shortest step that was run on the chip is "
+            "not the best one for Q16.16 with velocity Verlet: the arithmetic's error, which grows with "
+            "the number of steps, is then larger than what the method gains.")

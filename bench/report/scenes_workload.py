@@ -6,9 +6,9 @@ import style
 
 LANES = ("step", "find contacts", "resolve contacts", "square root", "multiply", "divide", "add")
 ARITHMETICS = {
-    "fixed_16_16": ("Q16.16 as published", style.colour("published")),
-    "q16_16": ("Q16.16, ours", style.colour("default")),
-    "float": ("avr-libc float", style.colour("libc")),
+    "fixed_16_16": ("2016 design", style.colour("q16_16", "published")),
+    "q16_16": ("Q16.16", style.colour("q16_16")),
+    "float": ("avr-libc float", style.colour("float")),
 }
 
 
@@ -52,3 +52,25 @@ def draw_rounds(data):
     axes.set(xlabel="iterations of the contact solver", ylabel="cycles of a step", ylim=(0, None))
     axes.legend()
     return figure
+
+
+def lever_steps(data):
+    """A step of the lever in each program that takes it: number format, where the figure is from, what
+    sets the program apart, mean cycles, flash."""
+    table = []
+    for row in data.rows("features", scene="lever", feature="arithmetic=Nearest", **{"with": "yes"}):
+        table.append(("Q16.16", "features", "-O2; a particle on an anchored rod, pushed each step",
+                      row["cycles_per_step_mean"], row["flash_bytes"]))
+    for row in data.rows("scenes", scene="lever", integrator="semi_implicit_euler", dt=1 / 256):
+        if row["cycles_per_step_mean"] is not None and row["arithmetic"] in ("nearest", "avr-libc"):
+            table.append((style.format_label(row["scalar"]), "scenes",
+                          "-O2; steps of 1/256 s, positions sent as they are reached",
+                          row["cycles_per_step_mean"], row["flash_bytes"]))
+    for number_format in ("q16_16", "float"):
+        rows = data.rows("workload", arithmetic=number_format)
+        flash = {row["reason"]: row["measured"] for row in rows if row["quantity"] == "lever_flash"}
+        table += [(style.format_label(number_format), "workload",
+                   f"{row['reason']}; parts of the step are functions of their own, to be traced",
+                   row["measured"], flash[row["reason"]])
+                  for row in rows if row["quantity"] == "lever_step"]
+    return table

@@ -8,28 +8,75 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
-# A colour-blind-safe palette (Okabe and Ito, 2008) and a marker, in the order of the catalogue's
-# implementations: one an implementation, everywhere.
-STYLES = [("#0072b2", "o"), ("#999999", "s"), ("#d55e00", "X"), ("#56b4e9", "^"), ("#000000", "p"),
-          ("#cc79a7", "P"), ("#e69f00", "D"), ("#8c6d00", "*"), ("#444444", ".")]
-OTHER = ("#000000", "p")
+# A label, a colour and a marker for each number format, the same on all pages. The toolchain's own
+# families have one colour each and tell their formats apart by the marker. The colours can be told
+# apart by the colour-blind (Okabe and Ito, 2008).
+ACCUM, INTEGER = "#999999", "#444444"
+FORMATS = {
+    "q4_4": ("Q4.4", "#8c6d00", "*"),
+    "q8_8": ("Q8.8", "#cc79a7", "D"),
+    "q16_16": ("Q16.16", "#0072b2", "o"),
+    "q8_24": ("Q8.24", "#009e73", "^"),
+    "q32_32": ("Q32.32", "#56b4e9", "s"),
+    "float": ("float", "#e69f00", "P"),
+    "s8_7": ("_Accum s8.7", ACCUM, "D"),
+    "s16_15": ("_Accum s16.15", ACCUM, "o"),
+    "s32_31": ("_Accum s32.31", ACCUM, "s"),
+    "s16_47": ("_Accum s16.47", ACCUM, "^"),
+    "int8": ("int8_t", INTEGER, "*"),
+    "int16": ("int16_t", INTEGER, "D"),
+    "int32": ("int32_t", INTEGER, "o"),
+    "int64": ("int64_t", INTEGER, "s"),
+}
+# The 2016 design, in whatever format.
+PUBLISHED = ("2016 design", "#d55e00", "X")
+OTHER = ("#000000", "*")
+# What no format has: measured against published, verdicts, theory.
+INK = "#222222"
+PALE = "#bbbbbb"
 
 CATALOGUE = pathlib.Path(__file__).parents[1] / "lab" / "catalogue" / "subjects.h"
 # The rows X(implementation, ..., "label").
-LABELS = dict(re.findall(r'^ *X\((\w+), .*"(.*)"\)$', CATALOGUE.read_text(encoding="utf-8"), re.M))
-STYLE = dict(zip(LABELS, STYLES))
+IMPLEMENTATIONS = dict(re.findall(r'^ *X\((\w+), .*"(.*)"\)$',
+                                  CATALOGUE.read_text(encoding="utf-8"), re.M))
 
 
-def label(implementation):
-    return LABELS.get(implementation, "ours, " + implementation.replace("_", " "))
+def format_label(number_format):
+    """Q8.24 of q8_24."""
+    if number_format in FORMATS:
+        return FORMATS[number_format][0]
+    return re.sub(r"^q(\d+)_(\d+)$", r"Q\1.\2", number_format)
 
 
-def colour(implementation):
-    return STYLE.get(implementation, OTHER)[0]
+def label(number_format, implementation="default"):
+    """How a number format in an implementation is called."""
+    plain = format_label(number_format)
+    if implementation == "published":
+        return f"{plain}, {PUBLISHED[0]}"
+    if number_format == "float":
+        return "avr-libc float"
+    if implementation in ("default", "accum", "native"):
+        return plain
+    return f"{plain}, {IMPLEMENTATIONS.get(implementation, implementation).removeprefix('ours, ')}"
 
 
-def marker(implementation):
-    return STYLE.get(implementation, OTHER)[1]
+def colour(number_format, implementation="default"):
+    """That of the format, or of the 2016 design."""
+    if implementation == "published":
+        return PUBLISHED[1]
+    return FORMATS[number_format][1] if number_format in FORMATS else OTHER[0]
+
+
+def marker(number_format, implementation="default"):
+    if implementation == "published":
+        return PUBLISHED[2]
+    return FORMATS[number_format][2] if number_format in FORMATS else OTHER[1]
+
+
+def face(number_format, implementation="default"):
+    """The marker's inside: empty for a variant of a format beside its default."""
+    plain = implementation in ("default", "libc", "accum", "native", "published")
+    return colour(number_format, implementation) if plain else "white"
 
 
 plt.rcParams.update({

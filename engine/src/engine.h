@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The physics engine, for sketches: everything but the hash of a world's state.
+/// \file
+/// The physics engine, for sketches: everything but the hash of a world's state.
 #pragma once
+
+/// \namespace engine
+/// A physics engine of particles, templated on the scalar.
+
+/// \namespace engine::literals
+/// Decimal constants such as 0.38_d, which become any scalar.
 
 #include <fixedpoint.h>
 #ifdef ARDUINO

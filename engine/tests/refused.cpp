@@ -32,5 +32,11 @@ void build() {
     world.add_anchored_rod({}, {0_d, 0_d}, 1_d);  // refused: The scene's Uses does not state this
     // refused: A step of 1 s does not fit a format of one integer bit.
     engine::seconds<engine::Fixed<1, 31>>(engine::BinaryStep<0>());
+    // A fraction is no integer of any kind.
+    int whole = 0.5_d;            // refused: A decimal constant is a fixed-point
+    if (0.5_d) whole = 1;         // refused: A decimal constant is a fixed-point
+    unsigned char byte(1_d);      // refused: A decimal constant is a fixed-point
+    char16_t letter = -1_d;       // refused: A decimal constant is a fixed-point
+    __int128 wide = 0.5_d;        // refused: A decimal constant is a fixed-point
     engine::BinaryStep<-1> back;  // refused: A binary step is 2^-K seconds, K from 0 to 59.
 }

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The haptic lever, for sketches: its board and its program.
+/// \file
+/// The haptic lever, for sketches: its board and its program.
 #pragma once
+
+/// \namespace firmware
+/// The haptic lever: hardware layer, clock, renderer, calibration and the lever itself.
 
 #include <engine.h>
 

@@ -150,6 +150,12 @@ TEST(Lever, DampsWhoPushesAgainstItsMotion) {
     EXPECT_GT(fall_under_push(damped), 1.02 * fall_under_push(undamped));
 }
 
+TEST(Lever, BeforeItsFirstReadingsIsShortAndMissesNoSensor) {
+    Lever<LeverChoices<Q>> lever;
+    EXPECT_TRUE(lever.sensors_connected());
+    EXPECT_NEAR(number(lever.length()), 0.23, 1e-4);
+}
+
 TEST(Lever, FeelsNothingOfADisconnectedSensor) {
     for (const auto& [a, b] : {std::pair{0, int{at_rest}},
                                {int{at_rest}, 0},

@@ -1,7 +1,16 @@
 // SPDX-License-Identifier: MIT
-// The whole library that a device program uses, under the name that Arduino sketches include.
-// What is not used costs nothing: no function, no table.
+/// \file
+/// The whole library that a device program uses, under the name that Arduino sketches include.
+/// What is not used costs nothing: no function, no table.
+///
+/// A program names what `///` documents, and nothing that is marked as internal.
 #pragma once
+
+/// \namespace fixedpoint
+/// Fixed-point numbers: their formats, arithmetics, functions, conversions and text.
+
+/// \namespace fixedpoint::literals
+/// Literals such as 0.38_q16_16.
 
 #include <fixedpoint/conversion.hpp>
 #include <fixedpoint/fixed.hpp>

@@ -1,10 +1,12 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Prints the coefficients of avr/sin_q16_16_small.S and avr/atan2_q16_16_small.S: odd polynomials
-of least largest error on [0, 1], by the exchange algorithm (Evgeny Remez, 1934), as 24-bit
-fractions, with the error that they leave."""
+"""Writes src/fixedpoint/avr/sin_polynomial.inc, the coefficients of sin_q16_16_small.S: the odd
+polynomial of least largest error on [0, 1], by the exchange algorithm (Evgeny Remez, 1934), as
+24-bit fractions, with the error that it leaves."""
 
-from math import atan, pi, sin
+from math import pi, sin
+
+import page
 
 GRID = 20000
 
@@ -41,7 +43,10 @@ def minimax(function, terms):
 
 
 if __name__ == "__main__":
-    for name, function, terms in [("sin(pi/2 x) / 2", lambda x: sin(pi / 2 * x) / 2, 4),
-                                  ("atan(x)", atan, 7)]:
-        coefficients, error = minimax(function, terms)
-        print(f"{name}: {[round(abs(c) * 2**24) for c in coefficients]}, error {error:.1e}")
+    coefficients, error = minimax(lambda x: sin(pi / 2 * x) / 2, 4)
+    lines = ["// SPDX-License-Identifier: MIT",
+             "// DO NOT EDIT: written by python3 fixedpoint/tables/minimax.py",
+             "// sin(pi/2 x) / 2 = x (C0 - x^2 (C1 - x^2 (C2 - ...))) / 2^24, within "
+             f"{error:.1e}",
+             *(f"#define C{i} {round(abs(c) * 2**24)}" for i, c in enumerate(coefficients))]
+    (page.SOURCE / "avr/sin_polynomial.inc").write_text("\n".join(lines) + "\n")

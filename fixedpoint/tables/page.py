@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Writes tables of bytes, each on a page of its own, so that an index is one register."""
+"""Writes tables of bytes, by default each on a page of its own, so that an index is one register."""
 
 from pathlib import Path
 
@@ -11,7 +11,7 @@ def rows(values, per_line=16, form="{:3d}"):
     return [", ".join(texts[i:i + per_line]) for i in range(0, len(texts), per_line)]
 
 
-def write_assembly(name, generator, sentence, pages):
+def write_assembly(name, generator, sentence, pages, alignment=None):
     """src/fixedpoint/avr/<name>.S: symbol fixedpoint_<name>, pages as (title, bytes)."""
     symbol = f"fixedpoint_{name}"
     lines = [
@@ -19,7 +19,7 @@ def write_assembly(name, generator, sentence, pages):
         f"// DO NOT EDIT: written by python3 fixedpoint/tables/{generator}",
         *(f"// {line}" for line in sentence.split("\n")), "",
         "#ifdef __AVR_HAVE_MUL__", "#include \"prelude.inc\"", "",
-        f"    TABLE {symbol}",
+        f"    TABLE {symbol}" + (f", {alignment}" if alignment else ""),
     ]
     for title, values in pages:
         lines.append(f"    // {title}")

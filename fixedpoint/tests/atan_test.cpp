@@ -50,6 +50,15 @@ TEST(SmallAtan, IsFaithful) {
                      0.75});
 }
 
+TEST(SmallReciprocalSqrt, IsFaithfulInQ16_16) {
+    expect_accuracy({"reciprocal_sqrt_small",
+                     &reciprocal_root,
+                     {subject<int32_t, 16>([]<class Raw, int F>(const int64_t* v) -> int64_t {
+                         return portable::reciprocal_sqrt_small<Raw, F>(Raw(*v));
+                     })},
+                     0.75});
+}
+
 TEST(ReciprocalSqrt, IsFaithful) {
     std::vector<Subject> all;
     const auto wrap = []<class Raw, int F>(const int64_t* v) -> int64_t {

@@ -28,6 +28,8 @@ REFUSED = [
     ("Q16_16 y = 1", "conversion from 'int' to non-scalar type"),
     ("x = 1", "no match for 'operator='"),
     ("int i = x", "cannot convert"),
+    ("int i = 0.5_q16_16", "cannot convert"),
+    ("if (0.5_q16_16) return", "could not convert"),
     ("(void)(x + z)", CONVERT),
     ("(void)(z < x)", CONVERT),
     ("(void)(x == s)", CONVERT),

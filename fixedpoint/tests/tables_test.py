@@ -23,6 +23,8 @@ def regenerate(copy):
     for path in (LIBRARY / "src").rglob("*"):
         if path.is_dir():
             (copy / path.relative_to(LIBRARY)).mkdir(parents=True, exist_ok=True)
+    table = Path("src/fixedpoint/kernel/table.hpp")  # of which kernels there are, for the C header
+    shutil.copy(LIBRARY / table, copy / table)
     return [generator.relative_to(copy) for generator in sorted((copy / "tables").glob("*.py"))
             if subprocess.run([sys.executable, generator], stdout=subprocess.DEVNULL).returncode]
 

@@ -112,6 +112,7 @@ void compare(const Subject& subject, FastJudge* fast_judge, int rounds) {
                     1e-4 + 1e-12 * std::abs(expected.error_ulp))
             << operands[0] << " " << operands[1] << " -> " << results[0];
         ASSERT_EQ(got.defined, expected.defined) << operands[0] << " " << operands[1];
+        ASSERT_EQ(got.underflow, expected.underflow) << operands[0] << " " << operands[1];
         // Where a bound is met to the last bit the fast judge may err either way.
         const bool on_bound =
             definition(subject).rounding == Rounding::within_bound &&

@@ -86,6 +86,24 @@ TEST(ErrorStatistics, CountsKindsOfJudgement) {
     EXPECT_EQ(gsl_histogram_sum(&statistics.histogram()), 0);
 }
 
+TEST(ErrorStatistics, WhatUnderflowsCountsOnlyTowardsTheMaximum) {
+    ErrorStatistics statistics;
+    statistics.add({.error_ulp = 0.25}, Raws{1});
+    statistics.add({.error_ulp = -0.375, .underflow = true}, Raws{2});
+    statistics.add({.error_ulp = 0.125, .underflow = true}, Raws{3});
+    EXPECT_EQ(statistics.count(), 3u);
+    EXPECT_EQ(statistics.underflowed(), 2u);
+    EXPECT_EQ(statistics.max_error_ulp(), -0.375);
+    EXPECT_EQ(statistics.rms_ulp(), 0.25);
+    EXPECT_EQ(statistics.mean_ulp(), 0.25);
+    EXPECT_EQ(gsl_histogram_sum(&statistics.histogram()), 1);
+    ErrorStatistics read;
+    from_json(nlohmann::json::parse(nlohmann::json(statistics).dump()), read);
+    EXPECT_EQ(nlohmann::json(read), nlohmann::json(statistics));
+    read.merge(statistics);
+    EXPECT_EQ(read.underflowed(), 4u);
+}
+
 TEST(ErrorStatistics, AnInfiniteErrorIsTheMaximum) {
     ErrorStatistics statistics;
     statistics.add({.error_ulp = -1}, Raws{1});
@@ -111,6 +129,22 @@ TEST(ErrorStatistics, MergedShardsEqualOneRun) {
     EXPECT_EQ(nlohmann::json(read), whole);
     const ErrorStatistics copy = read;
     EXPECT_EQ(nlohmann::json(copy), whole);
+}
+
+TEST(ErrorStatistics, AWitnessHasAsManyOperandsAsAnyOperationTakes) {
+    const Raws most = {1, -2, 3, -4, 5, -6};
+    ErrorStatistics statistics;
+    statistics.add({.error_ulp = 1, .as_defined = false}, most);
+    const nlohmann::json json = statistics;
+    ErrorStatistics read;
+    from_json(json, read);
+    EXPECT_EQ(operands(read.max_witness()), most);
+    EXPECT_EQ(operands(read.wrong_witness()), most);
+    for (const char* witness : {"max_witness", "wrong_witness"}) {
+        nlohmann::json longer = json;
+        longer[witness].push_back(7);
+        EXPECT_THROW(from_json(longer, read), std::invalid_argument) << witness;
+    }
 }
 
 TEST(ErrorStatistics, AnotherLayoutIsRejected) {

@@ -40,6 +40,20 @@ void PrintTo(const Row& row, std::ostream* out) {
     *out << shape(row.operation).name << " " << row.format << ": " << row.what;
 }
 
+TEST(Judge, TellsWhereAFunctionUnderflows) {
+    // exp(x) 2^16 = 1/2 at x = -17 ln 2, raw -772243.6.
+    const auto underflows = [](Operation operation, std::int64_t operand) {
+        return judged(operation, "q16_16", Arithmetic::nearest, {operand}, {0}).underflow;
+    };
+    EXPECT_FALSE(underflows(Operation::exp, -772243));
+    EXPECT_TRUE(underflows(Operation::exp, -772244));
+    EXPECT_TRUE(underflows(Operation::exp, min32));
+    EXPECT_FALSE(underflows(Operation::exp, 0));
+    EXPECT_FALSE(underflows(Operation::sin, 1));
+    // A product below half an ulp is rounded like any other.
+    EXPECT_FALSE(judged(Operation::multiply, "q16_16", Arithmetic::nearest, {1, 1}, {0}).underflow);
+}
+
 class DefinedResult : public testing::TestWithParam<Row> {};
 
 TEST_P(DefinedResult, AloneIsAccepted) {
@@ -477,6 +491,35 @@ TEST(JudgeConversion, BetweenFormats) {
     EXPECT_TRUE(accepted("float", "q16_16", nearest, raw_of_float(NAN), 0));
     EXPECT_TRUE(accepted("q16_16", "float", nearest, max32, raw_of_float(32768)));
     EXPECT_TRUE(accepted("float", "int32", integer, raw_of_float(-1.75f), -1));
+}
+
+// Of what is no number in range there is one definition for every format: its nearer limit, 0 of
+// NaN.
+TEST(JudgeConversion, FromFloatsThatNoFixedPointNumberIsNear) {
+    for (const char* name : {"q4_4", "q8_8", "q1_15", "q16_16", "q8_24", "q32_32"}) {
+        for (const Arithmetic arithmetic : {nearest, saturating}) {
+            const NumberFormat format = parse_format(name);
+            for (const auto& [number, result] :
+                 {std::pair{INFINITY, format.max()}, std::pair{-INFINITY, format.min()},
+                  std::pair{FLT_MAX, format.max()}, std::pair{-FLT_MAX, format.min()},
+                  std::pair{NAN, std::int64_t(0)}, std::pair{-NAN, std::int64_t(0)}}) {
+                for (const std::int64_t given : {format.min(), std::int64_t(-1), std::int64_t(0),
+                                                 std::int64_t(1), format.max()}) {
+                    const Judgement judgement =
+                        judge({Operation::convert, format, arithmetic, ieee_single},
+                              Raws{raw_of_float(number)}, given);
+                    EXPECT_EQ(judgement.as_defined, given == result)
+                        << name << ": " << given << " of " << number;
+                    EXPECT_TRUE(judgement.defined);
+                }
+            }
+        }
+    }
+    for (const float number : {INFINITY, -INFINITY, NAN, FLT_MAX})
+        EXPECT_NE(judge({Operation::convert, parse_format("int32"), integer, ieee_single},
+                        Raws{raw_of_float(number)}, 0)
+                      .excluded,
+                  nullptr);
 }
 
 TEST(Judge, WrongNumberOfOperandsOrResults) {

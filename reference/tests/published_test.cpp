@@ -21,7 +21,7 @@ TEST(Published, FilesLoad) {
     ASSERT_EQ(load_functions().size(), 4u);
     EXPECT_EQ(load_functions()[3].type, "int64_t");
     EXPECT_EQ(load_functions()[3].operation, "shift_left_16");
-    EXPECT_EQ(load_workload().size(), 14u);
+    EXPECT_EQ(load_workload().size(), 15u);
     EXPECT_EQ(load_workload()[0].where, "single step of the lever scene (two objects and one rod)");
     EXPECT_EQ(load_table_d_1().size(), 17u);
     EXPECT_EQ(load_table_d_1()[3].calculated_grams, 169.5);

@@ -25,6 +25,7 @@ RUN = [
 INSTEAD = [
     (r"bench/run_all\.sh.*", "bench/run_all.sh --help", "measures for half an hour"),
     (r"scripts/test\.sh.*", "scripts/test.sh --help", "would run this test again"),
+    (r"scripts/docs\.sh.*", "scripts/docs.sh --help", "the test scripts/docs runs it"),
     (r"scripts/setup\.sh.*", "bash -n scripts/setup.sh", "installs packages"),
     (r"scripts/flash\.sh.*", "bash -n scripts/flash.sh", "needs a board"),
     (r"fixbench(?: (?!-)[a-z_-]+)?.*", "fixbench {1} --help", "measures, or takes a file of the user's"),
@@ -34,6 +35,7 @@ INSTEAD = [
     (r"scripts/build\.sh.*", "bash -n scripts/build.sh", "builds"),
     (r"scripts/mutation_test\.py.*", "/usr/bin/python3 scripts/mutation_test.py --help", "builds"),
     (r"scripts/lint\.sh.*", "scripts/lint.sh --help", "a test of its own"),
+    (r"(g\+\+|avr-gcc|avr-g\+\+) .*fixedpoint_c\..*", "true", "the test fixedpoint/c_interface runs it"),
     (r"avr-gdb .*", "true", "an interactive program that the set-up does not install"),
     (r"avr-objdump .*", "avr-objdump --version", "takes a program of the user's"),
 ]
@@ -77,7 +79,7 @@ def commands(text):
     for quoted in re.finditer(r"`([^`]+)`", plain):
         command = " ".join(quoted.group(1).split())
         # A path by itself names a file, and `fixbench` the program.
-        if STARTS.match(command + " ") and not command.endswith(("/", ".py", ".hpp", ".cpp", ".cmake")) \
+        if STARTS.match(command + " ") and not command.endswith(("/", ".py", ".hpp", ".cpp", ".cmake", ".txt")) \
                 and command != "fixbench":
             yield plain[:quoted.start()].count("\n") + 1, command
 

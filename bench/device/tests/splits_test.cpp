@@ -6,10 +6,16 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
+#include <fixedpoint/portable/atan.hpp>
 #include <fixedpoint/portable/divide.hpp>
 #include <fixedpoint/portable/dot.hpp>
+#include <fixedpoint/portable/exp.hpp>
 #include <fixedpoint/portable/length.hpp>
+#include <fixedpoint/portable/log.hpp>
 #include <fixedpoint/portable/multiply_add.hpp>
+#include <fixedpoint/portable/reciprocal_sqrt.hpp>
+#include <fixedpoint/portable/sin.hpp>
 #include <fixedpoint/portable/sqrt.hpp>
 #include <random>
 #include <string>
@@ -57,6 +63,11 @@ class Program {
     std::uint16_t put(int index, const Vector& v) {
         chip_.write(vectors_[index], {reinterpret_cast<const std::uint8_t*>(v.data()), sizeof v});
         return vectors_[index];
+    }
+    Vector get(int index) const {
+        Vector v;
+        chip_.read(vectors_[index], {reinterpret_cast<std::uint8_t*>(v.data()), sizeof v});
+        return v;
     }
 
   private:
@@ -271,6 +282,144 @@ TEST(Splits, Length3) {
             ASSERT_EQ(length(program.put(0, v)).template as<int32_t>(),
                       (portable::length3<int32_t, F>(v.data())))
                 << F << " fraction bits: " << testing::PrintToString(v);
+        }
+    });
+}
+
+// A function of one number. `limits` are where its tables go from one interval to the next.
+template <class Expected>
+void expect_function(Program& program, int fraction_bits, Expected expected,
+                     const std::vector<int32_t>& limits) {
+    DeviceFunction function = program.subject(fraction_bits, {4, {4}});
+    const auto check = [&](int32_t a) {
+        ASSERT_EQ(function(a).template as<int32_t>(), expected(a))
+            << fraction_bits << " fraction bits: " << a;
+    };
+    for (const int32_t limit : limits) {
+        for (int32_t offset = -1; offset <= 1; ++offset) check(limit + offset);
+    }
+    Operands operands;
+    std::mt19937 random(7);
+    for (int i = 0; i < pairs / 4; ++i) {
+        check(operands.next());
+        check(static_cast<int32_t>(random()));
+    }
+}
+
+// Angles at multiples of 1/512 of a quarter turn.
+std::vector<int32_t> limits_of_angles(int fraction_bits) {
+    std::vector<int32_t> limits;
+    for (int i = -1500; i <= 1500; ++i) {
+        const double angle = std::ldexp(i * M_PI_4 / 256, fraction_bits);
+        if (std::abs(angle) < 0x7ffffff0p0) limits.push_back(static_cast<int32_t>(angle));
+    }
+    return limits;
+}
+
+TEST(Splits, Sin) {
+    Program program("sin");
+    for_each_split([&](auto F) {
+        expect_function(program, F, portable::sin<int32_t, F>, limits_of_angles(F));
+    });
+}
+TEST(Splits, Cos) {
+    Program program("cos");
+    for_each_split([&](auto F) {
+        expect_function(program, F, portable::cos<int32_t, F>, limits_of_angles(F));
+    });
+}
+TEST(Splits, Sincos) {
+    Program program("sincos");
+    for_each_split([&](auto F) {
+        DeviceFunction sincos = program.subject(F, {0, {4, 2}});
+        Operands operands;
+        for (int i = 0; i < pairs / 10; ++i) {
+            const int32_t a = operands.next();
+            int32_t expected[2];
+            portable::sincos<int32_t, F>(a, expected);
+            const std::uint16_t address = program.put(0, {});
+            sincos(a, address);
+            const Vector pair = program.get(0);
+            ASSERT_EQ(pair[0], expected[0]) << F << " fraction bits: " << a;
+            ASSERT_EQ(pair[1], expected[1]) << F << " fraction bits: " << a;
+        }
+    });
+}
+
+// The numbers from which on the upper nine bits are others.
+std::vector<int32_t> limits_of_mantissas() {
+    std::vector<int32_t> limits;
+    for (int exponent = 0; exponent < 31; ++exponent) {
+        for (int64_t leading = 256; leading < 512;
+             leading += exponent < 8 ? 1 << (8 - exponent) : 1)
+            limits.push_back(static_cast<int32_t>((leading << exponent) >> 8));
+    }
+    return limits;
+}
+
+TEST(Splits, Log) {
+    Program program("log");
+    for_each_split([&](auto F) {
+        expect_function(program, F, portable::log<int32_t, F>, limits_of_mantissas());
+    });
+}
+
+// Where the number of factors of 2 that are split off changes or nearly does, all that saturates,
+// and operands over what does not.
+std::vector<int32_t> limits_of_exponents(int fraction_bits) {
+    std::vector<int32_t> limits;
+    const auto add = [&](double x) {
+        const double a = std::ldexp(x, fraction_bits);
+        if (std::abs(a) < 0x7ffffff0p0) limits.push_back(static_cast<int32_t>(a));
+    };
+    for (int k = -36; k <= 34; ++k) {
+        for (int i = -20; i <= 20; ++i) add((k + i / 256.0) * M_LN2);
+    }
+    std::mt19937 random(9);
+    std::uniform_real_distribution<double> representable(-(fraction_bits + 3) * M_LN2,
+                                                         (32 - fraction_bits) * M_LN2);
+    for (int i = 0; i < pairs / 2; ++i) add(representable(random));
+    return limits;
+}
+
+TEST(Splits, Exp) {
+    Program program("exp");
+    for_each_split([&](auto F) {
+        expect_function(program, F, portable::exp<int32_t, F>, limits_of_exponents(F));
+    });
+}
+
+TEST(Splits, ReciprocalSqrt) {
+    Program program("reciprocal_sqrt");
+    for_each_split([&](auto F) {
+        expect_function(program, F, portable::reciprocal_sqrt<int32_t, F>, limits_of_mantissas());
+    });
+}
+
+TEST(Splits, Atan) {
+    Program program("atan");
+    for_each_split([&](auto F) {
+        expect_function(program, F, portable::atan<int32_t, F>, limits_of_mantissas());
+    });
+}
+// Ratios on both sides of every 1/256, of longer coordinates of every length, in every octant.
+TEST(Splits, Atan2) {
+    Program program("atan2");
+    for_each_split([&](auto F) {
+        DeviceFunction atan2 = program.subject(F, {4, {4, 4}});
+        const auto check = [&](int32_t y, int32_t x) {
+            ASSERT_EQ(atan2(y, x).template as<int32_t>(), (portable::atan2<int32_t, F>(y, x)))
+                << F << " fraction bits: " << y << " " << x;
+        };
+        Operands operands;
+        std::mt19937 random(11);
+        for (int i = 0; i < pairs / 4; ++i) {
+            check(operands.next(), operands.next());
+            const auto longer = static_cast<int32_t>(random() >> 1 >> random() % 31);
+            const auto shorter = static_cast<int32_t>(int64_t(longer) * (random() % 257) / 256 +
+                                                      static_cast<int32_t>(random() % 3) - 1);
+            const int32_t a = i & 1 ? -longer : longer, b = i & 2 ? -shorter : shorter;
+            check(i & 4 ? a : b, i & 4 ? b : a);
         }
     });
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <chrono>
 #include <cmath>
@@ -24,6 +25,7 @@
 #include "bench/lab/parallel.hpp"
 #include "bench/lab/records/csv.hpp"
 #include "bench/lab/records/progress.hpp"
+#include "bench/lab/records/record.hpp"
 #include "bench/lab/records/whole_file.hpp"
 #include "bench/lab/subjects/device_subject.hpp"
 #include "bench/lab/subjects/witness.hpp"
@@ -123,10 +125,11 @@ class Worker {
             std::span(results_).first(count_ * (results_.size() / calls_of_a_batch));
         const std::span cycles = std::span(cycles_).first(count_);
         session_.run(raws, computed, cycles);
-        oracle_.judge_all(raws, computed, part.errors);
+        const std::span regular = std::span(regular_).first(count_);
+        oracle_.judge_all(raws, computed, part.errors, regular);
         if (oracle_.portable) oracle_.compare_all(raws, computed, part.differences);
         for (std::size_t i = 0; i < count_; ++i)
-            part.cycles.add(cycles[i], raws.subspan(i * arity_, arity_));
+            part.cycles.add(cycles[i], regular[i], raws.subspan(i * arity_, arity_));
         count_ = 0;
     }
 
@@ -135,6 +138,7 @@ class Worker {
     std::size_t arity_, count_ = 0;
     std::vector<std::int64_t> operands_, results_;
     std::vector<std::uint32_t> cycles_;
+    std::array<bool, calls_of_a_batch> regular_{};
 };
 
 struct Job {
@@ -295,14 +299,13 @@ records::Table empty_table() {
     return records::Table({"operation", "format", "implementation", "inputs", "max_ulp",
                            "max_ulp_witness", "rms_ulp", "mean_ulp", "cycles_min", "cycles_mean",
                            "cycles_max", "cycles_max_witness", "unreached_instructions",
-                           "violations", "portable_differences", "bound", "elf_sha256",
-                           "kernel_sha256"});
+                           "violations", "portable_differences", "bound", "kernel_sha256"});
 }
 
 std::vector<std::string> row_of(const Measurement& measurement, const Part& total) {
     const reference::NamedSubject named = reference::parse_symbol(measurement.symbol);
     // The means over the operands of a search would tell of the search.
-    const auto mean = [&](double value) {
+    const auto mean = [&](std::optional<double> value) {
         return measurement.every_input ? records::cell(value) : std::string();
     };
     return {std::string(reference::shape(named.subject.operation).name),
@@ -321,7 +324,6 @@ std::vector<std::string> row_of(const Measurement& measurement, const Part& tota
             fmt::to_string(total.errors.wrong()),
             measurement.has_portable ? fmt::to_string(total.differences.count) : "",
             measurement.every_input ? "exact" : "lower bound",
-            measurement.elf_sha256,
             measurement.kernel_sha256};
 }
 

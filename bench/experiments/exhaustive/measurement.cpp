@@ -26,7 +26,8 @@ reference::Witness witness_of(const nlohmann::json& json) {
 
 void CycleStatistics::merge(const CycleStatistics& later) {
     calls += later.calls;
-    sum += later.sum;
+    regular_calls += later.regular_calls;
+    regular_sum += later.regular_sum;
     min = std::min(min, later.min);
     if (later.max > max) {
         max = later.max;
@@ -76,7 +77,8 @@ Part Measurement::total() const {
 void to_json(nlohmann::json& json, const Part& part) {
     json = {{"errors", part.errors},
             {"calls", part.cycles.calls},
-            {"cycles_sum", part.cycles.sum},
+            {"regular_calls", part.cycles.regular_calls},
+            {"regular_cycles_sum", part.cycles.regular_sum},
             {"cycles_min", part.cycles.min},
             {"cycles_max", part.cycles.max},
             {"cycles_max_witness", operands_of(part.cycles.max_witness)},
@@ -87,7 +89,8 @@ void to_json(nlohmann::json& json, const Part& part) {
 void from_json(const nlohmann::json& json, Part& part) {
     json.at("errors").get_to(part.errors);
     json.at("calls").get_to(part.cycles.calls);
-    json.at("cycles_sum").get_to(part.cycles.sum);
+    json.at("regular_calls").get_to(part.cycles.regular_calls);
+    json.at("regular_cycles_sum").get_to(part.cycles.regular_sum);
     json.at("cycles_min").get_to(part.cycles.min);
     json.at("cycles_max").get_to(part.cycles.max);
     part.cycles.max_witness = witness_of(json.at("cycles_max_witness"));

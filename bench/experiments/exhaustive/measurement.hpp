@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -17,13 +18,15 @@
 namespace machine_code {
 
 struct CycleStatistics {
-    std::uint64_t calls = 0, sum = 0;
+    std::uint64_t calls = 0;
+    std::uint64_t regular_calls = 0, regular_sum = 0;  // with Judgement::regular()
     std::uint32_t min = std::numeric_limits<std::uint32_t>::max(), max = 0;
     reference::Witness max_witness;  // the first
 
-    void add(std::uint32_t cycles, std::span<const std::int64_t> operands) {
+    void add(std::uint32_t cycles, bool regular, std::span<const std::int64_t> operands) {
         ++calls;
-        sum += cycles;
+        regular_calls += regular;
+        regular_sum += regular ? cycles : 0;
         if (cycles < min) min = cycles;
         if (cycles > max) [[unlikely]] {
             max = cycles;
@@ -31,7 +34,11 @@ struct CycleStatistics {
         }
     }
     void merge(const CycleStatistics& later);
-    double mean() const { return double(sum) / double(calls); }
+    // Over the regular calls: what leaves early would tell of the operands, not of the function.
+    std::optional<double> mean() const {
+        if (regular_calls == 0) return std::nullopt;
+        return double(regular_sum) / double(regular_calls);
+    }
 };
 
 struct Part {

@@ -20,11 +20,11 @@ struct Differences {
 
 struct Oracle {
     reference::Subject subject;
-    // Raws lie one call after the other.
+    // Raws lie one call after the other; `regular` tells of each call, or is empty.
     reference::Judgement (*judge)(std::span<const std::int64_t> operands,
                                   std::span<const std::int64_t> results);
     void (*judge_all)(std::span<const std::int64_t> operands, std::span<const std::int64_t> results,
-                      reference::ErrorStatistics& statistics);
+                      reference::ErrorStatistics& statistics, std::span<bool> regular);
     // Null where there is none.
     const operations::HostSubject* portable;
 

@@ -81,14 +81,17 @@ const fixbench::Registration cycles({
     .name = "cycles",
     .description =
         "Cycles, stack, flash and error of each subject on classes of operands.\n"
-        "Files: operations.csv and operations.json (Google Benchmark's schema).\n\n"
+        "Files: operations.csv, flash.csv (of programs that use several operations) and\n"
+        "operations.json (Google Benchmark's schema). Means are over the operands whose result is\n"
+        "rounded, not pinned by definition nor below half an ulp.\n\n"
         "A subject is an extern \"C\" function <operation>_<format>_<implementation> of a device\n"
         "program, by default q4_4.elf, q8_8.elf, q16_16.elf, q8_24.elf, q32_32.elf and\n"
         "rivals.elf in\n"
         "  " FIXBENCH_DEVICE_FOLDER "\n"
         "(avr-nm lists them), for avr-gcc's calling convention: any other tool can call it too.\n"
         "Cycles include call (4) and ret (4), not the loading of operands.\n\n"
-        "Operand classes: small |x| < 1; physics 0.01..20; full, log-uniform over the range;\n"
+        "Operand classes: small |x| < 1; physics 0.01..20 (exp: ..10); full, log-uniform over the "
+        "range;\n"
         "uniform, every raw alike; published, those of the rebuilt harness; boundary, an annotated "
         "table; all, every input\n"
         "where there are at most 65536.\n\n"
@@ -131,7 +134,7 @@ const fixbench::Registration cycles({
           .arguments = [](const Mode& mode) -> std::vector<std::string> {
               return {"cycles", "--samples", mode.quick ? "1000" : "20000", "--output", mode.data};
           },
-          .writes = {"operations.csv", "operations.json"},
+          .writes = {"operations.csv", "flash.csv", "operations.json"},
           .targets = {"subjects"},
           .reads = {device_folder},
           .full_seconds = 400,

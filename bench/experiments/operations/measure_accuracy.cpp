@@ -106,21 +106,21 @@ using records::column;
 struct Accuracy {
     std::string operation, format, implementation;
     std::string inputs;
-    std::uint64_t samples, defined;
+    std::uint64_t samples, defined, underflowed;
     double max_ulp;
     std::string max_ulp_witness;
     double rms_ulp, mean_ulp;
     std::string bound;
     std::uint64_t violations;
 
-    static constexpr auto columns =
-        std::tuple(column("operation", &Accuracy::operation), column("format", &Accuracy::format),
-                   column("implementation", &Accuracy::implementation),
-                   column("inputs", &Accuracy::inputs), column("samples", &Accuracy::samples),
-                   column("defined", &Accuracy::defined), column("max_ulp", &Accuracy::max_ulp),
-                   column("max_ulp_witness", &Accuracy::max_ulp_witness),
-                   column("rms_ulp", &Accuracy::rms_ulp), column("mean_ulp", &Accuracy::mean_ulp),
-                   column("bound", &Accuracy::bound), column("violations", &Accuracy::violations));
+    static constexpr auto columns = std::tuple(
+        column("operation", &Accuracy::operation), column("format", &Accuracy::format),
+        column("implementation", &Accuracy::implementation), column("inputs", &Accuracy::inputs),
+        column("samples", &Accuracy::samples), column("defined", &Accuracy::defined),
+        column("underflowed", &Accuracy::underflowed), column("max_ulp", &Accuracy::max_ulp),
+        column("max_ulp_witness", &Accuracy::max_ulp_witness),
+        column("rms_ulp", &Accuracy::rms_ulp), column("mean_ulp", &Accuracy::mean_ulp),
+        column("bound", &Accuracy::bound), column("violations", &Accuracy::violations));
 };
 
 // A row of error_histograms.csv.
@@ -211,9 +211,10 @@ class Kept {
         const auto count = [&](const char* name) { return std::stoull(text(name)); };
         const auto number = [&](const char* name) { return std::stod(text(name)); };
         accuracy.push_back({text("operation"), text("format"), text("implementation"),
-                            text("inputs"), count("samples"), count("defined"), number("max_ulp"),
-                            text("max_ulp_witness"), number("rms_ulp"), number("mean_ulp"),
-                            text("bound"), count("violations")});
+                            text("inputs"), count("samples"), count("defined"),
+                            count("underflowed"), number("max_ulp"), text("max_ulp_witness"),
+                            number("rms_ulp"), number("mean_ulp"), text("bound"),
+                            count("violations")});
         for (const auto& row : histograms_.rows())
             if (is_of(row, job))
                 histograms.push_back({row[0], row[1], row[2], std::stod(row[3]), std::stod(row[4]),
@@ -291,10 +292,10 @@ std::uint64_t measure_accuracy(const AccuracyOptions& options) {
             exhaustive ? exhaust_in_parallel(job, options.threads) : sample(job, options.quick);
         accuracy.push_back({operation_name(job.subject), reference::format_name(job.subject.format),
                             job.implementation, exhaustive ? "all" : "boundary, random, search",
-                            statistics.count(), statistics.defined(), statistics.max_ulp(),
-                            text_of(statistics.max_witness()), statistics.rms_ulp(),
-                            statistics.mean_ulp(), exhaustive ? "exact" : "lower bound",
-                            statistics.wrong()});
+                            statistics.count(), statistics.defined(), statistics.underflowed(),
+                            statistics.max_ulp(), text_of(statistics.max_witness()),
+                            statistics.rms_ulp(), statistics.mean_ulp(),
+                            exhaustive ? "exact" : "lower bound", statistics.wrong()});
         add_histogram(histograms, job, statistics);
         if (statistics.wrong() != 0) {
             violations += statistics.wrong();

@@ -10,6 +10,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "bench/chip/instructions/fingerprint.hpp"
 #include "bench/lab/catalogue/catalogue.hpp"
 #include "bench/lab/operands/boundary.hpp"
 #include "bench/lab/operands/operand_class.hpp"
@@ -47,9 +48,9 @@ struct Footprint {
 // A row of operations.csv.
 struct Figures {
     std::string operation, format, implementation, operands;
-    std::uint64_t samples;
+    std::uint64_t samples, regular;  // regular: Judgement::regular()
     std::uint32_t cycles_min;
-    double cycles_mean;
+    double cycles_mean;  // over the regular operands; over all where none is
     std::uint32_t cycles_max;
     std::string cycles_max_witness;
     // Errors are missing where no result was judged.
@@ -63,19 +64,21 @@ struct Figures {
     std::string ram_bytes;
     std::uint64_t violations;
     std::optional<double> max_error, rms_error;
+    std::string kernel_sha256;  // empty where the linker did not keep what it takes
 
     static constexpr auto columns = std::tuple(
         column("operation", &Figures::operation), column("format", &Figures::format),
         column("implementation", &Figures::implementation), column("operands", &Figures::operands),
-        column("samples", &Figures::samples), column("cycles_min", &Figures::cycles_min),
-        column("cycles_mean", &Figures::cycles_mean), column("cycles_max", &Figures::cycles_max),
+        column("samples", &Figures::samples), column("regular", &Figures::regular),
+        column("cycles_min", &Figures::cycles_min), column("cycles_mean", &Figures::cycles_mean),
+        column("cycles_max", &Figures::cycles_max),
         column("cycles_max_witness", &Figures::cycles_max_witness),
         column("max_ulp", &Figures::max_ulp), column("max_ulp_witness", &Figures::max_ulp_witness),
         column("rms_ulp", &Figures::rms_ulp), column("bound", &Figures::bound),
         column("flash_bytes", &Figures::flash_bytes), column("stack_bytes", &Figures::stack_bytes),
         column("mean_ulp", &Figures::mean_ulp), column("ram_bytes", &Figures::ram_bytes),
         column("violations", &Figures::violations), column("max_error", &Figures::max_error),
-        column("rms_error", &Figures::rms_error));
+        column("rms_error", &Figures::rms_error), column("kernel_sha256", &Figures::kernel_sha256));
 };
 
 // The distance between neighbours at a number of the format.
@@ -97,6 +100,7 @@ struct Row {
     std::uint32_t cycles_min = std::numeric_limits<std::uint32_t>::max();
     std::uint32_t cycles_max = 0;
     std::uint64_t cycles_sum = 0;
+    std::uint64_t regular = 0, regular_cycles_sum = 0;
     reference::Witness cycles_max_witness{};
     std::uint16_t stack_bytes = 0;
     reference::ErrorStatistics errors{};
@@ -118,7 +122,10 @@ struct Row {
                                 reference::shape(named.subject.operation).results);
         const reference::Judgement judgement = reference::judge(named.subject, operands, results);
         errors.add(judgement, operands);
-        if (judgement.excluded || !std::isfinite(judgement.error_ulp)) return;
+        if (!judgement.regular()) return;
+        ++regular;
+        regular_cycles_sum += result.cycles;
+        if (!std::isfinite(judgement.error_ulp)) return;
         double ulp = 0;
         for (const std::int64_t raw : results)
             ulp = std::max(ulp, ulp_at(named.subject.format, raw));
@@ -127,10 +134,11 @@ struct Row {
         sum_of_squared_errors += error * error;
     }
     double rms_error() const {
-        return std::sqrt(sum_of_squared_errors / static_cast<double>(errors.count()));
+        return std::sqrt(sum_of_squared_errors / static_cast<double>(regular));
     }
     double cycles_mean() const {
-        return static_cast<double>(cycles_sum) / static_cast<double>(samples);
+        return regular > 0 ? static_cast<double>(regular_cycles_sum) / static_cast<double>(regular)
+                           : static_cast<double>(cycles_sum) / static_cast<double>(samples);
     }
 };
 
@@ -227,7 +235,48 @@ void load_footprints(Footprints& footprints, std::filesystem::path program) {
     for (const auto& row : table.rows()) footprints[row[subject]] = {row[flash], row[ram]};
 }
 
+// A row of flash.csv: what a program pays that uses several operations, of the format in the
+// implementation. `operations` is "nine" or "own", as bench/device/link_subjects.py says.
+struct Flash {
+    std::string operations, format, implementation, flash_bytes, ram_bytes;
+
+    static constexpr auto columns = std::tuple(
+        column("operations", &Flash::operations), column("format", &Flash::format),
+        column("implementation", &Flash::implementation),
+        column("flash_bytes", &Flash::flash_bytes), column("ram_bytes", &Flash::ram_bytes));
+};
+
+std::vector<Flash> flash_of(const Footprints& footprints) {
+    std::vector<Flash> programs;
+    for (const auto& [name, footprint] : footprints) {
+        for (const std::string operations : {"nine", "own"}) {
+            if (!name.starts_with(operations + '_')) continue;
+            const std::size_t format = operations.size() + 1, implementation = name.rfind('_') + 1;
+            programs.push_back({operations, name.substr(format, implementation - 1 - format),
+                                name.substr(implementation), footprint.flash_bytes,
+                                footprint.ram_bytes});
+        }
+    }
+    return programs;
+}
+
+// The hash of the code of each subject.
+std::map<std::string, std::string> kernel_hashes(const std::vector<Row>& rows) {
+    std::map<std::string, std::string> hashes;
+    for (const Row& row : rows) {
+        const auto [entry, fresh] = hashes.emplace(row.subject, "");
+        if (!fresh) continue;
+        try {
+            entry->second = instructions::fingerprint(*row.program, row.subject);
+        } catch (const instructions::TranslationError&) {
+            // Somebody else's program: measured all the same.
+        }
+    }
+    return hashes;
+}
+
 std::vector<Figures> figures_of(const std::vector<Row>& rows, const Footprints& footprints) {
+    const std::map<std::string, std::string> hashes = kernel_hashes(rows);
     std::vector<Figures> figures;
     for (const Row& row : rows) {
         const auto footprint = footprints.find(row.subject);
@@ -235,11 +284,16 @@ std::vector<Figures> figures_of(const std::vector<Row>& rows, const Footprints& 
         const auto judged = [&](double error) {
             return row.errors.count() > 0 ? std::optional(error) : std::nullopt;
         };
+        // What is neither pinned nor below half an ulp has a size that formats are compared by.
+        const auto regular = [&](double error) {
+            return row.regular > 0 ? std::optional(error) : std::nullopt;
+        };
         figures.push_back({operation_name(row.named.subject),
                            reference::format_name(row.named.subject.format),
                            row.named.implementation,
                            row.operands,
                            row.samples,
+                           row.regular,
                            row.cycles_min,
                            row.cycles_mean(),
                            row.cycles_max,
@@ -253,8 +307,9 @@ std::vector<Figures> figures_of(const std::vector<Row>& rows, const Footprints& 
                            judged(row.errors.mean_ulp()),
                            weight.ram_bytes,
                            row.errors.wrong(),
-                           judged(row.max_error),
-                           judged(row.rms_error())});
+                           regular(row.max_error),
+                           regular(row.rms_error()),
+                           hashes.at(row.subject)});
     }
     return figures;
 }
@@ -317,6 +372,7 @@ std::uint64_t measure_cycles(const CycleOptions& options) {
                    text_of(row.errors.wrong_witness()));
     }
     records::table_of(figures_of(rows, footprints)).save(options.output / "operations.csv");
+    records::table_of(flash_of(footprints)).save(options.output / "flash.csv");
     records::write_whole(options.output / "operations.json", json_of(rows, programs));
     return violations;
 }

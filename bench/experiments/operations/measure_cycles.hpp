@@ -15,16 +15,17 @@ struct CycleOptions {
     // Device programs, each with a table <name>.footprints.csv (subject, flash_bytes, ram_bytes)
     // beside it where its footprints are known.
     std::vector<std::filesystem::path> programs;
-    std::filesystem::path output;  // folder for operations.csv and operations.json
+    std::filesystem::path output;  // folder for operations.csv, flash.csv and operations.json
     Selection selection;
     std::uint64_t samples = 20000;  // of each random class, less where they take over 2 10^8 cycles
     unsigned threads = 1;
 };
 
-// Writes operations.csv and operations.json. Returns how many results broke their definition; each
-// subject's first is reported on stderr. Throws std::invalid_argument where nothing is selected or
-// a name is unknown. A subject that does not return, breaks the calling convention or writes where
-// it must not counts as one such result, is reported on stderr and left out of the files.
+// Writes operations.csv, flash.csv and operations.json. Returns how many results broke their
+// definition; each subject's first is reported on stderr. Throws std::invalid_argument where
+// nothing is selected or a name is unknown. A subject that does not return, breaks the calling
+// convention or writes where it must not counts as one such result, is reported on stderr and left
+// out of the files.
 std::uint64_t measure_cycles(const CycleOptions& options);
 
 }  // namespace operations

@@ -31,14 +31,21 @@ struct Alternative {
     double ms;
 };
 
+// What was tried on a cell that the table's hypothesis misses.
+struct Alternatives {
+    std::optional<Alternative> nearest{};
+    int tried = 0;
+    int near = 0;  // of them within 10% of the published figure, in a shortened run
+};
+
 struct Verdict {
     std::string verdict;  // reproduced, explained, not reproducible
     std::string reason;
 };
 // reproduced: within 10%. explained: within 10% once what the nearest alternative changes is
-// changed. `nearest` is the alternative that comes closest, of the `tried` ones.
+// changed.
 Verdict judge(double published_ms, double measured_ms, const Hypothesis& hypothesis,
-              const std::optional<Alternative>& nearest, int tried);
+              const Alternatives& alternatives);
 
 records::Table table_3_1();
 

@@ -21,6 +21,7 @@ enum class OperandClass {
     // none, which leaves +-1).
     small,
     // Log-uniform with 0.01 <= |x| <= 20, the lengths, masses and forces of a scene in SI units.
+    // exp takes no more than 10, since all formats of 32 bits that are compared hold exp(10).
     physics,
     // Log-uniform over all magnitudes of the format (float: over all normal ones).
     full,

@@ -68,13 +68,17 @@ reference::Judgement judge(Raws operands, Raws results) {
 }
 
 template <reference::Subject subject>
-void judge_all(Raws operands, Raws results, reference::ErrorStatistics& statistics) {
+void judge_all(Raws operands, Raws results, reference::ErrorStatistics& statistics,
+               std::span<bool> regular) {
     constexpr int bits = subject.operand_format.width *
                          static_cast<int>(reference::shape(subject.operation).operands);
     using Fast = reference::bulk::FunctionFloat<subject.format.width>;
     using Real = std::conditional_t<(bits <= 24), reference::Binary128, Fast>;
+    bool* next = regular.empty() ? nullptr : regular.data();
     for_each_call<subject.operation>(operands, results, [&](Raws each, Raws computed) {
-        statistics.add(judge<subject, Real>(each, computed), each);
+        const reference::Judgement judgement = judge<subject, Real>(each, computed);
+        statistics.add(judgement, each);
+        if (next) *next++ = judgement.regular();
     });
 }
 

@@ -56,7 +56,7 @@ reference::ErrorStatistics HostSubject::exhaust(std::uint64_t part) const {
                 *operand++ =
                     subject.operand_format.sign_extend(first >> (static_cast<int>(k) * width));
         evaluate(operands, results);
-        judge_all(operands, results, statistics);
+        judge_all(operands, results, statistics, {});
     }
     return statistics;
 }

@@ -29,7 +29,9 @@ struct HostSubject {
 
     // Of any number of calls, their raws one after the other.
     void (*evaluate)(Raws operands, std::span<std::int64_t> results);
-    void (*judge_all)(Raws operands, Raws results, reference::ErrorStatistics& statistics);
+    // Also says of each call whether its result is regular; `regular` may be empty.
+    void (*judge_all)(Raws operands, Raws results, reference::ErrorStatistics& statistics,
+                      std::span<bool> regular);
     // Of one call.
     reference::Judgement (*judge)(Raws operands, Raws results);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Finds the constraint rows of a step: of rods, of taut ropes, of particles in planes and of
-// particles that overlap. A direction points from the second end to the first.
+/// \file
+/// Finds the constraint rows of a step: of rods, of taut ropes, of particles in planes and of
+/// particles that overlap. A direction points from the second end to the first.
 #pragma once
 
 #include <engine/choice.hpp>
@@ -12,8 +13,8 @@
 
 namespace engine {
 
-// A rod makes a row in every step, since it bounds velocities even where its length is right. Ends
-// at one place are reported: the rod has no direction there.
+/// A rod makes a row in every step, since it bounds velocities even where its length is right. Ends
+/// at one place are reported: the rod has no direction there.
 template <class World, class Scalar, class Ends, class TimeStep>
 void constrain(const Rod<Scalar, Ends>& rod, World& world, TimeStep dt) {
     observe<Scalar>(Quantity::rod);
@@ -24,7 +25,7 @@ void constrain(const Rod<Scalar, Ends>& rod, World& world, TimeStep dt) {
                        distance - rod.length, rod.length, dt);
 }
 
-// A rope makes a row where it is taut or too long.
+/// A rope makes a row where it is taut or too long.
 template <class World, class Scalar, class Ends, class TimeStep>
 void constrain(const Rope<Scalar, Ends>& rope, World& world, TimeStep dt) {
     observe<Scalar>(Quantity::rope);
@@ -35,7 +36,7 @@ void constrain(const Rope<Scalar, Ends>& rope, World& world, TimeStep dt) {
                         distance - rope.length, rope.length, rope.restitution, dt);
 }
 
-// A particle makes a row where it reaches into a plane.
+/// A particle makes a row where it reaches into a plane.
 template <class World, class Scalar, class Vector, class Index, class TimeStep>
 void constrain(const Plane<Scalar, Vector>& plane, Index a, World& world, TimeStep dt) {
     observe<Scalar>(Quantity::plane);
@@ -50,9 +51,9 @@ void constrain(const Plane<Scalar, Vector>& plane, Index a, World& world, TimeSt
     }
 }
 
-// Two particles make a row where they overlap. Particles apart along one axis are apart: that takes
-// no product, and no square of a distance beyond the radii is formed. Where the centres coincide,
-// the first axis is the normal.
+/// Two particles make a row where they overlap. Particles apart along one axis are apart: that
+/// takes no product, and no square of a distance beyond the radii is formed. Where the centres
+/// coincide, the first axis is the normal.
 template <class World, class Index, class TimeStep>
 void collide(Index a, Index b, World& world, TimeStep dt) {
     using namespace literals;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Decimal constants for every scalar: `0.38_d` is the number 0.38, rounded once, at compile time,
-// to whatever scalar it becomes: Q16.16, Q8.24, float, double or a wide type. What does not fit a
-// fixed-point format does not compile.
+/// \file
+/// Decimal constants for every scalar: `0.38_d` is the number 0.38, rounded once, at compile time,
+/// to whatever scalar it becomes: Q16.16, Q8.24, float, double or a wide type. What does not fit a
+/// fixed-point format does not compile.
 #pragma once
 
 #include <engine/scalar.hpp>
@@ -9,6 +10,7 @@
 
 namespace engine {
 
+/// \cond internal
 template <int64_t digits, unsigned char places>
 struct Decimal;
 
@@ -90,9 +92,13 @@ struct DecimalIn<Fixed<I, F, A>, digits, places> {
         static_cast<fixedpoint::UnsignedInteger<I + F>>(magnitude), digits < 0);
     static constexpr Number value() { return Number::from_raw(raw); }
 };
+/// \endcond
 
+/// The constant digits / 10^places, which becomes whatever scalar it is assigned to.
 template <int64_t digits, unsigned char places>
 struct Decimal {
+    /// The constant in a scalar, rounded once. One out of the range of a fixed-point format does
+    /// not compile, nor does an integer.
     template <class Scalar>
     constexpr operator Scalar() const {
         static_assert(!fixedpoint::BuiltinNumber<Scalar>::is_integer,
@@ -100,11 +106,13 @@ struct Decimal {
                       "would lose its fraction.");
         return DecimalIn<Scalar, digits, places>::value();
     }
+    /// The negative constant.
     constexpr Decimal<-digits, places> operator-() const { return {}; }
 };
 
 namespace literals {
 
+/// \cond internal
 // The characters of a literal: digits, at most one point, separators.
 template <char... Text>
 struct DecimalText {
@@ -119,7 +127,9 @@ struct DecimalText {
     static constexpr unsigned char places =
         static_cast<unsigned char>(fixedpoint::portable::count_decimals(begin(), end(), false));
 };
+/// \endcond
 
+/// The constant of up to 18 digits with at most one point: 12_d, 0.38_d.
 template <char... Text>
 constexpr Decimal<DecimalText<Text...>::digits, DecimalText<Text...>::places> operator""_d() {
     return {};

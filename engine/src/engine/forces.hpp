@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The forces of springs and drag, added to the accumulators of particles.
+/// \file
+/// The forces of springs and drag, added to the accumulators of particles.
 #pragma once
 
 #include <engine/links.hpp>
@@ -7,8 +8,8 @@
 
 namespace engine {
 
-// A spring pulls with stiffness * extension + damping * rate of extension along its length. It does
-// nothing where its ends coincide, since it has no direction there.
+/// A spring pulls with stiffness * extension + damping * rate of extension along its length. It
+/// does nothing where its ends coincide, since it has no direction there.
 template <class World, class Scalar, class Ends>
 void apply(const Spring<Scalar, Ends>& spring, World& world) {
     observe<Scalar>(Quantity::spring_force);
@@ -28,6 +29,7 @@ void apply(const Spring<Scalar, Ends>& spring, World& world) {
     if (is_particle(world, b)) world.step_particles()[b].force += force;
 }
 
+/// Adds -velocity (linear + quadratic |velocity|) to the force on the particle.
 template <class World, class Scalar, class Index>
 void apply(const Drag<Scalar, Index>& drag, World& world) {
     observe<Scalar>(Quantity::drag_force);

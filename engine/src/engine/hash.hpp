@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
-// state_hash: FNV-1a of the positions and velocities of all particles, in the order in which they
-// were added. Equal worlds of one scalar have equal hashes on every machine.
-// (G. Fowler, L. C. Noll, K.-P. Vo, The FNV Non-Cryptographic Hash Algorithm, 1991.)
+/// \file
+/// state_hash: FNV-1a of the positions and velocities of all particles, in the order in which they
+/// were added. Equal worlds of one scalar have equal hashes on every machine.
+/// (G. Fowler, L. C. Noll, K.-P. Vo, The FNV Non-Cryptographic Hash Algorithm, 1991.)
 #pragma once
 
 #include <stdint.h>
 
 namespace engine {
 
+/// A hash carried on by the bytes of a vector.
 template <class Vector>
 uint32_t hash_into(uint32_t hash, const Vector& vector) {
     const unsigned char* bytes = reinterpret_cast<const unsigned char*>(&vector);
@@ -15,6 +17,7 @@ uint32_t hash_into(uint32_t hash, const Vector& vector) {
     return hash;
 }
 
+/// The hash of all positions and velocities of a world.
 template <class World>
 uint32_t state_hash(const World& world) {
     uint32_t hash = 2166136261u;

@@ -1,67 +1,80 @@
 // SPDX-License-Identifier: MIT
-// Springs, rods and ropes, which act between two particles or between a particle and a fixed point;
-// drag and planes, which act on one particle.
+/// \file
+/// Springs, rods and ropes, which act between two particles or between a particle and a fixed
+/// point; drag and planes, which act on one particle.
 #pragma once
 
 #include <engine/vector.hpp>
 
 namespace engine {
 
-// In place of the second particle's index where there is none.
+/// In place of the second particle's index where there is none.
 template <class Index>
 constexpr Index nothing() {
     return static_cast<Index>(-1);
 }
 
-// The ends are the particles a and b.
+/// The ends are the particles a and b.
 template <class Vector, class Index>
 struct Between {
+    /// The index of a particle.
+    /// @{
     Index a, b;
+    /// @}
 
+    /// \cond internal
     constexpr Index second() const { return b; }
     template <class World>
     constexpr Vector difference(const World& world) const {
         return world.particles()[a].position - world.particles()[b].position;
     }
+    /// \endcond
 };
 
-// The ends are the particle a and the fixed point `anchor`.
+/// The ends are the particle a and the fixed point `anchor`.
 template <class Vector, class Index>
 struct Anchored {
+    /// The index of the particle.
     Index a;
-    Vector anchor;  // m
+    Vector anchor;  ///< m
 
+    /// \cond internal
     constexpr Index second() const { return nothing<Index>(); }
     template <class World>
     constexpr Vector difference(const World& world) const {
         return world.particles()[a].position - anchor;
     }
+    /// \endcond
 };
 
-// A massless spring with damping along its length.
+/// A massless spring with damping along its length.
 template <class Scalar, class Ends>
 struct Spring {
+    /// The two ends.
     Ends ends;
-    Scalar stiffness;    // N/m
-    Scalar damping;      // N s/m
-    Scalar rest_length;  // m
+    Scalar stiffness;    ///< N/m
+    Scalar damping;      ///< N s/m
+    Scalar rest_length;  ///< m
 };
 
-// Holds its ends at a distance.
+/// Holds its ends at a distance.
 template <class Scalar, class Ends>
 struct Rod {
+    /// The two ends.
     Ends ends;
-    Scalar length;  // m
+    Scalar length;  ///< m
 };
 
-// Keeps its ends no further apart than its length.
+/// Keeps its ends no further apart than its length.
 template <class Scalar, class Ends>
 struct Rope {
+    /// The two ends.
     Ends ends;
-    Scalar length;       // m
-    Scalar restitution;  // 0..1 of the velocity at which it becomes taut
+    Scalar length;       ///< m
+    Scalar restitution;  ///< 0..1 of the velocity at which it becomes taut
 };
 
+/// \cond internal
 template <class Link>
 auto length_in(Link& link) -> decltype((link.length)) {
     return link.length;
@@ -70,31 +83,33 @@ template <class Scalar, class Ends>
 Scalar& length_in(Spring<Scalar, Ends>& spring) {
     return spring.rest_length;
 }
+/// \endcond
 
-// Slows a particle: force = -velocity (linear + quadratic |velocity|).
+/// Slows a particle: force = -velocity (linear + quadratic |velocity|).
 template <class Scalar, class Index>
 struct Drag {
+    /// The index of the particle.
     Index particle;
-    Scalar linear;     // N s/m
-    Scalar quadratic;  // N s^2/m^2
+    Scalar linear;     ///< N s/m
+    Scalar quadratic;  ///< N s^2/m^2
 };
 
-// The half space of the points x with normal . x >= offset is free, the rest is solid.
+/// The half space of the points x with normal . x >= offset is free, the rest is solid.
 template <class Scalar, class Vector>
 struct Plane {
-    Vector normal;       // of length 1
-    Scalar offset;       // m
-    Scalar restitution;  // 0..1
+    Vector normal;       ///< of length 1
+    Scalar offset;       ///< m
+    Scalar restitution;  ///< 0..1
 };
 
-// Whether the second end is a particle. Where a world has nothing that acts between two particles,
-// that is known at compile time.
+/// Whether the second end is a particle. Where a world has nothing that acts between two particles,
+/// that is known at compile time.
 template <class World, class Index>
 constexpr bool is_particle(const World&, Index second) {
     return World::has_pairs && second != nothing<Index>();
 }
 
-// The velocity of a against b, which may be nothing.
+/// The velocity of a against b, which may be nothing.
 template <class World, class Index>
 ENGINE_INLINE typename World::Vector relative_velocity(const World& world, Index a, Index b) {
     typename World::Vector velocity = world.particles()[a].velocity;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Observation: an arithmetic that has `static void enter(Quantity)` is told at the head of each
-// phase which quantity a step works on, so that it can name what overflowed or vanished. For every
-// other scalar nothing is compiled.
+/// \file
+/// Observation: an arithmetic that has `static void enter(Quantity)` is told at the head of each
+/// phase which quantity a step works on, so that it can name what overflowed or vanished. For every
+/// other scalar nothing is compiled.
 #pragma once
 
 #include <engine/inline.hpp>
@@ -9,8 +10,9 @@
 
 namespace engine {
 
+/// What a step works on: the phases of World::step, in their order.
 enum class Quantity : unsigned char {
-    description,  // the numbers that a world is built from
+    description,  ///< the numbers that a world is built from
     spring_force,
     drag_force,
     custom_force,
@@ -24,6 +26,7 @@ enum class Quantity : unsigned char {
     resolution,
 };
 
+/// \cond internal
 template <class Scalar>
 struct Observer {
     static ENGINE_INLINE void enter(Quantity) {}
@@ -47,5 +50,6 @@ template <class Scalar>
 ENGINE_INLINE void observe(Quantity quantity) {
     Observer<Scalar>::enter(quantity);
 }
+/// \endcond
 
 }  // namespace engine

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A particle: a sphere that does not turn. It holds what its scene uses and no more.
+/// \file
+/// A particle: a sphere that does not turn. It holds what its scene uses and no more.
 #pragma once
 
 #include <engine/decimal.hpp>
@@ -8,6 +9,7 @@
 
 namespace engine {
 
+/// \cond internal
 template <class Vector, bool used>
 struct Force {};
 template <class Vector>
@@ -95,28 +97,32 @@ struct Residuals<Vector, true> {
         }
     }
 };
+/// \endcond
 
-// The description that add_particle makes a particle from. What the scene does not use is ignored.
+/// The description that add_particle makes a particle from. What the scene does not use is ignored.
 template <class Scalar, int N>
 struct Body {
-    Vector<Scalar, N> position;        // m
-    Vector<Scalar, N> velocity;        // m/s
-    Scalar inverse_mass = Scalar();    // 1/kg; 0 is immovable
-    Scalar radius = Scalar();          // m
-    Scalar damping = Decimal<1, 0>();  // factor of the velocity in each step
+    Vector<Scalar, N> position;        ///< m
+    Vector<Scalar, N> velocity;        ///< m/s
+    Scalar inverse_mass = Scalar();    ///< 1/kg; 0 is immovable
+    Scalar radius = Scalar();          ///< m
+    Scalar damping = Decimal<1, 0>();  ///< factor of the velocity in each step
 };
 
+/// A particle of a world: with `force`, `radius`, `damping` and `displacement` where the scene uses
+/// them.
 template <class Scalar, class Uses, bool forces, bool displacement>
 struct Particle : Force<Vector<Scalar, Uses::dimensions>, forces>,
                   Radius<Scalar, Uses::radii>,
                   Damping<Scalar, Uses::damping>,
                   Displacement<Vector<Scalar, Uses::dimensions>, displacement>,
                   Residuals<Vector<Scalar, Uses::dimensions>, Uses::compensated_integration> {
-    Vector<Scalar, Uses::dimensions> position;  // m
-    Vector<Scalar, Uses::dimensions> velocity;  // m/s
-    Scalar inverse_mass = Scalar();             // 1/kg; 0 is immovable
+    Vector<Scalar, Uses::dimensions> position;  ///< m
+    Vector<Scalar, Uses::dimensions> velocity;  ///< m/s
+    Scalar inverse_mass = Scalar();             ///< 1/kg; 0 is immovable
 };
 
+/// Whether anything moves the particle: its inverse mass is not 0.
 template <class Particle>
 constexpr bool movable(const Particle& particle) {
     return particle.inverse_mass > decltype(particle.inverse_mass)();

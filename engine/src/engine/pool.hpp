@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Pool<T, capacity>: up to `capacity` elements in place, no heap. Elements keep their index. A pool
-// of capacity 0 is an empty class, and loops over it compile to nothing.
+/// \file
+/// Pool<T, capacity>: up to `capacity` elements in place, no heap. Elements keep their index. A
+/// pool of capacity 0 is an empty class, and loops over it compile to nothing.
 #pragma once
 
 #include <stdint.h>
@@ -11,6 +12,7 @@
 
 namespace engine {
 
+/// \cond internal
 // The smallest type that counts to `capacity`.
 template <unsigned capacity>
 struct CountTo {
@@ -18,30 +20,38 @@ struct CountTo {
                   "A pool holds at most 65535 elements: Uses states a larger capacity.");
     using Type = typename Either<(capacity < 256), uint8_t, uint16_t>::Type;
 };
+/// \endcond
 
-// The elements of a pool, to be read and changed, but neither added nor removed. An index must be
-// less than size().
+/// The elements of a pool, to be read and changed, but neither added nor removed. An index must be
+/// less than size().
 template <class T, unsigned capacity>
 class Elements {
   public:
+    /// The type of an index: of one byte up to 255 elements, else of two.
     using Index = typename CountTo<capacity>::Type;
 
+    /// How many elements are in it.
     constexpr Index size() const { return size_; }
 
-    // Where there is room for one only, it needs no look-up.
+    /// The element of that index, which needs no look-up where there is room for one only.
     FIXEDPOINT_CONSTEXPR T& operator[](Index i) { return elements_[capacity == 1 ? 0 : i]; }
+    /// The element of that index.
     constexpr const T& operator[](Index i) const { return elements_[capacity == 1 ? 0 : i]; }
+    /// For range-based loops, in the order in which the elements were added.
+    /// @{
     FIXEDPOINT_CONSTEXPR T* begin() { return elements_; }
     FIXEDPOINT_CONSTEXPR T* end() { return elements_ + size_; }
     constexpr const T* begin() const { return elements_; }
     constexpr const T* end() const { return elements_ + size_; }
+    /// @}
 
-    // Calls function(element) for each; not compiled where the capacity is 0, no loop where it
-    // is 1.
+    /// Calls function(element) for each; not compiled where the capacity is 0, no loop where it
+    /// is 1.
     template <class Function>
     ENGINE_INLINE void for_each(Function function) {
         visit(*this, function);
     }
+    /// Calls function(element) for each element.
     template <class Function>
     ENGINE_INLINE void for_each(Function function) const {
         visit(*this, function);
@@ -60,9 +70,10 @@ class Elements {
     T elements_[capacity]{};
 
   protected:
-    Index size_ = 0;
+    Index size_ = 0;  ///< how many elements are in it
 };
 
+/// \cond internal
 template <class T>
 class Elements<T, 0> {
   public:
@@ -76,22 +87,29 @@ class Elements<T, 0> {
     template <class Function>
     void for_each(Function) const {}
 };
+/// \endcond
 
+/// Elements that can be added and removed together.
 template <class T, unsigned capacity>
 class Pool : public Elements<T, capacity> {
   public:
+    /// Whether there is room for no more.
     constexpr bool full() const { return this->size_ == capacity; }
+    /// Removes all elements.
     FIXEDPOINT_CONSTEXPR void clear() { this->size_ = 0; }
-    // Needs !full(). The new element is still what it was made as, or what it was before clear().
+    /// Needs !full(). The new element is still what it was made as, or what it was before clear().
     FIXEDPOINT_CONSTEXPR T& append() { return (*this)[this->size_++]; }
+    /// Adds a copy of the element and returns it. Needs !full().
     FIXEDPOINT_CONSTEXPR T& append(const T& element) { return append() = element; }
 };
 
+/// \cond internal
 template <class T>
 class Pool<T, 0> : public Elements<T, 0> {
   public:
     constexpr bool full() const { return true; }
     FIXEDPOINT_CONSTEXPR void clear() {}
 };
+/// \endcond
 
 }  // namespace engine

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What the engine asks of a scalar: the operators + - * / and comparisons, and the functions here,
-// which a Fixed computes with the library's operations that round once and every other type
-// (float, double, a wide floating-point type) with its operators and the sqrt found by its type.
+/// \file
+/// What the engine asks of a scalar: the operators + - * / and comparisons, and the functions here,
+/// which a Fixed computes with the library's operations that round once and every other type
+/// (float, double, a wide floating-point type) with its operators and the sqrt found by its type.
 #pragma once
 
 #include <math.h>
@@ -16,13 +17,13 @@ namespace engine {
 
 using fixedpoint::Fixed;
 
-// The scalar to begin with: nothing wraps, and what does not fit stays at the end of the range,
-// where it is seen. A plain Fixed wraps and takes fewer cycles: it is for scenes whose numbers are
-// known to fit.
+/// The scalar to begin with: nothing wraps, and what does not fit stays at the end of the range,
+/// where it is seen. A plain Fixed wraps and takes fewer cycles: it is for scenes whose numbers are
+/// known to fit.
 template <int I, int F>
 using SaturatingFixed = Fixed<I, F, fixedpoint::Saturating>;
 
-// The sum of a_i b_i over N components.
+/// The sum of a_i b_i over N components.
 template <int N, class Scalar>
 FIXEDPOINT_CONSTEXPR Scalar dot(const Scalar* a, const Scalar* b) {
     Scalar sum = a[0] * b[0];
@@ -30,51 +31,59 @@ FIXEDPOINT_CONSTEXPR Scalar dot(const Scalar* a, const Scalar* b) {
     return sum;
 }
 
-// The length of a vector of N components.
+/// The length of a vector of N components.
 template <int N, class Scalar>
 Scalar length(const Scalar* v) {
     using ::sqrt;
     return sqrt(dot<N>(v, v));
 }
 
-// a + b and a b, at the end of the scalar's range where they leave it: for what is better too small
-// than of the wrong sign.
+/// a + b, at the end of the scalar's range where it leaves it: for what is better too small than of
+/// the wrong sign.
 template <class Scalar>
 constexpr Scalar saturating_sum(Scalar a, Scalar b) {
     return a + b;
 }
+/// \cond internal
 template <int I, int F, class A>
 constexpr Fixed<I, F, A> saturating_sum(Fixed<I, F, A> a, Fixed<I, F, A> b) {
     using Raw = typename Fixed<I, F, A>::Raw;
     return Fixed<I, F, A>::from_raw(fixedpoint::Saturating::template add<Raw, F>(a.raw(), b.raw()));
 }
+/// \endcond
+/// The product a b, at the end of the scalar's range where it leaves it.
 template <class Scalar>
 constexpr Scalar saturating_product(Scalar a, Scalar b) {
     return a * b;
 }
+/// \cond internal
 template <int I, int F, class A>
 constexpr Fixed<I, F, A> saturating_product(Fixed<I, F, A> a, Fixed<I, F, A> b) {
     using Raw = typename Fixed<I, F, A>::Raw;
     return Fixed<I, F, A>::from_raw(
         fixedpoint::Saturating::template multiply<Raw, F>(a.raw(), b.raw()));
 }
+/// \endcond
 
-// Whether a is neither infinite nor NaN, as every Fixed is.
+/// Whether a is neither infinite nor NaN, as every Fixed is.
 template <class Scalar>
 ENGINE_INLINE constexpr bool is_finite(Scalar a) {
     return a - a == Scalar();
 }
+/// \cond internal
 template <int I, int F, class A>
 constexpr bool is_finite(Fixed<I, F, A>) {
     return true;
 }
+/// \endcond
 
-// |a|.
+/// |a|.
 template <class Scalar>
 constexpr Scalar absolute(Scalar a) {
     return a < Scalar() ? -a : a;
 }
 
+/// \cond internal
 // An arithmetic without compound operations (Published) takes them apart, as every other scalar.
 template <class Arithmetic>
 struct RoundsOnce {
@@ -102,14 +111,17 @@ template <int N, int I, int F, class A>
 Compound<I, F, A> length(const Fixed<I, F, A>* v) {
     return N == 2 ? fixedpoint::length2(v) : fixedpoint::length3(v);
 }
+/// \endcond
 
-// a b + c: of a Fixed by fixedpoint::multiply_add, which rounds once. The engine calls it with its
-// namespace, since a plain multiply_add of Fixed numbers is the library's. A scalar that computes
-// it otherwise specialises MultiplyAdd.
+/// a b + c: of a Fixed by fixedpoint::multiply_add, which rounds once. The engine calls it with its
+/// namespace, since a plain multiply_add of Fixed numbers is the library's. A scalar that computes
+/// it otherwise specialises MultiplyAdd.
 template <class Scalar>
 struct MultiplyAdd {
+    /// The value a b + c.
     static ENGINE_INLINE constexpr Scalar of(Scalar a, Scalar b, Scalar c) { return a * b + c; }
 };
+/// \cond internal
 template <int I, int F, class A>
 struct MultiplyAdd<Fixed<I, F, A>> {
     using Number = Fixed<I, F, A>;
@@ -129,6 +141,8 @@ struct MultiplyAdd<Fixed<I, F, A>> {
         return a * b + c;
     }
 };
+/// \endcond
+/// a b + c: of a Fixed rounded once, of another scalar as its operators round.
 template <class Scalar>
 ENGINE_INLINE constexpr Scalar multiply_add(Scalar a, Scalar b, Scalar c) {
     return MultiplyAdd<Scalar>::of(a, b, c);

@@ -1,30 +1,36 @@
 // SPDX-License-Identifier: MIT
-// BinaryStep<K>: a time step of 2^-K s. In every format, products with it are more exact than with
-// a rounded 0.001, and a shift takes a quarter of a multiplication's time. A scalar in seconds is a
-// time step, too.
+/// \file
+/// BinaryStep<K>: a time step of 2^-K s. In every format, products with it are more exact than with
+/// a rounded 0.001, and a shift takes a quarter of a multiplication's time. A scalar in seconds is
+/// a time step, too.
 #pragma once
 
 #include <engine/scalar.hpp>
 
 namespace engine {
 
+/// A time step of 2^-K s, K in 0..59.
 template <int K>
 struct BinaryStep {
     static_assert(K >= 0 && K < 60, "A binary step is 2^-K seconds, K from 0 to 59.");
 };
 
-// Whether T is a time step other than a scalar in seconds: such a one reaches the integrators as it
-// is. Who writes another specialises this, and gives it half(T), a product with the scalar from the
-// left, and a conversion to the scalar.
+/// Whether T is a time step other than a scalar in seconds: such a one reaches the integrators as
+/// it is. Who writes another specialises this, and gives it half(T), a product with the scalar from
+/// the left, and a conversion to the scalar.
 template <class T>
 struct IsTimeStep {
+    /// Whether it is one.
     static constexpr bool value = false;
 };
+/// \cond internal
 template <int K>
 struct IsTimeStep<BinaryStep<K>> {
     static constexpr bool value = true;
 };
+/// \endcond
 
+/// \cond internal
 // A step in seconds, as a scalar holds it.
 template <class Scalar>
 struct Seconds {
@@ -46,16 +52,19 @@ struct Seconds<Fixed<I, F, A>> {
     }
     static constexpr Number of(Number dt) { return dt; }
 };
+/// \endcond
+/// A step in seconds, rounded to the scalar.
 template <class Scalar, class TimeStep>
 constexpr Scalar seconds(TimeStep dt) {
     return Seconds<Scalar>::of(dt);
 }
 
-// Half of a step.
+/// Half of a step.
 template <int K>
 constexpr BinaryStep<K + 1> half(BinaryStep<K>) {
     return {};
 }
+/// \cond internal
 template <class Scalar>
 constexpr Scalar half(Scalar dt) {
     return dt * (Scalar(1) / Scalar(2));
@@ -64,17 +73,21 @@ template <int I, int F, class A>
 constexpr Fixed<I, F, A> half(Fixed<I, F, A> dt) {
     return dt >> 1;
 }
+/// \endcond
 
+/// The product of a scalar and the step in seconds, rounded.
 template <class Scalar, int K>
 constexpr auto operator*(Scalar a, BinaryStep<K>) -> decltype(Scalar(1) / a) {
     return a * seconds<Scalar>(BinaryStep<K>());
 }
+/// \cond internal
 template <int I, int F, class A, int K>
 constexpr Fixed<I, F, A> operator*(Fixed<I, F, A> a, BinaryStep<K>) {
     return fixedpoint::scale_down<K>(a);
 }
+/// \endcond
 
-// floor((a + residual) / 2^count); the remainder, in units of an ulp, is the new residual.
+/// floor((a + residual) / 2^count); the remainder, in units of an ulp, is the new residual.
 template <int I, int F, class A>
 FIXEDPOINT_CONSTEXPR Fixed<I, F, A> carried_shift(Fixed<I, F, A> a, unsigned char count,
                                                   Fixed<I, F, A>& residual) {
@@ -86,16 +99,18 @@ FIXEDPOINT_CONSTEXPR Fixed<I, F, A> carried_shift(Fixed<I, F, A> a, unsigned cha
         holds ? static_cast<Raw>(sum.raw() & ((Raw(1) << (holds ? count : 0)) - 1)) : Raw(0));
     return whole;
 }
-// a dt, whose part below one ulp is carried in `residual` to the next product: over many binary
-// steps nothing is lost. With every other step and every other scalar the product is rounded.
+/// a dt, whose part below one ulp is carried in `residual` to the next product: over many binary
+/// steps nothing is lost. With every other step and every other scalar the product is rounded.
 template <class Scalar, class TimeStep>
 constexpr Scalar carried_product(Scalar a, TimeStep dt, Scalar&) {
     return a * dt;
 }
+/// \cond internal
 template <int I, int F, class A, int K>
 constexpr Fixed<I, F, A> carried_product(Fixed<I, F, A> a, BinaryStep<K>,
                                          Fixed<I, F, A>& residual) {
     return carried_shift(a, K, residual);
 }
+/// \endcond
 
 }  // namespace engine

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// What a scene uses. A scene's own struct derives from Uses and states what differs:
-//
-//     struct Pendulum : engine::Uses {
-//         static constexpr unsigned particles = 2, rods = 1;
-//         static constexpr bool gravity = true;
-//     };
-//     engine::World<Q16_16, Pendulum> world;
-//
-// What is left at 0 or false is not compiled: no code, no table, no byte of RAM.
+/// \file
+/// What a scene uses. A scene's own struct derives from Uses and states what differs:
+///
+///     struct Pendulum : engine::Uses {
+///         static constexpr unsigned particles = 2, rods = 1;
+///         static constexpr bool gravity = true;
+///     };
+///     engine::World<Q16_16, Pendulum> world;
+///
+/// What is left at 0 or false is not compiled: no code, no table, no byte of RAM.
 #pragma once
 
 #include <engine/broad_phase/brute_force.hpp>
@@ -16,47 +17,53 @@
 
 namespace engine {
 
-// The custom force of a scene that has none.
+/// The custom force of a scene that has none.
 struct NoCustomForce {
+    /// Adds no force.
     template <class World>
     void apply(World&) const {}
 };
 
+/// What a scene uses: derive from it and hide what differs. What is 0 or false is not compiled.
 struct Uses {
+    /// 2 or 3.
     static constexpr unsigned char dimensions = 2;
 
-    // Capacities.
-    static constexpr unsigned particles = 0;
-    static constexpr unsigned springs = 0;           // between two particles
-    static constexpr unsigned anchored_springs = 0;  // between a particle and a point
-    static constexpr unsigned drags = 0;
-    static constexpr unsigned rods = 0;
-    static constexpr unsigned anchored_rods = 0;
-    static constexpr unsigned ropes = 0;
-    static constexpr unsigned anchored_ropes = 0;
-    static constexpr unsigned planes = 0;
-    static constexpr unsigned contacts = 0;  // at once in a step, beside those of rods and ropes
+    static constexpr unsigned particles = 0;         ///< the capacity of each pool, from here on
+    static constexpr unsigned springs = 0;           ///< between two particles
+    static constexpr unsigned anchored_springs = 0;  ///< between a particle and a point
+    static constexpr unsigned drags = 0;             ///< on one particle
+    static constexpr unsigned rods = 0;              ///< between two particles
+    static constexpr unsigned anchored_rods = 0;     ///< between a particle and a point
+    static constexpr unsigned ropes = 0;             ///< between two particles
+    static constexpr unsigned anchored_ropes = 0;    ///< between a particle and a point
+    static constexpr unsigned planes = 0;            ///< solid half spaces
+    static constexpr unsigned contacts = 0;  ///< at once in a step, beside those of rods and ropes
 
-    static constexpr bool gravity = false;     // one acceleration of all movable particles
-    static constexpr bool damping = false;     // a factor of each particle's velocity
-    static constexpr bool collisions = false;  // between particles
-    static constexpr bool radii = false;       // particles are spheres, not points
-    // Velocities and positions carry what rounding a product with a binary step loses, for slow
-    // motion and small steps. Takes 4 numbers of RAM a particle in two dimensions.
+    static constexpr bool gravity = false;     ///< one acceleration of all movable particles
+    static constexpr bool damping = false;     ///< a factor of each particle's velocity
+    static constexpr bool collisions = false;  ///< between particles
+    static constexpr bool radii = false;       ///< particles are spheres, not points
+    /// Velocities and positions carry what rounding a product with a binary step loses, for slow
+    /// motion and small steps. Takes 4 numbers of RAM a particle in two dimensions.
     static constexpr bool compensated_integration = false;
 
-    // A force of the scene's own: `void apply(World&)` adds to the forces of particles in each
-    // step.
+    /// A force of the scene's own: `void apply(World&)` adds to the forces of particles in each
+    /// step.
     template <class World>
     using CustomForce = NoCustomForce;
+    /// Whether CustomForce is applied.
     static constexpr bool custom_force = false;
 
+    /// ExplicitEuler, SemiImplicitEuler, ImplicitSprings or VelocityVerlet.
     using Integrator = SemiImplicitEuler;
+    /// ProjectedGaussSeidel or WorstFirst, of so many iterations.
     using Solver = ProjectedGaussSeidel<4>;
+    /// BruteForce or SortAndSweep.
     using BroadPhase = BruteForce;
 };
 
-// Whether a scene has constraints that push one way only: contacts and ropes.
+/// Whether a scene has constraints that push one way only: contacts and ropes.
 template <class SceneUses>
 constexpr bool may_bounce() {
     return SceneUses::contacts > 0 || SceneUses::ropes > 0 || SceneUses::anchored_ropes > 0;

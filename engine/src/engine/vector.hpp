@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Vector<Scalar, N>: N = 2 or 3 components, one after the other, with the operations of a physics
-// engine. Products of vectors round once where the scalar can.
+/// \file
+/// Vector<Scalar, N>: N = 2 or 3 components, one after the other, with the operations of a physics
+/// engine. Products of vectors round once where the scalar can.
 #pragma once
 
 #include <engine/inline.hpp>
@@ -8,6 +9,7 @@
 
 namespace engine {
 
+/// \cond internal
 // function(i) for each component, without a loop: on the device that halves the cost of a vector.
 template <int N, class Function>
 ENGINE_INLINE void for_components(Function function) {
@@ -27,48 +29,60 @@ template <>
 struct ComponentsOf<3> {
     using List = Components<0, 1, 2>;
 };
+/// \endcond
 
+/// A vector of two or three scalars, in the units of what it stands for.
 template <class Scalar, int N>
 struct Vector {
     static_assert(N == 2 || N == 3, "A vector has two or three components.");
+    /// The components, x first.
     Scalar component[N];
 
+    /// The zero vector.
     constexpr Vector() : Vector(typename ComponentsOf<N>::List()) {}
+    /// The vector (x, y), of scalars or of decimal constants.
     template <class X, class Y>
     constexpr Vector(X x, Y y) : component{scalar(x), scalar(y)} {
         static_assert(N == 2, "A vector of three components is made of three.");
     }
+    /// The vector (x, y, z), of scalars or of decimal constants.
     template <class X, class Y, class Z>
     constexpr Vector(X x, Y y, Z z) : component{scalar(x), scalar(y), scalar(z)} {
         static_assert(N == 3, "A vector of two components is made of two.");
     }
-    // Without zeros first, and without the loop over bytes that the device's compiler would make.
+    /// Without zeros first, and without the loop over bytes that the device's compiler would make.
     ENGINE_INLINE Vector(const Vector& v) : Vector(v, typename ComponentsOf<N>::List()) {}
+    /// Takes the components of v.
     ENGINE_INLINE Vector& operator=(const Vector& v) {
         for_components<N>([&](unsigned char i)
                               ENGINE_INLINE_LAMBDA { component[i] = v.component[i]; });
         return *this;
     }
 
+    /// The component i, which must be less than N.
+    /// @{
     FIXEDPOINT_CONSTEXPR Scalar& operator[](unsigned char i) { return component[i]; }
     constexpr const Scalar& operator[](unsigned char i) const { return component[i]; }
+    /// @}
 
+    /// Adds b, component by component.
     ENGINE_INLINE Vector& operator+=(const Vector& b) {
         for_components<N>([&](unsigned char i) ENGINE_INLINE_LAMBDA { component[i] += b[i]; });
         return *this;
     }
+    /// Subtracts b, component by component.
     ENGINE_INLINE Vector& operator-=(const Vector& b) {
         for_components<N>([&](unsigned char i) ENGINE_INLINE_LAMBDA { component[i] -= b[i]; });
         return *this;
     }
-    // By a scalar or a time step.
+    /// By a scalar or a time step.
     template <class Factor>
     ENGINE_INLINE Vector& operator*=(Factor factor) {
         for_components<N>([&](unsigned char i)
                               ENGINE_INLINE_LAMBDA { component[i] = component[i] * factor; });
         return *this;
     }
-    // this + b factor, each component rounded once.
+    /// this + b factor, each component rounded once.
     ENGINE_INLINE Vector& add_scaled(const Vector& b, Scalar factor) {
         for_components<N>([&](unsigned char i) ENGINE_INLINE_LAMBDA {
             component[i] = engine::multiply_add(b[i], factor, component[i]);
@@ -76,30 +90,36 @@ struct Vector {
         return *this;
     }
 
+    /// The sum, component by component.
     ENGINE_INLINE friend Vector operator+(const Vector& a, const Vector& b) {
         Vector sum(a);
         return sum += b;
     }
+    /// The difference, component by component.
     ENGINE_INLINE friend Vector operator-(const Vector& a, const Vector& b) {
         Vector difference(a);
         return difference -= b;
     }
+    /// The product with a scalar or a time step, each component rounded once.
     template <class Factor>
     ENGINE_INLINE friend Vector operator*(const Vector& a, Factor factor) {
         Vector product(a);
         return product *= factor;
     }
+    /// The vector of the opposite direction.
     ENGINE_INLINE Vector operator-() const {
         Vector negative;
         return negative -= *this;
     }
 
+    /// Whether all components are equal.
     friend FIXEDPOINT_CONSTEXPR bool operator==(const Vector& a, const Vector& b) {
         for (unsigned char i = 0; i < N; ++i) {
             if (!(a[i] == b[i])) return false;
         }
         return true;
     }
+    /// Whether a component differs.
     friend constexpr bool operator!=(const Vector& a, const Vector& b) { return !(a == b); }
 
   private:
@@ -111,30 +131,31 @@ struct Vector {
     static constexpr Scalar scalar(Scalar x) { return x; }
 };
 
+/// The dot product, in fixed point rounded once.
 template <class Scalar, int N>
 ENGINE_INLINE Scalar dot(const Vector<Scalar, N>& a, const Vector<Scalar, N>& b) {
     return dot<N>(a.component, b.component);
 }
 
-// |v|^2. Overflows where the square does: see length.
+/// |v|^2. Overflows where the square does: see length.
 template <class Scalar, int N>
 Scalar squared_length(const Vector<Scalar, N>& v) {
     return dot(v, v);
 }
 
-// |v|; in the default fixed-point arithmetic no square overflows, and the result saturates.
+/// |v|; in the default fixed-point arithmetic no square overflows, and the result saturates.
 template <class Scalar, int N>
 Scalar length(const Vector<Scalar, N>& v) {
     return length<N>(v.component);
 }
 
-// v / |v|; the zero vector stays zero.
+/// v / |v|; the zero vector stays zero.
 template <class Scalar, int N>
 Vector<Scalar, N> normalise(const Vector<Scalar, N>& v) {
     return divided(v, length(v));
 }
 
-// v / divisor; the zero vector where the divisor is zero.
+/// v / divisor; the zero vector where the divisor is zero.
 template <class Scalar, int N>
 Vector<Scalar, N> divided(const Vector<Scalar, N>& v, Scalar divisor) {
     if (divisor == Scalar()) return {};
@@ -143,21 +164,24 @@ Vector<Scalar, N> divided(const Vector<Scalar, N>& v, Scalar divisor) {
     return quotient;
 }
 
+/// Whether no component is infinite or NaN.
 template <class Scalar, int N>
 ENGINE_INLINE bool is_finite(const Vector<Scalar, N>& v) {
     return is_finite(v[0]) && is_finite(v[1]) && is_finite(v[N - 1]);
 }
 
+/// The cross product, each product rounded.
 template <class Scalar>
 Vector<Scalar, 3> cross(const Vector<Scalar, 3>& a, const Vector<Scalar, 3>& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-// The third component of the cross product, the others being zero.
+/// The third component of the cross product, the others being zero.
 template <class Scalar>
 Scalar cross(const Vector<Scalar, 2>& a, const Vector<Scalar, 2>& b) {
     return a[0] * b[1] - a[1] * b[0];
 }
 
+/// The products of the components, each rounded once.
 template <class Scalar, int N>
 Vector<Scalar, N> component_product(Vector<Scalar, N> a, const Vector<Scalar, N>& b) {
     for (unsigned char i = 0; i < N; ++i) a[i] *= b[i];

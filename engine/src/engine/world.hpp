@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
-// World<Scalar, Uses>: particles, what acts between them, and the step. The scalar is any
-// fixed-point format, float, double or a wide type; Uses states what the scene uses (uses.hpp).
-//
-//     World<Q16_16, Pendulum> world;
-//     world.gravity = {0_d, -9.81_d};
-//     auto bob = world.add_particle(body);            // body.position, .velocity, .inverse_mass
-//     world.add_anchored_rod(bob, {0_d, 0_d}, 1_d);   // to a fixed point, 1 m long
-//     if (world.error() != Error::none) ...           // the first thing that went wrong
-//     world.step(BinaryStep<10>());                   // 2^-10 s
-//     world[bob].position
-//
-// Handles stay valid as long as the world: nothing is moved or removed. Nothing allocates. SI
-// units.
+/// \file
+/// World<Scalar, Uses>: particles, what acts between them, and the step. The scalar is any
+/// fixed-point format, float, double or a wide type; Uses states what the scene uses (uses.hpp).
+///
+///     World<Q16_16, Pendulum> world;
+///     world.gravity = {0_d, -9.81_d};
+///     auto bob = world.add_particle(body);            // body.position, .velocity, .inverse_mass
+///     world.add_anchored_rod(bob, {0_d, 0_d}, 1_d);   // to a fixed point, 1 m long
+///     if (world.error() != Error::none) ...           // the first thing that went wrong
+///     world.step(BinaryStep<10>());                   // 2^-10 s
+///     world[bob].position
+///
+/// Handles stay valid as long as the world: nothing is moved or removed. Nothing allocates. SI
+/// units.
 #pragma once
 
 #include <engine/choice.hpp>
@@ -27,6 +28,7 @@
 
 namespace engine {
 
+/// \cond internal
 // Members that a scene does not use take no room.
 template <class Vector, bool used>
 struct Gravity {
@@ -44,47 +46,72 @@ template <class Scalar>
 struct Bounce<Scalar, true> {
     Scalar restitution_ = Scalar(), restitution_threshold_ = Scalar();
 };
+/// \endcond
 
-// Says which particle of a World is meant. One that was not made by add_particle means none; those
-// of another type of world do not compile.
+/// Says which particle of a World is meant. One that was not made by add_particle means none; those
+/// of another type of world do not compile.
 template <class World, class Index>
 struct ParticleHandle {
+    /// The index of the particle.
     Index index;
+    /// Means no particle.
     constexpr ParticleHandle() : index(nothing<Index>()) {}
+    /// Means the particle of that index.
     constexpr ParticleHandle(Index of_particle) : index(of_particle) {}
+    /// Whether it means a particle.
     constexpr explicit operator bool() const { return index != nothing<Index>(); }
 };
 
+/// Particles, what acts between them, and the step. `gravity`, in m/s^2, is a member where the
+/// scene uses it.
 template <class ScalarType, class SceneUses>
 class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUses::gravity>,
               Bounce<ScalarType, may_bounce<SceneUses>()> {
   public:
+    /// The type of every number of the world.
     using Scalar = ScalarType;
+    /// What the scene uses.
     using Uses = SceneUses;
+    /// The integrator that the scene chose.
     using Integrator = typename Uses::Integrator;
+    /// The solver that the scene chose.
     using Solver = typename Uses::Solver;
+    /// The broad phase that the scene chose.
     using BroadPhase = typename Uses::BroadPhase;
 
+    /// 2 or 3.
     static constexpr unsigned char dimensions = Uses::dimensions;
+    /// How many particles there can be.
     static constexpr unsigned capacity = Uses::particles;
+    /// Whether anything can bounce: contacts and ropes.
     static constexpr bool bounces = may_bounce<Uses>();
+    /// Whether anything acts between two particles.
     static constexpr bool has_pairs =
         Uses::springs > 0 || Uses::rods > 0 || Uses::ropes > 0 || Uses::collisions;
+    /// Whether there can be springs.
     static constexpr bool has_springs = Uses::springs > 0 || Uses::anchored_springs > 0;
+    /// Whether particles accumulate forces.
     static constexpr bool has_forces =
         (has_springs && !Integrator::implicit_springs) || Uses::drags > 0 || Uses::custom_force;
-    // In more bits than an unsigned of the device has.
+    /// How many constraint rows there can be in a step; in more bits than an unsigned of the device
+    /// has.
     static constexpr unsigned long max_rows =
         Solver::rows_per_rod * (0ul + Uses::rods + Uses::anchored_rods) + Uses::ropes +
         Uses::anchored_ropes + Uses::contacts;
     static_assert(max_rows <= 65535,
                   "Rods, ropes and contacts make at most 65535 rows: Uses states more.");
 
+    /// A vector of the world's dimensions.
     using Vector = engine::Vector<Scalar, dimensions>;
+    /// What add_particle takes.
     using Body = engine::Body<Scalar, dimensions>;
+    /// The type of a particle's index.
     using Index = typename CountTo<capacity>::Type;
+    /// What add_particle returns.
     using Handle = ParticleHandle<World, Index>;
+    /// What the world holds of a particle.
     using Particle = engine::Particle<Scalar, Uses, has_forces, Solver::needs_displacement>;
+    /// \cond internal
     using Particles = Pool<Particle, Uses::particles>;
     using Ends = Between<Vector, Index>;
     using Anchor = Anchored<Vector, Index>;
@@ -100,10 +127,13 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
     using Rows = Pool<Row, static_cast<unsigned>(max_rows)>;
     using PairMemory = typename BroadPhase::template Memory<World>;
     using IntegratorMemory = typename Integrator::template Memory<World>;
+    /// \endcond
+    /// The scene's own force.
     using CustomForce = typename Uses::template CustomForce<World>;
 
-    // Building. What cannot be added leaves the world as it was, sets error() and returns false;
-    // of particles, a handle that is false. What the scene does not use of a body is ignored.
+    /// Adds a particle and returns its handle. What cannot be added leaves the world as it was,
+    /// sets error() and returns a handle that is false; the other add_ functions return false. What
+    /// the scene does not use of a body is ignored.
     Handle add_particle(const Body& body) {
         if (!is_finite(body.position) || !is_finite(body.velocity)) {
             return refuse(Error::not_finite);
@@ -122,36 +152,45 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
         integrator_memory_.restart();
         return Handle(static_cast<Index>(particles_.size() - 1));
     }
+    /// A spring between two particles: stiffness in N/m, damping in N s/m, length in m, none
+    /// negative.
     bool add_spring(Handle a, Handle b, Scalar stiffness, Scalar damping, Scalar rest_length) {
         return add(springs_, {{a.index, b.index}, stiffness, damping, rest_length});
     }
+    /// A spring between a particle and a fixed point: units as of add_spring.
     bool add_anchored_spring(Handle a, const Vector& anchor, Scalar stiffness, Scalar damping,
                              Scalar rest_length) {
         return add(anchored_springs_, {{a.index, anchor}, stiffness, damping, rest_length});
     }
+    /// Holds two particles at a distance, in m, above 0.
     bool add_rod(Handle a, Handle b, Scalar length) {
         return add(rods_, {{a.index, b.index}, length});
     }
+    /// Holds a particle at a distance, in m, above 0, from a fixed point.
     bool add_anchored_rod(Handle a, const Vector& anchor, Scalar length) {
         return add(anchored_rods_, {{a.index, anchor}, length});
     }
+    /// Keeps two particles within a distance, in m, above 0; restitution, in 0..1, of the velocity
+    /// at which it becomes taut.
     bool add_rope(Handle a, Handle b, Scalar length, Scalar restitution) {
         return add(ropes_, {{a.index, b.index}, length, restitution});
     }
+    /// Keeps a particle within a distance of a fixed point: units as of add_rope.
     bool add_anchored_rope(Handle a, const Vector& anchor, Scalar length, Scalar restitution) {
         return add(anchored_ropes_, {{a.index, anchor}, length, restitution});
     }
+    /// Slows a particle: linear in N s/m, quadratic in N s^2/m^2, none negative.
     bool add_drag(Handle a, Scalar linear, Scalar quadratic) {
         return add(drags_, {a.index, linear, quadratic});
     }
-    // The half space of the points x with normal . x >= offset is free. The normal must be of
-    // length 1 (within 2^-9), as normalise() makes it.
+    /// Adds a solid plane: the half space of the points x with normal . x >= offset is free. The
+    /// normal must be of length 1 (within 2^-9), as normalise() makes it.
     bool add_plane(const Vector& normal, Scalar offset, Scalar restitution) {
         return add(planes_, {normal, offset, restitution});
     }
 
-    // Between steps: another length of a rod, a rope or a spring of this world, as in
-    // set_length(world.rods()[0], 0.3_d). It is refused as the add_ functions refuse it.
+    /// Between steps: another length of a rod, a rope or a spring of this world, as in
+    /// set_length(world.rods()[0], 0.3_d). It is refused as the add_ functions refuse it.
     template <class Link>
     bool set_length(const Link& link, Scalar length) {
         auto& pool = pool_of(link);
@@ -162,40 +201,49 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
         return true;
     }
 
-    // Of particles that meet: 0 (no bounce) to 1 (as fast as before).
+    /// Of particles that meet: 0 (no bounce) to 1 (as fast as before). Anything else is refused: it
+    /// sets error() and returns false.
     bool set_restitution(Scalar restitution) {
         if (!is_between_0_and_1(restitution)) return fail(Error::bad_restitution);
         this->restitution_ = restitution;
         return true;
     }
-    // In m/s: what meets no faster does not bounce.
+    /// In m/s: what meets no faster does not bounce. A negative one is refused, as above.
     bool set_restitution_threshold(Scalar threshold) {
         if (!is_at_least_0(threshold)) return fail(Error::bad_restitution);
         this->restitution_threshold_ = threshold;
         return true;
     }
+    /// Of particles that meet, in 0..1.
     const Scalar& restitution() const { return this->restitution_; }
+    /// In m/s: what meets no faster does not bounce.
     const Scalar& restitution_threshold() const { return this->restitution_threshold_; }
 
-    // The first error since the world was made or the error was cleared.
+    /// The first error since the world was made or the error was cleared.
     Error error() const { return error_; }
+    /// Forgets the error, so that the next one is seen.
     void clear_error() { error_ = Error::none; }
 
-    // Particles and the custom force may be changed between steps. What is written there is not
-    // checked. A handle of no particle is reported, and gives the first.
+    /// Particles and the custom force may be changed between steps. What is written there is not
+    /// checked. A handle of no particle is reported, and gives the first.
     Particle& operator[](Handle handle) { return particles()[known(handle)]; }
+    /// The particle of a handle. A handle of no particle is reported, and gives the first.
     const Particle& operator[](Handle handle) const { return particles_[known(handle)]; }
+    /// All particles, to be changed between steps. What is written there is not checked.
     Elements<Particle, Uses::particles>& particles() {
         integrator_memory_.restart();
         return particles_;
     }
+    /// The scene's own force, to be changed between steps.
     CustomForce& custom_force() {
         integrator_memory_.restart();
         return custom_force_;
     }
 
-    // For those who look. In the order in which they were added.
+    /// All particles, in the order in which they were added.
     const Elements<Particle, Uses::particles>& particles() const { return particles_; }
+    /// Of their kind, in the order in which they were added.
+    /// @{
     const Pool<Spring, Uses::springs>& springs() const { return springs_; }
     const Pool<AnchoredSpring, Uses::anchored_springs>& anchored_springs() const {
         return anchored_springs_;
@@ -208,14 +256,17 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
     }
     const Pool<Drag, Uses::drags>& drags() const { return drags_; }
     const Pool<Plane, Uses::planes>& planes() const { return planes_; }
+    /// @}
+    /// The scene's own force.
     const CustomForce& custom_force() const { return custom_force_; }
 
-    // Moves the world on by a step of 2^-K s, or of another type of time steps.
+    /// Moves the world on by a step of 2^-K s, or of another type of time steps.
     template <class TimeStep>
     typename OnlyIf<IsTimeStep<TimeStep>::value, void>::Type step(TimeStep dt) {
         Integrator::step(*this, dt);
     }
-    // Moves the world on by dt seconds, which must be positive; others are reported and do nothing.
+    /// Moves the world on by dt seconds, which must be positive; others are reported and do
+    /// nothing.
     void step(Scalar dt) {
         if (!is_finite(dt) || !(dt > Scalar())) return report(Error::bad_time_step);
         Integrator::step(*this, dt);
@@ -223,10 +274,10 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
 
     // The parts of a step, for integrators, solvers and custom forces.
 
-    // The particles, to be changed by a step: the integrator is not told.
+    /// The particles, to be changed by a step: the integrator is not told.
     Elements<Particle, Uses::particles>& step_particles() { return particles_; }
 
-    // The force of each particle anew.
+    /// The force of each particle anew.
     void accumulate_forces() {
         only_if<has_forces>(*this, [](World& world) {
             world.particles_.for_each([](Particle& particle) { force_of(particle) = Vector(); });
@@ -237,7 +288,7 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
         });
     }
 
-    // Velocities by forces and gravity.
+    /// Velocities by forces and gravity.
     template <class TimeStep>
     void integrate_velocities(TimeStep dt) {
         observe<Scalar>(Quantity::velocity);
@@ -252,7 +303,7 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
         });
     }
 
-    // Positions by velocities.
+    /// Positions by velocities.
     template <class TimeStep>
     void integrate_positions(TimeStep dt) {
         observe<Scalar>(Quantity::position);
@@ -262,6 +313,7 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
         });
     }
 
+    /// Multiplies each velocity by its particle's damping factor.
     void damp() {
         observe<Scalar>(Quantity::damping);
         only_if<Uses::damping>(particles_, [](Particles& particles) {
@@ -270,7 +322,7 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
         });
     }
 
-    // Finds the rows that bound velocities and positions in this step.
+    /// Finds the rows that bound velocities and positions in this step.
     template <class TimeStep>
     void collect_constraints(TimeStep dt) {
         rows_.clear();
@@ -282,7 +334,7 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
         planes_.for_each(ConstrainAll<TimeStep>{*this, dt});
         collide_all(dt, If<Uses::collisions>());
     }
-    // Another row, in which fill(row) writes; an error where the scene has not stated that many.
+    /// Another row, in which fill(row) writes; an error where the scene has not stated that many.
     template <class Function>
     ENGINE_INLINE void append_row(Function fill) {
         if (rows_.full()) {
@@ -291,13 +343,15 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
             fill(rows_.append());
         }
     }
+    /// The constraint rows of this step.
     const Rows& rows() const { return rows_; }
+    /// Gives the particles velocities that the rows of this step allow.
     void solve_constraints() {
         observe<Scalar>(Quantity::resolution);
         solve(If<(max_rows > 0)>());
     }
 
-    // The acceleration of a against b by gravity.
+    /// The acceleration of a against b by gravity.
     Vector relative_gravity(Index a, Index b) const {
         Vector relative;
         only_if<Uses::gravity>(*this, [&](const World& world) {
@@ -309,10 +363,13 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
         return relative;
     }
 
+    /// Sets error(), where it is none.
     void report(Error error) { fail(error); }
 
+    /// \cond internal
     PairMemory& pair_memory() { return pair_memory_; }
     IntegratorMemory& integrator_memory() { return integrator_memory_; }
+    /// \endcond
 
   private:
     // The parts of a step that a scene may do without: If<false> is the overload that does nothing,

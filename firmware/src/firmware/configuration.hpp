@@ -1,53 +1,65 @@
 // SPDX-License-Identifier: MIT
-// What a program chooses at compile time. Derive from Configuration, hide what differs, and hand
-// the type to a Board (hardware/). What is off costs nothing; what cannot work does not compile.
+/// \file
+/// What a program chooses at compile time. Derive from Configuration, hide what differs, and hand
+/// the type to a Board (hardware/). What is off costs nothing; what cannot work does not compile.
 #pragma once
 
 #include <stdint.h>
 
 namespace firmware {
 
-// Each has an output pin that is high while it runs: PD2 (step) to PD6 (operation).
+/// Each has an output pin that is high while it runs: PD2 (step) to PD6 (operation).
 enum class Category : uint8_t { step, render, collision, square_root, operation };
-// What debug text is about: each has a line of its own on the terminal.
+/// What debug text is about: each has a line of its own on the terminal.
 enum class Topic : uint8_t { loop, sensors, servo, physics };
 
-// A set of categories or of topics: set_of(Category::step, Category::render).
+/// A set of categories or of topics: set_of(Category::step, Category::render).
+/// @{
 constexpr uint8_t set_of() { return 0; }
 template <class Member, class... Members>
 constexpr uint8_t set_of(Member first, Members... others) {
     return static_cast<uint8_t>(1 << static_cast<uint8_t>(first) | set_of(others...));
 }
+/// @}
+/// Whether a set contains the member.
 template <class Member>
 constexpr bool contains(uint8_t set, Member member) {
     return (set >> static_cast<uint8_t>(member) & 1) != 0;
 }
 
+/// What there is to choose, with what is chosen unless one says otherwise.
 struct Configuration {
-    // Inputs of the analogue-to-digital converter, sampled in turn.
+    /// Inputs of the analogue-to-digital converter, sampled in turn.
+    /// @{
     static constexpr uint8_t sensor_a_input = 0;
     static constexpr uint8_t sensor_b_input = 1;
     static constexpr uint8_t dial_input = 2;
-    // How many readings of each input are summed.
+    /// @}
+    /// How many readings of each input are summed.
     static constexpr uint8_t readings_in_sum = 2;
 
-    // The servo's pulse in microseconds: the ends of its travel, and what it gets until the first
-    // command.
+    /// The servo's pulse in microseconds: the ends of its travel, and what it gets until the first
+    /// command.
+    /// @{
     static constexpr uint16_t servo_shortest = 1000;
     static constexpr uint16_t servo_longest = 2000;
     static constexpr uint16_t servo_at_start = 1500;
+    /// @}
 
-    // Ring buffers of the serial port, in bytes.
+    /// Ring buffers of the serial port, in bytes.
+    /// @{
     static constexpr uint8_t transmit_capacity = 64;
     static constexpr uint8_t receive_capacity = 16;
+    /// @}
 
-    static constexpr uint8_t profiled = set_of();  // categories
-    static constexpr uint8_t debugged = set_of();  // topics
+    static constexpr uint8_t profiled = set_of();  ///< the set of categories that have a pin
+    static constexpr uint8_t debugged = set_of();  ///< topics
 };
 
-// Fails to compile, with a sentence, where a configuration cannot work.
+/// Fails to compile, with a sentence, where a configuration cannot work.
 template <class Chosen>
 struct CheckedConfiguration {
+    /// Whether n is a power of two.
     static constexpr bool power_of_two(unsigned n) { return n != 0 && (n & (n - 1)) == 0; }
 
     static_assert(Chosen::sensor_a_input < 8 && Chosen::sensor_b_input < 8 &&

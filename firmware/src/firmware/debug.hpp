@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Debug text by topic. A topic that the board's configuration does not name in `debugged` compiles
-// to nothing, its strings included. Strings stay in flash: FIRMWARE_TEXT("...").
-//
-// Each topic has a line of its own below the renderer's grid, which its newest text replaces. A
-// text that the serial port has no room for is dropped and counted: nothing here waits.
+/// \file
+/// Debug text by topic. A topic that the board's configuration does not name in `debugged` compiles
+/// to nothing, its strings included. Strings stay in flash: FIRMWARE_TEXT("...").
+///
+/// Each topic has a line of its own below the renderer's grid, which its newest text replaces. A
+/// text that the serial port has no room for is dropped and counted: nothing here waits.
 #pragma once
 
 #include <firmware/configuration.hpp>
@@ -13,11 +14,11 @@
 
 namespace firmware {
 
-// First_line is the terminal's line of the first topic.
+/// Debug text of a Board; first_line is the terminal's line of the first topic.
 template <class Board, uint8_t first_line>
 class Debug {
   public:
-    // The text, and behind it the number with so many decimals.
+    /// The text, and behind it the number with so many decimals.
     template <Topic topic, class Number>
     static void print(FlashText text, Number number, uint8_t decimals) {
         if (!on(topic)) return;
@@ -26,18 +27,20 @@ class Debug {
             static_cast<uint8_t>(fixedpoint::print(number, decimals, digits, sizeof digits));
         write(line_of(topic), text, digits, length);
     }
+    /// The text, and behind it an integer.
     template <Topic topic>
     static void print(FlashText text, int32_t number) {
         if (!on(topic)) return;
         print<topic>(text, fixedpoint::Fixed<32, 0>::from_raw(number), 0);
     }
+    /// The text alone.
     template <Topic topic>
     static void print(FlashText text) {
         if (!on(topic)) return;
         write(line_of(topic), text, nullptr, 0);
     }
 
-    // Texts that were dropped since the start; stops at 255.
+    /// Texts that were dropped since the start; stops at 255.
     static uint8_t dropped() { return dropped_; }
 
   private:

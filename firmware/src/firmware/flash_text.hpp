@@ -1,22 +1,29 @@
 // SPDX-License-Identifier: MIT
-// Text that stays in flash: FIRMWARE_TEXT("..."), read a character at a time.
+/// \file
+/// Text that stays in flash: FIRMWARE_TEXT("..."), read a character at a time.
 #pragma once
 
 #include <stdint.h>
 
 #ifdef __AVR__
 #include <avr/pgmspace.h>
+/// A string literal of at most 255 characters, kept in flash.
 #define FIRMWARE_TEXT(text) firmware::flash_text(PSTR(text), sizeof text - 1)
 #else
+/// A string literal of at most 255 characters; on the chip it stays in flash.
 #define FIRMWARE_TEXT(text) firmware::flash_text(text, sizeof text - 1)
 #endif
 
 namespace firmware {
 
+/// A text that is kept in flash.
 struct FlashText {
+    /// Where it begins: in flash, not in RAM.
     const char* address;
+    /// Its characters.
     uint8_t length;
 
+    /// The character i, which must be less than `length`.
     char operator[](uint8_t i) const {
 #ifdef __AVR__
         return static_cast<char>(pgm_read_byte(address + i));
@@ -26,7 +33,7 @@ struct FlashText {
     }
 };
 
-// A function, as avr-gcc 5.4 loses a string of PSTR within braces.
+/// A function, as avr-gcc 5.4 loses a string of PSTR within braces.
 inline FlashText flash_text(const char* address, uint8_t length) { return {address, length}; }
 
 }  // namespace firmware

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// When to step the physics and when to render. Times are a board's ticks, modulo 2^32: what is
-// asked must be asked again within 17 minutes. Plain logic, without a clock of its own:
-//
-//     while (const uint32_t length = steps.due(Board::ticks())) {
-//         step(seconds<Scalar>(length));
-//         steps.done(Board::ticks());
-//     }
-//     if (frames.due(Board::ticks())) draw();
-//
-// So that one of two policies is a matter of one type.
+/// \file
+/// When to step the physics and when to render. Times are a board's ticks, modulo 2^32: what is
+/// asked must be asked again within 17 minutes. Plain logic, without a clock of its own:
+///
+///     while (const uint32_t length = steps.due(Board::ticks())) {
+///         step(seconds<Scalar>(length));
+///         steps.done(Board::ticks());
+///     }
+///     if (frames.due(Board::ticks())) draw();
+///
+/// So that one of two policies is a matter of one type.
 #pragma once
 
 #include <firmware/hardware/readings.hpp>
@@ -16,33 +17,35 @@
 
 namespace firmware {
 
-// How much later `now` is than `then`, negative where it is earlier.
+/// How much later `now` is than `then`, negative where it is earlier.
 constexpr int32_t elapsed(uint32_t then, uint32_t now) { return static_cast<int32_t>(now - then); }
 
-// A length of time as a number of the physics, rounded to nearest.
+/// A length of time as a number of the physics, rounded to nearest.
 template <class Scalar>
 constexpr Scalar seconds(uint32_t ticks) {
     return fixedpoint::from_decimal<Scalar>(static_cast<int32_t>(ticks / ticks_per_microsecond), 6);
 }
+/// \cond internal
 template <>
 constexpr float seconds<float>(uint32_t ticks) {
     return static_cast<float>(ticks) / ticks_per_second;
 }
+/// \endcond
 
-// Steps of one length, each due at its time. Late ones are made up for, up to most_behind steps;
-// what is later than that is given up, so that one long wait is not followed by a burst of steps.
-// Nothing of it is silent: late steps (a whole step or more), steps given up and the worst delay
-// are counted.
+/// Steps of one length, each due at its time. Late ones are made up for, up to most_behind steps;
+/// what is later than that is given up, so that one long wait is not followed by a burst of steps.
+/// Nothing of it is silent: late steps (a whole step or more), steps given up and the worst delay
+/// are counted.
 template <uint16_t step_length = ticks_per_millisecond, uint8_t most_behind = 10>
 class FixedSteps {
     static_assert(step_length > 0, "A step takes time.");
     static_assert(most_behind > 0, "Steps that are late at all cannot be made up for.");
 
   public:
-    // The first step is due one step after `now`.
+    /// The first step is due one step after `now`.
     explicit FixedSteps(uint32_t now) : next_(now + step_length) {}
 
-    // The length of the step that is due, 0 where none is.
+    /// The length of the step that is due, 0 where none is.
     uint16_t due(uint32_t now) {
         const int32_t behind = elapsed(next_, now);
         if (behind < 0) return 0;
@@ -54,11 +57,14 @@ class FixedSteps {
         next_ += step_length;
         return step_length;
     }
+    /// Says that the step has been computed; of steps of one length nothing depends on it.
     void done(uint32_t) {}
 
+    /// Steps that began a whole step late or more.
     uint32_t late() const { return late_; }
+    /// Steps that were given up, as they were too late.
     uint32_t given_up() const { return given_up_; }
-    uint32_t worst_delay() const { return worst_delay_; }  // ticks
+    uint32_t worst_delay() const { return worst_delay_; }  ///< ticks
 
   private:
     void give_up(int32_t behind) {
@@ -71,13 +77,14 @@ class FixedSteps {
     uint32_t late_ = 0, given_up_ = 0, worst_delay_ = 0;
 };
 
-// The published policy: physics waits until it is 10 ms behind the clock, then catches up until it
-// is ahead, each step as long as the one before took to compute, and 5 ms on top.
+/// The published policy: physics waits until it is 10 ms behind the clock, then catches up until it
+/// is ahead, each step as long as the one before took to compute, and 5 ms on top.
 class PublishedSteps {
   public:
+    /// Physics begins at `now`.
     explicit PublishedSteps(uint32_t now) : physics_(now) {}
 
-    // The length of the step that is due, 0 where none is.
+    /// The length of the step that is due, 0 where none is.
     uint32_t due(uint32_t now) {
         const int32_t behind = elapsed(physics_, now);
         if (behind <= 0) catching_up_ = false;
@@ -88,6 +95,7 @@ class PublishedSteps {
         physics_ += length;
         return length;
     }
+    /// Says that the step has been computed at `now`, from which follows the length of the next.
     void done(uint32_t now) { duration_ = now - begun_; }
 
   private:
@@ -98,13 +106,14 @@ class PublishedSteps {
     bool catching_up_ = false;
 };
 
-// Frames of one length, 20 a second. One that is late by a whole frame or more is left out.
+/// Frames of one length, 20 a second. One that is late by a whole frame or more is left out.
 template <uint32_t frame_length = 50ul * ticks_per_millisecond>
 class Frames {
   public:
-    // The first frame is due at once.
+    /// The first frame is due at once.
     explicit Frames(uint32_t now) : next_(now) {}
 
+    /// Whether a frame is to be drawn now; true once for each.
     bool due(uint32_t now) {
         const int32_t behind = elapsed(next_, now);
         if (behind < 0) return false;

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// A grid of cells, 1, 2 or 4 bits each, onto which lines and circles are drawn. Cell (0, 0) is at
-// the lower left. Everything is clipped: coordinates and radii may be anything up to
-// `farthest_cell`, and no call takes longer than a walk across the grid.
-//
-// What is drawn is defined without reference to how (an axis is the direction along which a shape
-// goes faster):
-// - line: in each column (row, where it is steeper than 45 degrees) the one cell that is nearest to
-//   the exact line, of two that are equally near the upper (the right) one;
-// - circle: in each column whose cells it crosses at 45 degrees or less the two cells whose centre
-//   is nearest to the exact circle vertically, and likewise in each row horizontally.
+/// \file
+/// A grid of cells, 1, 2 or 4 bits each, onto which lines and circles are drawn. Cell (0, 0) is at
+/// the lower left. Everything is clipped: coordinates and radii may be anything up to
+/// `farthest_cell`, and no call takes longer than a walk across the grid.
+///
+/// What is drawn is defined without reference to how (an axis is the direction along which a shape
+/// goes faster):
+/// - line: in each column (row, where it is steeper than 45 degrees) the one cell that is nearest
+///   to the exact line, of two that are equally near the upper (the right) one;
+/// - circle: in each column whose cells it crosses at 45 degrees or less the two cells whose centre
+///   is nearest to the exact circle vertically, and likewise in each row horizontally.
 #pragma once
 
 #include <stdint.h>
@@ -17,9 +18,10 @@
 
 namespace firmware {
 
-// Sums of coordinates fit 16 bits, products of two of them 32.
+/// Sums of coordinates fit 16 bits, products of two of them 32.
 constexpr int16_t farthest_cell = 8191;
 
+/// \cond internal
 // The integers nearest to a straight line from `from` to `to` in `steps` steps, of two that are
 // equally near the greater one: from + floor((2 k (to - from) + steps) / (2 steps)) for step k.
 class Interpolation {
@@ -97,18 +99,27 @@ class DepthInterpolation<false> {
     int8_t value() const { return 0; }
     void advance() {}
 };
+/// \endcond
 
+/// A grid of cells of `bits_` bits, with the depth of each cell where `depth_` says so.
 template <uint8_t columns_, uint8_t rows_, uint8_t bits_, bool depth_>
 class Grid : DepthBuffer<uint16_t{rows_} * columns_, depth_> {
     using Nearest = DepthBuffer<uint16_t{rows_} * columns_, depth_>;
 
   public:
+    /// 1 to 99.
     static constexpr uint8_t columns = columns_;
+    /// 1 to 90.
     static constexpr uint8_t rows = rows_;
+    /// Of a cell: 1, 2 or 4.
     static constexpr uint8_t bits = bits_;
+    /// Whether what is nearer hides what is farther.
     static constexpr bool depth = depth_;
+    /// How many cells share a byte.
     static constexpr uint8_t cells_per_byte = 8 / bits;
+    /// The bytes of a row.
     static constexpr uint8_t row_bytes = (columns + cells_per_byte - 1) / cells_per_byte;
+    /// How many colours there are; 0 is the blank.
     static constexpr uint8_t colours = 1 << bits;
 
     static_assert(bits == 1 || bits == 2 || bits == 4,
@@ -116,21 +127,29 @@ class Grid : DepthBuffer<uint16_t{rows_} * columns_, depth_> {
     static_assert(columns >= 1 && columns <= 99 && rows >= 1 && rows <= 90,
                   "A grid has 1 to 99 columns and 1 to 90 rows, as a terminal addresses them.");
 
+    /// Makes all cells blank, and as far away as can be.
     void clear() {
         for (uint8_t row = 0; row < rows; ++row)
             for (uint8_t i = 0; i < row_bytes; ++i) cells_[row][i] = 0;
         Nearest::clear();
     }
 
+    /// The colour of a cell, which must be in the grid.
     uint8_t colour(uint8_t column, uint8_t row) const {
         return cells_[row][column / cells_per_byte] >> shift(column) & (colours - 1);
     }
+    /// The bytes of a row, the first column in the lowest bits.
+    /// @{
     const uint8_t* row(uint8_t row) const { return cells_[row]; }
     uint8_t* row(uint8_t row) { return cells_[row]; }
+    /// @}
+    /// The bits of a column in its byte.
     static constexpr uint8_t mask(uint8_t column) {
         return static_cast<uint8_t>((colours - 1) << shift(column));
     }
 
+    /// Colours a cell, unless something nearer is there; nothing outside of the grid. A greater z
+    /// is nearer.
     void point(int16_t x, int16_t y, uint8_t colour, int8_t z = 0) {
         if (static_cast<uint16_t>(x) >= columns || static_cast<uint16_t>(y) >= rows) return;
         const uint8_t column = static_cast<uint8_t>(x), row = static_cast<uint8_t>(y);
@@ -140,6 +159,7 @@ class Grid : DepthBuffer<uint16_t{rows_} * columns_, depth_> {
                                     static_cast<uint8_t>(colour << shift(column)));
     }
 
+    /// Draws a line between two cells, as the file defines it; z goes from z0 to z1 along it.
     void line(int16_t x0, int16_t y0, int16_t x1, int16_t y1, uint8_t colour, int8_t z0 = 0,
               int8_t z1 = 0) {
         const int16_t width = x1 < x0 ? x0 - x1 : x1 - x0;
@@ -159,7 +179,7 @@ class Grid : DepthBuffer<uint16_t{rows_} * columns_, depth_> {
         line_along(steep, from, to, colour);
     }
 
-    // A circle's outline; a point where the radius is 0.
+    /// A circle's outline; a point where the radius is 0.
     void circle(int16_t x, int16_t y, int16_t radius, uint8_t colour, int8_t z = 0) {
         if (radius <= 0) {
             if (radius == 0) point(x, y, colour, z);

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The haptic lever: a weight of 0.1 kg at the end of a virtual arm, felt through a servo. The
-// user's force is measured by two opposed sensors, the arm is moved by the engine, and the servo is
-// told the arm's angle. Knows no hardware: readings come in, the servo's pulse goes out, so that it
-// runs alike on the chip, in tests and in a search for its limits.
-//
-//     Lever<LeverChoices<Q16_16>> lever;
-//     Board::command_servo(lever.step(Board::readings(), BinaryStep<10>()));
-//
-// Angles are the arm's above its lower stop, in rad; forces and speeds are positive upwards. SI
-// units. What depends on the arm's length alone is computed when that changes.
+/// \file
+/// The haptic lever: a weight of 0.1 kg at the end of a virtual arm, felt through a servo. The
+/// user's force is measured by two opposed sensors, the arm is moved by the engine, and the servo
+/// is told the arm's angle. Knows no hardware: readings come in, the servo's pulse goes out, so
+/// that it runs alike on the chip, in tests and in a search for its limits.
+///
+///     Lever<LeverChoices<Q16_16>> lever;
+///     Board::command_servo(lever.step(Board::readings(), BinaryStep<10>()));
+///
+/// Angles are the arm's above its lower stop, in rad; forces and speeds are positive upwards. SI
+/// units. What depends on the arm's length alone is computed when that changes.
 #pragma once
 
 #include <engine.h>
@@ -23,59 +24,75 @@
 
 namespace firmware {
 
-// What a lever is made of; derive from it and hide what differs. 2^rate steps a second.
+/// What a lever is made of; derive from it and hide what differs. 2^rate steps a second.
 template <class ScalarType, int rate = 10>
 struct LeverChoices {
+    /// The number type of force, arm and pulse.
     using Scalar = ScalarType;
+    /// The scene of the engine that the arm is.
     using Scene = scenes::Lever;
+    /// The integrator and the solver.
     using Method = scenes::SemiImplicit;
 
-    // 1024.07 steps a second of 2^-10 s each: 64 ppm apart, as a resonator is from its frequency.
-    static constexpr uint16_t step_length = ticks_per_second >> rate;  // ticks
+    /// 1024.07 steps a second of 2^-10 s each: 64 ppm apart, as a resonator is from its frequency.
+    static constexpr uint16_t step_length = ticks_per_second >> rate;  ///< ticks
+    /// When a step is due.
     using Steps = FixedSteps<step_length>;
+    /// The engine's step for so many ticks.
     static constexpr engine::BinaryStep<rate> time_step(uint16_t) { return {}; }
 
-    // The servo is told where the arm will be so much later, in s: the pulse that it follows is 10
-    // ms old in the mean, and its drive takes another 10 ms. Without it servo, foam and sensors of
-    // a lever that is held still chase each other.
+    /// The servo is told where the arm will be so much later, in s: the pulse that it follows is 10
+    /// ms old in the mean, and its drive takes another 10 ms. Without it servo, foam and sensors of
+    /// a lever that is held still chase each other.
     static constexpr Scalar servo_delay() { return engine::Decimal<2, 2>(); }
 
-    // A user who pushes against the motion with more than 0.5 N slows it towards its 0.5 N / push,
-    // by 2^-damping_exponent of the way in each step: within 2^-5 s. (Published as 0, all of the
-    // way, in steps of 10 ms; in 1000 steps a second that stops what falls.)
+    /// A user who pushes against the motion with more than 0.5 N slows it towards its 0.5 N / push,
+    /// by 2^-damping_exponent of the way in each step: within 2^-5 s. (Published as 0, all of the
+    /// way, in steps of 10 ms; in 1000 steps a second that stops what falls.)
+    /// @{
     static constexpr bool selective_damping = true;
     static constexpr uint8_t damping_exponent = rate - 5;
+    /// @}
 
-    // What the sensors feel of their frame's own acceleration is taken off: table D.2.
+    /// What the sensors feel of their frame's own acceleration is taken off: table D.2.
     static constexpr bool frame_correction = false;
 
-    // Of a sensor: the least reading at which the other one may be free. Above the reading at rest,
-    // so that a sensor that is unplugged then is noticed; below that which holds the weight alone,
-    // for where it is not, a held lever loses its force whenever a foam lets go, and swings.
+    /// Of a sensor: the least reading at which the other one may be free. Above the reading at
+    /// rest, so that a sensor that is unplugged then is noticed; below that which holds the weight
+    /// alone, for where it is not, a held lever loses its force whenever a foam lets go, and
+    /// swings.
     static constexpr uint16_t pressed = 895;
 };
 
-// The device of the report: its scene, method, clock and damping.
+/// The device of the report: its scene, method, clock and damping.
 template <class ScalarType>
 struct PublishedLeverChoices : LeverChoices<ScalarType> {
+    /// As published.
+    /// @{
     using Scene = scenes::PublishedLever;
     using Method = scenes::Published;
     using Steps = PublishedSteps;
     static constexpr ScalarType time_step(uint32_t ticks) { return seconds<ScalarType>(ticks); }
     static constexpr ScalarType servo_delay() { return ScalarType(); }
     static constexpr uint8_t damping_exponent = 0;
+    /// @}
 };
 
+/// The lever, made of Choices.
 template <class Choices>
 class Lever {
   public:
+    /// Its number type.
     using Scalar = typename Choices::Scalar;
+    /// The engine's world that the arm is in.
     using World =
         engine::World<Scalar, typename Choices::Scene::template Uses<typename Choices::Method>>;
+    /// Two numbers, x to the right and y upwards.
     using Vector = typename World::Vector;
+    /// Its numbers.
     using Geometry = LeverGeometry<Scalar>;
 
-    // At rest on the lower stop, the arm at its shortest.
+    /// At rest on the lower stop, the arm at its shortest.
     Lever() {
         typename Choices::Scene::template Parameters<Scalar> numbers{};
         numbers.length = Geometry::shortest();
@@ -85,7 +102,7 @@ class Lever {
         look();
     }
 
-    // Moves the arm on by dt and returns the servo's pulse, in ticks.
+    /// Moves the arm on by dt and returns the servo's pulse, in ticks.
     template <class TimeStep>
     uint16_t step(const Readings& readings, TimeStep dt) {
         if (++steps_ % steps_per_dial_reading == 0) follow_dial(readings.sum[dial]);
@@ -100,13 +117,14 @@ class Lever {
         return pulse(angle + speed_ * lead_);
     }
 
+    /// The arm's length, in m, which follows the dial.
     Scalar length() { return Arm::rod(world_).length; }
-    // Whether the last readings can be those of two connected sensors; where not, they count as no
-    // force.
+    /// Whether the last readings can be those of two connected sensors; where not, they count as no
+    /// force.
     bool sensors_connected() const { return connected_; }
 
-    // On a grid of which a cell is 2.5 cm: the longest arm fits. The weight's radius of 1 cm is
-    // less than half a cell: a point.
+    /// On a grid of which a cell is 2.5 cm: the longest arm fits. The weight's radius of 1 cm is
+    /// less than half a cell: a point.
     template <class Grid>
     void draw(Grid& grid) {
         using Picture = Projection<Grid, typename Geometry::View>;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What the opposed sensors feel of their frame's own acceleration, by the published Table D.2: as
-// the frame speeds up, the lever lies behind and presses on one of them. An option of the lever,
-// which takes no room where it is off.
+/// \file
+/// What the opposed sensors feel of their frame's own acceleration, by the published Table D.2: as
+/// the frame speeds up, the lever lies behind and presses on one of them. An option of the lever,
+/// which takes no room where it is off.
 #pragma once
 
 #include <engine/time_step.hpp>
@@ -12,7 +13,7 @@
 namespace firmware {
 namespace frame_correction {
 
-// N per m/s^2 at 5, 6 .. 30 m/s^2, in 2^-16.
+/// N per m/s^2 at 5, 6 .. 30 m/s^2, in 2^-16.
 constexpr uint8_t least = 5, most = 30;
 template <class = void>
 struct Table {
@@ -24,7 +25,7 @@ const uint16_t Table<T>::entries[] FIXEDPOINT_PROGRAM_MEMORY = {
     3692, 3906, 4617, 4179, 3502, 4178, 3735, 3835, 3751, 3309, 3684, 3492, 3244,
 };
 
-// The force in N at an acceleration in m/s^2, by the nearest entry; beyond the last it is held.
+/// The force in N at an acceleration in m/s^2, by the nearest entry; beyond the last it is held.
 template <class Scalar>
 Scalar force(Scalar acceleration) {
     const Scalar limit = CellArithmetic<Scalar>::from_integer(most);
@@ -38,10 +39,11 @@ Scalar force(Scalar acceleration) {
 
 }  // namespace frame_correction
 
+/// The correction, with what it has to remember; nothing of it where it is off.
 template <class Scalar, bool on>
 class FrameCorrection {
   public:
-    // To be added to the sensors' force, by the speed of the arm's end, once a step.
+    /// To be added to the sensors' force, by the speed of the arm's end, once a step.
     template <class TimeStep>
     Scalar correction(Scalar speed, TimeStep dt) {
         const Scalar change = speed - last_speed_;
@@ -52,6 +54,7 @@ class FrameCorrection {
   private:
     Scalar last_speed_ = Scalar();
 };
+/// \cond internal
 template <class Scalar>
 class FrameCorrection<Scalar, false> {
   public:
@@ -60,5 +63,6 @@ class FrameCorrection<Scalar, false> {
         return Scalar();
     }
 };
+/// \endcond
 
 }  // namespace firmware

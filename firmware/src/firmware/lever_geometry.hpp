@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The numbers of the haptic lever, and where each scene keeps its arm.
+/// \file
+/// The numbers of the haptic lever, and where each scene keeps its arm.
 #pragma once
 
 #include <firmware/hardware/readings.hpp>
@@ -9,53 +10,66 @@
 
 namespace firmware {
 
-// Q16_16 but for its arc tangent, which takes 600 cycles more and 3 KB of flash less.
+/// Q16_16 but for its arc tangent, which takes 600 cycles more and 3 KB of flash less.
 struct LeverArithmetic : fixedpoint::Nearest {
+    /// As Small has it.
     template <class Raw, int F>
     static constexpr Raw atan2(Raw y, Raw x) {
         return fixedpoint::Small::atan2<Raw, F>(y, x);
     }
 };
+/// The number type of the lever that is flashed.
 using LeverScalar = fixedpoint::Fixed<16, 16, LeverArithmetic>;
 
-// The arm points to the left of its pivot and goes from 30 degrees below the horizontal to 30
-// degrees above it: 60 degrees of the servo. Its shortest pulse stands for the lower stop.
+/// The arm points to the left of its pivot and goes from 30 degrees below the horizontal to 30
+/// degrees above it: 60 degrees of the servo. Its shortest pulse stands for the lower stop.
 template <class ScalarType>
 struct LeverGeometry {
+    /// The number type.
     using Scalar = ScalarType;
+    /// A decimal constant.
     template <int64_t digits, unsigned char places>
     using Decimal = engine::Decimal<digits, places>;
 
+    /// The number 1.
     static constexpr Scalar one() { return Decimal<1, 0>(); }
 
-    static constexpr Scalar lower_stop_from_below() { return Decimal<10471976, 7>(); }  // rad
-    static constexpr Scalar travel() { return Decimal<10471976, 7>(); }                 // rad
+    static constexpr Scalar lower_stop_from_below() { return Decimal<10471976, 7>(); }  ///< rad
+    static constexpr Scalar travel() { return Decimal<10471976, 7>(); }                 ///< rad
+    /// Of the angle between a stop and the horizontal.
     static constexpr Scalar cosine_of_stop() { return Decimal<8660254, 7>(); }
+    /// Of the angle between a stop and the horizontal.
     static constexpr Scalar sine_of_stop() { return Decimal<5, 1>(); }
 
-    // Of the velocity, off a stop.
+    /// Of the velocity, off a stop.
     static constexpr Scalar bounce() { return -Decimal<5, 1>(); }
 
-    // A hobby servo: 1 ms for 90 degrees.
+    /// A hobby servo: 1 ms for 90 degrees.
     static constexpr uint16_t pulse_at_lower_stop = 1000 * ticks_per_microsecond;
+    /// The servo's pulse, in ticks, by its angle.
     static constexpr Scalar ticks_per_radian() { return Decimal<12732395, 4>(); }
 
-    static constexpr Scalar sensor_radius() { return Decimal<4, 2>(); }  // m
+    static constexpr Scalar sensor_radius() { return Decimal<4, 2>(); }  ///< of the sensors, m
+    /// The force of a gram's weight, N.
     static constexpr Scalar newtons_per_gram() { return Decimal<980665, 8>(); }
 
-    // Of the arm, m: from one end of the dial to the other. The sum is of two readings.
+    /// The arm's length at one end of the dial, m; at the other it is 0.25 m more.
     static constexpr Scalar shortest() { return Decimal<23, 2>(); }
+    /// The arm's length, in m, for the sum of two readings of the dial.
     static Scalar length_at(uint16_t sum) {
         return shortest() + calibration::scaled<Scalar, 11>(sum) * longer();
     }
 
-    // Of the screen: 0.5 m on each side, 2.5 cm a cell.
+    /// Of the screen: 0.5 m on each side, 2.5 cm a cell.
     struct View {
+        /// As Projection asks for them.
+        /// @{
         using Scalar = ScalarType;
         static constexpr uint16_t cells_per_unit = 40;
         static constexpr Scalar left() { return -Decimal<11, 2>(); }
         static constexpr Scalar bottom() { return -Decimal<1, 1>(); }
         static constexpr Scalar slice() { return Decimal<0, 0>(); }
+        /// @}
     };
 
   private:
@@ -63,6 +77,7 @@ struct LeverGeometry {
     static constexpr Scalar longer() { return Decimal<2502444, 7>(); }
 };
 
+/// \cond internal
 // The rod, its moving end and its fixed one.
 template <class Scene>
 struct ArmOf;
@@ -96,5 +111,6 @@ struct ArmOf<scenes::PublishedLever> {
         return world.particles()[0].position;
     }
 };
+/// \endcond
 
 }  // namespace firmware

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The lever as a program on a Board: steps when they are due, frames in between, sleep in the rest.
-//
-//     Program::start();
-//     for (;;) Program::pass();
-//
-// Whatever comes in on the serial port asks for a full frame.
+/// \file
+/// The lever as a program on a Board: steps when they are due, frames in between, sleep in the
+/// rest.
+///
+///     Program::start();
+///     for (;;) Program::pass();
+///
+/// Whatever comes in on the serial port asks for a full frame.
 #pragma once
 
 #include <firmware/frame_clock.hpp>
@@ -14,14 +16,18 @@
 
 namespace firmware {
 
-// What a lever asks of its Board: 60 degrees of the servo, pins that show when it works.
+/// What a lever asks of its Board: 60 degrees of the servo, pins that show when it works.
 struct LeverWiring : Configuration {
+    /// As Configuration has them.
+    /// @{
     static constexpr uint16_t servo_shortest = 1000;
     static constexpr uint16_t servo_longest = 1667;
     static constexpr uint16_t servo_at_start = 1000;
     static constexpr uint8_t profiled = set_of(Category::step, Category::render);
+    /// @}
 };
 
+/// \cond internal
 // The same choices, with contacts on their pin.
 template <class Board, class Choices>
 struct WatchedSteps : Choices {
@@ -29,19 +35,24 @@ struct WatchedSteps : Choices {
         using Integrator = ProfiledIntegrator<Board, typename Choices::Method::Integrator>;
     };
 };
+/// \endcond
 
+/// The program of a board; all is static, since there is one.
 template <class Board, class Choices, class Screen = firmware::Screen>
 class LeverProgram {
   public:
+    /// The lever, watched where its contacts are profiled.
     using Lever = firmware::Lever<
         WhereProfiled<Board, set_of(Category::collision), WatchedSteps<Board, Choices>, Choices>>;
 
+    /// Starts the board and the clocks.
     static void start() {
         Board::start();
         steps = Steps(Board::ticks());
         frames = Frames<>(Board::ticks());
     }
 
+    /// Steps that are due, then a part of a frame, then sleep until the next interrupt.
     static void pass() {
         uint32_t now = Board::ticks();
         while (const auto length = steps.due(now)) {
@@ -53,10 +64,15 @@ class LeverProgram {
         Board::idle();
     }
 
+    /// When a step is due.
     using Steps = typename Choices::Steps;
+    /// The lever.
     static Lever lever;
+    /// The clock of its steps.
     static Steps steps;
+    /// The clock of its frames.
     static Frames<> frames;
+    /// What shows it.
     static Renderer<Board, Screen> renderer;
 
   private:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Profiling by pins: a pin is high while its category runs, 2 cycles at either end. A category
-// that the board's configuration does not name in `profiled` compiles to nothing.
+/// \file
+/// Profiling by pins: a pin is high while its category runs, 2 cycles at either end. A category
+/// that the board's configuration does not name in `profiled` compiles to nothing.
 #pragma once
 
 #include <engine/choice.hpp>
@@ -8,21 +9,26 @@
 
 namespace firmware {
 
-// From here to the end of the block. A category within itself ends with the inner block.
+/// From here to the end of the block. A category within itself ends with the inner block.
 template <class Board, Category category>
 class Profiled {
   public:
+    /// Raises the pin, and lowers it at the end of the block.
+    /// @{
     Profiled() { Board::template raise<category>(); }
     ~Profiled() { Board::template lower<category>(); }
+    /// @}
     Profiled(const Profiled&) = delete;
     Profiled& operator=(const Profiled&) = delete;
 };
 
-// As Profiled, and the compiler keeps what is within within: left alone it would compute inlined
-// operations before the pin rises or behind its fall. `operands` are what is computed from.
+/// As Profiled, and the compiler keeps what is within within: left alone it would compute inlined
+/// operations before the pin rises or behind its fall. `operands` are what is computed from.
 template <class Board, Category category>
 class ProfiledOperation {
   public:
+    /// Raises the pin, and lowers it at the end of the block.
+    /// @{
     template <class... Values>
     explicit ProfiledOperation(Values&... operands) {
         Board::template raise<category>();
@@ -34,9 +40,11 @@ class ProfiledOperation {
         fence();
         Board::template lower<category>();
     }
+    /// @}
     ProfiledOperation(const ProfiledOperation&) = delete;
     ProfiledOperation& operator=(const ProfiledOperation&) = delete;
 
+    /// The value, computed before the pin falls.
     template <class Value>
     Value result(Value value) const {
         settle(value);
@@ -56,11 +64,12 @@ class ProfiledOperation {
     }
 };
 
-// Watched where one of the categories is profiled, else Plain itself: the same program as without.
+/// Watched where one of the categories is profiled, else Plain itself: the same program as without.
 template <class Board, uint8_t categories, class Watched, class Plain>
 using WhereProfiled = typename engine::Either<(Board::Configuration::profiled & categories) != 0,
                                               Watched, Plain>::Type;
 
+/// \cond internal
 template <class Board, class Arithmetic>
 struct WatchedArithmetic : Arithmetic {
     template <class Raw, int F>
@@ -109,14 +118,16 @@ struct WatchedArithmetic : Arithmetic {
     using Operation = ProfiledOperation<Board, Category::operation>;
     using SquareRoot = ProfiledOperation<Board, Category::square_root>;
 };
+/// \endcond
 
-// An arithmetic for Fixed whose products and quotients, and sums of products, raise the pin of
-// `operation`, whose square roots and lengths raise that of `square_root`. What the arithmetic does
-// not have this one has not either.
+/// An arithmetic for Fixed whose products and quotients, and sums of products, raise the pin of
+/// `operation`, whose square roots and lengths raise that of `square_root`. What the arithmetic
+/// does not have this one has not either.
 template <class Board, class Arithmetic>
 using ProfiledArithmetic = WhereProfiled<Board, set_of(Category::operation, Category::square_root),
                                          WatchedArithmetic<Board, Arithmetic>, Arithmetic>;
 
+/// \cond internal
 template <class Board, class Integrator>
 struct WatchedIntegrator : Integrator {
     template <class World, class TimeStep>
@@ -154,9 +165,10 @@ struct WatchedIntegrator : Integrator {
         }
     };
 };
+/// \endcond
 
-// An integrator of the engine that raises the pin of `collision` twice a step: while contacts and
-// constraints are found, and while they are resolved.
+/// An integrator of the engine that raises the pin of `collision` twice a step: while contacts and
+/// constraints are found, and while they are resolved.
 template <class Board, class Integrator>
 using ProfiledIntegrator = WhereProfiled<Board, set_of(Category::collision),
                                          WatchedIntegrator<Board, Integrator>, Integrator>;

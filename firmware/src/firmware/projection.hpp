@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
-// From a world of scalars to a grid's cells; behind it there are only integers. A View says which
-// part of the world the grid shows:
-//
-//     struct View {
-//         using Scalar = Q16_16;
-//         static constexpr uint16_t cells_per_unit = 50;                       // 2 cm a cell
-//         static constexpr Scalar left() { ... } static constexpr Scalar bottom() { ... }
-//         static constexpr Scalar slice() { ... }                              // z of the slice
-//     };
-//
-// Any coordinate is allowed: what is farther from the view's corner than `reach` is drawn as if it
-// were just there, in each axis by itself. Nothing overflows.
+/// \file
+/// From a world of scalars to a grid's cells; behind it there are only integers. A View says which
+/// part of the world the grid shows:
+///
+///     struct View {
+///         using Scalar = Q16_16;
+///         static constexpr uint16_t cells_per_unit = 50;                       // 2 cm a cell
+///         static constexpr Scalar left() { ... } static constexpr Scalar bottom() { ... }
+///         static constexpr Scalar slice() { ... }                              // z of the slice
+///     };
+///
+/// Any coordinate is allowed: what is farther from the view's corner than `reach` is drawn as if it
+/// were just there, in each axis by itself. Nothing overflows.
 #pragma once
 
 #include <stdint.h>
@@ -21,6 +22,7 @@
 
 namespace firmware {
 
+/// \cond internal
 // What the projection needs of a scalar: a whole number as a scalar, the floor and the nearest
 // integer of one that fits, and how many cells it can count with room to spare.
 template <class Float>
@@ -41,27 +43,36 @@ struct CellArithmetic<fixedpoint::Fixed<I, F, A>> {
     static constexpr int16_t floor(Scalar x) { return static_cast<int16_t>(x.raw() >> F); }
     static constexpr int16_t nearest(Scalar x) { return fixedpoint::convert<int16_t>(x); }
 };
+/// \endcond
 
+/// The cells of a Grid as a View shows them.
 template <class Grid, class View>
 class Projection {
   public:
+    /// The number type of the world.
     using Scalar = typename View::Scalar;
 
+    /// The column of an x.
     static int16_t column(Scalar x) { return Cells::floor(scaled(x, View::left())); }
+    /// The row of a y.
     static int16_t row(Scalar y) { return Cells::floor(scaled(y, View::bottom())); }
+    /// A length in cells, rounded to nearest.
     static int16_t length(Scalar length) {
         return Cells::nearest(scaled(length, Cells::from_integer(0)));
     }
 
+    /// Draws a circle's outline.
     static void circle(Grid& grid, Scalar x, Scalar y, Scalar radius, uint8_t colour) {
         grid.circle(column(x), row(y), length(radius), colour);
     }
+    /// Draws a line between two points.
     static void line(Grid& grid, Scalar x0, Scalar y0, Scalar x1, Scalar y1, uint8_t colour) {
         grid.line(column(x0), row(y0), column(x1), row(y1), colour);
     }
 
-    // In three dimensions. Without a depth buffer the circle that the slice cuts out of the sphere,
-    // if it does; with one the whole sphere's outline, where nothing is in front of its centre.
+    /// In three dimensions. Without a depth buffer the circle that the slice cuts out of the
+    /// sphere, if it does; with one the whole sphere's outline, where nothing is in front of its
+    /// centre.
     static void sphere(Grid& grid, Scalar x, Scalar y, Scalar z, Scalar radius, uint8_t colour) {
         const int16_t height = Cells::nearest(scaled(z, View::slice()));
         int16_t cells = length(radius);
@@ -73,7 +84,7 @@ class Projection {
         }
         grid.circle(column(x), row(y), cells, colour, depth_of(height));
     }
-    // Of its ends' depths; without a depth buffer a line is drawn wherever it is.
+    /// Of its ends' depths; without a depth buffer a line is drawn wherever it is.
     static void line(Grid& grid, Scalar x0, Scalar y0, Scalar z0, Scalar x1, Scalar y1, Scalar z1,
                      uint8_t colour) {
         const int16_t from = Cells::nearest(scaled(z0, View::slice()));

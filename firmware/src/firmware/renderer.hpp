@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Shows a grid on a terminal at the other end of the serial port, a row a call, and never waits:
-//
-//     if (renderer.idle() && frames.due(Board::ticks())) {
-//         Grid& grid = renderer.begin();  // blank
-//         ... draw ...
-//         renderer.finish();
-//     }
-//     renderer.transmit();  // in every pass of the loop
-//
-// Row 0 is the terminal's line `rows`, the top row its line 1.
+/// \file
+/// Shows a grid on a terminal at the other end of the serial port, a row a call, and never waits:
+///
+///     if (renderer.idle() && frames.due(Board::ticks())) {
+///         Grid& grid = renderer.begin();  // blank
+///         ... draw ...
+///         renderer.finish();
+///     }
+///     renderer.transmit();  // in every pass of the loop
+///
+/// Row 0 is the terminal's line `rows`, the top row its line 1.
 #pragma once
 
 #include <stdint.h>
@@ -19,26 +20,33 @@
 
 namespace firmware {
 
+/// How a frame is sent.
 enum class Protocol : uint8_t {
-    changes,  // only the cells that changed, each run of them behind a cursor movement
-    lines     // every frame from the top, as many blank lines first: as published
+    changes,  ///< only the cells that changed, each run of them behind a cursor movement
+    lines     ///< every frame from the top, as many blank lines first: as published
 };
 
-// What a screen is; derive from it and hide what differs.
+/// What a screen is; derive from it and hide what differs.
 struct Screen {
+    /// 1 to 99.
     static constexpr uint8_t columns = 20;
+    /// 1 to 90.
     static constexpr uint8_t rows = 20;
-    static constexpr uint8_t bits = 2;  // a cell; 2^bits colours
+    static constexpr uint8_t bits = 2;  ///< a cell; 2^bits colours
+    /// Whether what is nearer hides what is farther, for a byte of RAM a cell.
     static constexpr bool depth = false;
+    /// How a frame is sent.
     static constexpr Protocol protocol = Protocol::changes;
 
-    // The character of a colour; a blank's is a space.
+    /// The character of a colour; a blank's is a space.
     static char character(uint8_t colour) { return FIRMWARE_TEXT(" .o#+x*@%&$=-:|^")[colour]; }
 };
 
+/// The grid that a screen shows.
 template <class Screen>
 using GridOf = Grid<Screen::columns, Screen::rows, Screen::bits, Screen::depth>;
 
+/// \cond internal
 template <class Board, class Screen, Protocol protocol>
 class Transmission;
 
@@ -128,33 +136,36 @@ class Transmission<Board, Screen, Protocol::lines> {
 
     uint8_t column_ = 0, blank_lines_ = 0;  // sent
 };
+/// \endcond
 
+/// Shows a Screen on the terminal of a Board.
 template <class Board, class Screen>
 class Renderer : Transmission<Board, Screen, Screen::protocol> {
     using Transmission = firmware::Transmission<Board, Screen, Screen::protocol>;
 
   public:
+    /// What is drawn on.
     using Grid = GridOf<Screen>;
 
-    // Whether the last frame has been sent to its end.
+    /// Whether the last frame has been sent to its end.
     bool idle() const { return rows_left_ == 0; }
 
-    // A blank grid for the next frame; while idle.
+    /// A blank grid for the next frame; while idle.
     Grid& begin() {
         grid_.clear();
         return grid_;
     }
-    // What was drawn is what transmit() sends.
+    /// What was drawn is what transmit() sends.
     void finish() {
         Transmission::begin_frame();
         rows_left_ = Grid::rows;
     }
 
-    // The next frame is sent whole: a terminal has been attached, or garbled.
+    /// The next frame is sent whole: a terminal has been attached, or garbled.
     void refresh() { Transmission::forget(); }
 
-    // Sends a row, or as much of it as the port takes. While more than half of the port's buffer is
-    // full it does nothing, since each call has to find its place in the row again.
+    /// Sends a row, or as much of it as the port takes. While more than half of the port's buffer
+    /// is full it does nothing, since each call has to find its place in the row again.
     void transmit() {
         if (!idle() && Board::writable() >= Board::Configuration::transmit_capacity / 2) send();
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The control sequences of a terminal (ECMA-48, as every terminal program understands them) that
-// the firmware uses. Lines and columns count from 1, at most 99.
+/// \file
+/// The control sequences of a terminal (ECMA-48, as every terminal program understands them) that
+/// the firmware uses. Lines and columns count from 1, at most 99.
 #pragma once
 
 #include <stdint.h>
@@ -10,11 +11,15 @@
 namespace firmware {
 namespace terminal {
 
+/// Characters of the sequence that moves the cursor, at most; that erases the rest of a line; that
+/// clears the screen.
+/// @{
 constexpr uint8_t longest_move = 8;
 constexpr uint8_t erase_length = 3;
 constexpr uint8_t clear_length = 4;
+/// @}
 
-// Where the port has room for it, as in all of these.
+/// Writes the text. The port must have room for it, as in all of these.
 template <class Port>
 void write(FlashText text) {
     for (uint8_t i = 0; i < text.length; ++i) {
@@ -22,15 +27,18 @@ void write(FlashText text) {
         Port::try_write(&character, 1);
     }
 }
+/// Erases from the cursor to the end of its line.
 template <class Port>
 void erase_rest_of_line() {
     write<Port>(FIRMWARE_TEXT("\x1b[K"));
 }
+/// Erases all lines.
 template <class Port>
 void clear_screen() {
     write<Port>(FIRMWARE_TEXT("\x1b[2J"));
 }
 
+/// Writes a number of one or two digits and returns how many.
 inline uint8_t put_number(char* text, uint8_t number) {
     uint8_t tens = 0;
     for (; number >= 10; number = static_cast<uint8_t>(number - 10)) ++tens;
@@ -40,7 +48,7 @@ inline uint8_t put_number(char* text, uint8_t number) {
     return length;
 }
 
-// Writes the sequence that moves the cursor and returns its length.
+/// Writes the sequence that moves the cursor and returns its length.
 inline uint8_t move(char* text, uint8_t line, uint8_t column) {
     uint8_t length = 0;
     text[length++] = '\x1b';

@@ -34,6 +34,16 @@ template <> struct BuiltinNumber<long> : BuiltinNumberOf<true> {};
 template <> struct BuiltinNumber<unsigned long> : BuiltinNumberOf<true> {};
 template <> struct BuiltinNumber<long long> : BuiltinNumberOf<true> {};
 template <> struct BuiltinNumber<unsigned long long> : BuiltinNumberOf<true> {};
+template <> struct BuiltinNumber<wchar_t> : BuiltinNumberOf<true> {};
+template <> struct BuiltinNumber<char16_t> : BuiltinNumberOf<true> {};
+template <> struct BuiltinNumber<char32_t> : BuiltinNumberOf<true> {};
+#ifdef __cpp_char8_t
+template <> struct BuiltinNumber<char8_t> : BuiltinNumberOf<true> {};
+#endif
+#ifdef __SIZEOF_INT128__
+__extension__ template <> struct BuiltinNumber<__int128> : BuiltinNumberOf<true> {};
+__extension__ template <> struct BuiltinNumber<unsigned __int128> : BuiltinNumberOf<true> {};
+#endif
 template <> struct BuiltinNumber<float> : BuiltinNumberOf<false> {};
 template <> struct BuiltinNumber<double> : BuiltinNumberOf<false> {};
 template <> struct BuiltinNumber<long double> : BuiltinNumberOf<false> {};

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Fixed<IntegerBits, FractionBits, Arithmetic>: a signed fixed-point number, value = raw / 2^F, in
-// a two's-complement integer of IntegerBits + FractionBits = 8, 16, 32 or 64 bits. The sign counts
-// as an integer bit. Arithmetic decides how results are rounded and what happens when they do not
-// fit: see arithmetic/nearest.hpp for the rule that the default follows for every input.
-//
-// Both operands of an operator have the same format and arithmetic, and no conversion is implicit:
-// use a literal of literals.hpp, from_integer or from_raw, and conversion.hpp for everything else.
+/// \file
+/// Fixed<IntegerBits, FractionBits, Arithmetic>: a signed fixed-point number, value = raw / 2^F, in
+/// a two's-complement integer of IntegerBits + FractionBits = 8, 16, 32 or 64 bits. The sign counts
+/// as an integer bit. Arithmetic decides how results are rounded and what happens when they do not
+/// fit: see arithmetic/nearest.hpp for the rule that the default follows for every input.
+///
+/// Both operands of an operator have the same format and arithmetic, and no conversion is implicit:
+/// use a literal of literals.hpp, from_integer or from_raw, and conversion.hpp for everything else.
 #pragma once
 
 #include <fixedpoint/arithmetic/nearest.hpp>
@@ -14,28 +15,39 @@
 
 namespace fixedpoint {
 
+/// \cond internal
 struct convert_one_operand_to_the_format_of_the_other;
+/// \endcond
 
+/// A number raw / 2^FractionBits. The file says what its parameters mean; README.md, what each
+/// operation returns for every input.
 template <int IntegerBits, int FractionBits, class ArithmeticPolicy = Nearest>
 class Fixed {
     static_assert(IntegerBits >= 1, "IntegerBits counts the sign and is at least 1.");
     static_assert(FractionBits >= 0, "FractionBits is not negative.");
 
   public:
+    /// The two's-complement integer of IntegerBits + FractionBits bits: int8_t, int16_t, int32_t or
+    /// int64_t.
     using Raw = Integer<IntegerBits + FractionBits>;
+    /// The arithmetic, which rounds results and decides what becomes of those that do not fit.
     using Arithmetic = ArithmeticPolicy;
+    /// The bits in front of the point, the sign among them.
     static constexpr int integer_bits = IntegerBits;
+    /// The bits behind the point: neighbours are 2^-fraction_bits apart.
     static constexpr int fraction_bits = FractionBits;
 
+    /// The number 0.
     constexpr Fixed() : raw_(0) {}
 
-    // The number raw / 2^F.
+    /// The number raw / 2^F.
     static constexpr Fixed from_raw(Raw raw) { return Fixed(raw, Private()); }
+    /// The number times 2^FractionBits, an integer.
     constexpr Raw raw() const { return raw_; }
 
-    // The integer n, of any integer type. Where the format does not hold it, the arithmetic
-    // decides: Nearest takes n 2^F modulo 2^W, Saturating returns the nearest number, Checked
-    // notifies.
+    /// The integer n, of any integer type. Where the format does not hold it, the arithmetic
+    /// decides: Nearest takes n 2^F modulo 2^W, Saturating returns the nearest number, Checked
+    /// notifies.
     template <class Integral>
     static constexpr Fixed from_integer(Integral n) {
         static_assert(BuiltinNumber<Integral>::is_integer,
@@ -44,39 +56,51 @@ class Fixed {
         return from_raw(Arithmetic::template convert<Raw, FractionBits, Integral, 0>(n));
     }
 
-    // The largest and the smallest number, and the distance between neighbours (one ulp).
+    /// The largest number.
     static constexpr Fixed max() { return from_raw(RawLimits<Raw>::max); }
+    /// The smallest number, which has no positive counterpart.
     static constexpr Fixed min() { return from_raw(RawLimits<Raw>::min); }
+    /// The distance between neighbours, one unit in the last place.
     static constexpr Fixed ulp() { return from_raw(1); }
 
+    /// The sum, exact; one out of the range as the arithmetic has it (Nearest: modulo 2^W).
     friend constexpr Fixed operator+(Fixed a, Fixed b) {
         return from_raw(Arithmetic::template add<Raw, FractionBits>(a.raw_, b.raw_));
     }
+    /// The difference, exact; one out of the range as the arithmetic has it (Nearest: modulo 2^W).
     friend constexpr Fixed operator-(Fixed a, Fixed b) {
         return from_raw(Arithmetic::template subtract<Raw, FractionBits>(a.raw_, b.raw_));
     }
+    /// The product, rounded once; one out of the range as the arithmetic has it (Nearest: modulo
+    /// 2^W).
     friend constexpr Fixed operator*(Fixed a, Fixed b) {
         return from_raw(Arithmetic::template multiply<Raw, FractionBits>(a.raw_, b.raw_));
     }
+    /// The quotient, rounded once and saturated; a / 0 is the largest number, the smallest, or 0,
+    /// by the sign of a.
     friend constexpr Fixed operator/(Fixed a, Fixed b) {
         return from_raw(Arithmetic::template divide<Raw, FractionBits>(a.raw_, b.raw_));
     }
+    /// a - b trunc(a / b), exact, 0 or of the sign of a; a % 0 is a.
     friend constexpr Fixed operator%(Fixed a, Fixed b) {
         return from_raw(Arithmetic::template remainder<Raw, FractionBits>(a.raw_, b.raw_));
     }
+    /// The negative; that of the smallest number as the arithmetic has it (Nearest: itself).
     constexpr Fixed operator-() const {
         return from_raw(Arithmetic::template negate<Raw, FractionBits>(raw_));
     }
+    /// The number itself.
     constexpr Fixed operator+() const { return *this; }
 
-    // a 2^count as the arithmetic shifts. A count may be of any integer type; from W on, all counts
-    // mean the same, and a negative one counts as larger than W, as converted to unsigned it is.
+    /// a 2^count as the arithmetic shifts. A count may be of any integer type; from W on, all
+    /// counts mean the same, and a negative one counts as larger than W, as converted to unsigned
+    /// it is.
     template <class Count>
     friend constexpr Fixed operator<<(Fixed a, Count count) {
         return from_raw(
             Arithmetic::template shift_left<Raw, FractionBits>(a.raw_, shift_count(count)));
     }
-    // floor(a / 2^count) in units of one ulp, for every count.
+    /// floor(a / 2^count) in units of one ulp, for every count.
     template <class Count>
     friend FIXEDPOINT_CONSTEXPR Fixed operator>>(Fixed a, Count count) {
         constexpr unsigned char last = RawLimits<Raw>::width - 1;
@@ -84,6 +108,8 @@ class Fixed {
             static_cast<Raw>(a.raw_ >> (shift_count(count) < last ? shift_count(count) : last)));
     }
 
+    /// As the operator without the equals sign, whose result this number becomes.
+    /// @{
     FIXEDPOINT_CONSTEXPR Fixed& operator+=(Fixed b) { return *this = *this + b; }
     FIXEDPOINT_CONSTEXPR Fixed& operator-=(Fixed b) { return *this = *this - b; }
     FIXEDPOINT_CONSTEXPR Fixed& operator*=(Fixed b) { return *this = *this * b; }
@@ -97,21 +123,26 @@ class Fixed {
     FIXEDPOINT_CONSTEXPR Fixed& operator>>=(Count count) {
         return *this = *this >> count;
     }
+    /// @}
 
+    /// Compares the values: exact, and false or true for every pair of numbers.
+    /// @{
     friend constexpr bool operator==(Fixed a, Fixed b) { return a.raw_ == b.raw_; }
     friend constexpr bool operator!=(Fixed a, Fixed b) { return a.raw_ != b.raw_; }
     friend constexpr bool operator<(Fixed a, Fixed b) { return a.raw_ < b.raw_; }
     friend constexpr bool operator>(Fixed a, Fixed b) { return a.raw_ > b.raw_; }
     friend constexpr bool operator<=(Fixed a, Fixed b) { return a.raw_ <= b.raw_; }
     friend constexpr bool operator>=(Fixed a, Fixed b) { return a.raw_ >= b.raw_; }
+    /// @}
 
-    // Operands of two kinds do not compile: a mixed product would hide in which of the two formats
-    // it is rounded, and an integer or a float would be narrowed before the arithmetic sees it.
+    /// Operands of two kinds do not compile: a mixed product would hide in which of the two formats
+    /// it is rounded, and an integer or a float would be narrowed before the arithmetic sees it.
     template <class Number,
               class write_a_literal_or_from_integer_or_from_float =
                   typename BuiltinNumber<Number>::write_a_literal_or_from_integer_or_from_float>
     explicit Fixed(Number) = delete;
 
+    /// \cond internal
 #define FIXEDPOINT_REFUSE_MIXED(operation)                                                       \
     template <class Number>                                                                      \
     friend                                                                                       \
@@ -150,6 +181,7 @@ class Fixed {
     FIXEDPOINT_REFUSE_MIXED(operator/=)
     FIXEDPOINT_REFUSE_MIXED(operator%=)
 #undef FIXEDPOINT_REFUSE_MIXED
+    /// \endcond
 
   private:
     struct Private {};
@@ -166,6 +198,7 @@ class Fixed {
     Raw raw_;
 };
 
+/// \cond internal
 // Takes any stream of the C++ library, and ranks behind the operators of host/stream.hpp.
 struct include_fixedpoint_host_stream_hpp {
     template <class Stream, class = decltype(static_cast<Stream*>(nullptr)->rdbuf())>
@@ -177,11 +210,17 @@ void operator<<(include_fixedpoint_host_stream_hpp,
 template <int IntegerBits, int FractionBits, class Arithmetic>
 void operator>>(include_fixedpoint_host_stream_hpp,
                 Fixed<IntegerBits, FractionBits, Arithmetic>&) = delete;
+/// \endcond
 
 // The formats of every width with equal halves, in the default arithmetic.
+
+/// 8 bits: -8 to 7.9375 in steps of 0.0625.
 using Q4_4 = Fixed<4, 4>;
+/// 16 bits: -128 to 127.996 in steps of 0.0039.
 using Q8_8 = Fixed<8, 8>;
+/// 32 bits: -32768 to 32767.99998 in steps of 0.000015.
 using Q16_16 = Fixed<16, 16>;
+/// 64 bits: -2^31 to 2^31 in steps of 2.3e-10.
 using Q32_32 = Fixed<32, 32>;
 
 }  // namespace fixedpoint

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The functions of fixed-point numbers. Each returns what its arithmetic defines for every input;
-// the sentence stands in arithmetic/nearest.hpp for the default.
+/// \file
+/// The functions of fixed-point numbers. Each returns what its arithmetic defines for every input;
+/// the sentence stands in arithmetic/nearest.hpp for the default.
 #pragma once
 
 #include <fixedpoint/fixed.hpp>
@@ -8,52 +9,66 @@
 
 namespace fixedpoint {
 
+/// The square root, rounded to nearest; 0 where a < 0.
 template <int IntegerBits, int F, class A>
 constexpr Fixed<IntegerBits, F, A> sqrt(Fixed<IntegerBits, F, A> a) {
     return Fixed<IntegerBits, F, A>::from_raw(
         A::template sqrt<Integer<IntegerBits + F>, F>(a.raw()));
 }
+/// 1 / sqrt(a), error below 0.75 ulp, saturated; the largest number where a is 0, and 0 where a <
+/// 0.
 template <int IntegerBits, int F, class A>
 constexpr Fixed<IntegerBits, F, A> reciprocal_sqrt(Fixed<IntegerBits, F, A> a) {
     return Fixed<IntegerBits, F, A>::from_raw(
         A::template reciprocal_sqrt<Integer<IntegerBits + F>, F>(a.raw()));
 }
+/// The arc tangent in radians, error below 0.75 ulp, saturated.
 template <int IntegerBits, int F, class A>
 constexpr Fixed<IntegerBits, F, A> atan(Fixed<IntegerBits, F, A> a) {
     return Fixed<IntegerBits, F, A>::from_raw(
         A::template atan<Integer<IntegerBits + F>, F>(a.raw()));
 }
+/// The angle of the vector (x, y) in radians, in (-pi, pi], error below 0.75 ulp, saturated; 0
+/// where both are 0.
 template <int IntegerBits, int F, class A>
 constexpr Fixed<IntegerBits, F, A> atan2(Fixed<IntegerBits, F, A> y, Fixed<IntegerBits, F, A> x) {
     return Fixed<IntegerBits, F, A>::from_raw(
         A::template atan2<Integer<IntegerBits + F>, F>(y.raw(), x.raw()));
 }
 
+/// The sine of any angle in radians, error below 0.75 ulp, never beyond -1 and 1.
 template <int IntegerBits, int F, class A>
 constexpr Fixed<IntegerBits, F, A> sin(Fixed<IntegerBits, F, A> angle) {
     return Fixed<IntegerBits, F, A>::from_raw(
         A::template sin<Integer<IntegerBits + F>, F>(angle.raw()));
 }
+/// The cosine of any angle in radians, error below 0.75 ulp, never beyond -1 and 1.
 template <int IntegerBits, int F, class A>
 constexpr Fixed<IntegerBits, F, A> cos(Fixed<IntegerBits, F, A> angle) {
     return Fixed<IntegerBits, F, A>::from_raw(
         A::template cos<Integer<IntegerBits + F>, F>(angle.raw()));
 }
+/// e^a within 1 ulp; the largest number where it does not fit.
 template <int IntegerBits, int F, class A>
 constexpr Fixed<IntegerBits, F, A> exp(Fixed<IntegerBits, F, A> a) {
     return Fixed<IntegerBits, F, A>::from_raw(
         A::template exp<Integer<IntegerBits + F>, F>(a.raw()));
 }
+/// The natural logarithm within 1 ulp; the smallest number where a <= 0.
 template <int IntegerBits, int F, class A>
 constexpr Fixed<IntegerBits, F, A> log(Fixed<IntegerBits, F, A> a) {
     return Fixed<IntegerBits, F, A>::from_raw(
         A::template log<Integer<IntegerBits + F>, F>(a.raw()));
 }
+/// What sincos returns.
 template <class Number>
 struct SineAndCosine {
+    /// A number in -1..1.
+    /// @{
     Number sine, cosine;
+    /// @}
 };
-// Both of one angle, for less than sin and cos take.
+/// Both of one angle, for less than sin and cos take.
 template <int IntegerBits, int F, class A>
 FIXEDPOINT_CONSTEXPR SineAndCosine<Fixed<IntegerBits, F, A>> sincos(
     Fixed<IntegerBits, F, A> angle) {
@@ -63,7 +78,7 @@ FIXEDPOINT_CONSTEXPR SineAndCosine<Fixed<IntegerBits, F, A>> sincos(
             Fixed<IntegerBits, F, A>::from_raw(both[1])};
 }
 
-// a b + c, rounded once.
+/// a b + c, rounded once.
 template <int IntegerBits, int F, class A>
 constexpr Fixed<IntegerBits, F, A> multiply_add(Fixed<IntegerBits, F, A> a,
                                                 Fixed<IntegerBits, F, A> b,
@@ -72,52 +87,54 @@ constexpr Fixed<IntegerBits, F, A> multiply_add(Fixed<IntegerBits, F, A> a,
         A::template multiply_add<Integer<IntegerBits + F>, F>(a.raw(), b.raw(), c.raw()));
 }
 
-// a / 2^K rounded: scale_down<10>(a) takes a quarter of a product's time.
+/// a / 2^K rounded: scale_down<10>(a) takes a quarter of a product's time.
 template <int K, int IntegerBits, int F, class A>
 constexpr Fixed<IntegerBits, F, A> scale_down(Fixed<IntegerBits, F, A> a) {
     static_assert(K >= 0, "scale_down divides by 2^K, K not negative.");
     return Fixed<IntegerBits, F, A>::from_raw(A::template scale_down<K>(a.raw()));
 }
 
-// |a|, the smallest number as the arithmetic negates it.
+/// |a|, the smallest number as the arithmetic negates it.
 template <int IntegerBits, int F, class A>
 constexpr Fixed<IntegerBits, F, A> abs(Fixed<IntegerBits, F, A> a) {
     return a.raw() < 0 ? -a : a;
 }
+/// The smaller of the two.
 template <int IntegerBits, int F, class A>
 constexpr Fixed<IntegerBits, F, A> min(Fixed<IntegerBits, F, A> a, Fixed<IntegerBits, F, A> b) {
     return b < a ? b : a;
 }
+/// The larger of the two.
 template <int IntegerBits, int F, class A>
 constexpr Fixed<IntegerBits, F, A> max(Fixed<IntegerBits, F, A> a, Fixed<IntegerBits, F, A> b) {
     return a < b ? b : a;
 }
-// a, but at least `low` and at most `high`; `low` where the two bounds contradict each other.
+/// a, but at least `low` and at most `high`; `low` where the two bounds contradict each other.
 template <int IntegerBits, int F, class A>
 constexpr Fixed<IntegerBits, F, A> clamp(Fixed<IntegerBits, F, A> a, Fixed<IntegerBits, F, A> low,
                                          Fixed<IntegerBits, F, A> high) {
     return max(low, min(a, high));
 }
 
-// The largest integral number <= a.
+/// The largest integral number <= a.
 template <int IntegerBits, int F, class A>
 constexpr Fixed<IntegerBits, F, A> floor(Fixed<IntegerBits, F, A> a) {
     return Fixed<IntegerBits, F, A>::from_raw(
         portable::floor<Integer<IntegerBits + F>, F>(a.raw()));
 }
-// The smallest integral number >= a; the largest number where that does not fit.
+/// The smallest integral number >= a; the largest number where that does not fit.
 template <int IntegerBits, int F, class A>
 constexpr Fixed<IntegerBits, F, A> ceil(Fixed<IntegerBits, F, A> a) {
     return Fixed<IntegerBits, F, A>::from_raw(
         A::template ceil<Integer<IntegerBits + F>, F>(a.raw()));
 }
-// The nearest integral number, half up; the largest number where that does not fit.
+/// The nearest integral number, half up; the largest number where that does not fit.
 template <int IntegerBits, int F, class A>
 constexpr Fixed<IntegerBits, F, A> round(Fixed<IntegerBits, F, A> a) {
     return Fixed<IntegerBits, F, A>::from_raw(
         A::template round<Integer<IntegerBits + F>, F>(a.raw()));
 }
-// a without its fraction.
+/// a without its fraction.
 template <int IntegerBits, int F, class A>
 constexpr Fixed<IntegerBits, F, A> trunc(Fixed<IntegerBits, F, A> a) {
     return Fixed<IntegerBits, F, A>::from_raw(

@@ -2,14 +2,16 @@
 # SPDX-License-Identifier: MIT
 # A project of its own gets a library in one of three ways, on the host and on the AVR, and prints
 # the same on both.
-# Usage: consumer_test.sh fixedpoint|engine add_subdirectory|fetch_content|find_package SCRATCH_FOLDER
+# Usage: consumer_test.sh fixedpoint|engine|c add_subdirectory|fetch_content|find_package SCRATCH_FOLDER
 set -euo pipefail
 library=$1 way=$2 scratch=$3
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../../.." && pwd)
 rm -rf "$scratch" && mkdir -p "$scratch"
 libraries=(fixedpoint)
-[ "$library" = fixedpoint ] || libraries+=("$library")
+[ "$library" != engine ] || libraries+=(engine)
+program=$library.cpp language=CXX linked=$library::$library
+[ "$library" != c ] || program=c.c language=C linked=fixedpoint::c
 
 quietly() { "$@" >"$scratch/log" 2>&1 || { echo "FAILED: $*"; cat "$scratch/log"; exit 1; }; }
 
@@ -36,7 +38,8 @@ for target in host avr; do
             done
             ;;
     esac
-    options+=(-DWAY="$way" -DORIGIN="$origin" -DLIBRARIES="$(IFS=';' && echo "${libraries[*]}")")
+    options+=(-DWAY="$way" -DORIGIN="$origin" -DLIBRARIES="$(IFS=';' && echo "${libraries[*]}")"
+              -DPROGRAM="$program" -DLANGUAGE="$language" -DTARGET="$linked")
     quietly cmake -S "$here" -B "$build" "${options[@]}"
     quietly cmake --build "$build"
 done
@@ -61,6 +64,10 @@ case $library in
     engine)
         printed 'x 0.56' # after four seconds, by the equation of the angle 0.5668
         lines=8 expected="dot2_q16_16"
+        ;;
+    c)
+        printed 'angle -0.43663'$ # atan2(-1.4, 3)
+        lines=5 expected="multiply_q16_16 divide_q8_24 sqrt_q32_32 atan2_q16_16"
         ;;
 esac
 [ "$(wc -l <"$scratch/host.txt")" = "$lines" ] || fail "the host has printed: $(cat "$scratch/host.txt")"

@@ -154,6 +154,11 @@ TEST(Range, EndsWhereTheCurveTurnsOrIsNegative) {
     EXPECT_EQ(range({0, 1, -100}), std::pair(100, 1023));  // 0 g at reading 100
     EXPECT_EQ(range({0, 1, -100.5}), std::pair(101, 1023));
     EXPECT_EQ(range({0.015625, -6.25, 625}), std::pair(200, 557));  // (x - 200)^2 / 64, to 2000 g
+    EXPECT_EQ(range({0, 4, 0}), std::pair(0, 500));                 // 2000 g itself
+    EXPECT_EQ(range({0, 0, 70}), std::pair(0, 1023));               // level is not falling
+    EXPECT_EQ(range({0, 0, 0}), std::pair(0, 1023));
+    EXPECT_EQ(range({1, -999, 249900}), std::pair(499, 539));    // level from 499 to 500
+    EXPECT_EQ(range({-1, 1001, -248600}), std::pair(457, 501));  // level from 500 to 501
 }
 
 // The published table is the truth on what the published curve is.

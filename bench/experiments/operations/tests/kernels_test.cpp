@@ -1,12 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The machine code of every subject against the host, as `fixbench verify` runs it, a program a
-// test.
+// The machine code of every subject against the host: as `fixbench verify` runs it, in the
+// simulated chip; and the library's assembly, translated to host code, over operands so dense that
+// no path and no carry can be missed.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdlib>
+#include <memory>
+#include <random>
+#include <set>
 #include <string>
+#include <vector>
 
+#include "bench/chip/instructions/compiled_function.hpp"
 #include "bench/experiments/operations/verify_kernels.hpp"
+#include "bench/lab/operands/boundary.hpp"
+#include "bench/lab/operands/operand_class.hpp"
+#include "bench/lab/subjects/calling.hpp"
+#include "bench/lab/subjects/host_subject.hpp"
 
 namespace operations {
 namespace {
@@ -27,6 +42,159 @@ TEST_P(Kernels, AreTheHostsBitForBit) {
     options.samples = GetParam() == "q32_32" ? 400 : 4000;  // of 64 bits calls are long
     EXPECT_EQ(verify_kernels(options), 0u);
 }
+
+// Calls of a kernel, compared a batch at a time.
+class DenseCalls {
+  public:
+    DenseCalls(const simulator::Elf& elf, const HostSubject& host)
+        : host_(host),
+          function_(elf, host.name(), interface_of(calling_of(host.subject)), {.options = "-O1"}),
+          session_(function_),
+          results_(function_.result_count()),
+          expected_(function_.result_count()) {}
+
+    void add(Raws operands) {
+        operands_.insert(operands_.end(), operands.begin(), operands.end());
+        if (operands_.size() >= batch * function_.arity()) compare();
+    }
+    // Fails unless all calls gave what the host gives.
+    void finish() {
+        compare();
+        EXPECT_EQ(mismatches_, 0u) << host_.name() << ", the first: " << first_;
+    }
+    const instructions::CompiledFunction& function() const { return function_; }
+    std::set<std::uint32_t> reached_blocks() const {
+        const std::vector<std::uint32_t> blocks = session_.reached_blocks();
+        return {blocks.begin(), blocks.end()};
+    }
+
+  private:
+    static constexpr std::size_t batch = 4096;
+
+    static instructions::Interface interface_of(const Calling& calling) {
+        return instructions::interface_of(calling.signature, calling.pointers);
+    }
+    void compare() {
+        const std::size_t arity = function_.arity(), results = function_.result_count();
+        const std::size_t calls = operands_.size() / arity;
+        results_.resize(calls * results);
+        expected_.resize(calls * results);
+        cycles_.resize(calls);
+        session_.run(operands_, results_, cycles_);
+        host_.evaluate(operands_, expected_);
+        for (std::size_t i = 0; i < results_.size(); ++i) {
+            if (results_[i] == expected_[i]) continue;
+            if (mismatches_++ == 0) {
+                const auto first = operands_.begin() + std::ptrdiff_t(i / results * arity);
+                first_ = fmt::format("{}", fmt::join(first, first + std::ptrdiff_t(arity), " "));
+            }
+        }
+        operands_.clear();
+    }
+
+    const HostSubject& host_;
+    instructions::CompiledFunction function_;
+    instructions::CompiledFunction::Session session_;
+    std::vector<std::int64_t> operands_, results_, expected_;
+    std::vector<std::uint32_t> cycles_;
+    std::uint64_t mismatches_ = 0;
+    std::string first_;
+};
+
+// Every first operand with every boundary operand as the second, and the other way round: all
+// carries of a 16-bit kernel, its paths at their edges.
+void all_of_one_operand(DenseCalls& calls, const reference::NumberFormat& format) {
+    for (const operands::BoundaryOperand& each : operands::boundary_operands(format)) {
+        for (std::int64_t raw = format.min(); raw <= format.max(); ++raw) {
+            calls.add(std::array{raw, each.raw});
+            calls.add(std::array{each.raw, raw});
+        }
+    }
+}
+
+// Long runs of equal bits make long carries, which random bits seldom do.
+std::int64_t runs_of_bits(const reference::NumberFormat& format, std::mt19937_64& random) {
+    const auto power = [&] { return std::uint64_t(1) << random() % unsigned(format.width); };
+    return format.sign_extend((power() - power()) ^ (power() - power()));
+}
+
+// Vectors whose length is half an ulp from the limit of the format, on both sides of it.
+void lengths_beside_the_limit(DenseCalls& calls, const reference::NumberFormat& format,
+                              std::size_t arity) {
+    using Wide = unsigned __int128;
+    std::mt19937_64 random(5);
+    std::vector<std::int64_t> raws(arity);
+    for (int i = 0; i < 1000; ++i) {
+        Wide rest = Wide(1) << (2 * format.width - 2);
+        for (std::size_t k = 1; k < arity; ++k) {
+            raws[k] = runs_of_bits(format, random) / 4;
+            rest -= Wide(raws[k]) * Wide(raws[k]);
+        }
+        std::int64_t root = format.max();
+        if (const auto above = std::sqrt(static_cast<long double>(rest)); above < root)
+            root = std::int64_t(above) + 1;
+        while (Wide(root) * Wide(root) >= rest) --root;
+        for (const std::int64_t longest : {root - 1, root, std::min(root, format.max() - 1) + 1}) {
+            raws[0] = longest;
+            calls.add(raws);
+        }
+    }
+}
+
+void call_densely(DenseCalls& calls, const HostSubject& host, std::uint64_t samples) {
+    const reference::NumberFormat& format = host.subject.operand_format;
+    for (const operands::BoundaryCase& each :
+         operands::boundary_cases(host.subject.operation, format)) {
+        calls.add(each.operands);
+    }
+    const std::size_t arity = reference::shape(host.subject.operation).operands;
+    if (format.width <= 16 && arity == 2) all_of_one_operand(calls, format);
+    if (reference::shape(host.subject.operation).signature == reference::Signature::length)
+        lengths_beside_the_limit(calls, format, arity);
+    std::vector<std::int64_t> raws(arity);
+    for (const operands::OperandClass each :
+         {operands::OperandClass::physics, operands::OperandClass::full,
+          operands::OperandClass::uniform}) {
+        operands::Sampler sampler(host.subject.operation, format, each, 3);
+        for (std::uint64_t i = 0; i < samples / 4; ++i) {
+            sampler.next(raws);
+            calls.add(raws);
+        }
+    }
+    std::mt19937_64 random(3);
+    for (std::uint64_t i = 0; i < samples / 4; ++i) {
+        for (std::int64_t& raw : raws) raw = runs_of_bits(format, random);
+        calls.add(raws);
+    }
+    calls.finish();
+}
+
+// Kernels have a second name, under which the library calls them.
+bool is_kernel(const simulator::Elf& elf, const std::string& subject) {
+    return std::ranges::any_of(elf.functions(), [&](const auto& function) {
+        return function.first.starts_with("fixedpoint_") &&
+               function.second.address == elf.function(subject).address;
+    });
+}
+
+TEST_P(Kernels, AreTheHostsOverDenseOperandsWhichTakeEveryPath) {
+    const simulator::Elf elf(folder() + "/" + GetParam() + ".elf");
+    std::vector<std::unique_ptr<DenseCalls>> kernels;
+    std::set<std::uint32_t> reached;
+    for (const HostSubject& host : host_subjects()) {
+        if (!elf.has_function(host.name()) || !is_kernel(elf, host.name())) continue;
+        const auto& calls = kernels.emplace_back(std::make_unique<DenseCalls>(elf, host));
+        ASSERT_NO_THROW(call_densely(*calls, host, 1 << 18)) << host.name();
+        if (HasFailure()) return;
+        reached.merge(calls->reached_blocks());
+    }
+    EXPECT_FALSE(kernels.empty());
+    // Functions share code, as cosine does the sine's: what one reached counts for all.
+    for (const auto& calls : kernels)
+        EXPECT_EQ(fmt::format("{:04x}", fmt::join(calls->function().unreached(reached), " ")), "")
+            << "in " << calls->function().symbol();
+}
+
 INSTANTIATE_TEST_SUITE_P(Programs, Kernels,
                          testing::Values("q4_4", "q8_8", "q16_16", "q8_24", "q32_32"),
                          [](const auto& program) { return program.param; });

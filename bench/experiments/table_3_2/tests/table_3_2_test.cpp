@@ -53,9 +53,9 @@ TEST(Harness, SaysWhichCellIsMissing) {
 
 TEST(Judge, WithinTenPercentIsReproduced) {
     const Hypothesis hypothesis{plain_program(), "assign", seven_by_three};
-    EXPECT_EQ(judge(100, 109, hypothesis, {}, 0).verdict, "reproduced");
-    EXPECT_EQ(judge(100, 91, hypothesis, {}, 0).verdict, "reproduced");
-    EXPECT_EQ(judge(100, 111, hypothesis, {}, 0).verdict, "not reproducible");
+    EXPECT_EQ(judge(100, 109, hypothesis, {}).verdict, "reproduced");
+    EXPECT_EQ(judge(100, 91, hypothesis, {}).verdict, "reproduced");
+    EXPECT_EQ(judge(100, 111, hypothesis, {}).verdict, "not reproducible");
 }
 
 // Both ends belong to the 10%, of published figures of every size.
@@ -66,17 +66,18 @@ TEST(Judge, ExactlyTenPercentIsReproduced) {
     for (int published = 10; published <= 5000; published += 10) {
         for (const int side : {-1, 1}) {
             const int at = published + side * published / 10, beyond = at + side;
-            EXPECT_EQ(judge(published, at, hypothesis, {}, 0).verdict, "reproduced") << published;
-            EXPECT_EQ(judge(published, beyond, hypothesis, {}, 0).verdict, "not reproducible");
-            EXPECT_EQ(judge(published, 1, hypothesis, Alternative{other, double(at)}, 1).verdict,
-                      "explained");
+            EXPECT_EQ(judge(published, at, hypothesis, {}).verdict, "reproduced") << published;
+            EXPECT_EQ(judge(published, beyond, hypothesis, {}).verdict, "not reproducible");
             EXPECT_EQ(
-                judge(published, 1, hypothesis, Alternative{other, double(beyond)}, 1).verdict,
+                judge(published, 1, hypothesis, {Alternative{other, double(at)}, 1, 3}).verdict,
+                "explained");
+            EXPECT_EQ(
+                judge(published, 1, hypothesis, {Alternative{other, double(beyond)}, 1, 3}).verdict,
                 "not reproducible");
         }
     }
-    EXPECT_EQ(judge(200, 190, hypothesis, {}, 0).reason, "-5.0% under the single best hypothesis");
-    EXPECT_EQ(judge(200, 300, hypothesis, {}, 0).reason, "no alternative tried");
+    EXPECT_EQ(judge(200, 190, hypothesis, {}).reason, "-5.0% under the table's hypothesis");
+    EXPECT_EQ(judge(200, 300, hypothesis, {}).reason, "no alternative tried");
 }
 
 TEST(Hypothesis, AnAlternativeDiffersOnOneAxisOrOnTheFormAndOneMore) {
@@ -121,10 +122,13 @@ TEST(Judge, AnAlternativeExplainsWhenItComesWithinTenPercent) {
     const Hypothesis hypothesis{plain_program(), "assign", seven_by_three};
     Hypothesis other = hypothesis;
     other.form = "accumulate";
-    const Verdict explained = judge(100, 70, hypothesis, Alternative{other, 96}, 9);
+    const Verdict explained = judge(100, 70, hypothesis, {Alternative{other, 96}, 9, 3});
     EXPECT_EQ(explained.verdict, "explained");
-    EXPECT_EQ(explained.reason, "96 ms (-4.0%) with c += a op b in place of c = a op b");
-    const Verdict failed = judge(100, 70, hypothesis, Alternative{other, 80}, 9);
+    EXPECT_EQ(
+        explained.reason,
+        "96 ms (-4.0%) with c += a op b in place of c = a op b; 3 of 9 alternatives come within "
+        "10%");
+    const Verdict failed = judge(100, 70, hypothesis, {Alternative{other, 80}, 9, 3});
     EXPECT_EQ(failed.verdict, "not reproducible");
     EXPECT_EQ(failed.reason,
               "nearest of 9 alternatives: 80 ms (-20.0%) with c += a op b in place of c = a op b");

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
-// BruteForce: every pair of particles is tested, N (N - 1) / 2 tests a step, and no RAM.
+/// \file
+/// BruteForce: every pair of particles is tested, N (N - 1) / 2 tests a step, and no RAM.
 #pragma once
 
 #include <engine/constraints.hpp>
 
 namespace engine {
 
+/// The broad phase of few particles: tests every pair.
 struct BruteForce {
+    /// \cond internal
     template <class World>
     struct Memory {};
 
@@ -18,6 +21,7 @@ struct BruteForce {
             for (Index a = 0; a < b; ++a) collide(a, b, world, dt);
         }
     }
+    /// \endcond
 };
 
 }  // namespace engine

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: MIT
-// SortAndSweep: keeps the particles sorted by their lower edges along the first axis, from step to
-// step, by insertion. Only pairs that overlap along this axis are tested. Takes one index of RAM a
-// particle. (D. Baraff, Dynamic Simulation of Non-Penetrating Rigid Bodies,
-// 1992.)
+/// \file
+/// SortAndSweep: keeps the particles sorted by their lower edges along the first axis, from step to
+/// step, by insertion. Only pairs that overlap along this axis are tested. Takes one index of RAM a
+/// particle. (D. Baraff, Dynamic Simulation of Non-Penetrating Rigid Bodies,
+/// 1992.)
 #pragma once
 
 #include <engine/constraints.hpp>
 
 namespace engine {
 
+/// The broad phase of many particles: tests the pairs that overlap along the first axis.
 struct SortAndSweep {
+    /// \cond internal
     template <class World>
     struct Memory {
         typename World::Index order[World::capacity] = {};
@@ -45,6 +48,7 @@ struct SortAndSweep {
             }
         }
     }
+    /// \endcond
 };
 
 }  // namespace engine

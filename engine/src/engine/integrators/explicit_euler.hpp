@@ -1,18 +1,24 @@
 // SPDX-License-Identifier: MIT
-// ExplicitEuler: the step of the published design, kept as the baseline: forces, constraints,
-// positions by the old velocities, velocities, damping. First order; each step multiplies the
-// energy of an oscillation by 1 + (omega h)^2.
+/// \file
+/// ExplicitEuler: the step of the published design, kept as the baseline: forces, constraints,
+/// positions by the old velocities, velocities, damping. First order; each step multiplies the
+/// energy of an oscillation by 1 + (omega h)^2.
 #pragma once
 
 namespace engine {
 
+/// First order, unstable without damping: the published design's.
 struct ExplicitEuler {
+    /// Whether it moves springs itself, instead of accumulating their forces.
     static constexpr bool implicit_springs = false;
+    /// \cond internal
     template <class World>
     struct Memory {
         FIXEDPOINT_CONSTEXPR void restart() const {}
     };
+    /// \endcond
 
+    /// Moves the world on by dt. Called by World::step.
     template <class World, class TimeStep>
     static void step(World& world, TimeStep dt) {
         world.accumulate_forces();

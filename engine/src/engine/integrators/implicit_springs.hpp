@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// ImplicitSprings: SemiImplicitEuler in which each spring pulls as it will at the end of the step.
-// Stable for every stiffness: oscillations of omega h < 1 are resolved, faster ones are damped
-// away. First order. Springs are solved one after the other. (D. Baraff, A. Witkin, Large Steps in
-// Cloth Simulation, 1998, for the implicit step; the closed form of a single spring is its solution
-// in one dimension.)
+/// \file
+/// ImplicitSprings: SemiImplicitEuler in which each spring pulls as it will at the end of the step.
+/// Stable for every stiffness: oscillations of omega h < 1 are resolved, faster ones are damped
+/// away. First order. Springs are solved one after the other. (D. Baraff, A. Witkin, Large Steps in
+/// Cloth Simulation, 1998, for the implicit step; the closed form of a single spring is its
+/// solution in one dimension.)
 #pragma once
 
 #include <engine/decimal.hpp>
@@ -13,13 +14,18 @@
 
 namespace engine {
 
+/// First order, stable for springs of every stiffness.
 struct ImplicitSprings {
+    /// Whether it moves springs itself, instead of accumulating their forces.
     static constexpr bool implicit_springs = true;
+    /// \cond internal
     template <class World>
     struct Memory {
         FIXEDPOINT_CONSTEXPR void restart() const {}
     };
+    /// \endcond
 
+    /// Moves the world on by dt. Called by World::step.
     template <class World, class TimeStep>
     static void step(World& world, TimeStep dt) {
         world.accumulate_forces();

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
-// ProjectedGaussSeidel<max_iterations>: the solver of choice. Positions are corrected once, where a
-// constraint is found. Velocities are corrected row by row, in at most `max_iterations` iterations
-// over all rows, which end when one changes nothing. A single row is solved once.
-//
-// A rod is one two-sided row. Its end moves along the chord of its arc, not the tangent: the
-// velocity along the rod becomes -h w^2 / 2L (w the relative velocity, h the step), which keeps the
-// speed to second order. A velocity of 0 would keep it to first order only.
-//
-// A bounce began when the surfaces met, a time t = penetration / closing velocity ago. The particle
-// is put where it would be by now, restitution * penetration beyond the surface, and has the
-// velocity that gravity gave it since. What closes no faster than the restitution threshold does
-// not bounce.
+/// \file
+/// ProjectedGaussSeidel<max_iterations>: the solver of choice. Positions are corrected once, where
+/// a constraint is found. Velocities are corrected row by row, in at most `max_iterations`
+/// iterations over all rows, which end when one changes nothing. A single row is solved once.
+///
+/// A rod is one two-sided row. Its end moves along the chord of its arc, not the tangent: the
+/// velocity along the rod becomes -h w^2 / 2L (w the relative velocity, h the step), which keeps
+/// the speed to second order. A velocity of 0 would keep it to first order only.
+///
+/// A bounce began when the surfaces met, a time t = penetration / closing velocity ago. The
+/// particle is put where it would be by now, restitution * penetration beyond the surface, and has
+/// the velocity that gravity gave it since. What closes no faster than the restitution threshold
+/// does not bounce.
 #pragma once
 
 #include <engine/choice.hpp>
@@ -19,6 +20,7 @@
 
 namespace engine {
 
+/// \cond internal
 // The part of a row that scenes with one-sided constraints need: contacts and ropes only push.
 template <class Scalar, bool used>
 struct Pushing {
@@ -30,8 +32,8 @@ struct Pushing {
 };
 template <class Scalar>
 struct Pushing<Scalar, true> {
-    bool pushes_only = false;
-    Scalar restitution = Scalar();  // of closing velocities
+    bool pushes_only = {};
+    Scalar restitution = {};  // of closing velocities
 
     FIXEDPOINT_CONSTEXPR void set_pushing(bool pushes, Scalar of_closing_velocities) {
         pushes_only = pushes;
@@ -65,18 +67,21 @@ struct Sharing<Scalar, true> {
   private:
     Scalar share_ = Scalar();  // a's part of each correction; b takes the rest
 };
+/// \endcond
 
+/// The solver of choice: at most max_iterations iterations over all constraint rows in a step.
 template <unsigned char max_iterations>
 struct ProjectedGaussSeidel {
+    /// \cond internal
     static constexpr bool needs_displacement = false;
     static constexpr unsigned rows_per_rod = 1;
 
     template <class World>
     struct Row : Pushing<typename World::Scalar, World::bounces>,
                  Sharing<typename World::Scalar, World::has_pairs> {
-        typename World::Index a = 0, b = 0;  // b may be nothing
-        typename World::Vector normal;       // from b to a
-        typename World::Scalar target = {};  // velocity of a against b along the normal
+        typename World::Index a = {}, b = {};  // b may be nothing
+        typename World::Vector normal;         // from b to a
+        typename World::Scalar target = {};    // velocity of a against b along the normal
     };
 
     template <class World, class Index, class Vector, class Scalar, class TimeStep>
@@ -135,6 +140,7 @@ struct ProjectedGaussSeidel {
             row.set_pushing(pushes_only, restitution);
         });
     }
+    /// \endcond
 
   private:
     template <class World>

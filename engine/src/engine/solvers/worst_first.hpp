@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// WorstFirst<max_iterations>: the solver of the published design, kept as the baseline. Each
-// iteration computes every contact's separating velocity and penetration anew (as found, less what
-// its particles were moved since). The contact that closes fastest gets an impulse by its
-// restitution, and a correction of positions in proportion to inverse mass. It ends when none
-// closes or overlaps. A rod is a pair of opposed contacts where its length is off, since later
-// corrections may change which side is wrong. A rope is one contact where it is taut.
+/// \file
+/// WorstFirst<max_iterations>: the solver of the published design, kept as the baseline. Each
+/// iteration computes every contact's separating velocity and penetration anew (as found, less what
+/// its particles were moved since). The contact that closes fastest gets an impulse by its
+/// restitution, and a correction of positions in proportion to inverse mass. It ends when none
+/// closes or overlaps. A rod is a pair of opposed contacts where its length is off, since later
+/// corrections may change which side is wrong. A rope is one contact where it is taut.
 #pragma once
 
 #include <engine/decimal.hpp>
@@ -12,17 +13,19 @@
 
 namespace engine {
 
+/// The published solver: at most max_iterations contacts in a step, the fastest closing first.
 template <unsigned char max_iterations>
 struct WorstFirst {
+    /// \cond internal
     static constexpr bool needs_displacement = true;
     static constexpr unsigned rows_per_rod = 2;
 
     template <class World>
     struct Row {
         using Scalar = typename World::Scalar;
-        typename World::Index a = 0, b = 0;  // b may be nothing
-        typename World::Vector normal;       // from b to a
-        Scalar penetration = Scalar();       // when it was found
+        typename World::Index a = {}, b = {};  // b may be nothing
+        typename World::Vector normal;         // from b to a
+        Scalar penetration = Scalar();         // when it was found
         Scalar restitution = Scalar();
     };
 
@@ -73,6 +76,7 @@ struct WorstFirst {
             push(world, *worst, worst_velocity, worst_penetration);
         }
     }
+    /// \endcond
 
   private:
     template <class World, class Index, class Vector, class Scalar>

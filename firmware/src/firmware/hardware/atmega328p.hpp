@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The ATmega328P at 16 MHz: analogue inputs, serial port, servo, clock and profiling pins. All is
-// done in interrupts; nothing here waits for the hardware but idle(). One Board a program, whose
-// main file says FIRMWARE_INTERRUPTS(Board) outside of every namespace.
-//
-// Timer1 counts half microseconds, all 16 bits of it: its overflows make the clock, its compare
-// unit A the edges of the servo's pulse.
+/// \file
+/// The ATmega328P at 16 MHz: analogue inputs, serial port, servo, clock and profiling pins. All is
+/// done in interrupts; nothing here waits for the hardware but idle(). One Board a program, whose
+/// main file says FIRMWARE_INTERRUPTS(Board) outside of every namespace.
+///
+/// Timer1 counts half microseconds, all 16 bits of it: its overflows make the clock, its compare
+/// unit A the edges of the servo's pulse.
 #pragma once
 
 #include <avr/interrupt.h>
@@ -20,33 +21,37 @@ namespace firmware {
 
 static_assert(F_CPU == 16000000, "The timings are those of a 16 MHz clock.");
 
+/// The board, configured by Chosen. All is static: there is one.
 template <class Chosen>
 class Atmega328p : CheckedConfiguration<Chosen> {
   public:
+    /// What it is configured by.
     using Configuration = Chosen;
 
-    // Sets every register that matters, whatever a bootloader left in it, and enables interrupts.
+    /// Sets every register that matters, whatever a bootloader left in it, and enables interrupts.
     static void start();
 
-    // The clock: half microseconds since start(), modulo 2^32.
+    /// The clock: half microseconds since start(), modulo 2^32.
     static uint32_t ticks();
 
-    // The newest readings of each input, summed.
+    /// The newest readings of each input, summed.
     static Readings readings();
 
-    // The servo's pulse from the next frame on, in half microseconds, held to its travel.
+    /// The servo's pulse from the next frame on, in half microseconds, held to its travel.
     static void command_servo(uint16_t pulse);
 
-    // The serial port, 250000 baud 8N1. try_write takes as many bytes as there is room for and
-    // returns their number. read returns the oldest byte received, -1 where there is none.
+    /// How many bytes the serial port, 250000 baud 8N1, has room for.
     static uint8_t writable() { return transmit_.free(); }
+    /// Sends as many bytes as there is room for, and returns their number.
     static uint8_t try_write(const char* text, uint8_t length);
+    /// The oldest byte received, -1 where there is none.
     static int16_t read() { return receive_.empty() ? -1 : receive_.pop(); }
-    // Received bytes that were lost, as nobody read or as they came damaged; stops at 255. Those
-    // that an overrun of the receiver itself loses count as one.
+    /// Received bytes that were lost, as nobody read or as they came damaged; stops at 255. Those
+    /// that an overrun of the receiver itself loses count as one.
     static uint8_t lost() { return lost_; }
 
-    // The profiling pins, 2 cycles each; nothing where the category is not profiled.
+    /// The profiling pins, 2 cycles each; nothing where the category is not profiled.
+    /// @{
     template <Category category>
     static void raise() {
         if (contains(Configuration::profiled, category))
@@ -57,11 +62,13 @@ class Atmega328p : CheckedConfiguration<Chosen> {
         if (contains(Configuration::profiled, category))
             PORTD = static_cast<uint8_t>(PORTD & ~pin_of(category));
     }
+    /// @}
 
-    // Sleeps until an interrupt, at most for the 0.1 ms of a conversion.
+    /// Sleeps until an interrupt, at most for the 0.1 ms of a conversion.
     static void idle() { sleep_mode(); }
 
-    // For FIRMWARE_INTERRUPTS.
+    /// For FIRMWARE_INTERRUPTS.
+    /// @{
     static inline void conversion_complete() __attribute__((always_inline));
     static inline void servo_edge_is_near() __attribute__((always_inline));
     static inline void clock_overflow() __attribute__((always_inline)) {
@@ -69,6 +76,7 @@ class Atmega328p : CheckedConfiguration<Chosen> {
     }
     static inline void transmitter_ready() __attribute__((always_inline));
     static inline void byte_received() __attribute__((always_inline));
+    /// @}
 
   private:
     static constexpr uint8_t servo_pin = 1 << PD7;
@@ -246,6 +254,7 @@ void Atmega328p<C>::byte_received() {
 
 }  // namespace firmware
 
+/// The interrupts of a Board: once in a program, outside of every namespace.
 #define FIRMWARE_INTERRUPTS(Board)                          \
     ISR(TIMER1_COMPA_vect) { Board::servo_edge_is_near(); } \
     ISR(TIMER1_OVF_vect) { Board::clock_overflow(); }       \

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: MIT
-// Checked<Hook>: returns what Nearest returns, and calls Hook::notify(event, operation) first where
-// the exact result, rounded, is not in the range (overflow), where there is none (division by zero,
-// domain error), and where a product or quotient other than 0 is rounded to 0 (underflow).
-// Operations that are not named below have a result in range for every operand. parse and the
-// conversions named _checked return their status and do not notify.
+/// \file
+/// Checked<Hook>: returns what Nearest returns, and calls Hook::notify(event, operation) first
+/// where the exact result, rounded, is not in the range (overflow), where there is none (division
+/// by zero, domain error), and where a product or quotient other than 0 is rounded to 0
+/// (underflow). Operations that are not named below have a result in range for every operand. parse
+/// and the conversions named _checked return their status and do not notify.
 #pragma once
 
 #include <fixedpoint/arithmetic/saturating.hpp>
 
 namespace fixedpoint {
 
+/// What a hook is told of.
 enum class Event : unsigned char { overflow, division_by_zero, domain_error, underflow };
 
+/// The operation that an event happened in; dot is dot2 and dot3, length is length2 and length3.
 enum class Operation : unsigned char {
     add,
     subtract,
@@ -38,23 +41,30 @@ enum class Operation : unsigned char {
     from_decimal,
 };
 
+/// As Nearest, and tells Hook::notify(Event, Operation) of each result that is not what exact
+/// arithmetic would give.
 template <class Hook>
 struct Checked : Nearest {
+    /// a + b mod 2^W; notifies of overflow.
     template <class Raw, int F>
     static constexpr Raw add(Raw a, Raw b) {
         return wrapped<Raw>(Nearest::add<Raw, F>(a, b), Saturating::add<Raw, F>(a, b),
                             Operation::add);
     }
+    /// a - b mod 2^W; notifies of overflow.
     template <class Raw, int F>
     static constexpr Raw subtract(Raw a, Raw b) {
         return wrapped<Raw>(Nearest::subtract<Raw, F>(a, b), Saturating::subtract<Raw, F>(a, b),
                             Operation::subtract);
     }
+    /// -a mod 2^W; notifies of the overflow of the smallest number.
     template <class Raw, int F>
     static constexpr Raw negate(Raw a) {
         return wrapped<Raw>(Nearest::negate<Raw, F>(a), Saturating::negate<Raw, F>(a),
                             Operation::negate);
     }
+    /// a b rounded, mod 2^W; notifies of overflow, and of underflow where neither is 0 and the
+    /// product is rounded to 0.
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR Raw multiply(Raw a, Raw b) {
         const Raw result = Nearest::multiply<Raw, F>(a, b);
@@ -67,6 +77,7 @@ struct Checked : Nearest {
         watch_underflow(saturated == 0 && a != 0 && b != 0, Operation::multiply);
         return result;
     }
+    /// a / b rounded, saturated; notifies of division by zero, overflow and underflow.
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR Raw divide(Raw a, Raw b) {
         const Raw result = Nearest::divide<Raw, F>(a, b);
@@ -79,26 +90,32 @@ struct Checked : Nearest {
         watch_underflow(result == 0 && a != 0, Operation::divide);
         return result;
     }
+    /// As Nearest; notifies of division by zero.
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR Raw remainder(Raw a, Raw b) {
         if (b == 0) Hook::notify(Event::division_by_zero, Operation::remainder);
         return Nearest::remainder<Raw, F>(a, b);
     }
+    /// a 2^count mod 2^W; notifies of overflow.
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR Raw shift_left(Raw a, unsigned char count) {
         watch_range(portable::shift_left_fits(a, count), Operation::shift_left);
         return Nearest::shift_left<Raw, F>(a, count);
     }
+    /// As Nearest; notifies of overflow.
     template <class Raw, int F, class FromRaw, int FromF>
     static FIXEDPOINT_CONSTEXPR Raw convert(FromRaw a) {
         watch_range(portable::convert_clamped<Raw, F, FromRaw, FromF>(a).fits, Operation::convert);
         return Nearest::convert<Raw, F, FromRaw, FromF>(a);
     }
+    /// As Nearest; notifies of a domain error where a < 0.
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR Raw sqrt(Raw a) {
         if (a < 0) Hook::notify(Event::domain_error, Operation::sqrt);
         return Nearest::sqrt<Raw, F>(a);
     }
+    /// As Nearest; notifies of a domain error where a < 0, of division by zero where a = 0, and of
+    /// overflow.
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR Raw reciprocal_sqrt(Raw a) {
         if (a < 0) Hook::notify(Event::domain_error, Operation::reciprocal_sqrt);
@@ -107,57 +124,66 @@ struct Checked : Nearest {
                     Operation::reciprocal_sqrt);
         return Nearest::reciprocal_sqrt<Raw, F>(a);
     }
+    /// As Nearest; notifies of a domain error where a <= 0, and of overflow.
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR Raw log(Raw a) {
         if (a <= 0) Hook::notify(Event::domain_error, Operation::log);
         watch_range(a <= 0 || portable::log_fits<Raw, F>(a), Operation::log);
         return Nearest::log<Raw, F>(a);
     }
+    /// As Nearest; notifies of overflow.
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR Raw exp(Raw a) {
         watch_range(portable::exp_fits<Raw, F>(a), Operation::exp);
         return Nearest::exp<Raw, F>(a);
     }
+    /// As Nearest; notifies of overflow, in formats that do not hold pi.
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR Raw atan2(Raw y, Raw x) {
         watch_range(portable::atan2_fits<Raw, F>(y, x), Operation::atan2);
         return Nearest::atan2<Raw, F>(y, x);
     }
+    /// As Nearest; notifies of overflow, in formats that do not hold 1.
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR Raw cos(Raw angle) {
         watch_range(portable::cos_fits<Raw, F>(angle), Operation::cos);
         return Nearest::cos<Raw, F>(angle);
     }
+    /// As Nearest; notifies once of an overflow of the cosine.
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR void sincos(Raw angle, Raw* sine_and_cosine) {
         watch_range(portable::cos_fits<Raw, F>(angle), Operation::cos);
         Nearest::sincos<Raw, F>(angle, sine_and_cosine);
     }
+    /// As Nearest; notifies of overflow.
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR Raw ceil(Raw a) {
         watch_range(portable::integral_fits<Raw, F>(portable::integer_ceil<Raw, F>(a)),
                     Operation::ceil);
         return Nearest::ceil<Raw, F>(a);
     }
+    /// As Nearest; notifies of overflow.
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR Raw round(Raw a) {
         watch_range(portable::integral_fits<Raw, F>(portable::integer_round<Raw, F>(a)),
                     Operation::round);
         return Nearest::round<Raw, F>(a);
     }
-    // NaN is a domain error.
+    /// NaN is a domain error.
     template <class Raw, int F, class Float>
     static FIXEDPOINT_CONSTEXPR Raw from_float(Float x) {
         if (x != x) Hook::notify(Event::domain_error, Operation::from_float);
         watch_range(x != x || portable::from_float<Raw, F>(x).fits, Operation::from_float);
         return Nearest::from_float<Raw, F>(x);
     }
+    /// As Nearest; notifies of overflow.
     template <class Raw, int F, class Int>
     static FIXEDPOINT_CONSTEXPR Raw from_decimal(Int n, uint8_t decimals) {
         watch_range(portable::from_decimal<Raw, F>(n, decimals).fits, Operation::from_decimal);
         return Nearest::from_decimal<Raw, F>(n, decimals);
     }
 
+    /// a b + c rounded once, mod 2^W; notifies of overflow, and of underflow of the product.
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR Raw multiply_add(Raw a, Raw b, Raw c) {
         const Raw result = Nearest::multiply_add<Raw, F>(a, b, c);
@@ -168,23 +194,27 @@ struct Checked : Nearest {
                         Operation::multiply_add);
         return result;
     }
+    /// As Nearest; notifies where the sum overflows.
     template <class Raw, int F>
     static constexpr Raw dot2(const Raw* a, const Raw* b) {
         return watched_dot<Raw, F>(a, b, 2, Nearest::dot2<Raw, F>(a, b));
     }
+    /// As Nearest; notifies where the sum overflows.
     template <class Raw, int F>
     static constexpr Raw dot3(const Raw* a, const Raw* b) {
         return watched_dot<Raw, F>(a, b, 3, Nearest::dot3<Raw, F>(a, b));
     }
+    /// As Nearest; notifies of overflow.
     template <class Raw, int F>
     static constexpr Raw length2(const Raw* v) {
         return watched_length<Raw>(v, 2, Nearest::length2<Raw, F>(v));
     }
+    /// As Nearest; notifies of overflow.
     template <class Raw, int F>
     static constexpr Raw length3(const Raw* v) {
         return watched_length<Raw>(v, 3, Nearest::length3<Raw, F>(v));
     }
-    // One event for a vector, however many of its components are 1.
+    /// One event for a vector, however many of its components are 1.
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR void normalise3(const Raw* v, Raw* unit) {
         watch_range(portable::normalised_fits<Raw, F>(v, 0) &&
@@ -193,6 +223,7 @@ struct Checked : Nearest {
                     Operation::normalise);
         Nearest::normalise3<Raw, F>(v, unit);
     }
+    /// As Nearest; notifies of underflow where a is not 0 and the result is.
     template <int K, class Raw>
     static FIXEDPOINT_CONSTEXPR Raw scale_down(Raw a) {
         const Raw result = Nearest::scale_down<K>(a);

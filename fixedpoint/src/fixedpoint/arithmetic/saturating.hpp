@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Saturating: as Nearest, but every result that does not fit becomes the smallest or the largest
-// number, in the ring operations too. Operations of several steps (multiply_add, dot) saturate
-// product by product and sum by sum.
+/// \file
+/// Saturating: as Nearest, but every result that does not fit becomes the smallest or the largest
+/// number, in the ring operations too. Operations of several steps (multiply_add, dot) saturate
+/// product by product and sum by sum.
 #pragma once
 
 #include <fixedpoint/arithmetic/nearest.hpp>
@@ -11,51 +12,54 @@
 
 namespace fixedpoint {
 
+/// As Nearest, but nothing wraps: what does not fit becomes the smallest or the largest number.
 struct Saturating : Nearest {
+    /// Nothing is taken modulo 2^W.
     static constexpr bool is_modulo = false;
 
-    // a + b, saturated.
+    /// a + b, saturated.
     template <class Raw, int F>
     static constexpr Raw add(Raw a, Raw b) {
         return kernel::add_saturating(a, b);
     }
-    // a - b, saturated.
+    /// a - b, saturated.
     template <class Raw, int F>
     static constexpr Raw subtract(Raw a, Raw b) {
         return kernel::subtract_saturating(a, b);
     }
-    // -a; the negative of the smallest number is the largest.
+    /// -a; the negative of the smallest number is the largest.
     template <class Raw, int F>
     static constexpr Raw negate(Raw a) {
         return a == RawLimits<Raw>::min ? RawLimits<Raw>::max : static_cast<Raw>(-a);
     }
-    // a * b rounded, saturated.
+    /// a * b rounded, saturated.
     template <class Raw, int F>
     static constexpr Raw multiply(Raw a, Raw b) {
         return kernel::multiply_saturating<Raw, F>(a, b);
     }
-    // a b, rounded, + c, saturated.
+    /// a b, rounded, + c, saturated.
     template <class Raw, int F>
     static constexpr Raw multiply_add(Raw a, Raw b, Raw c) {
         return add<Raw, F>(multiply<Raw, F>(a, b), c);
     }
-    // The sum of a_i b_i over two or three components, from the first on; each product is rounded
-    // and saturated, and each sum is saturated: within 1 and 1.5 ulp where nothing is saturated.
+    /// The sum of a_i b_i over two or three components, from the first on; each product is rounded
+    /// and saturated, and each sum is saturated: within 1 and 1.5 ulp where nothing is saturated.
     template <class Raw, int F>
     static constexpr Raw dot2(const Raw* a, const Raw* b) {
         return multiply_add<Raw, F>(a[1], b[1], multiply<Raw, F>(a[0], b[0]));
     }
+    /// The sum of the three products, each product and each sum saturated.
     template <class Raw, int F>
     static constexpr Raw dot3(const Raw* a, const Raw* b) {
         return multiply_add<Raw, F>(a[2], b[2], dot2<Raw, F>(a, b));
     }
-    // a 2^count, saturated.
+    /// a 2^count, saturated.
     template <class Raw, int F>
     static constexpr Raw shift_left(Raw a, unsigned char count) {
         return portable::shift_left_fits(a, count) ? Nearest::shift_left<Raw, F>(a, count)
                                                    : portable::limit_by_sign(a);
     }
-    // a, of another format, rounded, saturated.
+    /// a, of another format, rounded, saturated.
     template <class Raw, int F, class FromRaw, int FromF>
     static constexpr Raw convert(FromRaw a) {
         return portable::convert_clamped<Raw, F, FromRaw, FromF>(a).number;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Wrapping: what every arithmetic has in common. Sums and shifts are exact modulo 2^W; conversions,
-// divisions by a power of two and roundings to an integer are not what arithmetics differ in, but
-// for those that saturate or tell.
+/// \file
+/// Wrapping: what every arithmetic has in common. Sums and shifts are exact modulo 2^W;
+/// conversions, divisions by a power of two and roundings to an integer are not what arithmetics
+/// differ in, but for those that saturate or tell.
 #pragma once
 
 #include <fixedpoint/portable/convert.hpp>
@@ -12,55 +13,57 @@
 
 namespace fixedpoint {
 
+/// What all arithmetics have in common: sums, shifts, conversions and roundings to an integer.
 struct Wrapping {
-    // Whether sums, differences and products beyond the range are taken modulo 2^W.
+    /// Whether sums, differences and products beyond the range are taken modulo 2^W.
     static constexpr bool is_modulo = true;
 
-    // (a + b) mod 2^W.
+    /// (a + b) mod 2^W.
     template <class Raw, int F>
     static constexpr Raw add(Raw a, Raw b) {
         return wrapping_add(a, b);
     }
-    // (a - b) mod 2^W.
+    /// (a - b) mod 2^W.
     template <class Raw, int F>
     static constexpr Raw subtract(Raw a, Raw b) {
         return wrapping_subtract(a, b);
     }
-    // -a mod 2^W: the smallest number is its own negative.
+    /// -a mod 2^W: the smallest number is its own negative.
     template <class Raw, int F>
     static constexpr Raw negate(Raw a) {
         return wrapping_negate(a);
     }
-    // a 2^count mod 2^W; 0 from count = W on.
+    /// a 2^count mod 2^W; 0 from count = W on.
     template <class Raw, int F>
     static constexpr Raw shift_left(Raw a, unsigned char count) {
         return wrapping_shift_left(a, count);
     }
-    // a / 2^K rounded to nearest, half up.
+    /// a / 2^K rounded to nearest, half up.
     template <int K, class Raw>
     static constexpr Raw scale_down(Raw a) {
         return portable::scale_down<K>(a);
     }
-    // a, an integer or of another format, rounded to F fraction bits, mod 2^W.
+    /// a, an integer or of another format, rounded to F fraction bits, mod 2^W.
     template <class Raw, int F, class FromRaw, int FromF>
     static constexpr Raw convert(FromRaw a) {
         return portable::convert<Raw, F, FromRaw, FromF>(a);
     }
-    // The float or double x, rounded, saturated; 0 where x is NaN.
+    /// The float or double x, rounded, saturated; 0 where x is NaN.
     template <class Raw, int F, class Float>
     static constexpr Raw from_float(Float x) {
         return portable::from_float<Raw, F>(x).number;
     }
-    // n / 10^decimals, rounded, saturated.
+    /// n / 10^decimals, rounded, saturated.
     template <class Raw, int F, class Int>
     static constexpr Raw from_decimal(Int n, uint8_t decimals) {
         return portable::from_decimal<Raw, F>(n, decimals).number;
     }
-    // The smallest integral number >= a, and the nearest one, half up; saturated.
+    /// The smallest integral number >= a, and the nearest one, half up; saturated.
     template <class Raw, int F>
     static constexpr Raw ceil(Raw a) {
         return portable::ceil<Raw, F>(a);
     }
+    /// The nearest integral number, half up; saturated.
     template <class Raw, int F>
     static constexpr Raw round(Raw a) {
         return portable::round<Raw, F>(a);

@@ -16,7 +16,8 @@
 // so that the first digit fits. In the second step the remainder is never the divisor or more (all
 // 2^14 pairs of divisor and remainder were tried), so that it lacks the second correction. The
 // quotient has one bit more than the result: it is what rounds, and only a negative tie must look
-// at the remainder.
+// at the remainder. Rounding carries no further than the low byte: a fraction of quotients by one
+// byte is at most 254/255, less than the 511/512 that would.
 //
 // |b| >= 1, |a| < |b|: one digit, from the reciprocal of b's leading eight bits plus one. It is
 // therefore never too large, and at most 4 too small (all dividends and divisors were tried): the
@@ -110,7 +111,6 @@
     tst sign
     brmi .Lround_negative
     adc a0, r1
-    adc a1, r1
     ret
 
     // A tie of a negative quotient has no remainder.
@@ -118,7 +118,6 @@
     brcc .Lnegate
     cp r1, r0
     adc a0, r1
-    adc a1, r1
 .Lnegate:
     com a1
     neg a0

@@ -1,153 +1,144 @@
 // SPDX-License-Identifier: MIT
 // int32_t fixedpoint_reciprocal_sqrt_q16_16_small(int32_t a);
 //
-// The integer nearest to 2^24 / sqrt(a), with no table; 2^31 - 1 where a = 0; 0 where a < 0.
+// 2^24 / sqrt(a) within 0.73 ulp, without a table; 2^31 - 1 where a = 0; 0 where a < 0.
 //
-// a and the result in r25:r24:r23:r22. Changes r18-r27, r30, r31, r0; r1 is zero at entry and
-// return.
+// In       a = r25:r22
+// Out      r25:r22
+// Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
 //
-// Technique. 2^48 / a by restoring division, then its root like that of sqrt_q16_16_small.S. The
-// quotient is rounded so that its root rounds like that of the ratio x: x is beyond (r + 1/2)^2
-// where x + 3/4 reaches the integer r^2 + r + 1, so floor(x + 3/4) is taken.
+// M = a 4^s has the reciprocal root Y, low by up to 2^-11 of it (reciprocal_root_small.S). With
+// e = 1 - M Y^2, from products whose bytes below 2^-30 are cut, Y + Y e / 2 + Y 3/8 e^2 has 24
+// bits; the square of e's upper byte stands for the last term. One unit is added for what is cut,
+// and 15 - s bits are taken off by rounding.
+//
+// Error in ulp: in 24 bits up to 2 units, which count by 2^(s - 15), 0.23 at a = 60. Rounding 0.5.
+// 2^24, the root of 1, is beyond the 24 bits. The worst of all inputs is 0.72788, at 60.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
 
-#define zero r1
-#define count r28
-
-    .macro double_quotient
-    lsl r16
-    rol r17
-    rol r26
-    rol r27
-    rol r30
-    rol r31
-    .endm
-    .macro double_remainder
-    rol r18
-    rol r19
-    rol r20
-    rol r21
-    .endm
+#define m1 r23
+#define m2 r24
+#define m3 r25
+#define s r30
+#define zero r31
+#define y0 r18
+#define y1 r19
+// Y^2.
+#define s0 r20
+#define s1 r21
+#define s2 r26
+#define s3 r27
+// M Y^2 modulo 1, then 2 e, in units of 2^-31; the upper two where m1 and s0 were.
+#define e0 r22
+#define e1 r23
+#define e2 r20
+// The bytes of the root behind Y's, and one of carries.
+#define x0 r24
+#define x1 r21
+#define below r25
 
     FUNCTION fixedpoint_reciprocal_sqrt_q16_16_small
-    // 0 below zero, 2^24 and 2^31 - 1 for 1 and 0
-    clr r18
-    clr r19
-    movw r20, r18
     sbiw r24, 0
-    brmi 2f
-    brne 3f
+    brmi .Lnone
+    brne .Lregular
     cpi r22, 2
-    cpc r23, zero
-    brsh 3f
-    ldi r21, 1
+    cpc r23, r1
+    brsh .Lregular
+    dec r22             // 1: 2^24; 0: 2^31 - 1
+    mov r23, r22
+    mov r24, r22
+    ldi r25, 1
     sbrc r22, 0
-    rjmp 2f
-    ldi r18, 0xff
-    mov r19, r18
-    mov r20, r18
-    ldi r21, 0x7f
-2:  movw r22, r18
-    movw r24, r20
+    ldi r25, 0x7f
+    ret
+.Lnone:
+    ldi r22, 0
+    ldi r23, 0
+    movw r24, r22
     ret
 
-3:  push r16
-    push r17
-    push count
-    movw r16, r18
-    movw r26, r18
-    movw r30, r18
-    inc r18
-    ldi count, 48
-4:  double_quotient
-    lsl r18
-    rol r19
-    rol r20
-    rol r21
-    cp r18, r22
-    cpc r19, r23
-    cpc r20, r24
-    cpc r21, r25
-    brcs 5f
-    sub r18, r22
-    sbc r19, r23
-    sbc r20, r24
-    sbc r21, r25
-    inc r16
-5:  dec count
-    brne 4b
-    // One more where 4 remainder >= a, which is 2 remainder >= (a + 1) / 2, rounded down.
-    lsl r18
-    rol r19
-    rol r20
-    rol r21
-    subi r22, 0xff
-    sbci r23, 0xff
-    sbci r24, 0xff
-    sbci r25, 0xff
-    lsr r25
-    ror r24
-    ror r23
-    ror r22
-    cp r18, r22
-    cpc r19, r23
-    cpc r20, r24
-    cpc r21, r25
-    brcs 6f
+.Lregular:
+    XCALL fixedpoint_reciprocal_root_small
+    mul y0, y0
+    movw s0, r0
+    mul y1, y1
+    movw s2, r0
+    mul y0, y1
+    add s1, r0
+    adc s2, r1
+    adc s3, zero
+    add s1, r0
+    adc s2, r1
+    adc s3, zero
+
+    mul m1, s2
+    mov e0, r1
+    mul m1, s3
+    add e0, r0
+    adc r1, zero
+    mov e1, r1
+    mul m3, s0
+    add e0, r1
+    adc e1, zero
+    clr e2
+    adc e2, e2
+    mul m2, s1
+    add e0, r1
+    adc e1, zero
+    adc e2, zero
+    mul m3, s1
+    add e0, r0
+    adc e1, r1
+    adc e2, zero
+    mul m2, s2
+    add e0, r0
+    adc e1, r1
+    adc e2, zero
+    mul m2, s3
+    add e1, r0
+    adc e2, r1
+    mul m3, s2
+    add e1, r0
+    adc e2, r1
+    mul m3, s3
+    add e2, r0
+    com e0
+    com e1
+    com e2
+    lsl e0
+    rol e1
+    rol e2
+
+    // x1:x0 = e Y / 2^16 + e2^2 / 2^8 + 1
+    mul e2, e2
+    mov below, r0
+    mov x0, r1
+    mul e0, y1
+    add below, r1
+    adc x0, zero
+    mul e2, y0
+    add below, r0
+    adc x0, r1
+    mul e1, y1
+    add below, r0
+    adc x0, r1
+    clr x1
+    adc x1, x1
+    mul e2, y1
     sec
-    adc r16, zero
-    adc r17, zero
-    adc r26, zero
-    adc r27, zero
-    adc r30, zero
-    adc r31, zero
-
-6:  clr r18
-    clr r19
-    movw r20, r18
-    movw r22, r18
-    clr r24
-    ldi r25, 0x3f
-    ldi count, 24
-7:  cp r25, r31
-    cpc r22, r18
-    cpc r23, r19
-    cpc r24, r20
-    cpc zero, r21
-    rol r22
-    rol r23
-    rol r24
-    double_quotient
-    double_remainder
-    double_quotient
-    double_remainder
-    sbrs r22, 0
-    rjmp 8f
-    sub r18, r22
-    sbc r19, r23
-    sbc r20, r24
-    sbc r21, zero
-    dec r22
-    sub r18, r22
-    sbc r19, r23
-    sbc r20, r24
-    sbc r21, zero
-    inc r22
-8:  dec count
-    brne 7b
-    clr r25
-    cp r22, r18
-    cpc r23, r19
-    cpc r24, r20
-    cpc r25, r21
-    adc r22, zero
-    adc r23, zero
+    adc x0, r0
+    adc x1, r1
+    mov r22, x0
+    mov r23, y0
+    mov r24, y1
+    add r23, x1
     adc r24, zero
-    pop count
-    pop r17
-    pop r16
-    ret
+    ldi r25, 15
+    sub r25, s
+    mov s, r25
+    clr r1
+    XJMP fixedpoint_shift_root_small
     ENDFUNC fixedpoint_reciprocal_sqrt_q16_16_small
 #endif

@@ -70,11 +70,9 @@
     rol r20
     rol r21
     brcc .Lbits
-    // The divisor has left the register by a bit: it goes back, and is not above the dividend.
+    // The divisor has left the register by a bit. It was 2^31, as is the dividend: nothing is above
+    // that. It goes back, the other bytes being 0.
     ror r21
-    ror r20
-    ror r19
-    ror r18
     rjmp .Lsubtract
 
 .Laligned:

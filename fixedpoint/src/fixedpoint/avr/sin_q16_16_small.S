@@ -21,10 +21,7 @@
 
 #include "quarter_turns_q16_16.inc"
 
-#define C0 13176750
-#define C1 5418142
-#define C2 666344
-#define C3 36349
+#include "sin_polynomial.inc"
 // Half an ulp in units of 2^-7 and two units for what is cut.
 #define ROUNDING 66
 

@@ -1,117 +1,132 @@
 // SPDX-License-Identifier: MIT
 // int32_t fixedpoint_sqrt_q16_16_small(int32_t a);
 //
-// What fixedpoint_sqrt_q16_16 returns, with no table: the integer nearest to sqrt(a 2^16); 0 where
-// a < 0.
+// What fixedpoint_sqrt_q16_16 returns, without a table: the integer nearest to sqrt(a 2^16); 0
+// where a <= 0.
 //
-// a and the result in r25:r24:r23:r22. Changes r18-r27, r30, r31, r0; r1 is zero at entry and
-// return.
+// In       a = r25:r22
+// Out      r25:r22
+// Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
 //
-// Technique. Restoring, two bits of a 2^16 for one of the root: the next bit is one where the
-// remainder, or it with the next two bits of a, exceeds the root so far. Eight bits at a time, of
-// which the first eight fit in one byte; leading zeros of a are skipped by 16.
+// M = a 4^s has the reciprocal root Y, low by up to 2^-11 of it (reciprocal_root_small.S). c, the
+// upper half of M Y, is not above the root of M in units of 2^16, nor is c + (M - c^2) Y / 2, but
+// less than 6 units of 2^-8 below it, as what is cut is positive throughout. Shifted back by s
+// bits and rounded, that root x of a 2^16 is thus right or too small.
+//
+// x is too small while a 2^16 > x^2 + x. The lower half of that sum is not needed: it says a >
+// floor((x^2 + x) / 2^16), of which two bytes tell, as both sides differ by less than 2^12.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
 
-#define root0 r26
-#define root1 r27
-#define root2 r30
-#define remainder0 r18
-#define remainder1 r19
-#define remainder2 r20
-#define remainder3 r21
-#define zero r1
+#define m0 r22
+#define m1 r23
+#define m2 r24
+#define m3 r25
+#define y0 r18
+#define y1 r19
+#define zero r31
+#define a0 r26
+#define a1 r27
+// The root of M in units of 2^8, with another byte behind it.
+#define c1 r21
+#define c0 r20
+#define behind r25
+// Bytes 1..3 of x^2 + x, x = m2:m0.
+#define p1 r18
+#define p2 r19
+#define p3 r20
 
-    .macro next_bits
-    lsl r24
-    rol r25
-    rol remainder0
-    rol remainder1
-    .endm
-
-    FUNCTION fixedpoint_sqrt_q16_16_small
-    clr r18
-    clr r19
-    movw r20, r18
-    movw r26, r18
-    clr r30
-    ldi r31, 0x3f
-    set
-    sbiw r24, 0
-    brpl 0f
-    rjmp .Lnegative
-0:  brne 1f
-    clt
-    movw r24, r22
-    movw r22, r18
-1:  ldi r21, 8
-2:  cp r31, r25
-    cpc root0, remainder0
-    cpc zero, remainder1
-    rol root0
-    next_bits
-    next_bits
-    sbrs root0, 0
-    rjmp 3f
-    sub remainder0, root0
-    sbc remainder1, zero
-    dec root0
-    sub remainder0, root0
-    sbc remainder1, zero
-    inc root0
-3:  dec r21
-    brne 2b
-
-4:  movw r24, r22
-    clr r22
-    clr r23
-    ldi r21, 8
-    mov r0, r21
-    clr r21
-5:  cp r31, r25
-    cpc root0, remainder0
-    cpc root1, remainder1
-    cpc root2, remainder2
-    cpc zero, remainder3
-    rol root0
-    rol root1
-    rol root2
-    next_bits
-    rol remainder2
-    rol remainder3
-    next_bits
-    rol remainder2
-    rol remainder3
-    sbrs root0, 0
-    rjmp 6f
-    sub remainder0, root0
-    sbc remainder1, root1
-    sbc remainder2, root2
-    sbc remainder3, zero
-    dec root0
-    sub remainder0, root0
-    sbc remainder1, root1
-    sbc remainder2, root2
-    sbc remainder3, zero
-    inc root0
-6:  dec r0
-    brne 5b
-    brtc 7f
-    clt
-    rjmp 4b
-    // Up where the remainder exceeds the root.
-7:  cp root0, remainder0
-    cpc root1, remainder1
-    cpc root2, remainder2
-    cpc zero, remainder3
-    adc root0, zero
-    adc root1, zero
-    adc root2, zero
-.Lnegative:
-    movw r22, root0
-    mov r24, root2
-    clr r25
+    SECTION fixedpoint_sqrt_q16_16_small
+.Lnone:
+    ldi m0, 0
+    ldi m1, 0
+    movw m2, m0
+    ret
+    ENTRY fixedpoint_sqrt_q16_16_small
+    cp r1, m0
+    cpc r1, m1
+    cpc r1, m2
+    cpc r1, m3
+    brge .Lnone
+    movw a0, m0
+    XCALL fixedpoint_reciprocal_root_small
+    // c = m3:m2 y / 2^15; the product of the lowest bytes is cut.
+    mul m3, y1
+    movw c0, r0
+    mul m3, y0
+    mov behind, r0
+    add c0, r1
+    adc c1, zero
+    mul m2, y1
+    add behind, r0
+    adc c0, r1
+    adc c1, zero
+    lsl behind
+    rol c0
+    rol c1
+    // M - c^2 < 2^24
+    mul c0, c0
+    sub m0, r0
+    sbc m1, r1
+    sbc m2, zero
+    mul c0, c1
+    sub m1, r0
+    sbc m2, r1
+    sub m1, r0
+    sbc m2, r1
+    mul c1, c1
+    sub m2, r0
+    // c:behind += m2:m1 y / 2^16
+    mul m2, y0
+    mov m0, r0
+    mov behind, r1
+    mul m2, y1
+    add behind, r0
+    adc r1, zero
+    mov m2, r1
+    mul m1, y1
+    add m0, r0
+    adc behind, r1
+    adc m2, zero
+    add c0, m2
+    mov m0, behind
+    mov m1, c0
+    mov m2, c1
+    adc m2, zero
+    XCALL fixedpoint_shift_root_small
+.Ltest:
+    mul m0, m1
+    movw p1, r0
+    mul m0, m2
+    clr p3
+    add p2, r0
+    adc p3, r1
+    mul m1, m2
+    add p3, r0
+    lsl p1
+    rol p2
+    rol p3
+    mul m1, m1
+    add p2, r0
+    adc p3, r1
+    mul m0, m0
+    add r0, m0
+    adc p1, m1
+    adc p2, m2
+    adc p3, zero
+    add p1, r1
+    adc p2, zero
+    adc p3, zero
+    cp p2, a0
+    cpc p3, a1
+    brpl .Ldone
+    subi m0, 0xff
+    sbci m1, 0xff
+    sbci m2, 0xff
+    rjmp .Ltest
+.Ldone:
+    clr r1
     ret
     ENDFUNC fixedpoint_sqrt_q16_16_small
 #endif

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// fmt of fixed-point numbers: {:[[fill]align][0][width][.decimals][f]}, aligned to the right by
-// default; 0 fills with zeros behind the sign where no alignment is given, as for double. Without
-// decimals it is the shortest text that reads back.
+/// \file
+/// fmt of fixed-point numbers: {:[[fill]align][0][width][.decimals][f]}, aligned to the right by
+/// default; 0 fills with zeros behind the sign where no alignment is given, as for double. Without
+/// decimals it is the shortest text that reads back.
 #pragma once
 
 #include <fmt/format.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// std::hash of fixed-point numbers: that of the raw integer.
+/// \file
+/// std::hash of fixed-point numbers: that of the raw integer.
 #pragma once
 
 #include <fixedpoint/fixed.hpp>

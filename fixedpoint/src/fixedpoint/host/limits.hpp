@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// std::numeric_limits of fixed-point numbers. As for the standard types, min() is the smallest
-// positive number where there are fractions and the lowest one where there are none.
+/// \file
+/// std::numeric_limits of fixed-point numbers. As for the standard types, min() is the smallest
+/// positive number where there are fractions and the lowest one where there are none.
 #pragma once
 
 #include <fixedpoint/fixed.hpp>
@@ -30,11 +31,11 @@ class std::numeric_limits<fixedpoint::Fixed<IntegerBits, F, A>> {
 
     static constexpr int radix = 2;
     static constexpr int digits = IntegerBits + F - 1;
-    // The decimal digits that survive in front of the point and behind it; floor(n log10(2)) =
-    // floor(3 n / 10) for n < 64.
+    /// The decimal digits that survive in front of the point and behind it; floor(n log10(2)) =
+    /// floor(3 n / 10) for n < 64.
     static constexpr int digits10 = (IntegerBits - 1) * 3 / 10 + F * 3 / 10;
     static constexpr int max_digits10 = 0;
-    // There is no exponent.
+    /// There is no exponent.
     static constexpr int min_exponent = 0;
     static constexpr int min_exponent10 = 0;
     static constexpr int max_exponent = 0;
@@ -44,9 +45,9 @@ class std::numeric_limits<fixedpoint::Fixed<IntegerBits, F, A>> {
     static constexpr Number max() noexcept { return Number::max(); }
     static constexpr Number min() noexcept { return F == 0 ? Number::min() : Number::ulp(); }
     static constexpr Number denorm_min() noexcept { return min(); }
-    // The distance between neighbours, the same everywhere in the range.
+    /// The distance between neighbours, the same everywhere in the range.
     static constexpr Number epsilon() noexcept { return Number::ulp(); }
-    // One half, the largest rounding error in ulp; without fraction bits there is no half.
+    /// One half, the largest rounding error in ulp; without fraction bits there is no half.
     static constexpr Number round_error() noexcept {
         return Number::from_raw(static_cast<Raw>((fixedpoint::Unsigned<Raw>(1) << F) >> 1));
     }

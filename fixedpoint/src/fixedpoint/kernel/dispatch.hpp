@@ -12,6 +12,7 @@
 #include <fixedpoint/portable/atan2.hpp>
 #include <fixedpoint/portable/convert.hpp>
 #include <fixedpoint/portable/divide.hpp>
+#include <fixedpoint/portable/divide_small.hpp>
 #include <fixedpoint/portable/dot.hpp>
 #include <fixedpoint/portable/exp.hpp>
 #include <fixedpoint/portable/length.hpp>
@@ -36,6 +37,7 @@ FIXEDPOINT_OPERATION(BINARY, multiply)
 FIXEDPOINT_OPERATION(BINARY, multiply_saturating)
 FIXEDPOINT_OPERATION(TERNARY, multiply_add)
 FIXEDPOINT_OPERATION(BINARY, divide)
+FIXEDPOINT_OPERATION(BINARY, divide_small)
 FIXEDPOINT_OPERATION(BINARY, remainder)
 FIXEDPOINT_OPERATION(UNARY, sqrt)
 FIXEDPOINT_OPERATION(UNARY, sqrt_small)
@@ -97,7 +99,7 @@ FIXEDPOINT_CONSTEXPR Raw from_q16_16(int32_t a) {
                    : portable::portable_operation<Raw, F>(a);                          \
     }
 FIXEDPOINT_THROUGH_Q16_16(reciprocal_sqrt, reciprocal_sqrt)
-FIXEDPOINT_THROUGH_Q16_16(reciprocal_sqrt_small, nearest_reciprocal_sqrt)
+FIXEDPOINT_THROUGH_Q16_16(reciprocal_sqrt_small, reciprocal_sqrt_small)
 FIXEDPOINT_THROUGH_Q16_16(sin, sin)
 FIXEDPOINT_THROUGH_Q16_16(sin_small, sin_small)
 FIXEDPOINT_THROUGH_Q16_16(cos, cos)
@@ -165,9 +167,18 @@ FIXEDPOINT_CONSTEXPR Raw divide(Raw a, Raw b) {
                      static_cast<int32_t>(b) * (int32_t(1) << (F < 16 ? 16 - F : 0))))
                : portable::divide<Raw, F>(a, b);
 }
+// Once in a program, however many quotients it takes.
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR __attribute__((noinline)) Raw divide_small(Raw a, Raw b) {
+    return portable::divide_small<Raw, F>(a, b);
+}
+// The remainder does not depend on the fraction bits.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw remainder(Raw a, Raw b) {
-    return portable::remainder<Raw, F>(a, b);
+    return has_assembly && sizeof(Raw) == 4
+               ? static_cast<Raw>(
+                     remainder<int32_t, 16>(static_cast<int32_t>(a), static_cast<int32_t>(b)))
+               : portable::remainder<Raw, F>(a, b);
 }
 
 // Formats of 8 and 16 bits have the root of the integer a 2^F, rounded once.

@@ -13,20 +13,25 @@
 namespace fixedpoint {
 namespace portable {
 
+/// What a text is, of which a number is read.
 enum class TextStatus : unsigned char {
-    ok,
+    ok,            ///< a number in the range
     empty,         // no text at all
     malformed,     // not a decimal number: it ends, or has an unexpected character, at `position`
-    out_of_range,  // a decimal number that the format cannot hold, saturated
+    out_of_range,  ///< a decimal number that the format cannot hold, saturated
 };
 
+/// What parse returns.
 template <class Number>
 struct Parsed {
+    /// The number; the limit of the range where the text is beyond it, 0 where it is none.
     Number number;
+    /// Whether it is what the text says.
     TextStatus status;
-    size_t position;  // where reading stopped: the length of a well-formed text
+    size_t position;  ///< where reading stopped: the length of a well-formed text
 };
 
+/// \cond internal
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 // A decimal number as it stands in the text.
@@ -115,6 +120,7 @@ FIXEDPOINT_CONSTEXPR Parsed<Raw> parse_decimal(const char* text, size_t length) 
     return {result.number, result.fits ? TextStatus::ok : TextStatus::out_of_range,
             source.position};
 }
+/// \endcond
 
 }  // namespace portable
 }  // namespace fixedpoint

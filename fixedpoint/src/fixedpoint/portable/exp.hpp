@@ -3,7 +3,9 @@
 #pragma once
 
 #include <fixedpoint/portable/double_word.hpp>
+#include <fixedpoint/portable/exp_32.hpp>
 #include <fixedpoint/portable/exp_q16_16.hpp>
+#include <fixedpoint/portable/exp_small_q16_16.hpp>
 #include <fixedpoint/portable/pseudo_division_table.hpp>
 
 namespace fixedpoint {
@@ -47,7 +49,7 @@ FIXEDPOINT_CONSTEXPR Word exponential_mantissa(Word rest) {
     return result + (product >> steps);
 }
 
-// For every format; small, as it has no table but the word's few ln(1 + 2^-i).
+// For every format but Q16.16; small, as it has no table but the word's few ln(1 + 2^-i).
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw exp_small(Raw a) {
     using Word = ExponentialWord<Raw>;
@@ -77,14 +79,27 @@ FIXEDPOINT_CONSTEXPR Raw exp_small(Raw a) {
     return clamped_with_sign<Raw>((mantissa + (Word(1) << (surplus - 1))) >> surplus, false);
 }
 
-template <class Raw, int F>
-constexpr Raw exp(Raw a) {
-    return exp_small<Raw, F>(a);
+template <>
+FIXEDPOINT_CONSTEXPR int32_t exp_small<int32_t, 16>(int32_t a) {
+    return exp_small_q16_16(a);
 }
 
+template <class Raw, int F>
+struct Exponential {
+    static constexpr Raw apply(Raw a) { return exp_small<Raw, F>(a); }
+};
+template <int F>
+struct Exponential<int32_t, F> {
+    static FIXEDPOINT_CONSTEXPR int32_t apply(int32_t a) { return exp_32<F>(a); }
+};
 template <>
-FIXEDPOINT_CONSTEXPR int32_t exp<int32_t, 16>(int32_t a) {
-    return exp_q16_16(a);
+struct Exponential<int32_t, 16> {
+    static FIXEDPOINT_CONSTEXPR int32_t apply(int32_t a) { return exp_q16_16(a); }
+};
+
+template <class Raw, int F>
+constexpr Raw exp(Raw a) {
+    return Exponential<Raw, F>::apply(a);
 }
 
 }  // namespace portable

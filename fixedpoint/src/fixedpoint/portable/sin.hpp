@@ -4,6 +4,7 @@
 #pragma once
 
 #include <fixedpoint/portable/cordic.hpp>
+#include <fixedpoint/portable/sin_32.hpp>
 #include <fixedpoint/portable/sin_q16_16.hpp>
 #include <fixedpoint/portable/sin_small_q16_16.hpp>
 
@@ -164,30 +165,44 @@ FIXEDPOINT_CONSTEXPR void sincos_small<int32_t, 16>(int32_t angle, int32_t* resu
 }
 
 template <class Raw, int F>
+struct Sine {
+    static constexpr Raw sin(Raw angle) { return sin_small<Raw, F>(angle); }
+    static constexpr Raw cos(Raw angle) { return cos_small<Raw, F>(angle); }
+    static FIXEDPOINT_CONSTEXPR void sincos(Raw angle, Raw* result) {
+        sincos_small<Raw, F>(angle, result);
+    }
+};
+template <int F>
+struct Sine<int32_t, F> {
+    static FIXEDPOINT_CONSTEXPR int32_t sin(int32_t angle) { return sin_32<F>(angle); }
+    static FIXEDPOINT_CONSTEXPR int32_t cos(int32_t angle) { return cos_32<F>(angle); }
+    static FIXEDPOINT_CONSTEXPR void sincos(int32_t angle, int32_t* result) {
+        const uint64_t turns = quarter_turns_32<F>(angle);
+        result[0] = sine_of_quarter_turns_32<F>(turns);
+        result[1] = sine_of_quarter_turns_32<F>(turns + one_quarter_turn_32);
+    }
+};
+template <>
+struct Sine<int32_t, 16> {
+    static FIXEDPOINT_CONSTEXPR int32_t sin(int32_t angle) { return sin_q16_16(angle); }
+    static FIXEDPOINT_CONSTEXPR int32_t cos(int32_t angle) { return cos_q16_16(angle); }
+    static FIXEDPOINT_CONSTEXPR void sincos(int32_t angle, int32_t* result) {
+        result[0] = sin_q16_16(angle);
+        result[1] = cos_q16_16(angle);
+    }
+};
+
+template <class Raw, int F>
 constexpr Raw sin(Raw angle) {
-    return sin_small<Raw, F>(angle);
+    return Sine<Raw, F>::sin(angle);
 }
 template <class Raw, int F>
 constexpr Raw cos(Raw angle) {
-    return cos_small<Raw, F>(angle);
+    return Sine<Raw, F>::cos(angle);
 }
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR void sincos(Raw angle, Raw* result) {
-    sincos_small<Raw, F>(angle, result);
-}
-
-template <>
-FIXEDPOINT_CONSTEXPR int32_t sin<int32_t, 16>(int32_t angle) {
-    return sin_q16_16(angle);
-}
-template <>
-FIXEDPOINT_CONSTEXPR int32_t cos<int32_t, 16>(int32_t angle) {
-    return cos_q16_16(angle);
-}
-template <>
-FIXEDPOINT_CONSTEXPR void sincos<int32_t, 16>(int32_t angle, int32_t* result) {
-    result[0] = sin_q16_16(angle);
-    result[1] = cos_q16_16(angle);
+    Sine<Raw, F>::sincos(angle, result);
 }
 
 }  // namespace portable

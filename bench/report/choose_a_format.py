@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""From the numbers that a user knows, the largest value and the smallest step, to a type of the
+library, its limits and its cost."""
+import math
+
+import operations
+from data import DataError
+
+WIDTHS = (8, 16, 32, 64)
+# The formats of which all operations are measured, as the library names them.
+MEASURED = {"q4_4": "`Q4_4`", "q8_8": "`Q8_8`", "q16_16": "`Q16_16`", "q8_24": "`Fixed<8, 24>`",
+            "q32_32": "`Q32_32`", "float": "float"}
+
+
+def integer_bits(largest):
+    """The least I of which -2^(I-1) .. 2^(I-1), the upper end excluded, holds +-largest."""
+    bits = 1
+    while not largest < 2.0**(bits - 1):
+        bits += 1
+    return bits
+
+
+def fraction_bits(step):
+    """The least F with 2^-F <= step."""
+    bits = 0
+    while 2.0**-bits > step:
+        bits += 1
+    return bits
+
+
+class Format:
+    """I.F bits, as the library names the type."""
+
+    def __init__(self, integer, fraction):
+        self.integer, self.fraction = integer, fraction
+
+    @property
+    def width(self):
+        return self.integer + self.fraction
+
+    @property
+    def name(self):
+        halves = self.integer == self.fraction
+        return f"Q{self.integer}_{self.fraction}" if halves else f"Fixed<{self.integer}, {self.fraction}>"
+
+    @property
+    def measured(self):
+        """Its name among the formats that are measured, if it is one."""
+        name = f"q{self.integer}_{self.fraction}"
+        return name if name in MEASURED else None
+
+    @property
+    def square_overflows_from(self):
+        return math.sqrt(2.0**(self.integer - 1))
+
+    @property
+    def square_vanishes_below(self):
+        """The magnitude whose square is half an ulp."""
+        return math.sqrt(2.0**-(self.fraction + 1))
+
+    def stands_still_below(self, rate):
+        """The speed, in units a second, whose step at that rate is half an ulp."""
+        return rate * 2.0**-(self.fraction + 1)
+
+
+def choose(largest, step):
+    """The narrowest format with that range and that resolution, of equal halves if these do. What
+    is left over makes the steps finer."""
+    integer, fraction = integer_bits(largest), fraction_bits(step)
+    for width in WIDTHS:
+        if integer + fraction <= width:
+            halves = width // 2
+            if integer <= halves and fraction <= halves:
+                return Format(halves, halves)
+            return Format(integer, width - integer)
+    raise DataError(f"no format has {integer} integer bits and {fraction} fraction bits")
+
+
+def kind(number_format, implementation=operations.OURS):
+    return operations.FLOAT if number_format == "float" else (number_format, implementation)
+
+
+def cost(data, operation, number_format, implementation=operations.OURS):
+    """Mean and largest cycles."""
+    mean = operations.mean(data, operation, *kind(number_format, implementation))
+    if mean is None:
+        return "–"
+    return f"{mean:.0f} ({operations.worst(data, operation, *kind(number_format, implementation)).cycles})"
+
+
+def flash(data, operation, number_format):
+    """Bytes, with everything that the operation pulls in."""
+    row = operations.row(data, operation, *kind(number_format))
+    return row["flash_bytes"] if row else "–"

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The data of the page. Tables are decoded when a view first asks for them.
+const page = JSON.parse(document.getElementById("data").textContent);
+const decoded = new Map();
+
+export const { views, styles, formats, implementations, subjects, scalars, proofs, physics, compared, hertz, programs, verdicts } = page;
+export const tableNames = Object.keys(page.tables);
+export const has = (name) => name in page.tables;
+export const command = (name) => page.tables[name].command;
+export const columns = (name) => Object.keys(page.tables[name].columns);
+
+// The rows of <name>.csv as objects; none where there is no such file.
+export function rows(name) {
+  if (!has(name)) return [];
+  if (!decoded.has(name)) {
+    const { rows: count, columns: cells } = page.tables[name];
+    const made = Array.from({ length: count }, () => ({}));
+    for (const [column, coded] of Object.entries(cells))
+      for (let row = 0; row < count; ++row)
+        made[row][column] = coded.index ? coded.values[coded.index[row]] : coded[row];
+    decoded.set(name, made);
+  }
+  return decoded.get(name);
+}
+
+export const unique = (values) => [...new Set(values)];
+
+// The columns' names and a line a row, cells quoted where they must be.
+export function csv(names, selected) {
+  const cell = (value) => {
+    const text = value === null ? "" : String(value);
+    return /[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
+  };
+  return [names, ...selected.map((row) => names.map((name) => row[name]))]
+    .map((line) => line.map(cell).join(",")).join("\n") + "\n";
+}

@@ -1,0 +1,165 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What an operation costs and errs by: means over `physics` operands, and the worst that any run knows
+of, be it sampled, searched or over all inputs."""
+import collections
+import math
+
+import style
+from data import DataError
+
+OURS = "default"
+FORMATS = ("q4_4", "q8_8", "q16_16", "q8_24", "q32_32")
+FLOAT = ("float", "libc")
+PUBLISHED = ("q16_16", "published")
+BASIC = ("add", "multiply", "divide", "sqrt", "sin", "atan2")
+# Whose square roots the first page compares.
+ROOTS = (("q4_4", OURS), ("q8_8", OURS), ("q16_16", OURS), ("q16_16", "small"), ("q8_24", OURS),
+         ("q32_32", OURS), FLOAT, PUBLISHED)
+# Proofs that a result is rounded correctly for every operand: tests of fixedpoint/CMakeLists.txt.
+PROOFS = {("multiply", "q16_16", "default"): "fixedpoint/prove_multiply"}
+
+# `cycles` and `ulp` are the largest known. A bound says "exact" (all inputs were run), "proven" or
+# "lower bound"; where nothing was judged, `ulp` and `ulp_bound` are None.
+Worst = collections.namedtuple("Worst", "cycles cycles_bound ulp ulp_witness ulp_bound")
+
+
+def row(data, operation, number_format, implementation=OURS, operands="physics"):
+    """The row of a class of operands; None where the operation is not there."""
+    rows = data.rows("operations", operation=operation, format=number_format,
+                     implementation=implementation, operands=operands)
+    return rows[0] if rows else None
+
+
+def mean(data, operation, number_format, implementation=OURS):
+    """Mean cycles; None where the operation is not there."""
+    found = row(data, operation, number_format, implementation)
+    return found["cycles_mean"] if found else None
+
+
+def names(data, number_format="q16_16", implementation=OURS):
+    """The operations of an implementation, in the order of the data."""
+    return list(dict.fromkeys(row["operation"] for row in data.rows(
+        "operations", format=number_format, implementation=implementation)))
+
+
+def worst(data, operation, number_format, implementation=OURS):
+    """The largest cycles and error of any run of the same machine code, or, for the error, of the
+    portable code that gives the same bits; None where the operation is not there. Throws DataError
+    where two runs contradict each other."""
+    what = {"operation": operation, "format": number_format, "implementation": implementation}
+    sampled = data.rows("operations", **what)
+    if not sampled:
+        return None
+    named = f"{operation}_{number_format}_{implementation}"
+    whole = data.rows("exhaustive", **what) if data.has("exhaustive") else []
+    for each in whole:
+        if each["kernel_sha256"] != sampled[0]["kernel_sha256"]:
+            raise DataError(f"exhaustive.csv tells of another machine code of {named} than "
+                            f"operations.csv: `fixbench exhaustive --symbol {named}` runs it again")
+    def exact(each):
+        return each["bound"] == "exact"
+
+    costs = [(each["cycles_max"], exact(each)) for each in sampled + whole]
+    errors = [(each["max_ulp"], each["max_ulp_witness"], exact(each))
+              for each in sampled + whole + (data.rows("accuracy", **what) if data.has("accuracy") else [])
+              if each["max_ulp"] is not None]
+    for values, quantity in ((costs, "cycles"), (errors, "ulp")):
+        limits = {value[0] for value in values if value[-1]}
+        if limits and max(value[0] for value in values) > min(limits):
+            raise DataError(f"{named}: {max(value[0] for value in values)} {quantity}, where a run of "
+                            f"all inputs found at most {min(limits)}")
+
+    def bound(values):
+        return "exact" if any(value[-1] for value in values) else "lower bound"
+
+    if not errors:
+        return Worst(max(costs)[0], bound(costs), None, None, None)
+    ulp, witness, _ = max(errors, key=lambda error: error[0])
+    proven = (operation, number_format, implementation) in PROOFS
+    return Worst(max(costs)[0], bound(costs), ulp, witness, "proven" if proven else bound(errors))
+
+
+def ratios_to_float(data, number_format, implementation=OURS):
+    """Mean cycles over those of avr-libc's float, by operation that both have."""
+    found = {}
+    for operation in names(data, number_format, implementation):
+        theirs = mean(data, operation, *FLOAT)
+        if theirs is not None:
+            found[operation] = mean(data, operation, number_format, implementation) / theirs
+    return found
+
+
+def geometric_mean(values):
+    values = list(values)
+    return math.exp(sum(map(math.log, values)) / len(values))
+
+
+def slower_than_float(data, number_format, implementation=OURS):
+    """Operations that take more cycles than float's, the worst first, each with its ratio."""
+    slow = {name: ratio for name, ratio in ratios_to_float(data, number_format, implementation).items()
+            if ratio > 1}
+    return sorted(slow.items(), key=lambda item: -item[1])
+
+
+def flash_together(data, number_format, implementation=OURS):
+    """Bytes of flash of a program with + - * / sqrt sin atan2 exp log; None where it has not all."""
+    rows = data.rows("flash", operations="nine", format=number_format, implementation=implementation)
+    return rows[0]["flash_bytes"] if rows else None
+
+
+def cheapest_format(data, largest, step):
+    """Of the formats of the library the one with the fewest bits, then cycles of a product, that holds
+    +-largest in steps no longer than `step`."""
+    fit = [each for each in data.rows("table_3_1") if each["format"] in FORMATS
+           and each["maximum"] >= largest and each["resolution"] <= step]
+    return min(fit, key=lambda each: (each["bits"], mean(data, "multiply", each["format"])))
+
+
+def power(value):
+    """A limit of a format as text: whole numbers plain, others to three digits."""
+    return f"{value:,.0f}".replace(",", "\u202f") if 1 <= value < 1e10 else f"{value:.3g}"
+
+
+def losses(data, number_format, implementation):
+    """Where an arithmetic loses against float, in words."""
+    ratios = ratios_to_float(data, number_format, implementation)
+    slow = slower_than_float(data, number_format, implementation)
+    if not slow:
+        return f"none of {len(ratios)} takes more cycles than float"
+    shown = ", ".join(f"{name} {ratio:.3g} times" for name, ratio in slow[:2])
+    more = f" and {len(slow) - 2} more" if len(slow) > 2 else ""
+    return f"{shown} float's cycles{more}"
+
+
+def format_table(data):
+    """The rows of the first page: an arithmetic, its range and resolution, its largest error, mean
+    cycles, flash, and where it loses."""
+    limits = {row["format"]: row for row in data.rows("table_3_1")}
+    table = []
+    for kind in [(name, OURS) for name in FORMATS] + [FLOAT, PUBLISHED]:
+        shown = names(data, *kind)
+        if not shown:
+            continue
+        errors = [(found.ulp, name) for name in shown
+                  if (found := worst(data, name, *kind)).ulp is not None
+                  and math.isfinite(found.ulp)]
+        table.append({
+            "kind": kind, "range": power(limits[kind[0]]["maximum"]),
+            "resolution": f"{limits[kind[0]]['resolution']:.3g}" if kind != FLOAT else "2⁻²⁴ of the value",
+            "ulp": max(errors), "flash": flash_together(data, *kind),
+            "cycles": [mean(data, name, *kind) for name in BASIC],
+            "ratio": geometric_mean(ratios_to_float(data, *kind).values()) if kind != FLOAT else 1,
+            "losses": losses(data, *kind) if kind != FLOAT else (
+                f"slower than Q16.16 in {sum(r < 1 for r in ratios_to_float(data, 'q16_16').values())} "
+                f"of {len(ratios_to_float(data, 'q16_16'))}")})
+    return table
+
+
+def least_flash(data):
+    """Which arithmetic needs the least flash for a program of the nine operations, in a sentence."""
+    rows = sorted(data.rows("flash", operations="nine"), key=lambda row: row["flash_bytes"])
+    least, ours = rows[0], min((row for row in rows if row["format"] != "float"),
+                               key=lambda row: row["flash_bytes"])
+    return (f"A program with the nine takes least flash in {style.label(least['format'], least['implementation'])}, "
+            f"{least['flash_bytes']} bytes; the least of ours is {ours['flash_bytes']} "
+            f"({style.label(ours['format'], ours['implementation'])}).")

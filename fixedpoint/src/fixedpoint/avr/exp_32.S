@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+// int32_t fixedpoint_exp_q<32 - F>_<F>(int32_t a)
+// e^a of each split of 32 bits but Q16.16, whose own is smaller; within 0.7 ulp, of results below
+// 2^30 within 0.6 ulp; saturated to the largest number, 0 where that is nearest.
+//
+// In       a = r25:r22
+// Out      r25:r22
+// Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
+// Stack    4 bytes
+// Table    2496 bytes, fixedpoint_exp_32_table
+//
+// a is k ln 2 - r, 0 <= r < 0.79: k from the upper bytes of a by 185/128 = 1.4453 for 1/ln 2, with as
+// much more as makes up for the error of that, and r to 40 fraction bits. 1 - e^-r is the table's
+// function; the core of 40 bits is 0.2 units of 2^-31 off, and r's lowest byte counts with the slope.
+// scale_40.S brings the mantissa e^-r to its place.
+
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
+#include "cubic_32.inc"
+
+#define LN2 762123384786    /* 2^-40 */
+
+// Bytes of r, the lowest first.
+#define rest0 r26
+#define rest1 r18
+#define rest2 r19
+#define rest3 r20
+#define rest4 r30
+
+    // Branches where r25:r22 >= limit, or is less.
+    .macro branch_to_limit branch, limit, target
+    .set limit_bytes, \limit
+    cpi r22, limit_bytes & 0xff
+    ldi r18, (limit_bytes >> 8) & 0xff
+    cpc r23, r18
+    ldi r18, (limit_bytes >> 16) & 0xff
+    cpc r24, r18
+    ldi r18, (limit_bytes >> 24) & 0xff
+    cpc r25, r18
+    \branch \target
+    .endm
+
+    // r25:r21 = r25:r22 2^(32 - fraction), r25 the whole part with its sign; r21 only counts beyond
+    // 24 fraction bits.
+    .macro align fraction
+    .set bytes_up, (35 - \fraction) / 8 - 1
+    .if \fraction == 3     // whose numbers up to 155 are not a signed byte
+    .set bytes_up, 2
+    .endif
+    .set bits_up, 24 - \fraction - 8 * bytes_up
+    .if bytes_up == 3
+    mov r25, r22
+    ldi r24, 0
+    ldi r23, 0
+    ldi r22, 0
+    .elseif bytes_up == 2
+    mov r25, r23
+    mov r24, r22
+    ldi r23, 0
+    ldi r22, 0
+    .elseif bytes_up == 1
+    mov r25, r24
+    mov r24, r23
+    mov r23, r22
+    ldi r22, 0
+    .elseif bytes_up == -1
+    mov r21, r22
+    mov r22, r23
+    mov r23, r24
+    mov r24, r25
+    lsl r25
+    sbc r25, r25
+    .elseif \fraction > 24
+    ldi r21, 0
+    .endif
+    .if bits_up > 0
+    .rept bits_up
+    .if \fraction > 24
+    lsl r21
+    rol r22
+    .else
+    lsl r22
+    .endif
+    rol r23
+    rol r24
+    rol r25
+    .endr
+    .elseif bits_up < 0
+    .rept -bits_up
+    asr r25
+    ror r24
+    ror r23
+    ror r22
+    .if \fraction > 24
+    ror r21
+    .endif
+    .endr
+    .endif
+    .endm
+
+    SECTION fixedpoint_exp_32
+    // r27 = k + F + 9
+    ENTRY fixedpoint_exp_32
+    push r27
+    push rest0
+    find_record fixedpoint_exp_32_table, r22
+    clr zero
+    XCALL fixedpoint_cubic_40
+    pop r0
+    mul r22, r0
+    mov r20, r1
+    com r23
+    com r24
+    com r25
+    com r26
+    com r27
+    sub r23, r20
+    sbc r24, zero
+    sbc r25, zero
+    sbc r26, zero
+    sbci r27, 0x80
+    pop r19
+    XJMP fixedpoint_scale_40
+    ENDFUNC fixedpoint_exp_32
+
+    .macro kernels integer, fraction
+    FUNCTION fixedpoint_exp_q\integer\()_\fraction
+    .if \fraction < 24
+    branch_to_limit brge, (((31 - \fraction) * LN2 >> (40 - \fraction)) + 1), 1f
+    branch_to_limit brge, (-((\fraction + 2) * LN2 >> (40 - \fraction))), 3f
+    .else
+    // By the upper byte: from 31 to 32 octaves and from -F - 4 to -F - 2 a multiple of it lies.
+    .if \fraction < 32
+    cpi r25, ((31 - \fraction) * LN2 + (1 << (64 - \fraction)) - 1) >> (64 - \fraction)
+    .else
+    cpi r25, 0
+    .endif
+    brge 1f
+    .if \fraction < 27
+    cpi r25, -((\fraction + 3) * LN2 >> (64 - \fraction))
+    brge 3f
+    .else
+    rjmp 3f
+    .endif
+    .endif
+    XJMP fixedpoint_zero_32
+1:  XJMP fixedpoint_largest_32
+3:  align \fraction
+    ldi r27, 185
+    mul r24, r27
+    mov r30, r1
+    clr r31
+    subi r25, -24
+    mul r25, r27
+    add r30, r0
+    adc r31, r1
+    .set constant, 24 * 185 - 128 * (\fraction + 10) - 9
+    subi r30, constant & 0xff
+    sbci r31, (constant >> 8) & 0xff
+    lsl r30
+    rol r31
+    mov r27, r31
+    // The product by ln 2, mod 1
+    ldi r31, LN2 & 0xff
+    mul r27, r31
+    mov rest0, r0
+    mov rest1, r1
+    clr rest2
+    ldi r31, (LN2 >> 8) & 0xff
+    mul r27, r31
+    add rest1, r0
+    adc rest2, r1
+    clr rest3
+    ldi r31, (LN2 >> 16) & 0xff
+    mul r27, r31
+    add rest2, r0
+    adc rest3, r1
+    clr rest4
+    ldi r31, (LN2 >> 24) & 0xff
+    mul r27, r31
+    add rest3, r0
+    adc rest4, r1
+    ldi r31, (LN2 >> 32) & 0xff
+    mul r27, r31
+    add rest4, r0
+    .set constant, (\fraction + 9) * LN2
+    subi rest0, constant & 0xff
+    sbci rest1, (constant >> 8) & 0xff
+    sbci rest2, (constant >> 16) & 0xff
+    sbci rest3, (constant >> 24) & 0xff
+    sbci rest4, (constant >> 32) & 0xff
+    .if \fraction > 24
+    sub rest1, r21
+    sbc rest2, r22
+    .else
+    sub rest2, r22
+    .endif
+    sbc rest3, r23
+    sbc rest4, r24
+    XJMP fixedpoint_exp_32
+    ENDFUNC fixedpoint_exp_q\integer\()_\fraction
+    .endm
+
+#include "splits_32.inc"
+
+#endif

@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: MIT
+// int32_t fixedpoint_exp_q16_16_small(int32_t a)
+// e^a in Q16.16, within 0.66 ulp for every input; the largest number from ln 32768 on, 0 where that
+// is nearest.
+//
+// In       a = r25:r22
+// Out      r25:r22
+// Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
+// Stack    4 bytes
+// Table    112 bytes, fixedpoint_exp_small_table
+//
+// ln 2 is subtracted k times, in units of 2^-32, of which 3 are added first: what rounding ln 2 up
+// takes off at k = 14, where results have the most bits. Of r = a - k ln 2, at first 0 <= r < ln 2,
+// the table has e^r - 1 for the upper four bits, and the next four; the rest s, below 2^-8, is
+//
+//     v = s + s^2 / 2 + s^3 / 6
+//
+// in units of 2^-40. (1 + table)(1 + v) - 1 is formed with its fifth byte, c, then times the other
+// table's number likewise. Products count down to the upper byte of those below 2^-40. Cutting bits
+// before the last shift does not round twice.
+//
+// Error in ulp at k = 14: coarse table 0.12; the sixth of a cube as 43/256, and squares without that
+// of the lowest byte but one, 0.06. Rounding 0.5. The worst of all inputs is 0.65780, at 666438.
+
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
+
+#define LN2_0 0xf8
+#define LN2_1 0x17
+#define LN2_2 0x72
+#define LN2_3 0xb1
+#define CORRECTION 3
+#define SIXTH 43
+
+// r, of which r4 is the integer and becomes a scratch register; s = s2:s0, then v = v3:v0.
+#define r4 r24
+#define scratch r24
+#define r3 r23
+#define s2 r22
+#define s1 r21
+#define s0 r20
+#define v3 r22
+#define v2 r21
+#define v1 r20
+#define v0 r18
+// 16 - k: by how many bits the mantissa is shifted.
+#define shift r19
+#define zero r25
+#define step r16
+#define fine r23
+// What the square and the cube add to s.
+#define w0 r18
+#define w1 r26
+#define w2 r27
+// The table's number, and its product.
+#define t0 r17
+#define t1 r24
+#define t2 r26
+#define t3 r27
+#define p0 r30
+#define p1 r31
+#define p2 r28
+#define p3 r29
+// c, in which v is used up.
+#define c4 r23
+#define c3 r22
+#define c2 r21
+#define c1 r20
+#define c0 r18
+#define f0 r26
+#define f1 r27
+#define f2 r16
+#define f3 r17
+#define q4 r24
+
+    .macro add_product low, middle, high
+    add \low, r0
+    adc \middle, r1
+    adc \high, zero
+    .endm
+    .macro add_high low, high
+    add \low, r1
+    adc \high, zero
+    .endm
+    // Z = the table's entry of four bytes
+    .macro point_to index, offset
+    mov r30, \index
+    lsl r30
+    lsl r30
+    ldi r31, 0
+    subi r30, lo8(-(fixedpoint_exp_small_table + \offset))
+    sbci r31, hi8(-(fixedpoint_exp_small_table + \offset))
+    .endm
+
+    SECTION fixedpoint_exp_q16_16_small
+.Lsaturate:
+    ldi r22, 0xff
+    ldi r23, 0xff
+    ldi r24, 0xff
+    ldi r25, 0x7f
+    ret
+.Lzero:
+    ldi r22, 0
+    ldi r23, 0
+    movw r24, r22
+    ret
+
+    ENTRY fixedpoint_exp_q16_16_small
+    adiw r24, 12
+    brlt .Lzero
+    tst r25
+    brne .Lsaturate
+    cpi r24, 23
+    brsh .Lsaturate
+    subi r4, 12
+    ldi s1, 0
+    ldi s0, CORRECTION
+    ldi shift, 16
+1:  dec shift
+    subi s0, LN2_0
+    sbci s1, LN2_1
+    sbci s2, LN2_2
+    sbci r3, LN2_3
+    sbci r4, 0
+    brpl 1b
+2:  inc shift
+    subi s0, 0x100 - LN2_0
+    sbci s1, 0xff - LN2_1
+    sbci s2, 0xff - LN2_2
+    sbci r3, 0xff - LN2_3
+    sbci r4, 0xff
+    brmi 2b
+    cpi shift, 2
+    brlo .Lsaturate
+    push r16
+    push r17
+    push r28
+    push r29
+    mov step, r3
+    swap step
+    andi step, 15
+    andi fine, 15
+
+    // w = s2^2 2^7 + s2 s1 + s2 s0 / 2^8 + s2^3 / (6 2^8)
+    mul s2, s0
+    mov w0, r1
+    mul s2, s1
+    add w0, r0
+    adc r1, zero
+    mov w1, r1
+    mul s2, s2
+    mov t0, r1
+    ldi scratch, 0
+    lsr r1
+    ror r0
+    ror scratch
+    add w0, scratch
+    adc w1, r0
+    adc r1, zero
+    mov w2, r1
+    mul s2, t0
+    ldi scratch, SIXTH
+    mul r1, scratch
+    add_product w0, w1, w2
+    // v, T its fifth byte
+    add v1, w1
+    adc v2, w2
+    adc v3, zero
+    sbc scratch, scratch
+    bst scratch, 0
+
+    point_to fine, 48
+    lpm t0, Z+
+    lpm t1, Z+
+    lpm t2, Z+
+    lpm t3, Z+
+    mul t1, v3
+    mov p0, r1
+    clr p1
+    mul t2, v2
+    add_high p0, p1
+    mul t3, v1
+    add_high p0, p1
+    clr p2
+    mul fine, v1
+    add_product p0, p1, p2
+    mul t3, v2
+    add_product p0, p1, p2
+    mul t2, v3
+    add_product p0, p1, p2
+    clr p3
+    mul fine, v2
+    add_product p1, p2, p3
+    mul t3, v3
+    add_product p1, p2, p3
+    mul fine, v3
+    add p2, r0
+    adc p3, r1
+    brtc 1f
+    add p0, t1
+    adc p1, t2
+    adc p2, t3
+    adc p3, fine
+    inc fine
+1:  add c0, p0
+    adc c1, p1
+    adc c2, p2
+    adc c3, p3
+    adc c4, zero
+    add c0, t0
+    adc c1, t1
+    adc c2, t2
+    adc c3, t3
+    adc c4, zero
+
+    point_to step, 0
+    lpm f0, Z+
+    lpm f1, Z+
+    lpm f2, Z+
+    lpm f3, Z+
+    mul f0, c3
+    mov p0, r1
+    clr p1
+    mul f1, c2
+    add_high p0, p1
+    mul f2, c1
+    add_high p0, p1
+    mul f3, c0
+    add_high p0, p1
+    clr p2
+    mul f0, c4
+    add_product p0, p1, p2
+    mul f1, c3
+    add_product p0, p1, p2
+    mul f2, c2
+    add_product p0, p1, p2
+    mul f3, c1
+    add_product p0, p1, p2
+    clr p3
+    mul f1, c4
+    add_product p1, p2, p3
+    mul f2, c3
+    add_product p1, p2, p3
+    mul f3, c2
+    add_product p1, p2, p3
+    clr q4
+    mul f2, c4
+    add_product p2, p3, q4
+    mul f3, c3
+    add_product p2, p3, q4
+    mul f3, c4
+    add p3, r0
+    adc q4, r1
+    add p0, c0
+    adc p1, c1
+    adc p2, c2
+    adc p3, c3
+    adc q4, c4
+    add f0, p1
+    adc f1, p2
+    adc f2, p3
+    adc f3, q4
+    ldi r20, 1
+    adc r20, zero
+    movw r22, f0
+    movw r24, f2
+    ldi r18, 0
+2:  cpi shift, 9
+    brlo 3f
+    mov r22, r23
+    mov r23, r24
+    mov r24, r25
+    mov r25, r20
+    ldi r20, 0
+    subi shift, 8
+    rjmp 2b
+3:  lsr r20
+    ror r25
+    ror r24
+    ror r23
+    ror r22
+    dec shift
+    brne 3b
+    adc r22, r18
+    adc r23, r18
+    adc r24, r18
+    adc r25, r18
+    pop r29
+    pop r28
+    pop r17
+    pop r16
+    clr r1
+    ret
+    ENDFUNC fixedpoint_exp_q16_16_small
+#endif

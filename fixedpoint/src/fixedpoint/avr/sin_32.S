@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: MIT
+// int32_t fixedpoint_sin_q<32 - F>_<F>(int32_t angle)
+// int32_t fixedpoint_cos_q<32 - F>_<F>(int32_t angle)
+// Sine and cosine of an angle in radians of each split of 32 bits but Q16.16, for every input; within
+// 0.55 ulp up to F = 24 and 0.75 ulp beyond, in [-1, 1], saturated where the format does not hold 1.
+//
+// void fixedpoint_sincos_q<32 - F>_<F>(int32_t angle, int32_t* sine_and_cosine)
+// Both, bit for bit as above: one reduction, two evaluations.
+//
+// In       angle = r25:r22; sine_and_cosine = r21:r20
+// Out      r25:r22
+// Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
+// Table    3072 bytes, fixedpoint_sine_32_table
+//
+// The angle times 2/pi 2^(32 - F) is its quarter turns, of which 32 fraction bits count, from F = 25
+// on 40. Column by column: byte k of the product is the sum of all a_i m_j with i + j = k + 4. Of
+// the column below the lowest one only the upper bytes count, and 2 units make up for what is cut
+// there on average. Where F is below 17, the lowest bytes have no influence and are left zero. Odd
+// quadrants run backwards (one's complement), quadrants 2 and 3 are negated.
+//
+// Error in units of 2^-31: up to F = 24 the core of 32 bits, -5.4 to 2.8, and the quarter turns 1.6,
+// of an ulp of 128 or more; beyond, the core of 40 bits 0.22, the turns' lowest byte times the slope
+// of the sine 0.02. Rounding 0.5 ulp.
+
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
+#include "cubic_32.inc"
+
+#define quadrant r31
+
+    // The turns lie in r26 (column -1), r20:r18 (2..0), r31:r30 (4, 3).
+    .macro locate column
+    .set place, 18 + \column - 9 * (\column > 2) - 9 * (\column < 0)
+    .endm
+    .macro to_column operation, column, source
+    .if \column < 5
+    locate (\column)
+    \operation place, \source
+    .endif
+    .endm
+
+    // a_i m_j, i + j = column + 4, m_j in r27; a = r25:r22.
+    .macro product i, column
+    .set bits, 8 * (\column - \i - first_column_of_multiplier)
+    .if bits >= 0 && bits < 64
+    .set byte, (multiplier >> bits) & 0xff
+    .if byte
+    .if byte != loaded
+    ldi r27, byte
+    .set loaded, byte
+    .endif
+    mul 22 + \i, r27
+    .if \column < first_column
+    to_column add, first_column, r1
+    to_column adc, (first_column + 1), zero
+    .else
+    to_column add, \column, r0
+    to_column adc, (\column + 1), r1
+    to_column adc, (\column + 2), zero
+    .endif
+    .endif
+    .endif
+    .endm
+    .macro products column
+    product 1, \column  // by the byte that the column below ends with
+    product 3, \column
+    product 2, \column
+    product 0, \column
+    .endm
+
+    .macro quarter_turns fraction
+    .if \fraction > 24
+    .set first_column, -1
+    .set first_column_of_multiplier, -5
+    .set multiplier, 0x517cc1b727220a94 >> (\fraction - 9)
+    .else
+    .set first_column, -(\fraction < 17) - (\fraction < 9)    // true is -1
+    .set first_column_of_multiplier, -4
+    .if \fraction == 0
+    .set multiplier, 0xa2f9836e4e441529
+    .else
+    .set multiplier, 0x517cc1b727220a94 >> (\fraction - 1)
+    .endif
+    .endif
+    .set loaded, -1
+    clr zero
+    .set column, -1
+    .rept 5
+    .if column == first_column
+    to_column ldi, column, 2
+    .elseif column >= 0 || first_column < 0
+    to_column ldi, column, 0
+    .endif
+    .set column, column + 1
+    .endr
+    .set column, first_column - 1
+    .rept 6 - first_column
+    products column
+    .set column, column + 1
+    .endr
+    sbrs r25, 7
+    rjmp 1f
+    // An angle below 0 is its bytes less 2^32.
+    .set borrow, 0
+    .set column, first_column
+    .rept 5 - first_column
+    .set byte, (multiplier >> (8 * (column - 4 - first_column_of_multiplier))) & 0xff
+    .if borrow
+    to_column sbci, column, byte
+    .else
+    to_column subi, column, byte
+    .set borrow, 1
+    .endif
+    .set column, column + 1
+    .endr
+1:
+    .endm
+
+    .macro kernels integer, fraction
+    SECTION fixedpoint_sin_q\integer\()_\fraction
+    ENTRY fixedpoint_cos_q\integer\()_\fraction
+    ldi quadrant, 1
+    rjmp .Lreduce_\fraction
+    ENDFUNC fixedpoint_cos_q\integer\()_\fraction
+
+    ENTRY fixedpoint_sin_q\integer\()_\fraction
+    ldi quadrant, 0
+.Lreduce_\fraction:
+    quarter_turns \fraction
+.Levaluate_\fraction:
+    bst quadrant, 1
+    lsr quadrant
+    brcc 1f
+    com r18
+    com r19
+    com r20
+    com r30
+    .if \fraction > 24
+    com r26
+    .endif
+1:
+    .if \fraction > 24
+    push r26
+    find_record fixedpoint_sine_32_table, r22
+    XCALL fixedpoint_cubic_40
+    pop r0
+    mul r22, r0
+    add r23, r1
+    adc r24, zero
+    adc r25, zero
+    adc r26, zero
+    adc r27, zero
+    shift_and_round (39 - \fraction), 23, 0
+    .else
+    find_record fixedpoint_sine_32_table, r22
+    XCALL fixedpoint_cubic_32
+    mov r26, zero
+    shift_and_round (31 - \fraction), 22, 8
+    .endif
+    clr r1
+    .if \fraction > 30
+    sbrc r25, 7
+    rjmp 3f
+    .endif
+    brts 2f
+    ret
+2:  com r25
+    com r24
+    com r23
+    neg r22
+    sbci r23, 0xff
+    sbci r24, 0xff
+    sbci r25, 0xff
+    ret
+    .if \fraction > 30
+3:  ldi r22, 0xff       // cosines alone are that large
+    ldi r23, 0xff
+    movw r24, r22
+    lsr r25
+    ret
+    .endif
+    ENDFUNC fixedpoint_sin_q\integer\()_\fraction
+
+    FUNCTION fixedpoint_sincos_q\integer\()_\fraction
+    push r28
+    push r29
+    movw r28, r20
+    ldi quadrant, 0
+    quarter_turns \fraction
+    push r18
+    push r19
+    push r20
+    push r26
+    push r30
+    push r31
+    XCALL .Levaluate_\fraction
+    std Y+0, r22
+    std Y+1, r23
+    std Y+2, r24
+    std Y+3, r25
+    pop r31
+    pop r30
+    pop r26
+    pop r20
+    pop r19
+    pop r18
+    inc quadrant
+    XCALL .Levaluate_\fraction
+    std Y+4, r22
+    std Y+5, r23
+    std Y+6, r24
+    std Y+7, r25
+    pop r29
+    pop r28
+    ret
+    ENDFUNC fixedpoint_sincos_q\integer\()_\fraction
+    .endm
+
+#include "splits_32.inc"
+
+#endif

@@ -1,0 +1,597 @@
+/* SPDX-License-Identifier: MIT
+ * DO NOT EDIT: written by python3 fixedpoint/tables/c_header.py */
+/// \file
+/// The library for C, and for every language that calls C: each operation as a function of plain
+/// integers. A number of Q16.16 is an int32_t, value = raw / 2^16; q16_16 names that type.
+///
+/// An "ulp" is the distance between neighbouring numbers. Numbers are compared by the operators of
+/// C. On an AVR that multiplies, a function that has an assembly kernel is that kernel; the others,
+/// and all functions elsewhere, are in fixedpoint_c.cpp: link the library that CMake makes of it,
+/// or compile it along. FIXEDPOINT_NO_ASSEMBLY, defined for both, turns the kernels off.
+#ifndef FIXEDPOINT_C_H
+#define FIXEDPOINT_C_H
+
+/* clang-format off */
+#include <stddef.h>
+#include <stdint.h>
+
+#ifndef FIXEDPOINT_C_KERNEL
+#if defined(__AVR__) && defined(__AVR_HAVE_MUL__) && !defined(FIXEDPOINT_NO_ASSEMBLY)
+#define FIXEDPOINT_C_KERNEL(symbol) __asm__(#symbol)
+#else
+#define FIXEDPOINT_C_KERNEL(symbol)
+#endif
+#endif
+
+/// \cond internal
+/* n 2^F / d rounded to nearest, half up, as an integer constant expression. */
+#define FIXEDPOINT_C_FLOOR(p, q) ((p) / (q) - ((p) % (q) < 0))
+#define FIXEDPOINT_C_RATIO(n, d, F) \
+    FIXEDPOINT_C_FLOOR((int64_t)(n) * (INT64_C(2) << (F)) + (d), INT64_C(2) * (d))
+/// \endcond
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/// What a parse function says of its text: one of the four below.
+typedef uint8_t fixedpoint_text_status;
+/// The text is a number in the range.
+#define FIXEDPOINT_TEXT_OK 0
+/// There is no text at all.
+#define FIXEDPOINT_TEXT_EMPTY 1
+/// The text is not a decimal number.
+#define FIXEDPOINT_TEXT_MALFORMED 2
+/// The text is a decimal number that the format cannot hold.
+#define FIXEDPOINT_TEXT_OUT_OF_RANGE 3
+
+/* Q4.4 */
+
+/// A number of Q4.4: raw / 2^4, from -2^3 to 2^3 - 2^-4.
+typedef int8_t q4_4;
+/// The largest number.
+#define Q4_4_MAX INT8_MAX
+/// The smallest number.
+#define Q4_4_MIN INT8_MIN
+/// The number 1.
+#define Q4_4_ONE ((q4_4)(INT64_C(1) << 4))
+/// The constant n / d of two integers, rounded to nearest, half up: Q4_4_RATIO(38, 100) is 0.38. d
+/// must be in 1..2^30, n in -2^29..2^29, and the quotient in the range.
+#define Q4_4_RATIO(n, d) ((q4_4)FIXEDPOINT_C_RATIO(n, d, 4))
+/// The capacity that is enough for the text of every number, its zero included.
+#define Q4_4_TEXT_CAPACITY 8
+/// a + b modulo 2^4: a sum out of the range wraps.
+q4_4 q4_4_add(q4_4 a, q4_4 b);
+/// a - b modulo 2^4: a difference out of the range wraps.
+q4_4 q4_4_subtract(q4_4 a, q4_4 b);
+/// -a; Q4_4_MIN stays Q4_4_MIN.
+q4_4 q4_4_negate(q4_4 a);
+/// |a|; Q4_4_MIN stays Q4_4_MIN.
+q4_4 q4_4_abs(q4_4 a);
+/// a b rounded to nearest, half up, modulo 2^4: a product out of the range wraps.
+q4_4 q4_4_multiply(q4_4 a, q4_4 b)
+    FIXEDPOINT_C_KERNEL(fixedpoint_multiply_q4_4);
+/// a b + c rounded once, to nearest, half up, modulo 2^4.
+q4_4 q4_4_multiply_add(q4_4 a, q4_4 b, q4_4 c);
+/// a / b rounded to nearest, half up, saturated to Q4_4_MIN and Q4_4_MAX. Where b is 0: Q4_4_MAX if
+/// a > 0, Q4_4_MIN if a < 0, 0 if a is 0.
+q4_4 q4_4_divide(q4_4 a, q4_4 b)
+    FIXEDPOINT_C_KERNEL(fixedpoint_divide_q4_4);
+/// a - b trunc(a / b), exact, 0 or of the sign of a. Where b is 0: a.
+q4_4 q4_4_remainder(q4_4 a, q4_4 b);
+/// a 2^count modulo 2^4; 0 from count = 8 on.
+q4_4 q4_4_shift_left(q4_4 a, uint8_t count);
+/// a / 2^count rounded downward; from count = 8 on 0, or -1 ulp where a < 0.
+q4_4 q4_4_shift_right(q4_4 a, uint8_t count);
+/// The square root rounded to nearest; 0 where a < 0.
+q4_4 q4_4_sqrt(q4_4 a)
+    FIXEDPOINT_C_KERNEL(fixedpoint_sqrt_q4_4);
+/// 1 / sqrt(a) within 0.75 ulp, saturated to Q4_4_MAX, which it is where a is 0; 0 where a < 0.
+q4_4 q4_4_reciprocal_sqrt(q4_4 a);
+/// The sine of any angle in radians within 0.75 ulp, never beyond -1 and 1.
+q4_4 q4_4_sin(q4_4 angle);
+/// The cosine of any angle in radians within 0.75 ulp, never beyond -1 and 1.
+q4_4 q4_4_cos(q4_4 angle);
+/// Writes what sin and cos return, in less time than both take.
+void q4_4_sincos(q4_4 angle, q4_4 sine_and_cosine[2]);
+/// The arc tangent in radians within 0.75 ulp.
+q4_4 q4_4_atan(q4_4 a);
+/// The angle of the vector (x, y) in radians, in (-pi, pi], within 0.75 ulp; 0 where both are 0.
+q4_4 q4_4_atan2(q4_4 y, q4_4 x);
+/// e^a within 1 ulp, saturated to Q4_4_MAX; 0 where e^a is below half an ulp or about it.
+q4_4 q4_4_exp(q4_4 a);
+/// The natural logarithm within 1 ulp; Q4_4_MIN where a <= 0.
+q4_4 q4_4_log(q4_4 a);
+/// a[0] b[0] + a[1] b[1] rounded once, to nearest, half up, modulo 2^4.
+q4_4 q4_4_dot2(const q4_4 a[2], const q4_4 b[2]);
+/// The sum of the three a[i] b[i] rounded once, to nearest, half up, modulo 2^4.
+q4_4 q4_4_dot3(const q4_4 a[3], const q4_4 b[3]);
+/// The length of v within 1 ulp, saturated to Q4_4_MAX; no square overflows.
+q4_4 q4_4_length2(const q4_4 v[2]);
+/// The length of v within 1 ulp, saturated to Q4_4_MAX; no square overflows.
+q4_4 q4_4_length3(const q4_4 v[3]);
+/// Writes v divided by its length, each component within 1 ulp; zeros where v is zero. `unit` may
+/// be v.
+void q4_4_normalise3(const q4_4 v[3], q4_4 unit[3]);
+/// The number n modulo 2^4: itself where the format holds it.
+q4_4 q4_4_from_int32(int32_t n);
+/// The integer nearest to a, half up.
+int32_t q4_4_to_int32(q4_4 a);
+/// x rounded to nearest, half up, saturated to Q4_4_MIN and Q4_4_MAX; 0 where x is NaN.
+q4_4 q4_4_from_float(float x);
+/// The float nearest to a, half to even.
+float q4_4_to_float(q4_4 a);
+/// Writes the number that `text`, up to its terminating zero, says: a sign or none, digits with or
+/// without a point, an exponent or none. It is rounded to nearest, half up; Q4_4_MIN or Q4_4_MAX
+/// where it is out of the range, 0 where the text is no number; the status returned says which.
+fixedpoint_text_status q4_4_parse(const char* text, q4_4* number);
+/// Writes the shortest decimal text that parse reads as a, and a terminating zero; returns its
+/// length without the zero. Where `capacity` is below Q4_4_TEXT_CAPACITY the text may not fit: then
+/// it returns 0 and writes an empty text, and nothing where `capacity` is 0.
+size_t q4_4_print(q4_4 a, char* text, size_t capacity);
+/// As print, with so many decimals, at most 4, from which on they are exact; rounded to nearest,
+/// half up.
+size_t q4_4_print_decimals(q4_4 a, uint8_t decimals, char* text, size_t capacity);
+#ifndef __AVR__  /* whose double is a float */
+/// As q4_4_from_float.
+q4_4 q4_4_from_double(double x);
+/// The double nearest to a, half to even.
+double q4_4_to_double(q4_4 a);
+#endif
+
+/* Q8.8 */
+
+/// A number of Q8.8: raw / 2^8, from -2^7 to 2^7 - 2^-8.
+typedef int16_t q8_8;
+/// The largest number.
+#define Q8_8_MAX INT16_MAX
+/// The smallest number.
+#define Q8_8_MIN INT16_MIN
+/// The number 1.
+#define Q8_8_ONE ((q8_8)(INT64_C(1) << 8))
+/// The constant n / d of two integers, rounded to nearest, half up: Q8_8_RATIO(38, 100) is 0.38. d
+/// must be in 1..2^30, n in -2^29..2^29, and the quotient in the range.
+#define Q8_8_RATIO(n, d) ((q8_8)FIXEDPOINT_C_RATIO(n, d, 8))
+/// The capacity that is enough for the text of every number, its zero included.
+#define Q8_8_TEXT_CAPACITY 14
+/// a + b modulo 2^8: a sum out of the range wraps.
+q8_8 q8_8_add(q8_8 a, q8_8 b);
+/// a - b modulo 2^8: a difference out of the range wraps.
+q8_8 q8_8_subtract(q8_8 a, q8_8 b);
+/// -a; Q8_8_MIN stays Q8_8_MIN.
+q8_8 q8_8_negate(q8_8 a);
+/// |a|; Q8_8_MIN stays Q8_8_MIN.
+q8_8 q8_8_abs(q8_8 a);
+/// a b rounded to nearest, half up, modulo 2^8: a product out of the range wraps.
+q8_8 q8_8_multiply(q8_8 a, q8_8 b)
+    FIXEDPOINT_C_KERNEL(fixedpoint_multiply_q8_8);
+/// a b + c rounded once, to nearest, half up, modulo 2^8.
+q8_8 q8_8_multiply_add(q8_8 a, q8_8 b, q8_8 c);
+/// a / b rounded to nearest, half up, saturated to Q8_8_MIN and Q8_8_MAX. Where b is 0: Q8_8_MAX if
+/// a > 0, Q8_8_MIN if a < 0, 0 if a is 0.
+q8_8 q8_8_divide(q8_8 a, q8_8 b)
+    FIXEDPOINT_C_KERNEL(fixedpoint_divide_q8_8);
+/// a - b trunc(a / b), exact, 0 or of the sign of a. Where b is 0: a.
+q8_8 q8_8_remainder(q8_8 a, q8_8 b);
+/// a 2^count modulo 2^8; 0 from count = 16 on.
+q8_8 q8_8_shift_left(q8_8 a, uint8_t count);
+/// a / 2^count rounded downward; from count = 16 on 0, or -1 ulp where a < 0.
+q8_8 q8_8_shift_right(q8_8 a, uint8_t count);
+/// The square root rounded to nearest; 0 where a < 0.
+q8_8 q8_8_sqrt(q8_8 a)
+    FIXEDPOINT_C_KERNEL(fixedpoint_sqrt_q8_8);
+/// 1 / sqrt(a) within 0.75 ulp, saturated to Q8_8_MAX, which it is where a is 0; 0 where a < 0.
+q8_8 q8_8_reciprocal_sqrt(q8_8 a);
+/// The sine of any angle in radians within 0.75 ulp, never beyond -1 and 1.
+q8_8 q8_8_sin(q8_8 angle);
+/// The cosine of any angle in radians within 0.75 ulp, never beyond -1 and 1.
+q8_8 q8_8_cos(q8_8 angle);
+/// Writes what sin and cos return, in less time than both take.
+void q8_8_sincos(q8_8 angle, q8_8 sine_and_cosine[2]);
+/// The arc tangent in radians within 0.75 ulp.
+q8_8 q8_8_atan(q8_8 a);
+/// The angle of the vector (x, y) in radians, in (-pi, pi], within 0.75 ulp; 0 where both are 0.
+q8_8 q8_8_atan2(q8_8 y, q8_8 x)
+    FIXEDPOINT_C_KERNEL(fixedpoint_atan2_q8_8);
+/// e^a within 1 ulp, saturated to Q8_8_MAX; 0 where e^a is below half an ulp or about it.
+q8_8 q8_8_exp(q8_8 a);
+/// The natural logarithm within 1 ulp; Q8_8_MIN where a <= 0.
+q8_8 q8_8_log(q8_8 a);
+/// a[0] b[0] + a[1] b[1] rounded once, to nearest, half up, modulo 2^8.
+q8_8 q8_8_dot2(const q8_8 a[2], const q8_8 b[2]);
+/// The sum of the three a[i] b[i] rounded once, to nearest, half up, modulo 2^8.
+q8_8 q8_8_dot3(const q8_8 a[3], const q8_8 b[3]);
+/// The length of v within 1 ulp, saturated to Q8_8_MAX; no square overflows.
+q8_8 q8_8_length2(const q8_8 v[2]);
+/// The length of v within 1 ulp, saturated to Q8_8_MAX; no square overflows.
+q8_8 q8_8_length3(const q8_8 v[3]);
+/// Writes v divided by its length, each component within 1 ulp; zeros where v is zero. `unit` may
+/// be v.
+void q8_8_normalise3(const q8_8 v[3], q8_8 unit[3]);
+/// The number n modulo 2^8: itself where the format holds it.
+q8_8 q8_8_from_int32(int32_t n);
+/// The integer nearest to a, half up.
+int32_t q8_8_to_int32(q8_8 a);
+/// x rounded to nearest, half up, saturated to Q8_8_MIN and Q8_8_MAX; 0 where x is NaN.
+q8_8 q8_8_from_float(float x);
+/// The float nearest to a, half to even.
+float q8_8_to_float(q8_8 a);
+/// Writes the number that `text`, up to its terminating zero, says: a sign or none, digits with or
+/// without a point, an exponent or none. It is rounded to nearest, half up; Q8_8_MIN or Q8_8_MAX
+/// where it is out of the range, 0 where the text is no number; the status returned says which.
+fixedpoint_text_status q8_8_parse(const char* text, q8_8* number);
+/// Writes the shortest decimal text that parse reads as a, and a terminating zero; returns its
+/// length without the zero. Where `capacity` is below Q8_8_TEXT_CAPACITY the text may not fit: then
+/// it returns 0 and writes an empty text, and nothing where `capacity` is 0.
+size_t q8_8_print(q8_8 a, char* text, size_t capacity);
+/// As print, with so many decimals, at most 8, from which on they are exact; rounded to nearest,
+/// half up.
+size_t q8_8_print_decimals(q8_8 a, uint8_t decimals, char* text, size_t capacity);
+#ifndef __AVR__  /* whose double is a float */
+/// As q8_8_from_float.
+q8_8 q8_8_from_double(double x);
+/// The double nearest to a, half to even.
+double q8_8_to_double(q8_8 a);
+#endif
+
+/* Q16.16 */
+
+/// A number of Q16.16: raw / 2^16, from -2^15 to 2^15 - 2^-16.
+typedef int32_t q16_16;
+/// The largest number.
+#define Q16_16_MAX INT32_MAX
+/// The smallest number.
+#define Q16_16_MIN INT32_MIN
+/// The number 1.
+#define Q16_16_ONE ((q16_16)(INT64_C(1) << 16))
+/// The constant n / d of two integers, rounded to nearest, half up: Q16_16_RATIO(38, 100) is 0.38.
+/// d must be in 1..2^30, n in -2^29..2^29, and the quotient in the range.
+#define Q16_16_RATIO(n, d) ((q16_16)FIXEDPOINT_C_RATIO(n, d, 16))
+/// The capacity that is enough for the text of every number, its zero included.
+#define Q16_16_TEXT_CAPACITY 24
+/// a + b modulo 2^16: a sum out of the range wraps.
+q16_16 q16_16_add(q16_16 a, q16_16 b);
+/// a - b modulo 2^16: a difference out of the range wraps.
+q16_16 q16_16_subtract(q16_16 a, q16_16 b);
+/// -a; Q16_16_MIN stays Q16_16_MIN.
+q16_16 q16_16_negate(q16_16 a);
+/// |a|; Q16_16_MIN stays Q16_16_MIN.
+q16_16 q16_16_abs(q16_16 a);
+/// a b rounded to nearest, half up, modulo 2^16: a product out of the range wraps.
+q16_16 q16_16_multiply(q16_16 a, q16_16 b)
+    FIXEDPOINT_C_KERNEL(fixedpoint_multiply_q16_16);
+/// a b + c rounded once, to nearest, half up, modulo 2^16.
+q16_16 q16_16_multiply_add(q16_16 a, q16_16 b, q16_16 c)
+    FIXEDPOINT_C_KERNEL(fixedpoint_multiply_add_q16_16);
+/// a / b rounded to nearest, half up, saturated to Q16_16_MIN and Q16_16_MAX. Where b is 0:
+/// Q16_16_MAX if a > 0, Q16_16_MIN if a < 0, 0 if a is 0.
+q16_16 q16_16_divide(q16_16 a, q16_16 b)
+    FIXEDPOINT_C_KERNEL(fixedpoint_divide_q16_16);
+/// a - b trunc(a / b), exact, 0 or of the sign of a. Where b is 0: a.
+q16_16 q16_16_remainder(q16_16 a, q16_16 b)
+    FIXEDPOINT_C_KERNEL(fixedpoint_remainder_q16_16);
+/// a 2^count modulo 2^16; 0 from count = 32 on.
+q16_16 q16_16_shift_left(q16_16 a, uint8_t count);
+/// a / 2^count rounded downward; from count = 32 on 0, or -1 ulp where a < 0.
+q16_16 q16_16_shift_right(q16_16 a, uint8_t count);
+/// The square root rounded to nearest; 0 where a < 0.
+q16_16 q16_16_sqrt(q16_16 a)
+    FIXEDPOINT_C_KERNEL(fixedpoint_sqrt_q16_16);
+/// 1 / sqrt(a) within 0.75 ulp, saturated to Q16_16_MAX, which it is where a is 0; 0 where a < 0.
+q16_16 q16_16_reciprocal_sqrt(q16_16 a)
+    FIXEDPOINT_C_KERNEL(fixedpoint_reciprocal_sqrt_q16_16);
+/// The sine of any angle in radians within 0.75 ulp, never beyond -1 and 1.
+q16_16 q16_16_sin(q16_16 angle)
+    FIXEDPOINT_C_KERNEL(fixedpoint_sin_q16_16);
+/// The cosine of any angle in radians within 0.75 ulp, never beyond -1 and 1.
+q16_16 q16_16_cos(q16_16 angle)
+    FIXEDPOINT_C_KERNEL(fixedpoint_cos_q16_16);
+/// Writes what sin and cos return, in less time than both take.
+void q16_16_sincos(q16_16 angle, q16_16 sine_and_cosine[2])
+    FIXEDPOINT_C_KERNEL(fixedpoint_sincos_q16_16);
+/// The arc tangent in radians within 0.75 ulp.
+q16_16 q16_16_atan(q16_16 a)
+    FIXEDPOINT_C_KERNEL(fixedpoint_atan_q16_16);
+/// The angle of the vector (x, y) in radians, in (-pi, pi], within 0.75 ulp; 0 where both are 0.
+q16_16 q16_16_atan2(q16_16 y, q16_16 x)
+    FIXEDPOINT_C_KERNEL(fixedpoint_atan2_q16_16);
+/// e^a within 1 ulp, saturated to Q16_16_MAX; 0 where e^a is below half an ulp or about it.
+q16_16 q16_16_exp(q16_16 a)
+    FIXEDPOINT_C_KERNEL(fixedpoint_exp_q16_16);
+/// The natural logarithm within 1 ulp; Q16_16_MIN where a <= 0.
+q16_16 q16_16_log(q16_16 a)
+    FIXEDPOINT_C_KERNEL(fixedpoint_log_q16_16);
+/// a[0] b[0] + a[1] b[1] rounded once, to nearest, half up, modulo 2^16.
+q16_16 q16_16_dot2(const q16_16 a[2], const q16_16 b[2])
+    FIXEDPOINT_C_KERNEL(fixedpoint_dot2_q16_16);
+/// The sum of the three a[i] b[i] rounded once, to nearest, half up, modulo 2^16.
+q16_16 q16_16_dot3(const q16_16 a[3], const q16_16 b[3])
+    FIXEDPOINT_C_KERNEL(fixedpoint_dot3_q16_16);
+/// The length of v within 1 ulp, saturated to Q16_16_MAX; no square overflows.
+q16_16 q16_16_length2(const q16_16 v[2])
+    FIXEDPOINT_C_KERNEL(fixedpoint_length2_q16_16);
+/// The length of v within 1 ulp, saturated to Q16_16_MAX; no square overflows.
+q16_16 q16_16_length3(const q16_16 v[3])
+    FIXEDPOINT_C_KERNEL(fixedpoint_length3_q16_16);
+/// Writes v divided by its length, each component within 1 ulp; zeros where v is zero. `unit` may
+/// be v.
+void q16_16_normalise3(const q16_16 v[3], q16_16 unit[3])
+    FIXEDPOINT_C_KERNEL(fixedpoint_normalise3_q16_16);
+/// The number n modulo 2^16: itself where the format holds it.
+q16_16 q16_16_from_int32(int32_t n);
+/// The integer nearest to a, half up.
+int32_t q16_16_to_int32(q16_16 a);
+/// x rounded to nearest, half up, saturated to Q16_16_MIN and Q16_16_MAX; 0 where x is NaN.
+q16_16 q16_16_from_float(float x);
+/// The float nearest to a, half to even.
+float q16_16_to_float(q16_16 a);
+/// Writes the number that `text`, up to its terminating zero, says: a sign or none, digits with or
+/// without a point, an exponent or none. It is rounded to nearest, half up; Q16_16_MIN or
+/// Q16_16_MAX where it is out of the range, 0 where the text is no number; the status returned says
+/// which.
+fixedpoint_text_status q16_16_parse(const char* text, q16_16* number);
+/// Writes the shortest decimal text that parse reads as a, and a terminating zero; returns its
+/// length without the zero. Where `capacity` is below Q16_16_TEXT_CAPACITY the text may not fit:
+/// then it returns 0 and writes an empty text, and nothing where `capacity` is 0.
+size_t q16_16_print(q16_16 a, char* text, size_t capacity);
+/// As print, with so many decimals, at most 16, from which on they are exact; rounded to nearest,
+/// half up.
+size_t q16_16_print_decimals(q16_16 a, uint8_t decimals, char* text, size_t capacity);
+#ifndef __AVR__  /* whose double is a float */
+/// As q16_16_from_float.
+q16_16 q16_16_from_double(double x);
+/// The double nearest to a, half to even.
+double q16_16_to_double(q16_16 a);
+#endif
+
+/* Q8.24 */
+
+/// A number of Q8.24: raw / 2^24, from -2^7 to 2^7 - 2^-24.
+typedef int32_t q8_24;
+/// The largest number.
+#define Q8_24_MAX INT32_MAX
+/// The smallest number.
+#define Q8_24_MIN INT32_MIN
+/// The number 1.
+#define Q8_24_ONE ((q8_24)(INT64_C(1) << 24))
+/// The constant n / d of two integers, rounded to nearest, half up: Q8_24_RATIO(38, 100) is 0.38. d
+/// must be in 1..2^30, n in -2^29..2^29, and the quotient in the range.
+#define Q8_24_RATIO(n, d) ((q8_24)FIXEDPOINT_C_RATIO(n, d, 24))
+/// The capacity that is enough for the text of every number, its zero included.
+#define Q8_24_TEXT_CAPACITY 30
+/// a + b modulo 2^8: a sum out of the range wraps.
+q8_24 q8_24_add(q8_24 a, q8_24 b);
+/// a - b modulo 2^8: a difference out of the range wraps.
+q8_24 q8_24_subtract(q8_24 a, q8_24 b);
+/// -a; Q8_24_MIN stays Q8_24_MIN.
+q8_24 q8_24_negate(q8_24 a);
+/// |a|; Q8_24_MIN stays Q8_24_MIN.
+q8_24 q8_24_abs(q8_24 a);
+/// a b rounded to nearest, half up, modulo 2^8: a product out of the range wraps.
+q8_24 q8_24_multiply(q8_24 a, q8_24 b)
+    FIXEDPOINT_C_KERNEL(fixedpoint_multiply_q8_24);
+/// a b + c rounded once, to nearest, half up, modulo 2^8.
+q8_24 q8_24_multiply_add(q8_24 a, q8_24 b, q8_24 c)
+    FIXEDPOINT_C_KERNEL(fixedpoint_multiply_add_q8_24);
+/// a / b rounded to nearest, half up, saturated to Q8_24_MIN and Q8_24_MAX. Where b is 0: Q8_24_MAX
+/// if a > 0, Q8_24_MIN if a < 0, 0 if a is 0.
+q8_24 q8_24_divide(q8_24 a, q8_24 b)
+    FIXEDPOINT_C_KERNEL(fixedpoint_divide_q8_24);
+/// a - b trunc(a / b), exact, 0 or of the sign of a. Where b is 0: a.
+q8_24 q8_24_remainder(q8_24 a, q8_24 b);
+/// a 2^count modulo 2^8; 0 from count = 32 on.
+q8_24 q8_24_shift_left(q8_24 a, uint8_t count);
+/// a / 2^count rounded downward; from count = 32 on 0, or -1 ulp where a < 0.
+q8_24 q8_24_shift_right(q8_24 a, uint8_t count);
+/// The square root rounded to nearest; 0 where a < 0.
+q8_24 q8_24_sqrt(q8_24 a)
+    FIXEDPOINT_C_KERNEL(fixedpoint_sqrt_q8_24);
+/// 1 / sqrt(a) within 0.75 ulp, saturated to Q8_24_MAX, which it is where a is 0; 0 where a < 0.
+q8_24 q8_24_reciprocal_sqrt(q8_24 a)
+    FIXEDPOINT_C_KERNEL(fixedpoint_reciprocal_sqrt_q8_24);
+/// The sine of any angle in radians within 0.75 ulp, never beyond -1 and 1.
+q8_24 q8_24_sin(q8_24 angle)
+    FIXEDPOINT_C_KERNEL(fixedpoint_sin_q8_24);
+/// The cosine of any angle in radians within 0.75 ulp, never beyond -1 and 1.
+q8_24 q8_24_cos(q8_24 angle)
+    FIXEDPOINT_C_KERNEL(fixedpoint_cos_q8_24);
+/// Writes what sin and cos return, in less time than both take.
+void q8_24_sincos(q8_24 angle, q8_24 sine_and_cosine[2])
+    FIXEDPOINT_C_KERNEL(fixedpoint_sincos_q8_24);
+/// The arc tangent in radians within 0.75 ulp.
+q8_24 q8_24_atan(q8_24 a);
+/// The angle of the vector (x, y) in radians, in (-pi, pi], within 0.75 ulp; 0 where both are 0.
+q8_24 q8_24_atan2(q8_24 y, q8_24 x);
+/// e^a within 1 ulp, saturated to Q8_24_MAX; 0 where e^a is below half an ulp or about it.
+q8_24 q8_24_exp(q8_24 a)
+    FIXEDPOINT_C_KERNEL(fixedpoint_exp_q8_24);
+/// The natural logarithm within 1 ulp; Q8_24_MIN where a <= 0.
+q8_24 q8_24_log(q8_24 a)
+    FIXEDPOINT_C_KERNEL(fixedpoint_log_q8_24);
+/// a[0] b[0] + a[1] b[1] rounded once, to nearest, half up, modulo 2^8.
+q8_24 q8_24_dot2(const q8_24 a[2], const q8_24 b[2])
+    FIXEDPOINT_C_KERNEL(fixedpoint_dot2_q8_24);
+/// The sum of the three a[i] b[i] rounded once, to nearest, half up, modulo 2^8.
+q8_24 q8_24_dot3(const q8_24 a[3], const q8_24 b[3])
+    FIXEDPOINT_C_KERNEL(fixedpoint_dot3_q8_24);
+/// The length of v within 1 ulp, saturated to Q8_24_MAX; no square overflows.
+q8_24 q8_24_length2(const q8_24 v[2]);
+/// The length of v within 1 ulp, saturated to Q8_24_MAX; no square overflows.
+q8_24 q8_24_length3(const q8_24 v[3]);
+/// Writes v divided by its length, each component within 1 ulp; zeros where v is zero. `unit` may
+/// be v.
+void q8_24_normalise3(const q8_24 v[3], q8_24 unit[3]);
+/// The number n modulo 2^8: itself where the format holds it.
+q8_24 q8_24_from_int32(int32_t n);
+/// The integer nearest to a, half up.
+int32_t q8_24_to_int32(q8_24 a);
+/// x rounded to nearest, half up, saturated to Q8_24_MIN and Q8_24_MAX; 0 where x is NaN.
+q8_24 q8_24_from_float(float x);
+/// The float nearest to a, half to even.
+float q8_24_to_float(q8_24 a);
+/// Writes the number that `text`, up to its terminating zero, says: a sign or none, digits with or
+/// without a point, an exponent or none. It is rounded to nearest, half up; Q8_24_MIN or Q8_24_MAX
+/// where it is out of the range, 0 where the text is no number; the status returned says which.
+fixedpoint_text_status q8_24_parse(const char* text, q8_24* number);
+/// Writes the shortest decimal text that parse reads as a, and a terminating zero; returns its
+/// length without the zero. Where `capacity` is below Q8_24_TEXT_CAPACITY the text may not fit:
+/// then it returns 0 and writes an empty text, and nothing where `capacity` is 0.
+size_t q8_24_print(q8_24 a, char* text, size_t capacity);
+/// As print, with so many decimals, at most 24, from which on they are exact; rounded to nearest,
+/// half up.
+size_t q8_24_print_decimals(q8_24 a, uint8_t decimals, char* text, size_t capacity);
+#ifndef __AVR__  /* whose double is a float */
+/// As q8_24_from_float.
+q8_24 q8_24_from_double(double x);
+/// The double nearest to a, half to even.
+double q8_24_to_double(q8_24 a);
+#endif
+
+/* Q32.32 */
+
+/// A number of Q32.32: raw / 2^32, from -2^31 to 2^31 - 2^-32.
+typedef int64_t q32_32;
+/// The largest number.
+#define Q32_32_MAX INT64_MAX
+/// The smallest number.
+#define Q32_32_MIN INT64_MIN
+/// The number 1.
+#define Q32_32_ONE ((q32_32)(INT64_C(1) << 32))
+/// The constant n / d of two integers, rounded to nearest, half up: Q32_32_RATIO(38, 100) is 0.38.
+/// d must be in 1..2^30, n in -2^29..2^29, and the quotient in the range.
+#define Q32_32_RATIO(n, d) ((q32_32)FIXEDPOINT_C_RATIO(n, d, 32))
+/// The capacity that is enough for the text of every number, its zero included.
+#define Q32_32_TEXT_CAPACITY 45
+/// a + b modulo 2^32: a sum out of the range wraps.
+q32_32 q32_32_add(q32_32 a, q32_32 b);
+/// a - b modulo 2^32: a difference out of the range wraps.
+q32_32 q32_32_subtract(q32_32 a, q32_32 b);
+/// -a; Q32_32_MIN stays Q32_32_MIN.
+q32_32 q32_32_negate(q32_32 a);
+/// |a|; Q32_32_MIN stays Q32_32_MIN.
+q32_32 q32_32_abs(q32_32 a);
+/// a b rounded to nearest, half up, modulo 2^32: a product out of the range wraps.
+q32_32 q32_32_multiply(q32_32 a, q32_32 b)
+    FIXEDPOINT_C_KERNEL(fixedpoint_multiply_q32_32);
+/// a b + c rounded once, to nearest, half up, modulo 2^32.
+q32_32 q32_32_multiply_add(q32_32 a, q32_32 b, q32_32 c);
+/// a / b rounded to nearest, half up, saturated to Q32_32_MIN and Q32_32_MAX. Where b is 0:
+/// Q32_32_MAX if a > 0, Q32_32_MIN if a < 0, 0 if a is 0.
+q32_32 q32_32_divide(q32_32 a, q32_32 b)
+    FIXEDPOINT_C_KERNEL(fixedpoint_divide_q32_32);
+/// a - b trunc(a / b), exact, 0 or of the sign of a. Where b is 0: a.
+q32_32 q32_32_remainder(q32_32 a, q32_32 b);
+/// a 2^count modulo 2^32; 0 from count = 64 on.
+q32_32 q32_32_shift_left(q32_32 a, uint8_t count);
+/// a / 2^count rounded downward; from count = 64 on 0, or -1 ulp where a < 0.
+q32_32 q32_32_shift_right(q32_32 a, uint8_t count);
+/// The square root rounded to nearest; 0 where a < 0.
+q32_32 q32_32_sqrt(q32_32 a)
+    FIXEDPOINT_C_KERNEL(fixedpoint_sqrt_q32_32);
+/// 1 / sqrt(a) within 0.75 ulp, saturated to Q32_32_MAX, which it is where a is 0; 0 where a < 0.
+q32_32 q32_32_reciprocal_sqrt(q32_32 a);
+/// The sine of any angle in radians within 0.75 ulp, never beyond -1 and 1.
+q32_32 q32_32_sin(q32_32 angle);
+/// The cosine of any angle in radians within 0.75 ulp, never beyond -1 and 1.
+q32_32 q32_32_cos(q32_32 angle);
+/// Writes what sin and cos return, in less time than both take.
+void q32_32_sincos(q32_32 angle, q32_32 sine_and_cosine[2]);
+/// The arc tangent in radians within 0.75 ulp.
+q32_32 q32_32_atan(q32_32 a);
+/// The angle of the vector (x, y) in radians, in (-pi, pi], within 0.75 ulp; 0 where both are 0.
+q32_32 q32_32_atan2(q32_32 y, q32_32 x);
+/// e^a within 1 ulp, saturated to Q32_32_MAX; 0 where e^a is below half an ulp or about it.
+q32_32 q32_32_exp(q32_32 a);
+/// The natural logarithm within 1 ulp; Q32_32_MIN where a <= 0.
+q32_32 q32_32_log(q32_32 a);
+/// a[0] b[0] + a[1] b[1] rounded once, to nearest, half up, modulo 2^32.
+q32_32 q32_32_dot2(const q32_32 a[2], const q32_32 b[2])
+    FIXEDPOINT_C_KERNEL(fixedpoint_dot2_q32_32);
+/// The sum of the three a[i] b[i] rounded once, to nearest, half up, modulo 2^32.
+q32_32 q32_32_dot3(const q32_32 a[3], const q32_32 b[3])
+    FIXEDPOINT_C_KERNEL(fixedpoint_dot3_q32_32);
+/// The length of v within 1 ulp, saturated to Q32_32_MAX; no square overflows.
+q32_32 q32_32_length2(const q32_32 v[2])
+    FIXEDPOINT_C_KERNEL(fixedpoint_length2_q32_32);
+/// The length of v within 1 ulp, saturated to Q32_32_MAX; no square overflows.
+q32_32 q32_32_length3(const q32_32 v[3])
+    FIXEDPOINT_C_KERNEL(fixedpoint_length3_q32_32);
+/// Writes v divided by its length, each component within 1 ulp; zeros where v is zero. `unit` may
+/// be v.
+void q32_32_normalise3(const q32_32 v[3], q32_32 unit[3]);
+/// The number n modulo 2^32: itself where the format holds it.
+q32_32 q32_32_from_int32(int32_t n);
+/// The integer nearest to a, half up: from 2^31 - 1/2 on, -2^31.
+int32_t q32_32_to_int32(q32_32 a);
+/// x rounded to nearest, half up, saturated to Q32_32_MIN and Q32_32_MAX; 0 where x is NaN.
+q32_32 q32_32_from_float(float x);
+/// The float nearest to a, half to even.
+float q32_32_to_float(q32_32 a);
+/// Writes the number that `text`, up to its terminating zero, says: a sign or none, digits with or
+/// without a point, an exponent or none. It is rounded to nearest, half up; Q32_32_MIN or
+/// Q32_32_MAX where it is out of the range, 0 where the text is no number; the status returned says
+/// which.
+fixedpoint_text_status q32_32_parse(const char* text, q32_32* number);
+/// Writes the shortest decimal text that parse reads as a, and a terminating zero; returns its
+/// length without the zero. Where `capacity` is below Q32_32_TEXT_CAPACITY the text may not fit:
+/// then it returns 0 and writes an empty text, and nothing where `capacity` is 0.
+size_t q32_32_print(q32_32 a, char* text, size_t capacity);
+/// As print, with so many decimals, at most 32, from which on they are exact; rounded to nearest,
+/// half up.
+size_t q32_32_print_decimals(q32_32 a, uint8_t decimals, char* text, size_t capacity);
+#ifndef __AVR__  /* whose double is a float */
+/// As q32_32_from_float.
+q32_32 q32_32_from_double(double x);
+/// The double nearest to a, half to even.
+double q32_32_to_double(q32_32 a);
+#endif
+
+/* From one format to another */
+
+/// a rounded to nearest, half up, modulo 2^4.
+q4_4 q4_4_from_q8_8(q8_8 a);
+/// a rounded to nearest, half up, modulo 2^4.
+q4_4 q4_4_from_q16_16(q16_16 a);
+/// a rounded to nearest, half up, modulo 2^4.
+q4_4 q4_4_from_q8_24(q8_24 a);
+/// a rounded to nearest, half up, modulo 2^4.
+q4_4 q4_4_from_q32_32(q32_32 a);
+/// a itself: exact.
+q8_8 q8_8_from_q4_4(q4_4 a);
+/// a rounded to nearest, half up, modulo 2^8.
+q8_8 q8_8_from_q16_16(q16_16 a);
+/// a rounded to nearest, half up, modulo 2^8.
+q8_8 q8_8_from_q8_24(q8_24 a);
+/// a rounded to nearest, half up, modulo 2^8.
+q8_8 q8_8_from_q32_32(q32_32 a);
+/// a itself: exact.
+q16_16 q16_16_from_q4_4(q4_4 a);
+/// a itself: exact.
+q16_16 q16_16_from_q8_8(q8_8 a);
+/// a rounded to nearest, half up.
+q16_16 q16_16_from_q8_24(q8_24 a);
+/// a rounded to nearest, half up, modulo 2^16.
+q16_16 q16_16_from_q32_32(q32_32 a);
+/// a itself: exact.
+q8_24 q8_24_from_q4_4(q4_4 a);
+/// a itself: exact.
+q8_24 q8_24_from_q8_8(q8_8 a);
+/// a modulo 2^8.
+q8_24 q8_24_from_q16_16(q16_16 a);
+/// a rounded to nearest, half up, modulo 2^8.
+q8_24 q8_24_from_q32_32(q32_32 a);
+/// a itself: exact.
+q32_32 q32_32_from_q4_4(q4_4 a);
+/// a itself: exact.
+q32_32 q32_32_from_q8_8(q8_8 a);
+/// a itself: exact.
+q32_32 q32_32_from_q16_16(q16_16 a);
+/// a itself: exact.
+q32_32 q32_32_from_q8_24(q8_24 a);
+
+#ifdef __cplusplus
+}
+#endif
+
+/* clang-format on */
+#endif

@@ -1,0 +1,224 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: MIT
+"""Writes src/fixedpoint_c.h: every operation, in every format that has a name in C, as a plain C
+function. On the AVR a function that has a kernel in kernel/table.hpp is that kernel."""
+
+import subprocess
+import textwrap
+
+import page
+
+# Integer and fraction bits.
+FORMATS = [(4, 4), (8, 8), (16, 16), (8, 24), (32, 32)]
+
+# Name, result, parameters, and what it returns for every input. Q is the number's type, {q} its
+# name, {width} its bits, {integer} and {fraction} those in front of and behind the point.
+OPERATIONS = [
+    ("add", "Q", "Q a, Q b", "a + b modulo 2^{integer}: a sum out of the range wraps."),
+    ("subtract", "Q", "Q a, Q b",
+     "a - b modulo 2^{integer}: a difference out of the range wraps."),
+    ("negate", "Q", "Q a", "-a; {Q}_MIN stays {Q}_MIN."),
+    ("abs", "Q", "Q a", "|a|; {Q}_MIN stays {Q}_MIN."),
+    ("multiply", "Q", "Q a, Q b",
+     "a b rounded to nearest, half up, modulo 2^{integer}: a product out of the range wraps."),
+    ("multiply_add", "Q", "Q a, Q b, Q c",
+     "a b + c rounded once, to nearest, half up, modulo 2^{integer}."),
+    ("divide", "Q", "Q a, Q b",
+     "a / b rounded to nearest, half up, saturated to {Q}_MIN and {Q}_MAX. Where b is 0: {Q}_MAX "
+     "if a > 0, {Q}_MIN if a < 0, 0 if a is 0."),
+    ("remainder", "Q", "Q a, Q b",
+     "a - b trunc(a / b), exact, 0 or of the sign of a. Where b is 0: a."),
+    ("shift_left", "Q", "Q a, uint8_t count",
+     "a 2^count modulo 2^{integer}; 0 from count = {width} on."),
+    ("shift_right", "Q", "Q a, uint8_t count",
+     "a / 2^count rounded downward; from count = {width} on 0, or -1 ulp where a < 0."),
+    ("sqrt", "Q", "Q a", "The square root rounded to nearest; 0 where a < 0."),
+    ("reciprocal_sqrt", "Q", "Q a",
+     "1 / sqrt(a) within 0.75 ulp, saturated to {Q}_MAX, which it is where a is 0; 0 where "
+     "a < 0."),
+    ("sin", "Q", "Q angle",
+     "The sine of any angle in radians within 0.75 ulp, never beyond -1 and 1."),
+    ("cos", "Q", "Q angle",
+     "The cosine of any angle in radians within 0.75 ulp, never beyond -1 and 1."),
+    ("sincos", "void", "Q angle, Q sine_and_cosine[2]",
+     "Writes what sin and cos return, in less time than both take."),
+    ("atan", "Q", "Q a", "The arc tangent in radians within 0.75 ulp."),
+    ("atan2", "Q", "Q y, Q x",
+     "The angle of the vector (x, y) in radians, in (-pi, pi], within 0.75 ulp; 0 where both are "
+     "0."),
+    ("exp", "Q", "Q a",
+     "e^a within 1 ulp, saturated to {Q}_MAX; 0 where e^a is below half an ulp or about it."),
+    ("log", "Q", "Q a", "The natural logarithm within 1 ulp; {Q}_MIN where a <= 0."),
+    ("dot2", "Q", "const Q a[2], const Q b[2]",
+     "a[0] b[0] + a[1] b[1] rounded once, to nearest, half up, modulo 2^{integer}."),
+    ("dot3", "Q", "const Q a[3], const Q b[3]",
+     "The sum of the three a[i] b[i] rounded once, to nearest, half up, modulo 2^{integer}."),
+    ("length2", "Q", "const Q v[2]",
+     "The length of v within 1 ulp, saturated to {Q}_MAX; no square overflows."),
+    ("length3", "Q", "const Q v[3]",
+     "The length of v within 1 ulp, saturated to {Q}_MAX; no square overflows."),
+    ("normalise3", "void", "const Q v[3], Q unit[3]",
+     "Writes v divided by its length, each component within 1 ulp; zeros where v is zero. `unit` "
+     "may be v."),
+    ("from_int32", "Q", "int32_t n",
+     "The number n modulo 2^{integer}: itself where the format holds it."),
+    ("to_int32", "int32_t", "Q a", "The integer nearest to a, half up{beyond_int32}."),
+    ("from_float", "Q", "float x",
+     "x rounded to nearest, half up, saturated to {Q}_MIN and {Q}_MAX; 0 where x is NaN."),
+    ("to_float", "float", "Q a", "The float nearest to a, half to even."),
+    ("parse", "fixedpoint_text_status", "const char* text, Q* number",
+     "Writes the number that `text`, up to its terminating zero, says: a sign or none, digits with "
+     "or without a point, an exponent or none. It is rounded to nearest, half up; {Q}_MIN or "
+     "{Q}_MAX where it is out of the range, 0 where the text is no number; the status returned "
+     "says which."),
+    ("print", "size_t", "Q a, char* text, size_t capacity",
+     "Writes the shortest decimal text that parse reads as a, and a terminating zero; returns its "
+     "length without the zero. Where `capacity` is below {Q}_TEXT_CAPACITY the text may not fit: "
+     "then it returns 0 and writes an empty text, and nothing where `capacity` is 0."),
+    ("print_decimals", "size_t", "Q a, uint8_t decimals, char* text, size_t capacity",
+     "As print, with so many decimals, at most {fraction}, from which on they are exact; rounded "
+     "to nearest, half up."),
+]
+HOST_OPERATIONS = [
+    ("from_double", "Q", "double x", "As {q}_from_float."),
+    ("to_double", "double", "Q a", "The double nearest to a, half to even."),
+]
+
+HEAD = """\
+/* SPDX-License-Identifier: MIT
+ * DO NOT EDIT: written by python3 fixedpoint/tables/c_header.py */
+/// \\file
+/// The library for C, and for every language that calls C: each operation as a function of plain
+/// integers. A number of Q16.16 is an int32_t, value = raw / 2^16; q16_16 names that type.
+///
+/// An "ulp" is the distance between neighbouring numbers. Numbers are compared by the operators of
+/// C. On an AVR that multiplies, a function that has an assembly kernel is that kernel; the others,
+/// and all functions elsewhere, are in fixedpoint_c.cpp: link the library that CMake makes of it,
+/// or compile it along. FIXEDPOINT_NO_ASSEMBLY, defined for both, turns the kernels off.
+#ifndef FIXEDPOINT_C_H
+#define FIXEDPOINT_C_H
+
+/* clang-format off */
+#include <stddef.h>
+#include <stdint.h>
+
+#ifndef FIXEDPOINT_C_KERNEL
+#if defined(__AVR__) && defined(__AVR_HAVE_MUL__) && !defined(FIXEDPOINT_NO_ASSEMBLY)
+#define FIXEDPOINT_C_KERNEL(symbol) __asm__(#symbol)
+#else
+#define FIXEDPOINT_C_KERNEL(symbol)
+#endif
+#endif
+
+/// \\cond internal
+/* n 2^F / d rounded to nearest, half up, as an integer constant expression. */
+#define FIXEDPOINT_C_FLOOR(p, q) ((p) / (q) - ((p) % (q) < 0))
+#define FIXEDPOINT_C_RATIO(n, d, F) \\
+    FIXEDPOINT_C_FLOOR((int64_t)(n) * (INT64_C(2) << (F)) + (d), INT64_C(2) * (d))
+/// \\endcond
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/// What a parse function says of its text: one of the four below.
+typedef uint8_t fixedpoint_text_status;
+/// The text is a number in the range.
+#define FIXEDPOINT_TEXT_OK 0
+/// There is no text at all.
+#define FIXEDPOINT_TEXT_EMPTY 1
+/// The text is not a decimal number.
+#define FIXEDPOINT_TEXT_MALFORMED 2
+/// The text is a decimal number that the format cannot hold.
+#define FIXEDPOINT_TEXT_OUT_OF_RANGE 3
+"""
+TAIL = """
+#ifdef __cplusplus
+}
+#endif
+
+/* clang-format on */
+#endif
+"""
+
+
+def kernels():
+    """The symbol of each kernel, by operation, width and fraction bits."""
+    table = page.SOURCE / "kernel" / "table.hpp"
+    rows = subprocess.run(
+        ["g++", "-E", "-P", "-xc++", "-"], check=True, capture_output=True, text=True,
+        input=f'#include "{table}"\n#define ROW(shape, operation, Raw, F, symbol, implementation) '
+              "operation Raw F symbol;\nFIXEDPOINT_KERNELS(ROW)\n").stdout
+    return {(operation, raw, int(fraction)): symbol for operation, raw, fraction, symbol in (
+        row.split() for row in rows.replace("\n", " ").split(";") if row.strip())}
+
+
+def comment(sentence):
+    return textwrap.wrap(sentence, 100, initial_indent="/// ", subsequent_indent="/// ")
+
+
+def text_capacity(integer, fraction):
+    """A sign, the digits of the integer part, a point, the decimals and a zero."""
+    return 1 + len(str(2**(integer - 1))) + 1 + fraction + 1
+
+
+def section(integer, fraction, symbols):
+    """What the header has of one format."""
+    q, width = f"q{integer}_{fraction}", integer + fraction
+    upper, raw = q.upper(), f"int{width}_t"
+    beyond = (": from 2^31 - 1/2 on, -2^31" if integer == 32 else "")
+    words = {"q": q, "Q": upper, "width": width, "integer": integer, "fraction": fraction,
+             "beyond_int32": beyond}
+
+    def declare(name, result, parameters, sentence):
+        symbol = symbols.get((name, raw, fraction))
+        label = f"\n    FIXEDPOINT_C_KERNEL({symbol})" if symbol else ""
+        declaration = f"{result} {{q}}_{name}({parameters})".replace("Q ", f"{q} ").replace(
+            "Q* ", f"{q}* ").format(**words)
+        return [*comment(sentence.format(**words)), f"{declaration}{label};"]
+
+    lines = [
+        *comment(f"A number of Q{integer}.{fraction}: raw / 2^{fraction}, from -2^{integer - 1} "
+                 f"to 2^{integer - 1} - 2^-{fraction}."),
+        f"typedef {raw} {q};",
+        "/// The largest number.", f"#define {upper}_MAX INT{width}_MAX",
+        "/// The smallest number.", f"#define {upper}_MIN INT{width}_MIN",
+        "/// The number 1.", f"#define {upper}_ONE (({q})(INT64_C(1) << {fraction}))",
+        *comment("The constant n / d of two integers, rounded to nearest, half up: "
+                 f"{upper}_RATIO(38, 100) is 0.38. d must be in 1..2^30, n in -2^29..2^29, and "
+                 "the quotient in the range."),
+        f"#define {upper}_RATIO(n, d) (({q})FIXEDPOINT_C_RATIO(n, d, {fraction}))",
+        "/// The capacity that is enough for the text of every number, its zero included.",
+        f"#define {upper}_TEXT_CAPACITY {text_capacity(integer, fraction)}",
+    ]
+    for operation in OPERATIONS:
+        lines += declare(*operation)
+    lines += ["#ifndef __AVR__  /* whose double is a float */"]
+    for operation in HOST_OPERATIONS:
+        lines += declare(*operation)
+    lines += ["#endif"]
+    return lines
+
+
+def conversion(source, target):
+    """From one format to another."""
+    (from_integer, from_fraction), (to_integer, to_fraction) = source, target
+    rounds, wraps = to_fraction < from_fraction, to_integer < from_integer
+    how = [*(["rounded to nearest, half up"] if rounds else []),
+           *([f"modulo 2^{to_integer}"] if wraps or (rounds and to_integer == from_integer) else [])]
+    return [f"/// a {', '.join(how) or 'itself: exact'}.",
+            f"q{to_integer}_{to_fraction} q{to_integer}_{to_fraction}_from_q{from_integer}_"
+            f"{from_fraction}(q{from_integer}_{from_fraction} a);"]
+
+
+if __name__ == "__main__":
+    known = kernels()
+    lines = []
+    for bits in FORMATS:
+        lines += ["", f"/* Q{bits[0]}.{bits[1]} */", ""] + section(*bits, known)
+    lines += ["", "/* From one format to another */", ""]
+    for to in FORMATS:
+        for origin in FORMATS:
+            if origin != to:
+                lines += conversion(origin, to)
+    (page.SOURCE.parent / "fixedpoint_c.h").write_text(HEAD + "\n".join(lines) + "\n" + TAIL)

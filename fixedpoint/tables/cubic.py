@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: MIT
+"""Tables for piecewise cubics on 256 intervals, for every function of 32 bits one of the same layout:
+the cores of avr/cubic_32.S evaluate
+
+    value + t (slope - t (bend + t twist)),   t in [0, 1) the position in the interval,
+
+with value and slope in units of 2^-39, bend and twist in units of 2^-31. A function is increasing
+and concave, its derivatives at most 2, 4 and 6."""
+
+from fractions import Fraction
+
+import page
+import table_header
+
+INTERVALS = 256
+# Nodes of Chebyshev's polynomials on [0, 1], by their number; doubles are near enough.
+NODES = {2: [0.14644660940672627, 0.8535533905932737],
+         3: [0.0669872981077807, 0.5, 0.9330127018922193],
+         4: [0.03806023374435663, 0.30865828381745514, 0.6913417161825449, 0.9619397662556434]}
+GRID = 1 << 10
+CHECKED = 32
+
+
+def divided_differences(points, values):
+    values = list(values)
+    for order in range(1, len(points)):
+        for i in range(len(points) - 1, order - 1, -1):
+            values[i] = (values[i] - values[i - 1]) / (points[i] - points[i - order])
+    return values
+
+
+def nearest(x):
+    return (2 * x.numerator + x.denominator) // (2 * x.denominator)
+
+
+def evaluate(row, t):
+    """cubic_40 of portable/cubic.hpp; t in units of 2^-24."""
+    value, slope, bend, twist = row
+    t0, t1, t2 = t & 255, t >> 8 & 255, t >> 16
+    bent = (bend << 8) + twist * t2
+    fall = ((bent >> 16) * t2 << 8) + (bent >> 16) * t1 + (bent >> 8 & 255) * t2 + (
+        (bent >> 16) * t0 >> 8) + ((bent >> 8 & 255) * t1 >> 8) + ((bent & 255) * t2 >> 8)
+    rest = slope - fall
+    s0, s1, s2, s3 = (rest >> 8 * i & 255 for i in range(4))
+    return (value + (s3 * t2 << 16) + (s3 * t1 + s2 * t2 << 8) + s3 * t0 + s2 * t1 + s1 * t2 +
+            (s2 * t0 >> 8) + (s1 * t1 >> 8) + (s0 * t2 >> 8))
+
+
+def interval(function, i):
+    """Each coefficient is rounded before those of lower order are fitted, which take up most of what
+    the rounding leaves."""
+
+    def exact(t):
+        position = Fraction(i * GRID + int(t * GRID), INTERVALS * GRID)
+        return function(position.numerator, position.denominator)
+
+    points = {n: [Fraction(int(t * GRID), GRID) for t in nodes] for n, nodes in NODES.items()}
+    # The kernels take the upper byte of t for the twist, half a unit less in the mean.
+    cut = Fraction(1, 512)
+
+    third = divided_differences(points[4], [exact(t) for t in points[4]])[-1]
+    twist = nearest(-third / 256)
+    second = divided_differences(
+        points[3], [exact(t) + 256 * twist * t * t * (t - cut) for t in points[3]])[-1]
+    bend = nearest(-second / 256)
+    slope = nearest(divided_differences(
+        points[2], [exact(t) + 256 * t * t * (bend + twist * (t - cut)) for t in points[2]])[-1])
+    assert -128 <= twist <= 127 and 0 <= slope < 1 << 32 and 128 <= bend + 128 < 1 << 16
+    checked = [Fraction(k, GRID) for k in range(0, GRID, GRID // CHECKED - 1)]
+    errors = [exact(t) - evaluate((0, slope, bend, twist), int(t * (1 << 24))) for t in checked]
+    return nearest((max(errors) + min(errors)) / 2), slope, bend, twist
+
+
+def write(name, generator, sentence, structure, function, pages=(),
+          intervals=INTERVALS):
+    """avr/<name>.S and portable/<name>.hpp. `function` of a numerator and a denominator, from 0 to 1,
+    is a Fraction in units of 2^-39. `pages` follow in the assembly table alone."""
+    rows = [interval(function, i) for i in range(intervals)]
+    records = []
+    for value, slope, bend, twist in rows:
+        records += [twist & 255, *(bend >> 8 * i & 255 for i in range(2)),
+                    *(slope >> 8 * i & 255 for i in range(4)),
+                    *(value >> 8 * i & 255 for i in range(5))]
+    page.write_assembly(name, generator, sentence, [
+        ("twist, 2 bytes of bend, 4 of slope, 5 of value; as often as there are intervals", records), *pages])
+    table_header.write(name, generator, sentence, structure, [
+        ("uint32_t", "value", [value >> 8 & 0xffffffff for value, _, _, _ in rows], "0x{:08x}"),
+        ("uint8_t", "value_low", [value & 255 for value, _, _, _ in rows], "0x{:02x}"),
+        ("uint32_t", "slope", [slope for _, slope, _, _ in rows], "0x{:08x}"),
+        ("uint16_t", "bend", [bend for _, _, bend, _ in rows], "0x{:04x}"),
+        ("uint8_t", "twist", [twist & 255 for _, _, _, twist in rows], "0x{:02x}")])

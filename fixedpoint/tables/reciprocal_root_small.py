@@ -1,0 +1,30 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: MIT
+"""Proves what avr/reciprocal_root_small.S says of the reciprocal root Y of M, 2^30 <= M < 2^32, for
+its coefficients: Y is below 2^16, not above 2^31 / sqrt(M), and less than 2^-11 of it below. Y
+depends on the upper half of M alone, all of which are tried, at both ends.
+
+The coefficients were chosen among all near the polynomial of least largest error: those for which
+reciprocal_sqrt_q16_16_small.S errs least."""
+
+from math import sqrt
+
+C0, C1, C3, BIAS = 129, 61, 196, 16
+
+
+def reciprocal_root(upper):
+    z = 255 - (upper >> 8)
+    seed = C0 + (z * (C1 + ((z * z >> 8) * C3 >> 8)) >> 8)
+    error = 0x8000 - BIAS - 2 * ((upper * seed >> 8) * seed >> 8)
+    return (seed << 8) + (error * seed >> 8) + (error >> 8) ** 2
+
+
+if __name__ == "__main__":
+    least, most = 1.0, 0.0
+    for upper in range(1 << 14, 1 << 16):
+        root = reciprocal_root(upper)
+        assert root < 1 << 16
+        least = min(least, 1 - root * sqrt((upper << 16) + 0xffff) / 2**31)
+        most = max(most, 1 - root * sqrt(upper << 16) / 2**31)
+    assert 0 <= least and most < 2**-11
+    print(f"{-BIAS} {C0} {C1} {C3}: low by {least:.1e} to {most:.1e}")
