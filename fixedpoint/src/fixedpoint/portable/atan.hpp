@@ -22,7 +22,7 @@ FIXEDPOINT_CONSTEXPR int32_t atan_small<int32_t, 16>(int32_t a) {
 
 template <class Raw, int F>
 struct ArcTangent {
-    static constexpr Raw apply(Raw a) { return atan_small<Raw, F>(a); }
+    static FIXEDPOINT_CONSTEXPR Raw apply(Raw a) { return atan_small<Raw, F>(a); }
 };
 template <int F>
 struct ArcTangent<int32_t, F> {
