@@ -30,7 +30,7 @@ struct ArcTangent<int32_t, F> {
 };
 template <>
 struct ArcTangent<int32_t, 16> {
-    static constexpr int32_t apply(int32_t a) { return atan_q16_16(a); }
+    static FIXEDPOINT_CONSTEXPR int32_t apply(int32_t a) { return atan_q16_16(a); }
 };
 
 template <class Raw, int F>

@@ -79,7 +79,7 @@ struct AngleOf {
 };
 template <>
 struct AngleOf<int16_t, 8> {
-    static constexpr int16_t apply(int16_t y, int16_t x) { return atan2_q8_8(y, x); }
+    static FIXEDPOINT_CONSTEXPR int16_t apply(int16_t y, int16_t x) { return atan2_q8_8(y, x); }
 };
 template <int F>
 struct AngleOf<int32_t, F> {
@@ -87,7 +87,7 @@ struct AngleOf<int32_t, F> {
 };
 template <>
 struct AngleOf<int32_t, 16> {
-    static constexpr int32_t apply(int32_t y, int32_t x) { return atan2_q16_16(y, x); }
+    static FIXEDPOINT_CONSTEXPR int32_t apply(int32_t y, int32_t x) { return atan2_q16_16(y, x); }
 };
 
 template <class Raw, int F>
