@@ -399,9 +399,11 @@ q8_24 q8_24_cos(q8_24 angle)
 void q8_24_sincos(q8_24 angle, q8_24 sine_and_cosine[2])
     FIXEDPOINT_C_KERNEL(fixedpoint_sincos_q8_24);
 /// The arc tangent in radians within 0.75 ulp.
-q8_24 q8_24_atan(q8_24 a);
+q8_24 q8_24_atan(q8_24 a)
+    FIXEDPOINT_C_KERNEL(fixedpoint_atan_q8_24);
 /// The angle of the vector (x, y) in radians, in (-pi, pi], within 0.75 ulp; 0 where both are 0.
-q8_24 q8_24_atan2(q8_24 y, q8_24 x);
+q8_24 q8_24_atan2(q8_24 y, q8_24 x)
+    FIXEDPOINT_C_KERNEL(fixedpoint_atan2_q8_24);
 /// e^a within 1 ulp, saturated to Q8_24_MAX; 0 where e^a is below half an ulp or about it.
 q8_24 q8_24_exp(q8_24 a)
     FIXEDPOINT_C_KERNEL(fixedpoint_exp_q8_24);

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cmath>
+#include <fixedpoint/portable/atan.hpp>
 #include <fixedpoint/portable/divide.hpp>
 #include <fixedpoint/portable/dot.hpp>
 #include <fixedpoint/portable/exp.hpp>
@@ -392,6 +393,34 @@ TEST(Splits, ReciprocalSqrt) {
     Program program("reciprocal_sqrt");
     for_each_split([&](auto F) {
         expect_function(program, F, portable::reciprocal_sqrt<int32_t, F>, limits_of_mantissas());
+    });
+}
+
+TEST(Splits, Atan) {
+    Program program("atan");
+    for_each_split([&](auto F) {
+        expect_function(program, F, portable::atan<int32_t, F>, limits_of_mantissas());
+    });
+}
+// Ratios on both sides of every 1/256, of longer coordinates of every length, in every octant.
+TEST(Splits, Atan2) {
+    Program program("atan2");
+    for_each_split([&](auto F) {
+        DeviceFunction atan2 = program.subject(F, {4, {4, 4}});
+        const auto check = [&](int32_t y, int32_t x) {
+            ASSERT_EQ(atan2(y, x).template as<int32_t>(), (portable::atan2<int32_t, F>(y, x)))
+                << F << " fraction bits: " << y << " " << x;
+        };
+        Operands operands;
+        std::mt19937 random(11);
+        for (int i = 0; i < pairs / 4; ++i) {
+            check(operands.next(), operands.next());
+            const auto longer = static_cast<int32_t>(random() >> 1 >> random() % 31);
+            const auto shorter = static_cast<int32_t>(int64_t(longer) * (random() % 257) / 256 +
+                                                      static_cast<int32_t>(random() % 3) - 1);
+            const int32_t a = i & 1 ? -longer : longer, b = i & 2 ? -shorter : shorter;
+            check(i & 4 ? a : b, i & 4 ? b : a);
+        }
     });
 }
 

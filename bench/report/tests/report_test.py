@@ -600,6 +600,18 @@ q16_16 yes fixed 1000 swings swings
                                      "theory": 0, "plants": 2, "still": 0, "hardest": None,
                                      "theory_arm": None, "chip": None})
 
+    def test_the_rate_that_a_lever_runs_at(self):
+        made, data = golden(haptic="""
+scenario arithmetic loop_rate_hz
+poke_while_held q16_16 1000.4
+poke_while_held published 94
+"""), self.data()
+        data._loaded |= made._loaded
+        self.assertEqual([row["rate"] for row in haptic_region.at_own_rate(data)],
+                         ["1000", "100, its own clock"])
+        made.rows("haptic")[0]["loop_rate_hz"] = 512
+        self.assertEqual([row["rate"] for row in haptic_region.at_own_rate(data)], ["100, its own clock"])
+
     def test_agreement(self):
         self.assertEqual(haptic_region.agreement(self.data()), (2, 3))
         self.assertEqual(haptic_region.differing(self.data()), {"ours, Q16.16 at 1000 Hz": 1})
@@ -770,6 +782,19 @@ class Replay(Figures):
         self.assertIn("(Q16.16, SHA-256", text)
         self.assertIn('"what":"a <\\/script> within"', text)
         self.assertIn(">0123456789ab…<", text)
+
+
+class Style(unittest.TestCase):
+    def test_every_format_has_a_colour_and_marker_of_its_own(self):
+        looks = [row[1:] for row in (*style.FORMATS.values(), style.PUBLISHED)]
+        self.assertEqual(len(set(looks)), len(looks))
+        self.assertEqual([style.label(*kind) for kind in (
+            ("q16_16", "default"), ("q8_24", "saturating"), ("q16_16", "published"), ("float", "libc"),
+            ("s16_15", "accum"), ("q5_27", "default"))],
+            ["Q16.16", "Q8.24, saturating", "Q16.16, 2016 design", "avr-libc float", "_Accum s16.15",
+             "Q5.27"])
+        self.assertEqual(style.face("q16_16", "small"), "white")
+        self.assertEqual(style.face("q16_16"), style.colour("q16_16"))
 
 
 class ChooseAFormat(unittest.TestCase):

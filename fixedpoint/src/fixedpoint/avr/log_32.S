@@ -36,64 +36,6 @@
     lpm factor, Z
     .endm
 
-    // r26:r22 = r26:r22 / 2^shift, rounded downward, in r25:r22; of the upper bits three are copies
-    // of the sign.
-    .macro shift_signed shift
-    .if \shift < 0
-    lsl r22
-    rol r23
-    rol r24
-    rol r25
-    .set bytes_dropped, 0
-    .elseif (\shift % 8) > 4
-    .set bytes_dropped, \shift / 8 + 1
-    .rept 8 - (\shift % 8)
-    .set position, bytes_dropped - 1
-    lsl 22 + position
-    .rept 5 - bytes_dropped
-    .set position, position + 1
-    rol 22 + position
-    .endr
-    .endr
-    .else
-    .set bytes_dropped, \shift / 8
-    .rept \shift % 8
-    asr r26
-    .set position, 4
-    .rept 4 - bytes_dropped
-    .set position, position - 1
-    ror 22 + position
-    .endr
-    .endr
-    .endif
-    .if bytes_dropped > 1
-    mov r27, r26
-    lsl r27
-    sbc r27, r27
-    .endif
-    .set position, 0
-    .rept 4 * (bytes_dropped > 0) * -1
-    .if bytes_dropped + position > 4
-    mov 22 + position, r27
-    .else
-    mov 22 + position, 22 + bytes_dropped + position
-    .endif
-    .set position, position + 1
-    .endr
-    .endm
-
-    .macro add_constant from, value
-    .set constant, -(\value)
-    subi \from, constant & 0xff
-    .set constant, constant >> 8
-    .set position, \from + 1
-    .rept 4
-    sbci position, constant & 0xff
-    .set constant, constant >> 8
-    .set position, position + 1
-    .endr
-    .endm
-
     .macro kernels integer, fraction
     SECTION fixedpoint_log_q\integer\()_\fraction
 .Lone_byte_\fraction:

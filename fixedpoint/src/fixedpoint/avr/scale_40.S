@@ -5,6 +5,7 @@
 // fixedpoint_scale_40      r25:r22 = r27:r23 2^(r19 - 48) rounded to nearest, saturated; r19 from 7 to
 //                          41, r27:r23 at most about 2^39
 // fixedpoint_largest_32    r25:r22 = 2^31 - 1
+// fixedpoint_smallest_32   r25:r22 = -2^31
 // fixedpoint_zero_32       r25:r22 = 0
 //
 // Changes  r0, r19..r27; r1 is 0 again at return
@@ -78,6 +79,14 @@
     lsr r25
     ret
     ENDFUNC fixedpoint_largest_32
+
+    ENTRY fixedpoint_smallest_32
+    ldi r22, 0
+    ldi r23, 0
+    ldi r24, 0
+    ldi r25, 0x80
+    ret
+    ENDFUNC fixedpoint_smallest_32
 
     ENTRY fixedpoint_zero_32
     ldi r22, 0

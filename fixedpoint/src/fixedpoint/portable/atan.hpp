@@ -21,13 +21,21 @@ FIXEDPOINT_CONSTEXPR int32_t atan_small<int32_t, 16>(int32_t a) {
 }
 
 template <class Raw, int F>
-constexpr Raw atan(Raw a) {
-    return atan_small<Raw, F>(a);
-}
-
+struct ArcTangent {
+    static FIXEDPOINT_CONSTEXPR Raw apply(Raw a) { return atan_small<Raw, F>(a); }
+};
+template <int F>
+struct ArcTangent<int32_t, F> {
+    static FIXEDPOINT_CONSTEXPR int32_t apply(int32_t a) { return atan_32<F>(a); }
+};
 template <>
-FIXEDPOINT_CONSTEXPR int32_t atan<int32_t, 16>(int32_t a) {
-    return atan_q16_16(a);
+struct ArcTangent<int32_t, 16> {
+    static FIXEDPOINT_CONSTEXPR int32_t apply(int32_t a) { return atan_q16_16(a); }
+};
+
+template <class Raw, int F>
+constexpr Raw atan(Raw a) {
+    return ArcTangent<Raw, F>::apply(a);
 }
 
 }  // namespace portable

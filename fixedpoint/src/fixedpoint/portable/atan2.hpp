@@ -3,6 +3,7 @@
 // saturated where the format cannot hold it; atan2(0, 0) = 0.
 #pragma once
 
+#include <fixedpoint/portable/atan2_32.hpp>
 #include <fixedpoint/portable/atan2_q16_16.hpp>
 #include <fixedpoint/portable/atan2_q8_8.hpp>
 #include <fixedpoint/portable/atan2_small_q16_16.hpp>
@@ -73,17 +74,25 @@ FIXEDPOINT_CONSTEXPR int32_t atan2_small<int32_t, 16>(int32_t y, int32_t x) {
 }
 
 template <class Raw, int F>
-constexpr Raw atan2(Raw y, Raw x) {
-    return atan2_small<Raw, F>(y, x);
-}
+struct AngleOf {
+    static FIXEDPOINT_CONSTEXPR Raw apply(Raw y, Raw x) { return atan2_small<Raw, F>(y, x); }
+};
+template <>
+struct AngleOf<int16_t, 8> {
+    static FIXEDPOINT_CONSTEXPR int16_t apply(int16_t y, int16_t x) { return atan2_q8_8(y, x); }
+};
+template <int F>
+struct AngleOf<int32_t, F> {
+    static FIXEDPOINT_CONSTEXPR int32_t apply(int32_t y, int32_t x) { return atan2_32<F>(y, x); }
+};
+template <>
+struct AngleOf<int32_t, 16> {
+    static FIXEDPOINT_CONSTEXPR int32_t apply(int32_t y, int32_t x) { return atan2_q16_16(y, x); }
+};
 
-template <>
-FIXEDPOINT_CONSTEXPR int16_t atan2<int16_t, 8>(int16_t y, int16_t x) {
-    return atan2_q8_8(y, x);
-}
-template <>
-FIXEDPOINT_CONSTEXPR int32_t atan2<int32_t, 16>(int32_t y, int32_t x) {
-    return atan2_q16_16(y, x);
+template <class Raw, int F>
+constexpr Raw atan2(Raw y, Raw x) {
+    return AngleOf<Raw, F>::apply(y, x);
 }
 
 }  // namespace portable

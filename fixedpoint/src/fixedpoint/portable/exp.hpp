@@ -90,11 +90,11 @@ struct Exponential {
 };
 template <int F>
 struct Exponential<int32_t, F> {
-    static constexpr int32_t apply(int32_t a) { return exp_32<F>(a); }
+    static FIXEDPOINT_CONSTEXPR int32_t apply(int32_t a) { return exp_32<F>(a); }
 };
 template <>
 struct Exponential<int32_t, 16> {
-    static constexpr int32_t apply(int32_t a) { return exp_q16_16(a); }
+    static FIXEDPOINT_CONSTEXPR int32_t apply(int32_t a) { return exp_q16_16(a); }
 };
 
 template <class Raw, int F>

@@ -77,11 +77,11 @@ struct Logarithm {
 };
 template <int F>
 struct Logarithm<int32_t, F> {
-    static constexpr int32_t apply(int32_t a) { return log_32<F>(a); }
+    static FIXEDPOINT_CONSTEXPR int32_t apply(int32_t a) { return log_32<F>(a); }
 };
 template <>
 struct Logarithm<int32_t, 16> {
-    static constexpr int32_t apply(int32_t a) { return log_q16_16(a); }
+    static FIXEDPOINT_CONSTEXPR int32_t apply(int32_t a) { return log_q16_16(a); }
 };
 
 template <class Raw, int F>

@@ -1,0 +1,423 @@
+// SPDX-License-Identifier: MIT
+// int32_t fixedpoint_atan2_q<32 - F>_<F>(int32_t y, int32_t x)
+// int32_t fixedpoint_atan_q<32 - F>_<F>(int32_t a)
+// The angle of the vector (x, y) in (-pi, pi] and of (1, a), of each split of 32 bits but Q16.16;
+// within 0.55 ulp up to F = 28 and 0.75 ulp beyond, saturated where the format cannot hold it;
+// atan2(0, 0) = 0.
+//
+// In       y = r25:r22, x = r21:r18; a = r25:r22
+// Out      r25:r22
+// Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
+// Stack    12 bytes
+// Tables   3072 bytes, fixedpoint_atan_32_table; 512 bytes, fixedpoint_reciprocal_table
+//
+// The ratio of the shorter coordinate to the longer one, rounded downward to 32 fraction bits, is
+// the position in the table of the arc tangent; 2^32 - 1 where both are equal. Beyond F = 24 the
+// upper byte of what is left counts with the slope there. The angle is put back from the first octant.
+// The ratio's four digits to base 256 are those of divide_32.S without signs, roundings and limits.
+//
+// Error in units of 2^-31: up to F = 24 the core of 32 bits, -5.4 to 2.8, and the ratio 0.5; beyond,
+// the core of 40 bits 0.2.
+
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
+#include "cubic_32.inc"
+
+#define n0 r22
+#define n1 r23
+#define n2 r24
+#define n3 r25
+#define d0 r18
+#define d1 r19
+#define d2 r20
+#define d3 r21
+#define v r17
+#define nothing r16
+#define e0 r28
+#define e1 r29
+#define e2 r30
+#define e3 r31
+
+    // A digit of the quotient in q; x4..x0 = the rest of the dividend.
+    .macro digit q, x4, x3, x2, x1, x0
+    mul \q, e0
+    movw r14, r0
+    mul \q, e2
+    movw r26, r0
+    mul \q, e1
+    add r15, r0
+    adc r26, r1
+    adc r27, nothing
+    mul \q, e3
+    add r27, r0
+    adc r1, nothing
+    add \x0, r14
+    adc \x1, r15
+    adc \x2, r26
+    adc \x3, r27
+    adc \x4, r1
+    brcc 9f
+    add \x0, e0
+    adc \x1, e1
+    adc \x2, e2
+    adc \x3, e3
+    adc \x4, nothing
+    .endm
+
+    // r25:r22 = floor(2^32 n / d), n = r25:r22 below d = r21:r18; r26 = the upper byte of what is left,
+    // where the divisor is 2^40 or less by a 256th of it at most. Changes r18..r21, r27, r30, r31; r1
+    // is not 0 at return.
+    FUNCTION fixedpoint_ratio_32
+    push r14
+    push r15
+    push r16
+    push r17
+    push r28
+    push r29
+    clr nothing
+    tst d3
+    brne 2f
+    tst d2
+    brne 1f
+    movw d2, d0
+    movw n2, n0
+    clr d0
+    clr d1
+    clr n0
+    clr n1
+    tst d3
+    brne 2f
+1:  mov d3, d2
+    mov d2, d1
+    mov d1, d0
+    clr d0
+    mov n3, n2
+    mov n2, n1
+    mov n1, n0
+    clr n0
+    tst d3
+    breq 1b             // a divisor of one byte, once more
+2:  ldi r31, hi8(fixedpoint_reciprocal_table)
+    mov r30, d3
+    lpm r17, Z
+    inc r31
+    mul n3, r17
+    mov n3, r0
+    mul n2, r17
+    or n3, r1
+    mov n2, r0
+    mul n1, r17
+    or n2, r1
+    mov n1, r0
+    mul n0, r17
+    or n1, r1
+    mov n0, r0
+    mul d3, r17
+    mov d3, r0
+    mul d2, r17
+    or d3, r1
+    mov d2, r0
+    mul d1, r17
+    or d2, r1
+    mov d1, r0
+    mul d0, r17
+    or d1, r1
+    mov d0, r0
+    mov r30, d3
+    mov r0, d2
+    lsl r0
+    rol r30
+    lpm r27, Z
+    // r17:e3:e2:e1:e0 = 2^40 - d v
+    mul d0, r27
+    movw e0, r0
+    mul d2, r27
+    movw e2, r0
+    mul d3, r27
+    add e3, r0
+    adc r1, d3
+    mov r17, r1
+    mul d1, r27
+    add e1, r0
+    adc e2, r1
+    adc e3, nothing
+    adc r17, nothing
+    add e1, d0
+    adc e2, d1
+    adc e3, d2
+    adc r17, nothing
+    com e3
+    com e2
+    com e1
+    neg e0
+    sbci e1, 0xff
+    sbci e2, 0xff
+    sbci e3, 0xff
+    adc r17, nothing
+    breq 1f
+    sub e0, d0
+    sbc e1, d1
+    sbc e2, d2
+    sbc e3, d3
+    inc r27
+1:  mov v, r27
+    // The dividend r25..r21 = n v
+    mul n0, v
+    mov r20, r0
+    mov r21, r1
+    mul n2, v
+    movw r18, r0
+    mul n1, v
+    add r21, r0
+    adc r18, r1
+    adc r19, nothing
+    mul n3, v
+    clr r26
+    add r19, r0
+    adc r26, r1
+    add r21, n0
+    adc r18, n1
+    adc r19, n2
+    adc r26, n3
+    mov r25, r26
+    mov r24, r19
+    mov r23, r18
+    mov r22, r21
+    mov r21, r20
+    clr r20
+    clr r19
+    clr r18
+    clr r17
+    digit r25, r24, r23, r22, r21, r20
+    inc r25
+9:  digit r24, r23, r22, r21, r20, r19
+    subi r24, 0xff
+    sbci r25, 0xff
+9:  digit r23, r22, r21, r20, r19, r18
+    subi r23, 0xff
+    sbci r24, 0xff
+    sbci r25, 0xff
+9:  digit r22, r21, r20, r19, r18, r17
+    subi r22, 0xff
+    sbci r23, 0xff
+    sbci r24, 0xff
+    sbci r25, 0xff
+    // The rest is below 2^40, not always below the divisor.
+9:  mov r26, r21
+    add r17, e0
+    adc r18, e1
+    adc r19, e2
+    adc r20, e3
+    adc r21, nothing
+    brcc 1f
+    mov r26, r21
+    subi r22, 0xff
+    sbci r23, 0xff
+    sbci r24, 0xff
+    sbci r25, 0xff
+1:  pop r29
+    pop r28
+    pop r17
+    pop r16
+    pop r15
+    pop r14
+    ret
+    ENDFUNC fixedpoint_ratio_32
+
+#define STEEP 0
+#define LEFT 1
+
+    // Adds a constant to the angle, which has five bytes or six.
+    .macro turn fraction, value
+    .if \fraction > 24
+    add_constant 23, (\value + (1 << (38 - \fraction)))
+    sbci r22, constant & 0xff
+    .else
+    add_constant 22, (\value + (1 << (30 - \fraction)))
+    .endif
+    .endm
+
+    .macro kernels integer, fraction
+    .if \fraction > 24
+    .set half_pi, 863554413089
+    .set pi, 1727108826179
+    .set cut, 0
+    .else
+    .set half_pi, 3373259426
+    .set pi, 6746518852
+    .set cut, 1
+    .endif
+    SECTION fixedpoint_atan2_q\integer\()_\fraction
+.Lequal_\fraction:
+    mov r0, n0
+    or r0, n1
+    or r0, n2
+    or r0, n3
+    breq 1f
+    ldi r22, 0xff
+    ldi r23, 0xff
+    movw r24, r22
+    ldi r26, 0xff
+.Lratio_is_known_\fraction:
+    push r30
+    rjmp .Llook_up_\fraction
+1:  ret
+
+    ENTRY fixedpoint_atan_q\integer\()_\fraction
+    ldi r30, 0
+    .if \fraction == 32
+    // 1 lies beyond four bytes, and the numbers are their own ratios to it.
+    ldi r26, 0
+    bst n3, 7
+    brtc .Lratio_is_known_\fraction
+    com n3
+    com n2
+    com n1
+    neg n0
+    sbci n1, 0xff
+    sbci n2, 0xff
+    sbci n3, 0xff
+    rjmp .Lratio_is_known_\fraction
+    .else
+    ldi r18, (1 << \fraction) & 0xff
+    ldi r19, ((1 << \fraction) >> 8) & 0xff
+    ldi r20, ((1 << \fraction) >> 16) & 0xff
+    ldi r21, ((1 << \fraction) >> 24) & 0xff
+    rjmp .Lright_\fraction
+    .endif
+    ENDFUNC fixedpoint_atan_q\integer\()_\fraction
+
+    ENTRY fixedpoint_atan2_q\integer\()_\fraction
+    ldi r30, 0
+    tst d3
+    brpl .Lright_\fraction
+    ldi r30, 1 << LEFT
+    com d3
+    com d2
+    com d1
+    neg d0
+    sbci d1, 0xff
+    sbci d2, 0xff
+    sbci d3, 0xff
+.Lright_\fraction:
+    bst n3, 7
+    brtc 1f
+    com n3
+    com n2
+    com n1
+    neg n0
+    sbci n1, 0xff
+    sbci n2, 0xff
+    sbci n3, 0xff
+1:  cp n0, d0
+    cpc n1, d1
+    cpc n2, d2
+    cpc n3, d3
+    brlo 2f
+    breq .Lequal_\fraction
+    movw r26, n0
+    movw n0, d0
+    movw d0, r26
+    movw r26, n2
+    movw n2, d2
+    movw d2, r26
+    ori r30, 1 << STEEP
+2:  push r30
+    XCALL fixedpoint_ratio_32
+.Llook_up_\fraction:
+    mov r30, r25
+    mov r20, r24
+    mov r19, r23
+    mov r18, r22
+    find_record fixedpoint_atan_32_table, r22
+    clr zero
+    .if \fraction > 24
+    push r26
+    XCALL fixedpoint_cubic_40
+    pop r0
+    mul r22, r0
+    add r23, r1
+    adc r24, zero
+    adc r25, zero
+    adc r26, zero
+    adc r27, zero
+    clr r22
+    .else
+    XCALL fixedpoint_cubic_32
+    clr r26
+    .endif
+    clr r1
+    pop r20
+    cpi r20, 1 << LEFT
+    brlo 1f
+    breq 2f
+    turn \fraction, half_pi + cut
+    rjmp 4f
+1:  tst r20
+    brne 3f
+    turn \fraction, cut
+    rjmp 4f
+3:  turned_back \fraction
+    turn \fraction, half_pi - cut + 1
+    rjmp 4f
+2:  turned_back \fraction
+    turn \fraction, pi - cut + 1
+4:
+    .if \fraction > 24
+    .if \fraction == 32
+    lsl r23
+    rol r24
+    rol r25
+    rol r26
+    rol r27
+    rol r22
+    .endif
+    mov r18, r22
+    movw r22, r24
+    movw r24, r26
+    mov r26, r18
+    .endif
+    .if \fraction > 29
+    tst r26
+    brne .Lsaturated_\fraction
+    .if \fraction > 30
+    cpi r25, 0x80
+    brsh .Lsaturated_\fraction
+    .endif
+    .endif
+    .if \fraction < 31
+    shift_signed (31 - \fraction)
+    .endif
+    brtc 5f
+    com r25
+    com r24
+    com r23
+    neg r22
+    sbci r23, 0xff
+    sbci r24, 0xff
+    sbci r25, 0xff
+5:  ret
+    .if \fraction > 29
+.Lsaturated_\fraction:
+    brts 1f
+    XJMP fixedpoint_largest_32
+1:  XJMP fixedpoint_smallest_32
+    .endif
+    ENDFUNC fixedpoint_atan2_q\integer\()_\fraction
+    .endm
+
+    // The angle less than a constant that is added next: its one's complement is -1 less it.
+    .macro turned_back fraction
+    com r23
+    com r24
+    com r25
+    com r26
+    com r22
+    .if \fraction > 24
+    com r27
+    .endif
+    .endm
+
+#include "splits_32.inc"
+
+#endif

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// atan2 and atan of 32-bit numbers of F fraction bits, bit for bit as avr/atan2_32.S computes them.
+#pragma once
+
+#include <fixedpoint/integer.hpp>
+#include <fixedpoint/portable/atan_32_table.hpp>
+#include <fixedpoint/portable/cubic_32.hpp>
+
+namespace fixedpoint {
+namespace portable {
+
+// shorter / longer as the position in the table, and 2^-40 units more.
+struct Ratio32 {
+    uint32_t position;
+    uint32_t rest;
+};
+// shorter is at most longer, which is at most 2^32 and not 0.
+FIXEDPOINT_CONSTEXPR Ratio32 ratio_32(uint64_t shorter, uint64_t longer) {
+    if (shorter == longer) return {0xffffffff, 0xff};
+    const uint32_t position = static_cast<uint32_t>((shorter << 32) / longer);
+    uint64_t rest = (shorter << 32) % longer;
+    if (rest == 0) return {position, 0};
+    while (longer >> 31 == 0) {
+        longer <<= 1;
+        rest <<= 1;
+    }
+    // The kernel multiplies both by the factor that makes the longer one 2^40 or little less:
+    // tables/reciprocal.py.
+    uint32_t factor = (uint32_t(1) << 17) / (257 + static_cast<uint32_t>(longer >> 23 & 0xff));
+    if (((uint64_t(1) << 40) - longer * factor) >> 32 != 0) ++factor;
+    return {position, static_cast<uint32_t>(rest * factor >> 32)};
+}
+
+// The angle of (width, height), turned to the left half plane and below where asked; not both are
+// 0, each is at most 2^32.
+template <int F>
+FIXEDPOINT_CONSTEXPR int32_t angle_32(uint64_t height, uint64_t width, bool left, bool below) {
+    const bool steep = height > width;
+    const Ratio32 ratio = steep ? ratio_32(width, height) : ratio_32(height, width);
+    constexpr bool is_coarse = is_coarse_32<F>();
+    // In units of 2^-31, or 2^-39.
+    constexpr int fraction_bits = is_coarse ? 31 : 39;
+    constexpr int64_t pi = is_coarse ? 6746518852 : 1727108826179;
+    constexpr int64_t half = F < fraction_bits ? int64_t(1) << (fraction_bits - 1 - F) : 0;
+    int64_t angle = 0;
+    if (is_coarse) {
+        // And a unit for what the core cuts.
+        angle = static_cast<int64_t>(cubic_32<Atan32Table<>>(ratio.position)) + 1;
+    } else {
+        const Cubic40 core = cubic_40<Atan32Table<>>(ratio.position);
+        angle = static_cast<int64_t>(core.value + (core.slope * ratio.rest >> 8));
+    }
+    const int64_t folded =
+        steep ? (left ? pi / 2 + angle : pi / 2 - angle) : (left ? pi - angle : angle);
+    const int64_t magnitude = (folded + half) >> (fraction_bits - F);
+    if (magnitude >> 31 != 0) return below ? RawLimits<int32_t>::min : RawLimits<int32_t>::max;
+    return static_cast<int32_t>(below ? -magnitude : magnitude);
+}
+
+template <int F>
+FIXEDPOINT_CONSTEXPR int32_t atan2_32(int32_t y, int32_t x) {
+    return (x | y) == 0 ? 0 : angle_32<F>(magnitude(y), magnitude(x), x < 0, y < 0);
+}
+
+template <int F>
+FIXEDPOINT_CONSTEXPR int32_t atan_32(int32_t a) {
+    return angle_32<F>(magnitude(a), uint64_t(1) << F, false, a < 0);
+}
+
+}  // namespace portable
+}  // namespace fixedpoint
