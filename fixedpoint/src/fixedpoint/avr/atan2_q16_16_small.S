@@ -15,7 +15,7 @@
 // rounding.
 //
 // Error in ulp: parabola 0.2, ratio 0.004, pi 0.002. Rounding 0.5. The worst of all 2^32 inputs of
-// atan is WORST.
+// atan is 0.70928, at 825018; the worst found of atan2, in 2 10^7 pairs, 0.71050, at (3641, 45204).
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"

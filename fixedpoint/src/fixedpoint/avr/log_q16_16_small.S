@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // int32_t fixedpoint_log_q16_16_small(int32_t a)
-// ln a in Q16.16, within 0.73 ulp for every a > 0; the smallest number where a <= 0.
+// ln a in Q16.16, within 0.74 ulp for every a > 0; the smallest number where a <= 0.
 //
 // In       a = r25:r22
 // Out      r25:r22
@@ -11,7 +11,8 @@
 // 16 ln 2, in units of 2^-24. What is left of a is the fraction of a number from 1 to 2, of which
 // parabola_small.S adds the logarithm.
 //
-// Error in ulp: parabola 0.2, ln 2 rounded 0.002. Rounding 0.5. The worst of all inputs is WORST.
+// Error in ulp: parabola 0.2, ln 2 rounded 0.002. Rounding 0.5. The worst of all inputs is 0.73933,
+// at 1126989248.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
