@@ -89,7 +89,7 @@ ROOMS = [
     room("translator", "bench/chip/instructions/instruction.cpp bench/chip/instructions/translate.cpp"
          " bench/chip/instructions/fingerprint.cpp", 5, "instructions_tests"),
     room("engine", "engine/src/engine/solvers/*.hpp engine/src/engine/constraints.hpp"
-         " engine/src/engine/links.hpp", 4, "engine_model_step_test"),
+         " engine/src/engine/links.hpp", 4, "engine_model_step_test", "engine_pool_test"),
     room("engine", "engine/src/engine/integrators/*.hpp engine/src/engine/forces.hpp", 4,
          "engine_model_step_test"),
     room("firmware", "firmware/src/firmware/frame_clock.hpp", 2, "firmware_frame_clock_test"),
@@ -118,7 +118,7 @@ SHARE = 0.95
 HARMLESS = [
     ("bench/report/*.py", r"(fontsize|linewidths?|figsize|markersize|alpha|zorder|pad|rotation|shrink)=",
      "the look of a figure"),
-    ("bench/report/*.py", r"legend|rect=|lim\(|lim=|labelpad|offset points|\"(left|right)\"|label\(",
+    ("bench/report/*.py", r"legend|rect=|lim\(|lim=|labelpad|offset points|\"\w+\.size\"|strip = |columns = \d|wide = |\"(left|right)\"|label\(",
      "the look of a figure: margins, legends and titles"),
     ("bench/report/*.py", r"^ *(parser|\"--|help=)|dpi|metadata", "the look of a figure or of a help text"),
 ]

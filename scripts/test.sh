@@ -5,7 +5,7 @@
 # Usage: scripts/test.sh [--quick | --full] [--help]
 #   --quick  unit tests on the host and on the simulated chip: for every edit
 #   (none)   what has to pass before a change goes in: all tests; again under the sanitizers what
-#            the host can run; deliberate faults, each of which a test must notice; and the main
+#            the host can run; deliberate faults, which the tests of each room must notice; and the main
 #            job, bench/run_all.sh --quick
 #   --full   the same with more deliberate faults, and four minutes of fuzzing
 # One test alone: ctest --preset release -R NAME. Exit status: 0 when all passed, 1 when one failed,

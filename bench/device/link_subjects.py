@@ -8,8 +8,9 @@ kernel fixedpoint_<operation>_<format>[_<variant>] takes the place of the C++ su
 
 The footprint of a subject is what a program grows by that uses it alone: flash (code, tables,
 initialised data) and static RAM, everything it pulls in included. What operations share counts once
-in a program that uses several: `all_<format>_<implementation>` is the footprint of those of TOGETHER,
-ours from the default implementation where this one has no variant of its own.
+in a program that uses several: `nine_<format>_<implementation>` is the footprint of those of TOGETHER,
+ours from the default implementation where this one has no variant of its own, and
+`own_<format>_<implementation>` that of all that this implementation has.
 """
 import argparse
 import concurrent.futures
@@ -40,16 +41,19 @@ def functions(objects):
 
 
 def together(subjects):
-    """The subjects of TOGETHER by (format, implementation), where a program can have them all."""
+    """The programs that use several subjects, by name."""
     kinds = {SUBJECT.match(name).groups()[1:] for name in subjects}
     programs = {}
     for number_format, implementation in sorted(kinds):
+        programs[f"own_{number_format}_{implementation}"] = [
+            name for name in subjects
+            if SUBJECT.match(name).groups()[1:] == (number_format, implementation)]
         chosen = [f"{operation}_{number_format}_{implementation}" for operation in TOGETHER]
         if implementation != "published":
             chosen = [name if name in subjects else name.removesuffix(implementation) + "default"
                       for name in chosen]
         if set(chosen) <= set(subjects):
-            programs[f"all_{number_format}_{implementation}"] = chosen
+            programs[f"nine_{number_format}_{implementation}"] = chosen
     return programs
 
 

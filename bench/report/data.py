@@ -17,7 +17,7 @@ ablation after_cause after_method arithmetic before_cause before_error before_me
 broad_phase case change cheapest chip clock coefficient coefficients curve cycles_max_witness damping
 device elf_sha256 fault feature first_event first_mismatch fitted_to flags form format formats formula
 function handler hand_n_per_m host implementation inputs integrator interrupt kernel_sha256 kind lane
-limit limited_by loop map max_ulp_witness measured_with note operands operation operators parameter pin quantity
+limit limited_by loop map max_ulp_witness measured_with note operands operation operations operators parameter pin quantity
 readings reason reference scalar scenario scene shift standard_errors still_at_shortest symbol type
 unbounded unit vector verdict view where widening with x_name y_name
 """.split())

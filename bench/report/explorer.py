@@ -30,8 +30,7 @@ LISTED = ("kernels", "table_3_2", "workload", "workload_firmware", "features", "
 
 # A marker of matplotlib as the library's symbol and as a letter.
 SYMBOLS = {"o": ("circle", "●"), "s": ("square", "■"), "^": ("triangle", "▲"), "D": ("diamond2", "◆"),
-           "p": ("hexagon", "⬢"), "P": ("cross", "✚"), "X": ("saltire", "✖"), "d": ("diamond", "♦"),
-           ".": ("circle", "•")}
+           "*": ("star", "★"), "P": ("cross", "✚"), "X": ("saltire", "✖")}
 # The implementation that an arithmetic of scenes and cases is, where it has another name.
 IMPLEMENTATION = {"nearest": "default", "avr-libc": "libc", "ieee": "libc"}
 
@@ -76,13 +75,12 @@ def read(path):
 
 
 def physics_operands(operation=None):
-    """The least and the greatest magnitude of the operands `physics`, of an operation or of most."""
-    source = read("lab/operands/operand_class.cpp")
-    least = re.search(r"physics_least = ([\d.]+);", source)
-    greatest = re.search(r"return operation == Operation::(\w+) \? (\d+) : (\d+);", source)
-    if not least or not greatest:
+    """The least and the greatest magnitude of the operands `physics`, of exp or of the others."""
+    found = re.search(r"physics_least = ([\d.]+), physics_greatest = ([\d.]+), "
+                      r"physics_greatest_of_exp = ([\d.]+);", read("lab/operands/operand_class.cpp"))
+    if not found:
         raise DataError("lab/operands/operand_class.cpp: the limits of the class physics are gone")
-    return float(least[1]), float(greatest[2 if operation == greatest[1] else 3])
+    return float(found[1]), float(found[3 if operation == "exp" else 2])
 
 
 def implementations():
@@ -95,7 +93,7 @@ def implementations():
 
 def style_of(number_format, implementation):
     """Whose colour and marker it has."""
-    return implementation if implementation in style.RIVALS else number_format
+    return "published" if implementation == "published" else number_format
 
 
 def subject(number_format, implementation):
@@ -105,9 +103,9 @@ def subject(number_format, implementation):
             "hollow": style.face(number_format, implementation) == "white"}
 
 
-def number_format(name, implementation, data):
-    """What a format can hold; `implementation` is one that has it."""
-    drawn = {"label": style.format_label(name), "style": style_of(name, implementation)}
+def number_format(name, data):
+    """What a format can hold."""
+    drawn = {"label": style.format_label(name), "style": name}
     if name == "float":
         row, = data.rows("table_3_1", format="float")
         return drawn | {"fraction": None, "maximum": row["maximum"], "resolution": None,
@@ -180,11 +178,8 @@ def gather(data):
     require_known("operations", "implementation", (row["implementation"] for row in measured), known)
     kinds = {(name, "default"): None for name in style.FORMATS}
     kinds |= {(row["format"], row["implementation"]): None for row in measured}
-    require_known("operations", "format", (name for name, implementation in kinds
-                                           if implementation not in style.RIVALS), style.FORMATS)
-    formats = {}
-    for name, implementation in kinds:
-        formats.setdefault(name, number_format(name, implementation, data))
+    require_known("operations", "format", (name for name, _ in kinds), style.FORMATS)
+    formats = {name: number_format(name, data) for name in style.FORMATS}
     scalars = {}
     if "scenes" in views:
         shown = [row for row in data.rows("scenes") if row["cycles_per_simulated_second"] is not None]
@@ -201,7 +196,8 @@ def gather(data):
         "views": list(views) + ["table"],
         "styles": {name: dict(zip(("label", "colour", "symbol", "letter"),
                                   (label, colour, *SYMBOLS[marker])))
-                   for name, (label, colour, marker) in (style.FORMATS | style.RIVALS).items()},
+                   for name, (label, colour, marker) in
+                   (style.FORMATS | {"published": style.PUBLISHED}).items()},
         "formats": formats,
         "implementations": known,
         "subjects": {"/".join(kind): subject(*kind) for kind in kinds},

@@ -161,6 +161,14 @@ def summary(data):
     return result
 
 
+def at_own_rate(data):
+    """The rows of the summary at the loop rate that the lever runs at."""
+    loops = {ARITHMETICS[row["arithmetic"]]: f"{row['loop_rate_hz']:.0f}"
+             for row in data.rows("haptic", scenario="poke_while_held")}
+    return [row for row in summary(data)
+            if row["rate"].endswith("its own clock") or row["rate"] == loops[row["lever"]]]
+
+
 def agreement(data):
     """Points at which chip and host say the same, and all of them."""
     rows = data.rows("stable_on_chip")

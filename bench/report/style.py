@@ -8,21 +8,28 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
-# A label, a colour and a marker for each number format, the same on all pages, and one for each that
-# it is compared with. The colours can be told apart by the colour-blind (Okabe and Ito, 2008).
+# A label, a colour and a marker for each number format, the same on all pages. The toolchain's own
+# families have one colour each and tell their formats apart by the marker. The colours can be told
+# apart by the colour-blind (Okabe and Ito, 2008).
+ACCUM, INTEGER = "#999999", "#444444"
 FORMATS = {
-    "q4_4": ("Q4.4", "#8c6d00", "p"),
+    "q4_4": ("Q4.4", "#8c6d00", "*"),
     "q8_8": ("Q8.8", "#cc79a7", "D"),
     "q16_16": ("Q16.16", "#0072b2", "o"),
     "q8_24": ("Q8.24", "#009e73", "^"),
     "q32_32": ("Q32.32", "#56b4e9", "s"),
     "float": ("float", "#e69f00", "P"),
+    "s8_7": ("_Accum s8.7", ACCUM, "D"),
+    "s16_15": ("_Accum s16.15", ACCUM, "o"),
+    "s32_31": ("_Accum s32.31", ACCUM, "s"),
+    "s16_47": ("_Accum s16.47", ACCUM, "^"),
+    "int8": ("int8_t", INTEGER, "*"),
+    "int16": ("int16_t", INTEGER, "D"),
+    "int32": ("int32_t", INTEGER, "o"),
+    "int64": ("int64_t", INTEGER, "s"),
 }
-RIVALS = {
-    "published": ("2016 design", "#d55e00", "X"),
-    "accum": ("GCC _Accum", "#999999", "d"),
-    "native": ("integer", "#444444", "."),
-}
+# The 2016 design, in whatever format.
+PUBLISHED = ("2016 design", "#d55e00", "X")
 OTHER = ("#000000", "*")
 # What no format has: measured against published, verdicts, theory.
 INK = "#222222"
@@ -38,37 +45,37 @@ def format_label(number_format):
     """Q8.24 of q8_24."""
     if number_format in FORMATS:
         return FORMATS[number_format][0]
-    return re.sub(r"^([qs])(\d+)_(\d+)$",
-                  lambda match: f"{match[1].upper() if match[1] == 'q' else 's'}{match[2]}.{match[3]}",
-                  number_format)
+    return re.sub(r"^q(\d+)_(\d+)$", r"Q\1.\2", number_format)
 
 
 def label(number_format, implementation="default"):
     """How a number format in an implementation is called."""
-    if implementation in RIVALS:
-        name = RIVALS[implementation][0]
-        return f"{format_label(number_format)}, {name}" if implementation == "published" else (
-            f"{name} {format_label(number_format)}")
+    plain = format_label(number_format)
+    if implementation == "published":
+        return f"{plain}, {PUBLISHED[0]}"
     if number_format == "float":
         return "avr-libc float"
-    plain = format_label(number_format)
-    if implementation == "default":
+    if implementation in ("default", "accum", "native"):
         return plain
     return f"{plain}, {IMPLEMENTATIONS.get(implementation, implementation).removeprefix('ours, ')}"
 
 
 def colour(number_format, implementation="default"):
-    """That of the format; of a rival its own."""
-    return (RIVALS.get(implementation) or FORMATS.get(number_format) or ("", *OTHER))[1]
+    """That of the format, or of the 2016 design."""
+    if implementation == "published":
+        return PUBLISHED[1]
+    return FORMATS[number_format][1] if number_format in FORMATS else OTHER[0]
 
 
 def marker(number_format, implementation="default"):
-    return (RIVALS.get(implementation) or FORMATS.get(number_format) or ("", *OTHER))[2]
+    if implementation == "published":
+        return PUBLISHED[2]
+    return FORMATS[number_format][2] if number_format in FORMATS else OTHER[1]
 
 
 def face(number_format, implementation="default"):
     """The marker's inside: empty for a variant of a format beside its default."""
-    plain = implementation in ("default", "libc") or implementation in RIVALS
+    plain = implementation in ("default", "libc", "accum", "native", "published")
     return colour(number_format, implementation) if plain else "white"
 
 

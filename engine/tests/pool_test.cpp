@@ -10,6 +10,43 @@ using engine::Error;
 
 namespace {
 
+struct Points : engine::Uses {
+    static constexpr unsigned particles = 1, anchored_rods = 1;
+    using Solver = engine::ProjectedGaussSeidel<1>;
+};
+struct PointsInSpace : Points {
+    static constexpr unsigned char dimensions = 3;
+};
+struct Pulled : Points {
+    static constexpr unsigned anchored_springs = 1;
+};
+struct Spheres : Points {
+    static constexpr bool radii = true;
+};
+struct Damped : Points {
+    static constexpr bool damping = true;
+};
+struct Compensated : Points {
+    static constexpr bool compensated_integration = true;
+};
+struct Sorted : Points {
+    using Solver = engine::WorstFirst<1>;
+};
+template <class Uses>
+constexpr std::size_t numbers_of_a_particle =
+    sizeof(typename engine::World<double, Uses>::Particle) / sizeof(double);
+
+// Position, velocity and inverse mass; and what the scene states beside.
+TEST(Particle, HoldsOnlyWhatItsSceneStates) {
+    EXPECT_EQ(numbers_of_a_particle<Points>, 5u);
+    EXPECT_EQ(numbers_of_a_particle<PointsInSpace>, 7u);
+    EXPECT_EQ(numbers_of_a_particle<Pulled>, 7u);       // the force
+    EXPECT_EQ(numbers_of_a_particle<Spheres>, 6u);      // the radius
+    EXPECT_EQ(numbers_of_a_particle<Damped>, 6u);       // the factor
+    EXPECT_EQ(numbers_of_a_particle<Compensated>, 9u);  // two residuals
+    EXPECT_EQ(numbers_of_a_particle<Sorted>, 7u);       // the displacement
+}
+
 // N particles that fall from rest, side by side.
 template <class World>
 void add_particles(World& world, unsigned count) {

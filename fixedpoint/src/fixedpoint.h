@@ -16,6 +16,7 @@
 #include <fixedpoint/fixed.hpp>
 #include <fixedpoint/literals.hpp>
 #include <fixedpoint/math.hpp>
+#include <fixedpoint/printable.hpp>
 #include <fixedpoint/serial.hpp>
 #include <fixedpoint/text.hpp>
 #include <fixedpoint/vector.hpp>

@@ -387,21 +387,29 @@ q8_24 q8_24_shift_right(q8_24 a, uint8_t count);
 q8_24 q8_24_sqrt(q8_24 a)
     FIXEDPOINT_C_KERNEL(fixedpoint_sqrt_q8_24);
 /// 1 / sqrt(a) within 0.75 ulp, saturated to Q8_24_MAX, which it is where a is 0; 0 where a < 0.
-q8_24 q8_24_reciprocal_sqrt(q8_24 a);
+q8_24 q8_24_reciprocal_sqrt(q8_24 a)
+    FIXEDPOINT_C_KERNEL(fixedpoint_reciprocal_sqrt_q8_24);
 /// The sine of any angle in radians within 0.75 ulp, never beyond -1 and 1.
-q8_24 q8_24_sin(q8_24 angle);
+q8_24 q8_24_sin(q8_24 angle)
+    FIXEDPOINT_C_KERNEL(fixedpoint_sin_q8_24);
 /// The cosine of any angle in radians within 0.75 ulp, never beyond -1 and 1.
-q8_24 q8_24_cos(q8_24 angle);
+q8_24 q8_24_cos(q8_24 angle)
+    FIXEDPOINT_C_KERNEL(fixedpoint_cos_q8_24);
 /// Writes what sin and cos return, in less time than both take.
-void q8_24_sincos(q8_24 angle, q8_24 sine_and_cosine[2]);
+void q8_24_sincos(q8_24 angle, q8_24 sine_and_cosine[2])
+    FIXEDPOINT_C_KERNEL(fixedpoint_sincos_q8_24);
 /// The arc tangent in radians within 0.75 ulp.
-q8_24 q8_24_atan(q8_24 a);
+q8_24 q8_24_atan(q8_24 a)
+    FIXEDPOINT_C_KERNEL(fixedpoint_atan_q8_24);
 /// The angle of the vector (x, y) in radians, in (-pi, pi], within 0.75 ulp; 0 where both are 0.
-q8_24 q8_24_atan2(q8_24 y, q8_24 x);
+q8_24 q8_24_atan2(q8_24 y, q8_24 x)
+    FIXEDPOINT_C_KERNEL(fixedpoint_atan2_q8_24);
 /// e^a within 1 ulp, saturated to Q8_24_MAX; 0 where e^a is below half an ulp or about it.
-q8_24 q8_24_exp(q8_24 a);
+q8_24 q8_24_exp(q8_24 a)
+    FIXEDPOINT_C_KERNEL(fixedpoint_exp_q8_24);
 /// The natural logarithm within 1 ulp; Q8_24_MIN where a <= 0.
-q8_24 q8_24_log(q8_24 a);
+q8_24 q8_24_log(q8_24 a)
+    FIXEDPOINT_C_KERNEL(fixedpoint_log_q8_24);
 /// a[0] b[0] + a[1] b[1] rounded once, to nearest, half up, modulo 2^8.
 q8_24 q8_24_dot2(const q8_24 a[2], const q8_24 b[2])
     FIXEDPOINT_C_KERNEL(fixedpoint_dot2_q8_24);

@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Writes src/fixedpoint/avr/sin_polynomial.inc and atan_polynomial.inc, the coefficients of the
-kernels without tables: odd polynomials of least largest error on [0, 1], by the exchange algorithm
-(Evgeny Remez, 1934), as 24-bit fractions, with the error that they leave."""
+"""Writes src/fixedpoint/avr/sin_polynomial.inc, the coefficients of sin_q16_16_small.S: the odd
+polynomial of least largest error on [0, 1], by the exchange algorithm (Evgeny Remez, 1934), as
+24-bit fractions, with the error that it leaves."""
 
-from math import atan, pi, sin
+from math import pi, sin
 
 import page
 
@@ -43,12 +43,10 @@ def minimax(function, terms):
 
 
 if __name__ == "__main__":
-    for name, text, function, terms in [
-            ("sin", "sin(pi/2 x) / 2", lambda x: sin(pi / 2 * x) / 2, 4),
-            ("atan", "atan(x)", atan, 7)]:
-        coefficients, error = minimax(function, terms)
-        lines = ["// SPDX-License-Identifier: MIT",
-                 "// DO NOT EDIT: written by python3 fixedpoint/tables/minimax.py",
-                 f"// {text} = x (C0 - x^2 (C1 - x^2 (C2 - ...))) / 2^24, within {error:.1e}",
-                 *(f"#define C{i} {round(abs(c) * 2**24)}" for i, c in enumerate(coefficients))]
-        (page.SOURCE / f"avr/{name}_polynomial.inc").write_text("\n".join(lines) + "\n")
+    coefficients, error = minimax(lambda x: sin(pi / 2 * x) / 2, 4)
+    lines = ["// SPDX-License-Identifier: MIT",
+             "// DO NOT EDIT: written by python3 fixedpoint/tables/minimax.py",
+             "// sin(pi/2 x) / 2 = x (C0 - x^2 (C1 - x^2 (C2 - ...))) / 2^24, within "
+             f"{error:.1e}",
+             *(f"#define C{i} {round(abs(c) * 2**24)}" for i, c in enumerate(coefficients))]
+    (page.SOURCE / "avr/sin_polynomial.inc").write_text("\n".join(lines) + "\n")

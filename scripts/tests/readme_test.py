@@ -79,7 +79,7 @@ def commands(text):
     for quoted in re.finditer(r"`([^`]+)`", plain):
         command = " ".join(quoted.group(1).split())
         # A path by itself names a file, and `fixbench` the program.
-        if STARTS.match(command + " ") and not command.endswith(("/", ".py", ".hpp", ".cpp", ".cmake")) \
+        if STARTS.match(command + " ") and not command.endswith(("/", ".py", ".hpp", ".cpp", ".cmake", ".txt")) \
                 and command != "fixbench":
             yield plain[:quoted.start()].count("\n") + 1, command
 

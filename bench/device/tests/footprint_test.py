@@ -51,6 +51,16 @@ class Footprint(unittest.TestCase):
             for subject, row in footprints(program).items():
                 self.assertEqual(row["ram_bytes"], "0", subject)
 
+    def test_functions_that_share_code_take_less_together(self):
+        rows = {subject: int(row["flash_bytes"]) for subject, row in footprints("q16_16").items()}
+        small = [subject for subject in rows
+                 if subject.endswith("_small")
+                 and not subject.startswith(("own_", "nine_"))]
+        together = rows["own_q16_16_small"]
+        self.assertGreater(together, max(rows[subject] for subject in small))
+        self.assertLess(together, sum(rows[subject] for subject in small))
+        self.assertLessEqual(together, 2400)
+
     def test_multiplication_fits_two_hundred_bytes(self):
         self.assertIn(int(footprints("q16_16")["multiply_q16_16_default"]["flash_bytes"]),
                       range(1, 201))

@@ -235,24 +235,27 @@ void load_footprints(Footprints& footprints, std::filesystem::path program) {
     for (const auto& row : table.rows()) footprints[row[subject]] = {row[flash], row[ram]};
 }
 
-// A row of flash.csv: what a program pays that uses several operations.
+// A row of flash.csv: what a program pays that uses several operations, of the format in the
+// implementation. `operations` is "nine" or "own", as bench/device/link_subjects.py says.
 struct Flash {
-    std::string format, implementation;
-    std::string flash_bytes, ram_bytes;
+    std::string operations, format, implementation, flash_bytes, ram_bytes;
 
     static constexpr auto columns = std::tuple(
-        column("format", &Flash::format), column("implementation", &Flash::implementation),
+        column("operations", &Flash::operations), column("format", &Flash::format),
+        column("implementation", &Flash::implementation),
         column("flash_bytes", &Flash::flash_bytes), column("ram_bytes", &Flash::ram_bytes));
 };
 
 std::vector<Flash> flash_of(const Footprints& footprints) {
     std::vector<Flash> programs;
-    constexpr std::string_view prefix = "all_";
     for (const auto& [name, footprint] : footprints) {
-        if (!name.starts_with(prefix)) continue;
-        const std::size_t cut = name.rfind('_');
-        programs.push_back({name.substr(prefix.size(), cut - prefix.size()), name.substr(cut + 1),
-                            footprint.flash_bytes, footprint.ram_bytes});
+        for (const std::string operations : {"nine", "own"}) {
+            if (!name.starts_with(operations + '_')) continue;
+            const std::size_t format = operations.size() + 1, implementation = name.rfind('_') + 1;
+            programs.push_back({operations, name.substr(format, implementation - 1 - format),
+                                name.substr(implementation), footprint.flash_bytes,
+                                footprint.ram_bytes});
+        }
     }
     return programs;
 }

@@ -17,11 +17,8 @@ using reference::Operation;
 
 __extension__ using Unsigned128 = unsigned __int128;
 
-constexpr double physics_least = 0.01;
 // exp(20) is 4.9e8, and Q16.16 ends at 32768.
-constexpr double physics_greatest(Operation operation) {
-    return operation == Operation::exp ? 10 : 20;
-}
+constexpr double physics_least = 0.01, physics_greatest = 20, physics_greatest_of_exp = 10;
 
 bool takes_positive_operands(Operation operation) {
     const reference::Domain domain = reference::shape(operation).domain;
@@ -112,7 +109,8 @@ std::int64_t Sampler::draw_magnitude() {
             return one == 1 ? 1 : 1 + below(one - 1);
         }
         case OperandClass::physics:
-            return log_uniform(physics_least, physics_greatest(operation_));
+            return log_uniform(physics_least, operation_ == Operation::exp ? physics_greatest_of_exp
+                                                                           : physics_greatest);
         default:
             return log_uniform(0, HUGE_VAL);
     }

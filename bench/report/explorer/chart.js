@@ -110,7 +110,7 @@ export function chart({ label, points, x, y, under = [], height = 280, describe,
     const texts = (left) => Plot.text(labels.filter((label) => label.left === left).map(({ point }) => point),
       { ...place, text: "text", dx: left ? -8 : 8, dy: -6, textAnchor: left ? "end" : "start", fill: "var(--soft)", stroke: "var(--card)", strokeWidth: 3 });
     plot = Plot.plot({ width, height, marginLeft: 50, marginRight: 16, marginBottom: 38, marginTop: 26, ...scales,
-      ariaLabel: label, x: { type: "log", domain: x.domain }, y: { type: "log", domain: y.domain },
+      x: { type: "log", domain: x.domain }, y: { type: "log", domain: y.domain },
       marks: [
         // The library would leave out some of the labels that a logarithmic axis is told to have.
         Plot.gridX(x.ticks), Plot.gridY(y.ticks),
@@ -122,6 +122,8 @@ export function chart({ label, points, x, y, under = [], height = 280, describe,
         drawn((at) => at.hollow, { stroke: "style", fill: "var(--card)", strokeWidth: 1.8 }),
         // Finds the nearest point, and draws nothing.
         Plot.dot(points, Plot.pointer({ ...place, stroke: "none", maxRadius: 30 }))] });
+    // What a reader of screens needs is told by the holder.
+    plot.setAttribute("aria-hidden", "true");
     plot.addEventListener("input", () => point(plot.value, false));
     holder.replaceChildren(plot);
   }
@@ -149,7 +151,10 @@ export function drawing(label, options) {
   let last = 0;
   new ResizeObserver(([{ contentRect }]) => {
     const width = Math.floor(contentRect.width);
-    if (width > 0 && width !== last) holder.replaceChildren(Plot.plot({ ...options, width: (last = width) }));
+    if (width === 0 || width === last) return;
+    const plot = Plot.plot({ ...options, width: (last = width) });
+    plot.setAttribute("aria-hidden", "true");
+    holder.replaceChildren(plot);
   }).observe(holder);
   return holder;
 }

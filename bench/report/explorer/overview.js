@@ -59,7 +59,7 @@ export function build(root, state) {
       return !(range > maximum) && !(place > resolution);
     };
     const fitting = unique(subjects.map(([format]) => format)).filter(fits);
-    told.textContent = Number.isNaN(range) && Number.isNaN(resolution) ? "Type what you need: formats that do not hold it fade."
+    told.textContent = Number.isNaN(range) && Number.isNaN(resolution) ? "Type what you need: formats that do not hold it are struck out."
       : fitting.length ? `${fitting.map(formatLabel).join(", ")} ${fitting.length === 1 ? "holds" : "hold"} it.` : "No format of these holds it.";
     const everyRun = [...rows("operations"), ...rows("exhaustive")];
     holder.replaceChildren(h("table", {}, h("thead", {}, h("tr", {}, ["format", "range, resolution", "largest error, ulp"].map((text, index) => h("th", { scope: "col", class: index ? null : "corner" }, text)),
@@ -69,7 +69,8 @@ export function build(root, state) {
       const together = rows("flash").find((row) => row.format === format && row.implementation === implementation);
       const { maximum, resolution: least, relative } = formats[format];
       return h("tr", { class: fits(format) ? null : "unfit", "data-subject": `${format}/${implementation}` },
-        h("th", { scope: "row" }, letter(styled[`${format}/${implementation}`]), " ", formatLabel(format), implementation === "published" && h("small", { class: "unit" }, implementations.published.label)),
+        h("th", { scope: "row" }, letter(styled[`${format}/${implementation}`]), " ", formatLabel(format), implementation === "published" && h("small", { class: "unit" }, implementations.published.label),
+          !fits(format) && h("span", { class: "unseen" }, "does not hold it")),
         h("td", {}, `±${number(maximum < 1e10 ? Math.round(maximum) : maximum)}`, h("small", {}, least === null ? `${number(2 * relative)} × value` : number(least))),
         h("td", {}, worst(format, implementation)),
         columns.map(([operation]) => {

@@ -77,9 +77,9 @@ class Figures(unittest.TestCase):
     def tearDown(self):
         figures = [plt.figure(number) for number in plt.get_fignums()]
         plt.close("all")
-        for figure in figures:
-            for axes in figure.axes:
-                self.check_that_all_is_shown(axes)
+        for axes in (axes for figure in figures for axes in figure.axes):
+            self.check_that_all_is_shown(axes)
+            if not any(panel.images for panel in axes.figure.axes):  # their ticks are indices
                 self.check_ticks(axes)
 
     def check_that_all_is_shown(self, axes):
@@ -98,9 +98,11 @@ class Figures(unittest.TestCase):
     def check_ticks(self, axes):
         """A tick whose text is a number stands at that number; one of a lane within its bars."""
         for axis in (axes.xaxis, axes.yaxis):
-            if type(axis.get_major_formatter()).__name__ != "FixedFormatter":
+            if type(axis.get_major_locator()).__name__ != "FixedLocator":
                 continue
-            for place, label in zip(axis.get_majorticklocs(), axis.get_ticklabels()):
+            places = list(axis.get_majorticklocs())
+            self.assertEqual(len(set(places)), len(places), axes.get_title())
+            for place, label in zip(places, axis.get_ticklabels()):
                 if label.get_text().replace(".", "", 1).isdigit():
                     self.assertEqual(float(label.get_text()), place, axes.get_title())
         lanes = [path for bars in axes.collections if type(bars).__name__ == "PolyCollection"
@@ -194,10 +196,12 @@ multiply q8_24 default physics 108
 
     def test_flash_of_a_program_with_several(self):
         made = golden(flash="""
-format implementation flash_bytes
-float libc 2388
-q16_16 small 2500
-q16_16 default 9000
+operations format implementation flash_bytes
+nine float libc 2388
+nine q16_16 small 2500
+nine q16_16 default 9000
+own q16_16 default 900
+own q8_8 small 90
 """)
         self.assertEqual(operations.flash_together(made, "q16_16"), 9000)
         self.assertIsNone(operations.flash_together(made, "q8_8"))
@@ -596,6 +600,18 @@ q16_16 yes fixed 1000 swings swings
                                      "theory": 0, "plants": 2, "still": 0, "hardest": None,
                                      "theory_arm": None, "chip": None})
 
+    def test_the_rate_that_a_lever_runs_at(self):
+        made, data = golden(haptic="""
+scenario arithmetic loop_rate_hz
+poke_while_held q16_16 1000.4
+poke_while_held published 94
+"""), self.data()
+        data._loaded |= made._loaded
+        self.assertEqual([row["rate"] for row in haptic_region.at_own_rate(data)],
+                         ["1000", "100, its own clock"])
+        made.rows("haptic")[0]["loop_rate_hz"] = 512
+        self.assertEqual([row["rate"] for row in haptic_region.at_own_rate(data)], ["100, its own clock"])
+
     def test_agreement(self):
         self.assertEqual(haptic_region.agreement(self.data()), (2, 3))
         self.assertEqual(haptic_region.differing(self.data()), {"ours, Q16.16 at 1000 Hz": 1})
@@ -610,13 +626,22 @@ q16_16 yes fixed 1000 swings swings
                          [("2", (0, 0), "black"), ("0", (1, 1), "white")])
         self.assertEqual([axes.get_title() for axes in figure.axes[:2]], ["its own clock", "1000 Hz"])
 
+    def test_panels_are_in_order_of_rate_after_the_published_one(self):
+        rates = "".join(f"q16_16 yes {clock} {rate} 0.23 30 4 4 4 4\n"
+                        for clock, rate in (("fixed", 1000), ("report", 100), ("fixed", 50)))
+        rows = REGION.strip().splitlines()[0] + "\n" + rates
+        figure = haptic_region.draw(golden(stable_region=rows))
+        self.assertEqual([axes.get_title() for axes in figure.axes[:3]],
+                         ["its own clock", "50 Hz", "1000 Hz"])
+
     def test_numbers_can_be_read_on_their_shade(self):
-        axes = plt.figure().add_subplot()
-        rows = [{"arm_m": arm, "hand_n_per_m": 30, "plants": 4, "still": arm, "still_thrown": 3}
-                for arm in range(5)]
-        haptic_region.write_thrown(axes, rows, list(range(5)), [30])
-        self.assertEqual([text.get_color() for text in axes.texts],
-                         ["white", "white", "black", "black", "black"])
+        for plants, white in ((4, 2), (5, 3)):
+            axes = plt.figure().add_subplot()
+            rows = [{"arm_m": arm, "hand_n_per_m": 30, "plants": plants, "still": arm,
+                     "still_thrown": 3} for arm in range(5)]
+            haptic_region.write_thrown(axes, rows, list(range(5)), [30])
+            self.assertEqual([text.get_color() for text in axes.texts],
+                             white * ["white"] + (5 - white) * ["black"])
 
     def test_oscillation_of_the_last_second(self):
         import math
@@ -757,6 +782,19 @@ class Replay(Figures):
         self.assertIn("(Q16.16, SHA-256", text)
         self.assertIn('"what":"a <\\/script> within"', text)
         self.assertIn(">0123456789ab…<", text)
+
+
+class Style(unittest.TestCase):
+    def test_every_format_has_a_colour_and_marker_of_its_own(self):
+        looks = [row[1:] for row in (*style.FORMATS.values(), style.PUBLISHED)]
+        self.assertEqual(len(set(looks)), len(looks))
+        self.assertEqual([style.label(*kind) for kind in (
+            ("q16_16", "default"), ("q8_24", "saturating"), ("q16_16", "published"), ("float", "libc"),
+            ("s16_15", "accum"), ("q5_27", "default"))],
+            ["Q16.16", "Q8.24, saturating", "Q16.16, 2016 design", "avr-libc float", "_Accum s16.15",
+             "Q5.27"])
+        self.assertEqual(style.face("q16_16", "small"), "white")
+        self.assertEqual(style.face("q16_16"), style.colour("q16_16"))
 
 
 class ChooseAFormat(unittest.TestCase):

@@ -43,9 +43,10 @@ void constrain(const Plane<Scalar, Vector>& plane, Index a, World& world, TimeSt
     const auto& particle = world.step_particles()[a];
     if (!movable(particle)) return;
     Scalar height = dot(plane.normal, particle.position) - plane.offset;
-    only_if<World::Uses::radii>(particle, [&](auto& sphere) { height -= sphere.radius; });
+    only_if<World::Uses::radii>(
+        particle, [&](const typename World::Particle& sphere) { height -= radius_of(sphere); });
     if (height < Scalar()) {
-        World::Solver::contact(world, a, nothing<Index>, plane.normal, -height, plane.restitution,
+        World::Solver::contact(world, a, nothing<Index>(), plane.normal, -height, plane.restitution,
                                dt);
     }
 }

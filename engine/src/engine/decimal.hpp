@@ -6,6 +6,7 @@
 #pragma once
 
 #include <engine/scalar.hpp>
+#include <fixedpoint/literals.hpp>
 
 namespace engine {
 
@@ -14,7 +15,7 @@ template <int64_t digits, unsigned char places>
 struct Decimal;
 
 constexpr int64_t power_of_ten(unsigned char exponent) {
-    return exponent == 0 ? 1 : 10 * power_of_ten(exponent - 1);
+    return exponent == 0 ? 1 : 10 * power_of_ten(static_cast<unsigned char>(exponent - 1));
 }
 
 // digits / 10^places in a scalar.
@@ -22,30 +23,57 @@ template <class Scalar, int64_t digits, unsigned char places>
 struct DecimalIn {
     static constexpr Scalar value() { return Scalar(digits) / Scalar(power_of_ten(places)); }
 };
-// Rounds once even where there are more digits than the type holds: the quotient has at least two
-// bits more than the type, its last bit is set where a remainder is left, and the scaling by a
-// power of two is exact.
+
+// |digits| / 10^places digit by digit: how often the divisor goes into so many doubled numbers, and
+// what is left. Functions of one return statement, so that C++11, too, computes constants when it
+// compiles.
+template <int64_t digits, unsigned char places>
+struct BinaryDigits {
+    struct Division {
+        uint64_t quotient, remainder;
+    };
+    static constexpr uint64_t divisor = static_cast<uint64_t>(power_of_ten(places));
+    static constexpr uint64_t magnitude = static_cast<uint64_t>(digits < 0 ? -digits : digits);
+
+    static constexpr Division first() { return {magnitude / divisor, magnitude % divisor}; }
+    static constexpr Division doubled(Division d) {
+        return {2 * d.quotient + (2 * d.remainder >= divisor), 2 * d.remainder % divisor};
+    }
+    static constexpr Division doubled(Division d, int times) {
+        return times == 0 ? d : doubled(doubled(d), times - 1);
+    }
+
+    // Rounds once even where there are more digits than the type holds: the quotient has at least
+    // two bits more than the type, its last bit is set where a remainder is left, and the scaling
+    // by a power of two is exact.
+    template <class Binary>
+    static constexpr Binary rounded(Division d, int bits, Binary unit) {
+        return d.remainder == 0 || d.quotient >> (bits + 2) != 0
+                   ? static_cast<Binary>(d.quotient | (d.remainder != 0)) * unit
+                   : rounded(doubled(d), bits, unit / 2);
+    }
+    template <class Binary>
+    static constexpr Binary rounded(int bits) {
+        return rounded<Binary>(first(), bits, digits < 0 ? -1 : 1);
+    }
+
+    // |raw| of the number with F fraction bits, rounded half up; all ones where it is above
+    // `limit`.
+    static constexpr uint64_t rounded(Division d) {
+        return d.quotient + (2 * d.remainder + (digits < 0 ? 0 : 1) > divisor);
+    }
+    static constexpr uint64_t magnitude_with(int F, uint64_t limit) {
+        return magnitude / divisor > limit >> F || rounded(doubled(first(), F)) > limit
+                   ? static_cast<uint64_t>(-1)
+                   : rounded(doubled(first(), F));
+    }
+};
+
+// Constants are members, so that they are constants wherever they stand.
 template <class Binary, int bits, int64_t digits, unsigned char places>
 struct DecimalInBinary {
-    static constexpr Binary value() {
-        constexpr Binary number = rounded();
-        return number;
-    }
-    static constexpr Binary rounded() {
-        const int64_t divisor = power_of_ten(places);
-        const int64_t magnitude = digits < 0 ? -digits : digits;
-        int64_t quotient = magnitude / divisor;
-        int64_t remainder = magnitude % divisor;
-        Binary unit = 1;
-        while (remainder != 0 && quotient >> (bits + 2) == 0) {
-            remainder *= 2;
-            quotient = 2 * quotient + (remainder >= divisor);
-            remainder %= divisor;
-            unit /= 2;
-        }
-        const Binary size = static_cast<Binary>(quotient | (remainder != 0)) * unit;
-        return digits < 0 ? -size : size;
-    }
+    static constexpr Binary constant = BinaryDigits<digits, places>::template rounded<Binary>(bits);
+    static constexpr Binary value() { return constant; }
 };
 template <int64_t digits, unsigned char places>
 struct DecimalIn<float, digits, places> : DecimalInBinary<float, 24, digits, places> {};
@@ -54,12 +82,15 @@ struct DecimalIn<double, digits, places> : DecimalInBinary<double, 53, digits, p
 template <int I, int F, class A, int64_t digits, unsigned char places>
 struct DecimalIn<Fixed<I, F, A>, digits, places> {
     using Number = Fixed<I, F, A>;
-    static constexpr Number value() {
-        constexpr auto rounded = fixedpoint::from_decimal_checked<Number>(digits, places);
-        static_assert(rounded.fits, "This decimal constant lies outside the range of the format.");
-        constexpr typename Number::Raw raw = rounded.number.raw();
-        return Number::from_raw(raw);
-    }
+    using Raw = typename Number::Raw;
+    static constexpr uint64_t limit =
+        static_cast<uint64_t>(fixedpoint::RawLimits<Raw>::max) + (digits < 0);
+    static constexpr uint64_t magnitude = BinaryDigits<digits, places>::magnitude_with(F, limit);
+    static_assert(magnitude <= limit,
+                  "This decimal constant lies outside the range of the format.");
+    static constexpr Raw raw = fixedpoint::with_sign<Raw>(
+        static_cast<fixedpoint::UnsignedInteger<I + F>>(magnitude), digits < 0);
+    static constexpr Number value() { return Number::from_raw(raw); }
 };
 /// \endcond
 
@@ -79,45 +110,28 @@ struct Decimal {
     constexpr Decimal<-digits, places> operator-() const { return {}; }
 };
 
+namespace literals {
+
 /// \cond internal
 // The characters of a literal: digits, at most one point, separators.
 template <char... Text>
 struct DecimalText {
-    static constexpr int64_t digits() {
-        const char text[] = {Text...};
-        int64_t value = 0;
-        for (char c : text) {
-            if (c >= '0' && c <= '9') value = 10 * value + (c - '0');
-        }
-        return value;
-    }
-    static constexpr unsigned char places() {
-        const char text[] = {Text...};
-        unsigned char count = 0;
-        bool fraction = false;
-        for (char c : text) {
-            if (fraction && c != '\'') ++count;
-            if (c == '.') fraction = true;
-        }
-        return count;
-    }
-    static constexpr bool plain() {
-        const char text[] = {Text...};
-        for (char c : text) {
-            if ((c < '0' || c > '9') && c != '.' && c != '\'') return false;
-        }
-        return true;
-    }
+    using Literal = fixedpoint::literals::LiteralText<Text...>;
+    static constexpr const char* begin() { return Literal::text; }
+    static constexpr const char* end() { return Literal::text + sizeof...(Text); }
+    static_assert(sizeof...(Text) < 19 && Literal::is_decimal &&
+                      fixedpoint::portable::mantissa_end(begin(), end()) == end(),
+                  "A decimal constant is digits with at most one point: 12, 0.38.");
+    static constexpr int64_t digits =
+        static_cast<int64_t>(fixedpoint::portable::literal_digits<uint64_t>(begin(), end(), 0));
+    static constexpr unsigned char places =
+        static_cast<unsigned char>(fixedpoint::portable::count_decimals(begin(), end(), false));
 };
 /// \endcond
 
-namespace literals {
-
 /// The constant of up to 18 digits with at most one point: 12_d, 0.38_d.
 template <char... Text>
-constexpr Decimal<DecimalText<Text...>::digits(), DecimalText<Text...>::places()> operator""_d() {
-    static_assert(DecimalText<Text...>::plain() && sizeof...(Text) < 19,
-                  "A decimal constant is digits with at most one point: 12, 0.38.");
+constexpr Decimal<DecimalText<Text...>::digits, DecimalText<Text...>::places> operator""_d() {
     return {};
 }
 

@@ -4,6 +4,8 @@
 /// is NaN or infinite is as bad as a negative one.
 #pragma once
 
+#include <fixedpoint/constexpr.hpp>
+
 namespace engine {
 
 /// The first error of a world; none of them stops it.
@@ -27,7 +29,7 @@ enum class Error : unsigned char {
 };
 
 /// The error in words, for hosts.
-constexpr const char* describe(Error error) {
+FIXEDPOINT_CONSTEXPR const char* describe(Error error) {
     switch (error) {
         case Error::none:
             return "no error";

@@ -10,14 +10,16 @@ namespace engine {
 
 /// In place of the second particle's index where there is none.
 template <class Index>
-constexpr Index nothing = static_cast<Index>(-1);
+constexpr Index nothing() {
+    return static_cast<Index>(-1);
+}
 
 /// The ends are the particles a and b.
 template <class Vector, class Index>
 struct Between {
     /// The index of a particle.
     /// @{
-    Index a = 0, b = 0;
+    Index a, b;
     /// @}
 
     /// \cond internal
@@ -33,11 +35,11 @@ struct Between {
 template <class Vector, class Index>
 struct Anchored {
     /// The index of the particle.
-    Index a = 0;
+    Index a;
     Vector anchor;  ///< m
 
     /// \cond internal
-    constexpr Index second() const { return nothing<Index>; }
+    constexpr Index second() const { return nothing<Index>(); }
     template <class World>
     constexpr Vector difference(const World& world) const {
         return world.particles()[a].position - anchor;
@@ -49,27 +51,27 @@ struct Anchored {
 template <class Scalar, class Ends>
 struct Spring {
     /// The two ends.
-    Ends ends = {};
-    Scalar stiffness = Scalar();    ///< N/m
-    Scalar damping = Scalar();      ///< N s/m
-    Scalar rest_length = Scalar();  ///< m
+    Ends ends;
+    Scalar stiffness;    ///< N/m
+    Scalar damping;      ///< N s/m
+    Scalar rest_length;  ///< m
 };
 
 /// Holds its ends at a distance.
 template <class Scalar, class Ends>
 struct Rod {
     /// The two ends.
-    Ends ends = {};
-    Scalar length = Scalar();  ///< m
+    Ends ends;
+    Scalar length;  ///< m
 };
 
 /// Keeps its ends no further apart than its length.
 template <class Scalar, class Ends>
 struct Rope {
     /// The two ends.
-    Ends ends = {};
-    Scalar length = Scalar();       ///< m
-    Scalar restitution = Scalar();  ///< 0..1 of the velocity at which it becomes taut
+    Ends ends;
+    Scalar length;       ///< m
+    Scalar restitution;  ///< 0..1 of the velocity at which it becomes taut
 };
 
 /// \cond internal
@@ -87,24 +89,24 @@ Scalar& length_in(Spring<Scalar, Ends>& spring) {
 template <class Scalar, class Index>
 struct Drag {
     /// The index of the particle.
-    Index particle = 0;
-    Scalar linear = Scalar();     ///< N s/m
-    Scalar quadratic = Scalar();  ///< N s^2/m^2
+    Index particle;
+    Scalar linear;     ///< N s/m
+    Scalar quadratic;  ///< N s^2/m^2
 };
 
 /// The half space of the points x with normal . x >= offset is free, the rest is solid.
 template <class Scalar, class Vector>
 struct Plane {
-    Vector normal;                  ///< of length 1
-    Scalar offset = Scalar();       ///< m
-    Scalar restitution = Scalar();  ///< 0..1
+    Vector normal;       ///< of length 1
+    Scalar offset;       ///< m
+    Scalar restitution;  ///< 0..1
 };
 
 /// Whether the second end is a particle. Where a world has nothing that acts between two particles,
 /// that is known at compile time.
 template <class World, class Index>
 constexpr bool is_particle(const World&, Index second) {
-    return World::has_pairs && second != nothing<Index>;
+    return World::has_pairs && second != nothing<Index>();
 }
 
 /// The velocity of a against b, which may be nothing.

@@ -38,6 +38,32 @@ struct Displacement<Vector, true> {
     Vector displacement;  // m, by what the solver moved it in this step
 };
 
+// What a particle may not have: then these are only declared, since what names them is not called.
+template <class Scalar>
+Scalar& radius_of(Radius<Scalar, true>& particle) {
+    return particle.radius;
+}
+template <class Scalar>
+Scalar& radius_of(Radius<Scalar, false>&);
+template <class Scalar>
+Scalar& damping_of(Damping<Scalar, true>& particle) {
+    return particle.damping;
+}
+template <class Scalar>
+Scalar& damping_of(Damping<Scalar, false>&);
+template <class Vector>
+Vector& force_of(Force<Vector, true>& particle) {
+    return particle.force;
+}
+template <class Vector>
+Vector& force_of(Force<Vector, false>&);
+template <class Scalar>
+const Scalar& radius_of(const Radius<Scalar, true>& particle) {
+    return particle.radius;
+}
+template <class Scalar>
+const Scalar& radius_of(const Radius<Scalar, false>&);
+
 // Adds rate * dt to a vector. With residuals, what is below one ulp is carried to the next step.
 template <class Vector, bool exact>
 struct Residuals {

@@ -8,6 +8,7 @@
 
 #include <engine/choice.hpp>
 #include <engine/inline.hpp>
+#include <fixedpoint/constexpr.hpp>
 
 namespace engine {
 
@@ -33,13 +34,13 @@ class Elements {
     constexpr Index size() const { return size_; }
 
     /// The element of that index, which needs no look-up where there is room for one only.
-    constexpr T& operator[](Index i) { return elements_[capacity == 1 ? 0 : i]; }
+    FIXEDPOINT_CONSTEXPR T& operator[](Index i) { return elements_[capacity == 1 ? 0 : i]; }
     /// The element of that index.
     constexpr const T& operator[](Index i) const { return elements_[capacity == 1 ? 0 : i]; }
     /// For range-based loops, in the order in which the elements were added.
     /// @{
-    constexpr T* begin() { return elements_; }
-    constexpr T* end() { return elements_ + size_; }
+    FIXEDPOINT_CONSTEXPR T* begin() { return elements_; }
+    FIXEDPOINT_CONSTEXPR T* end() { return elements_ + size_; }
     constexpr const T* begin() const { return elements_; }
     constexpr const T* end() const { return elements_ + size_; }
     /// @}
@@ -79,8 +80,8 @@ class Elements<T, 0> {
     using Index = uint8_t;
 
     constexpr Index size() const { return 0; }
-    constexpr T* begin() { return nullptr; }
-    constexpr T* end() { return nullptr; }
+    FIXEDPOINT_CONSTEXPR T* begin() { return nullptr; }
+    FIXEDPOINT_CONSTEXPR T* end() { return nullptr; }
     constexpr const T* begin() const { return nullptr; }
     constexpr const T* end() const { return nullptr; }
     template <class Function>
@@ -95,11 +96,11 @@ class Pool : public Elements<T, capacity> {
     /// Whether there is room for no more.
     constexpr bool full() const { return this->size_ == capacity; }
     /// Removes all elements.
-    constexpr void clear() { this->size_ = 0; }
+    FIXEDPOINT_CONSTEXPR void clear() { this->size_ = 0; }
     /// Needs !full(). The new element is still what it was made as, or what it was before clear().
-    constexpr T& append() { return (*this)[this->size_++]; }
+    FIXEDPOINT_CONSTEXPR T& append() { return (*this)[this->size_++]; }
     /// Adds a copy of the element and returns it. Needs !full().
-    constexpr T& append(const T& element) { return append() = element; }
+    FIXEDPOINT_CONSTEXPR T& append(const T& element) { return append() = element; }
 };
 
 /// \cond internal
@@ -107,7 +108,7 @@ template <class T>
 class Pool<T, 0> : public Elements<T, 0> {
   public:
     constexpr bool full() const { return true; }
-    constexpr void clear() {}
+    FIXEDPOINT_CONSTEXPR void clear() {}
 };
 /// \endcond
 

@@ -25,7 +25,7 @@ using SaturatingFixed = Fixed<I, F, fixedpoint::Saturating>;
 
 /// The sum of a_i b_i over N components.
 template <int N, class Scalar>
-constexpr Scalar dot(const Scalar* a, const Scalar* b) {
+FIXEDPOINT_CONSTEXPR Scalar dot(const Scalar* a, const Scalar* b) {
     Scalar sum = a[0] * b[0];
     for (unsigned char i = 1; i < N; ++i) sum += a[i] * b[i];
     return sum;

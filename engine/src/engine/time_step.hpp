@@ -89,8 +89,8 @@ constexpr Fixed<I, F, A> operator*(Fixed<I, F, A> a, BinaryStep<K>) {
 
 /// floor((a + residual) / 2^count); the remainder, in units of an ulp, is the new residual.
 template <int I, int F, class A>
-constexpr Fixed<I, F, A> carried_shift(Fixed<I, F, A> a, unsigned char count,
-                                       Fixed<I, F, A>& residual) {
+FIXEDPOINT_CONSTEXPR Fixed<I, F, A> carried_shift(Fixed<I, F, A> a, unsigned char count,
+                                                  Fixed<I, F, A>& residual) {
     using Raw = typename Fixed<I, F, A>::Raw;
     const auto sum = saturating_sum(a, residual);
     const auto whole = sum >> count;

@@ -18,8 +18,7 @@ constexpr bool is_at_least_0(Scalar a) {
 }
 template <class Scalar>
 constexpr bool is_between_0_and_1(Scalar a) {
-    const Scalar one = Decimal<1, 0>();
-    return is_at_least_0(a) && !(one < a);
+    return is_at_least_0(a) && !(Scalar(Decimal<1, 0>()) < a);
 }
 
 // By how much the square of a normal may be off 1: its length by 2^-9, so that 0.707 will do; in a

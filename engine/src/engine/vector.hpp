@@ -61,7 +61,7 @@ struct Vector {
 
     /// The component i, which must be less than N.
     /// @{
-    constexpr Scalar& operator[](unsigned char i) { return component[i]; }
+    FIXEDPOINT_CONSTEXPR Scalar& operator[](unsigned char i) { return component[i]; }
     constexpr const Scalar& operator[](unsigned char i) const { return component[i]; }
     /// @}
 
@@ -113,7 +113,7 @@ struct Vector {
     }
 
     /// Whether all components are equal.
-    friend constexpr bool operator==(const Vector& a, const Vector& b) {
+    friend FIXEDPOINT_CONSTEXPR bool operator==(const Vector& a, const Vector& b) {
         for (unsigned char i = 0; i < N; ++i) {
             if (!(a[i] == b[i])) return false;
         }

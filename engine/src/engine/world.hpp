@@ -53,9 +53,13 @@ struct Bounce<Scalar, true> {
 template <class World, class Index>
 struct ParticleHandle {
     /// The index of the particle.
-    Index index = nothing<Index>;
+    Index index;
+    /// Means no particle.
+    constexpr ParticleHandle() : index(nothing<Index>()) {}
+    /// Means the particle of that index.
+    constexpr ParticleHandle(Index of_particle) : index(of_particle) {}
     /// Whether it means a particle.
-    constexpr explicit operator bool() const { return index != nothing<Index>; }
+    constexpr explicit operator bool() const { return index != nothing<Index>(); }
 };
 
 /// Particles, what acts between them, and the step. `gravity`, in m/s^2, is a member where the
@@ -108,9 +112,21 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
     /// What the world holds of a particle.
     using Particle = engine::Particle<Scalar, Uses, has_forces, Solver::needs_displacement>;
     /// \cond internal
+    using Particles = Pool<Particle, Uses::particles>;
     using Ends = Between<Vector, Index>;
     using Anchor = Anchored<Vector, Index>;
+    using Spring = engine::Spring<Scalar, Ends>;
+    using AnchoredSpring = engine::Spring<Scalar, Anchor>;
+    using Rod = engine::Rod<Scalar, Ends>;
+    using AnchoredRod = engine::Rod<Scalar, Anchor>;
+    using Rope = engine::Rope<Scalar, Ends>;
+    using AnchoredRope = engine::Rope<Scalar, Anchor>;
+    using Drag = engine::Drag<Scalar, Index>;
+    using Plane = engine::Plane<Scalar, Vector>;
     using Row = typename Solver::template Row<World>;
+    using Rows = Pool<Row, static_cast<unsigned>(max_rows)>;
+    using PairMemory = typename BroadPhase::template Memory<World>;
+    using IntegratorMemory = typename Integrator::template Memory<World>;
     /// \endcond
     /// The scene's own force.
     using CustomForce = typename Uses::template CustomForce<World>;
@@ -130,11 +146,11 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
         particle.position = body.position;
         particle.velocity = body.velocity;
         particle.inverse_mass = body.inverse_mass;
-        only_if<Uses::radii>(particle, [&](auto& p) { p.radius = body.radius; });
-        only_if<Uses::damping>(particle, [&](auto& p) { p.damping = body.damping; });
+        only_if<Uses::radii>(particle, [&](Particle& p) { radius_of(p) = body.radius; });
+        only_if<Uses::damping>(particle, [&](Particle& p) { damping_of(p) = body.damping; });
         particles_.append(particle);
         integrator_memory_.restart();
-        return {static_cast<Index>(particles_.size() - 1)};
+        return Handle(static_cast<Index>(particles_.size() - 1));
     }
     /// A spring between two particles: stiffness in N/m, damping in N s/m, length in m, none
     /// negative.
@@ -228,14 +244,18 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
     const Elements<Particle, Uses::particles>& particles() const { return particles_; }
     /// Of their kind, in the order in which they were added.
     /// @{
-    const auto& springs() const { return springs_; }
-    const auto& anchored_springs() const { return anchored_springs_; }
-    const auto& rods() const { return rods_; }
-    const auto& anchored_rods() const { return anchored_rods_; }
-    const auto& ropes() const { return ropes_; }
-    const auto& anchored_ropes() const { return anchored_ropes_; }
-    const auto& drags() const { return drags_; }
-    const auto& planes() const { return planes_; }
+    const Pool<Spring, Uses::springs>& springs() const { return springs_; }
+    const Pool<AnchoredSpring, Uses::anchored_springs>& anchored_springs() const {
+        return anchored_springs_;
+    }
+    const Pool<Rod, Uses::rods>& rods() const { return rods_; }
+    const Pool<AnchoredRod, Uses::anchored_rods>& anchored_rods() const { return anchored_rods_; }
+    const Pool<Rope, Uses::ropes>& ropes() const { return ropes_; }
+    const Pool<AnchoredRope, Uses::anchored_ropes>& anchored_ropes() const {
+        return anchored_ropes_;
+    }
+    const Pool<Drag, Uses::drags>& drags() const { return drags_; }
+    const Pool<Plane, Uses::planes>& planes() const { return planes_; }
     /// @}
     /// The scene's own force.
     const CustomForce& custom_force() const { return custom_force_; }
@@ -259,14 +279,10 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
 
     /// The force of each particle anew.
     void accumulate_forces() {
-        only_if<has_forces>(*this, [](auto& world) {
-            world.particles_.for_each([](auto& particle) { particle.force = Vector(); });
-            const auto apply_it = [&](const auto& each) { apply(each, world); };
-            only_if<!Integrator::implicit_springs>(world, [&](auto& w) {
-                w.springs_.for_each(apply_it);
-                w.anchored_springs_.for_each(apply_it);
-            });
-            world.drags_.for_each(apply_it);
+        only_if<has_forces>(*this, [](World& world) {
+            world.particles_.for_each([](Particle& particle) { force_of(particle) = Vector(); });
+            world.apply_springs(If<!Integrator::implicit_springs>());
+            world.drags_.for_each(Apply{world});
             observe<Scalar>(Quantity::custom_force);
             world.custom_force_.apply(world);
         });
@@ -276,14 +292,14 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
     template <class TimeStep>
     void integrate_velocities(TimeStep dt) {
         observe<Scalar>(Quantity::velocity);
-        only_if<Uses::gravity || has_forces>(particles_, [&](auto& particles) {
-            particles.for_each([&](auto& particle) {
-                if (!movable(particle)) return;
-                Vector acceleration = this->fall();
-                only_if<has_forces>(
-                    particle, [&](auto& p) { acceleration.add_scaled(p.force, p.inverse_mass); });
-                particle.accelerate(particle.velocity, acceleration, dt);
+        if (!Uses::gravity && !has_forces) return;
+        particles_.for_each([&](Particle& particle) {
+            if (!movable(particle)) return;
+            Vector acceleration = this->fall();
+            only_if<has_forces>(particle, [&](Particle& p) {
+                acceleration.add_scaled(force_of(p), p.inverse_mass);
             });
+            particle.accelerate(particle.velocity, acceleration, dt);
         });
     }
 
@@ -291,7 +307,7 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
     template <class TimeStep>
     void integrate_positions(TimeStep dt) {
         observe<Scalar>(Quantity::position);
-        particles_.for_each([&](auto& particle) {
+        particles_.for_each([&](Particle& particle) {
             if (!movable(particle)) return;
             particle.move(particle.position, particle.velocity, dt);
         });
@@ -300,8 +316,9 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
     /// Multiplies each velocity by its particle's damping factor.
     void damp() {
         observe<Scalar>(Quantity::damping);
-        only_if<Uses::damping>(particles_, [](auto& particles) {
-            particles.for_each([](auto& particle) { particle.velocity *= particle.damping; });
+        only_if<Uses::damping>(particles_, [](Particles& particles) {
+            particles.for_each(
+                [](Particle& particle) { particle.velocity *= damping_of(particle); });
         });
     }
 
@@ -309,15 +326,13 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
     template <class TimeStep>
     void collect_constraints(TimeStep dt) {
         rows_.clear();
-        const auto constrain_by = [&](const auto& each) { constrain(each, *this, dt); };
+        const Constrain<TimeStep> constrain_by = {*this, dt};
         anchored_rods_.for_each(constrain_by);
         rods_.for_each(constrain_by);
         anchored_ropes_.for_each(constrain_by);
         ropes_.for_each(constrain_by);
-        planes_.for_each([&](const auto& plane) {
-            for (Index i = 0; i < particles_.size(); ++i) constrain(plane, i, *this, dt);
-        });
-        only_if<Uses::collisions>(*this, [&](auto& world) { BroadPhase::collide_all(world, dt); });
+        planes_.for_each(ConstrainAll<TimeStep>{*this, dt});
+        collide_all(dt, If<Uses::collisions>());
     }
     /// Another row, in which fill(row) writes; an error where the scene has not stated that many.
     template <class Function>
@@ -329,41 +344,83 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
         }
     }
     /// The constraint rows of this step.
-    const auto& rows() const { return rows_; }
+    const Rows& rows() const { return rows_; }
     /// Gives the particles velocities that the rows of this step allow.
     void solve_constraints() {
         observe<Scalar>(Quantity::resolution);
-        only_if<(max_rows > 0)>(*this, [](auto& world) { Solver::solve(world); });
+        solve(If<(max_rows > 0)>());
     }
 
     /// The acceleration of a against b by gravity.
     Vector relative_gravity(Index a, Index b) const {
-        Vector gravity;
-        only_if<Uses::gravity>(*this, [&](auto& world) {
+        Vector relative;
+        only_if<Uses::gravity>(*this, [&](const World& world) {
             const bool falls = movable(world.particles_[a]);
             const bool other_falls = is_particle(*this, b) && movable(world.particles_[b]);
-            if (falls && !other_falls) gravity = world.fall();
-            if (other_falls && !falls) gravity = -world.fall();
+            if (falls && !other_falls) relative = world.fall();
+            if (other_falls && !falls) relative = -world.fall();
         });
-        return gravity;
+        return relative;
     }
 
     /// Sets error(), where it is none.
     void report(Error error) { fail(error); }
 
     /// \cond internal
-    auto& pair_memory() { return pair_memory_; }
-    auto& integrator_memory() { return integrator_memory_; }
+    PairMemory& pair_memory() { return pair_memory_; }
+    IntegratorMemory& integrator_memory() { return integrator_memory_; }
     /// \endcond
 
   private:
+    // The parts of a step that a scene may do without: If<false> is the overload that does nothing,
+    // and then the other one, which names what there is not, is not compiled.
+    struct Apply {
+        World& world;
+        template <class Force>
+        void operator()(const Force& force) const {
+            apply(force, world);
+        }
+    };
+    void apply_springs(If<true>) {
+        springs_.for_each(Apply{*this});
+        anchored_springs_.for_each(Apply{*this});
+    }
+    void apply_springs(If<false>) {}
+
+    template <class TimeStep>
+    struct Constrain {
+        World& world;
+        const TimeStep& dt;
+        template <class Link>
+        void operator()(const Link& link) const {
+            constrain(link, world, dt);
+        }
+    };
+    template <class TimeStep>
+    struct ConstrainAll {
+        World& world;
+        const TimeStep& dt;
+        template <class Obstacle>
+        void operator()(const Obstacle& obstacle) const {
+            for (Index i = 0; i < world.particles_.size(); ++i) constrain(obstacle, i, world, dt);
+        }
+    };
+    template <class TimeStep>
+    void collide_all(TimeStep dt, If<true>) {
+        BroadPhase::collide_all(*this, dt);
+    }
+    template <class TimeStep>
+    void collide_all(TimeStep, If<false>) {}
+    void solve(If<true>) { Solver::solve(*this); }
+    void solve(If<false>) {}
+
     bool fail(Error error) {
         if (error_ == Error::none) error_ = error;
         return false;
     }
     Handle refuse(Error error) {
         fail(error);
-        return {nothing<Index>};
+        return Handle();
     }
     // The index that a handle means, and 0 where it means none.
     Index known(Handle handle) const {
@@ -382,25 +439,29 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
         return true;
     }
 
-    auto& pool_of(const Spring<Scalar, Ends>&) { return springs_; }
-    auto& pool_of(const Spring<Scalar, Anchor>&) { return anchored_springs_; }
-    auto& pool_of(const Rod<Scalar, Ends>&) { return rods_; }
-    auto& pool_of(const Rod<Scalar, Anchor>&) { return anchored_rods_; }
-    auto& pool_of(const Rope<Scalar, Ends>&) { return ropes_; }
-    auto& pool_of(const Rope<Scalar, Anchor>&) { return anchored_ropes_; }
+    Pool<Spring, Uses::springs>& pool_of(const Spring&) { return springs_; }
+    Pool<AnchoredSpring, Uses::anchored_springs>& pool_of(const AnchoredSpring&) {
+        return anchored_springs_;
+    }
+    Pool<Rod, Uses::rods>& pool_of(const Rod&) { return rods_; }
+    Pool<AnchoredRod, Uses::anchored_rods>& pool_of(const AnchoredRod&) { return anchored_rods_; }
+    Pool<Rope, Uses::ropes>& pool_of(const Rope&) { return ropes_; }
+    Pool<AnchoredRope, Uses::anchored_ropes>& pool_of(const AnchoredRope&) {
+        return anchored_ropes_;
+    }
 
-    Pool<Particle, Uses::particles> particles_;
-    Pool<Spring<Scalar, Ends>, Uses::springs> springs_;
-    Pool<Spring<Scalar, Anchor>, Uses::anchored_springs> anchored_springs_;
-    Pool<Drag<Scalar, Index>, Uses::drags> drags_;
-    Pool<Rod<Scalar, Ends>, Uses::rods> rods_;
-    Pool<Rod<Scalar, Anchor>, Uses::anchored_rods> anchored_rods_;
-    Pool<Rope<Scalar, Ends>, Uses::ropes> ropes_;
-    Pool<Rope<Scalar, Anchor>, Uses::anchored_ropes> anchored_ropes_;
-    Pool<Plane<Scalar, Vector>, Uses::planes> planes_;
-    Pool<Row, static_cast<unsigned>(max_rows)> rows_;  // of the step under way
-    typename BroadPhase::template Memory<World> pair_memory_;
-    typename Integrator::template Memory<World> integrator_memory_;
+    Particles particles_;
+    Pool<Spring, Uses::springs> springs_;
+    Pool<AnchoredSpring, Uses::anchored_springs> anchored_springs_;
+    Pool<Drag, Uses::drags> drags_;
+    Pool<Rod, Uses::rods> rods_;
+    Pool<AnchoredRod, Uses::anchored_rods> anchored_rods_;
+    Pool<Rope, Uses::ropes> ropes_;
+    Pool<AnchoredRope, Uses::anchored_ropes> anchored_ropes_;
+    Pool<Plane, Uses::planes> planes_;
+    Rows rows_;  // of the step under way
+    PairMemory pair_memory_;
+    IntegratorMemory integrator_memory_;
     CustomForce custom_force_;
     mutable Error error_ = Error::none;
 };

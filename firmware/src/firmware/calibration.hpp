@@ -15,7 +15,7 @@ namespace firmware {
 /// `sum` is the sum; for one reading by default. Rises with it or stays as it is; between 0 and the
 /// table's `most_grams`; readings outside 0..1023 count as the nearest.
 template <class Scalar, int sum_bits = 0>
-constexpr Scalar grams(int sum) {
+FIXEDPOINT_CONSTEXPR Scalar grams(int sum) {
     static_assert(sum_bits >= 0 && sum_bits <= 4, "A sum is of 1, 2, 4, 8 or 16 readings.");
     return calibration::curve.template grams<Scalar, sum_bits>(sum);
 }

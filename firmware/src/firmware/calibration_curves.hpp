@@ -53,7 +53,7 @@ struct Held {
     Curve curve;
 
     template <class Scalar, int sum_bits = 0>
-    [[gnu::always_inline]] constexpr Scalar grams(int sum) const {
+    [[gnu::always_inline]] FIXEDPOINT_CONSTEXPR Scalar grams(int sum) const {
         return curve.template grams<Scalar, sum_bits>(sum < lowest << sum_bits ? lowest << sum_bits
                                                       : sum > highest << sum_bits
                                                           ? highest << sum_bits
@@ -66,7 +66,7 @@ struct Line {
     int32_t linear, constant;  ///< 2^10 a, b
 
     template <class Scalar, int sum_bits = 0>
-    [[gnu::always_inline]] constexpr Scalar grams(int sum) const {
+    [[gnu::always_inline]] FIXEDPOINT_CONSTEXPR Scalar grams(int sum) const {
         const Scalar s = scaled<Scalar, 10 + sum_bits>(sum);
         return Constant<Scalar>::of(linear) * s + Constant<Scalar>::of(constant);
     }
@@ -78,7 +78,7 @@ struct RationalQuadratic {
     int32_t square, linear, constant;  ///< 2^25 a, 2^15 b, 2^5 c
 
     template <class Scalar, int sum_bits = 0>
-    [[gnu::always_inline]] constexpr Scalar grams(int sum) const {
+    [[gnu::always_inline]] FIXEDPOINT_CONSTEXPR Scalar grams(int sum) const {
         const Scalar s = scaled<Scalar, 10 + sum_bits>(sum);
         return scaled<Scalar, -5 + sum_bits>(sum) /
                ((Constant<Scalar>::of(square) * s + Constant<Scalar>::of(linear)) * s +
@@ -91,7 +91,7 @@ struct Quadratic {
     int32_t square, linear, constant;  ///< 2^20 a, 2^10 b, c
 
     template <class Scalar, int sum_bits = 0>
-    [[gnu::always_inline]] constexpr Scalar grams(int sum) const {
+    [[gnu::always_inline]] FIXEDPOINT_CONSTEXPR Scalar grams(int sum) const {
         const Scalar s = scaled<Scalar, 10 + sum_bits>(sum);
         return (Constant<Scalar>::of(square) * s + Constant<Scalar>::of(linear)) * s +
                Constant<Scalar>::of(constant);
@@ -105,7 +105,7 @@ struct Hyperbola {
     int32_t offset, numerator, pole;  ///< o - w, w p / 4, p
 
     template <class Scalar, int sum_bits = 0>
-    [[gnu::always_inline]] constexpr Scalar grams(int sum) const {
+    [[gnu::always_inline]] FIXEDPOINT_CONSTEXPR Scalar grams(int sum) const {
         Scalar part = Constant<Scalar>::of(numerator) /
                       (Constant<Scalar>::of(pole << sum_bits) - scaled<Scalar>(sum));
         for (int i = 0; i < 2 + sum_bits; ++i) part = part + part;
@@ -118,7 +118,7 @@ struct ConductancePower {
     int32_t offset, logarithm, exponent;  ///< o, k, n
 
     template <class Scalar, int sum_bits = 0>
-    [[gnu::always_inline]] constexpr Scalar grams(int sum) const {
+    [[gnu::always_inline]] FIXEDPOINT_CONSTEXPR Scalar grams(int sum) const {
         return sum <= 0 ? Constant<Scalar>::of(offset)
                         : Constant<Scalar>::of(offset) + above_offset<Scalar, sum_bits>(sum);
     }

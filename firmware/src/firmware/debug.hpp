@@ -23,7 +23,8 @@ class Debug {
     static void print(FlashText text, Number number, uint8_t decimals) {
         if (!on(topic)) return;
         char digits[fixedpoint::text_capacity<Number>()];
-        const uint8_t length = fixedpoint::print(number, decimals, digits, sizeof digits);
+        const uint8_t length =
+            static_cast<uint8_t>(fixedpoint::print(number, decimals, digits, sizeof digits));
         write(line_of(topic), text, digits, length);
     }
     /// The text, and behind it an integer.
@@ -47,14 +48,15 @@ class Debug {
         return contains(Board::Configuration::debugged, topic);
     }
     static constexpr uint8_t line_of(Topic topic) {
-        return first_line + static_cast<uint8_t>(topic);
+        return static_cast<uint8_t>(first_line + static_cast<uint8_t>(topic));
     }
 
     static void write(uint8_t line, FlashText text, const char* digits, uint8_t length) {
         char place[terminal::longest_move];
         const uint8_t moved = terminal::move(place, line, 1);
         // Together at most 255, or it would not fit the largest ring buffer either.
-        const uint16_t needed = moved + text.length + length + terminal::erase_length;
+        const uint16_t needed =
+            static_cast<uint16_t>(moved + text.length + length + terminal::erase_length);
         if (needed > Board::writable()) {
             if (dropped_ != 255) ++dropped_;
             return;

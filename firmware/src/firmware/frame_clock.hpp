@@ -49,7 +49,9 @@ class FixedSteps {
     uint16_t due(uint32_t now) {
         const int32_t behind = elapsed(next_, now);
         if (behind < 0) return 0;
-        if (static_cast<uint32_t>(behind) > worst_delay_) worst_delay_ = behind;
+        if (static_cast<uint32_t>(behind) > worst_delay_) {
+            worst_delay_ = static_cast<uint32_t>(behind);
+        }
         if (behind >= step_length) ++late_;
         if (behind > int32_t{most_behind} * step_length) give_up(behind);
         next_ += step_length;

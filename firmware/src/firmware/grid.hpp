@@ -30,23 +30,25 @@ class Interpolation {
     Interpolation(int16_t from, int16_t to, int16_t steps, int16_t first) : steps_(steps) {
         const int16_t rise = to - from;
         whole_ = floor_divide(rise, steps);
-        rest_ = rise - whole_ * steps;
+        rest_ = static_cast<int16_t>(rise - whole_ * steps);
         value_ = from;
-        error_ = steps;
+        error_ = static_cast<uint16_t>(steps);
         if (first != 0) {
-            const uint32_t doubled = 2ul * static_cast<uint16_t>(rest_) * first + steps;
-            const uint16_t twice = 2 * steps;
-            const uint16_t quotient = doubled / twice;
-            value_ += whole_ * first + quotient;
-            error_ = doubled - static_cast<uint32_t>(quotient) * twice;
+            const uint32_t doubled =
+                uint32_t{2} * static_cast<uint16_t>(rest_) * static_cast<uint32_t>(first) +
+                static_cast<uint32_t>(steps);
+            const uint16_t twice = static_cast<uint16_t>(2 * steps);
+            const uint16_t quotient = static_cast<uint16_t>(doubled / twice);
+            value_ = static_cast<int16_t>(value_ + whole_ * first + quotient);
+            error_ = static_cast<uint16_t>(doubled - static_cast<uint32_t>(quotient) * twice);
         }
     }
     int16_t value() const { return value_; }
     void advance() {
         value_ += whole_;
-        error_ += 2 * rest_;
+        error_ = static_cast<uint16_t>(error_ + 2 * rest_);
         if (error_ >= 2 * static_cast<uint16_t>(steps_)) {
-            error_ -= 2 * steps_;
+            error_ = static_cast<uint16_t>(error_ - 2 * steps_);
             ++value_;
         }
     }
@@ -142,16 +144,19 @@ class Grid : DepthBuffer<uint16_t{rows_} * columns_, depth_> {
     uint8_t* row(uint8_t row) { return cells_[row]; }
     /// @}
     /// The bits of a column in its byte.
-    static constexpr uint8_t mask(uint8_t column) { return (colours - 1) << shift(column); }
+    static constexpr uint8_t mask(uint8_t column) {
+        return static_cast<uint8_t>((colours - 1) << shift(column));
+    }
 
     /// Colours a cell, unless something nearer is there; nothing outside of the grid. A greater z
     /// is nearer.
     void point(int16_t x, int16_t y, uint8_t colour, int8_t z = 0) {
         if (static_cast<uint16_t>(x) >= columns || static_cast<uint16_t>(y) >= rows) return;
-        const uint8_t column = x, row = y;
-        if (!Nearest::in_front(row * columns + column, z)) return;
+        const uint8_t column = static_cast<uint8_t>(x), row = static_cast<uint8_t>(y);
+        if (!Nearest::in_front(static_cast<uint16_t>(row * columns + column), z)) return;
         uint8_t& cell = cells_[row][column / cells_per_byte];
-        cell = (cell & ~mask(column)) | static_cast<uint8_t>(colour << shift(column));
+        cell = static_cast<uint8_t>((cell & ~mask(column)) |
+                                    static_cast<uint8_t>(colour << shift(column)));
     }
 
     /// Draws a line between two cells, as the file defines it; z goes from z0 to z1 along it.
@@ -184,14 +189,16 @@ class Grid : DepthBuffer<uint16_t{rows_} * columns_, depth_> {
         // is at least i rows away, so that the arcs of columns and those of rows meet. 46341 / 2^16
         // exceeds sqrt(1/2), and i less than r sqrt(1/2) + 1/2.
         const int32_t square = static_cast<int32_t>(radius) * radius;
-        int16_t reach = (static_cast<uint32_t>(radius) * 46341u >> 16) + 1;
+        int16_t reach = static_cast<int16_t>((static_cast<uint32_t>(radius) * 46341u >> 16) + 1);
         while (static_cast<int32_t>(2 * reach - 1) * reach >= square) --reach;
         arcs_along(false, x, y, square, reach, colour, z);
         arcs_along(true, y, x, square, reach, colour, z);
     }
 
   private:
-    static constexpr uint8_t shift(uint8_t column) { return column % cells_per_byte * bits; }
+    static constexpr uint8_t shift(uint8_t column) {
+        return static_cast<uint8_t>(column % cells_per_byte * bits);
+    }
     static constexpr uint8_t length(bool vertical) { return vertical ? rows : columns; }
 
     // The axis that is walked is `along`, vertical or not.
@@ -214,7 +221,7 @@ class Grid : DepthBuffer<uint16_t{rows_} * columns_, depth_> {
         Interpolation across(from.across, to.across, steps, first);
         DepthInterpolation<depth> z(from.z, to.z, steps, first);
         for (int16_t along = from.along + first; along <= end; ++along) {
-            point_along(vertical, along, across.value(), colour, z.value());
+            point_along(vertical, along, across.value(), colour, static_cast<int8_t>(z.value()));
             across.advance();
             z.advance();
         }
@@ -231,14 +238,15 @@ class Grid : DepthBuffer<uint16_t{rows_} * columns_, depth_> {
         int16_t i = clipped ? -centre : -reach;
         const int32_t rest = square - static_cast<int32_t>(i) * i;
         // The root of `rest` is 2^-8 of that of 2^16 `rest`.
-        int16_t h = clipped ? fixedpoint::kernel::sqrt_small<int32_t, 16>(rest) >> 8 : reach;
-        int16_t error = rest - static_cast<int32_t>(h) * h;
+        int16_t h = static_cast<int16_t>(
+            clipped ? fixedpoint::kernel::sqrt_small<int32_t, 16>(rest) >> 8 : reach);
+        int16_t error = static_cast<int16_t>(rest - static_cast<int32_t>(h) * h);
         for (; i <= reach && centre + i < length(vertical); ++i) {
-            for (; error > h; ++h) error -= 2 * h + 1;
-            for (; error <= -h; --h) error += 2 * h - 1;
+            for (; error > h; ++h) error = static_cast<int16_t>(error - (2 * h + 1));
+            for (; error <= -h; --h) error = static_cast<int16_t>(error + (2 * h - 1));
             point_along(vertical, centre + i, centre_across + h, colour, z);
             point_along(vertical, centre + i, centre_across - h, colour, z);
-            error -= 2 * i + 1;
+            error = static_cast<int16_t>(error - (2 * i + 1));
         }
     }
 

@@ -204,8 +204,9 @@ class Lever {
     }
 
     static uint16_t pulse(Scalar angle) {
-        return Geometry::pulse_at_lower_stop +
-               CellArithmetic<Scalar>::nearest(angle * Geometry::ticks_per_radian());
+        return static_cast<uint16_t>(
+            Geometry::pulse_at_lower_stop +
+            CellArithmetic<Scalar>::nearest(angle * Geometry::ticks_per_radian()));
     }
 
     // A quarter of the way each time: 55 ms. The angle and its rate stay as they are.

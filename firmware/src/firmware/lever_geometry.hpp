@@ -84,30 +84,30 @@ struct ArmOf;
 template <>
 struct ArmOf<scenes::Lever> {
     template <class World>
-    static auto& rod(World& world) {
+    static const typename World::AnchoredRod& rod(World& world) {
         return world.anchored_rods()[0];
     }
     template <class World>
-    static auto& end(World& world) {
+    static typename World::Particle& end(World& world) {
         return world.particles()[0];
     }
     template <class World>
-    static auto& pivot(World& world) {
+    static const typename World::Vector& pivot(World& world) {
         return rod(world).ends.anchor;
     }
 };
 template <>
 struct ArmOf<scenes::PublishedLever> {
     template <class World>
-    static auto& rod(World& world) {
+    static const typename World::Rod& rod(World& world) {
         return world.rods()[0];
     }
     template <class World>
-    static auto& end(World& world) {
+    static typename World::Particle& end(World& world) {
         return world.particles()[1];
     }
     template <class World>
-    static auto& pivot(World& world) {
+    static const typename World::Vector& pivot(World& world) {
         return world.particles()[0].position;
     }
 };

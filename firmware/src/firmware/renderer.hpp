@@ -63,7 +63,7 @@ class Transmission<Board, Screen, Protocol::changes> {
         for (uint8_t i = 0; i < Grid::row_bytes; ++i) {
             if (wanted[i] == shown[i]) {
                 adjacent = false;
-                column += Grid::cells_per_byte;
+                column = static_cast<uint8_t>(column + Grid::cells_per_byte);
                 continue;
             }
             for (uint8_t k = 0; k < Grid::cells_per_byte; ++k, ++column) {
@@ -74,11 +74,14 @@ class Transmission<Board, Screen, Protocol::changes> {
                 }
                 char piece[terminal::longest_move + 1];
                 uint8_t length = 0;
-                if (!adjacent) length = terminal::move(piece, Grid::rows - row, column + 1);
+                if (!adjacent) {
+                    length = terminal::move(piece, static_cast<uint8_t>(Grid::rows - row),
+                                            static_cast<uint8_t>(column + 1));
+                }
                 piece[length++] = Screen::character(grid.colour(column, row));
                 if (Board::writable() < length) return false;
                 Board::try_write(piece, length);
-                shown[i] = (shown[i] & ~mask) | (wanted[i] & mask);
+                shown[i] = static_cast<uint8_t>((shown[i] & ~mask) | (wanted[i] & mask));
                 adjacent = true;
             }
         }
@@ -171,7 +174,7 @@ class Renderer : Transmission<Board, Screen, Screen::protocol> {
     // Apart, so that a call that has nothing to send saves no registers.
     __attribute__((noinline)) void send() {
         if (!Transmission::send_head()) return;
-        if (Transmission::send_row(grid_, rows_left_ - 1)) --rows_left_;
+        if (Transmission::send_row(grid_, static_cast<uint8_t>(rows_left_ - 1))) --rows_left_;
     }
 
     Grid grid_;

@@ -41,10 +41,10 @@ void clear_screen() {
 /// Writes a number of one or two digits and returns how many.
 inline uint8_t put_number(char* text, uint8_t number) {
     uint8_t tens = 0;
-    for (; number >= 10; number -= 10) ++tens;
+    for (; number >= 10; number = static_cast<uint8_t>(number - 10)) ++tens;
     uint8_t length = 0;
-    if (tens != 0) text[length++] = '0' + tens;
-    text[length++] = '0' + number;
+    if (tens != 0) text[length++] = static_cast<char>('0' + tens);
+    text[length++] = static_cast<char>('0' + number);
     return length;
 }
 
@@ -53,9 +53,9 @@ inline uint8_t move(char* text, uint8_t line, uint8_t column) {
     uint8_t length = 0;
     text[length++] = '\x1b';
     text[length++] = '[';
-    length += put_number(text + length, line);
+    length = static_cast<uint8_t>(length + put_number(text + length, line));
     text[length++] = ';';
-    length += put_number(text + length, column);
+    length = static_cast<uint8_t>(length + put_number(text + length, column));
     text[length++] = 'H';
     return length;
 }

@@ -191,7 +191,8 @@ class Fixed {
     template <class Count>
     static constexpr unsigned char shift_count(Count count) {
         static_assert(BuiltinNumber<Count>::is_integer, "A shift takes an integer count.");
-        return static_cast<unsigned char>(count) == count ? static_cast<unsigned char>(count) : 255;
+        return static_cast<unsigned char>(
+            static_cast<unsigned char>(count) == count ? static_cast<unsigned char>(count) : 255);
     }
 
     Raw raw_;

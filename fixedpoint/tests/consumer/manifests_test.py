@@ -88,19 +88,55 @@ for header in properties.get("includes", "").split(","):
     expect((library / "src" / header.strip()).is_file(),
            f"library.properties: no header src/{header}")
 
-# One library, not three.
-cmake = (library / "CMakeLists.txt").read_text()
-project = re.search(r"project\((\w+) VERSION ([\d.]+)", cmake)
-expect(project, "CMakeLists.txt: no project with a version")
-for origin, name, version in [
-        ("library.properties", properties.get("name"), properties.get("version")),
-        ("CMakeLists.txt", *(project.groups() if project else (None, None)))]:
-    expect((name, version) == (manifest["name"], manifest["version"]),
-           f"{origin}: {name} {version}, library.json: {manifest['name']} {manifest['version']}")
+# One library, not three; one project, whose address stands in library.properties of fixedpoint.
+for field in ("name", "version", "license"):
+    expect(properties.get(field) == manifest[field],
+           f"library.properties: {field} {properties.get(field)}, library.json: {manifest[field]}")
+cmake = re.search(r"project\(\w+ VERSION ([\d.]+)", (library / "CMakeLists.txt").read_text())
+if cmake:
+    expect(cmake[1] == manifest["version"], f"CMakeLists.txt: version {cmake[1]}")
+of_project = (library.parent / "fixedpoint/library.properties").read_text()
+url = re.search(r"^url=(.+)$", of_project, re.M)[1]
+for origin, found in [("library.properties: url", properties.get("url")),
+                      ("library.json: homepage", manifest.get("homepage")),
+                      ("library.json: repository", manifest.get("repository", {}).get("url", ""))]:
+    expect(found.removesuffix(".git") == url, f"{origin} is '{found}', and the project's {url}")
+depends = [name.strip() for name in properties.get("depends", "").split(",") if name]
+expect(depends == [each["name"] for each in manifest.get("dependencies", [])],
+       "library.properties and library.json depend on different libraries")
+expect(manifest.get("examples", []) and {each["name"] for each in manifest["examples"]} ==
+       {path.name for path in (library / "examples").iterdir()},
+       "library.json names other examples than there are")
+
+# vcpkg's manifest says the same (the Conan recipe reads library.json).
+port = library / "vcpkg/vcpkg.json"
+if port.exists():
+    for field, value in json.loads(port.read_text()).items():
+        expect(field == "dependencies" or value == manifest[field], f"vcpkg.json: {field} '{value}'")
+
+# Rules of arduino-lint that need no network.
+expect(re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9 ._-]{0,15}", properties["name"]),
+       "library.properties: a name has letters, digits, blanks and ._-, 16 at most")
+expect("arduino" not in properties["name"].lower(), "library.properties: a name without 'Arduino'")
+expect(re.fullmatch(r"\d+\.\d+\.\d+", properties["version"]), "library.properties: version")
+expect(re.match(r"https?://\S+$", properties["url"]), "library.properties: url")
+for field in ("author", "maintainer", "sentence", "paragraph"):
+    expect(properties[field].strip() == properties[field] != "", f"library.properties: {field}")
+expect(not properties["paragraph"].startswith(properties["sentence"]),
+       "library.properties: the paragraph repeats the sentence")
+expect(properties["architectures"] in ("*", "avr"), "library.properties: architectures")
+for name in ("README.md", "LICENSE", "keywords.txt", "examples"):
+    expect((library / name).exists(), f"no {name}")
+for path in (library / "examples").iterdir():
+    expect((path / f"{path.name}.ino").is_file(), f"examples/{path.name}: no {path.name}.ino")
+for path in library.rglob("*"):
+    expect(not path.is_symlink() and path.name != ".development" and path.suffix != ".exe",
+           f"{path.relative_to(library)} does not belong into a library")
 
 # The words that the editor colours are words of the library.
 source = "\n".join(path.read_text() for path in (library / "src").rglob("*.h*"))
 known = set(re.findall(r"\w+", source))
+coloured = set()
 for number, line in enumerate((library / "keywords.txt").read_text().splitlines(), 1):
     if not line or line.startswith("#"):
         continue
@@ -108,6 +144,25 @@ for number, line in enumerate((library / "keywords.txt").read_text().splitlines(
     expect(kind in (["KEYWORD1"], ["KEYWORD2"], ["LITERAL1"]),
            f"keywords.txt:{number}: '{line}' is not WORD<tab>KIND")
     expect(word in known, f"keywords.txt:{number}: no '{word}' in src/")
+    coloured.add(word)
+
+# And all words that a program calls: the functions at the left edge of these headers, the members of
+# the world that come before the parts of a step, and what is chosen by name.
+OPERATIONS = {"fixedpoint": ("math", "conversion", "text", "serial", "printable", "vector")}
+FUNCTION = r"^(?:\w[\w:<>,&* ]*[ >&])(\w+)\((?!.*;$)"
+callable_words = set()
+for stem in OPERATIONS.get(library.name, ()):
+    text = (library / f"src/fixedpoint/{stem}.hpp").read_text()
+    callable_words |= set(re.findall(FUNCTION, text, re.M))
+for path in library.glob("src/fixedpoint/arithmetic/*.hpp"):
+    callable_words |= {path.stem.capitalize()} - {"Wrapping"}
+for path in [*library.glob("src/engine/*/*.hpp")]:
+    callable_words |= set(re.findall(r"^struct (\w+) {\n    static constexpr bool", path.read_text(), re.M))
+if library.name == "engine":
+    world = (library / "src/engine/world.hpp").read_text()
+    world = world[world.index("    // Building."):world.index("    // The parts of a step, for")]
+    callable_words |= set(re.findall(r"^    (?:const )?(?:[\w:<>,]+[&]? )+(\w+)\(", world, re.M))
+expect(callable_words <= coloured, f"keywords.txt: lacks {sorted(callable_words - coloured)}")
 
 for failure in failures:
     print(f"{library.name}/{failure}")

@@ -1,22 +1,25 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # An example compiles as an Arduino sketch for the Nano, with the kernels it uses linked.
-# Usage: sketch_test.sh SKETCH.ino SCRATCH_FOLDER
+# Usage: [LIBRARIES=FOLDER] sketch_test.sh SKETCH.ino SCRATCH_FOLDER
+# LIBRARIES holds the libraries where they are not those of the project.
 set -euo pipefail
 sketch=$1 scratch=$2
 root=$(cd "$(dirname "$0")/../../.." && pwd)
 rm -rf "$scratch" && mkdir -p "$scratch/libraries" "$scratch/build"
-for library in fixedpoint engine firmware; do ln -s "$root/$library" "$scratch/libraries/$library"; done
+if [ -z "${LIBRARIES:-}" ]; then
+    LIBRARIES=$scratch/libraries
+    for library in fixedpoint engine firmware; do ln -s "$root/$library" "$LIBRARIES/$library"; done
+fi
 
-# No sketch compiles with the core as Debian installs it: its WString.cpp wants a macro that the
-# compiler's <float.h> has not in C++11. fixedpoint needs nothing else; the others are C++14.
-flags=-DDECIMAL_DIG=__DECIMAL_DIG__
-case $sketch in "$root"/fixedpoint/*) ;; *) flags="$flags -std=gnu++14" ;; esac
+# The core's own flags, and one macro for the core itself: its WString.cpp names DECIMAL_DIG, which
+# the <float.h> of avr-gcc 5.4 has for C only, so that Debian's core compiles with no sketch at all.
+# No library names it; the toolchain that Arduino brings (7.3) has it.
 arduino-builder -compile -quiet -warnings more \
     -hardware /usr/share/arduino-builder -hardware /usr/share/arduino/hardware \
     -tools /usr/share/arduino-builder -prefs runtime.tools.avr-gcc.path=/usr \
-    -prefs "compiler.cpp.extra_flags=$flags" \
-    -libraries "$scratch/libraries" -fqbn arduino:avr:nano:cpu=atmega328 \
+    -prefs compiler.cpp.extra_flags=-DDECIMAL_DIG=__DECIMAL_DIG__ \
+    -libraries "$LIBRARIES" -fqbn arduino:avr:nano:cpu=atmega328 \
     -build-path "$scratch/build" "$sketch" >"$scratch/log" 2>&1 || {
     cat "$scratch/log"
     exit 1
@@ -31,6 +34,11 @@ kernels=$(avr-nm "$elf" | grep -oE ' T fixedpoint_[a-z0-9_]+' | sort | sed 's/.*
     echo "FAILED: no kernel of fixedpoint in $elf"
     exit 1
 }
+# What a sketch does not use costs nothing: a vtable only where something is made Printable.
+if ! grep -q 'printable(' "$sketch" && avr-nm -C "$elf" | grep PrintableNumber; then
+    echo "FAILED: PrintableNumber in a sketch that does not use it"
+    exit 1
+fi
 avr-size -A "$elf" | awk -v name="$(basename "$sketch")" '/^\.(text|data|bss)/ { bytes[$1] = $2 }
     END { print name ": " bytes[".text"] + bytes[".data"] " bytes of flash, " bytes[".data"] + bytes[".bss"] " of RAM" }'
 echo "kernels: $kernels"

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Compilers x standards x chips: what the library promises on each, in one table.
+"""Compilers x standards x chips: what the libraries promise on each, in one table.
 
-- headers: no warning from any public header, in any standard;
+- headers: no warning from any public header of any library, in any standard;
 - kernels: where a chip has kernels, each row of kernel/table.hpp is a call of its symbol and no
   portable code; where it has none, no symbol is called; the table names every kernel of avr/;
 - assembly: avr/*.S assemble, to nothing where the chip does not multiply;
@@ -20,7 +20,8 @@ from pathlib import Path
 
 scratch, run_on_chip = Path(sys.argv[1]), sys.argv[2]
 here = Path(__file__).parent
-source = here.parent.parent / "src"
+project = here.parent.parent.parent
+source = project / "fixedpoint/src"
 device = here.parent / "device"
 scratch.mkdir(parents=True, exist_ok=True)
 
@@ -58,12 +59,20 @@ def must(command):
 
 def compiler(name, standard, chip=None):
     return [*COMPILERS[name], f"-std=gnu++{standard}", f"-I{source}",
-            *([f"-mmcu={chip}", "-fno-exceptions"] if chip else [])]
+            *([f"-mmcu={chip}", "-fno-exceptions", "-DF_CPU=16000000UL"] if chip else [])]
 
 
-def headers(name, standard, chip, *options):
-    must([*compiler(name, standard, chip), *WARNINGS, *options, "-fsyntax-only",
-          here / "everything.cpp"])
+EVERYTHING = {"fixedpoint": here / "everything.cpp",
+              "engine": project / "engine/tests/everything.cpp",
+              "firmware": project / "firmware/tests/everything.cpp"}
+
+
+def headers(library, name, standard, chip, *options):
+    # avr-gcc 5.4 looks into templates only where it compiles them.
+    must([*compiler(name, standard, chip), *WARNINGS, *options,
+          f"-I{project / 'engine/src'}", f"-I{project / 'firmware/src'}",
+          *(["-O0", "-c", "-o", "/dev/null"] if name == "avr-g++" else ["-fsyntax-only"]),
+          EVERYTHING[library]])
     return "no warning"
 
 
@@ -202,10 +211,18 @@ def cells():
     for name in ("g++", "clang++"):
         for standard in STANDARDS:
             options = ["-DHOST_HEADERS", *(["-DFORMAT_HEADER"] if standard >= 14 else [])]
-            yield "headers", name, f"gnu++{standard}", headers, (name, standard, None, *options)
-    for name, standards in (("avr-g++", STANDARDS[:2]), ("clang++ avr", STANDARDS)):
-        for standard in standards:
-            yield "headers", name, f"gnu++{standard}", headers, (name, standard, "atmega328p")
+            for library in EVERYTHING:
+                yield "headers", f"{library} {name}", f"gnu++{standard}", headers, (
+                    library, name, standard, None, *options)
+    for standard in STANDARDS[:2]:
+        for library in EVERYTHING:
+            yield "headers", f"{library} avr-g++", f"gnu++{standard}", headers, (
+                library, "avr-g++", standard, "atmega328p")
+    for standard in STANDARDS:
+        # The firmware's interrupts are avr-gcc's.
+        for library in ("fixedpoint", "engine"):
+            yield "headers", f"{library} clang++ avr", f"gnu++{standard}", headers, (
+                library, "clang++ avr", standard, "atmega328p")
     for options in ("-Os", "-O2", "-flto"):
         yield "kernels", "g++ as AVR", options, kernels, ("g++", 14, None, options, *HOST_AS_AVR)
     yield "kernels", "clang++ as AVR", "-O2", kernels, ("clang++", 14, None, "-O2", *HOST_AS_AVR)

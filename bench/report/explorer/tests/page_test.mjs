@@ -84,6 +84,20 @@ test("every view draws, in both widths and both schemes", async () => {
   }
 });
 
+test("no view breaks a rule of accessibility", async () => {
+  const rules = readFileSync(new URL("../node_modules/axe-core/axe.min.js", import.meta.url), "utf8");
+  await page.evaluate(rules);
+  for (const colorScheme of ["dark", "light"]) {
+    await page.emulateMedia({ colorScheme });
+    for (const state of ["view=overview&range=1000", "view=operations&operation=sqrt&pin=sqrt/q16_16/default/physics", "view=scenes&scene=pendulum", "view=stability&case=rope", "view=table&file=growth"]) {
+      await go(state);
+      // Only the colours differ between the schemes.
+      const { violations } = await page.evaluate((dark) => axe.run({ resultTypes: ["violations"], ...(dark && { runOnly: ["color-contrast"] }) }), colorScheme === "dark");
+      assert.deepEqual(violations.map(({ id, nodes }) => [id, nodes[0].html]), [], `${state}, ${colorScheme}`);
+    }
+  }
+});
+
 test("the first paint comes within a second", async () => {
   const times = [];
   for (let run = 0; run < 3 && !(Math.min(...times) < 1000); ++run) {

@@ -42,7 +42,8 @@ struct SortAndSweep {
         for (Index i = 0; i < memory.count; ++i) {
             const Index a = memory.order[i];
             const Scalar right = particles[a].position[0] + particles[a].radius;
-            for (Index j = i + 1; j < memory.count && left(memory.order[j]) < right; ++j) {
+            for (Index j = static_cast<Index>(i + 1);
+                 j < memory.count && left(memory.order[j]) < right; ++j) {
                 collide(a, memory.order[j], world, dt);
             }
         }

@@ -14,7 +14,7 @@ struct ExplicitEuler {
     /// \cond internal
     template <class World>
     struct Memory {
-        constexpr void restart() const {}
+        FIXEDPOINT_CONSTEXPR void restart() const {}
     };
     /// \endcond
 

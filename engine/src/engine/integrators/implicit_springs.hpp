@@ -21,7 +21,7 @@ struct ImplicitSprings {
     /// \cond internal
     template <class World>
     struct Memory {
-        constexpr void restart() const {}
+        FIXEDPOINT_CONSTEXPR void restart() const {}
     };
     /// \endcond
 
@@ -30,7 +30,7 @@ struct ImplicitSprings {
     static void step(World& world, TimeStep dt) {
         world.accumulate_forces();
         world.integrate_velocities(dt);
-        const auto pull_it = [&](const auto& spring) { pull(spring, world, dt); };
+        const Pull<World, TimeStep> pull_it = {world, dt};
         world.anchored_springs().for_each(pull_it);
         world.springs().for_each(pull_it);
         world.damp();
@@ -40,6 +40,16 @@ struct ImplicitSprings {
     }
 
   private:
+    template <class World, class TimeStep>
+    struct Pull {
+        World& world;
+        const TimeStep& dt;
+        template <class Spring>
+        void operator()(const Spring& spring) const {
+            pull(spring, world, dt);
+        }
+    };
+
     // With i the sum of the inverse masses, x the extension, u the velocity along the spring, k the
     // stiffness and c the damping, the velocity along it at the end of the step solves
     //   u' = u - h i (k (x + h u') + c u'),  so  u' = u / d - (s / d) x

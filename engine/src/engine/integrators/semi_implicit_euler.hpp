@@ -13,7 +13,7 @@ struct SemiImplicitEuler {
     /// \cond internal
     template <class World>
     struct Memory {
-        constexpr void restart() const {}
+        FIXEDPOINT_CONSTEXPR void restart() const {}
     };
     /// \endcond
 

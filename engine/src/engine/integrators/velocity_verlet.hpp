@@ -19,7 +19,7 @@ struct VelocityVerlet {
     template <class World>
     struct Memory {
         bool forces_are_current = {};  // they are those of the particles as they are
-        constexpr void restart() { forces_are_current = false; }
+        FIXEDPOINT_CONSTEXPR void restart() { forces_are_current = false; }
     };
     /// \endcond
 

@@ -24,9 +24,9 @@ namespace engine {
 // The part of a row that scenes with one-sided constraints need: contacts and ropes only push.
 template <class Scalar, bool used>
 struct Pushing {
-    constexpr void set_pushing(bool, Scalar) {}
+    FIXEDPOINT_CONSTEXPR void set_pushing(bool, Scalar) {}
     template <class World>
-    static constexpr bool acts(const World&, Scalar, Scalar&) {
+    static FIXEDPOINT_CONSTEXPR bool acts(const World&, Scalar, Scalar&) {
         return true;
     }
 };
@@ -35,13 +35,13 @@ struct Pushing<Scalar, true> {
     bool pushes_only = {};
     Scalar restitution = {};  // of closing velocities
 
-    constexpr void set_pushing(bool pushes, Scalar of_closing_velocities) {
+    FIXEDPOINT_CONSTEXPR void set_pushing(bool pushes, Scalar of_closing_velocities) {
         pushes_only = pushes;
         restitution = of_closing_velocities;
     }
     // Whether the row acts on a velocity; `goal` becomes the velocity that it asks for.
     template <class World>
-    constexpr bool acts(const World& world, Scalar velocity, Scalar& goal) const {
+    FIXEDPOINT_CONSTEXPR bool acts(const World& world, Scalar velocity, Scalar& goal) const {
         if (!pushes_only) return true;
         if (!(velocity < Scalar()) && !(velocity < goal)) return false;
         if (-velocity > world.restitution_threshold()) {
@@ -56,12 +56,12 @@ struct Pushing<Scalar, true> {
 // The part of a row that scenes need in which two particles share a correction.
 template <class Scalar, bool used>
 struct Sharing {
-    constexpr void set_share(Scalar) {}
+    FIXEDPOINT_CONSTEXPR void set_share(Scalar) {}
     constexpr Scalar share() const { return Scalar(); }
 };
 template <class Scalar>
 struct Sharing<Scalar, true> {
-    constexpr void set_share(Scalar share) { share_ = share; }
+    FIXEDPOINT_CONSTEXPR void set_share(Scalar share) { share_ = share; }
     constexpr Scalar share() const { return share_; }
 
   private:
@@ -79,9 +79,9 @@ struct ProjectedGaussSeidel {
     template <class World>
     struct Row : Pushing<typename World::Scalar, World::bounces>,
                  Sharing<typename World::Scalar, World::has_pairs> {
-        typename World::Index a = 0, b = 0;  // b may be nothing
-        typename World::Vector normal;       // from b to a
-        typename World::Scalar target = {};  // velocity of a against b along the normal
+        typename World::Index a = {}, b = {};  // b may be nothing
+        typename World::Vector normal;         // from b to a
+        typename World::Scalar target = {};    // velocity of a against b along the normal
     };
 
     template <class World, class Index, class Vector, class Scalar, class TimeStep>
@@ -117,9 +117,7 @@ struct ProjectedGaussSeidel {
     static void solve(World& world) {
         for (unsigned char i = 0; i < max_iterations; ++i) {
             bool changed = false;
-            world.rows().for_each([&](const auto& row) {
-                if (ProjectedGaussSeidel::solve_row(world, row)) changed = true;
-            });
+            world.rows().for_each(SolveRow<World>{world, changed});
             if (!changed || world.rows().size() == 1) break;
         }
     }
@@ -145,6 +143,16 @@ struct ProjectedGaussSeidel {
     /// \endcond
 
   private:
+    template <class World>
+    struct SolveRow {
+        World& world;
+        bool& changed;
+        template <class Row>
+        void operator()(const Row& row) const {
+            if (solve_row(world, row)) changed = true;
+        }
+    };
+
     // Gives the ends of a row the velocity that it asks for. Returns whether that changed anything.
     template <class World, class Row>
     static bool solve_row(World& world, const Row& row) {

@@ -23,9 +23,9 @@ struct WorstFirst {
     template <class World>
     struct Row {
         using Scalar = typename World::Scalar;
-        typename World::Index a = 0, b = 0;  // b may be nothing
-        typename World::Vector normal;       // from b to a
-        Scalar penetration = Scalar();       // when it was found
+        typename World::Index a = {}, b = {};  // b may be nothing
+        typename World::Vector normal;         // from b to a
+        Scalar penetration = Scalar();         // when it was found
         Scalar restitution = Scalar();
     };
 

@@ -54,11 +54,13 @@ class Atmega328p : CheckedConfiguration<Chosen> {
     /// @{
     template <Category category>
     static void raise() {
-        if (contains(Configuration::profiled, category)) PORTD |= pin_of(category);
+        if (contains(Configuration::profiled, category))
+            PORTD = static_cast<uint8_t>(PORTD | pin_of(category));
     }
     template <Category category>
     static void lower() {
-        if (contains(Configuration::profiled, category)) PORTD &= ~pin_of(category);
+        if (contains(Configuration::profiled, category))
+            PORTD = static_cast<uint8_t>(PORTD & ~pin_of(category));
     }
     /// @}
 
@@ -79,7 +81,7 @@ class Atmega328p : CheckedConfiguration<Chosen> {
   private:
     static constexpr uint8_t servo_pin = 1 << PD7;
     static constexpr uint8_t pin_of(Category category) {
-        return 1 << (PD2 + static_cast<uint8_t>(category));
+        return static_cast<uint8_t>(1 << (PD2 + static_cast<uint8_t>(category)));
     }
     static constexpr uint8_t profiling_pins = static_cast<uint8_t>(Configuration::profiled << PD2);
 
@@ -133,7 +135,7 @@ volatile uint8_t Atmega328p<C>::lost_;
 
 template <class C>
 void Atmega328p<C>::start() {
-    PORTD &= ~(servo_pin | profiling_pins);
+    PORTD &= static_cast<uint8_t>(~(servo_pin | profiling_pins));
     DDRD |= servo_pin | profiling_pins;
 
     pulse_ = C::servo_at_start * ticks_per_microsecond;
@@ -156,7 +158,7 @@ void Atmega328p<C>::start() {
     ADMUX = multiplexer(sensor_a);
     ADCSRA = start_conversion;
 
-    set_sleep_mode(SLEEP_MODE_IDLE);
+    SMCR = static_cast<uint8_t>(SMCR & ~(1 << SM0 | 1 << SM1 | 1 << SM2));  // idle
     sei();
 }
 
@@ -180,7 +182,7 @@ Readings Atmega328p<C>::readings() {
     do {
         place = place_;
         result = Readings();
-        for (uint8_t i = 0; i < places; i += inputs)
+        for (uint8_t i = 0; i < places; i = static_cast<uint8_t>(i + inputs))
             for (uint8_t input = 0; input < inputs; ++input)
                 result.sum[input] += history_[i + input];
     } while (place != place_);
@@ -216,7 +218,7 @@ void Atmega328p<C>::conversion_complete() {
     ADCSRA = start_conversion;
     const uint8_t place = place_;
     history_[place] = reading;
-    place_ = place == places - 1 ? 0 : place + 1;
+    place_ = static_cast<uint8_t>(place == places - 1 ? 0 : place + 1);
 }
 
 // Waits for the very tick of the edge, 6 cycles a round, so that neither other interrupts nor
@@ -245,7 +247,9 @@ void Atmega328p<C>::byte_received() {
     const bool kept = (status & 1 << FE0) == 0 && receive_.free() != 0;
     if (kept) receive_.push(byte);
     // An overrun tells of bytes that came after this one.
-    if ((!kept || (status & 1 << DOR0) != 0) && lost_ != 255) lost_ = lost_ + 1;
+    if ((!kept || (status & 1 << DOR0) != 0) && lost_ != 255) {
+        lost_ = static_cast<uint8_t>(lost_ + 1);
+    }
 }
 
 }  // namespace firmware

@@ -70,7 +70,7 @@ class Host : CheckedConfiguration<Chosen> {
     /// The oldest byte to be received, -1 where there is none.
     static int16_t read() {
         if (world().received.empty()) return -1;
-        const uint8_t byte = world().received.front();
+        const uint8_t byte = static_cast<uint8_t>(world().received.front());
         world().received.erase(0, 1);
         return byte;
     }
@@ -84,7 +84,8 @@ class Host : CheckedConfiguration<Chosen> {
     /// Lowers the category's pin, where it is profiled.
     template <Category category>
     static void lower() {
-        if (contains(Configuration::profiled, category)) world().pins &= ~set_of(category);
+        if (contains(Configuration::profiled, category))
+            world().pins &= static_cast<uint8_t>(~set_of(category));
     }
     /// Returns at once.
     static void idle() {}

@@ -5,6 +5,8 @@
 
 #include <stdint.h>
 
+#include <fixedpoint/constexpr.hpp>
+
 namespace firmware {
 
 /// The inputs, in the order in which they are sampled.
@@ -27,7 +29,7 @@ constexpr uint8_t ticks_per_microsecond = ticks_per_millisecond / 1000;
 
 /// The pulse, in ticks, that a servo gets: the one asked for, held to its travel.
 template <class Configuration>
-constexpr uint16_t servo_pulse(uint16_t ticks) {
+FIXEDPOINT_CONSTEXPR uint16_t servo_pulse(uint16_t ticks) {
     constexpr uint16_t shortest = Configuration::servo_shortest * ticks_per_microsecond;
     constexpr uint16_t longest = Configuration::servo_longest * ticks_per_microsecond;
     return ticks < shortest ? shortest : ticks > longest ? longest : ticks;

@@ -13,23 +13,23 @@ template <uint8_t Capacity>
 class RingBuffer {
   public:
     /// The bytes in it.
-    uint8_t size() const { return written_ - read_; }
+    uint8_t size() const { return static_cast<uint8_t>(written_ - read_); }
     /// Whether there are none.
     bool empty() const { return written_ == read_; }
     /// The room for more.
-    uint8_t free() const { return Capacity - size(); }
+    uint8_t free() const { return static_cast<uint8_t>(Capacity - size()); }
 
     /// Where there is room.
     void push(uint8_t byte) {
         const uint8_t written = written_;
         bytes_[written % Capacity] = byte;
-        written_ = written + 1;
+        written_ = static_cast<uint8_t>(written + 1);
     }
     /// Where there is a byte.
     uint8_t pop() {
         const uint8_t read = read_;
         const uint8_t byte = bytes_[read % Capacity];
-        read_ = read + 1;
+        read_ = static_cast<uint8_t>(read + 1);
         return byte;
     }
 

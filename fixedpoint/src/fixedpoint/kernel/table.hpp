@@ -136,6 +136,7 @@
     KERNEL(UNARY, exp_small, int32_t, 16, fixedpoint_exp_q16_16_small, exp_small) \
     KERNEL(UNARY, log, int32_t, 16, fixedpoint_log_q16_16, log) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, UNARY, log) \
+    KERNEL(UNARY, log_small, int32_t, 16, fixedpoint_log_q16_16_small, log_small) \
     KERNEL(VECTORS, dot2, int32_t, 16, fixedpoint_dot2_q16_16, dot2) \
     KERNEL(VECTORS, dot2, int64_t, 32, fixedpoint_dot2_q32_32, dot2) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, VECTORS, dot2) \

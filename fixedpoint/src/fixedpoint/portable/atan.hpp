@@ -22,11 +22,11 @@ FIXEDPOINT_CONSTEXPR int32_t atan_small<int32_t, 16>(int32_t a) {
 
 template <class Raw, int F>
 struct ArcTangent {
-    static constexpr Raw apply(Raw a) { return atan_small<Raw, F>(a); }
+    static FIXEDPOINT_CONSTEXPR Raw apply(Raw a) { return atan_small<Raw, F>(a); }
 };
 template <int F>
 struct ArcTangent<int32_t, F> {
-    static constexpr int32_t apply(int32_t a) { return atan_32<F>(a); }
+    static FIXEDPOINT_CONSTEXPR int32_t apply(int32_t a) { return atan_32<F>(a); }
 };
 template <>
 struct ArcTangent<int32_t, 16> {

@@ -75,7 +75,7 @@ FIXEDPOINT_CONSTEXPR int32_t atan2_small<int32_t, 16>(int32_t y, int32_t x) {
 
 template <class Raw, int F>
 struct AngleOf {
-    static constexpr Raw apply(Raw y, Raw x) { return atan2_small<Raw, F>(y, x); }
+    static FIXEDPOINT_CONSTEXPR Raw apply(Raw y, Raw x) { return atan2_small<Raw, F>(y, x); }
 };
 template <>
 struct AngleOf<int16_t, 8> {
@@ -83,7 +83,7 @@ struct AngleOf<int16_t, 8> {
 };
 template <int F>
 struct AngleOf<int32_t, F> {
-    static constexpr int32_t apply(int32_t y, int32_t x) { return atan2_32<F>(y, x); }
+    static FIXEDPOINT_CONSTEXPR int32_t apply(int32_t y, int32_t x) { return atan2_32<F>(y, x); }
 };
 template <>
 struct AngleOf<int32_t, 16> {

@@ -90,7 +90,7 @@ struct Exponential {
 };
 template <int F>
 struct Exponential<int32_t, F> {
-    static constexpr int32_t apply(int32_t a) { return exp_32<F>(a); }
+    static FIXEDPOINT_CONSTEXPR int32_t apply(int32_t a) { return exp_32<F>(a); }
 };
 template <>
 struct Exponential<int32_t, 16> {

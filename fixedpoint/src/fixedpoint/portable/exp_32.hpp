@@ -22,7 +22,8 @@ FIXEDPOINT_CONSTEXPR int32_t exp_32(int32_t a) {
     const int64_t position = static_cast<int64_t>(a) * (int64_t(1) << (32 - F));
     const int32_t whole = static_cast<int32_t>(position >> 32) + 24;
     const int32_t fraction = static_cast<int32_t>(position >> 24 & 0xff);
-    const int k = (whole * 185 + (fraction * 185 >> 8) + 128 * (F + 10) - 24 * 185 + 9) >> 7;
+    const int k = static_cast<int>(
+        (whole * 185 + (fraction * 185 >> 8) + 128 * (F + 10) - 24 * 185 + 9) >> 7);
     const uint64_t rest =
         static_cast<uint64_t>((k - (F + 9)) * ln2 - position * 256) & 0xffffffffff;
 

@@ -6,6 +6,7 @@
 #include <fixedpoint/portable/cordic.hpp>
 #include <fixedpoint/portable/log_32.hpp>
 #include <fixedpoint/portable/log_q16_16.hpp>
+#include <fixedpoint/portable/log_small_q16_16.hpp>
 #include <fixedpoint/portable/pseudo_division_table.hpp>
 
 namespace fixedpoint {
@@ -44,7 +45,7 @@ FIXEDPOINT_CONSTEXPR Word mantissa_logarithm(Word mantissa) {
     return logarithm;
 }
 
-// For every format; small, as it has no table but the word's few ln(1 + 2^-i).
+// For every format but Q16.16; small, as it has no table but the word's few ln(1 + 2^-i).
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw log_small(Raw a) {
     using Word = CordicWord<F>;
@@ -65,13 +66,18 @@ FIXEDPOINT_CONSTEXPR Raw log_small(Raw a) {
     return clamped_with_sign<Raw>((result + (Word(1) << (surplus - 1))) >> surplus, exponent < 0);
 }
 
+template <>
+FIXEDPOINT_CONSTEXPR int32_t log_small<int32_t, 16>(int32_t a) {
+    return log_small_q16_16(a);
+}
+
 template <class Raw, int F>
 struct Logarithm {
     static constexpr Raw apply(Raw a) { return log_small<Raw, F>(a); }
 };
 template <int F>
 struct Logarithm<int32_t, F> {
-    static constexpr int32_t apply(int32_t a) { return log_32<F>(a); }
+    static FIXEDPOINT_CONSTEXPR int32_t apply(int32_t a) { return log_32<F>(a); }
 };
 template <>
 struct Logarithm<int32_t, 16> {

@@ -174,8 +174,8 @@ struct Sine {
 };
 template <int F>
 struct Sine<int32_t, F> {
-    static constexpr int32_t sin(int32_t angle) { return sin_32<F>(angle); }
-    static constexpr int32_t cos(int32_t angle) { return cos_32<F>(angle); }
+    static FIXEDPOINT_CONSTEXPR int32_t sin(int32_t angle) { return sin_32<F>(angle); }
+    static FIXEDPOINT_CONSTEXPR int32_t cos(int32_t angle) { return cos_32<F>(angle); }
     static FIXEDPOINT_CONSTEXPR void sincos(int32_t angle, int32_t* result) {
         const uint64_t turns = quarter_turns_32<F>(angle);
         result[0] = sine_of_quarter_turns_32<F>(turns);

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// int32_t fixedpoint_log_q16_16_small(int32_t a)
+// ln a in Q16.16, within 0.73 ulp for every a > 0; the smallest number where a <= 0.
+//
+// In       a = r25:r22
+// Out      r25:r22
+// Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
+// Table    96 bytes, fixedpoint_log_small_table
+//
+// a is shifted left until its leading one leaves, and with every bit ln 2 is subtracted from
+// 16 ln 2, in units of 2^-24. What is left of a is the fraction of a number from 1 to 2, of which
+// parabola_small.S adds the logarithm.
+//
+// Error in ulp: parabola 0.2, ln 2 rounded 0.002. Rounding 0.5. The worst of all inputs is WORST.
+
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
+
+// 2^24 ln 2
+#define LN2 11629080
+#define START (16 * LN2)
+
+#define sum0 r18
+#define sum1 r19
+#define sum2 r20
+#define sum3 r21
+
+    .macro subtract constant
+    subi sum0, lo8(\constant)
+    sbci sum1, hi8(\constant)
+    sbci sum2, hlo8(\constant)
+    sbci sum3, hhi8(\constant)
+    .endm
+
+    SECTION fixedpoint_log_q16_16_small
+.Lnone:
+    ldi r22, 0
+    ldi r23, 0
+    ldi r24, 0
+    ldi r25, 0x80
+    ret
+
+    ENTRY fixedpoint_log_q16_16_small
+    cp r1, r22
+    cpc r1, r23
+    cpc r1, r24
+    cpc r1, r25
+    brge .Lnone
+    ldi sum0, lo8(START)
+    ldi sum1, hi8(START)
+    ldi sum2, hlo8(START)
+    ldi sum3, hhi8(START)
+.Lbyte:
+    tst r25
+    brne .Lbit
+    mov r25, r24
+    mov r24, r23
+    mov r23, r22
+    mov r22, r1
+    subtract (8 * LN2)
+    rjmp .Lbyte
+.Lbit:
+    subtract LN2
+    lsl r22
+    rol r23
+    rol r24
+    rol r25
+    brcc .Lbit
+
+    ldi r30, lo8(fixedpoint_log_small_table)
+    ldi r31, hi8(fixedpoint_log_small_table)
+    XCALL fixedpoint_parabola_small
+    mov r22, sum1
+    mov r23, sum2
+    mov r24, sum3
+    lsl sum3
+    sbc r25, r25
+    clr r1
+    ret
+    ENDFUNC fixedpoint_log_q16_16_small
+#endif

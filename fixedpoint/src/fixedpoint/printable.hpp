@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Numbers where an Arduino sketch takes what is Printable: Serial.println(printable(x)) or, with so
+// many decimals, printable(x, 3). The vtable that this needs is the wrapper's: a number has none,
+// and a program that prints by print(Serial, x) does not hold it.
+#pragma once
+
+#ifdef ARDUINO
+#include <Print.h>
+
+#include <fixedpoint/serial.hpp>
+
+namespace fixedpoint {
+
+template <class Number>
+class PrintableNumber : public ::Printable {
+  public:
+    constexpr PrintableNumber(Number number, uint8_t decimals)
+        : number_(number), decimals_(decimals) {}
+    size_t printTo(::Print& out) const override {
+        return decimals_ == shortest ? print(out, number_) : print(out, number_, decimals_);
+    }
+    // In place of the decimals: the shortest text that parse reads as the number.
+    static constexpr uint8_t shortest = 255;
+
+  private:
+    Number number_;
+    uint8_t decimals_;
+};
+
+template <int IntegerBits, int F, class A>
+constexpr PrintableNumber<Fixed<IntegerBits, F, A>> printable(
+    Fixed<IntegerBits, F, A> x,
+    uint8_t decimals = PrintableNumber<Fixed<IntegerBits, F, A>>::shortest) {
+    return {x, decimals};
+}
+
+}  // namespace fixedpoint
+#endif
