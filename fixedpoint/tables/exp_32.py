@@ -17,6 +17,7 @@ def risen(numerator, denominator):
 
 if __name__ == "__main__":
     cubic.write("exp_32_table", "exp_32.py",
-                "1 - e^-x on the first 208 of 256 intervals of [0, 1], which reach beyond ln 2, cubics in\n"
+                "1 - e^-x on the first 208 of 256 intervals of [0, 1], which reach beyond ln 2, "
+                "cubics in\n"
                 "the layout of tables/cubic.py.",
                 "Exp32Table", risen, intervals=208)

@@ -20,7 +20,8 @@ def fallen(numerator, denominator):
 if __name__ == "__main__":
     logarithms = [max(0, (2 * i).bit_length() - 1) for i in range(128)]
     cubic.write("reciprocal_sqrt_32_table", "reciprocal_sqrt_32.py",
-                "1 - 1/sqrt(1 + x) on 256 intervals of [0, 1], cubics in the layout of tables/cubic.py.",
+                "1 - 1/sqrt(1 + x) on 256 intervals of [0, 1], cubics in the layout of "
+                "tables/cubic.py.",
                 "ReciprocalSqrt32Table", fallen, [
                     ("of a byte, by its upper 7 bits: the factor that moves its leading one out",
                      [256 >> logarithm & 255 for logarithm in logarithms]),
