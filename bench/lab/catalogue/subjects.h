@@ -51,12 +51,12 @@
 #define PUBLISHED_OPERATIONS(X, ...) \
     OPERATORS(X, __VA_ARGS__)        \
     OPERATION_sqrt(X, __VA_ARGS__) OPERATION_atan2(X, __VA_ARGS__)
-#define SMALL_OPERATIONS(X, ...)                                                                  \
-    OPERATION_divide(X, __VA_ARGS__)                                                              \
-    OPERATION_sqrt(X, __VA_ARGS__) OPERATION_atan(X, __VA_ARGS__) OPERATION_atan2(X, __VA_ARGS__) \
-        OPERATION_reciprocal_sqrt(X, __VA_ARGS__) OPERATION_sin(X, __VA_ARGS__)                   \
-            OPERATION_cos(X, __VA_ARGS__) OPERATION_sincos(X, __VA_ARGS__)                        \
-                OPERATION_exp(X, __VA_ARGS__) OPERATION_log(X, __VA_ARGS__)
+#define SMALL_OPERATIONS(X, ...)                                                                   \
+    OPERATION_divide(X, __VA_ARGS__) OPERATION_sqrt(X, __VA_ARGS__) OPERATION_atan(X, __VA_ARGS__) \
+        OPERATION_atan2(X, __VA_ARGS__) OPERATION_reciprocal_sqrt(X, __VA_ARGS__)                  \
+            OPERATION_sin(X, __VA_ARGS__) OPERATION_cos(X, __VA_ARGS__)                            \
+                OPERATION_sincos(X, __VA_ARGS__) OPERATION_exp(X, __VA_ARGS__)                     \
+                    OPERATION_log(X, __VA_ARGS__)
 
 /* X(implementation, policy, provenance, on the host, formats, operations, label)
  *

@@ -6,6 +6,8 @@
 
 #ifdef ARDUINO
 #include <Print.h>
+// A macro of avr-libc's <stdlib.h>, which the core's header brings: see integer.hpp.
+#undef abs
 
 #include <fixedpoint/serial.hpp>
 
