@@ -38,11 +38,10 @@ FIXEDPOINT_CONSTEXPR int32_t exp_small_q16_16(int32_t a) {
     const uint32_t f3 = f >> 24, f2 = f >> 16 & 0xff, f1 = f >> 8 & 0xff, f0 = f & 0xff;
     const uint32_t c4 = static_cast<uint32_t>(c >> 32), c3 = c >> 24 & 0xff, c2 = c >> 16 & 0xff,
                    c1 = c >> 8 & 0xff, c0 = c & 0xff;
-    const uint64_t product = (static_cast<uint64_t>(f3 * c4) << 24) +
-                             (static_cast<uint64_t>(f2 * c4 + f3 * c3) << 16) +
-                             ((f1 * c4 + f2 * c3 + f3 * c2) << 8) + f0 * c4 + f1 * c3 + f2 * c2 +
-                             f3 * c1 + (f0 * c3 >> 8) + (f1 * c2 >> 8) + (f2 * c1 >> 8) +
-                             (f3 * c0 >> 8);
+    const uint64_t product =
+        (static_cast<uint64_t>(f3 * c4) << 24) + (static_cast<uint64_t>(f2 * c4 + f3 * c3) << 16) +
+        ((f1 * c4 + f2 * c3 + f3 * c2) << 8) + f0 * c4 + f1 * c3 + f2 * c2 + f3 * c1 +
+        (f0 * c3 >> 8) + (f1 * c2 >> 8) + (f2 * c1 >> 8) + (f3 * c0 >> 8);
     const uint64_t mantissa = (uint64_t(1) << 32) + f + ((c + product) >> 8);
     return static_cast<int32_t>(((mantissa >> (shift - 1)) + 1) >> 1);
 }
