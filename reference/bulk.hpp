@@ -133,7 +133,7 @@ Judgement judge_function(Number x, std::int64_t result) {
     }
     return {.error_ulp = double(error),
             .as_defined = std::abs(double(error)) <= held_to.bound_ulp,
-            .underflow = (x < 0 ? -x : x) < Number(0.5)};
+            .underflow = subject.operation == Operation::exp && x < Number(0.5)};
 }
 
 // result - sqrt(square) without cancellation, for square >= 0.
@@ -171,8 +171,7 @@ Judgement judge_root(std::int64_t a, std::int64_t result) {
     const auto error = root_error<Float<format.width>>(result, square);
     const bool wraps = held_to.overflow == Overflow::wraps;
     return {.error_ulp = double(wraps ? wrapped<format>(error) : error),
-            .as_defined = result >= 0 && rounded,
-            .underflow = a == 0};
+            .as_defined = result >= 0 && rounded};
 }
 
 template <Subject subject>
@@ -186,9 +185,7 @@ Judgement judge_length(std::span<const std::int64_t> v, std::int64_t result) {
     const Square limit = Square(format.max());
     if (square > limit * limit + limit) return pinned(format.max(), result);
     const double error = double(root_error<Float<format.width>>(result, square));
-    return {.error_ulp = error,
-            .as_defined = std::abs(error) <= held_to.bound_ulp,
-            .underflow = square == 0};
+    return {.error_ulp = error, .as_defined = std::abs(error) <= held_to.bound_ulp};
 }
 
 template <Subject subject>
@@ -209,7 +206,6 @@ Judgement judge_unit_vector(std::span<const std::int64_t> v,
             worst.error_ulp = judgement.error_ulp;
         worst.as_defined &= judgement.as_defined;
         worst.defined = (i == 0 || worst.defined) && judgement.defined;
-        worst.underflow = (i == 0 || worst.underflow) && judgement.underflow;
     }
     return worst;
 }
@@ -288,7 +284,6 @@ Judgement judge(std::span<const std::int64_t> operands, std::span<const std::int
         Judgement worse = std::abs(c.error_ulp) > std::abs(s.error_ulp) ? c : s;
         worse.defined = s.defined && c.defined;
         worse.as_defined = s.as_defined && c.as_defined;
-        worse.underflow = s.underflow && c.underflow;
         return worse;
     } else if constexpr (operation == Operation::length2 || operation == Operation::length3) {
         return judge_length<subject>(operands.first(shape(operation).operands), result);

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <optional>
 #include <stdexcept>
-#include <type_traits>
 #include <vector>
 
 #include "reference/exact.hpp"
@@ -84,8 +83,7 @@ Judgement judge_fixed(const NumberFormat& format, const Definition& definition, 
     const bool as_defined = definition.rounding == Rounding::within_bound
                                 ? std::abs(error_ulp) <= definition.bound_ulp
                                 : difference(target) == 0;
-    const bool underflow = std::is_same_v<Number, Real> && abs(x) < scale(Number(1), -1);
-    return {.error_ulp = error_ulp, .as_defined = as_defined, .underflow = underflow};
+    return {.error_ulp = error_ulp, .as_defined = as_defined};
 }
 
 // Of an IEEE single. The ulp is that of the exact value's binade.
@@ -195,10 +193,11 @@ class Judge {
     Judgement against(const Exact& exact, std::int64_t result) const {
         return std::visit(
             [&](const auto& number) {
-                return subject_.format.is_float()
-                           ? judge_single(definition_, number, result)
-                           : judge_fixed(subject_.format, definition_,
-                                         scale(number, subject_.format.fraction), result);
+                if (subject_.format.is_float()) return judge_single(definition_, number, result);
+                const auto in_ulp = scale(number, subject_.format.fraction);
+                Judgement judgement = judge_fixed(subject_.format, definition_, in_ulp, result);
+                judgement.underflow = subject_.operation == Operation::exp && in_ulp * 2 < 1;
+                return judgement;
             },
             exact);
     }

@@ -14,8 +14,8 @@ struct Judgement {
     bool defined = false;
     // The result is one that the definition allows.
     bool as_defined = true;
-    // A function's exact value is below half an ulp: the result 0 tells nothing of how exactly the
-    // function is computed. exp has such a value at half of its inputs.
+    // The exact value of exp is below half an ulp: the result 0 tells nothing of how exactly the
+    // function is computed. No other function comes so near to 0 for more than single operands.
     bool underflow = false;
     // Why nothing was judged (the other members then say nothing); null where it was.
     const char* excluded = nullptr;
