@@ -7,6 +7,10 @@
 #                                     and VERSION as library.properties has them
 # What git does not know is left out. Exit status: 2 for a wrong call.
 set -euo pipefail
+if [ "${1-}" = --help ]; then
+    sed -n '3,/^set /{/^set /d;s/^# \{0,1\}//p}' "$0"
+    exit 0
+fi
 if [ $# -ne 1 ] || [[ $1 == -* ]]; then
     echo "usage: scripts/package.sh FOLDER, where the trees and zip files go" >&2
     exit 2

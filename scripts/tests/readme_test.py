@@ -26,6 +26,7 @@ INSTEAD = [
     (r"bench/run_all\.sh.*", "bench/run_all.sh --help", "measures for half an hour"),
     (r"scripts/test\.sh.*", "scripts/test.sh --help", "would run this test again"),
     (r"scripts/docs\.sh.*", "scripts/docs.sh --help", "the test scripts/docs runs it"),
+    (r"scripts/package\.sh.*", "scripts/package.sh --help", "the test fixedpoint/package runs it"),
     (r"scripts/setup\.sh.*", "bash -n scripts/setup.sh", "installs packages"),
     (r"scripts/flash\.sh.*", "bash -n scripts/flash.sh", "needs a board"),
     (r"fixbench(?: (?!-)[a-z_-]+)?.*", "fixbench {1} --help", "measures, or takes a file of the user's"),

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Functions in constant expressions.
-#include <fixedpoint/arithmetic/small.hpp>
 #include <fixedpoint/math.hpp>
 
 #include "constant.hpp"
@@ -53,16 +52,6 @@ void check_vectors() {
     CHECK_CONSTANT(sincos(x, 1));
 }
 
-template <Raw A, Raw B>
-void check_small_functions() {
-    CHECK_CONSTANT(sqrt(as<Small>(x)));
-    CHECK_CONSTANT(reciprocal_sqrt(as<Small>(x)));
-    CHECK_CONSTANT(atan(as<Small>(x)));
-    CHECK_CONSTANT(atan2(as<Small>(x), as<Small>(y)));
-    CHECK_CONSTANT(sin(as<Small>(x)));
-    CHECK_CONSTANT(cos(as<Small>(x)));
-}
-
 }  // namespace
 
 void test_constant_functions() {
@@ -70,6 +59,4 @@ void test_constant_functions() {
     check_functions<above_one, below_one>();
     check_vectors<third, fifth>();
     check_vectors<above_one, below_one>();
-    check_small_functions<third, fifth>();
-    check_small_functions<above_one, below_one>();
 }
