@@ -194,6 +194,30 @@ multiply q8_24 default physics 108
                                         (127.99, 1e-6, "q8_24")):
             self.assertEqual(operations.cheapest_format(made, largest, step)["format"], cheapest)
 
+    def test_the_table_of_formats(self):
+        made = golden(operations=OPERATIONS, table_3_1="""
+format maximum resolution
+q8_8 127.99 0.004
+q16_16 32768 0.000015
+float 3e38 1e-45
+""", flash="""
+operations format implementation flash_bytes
+nine float libc 2388
+nine q16_16 default 9000
+""")
+        rows = {row["kind"]: row for row in operations.format_table(made)}
+        self.assertEqual(list(rows), [("q8_8", "default"), ("q16_16", "default"), operations.FLOAT,
+                                      operations.PUBLISHED])
+        self.assertEqual([round(row["ratio"], 4) for row in rows.values()], [0.05, 0.2236, 1, 0.4])
+        self.assertEqual([row["flash"] for row in rows.values()], [None, 9000, 2388, None])
+        ours = rows["q16_16", "default"]
+        self.assertEqual((ours["range"], ours["resolution"], ours["ulp"]),
+                         ("32\u202f768", "1.5e-05", (0.5, "sqrt")))
+        self.assertEqual(ours["cycles"], [10, None, None, 300, None, None])
+        self.assertEqual(rows[operations.FLOAT]["losses"], "slower than Q16.16 in 2 of 2")
+        self.assertEqual(operations.power(0.25), "0.25")
+        self.assertEqual(operations.power(2.0**31), "2\u202f147\u202f483\u202f648")
+
     def test_flash_of_a_program_with_several(self):
         made = golden(flash="""
 operations format implementation flash_bytes
@@ -463,6 +487,33 @@ class Workload(Figures):
             self.assertEqual([label.get_text() for label in axes.get_yticklabels()],
                              ["divide", "step"])
             self.assertEqual(axes.get_xlim(), (0, 1000 * factor))
+
+    def test_the_steps_of_the_lever(self):
+        made = golden(features="""
+scene feature with cycles_per_step_mean flash_bytes
+lever arithmetic=Nearest yes 2335 6690
+lever arithmetic=Small yes 9266 5292
+everything arithmetic=Nearest yes 61402 15442
+""", scenes="""
+scene scalar arithmetic integrator dt cycles_per_step_mean flash_bytes
+lever q16_16 nearest semi_implicit_euler 0.00390625 2681 6798
+lever q16_16 nearest semi_implicit_euler 0.0078125 2682 6799
+lever q16_16 saturating semi_implicit_euler 0.00390625 2802 7134
+lever q16_16 nearest velocity_verlet 0.00390625 2900 7000
+lever q32_32 nearest semi_implicit_euler 0.00390625 - -
+lever float avr-libc semi_implicit_euler 0.00390625 7657 3212
+""", workload="""
+quantity arithmetic measured reason
+lever_step q16_16 2676 -O2
+lever_flash q16_16 6850 -O2
+lever_step float 7760 -O2
+lever_flash float 3348 -O2
+""")
+        self.assertEqual([(name, command, cycles, flash) for name, command, _, cycles, flash
+                          in scenes_workload.lever_steps(made)],
+                         [("Q16.16", "features", 2335, 6690), ("Q16.16", "scenes", 2681, 6798),
+                          ("float", "scenes", 7657, 3212), ("Q16.16", "workload", 2676, 6850),
+                          ("float", "workload", 7760, 3348)])
 
     def test_rounds(self):
         axes = scenes_workload.draw_rounds(golden(workload_rounds="""
