@@ -137,7 +137,7 @@
     .endif
     brge 1f
     .if \fraction < 27
-    cpi r25, -((\fraction + 3) * LN2 >> (64 - \fraction))
+    cpi r25, lo8(-((\fraction + 3) * LN2 >> (64 - \fraction)))
     brge 3f
     .else
     rjmp 3f
