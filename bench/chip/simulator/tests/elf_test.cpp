@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bench/chip/simulator/elf.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -109,7 +110,10 @@ class DamagedElfTest : public testing::Test {
     void expect(const std::string& expected) const { EXPECT_EQ(message(), expected); }
 
     std::string bytes;
-    const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "damaged.elf";
+    const std::filesystem::path path =
+        std::filesystem::path(testing::TempDir()) /
+        fmt::format("damaged.{}.elf",
+                    testing::UnitTest::GetInstance()->current_test_info()->name());
 };
 
 TEST_F(DamagedElfTest, ProgramsForOtherChipsAreRefused) {

@@ -170,7 +170,7 @@
     rjmp .Lno_logarithm_\fraction
 1:
     .elseif \fraction > 26
-    cpi r26, -(1 << (30 - \fraction))
+    cpi r26, lo8(-(1 << (30 - \fraction)))
     brge 1f
     rjmp .Lno_logarithm_\fraction
 1:
