@@ -93,7 +93,7 @@ after=$(cd "$source/results" && find . -type f -exec sha256sum {} + | sort | sha
 "$fixbench" "${one[@]}" --output "$scratch/good" 2>/dev/null || fail "cycles"
 cmp -s "$scratch/csv" "$scratch/good/operations.csv" || fail "printed and written tables differ"
 [ "$(wc -l <"$scratch/good/operations.csv")" = 2 ] || fail "operations.csv has more than one row"
-head -1 "$scratch/good/operations.csv" | grep -q "^operation,format,implementation,operands,samples,cycles_min,cycles_mean,cycles_max,cycles_max_witness,max_ulp,max_ulp_witness,rms_ulp,bound,flash_bytes,stack_bytes" ||
+head -1 "$scratch/good/operations.csv" | grep -q "^operation,format,implementation,operands,samples,regular,cycles_min,cycles_mean,cycles_max,cycles_max_witness,max_ulp,max_ulp_witness,rms_ulp,bound,flash_bytes,stack_bytes" ||
     fail "the columns of operations.csv"
 python3 -m json.tool "$scratch/good/operations.json" >/dev/null || fail "operations.json is no JSON"
 # A selection never replaces what is there.
