@@ -102,6 +102,7 @@ test("the first paint comes within a second", async () => {
   const times = [];
   for (let run = 0; run < 3 && !(Math.min(...times) < 1000); ++run) {
     const fresh = await open("view=operations");
+    await fresh.waitForFunction(() => performance.getEntriesByName("first-contentful-paint").length > 0);
     times.push(await fresh.evaluate(() => performance.getEntriesByName("first-contentful-paint")[0].startTime));
     await fresh.close();
   }
