@@ -15,15 +15,17 @@ import os
 import re
 import subprocess
 import sys
+import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-scratch, run_on_chip = Path(sys.argv[1]), sys.argv[2]
+run_on_chip = sys.argv[2]
 here = Path(__file__).parent
 project = here.parent.parent.parent
 source = project / "fixedpoint/src"
 device = here.parent / "device"
-scratch.mkdir(parents=True, exist_ok=True)
+Path(sys.argv[1]).mkdir(parents=True, exist_ok=True)
+scratch = tempfile.TemporaryDirectory(dir=sys.argv[1])  # removed when the program ends
 
 WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror"]
 STANDARDS = [11, 14, 17, 20, 23]
@@ -42,6 +44,11 @@ COMPILERS = {"g++": ["g++"], "clang++": ["clang++-19"], "avr-g++": ["avr-g++"],
 
 class Failure(Exception):
     pass
+
+
+def own_folder(name):
+    """Cells run side by side, so that none may write where another one reads."""
+    return Path(tempfile.mkdtemp(prefix=f"{name}_", dir=scratch.name))
 
 
 def run(command, **options):
@@ -88,8 +95,7 @@ def undefined(objects):
 
 def kernels(name, standard, chip, *options):
     """Compiles kernels.cpp: all kernels or none are called."""
-    label = re.sub(r"\W+", "_", f"{name}_{standard}_{chip}_{'_'.join(map(str, options))[-40:]}")
-    target = scratch / f"kernels_{label}.o"
+    target = own_folder("kernels") / "kernels.o"
     must([*compiler(name, standard, chip), *WARNINGS, "-Os", *options, "-c", here / "kernels.cpp",
           "-o", target])
     if "-flto" in options:
@@ -112,7 +118,7 @@ def kernels(name, standard, chip, *options):
 
 def everything(name, standard, chip):
     """Through the public functions, too, every kernel of the formats used is called."""
-    target = scratch / f"everything_{name.replace(' ', '_')}_{standard}_{chip}.o"
+    target = own_folder("everything") / "everything.o"
     must([*compiler(name, standard, chip), "-Os", "-c", here / "everything.cpp", "-o", target])
     called = undefined([target])
     expected = set() if chip in PLAIN else {
@@ -125,8 +131,7 @@ def everything(name, standard, chip):
 
 def assembly(chip, assembler="avr-gcc"):
     """Assembles avr/*.S, and returns the objects."""
-    folder = scratch / f"assembly_{assembler}_{chip}"
-    folder.mkdir(exist_ok=True)
+    folder = own_folder(f"assembly_{chip}")
     command = {"avr-gcc": ["avr-gcc"], "clang": ["clang-19", "--target=avr"]}[assembler]
     objects = []
     for path in sorted((source / "fixedpoint/avr").glob("*.S")):
@@ -154,10 +159,7 @@ def assembles(chip, assembler="avr-gcc"):
 
 def runs(name, standard, chip, test, integer_bits, fraction_bits, *options):
     """Links a test of tests/device and runs it. What is not the library's comes from avr-gcc."""
-    label = "_".join([re.sub(r"\W+", "_", name), str(standard), chip, test, str(integer_bits),
-                      str(fraction_bits), *(option.strip("-") for option in options)])
-    folder = scratch / label
-    folder.mkdir(exist_ok=True)
+    folder = own_folder(f"{test}_{chip}")
     expected = folder / "expected.cpp"
     must([sys.executable, device / "expected.py", integer_bits, fraction_bits, expected])
     flags = ["-Os", "-DF_CPU=16000000UL", f"-DINTEGER_BITS={integer_bits}",
@@ -183,7 +185,7 @@ def runs(name, standard, chip, test, integer_bits, fraction_bits, *options):
 
 
 def refuses(name, chip, statement, reason, *options):
-    program = scratch / f"refused_{abs(hash((name, chip, statement)))}.cpp"
+    program = own_folder("refused") / "refused.cpp"
     program.write_text("#include <fixedpoint.h>\nusing namespace fixedpoint;\n"
                        f"using namespace fixedpoint::literals;\nvoid f() {{ {statement} }}\n")
     result = run([*compiler(name, 14, chip), *options, "-fsyntax-only", program])
