@@ -112,6 +112,11 @@ void all_of_one_operand(DenseCalls& calls, const reference::NumberFormat& format
     }
 }
 
+// A space of 2^16 inputs and less is run whole.
+void all_of_the_only_operand(DenseCalls& calls, const reference::NumberFormat& format) {
+    for (std::int64_t raw = format.min(); raw <= format.max(); ++raw) calls.add(std::array{raw});
+}
+
 // Long runs of equal bits make long carries, which random bits seldom do.
 std::int64_t runs_of_bits(const reference::NumberFormat& format, std::mt19937_64& random) {
     const auto power = [&] { return std::uint64_t(1) << random() % unsigned(format.width); };
@@ -148,6 +153,7 @@ void call_densely(DenseCalls& calls, const HostSubject& host, std::uint64_t samp
         calls.add(each.operands);
     }
     const std::size_t arity = reference::shape(host.subject.operation).operands;
+    if (format.width <= 16 && arity == 1) all_of_the_only_operand(calls, format);
     if (format.width <= 16 && arity == 2) all_of_one_operand(calls, format);
     if (reference::shape(host.subject.operation).signature == reference::Signature::length)
         lengths_beside_the_limit(calls, format, arity);

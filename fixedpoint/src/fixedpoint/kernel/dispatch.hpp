@@ -79,6 +79,12 @@ constexpr bool through_q16_16() {
     return sizeof(Raw) <= 2 && F <= 13;
 }
 
+// Functions of Q8.8 have kernels of their own.
+template <class Raw, int F>
+constexpr bool is_q8_8() {
+    return sizeof(Raw) == 2 && F == 8;
+}
+
 // a as Q16.16, exact. Precondition: through_q16_16<Raw, F>().
 template <class Raw, int F>
 constexpr int32_t to_q16_16(Raw a) {
@@ -91,29 +97,28 @@ FIXEDPOINT_CONSTEXPR Raw from_q16_16(int32_t a) {
     return portable::convert_clamped<Raw, F, int32_t, 16>(a).number;
 }
 
-#define FIXEDPOINT_THROUGH_Q16_16(operation, portable_operation)                       \
+#define FIXEDPOINT_THROUGH_Q16_16(operation, has_own)                                  \
     template <class Raw, int F>                                                        \
     FIXEDPOINT_CONSTEXPR Raw operation(Raw a) {                                        \
-        return through_q16_16<Raw, F>()                                                \
+        return through_q16_16<Raw, F>() && !(has_own)                                  \
                    ? from_q16_16<Raw, F>(operation<int32_t, 16>(to_q16_16<Raw, F>(a))) \
-                   : portable::portable_operation<Raw, F>(a);                          \
+                   : portable::operation<Raw, F>(a);                                   \
     }
-FIXEDPOINT_THROUGH_Q16_16(reciprocal_sqrt, reciprocal_sqrt)
-FIXEDPOINT_THROUGH_Q16_16(reciprocal_sqrt_small, reciprocal_sqrt_small)
-FIXEDPOINT_THROUGH_Q16_16(sin, sin)
-FIXEDPOINT_THROUGH_Q16_16(sin_small, sin_small)
-FIXEDPOINT_THROUGH_Q16_16(cos, cos)
-FIXEDPOINT_THROUGH_Q16_16(cos_small, cos_small)
-FIXEDPOINT_THROUGH_Q16_16(atan, atan)
-FIXEDPOINT_THROUGH_Q16_16(atan_small, atan_small)
-FIXEDPOINT_THROUGH_Q16_16(exp, exp)
-FIXEDPOINT_THROUGH_Q16_16(log, log)
+FIXEDPOINT_THROUGH_Q16_16(reciprocal_sqrt, false)
+FIXEDPOINT_THROUGH_Q16_16(reciprocal_sqrt_small, false)
+FIXEDPOINT_THROUGH_Q16_16(sin, (is_q8_8<Raw, F>()))
+FIXEDPOINT_THROUGH_Q16_16(sin_small, false)
+FIXEDPOINT_THROUGH_Q16_16(cos, (is_q8_8<Raw, F>()))
+FIXEDPOINT_THROUGH_Q16_16(cos_small, false)
+FIXEDPOINT_THROUGH_Q16_16(atan, false)
+FIXEDPOINT_THROUGH_Q16_16(atan_small, false)
+FIXEDPOINT_THROUGH_Q16_16(exp, false)
+FIXEDPOINT_THROUGH_Q16_16(log, (is_q8_8<Raw, F>()))
 #undef FIXEDPOINT_THROUGH_Q16_16
 
-// Q8.8 has a kernel of its own.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw atan2(Raw y, Raw x) {
-    return through_q16_16<Raw, F>() && !(sizeof(Raw) == 2 && F == 8)
+    return through_q16_16<Raw, F>() && !is_q8_8<Raw, F>()
                ? from_q16_16<Raw, F>(atan2<int32_t, 16>(to_q16_16<Raw, F>(y), to_q16_16<Raw, F>(x)))
                : portable::atan2<Raw, F>(y, x);
 }
@@ -126,7 +131,7 @@ FIXEDPOINT_CONSTEXPR Raw atan2_small(Raw y, Raw x) {
 
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR void sincos(Raw angle, Raw* sine_and_cosine) {
-    if (through_q16_16<Raw, F>()) {
+    if (through_q16_16<Raw, F>() && !is_q8_8<Raw, F>()) {
         int32_t wide[2] = {};
         sincos<int32_t, 16>(to_q16_16<Raw, F>(angle), wide);
         sine_and_cosine[0] = from_q16_16<Raw, F>(wide[0]);
@@ -175,9 +180,13 @@ FIXEDPOINT_CONSTEXPR __attribute__((noinline)) Raw divide_small(Raw a, Raw b) {
 // The remainder does not depend on the fraction bits.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw remainder(Raw a, Raw b) {
-    return has_assembly && sizeof(Raw) == 4 ? static_cast<Raw>(remainder<int32_t, 16>(
-                                                  static_cast<int32_t>(a), static_cast<int32_t>(b)))
-                                            : portable::remainder<Raw, F>(a, b);
+    return !has_assembly || sizeof(Raw) > 4 ? portable::remainder<Raw, F>(a, b)
+           : sizeof(Raw) == 4 ? static_cast<Raw>(remainder<int32_t, 16>(static_cast<int32_t>(a),
+                                                                        static_cast<int32_t>(b)))
+           : sizeof(Raw) == 2 ? static_cast<Raw>(remainder<int16_t, 8>(static_cast<int16_t>(a),
+                                                                       static_cast<int16_t>(b)))
+                              : static_cast<Raw>(remainder<int8_t, 4>(static_cast<int8_t>(a),
+                                                                      static_cast<int8_t>(b)));
 }
 
 // Formats of 8 and 16 bits have the root of the integer a 2^F, rounded once.

@@ -6,6 +6,7 @@
 #include <fixedpoint/portable/cordic.hpp>
 #include <fixedpoint/portable/sin_32.hpp>
 #include <fixedpoint/portable/sin_q16_16.hpp>
+#include <fixedpoint/portable/sin_q8_8.hpp>
 #include <fixedpoint/portable/sin_small_q16_16.hpp>
 
 namespace fixedpoint {
@@ -170,6 +171,15 @@ struct Sine {
     static constexpr Raw cos(Raw angle) { return cos_small<Raw, F>(angle); }
     static FIXEDPOINT_CONSTEXPR void sincos(Raw angle, Raw* result) {
         sincos_small<Raw, F>(angle, result);
+    }
+};
+template <>
+struct Sine<int16_t, 8> {
+    static FIXEDPOINT_CONSTEXPR int16_t sin(int16_t angle) { return sin_q8_8(angle); }
+    static FIXEDPOINT_CONSTEXPR int16_t cos(int16_t angle) { return cos_q8_8(angle); }
+    static FIXEDPOINT_CONSTEXPR void sincos(int16_t angle, int16_t* result) {
+        result[0] = sin_q8_8(angle);
+        result[1] = cos_q8_8(angle);
     }
 };
 template <int F>
