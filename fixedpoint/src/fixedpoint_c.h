@@ -117,9 +117,11 @@ q4_4 q4_4_dot2(const q4_4 a[2], const q4_4 b[2])
 q4_4 q4_4_dot3(const q4_4 a[3], const q4_4 b[3])
     FIXEDPOINT_C_KERNEL(fixedpoint_dot3_q4_4);
 /// The length of v within 1 ulp, saturated to Q4_4_MAX; no square overflows.
-q4_4 q4_4_length2(const q4_4 v[2]);
+q4_4 q4_4_length2(const q4_4 v[2])
+    FIXEDPOINT_C_KERNEL(fixedpoint_length2_q4_4);
 /// The length of v within 1 ulp, saturated to Q4_4_MAX; no square overflows.
-q4_4 q4_4_length3(const q4_4 v[3]);
+q4_4 q4_4_length3(const q4_4 v[3])
+    FIXEDPOINT_C_KERNEL(fixedpoint_length3_q4_4);
 /// Writes v divided by its length, each component within 1 ulp; zeros where v is zero. `unit` may
 /// be v.
 void q4_4_normalise3(const q4_4 v[3], q4_4 unit[3]);
@@ -192,7 +194,8 @@ q8_8 q8_8_shift_right(q8_8 a, uint8_t count);
 q8_8 q8_8_sqrt(q8_8 a)
     FIXEDPOINT_C_KERNEL(fixedpoint_sqrt_q8_8);
 /// 1 / sqrt(a) within 0.75 ulp, saturated to Q8_8_MAX, which it is where a is 0; 0 where a < 0.
-q8_8 q8_8_reciprocal_sqrt(q8_8 a);
+q8_8 q8_8_reciprocal_sqrt(q8_8 a)
+    FIXEDPOINT_C_KERNEL(fixedpoint_reciprocal_sqrt_q8_8);
 /// The sine of any angle in radians within 0.75 ulp, never beyond -1 and 1.
 q8_8 q8_8_sin(q8_8 angle)
     FIXEDPOINT_C_KERNEL(fixedpoint_sin_q8_8);
@@ -219,9 +222,11 @@ q8_8 q8_8_dot2(const q8_8 a[2], const q8_8 b[2])
 q8_8 q8_8_dot3(const q8_8 a[3], const q8_8 b[3])
     FIXEDPOINT_C_KERNEL(fixedpoint_dot3_q8_8);
 /// The length of v within 1 ulp, saturated to Q8_8_MAX; no square overflows.
-q8_8 q8_8_length2(const q8_8 v[2]);
+q8_8 q8_8_length2(const q8_8 v[2])
+    FIXEDPOINT_C_KERNEL(fixedpoint_length2_q8_8);
 /// The length of v within 1 ulp, saturated to Q8_8_MAX; no square overflows.
-q8_8 q8_8_length3(const q8_8 v[3]);
+q8_8 q8_8_length3(const q8_8 v[3])
+    FIXEDPOINT_C_KERNEL(fixedpoint_length3_q8_8);
 /// Writes v divided by its length, each component within 1 ulp; zeros where v is zero. `unit` may
 /// be v.
 void q8_8_normalise3(const q8_8 v[3], q8_8 unit[3]);

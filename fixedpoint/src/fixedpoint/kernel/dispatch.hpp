@@ -104,7 +104,7 @@ FIXEDPOINT_CONSTEXPR Raw from_q16_16(int32_t a) {
                    ? from_q16_16<Raw, F>(operation<int32_t, 16>(to_q16_16<Raw, F>(a))) \
                    : portable::operation<Raw, F>(a);                                   \
     }
-FIXEDPOINT_THROUGH_Q16_16(reciprocal_sqrt, false)
+FIXEDPOINT_THROUGH_Q16_16(reciprocal_sqrt, (is_q8_8<Raw, F>()))
 FIXEDPOINT_THROUGH_Q16_16(reciprocal_sqrt_small, false)
 FIXEDPOINT_THROUGH_Q16_16(sin, (is_q8_8<Raw, F>()))
 FIXEDPOINT_THROUGH_Q16_16(sin_small, false)
@@ -222,46 +222,31 @@ FIXEDPOINT_CONSTEXPR Raw dot3(const Raw* a, const Raw* b) {
     return portable::dot3<Raw, F>(a, b);
 }
 
-// The length of raw numbers is the raw length, rounded once: the fraction bits cancel, and all
-// splits of 32 bits have the lengths of Q16.16, and those of 16 bits too.
-template <class Raw>
-FIXEDPOINT_CONSTEXPR Raw raw_length2(const Raw* v) {
-    const int32_t raw[2] = {static_cast<int32_t>(v[0]), static_cast<int32_t>(v[1])};
-    return clamped<Raw>(length2<int32_t, 16>(raw));
+// The fraction bits cancel: a width has one length, the kernel of its square split, which rounds to
+// nearest as the portable code does.
+#define FIXEDPOINT_LENGTH(length, Raw, F) \
+    FIXEDPOINT_CONSTEXPR Raw raw_##length(const Raw* v) { return length<Raw, F>(v); }
+FIXEDPOINT_LENGTH(length2, int8_t, 4)
+FIXEDPOINT_LENGTH(length2, int16_t, 8)
+FIXEDPOINT_LENGTH(length2, int32_t, 16)
+FIXEDPOINT_LENGTH(length3, int8_t, 4)
+FIXEDPOINT_LENGTH(length3, int16_t, 8)
+FIXEDPOINT_LENGTH(length3, int32_t, 16)
+#undef FIXEDPOINT_LENGTH
+FIXEDPOINT_CONSTEXPR int64_t raw_length2(const int64_t* v) {
+    return portable::length2<int64_t, 0>(v);
 }
-FIXEDPOINT_CONSTEXPR int32_t raw_length2(const int32_t* v) { return length2<int32_t, 16>(v); }
-template <class Raw>
-FIXEDPOINT_CONSTEXPR Raw raw_length3(const Raw* v) {
-    const int32_t raw[3] = {static_cast<int32_t>(v[0]), static_cast<int32_t>(v[1]),
-                            static_cast<int32_t>(v[2])};
-    return clamped<Raw>(length3<int32_t, 16>(raw));
-}
-FIXEDPOINT_CONSTEXPR int32_t raw_length3(const int32_t* v) { return length3<int32_t, 16>(v); }
-
-// Formats of up to 13 fraction bits round the length from Q16.16.
-template <class Raw, int F>
-FIXEDPOINT_CONSTEXPR Raw length2_through_q16_16(const Raw* v) {
-    const int32_t wide[2] = {to_q16_16<Raw, F>(v[0]), to_q16_16<Raw, F>(v[1])};
-    return from_q16_16<Raw, F>(length2<int32_t, 16>(wide));
-}
-template <class Raw, int F>
-FIXEDPOINT_CONSTEXPR Raw length3_through_q16_16(const Raw* v) {
-    const int32_t wide[3] = {to_q16_16<Raw, F>(v[0]), to_q16_16<Raw, F>(v[1]),
-                             to_q16_16<Raw, F>(v[2])};
-    return from_q16_16<Raw, F>(length3<int32_t, 16>(wide));
+FIXEDPOINT_CONSTEXPR int64_t raw_length3(const int64_t* v) {
+    return portable::length3<int64_t, 0>(v);
 }
 
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw length2(const Raw* v) {
-    return through_q16_16<Raw, F>()           ? length2_through_q16_16<Raw, F>(v)
-           : has_assembly && sizeof(Raw) <= 4 ? raw_length2(v)
-                                              : portable::length2<Raw, F>(v);
+    return has_assembly ? raw_length2(v) : portable::length2<Raw, F>(v);
 }
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw length3(const Raw* v) {
-    return through_q16_16<Raw, F>()           ? length3_through_q16_16<Raw, F>(v)
-           : has_assembly && sizeof(Raw) <= 4 ? raw_length3(v)
-                                              : portable::length3<Raw, F>(v);
+    return has_assembly ? raw_length3(v) : portable::length3<Raw, F>(v);
 }
 
 template <class Raw, int F>

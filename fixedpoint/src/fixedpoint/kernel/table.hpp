@@ -116,6 +116,7 @@
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, UNARY, sqrt) \
     KERNEL(UNARY, sqrt_small, int32_t, 16, fixedpoint_sqrt_q16_16_small, sqrt) \
     KERNEL(UNARY, reciprocal_sqrt, int8_t, 4, fixedpoint_reciprocal_sqrt_q4_4, reciprocal_sqrt) \
+    KERNEL(UNARY, reciprocal_sqrt, int16_t, 8, fixedpoint_reciprocal_sqrt_q8_8, reciprocal_sqrt) \
     KERNEL(UNARY, reciprocal_sqrt, int32_t, 16, fixedpoint_reciprocal_sqrt_q16_16, reciprocal_sqrt) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, UNARY, reciprocal_sqrt) \
     KERNEL(UNARY, reciprocal_sqrt_small, int32_t, 16, fixedpoint_reciprocal_sqrt_q16_16_small, reciprocal_sqrt_small) \
@@ -160,8 +161,12 @@
     KERNEL(VECTORS, dot3, int32_t, 16, fixedpoint_dot3_q16_16, dot3) \
     KERNEL(VECTORS, dot3, int64_t, 32, fixedpoint_dot3_q32_32, dot3) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, VECTORS, dot3) \
+    KERNEL(VECTOR, length2, int8_t, 4, fixedpoint_length2_q4_4, length2) \
+    KERNEL(VECTOR, length2, int16_t, 8, fixedpoint_length2_q8_8, length2) \
     KERNEL(VECTOR, length2, int32_t, 16, fixedpoint_length2_q16_16, length2) \
     KERNEL(VECTOR, length2, int64_t, 32, fixedpoint_length2_q32_32, length2) \
+    KERNEL(VECTOR, length3, int8_t, 4, fixedpoint_length3_q4_4, length3) \
+    KERNEL(VECTOR, length3, int16_t, 8, fixedpoint_length3_q8_8, length3) \
     KERNEL(VECTOR, length3, int32_t, 16, fixedpoint_length3_q16_16, length3) \
     KERNEL(VECTOR, length3, int64_t, 32, fixedpoint_length3_q32_32, length3) \
     KERNEL(MAPPING, normalise3, int32_t, 16, fixedpoint_normalise3_q16_16, normalise3)
