@@ -229,7 +229,8 @@ q8_8 q8_8_length3(const q8_8 v[3])
     FIXEDPOINT_C_KERNEL(fixedpoint_length3_q8_8);
 /// Writes v divided by its length, each component within 1 ulp; zeros where v is zero. `unit` may
 /// be v.
-void q8_8_normalise3(const q8_8 v[3], q8_8 unit[3]);
+void q8_8_normalise3(const q8_8 v[3], q8_8 unit[3])
+    FIXEDPOINT_C_KERNEL(fixedpoint_normalise3_q8_8);
 /// The number n modulo 2^8: itself where the format holds it.
 q8_8 q8_8_from_int32(int32_t n);
 /// The integer nearest to a, half up.

@@ -4,7 +4,7 @@
 //
 // In:       a r25:r24
 // Out:      r25:r24
-// Clobbers: r0, r18..r23, r30, r31
+// Clobbers: r0, r18, r19, r22, r30, r31
 // Stack:    0 bytes.
 //
 // a is moved up by a byte and then by bit pairs, until its leading one is in bit 14 or 15: 4^j a.
@@ -13,13 +13,13 @@
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
+#include "reciprocal_root_q8_8.inc"
 
 #define a0 r24
 #define a1 r25
 #define power r22
 #define value0 r18
 #define value1 r19
-#define slope r20
 
     FUNCTION fixedpoint_reciprocal_sqrt_q8_8
     ldi power, 1
@@ -43,24 +43,7 @@
     cpi a1, 64
     brlo .Lpair
 .Lmoved:
-    lsr a1
-    ror a0
-    sbrs a1, 6
-    rjmp 1f
-    lsr a1
-    ror a0
-    subi a1, -32
-1:  mov r30, a1
-    subi r30, 32
-    ldi r31, hi8(fixedpoint_reciprocal_sqrt_q8_8_table)
-    lpm value1, Z
-    subi r30, -64
-    lpm value0, Z
-    subi r30, -64
-    lpm slope, Z
-    mul slope, a0
-    sub value0, r1
-    sbci value1, 0
+    reciprocal_root value1, value0, a1, a0
     mul value1, power
     movw r24, r0
     mul value0, power

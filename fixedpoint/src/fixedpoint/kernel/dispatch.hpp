@@ -272,7 +272,7 @@ struct Normalisation<int32_t, 16, true> : Normalisation<int32_t, 16, false> {};
 
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR void normalise3(const Raw* v, Raw* unit) {
-    if (through_q16_16<Raw, F>()) {
+    if (through_q16_16<Raw, F>() && !is_q8_8<Raw, F>()) {
         int32_t wide[3] = {to_q16_16<Raw, F>(v[0]), to_q16_16<Raw, F>(v[1]),
                            to_q16_16<Raw, F>(v[2])};
         normalise3<int32_t, 16>(wide, wide);

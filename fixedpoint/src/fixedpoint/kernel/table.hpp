@@ -169,5 +169,6 @@
     KERNEL(VECTOR, length3, int16_t, 8, fixedpoint_length3_q8_8, length3) \
     KERNEL(VECTOR, length3, int32_t, 16, fixedpoint_length3_q16_16, length3) \
     KERNEL(VECTOR, length3, int64_t, 32, fixedpoint_length3_q32_32, length3) \
+    KERNEL(MAPPING, normalise3, int16_t, 8, fixedpoint_normalise3_q8_8, normalise3) \
     KERNEL(MAPPING, normalise3, int32_t, 16, fixedpoint_normalise3_q16_16, normalise3)
 // clang-format on
