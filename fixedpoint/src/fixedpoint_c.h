@@ -206,7 +206,8 @@ q8_8 q8_8_cos(q8_8 angle)
 void q8_8_sincos(q8_8 angle, q8_8 sine_and_cosine[2])
     FIXEDPOINT_C_KERNEL(fixedpoint_sincos_q8_8);
 /// The arc tangent in radians within 0.75 ulp.
-q8_8 q8_8_atan(q8_8 a);
+q8_8 q8_8_atan(q8_8 a)
+    FIXEDPOINT_C_KERNEL(fixedpoint_atan_q8_8);
 /// The angle of the vector (x, y) in radians, in (-pi, pi], within 0.75 ulp; 0 where both are 0.
 q8_8 q8_8_atan2(q8_8 y, q8_8 x)
     FIXEDPOINT_C_KERNEL(fixedpoint_atan2_q8_8);

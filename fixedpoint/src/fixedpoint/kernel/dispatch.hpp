@@ -79,7 +79,7 @@ constexpr bool through_q16_16() {
     return sizeof(Raw) <= 2 && F <= 13;
 }
 
-// Functions of Q8.8 have kernels of their own.
+// The functions of Q8.8 have kernels of their own, but for exp and the small variants.
 template <class Raw, int F>
 constexpr bool is_q8_8() {
     return sizeof(Raw) == 2 && F == 8;
@@ -110,7 +110,7 @@ FIXEDPOINT_THROUGH_Q16_16(sin, (is_q8_8<Raw, F>()))
 FIXEDPOINT_THROUGH_Q16_16(sin_small, false)
 FIXEDPOINT_THROUGH_Q16_16(cos, (is_q8_8<Raw, F>()))
 FIXEDPOINT_THROUGH_Q16_16(cos_small, false)
-FIXEDPOINT_THROUGH_Q16_16(atan, false)
+FIXEDPOINT_THROUGH_Q16_16(atan, (is_q8_8<Raw, F>()))
 FIXEDPOINT_THROUGH_Q16_16(atan_small, false)
 FIXEDPOINT_THROUGH_Q16_16(exp, false)
 FIXEDPOINT_THROUGH_Q16_16(log, (is_q8_8<Raw, F>()))

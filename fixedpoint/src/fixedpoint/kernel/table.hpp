@@ -131,6 +131,7 @@
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, UNARY, cos) \
     KERNEL(UNARY, cos_small, int32_t, 16, fixedpoint_cos_q16_16_small, cos_small) \
     KERNEL(UNARY, atan, int8_t, 4, fixedpoint_atan_q4_4, atan) \
+    KERNEL(UNARY, atan, int16_t, 8, fixedpoint_atan_q8_8, atan) \
     KERNEL(UNARY, atan, int32_t, 16, fixedpoint_atan_q16_16, atan) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, UNARY, atan) \
     KERNEL(UNARY, atan_small, int32_t, 16, fixedpoint_atan_q16_16_small, atan_small) \

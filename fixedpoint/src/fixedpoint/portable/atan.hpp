@@ -34,6 +34,10 @@ struct ArcTangent<int8_t, 4> {
             .number;
     }
 };
+template <>
+struct ArcTangent<int16_t, 8> {
+    static FIXEDPOINT_CONSTEXPR int16_t apply(int16_t a) { return atan2_q8_8(a, 1 << 8); }
+};
 template <int F>
 struct ArcTangent<int32_t, F> {
     static FIXEDPOINT_CONSTEXPR int32_t apply(int32_t a) { return atan_32<F>(a); }
