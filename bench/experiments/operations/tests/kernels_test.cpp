@@ -146,6 +146,22 @@ void lengths_beside_the_limit(DenseCalls& calls, const reference::NumberFormat& 
     }
 }
 
+// r^2 + r, the largest sum of squares below (r + 1/2)^2, is that of (m^2, m), and r^2 + r + 1, the
+// next one, that of (m^2 - 1, m).
+void lengths_beside_halves(DenseCalls& calls, const reference::NumberFormat& format,
+                           std::size_t arity) {
+    std::mt19937_64 random(6);
+    std::vector<std::int64_t> raws(arity, 0);
+    for (int i = 0; i < 1000; ++i) {
+        const auto m = std::int64_t((random() >> (65 - format.width / 2)) >> random() % 4);
+        for (const std::int64_t longer : {m * m, m * m - 1}) {
+            raws[i % 2] = longer;
+            raws[1 - i % 2] = -m;
+            calls.add(raws);
+        }
+    }
+}
+
 void call_densely(DenseCalls& calls, const HostSubject& host, std::uint64_t samples) {
     const reference::NumberFormat& format = host.subject.operand_format;
     for (const operands::BoundaryCase& each :
@@ -155,8 +171,10 @@ void call_densely(DenseCalls& calls, const HostSubject& host, std::uint64_t samp
     const std::size_t arity = reference::shape(host.subject.operation).operands;
     if (format.width <= 16 && arity == 1) all_of_the_only_operand(calls, format);
     if (format.width <= 16 && arity == 2) all_of_one_operand(calls, format);
-    if (reference::shape(host.subject.operation).signature == reference::Signature::length)
+    if (reference::shape(host.subject.operation).signature == reference::Signature::length) {
         lengths_beside_the_limit(calls, format, arity);
+        lengths_beside_halves(calls, format, arity);
+    }
     std::vector<std::int64_t> raws(arity);
     for (const operands::OperandClass each :
          {operands::OperandClass::physics, operands::OperandClass::full,
