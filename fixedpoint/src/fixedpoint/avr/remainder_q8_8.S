@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
-// int8_t fixedpoint_remainder_q4_4(int8_t a, int8_t b)
 // int16_t fixedpoint_remainder_q8_8(int16_t a, int16_t b)
-// a - b trunc(a / b), exact, with the sign of a; a where b = 0: the same for every split of 8 and of
-// 16 bits.
+// a - b trunc(a / b), exact, with the sign of a; a where b = 0: the same for every split of 16 bits.
 //
-// In:       a r24 or r25:r24, b r22 or r23:r22
-// Out:      r24 or r25:r24
+// In:       a r25:r24, b r23:r22
+// Out:      r25:r24
 // Clobbers: r18, r22, r23, T
 // Stack:    0 bytes.
 //
@@ -19,40 +17,7 @@
 #define a1 r25
 #define b0 r22
 #define b1 r23
-#define lowest r18
 #define bits r18
-
-    FUNCTION fixedpoint_remainder_q4_4
-    bst a0, 7
-    brtc 1f
-    neg a0
-1:  tst b0
-    breq .Ldone_8
-    brpl 1f
-    neg b0
-1:  mov lowest, b0
-.Lup_8:
-    cp a0, b0
-    brlo .Laligned_8
-    lsl b0
-    brcc .Lup_8
-    // 2^8 is above everything.
-    ror b0
-    rjmp .Lsubtract_8
-.Ldown_8:
-    lsr b0
-    cp a0, b0
-    brlo .Laligned_8
-.Lsubtract_8:
-    sub a0, b0
-.Laligned_8:
-    cp b0, lowest
-    brne .Ldown_8
-.Ldone_8:
-    brtc 1f
-    neg a0
-1:  ret
-    ENDFUNC fixedpoint_remainder_q4_4
 
     .macro negate low, high
     com \high
