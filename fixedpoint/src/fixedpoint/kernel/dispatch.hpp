@@ -79,7 +79,8 @@ constexpr bool through_q16_16() {
     return sizeof(Raw) <= 2 && F <= 13;
 }
 
-// The functions of Q8.8 have kernels of their own, but for exp and the small variants.
+// The functions of Q8.8 have kernels of their own, but for exp and the small variants; so have
+// sine, cosine and logarithm of the coarser splits of 16 bits.
 template <class Raw, int F>
 constexpr bool is_q8_8() {
     return sizeof(Raw) == 2 && F == 8;
@@ -106,14 +107,14 @@ FIXEDPOINT_CONSTEXPR Raw from_q16_16(int32_t a) {
     }
 FIXEDPOINT_THROUGH_Q16_16(reciprocal_sqrt, (is_q8_8<Raw, F>()))
 FIXEDPOINT_THROUGH_Q16_16(reciprocal_sqrt_small, false)
-FIXEDPOINT_THROUGH_Q16_16(sin, (is_q8_8<Raw, F>()))
+FIXEDPOINT_THROUGH_Q16_16(sin, (portable::is_coarse_16<Raw, F>()))
 FIXEDPOINT_THROUGH_Q16_16(sin_small, false)
-FIXEDPOINT_THROUGH_Q16_16(cos, (is_q8_8<Raw, F>()))
+FIXEDPOINT_THROUGH_Q16_16(cos, (portable::is_coarse_16<Raw, F>()))
 FIXEDPOINT_THROUGH_Q16_16(cos_small, false)
 FIXEDPOINT_THROUGH_Q16_16(atan, (is_q8_8<Raw, F>()))
 FIXEDPOINT_THROUGH_Q16_16(atan_small, false)
 FIXEDPOINT_THROUGH_Q16_16(exp, false)
-FIXEDPOINT_THROUGH_Q16_16(log, (is_q8_8<Raw, F>()))
+FIXEDPOINT_THROUGH_Q16_16(log, (portable::is_coarse_16<Raw, F>()))
 #undef FIXEDPOINT_THROUGH_Q16_16
 
 template <class Raw, int F>
@@ -131,7 +132,7 @@ FIXEDPOINT_CONSTEXPR Raw atan2_small(Raw y, Raw x) {
 
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR void sincos(Raw angle, Raw* sine_and_cosine) {
-    if (through_q16_16<Raw, F>() && !is_q8_8<Raw, F>()) {
+    if (through_q16_16<Raw, F>() && !portable::is_coarse_16<Raw, F>()) {
         int32_t wide[2] = {};
         sincos<int32_t, 16>(to_q16_16<Raw, F>(angle), wide);
         sine_and_cosine[0] = from_q16_16<Raw, F>(wide[0]);

@@ -32,8 +32,9 @@
 #define FIXEDPOINT_ARGUMENTS_MAPPING (v, mapped)
 
 // ROW(KERNEL, shape, operation, integer bits, fraction bits) for every split of 16 bits but Q8.8,
-// and of 32 bits but Q16.16, whose kernels are their own.
-#define FIXEDPOINT_SPLITS_16(ROW, KERNEL, shape, operation) \
+// and of 32 bits but Q16.16, whose kernels are their own. The coarse ones have less fraction bits
+// than Q8.8.
+#define FIXEDPOINT_COARSE_SPLITS_16(ROW, KERNEL, shape, operation) \
     ROW(KERNEL, shape, operation, 16, 0) \
     ROW(KERNEL, shape, operation, 15, 1) \
     ROW(KERNEL, shape, operation, 14, 2) \
@@ -41,7 +42,9 @@
     ROW(KERNEL, shape, operation, 12, 4) \
     ROW(KERNEL, shape, operation, 11, 5) \
     ROW(KERNEL, shape, operation, 10, 6) \
-    ROW(KERNEL, shape, operation, 9, 7) \
+    ROW(KERNEL, shape, operation, 9, 7)
+#define FIXEDPOINT_SPLITS_16(ROW, KERNEL, shape, operation) \
+    FIXEDPOINT_COARSE_SPLITS_16(ROW, KERNEL, shape, operation) \
     ROW(KERNEL, shape, operation, 7, 9) \
     ROW(KERNEL, shape, operation, 6, 10) \
     ROW(KERNEL, shape, operation, 5, 11) \
@@ -122,11 +125,13 @@
     KERNEL(UNARY, reciprocal_sqrt_small, int32_t, 16, fixedpoint_reciprocal_sqrt_q16_16_small, reciprocal_sqrt_small) \
     KERNEL(UNARY, sin, int8_t, 4, fixedpoint_sin_q4_4, sin) \
     KERNEL(UNARY, sin, int16_t, 8, fixedpoint_sin_q8_8, sin) \
+    FIXEDPOINT_COARSE_SPLITS_16(FIXEDPOINT_KERNEL_OF_SPLIT_16, KERNEL, UNARY, sin) \
     KERNEL(UNARY, sin, int32_t, 16, fixedpoint_sin_q16_16, sin) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, UNARY, sin) \
     KERNEL(UNARY, sin_small, int32_t, 16, fixedpoint_sin_q16_16_small, sin_small) \
     KERNEL(UNARY, cos, int8_t, 4, fixedpoint_cos_q4_4, cos) \
     KERNEL(UNARY, cos, int16_t, 8, fixedpoint_cos_q8_8, cos) \
+    FIXEDPOINT_COARSE_SPLITS_16(FIXEDPOINT_KERNEL_OF_SPLIT_16, KERNEL, UNARY, cos) \
     KERNEL(UNARY, cos, int32_t, 16, fixedpoint_cos_q16_16, cos) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, UNARY, cos) \
     KERNEL(UNARY, cos_small, int32_t, 16, fixedpoint_cos_q16_16_small, cos_small) \
@@ -137,6 +142,7 @@
     KERNEL(UNARY, atan_small, int32_t, 16, fixedpoint_atan_q16_16_small, atan_small) \
     KERNEL(PAIR, sincos, int8_t, 4, fixedpoint_sincos_q4_4, sincos) \
     KERNEL(PAIR, sincos, int16_t, 8, fixedpoint_sincos_q8_8, sincos) \
+    FIXEDPOINT_COARSE_SPLITS_16(FIXEDPOINT_KERNEL_OF_SPLIT_16, KERNEL, PAIR, sincos) \
     KERNEL(PAIR, sincos, int32_t, 16, fixedpoint_sincos_q16_16, sincos) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, PAIR, sincos) \
     KERNEL(BINARY, atan2, int16_t, 8, fixedpoint_atan2_q8_8, atan2) \
@@ -149,6 +155,7 @@
     KERNEL(UNARY, exp_small, int32_t, 16, fixedpoint_exp_q16_16_small, exp_small) \
     KERNEL(UNARY, log, int8_t, 4, fixedpoint_log_q4_4, log) \
     KERNEL(UNARY, log, int16_t, 8, fixedpoint_log_q8_8, log) \
+    FIXEDPOINT_COARSE_SPLITS_16(FIXEDPOINT_KERNEL_OF_SPLIT_16, KERNEL, UNARY, log) \
     KERNEL(UNARY, log, int32_t, 16, fixedpoint_log_q16_16, log) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, UNARY, log) \
     KERNEL(UNARY, log_small, int32_t, 16, fixedpoint_log_q16_16_small, log_small) \

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The chords of tables/chords_of_bytes.py, as the kernels of Q8.8 evaluate them.
+// The chords of tables/chords_of_bytes.py, as the kernels of 16 bits evaluate them.
 #pragma once
 
 #include <fixedpoint/integer.hpp>
@@ -7,6 +7,12 @@
 
 namespace fixedpoint {
 namespace portable {
+
+// The splits of 16 bits for which these chords are exact enough.
+template <class Raw, int F>
+constexpr bool is_coarse_16() {
+    return sizeof(Raw) == 2 && F <= 8;
+}
 
 // In units of 2^-5 ulp. The position's high byte is the interval, counted from the table's first.
 template <class Table>
