@@ -12,12 +12,11 @@ namespace portable {
 
 // 2^16 times the number of turns, cut; modulo 2^16.
 template <int F>
-constexpr uint16_t phase_16(int16_t angle) {
+FIXEDPOINT_CONSTEXPR uint16_t phase_16(int16_t angle) {
     // 2^32 / 2 pi ulp. The kernel leaves the lowest of the products out.
-    return static_cast<uint16_t>(
-        ((static_cast<uint16_t>(angle) & 0xffu) * ((683565276u + (1u << F >> 1)) >> F & ~0xffu) +
-         (static_cast<uint32_t>(angle >> 8) << 8) * ((683565276u + (1u << F >> 1)) >> F)) >>
-        16);
+    constexpr uint32_t turns = (uint32_t(683565276) + (uint32_t(1) << F >> 1)) >> F;
+    const uint32_t low = angle & 0xff, high = static_cast<uint32_t>(angle >> 8) << 8;
+    return static_cast<uint16_t>((low * (turns & ~uint32_t(0xff)) + high * turns) >> 16);
 }
 
 // Half a unit of 2^-8 is in the chords.
