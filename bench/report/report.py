@@ -18,10 +18,12 @@ import division_cycles
 import error_against_cycles
 import error_histograms
 import explorer
+import features
 import growth
 import haptic_region
 import haptic_timing
 import headline
+import identification
 import lever
 import operations
 import replay
@@ -163,7 +165,7 @@ def write(results, experiments=()):
              "operations": operations,
              "headline": headline, "table_3_2": table_3_2, "division_cycles": division_cycles,
              "error_against_cycles": error_against_cycles, "error_histograms": error_histograms,
-             "scenes": scenes, "scenes_workload": scenes_workload, "growth": growth, "lever": lever,
+             "features": features, "identification": identification, "scenes": scenes, "scenes_workload": scenes_workload, "growth": growth, "lever": lever,
              "stability": stability, "haptic_region": haptic_region}
     for template, (name, needed) in PAGES.items():
         if data.has(needed):
