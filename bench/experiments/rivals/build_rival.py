@@ -65,11 +65,12 @@ def build(rival, variant, options, source, folder):
     includes = [f"-I{name}" for name in [*below, os.path.join(HERE, "adapters"), ROOT]]
     files = [os.path.join(HERE, "adapters", rival["adapter"]), os.path.join(DEVICE, "subjects", "main.cpp"),
              *(os.path.join(source, name) for name in rival.get("sources", []))]
+    for name in [*below, *files]:
+        if not os.path.exists(name):
+            fail(f"{source} is no checkout of {rival['origin']}: {os.path.relpath(name, source)} is missing")
     os.makedirs(os.path.join(folder, variant), exist_ok=True)
     objects = []
     for number, name in enumerate(files):
-        if not os.path.exists(name):
-            fail(f"{source} is no checkout of {rival['origin']}: {os.path.relpath(name, source)} is missing")
         objects.append(os.path.join(folder, variant, f"{number}_{os.path.basename(name)}.o"))
         compiler = BY_ENDING[os.path.splitext(name)[1]]
         run([*compiler, *OPTIONS, *includes, f"-DRIVAL={variant}", *options, "-c", "-o", objects[-1], name])

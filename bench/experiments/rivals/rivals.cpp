@@ -1,22 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bench/experiments/rivals/rivals.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "bench/lab/operands/operand_class.hpp"
 #include "bench/lab/parallel.hpp"
+#include "bench/lab/program/run.hpp"
 #include "bench/lab/records/progress.hpp"
 #include "bench/lab/records/record.hpp"
 #include "bench/lab/subjects/measurement.hpp"
@@ -74,37 +70,16 @@ nlohmann::json manifest() {
     return nlohmann::json::parse(stream);
 }
 
-std::string text_of(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 // What build_rival.py prints; throws its one line where it fails.
 nlohmann::json build(const std::string& rival, const fs::path& source, const fs::path& scratch) {
-    const std::string script = folder / "build_rival.py", out = scratch / "built.json",
-                      err = scratch / "errors.txt";
-    std::vector<std::string> arguments = {script, rival, "--output", scratch.string()};
-    if (!source.empty()) arguments.insert(arguments.end(), {"--source", source.string()});
-    std::vector<char*> pointers;
-    for (std::string& argument : arguments) pointers.push_back(argument.data());
-    pointers.push_back(nullptr);
-    posix_spawn_file_actions_t files;
-    posix_spawn_file_actions_init(&files);
-    constexpr int fresh = O_CREAT | O_TRUNC | O_WRONLY;
-    posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, out.c_str(), fresh, 0666);
-    posix_spawn_file_actions_addopen(&files, STDERR_FILENO, err.c_str(), fresh, 0666);
-    pid_t child;
-    int status = -1;
-    const bool started =
-        posix_spawn(&child, script.c_str(), &files, nullptr, pointers.data(), environ) == 0;
-    posix_spawn_file_actions_destroy(&files);
-    if (started) waitpid(child, &status, 0);
-    if (!started || status != 0) {
-        std::string reason = started ? text_of(err) : "cannot run " + script;
-        reason.erase(reason.find_last_not_of('\n') + 1);
-        throw std::invalid_argument(fmt::format("{}: {}", rival, reason));
+    std::vector<std::string> arguments = {folder / "build_rival.py", rival, "--output", scratch};
+    if (!source.empty()) arguments.insert(arguments.end(), {"--source", source});
+    const fixbench::Ran ran = fixbench::run(arguments);
+    if (!ran.succeeded) {
+        const std::size_t end = ran.err.find_last_not_of('\n');
+        throw std::invalid_argument(fmt::format("{}: {}", rival, ran.err.substr(0, end + 1)));
     }
-    return nlohmann::json::parse(text_of(out));
+    return nlohmann::json::parse(ran.out);
 }
 
 struct Case {
@@ -255,8 +230,8 @@ std::map<std::string, std::pair<std::string, std::string>> footprints_of(const f
 // Rows of the present run in place of those of the same rivals; a row that is equal but for its
 // date stays.
 records::Table joined(const records::Table& measured, const fs::path& kept) {
-    if (!fs::exists(kept)) return measured;
-    const records::Table earlier = records::Table::load(kept);
+    const records::Table earlier =
+        kept.empty() ? records::Table(measured.columns()) : records::Table::load(kept);
     if (earlier.columns() != measured.columns())
         throw std::invalid_argument(
             fmt::format("{} has other columns than rivals.csv has now", kept.string()));

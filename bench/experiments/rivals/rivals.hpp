@@ -11,7 +11,7 @@ namespace rivals {
 
 struct Options {
     std::map<std::string, std::filesystem::path> sources;  // checkouts, by rival
-    std::filesystem::path kept;  // rivals.csv of an earlier run, may be missing
+    std::filesystem::path kept;  // rivals.csv of an earlier run; none where empty
     std::filesystem::path output;
     std::string date;  // of this run
     std::uint64_t samples = 2000;
