@@ -240,6 +240,13 @@ void Claim::judge_all(Raws operands, Raws results, reference::ErrorStatistics& s
     }
 }
 
+std::string text_of(const Claim& claim, Raws operands) {
+    std::string text;
+    for (std::size_t i = 0; i < operands.size(); ++i)
+        text += fmt::format("{}{}", i ? " " : "", claim.operands()[i].number(operands[i]));
+    return text;
+}
+
 std::unique_ptr<const Claim> parse_claim(const std::string& text, std::optional<double> bound_ulp) {
     if (text.find('=') != text.npos) return parse_formula(text, bound_ulp.value_or(0.5));
     return std::make_unique<OperationClaim>(parse_operation(text), bound_ulp);

@@ -77,6 +77,9 @@ class Claim {
     operations::Calling calling_;
 };
 
+// Operands as their decimal numbers, with blanks between.
+std::string text_of(const Claim& claim, Raws operands);
+
 // With a bound, a result that is not pinned is right where it is so near to the exact one; without,
 // where the operation's definition allows it, and of a formula within half an ulp. Throws
 // std::invalid_argument of one line.

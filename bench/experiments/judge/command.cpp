@@ -80,7 +80,8 @@ const fixbench::Registration judge({
                 if (asked->pipe) {
                     const auto claim = parse_claim(options.claim, options.bound_ulp);
                     const Piped piped = judge_lines(*claim, stdin);
-                    Figures row = figures_of("", options.claim, "", piped.errors, false);
+                    Figures row = figures_of(*claim, piped.errors);
+                    row.claim = options.claim;
                     row.samples = piped.calls;
                     row.regular = piped.errors.count() - piped.errors.underflowed();
                     wrong = row.violations;

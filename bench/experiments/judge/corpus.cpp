@@ -56,13 +56,6 @@ Worst worst_of(const fs::path& data) {
     return worst;
 }
 
-std::string text_of(const std::vector<std::int64_t>& operands) {
-    std::string text;
-    for (const std::int64_t operand : operands)
-        text += fmt::format("{}{}", text.empty() ? "" : " ", operand);
-    return text;
-}
-
 std::string corpus_of(const Subject& subject, const Worst& worst) {
     const auto& [operation, format] = subject;
     const auto claim = parse_claim(operation + ":" + format);
@@ -82,7 +75,7 @@ std::string corpus_of(const Subject& subject, const Worst& worst) {
     const std::size_t count = std::min(cases.size(), most_boundary_cases);
     for (std::size_t i = 0; i < count; ++i) {
         const operands::BoundaryCase& each = cases[i * cases.size() / count];
-        add(text_of(each.operands), each.what);
+        add(text_of(*claim, each.operands), each.what);
     }
     return text;
 }

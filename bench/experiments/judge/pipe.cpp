@@ -26,9 +26,7 @@ class Writer {
 
     void write(std::span<const std::int64_t> operands, const std::string& what = "") {
         text_.clear();
-        for (std::size_t i = 0; i < operands.size(); ++i)
-            fmt::format_to(std::back_inserter(text_), "{}{}", i ? " " : "",
-                           claim_.operands()[i].number(operands[i]));
+        fmt::format_to(std::back_inserter(text_), "{}", text_of(claim_, operands));
         if (!what.empty()) fmt::format_to(std::back_inserter(text_), " # {}", what);
         text_.push_back('\n');
         if (std::fwrite(text_.data(), 1, text_.size(), out_) != text_.size())

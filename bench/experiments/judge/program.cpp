@@ -13,7 +13,6 @@
 #include "bench/chip/simulator/convention.hpp"
 #include "bench/lab/parallel.hpp"
 #include "bench/lab/program/names.hpp"
-#include "bench/lab/subjects/witness.hpp"
 
 namespace judge {
 namespace {
@@ -74,7 +73,7 @@ std::string signature_fault(DeviceCall& call, const Claim& claim) {
                 return fmt::format(
                     "the operands {} gave {} and then {}: the function reads registers that hold "
                     "no operand of the claim, returns less than the claim says, or keeps a state",
-                    fmt::join(used, " "), claim.result().number(first.raws[i]),
+                    text_of(claim, used), claim.result().number(first.raws[i]),
                     claim.result().number(second.raws[i]));
         for (int byte = 0; byte < frame.result.size; ++byte) {
             bool same = false;
@@ -138,24 +137,19 @@ std::vector<std::string> classes_of(const Claim& claim) {
 
 }  // namespace
 
-Figures figures_of(const std::string& function, const std::string& claim,
-                   const std::string& operands, const reference::ErrorStatistics& errors,
-                   bool all_inputs) {
+Figures figures_of(const Claim& claim, const reference::ErrorStatistics& errors) {
     const auto judged = [&](double error) {
         return errors.count() > 0 ? std::optional(error) : std::nullopt;
     };
     Figures figures{};
-    figures.function = function;
-    figures.claim = claim;
-    figures.operands = operands;
     figures.max_ulp = judged(errors.max_ulp());
-    figures.max_ulp_witness = operations::text_of(errors.max_witness());
+    figures.max_ulp_witness = text_of(claim, errors.max_witness().operands());
     figures.rms_ulp = judged(errors.rms_ulp());
     figures.mean_ulp = judged(errors.mean_ulp());
-    figures.bound = all_inputs ? "exact" : "lower bound";
+    figures.bound = "lower bound";
     figures.excluded = errors.excluded();
     figures.violations = errors.wrong();
-    figures.first_violation = operations::text_of(errors.wrong_witness());
+    figures.first_violation = text_of(claim, errors.wrong_witness().operands());
     return figures;
 }
 
@@ -199,14 +193,17 @@ std::uint64_t judge_program(const ProgramOptions& options) {
             continue;
         }
         const Measurement& measured = measurements[i];
-        Figures row = figures_of(options.function, options.claim, classes[i], measured.errors,
-                                 classes[i] == "all");
+        Figures row = figures_of(*claim, measured.errors);
+        row.function = options.function;
+        row.claim = options.claim;
+        row.operands = classes[i];
+        if (classes[i] == "all") row.bound = "exact";
         row.samples = measured.samples;
         row.regular = measured.regular;
         row.cycles_min = measured.cycles_min;
         row.cycles_mean = measured.cycles_mean();
         row.cycles_max = measured.cycles_max;
-        row.cycles_max_witness = operations::text_of(measured.cycles_max_witness);
+        row.cycles_max_witness = text_of(*claim, measured.cycles_max_witness.operands());
         row.stack_bytes = measured.stack_bytes;
         wrong += row.violations;
         rows.push_back(std::move(row));

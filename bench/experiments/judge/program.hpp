@@ -49,10 +49,8 @@ struct Figures {
     }();
 };
 
-// The columns that follow from the errors.
-Figures figures_of(const std::string& function, const std::string& claim,
-                   const std::string& operands, const reference::ErrorStatistics& errors,
-                   bool all_inputs);
+// The columns that follow from the errors, whose bound is a lower one.
+Figures figures_of(const Claim& claim, const reference::ErrorStatistics& errors);
 
 struct ProgramOptions {
     std::filesystem::path program;

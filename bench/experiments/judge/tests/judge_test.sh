@@ -60,6 +60,9 @@ ends 0 "" judge "$elf" --function half --as 'int16(int16)=floor(a/2)' "${few[@]}
 ends 0 "" judge "$elf" --function half --as 'q8_8(q8_8)=a/2' --json
 python3 -m json.tool "$scratch/out" >/dev/null || fail "--json is no JSON"
 
+ends 0 "" judge "$elf" --function filter::third --as 'int16(int16)=trunc(a/3)' --bound 0 "${few[@]}"
+ends 2 "several functions filter::twice: name one of _Z" judge "$elf" --function filter::twice --as 'int16(int16)=2*a'
+
 identity='int32(int32)=a'
 ends 1 "not done after" judge "$elf" --function hangs --as "$identity"
 [ ! -s "$scratch/out" ] || fail "a function that hangs has figures"
@@ -88,6 +91,13 @@ for class in boundary uniform; do
     "$fixbench" operands --operation sqrt --format q16_16 --class $class | "$scratch/answer" |
         "$fixbench" judge --pipe --as sqrt:q16_16 >/dev/null || fail "answer.c, $class"
 done
+# A million results a second: of a processor's time, since others may use it too.
+"$fixbench" operands --operation sqrt --format q16_16 --class uniform --samples 1000000 | "$scratch/answer" >"$scratch/million"
+python3 - "$fixbench" "$scratch/million" <<'P' || fail "the pipe is slow"
+import resource, subprocess, sys
+subprocess.run([sys.argv[1], "judge", "--pipe", "--as", "sqrt:q16_16"], stdin=open(sys.argv[2]), stdout=subprocess.DEVNULL, check=True)
+sys.exit(resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime > 1)
+P
 sed '1000s/\(.*\) .*/\1 7/' "$scratch/divisions" >"$scratch/wrong"
 ends 1 "" judge --pipe --as divide:q8_24 --csv <"$scratch/wrong"
 [ "$(value violations "")" = 1 ] || fail "one wrong result of many: $(cat "$scratch/out")"
@@ -103,6 +113,7 @@ lines '1 2 2147483648\n'
 ends 2 "2147483648 is not in -2147483648..2147483647" judge --pipe --as divide:q8_24 <"$scratch/lines"
 lines '1 65535 32768\n'
 ends 0 "" judge --pipe --as 'uint16(uint16,uint16)=(a+b)/2' --csv <"$scratch/lines"
+[ "$(value max_ulp_witness "")" = "1 65535" ] || fail "an unsigned witness: $(cat "$scratch/out")"
 lines '65536 16777216 65536' # the last line has no end
 ends 0 "" judge --pipe --as divide:q8_24 --csv <"$scratch/lines"
 
