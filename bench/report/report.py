@@ -25,6 +25,7 @@ import headline
 import lever
 import operations
 import replay
+import rivals
 import scenes
 import scenes_workload
 import stability
@@ -164,7 +165,7 @@ def write(results, experiments=()):
              "headline": headline, "table_3_2": table_3_2, "division_cycles": division_cycles,
              "error_against_cycles": error_against_cycles, "error_histograms": error_histograms,
              "scenes": scenes, "scenes_workload": scenes_workload, "growth": growth, "lever": lever,
-             "stability": stability, "haptic_region": haptic_region}
+             "stability": stability, "haptic_region": haptic_region, "rivals": rivals}
     for template, (name, needed) in PAGES.items():
         if data.has(needed):
             with telling(name):
