@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <list>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -269,10 +270,16 @@ std::vector<std::string> known_rivals() {
 }
 
 void measure_rivals(const Options& options) {
-    std::vector<simulator::Elf> programs;
-    programs.reserve(100);  // subjects point to them
+    std::list<simulator::Elf> programs;  // subjects point to them
     std::vector<Subject> subjects;
     const fs::path scratch = options.output / "rivals.build";
+    struct Removed {
+        fs::path folder;
+        ~Removed() {
+            std::error_code ignored;
+            fs::remove_all(folder, ignored);
+        }
+    } const removed{scratch};
     const nlohmann::json rows = manifest();
     for (const auto& [name, row] : rows.items()) {
         const auto source = options.sources.find(name);
@@ -300,7 +307,6 @@ void measure_rivals(const Options& options) {
             }
         }
     }
-    fs::remove_all(scratch);
 
     constexpr operands::OperandClass classes[] = {operands::OperandClass::physics,
                                                   operands::OperandClass::full};
