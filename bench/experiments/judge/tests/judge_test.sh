@@ -114,6 +114,9 @@ ends 2 "2147483648 is not in -2147483648..2147483647" judge --pipe --as divide:q
 lines '1 65535 32768\n'
 ends 0 "" judge --pipe --as 'uint16(uint16,uint16)=(a+b)/2' --csv <"$scratch/lines"
 [ "$(value max_ulp_witness "")" = "1 65535" ] || fail "an unsigned witness: $(cat "$scratch/out")"
+lines '100 -3 4\n100 2000000000 0\n-100 2 -400\n'
+ends 0 "" judge --pipe --as shift_left:q16_16 --csv <"$scratch/lines"
+[ "$(value excluded "")" = 2 ] && [ "$(value violations "")" = 0 ] || fail "shifts: $(cat "$scratch/out")"
 lines '65536 16777216 65536' # the last line has no end
 ends 0 "" judge --pipe --as divide:q8_24 --csv <"$scratch/lines"
 
