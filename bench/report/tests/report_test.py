@@ -28,6 +28,7 @@ import lever  # noqa: E402
 import operations  # noqa: E402
 import replay  # noqa: E402
 import report  # noqa: E402
+import rivals  # noqa: E402
 import scenes  # noqa: E402
 import scenes_workload  # noqa: E402
 import stability  # noqa: E402
@@ -255,6 +256,36 @@ own q8_8 small 90
         self.assertAlmostEqual(shown[0].get_ylim()[1], 0.003)
         self.assertEqual(error_against_cycles.finding(made),
                          "Of 2 operations ours is on the front of error against cycles in 2, float in 1.")
+
+    RIVALS = """
+rival variant version commit measured operation format operands regular cycles_mean rms_ulp flash_bytes failure
+libfixmath libfixmath - abc 2026-01-02 sqrt q16_16 physics 9 500 2 49 -
+libfixmath libfixmath - abc 2026-01-02 sqrt q16_16 full 9 1 2 49 -
+libfixmath libfixmath_bytes - abc 2026-01-02 sqrt q16_16 physics 9 1 2 49 hangs
+avrfix avrfix 1.1 - 2026-01-03 add q16_16 physics 9 10 0 10 -
+avrfix avrfix 1.1 - 2026-01-03 add q8_24 physics 9 1 0 9 -
+"""
+
+    def test_rivals_stand_beside_ours(self):
+        made = golden(operations=OPERATIONS, rivals=self.RIVALS)
+        self.assertEqual(rivals.finding(made), "Of 2 functions of other libraries none takes fewer cycles than ours; "
+                                               "in add some take as many. Less flash than ours take 1 of them; where "
+                                               "that counts, the small tables are there.")
+        self.assertEqual([(name, [each for each in others if each]) for name, _, others in rivals.table(made)],
+                         [("add", [(10, 0)]), ("sqrt", [(500, 2)])])
+        self.assertEqual(rivals.table(made)[0][1], (10, 65.536, 10))
+        self.assertEqual(rivals.origins(made), "Measured: libfixmath at abc (2026-01-02); avrfix 1.1 (2026-01-03).")
+        shown = [axes for axes in error_against_cycles.draw(made).axes if axes.axison]
+        self.assertIn((500, 2 / 65536), [point for point, _ in points(shown[1])])
+
+    def test_another_librarys_lead_is_told(self):
+        made = golden(operations=OPERATIONS, rivals=self.RIVALS.replace(" 500 ", " 5 "))
+        self.assertIn("1 takes fewer cycles than ours: libfixmath in sqrt", rivals.finding(made))
+
+    def test_a_rival_without_a_name_is_refused(self):
+        made = golden(operations=OPERATIONS, rivals=self.RIVALS.replace("libfixmath_bytes", "another"))
+        with self.assertRaisesRegex(DataError, "another"):
+            rivals.table(made)
 
     def test_histograms_are_shares_of_all_inputs(self):
         rows = "operation format implementation low_ulp high_ulp count\n"
