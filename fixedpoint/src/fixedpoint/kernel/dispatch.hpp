@@ -193,17 +193,6 @@ FIXEDPOINT_CONSTEXPR Raw sqrt_small(Raw a) {
     return portable::sqrt<Raw, F>(a);
 }
 
-struct SqrtAndDivision {
-    static FIXEDPOINT_CONSTEXPR int64_t sqrt(int64_t a) { return kernel::sqrt<int64_t, 32>(a); }
-    static FIXEDPOINT_CONSTEXPR int64_t divide(int64_t a, int64_t b) {
-        return kernel::divide<int64_t, 32>(a, b);
-    }
-};
-template <>
-FIXEDPOINT_CONSTEXPR int64_t reciprocal_sqrt<int64_t, 32>(int64_t a) {
-    return portable::reciprocal_sqrt_by_division<SqrtAndDivision>(a);
-}
-
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw dot2(const Raw* a, const Raw* b) {
     return portable::dot2<Raw, F>(a, b);
