@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // reciprocal_sqrt: 2^F sqrt(2^F / a), saturated; the largest number where a = 0, 0 where a < 0.
 // Rounded to nearest, except in formats of 32 bits, there bit for bit as the kernels compute it, in
-// Q16.16 within 0.66 ulp, else within 0.75 ulp, and in Q32.32, there within 0.63 ulp.
+// Q16.16 within 0.66 ulp, else within 0.75 ulp, and in Q32.32, there within 0.65 ulp.
 #pragma once
 
 #include <fixedpoint/portable/nearest_root.hpp>
