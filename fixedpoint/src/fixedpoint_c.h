@@ -482,7 +482,8 @@ q32_32 q32_32_multiply_add(q32_32 a, q32_32 b, q32_32 c);
 q32_32 q32_32_divide(q32_32 a, q32_32 b)
     FIXEDPOINT_C_KERNEL(fixedpoint_divide_q32_32);
 /// a - b trunc(a / b), exact, 0 or of the sign of a. Where b is 0: a.
-q32_32 q32_32_remainder(q32_32 a, q32_32 b);
+q32_32 q32_32_remainder(q32_32 a, q32_32 b)
+    FIXEDPOINT_C_KERNEL(fixedpoint_remainder_q32_32);
 /// a 2^count modulo 2^32; 0 from count = 64 on.
 q32_32 q32_32_shift_left(q32_32 a, uint8_t count);
 /// a / 2^count rounded downward; from count = 64 on 0, or -1 ulp where a < 0.

@@ -220,9 +220,10 @@ FIXEDPOINT_CONSTEXPR __attribute__((noinline)) Raw divide_small(Raw a, Raw b) {
 // The remainder does not depend on the fraction bits.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw remainder(Raw a, Raw b) {
-    return has_assembly && sizeof(Raw) == 4 ? static_cast<Raw>(remainder<int32_t, 16>(
+    return has_assembly && sizeof(Raw) == 4   ? static_cast<Raw>(remainder<int32_t, 16>(
                                                   static_cast<int32_t>(a), static_cast<int32_t>(b)))
-                                            : portable::remainder<Raw, F>(a, b);
+           : has_assembly && sizeof(Raw) == 8 ? static_cast<Raw>(remainder<int64_t, 32>(a, b))
+                                              : portable::remainder<Raw, F>(a, b);
 }
 
 // Formats of 8 and 16 bits have the root of the integer a 2^F, rounded once.
