@@ -506,7 +506,8 @@ q32_32 q32_32_multiply_add(q32_32 a, q32_32 b, q32_32 c);
 q32_32 q32_32_divide(q32_32 a, q32_32 b)
     FIXEDPOINT_C_KERNEL(fixedpoint_divide_q32_32);
 /// a - b trunc(a / b), exact, 0 or of the sign of a. Where b is 0: a.
-q32_32 q32_32_remainder(q32_32 a, q32_32 b);
+q32_32 q32_32_remainder(q32_32 a, q32_32 b)
+    FIXEDPOINT_C_KERNEL(fixedpoint_remainder_q32_32);
 /// a 2^count modulo 2^32; 0 from count = 64 on.
 q32_32 q32_32_shift_left(q32_32 a, uint8_t count);
 /// a / 2^count rounded downward; from count = 64 on 0, or -1 ulp where a < 0.
@@ -515,21 +516,29 @@ q32_32 q32_32_shift_right(q32_32 a, uint8_t count);
 q32_32 q32_32_sqrt(q32_32 a)
     FIXEDPOINT_C_KERNEL(fixedpoint_sqrt_q32_32);
 /// 1 / sqrt(a) within 0.75 ulp, saturated to Q32_32_MAX, which it is where a is 0; 0 where a < 0.
-q32_32 q32_32_reciprocal_sqrt(q32_32 a);
+q32_32 q32_32_reciprocal_sqrt(q32_32 a)
+    FIXEDPOINT_C_KERNEL(fixedpoint_reciprocal_sqrt_q32_32);
 /// The sine of any angle in radians within 0.75 ulp, never beyond -1 and 1.
-q32_32 q32_32_sin(q32_32 angle);
+q32_32 q32_32_sin(q32_32 angle)
+    FIXEDPOINT_C_KERNEL(fixedpoint_sin_q32_32);
 /// The cosine of any angle in radians within 0.75 ulp, never beyond -1 and 1.
-q32_32 q32_32_cos(q32_32 angle);
+q32_32 q32_32_cos(q32_32 angle)
+    FIXEDPOINT_C_KERNEL(fixedpoint_cos_q32_32);
 /// Writes what sin and cos return, in less time than both take.
-void q32_32_sincos(q32_32 angle, q32_32 sine_and_cosine[2]);
+void q32_32_sincos(q32_32 angle, q32_32 sine_and_cosine[2])
+    FIXEDPOINT_C_KERNEL(fixedpoint_sincos_q32_32);
 /// The arc tangent in radians within 0.75 ulp.
-q32_32 q32_32_atan(q32_32 a);
+q32_32 q32_32_atan(q32_32 a)
+    FIXEDPOINT_C_KERNEL(fixedpoint_atan_q32_32);
 /// The angle of the vector (x, y) in radians, in (-pi, pi], within 0.75 ulp; 0 where both are 0.
-q32_32 q32_32_atan2(q32_32 y, q32_32 x);
+q32_32 q32_32_atan2(q32_32 y, q32_32 x)
+    FIXEDPOINT_C_KERNEL(fixedpoint_atan2_q32_32);
 /// e^a within 1 ulp, saturated to Q32_32_MAX; 0 where e^a is below half an ulp or about it.
-q32_32 q32_32_exp(q32_32 a);
+q32_32 q32_32_exp(q32_32 a)
+    FIXEDPOINT_C_KERNEL(fixedpoint_exp_q32_32);
 /// The natural logarithm within 1 ulp; Q32_32_MIN where a <= 0.
-q32_32 q32_32_log(q32_32 a);
+q32_32 q32_32_log(q32_32 a)
+    FIXEDPOINT_C_KERNEL(fixedpoint_log_q32_32);
 /// a[0] b[0] + a[1] b[1] rounded once, to nearest, half up, modulo 2^32.
 q32_32 q32_32_dot2(const q32_32 a[2], const q32_32 b[2])
     FIXEDPOINT_C_KERNEL(fixedpoint_dot2_q32_32);

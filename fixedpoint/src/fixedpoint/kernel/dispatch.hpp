@@ -2,8 +2,8 @@
 // Which code an operation of a format runs through: kernel::operation<Raw, F>.
 //
 // A format with an assembly kernel of its own (table.hpp) calls that. Here is what the others do:
-// narrow formats borrow the kernels of Q16.16 where those are exact enough, and all else runs the
-// portable implementation.
+// narrow formats borrow the kernels of Q16.16, and those of 64 bits some of Q32.32, where those are
+// exact enough, and all else runs the portable implementation.
 #pragma once
 
 #include <fixedpoint/kernel/assembly.hpp>
@@ -105,23 +105,70 @@ FIXEDPOINT_CONSTEXPR Raw from_q16_16(int32_t a) {
                    ? from_q16_16<Raw, F>(operation<int32_t, 16>(to_q16_16<Raw, F>(a))) \
                    : portable::operation<Raw, F>(a);                                   \
     }
-FIXEDPOINT_THROUGH_Q16_16(reciprocal_sqrt, (is_q8_8<Raw, F>()))
 FIXEDPOINT_THROUGH_Q16_16(reciprocal_sqrt_small, false)
 FIXEDPOINT_THROUGH_Q16_16(sin, (portable::is_coarse_16<Raw, F>()))
 FIXEDPOINT_THROUGH_Q16_16(sin_small, false)
 FIXEDPOINT_THROUGH_Q16_16(cos, (portable::is_coarse_16<Raw, F>()))
 FIXEDPOINT_THROUGH_Q16_16(cos_small, false)
-FIXEDPOINT_THROUGH_Q16_16(atan, (is_q8_8<Raw, F>()))
 FIXEDPOINT_THROUGH_Q16_16(atan_small, false)
 FIXEDPOINT_THROUGH_Q16_16(exp, false)
-FIXEDPOINT_THROUGH_Q16_16(log, (portable::is_coarse_16<Raw, F>()))
 #undef FIXEDPOINT_THROUGH_Q16_16
+
+// Angles of vectors and logarithms of the formats of 64 bits need no more than those of Q32.32,
+// whatever the numbers' units: e ulp there leave 1/2 + e 2^(F-32) ulp, at most 0.66 for F <= 30.
+template <class Raw, int F>
+constexpr bool through_q32_32() {
+    return sizeof(Raw) == 8 && F <= 30;
+}
+// a rounded to F fraction bits. Precondition: through_q32_32<Raw, F>().
+template <class Raw, int F>
+constexpr Raw from_q32_32(int64_t a) {
+    return portable::convert<Raw, F, int64_t, 32>(a);
+}
 
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw atan2(Raw y, Raw x) {
     return through_q16_16<Raw, F>() && !is_q8_8<Raw, F>()
                ? from_q16_16<Raw, F>(atan2<int32_t, 16>(to_q16_16<Raw, F>(y), to_q16_16<Raw, F>(x)))
-               : portable::atan2<Raw, F>(y, x);
+           : through_q32_32<Raw, F>() ? from_q32_32<Raw, F>(atan2<int64_t, 32>(y, x))
+                                      : portable::atan2<Raw, F>(y, x);
+}
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw atan(Raw a) {
+    return through_q16_16<Raw, F>() && !is_q8_8<Raw, F>()
+               ? from_q16_16<Raw, F>(atan<int32_t, 16>(to_q16_16<Raw, F>(a)))
+           : through_q32_32<Raw, F>()
+               ? from_q32_32<Raw, F>(atan2<int64_t, 32>(a, int64_t(1) << F % 63))
+               : portable::atan<Raw, F>(a);
+}
+// 2^(3 F / 2) / sqrt(a) from 2^48 / sqrt(a), or, where F is odd, from that of 2 a or a / 2.
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw reciprocal_sqrt_through_q32_32(int64_t a) {
+    constexpr int exponent = 3 * F / 2;
+    if (a == 0) return RawLimits<Raw>::max;
+    if (F % 2 == 0) return from_q32_32<Raw, exponent - 16>(reciprocal_sqrt<int64_t, 32>(a));
+    if (a >> 62 != 0) return from_q32_32<Raw, exponent - 16>(reciprocal_sqrt<int64_t, 32>(a >> 1));
+    return from_q32_32<Raw, exponent - 15>(
+        reciprocal_sqrt<int64_t, 32>(static_cast<int64_t>(static_cast<uint64_t>(a) << 1)));
+}
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw reciprocal_sqrt(Raw a) {
+    return through_q16_16<Raw, F>() && !is_q8_8<Raw, F>()
+               ? from_q16_16<Raw, F>(reciprocal_sqrt<int32_t, 16>(to_q16_16<Raw, F>(a)))
+           : through_q32_32<Raw, F>() ? reciprocal_sqrt_through_q32_32<Raw, F>(a)
+                                      : portable::reciprocal_sqrt<Raw, F>(a);
+}
+// The logarithm of a number of 2^-F as one of 2^-32 is (32 - F) ln 2 too small.
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw log(Raw a) {
+    constexpr int64_t ln2 = 24973259072661437;  // 2^-55
+    return through_q16_16<Raw, F>() && !portable::is_coarse_16<Raw, F>()
+               ? from_q16_16<Raw, F>(log<int32_t, 16>(to_q16_16<Raw, F>(a)))
+           : through_q32_32<Raw, F>()
+               ? (a > 0 ? from_q32_32<Raw, F>(log<int64_t, 32>(a) +
+                                              (((32 - F) * ln2 + (int64_t(1) << 22)) >> 23))
+                        : RawLimits<Raw>::min)
+               : portable::log<Raw, F>(a);
 }
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw atan2_small(Raw y, Raw x) {
@@ -181,7 +228,9 @@ FIXEDPOINT_CONSTEXPR __attribute__((noinline)) Raw divide_small(Raw a, Raw b) {
 // The remainder does not depend on the fraction bits.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw remainder(Raw a, Raw b) {
-    return !has_assembly || sizeof(Raw) > 4 ? portable::remainder<Raw, F>(a, b)
+    return !has_assembly      ? portable::remainder<Raw, F>(a, b)
+           : sizeof(Raw) == 8 ? static_cast<Raw>(remainder<int64_t, 32>(static_cast<int64_t>(a),
+                                                                        static_cast<int64_t>(b)))
            : sizeof(Raw) == 4 ? static_cast<Raw>(remainder<int32_t, 16>(static_cast<int32_t>(a),
                                                                         static_cast<int32_t>(b)))
            : sizeof(Raw) == 2 ? static_cast<Raw>(remainder<int16_t, 8>(static_cast<int16_t>(a),
@@ -201,17 +250,6 @@ FIXEDPOINT_CONSTEXPR Raw sqrt(Raw a) {
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw sqrt_small(Raw a) {
     return portable::sqrt<Raw, F>(a);
-}
-
-struct SqrtAndDivision {
-    static FIXEDPOINT_CONSTEXPR int64_t sqrt(int64_t a) { return kernel::sqrt<int64_t, 32>(a); }
-    static FIXEDPOINT_CONSTEXPR int64_t divide(int64_t a, int64_t b) {
-        return kernel::divide<int64_t, 32>(a, b);
-    }
-};
-template <>
-FIXEDPOINT_CONSTEXPR int64_t reciprocal_sqrt<int64_t, 32>(int64_t a) {
-    return portable::reciprocal_sqrt_by_division<SqrtAndDivision>(a);
 }
 
 template <class Raw, int F>

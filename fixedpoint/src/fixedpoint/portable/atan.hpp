@@ -46,6 +46,10 @@ template <>
 struct ArcTangent<int32_t, 16> {
     static FIXEDPOINT_CONSTEXPR int32_t apply(int32_t a) { return atan_q16_16(a); }
 };
+template <>
+struct ArcTangent<int64_t, 32> {
+    static FIXEDPOINT_CONSTEXPR int64_t apply(int64_t a) { return atan_q32_32(a); }
+};
 
 template <class Raw, int F>
 constexpr Raw atan(Raw a) {

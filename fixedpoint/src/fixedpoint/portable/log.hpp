@@ -8,6 +8,7 @@
 #include <fixedpoint/portable/log_16.hpp>
 #include <fixedpoint/portable/log_32.hpp>
 #include <fixedpoint/portable/log_q16_16.hpp>
+#include <fixedpoint/portable/log_q32_32.hpp>
 #include <fixedpoint/portable/log_small_q16_16.hpp>
 #include <fixedpoint/portable/pseudo_division_table.hpp>
 
@@ -97,6 +98,10 @@ struct Logarithm<int32_t, F, false> {
 template <>
 struct Logarithm<int32_t, 16, false> {
     static FIXEDPOINT_CONSTEXPR int32_t apply(int32_t a) { return log_q16_16(a); }
+};
+template <>
+struct Logarithm<int64_t, 32> {
+    static FIXEDPOINT_CONSTEXPR int64_t apply(int64_t a) { return log_q32_32(a); }
 };
 
 template <class Raw, int F>

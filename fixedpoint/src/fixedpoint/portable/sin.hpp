@@ -7,6 +7,7 @@
 #include <fixedpoint/portable/sin_16.hpp>
 #include <fixedpoint/portable/sin_32.hpp>
 #include <fixedpoint/portable/sin_q16_16.hpp>
+#include <fixedpoint/portable/sin_q32_32.hpp>
 #include <fixedpoint/portable/sin_small_q16_16.hpp>
 
 namespace fixedpoint {
@@ -199,6 +200,16 @@ struct Sine<int32_t, 16, false> {
     static FIXEDPOINT_CONSTEXPR void sincos(int32_t angle, int32_t* result) {
         result[0] = sin_q16_16(angle);
         result[1] = cos_q16_16(angle);
+    }
+};
+template <>
+struct Sine<int64_t, 32> {
+    static FIXEDPOINT_CONSTEXPR int64_t sin(int64_t angle) { return sin_q32_32(angle); }
+    static FIXEDPOINT_CONSTEXPR int64_t cos(int64_t angle) { return cos_q32_32(angle); }
+    static FIXEDPOINT_CONSTEXPR void sincos(int64_t angle, int64_t* result) {
+        const uint64_t turns = quarter_turns_q32_32(angle);
+        result[0] = sine_of_quarter_turns_q32_32(turns);
+        result[1] = sine_of_quarter_turns_q32_32(turns + one_quarter_turn_q32_32);
     }
 };
 
