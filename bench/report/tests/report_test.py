@@ -11,6 +11,7 @@ import pathlib
 import sys
 import tempfile
 import unittest
+import unittest.mock
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 import choose_a_format  # noqa: E402
@@ -755,6 +756,35 @@ poke_while_held published 94
     def test_none_is_less_and_more_than_any(self):
         self.assertEqual((haptic_region.least([3, 2]), haptic_region.most([3, 4])), (2, 4))
         self.assertEqual((haptic_region.least([3, None]), haptic_region.most([None])), (None, None))
+
+
+class Check(unittest.TestCase):
+    def test_what_does_not_follow_from_the_data_is_named(self):
+        def made(folder, _):
+            (folder / "figures").mkdir(exist_ok=True)
+            (folder / "README.md").write_text((folder / "data" / "x.csv").read_text())
+            (folder / "figures" / "a.svg").write_text("a")
+
+        with tempfile.TemporaryDirectory() as folder, unittest.mock.patch.object(report, "write", made):
+            results = pathlib.Path(folder)
+            (results / "data").mkdir()
+            (results / "data" / "x.csv").write_text("1")
+            made(results, ())
+            self.assertEqual(report.differences(results, ()), [])
+            (results / "data" / "x.csv").write_text("2")
+            self.assertEqual(report.differences(results, ()), [pathlib.Path("README.md")])
+            (results / "figures" / "a.svg").unlink()
+            with unittest.mock.patch("sys.argv", ["report.py", "--results", folder, "--check"]), \
+                    contextlib.redirect_stderr(io.StringIO()) as told:
+                self.assertEqual(report.main(), 1)
+            self.assertEqual(told.getvalue().count("does not follow from the data"), 2)
+
+    def test_the_tools_are_noted(self):
+        with tempfile.TemporaryDirectory() as folder:
+            report.note_tools(pathlib.Path(folder))
+            noted = Data(folder).json("tools")
+            self.assertRegex(noted["date"], r"^\d{4}-\d\d-\d\d$")
+            self.assertIn("avr-gcc", noted["tools"])
 
 
 class Identification(Figures):
