@@ -64,6 +64,12 @@ for error in nan -1 0 inf x; do refuses "--error" advise --scene pendulum --erro
 refuses "--lines" advise --scene pendulum --error 1 --lines 0
 
 refuses "takes no --program" cycles --mcu attiny85 --program "$fixbench" "${a[@]}"
+refuses "neither a folder nor a git revision" compare no-such-revision "$source/results"
+refuses "holds neither operations.csv" compare "$source/results" "$source/scripts"
+refuses "is required" compare "$source/results"
+"$fixbench" compare "$source/results" "$source/results" --csv 2>/dev/null | grep -q "^score,.*geometric mean" ||
+    fail "a run is worse than itself"
+
 refuses "does not exist" cycles --program "$scratch/absent.elf"
 echo "not an ELF" >"$scratch/text.elf"
 refuses "text.elf" cycles --program "$scratch/text.elf" "${a[@]}"
