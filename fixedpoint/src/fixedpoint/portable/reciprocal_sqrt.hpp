@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 // reciprocal_sqrt: 2^F sqrt(2^F / a), saturated; the largest number where a = 0, 0 where a < 0.
-// Rounded to nearest, except in formats of 32 bits, there bit for bit as the kernels compute it, in
-// Q16.16 within 0.66 ulp, else within 0.75 ulp, and in Q32.32, there within 0.65 ulp.
+// Rounded to nearest, except in Q8.8, there within 0.5164 ulp, and in formats of 32 bits, there bit
+// for bit as the kernels compute it, in Q16.16 within 0.66 ulp, else within 0.75 ulp, and in
+// Q32.32, there within 0.65 ulp.
 #pragma once
 
 #include <fixedpoint/portable/nearest_root.hpp>
 #include <fixedpoint/portable/reciprocal_root.hpp>
 #include <fixedpoint/portable/reciprocal_sqrt_32.hpp>
 #include <fixedpoint/portable/reciprocal_sqrt_q32_32.hpp>
+#include <fixedpoint/portable/reciprocal_sqrt_q8_8.hpp>
 #include <fixedpoint/portable/reciprocal_sqrt_small_q16_16.hpp>
 
 namespace fixedpoint {
@@ -38,6 +40,10 @@ FIXEDPOINT_CONSTEXPR int32_t reciprocal_sqrt_q16_16(int32_t a) {
 template <class Raw, int F>
 struct ReciprocalSqrt {
     static constexpr Raw apply(Raw a) { return nearest_reciprocal_sqrt<Raw, F>(a); }
+};
+template <>
+struct ReciprocalSqrt<int16_t, 8> {
+    static FIXEDPOINT_CONSTEXPR int16_t apply(int16_t a) { return reciprocal_sqrt_q8_8(a); }
 };
 template <int F>
 struct ReciprocalSqrt<int32_t, F> {
