@@ -113,7 +113,7 @@ def write(name, generator, sentence, structure, function, pages=(),
     rows = [row for row, _ in found]
     if core is CORE_64:
         error = float(max(error for _, error in found))
-        sentence += f"\n{error:.1f} 2^-39 off at most; the values hold half an ulp of Q32.32 for the rounding."
+        sentence += f"\n{error:.1f} 2^-39 off at most, of 34 points an interval; the values hold half an ulp of Q32.32."
     records = []
     for value, slope, bend, twist in rows:
         records += [twist & 255, *(bend >> 8 * i & 255 for i in range(core.bend_bytes)),
@@ -121,7 +121,7 @@ def write(name, generator, sentence, structure, function, pages=(),
                     *(value >> 8 * i & 255 for i in range(5))]
     page.write_assembly(name, generator, sentence, [
         (f"twist, {core.bend_bytes} bytes of bend, 4 of slope, 5 of value; as often as there are intervals",
-         records), *pages])
+         records), *pages], None if core is CORE_32 else 1)
     table_header.write(name, generator, sentence, structure, [
         ("uint32_t", "value", [value >> 8 & 0xffffffff for value, _, _, _ in rows], "0x{:08x}"),
         ("uint8_t", "value_low", [value & 255 for value, _, _, _ in rows], "0x{:02x}"),

@@ -44,7 +44,7 @@ if __name__ == "__main__":
     page.write_assembly("exp_64_table", "exp_64.py", sentence, [
         ("1 - e^(-i/65536), 8 bytes", [byte for n in fine for byte in bytes_of(n, 8)]),
         ("e^(-i/256), 9 bytes", [byte for n in coarse for byte in bytes_of(n, 9)]),
-        ("k ln 2 from k = -33 on, 9 bytes", [byte for n in multiples for byte in bytes_of(n, 9)])])
+        ("k ln 2 from k = -33 on, 9 bytes", [byte for n in multiples for byte in bytes_of(n, 9)])], 1)
     table_header.write("exp_64_table", "exp_64.py", sentence, "Exp64Table", [
         ("uint64_t", "multiple", [n >> 8 for n in multiples], "0x{:016x}"),
         ("uint8_t", "multiple_low", [n & 255 for n in multiples], "0x{:02x}"),

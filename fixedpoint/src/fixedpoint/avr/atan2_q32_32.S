@@ -6,7 +6,7 @@
 // In       y = r25:r18, x = r17:r10; a = r25:r18
 // Out      r25:r18
 // Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
-// Stack    12 bytes
+// Stack    11 bytes
 // Tables   3328 bytes, fixedpoint_atan_64_table; 1280 bytes, fixedpoint_ratio_table; 256 bytes,
 //          fixedpoint_leading_one_table
 //

@@ -5,7 +5,7 @@
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
 
-    TABLE fixedpoint_exp_64_table
+    TABLE fixedpoint_exp_64_table, 1
     // 1 - e^(-i/65536), 8 bytes
     .byte   0,   0,   0,   0,   0,   0,   0,   0, 160, 170,  42,   0, 128, 255, 255,   0
     .byte 171,  84,  85,   1,   0, 254, 255,   1, 160, 252, 127,   4, 128, 251, 255,   2

@@ -9,6 +9,7 @@
 // In       angle = r25:r18; sine_and_cosine = r17:r16
 // Out      r25:r18
 // Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
+// Stack    4 bytes, sincos 14
 // Table    3328 bytes, fixedpoint_sine_64_table
 //
 // The angle times 2/pi 2^8 is its quarter turns, of which 40 fraction bits count. Column by column:

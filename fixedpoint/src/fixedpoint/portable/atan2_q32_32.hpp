@@ -21,8 +21,9 @@ FIXEDPOINT_CONSTEXPR uint64_t ratio_q32_32(uint64_t shorter, uint64_t longer) {
     const uint64_t n = shorter >> 24, d = longer >> 24;
     // 2^63 / d: at most 34 too large before, and never after.
     constexpr uint32_t bias = 40;
-    const uint32_t inverse =
-        interpolate_falling<RatioTable<>>(static_cast<uint32_t>(d >> 15 & 0xffffff) & ~1u) - bias;
+    const uint32_t inverse = interpolate_falling<RatioTable<>>(
+                                 static_cast<uint32_t>(d >> 15 & 0xffffff) & ~uint32_t(1)) -
+                             bias;
     const uint32_t g = multiply_high_24(static_cast<uint32_t>(n >> 16), inverse) << 1;
 
     // n 2^24 - g d by bytes, without the lowest two.

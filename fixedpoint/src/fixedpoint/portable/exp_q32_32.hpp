@@ -40,9 +40,9 @@ FIXEDPOINT_CONSTEXPR int64_t exp_q32_32(int64_t a) {
     if (a < -(int64_t(23) << 32)) return 0;
 
     // k + 41, where a is k ln 2 less what is left, 0 to 0.779.
-    const int whole = static_cast<int>(a >> 32) + 24;
-    const int fraction = static_cast<int>(a >> 24 & 0xff);
-    const int k = (whole * 185 + (fraction * 185 >> 8) + 945) >> 7;
+    const int32_t whole = static_cast<int32_t>(a >> 32) + 24;
+    const int32_t fraction = static_cast<int32_t>(a >> 24 & 0xff);
+    const int k = static_cast<int>((whole * 185 + (fraction * 185 >> 8) + 945) >> 7);
     using Table = Exp64Table<>;
     // In units of 2^-72, of which the lowest 40 bits are those of the multiple.
     const uint64_t multiple = read_program_memory(Table::multiple[k - 8]);
