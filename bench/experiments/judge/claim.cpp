@@ -50,6 +50,9 @@ class OperationClaim : public Claim {
             operands::Sampler(subject_.operation, subject_.operand_format, operand_class, seed));
     }
     reference::Judgement judge(Raws operands, Raws results) const override {
+        if (reference::is_shift(subject_.operation) &&
+            (operands[1] < 0 || operands[1] >= subject_.format.width))
+            return {.excluded = "a shift by so many bits is undefined"};
         reference::Judgement judgement =
             host_ ? host_->judge(operands, results) : reference::judge(subject_, operands, results);
         hold_to(bound_ulp_, judgement);
