@@ -98,7 +98,20 @@
     X(convert, conversion, 1, 1, ring, 0, everywhere, __VA_ARGS__)
 /* clang-format on */
 
-/* Those of portable/elementary.hpp, which have no kernels. */
+/* Those that are measured on the device in every format. */
+#define MEASURED_OPERATIONS(X, ...)                                                             \
+    OPERATION_add(X, __VA_ARGS__) OPERATION_subtract(X, __VA_ARGS__) OPERATION_multiply(        \
+        X, __VA_ARGS__) OPERATION_divide(X, __VA_ARGS__) OPERATION_remainder(X, __VA_ARGS__)    \
+        OPERATION_sqrt(X, __VA_ARGS__) OPERATION_atan(X, __VA_ARGS__)                           \
+            OPERATION_atan2(X, __VA_ARGS__) OPERATION_reciprocal_sqrt(X, __VA_ARGS__)           \
+                OPERATION_sin(X, __VA_ARGS__) OPERATION_cos(X, __VA_ARGS__) OPERATION_sincos(   \
+                    X, __VA_ARGS__) OPERATION_exp(X, __VA_ARGS__) OPERATION_log(X, __VA_ARGS__) \
+                    OPERATION_multiply_add(X, __VA_ARGS__) OPERATION_dot2(X, __VA_ARGS__)       \
+                        OPERATION_dot3(X, __VA_ARGS__) OPERATION_length2(X, __VA_ARGS__)        \
+                            OPERATION_length3(X, __VA_ARGS__) OPERATION_normalise3(X, __VA_ARGS__)
+
+/* Those without kernels, measured on the device too, in programs of their own: the first do not
+ * leave them room. */
 #define ELEMENTARY_OPERATIONS(X, ...)                                                           \
     OPERATION_tan(X, __VA_ARGS__) OPERATION_asin(X, __VA_ARGS__) OPERATION_acos(X, __VA_ARGS__) \
         OPERATION_exp2(X, __VA_ARGS__) OPERATION_expm1(X, __VA_ARGS__)                          \
@@ -107,24 +120,12 @@
                     OPERATION_cosh(X, __VA_ARGS__) OPERATION_tanh(X, __VA_ARGS__)               \
                         OPERATION_cbrt(X, __VA_ARGS__) OPERATION_pow(X, __VA_ARGS__)
 
-/* Those that are measured on the device in every format, and the rest. */
-#define MEASURED_OPERATIONS(X, ...)                                                               \
-    OPERATION_add(X, __VA_ARGS__) OPERATION_subtract(X, __VA_ARGS__) OPERATION_multiply(          \
-        X, __VA_ARGS__) OPERATION_divide(X, __VA_ARGS__) OPERATION_remainder(X, __VA_ARGS__)      \
-        OPERATION_sqrt(X, __VA_ARGS__) OPERATION_atan(X, __VA_ARGS__)                             \
-            OPERATION_atan2(X, __VA_ARGS__) OPERATION_reciprocal_sqrt(X, __VA_ARGS__)             \
-                OPERATION_sin(X, __VA_ARGS__) OPERATION_cos(X, __VA_ARGS__)                       \
-                    OPERATION_sincos(X, __VA_ARGS__) OPERATION_exp(X, __VA_ARGS__)                \
-                        OPERATION_log(X, __VA_ARGS__) ELEMENTARY_OPERATIONS(X, __VA_ARGS__)       \
-                            OPERATION_multiply_add(X, __VA_ARGS__) OPERATION_dot2(X, __VA_ARGS__) \
-                                OPERATION_dot3(X, __VA_ARGS__) OPERATION_length2(X, __VA_ARGS__)  \
-                                    OPERATION_length3(X, __VA_ARGS__)                             \
-                                        OPERATION_normalise3(X, __VA_ARGS__)
-
-#define OPERATIONS(X, ...)                                                               \
-    MEASURED_OPERATIONS(X, __VA_ARGS__)                                                  \
-    OPERATION_negate(X, __VA_ARGS__) OPERATION_abs(X, __VA_ARGS__) OPERATION_shift_left( \
-        X, __VA_ARGS__) OPERATION_shift_right(X, __VA_ARGS__) OPERATION_convert(X, __VA_ARGS__)
+/* All. */
+#define OPERATIONS(X, ...)                                                 \
+    MEASURED_OPERATIONS(X, __VA_ARGS__)                                    \
+    ELEMENTARY_OPERATIONS(X, __VA_ARGS__) OPERATION_negate(X, __VA_ARGS__) \
+        OPERATION_abs(X, __VA_ARGS__) OPERATION_shift_left(X, __VA_ARGS__) \
+            OPERATION_shift_right(X, __VA_ARGS__) OPERATION_convert(X, __VA_ARGS__)
 
 #ifdef __cplusplus
 namespace reference {

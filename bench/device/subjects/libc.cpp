@@ -147,4 +147,4 @@ struct Libc {
     }
 };
 
-IMPLEMENTATION_libc(SUBJECTS)
+IMPLEMENTATION_libc(SUBJECTS) IMPLEMENTATION_libc_elementary(SUBJECTS)

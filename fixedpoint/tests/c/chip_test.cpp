@@ -15,6 +15,7 @@ extern "C" {
 #define DECLARE(q)                \
     extern c_results q##_results; \
     void q##_operations();        \
+    void q##_elementary();        \
     void q##_conversions();
 extern "C" {
 FORMATS(DECLARE)
@@ -28,8 +29,9 @@ struct Part {
     const c_results& results;
 };
 
-#define PARTS(q)                                     \
-    {#q "_operations", q##_operations, q##_results}, \
+#define PARTS(q)                                         \
+    {#q "_operations", q##_operations, q##_results},     \
+        {#q "_elementary", q##_elementary, q##_results}, \
         {#q "_conversions", q##_conversions, q##_results},
 
 class CProgram : public testing::TestWithParam<Part> {};

@@ -10,18 +10,28 @@
 namespace fixedpoint {
 namespace portable {
 
-// sqrt(a 2^(124 - F)), which is below 2^63.
+// sqrt(a) in a unit far smaller than the angle's: of 2^((F + 12) / 2) in a root of 32 bits where
+// that fits.
+template <int F, bool narrow = (F <= 24)>
+struct RootOfSum {
+    static FIXEDPOINT_CONSTEXPR uint32_t apply(uint64_t a) {
+        return static_cast<uint32_t>(nearest_root<int32_t>(a << (F + 12)));
+    }
+};
 template <int F>
-FIXEDPOINT_CONSTEXPR uint64_t root_of_sum(uint64_t a) {
-    return static_cast<uint64_t>(nearest_root<int64_t>(Word128(a) << (124 - F)));
-}
+struct RootOfSum<F, false> {
+    static FIXEDPOINT_CONSTEXPR uint64_t apply(uint64_t a) {
+        return static_cast<uint64_t>(nearest_root<int64_t>(Word128(a) << (124 - F)));
+    }
+};
 
 // acos(a 2^-F) for 0 <= a < 2^F, as the word of first_quadrant_angle has it: twice the angle of
 // (sqrt(1 + a), sqrt(1 - a)), of which no digits cancel at either end.
 template <int F>
 FIXEDPOINT_CONSTEXPR CordicWord<F + 1> acute_arc_cosine(uint64_t a) {
     constexpr uint64_t one = uint64_t(1) << F;
-    return first_quadrant_angle<F + 1>(root_of_sum<F>(one - a), root_of_sum<F>(one + a)) << 1;
+    return first_quadrant_angle<F + 1>(RootOfSum<F>::apply(one - a), RootOfSum<F>::apply(one + a))
+           << 1;
 }
 
 template <class Raw, int F>

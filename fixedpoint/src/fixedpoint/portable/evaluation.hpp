@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // What the elementary functions without a kernel have in common: they compute in a word of twice
 // the width of a number of 32 or 64 bits, far finer than an ulp, and round once. Numbers of 8 and
-// 16 bits go through those of 32 with the same fraction bits, so that their result is rounded once
-// too.
+// 16 bits go through Q16.16, as where there are kernels, which adds at most 2^-3 of their own
+// error; with more than 13 fraction bits through 32 bits with as many, rounded once.
 #pragma once
 
+#include <fixedpoint/portable/convert.hpp>
 #include <fixedpoint/portable/double_word.hpp>
 
 namespace fixedpoint {
@@ -80,14 +81,14 @@ struct Evaluated {
 };
 template <class Function, class Raw, int F>
 struct Evaluated<Function, Raw, F, true> {
+    static constexpr int wide_fraction = F <= 13 ? 16 : F;
     template <class... Operands>
     static FIXEDPOINT_CONSTEXPR Evaluation<Raw> apply(Operands... a) {
-        const Evaluation<int32_t> wide =
-            Function::template apply<int32_t, F>(static_cast<int32_t>(a)...);
-        const Raw number = clamped<Raw>(wide.number);
-        return {number, wide.outcome == Outcome::in_range && number != wide.number
-                            ? Outcome::overflow
-                            : wide.outcome};
+        const Evaluation<int32_t> wide = Function::template apply<int32_t, wide_fraction>(
+            convert<int32_t, wide_fraction, Raw, F>(a)...);
+        const Converted<Raw> narrow = convert_clamped<Raw, F, int32_t, wide_fraction>(wide.number);
+        return {narrow.number, wide.outcome == Outcome::in_range && !narrow.fits ? Outcome::overflow
+                                                                                 : wide.outcome};
     }
 };
 
