@@ -6,11 +6,13 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <exception>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <stdexcept>
 #include <string>
 
+#include "bench/experiments/judge/corpus.hpp"
 #include "bench/lab/program/experiment.hpp"
 #include "bench/sequence/sequence.hpp"
 
@@ -18,7 +20,7 @@ namespace {
 
 const fixbench::Registration report({
     .name = "report",
-    .description = "Figures and pages out of the data files.",
+    .description = "Figures, pages and corpora of operands out of the data files.",
     .add =
         [](CLI::App& command) {
             const auto results = std::make_shared<std::string>();
@@ -27,6 +29,9 @@ const fixbench::Registration report({
                             "folder that holds data/ and gets figures/ and the pages")
                 ->required();
             return [results](const fixbench::Call&) -> int {
+                const std::filesystem::path folder = *results;
+                if (std::filesystem::exists(folder / "data" / "operations.csv"))
+                    judge::write_corpora(folder / "data", folder / "corpus");
                 const std::string experiments = sequence::json_list();
                 execl(FIXBENCH_PYTHON, FIXBENCH_PYTHON, FIXBENCH_REPORT, "--results",
                       results->c_str(), "--experiments", experiments.c_str(), nullptr);

@@ -163,7 +163,7 @@ class Judge {
     Judgement component(std::size_t index, std::int64_t result) const {
         if (subject_.operand_format.is_float()) {
             if (!subject_.format.is_float()) return from_float(result);
-            if (!finite_ || !in_domain_of_operation()) return special(index, result);
+            if (!finite_ || !in_domain_of_operation()) return special(result);
         } else if (!in_domain_of_operation()) {
             if (subject_.arithmetic == Arithmetic::integer ||
                 subject_.arithmetic == Arithmetic::accum)
@@ -221,7 +221,7 @@ class Judge {
         return judge_pinned(subject_.format, pinned, result);
     }
 
-    Judgement special(std::size_t index, std::int64_t result) const {
+    Judgement special(std::int64_t result) const {
         Operation operation = subject_.operation;
         switch (operation) {
             case Operation::length2:
@@ -230,7 +230,8 @@ class Judge {
                 return {.excluded =
                             "a vector function of singles that are not finite, or all zero"};
             case Operation::sincos:
-                operation = index == 0 ? Operation::sin : Operation::cos;
+                // Sine and cosine of what is not finite are the same NaN.
+                operation = Operation::sin;
                 break;
             default:
                 break;

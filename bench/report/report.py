@@ -18,13 +18,16 @@ import division_cycles
 import error_against_cycles
 import error_histograms
 import explorer
+import features
 import growth
 import haptic_region
 import haptic_timing
 import headline
+import identification
 import lever
 import operations
 import replay
+import rivals
 import scenes
 import scenes_workload
 import stability
@@ -163,8 +166,9 @@ def write(results, experiments=()):
              "operations": operations,
              "headline": headline, "table_3_2": table_3_2, "division_cycles": division_cycles,
              "error_against_cycles": error_against_cycles, "error_histograms": error_histograms,
-             "scenes": scenes, "scenes_workload": scenes_workload, "growth": growth, "lever": lever,
-             "stability": stability, "haptic_region": haptic_region}
+             "features": features, "identification": identification, "scenes": scenes,
+             "scenes_workload": scenes_workload, "growth": growth, "lever": lever, "stability": stability,
+             "haptic_region": haptic_region, "rivals": rivals}
     for template, (name, needed) in PAGES.items():
         if data.has(needed):
             with telling(name):

@@ -59,6 +59,12 @@ refuses "--seconds" throughput --seconds 0 "${a[@]}"
 for error in nan -1 0 inf x; do refuses "--error" advise --scene pendulum --error "$error"; done
 refuses "--lines" advise --scene pendulum --error 1 --lines 0
 
+refuses "neither a folder nor a git revision" compare no-such-revision "$source/results"
+refuses "holds neither operations.csv" compare "$source/results" "$source/scripts"
+refuses "is required" compare "$source/results"
+"$fixbench" compare "$source/results" "$source/results" --csv 2>/dev/null | grep -q "^score,.*geometric mean" ||
+    fail "a run is worse than itself"
+
 refuses "does not exist" cycles --program "$scratch/absent.elf"
 echo "not an ELF" >"$scratch/text.elf"
 refuses "text.elf" cycles --program "$scratch/text.elf" "${a[@]}"

@@ -3,9 +3,12 @@
 // number where a <= 0.
 #pragma once
 
+#include <fixedpoint/portable/convert.hpp>
 #include <fixedpoint/portable/cordic.hpp>
+#include <fixedpoint/portable/log_16.hpp>
 #include <fixedpoint/portable/log_32.hpp>
 #include <fixedpoint/portable/log_q16_16.hpp>
+#include <fixedpoint/portable/log_q32_32.hpp>
 #include <fixedpoint/portable/log_small_q16_16.hpp>
 #include <fixedpoint/portable/pseudo_division_table.hpp>
 
@@ -82,17 +85,34 @@ FIXEDPOINT_CONSTEXPR int32_t log_small<int32_t, 16>(int32_t a) {
     return log_small_q16_16(a);
 }
 
-template <class Raw, int F>
+template <class Raw, int F, bool is_coarse = is_coarse_16<Raw, F>()>
 struct Logarithm {
     static constexpr Raw apply(Raw a) { return log_small<Raw, F>(a); }
 };
+// Rounded to nearest by that of Q16.16, as the table of the kernel is.
+template <>
+struct Logarithm<int8_t, 4, false> {
+    static FIXEDPOINT_CONSTEXPR int8_t apply(int8_t a) {
+        return convert_clamped<int8_t, 4, int32_t, 16>(
+                   log_q16_16(convert<int32_t, 16, int8_t, 4>(a)))
+            .number;
+    }
+};
 template <int F>
-struct Logarithm<int32_t, F> {
+struct Logarithm<int16_t, F, true> {
+    static FIXEDPOINT_CONSTEXPR int16_t apply(int16_t a) { return log_16<F>(a); }
+};
+template <int F>
+struct Logarithm<int32_t, F, false> {
     static FIXEDPOINT_CONSTEXPR int32_t apply(int32_t a) { return log_32<F>(a); }
 };
 template <>
-struct Logarithm<int32_t, 16> {
+struct Logarithm<int32_t, 16, false> {
     static FIXEDPOINT_CONSTEXPR int32_t apply(int32_t a) { return log_q16_16(a); }
+};
+template <>
+struct Logarithm<int64_t, 32> {
+    static FIXEDPOINT_CONSTEXPR int64_t apply(int64_t a) { return log_q32_32(a); }
 };
 
 template <class Raw, int F>

@@ -5,8 +5,10 @@
 
 #include <fixedpoint/portable/cordic.hpp>
 #include <fixedpoint/portable/elementary_table.hpp>
+#include <fixedpoint/portable/sin_16.hpp>
 #include <fixedpoint/portable/sin_32.hpp>
 #include <fixedpoint/portable/sin_q16_16.hpp>
+#include <fixedpoint/portable/sin_q32_32.hpp>
 #include <fixedpoint/portable/sin_small_q16_16.hpp>
 
 namespace fixedpoint {
@@ -168,7 +170,7 @@ FIXEDPOINT_CONSTEXPR void sincos_small<int32_t, 16>(int32_t angle, int32_t* resu
     result[1] = cos_small_q16_16(angle);
 }
 
-template <class Raw, int F>
+template <class Raw, int F, bool is_coarse = is_coarse_16<Raw, F>()>
 struct Sine {
     static constexpr Raw sin(Raw angle) { return sin_small<Raw, F>(angle); }
     static constexpr Raw cos(Raw angle) { return cos_small<Raw, F>(angle); }
@@ -177,7 +179,16 @@ struct Sine {
     }
 };
 template <int F>
-struct Sine<int32_t, F> {
+struct Sine<int16_t, F, true> {
+    static FIXEDPOINT_CONSTEXPR int16_t sin(int16_t angle) { return sin_16<F>(angle); }
+    static FIXEDPOINT_CONSTEXPR int16_t cos(int16_t angle) { return cos_16<F>(angle); }
+    static FIXEDPOINT_CONSTEXPR void sincos(int16_t angle, int16_t* result) {
+        result[0] = sin_16<F>(angle);
+        result[1] = cos_16<F>(angle);
+    }
+};
+template <int F>
+struct Sine<int32_t, F, false> {
     static FIXEDPOINT_CONSTEXPR int32_t sin(int32_t angle) { return sin_32<F>(angle); }
     static FIXEDPOINT_CONSTEXPR int32_t cos(int32_t angle) { return cos_32<F>(angle); }
     static FIXEDPOINT_CONSTEXPR void sincos(int32_t angle, int32_t* result) {
@@ -187,12 +198,22 @@ struct Sine<int32_t, F> {
     }
 };
 template <>
-struct Sine<int32_t, 16> {
+struct Sine<int32_t, 16, false> {
     static FIXEDPOINT_CONSTEXPR int32_t sin(int32_t angle) { return sin_q16_16(angle); }
     static FIXEDPOINT_CONSTEXPR int32_t cos(int32_t angle) { return cos_q16_16(angle); }
     static FIXEDPOINT_CONSTEXPR void sincos(int32_t angle, int32_t* result) {
         result[0] = sin_q16_16(angle);
         result[1] = cos_q16_16(angle);
+    }
+};
+template <>
+struct Sine<int64_t, 32> {
+    static FIXEDPOINT_CONSTEXPR int64_t sin(int64_t angle) { return sin_q32_32(angle); }
+    static FIXEDPOINT_CONSTEXPR int64_t cos(int64_t angle) { return cos_q32_32(angle); }
+    static FIXEDPOINT_CONSTEXPR void sincos(int64_t angle, int64_t* result) {
+        const uint64_t turns = quarter_turns_q32_32(angle);
+        result[0] = sine_of_quarter_turns_q32_32(turns);
+        result[1] = sine_of_quarter_turns_q32_32(turns + one_quarter_turn_q32_32);
     }
 };
 
