@@ -68,9 +68,11 @@ def together(subjects):
     kinds = {SUBJECT.match(name).groups()[1:] for name in subjects}
     programs = {}
     for number_format, implementation in sorted(kinds):
-        programs[f"own_{number_format}_{implementation}"] = [
-            name for name in subjects
-            if SUBJECT.match(name).groups()[1:] == (number_format, implementation)]
+        own = [name for name in subjects
+               if SUBJECT.match(name).groups()[1:] == (number_format, implementation)]
+        # Not where the rest of them is in another program.
+        if not own[0].startswith("acos_"):
+            programs[f"own_{number_format}_{implementation}"] = own
         chosen = [f"{operation}_{number_format}_{implementation}" for operation in TOGETHER]
         if implementation != "published":
             chosen = [name if name in subjects else name.removesuffix(implementation) + "default"

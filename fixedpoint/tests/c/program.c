@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * Calls every function of fixedpoint_c.h in one FORMAT, with boundary and random operands, and
  * leaves a hash of each function's results: the same on the host and on the chip. There, a PART of
- * the functions fits: operations, functions or conversions. */
+ * the functions fits: operations, functions, elementary or conversions. */
 #include "program.h"
 
 #include <fixedpoint_c.h>
@@ -182,6 +182,27 @@ void F(functions)(void) {
         number both[2];
         F(sincos)(operand[i], both);
         add(both, sizeof both);
+    }
+}
+
+void F(elementary)(void) {
+    start();
+    UNARY(tan)
+    UNARY(asin)
+    UNARY(acos)
+    UNARY(exp2)
+    UNARY(expm1)
+    UNARY(log2)
+    UNARY(log10)
+    UNARY(log1p)
+    UNARY(sinh)
+    UNARY(cosh)
+    UNARY(tanh)
+    UNARY(cbrt)
+    begin("pow");
+    FOR_EACH {
+        const number result = F(pow)(operand[i], operand[(7 * i + 5) % operands]);
+        add(&result, sizeof result);
     }
 }
 

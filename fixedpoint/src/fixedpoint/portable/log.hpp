@@ -15,6 +15,18 @@
 namespace fixedpoint {
 namespace portable {
 
+// ln(1 + 2^-i) with Bits - 6 fraction bits. Behind the table it is 2^-i - 2^-2i / 2 but for 2^-3i /
+// 3; formats of 63 fraction bits and less end before.
+template <class Word, int most>
+FIXEDPOINT_CONSTEXPR Word logarithm_of_factor(int i) {
+    using Constants = PseudoDivisionConstants<Word>;
+    constexpr int count = static_cast<int>(sizeof Constants::logarithm / sizeof(Word));
+    constexpr int bits = cordic_bits<Word>();
+    return most <= count || i <= count
+               ? read_program_memory(Constants::logarithm[i - 1])
+               : (Word(1) << (bits - 6 - i)) - (Word(1) << (bits - 7 - 2 * i));
+}
+
 // ln(mantissa) with Bits - 6 fraction bits, by pseudo-division (J. E. Meggitt, "Pseudo division and
 // pseudo multiplication processes", 1962); mantissa from 1 to 2, with Bits - 3 fraction bits.
 //
@@ -24,7 +36,6 @@ namespace portable {
 // little to matter, 2^-2i < 2^-(F + 3), the steps become the long division of the rest by it.
 template <int F, class Word>
 FIXEDPOINT_CONSTEXPR Word mantissa_logarithm(Word mantissa) {
-    using Constants = PseudoDivisionConstants<Word>;
     constexpr int bits = cordic_bits<Word>();
     constexpr int factors = (F + 5) / 2;
     constexpr int steps = F + 4;
@@ -39,7 +50,7 @@ FIXEDPOINT_CONSTEXPR Word mantissa_logarithm(Word mantissa) {
             rest = rest - product;
             if (i <= factors) {
                 product = product + (product >> i);
-                logarithm = logarithm + read_program_memory(Constants::logarithm[i - 1]);
+                logarithm = logarithm + logarithm_of_factor<Word, factors>(i);
             } else {
                 logarithm = logarithm + (Word(1) << (bits - 6 - i));
             }

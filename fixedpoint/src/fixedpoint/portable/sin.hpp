@@ -4,6 +4,7 @@
 #pragma once
 
 #include <fixedpoint/portable/cordic.hpp>
+#include <fixedpoint/portable/elementary_table.hpp>
 #include <fixedpoint/portable/sin_16.hpp>
 #include <fixedpoint/portable/sin_32.hpp>
 #include <fixedpoint/portable/sin_q16_16.hpp>
@@ -64,9 +65,12 @@ FIXEDPOINT_CONSTEXPR UnitVector<Word> unit_vector(Word angle) {
     Word x = Constants::gain();
     Word y(0);
     for (int i = 1; i <= turns; ++i) {
-        const Word step = i <= Constants::arctangent_count
-                              ? read_program_memory(Constants::arctangent[i - 1])
-                              : Word(1) << (bits - 2 - i);
+        // Behind the table atan(2^-i) is 2^-i, or finer than for sines 2^-i - 2^-3i / 3.
+        const Word step =
+            i <= Constants::arctangent_count ? read_program_memory(Constants::arctangent[i - 1])
+            : F <= Constants::largest_fraction_bits || 3 * i + 2 >= bits
+                ? Word(1) << (bits - 2 - i)
+                : (Word(1) << (bits - 2 - i)) - (ElementaryConstants<Word>::third() >> (3 * i + 2));
         const Word x_part = x >> i;
         const Word y_part = shift_right_signed(y, i);
         if (is_negative(angle)) {
