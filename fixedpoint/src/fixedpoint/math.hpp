@@ -61,7 +61,7 @@ constexpr Fixed<IntegerBits, F, A> log(Fixed<IntegerBits, F, A> a) {
         A::template log<Integer<IntegerBits + F>, F>(a.raw()));
 }
 /// The tangent of any angle in radians, faithful (error below 0.75 ulp), saturated; beside a pole
-/// of a format with more than 50 integer bits the error grows to 2^(integer bits - 54) ulp.
+/// of a format with more than 48 integer bits the error grows to 2^(integer bits - 53) ulp.
 template <int IntegerBits, int F, class A>
 constexpr Fixed<IntegerBits, F, A> tan(Fixed<IntegerBits, F, A> a) {
     return Fixed<IntegerBits, F, A>::from_raw(
