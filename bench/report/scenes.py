@@ -20,6 +20,7 @@ METHODS = {
     "semi_implicit_euler": ("semi-implicit Euler", "o"),
     "velocity_verlet": ("velocity Verlet", "^"),
     "implicit_springs": ("implicit springs", "s"),
+    "direct_rods": ("Verlet with rods solved directly", "D"),
 }
 TARGETS = {"1 cm": 1e-2, "1 mm": 1e-3, "0.1 mm": 1e-4, "10 µm": 1e-5}
 # Errors that differ by less are the same error, of the method.

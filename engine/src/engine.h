@@ -18,5 +18,6 @@
 #include <engine/integrators/explicit_euler.hpp>
 #include <engine/integrators/implicit_springs.hpp>
 #include <engine/integrators/velocity_verlet.hpp>
+#include <engine/solvers/direct_rods.hpp>
 #include <engine/solvers/worst_first.hpp>
 #include <engine/world.hpp>

@@ -70,6 +70,13 @@ void use_all() {
     if (state_hash(world) == 0) world.particles()[0].velocity *= half(Scalar(1_d));
 }
 
+template <class Scalar>
+void use_chain() {
+    static World<Scalar, scenes::DoublePendulum::Uses<scenes::Direct>> world;
+    scenes::build<scenes::DoublePendulum>(world);
+    world.step(BinaryStep<10>());
+}
+
 struct Build {
     template <class Scene>
     void operator()(Scene) const {
@@ -88,5 +95,8 @@ int main() {
             All<ImplicitSprings, ProjectedGaussSeidel<4>, BruteForce>>();
     use_all<float, All<VelocityVerlet, ProjectedGaussSeidel<4>, SortAndSweep>>();
     use_all<double, All<ImplicitSprings, WorstFirst<4>, SortAndSweep>>();
+    use_chain<SaturatingFixed<16, 16>>();
+    use_chain<Fixed<32, 32, fixedpoint::Small>>();
+    use_chain<float>();
     scenes::for_each_scene(Build());
 }

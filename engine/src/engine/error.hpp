@@ -25,6 +25,7 @@ enum class Error : unsigned char {
     bad_damping,       ///< a damping factor outside 0..1
     bad_time_step,     ///< a step of 0 s or less
     not_finite,        ///< a position, velocity, anchor, normal or offset that is NaN or infinite
+    no_chain,          ///< in a step: a rod shares particles with two rods added before it
     no_such_link,      ///< a spring, rod or rope that is none of this world
 };
 
@@ -61,6 +62,8 @@ FIXEDPOINT_CONSTEXPR const char* describe(Error error) {
             return "a time step is not positive";
         case Error::contacts_full:
             return "more contacts in a step than the scene states";
+        case Error::no_chain:
+            return "DirectRods: a rod shares particles with two rods that were added before it";
         case Error::no_direction:
             return "both ends of a rod are at one place, where it has no direction";
     }

@@ -16,6 +16,7 @@ typename World::Scalar mass_share(const World& world, Index a, Index b) {
     const Scalar of_a = world.particles()[a].inverse_mass;
     const Scalar of_b = world.particles()[b].inverse_mass;
     if (of_a == Scalar() || of_b == Scalar()) return Scalar();
+    if (of_a == of_b) return Decimal<5, 1>();  // as the quotient, without a division
     const Scalar sum = saturating_sum(of_a, of_b);
     if (sum - of_a == of_b) return of_a / sum;
     return half(of_a) / (half(of_a) + half(of_b));  // where the sum leaves the format

@@ -345,6 +345,8 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
     }
     /// The constraint rows of this step.
     const Rows& rows() const { return rows_; }
+    /// The constraint rows of this step, to be changed by a solver.
+    Rows& step_rows() { return rows_; }
     /// Gives the particles velocities that the rows of this step allow.
     void solve_constraints() {
         observe<Scalar>(Quantity::resolution);

@@ -28,6 +28,12 @@ struct Implicit {
     using Integrator = engine::ImplicitSprings;
     using Solver = engine::ProjectedGaussSeidel<10>;
 };
+// Of scenes with several rods and nothing that pushes.
+struct Direct {
+    static constexpr const char* name = "direct_rods";
+    using Integrator = engine::VelocityVerlet;
+    using Solver = engine::DirectRods;
+};
 
 template <class Method>
 struct UsesWith : engine::Uses {

@@ -111,6 +111,13 @@ constexpr bool has_springs() {
     return Uses::springs + Uses::anchored_springs > 0;
 }
 
+// Whether the direct method applies and differs from Verlet.
+template <class SceneType>
+constexpr bool is_of_rods() {
+    using Uses = typename SceneType::template Uses<scenes::SemiImplicit>;
+    return Uses::rods > 0 && !engine::may_bounce<Uses>();
+}
+
 template <class SceneType>
 Scene describe() {
     WorldOf<SceneType, double, scenes::SemiImplicit> world;
@@ -132,6 +139,7 @@ Scene describe() {
     add_runs<SceneType, scenes::SemiImplicit>(scene.subjects);
     add_runs<SceneType, scenes::Verlet>(scene.subjects);
     if constexpr (has_springs<SceneType>()) add_runs<SceneType, scenes::Implicit>(scene.subjects);
+    if constexpr (is_of_rods<SceneType>()) add_runs<SceneType, scenes::Direct>(scene.subjects);
     return scene;
 }
 
