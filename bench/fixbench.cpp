@@ -6,11 +6,13 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <exception>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <stdexcept>
 #include <string>
 
+#include "bench/experiments/judge/corpus.hpp"
 #include "bench/lab/program/experiment.hpp"
 #include "bench/sequence/sequence.hpp"
 
@@ -18,7 +20,9 @@ namespace {
 
 const fixbench::Registration report({
     .name = "report",
-    .description = "Figures and pages out of the data files.",
+    .description = "Figures, pages and corpora of operands out of the data files; with --check, "
+                   "whether those that\n"
+                   "are there follow from them.",
     .add =
         [](CLI::App& command) {
             const auto results = std::make_shared<std::string>();
@@ -26,10 +30,25 @@ const fixbench::Registration report({
                 .add_option("--results", *results,
                             "folder that holds data/ and gets figures/ and the pages")
                 ->required();
-            return [results](const fixbench::Call&) -> int {
+            const auto check = std::make_shared<bool>(), here = std::make_shared<bool>();
+            command.add_flag("--check", *check,
+                             "write nothing; fail where a page or figure does not follow from the "
+                             "data");
+            command.add_flag("--measured-here", *here,
+                             "the data were measured on this machine today: note its tools and "
+                             "the date");
+            return [results, check, here](const fixbench::Call&) -> int {
+                const std::filesystem::path folder = *results;
+                if (!*check && std::filesystem::exists(folder / "data" / "operations.csv"))
+                    judge::write_corpora(folder / "data", folder / "corpus");
                 const std::string experiments = sequence::json_list();
-                execl(FIXBENCH_PYTHON, FIXBENCH_PYTHON, FIXBENCH_REPORT, "--results",
-                      results->c_str(), "--experiments", experiments.c_str(), nullptr);
+                std::vector<const char*> call{FIXBENCH_PYTHON, FIXBENCH_REPORT,
+                                              "--results",     results->c_str(),
+                                              "--experiments", experiments.c_str()};
+                if (*check) call.push_back("--check");
+                if (*here) call.push_back("--measured-here");
+                call.push_back(nullptr);
+                execv(FIXBENCH_PYTHON, const_cast<char* const*>(call.data()));
                 throw std::runtime_error(fmt::format("cannot run {}", FIXBENCH_PYTHON));
             };
         },

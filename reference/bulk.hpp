@@ -133,7 +133,7 @@ Judgement judge_function(Number x, std::int64_t result) {
     }
     return {.error_ulp = double(error),
             .as_defined = std::abs(double(error)) <= held_to.bound_ulp,
-            .underflow = subject.operation == Operation::exp && x < Number(0.5)};
+            .underflow = vanishes(subject.operation) && x < Number(0.5) && x > Number(-0.5)};
 }
 
 // result - sqrt(square) without cancellation, for square >= 0.
@@ -237,7 +237,7 @@ Judgement judge(std::span<const std::int64_t> operands, std::span<const std::int
         return judge_quotient<subject, F>(x, decltype(x)(1) << F, result);
     };
 
-    if (shape(operation).results == 1 && !in_domain(operation, operands)) {
+    if (shape(operation).results == 1 && !in_domain(operation, operands, raw_one(format))) {
         if constexpr (subject.arithmetic == Arithmetic::integer)
             return {.excluded = "undefined outside the operation's domain"};
         return pinned(outside_domain(operation, format, a), result);

@@ -3,6 +3,7 @@
 // arithmetic rounds it, and what it does with a result that does not fit.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -77,9 +78,23 @@ constexpr Definition definition(Operation operation, Arithmetic arithmetic) {
     return {};
 }
 
-// Whether the operation has an exact value there. `x` are raws or values.
-template <class Number>
-constexpr bool in_domain(Operation operation, std::span<const Number> x) {
+// Whether the results of half of the operands are below half an ulp.
+constexpr bool vanishes(Operation operation) {
+    return operation == Operation::exp || operation == Operation::exp2 ||
+           operation == Operation::pow;
+}
+
+// The number 1 as a raw; of 64 bits it may be too large for one.
+__extension__ using LongRaw = __int128;
+constexpr LongRaw raw_one(const NumberFormat& format) { return LongRaw(1) << format.fraction; }
+
+constexpr bool is_multiple(std::int64_t a, LongRaw one) { return a % one == 0; }
+inline bool is_multiple(double a, double one) { return std::fmod(a, one) == 0; }
+
+// Whether the operation has an exact value there. `x` are the raws of a format and `one` is its
+// raw_one, or they are the values of floats and 1.
+template <class Number, class One>
+constexpr bool in_domain(Operation operation, std::span<const Number> x, One one) {
     switch (shape(operation).domain) {
         case Domain::everywhere:
             return true;
@@ -90,11 +105,28 @@ constexpr bool in_domain(Operation operation, std::span<const Number> x) {
         case Domain::positive:
             return x[0] > 0;
         case Domain::nonzero_vector:
-            for (const Number& component : x)
+            for (const Number component : x)
                 if (component != 0) return true;
             return false;
+        case Domain::above_minus_one:
+            return x[0] > -one;
+        case Domain::unit_interval:
+            return x[0] >= -one && x[0] <= one;
+        case Domain::power:
+            return x[0] > 0 || x[1] == 0 || (x[0] == 0 ? x[1] > 0 : is_multiple(x[1], one));
     }
     return false;
+}
+
+// pi / 2^halvings to nearest, clamped.
+constexpr std::int64_t rounded_pi(const NumberFormat& format, int halvings) {
+    // pi 2^62, as 2 bits and 62.
+    constexpr std::uint64_t pi = 0xc90fdaa22168c234;
+    const int surplus = 62 + halvings - format.fraction;
+    if (surplus < 0) return format.max();
+    const std::uint64_t half = surplus == 0 ? 0 : std::uint64_t(1) << (surplus - 1);
+    const std::uint64_t rounded = (pi >> surplus) + ((pi & half) != 0 ? 1 : 0);
+    return rounded > std::uint64_t(format.max()) ? format.max() : std::int64_t(rounded);
 }
 
 // What a fixed-point operation returns where there is none; a is the first operand's raw.
@@ -108,7 +140,16 @@ constexpr std::int64_t outside_domain(Operation operation, const NumberFormat& f
         case Operation::reciprocal_sqrt:
             return a == 0 ? format.max() : 0;
         case Operation::log:
+        case Operation::log2:
+        case Operation::log10:
+        case Operation::log1p:
             return format.min();
+        case Operation::asin:
+            return a > 0 ? rounded_pi(format, 1) : -rounded_pi(format, 1);
+        case Operation::acos:
+            return a > 0 ? 0 : rounded_pi(format, 0);
+        case Operation::pow:
+            return a == 0 ? format.max() : 0;
         default:
             return 0;  // sqrt of a negative number, atan2(0, 0), the zero vector normalised
     }

@@ -2,6 +2,7 @@
 #include "reference/exact.hpp"
 
 #include <gsl/gsl_complex_math.h>
+#include <gsl/gsl_math.h>
 #include <gsl/gsl_sf_exp.h>
 #include <gsl/gsl_sf_log.h>
 #include <gsl/gsl_sf_trig.h>
@@ -121,6 +122,24 @@ std::optional<double> second_opinion(Operation operation, std::span<const double
             return gsl_sf_exp(x[0]);
         case Operation::log:
             return gsl_sf_log(x[0]);
+        case Operation::tan:
+            return GSL_REAL(gsl_complex_tan(gsl_complex_rect(x[0], 0)));
+        case Operation::asin:
+            return GSL_REAL(gsl_complex_arcsin_real(x[0]));
+        case Operation::acos:
+            return GSL_REAL(gsl_complex_arccos_real(x[0]));
+        case Operation::expm1:
+            return gsl_expm1(x[0]);
+        case Operation::log1p:
+            return gsl_log1p(x[0]);
+        case Operation::sinh:
+            return GSL_REAL(gsl_complex_sinh(gsl_complex_rect(x[0], 0)));
+        case Operation::cosh:
+            return GSL_REAL(gsl_complex_cosh(gsl_complex_rect(x[0], 0)));
+        case Operation::tanh:
+            return GSL_REAL(gsl_complex_tanh(gsl_complex_rect(x[0], 0)));
+        case Operation::pow:
+            return GSL_REAL(gsl_complex_pow_real(gsl_complex_rect(x[0], 0), x[1]));
         case Operation::length2:
             return gsl_sf_hypot(x[0], x[1]);
         default:

@@ -163,9 +163,8 @@ class Judge {
     Judgement component(std::size_t index, std::int64_t result) const {
         if (subject_.operand_format.is_float()) {
             if (!subject_.format.is_float()) return from_float(result);
-            if (!finite_ || !in_domain<Rational>(subject_.operation, values_))
-                return special(index, result);
-        } else if (!in_domain<Rational>(subject_.operation, values_)) {
+            if (!finite_ || !in_domain_of_operation()) return special(result);
+        } else if (!in_domain_of_operation()) {
             if (subject_.arithmetic == Arithmetic::integer ||
                 subject_.arithmetic == Arithmetic::accum)
                 return {.excluded = "undefined outside the operation's domain"};
@@ -177,6 +176,15 @@ class Judge {
     }
 
   private:
+    bool in_domain_of_operation() const {
+        if (!subject_.operand_format.is_float())
+            return in_domain(subject_.operation, operands_, raw_one(subject_.operand_format));
+        double numbers[most_operands];
+        for (std::size_t i = 0; i < operands_.size(); ++i) numbers[i] = float_of_raw(operands_[i]);
+        return in_domain(subject_.operation, std::span<const double>(numbers, operands_.size()),
+                         1.0);
+    }
+
     NumberFormat operand_format(std::size_t index) const {
         if (is_shift(subject_.operation) && index == 1) return {FormatKind::integer, 64, 0};
         return subject_.operand_format;
@@ -196,7 +204,7 @@ class Judge {
                 if (subject_.format.is_float()) return judge_single(definition_, number, result);
                 const auto in_ulp = scale(number, subject_.format.fraction);
                 Judgement judgement = judge_fixed(subject_.format, definition_, in_ulp, result);
-                judgement.underflow = subject_.operation == Operation::exp && in_ulp * 2 < 1;
+                judgement.underflow = vanishes(subject_.operation) && abs(in_ulp) * 2 < 1;
                 return judgement;
             },
             exact);
@@ -213,7 +221,7 @@ class Judge {
         return judge_pinned(subject_.format, pinned, result);
     }
 
-    Judgement special(std::size_t index, std::int64_t result) const {
+    Judgement special(std::int64_t result) const {
         Operation operation = subject_.operation;
         switch (operation) {
             case Operation::length2:
@@ -222,7 +230,8 @@ class Judge {
                 return {.excluded =
                             "a vector function of singles that are not finite, or all zero"};
             case Operation::sincos:
-                operation = index == 0 ? Operation::sin : Operation::cos;
+                // Sine and cosine of what is not finite are the same NaN.
+                operation = Operation::sin;
                 break;
             default:
                 break;

@@ -16,7 +16,16 @@ namespace reference {
 // The rows of operation_table.h as values.
 enum class Signature { unary, binary, ternary, shift, conversion, pair, dot, length, direction };
 enum class Kind { ring, rounded, function };
-enum class Domain { everywhere, nonzero_divisor, not_negative, positive, nonzero_vector };
+enum class Domain {
+    everywhere,
+    nonzero_divisor,
+    not_negative,
+    positive,
+    nonzero_vector,
+    above_minus_one,
+    unit_interval,  // -1 to 1
+    power           // x[0]^x[1]
+};
 
 struct OperationShape {
     Operation operation;

@@ -48,6 +48,32 @@
     X(exp, unary, 1, 1, function, 1, everywhere, __VA_ARGS__)
 #define OPERATION_log(X, ...) /* a <= 0: MIN */ \
     X(log, unary, 1, 1, function, 1, positive, __VA_ARGS__)
+#define OPERATION_tan(X, ...) /* any angle; clamps beside a pole */ \
+    X(tan, unary, 1, 1, function, 0.75, everywhere, __VA_ARGS__)
+#define OPERATION_asin(X, ...) /* beyond +-1: +-pi/2, rounded */ \
+    X(asin, unary, 1, 1, function, 0.75, unit_interval, __VA_ARGS__)
+#define OPERATION_acos(X, ...) /* beyond 1: 0; beyond -1: pi, rounded */ \
+    X(acos, unary, 1, 1, function, 0.75, unit_interval, __VA_ARGS__)
+#define OPERATION_exp2(X, ...) /* 2^a */ \
+    X(exp2, unary, 1, 1, function, 0.75, everywhere, __VA_ARGS__)
+#define OPERATION_expm1(X, ...) /* e^a - 1 */ \
+    X(expm1, unary, 1, 1, function, 0.75, everywhere, __VA_ARGS__)
+#define OPERATION_log2(X, ...) /* a <= 0: MIN */ \
+    X(log2, unary, 1, 1, function, 0.75, positive, __VA_ARGS__)
+#define OPERATION_log10(X, ...) /* a <= 0: MIN */ \
+    X(log10, unary, 1, 1, function, 0.75, positive, __VA_ARGS__)
+#define OPERATION_log1p(X, ...) /* ln(1 + a); a <= -1: MIN */ \
+    X(log1p, unary, 1, 1, function, 0.75, above_minus_one, __VA_ARGS__)
+#define OPERATION_sinh(X, ...) \
+    X(sinh, unary, 1, 1, function, 0.75, everywhere, __VA_ARGS__)
+#define OPERATION_cosh(X, ...) \
+    X(cosh, unary, 1, 1, function, 0.75, everywhere, __VA_ARGS__)
+#define OPERATION_tanh(X, ...) \
+    X(tanh, unary, 1, 1, function, 0.75, everywhere, __VA_ARGS__)
+#define OPERATION_cbrt(X, ...) /* negative where a is */ \
+    X(cbrt, unary, 1, 1, function, 0.75, everywhere, __VA_ARGS__)
+#define OPERATION_pow(X, ...) /* a^b; b = 0: 1; a = 0, b < 0: MAX; a < 0, b no integer: 0 */ \
+    X(pow, binary, 2, 1, function, 0.75, power, __VA_ARGS__)
 #define OPERATION_multiply_add(X, ...) /* x = a b / 2^F + c, one rounding */ \
     X(multiply_add, ternary, 3, 1, ring, 0, everywhere, __VA_ARGS__)
 #define OPERATION_dot2(X, ...) /* x = sum of a_i b_i / 2^F, one rounding */ \
@@ -72,7 +98,7 @@
     X(convert, conversion, 1, 1, ring, 0, everywhere, __VA_ARGS__)
 /* clang-format on */
 
-/* Those that are measured on the device in every format, and the rest. */
+/* Those that are measured on the device in every format. */
 #define MEASURED_OPERATIONS(X, ...)                                                             \
     OPERATION_add(X, __VA_ARGS__) OPERATION_subtract(X, __VA_ARGS__) OPERATION_multiply(        \
         X, __VA_ARGS__) OPERATION_divide(X, __VA_ARGS__) OPERATION_remainder(X, __VA_ARGS__)    \
@@ -84,10 +110,22 @@
                         OPERATION_dot3(X, __VA_ARGS__) OPERATION_length2(X, __VA_ARGS__)        \
                             OPERATION_length3(X, __VA_ARGS__) OPERATION_normalise3(X, __VA_ARGS__)
 
-#define OPERATIONS(X, ...)                                                               \
-    MEASURED_OPERATIONS(X, __VA_ARGS__)                                                  \
-    OPERATION_negate(X, __VA_ARGS__) OPERATION_abs(X, __VA_ARGS__) OPERATION_shift_left( \
-        X, __VA_ARGS__) OPERATION_shift_right(X, __VA_ARGS__) OPERATION_convert(X, __VA_ARGS__)
+/* Those without kernels, measured on the device too, in programs of their own: the first do not
+ * leave them room. */
+#define ELEMENTARY_OPERATIONS(X, ...)                                                           \
+    OPERATION_tan(X, __VA_ARGS__) OPERATION_asin(X, __VA_ARGS__) OPERATION_acos(X, __VA_ARGS__) \
+        OPERATION_exp2(X, __VA_ARGS__) OPERATION_expm1(X, __VA_ARGS__)                          \
+            OPERATION_log2(X, __VA_ARGS__) OPERATION_log10(X, __VA_ARGS__)                      \
+                OPERATION_log1p(X, __VA_ARGS__) OPERATION_sinh(X, __VA_ARGS__)                  \
+                    OPERATION_cosh(X, __VA_ARGS__) OPERATION_tanh(X, __VA_ARGS__)               \
+                        OPERATION_cbrt(X, __VA_ARGS__) OPERATION_pow(X, __VA_ARGS__)
+
+/* All. */
+#define OPERATIONS(X, ...)                                                 \
+    MEASURED_OPERATIONS(X, __VA_ARGS__)                                    \
+    ELEMENTARY_OPERATIONS(X, __VA_ARGS__) OPERATION_negate(X, __VA_ARGS__) \
+        OPERATION_abs(X, __VA_ARGS__) OPERATION_shift_left(X, __VA_ARGS__) \
+            OPERATION_shift_right(X, __VA_ARGS__) OPERATION_convert(X, __VA_ARGS__)
 
 #ifdef __cplusplus
 namespace reference {

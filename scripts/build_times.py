@@ -4,24 +4,34 @@
 
 Usage: scripts/build_times.py [BUILD_FOLDER] [--slowest N]
 
-Seconds are of one core, as the machine's load let them be; a step of ccache counts what it took.
+Steps that the build no longer has are left out. Seconds are of one core, as the machine's load let
+them be; a step of ccache counts what it took.
 """
 import argparse
 import collections
 import re
+import subprocess
 import sys
 from pathlib import Path
+
+
+def outputs_of(folder):
+    """What the build makes now; the log also holds what it made once."""
+    listed = subprocess.run(["ninja", "-C", folder, "-t", "targets", "all"], check=True,
+                            capture_output=True, text=True)
+    return {line.rpartition(": ")[0] for line in listed.stdout.splitlines()}
 
 
 def steps_of(log):
     """The last run of each step: output -> seconds. A step of several outputs counts once."""
     seconds, seen = {}, set()
+    present = outputs_of(log.parent)
     for line in reversed(log.read_text(encoding="utf-8").splitlines()):
         fields = line.split("\t")
         if len(fields) != 5:
             continue  # the first line, which tells the version
         begin, end, _, output, command = fields
-        if output in seen or (begin, end, command) in seen:
+        if output not in present or output in seen or (begin, end, command) in seen:
             continue
         seen |= {output, (begin, end, command)}
         seconds[output] = (int(end) - int(begin)) / 1000

@@ -64,9 +64,9 @@ def kernels(files, count, program, *checks):
 
 ROOMS = [
     kernels(f"{FIXED}/avr/*_q16_16.S {FIXED}/avr/*_q16_16.inc", 8, "q16_16"),
-    kernels(f"{FIXED}/avr/*_q8_8.S", 4, "q8_8"),
+    kernels(f"{FIXED}/avr/*_q8_8.S {FIXED}/avr/*_q8_8.inc", 4, "q8_8"),
     kernels(f"{FIXED}/avr/*_q4_4.S", 2, "q4_4"),
-    kernels(f"{FIXED}/avr/*_q32_32.S", 2, "q32_32"),
+    kernels(f"{FIXED}/avr/*_q32_32.S {FIXED}/avr/cubic_64.*", 2, "q32_32"),
     room("kernels", f"{FIXED}/kernel/*_saturating.hpp", 1,
          Check("saturating_sums_test", devices="saturating_sums"),
          Check("library_on_device_test", "*/operators_test_q16_16", "operators_test_q16_16")),

@@ -3,9 +3,10 @@
 # Installs what the project builds and runs with, from Debian's packages. Does nothing, fast, where
 # all of it is there.
 #
-# Usage: scripts/setup.sh [--tests | --fuzz] [--list]
+# Usage: scripts/setup.sh [--tests | --fuzz | --pdf] [--list]
 #   --tests  what the tests need, too
 #   --fuzz   what fuzzing needs, too
+#   --pdf    what printing the report needs, too
 #   --list   prints the packages and installs nothing
 set -euo pipefail
 
@@ -22,14 +23,16 @@ packages=(
 for_tests=(clang-format clang-tidy clang-19 shellcheck python3-pyflakes
     chromium gdb doxygen)
 for_fuzzing=(clang libclang-rt-dev)
+for_printing=(chromium python3-markdown)
 
 list=
 for argument in "$@"; do
     case $argument in
         --tests) packages+=("${for_tests[@]}") ;;
         --fuzz) packages+=("${for_fuzzing[@]}") ;;
+        --pdf) packages+=("${for_printing[@]}") ;;
         --list) list=yes ;;
-        *) echo "setup.sh: unknown argument '$argument'; the options are --tests, --fuzz and --list" >&2; exit 2 ;;
+        *) echo "setup.sh: unknown argument '$argument'; the options are --tests, --fuzz, --pdf and --list" >&2; exit 2 ;;
     esac
 done
 if [ -n "$list" ]; then

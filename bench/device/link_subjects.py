@@ -40,14 +40,39 @@ def functions(objects):
     return sorted({line.split()[2] for line in lines if re.match(r"^[0-9a-f]+ [TW] ", line)})
 
 
+def subjects_of(objects):
+    """The subjects that the objects define, and the kernel that takes the place of each."""
+    names = functions(objects)
+    subjects = sorted(name for name in names
+                      if SUBJECT.match(name) and not name.startswith("fixedpoint_"))
+    kernels = {}
+    for name in names:
+        kernel = KERNEL.match(name)
+        if kernel:
+            operation, number_format, variant = kernel.groups()
+            kernels[f"{operation}_{number_format}_{variant or 'default'}"] = name
+    # A kernel without a C++ subject of its name belongs to another program.
+    return subjects, {name: kernel for name, kernel in kernels.items() if name in subjects}
+
+
+def linked_as(subject, kernels):
+    """The linker's options that keep a subject, its kernel under the subject's name."""
+    if subject not in kernels:
+        return [f"-Wl,-u,{subject}"]
+    kernel = kernels[subject]
+    return [f"-Wl,-u,{subject}", f"-Wl,-u,{kernel}", f"-Wl,--defsym={subject}={kernel}"]
+
+
 def together(subjects):
     """The programs that use several subjects, by name."""
     kinds = {SUBJECT.match(name).groups()[1:] for name in subjects}
     programs = {}
     for number_format, implementation in sorted(kinds):
-        programs[f"own_{number_format}_{implementation}"] = [
-            name for name in subjects
-            if SUBJECT.match(name).groups()[1:] == (number_format, implementation)]
+        own = [name for name in subjects
+               if SUBJECT.match(name).groups()[1:] == (number_format, implementation)]
+        # Not where the rest of them is in another program.
+        if not own[0].startswith("acos_"):
+            programs[f"own_{number_format}_{implementation}"] = own
         chosen = [f"{operation}_{number_format}_{implementation}" for operation in TOGETHER]
         if implementation != "published":
             chosen = [name if name in subjects else name.removesuffix(implementation) + "default"
@@ -64,25 +89,10 @@ def main():
     parser.add_argument("objects", nargs="+")
     arguments = parser.parse_args()
 
-    names = functions(arguments.objects)
-    aliases = {}
-    for name in names:
-        kernel = KERNEL.match(name)
-        if kernel:
-            operation, number_format, variant = kernel.groups()
-            aliases[f"{operation}_{number_format}_{variant or 'default'}"] = name
-    subjects = sorted(name for name in names
-                      if SUBJECT.match(name) and not name.startswith("fixedpoint_"))
-    # A kernel without a C++ subject of its name belongs to another program.
-    aliases = {subject: kernel for subject, kernel in aliases.items() if subject in subjects}
+    subjects, aliases = subjects_of(arguments.objects)
 
     def link(chosen, output):
-        options = []
-        for subject in chosen:
-            options.append(f"-Wl,-u,{subject}")
-            if subject in aliases:
-                options += [f"-Wl,-u,{aliases[subject]}",
-                            f"-Wl,--defsym={subject}={aliases[subject]}"]
+        options = [option for subject in chosen for option in linked_as(subject, aliases)]
         # The relocations tell which tables a kernel reads.
         run(["avr-g++", "-mmcu=atmega328p", "-Os", "-Wl,--gc-sections,--emit-relocs", *options,
              *arguments.objects, "-lm", "-o", output])

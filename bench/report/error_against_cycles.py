@@ -4,6 +4,7 @@ the Pareto front drawn."""
 import matplotlib.pyplot as plt
 from matplotlib.ticker import LogLocator, NullFormatter, ScalarFormatter
 
+import rivals
 import style
 
 # Formats of one size compete: a caller who has four bytes a number chooses among these.
@@ -34,8 +35,12 @@ def panels(data):
     return {operation: each for operation, each in by_operation.items() if len(each) > 1}
 
 
+def floored(cycles_and_error):
+    return cycles_and_error[0], max(cycles_and_error[1], FLOOR)
+
+
 def point(row):
-    return row["cycles_mean"], max(row["rms_error"], FLOOR)
+    return floored((row["cycles_mean"], row["rms_error"]))
 
 
 def draw(data):
@@ -45,7 +50,13 @@ def draw(data):
     figure, grid = plt.subplots(lines, columns, figsize=(11, 2.5 * lines + 0.6), squeeze=False)
     seen = {}
     for axes, (operation, rows) in zip(grid.flat, shown.items()):
-        points = [point(row) for row in rows]
+        # _Accum is a subject of operations.csv already.
+        others = [row for row in rivals.rows(data, operation) if row["variant"] != "gcc_accum"]
+        points = [point(row) for row in rows] + [floored(rivals.point(row)) for row in others]
+        for row in others:
+            handle = axes.scatter(*floored(rivals.point(row)), marker=rivals.MARKERS[row["variant"]], s=36, zorder=3,
+                                  color=rivals.COLOURS[row["variant"]], linewidths=1)
+            seen.setdefault(rivals.NAMES[row["variant"]], handle)
         for row in rows:
             kind = row["format"], row["implementation"]
             handle = axes.scatter(*point(row), marker=style.marker(*kind), s=42, zorder=3,
@@ -55,12 +66,12 @@ def draw(data):
                               textcoords="offset points", color=style.colour(*kind))
             seen.setdefault(style.label(*kind), handle)
         front = pareto(points)
-        right = max(x for x, _ in points) * 1.3
+        left, right = min(x for x, _ in points), max(x for x, _ in points) * 1.3
         axes.step([x for x, _ in front] + [right], [y for _, y in front] + [front[-1][1]],
                   where="post", color="#888888", linewidth=1, zorder=2)
         axes.set(xscale="log", yscale="log", title=operation)
-        wide = right > 12 * min(x for x, _ in points)
-        axes.xaxis.set_major_locator(LogLocator(subs=(1, 3) if wide else (1, 1.5, 2, 3, 5, 7)))
+        steps = (1,) if right > 200 * left else (1, 3) if right > 12 * left else (1, 1.5, 2, 3, 5, 7)
+        axes.xaxis.set_major_locator(LogLocator(subs=steps))
         axes.xaxis.set_major_formatter(ScalarFormatter())
         axes.xaxis.set_minor_formatter(NullFormatter())
         low = min(y for _, y in points)
@@ -78,8 +89,9 @@ def finding(data):
     """Of whom the fronts are, in a sentence."""
     shown = panels(data)
     owners = {"ours": 0, "float": 0}
-    for rows in shown.values():
-        front = pareto([point(row) for row in rows])
+    for operation, rows in shown.items():
+        front = pareto([point(row) for row in rows] +
+                       [floored(rivals.point(row)) for row in rivals.rows(data, operation)])
         holders = {row["format"] for row in rows if point(row) in front}
         owners["ours"] += bool(holders & {"q16_16", "q8_24"})
         owners["float"] += "float" in holders

@@ -61,6 +61,20 @@ LARGEST = {
     "sincos": lambda least, greatest: 1,
     "exp": lambda least, greatest: math.exp(greatest),
     "log": lambda least, greatest: max(abs(math.log(least)), abs(math.log(greatest))),
+    # Without bound beside a pole.
+    "tan": lambda least, greatest: math.inf,
+    "asin": lambda least, greatest: math.pi / 2,
+    "acos": lambda least, greatest: math.pi,
+    "exp2": lambda least, greatest: 2 ** greatest,
+    "expm1": lambda least, greatest: math.expm1(greatest),
+    "log2": lambda least, greatest: max(abs(math.log2(least)), abs(math.log2(greatest))),
+    "log10": lambda least, greatest: max(abs(math.log10(least)), abs(math.log10(greatest))),
+    "log1p": lambda least, greatest: math.log1p(greatest),
+    "sinh": lambda least, greatest: math.sinh(greatest),
+    "cosh": lambda least, greatest: math.cosh(greatest),
+    "tanh": lambda least, greatest: 1,
+    "cbrt": lambda least, greatest: greatest ** (1 / 3),
+    "pow": lambda least, greatest: greatest ** greatest,
     "multiply_add": lambda least, greatest: greatest ** 2 + greatest,
     "dot2": lambda least, greatest: 2 * greatest ** 2,
     "dot3": lambda least, greatest: 3 * greatest ** 2,
@@ -75,12 +89,15 @@ def read(path):
 
 
 def physics_operands(operation=None):
-    """The least and the greatest magnitude of the operands `physics`, of exp or of the others."""
+    """The least and the greatest magnitude of the operands `physics`, of an operation or of most."""
     found = re.search(r"physics_least = ([\d.]+), physics_greatest = ([\d.]+), "
                       r"physics_greatest_of_exp = ([\d.]+);", read("lab/operands/operand_class.cpp"))
     if not found:
         raise DataError("lab/operands/operand_class.cpp: the limits of the class physics are gone")
-    return float(found[1]), float(found[3 if operation == "exp" else 2])
+    if operation in ("asin", "acos"):
+        return float(found[1]), 1.0
+    exponentials = ("exp", "exp2", "expm1", "sinh", "cosh")
+    return float(found[1]), float(found[3 if operation in exponentials else 2])
 
 
 def implementations():

@@ -151,8 +151,7 @@ def summary(data):
             "lever": ARITHMETICS[arithmetic], "damping": damping,
             "rate": f"{rate:.0f}" + (", its own clock" if clock == "report" else ""),
             "taken_up": share(rows, "still"), "thrown": share(rows, "still_thrown"),
-            "theory": share(rows, "linear_stable"), "plants": len(of_plants),
-            "still": sum(row["still_at_shortest"] == "yes" for row in of_plants),
+            "theory": share(rows, "linear_stable"),
             "hardest": least(row["hardest_hand_n_per_m"] for row in of_plants),
             "theory_arm": most(row["linear_shortest_arm_m"] for row in of_plants),
             "chip": f"{sum(row['chip'] == 'still' for row in seen)} of {len(seen)}" if seen

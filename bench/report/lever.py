@@ -19,6 +19,16 @@ DEVICES = {
 }
 
 
+# m: of which the fall was published.
+PUBLISHED_ARM = 0.2
+
+
+def published(quantity):
+    """A published figure of the running device."""
+    with open(PUBLISHED, newline="", encoding="utf-8") as stream:
+        return next(float(row["value"]) for row in csv.DictReader(stream) if row["quantity"] == quantity)
+
+
 def verdicts(data):
     """Each row of workload.csv and workload_firmware.csv that has a published figure, by quantity."""
     rows = [row | {"measured_in": place} for file, place in (("workload", "engine alone"),
@@ -42,14 +52,6 @@ def devices(data):
             for (quantity, unit), values in told.items() if {"q16_16", "q16_16_arduino"} <= values.keys()]
 
 
-def pins(data):
-    """Quantity, unit, value on the published device and on ours, by the profiling pins."""
-    rows = [row for row in data.rows("workload_firmware") if str(row["reason"]).startswith("pin D")]
-    of = {(row["quantity"], row["arithmetic"]): row for row in rows}
-    return [(row["quantity"], row["unit"], of[row["quantity"], "fixed_16_16"]["measured"], row["measured"])
-            for row in rows if row["arithmetic"] == "q16_16"]
-
-
 def finding(data):
     """What the lever does when it is poked, and the time of its fall."""
     swing = {(row["lever"], row["damping"]): row["swing"] for row in haptic_region.oscillation(data)}
@@ -60,7 +62,7 @@ def finding(data):
             f"{swing['2016 design', 'selective damping']:.3g} with it, ours by "
             f"{swing['ours, Q16.16', 'selective damping']:.2g}, at {loop['q16_16']:.0f} steps a second in "
             f"place of {loop['published']:.0f}. Let go, it falls in {fall['q16_16']:.2f} s, the rebuilt one in "
-            f"{fall['published']:.2f} s; 0.18 s were published for an arm of 20 cm.")
+            f"{fall['published']:.2f} s; {published('fall_time'):g} s were published for an arm of 20 cm.")
 
 
 def share(count, of):
@@ -81,3 +83,38 @@ def others(data):
     longest = {row["arithmetic"]: row["seconds"] for row in data.rows("haptic", scenario="hours")}
     return (" and ".join(parts) + f". The scenario \"hours\" simulates {longest['q16_16']:.0f} s of ours and "
             f"{longest['float']:.0f} s of the others.")
+
+
+def scenarios_finding(data):
+    """What our lever keeps over all scenarios, in a sentence or two; what does not hold is told."""
+    rows = data.rows("haptic", arithmetic="q16_16")
+    broken = [f"{row['scenario'].replace('_', ' ')} ({row['reason']})" for row in rows if row["verdict"] != "held"]
+    late = max(rows, key=lambda row: row["worst_lateness_ms"])
+    return (f"It holds {len(rows) - len(broken)} of {len(rows)} scenarios"
+            + (f", not {', '.join(broken)}" if broken else "")
+            + f", at {min(row['loop_rate_hz'] for row in rows):.0f} steps a second or more. A step takes "
+            f"{max(row['step_max_ms'] for row in rows):.2f} ms at most and begins {late['worst_lateness_ms']:.2f} ms late "
+            f"at most ({late['scenario'].replace('_', ' ')}); the processor is busy for "
+            f"{max(row['cpu_percent'] for row in rows):.0f} % of its time at most and the stack is "
+            f"{max(row['stack_bytes'] for row in rows)} bytes deep.")
+
+
+def profile_finding(data):
+    """Where the cycles go: sleep, the lever's own code, and the kernels that follow."""
+    rows = data.rows("profile_lever")
+    asleep = next(row for row in rows if row["function"] == "(asleep)")
+    busiest = [row for row in rows if row is not asleep][:4]
+    return (f"The processor sleeps for {100 * asleep['self_share']:.0f} % of them. The rest goes to "
+            + ", ".join(f"`{row['function']}` ({100 * row['self_share']:.1f} %)" for row in busiest)
+            + " and what takes less: [the whole profile](data/profile_lever.csv).")
+
+
+def calibration_finding(data):
+    """The curve that was chosen, beside the one that fits best."""
+    rows = data.rows("calibration_candidates")
+    chosen = next(row for row in rows if row["verdict"] == "chosen")
+    published = next(row for row in rows if row["fitted_to"] == "as published")
+    return (f"Chosen is {chosen['formula']}: {chosen['rms_g']:.3g} g rms over the readings ({chosen['leave_one_out_rms_g']:.3g} "
+            f"where each reading is left out of its own fit), {chosen['cycles_mean']:.0f} cycles and "
+            f"{chosen['flash_bytes']} bytes; the published {published['formula']} as it stands has "
+            f"{published['rms_g']:.3g} g, {published['cycles_mean']:.0f} cycles and {published['flash_bytes']} bytes.")

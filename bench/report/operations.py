@@ -12,6 +12,10 @@ FORMATS = ("q4_4", "q8_8", "q16_16", "q8_24", "q32_32")
 FLOAT = ("float", "libc")
 PUBLISHED = ("q16_16", "published")
 BASIC = ("add", "multiply", "divide", "sqrt", "sin", "atan2")
+# Functions without a kernel: fixedpoint/portable/elementary.hpp. They are told apart, since a mean of both
+# would be that of neither.
+ELEMENTARY = ("tan", "asin", "acos", "exp2", "expm1", "log2", "log10", "log1p", "sinh", "cosh", "tanh",
+              "cbrt", "pow")
 # Whose square roots the first page compares.
 ROOTS = (("q4_4", OURS), ("q8_8", OURS), ("q16_16", OURS), ("q16_16", "small"), ("q8_24", OURS),
          ("q32_32", OURS), FLOAT, PUBLISHED)
@@ -82,10 +86,13 @@ def worst(data, operation, number_format, implementation=OURS):
     return Worst(max(costs)[0], bound(costs), ulp, witness, "proven" if proven else bound(errors))
 
 
-def ratios_to_float(data, number_format, implementation=OURS):
-    """Mean cycles over those of avr-libc's float, by operation that both have."""
+def ratios_to_float(data, number_format, implementation=OURS, elementary=False):
+    """Mean cycles over those of avr-libc's float, by operation that both have: of the operations with
+    kernels, or of the elementary functions."""
     found = {}
     for operation in names(data, number_format, implementation):
+        if (operation in ELEMENTARY) != elementary:
+            continue
         theirs = mean(data, operation, *FLOAT)
         if theirs is not None:
             found[operation] = mean(data, operation, number_format, implementation) / theirs
@@ -95,6 +102,18 @@ def ratios_to_float(data, number_format, implementation=OURS):
 def geometric_mean(values):
     values = list(values)
     return math.exp(sum(map(math.log, values)) / len(values))
+
+
+def elementary_finding(data):
+    """What the functions without a kernel take, in a sentence; nothing where they were not measured."""
+    ranges = []
+    for number_format in FORMATS:
+        ratios = ratios_to_float(data, number_format, elementary=True)
+        if ratios:
+            ranges.append(f"{min(ratios.values()):.3g} to {max(ratios.values()):.3g} in "
+                          f"{style.format_label(number_format)}")
+    return (f"The {len(ELEMENTARY)} elementary functions {', '.join(ELEMENTARY)} have no kernels; over float's cycles "
+            f"they take {', '.join(ranges)}." if ranges else "")
 
 
 def slower_than_float(data, number_format, implementation=OURS):

@@ -3,11 +3,14 @@
 """Draws the figures and writes the pages of results/ out of its data files."""
 import argparse
 import contextlib
+import datetime
+import filecmp
 import json
 import pathlib
 import re
 import subprocess
 import sys
+import tempfile
 import traceback
 
 import jinja2
@@ -18,13 +21,16 @@ import division_cycles
 import error_against_cycles
 import error_histograms
 import explorer
+import features
 import growth
 import haptic_region
 import haptic_timing
 import headline
+import identification
 import lever
 import operations
 import replay
+import rivals
 import scenes
 import scenes_workload
 import stability
@@ -95,6 +101,12 @@ def tool_versions():
     }
 
 
+def note_tools(data):
+    """Writes tools.json: with what and when the data of the folder were measured."""
+    write_whole(data / "tools.json", json.dumps(
+        {"date": datetime.date.today().isoformat(), "tools": tool_versions()}, indent=1) + "\n")
+
+
 def cell(value):
     """A cell of a Markdown table."""
     if value is None:
@@ -159,12 +171,13 @@ def write(results, experiments=()):
             style.save(draw(), folder, name)
 
     environment = templates()
-    names = {"data": data, "versions": tool_versions(), "choose": choose_a_format, "style": style,
+    names = {"data": data, "measured": data.json("tools"), "choose": choose_a_format, "style": style,
              "operations": operations,
              "headline": headline, "table_3_2": table_3_2, "division_cycles": division_cycles,
              "error_against_cycles": error_against_cycles, "error_histograms": error_histograms,
-             "scenes": scenes, "scenes_workload": scenes_workload, "growth": growth, "lever": lever,
-             "stability": stability, "haptic_region": haptic_region}
+             "features": features, "identification": identification, "scenes": scenes,
+             "scenes_workload": scenes_workload, "growth": growth, "lever": lever, "stability": stability,
+             "haptic_region": haptic_region, "rivals": rivals}
     for template, (name, needed) in PAGES.items():
         if data.has(needed):
             with telling(name):
@@ -177,16 +190,39 @@ def write(results, experiments=()):
             explorer.write(results / "index.html", environment, data, write_whole)
 
 
+def differences(results, experiments):
+    """The pages and figures of a folder that are not what follows from its data."""
+    with tempfile.TemporaryDirectory() as scratch:
+        made = pathlib.Path(scratch)
+        (made / "data").symlink_to((results / "data").resolve())
+        write(made, experiments)
+        files = [path.relative_to(made) for folder in (made, made / "figures") for path in sorted(folder.iterdir())
+                 if path.is_file()]
+        return [file for file in files if not (results / file).is_file()
+                or not filecmp.cmp(made / file, results / file, shallow=False)]
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--results", required=True,
                         help="folder that holds data/ and gets figures/ and README.md")
     parser.add_argument("--experiments", type=json.loads, default=[],
                         help="what `fixbench --list --json` prints: who makes which file")
+    parser.add_argument("--measured-here", action="store_true",
+                        help="the data were measured on this machine today: note its tools and the date")
+    parser.add_argument("--check", action="store_true",
+                        help="write nothing; fail where a page or figure does not follow from the data")
     arguments = parser.parse_args()
     results = pathlib.Path(arguments.results)
     try:
         with telling(str(results)):
+            if arguments.check:
+                wrong = differences(results, arguments.experiments)
+                for file in wrong:
+                    print(f"report: {results / file} does not follow from the data", file=sys.stderr)
+                return 1 if wrong else 0
+            if arguments.measured_here:
+                note_tools(results / "data")
             write(results, arguments.experiments)
     except (DataError, OSError) as error:
         print("\nreport: " + " ".join(str(error).removeprefix(f"{results}: ").split()),

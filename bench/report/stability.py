@@ -51,12 +51,6 @@ def silent(rows, arithmetic):
     return len(mine), len(ended) - len(unfit), len(unfit)
 
 
-def change(before, after):
-    """By how many percent a number of cycles changed."""
-    percent = round(100 * (after / before - 1))
-    return f"{percent:+d} %".replace("-", "−") if percent else "±0 %"
-
-
 def points(rows, name, scalar, method, arithmetic=None):
     """The x and the limits of a map's line, in order of x."""
     mine = [row for row in rows if row["map"] == name and row["scalar"] == scalar
@@ -161,3 +155,23 @@ def chain_finding(data):
     return (f"The mass that a hanging chain of rods bears at its end, in masses of a link, is {min(limits(shortest)):.3g} to "
             f"{max(limits(shortest)):.3g} for {shortest:.0f} rods and {min(limits(longest)):.3g} to {max(limits(longest)):.3g} "
             f"for {longest:.0f}, over all formats: the solver's iterations set it, not the arithmetic. The speed on a circle:")
+
+
+def ablations_finding(data):
+    """What the measures of the engine buy and cost, in a sentence."""
+    rows = [row for row in data.rows("ablations") if number(row["before"]) > 0 and number(row["after"]) > 0]
+
+    def gain(row):  # a limit that should be small as well as one that should be large
+        ratio = number(row["after"]) / number(row["before"])
+        return max(ratio, 1 / ratio)
+
+    def cost(row):
+        return 100 * (row["after_cycles"] / row["before_cycles"] - 1)
+
+    def told(row):
+        return f"{row['ablation']} in {row['case'].replace('_', ' ')}"
+    best, dearest, cheapest = max(rows, key=gain), max(rows, key=cost), min(rows, key=cost)
+    return (f"Over {len({row['ablation'] for row in rows})} measures in {len(rows)} cases the limit moves by a factor "
+            f"of up to {figure(gain(best))} ({told(best)}) and in {sum(gain(row) < 1.05 for row in rows)} cases by less "
+            f"than 5 %, at {cost(cheapest):+.0f} % ({told(cheapest)}) to {cost(dearest):+.0f} % "
+            f"({told(dearest)}) of the step's cycles.").replace(" -", " −")

@@ -420,8 +420,9 @@ class Sequence {
                     return fixbench::held;
                 }
         const fs::path log = state_folder / "report.log";
-        Process report({this_program.string(), "report", "--results", results_.string()},
-                       source_folder, log, nullptr);
+        Process report(
+            {this_program.string(), "report", "--measured-here", "--results", results_.string()},
+            source_folder, log, nullptr);
         std::optional<int> status;
         while (!(status = report.ended())) usleep(50'000);
         if (*status != 0) {

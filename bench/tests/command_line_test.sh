@@ -32,6 +32,10 @@ refuses "did you mean multiply" cycles --operation multiplt "${a[@]}"
 refuses "'q7_1'" cycles --format q16_16,q7_1 "${a[@]}"
 refuses "did you mean libc" cycles --implementation lbc "${a[@]}"
 refuses "boundary, full, physics, published, small" cycles --operands huge "${a[@]}"
+refuses "atmega1284p, atmega2560, atmega32u4, attiny85" cycles --mcu attiny13 "${a[@]}"
+refuses "did you mean atmega2560" cycles --mcu atmega256 "${a[@]}"
+refuses "q16_16, q32_32" cycles --mcu attiny85 --format float "${a[@]}"
+refuses "boundary, full, physics" cycles --mcu attiny85 --operands small "${a[@]}"
 refuses "'q7_1'" accuracy --format q7_1 "${a[@]}"
 refuses "did you mean default" verify --implementation defualt "${a[@]}"
 refuses "selected" verify --operation add --format float "${a[@]}"
@@ -58,6 +62,13 @@ refuses "--most" growth --host --most 5000 "${a[@]}"
 refuses "--seconds" throughput --seconds 0 "${a[@]}"
 for error in nan -1 0 inf x; do refuses "--error" advise --scene pendulum --error "$error"; done
 refuses "--lines" advise --scene pendulum --error 1 --lines 0
+
+refuses "takes no --program" cycles --mcu attiny85 --program "$fixbench" "${a[@]}"
+refuses "neither a folder nor a git revision" compare no-such-revision "$source/results"
+refuses "holds neither operations.csv" compare "$source/results" "$source/scripts"
+refuses "is required" compare "$source/results"
+"$fixbench" compare "$source/results" "$source/results" --csv 2>/dev/null | grep -q "^score,.*geometric mean" ||
+    fail "a run is worse than itself"
 
 refuses "does not exist" cycles --program "$scratch/absent.elf"
 echo "not an ELF" >"$scratch/text.elf"

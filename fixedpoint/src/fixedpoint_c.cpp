@@ -81,6 +81,19 @@ Number number(typename Number::Raw raw) {
     UNARY(q, Number, atan)                                                                  \
     UNARY(q, Number, exp)                                                                   \
     UNARY(q, Number, log)                                                                   \
+    UNARY(q, Number, tan)                                                                   \
+    UNARY(q, Number, asin)                                                                  \
+    UNARY(q, Number, acos)                                                                  \
+    UNARY(q, Number, exp2)                                                                  \
+    UNARY(q, Number, expm1)                                                                 \
+    UNARY(q, Number, log2)                                                                  \
+    UNARY(q, Number, log10)                                                                 \
+    UNARY(q, Number, log1p)                                                                 \
+    UNARY(q, Number, sinh)                                                                  \
+    UNARY(q, Number, cosh)                                                                  \
+    UNARY(q, Number, tanh)                                                                  \
+    UNARY(q, Number, cbrt)                                                                  \
+    q q##_pow(q x, q y) { return pow(number<Number>(x), number<Number>(y)).raw(); }         \
     q q##_atan2(q y, q x) { return atan2(number<Number>(y), number<Number>(x)).raw(); }     \
     q q##_multiply_add(q a, q b, q c) {                                                     \
         return multiply_add(number<Number>(a), number<Number>(b), number<Number>(c)).raw(); \

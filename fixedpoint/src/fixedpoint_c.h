@@ -78,7 +78,8 @@ q4_4 q4_4_multiply_add(q4_4 a, q4_4 b, q4_4 c);
 q4_4 q4_4_divide(q4_4 a, q4_4 b)
     FIXEDPOINT_C_KERNEL(fixedpoint_divide_q4_4);
 /// a - b trunc(a / b), exact, 0 or of the sign of a. Where b is 0: a.
-q4_4 q4_4_remainder(q4_4 a, q4_4 b);
+q4_4 q4_4_remainder(q4_4 a, q4_4 b)
+    FIXEDPOINT_C_KERNEL(fixedpoint_remainder_q4_4);
 /// a 2^count modulo 2^4; 0 from count = 8 on.
 q4_4 q4_4_shift_left(q4_4 a, uint8_t count);
 /// a / 2^count rounded downward; from count = 8 on 0, or -1 ulp where a < 0.
@@ -87,29 +88,67 @@ q4_4 q4_4_shift_right(q4_4 a, uint8_t count);
 q4_4 q4_4_sqrt(q4_4 a)
     FIXEDPOINT_C_KERNEL(fixedpoint_sqrt_q4_4);
 /// 1 / sqrt(a) within 0.75 ulp, saturated to Q4_4_MAX, which it is where a is 0; 0 where a < 0.
-q4_4 q4_4_reciprocal_sqrt(q4_4 a);
+q4_4 q4_4_reciprocal_sqrt(q4_4 a)
+    FIXEDPOINT_C_KERNEL(fixedpoint_reciprocal_sqrt_q4_4);
 /// The sine of any angle in radians within 0.75 ulp, never beyond -1 and 1.
-q4_4 q4_4_sin(q4_4 angle);
+q4_4 q4_4_sin(q4_4 angle)
+    FIXEDPOINT_C_KERNEL(fixedpoint_sin_q4_4);
 /// The cosine of any angle in radians within 0.75 ulp, never beyond -1 and 1.
-q4_4 q4_4_cos(q4_4 angle);
+q4_4 q4_4_cos(q4_4 angle)
+    FIXEDPOINT_C_KERNEL(fixedpoint_cos_q4_4);
 /// Writes what sin and cos return, in less time than both take.
-void q4_4_sincos(q4_4 angle, q4_4 sine_and_cosine[2]);
+void q4_4_sincos(q4_4 angle, q4_4 sine_and_cosine[2])
+    FIXEDPOINT_C_KERNEL(fixedpoint_sincos_q4_4);
 /// The arc tangent in radians within 0.75 ulp.
-q4_4 q4_4_atan(q4_4 a);
+q4_4 q4_4_atan(q4_4 a)
+    FIXEDPOINT_C_KERNEL(fixedpoint_atan_q4_4);
 /// The angle of the vector (x, y) in radians, in (-pi, pi], within 0.75 ulp; 0 where both are 0.
 q4_4 q4_4_atan2(q4_4 y, q4_4 x);
 /// e^a within 1 ulp, saturated to Q4_4_MAX; 0 where e^a is below half an ulp or about it.
-q4_4 q4_4_exp(q4_4 a);
+q4_4 q4_4_exp(q4_4 a)
+    FIXEDPOINT_C_KERNEL(fixedpoint_exp_q4_4);
 /// The natural logarithm within 1 ulp; Q4_4_MIN where a <= 0.
-q4_4 q4_4_log(q4_4 a);
+q4_4 q4_4_log(q4_4 a)
+    FIXEDPOINT_C_KERNEL(fixedpoint_log_q4_4);
+/// The tangent of any angle in radians within 0.75 ulp, saturated beside a pole.
+q4_4 q4_4_tan(q4_4 angle);
+/// The arc sine in radians within 0.75 ulp, saturated; beyond -1 and 1 what it is there.
+q4_4 q4_4_asin(q4_4 a);
+/// The arc cosine in radians within 0.75 ulp, saturated; beyond -1 and 1 what it is there.
+q4_4 q4_4_acos(q4_4 a);
+/// 2^a within 0.75 ulp, saturated to Q4_4_MAX.
+q4_4 q4_4_exp2(q4_4 a);
+/// e^a - 1 within 0.75 ulp, saturated to Q4_4_MAX.
+q4_4 q4_4_expm1(q4_4 a);
+/// The logarithm to base 2 within 0.75 ulp; Q4_4_MIN where a <= 0.
+q4_4 q4_4_log2(q4_4 a);
+/// The logarithm to base 10 within 0.75 ulp; Q4_4_MIN where a <= 0.
+q4_4 q4_4_log10(q4_4 a);
+/// ln(1 + a) within 0.75 ulp; Q4_4_MIN where a <= -1.
+q4_4 q4_4_log1p(q4_4 a);
+/// The hyperbolic sine within 0.75 ulp, saturated.
+q4_4 q4_4_sinh(q4_4 a);
+/// The hyperbolic cosine within 0.75 ulp, saturated to Q4_4_MAX.
+q4_4 q4_4_cosh(q4_4 a);
+/// The hyperbolic tangent within 0.75 ulp, never beyond -1 and 1.
+q4_4 q4_4_tanh(q4_4 a);
+/// The cube root within 0.75 ulp, negative where a is.
+q4_4 q4_4_cbrt(q4_4 a);
+/// x^y within 0.75 ulp, saturated; 1 where y is 0. Where x is 0: 0, or Q4_4_MAX where y < 0. Where
+/// x < 0: the power of |x|, negative for odd y, and 0 where y is not an integer.
+q4_4 q4_4_pow(q4_4 x, q4_4 y);
 /// a[0] b[0] + a[1] b[1] rounded once, to nearest, half up, modulo 2^4.
-q4_4 q4_4_dot2(const q4_4 a[2], const q4_4 b[2]);
+q4_4 q4_4_dot2(const q4_4 a[2], const q4_4 b[2])
+    FIXEDPOINT_C_KERNEL(fixedpoint_dot2_q4_4);
 /// The sum of the three a[i] b[i] rounded once, to nearest, half up, modulo 2^4.
-q4_4 q4_4_dot3(const q4_4 a[3], const q4_4 b[3]);
+q4_4 q4_4_dot3(const q4_4 a[3], const q4_4 b[3])
+    FIXEDPOINT_C_KERNEL(fixedpoint_dot3_q4_4);
 /// The length of v within 1 ulp, saturated to Q4_4_MAX; no square overflows.
-q4_4 q4_4_length2(const q4_4 v[2]);
+q4_4 q4_4_length2(const q4_4 v[2])
+    FIXEDPOINT_C_KERNEL(fixedpoint_length2_q4_4);
 /// The length of v within 1 ulp, saturated to Q4_4_MAX; no square overflows.
-q4_4 q4_4_length3(const q4_4 v[3]);
+q4_4 q4_4_length3(const q4_4 v[3])
+    FIXEDPOINT_C_KERNEL(fixedpoint_length3_q4_4);
 /// Writes v divided by its length, each component within 1 ulp; zeros where v is zero. `unit` may
 /// be v.
 void q4_4_normalise3(const q4_4 v[3], q4_4 unit[3]);
@@ -172,7 +211,8 @@ q8_8 q8_8_multiply_add(q8_8 a, q8_8 b, q8_8 c);
 q8_8 q8_8_divide(q8_8 a, q8_8 b)
     FIXEDPOINT_C_KERNEL(fixedpoint_divide_q8_8);
 /// a - b trunc(a / b), exact, 0 or of the sign of a. Where b is 0: a.
-q8_8 q8_8_remainder(q8_8 a, q8_8 b);
+q8_8 q8_8_remainder(q8_8 a, q8_8 b)
+    FIXEDPOINT_C_KERNEL(fixedpoint_remainder_q8_8);
 /// a 2^count modulo 2^8; 0 from count = 16 on.
 q8_8 q8_8_shift_left(q8_8 a, uint8_t count);
 /// a / 2^count rounded downward; from count = 16 on 0, or -1 ulp where a < 0.
@@ -181,33 +221,71 @@ q8_8 q8_8_shift_right(q8_8 a, uint8_t count);
 q8_8 q8_8_sqrt(q8_8 a)
     FIXEDPOINT_C_KERNEL(fixedpoint_sqrt_q8_8);
 /// 1 / sqrt(a) within 0.75 ulp, saturated to Q8_8_MAX, which it is where a is 0; 0 where a < 0.
-q8_8 q8_8_reciprocal_sqrt(q8_8 a);
+q8_8 q8_8_reciprocal_sqrt(q8_8 a)
+    FIXEDPOINT_C_KERNEL(fixedpoint_reciprocal_sqrt_q8_8);
 /// The sine of any angle in radians within 0.75 ulp, never beyond -1 and 1.
-q8_8 q8_8_sin(q8_8 angle);
+q8_8 q8_8_sin(q8_8 angle)
+    FIXEDPOINT_C_KERNEL(fixedpoint_sin_q8_8);
 /// The cosine of any angle in radians within 0.75 ulp, never beyond -1 and 1.
-q8_8 q8_8_cos(q8_8 angle);
+q8_8 q8_8_cos(q8_8 angle)
+    FIXEDPOINT_C_KERNEL(fixedpoint_cos_q8_8);
 /// Writes what sin and cos return, in less time than both take.
-void q8_8_sincos(q8_8 angle, q8_8 sine_and_cosine[2]);
+void q8_8_sincos(q8_8 angle, q8_8 sine_and_cosine[2])
+    FIXEDPOINT_C_KERNEL(fixedpoint_sincos_q8_8);
 /// The arc tangent in radians within 0.75 ulp.
-q8_8 q8_8_atan(q8_8 a);
+q8_8 q8_8_atan(q8_8 a)
+    FIXEDPOINT_C_KERNEL(fixedpoint_atan_q8_8);
 /// The angle of the vector (x, y) in radians, in (-pi, pi], within 0.75 ulp; 0 where both are 0.
 q8_8 q8_8_atan2(q8_8 y, q8_8 x)
     FIXEDPOINT_C_KERNEL(fixedpoint_atan2_q8_8);
 /// e^a within 1 ulp, saturated to Q8_8_MAX; 0 where e^a is below half an ulp or about it.
 q8_8 q8_8_exp(q8_8 a);
 /// The natural logarithm within 1 ulp; Q8_8_MIN where a <= 0.
-q8_8 q8_8_log(q8_8 a);
+q8_8 q8_8_log(q8_8 a)
+    FIXEDPOINT_C_KERNEL(fixedpoint_log_q8_8);
+/// The tangent of any angle in radians within 0.75 ulp, saturated beside a pole.
+q8_8 q8_8_tan(q8_8 angle);
+/// The arc sine in radians within 0.75 ulp, saturated; beyond -1 and 1 what it is there.
+q8_8 q8_8_asin(q8_8 a);
+/// The arc cosine in radians within 0.75 ulp, saturated; beyond -1 and 1 what it is there.
+q8_8 q8_8_acos(q8_8 a);
+/// 2^a within 0.75 ulp, saturated to Q8_8_MAX.
+q8_8 q8_8_exp2(q8_8 a);
+/// e^a - 1 within 0.75 ulp, saturated to Q8_8_MAX.
+q8_8 q8_8_expm1(q8_8 a);
+/// The logarithm to base 2 within 0.75 ulp; Q8_8_MIN where a <= 0.
+q8_8 q8_8_log2(q8_8 a);
+/// The logarithm to base 10 within 0.75 ulp; Q8_8_MIN where a <= 0.
+q8_8 q8_8_log10(q8_8 a);
+/// ln(1 + a) within 0.75 ulp; Q8_8_MIN where a <= -1.
+q8_8 q8_8_log1p(q8_8 a);
+/// The hyperbolic sine within 0.75 ulp, saturated.
+q8_8 q8_8_sinh(q8_8 a);
+/// The hyperbolic cosine within 0.75 ulp, saturated to Q8_8_MAX.
+q8_8 q8_8_cosh(q8_8 a);
+/// The hyperbolic tangent within 0.75 ulp, never beyond -1 and 1.
+q8_8 q8_8_tanh(q8_8 a);
+/// The cube root within 0.75 ulp, negative where a is.
+q8_8 q8_8_cbrt(q8_8 a);
+/// x^y within 0.75 ulp, saturated; 1 where y is 0. Where x is 0: 0, or Q8_8_MAX where y < 0. Where
+/// x < 0: the power of |x|, negative for odd y, and 0 where y is not an integer.
+q8_8 q8_8_pow(q8_8 x, q8_8 y);
 /// a[0] b[0] + a[1] b[1] rounded once, to nearest, half up, modulo 2^8.
-q8_8 q8_8_dot2(const q8_8 a[2], const q8_8 b[2]);
+q8_8 q8_8_dot2(const q8_8 a[2], const q8_8 b[2])
+    FIXEDPOINT_C_KERNEL(fixedpoint_dot2_q8_8);
 /// The sum of the three a[i] b[i] rounded once, to nearest, half up, modulo 2^8.
-q8_8 q8_8_dot3(const q8_8 a[3], const q8_8 b[3]);
+q8_8 q8_8_dot3(const q8_8 a[3], const q8_8 b[3])
+    FIXEDPOINT_C_KERNEL(fixedpoint_dot3_q8_8);
 /// The length of v within 1 ulp, saturated to Q8_8_MAX; no square overflows.
-q8_8 q8_8_length2(const q8_8 v[2]);
+q8_8 q8_8_length2(const q8_8 v[2])
+    FIXEDPOINT_C_KERNEL(fixedpoint_length2_q8_8);
 /// The length of v within 1 ulp, saturated to Q8_8_MAX; no square overflows.
-q8_8 q8_8_length3(const q8_8 v[3]);
+q8_8 q8_8_length3(const q8_8 v[3])
+    FIXEDPOINT_C_KERNEL(fixedpoint_length3_q8_8);
 /// Writes v divided by its length, each component within 1 ulp; zeros where v is zero. `unit` may
 /// be v.
-void q8_8_normalise3(const q8_8 v[3], q8_8 unit[3]);
+void q8_8_normalise3(const q8_8 v[3], q8_8 unit[3])
+    FIXEDPOINT_C_KERNEL(fixedpoint_normalise3_q8_8);
 /// The number n modulo 2^8: itself where the format holds it.
 q8_8 q8_8_from_int32(int32_t n);
 /// The integer nearest to a, half up.
@@ -301,6 +379,33 @@ q16_16 q16_16_exp(q16_16 a)
 /// The natural logarithm within 1 ulp; Q16_16_MIN where a <= 0.
 q16_16 q16_16_log(q16_16 a)
     FIXEDPOINT_C_KERNEL(fixedpoint_log_q16_16);
+/// The tangent of any angle in radians within 0.75 ulp, saturated beside a pole.
+q16_16 q16_16_tan(q16_16 angle);
+/// The arc sine in radians within 0.75 ulp, saturated; beyond -1 and 1 what it is there.
+q16_16 q16_16_asin(q16_16 a);
+/// The arc cosine in radians within 0.75 ulp, saturated; beyond -1 and 1 what it is there.
+q16_16 q16_16_acos(q16_16 a);
+/// 2^a within 0.75 ulp, saturated to Q16_16_MAX.
+q16_16 q16_16_exp2(q16_16 a);
+/// e^a - 1 within 0.75 ulp, saturated to Q16_16_MAX.
+q16_16 q16_16_expm1(q16_16 a);
+/// The logarithm to base 2 within 0.75 ulp; Q16_16_MIN where a <= 0.
+q16_16 q16_16_log2(q16_16 a);
+/// The logarithm to base 10 within 0.75 ulp; Q16_16_MIN where a <= 0.
+q16_16 q16_16_log10(q16_16 a);
+/// ln(1 + a) within 0.75 ulp; Q16_16_MIN where a <= -1.
+q16_16 q16_16_log1p(q16_16 a);
+/// The hyperbolic sine within 0.75 ulp, saturated.
+q16_16 q16_16_sinh(q16_16 a);
+/// The hyperbolic cosine within 0.75 ulp, saturated to Q16_16_MAX.
+q16_16 q16_16_cosh(q16_16 a);
+/// The hyperbolic tangent within 0.75 ulp, never beyond -1 and 1.
+q16_16 q16_16_tanh(q16_16 a);
+/// The cube root within 0.75 ulp, negative where a is.
+q16_16 q16_16_cbrt(q16_16 a);
+/// x^y within 0.75 ulp, saturated; 1 where y is 0. Where x is 0: 0, or Q16_16_MAX where y < 0.
+/// Where x < 0: the power of |x|, negative for odd y, and 0 where y is not an integer.
+q16_16 q16_16_pow(q16_16 x, q16_16 y);
 /// a[0] b[0] + a[1] b[1] rounded once, to nearest, half up, modulo 2^16.
 q16_16 q16_16_dot2(const q16_16 a[2], const q16_16 b[2])
     FIXEDPOINT_C_KERNEL(fixedpoint_dot2_q16_16);
@@ -410,6 +515,33 @@ q8_24 q8_24_exp(q8_24 a)
 /// The natural logarithm within 1 ulp; Q8_24_MIN where a <= 0.
 q8_24 q8_24_log(q8_24 a)
     FIXEDPOINT_C_KERNEL(fixedpoint_log_q8_24);
+/// The tangent of any angle in radians within 0.75 ulp, saturated beside a pole.
+q8_24 q8_24_tan(q8_24 angle);
+/// The arc sine in radians within 0.75 ulp, saturated; beyond -1 and 1 what it is there.
+q8_24 q8_24_asin(q8_24 a);
+/// The arc cosine in radians within 0.75 ulp, saturated; beyond -1 and 1 what it is there.
+q8_24 q8_24_acos(q8_24 a);
+/// 2^a within 0.75 ulp, saturated to Q8_24_MAX.
+q8_24 q8_24_exp2(q8_24 a);
+/// e^a - 1 within 0.75 ulp, saturated to Q8_24_MAX.
+q8_24 q8_24_expm1(q8_24 a);
+/// The logarithm to base 2 within 0.75 ulp; Q8_24_MIN where a <= 0.
+q8_24 q8_24_log2(q8_24 a);
+/// The logarithm to base 10 within 0.75 ulp; Q8_24_MIN where a <= 0.
+q8_24 q8_24_log10(q8_24 a);
+/// ln(1 + a) within 0.75 ulp; Q8_24_MIN where a <= -1.
+q8_24 q8_24_log1p(q8_24 a);
+/// The hyperbolic sine within 0.75 ulp, saturated.
+q8_24 q8_24_sinh(q8_24 a);
+/// The hyperbolic cosine within 0.75 ulp, saturated to Q8_24_MAX.
+q8_24 q8_24_cosh(q8_24 a);
+/// The hyperbolic tangent within 0.75 ulp, never beyond -1 and 1.
+q8_24 q8_24_tanh(q8_24 a);
+/// The cube root within 0.75 ulp, negative where a is.
+q8_24 q8_24_cbrt(q8_24 a);
+/// x^y within 0.75 ulp, saturated; 1 where y is 0. Where x is 0: 0, or Q8_24_MAX where y < 0. Where
+/// x < 0: the power of |x|, negative for odd y, and 0 where y is not an integer.
+q8_24 q8_24_pow(q8_24 x, q8_24 y);
 /// a[0] b[0] + a[1] b[1] rounded once, to nearest, half up, modulo 2^8.
 q8_24 q8_24_dot2(const q8_24 a[2], const q8_24 b[2])
     FIXEDPOINT_C_KERNEL(fixedpoint_dot2_q8_24);
@@ -482,7 +614,8 @@ q32_32 q32_32_multiply_add(q32_32 a, q32_32 b, q32_32 c);
 q32_32 q32_32_divide(q32_32 a, q32_32 b)
     FIXEDPOINT_C_KERNEL(fixedpoint_divide_q32_32);
 /// a - b trunc(a / b), exact, 0 or of the sign of a. Where b is 0: a.
-q32_32 q32_32_remainder(q32_32 a, q32_32 b);
+q32_32 q32_32_remainder(q32_32 a, q32_32 b)
+    FIXEDPOINT_C_KERNEL(fixedpoint_remainder_q32_32);
 /// a 2^count modulo 2^32; 0 from count = 64 on.
 q32_32 q32_32_shift_left(q32_32 a, uint8_t count);
 /// a / 2^count rounded downward; from count = 64 on 0, or -1 ulp where a < 0.
@@ -491,21 +624,56 @@ q32_32 q32_32_shift_right(q32_32 a, uint8_t count);
 q32_32 q32_32_sqrt(q32_32 a)
     FIXEDPOINT_C_KERNEL(fixedpoint_sqrt_q32_32);
 /// 1 / sqrt(a) within 0.75 ulp, saturated to Q32_32_MAX, which it is where a is 0; 0 where a < 0.
-q32_32 q32_32_reciprocal_sqrt(q32_32 a);
+q32_32 q32_32_reciprocal_sqrt(q32_32 a)
+    FIXEDPOINT_C_KERNEL(fixedpoint_reciprocal_sqrt_q32_32);
 /// The sine of any angle in radians within 0.75 ulp, never beyond -1 and 1.
-q32_32 q32_32_sin(q32_32 angle);
+q32_32 q32_32_sin(q32_32 angle)
+    FIXEDPOINT_C_KERNEL(fixedpoint_sin_q32_32);
 /// The cosine of any angle in radians within 0.75 ulp, never beyond -1 and 1.
-q32_32 q32_32_cos(q32_32 angle);
+q32_32 q32_32_cos(q32_32 angle)
+    FIXEDPOINT_C_KERNEL(fixedpoint_cos_q32_32);
 /// Writes what sin and cos return, in less time than both take.
-void q32_32_sincos(q32_32 angle, q32_32 sine_and_cosine[2]);
+void q32_32_sincos(q32_32 angle, q32_32 sine_and_cosine[2])
+    FIXEDPOINT_C_KERNEL(fixedpoint_sincos_q32_32);
 /// The arc tangent in radians within 0.75 ulp.
-q32_32 q32_32_atan(q32_32 a);
+q32_32 q32_32_atan(q32_32 a)
+    FIXEDPOINT_C_KERNEL(fixedpoint_atan_q32_32);
 /// The angle of the vector (x, y) in radians, in (-pi, pi], within 0.75 ulp; 0 where both are 0.
-q32_32 q32_32_atan2(q32_32 y, q32_32 x);
+q32_32 q32_32_atan2(q32_32 y, q32_32 x)
+    FIXEDPOINT_C_KERNEL(fixedpoint_atan2_q32_32);
 /// e^a within 1 ulp, saturated to Q32_32_MAX; 0 where e^a is below half an ulp or about it.
-q32_32 q32_32_exp(q32_32 a);
+q32_32 q32_32_exp(q32_32 a)
+    FIXEDPOINT_C_KERNEL(fixedpoint_exp_q32_32);
 /// The natural logarithm within 1 ulp; Q32_32_MIN where a <= 0.
-q32_32 q32_32_log(q32_32 a);
+q32_32 q32_32_log(q32_32 a)
+    FIXEDPOINT_C_KERNEL(fixedpoint_log_q32_32);
+/// The tangent of any angle in radians within 0.75 ulp, saturated beside a pole.
+q32_32 q32_32_tan(q32_32 angle);
+/// The arc sine in radians within 0.75 ulp, saturated; beyond -1 and 1 what it is there.
+q32_32 q32_32_asin(q32_32 a);
+/// The arc cosine in radians within 0.75 ulp, saturated; beyond -1 and 1 what it is there.
+q32_32 q32_32_acos(q32_32 a);
+/// 2^a within 0.75 ulp, saturated to Q32_32_MAX.
+q32_32 q32_32_exp2(q32_32 a);
+/// e^a - 1 within 0.75 ulp, saturated to Q32_32_MAX.
+q32_32 q32_32_expm1(q32_32 a);
+/// The logarithm to base 2 within 0.75 ulp; Q32_32_MIN where a <= 0.
+q32_32 q32_32_log2(q32_32 a);
+/// The logarithm to base 10 within 0.75 ulp; Q32_32_MIN where a <= 0.
+q32_32 q32_32_log10(q32_32 a);
+/// ln(1 + a) within 0.75 ulp; Q32_32_MIN where a <= -1.
+q32_32 q32_32_log1p(q32_32 a);
+/// The hyperbolic sine within 0.75 ulp, saturated.
+q32_32 q32_32_sinh(q32_32 a);
+/// The hyperbolic cosine within 0.75 ulp, saturated to Q32_32_MAX.
+q32_32 q32_32_cosh(q32_32 a);
+/// The hyperbolic tangent within 0.75 ulp, never beyond -1 and 1.
+q32_32 q32_32_tanh(q32_32 a);
+/// The cube root within 0.75 ulp, negative where a is.
+q32_32 q32_32_cbrt(q32_32 a);
+/// x^y within 0.75 ulp, saturated; 1 where y is 0. Where x is 0: 0, or Q32_32_MAX where y < 0.
+/// Where x < 0: the power of |x|, negative for odd y, and 0 where y is not an integer.
+q32_32 q32_32_pow(q32_32 x, q32_32 y);
 /// a[0] b[0] + a[1] b[1] rounded once, to nearest, half up, modulo 2^32.
 q32_32 q32_32_dot2(const q32_32 a[2], const q32_32 b[2])
     FIXEDPOINT_C_KERNEL(fixedpoint_dot2_q32_32);

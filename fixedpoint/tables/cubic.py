@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""Tables for piecewise cubics on 256 intervals, for every function of 32 bits one of the same layout:
-the cores of avr/cubic_32.S evaluate
+"""Tables for piecewise cubics on 256 intervals, one a function: the cores of avr/cubic_32.S, for
+numbers of 32 bits, and of avr/cubic_64.S evaluate
 
     value + t (slope - t (bend + t twist)),   t in [0, 1) the position in the interval,
 
-with value and slope in units of 2^-39, bend and twist in units of 2^-31. A function is increasing
-and concave, its derivatives at most 2, 4 and 6."""
+with value and slope in units of 2^-39, the twist in units of 2^-31, the bend in units of 2^-31 for 32
+bits and of 2^-39 for 64. A function is increasing and concave, its derivatives at most 2, 4 and 6."""
 
+from collections import namedtuple
 from fractions import Fraction
 
 import page
@@ -33,8 +34,8 @@ def nearest(x):
     return (2 * x.numerator + x.denominator) // (2 * x.denominator)
 
 
-def evaluate(row, t):
-    """cubic_40 of portable/cubic.hpp; t in units of 2^-24."""
+def evaluate_32(row, t):
+    """cubic_40 of portable/cubic_32.hpp; t in units of 2^-24."""
     value, slope, bend, twist = row
     t0, t1, t2 = t & 255, t >> 8 & 255, t >> 16
     bent = (bend << 8) + twist * t2
@@ -46,46 +47,85 @@ def evaluate(row, t):
             (s2 * t0 >> 8) + (s1 * t1 >> 8) + (s0 * t2 >> 8))
 
 
-def interval(function, i):
-    """Each coefficient is rounded before those of lower order are fitted, which take up most of what
-    the rounding leaves."""
+def evaluate_64(row, t):
+    """cubic_64 of portable/cubic_64.hpp; t in units of 2^-32."""
+    value, slope, bend, twist = row
+    t0, t1, t2, t3 = (t >> 8 * i & 255 for i in range(4))
+    bent = bend + twist * t3 + (twist * t2 >> 8)
+    assert 0 <= bent < 1 << 24
+    b0, b1, b2 = (bent >> 8 * i & 255 for i in range(3))
+    rest = slope - ((b2 * t3 << 8) + b2 * t2 + b1 * t3 + (b2 * t1 >> 8) + (b1 * t2 >> 8) + (b0 * t3 >> 8))
+    s0, s1, s2, s3 = (rest >> 8 * i & 255 for i in range(4))
+    return (value + (s3 * t3 << 16) + (s3 * t2 + s2 * t3 << 8) + s3 * t1 + s2 * t2 + s1 * t3 +
+            (s3 * t0 >> 8) + (s2 * t1 >> 8) + (s1 * t2 >> 8) + (s0 * t3 >> 8))
+
+
+# What the cores differ in: the bits of t and those of them that the twist sees, the unit of the bend
+# in units of 2^-39, its bytes, how many twists are tried beside each other, what the values hold for
+# the rounding, half an ulp of Q32.32, and the evaluation.
+Core = namedtuple("Core", "t_bits twist_bits bend_unit bend_bytes twists half_ulp evaluate")
+CORE_32 = Core(24, 8, 256, 2, 1, 0, evaluate_32)
+CORE_64 = Core(32, 16, 1, 3, 3, 1 << 6, evaluate_64)
+
+
+def interval(function, i, core):
+    """The record and the largest error at the checked points. Each coefficient is rounded before those
+    of lower order are fitted, which take up most of what the rounding leaves."""
 
     def exact(t):
         position = Fraction(i * GRID + int(t * GRID), INTERVALS * GRID)
         return function(position.numerator, position.denominator)
 
     points = {n: [Fraction(int(t * GRID), GRID) for t in nodes] for n, nodes in NODES.items()}
-    # The kernels take the upper byte of t for the twist, half a unit less in the mean.
-    cut = Fraction(1, 512)
+    # The kernels take the upper bits of t for the twist, half a unit less in the mean.
+    cut = Fraction(1, 2 << core.twist_bits)
+    unit = core.bend_unit
+
+    def record(twist):
+        second = divided_differences(
+            points[3], [exact(t) + 256 * twist * t * t * (t - cut) for t in points[3]])[-1]
+        bend = nearest(-second / unit)
+        slope = nearest(divided_differences(
+            points[2],
+            [exact(t) + t * t * (unit * bend + 256 * twist * (t - cut)) for t in points[2]])[-1])
+        if bend < 0:
+            return None  # the cores have no sign for it
+        assert -128 <= twist <= 127 and 0 <= slope < 1 << 32
+        assert bend < (1 << 8 * core.bend_bytes) - 128
+        checked = [Fraction(k, GRID) for k in range(0, GRID, GRID // CHECKED - 1)]
+        errors = [exact(t) - core.evaluate((0, slope, bend, twist), int(t * (1 << core.t_bits)))
+                  for t in checked]
+        value = nearest((max(errors) + min(errors)) / 2)
+        error = max(max(errors) - value, value - min(errors))
+        return error, (value + core.half_ulp, slope, bend, twist)
 
     third = divided_differences(points[4], [exact(t) for t in points[4]])[-1]
-    twist = nearest(-third / 256)
-    second = divided_differences(
-        points[3], [exact(t) + 256 * twist * t * t * (t - cut) for t in points[3]])[-1]
-    bend = nearest(-second / 256)
-    slope = nearest(divided_differences(
-        points[2], [exact(t) + 256 * t * t * (bend + twist * (t - cut)) for t in points[2]])[-1])
-    assert -128 <= twist <= 127 and 0 <= slope < 1 << 32 and 128 <= bend + 128 < 1 << 16
-    checked = [Fraction(k, GRID) for k in range(0, GRID, GRID // CHECKED - 1)]
-    errors = [exact(t) - evaluate((0, slope, bend, twist), int(t * (1 << 24))) for t in checked]
-    return nearest((max(errors) + min(errors)) / 2), slope, bend, twist
+    first = nearest(-third / 256) - core.twists // 2
+    error, row = min(filter(None, (record(first + k) for k in range(core.twists))))
+    return row, error
 
 
 def write(name, generator, sentence, structure, function, pages=(),
-          intervals=INTERVALS):
+          intervals=INTERVALS, core=CORE_32):
     """avr/<name>.S and portable/<name>.hpp. `function` of a numerator and a denominator, from 0 to 1,
     is a Fraction in units of 2^-39. `pages` follow in the assembly table alone."""
-    rows = [interval(function, i) for i in range(intervals)]
+    found = [interval(function, i, core) for i in range(intervals)]
+    rows = [row for row, _ in found]
+    if core is CORE_64:
+        error = float(max(error for _, error in found))
+        sentence += f"\n{error:.1f} 2^-39 off at most, of 34 points an interval; the values hold half an ulp of Q32.32."
     records = []
     for value, slope, bend, twist in rows:
-        records += [twist & 255, *(bend >> 8 * i & 255 for i in range(2)),
+        records += [twist & 255, *(bend >> 8 * i & 255 for i in range(core.bend_bytes)),
                     *(slope >> 8 * i & 255 for i in range(4)),
                     *(value >> 8 * i & 255 for i in range(5))]
     page.write_assembly(name, generator, sentence, [
-        ("twist, 2 bytes of bend, 4 of slope, 5 of value; as often as there are intervals", records), *pages])
+        (f"twist, {core.bend_bytes} bytes of bend, 4 of slope, 5 of value; as often as there are intervals",
+         records), *pages], None if core is CORE_32 else 1)
     table_header.write(name, generator, sentence, structure, [
         ("uint32_t", "value", [value >> 8 & 0xffffffff for value, _, _, _ in rows], "0x{:08x}"),
         ("uint8_t", "value_low", [value & 255 for value, _, _, _ in rows], "0x{:02x}"),
         ("uint32_t", "slope", [slope for _, slope, _, _ in rows], "0x{:08x}"),
-        ("uint16_t", "bend", [bend for _, _, bend, _ in rows], "0x{:04x}"),
+        ("uint16_t" if core is CORE_32 else "uint32_t", "bend", [bend for _, _, bend, _ in rows],
+         f"0x{{:0{2 * core.bend_bytes}x}}"),
         ("uint8_t", "twist", [twist & 255 for _, _, _, twist in rows], "0x{:02x}")])

@@ -17,6 +17,7 @@ from series import arctangent
 CELLS = 16
 UNIT = 24
 GUARD = 24
+FINE = 257 << GUARD
 SPAN = 1 << UNIT - 4  # of a cell
 DISTANCES = [*range(0, SPAN, SPAN // 128), SPAN - 1]
 GENERATOR = "parabolas_small.py"
@@ -42,10 +43,11 @@ def rise(distance, slope, bend):
 
 def parabola(function, middle_bend, cell):
     """(value, slope, bend): of the slopes, the errors' spread has one minimum."""
-    curve = [(d, function((cell + Fraction(d, SPAN)) / CELLS)) for d in DISTANCES]
+    # In units of 1 / FINE, of which the functions are multiples: integers, for speed.
+    curve = [(d, int(function((cell + Fraction(d, SPAN)) / CELLS) * FINE)) for d in DISTANCES]
 
     def errors(slope, bend):
-        return [exact - rise(d, slope, bend) for d, exact in curve]
+        return [exact - rise(d, slope, bend) * FINE for d, exact in curve]
 
     def spread(slope, bend):
         error = errors(slope, bend)
@@ -65,7 +67,7 @@ def parabola(function, middle_bend, cell):
     slope, bend = min(((best_slope(b), b) for b in range(max(bend - 1, 0), bend + 3)),
                       key=lambda pair: spread(*pair))
     error = errors(slope, bend)
-    return round((min(error) + max(error)) / 2), slope, bend
+    return round(Fraction(min(error) + max(error), 2 * FINE)), slope, bend
 
 
 def write(name, what, function, middle_bend, half_ulp, structure):

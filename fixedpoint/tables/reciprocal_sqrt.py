@@ -54,13 +54,16 @@ def entry(h):
         for bulge in range(rounded((start + end) // 2 - middle) - 2, 256):
             if bulge > rounded((start + end) // 2 - middle) + 3:
                 break
-            # What value would be exact, by operand; the best one is the least far from all of them.
-            limits = [
-                (y + (fall(slope, bulge, l, x) << GUARD), shift) for l, x, shift, y in exact
-            ]
+            # What value would be exact, by operand. The best one is the least far from all of them:
+            # of those with one shift, from the least and the largest.
+            limits = {}
+            for l, x, shift, y in exact:
+                limits.setdefault(shift, []).append(y + (fall(slope, bulge, l, x) << GUARD))
+            ends = [(shift, min(of_it), max(of_it)) for shift, of_it in limits.items()]
             for value in range(rounded(start) - 2, rounded(start) + 3):
                 value = min(value, (1 << 23) - 1)
-                error = max(abs((value << GUARD) - limit) >> shift for limit, shift in limits)
+                error = max(max((value << GUARD) - low, high - (value << GUARD)) >> shift
+                            for shift, low, high in ends)
                 if best is None or error < best[0]:
                     best = (error, value, slope, bulge)
     return best

@@ -26,11 +26,10 @@ def exact_root(h, l):
 
 
 def largest_slope(h, root):
-    def below(slope):
-        return all(root + (slope * l >> 8) <= exact_root(h, l) for l in range(256))
-
-    slope = 128 if h == 255 else max(slope for slope in range(256) if below(slope))
-    shortfall = max(exact_root(h, l) - root - (slope * l >> 8) for l in range(256))
+    rises = [exact_root(h, l) - root for l in range(256)]
+    # floor(d l / 256) <= rise where d l < 256 (rise + 1).
+    slope = 128 if h == 255 else min(255, *((256 * rises[l] + 255) // l for l in range(1, 256)))
+    shortfall = max(rise - (slope * l >> 8) for l, rise in enumerate(rises))
     assert shortfall <= 2, (h, shortfall)
     return slope
 

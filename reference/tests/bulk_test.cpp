@@ -145,7 +145,10 @@ void compare_arithmetics(int rounds) {
     compare_all<format, Arithmetic::nearest, add, subtract, multiply, divide, remainder, negate,
                 Operation::abs, multiply_add, dot2, dot3, Operation::sqrt, reciprocal_sqrt,
                 Operation::atan, Operation::atan2, Operation::sin, Operation::cos, sincos,
-                Operation::log, length2, length3, normalise3>(rounds);
+                Operation::log, length2, length3, normalise3, Operation::tan, Operation::asin,
+                Operation::acos, Operation::exp2, Operation::expm1, Operation::log2,
+                Operation::log10, Operation::log1p, Operation::sinh, Operation::cosh,
+                Operation::tanh, Operation::cbrt, Operation::pow>(rounds);
     compare_all<format, Arithmetic::published, add, subtract, multiply, divide, Operation::sqrt,
                 Operation::atan, Operation::atan2>(rounds);
     compare_all<format, Arithmetic::saturating, add, subtract, multiply, negate, Operation::abs,

@@ -46,7 +46,12 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Region{Operation::sqrt, 0, 32768}, Region{Operation::atan, -40, 40},
                     Region{Operation::atan2, -32768, 32768}, Region{Operation::sin, -20, 20},
                     Region{Operation::cos, -20, 20}, Region{Operation::exp, -12, 11},
-                    Region{Operation::log, 1e-5, 32768}, Region{Operation::length2, -32768, 32768}),
+                    Region{Operation::log, 1e-5, 32768}, Region{Operation::length2, -32768, 32768},
+                    Region{Operation::tan, -1.5, 1.5}, Region{Operation::asin, -1, 1},
+                    Region{Operation::acos, -1, 1}, Region{Operation::expm1, -12, 2},
+                    Region{Operation::log1p, -0.9, 32768}, Region{Operation::sinh, -3, 3},
+                    Region{Operation::cosh, -3, 3}, Region{Operation::tanh, -12, 12},
+                    Region{Operation::pow, 0.01, 4}),
     [](const auto& region) { return std::string(shape(region.param.operation).name); });
 
 TEST(Exact, KnownToManyDigits) {

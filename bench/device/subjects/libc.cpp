@@ -66,6 +66,59 @@ struct Libc {
     static Float log(Float a) {
         return ::log(a);
     }
+    // avr-libc has no exp2, expm1, log2 and log1p: what programs write instead.
+    template <class Float, int>
+    static Float exp2(Float a) {
+        return ::exp(a * 0.69314718f);
+    }
+    template <class Float, int>
+    static Float expm1(Float a) {
+        return ::exp(a) - 1;
+    }
+    template <class Float, int>
+    static Float log2(Float a) {
+        return ::log(a) * 1.44269504f;
+    }
+    template <class Float, int>
+    static Float log1p(Float a) {
+        return ::log(1 + a);
+    }
+    template <class Float, int>
+    static Float tan(Float a) {
+        return ::tan(a);
+    }
+    template <class Float, int>
+    static Float asin(Float a) {
+        return ::asin(a);
+    }
+    template <class Float, int>
+    static Float acos(Float a) {
+        return ::acos(a);
+    }
+    template <class Float, int>
+    static Float log10(Float a) {
+        return ::log10(a);
+    }
+    template <class Float, int>
+    static Float sinh(Float a) {
+        return ::sinh(a);
+    }
+    template <class Float, int>
+    static Float cosh(Float a) {
+        return ::cosh(a);
+    }
+    template <class Float, int>
+    static Float tanh(Float a) {
+        return ::tanh(a);
+    }
+    template <class Float, int>
+    static Float cbrt(Float a) {
+        return ::cbrt(a);
+    }
+    template <class Float, int>
+    static Float pow(Float a, Float b) {
+        return ::pow(a, b);
+    }
     template <class Float, int>
     static Float multiply_add(Float a, Float b, Float c) {
         return a * b + c;
@@ -94,4 +147,4 @@ struct Libc {
     }
 };
 
-IMPLEMENTATION_libc(SUBJECTS)
+IMPLEMENTATION_libc(SUBJECTS) IMPLEMENTATION_libc_elementary(SUBJECTS)

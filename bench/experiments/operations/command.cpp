@@ -8,6 +8,7 @@
 #include "bench/experiments/operations/host_throughput.hpp"
 #include "bench/experiments/operations/measure_accuracy.hpp"
 #include "bench/experiments/operations/measure_cycles.hpp"
+#include "bench/experiments/operations/measure_other_chips.hpp"
 #include "bench/experiments/operations/verify_kernels.hpp"
 #include "bench/lab/catalogue/catalogue.hpp"
 #include "bench/lab/operands/operand_class.hpp"
@@ -71,6 +72,39 @@ void settle_programs(std::vector<std::filesystem::path>& programs) {
     programs = all_programs();
 }
 
+// FIXBENCH_OTHER_CHIPS and the formats are lists that CMake writes, separated by commas.
+std::vector<std::string> listed(std::string_view names) {
+    std::vector<std::string> list;
+    for (std::size_t end; !names.empty(); names.remove_prefix(std::min(end + 1, names.size()))) {
+        end = std::min(names.find(','), names.size());
+        list.emplace_back(names.substr(0, end));
+    }
+    return list;
+}
+
+// The programs of the chips are made of each format that is asked for.
+OtherChipOptions settle_other_chips(const std::vector<std::string>& chips, CycleOptions& cycles) {
+    if (!cycles.programs.empty())
+        throw std::invalid_argument("--mcu builds its programs, and takes no --program");
+    fixbench::check_names("--mcu", chips, listed(FIXBENCH_OTHER_CHIPS));
+    Known known = known_to_host();
+    known.formats = listed(FIXBENCH_FORMATS);
+    known.check(cycles.selection);
+    fixbench::check_names("--operands", cycles.selection.operands, other_chip_operands);
+    if (cycles.selection.formats.empty()) cycles.selection.formats = known.formats;
+    const std::filesystem::path programs = device_folder / "other_chips";
+    std::vector<std::string> targets;
+    for (const std::string& chip : chips)
+        for (const std::string& format : cycles.selection.formats)
+            targets.push_back(programs / chip / format / "programs.csv");
+    fixbench::build(targets);
+    OtherChipOptions options;
+    options.chips = chips;
+    options.programs = programs;
+    options.selection = cycles.selection;
+    return options;
+}
+
 int held(std::uint64_t violations) {
     if (violations == 0) return fixbench::held;
     fmt::print(stderr, "fixbench: {} results are not what their definition says\n", violations);
@@ -85,8 +119,8 @@ const fixbench::Registration cycles({
         "operations.json (Google Benchmark's schema). Means are over the operands whose result is\n"
         "rounded, not pinned by definition nor below half an ulp.\n\n"
         "A subject is an extern \"C\" function <operation>_<format>_<implementation> of a device\n"
-        "program, by default q4_4.elf, q8_8.elf, q16_16.elf, q8_24.elf, q32_32.elf and\n"
-        "rivals.elf in\n"
+        "program, by default q4_4.elf, q8_8.elf, q16_16.elf, q8_24.elf, q32_32.elf, each of\n"
+        "them with _elementary, and rivals.elf in\n"
         "  " FIXBENCH_DEVICE_FOLDER "\n"
         "(avr-nm lists them), for avr-gcc's calling convention: any other tool can call it too.\n"
         "Cycles include call (4) and ret (4), not the loading of operands.\n\n"
@@ -95,12 +129,17 @@ const fixbench::Registration cycles({
         "uniform, every raw alike; published, those of the rebuilt harness; boundary, an annotated "
         "table; all, every input\n"
         "where there are at most 65536.\n\n"
-        "Example: fixbench cycles --operation divide --format q16_16,float --operands physics",
-    .prints = {"operations.csv"},
+        "Example: fixbench cycles --operation divide --format q16_16,float --operands physics\n"
+        "Example: fixbench cycles --mcu atmega2560,attiny85 --format q16_16",
+    .prints = {"operations.csv", "other_chips.csv"},
     .add =
         [](CLI::App& command) {
             const auto options = std::make_shared<CycleOptions>();
+            const auto chips = std::make_shared<std::vector<std::string>>();
             add_filters(command, options->selection);
+            fixbench::add_selection(command, "--mcu", *chips,
+                                    "the library's functions on these chips: file "
+                                    "other_chips.csv");
             fixbench::add_selection(command, "--operands", options->selection.operands,
                                     "only these operand classes");
             command
@@ -109,7 +148,14 @@ const fixbench::Registration cycles({
             command.add_option("--samples", options->samples, "operands of each random class")
                 ->capture_default_str()
                 ->check(most_samples);
-            return [options](const Call& call) {
+            return [options, chips](const Call& call) {
+                if (!chips->empty()) {
+                    OtherChipOptions others = settle_other_chips(*chips, *options);
+                    others.output = call.output;
+                    others.samples = options->samples;
+                    others.threads = call.threads;
+                    return held(measure_other_chips(others));
+                }
                 settle_programs(options->programs);
                 Known known;
                 for (const auto& program : options->programs) {

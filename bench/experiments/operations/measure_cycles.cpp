@@ -21,6 +21,7 @@
 #include "bench/lab/records/whole_file.hpp"
 #include "bench/lab/subjects/device_subject.hpp"
 #include "bench/lab/subjects/host_subject.hpp"
+#include "bench/lab/subjects/measurement.hpp"
 #include "bench/lab/subjects/witness.hpp"
 #include "reference/error_statistics.hpp"
 #include "reference/judge.hpp"
@@ -30,13 +31,6 @@ namespace operations {
 namespace {
 
 using Operands = std::array<std::int64_t, reference::most_operands>;
-
-// What the random operands of a row may take, since the portable functions of the 64-bit formats
-// cost up to half a million cycles a call.
-constexpr std::uint64_t cycle_budget = 200'000'000;
-
-// Input spaces up to this size are run through as a class of their own.
-constexpr int all_inputs_bits = 16;
 
 using records::column;
 
@@ -89,43 +83,32 @@ double ulp_at(const reference::NumberFormat& format, std::int64_t raw) {
 }
 
 // One measurement: a subject on a class of operands.
-struct Row {
+struct Row : Measurement {
     const simulator::Elf* program;
     std::string subject;
     reference::NamedSubject named;
     std::string operands;
     bool all_inputs;
 
-    std::uint64_t samples = 0;
-    std::uint32_t cycles_min = std::numeric_limits<std::uint32_t>::max();
-    std::uint32_t cycles_max = 0;
-    std::uint64_t cycles_sum = 0;
-    std::uint64_t regular = 0, regular_cycles_sum = 0;
-    reference::Witness cycles_max_witness{};
-    std::uint16_t stack_bytes = 0;
-    reference::ErrorStatistics errors{};
     // In the unit of the result, so that formats can be held against each other.
     double max_error = 0;
     double sum_of_squared_errors = 0;
     std::string failure{};  // why it could not be measured to its end
 
+    Row(const simulator::Elf* program, const std::string& subject,
+        const reference::NamedSubject& named, const std::string& operands)
+        : program(program),
+          subject(subject),
+          named(named),
+          operands(operands),
+          all_inputs(operands == "all") {}
+
     void add(std::span<const std::int64_t> operands, const DeviceResult& result) {
-        ++samples;
-        cycles_sum += result.cycles;
-        cycles_min = std::min(cycles_min, result.cycles);
-        stack_bytes = std::max(stack_bytes, result.stack_bytes);
-        if (result.cycles > cycles_max) {
-            cycles_max = result.cycles;
-            cycles_max_witness = reference::Witness(operands);
-        }
         const std::span results(result.raws.data(),
                                 reference::shape(named.subject.operation).results);
         const reference::Judgement judgement = reference::judge(named.subject, operands, results);
-        errors.add(judgement, operands);
-        if (!judgement.regular()) return;
-        ++regular;
-        regular_cycles_sum += result.cycles;
-        if (!std::isfinite(judgement.error_ulp)) return;
+        Measurement::add(operands, result, judgement);
+        if (!judgement.regular() || !std::isfinite(judgement.error_ulp)) return;
         double ulp = 0;
         for (const std::int64_t raw : results)
             ulp = std::max(ulp, ulp_at(named.subject.format, raw));
@@ -135,10 +118,6 @@ struct Row {
     }
     double rms_error() const {
         return std::sqrt(sum_of_squared_errors / static_cast<double>(regular));
-    }
-    double cycles_mean() const {
-        return regular > 0 ? static_cast<double>(regular_cycles_sum) / static_cast<double>(regular)
-                           : static_cast<double>(cycles_sum) / static_cast<double>(samples);
     }
 };
 
@@ -183,7 +162,7 @@ void run_class(DeviceSubject& subject, Row& row, operands::OperandClass operand_
     Operands operands{};
     const std::span used(operands.data(), subject.arity());
     for (std::uint64_t i = operands::distinct_samples(operand_class, samples);
-         i > 0 && row.cycles_sum < cycle_budget; --i) {
+         i > 0 && row.cycles_sum < measurement_cycles; --i) {
         sampler.next(used);
         row.add(used, subject.call(used));
     }
@@ -215,11 +194,7 @@ void add_rows(std::vector<Row>& rows, const simulator::Elf& program, const Selec
         if (bits <= all_inputs_bits) classes.emplace_back("all");
         for (const std::string& operand_class : classes) {
             if (!selection.selects_operands(operand_class)) continue;
-            rows.push_back({.program = &program,
-                            .subject = name,
-                            .named = named,
-                            .operands = operand_class,
-                            .all_inputs = operand_class == "all"});
+            rows.emplace_back(&program, name, named, operand_class);
         }
     }
 }

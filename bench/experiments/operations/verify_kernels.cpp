@@ -25,8 +25,8 @@ namespace {
 using records::column;
 using Operands = std::array<std::int64_t, reference::most_operands>;
 
-// What the random operands of a subject may take: the portable functions of the 64-bit formats cost
-// up to half a million cycles a call.
+// What the boundary cases of a subject may take, and its random operands: the portable functions of
+// the 64-bit formats cost up to half a million cycles a call.
 constexpr std::uint64_t cycle_budget = 1'000'000'000;
 
 // Log-uniform ones reach every binade, uniform ones every pattern of bits.
@@ -80,10 +80,16 @@ void run(Comparison& comparison, std::uint64_t samples) {
     const reference::Subject& subject = comparison.host->subject;
     const std::vector<operands::BoundaryCase> boundary =
         operands::boundary_cases(subject.operation, subject.operand_format);
-    const std::uint64_t taken = std::min<std::uint64_t>(boundary.size(), samples);
-    for (std::uint64_t i = 0; i < taken; ++i) {
-        compare(device, comparison, boundary[i * boundary.size() / taken].operands);
-    }
+    const auto call_evenly = [&](std::uint64_t count) {
+        for (std::uint64_t i = 0; i < count; ++i)
+            compare(device, comparison, boundary[i * boundary.size() / count].operands);
+    };
+    // As many as the budget allows, by the cost of a few: slow functions have over 100000 pairs.
+    const std::uint64_t wanted = std::min<std::uint64_t>(boundary.size(), samples),
+                        few = std::min<std::uint64_t>(wanted, 64);
+    call_evenly(few);
+    if (comparison.cycles > 0)
+        call_evenly(std::min(wanted, cycle_budget * few / comparison.cycles));
     Operands operands{};
     const std::span used(operands.data(), device.arity());
     if (comparison.host->input_bits() <= 16) {

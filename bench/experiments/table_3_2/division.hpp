@@ -34,6 +34,8 @@ struct DivisionLaw {
     double rms_residual, max_residual;
 
     double predict(std::int32_t a, std::int32_t b) const;
+    // Bytes of the quotient of positive operands that takes so many cycles, half of its bits ones.
+    double bytes_for(double cycles) const { return (cycles - constant) / (per_byte + 4 * per_one); }
 };
 DivisionLaw fit_division_law(const std::vector<Division>& divisions);
 

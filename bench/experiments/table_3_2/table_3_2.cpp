@@ -146,16 +146,14 @@ std::string remark(const Cell& cell, const DivisionStudy& study, const Operands&
             cycles, undisturbed_ms(cycles));
     }
     if (cell == Cell{"fixed_16_16", "divide"}) {
-        // Half of a quotient's bits are ones on average.
-        const double engine_bytes = (engine_division_cycles - study.law.constant) /
-                                    (study.law.per_byte + 4 * study.law.per_one);
         const auto a = static_cast<std::int32_t>(operands.integer.a);
         const auto b = static_cast<std::int32_t>(operands.integer.b);
         return fmt::format(
             "; the operands' quotient has {} bytes, for which the law gives {:.0f} "
             "cycles without the loop; the {:.0f} cycles (62 us) of the running "
             "engine are what it gives for {:.1f} bytes",
-            quotient_bytes(a, b), study.law.predict(a, b), engine_division_cycles, engine_bytes);
+            quotient_bytes(a, b), study.law.predict(a, b), engine_division_cycles,
+            study.law.bytes_for(engine_division_cycles));
     }
     return "";
 }

@@ -20,9 +20,23 @@ __extension__ using Unsigned128 = unsigned __int128;
 // exp(20) is 4.9e8, and Q16.16 ends at 32768.
 constexpr double physics_least = 0.01, physics_greatest = 20, physics_greatest_of_exp = 10;
 
+// Whether most negative operands have no result to measure.
 bool takes_positive_operands(Operation operation) {
     const reference::Domain domain = reference::shape(operation).domain;
-    return domain == reference::Domain::not_negative || domain == reference::Domain::positive;
+    return domain == reference::Domain::not_negative || domain == reference::Domain::positive ||
+           domain == reference::Domain::above_minus_one || domain == reference::Domain::power;
+}
+
+bool is_exponential(Operation operation) {
+    return operation == Operation::exp || operation == Operation::exp2 ||
+           operation == Operation::expm1 || operation == Operation::sinh ||
+           operation == Operation::cosh;
+}
+
+double greatest_of_physics(Operation operation) {
+    return reference::shape(operation).domain == reference::Domain::unit_interval ? 1
+           : is_exponential(operation) ? physics_greatest_of_exp
+                                       : physics_greatest;
 }
 
 // The raw nearest to mantissa 2^(exponent - 63), the mantissa's top bit being set, among the
@@ -109,8 +123,7 @@ std::int64_t Sampler::draw_magnitude() {
             return one == 1 ? 1 : 1 + below(one - 1);
         }
         case OperandClass::physics:
-            return log_uniform(physics_least, operation_ == Operation::exp ? physics_greatest_of_exp
-                                                                           : physics_greatest);
+            return log_uniform(physics_least, greatest_of_physics(operation_));
         default:
             return log_uniform(0, HUGE_VAL);
     }

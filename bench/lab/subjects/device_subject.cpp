@@ -8,11 +8,11 @@
 
 namespace operations {
 
-DeviceSubject::DeviceSubject(simulator::Chip& chip, const std::string& symbol)
+DeviceCall::DeviceCall(simulator::Chip& chip, const std::string& symbol, Calling calling,
+                       const reference::NumberFormat& result_format)
     : chip_(chip),
-      symbol_(symbol),
-      named_(reference::parse_symbol(symbol)),
-      calling_(calling_of(named_.subject)),
+      calling_(std::move(calling)),
+      result_format_(result_format),
       operands_address_(chip.allocate(
           static_cast<std::uint16_t>(calling_.pointers.vectors * calling_.pointers.elements *
                                      calling_.pointers.element_size))),
@@ -21,14 +21,13 @@ DeviceSubject::DeviceSubject(simulator::Chip& chip, const std::string& symbol)
       result_address_(chip.allocate(result_size_)),
       function_(chip, symbol, calling_.signature) {}
 
-void DeviceSubject::forbid_stray_writes() {
+void DeviceCall::forbid_stray_writes() {
     std::vector<simulator::DeviceFunction::Area> writable;
     if (result_size_) writable.push_back({result_address_, result_size_});
     function_.forbid_writes_except(std::move(writable));
 }
 
-DeviceResult DeviceSubject::call(std::span<const std::int64_t> operands) {
-    const reference::Subject& subject = named_.subject;
+DeviceResult DeviceCall::call(std::span<const std::int64_t> operands) {
     const instructions::Pointers& pointers = calling_.pointers;
     std::array<std::uint64_t, reference::most_operands + 1> arguments;
     std::size_t count = 0;
@@ -57,7 +56,7 @@ DeviceResult DeviceSubject::call(std::span<const std::int64_t> operands) {
     }();
     DeviceResult result{{}, outcome.cycles, outcome.stack_bytes};
     if (!result_size_) {
-        result.raws[0] = subject.format.sign_extend(outcome.result);
+        result.raws[0] = result_format_.sign_extend(outcome.result);
         return result;
     }
     const auto bytes = static_cast<std::size_t>(pointers.result_size);
@@ -65,7 +64,7 @@ DeviceResult DeviceSubject::call(std::span<const std::int64_t> operands) {
         std::uint64_t pattern = 0;
         chip_.read(static_cast<std::uint16_t>(result_address_ + i * bytes),
                    {reinterpret_cast<std::uint8_t*>(&pattern), bytes});
-        result.raws[i] = subject.format.sign_extend(pattern);
+        result.raws[i] = result_format_.sign_extend(pattern);
     }
     return result;
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A subject of the device program as a callable on raw numbers: knows from the symbol's name what
-// the function takes and returns.
+// Functions of a device program as callables on raw numbers.
 #pragma once
 
 #include <array>
@@ -22,15 +21,12 @@ struct DeviceResult {
     std::uint16_t stack_bytes;
 };
 
-class DeviceSubject {
+// A function of a program that is called as its signature wants.
+class DeviceCall {
   public:
-    // Throws std::invalid_argument where the name is not <operation>_<format>_<implementation>,
-    // simulator::SimulationError where the program has no such function.
-    DeviceSubject(simulator::Chip& chip, const std::string& symbol);
-
-    const std::string& symbol() const { return symbol_; }
-    const reference::NamedSubject& named() const { return named_; }
-    std::size_t arity() const { return reference::shape(named_.subject.operation).operands; }
+    // Throws simulator::SimulationError where the program has no such function.
+    DeviceCall(simulator::Chip& chip, const std::string& symbol, Calling calling,
+               const reference::NumberFormat& result_format);
 
     // Throws simulator::SimulationError where the call does not return or breaks the convention.
     DeviceResult call(std::span<const std::int64_t> operands);
@@ -42,12 +38,32 @@ class DeviceSubject {
 
   private:
     simulator::Chip& chip_;
-    std::string symbol_;
-    reference::NamedSubject named_;
     Calling calling_;
+    reference::NumberFormat result_format_;
     std::uint16_t operands_address_;              // of vectors
     std::uint16_t result_size_, result_address_;  // of results that go through a pointer
     simulator::DeviceFunction function_;
+};
+
+// A function whose name says what it computes.
+class DeviceSubject : public DeviceCall {
+  public:
+    // Throws std::invalid_argument where the name is not <operation>_<format>_<implementation>.
+    DeviceSubject(simulator::Chip& chip, const std::string& symbol)
+        : DeviceSubject(chip, symbol, reference::parse_symbol(symbol)) {}
+
+    const std::string& symbol() const { return symbol_; }
+    const reference::NamedSubject& named() const { return named_; }
+    std::size_t arity() const { return reference::shape(named_.subject.operation).operands; }
+
+  private:
+    DeviceSubject(simulator::Chip& chip, const std::string& symbol, reference::NamedSubject named)
+        : DeviceCall(chip, symbol, calling_of(named.subject), named.subject.format),
+          symbol_(symbol),
+          named_(std::move(named)) {}
+
+    std::string symbol_;
+    reference::NamedSubject named_;
 };
 
 // The symbols of a program that name subjects, sorted.

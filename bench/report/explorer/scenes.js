@@ -8,7 +8,7 @@ import { chart, front, frontLine, letter, logAxis } from "./chart.js";
 import { number, words } from "./text.js";
 
 const errors = { larger: "of method or arithmetic, the larger", error: "in all", error_method: "of the method", error_arithmetic: "of the arithmetic" };
-const dashes = { explicit_euler: "1 3", semi_implicit_euler: null, velocity_verlet: "6 3", implicit_springs: "8 3 1 3" };
+const dashes = { explicit_euler: "1 3", semi_implicit_euler: null, velocity_verlet: "6 3", implicit_springs: "8 3 1 3", direct_rods: "2 2" };
 
 export const title = "Scenes";
 // Runs on the chip that held and have a truth to be judged by.

@@ -60,6 +60,108 @@ constexpr Fixed<IntegerBits, F, A> log(Fixed<IntegerBits, F, A> a) {
     return Fixed<IntegerBits, F, A>::from_raw(
         A::template log<Integer<IntegerBits + F>, F>(a.raw()));
 }
+/// The tangent of any angle in radians, faithful (error below 0.75 ulp), saturated; beside a pole
+/// of a format with more than 48 integer bits the error grows to 2^(integer bits - 53) ulp.
+template <int IntegerBits, int F, class A>
+constexpr Fixed<IntegerBits, F, A> tan(Fixed<IntegerBits, F, A> a) {
+    return Fixed<IntegerBits, F, A>::from_raw(
+        A::template tan<Integer<IntegerBits + F>, F>(a.raw()));
+}
+/// The arc sine in radians, faithful (error below 0.75 ulp, with more than 58 fraction bits below 3
+/// ulp), saturated; beyond -1 and 1 what it is there.
+template <int IntegerBits, int F, class A>
+constexpr Fixed<IntegerBits, F, A> asin(Fixed<IntegerBits, F, A> a) {
+    return Fixed<IntegerBits, F, A>::from_raw(
+        A::template asin<Integer<IntegerBits + F>, F>(a.raw()));
+}
+/// The arc cosine in radians, faithful (error below 0.75 ulp, with more than 58 fraction bits below
+/// 3 ulp), saturated; beyond -1 and 1 what it is there.
+template <int IntegerBits, int F, class A>
+constexpr Fixed<IntegerBits, F, A> acos(Fixed<IntegerBits, F, A> a) {
+    return Fixed<IntegerBits, F, A>::from_raw(
+        A::template acos<Integer<IntegerBits + F>, F>(a.raw()));
+}
+/// 2^a, faithful (error below 0.75 ulp), saturated.
+template <int IntegerBits, int F, class A>
+constexpr Fixed<IntegerBits, F, A> exp2(Fixed<IntegerBits, F, A> a) {
+    return Fixed<IntegerBits, F, A>::from_raw(
+        A::template exp2<Integer<IntegerBits + F>, F>(a.raw()));
+}
+/// e^a - 1, faithful (error below 0.75 ulp), saturated: the digits that exp(a) - 1 loses beside 0.
+template <int IntegerBits, int F, class A>
+constexpr Fixed<IntegerBits, F, A> expm1(Fixed<IntegerBits, F, A> a) {
+    return Fixed<IntegerBits, F, A>::from_raw(
+        A::template expm1<Integer<IntegerBits + F>, F>(a.raw()));
+}
+/// The logarithm to base 2, faithful (error below 0.75 ulp), saturated; exact for powers of 2, the
+/// smallest number where a <= 0.
+template <int IntegerBits, int F, class A>
+constexpr Fixed<IntegerBits, F, A> log2(Fixed<IntegerBits, F, A> a) {
+    return Fixed<IntegerBits, F, A>::from_raw(
+        A::template log2<Integer<IntegerBits + F>, F>(a.raw()));
+}
+/// The logarithm to base 10, faithful (error below 0.75 ulp), saturated; the smallest number where
+/// a <= 0.
+template <int IntegerBits, int F, class A>
+constexpr Fixed<IntegerBits, F, A> log10(Fixed<IntegerBits, F, A> a) {
+    return Fixed<IntegerBits, F, A>::from_raw(
+        A::template log10<Integer<IntegerBits + F>, F>(a.raw()));
+}
+/// ln(1 + a), faithful (error below 0.75 ulp), saturated; the smallest number where a <= -1.
+template <int IntegerBits, int F, class A>
+constexpr Fixed<IntegerBits, F, A> log1p(Fixed<IntegerBits, F, A> a) {
+    return Fixed<IntegerBits, F, A>::from_raw(
+        A::template log1p<Integer<IntegerBits + F>, F>(a.raw()));
+}
+/// The hyperbolic sine, faithful (error below 0.75 ulp), saturated.
+template <int IntegerBits, int F, class A>
+constexpr Fixed<IntegerBits, F, A> sinh(Fixed<IntegerBits, F, A> a) {
+    return Fixed<IntegerBits, F, A>::from_raw(
+        A::template sinh<Integer<IntegerBits + F>, F>(a.raw()));
+}
+/// The hyperbolic cosine, faithful (error below 0.75 ulp), saturated.
+template <int IntegerBits, int F, class A>
+constexpr Fixed<IntegerBits, F, A> cosh(Fixed<IntegerBits, F, A> a) {
+    return Fixed<IntegerBits, F, A>::from_raw(
+        A::template cosh<Integer<IntegerBits + F>, F>(a.raw()));
+}
+/// The hyperbolic tangent, faithful (error below 0.75 ulp), never beyond -1 and 1.
+template <int IntegerBits, int F, class A>
+constexpr Fixed<IntegerBits, F, A> tanh(Fixed<IntegerBits, F, A> a) {
+    return Fixed<IntegerBits, F, A>::from_raw(
+        A::template tanh<Integer<IntegerBits + F>, F>(a.raw()));
+}
+/// The cube root, faithful (error below 0.75 ulp), negative where a is.
+template <int IntegerBits, int F, class A>
+constexpr Fixed<IntegerBits, F, A> cbrt(Fixed<IntegerBits, F, A> a) {
+    return Fixed<IntegerBits, F, A>::from_raw(
+        A::template cbrt<Integer<IntegerBits + F>, F>(a.raw()));
+}
+/// x^y, faithful (error below 0.75 ulp), saturated; 1 where y is 0. Where x is 0: 0, or the largest
+/// number where y < 0. Where x < 0: the power of |x|, negative for odd y, and 0 where y is not an
+/// integer.
+template <int IntegerBits, int F, class A>
+constexpr Fixed<IntegerBits, F, A> pow(Fixed<IntegerBits, F, A> x, Fixed<IntegerBits, F, A> y) {
+    return Fixed<IntegerBits, F, A>::from_raw(
+        A::template pow<Integer<IntegerBits + F>, F>(x.raw(), y.raw()));
+}
+/// sqrt(a^2 + b^2) within 1 ulp, saturated; no square overflows.
+template <int IntegerBits, int F, class A>
+FIXEDPOINT_CONSTEXPR Fixed<IntegerBits, F, A> hypot(Fixed<IntegerBits, F, A> a,
+                                                    Fixed<IntegerBits, F, A> b) {
+    const Integer<IntegerBits + F> vector[2] = {a.raw(), b.raw()};
+    return Fixed<IntegerBits, F, A>::from_raw(
+        A::template length2<Integer<IntegerBits + F>, F>(vector));
+}
+/// sqrt(a^2 + b^2 + c^2) within 1 ulp, saturated; no square overflows.
+template <int IntegerBits, int F, class A>
+FIXEDPOINT_CONSTEXPR Fixed<IntegerBits, F, A> hypot(Fixed<IntegerBits, F, A> a,
+                                                    Fixed<IntegerBits, F, A> b,
+                                                    Fixed<IntegerBits, F, A> c) {
+    const Integer<IntegerBits + F> vector[3] = {a.raw(), b.raw(), c.raw()};
+    return Fixed<IntegerBits, F, A>::from_raw(
+        A::template length3<Integer<IntegerBits + F>, F>(vector));
+}
 /// What sincos returns.
 template <class Number>
 struct SineAndCosine {

@@ -15,6 +15,8 @@ extern "C" {
 #define DECLARE(q)                \
     extern c_results q##_results; \
     void q##_operations();        \
+    void q##_functions();         \
+    void q##_elementary();        \
     void q##_conversions();
 extern "C" {
 FORMATS(DECLARE)
@@ -28,8 +30,10 @@ struct Part {
     const c_results& results;
 };
 
-#define PARTS(q)                                     \
-    {#q "_operations", q##_operations, q##_results}, \
+#define PARTS(q)                                         \
+    {#q "_operations", q##_operations, q##_results},     \
+        {#q "_functions", q##_functions, q##_results},   \
+        {#q "_elementary", q##_elementary, q##_results}, \
         {#q "_conversions", q##_conversions, q##_results},
 
 class CProgram : public testing::TestWithParam<Part> {};

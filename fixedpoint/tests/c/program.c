@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * Calls every function of fixedpoint_c.h in one FORMAT, with boundary and random operands, and
  * leaves a hash of each function's results: the same on the host and on the chip. There, a PART of
- * the functions fits: operations or conversions. */
+ * the functions fits: operations, functions, elementary or conversions. */
 #include "program.h"
 
 #include <fixedpoint_c.h>
@@ -146,16 +146,9 @@ void F(operations)(void) {
     BINARY(multiply)
     BINARY(divide)
     BINARY(remainder)
-    BINARY(atan2)
     UNARY(negate)
     UNARY(abs)
     UNARY(sqrt)
-    UNARY(reciprocal_sqrt)
-    UNARY(sin)
-    UNARY(cos)
-    UNARY(atan)
-    UNARY(exp)
-    UNARY(log)
     SHIFT(shift_left)
     SHIFT(shift_right)
     OF_VECTORS(dot2)
@@ -167,17 +160,49 @@ void F(operations)(void) {
         const number result = F(multiply_add)(operand[i], operand[j], operand[operands - 1 - i]);
         add(&result, sizeof result);
     }
+    begin("normalise3");
+    for (uint8_t i = 0; i + 3 < operands; ++i) {
+        number unit[3];
+        F(normalise3)(operand + i, unit);
+        add(unit, sizeof unit);
+    }
+}
+
+void F(functions)(void) {
+    start();
+    BINARY(atan2)
+    UNARY(reciprocal_sqrt)
+    UNARY(sin)
+    UNARY(cos)
+    UNARY(atan)
+    UNARY(exp)
+    UNARY(log)
     begin("sincos");
     FOR_EACH {
         number both[2];
         F(sincos)(operand[i], both);
         add(both, sizeof both);
     }
-    begin("normalise3");
-    for (uint8_t i = 0; i + 3 < operands; ++i) {
-        number unit[3];
-        F(normalise3)(operand + i, unit);
-        add(unit, sizeof unit);
+}
+
+void F(elementary)(void) {
+    start();
+    UNARY(tan)
+    UNARY(asin)
+    UNARY(acos)
+    UNARY(exp2)
+    UNARY(expm1)
+    UNARY(log2)
+    UNARY(log10)
+    UNARY(log1p)
+    UNARY(sinh)
+    UNARY(cosh)
+    UNARY(tanh)
+    UNARY(cbrt)
+    begin("pow");
+    FOR_EACH {
+        const number result = F(pow)(operand[i], operand[(7 * i + 5) % operands]);
+        add(&result, sizeof result);
     }
 }
 

@@ -32,6 +32,7 @@ __attribute__((weak)) void test_functions();
 __attribute__((weak)) void test_text();
 __attribute__((weak)) void test_constants();
 __attribute__((weak)) void test_constant_functions();
+__attribute__((weak)) void test_constant_vectors();
 __attribute__((weak)) void test_constant_small();
 
 static void run(const char* name, void (*test)()) {
@@ -47,6 +48,7 @@ int main() {
     run("text_test", test_text);
     run("constants_test", test_constants);
     run("constant_functions_test", test_constant_functions);
+    run("constant_vectors_test", test_constant_vectors);
     run("constant_small_test", test_constant_small);
     finished();
 }

@@ -14,39 +14,55 @@
 #include "bench/lab/program/build.hpp"
 #include "bench/lab/program/experiment.hpp"
 #include "bench/lab/program/names.hpp"
-#include "bench/lab/records/csv.hpp"
 #include "bench/lab/records/progress.hpp"
+#include "bench/lab/records/record.hpp"
 
 namespace features {
 namespace {
 
+using records::column;
 using simulator::Chip;
 using simulator::DeviceFunction;
 using simulator::Elf;
 
 constexpr unsigned steps = 256;  // of 2^-10 s
 
+// A row of features.csv: what the program takes beside an empty one.
 struct Cost {
+    std::string scene, feature;
+    bool with;
     std::uint32_t flash, ram;
-    double mean;
-    std::uint32_t most;
+    double cycles_mean;
+    std::uint32_t cycles_max;
+
+    static constexpr auto columns =
+        std::tuple(column("scene", &Cost::scene), column("feature", &Cost::feature),
+                   column("with", &Cost::with), column("flash_bytes", &Cost::flash),
+                   column("ram_bytes", &Cost::ram),
+                   column("cycles_per_step_mean", &Cost::cycles_mean, "{:.1f}"),
+                   column("cycles_per_step_max", &Cost::cycles_max));
 };
 
-// Beside what an empty program takes.
-Cost cost_of(const std::filesystem::path& program, const Elf& empty) {
-    const Elf elf(program);
+Cost cost_of(const Program& program, const Elf& empty) {
+    const Elf elf(program.measured);
     Chip chip(elf);
     chip.run_until_function("main");
     DeviceFunction build(chip, "build", {.result = 1, .operands = {}});
     DeviceFunction step(chip, "step", {.result = 0, .operands = {}});
     if (const auto error = build().as<std::uint8_t>(); error != 0)
         throw std::runtime_error(
-            fmt::format("{}: the world reports error {}", program.string(), error));
-    Cost cost{elf.flash_bytes() - empty.flash_bytes(), elf.ram_bytes() - empty.ram_bytes(), 0, 0};
+            fmt::format("{}: the world reports error {}", elf.path().string(), error));
+    Cost cost{program.scene,
+              program.feature,
+              program.with,
+              elf.flash_bytes() - empty.flash_bytes(),
+              elf.ram_bytes() - empty.ram_bytes(),
+              0,
+              0};
     for (unsigned i = 0; i < steps; ++i) {
         const std::uint32_t cycles = step().cycles;
-        cost.mean += static_cast<double>(cycles) / steps;
-        cost.most = std::max(cost.most, cycles);
+        cost.cycles_mean += static_cast<double>(cycles) / steps;
+        cost.cycles_max = std::max(cost.cycles_max, cycles);
     }
     return cost;
 }
@@ -67,22 +83,18 @@ int run(const std::vector<std::string>& scenes, const std::filesystem::path& out
     fixbench::build(files);
 
     const Elf empty(empty_program);
-    records::Table table({"scene", "feature", "with", "flash_bytes", "ram_bytes",
-                          "cycles_per_step_mean", "cycles_per_step_max"});
+    std::vector<Cost> costs;
     records::Progress progress("features", programs.size());
     bool clean = true;
     for (const Program& program : programs) {
-        const Cost cost = cost_of(program.measured, empty);
-        table.add({program.scene, program.feature, program.with ? "yes" : "no",
-                   std::to_string(cost.flash), std::to_string(cost.ram),
-                   fmt::format("{:.1f}", cost.mean), std::to_string(cost.most)});
+        costs.push_back(cost_of(program, empty));
         for (const auto& symbol : unneeded(Elf(program.measured), program.uses)) {
             fmt::print(stderr, "{} {}: not needed: {}\n", program.scene, program.feature, symbol);
             clean = false;
         }
         progress.advance();
     }
-    table.save(output / "features.csv");
+    records::table_of(costs).save(output / "features.csv");
     return clean ? fixbench::held : fixbench::check_failed;
 }
 

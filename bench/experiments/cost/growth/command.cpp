@@ -5,15 +5,18 @@
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "bench/experiments/cost/growth/fit.hpp"
 #include "bench/lab/program/build.hpp"
 #include "bench/lab/program/experiment.hpp"
-#include "bench/lab/records/csv.hpp"
+#include "bench/lab/records/record.hpp"
 
 namespace growth {
 namespace {
+
+using records::column;
 
 struct Options {
     bool host = false;
@@ -21,14 +24,34 @@ struct Options {
     std::filesystem::path output;
 };
 
+// A row of growth.csv and of growth_host.csv.
+struct Point {
+    std::string where, broad_phase;
+    unsigned particles;
+    double cost;
+    std::string unit;
+    std::optional<std::uint32_t> ram, stack;  // of the chip
+    double fitted, fit_constant, fit_linear, fit_quadratic, fit_worst_percent;
+    bool cheapest;
+
+    static constexpr auto columns = std::tuple(
+        column("where", &Point::where), column("broad_phase", &Point::broad_phase),
+        column("particles", &Point::particles), column("cost_per_step", &Point::cost, "{:.1f}"),
+        column("unit", &Point::unit), column("ram_bytes", &Point::ram),
+        column("stack_bytes", &Point::stack), column("fitted", &Point::fitted, "{:.1f}"),
+        column("fit_constant", &Point::fit_constant, "{:.5g}"),
+        column("fit_linear", &Point::fit_linear, "{:.5g}"),
+        column("fit_quadratic", &Point::fit_quadratic, "{:.5g}"),
+        column("fit_worst_percent", &Point::fit_worst_percent, "{:.1f}"),
+        column("cheapest", &Point::cheapest));
+};
+
 int run(const Options& options) {
     if (!options.host) fixbench::build({"growth_programs"});
     const auto costs = options.host ? costs_on_host(options.most) : costs_on_chip();
     const char* const where = options.host ? "host" : "chip";
     const char* const unit = options.host ? "ns" : "cycles";
-    records::Table points({"where", "broad_phase", "particles", "cost_per_step", "unit",
-                           "ram_bytes", "stack_bytes", "fitted", "fit_constant", "fit_linear",
-                           "fit_quadratic", "fit_worst_percent", "cheapest"});
+    std::vector<Point> points;
     const auto brute = of_search(costs, "brute_force"), sweep = of_search(costs, "sort_and_sweep");
     for (const auto& series : {brute, sweep}) {
         const Fit fit = fitted(series);
@@ -37,13 +60,12 @@ int run(const Options& options) {
             const bool cheapest = brute[i].per_step < sweep[i].per_step
                                       ? cost.broad_phase == "brute_force"
                                       : cost.broad_phase == "sort_and_sweep";
-            points.add({where, cost.broad_phase, std::to_string(cost.particles),
-                        fmt::format("{:.1f}", cost.per_step), unit,
-                        options.host ? "" : std::to_string(cost.ram),
-                        options.host ? "" : std::to_string(cost.stack),
-                        fmt::format("{:.1f}", fit(cost.particles)), fmt::format("{:.5g}", fit.a),
-                        fmt::format("{:.5g}", fit.b), fmt::format("{:.5g}", fit.c),
-                        fmt::format("{:.1f}", 100 * fit.worst), cheapest ? "yes" : "no"});
+            const auto on_chip = [&](std::uint32_t bytes) {
+                return options.host ? std::nullopt : std::optional(bytes);
+            };
+            points.push_back({where, cost.broad_phase, cost.particles, cost.per_step, unit,
+                              on_chip(cost.ram), on_chip(cost.stack), fit(cost.particles), fit.a,
+                              fit.b, fit.c, 100 * fit.worst, cheapest});
         }
         fmt::print(stderr, "{}: {:.5g} + {:.5g} N + {:.5g} N^2 {}, within {:.1f} %\n",
                    series.front().broad_phase, fit.a, fit.b, fit.c, unit, 100 * fit.worst);
@@ -52,7 +74,8 @@ int run(const Options& options) {
         fmt::print(stderr, "sort_and_sweep is the cheaper from {} particles on\n", *from);
     else
         fmt::print(stderr, "brute_force is the cheaper up to the end\n");
-    points.save(options.output / (options.host ? "growth_host.csv" : "growth.csv"));
+    records::table_of(points).save(options.output /
+                                   (options.host ? "growth_host.csv" : "growth.csv"));
     return fixbench::held;
 }
 

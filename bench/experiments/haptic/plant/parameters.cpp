@@ -13,26 +13,34 @@ Parameters published_parameters() {
     return parameters;
 }
 
+const std::vector<Uncertain>& uncertain() {
+    using P = Parameters;
+    static const std::vector<Uncertain> list{
+        {"servo_no_load_speed", 1.2, [](P& p) -> double& { return p.servo.no_load_speed; }},
+        {"servo_stall_torque", 1.3, [](P& p) -> double& { return p.servo.stall_torque; }},
+        {"servo_full_drive_error", 2, [](P& p) -> double& { return p.servo.full_drive_error; }},
+        {"servo_inertia", 2, [](P& p) -> double& { return p.servo.inertia; }},
+        {"foam_stiffness", 1.5, [](P& p) -> double& { return p.foam.stiffness; }},
+        {"foam_hardening", 2, [](P& p) -> double& { return p.foam.hardening; }},
+        {"foam_damping", 3, [](P& p) -> double& { return p.foam.damping; }},
+        {"foam_preload", 1.2, [](P& p) -> double& { return p.foam.preload; }},
+        {"lever_inertia", 1.5, [](P& p) -> double& { return p.lever.inertia; }},
+        {"lever_friction", 3, [](P& p) -> double& { return p.lever.friction; }},
+        {"hand_stiffness", 3, [](P& p) -> double& { return p.hand.stiffness; }},
+        {"hand_damping", 3, [](P& p) -> double& { return p.hand.damping; }},
+        {"hand_mass", 3, [](P& p) -> double& { return p.hand.mass; }},
+        {"sensor_gain_0", 1.1, [](P& p) -> double& { return p.electrical.sensor_gain[0]; }},
+        {"sensor_gain_1", 1.1, [](P& p) -> double& { return p.electrical.sensor_gain[1]; }},
+        {"sensor_lag", 2, [](P& p) -> double& { return p.electrical.sensor_lag; }},
+        {"noise", 2, [](P& p) -> double& { return p.electrical.noise; }},
+    };
+    return list;
+}
+
 Parameters varied(const Parameters& parameters, std::uint64_t seed) {
     Parameters p = parameters;
     Random random(seed);
-    const auto vary = [&](double& number, double factor) { number *= random.log_uniform(factor); };
-    vary(p.servo.no_load_speed, 1.2);
-    vary(p.servo.stall_torque, 1.3);
-    vary(p.servo.full_drive_error, 2);
-    vary(p.servo.inertia, 2);
-    vary(p.foam.stiffness, 1.5);
-    vary(p.foam.hardening, 2);
-    vary(p.foam.damping, 3);
-    vary(p.foam.preload, 1.2);
-    vary(p.lever.inertia, 1.5);
-    vary(p.lever.friction, 3);
-    vary(p.hand.stiffness, 3);
-    vary(p.hand.damping, 3);
-    vary(p.hand.mass, 3);
-    for (double& gain : p.electrical.sensor_gain) vary(gain, 1.1);
-    vary(p.electrical.sensor_lag, 2);
-    vary(p.electrical.noise, 2);
+    for (const Uncertain& number : uncertain()) number.of(p) *= random.log_uniform(number.factor);
     p.electrical.seed = seed;
     return p;
 }

@@ -83,8 +83,16 @@ struct Parameters {
 // The plant as published, its sensors by Table D.1.
 Parameters published_parameters();
 
+// A number that data sheets or studies leave open by a factor, up or down.
+struct Uncertain {
+    const char* name;
+    double factor;
+    double& (*of)(Parameters&);
+};
+const std::vector<Uncertain>& uncertain();
+
 // One of a family of plants: each uncertain number multiplied by a factor drawn log-uniformly from
-// a range of its own, the same for the same seed on every machine.
+// its range, the same for the same seed on every machine.
 Parameters varied(const Parameters& parameters, std::uint64_t seed);
 
 }  // namespace haptic

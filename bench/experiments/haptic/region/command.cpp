@@ -13,12 +13,13 @@ const fixbench::Registration registration({
     .name = "region",
     .description =
         "Where a held lever is at rest: arm length x loop rate x stiffness of the hand, for each\n"
-        "arithmetic, with and without the selective damping, over a family of plants, beside the\n"
-        "linear theory. The firmware's lever runs on the host by the chip's schedule; the\n"
+        "arithmetic, with and without the selective damping, over plants of which the 2016 design\n"
+        "falls and swings as published, beside the linear theory. The firmware's lever runs on the "
+        "host by the chip's schedule; the\n"
         "simulated chip checks it at the shortest arm, and differences are printed. It swings\n"
         "where, after a poke, it moves by more than 1.5 degrees in the last of four seconds.\n"
-        "Files: stable_region.csv, stable_limits.csv, stable_changes.csv, stable_on_chip.csv and\n"
-        "oscillation.csv.",
+        "Files: identification.csv, stable_region.csv, stable_limits.csv, stable_changes.csv,\n"
+        "stable_on_chip.csv and oscillation.csv.",
     .prints = {"stable_limits.csv"},
     .add =
         [](CLI::App& command) {
@@ -39,8 +40,8 @@ const fixbench::Registration registration({
                        if (mode.quick) arguments.push_back("--quick");
                        return arguments;
                    },
-               .writes = {"stable_region.csv", "stable_limits.csv", "stable_changes.csv",
-                          "stable_on_chip.csv", "oscillation.csv"},
+               .writes = {"identification.csv", "stable_region.csv", "stable_limits.csv",
+                          "stable_changes.csv", "stable_on_chip.csv", "oscillation.csv"},
                .targets = {"held_levers"},
                .reads = {HELD_LEVER_FOLDER},
                .full_seconds = 240,

@@ -3,11 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <fixedpoint/arithmetic/published.hpp>
+#include <stdexcept>
 #include <type_traits>
 #include <utility>
 
 #include "bench/experiments/haptic/host_loop.hpp"
+#include "reference/published.hpp"
 
 namespace haptic::region {
 namespace {
@@ -40,6 +43,12 @@ Swing hold(const Parameters& parameters, double arm, Start start, double step_ta
     return watch_held(loop);
 }
 
+template <class Choices>
+std::optional<double> fall(const Parameters& parameters, double step_takes) {
+    HostLoop<Choices> loop(parameters, scenario("release_and_fall").script, step_takes);
+    return watch_fall(loop);
+}
+
 double number(float value) { return value; }
 template <int I, int F, class A>
 double number(fixedpoint::Fixed<I, F, A> value) {
@@ -58,6 +67,7 @@ Device device(std::string arithmetic, int rate, std::string change = "") {
     d.law.damping = d.damped ? std::ldexp(1, -Choices::damping_exponent) : 0;
     d.law.position_first = std::is_same_v<typename Choices::Method, scenes::Published>;
     d.hold = hold<Choices>;
+    d.fall = fall<Choices>;
     return d;
 }
 
@@ -77,6 +87,14 @@ void add_rates_from(std::vector<Device>& list) {
 
 }  // namespace
 
+double published_fall() {
+    constexpr double published_arm = 0.20;  // m
+    for (const reference::WorkloadFigure& figure : reference::load_workload())
+        if (figure.quantity == "fall_time")
+            return figure.value * std::sqrt(shortest_arm / published_arm);
+    throw std::runtime_error("no fall_time among the published figures");
+}
+
 std::vector<Device> devices() {
     std::vector<Device> list;
     add_both<firmware::PublishedLeverChoices<PublishedScalar>>(list, "published", 0);
@@ -86,12 +104,18 @@ std::vector<Device> devices() {
 
 std::vector<Device> changes() {
     using Flashed = firmware::LeverChoices<firmware::LeverScalar>;
+    using Float = firmware::LeverChoices<float, 9>;
+    using Report = firmware::PublishedLeverChoices<PublishedScalar>;
     constexpr int rate = 10;
     return {device<Flashed>("q16_16", rate, "as flashed"),
             device<LateToBelieve<Flashed>>("q16_16", rate, "a free sensor believed from 900 on"),
             device<Undamped<Flashed>>("q16_16", rate, "without damping"),
             device<Unled<Flashed>>("q16_16", rate, "without lead"),
-            device<Undamped<Unled<Flashed>>>("q16_16", rate, "without lead and damping")};
+            device<Undamped<Unled<Flashed>>>("q16_16", rate, "without lead and damping"),
+            device<Float>("float", 9, "in float"),
+            device<Undamped<Float>>("float", 9, "in float, without damping"),
+            device<Report>("published", 0, "2016 design"),
+            device<Undamped<Report>>("published", 0, "2016 design, without damping")};
 }
 
 }  // namespace haptic::region

@@ -3,10 +3,12 @@
 // its selective damping, compiled for the host.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "bench/experiments/haptic/region/held_lever.hpp"
+#include "bench/experiments/haptic/region/released_lever.hpp"
 
 namespace haptic::region {
 
@@ -26,6 +28,7 @@ struct Device {
     Law law;
     // On the host; a step takes so long, in s, on the chip.
     Swing (*hold)(const Parameters&, double arm, Start, double step_takes);
+    std::optional<double> (*fall)(const Parameters&, double step_takes);
 };
 
 constexpr int slowest = 7, fastest = 11;  // rates
@@ -33,7 +36,7 @@ constexpr int slowest = 7, fastest = 11;  // rates
 // Each arithmetic at each rate, damped and not; and the report's at its own clock.
 std::vector<Device> devices();
 
-// The flashed lever, with what makes it stable left out in turn.
+// The flashed lever, with what makes it stable left out in turn, and the other levers as they are.
 std::vector<Device> changes();
 
 }  // namespace haptic::region

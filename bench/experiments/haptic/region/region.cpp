@@ -14,6 +14,7 @@
 
 #include "bench/experiments/haptic/device_loop.hpp"
 #include "bench/experiments/haptic/region/devices.hpp"
+#include "bench/experiments/haptic/region/identification.hpp"
 #include "bench/experiments/haptic/region/linear_loop.hpp"
 #include "bench/lab/parallel.hpp"
 #include "bench/lab/records/csv.hpp"
@@ -24,18 +25,11 @@ namespace {
 
 using records::cell;
 
-std::vector<Parameters> family(int plants) {
-    std::vector<Parameters> list;
-    for (int seed = 1; seed <= plants; ++seed)
-        list.push_back(varied(published_parameters(), static_cast<std::uint64_t>(seed)));
-    return list;
-}
-
 // What is looked at: everything, or enough of it to see that it works.
 struct Extent {
     std::vector<double> arms, hands;  // m, N/m
     std::vector<int> rates;
-    int plants, plants_of_changes;
+    std::size_t plants, plants_of_changes;
     double bisected;  // ratio at which a bisection ends
 
     explicit Extent(bool quick)
@@ -165,8 +159,8 @@ records::Table table_of(const std::string& name, std::vector<std::string> column
     return table;
 }
 
-void write_map(const std::vector<Subject>& subjects, const Extent& extent, const Options& options) {
-    const std::vector<Parameters> all = family(extent.plants);
+void write_map(const std::vector<Subject>& subjects, const std::vector<Parameters>& all,
+               const Extent& extent, const Options& options) {
     const std::size_t hands = extent.hands.size(), arms = extent.arms.size();
     const std::vector<std::string> of_theory{"linear_stable", "linear_worst_radius",
                                              "linear_frequency_hz"};
@@ -208,11 +202,10 @@ double limit(double from, double to, double ratio, Still&& still) {
     return from;
 }
 
-void write_limits(const std::vector<Subject>& subjects, const Extent& extent,
-                  const Options& options) {
+void write_limits(const std::vector<Subject>& subjects, const std::vector<Parameters>& plants,
+                  const Extent& extent, const Options& options) {
     constexpr double softest = 10, hardest = 20000;          // N/m
     constexpr double theory_least = 0.02, theory_most = 20;  // m
-    const std::vector<Parameters> plants = family(extent.plants);
     table_of(
         "stable limits",
         {"arithmetic", "damping", "clock", "loop_rate_hz", "plant", "own_hand_n_per_m",
@@ -244,9 +237,8 @@ void write_limits(const std::vector<Subject>& subjects, const Extent& extent,
         .save(options.output / "stable_limits.csv");
 }
 
-void write_changes(const std::vector<Subject>& subjects, const Extent& extent,
+void write_changes(const std::vector<Subject>& subjects, const std::vector<Parameters>& plants,
                    const Options& options) {
-    const std::vector<Parameters> plants = family(extent.plants_of_changes);
     const std::vector<double> hands{0, 100, 1000};
     table_of("changes of method",
              std::vector<std::string>{"change", "arithmetic", "damping", "clock", "loop_rate_hz",
@@ -264,8 +256,8 @@ void write_changes(const std::vector<Subject>& subjects, const Extent& extent,
         .save(options.output / "stable_changes.csv");
 }
 
-void check_on_chip(const std::vector<Subject>& all, const Extent& extent, const Options& options) {
-    const std::vector<Parameters> plants = family(extent.plants);
+void check_on_chip(const std::vector<Subject>& all, const std::vector<Parameters>& plants,
+                   const Options& options) {
     std::vector<Subject> subjects;
     for (const Subject& subject : all)
         if (std::filesystem::exists(program_of(subject.device))) subjects.push_back(subject);
@@ -305,8 +297,8 @@ void check_on_chip(const std::vector<Subject>& all, const Extent& extent, const 
     table.save(options.output / "stable_on_chip.csv");
 }
 
-// The lever over time on the plant as published, by the chip.
-void write_oscillation(const Options& options) {
+// The lever over time on a plant, by the chip.
+void write_oscillation(const Parameters& plant, const Options& options) {
     constexpr double interval = 5e-3;
     std::vector<std::string> columns{"time_s"};
     std::vector<Device> list;
@@ -320,8 +312,7 @@ void write_oscillation(const Options& options) {
     std::vector<std::vector<double>> traces(list.size());
     records::Progress progress("oscillation", list.size());
     operations::in_parallel(options.threads, list.size(), [&](std::size_t i) {
-        DeviceLoop loop(simulator::Elf(program_of(list[i])), published_parameters(),
-                        Holding(shortest_arm).script);
+        DeviceLoop loop(simulator::Elf(program_of(list[i])), plant, Holding(shortest_arm).script);
         for (std::size_t row = 0; row < rows; ++row) {
             loop.run_until(static_cast<double>(row) * interval);
             traces[i].push_back(loop.plant().lever_angle() / degrees(1));
@@ -345,11 +336,18 @@ void measure_region(const Options& options) {
     std::vector<Subject> subjects;
     for (const Subject& subject : subjects_of(devices(), times))
         if (extent.holds(subject.device)) subjects.push_back(subject);
-    write_map(subjects, extent, options);
-    write_limits(subjects, extent, options);
-    write_changes(subjects_of(changes(), times), extent, options);
-    check_on_chip(subjects, extent, options);
-    write_oscillation(options);
+    const double published_step = times.at("published");
+    const Identification identification =
+        identify(extent.plants_of_changes, published_step, options.threads);
+    table_of(identification, published_step, options.threads)
+        .save(options.output / "identification.csv");
+    const std::vector<Parameters> plants = identification.plants(extent.plants);
+    write_map(subjects, plants, extent, options);
+    write_limits(subjects, plants, extent, options);
+    write_changes(subjects_of(changes(), times), identification.plants(extent.plants_of_changes),
+                  options);
+    check_on_chip(subjects, plants, options);
+    write_oscillation(plants.front(), options);
 }
 
 }  // namespace haptic::region

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The stable region of a lever that is held still: arm length x loop rate x stiffness of the hand,
-// for each arithmetic, with and without the selective damping, over a family of plants.
+// for each arithmetic, with and without the selective damping, over plants that behave as
+// published.
 #pragma once
 
 #include <filesystem>
@@ -14,12 +15,13 @@ struct Options {
 };
 
 // Found on the host, checked on the simulated chip. Writes
+//   identification.csv  the plants that were drawn, and which of them behave as published
 //   stable_region.csv   how many plants of the family are still, over the whole region, and how
 //                       many of them the linear theory calls stable
 //   stable_limits.csv   of each plant: the shortest arm, the softest and the hardest hand
-//   stable_changes.csv  the flashed lever with what makes it stable left out in turn
-//   stable_on_chip.csv  the verdicts of host and chip, plant by plant
-//   oscillation.csv     a poked lever over time, on the chip, with and without the damping
+//   stable_changes.csv  the flashed lever with what makes it stable left out in turn, and the
+//   others stable_on_chip.csv  the verdicts of host and chip, plant by plant oscillation.csv     a
+//   poked lever over time, on the chip, with and without the damping
 void measure_region(const Options& options);
 
 }  // namespace haptic::region

@@ -112,6 +112,11 @@ void all_of_one_operand(DenseCalls& calls, const reference::NumberFormat& format
     }
 }
 
+// A space of 2^16 inputs and less is run whole.
+void all_of_the_only_operand(DenseCalls& calls, const reference::NumberFormat& format) {
+    for (std::int64_t raw = format.min(); raw <= format.max(); ++raw) calls.add(std::array{raw});
+}
+
 // Long runs of equal bits make long carries, which random bits seldom do.
 std::int64_t runs_of_bits(const reference::NumberFormat& format, std::mt19937_64& random) {
     const auto power = [&] { return std::uint64_t(1) << random() % unsigned(format.width); };
@@ -141,6 +146,49 @@ void lengths_beside_the_limit(DenseCalls& calls, const reference::NumberFormat& 
     }
 }
 
+// Beside the limits of the intervals of 64-bit functions' tables: of a number's leading bits, of
+// the quarter turn, of what is left of ln 2, and of the ratio of two numbers.
+void beside_limits_of_tables(DenseCalls& calls, const reference::NumberFormat& format,
+                             std::size_t arity) {
+    std::mt19937_64 random(7);
+    const auto near = [&](double raw) {
+        return format.sign_extend(static_cast<std::uint64_t>(std::int64_t(raw)) + random() % 5 - 2);
+    };
+    for (int i = 0; i < 1 << 16; ++i) {
+        const int index = static_cast<int>(random() % 2048),
+                  scale = static_cast<int>(random() % 54);
+        const double number = std::ldexp(256 + index % 256, scale);
+        if (arity == 2) {
+            const double sign = random() % 2 == 0 ? 1 : -1, ratio = double(random() % 257) / 256;
+            const std::int64_t a = near(number * ratio), b = near(sign * number);
+            calls.add(random() % 2 == 0 ? std::array{a, b} : std::array{b, a});
+        } else {
+            for (const double raw :
+                 {number / 256, std::ldexp((index - 1024) * (M_PI / 512), format.fraction),
+                  std::ldexp((scale - 32) * M_LN2 - index / 256.0 / (index % 2 == 0 ? 1 : 256),
+                             format.fraction)}) {
+                calls.add(std::array{near(raw)});
+            }
+        }
+    }
+}
+
+// r^2 + r, the largest sum of squares below (r + 1/2)^2, is that of (m^2, m), and r^2 + r + 1, the
+// next one, that of (m^2 - 1, m).
+void lengths_beside_halves(DenseCalls& calls, const reference::NumberFormat& format,
+                           std::size_t arity) {
+    std::mt19937_64 random(6);
+    std::vector<std::int64_t> raws(arity, 0);
+    for (int i = 0; i < 1000; ++i) {
+        const auto m = std::int64_t((random() >> (65 - format.width / 2)) >> random() % 4);
+        for (const std::int64_t longer : {m * m, m * m - 1}) {
+            raws[i % 2] = longer;
+            raws[1 - i % 2] = -m;
+            calls.add(raws);
+        }
+    }
+}
+
 void call_densely(DenseCalls& calls, const HostSubject& host, std::uint64_t samples) {
     const reference::NumberFormat& format = host.subject.operand_format;
     for (const operands::BoundaryCase& each :
@@ -148,9 +196,13 @@ void call_densely(DenseCalls& calls, const HostSubject& host, std::uint64_t samp
         calls.add(each.operands);
     }
     const std::size_t arity = reference::shape(host.subject.operation).operands;
+    if (format.width <= 16 && arity == 1) all_of_the_only_operand(calls, format);
     if (format.width <= 16 && arity == 2) all_of_one_operand(calls, format);
-    if (reference::shape(host.subject.operation).signature == reference::Signature::length)
+    if (reference::shape(host.subject.operation).signature == reference::Signature::length) {
         lengths_beside_the_limit(calls, format, arity);
+        lengths_beside_halves(calls, format, arity);
+    }
+    if (format.width == 64 && arity <= 2) beside_limits_of_tables(calls, format, arity);
     std::vector<std::int64_t> raws(arity);
     for (const operands::OperandClass each :
          {operands::OperandClass::physics, operands::OperandClass::full,

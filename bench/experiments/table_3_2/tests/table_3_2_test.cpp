@@ -159,6 +159,8 @@ TEST(Division, AFitFindsTheCoefficientsOfALaw) {
     EXPECT_NEAR(law.per_byte, 200, 1e-6);
     EXPECT_NEAR(law.per_one, 8, 1e-6);
     EXPECT_NEAR(law.max_residual, 0, 1e-6);
+    // Two bytes whose eight ones and eight zeros are 8 * 8 cycles.
+    EXPECT_NEAR(law.bytes_for(500 + 2 * 200 + 8 * 8), 2, 1e-6);
     divisions.front().cycles += 100;
     EXPECT_GT(fit_division_law(divisions).max_residual, 50);
 }

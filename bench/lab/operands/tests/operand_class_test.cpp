@@ -139,8 +139,8 @@ TEST(OperandClass, LowBitsOfWideRawsAreRandom) {
 }
 
 TEST(OperandClass, RootsAndLogarithmsGetPositiveOperands) {
-    for (const Operation operation :
-         {Operation::sqrt, Operation::reciprocal_sqrt, Operation::log}) {
+    for (const Operation operation : {Operation::sqrt, Operation::reciprocal_sqrt, Operation::log,
+                                      Operation::log1p, Operation::pow}) {
         for (const OperandClass operand_class : operand_classes)
             EXPECT_EQ(share(sample(operation, "q16_16", operand_class), 0, HUGE_VAL), 1);
     }

@@ -39,6 +39,19 @@ enum class Operation : unsigned char {
     round,
     from_float,
     from_decimal,
+    tan,
+    asin,
+    acos,
+    exp2,
+    expm1,
+    log2,
+    log10,
+    log1p,
+    sinh,
+    cosh,
+    tanh,
+    cbrt,
+    pow,
 };
 
 /// As Nearest, and tells Hook::notify(Event, Operation) of each result that is not what exact
@@ -155,6 +168,15 @@ struct Checked : Nearest {
         watch_range(portable::cos_fits<Raw, F>(angle), Operation::cos);
         Nearest::sincos<Raw, F>(angle, sine_and_cosine);
     }
+    // Those of portable/elementary.hpp, whose evaluation says what there is to tell.
+#define FIXEDPOINT_ELEMENTARY_FUNCTION(name, Function)                                      \
+    template <class Raw, int F, class... Operands>                                          \
+    static FIXEDPOINT_CONSTEXPR Raw name(Operands... operands) {                            \
+        return watched(portable::Evaluated<portable::Function, Raw, F>::apply(operands...), \
+                       Operation::name);                                                    \
+    }
+    FIXEDPOINT_ELEMENTARY_FUNCTIONS(FIXEDPOINT_ELEMENTARY_FUNCTION)
+#undef FIXEDPOINT_ELEMENTARY_FUNCTION
     /// As Nearest; notifies of overflow.
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR Raw ceil(Raw a) {
@@ -232,6 +254,18 @@ struct Checked : Nearest {
     }
 
   private:
+    template <class Raw>
+    static FIXEDPOINT_CONSTEXPR Raw watched(portable::Evaluation<Raw> evaluation,
+                                            Operation operation) {
+        using portable::Outcome;
+        if (evaluation.outcome != Outcome::in_range) {
+            Hook::notify(evaluation.outcome == Outcome::overflow           ? Event::overflow
+                         : evaluation.outcome == Outcome::division_by_zero ? Event::division_by_zero
+                                                                           : Event::domain_error,
+                         operation);
+        }
+        return evaluation.number;
+    }
     static FIXEDPOINT_CONSTEXPR void watch_range(bool fits, Operation operation) {
         if (!fits) Hook::notify(Event::overflow, operation);
     }

@@ -12,6 +12,7 @@
 
 #include <fixedpoint/arithmetic/wrapping.hpp>
 #include <fixedpoint/kernel/dispatch.hpp>
+#include <fixedpoint/portable/elementary.hpp>
 
 namespace fixedpoint {
 
@@ -80,6 +81,14 @@ struct Nearest : Wrapping {
     static constexpr Raw log(Raw a) {
         return kernel::log<Raw, F>(a);
     }
+    // Those of portable/elementary.hpp.
+#define FIXEDPOINT_ELEMENTARY_FUNCTION(name, Function)                                     \
+    template <class Raw, int F, class... Operands>                                         \
+    static constexpr Raw name(Operands... operands) {                                      \
+        return portable::Evaluated<portable::Function, Raw, F>::apply(operands...).number; \
+    }
+    FIXEDPOINT_ELEMENTARY_FUNCTIONS(FIXEDPOINT_ELEMENTARY_FUNCTION)
+#undef FIXEDPOINT_ELEMENTARY_FUNCTION
     /// a b + c, rounded once, mod 2^W.
     template <class Raw, int F>
     static constexpr Raw multiply_add(Raw a, Raw b, Raw c) {

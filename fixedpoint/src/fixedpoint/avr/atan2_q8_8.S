@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // int16_t fixedpoint_atan2_q8_8(int16_t y, int16_t x)
-// The angle of the vector (x, y) in radians, in (-pi, pi], within 0.5494 ulp (exact, over all
-// pairs); 0 for (0, 0).
+// int16_t fixedpoint_atan_q8_8(int16_t a)
+// The angle of the vector (x, y), or (1, a), in radians, in (-pi, pi], within 0.5494 ulp (exact, over
+// all pairs); 0 for (0, 0).
 //
-// In:       y r25:r24, x r23:r22
+// In:       y or a r25:r24, x r23:r22
 // Out:      r25:r24
 // Clobbers: r0, r18..r23, r26, r27, r30, r31
 // Stack:    0 bytes.
@@ -41,7 +42,13 @@
     lpm r0, Z
     .endm
 
-    FUNCTION fixedpoint_atan2_q8_8
+    SECTION fixedpoint_atan2_q8_8
+    ENTRY fixedpoint_atan_q8_8
+    ldi large0, 0
+    ldi large1, 1
+    ENDFUNC fixedpoint_atan_q8_8
+
+    ENTRY fixedpoint_atan2_q8_8
     mov sign_y, small1
     mov sign_x, large1
     tst small1

@@ -352,14 +352,11 @@
     sub r14, r0
     sbc r15, r1
     sbc r16, digits
-    sbc r17, digits
     mul x0, x0
     sub r16, r0
-    sbc r17, r1
     mul x0, x1
     sub r15, r0
     sbc r16, r1
-    sbc r17, digits
     sub r15, r0
     sbc r16, r1
     // Halved, with what follows.

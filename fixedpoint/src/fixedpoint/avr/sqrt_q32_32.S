@@ -151,14 +151,11 @@
     sub a4, r0
     sbc a5, r1
     sbc a6, zero
-    sbc a7, zero
     mul x0, x0
     sub a6, r0
-    sbc a7, r1
     mul x0, x1
     sub a5, r0
     sbc a6, r1
-    sbc a7, zero
     sub a5, r0
     sbc a6, r1
     // Halved, with what follows.

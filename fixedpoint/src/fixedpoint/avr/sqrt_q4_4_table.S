@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// DO NOT EDIT: written by python3 fixedpoint/tables/sqrt_q4_4.py
-// Square roots of Q4.4 numbers.
+// DO NOT EDIT: written by python3 fixedpoint/tables/functions_q4_4.py
+// The square root of every Q4.4 number.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
 
     TABLE fixedpoint_sqrt_q4_4_table
-    // roots
+    // by the raw number
     .byte   0,   4,   6,   7,   8,   9,  10,  11,  11,  12,  13,  13,  14,  14,  15,  15
     .byte  16,  16,  17,  17,  18,  18,  19,  19,  20,  20,  20,  21,  21,  22,  22,  22
     .byte  23,  23,  23,  24,  24,  24,  25,  25,  25,  26,  26,  26,  27,  27,  27,  27

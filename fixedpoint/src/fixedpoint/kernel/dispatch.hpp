@@ -2,8 +2,8 @@
 // Which code an operation of a format runs through: kernel::operation<Raw, F>.
 //
 // A format with an assembly kernel of its own (table.hpp) calls that. Here is what the others do:
-// narrow formats borrow the kernels of Q16.16 where those are exact enough, and all else runs the
-// portable implementation.
+// narrow formats borrow the kernels of Q16.16, and those of 64 bits some of Q32.32, where those are
+// exact enough, and all else runs the portable implementation.
 #pragma once
 
 #include <fixedpoint/kernel/assembly.hpp>
@@ -79,6 +79,13 @@ constexpr bool through_q16_16() {
     return sizeof(Raw) <= 2 && F <= 13;
 }
 
+// The functions of Q8.8 have kernels of their own, but for exp and the small variants; so have
+// sine, cosine and logarithm of the coarser splits of 16 bits.
+template <class Raw, int F>
+constexpr bool is_q8_8() {
+    return sizeof(Raw) == 2 && F == 8;
+}
+
 // a as Q16.16, exact. Precondition: through_q16_16<Raw, F>().
 template <class Raw, int F>
 constexpr int32_t to_q16_16(Raw a) {
@@ -91,31 +98,77 @@ FIXEDPOINT_CONSTEXPR Raw from_q16_16(int32_t a) {
     return portable::convert_clamped<Raw, F, int32_t, 16>(a).number;
 }
 
-#define FIXEDPOINT_THROUGH_Q16_16(operation, portable_operation)                       \
+#define FIXEDPOINT_THROUGH_Q16_16(operation, has_own)                                  \
     template <class Raw, int F>                                                        \
     FIXEDPOINT_CONSTEXPR Raw operation(Raw a) {                                        \
-        return through_q16_16<Raw, F>()                                                \
+        return through_q16_16<Raw, F>() && !(has_own)                                  \
                    ? from_q16_16<Raw, F>(operation<int32_t, 16>(to_q16_16<Raw, F>(a))) \
-                   : portable::portable_operation<Raw, F>(a);                          \
+                   : portable::operation<Raw, F>(a);                                   \
     }
-FIXEDPOINT_THROUGH_Q16_16(reciprocal_sqrt, reciprocal_sqrt)
-FIXEDPOINT_THROUGH_Q16_16(reciprocal_sqrt_small, reciprocal_sqrt_small)
-FIXEDPOINT_THROUGH_Q16_16(sin, sin)
-FIXEDPOINT_THROUGH_Q16_16(sin_small, sin_small)
-FIXEDPOINT_THROUGH_Q16_16(cos, cos)
-FIXEDPOINT_THROUGH_Q16_16(cos_small, cos_small)
-FIXEDPOINT_THROUGH_Q16_16(atan, atan)
-FIXEDPOINT_THROUGH_Q16_16(atan_small, atan_small)
-FIXEDPOINT_THROUGH_Q16_16(exp, exp)
-FIXEDPOINT_THROUGH_Q16_16(log, log)
+FIXEDPOINT_THROUGH_Q16_16(reciprocal_sqrt_small, false)
+FIXEDPOINT_THROUGH_Q16_16(sin, (portable::is_coarse_16<Raw, F>()))
+FIXEDPOINT_THROUGH_Q16_16(sin_small, false)
+FIXEDPOINT_THROUGH_Q16_16(cos, (portable::is_coarse_16<Raw, F>()))
+FIXEDPOINT_THROUGH_Q16_16(cos_small, false)
+FIXEDPOINT_THROUGH_Q16_16(atan_small, false)
+FIXEDPOINT_THROUGH_Q16_16(exp, false)
 #undef FIXEDPOINT_THROUGH_Q16_16
 
-// Q8.8 has a kernel of its own.
+// Angles of vectors and logarithms of the formats of 64 bits need no more than those of Q32.32,
+// whatever the numbers' units: e ulp there leave 1/2 + e 2^(F-32) ulp, at most 0.66 for F <= 30.
+template <class Raw, int F>
+constexpr bool through_q32_32() {
+    return sizeof(Raw) == 8 && F <= 30;
+}
+// a rounded to F fraction bits. Precondition: through_q32_32<Raw, F>().
+template <class Raw, int F>
+constexpr Raw from_q32_32(int64_t a) {
+    return portable::convert<Raw, F, int64_t, 32>(a);
+}
+
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw atan2(Raw y, Raw x) {
-    return through_q16_16<Raw, F>() && !(sizeof(Raw) == 2 && F == 8)
+    return through_q16_16<Raw, F>() && !is_q8_8<Raw, F>()
                ? from_q16_16<Raw, F>(atan2<int32_t, 16>(to_q16_16<Raw, F>(y), to_q16_16<Raw, F>(x)))
-               : portable::atan2<Raw, F>(y, x);
+           : through_q32_32<Raw, F>() ? from_q32_32<Raw, F>(atan2<int64_t, 32>(y, x))
+                                      : portable::atan2<Raw, F>(y, x);
+}
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw atan(Raw a) {
+    return through_q16_16<Raw, F>() && !is_q8_8<Raw, F>()
+               ? from_q16_16<Raw, F>(atan<int32_t, 16>(to_q16_16<Raw, F>(a)))
+           : through_q32_32<Raw, F>()
+               ? from_q32_32<Raw, F>(atan2<int64_t, 32>(a, int64_t(1) << F % 63))
+               : portable::atan<Raw, F>(a);
+}
+// 2^(3 F / 2) / sqrt(a) from 2^48 / sqrt(a), or, where F is odd, from that of 2 a or a / 2.
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw reciprocal_sqrt_through_q32_32(int64_t a) {
+    constexpr int exponent = 3 * F / 2;
+    if (a == 0) return RawLimits<Raw>::max;
+    if (F % 2 == 0) return from_q32_32<Raw, exponent - 16>(reciprocal_sqrt<int64_t, 32>(a));
+    if (a >> 62 != 0) return from_q32_32<Raw, exponent - 16>(reciprocal_sqrt<int64_t, 32>(a >> 1));
+    return from_q32_32<Raw, exponent - 15>(
+        reciprocal_sqrt<int64_t, 32>(static_cast<int64_t>(static_cast<uint64_t>(a) << 1)));
+}
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw reciprocal_sqrt(Raw a) {
+    return through_q16_16<Raw, F>() && !is_q8_8<Raw, F>()
+               ? from_q16_16<Raw, F>(reciprocal_sqrt<int32_t, 16>(to_q16_16<Raw, F>(a)))
+           : through_q32_32<Raw, F>() ? reciprocal_sqrt_through_q32_32<Raw, F>(a)
+                                      : portable::reciprocal_sqrt<Raw, F>(a);
+}
+// The logarithm of a number of 2^-F as one of 2^-32 is (32 - F) ln 2 too small.
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw log(Raw a) {
+    constexpr int64_t ln2 = 24973259072661437;  // 2^-55
+    return through_q16_16<Raw, F>() && !portable::is_coarse_16<Raw, F>()
+               ? from_q16_16<Raw, F>(log<int32_t, 16>(to_q16_16<Raw, F>(a)))
+           : through_q32_32<Raw, F>()
+               ? (a > 0 ? from_q32_32<Raw, F>(log<int64_t, 32>(a) +
+                                              (((32 - F) * ln2 + (int64_t(1) << 22)) >> 23))
+                        : RawLimits<Raw>::min)
+               : portable::log<Raw, F>(a);
 }
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw atan2_small(Raw y, Raw x) {
@@ -126,7 +179,7 @@ FIXEDPOINT_CONSTEXPR Raw atan2_small(Raw y, Raw x) {
 
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR void sincos(Raw angle, Raw* sine_and_cosine) {
-    if (through_q16_16<Raw, F>()) {
+    if (through_q16_16<Raw, F>() && !portable::is_coarse_16<Raw, F>()) {
         int32_t wide[2] = {};
         sincos<int32_t, 16>(to_q16_16<Raw, F>(angle), wide);
         sine_and_cosine[0] = from_q16_16<Raw, F>(wide[0]);
@@ -175,9 +228,15 @@ FIXEDPOINT_CONSTEXPR __attribute__((noinline)) Raw divide_small(Raw a, Raw b) {
 // The remainder does not depend on the fraction bits.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw remainder(Raw a, Raw b) {
-    return has_assembly && sizeof(Raw) == 4 ? static_cast<Raw>(remainder<int32_t, 16>(
-                                                  static_cast<int32_t>(a), static_cast<int32_t>(b)))
-                                            : portable::remainder<Raw, F>(a, b);
+    return !has_assembly      ? portable::remainder<Raw, F>(a, b)
+           : sizeof(Raw) == 8 ? static_cast<Raw>(remainder<int64_t, 32>(static_cast<int64_t>(a),
+                                                                        static_cast<int64_t>(b)))
+           : sizeof(Raw) == 4 ? static_cast<Raw>(remainder<int32_t, 16>(static_cast<int32_t>(a),
+                                                                        static_cast<int32_t>(b)))
+           : sizeof(Raw) == 2 ? static_cast<Raw>(remainder<int16_t, 8>(static_cast<int16_t>(a),
+                                                                       static_cast<int16_t>(b)))
+                              : static_cast<Raw>(remainder<int8_t, 4>(static_cast<int8_t>(a),
+                                                                      static_cast<int8_t>(b)));
 }
 
 // Formats of 8 and 16 bits have the root of the integer a 2^F, rounded once.
@@ -193,17 +252,6 @@ FIXEDPOINT_CONSTEXPR Raw sqrt_small(Raw a) {
     return portable::sqrt<Raw, F>(a);
 }
 
-struct SqrtAndDivision {
-    static FIXEDPOINT_CONSTEXPR int64_t sqrt(int64_t a) { return kernel::sqrt<int64_t, 32>(a); }
-    static FIXEDPOINT_CONSTEXPR int64_t divide(int64_t a, int64_t b) {
-        return kernel::divide<int64_t, 32>(a, b);
-    }
-};
-template <>
-FIXEDPOINT_CONSTEXPR int64_t reciprocal_sqrt<int64_t, 32>(int64_t a) {
-    return portable::reciprocal_sqrt_by_division<SqrtAndDivision>(a);
-}
-
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw dot2(const Raw* a, const Raw* b) {
     return portable::dot2<Raw, F>(a, b);
@@ -213,46 +261,31 @@ FIXEDPOINT_CONSTEXPR Raw dot3(const Raw* a, const Raw* b) {
     return portable::dot3<Raw, F>(a, b);
 }
 
-// The length of raw numbers is the raw length, rounded once: the fraction bits cancel, and all
-// splits of 32 bits have the lengths of Q16.16, and those of 16 bits too.
-template <class Raw>
-FIXEDPOINT_CONSTEXPR Raw raw_length2(const Raw* v) {
-    const int32_t raw[2] = {static_cast<int32_t>(v[0]), static_cast<int32_t>(v[1])};
-    return clamped<Raw>(length2<int32_t, 16>(raw));
+// The fraction bits cancel: a width has one length, the kernel of its square split, which rounds to
+// nearest as the portable code does.
+#define FIXEDPOINT_LENGTH(length, Raw, F) \
+    FIXEDPOINT_CONSTEXPR Raw raw_##length(const Raw* v) { return length<Raw, F>(v); }
+FIXEDPOINT_LENGTH(length2, int8_t, 4)
+FIXEDPOINT_LENGTH(length2, int16_t, 8)
+FIXEDPOINT_LENGTH(length2, int32_t, 16)
+FIXEDPOINT_LENGTH(length3, int8_t, 4)
+FIXEDPOINT_LENGTH(length3, int16_t, 8)
+FIXEDPOINT_LENGTH(length3, int32_t, 16)
+#undef FIXEDPOINT_LENGTH
+FIXEDPOINT_CONSTEXPR int64_t raw_length2(const int64_t* v) {
+    return portable::length2<int64_t, 0>(v);
 }
-FIXEDPOINT_CONSTEXPR int32_t raw_length2(const int32_t* v) { return length2<int32_t, 16>(v); }
-template <class Raw>
-FIXEDPOINT_CONSTEXPR Raw raw_length3(const Raw* v) {
-    const int32_t raw[3] = {static_cast<int32_t>(v[0]), static_cast<int32_t>(v[1]),
-                            static_cast<int32_t>(v[2])};
-    return clamped<Raw>(length3<int32_t, 16>(raw));
-}
-FIXEDPOINT_CONSTEXPR int32_t raw_length3(const int32_t* v) { return length3<int32_t, 16>(v); }
-
-// Formats of up to 13 fraction bits round the length from Q16.16.
-template <class Raw, int F>
-FIXEDPOINT_CONSTEXPR Raw length2_through_q16_16(const Raw* v) {
-    const int32_t wide[2] = {to_q16_16<Raw, F>(v[0]), to_q16_16<Raw, F>(v[1])};
-    return from_q16_16<Raw, F>(length2<int32_t, 16>(wide));
-}
-template <class Raw, int F>
-FIXEDPOINT_CONSTEXPR Raw length3_through_q16_16(const Raw* v) {
-    const int32_t wide[3] = {to_q16_16<Raw, F>(v[0]), to_q16_16<Raw, F>(v[1]),
-                             to_q16_16<Raw, F>(v[2])};
-    return from_q16_16<Raw, F>(length3<int32_t, 16>(wide));
+FIXEDPOINT_CONSTEXPR int64_t raw_length3(const int64_t* v) {
+    return portable::length3<int64_t, 0>(v);
 }
 
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw length2(const Raw* v) {
-    return through_q16_16<Raw, F>()           ? length2_through_q16_16<Raw, F>(v)
-           : has_assembly && sizeof(Raw) <= 4 ? raw_length2(v)
-                                              : portable::length2<Raw, F>(v);
+    return has_assembly ? raw_length2(v) : portable::length2<Raw, F>(v);
 }
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw length3(const Raw* v) {
-    return through_q16_16<Raw, F>()           ? length3_through_q16_16<Raw, F>(v)
-           : has_assembly && sizeof(Raw) <= 4 ? raw_length3(v)
-                                              : portable::length3<Raw, F>(v);
+    return has_assembly ? raw_length3(v) : portable::length3<Raw, F>(v);
 }
 
 template <class Raw, int F>
@@ -278,7 +311,7 @@ struct Normalisation<int32_t, 16, true> : Normalisation<int32_t, 16, false> {};
 
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR void normalise3(const Raw* v, Raw* unit) {
-    if (through_q16_16<Raw, F>()) {
+    if (through_q16_16<Raw, F>() && !is_q8_8<Raw, F>()) {
         int32_t wide[3] = {to_q16_16<Raw, F>(v[0]), to_q16_16<Raw, F>(v[1]),
                            to_q16_16<Raw, F>(v[2])};
         normalise3<int32_t, 16>(wide, wide);

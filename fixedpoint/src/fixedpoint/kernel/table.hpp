@@ -32,8 +32,9 @@
 #define FIXEDPOINT_ARGUMENTS_MAPPING (v, mapped)
 
 // ROW(KERNEL, shape, operation, integer bits, fraction bits) for every split of 16 bits but Q8.8,
-// and of 32 bits but Q16.16, whose kernels are their own.
-#define FIXEDPOINT_SPLITS_16(ROW, KERNEL, shape, operation) \
+// and of 32 bits but Q16.16, whose kernels are their own. The coarse ones have less fraction bits
+// than Q8.8.
+#define FIXEDPOINT_COARSE_SPLITS_16(ROW, KERNEL, shape, operation) \
     ROW(KERNEL, shape, operation, 16, 0) \
     ROW(KERNEL, shape, operation, 15, 1) \
     ROW(KERNEL, shape, operation, 14, 2) \
@@ -41,7 +42,9 @@
     ROW(KERNEL, shape, operation, 12, 4) \
     ROW(KERNEL, shape, operation, 11, 5) \
     ROW(KERNEL, shape, operation, 10, 6) \
-    ROW(KERNEL, shape, operation, 9, 7) \
+    ROW(KERNEL, shape, operation, 9, 7)
+#define FIXEDPOINT_SPLITS_16(ROW, KERNEL, shape, operation) \
+    FIXEDPOINT_COARSE_SPLITS_16(ROW, KERNEL, shape, operation) \
     ROW(KERNEL, shape, operation, 7, 9) \
     ROW(KERNEL, shape, operation, 6, 10) \
     ROW(KERNEL, shape, operation, 5, 11) \
@@ -106,46 +109,83 @@
     KERNEL(BINARY, divide, int64_t, 32, fixedpoint_divide_q32_32, divide) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, BINARY, divide) \
     KERNEL(BINARY, divide_small, int32_t, 16, fixedpoint_divide_q16_16_small, divide) \
+    KERNEL(BINARY, remainder, int8_t, 4, fixedpoint_remainder_q4_4, remainder) \
+    KERNEL(BINARY, remainder, int16_t, 8, fixedpoint_remainder_q8_8, remainder) \
     KERNEL(BINARY, remainder, int32_t, 16, fixedpoint_remainder_q16_16, remainder) \
+    KERNEL(BINARY, remainder, int64_t, 32, fixedpoint_remainder_q32_32, remainder) \
     KERNEL(UNARY, sqrt, int8_t, 4, fixedpoint_sqrt_q4_4, sqrt) \
     KERNEL(UNARY, sqrt, int16_t, 8, fixedpoint_sqrt_q8_8, sqrt) \
     KERNEL(UNARY, sqrt, int32_t, 16, fixedpoint_sqrt_q16_16, sqrt) \
     KERNEL(UNARY, sqrt, int64_t, 32, fixedpoint_sqrt_q32_32, sqrt) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, UNARY, sqrt) \
     KERNEL(UNARY, sqrt_small, int32_t, 16, fixedpoint_sqrt_q16_16_small, sqrt) \
+    KERNEL(UNARY, reciprocal_sqrt, int8_t, 4, fixedpoint_reciprocal_sqrt_q4_4, reciprocal_sqrt) \
+    KERNEL(UNARY, reciprocal_sqrt, int16_t, 8, fixedpoint_reciprocal_sqrt_q8_8, reciprocal_sqrt) \
     KERNEL(UNARY, reciprocal_sqrt, int32_t, 16, fixedpoint_reciprocal_sqrt_q16_16, reciprocal_sqrt) \
+    KERNEL(UNARY, reciprocal_sqrt, int64_t, 32, fixedpoint_reciprocal_sqrt_q32_32, reciprocal_sqrt) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, UNARY, reciprocal_sqrt) \
     KERNEL(UNARY, reciprocal_sqrt_small, int32_t, 16, fixedpoint_reciprocal_sqrt_q16_16_small, reciprocal_sqrt_small) \
+    KERNEL(UNARY, sin, int8_t, 4, fixedpoint_sin_q4_4, sin) \
+    KERNEL(UNARY, sin, int16_t, 8, fixedpoint_sin_q8_8, sin) \
+    FIXEDPOINT_COARSE_SPLITS_16(FIXEDPOINT_KERNEL_OF_SPLIT_16, KERNEL, UNARY, sin) \
     KERNEL(UNARY, sin, int32_t, 16, fixedpoint_sin_q16_16, sin) \
+    KERNEL(UNARY, sin, int64_t, 32, fixedpoint_sin_q32_32, sin) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, UNARY, sin) \
     KERNEL(UNARY, sin_small, int32_t, 16, fixedpoint_sin_q16_16_small, sin_small) \
+    KERNEL(UNARY, cos, int8_t, 4, fixedpoint_cos_q4_4, cos) \
+    KERNEL(UNARY, cos, int16_t, 8, fixedpoint_cos_q8_8, cos) \
+    FIXEDPOINT_COARSE_SPLITS_16(FIXEDPOINT_KERNEL_OF_SPLIT_16, KERNEL, UNARY, cos) \
     KERNEL(UNARY, cos, int32_t, 16, fixedpoint_cos_q16_16, cos) \
+    KERNEL(UNARY, cos, int64_t, 32, fixedpoint_cos_q32_32, cos) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, UNARY, cos) \
     KERNEL(UNARY, cos_small, int32_t, 16, fixedpoint_cos_q16_16_small, cos_small) \
+    KERNEL(UNARY, atan, int8_t, 4, fixedpoint_atan_q4_4, atan) \
+    KERNEL(UNARY, atan, int16_t, 8, fixedpoint_atan_q8_8, atan) \
     KERNEL(UNARY, atan, int32_t, 16, fixedpoint_atan_q16_16, atan) \
+    KERNEL(UNARY, atan, int64_t, 32, fixedpoint_atan_q32_32, atan) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, UNARY, atan) \
     KERNEL(UNARY, atan_small, int32_t, 16, fixedpoint_atan_q16_16_small, atan_small) \
+    KERNEL(PAIR, sincos, int8_t, 4, fixedpoint_sincos_q4_4, sincos) \
+    KERNEL(PAIR, sincos, int16_t, 8, fixedpoint_sincos_q8_8, sincos) \
+    FIXEDPOINT_COARSE_SPLITS_16(FIXEDPOINT_KERNEL_OF_SPLIT_16, KERNEL, PAIR, sincos) \
     KERNEL(PAIR, sincos, int32_t, 16, fixedpoint_sincos_q16_16, sincos) \
+    KERNEL(PAIR, sincos, int64_t, 32, fixedpoint_sincos_q32_32, sincos) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, PAIR, sincos) \
     KERNEL(BINARY, atan2, int16_t, 8, fixedpoint_atan2_q8_8, atan2) \
     KERNEL(BINARY, atan2, int32_t, 16, fixedpoint_atan2_q16_16, atan2) \
+    KERNEL(BINARY, atan2, int64_t, 32, fixedpoint_atan2_q32_32, atan2) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, BINARY, atan2) \
     KERNEL(BINARY, atan2_small, int32_t, 16, fixedpoint_atan2_q16_16_small, atan2_small) \
+    KERNEL(UNARY, exp, int8_t, 4, fixedpoint_exp_q4_4, exp) \
     KERNEL(UNARY, exp, int32_t, 16, fixedpoint_exp_q16_16, exp) \
+    KERNEL(UNARY, exp, int64_t, 32, fixedpoint_exp_q32_32, exp) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, UNARY, exp) \
     KERNEL(UNARY, exp_small, int32_t, 16, fixedpoint_exp_q16_16_small, exp_small) \
+    KERNEL(UNARY, log, int8_t, 4, fixedpoint_log_q4_4, log) \
+    KERNEL(UNARY, log, int16_t, 8, fixedpoint_log_q8_8, log) \
+    FIXEDPOINT_COARSE_SPLITS_16(FIXEDPOINT_KERNEL_OF_SPLIT_16, KERNEL, UNARY, log) \
     KERNEL(UNARY, log, int32_t, 16, fixedpoint_log_q16_16, log) \
+    KERNEL(UNARY, log, int64_t, 32, fixedpoint_log_q32_32, log) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, UNARY, log) \
     KERNEL(UNARY, log_small, int32_t, 16, fixedpoint_log_q16_16_small, log_small) \
+    KERNEL(VECTORS, dot2, int8_t, 4, fixedpoint_dot2_q4_4, dot2) \
+    KERNEL(VECTORS, dot2, int16_t, 8, fixedpoint_dot2_q8_8, dot2) \
     KERNEL(VECTORS, dot2, int32_t, 16, fixedpoint_dot2_q16_16, dot2) \
     KERNEL(VECTORS, dot2, int64_t, 32, fixedpoint_dot2_q32_32, dot2) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, VECTORS, dot2) \
+    KERNEL(VECTORS, dot3, int8_t, 4, fixedpoint_dot3_q4_4, dot3) \
+    KERNEL(VECTORS, dot3, int16_t, 8, fixedpoint_dot3_q8_8, dot3) \
     KERNEL(VECTORS, dot3, int32_t, 16, fixedpoint_dot3_q16_16, dot3) \
     KERNEL(VECTORS, dot3, int64_t, 32, fixedpoint_dot3_q32_32, dot3) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, VECTORS, dot3) \
+    KERNEL(VECTOR, length2, int8_t, 4, fixedpoint_length2_q4_4, length2) \
+    KERNEL(VECTOR, length2, int16_t, 8, fixedpoint_length2_q8_8, length2) \
     KERNEL(VECTOR, length2, int32_t, 16, fixedpoint_length2_q16_16, length2) \
     KERNEL(VECTOR, length2, int64_t, 32, fixedpoint_length2_q32_32, length2) \
+    KERNEL(VECTOR, length3, int8_t, 4, fixedpoint_length3_q4_4, length3) \
+    KERNEL(VECTOR, length3, int16_t, 8, fixedpoint_length3_q8_8, length3) \
     KERNEL(VECTOR, length3, int32_t, 16, fixedpoint_length3_q16_16, length3) \
     KERNEL(VECTOR, length3, int64_t, 32, fixedpoint_length3_q32_32, length3) \
+    KERNEL(MAPPING, normalise3, int16_t, 8, fixedpoint_normalise3_q8_8, normalise3) \
     KERNEL(MAPPING, normalise3, int32_t, 16, fixedpoint_normalise3_q16_16, normalise3)
 // clang-format on

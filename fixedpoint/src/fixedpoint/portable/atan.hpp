@@ -3,6 +3,7 @@
 #pragma once
 
 #include <fixedpoint/portable/atan2.hpp>
+#include <fixedpoint/portable/convert.hpp>
 
 namespace fixedpoint {
 namespace portable {
@@ -24,6 +25,19 @@ template <class Raw, int F>
 struct ArcTangent {
     static FIXEDPOINT_CONSTEXPR Raw apply(Raw a) { return atan_small<Raw, F>(a); }
 };
+// Rounded to nearest by that of Q16.16, as the table of the kernel is.
+template <>
+struct ArcTangent<int8_t, 4> {
+    static FIXEDPOINT_CONSTEXPR int8_t apply(int8_t a) {
+        return convert_clamped<int8_t, 4, int32_t, 16>(
+                   atan_q16_16(convert<int32_t, 16, int8_t, 4>(a)))
+            .number;
+    }
+};
+template <>
+struct ArcTangent<int16_t, 8> {
+    static FIXEDPOINT_CONSTEXPR int16_t apply(int16_t a) { return atan2_q8_8(a, 1 << 8); }
+};
 template <int F>
 struct ArcTangent<int32_t, F> {
     static FIXEDPOINT_CONSTEXPR int32_t apply(int32_t a) { return atan_32<F>(a); }
@@ -31,6 +45,10 @@ struct ArcTangent<int32_t, F> {
 template <>
 struct ArcTangent<int32_t, 16> {
     static FIXEDPOINT_CONSTEXPR int32_t apply(int32_t a) { return atan_q16_16(a); }
+};
+template <>
+struct ArcTangent<int64_t, 32> {
+    static FIXEDPOINT_CONSTEXPR int64_t apply(int64_t a) { return atan_q32_32(a); }
 };
 
 template <class Raw, int F>

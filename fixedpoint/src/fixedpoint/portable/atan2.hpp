@@ -5,6 +5,7 @@
 
 #include <fixedpoint/portable/atan2_32.hpp>
 #include <fixedpoint/portable/atan2_q16_16.hpp>
+#include <fixedpoint/portable/atan2_q32_32.hpp>
 #include <fixedpoint/portable/atan2_q8_8.hpp>
 #include <fixedpoint/portable/atan2_small_q16_16.hpp>
 #include <fixedpoint/portable/cordic.hpp>
@@ -88,6 +89,10 @@ struct AngleOf<int32_t, F> {
 template <>
 struct AngleOf<int32_t, 16> {
     static FIXEDPOINT_CONSTEXPR int32_t apply(int32_t y, int32_t x) { return atan2_q16_16(y, x); }
+};
+template <>
+struct AngleOf<int64_t, 32> {
+    static FIXEDPOINT_CONSTEXPR int64_t apply(int64_t y, int64_t x) { return atan2_q32_32(y, x); }
 };
 
 template <class Raw, int F>

@@ -17,8 +17,8 @@ struct DoubleWordOf {
         return static_cast<Unsigned<Raw>>(a >> RawLimits<Raw>::width);
     }
     static constexpr Unsigned<Raw> low(Type a) { return static_cast<Unsigned<Raw>>(a); }
-    static constexpr Type square(Unsigned<Raw> a) {
-        return static_cast<Type>(static_cast<Type>(a) * a);
+    static constexpr Type multiply(Unsigned<Raw> a, Unsigned<Raw> b) {
+        return static_cast<Type>(static_cast<Type>(a) * b);
     }
 };
 
@@ -27,8 +27,8 @@ struct DoubleWordOf<int64_t> {
     using Type = Word128;
     static constexpr uint64_t high(Type a) { return a.high; }
     static constexpr uint64_t low(Type a) { return a.low; }
-    static FIXEDPOINT_CONSTEXPR Type square(uint64_t a) {
-        const Wide128 product = multiply_full(a, a);
+    static FIXEDPOINT_CONSTEXPR Type multiply(uint64_t a, uint64_t b) {
+        const Wide128 product = multiply_full(a, b);
         return {product.high, product.low};
     }
 };
@@ -39,7 +39,7 @@ using DoubleWord = typename DoubleWordOf<Raw>::Type;
 // a^2, and a_0^2 + ... + a_(n-1)^2, exact for up to 3 components: at most 3 * 2^(2W-2).
 template <class Raw>
 constexpr DoubleWord<Raw> square(Raw a) {
-    return DoubleWordOf<Raw>::square(magnitude(a));
+    return DoubleWordOf<Raw>::multiply(magnitude(a), magnitude(a));
 }
 template <class Raw>
 FIXEDPOINT_CONSTEXPR DoubleWord<Raw> sum_of_squares(const Raw* a, int n) {

@@ -5,6 +5,7 @@
 #include <fixedpoint/portable/double_word.hpp>
 #include <fixedpoint/portable/exp_32.hpp>
 #include <fixedpoint/portable/exp_q16_16.hpp>
+#include <fixedpoint/portable/exp_q32_32.hpp>
 #include <fixedpoint/portable/exp_small_q16_16.hpp>
 #include <fixedpoint/portable/pseudo_division_table.hpp>
 
@@ -95,6 +96,10 @@ struct Exponential<int32_t, F> {
 template <>
 struct Exponential<int32_t, 16> {
     static FIXEDPOINT_CONSTEXPR int32_t apply(int32_t a) { return exp_q16_16(a); }
+};
+template <>
+struct Exponential<int64_t, 32> {
+    static FIXEDPOINT_CONSTEXPR int64_t apply(int64_t a) { return exp_q32_32(a); }
 };
 
 template <class Raw, int F>

@@ -3,14 +3,29 @@
 // number where a <= 0.
 #pragma once
 
+#include <fixedpoint/portable/convert.hpp>
 #include <fixedpoint/portable/cordic.hpp>
+#include <fixedpoint/portable/log_16.hpp>
 #include <fixedpoint/portable/log_32.hpp>
 #include <fixedpoint/portable/log_q16_16.hpp>
+#include <fixedpoint/portable/log_q32_32.hpp>
 #include <fixedpoint/portable/log_small_q16_16.hpp>
 #include <fixedpoint/portable/pseudo_division_table.hpp>
 
 namespace fixedpoint {
 namespace portable {
+
+// ln(1 + 2^-i) with Bits - 6 fraction bits. Behind the table it is 2^-i - 2^-2i / 2 but for 2^-3i /
+// 3; formats of 63 fraction bits and less end before.
+template <class Word, int most>
+FIXEDPOINT_CONSTEXPR Word logarithm_of_factor(int i) {
+    using Constants = PseudoDivisionConstants<Word>;
+    constexpr int count = static_cast<int>(sizeof Constants::logarithm / sizeof(Word));
+    constexpr int bits = cordic_bits<Word>();
+    return most <= count || i <= count
+               ? read_program_memory(Constants::logarithm[i - 1])
+               : (Word(1) << (bits - 6 - i)) - (Word(1) << (bits - 7 - 2 * i));
+}
 
 // ln(mantissa) with Bits - 6 fraction bits, by pseudo-division (J. E. Meggitt, "Pseudo division and
 // pseudo multiplication processes", 1962); mantissa from 1 to 2, with Bits - 3 fraction bits.
@@ -21,7 +36,6 @@ namespace portable {
 // little to matter, 2^-2i < 2^-(F + 3), the steps become the long division of the rest by it.
 template <int F, class Word>
 FIXEDPOINT_CONSTEXPR Word mantissa_logarithm(Word mantissa) {
-    using Constants = PseudoDivisionConstants<Word>;
     constexpr int bits = cordic_bits<Word>();
     constexpr int factors = (F + 5) / 2;
     constexpr int steps = F + 4;
@@ -36,7 +50,7 @@ FIXEDPOINT_CONSTEXPR Word mantissa_logarithm(Word mantissa) {
             rest = rest - product;
             if (i <= factors) {
                 product = product + (product >> i);
-                logarithm = logarithm + read_program_memory(Constants::logarithm[i - 1]);
+                logarithm = logarithm + logarithm_of_factor<Word, factors>(i);
             } else {
                 logarithm = logarithm + (Word(1) << (bits - 6 - i));
             }
@@ -71,17 +85,34 @@ FIXEDPOINT_CONSTEXPR int32_t log_small<int32_t, 16>(int32_t a) {
     return log_small_q16_16(a);
 }
 
-template <class Raw, int F>
+template <class Raw, int F, bool is_coarse = is_coarse_16<Raw, F>()>
 struct Logarithm {
     static constexpr Raw apply(Raw a) { return log_small<Raw, F>(a); }
 };
+// Rounded to nearest by that of Q16.16, as the table of the kernel is.
+template <>
+struct Logarithm<int8_t, 4, false> {
+    static FIXEDPOINT_CONSTEXPR int8_t apply(int8_t a) {
+        return convert_clamped<int8_t, 4, int32_t, 16>(
+                   log_q16_16(convert<int32_t, 16, int8_t, 4>(a)))
+            .number;
+    }
+};
 template <int F>
-struct Logarithm<int32_t, F> {
+struct Logarithm<int16_t, F, true> {
+    static FIXEDPOINT_CONSTEXPR int16_t apply(int16_t a) { return log_16<F>(a); }
+};
+template <int F>
+struct Logarithm<int32_t, F, false> {
     static FIXEDPOINT_CONSTEXPR int32_t apply(int32_t a) { return log_32<F>(a); }
 };
 template <>
-struct Logarithm<int32_t, 16> {
+struct Logarithm<int32_t, 16, false> {
     static FIXEDPOINT_CONSTEXPR int32_t apply(int32_t a) { return log_q16_16(a); }
+};
+template <>
+struct Logarithm<int64_t, 32> {
+    static FIXEDPOINT_CONSTEXPR int64_t apply(int64_t a) { return log_q32_32(a); }
 };
 
 template <class Raw, int F>

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // normalise3: v / |v|, in place or elsewhere; a zero vector stays zero. Each component is within
-// 0.9 ulp in Q16.16, bit for bit as the kernel computes it, within 0.97 ulp where
-// normalises_by_length, and rounded to nearest in the other formats.
+// 0.9 ulp in Q16.16 and 0.75 ulp in Q8.8, bit for bit as the kernels compute it, within 0.97 ulp
+// where normalises_by_length, and rounded to nearest in the other formats.
 #pragma once
 
 #include <fixedpoint/portable/divide.hpp>
 #include <fixedpoint/portable/length.hpp>
+#include <fixedpoint/portable/normalise_q8_8.hpp>
 #include <fixedpoint/portable/reciprocal_sqrt.hpp>
 
 namespace fixedpoint {
@@ -78,6 +79,13 @@ struct Normalisation<Raw, F, false> {
                               : nearest_root_of_ratio<Raw>(square(v[i]), length_squared, 2 * F);
             }
         }
+    }
+};
+
+template <>
+struct Normalisation<int16_t, 8, false> {
+    static FIXEDPOINT_CONSTEXPR void apply(const int16_t* v, int16_t* unit) {
+        normalise3_q8_8(v, unit);
     }
 };
 

@@ -4,8 +4,11 @@
 #pragma once
 
 #include <fixedpoint/portable/cordic.hpp>
+#include <fixedpoint/portable/elementary_table.hpp>
+#include <fixedpoint/portable/sin_16.hpp>
 #include <fixedpoint/portable/sin_32.hpp>
 #include <fixedpoint/portable/sin_q16_16.hpp>
+#include <fixedpoint/portable/sin_q32_32.hpp>
 #include <fixedpoint/portable/sin_small_q16_16.hpp>
 
 namespace fixedpoint {
@@ -62,9 +65,12 @@ FIXEDPOINT_CONSTEXPR UnitVector<Word> unit_vector(Word angle) {
     Word x = Constants::gain();
     Word y(0);
     for (int i = 1; i <= turns; ++i) {
-        const Word step = i <= Constants::arctangent_count
-                              ? read_program_memory(Constants::arctangent[i - 1])
-                              : Word(1) << (bits - 2 - i);
+        // Behind the table atan(2^-i) is 2^-i, or finer than for sines 2^-i - 2^-3i / 3.
+        const Word step =
+            i <= Constants::arctangent_count ? read_program_memory(Constants::arctangent[i - 1])
+            : F <= Constants::largest_fraction_bits || 3 * i + 2 >= bits
+                ? Word(1) << (bits - 2 - i)
+                : (Word(1) << (bits - 2 - i)) - (ElementaryConstants<Word>::third() >> (3 * i + 2));
         const Word x_part = x >> i;
         const Word y_part = shift_right_signed(y, i);
         if (is_negative(angle)) {
@@ -164,7 +170,7 @@ FIXEDPOINT_CONSTEXPR void sincos_small<int32_t, 16>(int32_t angle, int32_t* resu
     result[1] = cos_small_q16_16(angle);
 }
 
-template <class Raw, int F>
+template <class Raw, int F, bool is_coarse = is_coarse_16<Raw, F>()>
 struct Sine {
     static constexpr Raw sin(Raw angle) { return sin_small<Raw, F>(angle); }
     static constexpr Raw cos(Raw angle) { return cos_small<Raw, F>(angle); }
@@ -173,7 +179,16 @@ struct Sine {
     }
 };
 template <int F>
-struct Sine<int32_t, F> {
+struct Sine<int16_t, F, true> {
+    static FIXEDPOINT_CONSTEXPR int16_t sin(int16_t angle) { return sin_16<F>(angle); }
+    static FIXEDPOINT_CONSTEXPR int16_t cos(int16_t angle) { return cos_16<F>(angle); }
+    static FIXEDPOINT_CONSTEXPR void sincos(int16_t angle, int16_t* result) {
+        result[0] = sin_16<F>(angle);
+        result[1] = cos_16<F>(angle);
+    }
+};
+template <int F>
+struct Sine<int32_t, F, false> {
     static FIXEDPOINT_CONSTEXPR int32_t sin(int32_t angle) { return sin_32<F>(angle); }
     static FIXEDPOINT_CONSTEXPR int32_t cos(int32_t angle) { return cos_32<F>(angle); }
     static FIXEDPOINT_CONSTEXPR void sincos(int32_t angle, int32_t* result) {
@@ -183,12 +198,22 @@ struct Sine<int32_t, F> {
     }
 };
 template <>
-struct Sine<int32_t, 16> {
+struct Sine<int32_t, 16, false> {
     static FIXEDPOINT_CONSTEXPR int32_t sin(int32_t angle) { return sin_q16_16(angle); }
     static FIXEDPOINT_CONSTEXPR int32_t cos(int32_t angle) { return cos_q16_16(angle); }
     static FIXEDPOINT_CONSTEXPR void sincos(int32_t angle, int32_t* result) {
         result[0] = sin_q16_16(angle);
         result[1] = cos_q16_16(angle);
+    }
+};
+template <>
+struct Sine<int64_t, 32> {
+    static FIXEDPOINT_CONSTEXPR int64_t sin(int64_t angle) { return sin_q32_32(angle); }
+    static FIXEDPOINT_CONSTEXPR int64_t cos(int64_t angle) { return cos_q32_32(angle); }
+    static FIXEDPOINT_CONSTEXPR void sincos(int64_t angle, int64_t* result) {
+        const uint64_t turns = quarter_turns_q32_32(angle);
+        result[0] = sine_of_quarter_turns_q32_32(turns);
+        result[1] = sine_of_quarter_turns_q32_32(turns + one_quarter_turn_q32_32);
     }
 };
 

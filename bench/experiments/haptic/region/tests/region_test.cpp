@@ -3,11 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fixedpoint/arithmetic/published.hpp>
 #include <numbers>
+#include <stdexcept>
 
 #include "bench/experiments/haptic/device_loop.hpp"
 #include "bench/experiments/haptic/host_loop.hpp"
 #include "bench/experiments/haptic/region/devices.hpp"
+#include "bench/experiments/haptic/region/identification.hpp"
 #include "bench/experiments/haptic/region/linear_loop.hpp"
 
 namespace haptic::region {
@@ -21,6 +24,11 @@ struct Unled : firmware::LeverChoices<float> {
     static constexpr float servo_delay() { return 0; }
 };
 struct Led : firmware::LeverChoices<float> {
+    static constexpr bool selective_damping = false;
+};
+
+struct PublishedUndamped
+    : firmware::PublishedLeverChoices<fixedpoint::Fixed<16, 16, fixedpoint::Published>> {
     static constexpr bool selective_damping = false;
 };
 
@@ -175,6 +183,51 @@ TEST(HostLoop, IsTheChipsTwin) {
     EXPECT_NEAR(static_cast<double>(host.steps()),
                 static_cast<double>(chip.timing().step_begins.size()), 1);
     EXPECT_NEAR(host.pulse(), chip.pulse(), 10e-6);
+}
+
+// A lever whose sensors are on a frame without inertia falls by gravity alone, from 30 degrees
+// above the horizontal to 29 below: the pendulum's integral, whose singular end theta = 30 degrees
+// - u^2 removes.
+TEST(Fall, IsGravitysWhereNothingPressesTheSensors) {
+    Parameters p = published_parameters();
+    p.lever.inertia *= 1e-2;
+    p.servo.inertia *= 1e-2;
+    p.electrical.noise = 0;
+    const double top = degrees(30), range = std::sqrt(degrees(59));
+    constexpr int steps = 10000;
+    double integral = 0;
+    for (int i = 0; i < steps; ++i) {
+        const double u = (i + 0.5) / steps * range;
+        integral += 2 * u / std::sqrt(std::sin(top) - std::sin(top - u * u)) * range / steps;
+    }
+    const double gravity = std::sqrt(shortest_arm / (2 * 9.81)) * integral;
+    EXPECT_NEAR(gravity, 0.2294, 1e-4);
+    HostLoop<Led> loop(p, scenario("release_and_fall").script, step_takes);
+    const auto fall = watch_fall(loop);
+    ASSERT_TRUE(fall);
+    EXPECT_NEAR(*fall, gravity, Schedule::frame);
+}
+
+// Who falls and swings as published does so on a loop of its own; who does not is not kept.
+TEST(Identification, KeepsThePlantsThatFallAndSwingAsPublished) {
+    EXPECT_NEAR(published_fall(), 0.18 * std::sqrt(0.23 / 0.20), 1e-12);
+    constexpr double takes = 5.8e-3;
+    const Identification found = identify(2, takes, 2);
+    ASSERT_TRUE(found.draws.back().as_published);
+    std::size_t kept = 0;
+    for (const Identification::Draw& draw : found.draws) {
+        HostLoop<PublishedUndamped> released(draw.plant, scenario("release_and_fall").script,
+                                             takes);
+        const double ratio = watch_fall(released).value_or(9) / published_fall();
+        HostLoop<PublishedUndamped> held(draw.plant, Holding(shortest_arm).script, takes);
+        const bool as_published = ratio >= 0.9 && ratio <= 1.1 && !watch_held(held).still();
+        EXPECT_EQ(draw.as_published, as_published) << draw.seed;
+        kept += as_published;
+    }
+    EXPECT_EQ(kept, 2u);
+    EXPECT_EQ(found.plants(2).size(), 2u);
+    EXPECT_THROW(found.plants(3), std::out_of_range);
+    EXPECT_EQ(identify(2, takes, 1).draws.size(), found.draws.size());
 }
 
 // At the shortest arm, on plants whose light foams let go of a sensor while the weight is held: on

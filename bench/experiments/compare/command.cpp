@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fixbench compare.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "bench/experiments/compare/compare.hpp"
+#include "bench/lab/program/experiment.hpp"
+
+namespace compare {
+namespace {
+
+const fixbench::Registration command({
+    .name = "compare",
+    .description =
+        "Two runs held against each other: which subjects got slower, larger or less exact, and "
+        "one\n"
+        "score, the geometric mean of how many times better than avr-libc's float ours is in "
+        "cycles,\n"
+        "flash and error over a fixed list of operations, with its parts. File: compare.csv.\n"
+        "Exit status 1 where a figure is worse or a subject is gone.\n\n"
+        "Example: fixbench compare HEAD~1 results",
+    .prints = {"compare.csv"},
+    .add =
+        [](CLI::App& command) {
+            struct Asked {
+                std::string before, after;
+            };
+            const auto asked = std::make_shared<Asked>();
+            command
+                .add_option("old", asked->before,
+                            "folder of a run, or a git revision with results/data/operations.csv")
+                ->required();
+            command.add_option("new", asked->after, "the same of the later run")->required();
+            return [asked](const fixbench::Call& call) {
+                const records::Table before = operations_of(asked->before, FIXBENCH_SOURCE_FOLDER),
+                                     after = operations_of(asked->after, FIXBENCH_SOURCE_FOLDER);
+                std::vector<Change> rows = changes(before, after);
+                const auto worse = std::count_if(rows.begin(), rows.end(), [](const Change& each) {
+                    return each.verdict == "worse" || each.verdict == "gone";
+                });
+                const std::vector<Change> scores = score(before, after);
+                rows.insert(rows.end(), scores.begin(), scores.end());
+                records::table_of(rows).save(call.output / "compare.csv");
+                if (worse == 0) return fixbench::held;
+                fmt::print(stderr, "fixbench: {} figures are worse or gone\n", worse);
+                return fixbench::check_failed;
+            };
+        },
+});
+
+}  // namespace
+}  // namespace compare

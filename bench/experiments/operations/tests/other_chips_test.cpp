@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Functions on other chips: the ATmega328P, loaded as any chip, counts what its own class counts;
+// a chip with addresses of 22 bits pays a cycle more for each call and return.
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "bench/chip/simulator/device_function.hpp"
+#include "bench/chip/simulator/other_chip.hpp"
+#include "bench/experiments/operations/measure_other_chips.hpp"
+#include "bench/lab/records/csv.hpp"
+
+namespace operations {
+namespace {
+
+using simulator::OtherChip;
+using simulator::Signature;
+using simulator::SimulationError;
+
+const std::string atmega328p = OTHER_CHIPS_SAME;
+const Signature unary{.result = 4, .operands = {4}}, binary{.result = 4, .operands = {4, 4}},
+    wide{.result = 8, .operands = {8, 8, 8}};  // the third operand lies on the stack
+
+TEST(OtherChip, CountsWhatTheSimulatedAtmega328pCounts) {
+    const std::pair<const char*, Signature> functions[] = {
+        {"twice", unary}, {"sum", binary}, {"last", wide}};
+    for (const auto& [name, signature] : functions) {
+        simulator::Chip chip{simulator::Elf(atmega328p)};
+        chip.run_until_function("main");
+        simulator::DeviceFunction known(chip, name, signature);
+        OtherChip other("atmega328p", atmega328p);
+        for (const std::uint64_t a : {0ull, 1ull, 0xffffull, 0x7fffffffull, 0x123456789abull}) {
+            const std::vector<std::uint64_t> operands(signature.operands.size(), a);
+            const simulator::Outcome expected = known.call(operands);
+            const OtherChip::Outcome outcome = other.call(name, signature, operands);
+            EXPECT_EQ(outcome.result, expected.result) << name;
+            EXPECT_EQ(outcome.cycles, expected.cycles) << name;
+        }
+    }
+}
+
+TEST(OtherChip, PaysForItsOwnCallAndReturn) {
+    const std::uint64_t operands[] = {3, 4};
+    const auto cycles = [&](const char* name, const char* program) {
+        const OtherChip::Outcome outcome = OtherChip(name, program).call("sum", binary, operands);
+        EXPECT_EQ(outcome.result, 7u) << name;
+        return outcome.cycles;
+    };
+    // add, adc, adc, adc, ret; data sheets, "Instruction Set Summary".
+    EXPECT_EQ(cycles("atmega328p", OTHER_CHIPS_SAME), 4 + 4 + 4u);
+    EXPECT_EQ(cycles("atmega2560", OTHER_CHIPS_LARGE), 5 + 4 + 5u);
+    EXPECT_EQ(cycles("attiny85", OTHER_CHIPS_SMALL), 3 + 4 + 4u);
+}
+
+TEST(OtherChip, RefusesWhatItCannotRun) {
+    EXPECT_THROW(OtherChip("atmega328q", atmega328p), SimulationError);
+    EXPECT_THROW(OtherChip("attiny85", "no_such.elf"), SimulationError);
+    OtherChip chip("atmega328p", atmega328p);
+    EXPECT_THROW(chip.call("none", unary, {}), SimulationError);
+    const std::uint64_t one[] = {1};
+    EXPECT_THROW(chip.call("endless", unary, one), SimulationError);
+    EXPECT_THROW(chip.call("careless", unary, one), SimulationError);
+}
+
+// A wrong sum is told of: the program is one that claims to add and multiply.
+TEST(OtherChips, TellsOfResultsThatBreakTheDefinition) {
+    const std::filesystem::path folder = OTHER_CHIPS_SCRATCH;
+    std::filesystem::create_directories(folder / "atmega328p/q16_16");
+    std::filesystem::create_directories(folder / "out");
+    for (const char* subject : {"add_q16_16_default", "subtract_q16_16_default"})
+        std::filesystem::copy_file(atmega328p,
+                                   folder / "atmega328p/q16_16" / (subject + std::string(".elf")),
+                                   std::filesystem::copy_options::overwrite_existing);
+    std::ofstream(folder / "atmega328p/q16_16/programs.csv")
+        << "subject,flash_bytes\nadd_q16_16_default,10\nsubtract_q16_16_default,10\n"
+           "multiply_q16_16_default,\n";
+    OtherChipOptions options;
+    options.chips = {"atmega328p"};
+    options.programs = folder;
+    options.output = folder / "out";
+    options.selection.formats = {"q16_16"};
+    options.selection.operands = {"full"};
+    options.samples = 100;
+    EXPECT_GT(measure_other_chips(options), 90u);
+    const records::Table table = records::Table::load(folder / "out/other_chips.csv");
+    ASSERT_EQ(table.rows().size(), 2u);
+    const auto cell = [&](std::size_t row, const char* name) {
+        return table.rows()[row][table.column(name)];
+    };
+    EXPECT_EQ(cell(0, "operation"), "add");
+    EXPECT_EQ(cell(0, "violations"), "0");
+    EXPECT_EQ(cell(0, "cycles_max"), "12");
+    EXPECT_EQ(cell(0, "flash_bytes"), "10");
+    EXPECT_GT(std::stoi(cell(1, "violations")), 90);
+    options.selection.operations = {"divide"};
+    EXPECT_THROW(measure_other_chips(options), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace operations

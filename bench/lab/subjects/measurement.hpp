@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What many calls of one function cost and how far their results are off.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <span>
+
+#include "bench/lab/subjects/device_subject.hpp"
+#include "reference/error_statistics.hpp"
+
+namespace operations {
+
+struct Measurement {
+    std::uint64_t samples = 0;
+    std::uint32_t cycles_min = std::numeric_limits<std::uint32_t>::max();
+    std::uint32_t cycles_max = 0;
+    std::uint64_t cycles_sum = 0;
+    std::uint64_t regular = 0, regular_cycles_sum = 0;
+    reference::Witness cycles_max_witness{};
+    std::uint16_t stack_bytes = 0;
+    reference::ErrorStatistics errors{};
+
+    void add(std::span<const std::int64_t> operands, const DeviceResult& result,
+             const reference::Judgement& judgement) {
+        ++samples;
+        cycles_sum += result.cycles;
+        cycles_min = std::min(cycles_min, result.cycles);
+        stack_bytes = std::max(stack_bytes, result.stack_bytes);
+        if (result.cycles > cycles_max) {
+            cycles_max = result.cycles;
+            cycles_max_witness = reference::Witness(operands);
+        }
+        errors.add(judgement, operands);
+        if (!judgement.regular()) return;
+        ++regular;
+        regular_cycles_sum += result.cycles;
+    }
+    // Over the regular operands; over all where none is.
+    double cycles_mean() const {
+        return regular > 0 ? static_cast<double>(regular_cycles_sum) / static_cast<double>(regular)
+                           : static_cast<double>(cycles_sum) / static_cast<double>(samples);
+    }
+};
+
+// What the random operands of a measurement may take: the portable functions of the 64-bit formats
+// cost up to half a million cycles a call.
+constexpr std::uint64_t measurement_cycles = 200'000'000;
+
+// Input spaces up to this size are run through as a class of their own.
+constexpr int all_inputs_bits = 16;
+
+}  // namespace operations

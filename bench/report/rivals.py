@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Other libraries beside ours, on operands of 0.01 to 20."""
+from data import DataError
+
+# How the pages call the variants of rivals.json, in the order of the table's columns.
+NAMES = {
+    "libfixmath": "libfixmath",
+    "libfixmath_bytes": "libfixmath, 8-bit option",
+    "fixed_points": "FixedPointsArduino",
+    "fix_math": "FixMath (Mozzi)",
+    "avrfix": "AVRfix",
+    "fixedptc": "fixedptc",
+    "gcc_accum": "GCC _Accum, s16.15",
+    "fxlib": "avr-libc fxlib, s16.15",
+    "wide_integer": "64-bit integers",
+}
+MARKERS = dict(zip(NAMES, "xx+1234|_"))
+COLOURS = dict(zip(NAMES, ("#555555", "#999999", *["#777777"] * 7)))
+# Of 32 bits that hold the same range to within a bit.
+FORMATS = {"q16_16": 16, "s16_15": 15}
+
+
+def rows(data, operation=None):
+    """Those of the formats that are held against Q16.16 which return for all operands; none where nothing was measured."""
+    found = data.rows("rivals", operands="physics") if data.has("rivals") else []
+    unknown = {row["variant"] for row in found} - set(NAMES) - {"fixedptc_default"}
+    if unknown:
+        raise DataError(f"rivals.csv has a variant that no page has a name for: {min(unknown)}")
+    return [row for row in found if row["format"] in FORMATS and row["variant"] in NAMES and row["regular"]
+            and not row["failure"] and operation in (None, row["operation"])]
+
+
+def point(row):
+    """Cycles, and the rms error in the unit of the result."""
+    return row["cycles_mean"], row["rms_ulp"] * 2.0 ** -FORMATS[row["format"]]
+
+
+def ours(data, operation):
+    """Cycles, rms error in ulp and flash of Q16.16; none where it has no such operation."""
+    for row in data.rows("operations", operation=operation, format="q16_16", implementation="default",
+                         operands="physics"):
+        return row["cycles_mean"], row["rms_error"] * 2 ** FORMATS["q16_16"], row["flash_bytes"]
+    return None
+
+
+def table(data):
+    """For each operation ours and each variant: (cycles, rms error in ulp), None where it has no such function."""
+    lines = []
+    for operation in dict.fromkeys(row["operation"] for row in data.rows("operations", format="q16_16",
+                                                                           implementation="default")):
+        found = {row["variant"]: (row["cycles_mean"], row["rms_ulp"]) for row in rows(data, operation)}
+        if found:
+            lines.append((operation, ours(data, operation), [found.get(name) for name in NAMES]))
+    return lines
+
+
+def origins(data):
+    """Which libraries were measured, in a sentence: name, version, commit and date."""
+    found = {row["rival"]: row for row in rows(data)}
+    texts = []
+    for name, row in found.items():
+        version = [row["version"] and str(row["version"]), row["commit"] and f"at {row['commit']}"]
+        texts.append(" ".join([name, *filter(None, version), f"({row['measured']})"]))
+    return "Measured: " + "; ".join(texts) + "."
+
+
+def finding(data):
+    """Where another library takes fewer cycles than ours, or as many, and how often less flash."""
+    ahead, equal, count, smaller = [], set(), 0, 0
+    for row in rows(data):
+        mine = ours(data, row["operation"])
+        if mine is None:
+            continue
+        count += 1
+        smaller += row["flash_bytes"] < mine[2]
+        if row["cycles_mean"] < mine[0]:
+            ahead.append(f"{NAMES[row['variant']]} in {row['operation']}")
+        elif row["cycles_mean"] == mine[0]:
+            equal.add(row["operation"])
+    text = f"Of {count} functions of other libraries "
+    if ahead:
+        text += f"{len(ahead)} {'take' if len(ahead) > 1 else 'takes'} fewer cycles than ours: {', '.join(ahead)}"
+    else:
+        text += "none takes fewer cycles than ours"
+    if equal:
+        text += f"; in {' and '.join(sorted(equal))} some take as many"
+    return f"{text}. Less flash than ours take {smaller} of them; where that counts, the small tables are there."

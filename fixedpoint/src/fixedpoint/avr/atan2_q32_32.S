@@ -1,0 +1,408 @@
+// SPDX-License-Identifier: MIT
+// int64_t fixedpoint_atan2_q32_32(int64_t y, int64_t x)
+// int64_t fixedpoint_atan_q32_32(int64_t a)
+// The angle of the vector (x, y) in (-pi, pi] and of (1, a), within 0.65 ulp; atan2(0, 0) = 0.
+//
+// In       y = r25:r18, x = r17:r10; a = r25:r18
+// Out      r25:r18
+// Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
+// Stack    11 bytes
+// Tables   3328 bytes, fixedpoint_atan_64_table; 1280 bytes, fixedpoint_ratio_table; 256 bytes,
+//          fixedpoint_leading_one_table
+//
+// Both coordinates go up until the longer one D has its leading one at the top; five bytes of each are
+// kept, N of the shorter one. Chords on 256 intervals give 2^63 / D in three bytes R, 40 less, so that R
+// is never too large. Three bytes g of N / D follow from N R, at most 2^-17 too small; the remainder
+// N - g D, exact but for what lies below the result, times R + 40 gives the bytes below. The ratio, 40
+// bits, is the position in the table of the arc tangent; 2^40 - 1 where it rounds to 1. The angle is put
+// back from the first octant.
+//
+// Error in units of 2^-39: the core 11.0; the product of the relative errors of R, 73 2^-24, and of R +
+// 40, 34 2^-24, 1.2; the bytes left out 3; N and D cut to five bytes 1; the rounding 64, half an ulp.
+
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
+#include "cubic_64.inc"
+
+#define n0 r21
+#define n1 r22
+#define n2 r23
+#define n3 r24
+#define n4 r25
+#define d0 r13
+#define d1 r14
+#define d2 r15
+#define d3 r16
+#define d4 r17
+// R and, while it is interpolated, the slope and its multiple.
+#define inverse0 r10
+#define inverse1 r11
+#define inverse2 r12
+#define slope0 r18
+#define slope1 r19
+#define fraction0 r26
+#define fraction1 r27
+#define fall0 r26
+#define fall1 r18
+#define g0 r26
+#define g1 r27
+#define g2 r31
+#define nothing r20
+#define bias r19
+
+#define STEEP 0
+#define LEFT 1
+
+    .macro add_upper_byte a, b, p0, p1, p2
+    mul \a, \b
+    add \p0, r1
+    adc \p1, nothing
+    adc \p2, nothing
+    .endm
+    .macro add_product a, b, p0, p1, p2
+    mul \a, \b
+    add \p0, r0
+    adc \p1, r1
+    adc \p2, nothing
+    .endm
+
+    // p2:p1:p0 = a b / 2^24 of three bytes each: portable/multiply_high_24.hpp.
+    .macro product_of_fractions p2, p1, p0, a2, a1, a0, b2, b1, b0
+    mul \a2, \b2
+    mov \p1, r0
+    mov \p2, r1
+    mul \a2, \b0
+    mov \p0, r1
+    add_upper_byte \a1, \b1, \p0, \p1, \p2
+    add_upper_byte \a0, \b2, \p0, \p1, \p2
+    add_product \a2, \b1, \p0, \p1, \p2
+    add_product \a1, \b2, \p0, \p1, \p2
+    .endm
+
+    // The angle is r22:r18, r26 in units of 2^-39 and holds half an ulp for the rounding, before and after.
+    .macro add_to_angle value
+    .set constant, -(\value)
+    subi r26, constant & 0xff
+    sbci r18, (constant >> 8) & 0xff
+    sbci r19, (constant >> 16) & 0xff
+    sbci r20, (constant >> 24) & 0xff
+    sbci r21, (constant >> 32) & 0xff
+    sbci r22, (constant >> 40) & 0xff
+    .endm
+    .macro subtract_angle_from value
+    com r26
+    com r18
+    com r19
+    com r20
+    com r21
+    com r22
+    add_to_angle (\value + 1 + (2 << 6))
+    .endm
+
+    SECTION fixedpoint_atan2_q32_32
+    ENTRY fixedpoint_atan_q32_32
+    push r10
+    push r11
+    push r12
+    push r13
+    push r14
+    push r15
+    push r16
+    push r17
+    clr r10
+    clr r11
+    movw r12, r10
+    movw r14, r10
+    movw r16, r10
+    inc r14
+    ldi r30, 0
+    rjmp .Lright
+    ENDFUNC fixedpoint_atan_q32_32
+
+    ENTRY fixedpoint_atan2_q32_32
+    push r10
+    push r11
+    push r12
+    push r13
+    push r14
+    push r15
+    push r16
+    push r17
+    ldi r30, 0
+    sbrs r17, 7
+    rjmp .Lright
+    ldi r30, 1 << LEFT
+    clr r26
+    com r10
+    com r11
+    com r12
+    com r13
+    com r14
+    com r15
+    com r16
+    com r17             // leaves a carry
+    adc r10, r26
+    adc r11, r26
+    adc r12, r26
+    adc r13, r26
+    adc r14, r26
+    adc r15, r26
+    adc r16, r26
+    adc r17, r26
+.Lright:
+    bst r25, 7
+    brtc 1f
+    com r25
+    com r24
+    com r23
+    com r22
+    com r21
+    com r20
+    com r19
+    neg r18
+    sbci r19, 0xff
+    sbci r20, 0xff
+    sbci r21, 0xff
+    sbci r22, 0xff
+    sbci r23, 0xff
+    sbci r24, 0xff
+    sbci r25, 0xff
+1:  cp r18, r10
+    cpc r19, r11
+    cpc r20, r12
+    cpc r21, r13
+    cpc r22, r14
+    cpc r23, r15
+    cpc r24, r16
+    cpc r25, r17
+    brlo 1f
+    movw r26, r10
+    movw r10, r18
+    movw r18, r26
+    movw r26, r12
+    movw r12, r20
+    movw r20, r26
+    movw r26, r14
+    movw r14, r22
+    movw r22, r26
+    movw r26, r16
+    movw r16, r24
+    movw r24, r26
+    ori r30, 1 << STEEP
+1:  push r30
+    mov r0, r17
+    or r0, r16
+    or r0, r15
+    or r0, r14
+    brne 1f
+    movw r16, r12
+    movw r14, r10
+    movw r24, r20
+    movw r22, r18
+    clr r10
+    clr r11
+    movw r12, r10
+    movw r18, r10
+    movw r20, r10
+1:  mov r0, r17
+    or r0, r16
+    brne 1f
+    movw r16, r14
+    movw r14, r12
+    movw r12, r10
+    movw r24, r22
+    movw r22, r20
+    movw r20, r18
+    clr r11
+    clr r19
+1:  tst r17
+    brne 1f
+    mov r17, r16
+    mov r16, r15
+    mov r15, r14
+    mov r14, r13
+    mov r13, r12
+    mov r12, r11
+    mov r25, r24
+    mov r24, r23
+    mov r23, r22
+    mov r22, r21
+    mov r21, r20
+    mov r20, r19
+    tst r17
+    brne 1f
+    pop r30             // y and x are 0, and so is r25:r18
+    rjmp .Lreturn
+1:  mov r30, r17
+    lsr r30
+    subi r30, 128
+    ldi r31, hi8(fixedpoint_leading_one_table)
+    lpm r26, Z
+    mul d4, r26
+    mov d4, r0
+    mul d3, r26
+    or d4, r1
+    mov d3, r0
+    mul d2, r26
+    or d3, r1
+    mov d2, r0
+    mul d1, r26
+    or d2, r1
+    mov d1, r0
+    mul d0, r26
+    or d1, r1
+    mov d0, r0
+    mul r12, r26
+    or d0, r1
+    mul n4, r26
+    mov n4, r0
+    mul n3, r26
+    or n4, r1
+    mov n3, r0
+    mul n2, r26
+    or n3, r1
+    mov n2, r0
+    mul n1, r26
+    or n2, r1
+    mov n1, r0
+    mul n0, r26
+    or n1, r1
+    mov n0, r0
+    mul r20, r26
+    or n0, r1
+    // R
+    clr nothing
+    mov r30, d4
+    mov fraction1, d3
+    mov fraction0, d2
+    lsl fraction0
+    rol fraction1
+    rol r30             // without the leading one
+    ldi r31, hi8(fixedpoint_ratio_table)
+    lpm slope0, Z
+    inc r31
+    lpm slope1, Z
+    inc r31
+    lpm inverse1, Z
+    inc r31
+    lpm inverse2, Z
+    inc r31
+    lpm inverse0, Z
+    mul slope1, fraction0
+    mov fall0, r1
+    mul slope0, fraction1
+    add fall0, r1
+    clr fall1
+    rol fall1
+    mul slope1, fraction1
+    add fall0, r0
+    adc fall1, r1
+    sub inverse0, fall0
+    sbc inverse1, fall1
+    sbc inverse2, nothing
+    ldi bias, 40
+    sub inverse0, bias
+    sbc inverse1, nothing
+    sbc inverse2, nothing
+    product_of_fractions g2, g1, g0, n4, n3, n2, inverse2, inverse1, inverse0
+    lsl g0
+    rol g1
+    rol g2
+    // Bytes 2 to 5 of g D in r25:r24:r19:r18
+    mul g0, d2
+    movw r18, r0
+    clr r24
+    add_product g1, d1, r18, r19, r24
+    add_product g2, d0, r18, r19, r24
+    clr r25
+    add_product g0, d3, r19, r24, r25
+    add_product g1, d2, r19, r24, r25
+    add_product g2, d1, r19, r24, r25
+    mul g0, d4
+    add r24, r0
+    adc r25, r1
+    mul g1, d3
+    add r24, r0
+    adc r25, r1
+    mul g2, d2
+    add r24, r0
+    adc r25, r1
+    mul g1, d4
+    add r25, r0
+    mul g2, d3
+    add r25, r0
+    // The remainder, doubled, in r23:r22:r21
+    neg r18
+    sbc n0, r19
+    sbc n1, r24
+    sbc n2, r25
+    lsl r18
+    rol n0
+    rol n1
+    rol n2
+    ldi bias, 40
+    add inverse0, bias
+    adc inverse1, nothing
+    adc inverse2, nothing
+    product_of_fractions r18, r25, r24, n2, n1, n0, inverse2, inverse1, inverse0
+    add g0, r18
+    adc g1, nothing
+    adc g2, nothing
+    movw r22, r24
+    movw r24, g0
+    mov r30, g2
+    brcc 1f
+    ldi r22, 0xff
+    ldi r23, 0xff
+    movw r24, r22
+    mov r30, r22
+1:  clr zero
+    find_record_64 fixedpoint_atan_64_table, r26
+    XCALL fixedpoint_cubic_64
+    clr r22
+    pop r30
+    cpi r30, 1 << LEFT
+    brlo 1f
+    breq 2f
+    add_to_angle 863554413090
+    rjmp 4f
+1:  tst r30
+    breq 4f
+    subtract_angle_from 863554413090
+    rjmp 4f
+2:  subtract_angle_from 1727108826179
+4:  lsl r26
+    rol r18
+    rol r19
+    rol r20
+    rol r21
+    rol r22
+    brtc 5f
+    com r18
+    com r19
+    com r20
+    com r21
+    com r22
+    subi r18, 0xff
+    sbci r19, 0xff
+    sbci r20, 0xff
+    sbci r21, 0xff
+    sbci r22, 0xff
+5:  mov r23, r22
+    lsl r23
+    sbc r23, r23
+    mov r24, r23
+    mov r25, r23
+    clr r1
+.Lreturn:
+    pop r17
+    pop r16
+    pop r15
+    pop r14
+    pop r13
+    pop r12
+    pop r11
+    pop r10
+    ret
+    ENDFUNC fixedpoint_atan2_q32_32
+#endif

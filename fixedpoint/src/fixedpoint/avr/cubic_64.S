@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+// The core of every function of Q32.32 whose results have at most 39 significant bits: a piecewise
+// cubic on 256 intervals,
+//
+//     value + t (slope - t (bend + t twist)),
+//
+// t in [0, 1) the position in the interval. It is no C function: r17 is zero instead of r1.
+//
+// In       r31:r30 = address of the interval's record (tables/cubic.py), r25:r22 = 2^32 t, r17 = 0
+// Out      r21:r18, r26 = the function in units of 2^-39, modulo 2^40, with half an ulp of Q32.32 for
+//          the rounding; the tables tell its error
+// Changes  r0, r1, r18..r22, r26, r27, r30, r31
+//
+// A record of thirteen bytes lies in the order of use. The twist sees the upper two bytes of t.
+// Products without influence on the unit are left out and those on it keep their upper byte; the
+// table makes up for what that cuts in the mean.
+
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
+#include "cubic_64.inc"
+
+#define t0 r22
+#define t1 r23
+#define t2 r24
+#define t3 r25
+#define twist r21
+#define bend0 r26
+#define bend1 r18
+#define bend2 r27
+#define fall0 r19
+#define fall1 r20
+#define fall2 r21
+#define slope0 r26
+#define slope1 r18
+#define slope2 r27
+#define slope3 r19
+#define rise0 r26
+#define rise1 r20
+#define rise2 r21
+#define rise3 r22
+
+    FUNCTION fixedpoint_cubic_64
+    lpm twist, Z+
+    lpm bend0, Z+
+    lpm bend1, Z+
+    lpm bend2, Z+
+    mov r19, t3         // mulsu takes no register beyond r23
+    mulsu twist, r19    // the carry is the sign
+    sbc bend2, zero
+    add bend0, r0
+    adc bend1, r1
+    adc bend2, zero
+    mov r19, t2
+    mulsu twist, r19
+    sbc bend1, zero
+    sbc bend2, zero
+    add bend0, r1
+    adc bend1, zero
+    adc bend2, zero
+    mul bend0, t3
+    mov fall0, r1
+    ldi fall1, 0
+    ldi fall2, 0
+    mul bend1, t2
+    add fall0, r1
+    adc fall1, zero
+    mul bend2, t1
+    add fall0, r1
+    adc fall1, zero
+    mul bend2, t2
+    add fall0, r0
+    adc fall1, r1
+    adc fall2, zero
+    mul bend1, t3
+    add fall0, r0
+    adc fall1, r1
+    adc fall2, zero
+    mul bend2, t3
+    add fall1, r0
+    adc fall2, r1
+    lpm slope0, Z+
+    sub slope0, fall0
+    lpm slope1, Z+
+    sbc slope1, fall1
+    lpm slope2, Z+
+    sbc slope2, fall2
+    lpm slope3, Z+
+    sbc slope3, zero
+    mul slope0, t3
+    mov rise0, r1
+    ldi rise1, 0
+    ldi rise2, 0
+    mul slope1, t2
+    add rise0, r1
+    adc rise1, zero
+    mul slope2, t1
+    add rise0, r1
+    adc rise1, zero
+    mul slope3, t0
+    ldi rise3, 0        // t0 is used up
+    add rise0, r1
+    adc rise1, zero
+    mul slope1, t3
+    add rise0, r0
+    adc rise1, r1
+    adc rise2, zero
+    mul slope2, t2
+    add rise0, r0
+    adc rise1, r1
+    adc rise2, zero
+    mul slope3, t1
+    add rise0, r0
+    adc rise1, r1
+    adc rise2, zero
+    mul slope2, t3
+    add rise1, r0
+    adc rise2, r1
+    adc rise3, zero
+    mul slope3, t2
+    add rise1, r0
+    adc rise2, r1
+    adc rise3, zero
+    mul slope3, t3
+    add rise2, r0
+    adc rise3, r1
+    lpm r0, Z+
+    add r26, r0
+    lpm r18, Z+
+    adc r18, rise1
+    lpm r19, Z+
+    adc r19, rise2
+    lpm r20, Z+
+    adc r20, rise3
+    lpm r21, Z+
+    adc r21, zero
+    ret
+    ENDFUNC fixedpoint_cubic_64
+#endif

@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: MIT
+// int64_t fixedpoint_exp_q32_32(int64_t a)
+// e^a within 0.65 ulp; saturated to the largest number, 0 where that is nearest.
+//
+// In       a = r25:r18
+// Out      r25:r18
+// Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
+// Stack    13 bytes
+// Table    4442 bytes, fixedpoint_exp_64_table
+//
+// a is k ln 2 - r, 0 <= r < 0.779: k + 41 from the upper bytes of a by 185/128 = 1.4453 for 1/ln 2, with
+// as much more as makes up for the error of that, and r to 72 bits. Of r's bytes the first looks up
+// e^-i/256, the second f = 1 - e^-i/65536; of the rest t, below 2^-16, q = 1 - e^-t = t - (t^2 - t^3/3)/2
+// up to t^4/24. Then e^-r = e^-i/256 (1 - (f + q - f q)), which goes to its place by less than a byte, by a
+// product with a power of 2, and by whole bytes. Products are formed column by column, without the
+// columns below the result but for the upper bytes of the next one.
+//
+// Error in units of 2^-72, 256 of which are an ulp of the largest results at least: t^4/24 11, the square
+// of t 5, its cube 2, the products 11 and 15 the other way, the tables 2.
+
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
+
+#define zero r17
+#define fine fixedpoint_exp_64_table
+#define coarse fixedpoint_exp_64_table + 0x800
+#define multiples fixedpoint_exp_64_table + 0x800 + 1800
+
+    // Byte `column` of a product lies in r26 to r31, then r18 and so on, or from another register on.
+    .macro to_column operation, column, source
+    .set place, base + \column
+    .if place > 31
+    .set place, place - 14
+    .endif
+    .if \column <= top
+    \operation place, \source
+    .endif
+    .endm
+
+    // Fractions a and b whose first bytes lie in the registers `a` and `b`, the others below: the first
+    // `bytes` bytes of the product, from register `first` on, the lowest first. Both have as many bytes.
+    .macro fraction_product a, b, bytes, first=26
+    .set base, \first
+    .set top, \bytes - 1
+    to_column ldi, 0, 0
+    to_column ldi, 1, 0
+    .set total, \bytes - 1      // the bytes behind the first of a and of b, together
+    .set offset, 0
+    .rept \bytes
+    .set offset, offset + 1
+    mul \a + 1 - offset, \b - total - 1 + offset
+    to_column add, 0, r1
+    to_column adc, 1, zero
+    .endr
+    .set column, 0
+    .rept \bytes - 1
+    .set total, total - 1
+    to_column ldi, (column + 2), 0
+    .set offset, 0
+    .rept total + 1
+    mul \a - offset, \b - total + offset
+    to_column add, column, r0
+    to_column adc, (column + 1), r1
+    to_column adc, (column + 2), zero
+    .set offset, offset + 1
+    .endr
+    .set column, column + 1
+    .endr
+    .endm
+
+    // r31:r30 = the address of a record of so many bytes.
+    .macro find table, index, size
+    ldi r30, \size
+    mul \index, r30
+    movw r30, r0
+    subi r30, lo8(-(\table))
+    sbci r31, hi8(-(\table))
+    .endm
+    .macro load first, count
+    .set byte, 0
+    .rept \count
+    lpm \first + byte, Z+
+    .set byte, byte + 1
+    .endr
+    .endm
+
+    SECTION fixedpoint_exp_q32_32
+.Lbeyond:
+    sbrc r25, 7
+    rjmp .Lnothing
+.Llargest:
+    ldi r18, 0xff
+    ldi r19, 0xff
+    movw r20, r18
+    movw r22, r18
+    ldi r24, 0xff
+    ldi r25, 0x7f
+    ret
+.Lnothing:
+    ldi r18, 0
+    ldi r19, 0
+    movw r20, r18
+    movw r22, r18
+    movw r24, r18
+    ret
+
+    ENTRY fixedpoint_exp_q32_32
+    mov r26, r22
+    lsl r26
+    sbc r26, r26
+    cp r23, r26
+    cpc r24, r26
+    cpc r25, r26
+    brne .Lbeyond
+    cpi r22, -23
+    brlt .Lnothing
+    // 31 ln 2
+    cpi r18, 0x03
+    ldi r26, 0xe7
+    cpc r19, r26
+    ldi r26, 0xd0
+    cpc r20, r26
+    ldi r26, 0x7c
+    cpc r21, r26
+    ldi r26, 0x15
+    cpc r22, r26
+    brge .Llargest
+    push r8
+    push r9
+    push r10
+    push r11
+    push r12
+    push r13
+    push r14
+    push r15
+    push r16
+    push r17
+    push r28
+    push r29
+    clr zero
+    ldi r27, 185
+    mul r21, r27
+    mov r30, r1
+    clr r31
+    subi r22, -24
+    mul r22, r27
+    add r30, r0
+    adc r31, r1
+    subi r30, lo8(-945)
+    sbci r31, hi8(-945)
+    lsl r30
+    rol r31
+    push r31
+    mov r27, r31
+    subi r27, 8
+    find multiples, r27, 9
+    load 8, 9
+    sub r13, r18
+    sbc r14, r19
+    sbc r15, r20
+    sbc r16, r21
+    // r14:r8 = t 2^72, r30:r26 = t^2 2^72
+    fraction_product 14, 14, 5
+    // Less t^3/3, of which r20:r18 is three times as much
+    fraction_product 30, 14, 3, 18
+    ldi r21, 0x55
+    mul r20, r21
+    mov r23, r0
+    mov r24, r0
+    mov r25, r1
+    add r23, r1
+    adc r24, r1
+    adc r25, zero
+    mul r19, r21
+    add r23, r0
+    adc r24, r1
+    adc r25, zero
+    add r23, r1
+    adc r24, zero
+    adc r25, zero
+    sub r26, r23
+    sbc r27, r24
+    sbc r28, r25
+    sbc r29, zero
+    sbc r30, zero
+    lsr r30
+    ror r29
+    ror r28
+    ror r27
+    ror r26
+    sub r8, r26
+    sbc r9, r27
+    sbc r10, r28
+    sbc r11, r29
+    sbc r12, r30
+    sbc r13, zero
+    sbc r14, zero
+    // f in r25:r18, f q in r31:r26, f + q - f q in r25:r18
+    find fine, r15, 8
+    load 18, 8
+    fraction_product 25, 14, 6
+    add r18, r8
+    adc r19, r9
+    adc r20, r10
+    adc r21, r11
+    adc r22, r12
+    adc r23, r13
+    adc r24, r14
+    adc r25, zero
+    sub r18, r26
+    sbc r19, r27
+    sbc r20, r28
+    sbc r21, r29
+    sbc r22, r30
+    sbc r23, r31
+    sbc r24, zero
+    sbc r25, zero
+    find coarse, r16, 9
+    load 8, 9
+    fraction_product 16, 25, 8
+    sub r8, r26
+    sbc r9, r27
+    sbc r10, r28
+    sbc r11, r29
+    sbc r12, r30
+    sbc r13, r31
+    sbc r14, r18
+    sbc r15, r19
+    sbc r16, zero
+    // Down by r31 + 1 bits, 8 to 73
+    pop r30
+    ldi r31, 80
+    sub r31, r30
+    sbrs r31, 6
+    rjmp 1f
+    mov r8, r16
+    clr r9
+    movw r10, r8
+    clr r10
+    movw r12, r10
+    clr r12
+    movw r14, r12
+    clr r16
+1:  sbrs r31, 5
+    rjmp 1f
+    movw r8, r12
+    movw r10, r14
+    mov r12, r16
+    clr r13
+    clr r14
+    clr r15
+    clr r16
+1:  sbrs r31, 4
+    rjmp 1f
+    movw r8, r10
+    movw r10, r12
+    movw r12, r14
+    mov r14, r16
+    clr r15
+    clr r16
+1:  sbrs r31, 3
+    rjmp 1f
+    mov r8, r9
+    mov r9, r10
+    mov r10, r11
+    mov r11, r12
+    mov r12, r13
+    mov r13, r14
+    mov r14, r15
+    mov r15, r16
+    clr r16
+1:  ldi r30, 128
+    sbrc r31, 1
+    ldi r30, 32
+    sbrc r31, 0
+    lsr r30
+    sbrc r31, 2
+    swap r30
+    mul r8, r30
+    mov r26, r0
+    mov r18, r1
+    mul r9, r30
+    or r18, r0
+    mov r19, r1
+    mul r10, r30
+    or r19, r0
+    mov r20, r1
+    mul r11, r30
+    or r20, r0
+    mov r21, r1
+    mul r12, r30
+    or r21, r0
+    mov r22, r1
+    mul r13, r30
+    or r22, r0
+    mov r23, r1
+    mul r14, r30
+    or r23, r0
+    mov r24, r1
+    mul r15, r30
+    or r24, r0
+    mov r25, r1
+    mul r16, r30
+    or r25, r0
+    lsl r26
+    adc r18, zero
+    adc r19, zero
+    adc r20, zero
+    adc r21, zero
+    adc r22, zero
+    adc r23, zero
+    adc r24, zero
+    adc r25, zero
+    clr r1
+    pop r29
+    pop r28
+    pop r17
+    pop r16
+    pop r15
+    pop r14
+    pop r13
+    pop r12
+    pop r11
+    pop r10
+    pop r9
+    pop r8
+    ret
+    ENDFUNC fixedpoint_exp_q32_32
+#endif

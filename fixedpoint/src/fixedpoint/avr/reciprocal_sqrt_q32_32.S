@@ -1,0 +1,387 @@
+// SPDX-License-Identifier: MIT
+// int64_t fixedpoint_reciprocal_sqrt_q32_32(int64_t a)
+// 2^48 / sqrt(a), the reciprocal root of a 2^-32 in units of 2^-32, within 0.65 ulp; the largest number
+// where a = 0; 0 where a < 0.
+//
+// In       a = r25:r18
+// Out      r25:r18
+// Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
+// Stack    9 bytes
+// Tables   1536 bytes, fixedpoint_reciprocal_sqrt_table
+//
+// a goes up by whole bytes and then by an even number of bits until its highest byte is 64 or more; it
+// is then m, 1/4 <= m < 1. reciprocal_root gives Y, 24 bits of 1 / sqrt(m), 2^-20.8 too small at most
+// and 9 2^-22 less, so that e = 1 - m Y^2 is never below 0. Then 1 / sqrt(m) is Y (1 + e/2 + 3/8 e^2 +
+// ...), in which 5/16 e^3 is below 2^-54. E = e/4 is 1/4 less the product of m and the six bytes of
+// (Y/2)^2, of which the bytes of weight 2^-24 to 2^-56 are formed; those above are known.
+//
+// The result has 48 bits less half as many as a has: of a longer a the lower bytes count less, and
+// neither they nor the products with them are formed but for what influences a byte that counts.
+
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
+
+#include <fixedpoint/avr/reciprocal_root.inc>
+
+#define zero r25
+// m, the first byte first.
+#define m1 r17
+#define m2 r16
+#define m3 r15
+#define m4 r14
+#define m5 r13
+// (Y/2)^2, the first byte first.
+#define s1 r27
+#define s2 r26
+#define s3 r24
+#define s4 r23
+#define s5 r22
+#define s6 r21
+// E, and E + 3 E^2; bytes 2^-24 to 2^-56.
+#define e3 r31
+#define e4 r30
+#define e5 r29
+#define e6 r28
+#define e7 r12
+// The mantissa, seven bytes.
+#define z0 r26
+#define z1 r18
+#define z2 r19
+#define z3 r20
+#define z4 r21
+#define z5 r22
+#define z6 r23
+
+    .macro add_product a, b, p0, p1, p2, p3
+    mul \a, \b
+    add \p0, r0
+    adc \p1, r1
+    .ifnb \p2
+    adc \p2, zero
+    .endif
+    .ifnb \p3
+    adc \p3, zero
+    .endif
+    .endm
+    .macro add_upper_byte a, b, p0, p1, p2
+    mul \a, \b
+    add \p0, r1
+    adc \p1, zero
+    .ifnb \p2
+    adc \p2, zero
+    .endif
+    .endm
+
+    SECTION fixedpoint_reciprocal_sqrt_q32_32
+.Lnegative:
+    ldi r24, 0
+    ldi r25, 0
+    movw r18, r24
+    movw r20, r24
+    movw r22, r24
+    ret
+.Lzero:
+    ldi r18, 0xff
+    ldi r19, 0xff
+    movw r20, r18
+    movw r22, r18
+    movw r24, r18
+    lsr r25
+    ret
+
+    ENTRY fixedpoint_reciprocal_sqrt_q32_32
+    tst r25
+    brmi .Lnegative
+    // r27 = the bits less one by which the mantissa will go down
+    ldi r27, 38
+    mov r0, r25
+    or r0, r24
+    or r0, r23
+    or r0, r22
+    brne 1f
+    movw r24, r20
+    movw r22, r18
+    clr r18
+    clr r19
+    movw r20, r18
+    ldi r27, 38 - 16
+1:  mov r0, r25
+    or r0, r24
+    brne 1f
+    movw r24, r22
+    movw r22, r20
+    movw r20, r18
+    clr r19
+    subi r27, 8
+1:  tst r25
+    brne 1f
+    mov r25, r24
+    mov r24, r23
+    mov r23, r22
+    mov r22, r21
+    mov r21, r20
+    mov r20, r19
+    subi r27, 4
+    tst r25
+    breq .Lzero
+1:  cpi r25, 64
+    brsh 3f
+    ldi r26, 4
+    dec r27
+    cpi r25, 16
+    brsh 2f
+    ldi r26, 16
+    dec r27
+    cpi r25, 4
+    brsh 2f
+    ldi r26, 64
+    dec r27
+2:  mul r25, r26
+    mov r25, r0
+    mul r24, r26
+    or r25, r1
+    mov r24, r0
+    mul r23, r26
+    or r24, r1
+    mov r23, r0
+    mul r22, r26
+    or r23, r1
+    mov r22, r0
+    mul r21, r26
+    or r22, r1
+    mov r21, r0
+    mul r20, r26
+    or r21, r1
+3:  push r12
+    push r13
+    push r14
+    push r15
+    push r16
+    push r17
+    push r28
+    push r29
+    push r27
+    movw m2, r24
+    movw m4, r22
+    mov m5, r21
+    mov r30, r25
+    mov r18, r24
+    clr zero
+    reciprocal_root m3
+    subi r18, 9
+    sbc r19, zero
+    sbc r20, zero
+    lsl r18
+    rol r19
+    rol r20
+    mul r18, r18
+    mov s6, r0
+    mov s5, r1
+    mul r19, r19
+    mov s4, r0
+    mov s3, r1
+    mul r20, r20
+    movw s2, r0
+    mul r18, r19
+    .rept 2
+    add s5, r0
+    adc s4, r1
+    adc s3, zero
+    adc s2, zero
+    adc s1, zero
+    .endr
+    mul r18, r20
+    .rept 2
+    add s4, r0
+    adc s3, r1
+    adc s2, zero
+    adc s1, zero
+    .endr
+    mul r19, r20
+    .rept 2
+    add s3, r0
+    adc s2, r1
+    adc s1, zero
+    .endr
+    // The product of m and s.
+    mul m2, s6
+    mov e7, r1
+    ldi e6, 0
+    ldi e5, 0
+    add_product m1, s6, e7, e6, e5
+    add_product m2, s5, e7, e6, e5
+    ldi e4, 0
+    add_upper_byte m3, s4, e6, e5, e4
+    add_upper_byte m4, s3, e6, e5, e4
+    add_product m1, s5, e6, e5, e4
+    add_product m2, s4, e6, e5, e4
+    add_product m3, s3, e6, e5, e4
+    add_product m4, s2, e6, e5, e4
+    add_product m5, s1, e6, e5, e4
+    ldi e3, 0
+    add_product m1, s4, e5, e4, e3
+    add_product m2, s3, e5, e4, e3
+    add_product m3, s2, e5, e4, e3
+    add_product m4, s1, e5, e4, e3
+    add_product m1, s3, e4, e3
+    add_product m2, s2, e4, e3
+    add_product m3, s1, e4, e3
+    mul m1, s2
+    add e3, r0
+    mul m2, s1
+    add e3, r0
+    // E is 1/4 less that.
+    com e3
+    com e4
+    com e5
+    com e6
+    neg e7
+    sbci e6, 0xff
+    sbci e5, 0xff
+    sbci e4, 0xff
+    sbci e3, 0xff
+    // r27:r26:r24 = (8 E)^2 2^56, 21 bits of E
+    movw r22, e4
+    mov r21, e5
+    lsl r21
+    rol r22
+    rol r23
+    lsl r21
+    rol r22
+    rol r23
+    lsl r21
+    rol r22
+    rol r23
+    mul r23, r23
+    movw r26, r0
+    mul r22, r22
+    mov r24, r1
+    mul r22, r23
+    .rept 2
+    add r24, r0
+    adc r26, r1
+    adc r27, zero
+    .endr
+    ldi r21, 12
+    mul r27, r21
+    add e6, r0
+    adc e5, r1
+    adc e4, zero
+    adc e3, zero
+    mul r26, r21
+    add e7, r0
+    adc e6, r1
+    adc e5, zero
+    adc e4, zero
+    adc e3, zero
+    mul r24, r21
+    add e7, r1
+    adc e6, zero
+    adc e5, zero
+    adc e4, zero
+    adc e3, zero
+    // z = Y/2 + Y (E + 3 E^2)
+    mov z6, r20
+    mov z5, r19
+    mov z4, r18
+    mul z6, e7
+    mov z0, r1
+    ldi z1, 0
+    add_upper_byte z5, e6, z0, z1
+    add_upper_byte z4, e5, z0, z1
+    ldi z2, 0
+    add_product z6, e6, z0, z1, z2
+    add_product z5, e5, z0, z1, z2
+    add_product z4, e4, z0, z1, z2
+    ldi z3, 0
+    add_product z6, e5, z1, z2, z3
+    add_product z5, e4, z1, z2, z3
+    add_product z4, e3, z1, z2, z3
+    clr r24
+    add_product z6, e4, z2, z3, r24
+    add_product z5, e3, z2, z3, r24
+    add_product z6, e3, z3, r24
+    lsl z0
+    rol z1
+    rol z2
+    rol z3
+    rol r24
+    add z4, r24
+    adc z5, zero
+    adc z6, zero
+    // Down by r27 + 1 bits, 8 to 39
+    pop r27
+    sbrs r27, 5
+    rjmp 1f
+    mov z0, z4
+    mov z1, z5
+    mov z2, z6
+    clr z3
+    clr z4
+    clr z5
+    clr z6
+1:  sbrs r27, 4
+    rjmp 1f
+    mov z0, z2
+    mov z1, z3
+    mov z2, z4
+    mov z3, z5
+    mov z4, z6
+    clr z5
+    clr z6
+1:  sbrs r27, 3
+    rjmp 1f
+    mov z0, z1
+    mov z1, z2
+    mov z2, z3
+    mov z3, z4
+    mov z4, z5
+    mov z5, z6
+    clr z6
+1:  ldi r30, 128
+    sbrc r27, 1
+    ldi r30, 32
+    sbrc r27, 0
+    lsr r30
+    sbrc r27, 2
+    swap r30
+    mul z6, r30
+    mov z6, r0
+    mov r24, r1
+    mul z5, r30
+    or z6, r1
+    mov z5, r0
+    mul z4, r30
+    or z5, r1
+    mov z4, r0
+    mul z3, r30
+    or z4, r1
+    mov z3, r0
+    mul z2, r30
+    or z3, r1
+    mov z2, r0
+    mul z1, r30
+    or z2, r1
+    mov z1, r0
+    mul z0, r30
+    or z1, r1
+    lsl r0
+    adc z1, zero
+    adc z2, zero
+    adc z3, zero
+    adc z4, zero
+    adc z5, zero
+    adc z6, zero
+    adc r24, zero
+    clr r1
+    pop r29
+    pop r28
+    pop r17
+    pop r16
+    pop r15
+    pop r14
+    pop r13
+    pop r12
+    ret
+    ENDFUNC fixedpoint_reciprocal_sqrt_q32_32
+#endif

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// The sine and the cosine of the splits of 16 bits with less than 8 fraction bits: sin_q8_8.inc.
+
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
+
+#include "sin_q8_8.inc"
+
+    .macro kernels integer, fraction
+    sine_kernels \integer, \fraction
+    .endm
+
+#include "coarse_splits_16.inc"
+
+#endif

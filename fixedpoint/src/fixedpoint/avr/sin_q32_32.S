@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: MIT
+// int64_t fixedpoint_sin_q32_32(int64_t angle)
+// int64_t fixedpoint_cos_q32_32(int64_t angle)
+// Sine and cosine of an angle in radians, for every input; within 0.65 ulp, in [-1, 1].
+//
+// void fixedpoint_sincos_q32_32(int64_t angle, int64_t* sine_and_cosine)
+// Both, bit for bit as above: one reduction, two evaluations.
+//
+// In       angle = r25:r18; sine_and_cosine = r17:r16
+// Out      r25:r18
+// Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
+// Stack    4 bytes, sincos 14
+// Table    3328 bytes, fixedpoint_sine_64_table
+//
+// The angle times 2/pi 2^8 is its quarter turns, of which 40 fraction bits count. Column by column:
+// byte k of the product is the sum of all a_i m_j with i - j = k, m_0 the first byte of 2/pi behind the
+// point. Of the column below the lowest one only the upper bytes count; 3/4 of a unit for each byte of
+// the angle makes up for what is cut there on average. An angle below 128 rad has five bytes. Odd
+// quadrants run backwards (one's complement), quadrants 2 and 3 are negated.
+//
+// Error in units of 2^-39: the core 11.5, the quarter turns 6 times pi/4, the rounding 64, half an ulp.
+
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
+#include "cubic_64.inc"
+
+#define quadrant r31
+
+    // The turns lie in r26, r27, r30, r31, r18, r19: where byte 4 and 5 begin, the angle's lowest two
+    // are used up.
+    .macro to_column operation, column, source
+    .if \column < 2
+    .set place, 26 + \column
+    .elseif \column < 4
+    .set place, 28 + \column
+    .else
+    .set place, 14 + \column
+    .endif
+    .if \column < 6
+    \operation place, \source
+    .endif
+    .endm
+
+    // a_i m_j, i - j = column.
+    .macro product column, m
+    .set j, i - \column
+    .if j != loaded
+    .if j < 4
+    ldi \m, (0xa2f9836e >> (24 - 8 * j)) & 0xff
+    .elseif j < 8
+    ldi \m, (0x4e441529 >> (56 - 8 * j)) & 0xff
+    .else
+    ldi \m, 0xfc
+    .endif
+    .set loaded, j
+    .endif
+    mul 18 + i, \m
+    .if \column < 0
+    add r26, r1
+    adc r27, zero
+    .else
+    to_column add, \column, r0
+    to_column adc, (\column + 1), r1
+    to_column adc, (\column + 2), zero
+    .endif
+    .endm
+
+    // The first by the byte of 2/pi that the column below ends with.
+    .macro products bytes, column, m
+    .set taken, \column + loaded
+    .if loaded >= 0 && taken < \bytes
+    .set i, taken
+    product \column, \m
+    .endif
+    .set i, \bytes - 1
+    .rept \bytes
+    .if i >= \column && i != taken
+    product \column, \m
+    .endif
+    .set i, i - 1
+    .endr
+    .endm
+
+    // The quarter turns of an angle of so many bytes; needs a register for constants.
+    .macro quarter_turns bytes, m
+    .set loaded, -2
+    ldi r26, 4 + \bytes / 8 * 2
+    ldi r27, 0
+    products \bytes, -1, \m
+    .set column, 0
+    .rept 6
+    to_column ldi, (column + 2), 0
+    products \bytes, column, \m
+    .set column, column + 1
+    .endr
+    sbrs 17 + \bytes, 7
+    rjmp 1f
+    // An angle below 0 is its bytes less 2^40 or 2^64.
+    .if \bytes == 5
+    to_column subi, 0, 0x44
+    to_column sbci, 1, 0x4e
+    to_column sbci, 2, 0x6e
+    to_column sbci, 3, 0x83
+    to_column sbci, 4, 0xf9
+    to_column sbci, 5, 0xa2
+    .else
+    to_column subi, 0, 0xfc
+    to_column sbci, 1, 0x29
+    to_column sbci, 2, 0x15
+    to_column sbci, 3, 0x44
+    to_column sbci, 4, 0x4e
+    to_column sbci, 5, 0x6e
+    .endif
+1:
+    .endm
+
+    SECTION fixedpoint_sin_q32_32
+    ENTRY fixedpoint_cos_q32_32
+    push r17
+    clr zero
+    XCALL .Lquarter_turns
+    inc quadrant
+    rjmp .Lsine
+    ENDFUNC fixedpoint_cos_q32_32
+
+    ENTRY fixedpoint_sin_q32_32
+    push r17
+    clr zero
+    clt
+    rjmp .Lreduce
+
+    // r31:r30, r25:r22 = the quarter turns of r25:r18
+.Lquarter_turns:
+    set
+.Lreduce:
+    mov r26, r22
+    lsl r26
+    sbc r26, r26
+    cp r23, r26
+    cpc r24, r26
+    cpc r25, r26
+    breq 1f
+    rjmp .Llong
+1:  quarter_turns 5, r23
+.Lreduced:
+    movw r22, r26
+    movw r24, r30
+    movw r30, r18
+    brtc .Lsine
+    ret
+
+    // r25:r18 = the sine of quarter turns; pops r17
+.Levaluate:
+    push r17
+.Lsine:
+    bst quadrant, 1
+    sbrs quadrant, 0
+    rjmp 1f
+    com r22
+    com r23
+    com r24
+    com r25
+    com r30
+1:  find_record_64 fixedpoint_sine_64_table, r26
+    XCALL fixedpoint_cubic_64
+    clr r22
+    lsl r26
+    rol r18
+    rol r19
+    rol r20
+    rol r21
+    rol r22
+    clr r1
+    pop r17
+    brtc 2f
+    com r18
+    com r19
+    com r20
+    com r21
+    com r22
+    subi r18, 0xff
+    sbci r19, 0xff
+    sbci r20, 0xff
+    sbci r21, 0xff
+    sbci r22, 0xff
+    mov r23, r22
+    movw r24, r22
+    ret
+2:  clr r23
+    clr r24
+    clr r25
+    ret
+
+.Llong:
+    push r16
+    quarter_turns 8, r16
+    pop r16
+    rjmp .Lreduced
+    ENDFUNC fixedpoint_sin_q32_32
+
+    FUNCTION fixedpoint_sincos_q32_32
+    push r28
+    push r29
+    push r17
+    movw r28, r16
+    clr zero
+    XCALL .Lquarter_turns
+    push r22
+    push r23
+    push r24
+    push r25
+    push r30
+    push r31
+    XCALL .Levaluate
+    std Y+0, r18
+    std Y+1, r19
+    std Y+2, r20
+    std Y+3, r21
+    std Y+4, r22
+    std Y+5, r23
+    std Y+6, r24
+    std Y+7, r25
+    pop r31
+    pop r30
+    pop r25
+    pop r24
+    pop r23
+    pop r22
+    inc quadrant
+    XCALL .Levaluate
+    std Y+8, r18
+    std Y+9, r19
+    std Y+10, r20
+    std Y+11, r21
+    std Y+12, r22
+    std Y+13, r23
+    std Y+14, r24
+    std Y+15, r25
+    pop r17
+    pop r29
+    pop r28
+    ret
+    ENDFUNC fixedpoint_sincos_q32_32
+#endif

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// sin and cos in the splits of 16 bits with up to 8 fraction bits, bit for bit as avr/sin_q8_8.inc
+// computes them; within 0.546 ulp.
+#pragma once
+
+#include <fixedpoint/integer.hpp>
+#include <fixedpoint/portable/chords_of_bytes.hpp>
+#include <fixedpoint/portable/sin_q8_8_table.hpp>
+
+namespace fixedpoint {
+namespace portable {
+
+// 2^16 times the number of turns, cut; modulo 2^16.
+template <int F>
+FIXEDPOINT_CONSTEXPR uint16_t phase_16(int16_t angle) {
+    // 2^32 / 2 pi ulp. The kernel leaves the lowest of the products out.
+    constexpr uint32_t turns = (uint32_t(683565276) + (uint32_t(1) << F >> 1)) >> F;
+    const uint32_t low = angle & 0xff, high = static_cast<uint32_t>(angle >> 8) << 8;
+    return static_cast<uint16_t>((low * (turns & ~uint32_t(0xff)) + high * turns) >> 16);
+}
+
+// Half a unit of 2^-8 is in the chords.
+template <int F>
+FIXEDPOINT_CONSTEXPR int16_t sine_of_phase_16(uint16_t phase) {
+    constexpr uint16_t more_than_half = 16 * ((1 << (8 - F)) - 1);
+    const uint16_t forward = phase & 0x7fff;
+    const uint16_t position =
+        static_cast<uint16_t>((forward & 0x4000) != 0 ? 0x7fff - forward : forward);
+    const int16_t sine = static_cast<int16_t>(
+        (chord_of_bytes<SinQ8_8Table<>>(position) + more_than_half) >> (13 - F));
+    return (phase & 0x8000) != 0 ? static_cast<int16_t>(-sine) : sine;
+}
+
+template <int F>
+FIXEDPOINT_CONSTEXPR int16_t sin_16(int16_t angle) {
+    return sine_of_phase_16<F>(phase_16<F>(angle));
+}
+template <int F>
+FIXEDPOINT_CONSTEXPR int16_t cos_16(int16_t angle) {
+    return sine_of_phase_16<F>(static_cast<uint16_t>(phase_16<F>(angle) + 0x4000));
+}
+
+}  // namespace portable
+}  // namespace fixedpoint

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+// The functions of Q32.32, which have kernels of their own, against functions of 113 bits: a
+// million operands each, those beside the limits of the tables among them. accuracy_test's exact
+// values would take an hour for as many.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <fixedpoint/portable/atan.hpp>
+#include <fixedpoint/portable/exp.hpp>
+#include <fixedpoint/portable/log.hpp>
+#include <fixedpoint/portable/reciprocal_sqrt.hpp>
+#include <fixedpoint/portable/sin.hpp>
+#include <ostream>
+#include <random>
+#include <string>
+
+namespace {
+
+namespace portable = fixedpoint::portable;
+__extension__ typedef __float128 Real;
+
+extern "C" {
+Real sinf128(Real) noexcept;
+Real cosf128(Real) noexcept;
+Real logf128(Real) noexcept;
+Real expf128(Real) noexcept;
+Real sqrtf128(Real) noexcept;
+Real atan2f128(Real, Real) noexcept;
+}
+
+constexpr Real one = Real(int64_t(1) << 32);
+constexpr int64_t largest = fixedpoint::RawLimits<int64_t>::max;
+
+struct Function {
+    const char* name;
+    int64_t (*compute)(int64_t a, int64_t b);
+    Real (*exact)(Real a, Real b);  // NaN outside the domain
+    // An operand at the limit of two intervals of a table: index from 0 to 2047, scale from 0
+    // to 61.
+    double (*limit)(int index, int scale);
+    double largest_error;
+};
+void PrintTo(const Function& function, std::ostream* stream) { *stream << function.name; }
+
+class Operands {
+  public:
+    explicit Operands(const Function& function) : function_(function) {}
+    std::array<int64_t, 2> next() {
+        const int64_t a = number(), b = number();
+        switch (random_() % 8) {
+            case 0:
+                return {a, near(a)};
+            case 1:
+                return {a, wrapping(0 - static_cast<uint64_t>(near(a)))};
+            case 2:  // the ratio next to a limit of the arc tangent's table
+                return {near(static_cast<int64_t>(std::ldexp(double(a), -8) *
+                                                  double(random_() % 513) * 0.5)),
+                        a};
+            default:
+                return {a, b};
+        }
+    }
+
+  private:
+    int64_t near(int64_t a) { return wrapping(static_cast<uint64_t>(a) + random_() % 5 - 2); }
+    static int64_t wrapping(uint64_t a) { return static_cast<int64_t>(a); }
+    uint64_t power() { return uint64_t(1) << random_() % 64; }
+    int64_t number() {
+        switch (random_() % 5) {
+            case 0:
+                return wrapping(random_());
+            case 1:  // long runs of equal bits make long carries
+                return wrapping((power() - power()) ^ (power() - power()));
+            case 2:
+                return wrapping(random_()) >> random_() % 64;
+            case 3:
+                return wrapping(random_()) >> (24 + random_() % 8);
+            default:
+                return near(static_cast<int64_t>(function_.limit(
+                    static_cast<int>(random_() % 2048), static_cast<int>(random_() % 62))));
+        }
+    }
+
+    const Function& function_;
+    std::mt19937_64 random_{64};
+};
+
+// 2^scale (1 + index / 256).
+double limit_of_mantissa(int index, int scale) {
+    return std::floor(std::ldexp(256 + index % 256, scale - 8));
+}
+double limit_of_angle(int index, int) { return std::ldexp((index - 1024) * (M_PI / 512), 32); }
+// Where the power of two or a table's entry becomes another.
+double limit_of_exponent(int index, int scale) {
+    return std::ldexp((scale - 31) * M_LN2 - index / 256.0 / (index % 2 == 0 ? 1 : 256), 32);
+}
+
+class Functions : public testing::TestWithParam<Function> {};
+
+TEST_P(Functions, AreAsFarFromTheExactValueAsPinned) {
+    const Function& function = GetParam();
+    Operands operands(function);
+    double worst = 0;
+    std::array<int64_t, 2> witness{};
+    for (int i = 0; i < 1'000'000; ++i) {
+        const auto [a, b] = operands.next();
+        const int64_t result = function.compute(a, b);
+        const Real exact = function.exact(Real(a) / one, Real(b) / one) * one;
+        if (exact != exact) continue;
+        if (exact >= Real(largest)) {
+            ASSERT_EQ(result, largest) << a;
+            continue;
+        }
+        const Real difference = Real(result) - exact;
+        const double error = static_cast<double>(difference < 0 ? -difference : difference);
+        if (error > worst) {
+            worst = error;
+            witness = {a, b};
+        }
+    }
+    EXPECT_LE(worst, 0.65);
+    EXPECT_NEAR(worst, function.largest_error, 1e-6) << witness[0] << " " << witness[1];
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Q32_32, Functions,
+    testing::Values(
+        Function{"sin", [](int64_t a, int64_t) { return portable::sin<int64_t, 32>(a); },
+                 [](Real a, Real) { return sinf128(a); }, limit_of_angle, 0.593366918},
+        Function{"cos", [](int64_t a, int64_t) { return portable::cos<int64_t, 32>(a); },
+                 [](Real a, Real) { return cosf128(a); }, limit_of_angle, 0.599344885},
+        Function{"log", [](int64_t a, int64_t) { return portable::log<int64_t, 32>(a); },
+                 [](Real a, Real) { return a > 0 ? logf128(a) : Real(NAN); }, limit_of_mantissa,
+                 0.574785126},
+        Function{"exp", [](int64_t a, int64_t) { return portable::exp<int64_t, 32>(a); },
+                 [](Real a, Real) { return expf128(a); }, limit_of_exponent, 0.566566007},
+        Function{"reciprocal_sqrt",
+                 [](int64_t a, int64_t) { return portable::reciprocal_sqrt<int64_t, 32>(a); },
+                 [](Real a, Real) { return a > 0 ? 1 / sqrtf128(a) : Real(NAN); },
+                 limit_of_mantissa, 0.505873612},
+        Function{"atan", [](int64_t a, int64_t) { return portable::atan<int64_t, 32>(a); },
+                 [](Real a, Real) { return atan2f128(a, 1); }, limit_of_mantissa, 0.609189862},
+        Function{"atan2", [](int64_t a, int64_t b) { return portable::atan2<int64_t, 32>(a, b); },
+                 [](Real a, Real b) { return a == 0 && b == 0 ? Real(NAN) : atan2f128(a, b); },
+                 limit_of_mantissa, 0.613605122}),
+    [](const auto& function) { return std::string(function.param.name); });
+
+}  // namespace
