@@ -128,6 +128,10 @@ cp "$source"/results/data/{accuracy,error_histograms}.csv "$scratch/stale"
 sed -i '/^sqrt,q16_16,default/s/,0\.5,/,0.25,/' "$scratch/stale/accuracy.csv"
 "$fixbench" "${sqrt[@]}" "$scratch/stale" >/dev/null 2>"$scratch/err"
 [ $? -eq 2 ] && grep -q "is not of this code" "$scratch/err" || fail "a stale row is kept: $(cat "$scratch/err")"
+sed -i '/^sqrt,q16_16,default/d' "$scratch/stale/accuracy.csv"
+"$fixbench" "${sqrt[@]}" "$scratch/stale" --csv >"$scratch/kept" 2>"$scratch/err" || fail "accuracy without a row to keep"
+grep -q "sampled, since .* holds no row" "$scratch/err" || fail "a row that is not kept is silent: $(cat "$scratch/err")"
+grep -q ",lower bound,0$" "$scratch/kept" || fail "a sample is no lower bound: $(cat "$scratch/kept")"
 
 # Without measured cycles, advice says so.
 "$fixbench" advise --scene free_fall --error 10 --data "$scratch" >"$scratch/out" 2>"$scratch/err"
