@@ -4,6 +4,7 @@ the Pareto front drawn."""
 import matplotlib.pyplot as plt
 from matplotlib.ticker import LogLocator, NullFormatter, ScalarFormatter
 
+import operations
 import rivals
 import style
 
@@ -25,9 +26,10 @@ def pareto(points):
 
 
 def panels(data):
-    """The rows of each operation that more than one implementation has."""
+    """The rows of each operation with a kernel that more than one implementation has."""
     rows = [row for row in data.rows("operations", operands="physics")
             if row["format"] in FORMATS and row["implementation"] in IMPLEMENTATIONS
+            and row["operation"] not in operations.ELEMENTARY
             and row["rms_error"] is not None]
     by_operation = {}
     for row in rows:
@@ -95,5 +97,5 @@ def finding(data):
         holders = {row["format"] for row in rows if point(row) in front}
         owners["ours"] += bool(holders & {"q16_16", "q8_24"})
         owners["float"] += "float" in holders
-    return (f"Of {len(shown)} operations ours is on the front of error against cycles in "
+    return (f"Of {len(shown)} operations with kernels ours is on the front of error against cycles in "
             f"{owners['ours']}, float in {owners['float']}.")

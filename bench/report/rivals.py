@@ -43,17 +43,6 @@ def ours(data, operation):
     return None
 
 
-def table(data):
-    """For each operation ours and each variant: (cycles, rms error in ulp), None where it has no such function."""
-    lines = []
-    for operation in dict.fromkeys(row["operation"] for row in data.rows("operations", format="q16_16",
-                                                                           implementation="default")):
-        found = {row["variant"]: (row["cycles_mean"], row["rms_ulp"]) for row in rows(data, operation)}
-        if found:
-            lines.append((operation, ours(data, operation), [found.get(name) for name in NAMES]))
-    return lines
-
-
 def origins(data):
     """Which libraries were measured, in a sentence: name, version, commit and date."""
     found = {row["rival"]: row for row in rows(data)}

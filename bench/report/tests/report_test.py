@@ -272,9 +272,8 @@ avrfix avrfix 1.1 - 2026-01-03 add q8_24 physics 9 1 0 9 -
         self.assertEqual(rivals.finding(made), "Of 2 functions of other libraries none takes fewer cycles than ours; "
                                                "in add some take as many. Less flash than ours take 1 of them; where "
                                                "that counts, the small tables are there.")
-        self.assertEqual([(name, [each for each in others if each]) for name, _, others in rivals.table(made)],
-                         [("add", [(10, 0)]), ("sqrt", [(500, 2)])])
-        self.assertEqual(rivals.table(made)[0][1], (10, 65.536, 10))
+        self.assertEqual([(row["operation"], row["cycles_mean"]) for row in rivals.rows(made)], [("sqrt", 500), ("add", 10)])
+        self.assertEqual(rivals.ours(made, "add"), (10, 65.536, 10))
         self.assertEqual(rivals.origins(made), "Measured: libfixmath at abc (2026-01-02); avrfix 1.1 (2026-01-03).")
         shown = [axes for axes in error_against_cycles.draw(made).axes if axes.axison]
         self.assertIn((500, 2 / 65536), [point for point, _ in points(shown[1])])
@@ -286,7 +285,7 @@ avrfix avrfix 1.1 - 2026-01-03 add q8_24 physics 9 1 0 9 -
     def test_a_rival_without_a_name_is_refused(self):
         made = golden(operations=OPERATIONS, rivals=self.RIVALS.replace("libfixmath_bytes", "another"))
         with self.assertRaisesRegex(DataError, "another"):
-            rivals.table(made)
+            rivals.rows(made)
 
     def test_histograms_are_shares_of_all_inputs(self):
         rows = "operation format implementation low_ulp high_ulp count\n"
