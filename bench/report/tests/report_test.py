@@ -256,7 +256,7 @@ own q8_8 small 90
         self.assertAlmostEqual(shown[0].get_ylim()[0], 0.0001 / 3)
         self.assertAlmostEqual(shown[0].get_ylim()[1], 0.003)
         self.assertEqual(error_against_cycles.finding(made),
-                         "Of 2 operations ours is on the front of error against cycles in 2, float in 1.")
+                         "Of 2 operations with kernels ours is on the front of error against cycles in 2, float in 1.")
 
     RIVALS = """
 rival variant version commit measured operation format operands regular cycles_mean rms_ulp flash_bytes failure
