@@ -2,10 +2,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Draws the figures and writes the pages of results/ out of its data files."""
 import argparse
+import concurrent.futures
 import contextlib
 import datetime
 import filecmp
 import json
+import multiprocessing
 import pathlib
 import re
 import subprocess
@@ -161,14 +163,26 @@ def telling(what):
         raise DataError(f"{what}: {lines[-1] if lines else ''}{kind}{error}") from error
 
 
+def draw(data, folder, name):
+    with telling(f"figure {name}"):
+        style.save(figures(data)[name](), folder, name)
+
+
+def draw_all(data, folder):
+    """All figures, on as many cores as there are."""
+    folder.mkdir(parents=True, exist_ok=True)
+    # Forked, so that a process has what the others had read before it.
+    with concurrent.futures.ProcessPoolExecutor(mp_context=multiprocessing.get_context("fork")) as pool:
+        drawn = [pool.submit(draw, data, folder, name) for name in figures(data)]
+        for done in tqdm.tqdm(concurrent.futures.as_completed(drawn), total=len(drawn), desc="figures",
+                              file=sys.stderr):
+            done.result()
+
+
 def write(results, experiments=()):
     """Everything: the figures, then the pages that show them."""
     data = Data(results / "data", experiments)
-    folder = results / "figures"
-    folder.mkdir(parents=True, exist_ok=True)
-    for name, draw in tqdm.tqdm(figures(data).items(), desc="figures", file=sys.stderr):
-        with telling(f"figure {name}"):
-            style.save(draw(), folder, name)
+    draw_all(data, results / "figures")
 
     environment = templates()
     names = {"data": data, "measured": data.json("tools"), "choose": choose_a_format, "style": style,
