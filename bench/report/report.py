@@ -174,9 +174,11 @@ def draw_all(data, folder):
     # Forked, so that a process has what the others had read before it.
     with concurrent.futures.ProcessPoolExecutor(mp_context=multiprocessing.get_context("fork")) as pool:
         drawn = [pool.submit(draw, data, folder, name) for name in figures(data)]
-        for done in tqdm.tqdm(concurrent.futures.as_completed(drawn), total=len(drawn), desc="figures",
-                              file=sys.stderr):
-            done.result()
+        for _ in tqdm.tqdm(concurrent.futures.as_completed(drawn), total=len(drawn), desc="figures",
+                           file=sys.stderr):
+            pass
+    for done in drawn:
+        done.result()
 
 
 def write(results, experiments=()):

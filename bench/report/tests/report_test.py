@@ -927,7 +927,7 @@ class Style(unittest.TestCase):
         self.assertEqual([style.label(*kind) for kind in (
             ("q16_16", "default"), ("q8_24", "saturating"), ("q16_16", "published"), ("float", "libc"),
             ("s16_15", "accum"), ("q5_27", "default"))],
-            ["Q16.16", "Q8.24, saturating", "Q16.16, 2016 design", "avr-libc float", "_Accum s16.15",
+            ["Q16.16", "Q8.24, saturating", "Q16.16, 2016 design", "avr-libc float", "GCC _Accum s16.15",
              "Q5.27"])
         self.assertEqual(style.face("q16_16", "small"), "white")
         self.assertEqual(style.face("q16_16"), style.colour("q16_16"))
