@@ -81,6 +81,7 @@ struct Nearest : Wrapping {
     static constexpr Raw log(Raw a) {
         return kernel::log<Raw, F>(a);
     }
+    /// \cond internal
     // Those of portable/elementary.hpp.
 #define FIXEDPOINT_ELEMENTARY_FUNCTION(name, Function)                                     \
     template <class Raw, int F, class... Operands>                                         \
@@ -89,6 +90,7 @@ struct Nearest : Wrapping {
     }
     FIXEDPOINT_ELEMENTARY_FUNCTIONS(FIXEDPOINT_ELEMENTARY_FUNCTION)
 #undef FIXEDPOINT_ELEMENTARY_FUNCTION
+    /// \endcond
     /// a b + c, rounded once, mod 2^W.
     template <class Raw, int F>
     static constexpr Raw multiply_add(Raw a, Raw b, Raw c) {
