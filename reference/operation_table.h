@@ -121,11 +121,11 @@
                         OPERATION_cbrt(X, __VA_ARGS__) OPERATION_pow(X, __VA_ARGS__)
 
 /* All. */
-#define OPERATIONS(X, ...)                                                 \
-    MEASURED_OPERATIONS(X, __VA_ARGS__)                                    \
-    ELEMENTARY_OPERATIONS(X, __VA_ARGS__) OPERATION_negate(X, __VA_ARGS__) \
-        OPERATION_abs(X, __VA_ARGS__) OPERATION_shift_left(X, __VA_ARGS__) \
-            OPERATION_shift_right(X, __VA_ARGS__) OPERATION_convert(X, __VA_ARGS__)
+#define OPERATIONS(X, ...)                                                               \
+    MEASURED_OPERATIONS(X, __VA_ARGS__)                                                  \
+    ELEMENTARY_OPERATIONS(X, __VA_ARGS__)                                                \
+    OPERATION_negate(X, __VA_ARGS__) OPERATION_abs(X, __VA_ARGS__) OPERATION_shift_left( \
+        X, __VA_ARGS__) OPERATION_shift_right(X, __VA_ARGS__) OPERATION_convert(X, __VA_ARGS__)
 
 #ifdef __cplusplus
 namespace reference {

@@ -84,12 +84,14 @@ ROOMS = [
          "published_test"),
     room("oracle", "reference/judge.cpp reference/exact.cpp reference/error_statistics.cpp", 5,
          "reference_tests"),
-    room("simulator", "bench/chip/simulator/*.cpp bench/chip/simulator/workarounds/*.cpp", 5,
-         "simulator_tests"),
+    room("simulator", "bench/chip/simulator/*.cpp bench/chip/simulator/workarounds/*.cpp"
+         " !*/other_chip.cpp", 5, "simulator_tests"),
+    room("simulator", "bench/chip/simulator/other_chip.cpp", 1, "other_chips_test"),
     room("translator", "bench/chip/instructions/instruction.cpp bench/chip/instructions/translate.cpp"
          " bench/chip/instructions/fingerprint.cpp", 5, "instructions_tests"),
     room("engine", "engine/src/engine/solvers/*.hpp engine/src/engine/constraints.hpp"
-         " engine/src/engine/links.hpp", 4, "engine_model_step_test", "engine_pool_test"),
+         " engine/src/engine/links.hpp", 4, "engine_model_step_test", "engine_pool_test",
+         "engine_direct_rods_test"),
     room("engine", "engine/src/engine/integrators/*.hpp engine/src/engine/forces.hpp", 4,
          "engine_model_step_test"),
     room("firmware", "firmware/src/firmware/frame_clock.hpp", 2, "firmware_frame_clock_test"),

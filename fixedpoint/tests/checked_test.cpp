@@ -173,6 +173,18 @@ TEST(Checked, TellsWhatLeavesTheRangeInEverySplitOf8Bits) {
     Splits<std::make_integer_sequence<int, 8>>::check();
 }
 
+// The magnitude of the product of these raw numbers is that of the limit, 2^95, and 2^64: of two
+// words of 64 bits the lower ones are equal.
+TEST(Checked, TellsOfProductsThatAreBeyondTheLimitInTheirUpperWordAlone) {
+    using Number = Fixed<32, 32, Checked<Hook>>;
+    const int64_t b = -((int64_t(1) << 62) + (int64_t(1) << 31));
+    const auto product = [&](int64_t a) {
+        return [=] { (void)(Number::from_raw(a) * Number::from_raw(b)); };
+    };
+    expect(overflow_unless(false), fixedpoint::Operation::multiply, product(int64_t(1) << 33));
+    expect(nothing, fixedpoint::Operation::multiply, product(int64_t(1) << 32));
+}
+
 TEST(Checked, TellsOfFloatsThatAreNoNumberOrTooLarge) {
     using Op = fixedpoint::Operation;
     using Number = Fixed<16, 16, Checked<Hook>>;

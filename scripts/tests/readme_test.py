@@ -25,6 +25,7 @@ RUN = [
 INSTEAD = [
     (r"bench/run_all\.sh.*", "bench/run_all.sh --help", "measures for half an hour"),
     (r"scripts/test\.sh.*", "scripts/test.sh --help", "would run this test again"),
+    (r"scripts/pdf\.sh.*", "scripts/pdf.sh --help", "installs packages"),
     (r"scripts/docs\.sh.*", "scripts/docs.sh --help", "the test scripts/docs runs it"),
     (r"scripts/package\.sh.*", "scripts/package.sh --help", "the test fixedpoint/package runs it"),
     (r"scripts/setup\.sh.*", "bash -n scripts/setup.sh", "installs packages"),

@@ -5,10 +5,10 @@
 #define DECLARATION(kernel, shape, operation, I, F) \
     extern "C" void fixedpoint_##operation##_q##I##_##F();
 #define ADDRESS(kernel, shape, operation, I, F) fixedpoint_##operation##_q##I##_##F,
-#define EACH(ROW)                                                                          \
-    FIXEDPOINT_COARSE_SPLITS_16(ROW, , , sin)                                              \
-    FIXEDPOINT_COARSE_SPLITS_16(ROW, , , cos) FIXEDPOINT_COARSE_SPLITS_16(ROW, , , sincos) \
-        FIXEDPOINT_COARSE_SPLITS_16(ROW, , , log)
+#define EACH(ROW)                             \
+    FIXEDPOINT_COARSE_SPLITS_16(ROW, , , sin) \
+    FIXEDPOINT_COARSE_SPLITS_16(ROW, , , cos) \
+    FIXEDPOINT_COARSE_SPLITS_16(ROW, , , sincos) FIXEDPOINT_COARSE_SPLITS_16(ROW, , , log)
 
 EACH(DECLARATION)
 

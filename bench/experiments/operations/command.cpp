@@ -237,7 +237,8 @@ const fixbench::Registration verify({
     .description =
         "The device's machine code against the host, bit for bit: boundary tables, random "
         "operands,\n"
-        "all inputs where there are at most 65536; the calling convention, stray writes, and "
+        "all inputs where there are at most 65536 of a fast function; the calling convention, "
+        "stray writes, and "
         "which\n"
         "instructions were executed. File: kernels.csv.\n\n"
         "Example: fixbench verify --operation divide --samples 10000000",

@@ -374,12 +374,12 @@ class Growth(Figures):
         self.assertEqual(growth.crossing(golden(growth=alone).rows("growth")), 4)
 
     def test_what_is_told_of_it(self):
-        features = """
+        phases = """
 scene feature with cycles_per_step_mean
 lever broad_phase=BruteForce yes 5438
 lever broad_phase=SortAndSweep yes 5562
 """
-        made = golden(growth=GROWTH, features=features)
+        made = golden(growth=GROWTH, features=phases)
         for row in made.rows("features"):
             row["feature"] = row["feature"].replace("broad_", "broad ")
         self.assertEqual(growth.finding(made), "In this box sort and sweep is cheaper from 4 particles on, "
@@ -784,6 +784,89 @@ class Check(unittest.TestCase):
             noted = Data(folder).json("tools")
             self.assertRegex(noted["date"], r"^\d{4}-\d\d-\d\d$")
             self.assertIn("avr-gcc", noted["tools"])
+
+
+class Findings(Figures):
+    """Sentences in place of tables."""
+
+    def test_features(self):
+        made = golden(features="""
+scene feature with cycles_per_step_mean flash_bytes
+lever gravity no 100 1000
+lever gravity yes 110 990
+lever ropes no 100 1000
+lever ropes yes 400 1500
+lever rods no 100 1000
+lever rods yes 600 1200
+lever solver=A yes 9999 9999
+everything gravity yes 5 5
+""")
+        self.assertEqual(features.finding(made), "Of 3 features the dearest are rods +500 cycles a step and +200 bytes "
+                         "of flash, and ropes +300 cycles a step and +500 bytes of flash; the cheapest is gravity +10 "
+                         "cycles a step and -10 bytes of flash.")
+
+    def test_saturation(self):
+        rows = "scene scalar arithmetic integrator dt cycles_per_step_mean flash_bytes\n"
+        for scene, cycles in (("fall", (100, 110, 400)), ("stack", (200, 190, 380))):
+            for (scalar, arithmetic), each, flash in zip((("q16_16", "nearest"), ("q16_16", "saturating"), ("float", "avr-libc")),
+                                                         cycles, (1000, 1000 + cycles[0], 500)):
+                rows += f"{scene} {scalar} {arithmetic} semi_implicit_euler 0.00390625 {each} {flash}\n"
+        self.assertEqual(scenes.saturation_finding(golden(scenes=rows)),
+                         "Over 2 scenes in steps of 1/256 s saturating Q16.16 takes 0.950 (stack) to 1.100 (fall) times "
+                         "the cycles of plain Q16.16, 0.275 to 0.500 times float's, and +100 to +200 bytes of flash.")
+
+    def test_ablations(self):
+        made = golden(ablations="""
+ablation case before after before_cycles after_cycles
+lead spring_step 2 8 100 110
+lead mass 4 4.1 100 80
+share small_step 0.5 0.125 100 150
+share nothing 0 3 100 900
+""")
+        self.assertEqual(stability.ablations_finding(made), "Over 2 measures in 3 cases the limit moves by a factor of up to "
+                         "4 (lead in spring step) and in 1 cases by less than 5 %, at −20 % (lead in mass) to +50 % (share "
+                         "in small step) of the step's cycles.")
+
+    def test_scenarios(self):
+        made = golden(haptic="""
+scenario arithmetic verdict reason loop_rate_hz step_max_ms worst_lateness_ms cpu_percent stack_bytes
+fall_down q16_16 held - 1024.4 0.4 0.2 44 131
+fast_dial q16_16 swings too_late 1023.6 0.5 0.3 45 130
+fall_down float held - 1 9 9 99 999
+""")
+        self.assertEqual(lever.scenarios_finding(made), "It holds 1 of 2 scenarios, not fast dial (too_late), at 1024 steps a "
+                         "second or more. A step takes 0.50 ms at most and begins 0.30 ms late at most (fast dial); the "
+                         "processor is busy for 45 % of its time at most and the stack is 131 bytes deep.")
+
+    def test_profile(self):
+        made = golden(profile_lever="function self_share\n(asleep) 0.5\n"
+                      + "".join(f"f{k} 0.{k}\n" for k in (2, 1)) + "g 0.05\nh 0.04\ni 0.03\n")
+        self.assertEqual(lever.profile_finding(made), "The processor sleeps for 50 % of them. The rest goes to `f2` (20.0 %), "
+                         "`f1` (10.0 %), `g` (5.0 %), `h` (4.0 %) and what takes less: [the whole profile]"
+                         "(data/profile_lever.csv).")
+
+    def test_calibration(self):
+        made = golden(calibration_candidates="""
+formula fitted_to rms_g leave_one_out_rms_g cycles_mean flash_bytes verdict
+line all 99 98 1 2 not_chosen
+a+b all 36.25 44.5 326.4 2126 chosen
+x/a as_published 41.125 - 714.8 2332 rejected
+""")
+        for row in made.rows("calibration_candidates"):
+            row["fitted_to"] = row["fitted_to"].replace("_", " ")
+        self.assertEqual(lever.calibration_finding(made), "Chosen is a+b: 36.2 g rms over the readings (44.5 where each reading "
+                         "is left out of its own fit), 326 cycles and 2126 bytes; the published x/a as it stands has 41.1 g, "
+                         "715 cycles and 2332 bytes.")
+
+    def test_elementary_functions_are_told_apart(self):
+        made = golden(operations="operation format implementation operands cycles_mean\n" + "".join(
+            f"{operation} {kind} physics {cycles}\n" for operation, kind, cycles in (
+                ("sqrt", "q16_16 default", 50), ("sqrt", "float libc", 100), ("tan", "q16_16 default", 900),
+                ("tan", "float libc", 300), ("pow", "q16_16 default", 400), ("pow", "float libc", 200))))
+        self.assertEqual(operations.ratios_to_float(made, "q16_16"), {"sqrt": 0.5})
+        self.assertEqual(operations.ratios_to_float(made, "q16_16", elementary=True), {"tan": 3, "pow": 2})
+        self.assertIn("pow have no kernels; over float's cycles they take 2 to 3 in Q16.16.",
+                      operations.elementary_finding(made))
 
 
 class Identification(Figures):

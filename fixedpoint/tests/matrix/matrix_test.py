@@ -148,7 +148,7 @@ def assembles(chip, assembler="avr-gcc"):
         return "nothing"
     # What kernels share among themselves is no operation.
     shared = {f"fixedpoint_{name}" for name in (
-        "cubic_32", "cubic_40", "divide_32", "exp_32", "largest_32", "length_long", "length_root",
+        "cubic_32", "cubic_40", "cubic_64", "divide_32", "exp_32", "largest_32", "length_long", "length_root",
         "parabola_small", "ratio_32", "reciprocal_root_small", "reciprocal_sqrt_32", "root_long",
         "scale_40", "shift_root_small", "smallest_32", "zero_32")}
     if defined - shared != SYMBOLS:

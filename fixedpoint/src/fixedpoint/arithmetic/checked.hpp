@@ -168,7 +168,7 @@ struct Checked : Nearest {
         watch_range(portable::cos_fits<Raw, F>(angle), Operation::cos);
         Nearest::sincos<Raw, F>(angle, sine_and_cosine);
     }
-    // Those of portable/elementary.hpp, whose evaluation says what there is to tell.
+    /// \cond internal Those of portable/elementary.hpp; their evaluation says what to tell.
 #define FIXEDPOINT_ELEMENTARY_FUNCTION(name, Function)                                      \
     template <class Raw, int F, class... Operands>                                          \
     static FIXEDPOINT_CONSTEXPR Raw name(Operands... operands) {                            \
@@ -176,7 +176,7 @@ struct Checked : Nearest {
                        Operation::name);                                                    \
     }
     FIXEDPOINT_ELEMENTARY_FUNCTIONS(FIXEDPOINT_ELEMENTARY_FUNCTION)
-#undef FIXEDPOINT_ELEMENTARY_FUNCTION
+#undef FIXEDPOINT_ELEMENTARY_FUNCTION  /// \endcond
     /// As Nearest; notifies of overflow.
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR Raw ceil(Raw a) {

@@ -81,14 +81,14 @@ struct Nearest : Wrapping {
     static constexpr Raw log(Raw a) {
         return kernel::log<Raw, F>(a);
     }
-    // Those of portable/elementary.hpp.
+    /// \cond internal Those of portable/elementary.hpp.
 #define FIXEDPOINT_ELEMENTARY_FUNCTION(name, Function)                                     \
     template <class Raw, int F, class... Operands>                                         \
     static constexpr Raw name(Operands... operands) {                                      \
         return portable::Evaluated<portable::Function, Raw, F>::apply(operands...).number; \
     }
     FIXEDPOINT_ELEMENTARY_FUNCTIONS(FIXEDPOINT_ELEMENTARY_FUNCTION)
-#undef FIXEDPOINT_ELEMENTARY_FUNCTION
+#undef FIXEDPOINT_ELEMENTARY_FUNCTION  /// \endcond
     /// a b + c, rounded once, mod 2^W.
     template <class Raw, int F>
     static constexpr Raw multiply_add(Raw a, Raw b, Raw c) {

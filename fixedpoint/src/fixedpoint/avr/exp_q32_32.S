@@ -146,8 +146,8 @@
     mul r22, r27
     add r30, r0
     adc r31, r1
-    subi r30, lo8(-945)
-    sbci r31, hi8(-945)
+    subi r30, lo8(65536 - 945)
+    sbci r31, hi8(65536 - 945)
     lsl r30
     rol r31
     push r31
