@@ -8,6 +8,7 @@ import csv
 import io
 import math
 import pathlib
+import re
 import sys
 import tempfile
 import unittest
@@ -857,6 +858,11 @@ x/a as_published 41.125 - 714.8 2332 rejected
         self.assertEqual(lever.calibration_finding(made), "Chosen is a+b: 36.2 g rms over the readings (44.5 where each reading "
                          "is left out of its own fit), 326 cycles and 2126 bytes; the published x/a as it stands has 41.1 g, "
                          "715 cycles and 2332 bytes.")
+
+    def test_elementary_functions_are_those_of_the_library(self):
+        header = pathlib.Path(__file__).parents[3] / "fixedpoint/src/fixedpoint/portable/elementary.hpp"
+        self.assertEqual(list(operations.ELEMENTARY), re.findall(r"^ +X\((\w+), ", header.read_text(encoding="utf-8"),
+                                                                 re.MULTILINE))
 
     def test_elementary_functions_are_told_apart(self):
         made = golden(operations="operation format implementation operands cycles_mean\n" + "".join(

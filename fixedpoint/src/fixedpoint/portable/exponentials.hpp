@@ -60,7 +60,7 @@ FIXEDPOINT_CONSTEXPR DoubleWord<Raw> guarded_exponential(Raw a, bool negative) {
     const Unsigned<Raw> positive = magnitude(a);
     // Beyond the largest exponent nothing changes, and x must not overflow its word.
     const bool beyond = F < RawLimits<Raw>::width - 6 &&
-                        (positive >> (F < RawLimits<Raw>::width - 6 ? F : 0)) >= 46;
+                        (positive >> (F < RawLimits<Raw>::width - 6 ? F : 0)) >= largest_exponent;
     const DoubleWord<Raw> x = beyond ? DoubleWord<Raw>(uint8_t(largest_exponent))
                                            << (word_bits<Raw>() - 6)
                                      : DoubleWord<Raw>(positive) << up;
@@ -128,9 +128,10 @@ struct Tanh {
         constexpr int bits = word_bits<Raw>();
         constexpr int unit = bits - 3;
         const Unsigned<Raw> positive = magnitude(a);
-        // From 32 on the result is 1 to more than any format's digits.
-        const bool beyond = F < RawLimits<Raw>::width - 5 &&
-                            (positive >> (F < RawLimits<Raw>::width - 5 ? F : 0)) >= 23;
+        // Of e^-2|a| nothing is left from the largest exponent on: 1 to all digits of any format.
+        const bool beyond =
+            F < RawLimits<Raw>::width - 5 &&
+            (positive >> (F < RawLimits<Raw>::width - 5 ? F : 0)) >= largest_exponent / 2;
         const Word twice = beyond ? Word(uint8_t(largest_exponent)) << (bits - 6)
                                   : Word(positive) << (bits - 5 - F);
         const Word one = Word(uint8_t(1)) << unit;
