@@ -17,7 +17,7 @@ STYLE = """
 body { font: 10pt/1.4 sans-serif; }
 h1 { break-before: page; } h1:first-of-type { break-before: avoid; }
 table { border-collapse: collapse; font-size: 6.5pt; margin: 1em 0; }
-td, th { border: 0.5pt solid #999; padding: 1pt 3pt; text-align: left; overflow-wrap: anywhere; }
+td, th { border: 0.5pt solid #999; padding: 1pt 3pt; text-align: left; overflow-wrap: break-word; }
 img { max-width: 100%; max-height: 230mm; } tr, img { break-inside: avoid; }
 code { font-size: 0.9em; }
 """
