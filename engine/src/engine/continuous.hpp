@@ -93,10 +93,10 @@ class Flight {
     // A point would stop on the plane and not in it: that a plane holds half of space is enough.
     void to_plane(const typename World::Plane& plane, Scalar& free) const {
         const auto& particle = world.particles()[moving];
-        const Scalar approach = -dot(plane.normal, direction);
+        const Scalar approach = -plane.along_normal(direction);
         if (!(approach > Scalar()) || !(particle.radius > Scalar())) return;
         const Scalar height =
-            dot(plane.normal, particle.position) - plane.offset - less_a_quarter(particle.radius);
+            plane.along_normal(particle.position) - plane.offset - less_a_quarter(particle.radius);
         if (height < free * approach) shorten(free, height / approach);
     }
 

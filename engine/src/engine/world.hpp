@@ -189,7 +189,7 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
     /// Adds a solid plane: the half space of the points x with normal . x >= offset is free. The
     /// normal must be of length 1 (within 2^-9), as normalise() makes it.
     bool add_plane(const Vector& normal, Scalar offset, Scalar restitution) {
-        return add(planes_, {normal, offset, restitution});
+        return add(planes_, {normal, offset, restitution, axis_of(normal)});
     }
 
     /// Between steps: another length of a rod, a rope or a spring of this world, as in
