@@ -147,6 +147,7 @@ std::vector<double> fitted_map(const std::vector<std::vector<double>>& states) {
                                                                            gsl_vector_free);
     int sign = 0;
     gsl_linalg_LU_decomp(&lu.matrix, order.get(), &sign);
+    if (gsl_linalg_LU_det(&lu.matrix, sign) == 0) return {};
     gsl_matrix_view sides = gsl_matrix_view_array(right.data(), n, n);
     for (std::size_t j = 0; j < n; ++j) {
         const gsl_vector_view side = gsl_matrix_column(&sides.matrix, j);
@@ -181,8 +182,10 @@ std::vector<DynamicsRow> growth_of(const Subject& subject) {
             row.steps = static_cast<unsigned>(states.size()) - (states.empty() ? 0 : 1);
             // The first step has no forces of a step before it.
             if (!states.empty()) states.erase(states.begin());
-            if (went_well(outcome) && states.size() > 2)
-                row.measured = spectral_radius(fitted_map(states), 2);
+            if (went_well(outcome) && states.size() > 2) {
+                const auto map = fitted_map(states);
+                if (!map.empty()) row.measured = spectral_radius(map, 2);
+            }
             rows.push_back(row);
         }
     return rows;

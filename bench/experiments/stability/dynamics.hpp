@@ -56,7 +56,8 @@ double spectral_radius(std::vector<double> matrix, std::size_t n);
 // (x, v) after a step from (x, v) before it, of a spring of frequency omega, 1/s, and damping
 // 2 zeta omega: row by row. Throws std::invalid_argument for a method that is none.
 std::vector<double> step_map(const std::string& integrator, double omega, double zeta, double dt);
-// The map that takes each state to the next, in least squares; n numbers a state.
+// The map that takes each state to the next, in least squares; n numbers a state. Empty where the
+// states lie on a line, so that more than one map would do.
 std::vector<double> fitted_map(const std::vector<std::vector<double>>& states);
 
 std::vector<DynamicsRow> growth_of(const Subject& subject);

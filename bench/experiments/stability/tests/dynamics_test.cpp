@@ -46,6 +46,10 @@ TEST(FittedMap, IsTheMapOfTheRun) {
     for (int i = 0; i < 4; ++i) EXPECT_NEAR(fitted[i], map[i], 1e-9) << i;
 }
 
+TEST(FittedMap, IsNoneWhereTheStatesDoNotTellIt) {
+    EXPECT_TRUE(fitted_map({{1, 0}, {0.5, 0}, {0.25, 0}}).empty());
+}
+
 class InDouble : public testing::TestWithParam<Subject> {};
 
 TEST_P(InDouble, GrowsAsTheoryHasIt) {
