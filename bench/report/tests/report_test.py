@@ -413,9 +413,24 @@ rope q16_16 nearest velocity_verlet 0.5 9 80 160 - - - 400 held
 """
 
 
+STATES = """
+scene scalar integrator dt states held error_min error_median error_max
+fall q8_24 velocity_verlet 0.5 8 8 1 2 4
+fall float velocity_verlet 0.5 8 8 2 3 4
+fall q8_24 velocity_verlet 0.25 8 7 1 2 90
+fall float velocity_verlet 0.25 8 8 1 2 9
+"""
+
+
 class Scenes(Figures):
     def setUp(self):
         self.data = golden(scenes=SCENES)
+
+    def test_the_spread_over_starts(self):
+        self.assertIn("the largest error of a run is 4.0 times the smallest in the median of 3 runs", scenes.spread_finding(golden(
+            initial_states=STATES)))
+        self.assertIn("than in float in 1 of the 1 runs", scenes.spread_finding(golden(
+            initial_states=STATES)))
 
     def test_what_held_on_the_chip_and_can_be_judged_counts(self):
         self.assertEqual(len(scenes.measured(self.data)), 6)
@@ -601,6 +616,22 @@ f q8_8 nearest velocity_verlet 1 overflows overflow_add
         rows = self.rows().rows("stability")
         self.assertEqual(stability.silent(rows, "nearest"), (3, 1, 1))
         self.assertEqual(stability.silent(rows, "saturating"), (1, 0, 1))
+
+    def test_the_long_run_of_a_format(self):
+        found = stability.dynamics(golden(dynamics="""
+measure system scalar arithmetic integrator at measured theory
+growth spring q8_8 nearest velocity_verlet 1 1.25 1
+growth spring q8_8 nearest velocity_verlet 2 0.5 1
+growth spring q8_8 nearest velocity_verlet 2 - 1
+growth spring q8_8 saturating velocity_verlet 2 9 1
+energy orbit q8_8 nearest velocity_verlet 100000 7 0
+energy orbit q8_8 nearest velocity_verlet 10000 3 0
+reversal orbit q8_8 nearest velocity_verlet 10 0.125 0
+dead_band spring q8_8 nearest velocity_verlet 4 0.5 0.75
+limit_cycle spring q8_8 nearest velocity_verlet 4 12 1
+"""), "q8_8", "velocity_verlet")
+        self.assertEqual(found, {"growth": 0.5, "energy": {"orbit": 7}, "reversal": 0.125, "band": 0.5, "bound": 0.75,
+                                 "period": 12})
 
     def test_limits_that_the_search_ended_are_marked(self):
         self.assertEqual(stability.with_end({"limit": 5.0, "limited_by": "stable"}), "beyond 5")
