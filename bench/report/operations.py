@@ -153,6 +153,12 @@ def losses(data, number_format, implementation):
     return f"{shown} float's cycles{more}"
 
 
+def largest_of(error):
+    """An error and whose it is, as text; of many ulp the power of ten tells."""
+    ulp, name = error
+    return f"{ulp:.4g} ({name})" if ulp < 1e6 else f"{ulp:.0e} ({name})"
+
+
 def format_table(data):
     """The rows of the first page: an arithmetic, its range and resolution, its largest error, mean
     cycles, flash, and where it loses."""
@@ -168,7 +174,7 @@ def format_table(data):
         table.append({
             "kind": kind, "range": power(limits[kind[0]]["maximum"]),
             "resolution": f"{limits[kind[0]]['resolution']:.3g}" if kind != FLOAT else "2⁻²⁴ of the value",
-            "ulp": max(errors), "flash": flash_together(data, *kind),
+            "ulp": largest_of(max(errors)), "flash": flash_together(data, *kind),
             "cycles": [mean(data, name, *kind) for name in BASIC],
             "ratio": geometric_mean(ratios_to_float(data, *kind).values()) if kind != FLOAT else 1,
             "losses": losses(data, *kind) if kind != FLOAT else (
@@ -182,6 +188,9 @@ def least_flash(data):
     rows = sorted(data.rows("flash", operations="nine"), key=lambda row: row["flash_bytes"])
     least, ours = rows[0], min((row for row in rows if row["format"] != "float"),
                                key=lambda row: row["flash_bytes"])
-    return (f"A program with the nine takes least flash in {style.label(least['format'], least['implementation'])}, "
-            f"{least['flash_bytes']} bytes; the least of ours is {ours['flash_bytes']} "
-            f"({style.label(ours['format'], ours['implementation'])}).")
+    text = (f"A program with the nine takes least flash in {style.label(least['format'], least['implementation'])}, "
+            f"{least['flash_bytes']} bytes")
+    if least is not ours:
+        text += (f"; the least of ours is {ours['flash_bytes']} "
+                 f"({style.label(ours['format'], ours['implementation'])})")
+    return text + "."
