@@ -135,7 +135,7 @@ struct Checked : Nearest {
 #define FIXEDPOINT_ELEMENTARY_FUNCTION(name, Function)                                      \
     template <class Raw, int F, class... Operands>                                          \
     static FIXEDPOINT_CONSTEXPR Raw name(Operands... operands) {                            \
-        return watched(portable::Evaluated<portable::Function, Raw, F>::apply(operands...), \
+        return watched(portable::Evaluated<kernel::Function, Raw, F>::apply(operands...), \
                        Operation::name);                                                    \
     }
     FIXEDPOINT_ELEMENTARY_FUNCTIONS(FIXEDPOINT_ELEMENTARY_FUNCTION)
