@@ -5,14 +5,14 @@
 /// format and beyond.
 #pragma once
 
+#include <fixedpoint/kernel/turns.hpp>
 #include <fixedpoint/math.hpp>
-#include <fixedpoint/portable/turns.hpp>
 
 namespace fixedpoint {
 
 /// \cond internal
 template <class Number>
-using CoreOf = portable::SineOfPhase<typename Number::Raw, Number::fraction_bits>;
+using CoreOf = kernel::SineOfPhase<typename Number::Raw, Number::fraction_bits>;
 template <class Number>
 FIXEDPOINT_CONSTEXPR Number sine_of_phase(typename CoreOf<Number>::Phase phase) {
     return Number::from_raw(CoreOf<Number>::sine(phase));
@@ -20,7 +20,7 @@ FIXEDPOINT_CONSTEXPR Number sine_of_phase(typename CoreOf<Number>::Phase phase) 
 template <class Number>
 FIXEDPOINT_CONSTEXPR Number cosine_of_phase(typename CoreOf<Number>::Phase phase) {
     return sine_of_phase<Number>(static_cast<typename CoreOf<Number>::Phase>(
-        phase + portable::quarter_turn<CoreOf<Number>>()));
+        phase + kernel::quarter_turn<CoreOf<Number>>()));
 }
 template <class Number>
 FIXEDPOINT_CONSTEXPR SineAndCosine<Number> sine_and_cosine_of_phase(
@@ -29,21 +29,21 @@ FIXEDPOINT_CONSTEXPR SineAndCosine<Number> sine_and_cosine_of_phase(
 }
 template <class Number>
 constexpr typename CoreOf<Number>::Phase turns_phase(Number angle) {
-    return portable::phase_of_turns<CoreOf<Number>, typename Number::Raw, Number::fraction_bits>(
+    return kernel::phase_of_turns<CoreOf<Number>, typename Number::Raw, Number::fraction_bits>(
         angle.raw());
 }
 template <class Number>
 constexpr typename CoreOf<Number>::Phase degrees_phase(Number angle) {
-    return portable::phase_of_degrees<CoreOf<Number>, typename Number::Raw, Number::fraction_bits>(
+    return kernel::phase_of_degrees<CoreOf<Number>, typename Number::Raw, Number::fraction_bits>(
         angle.raw());
 }
 template <class Number, int Bits>
 FIXEDPOINT_CONSTEXPR Number angle_of(Number y, Number x, uint64_t per_radian) {
     using Raw = typename Number::Raw;
-    using Fine = portable::FineAngle<Raw, Number::fraction_bits>;
+    using Fine = kernel::FineAngle<Raw, Number::fraction_bits>;
     using FineRaw = typename Fine::Type;
     return Number::from_raw(
-        portable::scaled_angle<Raw, Number::fraction_bits, Fine::fraction_bits, Bits>(
+        kernel::scaled_angle<Raw, Number::fraction_bits, Fine::fraction_bits, Bits>(
             kernel::atan2<FineRaw, Fine::fraction_bits>(static_cast<FineRaw>(y.raw()),
                                                         static_cast<FineRaw>(x.raw())),
             per_radian));
