@@ -105,15 +105,15 @@ def geometric_mean(values):
 
 
 def elementary_finding(data):
-    """What the functions without a kernel take, in a sentence; nothing where they were not measured."""
+    """What the functions without a kernel of their own take, in a sentence; nothing where they were not measured."""
     ranges = []
     for number_format in FORMATS:
         ratios = ratios_to_float(data, number_format, elementary=True)
         if ratios:
             ranges.append(f"{min(ratios.values()):.3g} to {max(ratios.values()):.3g} in "
                           f"{style.format_label(number_format)}")
-    return (f"The {len(ELEMENTARY)} elementary functions {', '.join(ELEMENTARY)} have no kernels; over float's cycles "
-            f"they take {', '.join(ranges)}." if ranges else "")
+    return (f"The {len(ELEMENTARY)} elementary functions {', '.join(ELEMENTARY)} have no kernels of their own; over float's "
+            f"cycles they take {', '.join(ranges)}." if ranges else "")
 
 
 def slower_than_float(data, number_format, implementation=OURS):

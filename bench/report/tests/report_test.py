@@ -871,7 +871,7 @@ x/a as_published 41.125 - 714.8 2332 rejected
                 ("tan", "float libc", 300), ("pow", "q16_16 default", 400), ("pow", "float libc", 200))))
         self.assertEqual(operations.ratios_to_float(made, "q16_16"), {"sqrt": 0.5})
         self.assertEqual(operations.ratios_to_float(made, "q16_16", elementary=True), {"tan": 3, "pow": 2})
-        self.assertIn("pow have no kernels; over float's cycles they take 2 to 3 in Q16.16.",
+        self.assertIn("pow have no kernels of their own; over float's cycles they take 2 to 3 in Q16.16.",
                       operations.elementary_finding(made))
 
 

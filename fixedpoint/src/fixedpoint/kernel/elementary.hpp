@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The elementary functions that are made of kernels of other formats, in splits of 32 bits; the
-// others have the portable code of elementary.hpp. All are faithful (error below 0.75 ulp).
+// The elementary functions as compositions of kernels: all splits of 32 bits from 9 to 24 fraction
+// bits have them but for tan and pow, which begin at 16, and Q32.32 has some. The other formats
+// have the portable code of portable/elementary.hpp. All are faithful (error below 0.75 ulp).
 //
-// A kernel of a finer split has the bits behind an ulp that a function of its result needs: the
-// logarithm, the root, the quotient and the angle are those of up to 30 fraction bits. Powers come
-// from exp_wide, which no split of 32 bits has digits enough for.
+// The kernel of a finer format has the bits behind an ulp that a function of its result asks for:
+// its own error, and what a composition adds before it rounds, stays below 0.2 ulp. Powers come
+// from exp_wide, as no split of 32 bits has digits enough for them.
 #pragma once
 
 #include <fixedpoint/kernel/dispatch.hpp>
@@ -26,6 +27,7 @@ template <class First, class Second>
 struct Choice<First, Second, false> {
     using Type = Second;
 };
+
 namespace composed {
 
 // What a composition serves: the splits of 32 bits with so many fraction bits, and Q32.32.
@@ -117,13 +119,13 @@ struct Tanh : Splits<9, 24> {
     }
 };
 
-// Logarithms: of a 2^-fraction, in units of 2^-fraction.
+// Logarithms. That of a 2^-fraction, in units of 2^-fraction:
 
 template <class Wide>
 struct NaturalLogarithm;
 template <>
 struct NaturalLogarithm<int32_t> {
-    static constexpr int fraction = 24;
+    static constexpr int fraction = 24, scale = 30;
     static constexpr int32_t ln2 = 11629080;
     static FIXEDPOINT_CONSTEXPR int32_t of(uint32_t a) {
         return a >> 31 != 0 ? log<int32_t, 24>(static_cast<int32_t>(a >> 1)) + ln2
@@ -132,16 +134,16 @@ struct NaturalLogarithm<int32_t> {
 };
 template <>
 struct NaturalLogarithm<int64_t> {
-    static constexpr int fraction = 32;
+    static constexpr int fraction = 32, scale = 32;
     static constexpr int64_t ln2_11_times = 32747489190;  // less than 0.02 off
     static FIXEDPOINT_CONSTEXPR int64_t of(uint64_t a) {
         return a >> 63 != 0 ? log<int64_t, 32>(static_cast<int64_t>(a >> 11)) + ln2_11_times
                             : log<int64_t, 32>(static_cast<int64_t>(a));
     }
 };
-// That of a 2^-F is `excess` ln 2 more.
+// That of a 2^-F, `excess` ln 2 more, in the same units.
 template <int F>
-struct LogarithmOf : NaturalLogarithm<typename Choice<int32_t, int64_t, (F <= 16)>::Type> {
+struct LogarithmOf {
     using Wide = typename Choice<int32_t, int64_t, (F <= 16)>::Type;
     static constexpr int fraction = NaturalLogarithm<Wide>::fraction;
     static constexpr int64_t excess = fraction - F;
@@ -150,12 +152,13 @@ struct LogarithmOf : NaturalLogarithm<typename Choice<int32_t, int64_t, (F <= 16
                static_cast<Wide>((excess * ln2_48 + (int64_t(1) << (47 - fraction))) >>
                                  (48 - fraction));
     }
-    // `whole` + `part` 2^-32 of the natural one: to another base, in which ln 2 is `of_2` 2^-32.
-    static FIXEDPOINT_CONSTEXPR Wide scaled(Unsigned<Wide> a, int whole, int32_t part,
-                                            int64_t of_2) {
-        const Wide natural = NaturalLogarithm<Wide>::of(a);
-        return (whole != 0 ? natural : 0) + multiply<Wide, 32>(natural, part) +
-               static_cast<Wide>(excess * of_2 >> (32 - fraction));
+    // To the base b, with 1 / ln b in units of 2^-34 and the logarithm of 2 in units of 2^-32.
+    template <int64_t per_ln_b, int64_t log_b_of_2>
+    static FIXEDPOINT_CONSTEXPR Wide to_base(Unsigned<Wide> a) {
+        constexpr int scale = NaturalLogarithm<Wide>::scale, drop = 34 - scale;
+        constexpr Wide factor = static_cast<Wide>((per_ln_b + (1 << (drop - 1))) >> drop);
+        return multiply<Wide, scale>(NaturalLogarithm<Wide>::of(a), factor) +
+               static_cast<Wide>(excess * log_b_of_2 >> (32 - fraction));
     }
     template <class Raw>
     static FIXEDPOINT_IN_PLACE Evaluation<Raw> evaluation(Wide logarithm) {
@@ -167,7 +170,8 @@ struct Log2 : Splits<9, 24> {
     static FIXEDPOINT_IN_PLACE Evaluation<Raw> apply(Raw a) {
         if (a <= 0) return portable::no_logarithm<Raw>();
         return LogarithmOf<F>::template evaluation<Raw>(
-            LogarithmOf<F>::scaled(static_cast<Unsigned<Raw>>(a), 1, 1901360723, int64_t(1) << 32));
+            LogarithmOf<F>::template to_base<24785312075, int64_t(1) << 32>(
+                static_cast<Unsigned<Raw>>(a)));
     }
 };
 struct Log10 : Splits<9, 24> {
@@ -175,7 +179,8 @@ struct Log10 : Splits<9, 24> {
     static FIXEDPOINT_IN_PLACE Evaluation<Raw> apply(Raw a) {
         if (a <= 0) return portable::no_logarithm<Raw>();
         return LogarithmOf<F>::template evaluation<Raw>(
-            LogarithmOf<F>::scaled(static_cast<Unsigned<Raw>>(a), 0, 1865280597, 1292913986));
+            LogarithmOf<F>::template to_base<7461122386, 1292913986>(
+                static_cast<Unsigned<Raw>>(a)));
     }
 };
 // 1 + a fits the unsigned number.
