@@ -21,7 +21,7 @@ packages=(
     nodejs npm
 )
 for_tests=(clang-format clang-tidy clang-19 shellcheck python3-pyflakes
-    chromium gdb doxygen)
+    chromium gdb doxygen parallel)
 for_fuzzing=(clang libclang-rt-dev)
 for_printing=(chromium python3-markdown)
 

@@ -81,11 +81,12 @@ def figures(data):
 
 
 def version(*command):
+    """The last word of the first line that the command prints."""
     try:
         done = subprocess.run(command, capture_output=True, text=True, check=True)
     except (OSError, subprocess.CalledProcessError):
         return "not found"
-    return done.stdout.splitlines()[0].strip()
+    return done.stdout.splitlines()[0].split()[-1]
 
 
 def tool_versions():

@@ -32,8 +32,10 @@ const fixbench::Registration exhaustive({
         "Kernels as machine code, translated instruction by instruction and run over all inputs\n"
         "where there are at most 2^32 (bound `exact`), else over a long search (`lower bound`).\n"
         "About a minute a function. Rows go into exhaustive.csv; those of other functions stay.\n"
-        "With --shard i/n a part of the work goes into files that `fixbench merge` joins:\n\n"
-        "  parallel fixbench exhaustive --output DIR --shard {}/16 ::: $(seq 16)\n"
+        "With --shard i/n a part of the work goes into files that `fixbench merge` joins. A "
+        "worker\n"
+        "that dies is started again and goes on from its checkpoint:\n\n"
+        "  parallel --retries 3 fixbench exhaustive --output DIR --shard {}/16 ::: $(seq 16)\n"
         "  fixbench merge --output DIR DIR/*.json\n\n"
         "Example: fixbench exhaustive --symbol sqrt_q16_16_default,sin_q16_16_default",
     .prints = {"exhaustive.csv"},

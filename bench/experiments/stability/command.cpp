@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fixbench stability and fixbench advise.
-#include <cmath>
-#include <map>
+// fixbench stability.
 #include <memory>
-#include <thread>
 
-#include "bench/experiments/stability/advise.hpp"
 #include "bench/experiments/stability/measure_stability.hpp"
 #include "bench/lab/program/build.hpp"
 #include "bench/lab/program/experiment.hpp"
@@ -58,54 +54,6 @@ const fixbench::Registration measure({
                .reads = {ABLATION_PROGRAMS},
                .full_seconds = 400,
                .quick_seconds = 30}},
-});
-
-const fixbench::Registration advice({
-    .name = "advise",
-    .description =
-        "Number formats, splits, methods and steps that run a scene within an error, cheapest\n"
-        "first, with cycles, flash and the bits that each quantity is away from overflow. All\n"
-        "splits Q2.14 to Q12.4, Q4.28 to Q24.8 and Q12.52 to Q40.24 are tried, and float. Exits\n"
-        "with 1 where nothing meets the error.\n\n"
-        "Example: fixbench advise --scene pendulum --error 5 --unit mm",
-    .add =
-        [](CLI::App& command) {
-            struct Asked {
-                AdviceOptions options;
-                double unit = 1;
-            };
-            const auto asked = std::make_shared<Asked>();
-            AdviceOptions& options = asked->options;
-            options.data = FIXBENCH_SOURCE_FOLDER "/results/data";
-            options.threads = std::max(1u, std::thread::hardware_concurrency());
-            command
-                .add_option("--scene", options.scene,
-                            "a scene of engine/src/scenes/, e.g. pendulum")
-                ->required();
-            command.add_option("--error", options.error, "the largest error of a position")
-                ->required()
-                ->check([](const std::string& text) {
-                    double error = 0;
-                    return CLI::detail::lexical_cast(text, error) && std::isfinite(error) &&
-                                   error > 0
-                               ? std::string()
-                               : "a number above 0 is needed, not " + text;
-                });
-            command.add_option("--unit", asked->unit, "of the error: m, cm, mm or um")
-                ->transform(CLI::CheckedTransformer(std::map<std::string, double>{
-                    {"m", 1}, {"cm", 1e-2}, {"mm", 1e-3}, {"um", 1e-6}}));
-            command
-                .add_option("--data", options.data, "folder of scenes.csv, for cycles and flash")
-                ->capture_default_str();
-            command.add_option("--lines", options.most, "so many lines at most")
-                ->capture_default_str()
-                ->check(CLI::Range(1, 10000));
-            return [asked](const Call&) {
-                AdviceOptions settled = asked->options;
-                settled.error *= asked->unit;
-                return advise(settled) ? fixbench::held : fixbench::check_failed;
-            };
-        },
 });
 
 }  // namespace

@@ -2,7 +2,6 @@
 #include "bench/lab/program/output.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
@@ -10,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "bench/lab/program/scratch.hpp"
 #include "bench/lab/records/csv.hpp"
 #include "bench/lab/records/whole_file.hpp"
 
@@ -17,28 +17,6 @@ namespace fixbench {
 namespace {
 
 namespace fs = std::filesystem;
-
-// A folder of its own for as long as it is needed.
-class Scratch {
-  public:
-    Scratch() {
-        std::string name = (fs::temp_directory_path() / "fixbench.XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr)
-            throw std::runtime_error(
-                fmt::format("cannot make a folder in {}", fs::temp_directory_path().string()));
-        folder_ = name;
-    }
-    ~Scratch() {
-        std::error_code ignored;
-        fs::remove_all(folder_, ignored);
-    }
-    Scratch(const Scratch&) = delete;
-    Scratch& operator=(const Scratch&) = delete;
-    const fs::path& folder() const { return folder_; }
-
-  private:
-    fs::path folder_;
-};
 
 std::string text_of(const fs::path& file) {
     std::ifstream stream(file, std::ios::binary);

@@ -17,6 +17,7 @@
 
 #include <engine/choice.hpp>
 #include <engine/constraints.hpp>
+#include <engine/continuous.hpp>
 #include <engine/error.hpp>
 #include <engine/forces.hpp>
 #include <engine/observe.hpp>
@@ -98,6 +99,8 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
     static constexpr unsigned long max_rows =
         Solver::rows_per_rod * (0ul + Uses::rods + Uses::anchored_rods) + Uses::ropes +
         Uses::anchored_ropes + Uses::contacts;
+    static_assert(Uses::radii || !Uses::continuous_contacts,
+                  "continuous_contacts are of particles with radii.");
     static_assert(max_rows <= 65535,
                   "Rods, ropes and contacts make at most 65535 rows: Uses states more.");
 
@@ -307,10 +310,7 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
     template <class TimeStep>
     void integrate_positions(TimeStep dt) {
         observe<Scalar>(Quantity::position);
-        particles_.for_each([&](Particle& particle) {
-            if (!movable(particle)) return;
-            particle.move(particle.position, particle.velocity, dt);
-        });
+        integrate_positions(dt, If<Uses::continuous_contacts>());
     }
 
     /// Multiplies each velocity by its particle's damping factor.
@@ -407,6 +407,19 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
             for (Index i = 0; i < world.particles_.size(); ++i) constrain(obstacle, i, world, dt);
         }
     };
+    template <class TimeStep>
+    void integrate_positions(TimeStep dt, If<true>) {
+        for (Index i = 0; i < particles_.size(); ++i) {
+            if (movable(particles_[i])) Flight<World>::move(*this, i, dt);
+        }
+    }
+    template <class TimeStep>
+    void integrate_positions(TimeStep dt, If<false>) {
+        particles_.for_each([&](Particle& particle) {
+            if (!movable(particle)) return;
+            particle.move(particle.position, particle.velocity, dt);
+        });
+    }
     template <class TimeStep>
     void collide_all(TimeStep dt, If<true>) {
         BroadPhase::collide_all(*this, dt);

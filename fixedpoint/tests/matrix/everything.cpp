@@ -35,6 +35,9 @@ static_assert((0.38_q16_16).raw() == 24904, "0.38 2^16 = 24903.68");
 static_assert((7.9375_q4_4).raw() == 127, "the largest number");
 static_assert((1e-3_q8_8).raw() == 0, "an exponent");
 static_assert((3.14159265358979323846_q32_32).raw() == 13493037705, "pi 2^32 = 13493037704.52");
+static_assert((1 - 0.5_q16_16 * 3).raw() == -32768 && 1_q16_16 < 2 && 2u > 1_q16_16, "integers");
+static_assert(fixed<16, 16>(-0.38).raw() == -24904, "a checked constant");
+static_assert(constants::pi<Q16_16>().raw() == 205887, "pi 2^16 = 205887.42");
 #if __cplusplus >= 201402L
 // So is what is computed of them, from C++14 on.
 static_assert((2.5_q16_16 * 0.5_q16_16).raw() == 81920, "a product");
@@ -71,6 +74,33 @@ void ring(Number& a, Number b) {
     a = scale_down<3>(a) + sqrt(a) + atan2(a, b);
 }
 
+template <class Number, class Int>
+void beside_integer(Number& a, Int n) {
+    a = (n - a) * n + n * (a + n) - (n + a - n) / n;
+    a += n;
+    a -= n;
+    a *= n;
+    a /= n;
+    if (a == n || a != n || a < n || a > n || a <= n || a >= n) a = Number();
+    if (n == a || n != a || n < a || n > a || n <= a || n >= a) a = Number();
+}
+
+template <class Number>
+void beside_integers(Number& a) {
+    beside_integer(a, static_cast<int8_t>(1));
+    beside_integer(a, static_cast<uint8_t>(1));
+    beside_integer(a, 1);
+    beside_integer(a, 1u);
+    beside_integer(a, 1L);
+    beside_integer(a, 1ull);
+}
+
+template <int I, int F, class A>
+void widening(Fixed<I, F, A>& a) {
+    a = narrow<Fixed<I, F, A>>(widening_multiply(a, a)) +
+        narrow<Fixed<I, F, A>>(widening_add(a, a));
+    a += constants::ln2<Fixed<I, F, A>>() + fixed<I, F, A>(0.5) + fixed<I, F, A>(0);
+}
 template <class Number>
 void functions(Number* a) {
     a[0] = reciprocal_sqrt(a[1]) + atan(a[0]) + sin(a[0]) + cos(a[1]) + exp(a[1]) + log(a[0]);
@@ -78,6 +108,9 @@ void functions(Number* a) {
         tan(a[0]) + asin(a[0]) + acos(a[1]) + exp2(a[0]) + expm1(a[1]) + log2(a[0]) + log10(a[1]);
     a[1] += log1p(a[0]) + sinh(a[0]) + cosh(a[1]) + tanh(a[0]) + cbrt(a[1]) + pow(a[0], a[1]);
     a[0] += hypot(a[0], a[1]) + hypot(a[0], a[1], a[0]);
+    a[0] = lerp(copysign(a[0], a[1]), midpoint(a[0], a[1]), smoothstep(abs_diff(a[0], a[1])));
+    a[0] = divmod(a[0], a[1]).remainder + divrem(a[0], a[1]).remainder +
+           isqrt(a[0].raw()) * sign(a[1]);
     const auto both = sincos(a[1]);
     a[1] = multiply_add(both.sine, both.cosine, a[1]);
     a[1] += dot2(a, a + 1) + dot3(a, a) + length2(a) + length3(a);
@@ -133,6 +166,7 @@ template <int I, int F>
 void every_arithmetic() {
     Fixed<I, F> nearest[3];
     ring(nearest[0], nearest[1]);
+    beside_integers(nearest[0]);
     functions(nearest);
     conversions(nearest[0]);
     Fixed<I, F, Small> small[3];
@@ -140,10 +174,12 @@ void every_arithmetic() {
     functions(small);
     Fixed<I, F, Saturating> saturating[3];
     ring(saturating[0], saturating[1]);
+    beside_integers(saturating[0]);
     functions(saturating);
     conversions(saturating[0]);
     Fixed<I, F, Checked<Hook>> checked[3];
     ring(checked[0], checked[1]);
+    beside_integers(checked[0]);
     functions(checked);
 }
 
@@ -166,6 +202,13 @@ void everything() {
     blocks<Fixed<16, 16, Checked<Hook>>, Fixed<16, 16, Checked<Hook>>>();
     blocks<Fixed<8, 8, Small>, Fixed<16, 16, Small>>();
     blocks<float, float>();
+    // Products of wider numbers do not compile.
+    Q4_4 a;
+    Fixed<1, 15, Saturating> b;
+    Fixed<16, 16, Checked<Hook>> c;
+    widening(a);
+    widening(b);
+    widening(c);
     Fixed<16, 16, Published> published = Fixed<16, 16, Published>::from_integer(3);
     published = published * published / sqrt(published) + atan2(published, published);
 }

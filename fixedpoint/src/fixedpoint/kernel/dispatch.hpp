@@ -15,6 +15,7 @@
 #include <fixedpoint/portable/divide_small.hpp>
 #include <fixedpoint/portable/dot.hpp>
 #include <fixedpoint/portable/exp.hpp>
+#include <fixedpoint/portable/exp_wide.hpp>
 #include <fixedpoint/portable/length.hpp>
 #include <fixedpoint/portable/log.hpp>
 #include <fixedpoint/portable/multiply.hpp>
@@ -53,6 +54,7 @@ FIXEDPOINT_OPERATION(UNARY, atan_small)
 FIXEDPOINT_OPERATION(BINARY, atan2)
 FIXEDPOINT_OPERATION(BINARY, atan2_small)
 FIXEDPOINT_OPERATION(UNARY, exp)
+FIXEDPOINT_OPERATION(SCALED, exp_wide)
 FIXEDPOINT_OPERATION(UNARY, exp_small)
 FIXEDPOINT_OPERATION(UNARY, log)
 FIXEDPOINT_OPERATION(UNARY, log_small)
@@ -189,6 +191,10 @@ FIXEDPOINT_CONSTEXPR void sincos(Raw angle, Raw* sine_and_cosine) {
     }
 }
 
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR uint64_t exp_wide(Raw a, uint8_t unit) {
+    return portable::exp_wide<Raw, F>(a, unit);
+}
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw exp_small(Raw a) {
     return portable::exp_small<Raw, F>(a);

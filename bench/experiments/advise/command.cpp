@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fixbench advise.
+#include <cmath>
+#include <map>
+#include <memory>
+#include <stdexcept>
+
+#include "bench/experiments/advise/advise.hpp"
+#include "bench/experiments/stability/advise.hpp"
+#include "bench/lab/program/experiment.hpp"
+
+namespace advise {
+namespace {
+
+const fixbench::Registration command({
+    .name = "advise",
+    .description =
+        "Number formats that run a program or a scene within an error, cheapest first, with "
+        "cycles,\n"
+        "flash and the bits that are left to overflow. Exits with 1 where nothing meets the "
+        "error.\n\n"
+        "--program FILE: your code, `template <class Number> class Program` with a member "
+        "function\n"
+        "`Number step(Number...)`, run with your data: CSV files of a column for each input, a "
+        "run\n"
+        "each, which begins with a new Program. Recorded in double, then in each format that "
+        "holds\n"
+        "what was recorded, on the host and on the simulated chip, where both have to agree. The\n"
+        "error is the largest against double. Files: advice.csv, ranges.csv (what every variable\n"
+        "that fixedpoint::watch names and every line had for values; printed with --ranges).\n\n"
+        "--scene NAME: a scene of the engine against its true motion, in all splits Q2.14 to "
+        "Q12.4,\n"
+        "Q4.28 to Q24.8 and Q12.52 to Q40.24, and float, with every method and step.\n\n"
+        "Example: fixbench advise --program my_filter.cpp --inputs my_data.csv --error 0.001\n"
+        "         fixbench advise --scene pendulum --error 5 --unit mm",
+    .prints = {"advice.csv", "ranges.csv"},
+    .add =
+        [](CLI::App& command) {
+            struct Asked {
+                Options program;
+                stability::AdviceOptions scene;
+                double error = 0, unit = 1;
+            };
+            const auto asked = std::make_shared<Asked>();
+            asked->scene.data = FIXBENCH_SOURCE_FOLDER "/results/data";
+            CLI::Option* const program =
+                command.add_option("--program", asked->program.program, "a C++ file of yours")
+                    ->check(CLI::ExistingFile);
+            CLI::Option* const inputs =
+                command.add_option("--inputs", asked->program.data, "CSV files of its inputs")
+                    ->check(CLI::ExistingFile)
+                    ->needs(program);
+            program->needs(inputs);
+            CLI::Option* const ranges = command
+                                            .add_flag("--ranges", asked->program.ranges_only,
+                                                      "only the ranges of variables and lines")
+                                            ->needs(program);
+            CLI::Option* const scene =
+                command
+                    .add_option("--scene", asked->scene.scene,
+                                "a scene of engine/src/scenes/, e.g. pendulum")
+                    ->excludes(program);
+            for (const char* files : {"--output", "--json", "--csv"})
+                scene->excludes(command.get_option(files));
+            CLI::Option* const error =
+                command
+                    .add_option("--error", asked->error,
+                                "the largest error of a result, or of a position")
+                    ->check([](const std::string& text) {
+                        double error = 0;
+                        return CLI::detail::lexical_cast(text, error) && std::isfinite(error) &&
+                                       error > 0
+                                   ? std::string()
+                                   : "a number above 0 is needed, not " + text;
+                    });
+            error->excludes(ranges);
+            command.add_option("--unit", asked->unit, "of a position's error: m, cm, mm or um")
+                ->transform(CLI::CheckedTransformer(std::map<std::string, double>{
+                    {"m", 1}, {"cm", 1e-2}, {"mm", 1e-3}, {"um", 1e-6}}))
+                ->needs(scene);
+            command
+                .add_option("--data", asked->scene.data,
+                            "folder of scenes.csv and operations.csv, for cycles and flash")
+                ->capture_default_str();
+            command.add_option("--lines", asked->scene.most, "so many lines of a scene at most")
+                ->capture_default_str()
+                ->check(CLI::Range(1, 10000))
+                ->needs(scene);
+            return [asked](const fixbench::Call& call) {
+                const bool scene = !asked->scene.scene.empty();
+                if (!scene && asked->program.program.empty())
+                    throw std::invalid_argument(
+                        "advise takes --program and --inputs, or --scene, and --error");
+                if (asked->error == 0 && !asked->program.ranges_only)
+                    throw std::invalid_argument(
+                        "advise takes --error, the largest that is allowed");
+                bool found;
+                if (scene) {
+                    asked->scene.error = asked->error * asked->unit;
+                    asked->scene.threads = call.threads;
+                    found = stability::advise(asked->scene);
+                } else {
+                    asked->program.error = asked->error;
+                    asked->program.measured = asked->scene.data / "operations.csv";
+                    asked->program.output = call.output;
+                    asked->program.threads = call.threads;
+                    found = advise_program(asked->program);
+                }
+                return found ? fixbench::held : fixbench::check_failed;
+            };
+        },
+});
+
+}  // namespace
+}  // namespace advise

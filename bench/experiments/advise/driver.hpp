@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Compiles the programs of driver/ with the user's file, and runs those for the host.
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace advise {
+
+// Of the program in a format.
+class Failure : public std::invalid_argument {
+  public:
+    using std::invalid_argument::invalid_argument;
+};
+
+// Throw Failure of one line, the compiler's first error.
+void compile_for_host(const std::filesystem::path& program, const char* driver,
+                      const std::string& definition, const std::filesystem::path& output);
+void compile_for_chip(const std::filesystem::path& program,
+                      const std::vector<std::string>& definitions,
+                      const std::filesystem::path& output);
+
+using Words = std::vector<std::string>;
+
+// The lines that a program of the driver prints, as words between tabulators. Throws
+// std::invalid_argument where it crashes or is not done in time.
+std::vector<Words> lines_of(const std::filesystem::path& user, std::vector<std::string> command);
+
+}  // namespace advise

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the program told in double: the range of every variable and line, and its results.
+#pragma once
+
+#include <map>
+#include <optional>
+
+#include "bench/experiments/advise/advise.hpp"
+#include "bench/experiments/advise/data.hpp"
+#include "bench/experiments/advise/format.hpp"
+#include "bench/lab/records/record.hpp"
+
+namespace advise {
+
+// A row of ranges.csv: what a variable, or the operations of a line, had for values.
+struct RangeRow {
+    std::string kind, name, source;
+    std::uint64_t count;
+    double least, greatest;
+    std::optional<double> smallest;  // magnitude other than 0
+    int integer_bits;
+    std::string overflows, underflows;  // in the candidates where there are any
+
+    static constexpr auto columns = [] {
+        using records::column;
+        return std::tuple(
+            column("kind", &RangeRow::kind), column("name", &RangeRow::name),
+            column("count", &RangeRow::count), column("least", &RangeRow::least),
+            column("greatest", &RangeRow::greatest), column("smallest", &RangeRow::smallest),
+            column("integer_bits", &RangeRow::integer_bits),
+            column("overflows", &RangeRow::overflows), column("underflows", &RangeRow::underflows),
+            column("source", &RangeRow::source));
+    }();
+};
+
+struct Recorded {
+    std::vector<double> outputs;               // of all runs, in double
+    std::map<std::string, double> operations;  // a step
+    int integer_bits = 1;                      // that hold everything
+    std::vector<RangeRow> ranges;
+};
+
+// Runs the compiled driver/record.cpp on a file of rows, and counts what overflows and underflows
+// in the formats. Throws std::invalid_argument where the data do not fit the program.
+Recorded record(const Options& options, const Data& data, const std::filesystem::path& recorder,
+                const std::filesystem::path& rows, const std::vector<Format>& formats);
+
+}  // namespace advise
