@@ -7,6 +7,15 @@
 #include <fixedpoint/arithmetic/published.hpp>
 #include <fixedpoint/arithmetic/saturating.hpp>
 #include <fixedpoint/arithmetic/small.hpp>
+#include <fixedpoint/blocks/biquad.hpp>
+#include <fixedpoint/blocks/complex.hpp>
+#include <fixedpoint/blocks/interpolation.hpp>
+#include <fixedpoint/blocks/matrix.hpp>
+#include <fixedpoint/blocks/moving_average.hpp>
+#include <fixedpoint/blocks/one_pole.hpp>
+#include <fixedpoint/blocks/pid.hpp>
+#include <fixedpoint/blocks/polynomial.hpp>
+#include <fixedpoint/blocks/quaternion.hpp>
 
 #ifdef HOST_HEADERS
 #include <fixedpoint/host/hash.hpp>
@@ -93,6 +102,18 @@ void widening(Fixed<I, F, A>& a) {
     a += constants::ln2<Fixed<I, F, A>>() + fixed<I, F, A>(0.5) + fixed<I, F, A>(0);
 }
 template <class Number>
+void angles(Number& a) {
+    a = sin_turns(a) + cos_turns(a) + sincos_turns(a).sine + atan2_turns(a, a);
+    a += sin_degrees(a) + cos_degrees(a) + sincos_degrees(a).sine + atan2_degrees(a, a);
+    Turn<16> coarse = Turn<16>::from_turns(a);
+    Turn<32> fine = Turn<32>::from_turns(a);
+    coarse += -coarse * 2 - coarse + 3u * coarse;
+    fine -= fine;
+    if (coarse == Turn<16>() || fine != Turn<32>::from_raw(coarse.raw())) a = fine.turns<Number>();
+    a += sin<Number>(coarse) + cos<Number>(fine) + sincos<Number>(fine).sine;
+}
+
+template <class Number>
 void functions(Number* a) {
     a[0] = reciprocal_sqrt(a[1]) + atan(a[0]) + sin(a[0]) + cos(a[1]) + exp(a[1]) + log(a[0]);
     a[0] +=
@@ -123,12 +144,43 @@ void conversions(Number& a) {
     a += parse<Number>(text, print(a, text, sizeof text) + print(a, 3, text, sizeof text)).number;
 }
 
+template <class Number, uint8_t N>
+void matrices(Number (&v)[N]) {
+    Matrix<Number, N> a = {};
+    for (uint8_t i = 0; i < N; ++i) a.element[i][i] = v[i];
+    Number image[N] = {};
+    if (invert(a * adjugate(a), a)) multiply(a, v, image);
+    v[0] = image[0] + determinant(a);
+}
+
+template <class Number, class Coefficient>
+void blocks() {
+    static const Table<Number, 3> values FIXEDPOINT_PROGRAM_MEMORY = {{}};
+    static const Table<Coefficient, 3> coefficients FIXEDPOINT_PROGRAM_MEMORY = {{}};
+    Number a[3] = {};
+    Pid<Number> pid({a[0], a[0], a[0]}, a[0], a[0]);
+    Biquad<Number> biquad({a[0], a[0], a[0], a[0], a[0]});
+    OnePole<Number> one_pole(a[0], a[1]);
+    MovingAverage<Number, 256> average(a[0]);
+    a[0] = biquad.update(one_pole.update(average.update(pid.update(a[0], one_pole.output()))));
+    a[0] = polynomial(interpolate<0>(values, a[0], a[1]), coefficients);
+    a[0] = interpolate<-2>(values, a[0], interpolate<1>(values, a[0], a[1]));
+    const Complex<Number> z = {{a[0], a[1]}}, product = z * conjugate(z) + z - z;
+    a[0] = product.real() + product.imaginary() + squared_magnitude(z);
+    Number plane[2] = {a[0], a[1]};
+    matrices(plane);
+    matrices(a);
+    const Quaternion<Number> q = {{a[0], a[1], a[2], plane[0]}};
+    rotate(renormalised(q * conjugate(q)), a, a);
+}
+
 template <int I, int F>
 void every_arithmetic() {
     Fixed<I, F> nearest[3];
     ring(nearest[0], nearest[1]);
     beside_integers(nearest[0]);
     functions(nearest);
+    angles(nearest[0]);
     conversions(nearest[0]);
     Fixed<I, F, Small> small[3];
     ring(small[0], small[1]);
@@ -137,6 +189,7 @@ void every_arithmetic() {
     ring(saturating[0], saturating[1]);
     beside_integers(saturating[0]);
     functions(saturating);
+    angles(saturating[0]);
     conversions(saturating[0]);
     Fixed<I, F, Checked<Hook>> checked[3];
     ring(checked[0], checked[1]);
@@ -154,6 +207,15 @@ void everything() {
     every_arithmetic<32, 32>();
     every_arithmetic<8, 24>();
     every_arithmetic<1, 15>();
+    blocks<Q4_4, Q8_8>();
+    blocks<Q8_8, Q16_16>();
+    blocks<Q16_16, Fixed<8, 24>>();
+    blocks<Fixed<8, 24>, Fixed<8, 24>>();
+    blocks<Q32_32, Q32_32>();
+    blocks<Fixed<16, 16, Saturating>, Fixed<8, 24, Saturating>>();
+    blocks<Fixed<16, 16, Checked<Hook>>, Fixed<16, 16, Checked<Hook>>>();
+    blocks<Fixed<8, 8, Small>, Fixed<16, 16, Small>>();
+    blocks<float, float>();
     // Products of wider numbers do not compile.
     Q4_4 a;
     Fixed<1, 15, Saturating> b;
