@@ -12,6 +12,7 @@
 /// \namespace fixedpoint::literals
 /// Literals such as 0.38_q16_16.
 
+#include <fixedpoint/angle.hpp>
 #include <fixedpoint/constants.hpp>
 #include <fixedpoint/conversion.hpp>
 #include <fixedpoint/fixed.hpp>

@@ -116,8 +116,8 @@ class Fixed {
     template <class Int>
     friend constexpr typename BesideInteger<Int, Fixed>::Type operator+(Fixed a, Int n) {
         return from_raw(Arithmetic::settle(portable::add_integer<Raw, FractionBits>(a.raw_, n),
-                                                portable::sum_fits<Raw, FractionBits>(a.raw_, n),
-                                                !portable::is_negative_integer(n), Operation::add));
+                                           portable::sum_fits<Raw, FractionBits>(a.raw_, n),
+                                           !portable::is_negative_integer(n), Operation::add));
     }
     template <class Int>
     friend constexpr typename BesideInteger<Int, Fixed>::Type operator+(Int n, Fixed a) {
@@ -128,17 +128,17 @@ class Fixed {
     /// @{
     template <class Int>
     friend constexpr typename BesideInteger<Int, Fixed>::Type operator-(Fixed a, Int n) {
-        return from_raw(Arithmetic::settle(
-            wrapping_subtract(a.raw_, portable::scale<Raw, FractionBits>(n)),
-            portable::difference_fits<Raw, FractionBits>(a.raw_, n),
-            portable::is_negative_integer(n), Operation::subtract));
+        return from_raw(
+            Arithmetic::settle(wrapping_subtract(a.raw_, portable::scale<Raw, FractionBits>(n)),
+                               portable::difference_fits<Raw, FractionBits>(a.raw_, n),
+                               portable::is_negative_integer(n), Operation::subtract));
     }
     template <class Int>
     friend constexpr typename BesideInteger<Int, Fixed>::Type operator-(Int n, Fixed a) {
-        return from_raw(Arithmetic::settle(
-            wrapping_subtract(portable::scale<Raw, FractionBits>(n), a.raw_),
-            portable::difference_from_fits<Raw, FractionBits>(a.raw_, n),
-            !portable::is_negative_integer(n), Operation::subtract));
+        return from_raw(
+            Arithmetic::settle(wrapping_subtract(portable::scale<Raw, FractionBits>(n), a.raw_),
+                               portable::difference_from_fits<Raw, FractionBits>(a.raw_, n),
+                               !portable::is_negative_integer(n), Operation::subtract));
     }
     /// @}
     /// The product, exact, for nothing is rounded; one out of the range as the arithmetic has it

@@ -102,6 +102,18 @@ void widening(Fixed<I, F, A>& a) {
     a += constants::ln2<Fixed<I, F, A>>() + fixed<I, F, A>(0.5) + fixed<I, F, A>(0);
 }
 template <class Number>
+void angles(Number& a) {
+    a = sin_turns(a) + cos_turns(a) + sincos_turns(a).sine + atan2_turns(a, a);
+    a += sin_degrees(a) + cos_degrees(a) + sincos_degrees(a).sine + atan2_degrees(a, a);
+    Turn<16> coarse = Turn<16>::from_turns(a);
+    Turn<32> fine = Turn<32>::from_turns(a);
+    coarse += -coarse * 2 - coarse + 3u * coarse;
+    fine -= fine;
+    if (coarse == Turn<16>() || fine != Turn<32>::from_raw(coarse.raw())) a = fine.turns<Number>();
+    a += sin<Number>(coarse) + cos<Number>(fine) + sincos<Number>(fine).sine;
+}
+
+template <class Number>
 void functions(Number* a) {
     a[0] = reciprocal_sqrt(a[1]) + atan(a[0]) + sin(a[0]) + cos(a[1]) + exp(a[1]) + log(a[0]);
     a[0] +=
@@ -168,6 +180,7 @@ void every_arithmetic() {
     ring(nearest[0], nearest[1]);
     beside_integers(nearest[0]);
     functions(nearest);
+    angles(nearest[0]);
     conversions(nearest[0]);
     Fixed<I, F, Small> small[3];
     ring(small[0], small[1]);
@@ -176,6 +189,7 @@ void every_arithmetic() {
     ring(saturating[0], saturating[1]);
     beside_integers(saturating[0]);
     functions(saturating);
+    angles(saturating[0]);
     conversions(saturating[0]);
     Fixed<I, F, Checked<Hook>> checked[3];
     ring(checked[0], checked[1]);

@@ -25,6 +25,7 @@
 #include <fixedpoint/portable/reciprocal_sqrt.hpp>
 #include <fixedpoint/portable/remainder.hpp>
 #include <fixedpoint/portable/sin.hpp>
+#include <fixedpoint/portable/sine_of_phase.hpp>
 #include <fixedpoint/portable/sqrt.hpp>
 
 // Every operation is declared first, so that the kernels are known before anything calls one.
@@ -49,6 +50,7 @@ FIXEDPOINT_OPERATION(UNARY, sin_small)
 FIXEDPOINT_OPERATION(UNARY, cos)
 FIXEDPOINT_OPERATION(UNARY, cos_small)
 FIXEDPOINT_OPERATION(PAIR, sincos)
+FIXEDPOINT_OPERATION(UNARY, sine_of_phase)
 FIXEDPOINT_OPERATION(UNARY, atan)
 FIXEDPOINT_OPERATION(UNARY, atan_small)
 FIXEDPOINT_OPERATION(BINARY, atan2)
@@ -195,6 +197,11 @@ template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR uint64_t exp_wide(Raw a, uint8_t unit) {
     return portable::exp_wide<Raw, F>(a, unit);
 }
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw sine_of_phase(Raw phase) {
+    return portable::sine_of_phase<Raw, F>(phase);
+}
+
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw exp_small(Raw a) {
     return portable::exp_small<Raw, F>(a);
