@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <optional>
 #include <random>
+#include <type_traits>
 
 #include "bench/chip/simulator/device_function.hpp"
 #include "bench/experiments/blocks/subjects.hpp"
@@ -84,9 +85,12 @@ Measurement measured(const std::string& block, const std::string& format, unsign
     std::mt19937 random(1);  // the same inputs for each format
     for (unsigned k = 0; k < steps; ++k) {
         for (unsigned i = 0; i < inputs; ++i) {
-            const long n = static_cast<long>(random() % 513) - 256 + Block<Number>::offset(i);
-            in[i] = constant<Number>(n);
-            exact_in[i] = constant<double>(n);
+            // A multiple of 2^-16, where the format holds that.
+            constexpr int bits = std::is_same_v<Number, q8_8> ? 8 : 16;
+            const long n = static_cast<long>(random() % 131073) - 65536;
+            in[i] = Constant<Number, bits>::of((n >> (16 - bits)) +
+                                               (Block<Number>::offset(i) * (1l << (bits - 8))));
+            exact_in[i] = value(in[i]);
         }
         const std::uint32_t cycles = device.step(in, out);
         host.step(in.data(), host_out.data());
