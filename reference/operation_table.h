@@ -110,7 +110,7 @@
                         OPERATION_dot3(X, __VA_ARGS__) OPERATION_length2(X, __VA_ARGS__)        \
                             OPERATION_length3(X, __VA_ARGS__) OPERATION_normalise3(X, __VA_ARGS__)
 
-/* Those without kernels, measured on the device too, in programs of their own: the first do not
+/* Those made of the first, measured on the device too, in programs of their own: the first do not
  * leave them room. */
 #define ELEMENTARY_OPERATIONS(X, ...)                                                           \
     OPERATION_tan(X, __VA_ARGS__) OPERATION_asin(X, __VA_ARGS__) OPERATION_acos(X, __VA_ARGS__) \

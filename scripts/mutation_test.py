@@ -91,7 +91,8 @@ ROOMS = [
          " bench/chip/instructions/fingerprint.cpp", 5, "instructions_tests"),
     room("engine", "engine/src/engine/solvers/*.hpp engine/src/engine/constraints.hpp"
          " engine/src/engine/links.hpp", 4, "engine_model_step_test", "engine_pool_test",
-         "engine_direct_rods_test"),
+         "engine_direct_rods_test", "engine_warm_started_test"),
+    room("engine", "engine/src/engine/continuous.hpp", 2, "engine_continuous_test"),
     room("engine", "engine/src/engine/integrators/*.hpp engine/src/engine/forces.hpp", 4,
          "engine_model_step_test"),
     room("firmware", "firmware/src/firmware/frame_clock.hpp", 2, "firmware_frame_clock_test"),

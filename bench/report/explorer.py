@@ -12,6 +12,7 @@ import sys
 import tempfile
 
 import operations
+import rivals
 import style
 from data import DataError
 
@@ -21,17 +22,17 @@ BENCH = SOURCES.parents[1]
 # The tables of the page. Those that a view draws come first; all stand in the table view.
 DRAWN = {
     "overview": ("operations", "accuracy", "exhaustive", "flash", "table_3_1"),
-    "operations": ("operations", "accuracy", "exhaustive", "error_histograms", "error_along_input"),
+    "operations": ("operations", "accuracy", "exhaustive", "error_histograms", "error_along_input",
+                   "rivals"),
     "scenes": ("scenes",),
     "stability": ("stability", "stability_map"),
 }
 LISTED = ("kernels", "table_3_2", "workload", "workload_firmware", "features", "growth", "envelope",
-          "suitability", "ablations", "haptic", "calibration_candidates", "stable_limits",
-          "rivals")
+          "blocks", "suitability", "ablations", "haptic", "calibration_candidates", "stable_limits")
 
 # A marker of matplotlib as the library's symbol and as a letter.
 SYMBOLS = {"o": ("circle", "●"), "s": ("square", "■"), "^": ("triangle", "▲"), "D": ("diamond2", "◆"),
-           "*": ("star", "★"), "P": ("cross", "✚"), "X": ("saltire", "✖")}
+           "*": ("star", "★"), "P": ("cross", "✚"), "X": ("saltire", "✖"), "1": ("wye", "⅄")}
 # The implementation that an arithmetic of scenes and cases is, where it has another name.
 IMPLEMENTATION = {"nearest": "default", "avr-libc": "libc", "ieee": "libc"}
 
@@ -116,6 +117,9 @@ def style_of(number_format, implementation):
 
 def subject(number_format, implementation):
     """How a format in an implementation is called and drawn."""
+    if implementation in rivals.NAMES:
+        return {"label": rivals.label(number_format, implementation), "style": "rival",
+                "hollow": False}
     return {"label": style.label(number_format, implementation),
             "style": style_of(number_format, implementation),
             "hollow": style.face(number_format, implementation) == "white"}
@@ -123,7 +127,7 @@ def subject(number_format, implementation):
 
 def number_format(name, data):
     """What a format can hold."""
-    drawn = {"label": style.format_label(name), "style": name}
+    drawn = {"label": style.format_label(name), "style": name if name in style.FORMATS else "rival"}
     if name == "float":
         row, = data.rows("table_3_1", format="float")
         return drawn | {"fraction": None, "maximum": row["maximum"], "resolution": None,
@@ -187,8 +191,9 @@ def gather(data):
     """All that the page knows, as JSON."""
     views = {view: names for view, names in DRAWN.items() if data.has(names[0])}
     names = list(dict.fromkeys(name for drawn in views.values() for name in drawn))
-    # The exhaustive run takes hours and may not have been made.
-    names = [name for name in names if name not in ("exhaustive", "flash") or data.has(name)]
+    # The exhaustive run takes hours, the rivals' need their sources: they may not have been made.
+    names = [name for name in names
+             if name not in ("exhaustive", "flash", "rivals") or data.has(name)]
     names += [name for name in LISTED if data.has(name)]
     measured = data.rows("operations")
     context = data.json("operations")["context"]
@@ -197,7 +202,11 @@ def gather(data):
     kinds = {(name, "default"): None for name in style.FORMATS}
     kinds |= {(row["format"], row["implementation"]): None for row in measured}
     require_known("operations", "format", (name for name, _ in kinds), style.FORMATS)
-    formats = {name: number_format(name, data) for name in style.FORMATS}
+    others = {(row["format"], row["variant"]): None for row in rivals.comparable(data)}
+    known |= {name: {"provenance": "rival", "label": text, "as_default": False}
+              for name, text in rivals.NAMES.items() if name in {each for _, each in others}}
+    formats = {name: number_format(name, data)
+               for name in [*style.FORMATS, *(name for name, _ in others)]}
     scalars = {}
     if "scenes" in views:
         shown = [row for row in data.rows("scenes") if row["cycles_per_simulated_second"] is not None]
@@ -215,10 +224,11 @@ def gather(data):
         "styles": {name: dict(zip(("label", "colour", "symbol", "letter"),
                                   (label, colour, *SYMBOLS[marker])))
                    for name, (label, colour, marker) in
-                   (style.FORMATS | {"published": style.PUBLISHED}).items()},
+                   (style.FORMATS | {"published": style.PUBLISHED,
+                                     "rival": style.RIVAL}).items()},
         "formats": formats,
         "implementations": known,
-        "subjects": {"/".join(kind): subject(*kind) for kind in kinds},
+        "subjects": {"/".join(kind): subject(*kind) for kind in [*kinds, *others]},
         "scalars": {f"{scalar}/{arithmetic}": subject(scalar, IMPLEMENTATION.get(arithmetic, arithmetic))
                     | ({"label": "float"} if scalar == "float" else {})
                     for scalar, arithmetic in scalars},

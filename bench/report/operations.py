@@ -105,15 +105,15 @@ def geometric_mean(values):
 
 
 def elementary_finding(data):
-    """What the functions without a kernel take, in a sentence; nothing where they were not measured."""
+    """What the functions beyond those of the front pages take, in a sentence; nothing where they were not measured."""
     ranges = []
     for number_format in FORMATS:
         ratios = ratios_to_float(data, number_format, elementary=True)
         if ratios:
             ranges.append(f"{min(ratios.values()):.3g} to {max(ratios.values()):.3g} in "
                           f"{style.format_label(number_format)}")
-    return (f"The {len(ELEMENTARY)} elementary functions {', '.join(ELEMENTARY)} have no kernels; over float's cycles "
-            f"they take {', '.join(ranges)}." if ranges else "")
+    return (f"The {len(ELEMENTARY)} further functions {', '.join(ELEMENTARY)} take, over float's cycles, "
+            f"{', '.join(ranges)}." if ranges else "")
 
 
 def slower_than_float(data, number_format, implementation=OURS):
@@ -153,6 +153,12 @@ def losses(data, number_format, implementation):
     return f"{shown} float's cycles{more}"
 
 
+def largest_of(error):
+    """An error and whose it is, as text; of many ulp the power of ten tells."""
+    ulp, name = error
+    return f"{ulp:.4g} ({name})" if ulp < 1e6 else f"{ulp:.0e} ({name})"
+
+
 def format_table(data):
     """The rows of the first page: an arithmetic, its range and resolution, its largest error, mean
     cycles, flash, and where it loses."""
@@ -168,7 +174,7 @@ def format_table(data):
         table.append({
             "kind": kind, "range": power(limits[kind[0]]["maximum"]),
             "resolution": f"{limits[kind[0]]['resolution']:.3g}" if kind != FLOAT else "2⁻²⁴ of the value",
-            "ulp": max(errors), "flash": flash_together(data, *kind),
+            "ulp": largest_of(max(errors)), "flash": flash_together(data, *kind),
             "cycles": [mean(data, name, *kind) for name in BASIC],
             "ratio": geometric_mean(ratios_to_float(data, *kind).values()) if kind != FLOAT else 1,
             "losses": losses(data, *kind) if kind != FLOAT else (
@@ -182,6 +188,9 @@ def least_flash(data):
     rows = sorted(data.rows("flash", operations="nine"), key=lambda row: row["flash_bytes"])
     least, ours = rows[0], min((row for row in rows if row["format"] != "float"),
                                key=lambda row: row["flash_bytes"])
-    return (f"A program with the nine takes least flash in {style.label(least['format'], least['implementation'])}, "
-            f"{least['flash_bytes']} bytes; the least of ours is {ours['flash_bytes']} "
-            f"({style.label(ours['format'], ours['implementation'])}).")
+    text = (f"A program with the nine takes least flash in {style.label(least['format'], least['implementation'])}, "
+            f"{least['flash_bytes']} bytes")
+    if least is not ours:
+        text += (f"; the least of ours is {ours['flash_bytes']} "
+                 f"({style.label(ours['format'], ours['implementation'])})")
+    return text + "."

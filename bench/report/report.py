@@ -18,6 +18,7 @@ import traceback
 import jinja2
 import tqdm
 
+import blocks
 import choose_a_format
 import division_cycles
 import error_against_cycles
@@ -81,11 +82,12 @@ def figures(data):
 
 
 def version(*command):
+    """The last word of the first line that the command prints."""
     try:
         done = subprocess.run(command, capture_output=True, text=True, check=True)
     except (OSError, subprocess.CalledProcessError):
         return "not found"
-    return done.stdout.splitlines()[0].strip()
+    return done.stdout.splitlines()[0].split()[-1]
 
 
 def tool_versions():
@@ -188,7 +190,7 @@ def write(results, experiments=()):
 
     environment = templates()
     names = {"data": data, "measured": data.json("tools"), "choose": choose_a_format, "style": style,
-             "operations": operations,
+             "operations": operations, "blocks": blocks,
              "headline": headline, "table_3_2": table_3_2, "division_cycles": division_cycles,
              "error_against_cycles": error_against_cycles, "error_histograms": error_histograms,
              "features": features, "identification": identification, "scenes": scenes,

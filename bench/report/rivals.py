@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Other libraries beside ours, on operands of 0.01 to 20."""
+"""Other libraries beside ours."""
+import style
 from data import DataError
 
-# How the pages call the variants of rivals.json, in the order of the table's columns.
+# How the pages call the variants of rivals.csv, in the order of the table's columns.
 NAMES = {
     "libfixmath": "libfixmath",
     "libfixmath_bytes": "libfixmath, 8-bit option",
@@ -10,24 +11,40 @@ NAMES = {
     "fix_math": "FixMath (Mozzi)",
     "avrfix": "AVRfix",
     "fixedptc": "fixedptc",
+    "fixedptc_default": "fixedptc, its own split",
     "gcc_accum": "GCC _Accum, s16.15",
     "fxlib": "avr-libc fxlib, s16.15",
     "wide_integer": "64-bit integers",
 }
-MARKERS = dict(zip(NAMES, "xx+1234|_"))
-COLOURS = dict(zip(NAMES, ("#555555", "#999999", *["#777777"] * 7)))
+MARKERS = dict(zip(NAMES, "xx+1233|4_"))
+COLOURS = dict(zip(NAMES, ("#555555", "#999999", *["#777777"] * 8)))
 # Of 32 bits that hold the same range to within a bit.
 FORMATS = {"q16_16": 16, "s16_15": 15}
 
 
-def rows(data, operation=None):
-    """Those of the formats that are held against Q16.16 which return for all operands; none where nothing was measured."""
-    found = data.rows("rivals", operands="physics") if data.has("rivals") else []
-    unknown = {row["variant"] for row in found} - set(NAMES) - {"fixedptc_default"}
+def judged(data, **wanted):
+    """Those that return for all operands; none where nothing was measured."""
+    found = data.rows("rivals", **wanted) if data.has("rivals") else []
+    unknown = {row["variant"] for row in found} - set(NAMES)
     if unknown:
         raise DataError(f"rivals.csv has a variant that no page has a name for: {min(unknown)}")
-    return [row for row in found if row["format"] in FORMATS and row["variant"] in NAMES and row["regular"]
-            and not row["failure"] and operation in (None, row["operation"])]
+    return [row for row in found if row["regular"] and not row["failure"]]
+
+
+def comparable(data):
+    """Those that the explorer shows beside ours, where the compiler's own types stand already."""
+    return [row for row in judged(data) if row["variant"] != "gcc_accum"]
+
+
+def rows(data, operation=None):
+    """Those of the formats that are held against Q16.16, on operands of 0.01 to 20."""
+    return [row for row in judged(data, operands="physics")
+            if row["format"] in FORMATS and operation in (None, row["operation"])]
+
+
+def label(number_format, variant):
+    """How a library's numbers are called, e.g. libfixmath, Q16.16."""
+    return f"{NAMES[variant].split(', s16')[0]}, {style.format_label(number_format)}"
 
 
 def point(row):

@@ -157,6 +157,23 @@ def chain_finding(data):
             f"for {longest:.0f}, over all formats: the solver's iterations set it, not the arithmetic. The speed on a circle:")
 
 
+def dynamics(data, scalar, integrator):
+    """Of a scalar and a method: the largest distance of the growth a step from theory, the energy gained
+    after the most steps by system, the distance from the start after a reversal, the dead band with its
+    bound, and the period of the limit cycle; None where a run does not fit or wraps."""
+    rows = [row for row in data.rows("dynamics", scalar=scalar, integrator=integrator)
+            if row["arithmetic"] in DEFAULT]
+
+    def of(measure, system=None):
+        return [row for row in rows if row["measure"] == measure and system in (None, row["system"])]
+    growth = [abs(row["measured"] - row["theory"]) for row in of("growth") if row["measured"] is not None]
+    energy = {row["system"]: row["measured"] for row in sorted(of("energy"), key=lambda row: row["at"])}
+    band, cycle = of("dead_band")[0], of("limit_cycle")[0]
+    return {"growth": max(growth, default=None), "energy": energy,
+            "reversal": of("reversal", "orbit")[0]["measured"], "band": band["measured"],
+            "bound": band["theory"], "period": cycle["measured"]}
+
+
 def ablations_finding(data):
     """What the measures of the engine buy and cost, in a sentence."""
     rows = [row for row in data.rows("ablations") if number(row["before"]) > 0 and number(row["after"]) > 0]

@@ -30,6 +30,8 @@ FORMATS = {
 }
 # The 2016 design, in whatever format.
 PUBLISHED = ("2016 design", "#d55e00", "X")
+# Another library, in whatever format.
+RIVAL = ("another library", "#555555", "1")
 OTHER = ("#000000", "*")
 # What no format has: measured against published, verdicts, theory.
 INK = "#222222"

@@ -19,5 +19,6 @@
 #include <engine/integrators/implicit_springs.hpp>
 #include <engine/integrators/velocity_verlet.hpp>
 #include <engine/solvers/direct_rods.hpp>
+#include <engine/solvers/warm_started.hpp>
 #include <engine/solvers/worst_first.hpp>
 #include <engine/world.hpp>

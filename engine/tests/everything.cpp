@@ -34,7 +34,8 @@ struct All : Uses {
                               anchored_rods = 1, ropes = 1, anchored_ropes = 1, planes = 1,
                               contacts = 2;
     static constexpr bool gravity = true, damping = true, collisions = true, radii = true,
-                          compensated_integration = true, custom_force = true;
+                          compensated_integration = true, continuous_contacts = true,
+                          custom_force = true;
     template <class World>
     using CustomForce = Push<World>;
     using Integrator = ChosenIntegrator;
@@ -92,7 +93,7 @@ int main() {
     use_all<SaturatingFixed<16, 16>, All<SemiImplicitEuler, ProjectedGaussSeidel<4>, BruteForce>>();
     use_all<Fixed<16, 16, fixedpoint::Published>, All<ExplicitEuler, WorstFirst<4>, BruteForce>>();
     use_all<Fixed<32, 32, fixedpoint::Small>,
-            All<ImplicitSprings, ProjectedGaussSeidel<4>, BruteForce>>();
+            All<ImplicitSprings, WarmStartedGaussSeidel<4>, BruteForce>>();
     use_all<float, All<VelocityVerlet, ProjectedGaussSeidel<4>, SortAndSweep>>();
     use_all<double, All<ImplicitSprings, WorstFirst<4>, SortAndSweep>>();
     use_chain<SaturatingFixed<16, 16>>();

@@ -342,10 +342,10 @@ Model random_model(Random& random) {
     if (random.one_in(2))
         m.drags.push_back({random.below(int(m.particles.size())), random.quarters(0, 4),
                            random.one_in(2) ? 0 : random.quarters(1, 2)});
-    const V normals[] = {{0, 1}, {1, 0}, {0, -1}, {0.6, 0.8}};
+    const V normals[] = {{0, 1}, {1, 0}, {0, -1}, {-1, 0}, {0.6, 0.8}};
     if (random.one_in(2))
         m.planes.push_back(
-            {normals[random.below(4)], random.quarters(-8, 2), random.quarters(0, 4)});
+            {normals[random.below(5)], random.quarters(-8, 2), random.quarters(0, 4)});
     return m;
 }
 

@@ -16,6 +16,10 @@ struct Opposed : engine::Uses {
     static constexpr unsigned particles = 2, rods = 32768;
     using Solver = engine::WorstFirst<4>;
 };
+struct Points : engine::Uses {
+    static constexpr unsigned particles = 2, planes = 1, contacts = 2;
+    static constexpr bool continuous_contacts = true;
+};
 struct Alone : engine::Uses {
     static constexpr unsigned particles = 1;
 };
@@ -26,6 +30,8 @@ engine::World<double, Crowd> crowd;    // refused: A pool holds at most 65535 el
 engine::World<double, Chains> chains;  // refused: Rods, ropes and contacts make at most 65535 rows
 engine::World<double, Opposed>
     opposed;  // refused: Rods, ropes and contacts make at most 65535 rows
+
+engine::World<double, Points> points;  // refused: continuous_contacts are of particles with radii.
 
 void build() {
     engine::World<double, Alone> world;

@@ -23,6 +23,17 @@ double to_double(const engine::Fixed<I, F, A>& x) {
     return fixedpoint::to_float<double>(x);
 }
 
+template <class Scalar>
+struct Rounded {
+    static Scalar of(double x) { return static_cast<Scalar>(x); }
+};
+template <int I, int F, class A>
+struct Rounded<engine::Fixed<I, F, A>> {
+    static engine::Fixed<I, F, A> of(double x) {
+        return fixedpoint::from_float<engine::Fixed<I, F, A>>(x);
+    }
+};
+
 template <class Scene, class Method, class Scalar>
 using WorldOf = engine::World<Scalar, typename Scene::template Uses<Method>>;
 

@@ -12,11 +12,15 @@
 /// \namespace fixedpoint::literals
 /// Literals such as 0.38_q16_16.
 
+#include <fixedpoint/angle.hpp>
+#include <fixedpoint/constants.hpp>
 #include <fixedpoint/conversion.hpp>
 #include <fixedpoint/fixed.hpp>
+#include <fixedpoint/integer_root.hpp>
 #include <fixedpoint/literals.hpp>
 #include <fixedpoint/math.hpp>
 #include <fixedpoint/printable.hpp>
 #include <fixedpoint/serial.hpp>
 #include <fixedpoint/text.hpp>
 #include <fixedpoint/vector.hpp>
+#include <fixedpoint/widening.hpp>

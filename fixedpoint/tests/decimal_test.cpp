@@ -14,7 +14,6 @@
 namespace {
 
 using namespace fixedpoint;
-using exact::Format;
 using exact::Int;
 
 // n / 10^decimals as text.
@@ -59,6 +58,12 @@ void check_parse(const std::string& text, const Int& n, unsigned decimals) {
 
 template <class F>
 class Decimal : public testing::Test {};
+template <class RawType, int FractionBits>
+struct Format {
+    using Raw = RawType;
+    static constexpr int F = FractionBits;
+};
+
 using Formats =
     testing::Types<Format<int8_t, 0>, Format<int8_t, 1>, Format<int8_t, 2>, Format<int8_t, 4>,
                    Format<int8_t, 7>, Format<int16_t, 0>, Format<int16_t, 1>, Format<int16_t, 8>,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Exact integers for the tests of decimal text, whose numbers have any number of digits; other
-// tests are held against exact.hpp, which is compiled once.
+// Exact integers for the tests whose numbers have any number of digits, as decimal text, or more than
+// twice 64; other tests are held against exact.hpp, which is compiled once.
 #pragma once
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -11,12 +11,6 @@
 namespace exact {
 
 using Int = boost::multiprecision::cpp_int;
-
-template <class RawType, int FractionBits>
-struct Format {
-    using Raw = RawType;
-    static constexpr int F = FractionBits;
-};
 
 inline Int floor_of(const Int& numerator, const Int& denominator) {
     const Int quotient = numerator / denominator;

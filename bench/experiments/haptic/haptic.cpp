@@ -13,6 +13,7 @@
 #include "bench/lab/parallel.hpp"
 #include "bench/lab/program/names.hpp"
 #include "bench/lab/records/progress.hpp"
+#include "bench/lab/records/record.hpp"
 #include "firmware/src/firmware/hardware/readings.hpp"
 
 namespace haptic {
@@ -38,6 +39,33 @@ std::vector<Named> selected(const std::vector<Named>& all, const std::vector<std
     }
     return chosen;
 }
+
+using records::column;
+
+// A row of haptic.csv.
+struct Row {
+    std::string scenario, arithmetic;
+    double seconds, loop_rate, step_mean_ms, step_max_ms;
+    std::optional<std::uint64_t> late_steps;  // where the device has steps of one length
+    double worst_lateness_ms, cpu_percent, render_percent, frames_per_s;
+    double servo_min_us, servo_max_us, fall, swing_deg;
+    unsigned stack_bytes;
+    std::uint64_t bytes_sent;
+    std::string verdict, reason, elf_sha256;
+
+    static constexpr auto columns = std::tuple(
+        column("scenario", &Row::scenario), column("arithmetic", &Row::arithmetic),
+        column("seconds", &Row::seconds), column("loop_rate_hz", &Row::loop_rate),
+        column("step_mean_ms", &Row::step_mean_ms), column("step_max_ms", &Row::step_max_ms),
+        column("late_steps", &Row::late_steps),
+        column("worst_lateness_ms", &Row::worst_lateness_ms),
+        column("cpu_percent", &Row::cpu_percent), column("render_percent", &Row::render_percent),
+        column("frames_per_s", &Row::frames_per_s), column("servo_min_us", &Row::servo_min_us),
+        column("servo_max_us", &Row::servo_max_us), column("fall_s", &Row::fall),
+        column("swing_deg", &Row::swing_deg), column("stack_bytes", &Row::stack_bytes),
+        column("bytes_sent", &Row::bytes_sent), column("verdict", &Row::verdict),
+        column("reason", &Row::reason), column("elf_sha256", &Row::elf_sha256));
+};
 
 // The device itself for an hour, what is shown beside it for four minutes; and recordings, of which
 // an hour would fill a disk.
@@ -96,16 +124,10 @@ Run run(const Firmware& firmware, const Scenario& scenario, const Parameters& pa
 }
 
 std::uint64_t run_scenarios(const Options& options) {
-    using records::cell;
     const std::vector<Scenario> scenes =
         selected(scenarios(), options.scenarios, &Scenario::name, "--scenario");
     const std::vector<Firmware> programs = selected(
         firmwares(options.firmware), options.arithmetics, &Firmware::arithmetic, "--arithmetic");
-    records::Table table({"scenario",     "arithmetic",     "seconds",      "loop_rate_hz",
-                          "step_mean_ms", "step_max_ms",    "late_steps",   "worst_lateness_ms",
-                          "cpu_percent",  "render_percent", "frames_per_s", "servo_min_us",
-                          "servo_max_us", "fall_s",         "swing_deg",    "stack_bytes",
-                          "bytes_sent",   "verdict",        "reason",       "elf_sha256"});
     struct Job {
         Firmware program;
         Scenario scenario;
@@ -120,7 +142,7 @@ std::uint64_t run_scenarios(const Options& options) {
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
         return jobs[a].scenario.duration > jobs[b].scenario.duration;
     });
-    std::vector<std::vector<std::string>> rows(jobs.size());
+    std::vector<Row> rows(jobs.size());
     std::atomic<std::uint64_t> failed = 0;
     records::Progress progress("haptic", jobs.size());
     operations::in_parallel(options.threads, jobs.size(), [&](std::size_t k) {
@@ -132,28 +154,27 @@ std::uint64_t run_scenarios(const Options& options) {
         if (!held && program.flashed) ++failed;
         rows[order[k]] = {r.scenario,
                           r.arithmetic,
-                          cell(r.duration),
-                          cell(j.loop_rate),
-                          cell(j.step_mean * 1e3),
-                          cell(j.step_most * 1e3),
-                          timed ? cell(static_cast<double>(j.late_steps)) : "",
-                          cell(j.worst_lateness * 1e3),
-                          cell(j.cpu_share * 100),
-                          cell(j.rendering_share * 100),
-                          cell(j.frames_per_second),
-                          cell(r.timing.shortest_pulse * 1e6),
-                          cell(r.timing.longest_pulse * 1e6),
-                          cell(j.fall),
-                          cell(j.swing / degrees(1)),
-                          cell(r.stack_bytes),
-                          cell(static_cast<double>(r.timing.bytes_sent)),
+                          r.duration,
+                          j.loop_rate,
+                          j.step_mean * 1e3,
+                          j.step_most * 1e3,
+                          timed ? std::optional(j.late_steps) : std::nullopt,
+                          j.worst_lateness * 1e3,
+                          j.cpu_share * 100,
+                          j.rendering_share * 100,
+                          j.frames_per_second,
+                          r.timing.shortest_pulse * 1e6,
+                          r.timing.longest_pulse * 1e6,
+                          j.fall,
+                          j.swing / degrees(1),
+                          r.stack_bytes,
+                          r.timing.bytes_sent,
                           held ? "held" : "failed",
                           fmt::format("{}", fmt::join(j.violations, "; ")),
                           r.elf_sha256};
         progress.advance();
     });
-    for (auto& row : rows) table.add(std::move(row));
-    table.save(options.output / "haptic.csv");
+    records::table_of(rows).save(options.output / "haptic.csv");
     return failed;
 }
 

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "bench/chip/profile/stack_bound.hpp"
+#include "bench/lab/records/record.hpp"
 #include "reference/published.hpp"
 
 namespace haptic {
@@ -121,15 +122,26 @@ void for_each_step(const std::vector<Interval>& intervals, Function function) {
     }
 }
 
+// A row of haptic_pins.csv.
+struct PinRow {
+    std::string device, view, pin;
+    double begin_ms, end_ms;
+
+    static constexpr auto columns =
+        std::tuple(records::column("device", &PinRow::device),
+                   records::column("view", &PinRow::view), records::column("pin", &PinRow::pin),
+                   records::column("begin_ms", &PinRow::begin_ms, "{:.4f}"),
+                   records::column("end_ms", &PinRow::end_ms, "{:.4f}"));
+};
+
 // Three frames, and the longest step amid them.
 void save_pins(const std::vector<Profiled>& devices, const std::filesystem::path& folder) {
     constexpr double from = 2, to = 2.16;  // s
-    records::Table table({"device", "view", "pin", "begin_ms", "end_ms"});
+    std::vector<PinRow> rows;
     for (const Profiled& of : devices) {
         const auto add = [&](const char* view, const Interval& interval, double origin) {
-            table.add({of.device, view, pin_names[interval.pin - DeviceLoop::first_pin],
-                       fmt::format("{:.4f}", (interval.begin - origin) * 1e3),
-                       fmt::format("{:.4f}", (interval.end - origin) * 1e3)});
+            rows.push_back({of.device, view, pin_names[interval.pin - DeviceLoop::first_pin],
+                            (interval.begin - origin) * 1e3, (interval.end - origin) * 1e3});
         };
         for (const Interval& interval : of.intervals)
             if (interval.begin >= from && interval.end <= to &&
@@ -148,7 +160,7 @@ void save_pins(const std::vector<Profiled>& devices, const std::filesystem::path
         for (const Interval& part : within)
             if (part.pin <= operation_pin) add("step", part, longest.begin);
     }
-    table.save(folder / "haptic_pins.csv");
+    records::table_of(rows).save(folder / "haptic_pins.csv");
 }
 
 // What the pins show of all steps. Contacts raise theirs twice: found, then resolved.

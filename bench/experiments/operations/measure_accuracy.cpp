@@ -34,8 +34,8 @@ using Operands = std::array<std::int64_t, reference::most_operands>;
 // The quick run exhausts spaces of up to 2^24 inputs, the full one those of 2^32 that matter.
 constexpr int quick_exhaustive_bits = 24;
 
-constexpr std::uint64_t random_samples = 2'000'000, quick_random_samples = 20'000;
-constexpr std::uint64_t search_evaluations = 4'000'000, quick_search_evaluations = 40'000;
+constexpr std::uint64_t random_samples = 200'000, quick_random_samples = 20'000;
+constexpr std::uint64_t search_evaluations = 400'000, quick_search_evaluations = 40'000;
 
 // Uniform operands are nearly all of the largest magnitudes: they would weigh the mean errors down.
 constexpr operands::OperandClass random_classes[] = {
@@ -57,7 +57,6 @@ ErrorStatistics exhaust_in_parallel(const HostSubject& job, unsigned threads) {
 // Boundary table, random operands of every class, and a climb towards the largest error.
 ErrorStatistics sample(const HostSubject& job, bool quick) {
     ErrorStatistics statistics;
-    records::Progress progress(job.name(), 1);
     for (const operands::BoundaryCase& each :
          operands::boundary_cases(job.subject.operation, job.subject.operand_format)) {
         statistics.add(job.judge_own(each.operands), each.operands);
@@ -149,6 +148,15 @@ struct Interval {
                    column("rms_ulp", &Interval::rms_ulp), column("mean_ulp", &Interval::mean_ulp));
 };
 
+// What is found of one subject.
+struct Found {
+    Accuracy accuracy;
+    std::vector<Bin> histogram;
+    std::vector<Interval> along;
+    std::uint64_t wrong = 0;
+    std::string wrong_witness;
+};
+
 void add_histogram(std::vector<Bin>& bins, const HostSubject& job,
                    const ErrorStatistics& statistics) {
     const gsl_histogram& histogram = statistics.histogram();
@@ -162,6 +170,26 @@ void add_histogram(std::vector<Bin>& bins, const HostSubject& job,
         add(histogram.range[i], histogram.range[i + 1], histogram.bin[i]);
     }
     add(histogram.range[histogram.n], INFINITY, static_cast<double>(statistics.above_histogram()));
+}
+
+void add_statistics(Found& found, const HostSubject& job, const ErrorStatistics& statistics,
+                    bool exhaustive) {
+    found.accuracy = {operation_name(job.subject),
+                      reference::format_name(job.subject.format),
+                      job.implementation,
+                      exhaustive ? "all" : "boundary, random, search",
+                      statistics.count(),
+                      statistics.defined(),
+                      statistics.underflowed(),
+                      statistics.max_ulp(),
+                      text_of(statistics.max_witness()),
+                      statistics.rms_ulp(),
+                      statistics.mean_ulp(),
+                      exhaustive ? "exact" : "lower bound",
+                      statistics.wrong()};
+    add_histogram(found.histogram, job, statistics);
+    found.wrong = statistics.wrong();
+    if (found.wrong != 0) found.wrong_witness = text_of(statistics.wrong_witness());
 }
 
 // What an earlier run wrote of a subject: found by the first three columns.
@@ -180,8 +208,7 @@ class Kept {
 
     // Adds the rows of the subject, once they agree with the code as it is: it errs as it did at
     // the operands of the largest error, and at no sample by more.
-    void add(const HostSubject& job, std::vector<Accuracy>& accuracy,
-             std::vector<Bin>& histograms) const {
+    void add(const HostSubject& job, Found& found) const {
         const std::vector<std::string>& kept = *row(job);
         const std::string largest = kept[accuracy_.column("max_ulp")];
         std::vector<std::int64_t> witness;
@@ -210,15 +237,15 @@ class Kept {
         const auto text = [&](const char* name) { return kept[accuracy_.column(name)]; };
         const auto count = [&](const char* name) { return std::stoull(text(name)); };
         const auto number = [&](const char* name) { return std::stod(text(name)); };
-        accuracy.push_back({text("operation"), text("format"), text("implementation"),
-                            text("inputs"), count("samples"), count("defined"),
-                            count("underflowed"), number("max_ulp"), text("max_ulp_witness"),
-                            number("rms_ulp"), number("mean_ulp"), text("bound"),
-                            count("violations")});
+        found.accuracy = {text("operation"),    text("format"),     text("implementation"),
+                          text("inputs"),       count("samples"),   count("defined"),
+                          count("underflowed"), number("max_ulp"),  text("max_ulp_witness"),
+                          number("rms_ulp"),    number("mean_ulp"), text("bound"),
+                          count("violations")};
         for (const auto& row : histograms_.rows())
             if (is_of(row, job))
-                histograms.push_back({row[0], row[1], row[2], std::stod(row[3]), std::stod(row[4]),
-                                      std::stod(row[5])});
+                found.histogram.push_back({row[0], row[1], row[2], std::stod(row[3]),
+                                           std::stod(row[4]), std::stod(row[5])});
     }
 
   private:
@@ -231,7 +258,7 @@ class Kept {
 };
 
 // The largest and the rms error in each of many intervals of the input, log-spaced.
-void add_along_input(std::vector<Interval>& intervals, const HostSubject& job) {
+void add_along_input(Found& found, const HostSubject& job) {
     constexpr int intervals_per_octave = 8;
     constexpr std::uint64_t samples = 2000;
     const NumberFormat& format = job.subject.format;
@@ -249,13 +276,18 @@ void add_along_input(std::vector<Interval>& intervals, const HostSubject& job) {
                 const std::int64_t operand = first + static_cast<std::int64_t>(i * count / taken);
                 statistics.add(job.judge_own({&operand, 1}), {&operand, 1});
             }
-            intervals.push_back({operation_name(job.subject), reference::format_name(format),
-                                 job.implementation, std::ldexp(low, -format.fraction),
-                                 std::ldexp(high, -format.fraction), taken, statistics.max_ulp(),
-                                 statistics.rms_ulp(), statistics.mean_ulp()});
+            found.along.push_back({operation_name(job.subject), reference::format_name(format),
+                                   job.implementation, std::ldexp(low, -format.fraction),
+                                   std::ldexp(high, -format.fraction), taken, statistics.max_ulp(),
+                                   statistics.rms_ulp(), statistics.mean_ulp()});
         }
         low = high;
     }
+}
+
+bool is_unary(const HostSubject& job) {
+    return reference::shape(job.subject.operation).operands == 1 &&
+           job.subject.operand_format == job.subject.format;
 }
 
 }  // namespace
@@ -268,42 +300,52 @@ std::uint64_t measure_accuracy(const AccuracyOptions& options) {
     }
     if (jobs.empty()) throw std::invalid_argument("no subject of the host is selected");
 
+    std::optional<Kept> kept;
+    if (!options.kept.empty()) kept.emplace(options.kept);
+    std::vector<Found> found(jobs.size());
+    // Sampled jobs share the threads; of an exhaustive one each thread takes a part of the inputs.
+    std::vector<std::size_t> sampled, exhausted;
+    for (std::size_t i = 0; i < jobs.size(); ++i) {
+        const bool exhaustive = is_exhaustive(jobs[i], options.quick);
+        const bool long_one = jobs[i].input_bits() > quick_exhaustive_bits;
+        (exhaustive && !(kept && long_one) ? exhausted : sampled).push_back(i);
+        if (kept && exhaustive && long_one && kept->row(jobs[i]) == nullptr)
+            fmt::print(stderr,
+                       "{}: sampled, since {} holds no row of all its inputs; `fixbench all "
+                       "--exhaustive --only accuracy` runs them\n",
+                       jobs[i].name(), (options.kept / "accuracy.csv").string());
+    }
+    records::Progress progress("accuracy, sampled", sampled.size());
+    in_parallel(options.threads, sampled.size(), [&](std::size_t k) {
+        const HostSubject& job = jobs[sampled[k]];
+        Found& its = found[sampled[k]];
+        if (is_unary(job) && job.subject.format == reference::q16_16) add_along_input(its, job);
+        const bool keeps = kept && is_exhaustive(job, options.quick) && kept->row(job) != nullptr;
+        if (keeps)
+            kept->add(job, its);
+        else
+            add_statistics(its, job, sample(job, options.quick), false);
+        progress.advance();
+    });
+    for (const std::size_t i : exhausted) {
+        if (is_unary(jobs[i]) && jobs[i].subject.format == reference::q16_16)
+            add_along_input(found[i], jobs[i]);
+        add_statistics(found[i], jobs[i], exhaust_in_parallel(jobs[i], options.threads), true);
+    }
+
     std::vector<Accuracy> accuracy;
     std::vector<Bin> histograms;
     std::vector<Interval> along;
     std::uint64_t violations = 0;
-    std::optional<Kept> kept;
-    if (!options.kept.empty()) kept.emplace(options.kept);
-    for (const HostSubject& job : jobs) {
-        const bool unary = reference::shape(job.subject.operation).operands == 1 &&
-                           job.subject.operand_format == job.subject.format;
-        if (unary && job.subject.format == reference::q16_16) add_along_input(along, job);
-        bool exhaustive = is_exhaustive(job, options.quick);
-        if (kept && exhaustive && job.input_bits() > quick_exhaustive_bits) {
-            if (kept->row(job) != nullptr) {
-                kept->add(job, accuracy, histograms);
-                continue;
-            }
-            fmt::print(stderr,
-                       "{}: sampled, since {} holds no row of all its inputs; `fixbench all "
-                       "--exhaustive --only accuracy` runs them\n",
-                       job.name(), (options.kept / "accuracy.csv").string());
-            exhaustive = false;
-        }
-        const ErrorStatistics statistics =
-            exhaustive ? exhaust_in_parallel(job, options.threads) : sample(job, options.quick);
-        accuracy.push_back({operation_name(job.subject), reference::format_name(job.subject.format),
-                            job.implementation, exhaustive ? "all" : "boundary, random, search",
-                            statistics.count(), statistics.defined(), statistics.underflowed(),
-                            statistics.max_ulp(), text_of(statistics.max_witness()),
-                            statistics.rms_ulp(), statistics.mean_ulp(),
-                            exhaustive ? "exact" : "lower bound", statistics.wrong()});
-        add_histogram(histograms, job, statistics);
-        if (statistics.wrong() != 0) {
-            violations += statistics.wrong();
-            fmt::print(stderr, "{}: {} operands break the definition, the first: {}\n", job.name(),
-                       statistics.wrong(), text_of(statistics.wrong_witness()));
-        }
+    for (std::size_t i = 0; i < jobs.size(); ++i) {
+        Found& its = found[i];
+        violations += its.wrong;
+        if (its.wrong != 0)
+            fmt::print(stderr, "{}: {} operands break the definition, the first: {}\n",
+                       jobs[i].name(), its.wrong, its.wrong_witness);
+        accuracy.push_back(std::move(its.accuracy));
+        histograms.insert(histograms.end(), its.histogram.begin(), its.histogram.end());
+        along.insert(along.end(), its.along.begin(), its.along.end());
     }
     records::table_of(accuracy).save(options.output / "accuracy.csv");
     records::table_of(histograms).save(options.output / "error_histograms.csv");

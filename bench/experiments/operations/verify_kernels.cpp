@@ -27,7 +27,7 @@ using Operands = std::array<std::int64_t, reference::most_operands>;
 
 // What the boundary cases of a subject may take, and all its inputs or its random operands: the
 // functions without a kernel cost up to half a million cycles a call.
-constexpr std::uint64_t cycle_budget = 200'000'000;
+constexpr std::uint64_t cycle_budget = 100'000'000;
 
 // Log-uniform ones reach every binade, uniform ones every pattern of bits.
 constexpr operands::OperandClass random_classes[] = {

@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <optional>
+#include <vector>
 
 #include "bench/chip/profile/flame_graph.hpp"
 #include "bench/chip/profile/short_name.hpp"
-#include "bench/lab/records/csv.hpp"
+#include "bench/lab/records/record.hpp"
 #include "bench/lab/records/whole_file.hpp"
 
 namespace profile {
@@ -17,69 +19,124 @@ double share(Cycle part, Cycle whole) {
     return whole ? static_cast<double>(part) / static_cast<double>(whole) : 0;
 }
 
-void append(std::vector<std::string>& row, const Spread& spread) {
-    if (!spread.count) return row.insert(row.end(), 3, ""), void();
-    row.push_back(fmt::format("{}", spread.min));
-    row.push_back(fmt::format("{:.3f}", spread.mean()));
-    row.push_back(fmt::format("{}", spread.max));
-}
+using records::column;
 
-records::Table profile_table(const Profile& profile) {
-    records::Table table({"function", "symbol", "calls", "self_cycles", "self_share",
-                          "inclusive_cycles", "inclusive_share", "cycles_min", "cycles_mean",
-                          "cycles_max"});
+// Least, mean and most, of what happened at all.
+struct Cells {
+    std::optional<Cycle> min, max;
+    std::string mean;
+
+    explicit Cells(const Spread& spread) {
+        if (!spread.count) return;
+        min = spread.min;
+        mean = fmt::format("{:.3f}", spread.mean());
+        max = spread.max;
+    }
+};
+
+// A row of profile_<program>.csv.
+struct FunctionRow {
+    std::string function, symbol;
+    std::uint64_t calls, self_cycles;
+    double self_share;
+    std::uint64_t inclusive_cycles;
+    double inclusive_share;
+    std::optional<Cycle> cycles_min;
+    std::string cycles_mean;
+    std::optional<Cycle> cycles_max;
+
+    static constexpr auto columns = std::tuple(
+        column("function", &FunctionRow::function), column("symbol", &FunctionRow::symbol),
+        column("calls", &FunctionRow::calls), column("self_cycles", &FunctionRow::self_cycles),
+        column("self_share", &FunctionRow::self_share, "{:.6f}"),
+        column("inclusive_cycles", &FunctionRow::inclusive_cycles),
+        column("inclusive_share", &FunctionRow::inclusive_share, "{:.6f}"),
+        column("cycles_min", &FunctionRow::cycles_min),
+        column("cycles_mean", &FunctionRow::cycles_mean),
+        column("cycles_max", &FunctionRow::cycles_max));
+};
+
+std::vector<FunctionRow> function_rows(const Profile& profile) {
+    std::vector<FunctionRow> rows;
     for (const FunctionCost& function : profile.functions) {
-        std::vector<std::string> row = {
-            short_name(function.name),
-            function.symbol,
-            fmt::format("{}", function.calls),
-            fmt::format("{}", function.self_cycles),
-            fmt::format("{:.6f}", share(function.self_cycles, profile.elapsed)),
-            fmt::format("{}", function.inclusive_cycles),
-            fmt::format("{:.6f}", share(function.inclusive_cycles, profile.elapsed))};
-        append(row, function.per_call);
-        table.add(std::move(row));
+        const Cells call(function.per_call);
+        rows.push_back(
+            {short_name(function.name), function.symbol, function.calls, function.self_cycles,
+             share(function.self_cycles, profile.elapsed), function.inclusive_cycles,
+             share(function.inclusive_cycles, profile.elapsed), call.min, call.mean, call.max});
     }
-    return table;
+    return rows;
 }
 
-records::Table interrupt_table(const Profile& profile) {
-    records::Table table({"vector", "interrupt", "handler", "count", "latency_min", "latency_mean",
-                          "latency_max", "duration_min", "duration_mean", "duration_max"});
+// A row of interrupts_<program>.csv.
+struct InterruptRow {
+    unsigned vector;
+    std::string interrupt, handler;
+    std::uint64_t count;
+    std::optional<Cycle> latency_min;
+    std::string latency_mean;
+    std::optional<Cycle> latency_max, duration_min;
+    std::string duration_mean;
+    std::optional<Cycle> duration_max;
+
+    static constexpr auto columns = std::tuple(
+        column("vector", &InterruptRow::vector), column("interrupt", &InterruptRow::interrupt),
+        column("handler", &InterruptRow::handler), column("count", &InterruptRow::count),
+        column("latency_min", &InterruptRow::latency_min),
+        column("latency_mean", &InterruptRow::latency_mean),
+        column("latency_max", &InterruptRow::latency_max),
+        column("duration_min", &InterruptRow::duration_min),
+        column("duration_mean", &InterruptRow::duration_mean),
+        column("duration_max", &InterruptRow::duration_max));
+};
+
+std::vector<InterruptRow> interrupt_rows(const Profile& profile) {
+    std::vector<InterruptRow> rows;
     for (const InterruptCost& interrupt : profile.interrupts) {
-        std::vector<std::string> row = {fmt::format("{}", interrupt.vector), interrupt.name,
-                                        interrupt.handler, fmt::format("{}", interrupt.entries)};
-        append(row, interrupt.latency);
-        append(row, interrupt.duration);
-        table.add(std::move(row));
+        const Cells latency(interrupt.latency), duration(interrupt.duration);
+        rows.push_back({static_cast<unsigned>(interrupt.vector), interrupt.name, interrupt.handler,
+                        interrupt.entries, latency.min, latency.mean, latency.max, duration.min,
+                        duration.mean, duration.max});
     }
-    return table;
+    return rows;
 }
 
-// Measured beside the bound of all functions that ran or that the machine code can reach.
-records::Table stack_table(const Profile& profile, const StackBound& bound) {
-    struct Row {
-        const FunctionCost* measured = nullptr;
-        const FunctionBound* bound = nullptr;
-    };
-    std::map<std::string, Row> rows;
-    for (const FunctionCost& function : profile.functions) rows[function.name].measured = &function;
-    for (const FunctionBound& function : bound.functions) rows[function.name].bound = &function;
+// A row of stack_<program>.csv: measured, beside the bound of all functions that ran or that the
+// machine code can reach.
+struct StackRow {
+    std::string function;
+    std::optional<unsigned> frame_bytes_measured, frame_bytes_bound, stack_bytes_measured,
+        stack_bytes_bound;
+    std::string unbounded;
 
-    records::Table table({"function", "frame_bytes_measured", "frame_bytes_bound",
-                          "stack_bytes_measured", "stack_bytes_bound", "unbounded"});
-    for (const auto& [name, row] : rows) {
-        const auto measured = [&](unsigned FunctionCost::*bytes) {
-            return row.measured ? fmt::format("{}", row.measured->*bytes) : "";
-        };
-        const auto bounded = [&](std::optional<unsigned> FunctionBound::*bytes) {
-            return row.bound && row.bound->*bytes ? fmt::format("{}", *(row.bound->*bytes)) : "";
-        };
-        table.add({short_name(name), measured(&FunctionCost::frame_bytes),
-                   bounded(&FunctionBound::frame_bytes), measured(&FunctionCost::stack_bytes),
-                   bounded(&FunctionBound::stack_bytes), row.bound ? row.bound->unbounded : ""});
+    static constexpr auto columns =
+        std::tuple(column("function", &StackRow::function),
+                   column("frame_bytes_measured", &StackRow::frame_bytes_measured),
+                   column("frame_bytes_bound", &StackRow::frame_bytes_bound),
+                   column("stack_bytes_measured", &StackRow::stack_bytes_measured),
+                   column("stack_bytes_bound", &StackRow::stack_bytes_bound),
+                   column("unbounded", &StackRow::unbounded));
+};
+
+std::vector<StackRow> stack_rows(const Profile& profile, const StackBound& bound) {
+    std::map<std::string, StackRow> rows;
+    for (const FunctionCost& function : profile.functions) {
+        StackRow& row = rows[function.name];
+        row.frame_bytes_measured = function.frame_bytes;
+        row.stack_bytes_measured = function.stack_bytes;
     }
-    return table;
+    for (const FunctionBound& function : bound.functions) {
+        StackRow& row = rows[function.name];
+        row.frame_bytes_bound = function.frame_bytes;
+        row.stack_bytes_bound = function.stack_bytes;
+        row.unbounded = function.unbounded;
+    }
+    std::vector<StackRow> sorted;
+    for (auto& [name, row] : rows) {
+        row.function = short_name(name);
+        sorted.push_back(std::move(row));
+    }
+    return sorted;
 }
 
 }  // namespace
@@ -89,9 +146,9 @@ void save_tables(const Profile& profile, const StackBound& bound, const std::str
     const auto file = [&](const char* kind, const char* suffix) {
         return folder / fmt::format("{}_{}.{}", kind, program, suffix);
     };
-    profile_table(profile).save(file("profile", "csv"));
-    interrupt_table(profile).save(file("interrupts", "csv"));
-    stack_table(profile, bound).save(file("stack", "csv"));
+    records::table_of(function_rows(profile)).save(file("profile", "csv"));
+    records::table_of(interrupt_rows(profile)).save(file("interrupts", "csv"));
+    records::table_of(stack_rows(profile, bound)).save(file("stack", "csv"));
     records::write_whole(file("stacks", "folded"), profile.folded());
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fixbench scenes and fixbench workload.
+// fixbench scenes, initial_states and workload.
 #include <memory>
 
+#include "bench/experiments/scenes/initial_states.hpp"
 #include "bench/experiments/scenes/measure_scenes.hpp"
 #include "bench/experiments/scenes/workload.hpp"
 #include "bench/lab/program/build.hpp"
@@ -58,6 +59,38 @@ const fixbench::Registration scenes({
                .reads = {SCENE_PROGRAMS},
                .full_seconds = 240,
                .quick_seconds = 60}},
+});
+
+const fixbench::Registration states({
+    .name = "initial_states",
+    .description =
+        "Error of every scene in every scalar and method from eight initial states drawn from\n"
+        "seeds: smallest, median and largest. On the host, which the chip equals bit for bit in\n"
+        "fixed point; float is the host's. File: initial_states.csv.\n\n"
+        "error is against the truth from the same start; of the box, whose truth is not known,\n"
+        "against the same method and step in double. Runs that fail, or are off by more than the\n"
+        "size of the scene, are not held.\n\n"
+        "Example: fixbench initial_states --scene pendulum",
+    .prints = {"initial_states.csv"},
+    .add =
+        [](CLI::App& command) {
+            const auto options = std::make_shared<StateOptions>();
+            fixbench::add_selection(command, "--scene", options->scenes,
+                                    "only these scenes, e.g. pendulum,lever");
+            return [options](const Call& call) {
+                options->output = call.output;
+                options->threads = call.threads;
+                measure_initial_states(*options);
+                return fixbench::held;
+            };
+        },
+    .steps = {{.name = "initial_states",
+               .arguments = [](const Mode& mode) -> std::vector<std::string> {
+                   return {"initial_states", "--output", mode.data};
+               },
+               .writes = {"initial_states.csv"},
+               .full_seconds = 30,
+               .quick_seconds = 30}},
 });
 
 const fixbench::Registration workload({

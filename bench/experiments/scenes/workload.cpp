@@ -17,8 +17,8 @@
 #include "bench/chip/simulator/device_function.hpp"
 #include "bench/experiments/scenes/call_trace.hpp"
 #include "bench/lab/parallel.hpp"
-#include "bench/lab/records/csv.hpp"
 #include "bench/lab/records/progress.hpp"
+#include "bench/lab/records/record.hpp"
 #include "reference/published.hpp"
 
 namespace scene_bench {
@@ -311,32 +311,55 @@ void compare_arithmetics(Sheet& sheet, const Runs& runs, const char* scene) {
                best_steps("nearest") / best_steps("published"), "ratio", "each at its best flag");
 }
 
+using records::column;
+
+// A row of workload_rounds.csv.
+struct RoundsRow {
+    std::string arithmetic;
+    unsigned rounds;
+    double cycles;
+    std::uint64_t steps;
+
+    static constexpr auto columns = std::tuple(
+        column("arithmetic", &RoundsRow::arithmetic), column("rounds", &RoundsRow::rounds),
+        column("cycles", &RoundsRow::cycles), column("steps", &RoundsRow::steps));
+};
+
 void save_rounds(const std::map<std::string, Rounds>& rounds, const std::filesystem::path& folder) {
-    records::Table table({"arithmetic", "rounds", "cycles", "steps"});
+    std::vector<RoundsRow> rows;
     for (const Arithmetic& arithmetic : arithmetics) {
         const Rounds& of = rounds.at(arithmetic.program);
         for (unsigned n = 0; n <= most_rounds; ++n)
             if (of.cost[n].calls > 0)
-                table.add({arithmetic.recorded, std::to_string(n), records::cell(of.cost[n].mean()),
-                           std::to_string(of.steps[n])});
+                rows.push_back({arithmetic.recorded, n, of.cost[n].mean(), of.steps[n]});
     }
-    table.save(folder / "workload_rounds.csv");
+    records::table_of(rows).save(folder / "workload_rounds.csv");
 }
 
+// A row of workload_trace.csv.
+struct TraceRow {
+    std::string arithmetic, lane;
+    double begin_us, end_us;
+
+    static constexpr auto columns =
+        std::tuple(column("arithmetic", &TraceRow::arithmetic), column("lane", &TraceRow::lane),
+                   column("begin_us", &TraceRow::begin_us, "{:.4f}"),
+                   column("end_us", &TraceRow::end_us, "{:.4f}"));
+};
+
 void save_trace(const Runs& runs, const std::filesystem::path& folder) {
-    records::Table table({"arithmetic", "lane", "begin_us", "end_us"});
+    std::vector<TraceRow> rows;
     for (const Arithmetic& arithmetic : arithmetics) {
         const Steps& steps = run_of(runs, "published_lever", arithmetic.program, rounds_flag);
         const auto add = [&](const std::string& lane, double begin, double end) {
-            table.add({arithmetic.recorded, lane, fmt::format("{:.4f}", microseconds(begin)),
-                       fmt::format("{:.4f}", microseconds(end))});
+            rows.push_back({arithmetic.recorded, lane, microseconds(begin), microseconds(end)});
         };
         add("step", 0, static_cast<double>(steps.step.max));
         for (const Call& call : steps.trace)
             add(lanes[call.lane].name, static_cast<double>(call.begin),
                 static_cast<double>(call.end));
     }
-    table.save(folder / "workload_trace.csv");
+    records::table_of(rows).save(folder / "workload_trace.csv");
 }
 
 }  // namespace

@@ -28,6 +28,8 @@ constexpr Method opposed_contacts{"nearest", "rods_as_opposed_contacts"};
 constexpr Method tangent_rods{"nearest", "rods_along_tangents"};
 constexpr Method late_bounces{"nearest", "bounces_when_found"};
 constexpr Method impulses{"nearest", "velocities_by_impulses"};
+constexpr Method warm_started{"nearest", "warm_started"};
+constexpr Method continuous_contacts{"nearest", "continuous_contacts"};
 constexpr Method saturating{"saturating", "semi_implicit_euler"};
 constexpr Method roots_of_squares{"roots_of_squares", "semi_implicit_euler"};
 
@@ -51,6 +53,13 @@ constexpr struct {
     {"rods along the chord of the arc", "rod_speed", tangent_rods, ours, 0.1},
     {"sweeps over all contacts", "stack_of_5", worst_contact_first, ours, 1},
     {"sweeps over all contacts", "stack_of_10", worst_contact_first, ours, 1},
+    {"iterations begun where the last step ended", "stack_of_20", ours, warm_started, 1},
+    {"iterations begun where the last step ended", "rod_chain_of_4_heavy_end", ours, warm_started,
+     1},
+    {"iterations begun where the last step ended", "rod_chain_of_16_heavy_end", ours, warm_started,
+     1},
+    {"contacts on the way of fast particles", "thin_wall", ours, continuous_contacts, 0.5},
+    {"contacts on the way of fast particles", "thin_target", ours, continuous_contacts, 0.5},
     {"bounces back-dated", "bounces_under_gravity", late_bounces, ours, 1000},
     {"shares in place of impulses", "resting_light_mass", impulses, ours, 1},
     {"residuals of products with the step", "slow", ours, compensated_integration, 10},

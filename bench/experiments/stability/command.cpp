@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fixbench stability.
+// fixbench stability and dynamics.
 #include <memory>
 
+#include "bench/experiments/stability/dynamics.hpp"
 #include "bench/experiments/stability/measure_stability.hpp"
 #include "bench/lab/program/build.hpp"
 #include "bench/lab/program/experiment.hpp"
@@ -54,6 +55,40 @@ const fixbench::Registration measure({
                .reads = {ABLATION_PROGRAMS},
                .full_seconds = 400,
                .quick_seconds = 30}},
+});
+
+const fixbench::Registration dynamics({
+    .name = "dynamics",
+    .description =
+        "Motion in the long run, in every scalar and method, beside theory: growth (spectral\n"
+        "radius of the map of a step, fitted to the run, beside the method's own), energy (gained\n"
+        "over up to 10^6 steps), reversal (distance from the start after a run there and back),\n"
+        "order (distance between runs whose links were added in another order), dead_band (where\n"
+        "rounding holds a damped spring) and limit_cycle (its period; 1 is rest). An empty\n"
+        "`measured` is a run that does not fit the format or wraps. File: dynamics.csv.\n\n"
+        "Example: fixbench dynamics --quick",
+    .prints = {"dynamics.csv"},
+    .add =
+        [](CLI::App& command) {
+            const auto options = std::make_shared<DynamicsOptions>();
+            command.add_flag("--quick", options->quick, "energies up to 10^5 steps");
+            return [options](const Call& call) {
+                options->output = call.output;
+                options->threads = call.threads;
+                measure_dynamics(*options);
+                return fixbench::held;
+            };
+        },
+    .steps = {{.name = "dynamics",
+               .arguments =
+                   [](const Mode& mode) {
+                       std::vector<std::string> arguments = {"dynamics", "--output", mode.data};
+                       if (mode.quick) arguments.push_back("--quick");
+                       return arguments;
+                   },
+               .writes = {"dynamics.csv"},
+               .full_seconds = 120,
+               .quick_seconds = 20}},
 });
 
 }  // namespace

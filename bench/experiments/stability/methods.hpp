@@ -21,6 +21,25 @@ struct HasExactSteps<CompensatedIntegration> {
     static constexpr bool value = true;
 };
 
+// SemiImplicit whose iterations begin where the last step ended.
+struct WarmStarted : scenes::SemiImplicit {
+    static constexpr const char* name = "warm_started";
+    using Solver = engine::WarmStartedGaussSeidel<10>;
+};
+
+// SemiImplicit that finds the contacts of fast particles on their way.
+struct ContinuousContacts : scenes::SemiImplicit {
+    static constexpr const char* name = "continuous_contacts";
+};
+template <class Method>
+struct HasContinuousContacts {
+    static constexpr bool value = false;
+};
+template <>
+struct HasContinuousContacts<ContinuousContacts> {
+    static constexpr bool value = true;
+};
+
 // The positions of a step by the velocities before it.
 struct PositionsFirst : scenes::SemiImplicit {
     static constexpr const char* name = "positions_first";

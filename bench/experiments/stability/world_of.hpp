@@ -16,12 +16,13 @@ namespace stability {
 
 template <class Method>
 struct Everything : scenes::UsesWith<Method> {
-    static constexpr unsigned particles = 18, springs = 17, anchored_springs = 2, drags = 2,
+    static constexpr unsigned particles = 20, springs = 17, anchored_springs = 2, drags = 2,
                               rods = 16, anchored_rods = 6, ropes = 16, anchored_ropes = 2,
                               planes = 4, contacts = 48;
     static constexpr bool gravity = true, damping = true, collisions = true, radii = true,
                           custom_force = true;
     static constexpr bool compensated_integration = HasExactSteps<Method>::value;
+    static constexpr bool continuous_contacts = HasContinuousContacts<Method>::value;
     template <class World>
     using CustomForce = ConstantForces<World>;
 };

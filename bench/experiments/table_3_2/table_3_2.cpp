@@ -12,6 +12,7 @@
 
 #include "bench/experiments/table_3_2/division.hpp"
 #include "bench/lab/records/progress.hpp"
+#include "bench/lab/records/record.hpp"
 #include "reference/published.hpp"
 
 namespace table_3_2 {
@@ -131,6 +132,38 @@ records::Table hypotheses_table(const std::vector<Fit>& fits, const Fit& chosen)
     return table;
 }
 
+using records::column;
+
+// A row of table_3_1.csv.
+struct FormatRow {
+    std::string format;
+    int bits;
+    std::string minimum, maximum;  // in full
+    double resolution;
+    int decimal_digits;
+    double relative_error_at_1;
+
+    static constexpr auto columns =
+        std::tuple(column("format", &FormatRow::format), column("bits", &FormatRow::bits),
+                   column("minimum", &FormatRow::minimum), column("maximum", &FormatRow::maximum),
+                   column("resolution", &FormatRow::resolution, "{:.6g}"),
+                   column("decimal_digits", &FormatRow::decimal_digits),
+                   column("relative_error_at_1", &FormatRow::relative_error_at_1, "{:.3g}"));
+};
+
+// A row of table_3_2.csv.
+struct CellRow {
+    std::string type, operation;
+    double published_ms, measured_ms, ratio;
+    std::string verdict, reason;
+
+    static constexpr auto columns = std::tuple(
+        column("type", &CellRow::type), column("operation", &CellRow::operation),
+        column("published_ms", &CellRow::published_ms),
+        column("measured_ms", &CellRow::measured_ms), column("ratio", &CellRow::ratio, "{:.3f}"),
+        column("verdict", &CellRow::verdict), column("reason", &CellRow::reason));
+};
+
 double mean(const std::vector<std::uint32_t>& cycles) {
     return std::accumulate(cycles.begin(), cycles.end(), 0.0) / static_cast<double>(cycles.size());
 }
@@ -182,17 +215,16 @@ Verdict judge(double published_ms, double measured_ms, const Hypothesis& hypothe
 }
 
 records::Table table_3_1() {
-    records::Table table({"format", "bits", "minimum", "maximum", "resolution", "decimal_digits",
-                          "relative_error_at_1"});
+    std::vector<FormatRow> rows;
     // The decimal digits behind the point that the fraction bits carry: floor(F log10 2).
     const auto fixed = [&](const char* name, int bits, int fraction_bits) {
         const long double resolution = std::ldexp(1.0L, -fraction_bits);  // 63 bits for q32_32
         const long double limit = std::ldexp(1.0L, bits - 1 - fraction_bits);
-        table.add({name, std::to_string(bits), fmt::format("{:.0f}", -limit),
-                   fmt::format("{:.{}f}", limit - resolution, fraction_bits),
-                   fmt::format("{:.6g}", resolution),
-                   fmt::format("{:.0f}", std::floor(fraction_bits * std::log10(2.0))),
-                   fmt::format("{:.3g}", resolution / 2)});
+        rows.push_back({name, bits, fmt::format("{:.0f}", -limit),
+                        fmt::format("{:.{}f}", limit - resolution, fraction_bits),
+                        static_cast<double>(resolution),
+                        static_cast<int>(std::floor(fraction_bits * std::log10(2.0))),
+                        static_cast<double>(resolution / 2)});
     };
     fixed("q4_4", 8, 4);
     fixed("q8_8", 16, 8);
@@ -200,10 +232,10 @@ records::Table table_3_1() {
     fixed("q8_24", 32, 24);
     fixed("q32_32", 64, 32);
     using Float = std::numeric_limits<float>;
-    table.add({"float", "32", fmt::format("{:.9g}", Float::lowest()),
-               fmt::format("{:.9g}", Float::max()), fmt::format("{:.6g}", Float::denorm_min()),
-               std::to_string(Float::digits10), fmt::format("{:.3g}", Float::epsilon() / 2)});
-    return table;
+    rows.push_back({"float", 32, fmt::format("{:.9g}", Float::lowest()),
+                    fmt::format("{:.9g}", Float::max()), Float::denorm_min(), Float::digits10,
+                    Float::epsilon() / 2});
+    return records::table_of(rows);
 }
 
 void measure_table_3_2(const Options& options) {
@@ -222,8 +254,7 @@ void measure_table_3_2(const Options& options) {
     const DivisionStudy study =
         study_division(options.division_elf, best.operands, options.search ? 20000 : 2000);
 
-    records::Table table(
-        {"type", "operation", "published_ms", "measured_ms", "ratio", "verdict", "reason"});
+    std::vector<CellRow> rows;
     records::Progress progress("Table 3.2", published.size());
     Programs harnesses;
     for (const Published& row : published) {
@@ -233,11 +264,11 @@ void measure_table_3_2(const Options& options) {
             alternatives = alternatives_to(row, best, programs, harnesses);
         Verdict verdict = judge(row.ms, ms, best, alternatives);
         verdict.reason += remark(row.cell, study, best.operands);
-        table.add({row.cell.type, row.cell.operation, records::cell(row.ms), records::cell(ms),
-                   fmt::format("{:.3f}", ms / row.ms), verdict.verdict, verdict.reason});
+        rows.push_back({row.cell.type, row.cell.operation, row.ms, ms, ms / row.ms, verdict.verdict,
+                        verdict.reason});
         progress.advance();
     }
-    table.save(options.data / "table_3_2.csv");
+    records::table_of(rows).save(options.data / "table_3_2.csv");
 
     const Cell divide{"fixed_16_16", "divide"};
     const double pass = harnesses[best.program].cycles(best.form, divide, best.operands, 3);

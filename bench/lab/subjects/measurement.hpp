@@ -47,7 +47,7 @@ struct Measurement {
 
 // What the random operands of a measurement may take: the portable functions of the 64-bit formats
 // cost up to half a million cycles a call.
-constexpr std::uint64_t measurement_cycles = 200'000'000;
+constexpr std::uint64_t measurement_cycles = 60'000'000;
 
 // Input spaces up to this size are run through as a class of their own.
 constexpr int all_inputs_bits = 16;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Error against cost of each operation: a panel an operation, a point a format and implementation.
-import { compared, formats, implementations, physics, rows, styles, unique } from "./data.js";
+import { compared, formats, implementations, measured, physics, styles, unique } from "./data.js";
 import { choice, h, select } from "./dom.js";
 import { chart, front, frontLine, letter, logAxis, colour } from "./chart.js";
 import { formatLabel, number, subjectLabel, subjectOf, words } from "./text.js";
@@ -16,7 +16,7 @@ export const title = "Operations";
 export const defaults = { operation: "add,multiply,divide,sqrt,sin,atan2", format: "q8_8,q16_16,q32_32,float,s16_15", pin: "",
   implementation: Object.keys(implementations).join(","), operands: "physics", error: "max", unit: "absolute", cost: "cycles_mean" };
 
-const all = () => rows("operations");
+const all = measured;
 
 function errorOf(row, error, unit) {
   if (error === "bias") return row.mean_ulp === null ? null : Math.abs(row.mean_ulp);
@@ -42,7 +42,7 @@ function panel(operation, state, pin) {
   const points = judged.map((row) => {
     const { style, hollow } = subjectOf(row);
     return { row, x: x.place(row[cost]), y: y.place(errorOf(row, error, unit)), style, hollow, faded: shared && group(row, unit) !== "shared",
-      text: style === "published" ? formatLabel(row.format) : hollow ? row.implementation : "" };
+      text: style === "published" ? formatLabel(row.format) : style === "rival" ? implementations[row.implementation].label : hollow ? row.implementation : "" };
   });
   const right = x.domain[1];
   const fronts = [...groups.keys()].filter((key) => !shared || key === "shared")
@@ -77,7 +77,7 @@ export function build(root, state) {
       choice(state, "format", "Formats", Object.entries(formats).filter(([name]) => present.has(name)).map(([value, facts]) => [value, facts.label, letter(facts)])),
       choice(state, "implementation", "Implementations", Object.entries(implementations).filter(([value]) => used.has(value)).map(([value, { label }]) => [value, label]))),
     pinned, panels,
-    h("p", { class: "soft" }, "A colour and symbol is a number format; ", letter({ style: "published" }), ` is the ${styles.published.label}, with its format beside it; hollow: a variant of ours. The grey line is the Pareto front of what can be compared: `,
+    h("p", { class: "soft" }, "A colour and symbol is a number format; ", letter({ style: "published" }), ` is the ${styles.published.label}, with its format beside it; `, letter({ style: "rival" }), ` is ${styles.rival.label}; hollow: a variant of ours. The grey line is the Pareto front of what can be compared: `,
       "errors in the unit of the result among formats that hold all operands and results, other errors within a format. ",
       "A result that the definition fixes (saturated, outside the domain) has no error and is not counted as one of 0; 0 on an axis is an exact result. ",
       "Mean cycles and errors in the result's unit are over the regular operands: their result is neither fixed so, nor does it underflow."));

@@ -10,7 +10,7 @@ export const title = "Overview";
 export const defaults = { range: "", resolution: "" };
 
 const of = (format, implementation) => rows("operations").filter((row) => row.format === format && row.implementation === implementation && row.operands === "physics");
-const subjects = [...Object.keys(formats).filter((format) => format.startsWith("q")).map((format) => [format, "default"]), ["float", "libc"], ["q16_16", "published"]];
+const subjects = [...Object.keys(formats).filter((format) => format.startsWith("q") && `${format}/default` in styled).map((format) => [format, "default"]), ["float", "libc"], ["q16_16", "published"]];
 
 // The operations in which a subject costs more cycles, or more flash, than its rival.
 function loses(format, implementation) {

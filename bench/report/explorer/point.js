@@ -2,7 +2,7 @@
 // What is known of an operation in a format and an implementation: figures with their witnesses and
 // bounds, the worst of any run, hashes; the histogram of its error, and the error along the input.
 import * as Plot from "@observablehq/plot";
-import { command, has, implementations, programs, proofs, rows } from "./data.js";
+import { command, has, implementations, measured, programs, proofs, rows } from "./data.js";
 import { facts, h } from "./dom.js";
 import { colour, drawing, hide } from "./chart.js";
 import { hash, number, subjectLabel, subjectOf, tick, whole, witness, words } from "./text.js";
@@ -16,7 +16,7 @@ const judgedAs = (row) => (implementations[row.implementation].as_default ? { ..
 // The largest value of a column of any run, and the run.
 function worst(row, column, judged) {
   const runs = [
-    ...rows("operations").filter(same(row)).map((run) => ({ run, source: `operands: ${run.operands}`, bound: run.bound })),
+    ...measured().filter(same(row)).map((run) => ({ run, source: `operands: ${run.operands}`, bound: run.bound })),
     ...rows("exhaustive").filter(same(row)).map((run) => ({ run, source: "exhaustive.csv", bound: run.bound })),
     ...rows("accuracy").filter(same(judged)).map((run) => ({ run, source: "accuracy.csv", bound: run.bound })),
   ].filter(({ run }) => typeof run[column] === "number");
@@ -42,7 +42,9 @@ export function describe(row, whole) {
     error && ["worst of any run", `${number(error.run.max_ulp)} ulp (${error.bound}; ${error.source}) at ${witness(row.format, error.run.max_ulp_witness)}`],
     cycles && ["most cycles of any run", `${number(cycles.run.cycles_max)} (${cycles.bound}; ${cycles.source}) at ${witness(row.format, cycles.run.cycles_max_witness)}`],
     ["flash, stack", `${number(row.flash_bytes)}, ${number(row.stack_bytes)} bytes`],
-    ["program", h("span", { title: programs[program] }, `${program} `, hash(programs[program], whole))],
+    row.rival ? ["library", `${row.origin} ${row.version ?? ""} ${row.commit ?? ""}, measured ${row.measured}`.replace(/ +/g, " ")]
+      : ["program", h("span", { title: programs[program] }, `${program} `, hash(programs[program], whole))],
+    row.edges && ["at the edges", row.edges],
     kernel && ["kernel", hash(kernel, whole)],
   ] };
 }
@@ -85,7 +87,7 @@ function along(row) {
 export function details(row, unpin) {
   hide();
   const told = describe(row, true);
-  const runs = rows("operations").filter(same(row));
+  const runs = measured().filter(same(row));
   const columns = [["operands", "operands"], ["cycles_mean", "cycles, mean"], ["cycles_max", "largest"], ["max_ulp", "largest error, ulp"], ["rms_ulp", "rms"], ["mean_ulp", "bias"], ["bound", "bound"]];
   return h("section", { class: "card pinned", "aria-label": `Pinned: ${told.title}`, tabindex: "-1" },
     h("header", {}, h("h2", {}, told.title), h("button", { type: "button", onclick: unpin }, "Unpin")),
@@ -96,6 +98,6 @@ export function details(row, unpin) {
         h("tbody", {}, runs.map((run) => h("tr", {}, columns.map(([column]) => h("td", { class: typeof run[column] === "number" ? "number" : null }, number(run[column])))))))),
     ),
     h("p", { class: "soft" }, "Data: ",
-      [...["operations", "accuracy", "exhaustive", "error_histograms", "error_along_input"].filter(has)].map((name, index) => [
+      [...[row.rival ? "rivals" : "operations", "accuracy", "exhaustive", "error_histograms", "error_along_input"].filter(has)].map((name, index) => [
         index ? ", " : "", h("a", { href: `data/${name}.csv` }, `${name}.csv`), command(name) ? [" (", h("code", {}, command(name)), ")"] : ""]), "."));
 }

@@ -15,6 +15,7 @@ import unittest
 import unittest.mock
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+import blocks  # noqa: E402
 import choose_a_format  # noqa: E402
 import data as data_module  # noqa: E402
 import division_cycles  # noqa: E402
@@ -219,7 +220,7 @@ nine q16_16 default 9000
         self.assertEqual([row["flash"] for row in rows.values()], [None, 9000, 2388, None])
         ours = rows["q16_16", "default"]
         self.assertEqual((ours["range"], ours["resolution"], ours["ulp"]),
-                         ("32\u202f768", "1.5e-05", (0.5, "sqrt")))
+                         ("32\u202f768", "1.5e-05", "0.5 (sqrt)"))
         self.assertEqual(ours["cycles"], [10, None, None, 300, None, None])
         self.assertEqual(rows[operations.FLOAT]["losses"], "slower than Q16.16 in 2 of 2")
         self.assertEqual(operations.power(0.25), "0.25")
@@ -413,9 +414,24 @@ rope q16_16 nearest velocity_verlet 0.5 9 80 160 - - - 400 held
 """
 
 
+STATES = """
+scene scalar integrator dt states held error_min error_median error_max
+fall q8_24 velocity_verlet 0.5 8 8 1 2 4
+fall float velocity_verlet 0.5 8 8 2 3 4
+fall q8_24 velocity_verlet 0.25 8 7 1 2 90
+fall float velocity_verlet 0.25 8 8 1 2 9
+"""
+
+
 class Scenes(Figures):
     def setUp(self):
         self.data = golden(scenes=SCENES)
+
+    def test_the_spread_over_starts(self):
+        self.assertIn("the largest error of a run is 4.0 times the smallest in the median of 3 runs", scenes.spread_finding(golden(
+            initial_states=STATES)))
+        self.assertIn("than in float in 1 of the 1 runs", scenes.spread_finding(golden(
+            initial_states=STATES)))
 
     def test_what_held_on_the_chip_and_can_be_judged_counts(self):
         self.assertEqual(len(scenes.measured(self.data)), 6)
@@ -601,6 +617,22 @@ f q8_8 nearest velocity_verlet 1 overflows overflow_add
         rows = self.rows().rows("stability")
         self.assertEqual(stability.silent(rows, "nearest"), (3, 1, 1))
         self.assertEqual(stability.silent(rows, "saturating"), (1, 0, 1))
+
+    def test_the_long_run_of_a_format(self):
+        found = stability.dynamics(golden(dynamics="""
+measure system scalar arithmetic integrator at measured theory
+growth spring q8_8 nearest velocity_verlet 1 1.25 1
+growth spring q8_8 nearest velocity_verlet 2 0.5 1
+growth spring q8_8 nearest velocity_verlet 2 - 1
+growth spring q8_8 saturating velocity_verlet 2 9 1
+energy orbit q8_8 nearest velocity_verlet 100000 7 0
+energy orbit q8_8 nearest velocity_verlet 10000 3 0
+reversal orbit q8_8 nearest velocity_verlet 10 0.125 0
+dead_band spring q8_8 nearest velocity_verlet 4 0.5 0.75
+limit_cycle spring q8_8 nearest velocity_verlet 4 12 1
+"""), "q8_8", "velocity_verlet")
+        self.assertEqual(found, {"growth": 0.5, "energy": {"orbit": 7}, "reversal": 0.125, "band": 0.5, "bound": 0.75,
+                                 "period": 12})
 
     def test_limits_that_the_search_ended_are_marked(self):
         self.assertEqual(stability.with_end({"limit": 5.0, "limited_by": "stable"}), "beyond 5")
@@ -790,6 +822,22 @@ class Check(unittest.TestCase):
 class Findings(Figures):
     """Sentences in place of tables."""
 
+    def test_blocks(self):
+        made = golden(blocks="""
+block format cycles_against_float
+pid q8_8 0.3
+one_pole q8_8 0.2
+pid q16_16 0.4
+one_pole q16_16 0.57
+pid q8_24 1.03
+one_pole q8_24 0.98
+pid binary32 1
+one_pole binary32 1
+""")
+        self.assertEqual(blocks.finding(made), "Building blocks (controllers, filters, tables, matrices, quaternions) that "
+                         "take at most 0.4 of float's cycles: 2 of 2 in Q8.8 (the dearest, pid: 0.30), 1 of 2 in Q16.16 "
+                         "(the dearest, one pole: 0.57), 0 of 2 in Q8.24 (the dearest, pid: 1.03).")
+
     def test_features(self):
         made = golden(features="""
 scene feature with cycles_per_step_mean flash_bytes
@@ -871,7 +919,7 @@ x/a as_published 41.125 - 714.8 2332 rejected
                 ("tan", "float libc", 300), ("pow", "q16_16 default", 400), ("pow", "float libc", 200))))
         self.assertEqual(operations.ratios_to_float(made, "q16_16"), {"sqrt": 0.5})
         self.assertEqual(operations.ratios_to_float(made, "q16_16", elementary=True), {"tan": 3, "pow": 2})
-        self.assertIn("pow have no kernels; over float's cycles they take 2 to 3 in Q16.16.",
+        self.assertIn("pow take, over float's cycles, 2 to 3 in Q16.16.",
                       operations.elementary_finding(made))
 
 

@@ -36,13 +36,15 @@ void constrain(const Rope<Scalar, Ends>& rope, World& world, TimeStep dt) {
                         distance - rope.length, rope.length, rope.restitution, dt);
 }
 
-/// A particle makes a row where it reaches into a plane.
+/// A particle makes a row where it reaches into a plane. Inline as collide(): most particles reach
+/// nothing, and a call costs more than to find that.
 template <class World, class Scalar, class Vector, class Index, class TimeStep>
-void constrain(const Plane<Scalar, Vector>& plane, Index a, World& world, TimeStep dt) {
+ENGINE_INLINE void constrain(const Plane<Scalar, Vector>& plane, Index a, World& world,
+                             TimeStep dt) {
     observe<Scalar>(Quantity::plane);
     const auto& particle = world.step_particles()[a];
     if (!movable(particle)) return;
-    Scalar height = dot(plane.normal, particle.position) - plane.offset;
+    Scalar height = plane.along_normal(particle.position) - plane.offset;
     only_if<World::Uses::radii>(
         particle, [&](const typename World::Particle& sphere) { height -= radius_of(sphere); });
     if (height < Scalar()) {
@@ -55,7 +57,7 @@ void constrain(const Plane<Scalar, Vector>& plane, Index a, World& world, TimeSt
 /// takes no product, and no square of a distance beyond the radii is formed. Where the centres
 /// coincide, the first axis is the normal.
 template <class World, class Index, class TimeStep>
-void collide(Index a, Index b, World& world, TimeStep dt) {
+ENGINE_INLINE void collide(Index a, Index b, World& world, TimeStep dt) {
     using namespace literals;
     using Scalar = typename World::Scalar;
     observe<Scalar>(Quantity::contact);

@@ -4,6 +4,7 @@
 /// point; drag and planes, which act on one particle.
 #pragma once
 
+#include <engine/decimal.hpp>
 #include <engine/vector.hpp>
 
 namespace engine {
@@ -100,7 +101,33 @@ struct Plane {
     Vector normal;       ///< of length 1
     Scalar offset;       ///< m
     Scalar restitution;  ///< 0..1
+
+    /// \cond internal
+    // Of a normal along an axis, as floors and walls have it, one more than the axis, negative
+    // where the normal points back; 0 of every other.
+    signed char axis;
+    // normal . v. Along an axis that is a component, exactly: a product costs as much as all else
+    // that a plane takes of a particle that is far away.
+    Scalar along_normal(const Vector& v) const {
+        if (axis == 0) return dot(normal, v);
+        return axis > 0 ? v[static_cast<unsigned char>(axis - 1)]
+                        : -v[static_cast<unsigned char>(-axis - 1)];
+    }
+    /// \endcond
 };
+/// \cond internal
+template <class Scalar, int N>
+signed char axis_of(const Vector<Scalar, N>& normal) {
+    const Scalar one = Decimal<1, 0>();
+    signed char axis = 0;
+    for (unsigned char i = 0; i < N; ++i) {
+        if (normal[i] == Scalar()) continue;
+        if (axis != 0 || !(absolute(normal[i]) == one)) return 0;
+        axis = static_cast<signed char>(normal[i] < one ? -i - 1 : i + 1);
+    }
+    return axis;
+}
+/// \endcond
 
 /// Whether the second end is a particle. Where a world has nothing that acts between two particles,
 /// that is known at compile time.

@@ -44,6 +44,9 @@ struct Uses {
     static constexpr bool damping = false;     ///< a factor of each particle's velocity
     static constexpr bool collisions = false;  ///< between particles
     static constexpr bool radii = false;       ///< particles are spheres, not points
+    /// Fast particles stop in the step in which they touch something, in place of passing it. Needs
+    /// radii.
+    static constexpr bool continuous_contacts = false;
     /// Velocities and positions carry what rounding a product with a binary step loses, for slow
     /// motion and small steps. Takes 4 numbers of RAM a particle in two dimensions.
     static constexpr bool compensated_integration = false;
@@ -57,7 +60,8 @@ struct Uses {
 
     /// ExplicitEuler, SemiImplicitEuler, ImplicitSprings or VelocityVerlet.
     using Integrator = SemiImplicitEuler;
-    /// ProjectedGaussSeidel or WorstFirst, of so many iterations.
+    /// ProjectedGaussSeidel, WarmStartedGaussSeidel or WorstFirst, of so many iterations; or
+    /// DirectRods.
     using Solver = ProjectedGaussSeidel<4>;
     /// BruteForce or SortAndSweep.
     using BroadPhase = BruteForce;

@@ -17,6 +17,7 @@
 
 #include <engine/choice.hpp>
 #include <engine/constraints.hpp>
+#include <engine/continuous.hpp>
 #include <engine/error.hpp>
 #include <engine/forces.hpp>
 #include <engine/observe.hpp>
@@ -98,6 +99,8 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
     static constexpr unsigned long max_rows =
         Solver::rows_per_rod * (0ul + Uses::rods + Uses::anchored_rods) + Uses::ropes +
         Uses::anchored_ropes + Uses::contacts;
+    static_assert(Uses::radii || !Uses::continuous_contacts,
+                  "continuous_contacts are of particles with radii.");
     static_assert(max_rows <= 65535,
                   "Rods, ropes and contacts make at most 65535 rows: Uses states more.");
 
@@ -186,7 +189,7 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
     /// Adds a solid plane: the half space of the points x with normal . x >= offset is free. The
     /// normal must be of length 1 (within 2^-9), as normalise() makes it.
     bool add_plane(const Vector& normal, Scalar offset, Scalar restitution) {
-        return add(planes_, {normal, offset, restitution});
+        return add(planes_, {normal, offset, restitution, axis_of(normal)});
     }
 
     /// Between steps: another length of a rod, a rope or a spring of this world, as in
@@ -307,10 +310,7 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
     template <class TimeStep>
     void integrate_positions(TimeStep dt) {
         observe<Scalar>(Quantity::position);
-        particles_.for_each([&](Particle& particle) {
-            if (!movable(particle)) return;
-            particle.move(particle.position, particle.velocity, dt);
-        });
+        integrate_positions(dt, If<Uses::continuous_contacts>());
     }
 
     /// Multiplies each velocity by its particle's damping factor.
@@ -407,6 +407,19 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
             for (Index i = 0; i < world.particles_.size(); ++i) constrain(obstacle, i, world, dt);
         }
     };
+    template <class TimeStep>
+    void integrate_positions(TimeStep dt, If<true>) {
+        for (Index i = 0; i < particles_.size(); ++i) {
+            if (movable(particles_[i])) Flight<World>::move(*this, i, dt);
+        }
+    }
+    template <class TimeStep>
+    void integrate_positions(TimeStep dt, If<false>) {
+        particles_.for_each([&](Particle& particle) {
+            if (!movable(particle)) return;
+            particle.move(particle.position, particle.velocity, dt);
+        });
+    }
     template <class TimeStep>
     void collide_all(TimeStep dt, If<true>) {
         BroadPhase::collide_all(*this, dt);

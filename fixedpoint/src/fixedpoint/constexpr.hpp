@@ -9,3 +9,11 @@
 #else
 #define FIXEDPOINT_CONSTEXPR inline
 #endif
+
+// FIXEDPOINT_IN_PLACE: the same of a function whose result of several bytes its caller takes apart,
+// which would pass through memory if it was called.
+#ifdef __GNUC__
+#define FIXEDPOINT_IN_PLACE FIXEDPOINT_CONSTEXPR __attribute__((always_inline))
+#else
+#define FIXEDPOINT_IN_PLACE FIXEDPOINT_CONSTEXPR
+#endif

@@ -13,6 +13,7 @@
 #pragma once
 
 #include <fixedpoint/fixed.hpp>
+#include <fixedpoint/portable/constant.hpp>
 #include <fixedpoint/portable/convert.hpp>
 #include <fixedpoint/portable/floating_point.hpp>
 #include <fixedpoint/portable/from_decimal.hpp>
@@ -90,6 +91,18 @@ FIXEDPOINT_CONSTEXPR Converted<Target> from_float_checked(Float x) {
     static_assert(!BuiltinNumber<Float>::is_integer, "from_float_checked takes a float or double.");
     const auto result = portable::from_float<typename Target::Raw, Target::fraction_bits>(x);
     return {Target::from_raw(result.number), result.fits};
+}
+
+/// The constant x, an integer, float or double, rounded to nearest, half up: fixed<16, 16>(0.38).
+/// It does not compile where the format does not hold x, rounded, nor for NaN, nor where the
+/// compiler does not know x: from_float takes those. 0.38 is the float or double that C++ makes of
+/// it; a literal of literals.hpp is the decimal itself. In C++20 always evaluated by the compiler;
+/// before, where it is a constant expression or the compiler optimises.
+template <int IntegerBits, int FractionBits, class Arithmetic = Nearest, class Number>
+FIXEDPOINT_CONSTEVAL Fixed<IntegerBits, FractionBits, Arithmetic> fixed(Number x) {
+    return Fixed<IntegerBits, FractionBits, Arithmetic>::from_raw(
+        portable::Constant<Integer<IntegerBits + FractionBits>, FractionBits,
+                           BuiltinNumber<Number>::kind>::raw(x));
 }
 
 /// The float or double nearest to x, half to even.

@@ -5,13 +5,16 @@
 /// as an integer bit. Arithmetic decides how results are rounded and what happens when they do not
 /// fit: see arithmetic/nearest.hpp for the rule that the default follows for every input.
 ///
-/// Both operands of an operator have the same format and arithmetic, and no conversion is implicit:
-/// use a literal of literals.hpp, from_integer or from_raw, and conversion.hpp for everything else.
+/// Both operands of an operator have the same format and arithmetic, or one is an integer, which
+/// counts as itself whether the format holds it or not: only the result is held to the range. No
+/// conversion is implicit: use a literal of literals.hpp, from_integer or from_raw, and
+/// conversion.hpp for everything else.
 #pragma once
 
 #include <fixedpoint/arithmetic/nearest.hpp>
 #include <fixedpoint/builtin.hpp>
 #include <fixedpoint/integer.hpp>
+#include <fixedpoint/portable/integer_operand.hpp>
 
 namespace fixedpoint {
 
@@ -108,6 +111,58 @@ class Fixed {
             static_cast<Raw>(a.raw_ >> (shift_count(count) < last ? shift_count(count) : last)));
     }
 
+    /// The sum, exact; one out of the range as the arithmetic has it (Nearest: modulo 2^W).
+    /// @{
+    template <class Int>
+    friend constexpr typename BesideInteger<Int, Fixed>::Type operator+(Fixed a, Int n) {
+        return from_raw(Arithmetic::settle(portable::add_integer<Raw, FractionBits>(a.raw_, n),
+                                           portable::sum_fits<Raw, FractionBits>(a.raw_, n),
+                                           !portable::is_negative_integer(n), Operation::add));
+    }
+    template <class Int>
+    friend constexpr typename BesideInteger<Int, Fixed>::Type operator+(Int n, Fixed a) {
+        return a + n;
+    }
+    /// @}
+    /// The difference, exact; one out of the range as the arithmetic has it (Nearest: modulo 2^W).
+    /// @{
+    template <class Int>
+    friend constexpr typename BesideInteger<Int, Fixed>::Type operator-(Fixed a, Int n) {
+        return from_raw(
+            Arithmetic::settle(wrapping_subtract(a.raw_, portable::scale<Raw, FractionBits>(n)),
+                               portable::difference_fits<Raw, FractionBits>(a.raw_, n),
+                               portable::is_negative_integer(n), Operation::subtract));
+    }
+    template <class Int>
+    friend constexpr typename BesideInteger<Int, Fixed>::Type operator-(Int n, Fixed a) {
+        return from_raw(
+            Arithmetic::settle(wrapping_subtract(portable::scale<Raw, FractionBits>(n), a.raw_),
+                               portable::difference_from_fits<Raw, FractionBits>(a.raw_, n),
+                               !portable::is_negative_integer(n), Operation::subtract));
+    }
+    /// @}
+    /// The product, exact, for nothing is rounded; one out of the range as the arithmetic has it
+    /// (Nearest: modulo 2^W).
+    /// @{
+    template <class Int>
+    friend constexpr typename BesideInteger<Int, Fixed>::Type operator*(Fixed a, Int n) {
+        return from_raw(Arithmetic::settle(
+            portable::multiply_integer(a.raw_, n), portable::product_fits(a.raw_, n),
+            (a.raw_ < 0) == portable::is_negative_integer(n), Operation::multiply));
+    }
+    template <class Int>
+    friend constexpr typename BesideInteger<Int, Fixed>::Type operator*(Int n, Fixed a) {
+        return a * n;
+    }
+    /// @}
+    /// The quotient, rounded once; a / 0 and the smallest number over -1 as of two numbers. An
+    /// integer over a number is refused: the integer may lie beyond the format, and its quotient in
+    /// it.
+    template <class Int>
+    friend constexpr typename BesideInteger<Int, Fixed>::Type operator/(Fixed a, Int n) {
+        return from_raw(portable::divide_integer<Arithmetic>(a.raw_, n));
+    }
+
     /// As the operator without the equals sign, whose result this number becomes.
     /// @{
     FIXEDPOINT_CONSTEXPR Fixed& operator+=(Fixed b) { return *this = *this + b; }
@@ -115,6 +170,22 @@ class Fixed {
     FIXEDPOINT_CONSTEXPR Fixed& operator*=(Fixed b) { return *this = *this * b; }
     FIXEDPOINT_CONSTEXPR Fixed& operator/=(Fixed b) { return *this = *this / b; }
     FIXEDPOINT_CONSTEXPR Fixed& operator%=(Fixed b) { return *this = *this % b; }
+    template <class Int>
+    FIXEDPOINT_CONSTEXPR typename BesideInteger<Int, Fixed&>::Type operator+=(Int n) {
+        return *this = *this + n;
+    }
+    template <class Int>
+    FIXEDPOINT_CONSTEXPR typename BesideInteger<Int, Fixed&>::Type operator-=(Int n) {
+        return *this = *this - n;
+    }
+    template <class Int>
+    FIXEDPOINT_CONSTEXPR typename BesideInteger<Int, Fixed&>::Type operator*=(Int n) {
+        return *this = *this * n;
+    }
+    template <class Int>
+    FIXEDPOINT_CONSTEXPR typename BesideInteger<Int, Fixed&>::Type operator/=(Int n) {
+        return *this = *this / n;
+    }
     template <class Count>
     FIXEDPOINT_CONSTEXPR Fixed& operator<<=(Count count) {
         return *this = *this << count;
@@ -135,57 +206,118 @@ class Fixed {
     friend constexpr bool operator>=(Fixed a, Fixed b) { return a.raw_ >= b.raw_; }
     /// @}
 
-    /// Operands of two kinds do not compile: a mixed product would hide in which of the two formats
-    /// it is rounded, and an integer or a float would be narrowed before the arithmetic sees it.
+    /// Compares the values: exact for every integer, in the range or not.
+    /// @{
+    template <class Int>
+    friend constexpr typename BesideInteger<Int, bool>::Type operator==(Fixed a, Int n) {
+        return holds(n) && a.raw_ == portable::scale<Raw, FractionBits>(n);
+    }
+    template <class Int>
+    friend constexpr typename BesideInteger<Int, bool>::Type operator<(Fixed a, Int n) {
+        return holds(n) ? a.raw_ < portable::scale<Raw, FractionBits>(n)
+                        : !portable::is_negative_integer(n);
+    }
+    template <class Int>
+    friend constexpr typename BesideInteger<Int, bool>::Type operator>(Fixed a, Int n) {
+        return holds(n) ? a.raw_ > portable::scale<Raw, FractionBits>(n)
+                        : portable::is_negative_integer(n);
+    }
+    template <class Int>
+    friend constexpr typename BesideInteger<Int, bool>::Type operator!=(Fixed a, Int n) {
+        return !(a == n);
+    }
+    template <class Int>
+    friend constexpr typename BesideInteger<Int, bool>::Type operator<=(Fixed a, Int n) {
+        return !(a > n);
+    }
+    template <class Int>
+    friend constexpr typename BesideInteger<Int, bool>::Type operator>=(Fixed a, Int n) {
+        return !(a < n);
+    }
+    template <class Int>
+    friend constexpr typename BesideInteger<Int, bool>::Type operator==(Int n, Fixed a) {
+        return a == n;
+    }
+    template <class Int>
+    friend constexpr typename BesideInteger<Int, bool>::Type operator!=(Int n, Fixed a) {
+        return !(a == n);
+    }
+    template <class Int>
+    friend constexpr typename BesideInteger<Int, bool>::Type operator<(Int n, Fixed a) {
+        return a > n;
+    }
+    template <class Int>
+    friend constexpr typename BesideInteger<Int, bool>::Type operator>(Int n, Fixed a) {
+        return a < n;
+    }
+    template <class Int>
+    friend constexpr typename BesideInteger<Int, bool>::Type operator<=(Int n, Fixed a) {
+        return !(a < n);
+    }
+    template <class Int>
+    friend constexpr typename BesideInteger<Int, bool>::Type operator>=(Int n, Fixed a) {
+        return !(a > n);
+    }
+    /// @}
+
+    /// Other operands of two kinds do not compile: a product of two formats would hide in which of
+    /// the two it is rounded; a float would be rounded before the arithmetic sees it, or the number
+    /// become a float; a character or a truth value is no quantity. Nor is an integer made a number
+    /// where that might not hold it.
     template <class Number,
               class write_a_literal_or_from_integer_or_from_float =
                   typename BuiltinNumber<Number>::write_a_literal_or_from_integer_or_from_float>
     explicit Fixed(Number) = delete;
 
     /// \cond internal
-#define FIXEDPOINT_REFUSE_MIXED(operation)                                                       \
-    template <class Number>                                                                      \
-    friend                                                                                       \
-        typename BuiltinNumber<Number>::write_a_literal_or_from_integer_or_from_float operation( \
-            Fixed, Number) = delete;                                                             \
-    template <class Number>                                                                      \
-    friend                                                                                       \
-        typename BuiltinNumber<Number>::write_a_literal_or_from_integer_or_from_float operation( \
-            Number, Fixed) = delete;                                                             \
-    template <int OtherInteger, int OtherFraction, class OtherArithmetic>                        \
-    friend convert_one_operand_to_the_format_of_the_other operation(                             \
+#define FIXEDPOINT_REFUSE(operation, First, Second, Refused)                                  \
+    template <class Number>                                                                   \
+    friend typename Refused<Number>::write_a_literal_or_from_integer_or_from_float operation( \
+        First, Second) = delete;
+#define FIXEDPOINT_REFUSE_MIXED(operation, RefusedBefore, RefusedBehind)  \
+    FIXEDPOINT_REFUSE(operation, Number, Fixed, RefusedBefore)            \
+    FIXEDPOINT_REFUSE(operation, Fixed, Number, RefusedBehind)            \
+    template <int OtherInteger, int OtherFraction, class OtherArithmetic> \
+    friend convert_one_operand_to_the_format_of_the_other operation(      \
         Fixed, Fixed<OtherInteger, OtherFraction, OtherArithmetic>) = delete;
-    FIXEDPOINT_REFUSE_MIXED(operator+)
-    FIXEDPOINT_REFUSE_MIXED(operator-)
-    FIXEDPOINT_REFUSE_MIXED(operator*)
-    FIXEDPOINT_REFUSE_MIXED(operator/)
-    FIXEDPOINT_REFUSE_MIXED(operator%)
-    FIXEDPOINT_REFUSE_MIXED(operator==)
-    FIXEDPOINT_REFUSE_MIXED(operator!=)
-    FIXEDPOINT_REFUSE_MIXED(operator<)
-    FIXEDPOINT_REFUSE_MIXED(operator>)
-    FIXEDPOINT_REFUSE_MIXED(operator<=)
-    FIXEDPOINT_REFUSE_MIXED(operator>=)
+    FIXEDPOINT_REFUSE_MIXED(operator+, NotBesideFixed, NotBesideFixed)
+    FIXEDPOINT_REFUSE_MIXED(operator-, NotBesideFixed, NotBesideFixed)
+    FIXEDPOINT_REFUSE_MIXED(operator*, NotBesideFixed, NotBesideFixed)
+    FIXEDPOINT_REFUSE_MIXED(operator/, BuiltinNumber, NotBesideFixed)
+    FIXEDPOINT_REFUSE_MIXED(operator%, BuiltinNumber, BuiltinNumber)
+    FIXEDPOINT_REFUSE_MIXED(operator==, NotBesideFixed, NotBesideFixed)
+    FIXEDPOINT_REFUSE_MIXED(operator!=, NotBesideFixed, NotBesideFixed)
+    FIXEDPOINT_REFUSE_MIXED(operator<, NotBesideFixed, NotBesideFixed)
+    FIXEDPOINT_REFUSE_MIXED(operator>, NotBesideFixed, NotBesideFixed)
+    FIXEDPOINT_REFUSE_MIXED(operator<=, NotBesideFixed, NotBesideFixed)
+    FIXEDPOINT_REFUSE_MIXED(operator>=, NotBesideFixed, NotBesideFixed)
 #undef FIXEDPOINT_REFUSE_MIXED
+#undef FIXEDPOINT_REFUSE
 
-#define FIXEDPOINT_REFUSE_MIXED(operation)                                                   \
-    template <class Number>                                                                  \
-    typename BuiltinNumber<Number>::write_a_literal_or_from_integer_or_from_float operation( \
-        Number) = delete;                                                                    \
-    template <int OtherInteger, int OtherFraction, class OtherArithmetic>                    \
-    convert_one_operand_to_the_format_of_the_other operation(                                \
+#define FIXEDPOINT_REFUSE_MIXED(operation, Refused)                                             \
+    template <class Number>                                                                     \
+    typename Refused<Number>::write_a_literal_or_from_integer_or_from_float operation(Number) = \
+        delete;                                                                                 \
+    template <int OtherInteger, int OtherFraction, class OtherArithmetic>                       \
+    convert_one_operand_to_the_format_of_the_other operation(                                   \
         Fixed<OtherInteger, OtherFraction, OtherArithmetic>) = delete;
-    FIXEDPOINT_REFUSE_MIXED(operator+=)
-    FIXEDPOINT_REFUSE_MIXED(operator-=)
-    FIXEDPOINT_REFUSE_MIXED(operator*=)
-    FIXEDPOINT_REFUSE_MIXED(operator/=)
-    FIXEDPOINT_REFUSE_MIXED(operator%=)
+    FIXEDPOINT_REFUSE_MIXED(operator+=, NotBesideFixed)
+    FIXEDPOINT_REFUSE_MIXED(operator-=, NotBesideFixed)
+    FIXEDPOINT_REFUSE_MIXED(operator*=, NotBesideFixed)
+    FIXEDPOINT_REFUSE_MIXED(operator/=, NotBesideFixed)
+    FIXEDPOINT_REFUSE_MIXED(operator%=, BuiltinNumber)
 #undef FIXEDPOINT_REFUSE_MIXED
     /// \endcond
 
   private:
     struct Private {};
     constexpr Fixed(Raw raw, Private) : raw_(raw) {}
+
+    // Whether the integer is a number of the format.
+    template <class Int>
+    static constexpr bool holds(Int n) {
+        return portable::integer_fits<Raw, FractionBits>(n);
+    }
 
     // What an unsigned char does not hold is beyond every width.
     template <class Count>

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <fixedpoint/fixed.hpp>
+#include <fixedpoint/portable/lerp.hpp>
 #include <fixedpoint/portable/round.hpp>
 
 namespace fixedpoint {
@@ -216,6 +217,86 @@ template <int IntegerBits, int F, class A>
 constexpr Fixed<IntegerBits, F, A> clamp(Fixed<IntegerBits, F, A> a, Fixed<IntegerBits, F, A> low,
                                          Fixed<IntegerBits, F, A> high) {
     return max(low, min(a, high));
+}
+
+/// -1, 0 or 1 as a is negative, zero or positive: an integer, since some formats hold no 1.
+template <int IntegerBits, int F, class A>
+constexpr int sign(Fixed<IntegerBits, F, A> a) {
+    return a.raw() < 0 ? -1 : a.raw() > 0 ? 1 : 0;
+}
+/// |a| with the sign of b, where 0 counts as positive; the smallest number as the arithmetic
+/// negates it.
+template <int IntegerBits, int F, class A>
+constexpr Fixed<IntegerBits, F, A> copysign(Fixed<IntegerBits, F, A> a,
+                                            Fixed<IntegerBits, F, A> b) {
+    return (a.raw() < 0) == (b.raw() < 0) ? a : -a;
+}
+/// (a + b) / 2, rounded to nearest, half up; no sum overflows.
+template <int IntegerBits, int F, class A>
+constexpr Fixed<IntegerBits, F, A> midpoint(Fixed<IntegerBits, F, A> a,
+                                            Fixed<IntegerBits, F, A> b) {
+    // a + b = 2 (a | b) - (a ^ b).
+    return Fixed<IntegerBits, F, A>::from_raw(
+        static_cast<Integer<IntegerBits + F>>((a.raw() | b.raw()) - ((a.raw() ^ b.raw()) >> 1)));
+}
+/// |a - b|, exact: the larger less the smaller, as the arithmetic subtracts.
+template <int IntegerBits, int F, class A>
+constexpr Fixed<IntegerBits, F, A> abs_diff(Fixed<IntegerBits, F, A> a,
+                                            Fixed<IntegerBits, F, A> b) {
+    return a < b ? b - a : a - b;
+}
+/// a + t (b - a), rounded once, for every t: a where t is 0, b where t is 1. It wraps or saturates
+/// as sums of the arithmetic do; with t from 0 to 1 it never leaves the range from a to b.
+template <int IntegerBits, int F, class A>
+FIXEDPOINT_CONSTEXPR Fixed<IntegerBits, F, A> lerp(Fixed<IntegerBits, F, A> a,
+                                                   Fixed<IntegerBits, F, A> b,
+                                                   Fixed<IntegerBits, F, A> t) {
+    const auto result = portable::lerp<Integer<IntegerBits + F>, F>(a.raw(), b.raw(), t.raw());
+    return Fixed<IntegerBits, F, A>::from_raw(
+        A::settle(result.wrapped, result.fits, result.is_above, Operation::lerp));
+}
+/// 3 t^2 - 2 t^3, rounded once: from 0 to 1 without a jump in the slope; 0 where t < 0, and 1 where
+/// t > 1. Saturated where the format does not hold 1.
+template <int IntegerBits, int F, class A>
+FIXEDPOINT_CONSTEXPR Fixed<IntegerBits, F, A> smoothstep(Fixed<IntegerBits, F, A> t) {
+    return Fixed<IntegerBits, F, A>::from_raw(
+        portable::smoothstep<Integer<IntegerBits + F>, F>(t.raw()));
+}
+
+/// What divmod and divrem return: a = quotient b + remainder.
+template <class Number>
+struct QuotientAndRemainder {
+    /// An integer. It has no fraction, and more of them fit Raw than the format.
+    typename Number::Raw quotient;
+    /// What the whole quotient leaves.
+    Number remainder;
+};
+/// trunc(a / b) and what it leaves, a % b, exact: 0 or of the sign of a. a / 0 is the largest
+/// integer, the smallest, or 0, by the sign of a, and leaves a; the smallest number over -1 ulp is
+/// the largest integer.
+template <int IntegerBits, int F, class A>
+FIXEDPOINT_CONSTEXPR QuotientAndRemainder<Fixed<IntegerBits, F, A>> divrem(
+    Fixed<IntegerBits, F, A> a, Fixed<IntegerBits, F, A> b) {
+    using Number = Fixed<IntegerBits, F, A>;
+    using Raw = typename Number::Raw;
+    // What has no quotient in the range, or none at all, is the arithmetic's to say.
+    if (b.raw() == 0 || b.raw() == -1) {
+        return {A::template divide<Raw, 0>(a.raw(), b.raw()), b.raw() == 0 ? a : Number()};
+    }
+    const Raw quotient = static_cast<Raw>(a.raw() / b.raw());
+    return {quotient, Number::from_raw(static_cast<Raw>(a.raw() - quotient * b.raw()))};
+}
+/// floor(a / b) and what it leaves, exact: 0 or of the sign of b. Without a quotient as divrem.
+template <int IntegerBits, int F, class A>
+FIXEDPOINT_CONSTEXPR QuotientAndRemainder<Fixed<IntegerBits, F, A>> divmod(
+    Fixed<IntegerBits, F, A> a, Fixed<IntegerBits, F, A> b) {
+    using Number = Fixed<IntegerBits, F, A>;
+    using Raw = typename Number::Raw;
+    const QuotientAndRemainder<Number> result = divrem(a, b);
+    const Raw rest = result.remainder.raw();
+    if (b.raw() == 0 || rest == 0 || (rest < 0) == (b.raw() < 0)) return result;
+    return {static_cast<Raw>(result.quotient - 1),
+            Number::from_raw(static_cast<Raw>(rest + b.raw()))};
 }
 
 /// The largest integral number <= a.

@@ -82,6 +82,38 @@ def pair(a, b):
             *map(raw, map(clamped, ring)), str(overflows)]
 
 
+def with_integer(a, n):
+    ring = [a + n * ONE, a - n * ONE, n * ONE - a, a * n]
+    quotient = nearest(Fraction(a, n)) if n else (a > 0) * high() + (a < 0) * low()
+    return [raw(a), f"int32_t(0x{n & 0xffffffff:x}u)", *map(raw, map(wrapped, ring)),
+            *map(raw, map(clamped, ring)), raw(clamped(quotient)), str((a > n * ONE) - (a < n * ONE))]
+
+
+def integer_pairs():
+    for n in (0, 1, -1, 2, 3, -7, 100, 127, -128, 255, 32767, -32768, 40000, -70000, 2**31 - 1, -2**31):
+        for a in (0, 1, -1, low(), low() + 1, high(), high() // 3, -(ONE + ONE // 2), n * ONE, n * ONE + 1):
+            if a == clamped(a):
+                yield a, n
+
+
+def small_operations(a, b, t):
+    """Those that are exact or rounded once, of two numbers and a position t between them."""
+    truncated, floored = ([clamped(n), a - n * b] for n in (toward_zero(Fraction(a, b)), a // b)) if b else (
+        [(a > 0) * high() + (a < 0) * low(), a] for _ in range(2))
+    u = min(max(Fraction(t, ONE), 0), 1)
+    numbers = [wrapped(a + nearest(Fraction(t * (b - a), ONE))), clamped(a + nearest(Fraction(t * (b - a), ONE))),
+               nearest(Fraction(a + b, 2)), wrapped(abs(a - b)), wrapped(abs(a) if b >= 0 else -abs(a)),
+               clamped(nearest((3 - 2 * u) * u * u * ONE)), *truncated, *floored]
+    return [*map(raw, (a, b, t)), *map(raw, numbers), str((a > 0) - (a < 0))]
+
+
+def positions():
+    for i, (a, b) in enumerate(dict.fromkeys(operand_pairs())):
+        numbers = (ONE // 2, ONE, ONE // 3, 2 * ONE // 3 + 1, ONE - 1, 0, -ONE // 3, high(), low())
+        t = numbers[i % len(numbers)]
+        yield a, b, clamped(t)
+
+
 def shift(a, count):
     return [raw(a), str(count), raw(wrapped(a << count)), raw(clamped(a << count)), raw(a >> count)]
 
@@ -223,6 +255,9 @@ def main():
     shifted = [(a, count) for a in (high() // 5, low() // 3, -1) for count in range(W + 1)]
     content = "// SPDX-License-Identifier: MIT\n#include \"numbers.hpp\"\n" + "".join([
         table("pairs", "Pair", (pair(a, b) for a, b in dict.fromkeys(operand_pairs()))),
+        table("with_integers", "WithInteger",
+              (with_integer(a, n) for a, n in dict.fromkeys(integer_pairs()))),
+        table("small_operations", "SmallOperations", (small_operations(*row) for row in positions())),
         table("shifts", "Shift", (shift(a, count) for a, count in shifted)),
         table("singles", "Single", map(single, numbers)),
         table("from_floats", "FromFloat", map(from_float, floats())),

@@ -26,6 +26,9 @@ extern "C" __attribute__((noinline, used)) void finished() {
 
 // Zero where the file is not linked.
 __attribute__((weak)) void test_operators();
+__attribute__((weak)) void test_integers();
+__attribute__((weak)) void test_small_operations();
+__attribute__((weak)) void test_angles();
 __attribute__((weak)) void test_shifts();
 __attribute__((weak)) void test_checked();
 __attribute__((weak)) void test_functions();
@@ -42,6 +45,9 @@ static void run(const char* name, void (*test)()) {
 
 int main() {
     run("operators_test", test_operators);
+    run("integers_test", test_integers);
+    run("small_operations_test", test_small_operations);
+    run("angles_test", test_angles);
     run("shifts_test", test_shifts);
     run("checked_test", test_checked);
     run("functions_test", test_functions);

@@ -22,6 +22,20 @@ struct Pair {
     // Whether sum, difference, product and quotient, rounded, do not fit: bits 0 to 3.
     uint8_t overflows;
 };
+struct WithInteger {
+    Raw a;
+    int32_t n;
+    // a + n, a - n, n - a, a n.
+    Raw wrapped[4], saturated[4];
+    Raw quotient;
+    int8_t comparison;  // the sign of a - n
+};
+struct SmallOperations {
+    Raw a, b, t;
+    Raw lerp, saturated_lerp, midpoint, abs_diff, copysign, smoothstep;
+    Raw quotient, remainder, floored_quotient, floored_remainder;
+    int8_t sign;
+};
 struct Shift {
     Raw a;
     uint8_t count;  // that of the last row of an `a` stands for all larger counts too
@@ -67,6 +81,8 @@ struct Rows {
     uint16_t count;
 };
 extern const Rows<Pair> pairs;
+extern const Rows<WithInteger> with_integers;
+extern const Rows<SmallOperations> small_operations;
 extern const Rows<Shift> shifts;
 extern const Rows<Single> singles;
 extern const Rows<FromFloat> from_floats;

@@ -7,6 +7,15 @@
 #include <fixedpoint/arithmetic/published.hpp>
 #include <fixedpoint/arithmetic/saturating.hpp>
 #include <fixedpoint/arithmetic/small.hpp>
+#include <fixedpoint/blocks/biquad.hpp>
+#include <fixedpoint/blocks/complex.hpp>
+#include <fixedpoint/blocks/interpolation.hpp>
+#include <fixedpoint/blocks/matrix.hpp>
+#include <fixedpoint/blocks/moving_average.hpp>
+#include <fixedpoint/blocks/one_pole.hpp>
+#include <fixedpoint/blocks/pid.hpp>
+#include <fixedpoint/blocks/polynomial.hpp>
+#include <fixedpoint/blocks/quaternion.hpp>
 
 #ifdef HOST_HEADERS
 #include <fixedpoint/host/hash.hpp>
@@ -26,6 +35,9 @@ static_assert((0.38_q16_16).raw() == 24904, "0.38 2^16 = 24903.68");
 static_assert((7.9375_q4_4).raw() == 127, "the largest number");
 static_assert((1e-3_q8_8).raw() == 0, "an exponent");
 static_assert((3.14159265358979323846_q32_32).raw() == 13493037705, "pi 2^32 = 13493037704.52");
+static_assert((1 - 0.5_q16_16 * 3).raw() == -32768 && 1_q16_16 < 2 && 2u > 1_q16_16, "integers");
+static_assert(fixed<16, 16>(-0.38).raw() == -24904, "a checked constant");
+static_assert(constants::pi<Q16_16>().raw() == 205887, "pi 2^16 = 205887.42");
 #if __cplusplus >= 201402L
 // So is what is computed of them, from C++14 on.
 static_assert((2.5_q16_16 * 0.5_q16_16).raw() == 81920, "a product");
@@ -62,6 +74,45 @@ void ring(Number& a, Number b) {
     a = scale_down<3>(a) + sqrt(a) + atan2(a, b);
 }
 
+template <class Number, class Int>
+void beside_integer(Number& a, Int n) {
+    a = (n - a) * n + n * (a + n) - (n + a - n) / n;
+    a += n;
+    a -= n;
+    a *= n;
+    a /= n;
+    if (a == n || a != n || a < n || a > n || a <= n || a >= n) a = Number();
+    if (n == a || n != a || n < a || n > a || n <= a || n >= a) a = Number();
+}
+
+template <class Number>
+void beside_integers(Number& a) {
+    beside_integer(a, static_cast<int8_t>(1));
+    beside_integer(a, static_cast<uint8_t>(1));
+    beside_integer(a, 1);
+    beside_integer(a, 1u);
+    beside_integer(a, 1L);
+    beside_integer(a, 1ull);
+}
+
+template <int I, int F, class A>
+void widening(Fixed<I, F, A>& a) {
+    a = narrow<Fixed<I, F, A>>(widening_multiply(a, a)) +
+        narrow<Fixed<I, F, A>>(widening_add(a, a));
+    a += constants::ln2<Fixed<I, F, A>>() + fixed<I, F, A>(0.5) + fixed<I, F, A>(0);
+}
+template <class Number>
+void angles(Number& a) {
+    a = sin_turns(a) + cos_turns(a) + sincos_turns(a).sine + atan2_turns(a, a);
+    a += sin_degrees(a) + cos_degrees(a) + sincos_degrees(a).sine + atan2_degrees(a, a);
+    Turn<16> coarse = Turn<16>::from_turns(a);
+    Turn<32> fine = Turn<32>::from_turns(a);
+    coarse += -coarse * 2 - coarse + 3u * coarse;
+    fine -= fine;
+    if (coarse == Turn<16>() || fine != Turn<32>::from_raw(coarse.raw())) a = fine.turns<Number>();
+    a += sin<Number>(coarse) + cos<Number>(fine) + sincos<Number>(fine).sine;
+}
+
 template <class Number>
 void functions(Number* a) {
     a[0] = reciprocal_sqrt(a[1]) + atan(a[0]) + sin(a[0]) + cos(a[1]) + exp(a[1]) + log(a[0]);
@@ -69,6 +120,9 @@ void functions(Number* a) {
         tan(a[0]) + asin(a[0]) + acos(a[1]) + exp2(a[0]) + expm1(a[1]) + log2(a[0]) + log10(a[1]);
     a[1] += log1p(a[0]) + sinh(a[0]) + cosh(a[1]) + tanh(a[0]) + cbrt(a[1]) + pow(a[0], a[1]);
     a[0] += hypot(a[0], a[1]) + hypot(a[0], a[1], a[0]);
+    a[0] = lerp(copysign(a[0], a[1]), midpoint(a[0], a[1]), smoothstep(abs_diff(a[0], a[1])));
+    a[0] = divmod(a[0], a[1]).remainder + divrem(a[0], a[1]).remainder +
+           isqrt(a[0].raw()) * sign(a[1]);
     const auto both = sincos(a[1]);
     a[1] = multiply_add(both.sine, both.cosine, a[1]);
     a[1] += dot2(a, a + 1) + dot3(a, a) + length2(a) + length3(a);
@@ -90,21 +144,56 @@ void conversions(Number& a) {
     a += parse<Number>(text, print(a, text, sizeof text) + print(a, 3, text, sizeof text)).number;
 }
 
+template <class Number, uint8_t N>
+void matrices(Number (&v)[N]) {
+    Matrix<Number, N> a = {};
+    for (uint8_t i = 0; i < N; ++i) a.element[i][i] = v[i];
+    Number image[N] = {};
+    if (invert(a * adjugate(a), a)) multiply(a, v, image);
+    v[0] = image[0] + determinant(a);
+}
+
+template <class Number, class Coefficient>
+void blocks() {
+    static const Table<Number, 3> values FIXEDPOINT_PROGRAM_MEMORY = {{}};
+    static const Table<Coefficient, 3> coefficients FIXEDPOINT_PROGRAM_MEMORY = {{}};
+    Number a[3] = {};
+    Pid<Number> pid({a[0], a[0], a[0]}, a[0], a[0]);
+    Biquad<Number> biquad({a[0], a[0], a[0], a[0], a[0]});
+    OnePole<Number> one_pole(a[0], a[1]);
+    MovingAverage<Number, 256> average(a[0]);
+    a[0] = biquad.update(one_pole.update(average.update(pid.update(a[0], one_pole.output()))));
+    a[0] = polynomial(interpolate<0>(values, a[0], a[1]), coefficients);
+    a[0] = interpolate<-2>(values, a[0], interpolate<1>(values, a[0], a[1]));
+    const Complex<Number> z = {{a[0], a[1]}}, product = z * conjugate(z) + z - z;
+    a[0] = product.real() + product.imaginary() + squared_magnitude(z);
+    Number plane[2] = {a[0], a[1]};
+    matrices(plane);
+    matrices(a);
+    const Quaternion<Number> q = {{a[0], a[1], a[2], plane[0]}};
+    rotate(renormalised(q * conjugate(q)), a, a);
+}
+
 template <int I, int F>
 void every_arithmetic() {
     Fixed<I, F> nearest[3];
     ring(nearest[0], nearest[1]);
+    beside_integers(nearest[0]);
     functions(nearest);
+    angles(nearest[0]);
     conversions(nearest[0]);
     Fixed<I, F, Small> small[3];
     ring(small[0], small[1]);
     functions(small);
     Fixed<I, F, Saturating> saturating[3];
     ring(saturating[0], saturating[1]);
+    beside_integers(saturating[0]);
     functions(saturating);
+    angles(saturating[0]);
     conversions(saturating[0]);
     Fixed<I, F, Checked<Hook>> checked[3];
     ring(checked[0], checked[1]);
+    beside_integers(checked[0]);
     functions(checked);
 }
 
@@ -118,6 +207,22 @@ void everything() {
     every_arithmetic<32, 32>();
     every_arithmetic<8, 24>();
     every_arithmetic<1, 15>();
+    blocks<Q4_4, Q8_8>();
+    blocks<Q8_8, Q16_16>();
+    blocks<Q16_16, Fixed<8, 24>>();
+    blocks<Fixed<8, 24>, Fixed<8, 24>>();
+    blocks<Q32_32, Q32_32>();
+    blocks<Fixed<16, 16, Saturating>, Fixed<8, 24, Saturating>>();
+    blocks<Fixed<16, 16, Checked<Hook>>, Fixed<16, 16, Checked<Hook>>>();
+    blocks<Fixed<8, 8, Small>, Fixed<16, 16, Small>>();
+    blocks<float, float>();
+    // Products of wider numbers do not compile.
+    Q4_4 a;
+    Fixed<1, 15, Saturating> b;
+    Fixed<16, 16, Checked<Hook>> c;
+    widening(a);
+    widening(b);
+    widening(c);
     Fixed<16, 16, Published> published = Fixed<16, 16, Published>::from_integer(3);
     published = published * published / sqrt(published) + atan2(published, published);
 }

@@ -6,6 +6,15 @@
 
 _Accum sqrtk(_Accum);
 _Accum atank(_Accum);
+_Accum asink(_Accum);
+_Accum acosk(_Accum);
+_Accum exp2k(_Accum);
+_Accum log2uk(unsigned _Accum);
 
 _Accum SUBJECT(sqrt, s16_15)(_Accum a) { return sqrtk(a); }
 _Accum SUBJECT(atan, s16_15)(_Accum a) { return atank(a); }
+_Accum SUBJECT(asin, s16_15)(_Accum a) { return asink(a); }
+_Accum SUBJECT(acos, s16_15)(_Accum a) { return acosk(a); }
+_Accum SUBJECT(exp2, s16_15)(_Accum a) { return exp2k(a); }
+/* Of a positive number, whose unsigned type has a place more. */
+_Accum SUBJECT(log2, s16_15)(_Accum a) { return log2uk(a); }

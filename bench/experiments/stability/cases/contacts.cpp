@@ -110,6 +110,8 @@ std::vector<Case> contact_cases() {
          [](double p) { return stack_experiment(5, p); }},
         {"stack_of_10", "contacts", "gravity", "m/s^2", 1, 1e8, apart,
          [](double p) { return stack_experiment(10, p); }},
+        {"stack_of_20", "contacts", "gravity", "m/s^2", 1, 1e8, apart,
+         [](double p) { return stack_experiment(20, p); }},
         {"stack_heavy_top", "contacts", "mass ratio", "1", 1, 1e6, apart,
          [](double p) {
              Description made = stack_of(3, 9.81, 500);

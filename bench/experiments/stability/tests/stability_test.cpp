@@ -159,7 +159,7 @@ TEST(Engine, ResiduesMoveWhatRoundingHolds) {
 TEST(Engine, ReportsWhatAWorldHasNoRoomFor) {
     const Measure anything = [](const State&, unsigned) { return 0.0; };
     Description bodies;
-    for (int i = 0; i < 18; ++i) bodies.bodies.push_back({.position = {4.0 * i, 0}});
+    for (int i = 0; i < 20; ++i) bodies.bodies.push_back({.position = {4.0 * i, 0}});
     bodies.dt = TimeStep::binary(8);
     bodies.steps = 1;
     // How many of a kind there may be, and what adds the i-th of them.
@@ -215,7 +215,7 @@ TEST(Engine, ReportsWhatAWorldHasNoRoomFor) {
         }
     }
     // Contacts are found in a step.
-    for (int i = 0; i < 18; ++i) {
+    for (int i = 0; i < 20; ++i) {
         bodies.bodies[std::size_t(i)].position = {0.01 * i, 0};
         bodies.bodies[std::size_t(i)].radius = 1;
     }

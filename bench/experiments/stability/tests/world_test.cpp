@@ -128,7 +128,9 @@ INSTANTIATE_TEST_SUITE_P(Methods, RandomWorlds,
                                          std::pair{"velocity_verlet", "Verlet"},
                                          std::pair{"implicit_springs", "Implicit"},
                                          std::pair{"semi_implicit_compensated",
-                                                   "CompensatedIntegration"}),
+                                                   "CompensatedIntegration"},
+                                         std::pair{"warm_started", "WarmStarted"},
+                                         std::pair{"continuous_contacts", "ContinuousContacts"}),
                          [](const auto& info) { return info.param.second; });
 
 // A chip that is another world differs: the comparison can fail.
@@ -179,6 +181,10 @@ INSTANTIATE_TEST_SUITE_P(
                     std::array{"rod_chain_of_8_heavy_end", "rods_along_tangents", nearest},
                     std::array{"stack_of_10", "worst_contact_first", nearest},
                     std::array{"stack_of_10", ours, nearest},
+                    std::array{"stack_of_20", "warm_started", nearest},
+                    std::array{"rod_chain_of_16_heavy_end", "warm_started", nearest},
+                    std::array{"thin_wall", "continuous_contacts", nearest},
+                    std::array{"thin_target", "continuous_contacts", nearest},
                     std::array{"bounces_under_gravity", "bounces_when_found", nearest},
                     std::array{"bounces_under_gravity", ours, nearest},
                     std::array{"resting_light_mass", "velocities_by_impulses", nearest},

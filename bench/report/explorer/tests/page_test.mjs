@@ -28,6 +28,8 @@ function read(text) {
 }
 const close = (found, wanted, what) => assert.ok(Math.abs(found - Number(wanted)) <= 6e-4 * Math.abs(Number(wanted)), `${what}: ${found}, not ${wanted}`);
 
+// All but other libraries.
+const own = "implementation=default,portable,published,small,libc,accum,native";
 let browser, page;
 const wrong = [];
 
@@ -131,7 +133,7 @@ async function pointAtAll(panel, x, y) {
 }
 
 test("pointing at an operation tells the numbers of its row", async () => {
-  await go("view=operations&operation=sqrt&format=q8_8,q16_16,q32_32,float");
+  await go(`view=operations&operation=sqrt&format=q8_8,q16_16,q32_32,float&${own}`);
   const variants = { default: "", portable: ", portable C++", published: ", 2016 design", small: ", small tables" };
   const label = (each) => (each.format === "float" ? "avr-libc float" : each.format.replace("q", "Q").replace("_", ".") + variants[each.implementation]);
   const row = (title) => operations.find((each) => each.operation === "sqrt" && each.operands === "physics" && title === `sqrt, ${label(each)}`);
@@ -161,7 +163,7 @@ test("the worst of any run stands beside a sampled one", async () => {
 });
 
 test("the front is that of the rows which can be compared", async () => {
-  await go("view=operations&operation=sqrt&format=q4_4,q16_16,q32_32,float,s16_15,int32");
+  await go(`view=operations&operation=sqrt&format=q4_4,q16_16,q32_32,float,s16_15,int32&${own}`);
   const told = [...(await page.locator("[data-operation=sqrt] figcaption").textContent()).match(/Front: [^.]*(?:\.\d[^.]*)*\./)[0].matchAll(/\(([^;()]+); ([^()]+)\)/g)];
   // 20 does not fit Q4.4.
   const rows = operations.filter((row) => row.operation === "sqrt" && row.operands === "physics" && ["q16_16", "q32_32", "float"].includes(row.format));
@@ -169,6 +171,18 @@ test("the front is that of the rows which can be compared", async () => {
     && (other.cycles_mean !== row.cycles_mean || other.max_error !== row.max_error))).sort((a, b) => a.cycles_mean - b.cycles_mean);
   assert.equal(told.length, front.length);
   told.forEach(([, cycles, error], index) => { close(read(cycles), front[index].cycles_mean, "cycles"); close(read(error), front[index].max_error, "error"); });
+});
+
+test("other libraries stand beside ours, with their origin and what they do at the edges", async () => {
+  const [rival] = load("rivals").filter((row) => row.variant === "libfixmath" && row.operation === "sqrt" && row.operands === "physics");
+  await go("view=operations&operation=sqrt&format=q16_16&implementation=default,libfixmath&pin=sqrt/q16_16/libfixmath/physics");
+  assert.equal(await page.locator("[data-operation=sqrt] svg [aria-label=dot] :is(path,circle)").count(), 2);
+  const facts = await told(".pinned");
+  close(read(facts.cycles.split(" / ")[1]), rival.cycles_mean, "cycles");
+  close(read(facts["largest error"]), rival.max_ulp, "error");
+  close(read(facts["largest error"].split(", ")[1]), Number(rival.max_ulp) / 2 ** 16, "error in the result's unit");
+  assert.ok(facts.library.includes(rival.commit) && facts.library.includes(rival.measured));
+  assert.equal(facts["at the edges"], rival.edges);
 });
 
 test("a witness of 64 bits keeps all of its digits", async () => {

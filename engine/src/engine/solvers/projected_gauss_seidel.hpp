@@ -25,6 +25,11 @@ namespace engine {
 template <class Scalar, bool used>
 struct Pushing {
     FIXEDPOINT_CONSTEXPR void set_pushing(bool, Scalar) {}
+    constexpr bool only_pushes() const { return false; }
+    template <class World>
+    constexpr bool bounces(const World&, Scalar) const {
+        return false;
+    }
     template <class World>
     static FIXEDPOINT_CONSTEXPR bool acts(const World&, Scalar, Scalar&) {
         return true;
@@ -38,6 +43,12 @@ struct Pushing<Scalar, true> {
     FIXEDPOINT_CONSTEXPR void set_pushing(bool pushes, Scalar of_closing_velocities) {
         pushes_only = pushes;
         restitution = of_closing_velocities;
+    }
+    constexpr bool only_pushes() const { return pushes_only; }
+    // Whether it throws back what closes at the velocity.
+    template <class World>
+    constexpr bool bounces(const World& world, Scalar velocity) const {
+        return pushes_only && -velocity > world.restitution_threshold() && restitution > Scalar();
     }
     // Whether the row acts on a velocity; `goal` becomes the velocity that it asks for.
     template <class World>

@@ -11,49 +11,6 @@
 
 namespace fixedpoint {
 
-/// What a hook is told of.
-enum class Event : unsigned char { overflow, division_by_zero, domain_error, underflow };
-
-/// The operation that an event happened in; dot is dot2 and dot3, length is length2 and length3.
-enum class Operation : unsigned char {
-    add,
-    subtract,
-    negate,
-    multiply,
-    divide,
-    remainder,
-    shift_left,
-    convert,
-    sqrt,
-    reciprocal_sqrt,
-    log,
-    multiply_add,
-    dot,
-    length,
-    scale_down,
-    cos,
-    atan2,
-    exp,
-    normalise,
-    ceil,
-    round,
-    from_float,
-    from_decimal,
-    tan,
-    asin,
-    acos,
-    exp2,
-    expm1,
-    log2,
-    log10,
-    log1p,
-    sinh,
-    cosh,
-    tanh,
-    cbrt,
-    pow,
-};
-
 /// As Nearest, and tells Hook::notify(Event, Operation) of each result that is not what exact
 /// arithmetic would give.
 template <class Hook>
@@ -108,6 +65,12 @@ struct Checked : Nearest {
     static FIXEDPOINT_CONSTEXPR Raw remainder(Raw a, Raw b) {
         if (b == 0) Hook::notify(Event::division_by_zero, Operation::remainder);
         return Nearest::remainder<Raw, F>(a, b);
+    }
+    /// The result mod 2^W; notifies of overflow where the exact one does not fit.
+    template <class Raw>
+    static FIXEDPOINT_CONSTEXPR Raw settle(Raw wrapped, bool fits, bool, Operation operation) {
+        watch_range(fits, operation);
+        return wrapped;
     }
     /// a 2^count mod 2^W; notifies of overflow.
     template <class Raw, int F>
@@ -172,7 +135,7 @@ struct Checked : Nearest {
 #define FIXEDPOINT_ELEMENTARY_FUNCTION(name, Function)                                      \
     template <class Raw, int F, class... Operands>                                          \
     static FIXEDPOINT_CONSTEXPR Raw name(Operands... operands) {                            \
-        return watched(portable::Evaluated<portable::Function, Raw, F>::apply(operands...), \
+        return watched(portable::Evaluated<kernel::Function, Raw, F>::apply(operands...), \
                        Operation::name);                                                    \
     }
     FIXEDPOINT_ELEMENTARY_FUNCTIONS(FIXEDPOINT_ELEMENTARY_FUNCTION)

@@ -12,7 +12,7 @@
 
 #include <fixedpoint/arithmetic/wrapping.hpp>
 #include <fixedpoint/kernel/dispatch.hpp>
-#include <fixedpoint/portable/elementary.hpp>
+#include <fixedpoint/kernel/elementary.hpp>
 
 namespace fixedpoint {
 
@@ -85,7 +85,7 @@ struct Nearest : Wrapping {
 #define FIXEDPOINT_ELEMENTARY_FUNCTION(name, Function)                                     \
     template <class Raw, int F, class... Operands>                                         \
     static constexpr Raw name(Operands... operands) {                                      \
-        return portable::Evaluated<portable::Function, Raw, F>::apply(operands...).number; \
+        return portable::Evaluated<kernel::Function, Raw, F>::apply(operands...).number; \
     }
     FIXEDPOINT_ELEMENTARY_FUNCTIONS(FIXEDPOINT_ELEMENTARY_FUNCTION)
 #undef FIXEDPOINT_ELEMENTARY_FUNCTION  /// \endcond

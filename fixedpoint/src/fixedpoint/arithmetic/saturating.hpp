@@ -53,6 +53,11 @@ struct Saturating : Nearest {
     static constexpr Raw dot3(const Raw* a, const Raw* b) {
         return multiply_add<Raw, F>(a[2], b[2], dot2<Raw, F>(a, b));
     }
+    /// The exact result where it fits, and the limit that it lies beyond where it does not.
+    template <class Raw>
+    static constexpr Raw settle(Raw wrapped, bool fits, bool is_above, Operation) {
+        return fits ? wrapped : is_above ? RawLimits<Raw>::max : RawLimits<Raw>::min;
+    }
     /// a 2^count, saturated.
     template <class Raw, int F>
     static constexpr Raw shift_left(Raw a, unsigned char count) {

@@ -58,6 +58,14 @@ struct Small : Nearest {
     static constexpr Raw log(Raw a) {
         return kernel::log_small<Raw, F>(a);
     }
+    /// \cond internal Those of portable/elementary.hpp, without kernels.
+#define FIXEDPOINT_ELEMENTARY_FUNCTION(name, Function)                                     \
+    template <class Raw, int F, class... Operands>                                         \
+    static constexpr Raw name(Operands... operands) {                                      \
+        return portable::Evaluated<portable::Function, Raw, F>::apply(operands...).number; \
+    }
+    FIXEDPOINT_ELEMENTARY_FUNCTIONS(FIXEDPOINT_ELEMENTARY_FUNCTION)
+#undef FIXEDPOINT_ELEMENTARY_FUNCTION  /// \endcond
     /// Sine and cosine of an angle, the sine first.
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR void sincos(Raw angle, Raw* sine_and_cosine) {

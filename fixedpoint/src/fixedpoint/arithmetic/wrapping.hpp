@@ -5,6 +5,7 @@
 /// differ in, but for those that saturate or tell.
 #pragma once
 
+#include <fixedpoint/arithmetic/event.hpp>
 #include <fixedpoint/portable/convert.hpp>
 #include <fixedpoint/portable/floating_point.hpp>
 #include <fixedpoint/portable/from_decimal.hpp>
@@ -32,6 +33,13 @@ struct Wrapping {
     template <class Raw, int F>
     static constexpr Raw negate(Raw a) {
         return wrapping_negate(a);
+    }
+    /// What becomes of an exact result other than that of two raws: `wrapped` is the result mod
+    /// 2^W, `fits` says whether it is the exact one, and `is_above`, where it is not, whether that
+    /// lies above the range rather than below.
+    template <class Raw>
+    static constexpr Raw settle(Raw wrapped, bool, bool, Operation) {
+        return wrapped;
     }
     /// a 2^count mod 2^W; 0 from count = W on.
     template <class Raw, int F>

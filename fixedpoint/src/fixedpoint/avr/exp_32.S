@@ -16,9 +16,7 @@
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
-#include "cubic_32.inc"
-
-#define LN2 762123384786    /* 2^-40 */
+#include "exp_32.inc"
 
 // Bytes of r, the lowest first.
 #define rest0 r26
@@ -101,25 +99,7 @@
     SECTION fixedpoint_exp_32
     // r27 = k + F + 9
     ENTRY fixedpoint_exp_32
-    push r27
-    push rest0
-    find_record fixedpoint_exp_32_table, r22
-    clr zero
-    XCALL fixedpoint_cubic_40
-    pop r0
-    mul r22, r0
-    mov r20, r1
-    com r23
-    com r24
-    com r25
-    com r26
-    com r27
-    sub r23, r20
-    sbc r24, zero
-    sbc r25, zero
-    sbc r26, zero
-    sbci r27, 0x80
-    pop r19
+    exponential
     XJMP fixedpoint_scale_40
     ENDFUNC fixedpoint_exp_32
 

@@ -6,6 +6,9 @@
 // void fixedpoint_sincos_q16_16(int32_t angle, int32_t* sine_and_cosine)
 // Both, bit for bit as above: one reduction, two evaluations.
 //
+// int32_t fixedpoint_sine_of_phase_q16_16(int32_t phase)
+// The sine of phase / 2^32 turns; as above but for the reduction's error.
+//
 // In       angle = r25:r22; sine_and_cosine = r21:r20
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
@@ -56,6 +59,22 @@
     pop r28
     ret
     ENDFUNC fixedpoint_sincos_q16_16
+
+    ENTRY fixedpoint_sine_of_phase_q16_16
+    ldi b7, 0
+    .rept 2             // the quadrant
+    lsl r22
+    rol r23
+    rol r24
+    rol r25
+    rol b7
+    .endr
+    mov b4, r23
+    mov b5, r24
+    mov b6, r25
+    clr zero
+    rjmp .Lreduced
+    ENDFUNC fixedpoint_sine_of_phase_q16_16
 
     ENTRY fixedpoint_cos_q16_16
     ldi b7, 1

@@ -15,6 +15,7 @@
 #include <fixedpoint/portable/divide_small.hpp>
 #include <fixedpoint/portable/dot.hpp>
 #include <fixedpoint/portable/exp.hpp>
+#include <fixedpoint/portable/exp_wide.hpp>
 #include <fixedpoint/portable/length.hpp>
 #include <fixedpoint/portable/log.hpp>
 #include <fixedpoint/portable/multiply.hpp>
@@ -24,6 +25,7 @@
 #include <fixedpoint/portable/reciprocal_sqrt.hpp>
 #include <fixedpoint/portable/remainder.hpp>
 #include <fixedpoint/portable/sin.hpp>
+#include <fixedpoint/portable/sine_of_phase.hpp>
 #include <fixedpoint/portable/sqrt.hpp>
 
 // Every operation is declared first, so that the kernels are known before anything calls one.
@@ -48,11 +50,13 @@ FIXEDPOINT_OPERATION(UNARY, sin_small)
 FIXEDPOINT_OPERATION(UNARY, cos)
 FIXEDPOINT_OPERATION(UNARY, cos_small)
 FIXEDPOINT_OPERATION(PAIR, sincos)
+FIXEDPOINT_OPERATION(UNARY, sine_of_phase)
 FIXEDPOINT_OPERATION(UNARY, atan)
 FIXEDPOINT_OPERATION(UNARY, atan_small)
 FIXEDPOINT_OPERATION(BINARY, atan2)
 FIXEDPOINT_OPERATION(BINARY, atan2_small)
 FIXEDPOINT_OPERATION(UNARY, exp)
+FIXEDPOINT_OPERATION(SCALED, exp_wide)
 FIXEDPOINT_OPERATION(UNARY, exp_small)
 FIXEDPOINT_OPERATION(UNARY, log)
 FIXEDPOINT_OPERATION(UNARY, log_small)
@@ -187,6 +191,15 @@ FIXEDPOINT_CONSTEXPR void sincos(Raw angle, Raw* sine_and_cosine) {
     } else {
         portable::sincos<Raw, F>(angle, sine_and_cosine);
     }
+}
+
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR uint64_t exp_wide(Raw a, uint8_t unit) {
+    return portable::exp_wide<Raw, F>(a, unit);
+}
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw sine_of_phase(Raw phase) {
+    return portable::sine_of_phase<Raw, F>(phase);
 }
 
 template <class Raw, int F>

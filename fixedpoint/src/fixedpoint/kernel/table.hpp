@@ -30,6 +30,10 @@
 #define FIXEDPOINT_RESULT_MAPPING(Raw) void
 #define FIXEDPOINT_PARAMETERS_MAPPING(Raw) (const Raw* v, Raw* mapped)
 #define FIXEDPOINT_ARGUMENTS_MAPPING (v, mapped)
+// A number times 2^unit, with digits behind the point.
+#define FIXEDPOINT_RESULT_SCALED(Raw) uint64_t
+#define FIXEDPOINT_PARAMETERS_SCALED(Raw) (Raw a, uint8_t unit)
+#define FIXEDPOINT_ARGUMENTS_SCALED (a, unit)
 
 // ROW(KERNEL, shape, operation, integer bits, fraction bits) for every split of 16 bits but Q8.8,
 // and of 32 bits but Q16.16, whose kernels are their own. The coarse ones have less fraction bits
@@ -125,6 +129,9 @@
     KERNEL(UNARY, reciprocal_sqrt, int64_t, 32, fixedpoint_reciprocal_sqrt_q32_32, reciprocal_sqrt) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, UNARY, reciprocal_sqrt) \
     KERNEL(UNARY, reciprocal_sqrt_small, int32_t, 16, fixedpoint_reciprocal_sqrt_q16_16_small, reciprocal_sqrt_small) \
+    KERNEL(UNARY, sine_of_phase, int16_t, 8, fixedpoint_sine_of_phase_q8_8, sine_of_phase) \
+    FIXEDPOINT_COARSE_SPLITS_16(FIXEDPOINT_KERNEL_OF_SPLIT_16, KERNEL, UNARY, sine_of_phase) \
+    KERNEL(UNARY, sine_of_phase, int32_t, 16, fixedpoint_sine_of_phase_q16_16, sine_of_phase) \
     KERNEL(UNARY, sin, int8_t, 4, fixedpoint_sin_q4_4, sin) \
     KERNEL(UNARY, sin, int16_t, 8, fixedpoint_sin_q8_8, sin) \
     FIXEDPOINT_COARSE_SPLITS_16(FIXEDPOINT_KERNEL_OF_SPLIT_16, KERNEL, UNARY, sin) \
@@ -160,6 +167,7 @@
     KERNEL(UNARY, exp, int32_t, 16, fixedpoint_exp_q16_16, exp) \
     KERNEL(UNARY, exp, int64_t, 32, fixedpoint_exp_q32_32, exp) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, UNARY, exp) \
+    KERNEL(SCALED, exp_wide, int64_t, 40, fixedpoint_exp_wide, exp_wide) \
     KERNEL(UNARY, exp_small, int32_t, 16, fixedpoint_exp_q16_16_small, exp_small) \
     KERNEL(UNARY, log, int8_t, 4, fixedpoint_log_q4_4, log) \
     KERNEL(UNARY, log, int16_t, 8, fixedpoint_log_q8_8, log) \

@@ -40,7 +40,7 @@ struct WideQuotient {
 template <int F>
 struct WideQuotient<int64_t, F> {
     static FIXEDPOINT_CONSTEXPR uint64_t rounded(uint64_t a, uint64_t b, bool tie_upward) {
-        const uint64_t high = F == 0 ? 0 : a >> (63 - (F - 1));
+        const uint64_t high = a >> 1 >> (63 - F);
         // The integer part takes at least 64 bits.
         if (high >= b) return magnitude_overflow<int64_t>();
         const Division128 division = divide_full(high, a << F, b);

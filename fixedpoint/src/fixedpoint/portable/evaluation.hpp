@@ -75,7 +75,7 @@ FIXEDPOINT_CONSTEXPR Word long_division(Word numerator, const Word& denominator,
 template <class Function, class Raw, int F, bool narrow = (sizeof(Raw) < 4)>
 struct Evaluated {
     template <class... Operands>
-    static FIXEDPOINT_CONSTEXPR Evaluation<Raw> apply(Operands... a) {
+    static FIXEDPOINT_IN_PLACE Evaluation<Raw> apply(Operands... a) {
         return Function::template apply<Raw, F>(a...);
     }
 };
@@ -83,7 +83,7 @@ template <class Function, class Raw, int F>
 struct Evaluated<Function, Raw, F, true> {
     static constexpr int wide_fraction = F <= 13 ? 16 : F;
     template <class... Operands>
-    static FIXEDPOINT_CONSTEXPR Evaluation<Raw> apply(Operands... a) {
+    static FIXEDPOINT_IN_PLACE Evaluation<Raw> apply(Operands... a) {
         const Evaluation<int32_t> wide = Function::template apply<int32_t, wide_fraction>(
             convert<int32_t, wide_fraction, Raw, F>(a)...);
         const Converted<Raw> narrow = convert_clamped<Raw, F, int32_t, wide_fraction>(wide.number);

@@ -11,6 +11,12 @@
 namespace fixedpoint {
 namespace portable {
 
+// e^-r in units of 2^-39, within 2^-33; r in units of 2^-40, at most 0.79.
+FIXEDPOINT_CONSTEXPR uint64_t exp_mantissa_40(uint64_t r) {
+    const Cubic40 core = cubic_40<Exp32Table<>>(static_cast<uint32_t>(r >> 8));
+    return (uint64_t(1) << 39) - 1 - core.value - (core.slope * (r & 0xff) >> 8);
+}
+
 template <int F>
 FIXEDPOINT_CONSTEXPR int32_t exp_32(int32_t a) {
     constexpr int64_t ln2 = 762123384786;  // 2^-40
@@ -26,11 +32,7 @@ FIXEDPOINT_CONSTEXPR int32_t exp_32(int32_t a) {
         (whole * 185 + (fraction * 185 >> 8) + 128 * (F + 10) - 24 * 185 + 9) >> 7);
     const uint64_t rest =
         static_cast<uint64_t>((k - (F + 9)) * ln2 - position * 256) & 0xffffffffff;
-
-    const Cubic40 core = cubic_40<Exp32Table<>>(static_cast<uint32_t>(rest >> 8));
-    const uint64_t mantissa =
-        (uint64_t(1) << 39) - 1 - core.value - (core.slope * (rest & 0xff) >> 8);
-    return scale_40(mantissa, k);
+    return scale_40(exp_mantissa_40(rest), k);
 }
 
 }  // namespace portable

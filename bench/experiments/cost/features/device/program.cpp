@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A scene whose features come from the command line: -DGRAVITY=1 -DSPRINGS=0 ... -DDIMENSIONS=2
-// -DINTEGRATOR=SemiImplicitEuler -DSOLVER=ProjectedGaussSeidel<10> -DBROAD_PHASE=BruteForce
-// -DARITHMETIC=Nearest. Every feature that is in acts in every step. The first particle is the
-// lever's end; a second hangs beside it where something needs two.
+// -DINTEGRATOR=SemiImplicitEuler -DSOLVER=ProjectedGaussSeidel<10> -DCONTACTS=DiscreteContacts
+// -DBROAD_PHASE=BruteForce -DARITHMETIC=Nearest. Every feature that is in acts in every step. The
+// first particle is the lever's end; a second hangs beside it where something needs two.
 #include <engine.h>
 
 #include <fixedpoint/arithmetic/small.hpp>
@@ -11,6 +11,7 @@ using namespace engine;
 using namespace engine::literals;
 using Q16_16 = fixedpoint::Fixed<16, 16, fixedpoint::ARITHMETIC>;
 
+constexpr bool DiscreteContacts = false, ContinuousContacts = true;
 constexpr bool two = SPRINGS || RODS || ROPES || COLLISIONS;
 
 template <class World>
@@ -27,7 +28,8 @@ struct Scene : Uses {
                               anchored_ropes = ANCHORED_ROPES, planes = PLANES,
                               contacts = 2 * PLANES + COLLISIONS;
     static constexpr bool gravity = GRAVITY, damping = DAMPING, collisions = COLLISIONS,
-                          radii = COLLISIONS || PLANES, custom_force = CUSTOM_FORCE;
+                          radii = COLLISIONS || PLANES, custom_force = CUSTOM_FORCE,
+                          continuous_contacts = CONTACTS;
 #if CUSTOM_FORCE
     template <class World>
     using CustomForce = Push<World>;

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Errors from several starts: the spread of known numbers; starts that differ and are the same in
+// every run; and errors that the order of the method explains.
+#include "bench/experiments/scenes/initial_states.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+namespace scene_bench {
+namespace {
+
+TEST(SpreadOfErrors, IsSmallestMedianAndLargest) {
+    EXPECT_FALSE(spread({}));
+    const auto one = spread({3});
+    EXPECT_EQ(one->smallest, 3);
+    EXPECT_EQ(one->median, 3);
+    EXPECT_EQ(one->largest, 3);
+    const auto odd = spread({9, 1, 4});
+    EXPECT_EQ(odd->smallest, 1);
+    EXPECT_EQ(odd->median, 4);
+    EXPECT_EQ(odd->largest, 9);
+    EXPECT_EQ(spread({8, 2, 4, 100})->median, 6);
+}
+
+const StateSubject& subject(const std::string& scene, const std::string& scalar,
+                            const std::string& method) {
+    for (const SceneStates& of : scene_states())
+        for (const StateSubject& one : of.subjects)
+            if (of.scene == scene && one.scalar == scalar && one.method == method) return one;
+    throw std::logic_error("no such run");
+}
+
+TEST(InitialStates, DifferBySeedAndAreTheSameForIt) {
+    for (const SceneStates& of : scene_states()) {
+        const StateSubject& one = subject(of.scene, "q32_32", "semi_implicit_euler");
+        std::set<double> errors;
+        unsigned held = 0;
+        for (unsigned seed = 1; seed <= initial_states; ++seed) {
+            const auto error = one.error(seed, 6);
+            EXPECT_EQ(error, one.error(seed, 6)) << of.scene << ' ' << seed;
+            if (!error) continue;
+            ++held;
+            errors.insert(*error);
+        }
+        EXPECT_EQ(held, initial_states) << of.scene;
+        // In free fall the method errs alike from every start.
+        EXPECT_GT(errors.size(), initial_states / 2) << of.scene;
+    }
+}
+
+// From every start, a step 16 times as short: a method of first order errs by a 16th, one of second
+// order by a 256th.
+TEST(InitialStates, ErrorsFallByTheOrderOfTheMethod) {
+    for (const char* scene : {"pendulum", "spring_and_mass"}) {
+        for (unsigned seed = 1; seed <= initial_states; ++seed) {
+            const auto ratio = [&](const char* method) {
+                const StateSubject& one = subject(scene, "q32_32", method);
+                return one.error(seed, 6).value() / one.error(seed, 10).value();
+            };
+            EXPECT_NEAR(ratio("semi_implicit_euler"), 16, 4) << scene << ' ' << seed;
+            EXPECT_NEAR(ratio("velocity_verlet"), 256, 64) << scene << ' ' << seed;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace scene_bench

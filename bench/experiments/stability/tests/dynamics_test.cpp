@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Long motion against closed forms: radii of maps whose eigenvalues are known; maps fitted to runs
+// of them; and of double, whose rounding does not count, what theory says.
+#include "bench/experiments/stability/dynamics.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace stability {
+namespace {
+
+TEST(SpectralRadius, IsTheLargestEigenvalues) {
+    EXPECT_NEAR(spectral_radius({3, 0, 0, -4}, 2), 4, 1e-12);
+    EXPECT_NEAR(spectral_radius({0.6, -0.8, 0.8, 0.6}, 2), 1, 1e-12);  // a rotation
+    EXPECT_NEAR(spectral_radius({1, 5, 0, 0, 1, 7, 0, 0, 2}, 3), 2, 1e-12);
+}
+
+// Closed forms: explicit Euler sqrt(1 + (omega h)^2), symplectic methods 1 up to omega h = 2 and
+// the larger root of z^2 - (2 - (omega h)^2) z + 1 beyond it, the implicit one 1 / sqrt(1 +
+// (omega h)^2). With damping, the product of the eigenvalues is the determinant.
+TEST(StepMap, HasTheRadiusOfItsMethod) {
+    for (const double product : {0.1, 1.0, 1.9, 2.1, 3.0}) {
+        const double h = 0.125, omega = product / h;
+        const auto radius = [&](const char* method) {
+            return spectral_radius(step_map(method, omega, 0, h), 2);
+        };
+        EXPECT_NEAR(radius("explicit_euler"), std::sqrt(1 + product * product), 1e-9);
+        EXPECT_NEAR(radius("implicit_springs"), 1 / std::sqrt(1 + product * product), 1e-9);
+        const double half_trace = std::abs(1 - product * product / 2);
+        const double beyond = product < 2 ? 1 : half_trace + std::sqrt(half_trace * half_trace - 1);
+        for (const char* symplectic : {"semi_implicit_euler", "velocity_verlet"})
+            EXPECT_NEAR(radius(symplectic), beyond, 1e-9) << symplectic << ' ' << product;
+    }
+    EXPECT_THROW(step_map("no_such_method", 1, 0, 1), std::invalid_argument);
+}
+
+TEST(FittedMap, IsTheMapOfTheRun) {
+    const std::vector<double> map = {0.9, 0.3, -0.4, 1.05};
+    std::vector<std::vector<double>> states = {{1, 0.5}};
+    for (int i = 0; i < 40; ++i) {
+        const auto& y = states.back();
+        states.push_back({map[0] * y[0] + map[1] * y[1], map[2] * y[0] + map[3] * y[1]});
+    }
+    const auto fitted = fitted_map(states);
+    for (int i = 0; i < 4; ++i) EXPECT_NEAR(fitted[i], map[i], 1e-9) << i;
+}
+
+TEST(FittedMap, IsNoneWhereTheStatesDoNotTellIt) {
+    EXPECT_TRUE(fitted_map({{1, 0}, {0.5, 0}, {0.25, 0}}).empty());
+}
+
+class InDouble : public testing::TestWithParam<Subject> {};
+
+TEST_P(InDouble, GrowsAsTheoryHasIt) {
+    for (const DynamicsRow& row : growth_of(GetParam())) {
+        ASSERT_TRUE(row.measured.has_value()) << row.at;
+        EXPECT_NEAR(*row.measured, *row.theory, 1e-7) << row.system << ' ' << row.at;
+    }
+}
+TEST_P(InDouble, GainsTheEnergyOfItsMethod) {
+    for (const DynamicsRow& row : energy_of(GetParam(), 10000)) {
+        if (!row.theory) continue;
+        ASSERT_TRUE(row.measured.has_value()) << row.system;
+        // Windows and periods do not end together.
+        EXPECT_NEAR(*row.measured, *row.theory, 0.02 * std::abs(*row.theory) + 2e-3)
+            << row.system << ' ' << row.at;
+    }
+}
+// Velocity Verlet is its own inverse with velocities turned round; a method of first order is not.
+TEST_P(InDouble, ComesBackWhereTheMethodIsSymmetric) {
+    for (const DynamicsRow& row : reversal_of(GetParam())) {
+        if (row.system == "pendulum") continue;
+        ASSERT_TRUE(row.measured.has_value());
+        if (row.integrator == "velocity_verlet")
+            EXPECT_LT(*row.measured, 1e-9) << row.system;
+        else
+            EXPECT_GT(*row.measured, 1e-4) << row.system << ' ' << row.integrator;
+    }
+}
+INSTANTIATE_TEST_SUITE_P(Methods, InDouble, testing::ValuesIn(subjects_of_double()),
+                         [](const auto& instance) { return instance.param.integrator; });
+
+// Where rounding to nearest lets a damped spring rest, in every fixed-point format.
+TEST(DeadBand, IsWithinItsBound) {
+    for (const Subject& subject : subjects()) {
+        if (subject.ulp == 0 || subject.arithmetic == "published") continue;
+        const auto rows = dead_band_of(subject);
+        ASSERT_TRUE(rows[0].measured.has_value()) << subject.scalar << ' ' << subject.integrator;
+        EXPECT_LE(*rows[0].measured, *rows[0].theory)
+            << subject.scalar << ' ' << subject.arithmetic << ' ' << subject.integrator;
+    }
+}
+
+// Forces of springs are sums: their order changes no more than the rounding of the sums.
+TEST(Order, OfSpringsDoesNotMatter) {
+    for (const Subject& subject : subjects()) {
+        if (subject.ulp == 0 || subject.integrator == "implicit_springs") continue;
+        for (const DynamicsRow& row : order_of(subject))
+            if (row.system == "chain of springs") {
+                ASSERT_TRUE(row.measured.has_value()) << subject.scalar;
+                EXPECT_EQ(*row.measured, 0) << subject.scalar << ' ' << subject.integrator;
+            }
+    }
+}
+
+}  // namespace
+}  // namespace stability

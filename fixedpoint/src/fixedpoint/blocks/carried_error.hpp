@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// CarriedError: sums of products whose rounding error is not lost but added to the next sum. An
+/// integrator or a filter that computes its state so follows the exact one: what is too small for
+/// one step adds up over many (error feedback, or fraction saving: Dattorro, "The implementation of
+/// recursive digital filters for high-fidelity audio", 1988).
+///
+/// The error costs no wide product: a b modulo 2^F depends on the low F bits of a and b alone, and
+/// the product that the library rounds half up differs from the exact one by just these bits, read
+/// as a signed number.
+#pragma once
+
+#include <fixedpoint/blocks/number.hpp>
+
+namespace fixedpoint {
+
+/// \cond internal
+// What the product of two numbers with F fraction bits loses where it is rounded half up: a number
+// in [-1/2, 1/2) ulp, in units of 2^-F ulp.
+template <int F>
+struct RoundingError {
+    static_assert(F <= 60, "Errors are carried up to 60 fraction bits.");
+    // Holds F bits; and 16 errors, as a signed number.
+    using Low = UnsignedInteger<F <= 8 ? 8 : F <= 16 ? 16 : F <= 32 ? 32 : 64>;
+    using Sum = Integer<F <= 4 ? 8 : F <= 12 ? 16 : F <= 28 ? 32 : 64>;
+    using Error = Integer<RawLimits<Low>::width>;
+
+    // a b modulo 2^F and some.
+    template <class Raw>
+    static constexpr Low low_product(Raw a, Raw b) {
+        return static_cast<Low>(1u * static_cast<Low>(a) * static_cast<Low>(b));
+    }
+    template <class Raw>
+    static constexpr Error of_product(Raw a, Raw b) {
+        return of_sum(low_product(a, b));
+    }
+    // What is left of a sum of errors behind its ulps: the low F bits as a signed number.
+    template <class Int>
+    static constexpr Error of_sum(Int sum) {
+        return static_cast<Error>(
+            static_cast<Error>(static_cast<Low>(static_cast<Low>(sum) << shift)) >> shift);
+    }
+    // The ulps in a sum of errors.
+    static constexpr Sum ulps(Sum sum) { return static_cast<Sum>((sum - of_sum(sum)) >> F); }
+
+    static constexpr unsigned char shift = RawLimits<Low>::width - F;
+};
+/// \endcond
+
+/// The error of a float is not known: nothing is carried.
+template <class Number>
+class CarriedError {
+  public:
+    /// c + a b.
+    Number multiply_add(Number a, Number b, Number c) { return a * b + c; }
+};
+
+/// The rounding error of the last sum, in [-1/2, 1/2) ulp; 0 at first.
+template <int IntegerBits, int F, class A>
+class CarriedError<Fixed<IntegerBits, F, A>> {
+  public:
+    /// The numbers that it sums.
+    using Number = Fixed<IntegerBits, F, A>;
+
+    /// c + a b + the carried error, rounded once; what is out of the range as the arithmetic has
+    /// it.
+    Number multiply_add(Number a, Number b, Number c) {
+        using Rounding = RoundingError<F>;
+        using Sum = typename Rounding::Sum;
+        const Sum sum =
+            static_cast<Sum>(static_cast<Sum>(error_) + Rounding::of_product(a.raw(), b.raw()));
+        error_ = Rounding::of_sum(sum);
+        return fixedpoint::multiply_add(a, b, c) +
+               Number::from_raw(static_cast<typename Number::Raw>(Rounding::ulps(sum)));
+    }
+
+  private:
+    typename RoundingError<F>::Error error_ = 0;
+};
+
+}  // namespace fixedpoint

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Complex numbers, whose products round once.
+#pragma once
+
+#include <fixedpoint/blocks/number.hpp>
+
+namespace fixedpoint {
+
+/// The complex number part[0] + i part[1].
+template <class Number>
+struct Complex {
+    /// The real and the imaginary part.
+    Number part[2];
+
+    /// The part without i.
+    constexpr Number real() const { return part[0]; }
+    /// The part before i.
+    constexpr Number imaginary() const { return part[1]; }
+
+    /// The sum, exact; out of the range as the arithmetic has it.
+    friend constexpr Complex operator+(const Complex& a, const Complex& b) {
+        return {{a.part[0] + b.part[0], a.part[1] + b.part[1]}};
+    }
+    /// The difference, exact; out of the range as the arithmetic has it.
+    friend constexpr Complex operator-(const Complex& a, const Complex& b) {
+        return {{a.part[0] - b.part[0], a.part[1] - b.part[1]}};
+    }
+    /// The product, each part rounded once; out of the range as the arithmetic has it. Where the
+    /// imaginary part of b is the smallest number, its negative is that of the arithmetic.
+    friend Complex operator*(const Complex& a, const Complex& b) {
+        const Number conjugate[2] = {b.part[0], -b.part[1]};
+        const Number swapped[2] = {b.part[1], b.part[0]};
+        return {{BlockNumber<Number>::dot2(a.part, conjugate),
+                 BlockNumber<Number>::dot2(a.part, swapped)}};
+    }
+};
+
+/// The conjugate; the negative of the smallest number as the arithmetic has it.
+template <class Number>
+constexpr Complex<Number> conjugate(const Complex<Number>& a) {
+    return {{a.part[0], -a.part[1]}};
+}
+/// |a|^2, rounded once; out of the range as the arithmetic has it. The magnitude |a| is
+/// length2(a.part), which no square overflows.
+template <class Number>
+Number squared_magnitude(const Complex<Number>& a) {
+    return BlockNumber<Number>::dot2(a.part, a.part);
+}
+
+}  // namespace fixedpoint

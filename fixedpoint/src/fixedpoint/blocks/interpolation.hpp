@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// interpolate: a function from a table of its values at equal distances, linear in between.
+#pragma once
+
+#include <fixedpoint/blocks/number.hpp>
+#include <fixedpoint/blocks/table.hpp>
+
+namespace fixedpoint {
+
+/// What is behind interpolate: of float and double.
+/// \cond internal
+template <class Number>
+struct Interpolation {
+    template <int StepExponent, uint16_t N>
+    static Number apply(const Table<Number, N>& table, Number begin, Number x) {
+        constexpr Number steps_per_unit =
+            StepExponent < 0 ? Number(1ul << (StepExponent < 0 ? -StepExponent : 0))
+                             : 1 / Number(1ul << (StepExponent < 0 ? 0 : StepExponent));
+        const Number steps = (x - begin) * steps_per_unit;
+        if (!(steps > 0)) return table[0];
+        if (steps >= N - 1) return table[N - 1];
+        const uint16_t i = static_cast<uint16_t>(steps);
+        return table[i] + (table[i + 1] - table[i]) * (steps - i);
+    }
+};
+template <int IntegerBits, int F, class A>
+struct Interpolation<Fixed<IntegerBits, F, A>> {
+    using Number = Fixed<IntegerBits, F, A>;
+    using Raw = typename Number::Raw;
+    // The weight of the next entry is what the distance has below the step: a number of
+    // F + StepExponent fraction bits, so that the product is rounded once, whatever the step is.
+    template <int StepExponent, uint16_t N>
+    static Number apply(const Table<Number, N>& table, Number begin, Number x) {
+        constexpr int bits = F + StepExponent;
+        static_assert(bits >= 0, "A step is at least one ulp.");
+        static_assert(bits < RawLimits<Raw>::width - 1 &&
+                          N - 1 <= RawLimits<Raw>::max >> (bits < 0 ? 0 : bits),
+                      "A table is no longer than the largest number.");
+        if (x <= begin) return table[0];
+        const Raw distance = Saturating::subtract<Raw, F>(x.raw(), begin.raw());
+        if (distance >> bits >= static_cast<Raw>(N - 1)) return table[N - 1];
+        const uint16_t i = static_cast<uint16_t>(distance >> bits);
+        const Raw weight = static_cast<Raw>(distance & ((Raw(1) << bits) - 1));
+        const Number left = table[i], difference = table[i + 1] - left;
+        return Number::from_raw(
+            A::template multiply_add<Raw, bits>(difference.raw(), weight, left.raw()));
+    }
+};
+/// \endcond
+
+/// The table's function at x, rounded once: entry i is its value at begin + i 2^StepExponent.
+///
+/// For every x: below `begin` it is the first entry, beyond the last entry that one. Neighbouring
+/// entries must not differ by more than the largest number.
+template <int StepExponent, class Number, uint16_t N>
+Number interpolate(const Table<Number, N>& table, Number begin, Number x) {
+    return Interpolation<Number>::template apply<StepExponent>(table, begin, x);
+}
+
+}  // namespace fixedpoint

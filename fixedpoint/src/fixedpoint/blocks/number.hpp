@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// What the blocks ask of a number: BlockNumber<Number>. A Fixed answers with the library's
+// operations that round once, float and double with their operators, so that one block serves both.
+#pragma once
+
+#include <fixedpoint/arithmetic/saturating.hpp>
+#include <fixedpoint/conversion.hpp>
+#include <fixedpoint/math.hpp>
+#include <fixedpoint/vector.hpp>
+
+namespace fixedpoint {
+
+// float and double.
+template <class Number>
+struct BlockNumber {
+    using Saturated = Number;
+    static constexpr Number saturated(Number a) { return a; }
+    static constexpr Number plain(Number a) { return a; }
+    static constexpr Number one() { return 1; }
+    static constexpr Number half_of(Number a) { return a / 2; }
+    static constexpr Number multiply_add(Number a, Number b, Number c) { return a * b + c; }
+    static constexpr Number dot2(const Number* a, const Number* b) {
+        return a[0] * b[0] + a[1] * b[1];
+    }
+    static constexpr Number dot3(const Number* a, const Number* b) {
+        return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    }
+    template <class Other>
+    static constexpr Number from(Other a) {
+        return static_cast<Number>(a);
+    }
+};
+
+template <int IntegerBits, int F, class A>
+struct BlockNumber<Fixed<IntegerBits, F, A>> {
+    using Number = Fixed<IntegerBits, F, A>;
+    using Raw = typename Number::Raw;
+    // For what must not change its sign at the end of the range, whatever the arithmetic is.
+    using Saturated = Fixed<IntegerBits, F, Saturating>;
+    static constexpr Saturated saturated(Number a) { return Saturated::from_raw(a.raw()); }
+    static constexpr Number plain(Saturated a) { return Number::from_raw(a.raw()); }
+
+    // The largest number where the format does not hold 1.
+    static constexpr Number one() {
+        return Number::from_raw(IntegerBits == 1 ? RawLimits<Raw>::max
+                                                 : static_cast<Raw>(Unsigned<Raw>(1) << F));
+    }
+    static constexpr Number half_of(Number a) { return scale_down<1>(a); }
+    static constexpr Number multiply_add(Number a, Number b, Number c) {
+        return fixedpoint::multiply_add(a, b, c);
+    }
+    static Number dot2(const Number* a, const Number* b) { return fixedpoint::dot2(a, b); }
+    static Number dot3(const Number* a, const Number* b) { return fixedpoint::dot3(a, b); }
+    template <class Other>
+    static constexpr Number from(Other a) {
+        return convert<Number>(a);
+    }
+};
+
+// The axes of space that follow i = 0, 1, 2 in cyclic order.
+constexpr uint8_t next_axis(uint8_t i) { return i == 2 ? uint8_t(0) : static_cast<uint8_t>(i + 1); }
+constexpr uint8_t last_axis(uint8_t i) { return i == 0 ? uint8_t(2) : static_cast<uint8_t>(i - 1); }
+
+}  // namespace fixedpoint

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Table: constants of a block that stay in program memory, where they take no RAM.
+#pragma once
+
+#include <fixedpoint/integer.hpp>
+#include <fixedpoint/program_memory.hpp>
+
+namespace fixedpoint {
+
+/// N constants in program memory, for polynomials and interpolation. On the chip it is read there,
+/// and must have been placed there:
+///
+///     static const Table<Q16_16, 3> table FIXEDPOINT_PROGRAM_MEMORY = {{1_q16_16, ...}};
+template <class Number, uint16_t N>
+struct Table {
+    static_assert(N >= 1, "A table has an entry.");
+    /// The entries, which on the chip only operator[] may read.
+    Number entry[N];
+
+    /// The entry i, which must be less than N.
+    Number operator[](uint16_t i) const {
+#ifdef __AVR__
+        using Bits = UnsignedInteger<8 * sizeof(Number)>;
+        const Bits bits = load_program_memory(reinterpret_cast<const Bits*>(&entry[i]));
+        Number number;
+        __builtin_memcpy(&number, &bits, sizeof number);
+        return number;
+#else
+        return entry[i];
+#endif
+    }
+};
+
+}  // namespace fixedpoint

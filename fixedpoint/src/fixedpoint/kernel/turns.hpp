@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+// Sines of angles in turns and degrees, and angles as such. The fraction of a turn is the reduced
+// angle: nothing is rounded before the sine's core.
+#pragma once
+
+#include <fixedpoint/kernel/dispatch.hpp>
+
+namespace fixedpoint {
+namespace kernel {
+
+// A core takes a phase, the angle in turns with phase_bits fraction bits, of which it leaves out
+// the whole turns, and returns the sine.
+
+// Splits of 16 bits with up to 8 fraction bits: a phase of 16 bits, to which finer ones are cut.
+template <class Raw, int F>
+struct SineOfPhase16 {
+    using Phase = uint16_t;
+    static constexpr int phase_bits = 16;
+    static FIXEDPOINT_CONSTEXPR Raw sine(Phase phase) {
+        return sine_of_phase<Raw, F>(static_cast<Raw>(phase));
+    }
+};
+// Within 0.67 ulp in Q16.16, which leaves 0.59 ulp with up to 13 fraction bits.
+template <class Raw, int F>
+struct SineOfPhase32 {
+    using Phase = uint32_t;
+    static constexpr int phase_bits = 32;
+    static FIXEDPOINT_CONSTEXPR Raw sine(Phase phase) {
+        return from_q16_16<Raw, F>(sine_of_phase<int32_t, 16>(static_cast<int32_t>(phase)));
+    }
+};
+template <class Raw, int F>
+struct SineOfPhase42 {
+    using Phase = uint64_t;
+    static constexpr int phase_bits = 42;
+    static FIXEDPOINT_CONSTEXPR Raw sine(Phase phase) {
+        return clamped<Raw>(portable::sine_of_quarter_turns_32<F>(phase));
+    }
+};
+template <int F>
+struct SineOfPhase42<int64_t, F> {
+    using Phase = uint64_t;
+    static constexpr int phase_bits = 42;
+    static FIXEDPOINT_CONSTEXPR int64_t sine(Phase phase) {
+        return portable::convert<int64_t, F, int64_t, 32>(
+            portable::sine_of_quarter_turns_q32_32(phase));
+    }
+};
+// For every format.
+template <class Raw, int F>
+struct SineOfPhase64 {
+    using Phase = uint64_t;
+    static constexpr int phase_bits = 64;
+    static FIXEDPOINT_CONSTEXPR Raw sine(Phase phase) {
+        using Word = portable::CordicWord<F>;
+        // The nearest quarter turn, and pi/2 2^126 times the distance from it.
+        const uint8_t quarters = static_cast<uint8_t>((phase + (uint64_t(1) << 61)) >> 62);
+        const int64_t distance =
+            static_cast<int64_t>(phase - (static_cast<uint64_t>(quarters) << 62));
+        const portable::Word128 half_pi = portable::CordicConstants<portable::Word128>::half_pi();
+        const portable::Word128 angle =
+            (portable::Word128(magnitude(distance)) * half_pi.high << 2) +
+            (portable::Word128(magnitude(distance)) * half_pi.low >> 62);
+        const portable::UnitVector<Word> unit = portable::unit_vector<F>(
+            static_cast<Word>((distance < 0 ? portable::negated(angle) : angle) >>
+                              (128 - portable::cordic_bits<Word>())));
+        return portable::round_signed_from_cordic<Raw, F>(
+            (quarters & 1) != 0 ? unit.cosine : unit.sine, (quarters & 2) != 0);
+    }
+};
+
+template <bool condition, class Then, class Else>
+struct Either {
+    using Type = Then;
+};
+template <class Then, class Else>
+struct Either<false, Then, Else> {
+    using Type = Else;
+};
+template <class Raw, int F>
+using SineOfPhase =
+    typename Either<portable::is_coarse_16<Raw, F>(), SineOfPhase16<Raw, F>,
+                    typename Either<(sizeof(Raw) <= 2 && F <= 13) || (sizeof(Raw) == 4 && F == 16),
+                                    SineOfPhase32<Raw, F>,
+                                    typename Either<F <= 30 || F == 32, SineOfPhase42<Raw, F>,
+                                                    SineOfPhase64<Raw, F>>::Type>::Type>::Type;
+
+template <class Core>
+constexpr typename Core::Phase quarter_turn() {
+    return static_cast<typename Core::Phase>(typename Core::Phase(1) << (Core::phase_bits - 2));
+}
+
+// The phase of an angle in turns: exact. Without fraction bits all turns are whole.
+template <class Core, class Raw, int F>
+constexpr typename Core::Phase phase_of_turns(Raw angle) {
+    using Phase = typename Core::Phase;
+    return F == 0 ? Phase(0)
+                  : static_cast<Phase>(static_cast<Phase>(angle)
+                                       << (F == 0 ? 0 : Core::phase_bits - F));
+}
+
+// rest / (360 2^F) of a turn, cut: exact for quarter turns. Precondition: rest < 360 2^F.
+template <int F, int phase_bits, class Phase>
+struct PhaseOfDegrees {
+    // In 32 bits there is room for 26 of the phase: of the 360 2^F, 8 2^F are a shift.
+    static constexpr Phase of(uint32_t rest) {
+        return static_cast<Phase>(phase_bits > 26 ? (rest << (23 - F)) / 45 << 6
+                                                  : (rest << (23 - F)) / 45 >> 10);
+    }
+};
+template <int F>
+struct PhaseOfDegrees<F, 42, uint64_t> {
+    static constexpr uint64_t of(uint64_t rest) { return (rest << (39 - F)) / 45; }
+};
+template <int F>
+struct PhaseOfDegrees<F, 64, uint64_t> {
+    static FIXEDPOINT_CONSTEXPR uint64_t of(uint64_t rest) {
+        return portable::divide_full(rest, 0, uint64_t(360) << F).quotient;
+    }
+};
+template <class Core, class Raw, int F>
+FIXEDPOINT_CONSTEXPR typename Core::Phase phase_of_degrees(Raw angle) {
+    static_assert(F <= 54, "Angles in degrees have 54 fraction bits at most.");
+    using Phase = typename Core::Phase;
+    constexpr uint64_t turn = uint64_t(360) << F;
+    const Unsigned<Raw> positive = magnitude(angle);
+    const Unsigned<Raw> rest =
+        turn > static_cast<Unsigned<Raw>>(RawLimits<Raw>::min)
+            ? positive
+            : static_cast<Unsigned<Raw>>(positive % static_cast<Unsigned<Raw>>(turn));
+    const Phase phase = PhaseOfDegrees<F, Core::phase_bits, Phase>::of(rest);
+    return angle < 0 ? static_cast<Phase>(Phase(0) - phase) : phase;
+}
+
+// The angle of the vector (x, y) in radians with `fraction_bits`: enough for one in turns or
+// degrees with F. It depends on the ratio of the raws alone, not on their fraction bits.
+template <class Raw, int F>
+struct FineAngle {
+    static constexpr bool is_narrow = sizeof(Raw) <= 2;
+    using Type = typename Either<is_narrow, int32_t, int64_t>::Type;
+    static constexpr int fraction_bits = is_narrow ? 28 : F <= 24 ? 32 : sizeof(Raw) == 4 ? 60 : 61;
+};
+
+// angle factor 2^-Bits, in which angle has FromF fraction bits, rounded to F bits and saturated.
+template <class Raw, int F, int FromF, int Bits>
+FIXEDPOINT_CONSTEXPR Raw scaled_angle(int64_t angle, uint64_t factor) {
+    constexpr int shift = Bits + FromF - F - 64;
+    static_assert(shift >= 0, "Angles in degrees have 54 fraction bits at most.");
+    const portable::Wide128 product = portable::multiply_full(magnitude(angle), factor);
+    const uint64_t rounded = shift > 0 ? ((product.high >> (shift > 0 ? shift - 1 : 0)) + 1) >> 1
+                                       : product.high + (product.low >> 63);
+    return clamped_with_sign<Raw>(rounded, angle < 0);
+}
+
+}  // namespace kernel
+}  // namespace fixedpoint

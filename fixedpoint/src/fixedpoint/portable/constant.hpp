@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// The raw of a float or an integer that the compiler knows: in every standard a constant
+// expression, which what goes beyond the range is not.
+#pragma once
+
+#include <fixedpoint/builtin.hpp>
+#include <fixedpoint/portable/integer_operand.hpp>
+
+// C++20 evaluates such a function when it compiles or not at all. Before, an optimising compiler
+// refuses a call of what is left over; one that does not optimise stops the program there.
+#if __cplusplus >= 202002L
+#define FIXEDPOINT_CONSTEVAL consteval
+#else
+#define FIXEDPOINT_CONSTEVAL constexpr __attribute__((always_inline)) inline
+#endif
+
+namespace fixedpoint {
+namespace portable {
+
+#ifdef __OPTIMIZE__
+__attribute__((error("fixed takes a constant that the format holds"))) int64_t
+the_format_does_not_hold_this_constant();
+#else
+inline int64_t the_format_does_not_hold_this_constant() { __builtin_trap(); }
+#endif
+
+template <class Raw, int F, BuiltinKind kind>
+struct Constant {
+    static_assert(kind == BuiltinKind::integer || kind == BuiltinKind::floating_point,
+                  "fixed takes an integer, float or double.");
+};
+template <class Raw, int F>
+struct Constant<Raw, F, BuiltinKind::integer> {
+    template <class Int>
+    static FIXEDPOINT_CONSTEVAL Raw raw(Int n) {
+        return integer_fits<Raw, F>(n) ? scale<Raw, F>(n)
+                                       : static_cast<Raw>(the_format_does_not_hold_this_constant());
+    }
+};
+template <class Raw, int F>
+struct Constant<Raw, F, BuiltinKind::floating_point> {
+    // 2^bits
+    template <class Float>
+    static constexpr Float power(int bits) {
+        return static_cast<Float>(uint64_t(1) << bits);
+    }
+    // floor(ulps + 1/2), from the integer next to ulps toward 0.
+    template <class Float>
+    static constexpr int64_t rounded(Float ulps, int64_t whole) {
+        return ulps - static_cast<Float>(whole) >= Float(0.5)   ? whole + 1
+               : ulps - static_cast<Float>(whole) < -Float(0.5) ? whole - 1
+                                                                : whole;
+    }
+    // Where a Float does not tell the limit from half an ulp beyond, it has no number between them.
+    // No comparison holds for NaN.
+    template <class Float>
+    static FIXEDPOINT_CONSTEVAL Raw raw_of_ulps(Float ulps) {
+        return ulps < power<Float>(RawLimits<Raw>::width - 1) - Float(0.5) &&
+                       ulps >= -power<Float>(RawLimits<Raw>::width - 1) - Float(0.5)
+                   ? static_cast<Raw>(rounded(ulps, static_cast<int64_t>(ulps)))
+                   : static_cast<Raw>(the_format_does_not_hold_this_constant());
+    }
+    // Scaled by a power of two, x stays exact.
+    template <class Float>
+    static FIXEDPOINT_CONSTEVAL Raw raw(Float x) {
+        return raw_of_ulps(x * power<Float>(F));
+    }
+};
+
+}  // namespace portable
+}  // namespace fixedpoint

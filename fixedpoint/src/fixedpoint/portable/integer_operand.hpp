@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+// Operations of a raw number a, value = a / 2^F, and an integer n of any type: the result modulo
+// 2^W, and whether it is the exact one. No step narrows n.
+#pragma once
+
+#include <fixedpoint/integer.hpp>
+#include <fixedpoint/portable/convert.hpp>
+
+namespace fixedpoint {
+namespace portable {
+
+// The unsigned integer that holds the magnitudes of both.
+template <class Raw, class Int>
+using MagnitudeOf =
+    UnsignedInteger<(sizeof(Raw) > sizeof(Int)) ? RawLimits<Raw>::width : RawLimits<Int>::width>;
+
+// Asks no unsigned number whether it is below zero, which compilers warn of.
+template <class Int>
+constexpr bool is_negative_integer(Int n) {
+    return n < Int(1) && n != Int(0);
+}
+template <class Word, class Int>
+constexpr Word integer_magnitude(Int n) {
+    return static_cast<Word>(is_negative_integer(n) ? Word(0) - static_cast<Word>(n)
+                                                    : static_cast<Word>(n));
+}
+
+// a + n, as raws modulo 2^W: W bits of n are enough.
+template <class Raw, int F, class Int>
+constexpr Raw add_integer(Raw a, Int n) {
+    return wrapping_add(a, scale<Raw, F>(n));
+}
+template <class Raw, class Int>
+constexpr Raw multiply_integer(Raw a, Int n) {
+    // The factor 1u keeps 16 bits from being multiplied as a signed int.
+    return static_cast<Raw>(static_cast<Unsigned<Raw>>(1u * static_cast<Unsigned<Raw>>(a) *
+                                                       static_cast<Unsigned<Raw>>(n)));
+}
+
+// The distance to - from between raws, in whole numbers, rounded down. Precondition: to >= from.
+template <class Raw, int F, class Int>
+constexpr MagnitudeOf<Raw, Int> whole_distance(Raw from, Raw to) {
+    return static_cast<MagnitudeOf<Raw, Int>>(
+        static_cast<Unsigned<Raw>>(static_cast<Unsigned<Raw>>(to) -
+                                   static_cast<Unsigned<Raw>>(from)) >>
+        F);
+}
+
+// a + n: |n| is at most the distance from a to the limit that n leads to.
+template <class Raw, int F, class Int>
+constexpr bool sum_fits(Raw a, Int n) {
+    return integer_magnitude<MagnitudeOf<Raw, Int>>(n) <=
+           (is_negative_integer(n) ? whole_distance<Raw, F, Int>(RawLimits<Raw>::min, a)
+                                   : whole_distance<Raw, F, Int>(a, RawLimits<Raw>::max));
+}
+// a - n: from ~a = -a - 1 it is as far to one limit as from a to the other.
+template <class Raw, int F, class Int>
+constexpr bool difference_fits(Raw a, Int n) {
+    return sum_fits<Raw, F>(static_cast<Raw>(~a), n);
+}
+// n - a is in the range from min to max where n 2^F is in that from a + min to a + max. With n >= 0
+// only the latter counts, with n < 0 the former, written as |n| - 1 <= (max - a - (2^F - 1)) / 2^F,
+// since a format need not hold 2^F.
+template <class Raw, int F, class Int>
+constexpr bool difference_from_fits(Raw a, Int n) {
+    using Magnitude = MagnitudeOf<Raw, Int>;
+    return !is_negative_integer(n)
+               ? a != RawLimits<Raw>::min &&
+                     integer_magnitude<Magnitude>(n) <=
+                         whole_distance<Raw, F, Int>(static_cast<Raw>(-a), RawLimits<Raw>::max)
+               : a <= RawLimits<Raw>::max - fraction_mask<Raw, F>() &&
+                     static_cast<Magnitude>(integer_magnitude<Magnitude>(n) - 1) <=
+                         whole_distance<Raw, F, Int>(
+                             a, static_cast<Raw>(RawLimits<Raw>::max - fraction_mask<Raw, F>()));
+}
+// |a| <= limit / |n|: where n is a constant, so is the quotient.
+template <class Raw, class Int>
+constexpr bool product_fits(Raw a, Int n) {
+    using Magnitude = MagnitudeOf<Raw, Int>;
+    return n == Int(0) ||
+           magnitude(a) <= static_cast<Magnitude>(static_cast<Magnitude>(RawLimits<Raw>::max) +
+                                                  ((a < 0) != is_negative_integer(n) ? 1u : 0u)) /
+                               integer_magnitude<Magnitude>(n);
+}
+
+// Whether n is a number of the format: its raw is then scale<Raw, F>(n).
+template <class Raw, int F, class Int>
+constexpr bool integer_fits(Int n) {
+    return sum_fits<Raw, F>(Raw(0), n);
+}
+
+// A ratio of small numbers that every rounding takes for a / n, n being beyond all raws: it lies
+// with a / n on the same side of 0, 1/2 and 1.
+template <class Raw>
+struct Ratio {
+    Raw numerator, denominator;
+};
+template <class Raw, class Magnitude>
+constexpr Ratio<Raw> ratio_like(Magnitude a, Magnitude n, Raw sign) {
+    return a == n       ? Ratio<Raw>{sign, 1}
+           : a > n - a  ? Ratio<Raw>{static_cast<Raw>(2 * sign), 3}
+           : a == n - a ? Ratio<Raw>{sign, 2}
+                        : Ratio<Raw>{sign, 3};
+}
+
+// a / n as Arithmetic divides.
+template <class Arithmetic, class Raw>
+constexpr Raw divide_ratio(Ratio<Raw> ratio) {
+    return Arithmetic::template divide<Raw, 0>(ratio.numerator, ratio.denominator);
+}
+template <class Arithmetic, class Raw, class Int>
+constexpr Raw divide_integer(Raw a, Int n) {
+    return divide_ratio<Arithmetic>(
+        integer_fits<Raw, 0>(n)
+            ? Ratio<Raw>{a, static_cast<Raw>(n)}
+            : ratio_like(static_cast<MagnitudeOf<Raw, Int>>(magnitude(a)),
+                         integer_magnitude<MagnitudeOf<Raw, Int>>(n),
+                         static_cast<Raw>(a == 0                              ? 0
+                                          : (a < 0) == is_negative_integer(n) ? 1
+                                                                              : -1)));
+}
+
+}  // namespace portable
+}  // namespace fixedpoint

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// lerp: a + t (b - a) from the exact product, rounded once. smoothstep: 3 t^2 - 2 t^3 of t in
+// [0, 1], rounded once from exact integers.
+#pragma once
+
+#include <fixedpoint/portable/double_word.hpp>
+
+namespace fixedpoint {
+namespace portable {
+
+// The result modulo 2^W, whether that is the exact one, rounded, and if not whether that lies above
+// the range.
+template <class Raw>
+struct Settled {
+    Raw wrapped;
+    bool fits;
+    bool is_above;
+};
+
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Settled<Raw> lerp(Raw a, Raw b, Raw t) {
+    using Word = Unsigned<Raw>;
+    using Parts = DoubleWordOf<Raw>;
+    using Product = DoubleWord<Raw>;
+    const bool negative = (b < a) != (t < 0);
+    const Word distance = static_cast<Word>(b < a ? static_cast<Word>(a) - static_cast<Word>(b)
+                                                  : static_cast<Word>(b) - static_cast<Word>(a));
+    // At most 2^(W-1) (2^W - 1); half an ulp, half up, still leaves it below 2^(2W).
+    const uint8_t tie_is_lower = negative && F > 0;
+    const Product half = static_cast<Product>(Product(uint8_t(F != 0)) << (F == 0 ? 0 : F - 1));
+    const Product product =
+        static_cast<Product>(static_cast<Product>(Parts::multiply(magnitude(t), distance) + half) -
+                             Product(tie_is_lower));
+    const Product ulps = static_cast<Product>(product >> F);
+    const Word step = Parts::low(ulps);
+    // From a to the limit that the step leads to.
+    const Word room =
+        static_cast<Word>(negative ? static_cast<Word>(a) - static_cast<Word>(RawLimits<Raw>::min)
+                                   : static_cast<Word>(RawLimits<Raw>::max) - static_cast<Word>(a));
+    const Raw signed_step = static_cast<Raw>(step);
+    return {negative ? wrapping_subtract(a, signed_step) : wrapping_add(a, signed_step),
+            Parts::high(ulps) == 0 && step <= room, !negative};
+}
+
+// t^2 (3/2 - t) 2^(3F) = t^2 c for t and c with F fraction bits each is at most 2^(3F-1), its half
+// an ulp 2^(2F-2).
+template <int F, class Word>
+FIXEDPOINT_CONSTEXPR Word smoothstep_in(Word t, Word c) {
+    return static_cast<Word>((t * t * c + (Word(1) << (2 * F - 2))) >> (2 * F - 1));
+}
+// In words of 64 bits, the lowest of which is below half an ulp where F > 32.
+template <int F>
+FIXEDPOINT_CONSTEXPR uint64_t smoothstep_in_words(uint64_t t, uint64_t c) {
+    constexpr int drop = F > 32 ? 64 : 0;
+    const Wide128 square = multiply_full(t, t);
+    const Wide128 low = multiply_full(square.low, c), high = multiply_full(square.high, c);
+    const Word128 upper = Word128(high.high, high.low) + Word128(low.high);
+    const Word128 product = F > 32 ? upper : Word128(upper.low, low.low);
+    const Word128 rounded = product + (Word128(1) << (2 * F - 2 - drop));
+    return (rounded >> (2 * F - 1 - drop)).low;
+}
+template <int F, bool fits_32 = (F <= 10), bool fits_64 = (F <= 21)>
+struct Smoothstep {
+    using Word = uint64_t;
+    static FIXEDPOINT_CONSTEXPR Word of(Word t, Word c) { return smoothstep_in_words<F>(t, c); }
+};
+template <int F>
+struct Smoothstep<F, false, true> {
+    using Word = uint64_t;
+    static FIXEDPOINT_CONSTEXPR Word of(Word t, Word c) { return smoothstep_in<F>(t, c); }
+};
+template <int F>
+struct Smoothstep<F, true, true> {
+    using Word = uint32_t;
+    static FIXEDPOINT_CONSTEXPR Word of(Word t, Word c) { return smoothstep_in<F>(t, c); }
+};
+template <>
+struct Smoothstep<0, true, true> {
+    using Word = uint32_t;
+    static constexpr Word of(Word t, Word) { return t; }
+};
+
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw smoothstep(Raw t) {
+    using Word = typename Smoothstep<F>::Word;
+    // 2^F as an operand, which a format of one integer bit does not reach.
+    constexpr Unsigned<Raw> one = static_cast<Unsigned<Raw>>(Unsigned<Raw>(1) << F);
+    constexpr Word c = static_cast<Word>((Word(1) << F) + ((Word(1) << F) >> 1));
+    if (t <= 0) return 0;
+    const Unsigned<Raw> position = static_cast<Unsigned<Raw>>(t);
+    const Unsigned<Raw> result =
+        position >= one ? one
+                        : static_cast<Unsigned<Raw>>(Smoothstep<F>::of(
+                              static_cast<Word>(position), static_cast<Word>(c - position)));
+    return result > static_cast<Unsigned<Raw>>(RawLimits<Raw>::max) ? RawLimits<Raw>::max
+                                                                    : static_cast<Raw>(result);
+}
+
+}  // namespace portable
+}  // namespace fixedpoint

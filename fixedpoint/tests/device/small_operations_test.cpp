@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// Operations that are exact or rounded once.
+#include <fixedpoint/arithmetic/saturating.hpp>
+#include <fixedpoint/integer_root.hpp>
+#include <fixedpoint/math.hpp>
+
+#include "numbers.hpp"
+
+using namespace fixedpoint;
+
+namespace {
+
+void check_operations(const SmallOperations& expected) {
+    const Number a = operand(expected.a), b = operand(expected.b), t = operand(expected.t);
+    CHECK(lerp(a, b, t).raw() == expected.lerp);
+    CHECK(midpoint(a, b).raw() == expected.midpoint);
+    CHECK(abs_diff(a, b).raw() == expected.abs_diff);
+    CHECK(copysign(a, b).raw() == expected.copysign);
+    CHECK(smoothstep(t).raw() == expected.smoothstep);
+    CHECK(sign(a) == expected.sign);
+    const auto truncated = divrem(a, b), floored = divmod(a, b);
+    CHECK(truncated.quotient == expected.quotient);
+    CHECK(truncated.remainder.raw() == expected.remainder);
+    CHECK(floored.quotient == expected.floored_quotient);
+    CHECK(floored.remainder.raw() == expected.floored_remainder);
+    using SaturatingNumber = Fixed<INTEGER_BITS, FRACTION_BITS, Saturating>;
+    CHECK(lerp(SaturatingNumber::from_raw(a.raw()), SaturatingNumber::from_raw(b.raw()),
+               SaturatingNumber::from_raw(t.raw()))
+              .raw() == expected.saturated_lerp);
+}
+
+// root^2 <= n < (root + 1)^2 of a number that the compiler knows nothing of.
+template <class Int, class Square>
+void check_root(Int hidden) {
+    volatile Int operand = hidden;
+    const Int n = operand;
+    const Square root = isqrt(n);
+    CHECK(root * root <= n && (root + 1) * (root + 1) > n);
+}
+
+}  // namespace
+
+void test_small_operations() {
+    for_each(small_operations, check_operations);
+    for (uint16_t n = 0; n < 2000; ++n)
+        check_root<uint16_t, uint32_t>(static_cast<uint16_t>(33 * n));
+    for (uint32_t n = 1; n < 2000000000; n += n / 2 + 1) check_root<uint32_t, uint64_t>(n);
+    check_root<int32_t, int64_t>(2147483647);
+    CHECK(isqrt(-1) == 0 && isqrt(static_cast<int8_t>(127)) == 11);
+}

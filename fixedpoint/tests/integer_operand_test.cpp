@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: MIT
+// Operators of a number and an integer of any type, in every arithmetic, against exact integers:
+// all pairs of 8 bits, boundary and random ones of the others; products and sums that widen, and
+// narrow.
+#include <gtest/gtest.h>
+
+#include <boost/multiprecision/cpp_dec_float.hpp>
+#include <fixedpoint/arithmetic/checked.hpp>
+#include <fixedpoint/arithmetic/published.hpp>
+#include <fixedpoint/arithmetic/saturating.hpp>
+#include <fixedpoint/constants.hpp>
+#include <fixedpoint/widening.hpp>
+#include <utility>
+
+#include "exact_integer.hpp"
+#include "subjects.hpp"
+
+namespace {
+
+using namespace fixedpoint;
+using exact::Int;
+
+// What the hook was told of last.
+Event event;
+int events = 0;
+struct Hook {
+    static void notify(Event what, fixedpoint::Operation) {
+        event = what;
+        ++events;
+    }
+};
+
+enum { sum, difference, difference_from, product, quotient, operations };
+struct Results {
+    int64_t nearest[operations], saturating[operations], checked[operations];
+    // By Checked: whether it overflowed, and whether it told anything else.
+    bool overflow[operations], other[operations];
+    bool equal, less, greater;
+};
+
+template <class Number, class Integral>
+Number apply(int operation, Number x, Integral n) {
+    Number assigned = x;
+    const Number result = operation == sum               ? (assigned += n, x + n)
+                          : operation == difference      ? (assigned -= n, x - n)
+                          : operation == difference_from ? (assigned = n - x)
+                          : operation == product         ? (assigned *= n, x * n)
+                                                         : (assigned /= n, x / n);
+    EXPECT_EQ(assigned.raw(), result.raw());
+    const Number exchanged = operation == sum ? n + x : operation == product ? n * x : result;
+    EXPECT_EQ(exchanged.raw(), result.raw());
+    return result;
+}
+
+template <class Raw, int F, class Integral>
+Results compute(int64_t a, uint64_t bits) {
+    constexpr int I = RawLimits<Raw>::width - F;
+    const auto n = static_cast<Integral>(bits);
+    const auto raw = static_cast<Raw>(a);
+    const auto x = Fixed<I, F>::from_raw(raw);
+    Results results = {};
+    for (int i = 0; i < operations; ++i) {
+        results.nearest[i] = apply(i, x, n).raw();
+        results.saturating[i] = apply(i, Fixed<I, F, Saturating>::from_raw(raw), n).raw();
+        events = 0;
+        results.checked[i] = apply(i, Fixed<I, F, Checked<Hook>>::from_raw(raw), n).raw();
+        results.overflow[i] = events != 0 && event == Event::overflow;
+        results.other[i] = events != 0 && event != Event::overflow;
+    }
+    results.equal = x == n;
+    results.less = x < n;
+    results.greater = x > n;
+    EXPECT_TRUE((n == x) == results.equal && (x != n) != results.equal &&
+                (n != x) != results.equal && (n > x) == results.less && (x >= n) != results.less &&
+                (n <= x) != results.less && (n < x) == results.greater &&
+                (x <= n) != results.greater && (n >= x) != results.greater);
+    return results;
+}
+
+struct MixedSubject {
+    int width, fraction, integer_width;
+    bool is_signed;
+    Results (*compute)(int64_t a, uint64_t n);
+};
+template <class Raw, int F, class... Integrals>
+void add_integrals(std::vector<MixedSubject>& all) {
+    (all.push_back({RawLimits<Raw>::width, F, RawLimits<Integrals>::width,
+                    std::is_signed_v<Integrals>, compute<Raw, F, Integrals>}),
+     ...);
+}
+template <class Raw, int... F>
+std::vector<MixedSubject> mixed_subjects(std::integer_sequence<int, F...>) {
+    std::vector<MixedSubject> all;
+    (add_integrals<Raw, F, signed char, unsigned char, short, unsigned short, int, unsigned,
+                   long long, unsigned long long>(all),
+     ...);
+    return all;
+}
+
+Int wrapped(const Int& n, int width) {
+    const Int modulus = Int(1) << width;
+    const Int rest = n - exact::floor_of(n, modulus) * modulus;
+    return rest >= modulus / 2 ? Int(rest - modulus) : rest;
+}
+
+void check(const MixedSubject& subject, int64_t a, uint64_t bits) {
+    const Int low = exact::smallest(subject.width), high = exact::largest(subject.width);
+    const Int n = subject.is_signed ? Int(static_cast<int64_t>(bits)) : Int(bits);
+    const Int scaled = n << subject.fraction;
+    const Results results = subject.compute(a, bits);
+    const Int exact[] = {a + scaled, a - scaled, scaled - a, a * n,
+                         n == 0 ? Int(a == 0  ? Int(0)
+                                      : a < 0 ? low
+                                              : high)
+                                : exact::nearest(n < 0 ? Int(-a) : Int(a), abs(n))};
+    for (int i = 0; i < operations; ++i) {
+        const bool fits = exact[i] >= low && exact[i] <= high;
+        const Int saturated = fits ? exact[i] : exact[i] < low ? low : high;
+        const Int expected = i == quotient ? saturated : wrapped(exact[i], subject.width);
+        const bool untold = i == quotient && (n == 0 || (exact[i] == 0 && a != 0));
+        ASSERT_TRUE(Int(results.nearest[i]) == expected &&
+                    results.checked[i] == results.nearest[i] &&
+                    Int(results.saturating[i]) == saturated && results.overflow[i] == !fits &&
+                    results.other[i] == untold)
+            << "operation " << i << " of " << a << " and " << n << ": " << results.nearest[i]
+            << ", " << results.saturating[i] << " for " << expected << ", " << saturated;
+    }
+    ASSERT_TRUE(results.equal == (a == scaled) && results.less == (a < scaled) &&
+                results.greater == (a > scaled))
+        << a << " and " << n;
+}
+
+// Integers of a type: those at which something changes for the format, and random ones.
+std::vector<uint64_t> integers(const MixedSubject& subject, std::mt19937_64& random) {
+    std::vector<uint64_t> numbers;
+    const auto add = [&](uint64_t n) {
+        const int unused = 64 - subject.integer_width;
+        numbers.push_back(subject.is_signed
+                              ? static_cast<uint64_t>(static_cast<int64_t>(n << unused) >> unused)
+                              : n << unused >> unused);
+    };
+    if (subject.integer_width == 8) {
+        for (uint64_t n = 0; n < 256; ++n) add(n);
+        return numbers;
+    }
+    const int whole = subject.width - subject.fraction;
+    for (const int bit : {0, 1, whole - 2, whole - 1, whole, whole + 1, subject.width - 1,
+                          subject.width, subject.integer_width - 1}) {
+        for (uint64_t offset = 0; offset < 5; ++offset) {
+            const uint64_t n = (bit < 0 || bit > 63 ? 0 : uint64_t(1) << bit) + offset - 2;
+            add(n);
+            add(0 - n);
+        }
+    }
+    for (int i = 0; i < 12; ++i) add(random() >> (random() % 64));
+    return numbers;
+}
+
+void check_all(const std::vector<MixedSubject>& all) {
+    std::mt19937_64 random(15);
+    for (const MixedSubject& subject : all) {
+        SCOPED_TRACE(testing::Message()
+                     << subject.width << " bits, F = " << subject.fraction << ", integer of "
+                     << subject.integer_width << " bits, signed " << subject.is_signed);
+        const std::vector<uint64_t> numbers = integers(subject, random);
+        std::vector<int64_t> raws = exact::raws(subject.width, 1);
+        if (subject.width > 8) {
+            std::shuffle(raws.begin(), raws.end(), random);
+            raws.resize(80);
+            for (const int64_t n : {0, 1, -1}) raws.push_back(n);
+            for (int64_t offset = 0; offset < 3; ++offset) {
+                raws.push_back(exact::smallest(subject.width) + offset);
+                raws.push_back(exact::largest(subject.width) - offset);
+            }
+        }
+        for (const int64_t a : raws) {
+            for (const uint64_t n : numbers) {
+                check(subject, a, n);
+                if (testing::Test::HasFatalFailure()) return;
+            }
+            // Quotients that are ties, and those beside them.
+            for (const int64_t n : {2 * a - 1, 2 * a, 2 * a + 1}) {
+                if (subject.integer_width == 64) check(subject, a, static_cast<uint64_t>(n));
+            }
+        }
+    }
+}
+
+TEST(IntegerOperand, EverySplitOf8Bits) {
+    check_all(mixed_subjects<int8_t>(std::make_integer_sequence<int, 8>()));
+}
+TEST(IntegerOperand, Of16Bits) {
+    check_all(mixed_subjects<int16_t>(std::integer_sequence<int, 0, 8, 15>()));
+}
+TEST(IntegerOperand, Of32Bits) {
+    check_all(mixed_subjects<int32_t>(std::integer_sequence<int, 0, 1, 16, 31>()));
+}
+TEST(IntegerOperand, Of64Bits) {
+    check_all(mixed_subjects<int64_t>(std::integer_sequence<int, 0, 32, 63>()));
+}
+
+TEST(IntegerOperand, PublishedDividesTowardZero) {
+    using Number = Fixed<4, 4, Published>;
+    for (int a = -128; a < 128; ++a) {
+        for (int n = -300; n <= 300; ++n) {
+            if (n == 0) continue;
+            const int expected = a == -128 && n == -1 ? -128 : a / n;
+            ASSERT_EQ((Number::from_raw(static_cast<int8_t>(a)) / n).raw(), expected)
+                << a << " / " << n;
+        }
+    }
+}
+
+// Every pair of 8 bits, in splits that share no fraction bits; the result's value is the exact one.
+TEST(Widening, ProductsAndSumsAreExact) {
+    const auto check = []<int I1, int F1, int I2, int F2>(
+                           std::integer_sequence<int, I1, F1, I2, F2>) {
+        const std::vector<int64_t> left = exact::raws(I1 + F1, 2), right = exact::raws(I2 + F2, 2);
+        for (size_t i = 0; i < left.size(); i += left.size() / 200) {
+            for (size_t j = 0; j < right.size(); j += right.size() / 200) {
+                const auto a = Fixed<I1, F1>::from_raw(static_cast<Integer<I1 + F1>>(left[i]));
+                const auto b = Fixed<I2, F2>::from_raw(static_cast<Integer<I2 + F2>>(right[j]));
+                const auto c = Fixed<I1, F1>::from_raw(static_cast<Integer<I1 + F1>>(right[j]));
+                const auto product = widening_multiply(a, b);
+                ASSERT_EQ(Int(product.raw()), Int(a.raw()) * b.raw());
+                ASSERT_EQ(decltype(product)::fraction_bits, F1 + F2);
+                const auto sum = widening_add(a, c);
+                ASSERT_EQ(Int(sum.raw()), Int(a.raw()) + c.raw());
+                ASSERT_EQ(decltype(sum)::fraction_bits, F1);
+            }
+        }
+    };
+    check(std::integer_sequence<int, 4, 4, 4, 4>());
+    check(std::integer_sequence<int, 1, 7, 8, 0>());
+    check(std::integer_sequence<int, 8, 8, 1, 7>());
+    check(std::integer_sequence<int, 8, 8, 1, 15>());
+    check(std::integer_sequence<int, 16, 16, 1, 31>());
+    check(std::integer_sequence<int, 16, 16, 4, 4>());
+}
+TEST(Widening, NarrowRoundsAndSaturates) {
+    for (int32_t raw = -40000; raw < 40000; ++raw) {
+        const auto x = Fixed<20, 12>::from_raw(raw);
+        ASSERT_EQ(narrow<Q4_4>(x).raw(), exact::clamped<int8_t>(exact::nearest(raw, 256)));
+        ASSERT_EQ(narrow<unsigned char>(x), raw < 0 ? 0 : (raw + 2048) / 4096);
+    }
+    EXPECT_EQ(narrow<int16_t>(Q32_32::max()), 32767);
+}
+
+// The float or integer rounded to nearest half up, as from_float and from_integer make it.
+static_assert(fixed<16, 16>(0.38).raw() == 24904);
+static_assert(fixed<16, 16>(-0.38F).raw() == -24904);
+static_assert(fixed<16, 16, Saturating>(32767.999992).raw() == RawLimits<int32_t>::max);
+static_assert(fixed<16, 16>(-32768).raw() == RawLimits<int32_t>::min);
+static_assert(fixed<4, 4>(-8.03125).raw() == -128, "a tie rounds upward, into the range");
+static_assert(fixed<4, 4>(0.03125).raw() == 1 && fixed<4, 4>(-0.03125).raw() == 0);
+static_assert(fixed<4, 4>(-0.04).raw() == -1 && fixed<4, 4>(7.96).raw() == 127);
+static_assert(fixed<64, 0>(-9223372036854775808.0).raw() == RawLimits<int64_t>::min);
+static_assert(fixed<1, 63>(0.75).raw() == int64_t(3) << 61);
+static_assert(fixed<64, 0>(9007199254740993LL).raw() == 9007199254740993, "no detour by a double");
+
+// The constants in every split that holds them, against a library with constants of its own.
+using Decimal = boost::multiprecision::cpp_dec_float_100;
+template <class Number>
+void expect_constant(Number constant, const Decimal& value) {
+    const Decimal ulps = value * pow(Decimal(2), Number::fraction_bits);
+    ASSERT_EQ(Int(constant.raw()), Int(floor(ulps + Decimal("0.5")))) << value;
+}
+template <int I, int F>
+void expect_constants() {
+    using namespace boost::math::constants;
+    using Number = Fixed<I, F>;
+    SCOPED_TRACE(testing::Message() << I << ", " << F);
+    if constexpr (I >= 1) expect_constant(constants::ln2<Number>(), ln_two<Decimal>());
+    if constexpr (I >= 2) {
+        expect_constant(constants::sqrt2<Number>(), root_two<Decimal>());
+        expect_constant(constants::golden_ratio<Number>(), phi<Decimal>());
+    }
+    if constexpr (I >= 3) {
+        expect_constant(constants::pi<Number>(), pi<Decimal>());
+        expect_constant(constants::e<Number>(), e<Decimal>());
+        expect_constant(constants::ln10<Number>(), ln_ten<Decimal>());
+    }
+    if constexpr (I >= 4) expect_constant(constants::tau<Number>(), two_pi<Decimal>());
+    if constexpr (I >= 7) {
+        expect_constant(constants::degrees_per_radian<Number>(), radian<Decimal>());
+    }
+}
+template <int W, int... F>
+void expect_constants(std::integer_sequence<int, F...>) {
+    (expect_constants<W - F, F>(), ...);
+}
+TEST(Constants, AreTheNearestNumbersInEverySplit) {
+    expect_constants<8>(std::make_integer_sequence<int, 8>());
+    expect_constants<16>(std::make_integer_sequence<int, 16>());
+    expect_constants<32>(std::make_integer_sequence<int, 32>());
+    expect_constants<64>(std::make_integer_sequence<int, 64>());
+}
+
+}  // namespace
