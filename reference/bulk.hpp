@@ -150,18 +150,19 @@ Number root_error(std::int64_t result, Square square) {
            (r + root);
 }
 
+// With F fraction bits, of which the rest of the subject tells nothing.
 template <Subject subject>
-Judgement judge_root(std::int64_t a, std::int64_t result) {
+Judgement judge_root(std::int64_t a, std::int64_t result, int F = subject.format.fraction) {
     constexpr NumberFormat format = subject.format;
     constexpr Definition held_to = definition(subject);
     using Number = Wide<format.width>;
-    const Number square = Number(a) << format.fraction;
+    const Number square = Number(a) << F;
     const Number r = result;
     const bool nearest = square <= r * r + r && (r == 0 || square > r * r - r);
     const bool below = r * r <= square && square < (r + 1) * (r + 1);
     const bool rounded = held_to.rounding == Rounding::nearest_upward ? nearest : below;
     // The root of a format without integer bits below 1 may round to 1.
-    if (2 * format.fraction >= format.width) {
+    if (2 * F >= format.width) {
         const Number limit = Number(format.max());
         const bool above = held_to.rounding == Rounding::nearest_upward
                                ? square > limit * limit + limit

@@ -3,9 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cctype>
-#include <functional>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -14,23 +16,37 @@
 
 namespace reference {
 
+// An operand, a constant, or a function of one or two parts.
 struct Formula::Node {
-    std::function<Real(std::span<const Real>)> function;  // of the parts, or of the operands
-    std::vector<std::shared_ptr<const Node>> parts;
+    Real (*function)(std::span<const Real>) = nullptr;
+    std::vector<std::shared_ptr<const Node>> parts{};
+    std::size_t operand = 0;
+    std::optional<Real> constant{};
 
-    Real value(std::span<const Real> operands) const {
-        if (parts.empty()) return function(operands);
-        std::vector<Real> values;
-        for (const auto& part : parts) values.push_back(part->value(operands));
-        return function(values);
+    bool is_leaf() const { return parts.empty(); }
+    const Real& leaf(std::span<const Real> operands) const {
+        return constant ? *constant : operands[operand];
     }
+    Real value(std::span<const Real> operands) const {
+        if (is_leaf()) return leaf(operands);
+        // Not in a vector: a formula is evaluated for millions of operands.
+        std::array<Real, most_parts> values;
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            if (parts[i]->is_leaf())
+                values[i] = parts[i]->leaf(operands);
+            else
+                values[i] = parts[i]->value(operands);
+        }
+        return function(std::span(values).first(parts.size()));
+    }
+    static constexpr std::size_t most_parts = 2;
 };
 
 namespace {
 
 using Node = std::shared_ptr<const Formula::Node>;
 using Values = std::span<const Real>;
-using Function = std::function<Real(Values)>;
+using Function = Real (*)(Values);
 
 struct Row {
     std::size_t operands;
@@ -99,8 +115,15 @@ class Parser {
         throw std::invalid_argument(
             fmt::format("the formula '{}' needs {} at character {}", text_, wanted, at_ + 1));
     }
+    // A function of constants is one, and computed but once.
     static Node node(Function function, std::vector<Node> parts) {
-        return std::make_shared<Formula::Node>(std::move(function), std::move(parts));
+        const bool known = std::all_of(parts.begin(), parts.end(),
+                                       [](const Node& part) { return part->constant.has_value(); });
+        const Formula::Node made{function, std::move(parts)};
+        return known ? constant(made.value({})) : std::make_shared<Formula::Node>(made);
+    }
+    static Node constant(const Real& value) {
+        return std::make_shared<Formula::Node>(Formula::Node{.constant = value});
     }
 
     Node sum() {
@@ -120,10 +143,18 @@ class Parser {
             if (take('*'))
                 left = node([](Values x) { return Real(x[0] * x[1]); }, {left, sign()});
             else if (take('/'))
-                left = node([](Values x) { return Real(x[0] / x[1]); }, {left, sign()});
+                left = quotient(left, sign());
             else
                 return left;
         }
+    }
+    // A product with the reciprocal of a power of two is as exact, and a third of the time.
+    static Node quotient(const Node& a, const Node& b) {
+        if (b->constant && isfinite(*b->constant) && *b->constant != 0 &&
+            scale(Real(1), binade(*b->constant)) == *b->constant)
+            return node([](Values x) { return Real(x[0] * x[1]); },
+                        {a, constant(Real(1) / *b->constant)});
+        return node([](Values x) { return Real(x[0] / x[1]); }, {a, b});
     }
     Node sign() {
         // Whoever nests deeper writes no formula, and the stack has an end.
@@ -154,15 +185,16 @@ class Parser {
         const std::string digits(text_.substr(at_, end - at_));
         if (digits.find('.') != digits.rfind('.') || digits == ".") fail("a number");
         at_ = end == text_.npos ? text_.size() : end;
-        return node([value = Real(digits)](Values) { return value; }, {});
+        return constant(Real(digits));
     }
     Node name() {
         const std::size_t begin = at_;
         while (at_ < text_.size() && std::isalnum(static_cast<unsigned char>(text_[at_]))) ++at_;
         const std::string_view name = text_.substr(begin, at_ - begin);
-        if (name == "pi") return node([](Values) { return pi(); }, {});
+        if (name == "pi") return constant(pi());
         if (name.size() == 1 && name[0] >= 'a' && std::size_t(name[0] - 'a') < operands_)
-            return node([i = std::size_t(name[0] - 'a')](Values x) { return x[i]; }, {});
+            return std::make_shared<Formula::Node>(
+                Formula::Node{.operand = std::size_t(name[0] - 'a')});
         const auto row = functions().find(name);
         if (row == functions().end()) {
             at_ = begin;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "bench/experiments/judge/split.hpp"
 #include "bench/lab/subjects/host_subject.hpp"
 #include "reference/formula.hpp"
 #include "reference/judge.hpp"
@@ -31,6 +32,7 @@ class OperationClaim : public Claim {
         calling_ = operations::calling_of(subject);
         for (const operations::HostSubject& host : operations::host_subjects())
             if (host.subject == subject && !host_) host_ = &host;
+        split_ = split_judge(subject);
     }
 
     std::vector<operands::BoundaryCase> boundary_cases() const override {
@@ -53,8 +55,9 @@ class OperationClaim : public Claim {
         if (reference::is_shift(subject_.operation) &&
             (operands[1] < 0 || operands[1] >= subject_.format.width))
             return {.excluded = "a shift by so many bits is undefined"};
-        reference::Judgement judgement =
-            host_ ? host_->judge(operands, results) : reference::judge(subject_, operands, results);
+        reference::Judgement judgement = host_    ? host_->judge(operands, results)
+                                         : split_ ? split_(subject_.format, operands, results)
+                                                  : reference::judge(subject_, operands, results);
         hold_to(bound_ulp_, judgement);
         return judgement;
     }
@@ -70,7 +73,9 @@ class OperationClaim : public Claim {
   private:
     reference::Subject subject_;
     std::optional<double> bound_ulp_;
+    // Who judges fast, of the library's own formats and of other splits; null where nobody does.
     const operations::HostSubject* host_ = nullptr;
+    SplitJudge split_ = nullptr;
 };
 
 class FormulaClaim : public Claim {
@@ -80,6 +85,8 @@ class FormulaClaim : public Claim {
         : formula_(formula, operands.size()), bound_ulp_(bound_ulp) {
         operands_ = std::move(operands);
         result_ = result;
+        least_ = reference::Real(result.least()) - reference::Real(0.5);
+        beyond_ = reference::Real(result.greatest()) + reference::Real(0.5);
         calling_.signature.result = result.format.width / 8;
         for (const Type& operand : operands_)
             calling_.signature.operands.push_back(operand.format.width / 8);
@@ -135,12 +142,10 @@ class FormulaClaim : public Claim {
         std::array<reference::Real, reference::most_operands> values;
         for (std::size_t i = 0; i < operands.size(); ++i)
             values[i] = value(operands_[i], operands[i]);
-        const reference::Real exact = reference::scale(
-            formula_(std::span(values).first(operands.size())), result_.format.fraction);
+        reference::Real exact = formula_(std::span(values).first(operands.size()));
+        if (result_.format.fraction != 0) exact = reference::scale(exact, result_.format.fraction);
         if (!isfinite(exact)) return {.excluded = "the formula has no value"};
-        const reference::Real half(0.5);
-        if (exact < reference::Real(result_.least()) - half ||
-            exact >= reference::Real(result_.greatest()) + half)
+        if (exact < least_ || exact >= beyond_)
             return {.excluded = "the exact value does not fit the result's type"};
         const auto error =
             double(reference::Real(reference::Real(result_.number(results[0])) - exact));
@@ -149,11 +154,13 @@ class FormulaClaim : public Claim {
 
   private:
     static reference::Real value(const Type& type, std::int64_t raw) {
-        return reference::scale(reference::Real(type.number(raw)), -type.format.fraction);
+        const reference::Real number(type.number(raw));
+        return type.format.fraction == 0 ? number : reference::scale(number, -type.format.fraction);
     }
 
     reference::Formula formula_;
     double bound_ulp_;
+    reference::Real least_, beyond_;  // in ulp: what rounds to numbers of the result's type
 };
 
 std::string without_blanks(std::string text) {

@@ -74,7 +74,7 @@ class Claim {
     std::vector<Type> operands_;
     Type result_;
     std::size_t results_ = 1;
-    operations::Calling calling_;
+    operations::Calling calling_{};
 };
 
 // Operands as their decimal numbers, with blanks between.

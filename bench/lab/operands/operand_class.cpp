@@ -135,6 +135,9 @@ std::int64_t Sampler::log_uniform(double least, double greatest) {
     const int last = format_.is_float() ? 127 : format_.width - 2 - format_.fraction;
     const int low = std::max(first, least > 0 ? std::ilogb(least) : first);
     const int high = std::min(last, std::isfinite(greatest) ? std::ilogb(greatest) : last);
+    // Of a format without fractions, 1 alone lies in 0.01..1: no draw below would ever meet it.
+    if (low == high && greatest == std::ldexp(1.0, high))
+        return raw_of(format_, std::uint64_t(1) << 63, high);
     for (;;) {
         const int exponent = low + int(below(high - low + 1));
         const std::uint64_t mantissa = random_() | std::uint64_t(1) << 63;

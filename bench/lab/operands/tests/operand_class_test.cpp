@@ -158,6 +158,12 @@ TEST(OperandClass, ShiftCountsStayBelowTheWidth) {
     EXPECT_EQ(greatest, 15);
 }
 
+// Of a format without fractions, 1 alone is a physical operand of asin.
+TEST(OperandClass, OneNumberMayBeAllThereIs) {
+    for (const double value : sample(Operation::asin, "q16_0", OperandClass::physics))
+        EXPECT_EQ(std::abs(value), 1);
+}
+
 TEST(OperandClass, PublishedIsOnePair) {
     EXPECT_EQ(distinct_samples(OperandClass::published, 1000), 1u);
     EXPECT_EQ(distinct_samples(OperandClass::full, 1000), 1000u);
