@@ -13,7 +13,7 @@ class DataError(Exception):
 
 # Columns that hold text in at least one file. All others hold numbers.
 TEXT = frozenset("""
-ablation as_published after_cause after_method arithmetic before_cause before_error before_method best_format bound
+ablation as_published after_cause after_method arithmetic before_cause before_error before_method best_format block bound
 broad_phase case change cheapest chip clock coefficient coefficients commit curve cycles_max_witness damping
 device edges elf_sha256 failure fault feature first_event first_mismatch fitted_to flags form format formats formula
 function handler hand_n_per_m host implementation inputs integrator interrupt kernel_sha256 kind lane

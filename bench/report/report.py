@@ -18,6 +18,7 @@ import traceback
 import jinja2
 import tqdm
 
+import blocks
 import choose_a_format
 import division_cycles
 import error_against_cycles
@@ -189,7 +190,7 @@ def write(results, experiments=()):
 
     environment = templates()
     names = {"data": data, "measured": data.json("tools"), "choose": choose_a_format, "style": style,
-             "operations": operations,
+             "operations": operations, "blocks": blocks,
              "headline": headline, "table_3_2": table_3_2, "division_cycles": division_cycles,
              "error_against_cycles": error_against_cycles, "error_histograms": error_histograms,
              "features": features, "identification": identification, "scenes": scenes,

@@ -76,7 +76,7 @@ refuses "text.elf" cycles --program "$scratch/text.elf" "${a[@]}"
 [ -e "$scratch/a" ] && fail "a refused run has written files"
 : >"$scratch/file"
 one=(cycles --operation multiply --format q16_16 --implementation default --operands physics --samples 10)
-for command in cycles table accuracy verify throughput features growth scenes workload stability haptic region; do
+for command in cycles table accuracy verify throughput blocks features growth scenes workload stability haptic region; do
     refuses "cannot write" $command --output "$scratch/file/below"
 done
 refuses "cannot write" "${one[@]}" --output "$scratch/file/below"

@@ -25,12 +25,21 @@ constexpr bool is_pow(reference::Operation operation) {
     return operation == reference::Operation::pow;
 }
 
-#define ELEMENTARY_FUNCTION(name, Function)                                                   \
-    {reference::Operation::name, subjects([]<class Raw, int F>(const int64_t* v) -> int64_t { \
-         if constexpr (is_pow(reference::Operation::name))                                    \
-             return Nearest::name<Raw, F>(Raw(v[0]), Raw(v[1]));                              \
-         else                                                                                 \
-             return Nearest::name<Raw, F>(Raw(v[0]));                                         \
+// And where a composition of kernels begins, ends, or takes another kernel.
+template <class Wrap>
+std::vector<Subject> subjects_of_compositions(Wrap wrap) {
+    std::vector<Subject> all = subjects(wrap);
+    add_subjects<int32_t>(all, wrap, std::integer_sequence<int, 9, 15, 17, 20, 21, 25>());
+    return all;
+}
+
+#define ELEMENTARY_FUNCTION(name, Function)                                       \
+    {reference::Operation::name,                                                  \
+     subjects_of_compositions([]<class Raw, int F>(const int64_t* v) -> int64_t { \
+         if constexpr (is_pow(reference::Operation::name))                        \
+             return Nearest::name<Raw, F>(Raw(v[0]), Raw(v[1]));                  \
+         else                                                                     \
+             return Nearest::name<Raw, F>(Raw(v[0]));                             \
      })},
 const std::vector<ElementaryFunction>& functions() {
     static const std::vector<ElementaryFunction> all = {
@@ -218,6 +227,30 @@ TEST(CheckedElementary, TellsWhatHasNoValueOrDoesNotFit) {
             ASSERT_FALSE(testing::Test::HasFailure());
         }
     }
+}
+
+// e^(x 2^-40) 2^unit in units of 2^-32, against long double: within 2^-33 of itself, and the 2^-8
+// that it is rounded downward to.
+TEST(ExpWide, IsWithinItsBound) {
+    std::mt19937_64 random(40);
+    for (int i = 0; i < 200000; ++i) {
+        const auto unit = static_cast<uint8_t>(random() % 30);
+        const auto x = static_cast<int64_t>(random() >> (18 + random() % 24)) - (int64_t(25) << 40);
+        const long double exact = std::exp(std::ldexp((long double)(x), -40) + unit * M_LN2l);
+        const uint64_t result = kernel::exp_wide<int64_t, 40>(x, unit);
+        const long double value = std::ldexp((long double)(result), -32);
+        if (x < -(int64_t(24) << 40)) {
+            ASSERT_EQ(result, 0u) << x;
+        } else if (exact >= 0x1p32L || (exact > 0.9 * 0x1p32L && value == 0xffffffffp0L)) {
+            ASSERT_EQ(result, uint64_t(0xffffffff) << 32) << x << " " << int(unit);
+        } else {
+            ASSERT_EQ(result & 0xffffff, 0u);
+            ASSERT_LE(std::fabs(value - exact), exact * 0x1.2p-33L + 0x1p-8L)
+                << x << " " << int(unit);
+        }
+    }
+    EXPECT_EQ((kernel::exp_wide<int64_t, 40>(INT64_MAX, 0)), uint64_t(0xffffffff) << 32);
+    EXPECT_EQ((kernel::exp_wide<int64_t, 40>(INT64_MIN, 29)), 0u);
 }
 
 // Values that are exact, and those that a definition pins.

@@ -16,7 +16,8 @@ extern "C" {
     extern c_results q##_results; \
     void q##_operations();        \
     void q##_functions();         \
-    void q##_elementary();        \
+    void q##_angles();            \
+    void q##_powers();            \
     void q##_conversions();
 extern "C" {
 FORMATS(DECLARE)
@@ -30,10 +31,10 @@ struct Part {
     const c_results& results;
 };
 
-#define PARTS(q)                                         \
-    {#q "_operations", q##_operations, q##_results},     \
-        {#q "_functions", q##_functions, q##_results},   \
-        {#q "_elementary", q##_elementary, q##_results}, \
+#define PARTS(q)                                                                                \
+    {#q "_operations", q##_operations, q##_results},                                            \
+        {#q "_functions", q##_functions, q##_results}, {#q "_angles", q##_angles, q##_results}, \
+        {#q "_powers", q##_powers, q##_results},                                                \
         {#q "_conversions", q##_conversions, q##_results},
 
 class CProgram : public testing::TestWithParam<Part> {};

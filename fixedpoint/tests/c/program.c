@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * Calls every function of fixedpoint_c.h in one FORMAT, with boundary and random operands, and
  * leaves a hash of each function's results: the same on the host and on the chip. There, a PART of
- * the functions fits: operations, functions, elementary or conversions. */
+ * the functions fits: operations, functions, angles, powers or conversions. */
 #include "program.h"
 
 #include <fixedpoint_c.h>
@@ -185,11 +185,15 @@ void F(functions)(void) {
     }
 }
 
-void F(elementary)(void) {
+void F(angles)(void) {
     start();
     UNARY(tan)
     UNARY(asin)
     UNARY(acos)
+}
+
+void F(powers)(void) {
+    start();
     UNARY(exp2)
     UNARY(expm1)
     UNARY(log2)

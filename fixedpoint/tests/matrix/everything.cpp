@@ -7,6 +7,15 @@
 #include <fixedpoint/arithmetic/published.hpp>
 #include <fixedpoint/arithmetic/saturating.hpp>
 #include <fixedpoint/arithmetic/small.hpp>
+#include <fixedpoint/blocks/biquad.hpp>
+#include <fixedpoint/blocks/complex.hpp>
+#include <fixedpoint/blocks/interpolation.hpp>
+#include <fixedpoint/blocks/matrix.hpp>
+#include <fixedpoint/blocks/moving_average.hpp>
+#include <fixedpoint/blocks/one_pole.hpp>
+#include <fixedpoint/blocks/pid.hpp>
+#include <fixedpoint/blocks/polynomial.hpp>
+#include <fixedpoint/blocks/quaternion.hpp>
 
 #ifdef HOST_HEADERS
 #include <fixedpoint/host/hash.hpp>
@@ -135,6 +144,36 @@ void conversions(Number& a) {
     a += parse<Number>(text, print(a, text, sizeof text) + print(a, 3, text, sizeof text)).number;
 }
 
+template <class Number, uint8_t N>
+void matrices(Number (&v)[N]) {
+    Matrix<Number, N> a = {};
+    for (uint8_t i = 0; i < N; ++i) a.element[i][i] = v[i];
+    Number image[N] = {};
+    if (invert(a * adjugate(a), a)) multiply(a, v, image);
+    v[0] = image[0] + determinant(a);
+}
+
+template <class Number, class Coefficient>
+void blocks() {
+    static const Table<Number, 3> values FIXEDPOINT_PROGRAM_MEMORY = {{}};
+    static const Table<Coefficient, 3> coefficients FIXEDPOINT_PROGRAM_MEMORY = {{}};
+    Number a[3] = {};
+    Pid<Number> pid({a[0], a[0], a[0]}, a[0], a[0]);
+    Biquad<Number> biquad({a[0], a[0], a[0], a[0], a[0]});
+    OnePole<Number> one_pole(a[0], a[1]);
+    MovingAverage<Number, 256> average(a[0]);
+    a[0] = biquad.update(one_pole.update(average.update(pid.update(a[0], one_pole.output()))));
+    a[0] = polynomial(interpolate<0>(values, a[0], a[1]), coefficients);
+    a[0] = interpolate<-2>(values, a[0], interpolate<1>(values, a[0], a[1]));
+    const Complex<Number> z = {{a[0], a[1]}}, product = z * conjugate(z) + z - z;
+    a[0] = product.real() + product.imaginary() + squared_magnitude(z);
+    Number plane[2] = {a[0], a[1]};
+    matrices(plane);
+    matrices(a);
+    const Quaternion<Number> q = {{a[0], a[1], a[2], plane[0]}};
+    rotate(renormalised(q * conjugate(q)), a, a);
+}
+
 template <int I, int F>
 void every_arithmetic() {
     Fixed<I, F> nearest[3];
@@ -168,6 +207,15 @@ void everything() {
     every_arithmetic<32, 32>();
     every_arithmetic<8, 24>();
     every_arithmetic<1, 15>();
+    blocks<Q4_4, Q8_8>();
+    blocks<Q8_8, Q16_16>();
+    blocks<Q16_16, Fixed<8, 24>>();
+    blocks<Fixed<8, 24>, Fixed<8, 24>>();
+    blocks<Q32_32, Q32_32>();
+    blocks<Fixed<16, 16, Saturating>, Fixed<8, 24, Saturating>>();
+    blocks<Fixed<16, 16, Checked<Hook>>, Fixed<16, 16, Checked<Hook>>>();
+    blocks<Fixed<8, 8, Small>, Fixed<16, 16, Small>>();
+    blocks<float, float>();
     // Products of wider numbers do not compile.
     Q4_4 a;
     Fixed<1, 15, Saturating> b;

@@ -47,12 +47,20 @@ class BiquadSum<Fixed<IntegerBits, F, A>> {
     BiquadSum(Number feedback1, Number feedback2)
         : weight1_(nearest_integer(feedback1, 2)), weight2_(nearest_integer(feedback2, 1)) {}
     Number of(const Number* a, const Number* b) {
-        Number sum = a[0] * b[0];
-        Sum error = static_cast<Sum>(times(weight1_, error1_) + times(weight2_, error2_) +
-                                     Rounding::of_product(a[0].raw(), b[0].raw()));
-        for (uint8_t i = 1; i < 5; ++i) {
-            sum = multiply_add(a[i], b[i], sum);
-            error = static_cast<Sum>(error + Rounding::of_product(a[i].raw(), b[i].raw()));
+        Sum error = static_cast<Sum>(times(weight1_, error1_) + times(weight2_, error2_));
+        Number sum;
+        if (A::is_modulo) {
+            sum = dot3(a, b) + dot2(a + 3, b + 3);
+            error = static_cast<Sum>(error +
+                                     Rounding::of_sum(static_cast<typename Rounding::Low>(
+                                         low(a[0], b[0]) + low(a[1], b[1]) + low(a[2], b[2]))) +
+                                     Rounding::of_sum(static_cast<typename Rounding::Low>(
+                                         low(a[3], b[3]) + low(a[4], b[4]))));
+        } else {
+            for (uint8_t i = 0; i < 5; ++i) {
+                sum = multiply_add(a[i], b[i], sum);
+                error = static_cast<Sum>(error + Rounding::of_product(a[i].raw(), b[i].raw()));
+            }
         }
         error2_ = error1_;
         error1_ = Rounding::of_sum(error);
@@ -63,14 +71,17 @@ class BiquadSum<Fixed<IntegerBits, F, A>> {
     using Rounding = RoundingError<F>;
     using Sum = typename Rounding::Sum;
     using Error = typename Rounding::Error;
+    static typename Rounding::Low low(Number a, Number b) {
+        return Rounding::low_product(a.raw(), b.raw());
+    }
     static int8_t nearest_integer(Number x, int8_t limit) {
         return convert<int8_t>(clamp(x, Number::from_integer(-limit), Number::from_integer(limit)));
     }
+    // In cases, since the compiler would make a product of 32 bits of a loop.
     static Sum times(int8_t weight, Error error) {
-        Sum sum = 0;
-        for (; weight > 0; --weight) sum = static_cast<Sum>(sum + error);
-        for (; weight < 0; ++weight) sum = static_cast<Sum>(sum - error);
-        return sum;
+        if (weight == 0) return 0;
+        const Sum sum = static_cast<Sum>(weight & 1 ? Sum(error) : Sum(error) * 2);
+        return static_cast<Sum>(weight < 0 ? -sum : sum);
     }
 
     int8_t weight1_, weight2_;

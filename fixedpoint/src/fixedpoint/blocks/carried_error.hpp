@@ -25,9 +25,14 @@ struct RoundingError {
     using Sum = Integer<F <= 4 ? 8 : F <= 12 ? 16 : F <= 28 ? 32 : 64>;
     using Error = Integer<RawLimits<Low>::width>;
 
+    // a b modulo 2^F and some.
+    template <class Raw>
+    static constexpr Low low_product(Raw a, Raw b) {
+        return static_cast<Low>(1u * static_cast<Low>(a) * static_cast<Low>(b));
+    }
     template <class Raw>
     static constexpr Error of_product(Raw a, Raw b) {
-        return of_sum(static_cast<Low>(1u * static_cast<Low>(a) * static_cast<Low>(b)));
+        return of_sum(low_product(a, b));
     }
     // What is left of a sum of errors behind its ulps: the low F bits as a signed number.
     template <class Int>

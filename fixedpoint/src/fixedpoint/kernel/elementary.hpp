@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The elementary functions that are made of kernels of other formats, in splits of 32 bits; the
-// others have the portable code of elementary.hpp. All are faithful (error below 0.75 ulp).
+// The elementary functions as compositions of kernels: all splits of 32 bits from 9 to 24 fraction
+// bits have them but for tan and pow, which begin at 16, and Q32.32 has some. The other formats
+// have the portable code of portable/elementary.hpp. All are faithful (error below 0.75 ulp).
 //
-// A kernel of a finer split has the bits behind an ulp that a function of its result needs: the
-// logarithm, the root, the quotient and the angle are those of up to 30 fraction bits. Powers come
-// from exp_wide, which no split of 32 bits has digits enough for.
+// The kernel of a finer format has the bits behind an ulp that a function of its result asks for:
+// its own error, and what a composition adds before it rounds, stays below 0.2 ulp. Powers come
+// from exp_wide, as no split of 32 bits has digits enough for them.
 #pragma once
 
 #include <fixedpoint/kernel/dispatch.hpp>
@@ -17,11 +18,26 @@ namespace kernel {
 using portable::Evaluation;
 using portable::Outcome;
 
+// First where a condition holds, else Second.
+template <class First, class Second, bool condition>
+struct Choice {
+    using Type = First;
+};
+template <class First, class Second>
+struct Choice<First, Second, false> {
+    using Type = Second;
+};
+
 namespace composed {
 
-template <int least, int most>
+// What a composition serves: the splits of 32 bits with so many fraction bits, and Q32.32.
+template <int least, int most, bool with_q32_32 = false>
 struct Splits {
-    static constexpr int least_fraction = least, most_fraction = most;
+    template <class Raw, int F>
+    static constexpr bool serves() {
+        return (sizeof(Raw) == 4 && F >= least && F <= most) ||
+               (with_q32_32 && sizeof(Raw) == 8 && F == 32);
+    }
 };
 
 // a with 40 fraction bits, of F.
@@ -29,10 +45,10 @@ template <int F>
 constexpr int64_t with_40_bits(int64_t a) {
     return a * (int64_t(1) << (40 - F));
 }
-// a 2^-drop, rounded half up.
-template <int drop>
-constexpr int32_t rounded(int32_t a) {
-    return drop == 0 ? a : ((a >> (drop > 0 ? drop - 1 : 0)) + 1) >> 1;
+// a 2^-drop, rounded half up; half a unit more fits.
+template <int drop, class Integer>
+constexpr Integer rounded(Integer a) {
+    return drop == 0 ? a : (a + (Integer(1) << (drop > 0 ? drop - 1 : 0))) >> drop;
 }
 // A magnitude in units of 2^-32 as the number it is nearest to, saturated.
 FIXEDPOINT_IN_PLACE Evaluation<int32_t> rounded_power(uint64_t magnitude, bool negative) {
@@ -103,157 +119,222 @@ struct Tanh : Splits<9, 24> {
     }
 };
 
-// Logarithms: that of a 2^-fraction in `fraction` bits is (fraction - F) ln 2 too small.
+// Logarithms. That of a 2^-fraction, in units of 2^-fraction:
 
-template <int F>
-struct FineLogarithm {
-    static constexpr int fraction = F <= 20 ? 24 : 26;
-    static constexpr int excess = fraction - F;
-    static FIXEDPOINT_CONSTEXPR int32_t of(int32_t a) { return log<int32_t, fraction>(a); }
+template <class Wide>
+struct NaturalLogarithm;
+template <>
+struct NaturalLogarithm<int32_t> {
+    static constexpr int fraction = 24, scale = 30;
+    static constexpr int32_t ln2 = 11629080;
+    static FIXEDPOINT_CONSTEXPR int32_t of(uint32_t a) {
+        return a >> 31 != 0 ? log<int32_t, 24>(static_cast<int32_t>(a >> 1)) + ln2
+                            : log<int32_t, 24>(static_cast<int32_t>(a));
+    }
 };
-struct Log2 : Splits<9, 20> {
+template <>
+struct NaturalLogarithm<int64_t> {
+    static constexpr int fraction = 32, scale = 32;
+    static constexpr int64_t ln2_11_times = 32747489190;  // less than 0.02 off
+    static FIXEDPOINT_CONSTEXPR int64_t of(uint64_t a) {
+        return a >> 63 != 0 ? log<int64_t, 32>(static_cast<int64_t>(a >> 11)) + ln2_11_times
+                            : log<int64_t, 32>(static_cast<int64_t>(a));
+    }
+};
+// That of a 2^-F, `excess` ln 2 more, in the same units.
+template <int F>
+struct LogarithmOf {
+    using Wide = typename Choice<int32_t, int64_t, (F <= 16)>::Type;
+    static constexpr int fraction = NaturalLogarithm<Wide>::fraction;
+    static constexpr int64_t excess = fraction - F;
+    static FIXEDPOINT_CONSTEXPR Wide natural(Unsigned<Wide> a) {
+        return NaturalLogarithm<Wide>::of(a) +
+               static_cast<Wide>((excess * ln2_48 + (int64_t(1) << (47 - fraction))) >>
+                                 (48 - fraction));
+    }
+    // To the base b, with 1 / ln b in units of 2^-34 and the logarithm of 2 in units of 2^-32.
+    template <int64_t per_ln_b, int64_t log_b_of_2>
+    static FIXEDPOINT_CONSTEXPR Wide to_base(Unsigned<Wide> a) {
+        constexpr int scale = NaturalLogarithm<Wide>::scale, drop = 34 - scale;
+        constexpr Wide factor = static_cast<Wide>((per_ln_b + (1 << (drop - 1))) >> drop);
+        return multiply<Wide, scale>(NaturalLogarithm<Wide>::of(a), factor) +
+               static_cast<Wide>(excess * log_b_of_2 >> (32 - fraction));
+    }
+    template <class Raw>
+    static FIXEDPOINT_IN_PLACE Evaluation<Raw> evaluation(Wide logarithm) {
+        return {static_cast<Raw>(rounded<fraction - F>(logarithm)), Outcome::in_range};
+    }
+};
+struct Log2 : Splits<9, 24> {
     template <class Raw, int F>
     static FIXEDPOINT_IN_PLACE Evaluation<Raw> apply(Raw a) {
-        constexpr int32_t per_ln2_less_1 = 1901360723;  // 2^-32
-        constexpr int fraction = FineLogarithm<F>::fraction;
         if (a <= 0) return portable::no_logarithm<Raw>();
-        const int32_t logarithm = FineLogarithm<F>::of(a);
-        const int32_t sum = logarithm + multiply<int32_t, 32>(logarithm, per_ln2_less_1) +
-                            FineLogarithm<F>::excess * (int32_t(1) << fraction);
-        return {rounded<fraction - F>(sum), Outcome::in_range};
+        return LogarithmOf<F>::template evaluation<Raw>(
+            LogarithmOf<F>::template to_base<24785312075, int64_t(1) << 32>(
+                static_cast<Unsigned<Raw>>(a)));
     }
 };
 struct Log10 : Splits<9, 24> {
     template <class Raw, int F>
     static FIXEDPOINT_IN_PLACE Evaluation<Raw> apply(Raw a) {
-        constexpr int32_t per_ln10 = 1865280597;    // 2^-32
-        constexpr int64_t log10_of_2 = 1292913986;  // 2^-32
-        constexpr int fraction = FineLogarithm<F>::fraction;
         if (a <= 0) return portable::no_logarithm<Raw>();
-        const int32_t sum =
-            multiply<int32_t, 32>(FineLogarithm<F>::of(a), per_ln10) +
-            static_cast<int32_t>(FineLogarithm<F>::excess * log10_of_2 >> (32 - fraction));
-        return {rounded<fraction - F>(sum), Outcome::in_range};
+        return LogarithmOf<F>::template evaluation<Raw>(
+            LogarithmOf<F>::template to_base<7461122386, 1292913986>(
+                static_cast<Unsigned<Raw>>(a)));
     }
 };
-// 1 + a fits the unsigned number, and half of it the signed one.
-struct Log1p : Splits<9, 24> {
+// 1 + a fits the unsigned number.
+struct Log1p : Splits<9, 24, true> {
     template <class Raw, int F>
     static FIXEDPOINT_IN_PLACE Evaluation<Raw> apply(Raw a) {
-        constexpr int fraction = FineLogarithm<F>::fraction;
-        constexpr int64_t excess = FineLogarithm<F>::excess;
-        constexpr uint32_t one = uint32_t(1) << F;
+        constexpr Unsigned<Raw> one = Unsigned<Raw>(1) << F;
         if (a < 0 && magnitude(a) >= one) return portable::no_logarithm<Raw>();
-        const uint32_t sum = one + static_cast<uint32_t>(a);
-        const bool large = sum >> 31 != 0;
-        const int32_t logarithm =
-            FineLogarithm<F>::of(static_cast<int32_t>(large ? sum >> 1 : sum)) +
-            static_cast<int32_t>((large ? (excess + 1) * ln2_48 : excess * ln2_48) >>
-                                 (48 - fraction));
-        return {rounded<fraction - F>(logarithm), Outcome::in_range};
+        return LogarithmOf<F>::template evaluation<Raw>(
+            LogarithmOf<F>::natural(one + static_cast<Unsigned<Raw>>(a)));
     }
 };
 // e^(ln |a| / 3), of the sign of a.
-struct Cbrt : Splits<9, 16> {
+struct Cbrt : Splits<9, 24> {
     template <class Raw, int F>
     static FIXEDPOINT_IN_PLACE Evaluation<Raw> apply(Raw a) {
-        constexpr int fraction = FineLogarithm<F>::fraction;
-        constexpr int64_t third = ((int64_t(1) << (72 - fraction)) + 1) / 3;
-        constexpr int32_t excess =
-            static_cast<int32_t>(FineLogarithm<F>::excess * ln2_48 >> (48 - fraction));
+        constexpr int64_t third = ((int64_t(1) << (72 - LogarithmOf<F>::fraction)) + 1) / 3;
         if (a == 0) return {0, Outcome::in_range};
-        const uint32_t positive = magnitude(a);
-        const bool large = positive >> 31 != 0;  // the smallest number
-        const int32_t logarithm =
-            FineLogarithm<F>::of(static_cast<int32_t>(large ? positive >> 1 : positive)) + excess;
-        const int64_t x = multiply<int64_t, 32>(logarithm, third);
-        return rounded_power(exp_wide<int64_t, 40>(large ? x + ln2_48 / 768 : x, F), a < 0);
+        const int64_t x = multiply<int64_t, 32>(LogarithmOf<F>::natural(magnitude(a)), third);
+        return rounded_power(exp_wide<int64_t, 40>(x, F), a < 0);
     }
 };
 
 // Angles.
 
-// |a| 2^-F and the root of (1 - |a|) (1 + |a|), in units of 2^-28; a is not 0 and below 1.
-template <int F>
-FIXEDPOINT_CONSTEXPR int32_t complement(uint32_t a) {
-    const uint32_t square = (a << (16 - F)) * (a << (16 - F));
-    return sqrt<int32_t, 26>(static_cast<int32_t>((0 - square) >> 2));
-}
+// The right triangle of a number a 2^-F below 1 and the root of 1 less its square, which is exact:
+// sides in units of 2^-side, angles in units of 2^-angle. a is not 0.
+template <class Raw>
+struct Triangle;
+template <>
+struct Triangle<int32_t> {
+    static constexpr int side = 24, angle = 24;
+    static constexpr int32_t half_pi = 26353589, pi = 52707179;
+    template <int F>
+    static FIXEDPOINT_CONSTEXPR int32_t root(uint32_t a) {
+        return sqrt<int32_t, 18>(static_cast<int32_t>((0 - (a * a << (32 - 2 * F))) >> 2));
+    }
+};
+template <>
+struct Triangle<int64_t> {
+    static constexpr int side = 48, angle = 32;
+    static constexpr int64_t half_pi = 6746518852, pi = 13493037705;
+    template <int F>
+    static FIXEDPOINT_CONSTEXPR int64_t root(uint32_t a) {
+        const uint32_t positive = a << (F < 32 ? 31 - F : 0);
+        const uint64_t square = uint64_t(positive) * positive;
+        return 2 * sqrt<int64_t, 32>(static_cast<int64_t>(F < 32 ? (uint64_t(1) << 62) - square
+                                                                 : (0 - square) >> 2));
+    }
+};
 template <class Raw, int F>
-FIXEDPOINT_IN_PLACE Evaluation<Raw> arc(int32_t angle, Raw a) {
-    return {rounded<28 - F>(angle),
-            portable::beyond_one<Raw, F>(a) ? Outcome::domain_error : Outcome::in_range};
-}
-constexpr int32_t half_pi_28 = 421657428;
-struct Asin : Splits<9, 16> {
+struct Arc {
+    using Wide = typename Choice<int32_t, int64_t, (F <= 16)>::Type;
+    using Sides = Triangle<Wide>;
+    static constexpr Wide side(Raw a) {
+        return static_cast<Wide>(a) * (Wide(1) << (Sides::side - F));
+    }
+    static FIXEDPOINT_CONSTEXPR Wide other_side(Raw a) {
+        return Sides::template root<F>(static_cast<uint32_t>(magnitude(a)));
+    }
+    static FIXEDPOINT_IN_PLACE Evaluation<Raw> evaluation(Wide angle, Raw a) {
+        return {static_cast<Raw>(rounded<Sides::angle - F>(angle)),
+                portable::beyond_one<Raw, F>(a) ? Outcome::domain_error : Outcome::in_range};
+    }
+};
+struct Asin : Splits<9, 28, true> {
     template <class Raw, int F>
     static FIXEDPOINT_IN_PLACE Evaluation<Raw> apply(Raw a) {
+        using A = Arc<Raw, F>;
+        using Sides = typename A::Sides;
         if (portable::from_one_on<Raw, F>(a)) {
-            return arc<Raw, F>(a < 0 ? -half_pi_28 : half_pi_28, a);
+            return A::evaluation(a < 0 ? -Sides::half_pi : Sides::half_pi, a);
         }
         if (a == 0) return {0, Outcome::in_range};
-        return arc<Raw, F>(
-            atan2<int32_t, 28>(a * (int32_t(1) << (28 - F)), complement<F>(magnitude(a))), a);
+        return A::evaluation(atan2<typename A::Wide, Sides::angle>(A::side(a), A::other_side(a)),
+                             a);
     }
 };
-struct Acos : Splits<9, 16> {
+struct Acos : Splits<9, 28, true> {
     template <class Raw, int F>
     static FIXEDPOINT_IN_PLACE Evaluation<Raw> apply(Raw a) {
-        if (portable::from_one_on<Raw, F>(a)) return arc<Raw, F>(a < 0 ? 2 * half_pi_28 : 0, a);
-        if (a == 0) return arc<Raw, F>(half_pi_28, a);
-        return arc<Raw, F>(
-            atan2<int32_t, 28>(complement<F>(magnitude(a)), a * (int32_t(1) << (28 - F))), a);
+        using A = Arc<Raw, F>;
+        using Sides = typename A::Sides;
+        if (portable::from_one_on<Raw, F>(a)) return A::evaluation(a < 0 ? Sides::pi : 0, a);
+        if (a == 0) return A::evaluation(Sides::half_pi, a);
+        return A::evaluation(atan2<typename A::Wide, Sides::angle>(A::other_side(a), A::side(a)),
+                             a);
     }
 };
 
-// a 2^15, modulo 2^32, by whole bytes.
-constexpr uint32_t shifted_by_15(uint32_t a) {
-    return (a >> 1) << 16 | ((a & 1) != 0 ? 0x8000u : 0u);
-}
-
-// The angle from the nearest whole number of quarter turns, in units of 2^-63: of |a|, which does
-// not change what the tangent is but for its sign.
-struct Tan : Splits<16, 16> {
+// Beside a pole the tangent is 1 / rest - rest (1/3 + rest^2 / 45 + 2 rest^4 / 945 + ...). With few
+// fraction bits a rest below 2^-5 needs but the first term, with more one below 3/8 the first four.
+template <int F, bool few = (F <= 16)>
+struct Pole {
+    static constexpr int32_t reach = int32_t(1) << 26;  // 2^-31
+    static constexpr int32_t series(int32_t) { return 1431655765; }
+};
+template <int F>
+struct Pole<F, false> {
+    static constexpr int32_t reach = int32_t(3) << 28;
+    static FIXEDPOINT_CONSTEXPR int32_t series(int32_t rest) {
+        const int32_t square = multiply<int32_t, 32>(rest, rest);                   // 2^-30
+        const int32_t third = 145438046 + multiply<int32_t, 32>(square, 58175218);  // 2^-36
+        const int32_t second = 381774871 + multiply<int32_t, 32>(square, third);    // 2^-34
+        return 1431655765 + multiply<int32_t, 32>(square, second);                  // 2^-32
+    }
+};
+// `rest` is the angle from the nearest whole number of quarter turns, in units of 2^-63: of |a|, as
+// the tangent of a differs from that by no more than its sign.
+struct Tan : Splits<16, 24> {
     template <class Raw, int F>
     static FIXEDPOINT_IN_PLACE Evaluation<Raw> apply(Raw a) {
         constexpr int32_t two_over_pi_less_1 = -1560706194;                      // 2^-32
         constexpr uint32_t half_pi_high = 0xc90fdaa2, half_pi_low = 0x2168c235;  // 2^-31, 2^-63
-        constexpr int32_t third = 1431655765;                                    // 2^-32
+        constexpr int fraction = F <= 20 ? F + 8 : 28;
         const bool below_zero = a < 0;
         const int32_t turns = multiply<int32_t, 32>(a, two_over_pi_less_1) + a;
-        const int16_t nearest = static_cast<int16_t>((turns + (int32_t(1) << 15)) >> 16);
+        const int16_t nearest = static_cast<int16_t>(rounded<F>(turns));
         const uint16_t quarters = static_cast<uint16_t>(below_zero ? -nearest : nearest);
+        const uint32_t positive = magnitude(a);
+        // |a| 2^(31 - F), modulo 2, by whole bytes and a bit.
+        const uint32_t angle =
+            (positive >> 1) << (32 - F) | ((positive & 1) != 0 ? uint32_t(1) << (31 - F) : 0);
         const uint64_t low = uint64_t(quarters) * half_pi_low;
-        const int32_t rest =
-            static_cast<int32_t>(shifted_by_15(magnitude(a)) - quarters * half_pi_high -
-                                 static_cast<uint32_t>(low >> 32) - 1);
+        const int32_t rest = static_cast<int32_t>(angle - quarters * half_pi_high -
+                                                  static_cast<uint32_t>(low >> 32) - 1);
         const bool odd = (quarters & 1) != 0;
-        if (odd && rest < int32_t(1) << 26 && rest >= -(int32_t(1) << 26)) {
-            // Beside a pole, below 2^-5: 1 / rest - rest / 3, and rest^3 / 45 is nothing.
+        if (odd && rest < Pole<F>::reach && rest >= -Pole<F>::reach) {
             const int64_t fine =
                 int64_t(rest) * (int64_t(1) << 32) +
                 static_cast<int64_t>((uint64_t(1) << 32) - static_cast<uint32_t>(low));
-            const int64_t positive = fine < 0 ? -fine : fine;
+            const int64_t distance = fine < 0 ? -fine : fine;
+            const int32_t series =
+                multiply<int32_t, 32>(rest < 0 ? -rest : rest, Pole<F>::series(rest));
             const int64_t cotangent =
-                divide<int64_t, 32>(int64_t(1) << 48, positive >> 7) -
-                multiply<int32_t, 32>(static_cast<int32_t>(positive >> 39), third);
-            return portable::evaluation<Raw>(static_cast<uint64_t>(cotangent), 8,
+                divide<int64_t, 32>(int64_t(1) << 62, distance >> 1) - 2 * int64_t(series);
+            return portable::evaluation<Raw>(static_cast<uint64_t>(cotangent), 32 - F,
                                              (fine < 0) == below_zero);
         }
         int32_t unit[2] = {};
         sincos<int32_t, 30>(rounded<1>(rest), unit);
-        const int32_t tangent =
-            odd ? -divide<int32_t, 24>(unit[1], unit[0]) : divide<int32_t, 24>(unit[0], unit[1]);
-        return {rounded<24 - F>(below_zero ? -tangent : tangent), Outcome::in_range};
+        const int32_t tangent = odd ? -divide<int32_t, fraction>(unit[1], unit[0])
+                                    : divide<int32_t, fraction>(unit[0], unit[1]);
+        return {rounded<fraction - F>(below_zero ? -tangent : tangent), Outcome::in_range};
     }
 };
 
 // x^y = e^(y ln x). The logarithm is as exact as the largest y asks for: in units of 2^-56 and,
 // near 1, within 2^-45 of itself. A factor of the table brings x near 1, to 1 + s, |s| < 0.016,
 // whose logarithm is s - s^2 (1/2 - s/3 + s^2/4 - s^3/5 + s^4/6).
+template <int F>
 FIXEDPOINT_CONSTEXPR int64_t logarithm_56(uint32_t x) {
     using portable::LogarithmOfFactor;
-    int8_t exponent = 15;
+    int8_t exponent = 31 - F;
     while (x >> 31 == 0) {
         x <<= 1;
         --exponent;
@@ -274,30 +355,21 @@ FIXEDPOINT_CONSTEXPR int64_t logarithm_56(uint32_t x) {
 struct PowerOfMagnitude {
     template <class Raw, int F>
     static FIXEDPOINT_IN_PLACE Evaluation<Raw> apply(uint32_t x, Raw y, bool negative) {
-        const int64_t product = multiply<int64_t, 32>(logarithm_56(x), y);
-        return rounded_power(exp_wide<int64_t, 40>(product, F), negative);
+        const int64_t product = multiply<int64_t, 32>(logarithm_56<F>(x), y);
+        return rounded_power(exp_wide<int64_t, 40>(product >> (F - 16), F), negative);
     }
 };
-struct Pow : Splits<16, 16>, portable::SignedPower<PowerOfMagnitude> {};
+struct Pow : Splits<16, 24>, portable::SignedPower<PowerOfMagnitude> {};
 
 }  // namespace composed
 
 // Composition where it serves a format, else Portable.
-template <class Composition, class Portable, bool serves>
-struct Choice {
-    using Type = Composition;
-};
-template <class Composition, class Portable>
-struct Choice<Composition, Portable, false> {
-    using Type = Portable;
-};
 template <class Composition, class Portable>
 struct Composed {
     template <class Raw, int F, class... Operands>
     static FIXEDPOINT_IN_PLACE Evaluation<Raw> apply(Operands... a) {
-        using Chosen = typename Choice<Composition, Portable,
-                                       sizeof(Raw) == 4 && F >= Composition::least_fraction &&
-                                           F <= Composition::most_fraction>::Type;
+        using Chosen =
+            typename Choice<Composition, Portable, Composition::template serves<Raw, F>()>::Type;
         return Chosen::template apply<Raw, F>(a...);
     }
 };

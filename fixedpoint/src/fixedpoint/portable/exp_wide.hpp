@@ -10,7 +10,8 @@ namespace fixedpoint {
 namespace portable {
 
 // e^(x 2^-40) 2^unit in units of 2^-32, rounded downward to 2^-8, within 2^-33 of itself and 2^-8;
-// 2^32 - 1 and no fraction from 2^32 on. Needs unit from 0 to 29.
+// 0 where x is below -24; 2^32 - 1 and no fraction from 2^32 on, or already from 0.9 2^32 on. Needs
+// unit from 0 to 29.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR uint64_t exp_wide(Raw x, uint8_t unit) {
     static_assert(sizeof(Raw) == 8 && F == 40, "The argument has 24 bits before the point.");

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fixbench blocks.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bench/experiments/blocks/measure_blocks.hpp"
+#include "bench/lab/program/build.hpp"
+#include "bench/lab/program/experiment.hpp"
+#include "bench/lab/records/record.hpp"
+
+namespace blocks {
+namespace {
+
+using records::column;
+
+// A row of blocks.csv.
+struct Row {
+    std::string block, format;
+    double cycles_mean;
+    std::uint32_t cycles_max;
+    double against_float;  // cycles, of those in binary32
+    std::uint32_t flash;
+    double max_error, rms_error;
+
+    static constexpr auto columns = std::tuple(
+        column("block", &Row::block), column("format", &Row::format),
+        column("cycles_mean", &Row::cycles_mean, "{:.1f}"), column("cycles_max", &Row::cycles_max),
+        column("cycles_against_float", &Row::against_float, "{:.2f}"),
+        column("flash_bytes", &Row::flash), column("max_error", &Row::max_error, "{:.3g}"),
+        column("rms_error", &Row::rms_error, "{:.3g}"));
+};
+
+int run(const std::filesystem::path& output) {
+    constexpr unsigned steps = 1000;
+    fixbench::build({"block_programs"});
+    const auto measurements = measure(steps);
+    std::vector<Row> rows;
+    bool held = true;
+    for (const Measurement& m : measurements) {
+        const auto in_float =
+            std::find_if(measurements.begin(), measurements.end(), [&](const Measurement& other) {
+                return other.block == m.block && other.format == "binary32";
+            });
+        rows.push_back({m.block, m.format, m.cycles_mean, m.cycles_max,
+                        m.cycles_mean / in_float->cycles_mean, m.flash, m.max_error, m.rms_error});
+        if (m.format != "binary32" && m.unlike_host != 0) {
+            fmt::print(stderr, "{} {}: {} of {} outputs are not the host's\n", m.block, m.format,
+                       m.unlike_host, m.outputs);
+            held = false;
+        }
+    }
+    records::table_of(rows).save(output / "blocks.csv");
+    return held ? fixbench::held : fixbench::check_failed;
+}
+
+const fixbench::Registration registration({
+    .name = "blocks",
+    .description =
+        "What the library's building blocks (PID, filters, tables, polynomials, complex numbers,\n"
+        "matrices, quaternions) cost on the chip in fixed point and in float: cycles a step, "
+        "flash\n"
+        "beside an empty program, and the error against a run in double. Fails where a result in\n"
+        "fixed point is not the host's. File: blocks.csv.\n\n"
+        "Example: fixbench blocks",
+    .prints = {"blocks.csv"},
+    .add = [](CLI::App&) { return [](const fixbench::Call& call) { return run(call.output); }; },
+    .steps = {{.name = "blocks",
+               .arguments = [](const fixbench::Mode& mode) -> std::vector<std::string> {
+                   return {"blocks", "--output", mode.data};
+               },
+               .writes = {"blocks.csv"},
+               .targets = {"block_programs"},
+               .reads = {BLOCK_PROGRAM_FOLDER},
+               .full_seconds = 4,
+               .quick_seconds = 4}},
+});
+
+}  // namespace
+}  // namespace blocks

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One block, BLOCK, of one format, NUMBER: step() takes what lies in `input` and leaves its results
+// in `output`. Without BLOCK it is the program that its flash is compared with.
+#ifdef BLOCK
+#include "../subjects.hpp"
+
+using Number = blocks::NUMBER;
+static blocks::BLOCK<Number> block;
+
+extern "C" {
+Number input[decltype(block)::inputs + 1], output[decltype(block)::outputs];
+__attribute__((noinline, used)) void step() { block.step(input, output); }
+}
+#endif
+
+int main() {
+    for (;;) {
+#ifdef BLOCK
+        step();
+#endif
+    }
+}
