@@ -233,8 +233,8 @@ class Recorded {
     static double to_double(Number x) {
         return static_cast<double>(x);
     }
-    template <int I, int F, class A>
-    static double to_double(Fixed<I, F, A> x) {
+    template <int IntegerBits, int F, class A>
+    static double to_double(Fixed<IntegerBits, F, A> x) {
         return to_float<double>(x);
     }
     template <class Number>
