@@ -60,22 +60,6 @@
     ret
     ENDFUNC fixedpoint_sincos_q16_16
 
-    ENTRY fixedpoint_sine_of_phase_q16_16
-    ldi b7, 0
-    .rept 2             // the quadrant
-    lsl r22
-    rol r23
-    rol r24
-    rol r25
-    rol b7
-    .endr
-    mov b4, r23
-    mov b5, r24
-    mov b6, r25
-    clr zero
-    rjmp .Lreduced
-    ENDFUNC fixedpoint_sine_of_phase_q16_16
-
     ENTRY fixedpoint_cos_q16_16
     ldi b7, 1
     rjmp .Lreduce
@@ -132,4 +116,21 @@
 
     quarter_turns_far
     ENDFUNC fixedpoint_sin_q16_16
+
+    // In a section of its own: sines of radians do not pay for it.
+    FUNCTION fixedpoint_sine_of_phase_q16_16
+    ldi b7, 0
+    .rept 2             // the quadrant
+    lsl r22
+    rol r23
+    rol r24
+    rol r25
+    rol b7
+    .endr
+    mov b4, r23
+    mov b5, r24
+    mov b6, r25
+    clr zero
+    XJMP .Lreduced
+    ENDFUNC fixedpoint_sine_of_phase_q16_16
 #endif

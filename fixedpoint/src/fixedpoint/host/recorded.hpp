@@ -233,16 +233,17 @@ class Recorded {
     static double to_double(Number x) {
         return static_cast<double>(x);
     }
-    template <int I, int F, class A>
-    static double to_double(Fixed<I, F, A> x) {
+    template <int IntegerBits, int F, class A>
+    static double to_double(Fixed<IntegerBits, F, A> x) {
         return to_float<double>(x);
     }
     template <class Number>
     static Number fused(Number a, Number b, Number c) {
         return a * b + c;
     }
-    template <int I, int F, class A>
-    static Fixed<I, F, A> fused(Fixed<I, F, A> a, Fixed<I, F, A> b, Fixed<I, F, A> c) {
+    template <int IntegerBits, int F, class A>
+    static Fixed<IntegerBits, F, A> fused(Fixed<IntegerBits, F, A> a, Fixed<IntegerBits, F, A> b,
+                                          Fixed<IntegerBits, F, A> c) {
         return fixedpoint::multiply_add(a, b, c);
     }
 

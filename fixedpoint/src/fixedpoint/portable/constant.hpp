@@ -4,7 +4,7 @@
 #pragma once
 
 #include <fixedpoint/builtin.hpp>
-#include <fixedpoint/portable/integer_operand.hpp>
+#include <fixedpoint/portable/convert.hpp>
 
 // C++20 evaluates such a function when it compiles or not at all. Before, an optimising compiler
 // refuses a call of what is left over; one that does not optimise stops the program there.
@@ -31,22 +31,26 @@ struct Constant {
 };
 template <class Raw, int F>
 struct Constant<Raw, F, BuiltinKind::integer> {
+    // In words that hold every integer: a call to what is not inlined would leave the refusal in.
     template <class Int>
     static FIXEDPOINT_CONSTEVAL Raw raw(Int n) {
-        return integer_fits<Raw, F>(n) ? scale<Raw, F>(n)
-                                       : static_cast<Raw>(the_format_does_not_hold_this_constant());
+        return (n < Int(1)
+                    ? static_cast<int64_t>(n) >= (RawLimits<Raw>::min >> F)
+                    : static_cast<uint64_t>(n) <= static_cast<uint64_t>(RawLimits<Raw>::max >> F))
+                   ? scale<Raw, F>(n)
+                   : static_cast<Raw>(the_format_does_not_hold_this_constant());
     }
 };
 template <class Raw, int F>
 struct Constant<Raw, F, BuiltinKind::floating_point> {
     // 2^bits
     template <class Float>
-    static constexpr Float power(int bits) {
+    static FIXEDPOINT_CONSTEVAL Float power(int bits) {
         return static_cast<Float>(uint64_t(1) << bits);
     }
     // floor(ulps + 1/2), from the integer next to ulps toward 0.
     template <class Float>
-    static constexpr int64_t rounded(Float ulps, int64_t whole) {
+    static FIXEDPOINT_CONSTEVAL int64_t rounded(Float ulps, int64_t whole) {
         return ulps - static_cast<Float>(whole) >= Float(0.5)   ? whole + 1
                : ulps - static_cast<Float>(whole) < -Float(0.5) ? whole - 1
                                                                 : whole;
