@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Exact integers for the tests whose numbers have any number of digits, as decimal text, or more than
-// twice 64; other tests are held against exact.hpp, which is compiled once.
+// Exact integers for the tests whose numbers have any number of digits, as decimal text, or more
+// than twice 64; other tests are held against exact.hpp, which is compiled once.
 #pragma once
 
 #include <boost/multiprecision/cpp_int.hpp>

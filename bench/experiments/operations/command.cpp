@@ -263,16 +263,16 @@ const fixbench::Registration verify({
                 return fixbench::check_failed;
             };
         },
-    .steps = {{.name = "verify",
-               .arguments = [](const Mode& mode) -> std::vector<std::string> {
-                   return {"verify", "--samples", mode.quick ? "2000" : "500000", "--output",
-                           mode.data};
-               },
-               .writes = {"kernels.csv"},
-               .targets = {"subjects"},
-               .reads = {device_folder},
-               .full_seconds = 1200,
-               .quick_seconds = 30}},
+    .steps =
+        {{.name = "verify",
+          .arguments = [](const Mode& mode) -> std::vector<std::string> {
+              return {"verify", "--samples", mode.quick ? "2000" : "500000", "--output", mode.data};
+          },
+          .writes = {"kernels.csv"},
+          .targets = {"subjects"},
+          .reads = {device_folder},
+          .full_seconds = 1200,
+          .quick_seconds = 30}},
 });
 
 const fixbench::Registration throughput({

@@ -17,7 +17,8 @@ struct CycleOptions {
     std::vector<std::filesystem::path> programs;
     std::filesystem::path output;  // folder for operations.csv, flash.csv and operations.json
     Selection selection;
-    std::uint64_t samples = 20000;  // of each random class, less where they take over measurement_cycles
+    std::uint64_t samples =
+        20000;  // of each random class, less where they take over measurement_cycles
     unsigned threads = 1;
 };
 

@@ -132,11 +132,11 @@ struct Checked : Nearest {
         Nearest::sincos<Raw, F>(angle, sine_and_cosine);
     }
     /// \cond internal Those of portable/elementary.hpp; their evaluation says what to tell.
-#define FIXEDPOINT_ELEMENTARY_FUNCTION(name, Function)                                      \
-    template <class Raw, int F, class... Operands>                                          \
-    static FIXEDPOINT_CONSTEXPR Raw name(Operands... operands) {                            \
+#define FIXEDPOINT_ELEMENTARY_FUNCTION(name, Function)                                    \
+    template <class Raw, int F, class... Operands>                                        \
+    static FIXEDPOINT_CONSTEXPR Raw name(Operands... operands) {                          \
         return watched(portable::Evaluated<kernel::Function, Raw, F>::apply(operands...), \
-                       Operation::name);                                                    \
+                       Operation::name);                                                  \
     }
     FIXEDPOINT_ELEMENTARY_FUNCTIONS(FIXEDPOINT_ELEMENTARY_FUNCTION)
 #undef FIXEDPOINT_ELEMENTARY_FUNCTION  /// \endcond

@@ -82,9 +82,9 @@ struct Nearest : Wrapping {
         return kernel::log<Raw, F>(a);
     }
     /// \cond internal Those of portable/elementary.hpp.
-#define FIXEDPOINT_ELEMENTARY_FUNCTION(name, Function)                                     \
-    template <class Raw, int F, class... Operands>                                         \
-    static constexpr Raw name(Operands... operands) {                                      \
+#define FIXEDPOINT_ELEMENTARY_FUNCTION(name, Function)                                   \
+    template <class Raw, int F, class... Operands>                                       \
+    static constexpr Raw name(Operands... operands) {                                    \
         return portable::Evaluated<kernel::Function, Raw, F>::apply(operands...).number; \
     }
     FIXEDPOINT_ELEMENTARY_FUNCTIONS(FIXEDPOINT_ELEMENTARY_FUNCTION)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The elementary functions that have no kernel of their own, X(name, class of its evaluation): the
-// arithmetics expand the list, and kernel/elementary.hpp says where kernels of others serve. Nothing
-// but templates: a program pays for those it calls.
+// arithmetics expand the list, and kernel/elementary.hpp says where kernels of others serve.
+// Nothing but templates: a program pays for those it calls.
 #pragma once
 
 #include <fixedpoint/portable/arc_sines.hpp>
