@@ -123,7 +123,7 @@ signed char axis_of(const Vector<Scalar, N>& normal) {
     for (unsigned char i = 0; i < N; ++i) {
         if (normal[i] == Scalar()) continue;
         if (axis != 0 || !(absolute(normal[i]) == one)) return 0;
-        // Not by `normal[i] < one`: beside the comparison above, avr-gcc 5.4 makes that <= of 64 bits.
+        // Not `normal[i] < one`: beside that comparison avr-gcc 5.4 makes it <=, of 64 bits.
         axis = static_cast<signed char>(normal[i] < Scalar() ? -i - 1 : i + 1);
     }
     return axis;
