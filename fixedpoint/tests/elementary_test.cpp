@@ -112,7 +112,8 @@ std::vector<std::array<int64_t, 2>> operand_pairs(exact::Format format, bool pai
                                  -1,
                                  one,
                                  -one,
-                                 one * 3 % exact::largest(format.width),
+                                 static_cast<int64_t>(uint64_t(one) * 3 %
+                                                      uint64_t(exact::largest(format.width))),
                                  numbers[random() % numbers.size()]};
         for (const int64_t b : edges) {
             if (b >= exact::smallest(format.width) && b <= exact::largest(format.width))
