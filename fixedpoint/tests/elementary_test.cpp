@@ -107,13 +107,14 @@ std::vector<std::array<int64_t, 2>> operand_pairs(exact::Format format, bool pai
             pairs.push_back({a, 0});
             continue;
         }
-        const int64_t edges[] = {0,
-                                 1,
-                                 -1,
-                                 one,
-                                 -one,
-                                 one * 3 % exact::largest(format.width),
-                                 numbers[random() % numbers.size()]};
+        const int64_t edges[] = {
+            0,
+            1,
+            -1,
+            one,
+            -one,
+            static_cast<int64_t>(uint64_t(one) * 3 % uint64_t(exact::largest(format.width))),
+            numbers[random() % numbers.size()]};
         for (const int64_t b : edges) {
             if (b >= exact::smallest(format.width) && b <= exact::largest(format.width))
                 pairs.push_back({a, b});

@@ -276,6 +276,9 @@ avrfix avrfix 1.1 - 2026-01-03 add q8_24 physics 9 1 0 9 -
                                                "that counts, the small tables are there.")
         self.assertEqual([(row["operation"], row["cycles_mean"]) for row in rivals.rows(made)], [("sqrt", 500), ("add", 10)])
         self.assertEqual(rivals.ours(made, "add"), (10, 65.536, 10))
+        compilers = golden(operations=OPERATIONS, rivals=self.RIVALS.replace("avrfix avrfix", "GCC gcc_accum"))
+        self.assertEqual({row["variant"] for row in rivals.judged(compilers)}, {"libfixmath", "gcc_accum"})
+        self.assertEqual({row["variant"] for row in rivals.comparable(compilers)}, {"libfixmath"})
         self.assertEqual(rivals.origins(made), "Measured: libfixmath at abc (2026-01-02); avrfix 1.1 (2026-01-03).")
         shown = [axes for axes in error_against_cycles.draw(made).axes if axes.axison]
         self.assertIn((500, 2 / 65536), [point for point, _ in points(shown[1])])
