@@ -179,8 +179,9 @@ void check_all(const std::vector<MixedSubject>& all) {
                 if (testing::Test::HasFatalFailure()) return;
             }
             // Quotients that are ties, and those beside them.
-            for (const int64_t n : {2 * a - 1, 2 * a, 2 * a + 1}) {
-                if (subject.integer_width == 64) check(subject, a, static_cast<uint64_t>(n));
+            const uint64_t twice = 2 * static_cast<uint64_t>(a);
+            for (const uint64_t n : {twice - 1, twice, twice + 1}) {
+                if (subject.integer_width == 64) check(subject, a, n);
             }
         }
     }
