@@ -112,7 +112,7 @@ void check(const MixedSubject& subject, int64_t a, uint64_t bits) {
                          n == 0 ? Int(a == 0  ? Int(0)
                                       : a < 0 ? low
                                               : high)
-                                : exact::nearest(n < 0 ? Int(-a) : Int(a), abs(n))};
+                                : exact::nearest(n < 0 ? -Int(a) : Int(a), abs(n))};
     for (int i = 0; i < operations; ++i) {
         const bool fits = exact[i] >= low && exact[i] <= high;
         const Int saturated = fits ? exact[i] : exact[i] < low ? low : high;
