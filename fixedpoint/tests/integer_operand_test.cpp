@@ -112,7 +112,7 @@ void check(const MixedSubject& subject, int64_t a, uint64_t bits) {
                          n == 0 ? Int(a == 0  ? Int(0)
                                       : a < 0 ? low
                                               : high)
-                                : exact::nearest(n < 0 ? Int(-a) : Int(a), abs(n))};
+                                : exact::nearest(n < 0 ? -Int(a) : Int(a), abs(n))};
     for (int i = 0; i < operations; ++i) {
         const bool fits = exact[i] >= low && exact[i] <= high;
         const Int saturated = fits ? exact[i] : exact[i] < low ? low : high;
@@ -179,8 +179,9 @@ void check_all(const std::vector<MixedSubject>& all) {
                 if (testing::Test::HasFatalFailure()) return;
             }
             // Quotients that are ties, and those beside them.
-            for (const int64_t n : {2 * a - 1, 2 * a, 2 * a + 1}) {
-                if (subject.integer_width == 64) check(subject, a, static_cast<uint64_t>(n));
+            const uint64_t twice = 2 * static_cast<uint64_t>(a);
+            for (const uint64_t n : {twice - 1, twice, twice + 1}) {
+                if (subject.integer_width == 64) check(subject, a, n);
             }
         }
     }

@@ -115,6 +115,8 @@ SplitJudge split_judge(const reference::Subject& subject) {
         subject.operand_format != subject.format ||
         subject.arithmetic != reference::Arithmetic::nearest)
         return nullptr;
+    // A turn of 2^64 and as many fraction bits would leave the 128 bits that bulk has.
+    if (subject.format.fraction > 62) return nullptr;
     switch (subject.format.width) {
         case 8:
             return of_width<8>(subject.operation);
