@@ -8,6 +8,7 @@
 
 #include <fixedpoint/kernel/assembly.hpp>
 #include <fixedpoint/kernel/table.hpp>
+#include <fixedpoint/portable/add_scaled.hpp>
 #include <fixedpoint/portable/atan.hpp>
 #include <fixedpoint/portable/atan2.hpp>
 #include <fixedpoint/portable/convert.hpp>
@@ -62,6 +63,12 @@ FIXEDPOINT_OPERATION(UNARY, log)
 FIXEDPOINT_OPERATION(UNARY, log_small)
 FIXEDPOINT_OPERATION(VECTORS, dot2)
 FIXEDPOINT_OPERATION(VECTORS, dot3)
+FIXEDPOINT_OPERATION(DIFFERENCE, dot_difference2)
+FIXEDPOINT_OPERATION(DIFFERENCE, dot_difference3)
+FIXEDPOINT_OPERATION(ADDITION, add_scaled2)
+FIXEDPOINT_OPERATION(ADDITION, add_scaled3)
+FIXEDPOINT_OPERATION(EXCHANGE, exchange2)
+FIXEDPOINT_OPERATION(EXCHANGE, exchange3)
 FIXEDPOINT_OPERATION(VECTOR, length2)
 FIXEDPOINT_OPERATION(VECTOR, length3)
 FIXEDPOINT_OPERATION(MAPPING, normalise3)
@@ -272,6 +279,45 @@ FIXEDPOINT_CONSTEXPR Raw dot2(const Raw* a, const Raw* b) {
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw dot3(const Raw* a, const Raw* b) {
     return portable::dot3<Raw, F>(a, b);
+}
+
+// The portable sentences, by the kernels of this format's dot product and products.
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw dot_difference2(const Raw* n, const Raw* u, const Raw* v) {
+    const Raw difference[2] = {wrapping_subtract(u[0], v[0]), wrapping_subtract(u[1], v[1])};
+    return dot2<Raw, F>(difference, n);
+}
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw dot_difference3(const Raw* n, const Raw* u, const Raw* v) {
+    const Raw difference[3] = {wrapping_subtract(u[0], v[0]), wrapping_subtract(u[1], v[1]),
+                               wrapping_subtract(u[2], v[2])};
+    return dot3<Raw, F>(difference, n);
+}
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR void add_scaled2(Raw* sum, const Raw* v, Raw factor) {
+    sum[0] = multiply_add<Raw, F>(v[0], factor, sum[0]);
+    sum[1] = multiply_add<Raw, F>(v[1], factor, sum[1]);
+}
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR void add_scaled3(Raw* sum, const Raw* v, Raw factor) {
+    add_scaled2<Raw, F>(sum, v, factor);
+    sum[2] = multiply_add<Raw, F>(v[2], factor, sum[2]);
+}
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR void exchange1(Raw* a, Raw* b, Raw v, Raw factor) {
+    const Raw product = multiply<Raw, F>(v, factor);
+    *a = wrapping_add(*a, product);
+    *b = wrapping_subtract(*b, product);
+}
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR void exchange2(Raw* a, Raw* b, const Raw* v, Raw factor) {
+    exchange1<Raw, F>(a, b, v[0], factor);
+    exchange1<Raw, F>(a + 1, b + 1, v[1], factor);
+}
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR void exchange3(Raw* a, Raw* b, const Raw* v, Raw factor) {
+    exchange2<Raw, F>(a, b, v, factor);
+    exchange1<Raw, F>(a + 2, b + 2, v[2], factor);
 }
 
 // The fraction bits cancel: a width has one length, the kernel of its square split, which rounds to

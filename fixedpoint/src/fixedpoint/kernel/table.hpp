@@ -30,6 +30,16 @@
 #define FIXEDPOINT_RESULT_MAPPING(Raw) void
 #define FIXEDPOINT_PARAMETERS_MAPPING(Raw) (const Raw* v, Raw* mapped)
 #define FIXEDPOINT_ARGUMENTS_MAPPING (v, mapped)
+// Of a vector and the difference of two; a vector times a factor into one sum, and into two.
+#define FIXEDPOINT_RESULT_DIFFERENCE(Raw) Raw
+#define FIXEDPOINT_PARAMETERS_DIFFERENCE(Raw) (const Raw* n, const Raw* u, const Raw* v)
+#define FIXEDPOINT_ARGUMENTS_DIFFERENCE (n, u, v)
+#define FIXEDPOINT_RESULT_ADDITION(Raw) void
+#define FIXEDPOINT_PARAMETERS_ADDITION(Raw) (Raw* sum, const Raw* v, Raw factor)
+#define FIXEDPOINT_ARGUMENTS_ADDITION (sum, v, factor)
+#define FIXEDPOINT_RESULT_EXCHANGE(Raw) void
+#define FIXEDPOINT_PARAMETERS_EXCHANGE(Raw) (Raw* a, Raw* b, const Raw* v, Raw factor)
+#define FIXEDPOINT_ARGUMENTS_EXCHANGE (a, b, v, factor)
 // A number times 2^unit, with digits behind the point.
 #define FIXEDPOINT_RESULT_SCALED(Raw) uint64_t
 #define FIXEDPOINT_PARAMETERS_SCALED(Raw) (Raw a, uint8_t unit)
@@ -186,6 +196,12 @@
     KERNEL(VECTORS, dot3, int32_t, 16, fixedpoint_dot3_q16_16, dot3) \
     KERNEL(VECTORS, dot3, int64_t, 32, fixedpoint_dot3_q32_32, dot3) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, VECTORS, dot3) \
+    KERNEL(DIFFERENCE, dot_difference2, int32_t, 16, fixedpoint_dot_difference2_q16_16, dot_difference2) \
+    KERNEL(DIFFERENCE, dot_difference3, int32_t, 16, fixedpoint_dot_difference3_q16_16, dot_difference3) \
+    KERNEL(ADDITION, add_scaled2, int32_t, 16, fixedpoint_add_scaled2_q16_16, add_scaled2) \
+    KERNEL(ADDITION, add_scaled3, int32_t, 16, fixedpoint_add_scaled3_q16_16, add_scaled3) \
+    KERNEL(EXCHANGE, exchange2, int32_t, 16, fixedpoint_exchange2_q16_16, exchange2) \
+    KERNEL(EXCHANGE, exchange3, int32_t, 16, fixedpoint_exchange3_q16_16, exchange3) \
     KERNEL(VECTOR, length2, int8_t, 4, fixedpoint_length2_q4_4, length2) \
     KERNEL(VECTOR, length2, int16_t, 8, fixedpoint_length2_q8_8, length2) \
     KERNEL(VECTOR, length2, int32_t, 16, fixedpoint_length2_q16_16, length2) \

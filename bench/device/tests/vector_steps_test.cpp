@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The kernels that change vectors in place, on the simulated chip, against exact arithmetic: any
+// operands, and those that the kernels take apart (components of unit vectors, their fractions 0).
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "bench/chip/simulator/device_function.hpp"
+#include "fixedpoint/tests/exact.hpp"
+
+namespace {
+
+using simulator::Chip;
+using simulator::DeviceFunction;
+using Vector = std::array<int32_t, 3>;
+
+constexpr int rounds = 10000;
+constexpr exact::Format q16_16{32, 16};
+
+int32_t product(int32_t a, int32_t b) {
+    return static_cast<int32_t>(exact::multiply_add(a, b, 0, q16_16).wrapped);
+}
+int32_t sum(int32_t a, int32_t b) {
+    return static_cast<int32_t>(static_cast<uint32_t>(a) + static_cast<uint32_t>(b));
+}
+int32_t difference(int32_t a, int32_t b) {
+    return static_cast<int32_t>(static_cast<uint32_t>(a) - static_cast<uint32_t>(b));
+}
+
+class VectorSteps : public testing::Test {
+  protected:
+    VectorSteps() {
+        chip_.run_until_function("main");
+        for (std::uint16_t& address : addresses_) address = chip_.allocate(sizeof(Vector));
+    }
+    // Any number, or 0, +-1 and numbers between, a few ulp off.
+    int32_t number() {
+        if (random_() % 2 == 0) return static_cast<int32_t>(any_[random_() % any_.size()]);
+        return 65536 * (static_cast<int32_t>(random_() % 3) - 1) +
+               (random_() % 2 == 0 ? static_cast<int32_t>(random_() % 3) - 1
+                                   : static_cast<int32_t>(random_() % 65536));
+    }
+    Vector vector() { return {number(), number(), number()}; }
+    std::uint16_t put(int index, const Vector& v) {
+        chip_.write(addresses_[index],
+                    {reinterpret_cast<const std::uint8_t*>(v.data()), sizeof v});
+        return addresses_[index];
+    }
+    Vector get(int index) const {
+        Vector v;
+        chip_.read(addresses_[index], {reinterpret_cast<std::uint8_t*>(v.data()), sizeof v});
+        return v;
+    }
+
+    Chip chip_{simulator::Elf(PROGRAM)};
+
+  private:
+    std::array<std::uint16_t, 3> addresses_{};
+    std::vector<std::int64_t> any_ = exact::raws(32);
+    std::mt19937_64 random_{16};
+};
+
+TEST_F(VectorSteps, DotDifferenceIsTheDotProductOfTheDifferenceRoundedOnce) {
+    DeviceFunction of_2(chip_, "fixedpoint_dot_difference2_q16_16", {4, {2, 2, 2}});
+    DeviceFunction of_3(chip_, "fixedpoint_dot_difference3_q16_16", {4, {2, 2, 2}});
+    for (int i = 0; i < rounds; ++i) {
+        const Vector n = vector(), u = vector(), v = vector();
+        const int64_t wide[3] = {n[0], n[1], n[2]};
+        const int64_t d[3] = {difference(u[0], v[0]), difference(u[1], v[1]),
+                              difference(u[2], v[2])};
+        const std::uint16_t at_n = put(0, n), at_u = put(1, u), at_v = put(2, v);
+        ASSERT_EQ(of_2(at_n, at_u, at_v).as<int32_t>(), exact::dot(wide, d, 2, q16_16).wrapped)
+            << i;
+        ASSERT_EQ(of_3(at_n, at_u, at_v).as<int32_t>(), exact::dot(wide, d, 3, q16_16).wrapped)
+            << i;
+    }
+}
+
+TEST_F(VectorSteps, AddScaledAddsTheRoundedProducts) {
+    for (const int n : {2, 3}) {
+        DeviceFunction add_scaled(
+            chip_, n == 2 ? "fixedpoint_add_scaled2_q16_16" : "fixedpoint_add_scaled3_q16_16",
+            {0, {2, 2, 4}});
+        for (int i = 0; i < rounds; ++i) {
+            const Vector v = vector();
+            Vector expected = vector();
+            const int32_t factor = number();
+            add_scaled(put(0, expected), put(1, v), factor);
+            for (int k = 0; k < n; ++k) expected[k] = sum(expected[k], product(v[k], factor));
+            ASSERT_EQ(get(0), expected) << n << " " << factor << " " << v[0] << " " << v[1];
+            ASSERT_EQ(get(1), v);
+        }
+    }
+}
+
+TEST_F(VectorSteps, ExchangeAddsTheRoundedProductsToOneAndTakesThemFromTheOther) {
+    for (const int n : {2, 3}) {
+        DeviceFunction exchange(
+            chip_, n == 2 ? "fixedpoint_exchange2_q16_16" : "fixedpoint_exchange3_q16_16",
+            {0, {2, 2, 2, 4}});
+        for (int i = 0; i < rounds; ++i) {
+            const Vector v = vector();
+            Vector a = vector(), b = vector();
+            const int32_t factor = number();
+            exchange(put(0, a), put(1, b), put(2, v), factor);
+            for (int k = 0; k < n; ++k) {
+                a[k] = sum(a[k], product(v[k], factor));
+                b[k] = difference(b[k], product(v[k], factor));
+            }
+            ASSERT_EQ(get(0), a) << n << " " << factor << " " << v[0] << " " << v[1];
+            ASSERT_EQ(get(1), b) << n << " " << factor << " " << v[0] << " " << v[1];
+            ASSERT_EQ(get(2), v);
+        }
+    }
+}
+
+}  // namespace

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// int32_t fixedpoint_dot_difference2_q16_16(const int32_t* n, const int32_t* u, const int32_t* v)
+// int32_t fixedpoint_dot_difference3_q16_16(const int32_t* n, const int32_t* u, const int32_t* v)
+// floor(sum n_i d_i / 2^16 + 1/2) modulo 2^32 of 2 or 3 components, with d_i = u_i - v_i modulo
+// 2^32, signed: one rounding.
+//
+// In       n = r25:r24, u = r23:r22, v = r21:r20, in RAM
+// Out      r25:r22
+// Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
+// Stack    10 bytes and a call
+//
+// The differences are a of short_factor_q16_16.inc, the components of n are b. Bytes 0..5 of the
+// sum, 2^48 being beyond the result, begin with the half that rounds.
+
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
+
+#include "short_factor_q16_16.inc"
+
+#define s0 r13
+#define q0 r10
+#define q1 r11
+#define count r12
+
+    .macro difference_byte a, instruction
+    ld \a, X+
+    ld r0, Y+
+    \instruction \a, r0
+    .endm
+
+    SECTION fixedpoint_dot_difference_q16_16
+    ENTRY fixedpoint_dot_difference2_q16_16
+    ldi r18, 2
+    rjmp .Lcomponents
+    ENDFUNC fixedpoint_dot_difference2_q16_16
+
+    ENTRY fixedpoint_dot_difference3_q16_16
+    ldi r18, 3
+.Lcomponents:
+    push q0
+    push q1
+    push count
+    push s0
+    push zero
+    push s1
+    push s4
+    push s5
+    push r28
+    push r29
+    mov count, r18
+    movw r30, r24
+    movw r26, r22
+    movw r28, r20
+    clr zero
+    clr s0
+    ldi r18, 0x80
+    mov s1, r18
+    clr s2
+    clr s3
+    movw s4, s2
+.Lcomponent:
+    difference_byte a0, sub
+    difference_byte a1, sbc
+    difference_byte a2, sbc
+    difference_byte a3, sbc
+    load_half_of_b .Lwhole_part
+    mul a1, b1
+    movw q0, r0
+    mul a0, b0
+    add s0, r0
+    adc s1, r1
+    adc s2, q0
+    adc s3, q1
+    adc s4, zero
+    adc s5, zero
+    mulsu a3, b1
+    movw q0, r0
+    mul a2, b0
+    add s2, r0
+    adc s3, r1
+    adc s4, q0
+    adc s5, q1
+    mulsu a3, b0
+    sbc s5, zero
+    movw q0, r0
+    mul a0, b1
+    add s1, r0
+    adc s2, r1
+    adc s3, q0
+    adc s4, q1
+    adc s5, zero
+    mul a2, b1
+    movw q0, r0
+    mul a1, b0
+    add s1, r0
+    adc s2, r1
+    adc s3, q0
+    adc s4, q1
+    adc s5, zero
+.Lwhole_part:
+    add_whole_part
+    dec count
+    breq 4f
+    rjmp .Lcomponent
+4:  movw r22, s2
+    movw r24, s4
+    pop r29
+    pop r28
+    pop s5
+    pop s4
+    pop s1
+    pop zero
+    pop s0
+    pop count
+    pop q1
+    pop q0
+    clr r1
+    ret
+    ENDFUNC fixedpoint_dot_difference3_q16_16
+
+#endif
