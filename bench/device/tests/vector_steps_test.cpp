@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <random>
+#include <string>
 #include <vector>
 
 #include "bench/chip/simulator/device_function.hpp"
@@ -63,19 +64,24 @@ class VectorSteps : public testing::Test {
     std::mt19937_64 random_{16};
 };
 
-TEST_F(VectorSteps, DotDifferenceIsTheDotProductOfTheDifferenceRoundedOnce) {
-    DeviceFunction of_2(chip_, "fixedpoint_dot_difference2_q16_16", {4, {2, 2, 2}});
-    DeviceFunction of_3(chip_, "fixedpoint_dot_difference3_q16_16", {4, {2, 2, 2}});
-    for (int i = 0; i < rounds; ++i) {
-        const Vector n = vector(), u = vector(), v = vector();
-        const int64_t wide[3] = {n[0], n[1], n[2]};
-        const int64_t d[3] = {difference(u[0], v[0]), difference(u[1], v[1]),
-                              difference(u[2], v[2])};
-        const std::uint16_t at_n = put(0, n), at_u = put(1, u), at_v = put(2, v);
-        ASSERT_EQ(of_2(at_n, at_u, at_v).as<int32_t>(), exact::dot(wide, d, 2, q16_16).wrapped)
-            << i;
-        ASSERT_EQ(of_3(at_n, at_u, at_v).as<int32_t>(), exact::dot(wide, d, 3, q16_16).wrapped)
-            << i;
+TEST_F(VectorSteps, ProjectIsTheDotProductAndDotDifferenceThatOfTheDifferenceRoundedOnce) {
+    for (const int n : {2, 3}) {
+        const std::string size = n == 2 ? "2_q16_16" : "3_q16_16";
+        DeviceFunction project(chip_, "fixedpoint_project" + size, {4, {2, 2}});
+        DeviceFunction dot_difference(chip_, "fixedpoint_dot_difference" + size, {4, {2, 2, 2}});
+        for (int i = 0; i < rounds; ++i) {
+            const Vector a = vector(), u = vector(), v = vector();
+            const int64_t wide_a[3] = {a[0], a[1], a[2]}, wide_u[3] = {u[0], u[1], u[2]};
+            const int64_t d[3] = {difference(u[0], v[0]), difference(u[1], v[1]),
+                                  difference(u[2], v[2])};
+            const std::uint16_t at_a = put(0, a), at_u = put(1, u), at_v = put(2, v);
+            ASSERT_EQ(project(at_a, at_u).as<int32_t>(),
+                      exact::dot(wide_a, wide_u, n, q16_16).wrapped)
+                << n << " " << i;
+            ASSERT_EQ(dot_difference(at_a, at_u, at_v).as<int32_t>(),
+                      exact::dot(wide_a, d, n, q16_16).wrapped)
+                << n << " " << i;
+        }
     }
 }
 

@@ -16,7 +16,7 @@ namespace engine {
 /// A rod makes a row in every step, since it bounds velocities even where its length is right. Ends
 /// at one place are reported: the rod has no direction there.
 template <class World, class Scalar, class Ends, class TimeStep>
-void constrain(const Rod<Scalar, Ends>& rod, World& world, TimeStep dt) {
+ENGINE_INLINE void constrain(const Rod<Scalar, Ends>& rod, World& world, TimeStep dt) {
     observe<Scalar>(Quantity::rod);
     const auto difference = rod.ends.difference(world);
     const Scalar distance = length(difference);
@@ -27,7 +27,7 @@ void constrain(const Rod<Scalar, Ends>& rod, World& world, TimeStep dt) {
 
 /// A rope makes a row where it is taut or too long.
 template <class World, class Scalar, class Ends, class TimeStep>
-void constrain(const Rope<Scalar, Ends>& rope, World& world, TimeStep dt) {
+ENGINE_INLINE void constrain(const Rope<Scalar, Ends>& rope, World& world, TimeStep dt) {
     observe<Scalar>(Quantity::rope);
     const auto difference = rope.ends.difference(world);
     const Scalar distance = length(difference);

@@ -22,7 +22,7 @@ void apply(const Spring<Scalar, Ends>& spring, World& world) {
     Scalar tension = spring.stiffness * (distance - spring.rest_length);
     if (!(spring.damping == Scalar())) {
         tension = engine::multiply_add(spring.damping,
-                                       dot(relative_velocity(world, a, b), direction), tension);
+                                       velocity_along(world, a, b, direction), tension);
     }
     const auto force = direction * tension;
     world.step_particles()[a].force -= force;

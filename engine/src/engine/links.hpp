@@ -145,4 +145,13 @@ ENGINE_INLINE typename World::Vector relative_velocity(const World& world, Index
     return velocity;
 }
 
+/// The velocity of a against b, which may be nothing, along a direction.
+template <class World, class Index, class Vector>
+ENGINE_INLINE typename World::Scalar velocity_along(const World& world, Index a, Index b,
+                                                    const Vector& direction) {
+    const Vector& velocity = world.particles()[a].velocity;
+    if (!is_particle(world, b)) return dot(direction, velocity);
+    return dot_difference(direction, velocity, world.particles()[b].velocity);
+}
+
 }  // namespace engine

@@ -107,6 +107,15 @@ template <int N, int I, int F, class A>
 Compound<I, F, A> dot(const Fixed<I, F, A>* a, const Fixed<I, F, A>* b) {
     return N == 2 ? fixedpoint::dot2(a, b) : fixedpoint::dot3(a, b);
 }
+// In an engine the first factor is mostly a direction.
+template <int N, int I, int F>
+ENGINE_INLINE Fixed<I, F, fixedpoint::Nearest> dot(const Fixed<I, F, fixedpoint::Nearest>* a,
+                                                   const Fixed<I, F, fixedpoint::Nearest>* b) {
+    using Number = Fixed<I, F, fixedpoint::Nearest>;
+    using Raw = typename Number::Raw;
+    return Number::from_raw(N == 2 ? fixedpoint::kernel::project2<Raw, F>(raws(a), raws(b))
+                                   : fixedpoint::kernel::project3<Raw, F>(raws(a), raws(b)));
+}
 template <int N, int I, int F, class A>
 Compound<I, F, A> length(const Fixed<I, F, A>* v) {
     return N == 2 ? fixedpoint::length2(v) : fixedpoint::length3(v);
@@ -147,5 +156,67 @@ template <class Scalar>
 ENGINE_INLINE constexpr Scalar multiply_add(Scalar a, Scalar b, Scalar c) {
     return MultiplyAdd<Scalar>::of(a, b, c);
 }
+
+
+/// Adds v factor to a vector of N components, each component rounded once where the scalar can.
+template <int N, class Scalar>
+ENGINE_INLINE void add_scaled(Scalar* sum, const Scalar* v, Scalar factor) {
+    for (unsigned char i = 0; i < N; ++i) {
+        sum[i] = engine::multiply_add(v[i], factor, sum[i]);
+    }
+}
+/// Adds v factor to a, and takes the same product from b: a + b stays as it is, to the bit where
+/// the scalar's sums are exact.
+template <int N, class Scalar>
+ENGINE_INLINE void exchange(Scalar* a, Scalar* b, const Scalar* v, Scalar factor) {
+    for (unsigned char i = 0; i < N; ++i) {
+        const Scalar product = v[i] * factor;
+        a[i] += product;
+        b[i] -= product;
+    }
+}
+/// The dot product of n and u - v.
+template <int N, class Scalar>
+ENGINE_INLINE Scalar dot_difference(const Scalar* n, const Scalar* u, const Scalar* v) {
+    Scalar difference[N];
+    for (unsigned char i = 0; i < N; ++i) difference[i] = u[i] - v[i];
+    return dot<N>(difference, n);
+}
+/// \cond internal
+// The default arithmetic has these in its kernels.
+template <int N, int I, int F>
+ENGINE_INLINE void add_scaled(Fixed<I, F, fixedpoint::Nearest>* sum,
+                              const Fixed<I, F, fixedpoint::Nearest>* v,
+                              Fixed<I, F, fixedpoint::Nearest> factor) {
+    using Raw = typename Fixed<I, F, fixedpoint::Nearest>::Raw;
+    if (N == 2) {
+        fixedpoint::kernel::add_scaled2<Raw, F>(raws(sum), raws(v), factor.raw());
+    } else {
+        fixedpoint::kernel::add_scaled3<Raw, F>(raws(sum), raws(v), factor.raw());
+    }
+}
+template <int N, int I, int F>
+ENGINE_INLINE void exchange(Fixed<I, F, fixedpoint::Nearest>* a,
+                            Fixed<I, F, fixedpoint::Nearest>* b,
+                            const Fixed<I, F, fixedpoint::Nearest>* v,
+                            Fixed<I, F, fixedpoint::Nearest> factor) {
+    using Raw = typename Fixed<I, F, fixedpoint::Nearest>::Raw;
+    if (N == 2) {
+        fixedpoint::kernel::exchange2<Raw, F>(raws(a), raws(b), raws(v), factor.raw());
+    } else {
+        fixedpoint::kernel::exchange3<Raw, F>(raws(a), raws(b), raws(v), factor.raw());
+    }
+}
+template <int N, int I, int F>
+ENGINE_INLINE Fixed<I, F, fixedpoint::Nearest> dot_difference(
+    const Fixed<I, F, fixedpoint::Nearest>* n, const Fixed<I, F, fixedpoint::Nearest>* u,
+    const Fixed<I, F, fixedpoint::Nearest>* v) {
+    using Number = Fixed<I, F, fixedpoint::Nearest>;
+    using Raw = typename Number::Raw;
+    return Number::from_raw(
+        N == 2 ? fixedpoint::kernel::dot_difference2<Raw, F>(raws(n), raws(u), raws(v))
+               : fixedpoint::kernel::dot_difference3<Raw, F>(raws(n), raws(u), raws(v)));
+}
+/// \endcond
 
 }  // namespace engine

@@ -7,46 +7,61 @@
 
 namespace engine {
 
-// i_a / (i_a + i_b) of the inverse masses, where both can move; else 0, which apply_shared() does
-// not read.
+// Whether the particle a can move, or b, which may be nothing.
+template <class World, class Index>
+bool either_moves(const World& world, Index a, Index b) {
+    return movable(world.particles()[a]) ||
+           (is_particle(world, b) && movable(world.particles()[b]));
+}
+
+// The part of a change that a takes: i_a / (i_a + i_b) of the inverse masses. b takes the rest.
+// Needs one that can move.
 template <class World, class Index>
 typename World::Scalar mass_share(const World& world, Index a, Index b) {
     using Scalar = typename World::Scalar;
-    if (!is_particle(world, b)) return Scalar();
+    const Scalar one = Decimal<1, 0>();
+    if (!is_particle(world, b)) return one;
     const Scalar of_a = world.particles()[a].inverse_mass;
     const Scalar of_b = world.particles()[b].inverse_mass;
-    if (of_a == Scalar() || of_b == Scalar()) return Scalar();
+    if (of_b == Scalar()) return one;
+    if (of_a == Scalar()) return Scalar();
     if (of_a == of_b) return Decimal<5, 1>();  // as the quotient, without a division
     const Scalar sum = saturating_sum(of_a, of_b);
     if (sum - of_a == of_b) return of_a / sum;
     return half(of_a) / (half(of_a) + half(of_b));  // where the sum leaves the format
 }
 
-template <class World, class Index, class Vector, class Scalar>
-void apply_shared_to_two(World& world, Index a, Index b, const Vector& direction, Scalar change,
-                         Scalar share, Vector World::Particle::*quantity) {
-    auto& first = world.step_particles()[a];
-    const bool moves_first = movable(first);
-    if (is_particle(world, b) && movable(world.step_particles()[b])) {
-        const Scalar of_first = moves_first ? change * share : Scalar();
-        (world.step_particles()[b].*quantity).add_scaled(direction, of_first - change);
-        change = of_first;
-    }
-    if (moves_first) (first.*quantity).add_scaled(direction, change);
+// Of two of different mass.
+template <class Vector, class Scalar>
+void share_between(Vector& of_a, Vector& of_b, const Vector& direction, Scalar change,
+                   Scalar share) {
+    const Scalar part = change * share;
+    if (!(part == Scalar())) of_a.add_scaled(direction, part);
+    if (!(part == change)) of_b.add_scaled(direction, part - change);
 }
 
 // Changes `quantity`, &Particle::position or &Particle::velocity, of a relative to b by `change`
 // along `direction`, which points from b to a; b may be nothing. `share` must be mass_share(world,
-// a, b).
+// a, b), and one of them must move. Two of equal mass take the same product, so that their sum, the
+// momentum, stays to the bit: a change of an ulp may be none. Returns whether there was one.
 template <class World, class Index, class Vector, class Scalar>
-ENGINE_INLINE void apply_shared(World& world, Index a, Index b, const Vector& direction,
+ENGINE_INLINE bool apply_shared(World& world, Index a, Index b, const Vector& direction,
                                 Scalar change, Scalar share, Vector World::Particle::*quantity) {
-    auto& first = world.step_particles()[a];
-    if (World::has_pairs) {
-        apply_shared_to_two(world, a, b, direction, change, share, quantity);
-    } else if (movable(first)) {
-        (first.*quantity).add_scaled(direction, change);
+    Vector& of_a = world.step_particles()[a].*quantity;
+    if (!is_particle(world, b)) {
+        of_a.add_scaled(direction, change);
+        return true;
     }
+    Vector& of_b = world.step_particles()[b].*quantity;
+    const Scalar one_half = Decimal<5, 1>();
+    if (!(share == one_half)) {
+        share_between(of_a, of_b, direction, change, share);
+        return true;
+    }
+    const Scalar part = change * BinaryStep<1>();
+    if (part == Scalar()) return false;
+    exchange(of_a, of_b, direction, part);
+    return true;
 }
 
 }  // namespace engine

@@ -84,9 +84,7 @@ struct Vector {
     }
     /// this + b factor, each component rounded once.
     ENGINE_INLINE Vector& add_scaled(const Vector& b, Scalar factor) {
-        for_components<N>([&](unsigned char i) ENGINE_INLINE_LAMBDA {
-            component[i] = engine::multiply_add(b[i], factor, component[i]);
-        });
+        engine::add_scaled<N>(component, b.component, factor);
         return *this;
     }
 
@@ -137,6 +135,20 @@ ENGINE_INLINE Scalar dot(const Vector<Scalar, N>& a, const Vector<Scalar, N>& b)
     return dot<N>(a.component, b.component);
 }
 
+/// Adds v factor to a, and takes the same product from b.
+template <class Scalar, int N>
+ENGINE_INLINE void exchange(Vector<Scalar, N>& a, Vector<Scalar, N>& b, const Vector<Scalar, N>& v,
+                            Scalar factor) {
+    exchange<N>(a.component, b.component, v.component, factor);
+}
+
+/// dot(n, u - v), in fixed point rounded once.
+template <class Scalar, int N>
+ENGINE_INLINE Scalar dot_difference(const Vector<Scalar, N>& n, const Vector<Scalar, N>& u,
+                                    const Vector<Scalar, N>& v) {
+    return dot_difference<N>(n.component, u.component, v.component);
+}
+
 /// |v|^2. Overflows where the square does: see length.
 template <class Scalar, int N>
 Scalar squared_length(const Vector<Scalar, N>& v) {
@@ -157,7 +169,7 @@ Vector<Scalar, N> normalise(const Vector<Scalar, N>& v) {
 
 /// v / divisor; the zero vector where the divisor is zero.
 template <class Scalar, int N>
-Vector<Scalar, N> divided(const Vector<Scalar, N>& v, Scalar divisor) {
+ENGINE_INLINE Vector<Scalar, N> divided(const Vector<Scalar, N>& v, Scalar divisor) {
     if (divisor == Scalar()) return {};
     Vector<Scalar, N> quotient(v);
     for_components<N>([&](unsigned char i) ENGINE_INLINE_LAMBDA { quotient[i] /= divisor; });

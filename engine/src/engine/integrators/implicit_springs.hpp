@@ -64,11 +64,12 @@ struct ImplicitSprings {
         observe<Scalar>(Quantity::spring_force);
         const auto a = spring.ends.a;
         const auto b = spring.ends.second();
+        if (!either_moves(world, a, b)) return;
         const auto difference = spring.ends.difference(world);
         const Scalar distance = length(difference);
         if (distance == Scalar()) return;
         const auto direction = divided(difference, distance);
-        const Scalar velocity = dot(relative_velocity(world, a, b), direction);
+        const Scalar velocity = velocity_along(world, a, b, direction);
         const Scalar mobility = inverse_mass_sum(world, a, b);
         const Scalar push = spring.stiffness * dt;
         const Scalar s = saturating_product(mobility, push);

@@ -56,7 +56,7 @@ struct DirectRods : ProjectedGaussSeidel<1> {
         auto& rows = world.step_rows();
         for (auto& row : rows) {
             row.pivot = Decimal<1, 0>();
-            row.change = row.target - dot(relative_velocity(world, row.a, row.b), row.normal);
+            row.change = row.target - velocity_along(world, row.a, row.b, row.normal);
             couple(world, row);
         }
         eliminate(rows);

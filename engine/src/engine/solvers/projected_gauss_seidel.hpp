@@ -112,7 +112,7 @@ struct ProjectedGaussSeidel {
     template <class World, class Index, class Vector, class Scalar, class TimeStep>
     static void contact(World& world, Index a, Index b, const Vector& normal, Scalar penetration,
                         Scalar restitution, TimeStep dt) {
-        const Scalar closing = -dot(relative_velocity(world, a, b), normal);
+        const Scalar closing = -velocity_along(world, a, b, normal);
         Scalar target = Scalar();
         Scalar correction = penetration;
         if (closing > world.restitution_threshold()) {
@@ -129,15 +129,17 @@ struct ProjectedGaussSeidel {
         for (unsigned char i = 0; i < max_iterations; ++i) {
             bool changed = false;
             world.rows().for_each(SolveRow<World>{world, changed});
-            if (!changed || world.rows().size() == 1) break;
+            if (!changed || World::max_rows == 1 || world.rows().size() == 1) break;
         }
     }
 
   protected:
     // Moves a from b by `correction` at once, and appends the row that solves their velocities.
+    // Nothing where neither can move.
     template <class World, class Index, class Vector, class Scalar>
     static void bind(World& world, Index a, Index b, bool pushes_only, const Vector& normal,
                      Scalar correction, Scalar target, Scalar restitution) {
+        if (!either_moves(world, a, b)) return;
         const Scalar share = mass_share(world, a, b);
         if (!(correction == Scalar())) {
             apply_shared(world, a, b, normal, correction, share, &World::Particle::position);
@@ -168,14 +170,13 @@ struct ProjectedGaussSeidel {
     template <class World, class Row>
     static bool solve_row(World& world, const Row& row) {
         using Scalar = typename World::Scalar;
-        const Scalar velocity = dot(relative_velocity(world, row.a, row.b), row.normal);
+        const Scalar velocity = velocity_along(world, row.a, row.b, row.normal);
         Scalar goal = row.target;
         if (!row.acts(world, velocity, goal)) return false;
         const Scalar change = goal - velocity;
         if (change == Scalar()) return false;
-        apply_shared(world, row.a, row.b, row.normal, change, row.share(),
-                     &World::Particle::velocity);
-        return true;
+        return apply_shared(world, row.a, row.b, row.normal, change, row.share(),
+                            &World::Particle::velocity);
     }
 
     // h w^2 / 2L through the half-step displacement, which stays in range where w^2 does not.

@@ -69,12 +69,12 @@ struct WarmStartedGaussSeidel : ProjectedGaussSeidel<max_iterations> {
   private:
     template <class World, class Row>
     static typename World::Scalar velocity_of(const World& world, const Row& row) {
-        return dot(relative_velocity(world, row.a, row.b), row.normal);
+        return velocity_along(world, row.a, row.b, row.normal);
     }
     template <class World, class Row, class Scalar>
-    static void apply(World& world, const Row& row, Scalar change) {
-        apply_shared(world, row.a, row.b, row.normal, change, row.share(),
-                     &World::Particle::velocity);
+    static bool apply(World& world, const Row& row, Scalar change) {
+        return apply_shared(world, row.a, row.b, row.normal, change, row.share(),
+                            &World::Particle::velocity);
     }
 
     // Before anything of the step is applied: the velocity that the row asks for, and what it
@@ -98,8 +98,9 @@ struct WarmStartedGaussSeidel : ProjectedGaussSeidel<max_iterations> {
         row.change += row.target - velocity_of(world, row);
         if (row.only_pushes() && row.change < Scalar()) row.change = Scalar();
         if (row.change == before) return false;
-        apply(world, row, row.change - before);
-        return true;
+        if (apply(world, row, row.change - before)) return true;
+        row.change = before;
+        return false;
     }
 };
 

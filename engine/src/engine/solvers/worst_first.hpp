@@ -62,7 +62,7 @@ struct WorstFirst {
             Scalar worst_velocity = Scalar();
             Scalar worst_penetration = Scalar();
             for (const auto& row : world.rows()) {
-                const Scalar velocity = dot(relative_velocity(world, row.a, row.b), row.normal);
+                const Scalar velocity = velocity_along(world, row.a, row.b, row.normal);
                 const Scalar penetration =
                     row.penetration - dot(displacement(world, row.a, row.b), row.normal);
                 if (!(velocity < -closing_epsilon) && !(penetration > slop)) continue;

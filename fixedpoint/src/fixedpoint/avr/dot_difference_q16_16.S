@@ -4,9 +4,13 @@
 // floor(sum n_i d_i / 2^16 + 1/2) modulo 2^32 of 2 or 3 components, with d_i = u_i - v_i modulo
 // 2^32, signed: one rounding.
 //
+// int32_t fixedpoint_project2_q16_16(const int32_t* n, const int32_t* u)
+// int32_t fixedpoint_project3_q16_16(const int32_t* n, const int32_t* u)
+// The same with d_i = u_i: the dot product, in less time where n is a unit vector.
+//
 // In       n = r25:r24, u = r23:r22, v = r21:r20, in RAM
 // Out      r25:r22
-// Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
+// Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
 // Stack    10 bytes and a call
 //
 // The differences are a of short_factor_q16_16.inc, the components of n are b. Bytes 0..5 of the
@@ -22,20 +26,33 @@
 #define q1 r11
 #define count r12
 
-    .macro difference_byte a, instruction
-    ld \a, X+
+    .macro subtract_byte a, instruction
     ld r0, Y+
     \instruction \a, r0
     .endm
 
     SECTION fixedpoint_dot_difference_q16_16
+    ENTRY fixedpoint_project2_q16_16
+    ldi r18, 2
+    clt
+    rjmp .Lcomponents
+    ENDFUNC fixedpoint_project2_q16_16
+
+    ENTRY fixedpoint_project3_q16_16
+    ldi r18, 3
+    clt
+    rjmp .Lcomponents
+    ENDFUNC fixedpoint_project3_q16_16
+
     ENTRY fixedpoint_dot_difference2_q16_16
     ldi r18, 2
+    set
     rjmp .Lcomponents
     ENDFUNC fixedpoint_dot_difference2_q16_16
 
     ENTRY fixedpoint_dot_difference3_q16_16
     ldi r18, 3
+    set
 .Lcomponents:
     push q0
     push q1
@@ -59,10 +76,16 @@
     clr s3
     movw s4, s2
 .Lcomponent:
-    difference_byte a0, sub
-    difference_byte a1, sbc
-    difference_byte a2, sbc
-    difference_byte a3, sbc
+    ld a0, X+
+    ld a1, X+
+    ld a2, X+
+    ld a3, X+
+    brtc .Lfraction
+    subtract_byte a0, sub
+    subtract_byte a1, sbc
+    subtract_byte a2, sbc
+    subtract_byte a3, sbc
+.Lfraction:
     load_half_of_b .Lwhole_part
     mul a1, b1
     movw q0, r0

@@ -63,6 +63,8 @@ FIXEDPOINT_OPERATION(UNARY, log)
 FIXEDPOINT_OPERATION(UNARY, log_small)
 FIXEDPOINT_OPERATION(VECTORS, dot2)
 FIXEDPOINT_OPERATION(VECTORS, dot3)
+FIXEDPOINT_OPERATION(VECTORS, project2)
+FIXEDPOINT_OPERATION(VECTORS, project3)
 FIXEDPOINT_OPERATION(DIFFERENCE, dot_difference2)
 FIXEDPOINT_OPERATION(DIFFERENCE, dot_difference3)
 FIXEDPOINT_OPERATION(ADDITION, add_scaled2)
@@ -279,6 +281,16 @@ FIXEDPOINT_CONSTEXPR Raw dot2(const Raw* a, const Raw* b) {
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw dot3(const Raw* a, const Raw* b) {
     return portable::dot3<Raw, F>(a, b);
+}
+
+// dot2 and dot3, where a is mostly a unit vector.
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw project2(const Raw* a, const Raw* b) {
+    return dot2<Raw, F>(a, b);
+}
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw project3(const Raw* a, const Raw* b) {
+    return dot3<Raw, F>(a, b);
 }
 
 // The portable sentences, by the kernels of this format's dot product and products.

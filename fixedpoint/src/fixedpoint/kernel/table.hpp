@@ -196,6 +196,8 @@
     KERNEL(VECTORS, dot3, int32_t, 16, fixedpoint_dot3_q16_16, dot3) \
     KERNEL(VECTORS, dot3, int64_t, 32, fixedpoint_dot3_q32_32, dot3) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, VECTORS, dot3) \
+    KERNEL(VECTORS, project2, int32_t, 16, fixedpoint_project2_q16_16, dot2) \
+    KERNEL(VECTORS, project3, int32_t, 16, fixedpoint_project3_q16_16, dot3) \
     KERNEL(DIFFERENCE, dot_difference2, int32_t, 16, fixedpoint_dot_difference2_q16_16, dot_difference2) \
     KERNEL(DIFFERENCE, dot_difference3, int32_t, 16, fixedpoint_dot_difference3_q16_16, dot_difference3) \
     KERNEL(ADDITION, add_scaled2, int32_t, 16, fixedpoint_add_scaled2_q16_16, add_scaled2) \

@@ -16,9 +16,15 @@ FIXEDPOINT_CONSTEXPR Raw scale_down_plain(Raw a) {
 }
 
 #if defined(__AVR__) && !defined(__clang__)
-// Whole bytes first, then bit by bit: left to itself the compiler shifts in a loop of K rounds.
+// Whole bytes first, then bit by bit: left to itself the compiler shifts in a loop of K rounds. Of
+// whole bytes only, the top bit of the last byte that goes rounds.
 template <int K, class Raw>
 inline Raw scale_down_by_bytes(Raw a) {
+    if (K % 8 == 0) {
+        const bool up = (static_cast<uint8_t>(a >> (K < 8 ? 0 : K - 8)) & 0x80) != 0;
+        a = static_cast<Raw>(a >> K);
+        return up ? static_cast<Raw>(a + 1) : a;
+    }
     constexpr unsigned char bits = K - 1;
     a = static_cast<Raw>(a >> (bits / 8 * 8));
     for (unsigned char i = 0; i < bits % 8; ++i) {
