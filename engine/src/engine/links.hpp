@@ -15,6 +15,14 @@ constexpr Index nothing() {
     return static_cast<Index>(-1);
 }
 
+/// \cond internal
+// An index that is not nothing: the compiler drops what is for nothing.
+template <class Index>
+constexpr Index certain(Index index) {
+    return index != nothing<Index>() ? index : (__builtin_unreachable(), index);
+}
+/// \endcond
+
 /// The ends are the particles a and b.
 template <class Vector, class Index>
 struct Between {
@@ -24,7 +32,7 @@ struct Between {
     /// @}
 
     /// \cond internal
-    constexpr Index second() const { return b; }
+    constexpr Index second() const { return certain(b); }
     template <class World>
     constexpr Vector difference(const World& world) const {
         return world.particles()[a].position - world.particles()[b].position;

@@ -160,7 +160,7 @@ ENGINE_INLINE constexpr Scalar multiply_add(Scalar a, Scalar b, Scalar c) {
 
 /// Adds v factor to a vector of N components, each component rounded once where the scalar can.
 template <int N, class Scalar>
-ENGINE_INLINE void add_scaled(Scalar* sum, const Scalar* v, Scalar factor) {
+void add_scaled(Scalar* sum, const Scalar* v, Scalar factor) {
     for (unsigned char i = 0; i < N; ++i) {
         sum[i] = engine::multiply_add(v[i], factor, sum[i]);
     }
@@ -168,7 +168,7 @@ ENGINE_INLINE void add_scaled(Scalar* sum, const Scalar* v, Scalar factor) {
 /// Adds v factor to a, and takes the same product from b: a + b stays as it is, to the bit where
 /// the scalar's sums are exact.
 template <int N, class Scalar>
-ENGINE_INLINE void exchange(Scalar* a, Scalar* b, const Scalar* v, Scalar factor) {
+void exchange(Scalar* a, Scalar* b, const Scalar* v, Scalar factor) {
     for (unsigned char i = 0; i < N; ++i) {
         const Scalar product = v[i] * factor;
         a[i] += product;
@@ -177,7 +177,7 @@ ENGINE_INLINE void exchange(Scalar* a, Scalar* b, const Scalar* v, Scalar factor
 }
 /// The dot product of n and u - v.
 template <int N, class Scalar>
-ENGINE_INLINE Scalar dot_difference(const Scalar* n, const Scalar* u, const Scalar* v) {
+Scalar dot_difference(const Scalar* n, const Scalar* u, const Scalar* v) {
     Scalar difference[N];
     for (unsigned char i = 0; i < N; ++i) difference[i] = u[i] - v[i];
     return dot<N>(difference, n);

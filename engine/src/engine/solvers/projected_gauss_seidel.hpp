@@ -134,16 +134,13 @@ struct ProjectedGaussSeidel {
     }
 
   protected:
-    // Moves a from b by `correction` at once, and appends the row that solves their velocities.
-    // Nothing where neither can move.
+    // Appends the row that solves the velocities of a and b, and moves a from b by `correction` at
+    // once. Nothing where neither can move, or where there is no room for the row.
     template <class World, class Index, class Vector, class Scalar>
     static void bind(World& world, Index a, Index b, bool pushes_only, const Vector& normal,
                      Scalar correction, Scalar target, Scalar restitution) {
         if (!either_moves(world, a, b)) return;
         const Scalar share = mass_share(world, a, b);
-        if (!(correction == Scalar())) {
-            apply_shared(world, a, b, normal, correction, share, &World::Particle::position);
-        }
         world.append_row([&](Row<World>& row) ENGINE_INLINE_LAMBDA {
             row.a = a;
             row.b = b;
@@ -151,6 +148,8 @@ struct ProjectedGaussSeidel {
             row.target = target;
             row.set_share(share);
             row.set_pushing(pushes_only, restitution);
+            if (correction == Scalar()) return;
+            apply_shared(world, a, b, row.normal, correction, share, &World::Particle::position);
         });
     }
     /// \endcond
@@ -179,13 +178,17 @@ struct ProjectedGaussSeidel {
                             &World::Particle::velocity);
     }
 
-    // h w^2 / 2L through the half-step displacement, which stays in range where w^2 does not.
+    // h w^2 / 2L of the velocity w of a against b.
     template <class World, class Index, class Scalar, class TimeStep>
     static Scalar chord_velocity(const World& world, Index a, Index b, Scalar length, TimeStep dt) {
-        const auto velocity = relative_velocity(world, a, b);
-        auto displacement = velocity;
-        displacement *= half(dt);
-        return dot(displacement, velocity) / length;
+        const auto& velocity = world.particles()[a].velocity;
+        if (!is_particle(world, b)) return chord_velocity(velocity, length, dt);
+        return chord_velocity(velocity - world.particles()[b].velocity, length, dt);
+    }
+    // Through the half-step displacement, which stays in range where w^2 does not.
+    template <class Vector, class Scalar, class TimeStep>
+    static Scalar chord_velocity(const Vector& velocity, Scalar length, TimeStep dt) {
+        return dot(velocity * half(dt), velocity) / length;
     }
 };
 
