@@ -133,8 +133,10 @@ struct Model {
     }
 
     void add_row(Row row, double correction) {
-        if (solver == Solver::gauss_seidel)
+        if (solver == Solver::gauss_seidel) {
+            if (inverse(row.a) + inverse(row.b) == 0) return;  // nothing can move
             shift(row.a, row.b, row.normal, correction, &Particle::x);
+        }
         rows.push_back(row);
     }
     void contact(int a, int b, V n, double depth, double e) {

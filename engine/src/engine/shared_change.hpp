@@ -40,6 +40,14 @@ void share_between(Vector& of_a, Vector& of_b, const Vector& direction, Scalar c
     if (!(part == change)) of_b.add_scaled(direction, part - change);
 }
 
+// Half of a change toward zero: an ulp is left of an odd one. What rests on something so stays in
+// touch with it, where half of an ulp more than is missing would lift it.
+template <class Scalar>
+Scalar half_toward_zero(Scalar change) {
+    const Scalar half_up = change * BinaryStep<1>();
+    return half_up > Scalar() ? change - half_up : half_up;
+}
+
 // Changes `quantity`, &Particle::position or &Particle::velocity, of a relative to b by `change`
 // along `direction`, which points from b to a; b may be nothing. `share` must be mass_share(world,
 // a, b), and one of them must move. Two of equal mass take the same product, so that their sum, the
@@ -58,7 +66,7 @@ ENGINE_INLINE bool apply_shared(World& world, Index a, Index b, const Vector& di
         share_between(of_a, of_b, direction, change, share);
         return true;
     }
-    const Scalar part = change * BinaryStep<1>();
+    const Scalar part = half_toward_zero(change);
     if (part == Scalar()) return false;
     exchange(of_a, of_b, direction, part);
     return true;
