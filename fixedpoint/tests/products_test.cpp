@@ -81,6 +81,42 @@ TEST(Dot, IsRoundedOnce) {
           });
 }
 
+// Whether steps of vectors in place are made of products and sums that are as defined.
+template <class Raw, int F>
+bool are_as_defined(const int64_t* v, void add_scaled(Raw*, const Raw*, Raw),
+                    void exchange(Raw*, Raw*, const Raw*, Raw),
+                    Raw dot_difference(const Raw*, const Raw*, const Raw*)) {
+    const Raw n[3] = {Raw(v[0]), Raw(v[2]), Raw(v[3])}, factor = Raw(v[1]);
+    const Raw before[3] = {Raw(v[2]), Raw(v[1]), Raw(v[0])};
+    Raw sum[3] = {before[0], before[1], before[2]}, a[3] = {n[0], n[1], n[2]};
+    Raw b[3] = {before[0], before[1], before[2]}, difference[3];
+    add_scaled(sum, n, factor);
+    exchange(a, b, n, factor);
+    for (int i = 0; i < 3; ++i) {
+        const Raw product = kernel::multiply<Raw, F>(n[i], factor);
+        if (sum[i] != kernel::multiply_add<Raw, F>(n[i], factor, before[i]) ||
+            a[i] != wrapping_add(n[i], product) || b[i] != wrapping_subtract(before[i], product))
+            return false;
+        difference[i] = wrapping_subtract(n[i], before[i]);
+    }
+    return dot_difference(n, n, before) == kernel::dot3<Raw, F>(n, difference);
+}
+TEST(VectorSteps, AreMadeOfProductsAndSums) {
+    const auto defined = [](const int64_t*, exact::Format) { return 1; };
+    check(subjects([]<class Raw, int F>(const int64_t* v) -> int64_t {
+              return are_as_defined<Raw, F>(v, kernel::add_scaled3<Raw, F>,
+                                            kernel::exchange3<Raw, F>,
+                                            kernel::dot_difference3<Raw, F>);
+          }),
+          defined);
+    check(subjects([]<class Raw, int F>(const int64_t* v) -> int64_t {
+              return are_as_defined<Raw, F>(v, portable::add_scaled3<Raw, F>,
+                                            portable::exchange3<Raw, F>,
+                                            portable::dot_difference3<Raw, F>);
+          }),
+          defined);
+}
+
 // Three products of the smallest number exceed what twice the width holds as a signed number.
 TEST(Dot, HoldsThreeSquaresOfTheSmallestNumber) {
     for (const Subject& subject : subjects([]<class Raw, int F>(const int64_t*) -> int64_t {

@@ -46,8 +46,7 @@ class VectorSteps : public testing::Test {
     }
     Vector vector() { return {number(), number(), number()}; }
     std::uint16_t put(int index, const Vector& v) {
-        chip_.write(addresses_[index],
-                    {reinterpret_cast<const std::uint8_t*>(v.data()), sizeof v});
+        chip_.write(addresses_[index], {reinterpret_cast<const std::uint8_t*>(v.data()), sizeof v});
         return addresses_[index];
     }
     Vector get(int index) const {

@@ -73,8 +73,7 @@ ENGINE_INLINE void collide(Index a, Index b, World& world, TimeStep dt) {
     if (!(distance < reach)) return;
     auto normal = divided(difference, distance);
     if (distance == Scalar()) normal[0] = 1_d;
-    World::Solver::contact(world, a, certain(b), normal, reach - distance, world.restitution(),
-                           dt);
+    World::Solver::contact(world, a, certain(b), normal, reach - distance, world.restitution(), dt);
 }
 
 }  // namespace engine

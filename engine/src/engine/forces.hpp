@@ -21,8 +21,8 @@ void apply(const Spring<Scalar, Ends>& spring, World& world) {
     const auto direction = divided(difference, distance);
     Scalar tension = spring.stiffness * (distance - spring.rest_length);
     if (!(spring.damping == Scalar())) {
-        tension = engine::multiply_add(spring.damping,
-                                       velocity_along(world, a, b, direction), tension);
+        tension =
+            engine::multiply_add(spring.damping, velocity_along(world, a, b, direction), tension);
     }
     const auto force = direction * tension;
     world.step_particles()[a].force -= force;

@@ -157,7 +157,6 @@ ENGINE_INLINE constexpr Scalar multiply_add(Scalar a, Scalar b, Scalar c) {
     return MultiplyAdd<Scalar>::of(a, b, c);
 }
 
-
 /// Adds v factor to a vector of N components, each component rounded once where the scalar can.
 template <int N, class Scalar>
 void add_scaled(Scalar* sum, const Scalar* v, Scalar factor) {

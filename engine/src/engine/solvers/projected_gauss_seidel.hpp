@@ -188,7 +188,9 @@ struct ProjectedGaussSeidel {
     // Through the half-step displacement, which stays in range where w^2 does not.
     template <class Vector, class Scalar, class TimeStep>
     static Scalar chord_velocity(const Vector& velocity, Scalar length, TimeStep dt) {
-        return dot(velocity * half(dt), velocity) / length;
+        Vector displacement(velocity);
+        displacement *= half(dt);
+        return dot(displacement, velocity) / length;
     }
 };
 
