@@ -64,8 +64,10 @@ const fixbench::Registration dynamics({
         "radius of the map of a step, fitted to the run, beside the method's own), energy (gained\n"
         "over up to 10^6 steps), reversal (distance from the start after a run there and back),\n"
         "order (distance between runs whose links were added in another order), dead_band (where\n"
-        "rounding holds a damped spring) and limit_cycle (its period; 1 is rest). An empty\n"
-        "`measured` is a run that does not fit the format or wraps. File: dynamics.csv.\n\n"
+        "rounding holds a damped spring), limit_cycle (its period; 1 is rest), divergence (when\n"
+        "rounding parts a chaotic double pendulum from its run in double) and its rate. An empty\n"
+        "`measured` is a run that does not fit the format or wraps, or does not part in its time.\n"
+        "File: dynamics.csv.\n\n"
         "Example: fixbench dynamics --quick",
     .prints = {"dynamics.csv"},
     .add =

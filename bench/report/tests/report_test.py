@@ -621,6 +621,20 @@ f q8_8 nearest velocity_verlet 1 overflows overflow_add
         self.assertEqual(stability.silent(rows, "nearest"), (3, 1, 1))
         self.assertEqual(stability.silent(rows, "saturating"), (1, 0, 1))
 
+    def test_what_a_bit_buys_of_a_chaotic_motion(self):
+        finding = stability.divergence_finding(golden(dynamics="""
+measure scalar arithmetic integrator at measured theory
+divergence q8_8 nearest velocity_verlet 0.1 - 2
+divergence q16_16 nearest velocity_verlet 0.1 4 6
+divergence q16_16 saturating velocity_verlet 0.1 9 6
+divergence q32_32 nearest velocity_verlet 0.1 12 14
+divergence q32_32 nearest explicit_euler 0.1 99 14
+divergence_rate q32_32 nearest velocity_verlet 0.1 1.25 1.386294361
+"""))
+        self.assertIn("by 0.1 m after 4 s in Q16.16, 12 s in Q32.32, in", finding)
+        self.assertIn("by 1.25/s in Q32.32", finding)
+        self.assertIn("each bit buys 0.5 s, and ln 2 over that exponent is 0.5 s.", finding)
+
     def test_the_long_run_of_a_format(self):
         found = stability.dynamics(golden(dynamics="""
 measure system scalar arithmetic integrator at measured theory
