@@ -189,6 +189,19 @@ def divergence_finding(data, integrator="velocity_verlet"):
             f"buys {(fine - coarse) / 16:.3g} s, and ln 2 over that exponent is {math.log(2) / rate['theory']:.3g} s.")
 
 
+def float_finding(data):
+    """Where the device's float is another than the host's, in a sentence."""
+    rows = data.rows("float_extremes")
+    apart = [row for row in rows if row["differ"]]
+    told = "; ".join(f"{row['operation'].replace('_', ' ')}, {row['operands']}: {row['differ']} of {row['pairs']} pairs, the first "
+                     f"{row['first_mismatch'].replace(' ', ' and ')}, of which IEEE 754 makes {row['host']} and the device {row['device']}"
+                     for row in apart)
+    return (f"The rows of float ran on the host. On the simulated chip avr-libc returns the same bits in "
+            f"{len(rows) - len(apart)} of {len(rows)} classes of operands (subnormals, infinities and NaN among them) of "
+            f"{len({row['operation'] for row in rows})} operations, {sum(row['pairs'] for row in rows)} pairs in all"
+            + (f". It differs in {told}." if apart else "."))
+
+
 def ablations_finding(data):
     """What the measures of the engine buy and cost, in a sentence."""
     rows = [row for row in data.rows("ablations") if number(row["before"]) > 0 and number(row["after"]) > 0]
