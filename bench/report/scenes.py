@@ -268,7 +268,7 @@ def splits_finding(data):
     on_front = {row["scene"] for scene in judged(data) for row in front(measured(data, scene)) if is_split(row)}
     used = sorted({row["scalar"] for row in rows}, key=lambda name: int(name[1:].split("_")[0]))
     return rows and (f"Each scene was run in its best split of 32 bits, too: that with the most fraction bits that holds "
-                     f"every number of the run in double ({', '.join(map(style.format_label, used))}). It stands on the "
+                     f"every number of its runs on the chip ({', '.join(map(style.format_label, used))}). It stands on the "
                      f"front of {len(on_front)} of {len(judged(data))} scenes.")
 
 
