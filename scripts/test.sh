@@ -7,7 +7,8 @@
 #   (none)   what has to pass before a change goes in: all tests; again under the sanitizers what
 #            the host can run; deliberate faults, which the tests of each room must notice; and the main
 #            job, bench/run_all.sh --quick
-#   --full   the same with more deliberate faults, and four minutes of fuzzing
+#   --full   the same with more deliberate faults, four minutes of fuzzing, 10^7 steps of three scenes
+#            on the simulated chip, and an hour of random worlds
 # One test alone: ctest --preset release -R NAME. Exit status: 0 when all passed, 1 when one failed,
 # 2 for a wrong call.
 set -euo pipefail
@@ -58,6 +59,9 @@ if [ $tier = full ]; then
     faults=(--full)
     part "set-up for fuzzing" scripts/setup.sh --fuzz
     part "fuzzing" cmake --build build/release --target fuzz
+    part "soak on the chip" cmake --build build/release --target soak
+    part "random worlds for an hour" bench/experiments/stability/tests/random_worlds.sh \
+        build/release/bench/experiments/stability/world_test 3600
 fi
 part "deliberate faults" /usr/bin/python3 scripts/mutation_test.py "${faults[@]}"
 part "main job, bench/run_all.sh --quick" bench/run_all.sh --quick

@@ -13,6 +13,7 @@ import tempfile
 
 import operations
 import rivals
+import scenes
 import style
 from data import DataError
 
@@ -112,7 +113,9 @@ def implementations():
 
 def style_of(number_format, implementation):
     """Whose colour and marker it has."""
-    return "published" if implementation == "published" else number_format
+    if implementation == "published":
+        return "published"
+    return number_format if number_format in style.FORMATS else "other"
 
 
 def subject(number_format, implementation):
@@ -210,7 +213,8 @@ def gather(data):
     scalars = {}
     if "scenes" in views:
         shown = [row for row in data.rows("scenes") if row["cycles_per_simulated_second"] is not None]
-        require_known("scenes", "scalar", (row["scalar"] for row in shown), style.FORMATS)
+        require_known("scenes", "scalar", (row["scalar"] for row in shown if not scenes.is_split(row)),
+                      style.FORMATS)
         scalars |= {(row["scalar"], row["arithmetic"]): None for row in shown}
     if "stability" in views:
         cases = data.rows("stability")
@@ -224,8 +228,8 @@ def gather(data):
         "styles": {name: dict(zip(("label", "colour", "symbol", "letter"),
                                   (label, colour, *SYMBOLS[marker])))
                    for name, (label, colour, marker) in
-                   (style.FORMATS | {"published": style.PUBLISHED,
-                                     "rival": style.RIVAL}).items()},
+                   (style.FORMATS | {"published": style.PUBLISHED, "rival": style.RIVAL,
+                                     "other": ("best split of 32 bits", *style.OTHER)}).items()},
         "formats": formats,
         "implementations": known,
         "subjects": {"/".join(kind): subject(*kind) for kind in [*kinds, *others]},

@@ -33,8 +33,13 @@ def title(scene):
     return scene.replace("_", " ")
 
 
+def is_split(row):
+    """A scene's best split of 32 bits, which is another in each scene and has no style of its own."""
+    return row["arithmetic"] == "nearest" and row["scalar"].startswith("q") and row["scalar"] not in style.FORMATS
+
+
 def kind(row):
-    return SCALARS[row["scalar"], row["arithmetic"]]
+    return (row["scalar"], "default") if is_split(row) else SCALARS[row["scalar"], row["arithmetic"]]
 
 
 def scalar(row):
@@ -207,9 +212,11 @@ def draw(data):
     figure.supylabel("the larger of the method's and the arithmetic's error, m")
     handles = [Line2D([], [], linestyle="", marker="o", markeredgecolor=style.colour(*of),
                       markerfacecolor=style.face(*of)) for of in SCALARS.values()]
+    handles.append(Line2D([], [], linestyle="", marker="o", color=style.OTHER[0]))
     handles += [Line2D([], [], linestyle="", marker=marker, color="#666666")
                 for _, marker in METHODS.values()]
-    labels = [style.label(*of) for of in SCALARS.values()] + [name for name, _ in METHODS.values()]
+    labels = [style.label(*of) for of in SCALARS.values()] + ["best split of 32 bits"]
+    labels += [name for name, _ in METHODS.values()]
     style.legend_above(figure, handles, labels, 5)
     return figure
 
@@ -253,6 +260,16 @@ def finding(data):
     return (f"In {len(judged(data)) - len(wins)} of {len(judged(data))} scenes no choice of float errs "
             f"less than every choice of ours that costs no more"
             + (f"; in {', '.join(sorted(map(title, wins)))} one does." if wins else "."))
+
+
+def splits_finding(data):
+    """On how many fronts the best split of 32 bits stands, in a sentence; empty where none was run."""
+    rows = [row for row in measured(data) if is_split(row)]
+    on_front = {row["scene"] for scene in judged(data) for row in front(measured(data, scene)) if is_split(row)}
+    used = sorted({row["scalar"] for row in rows}, key=lambda name: int(name[1:].split("_")[0]))
+    return rows and (f"Each scene was run in its best split of 32 bits, too: that with the most fraction bits that holds "
+                     f"every number of its runs on the chip ({', '.join(map(style.format_label, used))}). It stands on the "
+                     f"front of {len(on_front)} of {len(judged(data))} scenes.")
 
 
 def turning(data):

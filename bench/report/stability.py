@@ -174,6 +174,34 @@ def dynamics(data, scalar, integrator):
             "bound": band["theory"], "period": cycle["measured"]}
 
 
+def divergence_finding(data, integrator="velocity_verlet"):
+    """When a chaotic motion is lost to rounding, by format, and what a bit buys, in a sentence."""
+    rows = [row for row in data.rows("dynamics", integrator=integrator) if row["arithmetic"] in DEFAULT]
+    times = {row["scalar"]: row for row in rows if row["measure"] == "divergence" and row["measured"] is not None}
+    rates = {row["scalar"]: row for row in rows if row["measure"] == "divergence_rate"}
+    told = ", ".join(f"{row['measured']:.3g} s in {style.format_label(scalar)}"
+                     for scalar, row in sorted(times.items(), key=lambda item: item[1]["measured"]))
+    coarse, fine = times["q16_16"]["measured"], times["q32_32"]["measured"]
+    rate = rates["q32_32"]
+    return (f"A chaotic double pendulum leaves the same method's run in double by {times['q16_16']['at']:g} m after {told}, "
+            f"in the median over eight starts. The distance grows by {rate['measured']:.3g}/s in Q32.32, where the "
+            f"equations of motion have a Lyapunov exponent of {rate['theory']:.3g}/s; from Q16.16 to Q32.32 each bit "
+            f"buys {(fine - coarse) / 16:.3g} s, and ln 2 over that exponent is {math.log(2) / rate['theory']:.3g} s.")
+
+
+def float_finding(data):
+    """Where the device's float is another than the host's, in a sentence."""
+    rows = data.rows("float_extremes")
+    apart = [row for row in rows if row["differ"]]
+    told = "; ".join(f"{row['operation'].replace('_', ' ')}, {row['operands']}: {row['differ']} of {row['pairs']} pairs, the first "
+                     f"{row['first_mismatch'].replace(' ', ' and ')}, of which IEEE 754 makes {row['host']} and the device {row['device']}"
+                     for row in apart)
+    return (f"The rows of float ran on the host. On the simulated chip avr-libc returns the same bits in "
+            f"{len(rows) - len(apart)} of {len(rows)} classes of operands (subnormals, infinities and what is no number among them) of "
+            f"{len({row['operation'] for row in rows})} operations, {sum(row['pairs'] for row in rows)} pairs in all"
+            + (f". It differs in {told}." if apart else "."))
+
+
 def ablations_finding(data):
     """What the measures of the engine buy and cost, in a sentence."""
     rows = [row for row in data.rows("ablations") if number(row["before"]) > 0 and number(row["after"]) > 0]

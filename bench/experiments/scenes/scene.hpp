@@ -43,6 +43,8 @@ struct Scene {
     unsigned dimensions = 0;
     unsigned particles = 0;
     bool springs = false;
+    // The format of 32 bits with the most fraction bits that holds every number of the scene.
+    std::string split = {};
     std::vector<HostSubject> subjects = {};
     // The largest |length - distance| / length of a rod.
     double (*rod_error)(const State& state) = nullptr;

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "bench/experiments/stability/dynamics.hpp"
+#include "bench/experiments/stability/float_extremes.hpp"
 #include "bench/experiments/stability/measure_stability.hpp"
 #include "bench/lab/program/build.hpp"
 #include "bench/lab/program/experiment.hpp"
@@ -64,8 +65,10 @@ const fixbench::Registration dynamics({
         "radius of the map of a step, fitted to the run, beside the method's own), energy (gained\n"
         "over up to 10^6 steps), reversal (distance from the start after a run there and back),\n"
         "order (distance between runs whose links were added in another order), dead_band (where\n"
-        "rounding holds a damped spring) and limit_cycle (its period; 1 is rest). An empty\n"
-        "`measured` is a run that does not fit the format or wraps. File: dynamics.csv.\n\n"
+        "rounding holds a damped spring), limit_cycle (its period; 1 is rest), divergence (when\n"
+        "rounding parts a chaotic double pendulum from its run in double) and its rate. An empty\n"
+        "`measured` is a run that does not fit the format or wraps, or does not part in its time.\n"
+        "File: dynamics.csv.\n\n"
         "Example: fixbench dynamics --quick",
     .prints = {"dynamics.csv"},
     .add =
@@ -87,8 +90,36 @@ const fixbench::Registration dynamics({
                        return arguments;
                    },
                .writes = {"dynamics.csv"},
-               .full_seconds = 120,
-               .quick_seconds = 20}},
+               .full_seconds = 130,
+               .quick_seconds = 30}},
+});
+
+const fixbench::Registration extremes({
+    .name = "float_extremes",
+    .description =
+        "avr-libc's float on the simulated chip against the host's, which is IEEE 754's: every\n"
+        "operation of the engine on all pairs of a table of extremes (zeros, subnormals, ends of\n"
+        "the range, infinities, NaN) and on pairs drawn from a seed; how many differ, and the\n"
+        "first. File: float_extremes.csv.\n\n"
+        "Example: fixbench float_extremes",
+    .prints = {"float_extremes.csv"},
+    .add =
+        [](CLI::App&) {
+            return [](const Call& call) {
+                fixbench::build({"float_operations"});
+                measure_float_extremes(call.output);
+                return fixbench::held;
+            };
+        },
+    .steps = {{.name = "float_extremes",
+               .arguments = [](const Mode& mode) -> std::vector<std::string> {
+                   return {"float_extremes", "--output", mode.data};
+               },
+               .writes = {"float_extremes.csv"},
+               .targets = {"float_operations"},
+               .reads = {FLOAT_PROGRAM},
+               .full_seconds = 2,
+               .quick_seconds = 2}},
 });
 
 }  // namespace

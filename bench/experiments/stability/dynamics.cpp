@@ -9,11 +9,14 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <numbers>
+#include <random>
 #include <stdexcept>
 
 #include "bench/experiments/stability/measures.hpp"
 #include "bench/lab/parallel.hpp"
 #include "bench/lab/records/progress.hpp"
+#include "reference/trajectories/chain.hpp"
 
 namespace stability {
 namespace {
@@ -362,11 +365,146 @@ std::vector<DynamicsRow> dead_band_of(const Subject& subject) {
     return {band, period};
 }
 
+namespace {
+
+constexpr unsigned chaotic_starts = 8;
+
+// Two points of 1 kg on rods of 1 m, at rest, both above the fixed point or little below it.
+reference::Chain chaotic_start(unsigned seed) {
+    std::mt19937 bits(seed);
+    const auto angle = [&](double low, double high) {
+        return (low + (high - low) * std::ldexp(double(bits()), -32)) * std::numbers::pi / 180;
+    };
+    const double upper = angle(100, 140), lower = angle(100, 180);
+    return {{0, 0}, {0, -9.81}, {{1, 1, upper, 0}, {1, 1, lower, 0}}};
+}
+
+// The angles and their rates in a state of such points.
+std::vector<double> variables_of(const reference::State& state) {
+    std::vector<double> angles, rates;
+    reference::ParticleState from{};
+    for (const reference::ParticleState& to : state) {
+        const double x = to.position[0] - from.position[0], y = to.position[1] - from.position[1];
+        angles.push_back(std::atan2(x, -y));
+        rates.push_back(
+            ((to.velocity[0] - from.velocity[0]) * -y + (to.velocity[1] - from.velocity[1]) * x) /
+            (x * x + y * y));
+        from = to;
+    }
+    angles.insert(angles.end(), rates.begin(), rates.end());
+    return angles;
+}
+reference::Chain put_into(reference::Chain chain, const std::vector<double>& variables) {
+    for (std::size_t i = 0; i < chain.links.size(); ++i) {
+        chain.links[i].angle = variables[i];
+        chain.links[i].angular_velocity = variables[chain.links.size() + i];
+    }
+    return chain;
+}
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+// The slope of a line through points in least squares.
+double slope(const std::vector<std::pair<double, double>>& points) {
+    double x = 0, y = 0, xx = 0, xy = 0;
+    for (const auto& [at, value] : points) x += at, y += value;
+    x /= double(points.size()), y /= double(points.size());
+    for (const auto& [at, value] : points) xx += (at - x) * (at - x), xy += (at - x) * (value - y);
+    return xy / xx;
+}
+
+}  // namespace
+
+// Benettin, Galgani, Giorgilli and Strelcyn 1980: a second motion starts beside the first; each
+// second its distance tells the growth and is set back to what it was.
+double lyapunov_exponent(unsigned seconds) {
+    constexpr double apart = 1e-7, tolerance = 1e-12;
+    double growth = 0;
+    for (unsigned seed = 0; seed < chaotic_starts; ++seed) {
+        reference::Chain one = chaotic_start(seed), other = one;
+        other.links.front().angle += apart;
+        for (unsigned second = 0; second < seconds; ++second) {
+            const auto a = variables_of(reference::move(one, {0, 1}, tolerance).back());
+            auto b = variables_of(reference::move(other, {0, 1}, tolerance).back());
+            double square = 0;
+            for (std::size_t i = 0; i < a.size(); ++i) {
+                double difference = b[i] - a[i];
+                if (i < a.size() / 2) difference = std::remainder(difference, 2 * std::numbers::pi);
+                b[i] = difference;
+                square += difference * difference;
+            }
+            const double by = std::sqrt(square) / apart;
+            growth += std::log(by);
+            for (std::size_t i = 0; i < a.size(); ++i) b[i] = a[i] + b[i] / by;
+            one = put_into(one, a);
+            other = put_into(other, b);
+        }
+    }
+    return growth / (chaotic_starts * seconds);
+}
+
+std::vector<DynamicsRow> divergence_of(const Subject& subject) {
+    static const double exponent = lyapunov_exponent(100);
+    constexpr double apart = 0.1;         // m
+    constexpr double of_float = 0x1p-23;  // m, the ulp of 1 m
+    const TimeStep dt = TimeStep::binary(10);
+    Description made;
+    made.rods = {{.a = 0, .length = 1}, {.a = 1, .b = 0, .length = 1}};
+    made.gravity = {0, -9.81};
+    made.dt = dt;
+    made.steps = 40 << 10;
+    std::vector<double> times, rates;
+    for (unsigned seed = 0; seed < chaotic_starts; ++seed) {
+        const reference::Trajectory at_start = reference::move(chaotic_start(seed), {0}, 1e-12);
+        made.bodies.clear();
+        for (const auto& point : at_start.front())
+            made.bodies.push_back({.position = {point.position[0], point.position[1]}});
+        std::vector<State> true_states;
+        exact(subject).run(made, [&](const State& state, unsigned) {
+            true_states.push_back(state);
+            return true;
+        });
+        double first = 0;
+        std::optional<double> left;
+        std::vector<std::pair<double, double>> growing;
+        const Outcome outcome = subject.run(made, [&](const State& state, unsigned step) {
+            const double distance_now = distance(state, true_states.at(step));
+            const double time = step * dt.value();
+            if (first == 0) first = distance_now;
+            // The rounding of the first steps adds up before it grows.
+            if (distance_now > 16 * first) growing.emplace_back(time, std::log(distance_now));
+            if (distance_now > apart) left = time;
+            return !left;
+        });
+        if (!went_well(outcome) || !left) continue;
+        times.push_back(*left);
+        if (growing.size() > 2) rates.push_back(slope(growing));
+    }
+    DynamicsRow time =
+        row_of(subject, "divergence", "double pendulum", "distance, m", apart, "s", made);
+    DynamicsRow rate =
+        row_of(subject, "divergence_rate", "double pendulum", "distance, m", apart, "1/s", made);
+    if (times.size() == chaotic_starts) time.measured = median(times);
+    if (rates.size() == chaotic_starts) rate.measured = median(rates);
+    const double ulp = subject.ulp > 0 ? subject.ulp : of_float;
+    time.theory = std::log(apart / ulp) / exponent;
+    rate.theory = exponent;
+    return {time, rate};
+}
+
 void measure_dynamics(const DynamicsOptions& options) {
     using Part = std::function<std::vector<DynamicsRow>(const Subject&)>;
     const unsigned longest = options.quick ? 100000 : 1000000;
     const Part parts[] = {[=](const Subject& subject) { return energy_of(subject, longest); },
-                          growth_of, reversal_of, order_of, dead_band_of};
+                          growth_of,
+                          reversal_of,
+                          order_of,
+                          dead_band_of,
+                          divergence_of};
     const std::vector<Subject>& all = subjects();
     std::vector<std::vector<DynamicsRow>> found(std::size(parts) * all.size());
     records::Progress progress("dynamics", found.size());

@@ -451,6 +451,19 @@ class Scenes(Figures):
         self.assertEqual(scenes.title("two_words"), "two words")
         self.assertTrue(scenes.ours({"arithmetic": "saturating"}))
 
+    def test_the_best_split_stands_beside_the_formats(self):
+        data = golden(scenes=SCENES + "fall q5_27 nearest velocity_verlet 0.0078125 9 170 50000 0.003 0.002 0 600 held\n"
+                              "fall q6_26 nearest velocity_verlet 0.0078125 9 170 200000 0.2 0.2 0 600 held\n")
+        row = data.rows("scenes")[-2]
+        self.assertEqual((scenes.kind(row), scenes.scalar(row), scenes.ours(row)),
+                         (("q5_27", "default"), "Q5.27", True))
+        self.assertIn("(Q5.27, Q6.26). It stands on the front of 1 of 1 scenes.", scenes.splits_finding(data))
+        self.assertFalse(scenes.splits_finding(self.data))
+        self.assertFalse(any(map(scenes.is_split, self.data.rows("scenes"))))
+        with self.assertRaises(KeyError):
+            scenes.kind({"scalar": "q5_27", "arithmetic": "saturating"})
+        scenes.draw(data)
+
     def test_targets_are_the_errors_that_their_names_say(self):
         units = {"cm": 1e-2, "mm": 1e-3, "µm": 1e-6}
         self.assertGreater(len(scenes.TARGETS), 0)
@@ -620,6 +633,32 @@ f q8_8 nearest velocity_verlet 1 overflows overflow_add
         rows = self.rows().rows("stability")
         self.assertEqual(stability.silent(rows, "nearest"), (3, 1, 1))
         self.assertEqual(stability.silent(rows, "saturating"), (1, 0, 1))
+
+    def test_where_the_devices_float_differs(self):
+        table = """
+operation operands pairs differ first_mismatch host device
+add normal 10 0 - - -
+divide result_is_subnormal 5 {} 0x1p-126 0x1p-127 0x0p+0
+"""
+        finding = stability.float_finding(golden(float_extremes=table.format(2)))
+        self.assertIn("in 1 of 2 classes of operands", finding)
+        self.assertIn("of 2 operations, 15 pairs in all. It differs in divide, result_is_subnormal: 2 of 5 pairs, the first "
+                      "0x1p-126, of which IEEE 754 makes 0x1p-127 and the device 0x0p+0.", finding)
+        self.assertTrue(stability.float_finding(golden(float_extremes=table.format(0))).endswith("15 pairs in all."))
+
+    def test_what_a_bit_buys_of_a_chaotic_motion(self):
+        finding = stability.divergence_finding(golden(dynamics="""
+measure scalar arithmetic integrator at measured theory
+divergence q8_8 nearest velocity_verlet 0.1 - 2
+divergence q16_16 nearest velocity_verlet 0.1 4 6
+divergence q16_16 saturating velocity_verlet 0.1 9 6
+divergence q32_32 nearest velocity_verlet 0.1 12 14
+divergence q32_32 nearest explicit_euler 0.1 99 14
+divergence_rate q32_32 nearest velocity_verlet 0.1 1.25 1.386294361
+"""))
+        self.assertIn("by 0.1 m after 4 s in Q16.16, 12 s in Q32.32, in", finding)
+        self.assertIn("by 1.25/s in Q32.32", finding)
+        self.assertIn("each bit buys 0.5 s, and ln 2 over that exponent is 0.5 s.", finding)
 
     def test_the_long_run_of_a_format(self):
         found = stability.dynamics(golden(dynamics="""

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <engine/hash.hpp>
+#include <fixedpoint/arithmetic/checked.hpp>
 #include <fixedpoint/conversion.hpp>
 #include <scenes/all.hpp>
+#include <string>
 
 #include "bench/experiments/scenes/host/ranged.hpp"
 #include "bench/experiments/scenes/host/time_step.hpp"
@@ -39,15 +41,32 @@ State state_of(const World& world) {
     return state;
 }
 
+// Whether a result of this thread did not fit its format, until it is set back.
+struct Overflow {
+    static bool& seen() {
+        static thread_local bool any = false;
+        return any;
+    }
+    static void notify(fixedpoint::Event event, fixedpoint::Operation) {
+        if (event == fixedpoint::Event::overflow) seen() = true;
+    }
+};
+
+// The integer bits of the scene's best split, as CMakeLists.txt has them.
+template <class SceneType>
+constexpr int integer_bits = 0;
+
 template <class SceneType, class Scalar, class Method>
 using WorldOf = engine::World<Scalar, typename SceneType::template Uses<Method>>;
 
 template <class SceneType, class Scalar, class Method>
 Run run_on_host(int exponent, Hashes hashes) {
+    // The constants of the scene are numbers that a format must hold, too.
+    Ranged::largest() = 0;
+    Overflow::seen() = false;
     WorldOf<SceneType, Scalar, Method> world;
     scenes::build<SceneType>(world);
     Run run;
-    Ranged::largest() = 0;
     run.trajectory.push_back(state_of(world));
     const unsigned steps = SceneType::duration << exponent;
     const unsigned between = (1u << exponent) / observations_per_second;
@@ -59,6 +78,7 @@ Run run_on_host(int exponent, Hashes hashes) {
         run.trajectory.push_back(state_of(world));
         if (!finite(run.trajectory.back())) run.failure = "a number is not finite";
     }
+    if (Overflow::seen()) run.failure = "a result does not fit the format";
     run.largest_number = Ranged::largest();
     return run;
 }
@@ -104,6 +124,15 @@ void add_runs(std::vector<HostSubject>& subjects) {
     add("fifty_digits", run_on_host<SceneType, reference::FiftyDigits, Method>);
 }
 
+// The best split is run with one method, the one that errs least, and tells where it overflows.
+template <class SceneType, class Method>
+void add_split(Scene& scene) {
+    constexpr int I = integer_bits<SceneType>;
+    using Split = fixedpoint::Fixed<I, 32 - I, fixedpoint::Checked<Overflow>>;
+    scene.split = "q" + std::to_string(I) + "_" + std::to_string(32 - I);
+    scene.subjects.push_back({scene.split, Method::name, run_on_host<SceneType, Split, Method>});
+}
+
 // Whether the method of stiff springs differs from SemiImplicit.
 template <class SceneType>
 constexpr bool has_springs() {
@@ -139,7 +168,12 @@ Scene describe() {
     add_runs<SceneType, scenes::SemiImplicit>(scene.subjects);
     add_runs<SceneType, scenes::Verlet>(scene.subjects);
     if constexpr (has_springs<SceneType>()) add_runs<SceneType, scenes::Implicit>(scene.subjects);
-    if constexpr (is_of_rods<SceneType>()) add_runs<SceneType, scenes::Direct>(scene.subjects);
+    if constexpr (is_of_rods<SceneType>()) {
+        add_runs<SceneType, scenes::Direct>(scene.subjects);
+        add_split<SceneType, scenes::Direct>(scene);
+    } else {
+        add_split<SceneType, scenes::Verlet>(scene);
+    }
     return scene;
 }
 

@@ -104,5 +104,27 @@ TEST(Order, OfSpringsDoesNotMatter) {
     }
 }
 
+// Of runs of the engine, and of the equations of motion: both tell how fast neighbours part, and so
+// what a bit of resolution buys.
+TEST(Divergence, IsByTheLyapunovExponent) {
+    const double exponent = lyapunov_exponent(30);
+    EXPECT_NEAR(exponent, lyapunov_exponent(60), 0.03 * exponent);
+    const auto coarse = divergence_of(subject("q16_16", "nearest", "velocity_verlet")),
+               fine = divergence_of(subject("q32_32", "nearest", "velocity_verlet"));
+    ASSERT_TRUE(coarse[0].measured && fine[0].measured && coarse[1].measured && fine[1].measured);
+    EXPECT_NEAR(*fine[1].measured, exponent, 0.05 * exponent);
+    EXPECT_NEAR((*fine[0].measured - *coarse[0].measured) / 16, std::log(2) / exponent,
+                0.05 * std::log(2) / exponent);
+    // An ulp that grows from the start on takes longest.
+    EXPECT_LT(*coarse[0].measured, *coarse[0].theory);
+    EXPECT_LT(*fine[0].measured, *fine[0].theory);
+}
+
+// The method's own run in double is the same run, and never leaves itself.
+TEST(Divergence, OfTheRunFromItselfIsNone) {
+    for (const DynamicsRow& row : divergence_of(subjects_of_double().front()))
+        EXPECT_FALSE(row.measured.has_value());
+}
+
 }  // namespace
 }  // namespace stability

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The device's float against the host's, which is IEEE 754's: each operation of the engine on every
+// pair of a table of extremes, and on pairs drawn from a seed. Zeros differ by their signs, NaNs do
+// not differ.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "bench/lab/records/record.hpp"
+
+namespace stability {
+
+// A row of float_extremes.csv: an operation on operands of a class. The first pair whose results
+// differ, and both results, are in hexadecimal floating point; empty where none differ.
+struct FloatRow {
+    std::string operation, operands;
+    unsigned pairs = 0, differ = 0;
+    std::string first_mismatch, host, device;
+
+    static constexpr auto columns = std::tuple(
+        records::column("operation", &FloatRow::operation),
+        records::column("operands", &FloatRow::operands),
+        records::column("pairs", &FloatRow::pairs), records::column("differ", &FloatRow::differ),
+        records::column("first_mismatch", &FloatRow::first_mismatch),
+        records::column("host", &FloatRow::host), records::column("device", &FloatRow::device));
+};
+
+// The class of a pair and its result: the first that applies of nan operand, infinite operand,
+// subnormal operand, result is nan, result is infinite, result is subnormal, result is zero,
+// normal. Results of comparisons are numbers of no class.
+std::string class_of(float a, float b, float result);
+
+// On the program device/float_operations.cpp.
+std::vector<FloatRow> compare_floats(const std::filesystem::path& program);
+
+// Writes float_extremes.csv.
+void measure_float_extremes(const std::filesystem::path& output);
+
+}  // namespace stability
