@@ -5,7 +5,7 @@
 #pragma once
 
 #include <fixedpoint/fixed.hpp>
-#include <fixedpoint/portable/integer_power.hpp>
+#include <fixedpoint/kernel/integer_power.hpp>
 #include <fixedpoint/portable/lerp.hpp>
 #include <fixedpoint/portable/round.hpp>
 
@@ -154,7 +154,7 @@ FIXEDPOINT_CONSTEXPR Fixed<IntegerBits, F, A> power(Fixed<IntegerBits, F, A> x, 
     static_assert(BuiltinNumber<Int>::kind == BuiltinKind::integer,
                   "power takes an integer exponent: pow is for a fixed-point one.");
     using Raw = Integer<IntegerBits + F>;
-    const auto result = portable::integer_power<Raw, F>(
+    const auto result = kernel::integer_power<Raw, F>(
         x.raw(), portable::integer_magnitude<Unsigned<Int>>(n), portable::is_negative_integer(n));
     return Fixed<IntegerBits, F, A>::from_raw(
         A::settle(result.number, result.outcome == portable::Outcome::in_range, result.number >= 0,

@@ -38,52 +38,73 @@ struct FloatingPower {
     Word mantissa;
     int16_t exponent;
 };
-// Once in a program, however many powers it takes.
+
+// What a power is made of, for every format.
 template <class Word>
-FIXEDPOINT_CONSTEXPR __attribute__((noinline)) void multiply_by(FloatingPower<Word>& a,
-                                                                const FloatingPower<Word>& b) {
-    const UpperProduct<Word> product = multiply_upper(a.mantissa, b.mantissa);
+struct PowerSteps {
+    // Once in a program, however many powers it takes.
+    static FIXEDPOINT_CONSTEXPR __attribute__((noinline)) UpperProduct<Word> multiply(
+        const Word& a, const Word& b) {
+        return multiply_upper(a, b);
+    }
+    // 2^(2 M - 2) / a.
+    static FIXEDPOINT_CONSTEXPR Word reciprocal(const Word& a) {
+        constexpr int bits = static_cast<int>(8 * sizeof(Word));
+        return long_division(Word(uint8_t(1)) << (bits - 2), a >> 1, bits - 1);
+    }
+};
+
+template <class Steps, class Word>
+FIXEDPOINT_CONSTEXPR void multiply_by(FloatingPower<Word>& a, const FloatingPower<Word>& b) {
+    const UpperProduct<Word> product = Steps::multiply(a.mantissa, b.mantissa);
     const bool is_short = product.upper < Word(uint8_t(1))
                                               << static_cast<int>(8 * sizeof(Word) - 1);
     a.mantissa = is_short ? (product.upper << 1) + Word(product.next) : product.upper;
     a.exponent = static_cast<int16_t>(a.exponent + b.exponent - (is_short ? 1 : 0));
 }
 
+// The word that powers of a format are computed in.
+template <class Raw>
+using PowerNumber = Integer<(sizeof(Raw) < 4 ? 32 : RawLimits<Raw>::width)>;
+template <class Raw>
+using PowerWord = DoubleWord<PowerNumber<Raw>>;
+
 // Beyond 2^+-70 a power and its reciprocal are beyond every format or below half an ulp of it.
 constexpr int16_t beyond_every_format = 70;
 
-template <class Raw, int F, class Count>
+template <class Raw, int F, class Steps, class Count>
 FIXEDPOINT_CONSTEXPR Evaluation<Raw> integer_power(Raw x, Count n, bool reciprocal) {
-    using Computed = Integer<(sizeof(Raw) < 4 ? 32 : RawLimits<Raw>::width)>;
-    using Word = DoubleWord<Computed>;
+    using Word = PowerWord<Raw>;
+    using Magnitude = Unsigned<PowerNumber<Raw>>;
     constexpr int bits = static_cast<int>(8 * sizeof(Word)), width = RawLimits<Raw>::width;
     const bool negative = x < 0 && (static_cast<uint8_t>(n) & 1) != 0;
     const Word half = Word(uint8_t(1)) << (bits - 1);
     // A pair of constants would be kept in RAM.
-    FloatingPower<Word> power = {half, static_cast<int16_t>(n == 0 ? 1 : bits - F)};
+    FloatingPower<Word> power = {half, static_cast<int16_t>(n == 0 ? 1 : bits / 2 - F)};
     if (n != 0) {
         if (x == 0) {
             return {reciprocal ? RawLimits<Raw>::max : Raw(0),
                     reciprocal ? Outcome::overflow : Outcome::in_range};
         }
-        FloatingPower<Word> factor = {Word(magnitude(x)), power.exponent};
-        while (factor.mantissa < half) {
-            factor.mantissa = factor.mantissa << 1;
-            --factor.exponent;
+        Magnitude digits_of_x = magnitude(x);
+        while (static_cast<Magnitude>(digits_of_x >> (bits / 2 - 1)) == 0) {
+            digits_of_x = static_cast<Magnitude>(digits_of_x << 1);
+            --power.exponent;
         }
+        power.mantissa = Word(digits_of_x) << (bits / 2);
+        const FloatingPower<Word> factor = power;
         constexpr int16_t limit = beyond_every_format;
         uint8_t digits = 0;
         for (Count rest = n; rest != 0; rest = static_cast<Count>(rest >> 1)) ++digits;
-        power = factor;
         // The powers of |x| go one way: once beyond, always beyond.
         while (--digits != 0 && (power.exponent < limit) && (power.exponent > -limit)) {
-            multiply_by(power, power);
-            if ((static_cast<uint8_t>(n >> (digits - 1)) & 1) != 0) multiply_by(power, factor);
+            multiply_by<Steps>(power, power);
+            if ((static_cast<uint8_t>(n >> (digits - 1)) & 1) != 0)
+                multiply_by<Steps>(power, factor);
         }
     }
     // In ulps: word / 2^surplus, with 2^(bits-2) <= word <= 2^(bits-1).
-    const Word word =
-        reciprocal ? long_division(half >> 1, power.mantissa >> 1, bits - 1) : power.mantissa >> 1;
+    const Word word = reciprocal ? Steps::reciprocal(power.mantissa) : Word(power.mantissa >> 1);
     const int surplus = (reciprocal ? bits - 2 + power.exponent : bits - 1 - power.exponent) - F;
     if (surplus < bits - 1 - width) {
         return {negative ? RawLimits<Raw>::min : RawLimits<Raw>::max, Outcome::overflow};
