@@ -5,6 +5,7 @@
 
 #include <fixedpoint/arithmetic/checked.hpp>
 #include <fixedpoint/arithmetic/published.hpp>
+#include <fixedpoint/arithmetic/rounded.hpp>
 #include <fixedpoint/arithmetic/saturating.hpp>
 #include <fixedpoint/arithmetic/small.hpp>
 #include <fixedpoint/blocks/biquad.hpp>
@@ -197,6 +198,10 @@ void every_arithmetic() {
     functions(saturating);
     angles(saturating[0]);
     conversions(saturating[0]);
+    Fixed<I, F, HalfToEven> rounded[3];
+    ring(rounded[0], rounded[1]);
+    beside_integers(rounded[0]);
+    conversions(rounded[0]);
     Fixed<I, F, Checked<Hook>> checked[3];
     ring(checked[0], checked[1]);
     beside_integers(checked[0]);
