@@ -163,15 +163,16 @@
                     OPERATION_divrem(X, __VA_ARGS__) OPERATION_divmod(X, __VA_ARGS__)             \
                         OPERATION_lerp(X, __VA_ARGS__) OPERATION_smoothstep(X, __VA_ARGS__)       \
                             OPERATION_midpoint(X, __VA_ARGS__) OPERATION_abs_diff(X, __VA_ARGS__) \
-                                OPERATION_copysign(X, __VA_ARGS__) OPERATION_power(X, __VA_ARGS__)
+                                OPERATION_copysign(X, __VA_ARGS__)
 
 /* All. */
-#define OPERATIONS(X, ...)                                                               \
-    MEASURED_OPERATIONS(X, __VA_ARGS__)                                                  \
-    ELEMENTARY_OPERATIONS(X, __VA_ARGS__)                                                \
-    AUXILIARY_OPERATIONS(X, __VA_ARGS__)                                                 \
-    OPERATION_negate(X, __VA_ARGS__) OPERATION_abs(X, __VA_ARGS__) OPERATION_shift_left( \
-        X, __VA_ARGS__) OPERATION_shift_right(X, __VA_ARGS__) OPERATION_convert(X, __VA_ARGS__)
+#define OPERATIONS(X, ...)                                                                         \
+    MEASURED_OPERATIONS(X, __VA_ARGS__)                                                            \
+    ELEMENTARY_OPERATIONS(X, __VA_ARGS__)                                                          \
+    AUXILIARY_OPERATIONS(X, __VA_ARGS__)                                                           \
+    OPERATION_power(X, __VA_ARGS__) OPERATION_negate(X, __VA_ARGS__) OPERATION_abs(X, __VA_ARGS__) \
+        OPERATION_shift_left(X, __VA_ARGS__) OPERATION_shift_right(X, __VA_ARGS__)                 \
+            OPERATION_convert(X, __VA_ARGS__)
 
 #ifdef __cplusplus
 namespace reference {

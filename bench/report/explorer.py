@@ -92,8 +92,6 @@ LARGEST = {
     "midpoint": lambda least, greatest: greatest,
     "abs_diff": lambda least, greatest: 2 * greatest,
     "copysign": lambda least, greatest: greatest,
-    # The exponents are from -4 to 8.
-    "power": lambda least, greatest: max(greatest ** 8, 1 / least ** 4),
     "multiply_add": lambda least, greatest: greatest ** 2 + greatest,
     "dot2": lambda least, greatest: 2 * greatest ** 2,
     "dot3": lambda least, greatest: 3 * greatest ** 2,

@@ -185,10 +185,6 @@ struct Libc {
         return ::copysign(a, b);
     }
     template <class Float, int>
-    static Float power(Float a, Float n) {
-        return ::pow(a, n);
-    }
-    template <class Float, int>
     static Float multiply_add(Float a, Float b, Float c) {
         return a * b + c;
     }

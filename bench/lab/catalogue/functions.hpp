@@ -65,10 +65,6 @@ struct Functions {
     static FIXEDPOINT_CONSTEXPR Raw lerp(Raw a, Raw b, Raw t) {
         return fixedpoint::lerp(of<Raw, F>(a), of<Raw, F>(b), of<Raw, F>(t)).raw();
     }
-    template <class Raw, int F>
-    static FIXEDPOINT_CONSTEXPR Raw power(Raw a, Raw n) {
-        return fixedpoint::power(of<Raw, F>(a), n).raw();
-    }
 };
 
 }  // namespace catalogue

@@ -93,11 +93,6 @@ void Sampler::next(std::span<std::int64_t> operands) {
         }
     }
     if (reference::is_shift(operation_)) operands[1] = below(format_.width);
-    // Larger exponents are in the boundary table: they leave the range.
-    if (operation_ == Operation::power && class_ != OperandClass::published) {
-        const std::int64_t exponent = below(13) - 4;
-        operands[1] = format_.is_float() ? reference::raw_of_float(float(exponent)) : exponent;
-    }
 }
 
 std::int64_t Sampler::draw() {
