@@ -23,7 +23,12 @@ AUXILIARY = ("sin_turns", "cos_turns", "sincos_turns", "atan2_turns", "sin_degre
 ROOTS = (("q4_4", OURS), ("q8_8", OURS), ("q16_16", OURS), ("q16_16", "small"), ("q8_24", OURS),
          ("q32_32", OURS), FLOAT, PUBLISHED)
 # Proofs that a result is rounded correctly for every operand: tests of fixedpoint/CMakeLists.txt.
-PROOFS = {("multiply", "q16_16", "default"): "fixedpoint/prove_multiply"}
+PROOFS = {(operation, number_format, OURS): "fixedpoint/prove_products"
+          for operation, formats in (("multiply", ("q16_16", "q8_24", "q32_32")),
+                                     ("multiply_add", ("q16_16", "q8_24")),
+                                     ("dot2", ("q8_8", "q16_16", "q8_24", "q32_32")),
+                                     ("dot3", ("q8_8", "q16_16", "q8_24", "q32_32")))
+          for number_format in formats}
 
 # Runs over all inputs are judged in double, to this part of an ulp (reference/bulk.hpp).
 JUDGED_TO = 2**-14
