@@ -243,6 +243,19 @@ Judgement judge(std::span<const std::int64_t> operands, std::span<const std::int
             return {.excluded = "undefined outside the operation's domain"};
         return pinned(outside_domain(operation, format, a), result);
     }
+    // Of several results: each for itself, the worse one's error.
+    const auto worse_of = [](const Judgement& s, const Judgement& c) {
+        Judgement worse = std::abs(c.error_ulp) > std::abs(s.error_ulp) ? c : s;
+        worse.defined = s.defined && c.defined;
+        worse.as_defined = s.as_defined && c.as_defined;
+        return worse;
+    };
+    const auto sine_and_cosine = [&]<Operation sine, Operation cosine>() {
+        return worse_of(
+            judge<Subject{sine, format, subject.arithmetic}, Real>(operands, results.first(1)),
+            judge<Subject{cosine, format, subject.arithmetic}, Real>(operands,
+                                                                     results.subspan(1, 1)));
+    };
     if constexpr (operation == Operation::add) {
         return whole(raw(0) + raw(1));
     } else if constexpr (operation == Operation::subtract) {
@@ -278,14 +291,39 @@ Judgement judge(std::span<const std::int64_t> operands, std::span<const std::int
     } else if constexpr (operation == Operation::sqrt) {
         return judge_root<subject>(a, result);
     } else if constexpr (operation == Operation::sincos) {
-        constexpr Subject sine{Operation::sin, format, subject.arithmetic};
-        constexpr Subject cosine{Operation::cos, format, subject.arithmetic};
-        const Judgement s = judge<sine, Real>(operands, results.first(1));
-        const Judgement c = judge<cosine, Real>(operands, results.subspan(1, 1));
-        Judgement worse = std::abs(c.error_ulp) > std::abs(s.error_ulp) ? c : s;
-        worse.defined = s.defined && c.defined;
-        worse.as_defined = s.as_defined && c.as_defined;
-        return worse;
+        return sine_and_cosine.template operator()<Operation::sin, Operation::cos>();
+    } else if constexpr (operation == Operation::sincos_turns) {
+        return sine_and_cosine.template operator()<Operation::sin_turns, Operation::cos_turns>();
+    } else if constexpr (operation == Operation::sincos_degrees) {
+        return sine_and_cosine
+            .template operator()<Operation::sin_degrees, Operation::cos_degrees>();
+    } else if constexpr (gives_integer_quotient(operation)) {
+        if (operands[1] == 0)
+            return worse_of(pinned(outside_domain(operation, format, a, 0), result),
+                            pinned(outside_domain(operation, format, a, 1), results[1]));
+        Number quotient = raw(0) / raw(1), rest = raw(0) % raw(1);
+        if (operation == Operation::divmod && rest != 0 && (rest < 0) != (raw(1) < 0)) {
+            quotient -= 1;
+            rest += raw(1);
+        }
+        return worse_of(whole(quotient), judge_quotient<subject, 0>(rest, Number(1), results[1]));
+    } else if constexpr (operation == Operation::lerp) {
+        return product(sum(raw(0) << F, raw(2) * (raw(1) - raw(0))));
+    } else if constexpr (operation == Operation::smoothstep) {
+        static_assert(F <= 40, "t^2 (3 - 2 t) 2^(3F) has to fit 128 bits.");
+        const Integer128 unit = Integer128(1) << F, square = unit << F;
+        const Integer128 t = a < 0 ? Integer128(0) : a > unit ? unit : Integer128(a);
+        const Integer128 n = t * t * (3 * unit - 2 * t), target = (n + square / 2) / square;
+        if (target > format.max()) return pinned(format.max(), result);
+        return {.error_ulp =
+                    to_double(result - target) + to_double(target * square - n) / to_double(square),
+                .as_defined = result == target};
+    } else if constexpr (operation == Operation::midpoint) {
+        return judge_quotient<subject, 1>(raw(0) + raw(1), Number(2), result);
+    } else if constexpr (operation == Operation::abs_diff) {
+        return whole(a < operands[1] ? raw(1) - raw(0) : raw(0) - raw(1));
+    } else if constexpr (operation == Operation::copysign) {
+        return whole((a < 0) == (operands[1] < 0) ? raw(0) : -raw(0));
     } else if constexpr (operation == Operation::length2 || operation == Operation::length3) {
         return judge_length<subject>(operands.first(shape(operation).operands), result);
     } else if constexpr (operation == Operation::normalise3) {
@@ -293,7 +331,10 @@ Judgement judge(std::span<const std::int64_t> operands, std::span<const std::int
     } else {
         static_assert(shape(operation).operands <= 2, "This operation has no fast judge.");
         Real x[2] = {real(0)};
-        if constexpr (shape(operation).operands == 2) x[1] = real(1);
+        if constexpr (takes_integer(operation))
+            x[1] = Real(operands[1]);
+        else if constexpr (shape(operation).operands == 2)
+            x[1] = real(1);
         if (published && operation == Operation::atan)
             x[0] = x[0] < 0 ? Real(0) : x[0] > 1 ? Real(1) : x[0];
         Real exact = function(operation, x);

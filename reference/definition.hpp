@@ -67,6 +67,11 @@ constexpr Definition definition(Operation operation, Arithmetic arithmetic) {
                 case Operation::multiply_add:
                 case Operation::dot2:
                 case Operation::dot3:
+                case Operation::divrem:
+                case Operation::divmod:
+                case Operation::lerp:
+                case Operation::smoothstep:
+                case Operation::midpoint:
                     return {Rounding::within_bound, Overflow::to_infinity, no_bound};
                 default:
                     if (function) return {Rounding::within_bound, Overflow::to_infinity, no_bound};
@@ -81,7 +86,7 @@ constexpr Definition definition(Operation operation, Arithmetic arithmetic) {
 // Whether the results of half of the operands are below half an ulp.
 constexpr bool vanishes(Operation operation) {
     return operation == Operation::exp || operation == Operation::exp2 ||
-           operation == Operation::pow;
+           operation == Operation::pow || operation == Operation::power;
 }
 
 // The number 1 as a raw; of 64 bits it may be too large for one.
@@ -114,6 +119,8 @@ constexpr bool in_domain(Operation operation, std::span<const Number> x, One one
             return x[0] >= -one && x[0] <= one;
         case Domain::power:
             return x[0] > 0 || x[1] == 0 || (x[0] == 0 ? x[1] > 0 : is_multiple(x[1], one));
+        case Domain::integer_power:
+            return x[0] != 0 || x[1] >= 0;
     }
     return false;
 }
@@ -129,10 +136,15 @@ constexpr std::int64_t rounded_pi(const NumberFormat& format, int halvings) {
     return rounded > std::uint64_t(format.max()) ? format.max() : std::int64_t(rounded);
 }
 
-// What a fixed-point operation returns where there is none; a is the first operand's raw.
+// What a fixed-point operation returns where there is none, of several results one; a is the first
+// operand's raw.
 constexpr std::int64_t outside_domain(Operation operation, const NumberFormat& format,
-                                      std::int64_t a) {
+                                      std::int64_t a, std::size_t component = 0) {
     switch (operation) {
+        case Operation::divrem:
+        case Operation::divmod:
+            if (component == 1) return a;
+            [[fallthrough]];
         case Operation::divide:
             return a > 0 ? format.max() : a < 0 ? format.min() : 0;
         case Operation::remainder:
@@ -149,6 +161,7 @@ constexpr std::int64_t outside_domain(Operation operation, const NumberFormat& f
         case Operation::acos:
             return a > 0 ? 0 : rounded_pi(format, 0);
         case Operation::pow:
+        case Operation::power:
             return a == 0 ? format.max() : 0;
         default:
             return 0;  // sqrt of a negative number, atan2(0, 0), the zero vector normalised

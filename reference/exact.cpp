@@ -92,6 +92,34 @@ Exact exact(Operation operation, std::span<const Rational> operands, std::size_t
             const Real angle = real(0);
             return function(component == 0 ? Operation::sin : Operation::cos, &angle);
         }
+        case Operation::sincos_turns: {
+            const Real angle = real(0);
+            return function(component == 0 ? Operation::sin_turns : Operation::cos_turns, &angle);
+        }
+        case Operation::sincos_degrees: {
+            const Real angle = real(0);
+            return function(component == 0 ? Operation::sin_degrees : Operation::cos_degrees,
+                            &angle);
+        }
+        case Operation::divrem:
+        case Operation::divmod: {
+            const Rational ratio = x[0] / x[1];
+            const Rational quotient =
+                operation == Operation::divrem ? truncate(ratio) : Rational(floor(ratio));
+            return component == 0 ? quotient : Rational(x[0] - x[1] * quotient);
+        }
+        case Operation::lerp:
+            return Rational(x[0] + (x[1] - x[0]) * x[2]);
+        case Operation::smoothstep: {
+            const Rational t = x[0] < 0 ? Rational(0) : x[0] > 1 ? Rational(1) : x[0];
+            return Rational(t * t * (3 - 2 * t));
+        }
+        case Operation::midpoint:
+            return Rational((x[0] + x[1]) / 2);
+        case Operation::abs_diff:
+            return Rational(abs(Rational(x[0] - x[1])));
+        case Operation::copysign:
+            return Rational(x[1] < 0 ? -abs(x[0]) : abs(x[0]));
         case Operation::length2:
         case Operation::length3:
             return length(x);

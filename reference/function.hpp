@@ -65,6 +65,22 @@ inline Binary128 sqrt(Binary128 x) { return sqrtf128(x); }
 inline Binary128 floor(Binary128 x) { return floorf128(x); }
 }  // namespace functions
 
+// 2 pi times the fraction of a turn, of which `turn` is the whole: no turns are left of it.
+template <class Number>
+Number radians(const Number& angle, int turn) {
+    using functions::floor, functions::atan;
+    static const Number tau = 8 * atan(Number(1));
+    const Number rest = angle - turn * floor(Number(angle / turn + Number(0.5)));
+    return rest * tau / turn;
+}
+// Of an angle in radians, as a part of `turn`.
+template <class Number>
+Number part_of_turn(const Number& radians, int turn) {
+    using functions::atan;
+    static const Number tau = 8 * atan(Number(1));
+    return radians * turn / tau;
+}
+
 // Precondition: the operands lie in the operation's domain, or Number has values for what does not.
 // Inlined, since the bulk judge knows the operation at compile time.
 template <class Number>
@@ -116,6 +132,20 @@ template <class Number>
             return cbrt(x[0]);
         case Operation::pow:
             return pow(x[0], x[1]);
+        case Operation::sin_turns:
+            return sin(radians(x[0], 1));
+        case Operation::cos_turns:
+            return cos(radians(x[0], 1));
+        case Operation::atan2_turns:
+            return part_of_turn(Number(atan2(x[0], x[1])), 1);
+        case Operation::sin_degrees:
+            return sin(radians(x[0], 360));
+        case Operation::cos_degrees:
+            return cos(radians(x[0], 360));
+        case Operation::atan2_degrees:
+            return part_of_turn(Number(atan2(x[0], x[1])), 360);
+        case Operation::power:
+            return x[1] == 0 ? Number(1) : Number(pow(x[0], x[1]));
         default:
             throw std::logic_error("an operation that is no function of plain numbers");
     }

@@ -168,9 +168,9 @@ class Judge {
             if (subject_.arithmetic == Arithmetic::integer ||
                 subject_.arithmetic == Arithmetic::accum)
                 return {.excluded = "undefined outside the operation's domain"};
-            return judge_pinned(subject_.format,
-                                outside_domain(subject_.operation, subject_.format, operands_[0]),
-                                result);
+            return judge_pinned(
+                subject_.format,
+                outside_domain(subject_.operation, subject_.format, operands_[0], index), result);
         }
         return against(exact_value(index), result);
     }
@@ -186,12 +186,15 @@ class Judge {
     }
 
     NumberFormat operand_format(std::size_t index) const {
-        if (is_shift(subject_.operation) && index == 1) return {FormatKind::integer, 64, 0};
+        if (takes_integer(subject_.operation) && index == 1 && !subject_.operand_format.is_float())
+            return {FormatKind::integer, 64, 0};
         return subject_.operand_format;
     }
 
     Exact exact_value(std::size_t index) const {
         const Exact result = exact(subject_.operation, values_, index);
+        if (gives_integer_quotient(subject_.operation) && index == 0)
+            return scale(std::get<Rational>(result), -subject_.format.fraction);
         if (subject_.operation != Operation::atan2) return result;
         if (subject_.arithmetic == Arithmetic::published) return published_angle(result);
         const bool minus_zero = subject_.format.is_float() && values_[0] == 0 && operands_[0] != 0;
@@ -229,6 +232,23 @@ class Judge {
             case Operation::normalise3:
                 return {.excluded =
                             "a vector function of singles that are not finite, or all zero"};
+            case Operation::sin_turns:
+            case Operation::cos_turns:
+            case Operation::sincos_turns:
+            case Operation::atan2_turns:
+            case Operation::sin_degrees:
+            case Operation::cos_degrees:
+            case Operation::sincos_degrees:
+            case Operation::atan2_degrees:
+            case Operation::divrem:
+            case Operation::divmod:
+            case Operation::lerp:
+            case Operation::smoothstep:
+            case Operation::midpoint:
+            case Operation::abs_diff:
+            case Operation::copysign:
+            case Operation::power:
+                return {.excluded = "no function of C, whose special cases would be known"};
             case Operation::sincos:
                 // Sine and cosine of what is not finite are the same NaN.
                 operation = Operation::sin;

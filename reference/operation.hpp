@@ -14,7 +14,18 @@
 namespace reference {
 
 // The rows of operation_table.h as values.
-enum class Signature { unary, binary, ternary, shift, conversion, pair, dot, length, direction };
+enum class Signature {
+    unary,
+    binary,
+    ternary,
+    shift,
+    conversion,
+    pair,
+    binary_pair,
+    dot,
+    length,
+    direction
+};
 enum class Kind { ring, rounded, function };
 enum class Domain {
     everywhere,
@@ -24,7 +35,8 @@ enum class Domain {
     nonzero_vector,
     above_minus_one,
     unit_interval,  // -1 to 1
-    power           // x[0]^x[1]
+    power,          // x[0]^x[1]
+    integer_power   // x[0]^x[1], x[1] an integer
 };
 
 struct OperationShape {
@@ -66,6 +78,15 @@ constexpr std::size_t vector_operands(Operation operation) {
 
 constexpr bool is_shift(Operation operation) {
     return shape(operation).signature == Signature::shift;
+}
+
+// Whether the second operand is an integer, of which the raw is the value.
+constexpr bool takes_integer(Operation operation) {
+    return is_shift(operation) || operation == Operation::power;
+}
+// Whether the first result is one.
+constexpr bool gives_integer_quotient(Operation operation) {
+    return operation == Operation::divrem || operation == Operation::divmod;
 }
 
 // Throws std::invalid_argument that lists the operations.

@@ -8,11 +8,12 @@
  * signature  how the function is called (bench/lab/catalogue/invoke.h)
  * operands   how many numbers it takes, and `results` how many it gives. Vectors lie one after the
  *            other: the operands of dot3 are a0 a1 a2 b0 b1 b2. atan2 takes y, x. The second
- * operand of a shift is a count, a plain integer. The results of sincos are sine and cosine. kind
- * ring: exact, rounded, then taken modulo 2^W in the wrapping arithmetics, so that sums whose
- * intermediates overflow still come out right; rounded: exact, rounded, clamped; function: within
- * bound_ulp of the exact value, clamped domain     where it has an exact value; what it returns
- * elsewhere stands behind the row
+ * operand of a shift is a count, a plain integer, and that of power an exponent, a raw that stands
+ * for itself. The results of sincos are sine and cosine; those of divrem and divmod the quotient,
+ * an integer in the raw, and the remainder. kind ring: exact, rounded, then taken modulo 2^W in the
+ * wrapping arithmetics, so that sums whose intermediates overflow still come out right; rounded:
+ * exact, rounded, clamped; function: within bound_ulp of the exact value, clamped domain     where
+ * it has an exact value; what it returns elsewhere stands behind the row
  *
  * Notation: a, b raws of W bits, value = raw / 2^F; x the exact result in units of the last place.
  */
@@ -74,6 +75,38 @@
     X(cbrt, unary, 1, 1, function, 0.75, everywhere, __VA_ARGS__)
 #define OPERATION_pow(X, ...) /* a^b; b = 0: 1; a = 0, b < 0: MAX; a < 0, b no integer: 0 */ \
     X(pow, binary, 2, 1, function, 0.75, power, __VA_ARGS__)
+#define OPERATION_sin_turns(X, ...) /* sin(2 pi a), any angle; never beyond +-1 */ \
+    X(sin_turns, unary, 1, 1, function, 0.75, everywhere, __VA_ARGS__)
+#define OPERATION_cos_turns(X, ...) /* as sin_turns */ \
+    X(cos_turns, unary, 1, 1, function, 0.75, everywhere, __VA_ARGS__)
+#define OPERATION_sincos_turns(X, ...) /* of each result */ \
+    X(sincos_turns, pair, 1, 2, function, 0.75, everywhere, __VA_ARGS__)
+#define OPERATION_atan2_turns(X, ...) /* in -1/2..1/2; a = b = 0: 0 */ \
+    X(atan2_turns, binary, 2, 1, function, 0.75, nonzero_vector, __VA_ARGS__)
+#define OPERATION_sin_degrees(X, ...) /* sin(2 pi a / 360), any angle; never beyond +-1 */ \
+    X(sin_degrees, unary, 1, 1, function, 0.75, everywhere, __VA_ARGS__)
+#define OPERATION_cos_degrees(X, ...) /* as sin_degrees */ \
+    X(cos_degrees, unary, 1, 1, function, 0.75, everywhere, __VA_ARGS__)
+#define OPERATION_sincos_degrees(X, ...) /* of each result */ \
+    X(sincos_degrees, pair, 1, 2, function, 0.75, everywhere, __VA_ARGS__)
+#define OPERATION_atan2_degrees(X, ...) /* in -180..180; a = b = 0: 0 */ \
+    X(atan2_degrees, binary, 2, 1, function, 0.75, nonzero_vector, __VA_ARGS__)
+#define OPERATION_divrem(X, ...) /* trunc(a / b), an integer, and a - b trunc(a / b); b = 0: as divide, and a */ \
+    X(divrem, binary_pair, 2, 2, rounded, 0, nonzero_divisor, __VA_ARGS__)
+#define OPERATION_divmod(X, ...) /* floor(a / b), an integer, and a - b floor(a / b); b = 0: as divrem */ \
+    X(divmod, binary_pair, 2, 2, rounded, 0, nonzero_divisor, __VA_ARGS__)
+#define OPERATION_lerp(X, ...) /* x = a + (b - a) c / 2^F, one rounding */ \
+    X(lerp, ternary, 3, 1, ring, 0, everywhere, __VA_ARGS__)
+#define OPERATION_smoothstep(X, ...) /* 3 a^2 - 2 a^3 of a held to 0..1, one rounding */ \
+    X(smoothstep, unary, 1, 1, rounded, 0, everywhere, __VA_ARGS__)
+#define OPERATION_midpoint(X, ...) /* x = (a + b) / 2 */ \
+    X(midpoint, binary, 2, 1, rounded, 0, everywhere, __VA_ARGS__)
+#define OPERATION_abs_diff(X, ...) /* x = |a - b| */ \
+    X(abs_diff, binary, 2, 1, ring, 0, everywhere, __VA_ARGS__)
+#define OPERATION_copysign(X, ...) /* x = |a|, negative where b is */ \
+    X(copysign, binary, 2, 1, ring, 0, everywhere, __VA_ARGS__)
+#define OPERATION_power(X, ...) /* a^n, 1 where n = 0; a = 0, n < 0: MAX */ \
+    X(power, binary, 2, 1, function, 0.75, integer_power, __VA_ARGS__)
 #define OPERATION_multiply_add(X, ...) /* x = a b / 2^F + c, one rounding */ \
     X(multiply_add, ternary, 3, 1, ring, 0, everywhere, __VA_ARGS__)
 #define OPERATION_dot2(X, ...) /* x = sum of a_i b_i / 2^F, one rounding */ \
@@ -120,12 +153,26 @@
                     OPERATION_cosh(X, __VA_ARGS__) OPERATION_tanh(X, __VA_ARGS__)               \
                         OPERATION_cbrt(X, __VA_ARGS__) OPERATION_pow(X, __VA_ARGS__)
 
+/* Those that every arithmetic takes from others, in programs of their own too: angles in turns and
+ * degrees, and what is exact or rounded once. */
+#define AUXILIARY_OPERATIONS(X, ...)                                                              \
+    OPERATION_sin_turns(X, __VA_ARGS__) OPERATION_cos_turns(X, __VA_ARGS__)                       \
+        OPERATION_sincos_turns(X, __VA_ARGS__) OPERATION_atan2_turns(X, __VA_ARGS__)              \
+            OPERATION_sin_degrees(X, __VA_ARGS__) OPERATION_cos_degrees(X, __VA_ARGS__)           \
+                OPERATION_sincos_degrees(X, __VA_ARGS__) OPERATION_atan2_degrees(X, __VA_ARGS__)  \
+                    OPERATION_divrem(X, __VA_ARGS__) OPERATION_divmod(X, __VA_ARGS__)             \
+                        OPERATION_lerp(X, __VA_ARGS__) OPERATION_smoothstep(X, __VA_ARGS__)       \
+                            OPERATION_midpoint(X, __VA_ARGS__) OPERATION_abs_diff(X, __VA_ARGS__) \
+                                OPERATION_copysign(X, __VA_ARGS__)
+
 /* All. */
-#define OPERATIONS(X, ...)                                                               \
-    MEASURED_OPERATIONS(X, __VA_ARGS__)                                                  \
-    ELEMENTARY_OPERATIONS(X, __VA_ARGS__)                                                \
-    OPERATION_negate(X, __VA_ARGS__) OPERATION_abs(X, __VA_ARGS__) OPERATION_shift_left( \
-        X, __VA_ARGS__) OPERATION_shift_right(X, __VA_ARGS__) OPERATION_convert(X, __VA_ARGS__)
+#define OPERATIONS(X, ...)                                                                         \
+    MEASURED_OPERATIONS(X, __VA_ARGS__)                                                            \
+    ELEMENTARY_OPERATIONS(X, __VA_ARGS__)                                                          \
+    AUXILIARY_OPERATIONS(X, __VA_ARGS__)                                                           \
+    OPERATION_power(X, __VA_ARGS__) OPERATION_negate(X, __VA_ARGS__) OPERATION_abs(X, __VA_ARGS__) \
+        OPERATION_shift_left(X, __VA_ARGS__) OPERATION_shift_right(X, __VA_ARGS__)                 \
+            OPERATION_convert(X, __VA_ARGS__)
 
 #ifdef __cplusplus
 namespace reference {

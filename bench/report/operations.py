@@ -16,6 +16,9 @@ BASIC = ("add", "multiply", "divide", "sqrt", "sin", "atan2")
 # would be that of neither.
 ELEMENTARY = ("tan", "asin", "acos", "exp2", "expm1", "log2", "log10", "log1p", "sinh", "cosh", "tanh",
               "cbrt", "pow")
+# AUXILIARY_OPERATIONS of reference/operation_table.h. They are in no mean: float has expressions in their place.
+AUXILIARY = ("sin_turns", "cos_turns", "sincos_turns", "atan2_turns", "sin_degrees", "cos_degrees", "sincos_degrees",
+             "atan2_degrees", "divrem", "divmod", "lerp", "smoothstep", "midpoint", "abs_diff", "copysign")
 # Whose square roots the first page compares.
 ROOTS = (("q4_4", OURS), ("q8_8", OURS), ("q16_16", OURS), ("q16_16", "small"), ("q8_24", OURS),
          ("q32_32", OURS), FLOAT, PUBLISHED)
@@ -96,7 +99,7 @@ def ratios_to_float(data, number_format, implementation=OURS, elementary=False):
     kernels, or of the elementary functions."""
     found = {}
     for operation in names(data, number_format, implementation):
-        if (operation in ELEMENTARY) != elementary:
+        if operation in AUXILIARY or (operation in ELEMENTARY) != elementary:
             continue
         theirs = mean(data, operation, *FLOAT)
         if theirs is not None:

@@ -55,6 +55,20 @@ Number number(typename Number::Raw raw) {
 
 #define UNARY(q, Number, name) \
     q q##_##name(q a) { return name(number<Number>(a)).raw(); }
+#define BINARY(q, Number, name) \
+    q q##_##name(q a, q b) { return name(number<Number>(a), number<Number>(b)).raw(); }
+#define SINE_AND_COSINE(q, Number, name)               \
+    void q##_##name(q angle, q* sine_and_cosine) {     \
+        const auto both = name(number<Number>(angle)); \
+        sine_and_cosine[0] = both.sine.raw();          \
+        sine_and_cosine[1] = both.cosine.raw();        \
+    }
+#define QUOTIENT_AND_REMAINDER(q, Number, name)                       \
+    void q##_##name(q a, q b, q* quotient_and_remainder) {            \
+        const auto both = name(number<Number>(a), number<Number>(b)); \
+        quotient_and_remainder[0] = both.quotient;                    \
+        quotient_and_remainder[1] = both.remainder.raw();             \
+    }
 #define OPERATOR(q, Number, name, symbol) \
     q q##_##name(q a, q b) { return (number<Number>(a) symbol number<Number>(b)).raw(); }
 #define SHIFT(q, Number, name, symbol) \
@@ -95,6 +109,24 @@ Number number(typename Number::Raw raw) {
     UNARY(q, Number, cbrt)                                                                  \
     q q##_pow(q x, q y) { return pow(number<Number>(x), number<Number>(y)).raw(); }         \
     q q##_atan2(q y, q x) { return atan2(number<Number>(y), number<Number>(x)).raw(); }     \
+    UNARY(q, Number, sin_turns)                                                             \
+    UNARY(q, Number, cos_turns)                                                             \
+    SINE_AND_COSINE(q, Number, sincos_turns)                                                \
+    BINARY(q, Number, atan2_turns)                                                          \
+    UNARY(q, Number, sin_degrees)                                                           \
+    UNARY(q, Number, cos_degrees)                                                           \
+    SINE_AND_COSINE(q, Number, sincos_degrees)                                              \
+    BINARY(q, Number, atan2_degrees)                                                        \
+    QUOTIENT_AND_REMAINDER(q, Number, divrem)                                               \
+    QUOTIENT_AND_REMAINDER(q, Number, divmod)                                               \
+    q q##_lerp(q a, q b, q t) {                                                             \
+        return lerp(number<Number>(a), number<Number>(b), number<Number>(t)).raw();         \
+    }                                                                                       \
+    UNARY(q, Number, smoothstep)                                                            \
+    BINARY(q, Number, midpoint)                                                             \
+    BINARY(q, Number, abs_diff)                                                             \
+    BINARY(q, Number, copysign)                                                             \
+    q q##_power(q x, int32_t n) { return power(number<Number>(x), n).raw(); }               \
     q q##_multiply_add(q a, q b, q c) {                                                     \
         return multiply_add(number<Number>(a), number<Number>(b), number<Number>(c)).raw(); \
     }                                                                                       \

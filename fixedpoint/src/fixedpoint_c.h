@@ -137,6 +137,43 @@ q4_4 q4_4_cbrt(q4_4 a);
 /// x^y within 0.75 ulp, saturated; 1 where y is 0. Where x is 0: 0, or Q4_4_MAX where y < 0. Where
 /// x < 0: the power of |x|, negative for odd y, and 0 where y is not an integer.
 q4_4 q4_4_pow(q4_4 x, q4_4 y);
+/// The sine of any angle in turns within 0.75 ulp, exact at quarter turns, never beyond -1 and 1.
+q4_4 q4_4_sin_turns(q4_4 angle);
+/// The cosine of any angle in turns within 0.75 ulp, exact at quarter turns, never beyond -1 and 1.
+q4_4 q4_4_cos_turns(q4_4 angle);
+/// Writes what sin_turns and cos_turns return.
+void q4_4_sincos_turns(q4_4 angle, q4_4 sine_and_cosine[2]);
+/// The angle of the vector (x, y) in turns, from -1/2 to 1/2, within 0.75 ulp; 0 where both are 0.
+q4_4 q4_4_atan2_turns(q4_4 y, q4_4 x);
+/// The sine of any angle in degrees within 0.75 ulp, exact at multiples of 90, never beyond -1 and
+/// 1.
+q4_4 q4_4_sin_degrees(q4_4 angle);
+/// The cosine of any angle in degrees within 0.75 ulp, exact at multiples of 90, never beyond -1
+/// and 1.
+q4_4 q4_4_cos_degrees(q4_4 angle);
+/// Writes what sin_degrees and cos_degrees return.
+void q4_4_sincos_degrees(q4_4 angle, q4_4 sine_and_cosine[2]);
+/// The angle of the vector (x, y) in degrees, from -180 to 180, within 0.75 ulp, saturated; 0 where
+/// both are 0.
+q4_4 q4_4_atan2_degrees(q4_4 y, q4_4 x);
+/// Writes trunc(a / b), an integer, and a - b trunc(a / b), exact, 0 or of the sign of a; the
+/// quotient is saturated. Where b is 0: Q4_4_MAX if a > 0, Q4_4_MIN if a < 0, 0 if a is 0; and a.
+void q4_4_divrem(q4_4 a, q4_4 b, q4_4 quotient_and_remainder[2]);
+/// Writes floor(a / b), an integer, and a - b floor(a / b), exact, 0 or of the sign of b; without a
+/// quotient as divrem.
+void q4_4_divmod(q4_4 a, q4_4 b, q4_4 quotient_and_remainder[2]);
+/// a + t (b - a) rounded once, to nearest, half up, modulo 2^4; with t from 0 to 1 between a and b.
+q4_4 q4_4_lerp(q4_4 a, q4_4 b, q4_4 t);
+/// 3 t^2 - 2 t^3 rounded to nearest, half up; 0 where t < 0, and 1 where t > 1.
+q4_4 q4_4_smoothstep(q4_4 t);
+/// (a + b) / 2 rounded to nearest, half up; no sum overflows.
+q4_4 q4_4_midpoint(q4_4 a, q4_4 b);
+/// |a - b| modulo 2^4.
+q4_4 q4_4_abs_diff(q4_4 a, q4_4 b);
+/// |a|, negative where b is; Q4_4_MIN for |Q4_4_MIN|.
+q4_4 q4_4_copysign(q4_4 a, q4_4 b);
+/// x^n within 0.75 ulp, saturated; 1 where n is 0, and Q4_4_MAX where x is 0 and n < 0.
+q4_4 q4_4_power(q4_4 x, int32_t n);
 /// a[0] b[0] + a[1] b[1] rounded once, to nearest, half up, modulo 2^4.
 q4_4 q4_4_dot2(const q4_4 a[2], const q4_4 b[2])
     FIXEDPOINT_C_KERNEL(fixedpoint_dot2_q4_4);
@@ -271,6 +308,43 @@ q8_8 q8_8_cbrt(q8_8 a);
 /// x^y within 0.75 ulp, saturated; 1 where y is 0. Where x is 0: 0, or Q8_8_MAX where y < 0. Where
 /// x < 0: the power of |x|, negative for odd y, and 0 where y is not an integer.
 q8_8 q8_8_pow(q8_8 x, q8_8 y);
+/// The sine of any angle in turns within 0.75 ulp, exact at quarter turns, never beyond -1 and 1.
+q8_8 q8_8_sin_turns(q8_8 angle);
+/// The cosine of any angle in turns within 0.75 ulp, exact at quarter turns, never beyond -1 and 1.
+q8_8 q8_8_cos_turns(q8_8 angle);
+/// Writes what sin_turns and cos_turns return.
+void q8_8_sincos_turns(q8_8 angle, q8_8 sine_and_cosine[2]);
+/// The angle of the vector (x, y) in turns, from -1/2 to 1/2, within 0.75 ulp; 0 where both are 0.
+q8_8 q8_8_atan2_turns(q8_8 y, q8_8 x);
+/// The sine of any angle in degrees within 0.75 ulp, exact at multiples of 90, never beyond -1 and
+/// 1.
+q8_8 q8_8_sin_degrees(q8_8 angle);
+/// The cosine of any angle in degrees within 0.75 ulp, exact at multiples of 90, never beyond -1
+/// and 1.
+q8_8 q8_8_cos_degrees(q8_8 angle);
+/// Writes what sin_degrees and cos_degrees return.
+void q8_8_sincos_degrees(q8_8 angle, q8_8 sine_and_cosine[2]);
+/// The angle of the vector (x, y) in degrees, from -180 to 180, within 0.75 ulp, saturated; 0 where
+/// both are 0.
+q8_8 q8_8_atan2_degrees(q8_8 y, q8_8 x);
+/// Writes trunc(a / b), an integer, and a - b trunc(a / b), exact, 0 or of the sign of a; the
+/// quotient is saturated. Where b is 0: Q8_8_MAX if a > 0, Q8_8_MIN if a < 0, 0 if a is 0; and a.
+void q8_8_divrem(q8_8 a, q8_8 b, q8_8 quotient_and_remainder[2]);
+/// Writes floor(a / b), an integer, and a - b floor(a / b), exact, 0 or of the sign of b; without a
+/// quotient as divrem.
+void q8_8_divmod(q8_8 a, q8_8 b, q8_8 quotient_and_remainder[2]);
+/// a + t (b - a) rounded once, to nearest, half up, modulo 2^8; with t from 0 to 1 between a and b.
+q8_8 q8_8_lerp(q8_8 a, q8_8 b, q8_8 t);
+/// 3 t^2 - 2 t^3 rounded to nearest, half up; 0 where t < 0, and 1 where t > 1.
+q8_8 q8_8_smoothstep(q8_8 t);
+/// (a + b) / 2 rounded to nearest, half up; no sum overflows.
+q8_8 q8_8_midpoint(q8_8 a, q8_8 b);
+/// |a - b| modulo 2^8.
+q8_8 q8_8_abs_diff(q8_8 a, q8_8 b);
+/// |a|, negative where b is; Q8_8_MIN for |Q8_8_MIN|.
+q8_8 q8_8_copysign(q8_8 a, q8_8 b);
+/// x^n within 0.75 ulp, saturated; 1 where n is 0, and Q8_8_MAX where x is 0 and n < 0.
+q8_8 q8_8_power(q8_8 x, int32_t n);
 /// a[0] b[0] + a[1] b[1] rounded once, to nearest, half up, modulo 2^8.
 q8_8 q8_8_dot2(const q8_8 a[2], const q8_8 b[2])
     FIXEDPOINT_C_KERNEL(fixedpoint_dot2_q8_8);
@@ -407,6 +481,45 @@ q16_16 q16_16_cbrt(q16_16 a);
 /// x^y within 0.75 ulp, saturated; 1 where y is 0. Where x is 0: 0, or Q16_16_MAX where y < 0.
 /// Where x < 0: the power of |x|, negative for odd y, and 0 where y is not an integer.
 q16_16 q16_16_pow(q16_16 x, q16_16 y);
+/// The sine of any angle in turns within 0.75 ulp, exact at quarter turns, never beyond -1 and 1.
+q16_16 q16_16_sin_turns(q16_16 angle);
+/// The cosine of any angle in turns within 0.75 ulp, exact at quarter turns, never beyond -1 and 1.
+q16_16 q16_16_cos_turns(q16_16 angle);
+/// Writes what sin_turns and cos_turns return.
+void q16_16_sincos_turns(q16_16 angle, q16_16 sine_and_cosine[2]);
+/// The angle of the vector (x, y) in turns, from -1/2 to 1/2, within 0.75 ulp; 0 where both are 0.
+q16_16 q16_16_atan2_turns(q16_16 y, q16_16 x);
+/// The sine of any angle in degrees within 0.75 ulp, exact at multiples of 90, never beyond -1 and
+/// 1.
+q16_16 q16_16_sin_degrees(q16_16 angle);
+/// The cosine of any angle in degrees within 0.75 ulp, exact at multiples of 90, never beyond -1
+/// and 1.
+q16_16 q16_16_cos_degrees(q16_16 angle);
+/// Writes what sin_degrees and cos_degrees return.
+void q16_16_sincos_degrees(q16_16 angle, q16_16 sine_and_cosine[2]);
+/// The angle of the vector (x, y) in degrees, from -180 to 180, within 0.75 ulp, saturated; 0 where
+/// both are 0.
+q16_16 q16_16_atan2_degrees(q16_16 y, q16_16 x);
+/// Writes trunc(a / b), an integer, and a - b trunc(a / b), exact, 0 or of the sign of a; the
+/// quotient is saturated. Where b is 0: Q16_16_MAX if a > 0, Q16_16_MIN if a < 0, 0 if a is 0; and
+/// a.
+void q16_16_divrem(q16_16 a, q16_16 b, q16_16 quotient_and_remainder[2]);
+/// Writes floor(a / b), an integer, and a - b floor(a / b), exact, 0 or of the sign of b; without a
+/// quotient as divrem.
+void q16_16_divmod(q16_16 a, q16_16 b, q16_16 quotient_and_remainder[2]);
+/// a + t (b - a) rounded once, to nearest, half up, modulo 2^16; with t from 0 to 1 between a and
+/// b.
+q16_16 q16_16_lerp(q16_16 a, q16_16 b, q16_16 t);
+/// 3 t^2 - 2 t^3 rounded to nearest, half up; 0 where t < 0, and 1 where t > 1.
+q16_16 q16_16_smoothstep(q16_16 t);
+/// (a + b) / 2 rounded to nearest, half up; no sum overflows.
+q16_16 q16_16_midpoint(q16_16 a, q16_16 b);
+/// |a - b| modulo 2^16.
+q16_16 q16_16_abs_diff(q16_16 a, q16_16 b);
+/// |a|, negative where b is; Q16_16_MIN for |Q16_16_MIN|.
+q16_16 q16_16_copysign(q16_16 a, q16_16 b);
+/// x^n within 0.75 ulp, saturated; 1 where n is 0, and Q16_16_MAX where x is 0 and n < 0.
+q16_16 q16_16_power(q16_16 x, int32_t n);
 /// a[0] b[0] + a[1] b[1] rounded once, to nearest, half up, modulo 2^16.
 q16_16 q16_16_dot2(const q16_16 a[2], const q16_16 b[2])
     FIXEDPOINT_C_KERNEL(fixedpoint_dot2_q16_16);
@@ -543,6 +656,43 @@ q8_24 q8_24_cbrt(q8_24 a);
 /// x^y within 0.75 ulp, saturated; 1 where y is 0. Where x is 0: 0, or Q8_24_MAX where y < 0. Where
 /// x < 0: the power of |x|, negative for odd y, and 0 where y is not an integer.
 q8_24 q8_24_pow(q8_24 x, q8_24 y);
+/// The sine of any angle in turns within 0.75 ulp, exact at quarter turns, never beyond -1 and 1.
+q8_24 q8_24_sin_turns(q8_24 angle);
+/// The cosine of any angle in turns within 0.75 ulp, exact at quarter turns, never beyond -1 and 1.
+q8_24 q8_24_cos_turns(q8_24 angle);
+/// Writes what sin_turns and cos_turns return.
+void q8_24_sincos_turns(q8_24 angle, q8_24 sine_and_cosine[2]);
+/// The angle of the vector (x, y) in turns, from -1/2 to 1/2, within 0.75 ulp; 0 where both are 0.
+q8_24 q8_24_atan2_turns(q8_24 y, q8_24 x);
+/// The sine of any angle in degrees within 0.75 ulp, exact at multiples of 90, never beyond -1 and
+/// 1.
+q8_24 q8_24_sin_degrees(q8_24 angle);
+/// The cosine of any angle in degrees within 0.75 ulp, exact at multiples of 90, never beyond -1
+/// and 1.
+q8_24 q8_24_cos_degrees(q8_24 angle);
+/// Writes what sin_degrees and cos_degrees return.
+void q8_24_sincos_degrees(q8_24 angle, q8_24 sine_and_cosine[2]);
+/// The angle of the vector (x, y) in degrees, from -180 to 180, within 0.75 ulp, saturated; 0 where
+/// both are 0.
+q8_24 q8_24_atan2_degrees(q8_24 y, q8_24 x);
+/// Writes trunc(a / b), an integer, and a - b trunc(a / b), exact, 0 or of the sign of a; the
+/// quotient is saturated. Where b is 0: Q8_24_MAX if a > 0, Q8_24_MIN if a < 0, 0 if a is 0; and a.
+void q8_24_divrem(q8_24 a, q8_24 b, q8_24 quotient_and_remainder[2]);
+/// Writes floor(a / b), an integer, and a - b floor(a / b), exact, 0 or of the sign of b; without a
+/// quotient as divrem.
+void q8_24_divmod(q8_24 a, q8_24 b, q8_24 quotient_and_remainder[2]);
+/// a + t (b - a) rounded once, to nearest, half up, modulo 2^8; with t from 0 to 1 between a and b.
+q8_24 q8_24_lerp(q8_24 a, q8_24 b, q8_24 t);
+/// 3 t^2 - 2 t^3 rounded to nearest, half up; 0 where t < 0, and 1 where t > 1.
+q8_24 q8_24_smoothstep(q8_24 t);
+/// (a + b) / 2 rounded to nearest, half up; no sum overflows.
+q8_24 q8_24_midpoint(q8_24 a, q8_24 b);
+/// |a - b| modulo 2^8.
+q8_24 q8_24_abs_diff(q8_24 a, q8_24 b);
+/// |a|, negative where b is; Q8_24_MIN for |Q8_24_MIN|.
+q8_24 q8_24_copysign(q8_24 a, q8_24 b);
+/// x^n within 0.75 ulp, saturated; 1 where n is 0, and Q8_24_MAX where x is 0 and n < 0.
+q8_24 q8_24_power(q8_24 x, int32_t n);
 /// a[0] b[0] + a[1] b[1] rounded once, to nearest, half up, modulo 2^8.
 q8_24 q8_24_dot2(const q8_24 a[2], const q8_24 b[2])
     FIXEDPOINT_C_KERNEL(fixedpoint_dot2_q8_24);
@@ -675,6 +825,45 @@ q32_32 q32_32_cbrt(q32_32 a);
 /// x^y within 0.75 ulp, saturated; 1 where y is 0. Where x is 0: 0, or Q32_32_MAX where y < 0.
 /// Where x < 0: the power of |x|, negative for odd y, and 0 where y is not an integer.
 q32_32 q32_32_pow(q32_32 x, q32_32 y);
+/// The sine of any angle in turns within 0.75 ulp, exact at quarter turns, never beyond -1 and 1.
+q32_32 q32_32_sin_turns(q32_32 angle);
+/// The cosine of any angle in turns within 0.75 ulp, exact at quarter turns, never beyond -1 and 1.
+q32_32 q32_32_cos_turns(q32_32 angle);
+/// Writes what sin_turns and cos_turns return.
+void q32_32_sincos_turns(q32_32 angle, q32_32 sine_and_cosine[2]);
+/// The angle of the vector (x, y) in turns, from -1/2 to 1/2, within 0.75 ulp; 0 where both are 0.
+q32_32 q32_32_atan2_turns(q32_32 y, q32_32 x);
+/// The sine of any angle in degrees within 0.75 ulp, exact at multiples of 90, never beyond -1 and
+/// 1.
+q32_32 q32_32_sin_degrees(q32_32 angle);
+/// The cosine of any angle in degrees within 0.75 ulp, exact at multiples of 90, never beyond -1
+/// and 1.
+q32_32 q32_32_cos_degrees(q32_32 angle);
+/// Writes what sin_degrees and cos_degrees return.
+void q32_32_sincos_degrees(q32_32 angle, q32_32 sine_and_cosine[2]);
+/// The angle of the vector (x, y) in degrees, from -180 to 180, within 0.75 ulp, saturated; 0 where
+/// both are 0.
+q32_32 q32_32_atan2_degrees(q32_32 y, q32_32 x);
+/// Writes trunc(a / b), an integer, and a - b trunc(a / b), exact, 0 or of the sign of a; the
+/// quotient is saturated. Where b is 0: Q32_32_MAX if a > 0, Q32_32_MIN if a < 0, 0 if a is 0; and
+/// a.
+void q32_32_divrem(q32_32 a, q32_32 b, q32_32 quotient_and_remainder[2]);
+/// Writes floor(a / b), an integer, and a - b floor(a / b), exact, 0 or of the sign of b; without a
+/// quotient as divrem.
+void q32_32_divmod(q32_32 a, q32_32 b, q32_32 quotient_and_remainder[2]);
+/// a + t (b - a) rounded once, to nearest, half up, modulo 2^32; with t from 0 to 1 between a and
+/// b.
+q32_32 q32_32_lerp(q32_32 a, q32_32 b, q32_32 t);
+/// 3 t^2 - 2 t^3 rounded to nearest, half up; 0 where t < 0, and 1 where t > 1.
+q32_32 q32_32_smoothstep(q32_32 t);
+/// (a + b) / 2 rounded to nearest, half up; no sum overflows.
+q32_32 q32_32_midpoint(q32_32 a, q32_32 b);
+/// |a - b| modulo 2^32.
+q32_32 q32_32_abs_diff(q32_32 a, q32_32 b);
+/// |a|, negative where b is; Q32_32_MIN for |Q32_32_MIN|.
+q32_32 q32_32_copysign(q32_32 a, q32_32 b);
+/// x^n within 0.75 ulp, saturated; 1 where n is 0, and Q32_32_MAX where x is 0 and n < 0.
+q32_32 q32_32_power(q32_32 x, int32_t n);
 /// a[0] b[0] + a[1] b[1] rounded once, to nearest, half up, modulo 2^32.
 q32_32 q32_32_dot2(const q32_32 a[2], const q32_32 b[2])
     FIXEDPOINT_C_KERNEL(fixedpoint_dot2_q32_32);

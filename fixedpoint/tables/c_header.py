@@ -67,6 +67,41 @@ OPERATIONS = [
     ("pow", "Q", "Q x, Q y",
      "x^y within 0.75 ulp, saturated; 1 where y is 0. Where x is 0: 0, or {Q}_MAX where y < 0. Where "
      "x < 0: the power of |x|, negative for odd y, and 0 where y is not an integer."),
+    ("sin_turns", "Q", "Q angle",
+     "The sine of any angle in turns within 0.75 ulp, exact at quarter turns, never beyond -1 and 1."),
+    ("cos_turns", "Q", "Q angle",
+     "The cosine of any angle in turns within 0.75 ulp, exact at quarter turns, never beyond -1 and 1."),
+    ("sincos_turns", "void", "Q angle, Q sine_and_cosine[2]",
+     "Writes what sin_turns and cos_turns return."),
+    ("atan2_turns", "Q", "Q y, Q x",
+     "The angle of the vector (x, y) in turns, from -1/2 to 1/2, within 0.75 ulp; 0 where both are 0."),
+    ("sin_degrees", "Q", "Q angle",
+     "The sine of any angle in degrees within 0.75 ulp, exact at multiples of 90, never beyond -1 and "
+     "1."),
+    ("cos_degrees", "Q", "Q angle",
+     "The cosine of any angle in degrees within 0.75 ulp, exact at multiples of 90, never beyond -1 "
+     "and 1."),
+    ("sincos_degrees", "void", "Q angle, Q sine_and_cosine[2]",
+     "Writes what sin_degrees and cos_degrees return."),
+    ("atan2_degrees", "Q", "Q y, Q x",
+     "The angle of the vector (x, y) in degrees, from -180 to 180, within 0.75 ulp, saturated; 0 where "
+     "both are 0."),
+    ("divrem", "void", "Q a, Q b, Q quotient_and_remainder[2]",
+     "Writes trunc(a / b), an integer, and a - b trunc(a / b), exact, 0 or of the sign of a; the "
+     "quotient is saturated. Where b is 0: {Q}_MAX if a > 0, {Q}_MIN if a < 0, 0 if a is 0; and a."),
+    ("divmod", "void", "Q a, Q b, Q quotient_and_remainder[2]",
+     "Writes floor(a / b), an integer, and a - b floor(a / b), exact, 0 or of the sign of b; without a "
+     "quotient as divrem."),
+    ("lerp", "Q", "Q a, Q b, Q t",
+     "a + t (b - a) rounded once, to nearest, half up, modulo 2^{integer}; with t from 0 to 1 between a "
+     "and b."),
+    ("smoothstep", "Q", "Q t",
+     "3 t^2 - 2 t^3 rounded to nearest, half up; 0 where t < 0, and 1 where t > 1."),
+    ("midpoint", "Q", "Q a, Q b", "(a + b) / 2 rounded to nearest, half up; no sum overflows."),
+    ("abs_diff", "Q", "Q a, Q b", "|a - b| modulo 2^{integer}."),
+    ("copysign", "Q", "Q a, Q b", "|a|, negative where b is; {Q}_MIN for |{Q}_MIN|."),
+    ("power", "Q", "Q x, int32_t n",
+     "x^n within 0.75 ulp, saturated; 1 where n is 0, and {Q}_MAX where x is 0 and n < 0."),
     ("dot2", "Q", "const Q a[2], const Q b[2]",
      "a[0] b[0] + a[1] b[1] rounded once, to nearest, half up, modulo 2^{integer}."),
     ("dot3", "Q", "const Q a[3], const Q b[3]",

@@ -6,8 +6,13 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <charconv>
+#include <cstdio>
+#include <cstring>
 #include <fixedpoint/text.hpp>
+#include <random>
 #include <string>
+#include <utility>
 
 #include "exact_integer.hpp"
 
@@ -319,5 +324,129 @@ static_assert(parse<Q8_8>("128", 3).status == TextStatus::out_of_range,
               "and its negative has none");
 static_assert(parse<Q8_8>("127.998", 7).status == TextStatus::ok, "rounds to the largest number");
 static_assert(parse<Q8_8>("127.9981", 8).status == TextStatus::out_of_range, "rounds to 128");
+
+template <int Bits, int... F, class Check>
+void for_each_value(std::integer_sequence<int, F...>, Check check) {
+    const auto of_split = [&]<int Fraction>() {
+        using Number = Fixed<Bits - Fraction, Fraction>;
+        for (int raw = RawLimits<Integer<Bits>>::min; raw <= RawLimits<Integer<Bits>>::max; ++raw)
+            check(Number::from_raw(static_cast<Integer<Bits>>(raw)));
+    };
+    (of_split.template operator()<F>(), ...);
+}
+
+// Each text alone, with what may follow it, and one character short of room.
+TEST(CharsText, EveryValueOf8And16BitsReadsBackToTheLastBit) {
+    int failures = 0;
+    const auto check = [&](auto x) {
+        char text[40];
+        const ToCharsResult written = to_chars(text, text + sizeof text, x);
+        *written.ptr = 'e';
+        auto back = decltype(x)::from_raw(77);
+        const FromCharsResult read = from_chars(text, written.ptr + 1, back);
+        failures += written.ec != TextError::none || read.ec != TextError::none || back != x ||
+                    read.ptr != written.ptr;
+        failures += to_chars(text, written.ptr - 1, x).ec != TextError::value_too_large;
+        const size_t length = print_raw(x, text, sizeof text);
+        const auto raw = parse_raw<decltype(x)>(text, length);
+        failures +=
+            raw.status != TextStatus::ok || raw.number != x ||
+            std::stoul(std::string(text, length), nullptr, 16) !=
+                static_cast<unsigned long>(static_cast<Unsigned<decltype(x.raw())>>(x.raw()));
+    };
+    for_each_value<8>(std::make_integer_sequence<int, 8>(), check);
+    for_each_value<16>(std::integer_sequence<int, 0, 3, 8, 13, 15>(), check);
+    EXPECT_EQ(failures, 0);
+}
+
+TEST(CharsText, ReadsTheLongestNumberAsTheStandardDoes) {
+    const struct {
+        const char* text;
+        std::ptrdiff_t length;
+        TextError ec;
+        double value;
+    } cases[] = {{"1.5", 3, TextError::none, 1.5},
+                 {"1.5kg", 3, TextError::none, 1.5},
+                 {"-1.5e1 ", 6, TextError::none, -15},
+                 {"15e", 2, TextError::none, 15},
+                 {"15e+", 2, TextError::none, 15},
+                 {"15E-1.5", 5, TextError::none, 1.5},
+                 {"1.", 2, TextError::none, 1},
+                 {".5.5", 2, TextError::none, 0.5},
+                 {"1e9", 3, TextError::result_out_of_range, 7},
+                 {"-99999999x", 9, TextError::result_out_of_range, 7},
+                 {"", 0, TextError::invalid_argument, 7},
+                 {"-", 0, TextError::invalid_argument, 7},
+                 {".", 0, TextError::invalid_argument, 7},
+                 {"-.e5", 0, TextError::invalid_argument, 7},
+                 {"+1", 0, TextError::invalid_argument, 7},
+                 {" 1", 0, TextError::invalid_argument, 7},
+                 {"e5", 0, TextError::invalid_argument, 7}};
+    for (const auto& expected : cases) {
+        Q16_16 x = Q16_16::from_integer(7);
+        const FromCharsResult read =
+            from_chars(expected.text, expected.text + std::strlen(expected.text), x);
+        EXPECT_EQ(read.ptr - expected.text, expected.length) << expected.text;
+        EXPECT_EQ(static_cast<int>(read.ec), static_cast<int>(expected.ec)) << expected.text;
+        EXPECT_EQ(x.raw(), expected.value * 65536) << expected.text;
+        // GCC's for double, but for what a double holds.
+        double standard = 7;
+        const auto of_double =
+            std::from_chars(expected.text, expected.text + std::strlen(expected.text), standard);
+        EXPECT_EQ(of_double.ptr, read.ptr) << expected.text;
+    }
+}
+
+TEST(LaidOutText, IsThatOfPrintf) {
+    std::mt19937 random(3);
+    for (int i = 0; i < 20000; ++i) {
+        const Q16_16 x = Q16_16::from_raw(static_cast<int32_t>(random()) >> (random() % 31));
+        const double value = x.raw() / 65536.0;
+        const uint8_t width = static_cast<uint8_t>(random() % 25),
+                      decimals = static_cast<uint8_t>(16 + random() % 3);
+        const struct {
+            Sign sign;
+            char fill;
+            const char* format;
+        } layouts[] = {{Sign::minus_only, ' ', "%*.*f"}, {Sign::always, ' ', "%+*.*f"},
+                       {Sign::space, ' ', "% *.*f"},     {Sign::minus_only, '0', "%0*.*f"},
+                       {Sign::always, '0', "%+0*.*f"},   {Sign::space, '0', "% 0*.*f"}};
+        for (const auto& each : layouts) {
+            char expected[60], text[60];
+            const int length =
+                std::snprintf(expected, sizeof expected, each.format, width, decimals, value);
+            const Layout layout(width, decimals, each.sign, each.fill);
+            ASSERT_EQ(print(x, layout, text, sizeof text), static_cast<size_t>(length));
+            ASSERT_EQ(std::string(text, static_cast<size_t>(length)), expected);
+            ASSERT_EQ(print(x, layout, text, static_cast<size_t>(length) - 1), 0u);
+        }
+    }
+    char text[8] = {};
+    EXPECT_EQ(
+        print(Q16_16::from_integer(-2), Layout(5, Layout::shortest, Sign::always, '*'), text, 8),
+        5u);
+    EXPECT_EQ(std::string(text, 5), "***-2");
+    EXPECT_EQ(print(Q16_16(), Layout(0, 0, Sign::always), text, 0), 0u);
+}
+
+TEST(RawText, SaysWhereItIsMalformed) {
+    const auto read = [](const char* text) { return parse_raw<Q8_8>(text, std::strlen(text)); };
+    EXPECT_EQ(read("0x0180").number.raw(), 0x180);
+    EXPECT_EQ(read("0XfF80").number.raw(), -128);
+    EXPECT_EQ(read("0x00000180").number.raw(), 0x180);
+    EXPECT_EQ(read("0x1").number.raw(), 1);
+    const struct {
+        const char* text;
+        TextStatus status;
+        size_t position;
+    } cases[] = {{"", TextStatus::empty, 0},          {"180", TextStatus::malformed, 0},
+                 {"0", TextStatus::malformed, 1},     {"0x", TextStatus::malformed, 2},
+                 {"0x18g", TextStatus::malformed, 4}, {"0x10000", TextStatus::out_of_range, 7}};
+    for (const auto& expected : cases) {
+        EXPECT_EQ(read(expected.text).status, expected.status) << expected.text;
+        EXPECT_EQ(read(expected.text).position, expected.position) << expected.text;
+        EXPECT_EQ(read(expected.text).number.raw(), 0) << expected.text;
+    }
+}
 
 }  // namespace

@@ -168,6 +168,62 @@ INSTANTIATE_TEST_SUITE_P(Functions, Elementary, testing::Range(std::size_t(0), f
                                  reference::shape(functions()[of.param].operation).name);
                          });
 
+// Exponents of 64 bits: small ones, those at the limits, and those whose powers are in the range,
+// which are the largest where x is next to 1.
+std::vector<int64_t> exponents(int64_t raw, exact::Format format) {
+    std::vector<int64_t> all = {0, 1, -1, 2, -2, 3, -3, 10, -10, INT32_MIN, INT64_MAX, INT64_MIN};
+    const double logarithm = std::log(std::ldexp(std::fabs(double(raw)), -format.fraction));
+    if (!std::isfinite(logarithm) || logarithm == 0) return all;
+    const int range = format.width - format.fraction;
+    for (const double result : {0.9 * range - 1, 0.5 * range, -0.5, -1.5, -format.fraction / 2.0}) {
+        const double n = result * M_LN2 / logarithm;
+        if (std::fabs(n) < 0x1p62) all.push_back(std::llround(n));
+    }
+    return all;
+}
+TEST(Power, IsAsDefinedInEverySplit) {
+    const auto power_of = []<class Raw, int F>(const int64_t* v) -> int64_t {
+        return power(Fixed<RawLimits<Raw>::width - F, F>::from_raw(Raw(v[0])), v[1]).raw();
+    };
+    for (const Subject& subject : subjects(power_of)) {
+        const int width = subject.format.width, F = subject.format.fraction;
+        const reference::Subject judged = {reference::Operation::power,
+                                           reference::fixed_format(width - F, F),
+                                           reference::Arithmetic::nearest};
+        std::vector<int64_t> numbers = operands(subject.format, width == 8 ? 0 : 10);
+        // Next to 1 and -1.
+        for (int64_t step = 1; F < width - 1 && step < 5; ++step)
+            for (const int64_t one : {int64_t(1) << F, -(int64_t(1) << F)}) {
+                numbers.push_back(one + step);
+                numbers.push_back(one - step);
+            }
+        for (const int64_t a : numbers) {
+            if (a > exact::largest(width) || a < exact::smallest(width)) continue;
+            for (const int64_t n : exponents(a, subject.format)) {
+                const int64_t v[] = {a, n}, result = subject.compute(v);
+                const reference::Judgement judgement =
+                    reference::judge(judged, v, std::span(&result, 1));
+                ASSERT_TRUE(judgement.as_defined)
+                    << "width " << width << ", " << F << " fraction bits, " << a << "^" << n << ": "
+                    << result << ", error " << judgement.error_ulp;
+            }
+        }
+    }
+}
+TEST(Power, TakesExponentsOfEveryType) {
+    using namespace fixedpoint;
+    const Q16_16 x = Q16_16::from_raw(3 << 15);  // 3/2
+    EXPECT_EQ(power(x, uint8_t(3)).raw(), 27 << 13);
+    EXPECT_EQ(power(x, int8_t(-1)).raw(), 43691);
+    EXPECT_EQ(power(x, UINT64_MAX), Q16_16::max());
+    EXPECT_EQ(power(-x, INT64_MAX), Q16_16::min());
+    EXPECT_EQ(power(x, INT64_MIN).raw(), 0);
+    EXPECT_EQ(power(Q16_16::from_integer(-1), UINT64_MAX).raw(), -65536);
+    EXPECT_EQ(power(Q16_16(), 0u).raw(), 65536);
+    EXPECT_EQ(power(Q16_16(), -1), Q16_16::max());
+    static_assert(power(Q16_16::from_raw(3 << 15), 2) == Q16_16::from_raw(9 << 14));
+}
+
 // Checked, in every split of 8 bits.
 int overflows, divisions_by_zero, domain_errors;
 struct Hook {

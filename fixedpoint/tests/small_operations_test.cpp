@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <fixedpoint/arithmetic/checked.hpp>
+#include <fixedpoint/arithmetic/rounded.hpp>
 #include <fixedpoint/arithmetic/saturating.hpp>
+#include <fixedpoint/conversion.hpp>
 #include <fixedpoint/integer_root.hpp>
 #include <fixedpoint/math.hpp>
 #include <limits>
@@ -229,5 +231,62 @@ TEST(IntegerRoot, IsTheLargestIntegerWhoseSquareIsNotLarger) {
     }
     expect_roots(squares);
 }
+
+// n / d of integers, d > 0, as a mode rounds it.
+Int rounded_to(Rounding rounding, const Int& n, const Int& d) {
+    const Int below = exact::floor_of(n, d), rest = n - below * d;
+    switch (rounding) {
+        case Rounding::toward_zero:
+            return n / d;  // as Boost divides
+        case Rounding::downward:
+            return below;
+        case Rounding::half_to_even:
+            return below + (2 * rest > d || (2 * rest == d && below % 2 != 0) ? 1 : 0);
+    }
+    return 0;
+}
+template <Rounding rounding, int Bits, int F>
+void expect_rounded(Integer<Bits> a, Integer<Bits> b) {
+    using Raw = Integer<Bits>;
+    using Number = Fixed<Bits - F, F, Rounded<rounding>>;
+    const Number x = Number::from_raw(a), y = Number::from_raw(b);
+    const Int one = Int(1) << F;
+    ASSERT_EQ((x * y).raw(), exact::wrapped<Raw>(rounded_to(rounding, Int(a) * b, one)))
+        << a << ", " << b << ", F = " << F;
+    ASSERT_EQ(multiply_add(x, y, x).raw(),
+              exact::wrapped<Raw>(rounded_to(rounding, Int(a) * b, one) + a));
+    const Raw limit = a > 0 ? RawLimits<Raw>::max : a < 0 ? RawLimits<Raw>::min : Raw(0);
+    ASSERT_EQ((x / y).raw(), b == 0 ? limit
+                                    : exact::clamped<Raw>(rounded_to(
+                                          rounding, (b < 0 ? -1 : 1) * Int(a) * one, abs(Int(b)))))
+        << a << ", " << b << ", F = " << F;
+    ASSERT_EQ(scale_down<3>(x).raw(), exact::wrapped<Raw>(rounded_to(rounding, a, 8)));
+    ASSERT_EQ(scale_down<Bits>(x).raw(), rounded_to(rounding, a, Int(1) << Bits));
+    // To less fraction bits, and to integers.
+    using Coarse = Fixed<Bits - F / 2, F / 2, Rounded<rounding>>;
+    ASSERT_EQ(convert<Coarse>(x).raw(),
+              exact::wrapped<Raw>(rounded_to(rounding, a, Int(1) << (F - F / 2))));
+}
+template <Rounding rounding>
+void expect_every_rounding() {
+    for_each_split<8>(std::integer_sequence<int, 0, 4, 7>(), []<int Bits, int F>() {
+        for (int a = -128; a < 128; ++a) {
+            for (int b = -128; b < 128; ++b)
+                expect_rounded<rounding, Bits, F>(static_cast<int8_t>(a), static_cast<int8_t>(b));
+        }
+    });
+    const auto check = []<int Bits, int F>() {
+        const auto numbers = operands<Integer<Bits>>(30);
+        for (const auto a : numbers) {
+            for (const auto b : numbers) expect_rounded<rounding, Bits, F>(a, b);
+        }
+    };
+    for_each_split<16>(std::integer_sequence<int, 15>(), check);
+    for_each_split<32>(std::integer_sequence<int, 16>(), check);
+    for_each_split<64>(std::integer_sequence<int, 32, 63>(), check);
+}
+TEST(Rounding, TowardZero) { expect_every_rounding<Rounding::toward_zero>(); }
+TEST(Rounding, Downward) { expect_every_rounding<Rounding::downward>(); }
+TEST(Rounding, HalfToEven) { expect_every_rounding<Rounding::half_to_even>(); }
 
 }  // namespace

@@ -55,8 +55,22 @@ long double component(const Subject& subject, std::span<const std::int64_t> v, s
     const auto scale = [&](long double x, int sign) {
         return std::ldexp(x, sign * subject.format.fraction);
     };
-    if (subject.operation == Operation::sincos) {
-        const long double angle = scale(v[0], -1);
+    if (gives_integer_quotient(subject.operation)) {
+        if (v[1] == 0) return static_cast<long double>(v[0]);
+        // Of 128 bits, since MIN / -1 does not fit.
+        const __int128 a = v[0], b = v[1];
+        const bool down =
+            subject.operation == Operation::divmod && a % b != 0 && (a % b < 0) != (b < 0);
+        return static_cast<long double>(index == 0 ? a / b - (down ? 1 : 0)
+                                                   : a % b + (down ? b : 0));
+    }
+    const long double tau = 8 * std::atan(1.0L);
+    const long double unit = subject.operation == Operation::sincos           ? 1
+                             : subject.operation == Operation::sincos_turns   ? tau
+                             : subject.operation == Operation::sincos_degrees ? tau / 360
+                                                                              : 0;
+    if (unit != 0) {
+        const long double angle = scale(v[0], -1) * unit;
         return scale(index == 0 ? std::sin(angle) : std::cos(angle), 1);
     }
     long double square = 0;
@@ -142,13 +156,19 @@ void compare_all(int rounds) {
 template <NumberFormat format>
 void compare_arithmetics(int rounds) {
     using enum Operation;
-    compare_all<format, Arithmetic::nearest, add, subtract, multiply, divide, remainder, negate,
-                Operation::abs, multiply_add, dot2, dot3, Operation::sqrt, reciprocal_sqrt,
-                Operation::atan, Operation::atan2, Operation::sin, Operation::cos, sincos,
-                Operation::log, length2, length3, normalise3, Operation::tan, Operation::asin,
-                Operation::acos, Operation::exp2, Operation::expm1, Operation::log2,
-                Operation::log10, Operation::log1p, Operation::sinh, Operation::cosh,
-                Operation::tanh, Operation::cbrt, Operation::pow>(rounds);
+    compare_all<
+        format, Arithmetic::nearest, add, subtract, multiply, divide, remainder, negate,
+        Operation::abs, multiply_add, dot2, dot3, Operation::sqrt, reciprocal_sqrt, Operation::atan,
+        Operation::atan2, Operation::sin, Operation::cos, sincos, Operation::log, length2, length3,
+        normalise3, Operation::tan, Operation::asin, Operation::acos, Operation::exp2,
+        Operation::expm1, Operation::log2, Operation::log10, Operation::log1p, Operation::sinh,
+        Operation::cosh, Operation::tanh, Operation::cbrt, Operation::pow, sin_turns, cos_turns,
+        sincos_turns, atan2_turns, sin_degrees, cos_degrees, atan2_degrees, divrem, divmod,
+        Operation::lerp, smoothstep, Operation::midpoint, abs_diff, Operation::copysign, power>(
+        rounds);
+    // Within -1 to 1 degrees the cosine rounds to 1, which such a format does not hold.
+    if constexpr (format.width - format.fraction > 1)
+        compare_all<format, Arithmetic::nearest, sincos_degrees>(rounds);
     compare_all<format, Arithmetic::published, add, subtract, multiply, divide, Operation::sqrt,
                 Operation::atan, Operation::atan2>(rounds);
     compare_all<format, Arithmetic::saturating, add, subtract, multiply, negate, Operation::abs,

@@ -119,6 +119,71 @@ struct Libc {
     static Float pow(Float a, Float b) {
         return ::pow(a, b);
     }
+    // Nor has it what follows: the expressions that are written instead.
+    template <class Float, int>
+    static Float sin_turns(Float a) {
+        return ::sin(a * 6.28318531f);
+    }
+    template <class Float, int>
+    static Float cos_turns(Float a) {
+        return ::cos(a * 6.28318531f);
+    }
+    template <class Float, int>
+    static void sincos_turns(Float angle, Float* sine_and_cosine) {
+        sincos<Float, 0>(angle * 6.28318531f, sine_and_cosine);
+    }
+    template <class Float, int>
+    static Float atan2_turns(Float y, Float x) {
+        return ::atan2(y, x) * 0.159154943f;
+    }
+    template <class Float, int>
+    static Float sin_degrees(Float a) {
+        return ::sin(a * 0.0174532925f);
+    }
+    template <class Float, int>
+    static Float cos_degrees(Float a) {
+        return ::cos(a * 0.0174532925f);
+    }
+    template <class Float, int>
+    static void sincos_degrees(Float angle, Float* sine_and_cosine) {
+        sincos<Float, 0>(angle * 0.0174532925f, sine_and_cosine);
+    }
+    template <class Float, int>
+    static Float atan2_degrees(Float y, Float x) {
+        return ::atan2(y, x) * 57.2957795f;
+    }
+    template <class Float, int>
+    static void divrem(Float a, Float b, Float* quotient_and_remainder) {
+        quotient_and_remainder[0] = ::trunc(a / b);
+        quotient_and_remainder[1] = ::fmod(a, b);
+    }
+    template <class Float, int>
+    static void divmod(Float a, Float b, Float* quotient_and_remainder) {
+        const Float quotient = ::floor(a / b);
+        quotient_and_remainder[0] = quotient;
+        quotient_and_remainder[1] = a - quotient * b;
+    }
+    template <class Float, int>
+    static Float lerp(Float a, Float b, Float t) {
+        return a + t * (b - a);
+    }
+    template <class Float, int>
+    static Float smoothstep(Float a) {
+        const Float t = a < 0 ? 0 : a > 1 ? 1 : a;
+        return t * t * (3 - 2 * t);
+    }
+    template <class Float, int>
+    static Float midpoint(Float a, Float b) {
+        return (a + b) / 2;
+    }
+    template <class Float, int>
+    static Float abs_diff(Float a, Float b) {
+        return ::fabs(a - b);
+    }
+    template <class Float, int>
+    static Float copysign(Float a, Float b) {
+        return ::copysign(a, b);
+    }
     template <class Float, int>
     static Float multiply_add(Float a, Float b, Float c) {
         return a * b + c;
@@ -148,3 +213,4 @@ struct Libc {
 };
 
 IMPLEMENTATION_libc(SUBJECTS) IMPLEMENTATION_libc_elementary(SUBJECTS)
+    IMPLEMENTATION_libc_auxiliary(SUBJECTS)

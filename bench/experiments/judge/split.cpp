@@ -27,6 +27,12 @@ constexpr bool is_judged_here() {
         case Operation::shift_left:
         case Operation::shift_right:
         case Operation::convert:
+        case Operation::lerp:
+        case Operation::smoothstep:
+        case Operation::midpoint:
+        case Operation::abs_diff:
+        case Operation::copysign:
+        case Operation::power:
             return false;
         default:
             return reference::shape(operation).results == 1 &&

@@ -17,6 +17,7 @@
 #define PARAMETERS_binary(Raw)    (Raw a, Raw b)
 #define PARAMETERS_ternary(Raw)   (Raw a, Raw b, Raw c)
 #define PARAMETERS_pair(Raw)      (Raw a, Raw* results)
+#define PARAMETERS_binary_pair(Raw) (Raw a, Raw b, Raw* results)
 #define PARAMETERS_dot(Raw)       (const Raw* a, const Raw* b)
 #define PARAMETERS_length(Raw)    (const Raw* a)
 #define PARAMETERS_direction(Raw) (const Raw* a, Raw* results)
@@ -25,6 +26,7 @@
 #define ARGUMENTS_binary    (a, b)
 #define ARGUMENTS_ternary   (a, b, c)
 #define ARGUMENTS_pair      (a, results)
+#define ARGUMENTS_binary_pair (a, b, results)
 #define ARGUMENTS_dot       (a, b)
 #define ARGUMENTS_length    (a)
 #define ARGUMENTS_direction (a, results)
@@ -33,6 +35,7 @@
 #define RESULT_binary(Raw)    Raw
 #define RESULT_ternary(Raw)   Raw
 #define RESULT_pair(Raw)      void
+#define RESULT_binary_pair(Raw) void
 #define RESULT_dot(Raw)       Raw
 #define RESULT_length(Raw)    Raw
 #define RESULT_direction(Raw) void

@@ -71,6 +71,8 @@
     X(default, Nearest, ours, own, LIBRARY_FORMATS, MEASURED_OPERATIONS, "ours, default")
 #define IMPLEMENTATION_elementary(X) \
     X(default, Nearest, ours, own, LIBRARY_FORMATS, ELEMENTARY_OPERATIONS, "ours, default")
+#define IMPLEMENTATION_auxiliary(X) \
+    X(default, Functions, ours, own, LIBRARY_FORMATS, AUXILIARY_OPERATIONS, "ours, default")
 #define IMPLEMENTATION_portable(X) \
     X(portable, Portable, ours, as_default, SQUARE_FORMATS, PORTABLE_OPERATIONS, "ours, portable C++")
 #define IMPLEMENTATION_published(X) \
@@ -85,16 +87,19 @@
     X(libc, Libc, rival, none, SINGLE, MEASURED_OPERATIONS, "avr-libc float")
 #define IMPLEMENTATION_libc_elementary(X) \
     X(libc, Libc, rival, none, SINGLE, ELEMENTARY_OPERATIONS, "avr-libc float")
+#define IMPLEMENTATION_libc_auxiliary(X) \
+    X(libc, Libc, rival, none, SINGLE, AUXILIARY_OPERATIONS, "avr-libc float")
 #define IMPLEMENTATION_accum(X) \
     X(accum, Accum, rival, none, ACCUMS, OPERATORS, "GCC _Accum")
 #define IMPLEMENTATION_native(X) \
     X(native, Native, rival, none, INTEGERS, INTEGER_OPERATORS, "plain integer")
 /* clang-format on */
 
-#define IMPLEMENTATIONS(X)                                                                   \
-    IMPLEMENTATION_default(X) IMPLEMENTATION_elementary(X) IMPLEMENTATION_portable(X)        \
-        IMPLEMENTATION_published(X) IMPLEMENTATION_saturating(X) IMPLEMENTATION_widening(X)  \
-            IMPLEMENTATION_small(X) IMPLEMENTATION_libc(X) IMPLEMENTATION_libc_elementary(X) \
-                IMPLEMENTATION_accum(X) IMPLEMENTATION_native(X)
+#define IMPLEMENTATIONS(X)                                                                  \
+    IMPLEMENTATION_default(X) IMPLEMENTATION_elementary(X) IMPLEMENTATION_auxiliary(X)      \
+        IMPLEMENTATION_portable(X) IMPLEMENTATION_published(X) IMPLEMENTATION_saturating(X) \
+            IMPLEMENTATION_widening(X) IMPLEMENTATION_small(X) IMPLEMENTATION_libc(X)       \
+                IMPLEMENTATION_libc_elementary(X) IMPLEMENTATION_libc_auxiliary(X)          \
+                    IMPLEMENTATION_accum(X) IMPLEMENTATION_native(X)
 
 #endif

@@ -7,12 +7,14 @@
 #include <fixedpoint/arithmetic/small.hpp>
 #include <type_traits>
 
+#include "bench/lab/catalogue/functions.hpp"
 #include "bench/lab/catalogue/subjects.h"
 #include "bench/lab/subjects/host_calls.hpp"
 
 namespace operations {
 namespace {
 
+using catalogue::Functions;
 using fixedpoint::Nearest;
 using fixedpoint::Published;
 using fixedpoint::Saturating;

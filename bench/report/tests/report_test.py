@@ -954,6 +954,11 @@ x/a as_published 41.125 - 714.8 2332 rejected
         self.assertEqual(list(operations.ELEMENTARY), re.findall(r"^ +X\((\w+), ", header.read_text(encoding="utf-8"),
                                                                  re.MULTILINE))
 
+    def test_auxiliary_operations_are_those_of_the_table(self):
+        table = (pathlib.Path(__file__).parents[3] / "reference/operation_table.h").read_text(encoding="utf-8")
+        rows = table.split("#define AUXILIARY_OPERATIONS")[1].split("/* All. */")[0]
+        self.assertEqual(list(operations.AUXILIARY), re.findall(r"OPERATION_(\w+)\(", rows))
+
     def test_elementary_functions_are_told_apart(self):
         made = golden(operations="operation format implementation operands cycles_mean\n" + "".join(
             f"{operation} {kind} physics {cycles}\n" for operation, kind, cycles in (

@@ -26,8 +26,12 @@ struct convert_one_operand_to_the_format_of_the_other;
 /// operation returns for every input.
 template <int IntegerBits, int FractionBits, class ArithmeticPolicy = Nearest>
 class Fixed {
-    static_assert(IntegerBits >= 1, "IntegerBits counts the sign and is at least 1.");
-    static_assert(FractionBits >= 0, "FractionBits is not negative.");
+    static_assert(IntegerBits >= 1,
+                  "IntegerBits counts the sign and is at least 1: take a smaller unit, so that the "
+                  "point lies inside the integer.");
+    static_assert(FractionBits >= 0,
+                  "FractionBits is not negative: take a larger unit, so that the point lies inside "
+                  "the integer.");
 
   public:
     /// The two's-complement integer of IntegerBits + FractionBits bits: int8_t, int16_t, int32_t or

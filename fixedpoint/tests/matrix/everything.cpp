@@ -5,6 +5,7 @@
 
 #include <fixedpoint/arithmetic/checked.hpp>
 #include <fixedpoint/arithmetic/published.hpp>
+#include <fixedpoint/arithmetic/rounded.hpp>
 #include <fixedpoint/arithmetic/saturating.hpp>
 #include <fixedpoint/arithmetic/small.hpp>
 #include <fixedpoint/blocks/biquad.hpp>
@@ -118,7 +119,8 @@ void functions(Number* a) {
     a[0] = reciprocal_sqrt(a[1]) + atan(a[0]) + sin(a[0]) + cos(a[1]) + exp(a[1]) + log(a[0]);
     a[0] +=
         tan(a[0]) + asin(a[0]) + acos(a[1]) + exp2(a[0]) + expm1(a[1]) + log2(a[0]) + log10(a[1]);
-    a[1] += log1p(a[0]) + sinh(a[0]) + cosh(a[1]) + tanh(a[0]) + cbrt(a[1]) + pow(a[0], a[1]);
+    a[1] += log1p(a[0]) + sinh(a[0]) + cosh(a[1]) + tanh(a[0]) + cbrt(a[1]) + pow(a[0], a[1]) +
+            power(a[0], 3) + power(a[1], -2ll);
     a[0] += hypot(a[0], a[1]) + hypot(a[0], a[1], a[0]);
     a[0] = lerp(copysign(a[0], a[1]), midpoint(a[0], a[1]), smoothstep(abs_diff(a[0], a[1])));
     a[0] = divmod(a[0], a[1]).remainder + divrem(a[0], a[1]).remainder +
@@ -142,6 +144,11 @@ void conversions(Number& a) {
     if (print(serial, a) < print(serial, a, 3)) a = read<Number>(serial).number;
     char text[text_capacity<Number>()];
     a += parse<Number>(text, print(a, text, sizeof text) + print(a, 3, text, sizeof text)).number;
+    a += parse_raw<Number>(text,
+                           print_raw(a, text, sizeof text) + print(a, Layout(9), text, sizeof text))
+             .number;
+    const auto end = to_chars(to_chars(text, text + 4, a).ptr, text + 9, a, 2).ptr;
+    if (from_chars(text, end, a).ec == TextError::invalid_argument) a = Number();
 }
 
 template <class Number, uint8_t N>
@@ -191,6 +198,10 @@ void every_arithmetic() {
     functions(saturating);
     angles(saturating[0]);
     conversions(saturating[0]);
+    Fixed<I, F, HalfToEven> rounded[3];
+    ring(rounded[0], rounded[1]);
+    beside_integers(rounded[0]);
+    conversions(rounded[0]);
     Fixed<I, F, Checked<Hook>> checked[3];
     ring(checked[0], checked[1]);
     beside_integers(checked[0]);

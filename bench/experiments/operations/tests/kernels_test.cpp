@@ -34,13 +34,22 @@ std::string folder() {
 
 class Kernels : public testing::TestWithParam<std::string> {};
 
-TEST_P(Kernels, AreTheHostsBitForBit) {
+std::uint64_t differences(const std::string& program, std::uint64_t samples) {
     VerifyOptions options;
-    options.programs = {folder() + "/" + GetParam() + ".elf"};
-    options.output = testing::TempDir() + "kernels_test." + GetParam();
+    options.programs = {folder() + "/" + program + ".elf"};
+    options.output = testing::TempDir() + "kernels_test." + program;
     options.selection.implementations = {"default", "small", "saturating"};
-    options.samples = GetParam() == "q32_32" ? 400 : 4000;  // of 64 bits calls are long
-    EXPECT_EQ(verify_kernels(options), 0u);
+    options.samples = samples;
+    return verify_kernels(options);
+}
+TEST_P(Kernels, AreTheHostsBitForBit) {
+    // Of 64 bits calls are long.
+    EXPECT_EQ(differences(GetParam(), GetParam() == "q32_32" ? 400 : 4000), 0u);
+}
+// What has no kernel is the compiler's: a few samples tell whether the chip's does as the host's.
+TEST(Compiled, AuxiliaryOperationsAreTheHostsBitForBit) {
+    for (const char* format : {"q4_4", "q8_8", "q16_16", "q8_24", "q32_32"})
+        EXPECT_EQ(differences(std::string(format) + "_auxiliary", 100), 0u) << format;
 }
 
 // Calls of a kernel, compared a batch at a time.

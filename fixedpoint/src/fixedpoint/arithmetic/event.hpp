@@ -48,6 +48,7 @@ enum class Operation : unsigned char {
     cbrt,
     pow,
     lerp,
+    power,
 };
 
 }  // namespace fixedpoint

@@ -65,13 +65,13 @@ class CarriedError<Fixed<IntegerBits, F, A>> {
     /// c + a b + the carried error, rounded once; what is out of the range as the arithmetic has
     /// it.
     Number multiply_add(Number a, Number b, Number c) {
-        using Rounding = RoundingError<F>;
-        using Sum = typename Rounding::Sum;
+        using ErrorOf = RoundingError<F>;
+        using Sum = typename ErrorOf::Sum;
         const Sum sum =
-            static_cast<Sum>(static_cast<Sum>(error_) + Rounding::of_product(a.raw(), b.raw()));
-        error_ = Rounding::of_sum(sum);
+            static_cast<Sum>(static_cast<Sum>(error_) + ErrorOf::of_product(a.raw(), b.raw()));
+        error_ = ErrorOf::of_sum(sum);
         return fixedpoint::multiply_add(a, b, c) +
-               Number::from_raw(static_cast<typename Number::Raw>(Rounding::ulps(sum)));
+               Number::from_raw(static_cast<typename Number::Raw>(ErrorOf::ulps(sum)));
     }
 
   private:

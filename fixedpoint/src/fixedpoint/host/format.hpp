@@ -1,73 +1,12 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// fmt of fixed-point numbers: {:[[fill]align][0][width][.decimals][f]}, aligned to the right by
-/// default; 0 fills with zeros behind the sign where no alignment is given, as for double. Without
-/// decimals it is the shortest text that reads back.
+/// fmt of fixed-point numbers, as format_specification.hpp says.
 #pragma once
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <fixedpoint/host/text.hpp>
+#include <fixedpoint/host/format_specification.hpp>
 
 template <int IntegerBits, int F, class A>
-class fmt::formatter<fixedpoint::Fixed<IntegerBits, F, A>> {
-  public:
-    FIXEDPOINT_CONSTEXPR auto parse(fmt::format_parse_context& context) {
-        const char* at = context.begin();
-        const char* const end = context.end();
-        const auto is_align = [end](const char* c) {
-            return c < end && (*c == '<' || *c == '>' || *c == '^');
-        };
-        if (at != end && *at != '}' && is_align(at + 1)) fill_ = *at++;
-        if (is_align(at)) align_ = *at++;
-        if (at != end && *at == '0') {
-            ++at;
-            if (align_ == default_align) align_ = '0';
-        }
-        width_ = parse_count(at, end);
-        if (at != end && *at == '.') {
-            const char* const digits = ++at;
-            decimals_ = parse_count(at, end);
-            if (at == digits) throw fmt::format_error("decimals are missing behind the point");
-        }
-        if (at != end && *at == 'f') ++at;
-        if (at != end && *at != '}') {
-            throw fmt::format_error(
-                "allowed for fixed point: [[fill]align][0][width][.decimals][f]");
-        }
-        return at;
-    }
-
-    template <class Context>
-    auto format(fixedpoint::Fixed<IntegerBits, F, A> number, Context& context) const {
-        std::string text = decimals_ < 0
-                               ? fixedpoint::to_string(number)
-                               : fixedpoint::to_string(number, static_cast<uint8_t>(decimals_));
-        if (align_ == '0') {
-            text = fixedpoint::fill_behind_sign(text, static_cast<std::size_t>(width_), '0');
-        }
-        const int padding = std::max(0, width_ - static_cast<int>(text.size()));
-        const int left = align_ == '<' ? 0 : align_ == '^' ? padding / 2 : padding;
-        auto out = std::fill_n(context.out(), left, fill_);
-        out = std::copy(text.begin(), text.end(), out);
-        return std::fill_n(out, padding - left, fill_);
-    }
-
-  private:
-    static FIXEDPOINT_CONSTEXPR int parse_count(const char*& at, const char* end) {
-        int count = 0;
-        for (; at != end && fixedpoint::portable::is_digit(*at); ++at) {
-            count = 10 * count + (*at - '0');
-            if (count > 255) throw fmt::format_error("width and decimals are at most 255");
-        }
-        return count;
-    }
-
-    static constexpr char default_align = '\0';
-
-    char fill_ = ' ';
-    char align_ = default_align;
-    int width_ = 0;
-    int decimals_ = -1;
-};
+class fmt::formatter<fixedpoint::Fixed<IntegerBits, F, A>>
+    : public fixedpoint::NumberFormatter<fmt::format_error> {};

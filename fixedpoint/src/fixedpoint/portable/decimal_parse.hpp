@@ -85,6 +85,21 @@ FIXEDPOINT_CONSTEXPR DecimalText scan_decimal(const char* text, size_t length) {
     return {first, last, decimals, negative, status, static_cast<size_t>(at - text)};
 }
 
+// The characters that text begins with and that are a number: a minus or none, digits, an exponent
+// that has digits. 0 where there is none.
+FIXEDPOINT_CONSTEXPR size_t decimal_prefix(const char* text, size_t length) {
+    if (length != 0 && *text == '+') return 0;
+    const DecimalText source = scan_decimal(text, length);
+    const size_t digits = static_cast<size_t>(source.last - text);
+    // No digit of a mantissa, or all of an exponent.
+    if (source.position == digits || is_digit(text[source.position - 1])) {
+        const bool has_digits = source.last != source.first &&
+                                (source.last[-1] != '.' || source.last - source.first > 1);
+        return has_digits ? source.position : 0;
+    }
+    return digits;
+}
+
 // 10 integer + digit, or the largest Word where that is larger; once reached, it stays.
 template <class Word>
 FIXEDPOINT_CONSTEXPR Word append_digit(Word integer, uint8_t digit) {

@@ -40,6 +40,20 @@ struct DecimalWriter {
     constexpr size_t written() const { return length <= capacity ? length : 0; }
 };
 
+// Moves a text of so many characters to the right end of `width`, behind as many of `fill`, zeros
+// behind its sign. Returns its length, 0 where it does not fit.
+FIXEDPOINT_CONSTEXPR size_t align_right(char* text, size_t length, size_t capacity, uint8_t width,
+                                        char fill) {
+    if (length >= width) return length;
+    if (capacity < width) return 0;
+    const bool has_sign = text[0] == '-' || text[0] == '+' || text[0] == ' ';
+    const size_t first = fill == '0' && has_sign ? 1 : 0;
+    const size_t padding = width - length;
+    for (size_t i = length; i > first; --i) text[i - 1 + padding] = text[i - 1];
+    for (size_t i = first; i < first + padding; ++i) text[i] = fill;
+    return width;
+}
+
 // The shortest decimal that parse_decimal reads as the same number and, of those, the closest to
 // it.
 template <class Raw, int F>

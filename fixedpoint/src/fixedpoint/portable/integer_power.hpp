@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+// x^n with an integer n, by squaring: of the digits of n from the first on, on a mantissa of 64
+// bits for numbers of up to 32 and of 128 for those of 64.
+//
+// Each product is cut to the mantissa's M bits, and squares double the error: it is below n 2^(1-M)
+// of the result. A result in the range has |ln x| n <= (I - 1) ln 2, or is below e^-n|ln x|, with
+// |ln x| >= 2^-F: that leaves 0.2 ulp of M = 2 W bits, and faithful results (error below 0.75 ulp).
+#pragma once
+
+#include <fixedpoint/portable/evaluation.hpp>
+#include <fixedpoint/portable/integer_operand.hpp>
+
+namespace fixedpoint {
+namespace portable {
+
+// The upper half of a product, and the digit behind it.
+template <class Word>
+struct UpperProduct {
+    Word upper;
+    uint8_t next;
+};
+FIXEDPOINT_CONSTEXPR UpperProduct<uint64_t> multiply_upper(uint64_t a, uint64_t b) {
+    const Wide128 product = multiply_full(a, b);
+    return {product.high, static_cast<uint8_t>(product.low >> 63)};
+}
+FIXEDPOINT_CONSTEXPR UpperProduct<Word128> multiply_upper(const Word128& a, const Word128& b) {
+    const Wide128 low = multiply_full(a.low, b.low), high = multiply_full(a.high, b.high);
+    const Wide128 first = multiply_full(a.high, b.low), second = multiply_full(a.low, b.high);
+    const Word128 middle = Word128(low.high) + Word128(first.low) + Word128(second.low);
+    return {Word128(high.high, high.low) + Word128(first.high) + Word128(second.high) +
+                Word128(middle.high),
+            static_cast<uint8_t>(middle.low >> 63)};
+}
+
+// mantissa / 2^bits 2^exponent, the mantissa's first bit being set.
+template <class Word>
+struct FloatingPower {
+    Word mantissa;
+    int16_t exponent;
+};
+
+// What a power is made of, for every format.
+template <class Word>
+struct PowerSteps {
+    // Once in a program, however many powers it takes.
+    static FIXEDPOINT_CONSTEXPR __attribute__((noinline)) UpperProduct<Word> multiply(
+        const Word& a, const Word& b) {
+        return multiply_upper(a, b);
+    }
+    // 2^(2 M - 2) / a.
+    static FIXEDPOINT_CONSTEXPR Word reciprocal(const Word& a) {
+        constexpr int bits = static_cast<int>(8 * sizeof(Word));
+        return long_division(Word(uint8_t(1)) << (bits - 2), a >> 1, bits - 1);
+    }
+};
+
+template <class Steps, class Word>
+FIXEDPOINT_CONSTEXPR void multiply_by(FloatingPower<Word>& a, const FloatingPower<Word>& b) {
+    const UpperProduct<Word> product = Steps::multiply(a.mantissa, b.mantissa);
+    const bool is_short = product.upper < Word(uint8_t(1))
+                                              << static_cast<int>(8 * sizeof(Word) - 1);
+    a.mantissa = is_short ? (product.upper << 1) + Word(product.next) : product.upper;
+    a.exponent = static_cast<int16_t>(a.exponent + b.exponent - (is_short ? 1 : 0));
+}
+
+// The word that powers of a format are computed in.
+template <class Raw>
+using PowerNumber = Integer<(sizeof(Raw) < 4 ? 32 : RawLimits<Raw>::width)>;
+template <class Raw>
+using PowerWord = DoubleWord<PowerNumber<Raw>>;
+
+// Beyond 2^+-70 a power and its reciprocal are beyond every format or below half an ulp of it.
+constexpr int16_t beyond_every_format = 70;
+
+template <class Raw, int F, class Steps, class Count>
+FIXEDPOINT_CONSTEXPR Evaluation<Raw> integer_power(Raw x, Count n, bool reciprocal) {
+    using Word = PowerWord<Raw>;
+    using Magnitude = Unsigned<PowerNumber<Raw>>;
+    constexpr int bits = static_cast<int>(8 * sizeof(Word)), width = RawLimits<Raw>::width;
+    const bool negative = x < 0 && (static_cast<uint8_t>(n) & 1) != 0;
+    const Word half = Word(uint8_t(1)) << (bits - 1);
+    // A pair of constants would be kept in RAM.
+    FloatingPower<Word> power = {half, static_cast<int16_t>(n == 0 ? 1 : bits / 2 - F)};
+    if (n != 0) {
+        if (x == 0) {
+            return {reciprocal ? RawLimits<Raw>::max : Raw(0),
+                    reciprocal ? Outcome::overflow : Outcome::in_range};
+        }
+        Magnitude digits_of_x = magnitude(x);
+        while (static_cast<Magnitude>(digits_of_x >> (bits / 2 - 1)) == 0) {
+            digits_of_x = static_cast<Magnitude>(digits_of_x << 1);
+            --power.exponent;
+        }
+        power.mantissa = Word(digits_of_x) << (bits / 2);
+        const FloatingPower<Word> factor = power;
+        constexpr int16_t limit = beyond_every_format;
+        uint8_t digits = 0;
+        for (Count rest = n; rest != 0; rest = static_cast<Count>(rest >> 1)) ++digits;
+        // The powers of |x| go one way: once beyond, always beyond.
+        while (--digits != 0 && (power.exponent < limit) && (power.exponent > -limit)) {
+            multiply_by<Steps>(power, power);
+            if ((static_cast<uint8_t>(n >> (digits - 1)) & 1) != 0)
+                multiply_by<Steps>(power, factor);
+        }
+    }
+    // In ulps: word / 2^surplus, with 2^(bits-2) <= word <= 2^(bits-1).
+    const Word word = reciprocal ? Steps::reciprocal(power.mantissa) : Word(power.mantissa >> 1);
+    const int surplus = (reciprocal ? bits - 2 + power.exponent : bits - 1 - power.exponent) - F;
+    if (surplus < bits - 1 - width) {
+        return {negative ? RawLimits<Raw>::min : RawLimits<Raw>::max, Outcome::overflow};
+    }
+    if (surplus >= bits) return {0, Outcome::in_range};
+    return evaluation<Raw>(word, surplus, negative);
+}
+
+}  // namespace portable
+}  // namespace fixedpoint
