@@ -66,7 +66,8 @@ def draw(data):
             handle = axes.scatter(*point(row), marker=style.marker(*kind), s=42, zorder=3,
                                   facecolors=style.face(*kind), edgecolors=style.colour(*kind))
             if row["flash_bytes"] is not None:
-                axes.annotate(row["flash_bytes"], point(row), fontsize=6, xytext=(5, 3),
+                below = kind in (("q16_16", "small"), ("q8_24", "default"))  # beside Q16.16's
+                axes.annotate(row["flash_bytes"], point(row), fontsize=6, xytext=(5, -8 if below else 3),
                               textcoords="offset points", color=style.colour(*kind))
             seen.setdefault(style.label(*kind), handle)
         front = pareto(points)

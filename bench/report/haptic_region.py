@@ -62,8 +62,8 @@ def settled_finding(data):
 
 def draw(data):
     """A panel a lever and loop rate: shades are measured, the dashed line is the theory's."""
-    rest = settled(data)
-    groups = {group: rows for group, rows in grouped(data.rows("stable_region")).items() if group[:2] not in rest}
+    rest, every = settled(data), grouped(data.rows("stable_region"))
+    groups = {group: rows for group, rows in every.items() if group[:2] not in rest} or every
     columns = sorted({(clock, rate) for _, _, clock, rate in groups},
                      key=lambda column: (column[0] != "report", column[1]))
     lines = [(arithmetic, damping) for arithmetic in ARITHMETICS for damping in DAMPINGS
