@@ -80,7 +80,8 @@ def draw(data):
         axes.xaxis.set_major_formatter(ScalarFormatter())
         axes.xaxis.set_minor_formatter(NullFormatter())
         low, high = min(y for _, y in points), max(y for _, y in points)
-        axes.set_ylim(low / 3, max(high * 3, low * 30))
+        # Room for a label below the lowest point.
+        axes.set_ylim(low / max(3, (high / low)**0.15), max(high * 3, low * 30))
         axes.yaxis.set_minor_formatter(NullFormatter())
         if low == FLOOR:  # below it the axis has no error, only "none"
             ticks = [FLOOR] + [10.0**e for e in range(-9, 3, 2) if 10.0**e <= high * 3]
