@@ -45,7 +45,7 @@ run_tests() { ctest --preset "$1" --no-tests=error --parallel "$(nproc)" --outpu
 part "set-up" scripts/setup.sh --tests
 if [ $tier = quick ]; then
     part "build of the unit tests" scripts/build.sh release quick_tests
-    part "unit tests" run_tests release --label-regex '^(host|device)$'
+    part "unit tests" run_tests release --label-regex '^(host|script|device)$'
     exit 0
 fi
 

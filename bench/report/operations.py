@@ -20,7 +20,12 @@ ELEMENTARY = ("tan", "asin", "acos", "exp2", "expm1", "log2", "log10", "log1p", 
 ROOTS = (("q4_4", OURS), ("q8_8", OURS), ("q16_16", OURS), ("q16_16", "small"), ("q8_24", OURS),
          ("q32_32", OURS), FLOAT, PUBLISHED)
 # Proofs that a result is rounded correctly for every operand: tests of fixedpoint/CMakeLists.txt.
-PROOFS = {("multiply", "q16_16", "default"): "fixedpoint/prove_multiply"}
+PROOFS = {(operation, number_format, OURS): "fixedpoint/prove_products"
+          for operation, formats in (("multiply", ("q16_16", "q8_24", "q32_32")),
+                                     ("multiply_add", ("q16_16", "q8_24")),
+                                     ("dot2", ("q8_8", "q16_16", "q8_24", "q32_32")),
+                                     ("dot3", ("q8_8", "q16_16", "q8_24", "q32_32")))
+          for number_format in formats}
 
 # ulp of a float that make half its value: no digit is right.
 LOST = 2**23

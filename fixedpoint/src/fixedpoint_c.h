@@ -239,7 +239,8 @@ q8_8 q8_8_atan(q8_8 a)
 q8_8 q8_8_atan2(q8_8 y, q8_8 x)
     FIXEDPOINT_C_KERNEL(fixedpoint_atan2_q8_8);
 /// e^a within 1 ulp, saturated to Q8_8_MAX; 0 where e^a is below half an ulp or about it.
-q8_8 q8_8_exp(q8_8 a);
+q8_8 q8_8_exp(q8_8 a)
+    FIXEDPOINT_C_KERNEL(fixedpoint_exp_q8_8);
 /// The natural logarithm within 1 ulp; Q8_8_MIN where a <= 0.
 q8_8 q8_8_log(q8_8 a)
     FIXEDPOINT_C_KERNEL(fixedpoint_log_q8_8);

@@ -157,7 +157,7 @@ void check_split() {
     SCOPED_TRACE(testing::Message() << F << " fraction bits");
     for (int a = -128; a < 128; ++a) {
         check_unary<F>(a);
-        for (int b = -128; b < 128; ++b) check_binary<F>(a, b);
+        for (int b = -128; b < 128; b += exact::operand_step) check_binary<F>(a, b);
         ASSERT_FALSE(testing::Test::HasFailure()) << a;
     }
 }

@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: MIT
 # Tests are built by the target `tests`, not by default, and at -O1: most of them compile for longer
-# than they run. A label says what a test needs:
+# than they run. Under the sanitizers, which double the time of the optimiser, they are not optimised
+# at all, unlike the libraries that they call. A label says what a test needs:
 #   host     neither the cross compiler nor the simulated chip; runs under the sanitizers too
+#   script   as host, a command that runs no program of ours
 #   device   programs for the chip of its own
 #   slow     fixbench, the device programs of an experiment, or a project or sketch of its own
-# The target `quick_tests` makes those of the first two.
+# The target `quick_tests` makes those of the first three.
 
+set(TEST_OPTIMISATION -O1 CACHE STRING "Level at which tests are compiled")
 add_custom_target(host_tests)
 add_custom_target(quick_tests)
 add_custom_target(tests)
@@ -14,14 +17,14 @@ add_dependencies(tests quick_tests)
 
 # add_labelled(LABEL TARGETS ...): builds the targets with the tests of that label.
 function(add_labelled label)
-    if(label STREQUAL "host")
+    if(label MATCHES "^(host|script)$")
         add_dependencies(host_tests ${ARGN})
     elseif(label STREQUAL "device")
         add_dependencies(quick_tests ${ARGN})
     elseif(label STREQUAL "slow")
         add_dependencies(tests ${ARGN})
     else()
-        message(FATAL_ERROR "a test's label is host, device or slow, not ${label}")
+        message(FATAL_ERROR "a test's label is host, script, device or slow, not ${label}")
     endif()
 endfunction()
 
@@ -32,7 +35,7 @@ if(CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache")
 endif()
 file(GENERATE OUTPUT ${CMAKE_BINARY_DIR}/test_headers.cpp CONTENT "")
 add_library(test_headers OBJECT EXCLUDE_FROM_ALL ${CMAKE_BINARY_DIR}/test_headers.cpp)
-target_compile_options(test_headers PRIVATE -O1)
+target_compile_options(test_headers PRIVATE ${TEST_OPTIMISATION})
 target_link_libraries(test_headers PRIVATE GTest::gtest fmt::fmt)
 target_precompile_headers(test_headers PRIVATE <gtest/gtest.h> <fmt/format.h> <filesystem> <fstream>)
 
@@ -45,7 +48,7 @@ function(test_program target label)
         set(ARG_MAIN GTest::gtest_main)
     endif()
     add_executable(${target} EXCLUDE_FROM_ALL ${ARG_SOURCES})
-    target_compile_options(${target} PRIVATE -O1)
+    target_compile_options(${target} PRIVATE ${TEST_OPTIMISATION})
     target_link_libraries(${target} PRIVATE ${ARG_LIBRARIES} ${ARG_MAIN} fmt::fmt)
     target_precompile_headers(${target} REUSE_FROM test_headers)
     target_compile_definitions(${target} PRIVATE ${ARG_DEFINITIONS})

@@ -178,7 +178,7 @@ const fixbench::Registration cycles({
     .steps =
         {{.name = "cycles",
           .arguments = [](const Mode& mode) -> std::vector<std::string> {
-              return {"cycles", "--samples", mode.quick ? "1000" : "20000", "--output", mode.data};
+              return {"cycles", "--samples", mode.quick ? "300" : "20000", "--output", mode.data};
           },
           .writes = {"operations.csv", "flash.csv", "operations.json"},
           .targets = {"subjects"},

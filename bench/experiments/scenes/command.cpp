@@ -38,7 +38,7 @@ const fixbench::Registration scenes({
                                     "only these scalars, e.g. q16_16,q16_16_saturating,float");
             fixbench::add_selection(command, "--method", options->methods,
                                     "only these methods, e.g. velocity_verlet");
-            command.add_flag("--quick", options->quick, "only time steps of 2^-8 s and more");
+            command.add_flag("--quick", options->quick, "only time steps of 2^-8 s, on the host also longer ones");
             return [options](const Call& call) {
                 options->output = call.output;
                 options->threads = call.threads;

@@ -102,7 +102,8 @@ std::vector<Subject> subjects_of(const SceneOptions& options) {
             if (!wanted(options.methods, subject.method)) continue;
             const bool is_reference = subject.scalar == wide || subject.scalar == recording;
             const auto add = [&](const std::string& scalar, int exponent, bool on_chip) {
-                if (wanted(options.scalars, scalar) && !(options.quick && exponent > 8))
+                const bool in_mode = !options.quick || (on_chip ? exponent == 8 : exponent < 9);
+                if (wanted(options.scalars, scalar) && in_mode)
                     subjects.push_back({&scene, scalar, subject.method, exponent, on_chip});
             };
             // The chip's float is another than the host's, and runs there alone.

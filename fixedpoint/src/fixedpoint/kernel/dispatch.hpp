@@ -83,8 +83,8 @@ constexpr bool through_q16_16() {
     return sizeof(Raw) <= 2 && F <= 13;
 }
 
-// The functions of Q8.8 have kernels of their own, but for exp and the small variants; so have
-// sine, cosine and logarithm of the coarser splits of 16 bits.
+// The functions of Q8.8 have kernels of their own, but for the small variants; so have sine, cosine
+// and logarithm of the coarser splits of 16 bits.
 template <class Raw, int F>
 constexpr bool is_q8_8() {
     return sizeof(Raw) == 2 && F == 8;
@@ -115,7 +115,7 @@ FIXEDPOINT_THROUGH_Q16_16(sin_small, false)
 FIXEDPOINT_THROUGH_Q16_16(cos, (portable::is_coarse_16<Raw, F>()))
 FIXEDPOINT_THROUGH_Q16_16(cos_small, false)
 FIXEDPOINT_THROUGH_Q16_16(atan_small, false)
-FIXEDPOINT_THROUGH_Q16_16(exp, false)
+FIXEDPOINT_THROUGH_Q16_16(exp, (is_q8_8<Raw, F>()))
 #undef FIXEDPOINT_THROUGH_Q16_16
 
 // Angles of vectors and logarithms of the formats of 64 bits need no more than those of Q32.32,

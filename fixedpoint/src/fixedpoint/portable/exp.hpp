@@ -6,6 +6,7 @@
 #include <fixedpoint/portable/exp_32.hpp>
 #include <fixedpoint/portable/exp_q16_16.hpp>
 #include <fixedpoint/portable/exp_q32_32.hpp>
+#include <fixedpoint/portable/exp_q8_8.hpp>
 #include <fixedpoint/portable/exp_small_q16_16.hpp>
 #include <fixedpoint/portable/pseudo_division_table.hpp>
 
@@ -88,6 +89,10 @@ FIXEDPOINT_CONSTEXPR int32_t exp_small<int32_t, 16>(int32_t a) {
 template <class Raw, int F>
 struct Exponential {
     static constexpr Raw apply(Raw a) { return exp_small<Raw, F>(a); }
+};
+template <>
+struct Exponential<int16_t, 8> {
+    static FIXEDPOINT_CONSTEXPR int16_t apply(int16_t a) { return exp_q8_8(a); }
 };
 template <int F>
 struct Exponential<int32_t, F> {
