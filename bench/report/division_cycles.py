@@ -6,6 +6,9 @@ import operations
 import style
 
 BIN = 16  # cycles, as division_cycles.csv counts them
+# What the classes of operands hold (bench/lab/operands/operand_class.hpp).
+CLASSES = {"small": "below 1", "physics": "0.01 to 20", "full": "all magnitudes alike",
+           "published": "those of the published timing loop, as rebuilt"}
 
 
 def draw(data):
@@ -31,7 +34,7 @@ def draw(data):
         for row in rows:
             if row["kind"] == "published":
                 axes.axvline(row["cycles"], color=style.INK, linewidth=1, linestyle="--")
-        axes.set(title=f"operands: {operands}", ylabel="share")
+        axes.set(title=f"operands: {CLASSES[operands]}", ylabel="share", xlim=(0, None))
         axes.set_yticks([])
     top = grid.flat[0]
     for row, side in zip((row for row in rows if row["kind"] == "published"),

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Error against cycles with flash beside it: a panel an operation, a point an implementation of 32 bits,
 the Pareto front drawn."""
+import math
+
 import matplotlib.pyplot as plt
 from matplotlib.ticker import LogLocator, NullFormatter, ScalarFormatter
 
@@ -64,7 +66,8 @@ def draw(data):
             handle = axes.scatter(*point(row), marker=style.marker(*kind), s=42, zorder=3,
                                   facecolors=style.face(*kind), edgecolors=style.colour(*kind))
             if row["flash_bytes"] is not None:
-                axes.annotate(row["flash_bytes"], point(row), fontsize=6, xytext=(5, 3),
+                below = kind in (("q16_16", "small"), ("q8_24", "default"))  # beside Q16.16's
+                axes.annotate(row["flash_bytes"], point(row), fontsize=6, xytext=(5, -8 if below else 3),
                               textcoords="offset points", color=style.colour(*kind))
             seen.setdefault(style.label(*kind), handle)
         front = pareto(points)
@@ -72,18 +75,23 @@ def draw(data):
         axes.step([x for x, _ in front] + [right], [y for _, y in front] + [front[-1][1]],
                   where="post", color="#888888", linewidth=1, zorder=2)
         axes.set(xscale="log", yscale="log", title=operation)
-        steps = (1,) if right > 200 * left else (1, 3) if right > 12 * left else (1, 1.5, 2, 3, 5, 7)
+        steps = (1,) if right > 200 * left else (1, 3) if right > 8 * left else (1, 2, 3, 5) if right > 4 * left else (1, 1.5, 2, 3, 5, 7)
         axes.xaxis.set_major_locator(LogLocator(subs=steps))
         axes.xaxis.set_major_formatter(ScalarFormatter())
         axes.xaxis.set_minor_formatter(NullFormatter())
-        low = min(y for _, y in points)
-        axes.set_ylim(low / 3, max(max(y for _, y in points) * 3, low * 30))
+        low, high = min(y for _, y in points), max(y for _, y in points)
+        # Room for a label below the lowest point.
+        axes.set_ylim(low / max(3, (high / low)**0.15), max(high * 3, low * 30))
         axes.yaxis.set_minor_formatter(NullFormatter())
+        if low == FLOOR:  # below it the axis has no error, only "none"
+            ticks = [FLOOR] + [10.0**e for e in range(-9, 3, 2) if 10.0**e <= high * 3]
+            axes.set_yticks(ticks, ["exact"] + [f"$10^{{{round(math.log10(tick))}}}$" for tick in ticks[1:]])
     for axes in list(grid.flat)[len(shown):]:
         axes.set_axis_off()
-    figure.supxlabel("cycles, mean over operands of 0.01 to 20; at each point its bytes of flash")
+    figure.supxlabel("cycles, mean over operands of 0.01 to 20; at ours and float's points their bytes of flash")
     figure.supylabel("rms error, in the unit of the result")
-    style.legend_above(figure, list(seen.values()), list(seen.keys()), 5)
+    names = sorted(seen, key=lambda name: name in rivals.NAMES.values())  # ours first
+    style.legend_above(figure, [seen[name] for name in names], names, 5)
     return figure
 
 
@@ -97,5 +105,5 @@ def finding(data):
         holders = {row["format"] for row in rows if point(row) in front}
         owners["ours"] += bool(holders & {"q16_16", "q8_24"})
         owners["float"] += "float" in holders
-    return (f"Of {len(shown)} operations with kernels ours is on the front of error against cycles in "
-            f"{owners['ours']}, float in {owners['float']}.")
+    return (f"Of {len(shown)} operations with kernels, one of ours is on the Pareto front (no other is both faster and more "
+            f"exact) in {owners['ours']}, float in {owners['float']}.")

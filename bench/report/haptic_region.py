@@ -45,9 +45,25 @@ def write_thrown(axes, rows, arms, hands):
                   color="white" if 2 * row["still"] < row["plants"] else "black")
 
 
+def settled(data):
+    """The levers of which every plant is at rest, grasped or released against, at each rate, arm and hand."""
+    rows = data.rows("stable_region")
+    levers = dict.fromkeys((row["arithmetic"], row["damping"]) for row in rows)
+    return [lever for lever in levers if all(row["still"] == row["still_thrown"] == row["plants"] for row in rows
+                                             if (row["arithmetic"], row["damping"]) == lever)]
+
+
+def settled_finding(data):
+    """Which levers need no picture, in a sentence."""
+    names = [f"{ARITHMETICS[arithmetic]} with {DAMPINGS[damping]}" if damping == "yes"
+             else f"{ARITHMETICS[arithmetic]} {DAMPINGS[damping]}" for arithmetic, damping in settled(data)]
+    return f"Not drawn, since all plants are at rest everywhere: {'; '.join(names)}." if names else ""
+
+
 def draw(data):
     """A panel a lever and loop rate: shades are measured, the dashed line is the theory's."""
-    groups = grouped(data.rows("stable_region"))
+    rest, every = settled(data), grouped(data.rows("stable_region"))
+    groups = {group: rows for group, rows in every.items() if group[:2] not in rest} or every
     columns = sorted({(clock, rate) for _, _, clock, rate in groups},
                      key=lambda column: (column[0] != "report", column[1]))
     lines = [(arithmetic, damping) for arithmetic in ARITHMETICS for damping in DAMPINGS

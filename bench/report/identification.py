@@ -46,7 +46,7 @@ def finding(data):
     as_fast = sum(WITHIN[0] <= fall / published <= WITHIN[1] for fall in falls)
     factor, name = narrowed(data)[0]
     return (f"Without its selective damping the 2016 design falls in the published {published:g} s, to 10 %, and swings "
-            f"in a hand on {lever.share(len(kept), len(rows))} plants drawn from the ranges of the data sheets. With the "
+            f"in a hand on {lever.share(len(kept), len(rows), ' plants')} drawn from the ranges of the data sheets. With the "
             f"damping {lever.share(as_fast, len(rows))} fall as fast, the fastest in {min(falls):.2f} s: it halves the "
             "velocity where the frame's own inertia presses against the fall. Gravity alone takes "
             f"{by_gravity(lever.PUBLISHED_ARM):.3f} s."

@@ -17,7 +17,9 @@ DEVICES = {
     "float": "float",
     "published": "as published, rebuilt",
 }
-
+# Rows of the comparison; what rendering costs stands in the data.
+QUANTITIES = ("loop_rate", "loop_step", "loop_step_max", "worst_lateness", "cpu_share", "flash_bytes",
+              "static_ram_bytes", "stack_measured", "stack_bound")
 
 # m: of which the fall was published.
 PUBLISHED_ARM = 0.2
@@ -44,12 +46,12 @@ def verdicts(data):
 
 
 def devices(data):
-    """Quantity, unit and a value for each device, where all tell of it."""
+    """Quantity, unit and a value for each device, of what the page compares."""
     told = {}
     for row in data.rows("workload_firmware", verdict="measured"):
         told.setdefault((row["quantity"], row["unit"]), {})[row["arithmetic"]] = row["measured"]
     return [(quantity, unit, [values.get(device) for device in DEVICES])
-            for (quantity, unit), values in told.items() if {"q16_16", "q16_16_arduino"} <= values.keys()]
+            for (quantity, unit), values in told.items() if quantity in QUANTITIES]
 
 
 def finding(data):
@@ -65,23 +67,23 @@ def finding(data):
             f"{fall['published']:.2f} s; {published('fall_time'):g} s were published for an arm of 20 cm.")
 
 
-def share(count, of):
+def share(count, of, plural=""):
     """A share of plants with its 95% interval (E. B. Wilson, 1927), in percent."""
     z = 1.96
     centre = (count + z * z / 2) / (of + z * z)
     half = z / (of + z * z) * math.sqrt(count * (of - count) / of + z * z / 4)
-    return f"{count} of {of} ({max(0, 100 * (centre - half)):.0f} to {min(100, 100 * (centre + half)):.0f} %)"
+    return f"{count} of {of}{plural} ({max(0, 100 * (centre - half)):.0f} to {min(100, 100 * (centre + half)):.0f} %)"
 
 
 def others(data):
     """How many scenarios the other levers hold, in a sentence."""
     parts = []
-    for arithmetic, name in (("float", "the same firmware in float"), ("published", "the rebuilt 2016 design")):
+    for arithmetic, name in (("float", "The same firmware in float holds"), ("published", "the rebuilt 2016 design")):
         rows = data.rows("haptic", arithmetic=arithmetic)
         held = sum(row["verdict"] == "held" for row in rows)
-        parts.append(f"{name} holds {held} of {len(rows)}")
+        parts.append(f"{name} {held} of {len(rows)}")
     longest = {row["arithmetic"]: row["seconds"] for row in data.rows("haptic", scenario="hours")}
-    return (" and ".join(parts) + f". The scenario \"hours\" simulates {longest['q16_16']:.0f} s of ours and "
+    return (f"{' and '.join(parts)} of them. The scenario \"hours\" simulates {longest['q16_16']:.0f} s of ours and "
             f"{longest['float']:.0f} s of the others.")
 
 
@@ -90,7 +92,7 @@ def scenarios_finding(data):
     rows = data.rows("haptic", arithmetic="q16_16")
     broken = [f"{row['scenario'].replace('_', ' ')} ({row['reason']})" for row in rows if row["verdict"] != "held"]
     late = max(rows, key=lambda row: row["worst_lateness_ms"])
-    return (f"It holds {len(rows) - len(broken)} of {len(rows)} scenarios"
+    return (f"As it is flashed, in Q16.16, the lever holds {len(rows) - len(broken)} of {len(rows)} scenarios"
             + (f", not {', '.join(broken)}" if broken else "")
             + f", at {min(row['loop_rate_hz'] for row in rows):.0f} steps a second or more. A step takes "
             f"{max(row['step_max_ms'] for row in rows):.2f} ms at most and begins {late['worst_lateness_ms']:.2f} ms late "

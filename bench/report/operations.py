@@ -30,6 +30,8 @@ PROOFS = {(operation, number_format, OURS): "fixedpoint/prove_products"
                                      ("dot3", ("q8_8", "q16_16", "q8_24", "q32_32")))
           for number_format in formats}
 
+# ulp of a float that make half its value: no digit is right.
+LOST = 2**23
 # Runs over all inputs are judged in double, to this part of an ulp (reference/bulk.hpp).
 JUDGED_TO = 2**-14
 
@@ -118,16 +120,17 @@ def elementary_finding(data):
     for number_format in FORMATS:
         ratios = ratios_to_float(data, number_format, elementary=True)
         if ratios:
-            ranges.append(f"{min(ratios.values()):.3g} to {max(ratios.values()):.3g} in "
+            dearest = max(ratios, key=ratios.get)
+            ranges.append(f"{min(ratios.values()):.3g} to {ratios[dearest]:.3g} times ({dearest}) in "
                           f"{style.format_label(number_format)}")
-    return (f"The {len(ELEMENTARY)} further functions {', '.join(ELEMENTARY)} take, over float's cycles, "
+    return (f"The {len(ELEMENTARY)} functions without a kernel, {', '.join(ELEMENTARY)}, take float's cycles "
             f"{', '.join(ranges)}." if ranges else "")
 
 
 def slower_than_float(data, number_format, implementation=OURS):
     """Operations that take more cycles than float's, the worst first, each with its ratio."""
-    slow = {name: ratio for name, ratio in ratios_to_float(data, number_format, implementation).items()
-            if ratio > 1}
+    slow = {name: ratio for elementary in (False, True) for name, ratio
+            in ratios_to_float(data, number_format, implementation, elementary).items() if ratio > 1}
     return sorted(slow.items(), key=lambda item: -item[1])
 
 
@@ -152,42 +155,44 @@ def power(value):
 
 def losses(data, number_format, implementation):
     """Where an arithmetic loses against float, in words."""
-    ratios = ratios_to_float(data, number_format, implementation)
+    every = [name for elementary in (False, True)
+             for name in ratios_to_float(data, number_format, implementation, elementary)]
     slow = slower_than_float(data, number_format, implementation)
     if not slow:
-        return f"none of {len(ratios)} takes more cycles than float"
+        return f"none of {len(every)} takes more cycles than float"
     shown = ", ".join(f"{name} {ratio:.3g} times" for name, ratio in slow[:2])
     more = f" and {len(slow) - 2} more" if len(slow) > 2 else ""
     return f"{shown} float's cycles{more}"
 
 
-def largest_of(error):
-    """An error and whose it is, as text; of many ulp the power of ten tells."""
-    ulp, name = error
-    return f"{ulp:.4g} ({name})" if ulp < 1e6 else f"{ulp:.0e} ({name})"
+def largest_of(errors):
+    """The largest error and whose it is, as text; operations that err by half their value or more are counted apart."""
+    lost = sum(ulp >= LOST for ulp, _ in errors)
+    ulp, name = max(error for error in errors if error[0] < LOST)
+    return f"{ulp:.4g} ({name})" + (f"; *no digit* in {lost} of {len(errors)}" if lost else "")
 
 
 def format_table(data):
     """The rows of the first page: an arithmetic, its range and resolution, its largest error, mean
     cycles, flash, and where it loses."""
     limits = {row["format"]: row for row in data.rows("table_3_1")}
+    ratios = [ratio for elementary in (False, True)
+              for ratio in ratios_to_float(data, "q16_16", elementary=elementary).values()]
     table = []
     for kind in [(name, OURS) for name in FORMATS] + [FLOAT, PUBLISHED]:
         shown = names(data, *kind)
         if not shown:
             continue
         errors = [(found.ulp, name) for name in shown
-                  if (found := worst(data, name, *kind)).ulp is not None
-                  and math.isfinite(found.ulp)]
+                  if (found := worst(data, name, *kind)).ulp is not None]
         table.append({
             "kind": kind, "range": power(limits[kind[0]]["maximum"]),
             "resolution": f"{limits[kind[0]]['resolution']:.3g}" if kind != FLOAT else "2⁻²⁴ of the value",
-            "ulp": largest_of(max(errors)), "flash": flash_together(data, *kind),
+            "ulp": largest_of(errors), "flash": flash_together(data, *kind),
             "cycles": [mean(data, name, *kind) for name in BASIC],
             "ratio": geometric_mean(ratios_to_float(data, *kind).values()) if kind != FLOAT else 1,
             "losses": losses(data, *kind) if kind != FLOAT else (
-                f"slower than Q16.16 in {sum(r < 1 for r in ratios_to_float(data, 'q16_16').values())} "
-                f"of {len(ratios_to_float(data, 'q16_16'))}")})
+                f"slower than Q16.16 in {sum(ratio < 1 for ratio in ratios)} of {len(ratios)}")})
     return table
 
 

@@ -183,11 +183,8 @@ def draw_all(data, folder):
         done.result()
 
 
-def write(results, experiments=()):
-    """Everything: the figures, then the pages that show them."""
-    data = Data(results / "data", experiments)
-    draw_all(data, results / "figures")
-
+def write_pages(results, data):
+    """The pages in Markdown."""
     environment = templates()
     names = {"data": data, "measured": data.json("tools"), "choose": choose_a_format, "style": style,
              "operations": operations, "blocks": blocks,
@@ -200,6 +197,14 @@ def write(results, experiments=()):
         if data.has(needed):
             with telling(name):
                 write_whole(results / name, page(environment, template, names))
+
+
+def write(results, experiments=()):
+    """Everything: the figures, then the pages that show them."""
+    data = Data(results / "data", experiments)
+    draw_all(data, results / "figures")
+    write_pages(results, data)
+    environment = templates()
     if (results / "data" / "replay.json").exists():
         with telling("replay.html"):
             write_whole(results / "replay.html", replay.page(environment, data))

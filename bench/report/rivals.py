@@ -62,17 +62,21 @@ def ours(data, operation):
 
 def origins(data):
     """Which libraries were measured, in a sentence: name, version, commit and date."""
-    found = {row["rival"]: row for row in rows(data)}
-    texts = []
-    for name, row in found.items():
+    by_date = {}
+    for name, row in {row["rival"]: row for row in rows(data)}.items():
         version = [row["version"] and str(row["version"]), row["commit"] and f"at {row['commit']}"]
-        texts.append(" ".join([name, *filter(None, version), f"({row['measured']})"]))
-    return "Measured: " + "; ".join(texts) + "."
+        by_date.setdefault(row["measured"], []).append(" ".join([name.replace("_", " "), *filter(None, version)]))
+    return " ".join(f"Measured on {date}: {'; '.join(names)}." for date, names in by_date.items())
+
+
+def listed(names):
+    """add, divide and log."""
+    return ", ".join(names[:-1]) + " and " + names[-1] if len(names) > 1 else names[0]
 
 
 def finding(data):
     """Where another library takes fewer cycles than ours, or as many, and how often less flash."""
-    ahead, equal, count, smaller = [], set(), 0, 0
+    ahead, equal, count, smaller = {}, set(), 0, 0
     for row in rows(data):
         mine = ours(data, row["operation"])
         if mine is None:
@@ -80,14 +84,16 @@ def finding(data):
         count += 1
         smaller += row["flash_bytes"] < mine[2]
         if row["cycles_mean"] < mine[0]:
-            ahead.append(f"{NAMES[row['variant']]} in {row['operation']}")
+            ahead.setdefault(NAMES[row["variant"]], []).append(row["operation"])
         elif row["cycles_mean"] == mine[0]:
             equal.add(row["operation"])
     text = f"Of {count} functions of other libraries "
     if ahead:
-        text += f"{len(ahead)} {'take' if len(ahead) > 1 else 'takes'} fewer cycles than ours: {', '.join(ahead)}"
+        faster = sum(map(len, ahead.values()))
+        text += (f"{faster} {'take' if faster > 1 else 'takes'} fewer cycles than ours: "
+                 + "; ".join(f"{listed(operations)} of {name}" for name, operations in ahead.items()))
     else:
         text += "none takes fewer cycles than ours"
     if equal:
-        text += f"; in {' and '.join(sorted(equal))} some take as many"
-    return f"{text}. Less flash than ours take {smaller} of them; where that counts, the small tables are there."
+        text += f"; some take as many in {listed(sorted(equal))}"
+    return f"{text}. {smaller} take less flash than ours; where flash counts, `Small` has short tables."

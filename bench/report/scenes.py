@@ -223,7 +223,7 @@ def draw(data):
 
 def draw_time_steps(data):
     """What the method and what the arithmetic errs by, against the time step."""
-    scenes = judged(data)
+    scenes, drawn = judged(data), set()
     columns = 3
     lines = -(-len(scenes) // columns)
     figure, grid = plt.subplots(lines, columns, figsize=(11, 2.5 * lines + 0.9), squeeze=False,
@@ -236,6 +236,9 @@ def draw_time_steps(data):
                   color=style.INK, linewidth=1.2)
         for key, of in SCALARS.items():
             points = [row for row in rows if (row["scalar"], row["arithmetic"]) == key]
+            if not points:
+                continue
+            drawn.add(of)
             axes.plot([row["dt"] for row in points],
                       [max(row["error_arithmetic"], FLOOR) for row in points],
                       color=style.colour(*of), markerfacecolor=style.face(*of),
@@ -244,8 +247,8 @@ def draw_time_steps(data):
     for axes in list(grid.flat)[len(scenes):]:
         axes.set_axis_off()
     figure.supxlabel("time step, s")
-    figure.supylabel("m")
-    shown = [of for of in SCALARS.values() if of[1] != "published"]
+    figure.supylabel("error, m")
+    shown = [of for of in SCALARS.values() if of in drawn]
     handles = [Line2D([], [], color=style.INK)]
     handles += [Line2D([], [], marker=style.marker(*of), color=style.colour(*of),
                        markerfacecolor=style.face(*of)) for of in shown]

@@ -44,12 +44,12 @@ def draw_rounds(data):
                   color=colour, label=name)
         for row in of:
             if row["steps"]:
-                axes.annotate(f"{row['steps']} steps", (row["rounds"], row["cycles"]), fontsize=7,
-                              xytext=(0, 6), textcoords="offset points", ha="center")
+                axes.annotate(f"{row['steps']} step{'s' if row['steps'] > 1 else ''}", (row["rounds"], row["cycles"]),
+                              fontsize=7, color=colour, xytext=(7, -3), textcoords="offset points")
     axes.axhline(4.4e-3 * 16e6, color="#222222", linewidth=1, linestyle="--")
     axes.annotate("published step: 4.4 ms", (10, 4.4e-3 * 16e6), fontsize=7, ha="right",
                   xytext=(0, -9), textcoords="offset points")
-    axes.set(xlabel="iterations of the contact solver", ylabel="cycles of a step", ylim=(0, None))
+    axes.set(xlabel="iterations of the contact solver", ylabel="cycles of a step", xlim=(-0.4, 11.2), ylim=(0, None))
     axes.legend()
     return figure
 

@@ -32,8 +32,9 @@ def draw(data):
         mine = [(position, row["ratio"]) for position, row in enumerate(rows)
                 if row["verdict"] == verdict]
         if mine:
+            cells = sum(position < CELLS for position, _ in mine)
             axes.scatter(*zip(*mine), s=40, zorder=4, facecolors=face, edgecolors=style.INK,
-                         label=f"{verdict} ({len(mine)})")
+                         label=f"{verdict}: {cells} + {len(mine) - cells}")
     axes.axvline(CELLS - 0.5, color=style.PALE, linewidth=1, linestyle=":")
     axes.set(yscale="log", ylabel="measured / published", xlim=(-0.7, len(rows) - 0.3))
     ticks = [0.5, 0.7, 1, 1.5, 2, 3]
@@ -41,6 +42,8 @@ def draw(data):
     axes.minorticks_off()
     axes.set_xticks(range(len(rows)), [f"{row['type']} {row['operation']}" for row in rows],
                     rotation=60, ha="right", fontsize=7)
+    for side, align, text in ((-4, "right", f"the table's {CELLS} cells"), (4, "left", "+ figures of the text")):
+        axes.annotate(text, (CELLS - 0.5, 0.52), fontsize=7, ha=align, xytext=(side, 0), textcoords="offset points")
     axes.legend(loc="upper left", ncols=4)
     return figure
 

@@ -1,16 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fixbench advise.
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <memory>
 #include <stdexcept>
 
 #include "bench/experiments/advise/advise.hpp"
+#include "bench/experiments/scenes/any_program.hpp"
+#include "bench/experiments/scenes/chip_run.hpp"
 #include "bench/experiments/stability/advise.hpp"
 #include "bench/lab/program/experiment.hpp"
 
 namespace advise {
 namespace {
+
+// What a scene takes in a format that no data file need have.
+stability::Cost on_chip(const std::string& scene, const std::string& scalar,
+                        const std::string& method, int exponent) {
+    const auto& scenes = scene_bench::all_scenes();
+    const auto found = std::find_if(scenes.begin(), scenes.end(),
+                                    [&](const auto& each) { return each.name == scene; });
+    const scene_bench::ChipRun run =
+        scene_bench::run_on_chip(scene_bench::any_program(scene, scalar, method, exponent), *found,
+                                 scalar, exponent, scene_bench::Hashes::no);
+    if (!run.failure.empty()) throw std::runtime_error(run.failure);
+    return {run.cycles_mean, static_cast<double>(run.flash_bytes)};
+}
 
 const fixbench::Registration command({
     .name = "advise",
@@ -30,7 +46,11 @@ const fixbench::Registration command({
         "that fixedpoint::watch names and every line had for values; printed with --ranges).\n\n"
         "--scene NAME: a scene of the engine against its true motion, in all splits Q2.14 to "
         "Q12.4,\n"
-        "Q4.28 to Q24.8 and Q12.52 to Q40.24, and float, with every method and step.\n\n"
+        "Q4.28 to Q24.8 and Q12.52 to Q40.24, and float, with every method and step. What the "
+        "data\n"
+        "lack the cycles of is built and run on the simulated chip; the program stays in the "
+        "build\n"
+        "folder.\n\n"
         "Example: fixbench advise --program my_filter.cpp --inputs my_data.csv --error 0.001\n"
         "         fixbench advise --scene pendulum --error 5 --unit mm",
     .prints = {"advice.csv", "ranges.csv"},
@@ -98,6 +118,7 @@ const fixbench::Registration command({
                 if (scene) {
                     asked->scene.error = asked->error * asked->unit;
                     asked->scene.threads = call.threads;
+                    asked->scene.measure = on_chip;
                     found = stability::advise(asked->scene);
                 } else {
                     asked->program.error = asked->error;

@@ -6,12 +6,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
+#include <tuple>
 
 #include "bench/chip/simulator/chip.hpp"
 #include "bench/experiments/calibration/verdicts.hpp"
-#include "bench/lab/records/csv.hpp"
 #include "bench/lab/records/progress.hpp"
+#include "bench/lab/records/record.hpp"
 #include "bench/lab/records/whole_file.hpp"
 #include "reference/numbers.hpp"
 #include "reference/published.hpp"
@@ -78,53 +80,94 @@ std::string coefficients_text(const std::vector<double>& coefficients) {
     return fmt::format("{:.10g}", fmt::join(coefficients, " "));
 }
 
-records::Table candidate_table(const std::vector<Candidate>& all, std::size_t chosen) {
-    records::Table table({"curve", "formula", "fitted_to", "coefficients", "standard_errors",
-                          "rms_g", "max_g", "rms_from_850_g", "max_from_850_g",
-                          "leave_one_out_rms_g", "lowest", "highest", "evaluation_error_g",
-                          "cycles_mean", "cycles_max", "flash_bytes", "stack_bytes", "verdict"});
+// Of calibration_candidates.csv. What was not measured since the curve was rejected has no cell.
+struct CandidateRow {
+    std::string curve, formula, fitted_to, coefficients, standard_errors;
+    std::optional<double> rms, max, upper_rms, upper_max, leave_one_out_rms;  // g
+    std::optional<int> lowest, highest;
+    std::optional<double> evaluation_error, cycles_mean, cycles_max;
+    std::optional<int> flash_bytes, stack_bytes;
+    std::string verdict;
+    static constexpr auto columns = std::tuple(
+        records::column("curve", &CandidateRow::curve),
+        records::column("formula", &CandidateRow::formula),
+        records::column("fitted_to", &CandidateRow::fitted_to),
+        records::column("coefficients", &CandidateRow::coefficients),
+        records::column("standard_errors", &CandidateRow::standard_errors),
+        records::column("rms_g", &CandidateRow::rms), records::column("max_g", &CandidateRow::max),
+        records::column("rms_from_850_g", &CandidateRow::upper_rms),
+        records::column("max_from_850_g", &CandidateRow::upper_max),
+        records::column("leave_one_out_rms_g", &CandidateRow::leave_one_out_rms),
+        records::column("lowest", &CandidateRow::lowest),
+        records::column("highest", &CandidateRow::highest),
+        records::column("evaluation_error_g", &CandidateRow::evaluation_error),
+        records::column("cycles_mean", &CandidateRow::cycles_mean),
+        records::column("cycles_max", &CandidateRow::cycles_max),
+        records::column("flash_bytes", &CandidateRow::flash_bytes),
+        records::column("stack_bytes", &CandidateRow::stack_bytes),
+        records::column("verdict", &CandidateRow::verdict));
+};
+
+std::vector<CandidateRow> candidate_rows(const std::vector<Candidate>& all, std::size_t chosen) {
+    std::vector<CandidateRow> rows;
     for (std::size_t i = 0; i < all.size(); ++i) {
         const Candidate& c = all[i];
-        std::vector<std::string> row = {name_of(c.curve.family), formula_of(c.curve.family),
-                                        c.fitted_to};
+        CandidateRow row{};
+        row.curve = name_of(c.curve.family);
+        row.formula = formula_of(c.curve.family);
+        row.fitted_to = c.fitted_to;
         if (c.device) {
-            const bool fitted = c.curve.family != Family::monotone_cubic;
-            for (const std::string& cell :
-                 {fitted ? coefficients_text(c.curve.coefficients) : std::string(),
-                  fmt::format("{:.3g}", fmt::join(c.standard_errors, " ")),
-                  records::cell(c.all.rms), records::cell(c.all.max), records::cell(c.upper.rms),
-                  records::cell(c.upper.max),
-                  records::cell(c.leave_one_out_rms.value_or(std::nan(""))),
-                  std::to_string(c.range.lowest), std::to_string(c.range.highest),
-                  records::cell(c.evaluation_error), records::cell(c.device->cycles_mean),
-                  records::cell(c.device->cycles_max), std::to_string(c.device->flash_bytes),
-                  std::to_string(c.device->stack_bytes)})
-                row.push_back(cell);
+            if (c.curve.family != Family::monotone_cubic)
+                row.coefficients = coefficients_text(c.curve.coefficients);
+            row.standard_errors = fmt::format("{:.3g}", fmt::join(c.standard_errors, " "));
+            row.rms = c.all.rms;
+            row.max = c.all.max;
+            row.upper_rms = c.upper.rms;
+            row.upper_max = c.upper.max;
+            row.leave_one_out_rms = c.leave_one_out_rms;
+            row.lowest = c.range.lowest;
+            row.highest = c.range.highest;
+            row.evaluation_error = c.evaluation_error;
+            row.cycles_mean = c.device->cycles_mean;
+            row.cycles_max = c.device->cycles_max;
+            row.flash_bytes = c.device->flash_bytes;
+            row.stack_bytes = c.device->stack_bytes;
         }
-        row.resize(table.columns().size() - 1);
-        row.push_back(i == chosen          ? "chosen"
+        row.verdict = i == chosen          ? "chosen"
                       : c.rejected.empty() ? "not chosen"
-                                           : "rejected: " + c.rejected);
-        table.add(row);
+                                           : "rejected: " + c.rejected;
+        rows.push_back(row);
     }
-    return table;
+    return rows;
 }
 
-records::Table readings_table(const Candidate& chosen, const std::vector<Reading>& readings) {
-    records::Table table({"adc_reading", "actual_g", "published_g", "published_error_g", "fitted_g",
-                          "fitted_error_g", "device_g", "device_minus_fitted_g"});
-    const auto rounded = [](double grams, int digits) {
-        return fmt::format("{:.{}f}", grams + 0.0, digits);
-    };
+// Of calibration.csv, in grams.
+struct ReadingRow {
+    int adc;
+    double actual, published, published_error, fitted, fitted_error, device, device_minus_fitted;
+    static constexpr auto columns = std::tuple(
+        records::column("adc_reading", &ReadingRow::adc),
+        records::column("actual_g", &ReadingRow::actual),
+        records::column("published_g", &ReadingRow::published, "{:.1f}"),
+        records::column("published_error_g", &ReadingRow::published_error, "{:.1f}"),
+        records::column("fitted_g", &ReadingRow::fitted, "{:.1f}"),
+        records::column("fitted_error_g", &ReadingRow::fitted_error, "{:.1f}"),
+        records::column("device_g", &ReadingRow::device, "{:.4f}"),
+        records::column("device_minus_fitted_g", &ReadingRow::device_minus_fitted, "{:.5f}"));
+};
+
+std::vector<ReadingRow> reading_rows(const Candidate& chosen,
+                                     const std::vector<Reading>& readings) {
+    std::vector<ReadingRow> rows;
     for (const Reading& r : readings) {
         const double published = value<double>(published_function_1, r.adc);
         const double fitted = held_value(chosen.curve, chosen.range, r.adc);
         const double device = chosen.device->raw[static_cast<std::size_t>(r.adc)] / 65536.0;
-        table.add({std::to_string(r.adc), records::cell(r.grams), rounded(published, 1),
-                   rounded(published - r.grams, 1), rounded(fitted, 1),
-                   rounded(fitted - r.grams, 1), rounded(device, 4), rounded(device - fitted, 5)});
+        // 0.0 makes a negative zero positive.
+        rows.push_back({r.adc, r.grams, published + 0.0, published - r.grams + 0.0, fitted + 0.0,
+                        fitted - r.grams + 0.0, device + 0.0, device - fitted + 0.0});
     }
-    return table;
+    return rows;
 }
 
 std::string header_text(const Candidate& chosen, const std::vector<Reading>& readings,
@@ -254,10 +297,11 @@ void calibrate(const Options& options) {
     std::vector<Reading> published;
     for (const reference::ForceCalibration& row : reference::load_table_d_1())
         published.push_back({static_cast<int>(row.adc_reading), row.actual_grams});
-    const records::Table verdicts = verdict_table(published);
+    const records::Table verdicts = records::table_of(verdict_rows(published));
 
-    readings_table(all[chosen], readings).save(options.output / "calibration.csv");
-    candidate_table(all, chosen).save(options.output / "calibration_candidates.csv");
+    records::table_of(reading_rows(all[chosen], readings)).save(options.output / "calibration.csv");
+    records::table_of(candidate_rows(all, chosen))
+        .save(options.output / "calibration_candidates.csv");
     verdicts.save(options.output / "calibration_verdicts.csv");
     if (!options.header.empty())
         records::write_whole(options.header, header_text(all[chosen], readings, options.readings));

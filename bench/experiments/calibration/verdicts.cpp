@@ -70,28 +70,29 @@ Unscaled unscaled_function_1(const std::vector<Reading>& readings) {
     return worst;
 }
 
-records::Table verdict_table(const std::vector<Reading>& readings) {
-    records::Table table({"function", "readings", "coefficient", "published", "refitted",
-                          "standard_error", "square_sum_excess", "largest_distance_g", "verdict"});
+std::vector<VerdictRow> verdict_rows(const std::vector<Reading>& readings) {
+    std::vector<VerdictRow> rows;
     for (const auto& [name, curve] :
          {std::pair{"function_1", published_function_1}, {"function_2", published_function_2}}) {
         const PublishedFit fit = reproduce(name, curve, readings);
         for (std::size_t i = 0; i < parameters; ++i) {
-            table.add({name, fmt::format("{} to {}", fit.first, fit.last),
-                       std::string(1, static_cast<char>('a' + i)),
-                       fmt::format("{:.10g}", curve.coefficients[i]),
-                       fmt::format("{:.10g}", fit.refitted.curve.coefficients[i]),
-                       fmt::format("{:.3g}", fit.refitted.standard_errors[i]),
-                       fmt::format("{:.2e}", fit.excess), records::cell(fit.largest_distance),
-                       fit.verdict});
+            rows.push_back({name, fmt::format("{} to {}", fit.first, fit.last),
+                            std::string(1, static_cast<char>('a' + i)), curve.coefficients[i],
+                            fit.refitted.curve.coefficients[i], fit.refitted.standard_errors[i],
+                            fit.excess, fit.largest_distance, fit.verdict});
         }
     }
     const Unscaled unscaled = unscaled_function_1(readings);
-    table.add({"function_1 in Q16.16 with coefficients rounded as they stand",
-               fmt::format("0 to {}", readings.back().adc), "", "", "", "", "",
-               records::cell(unscaled.error),
-               fmt::format("worst at reading {}", unscaled.reading)});
-    return table;
+    rows.push_back({"function_1 in Q16.16 with coefficients rounded as they stand",
+                    fmt::format("0 to {}", readings.back().adc),
+                    "",
+                    {},
+                    {},
+                    {},
+                    {},
+                    unscaled.error,
+                    fmt::format("worst at reading {}", unscaled.reading)});
+    return rows;
 }
 
 }  // namespace calibration

@@ -2,11 +2,13 @@
 // Do the published readings give the published coefficients?
 #pragma once
 
+#include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "bench/experiments/calibration/curve.hpp"
-#include "bench/lab/records/csv.hpp"
+#include "bench/lab/records/record.hpp"
 
 namespace calibration {
 
@@ -40,7 +42,25 @@ struct Unscaled {
 };
 Unscaled unscaled_function_1(const std::vector<Reading>& readings);
 
+// Of calibration_verdicts.csv: a coefficient, or the unscaled evaluation, which has none.
+struct VerdictRow {
+    std::string function, readings, coefficient;
+    std::optional<double> published, refitted, standard_error, excess;
+    double largest_distance;  // g
+    std::string verdict;
+    static constexpr auto columns =
+        std::tuple(records::column("function", &VerdictRow::function),
+                   records::column("readings", &VerdictRow::readings),
+                   records::column("coefficient", &VerdictRow::coefficient),
+                   records::column("published", &VerdictRow::published, "{:.10g}"),
+                   records::column("refitted", &VerdictRow::refitted, "{:.10g}"),
+                   records::column("standard_error", &VerdictRow::standard_error, "{:.3g}"),
+                   records::column("square_sum_excess", &VerdictRow::excess, "{:.2e}"),
+                   records::column("largest_distance_g", &VerdictRow::largest_distance),
+                   records::column("verdict", &VerdictRow::verdict));
+};
+
 // A row for each coefficient and one for the unscaled evaluation.
-records::Table verdict_table(const std::vector<Reading>& readings);
+std::vector<VerdictRow> verdict_rows(const std::vector<Reading>& readings);
 
 }  // namespace calibration

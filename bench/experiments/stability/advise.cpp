@@ -10,6 +10,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <tuple>
 
@@ -42,9 +43,19 @@ struct Result {
     double error = std::numeric_limits<double>::infinity();  // m
     std::string fault;
     double position_bits = 0, velocity_bits = 0, force_bits = 0;  // to overflow
-    double cycles = 0, flash = 0;  // a simulated second, bytes; 0 where not measured
-    bool estimated = false;        // from another split of the same width or another step
+    void cost(const Cost& cost) {
+        cycles = std::ldexp(cost.cycles_per_step, choice.exponent);
+        flash = cost.flash_bytes;
+    }
+    double cycles = 0, flash = 0;  // a simulated second, bytes; 0 where not known
+    bool estimated = false;        // from another split of the same width, method or step
+    bool named = false;            // the format is one that the data know
 };
+
+std::string scalar_of(const Split& split) {
+    return split.width() == 0 ? "float"
+                              : fmt::format("q{}_{}", split.integer_bits, split.fraction_bits);
+}
 
 std::vector<Split> splits() {
     std::vector<Split> list = {{0, 0}};
@@ -112,16 +123,17 @@ double number(const std::string& cell, const std::filesystem::path& file) {
     return value;
 }
 
-// Cycles and flash as measured, of this scene and method; of the same width where this split was
-// not measured, and of any step where this one was not.
+// Cycles and flash as measured, of this scene and method; as an estimate those of the same width
+// where this split was not measured, and of any step where this one was not.
 class Costs {
   public:
     Costs(const std::filesystem::path& data, const std::string& scene) {
         const std::filesystem::path file = data / "scenes.csv";
         if (!std::filesystem::exists(file)) {
             fmt::print(stderr,
-                       "advise: {} is missing: without measured cycles, the order is that of bits "
-                       "and steps; `fixbench scenes --output {}` measures them\n",
+                       "advise: {} is missing: the lines are chosen by bits and steps, and all are "
+                       "measured now; `fixbench scenes --output {}` measures those of the named "
+                       "formats for good\n",
                        file.string(), data.string());
             return;
         }
@@ -135,30 +147,36 @@ class Costs {
             const std::string& cycles = row[column("cycles_per_step_mean")];
             if (cycles.empty()) continue;
             const std::string& flash = row[column("flash_bytes")];
-            measured_[{scalar, row[column("integrator")]}] = {
-                number(cycles, file), flash.empty() ? 0 : number(flash, file)};
+            Known& known = measured_[{scalar, row[column("integrator")]}];
+            known.cost = {number(cycles, file), flash.empty() ? 0 : number(flash, file)};
+            known.exponents.insert(static_cast<int>(-std::log2(number(row[column("dt")], file))));
         }
     }
     void add_to(Result& result) const {
         const Split split = result.choice.split;
-        const std::string own = fmt::format("q{}_{}", split.integer_bits, split.fraction_bits);
-        for (const std::string& scalar : {split.width() == 0 ? std::string("float") : own,
-                                          fmt::format("q{0}_{0}", split.width() / 2)}) {
+        const std::string own = scalar_of(split);
+        for (const std::string& scalar : {own, fmt::format("q{0}_{0}", split.width() / 2)}) {
             // Without springs the implicit method is the semi-implicit one.
             for (const std::string& method : {result.method, std::string("semi_implicit_euler")}) {
                 if (method != result.method && result.method != "implicit_springs") break;
                 const auto found = measured_.find({scalar, method});
                 if (found == measured_.end()) continue;
-                result.cycles = std::ldexp(found->second.first, result.choice.exponent);
-                result.flash = found->second.second;
-                result.estimated = split.width() != 0 && scalar != own;
+                result.cost(found->second.cost);
+                result.named = scalar == own;
+                result.estimated = (split.width() != 0 && scalar != own) ||
+                                   method != result.method ||
+                                   !found->second.exponents.contains(result.choice.exponent);
                 return;
             }
         }
     }
 
   private:
-    std::map<std::pair<std::string, std::string>, std::pair<double, double>> measured_;
+    struct Known {
+        Cost cost;  // of the last of the steps
+        std::set<int> exponents;
+    };
+    std::map<std::pair<std::string, std::string>, Known> measured_;
 };
 
 // How far a run is from both limits of its split, in bits: to overflow, and to the error allowed.
@@ -176,9 +194,8 @@ auto price(const Result& result) {
 }
 
 void print(const Result& result) {
-    const std::string cycles = result.cycles > 0 ? fmt::format("{:.0f}{}", result.cycles,
-                                                               result.estimated ? " (est.)" : "")
-                                                 : "not measured";
+    const std::string cycles =
+        result.fault.empty() ? fmt::format("{:.0f}", result.cycles) : result.fault;
     const std::string flash = result.flash > 0 ? fmt::format("{:.0f}", result.flash) : "-";
     const bool floating = result.choice.split.width() == 0;
     const auto bits = [&](double x) { return floating ? "-" : fmt::format("{:.1f}", x); };
@@ -218,6 +235,25 @@ double extent(const reference::Trajectory& truth) {
             high = {std::max(high.x, body.position[0]), std::max(high.y, body.position[1])};
         }
     return std::hypot(high.x - low.x, high.y - low.y);
+}
+
+// Lines whose cycles no file has run on the chip.
+void measure(const AdviceOptions& options, std::vector<Result>& lines) {
+    std::vector<Result*> unknown;
+    for (Result& line : lines)
+        if (line.cycles == 0 || line.estimated) unknown.push_back(&line);
+    records::Progress progress("advise", unknown.size());
+    operations::in_parallel(options.threads, unknown.size(), [&](std::size_t i) {
+        Result& line = *unknown[i];
+        try {
+            line.cost(options.measure(options.scene, scalar_of(line.choice.split), line.method,
+                                      line.choice.exponent));
+        } catch (const std::runtime_error&) {
+            line.fault = "not on the chip";
+            line.cycles = line.flash = 0;
+        }
+        progress.advance();
+    });
 }
 
 }  // namespace
@@ -264,20 +300,25 @@ bool advise(const AdviceOptions& options) {
 
     const Costs costs(options.data, options.scene);
     for (Result& result : results) costs.add_to(result);
-    // The split with most in reserve of each width, method and step, among those within the error.
-    std::map<std::tuple<int, std::size_t, int>, Result> best;
+    // The split with most in reserve of each width, method and step, among those within the error,
+    // and beside it the formats with a name, whose kernels are faster.
+    std::map<std::tuple<int, std::size_t, int, std::string>, Result> best;
     std::vector<Result> good;
     for (const Result& result : results) {
         if (!(result.error <= options.error)) continue;
         const Choice& choice = result.choice;
-        const auto key = std::tuple(choice.split.width(), choice.method, choice.exponent);
+        const auto key = std::tuple(choice.split.width(), choice.method, choice.exponent,
+                                    result.named ? result.format : "");
         const auto [place, added] = best.try_emplace(key, result);
         if (!added && reserve(result, options.error) > reserve(place->second, options.error))
             place->second = result;
     }
     for (const auto& [key, result] : best) good.push_back(result);
-    std::stable_sort(good.begin(), good.end(),
-                     [](const Result& a, const Result& b) { return price(a) < price(b); });
+    const auto by_price = [](const Result& a, const Result& b) { return price(a) < price(b); };
+    std::stable_sort(good.begin(), good.end(), by_price);
+    good.resize(std::min<std::size_t>(good.size(), options.most));
+    measure(options, good);
+    std::stable_sort(good.begin(), good.end(), by_price);
     if (good.empty()) {
         const Result& nearest =
             *std::min_element(results.begin(), results.end(),
@@ -294,7 +335,7 @@ bool advise(const AdviceOptions& options) {
     fmt::print("{:<8} {:<26} {:<8} {:>8} {:>18} {:>6} {:>9} {:>9} {:>6}\n", "format", "method",
                "step, s", "error, m", "cycles/s", "flash", "position", "velocity", "force");
     fmt::print("{:>82} bits to overflow\n", "");
-    for (std::size_t i = 0; i < good.size() && i < options.most; ++i) print(good[i]);
+    for (const Result& result : good) print(result);
     return true;
 }
 

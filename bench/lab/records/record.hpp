@@ -36,8 +36,13 @@ template <class Row, class Member>
 constexpr Column<Row, Member> column(const char* name, Member Row::*member) {
     return {name, member, nullptr};
 }
+template <class Value>
+constexpr bool is_number = std::is_arithmetic_v<Value>;
+template <class Value>
+constexpr bool is_number<std::optional<Value>> = std::is_arithmetic_v<Value>;
+
 template <class Row, class Member>
-requires std::is_arithmetic_v<Member>
+requires is_number<Member>
 constexpr Column<Row, Member> column(const char* name, Member Row::*member, const char* format) {
     return {name, member, format};
 }
@@ -58,8 +63,11 @@ std::string cell(const std::optional<Value>& value) {
 template <class Row, class Member>
 std::string cell_of(const Row& row, const Column<Row, Member>& column) {
     const Member& value = row.*column.member;
-    if constexpr (std::is_arithmetic_v<Member>)
+    if constexpr (std::is_arithmetic_v<Member>) {
         if (column.format) return fmt::format(fmt::runtime(column.format), value);
+    } else if constexpr (is_number<Member>) {
+        if (column.format && value) return fmt::format(fmt::runtime(column.format), *value);
+    }
     return cell(value);
 }
 

@@ -50,7 +50,7 @@ export function build(root, state) {
     holder.replaceChildren(h("table", {}, h("thead", {}, h("tr", {}, columns(shown).map((column, index) => h("th", { scope: "col", "data-column": column, class: index ? null : "corner" },
       h("button", { type: "button", title: "sort", onclick: () => state.set("sort", state.get("sort") === column ? `-${column}` : state.get("sort") === `-${column}` ? "" : column) }, words(column)),
       h("input", { type: "text", value: state.get(`is.${column}`), "aria-label": `filter ${words(column)}`, placeholder: index ? null : "text, =text, <3", oninput: (event) => state.set(`is.${column}`, event.target.value) }))))), body));
-    made.replaceChildren(h("a", { href: `data/${shown}.csv` }, `${shown}.csv`), command(shown) ? [", written by ", h("code", {}, command(shown))] : "",
+    made.replaceChildren(h("a", { href: `data/${shown}.csv` }, `${shown}.csv`), ...(command(shown) ? [", written by ", h("code", {}, command(shown))] : []),
       ". Filters: text that a cell contains, =text for the whole cell, <3, <=3, >3, >=3 for numbers.");
     draw();
   }

@@ -258,7 +258,8 @@ own q8_8 small 90
         self.assertAlmostEqual(shown[0].get_ylim()[0], 0.0001 / 3)
         self.assertAlmostEqual(shown[0].get_ylim()[1], 0.003)
         self.assertEqual(error_against_cycles.finding(made),
-                         "Of 2 operations with kernels ours is on the front of error against cycles in 2, float in 1.")
+                         "Of 2 operations with kernels, one of ours is on the Pareto front (no other is both faster and "
+                         "more exact) in 2, float in 1.")
 
     RIVALS = """
 rival variant version commit measured operation format operands regular cycles_mean rms_ulp flash_bytes failure
@@ -272,20 +273,20 @@ avrfix avrfix 1.1 - 2026-01-03 add q8_24 physics 9 1 0 9 -
     def test_rivals_stand_beside_ours(self):
         made = golden(operations=OPERATIONS, rivals=self.RIVALS)
         self.assertEqual(rivals.finding(made), "Of 2 functions of other libraries none takes fewer cycles than ours; "
-                                               "in add some take as many. Less flash than ours take 1 of them; where "
-                                               "that counts, the small tables are there.")
+                                               "some take as many in add. 1 take less flash than ours; where flash "
+                                               "counts, `Small` has short tables.")
         self.assertEqual([(row["operation"], row["cycles_mean"]) for row in rivals.rows(made)], [("sqrt", 500), ("add", 10)])
         self.assertEqual(rivals.ours(made, "add"), (10, 65.536, 10))
         compilers = golden(operations=OPERATIONS, rivals=self.RIVALS.replace("avrfix avrfix", "GCC gcc_accum"))
         self.assertEqual({row["variant"] for row in rivals.judged(compilers)}, {"libfixmath", "gcc_accum"})
         self.assertEqual({row["variant"] for row in rivals.comparable(compilers)}, {"libfixmath"})
-        self.assertEqual(rivals.origins(made), "Measured: libfixmath at abc (2026-01-02); avrfix 1.1 (2026-01-03).")
+        self.assertEqual(rivals.origins(made), "Measured on 2026-01-02: libfixmath at abc. Measured on 2026-01-03: avrfix 1.1.")
         shown = [axes for axes in error_against_cycles.draw(made).axes if axes.axison]
         self.assertIn((500, 2 / 65536), [point for point, _ in points(shown[1])])
 
     def test_another_librarys_lead_is_told(self):
         made = golden(operations=OPERATIONS, rivals=self.RIVALS.replace(" 500 ", " 5 "))
-        self.assertIn("1 takes fewer cycles than ours: libfixmath in sqrt", rivals.finding(made))
+        self.assertIn("1 takes fewer cycles than ours: sqrt of libfixmath", rivals.finding(made))
 
     def test_a_rival_without_a_name_is_refused(self):
         made = golden(operations=OPERATIONS, rivals=self.RIVALS.replace("libfixmath_bytes", "another"))
@@ -302,8 +303,9 @@ avrfix avrfix 1.1 - 2026-01-03 add q8_24 physics 9 1 0 9 -
 {operation} {number_format} {implementation} 1 inf 5
 """
         for axes in error_histograms.draw(golden(error_histograms=rows)).axes:
-            self.assertEqual([(bar.get_x(), bar.get_width(), bar.get_height()) for bar in axes.patches],
-                             2 * [(-1, 0.5, 0.2), (-0.5, 1, 0.65)])
+            steps = [patch.get_data() for patch in axes.patches]
+            self.assertEqual([(list(step.edges), list(step.values)) for step in steps], 2 * [([-1, -0.5, 0.5], [0.2, 0.65])])
+            self.assertEqual(texts(axes), 2 * ["beyond: 15 %"])
             self.assertEqual([line.get_xdata()[0] for line in axes.lines], [-0.5, 0.5])
 
     def test_division_cycles(self):
@@ -322,7 +324,7 @@ published - 1920 - 120 Table
 published - 1900 - 120 less
 law - - - 2 constant
 """))
-        self.assertEqual([axes.get_title() for axes in figure.axes], ["operands: small"])
+        self.assertEqual([axes.get_title() for axes in figure.axes], ["operands: below 1"])
         axes = figure.axes[0]
         self.assertEqual([(bar.get_x(), bar.get_width(), bar.get_height()) for bar in axes.patches],
                          [(1600, 16, 0.75), (1616, 16, 0.25), (480, 16, 1)])
@@ -349,7 +351,7 @@ rank measured_with log_ratio_sum within_10_percent
         axes = table_3_2.draw(made).axes[0]
         drawn = {collection.get_label(): collection.get_offsets().tolist()
                  for collection in axes.collections}
-        self.assertEqual(drawn, {"reproduced (2)": [[0, 1.02], [2, 1.03]], "explained (1)": [[1, 1.32]]})
+        self.assertEqual(drawn, {"reproduced: 2 + 0": [[0, 1.02], [2, 1.03]], "explained: 1 + 0": [[1, 1.32]]})
         self.assertEqual(axes.get_xlim(), (-0.7, 2.7))
         self.assertEqual(table_3_2.verdicts(made),
                          {"reproduced": 2, "explained": 1, "not reproducible": 0})
@@ -714,9 +716,15 @@ map x limit scalar arithmetic integrator bound
 
     def test_map_figures(self):
         made = golden(stability_map=self.MAP.format("stiffness_upper", "stiffness_lower"))
-        shown = [line for line in curves(stability.draw_stiffness(made).axes[0]) if line[0]]
-        self.assertEqual(shown, [([0.25, 0.5], [10, 20]), ([0.25, 0.5], [1, 2]),
-                                 ([0.25, 0.5], [64, 16])])
+        panels = stability.draw_stiffness(made).axes
+        shown = [[line for line in curves(axes) if line[0]] for axes in panels]
+        self.assertEqual(shown[0][:2], [([0.25, 0.5], [10, 20]), ([0.25, 0.5], [1, 2])])
+        # Explicit Euler: after 300 steps of sqrt(1 + k dt^2) the amplitude is 50 times the first.
+        steps, limits = shown[0][2]
+        for dt, limit in zip(steps, limits):
+            self.assertAlmostEqual((1 + limit * dt**2)**150, 50)
+        self.assertEqual(shown[1][-1], ([0.25, 0.5], [64, 16]))  # omega dt = 2
+        self.assertEqual(shown[3], [])  # solved implicitly: no bound
         made = golden(stability_map=self.MAP.format("speed", "mass_ratio"))
         shown = [line for line in curves(stability.draw_speed(made).axes[0]) if line[0]]
         self.assertEqual(shown, [([0.25, 0.5], [10, 20]), ([0.25, 0.5], [64, 16])])
@@ -787,6 +795,17 @@ poke_while_held published 94
                           for text in shown[1].texts],
                          [("2", (0, 0), "black"), ("0", (1, 1), "white")])
         self.assertEqual([axes.get_title() for axes in figure.axes[:2]], ["its own clock", "1000 Hz"])
+
+    def test_levers_that_rest_everywhere_are_told_and_not_drawn(self):
+        at_rest = REGION + "float no fixed 1000 0.23 30 4 4 4 4\nfloat yes fixed 1000 0.23 30 4 4 3 4\n"
+        made = golden(stable_region=at_rest)
+        self.assertEqual(haptic_region.settled(made), [("float", "no")])
+        self.assertEqual(haptic_region.settled_finding(made),
+                         "Not drawn, since all plants are at rest everywhere: ours, float without damping.")
+        self.assertEqual(haptic_region.settled_finding(self.data()), "")
+        labels = [axes.get_ylabel() for axes in haptic_region.draw(made).axes]
+        self.assertFalse(any("float,\nwithout" in label for label in labels), labels)
+        self.assertTrue(any("float,\nselective" in label for label in labels), labels)
 
     def test_panels_are_in_order_of_rate_after_the_published_one(self):
         rates = "".join(f"q16_16 yes {clock} {rate} 0.23 30 4 4 4 4\n"
@@ -925,7 +944,8 @@ fall_down q16_16 held - 1024.4 0.4 0.2 44 131
 fast_dial q16_16 swings too_late 1023.6 0.5 0.3 45 130
 fall_down float held - 1 9 9 99 999
 """)
-        self.assertEqual(lever.scenarios_finding(made), "It holds 1 of 2 scenarios, not fast dial (too_late), at 1024 steps a "
+        self.assertEqual(lever.scenarios_finding(made), "As it is flashed, in Q16.16, the lever holds 1 of 2 "
+                         "scenarios, not fast dial (too_late), at 1024 steps a "
                          "second or more. A step takes 0.50 ms at most and begins 0.30 ms late at most (fast dial); the "
                          "processor is busy for 45 % of its time at most and the stack is 131 bytes deep.")
 
@@ -966,7 +986,7 @@ x/a as_published 41.125 - 714.8 2332 rejected
                 ("tan", "float libc", 300), ("pow", "q16_16 default", 400), ("pow", "float libc", 200))))
         self.assertEqual(operations.ratios_to_float(made, "q16_16"), {"sqrt": 0.5})
         self.assertEqual(operations.ratios_to_float(made, "q16_16", elementary=True), {"tan": 3, "pow": 2})
-        self.assertIn("pow take, over float's cycles, 2 to 3 in Q16.16.",
+        self.assertIn("pow, take float's cycles 2 to 3 times (tan) in Q16.16.",
                       operations.elementary_finding(made))
 
 
@@ -990,7 +1010,7 @@ class Identification(Figures):
     def test_finding(self):
         made = golden(identification=self.ROWS, stable_changes="arm_m\n0.2\n")
         text = identification.finding(made)
-        self.assertIn("on 5 of 11 (", text)
+        self.assertIn("on 5 of 11 plants (", text)
         self.assertIn("With the damping 0 of 11 (", text)
         self.assertIn("the fastest in 0.20 s", text)
         self.assertIn("narrow most is friction, to 60 %", text)
@@ -1036,7 +1056,7 @@ frame q16_16_arduino - 5 ms measured -
     def test_devices(self):
         made = golden(workload_firmware=self.ROWS)
         self.assertEqual(lever.devices(made), [("loop_step", "ms", [0.5, 0.625, 2, None]),
-                                               ("frame", "ms", [4, 5, None, None])])
+                                               ("flash_bytes", "bytes", [9, None, None, None])])
 
     def test_shares_have_their_interval(self):
         # Wilson's of 12 of 12 at 95%: n / (n + z^2) = 0.7575.
@@ -1052,8 +1072,8 @@ hours float 240 held
 hours published 240 failed
 fall published 3 held
 """)
-        self.assertEqual(lever.others(made), "the same firmware in float holds 1 of 1 and the rebuilt 2016 "
-                         'design holds 1 of 2. The scenario "hours" simulates 3600 s of ours and 240 s of '
+        self.assertEqual(lever.others(made), "The same firmware in float holds 1 of 1 and the rebuilt 2016 "
+                         'design 1 of 2 of them. The scenario "hours" simulates 3600 s of ours and 240 s of '
                          "the others.")
 
     def test_every_published_figure_has_its_verdict(self):

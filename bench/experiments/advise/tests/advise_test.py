@@ -274,11 +274,26 @@ def refusals():
           f"rare: {done.stderr} {rows}")
 
 
+def scene():
+    """Every line of a scene has its cycles, of whatever format: what no file knows is run on the chip."""
+    nothing = os.path.join(SCRATCH, "no_data")
+    os.makedirs(nothing)
+    done = advise("--scene", "free_fall", "--error", "1", "--unit", "cm", "--lines", "4", "--data", nothing)
+    lines = [line.split() for line in done.stdout.splitlines() if " 2^-" in line]
+    check(done.returncode == 0 and len(lines) == 4, f"scene: {done.stdout} {done.stderr}")
+    cycles = [int(line[4]) for line in lines]
+    check(cycles == sorted(cycles) and min(cycles) > 0, f"scene: {done.stdout}")
+    check(all(int(line[5]) > 0 for line in lines), f"scene: {done.stdout}")
+    # A step of one falling particle takes some 100 to 10000 cycles.
+    for line, each in zip(lines, cycles):
+        check(100 < each / 2**int(line[2].removeprefix("2^-")) < 10000, f"scene: {line}")
+
+
 def main():
     shutil.rmtree(SCRATCH, ignore_errors=True)
     os.makedirs(SCRATCH)
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        for task in [pool.submit(example, case) for case in CASES] + [pool.submit(ranges), pool.submit(refusals)]:
+        for task in [pool.submit(example, case) for case in CASES] + [pool.submit(ranges), pool.submit(refusals), pool.submit(scene)]:
             task.result()
     for text in failures:
         print("FAILED:", text)

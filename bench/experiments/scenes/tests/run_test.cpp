@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "bench/experiments/scenes/any_program.hpp"
 #include "bench/experiments/scenes/chip_run.hpp"
 #include "bench/experiments/scenes/host/describe.hpp"
 #include "bench/experiments/scenes/tests/failing_scenes.hpp"
@@ -41,6 +42,37 @@ void expect_free_fall(const Run& run, int exponent) {
         EXPECT_EQ(point.position[1], std::ldexp(static_cast<double>(y), -16)) << quarter;
         EXPECT_EQ(point.velocity[1], std::ldexp(static_cast<double>(vertical), -16)) << quarter;
     }
+}
+
+TEST(AnyProgram, OfASplitThatTheBuildKnowsIsTheBuilds) {
+    const std::filesystem::path made = any_program("free_fall", "q16_16", "semi_implicit_euler", 8);
+    const Scene& scene = scene_named("free_fall");
+    const ChipRun found = run_on_chip(made, scene, "q16_16", 8, Hashes::no);
+    const ChipRun built =
+        run_on_chip(program_path(programs, "free_fall", "q16_16", "semi_implicit_euler", "8"),
+                    scene, "q16_16", 8, Hashes::no);
+    expect_free_fall(found, 8);
+    EXPECT_EQ(found.cycles_mean, built.cycles_mean);
+    EXPECT_EQ(found.cycles_max, built.cycles_max);
+    EXPECT_EQ(found.flash_bytes, built.flash_bytes);
+}
+
+TEST(AnyProgram, IsMadeOnceAndInAnySplit) {
+    const auto make = [] {
+        return std::filesystem::last_write_time(
+            any_program("free_fall", "q7_25", "velocity_verlet", 7));
+    };
+    const auto first = make();
+    EXPECT_EQ(make(), first);
+    const ChipRun run = run_on_chip(any_program("free_fall", "q7_25", "velocity_verlet", 7),
+                                    scene_named("free_fall"), "q7_25", 7, Hashes::no);
+    // From (0, 20) at (3, 4) m/s: after 1 s at (3, 24 - 9.81 / 2), which Verlet has exactly.
+    EXPECT_NEAR(run.trajectory.at(4).at(0).position[0], 3, 1e-5);
+    EXPECT_NEAR(run.trajectory.at(4).at(0).position[1], 24 - 9.81 / 2, 1e-5);
+}
+
+TEST(AnyProgram, TellsOfAFormatThatCannotHoldTheScene) {
+    EXPECT_THROW(any_program("free_fall", "q2_14", "velocity_verlet", 7), std::runtime_error);
 }
 
 TEST(FreeFall, ByHandOnTheHost) {

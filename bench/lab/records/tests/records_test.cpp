@@ -32,18 +32,19 @@ struct Reading {
     double grams;
     bool held;
 
-    static constexpr auto columns = std::tuple(
-        records::column("name", &Reading::name), records::column("count", &Reading::count),
-        records::column("mean", &Reading::mean), records::column("error", &Reading::error),
-        records::column("grams", &Reading::grams, "{:.2f}"),
-        records::column("held", &Reading::held));
+    static constexpr auto columns = std::tuple(records::column("name", &Reading::name),
+                                               records::column("count", &Reading::count),
+                                               records::column("mean", &Reading::mean),
+                                               records::column("error", &Reading::error, "{:.3f}"),
+                                               records::column("grams", &Reading::grams, "{:.2f}"),
+                                               records::column("held", &Reading::held));
 };
 
 TEST(Record, ColumnsFollowFromTheStruct) {
     const std::vector<Reading> readings = {{"a, b", 3, 1.0 / 3, 0.25, 0.125, true},
                                            {"c", -1, 2, {}, 1e6, false}};
     EXPECT_EQ(records::table_of(readings).to_csv(),
-              "name,count,mean,error,grams,held\n\"a, b\",3,0.333333,0.25,0.12,yes\n"
+              "name,count,mean,error,grams,held\n\"a, b\",3,0.333333,0.250,0.12,yes\n"
               "c,-1,2,,1000000.00,no\n");
 }
 

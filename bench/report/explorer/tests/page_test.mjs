@@ -307,6 +307,8 @@ test("a table is filtered, sorted and saved as it stands", async () => {
   await header.locator("button").click();
   await header.locator("button").click();
   assert.equal(await header.getAttribute("aria-sort"), "descending");
+  const foot = await page.locator("main > p.soft").last().textContent();
+  assert.match(foot, /^operations\.csv(, written by fixbench [a-z_]+)?\. Filters: /);
   const [download] = await Promise.all([page.waitForEvent("download"), page.click("#download")]);
   const saved = parsed(readFileSync(await download.path(), "utf8"));
   const wanted = operations.filter((row) => row.operation === "sqrt" && Number(row.cycles_mean) < 600 && row.implementation.includes("s"))

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bench/experiments/scenes/any_program.hpp"
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <fstream>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "bench/experiments/scenes/chip_run.hpp"
+#include "bench/lab/program/build.hpp"
+#include "bench/lab/program/run.hpp"
+
+namespace scene_bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The arguments of a command, as CMake joined them.
+std::vector<std::string> split(std::string_view text) {
+    std::vector<std::string> words;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find('|', begin), text.size());
+        words.emplace_back(text.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    return words;
+}
+
+// DoublePendulum of double_pendulum.
+std::string type_of(std::string_view scene) {
+    std::string type;
+    bool first = true;
+    for (const char letter : scene) {
+        if (letter != '_')
+            type += first ? static_cast<char>(std::toupper(static_cast<unsigned char>(letter)))
+                          : letter;
+        first = letter == '_';
+    }
+    return type;
+}
+
+const std::map<std::string_view, const char*> types_of_methods = {
+    {"explicit_euler", "Published"},
+    {"semi_implicit_euler", "SemiImplicit"},
+    {"velocity_verlet", "Verlet"},
+    {"implicit_springs", "Implicit"},
+    {"direct_rods", "Direct"}};
+
+std::string type_of_scalar(std::string_view scalar) {
+    const Layout layout = layout_of(scalar);
+    return layout.fraction_bits < 0
+               ? "float"
+               : fmt::format("fixedpoint::Fixed<{},{}>", 8 * layout.bytes - layout.fraction_bits,
+                             layout.fraction_bits);
+}
+
+// Whether the program is newer than every file that the compiler's list of them names.
+bool up_to_date(const fs::path& program, const fs::path& list) {
+    std::ifstream stream(list);
+    if (!fs::exists(program) || !stream) return false;
+    const auto made = fs::last_write_time(program);
+    if (fs::last_write_time(SCENE_KERNELS) > made) return false;
+    std::string word;
+    stream >> word;  // the name of what is made
+    while (stream >> word)
+        if (word != "\\" && (!fs::exists(word) || fs::last_write_time(word) > made)) return false;
+    return true;
+}
+
+void run_compiler(const std::vector<std::string>& command, std::string_view what) {
+    const fixbench::Ran ran = fixbench::run(command);
+    if (ran.succeeded) return;
+    const std::size_t error = ran.err.find("error: ");
+    throw std::runtime_error(fmt::format(
+        "{} does not compile: {}", what,
+        error == ran.err.npos ? ran.err.substr(0, ran.err.find('\n'))
+                              : ran.err.substr(error, ran.err.find('\n', error) - error)));
+}
+
+}  // namespace
+
+fs::path any_program(std::string_view scene, std::string_view scalar, std::string_view method,
+                     int exponent) {
+    const fs::path built = SCENE_PROGRAMS, folder = built.parent_path() / "programs_on_demand";
+    fs::create_directories(folder);
+    const fs::path program = program_path(folder, scene, scalar, method, std::to_string(exponent));
+    const fs::path list = fs::path(program).replace_extension(".d");
+    if (up_to_date(program, list)) return program;
+
+    // Flash is told less an empty program's, which is looked for beside the program.
+    fixbench::build({(built / "empty.elf").string()});
+    fs::copy_file(built / "empty.elf", folder / "empty.elf", fs::copy_options::update_existing);
+    const fs::path object = fs::path(program).replace_extension(".o");
+    const std::string what = program.stem().string();
+    std::vector<std::string> compile = split(SCENE_COMPILE);
+    compile.insert(compile.end(),
+                   {"-DSCENE=" + type_of(scene), "-DSCALAR=" + type_of_scalar(scalar),
+                    fmt::format("-DMETHOD={}", types_of_methods.at(method)), "-MMD", "-MF", list,
+                    "-c", SCENE_SOURCE, "-o", object});
+    run_compiler(compile, what);
+    std::vector<std::string> link = split(SCENE_LINK);
+    link.insert(link.end(), {fmt::format("-Wl,--undefined=step_{}", exponent), object,
+                             SCENE_KERNELS, "-lm", "-o", program});
+    run_compiler(link, what);
+    return program;
+}
+
+}  // namespace scene_bench
