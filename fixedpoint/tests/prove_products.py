@@ -489,7 +489,7 @@ def disassemble(elf):
 
 def assembled(folder):
     sources = sorted({*(SOURCE / "fixedpoint/avr").glob("multiply*.S"),
-                      *(SOURCE / "fixedpoint/avr").glob("dot*.S")})
+                      *(SOURCE / "fixedpoint/avr").glob("dot_[3q]*.S")})
     elf = f"{folder}/products.elf"
     subprocess.run(["avr-gcc", "-mmcu=atmega2560", "-nostartfiles", "-nostdlib", "-I", SOURCE, "-o", elf,
                     "-Wl,--no-gc-sections", *sources], check=True)

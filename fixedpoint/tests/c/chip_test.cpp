@@ -18,6 +18,7 @@ extern "C" {
     void q##_functions();         \
     void q##_angles();            \
     void q##_powers();            \
+    void q##_auxiliary();         \
     void q##_conversions();
 extern "C" {
 FORMATS(DECLARE)
@@ -34,7 +35,7 @@ struct Part {
 #define PARTS(q)                                                                                \
     {#q "_operations", q##_operations, q##_results},                                            \
         {#q "_functions", q##_functions, q##_results}, {#q "_angles", q##_angles, q##_results}, \
-        {#q "_powers", q##_powers, q##_results},                                                \
+        {#q "_powers", q##_powers, q##_results}, {#q "_auxiliary", q##_auxiliary, q##_results}, \
         {#q "_conversions", q##_conversions, q##_results},
 
 class CProgram : public testing::TestWithParam<Part> {};

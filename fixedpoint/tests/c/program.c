@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * Calls every function of fixedpoint_c.h in one FORMAT, with boundary and random operands, and
  * leaves a hash of each function's results: the same on the host and on the chip. There, a PART of
- * the functions fits: operations, functions, angles, powers or conversions. */
+ * the functions fits: operations, functions, angles, powers, auxiliary or conversions. */
 #include "program.h"
 
 #include <fixedpoint_c.h>
@@ -82,6 +82,20 @@ static void add(const void* bytes, size_t size) {
         const number swapped = F(function)(operand[j], operand[i]); \
         add(&result, sizeof result);                                \
         add(&swapped, sizeof swapped);                              \
+    }
+#define TWO_OF_UNARY(function)         \
+    begin(#function);                  \
+    FOR_EACH {                         \
+        number both[2];                \
+        F(function)(operand[i], both); \
+        add(both, sizeof both);        \
+    }
+#define TWO_OF_BINARY(function)                    \
+    begin(#function);                              \
+    FOR_EACH_PAIR {                                \
+        number both[2];                            \
+        F(function)(operand[i], operand[j], both); \
+        add(both, sizeof both);                    \
     }
 #define SHIFT(function)                                                          \
     begin(#function);                                                            \
@@ -177,12 +191,7 @@ void F(functions)(void) {
     UNARY(atan)
     UNARY(exp)
     UNARY(log)
-    begin("sincos");
-    FOR_EACH {
-        number both[2];
-        F(sincos)(operand[i], both);
-        add(both, sizeof both);
-    }
+    TWO_OF_UNARY(sincos)
 }
 
 void F(angles)(void) {
@@ -206,6 +215,34 @@ void F(powers)(void) {
     begin("pow");
     FOR_EACH {
         const number result = F(pow)(operand[i], operand[(7 * i + 5) % operands]);
+        add(&result, sizeof result);
+    }
+}
+
+void F(auxiliary)(void) {
+    start();
+    UNARY(sin_turns)
+    UNARY(cos_turns)
+    TWO_OF_UNARY(sincos_turns)
+    BINARY(atan2_turns)
+    UNARY(sin_degrees)
+    UNARY(cos_degrees)
+    TWO_OF_UNARY(sincos_degrees)
+    BINARY(atan2_degrees)
+    TWO_OF_BINARY(divrem)
+    TWO_OF_BINARY(divmod)
+    BINARY(midpoint)
+    BINARY(abs_diff)
+    BINARY(copysign)
+    UNARY(smoothstep)
+    begin("lerp");
+    FOR_EACH_PAIR {
+        const number result = F(lerp)(operand[i], operand[j], operand[operands - 1 - i]);
+        add(&result, sizeof result);
+    }
+    begin("power");
+    FOR_EACH {
+        const number result = F(power)(operand[i], (int32_t)(i % 9) - 4);
         add(&result, sizeof result);
     }
 }
