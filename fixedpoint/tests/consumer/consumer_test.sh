@@ -63,7 +63,7 @@ case $library in
         ;;
     engine)
         printed 'x 0.56' # after four seconds, by the equation of the angle 0.5668
-        lines=8 expected="dot2_q16_16"
+        lines=8 expected="project2_q16_16"
         ;;
     c)
         printed 'angle -0.43663'$ # atan2(-1.4, 3)

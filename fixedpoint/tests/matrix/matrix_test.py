@@ -117,12 +117,14 @@ def kernels(name, standard, chip, *options):
 
 
 def everything(name, standard, chip):
-    """Through the public functions, too, every kernel of the formats used is called."""
+    """Through the public functions, too, every kernel of the formats used is called, but for the
+    steps of a solver, which the engine calls."""
     target = own_folder("everything") / "everything.o"
     must([*compiler(name, standard, chip), "-Os", "-c", here / "everything.cpp", "-o", target])
     called = undefined([target])
     expected = set() if chip in PLAIN else {
-        symbol for symbol in SYMBOLS if re.search(rf"_({KERNEL_FORMATS})(_|$)", symbol)}
+        symbol for symbol in SYMBOLS if re.search(rf"_({KERNEL_FORMATS})(_|$)", symbol)
+        and not re.search(r"_(project|dot_difference|add_scaled|exchange)[23]_", symbol)}
     if not expected <= called or (not expected and called):
         raise Failure(f"kernels not called: {sorted(expected - called)}; "
                       f"called though there are none: {sorted(called if not expected else [])}")
@@ -148,8 +150,8 @@ def assembles(chip, assembler="avr-gcc"):
         return "nothing"
     # What kernels share among themselves is no operation.
     shared = {f"fixedpoint_{name}" for name in (
-        "cubic_32", "cubic_40", "cubic_64", "divide_32", "exp_32", "largest_32", "length_long", "length_root",
-        "parabola_small", "ratio_32", "reciprocal_root_small", "reciprocal_sqrt_32", "root_long",
+        "add_whole_product", "cubic_32", "cubic_40", "cubic_64", "divide_32", "exp_32", "largest_32",
+        "length_long", "length_root", "parabola_small", "ratio_32", "reciprocal_root_small", "reciprocal_sqrt_32", "root_long",
         "scale_40", "shift_root_small", "smallest_32", "zero_32")}
     if defined - shared != SYMBOLS:
         raise Failure(f"in avr/ and not in the table, or not in avr/: "

@@ -18,7 +18,7 @@
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
 
-#define FIRST -1600
+#define NEGATED_FIRST 1600
 #define LIMIT 1243
 #define NODES 45
 
@@ -35,10 +35,10 @@
 #define zero r26
 
     FUNCTION fixedpoint_exp_q8_8
-    subi r24, lo8(FIRST)
-    sbci r25, hi8(FIRST)
-    ldi r18, hi8(LIMIT - FIRST)
-    cpi r24, lo8(LIMIT - FIRST)
+    subi r24, lo8(-(NEGATED_FIRST))
+    sbci r25, hi8(-(NEGATED_FIRST))
+    ldi r18, hi8(LIMIT + NEGATED_FIRST)
+    cpi r24, lo8(LIMIT + NEGATED_FIRST)
     cpc r25, r18
     brsh .Lout_of_range
     mov distance, r24
@@ -99,8 +99,8 @@
 
 .Lout_of_range:
     // Zero where a is negative, which is where it is at least -2^15.
-    ldi r18, hi8(-0x8000 - FIRST)
-    cpi r24, lo8(-0x8000 - FIRST)
+    ldi r18, hi8(0x8000 + NEGATED_FIRST)
+    cpi r24, lo8(0x8000 + NEGATED_FIRST)
     cpc r25, r18
     sbc r24, r24
     sbc r25, r25
