@@ -75,8 +75,9 @@ TEST(Categories, EachHasItsPin) {
     EXPECT_NEAR(static_cast<double>(lengths[5].size()), 2 * rounds, 2);
     EXPECT_GT(static_cast<double>(lengths[6].size()), 6 * rounds);
     EXPECT_GT(shortest(4), 200u);
-    EXPECT_GT(shortest(5), 100u);
-    EXPECT_GT(shortest(6), 60u);  // a product takes 80 to 90 cycles
+    // What solves the rod's row and what is a product take 80 to 100 cycles at least.
+    EXPECT_GT(shortest(5), 60u);
+    EXPECT_GT(shortest(6), 60u);
     EXPECT_LT(shortest(6), 200u);
 }
 
