@@ -203,7 +203,7 @@ def divergence_finding(data, integrator="velocity_verlet"):
     coarse, fine = times["q16_16"]["measured"], times["q32_32"]["measured"]
     rate = rates["q32_32"]
     return (f"A chaotic double pendulum leaves the same method's run in double by {times['q16_16']['at']:g} m after {told}, "
-            f"in the median over eight starts. The distance grows by {rate['measured']:.3g}/s in Q32.32, where the "
+            f"in the mean over seeded starts. The distance grows by {rate['measured']:.3g}/s in Q32.32, where the "
             f"equations of motion have a Lyapunov exponent of {rate['theory']:.3g}/s; from Q16.16 to Q32.32 each bit "
             f"buys {(fine - coarse) / 16:.3g} s, and ln 2 over that exponent is {math.log(2) / rate['theory']:.3g} s.")
 

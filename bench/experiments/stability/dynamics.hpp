@@ -10,10 +10,10 @@
 // - dead_band: where a damped spring comes to rest, against the bound within which rounding to
 //   nearest holds it; limit_cycle: the period of the motion that stays, where it does not rest;
 // - divergence: when a chaotic double pendulum has left the same method's run in double by a
-//   distance, in the median over eight starts drawn from seeds (empty where one of them does not
-//   leave it within 40 s); the theory is when an ulp (of
-//   floats, of 1 m) has grown to that distance by the Lyapunov exponent of the equations of motion.
-//   divergence_rate: the growth rate of that distance, against that exponent.
+//   distance, in the mean over starts drawn from seeds (empty where one of them does not leave it
+//   within 40 s); the theory is when an ulp (of floats, of 1 m) has grown to that distance by the
+//   Lyapunov exponent of the equations of motion. divergence_rate: the growth rate of that distance,
+//   against that exponent.
 #pragma once
 
 #include <filesystem>
@@ -71,6 +71,7 @@ std::vector<DynamicsRow> reversal_of(const Subject& subject);
 std::vector<DynamicsRow> order_of(const Subject& subject);
 std::vector<DynamicsRow> dead_band_of(const Subject& subject);
 std::vector<DynamicsRow> divergence_of(const Subject& subject);
+constexpr unsigned chaotic_starts = 16;
 
 // The largest Lyapunov exponent, 1/s, of the double pendulum of divergence_of, in the mean over its
 // starts and so many seconds from each.

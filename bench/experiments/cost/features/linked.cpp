@@ -34,6 +34,9 @@ std::vector<std::string> links_and(std::initializer_list<std::string> more) {
 std::regex acts(const std::string& function, const std::string& on) {
     return std::regex("^(void )?engine::(" + function + ")<.*>\\(engine::" + on);
 }
+std::regex constrains(const std::string& link) {
+    return std::regex("::Constrain<.*>::operator\\(\\)<engine::" + link);
+}
 std::regex begins(const std::string& text) { return std::regex("^(void |bool )?" + text); }
 
 const std::vector<Rule>& rules() {
@@ -42,10 +45,10 @@ const std::vector<Rule>& rules() {
         {"springs", acts(pull, "Spring<.*Between<"), {"SPRINGS"}},
         {"anchored springs", acts(pull, "Spring<.*Anchored<"), {"ANCHORED_SPRINGS"}},
         {"drag", acts("apply", "Drag<"), {"DRAG"}},
-        {"rods", acts("constrain", "Rod<.*Between<"), {"RODS"}},
-        {"anchored rods", acts("constrain", "Rod<.*Anchored<"), {"ANCHORED_RODS"}},
-        {"ropes", acts("constrain", "Rope<.*Between<"), {"ROPES"}},
-        {"anchored ropes", acts("constrain", "Rope<.*Anchored<"), {"ANCHORED_ROPES"}},
+        {"rods", constrains("Rod<.*Between<"), {"RODS"}},
+        {"anchored rods", constrains("Rod<.*Anchored<"), {"ANCHORED_RODS"}},
+        {"ropes", constrains("Rope<.*Between<"), {"ROPES"}},
+        {"anchored ropes", constrains("Rope<.*Anchored<"), {"ANCHORED_ROPES"}},
         {"planes", std::regex("::ConstrainAll<.*>::operator\\(\\)"), {"PLANES"}},
         {"collisions", std::regex("(BruteForce|SortAndSweep)::collide_all"), {"COLLISIONS"}},
         {"contacts", std::regex("::contact<"), {"PLANES", "COLLISIONS"}},
