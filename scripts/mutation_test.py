@@ -63,7 +63,11 @@ def kernels(files, count, program, *checks):
 
 
 ROOMS = [
-    kernels(f"{FIXED}/avr/*_q16_16.S {FIXED}/avr/*_q16_16.inc", 8, "q16_16"),
+    kernels(f"{FIXED}/avr/*_q16_16.S {FIXED}/avr/*_q16_16.inc !*/add_scaled_q16_16.S"
+            " !*/dot_difference_q16_16.S !*/short_factor_q16_16.inc", 8, "q16_16"),
+    room("kernels", f"{FIXED}/avr/add_scaled_q16_16.S {FIXED}/avr/dot_difference_q16_16.S"
+         f" {FIXED}/avr/short_factor_q16_16.inc {FIXED}/avr/add_whole_product.S", 3,
+         Check("vector_steps_test", devices="vector_steps")),
     kernels(f"{FIXED}/avr/*_q8_8.S {FIXED}/avr/*_q8_8.inc", 4, "q8_8"),
     kernels(f"{FIXED}/avr/*_q4_4.S", 2, "q4_4"),
     kernels(f"{FIXED}/avr/*_q32_32.S {FIXED}/avr/cubic_64.*", 2, "q32_32"),
@@ -90,7 +94,7 @@ ROOMS = [
     room("translator", "bench/chip/instructions/instruction.cpp bench/chip/instructions/translate.cpp"
          " bench/chip/instructions/fingerprint.cpp", 5, "instructions_tests"),
     room("engine", "engine/src/engine/solvers/*.hpp engine/src/engine/constraints.hpp"
-         " engine/src/engine/links.hpp", 4, "engine_model_step_test", "engine_pool_test",
+         " engine/src/engine/links.hpp engine/src/engine/shared_change.hpp", 4, "engine_model_step_test", "engine_pool_test",
          "engine_direct_rods_test", "engine_warm_started_test"),
     room("engine", "engine/src/engine/continuous.hpp", 2, "engine_continuous_test"),
     room("engine", "engine/src/engine/integrators/*.hpp engine/src/engine/forces.hpp", 4,

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <cstdlib>
 #include <random>
 #include <string>
 #include <vector>
@@ -31,6 +32,11 @@ int32_t difference(int32_t a, int32_t b) {
     return static_cast<int32_t>(static_cast<uint32_t>(a) - static_cast<uint32_t>(b));
 }
 
+std::string folder() {
+    const char* other = std::getenv("DEVICE_PROGRAMS");
+    return other ? other : PROGRAM_FOLDER;
+}
+
 class VectorSteps : public testing::Test {
   protected:
     VectorSteps() {
@@ -55,7 +61,7 @@ class VectorSteps : public testing::Test {
         return v;
     }
 
-    Chip chip_{simulator::Elf(PROGRAM)};
+    Chip chip_{simulator::Elf(folder() + "/vector_steps.elf")};
 
   private:
     std::array<std::uint16_t, 3> addresses_{};
