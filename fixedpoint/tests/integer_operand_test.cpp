@@ -179,7 +179,9 @@ void check_all(const std::vector<MixedSubject>& all) {
                 raws.push_back(exact::largest(subject.width) - offset);
             }
         }
-        for (const int64_t a : raws) {
+        const size_t step = subject.width == 8 ? exact::operand_step : 1;
+        for (size_t i = 0; i < raws.size(); i += step) {
+            const int64_t a = raws[i];
             for (const uint64_t n : numbers) {
                 check(subject, a, n);
                 if (testing::Test::HasFatalFailure()) return;
