@@ -10,6 +10,7 @@
 #include <fixedpoint/conversion.hpp>
 #include <fixedpoint/integer_root.hpp>
 #include <fixedpoint/math.hpp>
+#include <fixedpoint/vector.hpp>
 #include <limits>
 #include <utility>
 
@@ -256,6 +257,10 @@ void expect_rounded(Integer<Bits> a, Integer<Bits> b) {
         << a << ", " << b << ", F = " << F;
     ASSERT_EQ(multiply_add(x, y, x).raw(),
               exact::wrapped<Raw>(rounded_to(rounding, Int(a) * b, one) + a));
+    const Number u[] = {x, y, x}, v[] = {y, y, x};
+    const Int two = rounded_to(rounding, Int(a) * b, one) + rounded_to(rounding, Int(b) * b, one);
+    ASSERT_EQ(dot2(u, v).raw(), exact::wrapped<Raw>(two));
+    ASSERT_EQ(dot3(u, v).raw(), exact::wrapped<Raw>(two + rounded_to(rounding, Int(a) * a, one)));
     const Raw limit = a > 0 ? RawLimits<Raw>::max : a < 0 ? RawLimits<Raw>::min : Raw(0);
     ASSERT_EQ((x / y).raw(), b == 0 ? limit
                                     : exact::clamped<Raw>(rounded_to(
