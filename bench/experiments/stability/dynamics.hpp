@@ -12,8 +12,8 @@
 // - divergence: when a chaotic double pendulum has left the same method's run in double by a
 //   distance, in the mean over starts drawn from seeds (empty where one of them does not leave it
 //   within 40 s); the theory is when an ulp (of floats, of 1 m) has grown to that distance by the
-//   Lyapunov exponent of the equations of motion. divergence_rate: the growth rate of that distance,
-//   against that exponent.
+//   Lyapunov exponent of the equations of motion. divergence_rate: the growth rate of that
+//   distance, against that exponent.
 #pragma once
 
 #include <filesystem>

@@ -112,8 +112,9 @@ TEST(Divergence, IsByTheLyapunovExponent) {
     const auto coarse = divergence_of(subject("q16_16", "nearest", "velocity_verlet")),
                fine = divergence_of(subject("q32_32", "nearest", "velocity_verlet"));
     ASSERT_TRUE(coarse[0].measured && fine[0].measured && coarse[1].measured && fine[1].measured);
-    // A motion of some seconds grows at a rate of its own: over many starts the rates have a standard
-    // deviation of 0.4/s to 0.5/s, the seconds that a bit buys one of 0.25 s. Three standard errors.
+    // A motion of some seconds grows at a rate of its own: over many starts the rates have a
+    // standard deviation of 0.4/s to 0.5/s, the seconds that a bit buys one of 0.25 s. Three
+    // standard errors.
     const double starts = std::sqrt(chaotic_starts);
     EXPECT_NEAR(*fine[1].measured, exponent, 3 * 0.45 / starts);
     EXPECT_NEAR((*fine[0].measured - *coarse[0].measured) / 16, std::log(2) / exponent,
