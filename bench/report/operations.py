@@ -96,17 +96,20 @@ def worst(data, operation, number_format, implementation=OURS):
     return Worst(max(costs)[0], bound(costs), ulp, witness, "proven" if proven else bound(errors))
 
 
-def ratios_to_float(data, number_format, implementation=OURS, elementary=False):
-    """Mean cycles over those of avr-libc's float, by operation that both have: of the operations with
-    kernels, or of the elementary functions."""
+def every_ratio_to_float(data, number_format, implementation=OURS):
+    """Mean cycles over those of avr-libc's float, by operation that both have."""
     found = {}
     for operation in names(data, number_format, implementation):
-        if operation in AUXILIARY or (operation in ELEMENTARY) != elementary:
-            continue
         theirs = mean(data, operation, *FLOAT)
         if theirs is not None:
             found[operation] = mean(data, operation, number_format, implementation) / theirs
     return found
+
+
+def ratios_to_float(data, number_format, implementation=OURS, elementary=False):
+    """Of these the operations with kernels, or the elementary functions."""
+    return {operation: ratio for operation, ratio in every_ratio_to_float(data, number_format, implementation).items()
+            if operation not in AUXILIARY and (operation in ELEMENTARY) == elementary}
 
 
 def geometric_mean(values):
@@ -129,8 +132,8 @@ def elementary_finding(data):
 
 def slower_than_float(data, number_format, implementation=OURS):
     """Operations that take more cycles than float's, the worst first, each with its ratio."""
-    slow = {name: ratio for elementary in (False, True) for name, ratio
-            in ratios_to_float(data, number_format, implementation, elementary).items() if ratio > 1}
+    slow = {name: ratio for name, ratio
+            in every_ratio_to_float(data, number_format, implementation).items() if ratio > 1}
     return sorted(slow.items(), key=lambda item: -item[1])
 
 
@@ -155,8 +158,7 @@ def power(value):
 
 def losses(data, number_format, implementation):
     """Where an arithmetic loses against float, in words."""
-    every = [name for elementary in (False, True)
-             for name in ratios_to_float(data, number_format, implementation, elementary)]
+    every = every_ratio_to_float(data, number_format, implementation)
     slow = slower_than_float(data, number_format, implementation)
     if not slow:
         return f"none of {len(every)} takes more cycles than float"
@@ -176,8 +178,7 @@ def format_table(data):
     """The rows of the first page: an arithmetic, its range and resolution, its largest error, mean
     cycles, flash, and where it loses."""
     limits = {row["format"]: row for row in data.rows("table_3_1")}
-    ratios = [ratio for elementary in (False, True)
-              for ratio in ratios_to_float(data, "q16_16", elementary=elementary).values()]
+    ratios = every_ratio_to_float(data, "q16_16").values()
     table = []
     for kind in [(name, OURS) for name in FORMATS] + [FLOAT, PUBLISHED]:
         shown = names(data, *kind)

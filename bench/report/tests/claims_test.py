@@ -150,7 +150,7 @@ class Claims(unittest.TestCase):
             if slower:
                 told = [float(ratio) for ratio in re.findall(r"([\d.]+) times", line[-1])]
                 self.assertEqual([f"{ratio:.3g}" for ratio in slower[:2]], [f"{ratio:.3g}" for ratio in told])
-                self.assertIn(f"and {len(slower) - 2} more", line[-1])
+                self.assertEqual(f"and {len(slower) - 2} more" in line[-1], len(slower) > 2)
             else:
                 self.assertEqual(line[-1], f"none of {len(ratios)} takes more cycles than float")
 
@@ -161,6 +161,9 @@ class Claims(unittest.TestCase):
                 self.assertIn("prove_", tests, proof)
 
     def test_reasons_of_floats_leads_follow_from_the_errors(self):
+        if "In 13 of 13 scenes no choice of float errs less" in self.words["README.md"]:
+            self.assertNotIn("| scene | float |", self.pages["engine.md"])
+            return
         told = self.table("engine.md", "| scene | float |")
         self.assertTrue(told)
         for scene, _, _, error, ours, why in told:
