@@ -100,9 +100,10 @@ std::int64_t plausible(const Subject& subject, std::span<const std::int64_t> ope
     return subject.format.sign_extend(std::uint64_t(result) + std::uint64_t(step));
 }
 
-// A sanitizer looks at paths and not at results: fewer operands will do.
+// A sanitizer looks at paths and not at results: fewer operands will do. The step is odd, so that
+// every kind of result, which hangs on the round modulo 8, still has its turn.
 #ifdef __SANITIZE_ADDRESS__
-constexpr int round_step = 8;
+constexpr int round_step = 7;
 #else
 constexpr int round_step = 1;
 #endif
