@@ -10,12 +10,19 @@
 //                        column("grams", &Reading::grams, "{:.1f}"));
 //     };
 //     records::table_of(readings).save(path);
+//     records::rows_of<Reading>(records::Table::load(path));
+//
+// Columns that several files share stand in a base of their rows, which std::tuple_cat joins to the
+// rest.
 #pragma once
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <concepts>
+#include <limits>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <tuple>
 #include <type_traits>
@@ -31,6 +38,20 @@ struct Column {
     Member Row::*member;
     const char* format;  // of fmt; null where a number is written as cell() does
 };
+
+// A column for each of a list of names, which need not be known before the program runs.
+template <class Row, class Value>
+struct Columns {
+    std::vector<std::string> (*names)();
+    std::vector<Value> Row::*values;  // as many as names
+    const char* format;
+};
+template <class Row, class Value>
+constexpr Columns<Row, Value> columns_of(std::vector<std::string> (*names)(),
+                                         std::vector<Value> Row::*values,
+                                         const char* format = nullptr) {
+    return {names, values, format};
+}
 
 template <class Row, class Member>
 constexpr Column<Row, Member> column(const char* name, Member Row::*member) {
@@ -60,26 +81,91 @@ std::string cell(const std::optional<Value>& value) {
     return value ? cell(*value) : std::string();
 }
 
-template <class Row, class Member>
-std::string cell_of(const Row& row, const Column<Row, Member>& column) {
-    const Member& value = row.*column.member;
-    if constexpr (std::is_arithmetic_v<Member>) {
-        if (column.format) return fmt::format(fmt::runtime(column.format), value);
-    } else if constexpr (is_number<Member>) {
-        if (column.format && value) return fmt::format(fmt::runtime(column.format), *value);
+template <class Value>
+std::string cell(const Value& value, const char* format) {
+    if constexpr (std::is_arithmetic_v<Value>) {
+        if (format) return fmt::format(fmt::runtime(format), value);
+    } else if constexpr (is_number<Value>) {
+        if (format && value) return fmt::format(fmt::runtime(format), *value);
     }
     return cell(value);
 }
 
+// The value of a cell as cell() writes it; false where it is none of that type.
+inline bool read(const std::string& text, std::string& value) {
+    value = text;
+    return true;
+}
+template <class Number>
+requires std::is_arithmetic_v<Number>
+bool read(const std::string& text, Number& value) {
+    if constexpr (std::same_as<Number, bool>) {
+        value = text == "yes";
+        return value || text == "no";
+    } else {
+        if constexpr (std::floating_point<Number>)
+            if (text.empty()) return value = std::numeric_limits<Number>::quiet_NaN(), true;
+        const char* const end = text.data() + text.size();
+        const auto [rest, error] = std::from_chars(text.data(), end, value);
+        return error == std::errc() && rest == end;
+    }
+}
+template <class Value>
+bool read(const std::string& text, std::optional<Value>& value) {
+    return text.empty() || read(text, value.emplace());
+}
+
 template <class Row>
 Table table_of(const std::vector<Row>& rows) {
+    std::vector<std::string> names, cells;
+    const auto add_names = [&](const auto& of) {
+        if constexpr (requires { of.member; })
+            names.push_back(of.name);
+        else
+            for (const std::string& name : of.names()) names.push_back(name);
+    };
+    const auto add_cells = [&](const Row& row, const auto& of) {
+        if constexpr (requires { of.member; })
+            cells.push_back(cell(row.*of.member, of.format));
+        else
+            for (const auto& value : row.*of.values) cells.push_back(cell(value, of.format));
+    };
     return std::apply(
         [&](const auto&... columns) {
-            Table table({columns.name...});
-            for (const Row& row : rows) table.add({cell_of(row, columns)...});
+            (add_names(columns), ...);
+            Table table(names);
+            for (const Row& row : rows) {
+                (add_cells(row, columns), ...);
+                table.add(std::move(cells));
+                cells.clear();
+            }
             return table;
         },
         Row::columns);
+}
+
+// The rows of a table that has these columns, among others. Throws std::runtime_error that names
+// the column where one is missing, and the row where a cell is none of its column's type.
+template <class Row>
+std::vector<Row> rows_of(const Table& table) {
+    std::vector<Row> rows(table.rows().size());
+    const auto fill = [&](const std::string& name, auto value_in) {
+        const std::size_t index = table.column(name);
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            if (const std::string& text = table.rows()[i][index]; !read(text, value_in(rows[i])))
+                throw std::runtime_error(
+                    fmt::format("row {}, column {}: '{}' is out of place", i + 1, name, text));
+    };
+    const auto fill_each = [&](const auto& of) {
+        if constexpr (requires { of.member; }) {
+            fill(of.name, [&](Row& row) -> auto& { return row.*of.member; });
+        } else {
+            for (const std::string& name : of.names())
+                fill(name, [&](Row& row) -> auto& { return (row.*of.values).emplace_back(); });
+        }
+    };
+    std::apply([&](const auto&... columns) { (fill_each(columns), ...); }, Row::columns);
+    return rows;
 }
 
 }  // namespace records

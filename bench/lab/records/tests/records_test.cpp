@@ -24,28 +24,63 @@ TEST(Cell, PrintsWhatAReaderExpects) {
     EXPECT_EQ(records::cell(std::nan("")), "");
 }
 
-struct Reading {
+struct Named {
     std::string name;
+    static constexpr auto columns = std::tuple(records::column("name", &Named::name));
+};
+struct Reading : Named {
     int count;
     double mean;
     std::optional<double> error;
     double grams;
     bool held;
+    std::vector<double> parts;
 
-    static constexpr auto columns = std::tuple(records::column("name", &Reading::name),
-                                               records::column("count", &Reading::count),
-                                               records::column("mean", &Reading::mean),
-                                               records::column("error", &Reading::error, "{:.3f}"),
-                                               records::column("grams", &Reading::grams, "{:.2f}"),
-                                               records::column("held", &Reading::held));
+    static std::vector<std::string> names_of_parts() { return {"low", "high"}; }
+    static constexpr auto columns = std::tuple_cat(
+        Named::columns,
+        std::tuple(records::column("count", &Reading::count),
+                   records::column("mean", &Reading::mean),
+                   records::column("error", &Reading::error, "{:.3f}"),
+                   records::column("grams", &Reading::grams, "{:.2f}"),
+                   records::column("held", &Reading::held),
+                   records::columns_of(&Reading::names_of_parts, &Reading::parts, "{:.1f}")));
 };
+constexpr const char* readings_file =
+    "name,count,mean,error,grams,held,low,high\n\"a, b\",3,0.333333,0.250,0.12,yes,0.5,-1.0\n"
+    "c,-1,,,1000000.00,no,0.0,2.0\n";
 
 TEST(Record, ColumnsFollowFromTheStruct) {
-    const std::vector<Reading> readings = {{"a, b", 3, 1.0 / 3, 0.25, 0.125, true},
-                                           {"c", -1, 2, {}, 1e6, false}};
-    EXPECT_EQ(records::table_of(readings).to_csv(),
-              "name,count,mean,error,grams,held\n\"a, b\",3,0.333333,0.250,0.12,yes\n"
-              "c,-1,2,,1000000.00,no\n");
+    const std::vector<Reading> readings = {
+        {{"a, b"}, 3, 1.0 / 3, 0.25, 0.125, true, {0.5, -1}},
+        {{"c"}, -1, std::nan(""), {}, 1e6, false, {0, 2}}};
+    EXPECT_EQ(records::table_of(readings).to_csv(), readings_file);
+}
+
+TEST(Record, IsReadAsItWasWritten) {
+    const records::Table table = records::Table::parse(readings_file, "readings");
+    EXPECT_EQ(records::table_of(records::rows_of<Reading>(table)).to_csv(), readings_file);
+    EXPECT_EQ(records::rows_of<Named>(table).at(1).name, "c");  // of columns, some
+}
+
+TEST(Record, RefusesACellOfAnotherType) {
+    const auto refusal = [](const char* cells) -> std::string {
+        const std::string text = std::string("name,count,mean,error,grams,held,low,high\n") + cells;
+        try {
+            records::rows_of<Reading>(records::Table::parse(text, "readings"));
+        } catch (const std::runtime_error& error) {
+            return error.what();
+        }
+        return "";
+    };
+    EXPECT_EQ(refusal("a,1,2,3,4,yes,5,6"), "");
+    EXPECT_EQ(refusal("a,1.5,2,3,4,yes,5,6"), "row 1, column count: '1.5' is out of place");
+    EXPECT_EQ(refusal("a,,2,3,4,yes,5,6"), "row 1, column count: '' is out of place");
+    EXPECT_EQ(refusal("a,1,2 m,3,4,yes,5,6"), "row 1, column mean: '2 m' is out of place");
+    EXPECT_EQ(refusal("a,1,2,none,4,yes,5,6"), "row 1, column error: 'none' is out of place");
+    EXPECT_EQ(refusal("a,1,2,3,4,true,5,6"), "row 1, column held: 'true' is out of place");
+    EXPECT_EQ(refusal("a,1,2,3,4,yes,5,six"), "row 1, column high: 'six' is out of place");
+    EXPECT_THROW(records::rows_of<Reading>(records::Table({"name"})), std::runtime_error);
 }
 
 TEST(Table, SurvivesQuotesCommasAndLineBreaks) {
