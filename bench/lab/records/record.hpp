@@ -158,10 +158,12 @@ std::vector<Row> rows_of(const Table& table) {
     };
     const auto fill_each = [&](const auto& of) {
         if constexpr (requires { of.member; }) {
-            fill(of.name, [&](Row& row) -> auto& { return row.*of.member; });
+            fill(
+                of.name, [&](Row & row) -> auto& { return row.*of.member; });
         } else {
             for (const std::string& name : of.names())
-                fill(name, [&](Row& row) -> auto& { return (row.*of.values).emplace_back(); });
+                fill(
+                    name, [&](Row & row) -> auto& { return (row.*of.values).emplace_back(); });
         }
     };
     std::apply([&](const auto&... columns) { (fill_each(columns), ...); }, Row::columns);

@@ -7,7 +7,6 @@
 #include "bench/experiments/haptic/region/devices.hpp"
 #include "bench/lab/parallel.hpp"
 #include "bench/lab/records/progress.hpp"
-#include "bench/lab/records/record.hpp"
 #include "reference/published.hpp"
 
 namespace haptic::region {
@@ -64,28 +63,28 @@ Identification identify(std::size_t count, double step_takes, unsigned threads) 
     return found;
 }
 
-records::Table table_of(const Identification& identification, double step_takes, unsigned threads) {
-    using records::cell;
-    std::vector<std::string> columns{"plant", "as_published", "fall_undamped_s", "fall_damped_s",
-                                     "swing_undamped_deg"};
-    for (const Uncertain& number : uncertain()) columns.push_back(number.name);
-    std::vector<std::optional<double>> damped(identification.draws.size());
-    operations::in_parallel(threads, damped.size(), [&](std::size_t i) {
-        damped[i] = published(true).fall(identification.draws[i].plant, step_takes);
-    });
-    records::Table table(columns);
-    Parameters middle = published_parameters();
-    for (std::size_t i = 0; i < damped.size(); ++i) {
+std::vector<std::string> DrawRow::names() {
+    std::vector<std::string> list;
+    for (const Uncertain& number : uncertain()) list.push_back(number.name);
+    return list;
+}
+
+std::vector<DrawRow> rows_of(const Identification& identification, double step_takes,
+                             unsigned threads) {
+    std::vector<DrawRow> rows(identification.draws.size());
+    operations::in_parallel(threads, rows.size(), [&](std::size_t i) {
         const Identification::Draw& draw = identification.draws[i];
-        std::vector<std::string> row{
-            cell(draw.seed), draw.as_published ? "yes" : "no", cell(draw.fall), cell(damped[i]),
-            draw.swing > 0 ? cell(draw.swing / degrees(1)) : std::string()};
-        Parameters plant = draw.plant;
+        DrawRow& row = rows[i];
+        row.plant = draw.seed;
+        row.as_published = draw.as_published;
+        row.fall_undamped_s = draw.fall;
+        row.fall_damped_s = published(true).fall(draw.plant, step_takes);
+        if (draw.swing > 0) row.swing_undamped_deg = draw.swing / degrees(1);
+        Parameters plant = draw.plant, middle = published_parameters();
         for (const Uncertain& number : uncertain())
-            row.push_back(cell(number.of(plant) / number.of(middle)));
-        table.add(std::move(row));
-    }
-    return table;
+            row.numbers.push_back(number.of(plant) / number.of(middle));
+    });
+    return rows;
 }
 
 }  // namespace haptic::region

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "bench/experiments/haptic/plant/parameters.hpp"
-#include "bench/lab/records/csv.hpp"
+#include "bench/lab/records/record.hpp"
 
 namespace haptic::region {
 
@@ -34,8 +34,25 @@ struct Identification {
 // enough do. A step of the device of 2016 takes so long, in s.
 Identification identify(std::size_t count, double step_takes, unsigned threads);
 
-// A row a draw: its numbers, each over the middle of its range, the falls of the device of 2016, in
-// s, with and without the selective damping, and whether it behaves as published.
-records::Table table_of(const Identification& identification, double step_takes, unsigned threads);
+// A row of identification.csv: a draw, the falls of the device of 2016 with and without the
+// selective damping, whether it behaves as published, and its numbers, each over the middle of its
+// range.
+struct DrawRow {
+    std::uint64_t plant;
+    bool as_published;
+    std::optional<double> fall_undamped_s, fall_damped_s, swing_undamped_deg;
+    std::vector<double> numbers;
+
+    static std::vector<std::string> names();
+    static constexpr auto columns =
+        std::tuple(records::column("plant", &DrawRow::plant),
+                   records::column("as_published", &DrawRow::as_published),
+                   records::column("fall_undamped_s", &DrawRow::fall_undamped_s),
+                   records::column("fall_damped_s", &DrawRow::fall_damped_s),
+                   records::column("swing_undamped_deg", &DrawRow::swing_undamped_deg),
+                   records::columns_of(&names, &DrawRow::numbers));
+};
+std::vector<DrawRow> rows_of(const Identification& identification, double step_takes,
+                             unsigned threads);
 
 }  // namespace haptic::region

@@ -2,10 +2,10 @@
 #include "bench/experiments/haptic/region/region.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <stdexcept>
@@ -17,13 +17,14 @@
 #include "bench/experiments/haptic/region/identification.hpp"
 #include "bench/experiments/haptic/region/linear_loop.hpp"
 #include "bench/lab/parallel.hpp"
-#include "bench/lab/records/csv.hpp"
 #include "bench/lab/records/progress.hpp"
+#include "bench/lab/records/record.hpp"
 
 namespace haptic::region {
 namespace {
 
-using records::cell;
+using records::column;
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 // What is looked at: everything, or enough of it to see that it works.
 struct Extent {
@@ -46,14 +47,25 @@ struct Extent {
     }
 };
 
+// What the rows of several files begin with.
+struct DeviceRow {
+    std::string arithmetic;
+    bool damping;
+    std::string clock;
+    double loop_rate_hz;
+
+    static constexpr auto columns = std::tuple(
+        column("arithmetic", &DeviceRow::arithmetic), column("damping", &DeviceRow::damping),
+        column("clock", &DeviceRow::clock), column("loop_rate_hz", &DeviceRow::loop_rate_hz));
+};
+
 // A device as it is on the chip.
 struct Subject {
     Device device;
     double step_takes;  // s
-    // Arithmetic, damping, clock, loop rate.
-    std::vector<std::string> cells() const {
-        return {device.arithmetic, device.damped ? "yes" : "no",
-                device.rate == 0 ? "report" : "fixed", cell(1 / device.law.step)};
+    DeviceRow row() const {
+        return {device.arithmetic, device.damped, device.rate == 0 ? "report" : "fixed",
+                1 / device.law.step};
     }
     Swing hold(const Parameters& plant, double arm, Start start = Start::taken_up) const {
         return device.hold(plant, arm, start, step_takes);
@@ -102,41 +114,6 @@ std::vector<Subject> subjects_of(const std::vector<Device>& list,
     return subjects;
 }
 
-// How a family of plants fares, one after the other.
-struct Tally {
-    int still = 0;
-    Swing worst;
-    void add(const Swing& swing) {
-        still += swing.still();
-        if (swing.size > worst.size) worst = swing;
-    }
-    std::vector<std::string> cells() const {
-        return {cell(still), cell(worst.size / degrees(1)),
-                worst.still() ? "" : cell(worst.frequency)};
-    }
-};
-const std::vector<std::string> tallied{
-    "still",        "worst_swing_deg",        "worst_frequency_hz",
-    "still_thrown", "worst_thrown_swing_deg", "worst_thrown_frequency_hz"};
-
-// Cells of a row, one after the other.
-std::vector<std::string> operator+(std::vector<std::string> row,
-                                   const std::vector<std::string>& more) {
-    row.insert(row.end(), more.begin(), more.end());
-    return row;
-}
-
-// `tallied` of the plants, taken up and thrown.
-std::vector<std::string> tally(const Subject& subject, const std::vector<Parameters>& plants,
-                               double arm) {
-    Tally taken_up, thrown;
-    for (const Parameters& plant : plants) {
-        taken_up.add(subject.hold(plant, arm));
-        thrown.add(subject.hold(plant, arm, Start::thrown));
-    }
-    return taken_up.cells() + thrown.cells();
-}
-
 // The family with another hand; 0 is each plant's own.
 std::vector<Parameters> with_hand(std::vector<Parameters> plants, double stiffness) {
     for (Parameters& plant : plants)
@@ -144,49 +121,92 @@ std::vector<Parameters> with_hand(std::vector<Parameters> plants, double stiffne
     return plants;
 }
 
-// Rows of a table that are found in parallel and stand in the order of the work.
+double frequency_of(const Swing& swing) { return swing.still() ? none : swing.frequency; }
+
+// How a family of plants fares, taken up and thrown. One that is still has no frequency.
+struct FamilyRow : DeviceRow {
+    double arm_m;
+    std::string hand_n_per_m;  // or "own"
+    std::size_t plants;
+    int still = 0;
+    double swing_deg = 0, frequency_hz = none;
+    int still_thrown = 0;
+    double thrown_swing_deg = 0, thrown_frequency_hz = none;
+
+    static constexpr auto columns = std::tuple_cat(
+        DeviceRow::columns,
+        std::tuple(column("arm_m", &FamilyRow::arm_m),
+                   column("hand_n_per_m", &FamilyRow::hand_n_per_m),
+                   column("plants", &FamilyRow::plants), column("still", &FamilyRow::still),
+                   column("worst_swing_deg", &FamilyRow::swing_deg),
+                   column("worst_frequency_hz", &FamilyRow::frequency_hz),
+                   column("still_thrown", &FamilyRow::still_thrown),
+                   column("worst_thrown_swing_deg", &FamilyRow::thrown_swing_deg),
+                   column("worst_thrown_frequency_hz", &FamilyRow::thrown_frequency_hz)));
+
+    FamilyRow(const Subject& subject, const std::vector<Parameters>& family, double arm,
+              double hand)
+        : DeviceRow(subject.row()),
+          arm_m(arm),
+          hand_n_per_m(hand == 0 ? "own" : records::cell(hand)),
+          plants(family.size()) {
+        const auto add = [](const Swing& swing, int& still, double& worst_deg, double& frequency) {
+            still += swing.still();
+            if (swing.size / degrees(1) <= worst_deg) return;
+            worst_deg = swing.size / degrees(1);
+            frequency = frequency_of(swing);
+        };
+        for (const Parameters& plant : with_hand(family, hand)) {
+            add(subject.hold(plant, arm), still, swing_deg, frequency_hz);
+            add(subject.hold(plant, arm, Start::thrown), still_thrown, thrown_swing_deg,
+                thrown_frequency_hz);
+        }
+    }
+    FamilyRow() = default;
+};
+
+// Rows that are found in parallel, in the order of the work.
 template <class Task>
-records::Table table_of(const std::string& name, std::vector<std::string> columns, unsigned threads,
-                        std::size_t rows, Task&& task) {
-    std::vector<std::vector<std::string>> found(rows);
+auto found_in_parallel(const std::string& name, unsigned threads, std::size_t rows, Task&& task) {
+    std::vector<decltype(task(rows))> found(rows);
     records::Progress progress(name, rows);
     operations::in_parallel(threads, rows, [&](std::size_t i) {
         found[i] = task(i);
         progress.advance();
     });
-    records::Table table(std::move(columns));
-    for (auto& row : found) table.add(std::move(row));
-    return table;
+    return found;
 }
+
+// A row of stable_region.csv.
+struct RegionRow : FamilyRow {
+    int linear_stable = 0;
+    double linear_worst_radius = 0, linear_frequency_hz = 0;
+
+    static constexpr auto columns =
+        std::tuple_cat(FamilyRow::columns,
+                       std::tuple(column("linear_stable", &RegionRow::linear_stable),
+                                  column("linear_worst_radius", &RegionRow::linear_worst_radius),
+                                  column("linear_frequency_hz", &RegionRow::linear_frequency_hz)));
+};
 
 void write_map(const std::vector<Subject>& subjects, const std::vector<Parameters>& all,
                const Extent& extent, const Options& options) {
     const std::size_t hands = extent.hands.size(), arms = extent.arms.size();
-    const std::vector<std::string> of_theory{"linear_stable", "linear_worst_radius",
-                                             "linear_frequency_hz"};
-    table_of("stable region",
-             std::vector<std::string>{"arithmetic", "damping", "clock", "loop_rate_hz", "arm_m",
-                                      "hand_n_per_m", "plants"} +
-                 tallied + of_theory,
-             options.threads, subjects.size() * arms * hands,
-             [&](std::size_t i) {
-                 const Subject& subject = subjects[i / (arms * hands)];
-                 const double arm = extent.arms[i / hands % arms], hand = extent.hands[i % hands];
-                 const std::vector<Parameters> plants = with_hand(all, hand);
-                 int stable = 0;
-                 LinearLoop::Verdict worst{0, 0};
-                 for (const Parameters& plant : plants) {
-                     const LinearLoop::Verdict verdict = subject.theory(plant, arm);
-                     stable += verdict.stable();
-                     if (verdict.radius > worst.radius) worst = verdict;
-                 }
-                 return subject.cells() +
-                        std::vector{cell(arm), cell(hand),
-                                    cell(static_cast<double>(plants.size()))} +
-                        tally(subject, plants, arm) +
-                        std::vector{cell(stable), cell(worst.radius), cell(worst.frequency)};
-             })
-        .save(options.output / "stable_region.csv");
+    const auto rows = found_in_parallel(
+        "stable region", options.threads, subjects.size() * arms * hands, [&](std::size_t i) {
+            const Subject& subject = subjects[i / (arms * hands)];
+            const double arm = extent.arms[i / hands % arms], hand = extent.hands[i % hands];
+            RegionRow row{{subject, all, arm, hand}};
+            for (const Parameters& plant : with_hand(all, hand)) {
+                const LinearLoop::Verdict verdict = subject.theory(plant, arm);
+                row.linear_stable += verdict.stable();
+                if (verdict.radius <= row.linear_worst_radius) continue;
+                row.linear_worst_radius = verdict.radius;
+                row.linear_frequency_hz = verdict.frequency;
+            }
+            return row;
+        });
+    records::table_of(rows).save(options.output / "stable_region.csv");
 }
 
 // The end of the range of `still` values that begins at `from`, towards `to`, within a ratio; NaN
@@ -202,70 +222,96 @@ double limit(double from, double to, double ratio, Still&& still) {
     return from;
 }
 
+// A row of stable_limits.csv; NaN where the plant is still nowhere.
+struct LimitsRow : DeviceRow {
+    std::size_t plant;
+    double own_hand;
+    bool still_at_shortest;
+    double shortest_arm, softest_hand, hardest_hand, linear_shortest_arm;
+
+    static constexpr auto columns = std::tuple_cat(
+        DeviceRow::columns,
+        std::tuple(column("plant", &LimitsRow::plant),
+                   column("own_hand_n_per_m", &LimitsRow::own_hand),
+                   column("still_at_shortest", &LimitsRow::still_at_shortest),
+                   column("shortest_arm_m", &LimitsRow::shortest_arm),
+                   column("softest_hand_n_per_m", &LimitsRow::softest_hand),
+                   column("hardest_hand_n_per_m", &LimitsRow::hardest_hand),
+                   column("linear_shortest_arm_m", &LimitsRow::linear_shortest_arm)));
+};
+
 void write_limits(const std::vector<Subject>& subjects, const std::vector<Parameters>& plants,
                   const Extent& extent, const Options& options) {
     constexpr double softest = 10, hardest = 20000;          // N/m
     constexpr double theory_least = 0.02, theory_most = 20;  // m
-    table_of(
-        "stable limits",
-        {"arithmetic", "damping", "clock", "loop_rate_hz", "plant", "own_hand_n_per_m",
-         "still_at_shortest", "shortest_arm_m", "softest_hand_n_per_m", "hardest_hand_n_per_m",
-         "linear_shortest_arm_m"},
-        options.threads, subjects.size() * plants.size(),
-        [&](std::size_t i) {
+    const auto rows = found_in_parallel(
+        "stable limits", options.threads, subjects.size() * plants.size(), [&](std::size_t i) {
             const Subject& subject = subjects[i / plants.size()];
             const Parameters& plant = plants[i % plants.size()];
             const double own = plant.hand.stiffness;
+            const auto still_at_arm = [&](double arm) { return subject.hold(plant, arm).still(); };
             const auto still_at_hand = [&](double hand) {
                 Parameters held = plant;
                 held.hand.stiffness = hand;
                 return subject.hold(held, shortest_arm).still();
             };
-            return subject.cells() +
-                   std::vector<std::string>{
-                       cell(static_cast<double>(i % plants.size() + 1)),
-                       cell(own),
-                       still_at_hand(own) ? "yes" : "no",
-                       cell(limit(longest_arm, shortest_arm, 1.02,
-                                  [&](double arm) { return subject.hold(plant, arm).still(); })),
-                       cell(limit(own, softest, extent.bisected, still_at_hand)),
-                       cell(limit(own, hardest, extent.bisected, still_at_hand)),
-                       cell(limit(theory_most, theory_least, 1.01, [&](double arm) {
-                           return subject.theory(plant, arm).stable();
-                       }))};
-        })
-        .save(options.output / "stable_limits.csv");
+            const auto stable = [&](double arm) { return subject.theory(plant, arm).stable(); };
+            return LimitsRow{subject.row(),
+                             i % plants.size() + 1,
+                             own,
+                             still_at_hand(own),
+                             limit(longest_arm, shortest_arm, 1.02, still_at_arm),
+                             limit(own, softest, extent.bisected, still_at_hand),
+                             limit(own, hardest, extent.bisected, still_at_hand),
+                             limit(theory_most, theory_least, 1.01, stable)};
+        });
+    records::table_of(rows).save(options.output / "stable_limits.csv");
 }
+
+// A row of stable_changes.csv.
+struct ChangesRow : FamilyRow {
+    std::string change;
+
+    static constexpr auto columns =
+        std::tuple_cat(std::tuple(column("change", &ChangesRow::change)), FamilyRow::columns);
+};
 
 void write_changes(const std::vector<Subject>& subjects, const std::vector<Parameters>& plants,
                    const Options& options) {
     const std::vector<double> hands{0, 100, 1000};
-    table_of("changes of method",
-             std::vector<std::string>{"change", "arithmetic", "damping", "clock", "loop_rate_hz",
-                                      "arm_m", "hand_n_per_m", "plants"} +
-                 tallied,
-             options.threads, subjects.size() * hands.size(),
-             [&](std::size_t i) {
-                 const Subject& subject = subjects[i / hands.size()];
-                 const double hand = hands[i % hands.size()];
-                 return std::vector{subject.device.change} + subject.cells() +
-                        std::vector{cell(shortest_arm), hand == 0 ? "own" : cell(hand),
-                                    cell(static_cast<double>(plants.size()))} +
-                        tally(subject, with_hand(plants, hand), shortest_arm);
-             })
-        .save(options.output / "stable_changes.csv");
+    const auto rows = found_in_parallel(
+        "changes of method", options.threads, subjects.size() * hands.size(), [&](std::size_t i) {
+            const Subject& subject = subjects[i / hands.size()];
+            return ChangesRow{{subject, plants, shortest_arm, hands[i % hands.size()]},
+                              subject.device.change};
+        });
+    records::table_of(rows).save(options.output / "stable_changes.csv");
 }
+
+// A row of stable_on_chip.csv.
+struct ChipRow : DeviceRow {
+    double arm_m;
+    std::size_t plant;
+    double chip_swing_deg, chip_frequency_hz, host_swing_deg;
+    std::string chip, host, elf_sha256;
+
+    static constexpr auto columns = std::tuple_cat(
+        DeviceRow::columns,
+        std::tuple(column("arm_m", &ChipRow::arm_m), column("plant", &ChipRow::plant),
+                   column("chip_swing_deg", &ChipRow::chip_swing_deg),
+                   column("chip_frequency_hz", &ChipRow::chip_frequency_hz),
+                   column("host_swing_deg", &ChipRow::host_swing_deg),
+                   column("chip", &ChipRow::chip), column("host", &ChipRow::host),
+                   column("elf_sha256", &ChipRow::elf_sha256)));
+};
 
 void check_on_chip(const std::vector<Subject>& all, const std::vector<Parameters>& plants,
                    const Options& options) {
     std::vector<Subject> subjects;
     for (const Subject& subject : all)
         if (std::filesystem::exists(program_of(subject.device))) subjects.push_back(subject);
-    const records::Table table = table_of(
-        "region on the chip",
-        {"arithmetic", "damping", "clock", "loop_rate_hz", "arm_m", "plant", "chip_swing_deg",
-         "chip_frequency_hz", "host_swing_deg", "chip", "host", "elf_sha256"},
-        options.threads, subjects.size() * plants.size(), [&](std::size_t i) {
+    const auto rows = found_in_parallel(
+        "region on the chip", options.threads, subjects.size() * plants.size(), [&](std::size_t i) {
             const Subject& subject = subjects[i / plants.size()];
             const Parameters& plant = plants[i % plants.size()];
             const simulator::Elf elf(program_of(subject.device));
@@ -274,58 +320,66 @@ void check_on_chip(const std::vector<Subject>& all, const std::vector<Parameters
             const auto verdict = [](const Swing& swing) {
                 return swing.still() ? "still" : "swings";
             };
-            return subject.cells() +
-                   std::vector<std::string>{cell(shortest_arm),
-                                            cell(static_cast<double>(i % plants.size() + 1)),
-                                            cell(chip.size / degrees(1)),
-                                            chip.still() ? "" : cell(chip.frequency),
-                                            cell(host.size / degrees(1)),
-                                            verdict(chip),
-                                            verdict(host),
-                                            elf.sha256()};
+            return ChipRow{subject.row(),          shortest_arm,       i % plants.size() + 1,
+                           chip.size / degrees(1), frequency_of(chip), host.size / degrees(1),
+                           verdict(chip),          verdict(host),      elf.sha256()};
         });
-    const std::size_t chip = table.column("chip"), host = table.column("host");
     std::size_t agree = 0;
-    for (const auto& row : table.rows()) {
-        if (row[chip] == row[host]) {
+    for (const ChipRow& row : rows) {
+        if (row.chip == row.host)
             ++agree;
-        } else {
-            fmt::print(stderr, "differs: {}\n", fmt::join(row.begin(), row.end() - 1, ","));
-        }
+        else
+            fmt::print(stderr, "differs: {} of {:.0f} Hz, plant {}: {} on the chip\n",
+                       row.arithmetic, row.loop_rate_hz, row.plant, row.chip);
     }
-    fmt::print(stderr, "chip and host agree on {} of {} points\n", agree, table.rows().size());
-    table.save(options.output / "stable_on_chip.csv");
+    fmt::print(stderr, "chip and host agree on {} of {} points\n", agree, rows.size());
+    records::table_of(rows).save(options.output / "stable_on_chip.csv");
 }
+
+// Of which there are motions over time.
+std::vector<Device> shown_over_time() {
+    std::vector<Device> list;
+    for (const Device& device : devices())
+        if ((device.arithmetic == "q16_16" && device.rate == 10) || device.rate == 0)
+            list.push_back(device);
+    return list;
+}
+
+// A row of oscillation.csv.
+struct OscillationRow {
+    double time_s;
+    std::vector<double> degrees;
+
+    static std::vector<std::string> names() {
+        std::vector<std::string> list;
+        for (const Device& device : shown_over_time())
+            list.push_back(
+                fmt::format("{}_{}_deg", device.arithmetic, device.damped ? "damped" : "undamped"));
+        return list;
+    }
+    static constexpr auto columns =
+        std::tuple(column("time_s", &OscillationRow::time_s),
+                   records::columns_of(&names, &OscillationRow::degrees, "{:.3f}"));
+};
 
 // The lever over time on a plant, by the chip.
 void write_oscillation(const Parameters& plant, const Options& options) {
     constexpr double interval = 5e-3;
-    std::vector<std::string> columns{"time_s"};
-    std::vector<Device> list;
-    for (const Device& device : devices())
-        if ((device.arithmetic == "q16_16" && device.rate == 10) || device.rate == 0) {
-            list.push_back(device);
-            columns.push_back(
-                fmt::format("{}_{}_deg", device.arithmetic, device.damped ? "damped" : "undamped"));
-        }
-    const auto rows = static_cast<std::size_t>(Holding::end / interval);
-    std::vector<std::vector<double>> traces(list.size());
+    const std::vector<Device> list = shown_over_time();
+    std::vector<OscillationRow> rows(static_cast<std::size_t>(Holding::end / interval),
+                                     {0, std::vector<double>(list.size())});
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        rows[i].time_s = static_cast<double>(i) * interval;
     records::Progress progress("oscillation", list.size());
     operations::in_parallel(options.threads, list.size(), [&](std::size_t i) {
         DeviceLoop loop(simulator::Elf(program_of(list[i])), plant, Holding(shortest_arm).script);
-        for (std::size_t row = 0; row < rows; ++row) {
-            loop.run_until(static_cast<double>(row) * interval);
-            traces[i].push_back(loop.plant().lever_angle() / degrees(1));
+        for (OscillationRow& row : rows) {
+            loop.run_until(row.time_s);
+            row.degrees[i] = loop.plant().lever_angle() / degrees(1);
         }
         progress.advance();
     });
-    records::Table table(columns);
-    for (std::size_t row = 0; row < rows; ++row) {
-        std::vector<std::string> cells{cell(static_cast<double>(row) * interval)};
-        for (const auto& trace : traces) cells.push_back(fmt::format("{:.3f}", trace[row]));
-        table.add(std::move(cells));
-    }
-    table.save(options.output / "oscillation.csv");
+    records::table_of(rows).save(options.output / "oscillation.csv");
 }
 
 }  // namespace
@@ -339,7 +393,7 @@ void measure_region(const Options& options) {
     const double published_step = times.at("published");
     const Identification identification =
         identify(extent.plants_of_changes, published_step, options.threads);
-    table_of(identification, published_step, options.threads)
+    records::table_of(rows_of(identification, published_step, options.threads))
         .save(options.output / "identification.csv");
     const std::vector<Parameters> plants = identification.plants(extent.plants);
     write_map(subjects, plants, extent, options);

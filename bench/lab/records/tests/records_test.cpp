@@ -51,9 +51,8 @@ constexpr const char* readings_file =
     "c,-1,,,1000000.00,no,0.0,2.0\n";
 
 TEST(Record, ColumnsFollowFromTheStruct) {
-    const std::vector<Reading> readings = {
-        {{"a, b"}, 3, 1.0 / 3, 0.25, 0.125, true, {0.5, -1}},
-        {{"c"}, -1, std::nan(""), {}, 1e6, false, {0, 2}}};
+    const std::vector<Reading> readings = {{{"a, b"}, 3, 1.0 / 3, 0.25, 0.125, true, {0.5, -1}},
+                                           {{"c"}, -1, std::nan(""), {}, 1e6, false, {0, 2}}};
     EXPECT_EQ(records::table_of(readings).to_csv(), readings_file);
 }
 
