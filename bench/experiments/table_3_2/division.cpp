@@ -59,22 +59,19 @@ class Draw {
     std::mt19937_64 random_{32};
 };
 
-void add_histogram(records::Table& table, const std::string& kind, const std::string& operands,
-                   const std::vector<std::uint32_t>& cycles) {
+void add_histogram(std::vector<DivisionRow>& rows, const std::string& kind,
+                   const std::string& operands, const std::vector<std::uint32_t>& cycles) {
     constexpr std::uint32_t width = 16;
     std::map<std::uint32_t, int> bins;
     for (const std::uint32_t c : cycles) ++bins[c / width * width];
-    for (const auto& [from, count] : bins) {
-        table.add(
-            {kind + "_histogram", operands, std::to_string(from), std::to_string(count), "", ""});
-    }
+    for (const auto& [from, count] : bins)
+        rows.push_back({kind + "_histogram", operands, from, count, {}, ""});
+    const auto size = static_cast<int>(cycles.size());
     const auto summary = [&](double value, const char* note) {
-        table.add({kind + "_summary", operands, records::cell(value), std::to_string(cycles.size()),
-                   "", note});
+        rows.push_back({kind + "_summary", operands, value, size, {}, note});
     };
     summary(*std::min_element(cycles.begin(), cycles.end()), "minimum");
-    summary(std::accumulate(cycles.begin(), cycles.end(), 0.0) / static_cast<double>(cycles.size()),
-            "mean");
+    summary(std::accumulate(cycles.begin(), cycles.end(), 0.0) / size, "mean");
     summary(*std::max_element(cycles.begin(), cycles.end()), "maximum");
 }
 
@@ -168,25 +165,25 @@ DivisionStudy study_division(const std::filesystem::path& division_elf, const Op
     return study;
 }
 
-records::Table division_table(const DivisionStudy& study, double published_table_ms,
-                              double loop_cycles) {
-    records::Table table({"kind", "operands", "cycles", "count", "value", "note"});
+std::vector<DivisionRow> division_rows(const DivisionStudy& study, double published_table_ms,
+                                       double loop_cycles) {
+    std::vector<DivisionRow> rows;
     for (const DivisionCost& cost : study.costs) {
-        add_histogram(table, "fixed_16_16", cost.operands, cost.fixed);
-        add_histogram(table, "float", cost.operands, cost.floating);
+        add_histogram(rows, "fixed_16_16", cost.operands, cost.fixed);
+        add_histogram(rows, "float", cost.operands, cost.floating);
     }
+    const auto published = [&](double cycles, double value, const char* note) {
+        rows.push_back({"published", "", cycles, {}, value, note});
+    };
     const double per_pass = published_table_ms / undisturbed_ms(1);
-    table.add({"published", "", records::cell(std::round(per_pass)), "",
-               records::cell(published_table_ms),
-               "ms for 30000 in Table 3.2 as cycles, loop included"});
-    table.add({"published", "", records::cell(std::round(per_pass - loop_cycles)), "",
-               records::cell(published_table_ms),
-               "the same less the loop and its operands' loads"});
-    table.add({"published", "", records::cell(engine_division_cycles), "", "62",
-               "us in the running engine as cycles"});
+    published(std::round(per_pass), published_table_ms,
+              "ms for 30000 in Table 3.2 as cycles, loop included");
+    published(std::round(per_pass - loop_cycles), published_table_ms,
+              "the same less the loop and its operands' loads");
+    published(engine_division_cycles, 62, "us in the running engine as cycles");
     const DivisionLaw& law = study.law;
     const auto coefficient = [&](double value, const char* note) {
-        table.add({"law", "", "", "", records::cell(std::round(value * 1000) / 1000 + 0.0), note});
+        rows.push_back({"law", "", {}, {}, std::round(value * 1000) / 1000 + 0.0, note});
     };
     coefficient(law.constant, "constant");
     coefficient(law.per_byte, "cycles for each byte of the quotient");
@@ -197,7 +194,7 @@ records::Table division_table(const DivisionStudy& study, double published_table
     coefficient(law.zero, "cycles more where the quotient is zero");
     coefficient(law.rms_residual, "rms residual in cycles");
     coefficient(law.max_residual, "largest residual in cycles");
-    return table;
+    return rows;
 }
 
 }  // namespace table_3_2

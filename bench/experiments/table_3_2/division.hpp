@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "bench/experiments/table_3_2/harness.hpp"
-#include "bench/lab/records/csv.hpp"
+#include "bench/lab/records/record.hpp"
 
 namespace table_3_2 {
 
@@ -54,9 +54,23 @@ struct DivisionStudy {
 DivisionStudy study_division(const std::filesystem::path& division_elf, const Operands& published,
                              int samples);
 
-// kind,operands,cycles,count,value,note: `histogram` rows of 16 cycles from `cycles` on, `summary`
-// rows, `published` markers and the coefficients of the `law`.
-records::Table division_table(const DivisionStudy& study, double published_table_ms,
-                              double loop_cycles);
+// A row of division_cycles.csv: by kind a bin of a `histogram`, from `cycles` on, of 16 cycles; a
+// `summary`; a `published` figure; or a coefficient of the `law`.
+struct DivisionRow {
+    std::string kind, operands;
+    std::optional<double> cycles;
+    std::optional<int> count;
+    std::optional<double> value;
+    std::string note;
+
+    static constexpr auto columns = std::tuple(records::column("kind", &DivisionRow::kind),
+                                               records::column("operands", &DivisionRow::operands),
+                                               records::column("cycles", &DivisionRow::cycles),
+                                               records::column("count", &DivisionRow::count),
+                                               records::column("value", &DivisionRow::value),
+                                               records::column("note", &DivisionRow::note));
+};
+std::vector<DivisionRow> division_rows(const DivisionStudy& study, double published_table_ms,
+                                       double loop_cycles);
 
 }  // namespace table_3_2

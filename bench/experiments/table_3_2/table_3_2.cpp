@@ -115,24 +115,37 @@ Alternatives alternatives_to(const Published& row, const Hypothesis& best,
     return found;
 }
 
-// `measured_with` marks the one that Table 3.2 is measured with.
-records::Table hypotheses_table(const std::vector<Fit>& fits, const Fit& chosen) {
-    std::vector<std::string> columns{"rank", "measured_with", "log_ratio_sum", "within_10_percent"};
-    columns.insert(columns.end(), axes.begin(), axes.end());
-    records::Table table(columns);
-    int rank = 0;
-    for (const Fit& fit : fits) {
-        std::vector<std::string> row{std::to_string(++rank), &fit == &chosen ? "yes" : "no",
-                                     fmt::format("{:.4f}", fit.log_ratio_sum),
-                                     std::to_string(fit.within_10_percent)};
-        const auto named = values(fit.hypothesis);
-        row.insert(row.end(), named.begin(), named.end());
-        table.add(std::move(row));
-    }
-    return table;
-}
-
 using records::column;
+
+// A row of table_3_2_hypotheses.csv: the best hypothesis has rank 1.
+struct HypothesisRow {
+    int rank;
+    bool measured_with;  // the one that Table 3.2 is measured with
+    double log_ratio_sum;
+    int within_10_percent;
+    std::vector<std::string> on_axes;
+
+    static std::vector<std::string> names() { return {axes.begin(), axes.end()}; }
+    static constexpr auto columns =
+        std::tuple(column("rank", &HypothesisRow::rank),
+                   column("measured_with", &HypothesisRow::measured_with),
+                   column("log_ratio_sum", &HypothesisRow::log_ratio_sum, "{:.4f}"),
+                   column("within_10_percent", &HypothesisRow::within_10_percent),
+                   records::columns_of(&names, &HypothesisRow::on_axes));
+};
+
+std::vector<HypothesisRow> rows_of(const std::vector<Fit>& fits, const Fit& chosen) {
+    std::vector<HypothesisRow> rows;
+    for (const Fit& fit : fits) {
+        const auto named = values(fit.hypothesis);
+        rows.push_back({static_cast<int>(rows.size()) + 1,
+                        &fit == &chosen,
+                        fit.log_ratio_sum,
+                        fit.within_10_percent,
+                        {named.begin(), named.end()}});
+    }
+    return rows;
+}
 
 // A row of table_3_1.csv.
 struct FormatRow {
@@ -248,7 +261,7 @@ void measure_table_3_2(const Options& options) {
         const std::vector<Fit> fits = search(programs, published, [&] { progress.advance(); });
         const Fit& chosen = preferred(fits);
         best = chosen.hypothesis;
-        hypotheses_table(fits, chosen).save(options.data / "table_3_2_hypotheses.csv");
+        records::table_of(rows_of(fits, chosen)).save(options.data / "table_3_2_hypotheses.csv");
     }
 
     const DivisionStudy study =
@@ -275,7 +288,8 @@ void measure_table_3_2(const Options& options) {
     const double loop = pass - study.costs.back().fixed.front();
     for (const Published& row : published) {
         if (row.cell == divide) {
-            division_table(study, row.ms, loop).save(options.data / "division_cycles.csv");
+            records::table_of(division_rows(study, row.ms, loop))
+                .save(options.data / "division_cycles.csv");
         }
     }
     table_3_1().save(options.data / "table_3_1.csv");
