@@ -15,7 +15,6 @@
 #include "bench/experiments/scenes/judge.hpp"
 #include "bench/lab/parallel.hpp"
 #include "bench/lab/program/names.hpp"
-#include "bench/lab/records/csv.hpp"
 #include "bench/lab/records/progress.hpp"
 #include "reference/trajectories/trajectory.hpp"
 
@@ -166,8 +165,8 @@ ChipRun run(const Subject& subject, const std::filesystem::path& programs) {
     return run;
 }
 
-std::vector<std::string> row(const Subject& subject, const ChipRun& run,
-                             const ReferenceRuns& reference_runs, const Trajectory& truth) {
+SceneRow row(const Subject& subject, const ChipRun& run, const ReferenceRuns& reference_runs,
+             const Trajectory& truth) {
     const Scene& scene = *subject.scene;
     const bool is_wide = subject.scalar == wide;
     const bool has_truth = !truth.empty();
@@ -183,23 +182,21 @@ std::vector<std::string> row(const Subject& subject, const ChipRun& run,
         verdict({scene, run, has_truth ? error : error_arithmetic, error_method, extent(held_to),
                  range, reference_runs.needed_range});
     const double steps_a_second = std::ldexp(1.0, subject.exponent);
-    const auto on_chip = [&](double value) {
-        return records::cell(subject.on_chip ? value : none);
-    };
+    const auto on_chip = [&](double value) { return subject.on_chip ? value : none; };
     return {scene.name,
             format_of(subject.scalar),
             arithmetic_of(subject.scalar),
             subject.method,
-            records::cell(1 / steps_a_second),
-            std::to_string(run.steps),
+            1 / steps_a_second,
+            run.steps,
             on_chip(run.cycles_mean),
             on_chip(run.cycles_max),
             on_chip(run.cycles_mean * steps_a_second),
-            records::cell(error),
-            records::cell(error_method),
-            records::cell(error_arithmetic),
+            error,
+            error_method,
+            error_arithmetic,
             "m",
-            records::cell(energy_drift(scene.name, run.trajectory, truth)),
+            energy_drift(scene.name, run.trajectory, truth),
             on_chip(run.flash_bytes),
             on_chip(run.ram_bytes),
             on_chip(run.stack_bytes),
@@ -255,7 +252,7 @@ void measure_scenes(const SceneOptions& options) {
                                                   .largest_number;
         });
 
-    std::vector<std::vector<std::string>> rows(subjects.size());
+    std::vector<SceneRow> rows(subjects.size());
     for_all(
         "scenes", options.threads, subjects,
         [](const Subject& subject) {
@@ -267,13 +264,7 @@ void measure_scenes(const SceneOptions& options) {
                           reference_runs.at({subject.scene, subject.method, subject.exponent}),
                           truths.at(subject.scene));
         });
-    records::Table table({"scene", "scalar", "arithmetic", "integrator", "dt", "steps",
-                          "cycles_per_step_mean", "cycles_per_step_max",
-                          "cycles_per_simulated_second", "error", "error_method",
-                          "error_arithmetic", "unit", "energy_drift", "flash_bytes", "ram_bytes",
-                          "stack_bytes", "verdict"});
-    for (auto& row : rows) table.add(std::move(row));
-    table.save(options.output / "scenes.csv");
+    records::table_of(rows).save(options.output / "scenes.csv");
 }
 
 }  // namespace scene_bench

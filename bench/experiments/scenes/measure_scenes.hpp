@@ -6,7 +6,40 @@
 #include <string>
 #include <vector>
 
+#include "bench/lab/records/record.hpp"
+
 namespace scene_bench {
+
+// A row of scenes.csv. What is not known or not measured is NaN: cycles and bytes of runs of the
+// host, errors where no true motion is known.
+struct SceneRow {
+    std::string scene, scalar, arithmetic, integrator;
+    double dt;
+    std::uint64_t steps;
+    double cycles_per_step_mean, cycles_per_step_max, cycles_per_simulated_second;
+    double error, error_method, error_arithmetic;
+    std::string unit;
+    double energy_drift, flash_bytes, ram_bytes, stack_bytes;
+    std::string verdict;
+
+    static constexpr auto columns = std::tuple(
+        records::column("scene", &SceneRow::scene), records::column("scalar", &SceneRow::scalar),
+        records::column("arithmetic", &SceneRow::arithmetic),
+        records::column("integrator", &SceneRow::integrator), records::column("dt", &SceneRow::dt),
+        records::column("steps", &SceneRow::steps),
+        records::column("cycles_per_step_mean", &SceneRow::cycles_per_step_mean),
+        records::column("cycles_per_step_max", &SceneRow::cycles_per_step_max),
+        records::column("cycles_per_simulated_second", &SceneRow::cycles_per_simulated_second),
+        records::column("error", &SceneRow::error),
+        records::column("error_method", &SceneRow::error_method),
+        records::column("error_arithmetic", &SceneRow::error_arithmetic),
+        records::column("unit", &SceneRow::unit),
+        records::column("energy_drift", &SceneRow::energy_drift),
+        records::column("flash_bytes", &SceneRow::flash_bytes),
+        records::column("ram_bytes", &SceneRow::ram_bytes),
+        records::column("stack_bytes", &SceneRow::stack_bytes),
+        records::column("verdict", &SceneRow::verdict));
+};
 
 struct SceneOptions {
     std::vector<std::string> scenes, scalars, methods;  // empty: all

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -14,17 +13,19 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "bench/experiments/scenes/measure_scenes.hpp"
 #include "bench/experiments/stability/any_format.hpp"
 #include "bench/experiments/stability/scene_description.hpp"
 #include "bench/experiments/stability/search.hpp"
 #include "bench/lab/parallel.hpp"
-#include "bench/lab/records/csv.hpp"
 #include "bench/lab/records/progress.hpp"
 #include "reference/trajectories/trajectory.hpp"
 
 namespace stability {
 
 std::vector<Subject> subjects_of_any_format(Split split);
+
+using records::column;
 
 namespace {
 
@@ -114,15 +115,6 @@ Result run(const std::string& scene, const reference::Trajectory& truth, const C
     return result;
 }
 
-double number(const std::string& cell, const std::filesystem::path& file) {
-    double value = 0;
-    const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-    if (error != std::errc() || end != cell.data() + cell.size() || !(value >= 0))
-        throw std::runtime_error(
-            fmt::format("{}: '{}' is not a number of cycles or bytes", file.string(), cell));
-    return value;
-}
-
 // Cycles and flash as measured, of this scene and method; as an estimate those of the same width
 // where this split was not measured, and of any step where this one was not.
 class Costs {
@@ -137,19 +129,14 @@ class Costs {
                        file.string(), data.string());
             return;
         }
-        const records::Table table = records::Table::load(file);
-        const auto column = [&](const char* name) { return table.column(name); };
-        for (const auto& row : table.rows()) {
-            const std::string &scalar = row[column("scalar")],
-                              &arithmetic = row[column("arithmetic")];
-            if (row[column("scene")] != scene) continue;
-            if (arithmetic != "nearest" && scalar != "float") continue;
-            const std::string& cycles = row[column("cycles_per_step_mean")];
-            if (cycles.empty()) continue;
-            const std::string& flash = row[column("flash_bytes")];
-            Known& known = measured_[{scalar, row[column("integrator")]}];
-            known.cost = {number(cycles, file), flash.empty() ? 0 : number(flash, file)};
-            known.exponents.insert(static_cast<int>(-std::log2(number(row[column("dt")], file))));
+        using scene_bench::SceneRow;
+        for (const SceneRow& row : records::rows_of<SceneRow>(records::Table::load(file))) {
+            if (row.scene != scene || std::isnan(row.cycles_per_step_mean)) continue;
+            if (row.arithmetic != "nearest" && row.scalar != "float") continue;
+            Known& known = measured_[{row.scalar, row.integrator}];
+            known.cost = {row.cycles_per_step_mean,
+                          std::isnan(row.flash_bytes) ? 0 : row.flash_bytes};
+            known.exponents.insert(static_cast<int>(-std::log2(row.dt)));
         }
     }
     void add_to(Result& result) const {
@@ -258,9 +245,25 @@ void measure(const AdviceOptions& options, std::vector<Result>& lines) {
 
 }  // namespace
 
+// A row of suitability.csv: of the formats of a group the one with the least error.
+struct SuitabilityRow {
+    std::string scene, formats, best_format, integrator;
+    std::optional<double> dt, error;
+    std::string unit;
+    std::optional<double> error_by_extent;
+    std::string fault;
+
+    static constexpr auto columns = std::tuple(
+        column("scene", &SuitabilityRow::scene), column("formats", &SuitabilityRow::formats),
+        column("best_format", &SuitabilityRow::best_format),
+        column("integrator", &SuitabilityRow::integrator), column("dt", &SuitabilityRow::dt),
+        column("error", &SuitabilityRow::error), column("unit", &SuitabilityRow::unit),
+        column("error_by_extent", &SuitabilityRow::error_by_extent),
+        column("fault", &SuitabilityRow::fault));
+};
+
 void measure_suitability(const std::filesystem::path& output, unsigned threads) {
-    records::Table table({"scene", "formats", "best_format", "integrator", "dt", "error", "unit",
-                          "error_by_extent", "fault"});
+    std::vector<SuitabilityRow> rows;
     const std::pair<const char*, std::function<bool(const Result&)>> groups[] = {
         {"Q8.8", [](const Result& r) { return r.format == "Q8.8"; }},
         {"16 bits", [](const Result& r) { return r.choice.split.width() == 16; }},
@@ -281,14 +284,18 @@ void measure_suitability(const std::filesystem::path& output, unsigned threads) 
             for (const Result& result : results)
                 if (belongs(result) && (best == nullptr || result.error < best->error))
                     best = &result;
-            const bool ran = std::isfinite(best->error);
-            table.add({scene, name, ran ? best->format : "none", ran ? best->method : "",
-                       ran ? records::cell(std::ldexp(1.0, -best->choice.exponent)) : "",
-                       ran ? records::cell(best->error) : "", "m",
-                       ran ? records::cell(best->error / extent(*truth)) : "", best->fault});
+            SuitabilityRow row{scene, name, "none", "", {}, {}, "m", {}, best->fault};
+            if (std::isfinite(best->error)) {
+                row.best_format = best->format;
+                row.integrator = best->method;
+                row.dt = std::ldexp(1.0, -best->choice.exponent);
+                row.error = best->error;
+                row.error_by_extent = best->error / extent(*truth);
+            }
+            rows.push_back(std::move(row));
         }
     }
-    table.save(output / "suitability.csv");
+    records::table_of(rows).save(output / "suitability.csv");
 }
 
 bool advise(const AdviceOptions& options) {

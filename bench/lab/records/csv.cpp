@@ -54,7 +54,8 @@ void Table::add(std::vector<std::string> row) {
 
 std::size_t Table::column(std::string_view name) const {
     const auto found = std::find(columns_.begin(), columns_.end(), name);
-    if (found == columns_.end()) throw std::runtime_error(fmt::format("no column '{}'", name));
+    if (found == columns_.end())
+        throw std::runtime_error(fmt::format("{}: no column '{}'", name_, name));
     return static_cast<std::size_t>(found - columns_.begin());
 }
 
@@ -113,6 +114,7 @@ Table Table::parse(std::string_view text, const std::string& name, char separato
     if (lines.empty()) throw std::runtime_error(fmt::format("{}: empty", name));
 
     Table table(std::move(lines.front()));
+    table.name_ = name;
     for (std::size_t i = 1; i < lines.size(); ++i) {
         if (lines[i].size() != table.columns_.size()) {
             throw std::runtime_error(fmt::format("{}:{}: {} cells, the header has {}", name, i + 1,

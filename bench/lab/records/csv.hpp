@@ -20,6 +20,8 @@ class Table {
     // Throws std::logic_error where the row has another number of cells than there are columns.
     void add(std::vector<std::string> row);
 
+    // Of the file, in messages; empty where there is none.
+    const std::string& name() const { return name_; }
     const std::vector<std::string>& columns() const { return columns_; }
     const std::vector<std::vector<std::string>>& rows() const { return rows_; }
 
@@ -36,6 +38,7 @@ class Table {
     static Table parse(std::string_view text, const std::string& name, char separator = ',');
 
   private:
+    std::string name_;
     std::vector<std::string> columns_;
     std::vector<std::vector<std::string>> rows_;
 };

@@ -145,7 +145,7 @@ Table table_of(const std::vector<Row>& rows) {
 }
 
 // The rows of a table that has these columns, among others. Throws std::runtime_error that names
-// the column where one is missing, and the row where a cell is none of its column's type.
+// the file and the column where one is missing, and the line where a cell is none of its type.
 template <class Row>
 std::vector<Row> rows_of(const Table& table) {
     std::vector<Row> rows(table.rows().size());
@@ -153,8 +153,8 @@ std::vector<Row> rows_of(const Table& table) {
         const std::size_t index = table.column(name);
         for (std::size_t i = 0; i < rows.size(); ++i)
             if (const std::string& text = table.rows()[i][index]; !read(text, value_in(rows[i])))
-                throw std::runtime_error(
-                    fmt::format("row {}, column {}: '{}' is out of place", i + 1, name, text));
+                throw std::runtime_error(fmt::format("{}:{}: '{}' is out of place in column '{}'",
+                                                     table.name(), i + 2, text, name));
     };
     const auto fill_each = [&](const auto& of) {
         if constexpr (requires { of.member; }) {

@@ -73,12 +73,14 @@ TEST(Record, RefusesACellOfAnotherType) {
         return "";
     };
     EXPECT_EQ(refusal("a,1,2,3,4,yes,5,6"), "");
-    EXPECT_EQ(refusal("a,1.5,2,3,4,yes,5,6"), "row 1, column count: '1.5' is out of place");
-    EXPECT_EQ(refusal("a,,2,3,4,yes,5,6"), "row 1, column count: '' is out of place");
-    EXPECT_EQ(refusal("a,1,2 m,3,4,yes,5,6"), "row 1, column mean: '2 m' is out of place");
-    EXPECT_EQ(refusal("a,1,2,none,4,yes,5,6"), "row 1, column error: 'none' is out of place");
-    EXPECT_EQ(refusal("a,1,2,3,4,true,5,6"), "row 1, column held: 'true' is out of place");
-    EXPECT_EQ(refusal("a,1,2,3,4,yes,5,six"), "row 1, column high: 'six' is out of place");
+    EXPECT_EQ(refusal("a,1.5,2,3,4,yes,5,6"),
+              "readings:2: '1.5' is out of place in column 'count'");
+    EXPECT_EQ(refusal("a,,2,3,4,yes,5,6"), "readings:2: '' is out of place in column 'count'");
+    EXPECT_EQ(refusal("a,1,2 m,3,4,yes,5,6"), "readings:2: '2 m' is out of place in column 'mean'");
+    EXPECT_EQ(refusal("a,1,2,none,4,yes,5,6"),
+              "readings:2: 'none' is out of place in column 'error'");
+    EXPECT_EQ(refusal("a,1,2,3,4,true,5,6"), "readings:2: 'true' is out of place in column 'held'");
+    EXPECT_EQ(refusal("a,1,2,3,4,yes,5,six"), "readings:2: 'six' is out of place in column 'high'");
     EXPECT_THROW(records::rows_of<Reading>(records::Table({"name"})), std::runtime_error);
 }
 
