@@ -182,6 +182,14 @@ TYPED_TEST(Continuous, WithNothingInTheWayMovesAsWithout) {
     }
 }
 
+// Room for more particles is at the origin, where they would be before they are added.
+TYPED_TEST(Continuous, ParticlesThatAreNotThereAreNotInTheWay) {
+    Watched<TypeParam> world;
+    const auto ball = add(world, -1, 0, 100, 0);
+    for (int step = 0; step < 16; ++step) world.step(BinaryStep<8>());
+    EXPECT_NEAR(to_double(world[ball].position[0]), -1 + 16 * 100 / 256.0, 0.05);
+}
+
 // Below half a radius a step, contacts are found as without: bit for bit the same.
 RC_GTEST_PROP(ContinuousContacts, OfSlowParticlesAreTheSame, ()) {
     using Scalar = Fixed<16, 16>;
