@@ -225,37 +225,13 @@ class Judge {
     }
 
     Judgement special(std::int64_t result) const {
-        Operation operation = subject_.operation;
-        switch (operation) {
-            case Operation::length2:
-            case Operation::length3:
-            case Operation::normalise3:
-                return {.excluded =
-                            "a vector function of singles that are not finite, or all zero"};
-            case Operation::sin_turns:
-            case Operation::cos_turns:
-            case Operation::sincos_turns:
-            case Operation::atan2_turns:
-            case Operation::sin_degrees:
-            case Operation::cos_degrees:
-            case Operation::sincos_degrees:
-            case Operation::atan2_degrees:
-            case Operation::divrem:
-            case Operation::divmod:
-            case Operation::lerp:
-            case Operation::smoothstep:
-            case Operation::midpoint:
-            case Operation::abs_diff:
-            case Operation::copysign:
-            case Operation::power:
-                return {.excluded = "no function of C, whose special cases would be known"};
-            case Operation::sincos:
-                // Sine and cosine of what is not finite are the same NaN.
-                operation = Operation::sin;
-                break;
-            default:
-                break;
-        }
+        if (is_auxiliary(subject_.operation) || subject_.operation == Operation::power)
+            return {.excluded = "no function of C, whose special cases would be known"};
+        if (vector_operands(subject_.operation) == 1)
+            return {.excluded = "a vector function of singles that are not finite, or all zero"};
+        // Sine and cosine of what is not finite are the same NaN.
+        const Operation operation =
+            subject_.operation == Operation::sincos ? Operation::sin : subject_.operation;
         float numbers[most_operands];
         for (std::size_t i = 0; i < operands_.size(); ++i) numbers[i] = float_of_raw(operands_[i]);
         return judge_pinned(ieee_single, raw_of_float(special_case(operation, numbers)), result);

@@ -84,6 +84,17 @@ constexpr bool is_shift(Operation operation) {
 constexpr bool takes_integer(Operation operation) {
     return is_shift(operation) || operation == Operation::power;
 }
+// Whether it is of the AUXILIARY_OPERATIONS, which the others and C's library do not have.
+constexpr bool is_auxiliary(Operation operation) {
+    switch (operation) {
+#define AUXILIARY_CASE(name, ...) case Operation::name:
+        AUXILIARY_OPERATIONS(AUXILIARY_CASE)
+#undef AUXILIARY_CASE
+        return true;
+        default:
+            return false;
+    }
+}
 // Whether the first result is one.
 constexpr bool gives_integer_quotient(Operation operation) {
     return operation == Operation::divrem || operation == Operation::divmod;

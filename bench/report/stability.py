@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Where scenes stay stable, by format and method, with the bounds of theory."""
 import math
+import pathlib
+import re
 
 import matplotlib.pyplot as plt
 
@@ -12,9 +14,9 @@ DEFAULT = ["nearest", "ieee"]
 # Of the envelope, the cases that the page shows.
 ENVELOPE = ("far_from_origin", "rod_span", "rod_short", "half_space", "slow", "spring_stiffness", "spring_slow", "light_body",
             "heavy_body", "small_binary_step")
-# Of the case `stiffness` (bench/experiments/stability/cases/springs.cpp): it breaks where a spring's amplitude has grown so
-# much in so many steps.
-GROWTH, STEPS = 50, 300
+# Of the case `stiffness`: it breaks where a spring's amplitude has grown so much in so many steps.
+SPRINGS = pathlib.Path(__file__).parents[1] / "experiments" / "stability" / "cases" / "springs.cpp"
+GROWTH, STEPS = map(int, re.search(r"growth = (\d+), growth_steps = (\d+);", SPRINGS.read_text(encoding="utf-8")).groups())
 METHODS = ["explicit_euler", "semi_implicit_euler", "velocity_verlet", "implicit_springs"]
 METHOD_LABELS = {"explicit_euler": "explicit Euler (2016 design)",
                  "semi_implicit_euler": "semi-implicit Euler",

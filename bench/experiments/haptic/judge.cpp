@@ -25,21 +25,7 @@ void Judge::watch(const Glance& glance) {
     if (held_before_ && !held && !let_go_) let_go_ = now;
     held_before_ = held;
     const double lowered = Travel().lowered;
-    if (let_go_ && !fallen_ && servo - lowered < degree) {
-        fallen_ = now;
-        turning_point_ = servo;
-        direction_ = -1;
-    }
-    // A turn counts once the servo is a degree away from where it turned.
-    if (fallen_) {
-        if ((servo - turning_point_) * direction_ > 0) {
-            turning_point_ = servo;
-        } else if (std::abs(servo - turning_point_) >= degree) {
-            ++turns_;
-            direction_ = -direction_;
-            turning_point_ = servo;
-        }
-    }
+    if (let_go_ && !fallen_ && servo - lowered < degree) fallen_ = now;
     if (envelope.quiet && now >= envelope.quiet->from) {
         least_ = std::min(least_, glance.lever_angle);
         most_ = std::max(most_, glance.lever_angle);
@@ -118,8 +104,6 @@ Judgement Judge::judge(const Timing& timing, double end, double arm_length) {
     if (envelope.fall)
         violate(!(fallen_ && within(judgement_.fall, *envelope.fall)),
                 fallen_ ? fmt::format("fell in {:.3f} s", judgement_.fall) : "did not fall");
-    if (envelope.bounces)
-        violate(!within(turns_, *envelope.bounces), fmt::format("turned round {} times", turns_));
     if (envelope.quiet) {
         judgement_.swing = most_ - least_;
         violate(judgement_.swing > envelope.quiet->most_swing,

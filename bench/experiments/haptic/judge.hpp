@@ -57,8 +57,6 @@ class Judge {
     std::optional<TimingLimits> limits_;
     Judgement judgement_;
     std::optional<double> let_go_, fallen_;
-    double turning_point_ = 0;  // of the servo since it came down
-    int direction_ = 0, turns_ = 0;
     double least_ = 1e9, most_ = -1e9;
     bool screen_right_ = true, rested_ = true, held_before_ = false;
 };

@@ -36,9 +36,7 @@ std::vector<Scenario> scenarios(const Travel& travel) {
     s = {"bounce", "the same, watched until it rests", 6, held_at(travel.raised), 1, {}};
     s.script.hand_grip.step(1, 0);
     s.envelope.fall = {0.10, 0.35};
-    // How often it turns hangs on when in the servo's period the hand lets go: it has to rest in
-    // time.
-    s.envelope.bounces = {1, 40};
+    // No limit on how often it turns: that hangs on when in the servo's period the hand lets go.
     s.envelope.rest = {5, travel.lowered};
     list.push_back(s);
 

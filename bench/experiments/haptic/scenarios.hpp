@@ -27,8 +27,6 @@ struct Span {
 struct Envelope {
     // Seconds from the hand's letting go until the servo first comes within a degree of `lowered`.
     std::optional<Span> fall;
-    // How often the servo turns round by a degree or more after it first came down.
-    std::optional<Span> bounces;
     // From this time on, the largest swing of the lever about its mean, peak to peak, in rad.
     struct Quiet {
         double from, most_swing;

@@ -20,24 +20,10 @@ constexpr bool is_function(Operation operation) {
 
 template <Operation operation, int width>
 constexpr bool is_judged_here() {
-    switch (operation) {
-        case Operation::length2:
-        case Operation::length3:
-            return true;
-        case Operation::shift_left:
-        case Operation::shift_right:
-        case Operation::convert:
-        case Operation::lerp:
-        case Operation::smoothstep:
-        case Operation::midpoint:
-        case Operation::abs_diff:
-        case Operation::copysign:
-        case Operation::power:
-            return false;
-        default:
-            return reference::shape(operation).results == 1 &&
-                   (width <= 32 || !is_function(operation));
-    }
+    if (operation == Operation::length2 || operation == Operation::length3) return true;
+    if (reference::takes_integer(operation) || operation == Operation::convert) return false;
+    return reference::shape(operation).results == 1 &&
+           (is_function(operation) ? width <= 32 : !reference::is_auxiliary(operation));
 }
 
 template <Operation operation, int width>

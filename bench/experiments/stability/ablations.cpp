@@ -9,8 +9,8 @@
 
 #include "bench/experiments/stability/chip_world.hpp"
 #include "bench/lab/parallel.hpp"
-#include "bench/lab/records/csv.hpp"
 #include "bench/lab/records/progress.hpp"
+#include "bench/lab/records/record.hpp"
 
 namespace stability {
 namespace {
@@ -70,11 +70,6 @@ constexpr struct {
     {"sums and products that clamp", "drag_quadratic", ours, saturating, 1},
 };
 
-const Case& case_named(const std::string& name) {
-    for (const Case& one : all_cases())
-        if (one.name == name) return one;
-    throw std::logic_error("no case " + name);
-}
 const Subject& subject_of(Method method) {
     return subject("q16_16", method.arithmetic, method.integrator);
 }
@@ -115,21 +110,40 @@ double beyond(const Case& one, double limit) {
     return limit * (one.to > one.from ? 1.5 : 1 / 1.5);
 }
 
-std::string limit_text(double limit) {
-    return std::isnan(limit) ? "none" : fmt::format("{:.4g}", limit);
-}
 // The measure of the case, in tolerances; or that the engine stopped with an error.
 std::string error_text(const Case& one, Method method, double parameter) {
     const Trial trial = attempt(subject_of(method), one.at(parameter), 1e9);
     if (!trial.outcome.error.empty()) return "stops";
     return trial.outcome.steps > 0 ? fmt::format("{:.4g}", trial.worst) : "does not fit";
 }
-std::string cause(const Finding& finding) {
-    const std::string verdict = to_text(finding.verdict);
-    return finding.first_event.empty() ? verdict : verdict + ": " + finding.first_event;
-}
 
-std::vector<std::string> row(std::size_t i, const Effort& effort) {
+using records::column;
+
+// A row of ablations.csv. Limits, or none; errors in tolerances at what the method before does not
+// bear, or why there are none.
+struct AblationRow {
+    std::string ablation, of_case, parameter, unit, before_method, after_method;
+    std::string before, after, before_error, after_error;
+    double before_cycles, after_cycles;
+    std::uint64_t before_cycles_max, after_cycles_max;
+    std::string before_cause, after_cause;
+
+    static constexpr auto columns = std::tuple(
+        column("ablation", &AblationRow::ablation), column("case", &AblationRow::of_case),
+        column("parameter", &AblationRow::parameter), column("unit", &AblationRow::unit),
+        column("before_method", &AblationRow::before_method),
+        column("after_method", &AblationRow::after_method), column("before", &AblationRow::before),
+        column("after", &AblationRow::after), column("before_error", &AblationRow::before_error),
+        column("after_error", &AblationRow::after_error),
+        column("before_cycles", &AblationRow::before_cycles, "{:.0f}"),
+        column("after_cycles", &AblationRow::after_cycles, "{:.0f}"),
+        column("before_cycles_max", &AblationRow::before_cycles_max),
+        column("after_cycles_max", &AblationRow::after_cycles_max),
+        column("before_cause", &AblationRow::before_cause),
+        column("after_cause", &AblationRow::after_cause));
+};
+
+AblationRow row(std::size_t i, const Effort& effort) {
     const auto& ablation = ablations[i];
     const Case& one = case_named(ablation.found_by);
     const Finding was = find_limit(one, subject_of(ablation.before), effort);
@@ -143,33 +157,28 @@ std::vector<std::string> row(std::size_t i, const Effort& effort) {
             one.unit,
             name_of(ablation.before),
             name_of(ablation.after),
-            limit_text(was.limit),
-            limit_text(is.limit),
+            limit_of(was),
+            limit_of(is),
             error_text(one, ablation.before, broken),
             error_text(one, ablation.after, broken),
-            fmt::format("{:.0f}", before.mean),
-            fmt::format("{:.0f}", after.mean),
-            std::to_string(before.most),
-            std::to_string(after.most),
-            cause(was),
-            cause(is)};
+            before.mean,
+            after.mean,
+            before.most,
+            after.most,
+            cause_of(was),
+            cause_of(is)};
 }
 
 }  // namespace
 
 void measure_mends(const std::filesystem::path& output, const Effort& effort, unsigned threads) {
-    std::vector<std::vector<std::string>> rows(std::size(ablations));
+    std::vector<AblationRow> rows(std::size(ablations));
     records::Progress progress("ablations", rows.size());
     operations::in_parallel(threads, rows.size(), [&](std::size_t i) {
         rows[i] = row(i, effort);
         progress.advance();
     });
-    records::Table table({"ablation", "case", "parameter", "unit", "before_method", "after_method",
-                          "before", "after", "before_error", "after_error", "before_cycles",
-                          "after_cycles", "before_cycles_max", "after_cycles_max", "before_cause",
-                          "after_cause"});
-    for (auto& each : rows) table.add(std::move(each));
-    table.save(output / "ablations.csv");
+    records::table_of(rows).save(output / "ablations.csv");
 }
 
 }  // namespace stability

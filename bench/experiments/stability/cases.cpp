@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bench/experiments/stability/cases.hpp"
 
+#include <stdexcept>
 #include <utility>
 
 namespace stability {
@@ -13,6 +14,12 @@ const std::vector<Case>& all_cases() {
         return list;
     }();
     return all;
+}
+
+const Case& case_named(const std::string& name) {
+    for (const Case& one : all_cases())
+        if (one.name == name) return one;
+    throw std::logic_error("no case " + name);
 }
 
 }  // namespace stability

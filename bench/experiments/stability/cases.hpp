@@ -35,6 +35,8 @@ std::vector<Case> link_cases();
 std::vector<Case> contact_cases();
 std::vector<Case> edge_cases();
 const std::vector<Case>& all_cases();
+// Throws std::logic_error where there is none.
+const Case& case_named(const std::string& name);
 
 // The cases of the maps: the limit along one axis at a value of the other.
 Case stiffness_at_step(int exponent, bool softer);  // a step of 2^-exponent s

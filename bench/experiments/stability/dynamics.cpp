@@ -367,7 +367,19 @@ std::vector<DynamicsRow> dead_band_of(const Subject& subject) {
 
 namespace {
 
-// Two points of 1 kg on rods of 1 m, at rest, both above the fixed point or little below it.
+constexpr double apart = 0.1;  // m, at which a run has left the other
+
+// Of points of 1 kg on rods of 1 m; where they start is set for each run.
+Description double_pendulum() {
+    Description made;
+    made.rods = {{.a = 0, .length = 1}, {.a = 1, .b = 0, .length = 1}};
+    made.gravity = {0, -9.81};
+    made.dt = TimeStep::binary(10);
+    made.steps = 40 << 10;
+    return made;
+}
+
+// Two points of such a pendulum, at rest, both above the fixed point or little below it.
 reference::Chain chaotic_start(unsigned seed) {
     std::mt19937 bits(seed);
     const auto angle = [&](double low, double high) {
@@ -418,11 +430,11 @@ double slope(const std::vector<std::pair<double, double>>& points) {
 // Benettin, Galgani, Giorgilli and Strelcyn 1980: a second motion starts beside the first; each
 // second its distance tells the growth and is set back to what it was.
 double lyapunov_exponent(unsigned seconds) {
-    constexpr double apart = 1e-7, tolerance = 1e-12;
+    constexpr double beside = 1e-7, tolerance = 1e-12;
     double growth = 0;
     for (unsigned seed = 0; seed < chaotic_starts; ++seed) {
         reference::Chain one = chaotic_start(seed), other = one;
-        other.links.front().angle += apart;
+        other.links.front().angle += beside;
         for (unsigned second = 0; second < seconds; ++second) {
             const auto a = variables_of(reference::move(one, {0, 1}, tolerance).back());
             auto b = variables_of(reference::move(other, {0, 1}, tolerance).back());
@@ -433,7 +445,7 @@ double lyapunov_exponent(unsigned seconds) {
                 b[i] = difference;
                 square += difference * difference;
             }
-            const double by = std::sqrt(square) / apart;
+            const double by = std::sqrt(square) / beside;
             growth += std::log(by);
             for (std::size_t i = 0; i < a.size(); ++i) b[i] = a[i] + b[i] / by;
             one = put_into(one, a);
@@ -443,17 +455,9 @@ double lyapunov_exponent(unsigned seconds) {
     return growth / (chaotic_starts * seconds);
 }
 
-std::vector<DynamicsRow> divergence_of(const Subject& subject) {
-    static const double exponent = lyapunov_exponent(100);
-    constexpr double apart = 0.1;         // m
-    constexpr double of_float = 0x1p-23;  // m, the ulp of 1 m
-    const TimeStep dt = TimeStep::binary(10);
-    Description made;
-    made.rods = {{.a = 0, .length = 1}, {.a = 1, .b = 0, .length = 1}};
-    made.gravity = {0, -9.81};
-    made.dt = dt;
-    made.steps = 40 << 10;
-    std::vector<double> times, rates;
+Divergence divergence(const Subject& subject) {
+    Description made = double_pendulum();
+    Divergence found;
     for (unsigned seed = 0; seed < chaotic_starts; ++seed) {
         const reference::Trajectory at_start = reference::move(chaotic_start(seed), {0}, 1e-12);
         made.bodies.clear();
@@ -469,7 +473,7 @@ std::vector<DynamicsRow> divergence_of(const Subject& subject) {
         std::vector<std::pair<double, double>> growing;
         const Outcome outcome = subject.run(made, [&](const State& state, unsigned step) {
             const double distance_now = distance(state, true_states.at(step));
-            const double time = step * dt.value();
+            const double time = step * made.dt.value();
             if (first == 0) first = distance_now;
             // The rounding of the first steps adds up before it grows.
             if (distance_now > 16 * first) growing.emplace_back(time, std::log(distance_now));
@@ -477,9 +481,17 @@ std::vector<DynamicsRow> divergence_of(const Subject& subject) {
             return !left;
         });
         if (!went_well(outcome) || !left) continue;
-        times.push_back(*left);
-        if (growing.size() > 2) rates.push_back(slope(growing));
+        found.times.push_back(*left);
+        if (growing.size() > 2) found.rates.push_back(slope(growing));
     }
+    return found;
+}
+
+std::vector<DynamicsRow> divergence_of(const Subject& subject) {
+    static const double exponent = lyapunov_exponent(100);
+    constexpr double of_float = 0x1p-23;  // m, the ulp of 1 m
+    const auto [times, rates] = divergence(subject);
+    const Description made = double_pendulum();
     DynamicsRow time =
         row_of(subject, "divergence", "double pendulum", "distance, m", apart, "s", made);
     DynamicsRow rate =

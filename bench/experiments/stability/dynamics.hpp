@@ -71,6 +71,13 @@ std::vector<DynamicsRow> reversal_of(const Subject& subject);
 std::vector<DynamicsRow> order_of(const Subject& subject);
 std::vector<DynamicsRow> dead_band_of(const Subject& subject);
 std::vector<DynamicsRow> divergence_of(const Subject& subject);
+
+// Of each start of divergence_of, by rising seed: when the run has left that in double, in s, and
+// the rate by which the distance grew, in 1/s. What never left, or failed, is not among them.
+struct Divergence {
+    std::vector<double> times, rates;
+};
+Divergence divergence(const Subject& subject);
 constexpr unsigned chaotic_starts = 16;
 
 // The largest Lyapunov exponent, 1/s, of the double pendulum of divergence_of, in the mean over its

@@ -13,8 +13,8 @@
 #include "bench/experiments/stability/search.hpp"
 #include "bench/lab/parallel.hpp"
 #include "bench/lab/program/names.hpp"
-#include "bench/lab/records/csv.hpp"
 #include "bench/lab/records/progress.hpp"
+#include "bench/lab/records/record.hpp"
 
 namespace stability {
 namespace {
@@ -23,23 +23,41 @@ bool wanted(const std::vector<std::string>& names, const std::string& name) {
     return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
 }
 
-std::string number(double x) { return std::isnan(x) ? "none" : fmt::format("{:.4g}", x); }
+using records::column;
 
-std::vector<std::string> row(const Case& one, const Subject& subject, const Finding& finding) {
+// A row of stability.csv.
+struct CaseRow {
+    std::string of_case, scalar, arithmetic, integrator, parameter, limit, unit, verdict;
+    std::string first_event;
+    std::optional<unsigned> step;  // of the first event
+    std::string reference;
+
+    static constexpr auto columns = std::tuple(
+        column("case", &CaseRow::of_case), column("scalar", &CaseRow::scalar),
+        column("arithmetic", &CaseRow::arithmetic), column("integrator", &CaseRow::integrator),
+        column("parameter", &CaseRow::parameter), column("limit", &CaseRow::limit),
+        column("unit", &CaseRow::unit), column("verdict", &CaseRow::verdict),
+        column("first_event", &CaseRow::first_event), column("step", &CaseRow::step),
+        column("reference", &CaseRow::reference));
+};
+
+CaseRow row(const Case& one, const Subject& subject, const Finding& finding) {
     std::string verdict = to_text(finding.verdict);
     if (finding.verdict == Verdict::drifts) verdict += fmt::format(" ({:.2g}/s)", finding.rate);
     if (finding.verdict == Verdict::diverges)
         verdict += fmt::format(" (after {} steps)", finding.step);
+    std::optional<unsigned> step;
+    if (finding.verdict != Verdict::stable) step = finding.step;
     return {one.name,
             subject.scalar,
             subject.arithmetic,
             subject.integrator,
             one.parameter,
-            number(finding.limit),
+            limit_of(finding),
             one.unit,
             verdict,
             finding.first_event,
-            finding.verdict == Verdict::stable ? "" : std::to_string(finding.step),
+            step,
             one.reference};
 }
 
@@ -92,53 +110,70 @@ std::vector<MapPoint> map_points() {
     return points;
 }
 
-const Case& case_named(const std::string& name) {
-    for (const Case& one : all_cases())
-        if (one.name == name) return one;
-    throw std::logic_error("no case " + name);
-}
+// A row of envelope.csv.
+struct EnvelopeRow {
+    std::string quantity, unit, scalar, arithmetic, integrator, limit, limited_by, of_case;
 
-std::string cause(const Finding& finding) {
-    const std::string verdict = to_text(finding.verdict);
-    return finding.first_event.empty() ? verdict : verdict + ": " + finding.first_event;
-}
+    static constexpr auto columns = std::tuple(
+        column("quantity", &EnvelopeRow::quantity), column("unit", &EnvelopeRow::unit),
+        column("scalar", &EnvelopeRow::scalar), column("arithmetic", &EnvelopeRow::arithmetic),
+        column("integrator", &EnvelopeRow::integrator), column("limit", &EnvelopeRow::limit),
+        column("limited_by", &EnvelopeRow::limited_by), column("case", &EnvelopeRow::of_case));
+};
 
 template <class Found>
 void save_envelope(const Options& options, const Found& found) {
-    records::Table table(
-        {"quantity", "unit", "scalar", "arithmetic", "integrator", "limit", "limited_by", "case"});
+    std::vector<EnvelopeRow> rows;
     for (const auto& [quantity, name] : envelope)
         for (const Subject& subject : subjects()) {
             const Finding& finding = found(name, subject);
-            table.add({quantity, case_named(name).unit, subject.scalar, subject.arithmetic,
-                       subject.integrator, number(finding.limit), cause(finding), name});
+            rows.push_back({quantity, case_named(name).unit, subject.scalar, subject.arithmetic,
+                            subject.integrator, limit_of(finding), cause_of(finding), name});
         }
-    table.save(options.output / "envelope.csv");
+    records::table_of(rows).save(options.output / "envelope.csv");
 }
+
+// A row of stability_map.csv.
+struct MapRow {
+    std::string map, x_name;
+    double x;
+    std::string y_name, unit, scalar, arithmetic, integrator, limit, limited_by;
+    double bound;  // NaN where there is none
+
+    static constexpr auto columns = std::tuple(
+        column("map", &MapRow::map), column("x_name", &MapRow::x_name), column("x", &MapRow::x),
+        column("y_name", &MapRow::y_name), column("unit", &MapRow::unit),
+        column("scalar", &MapRow::scalar), column("arithmetic", &MapRow::arithmetic),
+        column("integrator", &MapRow::integrator), column("limit", &MapRow::limit),
+        column("limited_by", &MapRow::limited_by), column("bound", &MapRow::bound));
+};
 
 void save_map(const Options& options, const Effort& effort) {
     const std::vector<MapPoint> points = map_points();
     const std::size_t count = subjects().size();
-    std::vector<Finding> findings(points.size() * count);
+    std::vector<MapRow> rows(points.size() * count);
     {
-        records::Progress progress("stability map", findings.size());
-        operations::in_parallel(options.threads, findings.size(), [&](std::size_t i) {
+        records::Progress progress("stability map", rows.size());
+        operations::in_parallel(options.threads, rows.size(), [&](std::size_t i) {
             const Effort coarse{1, options.quick ? 2u : 6u, effort.longest_endurance};
-            findings[i] = find_limit(points[i / count].one, subjects()[i % count], coarse);
+            const MapPoint& point = points[i / count];
+            const Subject& subject = subjects()[i % count];
+            const Finding finding = find_limit(point.one, subject, coarse);
+            rows[i] = {point.map,
+                       point.x_name,
+                       point.x,
+                       point.one.parameter,
+                       point.one.unit,
+                       subject.scalar,
+                       subject.arithmetic,
+                       subject.integrator,
+                       limit_of(finding),
+                       to_text(finding.verdict),
+                       point.bound};
             progress.advance();
         });
     }
-    records::Table table({"map", "x_name", "x", "y_name", "unit", "scalar", "arithmetic",
-                          "integrator", "limit", "limited_by", "bound"});
-    for (std::size_t i = 0; i < findings.size(); ++i) {
-        const MapPoint& point = points[i / count];
-        const Subject& subject = subjects()[i % count];
-        table.add({point.map, point.x_name, records::cell(point.x), point.one.parameter,
-                   point.one.unit, subject.scalar, subject.arithmetic, subject.integrator,
-                   number(findings[i].limit), to_text(findings[i].verdict),
-                   records::cell(point.bound)});
-    }
-    table.save(options.output / "stability_map.csv");
+    records::table_of(rows).save(options.output / "stability_map.csv");
 }
 
 }  // namespace
@@ -179,11 +214,10 @@ void measure_stability(const Options& options) {
             progress.advance();
         });
     }
-    records::Table table({"case", "scalar", "arithmetic", "integrator", "parameter", "limit",
-                          "unit", "verdict", "first_event", "step", "reference"});
+    std::vector<CaseRow> rows;
     for (std::size_t i = 0; i < work.size(); ++i)
-        table.add(row(*work[i].first, *work[i].second, findings[i]));
-    table.save(options.output / "stability.csv");
+        rows.push_back(row(*work[i].first, *work[i].second, findings[i]));
+    records::table_of(rows).save(options.output / "stability.csv");
     if (is_selection(options)) return;
 
     const auto found = [&](const std::string& name, const Subject& subject) -> const Finding& {

@@ -89,6 +89,15 @@ std::string to_text(Verdict verdict) {
     return names[static_cast<int>(verdict)];
 }
 
+std::string limit_of(const Finding& finding) {
+    return std::isnan(finding.limit) ? "none" : fmt::format("{:.4g}", finding.limit);
+}
+
+std::string cause_of(const Finding& finding) {
+    const std::string verdict = to_text(finding.verdict);
+    return finding.first_event.empty() ? verdict : verdict + ": " + finding.first_event;
+}
+
 Trial attempt(const Subject& subject, const Experiment& experiment, double stop) {
     Trial trial;
     trial.outcome = subject.run(experiment.description, [&](const State& state, unsigned step) {

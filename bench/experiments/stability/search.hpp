@@ -27,6 +27,11 @@ struct Finding {
     Outcome last_held;  // at the limit
 };
 
+// The limit as files have it: to four digits, or "none".
+std::string limit_of(const Finding& finding);
+// Its verdict with the first event, where there is one.
+std::string cause_of(const Finding& finding);
+
 struct Effort {
     unsigned points_per_decade = 2;
     unsigned bisections = 10;

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <functional>
+#include <numbers>
 
 #include "bench/experiments/haptic/recording.hpp"
 
@@ -192,27 +193,23 @@ TEST(JudgeFall, AHandThatHoldsOrNeverHeldLetsNothingFall) {
     EXPECT_TRUE(std::isnan(judge(scenario, falling, still).fall));
 }
 
-// After the fall up by `height`, down, and up again.
-Motion bouncing(double height) {
-    return [height](double time) {
-        if (time < 0.5) return falling(time);
-        const double phase = std::fmod(time - 0.5, 0.2);
-        return time > 0.8    ? height
-               : phase < 0.1 ? phase * 10 * height
-                             : (0.2 - phase) * 10 * height;
+// From 60 degrees within 0.3 s, then bounces of 4 a second whose height falls by a factor in each.
+TEST(JudgeRest, ALeverMayBounceManyTimesButNotForEver) {
+    const auto violations = [](double factor) {
+        const Scenario bounce = scenario("bounce");
+        Judge judge(bounce, limits);
+        for (double now = 0; now < bounce.duration; now += 1e-3) {
+            const double fallen = (now - 1) / 0.3;
+            const double height = fallen < 1 ? 60 * (1 - std::max(fallen, 0.0))
+                                             : 20 * std::pow(factor, (now - 1.3) * 4) *
+                                                   std::abs(std::sin(std::numbers::pi * 4 * now));
+            judge.watch({now, degrees(height), 0});
+        }
+        return judge.judge(punctual(), end, shortest_arm).violations;
     };
-}
-
-TEST(JudgeBounces, TurnsOfADegreeAndMoreAreCounted) {
-    Scenario scenario = let_go_at(0.1);
-    scenario.envelope.bounces = Span{3, 3};
-    EXPECT_TRUE(judge(scenario, bouncing(degrees(1.001)), still).violations.empty());
-    scenario.envelope.bounces = Span{0, 0};
-    EXPECT_TRUE(judge(scenario, bouncing(degrees(0.999)), still).violations.empty());
-    EXPECT_EQ(judge(scenario, bouncing(degrees(5)), still).violations,
-              std::vector<std::string>{"turned round 3 times"});
-    scenario.envelope.bounces = Span{4, 9};
-    EXPECT_EQ(judge(scenario, bouncing(degrees(5)), still).violations.size(), 1u);
+    EXPECT_EQ(violations(0.8), std::vector<std::string>{});
+    EXPECT_EQ(violations(0.9), std::vector<std::string>{"did not rest where it should"});
+    EXPECT_EQ(violations(1), std::vector<std::string>{"did not rest where it should"});
 }
 
 TEST(JudgeQuiet, TheSwingIsPeakToPeakFromThatTimeOn) {

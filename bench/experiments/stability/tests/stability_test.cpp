@@ -20,11 +20,6 @@ namespace {
 
 const Effort fine{1, 14, 20000};
 
-const Case& case_named(const std::string& name) {
-    for (const Case& one : all_cases())
-        if (one.name == name) return one;
-    throw std::runtime_error("no case " + name);
-}
 Finding find(const std::string& name, const std::string& scalar, const std::string& integrator,
              const std::string& arithmetic = "nearest") {
     return find_limit(case_named(name), subject(scalar, arithmetic, integrator), fine);
