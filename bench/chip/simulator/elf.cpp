@@ -12,7 +12,8 @@
 #include <fstream>
 #include <iterator>
 #include <memory>
-#include <numeric>
+
+#include "bench/chip/edit_distance.hpp"
 
 namespace simulator {
 namespace {
@@ -38,20 +39,6 @@ std::vector<char> read_file(const std::filesystem::path& path) {
                                        path.string(), largest_file, Elf::device));
     }
     return bytes;
-}
-
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), 0);
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        std::size_t diagonal = row[0]++;
-        for (std::size_t j = 0; j < b.size(); ++j) {
-            const std::size_t substitution = diagonal + (a[i] != b[j]);
-            diagonal = row[j + 1];
-            row[j + 1] = std::min({substitution, row[j] + 1, row[j + 1] + 1});
-        }
-    }
-    return row.back();
 }
 
 }  // namespace

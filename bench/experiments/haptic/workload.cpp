@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "bench/chip/profile/stack_bound.hpp"
-#include "bench/lab/records/record.hpp"
+#include "bench/lab/verdict_row.hpp"
 #include "reference/published.hpp"
 
 namespace haptic {
@@ -24,41 +24,27 @@ struct Source {
     std::string arithmetic, elf_sha256;
 };
 
-class Sheet {
-  public:
-    // Beside the published figure of that name: reproduced where the ratio is within 10% of 1, else
-    // what `otherwise` says: explained, where the reason names a cause that is itself measured or
-    // counted; cause named, where nobody measured it; or not reproducible.
+// A row of workload_firmware.csv.
+struct FirmwareRow : lab::VerdictRow {
+    std::string elf_sha256;
+    static constexpr auto columns = std::tuple_cat(
+        VerdictRow::columns, std::tuple(records::column("elf_sha256", &FirmwareRow::elf_sha256)));
+};
+
+struct Sheet {
+    std::vector<FirmwareRow> rows;
+
     void compare(const std::string& quantity, const std::string& arithmetic, double measured,
                  const Source& source, const std::string& reason,
                  const char* otherwise = "cause named") {
-        for (const reference::WorkloadFigure& figure : published_) {
-            if (figure.quantity != quantity || figure.arithmetic != arithmetic) continue;
-            const double ratio = measured / figure.value;
-            add(quantity, arithmetic, figure.value, measured, figure.unit, ratio,
-                reference::within_10_percent(ratio) ? "reproduced" : otherwise, reason, source);
-            return;
-        }
-        throw std::logic_error("no published figure: " + quantity);
+        rows.push_back(
+            {lab::compared(quantity, arithmetic, measured, reason, otherwise), source.elf_sha256});
     }
     void tell(const std::string& quantity, const Source& source, double measured,
               const std::string& unit, const std::string& reason = "") {
-        add(quantity, source.arithmetic, none, measured, unit, none, "measured", reason, source);
+        rows.push_back(
+            {lab::told(quantity, source.arithmetic, measured, unit, reason), source.elf_sha256});
     }
-    const records::Table& table() const { return table_; }
-
-  private:
-    void add(const std::string& quantity, const std::string& arithmetic, double published,
-             double measured, const std::string& unit, double ratio, const std::string& verdict,
-             const std::string& reason, const Source& source) {
-        using records::cell;
-        table_.add({quantity, arithmetic, cell(published), cell(measured), unit, cell(ratio),
-                    verdict, reason, source.elf_sha256});
-    }
-
-    std::vector<reference::WorkloadFigure> published_ = reference::load_workload();
-    records::Table table_{{"quantity", "arithmetic", "published", "measured", "unit", "ratio",
-                           "verdict", "reason", "elf_sha256"}};
 };
 
 double mean_frame(const Timing& timing) {
@@ -278,7 +264,7 @@ void write_workload(const Options& options) {
                                            profiled(options, "lever_profiled", scene)};
     for (const Profiled& device : watched) tell_pins(sheet, device);
     save_pins(watched, options.output);
-    sheet.table().save(options.output / "workload_firmware.csv");
+    records::table_of(sheet.rows).save(options.output / "workload_firmware.csv");
 }
 
 }  // namespace haptic

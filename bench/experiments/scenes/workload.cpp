@@ -19,6 +19,7 @@
 #include "bench/lab/parallel.hpp"
 #include "bench/lab/records/progress.hpp"
 #include "bench/lab/records/record.hpp"
+#include "bench/lab/verdict_row.hpp"
 #include "reference/published.hpp"
 
 namespace scene_bench {
@@ -160,46 +161,21 @@ double microseconds(double cycles) { return cycles * 1e6 / Chip::frequency; }
 double milliseconds(double cycles) { return cycles * 1e3 / Chip::frequency; }
 double per_second(double cycles) { return Chip::frequency / cycles; }
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr const char* explained = "explained";
 constexpr const char* not_reproducible = "not reproducible";
 
 // The rows of workload.csv.
-class Sheet {
-  public:
-    Sheet() : published_(reference::load_workload()) {}
+struct Sheet {
+    std::vector<lab::VerdictRow> rows;
 
-    // Beside the published figure of that name: reproduced where the ratio is within 10% of 1, else
-    // what `otherwise` says: explained, where the reason names a cause that is itself measured or
-    // counted, or not reproducible.
     void compare(const std::string& quantity, const std::string& arithmetic, double measured,
                  const std::string& reason, const char* otherwise = not_reproducible) {
-        for (const reference::WorkloadFigure& figure : published_) {
-            if (figure.quantity != quantity || figure.arithmetic != arithmetic) continue;
-            const double ratio = measured / figure.value;
-            add(quantity, arithmetic, figure.value, measured, figure.unit, ratio,
-                reference::within_10_percent(ratio) ? "reproduced" : otherwise, reason);
-            return;
-        }
-        throw std::logic_error("no published figure: " + quantity);
+        rows.push_back(lab::compared(quantity, arithmetic, measured, reason, otherwise));
     }
     void tell(const std::string& quantity, const std::string& arithmetic, double measured,
               const std::string& unit, const std::string& reason) {
-        add(quantity, arithmetic, none, measured, unit, none, "measured", reason);
+        rows.push_back(lab::told(quantity, arithmetic, measured, unit, reason));
     }
-    const records::Table& table() const { return table_; }
-
-  private:
-    void add(const std::string& quantity, const std::string& arithmetic, double published,
-             double measured, const std::string& unit, double ratio, const std::string& verdict,
-             const std::string& reason) {
-        table_.add({quantity, arithmetic, records::cell(published), records::cell(measured), unit,
-                    records::cell(ratio), verdict, reason});
-    }
-
-    std::vector<reference::WorkloadFigure> published_;
-    records::Table table_{
-        {"quantity", "arithmetic", "published", "measured", "unit", "ratio", "verdict", "reason"}};
 };
 
 using Runs = std::map<std::string, Steps>;
@@ -388,7 +364,7 @@ void measure_workload(const WorkloadOptions& options) {
     Sheet sheet;
     compare_published(sheet, runs, rounds.at("published"));
     for (const char* scene : {"published_lever", "lever"}) compare_arithmetics(sheet, runs, scene);
-    sheet.table().save(options.output / "workload.csv");
+    records::table_of(sheet.rows).save(options.output / "workload.csv");
     save_rounds(rounds, options.output);
     save_trace(runs, options.output);
 }

@@ -25,7 +25,6 @@ const fixbench::Registration table({
                 fixbench::build({"table_3_2_programs"});
                 measure_table_3_2({.programs_csv = TABLE_3_2_FOLDER "/programs.csv",
                                    .division_elf = TABLE_3_2_FOLDER "/table_3_2_division.elf",
-                                   .published = reference::published_folder(),
                                    .data = call.output,
                                    .search = !*quick});
                 return fixbench::held;

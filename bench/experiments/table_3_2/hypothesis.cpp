@@ -4,13 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <exception>
-#include <mutex>
 #include <stdexcept>
-#include <thread>
 
+#include "bench/lab/parallel.hpp"
 #include "bench/lab/records/csv.hpp"
 #include "reference/published.hpp"
 
@@ -45,20 +42,11 @@ std::vector<Fit> fits_of(const Program& program, const std::vector<Published>& p
 
 }  // namespace
 
-std::vector<Published> load_published(const std::filesystem::path& directory) {
+std::vector<Published> load_published() {
     std::vector<Published> published;
-    const records::Table table = records::Table::load(directory / "table_3_2.csv");
-    for (const auto& row : table.rows()) {
-        for (const std::string operation : {"add", "subtract", "multiply", "divide"}) {
-            published.push_back({{row[table.column("type")], operation},
-                                 std::stod(row[table.column(operation + "_ms")])});
-        }
-    }
-    const records::Table functions = records::Table::load(directory / "functions.csv");
-    for (const auto& row : functions.rows()) {
-        published.push_back({{row[functions.column("type")], row[functions.column("operation")]},
-                             std::stod(row[functions.column("ms_per_30000")])});
-    }
+    for (const auto load : {reference::load_table_3_2, reference::load_functions})
+        for (const reference::PublishedTiming& row : load(reference::published_folder()))
+            published.push_back({{row.type, row.operation}, row.milliseconds});
     return published;
 }
 
@@ -130,29 +118,14 @@ double quick_ms(Harness& harness, const Hypothesis& hypothesis, const Cell& cell
 std::vector<Fit> search(const std::vector<Program>& programs,
                         const std::vector<Published>& published,
                         const std::function<void()>& program_done) {
+    std::vector<std::vector<Fit>> found(programs.size());
+    operations::in_parallel(2, programs.size(), [&](std::size_t i) {
+        found[i] = fits_of(programs[i], published);
+        program_done();
+    });
     std::vector<Fit> fits;
-    std::mutex mutex;
-    std::exception_ptr failure;
-    std::atomic<std::size_t> next{0};
-    const auto work = [&] {
-        try {
-            for (std::size_t i; (i = next++) < programs.size();) {
-                const std::vector<Fit> found = fits_of(programs[i], published);
-                const std::scoped_lock lock(mutex);
-                fits.insert(fits.end(), found.begin(), found.end());
-                program_done();
-            }
-        } catch (...) {
-            const std::scoped_lock lock(mutex);
-            failure = std::current_exception();
-        }
-    };
-    {
-        const std::jthread other(work);
-        work();
-    }
-    if (failure) std::rethrow_exception(failure);
-    // Equal fits are ordered by their values: the order of the threads must not show.
+    for (const auto& some : found) fits.insert(fits.end(), some.begin(), some.end());
+    // Equal fits are ordered by their values.
     std::sort(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) {
         return std::pair(a.log_ratio_sum, values(a.hypothesis)) <
                std::pair(b.log_ratio_sum, values(b.hypothesis));

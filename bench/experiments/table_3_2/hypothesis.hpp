@@ -18,8 +18,8 @@ struct Published {
     double ms;
 };
 
-// The 24 cells of table_3_2.csv, then the rows of functions.csv.
-std::vector<Published> load_published(const std::filesystem::path& directory);
+// The 24 cells of the published table, then its functions.
+std::vector<Published> load_published();
 
 // One compiled variant of device/harness.cpp.
 struct Program {
@@ -57,7 +57,8 @@ struct Fit {
     int within_10_percent = 0;
 };
 
-// All hypotheses, best first, measured by two threads. `program_done` is called once a program.
+// All hypotheses, best first, measured by two threads, of which each calls `program_done` once a
+// program.
 std::vector<Fit> search(const std::vector<Program>& programs,
                         const std::vector<Published>& published,
                         const std::function<void()>& program_done);

@@ -252,7 +252,7 @@ records::Table table_3_1() {
 }
 
 void measure_table_3_2(const Options& options) {
-    const std::vector<Published> published = load_published(options.published);
+    const std::vector<Published> published = load_published();
     const std::vector<Program> programs = load_programs(options.programs_csv);
 
     Hypothesis best = best_known(programs);

@@ -16,9 +16,8 @@ struct Options {
     std::filesystem::path
         programs_csv;  // what was built: bench/experiments/table_3_2/CMakeLists.txt
     std::filesystem::path division_elf;
-    std::filesystem::path published;  // the folder of table_3_2.csv and functions.csv
-    std::filesystem::path data;       // the folder that is written to
-    bool search = true;               // false: the best known hypothesis only
+    std::filesystem::path data;  // the folder that is written to
+    bool search = true;          // false: the best known hypothesis only
 };
 
 // Writes table_3_1.csv, table_3_2.csv, division_cycles.csv and, with the search,

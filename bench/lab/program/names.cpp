@@ -5,34 +5,17 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <numeric>
 #include <stdexcept>
 
+#include "bench/chip/edit_distance.hpp"
+
 namespace fixbench {
-namespace {
-
-// Levenshtein's.
-std::size_t distance(const std::string& a, const std::string& b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        std::size_t diagonal = row[0]++;
-        for (std::size_t j = 0; j < b.size(); ++j) {
-            const std::size_t replaced = diagonal + (a[i] != b[j]);
-            diagonal = row[j + 1];
-            row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
-        }
-    }
-    return row.back();
-}
-
-}  // namespace
 
 std::string nearest_name(const std::string& asked, const std::vector<std::string>& known) {
     std::string nearest;
     std::size_t least = asked.size() / 3 + 2;
     for (const std::string& name : known) {
-        const std::size_t d = distance(asked, name);
+        const std::size_t d = edit_distance(asked, name);
         if (d < least) {
             least = d;
             nearest = name;

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A measured figure beside the published one, with a verdict.
+#pragma once
+
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "bench/lab/records/record.hpp"
+#include "reference/published.hpp"
+
+namespace lab {
+
+struct VerdictRow {
+    std::string quantity, arithmetic;
+    double published, measured;  // NaN where nothing was published
+    std::string unit;
+    double ratio;
+    std::string verdict, reason;
+
+    static constexpr auto columns = std::tuple(
+        records::column("quantity", &VerdictRow::quantity),
+        records::column("arithmetic", &VerdictRow::arithmetic),
+        records::column("published", &VerdictRow::published),
+        records::column("measured", &VerdictRow::measured),
+        records::column("unit", &VerdictRow::unit), records::column("ratio", &VerdictRow::ratio),
+        records::column("verdict", &VerdictRow::verdict),
+        records::column("reason", &VerdictRow::reason));
+};
+
+// Beside the published figure of that name: reproduced where the ratio is within 10% of 1, else
+// what `otherwise` says: explained, where the reason names a cause that is itself measured or
+// counted; cause named, where nobody measured it; or not reproducible. Throws std::logic_error
+// where no such figure was published.
+inline VerdictRow compared(const std::string& quantity, const std::string& arithmetic,
+                           double measured, const std::string& reason, const char* otherwise) {
+    static const std::vector<reference::WorkloadFigure> published = reference::load_workload();
+    for (const reference::WorkloadFigure& figure : published) {
+        if (figure.quantity != quantity || figure.arithmetic != arithmetic) continue;
+        const double ratio = measured / figure.value;
+        const char* verdict = reference::within_10_percent(ratio) ? "reproduced" : otherwise;
+        return {quantity, arithmetic, figure.value, measured, figure.unit, ratio, verdict, reason};
+    }
+    throw std::logic_error("no published figure: " + quantity);
+}
+
+// What has no published figure.
+inline VerdictRow told(const std::string& quantity, const std::string& arithmetic, double measured,
+                       const std::string& unit, const std::string& reason) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    return {quantity, arithmetic, none, measured, unit, none, "measured", reason};
+}
+
+}  // namespace lab
