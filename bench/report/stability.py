@@ -85,10 +85,12 @@ def stiffness_bound(rows, method):
     return steps, limits
 
 
-def panels(title_of=METHOD_LABELS.get, methods=tuple(METHODS)):
+def panels(x_label, y_label):
+    """A panel for each method, outer axes labelled."""
     figure, grid = plt.subplots(2, 2, figsize=(9, 7), sharex=True, sharey=True)
-    for axes, method in zip(grid.flat, methods):
-        axes.set(xscale="log", yscale="log", title=title_of(method))
+    for axes, method in zip(grid.flat, METHODS):
+        axes.set(xscale="log", yscale="log", title=METHOD_LABELS[method], xlabel=x_label, ylabel=y_label)
+        axes.label_outer()
     return figure, grid
 
 
@@ -101,7 +103,7 @@ def finish(figure, grid):
 def draw_stiffness(data):
     """The band of stiffness in which a spring of 1 kg oscillates, against the step."""
     rows = data.rows("stability_map")
-    figure, grid = panels()
+    figure, grid = panels("step, s", "stiffness, N/m")
     for axes, method in zip(grid.flat, METHODS):
         for scalar in FORMATS:
             x, high = points(rows, "stiffness_upper", scalar, method)
@@ -115,17 +117,13 @@ def draw_stiffness(data):
             axes.fill_between(x, low, high, color=colour, alpha=0.06, linewidth=0)
         axes.plot(*stiffness_bound(rows, method), color="black", linewidth=1, linestyle="--",
                   label="the method's own bound")
-    for axes in grid[1]:
-        axes.set_xlabel("step, s")
-    for axes in grid[:, 0]:
-        axes.set_ylabel("stiffness, N/m")
     return finish(figure, grid)
 
 
 def draw_speed(data):
     """The speed on a rod that keeps its length, against that length."""
     rows = data.rows("stability_map")
-    figure, grid = panels()
+    figure, grid = panels("radius, m", "largest speed, m/s")
     for axes, method in zip(grid.flat, METHODS):
         for scalar in FORMATS:
             x, y = points(rows, "speed", scalar, method)
@@ -133,10 +131,6 @@ def draw_speed(data):
                       linewidth=1 + 0.6 * (len(FORMATS) - 1 - FORMATS.index(scalar)), label=style.format_label(scalar))
         axes.plot(*bound(rows, "speed"), color="black", linewidth=1, linestyle="--",
                   label="v dt = r")
-    for axes in grid[1]:
-        axes.set_xlabel("radius, m")
-    for axes in grid[:, 0]:
-        axes.set_ylabel("largest speed, m/s")
     return finish(figure, grid)
 
 
