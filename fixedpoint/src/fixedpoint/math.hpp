@@ -243,7 +243,11 @@ constexpr int sign(Fixed<IntegerBits, F, A> a) {
 template <int IntegerBits, int F, class A>
 constexpr Fixed<IntegerBits, F, A> copysign(Fixed<IntegerBits, F, A> a,
                                             Fixed<IntegerBits, F, A> b) {
-    return (a.raw() < 0) == (b.raw() < 0) ? a : -a;
+    // Nothing but the negative of the smallest number leaves the range.
+    return Fixed<IntegerBits, F, A>::from_raw(
+        A::settle(kernel::copysign<Integer<IntegerBits + F>, F>(a.raw(), b.raw()),
+                  b.raw() < 0 || a.raw() != RawLimits<Integer<IntegerBits + F>>::min, true,
+                  Operation::negate));
 }
 /// (a + b) / 2, rounded to nearest, half up; no sum overflows.
 template <int IntegerBits, int F, class A>
@@ -255,9 +259,11 @@ constexpr Fixed<IntegerBits, F, A> midpoint(Fixed<IntegerBits, F, A> a,
 }
 /// |a - b|, exact: the larger less the smaller, as the arithmetic subtracts.
 template <int IntegerBits, int F, class A>
-constexpr Fixed<IntegerBits, F, A> abs_diff(Fixed<IntegerBits, F, A> a,
-                                            Fixed<IntegerBits, F, A> b) {
-    return a < b ? b - a : a - b;
+FIXEDPOINT_CONSTEXPR Fixed<IntegerBits, F, A> abs_diff(Fixed<IntegerBits, F, A> a,
+                                                       Fixed<IntegerBits, F, A> b) {
+    const auto distance = kernel::abs_diff<Integer<IntegerBits + F>, F>(a.raw(), b.raw());
+    return Fixed<IntegerBits, F, A>::from_raw(
+        A::settle(distance, distance >= 0, true, Operation::subtract));
 }
 /// a + t (b - a), rounded once, for every t: a where t is 0, b where t is 1. It wraps or saturates
 /// as sums of the arithmetic do; with t from 0 to 1 it never leaves the range from a to b.

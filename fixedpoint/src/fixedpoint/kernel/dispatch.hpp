@@ -8,6 +8,7 @@
 
 #include <fixedpoint/kernel/assembly.hpp>
 #include <fixedpoint/kernel/table.hpp>
+#include <fixedpoint/portable/absolute.hpp>
 #include <fixedpoint/portable/add_scaled.hpp>
 #include <fixedpoint/portable/atan.hpp>
 #include <fixedpoint/portable/atan2.hpp>
@@ -42,6 +43,8 @@ FIXEDPOINT_OPERATION(TERNARY, multiply_add)
 FIXEDPOINT_OPERATION(BINARY, divide)
 FIXEDPOINT_OPERATION(BINARY, divide_small)
 FIXEDPOINT_OPERATION(BINARY, remainder)
+FIXEDPOINT_OPERATION(BINARY, copysign)
+FIXEDPOINT_OPERATION(BINARY, abs_diff)
 FIXEDPOINT_OPERATION(UNARY, sqrt)
 FIXEDPOINT_OPERATION(UNARY, sqrt_small)
 FIXEDPOINT_OPERATION(UNARY, reciprocal_sqrt)
@@ -260,6 +263,19 @@ FIXEDPOINT_CONSTEXPR Raw remainder(Raw a, Raw b) {
                               : static_cast<Raw>(remainder<int8_t, 4>(static_cast<int8_t>(a),
                                                                       static_cast<int8_t>(b)));
 }
+
+// Neither do these. Up to 32 bits the compiler's code is as good.
+#define FIXEDPOINT_OF_64_BITS(operation)                                                           \
+    template <class Raw, int F>                                                                    \
+    FIXEDPOINT_CONSTEXPR Raw operation(Raw a, Raw b) {                                             \
+        return has_assembly && sizeof(Raw) == 8                                                    \
+                   ? static_cast<Raw>(                                                             \
+                         operation<int64_t, 32>(static_cast<int64_t>(a), static_cast<int64_t>(b))) \
+                   : portable::operation<Raw, F>(a, b);                                            \
+    }
+FIXEDPOINT_OF_64_BITS(copysign)
+FIXEDPOINT_OF_64_BITS(abs_diff)
+#undef FIXEDPOINT_OF_64_BITS
 
 // Formats of 8 and 16 bits have the root of the integer a 2^F, rounded once.
 template <class Raw, int F>

@@ -127,6 +127,8 @@
     KERNEL(BINARY, remainder, int16_t, 8, fixedpoint_remainder_q8_8, remainder) \
     KERNEL(BINARY, remainder, int32_t, 16, fixedpoint_remainder_q16_16, remainder) \
     KERNEL(BINARY, remainder, int64_t, 32, fixedpoint_remainder_q32_32, remainder) \
+    KERNEL(BINARY, copysign, int64_t, 32, fixedpoint_copysign_q32_32, copysign) \
+    KERNEL(BINARY, abs_diff, int64_t, 32, fixedpoint_abs_diff_q32_32, abs_diff) \
     KERNEL(UNARY, sqrt, int8_t, 4, fixedpoint_sqrt_q4_4, sqrt) \
     KERNEL(UNARY, sqrt, int16_t, 8, fixedpoint_sqrt_q8_8, sqrt) \
     KERNEL(UNARY, sqrt, int32_t, 16, fixedpoint_sqrt_q16_16, sqrt) \
