@@ -17,6 +17,9 @@
 #define FIXEDPOINT_RESULT_TERNARY(Raw) Raw
 #define FIXEDPOINT_PARAMETERS_TERNARY(Raw) (Raw a, Raw b, Raw c)
 #define FIXEDPOINT_ARGUMENTS_TERNARY (a, b, c)
+#define FIXEDPOINT_RESULT_DIVISION(Raw) void
+#define FIXEDPOINT_PARAMETERS_DIVISION(Raw) (Raw a, Raw b, Raw* pair)
+#define FIXEDPOINT_ARGUMENTS_DIVISION (a, b, pair)
 // Of a vector, of two vectors, and into one: of a number, and of a vector.
 #define FIXEDPOINT_RESULT_VECTOR(Raw) Raw
 #define FIXEDPOINT_PARAMETERS_VECTOR(Raw) (const Raw* v)
@@ -127,6 +130,10 @@
     KERNEL(BINARY, remainder, int16_t, 8, fixedpoint_remainder_q8_8, remainder) \
     KERNEL(BINARY, remainder, int32_t, 16, fixedpoint_remainder_q16_16, remainder) \
     KERNEL(BINARY, remainder, int64_t, 32, fixedpoint_remainder_q32_32, remainder) \
+    KERNEL(DIVISION, divrem, int32_t, 16, fixedpoint_divrem_q16_16, divrem) \
+    KERNEL(DIVISION, divrem, int64_t, 32, fixedpoint_divrem_q32_32, divrem) \
+    KERNEL(DIVISION, divmod, int32_t, 16, fixedpoint_divmod_q16_16, divmod) \
+    KERNEL(DIVISION, divmod, int64_t, 32, fixedpoint_divmod_q32_32, divmod) \
     KERNEL(BINARY, copysign, int64_t, 32, fixedpoint_copysign_q32_32, copysign) \
     KERNEL(BINARY, abs_diff, int64_t, 32, fixedpoint_abs_diff_q32_32, abs_diff) \
     KERNEL(UNARY, sqrt, int8_t, 4, fixedpoint_sqrt_q4_4, sqrt) \
