@@ -57,6 +57,7 @@ FIXEDPOINT_OPERATION(UNARY, cos)
 FIXEDPOINT_OPERATION(UNARY, cos_small)
 FIXEDPOINT_OPERATION(PAIR, sincos)
 FIXEDPOINT_OPERATION(UNARY, sine_of_phase)
+FIXEDPOINT_OPERATION(TURNS, sine_of_quarter_turns)
 FIXEDPOINT_OPERATION(UNARY, atan)
 FIXEDPOINT_OPERATION(UNARY, atan_small)
 FIXEDPOINT_OPERATION(BINARY, atan2)
@@ -214,6 +215,10 @@ FIXEDPOINT_CONSTEXPR uint64_t exp_wide(Raw a, uint8_t unit) {
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw sine_of_phase(Raw phase) {
     return portable::sine_of_phase<Raw, F>(phase);
+}
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw sine_of_quarter_turns(uint64_t turns) {
+    return portable::sine_of_quarter_turns<Raw, F>(turns);
 }
 
 template <class Raw, int F>

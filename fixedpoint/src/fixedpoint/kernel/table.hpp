@@ -43,6 +43,10 @@
 #define FIXEDPOINT_RESULT_EXCHANGE(Raw) void
 #define FIXEDPOINT_PARAMETERS_EXCHANGE(Raw) (Raw* a, Raw* b, const Raw* v, Raw factor)
 #define FIXEDPOINT_ARGUMENTS_EXCHANGE (a, b, v, factor)
+// Of an angle that is reduced.
+#define FIXEDPOINT_RESULT_TURNS(Raw) Raw
+#define FIXEDPOINT_PARAMETERS_TURNS(Raw) (uint64_t turns)
+#define FIXEDPOINT_ARGUMENTS_TURNS (turns)
 // A number times 2^unit, with digits behind the point.
 #define FIXEDPOINT_RESULT_SCALED(Raw) uint64_t
 #define FIXEDPOINT_PARAMETERS_SCALED(Raw) (Raw a, uint8_t unit)
@@ -151,6 +155,8 @@
     KERNEL(UNARY, sine_of_phase, int16_t, 8, fixedpoint_sine_of_phase_q8_8, sine_of_phase) \
     FIXEDPOINT_COARSE_SPLITS_16(FIXEDPOINT_KERNEL_OF_SPLIT_16, KERNEL, UNARY, sine_of_phase) \
     KERNEL(UNARY, sine_of_phase, int32_t, 16, fixedpoint_sine_of_phase_q16_16, sine_of_phase) \
+    KERNEL(TURNS, sine_of_quarter_turns, int64_t, 32, fixedpoint_sine_of_quarter_turns_q32_32, sine_of_quarter_turns) \
+    FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, TURNS, sine_of_quarter_turns) \
     KERNEL(UNARY, sin, int8_t, 4, fixedpoint_sin_q4_4, sin) \
     KERNEL(UNARY, sin, int16_t, 8, fixedpoint_sin_q8_8, sin) \
     FIXEDPOINT_COARSE_SPLITS_16(FIXEDPOINT_KERNEL_OF_SPLIT_16, KERNEL, UNARY, sin) \

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <fixedpoint/portable/double_word.hpp>
+#include <fixedpoint/portable/multiply_words.hpp>
 
 namespace fixedpoint {
 namespace portable {
@@ -58,11 +59,6 @@ FIXEDPOINT_CONSTEXPR uint64_t smoothstep_in_words(uint64_t t, uint64_t c) {
     const Word128 product = F > 32 ? upper : Word128(upper.low, low.low);
     const Word128 rounded = product + (Word128(1) << (2 * F - 2 - drop));
     return (rounded >> (2 * F - 1 - drop)).low;
-}
-// For itself: inlined, its operands would be extended to 64 bits for all that they are multiplied
-// by.
-FIXEDPOINT_CONSTEXPR __attribute__((noinline)) uint64_t multiply_words(uint32_t a, uint32_t b) {
-    return static_cast<uint64_t>(a) * b;
 }
 // Of t and c as fractions of 32 and 31 bits, so that the words of products need no shift. What the
 // square's lower word leaves below the product's upper one does not reach half an ulp.
