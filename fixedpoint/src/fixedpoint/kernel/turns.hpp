@@ -100,39 +100,36 @@ constexpr typename Core::Phase phase_of_turns(Raw angle) {
                                        << (F == 0 ? 0 : Core::phase_bits - F));
 }
 
-// n / 45 for n up to 2^37 / 43, which is above 360 2^23.
-FIXEDPOINT_CONSTEXPR uint32_t divided_by_45(uint32_t n) {
-    return static_cast<uint32_t>(portable::multiply_words(n, 0xb60b60b7) >> 32) >> 5;
+// 32 n / 45, cut, and at multiples of 45 exact. Precondition: n is at most 2^37 / 43, which is
+// above 360 2^23.
+FIXEDPOINT_CONSTEXPR uint32_t over_45(uint32_t n) {
+    return static_cast<uint32_t>(portable::multiply_words(n, 0xb60b60b7) >> 32);
 }
 
-// rest / (360 2^F) of a turn, cut: exact for quarter turns, up to `most`, or one turn.
+// rest / (360 2^F) of a turn, cut: exact for quarter turns. Precondition: rest < 360 2^F, unless
+// the phase has 16 bits, which leave out the turns.
 template <int F, int phase_bits>
 struct PhaseOfDegrees {
-    // In 32 bits there is room for 26 of the phase: of the 360 2^F, 8 2^F are a shift. A phase of
-    // 16 bits leaves out the turns.
-    static constexpr uint64_t most = phase_bits == 16 ? uint64_t(1) << (8 + F) : 0;
     static FIXEDPOINT_CONSTEXPR uint32_t of(uint32_t rest) {
-        const uint32_t phase = divided_by_45(rest << (23 - F));
-        return phase_bits > 26 ? phase << 6 : phase >> 10;
+        const uint32_t phase = over_45(rest << ((phase_bits == 16 ? 8 : 23) - F));
+        return phase_bits == 16 ? phase : phase << 1;
     }
 };
 // rest 2^(39 - F) / 45 in two digits, of which the lower one has 24 bits.
 template <int F>
 struct PhaseOfDegrees<F, 42> {
-    static constexpr uint64_t most = 0;
     static constexpr int below = F > 15 ? F - 15 : 0, above = F > 15 ? 0 : 15 - F;
     template <class Word>
     static FIXEDPOINT_CONSTEXPR uint64_t of(Word rest) {
         const uint32_t upper = static_cast<uint32_t>(rest >> below) << above;
         const uint32_t lower = static_cast<uint32_t>(rest) & ((uint32_t(1) << below) - 1);
-        const uint32_t digit = divided_by_45(upper);
+        const uint32_t digit = over_45(upper) >> 5;
         return (static_cast<uint64_t>(digit) << 24) +
-               divided_by_45(((upper - 45 * digit) << 24) + (lower << (24 - below)));
+               (over_45(((upper - 45 * digit) << 24) + (lower << (24 - below))) >> 5);
     }
 };
 template <int F>
 struct PhaseOfDegrees<F, 64> {
-    static constexpr uint64_t most = 0;
     static FIXEDPOINT_CONSTEXPR uint64_t of(uint64_t rest) {
         return portable::divide_full(rest, 0, uint64_t(360) << F).quotient;
     }
@@ -141,13 +138,12 @@ template <class Core, class Raw, int F>
 FIXEDPOINT_CONSTEXPR typename Core::Phase phase_of_degrees(Raw angle) {
     static_assert(F <= 54, "Angles in degrees have 54 fraction bits at most.");
     using Phase = typename Core::Phase;
-    using Phases = PhaseOfDegrees<F, Core::phase_bits>;
     constexpr uint64_t turn = uint64_t(360) << F;
-    constexpr uint64_t most = static_cast<Unsigned<Raw>>(RawLimits<Raw>::min);
-    const Unsigned<Raw> rest = magnitude(most < turn || most <= Phases::most
-                                             ? angle
-                                             : remainder<Raw, F>(angle, static_cast<Raw>(turn)));
-    const Phase phase = static_cast<Phase>(Phases::of(rest));
+    constexpr bool is_reduced =
+        Core::phase_bits == 16 || turn > static_cast<Unsigned<Raw>>(RawLimits<Raw>::max);
+    const Unsigned<Raw> rest =
+        magnitude(is_reduced ? angle : remainder<Raw, F>(angle, static_cast<Raw>(turn)));
+    const Phase phase = static_cast<Phase>(PhaseOfDegrees<F, Core::phase_bits>::of(rest));
     return angle < 0 ? static_cast<Phase>(Phase(0) - phase) : phase;
 }
 
