@@ -151,13 +151,24 @@ void expect_pair(Integer<Bits> a, Integer<Bits> b) {
     using Number = Fixed<Bits - F, F>;
     const Number x = Number::from_raw(a), y = Number::from_raw(b);
     ASSERT_EQ(sign(x), (a > 0) - (a < 0));
-    ASSERT_EQ(copysign(x, y).raw(), exact::wrapped<Raw>((b < 0 ? -1 : 1) * abs(Int(a))));
-    ASSERT_EQ(midpoint(x, y).raw(), exact::nearest(Int(a) + b, 2)) << a << ", " << b;
-    const Int distance = abs(Int(a) - b);
-    ASSERT_EQ(abs_diff(x, y).raw(), exact::wrapped<Raw>(distance));
     using SaturatingNumber = Fixed<Bits - F, F, Saturating>;
+    using CheckedNumber = Fixed<Bits - F, F, Checked<Hook>>;
+    const Int signed_as_b = (b < 0 ? -1 : 1) * abs(Int(a)), distance = abs(Int(a) - b);
+    events = 0;
+    ASSERT_EQ(copysign(x, y).raw(), exact::wrapped<Raw>(signed_as_b));
+    ASSERT_EQ(copysign(SaturatingNumber::from_raw(a), SaturatingNumber::from_raw(b)).raw(),
+              exact::clamped<Raw>(signed_as_b));
+    ASSERT_EQ(copysign(CheckedNumber::from_raw(a), CheckedNumber::from_raw(b)).raw(),
+              exact::wrapped<Raw>(signed_as_b));
+    ASSERT_EQ(events, exact::fits<Raw>(signed_as_b) ? 0 : 1);
+    ASSERT_EQ(midpoint(x, y).raw(), exact::nearest(Int(a) + b, 2)) << a << ", " << b;
+    ASSERT_EQ(abs_diff(x, y).raw(), exact::wrapped<Raw>(distance));
     ASSERT_EQ(abs_diff(SaturatingNumber::from_raw(a), SaturatingNumber::from_raw(b)).raw(),
               exact::clamped<Raw>(distance));
+    events = 0;
+    ASSERT_EQ(abs_diff(CheckedNumber::from_raw(a), CheckedNumber::from_raw(b)).raw(),
+              exact::wrapped<Raw>(distance));
+    ASSERT_EQ(events, exact::fits<Raw>(distance) ? 0 : 1);
     const auto truncated = divrem(x, y), floored = divmod(x, y);
     if (b == 0) {
         const Raw limit = a > 0 ? RawLimits<Raw>::max : a < 0 ? RawLimits<Raw>::min : Raw(0);

@@ -100,6 +100,14 @@ constexpr Unsigned<Raw> magnitude(Raw a) {
                  : static_cast<Unsigned<Raw>>(a);
 }
 
+// Whether one of the two is negative and the other is not. It looks at the highest byte alone: the
+// compiler for the chip would compare all of them.
+template <class Raw>
+constexpr bool signs_differ(Raw a, Raw b) {
+    return static_cast<int8_t>(static_cast<int8_t>(a >> (RawLimits<Raw>::width - 8)) ^
+                               static_cast<int8_t>(b >> (RawLimits<Raw>::width - 8))) < 0;
+}
+
 // `magnitude` with the sign put back, modulo 2^W.
 template <class Raw>
 constexpr Raw with_sign(Unsigned<Raw> magnitude, bool negative) {

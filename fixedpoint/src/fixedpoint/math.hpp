@@ -243,7 +243,11 @@ constexpr int sign(Fixed<IntegerBits, F, A> a) {
 template <int IntegerBits, int F, class A>
 constexpr Fixed<IntegerBits, F, A> copysign(Fixed<IntegerBits, F, A> a,
                                             Fixed<IntegerBits, F, A> b) {
-    return (a.raw() < 0) == (b.raw() < 0) ? a : -a;
+    // Nothing but the negative of the smallest number leaves the range.
+    return Fixed<IntegerBits, F, A>::from_raw(
+        A::settle(kernel::copysign<Integer<IntegerBits + F>, F>(a.raw(), b.raw()),
+                  b.raw() < 0 || a.raw() != RawLimits<Integer<IntegerBits + F>>::min, true,
+                  Operation::negate));
 }
 /// (a + b) / 2, rounded to nearest, half up; no sum overflows.
 template <int IntegerBits, int F, class A>
@@ -255,9 +259,11 @@ constexpr Fixed<IntegerBits, F, A> midpoint(Fixed<IntegerBits, F, A> a,
 }
 /// |a - b|, exact: the larger less the smaller, as the arithmetic subtracts.
 template <int IntegerBits, int F, class A>
-constexpr Fixed<IntegerBits, F, A> abs_diff(Fixed<IntegerBits, F, A> a,
-                                            Fixed<IntegerBits, F, A> b) {
-    return a < b ? b - a : a - b;
+FIXEDPOINT_CONSTEXPR Fixed<IntegerBits, F, A> abs_diff(Fixed<IntegerBits, F, A> a,
+                                                       Fixed<IntegerBits, F, A> b) {
+    const auto distance = kernel::abs_diff<Integer<IntegerBits + F>, F>(a.raw(), b.raw());
+    return Fixed<IntegerBits, F, A>::from_raw(
+        A::settle(distance, distance >= 0, true, Operation::subtract));
 }
 /// a + t (b - a), rounded once, for every t: a where t is 0, b where t is 1. It wraps or saturates
 /// as sums of the arithmetic do; with t from 0 to 1 it never leaves the range from a to b.
@@ -265,8 +271,13 @@ template <int IntegerBits, int F, class A>
 FIXEDPOINT_CONSTEXPR Fixed<IntegerBits, F, A> lerp(Fixed<IntegerBits, F, A> a,
                                                    Fixed<IntegerBits, F, A> b,
                                                    Fixed<IntegerBits, F, A> t) {
-    const auto result = portable::lerp<Integer<IntegerBits + F>, F>(a.raw(), b.raw(), t.raw());
-    return Fixed<IntegerBits, F, A>::from_raw(
+    using Number = Fixed<IntegerBits, F, A>;
+    using Raw = typename Number::Raw;
+    const portable::Settled<Raw> result =
+        A::settles
+            ? portable::lerp<Raw, F>(a.raw(), b.raw(), t.raw())
+            : portable::Settled<Raw>{kernel::lerp<Raw, F>(a.raw(), b.raw(), t.raw()), true, false};
+    return Number::from_raw(
         A::settle(result.wrapped, result.fits, result.is_above, Operation::lerp));
 }
 /// 3 t^2 - 2 t^3, rounded once: from 0 to 1 without a jump in the slope; 0 where t < 0, and 1 where
@@ -291,26 +302,19 @@ struct QuotientAndRemainder {
 template <int IntegerBits, int F, class A>
 FIXEDPOINT_CONSTEXPR QuotientAndRemainder<Fixed<IntegerBits, F, A>> divrem(
     Fixed<IntegerBits, F, A> a, Fixed<IntegerBits, F, A> b) {
-    using Number = Fixed<IntegerBits, F, A>;
-    using Raw = typename Number::Raw;
-    // What has no quotient in the range, or none at all, is the arithmetic's to say.
-    if (b.raw() == 0 || b.raw() == -1) {
-        return {A::template divide<Raw, 0>(a.raw(), b.raw()), b.raw() == 0 ? a : Number()};
-    }
-    const Raw quotient = static_cast<Raw>(a.raw() / b.raw());
-    return {quotient, Number::from_raw(static_cast<Raw>(a.raw() - quotient * b.raw()))};
+    Integer<IntegerBits + F> both[2] = {};
+    kernel::divrem<Integer<IntegerBits + F>, F>(a.raw(), b.raw(), both);
+    return {A::settle_quotient(both[0], a.raw(), b.raw()),
+            Fixed<IntegerBits, F, A>::from_raw(both[1])};
 }
 /// floor(a / b) and what it leaves, exact: 0 or of the sign of b. Without a quotient as divrem.
 template <int IntegerBits, int F, class A>
 FIXEDPOINT_CONSTEXPR QuotientAndRemainder<Fixed<IntegerBits, F, A>> divmod(
     Fixed<IntegerBits, F, A> a, Fixed<IntegerBits, F, A> b) {
-    using Number = Fixed<IntegerBits, F, A>;
-    using Raw = typename Number::Raw;
-    const QuotientAndRemainder<Number> result = divrem(a, b);
-    const Raw rest = result.remainder.raw();
-    if (b.raw() == 0 || rest == 0 || (rest < 0) == (b.raw() < 0)) return result;
-    return {static_cast<Raw>(result.quotient - 1),
-            Number::from_raw(static_cast<Raw>(rest + b.raw()))};
+    Integer<IntegerBits + F> both[2] = {};
+    kernel::divmod<Integer<IntegerBits + F>, F>(a.raw(), b.raw(), both);
+    return {A::settle_quotient(both[0], a.raw(), b.raw()),
+            Fixed<IntegerBits, F, A>::from_raw(both[1])};
 }
 
 /// The largest integral number <= a.

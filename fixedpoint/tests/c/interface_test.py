@@ -90,7 +90,7 @@ def kernels():
     return {symbol for operation, width, fraction, symbol in re.findall(
         r"(\w+) int(\d+)_t (\d+) (\w+);", rows)
         if (int(width), int(fraction)) in widths and not re.search(
-            "_small$|_saturating$|^sine_of_phase$|^(project|dot_difference|add_scaled|exchange)[23]$",
+            "_small$|_saturating$|^sine_of_(phase|quarter_turns)$|^(project|dot_difference|add_scaled|exchange)[23]$",
             operation)}
 
 

@@ -66,11 +66,20 @@ struct Checked : Nearest {
         if (b == 0) Hook::notify(Event::division_by_zero, Operation::remainder);
         return Nearest::remainder<Raw, F>(a, b);
     }
+    /// `settle` takes more than the result mod 2^W.
+    static constexpr bool settles = true;
     /// The result mod 2^W; notifies of overflow where the exact one does not fit.
     template <class Raw>
     static FIXEDPOINT_CONSTEXPR Raw settle(Raw wrapped, bool fits, bool, Operation operation) {
         watch_range(fits, operation);
         return wrapped;
+    }
+    /// The quotient; notifies of overflow and of division by zero.
+    template <class Raw>
+    static FIXEDPOINT_CONSTEXPR Raw settle_quotient(Raw quotient, Raw a, Raw b) {
+        if (b == 0) Hook::notify(Event::division_by_zero, Operation::divide);
+        watch_range(a != RawLimits<Raw>::min || b != -1, Operation::divide);
+        return quotient;
     }
     /// a 2^count mod 2^W; notifies of overflow.
     template <class Raw, int F>

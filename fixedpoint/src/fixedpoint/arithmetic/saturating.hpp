@@ -53,6 +53,8 @@ struct Saturating : Nearest {
     static constexpr Raw dot3(const Raw* a, const Raw* b) {
         return multiply_add<Raw, F>(a[2], b[2], dot2<Raw, F>(a, b));
     }
+    /// `settle` takes more than the result mod 2^W.
+    static constexpr bool settles = true;
     /// The exact result where it fits, and the limit that it lies beyond where it does not.
     template <class Raw>
     static constexpr Raw settle(Raw wrapped, bool fits, bool is_above, Operation) {

@@ -34,12 +34,19 @@ struct Wrapping {
     static constexpr Raw negate(Raw a) {
         return wrapping_negate(a);
     }
+    /// Whether `settle` takes more than the result mod 2^W.
+    static constexpr bool settles = false;
     /// What becomes of an exact result other than that of two raws: `wrapped` is the result mod
     /// 2^W, `fits` says whether it is the exact one, and `is_above`, where it is not, whether that
     /// lies above the range rather than below.
     template <class Raw>
     static constexpr Raw settle(Raw wrapped, bool, bool, Operation) {
         return wrapped;
+    }
+    /// The same of the integers' quotient a / b, which is saturated already.
+    template <class Raw>
+    static constexpr Raw settle_quotient(Raw quotient, Raw, Raw) {
+        return quotient;
     }
     /// a 2^count mod 2^W; 0 from count = W on.
     template <class Raw, int F>

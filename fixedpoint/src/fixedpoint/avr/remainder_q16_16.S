@@ -1,20 +1,29 @@
 // SPDX-License-Identifier: MIT
 // int32_t fixedpoint_remainder_q16_16(int32_t a, int32_t b)
+// a - b trunc(a / b), exact, with the sign of a; a where b = 0.
 //
-// a - b trunc(a / b), exact, with the sign of a; a where b = 0. Scale-free: the same for every
-// 32-bit format.
+// void fixedpoint_divrem_q16_16(int32_t a, int32_t b, int32_t* quotient_and_remainder)
+// trunc(a / b), saturated, and the remainder; where b = 0 the limit of the sign of a, or 0, and a.
 //
-// Restoring division of the magnitudes that produces no quotient: the divisor is moved up under the
-// dividend, by whole bytes first, then by bits until it is larger, and comes down again bit by bit.
-// Its cost follows the length of the quotient.
+// void fixedpoint_divmod_q16_16(int32_t a, int32_t b, int32_t* quotient_and_remainder)
+// The same of floor(a / b), with a remainder of the sign of b.
 //
-// In:        r25:r22 a, r21:r18 b
-// Out:       r25:r22
-// Clobbers:  r18..r21, r26, T
+// Scale-free: the same for every 32-bit format.
+//
+// Restoring division of the magnitudes: the divisor is moved up under the dividend, by whole bytes
+// first, then by bits until it is larger, and comes down again bit by bit. The cost follows the length
+// of the quotient. Where that is asked for, the carry of each comparison, the complement of a bit of
+// it, is shifted into ones.
+//
+// In:        r25:r22 a, r21:r18 b, r17:r16 the results' address
+// Out:       r25:r22, the remainder
+// Clobbers:  r18..r21, r26, T; with a quotient r0, r27, r30, r31 too, and r1 is 0 again at return
 //   r25:r22  the dividend's magnitude, at last the remainder
 //   r21:r18  the divisor's magnitude, moved up
-//   r26      bits that the divisor has been moved up by
+//   r26      bits that the divisor has been moved up by, 0 at last
 //   T        the sign of a
+//   r31:r30:r1:r0  the complement of the quotient's magnitude
+//   r27      its sign
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -29,56 +38,76 @@
     sbci \r3, 0xff
     .endm
 
-    FUNCTION fixedpoint_remainder_q16_16
+    .macro kernel name, quotient, floored
+    FUNCTION fixedpoint_\name\()_q16_16
+    .if \quotient
+    mov r27, r25
+    eor r27, r21
+    ldi r30, 0xff
+    ldi r31, 0xff
+    movw r0, r30
+    .endif
     bst r25, 7
-    brtc .Ldividend_positive
+    brtc .Ldividend_positive_\name
     negate r22, r23, r24, r25
-.Ldividend_positive:
+.Ldividend_positive_\name\():
     tst r21
-    brpl .Ldivisor_positive
+    brpl .Ldivisor_positive_\name
     negate r18, r19, r20, r21
-.Ldivisor_positive:
+.Ldivisor_positive_\name\():
     clr r26
 
     // Bytes: while the divisor has a free top byte and 256 times it is not above the dividend.
-.Lbytes:
+.Lbytes_\name\():
     tst r21
-    brne .Lbits
+    brne .Lbits_\name
     cp r23, r18
     cpc r24, r19
     cpc r25, r20
-    brlo .Lbits
+    brlo .Lbits_\name
     mov r21, r20
     mov r20, r19
     mov r19, r18
     clr r18
     subi r26, -8
     sbrs r26, 5  // no divisor but 0 moves up by four bytes
-    rjmp .Lbytes
-    rjmp .Ldone
-
-    // Bits: until the divisor is above the dividend.
-.Lbits:
+    rjmp .Lbytes_\name
+    .if \quotient
+    // 2^31, of which the sign makes the limit, unless a is 0, as the divisor is.
+    clr r26
     cp r22, r18
     cpc r23, r19
     cpc r24, r20
     cpc r25, r21
-    brlo .Laligned
+    breq 1f
+    lsr r31
+1:  rjmp .Lsigned_\name
+    .else
+    rjmp .Ldone_\name
+    .endif
+
+    // Bits: until the divisor is above the dividend.
+.Lbits_\name\():
+    cp r22, r18
+    cpc r23, r19
+    cpc r24, r20
+    cpc r25, r21
+    brlo .Laligned_\name
     inc r26
     lsl r18
     rol r19
     rol r20
     rol r21
-    brcc .Lbits
+    brcc .Lbits_\name
     // The divisor has left the register by a bit. It was 2^31, as is the dividend: nothing is above
     // that. It goes back, the other bytes being 0.
     ror r21
-    rjmp .Lsubtract
+    rjmp .Lsubtract_\name
 
-.Laligned:
+.Laligned_\name\():
     tst r26
-    breq .Ldone
-.Ldown:
+    breq .Ldone_\name
+.Ldown_\name\():
     lsr r21
     ror r20
     ror r19
@@ -87,20 +116,76 @@
     cpc r23, r19
     cpc r24, r20
     cpc r25, r21
-    brlo .Lnext
-.Lsubtract:
+    brlo .Lnext_\name
+.Lsubtract_\name\():
     sub r22, r18
     sbc r23, r19
     sbc r24, r20
     sbc r25, r21
-.Lnext:
+.Lnext_\name\():
+    .if \quotient
+    rol r0
+    rol r1
+    rol r30
+    rol r31
+    .endif
     dec r26
-    brne .Ldown
+    brne .Ldown_\name
 
-.Ldone:
-    brtc .Lpositive
+.Ldone_\name\():
+    .if \quotient
+    .if \floored
+    // -(q + 1), which is the complement, and a remainder less |b|, where signs differ.
+    tst r27
+    brpl .Lsigned_\name
+    cp r22, r26
+    cpc r23, r26
+    cpc r24, r26
+    cpc r25, r26
+    breq .Lsigned_\name
+    sub r22, r18
+    sbc r23, r19
+    sbc r24, r20
+    sbc r25, r21
+    rjmp .Lremainder_\name
+    .endif
+.Lsigned_\name\():
+    tst r27
+    brmi .Lnegative_\name
+1:  com r0
+    com r1
+    com r30
+    com r31
+    brmi 1b             // 2^31 becomes the number below
+    rjmp .Lremainder_\name
+.Lnegative_\name\():
+    sec
+    adc r0, r26
+    adc r1, r26
+    adc r30, r26
+    adc r31, r26
+.Lremainder_\name\():
+    .endif
+    brtc .Lpositive_\name
     negate r22, r23, r24, r25
-.Lpositive:
+.Lpositive_\name\():
+    .if \quotient
+    movw r26, r16
+    st X+, r0
+    st X+, r1
+    st X+, r30
+    st X+, r31
+    st X+, r22
+    st X+, r23
+    st X+, r24
+    st X, r25
+    clr r1
+    .endif
     ret
-    ENDFUNC fixedpoint_remainder_q16_16
+    ENDFUNC fixedpoint_\name\()_q16_16
+    .endm
+
+    kernel remainder, 0, 0
+    kernel divrem, 1, 0
+    kernel divmod, 1, 1
 #endif

@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: MIT
 // int64_t fixedpoint_remainder_q32_32(int64_t a, int64_t b)
+// a - b trunc(a / b), exact, with the sign of a; a where b = 0.
 //
-// a - b trunc(a / b), exact, with the sign of a; a where b = 0. Scale-free: the same for every format of
-// 64 bits.
+// void fixedpoint_divrem_q32_32(int64_t a, int64_t b, int64_t* quotient_and_remainder)
+// trunc(a / b), saturated, and the remainder; where b = 0 the limit of the sign of a, or 0, and a.
 //
-// In       a = r25:r18, b = r17:r10
-// Out      r25:r18
-// Changes  r0, r18..r26, T
-// Stack    8 bytes
+// void fixedpoint_divmod_q32_32(int64_t a, int64_t b, int64_t* quotient_and_remainder)
+// The same of floor(a / b), with a remainder of the sign of b.
 //
-// As remainder_q16_16.S: restoring division of the magnitudes that produces no quotient. The divisor
-// moves up under the dividend, by whole bytes first, then by bits until it is larger, and comes down
-// again bit by bit. r26 counts the bits; its cost follows the length of the quotient.
+// Scale-free: the same for every format of 64 bits.
+//
+// In       a = r25:r18, b = r17:r10, the results' address = r9:r8
+// Out      r25:r18, the remainder
+// Changes  r0, r18..r26, T; with a quotient r27, r30, r31 too; r1 is 0 again at return
+// Stack    8 bytes, with a quotient 12
+//
+// As remainder_q16_16.S. r26 counts the bits that the divisor has been moved up by, r27 is the
+// quotient's sign, and r7:r4, r31:r30:r1:r0 the complement of its magnitude.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -45,7 +50,21 @@
     sbci r25, 0xff
     .endm
 
-    FUNCTION fixedpoint_remainder_q32_32
+    .macro kernel name, quotient, floored
+    FUNCTION fixedpoint_\name\()_q32_32
+    .if \quotient
+    push r4
+    push r5
+    push r6
+    push r7
+    mov r27, r25
+    eor r27, r17
+    ldi r30, 0xff
+    ldi r31, 0xff
+    movw r0, r30
+    movw r4, r30
+    movw r6, r30
+    .endif
     push r10
     push r11
     push r12
@@ -59,7 +78,7 @@
     negate_dividend
 1:  clr r26
     tst r17
-    brpl .Lbytes
+    brpl .Lbytes_\name
     com r10
     com r11
     com r12
@@ -79,9 +98,9 @@
     adc r17, r26
 
     // Bytes: while the divisor has a free top byte and 256 times it is not above the dividend.
-.Lbytes:
+.Lbytes_\name\():
     tst r17
-    brne .Lbits
+    brne .Lbits_\name
     cp r19, r10
     cpc r20, r11
     cpc r21, r12
@@ -89,7 +108,7 @@
     cpc r23, r14
     cpc r24, r15
     cpc r25, r16
-    brlo .Lbits
+    brlo .Lbits_\name
     mov r17, r16
     mov r16, r15
     mov r15, r14
@@ -100,13 +119,22 @@
     clr r10
     subi r26, -8
     sbrs r26, 6         // no divisor but 0 moves up by eight bytes
-    rjmp .Lbytes
-    rjmp .Ldone
+    rjmp .Lbytes_\name
+    .if \quotient
+    // 2^63, of which the sign makes the limit, unless a is 0, as the divisor is.
+    clr r26
+    bytewise cp, cpc
+    breq 1f
+    lsr r7
+1:  rjmp .Lsigned_\name
+    .else
+    rjmp .Ldone_\name
+    .endif
 
     // Bits: until the divisor is above the dividend.
-.Lbits:
+.Lbits_\name\():
     bytewise cp, cpc
-    brlo .Laligned
+    brlo .Laligned_\name
     inc r26
     lsl r10
     rol r11
@@ -116,16 +144,17 @@
     rol r15
     rol r16
     rol r17
-    brcc .Lbits
+    brcc .Lbits_\name
     // The divisor has left the register by a bit. It was 2^63, as is the dividend: nothing is above
     // that. It goes back, the other bytes being 0.
     ror r17
-    rjmp .Lsubtract
+    rjmp .Lsubtract_\name
 
-.Laligned:
+.Laligned_\name\():
     tst r26
-    breq .Ldone
-.Ldown:
+    brne .Ldown_\name
+    rjmp .Ldone_\name
+.Ldown_\name\():
     lsr r17
     ror r16
     ror r15
@@ -135,14 +164,66 @@
     ror r11
     ror r10
     bytewise cp, cpc
-    brlo .Lnext
-.Lsubtract:
+    brlo .Lnext_\name
+.Lsubtract_\name\():
     bytewise sub, sbc
-.Lnext:
+.Lnext_\name\():
+    .if \quotient
+    rol r0
+    rol r1
+    rol r30
+    rol r31
+    rol r4
+    rol r5
+    rol r6
+    rol r7
+    .endif
     dec r26
-    brne .Ldown
+    brne .Ldown_\name
 
-.Ldone:
+.Ldone_\name\():
+    .if \quotient
+    .if \floored
+    // -(q + 1), which is the complement, and a remainder less |b|, where signs differ.
+    tst r27
+    brpl .Lsigned_\name
+    cp r18, r26
+    cpc r19, r26
+    cpc r20, r26
+    cpc r21, r26
+    cpc r22, r26
+    cpc r23, r26
+    cpc r24, r26
+    cpc r25, r26
+    breq .Lsigned_\name
+    bytewise sub, sbc
+    rjmp .Lremainder_\name
+    .endif
+.Lsigned_\name\():
+    tst r27
+    brmi .Lnegative_\name
+1:  com r0
+    com r1
+    com r30
+    com r31
+    com r4
+    com r5
+    com r6
+    com r7
+    brmi 1b             // 2^63 becomes the number below
+    rjmp .Lremainder_\name
+.Lnegative_\name\():
+    sec
+    adc r0, r26
+    adc r1, r26
+    adc r30, r26
+    adc r31, r26
+    adc r4, r26
+    adc r5, r26
+    adc r6, r26
+    adc r7, r26
+.Lremainder_\name\():
+    .endif
     brtc 1f
     negate_dividend
 1:  pop r17
@@ -153,6 +234,35 @@
     pop r12
     pop r11
     pop r10
+    .if \quotient
+    movw r26, r8
+    st X+, r0
+    st X+, r1
+    st X+, r30
+    st X+, r31
+    st X+, r4
+    st X+, r5
+    st X+, r6
+    st X+, r7
+    st X+, r18
+    st X+, r19
+    st X+, r20
+    st X+, r21
+    st X+, r22
+    st X+, r23
+    st X+, r24
+    st X, r25
+    clr r1
+    pop r7
+    pop r6
+    pop r5
+    pop r4
+    .endif
     ret
-    ENDFUNC fixedpoint_remainder_q32_32
+    ENDFUNC fixedpoint_\name\()_q32_32
+    .endm
+
+    kernel remainder, 0, 0
+    kernel divrem, 1, 0
+    kernel divmod, 1, 1
 #endif

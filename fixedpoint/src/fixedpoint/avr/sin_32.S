@@ -7,6 +7,9 @@
 // void fixedpoint_sincos_q<32 - F>_<F>(int32_t angle, int32_t* sine_and_cosine)
 // Both, bit for bit as above: one reduction, two evaluations.
 //
+// int32_t fixedpoint_sine_of_quarter_turns_q<32 - F>_<F>(uint64_t turns)
+// The sine of turns / 2^40 quarter turns, of which 42 bits count; as above but for the reduction's error.
+//
 // In       angle = r25:r22; sine_and_cosine = r21:r20
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
@@ -173,11 +176,16 @@
     sbci r25, 0xff
     ret
     .if \fraction > 30
-3:  ldi r22, 0xff       // cosines alone are that large
+3:  ldi r22, 0xff
     ldi r23, 0xff
     movw r24, r22
     lsr r25
-    ret
+    brtc 4f             // of radians, cosines alone are that large
+    com r25
+    com r24
+    com r23
+    com r22
+4:  ret
     .endif
     ENDFUNC fixedpoint_sin_q\integer\()_\fraction
 
@@ -214,6 +222,17 @@
     pop r28
     ret
     ENDFUNC fixedpoint_sincos_q\integer\()_\fraction
+
+    // In a section of its own: sines of radians do not pay for it.
+    FUNCTION fixedpoint_sine_of_quarter_turns_q\integer\()_\fraction
+    movw r30, r22
+    mov r26, r18
+    mov r18, r19
+    mov r19, r20
+    mov r20, r21
+    clr zero
+    XJMP .Levaluate_\fraction
+    ENDFUNC fixedpoint_sine_of_quarter_turns_q\integer\()_\fraction
     .endm
 
 #include "splits_32.inc"

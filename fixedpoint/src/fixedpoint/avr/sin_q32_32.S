@@ -6,6 +6,9 @@
 // void fixedpoint_sincos_q32_32(int64_t angle, int64_t* sine_and_cosine)
 // Both, bit for bit as above: one reduction, two evaluations.
 //
+// int64_t fixedpoint_sine_of_quarter_turns_q32_32(uint64_t turns)
+// The sine of turns / 2^40 quarter turns, of which 42 bits count; as above but for the reduction's error.
+//
 // In       angle = r25:r18; sine_and_cosine = r17:r16
 // Out      r25:r18
 // Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
@@ -241,4 +244,16 @@
     pop r28
     ret
     ENDFUNC fixedpoint_sincos_q32_32
+
+    // In a section of its own: sines of radians do not pay for it.
+    FUNCTION fixedpoint_sine_of_quarter_turns_q32_32
+    movw r30, r22
+    movw r24, r20
+    movw r22, r18
+    push r17
+    clr zero
+    XCALL .Levaluate
+    pop r17
+    ret
+    ENDFUNC fixedpoint_sine_of_quarter_turns_q32_32
 #endif

@@ -8,6 +8,7 @@
 
 #include <fixedpoint/kernel/assembly.hpp>
 #include <fixedpoint/kernel/table.hpp>
+#include <fixedpoint/portable/absolute.hpp>
 #include <fixedpoint/portable/add_scaled.hpp>
 #include <fixedpoint/portable/atan.hpp>
 #include <fixedpoint/portable/atan2.hpp>
@@ -42,6 +43,10 @@ FIXEDPOINT_OPERATION(TERNARY, multiply_add)
 FIXEDPOINT_OPERATION(BINARY, divide)
 FIXEDPOINT_OPERATION(BINARY, divide_small)
 FIXEDPOINT_OPERATION(BINARY, remainder)
+FIXEDPOINT_OPERATION(DIVISION, divrem)
+FIXEDPOINT_OPERATION(DIVISION, divmod)
+FIXEDPOINT_OPERATION(BINARY, copysign)
+FIXEDPOINT_OPERATION(BINARY, abs_diff)
 FIXEDPOINT_OPERATION(UNARY, sqrt)
 FIXEDPOINT_OPERATION(UNARY, sqrt_small)
 FIXEDPOINT_OPERATION(UNARY, reciprocal_sqrt)
@@ -52,6 +57,7 @@ FIXEDPOINT_OPERATION(UNARY, cos)
 FIXEDPOINT_OPERATION(UNARY, cos_small)
 FIXEDPOINT_OPERATION(PAIR, sincos)
 FIXEDPOINT_OPERATION(UNARY, sine_of_phase)
+FIXEDPOINT_OPERATION(TURNS, sine_of_quarter_turns)
 FIXEDPOINT_OPERATION(UNARY, atan)
 FIXEDPOINT_OPERATION(UNARY, atan_small)
 FIXEDPOINT_OPERATION(BINARY, atan2)
@@ -210,6 +216,10 @@ template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw sine_of_phase(Raw phase) {
     return portable::sine_of_phase<Raw, F>(phase);
 }
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw sine_of_quarter_turns(uint64_t turns) {
+    return portable::sine_of_quarter_turns<Raw, F>(turns);
+}
 
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw exp_small(Raw a) {
@@ -231,6 +241,19 @@ FIXEDPOINT_CONSTEXPR Raw multiply_saturating(Raw a, Raw b) {
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw multiply_add(Raw a, Raw b, Raw c) {
     return wrapping_add(multiply<Raw, F>(a, b), c);
+}
+
+// a + t (b - a), rounded once, modulo 2^W. Where b - a leaves the range, 2^W is missing from it or
+// too much, which t makes t 2^(W-F).
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw lerp(Raw a, Raw b, Raw t) {
+    const Raw difference = wrapping_subtract(b, a);
+    Raw start = a;
+    if (signs_differ(a, b) && signs_differ(b, difference)) {
+        const Raw missing = wrapping_shift_left(t, RawLimits<Raw>::width - F);
+        start = b < 0 ? wrapping_subtract(a, missing) : wrapping_add(a, missing);
+    }
+    return multiply_add<Raw, F>(t, difference, start);
 }
 
 // Formats of 8 and 16 bits have the quotient a 2^16 / (b 2^(16 - F)) of Q16.16, rounded once.
@@ -260,6 +283,38 @@ FIXEDPOINT_CONSTEXPR Raw remainder(Raw a, Raw b) {
                               : static_cast<Raw>(remainder<int8_t, 4>(static_cast<int8_t>(a),
                                                                       static_cast<int8_t>(b)));
 }
+// Nor do divrem and divmod. Up to 16 bits the compiler divides as fast.
+#define FIXEDPOINT_DIVISION(operation)                                                        \
+    template <class Raw>                                                                      \
+    FIXEDPOINT_CONSTEXPR void raw_##operation(Raw a, Raw b, Raw* pair) {                      \
+        portable::operation<Raw, 0>(a, b, pair);                                              \
+    }                                                                                         \
+    FIXEDPOINT_CONSTEXPR void raw_##operation(int32_t a, int32_t b, int32_t* pair) {          \
+        operation<int32_t, 16>(a, b, pair);                                                   \
+    }                                                                                         \
+    FIXEDPOINT_CONSTEXPR void raw_##operation(int64_t a, int64_t b, int64_t* pair) {          \
+        operation<int64_t, 32>(a, b, pair);                                                   \
+    }                                                                                         \
+    template <class Raw, int F>                                                               \
+    FIXEDPOINT_CONSTEXPR void operation(Raw a, Raw b, Raw* pair) {                            \
+        has_assembly ? raw_##operation(a, b, pair) : portable::operation<Raw, F>(a, b, pair); \
+    }
+FIXEDPOINT_DIVISION(divrem)
+FIXEDPOINT_DIVISION(divmod)
+#undef FIXEDPOINT_DIVISION
+
+// Neither do these. Up to 32 bits the compiler's code is as good.
+#define FIXEDPOINT_OF_64_BITS(operation)                                                           \
+    template <class Raw, int F>                                                                    \
+    FIXEDPOINT_CONSTEXPR Raw operation(Raw a, Raw b) {                                             \
+        return has_assembly && sizeof(Raw) == 8                                                    \
+                   ? static_cast<Raw>(                                                             \
+                         operation<int64_t, 32>(static_cast<int64_t>(a), static_cast<int64_t>(b))) \
+                   : portable::operation<Raw, F>(a, b);                                            \
+    }
+FIXEDPOINT_OF_64_BITS(copysign)
+FIXEDPOINT_OF_64_BITS(abs_diff)
+#undef FIXEDPOINT_OF_64_BITS
 
 // Formats of 8 and 16 bits have the root of the integer a 2^F, rounded once.
 template <class Raw, int F>

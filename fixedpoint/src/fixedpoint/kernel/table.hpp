@@ -17,6 +17,9 @@
 #define FIXEDPOINT_RESULT_TERNARY(Raw) Raw
 #define FIXEDPOINT_PARAMETERS_TERNARY(Raw) (Raw a, Raw b, Raw c)
 #define FIXEDPOINT_ARGUMENTS_TERNARY (a, b, c)
+#define FIXEDPOINT_RESULT_DIVISION(Raw) void
+#define FIXEDPOINT_PARAMETERS_DIVISION(Raw) (Raw a, Raw b, Raw* pair)
+#define FIXEDPOINT_ARGUMENTS_DIVISION (a, b, pair)
 // Of a vector, of two vectors, and into one: of a number, and of a vector.
 #define FIXEDPOINT_RESULT_VECTOR(Raw) Raw
 #define FIXEDPOINT_PARAMETERS_VECTOR(Raw) (const Raw* v)
@@ -40,6 +43,10 @@
 #define FIXEDPOINT_RESULT_EXCHANGE(Raw) void
 #define FIXEDPOINT_PARAMETERS_EXCHANGE(Raw) (Raw* a, Raw* b, const Raw* v, Raw factor)
 #define FIXEDPOINT_ARGUMENTS_EXCHANGE (a, b, v, factor)
+// Of an angle that is reduced.
+#define FIXEDPOINT_RESULT_TURNS(Raw) Raw
+#define FIXEDPOINT_PARAMETERS_TURNS(Raw) (uint64_t turns)
+#define FIXEDPOINT_ARGUMENTS_TURNS (turns)
 // A number times 2^unit, with digits behind the point.
 #define FIXEDPOINT_RESULT_SCALED(Raw) uint64_t
 #define FIXEDPOINT_PARAMETERS_SCALED(Raw) (Raw a, uint8_t unit)
@@ -127,6 +134,12 @@
     KERNEL(BINARY, remainder, int16_t, 8, fixedpoint_remainder_q8_8, remainder) \
     KERNEL(BINARY, remainder, int32_t, 16, fixedpoint_remainder_q16_16, remainder) \
     KERNEL(BINARY, remainder, int64_t, 32, fixedpoint_remainder_q32_32, remainder) \
+    KERNEL(DIVISION, divrem, int32_t, 16, fixedpoint_divrem_q16_16, divrem) \
+    KERNEL(DIVISION, divrem, int64_t, 32, fixedpoint_divrem_q32_32, divrem) \
+    KERNEL(DIVISION, divmod, int32_t, 16, fixedpoint_divmod_q16_16, divmod) \
+    KERNEL(DIVISION, divmod, int64_t, 32, fixedpoint_divmod_q32_32, divmod) \
+    KERNEL(BINARY, copysign, int64_t, 32, fixedpoint_copysign_q32_32, copysign) \
+    KERNEL(BINARY, abs_diff, int64_t, 32, fixedpoint_abs_diff_q32_32, abs_diff) \
     KERNEL(UNARY, sqrt, int8_t, 4, fixedpoint_sqrt_q4_4, sqrt) \
     KERNEL(UNARY, sqrt, int16_t, 8, fixedpoint_sqrt_q8_8, sqrt) \
     KERNEL(UNARY, sqrt, int32_t, 16, fixedpoint_sqrt_q16_16, sqrt) \
@@ -142,6 +155,8 @@
     KERNEL(UNARY, sine_of_phase, int16_t, 8, fixedpoint_sine_of_phase_q8_8, sine_of_phase) \
     FIXEDPOINT_COARSE_SPLITS_16(FIXEDPOINT_KERNEL_OF_SPLIT_16, KERNEL, UNARY, sine_of_phase) \
     KERNEL(UNARY, sine_of_phase, int32_t, 16, fixedpoint_sine_of_phase_q16_16, sine_of_phase) \
+    KERNEL(TURNS, sine_of_quarter_turns, int64_t, 32, fixedpoint_sine_of_quarter_turns_q32_32, sine_of_quarter_turns) \
+    FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, TURNS, sine_of_quarter_turns) \
     KERNEL(UNARY, sin, int8_t, 4, fixedpoint_sin_q4_4, sin) \
     KERNEL(UNARY, sin, int16_t, 8, fixedpoint_sin_q8_8, sin) \
     FIXEDPOINT_COARSE_SPLITS_16(FIXEDPOINT_KERNEL_OF_SPLIT_16, KERNEL, UNARY, sin) \

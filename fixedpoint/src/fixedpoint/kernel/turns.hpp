@@ -4,6 +4,7 @@
 #pragma once
 
 #include <fixedpoint/kernel/dispatch.hpp>
+#include <fixedpoint/portable/multiply_words.hpp>
 
 namespace fixedpoint {
 namespace kernel {
@@ -29,12 +30,13 @@ struct SineOfPhase32 {
         return from_q16_16<Raw, F>(sine_of_phase<int32_t, 16>(static_cast<int32_t>(phase)));
     }
 };
+// Splits of 8 and 16 bits that Q16.16 is too coarse for take the sine of the same split of 32 bits.
 template <class Raw, int F>
 struct SineOfPhase42 {
     using Phase = uint64_t;
     static constexpr int phase_bits = 42;
     static FIXEDPOINT_CONSTEXPR Raw sine(Phase phase) {
-        return clamped<Raw>(portable::sine_of_quarter_turns_32<F>(phase));
+        return clamped<Raw>(sine_of_quarter_turns<int32_t, F>(phase));
     }
 };
 template <int F>
@@ -42,8 +44,7 @@ struct SineOfPhase42<int64_t, F> {
     using Phase = uint64_t;
     static constexpr int phase_bits = 42;
     static FIXEDPOINT_CONSTEXPR int64_t sine(Phase phase) {
-        return portable::convert<int64_t, F, int64_t, 32>(
-            portable::sine_of_quarter_turns_q32_32(phase));
+        return from_q32_32<int64_t, F>(sine_of_quarter_turns<int64_t, 32>(phase));
     }
 };
 // For every format.
@@ -78,12 +79,12 @@ struct Either<false, Then, Else> {
     using Type = Else;
 };
 template <class Raw, int F>
-using SineOfPhase =
-    typename Either<portable::is_coarse_16<Raw, F>(), SineOfPhase16<Raw, F>,
-                    typename Either<(sizeof(Raw) <= 2 && F <= 13) || (sizeof(Raw) == 4 && F == 16),
-                                    SineOfPhase32<Raw, F>,
-                                    typename Either<F <= 30 || F == 32, SineOfPhase42<Raw, F>,
-                                                    SineOfPhase64<Raw, F>>::Type>::Type>::Type;
+using SineOfPhase = typename Either<
+    portable::is_coarse_16<Raw, F>(), SineOfPhase16<Raw, F>,
+    typename Either<(sizeof(Raw) <= 2 && F <= 13) || (sizeof(Raw) == 4 && F == 16),
+                    SineOfPhase32<Raw, F>,
+                    typename Either<sizeof(Raw) <= 4 || F <= 30 || F == 32, SineOfPhase42<Raw, F>,
+                                    SineOfPhase64<Raw, F>>::Type>::Type>::Type;
 
 template <class Core>
 constexpr typename Core::Phase quarter_turn() {
@@ -99,21 +100,36 @@ constexpr typename Core::Phase phase_of_turns(Raw angle) {
                                        << (F == 0 ? 0 : Core::phase_bits - F));
 }
 
-// rest / (360 2^F) of a turn, cut: exact for quarter turns. Precondition: rest < 360 2^F.
-template <int F, int phase_bits, class Phase>
+// 32 n / 45, cut, and at multiples of 45 exact. Precondition: n is at most 2^37 / 43, which is
+// above 360 2^23.
+FIXEDPOINT_CONSTEXPR uint32_t over_45(uint32_t n) {
+    return static_cast<uint32_t>(portable::multiply_words(n, 0xb60b60b7) >> 32);
+}
+
+// rest / (360 2^F) of a turn, cut: exact for quarter turns. Precondition: rest < 360 2^F, unless
+// the phase has 16 bits, which leave out the turns.
+template <int F, int phase_bits>
 struct PhaseOfDegrees {
-    // In 32 bits there is room for 26 of the phase: of the 360 2^F, 8 2^F are a shift.
-    static constexpr Phase of(uint32_t rest) {
-        return static_cast<Phase>(phase_bits > 26 ? (rest << (23 - F)) / 45 << 6
-                                                  : (rest << (23 - F)) / 45 >> 10);
+    static FIXEDPOINT_CONSTEXPR uint32_t of(uint32_t rest) {
+        const uint32_t phase = over_45(rest << ((phase_bits == 16 ? 8 : 23) - F));
+        return phase_bits == 16 ? phase : phase << 1;
+    }
+};
+// rest 2^(39 - F) / 45 in two digits, of which the lower one has 24 bits.
+template <int F>
+struct PhaseOfDegrees<F, 42> {
+    static constexpr int below = F > 15 ? F - 15 : 0, above = F > 15 ? 0 : 15 - F;
+    template <class Word>
+    static FIXEDPOINT_CONSTEXPR uint64_t of(Word rest) {
+        const uint32_t upper = static_cast<uint32_t>(rest >> below) << above;
+        const uint32_t lower = static_cast<uint32_t>(rest) & ((uint32_t(1) << below) - 1);
+        const uint32_t digit = over_45(upper) >> 5;
+        return (static_cast<uint64_t>(digit) << 24) +
+               (over_45(((upper - 45 * digit) << 24) + (lower << (24 - below))) >> 5);
     }
 };
 template <int F>
-struct PhaseOfDegrees<F, 42, uint64_t> {
-    static constexpr uint64_t of(uint64_t rest) { return (rest << (39 - F)) / 45; }
-};
-template <int F>
-struct PhaseOfDegrees<F, 64, uint64_t> {
+struct PhaseOfDegrees<F, 64> {
     static FIXEDPOINT_CONSTEXPR uint64_t of(uint64_t rest) {
         return portable::divide_full(rest, 0, uint64_t(360) << F).quotient;
     }
@@ -123,12 +139,11 @@ FIXEDPOINT_CONSTEXPR typename Core::Phase phase_of_degrees(Raw angle) {
     static_assert(F <= 54, "Angles in degrees have 54 fraction bits at most.");
     using Phase = typename Core::Phase;
     constexpr uint64_t turn = uint64_t(360) << F;
-    const Unsigned<Raw> positive = magnitude(angle);
+    constexpr bool is_reduced =
+        Core::phase_bits == 16 || turn > static_cast<Unsigned<Raw>>(RawLimits<Raw>::max);
     const Unsigned<Raw> rest =
-        turn > static_cast<Unsigned<Raw>>(RawLimits<Raw>::min)
-            ? positive
-            : static_cast<Unsigned<Raw>>(positive % static_cast<Unsigned<Raw>>(turn));
-    const Phase phase = PhaseOfDegrees<F, Core::phase_bits, Phase>::of(rest);
+        magnitude(is_reduced ? angle : remainder<Raw, F>(angle, static_cast<Raw>(turn)));
+    const Phase phase = static_cast<Phase>(PhaseOfDegrees<F, Core::phase_bits>::of(rest));
     return angle < 0 ? static_cast<Phase>(Phase(0) - phase) : phase;
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <fixedpoint/portable/double_word.hpp>
+#include <fixedpoint/portable/multiply_words.hpp>
 
 namespace fixedpoint {
 namespace portable {
@@ -59,15 +60,28 @@ FIXEDPOINT_CONSTEXPR uint64_t smoothstep_in_words(uint64_t t, uint64_t c) {
     const Word128 rounded = product + (Word128(1) << (2 * F - 2 - drop));
     return (rounded >> (2 * F - 1 - drop)).low;
 }
-template <int F, bool fits_32 = (F <= 10), bool fits_64 = (F <= 21)>
+// Of t and c as fractions of 32 and 31 bits, so that the words of products need no shift. What the
+// square's lower word leaves below the product's upper one does not reach half an ulp.
+template <int F>
+FIXEDPOINT_CONSTEXPR uint32_t smoothstep_in_fractions(uint32_t t, uint32_t c) {
+    constexpr bool fits = F <= 16;  // t^2
+    const uint32_t fraction = t << (32 - F), factor = c << (31 - F);
+    const uint64_t square = fits ? 0 : multiply_words(fraction, fraction);
+    const uint32_t upper =
+        fits ? (t * t) << (fits ? 32 - 2 * F : 0) : static_cast<uint32_t>(square >> 32);
+    const uint64_t lower = fits ? 0 : multiply_words(static_cast<uint32_t>(square), factor) >> 32;
+    const uint64_t product = multiply_words(upper, factor) + lower;
+    return ((static_cast<uint32_t>(product >> 32) >> (29 - F)) + 1) >> 1;
+}
+template <int F, bool fits_32 = (F <= 10), bool fits_fractions = (F < 30)>
 struct Smoothstep {
     using Word = uint64_t;
     static FIXEDPOINT_CONSTEXPR Word of(Word t, Word c) { return smoothstep_in_words<F>(t, c); }
 };
 template <int F>
 struct Smoothstep<F, false, true> {
-    using Word = uint64_t;
-    static FIXEDPOINT_CONSTEXPR Word of(Word t, Word c) { return smoothstep_in<F>(t, c); }
+    using Word = uint32_t;
+    static FIXEDPOINT_CONSTEXPR Word of(Word t, Word c) { return smoothstep_in_fractions<F>(t, c); }
 };
 template <int F>
 struct Smoothstep<F, true, true> {

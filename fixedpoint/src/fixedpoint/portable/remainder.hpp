@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// remainder: a - b trunc(a / b), exact, with the sign of a; a where b = 0.
+// remainder: a - b trunc(a / b), exact, with the sign of a; a where b = 0. divrem: trunc(a / b), an
+// integer, and that remainder. divmod: floor(a / b) and what it leaves, of the sign of b. Quotients
+// are saturated; that of b = 0 is the limit of the sign of a, or 0.
 #pragma once
 
-#include <fixedpoint/integer.hpp>
+#include <fixedpoint/portable/add_saturating.hpp>
 
 namespace fixedpoint {
 namespace portable {
@@ -11,6 +13,23 @@ template <class Raw, int F>
 constexpr Raw remainder(Raw a, Raw b) {
     // A divisor of -1 is taken apart: the quotient of the smallest number would not fit.
     return b == 0 ? a : b == -1 ? Raw(0) : static_cast<Raw>(a % b);
+}
+
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR void divrem(Raw a, Raw b, Raw* quotient_and_remainder) {
+    quotient_and_remainder[0] = b == 0                     ? (a == 0 ? Raw(0) : limit_by_sign(a))
+                                : b != -1                  ? static_cast<Raw>(a / b)
+                                : a == RawLimits<Raw>::min ? RawLimits<Raw>::max
+                                                           : static_cast<Raw>(-a);
+    quotient_and_remainder[1] = remainder<Raw, F>(a, b);
+}
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR void divmod(Raw a, Raw b, Raw* quotient_and_remainder) {
+    divrem<Raw, F>(a, b, quotient_and_remainder);
+    const Raw rest = quotient_and_remainder[1];
+    if (b == 0 || rest == 0 || (rest < 0) == (b < 0)) return;
+    quotient_and_remainder[0] = static_cast<Raw>(quotient_and_remainder[0] - 1);
+    quotient_and_remainder[1] = static_cast<Raw>(rest + b);
 }
 
 }  // namespace portable

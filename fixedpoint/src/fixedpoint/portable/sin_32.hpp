@@ -53,9 +53,11 @@ FIXEDPOINT_CONSTEXPR int32_t sine_of_quarter_turns_32(uint64_t turns) {
         const uint64_t value = core.value + (core.slope * (position & 0xff) >> 8);
         sine = static_cast<uint32_t>(((value >> (surplus - 1)) + 1) >> 1);
     }
-    if (F > 30 && sine >> 31 != 0) return RawLimits<int32_t>::max;
+    const bool negative = (turns >> 41 & 1) != 0;
+    if (F > 30 && sine >> 31 != 0)
+        return negative ? RawLimits<int32_t>::min : RawLimits<int32_t>::max;
     const int32_t result = static_cast<int32_t>(sine);
-    return (turns >> 41 & 1) != 0 ? -result : result;
+    return negative ? -result : result;
 }
 
 constexpr uint64_t one_quarter_turn_32 = uint64_t(1) << 40;

@@ -4,7 +4,9 @@
 #pragma once
 
 #include <fixedpoint/portable/sin_16.hpp>
+#include <fixedpoint/portable/sin_32.hpp>
 #include <fixedpoint/portable/sin_q16_16.hpp>
+#include <fixedpoint/portable/sin_q32_32.hpp>
 
 namespace fixedpoint {
 namespace portable {
@@ -28,6 +30,25 @@ struct SineOfPhase<int32_t, 16> {
 template <class Raw, int F>
 constexpr Raw sine_of_phase(Raw phase) {
     return SineOfPhase<Raw, F>::of(phase);
+}
+
+// In the splits of 32 bits and in Q32.32, of quarter turns with 40 fraction bits, of which 42 bits
+// count.
+template <class Raw, int F>
+struct SineOfQuarterTurns {
+    static FIXEDPOINT_CONSTEXPR Raw of(uint64_t turns) {
+        return sine_of_quarter_turns_32<F>(turns);
+    }
+};
+template <>
+struct SineOfQuarterTurns<int64_t, 32> {
+    static FIXEDPOINT_CONSTEXPR int64_t of(uint64_t turns) {
+        return sine_of_quarter_turns_q32_32(turns);
+    }
+};
+template <class Raw, int F>
+constexpr Raw sine_of_quarter_turns(uint64_t turns) {
+    return SineOfQuarterTurns<Raw, F>::of(turns);
 }
 
 }  // namespace portable

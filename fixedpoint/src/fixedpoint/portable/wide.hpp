@@ -3,7 +3,7 @@
 // a native 128-bit integer; the 8-bit device, whose compiler has none, works in 32-bit digits.
 #pragma once
 
-#include <fixedpoint/integer.hpp>
+#include <fixedpoint/portable/multiply_words.hpp>
 
 namespace fixedpoint {
 namespace portable {
@@ -22,10 +22,10 @@ struct Division128 {
 FIXEDPOINT_CONSTEXPR Wide128 multiply_full_by_digits(uint64_t a, uint64_t b) {
     const uint32_t a0 = static_cast<uint32_t>(a), a1 = static_cast<uint32_t>(a >> 32);
     const uint32_t b0 = static_cast<uint32_t>(b), b1 = static_cast<uint32_t>(b >> 32);
-    const uint64_t p00 = static_cast<uint64_t>(a0) * b0;
-    const uint64_t p01 = static_cast<uint64_t>(a0) * b1;
-    const uint64_t p10 = static_cast<uint64_t>(a1) * b0;
-    const uint64_t p11 = static_cast<uint64_t>(a1) * b1;
+    const uint64_t p00 = multiply_words(a0, b0);
+    const uint64_t p01 = multiply_words(a0, b1);
+    const uint64_t p10 = multiply_words(a1, b0);
+    const uint64_t p11 = multiply_words(a1, b1);
     // At most 3 (2^32 - 1), so that nothing is lost.
     const uint64_t middle = (p00 >> 32) + static_cast<uint32_t>(p01) + static_cast<uint32_t>(p10);
     return {p11 + (p01 >> 32) + (p10 >> 32) + (middle >> 32),

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// int64_t fixedpoint_copysign_q32_32(int64_t a, int64_t b)
+// |a| with the sign of b, where 0 counts as positive.
+//
+// int64_t fixedpoint_abs_diff_q32_32(int64_t a, int64_t b)
+// |a - b|.
+//
+// Both modulo 2^64. The same for every format of 64 bits.
+//
+// In       a = r25:r18, b = r17:r10
+// Out      r25:r18
+// Changes  r0
+
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
+
+    SECTION fixedpoint_copysign_q32_32
+    ENTRY fixedpoint_copysign_q32_32
+    mov r0, r17
+    eor r0, r25
+    brmi .Lnegate
+    ret
+    ENDFUNC fixedpoint_copysign_q32_32
+
+    ENTRY fixedpoint_abs_diff_q32_32
+    sub r18, r10
+    sbc r19, r11
+    sbc r20, r12
+    sbc r21, r13
+    sbc r22, r14
+    sbc r23, r15
+    sbc r24, r16
+    sbc r25, r17
+    brlt .Lnegate       // by the exact difference, of which the sign is no bit
+    ret
+.Lnegate:
+    com r25
+    com r24
+    com r23
+    com r22
+    com r21
+    com r20
+    com r19
+    neg r18
+    sbci r19, 0xff
+    sbci r20, 0xff
+    sbci r21, 0xff
+    sbci r22, 0xff
+    sbci r23, 0xff
+    sbci r24, 0xff
+    sbci r25, 0xff
+    ret
+    ENDFUNC fixedpoint_abs_diff_q32_32
+#endif
