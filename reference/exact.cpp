@@ -26,21 +26,24 @@ Rational dot(std::span<const Rational> a, std::span<const Rational> b) {
 Real length(std::span<const Rational> v) { return sqrt(to_real(dot(v, v))); }
 
 // The exponent of a float's last place in the binade of x.
-int last_place(const Rational& x) { return std::max(x == 0 ? -149 : binade(x) - 23, -149); }
+int last_place(const NumberFormat& format, const Rational& x) {
+    const int least = format.least_place();
+    return x == 0 ? least : std::max(binade(x) - format.significand_bits() + 1, least);
+}
 
 }  // namespace
 
 Rational value(const NumberFormat& format, std::int64_t raw) {
     if (format.is_float()) {
         int exponent;
-        const float significand = std::frexp(float_of_raw(raw), &exponent);
-        return scale(Rational(std::int64_t(std::ldexp(significand, 24))), exponent - 24);
+        const double significand = std::frexp(to_double(format, raw), &exponent);
+        return scale(Rational(std::int64_t(std::ldexp(significand, 53))), exponent - 53);
     }
     return scale(Rational(raw), -format.fraction);
 }
 
 Rational ulp(const NumberFormat& format, const Rational& at) {
-    return scale(Rational(1), format.is_float() ? last_place(at) : -format.fraction);
+    return scale(Rational(1), format.is_float() ? last_place(format, at) : -format.fraction);
 }
 
 std::int64_t nearest_raw(const NumberFormat& format, const Rational& number) {
@@ -50,7 +53,8 @@ std::int64_t nearest_raw(const NumberFormat& format, const Rational& number) {
     Rational rounded = floor(scaled + Rational(1, 2));
     if (!format.is_float()) return std::int64_t(numerator(rounded));
     if (rounded - scaled == Rational(1, 2) && numerator(rounded) % 2 != 0) rounded -= 1;
-    return raw_of_float(std::ldexp(float(numerator(rounded)), last_place(number)));
+    return raw_of_double(format,
+                         std::ldexp(double(numerator(rounded)), last_place(format, number)));
 }
 
 const Real& pi() {

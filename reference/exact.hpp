@@ -17,10 +17,10 @@ namespace reference {
 // The exact number that a raw stands for. Precondition: is_finite(format, raw).
 Rational value(const NumberFormat& format, std::int64_t raw);
 
-// Distance between neighbours, 2^-F. For float the distance within the binade of `at`.
+// Distance between neighbours, 2^-F. Of a float the distance within the binade of `at`.
 Rational ulp(const NumberFormat& format, const Rational& at = 1);
 
-// The raw nearest to an exact number, ties toward +infinity (float: ties to even); a number out of
+// The raw nearest to an exact number, ties toward +infinity (floats: ties to even); a number out of
 // range gives the nearest finite raw.
 std::int64_t nearest_raw(const NumberFormat& format, const Rational& number);
 

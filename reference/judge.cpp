@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <cfloat>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
@@ -86,29 +85,35 @@ Judgement judge_fixed(const NumberFormat& format, const Definition& definition, 
     return {.error_ulp = error_ulp, .as_defined = as_defined};
 }
 
-// Of an IEEE single. The ulp is that of the exact value's binade.
+// Of an IEEE float. The ulp is that of the exact value's binade.
 template <class Number>
-Judgement judge_single(const Definition& definition, const Number& exact, std::int64_t result) {
-    const Number limit = scale(Number(1), FLT_MAX_EXP);
+Judgement judge_float(const NumberFormat& format, const Definition& definition, const Number& exact,
+                      std::int64_t result) {
+    const Number limit = scale(Number(1), format.infinity_exponent());
     const auto overflow = [&] {
-        return judge_pinned(ieee_single, raw_of_float(exact < 0 ? -HUGE_VALF : HUGE_VALF), result);
+        return judge_pinned(format, raw_of_double(format, exact < 0 ? -infinity : infinity),
+                            result);
     };
     if (abs(exact) >= limit) return overflow();
-    const int least = FLT_MIN_EXP - FLT_MANT_DIG;  // the exponent of the smallest subnormal
-    const int last_place = exact == 0 ? least : std::max(binade(exact) - (FLT_MANT_DIG - 1), least);
+    const int least = format.least_place();
+    const int last_place =
+        exact == 0 ? least : std::max(binade(exact) - (format.significand_bits() - 1), least);
     const Number x = scale(exact, -last_place);
     const Number target = rounded(x, Rounding::nearest_even);
     if (abs(scale(target, last_place)) >= limit) return overflow();
-    if (!is_finite(ieee_single, result)) return {.error_ulp = infinity, .as_defined = false};
-    const Number got = scale(
-        Number(numerator(value(ieee_single, result) * scale(Rational(1), 149))), -149 - last_place);
+    if (!is_finite(format, result)) return {.error_ulp = infinity, .as_defined = false};
+    const Number got =
+        scale(Number(numerator(scale(value(format, result), -least))), least - last_place);
     const bool as_defined = definition.rounding == Rounding::within_bound || got == target;
-    return {.error_ulp = double(Number(got - x)), .as_defined = as_defined};
+    return {.error_ulp = double(Number(got - x)),
+            .ulp = std::ldexp(1.0, last_place),
+            .as_defined = as_defined};
 }
 
-// What the host's C library says for singles that are not finite or out of the domain; its special
+// What the host's C library says for floats that are not finite or out of the domain; its special
 // cases are those of C's Annex F. Only called for such.
-float special_case(Operation operation, std::span<const float> x) {
+template <class Float>
+Float special_case(Operation operation, const Float* x) {
     switch (operation) {
         case Operation::add:
             return x[0] + x[1];
@@ -133,7 +138,7 @@ float special_case(Operation operation, std::span<const float> x) {
         case Operation::dot3:
             return x[0] * x[3] + x[1] * x[4] + x[2] * x[5];
         default:
-            return function(operation, x.data());
+            return function(operation, x);
     }
 }
 
@@ -180,7 +185,8 @@ class Judge {
         if (!subject_.operand_format.is_float())
             return in_domain(subject_.operation, operands_, raw_one(subject_.operand_format));
         double numbers[most_operands];
-        for (std::size_t i = 0; i < operands_.size(); ++i) numbers[i] = float_of_raw(operands_[i]);
+        for (std::size_t i = 0; i < operands_.size(); ++i)
+            numbers[i] = to_double(subject_.operand_format, operands_[i]);
         return in_domain(subject_.operation, std::span<const double>(numbers, operands_.size()),
                          1.0);
     }
@@ -204,9 +210,11 @@ class Judge {
     Judgement against(const Exact& exact, std::int64_t result) const {
         return std::visit(
             [&](const auto& number) {
-                if (subject_.format.is_float()) return judge_single(definition_, number, result);
+                if (subject_.format.is_float())
+                    return judge_float(subject_.format, definition_, number, result);
                 const auto in_ulp = scale(number, subject_.format.fraction);
                 Judgement judgement = judge_fixed(subject_.format, definition_, in_ulp, result);
+                judgement.ulp = std::ldexp(1.0, -subject_.format.fraction);
                 judgement.underflow = vanishes(subject_.operation) && abs(in_ulp) * 2 < 1;
                 return judgement;
             },
@@ -217,7 +225,7 @@ class Judge {
         if (finite_) return against(values_[0], result);
         if (definition_.overflow == Overflow::undefined)
             return {.excluded = "overflow is undefined here"};
-        const float number = float_of_raw(operands_[0]);
+        const double number = to_double(subject_.operand_format, operands_[0]);
         const std::int64_t pinned = std::isnan(number) ? 0
                                     : number > 0       ? subject_.format.max()
                                                        : subject_.format.min();
@@ -228,13 +236,21 @@ class Judge {
         if (is_auxiliary(subject_.operation) || subject_.operation == Operation::power)
             return {.excluded = "no function of C, whose special cases would be known"};
         if (vector_operands(subject_.operation) == 1)
-            return {.excluded = "a vector function of singles that are not finite, or all zero"};
+            return {.excluded = "a vector function of floats that are not finite, or all zero"};
         // Sine and cosine of what is not finite are the same NaN.
         const Operation operation =
             subject_.operation == Operation::sincos ? Operation::sin : subject_.operation;
-        float numbers[most_operands];
-        for (std::size_t i = 0; i < operands_.size(); ++i) numbers[i] = float_of_raw(operands_[i]);
-        return judge_pinned(ieee_single, raw_of_float(special_case(operation, numbers)), result);
+        return subject_.operand_format.width == 32 ? special_as<float>(operation, result)
+                                                   : special_as<double>(operation, result);
+    }
+
+    template <class Float>
+    Judgement special_as(Operation operation, std::int64_t result) const {
+        Float numbers[most_operands] = {};
+        for (std::size_t i = 0; i < operands_.size(); ++i)
+            numbers[i] = Float(to_double(subject_.operand_format, operands_[i]));
+        const Float pinned = special_case(operation, numbers);
+        return judge_pinned(subject_.format, raw_of_double(subject_.format, pinned), result);
     }
 
     const Subject& subject_;
@@ -258,8 +274,10 @@ Judgement judge(const Subject& subject, std::span<const std::int64_t> operands,
     Judgement worst = of_operands.component(0, results[0]);
     for (std::size_t i = 1; i < results.size(); ++i) {
         const Judgement other = of_operands.component(i, results[i]);
-        if (std::abs(other.error_ulp) > std::abs(worst.error_ulp))
+        if (std::abs(other.error_ulp) > std::abs(worst.error_ulp)) {
             worst.error_ulp = other.error_ulp;
+            worst.ulp = other.ulp;
+        }
         worst.as_defined &= other.as_defined;
         worst.defined &= other.defined;
         worst.underflow &= other.underflow;

@@ -38,6 +38,7 @@ std::optional<NumberFormat> parse_split(FormatKind kind, int sign_bits, std::str
 
 std::optional<NumberFormat> try_parse(std::string_view name) {
     if (name == "float") return ieee_single;
+    if (name == "float64") return ieee_double;
     if (name.starts_with("int")) {
         const auto width = parse_number(name.substr(3));
         if (!width || !is_width(*width)) return std::nullopt;
@@ -56,7 +57,7 @@ NumberFormat parse_format(std::string_view name) {
         fmt::format("unknown number format '{}': allowed are q<integer bits>_<fraction bits> and "
                     "s<integer bits>_<fraction bits> (GCC's _Accum, its sign not counted) of 8, "
                     "16, 32 or 64 bits "
-                    "in all, int8, int16, int32, int64 and float",
+                    "in all, int8, int16, int32, int64, float and float64",
                     name));
 }
 
@@ -69,22 +70,27 @@ std::string format_name(const NumberFormat& format) {
             return fmt::format("s{}_{}", integer_bits - 1, format.fraction);
         case FormatKind::integer:
             return fmt::format("int{}", format.width);
-        case FormatKind::single:
-            return "float";
+        case FormatKind::ieee:
+            return format.width == 32 ? "float" : "float64";
     }
     throw std::logic_error("a number format of no kind");
 }
 
 bool is_nan(const NumberFormat& format, std::int64_t raw) {
-    return format.is_float() && std::isnan(float_of_raw(raw));
+    return format.is_float() && std::isnan(to_double(format, raw));
 }
 
 bool is_finite(const NumberFormat& format, std::int64_t raw) {
-    return !format.is_float() || std::isfinite(float_of_raw(raw));
+    return !format.is_float() || std::isfinite(to_double(format, raw));
 }
 
 double to_double(const NumberFormat& format, std::int64_t raw) {
-    return format.is_float() ? float_of_raw(raw) : std::ldexp(double(raw), -format.fraction);
+    if (!format.is_float()) return std::ldexp(double(raw), -format.fraction);
+    return format.width == 32 ? float_of_raw(raw) : std::bit_cast<double>(raw);
+}
+
+std::int64_t raw_of_double(const NumberFormat& format, double number) {
+    return format.width == 32 ? raw_of_float(float(number)) : std::bit_cast<std::int64_t>(number);
 }
 
 std::int64_t raw_of_float(float number) { return std::bit_cast<std::int32_t>(number); }

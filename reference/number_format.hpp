@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a bit pattern means: the number formats by name, and their range.
-// A raw is always the pattern's low W bits sign-extended to int64_t, an IEEE single's included.
+// A raw is always the pattern's low W bits sign-extended to int64_t, an IEEE float's included.
 #pragma once
 
 #include <cstdint>
@@ -13,24 +13,35 @@ enum class FormatKind {
     fixed,    // q<integer bits>_<fraction bits>, the sign among the integer bits: value = raw / 2^F
     integer,  // int8, int16, int32, int64: F = 0, C's arithmetic
     accum,    // s<integer bits>_<fraction bits>, GCC's _Accum types, the sign is a bit of its own
-    single    // float, IEEE 754 binary32
+    ieee      // IEEE 754: float is binary32, float64 is binary64
 };
 
 struct NumberFormat {
     FormatKind kind = FormatKind::fixed;
     int width = 32;     // W: 8, 16, 32 or 64
-    int fraction = 16;  // F: bits after the binary point; 0 for integers and for float
+    int fraction = 16;  // F: bits after the binary point; 0 for integers and floats
 
     bool operator==(const NumberFormat&) const = default;
 
-    constexpr bool is_float() const { return kind == FormatKind::single; }
+    constexpr bool is_float() const { return kind == FormatKind::ieee; }
 
-    // Least and greatest raw; for float the patterns of the least and greatest finite number.
-    constexpr std::int64_t min() const {
-        return is_float() ? sign_extend(0xff7fffff)
-                          : std::int64_t(std::uint64_t(-1) << (width - 1));
+    // Of a float, as <cfloat> counts: the bits of its significand, the first of which is not
+    // stored; the exponent of its infinity; that of its smallest normal number.
+    constexpr int significand_bits() const { return width == 32 ? 24 : 53; }
+    constexpr int infinity_exponent() const { return width == 32 ? 128 : 1024; }
+    constexpr int least_exponent() const { return 2 - infinity_exponent(); }
+    // The exponent of the last place of its subnormal numbers.
+    constexpr int least_place() const { return least_exponent() - significand_bits() + 1; }
+    constexpr std::int64_t infinity() const {
+        return std::int64_t(2 * infinity_exponent() - 1) << (significand_bits() - 1);
     }
-    constexpr std::int64_t max() const { return is_float() ? 0x7f7fffff : ~min(); }
+
+    // The sign's bit, extended as a raw is.
+    constexpr std::int64_t sign() const { return std::int64_t(std::uint64_t(-1) << (width - 1)); }
+
+    // Least and greatest raw; of a float the patterns of the least and greatest finite number.
+    constexpr std::int64_t min() const { return is_float() ? sign() | max() : sign(); }
+    constexpr std::int64_t max() const { return is_float() ? infinity() - 1 : ~sign(); }
 
     // The low W bits of a pattern as a raw.
     constexpr std::int64_t sign_extend(std::uint64_t pattern) const {
@@ -45,10 +56,11 @@ inline constexpr NumberFormat q4_4 = fixed_format(4, 4);
 inline constexpr NumberFormat q8_8 = fixed_format(8, 8);
 inline constexpr NumberFormat q16_16 = fixed_format(16, 16);
 inline constexpr NumberFormat q32_32 = fixed_format(32, 32);
-inline constexpr NumberFormat ieee_single = {FormatKind::single, 32, 0};
+inline constexpr NumberFormat ieee_single = {FormatKind::ieee, 32, 0};
+inline constexpr NumberFormat ieee_double = {FormatKind::ieee, 64, 0};
 
-// Reads "q16_16", "int32", "s16_15" or "float". Throws std::invalid_argument that names what is
-// allowed.
+// Reads "q16_16", "int32", "s16_15", "float" or "float64". Throws std::invalid_argument that names
+// what is allowed.
 NumberFormat parse_format(std::string_view name);
 std::string format_name(const NumberFormat& format);
 
@@ -57,6 +69,8 @@ bool is_finite(const NumberFormat& format, std::int64_t raw);
 
 // The double nearest to what a raw stands for.
 double to_double(const NumberFormat& format, std::int64_t raw);
+// Of a float format: the raw nearest to a double.
+std::int64_t raw_of_double(const NumberFormat& format, double number);
 
 std::int64_t raw_of_float(float number);
 float float_of_raw(std::int64_t raw);

@@ -54,7 +54,7 @@ Arithmetic arithmetic_of(const NumberFormat& format, std::string_view implementa
     switch (format.kind) {
         case FormatKind::integer:
             return Arithmetic::integer;
-        case FormatKind::single:
+        case FormatKind::ieee:
             return Arithmetic::ieee;
         case FormatKind::accum:
             return Arithmetic::accum;

@@ -55,10 +55,10 @@ def draw(data):
     seen = {}
     for axes, (operation, rows) in zip(grid.flat, shown.items()):
         # _Accum is a subject of operations.csv already.
-        others = [row for row in rivals.rows(data, operation) if row["variant"] != "gcc_accum"]
-        points = [point(row) for row in rows] + [floored(rivals.point(row)) for row in others]
+        others = [row for row in rivals.rows(data, operation, ("q16_16",)) if row["variant"] != "gcc_accum"]
+        points = [point(row) for row in rows + others]
         for row in others:
-            handle = axes.scatter(*floored(rivals.point(row)), marker=rivals.MARKERS[row["variant"]], s=36, zorder=3,
+            handle = axes.scatter(*point(row), marker=rivals.MARKERS[row["variant"]], s=36, zorder=3,
                                   color=rivals.COLOURS[row["variant"]], linewidths=1)
             seen.setdefault(rivals.NAMES[row["variant"]], handle)
         for row in rows:
@@ -100,8 +100,7 @@ def finding(data):
     shown = panels(data)
     owners = {"ours": 0, "float": 0}
     for operation, rows in shown.items():
-        front = pareto([point(row) for row in rows] +
-                       [floored(rivals.point(row)) for row in rivals.rows(data, operation)])
+        front = pareto([point(row) for row in rows + rivals.rows(data, operation, ("q16_16",))])
         holders = {row["format"] for row in rows if point(row) in front}
         owners["ours"] += bool(holders & {"q16_16", "q8_24"})
         owners["float"] += "float" in holders

@@ -146,6 +146,9 @@ def subject(number_format, implementation):
 def number_format(name, data):
     """What a format can hold."""
     drawn = {"label": style.format_label(name), "style": name if name in style.FORMATS else "rival"}
+    if name == "float64":  # that of Python
+        return drawn | {"fraction": None, "maximum": sys.float_info.max, "resolution": None,
+                        "relative": sys.float_info.epsilon / 2}
     if name == "float":
         row, = data.rows("table_3_1", format="float")
         return drawn | {"fraction": None, "maximum": row["maximum"], "resolution": None,

@@ -15,11 +15,12 @@ NAMES = {
     "gcc_accum": "GCC _Accum, s16.15",
     "fxlib": "avr-libc fxlib, s16.15",
     "wide_integer": "64-bit integers",
+    "fp_double": "fp64lib, 64-bit float",
 }
-MARKERS = dict(zip(NAMES, "xx+1233|4_"))
-COLOURS = dict(zip(NAMES, ("#555555", "#999999", *["#777777"] * 8)))
-# Of 32 bits that hold the same range to within a bit.
-FORMATS = {"q16_16": 16, "s16_15": 15}
+MARKERS = dict(zip(NAMES, "xx+1233|4_*"))
+COLOURS = dict(zip(NAMES, ("#555555", "#999999", *["#777777"] * 9)))
+# Which of ours a format is held against: one of as many bits.
+OURS = {"q16_16": "q16_16", "s16_15": "q16_16", "float64": "q32_32"}
 
 
 def judged(data, **wanted):
@@ -36,28 +37,23 @@ def comparable(data):
     return [row for row in judged(data) if row["variant"] != "gcc_accum"]
 
 
-def rows(data, operation=None):
-    """Those of the formats that are held against Q16.16, on operands of 0.01 to 20."""
+def rows(data, operation=None, against=("q16_16", "q32_32")):
+    """Those that are held against these formats of ours, on operands of 0.01 to 20."""
     return [row for row in judged(data, operands="physics")
-            if row["format"] in FORMATS and operation in (None, row["operation"])]
+            if OURS.get(row["format"]) in against and operation in (None, row["operation"])]
 
 
 def label(number_format, variant):
     """How a library's numbers are called, e.g. libfixmath, Q16.16."""
+    if number_format == "float64":
+        return NAMES[variant]
     return f"{NAMES[variant].split(', s16')[0]}, {style.format_label(number_format)}"
 
 
-def point(row):
-    """Cycles, and the rms error in the unit of the result."""
-    return row["cycles_mean"], row["rms_ulp"] * 2.0 ** -FORMATS[row["format"]]
-
-
-def ours(data, operation):
-    """Cycles, rms error in ulp and flash of Q16.16; none where it has no such operation."""
-    for row in data.rows("operations", operation=operation, format="q16_16", implementation="default",
-                         operands="physics"):
-        return row["cycles_mean"], row["rms_error"] * 2 ** FORMATS["q16_16"], row["flash_bytes"]
-    return None
+def ours(data, row):
+    """Our function that a rival's is held against; none where there is none."""
+    return next(iter(data.rows("operations", operation=row["operation"], format=OURS[row["format"]],
+                               implementation="default", operands="physics")), None)
 
 
 def origins(data):
@@ -74,20 +70,25 @@ def listed(names):
     return ", ".join(names[:-1]) + " and " + names[-1] if len(names) > 1 else names[0]
 
 
-def finding(data):
-    """Where another library takes fewer cycles than ours, or as many, and how often less flash."""
-    ahead, equal, count, smaller = {}, set(), 0, 0
-    for row in rows(data):
-        mine = ours(data, row["operation"])
+def finding(data, against):
+    """Where another library takes fewer cycles than ours of that format, or as many, and how often
+    its error or its flash is the smaller; empty where none is held against that."""
+    ahead, equal, count, smaller, exacter = {}, set(), 0, 0, 0
+    for row in rows(data, against=(against,)):
+        mine = ours(data, row)
         if mine is None:
             continue
         count += 1
-        smaller += row["flash_bytes"] < mine[2]
-        if row["cycles_mean"] < mine[0]:
+        smaller += row["flash_bytes"] < mine["flash_bytes"]
+        same_range = mine["regular"] == mine["samples"]  # else ours has no results as large as the other's
+        exacter += same_range and row["rms_error"] < mine["rms_error"]
+        if row["cycles_mean"] < mine["cycles_mean"]:
             ahead.setdefault(NAMES[row["variant"]], []).append(row["operation"])
-        elif row["cycles_mean"] == mine[0]:
+        elif row["cycles_mean"] == mine["cycles_mean"]:
             equal.add(row["operation"])
-    text = f"Of {count} functions of other libraries "
+    if not count:
+        return ""
+    text = f"Of {count} functions of other libraries, held against {style.format_label(against)}, "
     if ahead:
         faster = sum(map(len, ahead.values()))
         text += (f"{faster} {'take' if faster > 1 else 'takes'} fewer cycles than ours: "
@@ -96,4 +97,4 @@ def finding(data):
         text += "none takes fewer cycles than ours"
     if equal:
         text += f"; some take as many in {listed(sorted(equal))}"
-    return f"{text}. {smaller} take less flash than ours; where flash counts, `Small` has short tables."
+    return f"{text}. Smaller than ours is the error of {exacter} and the flash of {smaller}."

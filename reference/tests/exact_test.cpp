@@ -107,6 +107,13 @@ TEST(ExactNumber, ValuesAndResolution) {
     EXPECT_EQ(ulp(ieee_single, 1), scale(Rational(1), -23));
     EXPECT_EQ(ulp(ieee_single, Rational(99, 100)), scale(Rational(1), -24));
     EXPECT_EQ(ulp(ieee_single, 0), scale(Rational(1), -149));
+    for (double number : {0.1, -1.0, DBL_MAX, DBL_MIN, DBL_TRUE_MIN, 3 * DBL_TRUE_MIN, 0.0}) {
+        const std::int64_t raw = raw_of_double(ieee_double, number);
+        EXPECT_EQ(double(value(ieee_double, raw)), number);
+        EXPECT_EQ(nearest_raw(ieee_double, value(ieee_double, raw)), raw);
+    }
+    EXPECT_EQ(ulp(ieee_double, 1), scale(Rational(1), -52));
+    EXPECT_EQ(ulp(ieee_double, 0), scale(Rational(1), -1074));
 }
 
 TEST(ExactNumber, NearestRawBreaksTies) {

@@ -468,6 +468,78 @@ TEST(JudgeFloat, AtanTwoFollowsTheSignOfZero) {
     EXPECT_LT(std::abs(judged_float(Operation::atan2, {-0.0f, -1}, -pi).error_ulp), 0.5);
 }
 
+Judgement judged_double(Operation operation, std::initializer_list<double> operands,
+                        double result) {
+    Raws raws;
+    for (const double operand : operands) raws.push_back(raw_of_double(ieee_double, operand));
+    return judged(operation, "float64", Arithmetic::ieee, raws,
+                  {raw_of_double(ieee_double, result)});
+}
+
+// The host's operators are IEEE 754's: they share nothing with the judge.
+TEST(JudgeDouble, TheHostsOperatorsAreCorrectlyRounded) {
+    std::mt19937_64 random(1);
+    const auto draw = [&] {
+        return std::ldexp(double(std::int64_t(random())), int(random() % 240) - 183);
+    };
+    for (int i = 0; i < 300; ++i) {
+        const double a = draw(), b = draw(), c = std::abs(a);
+        const auto expect = [](Operation operation, std::initializer_list<double> x,
+                               double result) {
+            const Judgement judgement = judged_double(operation, x, result);
+            EXPECT_TRUE(judgement.regular() && judgement.as_defined);
+            EXPECT_LE(std::abs(judgement.error_ulp), 0.5);
+            for (const double beside : {-HUGE_VAL, HUGE_VAL})
+                EXPECT_FALSE(
+                    judged_double(operation, x, std::nextafter(result, beside)).as_defined);
+        };
+        expect(Operation::add, {a, b}, a + b);
+        expect(Operation::subtract, {a, b}, a - b);
+        expect(Operation::multiply, {a, b}, a * b);
+        expect(Operation::divide, {a, b}, a / b);
+        expect(Operation::sqrt, {c}, std::sqrt(c));
+        // No more is asked of it than of a product and a sum.
+        EXPECT_LE(
+            std::abs(
+                judged_double(Operation::multiply_add, {a, b, c}, std::fma(a, b, c)).error_ulp),
+            0.5);
+        for (const auto& [operation, result] :
+             {std::pair{Operation::sin, std::sin(a)}, std::pair{Operation::atan2, std::atan2(a, b)},
+              std::pair{Operation::length2, std::hypot(a, b)}}) {
+            const bool of_two = shape(operation).operands == 2;
+            const Judgement judgement = of_two ? judged_double(operation, {a, b}, result)
+                                               : judged_double(operation, {a}, result);
+            EXPECT_LT(std::abs(judgement.error_ulp), 1) << shape(operation).name << a << ' ' << b;
+        }
+    }
+}
+
+TEST(JudgeDouble, EdgesAndUlps) {
+    const auto pinned = [](Operation operation, std::initializer_list<double> operands,
+                           double result) {
+        const Judgement judgement = judged_double(operation, operands, result);
+        return judgement.defined && judgement.as_defined;
+    };
+    EXPECT_TRUE(pinned(Operation::multiply, {DBL_MAX, -2}, -INFINITY));
+    EXPECT_TRUE(pinned(Operation::divide, {1, -0.0}, -INFINITY));
+    EXPECT_TRUE(pinned(Operation::divide, {0, 0}, NAN));
+    EXPECT_TRUE(pinned(Operation::exp, {DBL_MAX}, INFINITY));
+    EXPECT_TRUE(pinned(Operation::log, {0}, -INFINITY));
+    EXPECT_TRUE(pinned(Operation::atan, {INFINITY}, std::acos(0.0)));
+    EXPECT_FALSE(pinned(Operation::divide, {1, 0}, DBL_MAX));
+    // Half an ulp beyond the largest number overflows, less than that does not.
+    EXPECT_TRUE(pinned(Operation::add, {DBL_MAX, 0x1p970}, INFINITY));
+    EXPECT_TRUE(judged_double(Operation::add, {DBL_MAX, 0x1p969}, DBL_MAX).as_defined);
+    EXPECT_EQ(judged_double(Operation::multiply, {DBL_TRUE_MIN, 0.75}, DBL_TRUE_MIN).error_ulp,
+              0.25);
+    // Of a result that is far off, the ulp is still that of the exact value.
+    const Judgement off = judged_double(Operation::add, {1, 2}, 0);
+    EXPECT_EQ(off.ulp, 0x1p-51);
+    EXPECT_EQ(off.error_ulp * off.ulp, -3);
+    EXPECT_EQ(judged_float(Operation::add, {1, 2}, 0).ulp, 0x1p-22);
+    EXPECT_EQ(judged(Operation::add, "q16_16", nearest, {1, 2}, {0}).ulp, 0x1p-16);
+}
+
 TEST(JudgeConversion, BetweenFormats) {
     const auto accepted = [](const char* from, const char* to, Arithmetic arithmetic,
                              std::int64_t raw, std::int64_t result) {

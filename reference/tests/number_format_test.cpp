@@ -19,6 +19,7 @@ TEST(NumberFormat, NamesAreReadAndPrinted) {
           "s32_31", "s16_47", "int8", "int16", "int32", "int64", "float"}) {
         EXPECT_EQ(format_name(parse_format(name)), name);
     }
+    EXPECT_EQ(parse_format("float64"), ieee_double);
     EXPECT_EQ(parse_format("s16_15"), (NumberFormat{FormatKind::accum, 32, 15}));
     EXPECT_EQ(parse_format("q8_24"), (NumberFormat{FormatKind::fixed, 32, 24}));
 }
@@ -39,7 +40,30 @@ TEST(NumberFormat, RangeAndResolution) {
     EXPECT_EQ(q8_8.sign_extend(0x1ffff), -1);
     EXPECT_EQ(to_double(ieee_single, ieee_single.max()), FLT_MAX);
     EXPECT_EQ(to_double(ieee_single, ieee_single.min()), -FLT_MAX);
+    EXPECT_EQ(to_double(ieee_double, ieee_double.max()), DBL_MAX);
+    EXPECT_EQ(to_double(ieee_double, ieee_double.min()), -DBL_MAX);
     EXPECT_EQ(to_double(q16_16, -98304), -1.5);
+}
+
+TEST(NumberFormat, FloatsAreThoseOfC) {
+    EXPECT_EQ(ieee_single.significand_bits(), FLT_MANT_DIG);
+    EXPECT_EQ(ieee_single.infinity_exponent(), FLT_MAX_EXP);
+    EXPECT_EQ(std::ldexp(1, ieee_single.least_exponent()), FLT_MIN);
+    EXPECT_EQ(std::ldexp(1, ieee_single.least_place()), FLT_TRUE_MIN);
+    EXPECT_EQ(ieee_double.significand_bits(), DBL_MANT_DIG);
+    EXPECT_EQ(ieee_double.infinity_exponent(), DBL_MAX_EXP);
+    EXPECT_EQ(std::ldexp(1, ieee_double.least_exponent()), DBL_MIN);
+    EXPECT_EQ(std::ldexp(1, ieee_double.least_place()), DBL_TRUE_MIN);
+    for (const NumberFormat& format : {ieee_single, ieee_double}) {
+        EXPECT_EQ(to_double(format, format.infinity()), INFINITY);
+        EXPECT_EQ(to_double(format, format.infinity() | format.sign()), -INFINITY);
+        EXPECT_TRUE(is_nan(format, raw_of_double(format, NAN)));
+        EXPECT_FALSE(is_finite(format, raw_of_double(format, -INFINITY)));
+        for (const double number : {0.0, -1.0, 0.5, -DBL_TRUE_MIN, DBL_MAX, 0x1.fffffep-149}) {
+            const double nearest = format.width == 32 ? double(float(number)) : number;
+            EXPECT_EQ(to_double(format, raw_of_double(format, number)), nearest);
+        }
+    }
 }
 
 TEST(NumberFormat, FloatPatterns) {

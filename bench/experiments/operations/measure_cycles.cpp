@@ -75,13 +75,6 @@ struct Figures {
         column("rms_error", &Figures::rms_error), column("kernel_sha256", &Figures::kernel_sha256));
 };
 
-// The distance between neighbours at a number of the format.
-double ulp_at(const reference::NumberFormat& format, std::int64_t raw) {
-    if (!format.is_float()) return std::ldexp(1.0, -format.fraction);
-    const int exponent = std::max(1, static_cast<int>(raw >> 23 & 0xff));
-    return std::ldexp(1.0, exponent - 127 - 23);
-}
-
 // One measurement: a subject on a class of operands.
 struct Row : Measurement {
     const simulator::Elf* program;
@@ -89,10 +82,6 @@ struct Row : Measurement {
     reference::NamedSubject named;
     std::string operands;
     bool all_inputs;
-
-    // In the unit of the result, so that formats can be held against each other.
-    double max_error = 0;
-    double sum_of_squared_errors = 0;
     std::string failure{};  // why it could not be measured to its end
 
     Row(const simulator::Elf* program, const std::string& subject,
@@ -108,16 +97,6 @@ struct Row : Measurement {
                                 reference::shape(named.subject.operation).results);
         const reference::Judgement judgement = reference::judge(named.subject, operands, results);
         Measurement::add(operands, result, judgement);
-        if (!judgement.regular() || !std::isfinite(judgement.error_ulp)) return;
-        double ulp = 0;
-        for (const std::int64_t raw : results)
-            ulp = std::max(ulp, ulp_at(named.subject.format, raw));
-        const double error = std::abs(judgement.error_ulp) * ulp;
-        max_error = std::max(max_error, error);
-        sum_of_squared_errors += error * error;
-    }
-    double rms_error() const {
-        return std::sqrt(sum_of_squared_errors / static_cast<double>(regular));
     }
 };
 

@@ -6,6 +6,7 @@ Usage: build_rival.py RIVAL [--source FOLDER] --output FOLDER. Prints JSON: vers
 their variants. What fails is one line on stderr.
 """
 import argparse
+import glob
 import json
 import os
 import re
@@ -56,15 +57,20 @@ def version_of(rival, source):
         with open(os.path.join(source, name), encoding="utf-8", errors="replace") as stream:
             found = re.search(pattern, stream.read(), re.MULTILINE)
         if found:
-            return found[1].strip()
+            return ".".join(group.strip() for group in found.groups())
     return ""
+
+
+def found(pattern):
+    """The files that match; the pattern itself, which is then missing, where none does."""
+    return sorted(glob.glob(pattern)) or [pattern]
 
 
 def build(rival, variant, options, source, folder):
     below = [os.path.join(source, name) for name in rival.get("include", [])]
     includes = [f"-I{name}" for name in [*below, os.path.join(HERE, "adapters"), ROOT]]
     files = [os.path.join(HERE, "adapters", rival["adapter"]), os.path.join(DEVICE, "subjects", "main.cpp"),
-             *(os.path.join(source, name) for name in rival.get("sources", []))]
+             *(name for pattern in rival.get("sources", []) for name in found(os.path.join(source, pattern)))]
     for name in [*below, *files]:
         if not os.path.exists(name):
             fail(f"{source} is no checkout of {rival['origin']}: {os.path.relpath(name, source)} is missing")

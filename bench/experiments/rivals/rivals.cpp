@@ -41,6 +41,7 @@ struct Figures {
     std::optional<double> max_ulp;
     std::string max_ulp_witness;
     std::optional<double> rms_ulp, mean_ulp;
+    std::optional<double> max_error, rms_error;  // in the unit of the result
     // Shares of the results that are so near to the exact value.
     std::optional<double> within_half_ulp, within_1_ulp, within_8_ulp;
     std::string flash_bytes, ram_bytes;
@@ -58,6 +59,7 @@ struct Figures {
         column("cycles_mean", &Figures::cycles_mean), column("cycles_max", &Figures::cycles_max),
         column("max_ulp", &Figures::max_ulp), column("max_ulp_witness", &Figures::max_ulp_witness),
         column("rms_ulp", &Figures::rms_ulp), column("mean_ulp", &Figures::mean_ulp),
+        column("max_error", &Figures::max_error), column("rms_error", &Figures::rms_error),
         column("within_half_ulp", &Figures::within_half_ulp),
         column("within_1_ulp", &Figures::within_1_ulp),
         column("within_8_ulp", &Figures::within_8_ulp),
@@ -92,35 +94,63 @@ struct Case {
 std::vector<Case> edges_of(const reference::Subject& subject) {
     const reference::NumberFormat& format = subject.operand_format;
     const std::int64_t max = format.max(), min = format.min();
-    const std::int64_t one =
-        format.fraction < format.width - 1 ? std::int64_t(1) << format.fraction : max;
+    // A whole number; the nearest to it that a format of a large fraction has.
+    const auto whole = [&](int number) {
+        if (format.is_float()) return reference::raw_of_double(format, number);
+        const double raw = std::ldexp(number, format.fraction);
+        return raw >= double(max) ? max : raw <= double(min) ? min : std::int64_t(raw);
+    };
+    const std::int64_t one = whole(1), minus_one = whole(-1);
     switch (subject.operation) {
         case Operation::add:
             return {{"MAX + MAX", {max, max}}, {"MIN + MIN", {min, min}}};
         case Operation::subtract:
             return {{"MIN - MAX", {min, max}}, {"0 - MIN", {0, min}}};
         case Operation::multiply:
-            return {{"MAX MAX", {max, max}}, {"MIN MAX", {min, max}}, {"MIN -1", {min, -one}}};
+            return {{"MAX MAX", {max, max}}, {"MIN MAX", {min, max}}, {"MIN -1", {min, minus_one}}};
         case Operation::divide:
             return {{"1 / 0", {one, 0}},
-                    {"-1 / 0", {-one, 0}},
+                    {"-1 / 0", {minus_one, 0}},
                     {"0 / 0", {0, 0}},
-                    {"MIN / -1", {min, -one}},
+                    {"MIN / -1", {min, minus_one}},
                     {"MAX / ulp", {max, 1}}};
         case Operation::remainder:
             return {{"1 mod 0", {one, 0}}};
         case Operation::sqrt:
-            return {{"sqrt -1", {-one}}, {"sqrt MAX", {max}}};
+            return {{"sqrt -1", {minus_one}}, {"sqrt MAX", {max}}};
         case Operation::log:
-            return {{"log 0", {0}}, {"log -1", {-one}}};
+            return {{"log 0", {0}}, {"log -1", {minus_one}}};
+        case Operation::log2:
+        case Operation::log10:
+            return {{"of 0", {0}}, {"of -1", {minus_one}}};
+        case Operation::asin:
+        case Operation::acos:
+            return {{"of 2", {whole(2)}}, {"of -2", {whole(-2)}}};
         case Operation::exp:
             return {{"exp MAX", {max}}, {"exp MIN", {min}}};
+        case Operation::pow:
+            return {{"0^0", {0, 0}},
+                    {"0^-1", {0, minus_one}},
+                    {"(-1)^MAX", {minus_one, max}},
+                    {"MAX^MAX", {max, max}}};
+        case Operation::length2:
+            return {{"(MAX, MAX)", {max, max}}};
+        case Operation::multiply_add:
+            return {{"MAX 1 + MAX", {max, one, max}}, {"MAX MAX + MIN", {max, max, min}}};
+        case Operation::exp2:
+        case Operation::sinh:
+        case Operation::cosh:
+        case Operation::tanh:
+        case Operation::cbrt:
+        case Operation::tan:
         case Operation::sin:
+        case Operation::sin_turns:
+        case Operation::cos_turns:
         case Operation::cos:
         case Operation::atan:
             return {{"of MAX", {max}}, {"of MIN", {min}}};
         case Operation::atan2:
-            return {{"(0, 0)", {0, 0}}, {"(MIN, MIN)", {min, min}}, {"(0, -1)", {0, -one}}};
+            return {{"(0, 0)", {0, 0}}, {"(MIN, MIN)", {min, min}}, {"(0, -1)", {0, minus_one}}};
         default:
             return {};
     }
@@ -129,6 +159,7 @@ std::vector<Case> edges_of(const reference::Subject& subject) {
 std::string number_text(const reference::NumberFormat& format, std::int64_t raw) {
     if (raw == format.max()) return "MAX";
     if (raw == format.min()) return "MIN";
+    if (reference::is_nan(format, raw)) return "NaN";
     return fmt::format("{:.6g}", reference::to_double(format, raw));
 }
 
@@ -209,6 +240,8 @@ Figures measure(const Subject& subject, operands::OperandClass operand_class,
     figures.max_ulp_witness = operations::text_of(errors.max_witness());
     figures.rms_ulp = errors.rms_ulp();
     figures.mean_ulp = errors.mean_ulp();
+    figures.max_error = measurement.max_error;
+    figures.rms_error = measurement.rms_error();
     const auto share = [&](std::uint64_t count) {
         return static_cast<double>(count) / static_cast<double>(measurement.regular);
     };

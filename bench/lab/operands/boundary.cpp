@@ -118,47 +118,46 @@ class FixedTable {
     Table table_;
 };
 
-Table float_table() {
+Table float_table(const NumberFormat& format) {
     Table table;
-    const auto pattern = [&](std::uint32_t bits, const char* what) {
-        table.emplace(reference::ieee_single.sign_extend(bits), what);
+    const auto both = [&](std::int64_t raw, const std::string& what, const std::string& minus) {
+        table.emplace(raw, what);
+        table.emplace(raw | format.sign(), minus + what);
     };
-    const auto around = [&](const std::string& what, float number) {
-        for (const float x : {number, -number}) {
-            const std::string sign = std::signbit(x) ? "-" : "";
-            table.emplace(reference::raw_of_float(x), sign + what);
-            table.emplace(reference::raw_of_float(std::nextafterf(x, 0)),
-                          sign + what + ", toward 0");
-            table.emplace(reference::raw_of_float(std::nextafterf(x, x * 2)),
-                          sign + what + ", away from 0");
-        }
+    // As integers the patterns of one sign are in the order of the magnitudes.
+    const auto around = [&](const std::string& what, double number) {
+        const std::int64_t raw = reference::raw_of_double(format, std::abs(number));
+        const auto each = [&](std::int64_t magnitude, const std::string& where) {
+            both(magnitude, what + where, "-");
+        };
+        each(raw, "");
+        each(raw - 1, ", toward 0");
+        each(raw + 1, ", away from 0");
     };
-    pattern(0x00000000, "0");
-    pattern(0x80000000, "-0");
-    pattern(0x7f800000, "infinity");
-    pattern(0xff800000, "-infinity");
-    pattern(0x7fc00000, "not a number");
-    pattern(0x7f7fffff, "MAX");
-    pattern(0xff7fffff, "-MAX");
-    pattern(0x00000001, "the smallest subnormal");
-    pattern(0x80000001, "the negative of the smallest subnormal");
-    pattern(0x007fffff, "the largest subnormal");
-    pattern(0x807fffff, "the negative of the largest subnormal");
-    pattern(0x00800000, "the smallest normal");
-    pattern(0x80800000, "the negative of the smallest normal");
+    const std::int64_t normal = std::int64_t(1) << (format.significand_bits() - 1);
+    const int beyond = format.infinity_exponent();
+    both(0, "0", "-");
+    both(format.infinity(), "infinity", "-");
+    table.emplace(format.infinity() | normal >> 1, "not a number");
+    both(format.max(), "MAX", "-");
+    both(1, "the smallest subnormal", "the negative of ");
+    both(normal - 1, "the largest subnormal", "the negative of ");
+    both(normal, "the smallest normal", "the negative of ");
     around("1", 1);
-    around("0.5", 0.5f);
-    around("2^24, above which odd integers are missing", 16777216);
-    around("2^31", 2147483648.0f);
-    around("the root of the smallest normal", 0x1p-63f);
-    around("the root of 2^128", 0x1p64f);
-    around("ln MAX, the border of exp", 88.72284f);
-    around("ln of the smallest subnormal", -103.27893f);
-    for (const int k : {1, 2, 3, 4, 5, 6, 7, 8, 16, 400}) {
-        around(fmt::format("{} pi/4, rounded", k), float(k * std::numbers::pi / 4));
+    around("0.5", 0.5);
+    around(fmt::format("2^{}, above which odd integers are missing", format.significand_bits()),
+           std::ldexp(1, format.significand_bits()));
+    around("2^31", 0x1p31);
+    around("the root of the smallest normal", std::ldexp(1, format.least_exponent() / 2));
+    around(fmt::format("the root of 2^{}", beyond), std::ldexp(1, beyond / 2));
+    around("ln MAX, the border of exp", beyond * std::numbers::ln2);
+    around("ln of the smallest subnormal", format.least_place() * std::numbers::ln2);
+    for (const int k : {1, 2, 3, 4, 5, 6, 7, 8, 16, 400})
+        around(fmt::format("{} pi/4, rounded", k), k * std::numbers::pi / 4);
+    for (int i = -5; i <= 5; ++i) {
+        const int exponent = i * (beyond / 5 - 1);
+        around(fmt::format("2^{}", exponent), std::ldexp(1, exponent));
     }
-    for (int exponent = -120; exponent <= 120; exponent += 24)
-        around(fmt::format("2^{}", exponent), std::ldexp(1.0f, exponent));
     return table;
 }
 
@@ -192,7 +191,7 @@ std::vector<BoundaryCase> ties(Operation operation, const NumberFormat& format) 
 // A few operands of the table for operations of three and more.
 std::vector<BoundaryOperand> few(const NumberFormat& format, std::size_t count) {
     const auto nearest = [&](int number) {
-        if (format.is_float()) return reference::raw_of_float(float(number));
+        if (format.is_float()) return reference::raw_of_double(format, number);
         return std::int64_t(std::clamp(Integer(number) << format.fraction, Integer(format.min()),
                                        Integer(format.max())));
     };
@@ -235,7 +234,8 @@ std::vector<BoundaryCase> shifts(const NumberFormat& format) {
 
 std::vector<BoundaryOperand> boundary_operands(const NumberFormat& format) {
     std::vector<BoundaryOperand> operands;
-    for (const auto& [raw, what] : format.is_float() ? float_table() : FixedTable(format).take())
+    for (const auto& [raw, what] :
+         format.is_float() ? float_table(format) : FixedTable(format).take())
         operands.push_back({raw, what});
     return operands;
 }

@@ -40,10 +40,13 @@ double greatest_of_physics(Operation operation) {
 }
 
 // The raw nearest to mantissa 2^(exponent - 63), the mantissa's top bit being set, among the
-// positive ones. For float the mantissa is cut to 24 bits.
+// positive ones. Of a float the mantissa is cut.
 std::int64_t raw_of(const NumberFormat& format, std::uint64_t mantissa, int exponent) {
-    if (format.is_float())
-        return (std::int64_t(exponent + 127) << 23) | std::int64_t((mantissa >> 40) & 0x7fffff);
+    if (format.is_float()) {
+        const std::uint64_t stored = (mantissa << 1) >> (65 - format.significand_bits());
+        const int biased = exponent - format.least_exponent() + 1;
+        return std::int64_t(biased) << (format.significand_bits() - 1) | std::int64_t(stored);
+    }
     const int drop = 63 - exponent - format.fraction;  // 1..63
     const std::uint64_t twice = mantissa >> (drop - 1);
     return std::int64_t(std::min((twice + 1) >> 1, std::uint64_t(format.max())));
@@ -86,7 +89,7 @@ void Sampler::next(std::span<std::int64_t> operands) {
     for (std::size_t i = 0; i < operands.size(); ++i) {
         if (class_ == OperandClass::published) {
             operands[i] = format_.is_float()
-                              ? reference::raw_of_float(published_floats[i % 2])
+                              ? reference::raw_of_double(format_, published_floats[i % 2])
                               : format_.sign_extend(std::uint64_t(published_raws[i % 2]));
         } else {
             operands[i] = draw();
@@ -101,8 +104,7 @@ std::int64_t Sampler::draw() {
     const std::int64_t magnitude = draw_magnitude();
     const bool negative = !positive && (random_() >> 63) != 0;
     if (!negative) return magnitude;
-    return format_.is_float() ? format_.sign_extend(std::uint64_t(magnitude) | 0x80000000)
-                              : -magnitude;
+    return format_.is_float() ? magnitude | format_.sign() : -magnitude;
 }
 
 std::int64_t Sampler::draw_uniform(bool positive) {
@@ -117,10 +119,12 @@ std::int64_t Sampler::draw_uniform(bool positive) {
 std::int64_t Sampler::draw_magnitude() {
     switch (class_) {
         case OperandClass::small: {
-            if (format_.is_float())
-                return reference::raw_of_float(std::ldexp(float(1 + below((1 << 24) - 1)), -24));
-            const std::int64_t one = std::int64_t(1) << format_.fraction;
-            return one == 1 ? 1 : 1 + below(one - 1);
+            const int bits = format_.is_float() ? format_.significand_bits() : format_.fraction;
+            const std::int64_t one = std::int64_t(1) << bits;
+            const std::int64_t drawn = one == 1 ? 1 : 1 + below(one - 1);
+            return format_.is_float()
+                       ? reference::raw_of_double(format_, std::ldexp(double(drawn), -bits))
+                       : drawn;
         }
         case OperandClass::physics:
             return log_uniform(physics_least, greatest_of_physics(operation_));
@@ -130,9 +134,10 @@ std::int64_t Sampler::draw_magnitude() {
 }
 
 std::int64_t Sampler::log_uniform(double least, double greatest) {
-    // The binades of the format's positive numbers (float: of its normal ones).
-    const int first = format_.is_float() ? -126 : -format_.fraction;
-    const int last = format_.is_float() ? 127 : format_.width - 2 - format_.fraction;
+    // The binades of the format's positive numbers (of a float's normal ones).
+    const int first = format_.is_float() ? format_.least_exponent() : -format_.fraction;
+    const int last =
+        format_.is_float() ? format_.infinity_exponent() - 1 : format_.width - 2 - format_.fraction;
     const int low = std::max(first, least > 0 ? std::ilogb(least) : first);
     const int high = std::min(last, std::isfinite(greatest) ? std::ilogb(greatest) : last);
     // Of a format without fractions, 1 alone lies in 0.01..1: no draw below would ever meet it.

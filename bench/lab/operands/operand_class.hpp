@@ -17,17 +17,17 @@ namespace operands {
 // positive operands only: outside their domain they do no work worth measuring. The count of a
 // shift is uniform in 0..W-1 in every class.
 enum class OperandClass {
-    // Uniform over the numbers with 0 < |x| < 1 (float: over the multiples of 2^-24; integers have
-    // none, which leaves +-1).
+    // Uniform over the numbers with 0 < |x| < 1 (a float: over the multiples of 2^-p, p the bits
+    // of its significand; integers have none, which leaves +-1).
     small,
     // Log-uniform with 0.01 <= |x| <= 20, the lengths, masses and forces of a scene in SI units.
     // exp takes no more than 10, since all formats of 32 bits that are compared hold exp(10).
     physics,
-    // Log-uniform over all magnitudes of the format (float: over all normal ones).
+    // Log-uniform over all magnitudes of the format (a float: over all normal ones).
     full,
-    // Every raw of the format with the same probability (float: every finite pattern). Most have
-    // the
-    // largest magnitudes, and all their bits are random: what log-uniform operands seldom have.
+    // Every raw of the format with the same probability (a float: every finite pattern). Most
+    // have the largest magnitudes, and all their bits are random: what log-uniform operands seldom
+    // have.
     uniform,
     // The operands of the published timing harness, the same at every draw.
     published,

@@ -22,6 +22,9 @@ struct Measurement {
     reference::Witness cycles_max_witness{};
     std::uint16_t stack_bytes = 0;
     reference::ErrorStatistics errors{};
+    // In the unit of the result, so that formats can be held against each other.
+    double max_error = 0;
+    long double sum_of_squared_errors = 0;  // squares of a float64's errors are beyond a double
 
     void add(std::span<const std::int64_t> operands, const DeviceResult& result,
              const reference::Judgement& judgement) {
@@ -37,6 +40,14 @@ struct Measurement {
         if (!judgement.regular()) return;
         ++regular;
         regular_cycles_sum += result.cycles;
+        if (!std::isfinite(judgement.error_ulp)) return;
+        const double error = std::abs(judgement.error_ulp) * judgement.ulp;
+        max_error = std::max(max_error, error);
+        sum_of_squared_errors += static_cast<long double>(error) * error;
+    }
+    double rms_error() const {
+        return static_cast<double>(
+            std::sqrt(sum_of_squared_errors / static_cast<long double>(regular)));
     }
     // Over the regular operands; over all where none is.
     double cycles_mean() const {

@@ -23,16 +23,11 @@ export function rows(name) {
   return decoded.get(name);
 }
 
-// Rows of operations.csv, and those of other libraries in its terms: the error in the result's unit
-// follows from that in ulp.
+// Rows of operations.csv, and those of other libraries in its terms.
 let joined = null;
 export function measured() {
   return joined ??= [...rows("operations"), ...rows("rivals").filter((row) => row.regular && row.failure === null && `${row.format}/${row.variant}` in subjects)
-    .map((row) => {
-      const { resolution } = formats[row.format];
-      const size = (ulp) => (ulp === null || resolution === null ? null : ulp * resolution);
-      return { ...row, implementation: row.variant, bound: "lower bound", max_error: size(row.max_ulp), rms_error: size(row.rms_ulp) };
-    })];
+    .map((row) => ({ ...row, implementation: row.variant, bound: "lower bound" }))];
 }
 
 export const unique = (values) => [...new Set(values)];

@@ -47,9 +47,9 @@ export const subjectLabel = (row) => subjectOf(row).label;
 function value(format, raw) {
   const { fraction } = formats[format];
   if (fraction !== null) return Number(raw) / 2 ** fraction;
-  const bits = new DataView(new ArrayBuffer(4));
-  bits.setInt32(0, Number(raw));
-  return bits.getFloat32(0);
+  const bits = new DataView(new ArrayBuffer(8));
+  bits.setBigInt64(0, BigInt(raw));
+  return format === "float64" ? bits.getFloat64(0) : bits.getFloat32(4);
 }
 
 export function witness(format, raws) {

@@ -121,16 +121,16 @@ class Figures(unittest.TestCase):
 
 
 OPERATIONS = """
-operation format implementation operands samples cycles_mean cycles_max cycles_max_witness max_ulp max_ulp_witness rms_error bound flash_bytes kernel_sha256
-add q16_16 default physics 9 10 12 1 0.5 1 0.001 lower 10 aa
-add q16_16 published physics 9 40 12 1 1 2 0.001 lower 20 bb
-add float libc physics 9 100 112 1 0.5 1 0.0001 lower 30 cc
-add q16_16 default full 9 77 99 3 0.25 4 0.7 lower 10 aa
-add q8_8 default physics 9 5 12 1 0.5 1 0.02 exact 40 dd
-add q16_16 small physics 9 70 90 1 - - - lower 5 ee
-sqrt q16_16 default physics 9 300 999 1 0.5 1 0 lower 50 ff
-sqrt float libc physics 9 600 999 1 0.5 1 0.01 lower 20 gg
-exp float libc physics 9 500 999 1 0.5 1 0.01 lower - hh
+operation format implementation operands samples regular cycles_mean cycles_max cycles_max_witness max_ulp max_ulp_witness rms_error bound flash_bytes kernel_sha256
+add q16_16 default physics 9 9 10 12 1 0.5 1 0.001 lower 10 aa
+add q16_16 published physics 9 9 40 12 1 1 2 0.001 lower 20 bb
+add float libc physics 9 9 100 112 1 0.5 1 0.0001 lower 30 cc
+add q16_16 default full 9 9 77 99 3 0.25 4 0.7 lower 10 aa
+add q8_8 default physics 9 9 5 12 1 0.5 1 0.02 exact 40 dd
+add q16_16 small physics 9 9 70 90 1 - - - lower 5 ee
+sqrt q16_16 default physics 9 9 300 999 1 0.5 1 0 lower 50 ff
+sqrt float libc physics 9 9 600 999 1 0.5 1 0.01 lower 20 gg
+exp float libc physics 9 9 500 999 1 0.5 1 0.01 lower - hh
 """
 
 
@@ -262,31 +262,44 @@ own q8_8 small 90
                          "more exact) in 2, float in 1.")
 
     RIVALS = """
-rival variant version commit measured operation format operands regular cycles_mean rms_ulp flash_bytes failure
-libfixmath libfixmath - abc 2026-01-02 sqrt q16_16 physics 9 500 2 49 -
-libfixmath libfixmath - abc 2026-01-02 sqrt q16_16 full 9 1 2 49 -
-libfixmath libfixmath_bytes - abc 2026-01-02 sqrt q16_16 physics 9 1 2 49 hangs
+rival variant version commit measured operation format operands regular cycles_mean rms_error flash_bytes failure
+libfixmath libfixmath - abc 2026-01-02 sqrt q16_16 physics 9 500 0.00002 49 -
+libfixmath libfixmath - abc 2026-01-02 sqrt q16_16 full 9 1 0.00002 49 -
+libfixmath libfixmath_bytes - abc 2026-01-02 sqrt q16_16 physics 9 1 0.00002 49 hangs
 avrfix avrfix 1.1 - 2026-01-03 add q16_16 physics 9 10 0 10 -
 avrfix avrfix 1.1 - 2026-01-03 add q8_24 physics 9 1 0 9 -
+fp64lib fp_double 1.1 - 2026-01-03 add float64 physics 9 123 0.0000001 9 -
 """
 
     def test_rivals_stand_beside_ours(self):
         made = golden(operations=OPERATIONS, rivals=self.RIVALS)
-        self.assertEqual(rivals.finding(made), "Of 2 functions of other libraries none takes fewer cycles than ours; "
-                                               "some take as many in add. 1 take less flash than ours; where flash "
-                                               "counts, `Small` has short tables.")
-        self.assertEqual([(row["operation"], row["cycles_mean"]) for row in rivals.rows(made)], [("sqrt", 500), ("add", 10)])
-        self.assertEqual(rivals.ours(made, "add"), (10, 65.536, 10))
+        self.assertEqual(rivals.finding(made, "q16_16"),
+                         "Of 2 functions of other libraries, held against Q16.16, none takes fewer cycles than ours; "
+                         "some take as many in add. Smaller than ours is the error of 1 and the flash of 1.")
+        self.assertEqual(rivals.finding(made, "q32_32"), "")  # none of ours was measured
+        self.assertEqual([(row["operation"], row["cycles_mean"]) for row in rivals.rows(made)],
+                         [("sqrt", 500), ("add", 10), ("add", 123)])
+        wide = golden(operations=OPERATIONS.replace("q8_8", "q32_32"), rivals=self.RIVALS)
+        self.assertEqual(rivals.finding(wide, "q32_32"),
+                         "Of 1 functions of other libraries, held against Q32.32, none takes fewer cycles than ours. "
+                         "Smaller than ours is the error of 1 and the flash of 1.")
         compilers = golden(operations=OPERATIONS, rivals=self.RIVALS.replace("avrfix avrfix", "GCC gcc_accum"))
-        self.assertEqual({row["variant"] for row in rivals.judged(compilers)}, {"libfixmath", "gcc_accum"})
-        self.assertEqual({row["variant"] for row in rivals.comparable(compilers)}, {"libfixmath"})
-        self.assertEqual(rivals.origins(made), "Measured on 2026-01-02: libfixmath at abc. Measured on 2026-01-03: avrfix 1.1.")
+        self.assertEqual({row["variant"] for row in rivals.judged(compilers)}, {"libfixmath", "gcc_accum", "fp_double"})
+        self.assertEqual({row["variant"] for row in rivals.comparable(compilers)}, {"libfixmath", "fp_double"})
+        self.assertEqual(rivals.origins(made), "Measured on 2026-01-02: libfixmath at abc. "
+                                               "Measured on 2026-01-03: avrfix 1.1; fp64lib 1.1.")
         shown = [axes for axes in error_against_cycles.draw(made).axes if axes.axison]
-        self.assertIn((500, 2 / 65536), [point for point, _ in points(shown[1])])
+        self.assertIn((500, 0.00002), [point for point, _ in points(shown[1])])
+        self.assertNotIn(123, [cycles for (cycles, _), _ in points(shown[0])])  # of 64 bits
 
     def test_another_librarys_lead_is_told(self):
         made = golden(operations=OPERATIONS, rivals=self.RIVALS.replace(" 500 ", " 5 "))
-        self.assertIn("1 takes fewer cycles than ours: sqrt of libfixmath", rivals.finding(made))
+        self.assertIn("1 takes fewer cycles than ours: sqrt of libfixmath", rivals.finding(made, "q16_16"))
+
+    def test_errors_are_compared_over_one_range(self):
+        """Of an operand whose result ours cannot hold, the other's error says nothing beside ours."""
+        made = golden(operations=OPERATIONS.replace("physics 9 9 10", "physics 9 8 10"), rivals=self.RIVALS)
+        self.assertIn("Smaller than ours is the error of 0 ", rivals.finding(made, "q16_16"))
 
     def test_a_rival_without_a_name_is_refused(self):
         made = golden(operations=OPERATIONS, rivals=self.RIVALS.replace("libfixmath_bytes", "another"))

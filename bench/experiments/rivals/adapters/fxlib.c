@@ -10,9 +10,23 @@ _Accum asink(_Accum);
 _Accum acosk(_Accum);
 _Accum exp2k(_Accum);
 _Accum log2uk(unsigned _Accum);
+_Accum sinpi2k(_Accum);
+_Accum cospi2k(_Accum);
+
+/* Of an angle in turns; what overflows is whole turns. */
+static _Accum quarter_turns(_Accum turns) {
+    union {
+        _Accum number;
+        uint32_t bits;
+    } angle = {turns};
+    angle.bits <<= 2;
+    return angle.number;
+}
 
 _Accum SUBJECT(sqrt, s16_15)(_Accum a) { return sqrtk(a); }
 _Accum SUBJECT(atan, s16_15)(_Accum a) { return atank(a); }
+_Accum SUBJECT(sin_turns, s16_15)(_Accum a) { return sinpi2k(quarter_turns(a)); }
+_Accum SUBJECT(cos_turns, s16_15)(_Accum a) { return cospi2k(quarter_turns(a)); }
 _Accum SUBJECT(asin, s16_15)(_Accum a) { return asink(a); }
 _Accum SUBJECT(acos, s16_15)(_Accum a) { return acosk(a); }
 _Accum SUBJECT(exp2, s16_15)(_Accum a) { return exp2k(a); }

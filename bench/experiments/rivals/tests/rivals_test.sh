@@ -24,6 +24,7 @@ refuses "<rival>=<folder>" --source libfixmath
 refuses "the folder must exist" --source "libfixmath=$scratch/absent"
 mkdir "$scratch/empty"
 refuses "is no checkout of" --source "libfixmath=$scratch/empty"
+refuses "fp64_*.S is missing" --source "fp64lib=$scratch/empty"
 mkdir "$scratch/broken"
 echo "#error broken" >"$scratch/broken/fixedptc.h"
 refuses "fixedptc: avr-gcc fails" --source "fixedptc=$scratch/broken"
@@ -54,6 +55,7 @@ import csv, sys
 rows = {(row["variant"], row["operation"], row["format"], row["operands"]): row for row in csv.DictReader(open(sys.argv[1]))}
 product = rows["fixedptc", "multiply", "q16_16", "physics"]
 assert 0.49 < float(product["max_ulp"]) <= 0.5 and product["within_half_ulp"] == "1", product
+assert abs(float(product["max_error"]) * 2**16 - float(product["max_ulp"])) < 1e-5, product
 assert int(product["flash_bytes"]) > 50 and int(product["cycles_min"]) > 50, product
 quotient = rows["fixedptc", "divide", "q16_16", "physics"]
 assert 0.9 < float(quotient["max_ulp"]) < 1, quotient

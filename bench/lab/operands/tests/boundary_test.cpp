@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
+#include <cfloat>
 #include <cmath>
 #include <map>
 
@@ -40,9 +42,33 @@ TEST(Boundary, HoldsWhatItNames) {
     EXPECT_EQ(found.at(1 << 20), "2^4");
 }
 
+TEST(Boundary, HoldsTheEdgesOfFloats) {
+    const auto singles = table(reference::ieee_single);
+    EXPECT_EQ(singles.at(0x7f7fffff), "MAX");
+    EXPECT_EQ(singles.at(0x00800000), "the smallest normal");
+    EXPECT_EQ(singles.at(INT32_MIN), "-0");
+    const auto doubles = table(reference::ieee_double);
+    const auto named = [&](double number) {
+        return doubles.at(std::bit_cast<std::int64_t>(number));
+    };
+    EXPECT_EQ(named(DBL_MAX), "MAX");
+    EXPECT_EQ(named(-HUGE_VAL), "-infinity");
+    EXPECT_EQ(named(-0.0), "-0");
+    EXPECT_EQ(named(-DBL_MIN), "the negative of the smallest normal");
+    EXPECT_EQ(named(DBL_TRUE_MIN), "the smallest subnormal");
+    EXPECT_EQ(named(std::nextafter(-1, 0)), "-1, toward 0");
+    EXPECT_EQ(named(0x1p53), "2^53, above which odd integers are missing");
+    EXPECT_EQ(named(0x1p-511), "the root of the smallest normal");
+    EXPECT_EQ(named(std::nextafter(std::log(DBL_MAX), 0)), "ln MAX, the border of exp, toward 0");
+    EXPECT_TRUE(std::isnan(
+        std::bit_cast<double>(std::ranges::find(doubles, "not a number", [](const auto& row) {
+                                  return row.second;
+                              })->first)));
+}
+
 TEST(Boundary, IsSortedAndWithinEveryFormat) {
     for (const char* name : {"q4_4", "q8_8", "q16_16", "q32_32", "q1_15", "q1_63", "q8_24", "q64_0",
-                             "int8", "int64", "s8_7", "s16_47", "float"}) {
+                             "int8", "int64", "s8_7", "s16_47", "float", "float64"}) {
         const NumberFormat format = reference::parse_format(name);
         const auto operands = boundary_operands(format);
         EXPECT_GE(operands.size(), 40u) << name;

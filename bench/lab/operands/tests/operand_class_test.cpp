@@ -62,7 +62,7 @@ TEST(OperandClass, TheFirstDrawsStayWhatTheyAre) {
 }
 
 TEST(OperandClass, SmallIsUniformBelowOne) {
-    for (const char* format : {"q4_4", "q8_8", "q16_16", "q32_32", "s16_15", "float"}) {
+    for (const char* format : {"q4_4", "q8_8", "q16_16", "q32_32", "s16_15", "float", "float64"}) {
         const auto values = sample(Operation::multiply, format, OperandClass::small);
         EXPECT_EQ(share(values, -1, 1), 1) << format;
         EXPECT_EQ(share(values, 0, 1e-30), 0) << format;
@@ -74,7 +74,7 @@ TEST(OperandClass, SmallIsUniformBelowOne) {
 }
 
 TEST(OperandClass, PhysicsIsLogUniform) {
-    for (const char* format : {"q16_16", "q32_32", "s16_15", "float"}) {
+    for (const char* format : {"q16_16", "q32_32", "s16_15", "float", "float64"}) {
         const auto values = sample(Operation::divide, format, OperandClass::physics);
         EXPECT_EQ(share(values, -20.0001, -0.0099) + share(values, 0.0099, 20.0001), 1) << format;
         const double decade = std::log(10) / std::log(2000) / 2;
@@ -105,6 +105,9 @@ TEST(OperandClass, FullCoversEveryBinade) {
     EXPECT_GT(share(values, 0.00001, 0.00002), 0.005);
     const auto singles = sample(Operation::divide, "float", OperandClass::full);
     EXPECT_NEAR(share(singles, 1e20, HUGE_VAL), 0.12, 0.01);
+    const auto doubles = sample(Operation::divide, "float64", OperandClass::full);
+    EXPECT_NEAR(share(doubles, 0x1p512, HUGE_VAL), 0.125, 0.01);
+    EXPECT_NEAR(share(doubles, -0x1p-512, 0), 0.125, 0.01);
 }
 
 TEST(OperandClass, UniformTakesEveryRawAlike) {
@@ -123,8 +126,9 @@ TEST(OperandClass, UniformTakesEveryRawAlike) {
     const auto values = sample(Operation::multiply, "q32_32", OperandClass::uniform);
     EXPECT_NEAR(share(values, 0, 0x1p30), 0.25, 0.01);
     EXPECT_NEAR(share(values, -0x1p31, -0x1p30), 0.25, 0.01);
-    for (const double number : sample(Operation::add, "float", OperandClass::uniform))
-        ASSERT_TRUE(std::isfinite(number));
+    for (const char* format : {"float", "float64"})
+        for (const double number : sample(Operation::add, format, OperandClass::uniform))
+            ASSERT_TRUE(std::isfinite(number));
 }
 
 TEST(OperandClass, LowBitsOfWideRawsAreRandom) {
