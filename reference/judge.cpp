@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
@@ -105,8 +106,9 @@ Judgement judge_float(const NumberFormat& format, const Definition& definition, 
     const Number got =
         scale(Number(numerator(scale(value(format, result), -least))), least - last_place);
     const bool as_defined = definition.rounding == Rounding::within_bound || got == target;
-    return {.error_ulp = double(Number(got - x)),
-            .ulp = std::ldexp(1.0, last_place),
+    const auto error_ulp = double(Number(got - x));
+    return {.error_ulp = error_ulp,
+            .error = std::ldexp(std::abs(error_ulp), last_place),
             .as_defined = as_defined};
 }
 
@@ -214,7 +216,8 @@ class Judge {
                     return judge_float(subject_.format, definition_, number, result);
                 const auto in_ulp = scale(number, subject_.format.fraction);
                 Judgement judgement = judge_fixed(subject_.format, definition_, in_ulp, result);
-                judgement.ulp = std::ldexp(1.0, -subject_.format.fraction);
+                judgement.error =
+                    std::ldexp(std::abs(judgement.error_ulp), -subject_.format.fraction);
                 judgement.underflow = vanishes(subject_.operation) && abs(in_ulp) * 2 < 1;
                 return judgement;
             },
@@ -274,10 +277,9 @@ Judgement judge(const Subject& subject, std::span<const std::int64_t> operands,
     Judgement worst = of_operands.component(0, results[0]);
     for (std::size_t i = 1; i < results.size(); ++i) {
         const Judgement other = of_operands.component(i, results[i]);
-        if (std::abs(other.error_ulp) > std::abs(worst.error_ulp)) {
+        if (std::abs(other.error_ulp) > std::abs(worst.error_ulp))
             worst.error_ulp = other.error_ulp;
-            worst.ulp = other.ulp;
-        }
+        worst.error = std::max(worst.error, other.error);
         worst.as_defined &= other.as_defined;
         worst.defined &= other.defined;
         worst.underflow &= other.underflow;

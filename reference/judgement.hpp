@@ -9,9 +9,9 @@ struct Judgement {
     // modulo 2^W, the nearest way round), or the pinned result where `defined`. Of a vector the
     // component with the largest. Infinite where one of the two is no finite number.
     double error_ulp = 0;
-    // What error_ulp is a multiple of, in the unit of the result. Of regular results, which were
-    // not judged in bulk.
-    double ulp = 0;
+    // Its size in the unit of the result; of a vector the largest, which may be another
+    // component's. Of regular results, which were not judged in bulk.
+    double error = 0;
     // No rounding of an exact result in range but a pinned one: overflow that clamps or becomes
     // infinite, a zero divisor, a domain error, a not-a-number.
     bool defined = false;

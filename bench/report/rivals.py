@@ -19,6 +19,8 @@ NAMES = {
 }
 MARKERS = dict(zip(NAMES, "xx+1233|4_*"))
 COLOURS = dict(zip(NAMES, ("#555555", "#999999", *["#777777"] * 9)))
+# Errors nearer than that are the same: they were drawn from one class of operands, not as the same operands.
+SAME = 0.95
 # Which of ours a format is held against: one of as many bits.
 OURS = {"q16_16": "q16_16", "s16_15": "q16_16", "float64": "q32_32"}
 
@@ -81,7 +83,7 @@ def finding(data, against):
         count += 1
         smaller += row["flash_bytes"] < mine["flash_bytes"]
         same_range = mine["regular"] == mine["samples"]  # else ours has no results as large as the other's
-        exacter += same_range and row["rms_error"] < mine["rms_error"]
+        exacter += same_range and row["rms_error"] < SAME * mine["rms_error"]
         if row["cycles_mean"] < mine["cycles_mean"]:
             ahead.setdefault(NAMES[row["variant"]], []).append(row["operation"])
         elif row["cycles_mean"] == mine["cycles_mean"]:

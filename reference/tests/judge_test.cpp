@@ -533,11 +533,17 @@ TEST(JudgeDouble, EdgesAndUlps) {
     EXPECT_EQ(judged_double(Operation::multiply, {DBL_TRUE_MIN, 0.75}, DBL_TRUE_MIN).error_ulp,
               0.25);
     // Of a result that is far off, the ulp is still that of the exact value.
-    const Judgement off = judged_double(Operation::add, {1, 2}, 0);
-    EXPECT_EQ(off.ulp, 0x1p-51);
-    EXPECT_EQ(off.error_ulp * off.ulp, -3);
-    EXPECT_EQ(judged_float(Operation::add, {1, 2}, 0).ulp, 0x1p-22);
-    EXPECT_EQ(judged(Operation::add, "q16_16", nearest, {1, 2}, {0}).ulp, 0x1p-16);
+    EXPECT_EQ(judged_double(Operation::add, {1, 2}, 0).error_ulp, -0x3p51);
+    EXPECT_EQ(judged_double(Operation::add, {1, 2}, 0).error, 3);
+    EXPECT_EQ(judged_float(Operation::add, {1, 2}, 0).error, 3);
+    EXPECT_EQ(judged(Operation::add, "q16_16", nearest, {1, 2}, {0}).error, 0x3p-16);
+    // The component that errs by the most ulps, the tiny one, is not the one with the largest
+    // error.
+    const Judgement direction = judged(Operation::normalise3, "float", Arithmetic::ieee,
+                                       {raw_of_float(0x1p-60f), raw_of_float(1), 0},
+                                       {raw_of_float(0x1.fp-60f), raw_of_float(1.5f), 0});
+    EXPECT_NEAR(direction.error_ulp, 0x.fp24, 1);
+    EXPECT_EQ(direction.error, 0.5);
 }
 
 TEST(JudgeConversion, BetweenFormats) {

@@ -41,9 +41,8 @@ struct Measurement {
         ++regular;
         regular_cycles_sum += result.cycles;
         if (!std::isfinite(judgement.error_ulp)) return;
-        const double error = std::abs(judgement.error_ulp) * judgement.ulp;
-        max_error = std::max(max_error, error);
-        sum_of_squared_errors += static_cast<long double>(error) * error;
+        max_error = std::max(max_error, judgement.error);
+        sum_of_squared_errors += static_cast<long double>(judgement.error) * judgement.error;
     }
     double rms_error() const {
         return static_cast<double>(
