@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The distance of a link's ends and the direction of one from the other. In fixed point neither
-// takes a root or a quotient in a step: a link knows 1 / length, by which a difference d is a unit
-// vector n near its length. Newton's step for 1 / |n| then mends its length: with
-// e = (n . n - 1) / 2, n (1 - e) has the length 1 - 3 e^2 / 2 - e^3 / 2, below 1. The distance is d
-// . n.
+// The distance of a link's ends and the direction of one from the other. In fixed point a step
+// takes neither a root nor a quotient for it: a link knows 1 / length, and its product with the
+// difference d of the ends is nearly a unit vector n where these are near that length. With e = (n
+// . n - 1) / 2, the unit vector is n (1 + 2 e)^(-1/2), by its series up to e^2. Where e is large, a
+// few such steps one after the other converge. The distance is length (1 + e - e^2 / 2), or d . n.
 #pragma once
 
 #include <engine/choice.hpp>
@@ -33,14 +33,16 @@ ENGINE_INLINE Scalar times(Scalar a, const Inverse<Scalar>& inverse) {
 
 // Digit by digit, since it is done once for each link: a kernel's table would stay in flash.
 template <int I, int F, class A>
-__attribute__((noinline)) Inverse<Fixed<I, F, A>> inverse_of(Fixed<I, F, A> a) {
+__attribute__((noinline, cold)) Inverse<Fixed<I, F, A>> inverse_of(Fixed<I, F, A> a) {
     using Number = Fixed<I, F, A>;
     using Raw = typename Number::Raw;
     using Digits = fixedpoint::Unsigned<Raw>;
     if (!(a > Number())) return {Number(), 0};
     const auto divisor = static_cast<Digits>(a.raw());
     unsigned char halvings = 0;
-    while ((divisor >> (F + 1 + halvings)) != 0) ++halvings;
+    for (Digits left = divisor >> F >> 1; left != 0; left = static_cast<Digits>(left >> 1)) {
+        ++halvings;
+    }
     constexpr auto most = static_cast<Digits>(fixedpoint::RawLimits<Raw>::max);
     Digits quotient = 0, rest = 1;
     for (unsigned char digits = 2 * F + halvings;; --digits) {
@@ -63,9 +65,15 @@ ENGINE_INLINE Fixed<I, F, A> times(Fixed<I, F, A> a, const Inverse<Fixed<I, F, A
     return inverse.halvings == 0 ? a : a >> inverse.halvings;
 }
 
+// v / 2^count.
+template <class Scalar, int N>
+__attribute__((noinline, cold)) void halve(Vector<Scalar, N>& v, unsigned char count) {
+    for (unsigned char i = 0; i < N; ++i) v[i] = v[i] >> count;
+}
+
 // Whether a component of v is beyond +-bound.
 template <class Scalar, int N>
-bool reaches_beyond(const Vector<Scalar, N>& v, Scalar bound) {
+__attribute__((noinline, cold)) bool reaches_beyond(const Vector<Scalar, N>& v, Scalar bound) {
     for (unsigned char i = 0; i < N; ++i) {
         if (v[i] > bound || v[i] < -bound) return true;
     }
@@ -73,13 +81,12 @@ bool reaches_beyond(const Vector<Scalar, N>& v, Scalar bound) {
 }
 
 // v 2^k with its largest component in 1/4..1/2, so that 1/4 < |v| < 0.87; 0 stays 0.
-template <class Scalar, int N>
-void bring_near_one(Vector<Scalar, N>& v) {
-    const Scalar least = Decimal<25, 2>();
-    while (reaches_beyond(v, least + least)) {
-        for (unsigned char i = 0; i < N; ++i) v[i] = half(v[i]);
-    }
-    while (!reaches_beyond(v, least) && !(v == Vector<Scalar, N>())) v += v;
+template <int I, int F, class A, int N>
+__attribute__((noinline, cold)) void bring_near_one(Vector<Fixed<I, F, A>, N>& v) {
+    using Raw = typename Fixed<I, F, A>::Raw;
+    const auto least = Fixed<I, F, A>::from_raw(static_cast<Raw>(Raw(1) << (F < 2 ? 0 : F - 2)));
+    while (reaches_beyond(v, least + least)) halve(v, 1);
+    while (!reaches_beyond(v, least) && !(v == Vector<Fixed<I, F, A>, N>())) v += v;
 }
 
 // e = (v . v - 1) / 2, by which |v| exceeds 1 where that is little.
@@ -101,15 +108,15 @@ template <int I, int F, class A>
 struct NearOne<Fixed<I, F, A>> {
     static constexpr Fixed<I, F, A> value() {
         using Raw = typename Fixed<I, F, A>::Raw;
-        return Fixed<I, F, A>::from_raw(static_cast<Raw>(Raw(1) << (F - (F + 5) / 3)));
+        return Fixed<I, F, A>::from_raw(static_cast<Raw>(Raw(1) << (F < 2 ? 0 : F - (F + 5) / 3)));
     }
 };
 
-// The unit vector along v, whose e is known, and as dot(v, difference) the distance: of a vector
-// that is no longer than that of e = 1/4. From 1/4 of the length, six steps suffice.
+// The distance |difference| and the direction along it, from one of nearly that direction and its
+// e. Steps of third order converge for |e| <= 1/4, and from 1/4 of the length six suffice.
 template <class Scalar, int N>
-__attribute__((noinline)) Scalar measure_by_steps(const Vector<Scalar, N>& difference, Scalar e,
-                                                  Vector<Scalar, N>& direction) {
+__attribute__((noinline, cold)) Scalar measure_by_steps(const Vector<Scalar, N>& difference,
+                                                        Scalar e, Vector<Scalar, N>& direction) {
     if (absolute(e) > Scalar(Decimal<25, 2>())) {
         direction = difference;
         bring_near_one(direction);
@@ -140,10 +147,12 @@ typename OnlyIf<RoundsOnce<A>::value, bool>::Type measure(
     Fixed<I, F, A>& excess) {
     using Number = Fixed<I, F, A>;
     const Number near = NearOne<Number>::value();
-    // A direction so much too long changes nothing that rounding does not.
+    // A direction 1 + e long leaves 2 e of a row's change to the next step: by 4 ulp that is below
+    // an ulp of each change below 1/8 m/s.
     const Number little = Number::from_raw(F >= 12 ? 4 : 0);
     direction = difference;
-    for (unsigned char i = 0; i < N; ++i) direction[i] = times(direction[i], inverse);
+    direction *= inverse.factor;
+    if (inverse.halvings != 0) halve(direction, inverse.halvings);
     Number relative = excess_over_one(direction);
     if (may_be_slack && relative < -near) return false;
     if (inverse.halvings == 0 && absolute(relative) < near) {
