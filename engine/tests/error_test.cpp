@@ -235,6 +235,21 @@ TYPED_TEST(WorldErrors, TheFirstErrorIsKept) {
     EXPECT_EQ(this->world.error(), Error::none);
 }
 
+// The shortest length is the one whose reciprocal is the last number of the format.
+TEST(WorldError, ALengthWithoutReciprocalIsRefused) {
+    using Number = engine::Fixed<5, 27>;
+    engine::World<Number, Everything> world;
+    world.add_particle({});
+    const auto a = world.add_particle({}), b = world.add_particle({});
+    const Number sixteenth = Number::from_raw(1 << 23);
+    EXPECT_FALSE(world.add_rod(a, b, sixteenth));
+    EXPECT_EQ(world.error(), Error::bad_length);
+    world.clear_error();
+    EXPECT_TRUE(world.add_rod(a, b, sixteenth + Number::from_raw(1)));
+    EXPECT_FALSE(world.set_length(world.rods()[0], sixteenth));
+    EXPECT_EQ(world.error(), Error::bad_length);
+}
+
 namespace {
 // Room for one contact.
 struct Crowd : engine::Uses {

@@ -19,10 +19,12 @@ template <class World, class Scalar, class Ends, class TimeStep>
 ENGINE_INLINE void constrain(const Rod<Scalar, Ends>& rod, World& world, TimeStep dt) {
     observe<Scalar>(Quantity::rod);
     const auto difference = rod.ends.difference(world);
-    const Scalar distance = length(difference);
-    if (distance == Scalar()) return world.report(Error::no_direction);
-    World::Solver::rod(world, rod.ends.a, rod.ends.second(), divided(difference, distance),
-                       distance - rod.length, rod.length, dt);
+    typename World::Vector direction;
+    Scalar excess;
+    if (!measure<false>(difference, rod.length, rod.inverse, direction, excess)) {
+        return world.report(Error::no_direction);
+    }
+    World::Solver::rod(world, rod.ends.a, rod.ends.second(), direction, excess, rod.inverse, dt);
 }
 
 /// A rope makes a row where it is taut or too long.
@@ -30,10 +32,12 @@ template <class World, class Scalar, class Ends, class TimeStep>
 ENGINE_INLINE void constrain(const Rope<Scalar, Ends>& rope, World& world, TimeStep dt) {
     observe<Scalar>(Quantity::rope);
     const auto difference = rope.ends.difference(world);
-    const Scalar distance = length(difference);
-    if (distance < rope.length) return;
-    World::Solver::rope(world, rope.ends.a, rope.ends.second(), divided(difference, distance),
-                        distance - rope.length, rope.length, rope.restitution, dt);
+    typename World::Vector direction;
+    Scalar excess;
+    if (!measure<true>(difference, rope.length, rope.inverse, direction, excess)) return;
+    if (excess < Scalar()) return;
+    World::Solver::rope(world, rope.ends.a, rope.ends.second(), direction, excess, rope.inverse,
+                        rope.restitution, dt);
 }
 
 /// A particle makes a row where it reaches into a plane. Inline as collide(): most particles reach

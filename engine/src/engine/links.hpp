@@ -5,6 +5,7 @@
 #pragma once
 
 #include <engine/decimal.hpp>
+#include <engine/distance.hpp>
 #include <engine/vector.hpp>
 
 namespace engine {
@@ -72,6 +73,9 @@ struct Rod {
     /// The two ends.
     Ends ends;
     Scalar length;  ///< m
+    /// \cond internal
+    Inverse<Scalar> inverse;  // of the length
+    /// \endcond
 };
 
 /// Keeps its ends no further apart than its length.
@@ -81,16 +85,20 @@ struct Rope {
     Ends ends;
     Scalar length;       ///< m
     Scalar restitution;  ///< 0..1 of the velocity at which it becomes taut
+    /// \cond internal
+    Inverse<Scalar> inverse;  // of the length
+    /// \endcond
 };
 
 /// \cond internal
-template <class Link>
-auto length_in(Link& link) -> decltype((link.length)) {
-    return link.length;
+template <class Link, class Scalar>
+void give_length(Link& link, Scalar length) {
+    link.length = length;
+    link.inverse = inverse_of(length);
 }
 template <class Scalar, class Ends>
-Scalar& length_in(Spring<Scalar, Ends>& spring) {
-    return spring.rest_length;
+void give_length(Spring<Scalar, Ends>& spring, Scalar length) {
+    spring.rest_length = length;
 }
 /// \endcond
 

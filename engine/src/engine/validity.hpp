@@ -52,7 +52,8 @@ __attribute__((noinline)) bool is_unit(const Vector<Scalar, N>& v) {
 // Whether a rod, a rope or a spring may have that length.
 template <class Link, class Scalar>
 bool takes_length(const Link&, Scalar length) {
-    return is_finite(length) && length > Scalar();
+    const Scalar inverse = inverse_of(length).factor;
+    return is_finite(length) && is_finite(inverse) && inverse > Scalar();
 }
 template <class Scalar, class Ends>
 bool takes_length(const Spring<Scalar, Ends>&, Scalar length) {

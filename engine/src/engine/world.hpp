@@ -167,20 +167,20 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
     }
     /// Holds two particles at a distance, in m, above 0.
     bool add_rod(Handle a, Handle b, Scalar length) {
-        return add(rods_, {{a.index, b.index}, length});
+        return add(rods_, {{a.index, b.index}, length, inverse_of(length)});
     }
     /// Holds a particle at a distance, in m, above 0, from a fixed point.
     bool add_anchored_rod(Handle a, const Vector& anchor, Scalar length) {
-        return add(anchored_rods_, {{a.index, anchor}, length});
+        return add(anchored_rods_, {{a.index, anchor}, length, inverse_of(length)});
     }
     /// Keeps two particles within a distance, in m, above 0; restitution, in 0..1, of the velocity
     /// at which it becomes taut.
     bool add_rope(Handle a, Handle b, Scalar length, Scalar restitution) {
-        return add(ropes_, {{a.index, b.index}, length, restitution});
+        return add(ropes_, {{a.index, b.index}, length, restitution, inverse_of(length)});
     }
     /// Keeps a particle within a distance of a fixed point: units as of add_rope.
     bool add_anchored_rope(Handle a, const Vector& anchor, Scalar length, Scalar restitution) {
-        return add(anchored_ropes_, {{a.index, anchor}, length, restitution});
+        return add(anchored_ropes_, {{a.index, anchor}, length, restitution, inverse_of(length)});
     }
     /// Slows a particle: linear in N s/m, quadratic in N s^2/m^2, none negative.
     bool add_drag(Handle a, Scalar linear, Scalar quadratic) {
@@ -199,7 +199,7 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
         auto& pool = pool_of(link);
         if (&link < pool.begin() || !(&link < pool.end())) return fail(Error::no_such_link);
         if (!takes_length(link, length)) return fail(Error::bad_length);
-        length_in(const_cast<Link&>(link)) = length;  // an element of this world, which may change
+        give_length(const_cast<Link&>(link), length);  // an element of this world, which may change
         integrator_memory_.restart();
         return true;
     }

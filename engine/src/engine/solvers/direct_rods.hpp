@@ -55,7 +55,8 @@ struct DirectRods : ProjectedGaussSeidel<1> {
     static void solve(World& world) {
         auto& rows = world.step_rows();
         for (auto& row : rows) {
-            row.pivot = Decimal<1, 0>();
+            // A direction is not 1 long to the last bit, and where masses differ much, that shows.
+            row.pivot = dot(row.normal, row.normal);
             row.change = row.target - velocity_along(world, row.a, row.b, row.normal);
             couple(world, row);
         }

@@ -97,15 +97,15 @@ struct ProjectedGaussSeidel {
 
     template <class World, class Index, class Vector, class Scalar, class TimeStep>
     static void rod(World& world, Index a, Index b, const Vector& direction, Scalar excess,
-                    Scalar length, TimeStep dt) {
-        bind(world, a, b, false, direction, -excess, -chord_velocity(world, a, b, length, dt),
+                    const Inverse<Scalar>& inverse, TimeStep dt) {
+        bind(world, a, b, false, direction, -excess, -chord_velocity(world, a, b, inverse, dt),
              Scalar());
     }
 
     template <class World, class Index, class Vector, class Scalar, class TimeStep>
     static void rope(World& world, Index a, Index b, const Vector& direction, Scalar excess,
-                     Scalar length, Scalar restitution, TimeStep dt) {
-        bind(world, a, b, true, -direction, excess, chord_velocity(world, a, b, length, dt),
+                     const Inverse<Scalar>& inverse, Scalar restitution, TimeStep dt) {
+        bind(world, a, b, true, -direction, excess, chord_velocity(world, a, b, inverse, dt),
              restitution);
     }
 
@@ -180,17 +180,19 @@ struct ProjectedGaussSeidel {
 
     // h w^2 / 2L of the velocity w of a against b.
     template <class World, class Index, class Scalar, class TimeStep>
-    static Scalar chord_velocity(const World& world, Index a, Index b, Scalar length, TimeStep dt) {
+    static Scalar chord_velocity(const World& world, Index a, Index b,
+                                 const Inverse<Scalar>& of_length, TimeStep dt) {
         const auto& velocity = world.particles()[a].velocity;
-        if (!is_particle(world, b)) return chord_velocity(velocity, length, dt);
-        return chord_velocity(velocity - world.particles()[b].velocity, length, dt);
+        if (!is_particle(world, b)) return chord_velocity(velocity, of_length, dt);
+        return chord_velocity(velocity - world.particles()[b].velocity, of_length, dt);
     }
     // Through the half-step displacement, which stays in range where w^2 does not.
     template <class Vector, class Scalar, class TimeStep>
-    static Scalar chord_velocity(const Vector& velocity, Scalar length, TimeStep dt) {
+    static Scalar chord_velocity(const Vector& velocity, const Inverse<Scalar>& of_length,
+                                 TimeStep dt) {
         Vector displacement(velocity);
         displacement *= half(dt);
-        return dot(displacement, velocity) / length;
+        return times(dot(displacement, velocity), of_length);
     }
 };
 

@@ -30,16 +30,16 @@ struct WorstFirst {
     };
 
     template <class World, class Index, class Vector, class Scalar, class TimeStep>
-    static void rod(World& world, Index a, Index b, const Vector& direction, Scalar excess, Scalar,
-                    TimeStep) {
+    static void rod(World& world, Index a, Index b, const Vector& direction, Scalar excess,
+                    const Inverse<Scalar>&, TimeStep) {
         if (excess == Scalar()) return;
         append(world, a, b, direction, -excess, Scalar());
         append(world, a, b, -direction, excess, Scalar());
     }
 
     template <class World, class Index, class Vector, class Scalar, class TimeStep>
-    static void rope(World& world, Index a, Index b, const Vector& direction, Scalar excess, Scalar,
-                     Scalar restitution, TimeStep) {
+    static void rope(World& world, Index a, Index b, const Vector& direction, Scalar excess,
+                     const Inverse<Scalar>&, Scalar restitution, TimeStep) {
         append(world, a, b, -direction, excess, restitution);
     }
 

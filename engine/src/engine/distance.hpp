@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+// The distance of a link's ends and the direction of one from the other. In fixed point a step
+// takes neither a root nor a quotient for it: a link knows 1 / length, and its product with the
+// difference d of the ends is nearly a unit vector n where these are near that length. With e = (n
+// . n - 1) / 2, the unit vector is n (1 + 2 e)^(-1/2), by its series up to e^2. Where e is large, a
+// few such steps one after the other converge. The distance is length (1 + e - e^2 / 2), or d . n.
+#pragma once
+
+#include <engine/choice.hpp>
+#include <engine/decimal.hpp>
+#include <engine/time_step.hpp>
+#include <engine/vector.hpp>
+
+namespace engine {
+
+// 1 / a = factor / 2^halvings. The factor of a fixed-point number above 1 lies in 1/2..1, so that a
+// long link's is as exact as a short one's. It is 0 where it leaves the format, and of a <= 0.
+template <class Scalar>
+struct Inverse {
+    Scalar factor;
+    unsigned char halvings;
+};
+
+template <class Scalar>
+Inverse<Scalar> inverse_of(Scalar a) {
+    const Scalar one = Decimal<1, 0>();
+    return {one / a, 0};
+}
+template <class Scalar>
+ENGINE_INLINE Scalar times(Scalar a, const Inverse<Scalar>& inverse) {
+    return a * inverse.factor;
+}
+
+// Digit by digit, since it is done once for each link: a kernel's table would stay in flash.
+template <int I, int F, class A>
+__attribute__((noinline, cold)) Inverse<Fixed<I, F, A>> inverse_of(Fixed<I, F, A> a) {
+    using Number = Fixed<I, F, A>;
+    using Raw = typename Number::Raw;
+    using Digits = fixedpoint::Unsigned<Raw>;
+    if (!(a > Number())) return {Number(), 0};
+    const auto divisor = static_cast<Digits>(a.raw());
+    unsigned char halvings = 0;
+    for (Digits left = divisor >> F >> 1; left != 0; left = static_cast<Digits>(left >> 1)) {
+        ++halvings;
+    }
+    constexpr auto most = static_cast<Digits>(fixedpoint::RawLimits<Raw>::max);
+    Digits quotient = 0, rest = 1;
+    for (unsigned char digits = 2 * F + halvings;; --digits) {
+        if (quotient > most / 2) return {Number(), 0};
+        quotient = static_cast<Digits>(2 * quotient);
+        if (rest >= divisor) {
+            rest = static_cast<Digits>(rest - divisor);
+            ++quotient;
+        }
+        if (digits == 0) break;
+        rest = static_cast<Digits>(2 * rest);
+    }
+    if (rest >= divisor - rest) ++quotient;
+    if (quotient > most) return {Number(), 0};
+    return {Number::from_raw(static_cast<Raw>(quotient)), halvings};
+}
+template <int I, int F, class A>
+ENGINE_INLINE Fixed<I, F, A> times(Fixed<I, F, A> a, const Inverse<Fixed<I, F, A>>& inverse) {
+    a *= inverse.factor;
+    return inverse.halvings == 0 ? a : a >> inverse.halvings;
+}
+
+// v / 2^count.
+template <class Scalar, int N>
+__attribute__((noinline, cold)) void halve(Vector<Scalar, N>& v, unsigned char count) {
+    for (unsigned char i = 0; i < N; ++i) v[i] = v[i] >> count;
+}
+
+// Whether a component of v is beyond +-bound.
+template <class Scalar, int N>
+__attribute__((noinline, cold)) bool reaches_beyond(const Vector<Scalar, N>& v, Scalar bound) {
+    for (unsigned char i = 0; i < N; ++i) {
+        if (v[i] > bound || v[i] < -bound) return true;
+    }
+    return false;
+}
+
+// v 2^k with its largest component in 1/4..1/2, so that 1/4 < |v| < 0.87; 0 stays 0.
+template <int I, int F, class A, int N>
+__attribute__((noinline, cold)) void bring_near_one(Vector<Fixed<I, F, A>, N>& v) {
+    using Raw = typename Fixed<I, F, A>::Raw;
+    const auto least = Fixed<I, F, A>::from_raw(static_cast<Raw>(Raw(1) << (F < 2 ? 0 : F - 2)));
+    while (reaches_beyond(v, least + least)) halve(v, 1);
+    while (!reaches_beyond(v, least) && !(v == Vector<Fixed<I, F, A>, N>())) v += v;
+}
+
+// e = (v . v - 1) / 2, by which |v| exceeds 1 where that is little.
+template <class Scalar, int N>
+ENGINE_INLINE Scalar excess_over_one(const Vector<Scalar, N>& v) {
+    return half(dot(v, v) - Scalar(Decimal<1, 0>()));
+}
+
+// v / |v|, of that e and its square: 1 - e + 3/2 e^2 of it, which leaves 5/2 |e|^3 of the length.
+template <class Scalar, int N>
+ENGINE_INLINE void mend_length(Vector<Scalar, N>& v, Scalar e, Scalar square) {
+    v.add_scaled(v, square + half(square) - e);
+}
+
+// Up to this e, mend_length leaves less than half an ulp.
+template <class Number>
+struct NearOne;
+template <int I, int F, class A>
+struct NearOne<Fixed<I, F, A>> {
+    static constexpr Fixed<I, F, A> value() {
+        using Raw = typename Fixed<I, F, A>::Raw;
+        return Fixed<I, F, A>::from_raw(static_cast<Raw>(Raw(1) << (F < 2 ? 0 : F - (F + 5) / 3)));
+    }
+};
+
+// The distance |difference| and the direction along it, from one of nearly that direction and its
+// e. Steps of third order converge for |e| <= 1/4, and from 1/4 of the length six suffice.
+template <class Scalar, int N>
+__attribute__((noinline, cold)) Scalar measure_by_steps(const Vector<Scalar, N>& difference,
+                                                        Scalar e, Vector<Scalar, N>& direction) {
+    if (absolute(e) > Scalar(Decimal<25, 2>())) {
+        direction = difference;
+        bring_near_one(direction);
+        e = excess_over_one(direction);
+    }
+    for (unsigned char steps = 6; steps > 0; --steps) {
+        mend_length(direction, e, e * e);
+        if (absolute(e) < NearOne<Scalar>::value()) break;
+        e = excess_over_one(direction);
+    }
+    return dot(direction, difference);
+}
+
+// The direction along `difference`, and by how much that is longer than `length`. False where there
+// is none: the ends coincide or, of what may be slack, are surely nearer than the length.
+template <bool may_be_slack, class Scalar, int N>
+bool measure(const Vector<Scalar, N>& difference, Scalar length, const Inverse<Scalar>&,
+             Vector<Scalar, N>& direction, Scalar& excess) {
+    const Scalar distance = engine::length(difference);
+    direction = divided(difference, distance);
+    excess = distance - length;
+    return !(distance == Scalar());
+}
+template <bool may_be_slack, int I, int F, class A, int N>
+typename OnlyIf<RoundsOnce<A>::value, bool>::Type measure(
+    const Vector<Fixed<I, F, A>, N>& difference, Fixed<I, F, A> length,
+    const Inverse<Fixed<I, F, A>>& inverse, Vector<Fixed<I, F, A>, N>& direction,
+    Fixed<I, F, A>& excess) {
+    using Number = Fixed<I, F, A>;
+    const Number near = NearOne<Number>::value();
+    // A direction 1 + e long leaves 2 e of a row's change to the next step: by 4 ulp that is below
+    // an ulp of each change below 1/8 m/s.
+    const Number little = Number::from_raw(F >= 12 ? 4 : 0);
+    direction = difference;
+    direction *= inverse.factor;
+    if (inverse.halvings != 0) halve(direction, inverse.halvings);
+    Number relative = excess_over_one(direction);
+    if (may_be_slack && relative < -near) return false;
+    if (inverse.halvings == 0 && absolute(relative) < near) {
+        if (absolute(relative) > little) {
+            const Number square = relative * relative;
+            mend_length(direction, relative, square);
+            relative -= half(square);
+        }
+        excess = relative * length;
+        return true;
+    }
+    const Number distance = measure_by_steps(difference, relative, direction);
+    excess = distance - length;
+    return !(distance == Number());
+}
+
+}  // namespace engine
