@@ -57,9 +57,14 @@ FIXEDPOINT_OPERATION(UNARY, atan_small)
 FIXEDPOINT_OPERATION(BINARY, atan2)
 FIXEDPOINT_OPERATION(BINARY, atan2_small)
 FIXEDPOINT_OPERATION(UNARY, exp)
+FIXEDPOINT_OPERATION(UNARY, exp_fine)
+FIXEDPOINT_OPERATION(UNARY, exp2_unsaturated)
+FIXEDPOINT_OPERATION(UNARY, sinh_unsaturated)
+FIXEDPOINT_OPERATION(UNARY, cosh_unsaturated)
 FIXEDPOINT_OPERATION(SCALED, exp_wide)
 FIXEDPOINT_OPERATION(UNARY, exp_small)
 FIXEDPOINT_OPERATION(UNARY, log)
+FIXEDPOINT_OPERATION(UNARY, log_fine)
 FIXEDPOINT_OPERATION(UNARY, log_small)
 FIXEDPOINT_OPERATION(VECTORS, dot2)
 FIXEDPOINT_OPERATION(VECTORS, dot3)
@@ -206,6 +211,17 @@ template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR uint64_t exp_wide(Raw a, uint8_t unit) {
     return portable::exp_wide<Raw, F>(a, unit);
 }
+#define FIXEDPOINT_PORTABLE(operation)          \
+    template <class Raw, int F>                 \
+    FIXEDPOINT_CONSTEXPR Raw operation(Raw a) { \
+        return portable::operation<Raw, F>(a);  \
+    }
+FIXEDPOINT_PORTABLE(exp_fine)
+FIXEDPOINT_PORTABLE(exp2_unsaturated)
+FIXEDPOINT_PORTABLE(sinh_unsaturated)
+FIXEDPOINT_PORTABLE(cosh_unsaturated)
+FIXEDPOINT_PORTABLE(log_fine)
+#undef FIXEDPOINT_PORTABLE
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw sine_of_phase(Raw phase) {
     return portable::sine_of_phase<Raw, F>(phase);

@@ -11,7 +11,7 @@ namespace portable {
 // Any is void: a template's static member may stand in a header.
 template <class Any = void>
 struct Exp64Table {
-    static constexpr uint64_t multiple[66] FIXEDPOINT_PROGRAM_MEMORY = {
+    static constexpr uint64_t multiple[67] FIXEDPOINT_PROGRAM_MEMORY = {
         0x204ae90df44150da, 0xd1bd0105c610ca86, 0x832f18fd97e04432, 0x34a130f569afbdde, 0xe61348ed3b7f378a, 0x978560e50d4eb135,
         0x48f778dcdf1e2ae1, 0xfa6990d4b0eda48d, 0xabdba8cc82bd1e39, 0x5d4dc0c4548c97e5, 0x0ebfd8bc265c1190, 0xc031f0b3f82b8b3c,
         0x71a408abc9fb04e8, 0x231620a39bca7e94, 0xd488389b6d99f840, 0x85fa50933f6971eb, 0x376c688b1138eb97, 0xe8de8082e3086543,
@@ -22,8 +22,9 @@ struct Exp64Table {
         0x3d02d7b6604b470a, 0xee74efae321ac0b5, 0x9fe707a603ea3a61, 0x51591f9dd5b9b40d, 0x02cb3795a7892db9, 0xb43d4f8d7958a765,
         0x65af67854b282110, 0x17217f7d1cf79abc, 0xc8939774eec71468, 0x7a05af6cc0968e14, 0x2b77c764926607bf, 0xdce9df5c6435816b,
         0x8e5bf7543604fb17, 0x3fce0f4c07d474c3, 0xf1402743d9a3ee6f, 0xa2b23f3bab73681a, 0x542457337d42e1c6, 0x05966f2b4f125b72,
-        0xb708872320e1d51e, 0x687a9f1af2b14eca, 0x19ecb712c480c875, 0xcb5ecf0a96504221, 0x7cd0e702681fbbcd, 0x2e42fefa39ef3579};
-    static constexpr uint8_t multiple_low[66] FIXEDPOINT_PROGRAM_MEMORY = {
+        0xb708872320e1d51e, 0x687a9f1af2b14eca, 0x19ecb712c480c875, 0xcb5ecf0a96504221, 0x7cd0e702681fbbcd, 0x2e42fefa39ef3579,
+        0xdfb516f20bbeaf25};
+    static constexpr uint8_t multiple_low[67] FIXEDPOINT_PROGRAM_MEMORY = {
         0xfa, 0xc4, 0x8d, 0x57, 0x21, 0xeb,
         0xb5, 0x7f, 0x49, 0x13, 0xdd, 0xa6,
         0x70, 0x3a, 0x04, 0xce, 0x98, 0x62,
@@ -34,7 +35,8 @@ struct Exp64Table {
         0x19, 0xe3, 0xad, 0x77, 0x41, 0x0a,
         0xd4, 0x9e, 0x68, 0x32, 0xfc, 0xc6,
         0x90, 0x5a, 0x23, 0xed, 0xb7, 0x81,
-        0x4b, 0x15, 0xdf, 0xa9, 0x73, 0x3c};
+        0x4b, 0x15, 0xdf, 0xa9, 0x73, 0x3c,
+        0x06};
     static constexpr uint64_t coarse[200] FIXEDPOINT_PROGRAM_MEMORY = {
         0xffffffffffffffff, 0xff007fd55ffdde38, 0xfe01feab551127cb, 0xfd047b835dfa9c5d, 0xfc07f55ff77d2493, 0xfb0c6b449b604ec2,
         0xfa11dc35bf73c89e, 0xf9184738d493d4fa, 0xf81fab5445aebc8a, 0xf728078f76cb38c0, 0xf6315af2c40fd7bd, 0xf53ba48780cb5863,
