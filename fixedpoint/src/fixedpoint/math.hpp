@@ -265,7 +265,7 @@ template <int IntegerBits, int F, class A>
 FIXEDPOINT_CONSTEXPR Fixed<IntegerBits, F, A> lerp(Fixed<IntegerBits, F, A> a,
                                                    Fixed<IntegerBits, F, A> b,
                                                    Fixed<IntegerBits, F, A> t) {
-    const auto result = portable::lerp<Integer<IntegerBits + F>, F>(a.raw(), b.raw(), t.raw());
+    const auto result = kernel::lerp<Integer<IntegerBits + F>, F>(a.raw(), b.raw(), t.raw());
     return Fixed<IntegerBits, F, A>::from_raw(
         A::settle(result.wrapped, result.fits, result.is_above, Operation::lerp));
 }

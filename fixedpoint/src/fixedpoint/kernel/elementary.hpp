@@ -370,7 +370,6 @@ using composed::Asin;
 using composed::Log1p;
 using portable::Cbrt;
 using portable::Pow;
-using portable::Tan;
 }  // namespace q32_32
 
 // Composition where it serves a format, that of Q32.32, else Portable.

@@ -92,6 +92,56 @@ struct LogarithmToBase {
 struct Log2 : LogarithmToBase<3172519945584, -14506> {};
 struct Log10 : LogarithmToBase<955023665463, 18537> {};
 
+// Angles.
+
+// With x the distance from the nearest whole number of quarter turns and z = x^2, the cotangent of x
+// is 1/x - x p and its tangent x / (1 - z p), p = 1/3 + z/45 + 2 z^2/945 + ... Large angles and those
+// beside a pole ask for more digits of x.
+struct Tan {
+    template <class Raw, int F>
+    static FIXEDPOINT_CONSTEXPR Evaluation<int64_t> apply(int64_t a) {
+        const uint64_t positive = magnitude(a);
+        if (positive >> 40 != 0) return portable::Tan::apply<int64_t, 32>(a);
+        constexpr int32_t two_over_pi = 41722;                                // 2^-16
+        constexpr uint32_t half_pi[3] = {0xc90fdaa2, 0x2168c234, 0xc4c6628b};  // 2^-31, 2^-63, 2^-95
+        const uint32_t quarters =
+            static_cast<uint32_t>(
+                multiply<int32_t, 16>(static_cast<int32_t>(positive >> 16), two_over_pi) +
+                (int32_t(1) << 15)) >>
+            16;
+        const uint64_t rest = (positive << 31) - (uint64_t(quarters * half_pi[0]) << 32) -
+                              uint64_t(quarters) * half_pi[1] -
+                              (uint64_t(quarters) * half_pi[2] >> 32);  // 2^-63
+        const bool below = rest >> 63 != 0, odd = (quarters & 1) != 0;
+        const int64_t x = static_cast<int64_t>(below ? 0 - rest : rest);
+        if (odd && x >> 52 == 0) return portable::Tan::apply<int64_t, 32>(a);
+
+        const int64_t x_40 = x >> 23, z = multiply<int64_t, 32>(x_40, x_40);  // 2^-40, 2^-48
+        const int64_t p = (int64_t(1) << 40) / 3 + int64_t(tail(static_cast<int32_t>(z >> 17))) * 16;
+        const bool negative = (a < 0) != (below != odd);
+        int64_t tangent = 0;
+        if (odd) {
+            const int64_t reciprocal = divide<int64_t, 32>(int64_t(1) << 62, (x + 16) >> 5);  // 2^-36
+            const int64_t correction = multiply<int64_t, 32>(x_40, p);                        // 2^-48
+            tangent = (reciprocal * 4096 - correction + (int64_t(1) << 15)) >> 16;
+        } else {
+            const int64_t cosine = (int64_t(1) << 56) - multiply<int64_t, 32>(z, p);  // 2^-56
+            tangent = divide<int64_t, 32>(x >> 7, cosine);
+        }
+        return {negative ? -tangent : tangent, Outcome::in_range};
+    }
+
+  private:
+    // p - 1/3 in units of 2^-36, of z in units of 2^-31 up to 0.63, within 2 units.
+    static FIXEDPOINT_CONSTEXPR int32_t tail(int32_t z) {
+        const int32_t fourth = 11562496 + multiply<int32_t, 32>(z, 2895704);   // 2^-39, 2^-40
+        const int32_t third = 58206832 + multiply<int32_t, 32>(z, fourth);     // 2^-38
+        const int32_t second = 290873736 + multiply<int32_t, 32>(z, third);    // 2^-37
+        const int32_t first = 1527099544 + multiply<int32_t, 32>(z, second);   // 2^-36
+        return multiply<int32_t, 31>(z, first);
+    }
+};
+
 }  // namespace q32_32
 }  // namespace kernel
 }  // namespace fixedpoint
