@@ -171,7 +171,8 @@ INSTANTIATE_TEST_SUITE_P(
         ELEMENTARY(exp2, limit_of_binary_exponent, 0.5), ELEMENTARY(expm1, limit_of_exponent, 0.5),
         ELEMENTARY(sinh, limit_of_exponent, 0.5), ELEMENTARY(cosh, limit_of_exponent, 0.5),
         ELEMENTARY(tanh, limit_of_exponent, 0.5), ELEMENTARY(log2, limit_of_mantissa, 0.5),
-        ELEMENTARY(log10, limit_of_mantissa, 0.5), ELEMENTARY(tan, limit_of_angle, 0.5)),
+        ELEMENTARY(log10, limit_of_mantissa, 0.5), ELEMENTARY(tan, limit_of_angle, 0.5),
+        ELEMENTARY(cbrt, limit_of_mantissa, 0.5)),
     [](const auto& function) { return std::string(function.param.name); });
 
 }  // namespace

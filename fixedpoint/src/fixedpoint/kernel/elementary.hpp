@@ -368,7 +368,6 @@ namespace q32_32 {
 using composed::Acos;
 using composed::Asin;
 using composed::Log1p;
-using portable::Cbrt;
 using portable::Pow;
 }  // namespace q32_32
 
