@@ -40,6 +40,7 @@ namespace kernel {
 FIXEDPOINT_OPERATION(BINARY, multiply)
 FIXEDPOINT_OPERATION(BINARY, multiply_saturating)
 FIXEDPOINT_OPERATION(TERNARY, multiply_add)
+FIXEDPOINT_OPERATION(TERNARY, wrapping_lerp)
 FIXEDPOINT_OPERATION(BINARY, divide)
 FIXEDPOINT_OPERATION(BINARY, divide_small)
 FIXEDPOINT_OPERATION(BINARY, remainder)
@@ -250,23 +251,21 @@ FIXEDPOINT_CONSTEXPR Raw multiply_add(Raw a, Raw b, Raw c) {
     return wrapping_add(multiply<Raw, F>(a, b), c);
 }
 
-// Q32.32 takes the sum, exact modulo 2^64, from the kernel of its products: where b - a wraps, that
-// is a multiple of 2^32 off. An arithmetic that wraps drops the call of lerp_fits.
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw wrapping_lerp(Raw a, Raw b, Raw t) {
+    return portable::wrapping_lerp<Raw, F>(a, b, t);
+}
+// An arithmetic that wraps drops the call of lerp_fits, which takes longer than the kernel.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR __attribute__((const)) bool lerp_fits(Raw a, Raw b, Raw t) {
     return portable::lerp<Raw, F>(a, b, t).fits;
 }
 template <class Raw, int F>
 FIXEDPOINT_IN_PLACE portable::Settled<Raw> lerp(Raw a, Raw b, Raw t) {
-    if (!has_assembly || sizeof(Raw) < 8 || F != 32) return portable::lerp<Raw, F>(a, b, t);
-    constexpr int width = RawLimits<Raw>::width;
-    const Raw distance = wrapping_subtract(b, a);
-    Raw sum = wrapping_add(multiply<Raw, F>(t, distance), a);
-    if ((b < a) != (distance < 0)) {
-        const Raw excess = static_cast<Raw>(static_cast<Unsigned<Raw>>(t) << (width - F) % width);
-        sum = distance < 0 ? wrapping_add(sum, excess) : wrapping_subtract(sum, excess);
-    }
-    return {sum, lerp_fits<Raw, F>(a, b, t), (b < a) == (t < 0)};
+    return has_assembly && sizeof(Raw) == 8 && F == 32
+               ? portable::Settled<Raw>{wrapping_lerp<Raw, F>(a, b, t), lerp_fits<Raw, F>(a, b, t),
+                                        (b < a) == (t < 0)}
+               : portable::lerp<Raw, F>(a, b, t);
 }
 
 // Formats of 8 and 16 bits have the quotient a 2^16 / (b 2^(16 - F)) of Q16.16, rounded once.

@@ -117,6 +117,7 @@
     KERNEL(BINARY, multiply_saturating, int32_t, 16, fixedpoint_multiply_q16_16_saturating, multiply_saturating) \
     KERNEL(TERNARY, multiply_add, int32_t, 16, fixedpoint_multiply_add_q16_16, multiply_add) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, TERNARY, multiply_add) \
+    KERNEL(TERNARY, wrapping_lerp, int64_t, 32, fixedpoint_lerp_q32_32, wrapping_lerp) \
     KERNEL(BINARY, divide, int8_t, 4, fixedpoint_divide_q4_4, divide) \
     KERNEL(BINARY, divide, int16_t, 8, fixedpoint_divide_q8_8, divide) \
     KERNEL(BINARY, divide, int32_t, 16, fixedpoint_divide_q16_16, divide) \

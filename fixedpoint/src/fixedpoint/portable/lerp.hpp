@@ -42,6 +42,11 @@ FIXEDPOINT_CONSTEXPR Settled<Raw> lerp(Raw a, Raw b, Raw t) {
             Parts::high(ulps) == 0 && step <= room, !negative};
 }
 
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw wrapping_lerp(Raw a, Raw b, Raw t) {
+    return lerp<Raw, F>(a, b, t).wrapped;
+}
+
 // t^2 (3/2 - t) 2^(3F) = t^2 c for t and c with F fraction bits each is at most 2^(3F-1), its half
 // an ulp 2^(2F-2).
 template <int F, class Word>
