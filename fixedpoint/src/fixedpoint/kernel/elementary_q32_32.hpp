@@ -12,6 +12,7 @@ namespace q32_32 {
 
 using portable::Evaluation;
 using portable::Outcome;
+using portable::product_of_32_bits;
 
 constexpr int64_t one = int64_t(1) << 32;
 constexpr int64_t largest = RawLimits<int64_t>::max;
@@ -102,27 +103,28 @@ struct Cbrt {
         const uint64_t positive = magnitude(a);
         uint32_t high = static_cast<uint32_t>(positive >> 32), low = static_cast<uint32_t>(positive);
         uint8_t drop = 7;
-        if (high >> 30 != 0) {
-            low = low >> 1 | high << 31;
+        if (high >= uint32_t(1) << 30) {
+            low = low >> 1 | ((high & 1) != 0 ? uint32_t(1) << 31 : 0);
             high >>= 1;
         } else {
-            high = high << 2 | low >> 30;
+            high = high << 2 | upper_byte(low) >> 6;
             low <<= 2;
             ++drop;
         }
-        for (; high >> 8 == 0; drop = static_cast<uint8_t>(drop + 8)) {
+        for (; high < 1 << 8; drop = static_cast<uint8_t>(drop + 8)) {
             high = high << 24 | low >> 8;
             low <<= 24;
         }
-        for (; high >> 29 == 0; ++drop) {
-            high = high << 3 | low >> 29;
+        for (; high < uint32_t(1) << 29; ++drop) {
+            high = high << 3 | upper_byte(low) >> 5;
             low <<= 3;
         }
 
         const int32_t y = estimate(high);  // 2^-31
-        const uint64_t square = int64_t(y) * y;
-        const uint64_t cube = (uint64_t(static_cast<uint32_t>(square)) * uint32_t(y) >> 32) +
-                              uint64_t(static_cast<uint32_t>(square >> 32)) * uint32_t(y);  // 2^-61
+        const uint32_t factor = static_cast<uint32_t>(y);
+        const uint64_t square = product_of_32_bits(factor, factor);
+        const uint64_t cube = (product_of_32_bits(static_cast<uint32_t>(square), factor) >> 32) +
+                              product_of_32_bits(static_cast<uint32_t>(square >> 32), factor);  // 2^-61
         const uint64_t mantissa = uint64_t(high) << 29 | low >> 3;
         const int32_t rest = static_cast<int32_t>(static_cast<int64_t>(mantissa - cube) >> 11);
         const int32_t d = divide<int32_t, 30>(rest, static_cast<int32_t>(high >> 1));  // 2^-49
@@ -136,6 +138,9 @@ struct Cbrt {
     }
 
   private:
+    // By bytes: the chip shifts a bit at a time.
+    static constexpr uint8_t upper_byte(uint32_t a) { return static_cast<uint8_t>(a >> 24); }
+
     // The cube root of v 2^-32, in units of 2^-31 and below 1. Needs v from 2^29.
     static FIXEDPOINT_CONSTEXPR int32_t estimate(uint32_t v) {
         uint8_t halves = 0;
@@ -161,7 +166,7 @@ struct Tan {
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR Evaluation<int64_t> apply(int64_t a) {
         const uint64_t positive = magnitude(a);
-        if (positive >> 40 != 0) return portable::Tan::apply<int64_t, 32>(a);
+        if (positive >= uint64_t(1) << 40) return portable::Tan::apply<int64_t, 32>(a);
         constexpr int32_t two_over_pi = 41722;                                // 2^-16
         constexpr uint32_t half_pi[3] = {0xc90fdaa2, 0x2168c234, 0xc4c6628b};  // 2^-31, 2^-63, 2^-95
         const uint32_t quarters =
@@ -170,11 +175,11 @@ struct Tan {
                 (int32_t(1) << 15)) >>
             16;
         const uint64_t rest = (positive << 31) - (uint64_t(quarters * half_pi[0]) << 32) -
-                              uint64_t(quarters) * half_pi[1] -
-                              (uint64_t(quarters) * half_pi[2] >> 32);  // 2^-63
-        const bool below = rest >> 63 != 0, odd = (quarters & 1) != 0;
+                              product_of_32_bits(quarters, half_pi[1]) -
+                              (product_of_32_bits(quarters, half_pi[2]) >> 32);  // 2^-63
+        const bool below = static_cast<int64_t>(rest) < 0, odd = (quarters & 1) != 0;
         const int64_t x = static_cast<int64_t>(below ? 0 - rest : rest);
-        if (odd && x >> 52 == 0) return portable::Tan::apply<int64_t, 32>(a);
+        if (odd && x < int64_t(1) << 52) return portable::Tan::apply<int64_t, 32>(a);
 
         const int64_t x_40 = x >> 23, z = multiply<int64_t, 32>(x_40, x_40);  // 2^-40, 2^-48
         const int64_t p = (int64_t(1) << 40) / 3 + int64_t(tail(static_cast<int32_t>(z >> 17))) * 16;
