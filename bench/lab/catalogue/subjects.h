@@ -99,10 +99,10 @@
 
 #define IMPLEMENTATIONS(X)                                                                  \
     IMPLEMENTATION_default(X) IMPLEMENTATION_angles(X) IMPLEMENTATION_powers(X)             \
-        IMPLEMENTATION_auxiliary(X)                                                         \
-        IMPLEMENTATION_portable(X) IMPLEMENTATION_published(X) IMPLEMENTATION_saturating(X) \
-            IMPLEMENTATION_widening(X) IMPLEMENTATION_small(X) IMPLEMENTATION_libc(X)       \
-                IMPLEMENTATION_libc_elementary(X) IMPLEMENTATION_libc_auxiliary(X)          \
-                    IMPLEMENTATION_accum(X) IMPLEMENTATION_native(X)
+        IMPLEMENTATION_auxiliary(X) IMPLEMENTATION_portable(X) IMPLEMENTATION_published(X)  \
+            IMPLEMENTATION_saturating(X) IMPLEMENTATION_widening(X) IMPLEMENTATION_small(X) \
+                IMPLEMENTATION_libc(X) IMPLEMENTATION_libc_elementary(X)                    \
+                    IMPLEMENTATION_libc_auxiliary(X) IMPLEMENTATION_accum(X)                \
+                        IMPLEMENTATION_native(X)
 
 #endif

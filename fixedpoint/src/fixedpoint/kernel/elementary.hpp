@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The elementary functions as compositions of kernels: all splits of 32 bits from 9 to 24 fraction
-// bits have them but for tan and pow, which begin at 16, and Q32.32 (elementary_q32_32.hpp). The others
-// have the portable code of portable/elementary.hpp. All are faithful (error below 0.75 ulp).
+// bits have them but for tan and pow, which begin at 16, and Q32.32 (elementary_q32_32.hpp). The
+// others have the portable code of portable/elementary.hpp. All are faithful (error below 0.75
+// ulp).
 //
 // The kernel of a finer format has the bits behind an ulp that a function of its result asks for:
 // its own error, and what a composition adds before it rounds, stays below 0.2 ulp. Powers come

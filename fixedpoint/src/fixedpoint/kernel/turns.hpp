@@ -175,7 +175,8 @@ template <>
 struct AngleOfVector<int64_t, 32> {
     static FIXEDPOINT_CONSTEXPR int64_t turns(int64_t y, int64_t x) {
         constexpr int64_t per_radian = 44798133900177;  // 2^-48
-        return (multiply<int64_t, 32>(atan2<int64_t, 32>(y, x), per_radian) + (int64_t(1) << 15)) >> 16;
+        return (multiply<int64_t, 32>(atan2<int64_t, 32>(y, x), per_radian) + (int64_t(1) << 15)) >>
+               16;
     }
     static FIXEDPOINT_CONSTEXPR int64_t degrees(int64_t y, int64_t x) {
         return angle_of<int64_t, 32, 58>(y, x, 0xe52ee0d31e0fbdc3);

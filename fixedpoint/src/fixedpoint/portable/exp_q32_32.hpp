@@ -44,8 +44,8 @@ constexpr int64_t rounded(GuardedPower power) {
     return static_cast<int64_t>(power.whole + (power.guard >> 7));
 }
 
-// 2^k e^-r, rounded downward: r in units of 2^-72, of which `upper` are the upper two bytes. Needs k
-// from -33 to 33, r below 0.78.
+// 2^k e^-r, rounded downward: r in units of 2^-72, of which `upper` are the upper two bytes. Needs
+// k from -33 to 33, r below 0.78.
 FIXEDPOINT_CONSTEXPR GuardedPower power_of_rest_q32_32(int k, uint16_t upper, uint64_t rest) {
     using Table = Exp64Table<>;
     const uint64_t q = fall_of_power_q32_32(rest);
@@ -61,8 +61,9 @@ FIXEDPOINT_CONSTEXPR GuardedPower power_of_rest_q32_32(int k, uint16_t upper, ui
     const int shift = 32 - k;
     if (shift < 0) return {mantissa << 1 | low >> 7, static_cast<uint8_t>(low << 1)};
     if (shift >= 64) return {0, static_cast<uint8_t>(mantissa >> (shift - 8))};
-    return {mantissa >> shift, static_cast<uint8_t>(shift < 8 ? mantissa << (8 - shift) | low >> shift
-                                                              : mantissa >> (shift - 8))};
+    return {mantissa >> shift,
+            static_cast<uint8_t>(shift < 8 ? mantissa << (8 - shift) | low >> shift
+                                           : mantissa >> (shift - 8))};
 }
 
 // e^a. Needs a from -23 to below 32 ln 2.
