@@ -144,14 +144,17 @@
                             OPERATION_length3(X, __VA_ARGS__) OPERATION_normalise3(X, __VA_ARGS__)
 
 /* Those made of the first, measured on the device too, in programs of their own: the first do not
- * leave them room. */
-#define ELEMENTARY_OPERATIONS(X, ...)                                                           \
-    OPERATION_tan(X, __VA_ARGS__) OPERATION_asin(X, __VA_ARGS__) OPERATION_acos(X, __VA_ARGS__) \
-        OPERATION_exp2(X, __VA_ARGS__) OPERATION_expm1(X, __VA_ARGS__)                          \
-            OPERATION_log2(X, __VA_ARGS__) OPERATION_log10(X, __VA_ARGS__)                      \
-                OPERATION_log1p(X, __VA_ARGS__) OPERATION_sinh(X, __VA_ARGS__)                  \
-                    OPERATION_cosh(X, __VA_ARGS__) OPERATION_tanh(X, __VA_ARGS__)               \
-                        OPERATION_cbrt(X, __VA_ARGS__) OPERATION_pow(X, __VA_ARGS__)
+ * leave them room. Of angles, and of powers and logarithms. */
+#define ANGLE_OPERATIONS(X, ...) \
+    OPERATION_tan(X, __VA_ARGS__) OPERATION_asin(X, __VA_ARGS__) OPERATION_acos(X, __VA_ARGS__)
+#define POWER_OPERATIONS(X, ...)                                                                  \
+    OPERATION_exp2(X, __VA_ARGS__) OPERATION_expm1(X, __VA_ARGS__) OPERATION_log2(X, __VA_ARGS__) \
+        OPERATION_log10(X, __VA_ARGS__) OPERATION_log1p(X, __VA_ARGS__)                           \
+            OPERATION_sinh(X, __VA_ARGS__) OPERATION_cosh(X, __VA_ARGS__)                         \
+                OPERATION_tanh(X, __VA_ARGS__) OPERATION_cbrt(X, __VA_ARGS__)                     \
+                    OPERATION_pow(X, __VA_ARGS__)
+#define ELEMENTARY_OPERATIONS(X, ...) \
+    ANGLE_OPERATIONS(X, __VA_ARGS__) POWER_OPERATIONS(X, __VA_ARGS__)
 
 /* Those that every arithmetic takes from others, in programs of their own too: angles in turns and
  * degrees, and what is exact or rounded once. */

@@ -12,8 +12,8 @@ from exponential_series import exponential, logarithm
 BITS = 72
 GUARD = 24
 LN2 = logarithm(2, 1, BITS + GUARD)
-# e^a is a power of two, 2^-32 at least and 2^32 at most, times e^-x, x below 200/256.
-POWERS = range(-33, 33)
+# e^a is a power of two, 2^-33 at least and 2^33 at most, times e^-x, x below 200/256.
+POWERS = range(-33, 34)
 COARSE = 200
 
 

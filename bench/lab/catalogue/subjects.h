@@ -69,8 +69,10 @@
 /* clang-format off */
 #define IMPLEMENTATION_default(X) \
     X(default, Nearest, ours, own, LIBRARY_FORMATS, MEASURED_OPERATIONS, "ours, default")
-#define IMPLEMENTATION_elementary(X) \
-    X(default, Nearest, ours, own, LIBRARY_FORMATS, ELEMENTARY_OPERATIONS, "ours, default")
+#define IMPLEMENTATION_angles(X) \
+    X(default, Nearest, ours, own, LIBRARY_FORMATS, ANGLE_OPERATIONS, "ours, default")
+#define IMPLEMENTATION_powers(X) \
+    X(default, Nearest, ours, own, LIBRARY_FORMATS, POWER_OPERATIONS, "ours, default")
 #define IMPLEMENTATION_auxiliary(X) \
     X(default, Functions, ours, own, LIBRARY_FORMATS, AUXILIARY_OPERATIONS, "ours, default")
 #define IMPLEMENTATION_portable(X) \
@@ -96,10 +98,11 @@
 /* clang-format on */
 
 #define IMPLEMENTATIONS(X)                                                                  \
-    IMPLEMENTATION_default(X) IMPLEMENTATION_elementary(X) IMPLEMENTATION_auxiliary(X)      \
-        IMPLEMENTATION_portable(X) IMPLEMENTATION_published(X) IMPLEMENTATION_saturating(X) \
-            IMPLEMENTATION_widening(X) IMPLEMENTATION_small(X) IMPLEMENTATION_libc(X)       \
-                IMPLEMENTATION_libc_elementary(X) IMPLEMENTATION_libc_auxiliary(X)          \
-                    IMPLEMENTATION_accum(X) IMPLEMENTATION_native(X)
+    IMPLEMENTATION_default(X) IMPLEMENTATION_angles(X) IMPLEMENTATION_powers(X)             \
+        IMPLEMENTATION_auxiliary(X) IMPLEMENTATION_portable(X) IMPLEMENTATION_published(X)  \
+            IMPLEMENTATION_saturating(X) IMPLEMENTATION_widening(X) IMPLEMENTATION_small(X) \
+                IMPLEMENTATION_libc(X) IMPLEMENTATION_libc_elementary(X)                    \
+                    IMPLEMENTATION_libc_auxiliary(X) IMPLEMENTATION_accum(X)                \
+                        IMPLEMENTATION_native(X)
 
 #endif

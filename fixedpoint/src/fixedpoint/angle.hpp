@@ -37,17 +37,8 @@ constexpr typename CoreOf<Number>::Phase degrees_phase(Number angle) {
     return kernel::phase_of_degrees<CoreOf<Number>, typename Number::Raw, Number::fraction_bits>(
         angle.raw());
 }
-template <class Number, int Bits>
-FIXEDPOINT_CONSTEXPR Number angle_of(Number y, Number x, uint64_t per_radian) {
-    using Raw = typename Number::Raw;
-    using Fine = kernel::FineAngle<Raw, Number::fraction_bits>;
-    using FineRaw = typename Fine::Type;
-    return Number::from_raw(
-        kernel::scaled_angle<Raw, Number::fraction_bits, Fine::fraction_bits, Bits>(
-            kernel::atan2<FineRaw, Fine::fraction_bits>(static_cast<FineRaw>(y.raw()),
-                                                        static_cast<FineRaw>(x.raw())),
-            per_radian));
-}
+template <class Number>
+using AngleOfVector = kernel::AngleOfVector<typename Number::Raw, Number::fraction_bits>;
 /// \endcond
 
 /// The sine of any angle in turns, faithful (error below 0.75 ulp), never beyond -1 and 1; exact at
@@ -72,7 +63,8 @@ FIXEDPOINT_CONSTEXPR SineAndCosine<Fixed<IntegerBits, F, A>> sincos_turns(
 template <int IntegerBits, int F, class A>
 FIXEDPOINT_CONSTEXPR Fixed<IntegerBits, F, A> atan2_turns(Fixed<IntegerBits, F, A> y,
                                                           Fixed<IntegerBits, F, A> x) {
-    return angle_of<Fixed<IntegerBits, F, A>, 66>(y, x, 0xa2f9836e4e44152a);  // 1 / (2 pi)
+    using Number = Fixed<IntegerBits, F, A>;
+    return Number::from_raw(AngleOfVector<Number>::turns(y.raw(), x.raw()));
 }
 
 /// The sine of any angle in degrees, faithful (error below 0.75 ulp), never beyond -1 and 1; exact
@@ -98,7 +90,8 @@ FIXEDPOINT_CONSTEXPR SineAndCosine<Fixed<IntegerBits, F, A>> sincos_degrees(
 template <int IntegerBits, int F, class A>
 FIXEDPOINT_CONSTEXPR Fixed<IntegerBits, F, A> atan2_degrees(Fixed<IntegerBits, F, A> y,
                                                             Fixed<IntegerBits, F, A> x) {
-    return angle_of<Fixed<IntegerBits, F, A>, 58>(y, x, 0xe52ee0d31e0fbdc3);  // 180 / pi
+    using Number = Fixed<IntegerBits, F, A>;
+    return Number::from_raw(AngleOfVector<Number>::degrees(y.raw(), x.raw()));
 }
 
 /// An angle: raw / 2^Bits of a turn, with Bits = 16 or 32. What lies beyond a turn wraps around, as

@@ -274,9 +274,9 @@ FIXEDPOINT_CONSTEXPR Fixed<IntegerBits, F, A> lerp(Fixed<IntegerBits, F, A> a,
     using Number = Fixed<IntegerBits, F, A>;
     using Raw = typename Number::Raw;
     const portable::Settled<Raw> result =
-        A::settles
-            ? portable::lerp<Raw, F>(a.raw(), b.raw(), t.raw())
-            : portable::Settled<Raw>{kernel::lerp<Raw, F>(a.raw(), b.raw(), t.raw()), true, false};
+        A::settles ? portable::lerp<Raw, F>(a.raw(), b.raw(), t.raw())
+                   : portable::Settled<Raw>{
+                         kernel::wrapping_lerp<Raw, F>(a.raw(), b.raw(), t.raw()), true, false};
     return Number::from_raw(
         A::settle(result.wrapped, result.fits, result.is_above, Operation::lerp));
 }

@@ -78,8 +78,8 @@ def called(compiler, scratch, *options):
 
 
 def kernels():
-    """The kernels of the formats that the header has, but those of other variants, of angles in turns
-    and of a solver's steps, which the header does not have."""
+    """The kernels of the formats that the header has, but those of other variants, parts of functions
+    and a solver's steps, which the header does not have."""
     rows = must(["g++", "-E", "-P", "-xc++", "-"],
                 input=f'#include "{source}/fixedpoint/kernel/table.hpp"\n'
                       "#define ROW(shape, operation, Raw, F, symbol, same) operation Raw F symbol;\n"
@@ -90,7 +90,8 @@ def kernels():
     return {symbol for operation, width, fraction, symbol in re.findall(
         r"(\w+) int(\d+)_t (\d+) (\w+);", rows)
         if (int(width), int(fraction)) in widths and not re.search(
-            "_small$|_saturating$|^sine_of_(phase|quarter_turns)$|^(project|dot_difference|add_scaled|exchange)[23]$",
+            "_(small|saturating|unsaturated|fine)$|^(wrapping_lerp|sine_of_(phase|quarter_turns))$"
+            "|^(project|dot_difference|add_scaled|exchange)[23]$",
             operation)}
 
 

@@ -51,6 +51,10 @@ TEST(Compiled, AuxiliaryOperationsAreTheHostsBitForBit) {
     for (const char* format : {"q4_4", "q8_8", "q16_16", "q8_24", "q32_32"})
         EXPECT_EQ(differences(std::string(format) + "_auxiliary", 100), 0u) << format;
 }
+TEST(Compiled, CompositionsOfQ32_32AreTheHostsBitForBit) {
+    for (const char* program : {"q32_32_angles", "q32_32_powers"})
+        EXPECT_EQ(differences(program, 100), 0u) << program;
+}
 
 // Calls of a kernel, compared a batch at a time.
 class DenseCalls {

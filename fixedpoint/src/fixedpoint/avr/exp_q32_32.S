@@ -2,11 +2,17 @@
 // int64_t fixedpoint_exp_q32_32(int64_t a)
 // e^a within 0.65 ulp; saturated to the largest number, 0 where that is nearest.
 //
+// No C functions, where others of powers enter:
+// fixedpoint_unrounded_exp_q32_32  r25:r18, r26 = e^a in units of 2^-40, rounded downward. Needs T = 1 and
+//                                  a from -23 to below 32 ln 2; T stays.
+// fixedpoint_power_of_rest_q32_32  2^k e^-r. Needs r8..r17, r28 and r29 pushed in that order and k + 41
+//                                  behind them, r in r16:r8, r17 = 0, T = 0.
+//
 // In       a = r25:r18
 // Out      r25:r18
-// Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
+// Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
 // Stack    13 bytes
-// Table    4442 bytes, fixedpoint_exp_64_table
+// Table    4451 bytes, fixedpoint_exp_64_table
 //
 // a is k ln 2 - r, 0 <= r < 0.779: k + 41 from the upper bytes of a by 185/128 = 1.4453 for 1/ln 2, with
 // as much more as makes up for the error of that, and r to 72 bits. Of r's bytes the first looks up
@@ -125,6 +131,8 @@
     ldi r26, 0x15
     cpc r22, r26
     brge .Llargest
+    clt
+    ENTRY fixedpoint_unrounded_exp_q32_32
     push r8
     push r9
     push r10
@@ -159,6 +167,7 @@
     sbc r14, r19
     sbc r15, r20
     sbc r16, r21
+    ENTRY fixedpoint_power_of_rest_q32_32
     // r14:r8 = t 2^72, r30:r26 = t^2 2^72
     fraction_product 14, 14, 5
     // Less t^3/3, of which r20:r18 is three times as much
@@ -227,12 +236,14 @@
     sbc r14, r18
     sbc r15, r19
     sbc r16, zero
-    // Down by r31 + 1 bits, 8 to 73
+    // Down by r31 + 1 bits, 7 to 73; r26 is the byte below r8
+    clr r26
     pop r30
     ldi r31, 80
     sub r31, r30
     sbrs r31, 6
     rjmp 1f
+    mov r26, r15
     mov r8, r16
     clr r9
     movw r10, r8
@@ -243,6 +254,7 @@
     clr r16
 1:  sbrs r31, 5
     rjmp 1f
+    mov r26, r11
     movw r8, r12
     movw r10, r14
     mov r12, r16
@@ -252,6 +264,7 @@
     clr r16
 1:  sbrs r31, 4
     rjmp 1f
+    mov r26, r9
     movw r8, r10
     movw r10, r12
     movw r12, r14
@@ -260,6 +273,7 @@
     clr r16
 1:  sbrs r31, 3
     rjmp 1f
+    mov r26, r8
     mov r8, r9
     mov r9, r10
     mov r10, r11
@@ -276,8 +290,10 @@
     lsr r30
     sbrc r31, 2
     swap r30
+    mul r26, r30
+    mov r26, r1
     mul r8, r30
-    mov r26, r0
+    or r26, r0
     mov r18, r1
     mul r9, r30
     or r18, r0
@@ -302,6 +318,7 @@
     mov r25, r1
     mul r16, r30
     or r25, r0
+    brts 1f
     lsl r26
     adc r18, zero
     adc r19, zero
@@ -311,7 +328,7 @@
     adc r23, zero
     adc r24, zero
     adc r25, zero
-    clr r1
+1:  clr r1
     pop r29
     pop r28
     pop r17

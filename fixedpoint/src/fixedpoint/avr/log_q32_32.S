@@ -2,9 +2,12 @@
 // int64_t fixedpoint_log_q32_32(int64_t a)
 // ln a for every a > 0, within 0.6 ulp; the smallest number where a <= 0.
 //
+// fixedpoint_unrounded_log_q32_32 is no C function: r22:r18, r26 = ln a in units of 2^-39 and 64 more.
+// Needs T = 1, a > 0.
+//
 // In       a = r25:r18
 // Out      r25:r18
-// Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
+// Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
 // Stack    4 bytes
 // Tables   3706 bytes, fixedpoint_log_64_table; 256 bytes, fixedpoint_leading_one_table
 //
@@ -33,6 +36,8 @@
     ENTRY fixedpoint_log_q32_32
     tst r25
     brmi .Lnot_positive
+    clt
+    ENTRY fixedpoint_unrounded_log_q32_32
     normalise_64 .Lnot_positive
     push r17
     push r27
@@ -57,6 +62,7 @@
     adc r21, r0
     lpm r22, Z
     adc r22, zero
+    brts 1f
     lsl r26
     rol r18
     rol r19
@@ -66,7 +72,7 @@
     sbc r23, r23
     mov r24, r23
     mov r25, r23
-    clr r1
+1:  clr r1
     pop r17
     ret
     ENDFUNC fixedpoint_log_q32_32

@@ -19,6 +19,7 @@
 #include <fixedpoint/portable/exp.hpp>
 #include <fixedpoint/portable/exp_wide.hpp>
 #include <fixedpoint/portable/length.hpp>
+#include <fixedpoint/portable/lerp.hpp>
 #include <fixedpoint/portable/log.hpp>
 #include <fixedpoint/portable/multiply.hpp>
 #include <fixedpoint/portable/multiply_add.hpp>
@@ -40,6 +41,7 @@ namespace kernel {
 FIXEDPOINT_OPERATION(BINARY, multiply)
 FIXEDPOINT_OPERATION(BINARY, multiply_saturating)
 FIXEDPOINT_OPERATION(TERNARY, multiply_add)
+FIXEDPOINT_OPERATION(TERNARY, wrapping_lerp)
 FIXEDPOINT_OPERATION(BINARY, divide)
 FIXEDPOINT_OPERATION(BINARY, divide_small)
 FIXEDPOINT_OPERATION(BINARY, remainder)
@@ -63,9 +65,14 @@ FIXEDPOINT_OPERATION(UNARY, atan_small)
 FIXEDPOINT_OPERATION(BINARY, atan2)
 FIXEDPOINT_OPERATION(BINARY, atan2_small)
 FIXEDPOINT_OPERATION(UNARY, exp)
+FIXEDPOINT_OPERATION(UNARY, exp_fine)
+FIXEDPOINT_OPERATION(UNARY, exp2_unsaturated)
+FIXEDPOINT_OPERATION(UNARY, sinh_unsaturated)
+FIXEDPOINT_OPERATION(UNARY, cosh_unsaturated)
 FIXEDPOINT_OPERATION(SCALED, exp_wide)
 FIXEDPOINT_OPERATION(UNARY, exp_small)
 FIXEDPOINT_OPERATION(UNARY, log)
+FIXEDPOINT_OPERATION(UNARY, log_fine)
 FIXEDPOINT_OPERATION(UNARY, log_small)
 FIXEDPOINT_OPERATION(VECTORS, dot2)
 FIXEDPOINT_OPERATION(VECTORS, dot3)
@@ -212,6 +219,17 @@ template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR uint64_t exp_wide(Raw a, uint8_t unit) {
     return portable::exp_wide<Raw, F>(a, unit);
 }
+#define FIXEDPOINT_PORTABLE(operation)          \
+    template <class Raw, int F>                 \
+    FIXEDPOINT_CONSTEXPR Raw operation(Raw a) { \
+        return portable::operation<Raw, F>(a);  \
+    }
+FIXEDPOINT_PORTABLE(exp_fine)
+FIXEDPOINT_PORTABLE(exp2_unsaturated)
+FIXEDPOINT_PORTABLE(sinh_unsaturated)
+FIXEDPOINT_PORTABLE(cosh_unsaturated)
+FIXEDPOINT_PORTABLE(log_fine)
+#undef FIXEDPOINT_PORTABLE
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw sine_of_phase(Raw phase) {
     return portable::sine_of_phase<Raw, F>(phase);
@@ -246,7 +264,7 @@ FIXEDPOINT_CONSTEXPR Raw multiply_add(Raw a, Raw b, Raw c) {
 // a + t (b - a), rounded once, modulo 2^W. Where b - a leaves the range, 2^W is missing from it or
 // too much, which t makes t 2^(W-F).
 template <class Raw, int F>
-FIXEDPOINT_CONSTEXPR Raw lerp(Raw a, Raw b, Raw t) {
+FIXEDPOINT_CONSTEXPR Raw wrapping_lerp(Raw a, Raw b, Raw t) {
     const Raw difference = wrapping_subtract(b, a);
     Raw start = a;
     if (signs_differ(a, b) && signs_differ(b, difference)) {

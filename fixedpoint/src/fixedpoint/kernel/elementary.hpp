@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The elementary functions as compositions of kernels: all splits of 32 bits from 9 to 24 fraction
-// bits have them but for tan and pow, which begin at 16, and Q32.32 has some. The other formats
-// have the portable code of portable/elementary.hpp. All are faithful (error below 0.75 ulp).
+// bits have them but for tan and pow, which begin at 16, and Q32.32 (elementary_q32_32.hpp). The
+// others have the portable code of portable/elementary.hpp. All are faithful (error below 0.75
+// ulp).
 //
 // The kernel of a finer format has the bits behind an ulp that a function of its result asks for:
 // its own error, and what a composition adds before it rounds, stays below 0.2 ulp. Powers come
@@ -9,6 +10,7 @@
 #pragma once
 
 #include <fixedpoint/kernel/dispatch.hpp>
+#include <fixedpoint/kernel/elementary_q32_32.hpp>
 #include <fixedpoint/portable/elementary.hpp>
 #include <fixedpoint/portable/logarithm_of_factor_table.hpp>
 
@@ -30,13 +32,12 @@ struct Choice<First, Second, false> {
 
 namespace composed {
 
-// What a composition serves: the splits of 32 bits with so many fraction bits, and Q32.32.
-template <int least, int most, bool with_q32_32 = false>
+// What a composition serves: the splits of 32 bits with so many fraction bits.
+template <int least, int most>
 struct Splits {
     template <class Raw, int F>
     static constexpr bool serves() {
-        return (sizeof(Raw) == 4 && F >= least && F <= most) ||
-               (with_q32_32 && sizeof(Raw) == 8 && F == 32);
+        return sizeof(Raw) == 4 && F >= least && F <= most;
     }
 };
 
@@ -184,7 +185,7 @@ struct Log10 : Splits<9, 24> {
     }
 };
 // 1 + a fits the unsigned number.
-struct Log1p : Splits<9, 24, true> {
+struct Log1p : Splits<9, 24> {
     template <class Raw, int F>
     static FIXEDPOINT_IN_PLACE Evaluation<Raw> apply(Raw a) {
         constexpr Unsigned<Raw> one = Unsigned<Raw>(1) << F;
@@ -246,7 +247,7 @@ struct Arc {
                 portable::beyond_one<Raw, F>(a) ? Outcome::domain_error : Outcome::in_range};
     }
 };
-struct Asin : Splits<9, 28, true> {
+struct Asin : Splits<9, 28> {
     template <class Raw, int F>
     static FIXEDPOINT_IN_PLACE Evaluation<Raw> apply(Raw a) {
         using A = Arc<Raw, F>;
@@ -259,7 +260,7 @@ struct Asin : Splits<9, 28, true> {
                              a);
     }
 };
-struct Acos : Splits<9, 28, true> {
+struct Acos : Splits<9, 28> {
     template <class Raw, int F>
     static FIXEDPOINT_IN_PLACE Evaluation<Raw> apply(Raw a) {
         using A = Arc<Raw, F>;
@@ -363,19 +364,28 @@ struct Pow : Splits<16, 24>, portable::SignedPower<PowerOfMagnitude> {};
 
 }  // namespace composed
 
-// Composition where it serves a format, else Portable.
-template <class Composition, class Portable>
+// Those of Q32.32 that need no finer digits than the other compositions have, or have none yet.
+namespace q32_32 {
+using composed::Acos;
+using composed::Asin;
+using composed::Log1p;
+using portable::Pow;
+}  // namespace q32_32
+
+// Composition where it serves a format, that of Q32.32, else Portable.
+template <class Composition, class OfQ32_32, class Portable>
 struct Composed {
     template <class Raw, int F, class... Operands>
     static FIXEDPOINT_IN_PLACE Evaluation<Raw> apply(Operands... a) {
+        using Of64Bits = typename Choice<OfQ32_32, Portable, (sizeof(Raw) == 8 && F == 32)>::Type;
         using Chosen =
-            typename Choice<Composition, Portable, Composition::template serves<Raw, F>()>::Type;
+            typename Choice<Composition, Of64Bits, Composition::template serves<Raw, F>()>::Type;
         return Chosen::template apply<Raw, F>(a...);
     }
 };
 
 #define FIXEDPOINT_COMPOSED(name, Function) \
-    using Function = Composed<composed::Function, portable::Function>;
+    using Function = Composed<composed::Function, q32_32::Function, portable::Function>;
 FIXEDPOINT_ELEMENTARY_FUNCTIONS(FIXEDPOINT_COMPOSED)
 #undef FIXEDPOINT_COMPOSED
 

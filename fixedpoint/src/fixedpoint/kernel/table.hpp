@@ -124,6 +124,7 @@
     KERNEL(BINARY, multiply_saturating, int32_t, 16, fixedpoint_multiply_q16_16_saturating, multiply_saturating) \
     KERNEL(TERNARY, multiply_add, int32_t, 16, fixedpoint_multiply_add_q16_16, multiply_add) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, TERNARY, multiply_add) \
+    KERNEL(TERNARY, wrapping_lerp, int64_t, 32, fixedpoint_lerp_q32_32, wrapping_lerp) \
     KERNEL(BINARY, divide, int8_t, 4, fixedpoint_divide_q4_4, divide) \
     KERNEL(BINARY, divide, int16_t, 8, fixedpoint_divide_q8_8, divide) \
     KERNEL(BINARY, divide, int32_t, 16, fixedpoint_divide_q16_16, divide) \
@@ -193,6 +194,10 @@
     KERNEL(UNARY, exp, int32_t, 16, fixedpoint_exp_q16_16, exp) \
     KERNEL(UNARY, exp, int64_t, 32, fixedpoint_exp_q32_32, exp) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, UNARY, exp) \
+    KERNEL(UNARY, exp_fine, int64_t, 32, fixedpoint_exp_q32_32_fine, exp_fine) \
+    KERNEL(UNARY, exp2_unsaturated, int64_t, 32, fixedpoint_exp2_q32_32_unsaturated, exp2_unsaturated) \
+    KERNEL(UNARY, sinh_unsaturated, int64_t, 32, fixedpoint_sinh_q32_32_unsaturated, sinh_unsaturated) \
+    KERNEL(UNARY, cosh_unsaturated, int64_t, 32, fixedpoint_cosh_q32_32_unsaturated, cosh_unsaturated) \
     KERNEL(SCALED, exp_wide, int64_t, 40, fixedpoint_exp_wide, exp_wide) \
     KERNEL(UNARY, exp_small, int32_t, 16, fixedpoint_exp_q16_16_small, exp_small) \
     KERNEL(UNARY, log, int8_t, 4, fixedpoint_log_q4_4, log) \
@@ -201,6 +206,7 @@
     KERNEL(UNARY, log, int32_t, 16, fixedpoint_log_q16_16, log) \
     KERNEL(UNARY, log, int64_t, 32, fixedpoint_log_q32_32, log) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, UNARY, log) \
+    KERNEL(UNARY, log_fine, int64_t, 32, fixedpoint_log_q32_32_fine, log_fine) \
     KERNEL(UNARY, log_small, int32_t, 16, fixedpoint_log_q16_16_small, log_small) \
     KERNEL(VECTORS, dot2, int8_t, 4, fixedpoint_dot2_q4_4, dot2) \
     KERNEL(VECTORS, dot2, int16_t, 8, fixedpoint_dot2_q8_8, dot2) \

@@ -167,5 +167,36 @@ FIXEDPOINT_CONSTEXPR Raw scaled_angle(int64_t angle, uint64_t factor) {
     return clamped_with_sign<Raw>(rounded, angle < 0);
 }
 
+// The angle of (x, y), by its unit factor 2^-Bits.
+template <class Raw, int F, int Bits>
+FIXEDPOINT_CONSTEXPR Raw angle_of(Raw y, Raw x, uint64_t factor) {
+    using Fine = FineAngle<Raw, F>;
+    using FineRaw = typename Fine::Type;
+    return scaled_angle<Raw, F, Fine::fraction_bits, Bits>(
+        atan2<FineRaw, Fine::fraction_bits>(static_cast<FineRaw>(y), static_cast<FineRaw>(x)),
+        factor);
+}
+template <class Raw, int F>
+struct AngleOfVector {
+    static FIXEDPOINT_CONSTEXPR Raw turns(Raw y, Raw x) {
+        return angle_of<Raw, F, 66>(y, x, 0xa2f9836e4e44152a);  // 1 / (2 pi)
+    }
+    static FIXEDPOINT_CONSTEXPR Raw degrees(Raw y, Raw x) {
+        return angle_of<Raw, F, 58>(y, x, 0xe52ee0d31e0fbdc3);  // 180 / pi
+    }
+};
+// An angle in radians has as many digits as one in turns asks for.
+template <>
+struct AngleOfVector<int64_t, 32> {
+    static FIXEDPOINT_CONSTEXPR int64_t turns(int64_t y, int64_t x) {
+        constexpr int64_t per_radian = 44798133900177;  // 2^-48
+        return (multiply<int64_t, 32>(atan2<int64_t, 32>(y, x), per_radian) + (int64_t(1) << 15)) >>
+               16;
+    }
+    static FIXEDPOINT_CONSTEXPR int64_t degrees(int64_t y, int64_t x) {
+        return angle_of<int64_t, 32, 58>(y, x, 0xe52ee0d31e0fbdc3);
+    }
+};
+
 }  // namespace kernel
 }  // namespace fixedpoint

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The exponential function of Q32.32, bit for bit as avr/exp_q32_32.S computes it.
+// The exponential function of Q32.32 and what follows from its core, bit for bit as
+// avr/exp_q32_32.S, avr/exp2_q32_32.S and avr/hyperbolic_q32_32.S compute them.
 #pragma once
 
 #include <fixedpoint/integer.hpp>
@@ -34,11 +35,39 @@ FIXEDPOINT_CONSTEXPR uint64_t fall_of_power_q32_32(uint64_t t) {
     return t - ((square - third) >> 1);
 }
 
-FIXEDPOINT_CONSTEXPR int64_t exp_q32_32(int64_t a) {
-    // From 31 ln 2 on the result is 2^63 or more; below -33 ln 2 it is 0.
-    if (a >= 92288378627) return RawLimits<int64_t>::max;
-    if (a < -(int64_t(23) << 32)) return 0;
+// whole 2^-32 and, behind it, guard 2^-40.
+struct GuardedPower {
+    uint64_t whole;
+    uint8_t guard;
+};
+constexpr int64_t rounded(GuardedPower power) {
+    return static_cast<int64_t>(power.whole + (power.guard >> 7));
+}
 
+// 2^k e^-r, rounded downward: r in units of 2^-72, of which `upper` are the upper two bytes. Needs
+// k from -33 to 33, r below 0.78.
+FIXEDPOINT_CONSTEXPR GuardedPower power_of_rest_q32_32(int k, uint16_t upper, uint64_t rest) {
+    using Table = Exp64Table<>;
+    const uint64_t q = fall_of_power_q32_32(rest);
+    const uint64_t f = read_program_memory(Table::fine[upper & 0xff]);
+    const uint64_t fall = f + q - fraction_product(f >> 16, q >> 8, 6);
+    const uint64_t power = read_program_memory(Table::coarse[upper >> 8]);
+    const uint32_t power_low = read_program_memory(Table::coarse_low[upper >> 8]);
+    const uint64_t product = fraction_product(power, fall, 8);
+    const uint64_t low = (power_low - static_cast<uint32_t>(product)) & 0xff;
+    const uint64_t mantissa = power - (product >> 8) - (power_low < (product & 0xff) ? 1 : 0);
+
+    // The mantissa, 2^-72, goes down by -1 to 65 bits to units of 2^-40.
+    const int shift = 32 - k;
+    if (shift < 0) return {mantissa << 1 | low >> 7, static_cast<uint8_t>(low << 1)};
+    if (shift >= 64) return {0, static_cast<uint8_t>(mantissa >> (shift - 8))};
+    return {mantissa >> shift,
+            static_cast<uint8_t>(shift < 8 ? mantissa << (8 - shift) | low >> shift
+                                           : mantissa >> (shift - 8))};
+}
+
+// e^a. Needs a from -23 to below 32 ln 2.
+FIXEDPOINT_CONSTEXPR GuardedPower unrounded_exp_q32_32(int64_t a) {
     // k + 41, where a is k ln 2 less what is left, 0 to 0.779.
     const int32_t whole = static_cast<int32_t>(a >> 32) + 24;
     const int32_t fraction = static_cast<int32_t>(a >> 24 & 0xff);
@@ -47,25 +76,66 @@ FIXEDPOINT_CONSTEXPR int64_t exp_q32_32(int64_t a) {
     // In units of 2^-72, of which the lowest 40 bits are those of the multiple.
     const uint64_t multiple = read_program_memory(Table::multiple[k - 8]);
     const uint32_t upper = static_cast<uint32_t>(multiple >> 32) - static_cast<uint32_t>(a);
-    const uint64_t rest = static_cast<uint64_t>(upper & 0xffff) << 40 |
-                          (multiple & 0xffffffff) << 8 |
-                          read_program_memory(Table::multiple_low[k - 8]);
+    return power_of_rest_q32_32(k - 41, static_cast<uint16_t>(upper >> 16),
+                                static_cast<uint64_t>(upper & 0xffff) << 40 |
+                                    (multiple & 0xffffffff) << 8 |
+                                    read_program_memory(Table::multiple_low[k - 8]));
+}
 
-    const uint64_t q = fall_of_power_q32_32(rest);
-    const uint64_t f = read_program_memory(Table::fine[upper >> 16 & 0xff]);
-    const uint64_t fall = f + q - fraction_product(f >> 16, q >> 8, 6);
-    const uint64_t power = read_program_memory(Table::coarse[upper >> 24]);
-    const uint32_t power_low = read_program_memory(Table::coarse_low[upper >> 24]);
-    const uint64_t product = fraction_product(power, fall, 8);
-    const uint32_t low = (power_low - static_cast<uint32_t>(product)) & 0xff;
-    const uint64_t mantissa = power - (product >> 8) - (power_low < (product & 0xff) ? 1 : 0);
+FIXEDPOINT_CONSTEXPR int64_t exp_q32_32(int64_t a) {
+    // From 31 ln 2 on the result is 2^63 or more; below -33 ln 2 it is 0.
+    if (a >= 92288378627) return RawLimits<int64_t>::max;
+    if (a < -(int64_t(23) << 32)) return 0;
+    return rounded(unrounded_exp_q32_32(a));
+}
 
-    // The mantissa, 2^-72, goes down by 81 - k bits, 8 to 73.
-    const int shift = 81 - k;
-    const uint64_t doubled = shift == 8   ? mantissa << 1 | low >> 7
-                             : shift < 73 ? mantissa >> (shift < 73 && shift > 8 ? shift - 9 : 0)
-                                          : 0;
-    return static_cast<int64_t>((doubled >> 1) + (doubled & 1));
+// Where the caller has seen to the range; of Q32.32 alone.
+
+// e^a in units of 2^-40, rounded downward. Needs a from -23 to 15.
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw exp_fine(Raw a) {
+    const GuardedPower power = unrounded_exp_q32_32(a);
+    return static_cast<Raw>(power.whole << 8 | power.guard);
+}
+
+// Half of e^a + e^-a and of e^a - e^-a. Need a from 0 to below 32 ln 2.
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw cosh_unsaturated(Raw a) {
+    const GuardedPower rising = unrounded_exp_q32_32(a), falling = unrounded_exp_q32_32(-a);
+    const uint64_t carry = static_cast<uint64_t>(rising.guard + falling.guard) >> 8;
+    return static_cast<Raw>((rising.whole + falling.whole + carry + 1) >> 1);
+}
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw sinh_unsaturated(Raw a) {
+    const GuardedPower rising = unrounded_exp_q32_32(a), falling = unrounded_exp_q32_32(-a);
+    const uint64_t borrow = rising.guard < falling.guard ? 1 : 0;
+    return static_cast<Raw>((rising.whole - falling.whole - borrow + 1) >> 1);
+}
+
+// 2^a. Needs a from -33 to below 31.
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw exp2_unsaturated(Raw a) {
+    // In units of 2^-72.
+    constexpr uint8_t ln2[9] = {0xca, 0xab, 0x79, 0xcf, 0xd1, 0xf7, 0x17, 0x72, 0xb1};
+    const uint32_t g = uint32_t(0) - static_cast<uint32_t>(a);
+    // The rest, its lowest byte that of the column.
+    uint8_t rest[9] = {};
+    uint32_t sum = 0;
+    for (int column = -1; column < 9; ++column) {
+        for (int i = 0; i < 4; ++i) {
+            const int j = column + 4 - i;
+            if (j < 0 || j > 8) continue;
+            const uint32_t product = (g >> 8 * i & 0xff) * ln2[j < 0 || j > 8 ? 0 : j];
+            sum += column < 0 ? product >> 8 : product;
+        }
+        if (column < 0) continue;
+        rest[column < 0 ? 0 : column] = static_cast<uint8_t>(sum);
+        sum >>= 8;
+    }
+    uint64_t lower = 0;
+    for (int i = 6; i >= 0; --i) lower = lower << 8 | rest[i];
+    return rounded(power_of_rest_q32_32(static_cast<int>(a >> 32) + (g != 0 ? 1 : 0),
+                                        static_cast<uint16_t>(rest[8] << 8 | rest[7]), lower));
 }
 
 }  // namespace portable

@@ -43,6 +43,11 @@ FIXEDPOINT_CONSTEXPR Settled<Raw> lerp(Raw a, Raw b, Raw t) {
             Parts::high(ulps) == 0 && step <= room, !negative};
 }
 
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw wrapping_lerp(Raw a, Raw b, Raw t) {
+    return lerp<Raw, F>(a, b, t).wrapped;
+}
+
 // t^2 (3/2 - t) 2^(3F) = t^2 c for t and c with F fraction bits each is at most 2^(3F-1), its half
 // an ulp 2^(2F-2).
 template <int F, class Word>
@@ -87,6 +92,25 @@ template <int F>
 struct Smoothstep<F, true, true> {
     using Word = uint32_t;
     static FIXEDPOINT_CONSTEXPR Word of(Word t, Word c) { return smoothstep_in<F>(t, c); }
+};
+// t^2 (1 + (1/2 - t)), t below 1, by products of 32 bits.
+template <>
+struct Smoothstep<32, false, false> {
+    using Word = uint64_t;
+    static FIXEDPOINT_CONSTEXPR Word of(Word t, Word) {
+        constexpr uint32_t half = uint32_t(1) << 31;
+        const uint32_t position = static_cast<uint32_t>(t);
+        const bool rises = position < half;
+        const uint32_t factor = rises ? half - position : position - half;
+        const uint64_t square = product_of_32_bits(position, position);
+        const uint64_t high = product_of_32_bits(static_cast<uint32_t>(square >> 32), factor);
+        const uint64_t low = product_of_32_bits(static_cast<uint32_t>(square), factor);
+        // In units of 2^-63, rounded downward: what is behind them decides no tie.
+        const uint64_t product =
+            rises ? square + high + (low >> 32) : square - high - ((low + 0xffffffff) >> 32);
+        const uint64_t rounded = product + (half >> 1);
+        return 2 * (rounded >> 32) + (static_cast<uint32_t>(rounded) >> 31);
+    }
 };
 template <>
 struct Smoothstep<0, true, true> {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The elementary functions of one format of the library, LIBRARY_FORMAT, which the program of its
+// Tangents and arc functions of one format of the library, LIBRARY_FORMAT, which the program of its
 // other subjects has no room for.
 #include <fixedpoint/arithmetic/nearest.hpp>
 
@@ -7,4 +7,4 @@
 
 using fixedpoint::Nearest;
 
-IMPLEMENTATION_elementary(SUBJECTS_IN_FORMAT)
+IMPLEMENTATION_angles(SUBJECTS_IN_FORMAT)

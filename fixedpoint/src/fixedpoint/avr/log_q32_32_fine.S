@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// int64_t fixedpoint_log_q32_32_fine(int64_t a)
+// ln a in units of 2^-39 and 64 more, within 11 units. Needs a > 0.
+//
+// In       a = r25:r18
+// Out      r25:r18
+// Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
+// Stack    6 bytes
+// Tables   those of log_q32_32.S
+
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
+
+    FUNCTION fixedpoint_log_q32_32_fine
+    set
+    XCALL fixedpoint_unrounded_log_q32_32
+    mov r23, r22
+    mov r22, r21
+    mov r21, r20
+    mov r20, r19
+    mov r19, r18
+    mov r18, r26
+    mov r24, r23
+    lsl r24
+    sbc r24, r24
+    mov r25, r24
+    ret
+    ENDFUNC fixedpoint_log_q32_32_fine
+#endif
