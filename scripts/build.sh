@@ -7,10 +7,12 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 preset=${1:-release}
 [ $# -eq 0 ] || shift
+packages=()
 case $preset in
-    release | sanitize) ;;
+    release) ;;
+    sanitize) packages=(--tests) ;;  # clang
     *) echo "build.sh: unknown preset '$preset': release or sanitize" >&2; exit 2 ;;
 esac
-scripts/setup.sh
+scripts/setup.sh "${packages[@]}"
 cmake --preset "$preset" --log-level=WARNING >&2
 cmake --build --preset "$preset" ${1:+--target "$@"} >&2

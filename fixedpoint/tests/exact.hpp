@@ -55,7 +55,7 @@ double normalise_error(const int64_t* v, int i, int64_t result, Format);
 
 // The step of a loop over all second operands. A sanitizer looks at the paths that a program takes
 // and not at its results: under it every seventh operand will do.
-#ifdef __SANITIZE_ADDRESS__
+#ifdef SPARSE_OPERANDS
 constexpr int operand_step = 7;
 #else
 constexpr int operand_step = 1;

@@ -102,7 +102,7 @@ std::int64_t plausible(const Subject& subject, std::span<const std::int64_t> ope
 
 // A sanitizer looks at paths and not at results: fewer operands will do. The step is odd, so that
 // every kind of result, which hangs on the round modulo 8, still has its turn.
-#ifdef __SANITIZE_ADDRESS__
+#ifdef SPARSE_OPERANDS
 constexpr int round_step = 7;
 #else
 constexpr int round_step = 1;
