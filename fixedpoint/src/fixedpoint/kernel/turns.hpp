@@ -112,7 +112,8 @@ template <int F, int phase_bits>
 struct PhaseOfDegrees {
     static FIXEDPOINT_CONSTEXPR uint32_t of(uint32_t rest) {
         const uint32_t phase = over_45(rest << ((phase_bits == 16 ? 8 : 23) - F));
-        return phase_bits == 16 ? phase : phase << 1;
+        // Cut to the 26 bits that count, before the sign: an angle and its opposite are cut alike.
+        return phase_bits == 16 ? phase : phase << 1 & ~uint32_t(63);
     }
 };
 // rest 2^(39 - F) / 45 in two digits, of which the lower one has 24 bits.
