@@ -17,11 +17,12 @@ constexpr Raw remainder(Raw a, Raw b) {
 
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR void divrem(Raw a, Raw b, Raw* quotient_and_remainder) {
-    quotient_and_remainder[0] = b == 0                     ? (a == 0 ? Raw(0) : limit_by_sign(a))
-                                : b != -1                  ? static_cast<Raw>(a / b)
-                                : a == RawLimits<Raw>::min ? RawLimits<Raw>::max
-                                                           : static_cast<Raw>(-a);
-    quotient_and_remainder[1] = remainder<Raw, F>(a, b);
+    const Raw quotient = b == 0                     ? (a == 0 ? Raw(0) : limit_by_sign(a))
+                         : b != -1                  ? static_cast<Raw>(a / b)
+                         : a == RawLimits<Raw>::min ? RawLimits<Raw>::max
+                                                    : static_cast<Raw>(-a);
+    quotient_and_remainder[0] = quotient;
+    quotient_and_remainder[1] = b == 0 ? a : b == -1 ? Raw(0) : static_cast<Raw>(a - quotient * b);
 }
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR void divmod(Raw a, Raw b, Raw* quotient_and_remainder) {
