@@ -64,13 +64,19 @@ def kernels(files, count, program, *checks):
 
 ROOMS = [
     kernels(f"{FIXED}/avr/*_q16_16.S {FIXED}/avr/*_q16_16.inc !*/add_scaled_q16_16.S"
-            " !*/dot_difference_q16_16.S !*/short_factor_q16_16.inc", 8, "q16_16"),
+            " !*/dot_difference_q16_16.S !*/short_factor_q16_16.inc", 8, "q16_16",
+            Check("kernels_test", "*/q16_16_auxiliary", "q16_16_auxiliary")),
     room("kernels", f"{FIXED}/avr/add_scaled_q16_16.S {FIXED}/avr/dot_difference_q16_16.S"
          f" {FIXED}/avr/short_factor_q16_16.inc {FIXED}/avr/add_whole_product.S", 3,
          Check("vector_steps_test", devices="vector_steps")),
     kernels(f"{FIXED}/avr/*_q8_8.S {FIXED}/avr/*_q8_8.inc", 4, "q8_8"),
     kernels(f"{FIXED}/avr/*_q4_4.S", 2, "q4_4"),
-    kernels(f"{FIXED}/avr/*_q32_32.S {FIXED}/avr/cubic_64.*", 2, "q32_32"),
+    kernels(f"{FIXED}/avr/*_q32_32.S {FIXED}/avr/cubic_64.* !*/absolute_q32_32.S !*/lerp_q32_32.S"
+            " !*/exp2_q32_32.S !*/hyperbolic_q32_32.S", 2, "q32_32",
+            Check("kernels_test", "*/q32_32_auxiliary", "q32_32_auxiliary")),
+    kernels(f"{FIXED}/avr/absolute_q32_32.S {FIXED}/avr/lerp_q32_32.S", 1, "q32_32_auxiliary"),
+    kernels(f"{FIXED}/avr/exp2_q32_32.S {FIXED}/avr/hyperbolic_q32_32.S {FIXED}/avr/*_fine.S", 2,
+            "q32_32_powers"),
     room("kernels", f"{FIXED}/kernel/*_saturating.hpp", 1,
          Check("saturating_sums_test", devices="saturating_sums"),
          Check("library_on_device_test", "*/operators_test_q16_16", "operators_test_q16_16")),
@@ -79,6 +85,7 @@ ROOMS = [
          f" {FIXED}/published/arc_tangent_table.hpp", 2, "fixedpoint/tests/tables_test.py"),
     room("portable", f"{FIXED}/portable/divide.hpp {FIXED}/portable/divide_w*.hpp"
          f" {FIXED}/portable/remainder.hpp", 3, "products_test"),
+    room("portable", f"{FIXED}/kernel/elementary_q32_32.hpp", 1, "q32_32_test"),
     room("portable", f"{FIXED}/portable/round.hpp {FIXED}/portable/nearest_root.hpp", 2, "roots_test"),
     room("portable", f"{FIXED}/portable/decimal_*.hpp !*/decimal_literal.hpp", 2, "decimal_test"),
     room("arithmetic", f"{FIXED}/arithmetic/*.hpp !*/published.hpp !*/small.hpp !*/checked.hpp"
@@ -95,9 +102,11 @@ ROOMS = [
     room("translator", "bench/chip/instructions/instruction.cpp bench/chip/instructions/translate.cpp"
          " bench/chip/instructions/fingerprint.cpp", 5, "instructions_tests"),
     room("engine", "engine/src/engine/solvers/*.hpp engine/src/engine/constraints.hpp"
-         " engine/src/engine/links.hpp engine/src/engine/shared_change.hpp", 4, "engine_model_step_test", "engine_pool_test",
-         "engine_direct_rods_test", "engine_warm_started_test"),
+         " engine/src/engine/links.hpp engine/src/engine/shared_change.hpp", 4,
+         "engine_model_step_test", "engine_pool_test", "engine_direct_rods_test",
+         "engine_warm_started_test"),
     room("engine", "engine/src/engine/continuous.hpp", 2, "engine_continuous_test"),
+    room("engine", "engine/src/engine/distance.hpp", 2, "engine_distance_test"),
     room("engine", "engine/src/engine/integrators/*.hpp engine/src/engine/forces.hpp", 4,
          "engine_model_step_test"),
     room("firmware", "firmware/src/firmware/frame_clock.hpp", 2, "firmware_frame_clock_test"),
