@@ -64,7 +64,7 @@ template <int IntegerBits, int F, class A>
 FIXEDPOINT_CONSTEXPR Fixed<IntegerBits, F, A> atan2_turns(Fixed<IntegerBits, F, A> y,
                                                           Fixed<IntegerBits, F, A> x) {
     using Number = Fixed<IntegerBits, F, A>;
-    return Number::from_raw(AngleOfVector<Number>::turns(y.raw(), x.raw()));
+    return Number::from_raw(AngleOfVector<Number>::in_turns(y.raw(), x.raw()));
 }
 
 /// The sine of any angle in degrees, faithful (error below 0.75 ulp), never beyond -1 and 1; exact
@@ -91,7 +91,7 @@ template <int IntegerBits, int F, class A>
 FIXEDPOINT_CONSTEXPR Fixed<IntegerBits, F, A> atan2_degrees(Fixed<IntegerBits, F, A> y,
                                                             Fixed<IntegerBits, F, A> x) {
     using Number = Fixed<IntegerBits, F, A>;
-    return Number::from_raw(AngleOfVector<Number>::degrees(y.raw(), x.raw()));
+    return Number::from_raw(AngleOfVector<Number>::in_degrees(y.raw(), x.raw()));
 }
 
 /// An angle: raw / 2^Bits of a turn, with Bits = 16 or 32. What lies beyond a turn wraps around, as

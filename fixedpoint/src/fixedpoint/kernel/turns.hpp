@@ -179,22 +179,22 @@ FIXEDPOINT_CONSTEXPR Raw angle_of(Raw y, Raw x, uint64_t factor) {
 }
 template <class Raw, int F>
 struct AngleOfVector {
-    static FIXEDPOINT_CONSTEXPR Raw turns(Raw y, Raw x) {
+    static FIXEDPOINT_CONSTEXPR Raw in_turns(Raw y, Raw x) {
         return angle_of<Raw, F, 66>(y, x, 0xa2f9836e4e44152a);  // 1 / (2 pi)
     }
-    static FIXEDPOINT_CONSTEXPR Raw degrees(Raw y, Raw x) {
+    static FIXEDPOINT_CONSTEXPR Raw in_degrees(Raw y, Raw x) {
         return angle_of<Raw, F, 58>(y, x, 0xe52ee0d31e0fbdc3);  // 180 / pi
     }
 };
 // An angle in radians has as many digits as one in turns asks for.
 template <>
 struct AngleOfVector<int64_t, 32> {
-    static FIXEDPOINT_CONSTEXPR int64_t turns(int64_t y, int64_t x) {
+    static FIXEDPOINT_CONSTEXPR int64_t in_turns(int64_t y, int64_t x) {
         constexpr int64_t per_radian = 44798133900177;  // 2^-48
         return (multiply<int64_t, 32>(atan2<int64_t, 32>(y, x), per_radian) + (int64_t(1) << 15)) >>
                16;
     }
-    static FIXEDPOINT_CONSTEXPR int64_t degrees(int64_t y, int64_t x) {
+    static FIXEDPOINT_CONSTEXPR int64_t in_degrees(int64_t y, int64_t x) {
         return angle_of<int64_t, 32, 58>(y, x, 0xe52ee0d31e0fbdc3);
     }
 };
