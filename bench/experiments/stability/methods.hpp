@@ -62,7 +62,7 @@ struct OpposedContacts : scenes::SemiImplicit {
 
         template <class World, class Index, class Vector, class Scalar, class TimeStep>
         static void rod(World& world, Index a, Index b, const Vector& direction, Scalar excess,
-                        Scalar, TimeStep) {
+                        const engine::Inverse<Scalar>&, TimeStep) {
             if (excess == Scalar()) return;
             bind(world, a, b, true, direction, -excess, Scalar(), Scalar());
             bind(world, a, b, true, -direction, Scalar(), Scalar(), Scalar());
@@ -76,7 +76,7 @@ struct TangentRods : scenes::SemiImplicit {
     struct Solver : PlainSweeps {
         template <class World, class Index, class Vector, class Scalar, class TimeStep>
         static void rod(World& world, Index a, Index b, const Vector& direction, Scalar excess,
-                        Scalar, TimeStep) {
+                        const engine::Inverse<Scalar>&, TimeStep) {
             bind(world, a, b, false, direction, -excess, Scalar(), Scalar());
         }
     };
