@@ -69,10 +69,10 @@ TEST(Categories, EachHasItsPin) {
     const auto rounds = static_cast<double>(lengths[2].size());
     EXPECT_GT(rounds, 20);
     for (int pin = 2; pin <= 3; ++pin) EXPECT_EQ(shortest(pin), 2u + 1) << pin;
-    // A round takes the root of a product, and the step of a pendulum, whose rod is found, as long
-    // as a vector, and resolved.
+    // A round takes the root of a product, and the step of a pendulum, whose rod is found, by
+    // products, and resolved.
     EXPECT_NEAR(static_cast<double>(lengths[4].size()), 2 * rounds, 2);
-    EXPECT_NEAR(static_cast<double>(lengths[5].size()), 2 * rounds, 2);
+    EXPECT_NEAR(static_cast<double>(lengths[5].size()), rounds, 2);
     EXPECT_GT(static_cast<double>(lengths[6].size()), 6 * rounds);
     EXPECT_GT(shortest(4), 200u);
     // What solves the rod's row and what is a product take 80 to 100 cycles at least.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <string>
 
 #include "bench/experiments/haptic/haptic.hpp"
 
@@ -50,7 +51,9 @@ TEST_P(ProfiledLever, RaisesEachPinWhereItsCategoryRuns) {
     ASSERT_GT(steps, 50);
     EXPECT_GT(use.rises[render], 19);
     EXPECT_NEAR(use.rises[collision], 2 * steps, 2) << "contacts are found, then resolved";
-    EXPECT_NEAR(use.rises[square_root], steps, 2) << "the length of the one rod";
+    // The length of the one rod: of arithmetic that rounds, by products.
+    const bool has_root = GetParam() == std::string("lever_published_profiled");
+    EXPECT_NEAR(use.rises[square_root], has_root ? steps : 0, 2);
     EXPECT_GT(use.rises[operation], 20 * steps);
     EXPECT_LE(use.outside_of_steps[collision], 2);  // of a step that was under way at first
     EXPECT_LE(use.outside_of_steps[square_root], 1);

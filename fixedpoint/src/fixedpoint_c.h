@@ -503,10 +503,12 @@ q16_16 q16_16_atan2_degrees(q16_16 y, q16_16 x);
 /// Writes trunc(a / b), an integer, and a - b trunc(a / b), exact, 0 or of the sign of a; the
 /// quotient is saturated. Where b is 0: Q16_16_MAX if a > 0, Q16_16_MIN if a < 0, 0 if a is 0; and
 /// a.
-void q16_16_divrem(q16_16 a, q16_16 b, q16_16 quotient_and_remainder[2]);
+void q16_16_divrem(q16_16 a, q16_16 b, q16_16 quotient_and_remainder[2])
+    FIXEDPOINT_C_KERNEL(fixedpoint_divrem_q16_16);
 /// Writes floor(a / b), an integer, and a - b floor(a / b), exact, 0 or of the sign of b; without a
 /// quotient as divrem.
-void q16_16_divmod(q16_16 a, q16_16 b, q16_16 quotient_and_remainder[2]);
+void q16_16_divmod(q16_16 a, q16_16 b, q16_16 quotient_and_remainder[2])
+    FIXEDPOINT_C_KERNEL(fixedpoint_divmod_q16_16);
 /// a + t (b - a) rounded once, to nearest, half up, modulo 2^16; with t from 0 to 1 between a and
 /// b.
 q16_16 q16_16_lerp(q16_16 a, q16_16 b, q16_16 t);
@@ -847,10 +849,12 @@ q32_32 q32_32_atan2_degrees(q32_32 y, q32_32 x);
 /// Writes trunc(a / b), an integer, and a - b trunc(a / b), exact, 0 or of the sign of a; the
 /// quotient is saturated. Where b is 0: Q32_32_MAX if a > 0, Q32_32_MIN if a < 0, 0 if a is 0; and
 /// a.
-void q32_32_divrem(q32_32 a, q32_32 b, q32_32 quotient_and_remainder[2]);
+void q32_32_divrem(q32_32 a, q32_32 b, q32_32 quotient_and_remainder[2])
+    FIXEDPOINT_C_KERNEL(fixedpoint_divrem_q32_32);
 /// Writes floor(a / b), an integer, and a - b floor(a / b), exact, 0 or of the sign of b; without a
 /// quotient as divrem.
-void q32_32_divmod(q32_32 a, q32_32 b, q32_32 quotient_and_remainder[2]);
+void q32_32_divmod(q32_32 a, q32_32 b, q32_32 quotient_and_remainder[2])
+    FIXEDPOINT_C_KERNEL(fixedpoint_divmod_q32_32);
 /// a + t (b - a) rounded once, to nearest, half up, modulo 2^32; with t from 0 to 1 between a and
 /// b.
 q32_32 q32_32_lerp(q32_32 a, q32_32 b, q32_32 t);
@@ -859,9 +863,11 @@ q32_32 q32_32_smoothstep(q32_32 t);
 /// (a + b) / 2 rounded to nearest, half up; no sum overflows.
 q32_32 q32_32_midpoint(q32_32 a, q32_32 b);
 /// |a - b| modulo 2^32.
-q32_32 q32_32_abs_diff(q32_32 a, q32_32 b);
+q32_32 q32_32_abs_diff(q32_32 a, q32_32 b)
+    FIXEDPOINT_C_KERNEL(fixedpoint_abs_diff_q32_32);
 /// |a|, negative where b is; Q32_32_MIN for |Q32_32_MIN|.
-q32_32 q32_32_copysign(q32_32 a, q32_32 b);
+q32_32 q32_32_copysign(q32_32 a, q32_32 b)
+    FIXEDPOINT_C_KERNEL(fixedpoint_copysign_q32_32);
 /// x^n within 0.75 ulp, saturated; 1 where n is 0, and Q32_32_MAX where x is 0 and n < 0.
 q32_32 q32_32_power(q32_32 x, int32_t n);
 /// a[0] b[0] + a[1] b[1] rounded once, to nearest, half up, modulo 2^32.

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The distance of a link's ends and the direction of one from the other. In fixed point a step
 // takes neither a root nor a quotient for it: a link knows 1 / length, and its product with the
-// difference d of the ends is nearly a unit vector n where these are near that length. With e = (n
-// . n - 1) / 2, the unit vector is n (1 + 2 e)^(-1/2), by its series up to e^2. Where e is large, a
-// few such steps one after the other converge. The distance is length (1 + e - e^2 / 2), or d . n.
+// difference d of the ends is nearly a unit vector n where these are near that length. With
+// e = (n . n - 1) / 2, the unit vector is n (1 + 2 e)^(-1/2), by its series up to e^2. Where e is
+// large, a few such steps one after the other converge. The distance is length (1 + e - e^2 / 2),
+// or d . n.
 #pragma once
 
 #include <engine/choice.hpp>
@@ -12,6 +13,8 @@
 #include <engine/vector.hpp>
 
 namespace engine {
+
+/// \cond internal
 
 // 1 / a = factor / 2^halvings. The factor of a fixed-point number above 1 lies in 1/2..1, so that a
 // long link's is as exact as a short one's. It is 0 where it leaves the format, and of a <= 0.
@@ -45,7 +48,7 @@ __attribute__((noinline, cold)) Inverse<Fixed<I, F, A>> inverse_of(Fixed<I, F, A
     }
     constexpr auto most = static_cast<Digits>(fixedpoint::RawLimits<Raw>::max);
     Digits quotient = 0, rest = 1;
-    for (unsigned char digits = 2 * F + halvings;; --digits) {
+    for (auto digits = static_cast<unsigned char>(2 * F + halvings);; --digits) {
         if (quotient > most / 2) return {Number(), 0};
         quotient = static_cast<Digits>(2 * quotient);
         if (rest >= divisor) {
@@ -168,5 +171,7 @@ typename OnlyIf<RoundsOnce<A>::value, bool>::Type measure(
     excess = distance - length;
     return !(distance == Number());
 }
+
+/// \endcond
 
 }  // namespace engine

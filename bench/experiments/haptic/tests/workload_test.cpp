@@ -108,7 +108,8 @@ TEST_F(Workload, ThePinsOfAStepLieWithinIt) {
         EXPECT_GT(frames["render"], 3) << device;
         EXPECT_EQ(step["step"], 1) << device;
         EXPECT_EQ(step["collision"], 2) << device;
-        EXPECT_EQ(step["square_root"], 1) << device;
+        // A rod of fixed point that rounds knows 1 / length and takes no root.
+        EXPECT_EQ(step["square_root"], device == std::string("published") ? 1 : 0) << device;
         EXPECT_GT(step["operation"], 20) << device;
     }
 }
