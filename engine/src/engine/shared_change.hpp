@@ -15,34 +15,21 @@ bool either_moves(const World& world, Index a, Index b) {
 }
 
 // The part of a change that a takes: i_a / (i_a + i_b) of the inverse masses. b takes the rest.
-// Needs one that can move. A world without pairs has no quotient, whatever is inlined.
-template <bool has_pairs>
-struct MassShare {
-    template <class World, class Index>
-    static typename World::Scalar of(const World& world, Index a, Index b) {
-        using Scalar = typename World::Scalar;
-        const Scalar one = Decimal<1, 0>();
-        if (!is_particle(world, b)) return one;
-        const Scalar of_a = world.particles()[a].inverse_mass;
-        const Scalar of_b = world.particles()[b].inverse_mass;
-        if (of_b == Scalar()) return one;
-        if (of_a == Scalar()) return Scalar();
-        if (of_a == of_b) return Decimal<5, 1>();  // as the quotient, without a division
-        const Scalar sum = saturating_sum(of_a, of_b);
-        if (sum - of_a == of_b) return of_a / sum;
-        return half(of_a) / (half(of_a) + half(of_b));  // where the sum leaves the format
-    }
-};
-template <>
-struct MassShare<false> {
-    template <class World, class Index>
-    static typename World::Scalar of(const World&, Index, Index) {
-        return Decimal<1, 0>();
-    }
-};
+// Needs one that can move.
 template <class World, class Index>
 typename World::Scalar mass_share(const World& world, Index a, Index b) {
-    return MassShare<World::has_pairs>::of(world, a, b);
+    using Scalar = typename World::Scalar;
+    const Scalar one = Decimal<1, 0>();
+    if (!World::has_pairs) return one;  // known here, so that no quotient is linked
+    if (!is_particle(world, b)) return one;
+    const Scalar of_a = world.particles()[a].inverse_mass;
+    const Scalar of_b = world.particles()[b].inverse_mass;
+    if (of_b == Scalar()) return one;
+    if (of_a == Scalar()) return Scalar();
+    if (of_a == of_b) return Decimal<5, 1>();  // as the quotient, without a division
+    const Scalar sum = saturating_sum(of_a, of_b);
+    if (sum - of_a == of_b) return of_a / sum;
+    return half(of_a) / (half(of_a) + half(of_b));  // where the sum leaves the format
 }
 
 // Of two of different mass.
