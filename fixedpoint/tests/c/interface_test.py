@@ -9,6 +9,7 @@
 
 Usage: interface_test.py SCRATCH_FOLDER
 """
+import itertools
 import re
 import shutil
 import subprocess
@@ -67,12 +68,12 @@ def check_standards(scratch):
 
 
 def called(compiler, scratch, *options):
-    """What program.c calls, over all formats."""
+    """What program.c calls, over all formats and parts."""
     symbols = set()
-    for q in FORMATS:
+    for q, part in itertools.product(FORMATS, ("operations", "auxiliary")):
         target = scratch / "program.o"
         must([*compiler, "-std=c99", "-Os", *WARNINGS, *options, f"-I{source}", f"-DFORMAT={q}",
-              f"-DIS_{q}", "-DPART=operations", "-c", here / "program.c", "-o", target])
+              f"-DIS_{q}", f"-DPART={part}", "-c", here / "program.c", "-o", target])
         symbols |= set(re.findall(r"U (\w+)", must(["nm", "-u", target])))
     return symbols
 
