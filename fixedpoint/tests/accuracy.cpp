@@ -108,9 +108,13 @@ class Operands {
             return;
         }
         const int samples = width == 64 ? 40 : 1500;
+        const auto of_any_size = [&] { return uniform() >> random_() % width; };
         for (int i = 0; i < samples; ++i) {
-            add(uniform(), uniform());
-            add(uniform() >> random_() % width, uniform() >> random_() % width);
+            // One after the other: of arguments each compiler evaluates another one first.
+            const int64_t x = uniform(), y = uniform();
+            add(y, x);
+            const int64_t smaller_x = of_any_size(), smaller_y = of_any_size();
+            add(smaller_y, smaller_x);
         }
         const int64_t edges[] = {exact::smallest(width) + 1, -1, 0, 1, 2, exact::largest(width)};
         for (const int64_t y : edges) {
