@@ -90,9 +90,11 @@ class Operands {
                 return wrapping(random_()) >> random_() % 64;
             case 3:
                 return wrapping(random_()) >> (24 + random_() % 8);
-            default:
-                return near(static_cast<int64_t>(function_.limit(
-                    static_cast<int>(random_() % 2048), static_cast<int>(random_() % 62))));
+            default: {  // one after the other, whatever order a compiler has for arguments
+                const int scale = static_cast<int>(random_() % 62);
+                const int index = static_cast<int>(random_() % 2048);
+                return near(static_cast<int64_t>(function_.limit(index, scale)));
+            }
         }
     }
 

@@ -13,7 +13,9 @@ namespace published {
 // where a conditional negation would do; that is most of what the sign costs, and is kept.
 template <class Raw>
 constexpr Raw flip_sign(Unsigned<Raw> value, int flip) {
-    return static_cast<Raw>(static_cast<Unsigned<Raw>>(value * static_cast<Unsigned<Raw>>(flip)));
+    // 1u, since a product of narrow unsigned numbers would be an int, which must not overflow.
+    return static_cast<Raw>(
+        static_cast<Unsigned<Raw>>(1u * value * static_cast<Unsigned<Raw>>(flip)));
 }
 
 // floor(a 2^F / b) modulo 2^W. Needs b > 0.
