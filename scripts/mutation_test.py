@@ -84,12 +84,12 @@ ROOMS = [
     room("tables", f"{FIXED}/avr/*_table.S {FIXED}/portable/*_table.hpp"
          f" {FIXED}/published/arc_tangent_table.hpp", 2, "fixedpoint/tests/tables_test.py"),
     room("portable", f"{FIXED}/portable/divide.hpp {FIXED}/portable/divide_w*.hpp"
-         f" {FIXED}/portable/remainder.hpp", 3, "products_test"),
+         f" {FIXED}/portable/remainder.hpp", 3, "products_test", "small_operations_test"),
     room("portable", f"{FIXED}/kernel/elementary_q32_32.hpp", 1, "q32_32_test"),
     room("portable", f"{FIXED}/portable/round.hpp {FIXED}/portable/nearest_root.hpp", 2, "roots_test"),
     room("portable", f"{FIXED}/portable/decimal_*.hpp !*/decimal_literal.hpp", 2, "decimal_test"),
     room("arithmetic", f"{FIXED}/arithmetic/*.hpp !*/published.hpp !*/small.hpp !*/checked.hpp"
-         " !*/rounded.hpp", 2, "fixed_test"),
+         " !*/rounded.hpp", 2, "fixed_test", "small_operations_test"),
     room("arithmetic", f"{FIXED}/arithmetic/rounded.hpp", 1, "small_operations_test"),
     room("arithmetic", f"{FIXED}/arithmetic/checked.hpp", 2, "checked_test"),
     room("arithmetic", f"{FIXED}/arithmetic/published.hpp {FIXED}/published/*.hpp !*_table.hpp", 2,
