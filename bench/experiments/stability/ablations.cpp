@@ -31,7 +31,6 @@ constexpr Method impulses{"nearest", "velocities_by_impulses"};
 constexpr Method warm_started{"nearest", "warm_started"};
 constexpr Method continuous_contacts{"nearest", "continuous_contacts"};
 constexpr Method saturating{"saturating", "semi_implicit_euler"};
-constexpr Method roots_of_squares{"roots_of_squares", "semi_implicit_euler"};
 
 // Before and after differ in the ablation alone. Cycles are of the case at the parameter
 // `timed_at`, where both hold, or at its easy end.
@@ -45,8 +44,6 @@ constexpr struct {
     {"springs solved implicitly", "spring_coarse_step", ours, implicit_springs, 0.03},
     {"springs solved implicitly", "spring_critically_damped", ours, implicit_springs, 0.01},
     {"springs solved implicitly", "spring_light_and_stiff", ours, implicit_springs, 1},
-    {"lengths without squares that overflow", "pendulum_long", roots_of_squares, ours, 1},
-    {"lengths without squares that overflow", "rod_span", roots_of_squares, ours, 1},
     {"a rod as one two-sided constraint", "rod_speed", opposed_contacts, tangent_rods, 0.1},
     {"a rod as one two-sided constraint", "rod_chain_of_8_heavy_end", opposed_contacts,
      tangent_rods, 1},
