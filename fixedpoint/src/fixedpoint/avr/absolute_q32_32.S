@@ -34,21 +34,7 @@
     brlt .Lnegate       // by the exact difference, of which the sign is no bit
     ret
 .Lnegate:
-    com r25
-    com r24
-    com r23
-    com r22
-    com r21
-    com r20
-    com r19
-    neg r18
-    sbci r19, 0xff
-    sbci r20, 0xff
-    sbci r21, 0xff
-    sbci r22, 0xff
-    sbci r23, 0xff
-    sbci r24, 0xff
-    sbci r25, 0xff
+    negate_64
     ret
     ENDFUNC fixedpoint_abs_diff_q32_32
 #endif

@@ -152,21 +152,7 @@
 .Lright:
     bst r25, 7
     brtc 1f
-    com r25
-    com r24
-    com r23
-    com r22
-    com r21
-    com r20
-    com r19
-    neg r18
-    sbci r19, 0xff
-    sbci r20, 0xff
-    sbci r21, 0xff
-    sbci r22, 0xff
-    sbci r23, 0xff
-    sbci r24, 0xff
-    sbci r25, 0xff
+    negate_64
 1:  cp r18, r10
     cpc r19, r11
     cpc r20, r12

@@ -32,23 +32,6 @@
     \other r24, r16
     \other r25, r17
     .endm
-    .macro negate_dividend
-    com r25
-    com r24
-    com r23
-    com r22
-    com r21
-    com r20
-    com r19
-    neg r18
-    sbci r19, 0xff
-    sbci r20, 0xff
-    sbci r21, 0xff
-    sbci r22, 0xff
-    sbci r23, 0xff
-    sbci r24, 0xff
-    sbci r25, 0xff
-    .endm
 
     .macro kernel name, quotient, floored
     FUNCTION fixedpoint_\name\()_q32_32
@@ -75,7 +58,7 @@
     push r17
     bst r25, 7
     brtc 1f
-    negate_dividend
+    negate_64
 1:  clr r26
     tst r17
     brpl .Lbytes_\name
@@ -225,7 +208,7 @@
 .Lremainder_\name\():
     .endif
     brtc 1f
-    negate_dividend
+    negate_64
 1:  pop r17
     pop r16
     pop r15

@@ -11,8 +11,8 @@ namespace kernel {
 namespace q32_32 {
 
 using portable::Evaluation;
+using portable::multiply_words;
 using portable::Outcome;
-using portable::product_of_32_bits;
 
 constexpr int64_t one = int64_t(1) << 32;
 constexpr int64_t largest = RawLimits<int64_t>::max;
@@ -123,10 +123,9 @@ struct Cbrt {
 
         const int32_t y = estimate(high);  // 2^-31
         const uint32_t factor = static_cast<uint32_t>(y);
-        const uint64_t square = product_of_32_bits(factor, factor);
-        const uint64_t cube =
-            (product_of_32_bits(static_cast<uint32_t>(square), factor) >> 32) +
-            product_of_32_bits(static_cast<uint32_t>(square >> 32), factor);  // 2^-61
+        const uint64_t square = multiply_words(factor, factor);
+        const uint64_t cube = (multiply_words(static_cast<uint32_t>(square), factor) >> 32) +
+                              multiply_words(static_cast<uint32_t>(square >> 32), factor);  // 2^-61
         const uint64_t mantissa = uint64_t(high) << 29 | low >> 3;
         const int32_t rest = static_cast<int32_t>(static_cast<int64_t>(mantissa - cube) >> 11);
         const int32_t d = divide<int32_t, 30>(rest, static_cast<int32_t>(high >> 1));  // 2^-49
@@ -179,8 +178,8 @@ struct Tan {
                 (int32_t(1) << 15)) >>
             16;
         const uint64_t rest = (positive << 31) - (uint64_t(quarters * half_pi[0]) << 32) -
-                              product_of_32_bits(quarters, half_pi[1]) -
-                              (product_of_32_bits(quarters, half_pi[2]) >> 32);  // 2^-63
+                              multiply_words(quarters, half_pi[1]) -
+                              (multiply_words(quarters, half_pi[2]) >> 32);  // 2^-63
         const bool below = static_cast<int64_t>(rest) < 0, odd = (quarters & 1) != 0;
         const int64_t x = static_cast<int64_t>(below ? 0 - rest : rest);
         if (odd && x < int64_t(1) << 52) return portable::Tan::apply<int64_t, 32>(a);

@@ -102,9 +102,9 @@ struct Smoothstep<32, false, false> {
         const uint32_t position = static_cast<uint32_t>(t);
         const bool rises = position < half;
         const uint32_t factor = rises ? half - position : position - half;
-        const uint64_t square = product_of_32_bits(position, position);
-        const uint64_t high = product_of_32_bits(static_cast<uint32_t>(square >> 32), factor);
-        const uint64_t low = product_of_32_bits(static_cast<uint32_t>(square), factor);
+        const uint64_t square = multiply_words(position, position);
+        const uint64_t high = multiply_words(static_cast<uint32_t>(square >> 32), factor);
+        const uint64_t low = multiply_words(static_cast<uint32_t>(square), factor);
         // In units of 2^-63, rounded downward: what is behind them decides no tie.
         const uint64_t product =
             rises ? square + high + (low >> 32) : square - high - ((low + 0xffffffff) >> 32);

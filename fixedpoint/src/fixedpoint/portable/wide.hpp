@@ -8,11 +8,6 @@
 namespace fixedpoint {
 namespace portable {
 
-// Not inlined: avr-gcc would forget that the factors have no more than 32 bits.
-FIXEDPOINT_CONSTEXPR __attribute__((noinline)) uint64_t product_of_32_bits(uint32_t a, uint32_t b) {
-    return static_cast<uint64_t>(a) * b;
-}
-
 struct Wide128 {
     uint64_t high;
     uint64_t low;
