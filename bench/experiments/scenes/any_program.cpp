@@ -74,6 +74,7 @@ bool up_to_date(const fs::path& program, const fs::path& list) {
 void run_compiler(const std::vector<std::string>& command, std::string_view what) {
     const fixbench::Ran ran = fixbench::run(command);
     if (ran.succeeded) return;
+    if (ran.err.find("will not fit in region") != ran.err.npos) throw TooLarge("exceeds the flash");
     const std::size_t error = ran.err.find("error: ");
     throw std::runtime_error(fmt::format(
         "{} does not compile: {}", what,

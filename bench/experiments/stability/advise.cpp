@@ -13,6 +13,7 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "bench/experiments/scenes/any_program.hpp"
 #include "bench/experiments/scenes/measure_scenes.hpp"
 #include "bench/experiments/stability/any_format.hpp"
 #include "bench/experiments/stability/scene_description.hpp"
@@ -235,8 +236,8 @@ void measure(const AdviceOptions& options, std::vector<Result>& lines) {
         try {
             line.cost(options.measure(options.scene, scalar_of(line.choice.split), line.method,
                                       line.choice.exponent));
-        } catch (const std::runtime_error&) {
-            line.fault = "not on the chip";
+        } catch (const scene_bench::TooLarge& error) {
+            line.fault = error.what();
             line.cycles = line.flash = 0;
         }
         progress.advance();
