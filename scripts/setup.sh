@@ -14,7 +14,7 @@ packages=(
     g++ cmake ninja-build git ca-certificates
     gcc-avr binutils-avr avr-libc arduino-core-avr arduino-builder avrdude libsimavr-dev simavr
     libelf-dev libssl-dev libncurses-dev
-    libgsl-dev libboost-dev libgmp-dev libmpfr-dev
+    libgsl-dev libboost-dev libgmp-dev libmpfr-dev libbox2d-dev
     libbenchmark-dev libgtest-dev libgmock-dev librapidcheck-dev
     libcli11-dev nlohmann-json3-dev libfmt-dev
     python3 python3-matplotlib python3-jinja2 python3-tqdm python3-z3 python3-jsonschema

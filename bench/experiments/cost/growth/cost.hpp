@@ -9,7 +9,7 @@
 namespace growth {
 
 struct Cost {
-    std::string broad_phase;  // brute_force or sort_and_sweep
+    std::string broad_phase;  // brute_force, sort_and_sweep, or Box2D's: box2d
     unsigned particles;
     double per_step;          // cycles of the chip in the mean, or the host's median in ns
     std::uint32_t ram = 0;    // bytes of the chip
@@ -20,7 +20,8 @@ struct Cost {
 // reports an error or the stack meets the data.
 std::vector<Cost> costs_on_chip();
 
-// On this machine, in nanoseconds, from 2 to `most` particles, at most 4096.
+// Of discs in the plane on this machine, in nanoseconds, from 16 to `most`, at most 16,384; every
+// pair up to 4,096.
 std::vector<Cost> costs_on_host(unsigned most);
 
 }  // namespace growth

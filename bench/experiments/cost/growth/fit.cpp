@@ -11,7 +11,11 @@
 
 namespace growth {
 
-Fit fitted(const std::vector<Cost>& costs) {
+const Term squares{"N^2", [](double n) { return n * n; }};
+const Term strips{"N^1.5", [](double n) { return n * std::sqrt(n); }};
+const Term trees{"N log2 N", [](double n) { return n * std::log2(n); }};
+
+Fit fitted(const std::vector<Cost>& costs, const Term& term) {
     constexpr std::size_t terms = 3;
     const std::size_t points = costs.size();
     if (points <= terms) throw std::runtime_error("a fit needs four numbers of particles");
@@ -29,7 +33,7 @@ Fit fitted(const std::vector<Cost>& costs) {
         const double n = costs[i].particles, cost = costs[i].per_step;
         gsl_matrix_set(powers.get(), i, 0, 1);
         gsl_matrix_set(powers.get(), i, 1, n);
-        gsl_matrix_set(powers.get(), i, 2, n * n);
+        gsl_matrix_set(powers.get(), i, 2, term.value(n));
         gsl_vector_set(weights.get(), i, 1 / (cost * cost));
         gsl_vector_set(values.get(), i, cost);
     }
@@ -39,7 +43,7 @@ Fit fitted(const std::vector<Cost>& costs) {
     gsl_multifit_wlinear(powers.get(), weights.get(), values.get(), solution.get(),
                          covariance.get(), &square, workspace.get());
     Fit fit{gsl_vector_get(solution.get(), 0), gsl_vector_get(solution.get(), 1),
-            gsl_vector_get(solution.get(), 2), 0};
+            gsl_vector_get(solution.get(), 2), term, 0};
     for (const Cost& cost : costs)
         fit.worst = std::max(fit.worst, std::abs(fit(cost.particles) / cost.per_step - 1));
     return fit;
@@ -54,7 +58,7 @@ std::vector<Cost> of_search(const std::vector<Cost>& costs, const std::string& s
 
 std::optional<unsigned> crossing(const std::vector<Cost>& first, const std::vector<Cost>& second) {
     std::optional<unsigned> from;
-    for (std::size_t i = 0; i < first.size(); ++i) {
+    for (std::size_t i = 0; i < std::min(first.size(), second.size()); ++i) {
         if (second[i].per_step > first[i].per_step)
             from.reset();
         else if (!from)

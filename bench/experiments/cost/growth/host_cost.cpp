@@ -2,60 +2,79 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
+#include <functional>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 
-#include "bench/experiments/cost/growth/box.hpp"
+#include "bench/experiments/cost/growth/box2d_discs.hpp"
 #include "bench/experiments/cost/growth/cost.hpp"
+#include "bench/experiments/cost/growth/discs.hpp"
+#include "bench/experiments/cost/growth/stopwatch.hpp"
 #include "bench/lab/records/progress.hpp"
 
 namespace growth {
 namespace {
 
-constexpr unsigned largest = 4096;
-
-// The median of the steps' times: what else the machine does plays no part.
 template <unsigned N, class Search>
-double nanoseconds_per_step() {
-    using Clock = std::chrono::steady_clock;
-    const auto world = std::make_unique<World<N, Search>>();
+std::function<void(unsigned)> in_the_engine() {
+    const auto world = std::make_shared<DiscWorld<N, Search>>();
     build<N, Search>(*world);
-    const auto end = Clock::now() + std::chrono::milliseconds(200);
-    std::vector<double> times;
-    while (times.size() < 9 || Clock::now() < end) {
-        // As many steps at once as make the clock's own cost small.
-        constexpr unsigned at_once = N < 64 ? 64 / N * 4 : 1;
-        const auto start = Clock::now();
-        for (unsigned i = 0; i < at_once; ++i) world->step(engine::BinaryStep<8>());
-        times.push_back(std::chrono::duration<double, std::nano>(Clock::now() - start).count() /
-                        at_once);
-    }
-    if (world->error() != engine::Error::none)
-        throw std::runtime_error(
-            fmt::format("box of {} particles: {}", N, engine::describe(world->error())));
-    std::nth_element(times.begin(), times.begin() + times.size() / 2, times.end());
-    return times[times.size() / 2];
+    return [world](unsigned steps) {
+        for (; steps > 0; --steps) world->step(engine::BinaryStep<exponent_of_step>());
+        if (world->error() != engine::Error::none)
+            throw std::runtime_error(
+                fmt::format("box of {} discs: {}", N, engine::describe(world->error())));
+    };
 }
 
-template <unsigned N, class Search>
-void measure(const char* search, unsigned most, std::vector<Cost>& costs,
-             records::Progress& progress) {
-    if (N > most) return;
-    costs.push_back({search, N, nanoseconds_per_step<N, Search>()});
-    progress.advance();
-    if constexpr (N < largest) measure<2 * N, Search>(search, most, costs, progress);
+std::function<void(unsigned)> in_box2d(unsigned n) {
+    const std::shared_ptr<b2World> world = box2d_discs(n);
+    return [world](unsigned steps) {
+        for (; steps > 0; --steps) step(*world);
+    };
+}
+
+using Start = std::function<std::function<void(unsigned)>()>;
+struct Timed {
+    const char* what;
+    unsigned particles;
+    Start start;
+};
+
+// Every pair is too many to wait for beyond 4,096 discs.
+template <unsigned... N>
+void add(std::vector<Timed>& list, unsigned most, std::integer_sequence<unsigned, N...>) {
+    const auto add_all = [&](const char* what, unsigned limit, auto start_of) {
+        ((N <= limit ? list.push_back({what, N, start_of(std::integral_constant<unsigned, N>())})
+                     : void()),
+         ...);
+    };
+    add_all("brute_force", std::min(most, 4096u), [](auto n) -> Start {
+        if constexpr (n <= 4096)
+            return in_the_engine<n, engine::BruteForce>;
+        else
+            return {};
+    });
+    add_all("sort_and_sweep", most,
+            [](auto n) -> Start { return in_the_engine<n, engine::SortAndSweep>; });
+    add_all("box2d", most, [](auto n) -> Start { return [n] { return in_box2d(n); }; });
 }
 
 }  // namespace
 
 std::vector<Cost> costs_on_host(unsigned most) {
+    std::vector<Timed> list;
+    add(list, most,
+        std::integer_sequence<unsigned, 16, 36, 64, 144, 256, 576, 1024, 2304, 4096, 9216,
+                              16384>());
     std::vector<Cost> costs;
-    unsigned sizes = 0;
-    for (unsigned n = 2; n <= std::min(most, largest); n *= 2) ++sizes;
-    records::Progress progress("growth on the host", 2 * sizes);
-    measure<2, engine::BruteForce>("brute_force", most, costs, progress);
-    measure<2, engine::SortAndSweep>("sort_and_sweep", most, costs, progress);
+    records::Progress progress("growth on the host", list.size());
+    for (const Timed& timed : list) {
+        costs.push_back(
+            {timed.what, timed.particles, nanoseconds_per_step(timed.what, timed.start)});
+        progress.advance();
+    }
     return costs;
 }
 

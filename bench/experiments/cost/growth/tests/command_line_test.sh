@@ -8,7 +8,7 @@ mkdir -p "$folder"
 fail() { echo "$*" >&2; exit 1; }
 
 "$fixbench" growth --output "$folder" 2>/dev/null
-# Both broad phasees, more cycles and more memory for more particles, the cheapest of each pair named.
+# Both broad phases, more cycles and more memory for more particles, the cheapest of each pair named.
 awk -F, 'NR > 1 {
         if ($2 == search && !($4 > cost && $6 > ram)) { print "not growing: " $0; exit 1 }
         search = $2; cost = $4; ram = $6; searches[$2]++; cheapest[$3] += $13 == "yes"
@@ -17,8 +17,8 @@ awk -F, 'NR > 1 {
         if (searches["brute_force"] < 8 || searches["brute_force"] != searches["sort_and_sweep"]) exit 1
         for (n in cheapest) if (cheapest[n] != 1) { print n " particles: no cheapest"; exit 1 }
     }' "$folder/growth.csv" || fail "growth.csv is not as it should be"
-"$fixbench" growth --host --most 16 --output "$folder" 2>/dev/null
-[ "$(wc -l <"$folder/growth_host.csv")" -eq 9 ] || fail "growth_host.csv has not two rows for each of 2, 4, 8, 16"
+"$fixbench" growth --host --most 144 --output "$folder" 2>/dev/null
+[ "$(wc -l <"$folder/growth_host.csv")" -eq 13 ] || fail "growth_host.csv has not three rows for each of 16, 36, 64, 144"
 status=0
-"$fixbench" growth --host --most 5000 >/dev/null 2>"$folder/err" || status=$?
-[ "$status" -ne 0 ] || fail "accepted 5000 particles"
+"$fixbench" growth --host --most 16385 >/dev/null 2>"$folder/err" || status=$?
+[ "$status" -ne 0 ] || fail "accepted 16385 particles"
