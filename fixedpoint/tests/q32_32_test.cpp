@@ -188,8 +188,7 @@ INSTANTIATE_TEST_SUITE_P(
                      return atan2_degrees(Q32_32::from_raw(a), Q32_32::from_raw(b)).raw();
                  },
                  [](Real a, Real b) {
-                     return a == 0 && b == 0 ? Real(NAN)
-                                             : atan2f128(a, b) * (45 / atan2f128(1, 1));
+                     return a == 0 && b == 0 ? Real(NAN) : atan2f128(a, b) * (45 / atan2f128(1, 1));
                  },
                  limit_of_mantissa, 0.518412442, 100'000},
         ELEMENTARY(exp2, limit_of_binary_exponent, 0.530613079),
