@@ -182,6 +182,15 @@ INSTANTIATE_TEST_SUITE_P(
                      return a == 0 && b == 0 ? Real(NAN) : atan2f128(a, b) / (8 * atan2f128(1, 1));
                  },
                  limit_of_mantissa, 0.594721582, 100'000},
+        Function{"atan2_degrees",
+                 [](int64_t a, int64_t b) {
+                     using fixedpoint::Q32_32;
+                     return atan2_degrees(Q32_32::from_raw(a), Q32_32::from_raw(b)).raw();
+                 },
+                 [](Real a, Real b) {
+                     return a == 0 && b == 0 ? Real(NAN) : atan2f128(a, b) * (45 / atan2f128(1, 1));
+                 },
+                 limit_of_mantissa, 0.518412442, 100'000},
         ELEMENTARY(exp2, limit_of_binary_exponent, 0.530613079),
         ELEMENTARY(expm1, limit_of_exponent, 0.539775498),
         ELEMENTARY(sinh, limit_of_exponent, 0.537319023),

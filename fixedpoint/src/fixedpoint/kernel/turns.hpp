@@ -3,6 +3,7 @@
 // angle: nothing is rounded before the sine's core.
 #pragma once
 
+#include <fixedpoint/kernel/atan2_degrees_q32_32.hpp>
 #include <fixedpoint/kernel/dispatch.hpp>
 #include <fixedpoint/portable/multiply_words.hpp>
 
@@ -195,7 +196,7 @@ struct AngleOfVector<int64_t, 32> {
                16;
     }
     static FIXEDPOINT_CONSTEXPR int64_t in_degrees(int64_t y, int64_t x) {
-        return angle_of<int64_t, 32, 58>(y, x, 0xe52ee0d31e0fbdc3);
+        return q32_32::atan2_degrees(y, x);
     }
 };
 
