@@ -120,7 +120,12 @@ struct ArcTangentSide {
 // fraction bits.
 template <class OfMantissa, int64_t of_two>
 struct LogarithmSide {
-    static FIXEDPOINT_CONSTEXPR bool reaches(int64_t tie, uint32_t a) {
+    static FIXEDPOINT_CONSTEXPR bool reaches(int64_t tie, int32_t a) {
+        return reaches_of_unsigned(tie, static_cast<uint32_t>(a));
+    }
+
+  protected:
+    static FIXEDPOINT_CONSTEXPR bool reaches_of_unsigned(int64_t tie, uint32_t a) {
         constexpr uint64_t one = uint64_t(1) << 58;
         uint64_t mantissa = uint64_t(a) << 27;
         int exponent = 15;
@@ -140,21 +145,17 @@ struct NaturalOfMantissa58 {
         return Log1p::apply<int64_t, 58>(mantissa - (int64_t(1) << 58)).number;
     }
 };
-struct NaturalLogarithmSide : LogarithmSide<NaturalOfMantissa58, 199786072581291495> {
-    static FIXEDPOINT_CONSTEXPR bool reaches(int64_t tie, int32_t a) {
-        return LogarithmSide::reaches(tie, static_cast<uint32_t>(a));
-    }
-};
+using NaturalLogarithmSide = LogarithmSide<NaturalOfMantissa58, 199786072581291495>;
 struct Log1pSide : NaturalLogarithmSide {
     static FIXEDPOINT_CONSTEXPR bool reaches(int64_t tie, int32_t a) {
-        return LogarithmSide::reaches(tie, static_cast<uint32_t>(a) + (uint32_t(1) << 16));
+        return reaches_of_unsigned(tie, static_cast<uint32_t>(a) + (uint32_t(1) << 16));
     }
 };
 using Log2Side = LogarithmSide<OfMantissa58<Log2>, int64_t(1) << 58>;
 using Log10Side = LogarithmSide<OfMantissa58<Log10>, 86765988883177455>;
 
-// Functions of which few operands have results in the range: none of these is as close to a tie as
-// 2^-48. A power that is equal to a tie, as 1.5^17, comes out as the tie.
+// Functions of which few operands have results in the range: of each of those the side was compared
+// with an evaluation of 113 bits. A power that is equal to a tie, as 1.5^17, comes out as the tie.
 template <class Function>
 struct WideSide {
     template <class... Operands>
