@@ -89,8 +89,10 @@ ROOMS = [
     room("portable", f"{FIXED}/portable/round.hpp {FIXED}/portable/nearest_root.hpp", 2, "roots_test"),
     room("portable", f"{FIXED}/portable/decimal_*.hpp !*/decimal_literal.hpp", 2, "decimal_test"),
     room("arithmetic", f"{FIXED}/arithmetic/*.hpp !*/published.hpp !*/small.hpp !*/checked.hpp"
-         " !*/rounded.hpp", 2, "fixed_test", "small_operations_test"),
+         " !*/rounded.hpp !*/correctly_rounded.hpp", 2, "fixed_test", "small_operations_test"),
     room("arithmetic", f"{FIXED}/arithmetic/rounded.hpp", 1, "small_operations_test"),
+    room("arithmetic", f"{FIXED}/arithmetic/correctly_rounded.hpp {FIXED}/portable/correct_rounding.hpp",
+         2, "correctly_rounded_test"),
     room("arithmetic", f"{FIXED}/arithmetic/checked.hpp", 2, "checked_test"),
     room("arithmetic", f"{FIXED}/arithmetic/published.hpp {FIXED}/published/*.hpp !*_table.hpp", 2,
          "published_test"),

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// CorrectlyRounded: as Nearest, but functions too return the exact result rounded to nearest, half
+/// up, so that a result does not depend on the algorithm that made it. They compute in Q32.32, and
+/// further where that lies on a tie. Only for formats whose numbers all are numbers of Q16.16, such
+/// as Q4.4 and Q8.8. Functions of turns and degrees and integer powers are Nearest's.
+#pragma once
+
+#include <fixedpoint/arithmetic/nearest.hpp>
+#include <fixedpoint/portable/correct_rounding.hpp>
+
+namespace fixedpoint {
+
+/// As Nearest, with functions whose error is 0.5 ulp at most.
+struct CorrectlyRounded : Nearest {
+    /// \cond internal
+#define FIXEDPOINT_CORRECTLY_ROUNDED(name, Side)                                      \
+    template <class Raw, int F>                                                       \
+    static constexpr Raw name(Raw a) {                                                \
+        return portable::correctly_rounded<Raw, F, portable::Side>(                   \
+            kernel::name<int64_t, 32>(portable::convert<int64_t, 32, Raw, F>(a)), a); \
+    }
+    FIXEDPOINT_CORRECTLY_ROUNDED(reciprocal_sqrt, ReciprocalRootSide)
+    FIXEDPOINT_CORRECTLY_ROUNDED(sin, SineSide)
+    FIXEDPOINT_CORRECTLY_ROUNDED(cos, CosineSide)
+    FIXEDPOINT_CORRECTLY_ROUNDED(atan, ArcTangentSide)
+    FIXEDPOINT_CORRECTLY_ROUNDED(exp, ExponentialSide)
+    FIXEDPOINT_CORRECTLY_ROUNDED(log, NaturalLogarithmSide)
+#undef FIXEDPOINT_CORRECTLY_ROUNDED
+#define FIXEDPOINT_CORRECTLY_ROUNDED(name, Function, ...)                  \
+    template <class Raw, int F, class... Operands>                         \
+    static constexpr Raw name(Operands... a) {                             \
+        return portable::correctly_rounded<Raw, F, portable::__VA_ARGS__>( \
+            portable::Evaluated<kernel::Function, int64_t, 32>::apply(     \
+                portable::convert<int64_t, 32, Raw, F>(a)...)              \
+                .number,                                                   \
+            a...);                                                         \
+    }
+    FIXEDPOINT_CORRECTLY_ROUNDED(tan, Tan, TangentSide)
+    FIXEDPOINT_CORRECTLY_ROUNDED(asin, Asin, WideSide<portable::Asin>)
+    FIXEDPOINT_CORRECTLY_ROUNDED(acos, Acos, WideSide<portable::Acos>)
+    FIXEDPOINT_CORRECTLY_ROUNDED(exp2, Exp2, WideSide<portable::Exp2>)
+    FIXEDPOINT_CORRECTLY_ROUNDED(expm1, Expm1, WideSide<portable::Expm1>)
+    FIXEDPOINT_CORRECTLY_ROUNDED(log2, Log2, Log2Side)
+    FIXEDPOINT_CORRECTLY_ROUNDED(log10, Log10, Log10Side)
+    FIXEDPOINT_CORRECTLY_ROUNDED(log1p, Log1p, Log1pSide)
+    FIXEDPOINT_CORRECTLY_ROUNDED(sinh, Sinh, WideSide<portable::Sinh>)
+    FIXEDPOINT_CORRECTLY_ROUNDED(cosh, Cosh, WideSide<portable::Cosh>)
+    FIXEDPOINT_CORRECTLY_ROUNDED(tanh, Tanh, WideSide<portable::Tanh>)
+    FIXEDPOINT_CORRECTLY_ROUNDED(cbrt, Cbrt, CubeRootSide)
+    FIXEDPOINT_CORRECTLY_ROUNDED(pow, Pow, WideSide<portable::Pow>)
+#undef FIXEDPOINT_CORRECTLY_ROUNDED  /// \endcond
+    /// The angle of (x, y) in (-pi, pi]; 0 where both are 0.
+    template <class Raw, int F>
+    static constexpr Raw atan2(Raw y, Raw x) {
+        return portable::correctly_rounded<Raw, F, portable::AngleSide>(
+            kernel::atan2<int64_t, 32>(portable::convert<int64_t, 32, Raw, F>(y),
+                                       portable::convert<int64_t, 32, Raw, F>(x)),
+            y, x);
+    }
+    /// The sine and the cosine of an angle in radians.
+    template <class Raw, int F>
+    static FIXEDPOINT_CONSTEXPR void sincos(Raw angle, Raw* sine_and_cosine) {
+        int64_t wide[2] = {};
+        kernel::sincos<int64_t, 32>(portable::convert<int64_t, 32, Raw, F>(angle), wide);
+        sine_and_cosine[0] =
+            portable::correctly_rounded<Raw, F, portable::SineSide>(wide[0], angle);
+        sine_and_cosine[1] =
+            portable::correctly_rounded<Raw, F, portable::CosineSide>(wide[1], angle);
+    }
+    /// The length of a vector of two components, saturated.
+    template <class Raw, int F>
+    static constexpr Raw length2(const Raw* v) {
+        return portable::length2<Raw, F>(v);
+    }
+    /// The length of a vector of three components, saturated.
+    template <class Raw, int F>
+    static constexpr Raw length3(const Raw* v) {
+        return portable::length3<Raw, F>(v);
+    }
+    /// v / length3(v), by component; the zero vector stays zero. `unit` may be v.
+    template <class Raw, int F>
+    static FIXEDPOINT_CONSTEXPR void normalise3(const Raw* v, Raw* unit) {
+        using Side = portable::UnitComponentSide;
+        const Raw x = v[0], y = v[1], z = v[2];
+        int64_t wide[3] = {portable::convert<int64_t, 32, Raw, F>(x),
+                           portable::convert<int64_t, 32, Raw, F>(y),
+                           portable::convert<int64_t, 32, Raw, F>(z)};
+        kernel::normalise3<int64_t, 32>(wide, wide);
+        unit[0] = portable::correctly_rounded<Raw, F, Side>(wide[0], x, y, z);
+        unit[1] = portable::correctly_rounded<Raw, F, Side>(wide[1], y, z, x);
+        unit[2] = portable::correctly_rounded<Raw, F, Side>(wide[2], z, x, y);
+    }
+};
+
+}  // namespace fixedpoint

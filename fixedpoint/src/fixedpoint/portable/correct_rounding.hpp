@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+// On which side of a tie an exact result lies, for numbers of Q16.16, and the rounding that asks.
+//
+// A result in units of 2^-32 whose error is below one unit decides the rounding to 16 bits and
+// fewer, unless it is a tie itself: from a unit above the tie on the exact result is beyond it,
+// from a unit below it is not. Once in 2^16 results it is one, and a `reaches` decides: whether the
+// exact result is the tie, in units of 2^-32, or more. Where integers decide it is exact, in the
+// others an evaluation with an error far below the distance of the nearest result from a tie.
+#pragma once
+
+#include <fixedpoint/portable/atan2.hpp>
+#include <fixedpoint/portable/convert.hpp>
+#include <fixedpoint/portable/elementary.hpp>
+#include <fixedpoint/portable/exp.hpp>
+#include <fixedpoint/portable/sin.hpp>
+
+namespace fixedpoint {
+namespace portable {
+
+// `wide` 2^-32, the exact result within less than 2^-32, rounded to F bits, half up, and saturated.
+template <class Raw, int F, class Side, class... Operands>
+FIXEDPOINT_CONSTEXPR Raw correctly_rounded(int64_t wide, Operands... a) {
+    static_assert(F <= 16 && RawLimits<Raw>::width - F <= 16,
+                  "only for formats whose numbers all are numbers of Q16.16");
+    constexpr uint32_t half = uint32_t(1) << (31 - F);
+    const Converted<Raw> up = convert_clamped<Raw, F, int64_t, 32>(wide);
+    const bool is_tie = (static_cast<uint32_t>(wide) & (2 * half - 1)) == half;
+    // What lies below the smallest number is saturated, whichever side it is on.
+    if (!is_tie || !up.fits || up.number == RawLimits<Raw>::min) return up.number;
+    return Side::reaches(wide, convert<int32_t, 16, Raw, F>(a)...)
+               ? up.number
+               : static_cast<Raw>(up.number - 1);
+}
+
+// 2 r for a result r of Q16.16 from one of 2^-32 that is a tie.
+constexpr int64_t twice_in_q16_16(int64_t tie) { return tie / (1 << 15); }
+
+// 2^24 / sqrt(a) >= r where 2^50 >= (2 r)^2 a. The two are next to each other.
+struct ReciprocalRootSide {
+    static FIXEDPOINT_CONSTEXPR bool reaches(int64_t tie, int32_t a) {
+        const uint64_t root = static_cast<uint64_t>(twice_in_q16_16(tie));
+        return root * root * static_cast<uint32_t>(a) <= uint64_t(1) << 50;
+    }
+};
+// a 2^35 >= (2 r)^3, from their small difference modulo 2^64.
+struct CubeRootSide {
+    static FIXEDPOINT_CONSTEXPR bool reaches(int64_t tie, int32_t a) {
+        const uint64_t root = static_cast<uint64_t>(twice_in_q16_16(tie));
+        const uint64_t above =
+            (static_cast<uint64_t>(static_cast<int64_t>(a)) << 35) - root * root * root;
+        return above >> 63 == 0;
+    }
+};
+// v / sqrt(v^2 + a^2 + b^2) >= r where v^2 2^34 >= (2 r)^2 (v^2 + a^2 + b^2), all of one sign.
+struct UnitComponentSide {
+    static FIXEDPOINT_CONSTEXPR bool reaches(int64_t tie, int32_t v, int32_t a, int32_t b) {
+        const uint64_t component = static_cast<uint64_t>(twice_in_q16_16(v < 0 ? -tie : tie));
+        const Word128 exact = Word128(square(v)) << 34;
+        const Word128 at_tie = Word128(square(v) + square(a) + square(b)) * (component * component);
+        return v < 0 ? !(exact > at_tie) : !(exact < at_tie);
+    }
+};
+
+// The fraction bits to which the cores of 128 bits are exact.
+constexpr int precise_fraction = 60;
+
+// Cosine and sine of a, of Q16.16, with 126 fraction bits.
+FIXEDPOINT_CONSTEXPR UnitVector<Word128> precise_unit_vector(int32_t a) {
+    constexpr uint64_t two_over_pi = 683565276;  // 2^-30
+    const uint64_t positive = magnitude(a);
+    const uint64_t quarters = (positive * two_over_pi + (uint64_t(1) << 45)) >> 46;
+    const UnitVector<Word128> unit = unit_vector<precise_fraction>(
+        (Word128(positive) << 110) - CordicConstants<Word128>::half_pi() * quarters);
+    const bool odd = (quarters & 1) != 0, beyond = (quarters & 2) != 0;
+    const Word128 cosine = odd ? unit.sine : unit.cosine;
+    const Word128 sine = odd ? unit.cosine : unit.sine;
+    return {beyond != odd ? negated(cosine) : cosine, beyond != (a < 0) ? negated(sine) : sine};
+}
+constexpr Word128 signed_word(int64_t a) {
+    return {a < 0 ? ~uint64_t(0) : uint64_t(0), static_cast<uint64_t>(a)};
+}
+constexpr bool is_at_least(const Word128& a, const Word128& b) { return !is_negative(a - b); }
+
+struct SineSide {
+    static FIXEDPOINT_CONSTEXPR bool reaches(int64_t tie, int32_t a) {
+        return is_at_least(precise_unit_vector(a).sine, signed_word(tie) << 94);
+    }
+};
+struct CosineSide {
+    static FIXEDPOINT_CONSTEXPR bool reaches(int64_t tie, int32_t a) {
+        return is_at_least(precise_unit_vector(a).cosine, signed_word(tie) << 94);
+    }
+};
+// The sine against the tie times the cosine, both with 94 fraction bits.
+struct TangentSide {
+    static FIXEDPOINT_CONSTEXPR bool reaches(int64_t tie, int32_t a) {
+        const UnitVector<Word128> unit = precise_unit_vector(a);
+        const bool left = is_negative(unit.cosine);
+        const Word128 cosine = left ? negated(unit.cosine) : unit.cosine;
+        const Word128 sine = left ? negated(unit.sine) : unit.sine;
+        const Word128 product = Word128(cosine.high) * magnitude(tie);
+        return is_at_least(shift_right_signed(sine, 32), tie < 0 ? negated(product) : product);
+    }
+};
+struct AngleSide {
+    static FIXEDPOINT_CONSTEXPR bool reaches(int64_t tie, int32_t y, int32_t x) {
+        const Word128 acute = first_quadrant_angle<precise_fraction>(magnitude(y), magnitude(x));
+        const Word128 angle = x < 0 ? CordicConstants<Word128>::pi() - acute : acute;
+        const Word128 at_tie = Word128(magnitude(tie)) << 94;
+        return y < 0 ? !(angle > at_tie) : !(angle < at_tie);
+    }
+};
+struct ArcTangentSide {
+    static FIXEDPOINT_CONSTEXPR bool reaches(int64_t tie, int32_t a) {
+        return AngleSide::reaches(tie, a, int32_t(1) << 16);
+    }
+};
+
+// The logarithm of a 2^-16 as that of a mantissa from 1 to 2 and a multiple of that of 2, with 58
+// fraction bits.
+template <class OfMantissa, int64_t of_two>
+struct LogarithmSide {
+    static FIXEDPOINT_CONSTEXPR bool reaches(int64_t tie, int32_t a) {
+        return reaches_of_unsigned(tie, static_cast<uint32_t>(a));
+    }
+
+  protected:
+    static FIXEDPOINT_CONSTEXPR bool reaches_of_unsigned(int64_t tie, uint32_t a) {
+        constexpr uint64_t one = uint64_t(1) << 58;
+        uint64_t mantissa = uint64_t(a) << 27;
+        int exponent = 15;
+        for (; mantissa < one; --exponent) mantissa <<= 1;
+        return OfMantissa::apply(static_cast<int64_t>(mantissa)) + exponent * of_two >=
+               tie * (int64_t(1) << 26);
+    }
+};
+template <class Function>
+struct OfMantissa58 {
+    static FIXEDPOINT_CONSTEXPR int64_t apply(int64_t mantissa) {
+        return Function::template apply<int64_t, 58>(mantissa).number;
+    }
+};
+struct NaturalOfMantissa58 {
+    static FIXEDPOINT_CONSTEXPR int64_t apply(int64_t mantissa) {
+        return Log1p::apply<int64_t, 58>(mantissa - (int64_t(1) << 58)).number;
+    }
+};
+using NaturalLogarithmSide = LogarithmSide<NaturalOfMantissa58, 199786072581291495>;
+struct Log1pSide : NaturalLogarithmSide {
+    static FIXEDPOINT_CONSTEXPR bool reaches(int64_t tie, int32_t a) {
+        return reaches_of_unsigned(tie, static_cast<uint32_t>(a) + (uint32_t(1) << 16));
+    }
+};
+using Log2Side = LogarithmSide<OfMantissa58<Log2>, int64_t(1) << 58>;
+using Log10Side = LogarithmSide<OfMantissa58<Log10>, 86765988883177455>;
+
+// Functions of which few operands have results in the range: of each of those the side was compared
+// with an evaluation of 113 bits. Powers have too many pairs for that: they are correct unless one
+// is closer to a tie than 2^-48. A power that is a tie, as 1.5^17, comes out as the tie.
+template <class Function>
+struct WideSide {
+    template <class... Operands>
+    static FIXEDPOINT_CONSTEXPR bool reaches(int64_t tie, Operands... a) {
+        return Function::template apply<int64_t, 48>(convert<int64_t, 48, int32_t, 16>(a)...)
+                   .number >= tie * (int64_t(1) << 16);
+    }
+};
+struct ExponentialSide {
+    static FIXEDPOINT_CONSTEXPR bool reaches(int64_t tie, int32_t a) {
+        return exp_small<int64_t, 48>(convert<int64_t, 48, int32_t, 16>(a)) >=
+               tie * (int64_t(1) << 16);
+    }
+};
+
+}  // namespace portable
+}  // namespace fixedpoint

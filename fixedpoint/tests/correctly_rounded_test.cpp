@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+// CorrectlyRounded against functions of 113 bits: the exact result, rounded, for every operation.
+// What random operands reach seldom, a result in Q32.32 that lies on a tie, is looked for.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <fixedpoint/arithmetic/correctly_rounded.hpp>
+#include <fixedpoint/math.hpp>
+#include <fixedpoint/vector.hpp>
+#include <random>
+#include <vector>
+
+namespace {
+
+using fixedpoint::CorrectlyRounded;
+using fixedpoint::Nearest;
+using fixedpoint::RawLimits;
+__extension__ typedef __float128 Real;
+
+extern "C" {
+#define REAL_FUNCTION(name) Real name##f128(Real) noexcept;
+REAL_FUNCTION(floor)
+REAL_FUNCTION(sqrt)
+REAL_FUNCTION(sin)
+REAL_FUNCTION(cos)
+REAL_FUNCTION(tan)
+REAL_FUNCTION(asin)
+REAL_FUNCTION(acos)
+REAL_FUNCTION(atan)
+REAL_FUNCTION(exp)
+REAL_FUNCTION(exp2)
+REAL_FUNCTION(expm1)
+REAL_FUNCTION(log)
+REAL_FUNCTION(log2)
+REAL_FUNCTION(log10)
+REAL_FUNCTION(log1p)
+REAL_FUNCTION(sinh)
+REAL_FUNCTION(cosh)
+REAL_FUNCTION(tanh)
+REAL_FUNCTION(cbrt)
+#undef REAL_FUNCTION
+Real atan2f128(Real, Real) noexcept;
+Real powf128(Real, Real) noexcept;
+}
+
+template <class Raw>
+Raw rounded(Real value, int fraction) {
+    const Real nearest = floorf128(value * Real(uint64_t(1) << fraction) + Real(0.5));
+    return nearest > Real(RawLimits<Raw>::max)   ? RawLimits<Raw>::max
+           : nearest < Real(RawLimits<Raw>::min) ? RawLimits<Raw>::min
+                                                 : static_cast<Raw>(nearest);
+}
+
+struct Function {
+    const char* name;
+    bool (*has_result)(Real a);
+    Real (*exact)(Real a);
+    int32_t (*q16_16)(int32_t a);
+    int16_t (*q8_8)(int16_t a);
+    int8_t (*q4_4)(int8_t a);
+    int64_t (*wide)(int64_t a);
+    // Of all operands with a result in the range, or of 2^24 others, those whose results are
+    // closest to a tie: 2^-18 to 2^-33 ulp.
+    std::vector<int32_t> hardest;
+};
+
+bool anywhere(Real) { return true; }
+bool above_zero(Real a) { return a > 0; }
+bool above_minus_one(Real a) { return a > -1; }
+bool to_one(Real a) { return a >= -1 && a <= 1; }
+bool not_far(Real a) { return a >= -20 && a <= 20; }
+Real reciprocal_sqrtf128(Real a) { return 1 / sqrtf128(a); }
+
+#define FUNCTION(name, has_result, ...)                                                          \
+    Function {                                                                                   \
+#name, has_result,                                                                       \
+            [](Real a) -> Real { return name##f128(a); }, CorrectlyRounded::name < int32_t, 16>, \
+                                                       CorrectlyRounded::name < int16_t, 8>,     \
+                                                       CorrectlyRounded::name < int8_t, 4>,      \
+                                                       Nearest::name < int64_t, 32>, {           \
+            __VA_ARGS__                                                                          \
+        }                                                                                        \
+    }
+const std::vector<Function>& functions() {
+    static const std::vector<Function> all = {
+        FUNCTION(reciprocal_sqrt, above_zero, 981569017, 1638289780, 1444037183),
+        FUNCTION(sin, anywhere, -887841717, 592530584, -1719254177),
+        FUNCTION(cos, anywhere, 564153567, 2030042867, -505055703),
+        FUNCTION(tan, anywhere, -1269382028, -1313407413, 2033189759),
+        FUNCTION(asin, to_one),
+        FUNCTION(acos, to_one, -7695, -64828),
+        FUNCTION(atan, anywhere, -466434983, 1020649452, 1338799777),
+        FUNCTION(exp, not_far, -129660, 780574, -481090),
+        FUNCTION(exp2, not_far, -205477, 433072),
+        FUNCTION(expm1, not_far, -129660, 780574, -481090),
+        FUNCTION(log, above_zero, 45255651, 1113115911, 710352108),
+        FUNCTION(log2, above_zero, 1746593424, 2124676799, 1056735271),
+        FUNCTION(log10, above_zero, 1187172104, 772446083, 499414131),
+        FUNCTION(log1p, above_minus_one, 2016388328, 846231697, 458138569),
+        FUNCTION(sinh, not_far, -441619, 441619, -495328),
+        FUNCTION(cosh, not_far, -256, 256, 355997),
+        FUNCTION(tanh, not_far, -144246, 144246, -18085),
+        FUNCTION(cbrt, anywhere, 2012702089, -1334439693, 221123593),
+    };
+    return all;
+}
+
+class CorrectRounding : public testing::TestWithParam<std::size_t> {
+  protected:
+    const Function& function_ = functions()[GetParam()];
+
+    template <class Raw, int F>
+    void check(Raw a, Raw result) const {
+        const Real value = Real(a) / Real(1 << F);
+        if (!function_.has_result(value)) return;
+        ASSERT_EQ(result, rounded<Raw>(function_.exact(value), F)) << "of " << int64_t(a);
+    }
+};
+
+TEST_P(CorrectRounding, OfEveryNumberOf8And16Bits) {
+    for (int a = INT8_MIN; a <= INT8_MAX; ++a)
+        check<int8_t, 4>(int8_t(a), function_.q4_4(int8_t(a)));
+    for (int a = INT16_MIN; a <= INT16_MAX; ++a)
+        check<int16_t, 8>(int16_t(a), function_.q8_8(int16_t(a)));
+}
+
+TEST_P(CorrectRounding, OfNumbersOf32Bits) {
+    std::mt19937 random(1);
+    for (int i = 0; i < 10'000; ++i) {
+        const int32_t a = static_cast<int32_t>(random()) >> random() % 32;
+        check<int32_t, 16>(a, function_.q16_16(a));
+    }
+    for (const int32_t a : {INT32_MIN, INT32_MIN + 1, INT32_MAX, 0, 1, -1, 65535, 65536, -65536})
+        check<int32_t, 16>(a, function_.q16_16(a));
+}
+
+TEST_P(CorrectRounding, WhereTheWideResultIsATie) {
+    for (const int32_t a : function_.hardest) check<int32_t, 16>(a, function_.q16_16(a));
+    std::mt19937 random(2);
+    for (int i = 0; i < 100'000; ++i) {
+        const int32_t a = static_cast<int32_t>(random()) >> random() % 24;
+        if (!function_.has_result(Real(a) / 65536)) continue;
+        const int64_t wide = function_.wide(int64_t(a) * 65536);
+        if (static_cast<uint16_t>(wide) == 0x8000) check<int32_t, 16>(a, function_.q16_16(a));
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Functions, CorrectRounding,
+                         testing::Range(std::size_t(0), functions().size()),
+                         [](const auto& of) { return std::string(functions()[of.param].name); });
+
+TEST(CorrectRoundingOfPairs, OfAngles) {
+    for (const int32_t y : {-466434983, 1020649452, 1338799777}) {
+        EXPECT_EQ((CorrectlyRounded::atan2<int32_t, 16>(y, 65536)),
+                  rounded<int32_t>(atan2f128(y, 65536), 16));
+    }
+    std::mt19937 random(3);
+    for (int i = 0; i < 50'000; ++i) {
+        const int32_t y = static_cast<int32_t>(random()) >> random() % 32;
+        const int32_t x = static_cast<int32_t>(random()) >> random() % 32;
+        if (y == 0 && x == 0) continue;
+        ASSERT_EQ((CorrectlyRounded::atan2<int32_t, 16>(y, x)),
+                  rounded<int32_t>(atan2f128(y, x), 16))
+            << y << ", " << x;
+    }
+}
+
+TEST(CorrectRoundingOfPairs, OfPowers) {
+    std::mt19937 random(4);
+    for (int i = 0; i < 20'000; ++i) {
+        const int32_t x = static_cast<int32_t>(1 + (random() >> (1 + random() % 31)));
+        const int32_t y = static_cast<int32_t>(random()) >> random() % 32;
+        ASSERT_EQ((CorrectlyRounded::pow<int32_t, 16>(x, y)),
+                  rounded<int32_t>(powf128(Real(x) / 65536, Real(y) / 65536), 16))
+            << x << ", " << y;
+    }
+}
+
+// A power x^y of Q16.16 is a tie only where x is a power w^(2^s) and y is 17 / 2^s, with w 1/2 or
+// 3/2, or -17 / 2^s, with w 2: others have too many or too few fraction bits.
+TEST(CorrectRoundingOfPairs, OfPowersThatAreTies) {
+    constexpr int32_t largest_power = 64570082;  // 1.5^17 = 985.2612...
+    int32_t three_halves = 3 << 15, half = 1 << 15, two = 2 << 16;
+    for (int s = 0; s < 4; ++s) {
+        const int32_t y = 17 * (65536 >> s);
+        EXPECT_EQ((CorrectlyRounded::pow<int32_t, 16>(three_halves, y)), largest_power) << s;
+        EXPECT_EQ((CorrectlyRounded::pow<int32_t, 16>(half, y)), 1) << s;
+        EXPECT_EQ((CorrectlyRounded::pow<int32_t, 16>(two, -y)), 1) << s;
+        const auto square = [](int32_t a) { return static_cast<int32_t>(int64_t(a) * a >> 16); };
+        three_halves = square(three_halves);
+        half = square(half);
+        two = square(two);
+    }
+    EXPECT_EQ((CorrectlyRounded::pow<int32_t, 16>(-(3 << 15), 17 << 16)), 1 - largest_power);
+}
+
+TEST(CorrectRoundingOfVectors, OfLengthsUnitVectorsAndSincos) {
+    std::mt19937 random(5);
+    for (int i = 0; i < 50'000; ++i) {
+        int32_t v[3];
+        for (int32_t& component : v) component = static_cast<int32_t>(random()) >> random() % 32;
+        const Real two = Real(v[0]) * Real(v[0]) + Real(v[1]) * Real(v[1]);
+        const Real three = two + Real(v[2]) * Real(v[2]);
+        ASSERT_EQ((CorrectlyRounded::length2<int32_t, 16>(v)), rounded<int32_t>(sqrtf128(two), 0));
+        ASSERT_EQ((CorrectlyRounded::length3<int32_t, 16>(v)),
+                  rounded<int32_t>(sqrtf128(three), 0));
+        int32_t unit[3];
+        CorrectlyRounded::normalise3<int32_t, 16>(v, unit);
+        for (int k = 0; k < 3 && three > 0; ++k)
+            ASSERT_EQ(unit[k], rounded<int32_t>(Real(v[k]) / sqrtf128(three), 16)) << k;
+        int32_t both[2];
+        CorrectlyRounded::sincos<int32_t, 16>(v[0], both);
+        ASSERT_EQ(both[0], (CorrectlyRounded::sin<int32_t, 16>(v[0])));
+        ASSERT_EQ(both[1], (CorrectlyRounded::cos<int32_t, 16>(v[0])));
+    }
+}
+
+}  // namespace
