@@ -66,8 +66,8 @@ Number dot_of(const Number* a, const Number (&b)[3]) {
     return BlockNumber<Number>::dot3(a, b);
 }
 
-// A matrix of N rows, N 2 or 3, times the column v and times another one, each element rounded once.
-// `result` is none of the factors.
+// A matrix of N rows, N 2 or 3, times the column v and times another one, each element rounded
+// once. `result` is none of the factors.
 template <class Number, bool in_kernel = kernel::has_assembly && sizeof(Number) == 4>
 struct MatrixProduct {
     template <uint8_t N>
