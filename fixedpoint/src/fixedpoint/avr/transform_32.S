@@ -7,7 +7,7 @@
 //
 // In       result = r25:r24, v = r23:r22, m = r21:r20, n = r18; result is neither v nor in m
 // Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
-// Stack    18 bytes
+// Stack    20 bytes
 //
 // What a call and its registers cost is paid once, not once a component.
 
