@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The kernels that change vectors in place, for vector_steps_test.cpp.
+// The kernels that change vectors in place, and those of a matrix and a vector, for
+// vector_steps_test.cpp.
 #include <fixedpoint/kernel/dispatch.hpp>
 
 // The linker keeps what is referred to.
@@ -7,5 +8,9 @@
 void (*const volatile kernels[])() = {
     KERNEL(project2),    KERNEL(project3),    KERNEL(dot_difference2), KERNEL(dot_difference3),
     KERNEL(add_scaled2), KERNEL(add_scaled3), KERNEL(exchange2),       KERNEL(exchange3)};
+#define ADDRESS(shape, operation, Raw, F, symbol, same) symbol,
+void (*const volatile transforms[])(int32_t*, const int32_t*, const int32_t*, uint8_t) = {
+    fixedpoint_transform_q16_16,
+    FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, ADDRESS, TRANSFORM, transform)};
 
-int main() { return kernels[0] != nullptr; }
+int main() { return kernels[0] != nullptr && transforms[0] != nullptr; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The kernels that change vectors in place, on the simulated chip, against exact arithmetic: any
-// operands, and those that the kernels take apart (components of unit vectors, their fractions 0).
+// The kernels that change vectors in place, and those of a matrix, on the simulated chip, against
+// exact arithmetic: any operands, and those that the kernels take apart (components of unit
+// vectors, their fractions 0).
 #include <gtest/gtest.h>
 
 #include <array>
@@ -44,11 +45,13 @@ class VectorSteps : public testing::Test {
         for (std::uint16_t& address : addresses_) address = chip_.allocate(sizeof(Vector));
     }
     // Any number, or 0, +-1 and numbers between, a few ulp off.
-    int32_t number() {
+    int32_t number(int fraction = 16) {
         if (random_() % 2 == 0) return static_cast<int32_t>(any_[random_() % any_.size()]);
-        return 65536 * (static_cast<int32_t>(random_() % 3) - 1) +
-               (random_() % 2 == 0 ? static_cast<int32_t>(random_() % 3) - 1
-                                   : static_cast<int32_t>(random_() % 65536));
+        const auto one = static_cast<int64_t>(1) << fraction;
+        return static_cast<int32_t>(
+            one * (static_cast<int64_t>(random_() % 3) - 1) +
+            (random_() % 2 == 0 ? static_cast<int64_t>(random_() % 3) - 1
+                                : static_cast<int64_t>(random_() % static_cast<uint64_t>(one))));
     }
     Vector vector() { return {number(), number(), number()}; }
     std::uint16_t put(int index, const Vector& v) {
@@ -124,6 +127,43 @@ TEST_F(VectorSteps, ExchangeAddsTheRoundedProductsToOneAndTakesThemFromTheOther)
             ASSERT_EQ(get(0), a) << n << " " << factor << " " << v[0] << " " << v[1];
             ASSERT_EQ(get(1), b) << n << " " << factor << " " << v[0] << " " << v[1];
             ASSERT_EQ(get(2), v);
+        }
+    }
+}
+
+TEST_F(VectorSteps, TransformIsTheRoundedSumOfEveryRowOrColumn) {
+    const std::uint16_t at_result = chip_.allocate(16), at_v = chip_.allocate(16),
+                        at_m = chip_.allocate(64);
+    for (int fraction = 0; fraction <= 32; ++fraction) {
+        const exact::Format format{32, fraction};
+        const std::string split = std::to_string(32 - fraction) + "_" + std::to_string(fraction);
+        for (const bool transposed : {false, true}) {
+            DeviceFunction transform(
+                chip_,
+                (transposed ? "fixedpoint_transform_transposed_q" : "fixedpoint_transform_q") +
+                    split,
+                {0, {2, 2, 2, 1}});
+            for (int i = 0; i < 60; ++i) {
+                const int n = 2 + i % 3;
+                std::array<int32_t, 4> v{}, result{};
+                std::array<int32_t, 16> m{};
+                for (int32_t& x : v) x = number(fraction);
+                for (int32_t& x : m) x = number(fraction);
+                chip_.write(at_v, {reinterpret_cast<const std::uint8_t*>(v.data()), sizeof v});
+                chip_.write(at_m, {reinterpret_cast<const std::uint8_t*>(m.data()), sizeof m});
+                transform(at_result, at_v, at_m, n);
+                chip_.read(at_result,
+                           {reinterpret_cast<std::uint8_t*>(result.data()), sizeof result});
+                for (int k = 0; k < n; ++k) {
+                    int64_t a[4] = {}, b[4] = {};
+                    for (int j = 0; j < n; ++j) {
+                        a[j] = v[j];
+                        b[j] = m[transposed ? j * n + k : k * n + j];
+                    }
+                    ASSERT_EQ(result[k], exact::dot(a, b, n, format).wrapped)
+                        << split << " " << transposed << " " << n << " " << k;
+                }
+            }
         }
     }
 }

@@ -16,14 +16,6 @@ struct Matrix {
 };
 
 /// \cond internal
-template <class Number>
-Number dot_of(const Number (&a)[2], const Number (&b)[2]) {
-    return BlockNumber<Number>::dot2(a, b);
-}
-template <class Number>
-Number dot_of(const Number (&a)[3], const Number (&b)[3]) {
-    return BlockNumber<Number>::dot3(a, b);
-}
 // a d - b c, rounded once.
 template <class Number>
 Number minor_of(Number a, Number b, Number c, Number d) {
@@ -36,18 +28,14 @@ Number minor_of(Number a, Number b, Number c, Number d) {
 /// arithmetic has it. `result` must not be `v`.
 template <class Number, uint8_t N>
 void multiply(const Matrix<Number, N>& a, const Number (&v)[N], Number (&result)[N]) {
-    for (uint8_t i = 0; i < N; ++i) result[i] = dot_of(a.element[i], v);
+    MatrixProduct<Number>::apply(a.element, v, result);
 }
 /// The product of two matrices, each element rounded once; out of the range as the arithmetic has
 /// it.
 template <class Number, uint8_t N>
 Matrix<Number, N> operator*(const Matrix<Number, N>& a, const Matrix<Number, N>& b) {
     Matrix<Number, N> product;
-    for (uint8_t j = 0; j < N; ++j) {
-        Number column[N];
-        for (uint8_t i = 0; i < N; ++i) column[i] = b.element[i][j];
-        for (uint8_t i = 0; i < N; ++i) product.element[i][j] = dot_of(a.element[i], column);
-    }
+    MatrixProduct<Number>::apply(a.element, b.element, product.element);
     return product;
 }
 

@@ -57,6 +57,48 @@ struct BlockNumber<Fixed<IntegerBits, F, A>> {
     }
 };
 
+template <class Number>
+Number dot_of(const Number* a, const Number (&b)[2]) {
+    return BlockNumber<Number>::dot2(a, b);
+}
+template <class Number>
+Number dot_of(const Number* a, const Number (&b)[3]) {
+    return BlockNumber<Number>::dot3(a, b);
+}
+
+// A matrix of N rows, N 2 or 3, times the column v and times another one, each element rounded
+// once. `result` is none of the factors.
+template <class Number, bool in_kernel = kernel::has_assembly && sizeof(Number) == 4>
+struct MatrixProduct {
+    template <uint8_t N>
+    static void apply(const Number (&m)[N][N], const Number (&v)[N], Number (&result)[N]) {
+        for (uint8_t i = 0; i < N; ++i) result[i] = dot_of(m[i], v);
+    }
+    template <uint8_t N>
+    static void apply(const Number (&a)[N][N], const Number (&b)[N][N], Number (&result)[N][N]) {
+        for (uint8_t j = 0; j < N; ++j) {
+            Number column[N];
+            for (uint8_t i = 0; i < N; ++i) column[i] = b[i][j];
+            for (uint8_t i = 0; i < N; ++i) result[i][j] = dot_of(a[i], column);
+        }
+    }
+};
+// By one call of a kernel for N elements.
+template <int IntegerBits, int F>
+struct MatrixProduct<Fixed<IntegerBits, F>, true> {
+    using Number = Fixed<IntegerBits, F>;
+    using Raw = typename Number::Raw;
+    template <uint8_t N>
+    static void apply(const Number (&m)[N][N], const Number (&v)[N], Number (&result)[N]) {
+        kernel::transform<Raw, F>(raws(result), raws(v), raws(m[0]), N);
+    }
+    template <uint8_t N>
+    static void apply(const Number (&a)[N][N], const Number (&b)[N][N], Number (&result)[N][N]) {
+        for (uint8_t i = 0; i < N; ++i)
+            kernel::transform_transposed<Raw, F>(raws(result[i]), raws(a[i]), raws(b[0]), N);
+    }
+};
+
 // The axes of space that follow i = 0, 1, 2 in cyclic order.
 constexpr uint8_t next_axis(uint8_t i) { return i == 2 ? uint8_t(0) : static_cast<uint8_t>(i + 1); }
 constexpr uint8_t last_axis(uint8_t i) { return i == 0 ? uint8_t(2) : static_cast<uint8_t>(i - 1); }

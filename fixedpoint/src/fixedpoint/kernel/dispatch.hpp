@@ -76,6 +76,8 @@ FIXEDPOINT_OPERATION(UNARY, log_fine)
 FIXEDPOINT_OPERATION(UNARY, log_small)
 FIXEDPOINT_OPERATION(VECTORS, dot2)
 FIXEDPOINT_OPERATION(VECTORS, dot3)
+FIXEDPOINT_OPERATION(TRANSFORM, transform)
+FIXEDPOINT_OPERATION(TRANSFORM, transform_transposed)
 FIXEDPOINT_OPERATION(VECTORS, project2)
 FIXEDPOINT_OPERATION(VECTORS, project3)
 FIXEDPOINT_OPERATION(DIFFERENCE, dot_difference2)
@@ -354,6 +356,15 @@ FIXEDPOINT_CONSTEXPR Raw dot2(const Raw* a, const Raw* b) {
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw dot3(const Raw* a, const Raw* b) {
     return portable::dot3<Raw, F>(a, b);
+}
+
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR void transform(Raw* result, const Raw* v, const Raw* m, uint8_t n) {
+    portable::transform<Raw, F>(result, v, m, n);
+}
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR void transform_transposed(Raw* result, const Raw* v, const Raw* m, uint8_t n) {
+    portable::transform_transposed<Raw, F>(result, v, m, n);
 }
 
 // dot2 and dot3, where a is mostly a unit vector.

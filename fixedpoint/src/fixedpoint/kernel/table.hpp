@@ -43,6 +43,10 @@
 #define FIXEDPOINT_RESULT_EXCHANGE(Raw) void
 #define FIXEDPOINT_PARAMETERS_EXCHANGE(Raw) (Raw* a, Raw* b, const Raw* v, Raw factor)
 #define FIXEDPOINT_ARGUMENTS_EXCHANGE (a, b, v, factor)
+// Of a matrix of n rows and a vector.
+#define FIXEDPOINT_RESULT_TRANSFORM(Raw) void
+#define FIXEDPOINT_PARAMETERS_TRANSFORM(Raw) (Raw* result, const Raw* v, const Raw* m, uint8_t n)
+#define FIXEDPOINT_ARGUMENTS_TRANSFORM (result, v, m, n)
 // Of an angle that is reduced.
 #define FIXEDPOINT_RESULT_TURNS(Raw) Raw
 #define FIXEDPOINT_PARAMETERS_TURNS(Raw) (uint64_t turns)
@@ -218,6 +222,10 @@
     KERNEL(VECTORS, dot3, int32_t, 16, fixedpoint_dot3_q16_16, dot3) \
     KERNEL(VECTORS, dot3, int64_t, 32, fixedpoint_dot3_q32_32, dot3) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, VECTORS, dot3) \
+    KERNEL(TRANSFORM, transform, int32_t, 16, fixedpoint_transform_q16_16, transform) \
+    FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, TRANSFORM, transform) \
+    KERNEL(TRANSFORM, transform_transposed, int32_t, 16, fixedpoint_transform_transposed_q16_16, transform_transposed) \
+    FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, TRANSFORM, transform_transposed) \
     KERNEL(VECTORS, project2, int32_t, 16, fixedpoint_project2_q16_16, dot2) \
     KERNEL(VECTORS, project3, int32_t, 16, fixedpoint_project3_q16_16, dot3) \
     KERNEL(DIFFERENCE, dot_difference2, int32_t, 16, fixedpoint_dot_difference2_q16_16, dot_difference2) \

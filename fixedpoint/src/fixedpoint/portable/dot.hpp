@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // dot2, dot3: floor(sum a_i b_i / 2^F + 1/2) modulo 2^W of 2 or 3 components: the sum is exact and
-// is rounded once.
+// is rounded once. transform: these sums for every row of a matrix; transform_transposed, for every
+// column.
 #pragma once
 
 #include <fixedpoint/portable/product_sum.hpp>
@@ -9,10 +10,10 @@ namespace fixedpoint {
 namespace portable {
 
 template <class Raw, int F>
-FIXEDPOINT_CONSTEXPR Raw dot(const Raw* a, const Raw* b, int n) {
+FIXEDPOINT_CONSTEXPR Raw dot(const Raw* a, const Raw* b, int n, int step = 1) {
     DoubleWord<Raw> sum = exact_product(a[0], b[0]);
     for (int i = 1; i < n; ++i) {
-        sum = static_cast<DoubleWord<Raw>>(sum + exact_product(a[i], b[i]));
+        sum = static_cast<DoubleWord<Raw>>(sum + exact_product(a[i], b[i * step]));
     }
     return round_product_sum<Raw, F>(sum);
 }
@@ -24,6 +25,15 @@ constexpr Raw dot2(const Raw* a, const Raw* b) {
 template <class Raw, int F>
 constexpr Raw dot3(const Raw* a, const Raw* b) {
     return dot<Raw, F>(a, b, 3);
+}
+
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR void transform(Raw* result, const Raw* v, const Raw* m, uint8_t n) {
+    for (uint8_t i = 0; i < n; ++i) result[i] = dot<Raw, F>(v, m + i * n, n);
+}
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR void transform_transposed(Raw* result, const Raw* v, const Raw* m, uint8_t n) {
+    for (uint8_t i = 0; i < n; ++i) result[i] = dot<Raw, F>(v, m + i, n, n);
 }
 
 }  // namespace portable

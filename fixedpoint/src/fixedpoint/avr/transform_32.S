@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// void fixedpoint_transform_q<32 - F>_<F>(int32_t* result, const int32_t* v, const int32_t* m,
+//                                         uint8_t n)
+// void fixedpoint_transform_transposed_q<32 - F>_<F>(the same)
+// The matrix m of n rows, or the transposed one, times the column v, n = 2, 3 or 4: each component
+// is floor(sum m_ij v_j / 2^F + 1/2) modulo 2^32, one rounding. Of each split of 32 bits.
+//
+// In       result = r25:r24, v = r23:r22, m = r21:r20, n = r18; result is neither v nor in m
+// Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
+// Stack    20 bytes
+//
+// What a call and its registers cost is paid once, not once a component.
+
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
+
+#include "product_sum_32.inc"
+
+#define v r2
+#define m r4
+#define step r6
+#define next r7
+#define end r8
+#define left r9
+
+    // r26 = the bytes from one product of a component to the next one, r27 = those from one
+    // component's first product to the next one's, r19 = the bytes of v.
+    .macro transform fraction, top
+1:  .irp n, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 28, 29
+    push r\n
+    .endr
+    movw r28, r24
+    movw v, r22
+    movw m, r20
+    mov step, r26
+    mov next, r27
+    mov end, r22
+    add end, r19
+    mov left, r18
+    clr zero
+2:  movw r26, v
+    movw r30, m
+    clear_sum
+4:  load_a
+    add_product \fraction, \top
+    cp r26, end
+    breq 5f
+    add r30, step
+    adc r31, zero
+    rjmp 4b
+5:  clr r1
+    round \fraction
+    st Y+, r22
+    st Y+, r23
+    st Y+, r24
+    st Y+, r25
+    clr zero
+    add m, next
+    adc r5, zero
+    dec left
+    breq 6f
+    rjmp 2b
+6:  .irp n, 29, 28, 17, 16, 15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2
+    pop r\n
+    .endr
+    ret
+    .endm
+
+    .macro bytes_of_v
+    mov r19, r18
+    lsl r19
+    lsl r19
+    .endm
+
+    .macro kernels integer, fraction
+    SECTION fixedpoint_transform_q\integer\()_\fraction
+    ENTRY fixedpoint_transform_q\integer\()_\fraction
+    bytes_of_v
+    ldi r26, 4
+    mov r27, r19
+    rjmp 1f
+    ENDFUNC fixedpoint_transform_q\integer\()_\fraction
+
+    ENTRY fixedpoint_transform_transposed_q\integer\()_\fraction
+    bytes_of_v
+    mov r26, r19
+    ldi r27, 4
+    transform \fraction, ((\fraction - 1) / 8 + 4)
+    ENDFUNC fixedpoint_transform_transposed_q\integer\()_\fraction
+    .endm
+
+#include "splits_32.inc"
+    kernels 16, 16
+
+#endif
