@@ -2,6 +2,8 @@
 // int32_t fixedpoint_exp_q16_16(int32_t a)
 // e^a in Q16.16, within 0.78 ulp for every input; the largest number from ln 32768 on, 0 from
 // -17 ln 2 down.
+// int32_t fixedpoint_exp2_q16_16_unsaturated(int32_t a)
+// 2^a within 0.72 ulp, for a from -17 to below 15.
 //
 // In       a = r25:r22
 // Out      r25:r22
@@ -22,6 +24,10 @@
 // lose beside the mean that is in the tail comes to 2.2 of these; worst 0.772, of all 2^32 inputs,
 // at 208884. k >= 5: at 2^31 the cut of the cube is 0.08, s times the tail's lower bytes 0.06;
 // worst 0.655.
+//
+// 2^a takes the nearest integer as k and the rest times ln 2 as r, with 24 bits of tail, of which 16
+// count in s tail; the mantissa of 40 bits serves from k = 4 on. k < 4: worst 0.640. Beyond: at 2^31
+// what ln 2 leaves out is 0.06, the cut of the cube 0.08; worst 0.711, of all inputs, at 982248.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -54,6 +60,17 @@
 // Rows of the reduction's page, k + 17 being the column.
 #define COLUMNS 34
 #define LARGE_COLUMNS 12
+
+// For 2^a: what is left to the nearest integer, and 2^24 ln 2.
+#define f0 r18
+#define f1 r19
+#define LN2_0 0x18
+#define LN2_1 0x72
+#define LN2_2 0xb1
+// From a multiple of ln 2 to r, in units of 2^-40: the nodes' 1/16, less what the products lose in
+// the mean, and less what rounds the small tail.
+#define SMALL_SHIFT 0x0c8000
+#define LARGE_SHIFT 0x0fffc0
 
     FUNCTION fixedpoint_exp_q16_16
     mov r30, rA1
@@ -157,18 +174,20 @@
     brsh .Llarge
 
     subi r30, -COLUMNS
+.Lsmall:
     lpm r25, Z
     mov r30, rA1
-    ldi r31, POWER
+    muls growth3, growth3
+    lsr r1
+    add growth2, r1
+    adc growth3, zero
+    brvs .Lsmall_next_node
+1:  ldi r31, POWER
     lpm r23, Z
     inc r31
     lpm r19, Z
     inc r31
     lpm r21, Z
-    muls growth3, growth3
-    lsr r1
-    add growth2, r1
-    adc growth3, zero
     mulsu growth3, r23
     movw r30, r0
     sbc r24, r24
@@ -203,11 +222,21 @@
     adc r23, r1
     adc r24, r1
     ret
+.Lsmall_next_node:
+    inc r30
+    rjmp 1b
 .Lnext_node:
-    // k = 11, s = 127: a growth of 128.03 units of 2^-16 does not fit. From the next node it is 256
-    // units less, which is what the signed byte made of it, and 14 of 2^-32 more.
+    // s = 127: a growth of 128 units of 2^-16, and g more, does not fit. From the next node it is
+    // 256 units less, which is what the signed byte made of it, and 21 - 256 g of 2^-32 more.
     inc rA1
-    subi growth1, -14
+    ldi r19, 21
+    sub r19, growth2
+    mov r24, r19
+    lsl r24
+    sbc r24, r24
+    add growth1, r19
+    adc growth2, r24
+    adc growth3, r24
     rjmp .Lmultiply
 
 .Llarge:
@@ -215,13 +244,16 @@
     lpm growth1, Z
     subi r30, -LARGE_COLUMNS
     lpm growth0, Z
+    ldi r25, 0          // what the sums carry into growth3, which stays s until the last
     muls growth3, growth3
     movw r30, r0
     mulsu growth3, growth2
     sbc r19, r19
+.Lgrow:
     add growth0, r0
     adc growth1, r1
     adc growth2, r19
+    adc r25, r19
     mov r19, r31        // s^3 / 6 = 43 s^3 / 256
     mulsu growth3, r19
     mov r19, r1
@@ -231,6 +263,7 @@
     add growth0, r0
     adc growth1, r1
     adc growth2, r24
+    adc r25, r24
     ldi r19, 0
     lsr r31
     ror r30
@@ -238,7 +271,7 @@
     add growth0, r19
     adc growth1, r30
     adc growth2, r31
-    adc growth3, zero
+    adc growth3, r25
     brvs .Lnext_node
 .Lmultiply:
     push r16
@@ -352,5 +385,85 @@
     sbrs r25, 7
     ret
     rjmp .Lmaximum
+
+    ENTRY fixedpoint_exp2_q16_16_unsaturated
+    mov k, rA2
+    sbrc rA1, 7
+    inc k
+    subi k, -17
+    // f ln 2 in units of 2^-40, f being the lower half as a signed number, without 8 2^-32 f.
+    movw f0, rA0
+    ldi r30, LN2_0
+    ldi r25, LN2_1
+    ldi r24, LN2_2
+    ldi r31, 0
+    mul f0, r30
+    mov growth0, r0
+    mov growth1, r1
+    mul f0, r24
+    mov growth2, r0
+    mov rA0, r1
+    mul f0, r25
+    add growth1, r0
+    adc growth2, r1
+    adc rA0, r31
+    mul f1, r24
+    add rA0, r0
+    ldi rA1, 0
+    adc rA1, r1
+    mul f1, r30
+    add growth1, r0
+    adc growth2, r1
+    adc rA0, r31
+    adc rA1, r31
+    mul f1, r25
+    add growth2, r0
+    adc rA0, r1
+    adc rA1, r31
+    sbrs f1, 7
+    rjmp 1f
+    subi growth2, LN2_0
+    sbci rA0, LN2_1
+    sbci rA1, LN2_2
+1:  cpi k, 21
+    brsh 2f
+    subi growth1, lo8(SMALL_SHIFT >> 8)
+    sbci growth2, hi8(SMALL_SHIFT >> 8)
+    sbci rA0, 0
+    sbci rA1, 0
+    subi rA0, 128
+    ldi zero, 0
+    mov r30, k
+    subi r30, -3 * COLUMNS
+    ldi r31, REDUCTION
+    rjmp .Lsmall
+2:  ldi f0, 8
+    mulsu f1, f0
+    sbc r24, r24
+    sub growth0, r0
+    sbc growth1, r1
+    sbc growth2, r24
+    sbc rA0, r24
+    sbc rA1, r24
+    subi growth0, lo8(LARGE_SHIFT)
+    sbci growth1, hi8(LARGE_SHIFT)
+    sbci growth2, hlo8(LARGE_SHIFT)
+    sbci rA0, 0
+    sbci rA1, 0
+    subi rA0, 128
+    ldi zero, 0
+    mulsu growth3, growth1
+    sbc r25, r25
+    mov r24, r1
+    muls growth3, growth3
+    movw r30, r0
+    mulsu growth3, growth2
+    add r0, r24
+    adc r1, r25
+    mov r19, r1
+    lsl r19
+    sbc r19, r19
+    ldi r25, 0
+    rjmp .Lgrow
     ENDFUNC fixedpoint_exp_q16_16
 #endif

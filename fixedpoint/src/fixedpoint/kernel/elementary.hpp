@@ -76,6 +76,12 @@ struct Exp2 : Splits<9, 24> {
         return rounded_power(exp_wide<int64_t, 40>(x, F), false);
     }
 };
+template <>
+FIXEDPOINT_IN_PLACE Evaluation<int32_t> Exp2::apply<int32_t, 16>(int32_t a) {
+    const int16_t whole = static_cast<int16_t>(a >> 16);
+    if (whole >= 15) return {RawLimits<int32_t>::max, Outcome::overflow};
+    return {whole < -17 ? 0 : exp2_unsaturated<int32_t, 16>(a), Outcome::in_range};
+}
 struct Expm1 : Splits<9, 24> {
     template <class Raw, int F>
     static FIXEDPOINT_IN_PLACE Evaluation<Raw> apply(Raw a) {

@@ -107,6 +107,11 @@ struct Exponential<int64_t, 32> {
     static FIXEDPOINT_CONSTEXPR int64_t apply(int64_t a) { return exp_q32_32(a); }
 };
 
+template <>
+FIXEDPOINT_CONSTEXPR int32_t exp2_unsaturated<int32_t, 16>(int32_t a) {
+    return exp2_unsaturated_q16_16(a);
+}
+
 template <class Raw, int F>
 constexpr Raw exp(Raw a) {
     return Exponential<Raw, F>::apply(a);

@@ -34,6 +34,44 @@ FIXEDPOINT_CONSTEXPR uint64_t grown_power_40(uint8_t node, int32_t growth) {
            static_cast<uint64_t>(high * 256 + low);
 }
 
+// e^x 2^k from what is left of x, in units of 2^-16: its position among the nodes, and the tail of
+// 24 bits behind it. The exponent is k + 17; the result fits an unsigned number.
+FIXEDPOINT_CONSTEXPR uint32_t small_power_q16_16(uint16_t position, uint32_t tail, int exponent) {
+    uint8_t node = static_cast<uint8_t>(position >> 8);
+    const int32_t s = static_cast<int32_t>(position & 0xff) - 128;
+    int32_t growth = s * 256 + static_cast<int32_t>(tail >> 16) + (s * s >> 9);
+    if (growth >> 15 == 1) {
+        ++node;
+        growth -= int32_t(1) << 16;
+    }
+    const uint32_t scaled = grown_power_24(node, static_cast<int16_t>(growth)) << (exponent & 7);
+    const int shift = 8 * (3 - (exponent >> 3));
+    return ((scaled >> (shift - 1)) + 1) >> 1;
+}
+// Of the tail, `tail_bits` count in the product with s.
+FIXEDPOINT_CONSTEXPR uint32_t large_power_q16_16(uint16_t position, uint32_t tail, int tail_bits,
+                                                 int exponent) {
+    uint8_t node = static_cast<uint8_t>(position >> 8);
+    const int32_t s = static_cast<int32_t>(position & 0xff) - 128;
+    // e^r - 1 = r + r^2 / 2 + r^3 / 6 for r = s + tail.
+    const int32_t square = s * s;
+    const int32_t cube = s * (square >> 8) >> 8;
+    int64_t growth =
+        static_cast<int64_t>(s) * (int32_t(1) << 24) + static_cast<int32_t>(tail) + square * 128 +
+        (s * static_cast<int32_t>(tail >> (24 - tail_bits)) >> (tail_bits - 8)) + cube * 43;
+    if (growth >> 31 == 1) {
+        // Only for s = 127: seen from the next node.
+        ++node;
+        const int32_t beyond = static_cast<int32_t>(growth >> 16 & 0xff);
+        growth += (21 - beyond) * 256 - (int64_t(1) << 32);
+    }
+    const uint64_t mantissa = grown_power_40(node, static_cast<int32_t>(growth));
+    if (exponent >= 32) return static_cast<uint32_t>(((mantissa >> 7) + 1) >> 1);
+    const uint64_t scaled = mantissa << (exponent & 7);
+    const int shift = 8 * (5 - (exponent >> 3));
+    return static_cast<uint32_t>(((scaled >> (shift - 1)) + 1) >> 1);
+}
+
 FIXEDPOINT_CONSTEXPR int32_t exp_q16_16(int32_t a) {
     const int32_t whole = a >> 16;
     if (whole == ((a & 0x8000) != 0 ? -1 : 0)) {
@@ -48,36 +86,22 @@ FIXEDPOINT_CONSTEXPR int32_t exp_q16_16(int32_t a) {
     const int k = static_cast<int>(((whole + 12) * 185 + ((a >> 8 & 0xff) * 185 >> 8)) >> 7);
     const uint16_t position = static_cast<uint16_t>(a + read_program_memory(ExpTable<>::offset[k]));
     const uint32_t tail = read_program_memory(ExpTable<>::tail[k]);
-    uint8_t node = static_cast<uint8_t>(position >> 8);
-    const int32_t s = static_cast<int32_t>(position & 0xff) - 128;
-    const int factor_bits = k & 7;
+    if (k < 22) return static_cast<int32_t>(small_power_q16_16(position, tail, k));
+    const uint32_t result = large_power_q16_16(position, tail, 8, k);
+    return result >> 31 != 0 ? RawLimits<int32_t>::max : static_cast<int32_t>(result);
+}
 
-    if (k < 22) {
-        const int16_t growth =
-            static_cast<int16_t>(s * 256 + static_cast<int32_t>(tail >> 16) + (s * s >> 9));
-        const uint32_t scaled = grown_power_24(node, growth) << factor_bits;
-        const int shift = 8 * (3 - (k >> 3));
-        return static_cast<int32_t>(((scaled >> (shift - 1)) + 1) >> 1);
-    }
-
-    // e^r - 1 = r + r^2 / 2 + r^3 / 6 for r = s + tail.
-    const int32_t square = s * s;
-    const int32_t cube = s * (square >> 8) >> 8;
-    int64_t growth = static_cast<int64_t>(s) * (int32_t(1) << 24) + static_cast<int32_t>(tail) +
-                     square * 128 + s * static_cast<int32_t>(tail >> 16) + cube * 43;
-    if (growth >> 31 == 1) {
-        // Only k = 11, s = 127: seen from the next node.
-        ++node;
-        growth += (int32_t(14) << 8) - (int64_t(1) << 32);
-    }
-    const uint64_t mantissa = grown_power_40(node, static_cast<int32_t>(growth));
-    if (k >= 32) {
-        const uint32_t result = static_cast<uint32_t>(((mantissa >> 7) + 1) >> 1);
-        return result >> 31 != 0 ? RawLimits<int32_t>::max : static_cast<int32_t>(result);
-    }
-    const uint64_t scaled = mantissa << factor_bits;
-    const int shift = 8 * (5 - (k >> 3));
-    return static_cast<int32_t>(((scaled >> (shift - 1)) + 1) >> 1);
+// 2^a, for a from -17 to below 15.
+FIXEDPOINT_CONSTEXPR int32_t exp2_unsaturated_q16_16(int32_t a) {
+    constexpr int64_t ln2 = 0xb17218;  // 2^-24, and 8 2^-32 too much
+    const int16_t f = static_cast<int16_t>(a);
+    const int exponent = static_cast<int>((a >> 16) + (f < 0 ? 1 : 0)) + 17;
+    const bool small = exponent < 21;
+    const int64_t rest = f * ln2 - (small ? 0x0c8000 : 0x0fffc0 + 8 * (f >> 8));
+    const uint16_t position = static_cast<uint16_t>(rest >> 24);
+    const uint32_t tail = static_cast<uint32_t>(rest) & 0xffffff;
+    return static_cast<int32_t>(small ? small_power_q16_16(position, tail, exponent)
+                                      : large_power_q16_16(position, tail, 16, exponent));
 }
 
 }  // namespace portable
