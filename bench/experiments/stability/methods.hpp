@@ -133,16 +133,6 @@ struct Impulses : scenes::SemiImplicit {
     };
 };
 
-// Of an arithmetic: the length of a vector as the root of the sum of squares, which wraps where the
-// sum does.
-template <class Arithmetic>
-struct RootsOfSquares : Arithmetic {
-    template <class Raw, int F>
-    static Raw length2(const Raw* v) {
-        return Arithmetic::template sqrt<Raw, F>(Arithmetic::template dot2<Raw, F>(v, v));
-    }
-};
-
 // A force of each particle that stays as it is, N.
 template <class World>
 struct ConstantForces {
