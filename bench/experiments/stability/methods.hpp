@@ -3,7 +3,6 @@
 // and the engine with one of its ablations left out, each as scenes::SemiImplicit in all else.
 #pragma once
 
-#include <fixedpoint/arithmetic/nearest.hpp>
 #include <scenes/methods.hpp>
 
 namespace stability {
