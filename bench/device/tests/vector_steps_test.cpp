@@ -86,6 +86,9 @@ TEST_F(VectorSteps, ProjectIsTheDotProductAndDotDifferenceThatOfTheDifferenceRou
             ASSERT_EQ(project(at_a, at_u).as<int32_t>(),
                       exact::dot(wide_a, wide_u, n, q16_16).wrapped)
                 << n << " " << i;
+            ASSERT_EQ(project(at_a, at_a).as<int32_t>(),
+                      exact::dot(wide_a, wide_a, n, q16_16).wrapped)
+                << n << " " << i;
             ASSERT_EQ(dot_difference(at_a, at_u, at_v).as<int32_t>(),
                       exact::dot(wide_a, d, n, q16_16).wrapped)
                 << n << " " << i;

@@ -3,7 +3,6 @@
 // and the engine with one of its ablations left out, each as scenes::SemiImplicit in all else.
 #pragma once
 
-#include <fixedpoint/arithmetic/nearest.hpp>
 #include <scenes/methods.hpp>
 
 namespace stability {
@@ -131,16 +130,6 @@ struct Impulses : scenes::SemiImplicit {
             return true;
         }
     };
-};
-
-// Of an arithmetic: the length of a vector as the root of the sum of squares, which wraps where the
-// sum does.
-template <class Arithmetic>
-struct RootsOfSquares : Arithmetic {
-    template <class Raw, int F>
-    static Raw length2(const Raw* v) {
-        return Arithmetic::template sqrt<Raw, F>(Arithmetic::template dot2<Raw, F>(v, v));
-    }
 };
 
 // A force of each particle that stays as it is, N.

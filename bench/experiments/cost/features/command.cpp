@@ -70,6 +70,8 @@ Cost cost_of(const Program& program, const Elf& empty) {
 int run(const std::vector<std::string>& scenes, const std::filesystem::path& output) {
     const std::filesystem::path folder = FEATURE_PROGRAM_FOLDER;
     auto programs = load_programs(folder);
+    // The lever without the engine: what does it cost that the engine takes other scenes, too?
+    programs.push_back({"lever", "by_hand", true, {}, folder / "features_by_hand.elf", {}});
     std::vector<std::string> known;
     for (const Program& program : programs) known.push_back(program.scene);
     fixbench::check_names("--scene", scenes, known);
@@ -103,7 +105,8 @@ const fixbench::Registration registration({
     .description =
         "What each feature of the engine costs: flash and RAM beside an empty program and cycles\n"
         "a step, in Q16.16 at -O2, of the lever's scene and of a scene with everything, with the\n"
-        "feature in and out. Fails where a program holds code or a table that it does not use.\n"
+        "feature in and out, and of the lever written by hand, without the engine. Fails where a\n"
+        "program holds code or a table that it does not use.\n"
         "File: features.csv.\n\n"
         "Example: fixbench features --scene lever",
     .prints = {"features.csv"},

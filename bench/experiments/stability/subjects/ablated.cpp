@@ -16,13 +16,8 @@ std::vector<Subject> without_a_mend(const char* scalar, const char* arithmetic, 
 
 std::vector<Subject> subjects_of_ablated() {
     using Scalar = fixedpoint::Fixed<16, 16, Recording>;
-    using Squares = fixedpoint::Fixed<16, 16, RootsOfSquares<Recording>>;
     const double largest = to_double(Scalar::max()), ulp = to_double(Scalar::ulp());
-    std::vector<Subject> all = without_a_mend<Scalar>("q16_16", "nearest", largest, ulp);
-    for (const Subject& one : subjects_of_methods<Squares, scenes::SemiImplicit>(
-             "q16_16", "roots_of_squares", largest, ulp))
-        all.push_back(one);
-    return all;
+    return without_a_mend<Scalar>("q16_16", "nearest", largest, ulp);
 }
 
 std::vector<Subject> subjects_of_ablated_in_double() {

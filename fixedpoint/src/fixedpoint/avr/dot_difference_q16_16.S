@@ -6,7 +6,8 @@
 //
 // int32_t fixedpoint_project2_q16_16(const int32_t* n, const int32_t* u)
 // int32_t fixedpoint_project3_q16_16(const int32_t* n, const int32_t* u)
-// The same with d_i = u_i: the dot product, in less time where n is a unit vector.
+// The same with d_i = u_i: the dot product, in less time where n is a unit vector, and in half of
+// that where n and u are one array and each |n_i| < 1.
 //
 // In       n = r25:r24, u = r23:r22, v = r21:r20, in RAM
 // Out      r25:r22
@@ -26,6 +27,14 @@
 #define q1 r11
 #define count r12
 
+// Of the squares; the result is in sum3:sum2 and above.
+#define sum0 r26
+#define sum1 r27
+#define sum2 r22
+#define sum3 r23
+#define count_and_4 r20
+#define none r21
+
     .macro subtract_byte a, instruction
     ld r0, Y+
     \instruction \a, r0
@@ -34,13 +43,76 @@
     SECTION fixedpoint_dot_difference_q16_16
     ENTRY fixedpoint_project2_q16_16
     ldi r18, 2
-    clt
-    rjmp .Lcomponents
+    rjmp .Lproject
     ENDFUNC fixedpoint_project2_q16_16
 
     ENTRY fixedpoint_project3_q16_16
     ldi r18, 3
+.Lproject:
     clt
+    cp r24, r22
+    cpc r25, r23
+    brne .Lcomponents
+// Of one array, the squares of |n_i|, which is a1:a0: three products each. No sum reaches 2^34, so
+// that the count fits above its byte 4.
+    push r24
+    push r25
+    push r18
+    movw r30, r24
+    mov count_and_4, r18
+    swap count_and_4
+    clr none
+    clr sum0
+    ldi sum1, 0x80      // rounds
+    clr sum2
+    clr sum3
+.Lsquare:
+    ld a0, Z+
+    ld a1, Z+
+    ld r0, Z+
+    ld r1, Z+
+    cpse r0, r1
+    rjmp .Lbeyond_one
+    tst r0
+    breq 1f
+    inc r0
+    brne .Lbeyond_one
+    com a1
+    neg a0
+    sbci a1, 0xff
+    breq .Lbeyond_one   // n_i = -1
+1:  mul a1, a1
+    movw r24, r0
+    mul a0, a0
+    add sum0, r0
+    adc sum1, r1
+    adc sum2, r24
+    adc sum3, r25
+    adc count_and_4, none
+    mul a0, a1
+    lsl r0
+    rol r1
+    adc sum3, none
+    adc count_and_4, none
+    add sum1, r0
+    adc sum2, r1
+    adc sum3, none
+    adc count_and_4, none
+    subi count_and_4, 0x10
+    cpi count_and_4, 0x10
+    brsh .Lsquare
+    mov r24, count_and_4
+    clr r25
+    pop r0
+    pop r0
+    pop r0
+    clr r1
+    ret
+.Lbeyond_one:
+    pop r18
+    pop r25
+    pop r24
+    movw r22, r24
     rjmp .Lcomponents
     ENDFUNC fixedpoint_project3_q16_16
 
