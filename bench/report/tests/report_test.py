@@ -936,11 +936,16 @@ lever ropes yes 400 1500
 lever rods no 100 1000
 lever rods yes 600 1200
 lever solver=A yes 9999 9999
+lever arithmetic=Nearest yes 2100 3900
 everything gravity yes 5 5
+everything arithmetic=Nearest yes 5 5
+lever by_hand yes 1500 2000
 """)
         self.assertEqual(features.finding(made), "Of 3 features the dearest are rods +500 cycles a step and +200 bytes "
                          "of flash, and ropes +300 cycles a step and +500 bytes of flash; the cheapest is gravity +10 "
-                         "cycles a step and -10 bytes of flash.")
+                         "cycles a step and -10 bytes of flash. Written by hand, with the same result to the bit, the lever's "
+                         "step takes 1500 cycles and 2000 bytes: the engine, which takes other scenes, too, takes 1.40 and "
+                         "1.95 times that.")
 
     def test_saturation(self):
         rows = "scene scalar arithmetic integrator dt cycles_per_step_mean flash_bytes\n"
