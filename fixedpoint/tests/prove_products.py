@@ -9,8 +9,8 @@ The kernel's instructions are executed with every register holding a linear form
 the bytes of operands, the bytes that multiplications return, and carry flags, all of them integer
 variables. A multiplication is not looked into: whatever byte of a and byte of b it takes, its two
 result bytes and its sign are variables, and they make up the product. The exact sum is a linear form
-of the same products; those that are not formed have weights beyond the result. Where the code asks
-for an operand's sign, both answers are followed. What remains is one statement without products of
+of the same products; those that are not formed have weights beyond the result, or a factor that is
+known. Where the code asks for an operand's sign, or whether a byte is 0 or -1, both answers are followed. What remains is one statement without products of
 variables,
 
     0 <= (sum a b + 2^(F-1) - 2^F result) mod 2^(F+W) < 2^F.
@@ -81,10 +81,17 @@ class Pointer:
 
 
 class Machine:
-    """One path through a kernel; `signs` says which operands are negative where the code asks."""
+    """One path through a kernel; `answers` says what is so where the code asks: of an operand, whether it
+    is negative, of a byte and a number, whether they are equal."""
 
-    def __init__(self, kernel, code, signs):
-        self.kernel, self.code, self.signs = kernel, code, dict(signs)
+    def __init__(self, kernel, code, answers):
+        self.kernel, self.code = kernel, code
+        self.answers = dict(answers)
+        self.equal = {key[0]: key[1] for key, holds in answers if holds and isinstance(key, tuple)}
+        for byte, number in self.equal.items():
+            operand, index = byte.split(".")
+            if self.is_top((operand, int(index))):
+                self.answers[operand] = number > 127
         self.ranges = {}
         self.facts = {}       # of a variable: (low, form, high) that defines it
         self.shifted = {}     # of a bit that a shift has moved out: the form that is the same
@@ -176,8 +183,8 @@ class Machine:
     def excess(self, operand, other):
         """The byte `other`, where the operand is negative, else 0."""
         byte = f"{other[0]}.{other[1]}"
-        if operand in self.signs:
-            return Form({byte: 1}) if self.signs[operand] else known(0)
+        if operand in self.answers:
+            return Form({byte: 1}) if self.answers[operand] else known(0)
         return self.variable(f"{byte} where {operand} is negative", 255)
 
     def add(self, d, r, carry):
@@ -209,9 +216,20 @@ class Machine:
         operand, index = self.operand_byte(form)
         if not self.is_top((operand, index)):
             raise Unprovable("the sign of a byte is asked for that has none")
-        if operand not in self.signs:
-            raise Undecided(operand)
-        return self.signs[operand]
+        return self.answer(operand)
+
+    def answer(self, key):
+        if key not in self.answers:
+            raise Undecided(key)
+        return self.answers[key]
+
+    def is_zero(self, form):
+        """Of a number, or of the difference of a byte of an operand and a number."""
+        if not set(form) - {1}:
+            return form.constant() == 0
+        number = -form.get(1, 0)
+        byte = "{}.{}".format(*self.operand_byte(form + known(number)))
+        return self.equal[byte] == number if byte in self.equal else self.answer((byte, number))
 
     def load(self, d, pointer, displacement):
         if not isinstance(pointer, Pointer):
@@ -307,8 +325,9 @@ class Machine:
         elif mnemonic in ("breq", "brne"):
             if self.tested is None:
                 raise Unprovable("Z is read before it is set")
-            zero = self.tested.constant() == 0
-            return target if zero == (mnemonic == "breq") else following
+            return target if self.is_zero(self.tested) == (mnemonic == "breq") else following
+        elif mnemonic == "cpi":
+            self.tested, self.carry = read(d) - known(int(r, 0)), None
         elif mnemonic == "rjmp":
             return target
         else:
@@ -389,7 +408,7 @@ class Machine:
 
 
 class Undecided(Exception):
-    """The sign of an operand."""
+    """What the code asks of the operands."""
 
 
 class Kernel:
@@ -429,6 +448,8 @@ class Kernel:
                     product = ((f"a{component}", i), (f"b{component}", j))
                     value = machine.products.get(product)
                     if value is None:
+                        value = self.product_by_known(machine, *product)
+                    if value is None:
                         # Of either sign.
                         value = machine.variable(f"product {component} {i}.{j}", 1 << 17) + known(-1 << 16)
                     total += value * (1 << 8 * (i + j))
@@ -437,6 +458,14 @@ class Kernel:
                 total += Form({f"c0.{i}": 1 << self.fraction + 8 * i})
         return total
 
+    def product_by_known(self, machine, factor, other):
+        """Where the highest byte of b is known to be 0 or -1."""
+        number = machine.equal.get("{}.{}".format(*other)) if machine.is_top(other) else None
+        if number == 255:
+            negative = machine.fresh(f"{factor[0]} negative", 1) * 256 if machine.is_top(factor) else Form()
+            return negative - Form({"{}.{}".format(*factor): 1})
+        return known(0) if number == 0 else None
+
     def result(self, machine):
         first = 26 - max(self.size, 2)
         total = Form()
@@ -444,13 +473,13 @@ class Kernel:
             total += machine.number(first + i) * (1 << 8 * i)
         return total
 
-    def prove(self, code, signs=()):
-        machine = Machine(self, code, signs)
+    def prove(self, code, answers=()):
+        machine = Machine(self, code, answers)
         try:
             machine.run()
-        except Undecided as operand:
-            for negative in (False, True):
-                self.prove(code, (*signs, (operand.args[0], negative)))
+        except Undecided as question:
+            for holds in (False, True):
+                self.prove(code, (*answers, (question.args[0], holds)))
             return
         machine.conclude()
 
