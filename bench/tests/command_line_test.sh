@@ -58,7 +58,7 @@ done
 refuses "--search-operands" exhaustive --search-operands -1 "${a[@]}"
 refuses "--threads" accuracy --threads 0 "${a[@]}"
 refuses "--seconds" haptic --seconds 0 "${a[@]}"
-refuses "--most" growth --host --most 5000 "${a[@]}"
+refuses "--most" growth --host --most 20000 "${a[@]}"
 refuses "--seconds" throughput --seconds 0 "${a[@]}"
 for error in nan -1 0 inf x; do refuses "--error" advise --scene pendulum --error "$error"; done
 refuses "--lines" advise --scene pendulum --error 1 --lines 0

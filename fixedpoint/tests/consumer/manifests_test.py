@@ -155,7 +155,7 @@ for stem in OPERATIONS.get(library.name, ()):
     text = (library / f"src/fixedpoint/{stem}.hpp").read_text()
     callable_words |= set(re.findall(FUNCTION, text, re.M))
 for path in library.glob("src/fixedpoint/arithmetic/*.hpp"):
-    callable_words |= {path.stem.capitalize()} - {"Wrapping"}
+    callable_words |= {path.stem.title().replace("_", "")} - {"Wrapping"}
 for path in [*library.glob("src/engine/*/*.hpp")]:
     callable_words |= set(re.findall(r"^struct (\w+) {\n    static constexpr bool", path.read_text(), re.M))
 if library.name == "engine":

@@ -4,6 +4,7 @@
 #include <fixedpoint.h>
 
 #include <fixedpoint/arithmetic/checked.hpp>
+#include <fixedpoint/arithmetic/correctly_rounded.hpp>
 #include <fixedpoint/arithmetic/published.hpp>
 #include <fixedpoint/arithmetic/rounded.hpp>
 #include <fixedpoint/arithmetic/saturating.hpp>
@@ -218,6 +219,8 @@ void everything() {
     every_arithmetic<32, 32>();
     every_arithmetic<8, 24>();
     every_arithmetic<1, 15>();
+    Fixed<16, 16, CorrectlyRounded> correctly_rounded[3];
+    functions(correctly_rounded);
     blocks<Q4_4, Q8_8>();
     blocks<Q8_8, Q16_16>();
     blocks<Q16_16, Fixed<8, 24>>();

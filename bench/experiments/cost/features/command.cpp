@@ -71,7 +71,8 @@ int run(const std::vector<std::string>& scenes, const std::filesystem::path& out
     const std::filesystem::path folder = FEATURE_PROGRAM_FOLDER;
     auto programs = load_programs(folder);
     // The lever without the engine: what does it cost that the engine takes other scenes, too?
-    programs.push_back({"lever", "by_hand", true, {}, folder / "features_by_hand.elf", {}});
+    programs.push_back(
+        {"lever", "by_hand", true, {"ANCHORED_RODS"}, folder / "features_by_hand.elf", {}});
     std::vector<std::string> known;
     for (const Program& program : programs) known.push_back(program.scene);
     fixbench::check_names("--scene", scenes, known);

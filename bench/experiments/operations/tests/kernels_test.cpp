@@ -255,6 +255,17 @@ TEST_P(Kernels, AreTheHostsOverDenseOperandsWhichTakeEveryPath) {
             << "in " << calls->function().symbol();
 }
 
+// It is a kernel behind a test of the range, in the compiler's code.
+TEST(PowerOfTwo, IsTheHostsOverDenseOperands) {
+    const simulator::Elf elf(folder() + "/q16_16_powers.elf");
+    const auto& hosts = host_subjects();
+    const auto host = std::ranges::find(hosts, std::string("exp2_q16_16_default"),
+                                        [](const HostSubject& one) { return one.name(); });
+    ASSERT_NE(host, hosts.end());
+    DenseCalls calls(elf, *host);
+    ASSERT_NO_THROW(call_densely(calls, *host, 1 << 18));
+}
+
 constexpr auto program_name = [](const auto& program) { return program.param; };
 INSTANTIATE_TEST_SUITE_P(Programs, Kernels,
                          testing::Values("q4_4", "q8_8", "q16_16", "q8_24", "q32_32",

@@ -49,7 +49,8 @@ struct CorrectlyRounded : Nearest {
     FIXEDPOINT_CORRECTLY_ROUNDED(tanh, Tanh, WideSide<portable::Tanh>)
     FIXEDPOINT_CORRECTLY_ROUNDED(cbrt, Cbrt, CubeRootSide)
     FIXEDPOINT_CORRECTLY_ROUNDED(pow, Pow, WideSide<portable::Pow>)
-#undef FIXEDPOINT_CORRECTLY_ROUNDED  /// \endcond
+#undef FIXEDPOINT_CORRECTLY_ROUNDED
+    /// \endcond
     /// The angle of (x, y) in (-pi, pi]; 0 where both are 0.
     template <class Raw, int F>
     static constexpr Raw atan2(Raw y, Raw x) {

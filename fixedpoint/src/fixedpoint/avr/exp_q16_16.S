@@ -174,15 +174,14 @@
     brsh .Llarge
 
     subi r30, -COLUMNS
-.Lsmall:
     lpm r25, Z
     mov r30, rA1
     muls growth3, growth3
     lsr r1
     add growth2, r1
     adc growth3, zero
-    brvs .Lsmall_next_node
-1:  ldi r31, POWER
+.Lsmall:
+    ldi r31, POWER
     lpm r23, Z
     inc r31
     lpm r19, Z
@@ -222,9 +221,6 @@
     adc r23, r1
     adc r24, r1
     ret
-.Lsmall_next_node:
-    inc r30
-    rjmp 1b
 .Lnext_node:
     // s = 127: a growth of 128 units of 2^-16, and g more, does not fit. From the next node it is
     // 256 units less, which is what the signed byte made of it, and 21 - 256 g of 2^-32 more.
@@ -386,7 +382,9 @@
     ret
     rjmp .Lmaximum
 
-    ENTRY fixedpoint_exp2_q16_16_unsaturated
+    ENDFUNC fixedpoint_exp_q16_16
+
+    FUNCTION fixedpoint_exp2_q16_16_unsaturated
     mov k, rA2
     sbrc rA1, 7
     inc k
@@ -436,7 +434,15 @@
     mov r30, k
     subi r30, -3 * COLUMNS
     ldi r31, REDUCTION
-    rjmp .Lsmall
+    lpm r25, Z
+    mov r30, rA1
+    muls growth3, growth3
+    lsr r1
+    add growth2, r1
+    adc growth3, zero
+    brvc 1f
+    inc r30             // from the next node it is 256 units less
+1:  XJMP .Lsmall
 2:  ldi f0, 8
     mulsu f1, f0
     sbc r24, r24
@@ -464,6 +470,6 @@
     lsl r19
     sbc r19, r19
     ldi r25, 0
-    rjmp .Lgrow
-    ENDFUNC fixedpoint_exp_q16_16
+    XJMP .Lgrow
+    ENDFUNC fixedpoint_exp2_q16_16_unsaturated
 #endif
