@@ -33,7 +33,8 @@ struct Point {
     unsigned particles;
     double cost;
     std::string unit;
-    std::optional<std::uint32_t> ram, stack;  // of the chip
+    std::optional<std::uint32_t> ram, stack;    // of the chip
+    std::optional<std::size_t> runs, rejected;  // of the host
     double fitted, fit_constant, fit_linear;
     std::string fit_term;
     double fit_factor, fit_worst_percent;
@@ -43,7 +44,8 @@ struct Point {
         column("where", &Point::where), column("broad_phase", &Point::broad_phase),
         column("particles", &Point::particles), column("cost_per_step", &Point::cost, "{:.1f}"),
         column("unit", &Point::unit), column("ram_bytes", &Point::ram),
-        column("stack_bytes", &Point::stack), column("fitted", &Point::fitted, "{:.1f}"),
+        column("stack_bytes", &Point::stack), column("runs", &Point::runs),
+        column("runs_rejected", &Point::rejected), column("fitted", &Point::fitted, "{:.1f}"),
         column("fit_constant", &Point::fit_constant, "{:.5g}"),
         column("fit_linear", &Point::fit_linear, "{:.5g}"), column("fit_term", &Point::fit_term),
         column("fit_factor", &Point::fit_factor, "{:.5g}"),
@@ -70,12 +72,16 @@ int run(const Options& options) {
         if (series.empty()) continue;  // Box2D is not for the chip
         const Fit fit = fitted(series, term);
         for (const Cost& cost : series) {
-            const auto on_chip = [&](std::uint32_t bytes) {
-                return options.host ? std::nullopt : std::optional(bytes);
+            const auto on_chip = [&](auto number) {
+                return options.host ? std::nullopt : std::optional(number);
+            };
+            const auto on_host = [&](auto number) {
+                return options.host ? std::optional(number) : std::nullopt;
             };
             points.push_back({where, what, cost.particles, cost.per_step, unit, on_chip(cost.ram),
-                              on_chip(cost.stack), fit(cost.particles), fit.a, fit.b, term.name,
-                              fit.c, 100 * fit.worst, cost.per_step == least[cost.particles]});
+                              on_chip(cost.stack), on_host(cost.runs), on_host(cost.rejected),
+                              fit(cost.particles), fit.a, fit.b, term.name, fit.c, 100 * fit.worst,
+                              cost.per_step == least[cost.particles]});
         }
         fmt::print(stderr, "{}: {:.5g} + {:.5g} N + {:.5g} {} {}, within {:.1f} %\n", what, fit.a,
                    fit.b, fit.c, term.name, unit, 100 * fit.worst);

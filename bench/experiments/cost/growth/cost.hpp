@@ -2,6 +2,7 @@
 // What a step of the box costs, by the number of its particles.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -11,9 +12,11 @@ namespace growth {
 struct Cost {
     std::string broad_phase;  // brute_force, sort_and_sweep, or Box2D's: box2d
     unsigned particles;
-    double per_step;          // cycles of the chip in the mean, or the host's median in ns
-    std::uint32_t ram = 0;    // bytes of the chip
-    std::uint32_t stack = 0;  // bytes of the chip
+    double per_step;           // cycles of the chip in the mean, or the host's median in ns
+    std::uint32_t ram = 0;     // bytes of the chip
+    std::uint32_t stack = 0;   // bytes of the chip
+    std::size_t runs = 0;      // on the host, and of them
+    std::size_t rejected = 0;  // those that were loaded
 };
 
 // On the simulated chip, up to what its memory holds. Throws std::runtime_error where a world

@@ -35,7 +35,6 @@ std::function<void(unsigned)> in_box2d(unsigned n) {
     };
 }
 
-using Start = std::function<std::function<void(unsigned)>()>;
 struct Timed {
     const char* what;
     unsigned particles;
@@ -68,13 +67,17 @@ std::vector<Cost> costs_on_host(unsigned most) {
     add(list, most,
         std::integer_sequence<unsigned, 16, 36, 64, 144, 256, 576, 1024, 2304, 4096, 9216,
                               16384>());
+    std::vector<Start> starts;
+    for (const Timed& timed : list) starts.push_back(timed.start);
+    records::Progress progress("growth on the host", rounds * list.size());
+    const auto times = time_steps(starts, [&] { progress.advance(); });
     std::vector<Cost> costs;
-    records::Progress progress("growth on the host", list.size());
-    for (const Timed& timed : list) {
-        costs.push_back(
-            {timed.what, timed.particles, nanoseconds_per_step(timed.what, timed.start)});
-        progress.advance();
-    }
+    for (std::size_t i = 0; i < list.size(); ++i)
+        costs.push_back({.broad_phase = list[i].what,
+                         .particles = list[i].particles,
+                         .per_step = times[i].per_step,
+                         .runs = times[i].runs,
+                         .rejected = times[i].rejected});
     return costs;
 }
 

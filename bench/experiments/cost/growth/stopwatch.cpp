@@ -1,21 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bench/experiments/cost/growth/stopwatch.hpp"
 
-#include <fmt/format.h>
 #include <sched.h>
 
 #include <algorithm>
-#include <ctime>
-#include <vector>
+#include <chrono>
 
 namespace growth {
 namespace {
-
-double now(clockid_t clock) {
-    timespec time;
-    clock_gettime(clock, &time);
-    return 1e9 * static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec);
-}
 
 // Keeps the thread on the processor that it runs on.
 class Pinned {
@@ -35,37 +27,38 @@ class Pinned {
     cpu_set_t before_;
 };
 
-double median(std::vector<double>& times) {
-    const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
-    std::nth_element(times.begin(), middle, times.end());
-    return *middle;
+double nanoseconds_of_a_run(const Start& world) {
+    using Clock = std::chrono::steady_clock;
+    const auto advance = world();
+    advance(warm_steps);
+    const auto begin = Clock::now();
+    advance(timed_steps);
+    return std::chrono::duration<double, std::nano>(Clock::now() - begin).count();
+}
+
+Time of_runs(std::vector<double> runs) {
+    std::sort(runs.begin(), runs.end());
+    const auto loaded = std::upper_bound(runs.begin(), runs.end(), 1.05 * runs.front());
+    const auto kept = static_cast<std::size_t>(loaded - runs.begin());
+    return {runs[kept / 2] / timed_steps, runs.size(), runs.size() - kept};
 }
 
 }  // namespace
 
-double nanoseconds_per_step(const char* what,
-                            const std::function<std::function<void(unsigned)>()>& start) {
-    constexpr std::size_t least_runs = 5;
-    constexpr double least_time = 2e8, most_time = 3e9, interrupted = 1.02;
+std::vector<Time> time_steps(const std::vector<Start>& worlds,
+                             const std::function<void()>& progress) {
+    constexpr double least_time = 3e7;  // ns of a world in a round
     const Pinned pinned;
-    std::vector<double> undisturbed, all;
-    for (double spent = 0; undisturbed.size() < least_runs
-                               ? all.size() < least_runs || spent < most_time
-                               : spent < least_time;) {
-        const auto advance = start();
-        advance(warm_steps);
-        const double wall = now(CLOCK_MONOTONIC), processor = now(CLOCK_THREAD_CPUTIME_ID);
-        advance(timed_steps);
-        const double took = now(CLOCK_MONOTONIC) - wall;
-        const bool alone = took <= interrupted * (now(CLOCK_THREAD_CPUTIME_ID) - processor) + 1e3;
-        all.push_back(took / timed_steps);
-        if (alone) undisturbed.push_back(took / timed_steps);
-        spent += took;
-    }
-    if (undisturbed.size() >= least_runs) return median(undisturbed);
-    fmt::print(stderr, "{}: {} of {} runs were interrupted: the machine is busy\n", what,
-               all.size() - undisturbed.size(), all.size());
-    return median(all);
+    std::vector<std::vector<double>> runs(worlds.size());
+    for (unsigned round = 0; round < rounds; ++round)
+        for (std::size_t i = 0; i < worlds.size(); ++i) {
+            for (double spent = 0; spent < least_time; spent += runs[i].back())
+                runs[i].push_back(nanoseconds_of_a_run(worlds[i]));
+            progress();
+        }
+    std::vector<Time> times;
+    for (auto& of_world : runs) times.push_back(of_runs(std::move(of_world)));
+    return times;
 }
 
 }  // namespace growth

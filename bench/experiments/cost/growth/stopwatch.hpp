@@ -1,19 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Times of a step on this machine, of runs that had the processor to themselves.
+// Times of a step on this machine, of runs that nothing else loaded.
 #pragma once
 
+#include <cstddef>
 #include <functional>
+#include <vector>
 
 namespace growth {
 
 constexpr unsigned warm_steps = 64, timed_steps = 64;  // until the lattice has dissolved; after it
 
-// Nanoseconds of a step: `start` makes a world, and gives a function that takes that many steps of
-// it. Every run makes the same steps of the same world; the result is the median over the runs that
-// the scheduler did not interrupt, at least five of them and a fifth of a second in all. Where
-// three seconds do not bring five, all runs count, and stderr says so. The thread stays on its
-// processor meanwhile.
-double nanoseconds_per_step(const char* what,
-                            const std::function<std::function<void(unsigned)>()>& start);
+// Makes a world, and gives a function that takes so many steps of it.
+using Start = std::function<std::function<void(unsigned)>()>;
+
+struct Time {
+    double per_step;  // ns
+    std::size_t runs, rejected;
+};
+
+// Of each world. Every run makes the same steps of the same world. Rounds over all worlds spread
+// the runs of one over the whole time, so that an hour of load on the machine does not hit one
+// alone; those that take over 5% longer than the fastest are rejected as loaded, and the median of
+// the others counts. The thread stays on its processor meanwhile. `progress` is called after each
+// world of each of the `rounds`.
+constexpr unsigned rounds = 7;
+std::vector<Time> time_steps(const std::vector<Start>& worlds,
+                             const std::function<void()>& progress);
 
 }  // namespace growth

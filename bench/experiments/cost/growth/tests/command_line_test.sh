@@ -11,7 +11,7 @@ fail() { echo "$*" >&2; exit 1; }
 # Both broad phases, more cycles and more memory for more particles, the cheapest of each pair named.
 awk -F, 'NR > 1 {
         if ($2 == search && !($4 > cost && $6 > ram)) { print "not growing: " $0; exit 1 }
-        search = $2; cost = $4; ram = $6; searches[$2]++; cheapest[$3] += $14 == "yes"
+        search = $2; cost = $4; ram = $6; searches[$2]++; cheapest[$3] += $16 == "yes"
     }
     END {
         if (searches["brute_force"] < 8 || searches["brute_force"] != searches["sort_and_sweep"]) exit 1

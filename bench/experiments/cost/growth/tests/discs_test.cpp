@@ -5,8 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
+#include <chrono>
 #include <cmath>
+#include <thread>
 #include <vector>
 
 #include "bench/experiments/cost/growth/box2d_discs.hpp"
@@ -90,6 +91,27 @@ TEST(Discs, AreTheSameInBothEngines) {
         EXPECT_GT(changed(discs), number / 2);
         expect_a_box_of_discs(discs);
     }
+}
+
+TEST(Times, AreThoseOfTheTimedStepsAlone) {
+    // A world that sleeps while it is made and warmed up, and a millisecond a step after it.
+    unsigned taken = 0;
+    const Start slow_to_start = [&] {
+        taken = 0;
+        return [&](unsigned steps) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(taken == 0 ? 50 : steps));
+            taken += steps;
+        };
+    };
+    unsigned rounds_of_worlds = 0;
+    const auto times = time_steps({slow_to_start}, [&] { ++rounds_of_worlds; });
+    ASSERT_EQ(times.size(), 1u);
+    EXPECT_EQ(taken, warm_steps + timed_steps);
+    EXPECT_EQ(rounds_of_worlds, rounds);
+    EXPECT_EQ(times[0].runs, rounds);
+    EXPECT_LT(times[0].rejected, times[0].runs);
+    EXPECT_GE(times[0].per_step, 1e6);
+    EXPECT_LT(times[0].per_step, 2e6);
 }
 
 }  // namespace
