@@ -19,10 +19,9 @@ struct Time {
 };
 
 // Of each world. Every run makes the same steps of the same world. Rounds over all worlds spread
-// the runs of one over the whole time, so that an hour of load on the machine does not hit one
-// alone; those that take over 5% longer than the fastest are rejected as loaded, and the median of
-// the others counts. The thread stays on its processor meanwhile. `progress` is called after each
-// world of each of the `rounds`.
+// the runs of one over the whole time, so that no spell of load hits one alone; runs that take over
+// 5% longer than the fastest are rejected as loaded, and the median of the others counts. The
+// thread stays on its processor meanwhile. `progress` is called after each world of each round.
 constexpr unsigned rounds = 7;
 std::vector<Time> time_steps(const std::vector<Start>& worlds,
                              const std::function<void()>& progress);
