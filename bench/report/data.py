@@ -27,7 +27,7 @@ chip_frequency_hz count cycles cycles_max cycles_mean cycles_min cycles_per_simu
 cycles_per_step_max cycles_per_step_mean error error_arithmetic error_by_extent error_max error_median error_method error_min
 evaluation_error_g fall_damped_s fall_s fall_undamped_s flash_bytes frame_bytes_bound frame_bytes_measured hardest_hand_n_per_m
 late_steps leave_one_out_rms_g linear_shortest_arm_m max_error max_ulp mean_ulp published ram_bytes
-ratio refitted rms_error rms_ulp shortest_arm_m softest_hand_n_per_m square_sum_excess stack_bytes
+ratio refitted rms_error rms_ulp runs runs_rejected shortest_arm_m softest_hand_n_per_m square_sum_excess stack_bytes
 stack_bytes_bound stack_bytes_measured standard_error step swing_deg swing_undamped_deg theory value worst_frequency_hz
 within_1_ulp within_8_ulp within_half_ulp worst_lateness_ms worst_thrown_frequency_hz
 """.split())
