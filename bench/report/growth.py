@@ -72,7 +72,7 @@ def finding(data):
 
     parts = [told(data.rows("growth"), "on the chip")]
     if data.has("growth_host"):
-        parts.append(told(data.rows("growth_host"), "of the plane on the host"))
+        parts.append(told(data.rows("growth_host"), "on the host"))
     text = "In this box sort and sweep is " + ", and ".join(parts) + "."
     if data.has("growth_host"):
         text += " " + beside_box2d(data.rows("growth_host"))
