@@ -126,7 +126,7 @@ def elementary_finding(data):
             dearest = max(ratios, key=ratios.get)
             ranges.append(f"{min(ratios.values()):.3g} to {ratios[dearest]:.3g} times ({dearest}) in "
                           f"{style.format_label(number_format)}")
-    return (f"The {len(ELEMENTARY)} functions without a kernel, {', '.join(ELEMENTARY)}, take float's cycles "
+    return (f"The {len(ELEMENTARY)} further functions, {', '.join(ELEMENTARY)}, take float's cycles "
             f"{', '.join(ranges)}." if ranges else "")
 
 
