@@ -131,7 +131,7 @@ const fixbench::Registration registration({
                            "--output", mode.data};
                },
                .writes = {"growth_host.csv"},
-               .full_seconds = 60,
+               .full_seconds = 80,
                .quick_seconds = 1,
                .times_host = true}},
 });

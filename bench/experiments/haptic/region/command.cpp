@@ -44,7 +44,7 @@ const fixbench::Registration registration({
                           "stable_changes.csv", "stable_on_chip.csv", "oscillation.csv"},
                .targets = {"held_levers"},
                .reads = {HELD_LEVER_FOLDER},
-               .full_seconds = 240,
+               .full_seconds = 1500,
                .quick_seconds = 25}},
 });
 
