@@ -47,8 +47,15 @@ def point(row):
     return floored((row["cycles_mean"], row["rms_error"]))
 
 
+def contested(data):
+    """The panels that are drawn: of operations which others have, too, than our default, float and the 2016 design."""
+    plain = {("q16_16", "default"), ("q8_24", "default"), ("float", "libc"), ("q16_16", "published")}
+    return {operation: rows for operation, rows in panels(data).items()
+            if rivals.rows(data, operation, ("q16_16",)) or any((row["format"], row["implementation"]) not in plain for row in rows)}
+
+
 def draw(data):
-    shown = panels(data)
+    shown = contested(data)
     columns = 4
     lines = -(-len(shown) // columns)
     figure, grid = plt.subplots(lines, columns, figsize=(11, 2.5 * lines + 0.6), squeeze=False)

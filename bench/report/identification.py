@@ -51,5 +51,5 @@ def finding(data):
             "velocity where the frame's own inertia presses against the fall. Gravity alone takes "
             f"{by_gravity(lever.PUBLISHED_ARM):.3f} s."
             + (" So the published time is taken to be that of the lever without it." if as_fast < len(kept) / 10 else "")
-            + " The two facts leave all numbers of the plant open: what they narrow most is "
-            f"{name.replace('_', ' ')}, to {100 * factor:.0f} % of its range.")
+            + " Of the plant's parameters, these two facts narrow "
+            f"{name.replace('_', ' ')} most: to {100 * factor:.0f} % of its range.")

@@ -76,9 +76,9 @@ def share(count, of, plural=""):
 
 
 def others(data):
-    """How many scenarios the other levers hold, in a sentence."""
+    """How many scenarios the other levers pass, in a sentence."""
     parts = []
-    for arithmetic, name in (("float", "The same firmware in float holds"), ("published", "the rebuilt 2016 design")):
+    for arithmetic, name in (("float", "The same firmware in float passes"), ("published", "the rebuilt 2016 design")):
         rows = data.rows("haptic", arithmetic=arithmetic)
         held = sum(row["verdict"] == "held" for row in rows)
         parts.append(f"{name} {held} of {len(rows)}")
@@ -92,7 +92,7 @@ def scenarios_finding(data):
     rows = data.rows("haptic", arithmetic="q16_16")
     broken = [f"{row['scenario'].replace('_', ' ')} ({row['reason']})" for row in rows if row["verdict"] != "held"]
     late = max(rows, key=lambda row: row["worst_lateness_ms"])
-    return (f"As it is flashed, in Q16.16, the lever holds {len(rows) - len(broken)} of {len(rows)} scenarios"
+    return (f"As it is flashed, in Q16.16, the lever passes {len(rows) - len(broken)} of {len(rows)} scenarios"
             + (f", not {', '.join(broken)}" if broken else "")
             + f", at {min(row['loop_rate_hz'] for row in rows):.0f} steps a second or more. A step takes "
             f"{max(row['step_max_ms'] for row in rows):.2f} ms at most and begins {late['worst_lateness_ms']:.2f} ms late "

@@ -177,6 +177,18 @@ def failures(data):
     return [row for row in data.rows("scenes") if row["verdict"] != "held"]
 
 
+def label_steps(axes, best):
+    """Writes the time step beside the points of a front, from the most exact on, where there is room."""
+    axes.autoscale_view()
+    used = []
+    for row in reversed(best):
+        where = axes.transData.transform((row["cycles_per_simulated_second"], max(size(row), FLOOR)))
+        if all(abs(where - other).max() > 16 or abs(where - other)[1] > 7 for other in used):
+            axes.annotate(step(row).removesuffix(" s"), fontsize=6, xytext=(3, 3), textcoords="offset points",
+                          xy=axes.transData.inverted().transform(where))
+            used.append(where)
+
+
 def draw(data):
     scenes = judged(data)
     columns = 3
@@ -196,16 +208,13 @@ def draw(data):
                       [max(size(row), FLOOR) for row in curve], linewidth=0.5, zorder=2,
                       color=style.colour(*of))
         best = front(rows)
-        for row in best:
-            axes.annotate(step(row).removesuffix(" s"), fontsize=5, xytext=(3, 3),
-                          textcoords="offset points",
-                          xy=(row["cycles_per_simulated_second"], max(size(row), FLOOR)))
         right = max(row["cycles_per_simulated_second"] for row in rows) * 1.3
         axes.step([row["cycles_per_simulated_second"] for row in best] + [right],
                   [max(size(row), FLOOR) for row in best] + [max(size(best[-1]), FLOOR)],
                   where="post", color="#888888", linewidth=1, zorder=2)
         axes.axvline(16e6, color=style.INK, linewidth=0.8, linestyle=":", zorder=1)
         axes.set(xscale="log", yscale="log", title=title(scene))
+        label_steps(axes, best)
     for axes in list(grid.flat)[len(scenes):]:
         axes.set_axis_off()
     figure.supxlabel("cycles per simulated second (dotted: all that the chip has)")

@@ -85,10 +85,11 @@ def stiffness_bound(rows, method):
     return steps, limits
 
 
-def panels(x_label, y_label):
-    """A panel for each method, outer axes labelled."""
-    figure, grid = plt.subplots(2, 2, figsize=(9, 7), sharex=True, sharey=True)
-    for axes, method in zip(grid.flat, METHODS):
+def panels(methods, x_label, y_label):
+    """A panel for each of the methods, two in a row, outer axes labelled."""
+    lines = len(methods) // 2
+    figure, grid = plt.subplots(lines, 2, figsize=(9, 3.5 * lines), sharex=True, sharey=True)
+    for axes, method in zip(grid.flat, methods):
         axes.set(xscale="log", yscale="log", title=METHOD_LABELS[method], xlabel=x_label, ylabel=y_label)
         axes.label_outer()
     return figure, grid
@@ -103,7 +104,7 @@ def finish(figure, grid):
 def draw_stiffness(data):
     """The band of stiffness in which a spring of 1 kg oscillates, against the step."""
     rows = data.rows("stability_map")
-    figure, grid = panels("step, s", "stiffness, N/m")
+    figure, grid = panels(METHODS, "step, s", "stiffness, N/m")
     for axes, method in zip(grid.flat, METHODS):
         for scalar in FORMATS:
             x, high = points(rows, "stiffness_upper", scalar, method)
@@ -121,9 +122,10 @@ def draw_stiffness(data):
 
 
 def draw_speed(data):
-    """The speed on a rod that keeps its length, against that length."""
+    """The speed on a rod that keeps its length, against that length. The methods but explicit Euler share a panel: see
+    speed_finding."""
     rows = data.rows("stability_map")
-    figure, grid = panels("radius, m", "largest speed, m/s")
+    figure, grid = panels(METHODS[:2], "radius, m", "largest speed, m/s")
     for axes, method in zip(grid.flat, METHODS):
         for scalar in FORMATS:
             x, y = points(rows, "speed", scalar, method)
@@ -132,6 +134,23 @@ def draw_speed(data):
         axes.plot(*bound(rows, "speed"), color="black", linewidth=1, linestyle="--",
                   label="v dt = r")
     return finish(figure, grid)
+
+
+def speed_finding(data):
+    """How far the methods whose speed on a circle is not drawn are from the one that is, in a sentence."""
+    rows = data.rows("stability_map")
+    drawn, others = METHODS[1], METHODS[2:]
+    apart = 0.0
+    for scalar in FORMATS:
+        limits = dict(zip(*points(rows, "speed", scalar, drawn)))
+        for method in others:
+            alike = dict(zip(*points(rows, "speed", scalar, method)))
+            if alike.keys() != limits.keys():
+                raise ValueError(f"{method} has other radii than {drawn} in {scalar}")
+            apart = max([apart] + [abs(alike[x] / limits[x] - 1) for x in limits if not math.isnan(limits[x])])
+    names = " and ".join(METHOD_LABELS[method] for method in others)
+    told = f"have limits up to {100 * apart:.2g} % away" if apart else "have the same limits"
+    return f"The speed on a circle with {METHOD_LABELS[drawn]}, beside the 2016 design's explicit Euler; {names} {told}:"
 
 
 def with_end(row):
@@ -169,7 +188,8 @@ def chain_finding(data):
         return [number(row["limit"]) for row in rows if number(row["x"]) == x]
     return (f"The mass that a hanging chain of rods bears at its end, in masses of a link, is {min(limits(shortest)):.3g} to "
             f"{max(limits(shortest)):.3g} for {shortest:.0f} rods and {min(limits(longest)):.3g} to {max(limits(longest)):.3g} "
-            f"for {longest:.0f}, over all formats: the solver's iterations set it, not the arithmetic. The speed on a circle:")
+            f"for {longest:.0f}: the format changes it by a factor of up to "
+            f"{max(max(limits(row['x'])) / min(limits(row['x'])) for row in rows):.2g}, the length by {max(limits(shortest)) / max(limits(longest)):.2g}.")
 
 
 def dynamics(data, scalar, integrator):
@@ -212,7 +232,7 @@ def float_finding(data):
                      f"{row['first_mismatch'].replace(' ', ' and ')}, of which IEEE 754 makes {row['host']} and the device {row['device']}"
                      for row in apart)
     return (f"The rows of float ran on the host. On the simulated chip avr-libc returns the same bits in "
-            f"{len(rows) - len(apart)} of {len(rows)} classes of operands (subnormals, infinities and what is no number among them) of "
+            f"{len(rows) - len(apart)} of {len(rows)} classes of operands (subnormals, infinities and NaN among them) of "
             f"{len({row['operation'] for row in rows})} operations, {sum(row['pairs'] for row in rows)} pairs in all"
             + (f". It differs in {told}." if apart else "."))
 

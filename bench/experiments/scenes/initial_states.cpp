@@ -44,7 +44,7 @@ struct Row {
     std::string scene, scalar, arithmetic, integrator;
     double dt = 0;
     unsigned states = initial_states, held = 0;
-    std::optional<double> smallest, median, largest;
+    std::optional<double> smallest = {}, median = {}, largest = {};
     std::string unit = "m";
 
     static constexpr auto columns = std::tuple(
