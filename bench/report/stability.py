@@ -232,7 +232,7 @@ def float_finding(data):
                      f"{row['first_mismatch'].replace(' ', ' and ')}, of which IEEE 754 makes {row['host']} and the device {row['device']}"
                      for row in apart)
     return (f"The rows of float ran on the host. On the simulated chip avr-libc returns the same bits in "
-            f"{len(rows) - len(apart)} of {len(rows)} classes of operands (subnormals, infinities and NaN among them) of "
+            f"{len(rows) - len(apart)} of {len(rows)} classes of operands (subnormals, infinities and not-a-number among them) of "
             f"{len({row['operation'] for row in rows})} operations, {sum(row['pairs'] for row in rows)} pairs in all"
             + (f". It differs in {told}." if apart else "."))
 
