@@ -40,7 +40,7 @@ IMPLEMENTATION = {"nearest": "default", "avr-libc": "libc", "ieee": "libc"}
 # What ends a case: its letter, the level of its shade, the louder the end the darker, and its meaning.
 VERDICTS = {
     "stable": ("S", 0, "held over the whole range; the limit is where the search ended"),
-    "reports": ("R", 1, "the engine itself tells the error"),
+    "reports": ("R", 1, "the engine itself reports the error"),
     "saturates": ("A", 2, "a result stays at the end of the format"),
     "underflows": ("U", 3, "a product with the step rounds to zero"),
     "drifts": ("D", 4, "the error grows with time"),

@@ -3,6 +3,7 @@
 import { formats, has, implementations, physics, rows, subjects as styled, unique } from "./data.js";
 import { h } from "./dom.js";
 import { letter } from "./chart.js";
+import { worst } from "./point.js";
 import { formatLabel, number, words } from "./text.js";
 
 const columns = [["add", "+"], ["multiply", "×"], ["divide", "÷"], ["sqrt", "√"], ["sin", "sin"], ["atan2", "atan2"]];
@@ -26,11 +27,10 @@ function loses(format, implementation) {
 }
 
 // The largest error in ulp of the six operations that is known from any run.
-function worst(format, implementation) {
-  const known = ["operations", "accuracy", "exhaustive"].flatMap((name) => rows(name))
-    .filter((row) => row.format === format && row.implementation === implementation && columns.some(([operation]) => operation === row.operation) && row.max_ulp !== null);
-  const largest = known.reduce((best, row) => (row.max_ulp > (best?.max_ulp ?? -1) ? row : best), null);
-  return largest ? [number(largest.max_ulp), h("small", {}, `${words(largest.operation)}, ${largest.bound}`), h("small", {}, `${physics[0]} to ${physics[1]}: ${number(worstOfPhysics(format, implementation))}`)] : "–";
+function worstOfSix(format, implementation) {
+  const known = columns.map(([operation]) => ({ operation, found: worst({ operation, format, implementation }, "max_ulp") })).filter(({ found }) => found);
+  const largest = known.reduce((best, each) => (each.found.run.max_ulp > (best?.found.run.max_ulp ?? -1) ? each : best), null);
+  return largest ? [number(largest.found.run.max_ulp), h("small", {}, `${words(largest.operation)}, ${largest.found.bound}`), h("small", {}, `${physics[0]} to ${physics[1]}: ${number(worstOfPhysics(format, implementation))}`)] : "–";
 }
 
 // The largest error of the six operations on operands that a scene has.
@@ -72,7 +72,7 @@ export function build(root, state) {
         h("th", { scope: "row" }, letter(styled[`${format}/${implementation}`]), " ", formatLabel(format), implementation === "published" && h("small", { class: "unit" }, implementations.published.label),
           !fits(format) && h("span", { class: "unseen" }, "does not hold it")),
         h("td", {}, `±${number(maximum < 1e10 ? Math.round(maximum) : maximum)}`, h("small", {}, least === null ? `${number(2 * relative)} × value` : number(least))),
-        h("td", {}, worst(format, implementation)),
+        h("td", {}, worstOfSix(format, implementation)),
         columns.map(([operation]) => {
           const row = found(operation);
           const largest = Math.max(...everyRun.filter((run) => run.operation === operation && run.format === format && run.implementation === implementation).map((run) => run.cycles_max));

@@ -13,8 +13,9 @@ const first = (name, row) => rows(name).find(same(row));
 // An implementation that has no results of its own has the default's, by definition.
 const judgedAs = (row) => (implementations[row.implementation].as_default ? { ...row, implementation: "default" } : row);
 
-// The largest value of a column of any run, and the run.
-function worst(row, column, judged) {
+// The largest value of a column of any run, and the run; `row` names operation, format and implementation.
+export function worst(row, column) {
+  const judged = judgedAs(row);
   const runs = [
     ...measured().filter(same(row)).map((run) => ({ run, source: `operands: ${run.operands}`, bound: run.bound })),
     ...rows("exhaustive").filter(same(row)).map((run) => ({ run, source: "exhaustive.csv", bound: run.bound })),
@@ -22,13 +23,13 @@ function worst(row, column, judged) {
   ].filter(({ run }) => typeof run[column] === "number");
   const largest = runs.reduce((best, run) => (best === null || run.run[column] > best.run[column] ? run : best), null);
   if (largest && column === "max_ulp" && proofs.includes(`${row.operation}/${row.format}/${row.implementation}`)) return { ...largest, bound: "proven" };
-  // An exact run of the same value says more than the sample that found it first. Where two runs
-  // contradict each other the report has failed.
-  return largest && (runs.find(({ run, bound }) => bound === "exact" && run[column] === largest.run[column]) ?? largest);
+  // No sample finds more than a run of all inputs, up to how finely errors are judged: where two runs contradict each other
+  // the report has failed.
+  return largest && (runs.find(({ bound }) => bound === "exact") ?? largest);
 }
 
 export function describe(row, whole) {
-  const error = worst(row, "max_ulp", judgedAs(row)), cycles = worst(row, "cycles_max", judgedAs(row));
+  const error = worst(row, "max_ulp"), cycles = worst(row, "cycles_max");
   const program = `${row.format}.elf` in programs ? `${row.format}.elf` : "rivals.elf";
   const kernel = row.kernel_sha256 ?? first("exhaustive", row)?.kernel_sha256;
   const judged = row.max_ulp !== null;
@@ -80,7 +81,7 @@ function along(row) {
       marks: [Plot.ruleY([0]), ...lines.flatMap(([column, name, dash]) => [
         Plot.line(parts, { x: middle, y: column, stroke: colour(subjectOf(row).style), strokeDasharray: dash, strokeWidth: 1.4 }),
         Plot.text(parts.slice(-1), { x: middle, y: column, text: () => name, dx: 4, textAnchor: "start" })])] }),
-    h("figcaption", {}, `${whole(parts.reduce((sum, part) => sum + part.samples, 0))} samples in ${number(parts.length)} parts, of which the worst errs by ${number(Math.max(...parts.map((part) => part.max_ulp)))} ulp; of any run: ${number(worst(row, "max_ulp", judged).run.max_ulp)}.`));
+    h("figcaption", {}, `${whole(parts.reduce((sum, part) => sum + part.samples, 0))} samples in ${number(parts.length)} parts, of which the worst errs by ${number(Math.max(...parts.map((part) => part.max_ulp)))} ulp; of any run: ${number(worst(row, "max_ulp").run.max_ulp)}.`));
 }
 
 // The card of a pinned point.
