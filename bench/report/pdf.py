@@ -15,10 +15,10 @@ PAGES = ("README.md", "choose_a_format.md", "engine.md", "stability.md", "lever.
 STYLE = """
 @page { size: A4; margin: 16mm 14mm; }
 body { font: 10pt/1.4 sans-serif; }
-h1 { break-before: page; } h1:first-of-type { break-before: avoid; }
+h1 { break-before: page; } h1:first-of-type { break-before: avoid; } h1, h2, h3 { break-after: avoid; }
 table { border-collapse: collapse; font-size: 6.5pt; margin: 1em 0; }
 td, th { border: 0.5pt solid #999; padding: 1pt 3pt; text-align: left; overflow-wrap: break-word; }
-img { max-width: 100%; max-height: 230mm; } tr, img { break-inside: avoid; }
+img { max-width: 100%; max-height: 215mm; } tr, img { break-inside: avoid; }
 code { font-size: 0.9em; }
 """
 

@@ -94,6 +94,12 @@ class Claims(unittest.TestCase):
             for row in rows(name, verdict="explained"):
                 self.assertRegex(row["reason"], r"\d", row["quantity"])
 
+    def test_what_ran_over_all_inputs(self):
+        exact = [int(row["inputs"]) for row in rows("exhaustive", bound="exact")]
+        self.assertLessEqual(set(exact), {2**16, 2**32})
+        self.says("README.md", f"{len(exact)} kernels ran over all their inputs as translated machine code, {exact.count(2**32)} of "
+                               "them over 2^32")
+
     def test_the_division_has_its_costs_by_operands(self):
         mean = {row["implementation"]: float(row["cycles_mean"]) / 16 for row in rows("operations", operation="divide", operands="physics")
                 if row["format"] in ("q16_16", "float") and row["implementation"] in ("published", "libc", "default")}
