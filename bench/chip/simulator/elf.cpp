@@ -124,7 +124,7 @@ class Elf::Reader {
             built_for = device_of({bytes + description, note.n_descsz});
         });
         if (!built_for.empty() && built_for != device && built_for != same_device)
-            refuse(fmt::format("built for the {}; only the {} is simulated", built_for, device));
+            refuse(fmt::format("built for the {}, not for the {}", built_for, device));
         const unsigned architecture = header_.e_flags & architecture_mask;
         if (architecture != device_architecture)
             refuse(fmt::format("built for the architecture avr:{}; the {} is an avr:{}",

@@ -125,7 +125,7 @@ TEST_F(DamagedElfTest, ProgramsForOtherChipsAreRefused) {
     };
     for (const char* other : {"atmega644", "atmega644p", "atmega2560", "attiny85", "atmega168"}) {
         rename(other);
-        expect(std::string("built for the ") + other + "; only the atmega328p is simulated");
+        expect(std::string("built for the ") + other + ", not for the atmega328p");
     }
     rename("atmega328");  // the same chip without the P's lower power
     expect("");
