@@ -15,7 +15,7 @@ import table_header
 from exponential_series import exponential, logarithm
 
 FRACTION_BITS = 39
-FIRST, FIRST_LARGE, LAST = -17, 5, 16
+FIRST, FIRST_LARGE, LAST = -17, 4, 16
 GUARD = 64
 NODE_SHIFT = Fraction(1, 16)
 # What the products lose in the mean, in units of the tail's last bit.
@@ -41,7 +41,7 @@ def reduction(k):
 
 SENTENCE = """\
 2^39 e^x at the nodes x = (256 h + 128 + 1/16) / 2^16, h being the index as a signed byte. For k
-from -17 to 16: offset and tail, 16 and 24 bits of -k ln 2 - 2^-20 behind the point; below k = 5
+from -17 to 16: offset and tail, 16 and 24 bits of -k ln 2 - 2^-20 behind the point; below k = 4
 the tail has 8 bits."""
 
 

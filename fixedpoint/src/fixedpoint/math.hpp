@@ -50,13 +50,13 @@ constexpr Fixed<IntegerBits, F, A> cos(Fixed<IntegerBits, F, A> angle) {
     return Fixed<IntegerBits, F, A>::from_raw(
         A::template cos<Integer<IntegerBits + F>, F>(angle.raw()));
 }
-/// e^a within 1 ulp; the largest number where it does not fit.
+/// e^a, error below 0.75 ulp; the largest number where it does not fit.
 template <int IntegerBits, int F, class A>
 constexpr Fixed<IntegerBits, F, A> exp(Fixed<IntegerBits, F, A> a) {
     return Fixed<IntegerBits, F, A>::from_raw(
         A::template exp<Integer<IntegerBits + F>, F>(a.raw()));
 }
-/// The natural logarithm within 1 ulp; the smallest number where a <= 0.
+/// The natural logarithm, error below 0.76 ulp; the smallest number where a <= 0.
 template <int IntegerBits, int F, class A>
 constexpr Fixed<IntegerBits, F, A> log(Fixed<IntegerBits, F, A> a) {
     return Fixed<IntegerBits, F, A>::from_raw(

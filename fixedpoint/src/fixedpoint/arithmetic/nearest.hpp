@@ -71,12 +71,12 @@ struct Nearest : Wrapping {
     static FIXEDPOINT_CONSTEXPR void sincos(Raw angle, Raw* sine_and_cosine) {
         kernel::sincos<Raw, F>(angle, sine_and_cosine);
     }
-    /// e^a within 1 ulp; the largest number where it does not fit.
+    /// e^a, error below 0.75 ulp; the largest number where it does not fit.
     template <class Raw, int F>
     static constexpr Raw exp(Raw a) {
         return kernel::exp<Raw, F>(a);
     }
-    /// The natural logarithm within 1 ulp; the smallest number where a <= 0.
+    /// The natural logarithm, error below 0.76 ulp; the smallest number where a <= 0.
     template <class Raw, int F>
     static constexpr Raw log(Raw a) {
         return kernel::log<Raw, F>(a);

@@ -48,12 +48,12 @@ struct Small : Nearest {
     static constexpr Raw cos(Raw angle) {
         return kernel::cos_small<Raw, F>(angle);
     }
-    /// e^a within 1 ulp; the largest number where it does not fit.
+    /// e^a, error below 0.75 ulp; the largest number where it does not fit.
     template <class Raw, int F>
     static constexpr Raw exp(Raw a) {
         return kernel::exp_small<Raw, F>(a);
     }
-    /// The natural logarithm within 1 ulp; the smallest number where a <= 0.
+    /// The natural logarithm, error below 0.76 ulp; the smallest number where a <= 0.
     template <class Raw, int F>
     static constexpr Raw log(Raw a) {
         return kernel::log_small<Raw, F>(a);

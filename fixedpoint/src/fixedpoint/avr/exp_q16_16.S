@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // int32_t fixedpoint_exp_q16_16(int32_t a)
-// e^a in Q16.16, within 0.78 ulp for every input; the largest number from ln 32768 on, 0 from
+// e^a in Q16.16, within 0.66 ulp for every input; the largest number from ln 32768 on, 0 from
 // -17 ln 2 down.
 // int32_t fixedpoint_exp2_q16_16_unsaturated(int32_t a)
 // 2^a within 0.72 ulp, for a from -17 to below 15.
@@ -8,7 +8,7 @@
 // In       a = r25:r22
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
-// Stack    2 bytes; 6 from 3.22 on
+// Stack    2 bytes; 6 from 2.53 on
 //
 // a - k ln 2, k about a / ln 2, lies between -0.26 and 0.49, where the table holds e^x at 256
 // nodes. A multiple of ln 2 is a 16-bit offset and a constant tail behind the 16 bits, so that what
@@ -16,14 +16,13 @@
 // 2^-16. The mantissa is power + power (e^r - 1), and 2^k a multiplication by 2^((k + 1) mod 8),
 // then a choice of bytes.
 //   k = 0:   e^r - 1 = s: the nodes lie 1/16 unit aside, the mean of s^2 / 2.
-//   k < 5:   the power's upper 24 bits; e^r - 1 = r + s^2 / 2, 16 bits.
-//   k >= 5:  the power's 40 bits; e^r - 1 = r + s^2 / 2 + s tail + s^3 / 6, 32 bits.
+//   k < 4:   the power's upper 24 bits; e^r - 1 = r + s^2 / 2, 16 bits.
+//   k >= 4:  the power's 40 bits; e^r - 1 = r + s^2 / 2 + s tail + s^3 / 6, 32 bits.
 //
 // Error in ulp, rounding 0.5 included. k = 0: s^2 / 2 less its mean is 2^-20 of a result of up to
-// 1.65 2^16, 0.1; worst 0.594. k < 5: 2^-23 of the mantissa is 1/8 at k = 4, and what the products
-// lose beside the mean that is in the tail comes to 2.2 of these; worst 0.772, of all 2^32 inputs,
-// at 208884. k >= 5: at 2^31 the cut of the cube is 0.08, s times the tail's lower bytes 0.06;
-// worst 0.655.
+// 1.65 2^16, 0.1; worst 0.594. k < 4: 2^-23 of the mantissa is 1/16 at k = 3, and what the products
+// lose beside the mean that is in the tail comes to 1.8 of these; worst 0.615. k >= 4: at 2^31 the cut
+// of the cube is 0.08, s times the tail's lower bytes 0.06; worst 0.655, of all 2^32 inputs, at 675750.
 //
 // 2^a takes the nearest integer as k and the rest times ln 2 as r, with 24 bits of tail, of which 16
 // count in s tail; the mantissa of 40 bits serves from k = 4 on. k < 4: worst 0.640. Beyond: at 2^31
@@ -59,7 +58,7 @@
 #define REDUCTION hi8(fixedpoint_exp_table + 0x500)
 // Rows of the reduction's page, k + 17 being the column.
 #define COLUMNS 34
-#define LARGE_COLUMNS 12
+#define LARGE_COLUMNS 13
 
 // For 2^a: what is left to the nearest integer, and 2^24 ln 2.
 #define f0 r18
@@ -170,7 +169,7 @@
     subi rA0, 128
     subi r30, -COLUMNS
     lpm growth2, Z
-    cpi k, 22
+    cpi k, 21
     brsh .Llarge
 
     subi r30, -COLUMNS
@@ -358,7 +357,7 @@
     rjmp 1f
     lsl r0              // k >= 7: four bytes
     rjmp 3f
-1:  lsl r22             // k = 5, 6: three
+1:  lsl r22             // k = 4 to 6: three
     mov r22, r23
     mov r23, r24
     mov r24, r25

