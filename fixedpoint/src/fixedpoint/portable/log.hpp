@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// log: the natural logarithm within 0.76 ulp, saturated where the format cannot hold it; the smallest
-// number where a <= 0.
+// log: the natural logarithm within 0.76 ulp, saturated where the format cannot hold it; the
+// smallest number where a <= 0.
 #pragma once
 
 #include <fixedpoint/portable/convert.hpp>
