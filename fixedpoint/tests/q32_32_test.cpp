@@ -40,6 +40,7 @@ Real coshf128(Real) noexcept;
 Real tanhf128(Real) noexcept;
 Real tanf128(Real) noexcept;
 Real cbrtf128(Real) noexcept;
+Real powf128(Real, Real) noexcept;
 }
 
 constexpr Real one = Real(int64_t(1) << 32);
@@ -201,6 +202,80 @@ INSTANTIATE_TEST_SUITE_P(
         ELEMENTARY(tan, limit_of_angle, 0.605779165),
         ELEMENTARY(cbrt, limit_of_mantissa, 0.512506960)),
     [](const auto& function) { return std::string(function.param.name); });
+
+// Bases beside 1, beside the limits of the first factor's intervals and anywhere, each with an
+// exponent for which the power has every magnitude or lies in the highest octaves.
+TEST(Pow, IsAsFarFromTheExactValueAsPinned) {
+    std::mt19937_64 random(64);
+    double worst = 0;
+    std::array<int64_t, 2> witness{};
+    for (int i = 0; i < 300'000; ++i) {
+        const uint64_t digits = random() >> random() % 62, beside = digits >> (36 + random() % 28);
+        uint64_t a = digits;
+        if (i % 4 == 1) a = (uint64_t(1) << 32) + beside;
+        if (i % 4 == 2) a = (uint64_t(1) << 32) - beside;
+        if (i % 4 == 3) a = ((64 + random() % 64) << 56 >> random() % 62) + random() % 5 - 2;
+        const Real logarithm = logf128(Real(a) / one);
+        if (a == 0 || logarithm == 0) continue;
+        const Real place = static_cast<Real>(random() >> 11) / (int64_t(1) << 53);
+        const Real exponent = (i / 4 % 2 == 0 ? 22 - place : 45 * place - 23) / logarithm * one;
+        const Real limit = Real(largest);
+        const auto b = static_cast<int64_t>(exponent > limit    ? limit
+                                            : exponent < -limit ? -limit
+                                                                : exponent);
+        const auto power = static_cast<uint64_t>(
+            portable::pow_unsaturated<int64_t, 32>(static_cast<int64_t>(a), b));
+        const Real exact = powf128(Real(a) / one, Real(b) / one) * one;
+        if (exact >= Real(largest) + 1) {
+            ASSERT_GT(power, uint64_t(largest)) << a << " " << b;
+            continue;
+        }
+        const Real difference = Real(power) - exact;
+        const double error = static_cast<double>(difference < 0 ? -difference : difference);
+        if (error > worst) {
+            worst = error;
+            witness = {static_cast<int64_t>(a), b};
+        }
+    }
+    EXPECT_LE(worst, 0.65);
+    EXPECT_NEAR(worst, 0.594226753, 1e-6) << witness[0] << " " << witness[1];
+}
+
+// A power that is a number of the format is that number; where the format ends, it ends.
+TEST(Pow, IsExactWhereTheFormatHoldsIt) {
+    const auto pow = [](int64_t a, int64_t b) {
+        return fixedpoint::Nearest::pow<int64_t, 32>(a, b);
+    };
+    constexpr int64_t unit = int64_t(1) << 32;
+    std::mt19937_64 random(5);
+    for (int i = 0; i < 20'000; ++i) {
+        const int64_t a = static_cast<int64_t>(random() >> (1 + random() % 62));
+        EXPECT_EQ(pow(a, unit), a);
+        EXPECT_EQ(pow(-a, unit), -a);
+        EXPECT_EQ(pow(a, 0), unit);
+        EXPECT_EQ(pow(unit, a), unit);
+        EXPECT_EQ(pow(unit, -a), unit);
+        EXPECT_EQ(pow(-unit, a >> 32 << 32), (a >> 32) % 2 == 0 ? unit : -unit);
+        const int64_t root = a >> 33 << 17, square = (a >> 33) * (a >> 33) << 2;
+        EXPECT_EQ(pow(root, 2 * unit), square);
+        EXPECT_EQ(pow(square, unit / 2), root);
+    }
+    for (int64_t n = -32; n < 31; ++n) {
+        const int64_t power = int64_t(1) << (32 + n);
+        EXPECT_EQ(pow(2 * unit, n * unit), power);
+        EXPECT_EQ(pow(unit / 2, -n * unit), power);
+        EXPECT_EQ(pow(-2 * unit, n * unit), n % 2 == 0 ? power : -power);
+    }
+    EXPECT_EQ(pow(2 * unit, 31 * unit), largest);
+    EXPECT_EQ(pow(-2 * unit, 31 * unit), INT64_MIN);
+    EXPECT_EQ(pow(-2 * unit, 33 * unit), INT64_MIN);
+    EXPECT_EQ(pow(INT64_MIN, unit), INT64_MIN);
+    EXPECT_EQ(pow(INT64_MIN, 2 * unit), largest);
+    EXPECT_EQ(pow(INT64_MIN, INT64_MIN), 0);
+    EXPECT_EQ(pow(1, INT64_MIN), largest);
+    EXPECT_EQ(pow(1, INT64_MAX), 0);
+    EXPECT_EQ(pow(unit + 1, INT64_MAX), 7081203937);
+}
 
 // Where a composition ends, and the first result beyond: 31 and 32 ln 2, 34 ln 2 / 2, poles.
 TEST(Limits, LieWhereResultsLeaveTheRange) {

@@ -181,6 +181,26 @@ void beside_limits_of_tables(DenseCalls& calls, const reference::NumberFormat& f
     }
 }
 
+// Bases anywhere, beside 1 and beside the limits of the first intervals of pow's table, each with
+// an exponent whose power is in the range of Q32.32, or just beyond.
+void powers_in_the_range(DenseCalls& calls) {
+    std::mt19937_64 random(8);
+    for (int i = 0; i < 1 << 18; ++i) {
+        const std::uint64_t digits = random() >> (1 + random() % 60);
+        std::int64_t a = std::int64_t(digits);
+        if (i % 4 == 1) a = (std::int64_t(1) << 32) + std::int64_t(digits >> (35 + random() % 28));
+        if (i % 4 == 2) a = (std::int64_t(1) << 32) - std::int64_t(digits >> (35 + random() % 28));
+        if (i % 4 == 3)
+            a = std::int64_t((64 + random() % 64) << 56 >> (1 + random() % 61)) + i % 5 - 2;
+        if (a <= 0) continue;
+        const double logarithm = std::log(std::ldexp(double(a), -32));
+        const double b = (46 * std::ldexp(double(random() >> 11), -53) - 23.5) / logarithm;
+        if (std::fabs(b) < std::ldexp(1.0, 31)) {
+            calls.add(std::array{a, std::int64_t(std::ldexp(b, 32)) ^ i});
+        }
+    }
+}
+
 // r^2 + r, the largest sum of squares below (r + 1/2)^2, is that of (m^2, m), and r^2 + r + 1, the
 // next one, that of (m^2 - 1, m).
 void lengths_beside_halves(DenseCalls& calls, const reference::NumberFormat& format,
@@ -255,15 +275,22 @@ TEST_P(Kernels, AreTheHostsOverDenseOperandsWhichTakeEveryPath) {
             << "in " << calls->function().symbol();
 }
 
-// It is a kernel behind a test of the range, in the compiler's code.
-TEST(PowerOfTwo, IsTheHostsOverDenseOperands) {
-    const simulator::Elf elf(folder() + "/q16_16_powers.elf");
+// They are kernels behind a test of the range, in the compiler's code.
+void expect_the_hosts(const std::string& program, const std::string& subject) {
+    const simulator::Elf elf(folder() + "/" + program + ".elf");
     const auto& hosts = host_subjects();
-    const auto host = std::ranges::find(hosts, std::string("exp2_q16_16_default"),
-                                        [](const HostSubject& one) { return one.name(); });
+    const auto host =
+        std::ranges::find(hosts, subject, [](const HostSubject& one) { return one.name(); });
     ASSERT_NE(host, hosts.end());
     DenseCalls calls(elf, *host);
+    if (subject == "pow_q32_32_default") powers_in_the_range(calls);
     ASSERT_NO_THROW(call_densely(calls, *host, 1 << 18));
+}
+TEST(PowerOfTwo, IsTheHostsOverDenseOperands) {
+    expect_the_hosts("q16_16_powers", "exp2_q16_16_default");
+}
+TEST(Power, IsTheHostsOverDenseOperands) {
+    expect_the_hosts("q32_32_powers", "pow_q32_32_default");
 }
 
 constexpr auto program_name = [](const auto& program) { return program.param; };

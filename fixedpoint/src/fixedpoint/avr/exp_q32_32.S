@@ -28,67 +28,9 @@
 #include "prelude.inc"
 
 #define zero r17
+#include "exp_64.inc"
 #define fine fixedpoint_exp_64_table
 #define coarse fixedpoint_exp_64_table + 0x800
-#define multiples fixedpoint_exp_64_table + 0x800 + 1800
-
-    // Byte `column` of a product lies in r26 to r31, then r18 and so on, or from another register on.
-    .macro to_column operation, column, source
-    .set place, base + \column
-    .if place > 31
-    .set place, place - 14
-    .endif
-    .if \column <= top
-    \operation place, \source
-    .endif
-    .endm
-
-    // Fractions a and b whose first bytes lie in the registers `a` and `b`, the others below: the first
-    // `bytes` bytes of the product, from register `first` on, the lowest first. Both have as many bytes.
-    .macro fraction_product a, b, bytes, first=26
-    .set base, \first
-    .set top, \bytes - 1
-    to_column ldi, 0, 0
-    to_column ldi, 1, 0
-    .set total, \bytes - 1      // the bytes behind the first of a and of b, together
-    .set offset, 0
-    .rept \bytes
-    .set offset, offset + 1
-    mul \a + 1 - offset, \b - total - 1 + offset
-    to_column add, 0, r1
-    to_column adc, 1, zero
-    .endr
-    .set column, 0
-    .rept \bytes - 1
-    .set total, total - 1
-    to_column ldi, (column + 2), 0
-    .set offset, 0
-    .rept total + 1
-    mul \a - offset, \b - total + offset
-    to_column add, column, r0
-    to_column adc, (column + 1), r1
-    to_column adc, (column + 2), zero
-    .set offset, offset + 1
-    .endr
-    .set column, column + 1
-    .endr
-    .endm
-
-    // r31:r30 = the address of a record of so many bytes.
-    .macro find table, index, size
-    ldi r30, \size
-    mul \index, r30
-    movw r30, r0
-    subi r30, lo8(-(\table))
-    sbci r31, hi8(-(\table))
-    .endm
-    .macro load first, count
-    .set byte, 0
-    .rept \count
-    lpm \first + byte, Z+
-    .set byte, byte + 1
-    .endr
-    .endm
 
     SECTION fixedpoint_exp_q32_32
 .Lbeyond:
@@ -146,23 +88,7 @@
     push r28
     push r29
     clr zero
-    ldi r27, 185
-    mul r21, r27
-    mov r30, r1
-    clr r31
-    subi r22, -24
-    mul r22, r27
-    add r30, r0
-    adc r31, r1
-    subi r30, lo8(65536 - 945)
-    sbci r31, hi8(65536 - 945)
-    lsl r30
-    rol r31
-    push r31
-    mov r27, r31
-    subi r27, 8
-    find multiples, r27, 9
-    load 8, 9
+    multiple_of_ln2 r22, r21, r27
     sub r13, r18
     sbc r14, r19
     sbc r15, r20

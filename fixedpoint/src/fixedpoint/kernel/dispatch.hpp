@@ -25,6 +25,7 @@
 #include <fixedpoint/portable/multiply_add.hpp>
 #include <fixedpoint/portable/multiply_saturating.hpp>
 #include <fixedpoint/portable/normalise.hpp>
+#include <fixedpoint/portable/pow_q32_32.hpp>
 #include <fixedpoint/portable/reciprocal_sqrt.hpp>
 #include <fixedpoint/portable/remainder.hpp>
 #include <fixedpoint/portable/sin.hpp>
@@ -67,6 +68,7 @@ FIXEDPOINT_OPERATION(BINARY, atan2_small)
 FIXEDPOINT_OPERATION(UNARY, exp)
 FIXEDPOINT_OPERATION(UNARY, exp_fine)
 FIXEDPOINT_OPERATION(UNARY, exp2_unsaturated)
+FIXEDPOINT_OPERATION(BINARY, pow_unsaturated)
 FIXEDPOINT_OPERATION(UNARY, sinh_unsaturated)
 FIXEDPOINT_OPERATION(UNARY, cosh_unsaturated)
 FIXEDPOINT_OPERATION(SCALED, exp_wide)
@@ -232,6 +234,10 @@ FIXEDPOINT_PORTABLE(sinh_unsaturated)
 FIXEDPOINT_PORTABLE(cosh_unsaturated)
 FIXEDPOINT_PORTABLE(log_fine)
 #undef FIXEDPOINT_PORTABLE
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw pow_unsaturated(Raw a, Raw b) {
+    return portable::pow_unsaturated<Raw, F>(a, b);
+}
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw sine_of_phase(Raw phase) {
     return portable::sine_of_phase<Raw, F>(phase);

@@ -370,12 +370,11 @@ struct Pow : Splits<16, 24>, portable::SignedPower<PowerOfMagnitude> {};
 
 }  // namespace composed
 
-// Those of Q32.32 that need no finer digits than the other compositions have, or have none yet.
+// Those of Q32.32 that need no finer digits than the other compositions have.
 namespace q32_32 {
 using composed::Acos;
 using composed::Asin;
 using composed::Log1p;
-using portable::Pow;
 }  // namespace q32_32
 
 // Composition where it serves a format, that of Q32.32, else Portable.

@@ -44,6 +44,17 @@ struct Expm1 {
     }
 };
 
+struct PowerOfMagnitude {
+    template <class Raw, int F>
+    static FIXEDPOINT_IN_PLACE Evaluation<int64_t> apply(uint64_t x, int64_t y, bool negative) {
+        const uint64_t power =
+            static_cast<uint64_t>(pow_unsaturated<int64_t, 32>(static_cast<int64_t>(x), y));
+        if (power > uint64_t(largest) + (negative ? 1 : 0)) return overflow(negative);
+        return {with_sign<int64_t>(power, negative), Outcome::in_range};
+    }
+};
+struct Pow : portable::SignedPower<PowerOfMagnitude> {};
+
 constexpr uint64_t limit_of_hyperbolic = 95265423099;  // 32 ln 2
 
 struct Sinh {

@@ -201,6 +201,7 @@
     KERNEL(UNARY, exp_fine, int64_t, 32, fixedpoint_exp_q32_32_fine, exp_fine) \
     KERNEL(UNARY, exp2_unsaturated, int32_t, 16, fixedpoint_exp2_q16_16_unsaturated, exp2_unsaturated) \
     KERNEL(UNARY, exp2_unsaturated, int64_t, 32, fixedpoint_exp2_q32_32_unsaturated, exp2_unsaturated) \
+    KERNEL(BINARY, pow_unsaturated, int64_t, 32, fixedpoint_pow_q32_32_unsaturated, pow_unsaturated) \
     KERNEL(UNARY, sinh_unsaturated, int64_t, 32, fixedpoint_sinh_q32_32_unsaturated, sinh_unsaturated) \
     KERNEL(UNARY, cosh_unsaturated, int64_t, 32, fixedpoint_cosh_q32_32_unsaturated, cosh_unsaturated) \
     KERNEL(SCALED, exp_wide, int64_t, 40, fixedpoint_exp_wide, exp_wide) \

@@ -5,6 +5,7 @@
 
 #include <fixedpoint/integer.hpp>
 #include <fixedpoint/portable/exp_64_table.hpp>
+#include <fixedpoint/portable/word128.hpp>
 
 namespace fixedpoint {
 namespace portable {
@@ -66,20 +67,24 @@ FIXEDPOINT_CONSTEXPR GuardedPower power_of_rest_q32_32(int k, uint16_t upper, ui
                                            : mantissa >> (shift - 8))};
 }
 
-// e^a. Needs a from -23 to below 32 ln 2.
-FIXEDPOINT_CONSTEXPR GuardedPower unrounded_exp_q32_32(int64_t a) {
+// e^a, a in units of 2^-72. Needs a from -23 to below 32 ln 2.
+FIXEDPOINT_CONSTEXPR GuardedPower unrounded_exp_72(const Word128& a) {
     // k + 41, where a is k ln 2 less what is left, 0 to 0.779.
-    const int32_t whole = static_cast<int32_t>(a >> 32) + 24;
-    const int32_t fraction = static_cast<int32_t>(a >> 24 & 0xff);
+    const int32_t whole = static_cast<int32_t>(static_cast<int64_t>(a.high) >> 8) + 24;
+    const int32_t fraction = static_cast<uint8_t>(a.high);
     const int k = static_cast<int>((whole * 185 + (fraction * 185 >> 8) + 945) >> 7);
     using Table = Exp64Table<>;
-    // In units of 2^-72, of which the lowest 40 bits are those of the multiple.
     const uint64_t multiple = read_program_memory(Table::multiple[k - 8]);
-    const uint32_t upper = static_cast<uint32_t>(multiple >> 32) - static_cast<uint32_t>(a);
-    return power_of_rest_q32_32(k - 41, static_cast<uint16_t>(upper >> 16),
-                                static_cast<uint64_t>(upper & 0xffff) << 40 |
-                                    (multiple & 0xffffffff) << 8 |
-                                    read_program_memory(Table::multiple_low[k - 8]));
+    const Word128 rest =
+        Word128(multiple >> 56, multiple << 8 | read_program_memory(Table::multiple_low[k - 8])) -
+        a;
+    return power_of_rest_q32_32(
+        k - 41, static_cast<uint16_t>(rest.high << 8 | static_cast<uint8_t>(rest.low >> 56)),
+        rest.low & 0xffffffffffffff);
+}
+FIXEDPOINT_CONSTEXPR GuardedPower unrounded_exp_q32_32(int64_t a) {
+    return unrounded_exp_72(
+        Word128(static_cast<uint64_t>(a >> 24), static_cast<uint64_t>(a) << 40));
 }
 
 FIXEDPOINT_CONSTEXPR int64_t exp_q32_32(int64_t a) {

@@ -16,7 +16,11 @@ struct SignedPower {
     template <class Raw, int F>
     static FIXEDPOINT_IN_PLACE Evaluation<Raw> apply(Raw x, Raw y) {
         constexpr Unsigned<Raw> one = static_cast<Unsigned<Raw>>(Unsigned<Raw>(1) << F);
-        if (y == 0) return evaluation<Raw>(DoubleWord<Raw>(one) << 1, 1, false);
+        if (y == 0) {
+            return F < RawLimits<Raw>::width - 1
+                       ? Evaluation<Raw>{static_cast<Raw>(one), Outcome::in_range}
+                       : Evaluation<Raw>{RawLimits<Raw>::max, Outcome::overflow};
+        }
         if (x == 0) {
             return y > 0 ? Evaluation<Raw>{0, Outcome::in_range}
                          : Evaluation<Raw>{RawLimits<Raw>::max, Outcome::division_by_zero};
