@@ -465,7 +465,8 @@ q16_16 q16_16_exp2(q16_16 a);
 /// e^a - 1 within 0.75 ulp, saturated to Q16_16_MAX.
 q16_16 q16_16_expm1(q16_16 a);
 /// The logarithm to base 2 within 0.75 ulp; Q16_16_MIN where a <= 0.
-q16_16 q16_16_log2(q16_16 a);
+q16_16 q16_16_log2(q16_16 a)
+    FIXEDPOINT_C_KERNEL(fixedpoint_log2_q16_16);
 /// The logarithm to base 10 within 0.75 ulp; Q16_16_MIN where a <= 0.
 q16_16 q16_16_log10(q16_16 a);
 /// ln(1 + a) within 0.75 ulp; Q16_16_MIN where a <= -1.

@@ -181,6 +181,10 @@ struct Log2 : Splits<9, 24> {
                 static_cast<Unsigned<Raw>>(a)));
     }
 };
+template <>
+FIXEDPOINT_IN_PLACE Evaluation<int32_t> Log2::apply<int32_t, 16>(int32_t a) {
+    return {log2<int32_t, 16>(a), a > 0 ? Outcome::in_range : Outcome::domain_error};
+}
 struct Log10 : Splits<9, 24> {
     template <class Raw, int F>
     static FIXEDPOINT_IN_PLACE Evaluation<Raw> apply(Raw a) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Linear interpolation in a table of 256 intervals, bit for bit as the assembly kernels do it.
+// Interpolation in tables, bit for bit as the assembly kernels do it: linear on 256 intervals, and
+// the parts of parabolas.
 #pragma once
 
 #include <fixedpoint/program_memory.hpp>
@@ -13,6 +14,12 @@ FIXEDPOINT_CONSTEXPR uint16_t rise(uint16_t slope, uint16_t fraction) {
     const uint16_t fraction_high = fraction >> 8, fraction_low = fraction & 0xff;
     return static_cast<uint16_t>(slope_high * fraction_high + (slope_high * fraction_low >> 8) +
                                  (slope_low * fraction_high >> 8));
+}
+
+// What a parabola of unit bend lies over its chord: t (1 - t) 2^9.
+FIXEDPOINT_CONSTEXPR uint16_t height(uint16_t fraction) {
+    const uint16_t fraction_high = fraction >> 8;
+    return static_cast<uint16_t>(fraction_high * (255 - fraction_high) >> 7);
 }
 
 // `position`: the interval in bits 16..23, the fraction of it in bits 0..15.

@@ -5,6 +5,7 @@
 
 #include <fixedpoint/portable/convert.hpp>
 #include <fixedpoint/portable/cordic.hpp>
+#include <fixedpoint/portable/log2_q16_16.hpp>
 #include <fixedpoint/portable/log_16.hpp>
 #include <fixedpoint/portable/log_32.hpp>
 #include <fixedpoint/portable/log_q16_16.hpp>

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+// int32_t fixedpoint_log2_q16_16(int32_t a)
+// log2 a in Q16.16, within 0.53 ulp for every a > 0; the smallest number where a <= 0.
+//
+// In       a = r25:r22
+// Out      r25:r22
+// Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
+//
+// The leading byte of the raw number looks up its logarithm's whole part, and with that the power of
+// two that moves the leading one to bit 7. The normalised byte is the interval of the table,
+// 128..255, the next 16 bits the fraction of it. A parabola's height over its chord is the bend times
+// t (1 - t), for which 8 bits of t are enough. Slopes are stored less 2^15, which the sum makes up
+// for as it is doubled.
+
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
+
+#define factor r18
+// The normalised number: its top byte and the 16 bits behind that.
+#define interval r19
+#define fraction1 r21
+#define fraction0 r20
+#define bend r27
+#define slope1 r19
+#define slope0 r18
+#define rest r18 // of the interval, behind the fraction
+#define rise0 r30
+#define rise1 r31
+// The fraction of the result: first in units of 2^-23, then of 2^-24. Its upper bytes take the place
+// of the argument, as does the whole part.
+#define sum0 r26
+#define sum1 r22
+#define sum2 r23
+#define whole r24
+#define zero r25
+
+    SECTION fixedpoint_log2_q16_16
+
+// The factor by which the leading byte is normalised; the whole part of the logarithm in r30.
+    .macro find_exponent leading, bytes_below
+    mov r30, \leading
+    lsr r30
+    ldi r31, hi8(fixedpoint_log2_table + 0x300)
+    lpm r30, Z
+    lpm factor, Z
+    subi r30, 128 + 16 - 8 * \bytes_below
+    .endm
+
+    ENTRY fixedpoint_log2_q16_16
+    sbiw rA2, 0
+    brne .Labove_one
+    tst rA1
+    breq .Lbyte
+    find_exponent rA1, 1
+    mul rA1, factor
+    mov interval, r0
+    mul rA0, factor
+    or interval, r1
+    mov fraction1, r0
+    ldi fraction0, 0
+    rjmp .Llook_up
+
+.Lno_logarithm:
+    ldi r22, 0
+    ldi r23, 0
+    ldi r24, 0
+    ldi r25, 0x80
+    ret
+.Lbyte:
+    tst rA0
+    breq .Lno_logarithm
+    find_exponent rA0, 0
+    mul rA0, factor
+    mov interval, r0
+    ldi fraction1, 0
+    ldi fraction0, 0
+    rjmp .Llook_up
+
+.Lfour_bytes:
+    find_exponent rA3, 3
+    mul rA3, factor
+    mov interval, r0
+    mul rA2, factor
+    or interval, r1
+    mov fraction1, r0
+    mul rA1, factor
+    or fraction1, r1
+    mov fraction0, r0
+    mul rA0, factor
+    or fraction0, r1
+    ldi zero, 0
+    rjmp .Llook_up
+
+.Labove_one:
+    brmi .Lno_logarithm
+    tst rA3
+    brne .Lfour_bytes
+    find_exponent rA2, 2
+    mul rA2, factor
+    mov interval, r0
+    mul rA1, factor
+    or interval, r1
+    mov fraction1, r0
+    mul rA0, factor
+    or fraction1, r1
+    mov fraction0, r0
+.Llook_up:
+    mov whole, r30
+    mov r30, interval
+    // Values lie in the upper halves of the pages, slopes and bends in the lower ones.
+    ldi r31, hi8(fixedpoint_log2_table)
+    lpm sum0, Z
+    inc r31
+    lpm sum1, Z
+    inc r31
+    lpm sum2, Z
+    subi r30, 128
+    lpm bend, Z
+    dec r31
+    lpm slope1, Z
+    dec r31
+    lpm slope0, Z
+    mul slope1, fraction1
+    movw rise0, r0
+    mul slope1, fraction0
+    add rise0, r1
+    adc rise1, zero
+    mul slope0, fraction1
+    add rise0, r1
+    adc rise1, zero
+    mov rest, fraction1
+    com rest
+    fmul rest, fraction1
+    mul r1, bend
+    add rise0, r1
+    adc rise1, zero
+    add sum0, rise0
+    adc sum1, rise1
+    adc sum2, zero
+    lsl sum0
+    rol sum1
+    rol sum2
+    add sum0, fraction0 // the slope's 2^15, doubled
+    adc sum1, fraction1
+    adc sum2, zero
+    adc whole, zero
+    clr r1
+    sbrc whole, 7
+    com r25
+    ret
+    ENDFUNC fixedpoint_log2_q16_16
+#endif
