@@ -457,9 +457,11 @@ q16_16 q16_16_log(q16_16 a)
 /// The tangent of any angle in radians within 0.75 ulp, saturated beside a pole.
 q16_16 q16_16_tan(q16_16 angle);
 /// The arc sine in radians within 0.75 ulp, saturated; beyond -1 and 1 what it is there.
-q16_16 q16_16_asin(q16_16 a);
+q16_16 q16_16_asin(q16_16 a)
+    FIXEDPOINT_C_KERNEL(fixedpoint_asin_q16_16);
 /// The arc cosine in radians within 0.75 ulp, saturated; beyond -1 and 1 what it is there.
-q16_16 q16_16_acos(q16_16 a);
+q16_16 q16_16_acos(q16_16 a)
+    FIXEDPOINT_C_KERNEL(fixedpoint_acos_q16_16);
 /// 2^a within 0.75 ulp, saturated to Q16_16_MAX.
 q16_16 q16_16_exp2(q16_16 a);
 /// e^a - 1 within 0.75 ulp, saturated to Q16_16_MAX.

@@ -63,6 +63,17 @@ def arctangent(numerator, denominator, bits):
     return rounded(total, GUARD)
 
 
+def arc_sine(numerator, denominator, bits):
+    """asin(numerator/denominator) 2^bits, for arguments from 0 to 1, of which those near 1 take long."""
+    term = (numerator << bits + GUARD) // denominator
+    total, k = 0, 1
+    while term:
+        total += term // k
+        term = term * k * numerator**2 // ((k + 1) * denominator**2)
+        k += 2
+    return rounded(total, GUARD)
+
+
 def rotation_gain(first, bits):
     """The product over i >= first of cos(atan(2^-i)) = 1 / sqrt(1 + 2^-2i), times 2^bits."""
     width = bits + GUARD

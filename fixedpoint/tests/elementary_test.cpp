@@ -325,6 +325,19 @@ static_assert(Nearest::asin<int32_t, 16>(2 << 16) == 102944, "pi/2");
 static_assert(Nearest::acos<int32_t, 16>(-2 * 65536) == 205887, "pi");
 static_assert(Nearest::tan<int32_t, 16>(0) == 0 && Nearest::tanh<int8_t, 7>(-128) == -97, "");
 
+TEST(Logarithm, OfAPowerOf2IsExact) {
+    for (int n = -16; n < 15; ++n)
+        EXPECT_EQ((Nearest::log2<int32_t, 16>(int32_t(1) << (16 + n))), n * 65536);
+}
+
+TEST(ArcFunctions, OfAllArgumentsAreWithinSixTenthsOfAnUlp) {
+    for (int32_t a = -65536; a <= 65536; ++a) {
+        const long double x = std::ldexp(static_cast<long double>(a), -16);
+        ASSERT_NEAR((Nearest::asin<int32_t, 16>(a)), std::ldexp(std::asin(x), 16), 0.6) << a;
+        ASSERT_NEAR((Nearest::acos<int32_t, 16>(a)), std::ldexp(std::acos(x), 16), 0.6) << a;
+    }
+}
+
 TEST(Hypot, IsTheLengthOfTheVector) {
     const auto number = [](int n) { return Q16_16::from_integer(n); };
     EXPECT_EQ(hypot(number(3), number(-4)), number(5));

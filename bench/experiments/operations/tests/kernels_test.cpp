@@ -296,7 +296,8 @@ TEST(Power, IsTheHostsOverDenseOperands) {
 constexpr auto program_name = [](const auto& program) { return program.param; };
 INSTANTIATE_TEST_SUITE_P(Programs, Kernels,
                          testing::Values("q4_4", "q8_8", "q16_16", "q8_24", "q32_32",
-                                         "q16_16_auxiliary", "q16_16_powers", "q32_32_auxiliary"),
+                                         "q16_16_auxiliary", "q16_16_angles", "q16_16_powers",
+                                         "q32_32_auxiliary"),
                          program_name);
 INSTANTIATE_TEST_SUITE_P(Programs, Compiled,
                          testing::Values("q4_4_auxiliary", "q8_8_auxiliary", "q8_24_auxiliary",

@@ -14,12 +14,8 @@
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
+#include "normalise_positive_q16_16.inc"
 
-#define factor r18
-// The normalised number: its top byte and the 16 bits behind that.
-#define interval r19
-#define fraction1 r21
-#define fraction0 r20
 #define bend r27
 #define slope1 r19
 #define slope0 r18
@@ -32,7 +28,8 @@
 #define sum1 r22
 #define sum2 r23
 #define whole r24
-#define zero r25
+
+#include "rise_q16_16.inc"
 
     SECTION fixedpoint_log2_q16_16
 
@@ -47,64 +44,7 @@
     .endm
 
     ENTRY fixedpoint_log2_q16_16
-    sbiw rA2, 0
-    brne .Labove_one
-    tst rA1
-    breq .Lbyte
-    find_exponent rA1, 1
-    mul rA1, factor
-    mov interval, r0
-    mul rA0, factor
-    or interval, r1
-    mov fraction1, r0
-    ldi fraction0, 0
-    rjmp .Llook_up
-
-.Lno_logarithm:
-    ldi r22, 0
-    ldi r23, 0
-    ldi r24, 0
-    ldi r25, 0x80
-    ret
-.Lbyte:
-    tst rA0
-    breq .Lno_logarithm
-    find_exponent rA0, 0
-    mul rA0, factor
-    mov interval, r0
-    ldi fraction1, 0
-    ldi fraction0, 0
-    rjmp .Llook_up
-
-.Lfour_bytes:
-    find_exponent rA3, 3
-    mul rA3, factor
-    mov interval, r0
-    mul rA2, factor
-    or interval, r1
-    mov fraction1, r0
-    mul rA1, factor
-    or fraction1, r1
-    mov fraction0, r0
-    mul rA0, factor
-    or fraction0, r1
-    ldi zero, 0
-    rjmp .Llook_up
-
-.Labove_one:
-    brmi .Lno_logarithm
-    tst rA3
-    brne .Lfour_bytes
-    find_exponent rA2, 2
-    mul rA2, factor
-    mov interval, r0
-    mul rA1, factor
-    or interval, r1
-    mov fraction1, r0
-    mul rA0, factor
-    or fraction1, r1
-    mov fraction0, r0
-.Llook_up:
+    normalise_positive find_exponent
     mov whole, r30
     mov r30, interval
     // Values lie in the upper halves of the pages, slopes and bends in the lower ones.
@@ -120,14 +60,7 @@
     lpm slope1, Z
     dec r31
     lpm slope0, Z
-    mul slope1, fraction1
-    movw rise0, r0
-    mul slope1, fraction0
-    add rise0, r1
-    adc rise1, zero
-    mul slope0, fraction1
-    add rise0, r1
-    adc rise1, zero
+    find_rise
     mov rest, fraction1
     com rest
     fmul rest, fraction1

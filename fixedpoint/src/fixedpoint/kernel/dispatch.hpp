@@ -10,6 +10,7 @@
 #include <fixedpoint/kernel/table.hpp>
 #include <fixedpoint/portable/absolute.hpp>
 #include <fixedpoint/portable/add_scaled.hpp>
+#include <fixedpoint/portable/asin_q16_16.hpp>
 #include <fixedpoint/portable/atan.hpp>
 #include <fixedpoint/portable/atan2.hpp>
 #include <fixedpoint/portable/convert.hpp>
@@ -65,6 +66,8 @@ FIXEDPOINT_OPERATION(UNARY, atan)
 FIXEDPOINT_OPERATION(UNARY, atan_small)
 FIXEDPOINT_OPERATION(BINARY, atan2)
 FIXEDPOINT_OPERATION(BINARY, atan2_small)
+FIXEDPOINT_OPERATION(UNARY, asin)
+FIXEDPOINT_OPERATION(UNARY, acos)
 FIXEDPOINT_OPERATION(UNARY, exp)
 FIXEDPOINT_OPERATION(UNARY, exp_fine)
 FIXEDPOINT_OPERATION(UNARY, exp2_unsaturated)
@@ -229,6 +232,8 @@ FIXEDPOINT_CONSTEXPR uint64_t exp_wide(Raw a, uint8_t unit) {
     FIXEDPOINT_CONSTEXPR Raw operation(Raw a) { \
         return portable::operation<Raw, F>(a);  \
     }
+FIXEDPOINT_PORTABLE(asin)
+FIXEDPOINT_PORTABLE(acos)
 FIXEDPOINT_PORTABLE(exp_fine)
 FIXEDPOINT_PORTABLE(exp2_unsaturated)
 FIXEDPOINT_PORTABLE(sinh_unsaturated)

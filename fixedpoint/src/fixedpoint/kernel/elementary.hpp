@@ -2,7 +2,7 @@
 // The elementary functions as compositions of kernels: all splits of 32 bits from 9 to 24 fraction
 // bits have them but for tan and pow, which begin at 16, and Q32.32 (elementary_q32_32.hpp). The
 // others have the portable code of portable/elementary.hpp. All are faithful (error below 0.75
-// ulp).
+// ulp). exp2, log2, asin and acos of Q16.16 have kernels of their own.
 //
 // The kernel of a finer format has the bits behind an ulp that a function of its result asks for:
 // its own error, and what a composition adds before it rounds, stays below 0.2 ulp. Powers come
@@ -281,6 +281,18 @@ struct Acos : Splits<9, 28> {
                              a);
     }
 };
+// Whether the arc functions of Q16.16 have a value there, whose kernels are their own.
+constexpr Outcome arc_outcome_q16_16(int32_t a) {
+    return portable::beyond_one<int32_t, 16>(a) ? Outcome::domain_error : Outcome::in_range;
+}
+template <>
+FIXEDPOINT_IN_PLACE Evaluation<int32_t> Asin::apply<int32_t, 16>(int32_t a) {
+    return {asin<int32_t, 16>(a), arc_outcome_q16_16(a)};
+}
+template <>
+FIXEDPOINT_IN_PLACE Evaluation<int32_t> Acos::apply<int32_t, 16>(int32_t a) {
+    return {acos<int32_t, 16>(a), arc_outcome_q16_16(a)};
+}
 
 // Beside a pole the tangent is 1 / rest - rest (1/3 + rest^2 / 45 + 2 rest^4 / 945 + ...). With few
 // fraction bits a rest below 2^-5 needs but the first term, with more one below 3/8 the first four.

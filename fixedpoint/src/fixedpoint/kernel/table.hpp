@@ -193,6 +193,8 @@
     KERNEL(BINARY, atan2, int64_t, 32, fixedpoint_atan2_q32_32, atan2) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, BINARY, atan2) \
     KERNEL(BINARY, atan2_small, int32_t, 16, fixedpoint_atan2_q16_16_small, atan2_small) \
+    KERNEL(UNARY, asin, int32_t, 16, fixedpoint_asin_q16_16, asin) \
+    KERNEL(UNARY, acos, int32_t, 16, fixedpoint_acos_q16_16, acos) \
     KERNEL(UNARY, exp, int8_t, 4, fixedpoint_exp_q4_4, exp) \
     KERNEL(UNARY, exp, int16_t, 8, fixedpoint_exp_q8_8, exp) \
     KERNEL(UNARY, exp, int32_t, 16, fixedpoint_exp_q16_16, exp) \

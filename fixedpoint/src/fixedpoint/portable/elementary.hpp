@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The elementary functions that have no kernel of their own, X(name, class of its evaluation): the
-// arithmetics expand the list, and kernel/elementary.hpp says where kernels of others serve.
+// The elementary functions that have no kernel of their own in most formats, X(name, class of its
+// evaluation): the arithmetics expand the list, and kernel/elementary.hpp says where kernels serve.
 // Nothing but templates: a program pays for those it calls.
 #pragma once
 
