@@ -12,6 +12,7 @@
 #include <fixedpoint/portable/add_scaled.hpp>
 #include <fixedpoint/portable/atan.hpp>
 #include <fixedpoint/portable/atan2.hpp>
+#include <fixedpoint/portable/cbrt_q32_32.hpp>
 #include <fixedpoint/portable/convert.hpp>
 #include <fixedpoint/portable/divide.hpp>
 #include <fixedpoint/portable/divide_small.hpp>
@@ -52,6 +53,7 @@ FIXEDPOINT_OPERATION(BINARY, copysign)
 FIXEDPOINT_OPERATION(BINARY, abs_diff)
 FIXEDPOINT_OPERATION(UNARY, sqrt)
 FIXEDPOINT_OPERATION(UNARY, sqrt_small)
+FIXEDPOINT_OPERATION(UNARY, cbrt)
 FIXEDPOINT_OPERATION(UNARY, reciprocal_sqrt)
 FIXEDPOINT_OPERATION(UNARY, reciprocal_sqrt_small)
 FIXEDPOINT_OPERATION(UNARY, sin)
@@ -228,6 +230,7 @@ FIXEDPOINT_CONSTEXPR uint64_t exp_wide(Raw a, uint8_t unit) {
     FIXEDPOINT_CONSTEXPR Raw operation(Raw a) { \
         return portable::operation<Raw, F>(a);  \
     }
+FIXEDPOINT_PORTABLE(cbrt)
 FIXEDPOINT_PORTABLE(exp_fine)
 FIXEDPOINT_PORTABLE(exp2_unsaturated)
 FIXEDPOINT_PORTABLE(sinh_unsaturated)
