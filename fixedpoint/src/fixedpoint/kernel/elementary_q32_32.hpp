@@ -44,6 +44,7 @@ struct Expm1 {
     }
 };
 
+// The kernel's power has no sign yet and 64 bits, of which the format holds 63.
 struct PowerOfMagnitude {
     template <class Raw, int F>
     static FIXEDPOINT_IN_PLACE Evaluation<int64_t> apply(uint64_t x, int64_t y, bool negative) {
