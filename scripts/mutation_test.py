@@ -75,12 +75,15 @@ ROOMS = [
     kernels(f"{FIXED}/avr/*_q8_8.S {FIXED}/avr/*_q8_8.inc", 4, "q8_8"),
     kernels(f"{FIXED}/avr/*_q4_4.S", 2, "q4_4"),
     kernels(f"{FIXED}/avr/*_q32_32.S {FIXED}/avr/cubic_64.* !*/absolute_q32_32.S !*/lerp_q32_32.S"
-            " !*/exp2_q32_32.S !*/hyperbolic_q32_32.S !*/pow_q32_32.S", 2, "q32_32",
+            " !*/exp2_q32_32.S !*/hyperbolic_q32_32.S !*/pow_q32_32.S !*/cbrt_q32_32.S",
+            2, "q32_32",
             Check("kernels_test", "*/q32_32_auxiliary", "q32_32_auxiliary")),
     kernels(f"{FIXED}/avr/absolute_q32_32.S {FIXED}/avr/lerp_q32_32.S", 1, "q32_32_auxiliary"),
     kernels(f"{FIXED}/avr/exp2_q32_32.S {FIXED}/avr/hyperbolic_q32_32.S {FIXED}/avr/pow_q32_32.S"
             f" {FIXED}/avr/exp_64.inc {FIXED}/avr/*_fine.S", 2, "q32_32_powers",
             Check("kernels_test", "Power.*", "q32_32_powers")),
+    kernels(f"{FIXED}/avr/cbrt_q32_32.S", 1, "q32_32_powers",
+            Check("kernels_test", "CubeRoot.*", "q32_32_powers")),
     room("kernels", f"{FIXED}/kernel/*_saturating.hpp", 1,
          Check("saturating_sums_test", devices="saturating_sums"),
          Check("library_on_device_test", "*/operators_test_q16_16", "operators_test_q16_16")),

@@ -826,7 +826,8 @@ q32_32 q32_32_cosh(q32_32 a);
 /// The hyperbolic tangent within 0.75 ulp, never beyond -1 and 1.
 q32_32 q32_32_tanh(q32_32 a);
 /// The cube root within 0.75 ulp, negative where a is.
-q32_32 q32_32_cbrt(q32_32 a);
+q32_32 q32_32_cbrt(q32_32 a)
+    FIXEDPOINT_C_KERNEL(fixedpoint_cbrt_q32_32);
 /// x^y within 0.75 ulp, saturated; 1 where y is 0. Where x is 0: 0, or Q32_32_MAX where y < 0.
 /// Where x < 0: the power of |x|, negative for odd y, and 0 where y is not an integer.
 q32_32 q32_32_pow(q32_32 x, q32_32 y);

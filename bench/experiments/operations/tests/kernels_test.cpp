@@ -289,6 +289,9 @@ void expect_the_hosts(const std::string& program, const std::string& subject) {
 TEST(PowerOfTwo, IsTheHostsOverDenseOperands) {
     expect_the_hosts("q16_16_powers", "exp2_q16_16_default");
 }
+TEST(CubeRoot, IsTheHostsOverDenseOperands) {
+    expect_the_hosts("q32_32_powers", "cbrt_q32_32_default");
+}
 TEST(Power, IsTheHostsOverDenseOperands) {
     expect_the_hosts("q32_32_powers", "pow_q32_32_default");
 }

@@ -122,29 +122,7 @@
     clr zero
     // r28 = e + 32, s in r25:r18
     ldi r28, 63
-    rjmp 2f
-1:  mov r25, r24
-    mov r24, r23
-    mov r23, r22
-    mov r22, r21
-    mov r21, r20
-    mov r20, r19
-    mov r19, r18
-    clr r18
-    subi r28, 8
-2:  tst r25
-    breq 1b
-    rjmp 4f
-3:  dec r28
-4:  lsl r18
-    rol r19
-    rol r20
-    rol r21
-    rol r22
-    rol r23
-    rol r24
-    rol r25
-    brcc 3b
+    drop_leading_one r28
     push r28
     clr r17
     clr r16

@@ -13,6 +13,7 @@
 #include <fixedpoint/portable/asin_q16_16.hpp>
 #include <fixedpoint/portable/atan.hpp>
 #include <fixedpoint/portable/atan2.hpp>
+#include <fixedpoint/portable/cbrt_q32_32.hpp>
 #include <fixedpoint/portable/convert.hpp>
 #include <fixedpoint/portable/divide.hpp>
 #include <fixedpoint/portable/divide_small.hpp>
@@ -53,6 +54,7 @@ FIXEDPOINT_OPERATION(BINARY, copysign)
 FIXEDPOINT_OPERATION(BINARY, abs_diff)
 FIXEDPOINT_OPERATION(UNARY, sqrt)
 FIXEDPOINT_OPERATION(UNARY, sqrt_small)
+FIXEDPOINT_OPERATION(UNARY, cbrt)
 FIXEDPOINT_OPERATION(UNARY, reciprocal_sqrt)
 FIXEDPOINT_OPERATION(UNARY, reciprocal_sqrt_small)
 FIXEDPOINT_OPERATION(UNARY, sin)
@@ -234,6 +236,7 @@ FIXEDPOINT_CONSTEXPR uint64_t exp_wide(Raw a, uint8_t unit) {
     }
 FIXEDPOINT_PORTABLE(asin)
 FIXEDPOINT_PORTABLE(acos)
+FIXEDPOINT_PORTABLE(cbrt)
 FIXEDPOINT_PORTABLE(exp_fine)
 FIXEDPOINT_PORTABLE(exp2_unsaturated)
 FIXEDPOINT_PORTABLE(sinh_unsaturated)

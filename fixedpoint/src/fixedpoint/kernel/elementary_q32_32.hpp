@@ -44,6 +44,7 @@ struct Expm1 {
     }
 };
 
+// The kernel's power has no sign yet and 64 bits, of which the format holds 63.
 struct PowerOfMagnitude {
     template <class Raw, int F>
     static FIXEDPOINT_IN_PLACE Evaluation<int64_t> apply(uint64_t x, int64_t y, bool negative) {
@@ -104,69 +105,10 @@ struct LogarithmToBase {
 struct Log2 : LogarithmToBase<3172519945584, -14506> {};
 struct Log10 : LogarithmToBase<955023665463, 18537> {};
 
-// The cube root of a mantissa v from 1/8 to 1 is that of a polynomial, y, within 2^-21 of itself,
-// times (1 - d)^(-1/3) = 1 + d/3 + 2 d^2/9 + ..., where 1 - d = y^3 / v.
 struct Cbrt {
     template <class Raw, int F>
     static FIXEDPOINT_IN_PLACE Evaluation<int64_t> apply(int64_t a) {
-        if (a == 0) return {0, Outcome::in_range};
-        // |a| = (high, low) 2^-64 8^(-place), of which the shift may cut the lowest bit.
-        const uint64_t positive = magnitude(a);
-        uint32_t high = static_cast<uint32_t>(positive >> 32),
-                 low = static_cast<uint32_t>(positive);
-        uint8_t drop = 7;
-        if (high >= uint32_t(1) << 30) {
-            low = low >> 1 | ((high & 1) != 0 ? uint32_t(1) << 31 : 0);
-            high >>= 1;
-        } else {
-            high = high << 2 | upper_byte(low) >> 6;
-            low <<= 2;
-            ++drop;
-        }
-        for (; high < 1 << 8; drop = static_cast<uint8_t>(drop + 8)) {
-            high = high << 24 | low >> 8;
-            low <<= 24;
-        }
-        for (; high < uint32_t(1) << 29; ++drop) {
-            high = high << 3 | upper_byte(low) >> 5;
-            low <<= 3;
-        }
-
-        const int32_t y = estimate(high);  // 2^-31
-        const uint32_t factor = static_cast<uint32_t>(y);
-        const uint64_t square = multiply_words(factor, factor);
-        const uint64_t cube = (multiply_words(static_cast<uint32_t>(square), factor) >> 32) +
-                              multiply_words(static_cast<uint32_t>(square >> 32), factor);  // 2^-61
-        const uint64_t mantissa = uint64_t(high) << 29 | low >> 3;
-        const int32_t rest = static_cast<int32_t>(static_cast<int64_t>(mantissa - cube) >> 11);
-        const int32_t d = divide<int32_t, 30>(rest, static_cast<int32_t>(high >> 1));  // 2^-49
-        const int32_t bend = multiply<int32_t, 32>(d, d);                              // 2^-66
-        const int32_t rise =
-            multiply<int32_t, 32>(d, 1431655765) + (multiply<int32_t, 32>(bend, 954437177) >> 17);
-        const uint64_t root =
-            (uint64_t(uint32_t(y)) << 19) +
-            static_cast<uint64_t>(int64_t(multiply<int32_t, 30>(y, rise)));  // 2^-50
-        const int64_t result = static_cast<int64_t>(((root >> (drop - 1)) + 1) >> 1);
-        return {a < 0 ? -result : result, Outcome::in_range};
-    }
-
-  private:
-    // By bytes: the chip shifts a bit at a time.
-    static constexpr uint8_t upper_byte(uint32_t a) { return static_cast<uint8_t>(a >> 24); }
-
-    // The cube root of v 2^-32, in units of 2^-31 and below 1. Needs v from 2^29.
-    static FIXEDPOINT_CONSTEXPR int32_t estimate(uint32_t v) {
-        uint8_t halves = 0;
-        for (; v >> 31 == 0; ++halves) v <<= 1;
-        const int32_t t = static_cast<int32_t>(v - (uint32_t(3) << 30));
-        int32_t root =
-            -252553574 + multiply<int32_t, 32>(t, 281805658 + multiply<int32_t, 32>(t, -294894175));
-        root = 284401230 + multiply<int32_t, 32>(t, root);
-        root = -385415666 + multiply<int32_t, 32>(t, root);
-        root = 867172284 + multiply<int32_t, 32>(t, root);
-        root = 1951117780 + multiply<int32_t, 32>(t, root);
-        return halves == 0 ? root
-                           : multiply<int32_t, 31>(root, halves == 1 ? 1704458901 : 1352829926);
+        return {cbrt<int64_t, 32>(a), Outcome::in_range};
     }
 };
 

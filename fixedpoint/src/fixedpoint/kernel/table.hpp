@@ -151,6 +151,7 @@
     KERNEL(UNARY, sqrt, int64_t, 32, fixedpoint_sqrt_q32_32, sqrt) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, UNARY, sqrt) \
     KERNEL(UNARY, sqrt_small, int32_t, 16, fixedpoint_sqrt_q16_16_small, sqrt) \
+    KERNEL(UNARY, cbrt, int64_t, 32, fixedpoint_cbrt_q32_32, cbrt) \
     KERNEL(UNARY, reciprocal_sqrt, int8_t, 4, fixedpoint_reciprocal_sqrt_q4_4, reciprocal_sqrt) \
     KERNEL(UNARY, reciprocal_sqrt, int16_t, 8, fixedpoint_reciprocal_sqrt_q8_8, reciprocal_sqrt) \
     KERNEL(UNARY, reciprocal_sqrt, int32_t, 16, fixedpoint_reciprocal_sqrt_q16_16, reciprocal_sqrt) \

@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: MIT
+// int64_t fixedpoint_cbrt_q32_32(int64_t a)
+// The cube root of a, of its sign, within 0.55 ulp.
+//
+// In       a = r25:r18
+// Out      r25:r18
+// Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
+// Stack    17 bytes
+// Table    3349 bytes, fixedpoint_cbrt_64_table
+//
+// |a| = m 2^e, m from 1 to 2. The core has y, the cube root of m, within 2^-34, and y + (m - y^3) / (3 y^2)
+// is within 2^-47. Of m - y^3 only the bytes 2^-40 to 2^-56 are formed, since all above are 0 or all are
+// ones; 1 / (3 y^2) is the slope of the core's record. The cube root of 2^(e mod 3) and the place follow.
+//
+// Error in ulps where the result is largest: the slope's upper bytes 0.06, the rounding 0.5.
+
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
+#include "cubic_64.inc"
+#include "exp_64.inc"
+
+#define half_roots fixedpoint_cbrt_64_table + 256 * 13
+
+// u is r21:r18, r26, the lowest byte first: byte i of it.
+    .macro with_byte_of_u operation, i, other
+    .if \i == 0
+    \operation \other, r26
+    .else
+    \operation \other, 17 + \i
+    .endif
+    .endm
+// A product of bytes of u to r15:r8, its column being `column`.
+    .macro product_of_u i, j, column
+    with_byte_of_u mov, \i, r25
+    with_byte_of_u mul, \j, r25
+    add 8 + \column, r0
+    adc 9 + \column, r1
+    .set byte, 10 + \column
+    .rept 6 - \column
+    adc byte, zero
+    .set byte, byte + 1
+    .endr
+    .endm
+// Byte i of the square and byte 5 + column - i of u to the cube.
+    .macro product_of_square i, column
+    with_byte_of_u mul, 5 + \column - \i, 8 + \i
+    .if \column == 0
+    add r22, r0
+    adc r25, r1
+    adc r27, zero
+    adc r29, zero
+    .elseif \column == 1
+    add r25, r0
+    adc r27, r1
+    adc r29, zero
+    .elseif \column == 2
+    add r27, r0
+    adc r29, r1
+    .else
+    add r29, r0
+    .endif
+    .endm
+    .macro add_twice_u
+    .rept 2
+    add r11, r26
+    adc r12, r18
+    adc r13, r19
+    adc r14, r20
+    adc r15, r21
+    .endr
+    .endm
+
+    FUNCTION fixedpoint_cbrt_q32_32
+    mov r0, r18
+    or r0, r19
+    or r0, r20
+    or r0, r21
+    or r0, r22
+    or r0, r23
+    or r0, r24
+    or r0, r25
+    brne 1f
+    ret
+1:  bst r25, 7
+    brtc 1f
+    negate_64
+1:  push r8
+    push r9
+    push r10
+    push r11
+    push r12
+    push r13
+    push r14
+    push r15
+    push r16
+    push r17
+    push r28
+    push r29
+    clr zero
+    ldi r28, 64
+    drop_leading_one r28
+    push r19
+    push r20
+    push r21
+    mov r30, r25
+    mov r25, r24
+    mov r24, r23
+    mov r23, r22
+    mov r22, r21
+    find_record_64 fixedpoint_cbrt_64_table, r26
+    XCALL fixedpoint_cubic_64
+    // r24:r23 = 2^15 / (3 y^2), from behind the record
+    sbiw r30, 10
+    lpm r22, Z
+    mul r22, r25
+    lsl r0
+    rol r1
+    adiw r30, 3
+    lpm r23, Z+
+    lpm r24, Z
+    sub r23, r1
+    sbc r24, zero
+    // u = (y - 1) 2^40, r15:r8 = the square of 2^40 + u from byte 2 on, less 2^80
+    lsl r26
+    rol r18
+    rol r19
+    rol r20
+    rol r21
+    clr r8
+    clr r9
+    movw r10, r8
+    movw r12, r8
+    movw r14, r8
+    product_of_u 0, 2, 0
+    product_of_u 0, 3, 1
+    product_of_u 1, 2, 1
+    product_of_u 0, 4, 2
+    product_of_u 1, 3, 2
+    product_of_u 1, 4, 3
+    product_of_u 2, 3, 3
+    product_of_u 2, 4, 4
+    product_of_u 3, 4, 5
+    lsl r8
+    rol r9
+    rol r10
+    rol r11
+    rol r12
+    rol r13
+    rol r14
+    rol r15
+    product_of_u 1, 1, 0
+    product_of_u 2, 2, 2
+    product_of_u 3, 3, 4
+    mul r21, r21
+    add r14, r0
+    adc r15, r1
+    add_twice_u
+    // r29, r27, r25 = bytes 10 to 8 of the cube
+    mov r22, r8
+    mov r25, r9
+    mov r27, r10
+    mov r29, r11
+    add r29, r26
+    .irp i, 1, 2, 3, 4, 5
+    product_of_square \i, 0
+    .endr
+    .irp i, 2, 3, 4, 5, 6
+    product_of_square \i, 1
+    .endr
+    .irp i, 3, 4, 5, 6, 7
+    product_of_square \i, 2
+    .endr
+    .irp i, 4, 5, 6, 7
+    product_of_square \i, 3
+    .endr
+    // r22, r9, r8 = m - y^3 2^56, of 24 bits; r15:r13 = it times 2^15 / (3 y^2)
+    pop r22
+    pop r9
+    pop r8
+    sub r8, r25
+    sbc r9, r27
+    sbc r22, r29
+    clr r13
+    clr r14
+    clr r15
+    mul r8, r23
+    mov r12, r1
+    mul r8, r24
+    add r12, r0
+    adc r13, r1
+    mul r9, r23
+    add r12, r0
+    adc r13, r1
+    adc r14, zero
+    mul r9, r24
+    add r13, r0
+    adc r14, r1
+    mul r22, r23
+    add r13, r0
+    adc r14, r1
+    adc r15, zero
+    mul r22, r24
+    add r14, r0
+    adc r15, r1
+    cpi r22, 0x40
+    brlo 1f
+    sub r14, r23
+    sbc r15, r24
+1:  // r24:r18 = y 2^55
+    lsr r21
+    ror r20
+    ror r19
+    ror r18
+    ror r26
+    mov r24, r21
+    mov r23, r20
+    mov r22, r19
+    mov r21, r18
+    mov r20, r26
+    ori r24, 0x80
+    mov r18, r13
+    mov r19, r14
+    mov r25, r15
+    lsl r25
+    sbc r25, r25
+    add r20, r15
+    adc r21, r25
+    adc r22, r25
+    adc r23, r25
+    adc r24, r25
+    // r15 = floor(r28 / 3), r28 the rest
+    ldi r30, 171
+    mul r28, r30
+    mov r15, r1
+    lsr r15
+    sub r28, r15
+    sub r28, r15
+    sub r28, r15
+    find half_roots, r28, 7
+    load 8, 7
+    fraction_product 24, 14, 7, 25
+    ldi r24, 32
+    sub r24, r15
+1:  cpi r24, 8
+    brlo 2f
+    mov r25, r26
+    mov r26, r27
+    mov r27, r28
+    mov r28, r29
+    mov r29, r30
+    mov r30, r31
+    clr r31
+    subi r24, 8
+    rjmp 1b
+2:  lsr r31
+    ror r30
+    ror r29
+    ror r28
+    ror r27
+    ror r26
+    ror r25
+    dec r24
+    brpl 2b
+    mov r18, r25
+    mov r19, r26
+    mov r20, r27
+    mov r21, r28
+    mov r22, r29
+    mov r23, r30
+    clr r24
+    clr r25
+    adc r18, zero
+    adc r19, zero
+    adc r20, zero
+    adc r21, zero
+    adc r22, zero
+    adc r23, zero
+    brtc 3f
+    negate_64
+3:  clr r1
+    pop r29
+    pop r28
+    pop r17
+    pop r16
+    pop r15
+    pop r14
+    pop r13
+    pop r12
+    pop r11
+    pop r10
+    pop r9
+    pop r8
+    ret
+    ENDFUNC fixedpoint_cbrt_q32_32
+#endif
