@@ -185,9 +185,9 @@
     sbci r23, hi8(-(HALF_PI + 2 * 64 + 1))
     sbci r24, hlo8(-(HALF_PI + 2 * 64 + 1))
     rjmp 2f
-1:  subi r22, lo8(-HALF_PI)
-    sbci r23, hi8(-HALF_PI)
-    sbci r24, hlo8(-HALF_PI)
+1:  subi r22, lo8(-(HALF_PI))
+    sbci r23, hi8(-(HALF_PI))
+    sbci r24, hlo8(-(HALF_PI))
     sbci r25, 0xff
 2:  lsl r22
     rol r23
