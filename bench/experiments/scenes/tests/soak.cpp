@@ -8,6 +8,7 @@
 // shows it again.
 #include <fmt/format.h>
 
+#include <atomic>
 #include <charconv>
 #include <cstdlib>
 #include <iterator>
@@ -94,21 +95,19 @@ int main(int argc, char** argv) {
     std::string (*const scenes[])(unsigned long, records::Progress&) = {
         soaked<scenes::Stack>, soaked<scenes::BoxOfParticles>, soaked<scenes::Lever>};
     constexpr std::size_t count = std::size(scenes);
-    std::string found[count];
+    std::atomic<int> status{0};
     try {
         records::Progress progress("soak", count * steps);
-        operations::in_parallel(std::thread::hardware_concurrency(), count,
-                                [&](std::size_t i) { found[i] = scenes[i](steps, progress); });
+        operations::in_parallel(std::thread::hardware_concurrency(), count, [&](std::size_t i) {
+            const std::string found = scenes[i](steps, progress);
+            if (found.empty()) return;
+            fmt::print(stderr, "soak: {}\n", found);
+            status = 1;
+        });
     } catch (const std::exception& error) {
         fmt::print(stderr, "soak: {}\n", error.what());
         return 1;
     }
-    int status = 0;
-    for (const std::string& what : found)
-        if (!what.empty()) {
-            fmt::print(stderr, "soak: {}\n", what);
-            status = 1;
-        }
     if (status == 0)
         fmt::print("soak: {} scenes, {} steps each: {} hashes of the chip's state are the host's\n",
                    count, steps, count * ((steps - 1) / between_pushes + 1));
