@@ -5,6 +5,12 @@
 // e = (n . n - 1) / 2, the unit vector is n (1 + 2 e)^(-1/2), by its series up to e^2. Where e is
 // large, a few such steps one after the other converge. The distance is length (1 + e - e^2 / 2),
 // or d . n.
+//
+// Proven for Q16.16 (engine/distance_proof_test), of a distance D and a length L from 4 ulp to 98%
+// of the range, where (D / L)^2 is within that, too: near a length below 2 m a component of the
+// direction is off by at most 8.5 ulp and the excess by 3 L + 1/2, else by 10.75 ulp and by
+// 3.25 D + N / 2. Where each product of a sum is rounded (Saturating), these are 9, 3.5 L + 1/2,
+// 11.25 and 5 D + N / 2.
 #pragma once
 
 #include <engine/choice.hpp>

@@ -17,5 +17,6 @@ for ((seed = first; SECONDS < seconds; ++seed)); do
         echo "random_worlds.sh: failed; again: RC_PARAMS=seed=$seed $program '--gtest_filter=*RandomWorlds*'" >&2
         exit 1
     fi
+    echo "random_worlds.sh: seed $seed passed, $((SECONDS < seconds ? seconds - SECONDS : 0)) s left"
 done
-echo "$((seed - first)) seeds from $first on, $SECONDS s"
+echo "random_worlds.sh: passed, $((seed - first)) seeds from $first on, $SECONDS s"
