@@ -66,7 +66,8 @@ ROOMS = [
     kernels(f"{FIXED}/avr/*_q16_16.S {FIXED}/avr/*_q16_16.inc !*/add_scaled_q16_16.S"
             " !*/dot_difference_q16_16.S !*/short_factor_q16_16.inc", 8, "q16_16",
             Check("kernels_test", "*/q16_16_auxiliary", "q16_16_auxiliary"),
-            Check("kernels_test", "PowerOfTwo.*", "q16_16_powers")),
+            Check("kernels_test", "PowerOfTwo.*", "q16_16_powers"),
+            Check("kernels_test", "*/correctly_rounded_powers", "correctly_rounded_powers")),
     room("kernels", f"{FIXED}/avr/add_scaled_q16_16.S {FIXED}/avr/dot_difference_q16_16.S"
          f" {FIXED}/avr/short_factor_q16_16.inc {FIXED}/avr/add_whole_product.S"
          f" {FIXED}/avr/transform_32.S {FIXED}/avr/product_sum_32.inc", 3,

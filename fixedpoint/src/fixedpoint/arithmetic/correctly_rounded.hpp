@@ -20,7 +20,6 @@ struct CorrectlyRounded : Nearest {
         return portable::correctly_rounded<Raw, F, portable::Side>(                   \
             kernel::name<int64_t, 32>(portable::convert<int64_t, 32, Raw, F>(a)), a); \
     }
-    FIXEDPOINT_CORRECTLY_ROUNDED(reciprocal_sqrt, ReciprocalRootSide)
     FIXEDPOINT_CORRECTLY_ROUNDED(sin, SineSide)
     FIXEDPOINT_CORRECTLY_ROUNDED(cos, CosineSide)
     FIXEDPOINT_CORRECTLY_ROUNDED(atan, ArcTangentSide)
@@ -50,6 +49,10 @@ struct CorrectlyRounded : Nearest {
     FIXEDPOINT_CORRECTLY_ROUNDED(cbrt, Cbrt, CubeRootSide)
     FIXEDPOINT_CORRECTLY_ROUNDED(pow, Pow, WideSide<portable::Pow>)
 #undef FIXEDPOINT_CORRECTLY_ROUNDED
+    template <class Raw, int F>
+    static constexpr Raw reciprocal_sqrt(Raw a) {
+        return kernel::nearest_reciprocal_sqrt<Raw, F>(a);
+    }
     /// \endcond
     /// The angle of (x, y) in (-pi, pi]; 0 where both are 0.
     template <class Raw, int F>

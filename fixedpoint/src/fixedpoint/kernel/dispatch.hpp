@@ -53,6 +53,7 @@ FIXEDPOINT_OPERATION(UNARY, sqrt)
 FIXEDPOINT_OPERATION(UNARY, sqrt_small)
 FIXEDPOINT_OPERATION(UNARY, reciprocal_sqrt)
 FIXEDPOINT_OPERATION(UNARY, reciprocal_sqrt_small)
+FIXEDPOINT_OPERATION(UNARY, nearest_reciprocal_sqrt)
 FIXEDPOINT_OPERATION(UNARY, sin)
 FIXEDPOINT_OPERATION(UNARY, sin_small)
 FIXEDPOINT_OPERATION(UNARY, cos)
@@ -231,6 +232,7 @@ FIXEDPOINT_PORTABLE(exp2_unsaturated)
 FIXEDPOINT_PORTABLE(sinh_unsaturated)
 FIXEDPOINT_PORTABLE(cosh_unsaturated)
 FIXEDPOINT_PORTABLE(log_fine)
+FIXEDPOINT_PORTABLE(nearest_reciprocal_sqrt)
 #undef FIXEDPOINT_PORTABLE
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw sine_of_phase(Raw phase) {

@@ -157,6 +157,7 @@
     KERNEL(UNARY, reciprocal_sqrt, int64_t, 32, fixedpoint_reciprocal_sqrt_q32_32, reciprocal_sqrt) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, UNARY, reciprocal_sqrt) \
     KERNEL(UNARY, reciprocal_sqrt_small, int32_t, 16, fixedpoint_reciprocal_sqrt_q16_16_small, reciprocal_sqrt_small) \
+    KERNEL(UNARY, nearest_reciprocal_sqrt, int32_t, 16, fixedpoint_reciprocal_sqrt_q16_16_correctly_rounded, nearest_reciprocal_sqrt) \
     KERNEL(UNARY, sine_of_phase, int16_t, 8, fixedpoint_sine_of_phase_q8_8, sine_of_phase) \
     FIXEDPOINT_COARSE_SPLITS_16(FIXEDPOINT_KERNEL_OF_SPLIT_16, KERNEL, UNARY, sine_of_phase) \
     KERNEL(UNARY, sine_of_phase, int32_t, 16, fixedpoint_sine_of_phase_q16_16, sine_of_phase) \
