@@ -12,6 +12,7 @@
 #include <fixedpoint/portable/add_scaled.hpp>
 #include <fixedpoint/portable/atan.hpp>
 #include <fixedpoint/portable/atan2.hpp>
+#include <fixedpoint/portable/certain.hpp>
 #include <fixedpoint/portable/convert.hpp>
 #include <fixedpoint/portable/divide.hpp>
 #include <fixedpoint/portable/divide_small.hpp>
@@ -75,6 +76,13 @@ FIXEDPOINT_OPERATION(UNARY, exp_small)
 FIXEDPOINT_OPERATION(UNARY, log)
 FIXEDPOINT_OPERATION(UNARY, log_fine)
 FIXEDPOINT_OPERATION(UNARY, log_small)
+FIXEDPOINT_OPERATION(UNARY, certain_sin)
+FIXEDPOINT_OPERATION(UNARY, certain_cos)
+FIXEDPOINT_OPERATION(UNARY, certain_atan)
+FIXEDPOINT_OPERATION(UNARY, certain_exp)
+FIXEDPOINT_OPERATION(UNARY, certain_log)
+FIXEDPOINT_OPERATION(PAIR, certain_sincos)
+FIXEDPOINT_OPERATION(BINARY, certain_atan2)
 FIXEDPOINT_OPERATION(VECTORS, dot2)
 FIXEDPOINT_OPERATION(VECTORS, dot3)
 FIXEDPOINT_OPERATION(TRANSFORM, transform)
@@ -233,7 +241,20 @@ FIXEDPOINT_PORTABLE(sinh_unsaturated)
 FIXEDPOINT_PORTABLE(cosh_unsaturated)
 FIXEDPOINT_PORTABLE(log_fine)
 FIXEDPOINT_PORTABLE(nearest_reciprocal_sqrt)
+FIXEDPOINT_PORTABLE(certain_sin)
+FIXEDPOINT_PORTABLE(certain_cos)
+FIXEDPOINT_PORTABLE(certain_atan)
+FIXEDPOINT_PORTABLE(certain_exp)
+FIXEDPOINT_PORTABLE(certain_log)
 #undef FIXEDPOINT_PORTABLE
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR void certain_sincos(Raw angle, Raw* sine_and_cosine) {
+    portable::certain_sincos<Raw, F>(angle, sine_and_cosine);
+}
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw certain_atan2(Raw y, Raw x) {
+    return portable::certain_atan2<Raw, F>(y, x);
+}
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw sine_of_phase(Raw phase) {
     return portable::sine_of_phase<Raw, F>(phase);

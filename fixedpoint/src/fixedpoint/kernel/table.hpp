@@ -214,6 +214,13 @@
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, UNARY, log) \
     KERNEL(UNARY, log_fine, int64_t, 32, fixedpoint_log_q32_32_fine, log_fine) \
     KERNEL(UNARY, log_small, int32_t, 16, fixedpoint_log_q16_16_small, log_small) \
+    KERNEL(UNARY, certain_sin, int32_t, 16, fixedpoint_certain_sin_q16_16, certain_sin) \
+    KERNEL(UNARY, certain_cos, int32_t, 16, fixedpoint_certain_cos_q16_16, certain_cos) \
+    KERNEL(UNARY, certain_atan, int32_t, 16, fixedpoint_certain_atan_q16_16, certain_atan) \
+    KERNEL(UNARY, certain_exp, int32_t, 16, fixedpoint_certain_exp_q16_16, certain_exp) \
+    KERNEL(UNARY, certain_log, int32_t, 16, fixedpoint_certain_log_q16_16, certain_log) \
+    KERNEL(PAIR, certain_sincos, int32_t, 16, fixedpoint_certain_sincos_q16_16, certain_sincos) \
+    KERNEL(BINARY, certain_atan2, int32_t, 16, fixedpoint_certain_atan2_q16_16, certain_atan2) \
     KERNEL(VECTORS, dot2, int8_t, 4, fixedpoint_dot2_q4_4, dot2) \
     KERNEL(VECTORS, dot2, int16_t, 8, fixedpoint_dot2_q8_8, dot2) \
     KERNEL(VECTORS, dot2, int32_t, 16, fixedpoint_dot2_q16_16, dot2) \
