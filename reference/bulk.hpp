@@ -131,8 +131,11 @@ Judgement judge_function(Number x, std::int64_t result) {
         if (x >= Number(format.max()) + Number(0.5)) return pinned(format.max(), result);
         if (x < Number(format.min()) - Number(0.5)) return pinned(format.min(), result);
     }
+    const bool as_defined = held_to.rounding == Rounding::nearest_upward
+                                ? error > Number(-0.5) && error <= Number(0.5)
+                                : std::abs(double(error)) <= held_to.bound_ulp;
     return {.error_ulp = double(error),
-            .as_defined = std::abs(double(error)) <= held_to.bound_ulp,
+            .as_defined = as_defined,
             .underflow = vanishes(subject.operation) && x < Number(0.5) && x > Number(-0.5)};
 }
 
@@ -192,6 +195,8 @@ Judgement judge_length(std::span<const std::int64_t> v, std::int64_t result) {
 template <Subject subject>
 Judgement judge_unit_vector(std::span<const std::int64_t> v,
                             std::span<const std::int64_t> results) {
+    static_assert(definition(subject).rounding != Rounding::nearest_upward,
+                  "Double does not tell on which side of a tie a component lies.");
     constexpr NumberFormat format = subject.format;
     using Number = Float<format.width>;
     Number square = 0;
@@ -340,7 +345,14 @@ Judgement judge(std::span<const std::int64_t> operands, std::span<const std::int
         Real exact = function(operation, x);
         if (published && operation == Operation::atan2 && exact < 0)
             exact += 2 * functions::atan2(Real(0), Real(-1));
-        return judge_function<subject>(exact * one, result);
+        const Judgement judgement = judge_function<subject>(exact * one, result);
+        if constexpr (definition(subject).rounding == Rounding::nearest_upward &&
+                      !std::is_same_v<Real, Binary128>) {
+            // So close to a tie, double does not tell on which side of it the value lies.
+            if (std::abs(std::abs(judgement.error_ulp) - 0.5) < std::ldexp(1.0, -14))
+                return judge<subject, Binary128>(operands, results);
+        }
+        return judgement;
     }
 }
 

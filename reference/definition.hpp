@@ -45,10 +45,12 @@ constexpr Definition definition(Operation operation, Arithmetic arithmetic) {
     };
     switch (arithmetic) {
         case Arithmetic::nearest:
-        case Arithmetic::saturating: {
-            const bool wrapping = ring && arithmetic == Arithmetic::nearest;
+        case Arithmetic::saturating:
+        case Arithmetic::correctly_rounded: {
+            const bool wrapping = ring && arithmetic != Arithmetic::saturating;
             const Overflow overflow = wrapping ? Overflow::wraps : Overflow::clamps;
-            if (function) return {Rounding::within_bound, overflow, bound};
+            if (function && arithmetic != Arithmetic::correctly_rounded)
+                return {Rounding::within_bound, overflow, bound};
             return rounded(Rounding::nearest_upward, overflow);
         }
         case Arithmetic::published:

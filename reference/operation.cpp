@@ -63,6 +63,7 @@ Arithmetic arithmetic_of(const NumberFormat& format, std::string_view implementa
     }
     if (implementation.starts_with("published")) return Arithmetic::published;
     if (implementation.starts_with("saturating")) return Arithmetic::saturating;
+    if (implementation.starts_with("correctly_rounded")) return Arithmetic::correctly_rounded;
     return Arithmetic::nearest;
 }
 

@@ -108,9 +108,10 @@ enum class Arithmetic {
     nearest,     // the default: nearest, ties upward; ring operations wrap, everything else clamps
     published,   // the report's: truncation toward zero, the low W bits are kept
     saturating,  // nearest, and every operation clamps
-    integer,     // C's integers: toward zero, wrapping; what C leaves undefined is not judged
-    ieee,        // IEEE 754: nearest, ties to even, overflow to infinity
-    accum,       // GCC's _Accum: the error is measured, overflow is undefined and not judged
+    correctly_rounded,  // nearest, and functions round as the other operations do
+    integer,  // C's integers: toward zero, wrapping; what C leaves undefined is not judged
+    ieee,     // IEEE 754: nearest, ties to even, overflow to infinity
+    accum,    // GCC's _Accum: the error is measured, overflow is undefined and not judged
 };
 
 struct Subject {
@@ -123,8 +124,9 @@ struct Subject {
 };
 
 // The definitions that an implementation in a format claims: float is IEEE 754, the _Accum formats
-// GCC's, an integer C's; in fixed-point formats `published` and `saturating` (also as a prefix:
-// "saturating_small") name their own and every other implementation claims the default's.
+// GCC's, an integer C's; in fixed-point formats `published`, `saturating` and `correctly_rounded`
+// (also as a prefix: "saturating_small") name their own and every other implementation claims the
+// default's.
 Arithmetic arithmetic_of(const NumberFormat& format, std::string_view implementation);
 
 // A subject and the implementation's name from a symbol <operation>_<format>_<implementation>, such

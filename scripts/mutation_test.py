@@ -67,7 +67,8 @@ ROOMS = [
             " !*/dot_difference_q16_16.S !*/short_factor_q16_16.inc", 8, "q16_16",
             Check("kernels_test", "*/q16_16_auxiliary", "q16_16_auxiliary"),
             Check("kernels_test", "*/q16_16_angles", "q16_16_angles"),
-            Check("kernels_test", "*/q16_16_powers:PowerOfTwo.*", "q16_16_powers")),
+            Check("kernels_test", "*/q16_16_powers:PowerOfTwo.*", "q16_16_powers"),
+            Check("kernels_test", "*/correctly_rounded_powers", "correctly_rounded_powers")),
     room("kernels", f"{FIXED}/avr/add_scaled_q16_16.S {FIXED}/avr/dot_difference_q16_16.S"
          f" {FIXED}/avr/short_factor_q16_16.inc {FIXED}/avr/add_whole_product.S"
          f" {FIXED}/avr/transform_32.S {FIXED}/avr/product_sum_32.inc", 3,
@@ -98,7 +99,8 @@ ROOMS = [
     room("arithmetic", f"{FIXED}/arithmetic/*.hpp !*/published.hpp !*/small.hpp !*/checked.hpp"
          " !*/rounded.hpp !*/correctly_rounded.hpp", 2, "fixed_test", "small_operations_test"),
     room("arithmetic", f"{FIXED}/arithmetic/rounded.hpp", 1, "small_operations_test"),
-    room("arithmetic", f"{FIXED}/arithmetic/correctly_rounded.hpp {FIXED}/portable/correct_rounding.hpp",
+    room("arithmetic", f"{FIXED}/arithmetic/correctly_rounded.hpp {FIXED}/portable/correct_rounding.hpp"
+         f" {FIXED}/portable/certain.hpp",
          2, "correctly_rounded_test"),
     room("arithmetic", f"{FIXED}/arithmetic/checked.hpp", 2, "checked_test"),
     room("arithmetic", f"{FIXED}/arithmetic/published.hpp {FIXED}/published/*.hpp !*_table.hpp", 2,

@@ -71,7 +71,7 @@ def together(subjects):
         own = [name for name in subjects
                if SUBJECT.match(name).groups()[1:] == (number_format, implementation)]
         # Not where the rest of them is in another program.
-        if not own[0].startswith(("abs_diff_", "acos_")):
+        if not own[0].startswith(("abs_diff_", "acos_")) and implementation != "correctly_rounded":
             programs[f"own_{number_format}_{implementation}"] = own
         chosen = [f"{operation}_{number_format}_{implementation}" for operation in TOGETHER]
         if implementation != "published":

@@ -181,8 +181,11 @@ void compare_arithmetics(int rounds) {
                 Operation::atan, Operation::atan2>(rounds);
     compare_all<format, Arithmetic::saturating, add, subtract, multiply, negate, Operation::abs,
                 multiply_add, divide>(rounds);
-    if constexpr (format.width <= 32)
+    if constexpr (format.width <= 32) {
         compare_all<format, Arithmetic::nearest, Operation::exp>(rounds);
+        compare_all<format, Arithmetic::correctly_rounded, Operation::exp, Operation::log,
+                    Operation::sin, sincos, Operation::atan2, reciprocal_sqrt>(rounds);
+    }
 }
 
 TEST(Bulk, AgreesInQ4_4) { compare_arithmetics<q4_4>(1000); }
@@ -193,6 +196,16 @@ TEST(Bulk, AgreesInQ1_15) { compare_arithmetics<fixed_format(1, 15)>(1000); }
 TEST(Bulk, AgreesInQ8_24) { compare_arithmetics<fixed_format(8, 24)>(1000); }
 TEST(Bulk, AgreesInQ1_31) { compare_arithmetics<fixed_format(1, 31)>(1000); }
 TEST(Bulk, AgreesInQ16_0) { compare_arithmetics<fixed_format(16, 0)>(1000); }
+
+// The exact value lies 2^-28 ulp below a tie, on which it lies in double.
+TEST(Bulk, TellsTheSideOfATie) {
+    constexpr Subject subject{Operation::sin, fixed_format(1, 31), Arithmetic::correctly_rounded};
+    const std::int64_t angle = -1422477815;
+    const auto below = static_cast<std::int64_t>(
+        std::floor(std::ldexp(std::sin(std::ldexp(double(angle), -31)), 31)));
+    EXPECT_TRUE(bulk::judge<subject>(std::span(&angle, 1), below).as_defined);
+    EXPECT_FALSE(bulk::judge<subject>(std::span(&angle, 1), below + 1).as_defined);
+}
 
 TEST(Bulk, AgreesOnIntegers) {
     using enum Operation;

@@ -81,6 +81,8 @@ TEST(Symbol, NamesTheSubject) {
     const NamedSubject root = parse_symbol("reciprocal_sqrt_q8_8_saturating_small");
     EXPECT_EQ(root.subject, (Subject{Operation::reciprocal_sqrt, q8_8, Arithmetic::saturating}));
     EXPECT_EQ(root.implementation, "saturating_small");
+    EXPECT_EQ(parse_symbol("log_q16_16_correctly_rounded").subject.arithmetic,
+              Arithmetic::correctly_rounded);
     EXPECT_EQ(parse_symbol("multiply_add_int16_native").subject,
               (Subject{Operation::multiply_add, parse_format("int16"), Arithmetic::integer}));
     EXPECT_EQ(parse_symbol("atan2_float_libc").subject,

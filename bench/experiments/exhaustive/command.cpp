@@ -22,9 +22,13 @@ int held(std::uint64_t violations) {
     return fixbench::check_failed;
 }
 
-std::filesystem::path program_of(const char* format) {
-    return std::filesystem::path(FIXBENCH_DEVICE_FOLDER) / (std::string(format) + ".elf");
+std::filesystem::path program_of(const char* name) {
+    return std::filesystem::path(FIXBENCH_DEVICE_FOLDER) / (std::string(name) + ".elf");
 }
+
+// The programs of a full run.
+constexpr const char* exhausted[] = {
+    "q4_4", "q8_8", "q16_16", "q32_32", "correctly_rounded_angles", "correctly_rounded_powers"};
 
 const fixbench::Registration exhaustive({
     .name = "exhaustive",
@@ -97,8 +101,8 @@ const fixbench::Registration exhaustive({
           .arguments =
               [](const fixbench::Mode& mode) {
                   std::vector<std::string> arguments = {"exhaustive", "--output", mode.data};
-                  for (const char* format : {"q4_4", "q8_8", "q16_16", "q32_32"})
-                      arguments.insert(arguments.end(), {"--program", program_of(format).string()});
+                  for (const char* name : exhausted)
+                      arguments.insert(arguments.end(), {"--program", program_of(name).string()});
                   if (mode.quick)
                       arguments.insert(arguments.end(), {"--search-operands", "1000000"});
                   return arguments;

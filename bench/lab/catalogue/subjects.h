@@ -57,6 +57,12 @@
             OPERATION_sin(X, __VA_ARGS__) OPERATION_cos(X, __VA_ARGS__)                            \
                 OPERATION_sincos(X, __VA_ARGS__) OPERATION_exp(X, __VA_ARGS__)                     \
                     OPERATION_log(X, __VA_ARGS__)
+#define CORRECTLY_ROUNDED_ANGLES(X, ...)                                                         \
+    OPERATION_atan(X, __VA_ARGS__) OPERATION_atan2(X, __VA_ARGS__) OPERATION_sin(X, __VA_ARGS__) \
+        OPERATION_cos(X, __VA_ARGS__) OPERATION_sincos(X, __VA_ARGS__)
+#define CORRECTLY_ROUNDED_POWERS(X, ...)                                    \
+    OPERATION_reciprocal_sqrt(X, __VA_ARGS__) OPERATION_exp(X, __VA_ARGS__) \
+        OPERATION_log(X, __VA_ARGS__)
 
 /* X(implementation, policy, provenance, on the host, formats, operations, label)
  *
@@ -85,6 +91,10 @@
     X(widening, Widening, ours, as_default, FORMAT_q16_16, OPERATION_divide, "ours, widening")
 #define IMPLEMENTATION_small(X) \
     X(small, Small, ours, own, FORMAT_q16_16, SMALL_OPERATIONS, "ours, small tables")
+#define IMPLEMENTATION_correctly_rounded_angles(X) \
+    X(correctly_rounded, CorrectlyRounded, ours, own, FORMAT_q16_16, CORRECTLY_ROUNDED_ANGLES, "ours, correctly rounded")
+#define IMPLEMENTATION_correctly_rounded_powers(X) \
+    X(correctly_rounded, CorrectlyRounded, ours, own, FORMAT_q16_16, CORRECTLY_ROUNDED_POWERS, "ours, correctly rounded")
 #define IMPLEMENTATION_libc(X) \
     X(libc, Libc, rival, none, SINGLE, MEASURED_OPERATIONS, "avr-libc float")
 #define IMPLEMENTATION_libc_elementary(X) \
@@ -101,8 +111,9 @@
     IMPLEMENTATION_default(X) IMPLEMENTATION_angles(X) IMPLEMENTATION_powers(X)             \
         IMPLEMENTATION_auxiliary(X) IMPLEMENTATION_portable(X) IMPLEMENTATION_published(X)  \
             IMPLEMENTATION_saturating(X) IMPLEMENTATION_widening(X) IMPLEMENTATION_small(X) \
-                IMPLEMENTATION_libc(X) IMPLEMENTATION_libc_elementary(X)                    \
-                    IMPLEMENTATION_libc_auxiliary(X) IMPLEMENTATION_accum(X)                \
-                        IMPLEMENTATION_native(X)
+                IMPLEMENTATION_correctly_rounded_angles(X)                                  \
+                    IMPLEMENTATION_correctly_rounded_powers(X) IMPLEMENTATION_libc(X)       \
+                        IMPLEMENTATION_libc_elementary(X) IMPLEMENTATION_libc_auxiliary(X)  \
+                            IMPLEMENTATION_accum(X) IMPLEMENTATION_native(X)
 
 #endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The host subjects of one format of the library, LIBRARY_FORMAT, out of the catalogue's rows. A
 // translation unit each: a format takes ten seconds to compile.
+#include <fixedpoint/arithmetic/correctly_rounded.hpp>
 #include <fixedpoint/arithmetic/nearest.hpp>
 #include <fixedpoint/arithmetic/published.hpp>
 #include <fixedpoint/arithmetic/saturating.hpp>
@@ -15,6 +16,7 @@ namespace operations {
 namespace {
 
 using catalogue::Functions;
+using fixedpoint::CorrectlyRounded;
 using fixedpoint::Nearest;
 using fixedpoint::Published;
 using fixedpoint::Saturating;
@@ -31,9 +33,10 @@ void add(std::vector<HostSubject>& subjects, const char* implementation, bool sa
     if constexpr (std::is_same_v<Raw, ThisRaw> && F == this_fraction) {
         constexpr reference::NumberFormat format{reference::FormatKind::fixed, 8 * sizeof(Raw), F};
         constexpr auto arithmetic =
-            std::is_same_v<Policy, Published>    ? reference::Arithmetic::published
-            : std::is_same_v<Policy, Saturating> ? reference::Arithmetic::saturating
-                                                 : reference::Arithmetic::nearest;
+            std::is_same_v<Policy, Published>          ? reference::Arithmetic::published
+            : std::is_same_v<Policy, Saturating>       ? reference::Arithmetic::saturating
+            : std::is_same_v<Policy, CorrectlyRounded> ? reference::Arithmetic::correctly_rounded
+                                                       : reference::Arithmetic::nearest;
         constexpr reference::Subject subject{operation, format, arithmetic};
         subjects.push_back({subject, implementation, same_as_default,
                             evaluate<operation, Policy, Raw, F>, judge_all<subject>,

@@ -38,7 +38,7 @@ std::uint64_t differences(const std::string& program, std::uint64_t samples) {
     VerifyOptions options;
     options.programs = {folder() + "/" + program + ".elf"};
     options.output = testing::TempDir() + "kernels_test." + program;
-    options.selection.implementations = {"default", "small", "saturating"};
+    options.selection.implementations = {"default", "small", "saturating", "correctly_rounded"};
     options.samples = samples;
     return verify_kernels(options);
 }
@@ -300,11 +300,12 @@ constexpr auto program_name = [](const auto& program) { return program.param; };
 INSTANTIATE_TEST_SUITE_P(Programs, Kernels,
                          testing::Values("q4_4", "q8_8", "q16_16", "q8_24", "q32_32",
                                          "q16_16_auxiliary", "q16_16_angles", "q16_16_powers",
-                                         "q32_32_auxiliary"),
+                                         "q32_32_auxiliary", "correctly_rounded_powers"),
                          program_name);
 INSTANTIATE_TEST_SUITE_P(Programs, Compiled,
                          testing::Values("q4_4_auxiliary", "q8_8_auxiliary", "q8_24_auxiliary",
-                                         "q32_32_angles", "q32_32_powers"),
+                                         "q32_32_angles", "q32_32_powers",
+                                         "correctly_rounded_angles"),
                          program_name);
 
 }  // namespace

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 /// \file
 /// CorrectlyRounded: as Nearest, but functions too return the exact result rounded to nearest, half
-/// up, so that a result does not depend on the algorithm that made it. They compute in Q32.32, and
-/// further where that lies on a tie. Only for formats whose numbers all are numbers of Q16.16, such
-/// as Q4.4 and Q8.8. Functions of turns and degrees and integer powers are Nearest's.
+/// up, so that a result does not depend on the algorithm that made it. In Q16.16 they compute with
+/// cores of 32 bits, where those leave a doubt in Q32.32, and further where that lies on a tie.
+/// Only for formats whose numbers all are numbers of Q16.16, such as Q4.4 and Q8.8. Functions of
+/// turns and degrees and integer powers are Nearest's.
 #pragma once
 
 #include <fixedpoint/arithmetic/nearest.hpp>
@@ -14,13 +15,19 @@ namespace fixedpoint {
 /// As Nearest, with functions whose error is 0.5 ulp at most.
 struct CorrectlyRounded : Nearest {
     /// \cond internal
-#define FIXEDPOINT_CORRECTLY_ROUNDED(name, Side)                                      \
-    template <class Raw, int F>                                                       \
-    static constexpr Raw name(Raw a) {                                                \
-        return portable::correctly_rounded<Raw, F, portable::Side>(                   \
-            kernel::name<int64_t, 32>(portable::convert<int64_t, 32, Raw, F>(a)), a); \
+    // What a core of 32 bits leaves in doubt is out of line, so that nothing is saved for it on the
+    // way that is nearly always taken.
+#define FIXEDPOINT_CORRECTLY_ROUNDED(name, Side)                                       \
+    template <class Raw, int F>                                                        \
+    static FIXEDPOINT_CONSTEXPR __attribute__((noinline)) Raw doubtful_##name(Raw a) { \
+        return portable::correctly_rounded<Raw, F, portable::Side>(                    \
+            kernel::name<int64_t, 32>(portable::convert<int64_t, 32, Raw, F>(a)), a);  \
+    }                                                                                  \
+    template <class Raw, int F>                                                        \
+    static FIXEDPOINT_CONSTEXPR Raw name(Raw a) {                                      \
+        const Raw certain = kernel::certain_##name<Raw, F>(a);                         \
+        return certain != RawLimits<Raw>::min ? certain : doubtful_##name<Raw, F>(a);  \
     }
-    FIXEDPOINT_CORRECTLY_ROUNDED(reciprocal_sqrt, ReciprocalRootSide)
     FIXEDPOINT_CORRECTLY_ROUNDED(sin, SineSide)
     FIXEDPOINT_CORRECTLY_ROUNDED(cos, CosineSide)
     FIXEDPOINT_CORRECTLY_ROUNDED(atan, ArcTangentSide)
@@ -50,24 +57,32 @@ struct CorrectlyRounded : Nearest {
     FIXEDPOINT_CORRECTLY_ROUNDED(cbrt, Cbrt, CubeRootSide)
     FIXEDPOINT_CORRECTLY_ROUNDED(pow, Pow, WideSide<portable::Pow>)
 #undef FIXEDPOINT_CORRECTLY_ROUNDED
-    /// \endcond
-    /// The angle of (x, y) in (-pi, pi]; 0 where both are 0.
     template <class Raw, int F>
-    static constexpr Raw atan2(Raw y, Raw x) {
+    static constexpr Raw reciprocal_sqrt(Raw a) {
+        return kernel::nearest_reciprocal_sqrt<Raw, F>(a);
+    }
+    template <class Raw, int F>
+    static FIXEDPOINT_CONSTEXPR __attribute__((noinline)) Raw doubtful_atan2(Raw y, Raw x) {
         return portable::correctly_rounded<Raw, F, portable::AngleSide>(
             kernel::atan2<int64_t, 32>(portable::convert<int64_t, 32, Raw, F>(y),
                                        portable::convert<int64_t, 32, Raw, F>(x)),
             y, x);
     }
+    /// \endcond
+    /// The angle of (x, y) in (-pi, pi]; 0 where both are 0.
+    template <class Raw, int F>
+    static FIXEDPOINT_CONSTEXPR Raw atan2(Raw y, Raw x) {
+        const Raw certain = kernel::certain_atan2<Raw, F>(y, x);
+        return certain != RawLimits<Raw>::min ? certain : doubtful_atan2<Raw, F>(y, x);
+    }
     /// The sine and the cosine of an angle in radians.
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR void sincos(Raw angle, Raw* sine_and_cosine) {
-        int64_t wide[2] = {};
-        kernel::sincos<int64_t, 32>(portable::convert<int64_t, 32, Raw, F>(angle), wide);
-        sine_and_cosine[0] =
-            portable::correctly_rounded<Raw, F, portable::SineSide>(wide[0], angle);
-        sine_and_cosine[1] =
-            portable::correctly_rounded<Raw, F, portable::CosineSide>(wide[1], angle);
+        kernel::certain_sincos<Raw, F>(angle, sine_and_cosine);
+        if (sine_and_cosine[0] == RawLimits<Raw>::min)
+            sine_and_cosine[0] = doubtful_sin<Raw, F>(angle);
+        if (sine_and_cosine[1] == RawLimits<Raw>::min)
+            sine_and_cosine[1] = doubtful_cos<Raw, F>(angle);
     }
     /// The length of a vector of two components, saturated.
     template <class Raw, int F>

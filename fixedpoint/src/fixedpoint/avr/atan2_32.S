@@ -5,6 +5,11 @@
 // within 0.55 ulp up to F = 28 and 0.75 ulp beyond, saturated where the format cannot hold it;
 // atan2(0, 0) = 0.
 //
+// int32_t fixedpoint_certain_atan2_q16_16(int32_t y, int32_t x)
+// int32_t fixedpoint_certain_atan_q16_16(int32_t a)
+// The same of Q16.16 within 0.5 ulp, or the smallest number where that close to a tie the core leaves a
+// doubt.
+//
 // In       y = r25:r22, x = r21:r18; a = r25:r22
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
@@ -233,11 +238,11 @@
     add_constant 23, (\value + (1 << (38 - \fraction)))
     sbci r22, constant & 0xff
     .else
-    add_constant 22, (\value + (1 << (30 - \fraction)))
+    add_constant 22, (\value + (1 << (30 - \fraction)) - DOUBT * (\fraction == 16))   // true is -1
     .endif
     .endm
 
-    .macro kernels integer, fraction
+    .macro kernels integer, fraction, certain=
     .if \fraction > 24
     .set half_pi, 863554413089
     .set pi, 1727108826179
@@ -247,7 +252,7 @@
     .set pi, 6746518852
     .set cut, 1
     .endif
-    SECTION fixedpoint_atan2_q\integer\()_\fraction
+    SECTION fixedpoint_\certain\()atan2_q\integer\()_\fraction
 .Lequal_\fraction:
     mov r0, n0
     or r0, n1
@@ -263,7 +268,7 @@
     rjmp .Llook_up_\fraction
 1:  ret
 
-    ENTRY fixedpoint_atan_q\integer\()_\fraction
+    ENTRY fixedpoint_\certain\()atan_q\integer\()_\fraction
     ldi r30, 0
     .if \fraction == 32
     // 1 lies beyond four bytes, and the numbers are their own ratios to it.
@@ -285,9 +290,9 @@
     ldi r21, ((1 << \fraction) >> 24) & 0xff
     rjmp .Lright_\fraction
     .endif
-    ENDFUNC fixedpoint_atan_q\integer\()_\fraction
+    ENDFUNC fixedpoint_\certain\()atan_q\integer\()_\fraction
 
-    ENTRY fixedpoint_atan2_q\integer\()_\fraction
+    ENTRY fixedpoint_\certain\()atan2_q\integer\()_\fraction
     ldi r30, 0
     tst d3
     brpl .Lright_\fraction
@@ -385,6 +390,9 @@
     brsh .Lsaturated_\fraction
     .endif
     .endif
+    .if \fraction == 16
+    leave_doubts
+    .endif
     .if \fraction < 31
     shift_signed (31 - \fraction)
     .endif
@@ -403,7 +411,7 @@
     XJMP fixedpoint_largest_32
 1:  XJMP fixedpoint_smallest_32
     .endif
-    ENDFUNC fixedpoint_atan2_q\integer\()_\fraction
+    ENDFUNC fixedpoint_\certain\()atan2_q\integer\()_\fraction
     .endm
 
     // The angle less than a constant that is added next: its one's complement is -1 less it.
@@ -419,5 +427,6 @@
     .endm
 
 #include "splits_32.inc"
+    kernels 16, 16, certain_
 
 #endif

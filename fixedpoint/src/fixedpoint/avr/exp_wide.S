@@ -4,7 +4,11 @@
 // functions that are made of powers. 0 where x 2^-40 is below -24; 2^32 - 1 and no fraction from 2^32
 // on, or already from 0.9 2^32 on. unit from 0 to 29.
 //
-// In       x = r25:r18, unit = r16
+// int32_t fixedpoint_certain_exp_q16_16(int32_t a)
+// e^a of Q16.16 within 0.5 ulp, saturated, or the smallest number where that close to a tie the error
+// leaves a doubt: it is below r25 + 1 units of 2^-8 ulp, and a unit is cut.
+//
+// In       x = r25:r18, unit = r16; a = r25:r22
 // Out      r25:r18, of which r20:r18 are 0
 // Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
 // Stack    4 bytes
@@ -121,4 +125,39 @@
     ldi r18, 0
     ret
     ENDFUNC fixedpoint_exp_wide
+
+    FUNCTION fixedpoint_certain_exp_q16_16
+    push r16
+    ldi r16, 16
+    ldi r18, 0
+    ldi r19, 0
+    ldi r20, 0
+    mov r21, r22
+    mov r22, r23
+    mov r23, r24
+    mov r24, r25
+    lsl r25
+    sbc r25, r25
+    XCALL fixedpoint_exp_wide
+    pop r16
+    tst r25
+    brmi 2f
+    mov r18, r25
+    subi r18, -2
+    mov r19, r21
+    subi r19, 128
+    brpl 1f
+    neg r19
+1:  cp r18, r19
+    brsh 3f
+    lsl r21
+    adc r22, r1
+    adc r23, r1
+    adc r24, r1
+    adc r25, r1
+    brmi 2f
+    ret
+2:  XJMP fixedpoint_largest_32
+3:  XJMP fixedpoint_smallest_32
+    ENDFUNC fixedpoint_certain_exp_q16_16
 #endif

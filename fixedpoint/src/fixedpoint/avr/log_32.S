@@ -3,6 +3,10 @@
 // ln a for every a > 0 of each split of 32 bits but Q16.16, whose own is smaller; within 0.55 ulp,
 // saturated where the format cannot hold it; the smallest number where a <= 0.
 //
+// int32_t fixedpoint_certain_log_q16_16(int32_t a)
+// ln a within 0.5 ulp; the smallest number where a <= 0, and where that close to a tie the core leaves a
+// doubt.
+//
 // In       a = r25:r22
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
@@ -36,8 +40,8 @@
     lpm factor, Z
     .endm
 
-    .macro kernels integer, fraction
-    SECTION fixedpoint_log_q\integer\()_\fraction
+    .macro kernels integer, fraction, name=log
+    SECTION fixedpoint_\name\()_q\integer\()_\fraction
 .Lone_byte_\fraction:
     cpi r22, 2
     brlo .Lzero_or_one_\fraction
@@ -117,7 +121,7 @@
     ldi r18, 0
     rjmp .Llook_up_\fraction
 
-    ENTRY fixedpoint_log_q\integer\()_\fraction
+    ENTRY fixedpoint_\name\()_q\integer\()_\fraction
     cpi r25, 2
     brlo .Lthree_bytes_\fraction
     sbrc r25, 7
@@ -190,14 +194,22 @@
     adc r25, r0
     lpm r26, Z
     adc r26, zero
-    add_constant 22, (1 << (30 - \fraction)) + 1 - (\fraction * 381061692393 >> 8)
+    .set constant_log, (1 << (30 - \fraction)) + 1 - (\fraction * 381061692393 >> 8)
+    .if \fraction == 16
+    add_constant 22, constant_log + DOUBT
     clr r1
+    leave_doubts
+    .else
+    add_constant 22, constant_log
+    clr r1
+    .endif
     .endif
     shift_signed (31 - \fraction)
     ret
-    ENDFUNC fixedpoint_log_q\integer\()_\fraction
+    ENDFUNC fixedpoint_\name\()_q\integer\()_\fraction
     .endm
 
 #include "splits_32.inc"
+    kernels 16, 16, certain_log
 
 #endif

@@ -4,6 +4,10 @@
 // 2^24 / sqrt(a), the reciprocal root of a 2^-16 in units of 2^-16, within 0.6441 ulp; 2^31 - 1
 // where a = 0; 0 where a < 0.
 //
+// int32_t fixedpoint_reciprocal_sqrt_q16_16_correctly_rounded(int32_t a);
+//
+// The same within 0.5 ulp, which is never a tie: 2^50 is no odd square times a.
+//
 // a and the result in r25:r24:r23:r22. Changes r18-r27, r30, r31, r0; r1 is zero at entry and
 // return.
 //
@@ -16,6 +20,11 @@
 // result is the mantissa shifted right by s bits; the tables are chosen for that. portable/
 // reciprocal_sqrt.hpp is bit for bit the same, so that its largest error over all inputs, 0.64405
 // ulp at a = 1037, is the kernel's.
+//
+// Correct rounding. Before the last rounding the mantissa is r 2^-8 ulp. It is -32.0 to 39.8 of these
+// from the exact value where a < 2^16, and -4.8 to 12.1 where it is more: the largest of all a. What
+// r says of the tie q + 1/2 holds unless it lies that close to it. There the exact value reaches the
+// tie where D = 2^50 - (2 q + 1)^2 a is above 0. Since |D| < 2^39, bit 39 of the product tells that.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -24,7 +33,31 @@
 
 #define zero r25
 
-    FUNCTION fixedpoint_reciprocal_sqrt_q16_16
+    // The sum of the columns from `low` on has a product of two bytes more.
+    .macro add_product x, y, low, high, carry1, carry2
+    mul \x, \y
+    add \low, r0
+    .ifnb \high
+    adc \high, r1
+    .endif
+    .ifnb \carry1
+    adc \carry1, zero
+    .endif
+    .ifnb \carry2
+    adc \carry2, zero
+    .endif
+    .endm
+
+    // r24:r22 = q, r18 = the byte below it: rounds unless it lies from -`below` to `above` of a tie.
+    .macro round_unless_close below, above
+    subi r18, 128 - \below
+    cpi r18, \below + \above
+    brlo 9f
+    cpi r18, 128 + \below
+    .endm
+
+    .macro kernel name, correctly
+    FUNCTION \name
     sbiw r24, 0
     brne 0f
     // 2^8 .. 2^16: r20 = 4^j normalises, r21 = 4 2^j shifts back by 6 - j bits, all but a byte.
@@ -34,7 +67,7 @@
     mov r30, r23
     mov r18, r22
     rjmp 3f
-0:  rjmp .Labove_one
+0:  rjmp .Labove_one\@
 1:  ldi r20, 4
     ldi r21, 8
     cpi r23, 16
@@ -47,13 +80,18 @@
     ldi r21, 32
     cpi r23, 1
     brsh 2f
-    rjmp .Lbyte
+    rjmp .Lbyte\@
 2:  mul r23, r20
     mov r30, r0
     mul r22, r20
     or r30, r1
     mov r18, r0
-3:  reciprocal_root
+3:
+    .ifnb \correctly
+    push r22
+    push r23
+    .endif
+    reciprocal_root
     mul r18, r21
     mov r18, r0
     mov r22, r1
@@ -63,14 +101,27 @@
     mul r20, r21
     or r23, r0
     mov r24, r1
+    .ifnb \correctly
+    round_unless_close 32, 40
+    .else
     lsl r18
+    .endif
     adc r22, zero
     adc r23, zero
     adc r24, zero
     clr r1
+    .ifnb \correctly
+    pop r0
+    pop r0
+    .endif
     ret
+    .ifnb \correctly
+9:  pop r19
+    pop r18
+    rjmp .Ltwo_bytes\@
+    .endif
 
-.Lbyte:
+.Lbyte\@:
     mov r30, r22
     ldi r31, hi8(fixedpoint_reciprocal_sqrt_table + 0x300)
     lpm r22, Z
@@ -92,12 +143,66 @@
     lsr r24
     ror r23
     ror r22
+    .ifnb \correctly
+    mov r18, r30
+    clr r19
+.Ltwo_bytes\@:
+    clr r20
+    clr r21
+    // r24:r22 = q, r21:r18 = a.
+.Lclose\@:
+    push r17
+    sec
+    rol r22
+    rol r23
+    rol r24
+    mul r18, r22
+    movw r26, r0
+    mul r20, r22
+    movw r30, r0
+    clr r17
+    add_product r19, r22, r27, r30, r31, r17
+    add_product r21, r22, r31, r17
+    add_product r18, r23, r27, r30, r31, r17
+    add_product r19, r23, r30, r31, r17
+    add_product r20, r23, r31, r17
+    add_product r21, r23, r17
+    add_product r18, r24, r30, r31, r17
+    add_product r19, r24, r31, r17
+    add_product r20, r24, r17
+    // r17:r31:r30:r27:r26 = (2 q + 1) a modulo 2^40; once more, of which r21 is the upper byte.
+    mul r26, r22
+    mov r18, r1
+    mul r30, r22
+    movw r20, r0
+    mov r19, r20
+    mov r20, r21
+    mul r17, r22
+    mov r21, r0
+    add_product r27, r22, r18, r19, r20, r21
+    add_product r31, r22, r20, r21
+    add_product r26, r23, r18, r19, r20, r21
+    add_product r27, r23, r19, r20, r21
+    add_product r30, r23, r20, r21
+    add_product r31, r23, r21
+    add_product r26, r24, r19, r20, r21
+    add_product r27, r24, r20, r21
+    add_product r30, r24, r21
+    lsr r24
+    ror r23
+    ror r22
+    lsl r21
+    .endif
     adc r22, zero
     adc r23, zero
     adc r24, zero
+    .ifnb \correctly
+    clr r1
+    pop r17
+    .endif
     ret
 
-.Lnegative:
+.Lnegative\@:
     mov r22, r1
     mov r23, r1
     movw r24, r22
@@ -105,8 +210,14 @@
 
     // r24:r23:r22 holds the three upper bytes, r20 = 4^j normalises; the mantissa is shifted right
     // by 7 + r26 bits.
-.Labove_one:
-    brmi .Lnegative
+.Labove_one\@:
+    brmi .Lnegative\@
+    .ifnb \correctly
+    push r22
+    push r23
+    push r24
+    push r25
+    .endif
     tst r25
     mov r26, r25
     breq 1f
@@ -151,13 +262,36 @@
 4:  lsl r18
     rol r19
     rol r20
-5:  lsl r18
+5:
+    .ifb \correctly
+    lsl r18
+    .endif
     mov r22, r19
     mov r23, r20
+    .ifnb \correctly
+    round_unless_close 5, 13
+    .endif
     adc r22, zero
     adc r23, zero
     adc r24, zero
     clr r1
+    .ifnb \correctly
+    pop r0
+    pop r0
+    pop r0
+    pop r0
+    .endif
     ret
-    ENDFUNC fixedpoint_reciprocal_sqrt_q16_16
+    .ifnb \correctly
+9:  pop r21
+    pop r20
+    pop r19
+    pop r18
+    rjmp .Lclose\@
+    .endif
+    ENDFUNC \name
+    .endm
+
+    kernel fixedpoint_reciprocal_sqrt_q16_16
+    kernel fixedpoint_reciprocal_sqrt_q16_16_correctly_rounded, correctly
 #endif

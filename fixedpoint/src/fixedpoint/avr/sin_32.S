@@ -10,6 +10,11 @@
 // int32_t fixedpoint_sine_of_quarter_turns_q<32 - F>_<F>(uint64_t turns)
 // The sine of turns / 2^40 quarter turns, of which 42 bits count; as above but for the reduction's error.
 //
+// int32_t fixedpoint_certain_sin_q16_16(int32_t angle), fixedpoint_certain_cos_q16_16
+// void fixedpoint_certain_sincos_q16_16(int32_t angle, int32_t* sine_and_cosine)
+// The same of Q16.16 within 0.5 ulp, or the smallest number where that close to a tie the core leaves a
+// doubt.
+//
 // In       angle = r25:r22; sine_and_cosine = r21:r20
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
@@ -18,7 +23,7 @@
 // The angle times 2/pi 2^(32 - F) is its quarter turns, of which 32 fraction bits count, from F = 25
 // on 40. Column by column: byte k of the product is the sum of all a_i m_j with i + j = k + 4. Of
 // the column below the lowest one only the upper bytes count, and 2 units make up for what is cut
-// there on average. Where F is below 17, the lowest bytes have no influence and are left zero. Odd
+// there on average. Where F is below 16, the lowest bytes have no influence and are left zero. Odd
 // quadrants run backwards (one's complement), quadrants 2 and 3 are negated.
 //
 // Error in units of 2^-31: up to F = 24 the core of 32 bits, -5.4 to 2.8, and the quarter turns 1.6,
@@ -77,7 +82,7 @@
     .set first_column_of_multiplier, -5
     .set multiplier, 0x517cc1b727220a94 >> (\fraction - 9)
     .else
-    .set first_column, -(\fraction < 17) - (\fraction < 9)    // true is -1
+    .set first_column, -(\fraction < 16) - (\fraction < 9)    // true is -1
     .set first_column_of_multiplier, -4
     .if \fraction == 0
     .set multiplier, 0xa2f9836e4e441529
@@ -119,14 +124,14 @@
 1:
     .endm
 
-    .macro kernels integer, fraction
-    SECTION fixedpoint_sin_q\integer\()_\fraction
-    ENTRY fixedpoint_cos_q\integer\()_\fraction
+    .macro kernels integer, fraction, certain=
+    SECTION fixedpoint_\certain\()sin_q\integer\()_\fraction
+    ENTRY fixedpoint_\certain\()cos_q\integer\()_\fraction
     ldi quadrant, 1
     rjmp .Lreduce_\fraction
-    ENDFUNC fixedpoint_cos_q\integer\()_\fraction
+    ENDFUNC fixedpoint_\certain\()cos_q\integer\()_\fraction
 
-    ENTRY fixedpoint_sin_q\integer\()_\fraction
+    ENTRY fixedpoint_\certain\()sin_q\integer\()_\fraction
     ldi quadrant, 0
 .Lreduce_\fraction:
     quarter_turns \fraction
@@ -158,7 +163,14 @@
     find_record fixedpoint_sine_32_table, r22
     XCALL fixedpoint_cubic_32
     mov r26, zero
+    .if \fraction == 16
+    add_constant 22, (1 << 14) + DOUBT
+    clr r1
+    leave_doubts
+    shift_signed 15
+    .else
     shift_and_round (31 - \fraction), 22, 8
+    .endif
     .endif
     clr r1
     .if \fraction > 30
@@ -187,9 +199,9 @@
     com r22
 4:  ret
     .endif
-    ENDFUNC fixedpoint_sin_q\integer\()_\fraction
+    ENDFUNC fixedpoint_\certain\()sin_q\integer\()_\fraction
 
-    FUNCTION fixedpoint_sincos_q\integer\()_\fraction
+    FUNCTION fixedpoint_\certain\()sincos_q\integer\()_\fraction
     push r28
     push r29
     movw r28, r20
@@ -221,8 +233,9 @@
     pop r29
     pop r28
     ret
-    ENDFUNC fixedpoint_sincos_q\integer\()_\fraction
+    ENDFUNC fixedpoint_\certain\()sincos_q\integer\()_\fraction
 
+    .ifb \certain
     // In a section of its own: sines of radians do not pay for it.
     FUNCTION fixedpoint_sine_of_quarter_turns_q\integer\()_\fraction
     movw r30, r22
@@ -233,8 +246,10 @@
     clr zero
     XJMP .Levaluate_\fraction
     ENDFUNC fixedpoint_sine_of_quarter_turns_q\integer\()_\fraction
+    .endif
     .endm
 
 #include "splits_32.inc"
+    kernels 16, 16, certain_
 
 #endif

@@ -158,6 +158,7 @@
     KERNEL(UNARY, reciprocal_sqrt, int64_t, 32, fixedpoint_reciprocal_sqrt_q32_32, reciprocal_sqrt) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, UNARY, reciprocal_sqrt) \
     KERNEL(UNARY, reciprocal_sqrt_small, int32_t, 16, fixedpoint_reciprocal_sqrt_q16_16_small, reciprocal_sqrt_small) \
+    KERNEL(UNARY, nearest_reciprocal_sqrt, int32_t, 16, fixedpoint_reciprocal_sqrt_q16_16_correctly_rounded, nearest_reciprocal_sqrt) \
     KERNEL(UNARY, sine_of_phase, int16_t, 8, fixedpoint_sine_of_phase_q8_8, sine_of_phase) \
     FIXEDPOINT_COARSE_SPLITS_16(FIXEDPOINT_KERNEL_OF_SPLIT_16, KERNEL, UNARY, sine_of_phase) \
     KERNEL(UNARY, sine_of_phase, int32_t, 16, fixedpoint_sine_of_phase_q16_16, sine_of_phase) \
@@ -218,6 +219,13 @@
     KERNEL(UNARY, log_fine, int64_t, 32, fixedpoint_log_q32_32_fine, log_fine) \
     KERNEL(UNARY, log2, int32_t, 16, fixedpoint_log2_q16_16, log2) \
     KERNEL(UNARY, log_small, int32_t, 16, fixedpoint_log_q16_16_small, log_small) \
+    KERNEL(UNARY, certain_sin, int32_t, 16, fixedpoint_certain_sin_q16_16, certain_sin) \
+    KERNEL(UNARY, certain_cos, int32_t, 16, fixedpoint_certain_cos_q16_16, certain_cos) \
+    KERNEL(UNARY, certain_atan, int32_t, 16, fixedpoint_certain_atan_q16_16, certain_atan) \
+    KERNEL(UNARY, certain_exp, int32_t, 16, fixedpoint_certain_exp_q16_16, certain_exp) \
+    KERNEL(UNARY, certain_log, int32_t, 16, fixedpoint_certain_log_q16_16, certain_log) \
+    KERNEL(PAIR, certain_sincos, int32_t, 16, fixedpoint_certain_sincos_q16_16, certain_sincos) \
+    KERNEL(BINARY, certain_atan2, int32_t, 16, fixedpoint_certain_atan2_q16_16, certain_atan2) \
     KERNEL(VECTORS, dot2, int8_t, 4, fixedpoint_dot2_q4_4, dot2) \
     KERNEL(VECTORS, dot2, int16_t, 8, fixedpoint_dot2_q8_8, dot2) \
     KERNEL(VECTORS, dot2, int32_t, 16, fixedpoint_dot2_q16_16, dot2) \

@@ -31,17 +31,14 @@ FIXEDPOINT_CONSTEXPR Ratio32 ratio_32(uint64_t shorter, uint64_t longer) {
     return {position, static_cast<uint32_t>(rest * factor >> 32)};
 }
 
-// The angle of (width, height), turned to the left half plane and below where asked; not both are
-// 0, each is at most 2^32.
+// The angle of (width, height), turned to the left half plane where asked, in units of 2^-31,
+// beyond 24 fraction bits of 2^-39; not both are 0, each is at most 2^32.
 template <int F>
-FIXEDPOINT_CONSTEXPR int32_t angle_32(uint64_t height, uint64_t width, bool left, bool below) {
+FIXEDPOINT_CONSTEXPR int64_t unrounded_angle_32(uint64_t height, uint64_t width, bool left) {
     const bool steep = height > width;
     const Ratio32 ratio = steep ? ratio_32(width, height) : ratio_32(height, width);
     constexpr bool is_coarse = is_coarse_32<F>();
-    // In units of 2^-31, or 2^-39.
-    constexpr int fraction_bits = is_coarse ? 31 : 39;
     constexpr int64_t pi = is_coarse ? 6746518852 : 1727108826179;
-    constexpr int64_t half = F < fraction_bits ? int64_t(1) << (fraction_bits - 1 - F) : 0;
     int64_t angle = 0;
     if (is_coarse) {
         // And a unit for what the core cuts.
@@ -50,9 +47,16 @@ FIXEDPOINT_CONSTEXPR int32_t angle_32(uint64_t height, uint64_t width, bool left
         const Cubic40 core = cubic_40<Atan32Table<>>(ratio.position);
         angle = static_cast<int64_t>(core.value + (core.slope * ratio.rest >> 8));
     }
-    const int64_t folded =
-        steep ? (left ? pi / 2 + angle : pi / 2 - angle) : (left ? pi - angle : angle);
-    const int64_t magnitude = (folded + half) >> (fraction_bits - F);
+    return steep ? (left ? pi / 2 + angle : pi / 2 - angle) : (left ? pi - angle : angle);
+}
+
+// Rounded, and turned below where asked.
+template <int F>
+FIXEDPOINT_CONSTEXPR int32_t angle_32(uint64_t height, uint64_t width, bool left, bool below) {
+    constexpr int fraction_bits = is_coarse_32<F>() ? 31 : 39;
+    constexpr int64_t half = F < fraction_bits ? int64_t(1) << (fraction_bits - 1 - F) : 0;
+    const int64_t magnitude =
+        (unrounded_angle_32<F>(height, width, left) + half) >> (fraction_bits - F);
     if (magnitude >> 31 != 0) return below ? RawLimits<int32_t>::min : RawLimits<int32_t>::max;
     return static_cast<int32_t>(below ? -magnitude : magnitude);
 }

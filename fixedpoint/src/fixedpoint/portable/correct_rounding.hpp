@@ -35,13 +35,6 @@ FIXEDPOINT_CONSTEXPR Raw correctly_rounded(int64_t wide, Operands... a) {
 // 2 r for a result r of Q16.16 from one of 2^-32 that is a tie.
 constexpr int64_t twice_in_q16_16(int64_t tie) { return tie / (1 << 15); }
 
-// 2^24 / sqrt(a) >= r where 2^50 >= (2 r)^2 a. The two are next to each other.
-struct ReciprocalRootSide {
-    static FIXEDPOINT_CONSTEXPR bool reaches(int64_t tie, int32_t a) {
-        const uint64_t root = static_cast<uint64_t>(twice_in_q16_16(tie));
-        return root * root * static_cast<uint32_t>(a) <= uint64_t(1) << 50;
-    }
-};
 // a 2^35 >= (2 r)^3, from their small difference modulo 2^64.
 struct CubeRootSide {
     static FIXEDPOINT_CONSTEXPR bool reaches(int64_t tie, int32_t a) {

@@ -10,9 +10,10 @@
 namespace fixedpoint {
 namespace portable {
 
+// In units of 2^-31, and one more for what the core cuts; beyond 24 fraction bits of 2^-39. Needs
+// a > 0.
 template <int F>
-FIXEDPOINT_CONSTEXPR int32_t log_32(int32_t a) {
-    if (a <= 0) return RawLimits<int32_t>::min;
+FIXEDPOINT_CONSTEXPR int64_t unrounded_log_32(int32_t a) {
     uint32_t normalised = static_cast<uint32_t>(a);
     int exponent = 31;
     while (normalised >> 31 == 0) {
@@ -21,19 +22,18 @@ FIXEDPOINT_CONSTEXPR int32_t log_32(int32_t a) {
     }
     constexpr int64_t ln2 = 381061692393;  // 2^-39
     const int64_t multiple = exponent * ln2;
-    int64_t sum = 0;
-    if (is_coarse_32<F>()) {
-        constexpr int64_t offset =
-            (int64_t(1) << (is_coarse_32<F>() ? 30 - F : 0)) + 1 - (F * ln2 >> 8);
-        sum = static_cast<int64_t>(cubic_32<Log32Table<>>(normalised << 1)) + (multiple >> 8) +
-              offset;
-    } else {
-        constexpr int64_t offset = (int64_t(1) << (38 - F)) - F * ln2;
-        sum = (static_cast<int64_t>(cubic_40<Log32Table<>>(normalised << 1).value) + multiple +
-               offset) >>
-              8;
-    }
+    return is_coarse_32<F>() ? static_cast<int64_t>(cubic_32<Log32Table<>>(normalised << 1)) +
+                                   (multiple >> 8) + 1 - (F * ln2 >> 8)
+                             : static_cast<int64_t>(cubic_40<Log32Table<>>(normalised << 1).value) +
+                                   multiple - F * ln2;
+}
+
+template <int F>
+FIXEDPOINT_CONSTEXPR int32_t log_32(int32_t a) {
+    if (a <= 0) return RawLimits<int32_t>::min;
+    constexpr int surplus = is_coarse_32<F>() ? 0 : 8;
     // In units of 2^-31, half a last place added.
+    int64_t sum = (unrounded_log_32<F>(a) + (int64_t(1) << (30 + surplus - F))) >> surplus;
     sum = F > 31 ? sum * 2 : sum >> (F > 31 ? 0 : 31 - F);
     return sum < RawLimits<int32_t>::min ? RawLimits<int32_t>::min : static_cast<int32_t>(sum);
 }

@@ -15,7 +15,8 @@
 namespace fixedpoint {
 namespace portable {
 
-// Rounded to nearest in every format, and with no table: the small variant.
+// Rounded to nearest in every format, and with no table: what is correctly rounded, and the small
+// variant.
 template <class Raw, int F>
 constexpr Raw nearest_reciprocal_sqrt(Raw a) {
     using Word = Unsigned<Raw>;

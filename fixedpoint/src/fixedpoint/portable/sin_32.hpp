@@ -18,7 +18,7 @@ FIXEDPOINT_CONSTEXPR uint64_t quarter_turns_32(int32_t angle) {
     constexpr uint64_t two_over_pi = 0xa2f9836e4e441529;
     constexpr int lowest_byte = is_coarse_32<F>() ? 1 : 0;
     constexpr uint64_t multiplier = two_over_pi >> (F - 8 * (1 - lowest_byte));
-    constexpr int first = F > 24 ? 0 : F > 16 ? 1 : F > 8 ? 2 : 3;
+    constexpr int first = F > 24 ? 0 : F > 15 ? 1 : F > 8 ? 2 : 3;
 
     uint64_t turns = uint64_t(2) << 8 * first;
     for (int i = 0; i < 4; ++i) {
@@ -37,11 +37,16 @@ FIXEDPOINT_CONSTEXPR uint64_t quarter_turns_32(int32_t angle) {
     return turns & 0xffffffffffff;
 }
 
+// Where on the table they lie; odd quarters run backwards.
+constexpr uint64_t position_of_quarter_turns(uint64_t turns) {
+    return ((turns >> 40 & 1) != 0 ? ~turns : turns) & 0xffffffffff;
+}
+
 // The sine of quarter turns.
 template <int F>
 FIXEDPOINT_CONSTEXPR int32_t sine_of_quarter_turns_32(uint64_t turns) {
     constexpr bool is_coarse = is_coarse_32<F>();
-    const uint64_t position = ((turns >> 40 & 1) != 0 ? ~turns : turns) & 0xffffffffff;
+    const uint64_t position = position_of_quarter_turns(turns);
     uint32_t sine = 0;
     if (is_coarse) {
         constexpr int surplus = is_coarse ? 31 - F : 1;
