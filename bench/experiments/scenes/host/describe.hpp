@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // describe<Scene>(): a scene of engine/src/scenes/ with its runs on the host. Each scene is a file
-// of its own, made from describe.cpp.in: they take ten seconds to compile.
+// of its own, made from scene.cpp.in: they take ten seconds to compile.
 #pragma once
 
 #include <algorithm>
