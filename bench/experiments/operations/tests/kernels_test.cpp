@@ -182,7 +182,7 @@ void beside_limits_of_tables(DenseCalls& calls, const reference::NumberFormat& f
 }
 
 // Bases anywhere, beside 1 and beside the limits of the first intervals of pow's table, each with
-// an exponent whose power is in the range of Q32.32, or just beyond.
+// an exponent whose power is in the range of Q32.32, in its highest octaves, or just beyond.
 void powers_in_the_range(DenseCalls& calls) {
     std::mt19937_64 random(8);
     for (int i = 0; i < 1 << 18; ++i) {
@@ -194,7 +194,8 @@ void powers_in_the_range(DenseCalls& calls) {
             a = std::int64_t((64 + random() % 64) << 56 >> (1 + random() % 61)) + i % 5 - 2;
         if (a <= 0) continue;
         const double logarithm = std::log(std::ldexp(double(a), -32));
-        const double b = (46 * std::ldexp(double(random() >> 11), -53) - 23.5) / logarithm;
+        const double place = std::ldexp(double(random() >> 11), -53);
+        const double b = (i / 4 % 2 == 0 ? 21.5 - place : 46 * place - 23.5) / logarithm;
         if (std::fabs(b) < std::ldexp(1.0, 31)) {
             calls.add(std::array{a, std::int64_t(std::ldexp(b, 32)) ^ i});
         }
