@@ -174,7 +174,7 @@ struct Proof<fixedpoint::Fixed<I, F>> {
                                                   : std::ldexp(1.0, halvings);
             const double longest = std::min(std::ldexp(2.0, halvings), range);
             for (double from = shortest, to; from < longest; from = to) {
-                to = std::min(2 * from, longest);
+                to = std::min((from < 0.25 ? 4 : 2) * from, longest);
                 of_length<N>({from, to}, halvings);
             }
         }
