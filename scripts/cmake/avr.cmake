@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: MIT
 # Compiles programs for the ATmega328P inside the host build: avr_executable(NAME SOURCES ...
-# [OPTIONS ...] [INCLUDES ...] [LINK_OPTIONS ...] [OBJECTS ...] [ARCHIVES ...] [KERNELS]) makes
-# ${CMAKE_CURRENT_BINARY_DIR}/NAME.elf and sets the target property ELF to its path. Sources may be
+# [OPTIONS ...] [INCLUDES ...] [LINK_OPTIONS ...] [OBJECTS ...] [ARCHIVES ...] [KERNELS] [GROUP group])
+# makes ${CMAKE_CURRENT_BINARY_DIR}/NAME.elf and sets the target property ELF to its path. Sources may be
 # .c, .cpp and .S; OBJECTS come from avr_objects(); KERNELS links the library's assembly kernels.
+# Programs of one source change together: those of a GROUP are one step of the build, and one target,
+# which avr_group(group) makes. Their options must not choose what they include.
 
 find_program(AVR_GCC avr-gcc REQUIRED)
 find_program(AVR_GXX avr-g++ REQUIRED)
@@ -68,7 +70,7 @@ add_custom_command(OUTPUT ${AVR_KERNEL_ARCHIVE}
 add_custom_target(avr_kernels DEPENDS ${AVR_KERNEL_OBJECTS} ${AVR_KERNEL_ARCHIVE})
 
 function(avr_executable name)
-    cmake_parse_arguments(ARG "KERNELS" "" "SOURCES;OPTIONS;INCLUDES;LINK_OPTIONS;OBJECTS;ARCHIVES" ${ARGN})
+    cmake_parse_arguments(ARG "KERNELS" "GROUP" "SOURCES;OPTIONS;INCLUDES;LINK_OPTIONS;OBJECTS;ARCHIVES" ${ARGN})
     set(elf ${CMAKE_CURRENT_BINARY_DIR}/${name}.elf)
     list(POP_BACK ARG_SOURCES last)
     avr_objects(objects ${name} SOURCES ${ARG_SOURCES} OPTIONS ${ARG_OPTIONS} INCLUDES ${ARG_INCLUDES})
@@ -81,16 +83,30 @@ function(avr_executable name)
     set(object ${CMAKE_CURRENT_BINARY_DIR}/${name}.dir/${stem}.o)
     file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/${name}.dir)
     avr_compile(compile ${last} OPTIONS ${ARG_OPTIONS} INCLUDES ${ARG_INCLUDES})
-    add_custom_command(
-        OUTPUT ${elf}
-        COMMAND ${compile} -MMD -MF ${object}.d -MT ${elf} -o ${object}
+    set(group ${ARG_GROUP})
+    if(NOT group)
+        set(group ${name})
+    endif()
+    set_property(GLOBAL APPEND PROPERTY avr_programs_${group} ${elf})
+    set_property(GLOBAL APPEND PROPERTY avr_inputs_${group} ${last} ${objects} ${ARG_OBJECTS} ${ARG_ARCHIVES})
+    set_property(GLOBAL APPEND PROPERTY avr_commands_${group}
+        COMMAND ${compile} -MMD -MF ${elf}.d -MT ${elf} -o ${object}
         COMMAND ${AVR_GXX} -mmcu=atmega328p -Os ${ARG_OPTIONS} -Wl,--gc-sections ${ARG_LINK_OPTIONS}
-                ${objects} ${object} ${ARG_OBJECTS} ${ARG_ARCHIVES} -lm -o ${elf}
-        DEPENDS ${last} ${objects} ${ARG_OBJECTS} ${ARG_ARCHIVES}
-        DEPFILE ${object}.d
-        COMMENT "AVR ${name}.elf"
-        VERBATIM COMMAND_EXPAND_LISTS)
-    add_custom_target(${name} DEPENDS ${elf})
-    add_dependencies(${name} avr_kernels)
-    set_target_properties(${name} PROPERTIES ELF ${elf})
+                ${objects} ${object} ${ARG_OBJECTS} ${ARG_ARCHIVES} -lm -o ${elf})
+    if(NOT ARG_GROUP)
+        avr_group(${name})
+        set_target_properties(${name} PROPERTIES ELF ${elf})
+    endif()
+endfunction()
+
+function(avr_group group)
+    foreach(list programs inputs commands)
+        get_property(${list} GLOBAL PROPERTY avr_${list}_${group})
+    endforeach()
+    list(REMOVE_DUPLICATES inputs)
+    list(GET programs 0 first)
+    add_custom_command(OUTPUT ${programs} ${commands} DEPENDS ${inputs} DEPFILE ${first}.d
+        COMMENT "AVR ${group}" VERBATIM COMMAND_EXPAND_LISTS)
+    add_custom_target(${group} DEPENDS ${programs})
+    add_dependencies(${group} avr_kernels)
 endfunction()
