@@ -197,6 +197,19 @@ def format_table(data):
     return table
 
 
+def correctly_rounded_finding(data):
+    """What functions that round correctly cost beside the default's, in a sentence; empty where none was measured."""
+    kind = "q16_16", "correctly_rounded"
+    known = {name: worst(data, name, *kind) for name in names(data, *kind)}
+    if not known:
+        return ""
+    ratios = sorted((mean(data, name, *kind) / mean(data, name, "q16_16"), name) for name in known)
+    bound = "exact" if all(each.ulp_bound == "exact" for each in known.values()) else "lower bound"
+    return (f"Where half an ulp matters, `CorrectlyRounded` errs by {max(each.ulp for each in known.values()):.3g} ulp ({bound}) in "
+            f"{len(known)} functions of Q16.16, for {ratios[0][0]:.2g} ({ratios[0][1]}) to {ratios[-1][0]:.2g} ({ratios[-1][1]}) "
+            f"times the default's mean cycles and up to {max(each.cycles for each in known.values())} beside a tie.")
+
+
 def least_flash(data):
     """Which arithmetic needs the least flash for a program of the nine operations, in a sentence."""
     rows = sorted(data.rows("flash", operations="nine"), key=lambda row: row["flash_bytes"])

@@ -241,6 +241,17 @@ own q8_8 small 90
                          "A program with the nine takes least flash in avr-libc float, 2388 bytes; the "
                          "least of ours is 2500 (Q16.16, small tables).")
 
+    def test_what_correct_rounding_costs(self):
+        made = golden(operations=OPERATIONS)
+        self.assertEqual(operations.correctly_rounded_finding(made), "")
+        made = golden(operations=OPERATIONS + """\
+sqrt q16_16 correctly_rounded physics 9 9 750 999 1 0.49 1 0.001 lower 50 ll
+add q16_16 correctly_rounded physics 9 9 15 2000 1 0.5 1 0.001 exact 50 mm
+""")
+        self.assertEqual(operations.correctly_rounded_finding(made),
+                         "Where half an ulp matters, `CorrectlyRounded` errs by 0.5 ulp (lower bound) in 2 functions of Q16.16, "
+                         "for 1.5 (add) to 2.5 (sqrt) times the default's mean cycles and up to 2000 beside a tie.")
+
     def test_a_pareto_front_is_what_no_other_beats(self):
         front = error_against_cycles.pareto([(3, 5), (1, 9), (2, 9), (4, 5), (5, 1), (3, 6)])
         self.assertEqual(front, [(1, 9), (3, 5), (5, 1)])
