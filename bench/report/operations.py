@@ -12,8 +12,8 @@ FORMATS = ("q4_4", "q8_8", "q16_16", "q8_24", "q32_32")
 FLOAT = ("float", "libc")
 PUBLISHED = ("q16_16", "published")
 BASIC = ("add", "multiply", "divide", "sqrt", "sin", "atan2")
-# Functions without a kernel: fixedpoint/portable/elementary.hpp. They are told apart, since a mean of both
-# would be that of neither.
+# Functions that most formats make of the cores of others: fixedpoint/portable/elementary.hpp. They are told apart, since a
+# mean of both would be that of neither.
 ELEMENTARY = ("tan", "asin", "acos", "exp2", "expm1", "log2", "log10", "log1p", "sinh", "cosh", "tanh",
               "cbrt", "pow")
 # AUXILIARY_OPERATIONS of reference/operation_table.h. They are in no mean: float has expressions in their place.
