@@ -117,7 +117,8 @@ void angles(Number& a) {
 
 template <class Number>
 void functions(Number* a) {
-    a[0] = reciprocal_sqrt(a[1]) + atan(a[0]) + sin(a[0]) + cos(a[1]) + exp(a[1]) + log(a[0]);
+    a[0] = reciprocal_sqrt(a[1]) + atan(a[0]) + atan2(a[0], a[1]) + sin(a[0]) + cos(a[1]);
+    a[0] += exp(a[1]) + log(a[0]);
     a[0] +=
         tan(a[0]) + asin(a[0]) + acos(a[1]) + exp2(a[0]) + expm1(a[1]) + log2(a[0]) + log10(a[1]);
     a[1] += log1p(a[0]) + sinh(a[0]) + cosh(a[1]) + tanh(a[0]) + cbrt(a[1]) + pow(a[0], a[1]) +
