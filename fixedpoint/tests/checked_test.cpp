@@ -185,6 +185,19 @@ TEST(Checked, TellsOfProductsThatAreBeyondTheLimitInTheirUpperWordAlone) {
     expect(nothing, fixedpoint::Operation::multiply, product(int64_t(1) << 32));
 }
 
+// Powers that are the range's ends and those beyond them: the kernel's result has no sign.
+TEST(Checked, TellsOfPowersBeyondTheEndsOfQ32_32) {
+    using Number = Fixed<32, 32, Checked<Hook>>;
+    constexpr int64_t one = int64_t(1) << 32, largest = std::numeric_limits<int64_t>::max();
+    const auto power = [](int64_t x, int64_t y) {
+        return [=] { (void)pow(Number::from_raw(x), Number::from_raw(y)); };
+    };
+    expect(nothing, fixedpoint::Operation::pow, power(largest, one));
+    expect(nothing, fixedpoint::Operation::pow, power(-2 * one, 31 * one));
+    expect(overflow_unless(false), fixedpoint::Operation::pow, power(2 * one, 31 * one));
+    expect(overflow_unless(false), fixedpoint::Operation::pow, power(-2 * one, 33 * one));
+}
+
 TEST(Checked, TellsOfFloatsThatAreNoNumberOrTooLarge) {
     using Op = fixedpoint::Operation;
     using Number = Fixed<16, 16, Checked<Hook>>;
