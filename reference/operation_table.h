@@ -48,7 +48,7 @@
 #define OPERATION_exp(X, ...) /* underflows to 0 by rounding */ \
     X(exp, unary, 1, 1, function, 0.75, everywhere, __VA_ARGS__)
 #define OPERATION_log(X, ...) /* a <= 0: MIN */ \
-    X(log, unary, 1, 1, function, 0.76, positive, __VA_ARGS__)
+    X(log, unary, 1, 1, function, 0.75, positive, __VA_ARGS__)
 #define OPERATION_tan(X, ...) /* any angle; clamps beside a pole */ \
     X(tan, unary, 1, 1, function, 0.75, everywhere, __VA_ARGS__)
 #define OPERATION_asin(X, ...) /* beyond +-1: +-pi/2, rounded */ \

@@ -29,3 +29,22 @@ def by_hand(rows):
     return (f"Written by hand, with the same result to the bit, the lever's step takes {cycles[1]:.0f} cycles and "
             f"{flash[1]} bytes: the engine, which takes other scenes, too, takes {cycles[0] / cycles[1]:.2f} and "
             f"{flash[0] / flash[1]:.2f} times that.")
+
+
+def tiers(data):
+    """Which of the two arithmetics is the default, and why: each scene's step, and a program with nine functions."""
+    rows = {(row["scene"], row["feature"]): row for row in data.rows("features")}
+
+    def told(scene, name):
+        nearest, small = (rows[scene, f"arithmetic={arithmetic}"] for arithmetic in ("Nearest", "Small"))
+        times = small["cycles_per_step_mean"] / nearest["cycles_per_step_mean"]
+        saved = nearest["flash_bytes"] - small["flash_bytes"]
+        return f"{name} takes {times:.2f} times the cycles and {saved} of {nearest['flash_bytes']} bytes less"
+    nearest, small = (next(row["flash_bytes"] for row in data.rows("flash", operations="nine", format="q16_16",
+                                                                 implementation=implementation))
+                      for implementation in ("default", "small"))
+    return (f"With `Small` in place of `Nearest`, {told('lever', 'the lever')}, {told('everything', 'a scene of all features')}; "
+            f"a program of the nine functions takes {small} bytes in place of {nearest}. Sums and products are the same code in "
+            "both, and so is what consists of them: a PID controller, a biquad filter. `Nearest` is the default since a step "
+            "runs out of cycles before these programs run out of flash, and a table is linked only where it is used. `Small` "
+            "is for a program that calls many functions, or for a single one, as the firmware's arc tangent.")

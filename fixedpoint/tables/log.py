@@ -1,33 +1,24 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
 """Writes fixedpoint/src/fixedpoint/avr/log_table.S and portable/log_table.hpp: chords of the
-natural logarithm on 128 intervals of [1, 2] and the multiples of ln 2, for Q16.16, in units of
+natural logarithm on 256 intervals of [1, 2] and the multiples of ln 2, for Q16.16, in units of
 2^-8 ulp."""
 
 from fractions import Fraction
 
+import interpolation
 import page
 import table_header
 from exponential_series import logarithm
 
-INTERVALS = 128
 UNIT = 24  # the unit is 2^-24
 GUARD = 16
 HALF_ULP = 128
-# Two low bytes and the product of the low bytes are cut from the rise.
-CUT = Fraction(5, 4)
 
 
-def scaled(position):
-    """ln(1 + position/256) in units."""
-    return Fraction(logarithm(256 + position, 256, UNIT + GUARD), 1 << GUARD)
-
-
-def chord(i):
-    """(value, slope): the chord of the interval, moved by half of its distance from the curve."""
-    left, middle, right = scaled(2 * i), scaled(2 * i + 1), scaled(2 * i + 2)
-    centring = (middle - (left + right) / 2) / 2
-    return int(left + centring + HALF_ULP + CUT + Fraction(1, 2)), round(right - left)
+def from_one(numerator, denominator):
+    """ln(1 + numerator/denominator) in units."""
+    return Fraction(logarithm(denominator + numerator, denominator, UNIT + GUARD), 1 << GUARD)
 
 
 def exponent_logarithm(exponent):
@@ -37,15 +28,12 @@ def exponent_logarithm(exponent):
 
 
 SENTENCE = """\
-ln(1 + i/128) 2^24 + 128: half an ulp of Q16.16 is in it, so that cutting 8 bits rounds; what the
-logarithm rises over the interval, less 2^16; ln 2 (e - 16) 2^24 for the exponent e of the raw
-number."""
+ln(1 + i/256) 2^24 + 128: half an ulp of Q16.16 is in it, so that cutting 8 bits rounds; what the
+logarithm rises over the interval; ln 2 (e - 16) 2^24 for the exponent e of the raw number."""
 
 
 def main():
-    rows = [chord(i) for i in range(INTERVALS)]
-    values = [value for value, _ in rows]
-    slopes = [slope - (1 << 16) for _, slope in rows]
+    values, slopes = zip(*interpolation.chords(from_one, HALF_ULP))
     exponents = [exponent_logarithm(exponent) for exponent in range(31)]
 
     def byte(numbers, i):
@@ -55,13 +43,13 @@ def main():
     for exponent, number in enumerate(exponents):
         records += [1 << (7 - exponent % 8), *(number >> 8 * i & 255 for i in range(4))]
     page.write_assembly("log_table", "log.py", SENTENCE, [
-        ("slope, bits 0..7", byte(slopes, 0)),
         ("value, bits 0..7", byte(values, 0)),
-        ("slope, bits 8..15", byte(slopes, 1)),
         ("value, bits 8..15", byte(values, 1)),
+        ("value, bits 16..23", byte(values, 2)),
+        ("slope, bits 8..15", byte(slopes, 1)),
+        ("slope, bits 0..7", byte(slopes, 0)),
         ("5 log2 of a byte, by its upper 7 bits", [5 * max(0, (2 * i).bit_length() - 1)
                                                    for i in range(128)]),
-        ("value, bits 16..23", byte(values, 2)),
         ("of e: the factor that moves the leading one to bit 7, four bytes of logarithm",
          records)])
     table_header.write("log_table", "log.py", SENTENCE, "LogTable", [

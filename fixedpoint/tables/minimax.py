@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
 """Writes src/fixedpoint/avr/sin_polynomial.inc, the coefficients of sin_q16_16_small.S: the odd
-polynomial of least largest error on [0, 1], by the exchange algorithm (Evgeny Remez, 1934), as
-24-bit fractions, with the error that it leaves."""
+polynomial of least largest error on [0, 1], by the exchange algorithm (Evgeny Remez, 1934), in
+powers of 1 - x^2, as fractions of 24 bits, the last of 16, with the error that it leaves."""
 
-from math import pi, sin
+from math import comb, pi, sin
 
 import page
 
@@ -42,11 +42,19 @@ def minimax(function, terms):
     return coefficients, abs(error)
 
 
+def in_distance_from_one(coefficients):
+    """Those of 1, y, y^2 ..., y = 1 - z, of the polynomial whose are those of 1, z, z^2 ..."""
+    return [(-1)**i * sum(comb(j, i) * c for j, c in enumerate(coefficients))
+            for i in range(len(coefficients))]
+
+
 if __name__ == "__main__":
-    coefficients, error = minimax(lambda x: sin(pi / 2 * x) / 2, 4)
+    odd, error = minimax(lambda x: sin(pi / 2 * x) / 2, 4)
+    rounded = [round(c * 2**24) for c in odd[:-1]] + [round(odd[-1] * 2**16) * 2**8]
     lines = ["// SPDX-License-Identifier: MIT",
              "// DO NOT EDIT: written by python3 fixedpoint/tables/minimax.py",
-             "// sin(pi/2 x) / 2 = x (C0 - x^2 (C1 - x^2 (C2 - ...))) / 2^24, within "
+             "// sin(pi/2 x) / 2 = x (C0 + y (C1 + y (C2 + 2^8 y C3))) / 2^24, y = 1 - x^2, within "
              f"{error:.1e}",
-             *(f"#define C{i} {round(abs(c) * 2**24)}" for i, c in enumerate(coefficients))]
+             *(f"#define C{i} {c >> 8 * (i == 3)}"
+               for i, c in enumerate(in_distance_from_one(rounded)))]
     (page.SOURCE / "avr/sin_polynomial.inc").write_text("\n".join(lines) + "\n")

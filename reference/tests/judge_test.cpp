@@ -315,7 +315,7 @@ TEST(Judge, FunctionsAreHeldToTheirBound) {
         {Operation::sin, 0.75, [](X x) { return std::sin(x[0]); }, -far, far},
         {Operation::cos, 0.75, [](X x) { return std::cos(x[0]); }, -far, far},
         {Operation::exp, 0.75, [](X x) { return std::exp(x[0]); }, -9 * one, 9 * one},
-        {Operation::log, 0.76, [](X x) { return std::log(x[0]); }, 1, far},
+        {Operation::log, 0.75, [](X x) { return std::log(x[0]); }, 1, far},
         {Operation::length2, 1, [](X x) { return std::hypot(x[0], x[1]); }, -far, far},
         {Operation::length3, 1, [](X x) { return std::hypot(x[0], x[1], x[2]); }, -far, far},
     };

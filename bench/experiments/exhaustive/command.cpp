@@ -27,8 +27,13 @@ std::filesystem::path program_of(const char* name) {
 }
 
 // The programs of a full run.
-constexpr const char* exhausted[] = {
-    "q4_4", "q8_8", "q16_16", "q32_32", "correctly_rounded_angles", "correctly_rounded_powers"};
+constexpr const char* exhausted[] = {"q4_4",
+                                     "q8_8",
+                                     "q16_16",
+                                     "q8_24",
+                                     "q32_32",
+                                     "correctly_rounded_angles",
+                                     "correctly_rounded_powers"};
 
 const fixbench::Registration exhaustive({
     .name = "exhaustive",
@@ -110,7 +115,7 @@ const fixbench::Registration exhaustive({
           .writes = {"exhaustive.csv"},
           .targets = {"subjects"},
           .reads = {FIXBENCH_DEVICE_FOLDER},
-          .full_seconds = 7200,
+          .full_seconds = 10800,
           .quick_seconds = 3600,
           .only_exhaustive = true}},
 });

@@ -977,6 +977,25 @@ lever by_hand yes 1500 2000
                          "step takes 1500 cycles and 2000 bytes: the engine, which takes other scenes, too, takes 1.40 and "
                          "1.95 times that.")
 
+    def test_fast_or_small(self):
+        made = golden(features="""
+scene feature cycles_per_step_mean flash_bytes
+lever gravity 1 1
+lever arithmetic=Nearest 2000 3900
+lever arithmetic=Small 2500 3890
+everything arithmetic=Nearest 40000 18000
+everything arithmetic=Small 50400 16500
+""", flash="""
+operations format implementation flash_bytes
+nine q16_16 default 12000
+nine q16_16 small 2200
+nine q8_24 default 1
+own q16_16 small 1
+""")
+        self.assertIn("the lever takes 1.25 times the cycles and 10 of 3900 bytes less, a scene of all features takes 1.26 times "
+                      "the cycles and 1500 of 18000 bytes less; a program of the nine functions takes 2200 bytes in place "
+                      "of 12000.", features.tiers(made))
+
     def test_saturation(self):
         rows = "scene scalar arithmetic integrator dt cycles_per_step_mean flash_bytes\n"
         for scene, cycles in (("fall", (100, 110, 400)), ("stack", (200, 190, 380))):

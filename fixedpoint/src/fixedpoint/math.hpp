@@ -56,7 +56,7 @@ constexpr Fixed<IntegerBits, F, A> exp(Fixed<IntegerBits, F, A> a) {
     return Fixed<IntegerBits, F, A>::from_raw(
         A::template exp<Integer<IntegerBits + F>, F>(a.raw()));
 }
-/// The natural logarithm, error below 0.76 ulp; the smallest number where a <= 0.
+/// The natural logarithm, error below 0.75 ulp; the smallest number where a <= 0.
 template <int IntegerBits, int F, class A>
 constexpr Fixed<IntegerBits, F, A> log(Fixed<IntegerBits, F, A> a) {
     return Fixed<IntegerBits, F, A>::from_raw(

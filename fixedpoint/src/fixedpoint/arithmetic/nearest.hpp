@@ -76,7 +76,7 @@ struct Nearest : Wrapping {
     static constexpr Raw exp(Raw a) {
         return kernel::exp<Raw, F>(a);
     }
-    /// The natural logarithm, error below 0.76 ulp; the smallest number where a <= 0.
+    /// The natural logarithm, error below 0.75 ulp; the smallest number where a <= 0.
     template <class Raw, int F>
     static constexpr Raw log(Raw a) {
         return kernel::log<Raw, F>(a);

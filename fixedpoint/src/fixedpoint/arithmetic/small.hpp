@@ -53,7 +53,7 @@ struct Small : Nearest {
     static constexpr Raw exp(Raw a) {
         return kernel::exp_small<Raw, F>(a);
     }
-    /// The natural logarithm, error below 0.76 ulp; the smallest number where a <= 0.
+    /// The natural logarithm, error below 0.75 ulp; the smallest number where a <= 0.
     template <class Raw, int F>
     static constexpr Raw log(Raw a) {
         return kernel::log_small<Raw, F>(a);

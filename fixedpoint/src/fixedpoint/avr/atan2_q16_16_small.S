@@ -58,10 +58,13 @@
     ror n1
     ror n0
 .Lfits:
-    // 24 bits, inverted; the one ahead of them leaves when they are complete.
+    // 24 bits, inverted, a byte at a time: the one ahead of its bits leaves when it is complete. The
+    // upper bits of the octant count the bytes, and are 0 again behind the third.
+    ori octant, 0x40
+.Lbyte:
+    mov x2, x1
+    mov x1, x0
     ldi x0, 1
-    ldi x1, 0
-    ldi x2, 0
 .Lbit:
     lsl n0
     rol n1
@@ -78,9 +81,9 @@
     sbc n3, d3
 .Lbelow:
     rol x0
-    rol x1
-    rol x2
     brcc .Lbit
+    subi octant, 0xc0
+    brcs .Lbyte
     com x0
     com x1
     com x2

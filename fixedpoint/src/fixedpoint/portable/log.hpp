@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// log: the natural logarithm within 0.76 ulp, saturated where the format cannot hold it; the
+// log: the natural logarithm within 0.75 ulp, saturated where the format cannot hold it; the
 // smallest number where a <= 0.
 #pragma once
 

@@ -17,10 +17,10 @@ FIXEDPOINT_CONSTEXPR int32_t log_q16_16(int32_t a) {
         normalised <<= 1;
         --exponent;
     }
-    const uint8_t interval = static_cast<uint8_t>((normalised >> 24) - 128);
-    const uint16_t fraction = static_cast<uint16_t>(normalised >> 8);
+    const uint8_t interval = static_cast<uint8_t>(normalised >> 23);
+    const uint16_t fraction = static_cast<uint16_t>(normalised >> 8 << 1);
     const uint32_t mantissa_logarithm =
-        read_program_memory(LogTable<>::value[interval]) + fraction +
+        read_program_memory(LogTable<>::value[interval]) +
         rise(read_program_memory(LogTable<>::slope[interval]), fraction);
     return static_cast<int32_t>(read_program_memory(LogTable<>::exponent[exponent]) +
                                 mantissa_logarithm) >>

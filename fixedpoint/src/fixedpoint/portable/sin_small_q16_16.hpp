@@ -9,16 +9,17 @@
 namespace fixedpoint {
 namespace portable {
 
-// sin(pi/2 x) / 2 = x (c0 - z (c1 - z (c2 - z c3))), z = x^2: the polynomial of least largest
-// error, 5.9e-7; fractions of 24 bits.
+// sin(pi/2 x) / 2 = x (c0 + y (c1 + y (c2 + y c3))), y = 1 - x^2: the polynomial of least largest
+// error, 5.9e-7; fractions of 24 bits, c3 of 16.
 FIXEDPOINT_CONSTEXPR int32_t sine_of_quarter_turns_small_q16_16(uint32_t turns) {
-    constexpr uint32_t c0 = 13176750, c1 = 5418142, c2 = 666344, c3 = 36349;
-    // Half an ulp in units of 2^-7 and two units for what the products cut.
-    constexpr uint32_t rounding = 66;
+    constexpr uint32_t c0 = 8388600, c1 = 4194510, c2 = 557288, c3 = 142;
+    // Half an ulp in units of 2^-7 and four units for what the products cut.
+    constexpr uint32_t rounding = 68;
     const uint32_t x = fold_quarter_turns_q16_16(turns);
-    const uint32_t z = multiply_high_24(x, x);
-    const uint32_t inner = c1 - multiply_high_24(c2 - multiply_high_24(c3, z), z);
-    const uint32_t half = multiply_high_24(c0 - multiply_high_24(inner, z), x);
+    const uint32_t y = 0xffffff - multiply_high_24(x, x);
+    const uint32_t inner = c2 + multiply_high_24(c3 << 8, y);
+    const uint32_t outer = c1 + multiply_high_24(inner, y);
+    const uint32_t half = multiply_high_24(c0 + multiply_high_24(outer, y), x);
     const int32_t sine = static_cast<int32_t>((half + rounding) >> 7);
     return is_lower_half_turn_q16_16(turns) ? -sine : sine;
 }
