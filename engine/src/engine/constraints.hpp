@@ -13,6 +13,25 @@
 
 namespace engine {
 
+/// \cond internal
+// measure(), inline in a world that has it in one place only: a call costs as much as the row.
+template <bool may_be_slack, class World, class Link, class Vector, class Scalar>
+ENGINE_INLINE bool measure(const Link& link, const World&, const Vector& difference,
+                           Vector& direction, Scalar& excess, If<true>) {
+    return measure<may_be_slack>(difference, link.length, link.inverse, direction, excess);
+}
+template <bool may_be_slack, class Scalar, int N>
+bool measure_by_call(const Vector<Scalar, N>& difference, Scalar length,
+                     const Inverse<Scalar>& inverse, Vector<Scalar, N>& direction, Scalar& excess) {
+    return measure<may_be_slack>(difference, length, inverse, direction, excess);
+}
+template <bool may_be_slack, class World, class Link, class Vector, class Scalar>
+ENGINE_INLINE bool measure(const Link& link, const World&, const Vector& difference,
+                           Vector& direction, Scalar& excess, If<false>) {
+    return measure_by_call<may_be_slack>(difference, link.length, link.inverse, direction, excess);
+}
+/// \endcond
+
 /// A rod makes a row in every step, since it bounds velocities even where its length is right. Ends
 /// at one place are reported: the rod has no direction there.
 template <class World, class Scalar, class Ends, class TimeStep>
@@ -21,7 +40,7 @@ ENGINE_INLINE void constrain(const Rod<Scalar, Ends>& rod, World& world, TimeSte
     const auto difference = rod.ends.difference(world);
     typename World::Vector direction;
     Scalar excess;
-    if (!measure<false>(difference, rod.length, rod.inverse, direction, excess)) {
+    if (!measure<false>(rod, world, difference, direction, excess, If<World::measures_once>())) {
         return world.report(Error::no_direction);
     }
     World::Solver::rod(world, rod.ends.a, rod.ends.second(), direction, excess, rod.inverse, dt);
@@ -34,7 +53,8 @@ ENGINE_INLINE void constrain(const Rope<Scalar, Ends>& rope, World& world, TimeS
     const auto difference = rope.ends.difference(world);
     typename World::Vector direction;
     Scalar excess;
-    if (!measure<true>(difference, rope.length, rope.inverse, direction, excess)) return;
+    if (!measure<true>(rope, world, difference, direction, excess, If<World::measures_once>()))
+        return;
     if (excess < Scalar()) return;
     World::Solver::rope(world, rope.ends.a, rope.ends.second(), direction, excess, rope.inverse,
                         rope.restitution, dt);
