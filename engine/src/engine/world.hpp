@@ -89,10 +89,6 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
     /// Whether anything acts between two particles.
     static constexpr bool has_pairs =
         Uses::springs > 0 || Uses::rods > 0 || Uses::ropes > 0 || Uses::collisions;
-    /// Whether there is one kind of what holds a distance.
-    static constexpr bool measures_once = (Uses::rods > 0) + (Uses::anchored_rods > 0) +
-                                              (Uses::ropes > 0) + (Uses::anchored_ropes > 0) ==
-                                          1;
     /// Whether there can be springs.
     static constexpr bool has_springs = Uses::springs > 0 || Uses::anchored_springs > 0;
     /// Whether particles accumulate forces.
