@@ -85,6 +85,8 @@ TEST(Inverse, IsTheNearestFactor) {
             ASSERT_EQ(inverse.halvings, 0) << a;
     }
     EXPECT_EQ(engine::inverse_of(4.0).factor, 0.25);
+    EXPECT_EQ(engine::inverse_of(4.0).halvings, 0);
+    EXPECT_EQ(engine::times(3.0, engine::inverse_of(4.0)), 0.75);
 }
 
 // Near a length L up to 2 m. A scaled component is off by (1 + L) / 2 ulp, so that e is by

@@ -53,6 +53,11 @@ class VectorSteps : public testing::Test {
             (random_() % 2 == 0 ? static_cast<int64_t>(random_() % 3) - 1
                                 : static_cast<int64_t>(random_() % static_cast<uint64_t>(one))));
     }
+    // A whole number from 0 to 255, or an ulp beside it.
+    int32_t whole(int i) {
+        return ((i & 255) << 16) + static_cast<int32_t>(random_() % 4 == 0) -
+               static_cast<int32_t>(random_() % 4 == 0);
+    }
     Vector vector() { return {number(), number(), number()}; }
     std::uint16_t put(int index, const Vector& v) {
         chip_.write(addresses_[index], {reinterpret_cast<const std::uint8_t*>(v.data()), sizeof v});
@@ -104,7 +109,7 @@ TEST_F(VectorSteps, AddScaledAddsTheRoundedProducts) {
         for (int i = 0; i < rounds; ++i) {
             const Vector v = vector();
             Vector expected = vector();
-            const int32_t factor = number();
+            const int32_t factor = i % 4 == 0 ? whole(i / 4) : number();
             add_scaled(put(0, expected), put(1, v), factor);
             for (int k = 0; k < n; ++k) expected[k] = sum(expected[k], product(v[k], factor));
             ASSERT_EQ(get(0), expected) << n << " " << factor << " " << v[0] << " " << v[1];

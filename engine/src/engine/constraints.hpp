@@ -13,6 +13,25 @@
 
 namespace engine {
 
+/// \cond internal
+// measure(), inline where the world has one kind of such links: a call costs as much as a product.
+template <bool may_be_slack, class Link, class Vector, class Scalar>
+ENGINE_INLINE bool measure(const Link& link, const Vector& difference, Vector& direction,
+                           Scalar& excess, If<true>) {
+    return measure<may_be_slack>(difference, link.length, link.inverse, direction, excess);
+}
+template <bool may_be_slack, class Scalar, int N>
+bool measure_by_call(const Vector<Scalar, N>& difference, Scalar length,
+                     const Inverse<Scalar>& inverse, Vector<Scalar, N>& direction, Scalar& excess) {
+    return measure<may_be_slack>(difference, length, inverse, direction, excess);
+}
+template <bool may_be_slack, class Link, class Vector, class Scalar>
+ENGINE_INLINE bool measure(const Link& link, const Vector& difference, Vector& direction,
+                           Scalar& excess, If<false>) {
+    return measure_by_call<may_be_slack>(difference, link.length, link.inverse, direction, excess);
+}
+/// \endcond
+
 /// A rod makes a row in every step, since it bounds velocities even where its length is right. Ends
 /// at one place are reported: the rod has no direction there.
 template <class World, class Scalar, class Ends, class TimeStep>
@@ -21,7 +40,8 @@ ENGINE_INLINE void constrain(const Rod<Scalar, Ends>& rod, World& world, TimeSte
     const auto difference = rod.ends.difference(world);
     typename World::Vector direction;
     Scalar excess;
-    if (!measure<false>(difference, rod.length, rod.inverse, direction, excess)) {
+    const If<World::Uses::rods == 0 || World::Uses::anchored_rods == 0> once = {};
+    if (!measure<false>(rod, difference, direction, excess, once)) {
         return world.report(Error::no_direction);
     }
     World::Solver::rod(world, rod.ends.a, rod.ends.second(), direction, excess, rod.inverse, dt);
@@ -34,7 +54,8 @@ ENGINE_INLINE void constrain(const Rope<Scalar, Ends>& rope, World& world, TimeS
     const auto difference = rope.ends.difference(world);
     typename World::Vector direction;
     Scalar excess;
-    if (!measure<true>(difference, rope.length, rope.inverse, direction, excess)) return;
+    const If<World::Uses::ropes == 0 || World::Uses::anchored_ropes == 0> once = {};
+    if (!measure<true>(rope, difference, direction, excess, once)) return;
     if (excess < Scalar()) return;
     World::Solver::rope(world, rope.ends.a, rope.ends.second(), direction, excess, rope.inverse,
                         rope.restitution, dt);

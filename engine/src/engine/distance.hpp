@@ -52,10 +52,9 @@ __attribute__((noinline, cold)) Inverse<Fixed<I, F, A>> inverse_of(Fixed<I, F, A
     for (Digits left = divisor >> F >> 1; left != 0; left = static_cast<Digits>(left >> 1)) {
         ++halvings;
     }
-    constexpr auto most = static_cast<Digits>(fixedpoint::RawLimits<Raw>::max);
     Digits quotient = 0, rest = 1;
     for (auto digits = static_cast<unsigned char>(2 * F + halvings);; --digits) {
-        if (quotient > most / 2) return {Number(), 0};
+        if (static_cast<Raw>(quotient) < 0) return {Number(), 0};
         quotient = static_cast<Digits>(2 * quotient);
         if (rest >= divisor) {
             rest = static_cast<Digits>(rest - divisor);
@@ -65,7 +64,7 @@ __attribute__((noinline, cold)) Inverse<Fixed<I, F, A>> inverse_of(Fixed<I, F, A
         rest = static_cast<Digits>(2 * rest);
     }
     if (rest >= divisor - rest) ++quotient;
-    if (quotient > most) return {Number(), 0};
+    if (static_cast<Raw>(quotient) < 0) return {Number(), 0};
     return {Number::from_raw(static_cast<Raw>(quotient)), halvings};
 }
 template <int I, int F, class A>
@@ -74,28 +73,31 @@ ENGINE_INLINE Fixed<I, F, A> times(Fixed<I, F, A> a, const Inverse<Fixed<I, F, A
     return inverse.halvings == 0 ? a : a >> inverse.halvings;
 }
 
-// v / 2^count.
 template <class Scalar, int N>
-__attribute__((noinline, cold)) void halve(Vector<Scalar, N>& v, unsigned char count) {
-    for (unsigned char i = 0; i < N; ++i) v[i] = v[i] >> count;
-}
-
-// Whether a component of v is beyond +-bound.
-template <class Scalar, int N>
-__attribute__((noinline, cold)) bool reaches_beyond(const Vector<Scalar, N>& v, Scalar bound) {
-    for (unsigned char i = 0; i < N; ++i) {
-        if (v[i] > bound || v[i] < -bound) return true;
-    }
-    return false;
+__attribute__((noinline, cold)) void halve(Vector<Scalar, N>& v) {
+    for (unsigned char i = 0; i < N; ++i) v[i] = half(v[i]);
 }
 
 // v 2^k with its largest component in 1/4..1/2, so that 1/4 < |v| < 0.87; 0 stays 0.
 template <int I, int F, class A, int N>
 __attribute__((noinline, cold)) void bring_near_one(Vector<Fixed<I, F, A>, N>& v) {
-    using Raw = typename Fixed<I, F, A>::Raw;
-    const auto least = Fixed<I, F, A>::from_raw(static_cast<Raw>(Raw(1) << (F < 2 ? 0 : F - 2)));
-    while (reaches_beyond(v, least + least)) halve(v, 1);
-    while (!reaches_beyond(v, least) && !(v == Vector<Fixed<I, F, A>, N>())) v += v;
+    using Number = Fixed<I, F, A>;
+    using Raw = typename Number::Raw;
+    const auto quarter = Number::from_raw(static_cast<Raw>(Raw(1) << (F < 2 ? 0 : F - 2)));
+    for (;;) {
+        Number least = Number();  // -|v_i| of the largest: the end of the range has no |v_i|
+        for (unsigned char i = 0; i < N; ++i) {
+            const Number below_zero = v[i] > Number() ? -v[i] : v[i];
+            if (below_zero < least) least = below_zero;
+        }
+        if (least < -(quarter + quarter)) {
+            halve(v);
+        } else if (least < -quarter || least == Number()) {
+            return;
+        } else {
+            v += v;
+        }
+    }
 }
 
 // e = (v . v - 1) / 2, by which |v| exceeds 1 where that is little.
@@ -150,7 +152,7 @@ bool measure(const Vector<Scalar, N>& difference, Scalar length, const Inverse<S
     return !(distance == Scalar());
 }
 template <bool may_be_slack, int I, int F, class A, int N>
-typename OnlyIf<RoundsOnce<A>::value, bool>::Type measure(
+ENGINE_INLINE typename OnlyIf<RoundsOnce<A>::value, bool>::Type measure(
     const Vector<Fixed<I, F, A>, N>& difference, Fixed<I, F, A> length,
     const Inverse<Fixed<I, F, A>>& inverse, Vector<Fixed<I, F, A>, N>& direction,
     Fixed<I, F, A>& excess) {
@@ -159,9 +161,8 @@ typename OnlyIf<RoundsOnce<A>::value, bool>::Type measure(
     // A direction 1 + e long leaves 2 e of a row's change to the next step: by 4 ulp that is below
     // an ulp of each change below 1/8 m/s.
     const Number little = Number::from_raw(F >= 12 ? 4 : 0);
-    direction = difference;
-    direction *= inverse.factor;
-    if (inverse.halvings != 0) halve(direction, inverse.halvings);
+    scale<N>(direction.component, difference.component, inverse.factor);
+    for (unsigned char i = inverse.halvings; i != 0; --i) halve(direction);
     Number relative = excess_over_one(direction);
     if (may_be_slack && relative < -near) return false;
     if (inverse.halvings == 0 && absolute(relative) < near) {

@@ -164,6 +164,13 @@ void add_scaled(Scalar* sum, const Scalar* v, Scalar factor) {
         sum[i] = engine::multiply_add(v[i], factor, sum[i]);
     }
 }
+/// v factor of a vector of N components, each rounded once.
+template <int N, class Scalar>
+ENGINE_INLINE void scale(Scalar* product, const Scalar* v, Scalar factor) {
+    product[0] = v[0] * factor;
+    product[1] = v[1] * factor;
+    if (N == 3) product[N - 1] = v[N - 1] * factor;
+}
 /// Adds v factor to a, and takes the same product from b: a + b stays as it is, to the bit where
 /// the scalar's sums are exact.
 template <int N, class Scalar>
@@ -193,6 +200,14 @@ ENGINE_INLINE void add_scaled(Fixed<I, F, fixedpoint::Nearest>* sum,
     } else {
         fixedpoint::kernel::add_scaled3<Raw, F>(raws(sum), raws(v), factor.raw());
     }
+}
+// Its kernel knows whole factors, such as 1 / length of a rod of 1/4 m.
+template <int N>
+ENGINE_INLINE void scale(Fixed<16, 16, fixedpoint::Nearest>* product,
+                         const Fixed<16, 16, fixedpoint::Nearest>* v,
+                         Fixed<16, 16, fixedpoint::Nearest> factor) {
+    for (unsigned char i = 0; i < N; ++i) product[i] = Fixed<16, 16, fixedpoint::Nearest>();
+    add_scaled<N>(product, v, factor);
 }
 template <int N, int I, int F>
 ENGINE_INLINE void exchange(Fixed<I, F, fixedpoint::Nearest>* a,

@@ -53,24 +53,30 @@ Scalar half_toward_zero(Scalar change) {
 // along `direction`, which points from b to a; b may be nothing. `share` must be mass_share(world,
 // a, b), and one of them must move. Two of equal mass take the same product, so that their sum, the
 // momentum, stays to the bit: a change of an ulp may be none. Returns whether there was one.
-template <class World, class Index, class Vector, class Scalar>
-ENGINE_INLINE bool apply_shared(World& world, Index a, Index b, const Vector& direction,
-                                Scalar change, Scalar share, Vector World::Particle::*quantity) {
-    Vector& of_a = world.step_particles()[a].*quantity;
-    if (!is_particle(world, b)) {
+template <class Vector, class Scalar>
+ENGINE_INLINE bool apply_shared(Vector& of_a, Vector* of_b, const Vector& direction, Scalar change,
+                                Scalar share) {
+    if (of_b == nullptr) {
         of_a.add_scaled(direction, change);
         return true;
     }
-    Vector& of_b = world.step_particles()[b].*quantity;
     const Scalar one_half = Decimal<5, 1>();
     if (!(share == one_half)) {
-        share_between(of_a, of_b, direction, change, share);
+        share_between(of_a, *of_b, direction, change, share);
         return true;
     }
     const Scalar part = half_toward_zero(change);
     if (part == Scalar()) return false;
-    exchange(of_a, of_b, direction, part);
+    exchange(of_a, *of_b, direction, part);
     return true;
+}
+template <class World, class Index, class Vector, class Scalar>
+ENGINE_INLINE bool apply_shared(World& world, Index a, Index b, const Vector& direction,
+                                Scalar change, Scalar share, Vector World::Particle::*quantity) {
+    auto& particles = world.step_particles();
+    return apply_shared(particles[a].*quantity,
+                        is_particle(world, b) ? &(particles[b].*quantity) : nullptr, direction,
+                        change, share);
 }
 
 }  // namespace engine

@@ -49,11 +49,15 @@ __attribute__((noinline)) bool is_unit(const Vector<Scalar, N>& v) {
     return !(square < one - tolerance) && !(most < square);
 }
 
+// Whether a rod or a rope may have the length of that inverse.
+template <class Scalar>
+constexpr bool are_length_and_inverse(Scalar length, Scalar inverse) {
+    return is_finite(length) && is_finite(inverse) && inverse > Scalar();
+}
 // Whether a rod, a rope or a spring may have that length.
 template <class Link, class Scalar>
 bool takes_length(const Link&, Scalar length) {
-    const Scalar inverse = inverse_of(length).factor;
-    return is_finite(length) && is_finite(inverse) && inverse > Scalar();
+    return are_length_and_inverse(length, inverse_of(length).factor);
 }
 template <class Scalar, class Ends>
 bool takes_length(const Spring<Scalar, Ends>&, Scalar length) {
@@ -82,13 +86,13 @@ Error fault_in(const Spring<Scalar, Ends>& spring, Index particles) {
 
 template <class Scalar, class Ends, class Index>
 Error fault_in(const Rod<Scalar, Ends>& rod, Index particles) {
-    if (!takes_length(rod, rod.length)) return Error::bad_length;
+    if (!are_length_and_inverse(rod.length, rod.inverse.factor)) return Error::bad_length;
     return fault_in(rod.ends, particles);
 }
 
 template <class Scalar, class Ends, class Index>
 Error fault_in(const Rope<Scalar, Ends>& rope, Index particles) {
-    if (!takes_length(rope, rope.length)) return Error::bad_length;
+    if (!are_length_and_inverse(rope.length, rope.inverse.factor)) return Error::bad_length;
     if (!is_between_0_and_1(rope.restitution)) return Error::bad_restitution;
     return fault_in(rope.ends, particles);
 }

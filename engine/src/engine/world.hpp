@@ -126,8 +126,10 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
     using AnchoredRope = engine::Rope<Scalar, Anchor>;
     using Drag = engine::Drag<Scalar, Index>;
     using Plane = engine::Plane<Scalar, Vector>;
+    static constexpr bool keeps_rows =
+        keeps_rows_of(static_cast<const Solver*>(nullptr), max_rows == 1 && !bounces);
     using Row = typename Solver::template Row<World>;
-    using Rows = Pool<Row, static_cast<unsigned>(max_rows)>;
+    using Rows = Pool<Row, keeps_rows ? static_cast<unsigned>(max_rows) : 0>;
     using PairMemory = typename BroadPhase::template Memory<World>;
     using IntegratorMemory = typename Integrator::template Memory<World>;
     /// \endcond
@@ -145,13 +147,12 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
         if (Uses::radii && !is_at_least_0(body.radius)) return refuse(Error::bad_radius);
         if (Uses::damping && !is_between_0_and_1(body.damping)) return refuse(Error::bad_damping);
         if (particles_.full()) return refuse(Error::pool_full);
-        Particle particle;
+        Particle& particle = particles_.append();
         particle.position = body.position;
         particle.velocity = body.velocity;
         particle.inverse_mass = body.inverse_mass;
         only_if<Uses::radii>(particle, [&](Particle& p) { radius_of(p) = body.radius; });
         only_if<Uses::damping>(particle, [&](Particle& p) { damping_of(p) = body.damping; });
-        particles_.append(particle);
         integrator_memory_.restart();
         return Handle(static_cast<Index>(particles_.size() - 1));
     }
@@ -343,14 +344,14 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
             fill(rows_.append());
         }
     }
-    /// The constraint rows of this step.
+    /// The constraint rows of this step; none of a single rod, which is solved where it is found.
     const Rows& rows() const { return rows_; }
     /// The constraint rows of this step, to be changed by a solver.
     Rows& step_rows() { return rows_; }
     /// Gives the particles velocities that the rows of this step allow.
     void solve_constraints() {
         observe<Scalar>(Quantity::resolution);
-        solve(If<(max_rows > 0)>());
+        solve(If<(keeps_rows && max_rows > 0)>());
     }
 
     /// The acceleration of a against b by gravity.

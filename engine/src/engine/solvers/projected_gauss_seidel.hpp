@@ -78,6 +78,19 @@ struct Sharing<Scalar, true> {
   private:
     Scalar share_ = Scalar();  // a's part of each correction; b takes the rest
 };
+
+// Whether a world of that solver keeps the rows of a step. A single rod is solved where it is
+// found.
+template <class Solver>
+constexpr bool keeps_rows_of(const Solver*, bool) {
+    return true;
+}
+template <unsigned char max_iterations>
+struct ProjectedGaussSeidel;
+template <unsigned char max_iterations>
+constexpr bool keeps_rows_of(const ProjectedGaussSeidel<max_iterations>*, bool is_single_rod) {
+    return !is_single_rod;
+}
 /// \endcond
 
 /// The solver of choice: at most max_iterations iterations over all constraint rows in a step.
@@ -141,6 +154,16 @@ struct ProjectedGaussSeidel {
                      Scalar correction, Scalar target, Scalar restitution) {
         if (!either_moves(world, a, b)) return;
         const Scalar share = mass_share(world, a, b);
+        bind(world, a, b, pushes_only, normal, correction, target, restitution, share,
+             If<World::keeps_rows>());
+    }
+    /// \endcond
+
+  private:
+    template <class World, class Index, class Vector, class Scalar>
+    static ENGINE_INLINE void bind(World& world, Index a, Index b, bool pushes_only,
+                                   const Vector& normal, Scalar correction, Scalar target,
+                                   Scalar restitution, Scalar share, If<true>) {
         world.append_row([&](Row<World>& row) ENGINE_INLINE_LAMBDA {
             row.a = a;
             row.b = b;
@@ -152,9 +175,27 @@ struct ProjectedGaussSeidel {
             apply_shared(world, a, b, row.normal, correction, share, &World::Particle::position);
         });
     }
-    /// \endcond
-
-  private:
+    template <class World>
+    struct SingleRow : Pushing<typename World::Scalar, false> {
+        using Index = typename World::Index;
+        using Vector = typename World::Vector;
+        using Scalar = typename World::Scalar;
+        const Index a, b;
+        const Vector& normal;
+        const Scalar target, share_;
+        SingleRow(Index first, Index second, const Vector& from_b_to_a, Scalar velocity,
+                  Scalar of_a)
+            : a(first), b(second), normal(from_b_to_a), target(velocity), share_(of_a) {}
+        constexpr Scalar share() const { return share_; }
+    };
+    template <class World, class Index, class Vector, class Scalar>
+    static void bind(World& world, Index a, Index b, bool, const Vector& normal, Scalar correction,
+                     Scalar target, Scalar, Scalar share, If<false>) {
+        if (!(correction == Scalar())) {
+            apply_shared(world, a, b, normal, correction, share, &World::Particle::position);
+        }
+        solve_row(world, SingleRow<World>(a, b, normal, target, share));
+    }
     template <class World>
     struct SolveRow {
         World& world;
@@ -169,13 +210,16 @@ struct ProjectedGaussSeidel {
     template <class World, class Row>
     static bool solve_row(World& world, const Row& row) {
         using Scalar = typename World::Scalar;
-        const Scalar velocity = velocity_along(world, row.a, row.b, row.normal);
+        auto& of_a = world.step_particles()[row.a].velocity;
+        auto* const of_b =
+            is_particle(world, row.b) ? &world.step_particles()[row.b].velocity : nullptr;
+        const Scalar velocity =
+            of_b == nullptr ? dot(row.normal, of_a) : dot_difference(row.normal, of_a, *of_b);
         Scalar goal = row.target;
         if (!row.acts(world, velocity, goal)) return false;
         const Scalar change = goal - velocity;
         if (change == Scalar()) return false;
-        return apply_shared(world, row.a, row.b, row.normal, change, row.share(),
-                            &World::Particle::velocity);
+        return apply_shared(of_a, of_b, row.normal, change, row.share());
     }
 
     // h w^2 / 2L of the velocity w of a against b.
