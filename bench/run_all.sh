@@ -5,8 +5,8 @@
 #
 # Usage: bench/run_all.sh [--quick | --full | --check] [--exhaustive] [--only NAME,...] [--resume]
 #   --full   all samples, the search over hypotheses, an hour of the lever (default); writes results/
-#   --quick  the same on fewer operands, some minutes after the build; writes build/quick/ and
-#            leaves results/ alone
+#   --quick  the same on fewer operands and, of the scenes, with fewer programs for the chip: some
+#            minutes after the build; writes build/quick/ and leaves results/ alone
 #   --check  measures into build/check/ instead and fails where a deterministic file (cycles, sizes,
 #            errors, hashes) differs from the committed results/
 #   --exhaustive  also every input of the spaces of 2^32, on the host and as machine code: hours on

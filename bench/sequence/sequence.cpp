@@ -93,8 +93,11 @@ class Sequence {
     int run() {
         fixbench::require_writable(results_ / "data");
         std::set<std::string> targets;
-        for (const Job& job : jobs_)
-            targets.insert(job.step.targets.begin(), job.step.targets.end());
+        for (const Job& job : jobs_) {
+            const auto& read = quick_ && !job.step.quick_targets.empty() ? job.step.quick_targets
+                                                                         : job.step.targets;
+            targets.insert(read.begin(), read.end());
+        }
         fixbench::build({targets.begin(), targets.end()});
         if (options_.resume) skip_unchanged();
         measure();

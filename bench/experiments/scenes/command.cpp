@@ -39,7 +39,8 @@ const fixbench::Registration scenes({
             fixbench::add_selection(command, "--method", options->methods,
                                     "only these methods, e.g. velocity_verlet");
             command.add_flag("--quick", options->quick,
-                             "only time steps of 2^-8 s, on the host also longer ones");
+                             "on the chip only steps of 2^-8 s, of semi-implicit Euler and of "
+                             "Q16.16; on the host all else, and longer steps");
             return [options](const Call& call) {
                 options->output = call.output;
                 options->threads = call.threads;
@@ -57,6 +58,7 @@ const fixbench::Registration scenes({
                    },
                .writes = {"scenes.csv"},
                .targets = {"scene_programs"},
+               .quick_targets = {"scene_quick_programs"},
                .reads = {SCENE_PROGRAMS},
                .full_seconds = 240,
                .quick_seconds = 60}},

@@ -46,7 +46,7 @@ struct SceneOptions {
     std::filesystem::path programs;                     // folder of the device programs
     std::filesystem::path output;
     unsigned threads = 1;
-    bool quick = false;  // coarse time steps only
+    bool quick = false;  // coarse time steps only, fewer programs for the chip
 };
 
 // The device programs that such a run reads, by their paths. Throws std::invalid_argument where a

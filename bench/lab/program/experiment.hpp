@@ -38,6 +38,7 @@ struct Step {
     std::vector<std::string> full_only{};        // data files that the quick run does not write
     std::vector<std::string> figures{};          // files of the folder figures/
     std::vector<std::string> targets{};          // of the build, which it reads
+    std::vector<std::string> quick_targets{};    // those of the quick run, where it reads fewer
     std::vector<std::filesystem::path> reads{};  // files, and folders of programs: inputs
     // Seconds of one core, roughly: orders the steps until they have been timed on this machine.
     double full_seconds = 60, quick_seconds = 10;
