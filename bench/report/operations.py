@@ -22,13 +22,17 @@ AUXILIARY = ("sin_turns", "cos_turns", "sincos_turns", "atan2_turns", "sin_degre
 # Whose square roots the first page compares.
 ROOTS = (("q4_4", OURS), ("q8_8", OURS), ("q16_16", OURS), ("q16_16", "small"), ("q8_24", OURS),
          ("q32_32", OURS), FLOAT, PUBLISHED)
-# Proofs that a result is rounded correctly for every operand: tests of fixedpoint/CMakeLists.txt.
-PROOFS = {(operation, number_format, OURS): "fixedpoint/prove_products"
-          for operation, formats in (("multiply", ("q16_16", "q8_24", "q32_32")),
-                                     ("multiply_add", ("q16_16", "q8_24")),
-                                     ("dot2", ("q8_8", "q16_16", "q8_24", "q32_32")),
-                                     ("dot3", ("q8_8", "q16_16", "q8_24", "q32_32")))
-          for number_format in formats}
+# Proofs that a result is rounded correctly for every operand: tests of the library and of `exhaustive`.
+SUMS = "bench/prove_sums", ("q16_16", "q8_24")
+PROOFS = {(operation, number_format, implementation): proof
+          for proof, formats, implementation, operations in (
+              ("fixedpoint/prove_products", ("q16_16", "q8_24"), OURS, ("multiply", "multiply_add", "dot2", "dot3")),
+              ("fixedpoint/prove_products", ("q32_32",), OURS, ("multiply", "dot2", "dot3")),
+              ("fixedpoint/prove_products", ("q8_8",), OURS, ("dot2", "dot3")),
+              ("fixedpoint/prove_quotients", ("q16_16",), OURS, ("divide",)),
+              (*SUMS, OURS, ("add", "subtract", "abs_diff", "copysign", "midpoint")),
+              (*SUMS, "saturating", ("add", "subtract")))
+          for operation in operations for number_format in formats}
 
 # ulp of a float that make half its value: no digit is right.
 LOST = 2**23

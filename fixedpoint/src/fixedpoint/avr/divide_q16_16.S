@@ -179,7 +179,7 @@
 1:
 .Lpositive:
     tst r21
-    brpl 2f
+    brpl .Lmagnitudes
     com r21
     com r20
     com r19
@@ -187,7 +187,8 @@
     sbci r19, 0xff
     sbci r20, 0xff
     sbci r21, 0xff
-2:  mov r0, r20
+.Lmagnitudes:
+    mov r0, r20
     or r0, r21
     brne .Lnot_short
     cpi r19, 2
@@ -204,6 +205,7 @@
     movw r26, r0
     mul r19, r20
     add r27, r0
+.Lshort_index:
     mov r30, r27
     mov r18, r26
     lsl r18
@@ -223,11 +225,12 @@
     sbci r18, 0xff
     adc r19, r21
     mov r19, r0
-    breq 1f
+    breq .Lshort_scale
     sub r19, r26
     sbc r18, r27
     inc r30
-1:  mul r20, r30            // w
+.Lshort_scale:
+    mul r20, r30            // w
     movw r26, r0
     add r27, r20
     mul n0, r26
@@ -236,12 +239,13 @@
     multiply_low r20, r21, r22
     mov r23, n2
     or r23, n3
-    breq 2f
+    breq .Lshort_digit_2
     multiply_byte n2, r21, r22, r23
     tst n3
     brne .Lshort_large
-1:  tst r23
-    breq 2f
+.Lshort_digit_3:
+    tst r23
+    breq .Lshort_digit_2
     mul r23, r19            // bits 24..31 of the quotient
     movw r26, r0
     mul r23, r18
@@ -250,13 +254,14 @@
     add r20, r26
     adc r21, r0
     adc r22, r1
-    brcc 2f
+    brcc .Lshort_digit_2
     inc r23
     add r20, r19
     adc r21, r18
     adc r22, r25
-2:  tst r22
-    breq 3f
+.Lshort_digit_2:
+    tst r22
+    breq .Lshort_digit_1
     mul r22, r19            // bits 16..23
     movw r26, r0
     mul r22, r18
@@ -265,27 +270,29 @@
     add r31, r26
     adc r20, r0
     adc r21, r1
-    brcc 3f
+    brcc .Lshort_digit_1
     subi r22, 0xff
     sbci r23, 0xff
     add r31, r19
     adc r20, r18
     adc r21, r25
-3:  mul r21, r19            // bits 8..15
+.Lshort_digit_1:
+    mul r21, r19            // bits 8..15
     movw r26, r0            // r26 is the byte below r31
     mul r21, r18
     add r0, r27
     adc r1, r25
     add r31, r0
     adc r20, r1
-    brcc 4f
+    brcc .Lshort_digit_0
     subi r21, 0xff
     sbci r22, 0xff
     sbci r23, 0xff
     add r26, r19
     adc r31, r18
     adc r20, r25
-4:  mul r20, r18            // bits 0..7
+.Lshort_digit_0:
+    mul r20, r18            // bits 0..7
     add r26, r0
     adc r31, r1
     brcs .Lshort_carry
@@ -306,7 +313,7 @@
     mul n3, r27
     add r23, r0
     clr r25
-    rjmp 1b
+    rjmp .Lshort_digit_3
 .Lshort_up:
     movw r24, r22
     movw r22, r20
@@ -385,6 +392,7 @@
     mul r19, r21
     add r27, r0
     adc r20, r1
+.Lmedium_index:
     mov r30, r20
     mov r18, r27
     lsl r18
@@ -411,12 +419,13 @@
     sbci r19, 0xff
     sbci r31, 0xff
     adc r1, r0
-    breq 1f
+    breq .Lmedium_scale
     sub r18, r26
     sbc r19, r27
     sbc r31, r20
     inc r30
-1:  mul r21, r30
+.Lmedium_scale:
+    mul r21, r30
     movw r26, r0
     add r27, r21
     mul n0, r26
@@ -424,19 +433,20 @@
     multiply_low r21, r22, r30
     mov r23, n2
     or r23, n3
-    breq 3f
+    breq .Lmedium_digit_1
     multiply_byte n2, r22, r30, r23
     tst n3
     brne .Lto_medium_large
     clr r24
 .Lmedium_digit_2:
     tst r23
-    breq 3f
+    breq .Lmedium_digit_1
     digit24 r23, r20, r21, r22, r30
     subi r23, 0xff
     sbci r25, 0xff
 9:
-3:  mul r30, r31            // bits 8..15
+.Lmedium_digit_1:
+    mul r30, r31            // bits 8..15
     movw r26, r0
     mul r30, r18
     add r20, r1
@@ -449,7 +459,8 @@
     adc r21, r1
     adc r22, r24
     brcs 8f
-9:  mul r22, r31            // bits 0..7
+.Lmedium_digit_0:
+    mul r22, r31            // bits 0..7
     add r20, r0
     adc r21, r1
     brcs .Lmedium_carry
@@ -481,7 +492,7 @@
     adc r20, r19
     adc r21, r31
     adc r22, r24
-    rjmp 9b
+    rjmp .Lmedium_digit_0
 .Lmedium_exact:
     rcall .Lmedium_rest
 .Lmedium_compare:
@@ -543,6 +554,7 @@
     adc r24, r1
     mov r25, r24
     clr r24
+.Lmedium_digit_3:
     digit24 r25, r21, r22, r30, r23
     inc r25
 9:  rjmp .Lmedium_digit_2
@@ -570,6 +582,7 @@
     add r19, r28
     adc r20, r29
     adc r21, r16
+.Llong_index:
     mov r30, r21
     mov r0, r20
     lsl r0
@@ -602,13 +615,14 @@
     sbci r30, 0xff
     sbci r31, 0xff
     adc r17, r16
-    breq 1f
+    breq .Llong_scale
     sub r28, r18
     sbc r29, r19
     sbc r30, r20
     sbc r31, r21
     inc r27
-1:  mov r17, r26
+.Llong_scale:
+    mov r17, r26
     mul r26, r27
     movw r26, r0
     add r27, r17
@@ -617,26 +631,28 @@
     multiply_low r19, r20, r21
     multiply_byte n2, r20, r21, r22
     multiply_byte n3, r21, r22, r23
+.Llong_digit_2:
     multiply32 r23          // bits 16..23
     add r18, r24
     adc r19, r25
     adc r20, r26
     adc r21, r27
     adc r22, r1
-    brcc 1f
+    brcc .Llong_digit_1
     inc r23
     add r18, r28
     adc r19, r29
     adc r20, r30
     adc r21, r31
     adc r22, r16
-1:  multiply32 r22          // bits 8..15
+.Llong_digit_1:
+    multiply32 r22          // bits 8..15
     mov r17, r24
     add r18, r25
     adc r19, r26
     adc r20, r27
     adc r21, r1
-    brcc 1f
+    brcc .Llong_digit_0
     subi r22, 0xff
     sbci r23, 0xff
     add r17, r28
@@ -644,7 +660,8 @@
     adc r19, r30
     adc r20, r31
     adc r21, r16
-1:  multiply32 r21          // bits 0..7
+.Llong_digit_0:
+    multiply32 r21          // bits 0..7
     add r17, r25
     adc r18, r26
     adc r19, r27
