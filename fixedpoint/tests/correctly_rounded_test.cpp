@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // CorrectlyRounded against functions of 113 bits: the exact result, rounded, for every operation.
-// What random operands reach seldom, a result in Q32.32 on a tie or next to one, is looked for.
+// What random operands reach seldom, a result in Q32.32 on a tie or next to one, is looked for; and
+// what decides there is held to the bound of its error, from both sides of it.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -9,6 +10,7 @@
 #include <fixedpoint/math.hpp>
 #include <fixedpoint/vector.hpp>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -20,6 +22,7 @@ __extension__ typedef __float128 Real;
 
 extern "C" {
 #define REAL_FUNCTION(name) Real name##f128(Real) noexcept;
+REAL_FUNCTION(fabs)
 REAL_FUNCTION(floor)
 REAL_FUNCTION(sqrt)
 REAL_FUNCTION(sin)
@@ -164,6 +167,58 @@ TEST(CorrectRoundingByShortCores, LeavesFewOperandsInDoubt) {
     }
     for (int k = 0; k < 5; ++k) EXPECT_LT(in_doubt[k], 100) << k;
     EXPECT_LT(in_doubt[5], 3000) << "those of exp, within 2/256 ulp and more of a tie";
+}
+
+constexpr Real two_to_64 = Real(18446744073709551616.0);
+
+TEST(SideOfATie, OfDirectionsErrsByLessThan8Units) {
+    std::mt19937 random(7);
+    for (int i = 0; i < 10'000; ++i) {
+        uint32_t x = 1 + (random() >> (1 + random() % 31)), y = random() >> random() % 32;
+        if (y > x) std::swap(x, y);
+        const auto angle = static_cast<uint64_t>(atan2f128(y, x) * two_to_64);
+        if (angle < 8) continue;
+        ASSERT_TRUE(fixedpoint::portable::direction_reaches(y, x, angle - 8)) << y << ", " << x;
+        ASSERT_FALSE(fixedpoint::portable::direction_reaches(y, x, angle + 9)) << y << ", " << x;
+    }
+}
+
+// Of a sine each, up to 1/sqrt(2), and of a cosine from there on.
+TEST(SideOfATie, OfSinesErrsByLessThan12Units) {
+    constexpr Real error = 12;
+    for (uint32_t tie = 1; tie < 131072; tie += 2) {
+        const bool is_cosine = tie > 92681;
+        const Real value = Real(tie) / 131072;
+        const Real angle = is_cosine ? acosf128(value) : asinf128(value);
+        const Real slope = is_cosine ? sinf128(angle) : cosf128(angle);
+        const auto near = static_cast<uint64_t>(angle * two_to_64);
+        const auto far = static_cast<uint64_t>(error / slope) + 1;
+        ASSERT_EQ(fixedpoint::portable::sine_reaches(tie, near - far, is_cosine), is_cosine) << tie;
+        ASSERT_NE(fixedpoint::portable::sine_reaches(tie, near + far, is_cosine), is_cosine) << tie;
+    }
+}
+
+TEST(SideOfATie, HasTheRestOfTheQuarterTurnsWithin4Units) {
+    std::mt19937 random(8);
+    const Real half_pi = 2 * atanf128(1);
+    for (int i = 0; i < 100'000; ++i) {
+        const int32_t a = static_cast<int32_t>(random()) >> random() % 32;
+        const auto turns = fixedpoint::portable::nearest_quarter_turns(a);
+        const Real rest = fabsf128(fabsf128(Real(a) / 65536) - turns.quarters * half_pi);
+        ASSERT_LT(fabsf128(rest * two_to_64 - Real(turns.rest)), 4) << a;
+        ASSERT_LT(rest, half_pi / 2 + Real(1) / 16384) << a;
+    }
+}
+
+TEST(SideOfATie, OfPowersIsTheNearestNumbers) {
+    std::mt19937 random(9);
+    for (int i = 0; i < 100'000; ++i) {
+        const uint32_t n = 1 + (random() >> (1 + random() % 31));
+        const Real x = logf128(Real(n) / 65536) * Real(uint64_t(1) << 32);
+        const Real nearest = floorf128(x + Real(0.5));
+        ASSERT_EQ(fixedpoint::kernel::reaches_power(n, static_cast<int64_t>(nearest)), x >= nearest)
+            << n;
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Functions, CorrectRounding,

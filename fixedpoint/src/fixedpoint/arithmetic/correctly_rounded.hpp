@@ -8,6 +8,7 @@
 #pragma once
 
 #include <fixedpoint/arithmetic/nearest.hpp>
+#include <fixedpoint/kernel/power_side.hpp>
 #include <fixedpoint/portable/correct_rounding.hpp>
 
 namespace fixedpoint {
@@ -20,7 +21,7 @@ struct CorrectlyRounded : Nearest {
 #define FIXEDPOINT_CORRECTLY_ROUNDED(name, Side)                                       \
     template <class Raw, int F>                                                        \
     static FIXEDPOINT_CONSTEXPR __attribute__((noinline)) Raw doubtful_##name(Raw a) { \
-        return portable::correctly_rounded<Raw, F, portable::Side>(                    \
+        return portable::correctly_rounded<Raw, F, Side>(                              \
             kernel::name<int64_t, 32>(portable::convert<int64_t, 32, Raw, F>(a)), a);  \
     }                                                                                  \
     template <class Raw, int F>                                                        \
@@ -28,34 +29,34 @@ struct CorrectlyRounded : Nearest {
         const Raw certain = kernel::certain_##name<Raw, F>(a);                         \
         return certain != RawLimits<Raw>::min ? certain : doubtful_##name<Raw, F>(a);  \
     }
-    FIXEDPOINT_CORRECTLY_ROUNDED(sin, SineSide)
-    FIXEDPOINT_CORRECTLY_ROUNDED(cos, CosineSide)
-    FIXEDPOINT_CORRECTLY_ROUNDED(atan, ArcTangentSide)
-    FIXEDPOINT_CORRECTLY_ROUNDED(exp, ExponentialSide)
-    FIXEDPOINT_CORRECTLY_ROUNDED(log, NaturalLogarithmSide)
+    FIXEDPOINT_CORRECTLY_ROUNDED(sin, portable::SineSide)
+    FIXEDPOINT_CORRECTLY_ROUNDED(cos, portable::CosineSide)
+    FIXEDPOINT_CORRECTLY_ROUNDED(atan, portable::ArcTangentSide)
+    FIXEDPOINT_CORRECTLY_ROUNDED(exp, kernel::ExponentialSide)
+    FIXEDPOINT_CORRECTLY_ROUNDED(log, kernel::NaturalLogarithmSide)
 #undef FIXEDPOINT_CORRECTLY_ROUNDED
-#define FIXEDPOINT_CORRECTLY_ROUNDED(name, Function, ...)                  \
-    template <class Raw, int F, class... Operands>                         \
-    static constexpr Raw name(Operands... a) {                             \
-        return portable::correctly_rounded<Raw, F, portable::__VA_ARGS__>( \
-            portable::Evaluated<kernel::Function, int64_t, 32>::apply(     \
-                portable::convert<int64_t, 32, Raw, F>(a)...)              \
-                .number,                                                   \
-            a...);                                                         \
+#define FIXEDPOINT_CORRECTLY_ROUNDED(name, Function, ...)              \
+    template <class Raw, int F, class... Operands>                     \
+    static constexpr Raw name(Operands... a) {                         \
+        return portable::correctly_rounded<Raw, F, __VA_ARGS__>(       \
+            portable::Evaluated<kernel::Function, int64_t, 32>::apply( \
+                portable::convert<int64_t, 32, Raw, F>(a)...)          \
+                .number,                                               \
+            a...);                                                     \
     }
-    FIXEDPOINT_CORRECTLY_ROUNDED(tan, Tan, TangentSide)
-    FIXEDPOINT_CORRECTLY_ROUNDED(asin, Asin, WideSide<portable::Asin>)
-    FIXEDPOINT_CORRECTLY_ROUNDED(acos, Acos, WideSide<portable::Acos>)
-    FIXEDPOINT_CORRECTLY_ROUNDED(exp2, Exp2, WideSide<portable::Exp2>)
-    FIXEDPOINT_CORRECTLY_ROUNDED(expm1, Expm1, WideSide<portable::Expm1>)
-    FIXEDPOINT_CORRECTLY_ROUNDED(log2, Log2, Log2Side)
-    FIXEDPOINT_CORRECTLY_ROUNDED(log10, Log10, Log10Side)
-    FIXEDPOINT_CORRECTLY_ROUNDED(log1p, Log1p, Log1pSide)
-    FIXEDPOINT_CORRECTLY_ROUNDED(sinh, Sinh, WideSide<portable::Sinh>)
-    FIXEDPOINT_CORRECTLY_ROUNDED(cosh, Cosh, WideSide<portable::Cosh>)
-    FIXEDPOINT_CORRECTLY_ROUNDED(tanh, Tanh, WideSide<portable::Tanh>)
-    FIXEDPOINT_CORRECTLY_ROUNDED(cbrt, Cbrt, CubeRootSide)
-    FIXEDPOINT_CORRECTLY_ROUNDED(pow, Pow, WideSide<portable::Pow>)
+    FIXEDPOINT_CORRECTLY_ROUNDED(tan, Tan, portable::TangentSide)
+    FIXEDPOINT_CORRECTLY_ROUNDED(asin, Asin, portable::WideSide<portable::Asin>)
+    FIXEDPOINT_CORRECTLY_ROUNDED(acos, Acos, portable::WideSide<portable::Acos>)
+    FIXEDPOINT_CORRECTLY_ROUNDED(exp2, Exp2, portable::WideSide<portable::Exp2>)
+    FIXEDPOINT_CORRECTLY_ROUNDED(expm1, Expm1, portable::WideSide<portable::Expm1>)
+    FIXEDPOINT_CORRECTLY_ROUNDED(log2, Log2, portable::Log2Side)
+    FIXEDPOINT_CORRECTLY_ROUNDED(log10, Log10, portable::Log10Side)
+    FIXEDPOINT_CORRECTLY_ROUNDED(log1p, Log1p, kernel::Log1pSide)
+    FIXEDPOINT_CORRECTLY_ROUNDED(sinh, Sinh, portable::WideSide<portable::Sinh>)
+    FIXEDPOINT_CORRECTLY_ROUNDED(cosh, Cosh, portable::WideSide<portable::Cosh>)
+    FIXEDPOINT_CORRECTLY_ROUNDED(tanh, Tanh, portable::WideSide<portable::Tanh>)
+    FIXEDPOINT_CORRECTLY_ROUNDED(cbrt, Cbrt, portable::CubeRootSide)
+    FIXEDPOINT_CORRECTLY_ROUNDED(pow, Pow, portable::WideSide<portable::Pow>)
 #undef FIXEDPOINT_CORRECTLY_ROUNDED
     template <class Raw, int F>
     static constexpr Raw reciprocal_sqrt(Raw a) {

@@ -8,10 +8,9 @@
 // others an evaluation with an error far below the distance of the nearest result from a tie.
 #pragma once
 
-#include <fixedpoint/portable/atan2.hpp>
 #include <fixedpoint/portable/convert.hpp>
 #include <fixedpoint/portable/elementary.hpp>
-#include <fixedpoint/portable/exp.hpp>
+#include <fixedpoint/portable/short_turns.hpp>
 #include <fixedpoint/portable/sin.hpp>
 
 namespace fixedpoint {
@@ -74,16 +73,38 @@ constexpr Word128 signed_word(int64_t a) {
 }
 constexpr bool is_at_least(const Word128& a, const Word128& b) { return !is_negative(a - b); }
 
-struct SineSide {
+// An angle as quarter turns and a rest of up to pi/4 and 2^-14, with its magnitude in units of
+// 2^-64.
+struct QuarterTurns {
+    uint16_t quarters;
+    uint64_t rest;
+};
+FIXEDPOINT_CONSTEXPR QuarterTurns nearest_quarter_turns(int32_t a) {
+    constexpr uint32_t two_over_pi = 683565276;       // 2^-30
+    constexpr uint64_t half_pi = 0xc90fdaa22168c234;  // 2^-63
+    constexpr uint32_t half_pi_below = 0xc4c6628b;    // 2^-95
+    const uint32_t positive = magnitude(a);
+    const uint16_t quarters = static_cast<uint16_t>(
+        upper_word(multiply_words(positive, two_over_pi) + (uint64_t(1) << 45)) >> 14);
+    const int64_t rest =
+        static_cast<int64_t>((uint64_t(positive << 15) << 32) - half_pi * quarters -
+                             upper_word(multiply_words(half_pi_below, quarters)));
+    return {quarters, magnitude(rest) << 1};
+}
+// The sign of an exact result is that of the tie next to it.
+template <int turned>
+struct CircularSide {
     static FIXEDPOINT_CONSTEXPR bool reaches(int64_t tie, int32_t a) {
-        return is_at_least(precise_unit_vector(a).sine, signed_word(tie) << 94);
+        const QuarterTurns angle = nearest_quarter_turns(a);
+        // In units of 2^-17.
+        const int32_t short_tie =
+            static_cast<int32_t>(upper_word(static_cast<uint64_t>(tie) << 17));
+        return sine_reaches(magnitude(short_tie), angle.rest,
+                            ((angle.quarters + turned) & 1) != 0) != (short_tie < 0);
     }
 };
-struct CosineSide {
-    static FIXEDPOINT_CONSTEXPR bool reaches(int64_t tie, int32_t a) {
-        return is_at_least(precise_unit_vector(a).cosine, signed_word(tie) << 94);
-    }
-};
+using SineSide = CircularSide<0>;
+using CosineSide = CircularSide<1>;
 // The sine against the tie times the cosine, both with 94 fraction bits.
 struct TangentSide {
     static FIXEDPOINT_CONSTEXPR bool reaches(int64_t tie, int32_t a) {
@@ -97,10 +118,14 @@ struct TangentSide {
 };
 struct AngleSide {
     static FIXEDPOINT_CONSTEXPR bool reaches(int64_t tie, int32_t y, int32_t x) {
-        const Word128 acute = first_quadrant_angle<precise_fraction>(magnitude(y), magnitude(x));
-        const Word128 angle = x < 0 ? CordicConstants<Word128>::pi() - acute : acute;
-        const Word128 at_tie = Word128(magnitude(tie)) << 94;
-        return y < 0 ? !(angle > at_tie) : !(angle < at_tie);
+        constexpr uint64_t pi = 0x243f6a8885a308d3, half_pi = 0x921fb54442d1846a;  // modulo 1
+        const uint32_t height = magnitude(y), width = magnitude(x);
+        const bool left = x<0, steep = height> width;
+        const uint64_t acute = left ? pi - (magnitude(tie) << 32) : magnitude(tie) << 32;
+        const bool reached = steep ? direction_reaches(width, height, half_pi - acute)
+                                   : direction_reaches(height, width, acute);
+        // Seen from the y axis, from the left and from below, it is the other side.
+        return ((reached != steep) != left) != (y < 0);
     }
 };
 struct ArcTangentSide {
@@ -114,13 +139,8 @@ struct ArcTangentSide {
 template <class OfMantissa, int64_t of_two>
 struct LogarithmSide {
     static FIXEDPOINT_CONSTEXPR bool reaches(int64_t tie, int32_t a) {
-        return reaches_of_unsigned(tie, static_cast<uint32_t>(a));
-    }
-
-  protected:
-    static FIXEDPOINT_CONSTEXPR bool reaches_of_unsigned(int64_t tie, uint32_t a) {
         constexpr uint64_t one = uint64_t(1) << 58;
-        uint64_t mantissa = uint64_t(a) << 27;
+        uint64_t mantissa = static_cast<uint64_t>(a) << 27;
         int exponent = 15;
         for (; mantissa < one; --exponent) mantissa <<= 1;
         return OfMantissa::apply(static_cast<int64_t>(mantissa)) + exponent * of_two >=
@@ -131,17 +151,6 @@ template <class Function>
 struct OfMantissa58 {
     static FIXEDPOINT_CONSTEXPR int64_t apply(int64_t mantissa) {
         return Function::template apply<int64_t, 58>(mantissa).number;
-    }
-};
-struct NaturalOfMantissa58 {
-    static FIXEDPOINT_CONSTEXPR int64_t apply(int64_t mantissa) {
-        return Log1p::apply<int64_t, 58>(mantissa - (int64_t(1) << 58)).number;
-    }
-};
-using NaturalLogarithmSide = LogarithmSide<NaturalOfMantissa58, 199786072581291495>;
-struct Log1pSide : NaturalLogarithmSide {
-    static FIXEDPOINT_CONSTEXPR bool reaches(int64_t tie, int32_t a) {
-        return reaches_of_unsigned(tie, static_cast<uint32_t>(a) + (uint32_t(1) << 16));
     }
 };
 using Log2Side = LogarithmSide<OfMantissa58<Log2>, int64_t(1) << 58>;
@@ -156,12 +165,6 @@ struct WideSide {
     static FIXEDPOINT_CONSTEXPR bool reaches(int64_t tie, Operands... a) {
         return Function::template apply<int64_t, 48>(convert<int64_t, 48, int32_t, 16>(a)...)
                    .number >= tie * (int64_t(1) << 16);
-    }
-};
-struct ExponentialSide {
-    static FIXEDPOINT_CONSTEXPR bool reaches(int64_t tie, int32_t a) {
-        return exp_small<int64_t, 48>(convert<int64_t, 48, int32_t, 16>(a)) >=
-               tie * (int64_t(1) << 16);
     }
 };
 

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// On which side of a tie a power of e or a natural logarithm lies: a number against a power, of
+// which the largest results of Q32.32 have 61 bits.
+#pragma once
+
+#include <fixedpoint/kernel/dispatch.hpp>
+#include <fixedpoint/portable/correct_rounding_table.hpp>
+#include <fixedpoint/portable/multiply_words.hpp>
+
+namespace fixedpoint {
+namespace kernel {
+
+// Whether n 2^s is e^x or more, x of Q32.32 from -12 to below 12, where for some s they differ by
+// less than 2^-30 of themselves. Needs n > 0. Errs by less than 2^-60 of the power.
+//
+// n e^c against e^(x + c) from e^20 to e^21, both with 64 leading bits, of which 2 may lie on
+// different sides of a power of 2: they are compared modulo that.
+FIXEDPOINT_CONSTEXPR __attribute__((noinline)) bool reaches_power(uint32_t n, int64_t x) {
+    // c - 9.
+    const uint8_t index = static_cast<uint8_t>(11 - static_cast<int32_t>(x >> 32));
+    uint64_t power =
+        static_cast<uint64_t>(exp<int64_t, 32>(x + (static_cast<int64_t>(index + 9) << 32)));
+    while (static_cast<int64_t>(power) >= 0) power <<= 1;
+    while (static_cast<int32_t>(n) >= 0) n <<= 1;
+    const uint32_t* const factor = &portable::CorrectRoundingTable<>::power[2 * index];
+    uint64_t product = portable::multiply_words(n, read_program_memory(factor[1])) +
+                       (portable::multiply_words(n, read_program_memory(factor[0])) >> 32);
+    if (static_cast<int64_t>(product) >= 0) product <<= 1;
+    return ((product - power) >> 62 & 1) == 0;
+}
+
+struct ExponentialSide {
+    static FIXEDPOINT_CONSTEXPR bool reaches(int64_t tie, int32_t a) {
+        return !reaches_power(static_cast<uint32_t>(tie >> 15), static_cast<int64_t>(a) * 65536);
+    }
+};
+struct NaturalLogarithmSide {
+    static FIXEDPOINT_CONSTEXPR bool reaches(int64_t tie, int32_t a) {
+        return reaches_power(static_cast<uint32_t>(a), tie);
+    }
+};
+struct Log1pSide {
+    static FIXEDPOINT_CONSTEXPR bool reaches(int64_t tie, int32_t a) {
+        return reaches_power(static_cast<uint32_t>(a) + (uint32_t(1) << 16), tie);
+    }
+};
+
+}  // namespace kernel
+}  // namespace fixedpoint

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// DO NOT EDIT: written by python3 fixedpoint/tables/correct_rounding.py
+// atan(i / 32) and atan(i / 2048) in units of 2^-64, and of e^i from i = 9 on the 64 leading bits,
+// the lower half first.
+#pragma once
+
+#include <fixedpoint/program_memory.hpp>
+
+namespace fixedpoint {
+namespace portable {
+
+// Any is void: a template's static member may stand in a header.
+template <class Any = void>
+struct CorrectRoundingTable {
+    static constexpr uint64_t coarse[33] FIXEDPOINT_PROGRAM_MEMORY = {
+        0x0000000000000000ull, 0x07ff556eea5d892aull, 0x0ffaaddb967ef4e3ull, 0x17ee182602f10e8cull, 0x1fd5ba9aac2f6dc6ull, 0x27adddd18cc4d8b1ull,
+        0x2f72f6979cb6044dull, 0x3721aea524c14409ull, 0x3eb6ebf25901bac5ull, 0x462fd68c2fc5e098ull, 0x4d89dcdc1faf2f35ull, 0x54c2b6654735276dull,
+        0x5bd86507937bc23aull, 0x62c934e5286c95b7ull, 0x6993bb0f308ff2dbull, 0x7036d3253b27be34ull, 0x76b19c1586ed3da3ull, 0x7d03742d50505f2eull,
+        0x832bf4a6d9867e2aull, 0x892aecdfde9547b5ull, 0x8f005d5ef7f59f9bull, 0x94ac72c9847186f6ull, 0x9a2f80e671bdda20ull, 0x9f89fdc4f4b7a1edull,
+        0xa4bc7d1934f70924ull, 0xa9c7abdc4830f5c9ull, 0xaeac4c38b4d8c080ull, 0xb36b31c91f043691ull, 0xb8053e2bc2319e74ull, 0xbc7b5deae98af281ull,
+        0xc0ce85b8ac526641ull, 0xc4ffaffabf8fbd55ull, 0xc90fdaa22168c235ull};
+    static constexpr uint64_t fine[64] FIXEDPOINT_PROGRAM_MEMORY = {
+        0x0000000000000000ull, 0x001fffffd55555bcull, 0x003ffffeaaaab777ull, 0x005ffffb80006133ull, 0x007ffff55556eeefull, 0x009fffeb2aaf8ca9ull,
+        0x00bfffdc000c2662ull, 0x00dfffc6d56f9814ull, 0x00ffffaaaaddddb9ull, 0x011fff86805c4346ull, 0x013fff5955f194a7ull, 0x015fff222ba64dbdull,
+        0x017ffee00184ca5cull, 0x019ffe91d7997642ull, 0x01bffe36adf2fd16ull, 0x01dffdcd84a27a5dull, 0x01fffd555bbba973ull, 0x021ffccd33551584ull,
+        0x023ffc340b884980ull, 0x025ffb88e472000cull, 0x027ffacabe32537bull, 0x029ff9f898ecedb8ull, 0x02bff91174c9383cull, 0x02dff81451f28bf4ull,
+        0x02fff70030986134ull, 0x031ff5d410ee7f9dull, 0x033ff48ef32d2e03ull, 0x035ff32fd7916257ull, 0x037ff1b5be5cf189ull, 0x039ff01fa7d6bf65ull,
+        0x03bfee6c944aee79ull, 0x03dfec9b840b0febull, 0x03ffeaab776e5357ull, 0x041fe89b6ed1b6a3ull, 0x043fe66a6a9835d5ull, 0x045fe4176b2afae5ull,
+        0x047fe1a170f98d8cull, 0x049fdf077c7a030eull, 0x04bfdc488e292e03ull, 0x04dfd963a68ace1eull, 0x04ffd657c629bfeeull, 0x051fd323ed982c9eull,
+        0x053fcfc71d6fb9b1ull, 0x055fcc405651b8b5ull, 0x057fc88e98e756ffull, 0x059fc4b0e5e1cd58ull, 0x05bfc0a63dfa8fa8ull, 0x05dfbc6da1f37ca3ull,
+        0x05ffb80612970d6cull, 0x061fb36e90b88537ull, 0x063faea61d3420e5ull, 0x065fa9abb8ef469eull, 0x067fa47e64d8b567ull, 0x069f9f1d21e8b4aeull,
+        0x06bf9986f12143d9ull, 0x06df93bad38e49ceull, 0x06ff8db7ca45c471ull, 0x071f877cd667f828ull, 0x073f8108f91f9f50ull, 0x075f7a5b33a219b2ull,
+        0x077f7372872f9bf2ull, 0x079f6c4df5135efbull, 0x07bf64ec7ea3cf61ull, 0x07df5d4d2542bcc5ull};
+    static constexpr uint32_t power[48] FIXEDPOINT_PROGRAM_MEMORY = {
+        0x387c0e1bu, 0xfd38abe2u, 0xa82afcf8u, 0xac14ee7cu, 0x727bf9f8u, 0xe9e22447u,
+        0x9be4d175u, 0x9ef0b2a6u, 0x564aa9aau, 0xd805ac8bu, 0xf82eb77cu, 0x92cd6245u,
+        0x69543779u, 0xc786657du, 0x40010249u, 0x87975e85u, 0x7527c674u, 0xb849a460u,
+        0xca05e985u, 0xfa791048u, 0x69370b94u, 0xaa36c7cfu, 0x47402011u, 0xe758445bu,
+        0xf767eab3u, 0x9d370fecu, 0x21affc0eu, 0xd5ad6dceu, 0x8fee052cu, 0x9135799du,
+        0x3afdb99cu, 0xc55bfdaau, 0x4b164455u, 0x861e9c90u, 0x535ae505u, 0xb649934bu,
+        0xb398e449u, 0xf7c117bfu, 0xb1bcd27eu, 0xa85dd1bcu, 0x8e02b159u, 0xe4d57231u,
+        0x614764f4u, 0x9b823857u, 0x66fb66e0u, 0xd35bb2ecu, 0x5b3163ecu, 0x8fa1fe62u};
+};
+template <class Any>
+constexpr uint64_t CorrectRoundingTable<Any>::coarse[];
+template <class Any>
+constexpr uint64_t CorrectRoundingTable<Any>::fine[];
+template <class Any>
+constexpr uint32_t CorrectRoundingTable<Any>::power[];
+
+}  // namespace portable
+}  // namespace fixedpoint

@@ -1,0 +1,30 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: MIT
+"""Writes fixedpoint/src/fixedpoint/portable/correct_rounding_table.hpp: what tells on which side of a tie
+an angle or a power lies."""
+
+import table_header
+from exponential_series import exponential
+from series import arctangent, rounded
+
+COARSE, FINE = 32, 2048
+EXPONENTS = range(9, 33)
+
+
+def mantissa(exponent):
+    power = exponential(exponent, 1, 128)
+    return rounded(power, power.bit_length() - 64)
+
+
+def halves(word):
+    return word & 0xFFFFFFFF, word >> 32
+
+
+if __name__ == "__main__":
+    table_header.write(
+        "correct_rounding_table", "correct_rounding.py",
+        f"atan(i / {COARSE}) and atan(i / {FINE}) in units of 2^-64, and of e^i from i = {EXPONENTS[0]} on the 64 leading bits,\n"
+        "the lower half first.", "CorrectRoundingTable",
+        [("uint64_t", "coarse", [arctangent(i, COARSE, 64) for i in range(COARSE + 1)], "{:#018x}ull"),
+         ("uint64_t", "fine", [arctangent(i, FINE, 64) for i in range(FINE // COARSE)], "{:#018x}ull"),
+         ("uint32_t", "power", [half for i in EXPONENTS for half in halves(mantissa(i))], "{:#010x}u")])
