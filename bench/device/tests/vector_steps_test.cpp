@@ -134,37 +134,35 @@ TEST_F(VectorSteps, ExchangeAddsTheRoundedProductsToOneAndTakesThemFromTheOther)
     }
 }
 
-TEST_F(VectorSteps, TransformIsTheRoundedSumOfEveryRowOrColumn) {
-    const std::uint16_t at_result = chip_.allocate(16), at_v = chip_.allocate(16),
+TEST_F(VectorSteps, MatricesTimesVectorsAndMatricesAreRoundedSums) {
+    const std::uint16_t at_result = chip_.allocate(64), at_v = chip_.allocate(64),
                         at_m = chip_.allocate(64);
     for (int fraction = 0; fraction <= 32; ++fraction) {
         const exact::Format format{32, fraction};
         const std::string split = std::to_string(32 - fraction) + "_" + std::to_string(fraction);
-        for (const bool transposed : {false, true}) {
-            DeviceFunction transform(
+        for (const bool of_matrices : {false, true}) {
+            DeviceFunction multiply(
                 chip_,
-                (transposed ? "fixedpoint_transform_transposed_q" : "fixedpoint_transform_q") +
-                    split,
+                (of_matrices ? "fixedpoint_matrix_product_q" : "fixedpoint_transform_q") + split,
                 {0, {2, 2, 2, 1}});
             for (int i = 0; i < 60; ++i) {
                 const int n = 2 + i % 3;
-                std::array<int32_t, 4> v{}, result{};
-                std::array<int32_t, 16> m{};
+                std::array<int32_t, 16> v{}, m{}, result{};
                 for (int32_t& x : v) x = number(fraction);
                 for (int32_t& x : m) x = number(fraction);
                 chip_.write(at_v, {reinterpret_cast<const std::uint8_t*>(v.data()), sizeof v});
                 chip_.write(at_m, {reinterpret_cast<const std::uint8_t*>(m.data()), sizeof m});
-                transform(at_result, at_v, at_m, n);
+                multiply(at_result, at_v, at_m, n);
                 chip_.read(at_result,
                            {reinterpret_cast<std::uint8_t*>(result.data()), sizeof result});
-                for (int k = 0; k < n; ++k) {
+                for (int k = 0; k < (of_matrices ? n * n : n); ++k) {
                     int64_t a[4] = {}, b[4] = {};
                     for (int j = 0; j < n; ++j) {
-                        a[j] = v[j];
-                        b[j] = m[transposed ? j * n + k : k * n + j];
+                        a[j] = v[of_matrices ? k / n * n + j : j];
+                        b[j] = m[of_matrices ? j * n + k % n : k * n + j];
                     }
                     ASSERT_EQ(result[k], exact::dot(a, b, n, format).wrapped)
-                        << split << " " << transposed << " " << n << " " << k;
+                        << split << " " << of_matrices << " " << n << " " << k;
                 }
             }
         }

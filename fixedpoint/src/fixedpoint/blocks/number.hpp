@@ -94,8 +94,7 @@ struct MatrixProduct<Fixed<IntegerBits, F>, true> {
     }
     template <uint8_t N>
     static void apply(const Number (&a)[N][N], const Number (&b)[N][N], Number (&result)[N][N]) {
-        for (uint8_t i = 0; i < N; ++i)
-            kernel::transform_transposed<Raw, F>(raws(result[i]), raws(a[i]), raws(b[0]), N);
+        kernel::matrix_product<Raw, F>(raws(result[0]), raws(a[0]), raws(b[0]), N);
     }
 };
 

@@ -9,20 +9,49 @@
 
 namespace fixedpoint {
 
+/// \cond internal
+// c + x p, rounded once to the format of c and p.
+template <class Number, class Coefficient>
+struct HornerStep {
+    explicit HornerStep(Number x) : x_(BlockNumber<Coefficient>::from(x)) {}
+    Coefficient apply(Coefficient p, Coefficient c) const {
+        return BlockNumber<Coefficient>::multiply_add(p, x_, c);
+    }
+
+  private:
+    Coefficient x_;
+};
+// A product of raws less the fraction bits of x has the format of p: x need not be converted. In 32
+// bits every such product has a kernel.
+template <int I, int F, class A, int CoefficientF>
+struct HornerStep<Fixed<I, F, A>, Fixed<32 - CoefficientF, CoefficientF, A>> {
+    static_assert(I + F <= 32, "Coefficients are at least as wide as the argument.");
+    using Coefficient = Fixed<32 - CoefficientF, CoefficientF, A>;
+    explicit HornerStep(Fixed<I, F, A> x) : x_(x.raw()) {}
+    Coefficient apply(Coefficient p, Coefficient c) const {
+        return Coefficient::from_raw(
+            A::template multiply_add<int32_t, F>(p.raw(), x_, c.raw()));
+    }
+
+  private:
+    int32_t x_;
+};
+/// \endcond
+
 /// The sum of coefficient[i] x^i, computed in the format of the coefficients and rounded to that of
 /// x.
 ///
-/// With W, the coefficients' format: x is converted to W; each of the N - 1 steps c + x p is
-/// rounded once. For |x| <= 1 the error so is at most 1/2 ulp of the result and (N - 1)/2 ulp of W:
-/// with 8 more fraction bits in W, as Q8.24 has beside Q16.16 and Q16.16 beside Q8.8, below 0.52
-/// ulp up to degree 9. What leaves the range of W, in between too, is as its arithmetic has it
-/// (Nearest: modulo 2^W); so is, in the conversion at the end, what leaves the range of x.
+/// With W, the coefficients' format: each of the N - 1 steps c + x p is rounded once. For |x| <= 1
+/// the error so is at most 1/2 ulp of the result and (N - 1)/2 ulp of W: with 8 more fraction bits
+/// in W, as Q8.24 has beside Q16.16 and Q16.16 beside Q8.8, below 0.52 ulp up to degree 9. What
+/// leaves the range of W, in between too, is as its arithmetic has it (Nearest: modulo 2^W); so is,
+/// in the conversion at the end, what leaves the range of x. Coefficients of other than 32 bits
+/// take x converted to W.
 template <class Number, class Coefficient, uint16_t N>
 Number polynomial(Number x, const Table<Coefficient, N>& coefficient) {
-    const Coefficient argument = BlockNumber<Coefficient>::from(x);
+    const HornerStep<Number, Coefficient> step(x);
     Coefficient sum = coefficient[N - 1];
-    for (uint16_t i = N - 1; i-- != 0;)
-        sum = BlockNumber<Coefficient>::multiply_add(sum, argument, coefficient[i]);
+    for (uint16_t i = N - 1; i-- != 0;) sum = step.apply(sum, coefficient[i]);
     return BlockNumber<Number>::from(sum);
 }
 

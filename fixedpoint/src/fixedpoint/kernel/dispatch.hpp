@@ -94,7 +94,7 @@ FIXEDPOINT_OPERATION(BINARY, certain_atan2)
 FIXEDPOINT_OPERATION(VECTORS, dot2)
 FIXEDPOINT_OPERATION(VECTORS, dot3)
 FIXEDPOINT_OPERATION(TRANSFORM, transform)
-FIXEDPOINT_OPERATION(TRANSFORM, transform_transposed)
+FIXEDPOINT_OPERATION(TRANSFORM, matrix_product)
 FIXEDPOINT_OPERATION(VECTORS, project2)
 FIXEDPOINT_OPERATION(VECTORS, project3)
 FIXEDPOINT_OPERATION(DIFFERENCE, dot_difference2)
@@ -402,8 +402,8 @@ FIXEDPOINT_CONSTEXPR void transform(Raw* result, const Raw* v, const Raw* m, uin
     portable::transform<Raw, F>(result, v, m, n);
 }
 template <class Raw, int F>
-FIXEDPOINT_CONSTEXPR void transform_transposed(Raw* result, const Raw* v, const Raw* m, uint8_t n) {
-    portable::transform_transposed<Raw, F>(result, v, m, n);
+FIXEDPOINT_CONSTEXPR void matrix_product(Raw* result, const Raw* v, const Raw* m, uint8_t n) {
+    portable::matrix_product<Raw, F>(result, v, m, n);
 }
 
 // dot2 and dot3, where a is mostly a unit vector.

@@ -238,8 +238,8 @@
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, VECTORS, dot3) \
     KERNEL(TRANSFORM, transform, int32_t, 16, fixedpoint_transform_q16_16, transform) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, TRANSFORM, transform) \
-    KERNEL(TRANSFORM, transform_transposed, int32_t, 16, fixedpoint_transform_transposed_q16_16, transform_transposed) \
-    FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, TRANSFORM, transform_transposed) \
+    KERNEL(TRANSFORM, matrix_product, int32_t, 16, fixedpoint_matrix_product_q16_16, matrix_product) \
+    FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, TRANSFORM, matrix_product) \
     KERNEL(VECTORS, project2, int32_t, 16, fixedpoint_project2_q16_16, dot2) \
     KERNEL(VECTORS, project3, int32_t, 16, fixedpoint_project3_q16_16, dot3) \
     KERNEL(DIFFERENCE, dot_difference2, int32_t, 16, fixedpoint_dot_difference2_q16_16, dot_difference2) \
