@@ -12,5 +12,8 @@ void (*const volatile kernels[])() = {
 void (*const volatile transforms[])(int32_t*, const int32_t*, const int32_t*, uint8_t) = {
     fixedpoint_transform_q16_16,
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, ADDRESS, TRANSFORM, transform)};
+void (*const volatile crosses[])(int32_t*, const int32_t*, const int32_t*) = {
+    fixedpoint_cross_q16_16,
+    FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, ADDRESS, OUTER, cross)};
 
-int main() { return kernels[0] != nullptr && transforms[0] != nullptr; }
+int main() { return kernels[0] && transforms[0] && crosses[0]; }

@@ -169,4 +169,59 @@ TEST_F(VectorSteps, MatricesTimesVectorsAndMatricesAreRoundedSums) {
     }
 }
 
+// Which products make a component: of the quaternions' parts a_p and b_q, with a sign.
+struct Product {
+    int sign, p, q;
+};
+using Components = std::vector<std::vector<Product>>;
+const Components of_quaternions = {{{1, 0, 0}, {-1, 1, 1}, {-1, 2, 2}, {-1, 3, 3}},
+                                   {{1, 0, 1}, {1, 1, 0}, {1, 2, 3}, {-1, 3, 2}},
+                                   {{1, 0, 2}, {-1, 1, 3}, {1, 2, 0}, {1, 3, 1}},
+                                   {{1, 0, 3}, {1, 1, 2}, {-1, 2, 1}, {1, 3, 0}}};
+
+TEST_F(VectorSteps, CrossAndQuaternionProductsAreRoundedSums) {
+    const std::uint16_t at_result = chip_.allocate(16), at_a = chip_.allocate(16),
+                        at_b = chip_.allocate(16);
+    struct Kernel {
+        const char* name;
+        bool a_is_vector, b_is_vector;
+        int factor;
+    };
+    for (const Kernel kernel : {Kernel{"cross", true, true, 1},
+                                {"twice_cross", true, true, 2},
+                                {"quaternion_times_vector", false, true, 1},
+                                {"quaternion_product", false, false, 1}}) {
+        for (int fraction = 0; fraction <= 32; ++fraction) {
+            const exact::Format format{32, fraction};
+            const std::string split =
+                std::to_string(32 - fraction) + "_" + std::to_string(fraction);
+            DeviceFunction multiply(chip_, "fixedpoint_" + (kernel.name + ("_q" + split)),
+                                    {0, {2, 2, 2}});
+            for (int i = 0; i < 60; ++i) {
+                std::array<int32_t, 4> a{}, b{}, result{};
+                for (int32_t& x : a) x = number(fraction);
+                for (int32_t& x : b) x = number(fraction);
+                if (kernel.a_is_vector) a[0] = 0;
+                if (kernel.b_is_vector) b[0] = 0;
+                chip_.write(at_a, {reinterpret_cast<const std::uint8_t*>(a.data()), sizeof a});
+                chip_.write(at_b, {reinterpret_cast<const std::uint8_t*>(b.data()), sizeof b});
+                multiply(at_result + (kernel.b_is_vector ? 4 : 0),
+                         at_a + (kernel.a_is_vector ? 4 : 0), at_b + (kernel.b_is_vector ? 4 : 0));
+                chip_.read(at_result,
+                           {reinterpret_cast<std::uint8_t*>(result.data()), sizeof result});
+                for (int part = kernel.b_is_vector ? 1 : 0; part < 4; ++part) {
+                    int64_t p[4] = {}, q[4] = {};
+                    for (int j = 0; j < 4; ++j) {
+                        const Product& product = of_quaternions[part][j];
+                        p[j] = kernel.factor * product.sign * static_cast<int64_t>(a[product.p]);
+                        q[j] = b[product.q];
+                    }
+                    ASSERT_EQ(result[part], exact::dot(p, q, 4, format).wrapped)
+                        << kernel.name << " " << split << " " << part;
+                }
+            }
+        }
+    }
+}
+
 }  // namespace
