@@ -224,4 +224,19 @@ TEST_F(VectorSteps, CrossAndQuaternionProductsAreRoundedSums) {
     }
 }
 
+TEST_F(VectorSteps, PolynomialsRoundOnceAStep) {
+    const int32_t c[5] = {102921, INT32_MIN, -42218, INT32_MAX, 4833};  // as on the chip
+    std::uint16_t at_c = 0;
+    for (const simulator::Symbol& table : chip_.elf().flash_objects())
+        if (table.name == "coefficients") at_c = static_cast<std::uint16_t>(table.address);
+    DeviceFunction polynomial(chip_, "fixedpoint_polynomial_q16_16", {4, {4, 2, 2}});
+    for (int i = 0; i < rounds; ++i) {
+        const int32_t x = number();
+        const int n = 1 + i % 5;
+        int32_t expected = c[n - 1];
+        for (int k = n - 2; k >= 0; --k) expected = sum(product(expected, x), c[k]);
+        ASSERT_EQ(polynomial(x, at_c, n).as<int32_t>(), expected) << x << " " << n;
+    }
+}
+
 }  // namespace

@@ -7,6 +7,8 @@
 #include <fixedpoint/blocks/number.hpp>
 #include <fixedpoint/blocks/table.hpp>
 
+extern "C" int32_t fixedpoint_polynomial_q16_16(int32_t x, const int32_t* c, uint16_t n);
+
 namespace fixedpoint {
 
 /// \cond internal
@@ -36,6 +38,34 @@ struct HornerStep<Fixed<I, F, A>, Fixed<32 - CoefficientF, CoefficientF, A>> {
   private:
     int32_t x_;
 };
+template <class Number, class Coefficient, bool in_kernel>
+struct Horner {
+    template <uint16_t N>
+    static Coefficient apply(Number x, const Table<Coefficient, N>& coefficient) {
+        const HornerStep<Number, Coefficient> step(x);
+        Coefficient sum = coefficient[N - 1];
+        for (uint16_t i = N - 1; i-- != 0;) sum = step.apply(sum, coefficient[i]);
+        return sum;
+    }
+};
+// By one call, of an x that Q16.16 holds.
+template <int I, int F, int CoefficientF>
+struct Horner<Fixed<I, F>, Fixed<32 - CoefficientF, CoefficientF>, true> {
+    using Coefficient = Fixed<32 - CoefficientF, CoefficientF>;
+    template <uint16_t N>
+    static Coefficient apply(Fixed<I, F> x, const Table<Coefficient, N>& coefficient) {
+        return Coefficient::from_raw(
+            fixedpoint_polynomial_q16_16(convert<Q16_16>(x).raw(), raws(coefficient.entry), N));
+    }
+};
+template <class Number, class Coefficient>
+struct HornerInKernel {
+    static constexpr bool value = false;
+};
+template <int I, int F, int CoefficientF>
+struct HornerInKernel<Fixed<I, F>, Fixed<32 - CoefficientF, CoefficientF>> {
+    static constexpr bool value = kernel::has_assembly && I <= 16 && F <= 16;
+};
 /// \endcond
 
 /// The sum of coefficient[i] x^i, computed in the format of the coefficients and rounded to that of
@@ -49,10 +79,8 @@ struct HornerStep<Fixed<I, F, A>, Fixed<32 - CoefficientF, CoefficientF, A>> {
 /// take x converted to W.
 template <class Number, class Coefficient, uint16_t N>
 Number polynomial(Number x, const Table<Coefficient, N>& coefficient) {
-    const HornerStep<Number, Coefficient> step(x);
-    Coefficient sum = coefficient[N - 1];
-    for (uint16_t i = N - 1; i-- != 0;) sum = step.apply(sum, coefficient[i]);
-    return BlockNumber<Number>::from(sum);
+    return BlockNumber<Number>::from(
+        Horner<Number, Coefficient, HornerInKernel<Number, Coefficient>::value>::apply(x, coefficient));
 }
 
 }  // namespace fixedpoint
