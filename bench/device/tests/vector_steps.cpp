@@ -19,8 +19,10 @@ void (*const volatile crosses[])(int32_t*, const int32_t*, const int32_t*) = {
 
 // Any numbers, the ends of the range among them.
 extern "C" {
-extern const int32_t coefficients[5] FIXEDPOINT_PROGRAM_MEMORY = {102921, INT32_MIN, -42218, INT32_MAX, 4833};
+extern const int32_t coefficients[5] FIXEDPOINT_PROGRAM_MEMORY = {102921, INT32_MIN, -42218,
+                                                                  INT32_MAX, 4833};
 }
-int32_t (*const volatile polynomial)(int32_t, const int32_t*, uint16_t) = fixedpoint_polynomial_q16_16;
+int32_t (*const volatile polynomial)(int32_t, const int32_t*,
+                                     uint16_t) = fixedpoint_polynomial_q16_16;
 
 int main() { return kernels[0] && transforms[0] && crosses[0] && polynomial(0, coefficients, 5); }

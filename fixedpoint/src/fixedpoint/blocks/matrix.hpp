@@ -33,14 +33,16 @@ Matrix<Number, N> operator*(const Matrix<Number, N>& a, const Matrix<Number, N>&
 /// \cond internal
 // The matrix of cofactors: the row i of three is the cross product of the rows behind row i.
 template <class Number>
-void cofactors(const Matrix<Number, 2>& a, Matrix<Number, 2>& result) {
-    result = {{{a.element[1][1], -a.element[1][0]}, {-a.element[0][1], a.element[0][0]}}};
+Matrix<Number, 2> cofactors(const Matrix<Number, 2>& a) {
+    return {{{a.element[1][1], -a.element[1][0]}, {-a.element[0][1], a.element[0][0]}}};
 }
 template <class Number>
-void cofactors(const Matrix<Number, 3>& a, Matrix<Number, 3>& result) {
+Matrix<Number, 3> cofactors(const Matrix<Number, 3>& a) {
+    Matrix<Number, 3> result;
     for (uint8_t i = 0; i < 3; ++i)
         SpaceProduct<Number>::cross(a.element[next_axis(i)], a.element[last_axis(i)],
                                     result.element[i]);
+    return result;
 }
 template <class Number, uint8_t N>
 Number determinant_of(const Matrix<Number, N>& a, const Matrix<Number, N>& cofactors) {
@@ -53,8 +55,8 @@ Number determinant_of(const Matrix<Number, N>& a, const Matrix<Number, N>& cofac
 /// arithmetic has it.
 template <class Number, uint8_t N>
 Matrix<Number, N> adjugate(const Matrix<Number, N>& a) {
-    Matrix<Number, N> c, result;
-    cofactors(a, c);
+    const Matrix<Number, N> c = cofactors(a);
+    Matrix<Number, N> result;
     for (uint8_t i = 0; i < N; ++i)
         for (uint8_t j = 0; j < N; ++j) result.element[j][i] = c.element[i][j];
     return result;
@@ -64,9 +66,7 @@ Matrix<Number, N> adjugate(const Matrix<Number, N>& a) {
 /// up to m it is within (1 + 3 m) / 2 ulp. Out of the range as the arithmetic has it.
 template <class Number, uint8_t N>
 Number determinant(const Matrix<Number, N>& a) {
-    Matrix<Number, N> c;
-    cofactors(a, c);
-    return determinant_of(a, c);
+    return determinant_of(a, cofactors(a));
 }
 
 /// Computes the inverse and says whether there is one; where the determinant, rounded, is 0,
@@ -75,8 +75,7 @@ Number determinant(const Matrix<Number, N>& a) {
 /// 2^F of the element, so that d should not be small. `inverse` may be `a`.
 template <class Number, uint8_t N>
 bool invert(const Matrix<Number, N>& a, Matrix<Number, N>& inverse) {
-    Matrix<Number, N> c;
-    cofactors(a, c);
+    const Matrix<Number, N> c = cofactors(a);
     const Number d = determinant_of(a, c);
     if (d == Number()) return false;
     for (uint8_t i = 0; i < N; ++i)

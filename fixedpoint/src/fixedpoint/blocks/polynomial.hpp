@@ -31,8 +31,7 @@ struct HornerStep<Fixed<I, F, A>, Fixed<32 - CoefficientF, CoefficientF, A>> {
     using Coefficient = Fixed<32 - CoefficientF, CoefficientF, A>;
     explicit HornerStep(Fixed<I, F, A> x) : x_(x.raw()) {}
     Coefficient apply(Coefficient p, Coefficient c) const {
-        return Coefficient::from_raw(
-            A::template multiply_add<int32_t, F>(p.raw(), x_, c.raw()));
+        return Coefficient::from_raw(A::template multiply_add<int32_t, F>(p.raw(), x_, c.raw()));
     }
 
   private:
@@ -80,7 +79,8 @@ struct HornerInKernel<Fixed<I, F>, Fixed<32 - CoefficientF, CoefficientF>> {
 template <class Number, class Coefficient, uint16_t N>
 Number polynomial(Number x, const Table<Coefficient, N>& coefficient) {
     return BlockNumber<Number>::from(
-        Horner<Number, Coefficient, HornerInKernel<Number, Coefficient>::value>::apply(x, coefficient));
+        Horner<Number, Coefficient, HornerInKernel<Number, Coefficient>::value>::apply(
+            x, coefficient));
 }
 
 }  // namespace fixedpoint

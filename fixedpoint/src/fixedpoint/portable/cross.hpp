@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// cross, twice_cross, quaternion_times_vector, quaternion_product: floor(sum / 2^F + 1/2) modulo 2^W of each
-// component, where the sum of products, of which some are subtracted, is exact.
+// cross, twice_cross, quaternion_times_vector, quaternion_product: floor(sum / 2^F + 1/2) modulo
+// 2^W of each component, where the sum of products, of which some are subtracted, is exact.
 #pragma once
 
 #include <fixedpoint/portable/product_sum.hpp>
@@ -27,8 +27,7 @@ FIXEDPOINT_CONSTEXPR DoubleWord<Raw> cross_component(const Raw* a, const Raw* b,
 
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR void cross(Raw* result, const Raw* a, const Raw* b) {
-    for (uint8_t i = 0; i < 3; ++i)
-        result[i] = round_product_sum<Raw, F>(cross_component(a, b, i));
+    for (uint8_t i = 0; i < 3; ++i) result[i] = round_product_sum<Raw, F>(cross_component(a, b, i));
 }
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR void twice_cross(Raw* result, const Raw* a, const Raw* b) {
@@ -40,8 +39,8 @@ FIXEDPOINT_CONSTEXPR void twice_cross(Raw* result, const Raw* a, const Raw* b) {
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR void quaternion_times_vector(Raw* result, const Raw* a, const Raw* b) {
     for (uint8_t i = 0; i < 3; ++i)
-        result[i] = round_product_sum<Raw, F>(
-            plus_product(cross_component(a + 1, b, i), a[0], b[i]));
+        result[i] =
+            round_product_sum<Raw, F>(plus_product(cross_component(a + 1, b, i), a[0], b[i]));
 }
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR void quaternion_product(Raw* result, const Raw* a, const Raw* b) {

@@ -34,8 +34,7 @@ FIXEDPOINT_CONSTEXPR void transform(Raw* result, const Raw* v, const Raw* m, uin
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR void matrix_product(Raw* result, const Raw* a, const Raw* b, uint8_t n) {
     for (uint8_t i = 0; i < n; ++i)
-        for (uint8_t j = 0; j < n; ++j)
-            result[i * n + j] = dot<Raw, F>(a + i * n, b + j, n, n);
+        for (uint8_t j = 0; j < n; ++j) result[i * n + j] = dot<Raw, F>(a + i * n, b + j, n, n);
 }
 
 }  // namespace portable
