@@ -74,8 +74,8 @@ struct HornerInKernel<Fixed<I, F>, Fixed<32 - CoefficientF, CoefficientF>> {
 /// the error so is at most 1/2 ulp of the result and (N - 1)/2 ulp of W: with 8 more fraction bits
 /// in W, as Q8.24 has beside Q16.16 and Q16.16 beside Q8.8, below 0.52 ulp up to degree 9. What
 /// leaves the range of W, in between too, is as its arithmetic has it (Nearest: modulo 2^W); so is,
-/// in the conversion at the end, what leaves the range of x. Coefficients of other than 32 bits
-/// take x converted to W.
+/// in the conversion at the end, what leaves the range of x. Coefficients of 32 bits
+/// take an x of at most 32 bits as it is; others take x converted to W.
 template <class Number, class Coefficient, uint16_t N>
 Number polynomial(Number x, const Table<Coefficient, N>& coefficient) {
     return BlockNumber<Number>::from(
