@@ -71,7 +71,7 @@ ROOMS = [
             Check("kernels_test", "*/correctly_rounded_powers", "correctly_rounded_powers")),
     room("kernels", f"{FIXED}/avr/add_scaled_q16_16.S {FIXED}/avr/dot_difference_q16_16.S"
          f" {FIXED}/avr/short_factor_q16_16.inc {FIXED}/avr/add_whole_product.S"
-         f" {FIXED}/avr/transform_32.S {FIXED}/avr/product_sum_32.inc", 3,
+         f" {FIXED}/avr/transform_32.S {FIXED}/avr/cross_32.S {FIXED}/avr/polynomial_q16_16.S {FIXED}/avr/product_sum_32.inc", 3,
          Check("vector_steps_test", devices="vector_steps")),
     kernels(f"{FIXED}/avr/*_q8_8.S {FIXED}/avr/*_q8_8.inc", 4, "q8_8"),
     kernels(f"{FIXED}/avr/*_q4_4.S", 2, "q4_4"),

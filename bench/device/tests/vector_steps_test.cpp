@@ -139,40 +139,108 @@ TEST_F(VectorSteps, ExchangeAddsTheRoundedProductsToOneAndTakesThemFromTheOther)
     }
 }
 
-TEST_F(VectorSteps, TransformIsTheRoundedSumOfEveryRowOrColumn) {
-    const std::uint16_t at_result = chip_.allocate(16), at_v = chip_.allocate(16),
+TEST_F(VectorSteps, MatricesTimesVectorsAndMatricesAreRoundedSums) {
+    const std::uint16_t at_result = chip_.allocate(64), at_v = chip_.allocate(64),
                         at_m = chip_.allocate(64);
     for (int fraction = 0; fraction <= 32; ++fraction) {
         const exact::Format format{32, fraction};
         const std::string split = std::to_string(32 - fraction) + "_" + std::to_string(fraction);
-        for (const bool transposed : {false, true}) {
-            DeviceFunction transform(
+        for (const bool of_matrices : {false, true}) {
+            DeviceFunction multiply(
                 chip_,
-                (transposed ? "fixedpoint_transform_transposed_q" : "fixedpoint_transform_q") +
-                    split,
+                (of_matrices ? "fixedpoint_matrix_product_q" : "fixedpoint_transform_q") + split,
                 {0, {2, 2, 2, 1}});
             for (int i = 0; i < 60; ++i) {
                 const int n = 2 + i % 3;
-                std::array<int32_t, 4> v{}, result{};
-                std::array<int32_t, 16> m{};
+                std::array<int32_t, 16> v{}, m{}, result{};
                 for (int32_t& x : v) x = number(fraction);
                 for (int32_t& x : m) x = number(fraction);
                 chip_.write(at_v, {reinterpret_cast<const std::uint8_t*>(v.data()), sizeof v});
                 chip_.write(at_m, {reinterpret_cast<const std::uint8_t*>(m.data()), sizeof m});
-                transform(at_result, at_v, at_m, n);
+                multiply(at_result, at_v, at_m, n);
                 chip_.read(at_result,
                            {reinterpret_cast<std::uint8_t*>(result.data()), sizeof result});
-                for (int k = 0; k < n; ++k) {
+                for (int k = 0; k < (of_matrices ? n * n : n); ++k) {
                     int64_t a[4] = {}, b[4] = {};
                     for (int j = 0; j < n; ++j) {
-                        a[j] = v[j];
-                        b[j] = m[transposed ? j * n + k : k * n + j];
+                        a[j] = v[of_matrices ? k / n * n + j : j];
+                        b[j] = m[of_matrices ? j * n + k % n : k * n + j];
                     }
                     ASSERT_EQ(result[k], exact::dot(a, b, n, format).wrapped)
-                        << split << " " << transposed << " " << n << " " << k;
+                        << split << " " << of_matrices << " " << n << " " << k;
                 }
             }
         }
+    }
+}
+
+// Which products make a component: of the quaternions' parts a_p and b_q, with a sign.
+struct Product {
+    int sign, p, q;
+};
+using Components = std::vector<std::vector<Product>>;
+const Components of_quaternions = {{{1, 0, 0}, {-1, 1, 1}, {-1, 2, 2}, {-1, 3, 3}},
+                                   {{1, 0, 1}, {1, 1, 0}, {1, 2, 3}, {-1, 3, 2}},
+                                   {{1, 0, 2}, {-1, 1, 3}, {1, 2, 0}, {1, 3, 1}},
+                                   {{1, 0, 3}, {1, 1, 2}, {-1, 2, 1}, {1, 3, 0}}};
+
+TEST_F(VectorSteps, CrossAndQuaternionProductsAreRoundedSums) {
+    const std::uint16_t at_result = chip_.allocate(16), at_a = chip_.allocate(16),
+                        at_b = chip_.allocate(16);
+    struct Kernel {
+        const char* name;
+        bool a_is_vector, b_is_vector;
+        int factor;
+    };
+    for (const Kernel kernel : {Kernel{"cross", true, true, 1},
+                                {"twice_cross", true, true, 2},
+                                {"quaternion_times_vector", false, true, 1},
+                                {"quaternion_product", false, false, 1}}) {
+        for (int fraction = 0; fraction <= 32; ++fraction) {
+            const exact::Format format{32, fraction};
+            const std::string split =
+                std::to_string(32 - fraction) + "_" + std::to_string(fraction);
+            DeviceFunction multiply(chip_, "fixedpoint_" + (kernel.name + ("_q" + split)),
+                                    {0, {2, 2, 2}});
+            for (int i = 0; i < 60; ++i) {
+                std::array<int32_t, 4> a{}, b{}, result{};
+                for (int32_t& x : a) x = number(fraction);
+                for (int32_t& x : b) x = number(fraction);
+                if (kernel.a_is_vector) a[0] = 0;
+                if (kernel.b_is_vector) b[0] = 0;
+                chip_.write(at_a, {reinterpret_cast<const std::uint8_t*>(a.data()), sizeof a});
+                chip_.write(at_b, {reinterpret_cast<const std::uint8_t*>(b.data()), sizeof b});
+                multiply(at_result + (kernel.b_is_vector ? 4 : 0),
+                         at_a + (kernel.a_is_vector ? 4 : 0), at_b + (kernel.b_is_vector ? 4 : 0));
+                chip_.read(at_result,
+                           {reinterpret_cast<std::uint8_t*>(result.data()), sizeof result});
+                for (int part = kernel.b_is_vector ? 1 : 0; part < 4; ++part) {
+                    int64_t p[4] = {}, q[4] = {};
+                    for (int j = 0; j < 4; ++j) {
+                        const Product& product = of_quaternions[part][j];
+                        p[j] = kernel.factor * product.sign * static_cast<int64_t>(a[product.p]);
+                        q[j] = b[product.q];
+                    }
+                    ASSERT_EQ(result[part], exact::dot(p, q, 4, format).wrapped)
+                        << kernel.name << " " << split << " " << part;
+                }
+            }
+        }
+    }
+}
+
+TEST_F(VectorSteps, PolynomialsRoundOnceAStep) {
+    const int32_t c[5] = {102921, INT32_MIN, -42218, INT32_MAX, 4833};  // as on the chip
+    std::uint16_t at_c = 0;
+    for (const simulator::Symbol& table : chip_.elf().flash_objects())
+        if (table.name == "coefficients") at_c = static_cast<std::uint16_t>(table.address);
+    DeviceFunction polynomial(chip_, "fixedpoint_polynomial_q16_16", {4, {4, 2, 2}});
+    for (int i = 0; i < rounds; ++i) {
+        const int32_t x = number();
+        const int n = 1 + i % 5;
+        int32_t expected = c[n - 1];
+        for (int k = n - 2; k >= 0; --k) expected = sum(product(expected, x), c[k]);
+        ASSERT_EQ(polynomial(x, at_c, n).as<int32_t>(), expected) << x << " " << n;
     }
 }
 

@@ -944,19 +944,27 @@ class Findings(Figures):
 
     def test_blocks(self):
         made = golden(blocks="""
-block format cycles_against_float
-pid q8_8 0.3
-one_pole q8_8 0.2
-pid q16_16 0.4
-one_pole q16_16 0.57
-pid q8_24 1.03
-one_pole q8_24 0.98
-pid binary32 1
-one_pole binary32 1
+block format cycles_mean cycles_against_float
+pid q8_8 300 0.3
+one_pole q8_8 100 0.2
+pid q16_16 400 0.4
+one_pole q16_16 285 0.57
+matrix_inverse_2 q8_24 500 0.5
+one_pole q8_24 490 0.98
+""", operations="""
+operation format implementation operands cycles_mean
+dot2 q16_16 default small 150
+dot3 q16_16 default small 200
+divide q16_16 default small 1000
+dot2 q8_24 default small 200
+dot3 q8_24 default small 260
+divide q8_24 default small 70
 """)
         self.assertEqual(blocks.finding(made), "Building blocks (controllers, filters, tables, matrices, quaternions) that "
-                         "take at most 0.4 of float's cycles: 2 of 2 in Q8.8 (the dearest, pid: 0.30), 1 of 2 in Q16.16 "
-                         "(the dearest, one pole: 0.57), 0 of 2 in Q8.24 (the dearest, pid: 1.03).")
+                         "take at most 0.4 of float's cycles: 2 of 2 in Q8.8; 1 of 2 in Q16.16 (but not one pole 0.57 "
+                         "(0.10)); 0 of 2 in Q8.24 (but not one pole 0.98 (0.12), matrix inverse 2 0.50 (0.40)). In "
+                         "parentheses is what the products and quotients of a block's definition take alone; loads, "
+                         "stores, carried errors and limits come on top.")
 
     def test_features(self):
         made = golden(features="""

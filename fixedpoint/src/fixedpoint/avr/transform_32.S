@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
 // void fixedpoint_transform_q<32 - F>_<F>(int32_t* result, const int32_t* v, const int32_t* m,
 //                                         uint8_t n)
-// void fixedpoint_transform_transposed_q<32 - F>_<F>(the same)
-// The matrix m of n rows, or the transposed one, times the column v, n = 2, 3 or 4: each component
-// is floor(sum m_ij v_j / 2^F + 1/2) modulo 2^32, one rounding. Of each split of 32 bits.
+// The matrix m of n rows times the column v, n = 2, 3 or 4: each component is
+// floor(sum m_ij v_j / 2^F + 1/2) modulo 2^32, one rounding. Of each split of 32 bits.
 //
-// In       result = r25:r24, v = r23:r22, m = r21:r20, n = r18; result is neither v nor in m
-// Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
-// Stack    20 bytes
+// void fixedpoint_matrix_product_q<32 - F>_<F>(the same)
+// The matrix v of n rows times the matrix m, each element rounded so.
 //
-// What a call and its registers cost is paid once, not once a component.
+// In       result = r25:r24, v = r23:r22, m = r21:r20, n = r18; result is neither in v nor in m
+// Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
+// Stack    21 bytes
+//
+// What a call and its registers cost is paid once, not once a component or row.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -24,11 +26,12 @@
 #define left r9
 
     // r26 = the bytes from one product of a component to the next one, r27 = those from one
-    // component's first product to the next one's, r19 = the bytes of v.
+    // component's first product to the next one's, r19 = the bytes of a row of v; T where v has n.
     .macro transform fraction, top
 1:  .irp n, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 28, 29
     push r\n
     .endr
+    push r18
     movw r28, r24
     movw v, r22
     movw m, r20
@@ -58,9 +61,24 @@
     add m, next
     adc r5, zero
     dec left
-    breq 6f
-    rjmp 2b
-6:  .irp n, 29, 28, 17, 16, 15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2
+    breq 7f
+6:  rjmp 2b
+7:  brtc 8f
+    pop r18
+    dec r18
+    push r18
+    breq 8f
+    mov left, step
+    lsr left
+    lsr left
+    sub m, step
+    sbc r5, zero
+    add v, step
+    adc r3, zero
+    add end, step
+    rjmp 6b
+8:  pop r18
+    .irp n, 29, 28, 17, 16, 15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2
     pop r\n
     .endr
     ret
@@ -78,15 +96,17 @@
     bytes_of_v
     ldi r26, 4
     mov r27, r19
+    clt
     rjmp 1f
     ENDFUNC fixedpoint_transform_q\integer\()_\fraction
 
-    ENTRY fixedpoint_transform_transposed_q\integer\()_\fraction
+    ENTRY fixedpoint_matrix_product_q\integer\()_\fraction
     bytes_of_v
     mov r26, r19
     ldi r27, 4
+    set
     transform \fraction, ((\fraction - 1) / 8 + 4)
-    ENDFUNC fixedpoint_transform_transposed_q\integer\()_\fraction
+    ENDFUNC fixedpoint_matrix_product_q\integer\()_\fraction
     .endm
 
 #include "splits_32.inc"

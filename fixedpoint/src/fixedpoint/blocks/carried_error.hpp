@@ -65,17 +65,20 @@ class CarriedError<Fixed<IntegerBits, F, A>> {
     /// c + a b + the carried error, rounded once; what is out of the range as the arithmetic has
     /// it.
     Number multiply_add(Number a, Number b, Number c) {
-        using ErrorOf = RoundingError<F>;
-        using Sum = typename ErrorOf::Sum;
-        const Sum sum =
-            static_cast<Sum>(static_cast<Sum>(error_) + ErrorOf::of_product(a.raw(), b.raw()));
-        error_ = ErrorOf::of_sum(sum);
+        const Low low = static_cast<Low>(RoundingError<F>::low_product(a.raw(), b.raw())
+                                         << RoundingError<F>::shift);
+        sum_ = static_cast<Low>(sum_ + low);
+        // multiply_add rounds the product alone.
+        const int8_t carry = sum_ < low, rounded_up = low >> (RawLimits<Low>::width - 1);
         return fixedpoint::multiply_add(a, b, c) +
-               Number::from_raw(static_cast<typename Number::Raw>(ErrorOf::ulps(sum)));
+               Number::from_raw(static_cast<typename Number::Raw>(carry - rounded_up));
     }
 
   private:
-    typename RoundingError<F>::Error error_ = 0;
+    using Low = typename RoundingError<F>::Low;
+    // The error and 1/2 ulp, which is the part of an ulp that truncation leaves, in the highest
+    // bits.
+    Low sum_ = static_cast<Low>(Low(1) << (RawLimits<Low>::width - 1));
 };
 
 }  // namespace fixedpoint

@@ -15,15 +15,6 @@ struct Matrix {
     Number element[N][N];
 };
 
-/// \cond internal
-// a d - b c, rounded once.
-template <class Number>
-Number minor_of(Number a, Number b, Number c, Number d) {
-    const Number row[2] = {a, b}, column[2] = {d, -c};
-    return BlockNumber<Number>::dot2(row, column);
-}
-/// \endcond
-
 /// The product of a matrix and a column, each element rounded once; out of the range as the
 /// arithmetic has it. `result` must not be `v`.
 template <class Number, uint8_t N>
@@ -39,48 +30,43 @@ Matrix<Number, N> operator*(const Matrix<Number, N>& a, const Matrix<Number, N>&
     return product;
 }
 
+/// \cond internal
+// The matrix of cofactors: the row i of three is the cross product of the rows behind row i.
+template <class Number>
+Matrix<Number, 2> cofactors(const Matrix<Number, 2>& a) {
+    return {{{a.element[1][1], -a.element[1][0]}, {-a.element[0][1], a.element[0][0]}}};
+}
+template <class Number>
+Matrix<Number, 3> cofactors(const Matrix<Number, 3>& a) {
+    Matrix<Number, 3> result;
+    for (uint8_t i = 0; i < 3; ++i)
+        SpaceProduct<Number>::cross(a.element[next_axis(i)], a.element[last_axis(i)],
+                                    result.element[i]);
+    return result;
+}
+template <class Number, uint8_t N>
+Number determinant_of(const Matrix<Number, N>& a, const Matrix<Number, N>& cofactors) {
+    return dot_of(a.element[0], cofactors.element[0]);
+}
+/// \endcond
+
 /// The matrix of cofactors, transposed: a adjugate(a) is determinant(a) times the unit matrix. Each
 /// element is rounded once; out of the range, and the negative of the smallest number, as the
 /// arithmetic has it.
-/// @{
-template <class Number>
-Matrix<Number, 2> adjugate(const Matrix<Number, 2>& a) {
-    return {{{a.element[1][1], -a.element[0][1]}, {-a.element[1][0], a.element[0][0]}}};
-}
-template <class Number>
-Matrix<Number, 3> adjugate(const Matrix<Number, 3>& a) {
-    Matrix<Number, 3> result;
-    for (uint8_t i = 0; i < 3; ++i) {
-        // The cyclic order of the rows and columns that are left gives each cofactor its sign.
-        const Number(&p)[3] = a.element[next_axis(i)];
-        const Number(&q)[3] = a.element[last_axis(i)];
-        for (uint8_t j = 0; j < 3; ++j) {
-            const uint8_t k = next_axis(j), l = last_axis(j);
-            result.element[j][i] = minor_of(p[k], p[l], q[k], q[l]);
-        }
-    }
+template <class Number, uint8_t N>
+Matrix<Number, N> adjugate(const Matrix<Number, N>& a) {
+    const Matrix<Number, N> c = cofactors(a);
+    Matrix<Number, N> result;
+    for (uint8_t i = 0; i < N; ++i)
+        for (uint8_t j = 0; j < N; ++j) result.element[j][i] = c.element[i][j];
     return result;
 }
-/// @}
-
-/// \cond internal
-template <class Number>
-Number determinant_of(const Matrix<Number, 2>& a, const Matrix<Number, 2>&) {
-    return minor_of(a.element[0][0], a.element[0][1], a.element[1][0], a.element[1][1]);
-}
-template <class Number>
-Number determinant_of(const Matrix<Number, 3>& a, const Matrix<Number, 3>& adjugate) {
-    const Number column[3] = {adjugate.element[0][0], adjugate.element[1][0],
-                              adjugate.element[2][0]};
-    return dot_of(a.element[0], column);
-}
-/// \endcond
 
 /// The determinant. Of two rows it is rounded once; of three, its cofactors are too: with elements
 /// up to m it is within (1 + 3 m) / 2 ulp. Out of the range as the arithmetic has it.
 template <class Number, uint8_t N>
 Number determinant(const Matrix<Number, N>& a) {
-    return determinant_of(a, adjugate(a));
+    return determinant_of(a, cofactors(a));
 }
 
 /// Computes the inverse and says whether there is one; where the determinant, rounded, is 0,
@@ -89,11 +75,11 @@ Number determinant(const Matrix<Number, N>& a) {
 /// 2^F of the element, so that d should not be small. `inverse` may be `a`.
 template <class Number, uint8_t N>
 bool invert(const Matrix<Number, N>& a, Matrix<Number, N>& inverse) {
-    const Matrix<Number, N> cofactors = adjugate(a);
-    const Number d = determinant_of(a, cofactors);
+    const Matrix<Number, N> c = cofactors(a);
+    const Number d = determinant_of(a, c);
     if (d == Number()) return false;
     for (uint8_t i = 0; i < N; ++i)
-        for (uint8_t j = 0; j < N; ++j) inverse.element[i][j] = cofactors.element[i][j] / d;
+        for (uint8_t j = 0; j < N; ++j) inverse.element[i][j] = c.element[j][i] / d;
     return true;
 }
 

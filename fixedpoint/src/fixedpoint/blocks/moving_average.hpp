@@ -39,8 +39,7 @@ class MovingAverage {
 /// The mean of the last N inputs, rounded once, for every input. N is a power of two from 2 to 256:
 /// any other takes a division.
 ///
-/// The sum is held as N quotient + remainder with 0 <= remainder < N. The quotient is the mean
-/// rounded down, so that it always fits, and no sum wider than a number is needed.
+/// The sum of the raws has one byte more than a raw: it always fits, and nothing wider is added.
 template <int IntegerBits, int F, class A, uint16_t N>
 class MovingAverage<Fixed<IntegerBits, F, A>, N> {
     static_assert(N >= 2 && N <= 256 && (N & (N - 1)) == 0,
@@ -51,35 +50,36 @@ class MovingAverage<Fixed<IntegerBits, F, A>, N> {
     using Number = Fixed<IntegerBits, F, A>;
 
     /// As if all former inputs had been `value`.
-    explicit MovingAverage(Number value = Number()) : quotient_(value.raw()) {
+    explicit MovingAverage(Number value = Number())
+        : sum_(static_cast<Low>(Unsigned<Raw>(value.raw()) << log2_of(N))),
+          sum_above_(static_cast<int8_t>(value.raw() >> (RawLimits<Raw>::width - log2_of(N)))) {
         for (uint16_t i = 0; i < N; ++i) window_[i] = value.raw();
     }
     /// Takes the next input and returns the mean.
     Number update(Number input) {
-        const Raw oldest = window_[oldest_];
-        window_[oldest_] = input.raw();
+        const Raw oldest = window_[oldest_], newest = input.raw();
+        window_[oldest_] = newest;
         oldest_ = static_cast<uint8_t>((oldest_ + 1) % N);
-        const int16_t remainder =
-            static_cast<int16_t>(remainder_ + low(input.raw()) - low(oldest));  // -N to 2 N
-        remainder_ = low(remainder);
-        quotient_ = wrapping_add(quotient_, wrapping_subtract(high(input.raw()), high(oldest)));
-        quotient_ = wrapping_add(quotient_, static_cast<Raw>(remainder >> log2_of(N)));
-        return Number::from_raw(
-            wrapping_add(quotient_, static_cast<Raw>(remainder_ >= static_cast<int16_t>(N / 2))));
+        // The difference is 2^W less than its bits where it is negative.
+        const Low difference = static_cast<Low>(wrapping_subtract(newest, oldest));
+        sum_ = static_cast<Low>(sum_ + difference);
+        if (sum_ < difference) ++sum_above_;
+        if (newest < oldest) --sum_above_;
+        const Low above = static_cast<uint8_t>(sum_above_ << (8 - log2_of(N)));
+        const Raw floor = static_cast<Raw>(static_cast<Low>(above << (RawLimits<Raw>::width - 8)) |
+                                           static_cast<Low>(sum_ >> log2_of(N)));
+        const bool rounds_up = sum_ & (N / 2);
+        return Number::from_raw(wrapping_add(floor, static_cast<Raw>(rounds_up)));
     }
 
   private:
     using Raw = typename Number::Raw;
-    // a = N high(a) + low(a).
-    static constexpr Raw high(Raw a) { return static_cast<Raw>(a >> log2_of(N)); }
-    template <class Int>
-    static constexpr int16_t low(Int a) {
-        return static_cast<int16_t>(static_cast<uint8_t>(a) & (N - 1));
-    }
+    using Low = Unsigned<Raw>;
 
     Raw window_[N];
-    Raw quotient_;
-    int16_t remainder_ = 0;
+    // The sum is 2^W sum_above_ + sum_.
+    Low sum_;
+    int8_t sum_above_;
     uint8_t oldest_ = 0;
 };
 

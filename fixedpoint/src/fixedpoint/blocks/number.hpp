@@ -94,13 +94,53 @@ struct MatrixProduct<Fixed<IntegerBits, F>, true> {
     }
     template <uint8_t N>
     static void apply(const Number (&a)[N][N], const Number (&b)[N][N], Number (&result)[N][N]) {
-        for (uint8_t i = 0; i < N; ++i)
-            kernel::transform_transposed<Raw, F>(raws(result[i]), raws(a[i]), raws(b[0]), N);
+        kernel::matrix_product<Raw, F>(raws(result[0]), raws(a[0]), raws(b[0]), N);
     }
 };
 
 // The axes of space that follow i = 0, 1, 2 in cyclic order.
 constexpr uint8_t next_axis(uint8_t i) { return i == 2 ? uint8_t(0) : static_cast<uint8_t>(i + 1); }
 constexpr uint8_t last_axis(uint8_t i) { return i == 0 ? uint8_t(2) : static_cast<uint8_t>(i - 1); }
+
+// The cross product of two vectors, each component rounded once, and a rotation: v + w t + u x t,
+// where t = 2 u x v and (w, u) = q. `cross` is none of the factors; `rotated` may be v.
+template <class Number>
+struct SpaceProduct {
+    static void cross(const Number* a, const Number* b, Number* cross) {
+        for (uint8_t i = 0; i < 3; ++i) {
+            const uint8_t j = next_axis(i), k = last_axis(i);
+            const Number p[2] = {a[j], a[k]}, q[2] = {b[k], -b[j]};
+            cross[i] = BlockNumber<Number>::dot2(p, q);
+        }
+    }
+    static void rotate(const Number* q, const Number* v, Number* rotated) {
+        const Number* const u = q + 1;
+        Number t[3], turned[3];
+        cross(u, v, t);
+        for (uint8_t i = 0; i < 3; ++i) t[i] += t[i];
+        for (uint8_t i = 0; i < 3; ++i) {
+            const uint8_t j = next_axis(i), k = last_axis(i);
+            const Number a[3] = {q[0], u[j], u[k]}, b[3] = {t[i], t[k], -t[j]};
+            turned[i] = v[i] + BlockNumber<Number>::dot3(a, b);
+        }
+        for (uint8_t i = 0; i < 3; ++i) rotated[i] = turned[i];
+    }
+};
+// By a call of a kernel for all three. Raws, unlike numbers, do not begin as 0.
+template <int F>
+struct SpaceProduct<Fixed<32 - F, F>> {
+    using Number = Fixed<32 - F, F>;
+    static void cross(const Number* a, const Number* b, Number* cross) {
+        kernel::cross<int32_t, F>(raws(cross), raws(a), raws(b));
+    }
+    static void rotate(const Number* q, const Number* v, Number* rotated) {
+        int32_t t[3], turned[3];
+        kernel::twice_cross<int32_t, F>(t, raws(q + 1), raws(v));
+        kernel::quaternion_times_vector<int32_t, F>(turned, raws(q), t);
+        rotated[0] = v[0] + Number::from_raw(turned[0]);
+        rotated[1] = v[1] + Number::from_raw(turned[1]);
+        rotated[2] = v[2] + Number::from_raw(turned[2]);
+    }
+};
 
 }  // namespace fixedpoint

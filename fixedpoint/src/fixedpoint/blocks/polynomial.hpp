@@ -7,23 +7,80 @@
 #include <fixedpoint/blocks/number.hpp>
 #include <fixedpoint/blocks/table.hpp>
 
+extern "C" int32_t fixedpoint_polynomial_q16_16(int32_t x, const int32_t* c, uint16_t n);
+
 namespace fixedpoint {
+
+/// \cond internal
+// c + x p, rounded once to the format of c and p.
+template <class Number, class Coefficient>
+struct HornerStep {
+    explicit HornerStep(Number x) : x_(BlockNumber<Coefficient>::from(x)) {}
+    Coefficient apply(Coefficient p, Coefficient c) const {
+        return BlockNumber<Coefficient>::multiply_add(p, x_, c);
+    }
+
+  private:
+    Coefficient x_;
+};
+// A product of raws less the fraction bits of x has the format of p: x need not be converted. In 32
+// bits every such product has a kernel.
+template <int I, int F, class A, int CoefficientF>
+struct HornerStep<Fixed<I, F, A>, Fixed<32 - CoefficientF, CoefficientF, A>> {
+    static_assert(I + F <= 32, "Coefficients are at least as wide as the argument.");
+    using Coefficient = Fixed<32 - CoefficientF, CoefficientF, A>;
+    explicit HornerStep(Fixed<I, F, A> x) : x_(x.raw()) {}
+    Coefficient apply(Coefficient p, Coefficient c) const {
+        return Coefficient::from_raw(A::template multiply_add<int32_t, F>(p.raw(), x_, c.raw()));
+    }
+
+  private:
+    int32_t x_;
+};
+template <class Number, class Coefficient, bool in_kernel>
+struct Horner {
+    template <uint16_t N>
+    static Coefficient apply(Number x, const Table<Coefficient, N>& coefficient) {
+        const HornerStep<Number, Coefficient> step(x);
+        Coefficient sum = coefficient[N - 1];
+        for (uint16_t i = N - 1; i-- != 0;) sum = step.apply(sum, coefficient[i]);
+        return sum;
+    }
+};
+// By one call, of an x that Q16.16 holds.
+template <int I, int F, int CoefficientF>
+struct Horner<Fixed<I, F>, Fixed<32 - CoefficientF, CoefficientF>, true> {
+    using Coefficient = Fixed<32 - CoefficientF, CoefficientF>;
+    template <uint16_t N>
+    static Coefficient apply(Fixed<I, F> x, const Table<Coefficient, N>& coefficient) {
+        return Coefficient::from_raw(
+            fixedpoint_polynomial_q16_16(convert<Q16_16>(x).raw(), raws(coefficient.entry), N));
+    }
+};
+template <class Number, class Coefficient>
+struct HornerInKernel {
+    static constexpr bool value = false;
+};
+template <int I, int F, int CoefficientF>
+struct HornerInKernel<Fixed<I, F>, Fixed<32 - CoefficientF, CoefficientF>> {
+    static constexpr bool value = kernel::has_assembly && I <= 16 && F <= 16;
+};
+/// \endcond
 
 /// The sum of coefficient[i] x^i, computed in the format of the coefficients and rounded to that of
 /// x.
 ///
-/// With W, the coefficients' format: x is converted to W; each of the N - 1 steps c + x p is
-/// rounded once. For |x| <= 1 the error so is at most 1/2 ulp of the result and (N - 1)/2 ulp of W:
-/// with 8 more fraction bits in W, as Q8.24 has beside Q16.16 and Q16.16 beside Q8.8, below 0.52
-/// ulp up to degree 9. What leaves the range of W, in between too, is as its arithmetic has it
-/// (Nearest: modulo 2^W); so is, in the conversion at the end, what leaves the range of x.
+/// With W, the coefficients' format: each of the N - 1 steps c + x p is rounded once. For |x| <= 1
+/// the error so is at most 1/2 ulp of the result and (N - 1)/2 ulp of W: with 8 more fraction bits
+/// in W, as Q8.24 has beside Q16.16 and Q16.16 beside Q8.8, below 0.52 ulp up to degree 9. What
+/// leaves the range of W, in between too, is as its arithmetic has it (Nearest: modulo 2^W); so is,
+/// in the conversion at the end, what leaves the range of x. Coefficients of 32 bits
+/// take an x of at most 32 bits as it is; others take x converted to W.
 template <class Number, class Coefficient, uint16_t N>
 Number polynomial(Number x, const Table<Coefficient, N>& coefficient) {
-    const Coefficient argument = BlockNumber<Coefficient>::from(x);
-    Coefficient sum = coefficient[N - 1];
-    for (uint16_t i = N - 1; i-- != 0;)
-        sum = BlockNumber<Coefficient>::multiply_add(sum, argument, coefficient[i]);
-    return BlockNumber<Number>::from(sum);
+    return BlockNumber<Number>::from(
+        Horner<Number, Coefficient, HornerInKernel<Number, Coefficient>::value>::apply(
+            x, coefficient));
 }
 
 }  // namespace fixedpoint

@@ -16,6 +16,7 @@
 #include <fixedpoint/portable/cbrt_q32_32.hpp>
 #include <fixedpoint/portable/certain.hpp>
 #include <fixedpoint/portable/convert.hpp>
+#include <fixedpoint/portable/cross.hpp>
 #include <fixedpoint/portable/divide.hpp>
 #include <fixedpoint/portable/divide_small.hpp>
 #include <fixedpoint/portable/dot.hpp>
@@ -94,7 +95,11 @@ FIXEDPOINT_OPERATION(BINARY, certain_atan2)
 FIXEDPOINT_OPERATION(VECTORS, dot2)
 FIXEDPOINT_OPERATION(VECTORS, dot3)
 FIXEDPOINT_OPERATION(TRANSFORM, transform)
-FIXEDPOINT_OPERATION(TRANSFORM, transform_transposed)
+FIXEDPOINT_OPERATION(TRANSFORM, matrix_product)
+FIXEDPOINT_OPERATION(OUTER, cross)
+FIXEDPOINT_OPERATION(OUTER, twice_cross)
+FIXEDPOINT_OPERATION(OUTER, quaternion_times_vector)
+FIXEDPOINT_OPERATION(OUTER, quaternion_product)
 FIXEDPOINT_OPERATION(VECTORS, project2)
 FIXEDPOINT_OPERATION(VECTORS, project3)
 FIXEDPOINT_OPERATION(DIFFERENCE, dot_difference2)
@@ -402,8 +407,25 @@ FIXEDPOINT_CONSTEXPR void transform(Raw* result, const Raw* v, const Raw* m, uin
     portable::transform<Raw, F>(result, v, m, n);
 }
 template <class Raw, int F>
-FIXEDPOINT_CONSTEXPR void transform_transposed(Raw* result, const Raw* v, const Raw* m, uint8_t n) {
-    portable::transform_transposed<Raw, F>(result, v, m, n);
+FIXEDPOINT_CONSTEXPR void matrix_product(Raw* result, const Raw* v, const Raw* m, uint8_t n) {
+    portable::matrix_product<Raw, F>(result, v, m, n);
+}
+
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR void cross(Raw* result, const Raw* a, const Raw* b) {
+    portable::cross<Raw, F>(result, a, b);
+}
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR void twice_cross(Raw* result, const Raw* a, const Raw* b) {
+    portable::twice_cross<Raw, F>(result, a, b);
+}
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR void quaternion_times_vector(Raw* result, const Raw* a, const Raw* b) {
+    portable::quaternion_times_vector<Raw, F>(result, a, b);
+}
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR void quaternion_product(Raw* result, const Raw* a, const Raw* b) {
+    portable::quaternion_product<Raw, F>(result, a, b);
 }
 
 // dot2 and dot3, where a is mostly a unit vector.

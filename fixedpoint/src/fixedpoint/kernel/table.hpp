@@ -47,6 +47,10 @@
 #define FIXEDPOINT_RESULT_TRANSFORM(Raw) void
 #define FIXEDPOINT_PARAMETERS_TRANSFORM(Raw) (Raw* result, const Raw* v, const Raw* m, uint8_t n)
 #define FIXEDPOINT_ARGUMENTS_TRANSFORM (result, v, m, n)
+// Of two vectors into a third one.
+#define FIXEDPOINT_RESULT_OUTER(Raw) void
+#define FIXEDPOINT_PARAMETERS_OUTER(Raw) (Raw* result, const Raw* a, const Raw* b)
+#define FIXEDPOINT_ARGUMENTS_OUTER (result, a, b)
 // Of an angle that is reduced.
 #define FIXEDPOINT_RESULT_TURNS(Raw) Raw
 #define FIXEDPOINT_PARAMETERS_TURNS(Raw) (uint64_t turns)
@@ -238,8 +242,16 @@
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, VECTORS, dot3) \
     KERNEL(TRANSFORM, transform, int32_t, 16, fixedpoint_transform_q16_16, transform) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, TRANSFORM, transform) \
-    KERNEL(TRANSFORM, transform_transposed, int32_t, 16, fixedpoint_transform_transposed_q16_16, transform_transposed) \
-    FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, TRANSFORM, transform_transposed) \
+    KERNEL(TRANSFORM, matrix_product, int32_t, 16, fixedpoint_matrix_product_q16_16, matrix_product) \
+    FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, TRANSFORM, matrix_product) \
+    KERNEL(OUTER, cross, int32_t, 16, fixedpoint_cross_q16_16, cross) \
+    FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, OUTER, cross) \
+    KERNEL(OUTER, twice_cross, int32_t, 16, fixedpoint_twice_cross_q16_16, twice_cross) \
+    FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, OUTER, twice_cross) \
+    KERNEL(OUTER, quaternion_times_vector, int32_t, 16, fixedpoint_quaternion_times_vector_q16_16, quaternion_times_vector) \
+    FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, OUTER, quaternion_times_vector) \
+    KERNEL(OUTER, quaternion_product, int32_t, 16, fixedpoint_quaternion_product_q16_16, quaternion_product) \
+    FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, OUTER, quaternion_product) \
     KERNEL(VECTORS, project2, int32_t, 16, fixedpoint_project2_q16_16, dot2) \
     KERNEL(VECTORS, project3, int32_t, 16, fixedpoint_project3_q16_16, dot3) \
     KERNEL(DIFFERENCE, dot_difference2, int32_t, 16, fixedpoint_dot_difference2_q16_16, dot_difference2) \

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // dot2, dot3: floor(sum a_i b_i / 2^F + 1/2) modulo 2^W of 2 or 3 components: the sum is exact and
-// is rounded once. transform: these sums for every row of a matrix; transform_transposed, for every
-// column.
+// is rounded once. transform: these sums for every row of a matrix; matrix_product, for every row
+// and column.
 #pragma once
 
 #include <fixedpoint/portable/product_sum.hpp>
@@ -32,8 +32,9 @@ FIXEDPOINT_CONSTEXPR void transform(Raw* result, const Raw* v, const Raw* m, uin
     for (uint8_t i = 0; i < n; ++i) result[i] = dot<Raw, F>(v, m + i * n, n);
 }
 template <class Raw, int F>
-FIXEDPOINT_CONSTEXPR void transform_transposed(Raw* result, const Raw* v, const Raw* m, uint8_t n) {
-    for (uint8_t i = 0; i < n; ++i) result[i] = dot<Raw, F>(v, m + i, n, n);
+FIXEDPOINT_CONSTEXPR void matrix_product(Raw* result, const Raw* a, const Raw* b, uint8_t n) {
+    for (uint8_t i = 0; i < n; ++i)
+        for (uint8_t j = 0; j < n; ++j) result[i * n + j] = dot<Raw, F>(a + i * n, b + j, n, n);
 }
 
 }  // namespace portable

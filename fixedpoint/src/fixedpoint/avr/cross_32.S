@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+// void fixedpoint_cross_q<32 - F>_<F>(int32_t* result, const int32_t* a, const int32_t* b)
+// void fixedpoint_twice_cross_q<32 - F>_<F>(the same)
+// The cross product of two vectors of three components, and twice that.
+//
+// void fixedpoint_quaternion_times_vector_q<32 - F>_<F>(the same)
+// The vector part of the quaternion a times the vector b.
+//
+// void fixedpoint_quaternion_product_q<32 - F>_<F>(the same)
+// The product of two quaternions, the scalar part first.
+//
+// Each component is the exact sum of products, of which some are subtracted, divided by 2^F,
+// rounded half up and taken modulo 2^32. Of each split of 32 bits.
+//
+// In       result = r25:r24, a = r23:r22, b = r21:r20; result is neither in a nor in b
+// Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
+// Stack    18 bytes and a call
+//
+// What is subtracted goes first into a sum that begins at -1: the complement of -1 + p is -p. The
+// bytes of a, often a rotation, are those that product_sum_32.inc takes apart.
+
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
+
+#include "product_sum_32.inc"
+
+// The vectors a and b, whose scalar parts lie in front of them.
+#define a r2
+#define b r4
+// Places of the components i, j, k in cyclic order, in bytes.
+#define i r6
+#define j r7
+#define k r8
+// Bit 0: and the scalar of a times b; bit 1: and a times the scalar of b; bit 2: twice the sum.
+#define options r9
+
+    .macro begin_at_minus_1
+    clr s0
+    com s0
+    mov s1, s0
+    movw s2, s0
+    movw s4, s0
+    movw s6, s0
+    .endm
+
+    .macro complement top
+    .irp n, 0, 1, 2, 3, 4, 5, 6, 7
+    .if \n <= \top
+    com r1\n
+    .endif
+    .endr
+    .endm
+
+    .macro double top
+    lsl s0
+    .irp n, 1, 2, 3, 4, 5, 6, 7
+    .if \n <= \top
+    rol r1\n
+    .endif
+    .endr
+    .endm
+
+    // s += a b of the components at the places p and q.
+    .macro add_components p, q
+    movw r26, b
+    add r26, \q
+    adc r27, zero
+    movw r30, a
+    add r30, \p
+    adc r31, zero
+    rcall 9f
+    .endm
+
+    .macro finish fraction
+    clr r1
+    round \fraction
+    st Y+, r22
+    st Y+, r23
+    st Y+, r24
+    st Y+, r25
+    clr zero
+    .endm
+
+    .macro cross fraction, top
+1:  .irp n, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 28, 29
+    push r\n
+    .endr
+    movw r28, r24
+    movw a, r22
+    movw b, r20
+    mov options, r18
+    clr zero
+    clr i
+    ldi r24, 4
+    mov j, r24
+    add a, r19
+    adc r3, zero
+    ldi r24, 8
+    mov k, r24
+    sbrs options, 1
+    rjmp 2f
+    add b, r19
+    adc r5, zero
+    begin_at_minus_1
+    add_components i, i
+    adiw r30, 4
+    rcall 9f
+    adiw r30, 4
+    rcall 9f
+    complement \top
+    movw r26, b
+    movw r30, a
+    sbiw r26, 4
+    sbiw r30, 4
+    rcall 9f
+    finish \fraction
+2:  begin_at_minus_1
+    add_components k, j
+    complement \top
+    add_components j, k
+    sbrc options, 2
+    rjmp 3f
+    sbrs options, 0
+    rjmp 4f
+    movw r26, b
+    add r26, i
+    adc r27, zero
+    movw r30, a
+    sbiw r30, 4
+    rcall 9f
+    sbrs options, 1
+    rjmp 4f
+    movw r26, b
+    sbiw r26, 4
+    movw r30, a
+    add r30, i
+    adc r31, zero
+    rcall 9f
+    rjmp 4f
+3:  double \top
+4:  finish \fraction
+    mov r24, i
+    mov i, j
+    mov j, k
+    mov k, r24
+    tst i
+    breq 5f
+    rjmp 2b
+5:  .irp n, 29, 28, 17, 16, 15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2
+    pop r\n
+    .endr
+    ret
+9:  load_a
+    add_product \fraction, \top
+    ret
+    .endm
+
+    .macro kernels integer, fraction
+    SECTION fixedpoint_cross_q\integer\()_\fraction
+    ENTRY fixedpoint_cross_q\integer\()_\fraction
+    ldi r18, 0
+    ldi r19, 0
+    rjmp 1f
+    ENDFUNC fixedpoint_cross_q\integer\()_\fraction
+
+    ENTRY fixedpoint_twice_cross_q\integer\()_\fraction
+    ldi r18, 4
+    ldi r19, 0
+    rjmp 1f
+    ENDFUNC fixedpoint_twice_cross_q\integer\()_\fraction
+
+    ENTRY fixedpoint_quaternion_times_vector_q\integer\()_\fraction
+    ldi r18, 1
+    ldi r19, 4
+    rjmp 1f
+    ENDFUNC fixedpoint_quaternion_times_vector_q\integer\()_\fraction
+
+    ENTRY fixedpoint_quaternion_product_q\integer\()_\fraction
+    ldi r18, 3
+    ldi r19, 4
+    cross \fraction, ((\fraction - 1) / 8 + 4)
+    ENDFUNC fixedpoint_quaternion_product_q\integer\()_\fraction
+    .endm
+
+#include "splits_32.inc"
+    kernels 16, 16
+
+#endif

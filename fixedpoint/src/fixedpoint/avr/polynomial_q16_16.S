@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// int32_t fixedpoint_polynomial_q16_16(int32_t x, const int32_t* c, uint16_t n)
+// Horner's rule: p = c[n - 1], then for i = n - 2 .. 0
+// p = floor(p x / 2^16 + 1/2) + c[i] modulo 2^32, whatever the fraction bits of p and c are.
+//
+// In       x = r25:r22, c = r21:r20 in program memory, n = r19:r18, at least 1
+// Out      r25:r22
+// Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
+// Stack    8 bytes and a call
+//
+// p is a, the fraction of x b of short_factor_q16_16.inc; what x has before its point is in r27:r26
+// and takes a multiplication where it is neither 0 nor -1, which T says.
+
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
+
+#include "short_factor_q16_16.inc"
+
+    FUNCTION fixedpoint_polynomial_q16_16
+    push zero
+    push s1
+    push s4
+    push s5
+    push r28
+    push r29
+    clr zero
+    movw r26, r24
+    movw r28, r18
+    movw r30, r20
+    mov r0, r26         // T: r27:r26 is not one sign
+    lsl r0
+    sbc r0, r0
+    clt
+    cp r26, r0
+    cpc r27, r0
+    breq 1f
+    set
+1:  sbiw r28, 1         // Z = c + 4 (n - 1)
+    movw r18, r28
+    lsl r18
+    rol r19
+    lsl r18
+    rol r19
+    add r30, r18
+    adc r31, r19
+    lpm a0, Z+
+    lpm a1, Z+
+    lpm a2, Z+
+    lpm a3, Z+
+    sbiw r28, 0
+    breq 5f
+2:  mul a0, b0
+    mov s1, r1
+    mul a1, b1
+    movw s2, r0
+    mulsu a3, b1
+    movw s4, r0
+    mulsu a3, b0
+    sbc s5, zero
+    add s3, r0
+    adc s4, r1
+    adc s5, zero
+    mul a0, b1
+    add s1, r0
+    adc s2, r1
+    adc s3, zero
+    adc s4, zero
+    adc s5, zero
+    mul a1, b0
+    add s1, r0
+    adc s2, r1
+    adc s3, zero
+    adc s4, zero
+    adc s5, zero
+    mul a2, b0
+    lsl s1              // rounds
+    adc s2, r0
+    adc s3, r1
+    adc s4, zero
+    adc s5, zero
+    mul a2, b1
+    add s3, r0
+    adc s4, r1
+    adc s5, zero
+    brts 6f
+    sbrs r27, 7
+    rjmp 3f
+    sub s2, a0
+    sbc s3, a1
+    sbc s4, a2
+    sbc s5, a3
+3:  sbiw r30, 8
+    lpm a0, Z+
+    lpm a1, Z+
+    lpm a2, Z+
+    lpm a3, Z+
+    add a0, s2
+    adc a1, s3
+    adc a2, s4
+    adc a3, s5
+    sbiw r28, 1
+    brne 2b
+5:  movw r22, a0
+    movw r24, a2
+    pop r29
+    pop r28
+    pop s5
+    pop s4
+    pop s1
+    pop zero
+    clr r1
+    ret
+6:  push b0
+    push b1
+    movw b0, r26
+    XCALL fixedpoint_add_whole_product
+    pop b1
+    pop b0
+    rjmp 3b
+    ENDFUNC fixedpoint_polynomial_q16_16
+
+#endif
