@@ -63,8 +63,12 @@ constexpr Judgement pinned(std::int64_t target, std::int64_t result) {
 
 // The result against x = n / q, q > 0, given the residual d = result q - n.
 template <Rounding rounding, class Number>
-constexpr bool is_rounded(Number d, Number q, bool x_is_negative) {
-    static_assert(rounding != Rounding::nearest_even && rounding != Rounding::within_bound);
+constexpr bool is_rounded(Number d, Number q, bool x_is_negative, bool even) {
+    static_assert(rounding != Rounding::within_bound);
+    if constexpr (rounding == Rounding::nearest_even) {
+        const Number distance = d < 0 ? -d : d, other = q - distance;
+        return distance < other || (distance == other && even);
+    }
     if constexpr (rounding == Rounding::nearest_upward)
         return d <= q / 2 && -d < q - q / 2;  // -1/2 < d / q <= 1/2
     const bool from_below = rounding == Rounding::downward || !x_is_negative;
@@ -75,7 +79,7 @@ constexpr bool is_rounded(Number d, Number q, bool x_is_negative) {
 template <NumberFormat format, Rounding rounding, class Number>
 constexpr int beyond_range(Number n, Number q) {
     const Number high = Number(format.max()) * q, low = Number(format.min()) * q;
-    if constexpr (rounding == Rounding::nearest_upward)
+    if constexpr (rounding == Rounding::nearest_upward || rounding == Rounding::nearest_even)
         return n >= high + (q - q / 2) ? 1 : n < low - q / 2 ? -1 : 0;
     else if constexpr (rounding == Rounding::toward_zero)
         return n >= high + q ? 1 : n <= low - q ? -1 : 0;
@@ -108,7 +112,7 @@ constexpr Judgement judge_quotient(Number n, Number q, std::int64_t result) {
         }
     }
     return {.error_ulp = to_double(d) / to_double(q),
-            .as_defined = is_rounded<held_to.rounding>(d, q, n < 0)};
+            .as_defined = is_rounded<held_to.rounding>(d, q, n < 0, result % 2 == 0)};
 }
 
 // An error the nearest way round modulo 2^W.
@@ -329,6 +333,12 @@ Judgement judge(std::span<const std::int64_t> operands, std::span<const std::int
         return whole(a < operands[1] ? raw(1) - raw(0) : raw(0) - raw(1));
     } else if constexpr (operation == Operation::copysign) {
         return whole((a < 0) == (operands[1] < 0) ? raw(0) : -raw(0));
+    } else if constexpr (operation == Operation::sign) {
+        return whole(Number(a < 0 ? -1 : a > 0 ? 1 : 0));
+    } else if constexpr (operation == Operation::isqrt) {
+        std::int64_t root = std::int64_t(std::sqrt((long double)(a)));
+        if (Integer128(root) * root > a) --root;
+        return whole(Number(root));
     } else if constexpr (operation == Operation::length2 || operation == Operation::length3) {
         return judge_length<subject>(operands.first(shape(operation).operands), result);
     } else if constexpr (operation == Operation::normalise3) {
@@ -336,7 +346,7 @@ Judgement judge(std::span<const std::int64_t> operands, std::span<const std::int
     } else {
         static_assert(shape(operation).operands <= 2, "This operation has no fast judge.");
         Real x[2] = {real(0)};
-        if constexpr (takes_integer(operation))
+        if constexpr (takes_integer(operation, 1))
             x[1] = Real(operands[1]);
         else if constexpr (shape(operation).operands == 2)
             x[1] = real(1);

@@ -40,8 +40,9 @@ constexpr Definition definition(Operation operation, Arithmetic arithmetic) {
     const bool function = shape(operation).kind == Kind::function;
     const bool ring = shape(operation).kind == Kind::ring;
     const auto rounded = [&](Rounding rounding, Overflow overflow) {
-        return Definition{operation == Operation::shift_right ? Rounding::downward : rounding,
-                          overflow, rounding == Rounding::nearest_upward ? 0.5 : 1};
+        return Definition{
+            operation == Operation::shift_right ? Rounding::downward : rounding, overflow,
+            rounding == Rounding::nearest_upward || rounding == Rounding::nearest_even ? 0.5 : 1};
     };
     switch (arithmetic) {
         case Arithmetic::nearest:
@@ -52,6 +53,18 @@ constexpr Definition definition(Operation operation, Arithmetic arithmetic) {
             if (function && arithmetic != Arithmetic::correctly_rounded)
                 return {Rounding::within_bound, overflow, bound};
             return rounded(Rounding::nearest_upward, overflow);
+        }
+        case Arithmetic::toward_zero:
+        case Arithmetic::downward:
+        case Arithmetic::half_to_even: {
+            const Definition plain = definition(operation, Arithmetic::nearest);
+            if (operation != Operation::multiply && operation != Operation::divide &&
+                operation != Operation::convert)
+                return plain;
+            return rounded(arithmetic == Arithmetic::toward_zero ? Rounding::toward_zero
+                           : arithmetic == Arithmetic::downward  ? Rounding::downward
+                                                                 : Rounding::nearest_even,
+                           plain.overflow);
         }
         case Arithmetic::published:
             // Its arc tangent interpolates in a table and promises nothing, and takes a ratio
@@ -74,6 +87,7 @@ constexpr Definition definition(Operation operation, Arithmetic arithmetic) {
                 case Operation::lerp:
                 case Operation::smoothstep:
                 case Operation::midpoint:
+                case Operation::isqrt:
                     return {Rounding::within_bound, Overflow::to_infinity, no_bound};
                 default:
                     if (function) return {Rounding::within_bound, Overflow::to_infinity, no_bound};

@@ -124,6 +124,10 @@ Exact exact(Operation operation, std::span<const Rational> operands, std::size_t
             return Rational(abs(Rational(x[0] - x[1])));
         case Operation::copysign:
             return Rational(x[1] < 0 ? -abs(x[0]) : abs(x[0]));
+        case Operation::sign:
+            return Rational(x[0] < 0 ? -1 : x[0] > 0 ? 1 : 0);
+        case Operation::isqrt:
+            return Rational(sqrt(numerator(floor(x[0]))));
         case Operation::length2:
         case Operation::length3:
             return length(x);

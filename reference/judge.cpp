@@ -194,14 +194,14 @@ class Judge {
     }
 
     NumberFormat operand_format(std::size_t index) const {
-        if (takes_integer(subject_.operation) && index == 1 && !subject_.operand_format.is_float())
+        if (takes_integer(subject_.operation, index) && !subject_.operand_format.is_float())
             return {FormatKind::integer, 64, 0};
         return subject_.operand_format;
     }
 
     Exact exact_value(std::size_t index) const {
         const Exact result = exact(subject_.operation, values_, index);
-        if (gives_integer_quotient(subject_.operation) && index == 0)
+        if (gives_integer(subject_.operation) && index == 0)
             return scale(std::get<Rational>(result), -subject_.format.fraction);
         if (subject_.operation != Operation::atan2) return result;
         if (subject_.arithmetic == Arithmetic::published) return published_angle(result);
@@ -236,7 +236,7 @@ class Judge {
     }
 
     Judgement special(std::int64_t result) const {
-        if (is_auxiliary(subject_.operation) || subject_.operation == Operation::power)
+        if (is_auxiliary(subject_.operation))
             return {.excluded = "no function of C, whose special cases would be known"};
         if (vector_operands(subject_.operation) == 1)
             return {.excluded = "a vector function of floats that are not finite, or all zero"};

@@ -64,6 +64,9 @@ Arithmetic arithmetic_of(const NumberFormat& format, std::string_view implementa
     if (implementation.starts_with("published")) return Arithmetic::published;
     if (implementation.starts_with("saturating")) return Arithmetic::saturating;
     if (implementation.starts_with("correctly_rounded")) return Arithmetic::correctly_rounded;
+    if (implementation.starts_with("toward_zero")) return Arithmetic::toward_zero;
+    if (implementation.starts_with("downward")) return Arithmetic::downward;
+    if (implementation.starts_with("half_to_even")) return Arithmetic::half_to_even;
     return Arithmetic::nearest;
 }
 

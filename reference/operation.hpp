@@ -80,9 +80,10 @@ constexpr bool is_shift(Operation operation) {
     return shape(operation).signature == Signature::shift;
 }
 
-// Whether the second operand is an integer, of which the raw is the value.
-constexpr bool takes_integer(Operation operation) {
-    return is_shift(operation) || operation == Operation::power;
+// Whether an operand is an integer, of which the raw is the value.
+constexpr bool takes_integer(Operation operation, std::size_t index) {
+    return operation == Operation::isqrt ||
+           (index == 1 && (is_shift(operation) || operation == Operation::power));
 }
 // Whether it is of the AUXILIARY_OPERATIONS, which the others and C's library do not have.
 constexpr bool is_auxiliary(Operation operation) {
@@ -95,9 +96,13 @@ constexpr bool is_auxiliary(Operation operation) {
             return false;
     }
 }
-// Whether the first result is one.
 constexpr bool gives_integer_quotient(Operation operation) {
     return operation == Operation::divrem || operation == Operation::divmod;
+}
+// Whether the first result is one.
+constexpr bool gives_integer(Operation operation) {
+    return gives_integer_quotient(operation) || operation == Operation::sign ||
+           operation == Operation::isqrt;
 }
 
 // Throws std::invalid_argument that lists the operations.
@@ -109,6 +114,9 @@ enum class Arithmetic {
     published,   // the report's: truncation toward zero, the low W bits are kept
     saturating,  // nearest, and every operation clamps
     correctly_rounded,  // nearest, and functions round as the other operations do
+    toward_zero,        // nearest, with another rounding of products, quotients and conversions
+    downward,
+    half_to_even,
     integer,  // C's integers: toward zero, wrapping; what C leaves undefined is not judged
     ieee,     // IEEE 754: nearest, ties to even, overflow to infinity
     accum,    // GCC's _Accum: the error is measured, overflow is undefined and not judged
@@ -124,9 +132,9 @@ struct Subject {
 };
 
 // The definitions that an implementation in a format claims: float is IEEE 754, the _Accum formats
-// GCC's, an integer C's; in fixed-point formats `published`, `saturating` and `correctly_rounded`
-// (also as a prefix: "saturating_small") name their own and every other implementation claims the
-// default's.
+// GCC's, an integer C's; in fixed-point formats `published`, `saturating`, `correctly_rounded` and
+// the roundings (also as a prefix: "saturating_small") name their own and every other
+// implementation claims the default's.
 Arithmetic arithmetic_of(const NumberFormat& format, std::string_view implementation);
 
 // A subject and the implementation's name from a symbol <operation>_<format>_<implementation>, such

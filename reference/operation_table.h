@@ -9,8 +9,9 @@
  * operands   how many numbers it takes, and `results` how many it gives. Vectors lie one after the
  *            other: the operands of dot3 are a0 a1 a2 b0 b1 b2. atan2 takes y, x. The second
  * operand of a shift is a count, a plain integer, and that of power an exponent, a raw that stands
- * for itself. The results of sincos are sine and cosine; those of divrem and divmod the quotient,
- * an integer in the raw, and the remainder. kind ring: exact, rounded, then taken modulo 2^W in the
+ * for itself, as do operand and result of isqrt and the result of sign. The results of sincos are
+ * sine and cosine; those of divrem and divmod the quotient, an integer in the raw, and the
+ * remainder. kind ring: exact, rounded, then taken modulo 2^W in the
  * wrapping arithmetics, so that sums whose intermediates overflow still come out right; rounded:
  * exact, rounded, clamped; function: within bound_ulp of the exact value, clamped domain     where
  * it has an exact value; what it returns elsewhere stands behind the row
@@ -107,6 +108,10 @@
     X(copysign, binary, 2, 1, ring, 0, everywhere, __VA_ARGS__)
 #define OPERATION_power(X, ...) /* a^n, 1 where n = 0; a = 0, n < 0: MAX */ \
     X(power, binary, 2, 1, function, 0.75, integer_power, __VA_ARGS__)
+#define OPERATION_sign(X, ...) /* -1, 0 or 1, an integer */ \
+    X(sign, unary, 1, 1, rounded, 0, everywhere, __VA_ARGS__)
+#define OPERATION_isqrt(X, ...) /* floor(sqrt(a)) of an integer; a < 0: 0 */ \
+    X(isqrt, unary, 1, 1, rounded, 0, not_negative, __VA_ARGS__)
 #define OPERATION_multiply_add(X, ...) /* x = a b / 2^F + c, one rounding */ \
     X(multiply_add, ternary, 3, 1, ring, 0, everywhere, __VA_ARGS__)
 #define OPERATION_dot2(X, ...) /* x = sum of a_i b_i / 2^F, one rounding */ \
@@ -158,24 +163,24 @@
 
 /* Those that every arithmetic takes from others, in programs of their own too: angles in turns and
  * degrees, and what is exact or rounded once. */
-#define AUXILIARY_OPERATIONS(X, ...)                                                              \
-    OPERATION_sin_turns(X, __VA_ARGS__) OPERATION_cos_turns(X, __VA_ARGS__)                       \
-        OPERATION_sincos_turns(X, __VA_ARGS__) OPERATION_atan2_turns(X, __VA_ARGS__)              \
-            OPERATION_sin_degrees(X, __VA_ARGS__) OPERATION_cos_degrees(X, __VA_ARGS__)           \
-                OPERATION_sincos_degrees(X, __VA_ARGS__) OPERATION_atan2_degrees(X, __VA_ARGS__)  \
-                    OPERATION_divrem(X, __VA_ARGS__) OPERATION_divmod(X, __VA_ARGS__)             \
-                        OPERATION_lerp(X, __VA_ARGS__) OPERATION_smoothstep(X, __VA_ARGS__)       \
-                            OPERATION_midpoint(X, __VA_ARGS__) OPERATION_abs_diff(X, __VA_ARGS__) \
-                                OPERATION_copysign(X, __VA_ARGS__)
+#define AUXILIARY_OPERATIONS(X, ...)                                                               \
+    OPERATION_sin_turns(X, __VA_ARGS__) OPERATION_cos_turns(X, __VA_ARGS__)                        \
+        OPERATION_sincos_turns(X, __VA_ARGS__) OPERATION_atan2_turns(X, __VA_ARGS__)               \
+            OPERATION_sin_degrees(X, __VA_ARGS__) OPERATION_cos_degrees(X, __VA_ARGS__)            \
+                OPERATION_sincos_degrees(X, __VA_ARGS__) OPERATION_atan2_degrees(X, __VA_ARGS__)   \
+                    OPERATION_divrem(X, __VA_ARGS__) OPERATION_divmod(X, __VA_ARGS__)              \
+                        OPERATION_lerp(X, __VA_ARGS__) OPERATION_smoothstep(X, __VA_ARGS__)        \
+                            OPERATION_midpoint(X, __VA_ARGS__) OPERATION_abs_diff(X, __VA_ARGS__)  \
+                                OPERATION_copysign(X, __VA_ARGS__) OPERATION_power(X, __VA_ARGS__) \
+                                    OPERATION_sign(X, __VA_ARGS__) OPERATION_isqrt(X, __VA_ARGS__)
 
 /* All. */
-#define OPERATIONS(X, ...)                                                                         \
-    MEASURED_OPERATIONS(X, __VA_ARGS__)                                                            \
-    ELEMENTARY_OPERATIONS(X, __VA_ARGS__)                                                          \
-    AUXILIARY_OPERATIONS(X, __VA_ARGS__)                                                           \
-    OPERATION_power(X, __VA_ARGS__) OPERATION_negate(X, __VA_ARGS__) OPERATION_abs(X, __VA_ARGS__) \
-        OPERATION_shift_left(X, __VA_ARGS__) OPERATION_shift_right(X, __VA_ARGS__)                 \
-            OPERATION_convert(X, __VA_ARGS__)
+#define OPERATIONS(X, ...)                                                               \
+    MEASURED_OPERATIONS(X, __VA_ARGS__)                                                  \
+    ELEMENTARY_OPERATIONS(X, __VA_ARGS__)                                                \
+    AUXILIARY_OPERATIONS(X, __VA_ARGS__)                                                 \
+    OPERATION_negate(X, __VA_ARGS__) OPERATION_abs(X, __VA_ARGS__) OPERATION_shift_left( \
+        X, __VA_ARGS__) OPERATION_shift_right(X, __VA_ARGS__) OPERATION_convert(X, __VA_ARGS__)
 
 #ifdef __cplusplus
 namespace reference {

@@ -93,7 +93,7 @@ ROOMS = [
          f" {FIXED}/published/arc_tangent_table.hpp", 2, "fixedpoint/tests/tables_test.py"),
     room("portable", f"{FIXED}/portable/divide.hpp {FIXED}/portable/divide_w*.hpp"
          f" {FIXED}/portable/remainder.hpp", 3, "products_test", "small_operations_test"),
-    room("portable", f"{FIXED}/kernel/*_q32_32.hpp", 1, "q32_32_test"),
+    room("portable", f"{FIXED}/kernel/*_q32_32.hpp", 1, "q32_32_test", "checked_test"),
     room("portable", f"{FIXED}/portable/round.hpp {FIXED}/portable/nearest_root.hpp", 2, "roots_test"),
     room("portable", f"{FIXED}/portable/decimal_*.hpp !*/decimal_literal.hpp", 2, "decimal_test"),
     room("arithmetic", f"{FIXED}/arithmetic/*.hpp !*/published.hpp !*/small.hpp !*/checked.hpp"

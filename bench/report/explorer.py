@@ -93,6 +93,10 @@ LARGEST = {
     "midpoint": lambda least, greatest: greatest,
     "abs_diff": lambda least, greatest: 2 * greatest,
     "copysign": lambda least, greatest: greatest,
+    # The exponent's magnitude is 8 at most, and -1 the reciprocal.
+    "power": lambda least, greatest: max(greatest ** 8, least ** -8),
+    "sign": lambda least, greatest: 1,
+    "isqrt": lambda least, greatest: greatest,
     "multiply_add": lambda least, greatest: greatest ** 2 + greatest,
     "dot2": lambda least, greatest: 2 * greatest ** 2,
     "dot3": lambda least, greatest: 3 * greatest ** 2,

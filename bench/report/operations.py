@@ -18,7 +18,8 @@ ELEMENTARY = ("tan", "asin", "acos", "exp2", "expm1", "log2", "log10", "log1p", 
               "cbrt", "pow")
 # AUXILIARY_OPERATIONS of reference/operation_table.h. They are in no mean: float has expressions in their place.
 AUXILIARY = ("sin_turns", "cos_turns", "sincos_turns", "atan2_turns", "sin_degrees", "cos_degrees", "sincos_degrees",
-             "atan2_degrees", "divrem", "divmod", "lerp", "smoothstep", "midpoint", "abs_diff", "copysign")
+             "atan2_degrees", "divrem", "divmod", "lerp", "smoothstep", "midpoint", "abs_diff", "copysign",
+             "power", "sign", "isqrt")
 # Whose square roots the first page compares.
 ROOTS = (("q4_4", OURS), ("q8_8", OURS), ("q16_16", OURS), ("q16_16", "small"), ("q8_24", OURS),
          ("q32_32", OURS), FLOAT, PUBLISHED)

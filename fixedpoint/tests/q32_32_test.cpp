@@ -202,7 +202,7 @@ INSTANTIATE_TEST_SUITE_P(
         ELEMENTARY(tanh, limit_of_exponent, 0.507392960),
         ELEMENTARY(log2, limit_of_mantissa, 0.603063223),
         ELEMENTARY(log10, limit_of_mantissa, 0.531129597),
-        ELEMENTARY(tan, limit_of_angle, 0.605779165)),
+        ELEMENTARY(tan, limit_of_angle, 0.613114736)),
     [](const auto& function) { return std::string(function.param.name); });
 
 // Bases beside 1, beside the limits of the first factor's intervals and anywhere, each with an
@@ -277,6 +277,38 @@ TEST(Pow, IsExactWhereTheFormatHoldsIt) {
     EXPECT_EQ(pow(1, INT64_MIN), largest);
     EXPECT_EQ(pow(1, INT64_MAX), 0);
     EXPECT_EQ(pow(unit + 1, INT64_MAX), 7081203937);
+}
+
+// Beside a pole, of small angles and of any, where the tangent has every magnitude and beyond.
+TEST(Tan, IsAsFarFromTheExactValueAsPinnedBesidePoles) {
+    std::mt19937_64 random(11);
+    const Real half_pi = 2 * atan2f128(1, 1), limit = Real(largest);
+    double worst = 0;
+    int64_t witness = 0;
+    for (int i = 0; i < 200'000; ++i) {
+        const uint64_t quarters = (random() >> (34 + random() % 30)) | 1;
+        const double distance = std::ldexp(double(random() >> 11), -53 - int(random() % 34));
+        const Real angle = (half_pi * static_cast<Real>(quarters) +
+                            static_cast<Real>(i % 2 == 0 ? distance : -distance)) *
+                           one;
+        if (angle >= limit) continue;
+        const auto positive = static_cast<int64_t>(angle);
+        const int64_t a = i % 4 < 2 ? positive : -positive;
+        const int64_t tangent = fixedpoint::Nearest::tan<int64_t, 32>(a);
+        const Real exact = tanf128(Real(a) / one) * one;
+        if (exact > limit || exact < -limit - 1) {
+            ASSERT_EQ(tangent, exact > 0 ? largest : INT64_MIN) << a;
+            continue;
+        }
+        const Real difference = Real(tangent) - exact;
+        const double error = static_cast<double>(difference < 0 ? -difference : difference);
+        if (error > worst) {
+            worst = error;
+            witness = a;
+        }
+    }
+    EXPECT_LE(worst, 0.65);
+    EXPECT_NEAR(worst, 0.625316300, 1e-6) << witness;
 }
 
 // Where a composition ends, and the first result beyond: 31 and 32 ln 2, 34 ln 2 / 2, poles.

@@ -164,16 +164,16 @@ void compare_all(int rounds) {
 template <NumberFormat format>
 void compare_arithmetics(int rounds) {
     using enum Operation;
-    compare_all<
-        format, Arithmetic::nearest, add, subtract, multiply, divide, remainder, negate,
-        Operation::abs, multiply_add, dot2, dot3, Operation::sqrt, reciprocal_sqrt, Operation::atan,
-        Operation::atan2, Operation::sin, Operation::cos, sincos, Operation::log, length2, length3,
-        normalise3, Operation::tan, Operation::asin, Operation::acos, Operation::exp2,
-        Operation::expm1, Operation::log2, Operation::log10, Operation::log1p, Operation::sinh,
-        Operation::cosh, Operation::tanh, Operation::cbrt, Operation::pow, sin_turns, cos_turns,
-        sincos_turns, atan2_turns, sin_degrees, cos_degrees, atan2_degrees, divrem, divmod,
-        Operation::lerp, smoothstep, Operation::midpoint, abs_diff, Operation::copysign, power>(
-        rounds);
+    compare_all<format, Arithmetic::nearest, add, subtract, multiply, divide, remainder, negate,
+                Operation::abs, multiply_add, dot2, dot3, Operation::sqrt, reciprocal_sqrt,
+                Operation::atan, Operation::atan2, Operation::sin, Operation::cos, sincos,
+                Operation::log, length2, length3, normalise3, Operation::tan, Operation::asin,
+                Operation::acos, Operation::exp2, Operation::expm1, Operation::log2,
+                Operation::log10, Operation::log1p, Operation::sinh, Operation::cosh,
+                Operation::tanh, Operation::cbrt, Operation::pow, sin_turns, cos_turns,
+                sincos_turns, atan2_turns, sin_degrees, cos_degrees, atan2_degrees, divrem, divmod,
+                Operation::lerp, smoothstep, Operation::midpoint, abs_diff, Operation::copysign,
+                power, sign, isqrt>(rounds);
     // Within -1 to 1 degrees the cosine rounds to 1, which such a format does not hold.
     if constexpr (format.width - format.fraction > 1)
         compare_all<format, Arithmetic::nearest, sincos_degrees>(rounds);
@@ -181,6 +181,9 @@ void compare_arithmetics(int rounds) {
                 Operation::atan, Operation::atan2>(rounds);
     compare_all<format, Arithmetic::saturating, add, subtract, multiply, negate, Operation::abs,
                 multiply_add, divide>(rounds);
+    compare_all<format, Arithmetic::toward_zero, multiply, divide>(rounds);
+    compare_all<format, Arithmetic::downward, multiply, divide>(rounds);
+    compare_all<format, Arithmetic::half_to_even, multiply, divide>(rounds);
     if constexpr (format.width <= 32) {
         compare_all<format, Arithmetic::nearest, Operation::exp>(rounds);
         compare_all<format, Arithmetic::correctly_rounded, Operation::exp, Operation::log,

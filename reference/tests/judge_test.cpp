@@ -77,6 +77,8 @@ TEST_P(DefinedResult, AloneIsAccepted) {
     }
 }
 
+constexpr auto toward_zero = Arithmetic::toward_zero, downward = Arithmetic::downward,
+               half_to_even = Arithmetic::half_to_even;
 constexpr auto nearest = Arithmetic::nearest;
 constexpr auto published = Arithmetic::published;
 constexpr auto saturating = Arithmetic::saturating;
@@ -146,6 +148,14 @@ INSTANTIATE_TEST_SUITE_P(
         Row{Operation::shift_left, "q8_8", nearest, {0x4001, 2}, 4, 0, false, "top bits leave"},
         Row{Operation::shift_left, "q8_8", saturating, {0x4001, 2}, max16, 0, true, "clamps"},
         Row{Operation::shift_right, "q8_8", nearest, {-1, 3}, -1, -0.875, false, "downward"},
+        Row{Operation::sign, "q16_16", nearest, {min32}, -1, 0, false, "an integer"},
+        Row{Operation::sign, "q16_16", nearest, {0}, 0, 0, false, "no sign"},
+        Row{Operation::sign, "q16_16", nearest, {1}, 1, 0, false, "of 1 ulp"},
+        Row{Operation::isqrt, "q16_16", nearest, {24}, 4, 0, false, "of an integer, downward"},
+        Row{Operation::isqrt, "q16_16", nearest, {max32}, 46340, 0, false, "46341^2 does not fit"},
+        Row{Operation::isqrt, "q16_16", nearest, {-1}, 0, 0, true, "of a negative integer"},
+        Row{Operation::power, "q4_4", nearest, {-24, 3}, -54, 0, false, "-1.5^3 = -3.375"},
+        Row{Operation::power, "q4_4", nearest, {0, -1}, 127, 0, true, "1 / 0"},
         Row{Operation::shift_right, "q8_8", nearest, {15, 3}, 1, -0.875, false, "downward"},
         Row{Operation::multiply_add,
             "q4_4",
@@ -177,6 +187,18 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Row{Operation::divide, "q4_4", nearest, {1, 32}, 1, 0.5, false, "0.5 ulp: up"},
         Row{Operation::divide, "q4_4", nearest, {-1, 32}, 0, 0.5, false, "-0.5 ulp: up"},
+        Row{Operation::divide, "q4_4", half_to_even, {1, 32}, 0, -0.5, false, "0.5 ulp: even"},
+        Row{Operation::divide, "q4_4", half_to_even, {3, 32}, 2, 0.5, false, "1.5 ulp: even"},
+        Row{Operation::divide, "q4_4", half_to_even, {-3, 32}, -2, -0.5, false, "-1.5 ulp: even"},
+        Row{Operation::divide, "q4_4", downward, {-1, 32}, -1, -0.5, false, "-0.5 ulp: down"},
+        Row{Operation::divide, "q4_4", toward_zero, {-31, 32}, -15, 0.5, false, "-15.5 ulp"},
+        Row{Operation::divide, "q4_4", downward, {-100, 1}, -128, 0, true, "clamps"},
+        Row{Operation::multiply, "q4_4", half_to_even, {1, 24}, 2, 0.5, false, "1.5 ulp: even"},
+        Row{Operation::multiply, "q4_4", half_to_even, {5, 8}, 2, -0.5, false, "2.5 ulp: even"},
+        Row{Operation::multiply, "q4_4", half_to_even, {127, 120}, -72, -0.5, false, "952.5 wraps"},
+        Row{Operation::multiply, "q4_4", downward, {-1, 1}, -1, -0.9375, false, "down"},
+        Row{Operation::multiply, "q4_4", toward_zero, {-1, 31}, -1, 0.9375, false, "to zero"},
+        Row{Operation::add, "q4_4", downward, {127, 1}, -128, 0, false, "wraps as nearest"},
         Row{Operation::divide, "q4_4", nearest, {1, -32}, 0, 0.5, false, "-0.5 ulp: up"},
         Row{Operation::divide, "q4_4", published, {-1, 17}, 0, 16.0 / 17, false, "toward zero"},
         Row{Operation::divide, "q4_4", published, {100, 1}, 64, 0, false, "1600 wraps to 64"},

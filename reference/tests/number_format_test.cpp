@@ -83,6 +83,11 @@ TEST(Symbol, NamesTheSubject) {
     EXPECT_EQ(root.implementation, "saturating_small");
     EXPECT_EQ(parse_symbol("log_q16_16_correctly_rounded").subject.arithmetic,
               Arithmetic::correctly_rounded);
+    EXPECT_EQ(parse_symbol("divide_q8_8_half_to_even").subject.arithmetic,
+              Arithmetic::half_to_even);
+    EXPECT_EQ(parse_symbol("multiply_q8_8_downward").subject.arithmetic, Arithmetic::downward);
+    EXPECT_EQ(parse_symbol("multiply_q8_8_toward_zero").subject.arithmetic,
+              Arithmetic::toward_zero);
     EXPECT_EQ(parse_symbol("multiply_add_int16_native").subject,
               (Subject{Operation::multiply_add, parse_format("int16"), Arithmetic::integer}));
     EXPECT_EQ(parse_symbol("atan2_float_libc").subject,

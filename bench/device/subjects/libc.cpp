@@ -184,6 +184,19 @@ struct Libc {
     static Float copysign(Float a, Float b) {
         return ::copysign(a, b);
     }
+    // GCC's own, by squaring, whose exponent is an int.
+    template <class Float, int>
+    static Float power(Float a, Float n) {
+        return __builtin_powif(a, static_cast<int>(n));
+    }
+    template <class Float, int>
+    static Float sign(Float a) {
+        return a < 0 ? -1 : a > 0 ? 1 : 0;
+    }
+    template <class Float, int>
+    static Float isqrt(Float a) {
+        return ::floor(::sqrt(a));
+    }
     template <class Float, int>
     static Float multiply_add(Float a, Float b, Float c) {
         return a * b + c;

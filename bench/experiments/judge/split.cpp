@@ -21,7 +21,7 @@ constexpr bool is_function(Operation operation) {
 template <Operation operation, int width>
 constexpr bool is_judged_here() {
     if (operation == Operation::length2 || operation == Operation::length3) return true;
-    if (reference::takes_integer(operation) || operation == Operation::convert) return false;
+    if (reference::takes_integer(operation, 1) || operation == Operation::convert) return false;
     return reference::shape(operation).results == 1 &&
            (is_function(operation) ? width <= 32 : !reference::is_auxiliary(operation));
 }

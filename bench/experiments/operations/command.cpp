@@ -121,7 +121,7 @@ const fixbench::Registration cycles({
         "A subject is an extern \"C\" function <operation>_<format>_<implementation> of a device\n"
         "program, by default q4_4.elf, q8_8.elf, q16_16.elf, q8_24.elf, q32_32.elf, each of\n"
         "them with _angles, _powers and _auxiliary, correctly_rounded_angles.elf,\n"
-        "correctly_rounded_powers.elf and rivals.elf in\n"
+        "correctly_rounded_powers.elf, roundings.elf and rivals.elf in\n"
         "  " FIXBENCH_DEVICE_FOLDER "\n"
         "(avr-nm lists them), for avr-gcc's calling convention: any other tool can call it too.\n"
         "Cycles include call (4) and ret (4), not the loading of operands.\n\n"

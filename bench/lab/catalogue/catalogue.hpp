@@ -33,12 +33,12 @@ inline bool is_held_to_its_definition(const reference::NamedSubject& named) {
 }
 
 // The device programs without their suffix: four for each format of the library, two of what is
-// correctly rounded, and the rivals'.
+// correctly rounded, that of the roundings, and the rivals'.
 inline std::vector<std::string> programs() {
 #define PROGRAM_NAME(format, ...) \
 #format, #format "_angles", #format "_powers", #format "_auxiliary",
     return {LIBRARY_FORMATS(PROGRAM_NAME) "correctly_rounded_angles", "correctly_rounded_powers",
-            "rivals"};
+            "roundings", "rivals"};
 #undef PROGRAM_NAME
 }
 

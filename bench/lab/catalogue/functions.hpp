@@ -5,6 +5,7 @@
 
 #include <fixedpoint/angle.hpp>
 #include <fixedpoint/arithmetic/nearest.hpp>
+#include <fixedpoint/integer_root.hpp>
 #include <fixedpoint/math.hpp>
 
 namespace catalogue {
@@ -61,6 +62,18 @@ struct Functions {
     QUOTIENT_AND_REMAINDER(divmod)
 #undef QUOTIENT_AND_REMAINDER
 
+    template <class Raw, int F>
+    static FIXEDPOINT_CONSTEXPR Raw power(Raw a, Raw n) {
+        return fixedpoint::power(of<Raw, F>(a), n).raw();
+    }
+    template <class Raw, int F>
+    static constexpr Raw sign(Raw a) {
+        return static_cast<Raw>(fixedpoint::sign(of<Raw, F>(a)));
+    }
+    template <class Raw, int F>
+    static FIXEDPOINT_CONSTEXPR Raw isqrt(Raw a) {
+        return fixedpoint::isqrt(a);
+    }
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR Raw lerp(Raw a, Raw b, Raw t) {
         return fixedpoint::lerp(of<Raw, F>(a), of<Raw, F>(b), of<Raw, F>(t)).raw();

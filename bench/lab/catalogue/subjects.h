@@ -57,6 +57,8 @@
             OPERATION_sin(X, __VA_ARGS__) OPERATION_cos(X, __VA_ARGS__)                            \
                 OPERATION_sincos(X, __VA_ARGS__) OPERATION_exp(X, __VA_ARGS__)                     \
                     OPERATION_log(X, __VA_ARGS__)
+#define PRODUCTS_AND_QUOTIENTS(X, ...) \
+    OPERATION_multiply(X, __VA_ARGS__) OPERATION_divide(X, __VA_ARGS__)
 #define CORRECTLY_ROUNDED_ANGLES(X, ...)                                                         \
     OPERATION_atan(X, __VA_ARGS__) OPERATION_atan2(X, __VA_ARGS__) OPERATION_sin(X, __VA_ARGS__) \
         OPERATION_cos(X, __VA_ARGS__) OPERATION_sincos(X, __VA_ARGS__)
@@ -95,6 +97,12 @@
     X(correctly_rounded, CorrectlyRounded, ours, own, FORMAT_q16_16, CORRECTLY_ROUNDED_ANGLES, "ours, correctly rounded")
 #define IMPLEMENTATION_correctly_rounded_powers(X) \
     X(correctly_rounded, CorrectlyRounded, ours, own, FORMAT_q16_16, CORRECTLY_ROUNDED_POWERS, "ours, correctly rounded")
+#define IMPLEMENTATION_toward_zero(X) \
+    X(toward_zero, TowardZero, ours, own, LIBRARY_FORMATS, PRODUCTS_AND_QUOTIENTS, "ours, toward zero")
+#define IMPLEMENTATION_downward(X) \
+    X(downward, Downward, ours, own, LIBRARY_FORMATS, PRODUCTS_AND_QUOTIENTS, "ours, downward")
+#define IMPLEMENTATION_half_to_even(X) \
+    X(half_to_even, HalfToEven, ours, own, LIBRARY_FORMATS, PRODUCTS_AND_QUOTIENTS, "ours, half to even")
 #define IMPLEMENTATION_libc(X) \
     X(libc, Libc, rival, none, SINGLE, MEASURED_OPERATIONS, "avr-libc float")
 #define IMPLEMENTATION_libc_elementary(X) \
@@ -107,13 +115,15 @@
     X(native, Native, rival, none, INTEGERS, INTEGER_OPERATORS, "plain integer")
 /* clang-format on */
 
-#define IMPLEMENTATIONS(X)                                                                  \
-    IMPLEMENTATION_default(X) IMPLEMENTATION_angles(X) IMPLEMENTATION_powers(X)             \
-        IMPLEMENTATION_auxiliary(X) IMPLEMENTATION_portable(X) IMPLEMENTATION_published(X)  \
-            IMPLEMENTATION_saturating(X) IMPLEMENTATION_widening(X) IMPLEMENTATION_small(X) \
-                IMPLEMENTATION_correctly_rounded_angles(X)                                  \
-                    IMPLEMENTATION_correctly_rounded_powers(X) IMPLEMENTATION_libc(X)       \
-                        IMPLEMENTATION_libc_elementary(X) IMPLEMENTATION_libc_auxiliary(X)  \
-                            IMPLEMENTATION_accum(X) IMPLEMENTATION_native(X)
+#define IMPLEMENTATIONS(X)                                                                   \
+    IMPLEMENTATION_default(X) IMPLEMENTATION_angles(X) IMPLEMENTATION_powers(X)              \
+        IMPLEMENTATION_auxiliary(X) IMPLEMENTATION_portable(X) IMPLEMENTATION_published(X)   \
+            IMPLEMENTATION_saturating(X) IMPLEMENTATION_widening(X) IMPLEMENTATION_small(X)  \
+                IMPLEMENTATION_correctly_rounded_angles(X)                                   \
+                    IMPLEMENTATION_correctly_rounded_powers(X) IMPLEMENTATION_toward_zero(X) \
+                        IMPLEMENTATION_downward(X) IMPLEMENTATION_half_to_even(X)            \
+                            IMPLEMENTATION_libc(X) IMPLEMENTATION_libc_elementary(X)         \
+                                IMPLEMENTATION_libc_auxiliary(X) IMPLEMENTATION_accum(X)     \
+                                    IMPLEMENTATION_native(X)
 
 #endif

@@ -8,6 +8,8 @@
 #include <map>
 #include <numbers>
 
+#include "bench/lab/operands/operand_class.hpp"
+
 namespace operands {
 namespace {
 
@@ -230,6 +232,17 @@ std::vector<BoundaryCase> shifts(const NumberFormat& format) {
     return cases;
 }
 
+std::vector<BoundaryCase> powers(const NumberFormat& format) {
+    std::vector<BoundaryCase> cases;
+    for (const BoundaryOperand& operand : boundary_operands(format)) {
+        for (const int exponent :
+             {0, 1, -1, 2, -2, 3, -3, 5, -8, 15, -16, 31, -32, 63, -64, 127, -128})
+            cases.push_back({{operand.raw, integer(format, exponent)},
+                             fmt::format("{}; to the {}", operand.what, exponent)});
+    }
+    return cases;
+}
+
 }  // namespace
 
 std::vector<BoundaryOperand> boundary_operands(const NumberFormat& format) {
@@ -242,6 +255,7 @@ std::vector<BoundaryOperand> boundary_operands(const NumberFormat& format) {
 
 std::vector<BoundaryCase> boundary_cases(Operation operation, const NumberFormat& format) {
     if (reference::is_shift(operation)) return shifts(format);
+    if (operation == Operation::power) return powers(format);
     const std::size_t arity = reference::shape(operation).operands;
     switch (arity) {
         case 1:

@@ -54,6 +54,10 @@ std::int64_t raw_of(const NumberFormat& format, std::uint64_t mantissa, int expo
 
 }  // namespace
 
+std::int64_t integer(const NumberFormat& format, std::int64_t number) {
+    return format.is_float() ? reference::raw_of_double(format, double(number)) : number;
+}
+
 std::string_view class_name(OperandClass operand_class) {
     switch (operand_class) {
         case OperandClass::small:
@@ -96,6 +100,7 @@ void Sampler::next(std::span<std::int64_t> operands) {
         }
     }
     if (reference::is_shift(operation_)) operands[1] = below(format_.width);
+    if (operation_ == Operation::power) operands[1] = integer(format_, below(17) - 8);
 }
 
 std::int64_t Sampler::draw() {

@@ -15,7 +15,7 @@ namespace operands {
 // A class's range is clipped to the magnitudes that the format holds; no class but `uniform` draws
 // 0 or MIN, which the boundary tables hold. Signs are even, but sqrt, reciprocal_sqrt and log get
 // positive operands only: outside their domain they do no work worth measuring. The count of a
-// shift is uniform in 0..W-1 in every class.
+// shift is uniform in 0..W-1 in every class, the integer exponent of power in -8..8.
 enum class OperandClass {
     // Uniform over the numbers with 0 < |x| < 1 (a float: over the multiples of 2^-p, p the bits
     // of its significand; integers have none, which leaves +-1).
@@ -40,6 +40,9 @@ inline constexpr OperandClass operand_classes[] = {OperandClass::small, OperandC
 std::string_view class_name(OperandClass operand_class);
 // Throws std::invalid_argument that lists the classes.
 OperandClass parse_class(std::string_view name);
+
+// An integer, where an operation takes one: a raw that stands for itself, or a float.
+std::int64_t integer(const reference::NumberFormat& format, std::int64_t number);
 
 // How many of `wanted` samples are worth taking: one of a class whose draws are all the same.
 constexpr std::uint64_t distinct_samples(OperandClass operand_class, std::uint64_t wanted) {

@@ -4,6 +4,7 @@
 #include <fixedpoint/arithmetic/correctly_rounded.hpp>
 #include <fixedpoint/arithmetic/nearest.hpp>
 #include <fixedpoint/arithmetic/published.hpp>
+#include <fixedpoint/arithmetic/rounded.hpp>
 #include <fixedpoint/arithmetic/saturating.hpp>
 #include <fixedpoint/arithmetic/small.hpp>
 #include <type_traits>
@@ -17,10 +18,13 @@ namespace {
 
 using catalogue::Functions;
 using fixedpoint::CorrectlyRounded;
+using fixedpoint::Downward;
+using fixedpoint::HalfToEven;
 using fixedpoint::Nearest;
 using fixedpoint::Published;
 using fixedpoint::Saturating;
 using fixedpoint::Small;
+using fixedpoint::TowardZero;
 using reference::Operation;
 
 #define OF_FORMAT(format, RawOfFormat, F, ...) \
@@ -36,6 +40,9 @@ void add(std::vector<HostSubject>& subjects, const char* implementation, bool sa
             std::is_same_v<Policy, Published>          ? reference::Arithmetic::published
             : std::is_same_v<Policy, Saturating>       ? reference::Arithmetic::saturating
             : std::is_same_v<Policy, CorrectlyRounded> ? reference::Arithmetic::correctly_rounded
+            : std::is_same_v<Policy, TowardZero>       ? reference::Arithmetic::toward_zero
+            : std::is_same_v<Policy, Downward>         ? reference::Arithmetic::downward
+            : std::is_same_v<Policy, HalfToEven>       ? reference::Arithmetic::half_to_even
                                                        : reference::Arithmetic::nearest;
         constexpr reference::Subject subject{operation, format, arithmetic};
         subjects.push_back({subject, implementation, same_as_default,

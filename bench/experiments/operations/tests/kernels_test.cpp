@@ -38,7 +38,9 @@ std::uint64_t differences(const std::string& program, std::uint64_t samples) {
     VerifyOptions options;
     options.programs = {folder() + "/" + program + ".elf"};
     options.output = testing::TempDir() + "kernels_test." + program;
-    options.selection.implementations = {"default", "small", "saturating", "correctly_rounded"};
+    options.selection.implementations = {"default",           "small",       "saturating",
+                                         "correctly_rounded", "toward_zero", "downward",
+                                         "half_to_even"};
     options.samples = samples;
     return verify_kernels(options);
 }
@@ -200,6 +202,14 @@ void powers_in_the_range(DenseCalls& calls) {
             calls.add(std::array{a, std::int64_t(std::ldexp(b, 32)) ^ i});
         }
     }
+    // Once in 10^5 bases the sum of the series' squares and fourth powers carries out of its lowest
+    // 24 bits: of these bases beside 1, whose powers of so large exponents show it.
+    for (const std::int64_t above_1 : {-9695, 59290, -205163, 226716, 368867, -511731}) {
+        const std::int64_t a = (std::int64_t(1) << 32) + above_1;
+        const double logarithm = std::log1p(std::ldexp(double(above_1), -32));
+        for (int i = 0; i < 16; ++i)
+            calls.add(std::array{a, std::int64_t(std::ldexp((21.4 - i / 32.0) / logarithm, 32))});
+    }
 }
 
 // r^2 + r, the largest sum of squares below (r + 1/2)^2, is that of (m^2, m), and r^2 + r + 1, the
@@ -306,7 +316,7 @@ INSTANTIATE_TEST_SUITE_P(Programs, Kernels,
 INSTANTIATE_TEST_SUITE_P(Programs, Compiled,
                          testing::Values("q4_4_auxiliary", "q8_8_auxiliary", "q8_24_auxiliary",
                                          "q32_32_angles", "q32_32_powers",
-                                         "correctly_rounded_angles"),
+                                         "correctly_rounded_angles", "roundings"),
                          program_name);
 
 }  // namespace

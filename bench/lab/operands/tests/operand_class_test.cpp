@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 #include <stdexcept>
 #include <vector>
 
@@ -160,6 +161,23 @@ TEST(OperandClass, ShiftCountsStayBelowTheWidth) {
     }
     EXPECT_EQ(least, 0);
     EXPECT_EQ(greatest, 15);
+}
+
+TEST(OperandClass, ExponentsOfPowersAreSmallIntegers) {
+    for (const char* name : {"q16_16", "float"}) {
+        const reference::NumberFormat format = reference::parse_format(name);
+        Sampler sampler(Operation::power, format, OperandClass::full, 1);
+        std::int64_t operands[2];
+        std::set<double> drawn;
+        for (int i = 0; i < 1000; ++i) {
+            sampler.next(operands);
+            drawn.insert(format.is_float() ? reference::to_double(format, operands[1])
+                                           : double(operands[1]));
+        }
+        EXPECT_EQ(drawn.size(), 17u);
+        EXPECT_EQ(*drawn.begin(), -8);
+        EXPECT_EQ(*drawn.rbegin(), 8);
+    }
 }
 
 // Of a format without fractions, 1 alone is a physical operand of asin.

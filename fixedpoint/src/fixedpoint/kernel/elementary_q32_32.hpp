@@ -121,40 +121,112 @@ struct Tan {
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR Evaluation<int64_t> apply(int64_t a) {
         const uint64_t positive = magnitude(a);
-        if (positive >= uint64_t(1) << 40) return portable::Tan::apply<int64_t, 32>(a);
-        constexpr int32_t two_over_pi = 41722;  // 2^-16
-        constexpr uint32_t half_pi[3] = {0xc90fdaa2, 0x2168c234,
-                                         0xc4c6628b};  // 2^-31, 2^-63, 2^-95
-        const uint32_t quarters =
-            static_cast<uint32_t>(
-                multiply<int32_t, 16>(static_cast<int32_t>(positive >> 16), two_over_pi) +
-                (int32_t(1) << 15)) >>
-            16;
-        const uint64_t rest = (positive << 31) - (uint64_t(quarters * half_pi[0]) << 32) -
-                              multiply_words(quarters, half_pi[1]) -
-                              (multiply_words(quarters, half_pi[2]) >> 32);  // 2^-63
-        const bool below = static_cast<int64_t>(rest) < 0, odd = (quarters & 1) != 0;
-        const int64_t x = static_cast<int64_t>(below ? 0 - rest : rest);
-        if (odd && x < int64_t(1) << 52) return portable::Tan::apply<int64_t, 32>(a);
-
-        const int64_t x_40 = x >> 23, z = multiply<int64_t, 32>(x_40, x_40);  // 2^-40, 2^-48
+        const bool is_short = positive < uint64_t(1) << 40;
+        bool negative = a < 0, odd = false;
+        int64_t x = is_short ? rest_of_short(positive, odd) : 0;  // 2^-56
+        // Beside a pole the digits behind x count as much more as the tangent is larger.
+        constexpr uint64_t near = uint64_t(1) << 46;
+        if (!is_short || (odd && magnitude(x) < near)) {
+            const Word128 fine = rest_of_long(positive, odd);
+            x = static_cast<int64_t>(fine.high) >> 6;
+            if (odd && magnitude(x) < near) {
+                if (x < 0) return beside_pole(Word128() - fine, negative);
+                return beside_pole(fine, !negative);
+            }
+        }
+        if (odd) negative = !negative;
+        if (x < 0) {
+            x = -x;
+            negative = !negative;
+        }
+        const int64_t x_40 = x >> 16;
+        const int64_t z = multiply<int64_t, 32>(x_40, x_40);  // 2^-48
         const int64_t p =
-            (int64_t(1) << 40) / 3 + int64_t(tail(static_cast<int32_t>(z >> 17))) * 16;
-        const bool negative = (a < 0) != (below != odd);
+            (int64_t(1) << 40) / 3 +
+            int64_t(tail(static_cast<int32_t>(static_cast<uint32_t>(z >> 16) >> 1))) * 16;
         int64_t tangent = 0;
         if (odd) {
-            const int64_t reciprocal =
-                divide<int64_t, 32>(int64_t(1) << 62, (x + 16) >> 5);   // 2^-36
-            const int64_t correction = multiply<int64_t, 32>(x_40, p);  // 2^-48
-            tangent = (reciprocal * 4096 - correction + (int64_t(1) << 15)) >> 16;
+            const int64_t reciprocal = divide<int64_t, 32>(int64_t(1) << 62, x);  // 2^-38
+            const int64_t correction = multiply<int64_t, 32>(x_40, p);            // 2^-48
+            tangent = (reciprocal * 4 - (correction >> 8) + 128) >> 8;
         } else {
-            const int64_t cosine = (int64_t(1) << 56) - multiply<int64_t, 32>(z, p);  // 2^-56
-            tangent = divide<int64_t, 32>(x >> 7, cosine);
+            const int64_t cosine = (int64_t(1) << 40) - (multiply<int64_t, 32>(z, p) >> 16);
+            tangent = divide<int64_t, 32>(x_40, cosine);
         }
         return {negative ? -tangent : tangent, Outcome::in_range};
     }
 
   private:
+    using Word128 = portable::Word128;
+
+    // What whole quarter turns leave of an angle below 256 rad, in units of 2^-56.
+    static FIXEDPOINT_CONSTEXPR int64_t rest_of_short(uint64_t positive, bool& odd) {
+        constexpr int32_t two_over_pi = 41722;                     // 2^-16
+        constexpr uint32_t upper = 0x1921fb5, lower = 0x4442d184;  // of pi/2, 2^-24 and 2^-56
+        constexpr uint16_t last = 0x6989;                          // 2^-72
+        const uint8_t quarters = static_cast<uint8_t>(
+            (multiply<int32_t, 16>(static_cast<int32_t>(positive >> 16), two_over_pi) +
+             (int32_t(1) << 15)) >>
+            16);
+        odd = (quarters & 1) != 0;
+        const uint64_t whole = (uint64_t(quarters * upper) << 32) +
+                               multiply_words(quarters, lower) +
+                               static_cast<uint16_t>((uint32_t(quarters) * last + 0x8000) >> 16);
+        return static_cast<int64_t>((positive << 24) - whole);
+    }
+
+    // What whole quarter turns leave of any angle, in units of 2^-126.
+    static FIXEDPOINT_CONSTEXPR Word128 rest_of_long(uint64_t positive, bool& odd) {
+        const uint32_t high = static_cast<uint32_t>(positive >> 32),
+                       low = static_cast<uint32_t>(positive);
+        // 2/pi in units of 2^-32 and 2^-64, the quarters in units of 2^-32.
+        constexpr uint32_t per_half_pi[2] = {0xa2f9836e, 0x4e441529};
+        const uint32_t quarters = static_cast<uint32_t>(
+            (multiply_words(high, per_half_pi[0]) + (multiply_words(high, per_half_pi[1]) >> 32) +
+             (multiply_words(low, per_half_pi[0]) >> 32) + (uint32_t(1) << 31)) >>
+            32);
+        odd = (quarters & 1) != 0;
+        // pi/2 in units of 2^-30, 2^-62, 2^-94, 2^-126 and 2^-142.
+        constexpr uint32_t half_pi[4] = {0x6487ed51, 0x10b4611a, 0x62633145, 0xc06e0e68};
+        constexpr uint16_t last = 0x9481;
+        const uint64_t third = multiply_words(quarters, half_pi[2]);
+        const Word128 upper(multiply_words(quarters, half_pi[1]) +
+                                (uint64_t(quarters * half_pi[0]) << 32) + (third >> 32),
+                            third << 32);
+        const Word128 lower(0, multiply_words(quarters, half_pi[3]) +
+                                   uint32_t(static_cast<uint16_t>(quarters >> 16)) * last);
+        return Word128(positive << 30, 0) - upper - lower;
+    }
+
+    // 1/x - x/3 of x below 2^-10, in units of 2^-126.
+    static FIXEDPOINT_CONSTEXPR Evaluation<int64_t> beside_pole(Word128 x, bool negative) {
+        if (x.high >> 31 == 0) return overflow(negative);
+        const int32_t third = multiply<int32_t, 32>(static_cast<int32_t>(x.high >> 22),
+                                                    0x55555555);  // 2^-40
+        uint8_t zeros = 0;
+        for (; static_cast<uint8_t>(x.high >> 56) == 0; zeros = static_cast<uint8_t>(zeros + 8))
+            x = x << 8;
+        for (; static_cast<int64_t>(x.high) >= 0; ++zeros) {
+            x.high += x.high + (static_cast<int64_t>(x.low) < 0 ? 1 : 0);
+            x.low += x.low;
+        }
+        // The reciprocal of the upper 63 bits, then of what it leaves of all of them.
+        const uint64_t upper = x.high >> 1;
+        const uint64_t first = static_cast<uint64_t>(
+            divide<int64_t, 32>(int64_t(1) << 62, static_cast<int64_t>(upper)));
+        const uint32_t behind = (static_cast<uint32_t>(x.low >> 32) >> 1) |
+                                ((static_cast<uint8_t>(x.high) & 1) != 0 ? uint32_t(1) << 31 : 0);
+        const int64_t left = static_cast<int64_t>(
+            0 - first * upper -
+            (multiply_words(static_cast<uint32_t>(first - (first >> 32)), behind) >> 32));
+        const int64_t second = divide<int64_t, 32>(left * 2, static_cast<int64_t>(upper));
+        const int64_t fraction = (second * 64 >> (32 - zeros)) - third;  // 2^-40
+        const uint64_t cotangent =
+            (first << (zeros - 1)) + static_cast<uint64_t>((fraction + 128) >> 8);
+        if (cotangent > uint64_t(largest) + (negative ? 1 : 0)) return overflow(negative);
+        return {with_sign<int64_t>(cotangent, negative), Outcome::in_range};
+    }
+
     // p - 1/3 in units of 2^-36, of z in units of 2^-31 up to 0.63, within 2 units.
     static FIXEDPOINT_CONSTEXPR int32_t tail(int32_t z) {
         const int32_t fourth = 11562496 + multiply<int32_t, 32>(z, 2895704);  // 2^-39, 2^-40

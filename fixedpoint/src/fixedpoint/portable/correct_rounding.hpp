@@ -120,7 +120,8 @@ struct AngleSide {
     static FIXEDPOINT_CONSTEXPR bool reaches(int64_t tie, int32_t y, int32_t x) {
         constexpr uint64_t pi = 0x243f6a8885a308d3, half_pi = 0x921fb54442d1846a;  // modulo 1
         const uint32_t height = magnitude(y), width = magnitude(x);
-        const bool left = x<0, steep = height> width;
+        const bool left = x < 0;
+        const bool steep = height > width;
         const uint64_t acute = left ? pi - (magnitude(tie) << 32) : magnitude(tie) << 32;
         const bool reached = steep ? direction_reaches(width, height, half_pi - acute)
                                    : direction_reaches(height, width, acute);
