@@ -126,6 +126,8 @@ Number number(typename Number::Raw raw) {
     BINARY(q, Number, midpoint)                                                             \
     BINARY(q, Number, abs_diff)                                                             \
     BINARY(q, Number, copysign)                                                             \
+    int8_t q##_sign(q a) { return static_cast<int8_t>(sign(number<Number>(a))); }           \
+    q q##_isqrt(q n) { return isqrt(n); }                                                   \
     q q##_power(q x, int32_t n) { return power(number<Number>(x), n).raw(); }               \
     q q##_multiply_add(q a, q b, q c) {                                                     \
         return multiply_add(number<Number>(a), number<Number>(b), number<Number>(c)).raw(); \

@@ -104,10 +104,10 @@ q4_4 q4_4_atan(q4_4 a)
     FIXEDPOINT_C_KERNEL(fixedpoint_atan_q4_4);
 /// The angle of the vector (x, y) in radians, in (-pi, pi], within 0.75 ulp; 0 where both are 0.
 q4_4 q4_4_atan2(q4_4 y, q4_4 x);
-/// e^a within 1 ulp, saturated to Q4_4_MAX; 0 where e^a is below half an ulp or about it.
+/// e^a within 0.75 ulp, saturated to Q4_4_MAX; 0 where e^a is below half an ulp or about it.
 q4_4 q4_4_exp(q4_4 a)
     FIXEDPOINT_C_KERNEL(fixedpoint_exp_q4_4);
-/// The natural logarithm within 1 ulp; Q4_4_MIN where a <= 0.
+/// The natural logarithm within 0.75 ulp; Q4_4_MIN where a <= 0.
 q4_4 q4_4_log(q4_4 a)
     FIXEDPOINT_C_KERNEL(fixedpoint_log_q4_4);
 /// The tangent of any angle in radians within 0.75 ulp, saturated beside a pole.
@@ -170,6 +170,10 @@ q4_4 q4_4_smoothstep(q4_4 t);
 q4_4 q4_4_midpoint(q4_4 a, q4_4 b);
 /// |a - b| modulo 2^4.
 q4_4 q4_4_abs_diff(q4_4 a, q4_4 b);
+/// -1, 0 or 1 as a is negative, zero or positive.
+int8_t q4_4_sign(q4_4 a);
+/// floor(sqrt(n)) of an integer, not of a number, exact; 0 where n < 0.
+int8_t q4_4_isqrt(int8_t n);
 /// |a|, negative where b is; Q4_4_MIN for |Q4_4_MIN|.
 q4_4 q4_4_copysign(q4_4 a, q4_4 b);
 /// x^n within 0.75 ulp, saturated; 1 where n is 0, and Q4_4_MAX where x is 0 and n < 0.
@@ -275,10 +279,10 @@ q8_8 q8_8_atan(q8_8 a)
 /// The angle of the vector (x, y) in radians, in (-pi, pi], within 0.75 ulp; 0 where both are 0.
 q8_8 q8_8_atan2(q8_8 y, q8_8 x)
     FIXEDPOINT_C_KERNEL(fixedpoint_atan2_q8_8);
-/// e^a within 1 ulp, saturated to Q8_8_MAX; 0 where e^a is below half an ulp or about it.
+/// e^a within 0.75 ulp, saturated to Q8_8_MAX; 0 where e^a is below half an ulp or about it.
 q8_8 q8_8_exp(q8_8 a)
     FIXEDPOINT_C_KERNEL(fixedpoint_exp_q8_8);
-/// The natural logarithm within 1 ulp; Q8_8_MIN where a <= 0.
+/// The natural logarithm within 0.75 ulp; Q8_8_MIN where a <= 0.
 q8_8 q8_8_log(q8_8 a)
     FIXEDPOINT_C_KERNEL(fixedpoint_log_q8_8);
 /// The tangent of any angle in radians within 0.75 ulp, saturated beside a pole.
@@ -341,6 +345,10 @@ q8_8 q8_8_smoothstep(q8_8 t);
 q8_8 q8_8_midpoint(q8_8 a, q8_8 b);
 /// |a - b| modulo 2^8.
 q8_8 q8_8_abs_diff(q8_8 a, q8_8 b);
+/// -1, 0 or 1 as a is negative, zero or positive.
+int8_t q8_8_sign(q8_8 a);
+/// floor(sqrt(n)) of an integer, not of a number, exact; 0 where n < 0.
+int16_t q8_8_isqrt(int16_t n);
 /// |a|, negative where b is; Q8_8_MIN for |Q8_8_MIN|.
 q8_8 q8_8_copysign(q8_8 a, q8_8 b);
 /// x^n within 0.75 ulp, saturated; 1 where n is 0, and Q8_8_MAX where x is 0 and n < 0.
@@ -448,10 +456,10 @@ q16_16 q16_16_atan(q16_16 a)
 /// The angle of the vector (x, y) in radians, in (-pi, pi], within 0.75 ulp; 0 where both are 0.
 q16_16 q16_16_atan2(q16_16 y, q16_16 x)
     FIXEDPOINT_C_KERNEL(fixedpoint_atan2_q16_16);
-/// e^a within 1 ulp, saturated to Q16_16_MAX; 0 where e^a is below half an ulp or about it.
+/// e^a within 0.75 ulp, saturated to Q16_16_MAX; 0 where e^a is below half an ulp or about it.
 q16_16 q16_16_exp(q16_16 a)
     FIXEDPOINT_C_KERNEL(fixedpoint_exp_q16_16);
-/// The natural logarithm within 1 ulp; Q16_16_MIN where a <= 0.
+/// The natural logarithm within 0.75 ulp; Q16_16_MIN where a <= 0.
 q16_16 q16_16_log(q16_16 a)
     FIXEDPOINT_C_KERNEL(fixedpoint_log_q16_16);
 /// The tangent of any angle in radians within 0.75 ulp, saturated beside a pole.
@@ -521,6 +529,10 @@ q16_16 q16_16_smoothstep(q16_16 t);
 q16_16 q16_16_midpoint(q16_16 a, q16_16 b);
 /// |a - b| modulo 2^16.
 q16_16 q16_16_abs_diff(q16_16 a, q16_16 b);
+/// -1, 0 or 1 as a is negative, zero or positive.
+int8_t q16_16_sign(q16_16 a);
+/// floor(sqrt(n)) of an integer, not of a number, exact; 0 where n < 0.
+int32_t q16_16_isqrt(int32_t n);
 /// |a|, negative where b is; Q16_16_MIN for |Q16_16_MIN|.
 q16_16 q16_16_copysign(q16_16 a, q16_16 b);
 /// x^n within 0.75 ulp, saturated; 1 where n is 0, and Q16_16_MAX where x is 0 and n < 0.
@@ -628,10 +640,10 @@ q8_24 q8_24_atan(q8_24 a)
 /// The angle of the vector (x, y) in radians, in (-pi, pi], within 0.75 ulp; 0 where both are 0.
 q8_24 q8_24_atan2(q8_24 y, q8_24 x)
     FIXEDPOINT_C_KERNEL(fixedpoint_atan2_q8_24);
-/// e^a within 1 ulp, saturated to Q8_24_MAX; 0 where e^a is below half an ulp or about it.
+/// e^a within 0.75 ulp, saturated to Q8_24_MAX; 0 where e^a is below half an ulp or about it.
 q8_24 q8_24_exp(q8_24 a)
     FIXEDPOINT_C_KERNEL(fixedpoint_exp_q8_24);
-/// The natural logarithm within 1 ulp; Q8_24_MIN where a <= 0.
+/// The natural logarithm within 0.75 ulp; Q8_24_MIN where a <= 0.
 q8_24 q8_24_log(q8_24 a)
     FIXEDPOINT_C_KERNEL(fixedpoint_log_q8_24);
 /// The tangent of any angle in radians within 0.75 ulp, saturated beside a pole.
@@ -694,6 +706,10 @@ q8_24 q8_24_smoothstep(q8_24 t);
 q8_24 q8_24_midpoint(q8_24 a, q8_24 b);
 /// |a - b| modulo 2^8.
 q8_24 q8_24_abs_diff(q8_24 a, q8_24 b);
+/// -1, 0 or 1 as a is negative, zero or positive.
+int8_t q8_24_sign(q8_24 a);
+/// floor(sqrt(n)) of an integer, not of a number, exact; 0 where n < 0.
+int32_t q8_24_isqrt(int32_t n);
 /// |a|, negative where b is; Q8_24_MIN for |Q8_24_MIN|.
 q8_24 q8_24_copysign(q8_24 a, q8_24 b);
 /// x^n within 0.75 ulp, saturated; 1 where n is 0, and Q8_24_MAX where x is 0 and n < 0.
@@ -797,10 +813,10 @@ q32_32 q32_32_atan(q32_32 a)
 /// The angle of the vector (x, y) in radians, in (-pi, pi], within 0.75 ulp; 0 where both are 0.
 q32_32 q32_32_atan2(q32_32 y, q32_32 x)
     FIXEDPOINT_C_KERNEL(fixedpoint_atan2_q32_32);
-/// e^a within 1 ulp, saturated to Q32_32_MAX; 0 where e^a is below half an ulp or about it.
+/// e^a within 0.75 ulp, saturated to Q32_32_MAX; 0 where e^a is below half an ulp or about it.
 q32_32 q32_32_exp(q32_32 a)
     FIXEDPOINT_C_KERNEL(fixedpoint_exp_q32_32);
-/// The natural logarithm within 1 ulp; Q32_32_MIN where a <= 0.
+/// The natural logarithm within 0.75 ulp; Q32_32_MIN where a <= 0.
 q32_32 q32_32_log(q32_32 a)
     FIXEDPOINT_C_KERNEL(fixedpoint_log_q32_32);
 /// The tangent of any angle in radians within 0.75 ulp, saturated beside a pole.
@@ -869,6 +885,10 @@ q32_32 q32_32_midpoint(q32_32 a, q32_32 b);
 /// |a - b| modulo 2^32.
 q32_32 q32_32_abs_diff(q32_32 a, q32_32 b)
     FIXEDPOINT_C_KERNEL(fixedpoint_abs_diff_q32_32);
+/// -1, 0 or 1 as a is negative, zero or positive.
+int8_t q32_32_sign(q32_32 a);
+/// floor(sqrt(n)) of an integer, not of a number, exact; 0 where n < 0.
+int64_t q32_32_isqrt(int64_t n);
 /// |a|, negative where b is; Q32_32_MIN for |Q32_32_MIN|.
 q32_32 q32_32_copysign(q32_32 a, q32_32 b)
     FIXEDPOINT_C_KERNEL(fixedpoint_copysign_q32_32);

@@ -235,6 +235,8 @@ void F(auxiliary)(void) {
     BINARY(abs_diff)
     BINARY(copysign)
     UNARY(smoothstep)
+    UNARY(sign)
+    UNARY(isqrt)
     begin("lerp");
     FOR_EACH_PAIR {
         const number result = F(lerp)(operand[i], operand[j], operand[operands - 1 - i]);
