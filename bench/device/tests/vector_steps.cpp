@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The kernels that change vectors in place, and those of a matrix and a vector, for
-// vector_steps_test.cpp.
-#include <fixedpoint/blocks/polynomial.hpp>
+// The kernels that change vectors in place, for vector_kernels_test.cpp.
 #include <fixedpoint/kernel/dispatch.hpp>
 
 // The linker keeps what is referred to.
@@ -9,20 +7,5 @@
 void (*const volatile kernels[])() = {
     KERNEL(project2),    KERNEL(project3),    KERNEL(dot_difference2), KERNEL(dot_difference3),
     KERNEL(add_scaled2), KERNEL(add_scaled3), KERNEL(exchange2),       KERNEL(exchange3)};
-#define ADDRESS(shape, operation, Raw, F, symbol, same) symbol,
-void (*const volatile transforms[])(int32_t*, const int32_t*, const int32_t*, uint8_t) = {
-    fixedpoint_transform_q16_16,
-    FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, ADDRESS, TRANSFORM, transform)};
-void (*const volatile crosses[])(int32_t*, const int32_t*, const int32_t*) = {
-    fixedpoint_cross_q16_16,
-    FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, ADDRESS, OUTER, cross)};
 
-// Any numbers, the ends of the range among them.
-extern "C" {
-extern const int32_t coefficients[5] FIXEDPOINT_PROGRAM_MEMORY = {102921, INT32_MIN, -42218,
-                                                                  INT32_MAX, 4833};
-}
-int32_t (*const volatile polynomial)(int32_t, const int32_t*,
-                                     uint16_t) = fixedpoint_polynomial_q16_16;
-
-int main() { return kernels[0] && transforms[0] && crosses[0] && polynomial(0, coefficients, 5); }
+int main() { return kernels[0] != nullptr; }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The kernels that change vectors in place, and those of a matrix, on the simulated chip, against
-// exact arithmetic: any operands, and those that the kernels take apart (components of unit
-// vectors, their fractions 0).
+// The kernels of vectors, matrices, quaternions and polynomials on the simulated chip, against exact
+// arithmetic: any operands, and those that the kernels take apart (components of unit vectors, their
+// fractions 0).
 #include <gtest/gtest.h>
 
 #include <array>
@@ -38,9 +38,10 @@ std::string folder() {
     return other ? other : PROGRAM_FOLDER;
 }
 
-class VectorSteps : public testing::Test {
+class VectorKernels : public testing::Test {
   protected:
-    VectorSteps() {
+    explicit VectorKernels(const std::string& program)
+        : chip_(simulator::Elf(folder() + "/" + program + ".elf")) {
         chip_.run_until_function("main");
         for (std::uint16_t& address : addresses_) address = chip_.allocate(sizeof(Vector));
     }
@@ -69,12 +70,20 @@ class VectorSteps : public testing::Test {
         return v;
     }
 
-    Chip chip_{simulator::Elf(folder() + "/vector_steps.elf")};
+    Chip chip_;
 
   private:
     std::array<std::uint16_t, 3> addresses_{};
     std::vector<std::int64_t> any_ = exact::raws(32);
     std::mt19937_64 random_{16};
+};
+class VectorSteps : public VectorKernels {
+  protected:
+    VectorSteps() : VectorKernels("vector_steps") {}
+};
+class VectorProducts : public VectorKernels {
+  protected:
+    VectorProducts() : VectorKernels("vector_products") {}
 };
 
 TEST_F(VectorSteps, ProjectIsTheDotProductAndDotDifferenceThatOfTheDifferenceRoundedOnce) {
@@ -139,7 +148,7 @@ TEST_F(VectorSteps, ExchangeAddsTheRoundedProductsToOneAndTakesThemFromTheOther)
     }
 }
 
-TEST_F(VectorSteps, MatricesTimesVectorsAndMatricesAreRoundedSums) {
+TEST_F(VectorProducts, MatricesTimesVectorsAndMatricesAreRoundedSums) {
     const std::uint16_t at_result = chip_.allocate(64), at_v = chip_.allocate(64),
                         at_m = chip_.allocate(64);
     for (int fraction = 0; fraction <= 32; ++fraction) {
@@ -184,7 +193,7 @@ const Components of_quaternions = {{{1, 0, 0}, {-1, 1, 1}, {-1, 2, 2}, {-1, 3, 3
                                    {{1, 0, 2}, {-1, 1, 3}, {1, 2, 0}, {1, 3, 1}},
                                    {{1, 0, 3}, {1, 1, 2}, {-1, 2, 1}, {1, 3, 0}}};
 
-TEST_F(VectorSteps, CrossAndQuaternionProductsAreRoundedSums) {
+TEST_F(VectorProducts, CrossAndQuaternionProductsAreRoundedSums) {
     const std::uint16_t at_result = chip_.allocate(16), at_a = chip_.allocate(16),
                         at_b = chip_.allocate(16);
     struct Kernel {
@@ -229,7 +238,7 @@ TEST_F(VectorSteps, CrossAndQuaternionProductsAreRoundedSums) {
     }
 }
 
-TEST_F(VectorSteps, PolynomialsRoundOnceAStep) {
+TEST_F(VectorProducts, PolynomialsRoundOnceAStep) {
     const int32_t c[5] = {102921, INT32_MIN, -42218, INT32_MAX, 4833};  // as on the chip
     std::uint16_t at_c = 0;
     for (const simulator::Symbol& table : chip_.elf().flash_objects())
