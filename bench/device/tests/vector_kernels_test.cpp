@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The kernels of vectors, matrices, quaternions and polynomials on the simulated chip, against exact
-// arithmetic: any operands, and those that the kernels take apart (components of unit vectors, their
-// fractions 0).
+// The kernels of vectors, matrices, quaternions and polynomials on the simulated chip, against
+// exact arithmetic: any operands, and those that the kernels take apart (components of unit
+// vectors, their fractions 0).
 #include <gtest/gtest.h>
 
 #include <array>
