@@ -58,7 +58,7 @@ const std::vector<Rule>& rules() {
         {"explicit Euler", begins("engine::ExplicitEuler::"), {"ExplicitEuler"}},
         {"velocity Verlet", begins("engine::VelocityVerlet::"), {"VelocityVerlet"}},
         {"projected_gauss_seidel",
-         std::regex("engine::ProjectedGaussSeidel<.*>::solve<"),
+         std::regex("engine::ProjectedGaussSeidel<.*>::(solve|bind)<"),
          {"ProjectedGaussSeidel<10>"},
          constraints},
         {"warm_started",

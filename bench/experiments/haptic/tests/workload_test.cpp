@@ -104,7 +104,7 @@ TEST_F(Workload, ThePinsOfAStepLieWithinIt) {
             EXPECT_GE(std::stod(row.at("begin_ms")), 0);
             EXPECT_LE(std::stod(row.at("end_ms")), end);
         }
-        EXPECT_GT(frames["step"], 10) << device;
+        EXPECT_GT(frames["step"], 6) << device;
         EXPECT_GT(frames["render"], 3) << device;
         EXPECT_EQ(step["step"], 1) << device;
         EXPECT_EQ(step["collision"], 2) << device;

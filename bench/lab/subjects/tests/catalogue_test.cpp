@@ -45,7 +45,7 @@ TEST(Catalogue, EachSideHasWhatTheOtherHas) {
     const std::set<std::string> chip = on_the_chip();
     for (const std::string& name : host)
         EXPECT_TRUE(chip.contains(name)) << name << " has no subject on the chip";
-    EXPECT_EQ(rivals, (std::map<std::string, int>{{"accum", 16}, {"libc", 48}, {"native", 20}}));
+    EXPECT_EQ(rivals, (std::map<std::string, int>{{"accum", 16}, {"libc", 51}, {"native", 20}}));
 }
 
 TEST(Catalogue, WhoIsHeldToADefinition) {

@@ -69,7 +69,7 @@ class CarriedError<Fixed<IntegerBits, F, A>> {
                                          << RoundingError<F>::shift);
         sum_ = static_cast<Low>(sum_ + low);
         // multiply_add rounds the product alone.
-        const int8_t carry = sum_ < low, rounded_up = low >> (RawLimits<Low>::width - 1);
+        const bool carry = sum_ < low, rounded_up = low >> (RawLimits<Low>::width - 1) != 0;
         return fixedpoint::multiply_add(a, b, c) +
                Number::from_raw(static_cast<typename Number::Raw>(carry - rounded_up));
     }

@@ -25,11 +25,11 @@ struct HornerStep {
 };
 // A product of raws less the fraction bits of x has the format of p: x need not be converted. In 32
 // bits every such product has a kernel.
-template <int I, int F, class A, int CoefficientF>
-struct HornerStep<Fixed<I, F, A>, Fixed<32 - CoefficientF, CoefficientF, A>> {
-    static_assert(I + F <= 32, "Coefficients are at least as wide as the argument.");
+template <int IntegerBits, int F, class A, int CoefficientF>
+struct HornerStep<Fixed<IntegerBits, F, A>, Fixed<32 - CoefficientF, CoefficientF, A>> {
+    static_assert(IntegerBits + F <= 32, "Coefficients are at least as wide as the argument.");
     using Coefficient = Fixed<32 - CoefficientF, CoefficientF, A>;
-    explicit HornerStep(Fixed<I, F, A> x) : x_(x.raw()) {}
+    explicit HornerStep(Fixed<IntegerBits, F, A> x) : x_(x.raw()) {}
     Coefficient apply(Coefficient p, Coefficient c) const {
         return Coefficient::from_raw(A::template multiply_add<int32_t, F>(p.raw(), x_, c.raw()));
     }
@@ -48,11 +48,11 @@ struct Horner {
     }
 };
 // By one call, of an x that Q16.16 holds.
-template <int I, int F, int CoefficientF>
-struct Horner<Fixed<I, F>, Fixed<32 - CoefficientF, CoefficientF>, true> {
+template <int IntegerBits, int F, int CoefficientF>
+struct Horner<Fixed<IntegerBits, F>, Fixed<32 - CoefficientF, CoefficientF>, true> {
     using Coefficient = Fixed<32 - CoefficientF, CoefficientF>;
     template <uint16_t N>
-    static Coefficient apply(Fixed<I, F> x, const Table<Coefficient, N>& coefficient) {
+    static Coefficient apply(Fixed<IntegerBits, F> x, const Table<Coefficient, N>& coefficient) {
         return Coefficient::from_raw(
             fixedpoint_polynomial_q16_16(convert<Q16_16>(x).raw(), raws(coefficient.entry), N));
     }
@@ -61,9 +61,9 @@ template <class Number, class Coefficient>
 struct HornerInKernel {
     static constexpr bool value = false;
 };
-template <int I, int F, int CoefficientF>
-struct HornerInKernel<Fixed<I, F>, Fixed<32 - CoefficientF, CoefficientF>> {
-    static constexpr bool value = kernel::has_assembly && I <= 16 && F <= 16;
+template <int IntegerBits, int F, int CoefficientF>
+struct HornerInKernel<Fixed<IntegerBits, F>, Fixed<32 - CoefficientF, CoefficientF>> {
+    static constexpr bool value = kernel::has_assembly && IntegerBits <= 16 && F <= 16;
 };
 /// \endcond
 
