@@ -58,7 +58,7 @@ const std::vector<Rule>& rules() {
         {"explicit Euler", begins("engine::ExplicitEuler::"), {"ExplicitEuler"}},
         {"velocity Verlet", begins("engine::VelocityVerlet::"), {"VelocityVerlet"}},
         {"projected_gauss_seidel",
-         std::regex("engine::ProjectedGaussSeidel<.*>::(solve|bind)<"),
+         std::regex("engine::ProjectedGaussSeidel<.*>::(solve<|bind<.*If<false>\\))"),
          {"ProjectedGaussSeidel<10>"},
          constraints},
         {"warm_started",
