@@ -127,17 +127,18 @@
     mov shift, r30
     // Nothing to be shifted out: one byte more, or, for the longest, the remainder, rounds.
     cpi r30, 1
-    brne 1f
+    brne .Lseed
     inc count
     sbrs count, 2
-    rjmp 1f
+    rjmp .Lseed
     sbrs count, 0
-    rjmp 1f
+    rjmp .Lseed
     dec count
     set
 
     // x0:x1 = the root of a7:a6, at most 3 too small for a7..a4
-1:  mov r30, a7
+.Lseed:
+    mov r30, a7
     ldi r31, hi8(fixedpoint_sqrt_table)
     lpm x1, Z
     inc r31
@@ -147,6 +148,7 @@
     mul r0, a6
     add x1, r1
     adc x0, zero
+.Lsquare:
     mul x1, x1
     sub a4, r0
     sbc a5, r1
@@ -169,9 +171,10 @@
     clr a7
     ror a7
     ldi half, 0x80
-    rjmp 2f
+    rjmp .Lroot
 1:  adiw x1, 1
-2:  sub a3, half
+.Lroot:
+    sub a3, half
     sbc a4, x1
     sbc a5, x0
     sbc a6, zero
@@ -180,10 +183,13 @@
     adc a4, x1
     adc a5, x0
     adc a6, zero
+.Linvert:
     invert inverse, x0, x1
 
     // The third byte.
+.Lthird_digit:
     estimate a5, a4, a3
+.Lthird_estimated:
     half_square
     sub a1, half
     sbc a2, r0
@@ -194,7 +200,7 @@
 .Lthird:
     mov x2, digit
     dec count
-    brne 1f
+    brne .Lfourth_digit
     rjmp .Lthird_is_last
 
 .Lthird_high:
@@ -208,10 +214,10 @@
     brmi .Lthird_high
     rjmp .Lthird
 
-1:
-
     // The fourth byte.
+.Lfourth_digit:
     estimate a4, a3, a2
+.Lfourth_estimated:
     mul digit, x2
     sub a1, r0
     sbc a2, r1
@@ -228,7 +234,7 @@
 .Lfourth:
     mov x3, digit
     dec count
-    brne 1f
+    brne .Lfifth_digit
     rjmp .Lfourth_is_last
 
 .Lfourth_high:
@@ -243,10 +249,10 @@
     brmi .Lfourth_high
     rjmp .Lfourth
 
-1:
-
     // The fifth byte.
+.Lfifth_digit:
     estimate a3, a2, a1
+.Lfifth_estimated:
     mul digit, x3
     sub a7, r0
     sbc a0, r1
@@ -270,7 +276,7 @@
 .Lfifth:
     mov x4, digit
     dec count
-    brne 1f
+    brne .Lsixth_digit
     rjmp .Lfifth_is_last
 
 .Lfifth_high:
@@ -286,10 +292,10 @@
     brmi .Lfifth_high
     rjmp .Lfifth
 
-1:
-
     // The sixth byte.
+.Lsixth_digit:
     estimate a2, a1, a0
+.Lsixth_estimated:
     mul digit, x4
     sub a5, r0
     sbc a6, r1
@@ -323,6 +329,7 @@
     brtc .Lshift_root
 
     // R > s?
+.Lcompare:
     lsl a3
     rol a4
     rol a5

@@ -1,0 +1,490 @@
+# SPDX-License-Identifier: MIT
+"""Proofs about machine code, a stretch at a time.
+
+The code is cut at its labels. Of the stretch behind each, every path is followed with the registers
+holding linear forms of bytes, of products of bytes and of carries. Where the registers at a cut hold
+what is said of it, they must hold at the next what is said there: a statement of linear inequalities,
+which z3 decides over the rationals once it knows which carries must be 0, and which must be 1.
+"""
+
+import copy
+import re
+import subprocess
+import sys
+import tempfile
+from itertools import product
+from math import gcd, prod
+from pathlib import Path
+
+import z3
+from prove_products import CALL_SAVED, SOURCE, Form, Unprovable, disassemble, known
+
+
+class Machine:
+    """One path through a stretch of code."""
+
+    def __init__(self, program):
+        self.program = program
+        self.names = 0
+        self.ranges = {}  # of a variable: its largest value
+        self.facts = []   # (low, form, high), either may be None
+        self.named = {}   # of a form: the variable that stands for it
+        self.stack = []
+        self.solver, self.fixed = None, {}
+        self.forked = False
+        self.passed = frozenset()  # addresses where the path has forked
+        self.unequal = None  # what holds the exclusive or of `differing`
+        self.carry = self.tested = self.sign = self.transfer = self.signs = None
+        self.registers = {n: self.variable(f"r{n}") for n in range(32)}
+        self.saved = {n: self.registers[n] for n in CALL_SAVED}
+
+    def copy(self):
+        other = copy.copy(self)
+        other.solver, other.fixed = None, {}
+        for name in ("ranges", "facts", "named", "stack", "registers"):
+            setattr(other, name, copy.copy(getattr(self, name)))
+        return other
+
+    # What holds
+
+    def variable(self, kind, high=255):
+        self.names += 1
+        name = f"{kind}.{self.names}"
+        self.ranges[name] = high
+        self.hold(0, Form({name: 1}), high)
+        return Form({name: 1})
+
+    def hold(self, low, form, high=None):
+        self.facts.append((low, form, high))
+        if self.solver:
+            self.tell(low, form, high)
+
+    def zero(self, *registers):
+        for register in registers:
+            self.registers[register] = known(0)
+
+    def number(self, registers):
+        """Of the registers, the lowest first; None stands for 0."""
+        total = Form()
+        for i, register in enumerate(registers):
+            if register is not None:
+                total += self.registers[register] * (1 << 8 * i)
+        return total
+
+    def times(self, one, other):
+        total = Form()
+        for x, factor in one.items():
+            for y, weight in other.items():
+                total += self.monomial(x, y) * (factor * weight)
+        return total
+
+    def monomial(self, x, y):
+        """Of two variables, of which each may be the constant 1."""
+        if 1 in (x, y):
+            return Form({y if x == 1 else x: 1})
+        name = "*".join(sorted((*x.split("*"), *y.split("*"))))
+        if name not in self.named:
+            self.named[name] = name
+            both, a, b = Form({name: 1}), Form({x: 1}), Form({y: 1})
+            self.hold(0, both)
+            most_a, most_b = self.most(x), self.most(y)
+            self.hold(0, a * most_b - both)
+            self.hold(0, b * most_a - both)
+            self.hold(-most_a * most_b, both - a * most_b - b * most_a)
+        return Form({name: 1})
+
+    def most(self, name):
+        return prod(self.ranges[part] for part in name.split("*"))
+
+    def bring(self, factor):
+        """What is known of bytes, carries and the high bytes of products, times a form that is not negative."""
+        for low, fact, high in self.facts[:]:
+            if None not in (low, high) and len(fact) > 1 and max(str(name).count("*") for name in fact) < 2:
+                product = self.times(fact, factor)
+                self.hold(0, product - factor * low, 0 if low == high else None)
+                if low != high:
+                    self.hold(0, factor * high - product)
+
+    # Instructions
+
+    def byte(self, register):
+        """A variable or a known number in the register."""
+        form = self.registers[register]
+        if not set(form) - {1} or len(form) == 1 and form[next(iter(form))] == 1:
+            return form
+        key = frozenset(form.items())
+        if key not in self.named:
+            self.named[key] = self.variable("byte")
+            self.hold(0, self.named[key] - form, 0)
+        self.registers[register] = self.named[key]
+        return self.named[key]
+
+    def keep(self, register, total, sign):
+        """The byte of a sum that leaves a carry, or of a difference that leaves a borrow."""
+        if set(total) - {1}:
+            self.carry = self.variable("carry", 1)
+            form = total - self.carry * (256 * sign)
+            # A multiple of 2^i is at most 256 - 2^i: over the rationals, that says more.
+            self.hold(0, form, 256 - gcd(256, *form.values()))
+        else:
+            number = total.get(1, 0)
+            self.carry, form = known(int(not 0 <= number < 256)), known(number % 256)
+        self.tested = self.sign = form
+        if register is not None:
+            self.registers[register] = form
+
+    def multiply(self, d, r):
+        x, y = self.byte(d), self.byte(r)
+        value = self.times(x, y)
+        if not set(value) - {1}:
+            low, high = divmod(value.get(1, 0), 256)[::-1]
+            self.registers[0], self.registers[1], self.carry = known(low), known(high), None
+            return
+        largest = sum(factor * (1 if name == 1 else self.most(name)) for name, factor in value.items())
+        high = self.variable("high", largest >> 8)
+        # A multiple of 2^i is at most 256 - 2^i.
+        self.hold(0, value - high * 256, 256 - gcd(256, *value.values()))
+        self.registers[0], self.registers[1], self.carry = value - high * 256, high, None
+
+    def look_up(self, d):
+        """A byte of the tables."""
+        flash, place = self.program.flash, self.registers[30].constant() + 256 * self.registers[31].constant()
+        demand(place < len(flash))
+        self.registers[d] = known(flash[place])
+
+    def step(self, address):
+        """The addresses that may follow, each with the machine there."""
+        mnemonic, text, target, following = self.program.code[address]
+        operands = [int(word[1:]) if re.fullmatch(r"r\d+", word) else word for word in text]
+        d, r = (operands + operands + [None, None])[:2]
+        registers = self.registers
+        borrow = self.carry if mnemonic in ("adc", "sbc", "sbci", "cpc", "ror") else known(0)
+        if borrow is None:
+            raise Unprovable("the carry is read before it is set")
+        if mnemonic == "mul":
+            self.multiply(d, r)
+        elif mnemonic in ("add", "adc"):
+            self.keep(d, registers[d] + registers[r] + borrow, 1)
+        elif mnemonic in ("sub", "sbc", "cp", "cpc"):
+            self.keep(None if mnemonic in ("cp", "cpc") else d, registers[d] - registers[r] - borrow, -1)
+        elif mnemonic in ("subi", "sbci", "cpi"):
+            self.keep(None if mnemonic == "cpi" else d, registers[d] - known(int(r, 0)) - borrow, -1)
+        elif mnemonic == "neg":
+            self.keep(d, registers[d] * -1, -1)
+        elif mnemonic == "com":
+            registers[d], self.carry = known(255) - registers[d], known(1)
+        elif mnemonic in ("inc", "dec"):
+            carry, sign = self.carry, 1 if mnemonic == "inc" else -1
+            self.keep(d, registers[d] + known(sign), sign)
+            self.carry = carry
+        elif mnemonic == "adiw":
+            self.keep(d, registers[d] + known(int(r, 0)), 1)
+            self.keep(d + 1, registers[d + 1] + self.carry, 1)
+            self.tested = None
+        elif mnemonic in ("lsr", "ror"):
+            form, half = registers[d], self.variable("half", 127)
+            if not set(form) - {1}:
+                half = known(form.get(1, 0) >> 1)
+            self.hold(0, form - half * 2, 1)
+            registers[d] = self.tested = self.sign = half + (self.carry * 128 if mnemonic == "ror" else known(0))
+            self.carry = form - half * 2
+        elif mnemonic in ("sbrs", "sbrc"):
+            bit = registers[d].constant() >> int(r) & 1
+            return [(self.program.code[following][3] if bit == (mnemonic == "sbrs") else following, self)]
+        elif mnemonic == "swap":
+            byte = registers[d].constant()
+            registers[d] = known(byte >> 4 | byte << 4 & 255)
+        elif mnemonic in ("clt", "set"):
+            self.transfer = mnemonic == "set"
+        elif mnemonic == "eor" and d == r:
+            registers[d] = self.tested = self.sign = known(0)
+        elif mnemonic == "eor":
+            self.differing = registers[d], registers[r]
+            registers[d] = self.unequal = self.variable("differing")
+            self.tested = self.sign = None
+        elif mnemonic == "bst" and r == "7" and registers[d] is self.unequal:
+            return [self.of_signs(following, self.differing, signs) for signs in product((False, True), repeat=2)]
+        elif mnemonic == "and" and d == r:
+            self.tested = self.sign = registers[d]
+        elif mnemonic == "or" and (self.apart(d, r) or self.apart(r, d)):
+            registers[d] = self.tested = self.sign = registers[d] + registers[r]
+        elif mnemonic == "or":
+            whole = self.variable("or")
+            for form in (registers[d], registers[r]):
+                self.hold(0, whole - form)
+            self.hold(0, registers[d] + registers[r] - whole)
+            registers[d] = self.tested = self.sign = whole
+        elif mnemonic == "and":
+            whole = self.variable("and")
+            for form in (registers[d], registers[r]):
+                self.hold(0, form - whole)
+            self.hold(-255, whole - registers[d] - registers[r])
+            registers[d], self.tested, self.sign = whole, whole, whole
+        elif mnemonic == "andi":
+            demand(not set(registers[d]) - {1})
+            registers[d] = known(registers[d].get(1, 0) & int(r, 0))
+        elif mnemonic == "ldi":
+            registers[d] = known(int(r, 0))
+        elif mnemonic == "mov":
+            registers[d] = registers[r]
+        elif mnemonic == "movw":
+            registers[d], registers[d + 1] = registers[r], registers[r + 1]
+        elif mnemonic == "lpm":
+            self.look_up(d)
+        elif mnemonic == "push":
+            self.stack.append(registers[d])
+        elif mnemonic == "pop":
+            if not self.stack or isinstance(self.stack[-1], int):
+                raise Unprovable("the stack does not balance")
+            registers[d] = self.stack.pop()
+        elif mnemonic == "rcall":
+            self.stack.append(following)
+            return [(target, self)]
+        elif mnemonic == "ret":
+            if self.stack:
+                if not isinstance(self.stack[-1], int):
+                    raise Unprovable("the stack does not balance")
+                return [(self.stack.pop(), self)]
+            return [(None, self)]
+        elif mnemonic == "rjmp":
+            return [(target, self)]
+        elif mnemonic in ("brts", "brtc"):
+            return [(target if self.transfer == (mnemonic == "brts") else following, self)]
+        elif mnemonic in ("brcs", "brcc"):
+            if self.carry is None:
+                raise Unprovable("the carry is read before it is set")
+            return self.fork(target, following, self.carry, mnemonic == "brcs", 1)
+        elif mnemonic in ("brmi", "brpl", "breq", "brne"):
+            form, limit = (self.sign, 128) if mnemonic in ("brmi", "brpl") else (self.tested, 1)
+            if form is None:
+                raise Unprovable("a flag is read before it is set")
+            return self.fork(target, following, form, mnemonic in ("brmi", "brne"), limit)
+        elif mnemonic != "nop":
+            raise Unprovable(f"{mnemonic} is not modelled")
+        # Z is of more than this byte, or was not followed; likewise N.
+        if mnemonic in ("mul", "com", "sbc", "sbci", "cpc", "andi"):
+            self.tested = None
+        if mnemonic in ("mul", "com", "andi"):
+            self.sign = None
+        return [(following, self)]
+
+    def apart(self, d, r):
+        """Whether the registers have no bit in common: one is a multiple of more than the other can be."""
+        upper, lower = self.registers[d], self.registers[r]
+        return (len(lower) == 0 or 1 not in lower and len(lower) == 1 and lower[name := next(iter(lower))] == 1 and
+                gcd(256, *upper.values()) > self.most(name))
+
+    def fork(self, target, following, form, taken_if_above, limit):
+        """One machine where the form is at least `limit`, and one where it is below."""
+        if not set(form) - {1}:
+            return [(target if (form.get(1, 0) >= limit) == taken_if_above else following, self)]
+        self.forked = True
+        above, below = self.copy(), self.copy()
+        above.hold(limit, form, limit if form is self.carry else None)
+        below.hold(0, form, limit - 1)
+        return [(target if taken_if_above else following, above), (following if taken_if_above else target, below)]
+
+    def of_signs(self, following, numbers, signs):
+        machine = self.copy()
+        for form, negative in zip(numbers, signs):
+            machine.hold(128 * negative, form, 127 + 128 * negative)
+        machine.signs, machine.transfer = signs, signs[0] != signs[1]
+        return following, machine
+
+    # Conclusions
+
+    def possible(self, given):
+        """Whether the path can be, where what is given holds. It holds in what is asked from then on."""
+        self.solver, self.reals = z3.SolverFor("QF_LRA"), {}
+        self.fixed = {}  # carries that are known
+        for low, form, high in (*self.facts, *given):
+            if low == high and len(form) == 1 and form[name := next(iter(form))] == 1:
+                self.fixed[name] = low
+            self.tell(low, form, high)
+        return self.solver.check() != z3.unsat
+
+    def feasible(self):
+        if self.possible([]):
+            self.settle()
+        return self.solver.check() != z3.unsat
+
+    def tell(self, low, form, high):
+        if low is not None:
+            self.solver.add(self.term(form) >= low)
+        if high is not None:
+            self.solver.add(self.term(form) <= high)
+
+    def term(self, form):
+        return z3.Sum([z3.RealVal(factor) if name == 1 else factor * self.reals.setdefault(name, z3.Real(name))
+                       for name, factor in form.items()] + [z3.RealVal(0)])
+
+    def impossible(self, statement):
+        self.solver.push()
+        self.solver.add(statement)
+        answer = self.solver.check()
+        self.solver.pop()
+        return answer == z3.unsat
+
+    def settle(self):
+        """Which carries, in the order in which they arose, cannot be 1, or cannot be 0."""
+        if not self.solver:
+            self.possible([])
+        carries = [name for name in self.reals if name.startswith(("carry", "high")) and "*" not in name]
+        for name in sorted(carries, key=lambda name: int(name.split(".")[1])):
+            carry = self.reals[name]
+            if name not in self.fixed and self.impossible(carry >= 1):
+                self.fixed[name] = 0
+            elif name not in self.fixed and name.startswith("carry") and self.impossible(carry <= 0):
+                self.fixed[name] = 1
+            if name in self.fixed:
+                self.solver.add(carry == self.fixed[name])
+
+    def show(self, *statements):
+        """(low, form, high) each."""
+        if not self.solver and any(set(form) - {1} for _, form, _ in statements):
+            self.possible([])
+
+        def holds(low, form, high):
+            if not set(form) - {1}:
+                return (low is None or form.get(1, 0) >= low) and (high is None or form.get(1, 0) <= high)
+            return ((low is None or self.impossible(self.term(form) <= low - 1)) and
+                    (high is None or self.impossible(self.term(form) >= high + 1)))
+
+        if not all(holds(*statement) for statement in statements):
+            self.settle()
+            for statement in statements:
+                if not holds(*statement):
+                    raise Unprovable(f"not shown: {statement}")
+
+    def learn(self, *statements):
+        self.show(*statements)
+        for statement in statements:
+            self.hold(*statement)
+
+    def same(self, form, other, modulus):
+        """Both are equal, as they are so modulo a power of two, and differ by less than it."""
+        demand(self.constant(form - other, modulus) == 0)
+        self.learn((1 - modulus, form - other, modulus - 1))
+        self.hold(0, form - other, 0)
+
+    def constant(self, form, modulus):
+        """The number that the form is modulo a power of two."""
+        for settled in (False, True):
+            rest = known(0)
+            for name, factor in form.items():
+                parts = str(name).split("*")
+                factor *= prod(self.fixed.get(part, 1) for part in parts)
+                left = "*".join(part for part in parts if part not in self.fixed)
+                rest += Form({name if name == 1 else left or 1: factor}) if factor else Form()
+            if not any(factor % modulus for name, factor in rest.items() if name != 1):
+                return rest.get(1, 0) % modulus
+            if not settled:
+                self.settle()
+        raise Unprovable("a result is not what it ought to be")
+
+
+def equal(form, other):
+    return 0, form - other, 0
+
+
+def zeros(m, registers):
+    return [equal(m.registers[register], known(0)) for register in registers]
+
+
+def demand(holds):
+    if not holds:
+        raise Unprovable("a result is not what it ought to be")
+
+
+class Program:
+    """A kernel and its table, linked, and the stretches that make it up: (label, begin, ends, saved, cases,
+    transfers), the last two where there are several cases, each the arguments of `begin`, and of T."""
+
+    def __init__(self, sources, stretches, machine=Machine, cuts=()):
+        """`cuts`: (name, label, mnemonic, operand) of places behind a label, that have none themselves."""
+        with tempfile.TemporaryDirectory() as folder:
+            elf, avr = f"{folder}/kernel.elf", SOURCE / "fixedpoint/avr"
+            subprocess.run(["avr-gcc", "-mmcu=atmega328p", "-nostartfiles", "-nostdlib", "-I", SOURCE, "-o", elf,
+                            "-Wa,--keep-locals", "-Wl,--no-gc-sections,--discard-none",
+                            *(avr / f"{source}.S" for source in sources)], check=True)
+            symbols = subprocess.run(["avr-nm", elf], check=True, capture_output=True, text=True).stdout
+            subprocess.run(["avr-objcopy", "-O", "binary", "-j", ".text", elf, f"{folder}/flash"], check=True)
+            self.flash = Path(f"{folder}/flash").read_bytes()
+            self.code = disassemble(elf)[1]
+        self.labels = {name: int(address, 16) for address, _, name in map(str.split, symbols.splitlines())}
+        for name, label, mnemonic, operand in cuts:
+            address = self.labels[label]
+            while self.code[address][0] != mnemonic or operand not in self.code[address][1]:
+                address = self.code[address][3]
+            self.labels[name] = address
+        self.machine, self.stretches = machine, stretches
+        self.cuts = {self.labels[label]: label for label, *_ in stretches}
+        self.saved = {label: saved for label, _, _, saved, *_ in stretches} | {None: ()}
+
+    def prove(self, label, begin, ends, saved, cases=((),), transfers=(False, True)):
+        """Of the stretch behind a label; returns the addresses that were visited."""
+        visited = {self.labels[label]}
+        for case, transfer in product(cases, transfers):
+            start = self.machine(self)
+            start.transfer = transfer
+            start.stack = [start.saved[register] for register in saved]
+            check = begin(start, *case)
+            waiting = self.follow(self.labels[label], start)
+            while waiting:
+                address, machine = waiting.pop()
+                if address is not None and address not in self.cuts:
+                    visited.add(address)
+                    if address not in self.code:
+                        raise Unprovable("the code is left")
+                    waiting += self.follow(address, machine)
+                elif not machine.forked or machine.possible([]):
+                    end = self.cuts.get(address)
+                    demand(end in ends)
+                    pushed = self.saved[end]
+                    demand(machine.stack == [machine.saved[n] for n in pushed])
+                    demand(all(machine.registers[n] == machine.saved[n] for n in CALL_SAVED if n not in pushed))
+                    demand(end is not None or machine.registers[1] == known(0))
+                    check(machine, end)
+        return visited
+
+    @staticmethod
+    def follow(address, machine):
+        """One step. A path that comes to a fork again goes on only where it can."""
+        again = address in machine.passed
+        following = machine.step(address)
+        if len(following) > 1:
+            for _, after in following:
+                after.passed = machine.passed | {address}
+        return [(target, after) for target, after in following if len(following) == 1 or not again or after.feasible()]
+
+    def survivors(self, stretch, visited, every, needless):
+        """Instructions without which the proof still goes through."""
+        found = []
+        for address in sorted(visited)[::every]:
+            mnemonic, operands, target, following = self.code[address]
+            if mnemonic in needless:
+                continue
+            self.code[address] = ("nop", [], None, following)
+            try:
+                self.prove(*stretch)
+                found.append(f"{address:#x} {mnemonic} {', '.join(operands)}")
+            except Unprovable:
+                pass
+            self.code[address] = (mnemonic, operands, target, following)
+        return found
+
+    def run(self, every, needless):
+        """Proves every stretch, then leaves out instructions; whether something failed."""
+        failed = False
+        for stretch in self.stretches:
+            try:
+                visited = self.prove(*stretch)
+            except Unprovable as reason:
+                print(f"{stretch[0]}: not proven: {reason}", file=sys.stderr)
+                failed = True
+                continue
+            print(f"{stretch[0]}: proven", flush=True)
+            for instruction in self.survivors(stretch, visited, every, needless):
+                print(f"{stretch[0]}: proven without {instruction}, too", file=sys.stderr, flush=True)
+                failed = True
+        return failed
