@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The dispatch of add_saturating and subtract_saturating. On the device a sum of 32 bits asks the
-// processor's overflow flag, in line: 6 cycles where it fits, 12 and 14 where it does not; the
-// compiler's code for the portable test takes 65.
+// processor's overflow flag, in line; the compiler's code for the portable test takes several times
+// as long.
 #pragma once
 
 #include <fixedpoint/portable/add_saturating.hpp>
