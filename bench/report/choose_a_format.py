@@ -3,6 +3,7 @@
 library, its limits and its cost."""
 import math
 
+import bounds
 import operations
 from data import DataError
 
@@ -85,7 +86,7 @@ def cost(data, operation, number_format, implementation=operations.OURS):
     mean = operations.mean(data, operation, *kind(number_format, implementation))
     if mean is None:
         return "–"
-    return f"{mean:.0f} ({operations.worst(data, operation, *kind(number_format, implementation)).cycles})"
+    return f"{mean:.0f} ({bounds.known(data, operation, *kind(number_format, implementation))['cycles_max']})"
 
 
 def flash(data, operation, number_format):

@@ -3,7 +3,7 @@
 import matplotlib.pyplot as plt
 from matplotlib.lines import Line2D
 
-import operations
+import bounds
 import style
 
 WIDEST = 2.1  # ulp; the bins end at 2
@@ -45,7 +45,7 @@ def draw(data):
 
 def finding(data):
     """By how much the largest errors of the two differ, over the panels' operations."""
-    pairs = [tuple(operations.worst(data, operation, number_format, implementation).ulp
+    pairs = [tuple(bounds.known(data, operation, number_format, implementation)["max_ulp"]
                    for implementation in ("published", "default")) for operation, number_format in PANELS]
     return ("The 2016 design truncates: its largest errors in these four are "
             + ", ".join(f"{published:.3g}" for published, _ in pairs) + " ulp, ours "

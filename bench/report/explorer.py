@@ -11,7 +11,7 @@ import subprocess
 import sys
 import tempfile
 
-import operations
+import bounds
 import rivals
 import scenes
 import style
@@ -122,14 +122,6 @@ def physics_operands(operation=None):
     return float(found[1]), float(found[3 if operation in exponentials else 2])
 
 
-def implementations():
-    """Provenance, label, and whether its results are the default's, of each implementation."""
-    rows = re.findall(r'^ *X\((\w+), \w+, (\w+), (\w+), [^"]*"(.*)"\)$',
-                      read("lab/catalogue/subjects.h"), re.MULTILINE)
-    return {name: {"provenance": provenance, "label": label, "as_default": host == "as_default"}
-            for name, provenance, host, label in rows}
-
-
 def style_of(number_format, implementation):
     """Whose colour and marker it has."""
     if implementation == "published":
@@ -222,7 +214,7 @@ def gather(data):
     names += [name for name in LISTED if data.has(name)]
     measured = data.rows("operations")
     context = data.json("operations")["context"]
-    known = implementations()
+    known = dict(bounds.implementations())
     require_known("operations", "implementation", (row["implementation"] for row in measured), known)
     kinds = {(name, "default"): None for name in style.FORMATS}
     kinds |= {(row["format"], row["implementation"]): None for row in measured}
@@ -258,15 +250,15 @@ def gather(data):
         "scalars": {f"{scalar}/{arithmetic}": subject(scalar, IMPLEMENTATION.get(arithmetic, arithmetic))
                     | ({"label": "float"} if scalar == "float" else {})
                     for scalar, arithmetic in scalars},
-        "proofs": ["/".join(proven) for proven in operations.PROOFS],
         "physics": physics_operands(),
         "compared": compared(formats, list(dict.fromkeys(row["operation"] for row in measured))),
         "hertz": context["mhz_per_cpu"] * 1e6,
         "programs": context["sha256"],
         "verdicts": VERDICTS,
     }
-    tables = ",".join(f'{json.dumps(name)}:{table(data.rows(name), data.made_by.get(name + ".csv"))}'
-                      for name in names)
+    tables = {name: table(data.rows(name), data.made_by.get(name + ".csv")) for name in names}
+    tables["bounds"] = table(bounds.table(data), "fixbench report")
+    tables = ",".join(f"{json.dumps(name)}:{coded}" for name, coded in tables.items())
     return f'{json.dumps(facts, ensure_ascii=False)[:-1]}, "tables":{{{tables}}}}}'
 
 

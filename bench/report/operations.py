@@ -1,13 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What an operation costs and errs by: means over `physics` operands, and the worst that any run knows
-of, be it sampled, searched or over all inputs."""
-import collections
+"""What an operation costs and errs by, over operands of the class `physics`."""
 import math
 
+import bounds
 import style
 from data import DataError
 
-OURS = "default"
+OURS = bounds.OURS
 FORMATS = ("q4_4", "q8_8", "q16_16", "q8_24", "q32_32")
 FLOAT = ("float", "libc")
 PUBLISHED = ("q16_16", "published")
@@ -23,27 +22,9 @@ AUXILIARY = ("sin_turns", "cos_turns", "sincos_turns", "atan2_turns", "sin_degre
 # Whose square roots the first page compares.
 ROOTS = (("q4_4", OURS), ("q8_8", OURS), ("q16_16", OURS), ("q16_16", "small"), ("q8_24", OURS),
          ("q32_32", OURS), FLOAT, PUBLISHED)
-# Proofs that a result is rounded correctly for every operand: tests of the library and of `exhaustive`.
-SUMS = "bench/prove_sums", ("q16_16", "q8_24")
-PROOFS = {(operation, number_format, implementation): proof
-          for proof, formats, implementation, operations in (
-              ("fixedpoint/prove_products", ("q16_16", "q8_24"), OURS, ("multiply", "multiply_add", "dot2", "dot3")),
-              ("fixedpoint/prove_products", ("q32_32",), OURS, ("multiply", "dot2", "dot3")),
-              ("fixedpoint/prove_products", ("q8_8",), OURS, ("dot2", "dot3")),
-              ("fixedpoint/prove_quotients", ("q16_16",), OURS, ("divide",)),
-              ("fixedpoint/prove_roots", ("q32_32",), OURS, ("sqrt",)),
-              (*SUMS, OURS, ("add", "subtract", "abs_diff", "copysign", "midpoint")),
-              (*SUMS, "saturating", ("add", "subtract")))
-          for operation in operations for number_format in formats}
 
 # ulp of a float that make half its value: no digit is right.
 LOST = 2**23
-# Runs over all inputs are judged in double, to this part of an ulp (reference/bulk.hpp).
-JUDGED_TO = 2**-14
-
-# `cycles` and `ulp` are the largest known. A bound says "exact" (all inputs were run), "proven" or
-# "lower bound"; where nothing was judged, `ulp` and `ulp_bound` are None.
-Worst = collections.namedtuple("Worst", "cycles cycles_bound ulp ulp_witness ulp_bound")
 
 
 def row(data, operation, number_format, implementation=OURS, operands="physics"):
@@ -63,43 +44,6 @@ def names(data, number_format="q16_16", implementation=OURS):
     """The operations of an implementation, in the order of the data."""
     return list(dict.fromkeys(row["operation"] for row in data.rows(
         "operations", format=number_format, implementation=implementation)))
-
-
-def worst(data, operation, number_format, implementation=OURS):
-    """The largest cycles and error of any run of the same machine code, or, for the error, of the
-    portable code that gives the same bits; None where the operation is not there. Throws DataError
-    where two runs contradict each other."""
-    what = {"operation": operation, "format": number_format, "implementation": implementation}
-    sampled = data.rows("operations", **what)
-    if not sampled:
-        return None
-    named = f"{operation}_{number_format}_{implementation}"
-    whole = data.rows("exhaustive", **what) if data.has("exhaustive") else []
-    for each in whole:
-        if each["kernel_sha256"] != sampled[0]["kernel_sha256"]:
-            raise DataError(f"exhaustive.csv tells of another machine code of {named} than "
-                            f"operations.csv: `fixbench exhaustive --symbol {named}` runs it again")
-    def exact(each):
-        return each["bound"] == "exact"
-
-    costs = [(each["cycles_max"], exact(each)) for each in sampled + whole]
-    errors = [(each["max_ulp"], each["max_ulp_witness"], exact(each))
-              for each in sampled + whole + (data.rows("accuracy", **what) if data.has("accuracy") else [])
-              if each["max_ulp"] is not None]
-    for values, quantity, slack in ((costs, "cycles", 0), (errors, "ulp", JUDGED_TO)):
-        limits = {value[0] for value in values if value[-1]}
-        if limits and max(value[0] for value in values) > min(limits) + slack:
-            raise DataError(f"{named}: {max(value[0] for value in values)} {quantity}, where a run of "
-                            f"all inputs found at most {min(limits)}")
-
-    def bound(values):
-        return "exact" if any(value[-1] for value in values) else "lower bound"
-
-    if not errors:
-        return Worst(max(costs)[0], bound(costs), None, None, None)
-    ulp, witness, _ = max(errors, key=lambda error: error[0])
-    proven = (operation, number_format, implementation) in PROOFS
-    return Worst(max(costs)[0], bound(costs), ulp, witness, "proven" if proven else bound(errors))
 
 
 def every_ratio_to_float(data, number_format, implementation=OURS):
@@ -190,8 +134,8 @@ def format_table(data):
         shown = names(data, *kind)
         if not shown:
             continue
-        errors = [(found.ulp, name) for name in shown
-                  if (found := worst(data, name, *kind)).ulp is not None]
+        errors = [(found["max_ulp"], name) for name in shown
+                  if (found := bounds.known(data, name, *kind))["bound"]]
         table.append({
             "kind": kind, "range": power(limits[kind[0]]["maximum"]),
             "resolution": f"{limits[kind[0]]['resolution']:.3g}" if kind != FLOAT else "2⁻²⁴ of the value",
@@ -206,14 +150,14 @@ def format_table(data):
 def correctly_rounded_finding(data):
     """What functions that round correctly cost beside the default's, in a sentence; empty where none was measured."""
     kind = "q16_16", "correctly_rounded"
-    known = {name: worst(data, name, *kind) for name in names(data, *kind)}
+    known = {name: bounds.known(data, name, *kind) for name in names(data, *kind)}
     if not known:
         return ""
     ratios = sorted((mean(data, name, *kind) / mean(data, name, "q16_16"), name) for name in known)
-    bound = "exact" if all(each.ulp_bound == "exact" for each in known.values()) else "lower bound"
-    return (f"Where half an ulp matters, `CorrectlyRounded` errs by {max(each.ulp for each in known.values()):.3g} ulp ({bound}) in "
+    bound = "exact" if all(each["bound"] == "exact" for each in known.values()) else "lower bound"
+    return (f"Where half an ulp matters, `CorrectlyRounded` errs by {max(each['max_ulp'] for each in known.values()):.3g} ulp ({bound}) in "
             f"{len(known)} functions of Q16.16, for {ratios[0][0]:.2g} ({ratios[0][1]}) to {ratios[-1][0]:.2g} ({ratios[-1][1]}) "
-            f"times the default's mean cycles and up to {max(each.cycles for each in known.values())} beside a tie.")
+            f"times the default's mean cycles and up to {max(each['cycles_max'] for each in known.values())} beside a tie.")
 
 
 def least_flash(data):

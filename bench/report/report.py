@@ -19,6 +19,7 @@ import jinja2
 import tqdm
 
 import blocks
+import bounds
 import choose_a_format
 import division_cycles
 import error_against_cycles
@@ -187,7 +188,7 @@ def write_pages(results, data):
     """The pages in Markdown."""
     environment = templates()
     names = {"data": data, "measured": data.json("tools"), "choose": choose_a_format, "style": style,
-             "operations": operations, "blocks": blocks,
+             "operations": operations, "blocks": blocks, "bounds": bounds,
              "headline": headline, "table_3_2": table_3_2, "division_cycles": division_cycles,
              "error_against_cycles": error_against_cycles, "error_histograms": error_histograms,
              "features": features, "identification": identification, "scenes": scenes,
@@ -209,6 +210,8 @@ def write(results, experiments=()):
         with telling("replay.html"):
             write_whole(results / "replay.html", replay.page(environment, data))
     if data.has("operations"):
+        with telling("bounds.csv"):
+            write_whole(results / "data" / "bounds.csv", bounds.text(data))
         with telling("index.html"):
             explorer.write(results / "index.html", environment, data, write_whole)
 
@@ -217,10 +220,12 @@ def differences(results, experiments):
     """The pages and figures of a folder that are not what follows from its data."""
     with tempfile.TemporaryDirectory() as scratch:
         made = pathlib.Path(scratch)
-        (made / "data").symlink_to((results / "data").resolve())
+        (made / "data").mkdir()
+        for path in (results / "data").iterdir():
+            (made / "data" / path.name).symlink_to(path.resolve())
         write(made, experiments)
-        files = [path.relative_to(made) for folder in (made, made / "figures") for path in sorted(folder.iterdir())
-                 if path.is_file()]
+        files = [path.relative_to(made) for folder in (made, made / "figures", made / "data")
+                 for path in sorted(folder.iterdir()) if path.is_file() and not path.is_symlink()]
         return [file for file in files if not (results / file).is_file()
                 or not filecmp.cmp(made / file, results / file, shallow=False)]
 

@@ -39,7 +39,7 @@ const fixbench::Registration exhaustive({
     .name = "exhaustive",
     .description =
         "Kernels as machine code, translated instruction by instruction and run over all inputs\n"
-        "where there are at most 2^32 (bound `exact`), else over a long search (`lower bound`).\n"
+        "where there are at most 2^32 (operands `all`), else over a long search (`search`).\n"
         "About a minute a function. Rows go into exhaustive.csv; those of other functions stay.\n"
         "With --shard i/n a part of the work goes into files that `fixbench merge` joins. A "
         "worker\n"

@@ -296,10 +296,10 @@ Measurement run_of(const simulator::Elf& elf, const Job& job, const Options& opt
 }
 
 records::Table empty_table() {
-    return records::Table({"operation", "format", "implementation", "inputs", "max_ulp",
+    return records::Table({"operation", "format", "implementation", "operands", "inputs", "max_ulp",
                            "max_ulp_witness", "rms_ulp", "mean_ulp", "cycles_min", "cycles_mean",
                            "cycles_max", "cycles_max_witness", "unreached_instructions",
-                           "violations", "portable_differences", "bound", "kernel_sha256"});
+                           "violations", "portable_differences", "kernel_sha256"});
 }
 
 std::vector<std::string> row_of(const Measurement& measurement, const Part& total) {
@@ -311,6 +311,7 @@ std::vector<std::string> row_of(const Measurement& measurement, const Part& tota
     return {std::string(reference::shape(named.subject.operation).name),
             reference::format_name(named.subject.format),
             named.implementation,
+            measurement.every_input ? "all" : "search",
             fmt::to_string(total.cycles.calls),
             records::cell(total.errors.max_ulp()),
             operations::text_of(total.errors.max_witness()),
@@ -323,7 +324,6 @@ std::vector<std::string> row_of(const Measurement& measurement, const Part& tota
             fmt::to_string(measurement.unreached.size()),
             fmt::to_string(total.errors.wrong()),
             measurement.has_portable ? fmt::to_string(total.differences.count) : "",
-            measurement.every_input ? "exact" : "lower bound",
             measurement.kernel_sha256};
 }
 

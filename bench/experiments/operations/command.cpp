@@ -193,8 +193,8 @@ const fixbench::Registration accuracy({
     .description =
         "Error of the portable code, which the device's results equal bit for bit, over whole "
         "input\n"
-        "spaces where they are finite enough (bound `exact`), else over boundary tables, random\n"
-        "operands and a search for the worst case (bound `lower bound`).\n"
+        "spaces where they are finite enough (operands `all`), else over boundary tables, random\n"
+        "operands and a search for the worst case.\n"
         "Files: accuracy.csv, error_histograms.csv and error_along_input.csv.\n\n"
         "Example: fixbench accuracy --operation sqrt --format q16_16",
     .prints = {"accuracy.csv"},

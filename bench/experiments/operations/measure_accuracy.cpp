@@ -104,22 +104,21 @@ using records::column;
 // A row of accuracy.csv.
 struct Accuracy {
     std::string operation, format, implementation;
-    std::string inputs;
+    std::string operands;
     std::uint64_t samples, defined, underflowed;
     double max_ulp;
     std::string max_ulp_witness;
     double rms_ulp, mean_ulp;
-    std::string bound;
     std::uint64_t violations;
 
     static constexpr auto columns = std::tuple(
         column("operation", &Accuracy::operation), column("format", &Accuracy::format),
-        column("implementation", &Accuracy::implementation), column("inputs", &Accuracy::inputs),
+        column("implementation", &Accuracy::implementation), column("operands", &Accuracy::operands),
         column("samples", &Accuracy::samples), column("defined", &Accuracy::defined),
         column("underflowed", &Accuracy::underflowed), column("max_ulp", &Accuracy::max_ulp),
         column("max_ulp_witness", &Accuracy::max_ulp_witness),
         column("rms_ulp", &Accuracy::rms_ulp), column("mean_ulp", &Accuracy::mean_ulp),
-        column("bound", &Accuracy::bound), column("violations", &Accuracy::violations));
+        column("violations", &Accuracy::violations));
 };
 
 // A row of error_histograms.csv.
@@ -192,7 +191,6 @@ void add_statistics(Found& found, const HostSubject& job, const ErrorStatistics&
                       text_of(statistics.max_witness()),
                       statistics.rms_ulp(),
                       statistics.mean_ulp(),
-                      exhaustive ? "exact" : "lower bound",
                       statistics.wrong()};
     add_histogram(found.histogram, job, statistics);
     found.wrong = statistics.wrong();
@@ -209,7 +207,7 @@ class Kept {
     // The row of the subject, where all inputs were run.
     const std::vector<std::string>* row(const HostSubject& job) const {
         for (const auto& row : accuracy_.rows())
-            if (is_of(row, job) && row[accuracy_.column("bound")] == "exact") return &row;
+            if (is_of(row, job) && row[accuracy_.column("operands")] == "all") return &row;
         return nullptr;
     }
 
@@ -245,10 +243,9 @@ class Kept {
         const auto count = [&](const char* name) { return std::stoull(text(name)); };
         const auto number = [&](const char* name) { return std::stod(text(name)); };
         found.accuracy = {text("operation"),    text("format"),     text("implementation"),
-                          text("inputs"),       count("samples"),   count("defined"),
+                          text("operands"),     count("samples"),   count("defined"),
                           count("underflowed"), number("max_ulp"),  text("max_ulp_witness"),
-                          number("rms_ulp"),    number("mean_ulp"), text("bound"),
-                          count("violations")};
+                          number("rms_ulp"),    number("mean_ulp"), count("violations")};
         for (const auto& row : histograms_.rows())
             if (is_of(row, job))
                 found.histogram.push_back({row[0], row[1], row[2], std::stod(row[3]),

@@ -51,7 +51,6 @@ struct Figures {
     std::optional<double> max_ulp;
     std::string max_ulp_witness;
     std::optional<double> rms_ulp;
-    std::string bound;
     std::string flash_bytes;  // empty where the program's footprints are not known
     std::uint16_t stack_bytes;
     std::optional<double> mean_ulp;
@@ -68,9 +67,9 @@ struct Figures {
         column("cycles_max", &Figures::cycles_max),
         column("cycles_max_witness", &Figures::cycles_max_witness),
         column("max_ulp", &Figures::max_ulp), column("max_ulp_witness", &Figures::max_ulp_witness),
-        column("rms_ulp", &Figures::rms_ulp), column("bound", &Figures::bound),
-        column("flash_bytes", &Figures::flash_bytes), column("stack_bytes", &Figures::stack_bytes),
-        column("mean_ulp", &Figures::mean_ulp), column("ram_bytes", &Figures::ram_bytes),
+        column("rms_ulp", &Figures::rms_ulp), column("flash_bytes", &Figures::flash_bytes),
+        column("stack_bytes", &Figures::stack_bytes), column("mean_ulp", &Figures::mean_ulp),
+        column("ram_bytes", &Figures::ram_bytes),
         column("violations", &Figures::violations), column("max_error", &Figures::max_error),
         column("rms_error", &Figures::rms_error), column("kernel_sha256", &Figures::kernel_sha256));
 };
@@ -81,7 +80,6 @@ struct Row : Measurement {
     std::string subject;
     reference::NamedSubject named;
     std::string operands;
-    bool all_inputs;
     std::string failure{};  // why it could not be measured to its end
 
     Row(const simulator::Elf* program, const std::string& subject,
@@ -89,8 +87,7 @@ struct Row : Measurement {
         : program(program),
           subject(subject),
           named(named),
-          operands(operands),
-          all_inputs(operands == "all") {}
+          operands(operands) {}
 
     void add(std::span<const std::int64_t> operands, const DeviceResult& result) {
         const std::span results(result.raws.data(),
@@ -255,7 +252,6 @@ std::vector<Figures> figures_of(const std::vector<Row>& rows, const Footprints& 
                            judged(row.errors.max_ulp()),
                            text_of(row.errors.max_witness()),
                            judged(row.errors.rms_ulp()),
-                           row.all_inputs ? "exact" : "lower bound",
                            weight.flash_bytes,
                            row.stack_bytes,
                            judged(row.errors.mean_ulp()),

@@ -3,7 +3,7 @@
 const page = JSON.parse(document.getElementById("data").textContent);
 const decoded = new Map();
 
-export const { views, styles, formats, implementations, subjects, scalars, proofs, physics, compared, hertz, programs, verdicts } = page;
+export const { views, styles, formats, implementations, subjects, scalars, physics, compared, hertz, programs, verdicts } = page;
 export const tableNames = Object.keys(page.tables);
 export const has = (name) => name in page.tables;
 export const command = (name) => page.tables[name].command;
@@ -27,7 +27,7 @@ export function rows(name) {
 let joined = null;
 export function measured() {
   return joined ??= [...rows("operations"), ...rows("rivals").filter((row) => row.regular && row.failure === null && `${row.format}/${row.variant}` in subjects)
-    .map((row) => ({ ...row, implementation: row.variant, bound: "lower bound" }))];
+    .map((row) => ({ ...row, implementation: row.variant }))];
 }
 
 export const unique = (values) => [...new Set(values)];

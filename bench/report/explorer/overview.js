@@ -3,7 +3,7 @@
 import { formats, has, implementations, physics, rows, subjects as styled, unique } from "./data.js";
 import { h } from "./dom.js";
 import { letter } from "./chart.js";
-import { worst } from "./point.js";
+import { known } from "./point.js";
 import { formatLabel, number, words } from "./text.js";
 
 const columns = [["add", "+"], ["multiply", "×"], ["divide", "÷"], ["sqrt", "√"], ["sin", "sin"], ["atan2", "atan2"]];
@@ -28,15 +28,15 @@ function loses(format, implementation) {
 
 // The largest error in ulp of the six operations that is known from any run.
 function worstOfSix(format, implementation) {
-  const known = columns.map(([operation]) => ({ operation, found: worst({ operation, format, implementation }, "max_ulp") })).filter(({ found }) => found);
-  const largest = known.reduce((best, each) => (each.found.run.max_ulp > (best?.found.run.max_ulp ?? -1) ? each : best), null);
-  return largest ? [number(largest.found.run.max_ulp), h("small", {}, `${words(largest.operation)}, ${largest.found.bound}`), h("small", {}, `${physics[0]} to ${physics[1]}: ${number(worstOfPhysics(format, implementation))}`)] : "–";
+  const judged = columns.map(([operation]) => known({ operation, format, implementation })).filter((row) => row?.bound);
+  const largest = judged.reduce((best, row) => (row.max_ulp > (best?.max_ulp ?? -1) ? row : best), null);
+  return largest ? [number(largest.max_ulp), h("small", {}, `${words(largest.operation)}, ${largest.bound}`), h("small", {}, `${physics[0]} to ${physics[1]}: ${number(worstOfPhysics(format, implementation))}`)] : "–";
 }
 
 // The largest error of the six operations on operands that a scene has.
 function worstOfPhysics(format, implementation) {
-  const known = of(format, implementation).filter((row) => columns.some(([operation]) => operation === row.operation) && row.max_ulp !== null);
-  return Math.max(...known.map((row) => row.max_ulp));
+  const judged = of(format, implementation).filter((row) => columns.some(([operation]) => operation === row.operation) && row.max_ulp !== null);
+  return Math.max(...judged.map((row) => row.max_ulp));
 }
 
 export function build(root, state) {
@@ -61,7 +61,6 @@ export function build(root, state) {
     const fitting = unique(subjects.map(([format]) => format)).filter(fits);
     told.textContent = Number.isNaN(range) && Number.isNaN(resolution) ? "Type what you need: formats that do not hold it are struck out."
       : fitting.length ? `${fitting.map(formatLabel).join(", ")} ${fitting.length === 1 ? "holds" : "hold"} it.` : "No format of these holds it.";
-    const everyRun = [...rows("operations"), ...rows("exhaustive")];
     holder.replaceChildren(h("table", {}, h("thead", {}, h("tr", {}, ["format", "range, resolution", "largest error, ulp"].map((text, index) => h("th", { scope: "col", class: index ? null : "corner" }, text)),
       columns.map(([operation, sign]) => h("th", { scope: "col" }, h("abbr", { title: `${operation}, cycles`, style: "text-decoration:none" }, sign), h("small", { class: "unit" }, "cycles"))), has("flash") && h("th", { scope: "col" }, "flash of nine", h("small", { class: "unit" }, "bytes")), h("th", { scope: "col" }, "where it loses"))),
     h("tbody", {}, subjects.map(([format, implementation]) => {
@@ -75,8 +74,7 @@ export function build(root, state) {
         h("td", {}, worstOfSix(format, implementation)),
         columns.map(([operation]) => {
           const row = found(operation);
-          const largest = Math.max(...everyRun.filter((run) => run.operation === operation && run.format === format && run.implementation === implementation).map((run) => run.cycles_max));
-          return h("td", { class: "number" }, row ? [h("a", { href: `#view=operations&operation=${operation}&pin=${operation}/${format}/${implementation}/physics` }, number(Math.round(row.cycles_mean))), h("small", {}, `≤ ${number(largest)}`)] : "–");
+          return h("td", { class: "number" }, row ? [h("a", { href: `#view=operations&operation=${operation}&pin=${operation}/${format}/${implementation}/physics` }, number(Math.round(row.cycles_mean))), h("small", {}, `≤ ${number(known(row).cycles_max)}`)] : "–");
         }),
         has("flash") && h("td", { class: "number" }, together ? number(together.flash_bytes) : "–"),
         h("td", { class: "wrap" }, h("small", {}, loses(format, implementation))));

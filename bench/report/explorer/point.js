@@ -2,7 +2,7 @@
 // What is known of an operation in a format and an implementation: figures with their witnesses and
 // bounds, the worst of any run, hashes; the histogram of its error, and the error along the input.
 import * as Plot from "@observablehq/plot";
-import { command, has, implementations, measured, programs, proofs, rows } from "./data.js";
+import { command, has, implementations, measured, programs, rows } from "./data.js";
 import { facts, h } from "./dom.js";
 import { colour, drawing, hide } from "./chart.js";
 import { hash, number, subjectLabel, subjectOf, tick, whole, witness, words } from "./text.js";
@@ -13,23 +13,11 @@ const first = (name, row) => rows(name).find(same(row));
 // An implementation that has no results of its own has the default's, by definition.
 const judgedAs = (row) => (implementations[row.implementation].as_default ? { ...row, implementation: "default" } : row);
 
-// The largest value of a column of any run, and the run; `row` names operation, format and implementation.
-export function worst(row, column) {
-  const judged = judgedAs(row);
-  const runs = [
-    ...measured().filter(same(row)).map((run) => ({ run, source: `operands: ${run.operands}`, bound: run.bound })),
-    ...rows("exhaustive").filter(same(row)).map((run) => ({ run, source: "exhaustive.csv", bound: run.bound })),
-    ...rows("accuracy").filter(same(judged)).map((run) => ({ run, source: "accuracy.csv", bound: run.bound })),
-  ].filter(({ run }) => typeof run[column] === "number");
-  const largest = runs.reduce((best, run) => (best === null || run.run[column] > best.run[column] ? run : best), null);
-  if (largest && column === "max_ulp" && proofs.includes(`${row.operation}/${row.format}/${row.implementation}`)) return { ...largest, bound: "proven" };
-  // No sample finds more than a run of all inputs, up to how finely errors are judged: where two runs contradict each other
-  // the report has failed.
-  return largest && (runs.find(({ bound }) => bound === "exact") ?? largest);
-}
+// The row of bounds.csv of an operation, format and implementation; none for other libraries.
+export const known = (row) => first("bounds", row);
 
 export function describe(row, whole) {
-  const error = worst(row, "max_ulp"), cycles = worst(row, "cycles_max");
+  const bound = known(row);
   const program = `${row.format}.elf` in programs ? `${row.format}.elf` : "rivals.elf";
   const kernel = row.kernel_sha256 ?? first("exhaustive", row)?.kernel_sha256;
   const judged = row.max_ulp !== null;
@@ -38,10 +26,9 @@ export function describe(row, whole) {
     ["cycles", `${number(row.cycles_min)} / ${number(row.cycles_mean)} / ${number(row.cycles_max)} (least, mean, largest)`],
     judged ? ["largest error", `${number(row.max_ulp)} ulp, ${number(row.max_error)} in the result's unit`] : ["error", "not judged"],
     judged && ["witness", witness(row.format, row.max_ulp_witness)],
-    judged && ["bound", row.bound],
     judged && ["rms, bias", `${number(row.rms_ulp)}, ${number(row.mean_ulp)} ulp`],
-    error && ["worst of any run", `${number(error.run.max_ulp)} ulp (${error.bound}; ${error.source}) at ${witness(row.format, error.run.max_ulp_witness)}`],
-    cycles && ["most cycles of any run", `${number(cycles.run.cycles_max)} (${cycles.bound}; ${cycles.source}) at ${witness(row.format, cycles.run.cycles_max_witness)}`],
+    bound?.bound && ["worst of any run", `${number(bound.max_ulp)} ulp (${bound.proof ?? bound.bound}; ${bound.ulp_run}) at ${witness(row.format, bound.max_ulp_witness)}`],
+    bound && ["most cycles of any run", `${number(bound.cycles_max)} (${bound.cycles_bound}; ${bound.cycles_run}) at ${witness(row.format, bound.cycles_max_witness)}`],
     ["flash, stack", `${number(row.flash_bytes)}, ${number(row.stack_bytes)} bytes`],
     row.rival ? ["library", `${row.origin} ${row.version ?? ""} ${row.commit ?? ""}, measured ${row.measured}`.replace(/ +/g, " ")]
       : ["program", h("span", { title: programs[program] }, `${program} `, hash(programs[program], whole))],
@@ -64,7 +51,7 @@ function histogram(row) {
       y: { label: "share of inputs", grid: true, labelArrow: "none", tickFormat: tick, ticks: 5 },
       marks: [Plot.rectY(inside, { x1: "low_ulp", x2: "high_ulp", y: (bin) => bin.count / total, fill: colour(subjectOf(row).style) }),
         Plot.ruleX([-0.5, 0.5], { stroke: "var(--soft)", strokeDasharray: "2 3" }), Plot.ruleY([0])] }),
-    h("figcaption", {}, run ? `Inputs: ${run.inputs}; ${whole(run.samples)} judged, ${whole(run.defined)} more whose result the definition fixes, ${number(run.underflowed)} that underflow. ` : "",
+    h("figcaption", {}, run ? `Operands: ${run.operands}; ${whole(run.samples)} judged, ${whole(run.defined)} more whose result the definition fixes, ${number(run.underflowed)} that underflow. ` : "",
       `${whole(beyond)} beyond ±${number(reach)} ulp. Dotted: ±0.5 ulp, correct rounding.`,
       judged.implementation !== row.implementation ? ` Its results are by definition those of ${implementations.default.label}.` : ""));
 }
@@ -81,7 +68,7 @@ function along(row) {
       marks: [Plot.ruleY([0]), ...lines.flatMap(([column, name, dash]) => [
         Plot.line(parts, { x: middle, y: column, stroke: colour(subjectOf(row).style), strokeDasharray: dash, strokeWidth: 1.4 }),
         Plot.text(parts.slice(-1), { x: middle, y: column, text: () => name, dx: 4, textAnchor: "start" })])] }),
-    h("figcaption", {}, `${whole(parts.reduce((sum, part) => sum + part.samples, 0))} samples in ${number(parts.length)} parts, of which the worst errs by ${number(Math.max(...parts.map((part) => part.max_ulp)))} ulp; of any run: ${number(worst(row, "max_ulp").run.max_ulp)}.`));
+    h("figcaption", {}, `${whole(parts.reduce((sum, part) => sum + part.samples, 0))} samples in ${number(parts.length)} parts, of which the worst errs by ${number(Math.max(...parts.map((part) => part.max_ulp)))} ulp; of any run: ${number(known(row).max_ulp)}.`));
 }
 
 // The card of a pinned point.
@@ -89,7 +76,7 @@ export function details(row, unpin) {
   hide();
   const told = describe(row, true);
   const runs = measured().filter(same(row));
-  const columns = [["operands", "operands"], ["cycles_mean", "cycles, mean"], ["cycles_max", "largest"], ["max_ulp", "largest error, ulp"], ["rms_ulp", "rms"], ["mean_ulp", "bias"], ["bound", "bound"]];
+  const columns = [["operands", "operands"], ["cycles_mean", "cycles, mean"], ["cycles_max", "largest"], ["max_ulp", "largest error, ulp"], ["rms_ulp", "rms"], ["mean_ulp", "bias"]];
   return h("section", { class: "card pinned", "aria-label": `Pinned: ${told.title}`, tabindex: "-1" },
     h("header", {}, h("h2", {}, told.title), h("button", { type: "button", onclick: unpin }, "Unpin")),
     h("div", { class: "panels" },

@@ -95,7 +95,7 @@ class Claims(unittest.TestCase):
                 self.assertRegex(row["reason"], r"\d", row["quantity"])
 
     def test_what_ran_over_all_inputs(self):
-        exact = [int(row["inputs"]) for row in rows("exhaustive", bound="exact")]
+        exact = [int(row["inputs"]) for row in rows("exhaustive", operands="all")]
         self.assertLessEqual(set(exact), {2**16, 2**32})
         self.says("README.md", f"{len(exact)} kernels ran over all their inputs as translated machine code, {exact.count(2**32)} of "
                                "them over 2^32")
@@ -160,11 +160,28 @@ class Claims(unittest.TestCase):
             else:
                 self.assertEqual(line[-1], f"none of {len(ratios)} takes more cycles than float")
 
-    def test_proven_bounds_are_those_with_a_proof(self):
-        tests = (RESULTS.parent / "fixedpoint/CMakeLists.txt").read_text(encoding="utf-8")
-        for page in self.pages.values():
-            for proof in re.findall(r"\(proven\)", page):
-                self.assertIn("prove_", tests, proof)
+    def test_bounds_are_those_of_all_runs(self):
+        def kind(row):
+            return row["operation"], row["format"], row["implementation"]
+
+        runs = [(kind(row), row) for name in ("operations", "exhaustive") for row in rows(name)]
+        judged = runs + [(kind(row), row) for row in rows("accuracy")]
+        bounds = rows("bounds")
+        self.assertEqual([kind(row) for row in bounds], list(dict.fromkeys(kind(row) for row in rows("operations"))))
+        tests = "".join((RESULTS.parent / room / "CMakeLists.txt").read_text(encoding="utf-8")
+                        for room in ("fixedpoint", "bench/experiments/exhaustive"))
+        for row in bounds:
+            mine = [run for which, run in runs if which == kind(row)]
+            self.assertEqual(int(row["cycles_max"]), max(int(run["cycles_max"]) for run in mine), row)
+            self.assertEqual(row["cycles_bound"] == "exact", any(run["operands"] == "all" for run in mine), row)
+            errors = [run for which, run in judged if which == kind(row) and run["max_ulp"]]
+            if errors:
+                self.assertGreaterEqual(float(row["max_ulp"]), max(float(run["max_ulp"]) for run in errors), row)
+            if row["proof"]:
+                self.assertIn(f"test_command({row['proof']} ", tests)
+            elif row["bound"] == "exact" and row["implementation"] == "default":
+                self.assertTrue(any(run["operands"] == "all" for run in errors), row)
+            self.assertEqual(row["bound"] == "proven", bool(row["proof"]), row)
 
     def test_reasons_of_floats_leads_follow_from_the_errors(self):
         runs = [(row["scene"], row["scalar"] == "float", float(row["cycles_per_simulated_second"]),

@@ -16,6 +16,7 @@ import unittest.mock
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 import blocks  # noqa: E402
+import bounds  # noqa: E402
 import choose_a_format  # noqa: E402
 import data as data_module  # noqa: E402
 import division_cycles  # noqa: E402
@@ -121,16 +122,16 @@ class Figures(unittest.TestCase):
 
 
 OPERATIONS = """
-operation format implementation operands samples regular cycles_mean cycles_max cycles_max_witness max_ulp max_ulp_witness rms_error bound flash_bytes kernel_sha256
-add q16_16 default physics 9 9 10 12 1 0.5 1 0.001 lower 10 aa
-add q16_16 published physics 9 9 40 12 1 1 2 0.001 lower 20 bb
-add float libc physics 9 9 100 112 1 0.5 1 0.0001 lower 30 cc
-add q16_16 default full 9 9 77 99 3 0.25 4 0.7 lower 10 aa
-add q8_8 default physics 9 9 5 12 1 0.5 1 0.02 exact 40 dd
-add q16_16 small physics 9 9 70 90 1 - - - lower 5 ee
-sqrt q16_16 default physics 9 9 300 999 1 0.5 1 0 lower 50 ff
-sqrt float libc physics 9 9 600 999 1 0.5 1 0.01 lower 20 gg
-exp float libc physics 9 9 500 999 1 0.5 1 0.01 lower - hh
+operation format implementation operands samples regular cycles_mean cycles_max cycles_max_witness max_ulp max_ulp_witness rms_error flash_bytes kernel_sha256
+add q16_16 default physics 9 9 10 12 1 0.5 1 0.001 10 aa
+add q16_16 published physics 9 9 40 12 1 1 2 0.001 20 bb
+add float libc physics 9 9 100 112 1 0.5 1 0.0001 30 cc
+add q16_16 default full 9 9 77 99 3 0.25 4 0.7 10 aa
+add q8_8 default physics 9 9 5 12 1 0.5 1 0.02 40 dd
+add q16_16 small physics 9 9 70 90 1 - - - 5 ee
+sqrt q16_16 default physics 9 9 300 999 1 0.5 1 0 50 ff
+sqrt float libc physics 9 9 600 999 1 0.5 1 0.01 20 gg
+exp float libc physics 9 9 500 999 1 0.5 1 0.01 - hh
 """
 
 
@@ -148,32 +149,40 @@ class Operations(Figures):
                          "Q16.16 takes fewer cycles than float in 2 of 2 operations, 0.224 of them in "
                          "the geometric mean, and more flash in 1.")
 
-    @unittest.mock.patch.dict(operations.PROOFS, clear=True)
-    def test_the_worst_is_that_of_any_run_of_the_same_code(self):
-        header = ("operation format implementation inputs cycles_max cycles_max_witness max_ulp "
-                  "max_ulp_witness bound kernel_sha256\n")
-        accuracy = ("operation format implementation max_ulp max_ulp_witness bound\n"
-                    "add q16_16 default 0.75 9 lower\n")
+    @unittest.mock.patch.dict(bounds.PROOFS, clear=True)
+    def test_the_bound_is_that_of_any_run_of_the_same_code(self):
+        def known(data, *kind):
+            return list(bounds.known(data, "add", "q16_16", *kind).values())[3:]
+
+        header = "operation format implementation operands cycles_max cycles_max_witness max_ulp max_ulp_witness kernel_sha256\n"
+        accuracy = ("operation format implementation operands max_ulp max_ulp_witness\n"
+                    "add q16_16 default search 0.75 9\n")
         sampled = golden(operations=OPERATIONS, accuracy=accuracy)
-        self.assertEqual(operations.worst(sampled, "add", "q16_16"),
-                         (99, "lower bound", 0.75, 9, "lower bound"))
-        self.assertEqual(operations.worst(sampled, "add", "q16_16", "small"),
-                         (90, "lower bound", None, None, None))
-        self.assertIsNone(operations.worst(sampled, "exp", "q16_16"))
-        whole = header + "add q16_16 default 1 120 7 0.875 8 exact aa\n"
+        of_samples = [99, 3, "lower bound", "operations.csv, full", 0.75, 9, "lower bound", "accuracy.csv, search", None]
+        self.assertEqual(known(sampled), of_samples)
+        with unittest.mock.patch.dict(bounds.PROOFS, {("add", "q16_16", "default"): "a proof"}):
+            self.assertEqual(known(sampled), of_samples[:6] + ["proven", "accuracy.csv, search", "a proof"])
+        self.assertEqual(known(sampled, "small"), [90, 1, "lower bound", "operations.csv, physics", *[None] * 5])
+        self.assertIsNone(bounds.known(sampled, "exp", "q16_16"))
+        whole = header + "add q16_16 default all 120 7 0.875 8 aa\n"
         made = golden(operations=OPERATIONS, accuracy=accuracy, exhaustive=whole)
-        self.assertEqual(operations.worst(made, "add", "q16_16"), (120, "exact", 0.875, 8, "exact"))
-        for damaged, message in ((whole.replace("exact aa", "exact ab"), "another machine code"),
-                                 (whole.replace("120 7", "98 7"), "add_q16_16_default: 99 cycles, where"),
-                                 (whole.replace("0.875", "0.625"), "0.75 ulp, where")):
+        self.assertEqual(known(made), [120, 7, "exact", "exhaustive.csv, all", 0.875, 8, "exact", "exhaustive.csv, all", None])
+        for damaged, message in ((whole.replace("8 aa", "8 ab"), "another machine code"),
+                                 (whole.replace("120 7", "98 7"), "add_q16_16_default: 99 in cycles_max, where"),
+                                 (whole.replace("0.875", "0.625"), "0.75 in max_ulp, where")):
             made = golden(operations=OPERATIONS, accuracy=accuracy, exhaustive=damaged)
             with self.assertRaisesRegex(DataError, message):
-                operations.worst(made, "add", "q16_16")
+                bounds.known(made, "add", "q16_16")
+
+    def test_portable_code_errs_as_the_default_does(self):
+        made = golden(operations=OPERATIONS.replace("default full", "portable full"),
+                      accuracy="operation format implementation operands max_ulp max_ulp_witness\nadd q16_16 default search 0.75 9\n")
+        self.assertEqual(bounds.known(made, "add", "q16_16", "portable")["max_ulp"], 0.75)
 
     def test_a_proof_is_a_test(self):
         rooms = "fixedpoint", "bench/experiments/exhaustive"
         tests = "".join((pathlib.Path(report.HERE).parents[1] / room / "CMakeLists.txt").read_text() for room in rooms)
-        for proof in operations.PROOFS.values():
+        for proof in bounds.PROOFS.values():
             self.assertIn(f"test_command({proof} ", tests)
 
     def test_against_float(self):
@@ -247,8 +256,8 @@ own q8_8 small 90
         made = golden(operations=OPERATIONS)
         self.assertEqual(operations.correctly_rounded_finding(made), "")
         made = golden(operations=OPERATIONS + """\
-sqrt q16_16 correctly_rounded physics 9 9 750 999 1 0.49 1 0.001 lower 50 ll
-add q16_16 correctly_rounded physics 9 9 15 2000 1 0.5 1 0.001 exact 50 mm
+sqrt q16_16 correctly_rounded physics 9 9 750 999 1 0.49 1 0.001 50 ll
+add q16_16 correctly_rounded physics 9 9 15 2000 1 0.5 1 0.001 50 mm
 """)
         self.assertEqual(operations.correctly_rounded_finding(made),
                          "Where half an ulp matters, `CorrectlyRounded` errs by 0.5 ulp (lower bound) in 2 functions of Q16.16, "
@@ -260,8 +269,8 @@ add q16_16 correctly_rounded physics 9 9 15 2000 1 0.5 1 0.001 exact 50 mm
         self.assertEqual(error_against_cycles.pareto([(1, 2), (1, 1), (0, 3)]), [(0, 3), (1, 1)])
 
     def test_error_against_cycles(self):
-        plain = OPERATIONS.replace("exp float", "dot2 q16_16 default physics 9 9 9 9 1 0.5 1 0.1 lower 9 ii\ndot2 float")
-        contested = "".join(f"{operation} q16_16 small physics 9 9 {cycles} 999 1 0.5 1 0.001 lower 5 kk\n"
+        plain = OPERATIONS.replace("exp float", "dot2 q16_16 default physics 9 9 9 9 1 0.5 1 0.1 9 ii\ndot2 float")
+        contested = "".join(f"{operation} q16_16 small physics 9 9 {cycles} 999 1 0.5 1 0.001 5 kk\n"
                             for operation, cycles in (("add", 50), ("sqrt", 700)))
         made = golden(operations=plain + contested)
         shown = [axes for axes in error_against_cycles.draw(made).axes if axes.axison]

@@ -60,7 +60,7 @@ TEST_F(ExhaustiveTest, KnownAnswersOfAHandMadeProduct) {
     EXPECT_EQ(cell("unreached_instructions"), "2");
     EXPECT_EQ(cell("violations"), "0");
     EXPECT_EQ(cell("portable_differences"), "0");
-    EXPECT_EQ(cell("bound"), "exact");
+    EXPECT_EQ(cell("operands"), "all");
 }
 
 TEST_F(ExhaustiveTest, ViolationsAreCounted) {
@@ -85,7 +85,7 @@ TEST_F(ExhaustiveTest, LargerSpacesAreSearched) {
     options_.search_operands = 100000;
     EXPECT_EQ(run_exhaustive(options_), 0u);
     EXPECT_GT(std::stoull(cell("inputs")), 90000u);
-    EXPECT_EQ(cell("bound"), "lower bound");
+    EXPECT_EQ(cell("operands"), "search");
     EXPECT_EQ(cell("max_ulp"), "0");
     EXPECT_EQ(cell("rms_ulp"), "");
     EXPECT_EQ(cell("cycles_min"), "19");

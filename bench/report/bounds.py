@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The largest cycles and the largest error that any run knows of an operation, be it sampled, searched
+or over all inputs, and what kind of maximum each is."""
+import csv
+import functools
+import io
+import pathlib
+import re
+
+from data import DataError
+
+OURS = "default"
+# Proofs that a result is rounded correctly for every operand: tests of the library and of `exhaustive`.
+SUMS = "bench/prove_sums", ("q16_16", "q8_24")
+PROOFS = {(operation, number_format, implementation): proof
+          for proof, formats, implementation, operations in (
+              ("fixedpoint/prove_products", ("q16_16", "q8_24"), OURS, ("multiply", "multiply_add", "dot2", "dot3")),
+              ("fixedpoint/prove_products", ("q32_32",), OURS, ("multiply", "dot2", "dot3")),
+              ("fixedpoint/prove_products", ("q8_8",), OURS, ("dot2", "dot3")),
+              ("fixedpoint/prove_quotients", ("q16_16",), OURS, ("divide",)),
+              ("fixedpoint/prove_roots", ("q32_32",), OURS, ("sqrt",)),
+              (*SUMS, OURS, ("add", "subtract", "abs_diff", "copysign", "midpoint")),
+              (*SUMS, "saturating", ("add", "subtract")))
+          for operation in operations for number_format in formats}
+# Runs over all inputs are judged in double, to this part of an ulp (reference/bulk.hpp).
+JUDGED_TO = 2**-14
+BENCH = pathlib.Path(__file__).resolve().parents[1]
+
+
+@functools.cache
+def implementations():
+    """Provenance, label, and whether its results are the default's, of each implementation."""
+    rows = re.findall(r'^ *X\((\w+), \w+, (\w+), (\w+), [^"]*"(.*)"\)$',
+                      (BENCH / "lab/catalogue/subjects.h").read_text(encoding="utf-8"), re.MULTILINE)
+    return {name: {"provenance": provenance, "label": label, "as_default": host == "as_default"}
+            for name, provenance, host, label in rows}
+
+
+def largest(named, runs, column, slack):
+    """Value, witness, bound and file of the largest of a column; all None where no run has it."""
+    runs = [(file, row) for file, row in runs if row.get(column) is not None]
+    if not runs:
+        return None, None, None, None
+    file, row = max(runs, key=lambda run: run[1][column])
+    limits = [row[column] for _, row in runs if row["operands"] == "all"]
+    if limits and row[column] > min(limits) + slack:
+        raise DataError(f"{named}: {row[column]} in {column}, where a run of all inputs found at most {min(limits)}")
+    return (row[column], row[f"{column}_witness"], "exact" if limits else "lower bound",
+            f"{file}.csv, {row['operands']}")
+
+
+def known(data, operation, number_format, implementation=OURS):
+    """The row of bounds.csv; None where the operation is not there. `bound` is that of the error:
+    "exact" (all inputs were run), "proven" or "lower bound"; where nothing was judged, it and
+    `max_ulp` are None. Throws DataError where two runs contradict each other."""
+    what = {"operation": operation, "format": number_format, "implementation": implementation}
+    sampled = data.rows("operations", **what)
+    if not sampled:
+        return None
+    named = f"{operation}_{number_format}_{implementation}"
+    whole = data.rows("exhaustive", **what) if data.has("exhaustive") else []
+    for each in whole:
+        if each["kernel_sha256"] != sampled[0]["kernel_sha256"]:
+            raise DataError(f"exhaustive.csv tells of another machine code of {named} than "
+                            f"operations.csv: `fixbench exhaustive --symbol {named}` runs it again")
+    # The portable code gives the same bits; some implementations have no results of their own.
+    as_default = implementations().get(implementation, {}).get("as_default")
+    judged = data.rows("accuracy", **what | ({"implementation": OURS} if as_default else {})) if data.has("accuracy") else []
+    runs = [(file, row) for file, rows in (("operations", sampled), ("exhaustive", whole), ("accuracy", judged))
+            for row in rows]
+    cycles, cycles_witness, cycles_bound, cycles_run = largest(named, runs, "cycles_max", 0)
+    ulp, ulp_witness, bound, ulp_run = largest(named, runs, "max_ulp", JUDGED_TO)
+    proof = PROOFS.get(tuple(what.values())) if bound else None
+    return what | {"cycles_max": cycles, "cycles_max_witness": cycles_witness, "cycles_bound": cycles_bound,
+                   "cycles_run": cycles_run, "max_ulp": ulp, "max_ulp_witness": ulp_witness,
+                   "bound": "proven" if proof else bound, "ulp_run": ulp_run, "proof": proof}
+
+
+def table(data):
+    """All rows of bounds.csv, in the order of operations.csv."""
+    kinds = dict.fromkeys((row["operation"], row["format"], row["implementation"]) for row in data.rows("operations"))
+    return [known(data, *kind) for kind in kinds]
+
+
+def text(data):
+    """bounds.csv."""
+    rows, made = table(data), io.StringIO()
+    writer = csv.DictWriter(made, rows[0], lineterminator="\n")
+    writer.writeheader()
+    writer.writerows(rows)
+    return made.getvalue()
