@@ -102,7 +102,8 @@ ROOMS = [
          " !*/rounded.hpp !*/correctly_rounded.hpp", 2, "fixed_test", "small_operations_test"),
     room("arithmetic", f"{FIXED}/arithmetic/rounded.hpp", 1, "small_operations_test"),
     room("arithmetic", f"{FIXED}/arithmetic/correctly_rounded.hpp {FIXED}/portable/correct_rounding.hpp"
-         f" {FIXED}/portable/certain.hpp {FIXED}/portable/short_turns.hpp {FIXED}/kernel/power_side.hpp",
+         f" {FIXED}/portable/certain.hpp {FIXED}/kernel/short_turns.hpp {FIXED}/kernel/precise_sine.hpp"
+         f" {FIXED}/kernel/power_side.hpp",
          2, "correctly_rounded_test"),
     room("arithmetic", f"{FIXED}/arithmetic/checked.hpp", 2, "checked_test"),
     room("arithmetic", f"{FIXED}/arithmetic/published.hpp {FIXED}/published/*.hpp !*_table.hpp", 2,

@@ -5,9 +5,9 @@ an angle or a power lies."""
 
 import table_header
 from exponential_series import exponential
-from series import arctangent, rounded
+from series import arctangent, rounded, sine_and_cosine
 
-COARSE, FINE = 32, 2048
+COARSE, FINE, UNIT = 32, 2048, 64
 EXPONENTS = range(9, 33)
 
 
@@ -23,8 +23,9 @@ def halves(word):
 if __name__ == "__main__":
     table_header.write(
         "correct_rounding_table", "correct_rounding.py",
-        f"atan(i / {COARSE}) and atan(i / {FINE}) in units of 2^-64, and of e^i from i = {EXPONENTS[0]} on the 64 leading bits,\n"
-        "the lower half first.", "CorrectRoundingTable",
+        f"atan(i / {COARSE}) and atan(i / {FINE}) in units of 2^-64; sine and cosine of i / {UNIT} in those units, 1 a unit less;\n"
+        f"and of e^i from i = {EXPONENTS[0]} on the 64 leading bits, the lower half first.", "CorrectRoundingTable",
         [("uint64_t", "coarse", [arctangent(i, COARSE, 64) for i in range(COARSE + 1)], "{:#018x}ull"),
          ("uint64_t", "fine", [arctangent(i, FINE, 64) for i in range(FINE // COARSE)], "{:#018x}ull"),
+         ("uint64_t", "unit", [min(part, (1 << 64) - 1) for i in range(UNIT * 11 // 14 + 1) for part in sine_and_cosine(i, UNIT, 64)], "{:#018x}ull"),
          ("uint32_t", "power", [half for i in EXPONENTS for half in halves(mantissa(i))], "{:#010x}u")])

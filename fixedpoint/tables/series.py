@@ -36,17 +36,29 @@ def two_over_pi(bits):
     return rounded((2 << 2 * width) // _pi(width), GUARD)
 
 
+def _circular(angle, width, k):
+    """The sine of angle / 2^width, k = 1, or its cosine, k = 0, in the same units."""
+    square = angle * angle >> width
+    term, total = angle if k else 1 << width, 0
+    sign = 1
+    while term:
+        total += sign * term
+        term = (term * square >> width) // ((k + 1) * (k + 2))
+        sign, k = -sign, k + 2
+    return total
+
+
 def sine_of_quarter_turns(numerator, denominator, bits):
     """sin(pi/2 numerator/denominator) 2^bits, for arguments from 0 to 1."""
     width = bits + GUARD
-    angle = _pi(width) * numerator // (2 * denominator)
-    square = angle * angle >> width
-    term, total, k = angle, 0, 1
-    while term:
-        total += term if k & 2 == 0 else -term
-        term = (term * square >> width) // ((k + 1) * (k + 2))
-        k += 2
-    return rounded(total, GUARD)
+    return rounded(_circular(_pi(width) * numerator // (2 * denominator), width, 1), GUARD)
+
+
+def sine_and_cosine(numerator, denominator, bits):
+    """sin(numerator/denominator) 2^bits and cos(numerator/denominator) 2^bits, for arguments from 0 to 1."""
+    width = bits + GUARD
+    angle = (numerator << width) // denominator
+    return [rounded(_circular(angle, width, k), GUARD) for k in (1, 0)]
 
 
 def arctangent(numerator, denominator, bits):

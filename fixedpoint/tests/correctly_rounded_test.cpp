@@ -178,35 +178,35 @@ TEST(SideOfATie, OfDirectionsErrsByLessThan8Units) {
         if (y > x) std::swap(x, y);
         const auto angle = static_cast<uint64_t>(atan2f128(y, x) * two_to_64);
         if (angle < 8) continue;
-        ASSERT_TRUE(fixedpoint::portable::direction_reaches(y, x, angle - 8)) << y << ", " << x;
-        ASSERT_FALSE(fixedpoint::portable::direction_reaches(y, x, angle + 9)) << y << ", " << x;
+        ASSERT_TRUE(fixedpoint::kernel::direction_reaches(y, x, angle - 8)) << y << ", " << x;
+        ASSERT_FALSE(fixedpoint::kernel::direction_reaches(y, x, angle + 9)) << y << ", " << x;
     }
 }
 
-// Of a sine each, up to 1/sqrt(2), and of a cosine from there on.
-TEST(SideOfATie, OfSinesErrsByLessThan12Units) {
-    constexpr Real error = 12;
-    for (uint32_t tie = 1; tie < 131072; tie += 2) {
-        const bool is_cosine = tie > 92681;
-        const Real value = Real(tie) / 131072;
-        const Real angle = is_cosine ? acosf128(value) : asinf128(value);
-        const Real slope = is_cosine ? sinf128(angle) : cosf128(angle);
-        const auto near = static_cast<uint64_t>(angle * two_to_64);
-        const auto far = static_cast<uint64_t>(error / slope) + 1;
-        ASSERT_EQ(fixedpoint::portable::sine_reaches(tie, near - far, is_cosine), is_cosine) << tie;
-        ASSERT_NE(fixedpoint::portable::sine_reaches(tie, near + far, is_cosine), is_cosine) << tie;
-    }
-}
-
-TEST(SideOfATie, HasTheRestOfTheQuarterTurnsWithin4Units) {
+TEST(PreciseSine, HasTheRestOfTheQuarterTurnsWithin2Units) {
     std::mt19937 random(8);
     const Real half_pi = 2 * atanf128(1);
     for (int i = 0; i < 100'000; ++i) {
-        const int32_t a = static_cast<int32_t>(random()) >> random() % 32;
-        const auto turns = fixedpoint::portable::nearest_quarter_turns(a);
-        const Real rest = fabsf128(fabsf128(Real(a) / 65536) - turns.quarters * half_pi);
-        ASSERT_LT(fabsf128(rest * two_to_64 - Real(turns.rest)), 4) << a;
+        const uint32_t a = (random() >> random() % 32) & 0x7fffffff;
+        const auto turns = fixedpoint::kernel::nearest_quarter_turns(a);
+        const Real beyond = Real(a) / 65536 - turns.quarters * half_pi;
+        const Real rest = turns.is_beyond ? beyond : -beyond;
+        ASSERT_LT(fabsf128(rest * two_to_64 / 2 - Real(turns.rest)), 2) << a;
         ASSERT_LT(rest, half_pi / 2 + Real(1) / 16384) << a;
+    }
+}
+
+TEST(PreciseSine, ErrsByLessThan2ToTheMinus51) {
+    std::mt19937_64 random(10);
+    constexpr uint64_t largest = 7245000000000000000;  // pi/4 + 2^-14, in units of 2^-63
+    for (int i = 0; i < 400'000; ++i) {
+        const uint64_t rest = random() % largest;
+        const Real angle = Real(rest) * 2 / two_to_64;
+        for (const bool is_cosine : {false, true}) {
+            const Real exact = (is_cosine ? cosf128(angle) : sinf128(angle)) * two_to_64;
+            const uint64_t sine = fixedpoint::kernel::precise_sine_of_rest(rest, is_cosine);
+            ASSERT_LT(fabsf128(exact - Real(sine)), 8192) << rest;
+        }
     }
 }
 

@@ -13,6 +13,7 @@
 #include "bench/chip/instructions/fingerprint.hpp"
 #include "bench/lab/catalogue/catalogue.hpp"
 #include "bench/lab/operands/boundary.hpp"
+#include "bench/lab/operands/closest_ties.hpp"
 #include "bench/lab/operands/operand_class.hpp"
 #include "bench/lab/parallel.hpp"
 #include "bench/lab/records/benchmark_json.hpp"
@@ -119,7 +120,8 @@ void run_all_inputs(DeviceSubject& subject, Row& row) {
     }
 }
 
-// Thinned evenly to at most `samples` cases: pairs of a 64-bit format are over 100000.
+// Thinned evenly to at most `samples` cases: pairs of a 64-bit format are over 100000. Those next
+// to a tie are never left out.
 void run_boundary(DeviceSubject& subject, Row& row, std::uint64_t samples) {
     const std::vector<operands::BoundaryCase> cases =
         operands::boundary_cases(row.named.subject.operation, row.named.subject.operand_format);
@@ -128,6 +130,8 @@ void run_boundary(DeviceSubject& subject, Row& row, std::uint64_t samples) {
         const operands::BoundaryCase& each = cases[i * cases.size() / taken];
         row.add(each.operands, subject.call(each.operands));
     }
+    for (const operands::BoundaryCase& each : operands::closest_ties(row.named.subject))
+        row.add(each.operands, subject.call(each.operands));
 }
 
 void run_class(DeviceSubject& subject, Row& row, operands::OperandClass operand_class,

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "bench/lab/operands/boundary.hpp"
+#include "bench/lab/operands/closest_ties.hpp"
 #include "bench/lab/operands/operand_class.hpp"
 #include "bench/lab/parallel.hpp"
 #include "bench/lab/records/progress.hpp"
@@ -91,6 +92,8 @@ void run(Comparison& comparison, std::uint64_t samples) {
     call_evenly(few);
     if (comparison.cycles > 0)
         call_evenly(std::min(wanted, cycle_budget * few / comparison.cycles));
+    for (const operands::BoundaryCase& each : operands::closest_ties(subject))
+        compare(device, comparison, each.operands);
     Operands operands{};
     const std::span used(operands.data(), device.arity());
     const int bits = comparison.host->input_bits();

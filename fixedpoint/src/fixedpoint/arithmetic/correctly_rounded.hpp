@@ -2,13 +2,15 @@
 /// \file
 /// CorrectlyRounded: as Nearest, but functions too return the exact result rounded to nearest, half
 /// up, so that a result does not depend on the algorithm that made it. In Q16.16 they compute with
-/// cores of 32 bits, where those leave a doubt in Q32.32, and further where that lies on a tie.
-/// Only for formats whose numbers all are numbers of Q16.16, such as Q4.4 and Q8.8. Functions of
-/// turns and degrees and integer powers are Nearest's.
+/// cores of 32 bits, where those leave a doubt in Q32.32, and further where that lies on a tie;
+/// sine and cosine go that far at once. Only for formats whose numbers all are numbers of Q16.16,
+/// such as Q4.4 and Q8.8. Functions of turns and degrees and integer powers are Nearest's.
 #pragma once
 
 #include <fixedpoint/arithmetic/nearest.hpp>
 #include <fixedpoint/kernel/power_side.hpp>
+#include <fixedpoint/kernel/precise_sine.hpp>
+#include <fixedpoint/kernel/short_turns.hpp>
 #include <fixedpoint/portable/correct_rounding.hpp>
 
 namespace fixedpoint {
@@ -29,9 +31,9 @@ struct CorrectlyRounded : Nearest {
         const Raw certain = kernel::certain_##name<Raw, F>(a);                         \
         return certain != RawLimits<Raw>::min ? certain : doubtful_##name<Raw, F>(a);  \
     }
-    FIXEDPOINT_CORRECTLY_ROUNDED(sin, portable::SineSide)
-    FIXEDPOINT_CORRECTLY_ROUNDED(cos, portable::CosineSide)
-    FIXEDPOINT_CORRECTLY_ROUNDED(atan, portable::ArcTangentSide)
+    FIXEDPOINT_CORRECTLY_ROUNDED(sin, kernel::SineSide)
+    FIXEDPOINT_CORRECTLY_ROUNDED(cos, kernel::CosineSide)
+    FIXEDPOINT_CORRECTLY_ROUNDED(atan, kernel::ArcTangentSide)
     FIXEDPOINT_CORRECTLY_ROUNDED(exp, kernel::ExponentialSide)
     FIXEDPOINT_CORRECTLY_ROUNDED(log, kernel::NaturalLogarithmSide)
 #undef FIXEDPOINT_CORRECTLY_ROUNDED
@@ -64,7 +66,7 @@ struct CorrectlyRounded : Nearest {
     }
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR __attribute__((noinline)) Raw doubtful_atan2(Raw y, Raw x) {
-        return portable::correctly_rounded<Raw, F, portable::AngleSide>(
+        return portable::correctly_rounded<Raw, F, kernel::AngleSide>(
             kernel::atan2<int64_t, 32>(portable::convert<int64_t, 32, Raw, F>(y),
                                        portable::convert<int64_t, 32, Raw, F>(x)),
             y, x);
@@ -109,5 +111,17 @@ struct CorrectlyRounded : Nearest {
         unit[2] = portable::correctly_rounded<Raw, F, Side>(wide[2], z, x, y);
     }
 };
+
+// Of Q16.16 the precise sine needs no stage before it.
+template <>
+FIXEDPOINT_CONSTEXPR __attribute__((noinline)) int32_t CorrectlyRounded::doubtful_sin<int32_t, 16>(
+    int32_t a) {
+    return kernel::nearest_sine(a, 0);
+}
+template <>
+FIXEDPOINT_CONSTEXPR __attribute__((noinline)) int32_t CorrectlyRounded::doubtful_cos<int32_t, 16>(
+    int32_t a) {
+    return kernel::nearest_sine(a, 1);
+}
 
 }  // namespace fixedpoint

@@ -28,6 +28,7 @@
 #include <fixedpoint/portable/multiply.hpp>
 #include <fixedpoint/portable/multiply_add.hpp>
 #include <fixedpoint/portable/multiply_saturating.hpp>
+#include <fixedpoint/portable/multiply_words.hpp>
 #include <fixedpoint/portable/normalise.hpp>
 #include <fixedpoint/portable/pow_q32_32.hpp>
 #include <fixedpoint/portable/reciprocal_sqrt.hpp>
@@ -44,6 +45,8 @@ namespace kernel {
     FIXEDPOINT_CONSTEXPR FIXEDPOINT_RESULT_##shape(Raw) \
         operation FIXEDPOINT_PARAMETERS_##shape(Raw);
 FIXEDPOINT_OPERATION(BINARY, multiply)
+FIXEDPOINT_OPERATION(BINARY, upper_product)
+FIXEDPOINT_OPERATION(WORDS, multiply_upper_halves)
 FIXEDPOINT_OPERATION(BINARY, multiply_saturating)
 FIXEDPOINT_OPERATION(TERNARY, multiply_add)
 FIXEDPOINT_OPERATION(TERNARY, wrapping_lerp)
@@ -112,6 +115,8 @@ FIXEDPOINT_OPERATION(VECTOR, length2)
 FIXEDPOINT_OPERATION(VECTOR, length3)
 FIXEDPOINT_OPERATION(MAPPING, normalise3)
 #undef FIXEDPOINT_OPERATION
+template <class = uint32_t, int = 0>
+FIXEDPOINT_CONSTEXPR uint64_t multiply_words(uint32_t a, uint32_t b);
 }  // namespace kernel
 }  // namespace fixedpoint
 
@@ -239,6 +244,18 @@ FIXEDPOINT_CONSTEXPR void sincos(Raw angle, Raw* sine_and_cosine) {
     }
 }
 
+template <class, int>
+FIXEDPOINT_CONSTEXPR uint64_t multiply_words(uint32_t a, uint32_t b) {
+    return portable::multiply_words(a, b);
+}
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw upper_product(Raw a, Raw b) {
+    return portable::upper_product<Raw, F>(a, b);
+}
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR uint64_t multiply_upper_halves(Raw a, Raw b) {
+    return portable::multiply_upper_halves<Raw, F>(a, b);
+}
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR uint64_t exp_wide(Raw a, uint8_t unit) {
     return portable::exp_wide<Raw, F>(a, unit);

@@ -11,7 +11,6 @@ namespace kernel {
 namespace q32_32 {
 
 using portable::Evaluation;
-using portable::multiply_words;
 using portable::Outcome;
 
 constexpr int64_t one = int64_t(1) << 32;

@@ -5,7 +5,6 @@
 
 #include <fixedpoint/kernel/dispatch.hpp>
 #include <fixedpoint/portable/correct_rounding_table.hpp>
-#include <fixedpoint/portable/multiply_words.hpp>
 
 namespace fixedpoint {
 namespace kernel {
@@ -23,8 +22,8 @@ FIXEDPOINT_CONSTEXPR __attribute__((noinline)) bool reaches_power(uint32_t n, in
     while (static_cast<int64_t>(power) >= 0) power <<= 1;
     while (static_cast<int32_t>(n) >= 0) n <<= 1;
     const uint32_t* const factor = &portable::CorrectRoundingTable<>::power[2 * index];
-    uint64_t product = portable::multiply_words(n, read_program_memory(factor[1])) +
-                       (portable::multiply_words(n, read_program_memory(factor[0])) >> 32);
+    uint64_t product = multiply_words(n, read_program_memory(factor[1])) +
+                       (multiply_words(n, read_program_memory(factor[0])) >> 32);
     if (static_cast<int64_t>(product) >= 0) product <<= 1;
     return ((product - power) >> 62 & 1) == 0;
 }

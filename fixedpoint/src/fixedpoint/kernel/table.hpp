@@ -59,6 +59,10 @@
 #define FIXEDPOINT_RESULT_SCALED(Raw) uint64_t
 #define FIXEDPOINT_PARAMETERS_SCALED(Raw) (Raw a, uint8_t unit)
 #define FIXEDPOINT_ARGUMENTS_SCALED (a, unit)
+// Of two words into one of twice the width.
+#define FIXEDPOINT_RESULT_WORDS(Raw) uint64_t
+#define FIXEDPOINT_PARAMETERS_WORDS(Raw) (Raw a, Raw b)
+#define FIXEDPOINT_ARGUMENTS_WORDS (a, b)
 
 // ROW(KERNEL, shape, operation, integer bits, fraction bits) for every split of 16 bits but Q8.8,
 // and of 32 bits but Q16.16, whose kernels are their own. The coarse ones have less fraction bits
@@ -129,6 +133,9 @@
     KERNEL(BINARY, multiply, int64_t, 32, fixedpoint_multiply_q32_32, multiply) \
     FIXEDPOINT_SPLITS_16(FIXEDPOINT_KERNEL_OF_SPLIT_16, KERNEL, BINARY, multiply) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, BINARY, multiply) \
+    KERNEL(WORDS, multiply_words, uint32_t, 0, fixedpoint_multiply_words, multiply_words) \
+    KERNEL(BINARY, upper_product, uint32_t, 0, fixedpoint_upper_product, upper_product) \
+    KERNEL(WORDS, multiply_upper_halves, uint64_t, 0, fixedpoint_multiply_upper_halves, multiply_upper_halves) \
     KERNEL(BINARY, multiply_saturating, int32_t, 16, fixedpoint_multiply_q16_16_saturating, multiply_saturating) \
     KERNEL(TERNARY, multiply_add, int32_t, 16, fixedpoint_multiply_add_q16_16, multiply_add) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, TERNARY, multiply_add) \

@@ -5,7 +5,6 @@
 
 #include <fixedpoint/kernel/atan2_degrees_q32_32.hpp>
 #include <fixedpoint/kernel/dispatch.hpp>
-#include <fixedpoint/portable/multiply_words.hpp>
 
 namespace fixedpoint {
 namespace kernel {
@@ -104,7 +103,7 @@ constexpr typename Core::Phase phase_of_turns(Raw angle) {
 // 32 n / 45, cut, and at multiples of 45 exact. Precondition: n is at most 2^37 / 43, which is
 // above 360 2^23.
 FIXEDPOINT_CONSTEXPR uint32_t over_45(uint32_t n) {
-    return static_cast<uint32_t>(portable::multiply_words(n, 0xb60b60b7) >> 32);
+    return static_cast<uint32_t>(multiply_words(n, 0xb60b60b7) >> 32);
 }
 
 // rest / (360 2^F) of a turn, cut: exact for quarter turns. Precondition: rest < 360 2^F, unless

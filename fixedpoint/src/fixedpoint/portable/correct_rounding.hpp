@@ -10,7 +10,6 @@
 
 #include <fixedpoint/portable/convert.hpp>
 #include <fixedpoint/portable/elementary.hpp>
-#include <fixedpoint/portable/short_turns.hpp>
 #include <fixedpoint/portable/sin.hpp>
 
 namespace fixedpoint {
@@ -73,38 +72,6 @@ constexpr Word128 signed_word(int64_t a) {
 }
 constexpr bool is_at_least(const Word128& a, const Word128& b) { return !is_negative(a - b); }
 
-// An angle as quarter turns and a rest of up to pi/4 and 2^-14, with its magnitude in units of
-// 2^-64.
-struct QuarterTurns {
-    uint16_t quarters;
-    uint64_t rest;
-};
-FIXEDPOINT_CONSTEXPR QuarterTurns nearest_quarter_turns(int32_t a) {
-    constexpr uint32_t two_over_pi = 683565276;       // 2^-30
-    constexpr uint64_t half_pi = 0xc90fdaa22168c234;  // 2^-63
-    constexpr uint32_t half_pi_below = 0xc4c6628b;    // 2^-95
-    const uint32_t positive = magnitude(a);
-    const uint16_t quarters = static_cast<uint16_t>(
-        upper_word(multiply_words(positive, two_over_pi) + (uint64_t(1) << 45)) >> 14);
-    const int64_t rest =
-        static_cast<int64_t>((uint64_t(positive << 15) << 32) - half_pi * quarters -
-                             upper_word(multiply_words(half_pi_below, quarters)));
-    return {quarters, magnitude(rest) << 1};
-}
-// The sign of an exact result is that of the tie next to it.
-template <int turned>
-struct CircularSide {
-    static FIXEDPOINT_CONSTEXPR bool reaches(int64_t tie, int32_t a) {
-        const QuarterTurns angle = nearest_quarter_turns(a);
-        // In units of 2^-17.
-        const int32_t short_tie =
-            static_cast<int32_t>(upper_word(static_cast<uint64_t>(tie) << 17));
-        return sine_reaches(magnitude(short_tie), angle.rest,
-                            ((angle.quarters + turned) & 1) != 0) != (short_tie < 0);
-    }
-};
-using SineSide = CircularSide<0>;
-using CosineSide = CircularSide<1>;
 // The sine against the tie times the cosine, both with 94 fraction bits.
 struct TangentSide {
     static FIXEDPOINT_CONSTEXPR bool reaches(int64_t tie, int32_t a) {
@@ -116,25 +83,6 @@ struct TangentSide {
         return is_at_least(shift_right_signed(sine, 32), tie < 0 ? negated(product) : product);
     }
 };
-struct AngleSide {
-    static FIXEDPOINT_CONSTEXPR bool reaches(int64_t tie, int32_t y, int32_t x) {
-        constexpr uint64_t pi = 0x243f6a8885a308d3, half_pi = 0x921fb54442d1846a;  // modulo 1
-        const uint32_t height = magnitude(y), width = magnitude(x);
-        const bool left = x < 0;
-        const bool steep = height > width;
-        const uint64_t acute = left ? pi - (magnitude(tie) << 32) : magnitude(tie) << 32;
-        const bool reached = steep ? direction_reaches(width, height, half_pi - acute)
-                                   : direction_reaches(height, width, acute);
-        // Seen from the y axis, from the left and from below, it is the other side.
-        return ((reached != steep) != left) != (y < 0);
-    }
-};
-struct ArcTangentSide {
-    static FIXEDPOINT_CONSTEXPR bool reaches(int64_t tie, int32_t a) {
-        return AngleSide::reaches(tie, a, int32_t(1) << 16);
-    }
-};
-
 // The logarithm of a 2^-16 as that of a mantissa from 1 to 2 and a multiple of that of 2, with 58
 // fraction bits.
 template <class OfMantissa, int64_t of_two>

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+// Sine and cosine of numbers of Q16.16 within 2^-51. Of all of them the one next to a tie of Q16.16
+// is 2^-47.8 away from it.
+#pragma once
+
+#include <fixedpoint/kernel/dispatch.hpp>
+#include <fixedpoint/kernel/words.hpp>
+#include <fixedpoint/portable/correct_rounding_table.hpp>
+
+namespace fixedpoint {
+namespace kernel {
+
+// An angle without its sign as quarter turns and a rest of up to pi/4 and 2^-14 either way, with
+// its magnitude in units of 2^-63, within 2 units.
+struct QuarterTurns {
+    uint16_t quarters;
+    bool is_beyond;
+    uint64_t rest;
+};
+FIXEDPOINT_IN_PLACE QuarterTurns nearest_quarter_turns(uint32_t positive) {
+    constexpr uint32_t two_over_pi = 683565276;                // 2^-30
+    constexpr uint32_t half_pi[2] = {0xc90fdaa2, 0x2168c234};  // 2^-31 and 2^-63
+    constexpr uint16_t below = 0xc4c6;                         // 2^-79
+    const uint16_t quarters =
+        upper_half((upper_product<uint32_t, 0>(positive, two_over_pi) + (uint32_t(1) << 13)) << 2);
+    // The chip's compiler shifts by 16 at once, but by 15 in a loop.
+    const uint32_t scaled = static_cast<uint32_t>(static_cast<uint16_t>(positive >> 1)) << 16 |
+                            ((positive & 1) != 0 ? 0x8000 : 0);
+    const uint64_t rest = join_words(scaled - half_pi[0] * quarters, 0) -
+                          (multiply_words(half_pi[1], quarters) +
+                           upper_half(static_cast<uint32_t>(quarters) * below));
+    const bool is_before = (upper_word(rest) >> 31) != 0;
+    return {quarters, !is_before, is_before ? 0 - rest : rest};
+}
+
+// The sine of `rest` 2^-63 or its cosine, without its sign, in units of 2^-64; 1 is a unit less.
+//
+// By the sine and the cosine of the nearest multiple A of 2^-6 and of the difference t:
+//     sin(A + t) = sin A + cos A sin t - sin A (1 - cos t).
+FIXEDPOINT_IN_PLACE uint64_t precise_sine_of_rest(uint64_t rest, bool is_cosine) {
+    const uint32_t rest1 = upper_word(rest), rest0 = static_cast<uint32_t>(rest);
+    const uint8_t index =
+        static_cast<uint8_t>(static_cast<uint16_t>(upper_half(rest1) + (uint16_t(1) << 8)) >> 9);
+    const uint32_t difference1 =
+        rest1 - (static_cast<uint32_t>(static_cast<uint16_t>(index << 9)) << 16);
+    const bool is_below = difference1 >> 31 != 0;
+    const uint32_t distance1 = is_below ? ~difference1 : difference1;
+    const uint32_t distance0 = is_below ? ~rest0 : rest0;
+    // |t| in units of 2^-71, its square in those of 2^-78.
+    const uint32_t t1 = word_from_byte_3(distance1, distance0);
+    const uint64_t t = join_words(t1, distance0 << 8);
+    const uint64_t square = multiply_upper_halves<uint64_t, 0>(t, t);
+    const uint32_t square1 = upper_word(square);
+    // 4 (1/6 - t^2/120) in units of 2^-32, and t^3 (1/6 - t^2/120) in units of 2^-55.
+    const uint32_t sixth =
+        2863311531 - upper_half(static_cast<uint32_t>(upper_half(square1)) * 8738);
+    const uint32_t cube =
+        upper_product<uint32_t, 0>(t1, upper_product<uint32_t, 0>(square1, sixth));
+    const uint64_t sine = t - join_words(upper_half(cube), cube << 16);
+    // 8 (1/24 - t^2/720) in units of 2^-32, and t^4 (1/24 - t^2/720) in units of 2^-63.
+    const uint32_t twelfth =
+        1431655765 - upper_half(static_cast<uint32_t>(upper_half(square1)) * 2913);
+    const uint32_t fourth =
+        upper_product<uint32_t, 0>(upper_product<uint32_t, 0>(square1, square1), twelfth);
+    // 2 (1 - cos t) in units of 2^-78.
+    const uint64_t versine = square - join_words(upper_half(fourth), fourth << 16);
+
+    // In units of 2^-64, and 1 is a unit less.
+    const uint64_t* const entry = &portable::CorrectRoundingTable<>::unit[2 * index];
+    const uint64_t base = read_program_memory(entry[is_cosine ? 1 : 0]);
+    const uint64_t slope = read_program_memory(entry[is_cosine ? 0 : 1]);
+    const uint64_t along = multiply_upper_halves<uint64_t, 0>(slope, sine);   // 2^-71
+    const uint64_t bend = multiply_upper_halves<uint64_t, 0>(base, versine);  // 2^-79
+    const uint32_t along1 = upper_word(along), bend1 = upper_word(bend);
+    const uint64_t step = join_words(along1 >> 8, along1 << 24 | static_cast<uint32_t>(along) >> 8);
+    const uint64_t fall =
+        join_words(upper_half(bend1), bend1 << 16 | upper_half(static_cast<uint32_t>(bend)));
+    // In units of 2^-63.
+    const uint64_t change = is_below != is_cosine ? 0 - fall - step : step - fall;
+    return base + change + change;
+}
+
+// The magnitude of a sine in units of 2^-32, rounded downward, and its sign.
+struct PreciseSine {
+    uint32_t magnitude;
+    bool is_negative;
+};
+// Of an angle of Q16.16 and `turned` quarter turns, 0 or 1.
+FIXEDPOINT_CONSTEXPR __attribute__((noinline)) PreciseSine precise_sine(int32_t a, uint8_t turned) {
+    const QuarterTurns angle = nearest_quarter_turns(magnitude(a));
+    const uint8_t quadrant = static_cast<uint8_t>(angle.quarters + turned);
+    const bool is_cosine = (quadrant & 1) != 0;
+    // The cosine does not see the sign of the rest, nor that of the angle.
+    const bool is_below = (!is_cosine && !angle.is_beyond) != (turned == 0 && a < 0);
+    return {upper_word(precise_sine_of_rest(angle.rest, is_cosine)),
+            is_below != ((quadrant & 2) != 0)};
+}
+
+// The same, rounded to Q16.16: no result but 0, 1 and -1 has so few digits, none lies on a tie.
+FIXEDPOINT_CONSTEXPR int32_t nearest_sine(int32_t a, uint8_t turned) {
+    const PreciseSine sine = precise_sine(a, turned);
+    const uint32_t rounded = static_cast<uint32_t>(upper_half(sine.magnitude)) +
+                             (static_cast<uint16_t>(sine.magnitude) >> 15);
+    return with_sign<int32_t>(rounded, sine.is_negative);
+}
+
+// The sign of an exact result is that of the tie next to it.
+template <uint8_t turned>
+struct CircularSide {
+    static FIXEDPOINT_CONSTEXPR bool reaches(int64_t tie, int32_t a) {
+        const uint32_t positive = static_cast<uint32_t>(magnitude(tie));
+        return (precise_sine(a, turned).magnitude >= positive) != (tie < 0);
+    }
+};
+using SineSide = CircularSide<0>;
+using CosineSide = CircularSide<1>;
+
+}  // namespace kernel
+}  // namespace fixedpoint

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// The words of a number of 64 bits. The chip's compiler shifts 64 bits by a loop over bytes, even
+// by four of them. Its calling convention has the upper word of an argument where a word belongs
+// that is returned, and two words where one of 64 bits does.
+#pragma once
+
+#include <fixedpoint/integer.hpp>
+
+namespace fixedpoint {
+namespace kernel {
+
+#ifdef __AVR__
+__attribute__((naked, noinline)) inline uint32_t load_upper_word(uint64_t) { __asm__("ret"); }
+__attribute__((naked, noinline)) inline uint64_t load_words(uint32_t, uint32_t) { __asm__("ret"); }
+FIXEDPOINT_IN_PLACE uint32_t upper_word(uint64_t a) {
+    return __builtin_constant_p(a) ? static_cast<uint32_t>(a >> 32) : load_upper_word(a);
+}
+FIXEDPOINT_IN_PLACE uint64_t join_words(uint32_t upper, uint32_t lower) {
+    return __builtin_constant_p(upper) && __builtin_constant_p(lower)
+               ? static_cast<uint64_t>(upper) << 32 | lower
+               : load_words(upper, lower);
+}
+#else
+FIXEDPOINT_IN_PLACE uint32_t upper_word(uint64_t a) { return static_cast<uint32_t>(a >> 32); }
+FIXEDPOINT_IN_PLACE uint64_t join_words(uint32_t upper, uint32_t lower) {
+    return static_cast<uint64_t>(upper) << 32 | lower;
+}
+#endif
+
+constexpr uint16_t upper_half(uint32_t a) { return static_cast<uint16_t>(a >> 16); }
+// The word that begins with the highest byte of `lower`.
+constexpr uint32_t word_from_byte_3(uint32_t upper, uint32_t lower) {
+    return upper << 8 | static_cast<uint8_t>(lower >> 24);
+}
+
+}  // namespace kernel
+}  // namespace fixedpoint
