@@ -12,6 +12,13 @@
 namespace proof {
 namespace {
 
+// A sanitizer looks at paths and not at results: fewer cells will do.
+#ifdef SPARSE_OPERANDS
+constexpr int cell_step = 7;
+#else
+constexpr int cell_step = 1;
+#endif
+
 // Neither distance nor length comes nearer to the end of the format's range.
 constexpr double share_of_range = 0.98;
 
@@ -175,7 +182,7 @@ struct Proof<fixedpoint::Fixed<I, F>> {
 
     template <int N>
     void all() {
-        for (int halvings = 0; halvings < I - 1; ++halvings) {
+        for (int halvings = 0; halvings < I - 1; halvings += cell_step) {
             const double shortest = halvings == 0 ? std::max(std::ldexp(1.0, 2 - I), 4 * ulp)
                                                   : std::ldexp(1.0, halvings);
             const double longest = std::min(std::ldexp(2.0, halvings), range);
@@ -184,7 +191,7 @@ struct Proof<fixedpoint::Fixed<I, F>> {
                 of_length<N>({from, to}, halvings);
             }
         }
-        for (int i = 62; i < 230; ++i) {
+        for (int i = 62; i < 230; i += cell_step) {
             const Interval length(i / 256.0, (i + 1) / 256.0);
             const Scaled from{length, length.hi < 0.5 - 2 * ulp ? 1.0 : 2.0};
             measure_from_near_one<N>(from, 1);  // m: the distance is linear in that
@@ -226,6 +233,7 @@ void expect_within(const Bounds& bounds, bool sums_round_once) {
     EXPECT_LE(proof.elsewhere.direction, bounds.elsewhere.direction) << N;
     EXPECT_LE(proof.elsewhere.excess, bounds.elsewhere.excess) << N;
     // Not for want of cells.
+    if (cell_step > 1) return;
     EXPECT_GT(proof.near_length.excess, 0.75 * bounds.near_length.excess) << N;
     EXPECT_GT(proof.elsewhere.excess, 0.75 * bounds.elsewhere.excess) << N;
 }

@@ -23,7 +23,7 @@ using Watched = fixedpoint::Fixed<16, 16, fixedpoint::Checked<Count>>;
 constexpr engine::BinaryStep<10> step;
 // A sanitizer looks at paths and not at results: fewer readings will do.
 #ifdef SPARSE_OPERANDS
-constexpr int reading_step = 99, rounds = 100000;
+constexpr int reading_step = 341, rounds = 10000;
 #else
 constexpr int reading_step = 33, rounds = 1000000;
 #endif

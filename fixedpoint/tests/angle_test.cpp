@@ -88,7 +88,7 @@ std::vector<int64_t> angles(const AngleSubject& subject) {
     const auto [width, fraction] = subject.format;
     std::vector<int64_t> numbers = exact::raws(width, 10);
     std::mt19937_64 random(31);
-    if (width == 16) {
+    if (numbers.size() > 4000) {
         std::shuffle(numbers.begin(), numbers.end(), random);
         numbers.resize(4000);
     }

@@ -116,7 +116,8 @@ TYPED_TEST(Decimal, ReadsNumbersBetweenTwoOthers) {
     constexpr int F = TypeParam::F;
     const std::vector<Raw> numbers = exact::raws<Raw>();
     // Every number of 8 bits and a part of the others, since each has three long texts.
-    for (size_t i = 0; i < numbers.size(); i += sizeof(Raw) == 1 ? exact::operand_step : 7) {
+    const int step = exact::operand_step * (sizeof(Raw) == 1 ? 1 : 7);
+    for (size_t i = 0; i < numbers.size(); i += step) {
         // The tie above it, (a + 1/2) / 2^F, has F + 1 decimals; then what lies closely beside it.
         const Int tie = (2 * Int(numbers[i]) + 1) * exact::power(5, F + 1);
         const Int scale = exact::power(10, 90);

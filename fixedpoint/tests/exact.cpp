@@ -195,7 +195,7 @@ double normalise_error(const int64_t* v, int i, int64_t result, Format format) {
 
 std::vector<int64_t> raws(int width, int random_ones) {
     std::vector<int64_t> numbers;
-    if (width <= 16) {
+    if (width <= exhaustive_width) {
         for (int64_t n = smallest(width); n <= largest(width); ++n) numbers.push_back(n);
         return numbers;
     }

@@ -53,19 +53,20 @@ double function_error(Function, int64_t a, int64_t result, Format);
 double atan2_error(int64_t y, int64_t x, int64_t result, Format);
 double normalise_error(const int64_t* v, int i, int64_t result, Format);
 
-// The step of a loop over all second operands. A sanitizer looks at the paths that a program takes
-// and not at its results: under it every seventh operand will do.
+// The step of a loop over operands, and the widest numbers of which raws() holds every one. A
+// sanitizer looks at the paths that a program takes and not at its results: under it a part of them
+// will do.
 #ifdef SPARSE_OPERANDS
-constexpr int operand_step = 7;
+constexpr int operand_step = 7, exhaustive_width = 8;
 #else
-constexpr int operand_step = 1;
+constexpr int operand_step = 1, exhaustive_width = 16;
 #endif
 
 int64_t smallest(int width);
 int64_t largest(int width);
 
-// Every number of 8 and 16 bits; of wider ones those within 2 of a power of two, of either sign,
-// and of the limits, and `random` ones of every magnitude.
+// Every number up to `exhaustive_width`; of wider ones those within 2 of a power of two, of either
+// sign, and of the limits, and `random` ones of every magnitude.
 std::vector<int64_t> raws(int width, int random = 50);
 
 }  // namespace exact

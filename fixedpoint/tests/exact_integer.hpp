@@ -5,8 +5,9 @@
 
 #include <boost/multiprecision/cpp_int.hpp>
 #include <fixedpoint/integer.hpp>
-#include <random>
 #include <vector>
+
+#include "exact.hpp"
 
 namespace exact {
 
@@ -46,32 +47,10 @@ Raw wrapped(const Int& n) {
     return static_cast<Raw>(static_cast<uint64_t>(rest));
 }
 
-// Every number of 8 and 16 bits; of wider ones those within 2 of a power of two, of either sign,
-// and of the limits, and random ones of every magnitude.
 template <class Raw>
 std::vector<Raw> raws() {
-    std::vector<Raw> numbers;
-    if (sizeof(Raw) <= 2) {
-        for (long n = std::numeric_limits<Raw>::min(); n <= std::numeric_limits<Raw>::max(); ++n) {
-            numbers.push_back(static_cast<Raw>(n));
-        }
-        return numbers;
-    }
-    std::mt19937_64 random(20);
-    const int width = static_cast<int>(8 * sizeof(Raw));
-    for (int bit = 0; bit < width; ++bit) {
-        const uint64_t one = uint64_t(1) << bit;
-        for (int offset = -2; offset <= 2; ++offset) {
-            numbers.push_back(static_cast<Raw>(one + static_cast<uint64_t>(offset)));
-            numbers.push_back(static_cast<Raw>(static_cast<uint64_t>(offset) - one));
-        }
-        for (int i = 0; i < 50; ++i) {
-            const uint64_t n = random() >> (63 - bit);
-            numbers.push_back(static_cast<Raw>(n));
-            numbers.push_back(static_cast<Raw>(-n));
-        }
-    }
-    return numbers;
+    const std::vector<int64_t> numbers = raws(8 * int{sizeof(Raw)});
+    return {numbers.begin(), numbers.end()};
 }
 
 }  // namespace exact

@@ -179,8 +179,7 @@ void check_all(const std::vector<MixedSubject>& all) {
                 raws.push_back(exact::largest(subject.width) - offset);
             }
         }
-        const size_t step = subject.width == 8 ? exact::operand_step : 1;
-        for (size_t i = 0; i < raws.size(); i += step) {
+        for (size_t i = 0; i < raws.size(); i += exact::operand_step) {
             const int64_t a = raws[i];
             for (const uint64_t n : numbers) {
                 check(subject, a, n);

@@ -70,12 +70,13 @@ void for_each_pair(int width, Check check) {
     }
     std::vector<int64_t> numbers = exact::raws(width, 20);
     std::mt19937_64 random(3);
-    if (width == 16) {
+    if (numbers.size() > 4000) {
         std::shuffle(numbers.begin(), numbers.end(), random);
         numbers.resize(4000);
     }
     const int64_t edges[] = {0, 1, -1, exact::smallest(width), exact::largest(width)};
-    for (const int64_t a : numbers) {
+    for (std::size_t n = 0; n < numbers.size(); n += exact::operand_step) {
+        const int64_t a = numbers[n];
         for (int i = 0; i < 4; ++i) check(a, numbers[random() % numbers.size()]);
         // Uniform operands, as no other class is.
         check(static_cast<int64_t>(random()) >> (64 - width),

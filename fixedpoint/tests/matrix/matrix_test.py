@@ -16,6 +16,7 @@ import re
 import subprocess
 import sys
 import tempfile
+import threading
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -93,11 +94,25 @@ def undefined(objects):
     return set(re.findall(r"U (fixedpoint_\w+)", must(["nm", "-u", *objects])))
 
 
+OBJECTS, COMPILING = {}, {}
+
+
+def compiled(path, name, standard, chip, *options):
+    """The object of a source, without a warning. Chips for which the preprocessor makes the same text of it
+    share the object: they differ in instructions, and not in what is called."""
+    command = [*compiler(name, standard, chip), *WARNINGS, "-Os", *options, path]
+    key = name, standard, options, must([*command, "-E", "-P"])
+    with COMPILING.setdefault(key, threading.Lock()):
+        if key not in OBJECTS:
+            target = own_folder(path.stem) / f"{path.stem}.o"
+            must([*command, "-c", "-o", target])
+            OBJECTS[key] = target
+    return OBJECTS[key]
+
+
 def kernels(name, standard, chip, *options):
-    """Compiles kernels.cpp: all kernels or none are called."""
-    target = own_folder("kernels") / "kernels.o"
-    must([*compiler(name, standard, chip), *WARNINGS, "-Os", *options, "-c", here / "kernels.cpp",
-          "-o", target])
+    """All kernels of kernels.cpp or none are called."""
+    target = compiled(here / "kernels.cpp", name, standard, chip, *options)
     if "-flto" in options:
         must([*COMPILERS[name], "-flto", "-r", "-nostdlib", "-flinker-output=nolto-rel", target, "-o",
               f"{target}.linked"])
@@ -119,9 +134,7 @@ def kernels(name, standard, chip, *options):
 def everything(name, standard, chip):
     """Through the public functions, too, and with no warning from their headers, every kernel of the
     formats used is called, but for the steps of a solver, which the engine calls."""
-    target = own_folder("everything") / "everything.o"
-    must([*compiler(name, standard, chip), *WARNINGS, "-Os", "-c", EVERYTHING["fixedpoint"], "-o", target])
-    called = undefined([target])
+    called = undefined([compiled(EVERYTHING["fixedpoint"], name, standard, chip)])
     expected = set() if chip in PLAIN else {
         symbol for symbol in SYMBOLS if re.search(rf"_({KERNEL_FORMATS})(_|$)", symbol)
         and not re.search(r"_((project|dot_difference|add_scaled|exchange)[23]|transform|matrix_product|(twice_)?cross"

@@ -52,20 +52,29 @@ void compare(const reference::Subject& subject, std::span<const std::int64_t> op
     }
 }
 
+// A sanitizer looks at paths and not at results: every other split will do.
+#ifdef SPARSE_OPERANDS
+constexpr int split_step = 2;
+#else
+constexpr int split_step = 1;
+#endif
+
 TEST(SplitJudge, AgreesWithTheExactOne) {
     std::mt19937_64 random(1);
     std::size_t judged = 0;
-    for (const int width : {8, 16, 32, 64})
-        for (const int fraction : {0, 1, width / 2 - 1, width - 4, width - 2, width - 1})
+    for (const int width : {8, 16, 32, 64}) {
+        const int fractions[] = {0, 1, width / 2 - 1, width - 4, width - 2, width - 1};
+        for (std::size_t f = 0; f < std::size(fractions); f += split_step)
             for (int i = 0; i <= int(Operation::convert); ++i) {
-                const reference::NumberFormat format{reference::FormatKind::fixed, width, fraction};
+                const reference::NumberFormat format{reference::FormatKind::fixed, width,
+                                                     fractions[f]};
                 const reference::Subject subject{Operation(i), format,
                                                  reference::Arithmetic::nearest};
                 if (split_judge(subject) == nullptr) continue;
                 ++judged;
                 std::vector<std::int64_t> operands(reference::shape(Operation(i)).operands);
                 const auto cases = operands::boundary_cases(Operation(i), format);
-                for (std::size_t k = 0; k < 15; ++k)
+                for (int k = 0; k < 15; ++k)
                     compare(subject, cases[random() % cases.size()].operands, random);
                 for (int k = 0; k < 30; ++k) {
                     for (std::int64_t& raw : operands)  // of all magnitudes
@@ -74,7 +83,8 @@ TEST(SplitJudge, AgreesWithTheExactOne) {
                 }
                 if (testing::Test::HasFatalFailure()) return;
             }
-    EXPECT_GT(judged, 600u);
+    }
+    EXPECT_GT(judged, 600u / split_step);
 }
 
 TEST(SplitJudge, OthersAreForTheExactJudge) {
