@@ -34,6 +34,7 @@
 #include <fixedpoint/portable/remainder.hpp>
 #include <fixedpoint/portable/sin.hpp>
 #include <fixedpoint/portable/sine_of_phase.hpp>
+#include <fixedpoint/portable/split_64.hpp>
 #include <fixedpoint/portable/sqrt.hpp>
 
 // Every operation is declared first, so that the kernels are known before anything calls one.
@@ -44,10 +45,12 @@ namespace kernel {
     FIXEDPOINT_CONSTEXPR FIXEDPOINT_RESULT_##shape(Raw) \
         operation FIXEDPOINT_PARAMETERS_##shape(Raw);
 FIXEDPOINT_OPERATION(BINARY, multiply)
+FIXEDPOINT_OPERATION(SPLIT_BINARY, multiply_64)
 FIXEDPOINT_OPERATION(BINARY, multiply_saturating)
 FIXEDPOINT_OPERATION(TERNARY, multiply_add)
 FIXEDPOINT_OPERATION(TERNARY, wrapping_lerp)
 FIXEDPOINT_OPERATION(BINARY, divide)
+FIXEDPOINT_OPERATION(SPLIT_BINARY, divide_64)
 FIXEDPOINT_OPERATION(BINARY, divide_small)
 FIXEDPOINT_OPERATION(BINARY, remainder)
 FIXEDPOINT_OPERATION(DIVISION, divrem)
@@ -55,6 +58,7 @@ FIXEDPOINT_OPERATION(DIVISION, divmod)
 FIXEDPOINT_OPERATION(BINARY, copysign)
 FIXEDPOINT_OPERATION(BINARY, abs_diff)
 FIXEDPOINT_OPERATION(UNARY, sqrt)
+FIXEDPOINT_OPERATION(SPLIT_UNARY, sqrt_64)
 FIXEDPOINT_OPERATION(UNARY, sqrt_small)
 FIXEDPOINT_OPERATION(UNARY, cbrt)
 FIXEDPOINT_OPERATION(UNARY, reciprocal_sqrt)
@@ -94,6 +98,7 @@ FIXEDPOINT_OPERATION(PAIR, certain_sincos)
 FIXEDPOINT_OPERATION(BINARY, certain_atan2)
 FIXEDPOINT_OPERATION(VECTORS, dot2)
 FIXEDPOINT_OPERATION(VECTORS, dot3)
+FIXEDPOINT_OPERATION(SPLIT_VECTORS, dot_64)
 FIXEDPOINT_OPERATION(TRANSFORM, transform)
 FIXEDPOINT_OPERATION(TRANSFORM, matrix_product)
 FIXEDPOINT_OPERATION(OUTER, cross)
@@ -294,9 +299,47 @@ FIXEDPOINT_CONSTEXPR Raw log_small(Raw a) {
     return portable::log_small<Raw, F>(a);
 }
 
+// Every split of 64 bits has one product, one quotient and one root, whose fraction bits are an
+// operand. Those of Q32.32 are its own.
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw multiply_64(Raw a, Raw b, uint8_t fraction) {
+    return portable::multiply_64<Raw, F>(a, b, fraction);
+}
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw divide_64(Raw a, Raw b, uint8_t fraction) {
+    return portable::divide_64<Raw, F>(a, b, fraction);
+}
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw sqrt_64(Raw a, uint8_t fraction) {
+    return portable::sqrt_64<Raw, F>(a, fraction);
+}
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw dot_64(const Raw* a, const Raw* b, uint8_t n, uint8_t fraction) {
+    return portable::dot_64<Raw, F>(a, b, n, fraction);
+}
+// The portable code where there are no kernels.
+template <class Raw, int F, bool by_kernels = has_assembly && sizeof(Raw) == 8>
+struct Split {
+    static FIXEDPOINT_CONSTEXPR Raw multiply(Raw a, Raw b) { return portable::multiply<Raw, F>(a, b); }
+    static FIXEDPOINT_CONSTEXPR Raw divide(Raw a, Raw b) { return portable::divide<Raw, F>(a, b); }
+    static FIXEDPOINT_CONSTEXPR Raw sqrt(Raw a) { return portable::sqrt<Raw, F>(a); }
+    static FIXEDPOINT_CONSTEXPR Raw dot(const Raw* a, const Raw* b, uint8_t n) {
+        return portable::dot<Raw, F>(a, b, n);
+    }
+};
+template <class Raw, int F>
+struct Split<Raw, F, true> {
+    static FIXEDPOINT_CONSTEXPR Raw multiply(Raw a, Raw b) { return multiply_64<Raw, 0>(a, b, F); }
+    static FIXEDPOINT_CONSTEXPR Raw divide(Raw a, Raw b) { return divide_64<Raw, 0>(a, b, F); }
+    static FIXEDPOINT_CONSTEXPR Raw sqrt(Raw a) { return sqrt_64<Raw, 0>(a, F); }
+    static FIXEDPOINT_CONSTEXPR Raw dot(const Raw* a, const Raw* b, uint8_t n) {
+        return dot_64<Raw, 0>(a, b, n, F);
+    }
+};
+
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw multiply(Raw a, Raw b) {
-    return portable::multiply<Raw, F>(a, b);
+    return Split<Raw, F>::multiply(a, b);
 }
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw multiply_saturating(Raw a, Raw b) {
@@ -327,7 +370,7 @@ FIXEDPOINT_CONSTEXPR Raw divide(Raw a, Raw b) {
                ? clamped<Raw>(divide<int32_t, 16>(
                      static_cast<int32_t>(a),
                      static_cast<int32_t>(b) * (int32_t(1) << (F < 16 ? 16 - F : 0))))
-               : portable::divide<Raw, F>(a, b);
+               : Split<Raw, F>::divide(a, b);
 }
 // Once in a program, however many quotients it takes.
 template <class Raw, int F>
@@ -386,7 +429,7 @@ FIXEDPOINT_CONSTEXPR Raw sqrt(Raw a) {
     return has_assembly && sizeof(Raw) <= 2
                ? clamped<Raw>(
                      sqrt<int32_t, 0>(static_cast<int32_t>(a) * (int32_t(1) << (F < 16 ? F : 16))))
-               : portable::sqrt<Raw, F>(a);
+               : Split<Raw, F>::sqrt(a);
 }
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw sqrt_small(Raw a) {
@@ -395,11 +438,11 @@ FIXEDPOINT_CONSTEXPR Raw sqrt_small(Raw a) {
 
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw dot2(const Raw* a, const Raw* b) {
-    return portable::dot2<Raw, F>(a, b);
+    return Split<Raw, F>::dot(a, b, 2);
 }
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw dot3(const Raw* a, const Raw* b) {
-    return portable::dot3<Raw, F>(a, b);
+    return Split<Raw, F>::dot(a, b, 3);
 }
 
 template <class Raw, int F>
@@ -484,16 +527,12 @@ FIXEDPOINT_CONSTEXPR void exchange3(Raw* a, Raw* b, const Raw* v, Raw factor) {
 FIXEDPOINT_LENGTH(length2, int8_t, 4)
 FIXEDPOINT_LENGTH(length2, int16_t, 8)
 FIXEDPOINT_LENGTH(length2, int32_t, 16)
+FIXEDPOINT_LENGTH(length2, int64_t, 32)
 FIXEDPOINT_LENGTH(length3, int8_t, 4)
 FIXEDPOINT_LENGTH(length3, int16_t, 8)
 FIXEDPOINT_LENGTH(length3, int32_t, 16)
+FIXEDPOINT_LENGTH(length3, int64_t, 32)
 #undef FIXEDPOINT_LENGTH
-FIXEDPOINT_CONSTEXPR int64_t raw_length2(const int64_t* v) {
-    return portable::length2<int64_t, 0>(v);
-}
-FIXEDPOINT_CONSTEXPR int64_t raw_length3(const int64_t* v) {
-    return portable::length3<int64_t, 0>(v);
-}
 
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw length2(const Raw* v) {
