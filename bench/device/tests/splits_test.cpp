@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The kernels of every split of 16 and 32 bits, and of some of 64, on the simulated chip against the
-// portable code, bit for bit: the split is their parameter, and only some splits are programs of the
-// bench. And operands for which rounding is a near thing.
+// The kernels of every split of 16 and 32 bits, and of some of 64, on the simulated chip against
+// the portable code, bit for bit: the split is their parameter, and only some splits are programs
+// of the bench. And operands for which rounding is a near thing.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
+#include <fixedpoint/kernel/dispatch.hpp>
 #include <fixedpoint/portable/atan.hpp>
 #include <fixedpoint/portable/divide.hpp>
 #include <fixedpoint/portable/dot.hpp>
@@ -65,8 +66,9 @@ class Program {
         chip_.write(vectors_[index], {reinterpret_cast<const std::uint8_t*>(v.data()), sizeof v});
         return vectors_[index];
     }
-    Vector get(int index) const {
-        Vector v;
+    template <class Element = int32_t>
+    std::array<Element, 3> get(int index) const {
+        std::array<Element, 3> v;
         chip_.read(vectors_[index], {reinterpret_cast<std::uint8_t*>(v.data()), sizeof v});
         return v;
     }
@@ -534,6 +536,64 @@ TEST(LongSplits, Dot3) {
 TEST(LongSplits, Length3) {
     expect_long_vectors("length3", {8, {2}}, [](auto F, const int64_t* v, const int64_t*) {
         return portable::length3<int64_t, F>(v);
+    });
+}
+
+// Of every length, over the range of powers, and where the number of factors of 2 changes.
+TEST(LongSplits, Exp) {
+    Program program("exp", 64);
+    for_each_long_split([&](auto F) {
+        DeviceFunction exp = program.subject(F, {8, {8}});
+        const auto check = [&](double x) {
+            const auto a = static_cast<int64_t>(std::ldexp(x, F));
+            for (int64_t n = a - 1; n <= a + 1; ++n) {
+                ASSERT_EQ(exp(n).template as<int64_t>(), (portable::exp<int64_t, F>(n)))
+                    << F << " fraction bits: " << n;
+            }
+        };
+        const double limit = std::ldexp(0.999, 63 - F);
+        const double least = std::max(-(F + 3) * M_LN2, -limit);
+        const double largest = std::min((64 - F) * M_LN2, limit);
+        std::mt19937 random(13);
+        std::uniform_real_distribution<double> representable(least, largest);
+        for (int i = 0; i < pairs / 4; ++i) check(representable(random));
+        for (const double whole : {-65.0, -64.0, -46.0, 46.0, 63.0, 64.0}) {
+            if (std::abs(whole) < limit) check(whole);
+        }
+        for (int k = -66; k <= 66; ++k) {
+            for (int i = -8; i <= 8; ++i) {
+                const double x = (k + i / 128.0) * M_LN2;
+                if (std::abs(x) < limit) check(x);
+            }
+        }
+        LongOperands operands;
+        for (int i = 0; i < pairs / 4; ++i) {
+            const int64_t a = operands.next();
+            ASSERT_EQ(exp(a).template as<int64_t>(), (portable::exp<int64_t, F>(a)))
+                << F << " fraction bits: " << a;
+        }
+    });
+}
+
+// The splits that take the sine of Q32.32, by angles that it holds and larger ones.
+TEST(LongSplits, SinAndCos) {
+    Program sines("sin", 64), cosines("cos", 64), pairs_of_both("sincos", 64);
+    for_each_long_split([&](auto F) {
+        if constexpr (F > 30) return;
+        DeviceFunction sin = sines.subject(F, {8, {8}}), cos = cosines.subject(F, {8, {8}});
+        DeviceFunction sincos = pairs_of_both.subject(F, {0, {8, 2}});
+        LongOperands operands;
+        for (int i = 0; i < pairs / 4; ++i) {
+            const int64_t a = operands.next();
+            const int64_t expected[] = {fixedpoint::kernel::sin<int64_t, F>(a),
+                                        fixedpoint::kernel::cos<int64_t, F>(a)};
+            ASSERT_EQ(sin(a).template as<int64_t>(), expected[0]) << F << " fraction bits: " << a;
+            ASSERT_EQ(cos(a).template as<int64_t>(), expected[1]) << F << " fraction bits: " << a;
+            sincos(a, pairs_of_both.put(0, std::array<int64_t, 3>{}));
+            const auto both = pairs_of_both.get<int64_t>(0);
+            ASSERT_EQ(both[0], expected[0]) << F << " fraction bits: " << a;
+            ASSERT_EQ(both[1], expected[1]) << F << " fraction bits: " << a;
+        }
     });
 }
 

@@ -30,6 +30,7 @@
 #include <fixedpoint/portable/multiply_saturating.hpp>
 #include <fixedpoint/portable/normalise.hpp>
 #include <fixedpoint/portable/pow_q32_32.hpp>
+#include <fixedpoint/portable/quarter_turns_64.hpp>
 #include <fixedpoint/portable/reciprocal_sqrt.hpp>
 #include <fixedpoint/portable/remainder.hpp>
 #include <fixedpoint/portable/sin.hpp>
@@ -78,6 +79,7 @@ FIXEDPOINT_OPERATION(BINARY, atan2_small)
 FIXEDPOINT_OPERATION(UNARY, asin)
 FIXEDPOINT_OPERATION(UNARY, acos)
 FIXEDPOINT_OPERATION(UNARY, exp)
+FIXEDPOINT_OPERATION(SPLIT_UNARY, exp_64)
 FIXEDPOINT_OPERATION(UNARY, exp_fine)
 FIXEDPOINT_OPERATION(UNARY, exp2_unsaturated)
 FIXEDPOINT_OPERATION(BINARY, pow_unsaturated)
@@ -161,12 +163,9 @@ FIXEDPOINT_CONSTEXPR Raw from_q16_16(int32_t a) {
                    : portable::operation<Raw, F>(a);                                   \
     }
 FIXEDPOINT_THROUGH_Q16_16(reciprocal_sqrt_small, false)
-FIXEDPOINT_THROUGH_Q16_16(sin, (portable::is_coarse_16<Raw, F>()))
 FIXEDPOINT_THROUGH_Q16_16(sin_small, false)
-FIXEDPOINT_THROUGH_Q16_16(cos, (portable::is_coarse_16<Raw, F>()))
 FIXEDPOINT_THROUGH_Q16_16(cos_small, false)
 FIXEDPOINT_THROUGH_Q16_16(atan_small, false)
-FIXEDPOINT_THROUGH_Q16_16(exp, (is_q8_8<Raw, F>()))
 #undef FIXEDPOINT_THROUGH_Q16_16
 
 // Angles of vectors and logarithms of the formats of 64 bits need no more than those of Q32.32,
@@ -196,6 +195,40 @@ FIXEDPOINT_CONSTEXPR Raw atan(Raw a) {
                ? from_q32_32<Raw, F>(atan2<int64_t, 32>(a, int64_t(1) << F % 63))
                : portable::atan<Raw, F>(a);
 }
+
+// So do sines, of angles that Q32.32 holds; larger ones are reduced in their own units.
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR bool is_angle_of_q32_32(Raw angle) {
+    const int32_t upper = static_cast<int32_t>(portable::upper_word(static_cast<uint64_t>(angle)));
+    return (F == 0 ? static_cast<int32_t>(angle) >> 31 : upper >> 31) ==
+           upper >> (F > 0 && F <= 30 ? F - 1 : 0);
+}
+template <class Raw, int F>
+constexpr int64_t angle_of_q32_32(Raw angle) {
+    return static_cast<int64_t>(static_cast<uint64_t>(angle) << (F <= 30 ? 32 - F : 0));
+}
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR uint64_t quarter_turns(Raw angle) {
+    return portable::quarter_turns_64<(F <= 30 ? F : 0)>(angle);
+}
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw sine_of(uint64_t quarter_turns) {
+    return from_q32_32<Raw, F>(sine_of_quarter_turns<int64_t, 32>(quarter_turns));
+}
+#define FIXEDPOINT_SINE(operation, ahead)                                                        \
+    template <class Raw, int F>                                                                  \
+    FIXEDPOINT_CONSTEXPR Raw operation(Raw angle) {                                              \
+        return through_q16_16<Raw, F>() && !portable::is_coarse_16<Raw, F>()                     \
+                   ? from_q16_16<Raw, F>(operation<int32_t, 16>(to_q16_16<Raw, F>(angle)))       \
+               : !through_q32_32<Raw, F>() ? portable::operation<Raw, F>(angle)                  \
+               : is_angle_of_q32_32<Raw, F>(angle)                                               \
+                   ? from_q32_32<Raw, F>(operation<int64_t, 32>(angle_of_q32_32<Raw, F>(angle))) \
+                   : sine_of<Raw, F>(quarter_turns<Raw, F>(angle) + (ahead));                    \
+    }
+FIXEDPOINT_SINE(sin, 0)
+FIXEDPOINT_SINE(cos, portable::one_quarter_turn_q32_32)
+#undef FIXEDPOINT_SINE
+
 // 2^(3 F / 2) / sqrt(a) from 2^48 / sqrt(a), or, where F is odd, from that of 2 a or a / 2.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw reciprocal_sqrt_through_q32_32(int64_t a) {
@@ -239,6 +272,15 @@ FIXEDPOINT_CONSTEXPR void sincos(Raw angle, Raw* sine_and_cosine) {
         sincos<int32_t, 16>(to_q16_16<Raw, F>(angle), wide);
         sine_and_cosine[0] = from_q16_16<Raw, F>(wide[0]);
         sine_and_cosine[1] = from_q16_16<Raw, F>(wide[1]);
+    } else if (through_q32_32<Raw, F>() && is_angle_of_q32_32<Raw, F>(angle)) {
+        int64_t fine[2] = {};
+        sincos<int64_t, 32>(angle_of_q32_32<Raw, F>(angle), fine);
+        sine_and_cosine[0] = from_q32_32<Raw, F>(fine[0]);
+        sine_and_cosine[1] = from_q32_32<Raw, F>(fine[1]);
+    } else if (through_q32_32<Raw, F>()) {
+        const uint64_t turns = quarter_turns<Raw, F>(angle);
+        sine_and_cosine[0] = sine_of<Raw, F>(turns);
+        sine_and_cosine[1] = sine_of<Raw, F>(turns + portable::one_quarter_turn_q32_32);
     } else {
         portable::sincos<Raw, F>(angle, sine_and_cosine);
     }
@@ -300,7 +342,7 @@ FIXEDPOINT_CONSTEXPR Raw log_small(Raw a) {
 }
 
 // Every split of 64 bits has one product, one quotient and one root, whose fraction bits are an
-// operand. Those of Q32.32 are its own.
+// operand, and one exponential function. Those of Q32.32 are its own.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw multiply_64(Raw a, Raw b, uint8_t fraction) {
     return portable::multiply_64<Raw, F>(a, b, fraction);
@@ -314,15 +356,22 @@ FIXEDPOINT_CONSTEXPR Raw sqrt_64(Raw a, uint8_t fraction) {
     return portable::sqrt_64<Raw, F>(a, fraction);
 }
 template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw exp_64(Raw a, uint8_t fraction) {
+    return portable::exp_64<Raw, F>(a, fraction);
+}
+template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw dot_64(const Raw* a, const Raw* b, uint8_t n, uint8_t fraction) {
     return portable::dot_64<Raw, F>(a, b, n, fraction);
 }
 // The portable code where there are no kernels.
 template <class Raw, int F, bool by_kernels = has_assembly && sizeof(Raw) == 8>
 struct Split {
-    static FIXEDPOINT_CONSTEXPR Raw multiply(Raw a, Raw b) { return portable::multiply<Raw, F>(a, b); }
+    static FIXEDPOINT_CONSTEXPR Raw multiply(Raw a, Raw b) {
+        return portable::multiply<Raw, F>(a, b);
+    }
     static FIXEDPOINT_CONSTEXPR Raw divide(Raw a, Raw b) { return portable::divide<Raw, F>(a, b); }
     static FIXEDPOINT_CONSTEXPR Raw sqrt(Raw a) { return portable::sqrt<Raw, F>(a); }
+    static FIXEDPOINT_CONSTEXPR Raw exp(Raw a) { return portable::exp<Raw, F>(a); }
     static FIXEDPOINT_CONSTEXPR Raw dot(const Raw* a, const Raw* b, uint8_t n) {
         return portable::dot<Raw, F>(a, b, n);
     }
@@ -332,6 +381,7 @@ struct Split<Raw, F, true> {
     static FIXEDPOINT_CONSTEXPR Raw multiply(Raw a, Raw b) { return multiply_64<Raw, 0>(a, b, F); }
     static FIXEDPOINT_CONSTEXPR Raw divide(Raw a, Raw b) { return divide_64<Raw, 0>(a, b, F); }
     static FIXEDPOINT_CONSTEXPR Raw sqrt(Raw a) { return sqrt_64<Raw, 0>(a, F); }
+    static FIXEDPOINT_CONSTEXPR Raw exp(Raw a) { return exp_64<Raw, 0>(a, F); }
     static FIXEDPOINT_CONSTEXPR Raw dot(const Raw* a, const Raw* b, uint8_t n) {
         return dot_64<Raw, 0>(a, b, n, F);
     }
@@ -340,6 +390,12 @@ struct Split<Raw, F, true> {
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw multiply(Raw a, Raw b) {
     return Split<Raw, F>::multiply(a, b);
+}
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw exp(Raw a) {
+    return through_q16_16<Raw, F>() && !is_q8_8<Raw, F>()
+               ? from_q16_16<Raw, F>(exp<int32_t, 16>(to_q16_16<Raw, F>(a)))
+               : Split<Raw, F>::exp(a);
 }
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw multiply_saturating(Raw a, Raw b) {

@@ -219,6 +219,7 @@
     KERNEL(UNARY, exp, int32_t, 16, fixedpoint_exp_q16_16, exp) \
     KERNEL(UNARY, exp, int64_t, 32, fixedpoint_exp_q32_32, exp) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, UNARY, exp) \
+    KERNEL(SPLIT_UNARY, exp_64, int64_t, 0, fixedpoint_exp_64, exp_64) \
     KERNEL(UNARY, exp_fine, int64_t, 32, fixedpoint_exp_q32_32_fine, exp_fine) \
     KERNEL(UNARY, exp2_unsaturated, int32_t, 16, fixedpoint_exp2_q16_16_unsaturated, exp2_unsaturated) \
     KERNEL(UNARY, exp2_unsaturated, int64_t, 32, fixedpoint_exp2_q32_32_unsaturated, exp2_unsaturated) \
