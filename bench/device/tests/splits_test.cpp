@@ -597,4 +597,18 @@ TEST(LongSplits, SinAndCos) {
     });
 }
 
+TEST(LongSplits, ReciprocalSqrt) {
+    Program program("reciprocal_sqrt", 64);
+    for_each_long_split([&](auto F) {
+        DeviceFunction reciprocal_sqrt = program.subject(F, {8, {8}});
+        LongOperands operands;
+        for (int i = 0; i < pairs / 8; ++i) {
+            const int64_t a = operands.next();
+            ASSERT_EQ(reciprocal_sqrt(a).template as<int64_t>(),
+                      (fixedpoint::kernel::reciprocal_sqrt<int64_t, F>(a)))
+                << F << " fraction bits: " << a;
+        }
+    });
+}
+
 }  // namespace

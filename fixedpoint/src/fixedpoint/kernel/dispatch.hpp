@@ -239,12 +239,37 @@ FIXEDPOINT_CONSTEXPR Raw reciprocal_sqrt_through_q32_32(int64_t a) {
     return from_q32_32<Raw, exponent - 15>(
         reciprocal_sqrt<int64_t, 32>(static_cast<int64_t>(static_cast<uint64_t>(a) << 1)));
 }
+// With more fraction bits, that is a quotient by the root of a 4^pairs, which has so many bits that
+// its rounding takes 1/8 ulp at most; results from about 2^60 on are portable code.
+template <class Raw, int F, bool by_root = sizeof(Raw) == 8 && (F > 30)>
+struct FineReciprocalSqrt {
+    static FIXEDPOINT_CONSTEXPR Raw apply(Raw a) { return portable::reciprocal_sqrt<Raw, F>(a); }
+};
+template <int F>
+struct FineReciprocalSqrt<int64_t, F, true> {
+    static FIXEDPOINT_CONSTEXPR int64_t apply(int64_t a) {
+        constexpr int64_t largest = RawLimits<int64_t>::max;
+        if (a <= 0) return a == 0 ? largest : 0;
+        constexpr int exponent = 3 * F / 2, bits = exponent < 90 ? exponent - 29 : 61;
+        uint64_t normalised = static_cast<uint64_t>(a);
+        uint8_t pairs = 0;
+        if (normalised < uint64_t(1) << bits) {
+            for (; normalised < uint64_t(1) << 54; pairs += 4) normalised <<= 8;
+            for (; normalised < uint64_t(1) << 61; ++pairs) normalised <<= 2;
+        }
+        if (exponent + pairs >= 95) return largest;
+        if (exponent + pairs > 90) return portable::reciprocal_sqrt<int64_t, F>(a);
+        const int64_t root = sqrt<int64_t, 62 + F % 2>(static_cast<int64_t>(normalised));
+        return divide_64<int64_t, 0>(int64_t(1) << 62, root,
+                                     static_cast<uint8_t>(exponent + pairs - 31 + F % 2));
+    }
+};
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw reciprocal_sqrt(Raw a) {
     return through_q16_16<Raw, F>() && !is_q8_8<Raw, F>()
                ? from_q16_16<Raw, F>(reciprocal_sqrt<int32_t, 16>(to_q16_16<Raw, F>(a)))
            : through_q32_32<Raw, F>() ? reciprocal_sqrt_through_q32_32<Raw, F>(a)
-                                      : portable::reciprocal_sqrt<Raw, F>(a);
+                                      : FineReciprocalSqrt<Raw, F>::apply(a);
 }
 // The logarithm of a number of 2^-F as one of 2^-32 is (32 - F) ln 2 too small.
 template <class Raw, int F>

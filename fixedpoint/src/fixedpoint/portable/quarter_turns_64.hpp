@@ -11,7 +11,8 @@ namespace portable {
 // at most 30.
 template <int F>
 FIXEDPOINT_CONSTEXPR uint64_t quarter_turns_64(int64_t angle) {
-    // 2/pi in units of 2^-128, and in units of 2^-56 that of an ulp of the angle, with its fraction.
+    // 2/pi in units of 2^-128, and in units of 2^-56 that of an ulp of the angle, with its
+    // fraction.
     constexpr uint64_t high = 0xa2f9836e4e441529, low = 0xfc2757d1f534ddc0;
     constexpr uint64_t whole = high >> (8 + F), fraction = high << (56 - F) | low >> (8 + F);
     const uint64_t a = static_cast<uint64_t>(angle);
