@@ -117,7 +117,7 @@
     ldi r29, 178
     mul r28, r29
     movw r30, r0
-    subi r30, lo8(-192)
+    subi r30, 64    // 2^16 - 192
     sbci r31, 0xff
     subi r31, 23
     add r27, r31
