@@ -67,7 +67,8 @@ TEST(ReciprocalSqrt, IsFaithful) {
     add_subjects<int8_t>(all, wrap, std::make_integer_sequence<int, 8>());
     add_subjects<int16_t>(all, wrap, std::integer_sequence<int, 0, 3, 8, 13, 14, 15>());
     add_subjects<int32_t>(all, wrap, std::integer_sequence<int, 0, 8, 16, 24, 31>());
-    add_subjects<int64_t>(all, wrap, std::integer_sequence<int, 0, 15, 16, 32, 47, 63>());
+    add_subjects<int64_t>(all, wrap,
+                          std::integer_sequence<int, 0, 15, 16, 31, 32, 40, 47, 56, 60, 63>());
     expect_accuracy({"reciprocal_sqrt", &reciprocal_root, all, 0.75});
 }
 TEST(ReciprocalSqrt, IsFaithfulForAMillionInputsOfQ16_16) {

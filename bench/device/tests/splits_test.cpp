@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The kernels of every split of 16 and 32 bits on the simulated chip against the portable code, bit
-// for bit: they are macros with the split as a parameter, and only some splits are programs of the
-// bench. And operands for which rounding is a near thing.
+// The kernels of every split of 16 and 32 bits, and of some of 64, on the simulated chip against
+// the portable code, bit for bit: the split is their parameter, and only some splits are programs
+// of the bench. And operands for which rounding is a near thing.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
+#include <fixedpoint/kernel/dispatch.hpp>
 #include <fixedpoint/portable/atan.hpp>
 #include <fixedpoint/portable/divide.hpp>
 #include <fixedpoint/portable/dot.hpp>
@@ -53,19 +54,21 @@ class Program {
           bits_(bits),
           chip_(simulator::Elf(fmt::format(PROGRAM_FOLDER "/splits_{}_{}.elf", bits, operation))) {
         chip_.run_until_function("main");
-        for (std::uint16_t& address : vectors_) address = chip_.allocate(sizeof(Vector));
+        for (std::uint16_t& address : vectors_) address = chip_.allocate(3 * sizeof(int64_t));
     }
     DeviceFunction subject(int fraction_bits, const Signature& signature) {
         return {chip_,
                 fmt::format("{}_q{}_{}_default", operation_, bits_ - fraction_bits, fraction_bits),
                 signature};
     }
-    std::uint16_t put(int index, const Vector& v) {
+    template <class Element>
+    std::uint16_t put(int index, const std::array<Element, 3>& v) {
         chip_.write(vectors_[index], {reinterpret_cast<const std::uint8_t*>(v.data()), sizeof v});
         return vectors_[index];
     }
-    Vector get(int index) const {
-        Vector v;
+    template <class Element = int32_t>
+    std::array<Element, 3> get(int index) const {
+        std::array<Element, 3> v;
         chip_.read(vectors_[index], {reinterpret_cast<std::uint8_t*>(v.data()), sizeof v});
         return v;
     }
@@ -337,7 +340,7 @@ TEST(Splits, Sincos) {
             const int32_t a = operands.next();
             int32_t expected[2];
             portable::sincos<int32_t, F>(a, expected);
-            const std::uint16_t address = program.put(0, {});
+            const std::uint16_t address = program.put(0, Vector{});
             sincos(a, address);
             const Vector pair = program.get(0);
             ASSERT_EQ(pair[0], expected[0]) << F << " fraction bits: " << a;
@@ -420,6 +423,190 @@ TEST(Splits, Atan2) {
                                                       static_cast<int32_t>(random() % 3) - 1);
             const int32_t a = i & 1 ? -longer : longer, b = i & 2 ? -shorter : shorter;
             check(i & 4 ? a : b, i & 4 ? b : a);
+        }
+    });
+}
+
+// Of 64 bits: the splits of splits.cpp.
+template <class Check>
+void for_each_long_split(Check check) {
+    [&]<int... F>(std::integer_sequence<int, F...>) {
+        (..., check(std::integral_constant<int, F>()));
+    }
+    (std::integer_sequence<int, 0, 1, 7, 8, 16, 24, 29, 33, 40, 48, 56, 62, 63>());
+}
+
+// Random numbers of every length, and those of the boundary table.
+class LongOperands {
+  public:
+    int64_t next() {
+        if (random_() % 3 == 0) return numbers_[random_() % numbers_.size()];
+        return static_cast<int64_t>(random_()) >> random_() % 64;
+    }
+    uint64_t magnitude() { return random_() >> 1 >> random_() % 63; }
+    std::array<int64_t, 3> vector() { return {next(), next(), next()}; }
+
+  private:
+    std::vector<std::int64_t> numbers_ = exact::raws(64);
+    std::mt19937_64 random_{64};
+};
+
+TEST(LongSplits, Multiply) {
+    Program program("multiply", 64);
+    for_each_long_split([&](auto F) {
+        DeviceFunction multiply = program.subject(F, {8, {8, 8}});
+        LongOperands operands;
+        for (int i = 0; i < pairs; ++i) {
+            const int64_t a = operands.next(), b = operands.next();
+            ASSERT_EQ(multiply(a, b).template as<int64_t>(), (portable::multiply<int64_t, F>(a, b)))
+                << F << " fraction bits: " << a << " " << b;
+        }
+    });
+}
+
+// Random operands, and those whose quotient is about q + 1/2.
+TEST(LongSplits, Divide) {
+    Program program("divide", 64);
+    for_each_long_split([&](auto F) {
+        DeviceFunction divide = program.subject(F, {8, {8, 8}});
+        const auto check = [&](int64_t a, int64_t b) {
+            ASSERT_EQ(divide(a, b).template as<int64_t>(), (portable::divide<int64_t, F>(a, b)))
+                << F << " fraction bits: " << a << " " << b;
+        };
+        LongOperands operands;
+        for (int i = 0; i < pairs; ++i) {
+            check(operands.next(), operands.next());
+            const auto b = static_cast<int64_t>(operands.magnitude());
+            const __int128 twice = __int128(2 * (operands.magnitude() >> 1) + 1) * b;
+            const __int128 half = (twice >> 1) >> F;
+            if (half >= fixedpoint::RawLimits<int64_t>::max) continue;
+            const auto a = static_cast<int64_t>(half);
+            check(a, i % 2 == 0 ? b : -b);
+            check(-a - 1, i % 2 == 0 ? b : -b);
+        }
+    });
+}
+
+// Random operands, and those whose root is about r + 1/2.
+TEST(LongSplits, Sqrt) {
+    Program program("sqrt", 64);
+    for_each_long_split([&](auto F) {
+        DeviceFunction sqrt = program.subject(F, {8, {8}});
+        const auto check = [&](int64_t a) {
+            ASSERT_EQ(sqrt(a).template as<int64_t>(), (portable::sqrt<int64_t, F>(a)))
+                << F << " fraction bits: " << a;
+        };
+        LongOperands operands;
+        for (int i = 0; i < pairs; ++i) {
+            check(operands.next());
+            const unsigned __int128 r = operands.magnitude(), half = (r * r + r) >> F;
+            if (half >= static_cast<uint64_t>(fixedpoint::RawLimits<int64_t>::max)) continue;
+            check(static_cast<int64_t>(half));
+            check(static_cast<int64_t>(half) + 1);
+        }
+    });
+}
+
+template <class Expected>
+void expect_long_vectors(const char* operation, Signature signature, Expected expected) {
+    Program program(operation, 64);
+    for_each_long_split([&](auto F) {
+        DeviceFunction function = program.subject(F, signature);
+        LongOperands operands;
+        for (int i = 0; i < pairs / 4; ++i) {
+            const auto a = operands.vector(), b = operands.vector();
+            const std::uint64_t addresses[] = {program.put(0, a), program.put(1, b)};
+            ASSERT_EQ(function.call({addresses, signature.operands.size()}).template as<int64_t>(),
+                      expected(F, a.data(), b.data()))
+                << F << " fraction bits: " << testing::PrintToString(a) << " "
+                << testing::PrintToString(b);
+        }
+    });
+}
+TEST(LongSplits, Dot2) {
+    expect_long_vectors("dot2", {8, {2, 2}}, [](auto F, const int64_t* a, const int64_t* b) {
+        return portable::dot2<int64_t, F>(a, b);
+    });
+}
+TEST(LongSplits, Dot3) {
+    expect_long_vectors("dot3", {8, {2, 2}}, [](auto F, const int64_t* a, const int64_t* b) {
+        return portable::dot3<int64_t, F>(a, b);
+    });
+}
+TEST(LongSplits, Length3) {
+    expect_long_vectors("length3", {8, {2}}, [](auto F, const int64_t* v, const int64_t*) {
+        return portable::length3<int64_t, F>(v);
+    });
+}
+
+// Of every length, over the range of powers, and where the number of factors of 2 changes.
+TEST(LongSplits, Exp) {
+    Program program("exp", 64);
+    for_each_long_split([&](auto F) {
+        DeviceFunction exp = program.subject(F, {8, {8}});
+        const auto check = [&](double x) {
+            const auto a = static_cast<int64_t>(std::ldexp(x, F));
+            for (int64_t n = a - 1; n <= a + 1; ++n) {
+                ASSERT_EQ(exp(n).template as<int64_t>(), (portable::exp<int64_t, F>(n)))
+                    << F << " fraction bits: " << n;
+            }
+        };
+        const double limit = std::ldexp(0.999, 63 - F);
+        const double least = std::max(-(F + 3) * M_LN2, -limit);
+        const double largest = std::min((64 - F) * M_LN2, limit);
+        std::mt19937 random(13);
+        std::uniform_real_distribution<double> representable(least, largest);
+        for (int i = 0; i < pairs / 4; ++i) check(representable(random));
+        for (const double whole : {-65.0, -64.0, -46.0, 46.0, 63.0, 64.0}) {
+            if (std::abs(whole) < limit) check(whole);
+        }
+        for (int k = -66; k <= 66; ++k) {
+            for (int i = -8; i <= 8; ++i) {
+                const double x = (k + i / 128.0) * M_LN2;
+                if (std::abs(x) < limit) check(x);
+            }
+        }
+        LongOperands operands;
+        for (int i = 0; i < pairs / 4; ++i) {
+            const int64_t a = operands.next();
+            ASSERT_EQ(exp(a).template as<int64_t>(), (portable::exp<int64_t, F>(a)))
+                << F << " fraction bits: " << a;
+        }
+    });
+}
+
+// The splits that take the sine of Q32.32, by angles that it holds and larger ones.
+TEST(LongSplits, SinAndCos) {
+    Program sines("sin", 64), cosines("cos", 64), pairs_of_both("sincos", 64);
+    for_each_long_split([&](auto F) {
+        if constexpr (F > 30) return;
+        DeviceFunction sin = sines.subject(F, {8, {8}}), cos = cosines.subject(F, {8, {8}});
+        DeviceFunction sincos = pairs_of_both.subject(F, {0, {8, 2}});
+        LongOperands operands;
+        for (int i = 0; i < pairs / 4; ++i) {
+            const int64_t a = operands.next();
+            const int64_t expected[] = {fixedpoint::kernel::sin<int64_t, F>(a),
+                                        fixedpoint::kernel::cos<int64_t, F>(a)};
+            ASSERT_EQ(sin(a).template as<int64_t>(), expected[0]) << F << " fraction bits: " << a;
+            ASSERT_EQ(cos(a).template as<int64_t>(), expected[1]) << F << " fraction bits: " << a;
+            sincos(a, pairs_of_both.put(0, std::array<int64_t, 3>{}));
+            const auto both = pairs_of_both.get<int64_t>(0);
+            ASSERT_EQ(both[0], expected[0]) << F << " fraction bits: " << a;
+            ASSERT_EQ(both[1], expected[1]) << F << " fraction bits: " << a;
+        }
+    });
+}
+
+TEST(LongSplits, ReciprocalSqrt) {
+    Program program("reciprocal_sqrt", 64);
+    for_each_long_split([&](auto F) {
+        DeviceFunction reciprocal_sqrt = program.subject(F, {8, {8}});
+        LongOperands operands;
+        for (int i = 0; i < pairs / 8; ++i) {
+            const int64_t a = operands.next();
+            ASSERT_EQ(reciprocal_sqrt(a).template as<int64_t>(),
+                      (fixedpoint::kernel::reciprocal_sqrt<int64_t, F>(a)))
+                << F << " fraction bits: " << a;
         }
     });
 }

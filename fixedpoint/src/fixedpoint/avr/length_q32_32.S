@@ -3,7 +3,10 @@
 // int64_t fixedpoint_length3_q32_32(const int64_t* v)
 // The integer nearest to the root of the sum of the squares of 2 or 3 components, at most 2^63 - 1.
 //
-// In       v = r25:r24, in RAM
+// int64_t fixedpoint_sqrt_64(int64_t a, uint8_t fraction)
+// The integer nearest to the root of 2^fraction a (there are no ties); 0 where a < 0. fraction < 64.
+//
+// In       v = r25:r24, in RAM; a = r25:r18, fraction = r16
 // Out      r25:r18
 // Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
 // Stack    23 bytes
@@ -13,11 +16,11 @@
 // row 7 downward, while the bytes above k are doubled one by one. The even and the odd
 // products of a row lie side by side and go into the sum in one carry chain each.
 //
-// Root. That of sqrt_q32_32.S, of a sum A of 16 bytes that moves up by pairs of bytes, by one byte
+// Root. That of sqrt_q32_32.S, of a number A of 16 bytes that moves up by pairs of bytes, by one byte
 // and by an even number of bits until its highest byte is 64 or more. Each pair of bytes leaves out
 // one of the root's eight bytes. Its first two come from the table, each further one from a step of
 // long division. The root moves down again by half as many bits, and the last one that leaves it
-// rounds; where none would leave, one more byte is computed. A sum of 2^126 or more clamps, so that
+// rounds; where none would leave, one more byte is computed. From 2^126 on A clamps, so that
 // there is a byte for that, and the lowest bit of A is 0, which the halving of the remainder drops.
 
 #ifdef __AVR_HAVE_MUL__
@@ -171,6 +174,18 @@
     .endif
     .endm
 
+    .macro pair_up
+    movw r16, r14
+    movw r14, r12
+    movw r12, r10
+    movw r10, r8
+    movw r8, r6
+    movw r6, r4
+    movw r4, r2
+    clr r2
+    clr r3
+    .endm
+
     SECTION fixedpoint_length_q32_32
     ENTRY fixedpoint_length2_q32_32
     ldi r26, 2
@@ -209,7 +224,7 @@
     pop r31
     pop r30
     pop r26
-    rjmp .Lclamp
+    XJMP .Lclamp
 1:  chain 14, r25, r25
     lsl r25
     chain 12, r24, r24
@@ -238,22 +253,75 @@
     dec r26
     breq 1f
     rjmp .Lcomponent
-1:  ldi r26, 8
+1:  XJMP fixedpoint_root_128
+    ENDFUNC fixedpoint_length3_q32_32
+
+    // 2^fraction a, shifted by bits, by a byte and by pairs of bytes
+    FUNCTION fixedpoint_sqrt_64
+    .irp n, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 28, 29
+    push r\n
+    .endr
+    mov r26, r16
+    clr r10
+    clr r11
+    movw r12, r10
+    movw r14, r10
+    movw r16, r10
+    tst r25
+    brpl 1f
+    movw r18, r10
+    movw r20, r10
+    movw r22, r10
+    movw r24, r10
+1:  movw r2, r18
+    movw r4, r20
+    movw r6, r22
+    movw r8, r24
+    mov r27, r26
+    andi r27, 7
+    breq 2f
+1:  lsl r2
+    rol r3
+    rol r4
+    rol r5
+    rol r6
+    rol r7
+    rol r8
+    rol r9
+    rol r10
+    dec r27
+    brne 1b
+2:  sbrs r26, 3
+    rjmp 1f
+    mov r11, r10
+    mov r10, r9
+    mov r9, r8
+    mov r8, r7
+    mov r7, r6
+    mov r6, r5
+    mov r5, r4
+    mov r4, r3
+    mov r3, r2
+    clr r2
+1:  swap r26
+    andi r26, 3
+    breq 2f
+1:  pair_up
+    dec r26
+    brne 1b
+2:  XJMP fixedpoint_root_128
+    ENDFUNC fixedpoint_sqrt_64
+
+    // The root of the sum, which returns in place of its caller.
+    FUNCTION fixedpoint_root_128
+    ldi r26, 8
     cpi r17, 0x40
     brsh .Lclamp
     // A pair of bytes up
 1:  mov r0, r17
     or r0, r16
     brne 2f
-    movw r16, r14
-    movw r14, r12
-    movw r12, r10
-    movw r10, r8
-    movw r8, r6
-    movw r6, r4
-    movw r4, r2
-    clr r2
-    clr r3
+    pair_up
     dec r26
     brne 1b
     clr r18
@@ -455,6 +523,6 @@
     brpl 4f
     rjmp .Lclamp
 4:  rjmp .Lrestore
-    ENDFUNC fixedpoint_length3_q32_32
+    ENDFUNC fixedpoint_root_128
 
 #endif

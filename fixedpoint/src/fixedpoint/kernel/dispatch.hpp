@@ -31,10 +31,12 @@
 #include <fixedpoint/portable/multiply_words.hpp>
 #include <fixedpoint/portable/normalise.hpp>
 #include <fixedpoint/portable/pow_q32_32.hpp>
+#include <fixedpoint/portable/quarter_turns_64.hpp>
 #include <fixedpoint/portable/reciprocal_sqrt.hpp>
 #include <fixedpoint/portable/remainder.hpp>
 #include <fixedpoint/portable/sin.hpp>
 #include <fixedpoint/portable/sine_of_phase.hpp>
+#include <fixedpoint/portable/split_64.hpp>
 #include <fixedpoint/portable/sqrt.hpp>
 
 // Every operation is declared first, so that the kernels are known before anything calls one.
@@ -47,10 +49,12 @@ namespace kernel {
 FIXEDPOINT_OPERATION(BINARY, multiply)
 FIXEDPOINT_OPERATION(BINARY, upper_product)
 FIXEDPOINT_OPERATION(WORDS, multiply_upper_halves)
+FIXEDPOINT_OPERATION(SPLIT_BINARY, multiply_64)
 FIXEDPOINT_OPERATION(BINARY, multiply_saturating)
 FIXEDPOINT_OPERATION(TERNARY, multiply_add)
 FIXEDPOINT_OPERATION(TERNARY, wrapping_lerp)
 FIXEDPOINT_OPERATION(BINARY, divide)
+FIXEDPOINT_OPERATION(SPLIT_BINARY, divide_64)
 FIXEDPOINT_OPERATION(BINARY, divide_small)
 FIXEDPOINT_OPERATION(BINARY, remainder)
 FIXEDPOINT_OPERATION(DIVISION, divrem)
@@ -58,6 +62,7 @@ FIXEDPOINT_OPERATION(DIVISION, divmod)
 FIXEDPOINT_OPERATION(BINARY, copysign)
 FIXEDPOINT_OPERATION(BINARY, abs_diff)
 FIXEDPOINT_OPERATION(UNARY, sqrt)
+FIXEDPOINT_OPERATION(SPLIT_UNARY, sqrt_64)
 FIXEDPOINT_OPERATION(UNARY, sqrt_small)
 FIXEDPOINT_OPERATION(UNARY, cbrt)
 FIXEDPOINT_OPERATION(UNARY, reciprocal_sqrt)
@@ -77,6 +82,7 @@ FIXEDPOINT_OPERATION(BINARY, atan2_small)
 FIXEDPOINT_OPERATION(UNARY, asin)
 FIXEDPOINT_OPERATION(UNARY, acos)
 FIXEDPOINT_OPERATION(UNARY, exp)
+FIXEDPOINT_OPERATION(SPLIT_UNARY, exp_64)
 FIXEDPOINT_OPERATION(UNARY, exp_fine)
 FIXEDPOINT_OPERATION(UNARY, exp2_unsaturated)
 FIXEDPOINT_OPERATION(BINARY, pow_unsaturated)
@@ -97,6 +103,7 @@ FIXEDPOINT_OPERATION(PAIR, certain_sincos)
 FIXEDPOINT_OPERATION(BINARY, certain_atan2)
 FIXEDPOINT_OPERATION(VECTORS, dot2)
 FIXEDPOINT_OPERATION(VECTORS, dot3)
+FIXEDPOINT_OPERATION(SPLIT_VECTORS, dot_64)
 FIXEDPOINT_OPERATION(TRANSFORM, transform)
 FIXEDPOINT_OPERATION(TRANSFORM, matrix_product)
 FIXEDPOINT_OPERATION(OUTER, cross)
@@ -161,12 +168,9 @@ FIXEDPOINT_CONSTEXPR Raw from_q16_16(int32_t a) {
                    : portable::operation<Raw, F>(a);                                   \
     }
 FIXEDPOINT_THROUGH_Q16_16(reciprocal_sqrt_small, false)
-FIXEDPOINT_THROUGH_Q16_16(sin, (portable::is_coarse_16<Raw, F>()))
 FIXEDPOINT_THROUGH_Q16_16(sin_small, false)
-FIXEDPOINT_THROUGH_Q16_16(cos, (portable::is_coarse_16<Raw, F>()))
 FIXEDPOINT_THROUGH_Q16_16(cos_small, false)
 FIXEDPOINT_THROUGH_Q16_16(atan_small, false)
-FIXEDPOINT_THROUGH_Q16_16(exp, (is_q8_8<Raw, F>()))
 #undef FIXEDPOINT_THROUGH_Q16_16
 
 // Angles of vectors and logarithms of the formats of 64 bits need no more than those of Q32.32,
@@ -196,6 +200,40 @@ FIXEDPOINT_CONSTEXPR Raw atan(Raw a) {
                ? from_q32_32<Raw, F>(atan2<int64_t, 32>(a, int64_t(1) << F % 63))
                : portable::atan<Raw, F>(a);
 }
+
+// So do sines, of angles that Q32.32 holds; larger ones are reduced in their own units.
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR bool is_angle_of_q32_32(Raw angle) {
+    const int32_t upper = static_cast<int32_t>(portable::upper_word(static_cast<uint64_t>(angle)));
+    return (F == 0 ? static_cast<int32_t>(angle) >> 31 : upper >> 31) ==
+           upper >> (F > 0 && F <= 30 ? F - 1 : 0);
+}
+template <class Raw, int F>
+constexpr int64_t angle_of_q32_32(Raw angle) {
+    return static_cast<int64_t>(static_cast<uint64_t>(angle) << (F <= 30 ? 32 - F : 0));
+}
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR uint64_t quarter_turns(Raw angle) {
+    return portable::quarter_turns_64<(F <= 30 ? F : 0)>(angle);
+}
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw sine_of(uint64_t quarter_turns) {
+    return from_q32_32<Raw, F>(sine_of_quarter_turns<int64_t, 32>(quarter_turns));
+}
+#define FIXEDPOINT_SINE(operation, ahead)                                                        \
+    template <class Raw, int F>                                                                  \
+    FIXEDPOINT_CONSTEXPR Raw operation(Raw angle) {                                              \
+        return through_q16_16<Raw, F>() && !portable::is_coarse_16<Raw, F>()                     \
+                   ? from_q16_16<Raw, F>(operation<int32_t, 16>(to_q16_16<Raw, F>(angle)))       \
+               : !through_q32_32<Raw, F>() ? portable::operation<Raw, F>(angle)                  \
+               : is_angle_of_q32_32<Raw, F>(angle)                                               \
+                   ? from_q32_32<Raw, F>(operation<int64_t, 32>(angle_of_q32_32<Raw, F>(angle))) \
+                   : sine_of<Raw, F>(quarter_turns<Raw, F>(angle) + (ahead));                    \
+    }
+FIXEDPOINT_SINE(sin, 0)
+FIXEDPOINT_SINE(cos, portable::one_quarter_turn_q32_32)
+#undef FIXEDPOINT_SINE
+
 // 2^(3 F / 2) / sqrt(a) from 2^48 / sqrt(a), or, where F is odd, from that of 2 a or a / 2.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw reciprocal_sqrt_through_q32_32(int64_t a) {
@@ -206,12 +244,37 @@ FIXEDPOINT_CONSTEXPR Raw reciprocal_sqrt_through_q32_32(int64_t a) {
     return from_q32_32<Raw, exponent - 15>(
         reciprocal_sqrt<int64_t, 32>(static_cast<int64_t>(static_cast<uint64_t>(a) << 1)));
 }
+// With more fraction bits, that is a quotient by the root of a 4^pairs, which has so many bits that
+// its rounding takes 1/8 ulp at most; results from about 2^60 on are portable code.
+template <class Raw, int F, bool by_root = sizeof(Raw) == 8 && (F > 30)>
+struct FineReciprocalSqrt {
+    static FIXEDPOINT_CONSTEXPR Raw apply(Raw a) { return portable::reciprocal_sqrt<Raw, F>(a); }
+};
+template <int F>
+struct FineReciprocalSqrt<int64_t, F, true> {
+    static FIXEDPOINT_CONSTEXPR int64_t apply(int64_t a) {
+        constexpr int64_t largest = RawLimits<int64_t>::max;
+        if (a <= 0) return a == 0 ? largest : 0;
+        constexpr int exponent = 3 * F / 2, bits = exponent < 90 ? exponent - 29 : 61;
+        uint64_t normalised = static_cast<uint64_t>(a);
+        uint8_t pairs = 0;
+        if (normalised < uint64_t(1) << bits) {
+            for (; normalised < uint64_t(1) << 54; pairs += 4) normalised <<= 8;
+            for (; normalised < uint64_t(1) << 61; ++pairs) normalised <<= 2;
+        }
+        if (exponent + pairs >= 95) return largest;
+        if (exponent + pairs > 90) return portable::reciprocal_sqrt<int64_t, F>(a);
+        const int64_t root = sqrt<int64_t, 62 + F % 2>(static_cast<int64_t>(normalised));
+        return divide_64<int64_t, 0>(int64_t(1) << 62, root,
+                                     static_cast<uint8_t>(exponent + pairs - 31 + F % 2));
+    }
+};
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw reciprocal_sqrt(Raw a) {
     return through_q16_16<Raw, F>() && !is_q8_8<Raw, F>()
                ? from_q16_16<Raw, F>(reciprocal_sqrt<int32_t, 16>(to_q16_16<Raw, F>(a)))
            : through_q32_32<Raw, F>() ? reciprocal_sqrt_through_q32_32<Raw, F>(a)
-                                      : portable::reciprocal_sqrt<Raw, F>(a);
+                                      : FineReciprocalSqrt<Raw, F>::apply(a);
 }
 // The logarithm of a number of 2^-F as one of 2^-32 is (32 - F) ln 2 too small.
 template <class Raw, int F>
@@ -239,6 +302,15 @@ FIXEDPOINT_CONSTEXPR void sincos(Raw angle, Raw* sine_and_cosine) {
         sincos<int32_t, 16>(to_q16_16<Raw, F>(angle), wide);
         sine_and_cosine[0] = from_q16_16<Raw, F>(wide[0]);
         sine_and_cosine[1] = from_q16_16<Raw, F>(wide[1]);
+    } else if (through_q32_32<Raw, F>() && is_angle_of_q32_32<Raw, F>(angle)) {
+        int64_t fine[2] = {};
+        sincos<int64_t, 32>(angle_of_q32_32<Raw, F>(angle), fine);
+        sine_and_cosine[0] = from_q32_32<Raw, F>(fine[0]);
+        sine_and_cosine[1] = from_q32_32<Raw, F>(fine[1]);
+    } else if (through_q32_32<Raw, F>()) {
+        const uint64_t turns = quarter_turns<Raw, F>(angle);
+        sine_and_cosine[0] = sine_of<Raw, F>(turns);
+        sine_and_cosine[1] = sine_of<Raw, F>(turns + portable::one_quarter_turn_q32_32);
     } else {
         portable::sincos<Raw, F>(angle, sine_and_cosine);
     }
@@ -311,9 +383,61 @@ FIXEDPOINT_CONSTEXPR Raw log_small(Raw a) {
     return portable::log_small<Raw, F>(a);
 }
 
+// Every split of 64 bits has one product, one quotient and one root, whose fraction bits are an
+// operand, and one exponential function. Those of Q32.32 are its own.
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw multiply_64(Raw a, Raw b, uint8_t fraction) {
+    return portable::multiply_64<Raw, F>(a, b, fraction);
+}
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw divide_64(Raw a, Raw b, uint8_t fraction) {
+    return portable::divide_64<Raw, F>(a, b, fraction);
+}
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw sqrt_64(Raw a, uint8_t fraction) {
+    return portable::sqrt_64<Raw, F>(a, fraction);
+}
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw exp_64(Raw a, uint8_t fraction) {
+    return portable::exp_64<Raw, F>(a, fraction);
+}
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw dot_64(const Raw* a, const Raw* b, uint8_t n, uint8_t fraction) {
+    return portable::dot_64<Raw, F>(a, b, n, fraction);
+}
+// The portable code where there are no kernels.
+template <class Raw, int F, bool by_kernels = has_assembly && sizeof(Raw) == 8>
+struct Split {
+    static FIXEDPOINT_CONSTEXPR Raw multiply(Raw a, Raw b) {
+        return portable::multiply<Raw, F>(a, b);
+    }
+    static FIXEDPOINT_CONSTEXPR Raw divide(Raw a, Raw b) { return portable::divide<Raw, F>(a, b); }
+    static FIXEDPOINT_CONSTEXPR Raw sqrt(Raw a) { return portable::sqrt<Raw, F>(a); }
+    static FIXEDPOINT_CONSTEXPR Raw exp(Raw a) { return portable::exp<Raw, F>(a); }
+    static FIXEDPOINT_CONSTEXPR Raw dot(const Raw* a, const Raw* b, uint8_t n) {
+        return portable::dot<Raw, F>(a, b, n);
+    }
+};
+template <class Raw, int F>
+struct Split<Raw, F, true> {
+    static FIXEDPOINT_CONSTEXPR Raw multiply(Raw a, Raw b) { return multiply_64<Raw, 0>(a, b, F); }
+    static FIXEDPOINT_CONSTEXPR Raw divide(Raw a, Raw b) { return divide_64<Raw, 0>(a, b, F); }
+    static FIXEDPOINT_CONSTEXPR Raw sqrt(Raw a) { return sqrt_64<Raw, 0>(a, F); }
+    static FIXEDPOINT_CONSTEXPR Raw exp(Raw a) { return exp_64<Raw, 0>(a, F); }
+    static FIXEDPOINT_CONSTEXPR Raw dot(const Raw* a, const Raw* b, uint8_t n) {
+        return dot_64<Raw, 0>(a, b, n, F);
+    }
+};
+
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw multiply(Raw a, Raw b) {
-    return portable::multiply<Raw, F>(a, b);
+    return Split<Raw, F>::multiply(a, b);
+}
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw exp(Raw a) {
+    return through_q16_16<Raw, F>() && !is_q8_8<Raw, F>()
+               ? from_q16_16<Raw, F>(exp<int32_t, 16>(to_q16_16<Raw, F>(a)))
+               : Split<Raw, F>::exp(a);
 }
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw multiply_saturating(Raw a, Raw b) {
@@ -344,7 +468,7 @@ FIXEDPOINT_CONSTEXPR Raw divide(Raw a, Raw b) {
                ? clamped<Raw>(divide<int32_t, 16>(
                      static_cast<int32_t>(a),
                      static_cast<int32_t>(b) * (int32_t(1) << (F < 16 ? 16 - F : 0))))
-               : portable::divide<Raw, F>(a, b);
+               : Split<Raw, F>::divide(a, b);
 }
 // Once in a program, however many quotients it takes.
 template <class Raw, int F>
@@ -403,7 +527,7 @@ FIXEDPOINT_CONSTEXPR Raw sqrt(Raw a) {
     return has_assembly && sizeof(Raw) <= 2
                ? clamped<Raw>(
                      sqrt<int32_t, 0>(static_cast<int32_t>(a) * (int32_t(1) << (F < 16 ? F : 16))))
-               : portable::sqrt<Raw, F>(a);
+               : Split<Raw, F>::sqrt(a);
 }
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw sqrt_small(Raw a) {
@@ -412,11 +536,11 @@ FIXEDPOINT_CONSTEXPR Raw sqrt_small(Raw a) {
 
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw dot2(const Raw* a, const Raw* b) {
-    return portable::dot2<Raw, F>(a, b);
+    return Split<Raw, F>::dot(a, b, 2);
 }
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw dot3(const Raw* a, const Raw* b) {
-    return portable::dot3<Raw, F>(a, b);
+    return Split<Raw, F>::dot(a, b, 3);
 }
 
 template <class Raw, int F>
@@ -501,16 +625,12 @@ FIXEDPOINT_CONSTEXPR void exchange3(Raw* a, Raw* b, const Raw* v, Raw factor) {
 FIXEDPOINT_LENGTH(length2, int8_t, 4)
 FIXEDPOINT_LENGTH(length2, int16_t, 8)
 FIXEDPOINT_LENGTH(length2, int32_t, 16)
+FIXEDPOINT_LENGTH(length2, int64_t, 32)
 FIXEDPOINT_LENGTH(length3, int8_t, 4)
 FIXEDPOINT_LENGTH(length3, int16_t, 8)
 FIXEDPOINT_LENGTH(length3, int32_t, 16)
+FIXEDPOINT_LENGTH(length3, int64_t, 32)
 #undef FIXEDPOINT_LENGTH
-FIXEDPOINT_CONSTEXPR int64_t raw_length2(const int64_t* v) {
-    return portable::length2<int64_t, 0>(v);
-}
-FIXEDPOINT_CONSTEXPR int64_t raw_length3(const int64_t* v) {
-    return portable::length3<int64_t, 0>(v);
-}
 
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw length2(const Raw* v) {

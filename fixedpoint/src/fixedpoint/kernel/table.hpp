@@ -63,6 +63,16 @@
 #define FIXEDPOINT_RESULT_WORDS(Raw) uint64_t
 #define FIXEDPOINT_PARAMETERS_WORDS(Raw) (Raw a, Raw b)
 #define FIXEDPOINT_ARGUMENTS_WORDS (a, b)
+// Of numbers of any split, whose fraction bits are an operand.
+#define FIXEDPOINT_RESULT_SPLIT_UNARY(Raw) Raw
+#define FIXEDPOINT_PARAMETERS_SPLIT_UNARY(Raw) (Raw a, uint8_t fraction)
+#define FIXEDPOINT_ARGUMENTS_SPLIT_UNARY (a, fraction)
+#define FIXEDPOINT_RESULT_SPLIT_BINARY(Raw) Raw
+#define FIXEDPOINT_PARAMETERS_SPLIT_BINARY(Raw) (Raw a, Raw b, uint8_t fraction)
+#define FIXEDPOINT_ARGUMENTS_SPLIT_BINARY (a, b, fraction)
+#define FIXEDPOINT_RESULT_SPLIT_VECTORS(Raw) Raw
+#define FIXEDPOINT_PARAMETERS_SPLIT_VECTORS(Raw) (const Raw* a, const Raw* b, uint8_t n, uint8_t fraction)
+#define FIXEDPOINT_ARGUMENTS_SPLIT_VECTORS (a, b, n, fraction)
 
 // ROW(KERNEL, shape, operation, integer bits, fraction bits) for every split of 16 bits but Q8.8,
 // and of 32 bits but Q16.16, whose kernels are their own. The coarse ones have less fraction bits
@@ -136,6 +146,7 @@
     KERNEL(WORDS, multiply_words, uint32_t, 0, fixedpoint_multiply_words, multiply_words) \
     KERNEL(BINARY, upper_product, uint32_t, 0, fixedpoint_upper_product, upper_product) \
     KERNEL(WORDS, multiply_upper_halves, uint64_t, 0, fixedpoint_multiply_upper_halves, multiply_upper_halves) \
+    KERNEL(SPLIT_BINARY, multiply_64, int64_t, 0, fixedpoint_multiply_64, multiply_64) \
     KERNEL(BINARY, multiply_saturating, int32_t, 16, fixedpoint_multiply_q16_16_saturating, multiply_saturating) \
     KERNEL(TERNARY, multiply_add, int32_t, 16, fixedpoint_multiply_add_q16_16, multiply_add) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, TERNARY, multiply_add) \
@@ -145,6 +156,7 @@
     KERNEL(BINARY, divide, int32_t, 16, fixedpoint_divide_q16_16, divide) \
     KERNEL(BINARY, divide, int64_t, 32, fixedpoint_divide_q32_32, divide) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, BINARY, divide) \
+    KERNEL(SPLIT_BINARY, divide_64, int64_t, 0, fixedpoint_divide_64, divide_64) \
     KERNEL(BINARY, divide_small, int32_t, 16, fixedpoint_divide_q16_16_small, divide) \
     KERNEL(BINARY, remainder, int8_t, 4, fixedpoint_remainder_q4_4, remainder) \
     KERNEL(BINARY, remainder, int16_t, 8, fixedpoint_remainder_q8_8, remainder) \
@@ -161,6 +173,7 @@
     KERNEL(UNARY, sqrt, int32_t, 16, fixedpoint_sqrt_q16_16, sqrt) \
     KERNEL(UNARY, sqrt, int64_t, 32, fixedpoint_sqrt_q32_32, sqrt) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, UNARY, sqrt) \
+    KERNEL(SPLIT_UNARY, sqrt_64, int64_t, 0, fixedpoint_sqrt_64, sqrt_64) \
     KERNEL(UNARY, sqrt_small, int32_t, 16, fixedpoint_sqrt_q16_16_small, sqrt) \
     KERNEL(UNARY, cbrt, int64_t, 32, fixedpoint_cbrt_q32_32, cbrt) \
     KERNEL(UNARY, reciprocal_sqrt, int8_t, 4, fixedpoint_reciprocal_sqrt_q4_4, reciprocal_sqrt) \
@@ -213,6 +226,7 @@
     KERNEL(UNARY, exp, int32_t, 16, fixedpoint_exp_q16_16, exp) \
     KERNEL(UNARY, exp, int64_t, 32, fixedpoint_exp_q32_32, exp) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, UNARY, exp) \
+    KERNEL(SPLIT_UNARY, exp_64, int64_t, 0, fixedpoint_exp_64, exp_64) \
     KERNEL(UNARY, exp_fine, int64_t, 32, fixedpoint_exp_q32_32_fine, exp_fine) \
     KERNEL(UNARY, exp2_unsaturated, int32_t, 16, fixedpoint_exp2_q16_16_unsaturated, exp2_unsaturated) \
     KERNEL(UNARY, exp2_unsaturated, int64_t, 32, fixedpoint_exp2_q32_32_unsaturated, exp2_unsaturated) \
@@ -247,6 +261,7 @@
     KERNEL(VECTORS, dot3, int32_t, 16, fixedpoint_dot3_q16_16, dot3) \
     KERNEL(VECTORS, dot3, int64_t, 32, fixedpoint_dot3_q32_32, dot3) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, VECTORS, dot3) \
+    KERNEL(SPLIT_VECTORS, dot_64, int64_t, 0, fixedpoint_dot_64, dot_64) \
     KERNEL(TRANSFORM, transform, int32_t, 16, fixedpoint_transform_q16_16, transform) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, TRANSFORM, transform) \
     KERNEL(TRANSFORM, matrix_product, int32_t, 16, fixedpoint_matrix_product_q16_16, matrix_product) \

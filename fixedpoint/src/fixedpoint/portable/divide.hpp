@@ -37,22 +37,31 @@ struct WideQuotient {
                                      tie_upward);
     }
 };
+FIXEDPOINT_CONSTEXPR uint64_t rounded_quotient_64(uint64_t a, uint64_t b, uint8_t fraction,
+                                                  bool tie_upward) {
+    const uint64_t high = a >> 1 >> (63 - fraction);
+    // The integer part takes at least 64 bits.
+    if (high >= b) return magnitude_overflow<int64_t>();
+    const Division128 division = divide_full(high, a << fraction, b);
+    if (division.quotient >> 63 != 0) return magnitude_overflow<int64_t>();
+    const uint64_t rest = division.remainder, other = b - rest;
+    return division.quotient + (tie_upward ? rest >= other : rest > other);
+}
 template <int F>
 struct WideQuotient<int64_t, F> {
     static FIXEDPOINT_CONSTEXPR uint64_t rounded(uint64_t a, uint64_t b, bool tie_upward) {
-        const uint64_t high = a >> 1 >> (63 - F);
-        // The integer part takes at least 64 bits.
-        if (high >= b) return magnitude_overflow<int64_t>();
-        const Division128 division = divide_full(high, a << F, b);
-        if (division.quotient >> 63 != 0) return magnitude_overflow<int64_t>();
-        const uint64_t rest = division.remainder, other = b - rest;
-        return division.quotient + (tie_upward ? rest >= other : rest > other);
+        return rounded_quotient_64(a, b, F, tie_upward);
     }
 };
 
+template <class Raw>
+constexpr Raw quotient_by_zero(Raw a) {
+    return a > 0 ? RawLimits<Raw>::max : a < 0 ? RawLimits<Raw>::min : Raw(0);
+}
+
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw divide(Raw a, Raw b) {
-    if (b == 0) return a > 0 ? RawLimits<Raw>::max : a < 0 ? RawLimits<Raw>::min : Raw(0);
+    if (b == 0) return quotient_by_zero(a);
     const bool negative = (a < 0) != (b < 0);
     return clamped_with_sign<Raw>(
         WideQuotient<Raw, F>::rounded(magnitude(a), magnitude(b), !negative), negative);

@@ -102,6 +102,10 @@ template <>
 struct Exponential<int32_t, 16> {
     static FIXEDPOINT_CONSTEXPR int32_t apply(int32_t a) { return exp_q16_16(a); }
 };
+template <int F>
+struct Exponential<int64_t, F> {
+    static FIXEDPOINT_CONSTEXPR int64_t apply(int64_t a) { return exp_64<int64_t, F>(a, F); }
+};
 template <>
 struct Exponential<int64_t, 32> {
     static FIXEDPOINT_CONSTEXPR int64_t apply(int64_t a) { return exp_q32_32(a); }

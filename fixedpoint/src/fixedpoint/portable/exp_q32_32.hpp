@@ -94,6 +94,27 @@ FIXEDPOINT_CONSTEXPR int64_t exp_q32_32(int64_t a) {
     return rounded(unrounded_exp_q32_32(a));
 }
 
+// 2^fraction e^(a / 2^fraction) = 2^32 e^x, bit for bit as avr/exp_64.S computes it.
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw exp_64(Raw a, uint8_t fraction) {
+    using Table = Exp64Table<>;
+    const Raw whole = a >> fraction;
+    if (whole >= 64) return RawLimits<Raw>::max;
+    if (whole < -64) return 0;
+    const uint64_t behind = fraction == 0 ? 0 : static_cast<uint64_t>(a) << (64 - fraction) % 64;
+    const uint64_t whole_of_multiple = static_cast<uint64_t>(((178 * fraction + 192) >> 8) - 23);
+    const Word128 x =
+        Word128(static_cast<uint64_t>(whole) << 8 | behind >> 56, behind << 8) +
+        Word128(whole_of_multiple << 8 | read_program_memory(Table::multiple[fraction + 1]) >> 56,
+                read_program_memory(Table::multiple[fraction + 1]) << 8 |
+                    read_program_memory(Table::multiple_low[fraction + 1]));
+    const int64_t whole_of_x = static_cast<int64_t>(x.high) >> 8;
+    if (whole_of_x >= 22) return RawLimits<Raw>::max;
+    if (whole_of_x < -23) return 0;
+    const Raw power = rounded(unrounded_exp_72(x));
+    return power < 0 ? RawLimits<Raw>::max : power;
+}
+
 // Where the caller has seen to the range; of Q32.32 alone.
 
 // e^a in units of 2^-40, rounded downward. Needs a from -23 to 15.

@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: MIT
+// int64_t fixedpoint_divide_64(int64_t a, int64_t b, uint8_t fraction)
+// floor(a 2^fraction / b + 1/2), clamped; b = 0: the largest number where a > 0, the smallest where
+// a < 0, 0 where a = 0. fraction < 64.
+//
+// In       a = r25:r18, b = r17:r10, fraction = r8
+// Out      r25:r18
+// Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
+// Stack    24 bytes
+// Table    256 bytes, fixedpoint_long_division_table
+//
+// Long division of magnitudes in base 256 by d = 2^k |b|, whose leading one is bit 63. The dividend
+// is |a| 2^(fraction + k): a is shifted by the bits of that exponent below a byte, and each of its
+// whole bytes makes one more digit, for which a zero byte follows the remainder u. A digit from the
+// highest bytes (long_division.inc) is at most 1 too large; then d comes back. Digits that are
+// surely zero cost no division. The first digit that is not surely zero makes, with the next one, a
+// number that is not zero: with more than nine digits left the quotient is out of range, and of
+// nine the first has to be zero. Last, twice the remainder is compared with d.
+
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
+
+// |a|, then the remainder, last the quotient
+#define u0 r18
+#define u1 r19
+#define u2 r20
+#define u3 r21
+#define u4 r22
+#define u5 r23
+#define u6 r24
+#define u7 r25
+#define u8 r28
+#define d0 r10
+#define d1 r11
+#define d2 r12
+#define d3 r13
+#define d4 r14
+#define d5 r15
+#define d6 r16
+#define d7 r17
+#define x0 d7
+#define x1 d6
+#define inverse r4
+#define zero r5
+#define count r6
+
+#include "long_root.inc"
+
+    .macro negate first, last
+    .irp n, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25
+    .if (\n >= \first) && (\n <= \last)
+    com r\n
+    .endif
+    .endr
+    .irp n, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25
+    .if (\n >= \first) && (\n <= \last)
+    adc r\n, zero
+    .endif
+    .endr
+    .endm
+
+    .macro next_byte
+    mov u8, u7
+    mov u7, u6
+    mov u6, u5
+    mov u5, u4
+    mov u4, u3
+    mov u3, u2
+    mov u2, u1
+    mov u1, u0
+    clr u0
+    .endm
+
+    // u -= digit (p4 2^32 + p2 2^16 + p0) 2^(8 byte), where u`byte` is r(18 + byte).
+    .macro take_off byte, p0, p2, p4
+    mul digit, \p0
+    movw r30, r0
+    mul digit, \p2
+    movw r2, r0
+    mul digit, \p4
+    .if \byte == 0
+    sub u0, r30
+    sbc u1, r31
+    sbc u2, r2
+    sbc u3, r3
+    sbc u4, r0
+    sbc u5, r1
+    sbc u6, zero
+    .else
+    sub u1, r30
+    sbc u2, r31
+    sbc u3, r2
+    sbc u4, r3
+    sbc u5, r0
+    sbc u6, r1
+    .endif
+    sbc u7, zero
+    sbc u8, zero
+    .endm
+
+    FUNCTION fixedpoint_divide_64
+    .irp n, 28, 17, 16, 15, 14, 13, 12, 11, 10, 6, 5, 4, 3, 2
+    push r\n
+    .endr
+    clr zero
+    mov r0, d7
+    eor r0, u7
+    bst r0, 7
+    tst u7
+    brpl 1f
+    negate 18, 25
+1:  tst d7
+    brpl 1f
+    negate 10, 17
+1:  mov r0, d0
+    .irp n, 11, 12, 13, 14, 15, 16, 17
+    or r0, r\n
+    .endr
+    brne 1f
+    rjmp .Lzero_divisor
+    // r30 = fraction + k
+1:  mov r30, r8
+    rjmp 2f
+1:  mov d7, d6
+    mov d6, d5
+    mov d5, d4
+    mov d4, d3
+    mov d3, d2
+    mov d2, d1
+    mov d1, d0
+    clr d0
+    subi r30, -8
+2:  tst d7
+    breq 1b
+    brmi 2f
+1:  lsl d0
+    rol d1
+    rol d2
+    rol d3
+    rol d4
+    rol d5
+    rol d6
+    rol d7
+    inc r30
+    tst d7
+    brpl 1b
+2:  clr u8
+    mov r31, r30
+    andi r31, 7
+    breq 2f
+1:  lsl u0
+    rol u1
+    rol u2
+    rol u3
+    rol u4
+    rol u5
+    rol u6
+    rol u7
+    rol u8
+    dec r31
+    brne 1b
+2:  lsr r30
+    lsr r30
+    lsr r30
+    inc r30
+    mov count, r30
+    // Digits that are surely zero
+    rjmp 2f
+1:  dec count
+    breq .Lno_digit
+    next_byte
+2:  tst u8
+    brne 1f
+    cp u7, d7
+    brcs 1b
+1:  invert inverse, d7, d6
+    mov r30, count
+    cpi r30, 10
+    brcs 1f
+    rjmp .Lsaturate
+.Lno_digit:
+    clr r30
+1:  cpi r30, 8
+    brcc 1f
+    push zero
+    inc r30
+    rjmp 1b
+1:  tst count
+    brne .Ldigit
+    rjmp .Lcompare
+
+.Ldigit:
+    estimate u8, u7, u6
+    take_off 0, d0, d2, d4
+    take_off 1, d1, d3, d5
+    brpl 2f
+1:  dec digit
+    add u0, d0
+    adc u1, d1
+    adc u2, d2
+    adc u3, d3
+    adc u4, d4
+    adc u5, d5
+    adc u6, d6
+    adc u7, d7
+    adc u8, zero
+    brmi 1b
+2:  mov r30, count
+    cpi r30, 9
+    brne 1f
+    tst digit
+    breq 2f
+    rjmp .Lsaturate
+1:  push digit
+2:  dec count
+    breq .Lcompare
+    next_byte
+    rjmp .Ldigit
+
+    // 2 u >= d, for a negative quotient 2 u > d: carry clear.
+.Lcompare:
+    lsl u0
+    rol u1
+    rol u2
+    rol u3
+    rol u4
+    rol u5
+    rol u6
+    rol u7
+    brcs 2f
+    brtc 1f
+    sec
+1:  cpc u0, d0
+    cpc u1, d1
+    cpc u2, d2
+    cpc u3, d3
+    cpc u4, d4
+    cpc u5, d5
+    cpc u6, d6
+    cpc u7, d7
+    rjmp 3f
+2:  clc
+3:  .irp n, 18, 19, 20, 21, 22, 23, 24, 25
+    pop r\n
+    .endr
+    sbrc u7, 7
+    rjmp .Lsaturate
+    .irp n, 18, 19, 20, 21, 22, 23, 24, 25
+    sbci r\n, 0xff
+    .endr
+    brmi .Lsaturate
+    brtc .Lrestore
+    negate 18, 25
+    rjmp .Lrestore
+
+.Lzero_divisor:
+    mov r0, u0
+    .irp n, 19, 20, 21, 22, 23, 24, 25
+    or r0, r\n
+    .endr
+    breq .Lrestore
+.Lsaturate:
+    ldi u0, 0xff
+    brtc 1f
+    clr u0
+1:  mov u1, u0
+    movw u2, u0
+    movw u4, u0
+    movw u6, u0
+    subi u7, 0x80
+.Lrestore:
+    clr r1
+    .irp n, 2, 3, 4, 5, 6, 10, 11, 12, 13, 14, 15, 16, 17, 28
+    pop r\n
+    .endr
+    ret
+    ENDFUNC fixedpoint_divide_64
+
+#endif

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+// int64_t fixedpoint_dot_64(const int64_t* a, const int64_t* b, uint8_t n, uint8_t fraction)
+// int64_t fixedpoint_multiply_64(int64_t a, int64_t b, uint8_t fraction)
+// floor(sum a_i b_i / 2^fraction + 1/2) modulo 2^64 of n = 1 to 3 components, or of one product:
+// one rounding. fraction < 64.
+//
+// In       a = r25:r24, b = r23:r22, in RAM, n = r20, fraction = r18;
+//          a = r25:r18, b = r17:r10, fraction = r8
+// Out      r25:r18
+// Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
+// Stack    43 bytes
+//
+// Row by row: each takes one byte of all b_i and leaves one byte of the exact sum on the stack. The
+// even and the odd products of a byte lie side by side and go into the sum in one carry chain each.
+// They are products of unsigned numbers: where a_i is negative, they are 2^64 b_i too much, and
+// likewise for b_i, which the bytes from 8 on lose last. The sum of a row is below 2^80.
+//
+// The result is in nine bytes of the sum, shifted by at most seven bits. The bit that leaves last
+// rounds; where none does, it is the highest of the byte below, and below byte 0 lies the fraction,
+// which has none there. A single product takes the saved registers of b and a copy of a as vectors.
+
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
+
+#define rows r7
+#define components r6
+#define digit r30
+#define left r31
+
+    .macro clear_sum
+    clr r8
+    clr r9
+    movw r10, r8
+    movw r12, r8
+    movw r14, r8
+    movw r16, r8
+    .endm
+
+    // Products of the bytes n.. at Y, each two bytes above the one before, side by side.
+    .macro products n
+    ldd r18, Y + \n
+    mul r18, digit
+    movw r18, r0
+    ldd r20, Y + \n + 2
+    mul r20, digit
+    movw r20, r0
+    ldd r22, Y + \n + 4
+    mul r22, digit
+    movw r22, r0
+    ldd r24, Y + \n + 6
+    mul r24, digit
+    movw r24, r0
+    clr r1
+    .endm
+
+    // Takes the number at `pointer` off bytes 8 to 15 of the sum.
+    .macro take_off pointer
+    ld r0, \pointer
+    sub r8, r0
+    .irp n, 9, 10, 11, 12, 13, 14, 15
+    ldd r0, \pointer + \n - 8
+    sbc r\n, r0
+    .endr
+    .endm
+
+    SECTION fixedpoint_dot_64
+    ENTRY fixedpoint_multiply_64
+    set
+    rjmp 1f
+    ENDFUNC fixedpoint_multiply_64
+
+    ENTRY fixedpoint_dot_64
+    clt
+1:  push r29
+    push r28
+    .irp n, 17, 16, 15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 25, 24, 23, 22, 21, 20, 19, 18
+    push r\n
+    .endr
+    movw r2, r24
+    movw r4, r22
+    mov components, r20
+    brtc 2f
+    in r26, 0x3d
+    in r27, 0x3e
+    adiw r26, 1
+    movw r2, r26
+    adiw r26, 16
+    movw r4, r26
+    ldi digit, 1
+    mov components, digit
+    mov r18, r8
+2:  push r18
+    clear_sum
+    ldi digit, 8
+    mov rows, digit
+.Lrow:
+    movw r28, r2
+    movw r26, r4
+    mov left, components
+.Lcomponent:
+    ld digit, X
+    adiw r26, 8
+    products 0
+    add r8, r18
+    adc r9, r19
+    adc r10, r20
+    adc r11, r21
+    adc r12, r22
+    adc r13, r23
+    adc r14, r24
+    adc r15, r25
+    adc r16, r1
+    adc r17, r1
+    products 1
+    add r9, r18
+    adc r10, r19
+    adc r11, r20
+    adc r12, r21
+    adc r13, r22
+    adc r14, r23
+    adc r15, r24
+    adc r16, r25
+    adc r17, r1
+    adiw r28, 8
+    dec left
+    brne .Lcomponent
+    push r8
+    mov r8, r9
+    mov r9, r10
+    mov r10, r11
+    mov r11, r12
+    mov r12, r13
+    mov r13, r14
+    mov r14, r15
+    mov r15, r16
+    mov r16, r17
+    clr r17
+    sec
+    adc r4, r1
+    adc r5, r1
+    dec rows
+    breq 1f
+    rjmp .Lrow
+1:  movw r28, r2
+    movw r30, r4
+    sbiw r30, 8
+.Lsigns:
+    ldd r18, Y + 7
+    sbrs r18, 7
+    rjmp 1f
+    take_off Z
+1:  ldd r18, Z + 7
+    sbrs r18, 7
+    rjmp 2f
+    take_off Y
+2:  adiw r28, 8
+    adiw r30, 8
+    dec components
+    brne .Lsigns
+    .irp n, 8, 9, 10, 11, 12, 13, 14, 15
+    push r\n
+    .endr
+    // The byte below the nine, r0, and those, r27:r25..r18
+    in r30, 0x3d
+    in r31, 0x3e
+    movw r28, r30
+    ldd r26, Y + 17
+    mov r27, r26
+    lsr r27
+    lsr r27
+    lsr r27
+    adiw r30, 18
+    sub r30, r27
+    sbc r31, r1
+    ld r0, -Z
+    .irp n, 18, 19, 20, 21, 22, 23, 24, 25, 27
+    ld r\n, -Z
+    .endr
+    lsl r0
+    andi r26, 7
+    breq 2f
+1:  lsr r27
+    ror r25
+    ror r24
+    ror r23
+    ror r22
+    ror r21
+    ror r20
+    ror r19
+    ror r18
+    dec r26
+    brne 1b
+2:  .irp n, 18, 19, 20, 21, 22, 23, 24, 25
+    adc r\n, r1
+    .endr
+    adiw r28, 25
+    in r0, 0x3f
+    cli
+    out 0x3e, r29
+    out 0x3f, r0
+    out 0x3d, r28
+    .irp n, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 28, 29
+    pop r\n
+    .endr
+    ret
+    ENDFUNC fixedpoint_dot_64
+
+#endif
