@@ -10,12 +10,12 @@
 // Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
 // Table    96 bytes, fixedpoint_arctangent_small_table
 //
-// The smaller magnitude is divided by the larger one bit by bit, to 24 bits. parabola_small.S gives
-// 256/257 of the ratio's arc tangent, to which its upper bytes are added, with half an ulp for
-// rounding.
+// The smaller magnitude is divided by the larger one bit by bit, to 20 bits, after both have been
+// halved until three bytes hold them. parabola_small.S gives 256/257 of the ratio's arc tangent, to
+// which its upper bytes are added, with half an ulp for rounding.
 //
-// Error in ulp: parabola 0.2, ratio 0.004, pi 0.002. Rounding 0.5. The worst of all 2^32 inputs of
-// atan is 0.70928, at 825018; the worst found of atan2, in 2 10^7 pairs, 0.71050, at (3641, 45204).
+// Error in ulp: parabola 0.2, ratio 0.03, pi 0.002. Rounding 0.5. The worst found of atan, in 4 10^7
+// inputs, is 0.72928, at 808607; of atan2, in 2 10^7 pairs, 0.73179, at (17934928, -1988335).
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -44,49 +44,57 @@
 
     ENTRY fixedpoint_atan2_q16_16_small
     into_first_octant
-    cp d0, r1
-    cpc d1, r1
-    cpc d2, r1
+    // Below 2^23 twice N fits three bytes.
+.Lscale:
+    cpi d2, 0x80
     cpc d3, r1
-    brne .Ldivide
-    ret                 // D is 0, and so is N
-.Ldivide:
-    brpl .Lfits
-    lsr d3              // D is 2^31: halved, so that twice N fits
+    brcs .Lscaled
+    lsr d3
+    ror d2
+    ror d1
+    ror d0
     lsr n3
     ror n2
     ror n1
     ror n0
-.Lfits:
-    // 24 bits, inverted, a byte at a time: the one ahead of its bits leaves when it is complete. The
-    // upper bits of the octant count the bytes, and are 0 again behind the third.
-    ori octant, 0x40
+    rjmp .Lscale
+.Lscaled:
+    cp d0, r1
+    cpc d1, r1
+    cpc d2, r1
+    brne .Ldivide
+    ret                 // D is 0, and so is N
+.Ldivide:
+    // 20 bits, inverted, two bytes and four bits: the one ahead of its bits leaves when they are
+    // complete. The upper bits of the octant count, and are 0 again at last.
+    ori octant, 0x10
 .Lbyte:
     mov x2, x1
     mov x1, x0
     ldi x0, 1
+    sbrc octant, 7
+    ldi x0, 0x10
 .Lbit:
     lsl n0
     rol n1
     rol n2
-    rol n3
     cp n0, d0
     cpc n1, d1
     cpc n2, d2
-    cpc n3, d3
     brcs .Lbelow
     sub n0, d0
     sbc n1, d1
     sbc n2, d2
-    sbc n3, d3
 .Lbelow:
     rol x0
     brcc .Lbit
-    subi octant, 0xc0
+    subi octant, 0xb0
     brcs .Lbyte
     com x0
     com x1
     com x2
+    swap x0
+    andi x0, 0xf6       // 6 for the bits that follow: errors are balanced
     mov r23, x0
     movw r24, x1
     ldi sum0, 0

@@ -1,103 +1,237 @@
 // SPDX-License-Identifier: MIT
 // int32_t fixedpoint_sin_q16_16_small(int32_t angle)
 // int32_t fixedpoint_cos_q16_16_small(int32_t angle)
-// Sine and cosine of a Q16.16 angle in radians, for every input; within 0.58 ulp, in [-1, 1].
-// Without a table: about a fifth of the flash of fixedpoint_sin_q16_16, and slower.
+// Sine and cosine of a Q16.16 angle in radians, for every input; within 0.73 ulp, in [-1, 1].
+// Without a table: about a sixth of the flash of fixedpoint_sin_q16_16, and slower.
 //
 // In       angle = r25:r22
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
 //
-// Of the quarter turns x, folded into [0, 1), sin(pi/2 x) / 2 = x (c0 + y (c1 + y (c2 + y c3))),
-// y = 1 - x^2: the polynomial of least largest error, 5.9e-7 of the sine, that
-// fixedpoint/tables/minimax.py finds. In 1 - x^2 no coefficient is negative. All factors are
-// fractions of 24 bits, but 8 are enough for c3.
+// With x the distance from the next peak in quarter turns and y = x^2, the magnitude of the sine is
+// 1 - y - y (1 - y) b, where b = c0 - y (c1 - y c2); fixedpoint/tables/sine_small.py fits c0 and c1 to
+// c2 = 2^-10. The last term is below 1/16: 16 bits of y, 1 - y and 4 b are enough in it, 24 beside it.
 //
-// Error in ulp: polynomial, coefficients and cut products 0.072 over all x, around their mean, which
-// is added with the half ulp for rounding; quarter turns 0.036. Rounding 0.5. The worst found, in 9 10^7
-// angles, is 0.57075, at -170937994.
+// Error in ulp: squares, bracket and its product 0.195, quarter turns 0.02. Rounding 0.5. The worst
+// found, in 2 10^8 angles, is 0.71896.
+//
+// Products are cut, which adds BIAS units of 2^-24 to the magnitude in the mean: the half ulp that
+// rounds is less by it where the sine is positive, and more where it is negative.
+//
+// The quarter turns are a product with the 40 bits a2f9836e4e / 2^40 of 2/pi, in units of 2^-24.
+// Byte products below the unit are left out; one with f9 is taken as one with 100.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
-
-#include "quarter_turns_q16_16.inc"
-
 #include "sin_polynomial.inc"
-// Half an ulp in units of 2^-7 and four units for what is cut.
-#define ROUNDING 68
 
-#define x0 b4
-#define x1 b5
-#define x2 b6
-#include "multiply_high_24.inc"
+#define a0 r22
+#define a1 r23
+#define a2 r24
+#define a3 r25
+// 2/pi; m1 is used up early.
+#define M0 0x4e
+#define M1 0x6e
+#define M2 0x83
+#define M3 0xf9
+#define M4 0xa2
+#define m r24
+#define m1 r18
+#define m2 r19
+#define m3 r20
+#define m4 r21
+#define zero r18
+// The fraction, of which x is made, and above it the quadrant.
+#define x0 r26
+#define x1 r27
+#define x2 r30
+#define quadrant r31
+#define y0 r21
+#define y1 r22
+#define y2 r23
+// c1 - c2 y, and the bracket b.
+#define q1 r24
+#define q2 r25
+#define b1 r26
+#define b2 r27
+// 1 - y, and its product with y.
+#define z1 r24
+#define z2 r25
+#define s0 r30
+#define s1 r31
+#define s2 r20
+#define p0 r19
+#define p1 r24
+#define p2 r25
+#define half r20
 
     SECTION fixedpoint_sin_q16_16_small
 
     ENTRY fixedpoint_cos_q16_16_small
-    ldi b7, 1
+    ldi quadrant, 1
     rjmp .Lreduce
     ENDFUNC fixedpoint_cos_q16_16_small
 
     ENTRY fixedpoint_sin_q16_16_small
-    ldi b7, 0
+    ldi quadrant, 0
 .Lreduce:
-    quarter_turns
-    bst b7, 1
-    lsr b7
-    brcc 1f
+    ldi m1, M1
+    ldi m2, M2
+    ldi m3, M3
+    ldi m4, M4
+    mul a0, m4
+    movw x0, r0
+    mul a2, m1
+    add x0, r1
+    clr zero            // m1 is used up; carry stays
+    adc x1, zero
+    mul a1, m2
+    add x0, r1
+    adc x1, zero
+    add x0, a0          // M3 a0 / 2^8
+    adc x1, zero        // at most 0xa1 + 3
+    mul a1, m3
+    add x0, r0
+    adc x1, r1
+    clr x2
+    adc x2, zero
+    mul a2, m2
+    add x0, r0
+    adc x1, r1
+    adc x2, zero
+    mul a1, m4
+    add x1, r0
+    adc x2, r1          // at most 2 + 0xa1 + 1
+    mul a2, m3
+    add x1, r0
+    adc x2, r1
+    adc quadrant, zero
+    mul a2, m4
+    add x2, r0
+    adc quadrant, r1
+    tst a3
+    breq .Lreduced
+    // Beyond 256 rad, or negative.
+    ldi m, M0
+    mul a3, m
+    mov m, r1
+    mul a3, m2
+    movw a0, r0
+    mul a3, m4
+    add x0, m
+    adc x1, a0
+    adc x2, a1
+    adc quadrant, r0
+    ldi m, M1
+    mul a3, m
+    movw a0, r0
+    mul a3, m3
+    add x0, a0
+    adc x1, a1
+    adc x2, r0
+    adc quadrant, r1
+    tst a3
+    brpl .Lreduced
+    subi x0, M0         // 2^32 times 2/pi
+    sbci x1, M1
+    sbci x2, M2
+    sbci quadrant, M3
+.Lreduced:
+    bst quadrant, 1
+    sbrc quadrant, 0
+    rjmp .Lsquare
     com x0
     com x1
     com x2
-1:  movw t0, x0
-    mov t2, x2
-    rcall .Lmultiply_by_x
-    com t0
-    com t1
-    com t2
-    movw z0, t0
-    mov z2, t2
-    ldi carried, C3
-    ldi t0, lo8(C2)
-    ldi t1, hi8(C2)
-    ldi t2, hlo8(C2)
-    mul carried, z2
-    add t0, r0
-    adc t1, r1
-    adc t2, zero
-    mul carried, z1
-    add t0, r1
-    adc t1, zero
-    adc t2, zero
-    rcall .Lmultiply
-    add_constant C1
-    rcall .Lmultiply
-    add_constant C0
-    rcall .Lmultiply_by_x
+.Lsquare:
+    mul x2, x2
+    movw y1, r0
+    mul x1, x1
+    mov y0, r1
+    mul x2, x0
+    mov p0, r1
+    mul x2, x1
+    add p0, r0
+    adc r1, zero
+    lsl p0
+    rol r1
+    adc y2, zero
+    add y0, p0
+    adc y1, r1
+    adc y2, zero
+
+    ldi q1, lo8(C1)
+    ldi q2, hi8(C1)
+    sub q1, y2
+    sbc q2, zero
+    ldi b1, lo8(C0)
+    ldi b2, hi8(C0)
+    mul y1, q2
+    sub b1, r1          // without a borrow
+    mul y2, q1
+    sub b1, r1
+    sbc b2, zero
+    mul y2, q2
+    sub b1, r0
+    sbc b2, r1
+
+    movw z1, y1
+    com z1
+    com z2
+    mul y2, z1
+    movw s0, r0
+    mul y1, z2
+    add s0, r0
+    adc s1, r1          // no carry: both are at most 255^2 in sum
+    clr s2
+    mul y2, z2
+    add s1, r0
+    adc s2, r1
+
+    mul s2, b2
+    movw p1, r0
+    mul s1, b1
+    mov p0, r1
+    mul s0, b2
+    add p0, r1
+    adc p1, zero
+    adc p2, zero
+    mul s2, b1
+    add p0, r0
+    adc p1, r1
+    adc p2, zero
+    mul s1, b2
+    add p0, r0
+    adc p1, r1
+    adc p2, zero
+    lsr p2
+    ror p1
+    ror p0
+    lsr p2
+    ror p1
+    ror p0
+    add y0, p0
+    adc y1, p1
+    adc y2, p2
+
+    // What is missing from 1 is y; less 1 it is the sine in the lower half turn.
+    ldi half, 128 + BIAS
+    ldi r24, 0xff
+    brts .Lround
+    ldi half, 129 - BIAS
+    com y0
+    com y1
+    com y2
+    com r24
+.Lround:
+    add y0, half
+    adc y1, zero
+    adc y2, zero
+    adc r24, zero
+    mov r25, r24        // 0 or 1, or -1
+    asr r25
     clr r1
-    subi t0, lo8(0x1000000 - ROUNDING)
-    sbci t1, hi8(0x1000000 - ROUNDING)
-    sbci t2, hlo8(0x1000000 - ROUNDING)
-    lsl t0              // the unit is 2^-7 ulp: result = t2:t1, 2^16 in the carry
-    rol t1
-    rol t2
-    mov r22, t1
-    mov r23, t2
-    ldi r25, 0
-    ldi r24, 0
-    adc r24, r24
-    brts 2f
     ret
-2:  com r24
-    com r23
-    neg r22
-    sbci r23, 0xff
-    sbci r24, 0xff
-    sbc r25, r25
-    ret
-
-    quarter_turns_far
-
-    multiply_high_24
     ENDFUNC fixedpoint_sin_q16_16_small
 
 #endif

@@ -10,11 +10,15 @@
 namespace fixedpoint {
 namespace portable {
 
-// numerator / denominator with 24 fraction bits, below 1. Needs numerator <= denominator, not 0.
-constexpr uint32_t exact_ratio_q16_16(uint32_t numerator, uint32_t denominator) {
-    return numerator == denominator
-               ? 0xffffff
-               : static_cast<uint32_t>((static_cast<uint64_t>(numerator) << 24) / denominator);
+// numerator / denominator as a fraction of 24 bits, of which the kernel computes 20; with 6 for the
+// others, errors are balanced. Needs numerator <= denominator, not 0.
+FIXEDPOINT_CONSTEXPR uint32_t ratio_small_q16_16(uint32_t numerator, uint32_t denominator) {
+    for (; denominator >> 23 != 0; denominator >>= 1) numerator >>= 1;
+    const uint32_t bits =
+        numerator == denominator
+            ? 0xfffff
+            : static_cast<uint32_t>((static_cast<uint64_t>(numerator) << 20) / denominator);
+    return bits << 4 | 6;
 }
 
 FIXEDPOINT_CONSTEXPR int32_t atan2_small_q16_16(int32_t y, int32_t x) {
@@ -22,7 +26,7 @@ FIXEDPOINT_CONSTEXPR int32_t atan2_small_q16_16(int32_t y, int32_t x) {
     const uint32_t height = magnitude(y), width = magnitude(x);
     const bool steep = height > width;
     const uint32_t ratio =
-        steep ? exact_ratio_q16_16(width, height) : exact_ratio_q16_16(height, width);
+        steep ? ratio_small_q16_16(width, height) : ratio_small_q16_16(height, width);
     const uint32_t scaled = parabola_small<ArctangentSmallTable<>>(ratio);
     return angle_in_octant_q16_16(scaled + (scaled >> 8), steep, x < 0, y < 0);
 }
