@@ -75,6 +75,11 @@ ROOMS = [
     room("kernels", f"{FIXED}/avr/transform_32.S {FIXED}/avr/cross_32.S {FIXED}/avr/polynomial_q16_16.S"
          f" {FIXED}/avr/product_sum_32.inc", 2,
          Check("vector_kernels_test", "VectorProducts.*", "vector_products")),
+    room("kernels", f"{FIXED}/avr/complex_32.S {FIXED}/avr/cofactors_32.S {FIXED}/avr/one_pole_32.S"
+         f" {FIXED}/avr/biquad_32.S", 2,
+         Check("vector_kernels_test", "VectorComplexProduct.*", "vector_complex_product"),
+         Check("vector_kernels_test", "VectorCofactors.*", "vector_cofactors"),
+         Check("vector_kernels_test", "VectorFilters.*", "vector_filters")),
     kernels(f"{FIXED}/avr/*_q8_8.S {FIXED}/avr/*_q8_8.inc", 4, "q8_8"),
     kernels(f"{FIXED}/avr/*_q4_4.S", 2, "q4_4"),
     kernels(f"{FIXED}/avr/*_q32_32.S {FIXED}/avr/cubic_64.* !*/absolute_q32_32.S !*/lerp_q32_32.S"

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The kernels of vectors, matrices, quaternions and polynomials on the simulated chip, against
-// exact arithmetic: any operands, and those that the kernels take apart (components of unit
+// The kernels of vectors, matrices, quaternions, polynomials and filters on the simulated chip,
+// against exact arithmetic: any operands, and those that the kernels take apart (components of unit
 // vectors, their fractions 0).
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <random>
 #include <string>
 #include <vector>
@@ -64,6 +66,16 @@ class VectorKernels : public testing::Test {
         chip_.write(addresses_[index], {reinterpret_cast<const std::uint8_t*>(v.data()), sizeof v});
         return addresses_[index];
     }
+    template <class T>
+    void write(std::uint16_t address, const T& object) {
+        chip_.write(address, {reinterpret_cast<const std::uint8_t*>(&object), sizeof object});
+    }
+    template <class T>
+    T read(std::uint16_t address) const {
+        T object;
+        chip_.read(address, {reinterpret_cast<std::uint8_t*>(&object), sizeof object});
+        return object;
+    }
     Vector get(int index) const {
         Vector v;
         chip_.read(addresses_[index], {reinterpret_cast<std::uint8_t*>(v.data()), sizeof v});
@@ -84,6 +96,18 @@ class VectorSteps : public VectorKernels {
 class VectorProducts : public VectorKernels {
   protected:
     VectorProducts() : VectorKernels("vector_products") {}
+};
+class VectorFilters : public VectorKernels {
+  protected:
+    VectorFilters() : VectorKernels("vector_filters") {}
+};
+class VectorComplexProduct : public VectorKernels {
+  protected:
+    VectorComplexProduct() : VectorKernels("vector_complex_product") {}
+};
+class VectorCofactors : public VectorKernels {
+  protected:
+    VectorCofactors() : VectorKernels("vector_cofactors") {}
 };
 
 TEST_F(VectorSteps, ProjectIsTheDotProductAndDotDifferenceThatOfTheDifferenceRoundedOnce) {
@@ -251,6 +275,137 @@ TEST_F(VectorProducts, PolynomialsRoundOnceAStep) {
         for (int k = n - 2; k >= 0; --k) expected = sum(product(expected, x), c[k]);
         ASSERT_EQ(polynomial(x, at_c, n).as<int32_t>(), expected) << x << " " << n;
     }
+}
+
+TEST_F(VectorComplexProduct, IsTheRoundedDifferenceAndSum) {
+    using Complex = std::array<int32_t, 2>;
+    const std::uint16_t at_result = chip_.allocate(8), at_a = chip_.allocate(8),
+                        at_b = chip_.allocate(8);
+    for (int fraction = 0; fraction <= 32; ++fraction) {
+        const exact::Format format{32, fraction};
+        const std::string split = std::to_string(32 - fraction) + "_" + std::to_string(fraction);
+        DeviceFunction multiply(chip_, "fixedpoint_complex_product_q" + split, {0, {2, 2, 2}});
+        for (int i = 0; i < (fraction == 16 || fraction == 24 ? rounds / 10 : 100); ++i) {
+            const Complex a = {number(fraction), number(fraction)},
+                          b = {number(fraction), number(fraction)};
+            write(at_a, a);
+            write(at_b, b);
+            multiply(at_result, at_a, at_b);
+            const auto result = read<Complex>(at_result);
+            const int64_t wide_a[2] = {a[0], a[1]}, b_conjugate[2] = {b[0], -int64_t{b[1]}},
+                          b_swapped[2] = {b[1], b[0]};
+            ASSERT_EQ(result[0], exact::dot(wide_a, b_conjugate, 2, format).wrapped) << split;
+            ASSERT_EQ(result[1], exact::dot(wide_a, b_swapped, 2, format).wrapped) << split;
+        }
+    }
+}
+
+TEST_F(VectorCofactors, AreRoundedCrossProductsOfRows) {
+    using Matrix = std::array<std::array<int32_t, 3>, 3>;
+    const std::uint16_t at_m = chip_.allocate(36), at_result = chip_.allocate(36);
+    for (int fraction = 0; fraction <= 32; ++fraction) {
+        const exact::Format format{32, fraction};
+        const std::string split = std::to_string(32 - fraction) + "_" + std::to_string(fraction);
+        DeviceFunction cofactors(chip_, "fixedpoint_cofactors_q" + split, {0, {2, 2}});
+        for (int i = 0; i < (fraction == 16 || fraction == 24 ? rounds / 10 : 60); ++i) {
+            Matrix m;
+            for (auto& row : m)
+                for (int32_t& x : row) x = number(fraction);
+            write(at_m, m);
+            cofactors(at_m, at_result);
+            const auto result = read<Matrix>(at_result);
+            for (int r = 0; r < 3; ++r) {
+                for (int c = 0; c < 3; ++c) {
+                    const int r1 = (r + 1) % 3, r2 = (r + 2) % 3, c1 = (c + 1) % 3,
+                              c2 = (c + 2) % 3;
+                    const int64_t p[2] = {m[r1][c1], -int64_t{m[r1][c2]}},
+                                  q[2] = {m[r2][c2], m[r2][c1]};
+                    ASSERT_EQ(result[r][c], exact::dot(p, q, 2, format).wrapped)
+                        << split << " " << r << " " << c;
+                }
+            }
+            ASSERT_EQ(read<Matrix>(at_m), m);
+        }
+    }
+}
+
+// The number of F bits that is congruent to a.
+int64_t low_bits(__int128 a, int fraction) {
+    return static_cast<int64_t>(a & ((int64_t{1} << fraction) - 1));
+}
+
+// The error is held with the half that rounds, in the highest bits of `Low`.
+template <int fraction, class Low>
+struct __attribute__((packed)) OnePole {
+    int32_t coefficient;
+    Low error;
+    int32_t output;
+
+    int32_t last() const { return output; }
+    template <class Number>
+    void begin(Number number) {
+        coefficient = number();
+        output = number();
+        error = static_cast<Low>(low_bits(number(), fraction) << (8 * sizeof(Low) - fraction));
+    }
+    void take(int32_t input) {
+        constexpr int unused = 8 * sizeof(Low) - fraction;
+        const int64_t distance = std::clamp<int64_t>(int64_t{input} - output, INT32_MIN, INT32_MAX);
+        const __int128 sum = (static_cast<__int128>(output) << fraction) + (error >> unused) +
+                             static_cast<__int128>(coefficient) * distance;
+        error = static_cast<Low>(low_bits(sum, fraction) << unused);
+        output = static_cast<int32_t>(sum >> fraction);
+    }
+};
+template <int fraction, class Error>
+struct __attribute__((packed)) Biquad {
+    int32_t coefficient[5], x1, x2, y1, y2;
+    int8_t weight[2];
+    Error error[2];
+
+    int32_t last() const { return y1; }
+    template <class Number>
+    void begin(Number number) {
+        for (int i = 0; i < 5; ++i) coefficient[i] = number();
+        x1 = number(), x2 = number(), y1 = number(), y2 = number();
+        for (int i = 0; i < 2; ++i) {
+            weight[i] =
+                static_cast<int8_t>(static_cast<uint32_t>(number()) % (i == 0 ? 5 : 3) - 2 + i);
+            error[i] =
+                static_cast<Error>(low_bits(number(), fraction) - (int64_t{1} << (fraction - 1)));
+        }
+    }
+    void take(int32_t input) {
+        constexpr int64_t half = int64_t{1} << (fraction - 1);
+        __int128 sum = int64_t{weight[0]} * error[0] + int64_t{weight[1]} * error[1];
+        const int32_t signal[5] = {input, x1, x2, y1, y2};
+        for (int i = 0; i < 5; ++i) sum += static_cast<__int128>(coefficient[i]) * signal[i];
+        error[1] = error[0];
+        error[0] = static_cast<Error>(low_bits(sum + half, fraction) - half);
+        x2 = x1, x1 = input, y2 = y1, y1 = static_cast<int32_t>((sum + half) >> fraction);
+    }
+};
+
+TEST_F(VectorFilters, KeepWhatTheirSumsLose) {
+    const std::uint16_t at = chip_.allocate(64);
+    const auto follow = [&](auto filter, const std::string& kernel, int fraction) {
+        using Filter = decltype(filter);
+        DeviceFunction step(chip_, kernel, {4, {4, 2}});
+        for (int i = 0; i < rounds; ++i) {
+            if (i % 8 == 0) filter.begin([&] { return number(fraction); });
+            write(at, filter);
+            const int32_t input = number(fraction);
+            const auto output = step(input, at).as<int32_t>();
+            filter.take(input);
+            const auto after = read<Filter>(at);
+            ASSERT_EQ(output, filter.last()) << kernel << " " << i;
+            ASSERT_EQ(std::memcmp(&after, &filter, sizeof filter), 0) << kernel << " " << i;
+        }
+    };
+    follow(OnePole<16, std::uint16_t>{}, "fixedpoint_one_pole_q16_16", 16);
+    follow(OnePole<24, std::uint32_t>{}, "fixedpoint_one_pole_q8_24", 24);
+    follow(Biquad<16, std::int16_t>{}, "fixedpoint_biquad_q16_16", 16);
+    follow(Biquad<24, std::int32_t>{}, "fixedpoint_biquad_q8_24", 24);
 }
 
 }  // namespace

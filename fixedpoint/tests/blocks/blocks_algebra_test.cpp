@@ -51,6 +51,14 @@ TYPED_TEST(Algebra, ComplexProductsRoundOnce) {
     }
 }
 
+// By the kernel's definition: -INT32_MIN is no number, but its products are.
+TEST(Complex, ProductsInThirtyTwoBitsAreExactBesideTheSmallestNumber) {
+    const Complex<Q16_16> a{{Q16_16::from_raw(3 << 15), Q16_16::from_raw(5 << 14)}};
+    const Complex<Q16_16> b{{Q16_16::from_raw(1), Q16_16::min()}};
+    EXPECT_EQ((a * b).real().raw(),
+              ring<Q16_16>(product(a.part[0], b.part[0]) - product(a.part[1], b.part[1])));
+}
+
 template <class Number, uint8_t N>
 Matrix<Number, N> random_matrix(std::mt19937_64& random, long double limit) {
     Matrix<Number, N> a;

@@ -16,8 +16,7 @@
 // Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
 // Stack    18 bytes and a call
 //
-// What is subtracted goes first into a sum that begins at -1: the complement of -1 + p is -p. The
-// bytes of a, often a rotation, are those that product_sum_32.inc takes apart.
+// The bytes of a, often a rotation, are those that product_sum_32.inc takes apart.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -33,23 +32,6 @@
 #define k r8
 // Bit 0: and the scalar of a times b; bit 1: and a times the scalar of b; bit 2: twice the sum.
 #define options r9
-
-    .macro begin_at_minus_1
-    clr s0
-    com s0
-    mov s1, s0
-    movw s2, s0
-    movw s4, s0
-    movw s6, s0
-    .endm
-
-    .macro complement top
-    .irp n, 0, 1, 2, 3, 4, 5, 6, 7
-    .if \n <= \top
-    com r1\n
-    .endif
-    .endr
-    .endm
 
     .macro double top
     lsl s0
@@ -71,20 +53,11 @@
     rcall 9f
     .endm
 
-    .macro finish fraction
-    clr r1
-    round \fraction
-    st Y+, r22
-    st Y+, r23
-    st Y+, r24
-    st Y+, r25
-    clr zero
-    .endm
-
     .macro cross fraction, top
-1:  .irp n, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 28, 29
+1:  .irp n, 2, 3, 4, 5, 6, 7, 8, 9, 28, 29
     push r\n
     .endr
+    push_sum \top
     movw r28, r24
     movw a, r22
     movw b, r20
@@ -101,7 +74,7 @@
     rjmp 2f
     add b, r19
     adc r5, zero
-    begin_at_minus_1
+    begin_at_minus_1 \top
     add_components i, i
     adiw r30, 4
     rcall 9f
@@ -114,7 +87,7 @@
     sbiw r30, 4
     rcall 9f
     finish \fraction
-2:  begin_at_minus_1
+2:  begin_at_minus_1 \top
     add_components k, j
     complement \top
     add_components j, k
@@ -146,7 +119,8 @@
     tst i
     breq 5f
     rjmp 2b
-5:  .irp n, 29, 28, 17, 16, 15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2
+5:  pop_sum \top
+    .irp n, 29, 28, 9, 8, 7, 6, 5, 4, 3, 2
     pop r\n
     .endr
     ret

@@ -17,20 +17,13 @@
 #define count r28
 
     .macro dot fraction, top
-1:  push s0
-    push s1
-    push s2
-    push s3
-    push s4
-    push s5
-    push s6
-    push s7
+1:  push_sum \top
     push count
     mov count, r26
     movw r26, r24
     movw r30, r22
     clr zero
-    clear_sum
+    clear_sum \top
 2:  load_a
     add_product \fraction, \top
     adiw r30, 4
@@ -40,14 +33,7 @@
 5:  clr r1
     round \fraction
     pop count
-    pop s7
-    pop s6
-    pop s5
-    pop s4
-    pop s3
-    pop s2
-    pop s1
-    pop s0
+    pop_sum \top
     ret
     .endm
 

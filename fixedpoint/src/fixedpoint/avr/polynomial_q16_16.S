@@ -49,39 +49,7 @@
     lpm a3, Z+
     sbiw r28, 0
     breq 5f
-2:  mul a0, b0
-    mov s1, r1
-    mul a1, b1
-    movw s2, r0
-    mulsu a3, b1
-    movw s4, r0
-    mulsu a3, b0
-    sbc s5, zero
-    add s3, r0
-    adc s4, r1
-    adc s5, zero
-    mul a0, b1
-    add s1, r0
-    adc s2, r1
-    adc s3, zero
-    adc s4, zero
-    adc s5, zero
-    mul a1, b0
-    add s1, r0
-    adc s2, r1
-    adc s3, zero
-    adc s4, zero
-    adc s5, zero
-    mul a2, b0
-    lsl s1              // rounds
-    adc s2, r0
-    adc s3, r1
-    adc s4, zero
-    adc s5, zero
-    mul a2, b1
-    add s3, r0
-    adc s4, r1
-    adc s5, zero
+2:  multiply_fraction
     brts 6f
     sbrs r27, 7
     rjmp 3f

@@ -28,9 +28,10 @@
     // r26 = the bytes from one product of a component to the next one, r27 = those from one
     // component's first product to the next one's, r19 = the bytes of a row of v; T where v has n.
     .macro transform fraction, top
-1:  .irp n, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 28, 29
+1:  .irp n, 2, 3, 4, 5, 6, 7, 8, 9, 28, 29
     push r\n
     .endr
+    push_sum \top
     push r18
     movw r28, r24
     movw v, r22
@@ -43,7 +44,7 @@
     clr zero
 2:  movw r26, v
     movw r30, m
-    clear_sum
+    clear_sum \top
 4:  load_a
     add_product \fraction, \top
     cp r26, end
@@ -51,13 +52,7 @@
     add r30, step
     adc r31, zero
     rjmp 4b
-5:  clr r1
-    round \fraction
-    st Y+, r22
-    st Y+, r23
-    st Y+, r24
-    st Y+, r25
-    clr zero
+5:  finish \fraction
     add m, next
     adc r5, zero
     dec left
@@ -78,7 +73,8 @@
     add end, step
     rjmp 6b
 8:  pop r18
-    .irp n, 29, 28, 17, 16, 15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2
+    pop_sum \top
+    .irp n, 29, 28, 9, 8, 7, 6, 5, 4, 3, 2
     pop r\n
     .endr
     ret

@@ -11,6 +11,7 @@
 #pragma once
 
 #include <fixedpoint/blocks/carried_error.hpp>
+#include <fixedpoint/blocks/filter_kernel.hpp>
 
 namespace fixedpoint {
 
@@ -46,6 +47,9 @@ class BiquadSum<Fixed<IntegerBits, F, A>> {
     using Number = Fixed<IntegerBits, F, A>;
     BiquadSum(Number feedback1, Number feedback2)
         : weight1_(nearest_integer(feedback1, 2)), weight2_(nearest_integer(feedback2, 1)) {}
+    static int8_t nearest_integer(Number x, int8_t limit) {
+        return convert<int8_t>(clamp(x, Number::from_integer(-limit), Number::from_integer(limit)));
+    }
     Number of(const Number* a, const Number* b) {
         Sum error = static_cast<Sum>(times(weight1_, error1_) + times(weight2_, error2_));
         Number sum;
@@ -74,9 +78,6 @@ class BiquadSum<Fixed<IntegerBits, F, A>> {
     static typename Rounding::Low low(Number a, Number b) {
         return Rounding::low_product(a.raw(), b.raw());
     }
-    static int8_t nearest_integer(Number x, int8_t limit) {
-        return convert<int8_t>(clamp(x, Number::from_integer(-limit), Number::from_integer(limit)));
-    }
     // In cases, since the compiler would make a product of 32 bits of a loop.
     static Sum times(int8_t weight, Error error) {
         if (weight == 0) return 0;
@@ -86,6 +87,47 @@ class BiquadSum<Fixed<IntegerBits, F, A>> {
 
     int8_t weight1_, weight2_;
     Error error1_ = 0, error2_ = 0;
+};
+// The state of a filter and a step.
+template <class Number, bool in_kernel = FilterKernel<Number>::exists>
+class BiquadSteps {
+  public:
+    explicit BiquadSteps(const BiquadCoefficients<Number>& c)
+        : coefficient_{c.b0, c.b1, c.b2, -c.a1, -c.a2}, state_(), sum_(-c.a1, -c.a2) {}
+    Number take(Number input) {
+        state_[2] = state_[1];
+        state_[1] = state_[0];
+        state_[0] = input;
+        const Number output = sum_.of(coefficient_, state_);
+        state_[4] = state_[3];
+        state_[3] = output;
+        return output;
+    }
+
+  private:
+    Number coefficient_[5];
+    // x, x1, x2, y1, y2.
+    Number state_[5];
+    BiquadSum<Number> sum_;
+};
+// In the order of the kernel.
+template <class Number>
+class BiquadSteps<Number, true> {
+  public:
+    explicit BiquadSteps(const BiquadCoefficients<Number>& c)
+        : coefficient_{c.b0, c.b1, c.b2, -c.a1, -c.a2},
+          state_(),
+          weight_{BiquadSum<Number>::nearest_integer(-c.a1, 2),
+                  BiquadSum<Number>::nearest_integer(-c.a2, 1)},
+          error_() {}
+    Number take(Number input) { return FilterKernel<Number>::biquad(input, this); }
+
+  private:
+    Number coefficient_[5];
+    // x1, x2, y1, y2.
+    Number state_[4];
+    int8_t weight_[2];
+    typename RoundingError<Number::fraction_bits>::Error error_[2];
 };
 /// \endcond
 
@@ -103,25 +145,13 @@ template <class Number>
 class Biquad {
   public:
     /// At rest: all former inputs and outputs are 0.
-    explicit Biquad(const BiquadCoefficients<Number>& c)
-        : coefficient_{c.b0, c.b1, c.b2, -c.a1, -c.a2}, state_(), sum_(-c.a1, -c.a2) {}
+    explicit Biquad(const BiquadCoefficients<Number>& c) : steps_(c) {}
 
     /// Takes the next input and returns the output.
-    Number update(Number input) {
-        state_[2] = state_[1];
-        state_[1] = state_[0];
-        state_[0] = input;
-        const Number output = sum_.of(coefficient_, state_);
-        state_[4] = state_[3];
-        state_[3] = output;
-        return output;
-    }
+    Number update(Number input) { return steps_.take(input); }
 
   private:
-    Number coefficient_[5];
-    // x, x1, x2, y1, y2.
-    Number state_[5];
-    BiquadSum<Number> sum_;
+    BiquadSteps<Number> steps_;
 };
 
 }  // namespace fixedpoint

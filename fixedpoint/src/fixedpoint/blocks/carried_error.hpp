@@ -70,8 +70,9 @@ class CarriedError<Fixed<IntegerBits, F, A>> {
         sum_ = static_cast<Low>(sum_ + low);
         // multiply_add rounds the product alone.
         const bool carry = sum_ < low, rounded_up = low >> (RawLimits<Low>::width - 1) != 0;
-        return fixedpoint::multiply_add(a, b, c) +
-               Number::from_raw(static_cast<typename Number::Raw>(carry - rounded_up));
+        const auto missing = static_cast<int8_t>(carry - rounded_up);
+        const Number sum = fixedpoint::multiply_add(a, b, c);
+        return missing == 0 ? sum : sum + Number::from_raw(missing);
     }
 
   private:

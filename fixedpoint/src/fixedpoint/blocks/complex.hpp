@@ -7,6 +7,29 @@
 
 namespace fixedpoint {
 
+template <class Number>
+struct Complex;
+
+/// \cond internal
+template <class Number>
+struct ComplexProduct {
+    static Complex<Number> of(const Number* a, const Number* b) {
+        const Number conjugate[2] = {b[0], -b[1]}, swapped[2] = {b[1], b[0]};
+        return {{BlockNumber<Number>::dot2(a, conjugate), BlockNumber<Number>::dot2(a, swapped)}};
+    }
+};
+// By one call of a kernel. Raws, unlike numbers, do not begin as 0.
+template <int F>
+struct ComplexProduct<Fixed<32 - F, F>> {
+    using Number = Fixed<32 - F, F>;
+    static Complex<Number> of(const Number* a, const Number* b) {
+        int32_t product[2];
+        kernel::complex_product<int32_t, F>(product, raws(a), raws(b));
+        return {{Number::from_raw(product[0]), Number::from_raw(product[1])}};
+    }
+};
+/// \endcond
+
 /// The complex number part[0] + i part[1].
 template <class Number>
 struct Complex {
@@ -27,12 +50,10 @@ struct Complex {
         return {{a.part[0] - b.part[0], a.part[1] - b.part[1]}};
     }
     /// The product, each part rounded once; out of the range as the arithmetic has it. Where the
-    /// imaginary part of b is the smallest number, its negative is that of the arithmetic.
+    /// imaginary part of b is the smallest number, its negative is that of the arithmetic, but for
+    /// the default one in 32 bits, which is exact there, too.
     friend Complex operator*(const Complex& a, const Complex& b) {
-        const Number conjugate[2] = {b.part[0], -b.part[1]};
-        const Number swapped[2] = {b.part[1], b.part[0]};
-        return {{BlockNumber<Number>::dot2(a.part, conjugate),
-                 BlockNumber<Number>::dot2(a.part, swapped)}};
+        return ComplexProduct<Number>::of(a.part, b.part);
     }
 };
 

@@ -31,23 +31,27 @@ Matrix<Number, N> operator*(const Matrix<Number, N>& a, const Matrix<Number, N>&
 }
 
 /// \cond internal
-// The matrix of cofactors: the row i of three is the cross product of the rows behind row i.
 template <class Number>
-Matrix<Number, 2> cofactors(const Matrix<Number, 2>& a) {
-    return {{{a.element[1][1], -a.element[1][0]}, {-a.element[0][1], a.element[0][0]}}};
+void cofactors(const Matrix<Number, 2>& a, Matrix<Number, 2>& result) {
+    result.element[0][0] = a.element[1][1];
+    result.element[0][1] = -a.element[1][0];
+    result.element[1][0] = -a.element[0][1];
+    result.element[1][1] = a.element[0][0];
 }
 template <class Number>
-Matrix<Number, 3> cofactors(const Matrix<Number, 3>& a) {
-    Matrix<Number, 3> result;
-    for (uint8_t i = 0; i < 3; ++i)
-        SpaceProduct<Number>::cross(a.element[next_axis(i)], a.element[last_axis(i)],
-                                    result.element[i]);
-    return result;
+void cofactors(const Matrix<Number, 3>& a, Matrix<Number, 3>& result) {
+    SpaceProduct<Number>::cofactors(a.element, result.element);
 }
+// The cofactors of a. Not a Matrix, whose numbers would begin as 0.
 template <class Number, uint8_t N>
-Number determinant_of(const Matrix<Number, N>& a, const Matrix<Number, N>& cofactors) {
-    return dot_of(a.element[0], cofactors.element[0]);
-}
+union Cofactors {
+    explicit Cofactors(const Matrix<Number, N>& a) { cofactors(a, matrix); }
+    Matrix<Number, N> matrix;
+
+    Number determinant(const Matrix<Number, N>& a) const {
+        return dot_of(a.element[0], matrix.element[0]);
+    }
+};
 /// \endcond
 
 /// The matrix of cofactors, transposed: a adjugate(a) is determinant(a) times the unit matrix. Each
@@ -55,10 +59,10 @@ Number determinant_of(const Matrix<Number, N>& a, const Matrix<Number, N>& cofac
 /// arithmetic has it.
 template <class Number, uint8_t N>
 Matrix<Number, N> adjugate(const Matrix<Number, N>& a) {
-    const Matrix<Number, N> c = cofactors(a);
+    const Cofactors<Number, N> c(a);
     Matrix<Number, N> result;
     for (uint8_t i = 0; i < N; ++i)
-        for (uint8_t j = 0; j < N; ++j) result.element[j][i] = c.element[i][j];
+        for (uint8_t j = 0; j < N; ++j) result.element[j][i] = c.matrix.element[i][j];
     return result;
 }
 
@@ -66,7 +70,7 @@ Matrix<Number, N> adjugate(const Matrix<Number, N>& a) {
 /// up to m it is within (1 + 3 m) / 2 ulp. Out of the range as the arithmetic has it.
 template <class Number, uint8_t N>
 Number determinant(const Matrix<Number, N>& a) {
-    return determinant_of(a, cofactors(a));
+    return Cofactors<Number, N>(a).determinant(a);
 }
 
 /// Computes the inverse and says whether there is one; where the determinant, rounded, is 0,
@@ -75,12 +79,32 @@ Number determinant(const Matrix<Number, N>& a) {
 /// 2^F of the element, so that d should not be small. `inverse` may be `a`.
 template <class Number, uint8_t N>
 bool invert(const Matrix<Number, N>& a, Matrix<Number, N>& inverse) {
-    const Matrix<Number, N> c = cofactors(a);
-    const Number d = determinant_of(a, c);
+    const Cofactors<Number, N> c(a);
+    const Number d = c.determinant(a);
     if (d == Number()) return false;
-    for (uint8_t i = 0; i < N; ++i)
-        for (uint8_t j = 0; j < N; ++j) inverse.element[i][j] = c.element[j][i] / d;
+    const Number* const first = c.matrix.element[0];
+    const Number* cofactor = first;
+    Number *to = inverse.element[0], *const end = to + N * N;
+    do {
+        *to = *cofactor / d;
+        cofactor += N;
+        if (cofactor >= first + N * N) cofactor -= N * N - 1;
+    } while (++to != end);
     return true;
 }
+/// \cond internal
+// For so few elements a loop costs more than it saves.
+template <class Number>
+bool invert(const Matrix<Number, 2>& a, Matrix<Number, 2>& inverse) {
+    const Cofactors<Number, 2> c(a);
+    const Number d = c.determinant(a);
+    if (d == Number()) return false;
+    inverse.element[0][0] = c.matrix.element[0][0] / d;
+    inverse.element[0][1] = c.matrix.element[1][0] / d;
+    inverse.element[1][0] = c.matrix.element[0][1] / d;
+    inverse.element[1][1] = c.matrix.element[1][1] / d;
+    return true;
+}
+/// \endcond
 
 }  // namespace fixedpoint

@@ -102,8 +102,10 @@ struct MatrixProduct<Fixed<IntegerBits, F>, true> {
 constexpr uint8_t next_axis(uint8_t i) { return i == 2 ? uint8_t(0) : static_cast<uint8_t>(i + 1); }
 constexpr uint8_t last_axis(uint8_t i) { return i == 0 ? uint8_t(2) : static_cast<uint8_t>(i - 1); }
 
-// The cross product of two vectors, each component rounded once, and a rotation: v + w t + u x t,
-// where t = 2 u x v and (w, u) = q. `cross` is none of the factors; `rotated` may be v.
+// The cross product of two vectors, each component rounded once; the cofactors of a matrix, whose
+// row i is the cross product of the rows behind row i; and a rotation: v + w t + u x t, where
+// t = 2 u x v and (w, u) = q. `cross` is none of the factors, `cofactors` not m; `rotated` may be
+// v.
 template <class Number>
 struct SpaceProduct {
     static void cross(const Number* a, const Number* b, Number* cross) {
@@ -112,6 +114,9 @@ struct SpaceProduct {
             const Number p[2] = {a[j], a[k]}, q[2] = {b[k], -b[j]};
             cross[i] = BlockNumber<Number>::dot2(p, q);
         }
+    }
+    static void cofactors(const Number (&m)[3][3], Number (&cofactors)[3][3]) {
+        for (uint8_t i = 0; i < 3; ++i) cross(m[next_axis(i)], m[last_axis(i)], cofactors[i]);
     }
     static void rotate(const Number* q, const Number* v, Number* rotated) {
         const Number* const u = q + 1;
@@ -132,6 +137,9 @@ struct SpaceProduct<Fixed<32 - F, F>> {
     using Number = Fixed<32 - F, F>;
     static void cross(const Number* a, const Number* b, Number* cross) {
         kernel::cross<int32_t, F>(raws(cross), raws(a), raws(b));
+    }
+    static void cofactors(const Number (&m)[3][3], Number (&cofactors)[3][3]) {
+        kernel::cofactors<int32_t, F>(raws(m[0]), raws(cofactors[0]));
     }
     static void rotate(const Number* q, const Number* v, Number* rotated) {
         int32_t t[3], turned[3];

@@ -6,8 +6,33 @@
 #pragma once
 
 #include <fixedpoint/blocks/carried_error.hpp>
+#include <fixedpoint/blocks/filter_kernel.hpp>
 
 namespace fixedpoint {
+
+/// \cond internal
+// The state of a filter, in the order of its kernel, and a step.
+template <class Number>
+struct OnePoleState {
+    Number coefficient;
+    CarriedError<Number> error;
+    Number output;
+};
+template <class Number, bool in_kernel = FilterKernel<Number>::exists>
+struct OnePoleStep {
+    static Number take(OnePoleState<Number>& state, Number input) {
+        using N = BlockNumber<Number>;
+        const Number distance = N::plain(N::saturated(input) - N::saturated(state.output));
+        return state.output = state.error.multiply_add(state.coefficient, distance, state.output);
+    }
+};
+template <class Number>
+struct OnePoleStep<Number, true> {
+    static Number take(OnePoleState<Number>& state, Number input) {
+        return FilterKernel<Number>::one_pole(input, &state);
+    }
+};
+/// \endcond
 
 /// A low-pass filter with the time constant 1/k steps; the high-pass filter is x - y.
 ///
@@ -19,17 +44,12 @@ class OnePole {
   public:
     /// The coefficient k is limited to 0..1: k = 1 - e^(-step / time constant).
     explicit OnePole(Number coefficient, Number output = Number())
-        : coefficient_(limited(coefficient)), output_(output) {}
+        : state_{limited(coefficient), CarriedError<Number>(), output} {}
 
     /// Takes the next input and returns the output.
-    Number update(Number input) {
-        using N = BlockNumber<Number>;
-        const Number distance = N::plain(N::saturated(input) - N::saturated(output_));
-        output_ = error_.multiply_add(coefficient_, distance, output_);
-        return output_;
-    }
+    Number update(Number input) { return OnePoleStep<Number>::take(state_, input); }
     /// What update returned last.
-    Number output() const { return output_; }
+    Number output() const { return state_.output; }
 
   private:
     static Number limited(Number coefficient) {
@@ -38,8 +58,7 @@ class OnePole {
                                                           : coefficient;
     }
 
-    Number coefficient_, output_;
-    CarriedError<Number> error_;
+    OnePoleState<Number> state_;
 };
 
 }  // namespace fixedpoint

@@ -40,7 +40,7 @@ class Pid {
         : gains_{N::saturated(gains.proportional), N::saturated(gains.integral),
                  N::saturated(gains.derivative)},
           low_(N::saturated(low)),
-          high_(N::saturated(high)) {}
+          high_(N::saturated(high < low ? low : high)) {}
 
     /// The output for the next step. The first measurement has no derivative.
     Number update(Number setpoint, Number measurement) {
@@ -54,14 +54,19 @@ class Pid {
         CarriedError<Saturated> carried = carried_;
         const Saturated integral = carried.multiply_add(gains_.integral, error, integral_);
         output += integral;
-        const bool winds_up =
-            (output > high_ && integral > integral_) || (output < low_ && integral < integral_);
+        bool winds_up = false;
+        if (output > high_) {
+            output = high_;
+            winds_up = integral > integral_;
+        } else if (output < low_) {
+            output = low_;
+            winds_up = integral < integral_;
+        }
         if (!winds_up) {
             integral_ = integral;
             carried_ = carried;
         }
-        if (output > high_) output = high_;
-        return N::plain(output < low_ ? low_ : output);
+        return N::plain(output);
     }
 
   private:

@@ -110,6 +110,8 @@ FIXEDPOINT_OPERATION(OUTER, cross)
 FIXEDPOINT_OPERATION(OUTER, twice_cross)
 FIXEDPOINT_OPERATION(OUTER, quaternion_times_vector)
 FIXEDPOINT_OPERATION(OUTER, quaternion_product)
+FIXEDPOINT_OPERATION(OUTER, complex_product)
+FIXEDPOINT_OPERATION(MAPPING, cofactors)
 FIXEDPOINT_OPERATION(VECTORS, project2)
 FIXEDPOINT_OPERATION(VECTORS, project3)
 FIXEDPOINT_OPERATION(DIFFERENCE, dot_difference2)
@@ -567,6 +569,14 @@ FIXEDPOINT_CONSTEXPR void quaternion_times_vector(Raw* result, const Raw* a, con
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR void quaternion_product(Raw* result, const Raw* a, const Raw* b) {
     portable::quaternion_product<Raw, F>(result, a, b);
+}
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR void complex_product(Raw* result, const Raw* a, const Raw* b) {
+    portable::complex_product<Raw, F>(result, a, b);
+}
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR void cofactors(const Raw* m, Raw* result) {
+    portable::cofactors<Raw, F>(m, result);
 }
 
 // dot2 and dot3, where a is mostly a unit vector.

@@ -274,6 +274,10 @@
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, OUTER, quaternion_times_vector) \
     KERNEL(OUTER, quaternion_product, int32_t, 16, fixedpoint_quaternion_product_q16_16, quaternion_product) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, OUTER, quaternion_product) \
+    KERNEL(OUTER, complex_product, int32_t, 16, fixedpoint_complex_product_q16_16, complex_product) \
+    FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, OUTER, complex_product) \
+    KERNEL(MAPPING, cofactors, int32_t, 16, fixedpoint_cofactors_q16_16, cofactors) \
+    FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, MAPPING, cofactors) \
     KERNEL(VECTORS, project2, int32_t, 16, fixedpoint_project2_q16_16, dot2) \
     KERNEL(VECTORS, project3, int32_t, 16, fixedpoint_project3_q16_16, dot3) \
     KERNEL(DIFFERENCE, dot_difference2, int32_t, 16, fixedpoint_dot_difference2_q16_16, dot_difference2) \

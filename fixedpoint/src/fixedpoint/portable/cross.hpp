@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// cross, twice_cross, quaternion_times_vector, quaternion_product: floor(sum / 2^F + 1/2) modulo
-// 2^W of each component, where the sum of products, of which some are subtracted, is exact.
+// cross, twice_cross, quaternion_times_vector, quaternion_product, complex_product, and the
+// cofactors of a matrix of three rows: floor(sum / 2^F + 1/2) modulo 2^W of each component, where
+// the sum of products, of which some are subtracted, is exact.
 #pragma once
 
 #include <fixedpoint/portable/product_sum.hpp>
@@ -50,6 +51,17 @@ FIXEDPOINT_CONSTEXPR void quaternion_product(Raw* result, const Raw* a, const Ra
     for (uint8_t i = 0; i < 3; ++i)
         result[i + 1] = round_product_sum<Raw, F>(plus_product(
             plus_product(cross_component(a + 1, b + 1, i), a[0], b[i + 1]), a[i + 1], b[0]));
+}
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR void complex_product(Raw* result, const Raw* a, const Raw* b) {
+    result[0] = round_product_sum<Raw, F>(minus_product(exact_product(a[0], b[0]), a[1], b[1]));
+    result[1] = round_product_sum<Raw, F>(plus_product(exact_product(a[0], b[1]), a[1], b[0]));
+}
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR void cofactors(const Raw* m, Raw* result) {
+    cross<Raw, F>(result, m + 3, m + 6);
+    cross<Raw, F>(result + 3, m + 6, m);
+    cross<Raw, F>(result + 6, m, m + 3);
 }
 
 }  // namespace portable

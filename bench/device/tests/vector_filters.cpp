@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The kernels of filters, for vector_kernels_test.cpp.
+#include <fixedpoint/blocks/filter_kernel.hpp>
+
+// The linker keeps what is referred to.
+int32_t (*const volatile filters[])(int32_t, void*) = {
+    fixedpoint_one_pole_q16_16, fixedpoint_one_pole_q8_24, fixedpoint_biquad_q16_16,
+    fixedpoint_biquad_q8_24};
+
+int main() { return filters[0] != nullptr; }

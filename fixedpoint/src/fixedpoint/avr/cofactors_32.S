@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// void fixedpoint_cofactors_q<32 - F>_<F>(const int32_t* m, int32_t* result)
+// The cofactors of a matrix of three rows: row i is the cross product of the two rows after row i in
+// cyclic order. Each is the exact difference of two products, divided by 2^F, rounded half up and
+// taken modulo 2^32. Of each split of 32 bits.
+//
+// In       m = r25:r24, result = r23:r22, in RAM; result is not m
+// Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
+// Stack    18 bytes
+
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
+
+#include "product_sum_32.inc"
+
+// The two rows, and the places of their components in cyclic order, in bytes.
+#define p r2
+#define q r4
+#define i r6
+#define j r7
+#define k r8
+#define left r9
+
+    // s += p_x q_z
+    .macro add_components x, z, fraction, top
+    movw r26, p
+    add r26, \x
+    adc r27, zero
+    movw r30, q
+    add r30, \z
+    adc r31, zero
+    load_a
+    add_product \fraction, \top, 1
+    .endm
+
+    .macro cofactors fraction, top
+    .irp n, 2, 3, 4, 5, 6, 7, 8, 9, 28, 29
+    push r\n
+    .endr
+    push_sum \top
+    movw r28, r22
+    adiw r24, 12
+    movw p, r24
+    adiw r24, 12
+    movw q, r24
+    clr zero
+    clr i
+    ldi r24, 4
+    mov j, r24
+    ldi r24, 8
+    mov k, r24
+    ldi r24, 3
+    mov left, r24
+2:  begin_at_minus_1 \top
+    add_components k, j, \fraction, \top
+    complement \top
+    add_components j, k, \fraction, \top
+    finish \fraction
+    mov r24, i
+    mov i, j
+    mov j, k
+    mov k, r24
+    tst i
+    brne 4f
+    dec left
+    breq 5f
+    movw r24, p
+    movw p, q
+    sbiw r24, 12
+    movw q, r24
+4:  rjmp 2b
+5:  pop_sum \top
+    .irp n, 29, 28, 9, 8, 7, 6, 5, 4, 3, 2
+    pop r\n
+    .endr
+    ret
+    .endm
+
+    .macro kernels integer, fraction
+    FUNCTION fixedpoint_cofactors_q\integer\()_\fraction
+    cofactors \fraction, ((\fraction - 1) / 8 + 4)
+    ENDFUNC fixedpoint_cofactors_q\integer\()_\fraction
+    .endm
+
+#include "splits_32.inc"
+    kernels 16, 16
+
+#endif

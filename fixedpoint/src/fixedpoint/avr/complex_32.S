@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// void fixedpoint_complex_product_q<32 - F>_<F>(int32_t* result, const int32_t* a, const int32_t* b)
+// The product of two complex numbers, the real part first: each part is the exact sum or difference
+// of two products, divided by 2^F, rounded half up and taken modulo 2^32. Of each split of 32 bits.
+//
+// In       result = r25:r24, a = r23:r22, b = r21:r20, in RAM; result is neither a nor b
+// Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
+// Stack    10 bytes
+
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
+
+#include "product_sum_32.inc"
+
+    .macro complex_product fraction, top
+    push_sum \top
+    push r28
+    push r29
+    movw r28, r24
+    movw r26, r22
+    movw r30, r20
+    adiw r26, 4
+    adiw r30, 4
+    clr zero
+    begin_at_minus_1 \top
+    set                 // T: of the real part
+5:  load_a              // the imaginary part of a
+    add_product \fraction, \top
+    brtc 2f
+    complement \top
+    sbiw r30, 8
+2:  adiw r30, 4
+    sbiw r26, 8
+    load_a
+    add_product \fraction, \top
+    finish \fraction
+    brtc 4f
+    clt
+    clear_sum \top
+    rjmp 5b
+4:  pop r29
+    pop r28
+    pop_sum \top
+    ret
+    .endm
+
+    .macro kernels integer, fraction
+    FUNCTION fixedpoint_complex_product_q\integer\()_\fraction
+    complex_product \fraction, ((\fraction - 1) / 8 + 4)
+    ENDFUNC fixedpoint_complex_product_q\integer\()_\fraction
+    .endm
+
+#include "splits_32.inc"
+    kernels 16, 16
+
+#endif

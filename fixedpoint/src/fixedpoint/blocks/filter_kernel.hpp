@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// FilterKernel<Number>: the assembly kernels that take one step of a filter, by its state, which
+// begins as the .S file has it.
+#pragma once
+
+#include <fixedpoint/fixed.hpp>
+#include <fixedpoint/kernel/dispatch.hpp>
+
+extern "C" {
+int32_t fixedpoint_one_pole_q16_16(int32_t input, void* filter);
+int32_t fixedpoint_one_pole_q8_24(int32_t input, void* filter);
+int32_t fixedpoint_biquad_q16_16(int32_t input, void* filter);
+int32_t fixedpoint_biquad_q8_24(int32_t input, void* filter);
+}
+
+namespace fixedpoint {
+
+template <class Number>
+struct FilterKernel {
+    static constexpr bool exists = false;
+};
+#define FIXEDPOINT_FILTER_KERNEL(I, F)                                                \
+    template <>                                                                       \
+    struct FilterKernel<Fixed<I, F>> {                                                \
+        using Number = Fixed<I, F>;                                                   \
+        static constexpr bool exists = kernel::has_assembly;                          \
+        static Number one_pole(Number x, void* filter) {                              \
+            return Number::from_raw(fixedpoint_one_pole_q##I##_##F(x.raw(), filter)); \
+        }                                                                             \
+        static Number biquad(Number x, void* filter) {                                \
+            return Number::from_raw(fixedpoint_biquad_q##I##_##F(x.raw(), filter));   \
+        }                                                                             \
+    };
+FIXEDPOINT_FILTER_KERNEL(16, 16)
+FIXEDPOINT_FILTER_KERNEL(8, 24)
+#undef FIXEDPOINT_FILTER_KERNEL
+
+}  // namespace fixedpoint
