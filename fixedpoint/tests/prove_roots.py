@@ -28,8 +28,10 @@ import sys
 from functools import partial
 from itertools import product
 
+from form import known
 from long_division import ESTIMATES, MANY, begin_compared, hold_reciprocal, inverted, show_estimate
-from stretches import Program, demand, equal, known, zeros
+from machine_code import Program, demand
+from stretches import Linear, equal, zeros
 
 NAME = "fixedpoint_sqrt_q32_32"
 A = range(18, 26)
@@ -315,7 +317,7 @@ def stretches():
 
 def program():
     cuts = [(f".L{of.name}_compare", f".L{of.name}_digit", "cp", "r26") for of in DIGITS]
-    return Program(("sqrt_q32_32", "sqrt_table", "long_division_table"), list(stretches()), cuts=cuts)
+    return Program(list(stretches()), Linear, sources=("sqrt_q32_32", "sqrt_table", "long_division_table"), cuts=cuts)
 
 
 def main():
