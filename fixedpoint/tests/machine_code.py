@@ -6,10 +6,11 @@ import re
 import subprocess
 import sys
 import tempfile
-from itertools import product
+from itertools import chain, product
 from pathlib import Path
 
 CALL_SAVED = [*range(2, 18), 28, 29]
+STEPS = 200  # more than any stretch takes
 
 
 class Unprovable(Exception):
@@ -48,10 +49,11 @@ class Machine:
         self.stack, self.transfer = [], None
         self.forked = False
         self.passed = frozenset()  # addresses where the path has forked
+        self.visited = []
 
     def copy(self):
         other = copy.copy(self)
-        other.registers, other.stack = self.registers.copy(), self.stack[:]
+        other.registers, other.stack, other.visited = self.registers.copy(), self.stack[:], self.visited[:]
         return other
 
     def step(self, address):
@@ -93,7 +95,8 @@ def linked(folder, sources):
 
 class Program:
     """The machine code of an ELF or of kernels, and stretches of it: (label, begin, ends, saved, cases,
-    transfers), the last two where there are several cases, each the arguments of `begin`, and of T."""
+    transfers), the last two where there are several cases, each the arguments of `begin`, and of T. `saved` are
+    the registers on the stack; where one stands for several that held the same, all of them."""
 
     def __init__(self, stretches, machine, elf=None, sources=(), cuts=()):
         """`cuts`: (name, label, mnemonic, operand) of places behind a label, that have none themselves."""
@@ -111,38 +114,47 @@ class Program:
             self.labels[name] = address
         self.machine, self.stretches = machine, stretches
         self.cuts = {self.labels[label]: label for label, *_ in stretches}
-        self.saved = {label: saved for label, _, _, saved, *_ in stretches} | {None: ()}
+        # (register, others that held the same)
+        self.saved = {label: [place if isinstance(place, tuple) else (place,) for place in saved]
+                      for label, _, _, saved, *_ in stretches} | {None: ()}
 
-    def prove(self, label, begin, ends, saved, cases=((),), transfers=(False, True)):
-        """Of the stretch behind a label; returns the addresses that were visited."""
-        visited = {self.labels[label]}
+    def prove(self, label, begin, ends, _, cases=((),), transfers=(False, True)):
+        """Of the stretch behind a label; returns the addresses on paths that can be."""
+        visited = set()
         for case, transfer in product(cases, transfers):
             start = self.machine(self)
             start.transfer = transfer
-            start.stack = [start.saved[register] for register in saved]
+            for first, *others in self.saved[label]:
+                start.stack.append(start.saved[first])
+                start.saved |= {other: start.saved[first] for other in others}
             check = begin(start, *case)
             waiting = self.follow(self.labels[label], start)
             while waiting:
                 address, machine = waiting.pop()
                 if address is not None and address not in self.cuts:
-                    visited.add(address)
                     if address not in self.code:
                         raise Unprovable("the code is left")
                     waiting += self.follow(address, machine)
                 elif not machine.forked or machine.possible([]):
+                    visited.update(machine.visited)
                     end = self.cuts.get(address)
                     demand(end in ends)
-                    pushed = self.saved[end]
-                    demand(machine.stack == [machine.saved[n] for n in pushed])
-                    demand(all(machine.registers[n] == machine.saved[n] for n in CALL_SAVED if n not in pushed))
-                    demand(end is not None or machine.is_zero(1))
                     check(machine, end)
+                    pushed = self.saved[end]
+                    for first, *others in pushed:
+                        machine.show(*((0, machine.saved[other] - machine.saved[first], 0) for other in others))
+                    demand(machine.stack == [machine.saved[first] for first, *_ in pushed])
+                    demand(all(machine.registers[n] == machine.saved[n] for n in CALL_SAVED if n not in chain(*pushed)))
+                    demand(end is not None or machine.is_zero(1))
+        demand(visited, "no path can be")
         return visited
 
     @staticmethod
     def follow(address, machine):
         """One step. A path that comes to a fork again goes on only where it can."""
         again = address in machine.passed
+        machine.visited.append(address)
+        demand(len(machine.visited) < STEPS, "a loop does not end")
         following = machine.step(address)
         if len(following) > 1:
             for _, after in following:
@@ -165,10 +177,10 @@ class Program:
             self.code[address] = (mnemonic, operands, target, following)
         return found
 
-    def run(self, every, needless):
-        """Proves every stretch, then leaves out instructions; whether something failed."""
+    def run(self, every, needless, labels=None):
+        """Proves every stretch, or those behind the labels, then leaves out instructions; whether something failed."""
         failed = False
-        for stretch in self.stretches:
+        for stretch in self.stretches if labels is None else [each for each in self.stretches if each[0] in labels]:
             try:
                 visited = self.prove(*stretch)
             except Unprovable as reason:

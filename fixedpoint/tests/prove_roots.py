@@ -31,7 +31,7 @@ from itertools import product
 from form import known
 from long_division import ESTIMATES, MANY, begin_compared, hold_reciprocal, inverted, show_estimate
 from machine_code import Program, demand
-from stretches import Linear, equal, zeros
+from stretches import Linear, equal, kept, zeros
 
 NAME = "fixedpoint_sqrt_q32_32"
 A = range(18, 26)
@@ -86,17 +86,6 @@ def entry(m):
         m.show((0, top, 127), equal(m.number(A), a * (1 << moved)), (64, m.registers[25], 255),
                equal(m.registers[ZERO], known(0)))
     return check
-
-
-def kept(m, *registers):
-    """What shows that the registers are as they are now."""
-    before = {register: m.registers[register] for register in registers}
-    transfer = m.transfer
-
-    def statements(m):
-        demand(m.transfer == transfer)
-        return [equal(m.registers[register], form) for register, form in before.items()]
-    return statements
 
 
 def counted(m, digits):

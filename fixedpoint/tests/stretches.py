@@ -148,7 +148,7 @@ class Linear(Machine):
         self.registers[d] = known(flash[place])
 
     def compute(self, mnemonic, d, r, target, following):
-        registers = self.registers
+        registers, before = self.registers, self.tested
         borrow = self.carry if mnemonic in ("adc", "sbc", "sbci", "cpc", "ror") else known(0)
         if borrow is None:
             raise Unprovable("the carry is read before it is set")
@@ -163,7 +163,8 @@ class Linear(Machine):
         elif mnemonic == "neg":
             self.keep(d, registers[d] * -1, -1)
         elif mnemonic == "com":
-            registers[d], self.carry = known(255) - registers[d], known(1)
+            registers[d] = self.tested = self.sign = known(255) - registers[d]
+            self.carry = known(1)
         elif mnemonic in ("inc", "dec"):
             carry, sign = self.carry, 1 if mnemonic == "inc" else -1
             self.keep(d, registers[d] + known(sign), sign)
@@ -180,11 +181,16 @@ class Linear(Machine):
             registers[d] = self.tested = self.sign = half + (self.carry * 128 if mnemonic == "ror" else known(0))
             self.carry = form - half * 2
         elif mnemonic in ("sbrs", "sbrc"):
+            skipped = self.program.code[following][3]
+            if r == "7":
+                return self.fork(skipped, following, registers[d], mnemonic == "sbrs", 128)
             bit = registers[d].constant() >> int(r) & 1
-            return [(self.program.code[following][3] if bit == (mnemonic == "sbrs") else following, self)]
+            return [(skipped if bit == (mnemonic == "sbrs") else following, self)]
         elif mnemonic == "swap":
             byte = registers[d].constant()
             registers[d] = known(byte >> 4 | byte << 4 & 255)
+        elif mnemonic in ("clc", "sec"):
+            self.carry = known(int(mnemonic == "sec"))
         elif mnemonic in ("clt", "set"):
             self.transfer = mnemonic == "set"
         elif mnemonic == "eor" and d == r:
@@ -231,10 +237,12 @@ class Linear(Machine):
             return self.fork(target, following, form, mnemonic in ("brmi", "brne"), limit)
         else:
             raise Unprovable(f"{mnemonic} is not modelled")
-        # Z is of more than this byte, or was not followed; likewise N.
-        if mnemonic in ("mul", "com", "sbc", "sbci", "cpc", "andi"):
+        # Z is of the bytes before, too: their sum, which is 0 where all are. Or it was not followed; likewise N.
+        if mnemonic in ("sbc", "sbci", "cpc") and None not in (before, self.tested):
+            self.tested = before + self.tested
+        elif mnemonic in ("mul", "sbc", "sbci", "cpc", "andi"):
             self.tested = None
-        if mnemonic in ("mul", "com", "andi"):
+        if mnemonic in ("mul", "andi"):
             self.sign = None
         return [(following, self)]
 
@@ -359,3 +367,14 @@ def equal(form, other):
 
 def zeros(m, registers):
     return [equal(m.registers[register], known(0)) for register in registers]
+
+
+def kept(m, *registers):
+    """What shows that the registers are as they are now."""
+    before = {register: m.registers[register] for register in registers}
+    transfer = m.transfer
+
+    def statements(m):
+        demand(m.transfer == transfer)
+        return [equal(m.registers[register], form) for register, form in before.items()]
+    return statements
