@@ -12,7 +12,9 @@ where q is what the code compares with. So where it is less, M is right, and els
 
 from itertools import product
 
-from stretches import Form, demand, equal, known
+from form import Form, known
+from machine_code import demand
+from stretches import equal
 
 MANY = 1 << 90
 QUOTIENT, DIGIT = 26, 27

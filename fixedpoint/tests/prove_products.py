@@ -31,8 +31,10 @@ from pathlib import Path
 
 import z3
 
+from form import Form, known
+from machine_code import CALL_SAVED, Unprovable, disassemble
+
 SOURCE = Path(__file__).parent.parent / "src"
-CALL_SAVED = [*range(2, 18), 28, 29]
 STEPS = 3000  # more than any kernel takes
 # Which leave the flags that a branch reads.
 KEEP_FLAGS = {"mov", "movw", "ldi", "ld", "ldd", "push", "pop", "nop", "clt", "set", "rjmp", "brts", "brtc",
@@ -40,37 +42,6 @@ KEEP_FLAGS = {"mov", "movw", "ldi", "ld", "ldd", "push", "pop", "nop", "clt", "s
 
 SPLITS_16 = [(16 - f, f) for f in range(17)]
 SPLITS_32 = [(32 - f, f) for f in range(33)]
-
-
-class Unprovable(Exception):
-    pass
-
-
-class Form(dict):
-    """Combination of variables; the key 1 holds the constant."""
-
-    def __add__(self, other):
-        total = Form(self)
-        for name, factor in other.items():
-            total[name] = total.get(name, 0) + factor
-            if not total[name]:
-                del total[name]
-        return total
-
-    def __sub__(self, other):
-        return self + other * -1
-
-    def __mul__(self, factor):
-        return Form({name: factor * value for name, value in self.items()} if factor else {})
-
-    def constant(self):
-        if set(self) - {1}:
-            raise Unprovable("a number that must be known depends on the operands")
-        return self.get(1, 0)
-
-
-def known(number):
-    return Form({1: number} if number else {})
 
 
 class Pointer:
@@ -497,23 +468,6 @@ KERNELS = [Kernel(operation, *split)
 # the others have instructions that some splits do not need.
 MUTATIONS = {"multiply_q8_8": 99, "multiply_q16_16": 99, "multiply_q8_24": 12, "multiply_q32_32": 8,
              "multiply_add_q16_16": 99, "dot3_q16_16": 30, "dot3_q8_24": 8, "dot3_q32_32": 8}
-
-
-def disassemble(elf):
-    """{address: (mnemonic, operands, target, following address)} of each function."""
-    text = subprocess.run(["avr-objdump", "-d", "--no-show-raw-insn", elf], check=True,
-                          capture_output=True, text=True).stdout
-    functions, code = {}, {}
-    for line in text.splitlines():
-        if label := re.match(r"([0-9a-f]+) <(\w+)>:", line):
-            functions[label[2]] = int(label[1], 16)
-        elif instruction := re.match(r"\s*([0-9a-f]+):\t(\w+)\t?([^;]*)(?:; 0x([0-9a-f]+))?", line):
-            address, mnemonic, operands, target = instruction.groups()
-            code[int(address, 16)] = (mnemonic, re.split(r",\s*", operands.strip()),
-                                      target and int(target, 16))
-    addresses = [*sorted(code), None]
-    following = dict(zip(addresses, addresses[1:]))
-    return functions, {address: (*code[address], following[address]) for address in code}
 
 
 def assembled(folder):

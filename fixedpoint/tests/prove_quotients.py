@@ -24,7 +24,9 @@ from functools import partial
 
 import z3
 
-from stretches import Machine, Program, Unprovable, demand, equal, known, zeros
+from form import known
+from machine_code import Program, Unprovable, demand
+from stretches import Linear, equal, zeros
 
 NAME = "fixedpoint_divide_q16_16"
 TABLE = "fixedpoint_reciprocal_table"
@@ -34,7 +36,7 @@ EVERY = 8
 NEEDLESS = ("breq", "eor", "or", "ret")
 
 
-class Reciprocals(Machine):
+class Reciprocals(Linear):
     """What its table holds for what is looked up."""
 
     def look_up(self, d):
@@ -247,7 +249,7 @@ def check_table(program):
 
 
 def main():
-    program = Program(("divide_q16_16", "reciprocal_table"), list(stretches()), Reciprocals)
+    program = Program(list(stretches()), Reciprocals, sources=("divide_q16_16", "reciprocal_table"))
     check_table(program)
     return program.run(EVERY, NEEDLESS)
 

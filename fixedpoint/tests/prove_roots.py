@@ -28,8 +28,10 @@ import sys
 from functools import partial
 from itertools import product
 
+from form import known
 from long_division import ESTIMATES, MANY, begin_compared, hold_reciprocal, inverted, show_estimate
-from stretches import Program, demand, equal, known, zeros
+from machine_code import Program, demand
+from stretches import Linear, equal, kept, zeros
 
 NAME = "fixedpoint_sqrt_q32_32"
 A = range(18, 26)
@@ -84,17 +86,6 @@ def entry(m):
         m.show((0, top, 127), equal(m.number(A), a * (1 << moved)), (64, m.registers[25], 255),
                equal(m.registers[ZERO], known(0)))
     return check
-
-
-def kept(m, *registers):
-    """What shows that the registers are as they are now."""
-    before = {register: m.registers[register] for register in registers}
-    transfer = m.transfer
-
-    def statements(m):
-        demand(m.transfer == transfer)
-        return [equal(m.registers[register], form) for register, form in before.items()]
-    return statements
 
 
 def counted(m, digits):
@@ -315,7 +306,7 @@ def stretches():
 
 def program():
     cuts = [(f".L{of.name}_compare", f".L{of.name}_digit", "cp", "r26") for of in DIGITS]
-    return Program(("sqrt_q32_32", "sqrt_table", "long_division_table"), list(stretches()), cuts=cuts)
+    return Program(list(stretches()), Linear, sources=("sqrt_q32_32", "sqrt_table", "long_division_table"), cuts=cuts)
 
 
 def main():

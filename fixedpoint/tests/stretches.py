@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Proofs about machine code, a stretch at a time.
+"""Proofs about machine code that multiplies, a stretch at a time.
 
 The code is cut at its labels. Of the stretch behind each, every path is followed with the registers
 holding linear forms of bytes, of products of bytes and of carries. Where the registers at a cut hold
@@ -8,44 +8,39 @@ which z3 decides over the rationals once it knows which carries must be 0, and w
 """
 
 import copy
-import re
-import subprocess
-import sys
-import tempfile
 from itertools import product
 from math import gcd, prod
-from pathlib import Path
 
 import z3
-from prove_products import CALL_SAVED, SOURCE, Form, Unprovable, disassemble, known
+
+from form import Form, known
+from machine_code import Machine, Unprovable, demand
 
 
-class Machine:
-    """One path through a stretch of code."""
+class Linear(Machine):
+    """Of linear forms."""
 
     def __init__(self, program):
-        self.program = program
         self.names = 0
         self.ranges = {}  # of a variable: its largest value
         self.facts = []   # (low, form, high), either may be None
         self.named = {}   # of a form: the variable that stands for it
-        self.stack = []
         self.solver, self.fixed = None, {}
-        self.forked = False
-        self.passed = frozenset()  # addresses where the path has forked
         self.unequal = None  # what holds the exclusive or of `differing`
-        self.carry = self.tested = self.sign = self.transfer = self.signs = None
-        self.registers = {n: self.variable(f"r{n}") for n in range(32)}
-        self.saved = {n: self.registers[n] for n in CALL_SAVED}
+        self.carry = self.tested = self.sign = self.signs = None
+        super().__init__(program, {n: self.variable(f"r{n}") for n in range(32)})
 
     def copy(self):
-        other = copy.copy(self)
+        other = super().copy()
         other.solver, other.fixed = None, {}
-        for name in ("ranges", "facts", "named", "stack", "registers"):
+        for name in ("ranges", "facts", "named"):
             setattr(other, name, copy.copy(getattr(self, name)))
         return other
 
     # What holds
+
+    def is_zero(self, register):
+        return self.registers[register] == known(0)
 
     def variable(self, kind, high=255):
         self.names += 1
@@ -152,12 +147,8 @@ class Machine:
         demand(place < len(flash))
         self.registers[d] = known(flash[place])
 
-    def step(self, address):
-        """The addresses that may follow, each with the machine there."""
-        mnemonic, text, target, following = self.program.code[address]
-        operands = [int(word[1:]) if re.fullmatch(r"r\d+", word) else word for word in text]
-        d, r = (operands + operands + [None, None])[:2]
-        registers = self.registers
+    def compute(self, mnemonic, d, r, target, following):
+        registers, before = self.registers, self.tested
         borrow = self.carry if mnemonic in ("adc", "sbc", "sbci", "cpc", "ror") else known(0)
         if borrow is None:
             raise Unprovable("the carry is read before it is set")
@@ -172,7 +163,8 @@ class Machine:
         elif mnemonic == "neg":
             self.keep(d, registers[d] * -1, -1)
         elif mnemonic == "com":
-            registers[d], self.carry = known(255) - registers[d], known(1)
+            registers[d] = self.tested = self.sign = known(255) - registers[d]
+            self.carry = known(1)
         elif mnemonic in ("inc", "dec"):
             carry, sign = self.carry, 1 if mnemonic == "inc" else -1
             self.keep(d, registers[d] + known(sign), sign)
@@ -189,11 +181,16 @@ class Machine:
             registers[d] = self.tested = self.sign = half + (self.carry * 128 if mnemonic == "ror" else known(0))
             self.carry = form - half * 2
         elif mnemonic in ("sbrs", "sbrc"):
+            skipped = self.program.code[following][3]
+            if r == "7":
+                return self.fork(skipped, following, registers[d], mnemonic == "sbrs", 128)
             bit = registers[d].constant() >> int(r) & 1
-            return [(self.program.code[following][3] if bit == (mnemonic == "sbrs") else following, self)]
+            return [(skipped if bit == (mnemonic == "sbrs") else following, self)]
         elif mnemonic == "swap":
             byte = registers[d].constant()
             registers[d] = known(byte >> 4 | byte << 4 & 255)
+        elif mnemonic in ("clc", "sec"):
+            self.carry = known(int(mnemonic == "sec"))
         elif mnemonic in ("clt", "set"):
             self.transfer = mnemonic == "set"
         elif mnemonic == "eor" and d == r:
@@ -225,29 +222,8 @@ class Machine:
             registers[d] = known(registers[d].get(1, 0) & int(r, 0))
         elif mnemonic == "ldi":
             registers[d] = known(int(r, 0))
-        elif mnemonic == "mov":
-            registers[d] = registers[r]
-        elif mnemonic == "movw":
-            registers[d], registers[d + 1] = registers[r], registers[r + 1]
         elif mnemonic == "lpm":
             self.look_up(d)
-        elif mnemonic == "push":
-            self.stack.append(registers[d])
-        elif mnemonic == "pop":
-            if not self.stack or isinstance(self.stack[-1], int):
-                raise Unprovable("the stack does not balance")
-            registers[d] = self.stack.pop()
-        elif mnemonic == "rcall":
-            self.stack.append(following)
-            return [(target, self)]
-        elif mnemonic == "ret":
-            if self.stack:
-                if not isinstance(self.stack[-1], int):
-                    raise Unprovable("the stack does not balance")
-                return [(self.stack.pop(), self)]
-            return [(None, self)]
-        elif mnemonic == "rjmp":
-            return [(target, self)]
         elif mnemonic in ("brts", "brtc"):
             return [(target if self.transfer == (mnemonic == "brts") else following, self)]
         elif mnemonic in ("brcs", "brcc"):
@@ -259,12 +235,14 @@ class Machine:
             if form is None:
                 raise Unprovable("a flag is read before it is set")
             return self.fork(target, following, form, mnemonic in ("brmi", "brne"), limit)
-        elif mnemonic != "nop":
+        else:
             raise Unprovable(f"{mnemonic} is not modelled")
-        # Z is of more than this byte, or was not followed; likewise N.
-        if mnemonic in ("mul", "com", "sbc", "sbci", "cpc", "andi"):
+        # Z is of the bytes before, too: their sum, which is 0 where all are. Or it was not followed; likewise N.
+        if mnemonic in ("sbc", "sbci", "cpc") and None not in (before, self.tested):
+            self.tested = before + self.tested
+        elif mnemonic in ("mul", "sbc", "sbci", "cpc", "andi"):
             self.tested = None
-        if mnemonic in ("mul", "com", "andi"):
+        if mnemonic in ("mul", "andi"):
             self.sign = None
         return [(following, self)]
 
@@ -391,100 +369,12 @@ def zeros(m, registers):
     return [equal(m.registers[register], known(0)) for register in registers]
 
 
-def demand(holds):
-    if not holds:
-        raise Unprovable("a result is not what it ought to be")
+def kept(m, *registers):
+    """What shows that the registers are as they are now."""
+    before = {register: m.registers[register] for register in registers}
+    transfer = m.transfer
 
-
-class Program:
-    """A kernel and its table, linked, and the stretches that make it up: (label, begin, ends, saved, cases,
-    transfers), the last two where there are several cases, each the arguments of `begin`, and of T."""
-
-    def __init__(self, sources, stretches, machine=Machine, cuts=()):
-        """`cuts`: (name, label, mnemonic, operand) of places behind a label, that have none themselves."""
-        with tempfile.TemporaryDirectory() as folder:
-            elf, avr = f"{folder}/kernel.elf", SOURCE / "fixedpoint/avr"
-            subprocess.run(["avr-gcc", "-mmcu=atmega328p", "-nostartfiles", "-nostdlib", "-I", SOURCE, "-o", elf,
-                            "-Wa,--keep-locals", "-Wl,--no-gc-sections,--discard-none",
-                            *(avr / f"{source}.S" for source in sources)], check=True)
-            symbols = subprocess.run(["avr-nm", elf], check=True, capture_output=True, text=True).stdout
-            subprocess.run(["avr-objcopy", "-O", "binary", "-j", ".text", elf, f"{folder}/flash"], check=True)
-            self.flash = Path(f"{folder}/flash").read_bytes()
-            self.code = disassemble(elf)[1]
-        self.labels = {name: int(address, 16) for address, _, name in map(str.split, symbols.splitlines())}
-        for name, label, mnemonic, operand in cuts:
-            address = self.labels[label]
-            while self.code[address][0] != mnemonic or operand not in self.code[address][1]:
-                address = self.code[address][3]
-            self.labels[name] = address
-        self.machine, self.stretches = machine, stretches
-        self.cuts = {self.labels[label]: label for label, *_ in stretches}
-        self.saved = {label: saved for label, _, _, saved, *_ in stretches} | {None: ()}
-
-    def prove(self, label, begin, ends, saved, cases=((),), transfers=(False, True)):
-        """Of the stretch behind a label; returns the addresses that were visited."""
-        visited = {self.labels[label]}
-        for case, transfer in product(cases, transfers):
-            start = self.machine(self)
-            start.transfer = transfer
-            start.stack = [start.saved[register] for register in saved]
-            check = begin(start, *case)
-            waiting = self.follow(self.labels[label], start)
-            while waiting:
-                address, machine = waiting.pop()
-                if address is not None and address not in self.cuts:
-                    visited.add(address)
-                    if address not in self.code:
-                        raise Unprovable("the code is left")
-                    waiting += self.follow(address, machine)
-                elif not machine.forked or machine.possible([]):
-                    end = self.cuts.get(address)
-                    demand(end in ends)
-                    pushed = self.saved[end]
-                    demand(machine.stack == [machine.saved[n] for n in pushed])
-                    demand(all(machine.registers[n] == machine.saved[n] for n in CALL_SAVED if n not in pushed))
-                    demand(end is not None or machine.registers[1] == known(0))
-                    check(machine, end)
-        return visited
-
-    @staticmethod
-    def follow(address, machine):
-        """One step. A path that comes to a fork again goes on only where it can."""
-        again = address in machine.passed
-        following = machine.step(address)
-        if len(following) > 1:
-            for _, after in following:
-                after.passed = machine.passed | {address}
-        return [(target, after) for target, after in following if len(following) == 1 or not again or after.feasible()]
-
-    def survivors(self, stretch, visited, every, needless):
-        """Instructions without which the proof still goes through."""
-        found = []
-        for address in sorted(visited)[::every]:
-            mnemonic, operands, target, following = self.code[address]
-            if mnemonic in needless:
-                continue
-            self.code[address] = ("nop", [], None, following)
-            try:
-                self.prove(*stretch)
-                found.append(f"{address:#x} {mnemonic} {', '.join(operands)}")
-            except Unprovable:
-                pass
-            self.code[address] = (mnemonic, operands, target, following)
-        return found
-
-    def run(self, every, needless):
-        """Proves every stretch, then leaves out instructions; whether something failed."""
-        failed = False
-        for stretch in self.stretches:
-            try:
-                visited = self.prove(*stretch)
-            except Unprovable as reason:
-                print(f"{stretch[0]}: not proven: {reason}", file=sys.stderr)
-                failed = True
-                continue
-            print(f"{stretch[0]}: proven", flush=True)
-            for instruction in self.survivors(stretch, visited, every, needless):
-                print(f"{stretch[0]}: proven without {instruction}, too", file=sys.stderr, flush=True)
-                failed = True
-        return failed
+    def statements(m):
+        demand(m.transfer == transfer)
+        return [equal(m.registers[register], form) for register, form in before.items()]
+    return statements

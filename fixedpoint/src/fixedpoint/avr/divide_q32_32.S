@@ -185,7 +185,7 @@
     clr zero
     ldi count, 5
 1:  tst d4
-    brne 3f
+    brne .Lshort_scale
     tst d3
     brne 2f
     mov d4, d2
@@ -200,7 +200,8 @@
     mov d1, d0
     clr d0
     inc count
-3:  find_power d4
+.Lshort_scale:
+    find_power d4
     mul d4, power
     mov d4, r0
     scale d4, d3, d3, power
@@ -255,21 +256,23 @@
 3:  clr q0
     clr q1
     movw q2, q0
+.Lshort_invert:
     invert inverse, d4, d3
     // Digits that are surely zero.
-1:  tst u4
+.Lskip:
+    tst u4
     brne 2f
     cp u3, d4
     brsh 2f
     move_up_dividend
     dec count
-    brne 1b
+    brne .Lskip
     rjmp .Lcompare
 2:  tst d2
-    brne .Ldigit
+    brne .Lshort_digit
     mov r0, d1
     or r0, d0
-    brne .Ldigit
+    brne .Lshort_digit
 
     // Two bytes divide: the digits are exact.
 .Lexact_digit:
@@ -302,7 +305,7 @@
     sbc u3, zero
     rjmp .Lshort_high
 
-.Ldigit:
+.Lshort_digit:
     estimate u4, u3, u2, d4, d3, inverse, short
     mul digit, d0
     movw r30, r0
@@ -323,7 +326,7 @@
     move_up
     mov q0, digit
     dec count
-    brne .Ldigit
+    brne .Lshort_digit
 
 .Lcompare:
     lsl u0
@@ -517,12 +520,13 @@
     sbc d5, r26
     sbci d6, 0xff
     sbci d7, 0xff
-    rjmp 2f
+    rjmp .Llong_count
 
 .Llong:
     push d6
     push d5
-2:  push r6
+.Llong_count:
+    push r6
     push r5
     push r4
     clr zero
@@ -558,6 +562,7 @@
     scale u3, u2, u2, power
     scale u2, u1, u1, power
     scale u1, u0, u0, power
+.Llong_invert:
     invert inverse, d7, d6
     rjmp .Llong_digit
 

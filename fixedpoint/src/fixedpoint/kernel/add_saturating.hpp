@@ -40,7 +40,8 @@ inline int32_t sum_clamped(int32_t a, int32_t b) {
         : "r"(b));
     return a;
 }
-// Where a - b overflows, b has the wrong sign, that of the wrapped difference.
+// Where a - b overflows, b has the wrong sign, that of the wrapped difference; there is a borrow
+// where it is negative.
 inline int32_t difference_clamped(int32_t a, int32_t b) {
     asm("sub %A0, %A1\n\t"
         "sbc %B0, %B1\n\t"
@@ -48,7 +49,6 @@ inline int32_t difference_clamped(int32_t a, int32_t b) {
         "sbc %D0, %D1\n\t"
         "brvc 1f\n\t"
         "bst %D1, 7\n\t"
-        "lsl %D0\n\t"
         "sbc %A0, %A0\n\t"
         "mov %B0, %A0\n\t"
         "mov %C0, %A0\n\t"

@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: MIT
+"""Linear forms, of which proofs make what registers hold."""
+
+from machine_code import Unprovable
+
+
+class Form(dict):
+    """Combination of variables; the key 1 holds the constant."""
+
+    def __add__(self, other):
+        total = Form(self)
+        for name, factor in other.items():
+            total[name] = total.get(name, 0) + factor
+            if not total[name]:
+                del total[name]
+        return total
+
+    def __sub__(self, other):
+        return self + other * -1
+
+    def __mul__(self, factor):
+        return Form({name: factor * value for name, value in self.items()} if factor else {})
+
+    def constant(self):
+        if set(self) - {1}:
+            raise Unprovable("a number that must be known depends on the operands")
+        return self.get(1, 0)
+
+
+def known(number):
+    return Form({1: number} if number else {})
