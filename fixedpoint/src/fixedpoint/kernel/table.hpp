@@ -130,6 +130,7 @@
     FIXEDPOINT_SPLITS_16(FIXEDPOINT_KERNEL_OF_SPLIT_16, KERNEL, BINARY, multiply) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, BINARY, multiply) \
     KERNEL(BINARY, multiply_saturating, int32_t, 16, fixedpoint_multiply_q16_16_saturating, multiply_saturating) \
+    KERNEL(BINARY, multiply_short, int32_t, 16, fixedpoint_multiply_short_q16_16, multiply) \
     KERNEL(TERNARY, multiply_add, int32_t, 16, fixedpoint_multiply_add_q16_16, multiply_add) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, TERNARY, multiply_add) \
     KERNEL(TERNARY, wrapping_lerp, int64_t, 32, fixedpoint_lerp_q32_32, wrapping_lerp) \
@@ -254,6 +255,8 @@
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, OUTER, quaternion_product) \
     KERNEL(VECTORS, project2, int32_t, 16, fixedpoint_project2_q16_16, dot2) \
     KERNEL(VECTORS, project3, int32_t, 16, fixedpoint_project3_q16_16, dot3) \
+    KERNEL(VECTOR, square2, int32_t, 16, fixedpoint_square2_q16_16, square2) \
+    KERNEL(VECTOR, square3, int32_t, 16, fixedpoint_square3_q16_16, square3) \
     KERNEL(DIFFERENCE, dot_difference2, int32_t, 16, fixedpoint_dot_difference2_q16_16, dot_difference2) \
     KERNEL(DIFFERENCE, dot_difference3, int32_t, 16, fixedpoint_dot_difference3_q16_16, dot_difference3) \
     KERNEL(ADDITION, add_scaled2, int32_t, 16, fixedpoint_add_scaled2_q16_16, add_scaled2) \
