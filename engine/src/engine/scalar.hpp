@@ -31,12 +31,6 @@ FIXEDPOINT_CONSTEXPR Scalar dot(const Scalar* a, const Scalar* b) {
     return sum;
 }
 
-/// The sum of v_i^2 over N components.
-template <int N, class Scalar>
-ENGINE_INLINE FIXEDPOINT_CONSTEXPR Scalar square(const Scalar* v) {
-    return dot<N>(v, v);
-}
-
 /// The length of a vector of N components.
 template <int N, class Scalar>
 Scalar length(const Scalar* v) {
@@ -136,6 +130,11 @@ ENGINE_INLINE Fixed<I, F, fixedpoint::Nearest> dot(const Fixed<I, F, fixedpoint:
     using Raw = typename Number::Raw;
     return Number::from_raw(N == 2 ? fixedpoint::kernel::project2<Raw, F>(raws(a), raws(b))
                                    : fixedpoint::kernel::project3<Raw, F>(raws(a), raws(b)));
+}
+// The sum of v_i^2 over N components. It stands behind the dot products that it takes.
+template <int N, class Scalar>
+ENGINE_INLINE FIXEDPOINT_CONSTEXPR Scalar square(const Scalar* v) {
+    return dot<N>(v, v);
 }
 template <int N, int I, int F>
 ENGINE_INLINE Fixed<I, F, fixedpoint::Nearest> square(const Fixed<I, F, fixedpoint::Nearest>* v) {
