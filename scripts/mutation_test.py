@@ -64,12 +64,12 @@ def kernels(files, count, program, *checks):
 
 ROOMS = [
     kernels(f"{FIXED}/avr/*_q16_16.S {FIXED}/avr/*_q16_16.inc !*/add_scaled_q16_16.S"
-            " !*/dot_difference_q16_16.S !*/short_factor_q16_16.inc !*/polynomial_q16_16.S", 8, "q16_16",
+            " !*/dot_difference_q16_16.S !*/multiply_short_q16_16.S !*/short_factor_q16_16.inc !*/polynomial_q16_16.S", 8, "q16_16",
             Check("kernels_test", "*/q16_16_auxiliary", "q16_16_auxiliary"),
             Check("kernels_test", "*/q16_16_angles", "q16_16_angles"),
             Check("kernels_test", "*/q16_16_powers:PowerOfTwo.*", "q16_16_powers"),
             Check("kernels_test", "*/correctly_rounded_powers", "correctly_rounded_powers")),
-    room("kernels", f"{FIXED}/avr/add_scaled_q16_16.S {FIXED}/avr/dot_difference_q16_16.S"
+    room("kernels", f"{FIXED}/avr/add_scaled_q16_16.S {FIXED}/avr/dot_difference_q16_16.S {FIXED}/avr/multiply_short_q16_16.S"
          f" {FIXED}/avr/short_factor_q16_16.inc {FIXED}/avr/add_whole_product.S", 2,
          Check("vector_kernels_test", "VectorSteps.*", "vector_steps")),
     room("kernels", f"{FIXED}/avr/transform_32.S {FIXED}/avr/cross_32.S {FIXED}/avr/polynomial_q16_16.S"

@@ -147,7 +147,7 @@ struct Proof<fixedpoint::Fixed<I, F>> {
             engine::Vector<Real, N> direction;
             Real excess;
             const bool found = engine::measure<may_be_slack>(
-                difference, Real(Number::symbol(3, false, {0, 1, 0})),
+                [&] { return difference; }, Real(Number::symbol(3, false, {0, 1, 0})),
                 {factor, static_cast<unsigned char>(halvings)}, direction, excess);
             if (!found) throw Unproven("a link is not found");
             note(direction[0], excess);

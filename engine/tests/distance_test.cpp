@@ -34,8 +34,8 @@ Measured<Number, N> measure(const engine::Vector<Number, N>& difference, Number 
     engine::Vector<Number, N> direction;
     Number excess = {};
     Measured<Number, N> result = {};
-    result.found = engine::measure<may_be_slack>(difference, length, engine::inverse_of(length),
-                                                 direction, excess);
+    result.found = engine::measure<may_be_slack>([&] { return difference; }, length,
+                                                 engine::inverse_of(length), direction, excess);
     for (unsigned char i = 0; i < N; ++i)
         result.distance = std::hypot(result.distance, value(difference[i]));
     result.excess = value(excess);
@@ -163,8 +163,8 @@ TEST(Distance, SaturatesAtTheEnds) {
     engine::Vector<Number, 2> difference;
     difference[0] = end;
     difference[1] = -end;
-    ASSERT_TRUE(
-        engine::measure<false>(difference, length, engine::inverse_of(length), direction, excess));
+    ASSERT_TRUE(engine::measure<false>([&] { return difference; }, length,
+                                       engine::inverse_of(length), direction, excess));
     EXPECT_EQ(excess.raw(), INT32_MAX - 16384);
     EXPECT_NEAR(value(direction[0]), std::sqrt(0.5), 1e-4);
     EXPECT_NEAR(value(direction[1]), -std::sqrt(0.5), 1e-4);

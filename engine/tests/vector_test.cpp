@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <engine/vector.hpp>
+#include <fixedpoint/arithmetic/checked.hpp>
 
 using engine::Fixed;
 using Number = Fixed<16, 16>;
@@ -65,6 +66,22 @@ void check_length() {
     // Rounding of the quotient, and one ulp of the length in proportion.
     for (unsigned char i = 0; i < N && whole > 0; ++i)
         RC_ASSERT(fabsl(unit[i].raw() - 65536.0L * v[i].raw() / whole) <= 0.5L);
+}
+
+struct Ignored {
+    static void notify(fixedpoint::Event, fixedpoint::Operation) {}
+};
+
+// Twice a quarter of an ulp is rounded once in every arithmetic that rounds sums.
+template <class A>
+int square_of_two_halves() {
+    engine::Vector<fixedpoint::Fixed<16, 16, A>, 2> v;
+    v[0] = v[1] = fixedpoint::Fixed<16, 16, A>::from_raw(128);
+    return squared_length(v).raw();
+}
+TEST(Vector, SquaredLengthIsRoundedOnce) {
+    EXPECT_EQ(square_of_two_halves<fixedpoint::Nearest>(), 1);
+    EXPECT_EQ(square_of_two_halves<fixedpoint::Checked<Ignored>>(), 1);
 }
 
 }  // namespace

@@ -113,6 +113,7 @@ class VectorCofactors : public VectorKernels {
 TEST_F(VectorSteps, ProjectIsTheDotProductAndDotDifferenceThatOfTheDifferenceRoundedOnce) {
     for (const int n : {2, 3}) {
         const std::string size = n == 2 ? "2_q16_16" : "3_q16_16";
+        DeviceFunction square(chip_, "fixedpoint_square" + size, {4, {2}});
         DeviceFunction project(chip_, "fixedpoint_project" + size, {4, {2, 2}});
         DeviceFunction dot_difference(chip_, "fixedpoint_dot_difference" + size, {4, {2, 2, 2}});
         for (int i = 0; i < rounds; ++i) {
@@ -124,12 +125,40 @@ TEST_F(VectorSteps, ProjectIsTheDotProductAndDotDifferenceThatOfTheDifferenceRou
             ASSERT_EQ(project(at_a, at_u).as<int32_t>(),
                       exact::dot(wide_a, wide_u, n, q16_16).wrapped)
                 << n << " " << i;
-            ASSERT_EQ(project(at_a, at_a).as<int32_t>(),
-                      exact::dot(wide_a, wide_a, n, q16_16).wrapped)
+            ASSERT_EQ(square(at_a).as<int32_t>(), exact::dot(wide_a, wide_a, n, q16_16).wrapped)
                 << n << " " << i;
             ASSERT_EQ(dot_difference(at_a, at_u, at_v).as<int32_t>(),
                       exact::dot(wide_a, d, n, q16_16).wrapped)
                 << n << " " << i;
+        }
+    }
+}
+
+// |a| < 1/4 and 0 <= b < 2: the ends of both, and their neighbours, with each other and at random.
+TEST_F(VectorSteps, ShortProductsAreRounded) {
+    DeviceFunction multiply(chip_, "fixedpoint_multiply_short_q16_16", {4, {4, 4}});
+    std::vector<int32_t> a, b;
+    for (const int32_t end : {0, 0x100, 0x2000, 0x3fff})
+        for (int32_t x = end - 2; x <= end + 2 && x < 0x4000; ++x) a.insert(a.end(), {x, -x});
+    for (const int32_t end : {0, 0x100, 0x8000, 0x10000, 0x1ffff})
+        for (int32_t x = std::max(end - 2, 0); x <= end + 2 && x < 0x20000; ++x) b.push_back(x);
+    std::mt19937 random(17);
+    for (int i = 0; i < 200; ++i) {
+        a.push_back(static_cast<int32_t>(random() % 0x7fff) - 0x3fff);
+        b.push_back(static_cast<int32_t>(random() % 0x20000));
+    }
+    for (const int32_t x : a)
+        for (const int32_t y : b)
+            ASSERT_EQ(multiply(x, y).as<int32_t>(), product(x, y)) << x << " " << y;
+}
+
+TEST_F(VectorSteps, ScaleDownRoundsHalfUpByEveryShift) {
+    for (int shift = 0; shift < 32; ++shift) {
+        DeviceFunction scale_down(chip_, "scale_down_" + std::to_string(shift), {4, {4}});
+        for (int i = 0; i < 1000; ++i) {
+            const int32_t a = number();
+            const std::int64_t half = (std::int64_t(1) << shift) / 2;
+            ASSERT_EQ(scale_down(a).as<int32_t>(), (a + half) >> shift) << a << " " << shift;
         }
     }
 }

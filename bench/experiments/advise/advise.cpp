@@ -41,8 +41,7 @@ class Estimates {
                 std::strtod(row[column("cycles_mean")].c_str(), nullptr);
         }
     }
-    std::optional<double> operator()(const Format& format,
-                                     const std::map<std::string, double>& operations) const {
+    std::optional<double> operator()(const Format& format, const Operations& operations) const {
         auto known = cycles_.find(format.name());
         if (known == cycles_.end()) {
             static const std::map<int, const char*> alike = {
@@ -88,7 +87,7 @@ bool advise_program(const Options& given) {
     const auto measure = [&](bool wide) {
         operations::in_parallel(options.threads, all.size(), [&](std::size_t i) {
             if ((all[i].format.width() == 64) != wide) return;
-            all[i].advice.cycles_estimated = estimate(all[i].format, recorded.operations);
+            all[i].advice.cycles_estimated = estimate(all[i].format, all[i].operations);
             if (all[i].advice.meets)
                 measure_on_chip(options, data, scratch.folder(), recorded.outputs, all[i]);
             progress.advance();

@@ -85,8 +85,11 @@ std::vector<Candidate> run_on_host(const Options& options, const fs::path& scrat
             Candidate& added = list.emplace_back();
             added.format = {std::stoi(words[1]), std::stoi(words[2])};
             added.advice.format = added.format.name();
+            if (added.format.is_float()) added.operations = recorded.operations;
         } else if (words[0] == "output") {
             list.back().outputs.push_back(std::stoll(words[1]));
+        } else if (words[0] == "operation") {
+            note_operation(list.back().operations, words, recorded.outputs.size());
         } else if (!list.back().format.is_float()) {
             list.back().advice.overflows = std::stoull(words[1]);
             list.back().advice.underflows = std::stoull(words[2]);

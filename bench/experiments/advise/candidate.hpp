@@ -42,6 +42,7 @@ struct Advice {
 struct Candidate {
     Format format;
     std::vector<std::int64_t> outputs;  // patterns
+    Operations operations;
     Advice advice;
 };
 

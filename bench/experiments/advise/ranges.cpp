@@ -27,6 +27,11 @@ std::string source_line(const fs::path& file, int number) {
 
 }  // namespace
 
+void note_operation(Operations& operations, const Words& words, std::size_t rows) {
+    operations[words[1] == "negate" ? "subtract" : words[1]] +=
+        std::stod(words[2]) / static_cast<double>(rows);
+}
+
 Recorded record(const Options& options, const Data& data, const fs::path& recorder,
                 const fs::path& rows, const std::vector<Format>& formats) {
     std::vector<std::string> command = {recorder, rows};
@@ -46,9 +51,7 @@ Recorded record(const Options& options, const Data& data, const fs::path& record
                     fmt::format("{}: the result of row {} is not finite in double",
                                 options.program.string(), recorded.outputs.size()));
         } else if (words[0] == "operation") {
-            // A sign costs what a subtraction from 0 does.
-            recorded.operations[words[1] == "negate" ? "subtract" : words[1]] +=
-                std::stod(words[2]) / static_cast<double>(data.rows());
+            note_operation(recorded.operations, words, data.rows());
         } else {
             RangeRow row{};
             row.kind = words[0];

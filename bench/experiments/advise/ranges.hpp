@@ -7,6 +7,7 @@
 
 #include "bench/experiments/advise/advise.hpp"
 #include "bench/experiments/advise/data.hpp"
+#include "bench/experiments/advise/driver.hpp"
 #include "bench/experiments/advise/format.hpp"
 #include "bench/lab/records/record.hpp"
 
@@ -33,10 +34,15 @@ struct RangeRow {
     }();
 };
 
+// How often a step does an operation.
+using Operations = std::map<std::string, double>;
+// Notes that `rows` steps did words[1] words[2] times. A sign costs what a subtraction from 0 does.
+void note_operation(Operations& operations, const Words& words, std::size_t rows);
+
 struct Recorded {
-    std::vector<double> outputs;               // of all runs, in double
-    std::map<std::string, double> operations;  // a step
-    int integer_bits = 1;                      // that hold everything
+    std::vector<double> outputs;  // of all runs, in double
+    Operations operations;
+    int integer_bits = 1;  // that hold everything
     std::vector<RangeRow> ranges;
 };
 

@@ -15,20 +15,23 @@ namespace engine {
 
 /// \cond internal
 // measure(), inline where the world has one kind of such links: a call costs as much as a product.
-template <bool may_be_slack, class Link, class Vector, class Scalar>
-ENGINE_INLINE bool measure(const Link& link, const Vector& difference, Vector& direction,
-                           Scalar& excess, If<true>) {
+template <bool may_be_slack, class World, class Link, class Vector, class Scalar>
+ENGINE_INLINE bool measure(const World& world, const Link& link, Vector& direction, Scalar& excess,
+                           If<true>) {
+    const auto difference = [&]() ENGINE_INLINE_LAMBDA { return link.ends.difference(world); };
     return measure<may_be_slack>(difference, link.length, link.inverse, direction, excess);
 }
 template <bool may_be_slack, class Scalar, int N>
 bool measure_by_call(const Vector<Scalar, N>& difference, Scalar length,
                      const Inverse<Scalar>& inverse, Vector<Scalar, N>& direction, Scalar& excess) {
-    return measure<may_be_slack>(difference, length, inverse, direction, excess);
+    const auto of_ends = [&]() ENGINE_INLINE_LAMBDA { return difference; };
+    return measure<may_be_slack>(of_ends, length, inverse, direction, excess);
 }
-template <bool may_be_slack, class Link, class Vector, class Scalar>
-ENGINE_INLINE bool measure(const Link& link, const Vector& difference, Vector& direction,
-                           Scalar& excess, If<false>) {
-    return measure_by_call<may_be_slack>(difference, link.length, link.inverse, direction, excess);
+template <bool may_be_slack, class World, class Link, class Vector, class Scalar>
+ENGINE_INLINE bool measure(const World& world, const Link& link, Vector& direction, Scalar& excess,
+                           If<false>) {
+    return measure_by_call<may_be_slack>(link.ends.difference(world), link.length, link.inverse,
+                                         direction, excess);
 }
 /// \endcond
 
@@ -37,11 +40,10 @@ ENGINE_INLINE bool measure(const Link& link, const Vector& difference, Vector& d
 template <class World, class Scalar, class Ends, class TimeStep>
 ENGINE_INLINE void constrain(const Rod<Scalar, Ends>& rod, World& world, TimeStep dt) {
     observe<Scalar>(Quantity::rod);
-    const auto difference = rod.ends.difference(world);
     typename World::Vector direction;
     Scalar excess;
     const If<World::Uses::rods == 0 || World::Uses::anchored_rods == 0> once = {};
-    if (!measure<false>(rod, difference, direction, excess, once)) {
+    if (!measure<false>(world, rod, direction, excess, once)) {
         return world.report(Error::no_direction);
     }
     World::Solver::rod(world, rod.ends.a, rod.ends.second(), direction, excess, rod.inverse, dt);
@@ -51,11 +53,10 @@ ENGINE_INLINE void constrain(const Rod<Scalar, Ends>& rod, World& world, TimeSte
 template <class World, class Scalar, class Ends, class TimeStep>
 ENGINE_INLINE void constrain(const Rope<Scalar, Ends>& rope, World& world, TimeStep dt) {
     observe<Scalar>(Quantity::rope);
-    const auto difference = rope.ends.difference(world);
     typename World::Vector direction;
     Scalar excess;
     const If<World::Uses::ropes == 0 || World::Uses::anchored_ropes == 0> once = {};
-    if (!measure<true>(rope, difference, direction, excess, once)) return;
+    if (!measure<true>(world, rope, direction, excess, once)) return;
     if (excess < Scalar()) return;
     World::Solver::rope(world, rope.ends.a, rope.ends.second(), direction, excess, rope.inverse,
                         rope.restitution, dt);

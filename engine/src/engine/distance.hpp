@@ -75,7 +75,8 @@ ENGINE_INLINE Fixed<I, F, A> times(Fixed<I, F, A> a, const Inverse<Fixed<I, F, A
 
 template <class Scalar, int N>
 __attribute__((noinline, cold)) void halve(Vector<Scalar, N>& v) {
-    for (unsigned char i = 0; i < N; ++i) v[i] = half(v[i]);
+    const unsigned char n = not_unrolled(N);
+    for (unsigned char i = 0; i < n; ++i) v[i] = half(v[i]);
 }
 
 // v 2^k with its largest component in 1/4..1/2, so that 1/4 < |v| < 0.87; 0 stays 0.
@@ -84,9 +85,10 @@ __attribute__((noinline, cold)) void bring_near_one(Vector<Fixed<I, F, A>, N>& v
     using Number = Fixed<I, F, A>;
     using Raw = typename Number::Raw;
     const auto quarter = Number::from_raw(static_cast<Raw>(Raw(1) << (F < 2 ? 0 : F - 2)));
+    const unsigned char n = not_unrolled(N);
     for (;;) {
         Number least = Number();  // -|v_i| of the largest: the end of the range has no |v_i|
-        for (unsigned char i = 0; i < N; ++i) {
+        for (unsigned char i = 0; i < n; ++i) {
             const Number below_zero = v[i] > Number() ? -v[i] : v[i];
             if (below_zero < least) least = below_zero;
         }
@@ -95,7 +97,7 @@ __attribute__((noinline, cold)) void bring_near_one(Vector<Fixed<I, F, A>, N>& v
         } else if (least < -quarter || least == Number()) {
             return;
         } else {
-            v += v;
+            for (unsigned char i = 0; i < n; ++i) v[i] += v[i];
         }
     }
 }
@@ -103,13 +105,17 @@ __attribute__((noinline, cold)) void bring_near_one(Vector<Fixed<I, F, A>, N>& v
 // e = (v . v - 1) / 2, by which |v| exceeds 1 where that is little.
 template <class Scalar, int N>
 ENGINE_INLINE Scalar excess_over_one(const Vector<Scalar, N>& v) {
-    return half(dot(v, v) - Scalar(Decimal<1, 0>()));
+    return half(squared_length(v) - Scalar(Decimal<1, 0>()));
 }
 
-// v / |v|, of that e and its square: 1 - e + 3/2 e^2 of it, which leaves 5/2 |e|^3 of the length.
+// Makes v, which exceeds 1 by that e, v / |v|: 1 - e + 3/2 e^2 of it, which leaves 5/2 |e|^3 of the
+// length. Returns by how much |v| exceeded 1.
 template <class Scalar, int N>
-ENGINE_INLINE void mend_length(Vector<Scalar, N>& v, Scalar e, Scalar square) {
-    v.add_scaled(v, square + half(square) - e);
+__attribute__((noinline)) Scalar mend_length(Vector<Scalar, N>& v, Scalar e) {
+    const Scalar square = e * e;
+    const Scalar excess = e - half(square);
+    v.add_scaled(v, square - excess);
+    return excess;
 }
 
 // Up to this e, mend_length leaves less than half an ulp.
@@ -134,47 +140,45 @@ __attribute__((noinline, cold)) Scalar measure_by_steps(const Vector<Scalar, N>&
         e = excess_over_one(direction);
     }
     for (unsigned char steps = 6; steps > 0; --steps) {
-        mend_length(direction, e, e * e);
+        mend_length(direction, e);
         if (absolute(e) < NearOne<Scalar>::value()) break;
         e = excess_over_one(direction);
     }
     return dot(direction, difference);
 }
 
-// The direction along `difference`, and by how much that is longer than `length`. False where there
-// is none: the ends coincide or, of what may be slack, are surely nearer than the length.
-template <bool may_be_slack, class Scalar, int N>
-bool measure(const Vector<Scalar, N>& difference, Scalar length, const Inverse<Scalar>&,
+// The direction along difference(), and by how much that is longer than `length`. False where there
+// is none: the ends coincide or, of what may be slack, are surely nearer than the length. That
+// difference is asked for anew where it is needed twice, which is seldom, rather than kept.
+template <bool may_be_slack, class Difference, class Scalar, int N>
+bool measure(const Difference& difference, Scalar length, const Inverse<Scalar>&,
              Vector<Scalar, N>& direction, Scalar& excess) {
-    const Scalar distance = engine::length(difference);
-    direction = divided(difference, distance);
+    direction = difference();
+    const Scalar distance = engine::length(direction);
+    direction = divided(direction, distance);
     excess = distance - length;
     return !(distance == Scalar());
 }
-template <bool may_be_slack, int I, int F, class A, int N>
+template <bool may_be_slack, class Difference, int I, int F, class A, int N>
 ENGINE_INLINE typename OnlyIf<RoundsOnce<A>::value, bool>::Type measure(
-    const Vector<Fixed<I, F, A>, N>& difference, Fixed<I, F, A> length,
-    const Inverse<Fixed<I, F, A>>& inverse, Vector<Fixed<I, F, A>, N>& direction,
-    Fixed<I, F, A>& excess) {
+    const Difference& difference, Fixed<I, F, A> length, const Inverse<Fixed<I, F, A>>& inverse,
+    Vector<Fixed<I, F, A>, N>& direction, Fixed<I, F, A>& excess) {
     using Number = Fixed<I, F, A>;
     const Number near = NearOne<Number>::value();
     // A direction 1 + e long leaves 2 e of a row's change to the next step: by 4 ulp that is below
     // an ulp of each change below 1/8 m/s.
     const Number little = Number::from_raw(F >= 12 ? 4 : 0);
-    scale<N>(direction.component, difference.component, inverse.factor);
+    direction = difference();
+    scale<N>(direction.component, inverse.factor);
     for (unsigned char i = inverse.halvings; i != 0; --i) halve(direction);
     Number relative = excess_over_one(direction);
     if (may_be_slack && relative < -near) return false;
     if (inverse.halvings == 0 && absolute(relative) < near) {
-        if (absolute(relative) > little) {
-            const Number square = relative * relative;
-            mend_length(direction, relative, square);
-            relative -= half(square);
-        }
-        excess = relative * length;
+        if (absolute(relative) > little) relative = mend_length(direction, relative);
+        excess = short_product(relative, length);
         return true;
     }
-    const Number distance = measure_by_steps(difference, relative, direction);
+    const Number distance = measure_by_steps(difference(), relative, direction);
     excess = distance - length;
     return !(distance == Number());
 }

@@ -65,6 +65,21 @@ constexpr Fixed<I, F, A> saturating_product(Fixed<I, F, A> a, Fixed<I, F, A> b) 
 }
 /// \endcond
 
+/// The product a b of |a| < 1/4 and 0 <= b < 2.
+template <class Scalar>
+ENGINE_INLINE Scalar short_product(Scalar a, Scalar b) {
+    return a * b;
+}
+/// \cond internal
+template <int I, int F>
+ENGINE_INLINE Fixed<I, F, fixedpoint::Nearest> short_product(Fixed<I, F, fixedpoint::Nearest> a,
+                                                             Fixed<I, F, fixedpoint::Nearest> b) {
+    using Raw = typename Fixed<I, F, fixedpoint::Nearest>::Raw;
+    return Fixed<I, F, fixedpoint::Nearest>::from_raw(
+        fixedpoint::kernel::multiply_short<Raw, F>(a.raw(), b.raw()));
+}
+/// \endcond
+
 /// Whether a is neither infinite nor NaN, as every Fixed is.
 template <class Scalar>
 ENGINE_INLINE constexpr bool is_finite(Scalar a) {
@@ -116,6 +131,18 @@ ENGINE_INLINE Fixed<I, F, fixedpoint::Nearest> dot(const Fixed<I, F, fixedpoint:
     return Number::from_raw(N == 2 ? fixedpoint::kernel::project2<Raw, F>(raws(a), raws(b))
                                    : fixedpoint::kernel::project3<Raw, F>(raws(a), raws(b)));
 }
+// The sum of v_i^2 over N components. It stands behind the dot products that it takes.
+template <int N, class Scalar>
+ENGINE_INLINE FIXEDPOINT_CONSTEXPR Scalar square(const Scalar* v) {
+    return dot<N>(v, v);
+}
+template <int N, int I, int F>
+ENGINE_INLINE Fixed<I, F, fixedpoint::Nearest> square(const Fixed<I, F, fixedpoint::Nearest>* v) {
+    using Number = Fixed<I, F, fixedpoint::Nearest>;
+    using Raw = typename Number::Raw;
+    return Number::from_raw(N == 2 ? fixedpoint::kernel::square2<Raw, F>(raws(v))
+                                   : fixedpoint::kernel::square3<Raw, F>(raws(v)));
+}
 template <int N, int I, int F, class A>
 Compound<I, F, A> length(const Fixed<I, F, A>* v) {
     return N == 2 ? fixedpoint::length2(v) : fixedpoint::length3(v);
@@ -164,12 +191,12 @@ void add_scaled(Scalar* sum, const Scalar* v, Scalar factor) {
         sum[i] = engine::multiply_add(v[i], factor, sum[i]);
     }
 }
-/// v factor of a vector of N components, each rounded once.
+/// Multiplies a vector of N components by a factor, each rounded once.
 template <int N, class Scalar>
-ENGINE_INLINE void scale(Scalar* product, const Scalar* v, Scalar factor) {
-    product[0] = v[0] * factor;
-    product[1] = v[1] * factor;
-    if (N == 3) product[N - 1] = v[N - 1] * factor;
+ENGINE_INLINE void scale(Scalar* v, Scalar factor) {
+    v[0] = v[0] * factor;
+    v[1] = v[1] * factor;
+    if (N == 3) v[N - 1] = v[N - 1] * factor;
 }
 /// Adds v factor to a, and takes the same product from b: a + b stays as it is, to the bit where
 /// the scalar's sums are exact.
@@ -201,13 +228,11 @@ ENGINE_INLINE void add_scaled(Fixed<I, F, fixedpoint::Nearest>* sum,
         fixedpoint::kernel::add_scaled3<Raw, F>(raws(sum), raws(v), factor.raw());
     }
 }
-// Its kernel knows whole factors, such as 1 / length of a rod of 1/4 m.
+// Its kernel knows whole factors, such as 1 / length of a rod of 1/4 m. As v + v (factor - 1).
 template <int N>
-ENGINE_INLINE void scale(Fixed<16, 16, fixedpoint::Nearest>* product,
-                         const Fixed<16, 16, fixedpoint::Nearest>* v,
+ENGINE_INLINE void scale(Fixed<16, 16, fixedpoint::Nearest>* v,
                          Fixed<16, 16, fixedpoint::Nearest> factor) {
-    for (unsigned char i = 0; i < N; ++i) product[i] = Fixed<16, 16, fixedpoint::Nearest>();
-    add_scaled<N>(product, v, factor);
+    add_scaled<N>(v, v, factor - Fixed<16, 16, fixedpoint::Nearest>::from_raw(int32_t(1) << 16));
 }
 template <int N, int I, int F>
 ENGINE_INLINE void exchange(Fixed<I, F, fixedpoint::Nearest>* a,

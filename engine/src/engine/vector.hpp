@@ -151,8 +151,8 @@ ENGINE_INLINE Scalar dot_difference(const Vector<Scalar, N>& n, const Vector<Sca
 
 /// |v|^2. Overflows where the square does: see length.
 template <class Scalar, int N>
-Scalar squared_length(const Vector<Scalar, N>& v) {
-    return dot(v, v);
+ENGINE_INLINE Scalar squared_length(const Vector<Scalar, N>& v) {
+    return square<N>(v.component);
 }
 
 /// |v|; in the default fixed-point arithmetic no square overflows, and the result saturates.

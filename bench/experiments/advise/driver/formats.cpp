@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The user's program in the number formats FORMATS, X(integer bits, fraction bits) each, and in
-// float: prints for each a line `format`, the events that Checked tells, and the pattern of each
-// output.
+// float: prints for each a line `format`, the events that Checked tells, how often each operation
+// was done, fused ones as one, and the pattern of each output.
 #include <bit>
 #include <cstdint>
 #include <fixedpoint/arithmetic/checked.hpp>
+#include <map>
+#include <string>
+#include <type_traits>
 
 #include "bench/experiments/advise/driver/run.hpp"
 
@@ -18,15 +21,54 @@ struct Events {
 };
 unsigned long long Events::overflows, Events::underflows;
 
+std::map<std::string, unsigned long long> operations;
+
+// The arithmetic, which counts what it is asked for. Of constants nothing is done on the chip.
+struct Counted : fixedpoint::Checked<Events> {
+    using Base = fixedpoint::Checked<Events>;
+#define COUNTED(name, ...)                                      \
+    template <class Raw, int F, class... Operands>              \
+    static constexpr auto name(Operands... operands) {          \
+        if (!std::is_constant_evaluated()) ++operations[#name]; \
+        return Base::template name<Raw, F>(operands...);        \
+    }
+    COUNTED(add)
+    COUNTED(subtract)
+    COUNTED(negate)
+    COUNTED(multiply)
+    COUNTED(divide)
+    COUNTED(remainder)
+    COUNTED(sqrt)
+    COUNTED(reciprocal_sqrt)
+    COUNTED(atan)
+    COUNTED(atan2)
+    COUNTED(sin)
+    COUNTED(cos)
+    COUNTED(sincos)
+    COUNTED(exp)
+    COUNTED(log)
+    FIXEDPOINT_ELEMENTARY_FUNCTIONS(COUNTED)
+    COUNTED(multiply_add)
+    COUNTED(dot2)
+    COUNTED(dot3)
+    COUNTED(length2)
+    COUNTED(length3)
+    COUNTED(normalise3)
+#undef COUNTED
+};
+
 template <int I, int F>
 void run_fixed(const std::vector<advise::Rows>& runs) {
-    using Number = fixedpoint::Fixed<I, F, fixedpoint::Checked<Events>>;
+    using Number = fixedpoint::Fixed<I, F, Counted>;
     std::printf("format\t%d\t%d\n", I, F);
     Events::overflows = Events::underflows = 0;
+    operations.clear();
     advise::run<Number>(
         runs, [](double x, std::size_t) { return fixedpoint::from_float<Number>(x); },
         [](Number output) { std::printf("output\t%lld\n", static_cast<long long>(output.raw())); });
     std::printf("events\t%llu\t%llu\n", Events::overflows, Events::underflows);
+    for (const auto& [name, times] : operations)
+        std::printf("operation\t%s\t%llu\n", name.c_str(), times);
 }
 
 }  // namespace

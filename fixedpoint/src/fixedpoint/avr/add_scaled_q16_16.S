@@ -36,7 +36,7 @@
     st X+, r0
     .endm
 
-    SECTION fixedpoint_add_scaled_q16_16
+    SECTION fixedpoint_exchange_q16_16
     ENTRY fixedpoint_exchange2_q16_16
     ldi r26, 2
     rjmp .Lexchange
@@ -53,12 +53,13 @@
     movw r18, r16
     mov b0, r26
     set
-    rcall .Lcomponents
+    XCALL .Lcomponents
     pop r29
     pop r28
     ret
     ENDFUNC fixedpoint_exchange3_q16_16
 
+    SECTION fixedpoint_add_scaled_q16_16
 .Lno_fraction:
     clr s2
     clr s3

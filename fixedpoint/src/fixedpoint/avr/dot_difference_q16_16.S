@@ -6,8 +6,11 @@
 //
 // int32_t fixedpoint_project2_q16_16(const int32_t* n, const int32_t* u)
 // int32_t fixedpoint_project3_q16_16(const int32_t* n, const int32_t* u)
-// The same with d_i = u_i: the dot product, in less time where n is a unit vector, and in half of
-// that where n and u are one array and each |n_i| < 1.
+// The same with d_i = u_i: the dot product, in less time where n is a unit vector.
+//
+// int32_t fixedpoint_square2_q16_16(const int32_t* n)
+// int32_t fixedpoint_square3_q16_16(const int32_t* n)
+// The same with d_i = n_i, in half of the time where each |n_i| < 1.
 //
 // In       n = r25:r24, u = r23:r22, v = r21:r20, in RAM
 // Out      r25:r22
@@ -40,27 +43,20 @@
     \instruction \a, r0
     .endm
 
-    SECTION fixedpoint_dot_difference_q16_16
-    ENTRY fixedpoint_project2_q16_16
-    ldi r18, 2
-    rjmp .Lproject
-    ENDFUNC fixedpoint_project2_q16_16
-
-    ENTRY fixedpoint_project3_q16_16
-    ldi r18, 3
-.Lproject:
+// The squares of |n_i|, which is a1:a0: three products each. No sum reaches 2^34, so that the count
+// fits above its byte 4. T tells three components.
+    SECTION fixedpoint_square_q16_16
+    ENTRY fixedpoint_square2_q16_16
+    ldi count_and_4, 0x20
     clt
-    cp r24, r22
-    cpc r25, r23
-    brne .Lcomponents
-// Of one array, the squares of |n_i|, which is a1:a0: three products each. No sum reaches 2^34, so
-// that the count fits above its byte 4.
-    push r24
-    push r25
-    push r18
+    rjmp .Lsquares
+    ENDFUNC fixedpoint_square2_q16_16
+
+    ENTRY fixedpoint_square3_q16_16
+    ldi count_and_4, 0x30
+    set
+.Lsquares:
     movw r30, r24
-    mov count_and_4, r18
-    swap count_and_4
     clr none
     clr sum0
     ldi sum1, 0x80      // rounds
@@ -103,16 +99,34 @@
     brsh .Lsquare
     mov r24, count_and_4
     clr r25
-    pop r0
-    pop r0
-    pop r0
     clr r1
     ret
-.Lbeyond_one:
-    pop r18
-    pop r25
-    pop r24
-    movw r22, r24
+.Lbeyond_one:           // begins anew, with Z before the components that were read
+    ldi r18, 2
+    bld r18, 0          // 2 or 3
+    mov r19, r18
+    swap count_and_4
+    andi count_and_4, 0x0f
+    sub r19, count_and_4
+2:  sbiw r30, 4
+    subi r19, 1
+    brcc 2b
+    movw r24, r30
+    movw r22, r30
+    clt
+    XJMP .Lcomponents
+    ENDFUNC fixedpoint_square3_q16_16
+
+    SECTION fixedpoint_dot_difference_q16_16
+    ENTRY fixedpoint_project2_q16_16
+    ldi r18, 2
+    clt
+    rjmp .Lcomponents
+    ENDFUNC fixedpoint_project2_q16_16
+
+    ENTRY fixedpoint_project3_q16_16
+    ldi r18, 3
+    clt
     rjmp .Lcomponents
     ENDFUNC fixedpoint_project3_q16_16
 
@@ -134,12 +148,13 @@
     push s1
     push s4
     push s5
+    brtc 1f
     push r28
     push r29
-    mov count, r18
+    movw r28, r20
+1:  mov count, r18
     movw r30, r24
     movw r26, r22
-    movw r28, r20
     clr zero
     clr s0
     ldi r18, 0x80
@@ -199,9 +214,10 @@
     rjmp .Lcomponent
 4:  movw r22, s2
     movw r24, s4
+    brtc 5f
     pop r29
     pop r28
-    pop s5
+5:  pop s5
     pop s4
     pop s1
     pop zero

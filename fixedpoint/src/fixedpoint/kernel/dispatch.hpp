@@ -51,6 +51,7 @@ FIXEDPOINT_OPERATION(BINARY, upper_product)
 FIXEDPOINT_OPERATION(WORDS, multiply_upper_halves)
 FIXEDPOINT_OPERATION(SPLIT_BINARY, multiply_64)
 FIXEDPOINT_OPERATION(BINARY, multiply_saturating)
+FIXEDPOINT_OPERATION(BINARY, multiply_short)
 FIXEDPOINT_OPERATION(TERNARY, multiply_add)
 FIXEDPOINT_OPERATION(TERNARY, wrapping_lerp)
 FIXEDPOINT_OPERATION(BINARY, divide)
@@ -114,6 +115,8 @@ FIXEDPOINT_OPERATION(OUTER, complex_product)
 FIXEDPOINT_OPERATION(MAPPING, cofactors)
 FIXEDPOINT_OPERATION(VECTORS, project2)
 FIXEDPOINT_OPERATION(VECTORS, project3)
+FIXEDPOINT_OPERATION(VECTOR, square2)
+FIXEDPOINT_OPERATION(VECTOR, square3)
 FIXEDPOINT_OPERATION(DIFFERENCE, dot_difference2)
 FIXEDPOINT_OPERATION(DIFFERENCE, dot_difference3)
 FIXEDPOINT_OPERATION(ADDITION, add_scaled2)
@@ -441,6 +444,11 @@ FIXEDPOINT_CONSTEXPR Raw exp(Raw a) {
                ? from_q16_16<Raw, F>(exp<int32_t, 16>(to_q16_16<Raw, F>(a)))
                : Split<Raw, F>::exp(a);
 }
+// Of |a| < 1/4 and 0 <= b < 2.
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw multiply_short(Raw a, Raw b) {
+    return multiply<Raw, F>(a, b);
+}
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw multiply_saturating(Raw a, Raw b) {
     return portable::multiply_saturating<Raw, F>(a, b);
@@ -587,6 +595,15 @@ FIXEDPOINT_CONSTEXPR Raw project2(const Raw* a, const Raw* b) {
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw project3(const Raw* a, const Raw* b) {
     return dot3<Raw, F>(a, b);
+}
+// The dot product of a vector and itself.
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw square2(const Raw* v) {
+    return project2<Raw, F>(v, v);
+}
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw square3(const Raw* v) {
+    return project3<Raw, F>(v, v);
 }
 
 // The portable sentences, by the kernels of this format's dot product and products.

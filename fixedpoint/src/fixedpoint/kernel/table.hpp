@@ -148,6 +148,7 @@
     KERNEL(WORDS, multiply_upper_halves, uint64_t, 0, fixedpoint_multiply_upper_halves, multiply_upper_halves) \
     KERNEL(SPLIT_BINARY, multiply_64, int64_t, 0, fixedpoint_multiply_64, multiply_64) \
     KERNEL(BINARY, multiply_saturating, int32_t, 16, fixedpoint_multiply_q16_16_saturating, multiply_saturating) \
+    KERNEL(BINARY, multiply_short, int32_t, 16, fixedpoint_multiply_short_q16_16, multiply) \
     KERNEL(TERNARY, multiply_add, int32_t, 16, fixedpoint_multiply_add_q16_16, multiply_add) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, TERNARY, multiply_add) \
     KERNEL(TERNARY, wrapping_lerp, int64_t, 32, fixedpoint_lerp_q32_32, wrapping_lerp) \
@@ -280,6 +281,8 @@
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, MAPPING, cofactors) \
     KERNEL(VECTORS, project2, int32_t, 16, fixedpoint_project2_q16_16, dot2) \
     KERNEL(VECTORS, project3, int32_t, 16, fixedpoint_project3_q16_16, dot3) \
+    KERNEL(VECTOR, square2, int32_t, 16, fixedpoint_square2_q16_16, square2) \
+    KERNEL(VECTOR, square3, int32_t, 16, fixedpoint_square3_q16_16, square3) \
     KERNEL(DIFFERENCE, dot_difference2, int32_t, 16, fixedpoint_dot_difference2_q16_16, dot_difference2) \
     KERNEL(DIFFERENCE, dot_difference3, int32_t, 16, fixedpoint_dot_difference3_q16_16, dot_difference3) \
     KERNEL(ADDITION, add_scaled2, int32_t, 16, fixedpoint_add_scaled2_q16_16, add_scaled2) \

@@ -3,6 +3,7 @@
 // add_scaled: sum_i += floor(v_i factor / 2^F + 1/2).
 // exchange:   the same product is added to a_i and subtracted from b_i, so that a_i + b_i stays.
 // dot_difference: dot(n, d) with d_i = u_i - v_i modulo 2^W, signed.
+// square: dot(v, v).
 #pragma once
 
 #include <fixedpoint/portable/dot.hpp>
@@ -54,6 +55,15 @@ FIXEDPOINT_CONSTEXPR Raw dot_difference2(const Raw* n, const Raw* u, const Raw* 
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw dot_difference3(const Raw* n, const Raw* u, const Raw* v) {
     return dot_difference<Raw, F>(n, u, v, 3);
+}
+
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw square2(const Raw* v) {
+    return dot<Raw, F>(v, v, 2);
+}
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw square3(const Raw* v) {
+    return dot<Raw, F>(v, v, 3);
 }
 
 }  // namespace portable

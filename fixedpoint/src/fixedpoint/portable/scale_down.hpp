@@ -25,6 +25,27 @@ inline Raw scale_down_by_bytes(Raw a) {
         a = static_cast<Raw>(a >> K);
         return up ? static_cast<Raw>(a + 1) : a;
     }
+    if (sizeof a == 4) {
+        a = static_cast<Raw>(a >> (K / 8 * 8));
+        // Only the bytes that are left move; the last bit that goes is the carry, and rounds.
+#define FIXEDPOINT_SHIFT_ROUNDED(shift)                                   \
+    __asm__(".rept %1\n\t" shift                                          \
+            ".endr\n\tadc %A0, __zero_reg__\n\tadc %B0, __zero_reg__\n\t" \
+            "adc %C0, __zero_reg__\n\tadc %D0, __zero_reg__"              \
+            : "+r"(a)                                                     \
+            : "n"(K % 8))
+        if (K < 8) {
+            FIXEDPOINT_SHIFT_ROUNDED("asr %D0\n\tror %C0\n\tror %B0\n\tror %A0\n\t");
+        } else if (K < 16) {
+            FIXEDPOINT_SHIFT_ROUNDED("asr %C0\n\tror %B0\n\tror %A0\n\t");
+        } else if (K < 24) {
+            FIXEDPOINT_SHIFT_ROUNDED("asr %B0\n\tror %A0\n\t");
+        } else {
+            FIXEDPOINT_SHIFT_ROUNDED("asr %A0\n\t");
+        }
+#undef FIXEDPOINT_SHIFT_ROUNDED
+        return a;
+    }
     constexpr unsigned char bits = K - 1;
     a = static_cast<Raw>(a >> (bits / 8 * 8));
     for (unsigned char i = 0; i < bits % 8; ++i) {

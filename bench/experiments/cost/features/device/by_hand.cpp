@@ -42,7 +42,7 @@ __attribute__((noinline)) void step() {
 
     // The direction, and by how much it is longer than 1.
     Raw n[2] = {(l.position[0] - l.pivot[0]) * 4, (l.position[1] - l.pivot[1]) * 4};
-    Raw e = (project2<Raw, fraction_bits>(n, n) - one) >> 1;
+    Raw e = (square2<Raw, fraction_bits>(n) - one) >> 1;
     if (e > 4 || e < -4) {
         const Raw square = multiply<Raw, fraction_bits>(e, e);
         add_scaled2<Raw, fraction_bits>(n, n, square + (square >> 1) - e);
