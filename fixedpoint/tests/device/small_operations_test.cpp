@@ -46,5 +46,14 @@ void test_small_operations() {
         check_root<uint16_t, uint32_t>(static_cast<uint16_t>(33 * n));
     for (uint32_t n = 1; n < 2000000000; n += n / 2 + 1) check_root<uint32_t, uint64_t>(n);
     check_root<int32_t, int64_t>(2147483647);
+    // Squares, the numbers before them, and some between, up to where the next square overflows.
+    for (uint64_t root = 1; root < UINT32_MAX; root += root / 4 + 1) {
+        check_root<uint64_t, uint64_t>(root * root);
+        check_root<uint64_t, uint64_t>(root * root - 1);
+        check_root<uint64_t, uint64_t>(root * root + root);
+        check_root<uint32_t, uint64_t>(static_cast<uint32_t>(root * root));
+    }
+    CHECK(isqrt(UINT64_MAX) == UINT32_MAX && isqrt(UINT32_MAX) == UINT16_MAX);
+    CHECK(isqrt(INT64_MIN) == 0 && isqrt(uint64_t(0)) == 0);
     CHECK(isqrt(-1) == 0 && isqrt(static_cast<int8_t>(127)) == 11);
 }
