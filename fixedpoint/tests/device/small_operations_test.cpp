@@ -38,9 +38,26 @@ void check_root(Int hidden) {
     CHECK(root * root <= n && (root + 1) * (root + 1) > n);
 }
 
+// The kernel of integer powers against the portable code, with mantissas and exponents of all
+// lengths.
+void check_powers() {
+    uint32_t random = 1;
+    for (uint16_t i = 0; i < 120; ++i) {
+        random = random * 1664525 + 1013904223;
+        const uint16_t n = static_cast<uint16_t>(random >> (17 + i % 15)) | 1;
+        const int8_t exponent = static_cast<int8_t>(i % 33);
+        volatile uint32_t operand = random >> (i % 32) | 1;
+        for (uint8_t reciprocal = 0; reciprocal < 2; ++reciprocal) {
+            CHECK((kernel::short_power<int32_t, 0>(operand, n, exponent, reciprocal != 0)) ==
+                  (portable::short_power<int32_t, 0>(operand, n, exponent, reciprocal != 0)));
+        }
+    }
+}
+
 }  // namespace
 
 void test_small_operations() {
+    check_powers();
     for_each(small_operations, check_operations);
     for (uint16_t n = 0; n < 2000; ++n)
         check_root<uint16_t, uint32_t>(static_cast<uint16_t>(33 * n));
