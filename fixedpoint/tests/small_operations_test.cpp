@@ -13,6 +13,7 @@
 #include <fixedpoint/math.hpp>
 #include <fixedpoint/vector.hpp>
 #include <limits>
+#include <numeric>
 #include <random>
 #include <utility>
 
@@ -215,6 +216,7 @@ template <class Integral>
 void expect_roots(const std::vector<Integral>& numbers) {
     for (const Integral n : numbers) {
         const Int root = isqrt(n);
+        ASSERT_EQ(kernel::integer_root(n), root) << Int(n);
         if (n < Integral(1)) {
             ASSERT_EQ(root, 0);
             continue;
@@ -238,9 +240,26 @@ TEST(IntegerRoot, IsTheLargestIntegerWhoseSquareIsNotLarger) {
     expect_roots(unsigned_ones<uint16_t>());
     expect_roots(unsigned_ones<uint32_t>());
     expect_roots(unsigned_ones<uint64_t>());
+    std::vector<uint8_t> all_of_8_bits(256);
+    std::iota(all_of_8_bits.begin(), all_of_8_bits.end(), uint8_t(0));
+    expect_roots(all_of_8_bits);
+    std::vector<uint16_t> all_of_16_bits(65536);
+    std::iota(all_of_16_bits.begin(), all_of_16_bits.end(), uint16_t(0));
+    expect_roots(all_of_16_bits);
     // Squares, and the numbers before them.
-    std::vector<uint64_t> squares = {};
+    std::vector<uint32_t> squares_of_16_bits;
+    for (uint32_t n = 1; n <= UINT16_MAX; ++n) {
+        squares_of_16_bits.push_back(n * n);
+        squares_of_16_bits.push_back(n * n - 1);
+    }
+    squares_of_16_bits.push_back(UINT32_MAX);
+    expect_roots(squares_of_16_bits);
+    std::vector<uint64_t> squares = {UINT64_MAX};
     for (uint64_t n = 1; n <= UINT32_MAX; n += n / 9 + 1) {
+        squares.push_back(n * n);
+        squares.push_back(n * n - 1);
+    }
+    for (uint64_t n = UINT32_MAX; n > UINT32_MAX - 1000; --n) {
         squares.push_back(n * n);
         squares.push_back(n * n - 1);
     }

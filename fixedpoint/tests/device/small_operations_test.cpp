@@ -38,13 +38,39 @@ void check_root(Int hidden) {
     CHECK(root * root <= n && (root + 1) * (root + 1) > n);
 }
 
+// The kernel of integer powers against the portable code, with mantissas and exponents of all
+// lengths.
+void check_powers() {
+    uint32_t random = 1;
+    for (uint16_t i = 0; i < 120; ++i) {
+        random = random * 1664525 + 1013904223;
+        const uint16_t n = static_cast<uint16_t>(random >> (17 + i % 15)) | 1;
+        const int8_t exponent = static_cast<int8_t>(i % 33);
+        volatile uint32_t operand = random >> (i % 32) | 1;
+        for (uint8_t reciprocal = 0; reciprocal < 2; ++reciprocal) {
+            CHECK((kernel::short_power<int32_t, 0>(operand, n, exponent, reciprocal != 0)) ==
+                  (portable::short_power<int32_t, 0>(operand, n, exponent, reciprocal != 0)));
+        }
+    }
+}
+
 }  // namespace
 
 void test_small_operations() {
+    check_powers();
     for_each(small_operations, check_operations);
     for (uint16_t n = 0; n < 2000; ++n)
         check_root<uint16_t, uint32_t>(static_cast<uint16_t>(33 * n));
     for (uint32_t n = 1; n < 2000000000; n += n / 2 + 1) check_root<uint32_t, uint64_t>(n);
     check_root<int32_t, int64_t>(2147483647);
+    // Squares, the numbers before them, and some between, up to where the next square overflows.
+    for (uint64_t root = 1; root < UINT32_MAX; root += root / 4 + 1) {
+        check_root<uint64_t, uint64_t>(root * root);
+        check_root<uint64_t, uint64_t>(root * root - 1);
+        check_root<uint64_t, uint64_t>(root * root + root);
+        check_root<uint32_t, uint64_t>(static_cast<uint32_t>(root * root));
+    }
+    CHECK(isqrt(UINT64_MAX) == UINT32_MAX && isqrt(UINT32_MAX) == UINT16_MAX);
+    CHECK(isqrt(INT64_MIN) == 0 && isqrt(uint64_t(0)) == 0);
     CHECK(isqrt(-1) == 0 && isqrt(static_cast<int8_t>(127)) == 11);
 }

@@ -95,7 +95,9 @@ struct Expm1 : Splits<9, 24> {
 struct Sinh : Splits<9, 24> {
     template <class Raw, int F>
     static FIXEDPOINT_IN_PLACE Evaluation<Raw> apply(Raw a) {
-        const int64_t x = with_40_bits<F>(magnitude(a));
+        const uint32_t positive = magnitude(a);
+        if (is_nearly_linear<F>(positive)) return {a, Outcome::in_range};
+        const int64_t x = with_40_bits<F>(positive);
         return rounded_power(exp_wide<int64_t, 40>(x, F - 1) - exp_wide<int64_t, 40>(-x, F - 1),
                              a < 0);
     }
@@ -115,13 +117,13 @@ struct Tanh : Splits<9, 24> {
     static FIXEDPOINT_IN_PLACE Evaluation<Raw> apply(Raw a) {
         constexpr int32_t one = int32_t(1) << 29;
         const uint32_t positive = magnitude(a);
-        int32_t quotient = one >> 1;
+        if (is_nearly_linear<F>(positive)) return {a, Outcome::in_range};
+        int32_t result = int32_t(1) << F;
         if (positive < uint32_t(16) << F) {
             const int32_t power = static_cast<int32_t>(
                 exp_wide<int64_t, 40>(-2 * with_40_bits<F>(positive), 29) >> 32);
-            quotient = divide<int32_t, 28>(one - power, one + power);
+            result = rounded<28 - F>(divide<int32_t, 28>(one - power, one + power));
         }
-        const int32_t result = rounded<28 - F>(quotient);
         return {a < 0 ? -result : result, Outcome::in_range};
     }
 };
@@ -265,7 +267,7 @@ struct Asin : Splits<9, 28> {
         if (portable::from_one_on<Raw, F>(a)) {
             return A::evaluation(a < 0 ? -Sides::half_pi : Sides::half_pi, a);
         }
-        if (a == 0) return {0, Outcome::in_range};
+        if (is_nearly_linear<F>(magnitude(a))) return {a, Outcome::in_range};
         return A::evaluation(atan2<typename A::Wide, Sides::angle>(A::side(a), A::other_side(a)),
                              a);
     }

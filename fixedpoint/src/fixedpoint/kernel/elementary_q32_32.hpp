@@ -8,6 +8,13 @@
 
 namespace fixedpoint {
 namespace kernel {
+
+// Whether f(a) = a + c a^3 + ..., |c| up to 1/3, is within 1/3 ulp of a itself.
+template <int F, class Magnitude>
+constexpr bool is_nearly_linear(Magnitude positive) {
+    return positive < Magnitude(1) << (F - (F + 2) / 3);
+}
+
 namespace q32_32 {
 
 using portable::Evaluation;
@@ -61,6 +68,7 @@ struct Sinh {
     template <class Raw, int F>
     static FIXEDPOINT_IN_PLACE Evaluation<int64_t> apply(int64_t a) {
         const uint64_t positive = magnitude(a);
+        if (is_nearly_linear<F>(positive)) return {a, Outcome::in_range};
         if (positive >= limit_of_hyperbolic) return overflow(a < 0);
         const int64_t sine = sinh_unsaturated<int64_t, 32>(static_cast<int64_t>(positive));
         return {a < 0 ? -sine : sine, Outcome::in_range};
@@ -81,6 +89,7 @@ struct Tanh {
         constexpr uint64_t limit_of_power = uint64_t(23) << 31, limit_below_one = 50609756021;
         constexpr int64_t fine_one = int64_t(1) << 40;
         const uint64_t positive = magnitude(a);
+        if (is_nearly_linear<F>(positive)) return {a, Outcome::in_range};
         int64_t tangent = positive < limit_below_one ? one - 1 : one;
         if (positive <= limit_of_power) {
             const int64_t power = exp_fine<int64_t, 32>(-2 * static_cast<int64_t>(positive));

@@ -32,11 +32,45 @@ struct PowerSteps64 {
     }
 };
 
+template <class Number, int F>
+struct PowerInUlps {
+    template <class Count>
+    static FIXEDPOINT_CONSTEXPR Unsigned<Number> of(Unsigned<Number> magnitude, Count n,
+                                                    bool reciprocal) {
+        using Steps = portable::PowerSteps<portable::PowerWord<Number>>;
+        return portable::power_in_ulps<Number, F, Steps>(magnitude, n, reciprocal);
+    }
+};
+// Below 2^13 its exponents leave the short power an error of 0.13 ulp at most.
+template <int F>
+struct PowerInUlps<int32_t, F> {
+    template <class Count>
+    static FIXEDPOINT_CONSTEXPR uint32_t of(uint32_t magnitude, Count n, bool reciprocal) {
+        using Steps =
+            typename Choice<PowerSteps64, portable::PowerSteps<uint64_t>, (F <= 24)>::Type;
+        return (n & static_cast<Count>(~Count(0x1fff))) == 0
+                   ? short_power<int32_t, 0>(magnitude, static_cast<uint16_t>(n),
+                                             static_cast<int8_t>(32 - F), reciprocal)
+                   : portable::power_in_ulps<int32_t, F, Steps>(magnitude, n, reciprocal);
+    }
+};
+
 template <class Raw, int F, class Count>
-FIXEDPOINT_CONSTEXPR portable::Evaluation<Raw> integer_power(Raw x, Count n, bool reciprocal) {
-    using Steps = typename Choice<PowerSteps64, portable::PowerSteps<portable::PowerWord<Raw>>,
-                                  (sizeof(Raw) <= 4 && F <= 24)>::Type;
-    return portable::integer_power<Raw, F, Steps>(x, n, reciprocal);
+FIXEDPOINT_IN_PLACE Evaluation<Raw> integer_power(Raw x, Count n, bool reciprocal) {
+    using Number = portable::PowerNumber<Raw>;
+    using Magnitude = Unsigned<Number>;
+    constexpr int width = RawLimits<Number>::width;
+    constexpr Magnitude beyond = static_cast<Magnitude>(~Magnitude(0));
+    constexpr Magnitude one =
+        F < width ? static_cast<Magnitude>(Magnitude(1) << F % width) : beyond;
+    const bool negative = x < 0 && (static_cast<uint8_t>(n) & 1) != 0;
+    const Magnitude ulps = n == 0   ? one
+                           : x == 0 ? (reciprocal ? beyond : Magnitude(0))
+                                    : PowerInUlps<Number, F>::of(magnitude(x), n, reciprocal);
+    if (ulps > static_cast<Magnitude>(RawLimits<Raw>::max) + (negative ? 1 : 0)) {
+        return {negative ? RawLimits<Raw>::min : RawLimits<Raw>::max, Outcome::overflow};
+    }
+    return {with_sign<Raw>(static_cast<Unsigned<Raw>>(ulps), negative), Outcome::in_range};
 }
 
 }  // namespace kernel

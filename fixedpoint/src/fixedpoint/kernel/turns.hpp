@@ -152,9 +152,7 @@ FIXEDPOINT_CONSTEXPR typename Core::Phase phase_of_degrees(Raw angle) {
 // degrees with F. It depends on the ratio of the raws alone, not on their fraction bits.
 template <class Raw, int F>
 struct FineAngle {
-    static constexpr bool is_narrow = sizeof(Raw) <= 2;
-    using Type = typename Either<is_narrow, int32_t, int64_t>::Type;
-    static constexpr int fraction_bits = is_narrow ? 28 : F <= 24 ? 32 : sizeof(Raw) == 4 ? 60 : 61;
+    static constexpr int fraction_bits = F <= 24 ? 32 : sizeof(Raw) == 4 ? 60 : 61;
 };
 
 // angle factor 2^-Bits, in which angle has FromF fraction bits, rounded to F bits and saturated.
@@ -172,12 +170,11 @@ FIXEDPOINT_CONSTEXPR Raw scaled_angle(int64_t angle, uint64_t factor) {
 template <class Raw, int F, int Bits>
 FIXEDPOINT_CONSTEXPR Raw angle_of(Raw y, Raw x, uint64_t factor) {
     using Fine = FineAngle<Raw, F>;
-    using FineRaw = typename Fine::Type;
     return scaled_angle<Raw, F, Fine::fraction_bits, Bits>(
-        atan2<FineRaw, Fine::fraction_bits>(static_cast<FineRaw>(y), static_cast<FineRaw>(x)),
+        atan2<int64_t, Fine::fraction_bits>(static_cast<int64_t>(y), static_cast<int64_t>(x)),
         factor);
 }
-template <class Raw, int F>
+template <class Raw, int F, bool is_short = (sizeof(Raw) <= 4 && F <= 16)>
 struct AngleOfVector {
     static FIXEDPOINT_CONSTEXPR Raw in_turns(Raw y, Raw x) {
         return angle_of<Raw, F, 66>(y, x, 0xa2f9836e4e44152a);  // 1 / (2 pi)
@@ -186,9 +183,30 @@ struct AngleOfVector {
         return angle_of<Raw, F, 58>(y, x, 0xe52ee0d31e0fbdc3);  // 180 / pi
     }
 };
+// Up to 16 fraction bits an angle in radians of 32 bits and the product are off by 2^-5 ulp
+// together.
+template <class Raw, int F>
+struct AngleOfVector<Raw, F, true> {
+    static FIXEDPOINT_CONSTEXPR int32_t radians(Raw y, Raw x) {  // 2^-28
+        return atan2<int32_t, 28>(static_cast<int32_t>(y), static_cast<int32_t>(x));
+    }
+    // angle 2^-bits, rounded to F bits.
+    template <int bits>
+    static FIXEDPOINT_CONSTEXPR Raw rounded(int32_t angle) {
+        return clamped<Raw>((angle + (int32_t(1) << (bits - F - 1))) >> (bits - F));
+    }
+    static FIXEDPOINT_CONSTEXPR Raw in_turns(Raw y, Raw x) {
+        constexpr int32_t per_radian = 1367130551;  // 2^-33
+        return rounded<29>(multiply<int32_t, 32>(radians(y, x), per_radian));
+    }
+    static FIXEDPOINT_CONSTEXPR Raw in_degrees(Raw y, Raw x) {
+        constexpr int32_t per_radian = 1922527338;  // 2^-25
+        return rounded<21>(multiply<int32_t, 32>(radians(y, x), per_radian));
+    }
+};
 // An angle in radians has as many digits as one in turns asks for.
 template <>
-struct AngleOfVector<int64_t, 32> {
+struct AngleOfVector<int64_t, 32, false> {
     static FIXEDPOINT_CONSTEXPR int64_t in_turns(int64_t y, int64_t x) {
         constexpr int64_t per_radian = 44798133900177;  // 2^-48
         return (multiply<int64_t, 32>(atan2<int64_t, 32>(y, x), per_radian) + (int64_t(1) << 15)) >>

@@ -63,54 +63,48 @@ FIXEDPOINT_CONSTEXPR void multiply_by(FloatingPower<Word>& a, const FloatingPowe
     a.exponent = static_cast<int16_t>(a.exponent + b.exponent - (is_short ? 1 : 0));
 }
 
-// The word that powers of a format are computed in.
+// The number that powers of a format are computed for, and the word they are computed in.
 template <class Raw>
 using PowerNumber = Integer<(sizeof(Raw) < 4 ? 32 : RawLimits<Raw>::width)>;
-template <class Raw>
-using PowerWord = DoubleWord<PowerNumber<Raw>>;
+template <class Number>
+using PowerWord = DoubleWord<Number>;
 
 // Beyond 2^+-70 a power and its reciprocal are beyond every format or below half an ulp of it.
 constexpr int16_t beyond_every_format = 70;
 
-template <class Raw, int F, class Steps, class Count>
-FIXEDPOINT_CONSTEXPR Evaluation<Raw> integer_power(Raw x, Count n, bool reciprocal) {
-    using Word = PowerWord<Raw>;
-    using Magnitude = Unsigned<PowerNumber<Raw>>;
-    constexpr int bits = static_cast<int>(8 * sizeof(Word)), width = RawLimits<Raw>::width;
-    const bool negative = x < 0 && (static_cast<uint8_t>(n) & 1) != 0;
-    const Word half = Word(uint8_t(1)) << (bits - 1);
+// x^n or its reciprocal in ulps of a number of W bits, of x = magnitude 2^-F, rounded to nearest;
+// 2^W
+// - 1 where it is more. Needs magnitude and n that are not 0.
+template <class Number, int F, class Steps, class Count>
+FIXEDPOINT_CONSTEXPR __attribute__((noinline)) Unsigned<Number> power_in_ulps(
+    Unsigned<Number> magnitude, Count n, bool reciprocal) {
+    using Word = PowerWord<Number>;
+    using Magnitude = Unsigned<Number>;
+    constexpr int width = RawLimits<Number>::width, bits = 2 * width;
+    constexpr Magnitude beyond = static_cast<Magnitude>(~Magnitude(0));
     // A pair of constants would be kept in RAM.
-    FloatingPower<Word> power = {half, static_cast<int16_t>(n == 0 ? 1 : bits / 2 - F)};
-    if (n != 0) {
-        if (x == 0) {
-            return {reciprocal ? RawLimits<Raw>::max : Raw(0),
-                    reciprocal ? Outcome::overflow : Outcome::in_range};
-        }
-        Magnitude digits_of_x = magnitude(x);
-        while (static_cast<Magnitude>(digits_of_x >> (bits / 2 - 1)) == 0) {
-            digits_of_x = static_cast<Magnitude>(digits_of_x << 1);
-            --power.exponent;
-        }
-        power.mantissa = Word(digits_of_x) << (bits / 2);
-        const FloatingPower<Word> factor = power;
-        constexpr int16_t limit = beyond_every_format;
-        uint8_t digits = 0;
-        for (Count rest = n; rest != 0; rest = static_cast<Count>(rest >> 1)) ++digits;
-        // The powers of |x| go one way: once beyond, always beyond.
-        while (--digits != 0 && (power.exponent < limit) && (power.exponent > -limit)) {
-            multiply_by<Steps>(power, power);
-            if ((static_cast<uint8_t>(n >> (digits - 1)) & 1) != 0)
-                multiply_by<Steps>(power, factor);
-        }
+    FloatingPower<Word> power = {Word(), static_cast<int16_t>(width - F)};
+    while (static_cast<Magnitude>(magnitude >> (width - 1)) == 0) {
+        magnitude = static_cast<Magnitude>(magnitude << 1);
+        --power.exponent;
+    }
+    power.mantissa = Word(magnitude) << width;
+    const FloatingPower<Word> factor = power;
+    constexpr int16_t limit = beyond_every_format;
+    uint8_t digits = 0;
+    for (Count rest = n; rest != 0; rest = static_cast<Count>(rest >> 1)) ++digits;
+    // The powers of |x| go one way: once beyond, always beyond.
+    while (--digits != 0 && (power.exponent < limit) && (power.exponent > -limit)) {
+        multiply_by<Steps>(power, power);
+        if ((static_cast<uint8_t>(n >> (digits - 1)) & 1) != 0) multiply_by<Steps>(power, factor);
     }
     // In ulps: word / 2^surplus, with 2^(bits-2) <= word <= 2^(bits-1).
     const Word word = reciprocal ? Steps::reciprocal(power.mantissa) : Word(power.mantissa >> 1);
     const int surplus = (reciprocal ? bits - 2 + power.exponent : bits - 1 - power.exponent) - F;
-    if (surplus < bits - 1 - width) {
-        return {negative ? RawLimits<Raw>::min : RawLimits<Raw>::max, Outcome::overflow};
-    }
-    if (surplus >= bits) return {0, Outcome::in_range};
-    return evaluation<Raw>(word, surplus, negative);
+    if (surplus < width - 1) return beyond;
+    if (surplus >= bits) return 0;
+    const Word rounded = (word + (Word(uint8_t(1)) << (surplus - 1))) >> surplus;
+    return rounded > Word(beyond) ? beyond : static_cast<Magnitude>(rounded);
 }
 
 }  // namespace portable

@@ -1,0 +1,340 @@
+// SPDX-License-Identifier: MIT
+// uint32_t fixedpoint_short_power(uint32_t a, uint16_t n, int8_t exponent, bool reciprocal)
+// x^n or its reciprocal of x = a 2^(exponent - 32), in units of 2^(exponent - 32), rounded to
+// nearest; 2^32 - 1 where it is more. Needs exponent from 0 to 32, a > 0 and 0 < n < 2^15.
+//
+// In:       a r25..r22, n r21:r20, exponent r18, reciprocal r16
+// Out:      r25..r22
+// Clobbers: r0, r18..r21, r26, r27, r30, r31
+// Stack:    16 bytes, and those of fixedpoint_divide_q32_32.
+//
+// The mantissa has 48 bits, the highest set. The digits of n are taken from the first on: a square
+// for each, and one product with x for a 1. A 1 behind the last digit tells the end. From 2^46 on
+// and below 2^-47, which is beyond every format, the power stays as it is. The reciprocal is that
+// of the mantissa as a number of Q32.32, a quotient of 39 bits.
+//
+// The product goes column by column: byte k is the sum of all a_i b_j with i + j = k and what the
+// column before left over. The first four columns are left out, and each column takes the place of
+// what is used up.
+
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
+
+#define a0 r20
+#define a1 r21
+#define a2 r22
+#define a3 r23
+#define a4 r24
+#define a5 r25
+#define b0 r12
+#define b1 r13
+#define b2 r14
+#define b3 r15
+#define b4 r16
+#define b5 r17
+#define zero r27
+#define exponent r10
+#define exponent_of_x r11
+
+    .macro product p, q, low, high, carry
+    mul \p, \q
+    add \low, r0
+    adc \high, r1
+    adc \carry, zero
+    .endm
+
+    SECTION fixedpoint_short_power
+
+    // a = a b, normalised.
+.Lproduct:
+    // byte 4
+    mul a0, b4
+    movw r18, r0
+    clr r26
+    product a1, b3, r18, r19, r26
+    product a2, b2, r18, r19, r26
+    product a3, b1, r18, r19, r26
+    product a4, b0, r18, r19, r26
+    // byte 5
+    clr r18
+    product a0, b5, r19, r26, r18
+    product a1, b4, r19, r26, r18
+    product a2, b3, r19, r26, r18
+    product a3, b2, r19, r26, r18
+    product a4, b1, r19, r26, r18
+    product a5, b0, r19, r26, r18
+    // byte 6
+    clr r20
+    product a1, b5, r26, r18, r20
+    product a2, b4, r26, r18, r20
+    product a3, b3, r26, r18, r20
+    product a4, b2, r26, r18, r20
+    product a5, b1, r26, r18, r20
+    // byte 7
+    clr r21
+    product a2, b5, r18, r20, r21
+    product a3, b4, r18, r20, r21
+    product a4, b3, r18, r20, r21
+    product a5, b2, r18, r20, r21
+    // byte 8
+    clr r22
+    product a3, b5, r20, r21, r22
+    product a4, b4, r20, r21, r22
+    product a5, b3, r20, r21, r22
+    // byte 9
+    clr r23
+    product a4, b5, r21, r22, r23
+    product a5, b4, r21, r22, r23
+    // bytes 10 and 11
+    mul a5, b5
+    add r22, r0
+    adc r23, r1
+    movw a4, r22
+    movw a2, r20
+    mov a1, r18
+    mov a0, r26
+.Lnormalise:
+    tst a5
+    brmi 1f
+    dec exponent
+    lsl r19
+    rol a0
+    rol a1
+    rol a2
+    rol a3
+    rol a4
+    rol a5
+1:  ret
+
+    // a = a a, normalised: twice the products of different bytes, from byte 4 in r12 on, and the
+    // squares of bytes.
+.Lsquare:
+    mul a0, a4
+    movw r12, r0
+    clr r14
+    product a1, a3, r12, r13, r14
+    clr r15
+    product a0, a5, r13, r14, r15
+    product a1, a4, r13, r14, r15
+    product a2, a3, r13, r14, r15
+    clr r16
+    product a1, a5, r14, r15, r16
+    product a2, a4, r14, r15, r16
+    clr r17
+    product a2, a5, r15, r16, r17
+    product a3, a4, r15, r16, r17
+    clr r18
+    product a3, a5, r16, r17, r18
+    clr r19
+    product a4, a5, r17, r18, r19
+    lsl r12
+    rol r13
+    rol r14
+    rol r15
+    rol r16
+    rol r17
+    rol r18
+    rol r19
+    mul a2, a2
+    movw a0, r0
+    mul a3, a3
+    movw a2, r0
+    mul a4, a4
+    movw r26, r0
+    mul a5, a5
+    add r12, a0
+    adc r13, a1
+    adc r14, a2
+    adc r15, a3
+    adc r16, r26
+    adc r17, r27
+    adc r18, r0
+    adc r19, r1
+    clr zero
+    movw a4, r18
+    movw a2, r16
+    movw a0, r14
+    mov r19, r13
+    lsl exponent
+    rjmp .Lnormalise
+
+    // C = 0 where the power is beyond every format.
+    .macro compare_with_limit
+    mov r18, exponent
+    subi r18, -46
+    cpi r18, 93
+    .endm
+
+    ENTRY fixedpoint_short_power
+    push r8
+    push r9
+    push r10
+    push r11
+    push r12
+    push r13
+    push r14
+    push r15
+    push r16
+    push r17
+    push r28
+    push r29
+    push r18
+    push r16
+    movw r30, r20
+    clr a0
+    clr a1
+    clr zero
+    rjmp 2f
+1:  mov a5, a4
+    mov a4, a3
+    mov a3, a2
+    clr a2
+    subi r18, 8
+2:  tst a5
+    breq 1b
+    brmi 4f
+3:  dec r18
+    lsl a2
+    rol a3
+    rol a4
+    rol a5
+    brpl 3b
+4:  mov exponent, r18
+    mov exponent_of_x, r18
+    movw r8, a2
+    movw r28, a4
+
+    // The leading digit moves out.
+    sec
+    rol r30
+    rol r31
+    brne 5f
+    mov r31, r30
+    clr r30
+5:  lsl r30
+    rol r31
+    brcc 5b
+
+.Ldigit:
+    bst r31, 7
+    lsl r30
+    rol r31
+    mov r0, r30
+    or r0, r31
+    breq .Ldone
+    compare_with_limit
+    brsh .Ldone
+    rcall .Lsquare
+    brtc .Ldigit
+    compare_with_limit
+    brsh .Ldone
+    clr b0
+    clr b1
+    movw b2, r8
+    movw b4, r28
+    add exponent, exponent_of_x
+    rcall .Lproduct
+    rjmp .Ldigit
+
+.Ldone:
+    clr r1
+    pop r26
+    pop r18
+    tst r26
+    brne .Lreciprocal
+    sub r18, exponent
+    rjmp .Lround
+
+.Lreciprocal:
+    dec r18
+    add r18, exponent
+    mov r28, r18
+    clr r10
+    mov r11, a0
+    mov r12, a1
+    mov r13, a2
+    mov r14, a3
+    mov r15, a4
+    mov r16, a5
+    clr r17
+    clr r18
+    clr r19
+    movw r20, r18
+    movw r22, r18
+    clr r24
+    ldi r25, 0x40
+    XCALL fixedpoint_divide_q32_32
+    lsl r18
+    rol r19
+    rol r20
+    rol r21
+    rol r22
+    mov a5, r22
+    mov a4, r21
+    mov a3, r20
+    mov a2, r19
+    mov r18, r28
+    brcc .Lround
+    ldi a2, 0xff
+    ldi a3, 0xff
+    movw a4, a2
+
+    // a5..a2 / 2^r18
+.Lround:
+    tst r18
+    brmi .Lbeyond
+    breq .Lreturn
+    cpi r18, 33
+    brsh .Lzero
+    dec r18
+    rjmp 2f
+1:  mov a2, a3
+    mov a3, a4
+    mov a4, a5
+    clr a5
+2:  subi r18, 8
+    brcc 1b
+    subi r18, -8
+    breq 4f
+3:  lsr a5
+    ror a4
+    ror a3
+    ror a2
+    dec r18
+    brne 3b
+4:  lsr a5
+    ror a4
+    ror a3
+    ror a2
+    adc a2, r1
+    adc a3, r1
+    adc a4, r1
+    adc a5, r1
+.Lreturn:
+    pop r29
+    pop r28
+    pop r17
+    pop r16
+    pop r15
+    pop r14
+    pop r13
+    pop r12
+    pop r11
+    pop r10
+    pop r9
+    pop r8
+    ret
+
+.Lzero:
+    clr a2
+    clr a3
+    movw a4, a2
+    rjmp .Lreturn
+.Lbeyond:
+    ldi a2, 0xff
+    ldi a3, 0xff
+    movw a4, a2
+    rjmp .Lreturn
+    ENDFUNC fixedpoint_short_power
+
+#endif

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// floor(sqrt(n)) of an unsigned integer, by the square root of a format.
+#pragma once
+
+#include <fixedpoint/kernel/dispatch.hpp>
+#include <fixedpoint/portable/integer_root.hpp>
+
+namespace fixedpoint {
+namespace kernel {
+
+// root, or one less where its square is larger than n; 0 of 0. Needs root up to 2^(W/2), whose
+// square is 0.
+template <class Word>
+FIXEDPOINT_CONSTEXPR __attribute__((noinline)) Word root_not_above(Word root, Word n) {
+    using Half = UnsignedInteger<static_cast<int>(sizeof(Word) > 1 ? 4 * sizeof(Word) : 8)>;
+    if (root == 0) return 0;
+    const Half half = static_cast<Half>(root);
+    const Word square = static_cast<Word>(static_cast<Word>(half) * half);
+    return static_cast<Word>(static_cast<Word>(square - 1) >= n ? root - 1 : root);
+}
+
+// The format with as many bits before the point as behind it has the root in units of 2^-(W/4),
+// rounded to nearest: an integer, if not the root's, then the next one. From 2^(W-1) on there are
+// no numbers of it, and the root is twice that of a quarter, whose missing bits are less than what
+// is rounded. 0 where n < 0.
+template <class Int>
+FIXEDPOINT_CONSTEXPR Unsigned<Int> integer_root(Int n) {
+    using Word = Unsigned<Int>;
+    using Raw = Integer<RawLimits<Int>::width>;
+    constexpr int fraction = RawLimits<Int>::width / 2, below = fraction / 2;
+    const bool is_large = Int(0) < static_cast<Int>(-1) && static_cast<Raw>(n) < 0;
+    const Word scaled = static_cast<Word>(
+        sqrt<Raw, fraction>(static_cast<Raw>(is_large ? static_cast<Int>(n >> 2) : n)));
+    const Word root = static_cast<Word>(scaled >> (is_large ? below - 1 : below));
+    return (static_cast<uint16_t>(scaled) & ((1u << (below - 1)) - 1)) != 0
+               ? root
+               : root_not_above(root, static_cast<Word>(n));
+}
+
+}  // namespace kernel
+}  // namespace fixedpoint
