@@ -92,7 +92,8 @@ def kernels():
         r"(\w+) int(\d+)_t (\d+) (\w+);", rows)
         if (int(width), int(fraction)) in widths and not re.search(
             "_(small|saturating|unsaturated|fine)$|^(certain|nearest)_|^(wrapping_lerp|sine_of_(phase|quarter_turns))$"
-            "|^(multiply_short|(square|project|dot_difference|add_scaled|exchange)[23]|transform|matrix_product|(twice_)?cross|quaternion_[a-z_]+)$",
+            "|^(multiply_short|(square|project|dot_difference|add_scaled|exchange)[23])$"
+            "|^(transform|matrix_product|(twice_)?cross|quaternion_[a-z_]+)$",
             operation)}
 
 
