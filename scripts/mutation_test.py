@@ -64,7 +64,8 @@ def kernels(files, count, program, *checks):
 
 ROOMS = [
     kernels(f"{FIXED}/avr/*_q16_16.S {FIXED}/avr/*_q16_16.inc !*/add_scaled_q16_16.S"
-            " !*/dot_difference_q16_16.S !*/multiply_short_q16_16.S !*/short_factor_q16_16.inc !*/polynomial_q16_16.S", 8, "q16_16",
+            " !*/dot_difference_q16_16.S !*/multiply_short_q16_16.S"
+            " !*/short_factor_q16_16.inc !*/polynomial_q16_16.S", 8, "q16_16",
             Check("kernels_test", "*/q16_16_auxiliary", "q16_16_auxiliary"),
             Check("kernels_test", "*/q16_16_angles", "q16_16_angles"),
             Check("kernels_test", "*/q16_16_powers:PowerOfTwo.*", "q16_16_powers"),

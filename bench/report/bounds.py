@@ -18,7 +18,7 @@ PROOFS = {(operation, number_format, implementation): proof
               ("fixedpoint/prove_products", ("q32_32",), OURS, ("multiply", "dot2", "dot3")),
               ("fixedpoint/prove_products", ("q8_8",), OURS, ("dot2", "dot3")),
               ("fixedpoint/prove_quotients", ("q16_16",), OURS, ("divide",)),
-              ("fixedpoint/prove_long_quotients", ("q32_32",), OURS, ("divide",)),
+              ("fixedpoint/prove_quotients_q32_32", ("q32_32",), OURS, ("divide",)),
               ("fixedpoint/prove_roots", ("q32_32",), OURS, ("sqrt",)),
               (*SUMS, OURS, ("add", "subtract", "abs_diff", "copysign", "midpoint")),
               (*SUMS, "saturating", ("add", "subtract")))

@@ -178,7 +178,7 @@ class Claims(unittest.TestCase):
             if errors:
                 self.assertGreaterEqual(float(row["max_ulp"]), max(float(run["max_ulp"]) for run in errors), row)
             if row["proof"]:
-                self.assertIn(f"test_command({row['proof']} ", tests)
+                self.assertIn(f"test_command({row['proof']}", tests)
             elif row["bound"] == "exact" and row["implementation"] == "default":
                 self.assertTrue(any(run["operands"] == "all" for run in errors), row)
             self.assertEqual(row["bound"] == "proven", bool(row["proof"]), row)

@@ -183,7 +183,7 @@ class Operations(Figures):
         rooms = "fixedpoint", "bench/experiments/exhaustive"
         tests = "".join((pathlib.Path(report.HERE).parents[1] / room / "CMakeLists.txt").read_text() for room in rooms)
         for proof in bounds.PROOFS.values():
-            self.assertIn(f"test_command({proof} ", tests)
+            self.assertIn(f"test_command({proof}", tests)
 
     def test_against_float(self):
         made = golden(operations=OPERATIONS)

@@ -8,6 +8,7 @@
 
 #include <fixedpoint/kernel/assembly.hpp>
 #include <fixedpoint/kernel/table.hpp>
+#include <fixedpoint/kernel/words.hpp>
 #include <fixedpoint/portable/absolute.hpp>
 #include <fixedpoint/portable/add_scaled.hpp>
 #include <fixedpoint/portable/asin_q16_16.hpp>
@@ -31,7 +32,6 @@
 #include <fixedpoint/portable/multiply_words.hpp>
 #include <fixedpoint/portable/normalise.hpp>
 #include <fixedpoint/portable/pow_q32_32.hpp>
-#include <fixedpoint/portable/quarter_turns_64.hpp>
 #include <fixedpoint/portable/reciprocal_sqrt.hpp>
 #include <fixedpoint/portable/remainder.hpp>
 #include <fixedpoint/portable/short_power.hpp>
@@ -211,7 +211,7 @@ FIXEDPOINT_CONSTEXPR Raw atan(Raw a) {
 // So do sines, of angles that Q32.32 holds; larger ones are reduced in their own units.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR bool is_angle_of_q32_32(Raw angle) {
-    const int32_t upper = static_cast<int32_t>(portable::upper_word(static_cast<uint64_t>(angle)));
+    const int32_t upper = static_cast<int32_t>(upper_word(static_cast<uint64_t>(angle)));
     return (F == 0 ? static_cast<int32_t>(angle) >> 31 : upper >> 31) ==
            upper >> (F > 0 && F <= 30 ? F - 1 : 0);
 }
@@ -220,9 +220,7 @@ constexpr int64_t angle_of_q32_32(Raw angle) {
     return static_cast<int64_t>(static_cast<uint64_t>(angle) << (F <= 30 ? 32 - F : 0));
 }
 template <class Raw, int F>
-FIXEDPOINT_CONSTEXPR uint64_t quarter_turns(Raw angle) {
-    return portable::quarter_turns_64<(F <= 30 ? F : 0)>(angle);
-}
+FIXEDPOINT_CONSTEXPR uint64_t quarter_turns(Raw angle);
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw sine_of(uint64_t quarter_turns) {
     return from_q32_32<Raw, F>(sine_of_quarter_turns<int64_t, 32>(quarter_turns));
@@ -710,3 +708,5 @@ FIXEDPOINT_CONSTEXPR void normalise3(const Raw* v, Raw* unit) {
 
 }  // namespace kernel
 }  // namespace fixedpoint
+
+#include <fixedpoint/kernel/quarter_turns_64.hpp>

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <fixedpoint/kernel/dispatch.hpp>
+#include <fixedpoint/kernel/multiply_high.hpp>
 #include <fixedpoint/kernel/words.hpp>
 #include <fixedpoint/portable/correct_rounding_table.hpp>
 
@@ -42,13 +43,6 @@ FIXEDPOINT_CONSTEXPR ShortTurns short_turns(uint64_t angle) {
     const uint32_t factor =
         0x55555555 + upper_half(static_cast<uint32_t>(upper_half(square)) * 544);
     return {coarse, fine, rest + upper_product<uint32_t, 0>(upper_word(cube), factor)};
-}
-
-// a b / 2^64, at most 3 less.
-FIXEDPOINT_CONSTEXPR uint64_t multiply_high(uint64_t a, uint64_t b) {
-    const uint32_t a1 = upper_word(a), b1 = upper_word(b);
-    return multiply_words(a1, b1) + upper_product<uint32_t, 0>(static_cast<uint32_t>(a), b1) +
-           upper_product<uint32_t, 0>(a1, static_cast<uint32_t>(b));
 }
 
 // Whether the direction of (x, y) is `angle`, in units of 2^-64, or beyond, where they differ by
