@@ -122,7 +122,6 @@ struct PinRow {
 
 // Three frames, and the longest step amid them.
 void save_pins(const std::vector<Profiled>& devices, const std::filesystem::path& folder) {
-    constexpr double from = 2, to = 2.16;  // s
     std::vector<PinRow> rows;
     for (const Profiled& of : devices) {
         const auto add = [&](const char* view, const Interval& interval, double origin) {
@@ -130,13 +129,14 @@ void save_pins(const std::vector<Profiled>& devices, const std::filesystem::path
                             (interval.begin - origin) * 1e3, (interval.end - origin) * 1e3});
         };
         for (const Interval& interval : of.intervals)
-            if (interval.begin >= from && interval.end <= to &&
+            if (interval.begin >= pins_from && interval.end <= pins_to &&
                 (interval.pin == step_pin || interval.pin == render_pin))
-                add("frames", interval, from);
+                add("frames", interval, pins_from);
         Interval longest{};
         std::vector<Interval> within;
         for_each_step(of.intervals, [&](const Interval& step, std::vector<Interval> parts) {
-            if (step.begin < from || step.end > to || step.length() <= longest.length()) return;
+            if (step.begin < pins_from || step.end > pins_to) return;
+            if (step.length() <= longest.length()) return;
             longest = step;
             within = std::move(parts);
         });
