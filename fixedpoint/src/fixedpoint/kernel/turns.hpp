@@ -187,7 +187,7 @@ struct AngleOfVector {
 // together.
 template <class Raw, int F>
 struct AngleOfVector<Raw, F, true> {
-    static FIXEDPOINT_CONSTEXPR int32_t radians(Raw y, Raw x) {  // 2^-28
+    static FIXEDPOINT_CONSTEXPR int32_t in_radians(Raw y, Raw x) {  // 2^-28
         return atan2<int32_t, 28>(static_cast<int32_t>(y), static_cast<int32_t>(x));
     }
     // angle 2^-bits, rounded to F bits.
@@ -197,11 +197,11 @@ struct AngleOfVector<Raw, F, true> {
     }
     static FIXEDPOINT_CONSTEXPR Raw in_turns(Raw y, Raw x) {
         constexpr int32_t per_radian = 1367130551;  // 2^-33
-        return rounded<29>(multiply<int32_t, 32>(radians(y, x), per_radian));
+        return rounded<29>(multiply<int32_t, 32>(in_radians(y, x), per_radian));
     }
     static FIXEDPOINT_CONSTEXPR Raw in_degrees(Raw y, Raw x) {
         constexpr int32_t per_radian = 1922527338;  // 2^-25
-        return rounded<21>(multiply<int32_t, 32>(radians(y, x), per_radian));
+        return rounded<21>(multiply<int32_t, 32>(in_radians(y, x), per_radian));
     }
 };
 // An angle in radians has as many digits as one in turns asks for.
