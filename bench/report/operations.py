@@ -4,7 +4,6 @@ import math
 
 import bounds
 import style
-from data import DataError
 
 OURS = bounds.OURS
 FORMATS = ("q4_4", "q8_8", "q16_16", "q8_24", "q32_32")

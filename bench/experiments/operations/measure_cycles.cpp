@@ -70,9 +70,9 @@ struct Figures {
         column("max_ulp", &Figures::max_ulp), column("max_ulp_witness", &Figures::max_ulp_witness),
         column("rms_ulp", &Figures::rms_ulp), column("flash_bytes", &Figures::flash_bytes),
         column("stack_bytes", &Figures::stack_bytes), column("mean_ulp", &Figures::mean_ulp),
-        column("ram_bytes", &Figures::ram_bytes),
-        column("violations", &Figures::violations), column("max_error", &Figures::max_error),
-        column("rms_error", &Figures::rms_error), column("kernel_sha256", &Figures::kernel_sha256));
+        column("ram_bytes", &Figures::ram_bytes), column("violations", &Figures::violations),
+        column("max_error", &Figures::max_error), column("rms_error", &Figures::rms_error),
+        column("kernel_sha256", &Figures::kernel_sha256));
 };
 
 // One measurement: a subject on a class of operands.
@@ -85,10 +85,7 @@ struct Row : Measurement {
 
     Row(const simulator::Elf* program, const std::string& subject,
         const reference::NamedSubject& named, const std::string& operands)
-        : program(program),
-          subject(subject),
-          named(named),
-          operands(operands) {}
+        : program(program), subject(subject), named(named), operands(operands) {}
 
     void add(std::span<const std::int64_t> operands, const DeviceResult& result) {
         const std::span results(result.raws.data(),

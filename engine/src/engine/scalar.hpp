@@ -133,7 +133,7 @@ ENGINE_INLINE Fixed<I, F, fixedpoint::Nearest> dot(const Fixed<I, F, fixedpoint:
 }
 // The sum of v_i^2 over N components. It stands behind the dot products that it takes.
 template <int N, class Scalar>
-ENGINE_INLINE FIXEDPOINT_CONSTEXPR Scalar square(const Scalar* v) {
+FIXEDPOINT_IN_PLACE Scalar square(const Scalar* v) {
     return dot<N>(v, v);
 }
 template <int N, int I, int F>

@@ -264,7 +264,8 @@ struct FineReciprocalSqrt<int64_t, F, true> {
         uint64_t normalised = static_cast<uint64_t>(a);
         uint8_t pairs = 0;
         if (normalised < uint64_t(1) << bits) {
-            for (; normalised < uint64_t(1) << 54; pairs += 4) normalised <<= 8;
+            for (; normalised < uint64_t(1) << 54; pairs = static_cast<uint8_t>(pairs + 4))
+                normalised <<= 8;
             for (; normalised < uint64_t(1) << 61; ++pairs) normalised <<= 2;
         }
         if (exponent + pairs >= 95) return largest;

@@ -53,13 +53,13 @@ FIXEDPOINT_IN_PLACE uint64_t precise_sine_of_rest(uint64_t rest, bool is_cosine)
     const uint32_t square1 = upper_word(square);
     // 4 (1/6 - t^2/120) in units of 2^-32, and t^3 (1/6 - t^2/120) in units of 2^-55.
     const uint32_t sixth =
-        2863311531 - upper_half(static_cast<uint32_t>(upper_half(square1)) * 8738);
+        2863311531u - upper_half(static_cast<uint32_t>(upper_half(square1)) * 8738);
     const uint32_t cube =
         upper_product<uint32_t, 0>(t1, upper_product<uint32_t, 0>(square1, sixth));
     const uint64_t sine = t - join_words(upper_half(cube), cube << 16);
     // 8 (1/24 - t^2/720) in units of 2^-32, and t^4 (1/24 - t^2/720) in units of 2^-63.
     const uint32_t twelfth =
-        1431655765 - upper_half(static_cast<uint32_t>(upper_half(square1)) * 2913);
+        1431655765u - upper_half(static_cast<uint32_t>(upper_half(square1)) * 2913);
     const uint32_t fourth =
         upper_product<uint32_t, 0>(upper_product<uint32_t, 0>(square1, square1), twelfth);
     // 2 (1 - cos t) in units of 2^-78.
