@@ -113,9 +113,10 @@ struct Accuracy {
 
     static constexpr auto columns = std::tuple(
         column("operation", &Accuracy::operation), column("format", &Accuracy::format),
-        column("implementation", &Accuracy::implementation), column("operands", &Accuracy::operands),
-        column("samples", &Accuracy::samples), column("defined", &Accuracy::defined),
-        column("underflowed", &Accuracy::underflowed), column("max_ulp", &Accuracy::max_ulp),
+        column("implementation", &Accuracy::implementation),
+        column("operands", &Accuracy::operands), column("samples", &Accuracy::samples),
+        column("defined", &Accuracy::defined), column("underflowed", &Accuracy::underflowed),
+        column("max_ulp", &Accuracy::max_ulp),
         column("max_ulp_witness", &Accuracy::max_ulp_witness),
         column("rms_ulp", &Accuracy::rms_ulp), column("mean_ulp", &Accuracy::mean_ulp),
         column("violations", &Accuracy::violations));
