@@ -9,15 +9,15 @@ rm -rf "$scratch" && mkdir -p "$scratch"
 failures=0
 fail() { echo "FAILED: $*"; failures=$((failures + 1)); }
 
-# The list is one: all data files that are committed have a maker, and one only. tools.json is the
-# report's, which notes after a full run with what the others were measured.
+# The list is one: all data files that are committed have a maker, and one only. The report's are
+# bounds.csv and, after a full run, tools.json: with what the others were measured.
 "$fixbench" --list --json >"$scratch/list.json" || fail "--list --json"
 /usr/bin/python3 - "$scratch/list.json" "$(dirname "$0")/../../results/data" <<'PYTHON' || fail "the list of experiments"
 import collections, json, os, sys
 experiments = json.load(open(sys.argv[1]))
 made = collections.Counter(file for each in experiments for file in each["writes"] + each["full_only"])
 twice = [file for file, count in made.items() if count > 1]
-orphans = [file for file in os.listdir(sys.argv[2]) if file not in made and file != "tools.json"]
+orphans = [file for file in os.listdir(sys.argv[2]) if file not in {*made, "bounds.csv", "tools.json"}]
 sys.exit(f"made twice: {twice}; made by nobody: {orphans}" if twice or orphans else 0)
 PYTHON
 "$fixbench" --list | grep -q "^growth_host .*growth_host.csv" || fail "--list names what each writes"
@@ -43,6 +43,10 @@ refuses "cannot write" all --quick --only growth --results "$scratch/file/below"
     fail "all --only wrote $(ls "$scratch/results/data")"
 grep -q "no report yet" "$scratch/err" || fail "says nothing of the report"
 grep -q "broad\|cheaper" "$scratch/err" && fail "what the steps say is mixed into the progress"
+
+# What is committed is what is measured, and nothing else is committed.
+"$fixbench" all --check --only calibrate --results "$scratch/check" 2>"$scratch/err" || fail "--check: $(cat "$scratch/err")"
+grep -q "all [0-9]* deterministic files equal" "$scratch/err" || fail "--check says nothing: $(cat "$scratch/err")"
 
 # What has not changed is left out; what was touched is measured again, and comes out the same.
 sum=$(sha256sum <"$scratch/results/data/growth.csv")

@@ -112,6 +112,7 @@ struct CorrectlyRounded : Nearest {
     }
 };
 
+/// \cond internal
 // Of Q16.16 the precise sine needs no stage before it.
 template <>
 FIXEDPOINT_CONSTEXPR __attribute__((noinline)) int32_t CorrectlyRounded::doubtful_sin<int32_t, 16>(
@@ -123,5 +124,6 @@ FIXEDPOINT_CONSTEXPR __attribute__((noinline)) int32_t CorrectlyRounded::doubtfu
     int32_t a) {
     return kernel::nearest_sine(a, 1);
 }
+/// \endcond
 
 }  // namespace fixedpoint
