@@ -250,8 +250,9 @@ FIXEDPOINT_CONSTEXPR Raw reciprocal_sqrt_through_q32_32(int64_t a) {
         reciprocal_sqrt<int64_t, 32>(static_cast<int64_t>(static_cast<uint64_t>(a) << 1)));
 }
 // With more fraction bits, that is a quotient by the root of a 4^pairs, which has so many bits that
-// its rounding takes 1/8 ulp at most; results from about 2^60 on are portable code.
-template <class Raw, int F, bool by_root = sizeof(Raw) == 8 && (F > 30)>
+// its rounding takes 1/8 ulp at most; results from about 2^60 on are portable code. Q32.32 has a
+// kernel of its own.
+template <class Raw, int F, bool by_root = sizeof(Raw) == 8 && (F > 30) && F != 32>
 struct FineReciprocalSqrt {
     static FIXEDPOINT_CONSTEXPR Raw apply(Raw a) { return portable::reciprocal_sqrt<Raw, F>(a); }
 };
