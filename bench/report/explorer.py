@@ -253,7 +253,6 @@ def gather(data):
         "physics": physics_operands(),
         "compared": compared(formats, list(dict.fromkeys(row["operation"] for row in measured))),
         "hertz": context["mhz_per_cpu"] * 1e6,
-        "programs": context["sha256"],
         "verdicts": VERDICTS,
     }
     tables = {name: table(data.rows(name), data.made_by.get(name + ".csv")) for name in names}

@@ -3,7 +3,7 @@
 const page = JSON.parse(document.getElementById("data").textContent);
 const decoded = new Map();
 
-export const { views, styles, formats, implementations, subjects, scalars, physics, compared, hertz, programs, verdicts } = page;
+export const { views, styles, formats, implementations, subjects, scalars, physics, compared, hertz, verdicts } = page;
 export const tableNames = Object.keys(page.tables);
 export const has = (name) => name in page.tables;
 export const command = (name) => page.tables[name].command;

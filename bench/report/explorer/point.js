@@ -2,7 +2,7 @@
 // What is known of an operation in a format and an implementation: figures with their witnesses and
 // bounds, the worst of any run, hashes; the histogram of its error, and the error along the input.
 import * as Plot from "@observablehq/plot";
-import { command, has, implementations, measured, programs, rows } from "./data.js";
+import { command, has, implementations, measured, rows } from "./data.js";
 import { facts, h } from "./dom.js";
 import { colour, drawing, hide } from "./chart.js";
 import { hash, number, subjectLabel, subjectOf, tick, whole, witness, words } from "./text.js";
@@ -18,7 +18,6 @@ export const known = (row) => first("bounds", row);
 
 export function describe(row, whole) {
   const bound = known(row);
-  const program = `${row.format}.elf` in programs ? `${row.format}.elf` : "rivals.elf";
   const kernel = row.kernel_sha256 ?? first("exhaustive", row)?.kernel_sha256;
   const judged = row.max_ulp !== null;
   return { title: `${words(row.operation)}, ${subjectLabel(row)}`, facts: [
@@ -30,8 +29,7 @@ export function describe(row, whole) {
     bound?.bound && ["worst of any run", `${number(bound.max_ulp)} ulp (${bound.proof ?? bound.bound}; ${bound.ulp_run}) at ${witness(row.format, bound.max_ulp_witness)}`],
     bound && ["most cycles of any run", `${number(bound.cycles_max)} (${bound.cycles_bound}; ${bound.cycles_run}) at ${witness(row.format, bound.cycles_max_witness)}`],
     ["flash, stack", `${number(row.flash_bytes)}, ${number(row.stack_bytes)} bytes`],
-    row.rival ? ["library", `${row.origin} ${row.version ?? ""} ${row.commit ?? ""}, measured ${row.measured}`.replace(/ +/g, " ")]
-      : ["program", h("span", { title: programs[program] }, `${program} `, hash(programs[program], whole))],
+    row.rival && ["library", `${row.origin} ${row.version ?? ""} ${row.commit ?? ""}, measured ${row.measured}`.replace(/ +/g, " ")],
     row.edges && ["at the edges", row.edges],
     kernel && ["kernel", hash(kernel, whole)],
   ] };
