@@ -22,16 +22,17 @@ def share_of_work(data, row):
 
 
 def finding(data):
-    """For each fixed-point format, how many blocks reach the goal, and those that do not, with their floor."""
+    """For each fixed-point format, how many blocks reach the goal, the dearest of the others, and their floor."""
     told = []
     for number_format in ("q8_8", "q16_16", "q8_24"):
         rows = data.rows("blocks", format=number_format)
-        above = sorted((row for row in rows if row["cycles_against_float"] > GOAL),
-                       key=lambda row: -row["cycles_against_float"])
-        those = ", ".join(f"{row['block'].replace('_', ' ')} {row['cycles_against_float']:.2f} "
-                          f"({share_of_work(data, row):.2f})" for row in above)
-        told.append(f"{len(rows) - len(above)} of {len(rows)} in {style.format_label(number_format)}"
-                    + (f" (but not {those})" if above else ""))
+        above = [row for row in rows if row["cycles_against_float"] > GOAL]
+        text = f"{len(rows) - len(above)} of {len(rows)} in {style.format_label(number_format)}"
+        if above:
+            worst = max(above, key=lambda row: row["cycles_against_float"])
+            floors = [share_of_work(data, row) for row in above]
+            text += (f" (the others up to {worst['cycles_against_float']:.2f}, {worst['block'].replace('_', ' ')}; the products "
+                     f"and quotients of their definitions alone take {min(floors):.2f} to {max(floors):.2f})")
+        told.append(text)
     return (f"Building blocks (controllers, filters, tables, matrices, quaternions) that take at most {GOAL} of float's "
-            f"cycles: {'; '.join(told)}. In parentheses is what the products and quotients of a block's definition take "
-            "alone; loads, stores, carried errors and limits come on top.")
+            f"cycles: {'; '.join(told)}.")

@@ -260,7 +260,7 @@ sqrt q16_16 correctly_rounded physics 9 9 750 999 1 0.49 1 0.001 50 ll
 add q16_16 correctly_rounded physics 9 9 15 2000 1 0.5 1 0.001 50 mm
 """)
         self.assertEqual(operations.correctly_rounded_finding(made),
-                         "Where half an ulp matters, `CorrectlyRounded` errs by 0.5 ulp (lower bound) in 2 functions of Q16.16, "
+                         "Where half an ulp matters, `CorrectlyRounded` errs by 0.5 ulp in 2 functions of Q16.16 (lower bound in 2), "
                          "for 1.5 (add) to 2.5 (sqrt) times the default's mean cycles and up to 2000 beside a tie.")
 
     def test_a_pareto_front_is_what_no_other_beats(self):
@@ -970,10 +970,10 @@ dot3 q8_24 default small 260
 divide q8_24 default small 70
 """)
         self.assertEqual(blocks.finding(made), "Building blocks (controllers, filters, tables, matrices, quaternions) that "
-                         "take at most 0.4 of float's cycles: 2 of 2 in Q8.8; 1 of 2 in Q16.16 (but not one pole 0.57 "
-                         "(0.10)); 0 of 2 in Q8.24 (but not one pole 0.98 (0.12), matrix inverse 2 0.50 (0.40)). In "
-                         "parentheses is what the products and quotients of a block's definition take alone; loads, "
-                         "stores, carried errors and limits come on top.")
+                         "take at most 0.4 of float's cycles: 2 of 2 in Q8.8; 1 of 2 in Q16.16 (the "
+                         "others up to 0.57, one pole; the products and quotients of their definitions alone take 0.10 to "
+                         "0.10); 0 of 2 in Q8.24 (the others up to 0.98, one pole; the products and quotients of their "
+                         "definitions alone take 0.12 to 0.40).")
 
     def test_features(self):
         made = golden(features="""
