@@ -115,9 +115,7 @@
     add rise0, r1
     clr rise1
     rol rise1
-    mul slope1, fraction1
-    add rise0, r0
-    adc rise1, r1
+    mul_add slope1, fraction1, rise0, rise1
     sub reciprocal0, rise0
     sbc reciprocal1, rise1
     sbci reciprocal2, 0
@@ -135,14 +133,8 @@
     add ratio0, r1
     adc ratio1, reciprocal0
     adc ratio2, reciprocal0
-    mul numerator2, reciprocal1
-    add ratio0, r0
-    adc ratio1, r1
-    adc ratio2, reciprocal0
-    mul numerator1, reciprocal2
-    add ratio0, r0
-    adc ratio1, r1
-    adc ratio2, reciprocal0
+    mul_add numerator2, reciprocal1, ratio0, ratio1, reciprocal0, ratio2
+    mul_add numerator1, reciprocal2, ratio0, ratio1, reciprocal0, ratio2
     lsl ratio0
     rol ratio1
     rol ratio2
@@ -164,9 +156,7 @@
     add atan_rise0, r1
     clr atan_rise1
     rol atan_rise1
-    mul atan_slope1, ratio1
-    add atan_rise0, r0
-    adc atan_rise1, r1
+    mul_add atan_slope1, ratio1, atan_rise0, atan_rise1
     clr r1
     add angle0, atan_rise0
     adc angle1, atan_rise1
@@ -214,13 +204,7 @@
     ENTRY fixedpoint_atan_q16_16
     bst r25, 7
     brtc .Lpositive
-    com r25
-    com r24
-    com r23
-    neg r22
-    sbci r23, 0xff
-    sbci r24, 0xff
-    sbci r25, 0xff
+    negate_bytes r22, 4
 .Lpositive:
     adiw r24, 0
     brne .Lat_least_one
@@ -251,10 +235,7 @@
 .Lat_least_one:
     movw d0, r22
     movw d2, r24
-    ldi n0, 0
-    ldi n1, 0
-    ldi n2, 1
-    ldi n3, 0
+    ldi_bytes n0, 0x10000, 4
     ldi octant, 1 << STEEP
     rjmp .Lfirst_octant
     ENDFUNC fixedpoint_atan_q16_16

@@ -106,20 +106,14 @@
     subi r21, -64       // half of what the seven bits count that are cut
     sbci r22, -1
     sbci r23, -1
-    lsl r21
-    rol r22
-    rol r23
-    rol r24
+    lsl_bytes r21, 4
     ret
 
 .Lout_of_range:
     tst rA3
     brmi 1f
 .Lmaximum:
-    ldi r22, 0xff
-    ldi r23, 0xff
-    ldi r24, 0xff
-    ldi r25, 0x7f
+    ldi_bytes r22, 0x7fffffff, 4
     ret
 1:  mov r22, r1
     mov r23, r1
@@ -216,9 +210,7 @@
     sbrs k, 4
     rjmp .Lone_or_two_bytes
     lsl r21             // k >= -1: three bytes
-    adc r22, r1
-    adc r23, r1
-    adc r24, r1
+    adc_each r22, r1, 3
     ret
 .Lnext_node:
     // s = 127: a growth of 128 units of 2^-16, and g more, does not fit. From the next node it is
@@ -269,10 +261,7 @@
     adc growth3, r25
     brvs .Lnext_node
 .Lmultiply:
-    push r16
-    push r17
-    push r28
-    push r29
+    push_all r16, r17, r28, r29
     mov r30, rA1
     ldi r31, POWER
     lpm m4, Z
@@ -321,11 +310,7 @@
     add p2, r0
     adc p3, r1
     adc p4, sign
-    mul m4, growth2
-    add p1, r0
-    adc p2, r1
-    adc p3, zero
-    adc p4, zero
+    mul_add m4, growth2, p1, p2, zero, p3, p4
     mulsu growth3, m3
     sbc sign, sign
     add p1, r0
@@ -358,9 +343,7 @@
     lsl r0              // k >= 7: four bytes
     rjmp 3f
 1:  lsl r22             // k = 4 to 6: three
-    mov r22, r23
-    mov r23, r24
-    mov r24, r25
+    mov_bytes r22, r23, 3
     ldi r25, 0
     rjmp 3f
 2:  lsl m0              // k = 15: all but the last of the mantissa
@@ -368,14 +351,8 @@
     mov r24, m3
     mov r23, m2
     mov r22, m1
-3:  adc r22, zero
-    adc r23, zero
-    adc r24, zero
-    adc r25, zero
-    pop r29
-    pop r28
-    pop r17
-    pop r16
+3:  adc_each r22, zero, 4
+    pop_all r29, r28, r17, r16
     clr r1
     sbrs r25, 7
     ret
@@ -400,23 +377,13 @@
     mul f0, r24
     mov growth2, r0
     mov rA0, r1
-    mul f0, r25
-    add growth1, r0
-    adc growth2, r1
-    adc rA0, r31
+    mul_add f0, r25, growth1, growth2, r31, rA0
     mul f1, r24
     add rA0, r0
     ldi rA1, 0
     adc rA1, r1
-    mul f1, r30
-    add growth1, r0
-    adc growth2, r1
-    adc rA0, r31
-    adc rA1, r31
-    mul f1, r25
-    add growth2, r0
-    adc rA0, r1
-    adc rA1, r31
+    mul_add f1, r30, growth1, growth2, r31, rA0, rA1
+    mul_add f1, r25, growth2, rA0, r31, rA1
     sbrs f1, 7
     rjmp 1f
     subi growth2, LN2_0

@@ -33,9 +33,7 @@
     clr k
 1:  tst r27
     brne 2f
-    mov r27, r26
-    mov r26, r25
-    mov r25, r24
+    mov_from_top r25, r24, 3
     mov r24, r31
     mov r31, r30
     clr r30
@@ -170,10 +168,7 @@
     clr r1
     ret
 .Lzero:
-    clr r22
-    clr r23
-    clr r24
-    clr r25
+    clr_bytes r22, 4
     ret
     ENDFUNC fixedpoint_length_root
 #endif

@@ -62,10 +62,7 @@
     ldi r18, 0
     rjmp .Llook_up_\fraction
 .Lno_logarithm_\fraction:
-    ldi r22, 0
-    ldi r23, 0
-    ldi r24, 0
-    ldi r25, 0x80
+    ldi_bytes r22, 0x80000000, 4
     ret
 .Lone_leads_four_\fraction:
     ldi r27, 56 * 3

@@ -64,14 +64,8 @@
     add p0, r1
     adc p1, zero
     adc p2, zero
-    mul d2, slope0
-    add p0, r0
-    adc p1, r1
-    adc p2, zero
-    mul d1, slope1
-    add p0, r0
-    adc p1, r1
-    adc p2, zero
+    mul_add d2, slope0, p0, p1, zero, p2
+    mul_add d1, slope1, p0, p1, zero, p2
     add sum0, p0
     adc sum1, p1
     adc sum2, p2

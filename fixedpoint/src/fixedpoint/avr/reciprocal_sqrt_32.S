@@ -53,13 +53,6 @@
     add product0, r1
     adc product1, zero
     .endm
-    .macro product a, b, p0, p1, p2
-    mul \a, \b
-    add \p0, r0
-    adc \p1, r1
-    adc \p2, zero
-    .endm
-
     SECTION fixedpoint_reciprocal_sqrt_32
 .Lnot_positive:
     tst r25
@@ -158,11 +151,7 @@
     push twice
     find_record fixedpoint_reciprocal_sqrt_32_table, r22
     XCALL fixedpoint_cubic_40
-    com m0
-    com m1
-    com m2
-    com m3
-    com m4
+    com_bytes m0, 5
     subi m4, 0x80
     pop product1
     lsr product1
@@ -187,29 +176,25 @@
     upper_byte_of m2, lower
     ldi lower, 0x34
     upper_byte_of m3, lower
-    product m4, lower, product0, product1, product2
+    mul_add m4, lower, product0, product1, zero, product2
     ldi lower, 0xf3
-    product m3, lower, product0, product1, product2
+    mul_add m3, lower, product0, product1, zero, product2
     ldi lower, 0x04
-    product m2, lower, product0, product1, product2
-    product m1, upper, product0, product1, product2
+    mul_add m2, lower, product0, product1, zero, product2
+    mul_add m1, upper, product0, product1, zero, product2
     clr product3
-    product m3, lower, product1, product2, product3
-    product m2, upper, product1, product2, product3
+    mul_add m3, lower, product1, product2, zero, product3
+    mul_add m2, upper, product1, product2, zero, product3
     ldi lower, 0xf3
-    product m4, lower, product1, product2, product3
+    mul_add m4, lower, product1, product2, zero, product3
     clr product4
     ldi lower, 0x04
-    product m4, lower, product2, product3, product4
-    product m3, upper, product2, product3, product4
-    mul m4, upper
-    add product3, r0
-    adc product4, r1
+    mul_add m4, lower, product2, product3, zero, product4
+    mul_add m3, upper, product2, product3, zero, product4
+    mul_add m4, upper, product3, product4
     mov m4, product4
     mov m3, product3
-    mov m2, product2
-    mov m1, product1
-    mov m0, product0
+    mov_from_top m0, product0, 3
     pop r19
     XJMP fixedpoint_scale_40
     ENDFUNC fixedpoint_reciprocal_sqrt_32

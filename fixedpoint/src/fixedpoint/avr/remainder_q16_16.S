@@ -61,13 +61,9 @@
 .Lbytes_\name\():
     tst r21
     brne .Lbits_\name
-    cp r23, r18
-    cpc r24, r19
-    cpc r25, r20
+    cp_bytes r23, r18, 3
     brlo .Lbits_\name
-    mov r21, r20
-    mov r20, r19
-    mov r19, r18
+    mov_from_top r19, r18, 3
     clr r18
     subi r26, -8
     sbrs r26, 5  // no divisor but 0 moves up by four bytes
@@ -75,10 +71,7 @@
     .if \quotient
     // 2^31, of which the sign makes the limit, unless a is 0, as the divisor is.
     clr r26
-    cp r22, r18
-    cpc r23, r19
-    cpc r24, r20
-    cpc r25, r21
+    cp_bytes r22, r18, 4
     breq 1f
     lsr r31
 1:  rjmp .Lsigned_\name
@@ -88,16 +81,10 @@
 
     // Bits: until the divisor is above the dividend.
 .Lbits_\name\():
-    cp r22, r18
-    cpc r23, r19
-    cpc r24, r20
-    cpc r25, r21
+    cp_bytes r22, r18, 4
     brlo .Laligned_\name
     inc r26
-    lsl r18
-    rol r19
-    rol r20
-    rol r21
+    lsl_bytes r18, 4
     brcc .Lbits_\name
     // The divisor has left the register by a bit. It was 2^31, as is the dividend: nothing is above
     // that. It goes back, the other bytes being 0.
@@ -108,20 +95,11 @@
     tst r26
     breq .Ldone_\name
 .Ldown_\name\():
-    lsr r21
-    ror r20
-    ror r19
-    ror r18
-    cp r22, r18
-    cpc r23, r19
-    cpc r24, r20
-    cpc r25, r21
+    lsr_bytes r18, 4
+    cp_bytes r22, r18, 4
     brlo .Lnext_\name
 .Lsubtract_\name\():
-    sub r22, r18
-    sbc r23, r19
-    sbc r24, r20
-    sbc r25, r21
+    sub_bytes r22, r18, 4
 .Lnext_\name\():
     .if \quotient
     rol r0
@@ -138,15 +116,9 @@
     // -(q + 1), which is the complement, and a remainder less |b|, where signs differ.
     tst r27
     brpl .Lsigned_\name
-    cp r22, r26
-    cpc r23, r26
-    cpc r24, r26
-    cpc r25, r26
+    cp_each r22, r26, 4
     breq .Lsigned_\name
-    sub r22, r18
-    sbc r23, r19
-    sbc r24, r20
-    sbc r25, r21
+    sub_bytes r22, r18, 4
     rjmp .Lremainder_\name
     .endif
 .Lsigned_\name\():

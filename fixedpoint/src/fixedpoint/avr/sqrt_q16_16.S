@@ -51,9 +51,7 @@
     adc r26, c2
     mul c1, c1
     add r26, r0
-    mul c1, c0
-    add r19, r0
-    adc r26, r1
+    mul_add c1, c0, r19, r26
     add r19, r0
     adc r26, r1
     .endm
@@ -182,9 +180,7 @@
     test_half
     brpl .Ldone
 .Lup:
-    subi c0, 0xff
-    sbci c1, 0xff
-    sbci c2, 0xff
+    increment_bytes c0, 3
 .Ldone:
     clr r1
     ret
@@ -291,10 +287,7 @@
     // S in r21:r20:r18
     mul r19, r24
     mov r18, r1
-    mul r26, r24
-    add r18, r0
-    adc r20, r1
-    adc r21, zero
+    mul_add r26, r24, r18, r20, zero, r21
     subi r18, 6
     sbc r20, zero
     sbc r21, zero
@@ -341,19 +334,12 @@
     adc r31, r20
     adc r22, r21
     adc r23, zero
-    mul r20, r18
+    mul_add r20, r18, r31, r22, zero, r23
     add r31, r0
     adc r22, r1
     adc r23, zero
-    add r31, r0
-    adc r22, r1
-    adc r23, zero
-    mul r20, r20
-    add r22, r0
-    adc r23, r1
-    mul r21, r18
-    add r22, r0
-    adc r23, r1
+    mul_add r20, r20, r22, r23
+    mul_add r21, r18, r22, r23
     add r22, r0
     adc r23, r1
     mul r21, r20
