@@ -96,26 +96,10 @@
     inc r31
     mul n3, r17
     mov n3, r0
-    mul n2, r17
-    or n3, r1
-    mov n2, r0
-    mul n1, r17
-    or n2, r1
-    mov n1, r0
-    mul n0, r17
-    or n1, r1
-    mov n0, r0
+    mul_or_bytes n0, r17, n0, 3
     mul d3, r17
     mov d3, r0
-    mul d2, r17
-    or d3, r1
-    mov d2, r0
-    mul d1, r17
-    or d2, r1
-    mov d1, r0
-    mul d0, r17
-    or d1, r1
-    mov d0, r0
+    mul_or_bytes d0, r17, d0, 3
     mov r30, d3
     mov r0, d2
     lsl r0

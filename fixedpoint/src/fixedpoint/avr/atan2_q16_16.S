@@ -178,22 +178,14 @@
     ldi power, 1
     mul d3, power
     mov interval, r0
-    mul d2, power
-    or interval, r1
-    mov fraction1, r0
-    mul d1, power
-    or fraction1, r1
-    mov fraction0, r0
+    mul_or d2, power, fraction1, interval
+    mul_or d1, power, fraction0, fraction1
     mul d0, power
     or fraction0, r1
     mul n3, power
     mov numerator2, r0
-    mul n2, power
-    or numerator2, r1
-    mov numerator1, r0
-    mul n1, power
-    or numerator1, r1
-    mov numerator0, r0
+    mul_or n2, power, numerator1, numerator2
+    mul_or n1, power, numerator0, numerator1
     mul n0, power
     or numerator0, r1
     rjmp .Lnormalised

@@ -165,34 +165,12 @@
     lpm r26, Z
     mul d4, r26
     mov d4, r0
-    mul d3, r26
-    or d4, r1
-    mov d3, r0
-    mul d2, r26
-    or d3, r1
-    mov d2, r0
-    mul d1, r26
-    or d2, r1
-    mov d1, r0
-    mul d0, r26
-    or d1, r1
-    mov d0, r0
+    mul_or_bytes d0, r26, d0, 4
     mul r12, r26
     or d0, r1
     mul n4, r26
     mov n4, r0
-    mul n3, r26
-    or n4, r1
-    mov n3, r0
-    mul n2, r26
-    or n3, r1
-    mov n2, r0
-    mul n1, r26
-    or n2, r1
-    mov n1, r0
-    mul n0, r26
-    or n1, r1
-    mov n0, r0
+    mul_or_bytes n0, r26, n0, 4
     mul r20, r26
     or n0, r1
     // R

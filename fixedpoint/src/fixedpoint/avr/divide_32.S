@@ -125,15 +125,7 @@
     mul n3, r26
     mov n4, r1
     mov n3, r0
-    mul n2, r26
-    or n3, r1
-    mov n2, r0
-    mul n1, r26
-    or n2, r1
-    mov n1, r0
-    mul n0, r26
-    or n1, r1
-    mov n0, r0
+    mul_or_bytes n0, r26, n0, 3
     mul d3, r17
     mov d3, r0
     mul d1, r17

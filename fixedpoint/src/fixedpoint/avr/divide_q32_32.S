@@ -165,19 +165,15 @@
     find_power d4
     mul d4, power
     mov d4, r0
-    scale d4, d3, d3, power
-    scale d3, d2, d2, power
-    scale d2, d1, d1, power
-    scale d1, d0, d0, power
+    mul_or_bytes d0, power, d0, 4
     or_bytes r0, q5, 3
     brne .Llong_dividend
     mul q4, power
     mov u4, r1
     mov u3, r0
-    scale u3, u2, q3, power
-    scale u2, u1, q2, power
-    scale u1, u0, q1, power
-    scale u0, q7, q0, power
+    mul_or q3, power, u2, u3
+    mul_or_bytes q1, power, u0, 2
+    mul_or q0, power, q7, u0
     clr q4
     rjmp 3f
 .Llong_dividend:
@@ -197,13 +193,10 @@
 2:  mul q7, power
     mov u4, r1
     mov u3, r0
-    scale u3, u2, q6, power
-    scale u2, u1, q5, power
-    scale u1, u0, q4, power
-    scale u0, q7, q3, power
-    scale q7, q6, q2, power
-    scale q6, q5, q1, power
-    scale q5, q4, q0, power
+    mul_or q6, power, u2, u3
+    mul_or_bytes q4, power, u0, 2
+    mul_or q3, power, q7, u0
+    mul_or_bytes q0, power, q4, 3
 3:  clr q0
     clr q1
     movw q2, q0
@@ -431,23 +424,11 @@
     find_power d7
     mul d7, power
     mov d7, r0
-    scale d7, d6, d6, power
-    scale d6, d5, d5, power
-    scale d5, d4, d4, power
-    scale d4, d3, d3, power
-    scale d3, d2, d2, power
-    scale d2, d1, d1, power
-    scale d1, d0, d0, power
+    mul_or_bytes d0, power, d0, 7
     mul u7, power
     mov u8, r1
     mov u7, r0
-    scale u7, u6, u6, power
-    scale u6, u5, u5, power
-    scale u5, u4, u4, power
-    scale u4, u3, u3, power
-    scale u3, u2, u2, power
-    scale u2, u1, u1, power
-    scale u1, u0, u0, power
+    mul_or_bytes u0, power, u0, 7
 .Llong_invert:
     invert inverse, d7, d6
     rjmp .Llong_digit

@@ -190,18 +190,8 @@
     ldi power, 64
 3:  mul m5, power
     mov m5, r0
-    mul m4, power
-    or m5, r1
-    mov m4, r0
-    mul m3, power
-    or m4, r1
-    mov m3, r0
-    mul m2, power
-    or m3, r1
-    mov m2, r0
-    mul m1, power
-    or m2, r1
-    mov m1, r0
+    mul_or m4, power, m4, m5
+    mul_or_bytes m1, power, m1, 3
 .Lnormalised:
     ldi r31, hi8(fixedpoint_sqrt_table)
     lpm s2, Z
@@ -294,15 +284,9 @@
     // r = l3:l2:l1:l0, its fraction f
 4:  mul s3, back
     movw l2, r0
-    mul s2, back
-    or l2, r1
-    mov l1, r0
-    mul s1, back
-    or l1, r1
-    mov l0, r0
-    mul q0, back
-    or l0, r1
-    mov f, r0
+    mul_or s2, back, l1, l2
+    mul_or s1, back, l0, l1
+    mul_or q0, back, f, l0
     mul qf, back
     or f, r1
     subi f, 0x40

@@ -309,21 +309,7 @@
     ldi r30, 0x20
 4:  mul r17, power
     mov r17, r0
-    scale r17, r16, r16, power
-    scale r16, r15, r15, power
-    scale r15, r14, r14, power
-    scale r14, r13, r13, power
-    scale r13, r12, r12, power
-    scale r12, r11, r11, power
-    scale r11, r10, r10, power
-    scale r10, r9, r9, power
-    scale r9, r8, r8, power
-    scale r8, r7, r7, power
-    scale r7, r6, r6, power
-    scale r6, r5, r5, power
-    scale r5, r4, r4, power
-    scale r4, r3, r3, power
-    scale r3, r2, r2, power
+    mul_or_bytes r2, power, r2, 15
 .Lscaled:
     sbrc r31, 0
     swap r30

@@ -56,12 +56,8 @@
     ldi r23, 64
 3:  mul r27, r23
     mov r30, r0
-    mul r26, r23
-    or r30, r1
-    mov m2, r0
-    mul r25, r23
-    or m2, r1
-    mov m1, r0
+    mul_or r26, r23, m2, r30
+    mul_or r25, r23, m1, m2
     mul r24, r23
     or m1, r1
     ldi r31, hi8(fixedpoint_sqrt_table)

@@ -95,9 +95,7 @@
     find_exponent r23, 1
     mul r23, factor
     mov r30, r0
-    mul r22, factor
-    or r30, r1
-    mov r20, r0
+    mul_or r22, factor, r20, r30
     ldi r19, 0
     ldi r18, 0
     rjmp .Llook_up_\fraction
@@ -109,12 +107,8 @@
     find_exponent r24, 2
     mul r24, factor
     mov r30, r0
-    mul r23, factor
-    or r30, r1
-    mov r20, r0
-    mul r22, factor
-    or r20, r1
-    mov r19, r0
+    mul_or r23, factor, r20, r30
+    mul_or r22, factor, r19, r20
     ldi r18, 0
     rjmp .Llook_up_\fraction
 
@@ -126,15 +120,8 @@
     find_exponent r25, 3
     mul r25, factor
     mov r30, r0
-    mul r24, factor
-    or r30, r1
-    mov r20, r0
-    mul r23, factor
-    or r20, r1
-    mov r19, r0
-    mul r22, factor
-    or r19, r1
-    mov r18, r0
+    mul_or r24, factor, r20, r30
+    mul_or_bytes r22, factor, r18, 2
 .Llook_up_\fraction:
     push r27
     find_record fixedpoint_log_32_table, r26

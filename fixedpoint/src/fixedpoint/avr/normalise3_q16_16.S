@@ -46,12 +46,8 @@
     .macro scale high, middle, low, x3, x2, x1, x0
     mul \x3, r22
     mov \high, r0
-    mul \x2, r22
-    or \high, r1
-    mov \middle, r0
-    mul \x1, r22
-    or \middle, r1
-    mov \low, r0
+    mul_or \x2, r22, \middle, \high
+    mul_or \x1, r22, \low, \middle
     mul \x0, r22
     or \low, r1
     .endm

@@ -84,9 +84,7 @@
     find_exponent r23
     mul r23, factor
     mov r30, r0
-    mul r22, factor
-    or r30, r1
-    mov r20, r0
+    mul_or r22, factor, r20, r30
     rjmp .Lone_byte_of_t
 1:  tst r23
     brne .Lone_leads_two
@@ -115,12 +113,8 @@
     find_exponent r24
     mul r24, factor
     mov r30, r0
-    mul r23, factor
-    or r30, r1
-    mov r20, r0
-    mul r22, factor
-    or r20, r1
-    mov r19, r0
+    mul_or r23, factor, r20, r30
+    mul_or r22, factor, r19, r20
     ldi r18, 0
     rjmp .Llook_up
 
@@ -133,15 +127,8 @@
     find_exponent r25
     mul r25, factor
     mov r30, r0
-    mul r24, factor
-    or r30, r1
-    mov r20, r0
-    mul r23, factor
-    or r20, r1
-    mov r19, r0
-    mul r22, factor
-    or r19, r1
-    mov r18, r0
+    mul_or r24, factor, r20, r30
+    mul_or_bytes r22, factor, r18, 2
 .Llook_up:
     clr zero
     cpi twice, 82

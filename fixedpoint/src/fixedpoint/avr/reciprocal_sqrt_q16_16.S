@@ -83,9 +83,7 @@
     rjmp .Lbyte\@
 2:  mul r23, r20
     mov r30, r0
-    mul r22, r20
-    or r30, r1
-    mov r18, r0
+    mul_or r22, r20, r18, r30
 3:
     .ifnb \correctly
     push r22
@@ -224,12 +222,8 @@
     ldi r20, 1
 2:  mul r24, r20
     mov r30, r0
-    mul r23, r20
-    or r30, r1
-    mov r18, r0
-    mul r22, r20
-    or r18, r1
-    mov r21, r0
+    mul_or r23, r20, r18, r30
+    mul_or r22, r20, r21, r18
     mov r22, r26
     reciprocal_root r21
     clr r24

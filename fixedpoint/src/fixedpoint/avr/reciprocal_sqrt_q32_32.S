@@ -125,18 +125,7 @@
     dec r27
 2:  mul r25, r26
     mov r25, r0
-    mul r24, r26
-    or r25, r1
-    mov r24, r0
-    mul r23, r26
-    or r24, r1
-    mov r23, r0
-    mul r22, r26
-    or r23, r1
-    mov r22, r0
-    mul r21, r26
-    or r22, r1
-    mov r21, r0
+    mul_or_bytes r21, r26, r21, 4
     mul r20, r26
     or r21, r1
 3:  push_all r12, r13, r14, r15, r16, r17, r28, r29, r27
@@ -291,21 +280,7 @@
     mul z6, r30
     mov z6, r0
     mov r24, r1
-    mul z5, r30
-    or z6, r1
-    mov z5, r0
-    mul z4, r30
-    or z5, r1
-    mov z4, r0
-    mul z3, r30
-    or z4, r1
-    mov z3, r0
-    mul z2, r30
-    or z3, r1
-    mov z2, r0
-    mul z1, r30
-    or z2, r1
-    mov z1, r0
+    mul_or_bytes z1, r30, z1, 5
     mul z0, r30
     or z1, r1
     lsl r0

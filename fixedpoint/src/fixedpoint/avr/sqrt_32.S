@@ -22,15 +22,7 @@
     mul r25, r27
     mov r26, r1
     mov r25, r0
-    mul r24, r27
-    or r25, r1
-    mov r24, r0
-    mul r23, r27
-    or r24, r1
-    mov r23, r0
-    mul r22, r27
-    or r23, r1
-    mov r22, r0
+    mul_or_bytes r22, r27, r22, 3
     clr r1
     .endif
     .endm

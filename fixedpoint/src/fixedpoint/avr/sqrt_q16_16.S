@@ -133,12 +133,8 @@
     ldi r18, 0x80 - 6 * 16
 1:  mul r24, r20
     mov r30, r0
-    mul r23, r20
-    or r30, r1
-    mov r26, r0
-    mul r22, r20
-    or r26, r1
-    mov r19, r0
+    mul_or r23, r20, r26, r30
+    mul_or r22, r20, r19, r26
     root16 r20, r21, r24, r26
     // e / 256 in r26:r19, S in r21:r20:r19
     mul r20, r20
@@ -209,9 +205,7 @@
     ldi r27, 32
 1:  mul r23, r20
     mov r30, r0
-    mul r22, r20
-    or r30, r1
-    mov r19, r0
+    mul_or r22, r20, r19, r30
     root16 r20, r21, r18, r19
     mov r26, r22
     mul r20, r27
@@ -261,15 +255,9 @@
     ldi r27, 64
 1:  mul r25, r27
     mov r30, r0
-    mul r24, r27
-    or r30, r1
-    mov r26, r0
-    mul r23, r27
-    or r26, r1
-    mov r19, r0
-    mul r22, r27
-    or r19, r1
-    mov r18, r0
+    mul_or r24, r27, r26, r30
+    mul_or r23, r27, r19, r26
+    mul_or r22, r27, r18, r19
     clr zero
     root16 r20, r21, r24, r26
     movw r30, r18

@@ -97,13 +97,7 @@
     ldi r30, 0x20
 1:  mul a7, power
     mov a7, r0
-    scale a7, a6, a6, power
-    scale a6, a5, a5, power
-    scale a5, a4, a4, power
-    scale a4, a3, a3, power
-    scale a3, a2, a2, power
-    scale a2, a1, a1, power
-    scale a1, a0, a0, power
+    mul_or_bytes a0, power, a0, 7
 .Lscaled:
     sbrc r31, 0
     swap r30
