@@ -182,15 +182,7 @@
     rol fraction1
     rol r30             // without the leading one
     ldi r31, hi8(fixedpoint_ratio_table)
-    lpm slope0, Z
-    inc r31
-    lpm slope1, Z
-    inc r31
-    lpm inverse1, Z
-    inc r31
-    lpm inverse2, Z
-    inc r31
-    lpm inverse0, Z
+    lpm_pages slope0, slope1, inverse1, inverse2, inverse0
     mul slope1, fraction0
     mov fall0, r1
     mul slope0, fraction1

@@ -35,11 +35,7 @@
     // value1:value0 and r0 = what the page-wise table of chords holds for r30.
     .macro load_chord
     ldi r31, hi8(fixedpoint_atan2_q8_8_table)
-    lpm value0, Z
-    inc r31
-    lpm value1, Z
-    inc r31
-    lpm r0, Z
+    lpm_pages value0, value1, r0
     .endm
 
     SECTION fixedpoint_atan2_q8_8

@@ -84,11 +84,7 @@
     mov r20, rA0
     subi r20, 128
     ldi r31, POWER
-    lpm r23, Z
-    inc r31
-    lpm r22, Z
-    inc r31
-    lpm r21, Z
+    lpm_pages r23, r22, r21
     mulsu r20, r23
     movw r26, r0
     sbc r25, r25
@@ -175,11 +171,7 @@
     adc growth3, zero
 .Lsmall:
     ldi r31, POWER
-    lpm r23, Z
-    inc r31
-    lpm r19, Z
-    inc r31
-    lpm r21, Z
+    lpm_pages r23, r19, r21
     mulsu growth3, r23
     movw r30, r0
     sbc r24, r24
@@ -264,15 +256,7 @@
     push_all r16, r17, r28, r29
     mov r30, rA1
     ldi r31, POWER
-    lpm m4, Z
-    inc r31
-    lpm m3, Z
-    inc r31
-    lpm m2, Z
-    inc r31
-    lpm m1, Z
-    inc r31
-    lpm m0, Z
+    lpm_pages m4, m3, m2, m1, m0
     mul m4, growth1
     movw p0, r0
     mul m4, growth0

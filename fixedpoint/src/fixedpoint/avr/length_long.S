@@ -194,11 +194,7 @@
     mul_or_bytes m1, power, m1, 3
 .Lnormalised:
     ldi r31, hi8(fixedpoint_sqrt_table)
-    lpm s2, Z
-    inc r31
-    lpm s3, Z
-    inc r31
-    lpm slope, Z
+    lpm_pages s2, s3, slope
     mul slope, m4
     add s2, r1
     adc s3, zero

@@ -324,11 +324,7 @@
     clr digits
     mov r30, r17
     ldi r31, hi8(fixedpoint_sqrt_table)
-    lpm x1, Z
-    inc r31
-    lpm x0, Z
-    inc r31
-    lpm r0, Z
+    lpm_pages x1, x0, r0
     mul r0, r16
     add x1, r1
     adc x0, digits

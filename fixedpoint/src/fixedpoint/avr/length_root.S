@@ -61,11 +61,7 @@
     mul r24, r23
     or m1, r1
     ldi r31, hi8(fixedpoint_sqrt_table)
-    lpm s1, Z
-    inc r31
-    lpm s2, Z
-    inc r31
-    lpm slope, Z
+    lpm_pages s1, s2, slope
     mul slope, m2
     add s1, r1
     brcc 4f

@@ -120,11 +120,7 @@
 .Lbyte\@:
     mov r30, r22
     ldi r31, hi8(fixedpoint_reciprocal_sqrt_table + 0x300)
-    lpm r22, Z
-    inc r31
-    lpm r23, Z
-    inc r31
-    lpm r24, Z
+    lpm_pages r22, r23, r24
     cpi r30, 64
     brsh 2f
     cpi r30, 2

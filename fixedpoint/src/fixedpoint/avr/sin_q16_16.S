@@ -71,15 +71,7 @@
     com b6
 .Levaluate:
     ldi r31, hi8(fixedpoint_sine_table)
-    lpm slope0, Z
-    inc r31
-    lpm slope1, Z
-    inc r31
-    lpm value1, Z
-    inc r31
-    lpm value2, Z
-    inc r31
-    lpm value0, Z
+    lpm_pages slope0, slope1, value1, value2, value0
     mul slope1, b5
     movw rise0, r0
     mul slope1, b4

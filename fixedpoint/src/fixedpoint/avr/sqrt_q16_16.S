@@ -31,11 +31,7 @@
 // high:low = root[r30] + slope[r30] next / 256.
     .macro root16 low, high, slope, next
     ldi r31, hi8(fixedpoint_sqrt_table)
-    lpm \low, Z
-    inc r31
-    lpm \high, Z
-    inc r31
-    lpm \slope, Z
+    lpm_pages \low, \high, \slope
     mul \slope, \next
     add \low, r1
     adc \high, zero
@@ -225,9 +221,7 @@
     mov r30, r22
     ldi r31, hi8(fixedpoint_sqrt_table)
     cpi r22, 64
-    lpm c0, Z
-    inc r31
-    lpm c1, Z
+    lpm_pages c0, c1
     brlo 2f
     ldi r18, 4
 1:  lsr c1

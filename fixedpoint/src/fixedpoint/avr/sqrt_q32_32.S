@@ -117,11 +117,7 @@
 .Lseed:
     mov r30, a7
     ldi r31, hi8(fixedpoint_sqrt_table)
-    lpm x1, Z
-    inc r31
-    lpm x0, Z
-    inc r31
-    lpm r0, Z
+    lpm_pages x1, x0, r0
     mul r0, a6
     add x1, r1
     adc x0, zero
