@@ -27,44 +27,7 @@
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
 #include "cubic_32.inc"
-
-#define n0 r22
-#define n1 r23
-#define n2 r24
-#define n3 r25
-#define d0 r18
-#define d1 r19
-#define d2 r20
-#define d3 r21
-#define v r17
-#define nothing r16
-#define e0 r28
-#define e1 r29
-#define e2 r30
-#define e3 r31
-
-    // A digit of the quotient in q; x4..x0 = the rest of the dividend.
-    .macro digit q, x4, x3, x2, x1, x0
-    mul \q, e0
-    movw r14, r0
-    mul \q, e2
-    movw r26, r0
-    mul_add \q, e1, r15, r26, nothing, r27
-    mul \q, e3
-    add r27, r0
-    adc r1, nothing
-    add \x0, r14
-    adc \x1, r15
-    adc \x2, r26
-    adc \x3, r27
-    adc \x4, r1
-    brcc 9f
-    add \x0, e0
-    adc \x1, e1
-    adc \x2, e2
-    adc \x3, e3
-    adc \x4, nothing
-    .endm
+#include "digits_32.inc"
 
     // r25:r22 = floor(2^32 n / d), n = r25:r22 below d = r21:r18; r26 = the upper byte of what is left,
     // where the divisor is 2^40 or less by a 256th of it at most. Changes r18..r21, r27, r30, r31; r1
@@ -104,25 +67,7 @@
     mov r0, d2
     lsl r0
     rol r30
-    lpm r27, Z
-    // r17:e3:e2:e1:e0 = 2^40 - d v
-    mul d0, r27
-    movw e0, r0
-    mul d2, r27
-    movw e2, r0
-    mul d3, r27
-    add e3, r0
-    adc r1, d3
-    mov r17, r1
-    mul_add d1, r27, e1, e2, nothing, e3, r17
-    add_bytes e1, d0, 3
-    adc r17, nothing
-    negate_bytes e0, 4
-    adc r17, nothing
-    breq 1f
-    sub_bytes e0, d0, 4
-    inc r27
-1:  mov v, r27
+    find_reciprocal
     // The dividend r25..r21 = n v
     mul n0, v
     mov r20, r0

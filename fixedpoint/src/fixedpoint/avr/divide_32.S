@@ -28,47 +28,10 @@
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
+#include "digits_32.inc"
 
-#define n0 r22
-#define n1 r23
-#define n2 r24
-#define n3 r25
 #define n4 r14
-#define d0 r18
-#define d1 r19
-#define d2 r20
-#define d3 r21
 #define digits r15
-#define zero r16
-#define v r17
-#define e0 r28
-#define e1 r29
-#define e2 r30
-#define e3 r31
-
-    // A digit in q; x4..x0 = the rest of the dividend. Goes to 9 where it was right, else falls
-    // through, for q to be raised by 1.
-    .macro digit q, x4, x3, x2, x1, x0
-    mul \q, e0
-    movw r14, r0
-    mul \q, e2
-    movw r26, r0
-    mul_add \q, e1, r15, r26, zero, r27
-    mul \q, e3
-    add r27, r0
-    adc r1, zero
-    add \x0, r14
-    adc \x1, r15
-    adc \x2, r26
-    adc \x3, r27
-    adc \x4, r1
-    brcc 9f
-    add \x0, e0
-    adc \x1, e1
-    adc \x2, e2
-    adc \x3, e3
-    adc \x4, zero
-    .endm
 
     SECTION fixedpoint_divide_32
 .Lzero_divisor:
@@ -98,7 +61,7 @@
     // r30 = 2^(F mod 8), r31 = floor(F / 8)
     ENTRY fixedpoint_divide_32
     push_all r14, r15, r16, r17, r28, r29
-    clr zero
+    clr nothing
     mov r0, n3
     eor r0, d3
     bst r0, 7
@@ -137,7 +100,7 @@
     add d3, r1
     add d1, r28
     adc d2, r29
-    adc d3, zero
+    adc d3, nothing
     // Digits that are surely zero
 1:  tst n4
     brne 2f
@@ -159,25 +122,7 @@
     lsl r0
     rol r30
     inc r31
-    lpm r27, Z
-    // r17:e3:e2:e1:e0 = 2^40 - d v
-    mul d0, r27
-    movw e0, r0
-    mul d2, r27
-    movw e2, r0
-    mul d3, r27
-    add e3, r0
-    adc r1, d3
-    mov r17, r1
-    mul_add d1, r27, e1, e2, zero, e3, r17
-    add_bytes e1, d0, 3
-    adc r17, zero
-    negate_bytes e0, 4
-    adc r17, zero
-    breq 1f
-    sub_bytes e0, d0, 4
-    inc r27
-1:  mov v, r27
+    find_reciprocal
     // The dividend r25..r20 = n v
     mul n0, v
     movw r20, r0
@@ -185,8 +130,8 @@
     movw r18, r0
     mul n4, v
     movw r26, r0
-    mul_add n3, v, r19, r26, zero, r27
-    mul_add n1, v, r21, r18, zero, r19, r26, r27
+    mul_add n3, v, r19, r26, nothing, r27
+    mul_add n1, v, r21, r18, nothing, r19, r26, r27
     add r21, n0
     adc r18, n1
     adc r19, n2
@@ -230,7 +175,7 @@
 9:  lsl_bytes r17, 5
     brcs 1f
     add_bytes r17, e0, 4
-    adc r21, zero
+    adc r21, nothing
     brcc 2f
     brtc 1f
     or r17, r18
