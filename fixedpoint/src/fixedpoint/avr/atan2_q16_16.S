@@ -125,14 +125,8 @@
     mul numerator2, reciprocal0
     mov ratio0, r1
     clr reciprocal0     // used up: zero
-    mul numerator1, reciprocal1
-    add ratio0, r1
-    adc ratio1, reciprocal0
-    adc ratio2, reciprocal0
-    mul numerator0, reciprocal2
-    add ratio0, r1
-    adc ratio1, reciprocal0
-    adc ratio2, reciprocal0
+    mul_add_upper numerator1, reciprocal1, ratio0, reciprocal0, ratio1, ratio2
+    mul_add_upper numerator0, reciprocal2, ratio0, reciprocal0, ratio1, ratio2
     mul_add numerator2, reciprocal1, ratio0, ratio1, reciprocal0, ratio2
     mul_add numerator1, reciprocal2, ratio0, ratio1, reciprocal0, ratio2
     lsl ratio0

@@ -53,12 +53,6 @@
 #define STEEP 0
 #define LEFT 1
 
-    .macro add_upper_byte a, b, p0, p1, p2
-    mul \a, \b
-    add \p0, r1
-    adc \p1, nothing
-    adc \p2, nothing
-    .endm
     // p2:p1:p0 = a b / 2^24 of three bytes each: portable/multiply_high_24.hpp.
     .macro product_of_fractions p2, p1, p0, a2, a1, a0, b2, b1, b0
     mul \a2, \b2
@@ -66,8 +60,8 @@
     mov \p2, r1
     mul \a2, \b0
     mov \p0, r1
-    add_upper_byte \a1, \b1, \p0, \p1, \p2
-    add_upper_byte \a0, \b2, \p0, \p1, \p2
+    mul_add_upper \a1, \b1, \p0, nothing, \p1, \p2
+    mul_add_upper \a0, \b2, \p0, nothing, \p1, \p2
     mul_add \a2, \b1, \p0, \p1, nothing, \p2
     mul_add \a1, \b2, \p0, \p1, nothing, \p2
     .endm

@@ -104,12 +104,8 @@
     clr zero
     mul small1, value1
     movw t0, r0
-    mul small1, value0
-    add t0, r1
-    adc t1, zero
-    mul small0, value1
-    add t0, r1
-    adc t1, zero
+    mul_add_upper small1, value0, t0, zero, t1
+    mul_add_upper small0, value1, t0, zero, t1
     lsl t0
     rol t1
 

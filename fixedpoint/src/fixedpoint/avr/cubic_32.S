@@ -65,9 +65,7 @@
     ldi rise2, 0
     add rise0, r1
     adc rise1, zero
-    mul slope2, t0
-    add rise0, r1
-    adc rise1, zero
+    mul_add_upper slope2, t0, rise0, zero, rise1
     mul_add slope2, t1, rise0, rise1, zero, rise2
     mul_add slope1, t2, rise0, rise1, zero, rise2
     mul_add slope2, t2, rise1, rise2
@@ -119,12 +117,8 @@
     mov fall0, r1
     ldi fall1, 0
     ldi fall2, 0
-    mul bend1, t1
-    add fall0, r1
-    adc fall1, zero
-    mul bend2, t0
-    add fall0, r1
-    adc fall1, zero
+    mul_add_upper bend1, t1, fall0, zero, fall1
+    mul_add_upper bend2, t0, fall0, zero, fall1
     mul_add bend2, t1, fall0, fall1, zero, fall2
     mul_add bend1, t2, fall0, fall1, zero, fall2
     mul_add bend2, t2, fall1, fall2
@@ -140,12 +134,8 @@
     mov rise0, r1
     ldi rise1, 0
     ldi rise2, 0
-    mul slope1, t1
-    add rise0, r1
-    adc rise1, zero
-    mul slope2, t0
-    add rise0, r1
-    adc rise1, zero
+    mul_add_upper slope1, t1, rise0, zero, rise1
+    mul_add_upper slope2, t0, rise0, zero, rise1
     mul slope3, t0
     ldi rise3, 0        // t0 is used up
     add rise0, r0

@@ -61,12 +61,8 @@
     mov fall0, r1
     ldi fall1, 0
     ldi fall2, 0
-    mul bend1, t2
-    add fall0, r1
-    adc fall1, zero
-    mul bend2, t1
-    add fall0, r1
-    adc fall1, zero
+    mul_add_upper bend1, t2, fall0, zero, fall1
+    mul_add_upper bend2, t1, fall0, zero, fall1
     mul_add bend2, t2, fall0, fall1, zero, fall2
     mul_add bend1, t3, fall0, fall1, zero, fall2
     mul_add bend2, t3, fall1, fall2
@@ -82,12 +78,8 @@
     mov rise0, r1
     ldi rise1, 0
     ldi rise2, 0
-    mul slope1, t2
-    add rise0, r1
-    adc rise1, zero
-    mul slope2, t1
-    add rise0, r1
-    adc rise1, zero
+    mul_add_upper slope1, t2, rise0, zero, rise1
+    mul_add_upper slope2, t1, rise0, zero, rise1
     mul slope3, t0
     ldi rise3, 0        // t0 is used up
     add rise0, r1

@@ -187,9 +187,7 @@
     movw r18, r0
     add r18, r26
     adc r19, r27
-    mul r26, r30
-    add r18, r1
-    adc r19, r21
+    mul_add_upper r26, r30, r18, r21, r19
     com r18                 // E, and whether its third byte is 0
     neg r0
     sbci r18, 0xff
@@ -301,18 +299,14 @@
     brlo 1f
     rcall .Lshort_increment
     rjmp .Lshort_up
-1:  mul r20, r19
-    add r26, r1
-    adc r31, r25
+1:  mul_add_upper r20, r19, r26, r25, r31
     add r0, r19
     adc r26, r18
     adc r31, r25
     rcall .Lshort_increment
     rjmp 2f
 .Lshort_exact:
-    mul r20, r19
-    add r26, r1
-    adc r31, r25
+    mul_add_upper r20, r19, r26, r25, r31
 2:  lsl r0
     rol r26
     rol r31
@@ -474,10 +468,7 @@
     rjmp .Lmedium_up
 .Lmedium_rest:
     mul_add r22, r19, r26, r20, r24, r21
-    mul r22, r18
-    add r26, r1
-    adc r20, r24
-    adc r21, r24
+    mul_add_upper r22, r18, r26, r24, r20, r21
     ret
 .Lmedium_increment:
     subi r22, 0xff

@@ -180,10 +180,7 @@
     add r30, r1
     adc r31, r26
     adc r24, r26
-    mul growth2, r23
-    add r21, r1
-    adc r19, zero
-    adc r23, zero
+    mul_add_upper growth2, r23, r21, zero, r19, r23
     add r21, r30
     adc r19, r31
     adc r23, r24
@@ -259,22 +256,14 @@
     lpm_pages m4, m3, m2, m1, m0
     mul m4, growth1
     movw p0, r0
-    mul m4, growth0
-    add p0, r1
-    adc p1, zero
+    mul_add_upper m4, growth0, p0, zero, p1
     mul m3, growth2
     ldi p2, 0
     add p0, r0
     adc p1, r1
     adc p2, zero
-    mul m3, growth1
-    add p0, r1
-    adc p1, zero
-    adc p2, zero
-    mul m2, growth2
-    add p0, r1
-    adc p1, zero
-    adc p2, zero
+    mul_add_upper m3, growth1, p0, zero, p1, p2
+    mul_add_upper m2, growth2, p0, zero, p1, p2
     mulsu growth3, m1
     sbc sign, sign
     add p0, r1

@@ -195,9 +195,7 @@
 .Lnormalised:
     ldi r31, hi8(fixedpoint_sqrt_table)
     lpm_pages s2, s3, slope
-    mul slope, m4
-    add s2, r1
-    adc s3, zero
+    mul_add_upper slope, m4, s2, zero, s3
     // c in s3:s2; its remainder over 256, modulo 2^16, in r31:r30
     movw r30, m3
     mul s2, s2
@@ -247,10 +245,7 @@
     mov qf, r0
     add q0, r1
     adc q1, zero
-    mul m1, slope
-    add qf, r1
-    adc q0, zero
-    adc q1, zero
+    mul_add_upper m1, slope, qf, zero, q0, q1
     // x
     mul s2, slope
     mov x, r1

@@ -325,9 +325,7 @@
     mov r30, r17
     ldi r31, hi8(fixedpoint_sqrt_table)
     lpm_pages x1, x0, r0
-    mul r0, r16
-    add x1, r1
-    adc x0, digits
+    mul_add_upper r0, r16, x1, digits, x0
     mul x1, x1
     sub r14, r0
     sbc r15, r1

@@ -60,9 +60,7 @@
     mov rest, fraction1
     com rest
     fmul rest, fraction1
-    mul r1, bend
-    add rise0, r1
-    adc rise1, zero
+    mul_add_upper r1, bend, rise0, zero, rise1
     add sum0, rise0
     adc sum1, rise1
     adc sum2, zero

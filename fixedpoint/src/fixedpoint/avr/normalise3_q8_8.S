@@ -66,10 +66,7 @@
 
     // s3:s2:s1 += (high:low)^2 / 2^8
     .macro add_square low, high
-    mul \low, \low
-    add s1, r1
-    adc s2, zero
-    adc s3, zero
+    mul_add_upper \low, \low, s1, zero, s2, s3
     mul \low, \high
     lsl r0
     rol r1

@@ -48,11 +48,6 @@
 #define upper r31
 #define lower r23
 
-    .macro upper_byte_of a, b
-    mul \a, \b
-    add product0, r1
-    adc product1, zero
-    .endm
     SECTION fixedpoint_reciprocal_sqrt_32
 .Lnot_positive:
     tst r25
@@ -158,11 +153,11 @@
     clr product1
     clr product2
     ldi lower, 0x04
-    upper_byte_of m1, lower
+    mul_add_upper m1, lower, product0, zero, product1
     ldi lower, 0xf3
-    upper_byte_of m2, lower
+    mul_add_upper m2, lower, product0, zero, product1
     ldi lower, 0x34
-    upper_byte_of m3, lower
+    mul_add_upper m3, lower, product0, zero, product1
     mul_add m4, lower, product0, product1, zero, product2
     ldi lower, 0xf3
     mul_add m3, lower, product0, product1, zero, product2

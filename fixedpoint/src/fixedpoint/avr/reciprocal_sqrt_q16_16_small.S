@@ -76,15 +76,10 @@
     add e0, r0
     adc r1, zero
     mov e1, r1
-    mul m3, s0
-    add e0, r1
-    adc e1, zero
+    mul_add_upper m3, s0, e0, zero, e1
     clr e2
     adc e2, e2
-    mul m2, s1
-    add e0, r1
-    adc e1, zero
-    adc e2, zero
+    mul_add_upper m2, s1, e0, zero, e1, e2
     mul_add m3, s1, e0, e1, zero, e2
     mul_add m2, s2, e0, e1, zero, e2
     mul_add m2, s3, e1, e2
@@ -102,9 +97,7 @@
     mul e2, e2
     mov below, r0
     mov x0, r1
-    mul e0, y1
-    add below, r1
-    adc x0, zero
+    mul_add_upper e0, y1, below, zero, x0
     mul_add e2, y0, below, x0
     mul_add e1, y1, below, x0
     clr x1

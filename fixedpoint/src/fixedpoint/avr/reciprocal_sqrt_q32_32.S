@@ -52,24 +52,6 @@
 #define z5 r22
 #define z6 r23
 
-    .macro add_product a, b, p0, p1, p2, p3
-    mul_add \a, \b, \p0, \p1
-    .ifnb \p2
-    adc \p2, zero
-    .endif
-    .ifnb \p3
-    adc \p3, zero
-    .endif
-    .endm
-    .macro add_upper_byte a, b, p0, p1, p2
-    mul \a, \b
-    add \p0, r1
-    adc \p1, zero
-    .ifnb \p2
-    adc \p2, zero
-    .endif
-    .endm
-
     SECTION fixedpoint_reciprocal_sqrt_q32_32
 .Lnegative:
     ldi r24, 0
@@ -174,24 +156,24 @@
     mov e7, r1
     ldi e6, 0
     ldi e5, 0
-    add_product m1, s6, e7, e6, e5
-    add_product m2, s5, e7, e6, e5
+    mul_add m1, s6, e7, e6, zero, e5
+    mul_add m2, s5, e7, e6, zero, e5
     ldi e4, 0
-    add_upper_byte m3, s4, e6, e5, e4
-    add_upper_byte m4, s3, e6, e5, e4
-    add_product m1, s5, e6, e5, e4
-    add_product m2, s4, e6, e5, e4
-    add_product m3, s3, e6, e5, e4
-    add_product m4, s2, e6, e5, e4
-    add_product m5, s1, e6, e5, e4
+    mul_add_upper m3, s4, e6, zero, e5, e4
+    mul_add_upper m4, s3, e6, zero, e5, e4
+    mul_add m1, s5, e6, e5, zero, e4
+    mul_add m2, s4, e6, e5, zero, e4
+    mul_add m3, s3, e6, e5, zero, e4
+    mul_add m4, s2, e6, e5, zero, e4
+    mul_add m5, s1, e6, e5, zero, e4
     ldi e3, 0
-    add_product m1, s4, e5, e4, e3
-    add_product m2, s3, e5, e4, e3
-    add_product m3, s2, e5, e4, e3
-    add_product m4, s1, e5, e4, e3
-    add_product m1, s3, e4, e3
-    add_product m2, s2, e4, e3
-    add_product m3, s1, e4, e3
+    mul_add m1, s4, e5, e4, zero, e3
+    mul_add m2, s3, e5, e4, zero, e3
+    mul_add m3, s2, e5, e4, zero, e3
+    mul_add m4, s1, e5, e4, zero, e3
+    mul_add m1, s3, e4, e3
+    mul_add m2, s2, e4, e3
+    mul_add m3, s1, e4, e3
     mul m1, s2
     add e3, r0
     mul m2, s1
@@ -231,20 +213,20 @@
     mul z6, e7
     mov z0, r1
     ldi z1, 0
-    add_upper_byte z5, e6, z0, z1
-    add_upper_byte z4, e5, z0, z1
+    mul_add_upper z5, e6, z0, zero, z1
+    mul_add_upper z4, e5, z0, zero, z1
     ldi z2, 0
-    add_product z6, e6, z0, z1, z2
-    add_product z5, e5, z0, z1, z2
-    add_product z4, e4, z0, z1, z2
+    mul_add z6, e6, z0, z1, zero, z2
+    mul_add z5, e5, z0, z1, zero, z2
+    mul_add z4, e4, z0, z1, zero, z2
     ldi z3, 0
-    add_product z6, e5, z1, z2, z3
-    add_product z5, e4, z1, z2, z3
-    add_product z4, e3, z1, z2, z3
+    mul_add z6, e5, z1, z2, zero, z3
+    mul_add z5, e4, z1, z2, zero, z3
+    mul_add z4, e3, z1, z2, zero, z3
     clr r24
-    add_product z6, e4, z2, z3, r24
-    add_product z5, e3, z2, z3, r24
-    add_product z6, e3, z3, r24
+    mul_add z6, e4, z2, z3, zero, r24
+    mul_add z5, e3, z2, z3, zero, r24
+    mul_add z6, e3, z3, r24
     lsl z0
     rol_bytes z1, 3
     rol r24

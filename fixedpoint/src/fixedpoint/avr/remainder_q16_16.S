@@ -28,16 +28,6 @@
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
 
-    .macro negate r0, r1, r2, r3
-    com \r3
-    com \r2
-    com \r1
-    neg \r0
-    sbci \r1, 0xff
-    sbci \r2, 0xff
-    sbci \r3, 0xff
-    .endm
-
     .macro kernel name, quotient, floored
     FUNCTION fixedpoint_\name\()_q16_16
     .if \quotient
@@ -49,11 +39,11 @@
     .endif
     bst r25, 7
     brtc .Ldividend_positive_\name
-    negate r22, r23, r24, r25
+    negate_bytes r22, 4
 .Ldividend_positive_\name\():
     tst r21
     brpl .Ldivisor_positive_\name
-    negate r18, r19, r20, r21
+    negate_bytes r18, 4
 .Ldivisor_positive_\name\():
     clr r26
 
@@ -139,7 +129,7 @@
 .Lremainder_\name\():
     .endif
     brtc .Lpositive_\name
-    negate r22, r23, r24, r25
+    negate_bytes r22, 4
 .Lpositive_\name\():
     .if \quotient
     movw r26, r16

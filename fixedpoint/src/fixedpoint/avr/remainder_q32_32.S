@@ -21,18 +21,6 @@
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
 
-    // The operation, byte by byte: the first of the lowest bytes, the other with its carry.
-    .macro bytewise first, other
-    \first r18, r10
-    \other r19, r11
-    \other r20, r12
-    \other r21, r13
-    \other r22, r14
-    \other r23, r15
-    \other r24, r16
-    \other r25, r17
-    .endm
-
     .macro kernel name, quotient, floored
     FUNCTION fixedpoint_\name\()_q32_32
     .if \quotient
@@ -70,7 +58,7 @@
     .if \quotient
     // 2^63, of which the sign makes the limit, unless a is 0, as the divisor is.
     clr r26
-    bytewise cp, cpc
+    cp_bytes r18, r10, 8
     breq 1f
     lsr r7
 1:  rjmp .Lsigned_\name
@@ -80,7 +68,7 @@
 
     // Bits: until the divisor is above the dividend.
 .Lbits_\name\():
-    bytewise cp, cpc
+    cp_bytes r18, r10, 8
     brlo .Laligned_\name
     inc r26
     lsl_bytes r10, 8
@@ -96,10 +84,10 @@
     rjmp .Ldone_\name
 .Ldown_\name\():
     lsr_bytes r10, 8
-    bytewise cp, cpc
+    cp_bytes r18, r10, 8
     brlo .Lnext_\name
 .Lsubtract_\name\():
-    bytewise sub, sbc
+    sub_bytes r18, r10, 8
 .Lnext_\name\():
     .if \quotient
     rol r0
@@ -119,7 +107,7 @@
     brpl .Lsigned_\name
     cp_each r18, r26, 8
     breq .Lsigned_\name
-    bytewise sub, sbc
+    sub_bytes r18, r10, 8
     rjmp .Lremainder_\name
     .endif
 .Lsigned_\name\():

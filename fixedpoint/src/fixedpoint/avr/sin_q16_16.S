@@ -74,9 +74,7 @@
     lpm_pages slope0, slope1, value1, value2, value0
     mul slope1, b5
     movw rise0, r0
-    mul slope1, b4
-    add rise0, r1
-    adc rise1, zero
+    mul_add_upper slope1, b4, rise0, zero, rise1
     mul slope0, b5
     add rise0, r1
     clr r1

@@ -85,9 +85,7 @@
     add x0, r1
     clr zero            // m1 is used up; carry stays
     adc x1, zero
-    mul a1, m2
-    add x0, r1
-    adc x1, zero
+    mul_add_upper a1, m2, x0, zero, x1
     add x0, a0          // M3 a0 / 2^8
     adc x1, zero        // at most 0xa1 + 3
     mul_add a1, m3, x0, x1
@@ -180,10 +178,7 @@
     movw p1, r0
     mul s1, b1
     mov p0, r1
-    mul s0, b2
-    add p0, r1
-    adc p1, zero
-    adc p2, zero
+    mul_add_upper s0, b2, p0, zero, p1, p2
     mul_add s2, b1, p0, p1, zero, p2
     mul_add s1, b2, p0, p1, zero, p2
     lsr p2

@@ -32,9 +32,7 @@
     .macro root16 low, high, slope, next
     ldi r31, hi8(fixedpoint_sqrt_table)
     lpm_pages \low, \high, \slope
-    mul \slope, \next
-    add \low, r1
-    adc \high, zero
+    mul_add_upper \slope, \next, \low, zero, \high
     .endm
 
 // r26:r19:r18 = c^2 + c - a 2^16 modulo 2^24, from r26 = 2 c0 c2 - a0 with a0 the low byte of a.

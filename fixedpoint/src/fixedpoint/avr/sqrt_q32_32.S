@@ -118,9 +118,7 @@
     mov r30, a7
     ldi r31, hi8(fixedpoint_sqrt_table)
     lpm_pages x1, x0, r0
-    mul r0, a6
-    add x1, r1
-    adc x0, zero
+    mul_add_upper r0, a6, x1, zero, x0
 .Lsquare:
     mul x1, x1
     sub a4, r0
