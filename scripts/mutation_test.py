@@ -228,7 +228,8 @@ OPERATORS = {
         swap("brcs brcc, breq brne, brmi brpl, brlt brge, sbrc sbrs, brlo brsh, inc dec, brtc brts"),
         one_way("adc:add sbc:sub rol:lsl ror:lsr sbci:subi cpc:cp mulsu:mul add:sub sub:add"),
         (r"(?<=[\s,])\d+(?=,|\s*$)", one_more),  # an entry of a table
-        (r"^    (?:adc|add|sub|sbc|mov|movw|lsl|lsr|com|neg|inc|dec|clr|eor|or|subi|sbci)\b.*$",
+        (r"^    (?:adc|add|sub|sbc|mov|movw|lsl|lsr|com|neg|inc|dec|clr|eor|or|subi|sbci|mul_add\w*|mul_or"
+         r"|\w+_bytes|\w+_each|\w+_from_top)\b.*$",
          lambda found: ""),
     ],
 }

@@ -5,6 +5,7 @@ The kernels read one byte a page, portable code reads the same numbers from a he
 from fractions import Fraction
 
 import page
+import table_header
 
 INTERVALS = 256
 # Products of slope and fraction are cut to whole units in three places, 1.5 units in the mean.
@@ -38,26 +39,6 @@ def write(name, generator, sentence, rows, structure):
         ("value, bits 8..15", [value >> 8 & 255 for value, _ in rows]),
         ("value, bits 16..23", [value >> 16 for value, _ in rows]),
         ("value, bits 0..7", [value & 255 for value, _ in rows])])
-
-    def array(kind, member, numbers, form):
-        return [f"    static constexpr {kind} {member}[{len(rows)}] FIXEDPOINT_PROGRAM_MEMORY = {{",
-                ",\n".join(f"        {row}" for row in page.rows(numbers, 8, form)) + "};"]
-
-    lines = [
-        "// SPDX-License-Identifier: MIT",
-        f"// DO NOT EDIT: written by python3 fixedpoint/tables/{generator}",
-        *(f"// {line}" for line in sentence.split("\n")),
-        "#pragma once", "",
-        "#include <fixedpoint/program_memory.hpp>", "",
-        "namespace fixedpoint {", "namespace portable {", "",
-        "// Any is void: a template's static member may stand in a header.",
-        "template <class Any = void>",
-        f"struct {structure} {{",
-        *array("uint32_t", "value", [value for value, _ in rows], "0x{:06x}"),
-        *array("uint16_t", "slope", [slope for _, slope in rows], "0x{:04x}"),
-        "};",
-        "template <class Any>", f"constexpr uint32_t {structure}<Any>::value[];",
-        "template <class Any>", f"constexpr uint16_t {structure}<Any>::slope[];", "",
-        "}  // namespace portable", "}  // namespace fixedpoint",
-    ]
-    (page.SOURCE / "portable" / f"{name}.hpp").write_text("\n".join(lines) + "\n")
+    table_header.write(name, generator, sentence, structure, [
+        ("uint32_t", "value", [value for value, _ in rows], "0x{:06x}"),
+        ("uint16_t", "slope", [slope for _, slope in rows], "0x{:04x}")])

@@ -19,9 +19,10 @@ def write(name, generator, sentence, structure, arrays):
         f"struct {structure} {{",
     ]
     for kind, member, numbers, form in arrays:
+        per_line = 8 if max(len(form.format(number)) for number in numbers) < 14 else 4
         lines += [f"    static constexpr {kind} {member}[{len(numbers)}] "
                   "FIXEDPOINT_PROGRAM_MEMORY = {",
-                  ",\n".join(f"        {row}" for row in rows(numbers, 6, form)) + "};"]
+                  ",\n".join(f"        {row}" for row in rows(numbers, per_line, form)) + "};"]
     lines.append("};")
     for kind, member, _, _ in arrays:
         lines += ["template <class Any>", f"constexpr {kind} {structure}<Any>::{member}[];"]

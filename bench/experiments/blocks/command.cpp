@@ -66,9 +66,6 @@ const fixbench::Registration registration({
     .prints = {"blocks.csv"},
     .add = [](CLI::App&) { return [](const fixbench::Call& call) { return run(call.output); }; },
     .steps = {{.name = "blocks",
-               .arguments = [](const fixbench::Mode& mode) -> std::vector<std::string> {
-                   return {"blocks", "--output", mode.data};
-               },
                .writes = {"blocks.csv"},
                .targets = {"block_programs"},
                .reads = {BLOCK_PROGRAM_FOLDER},

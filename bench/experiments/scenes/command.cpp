@@ -12,7 +12,6 @@ namespace scene_bench {
 namespace {
 
 using fixbench::Call;
-using fixbench::Mode;
 
 const fixbench::Registration scenes({
     .name = "scenes",
@@ -50,12 +49,7 @@ const fixbench::Registration scenes({
             };
         },
     .steps = {{.name = "scenes",
-               .arguments =
-                   [](const Mode& mode) {
-                       std::vector<std::string> arguments = {"scenes", "--output", mode.data};
-                       if (mode.quick) arguments.push_back("--quick");
-                       return arguments;
-                   },
+               .passes_quick = true,
                .writes = {"scenes.csv"},
                .targets = {"scene_programs"},
                .quick_targets = {"scene_quick_programs"},
@@ -88,9 +82,6 @@ const fixbench::Registration states({
             };
         },
     .steps = {{.name = "initial_states",
-               .arguments = [](const Mode& mode) -> std::vector<std::string> {
-                   return {"initial_states", "--output", mode.data};
-               },
                .writes = {"initial_states.csv"},
                .full_seconds = 30,
                .quick_seconds = 30}},
@@ -114,9 +105,6 @@ const fixbench::Registration workload({
             };
         },
     .steps = {{.name = "workload",
-               .arguments = [](const Mode& mode) -> std::vector<std::string> {
-                   return {"workload", "--output", mode.data};
-               },
                .writes = {"workload.csv", "workload_rounds.csv", "workload_trace.csv"},
                .targets = {"workload_programs"},
                .reads = {WORKLOAD_PROGRAMS},

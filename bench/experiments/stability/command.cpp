@@ -12,7 +12,6 @@ namespace stability {
 namespace {
 
 using fixbench::Call;
-using fixbench::Mode;
 
 const fixbench::Registration measure({
     .name = "stability",
@@ -44,12 +43,7 @@ const fixbench::Registration measure({
             };
         },
     .steps = {{.name = "stability",
-               .arguments =
-                   [](const Mode& mode) {
-                       std::vector<std::string> arguments = {"stability", "--output", mode.data};
-                       if (mode.quick) arguments.push_back("--quick");
-                       return arguments;
-                   },
+               .passes_quick = true,
                .writes = {"stability.csv", "envelope.csv", "stability_map.csv", "ablations.csv"},
                .full_only = {"suitability.csv"},
                .targets = {"world_programs"},
@@ -83,12 +77,7 @@ const fixbench::Registration dynamics({
             };
         },
     .steps = {{.name = "dynamics",
-               .arguments =
-                   [](const Mode& mode) {
-                       std::vector<std::string> arguments = {"dynamics", "--output", mode.data};
-                       if (mode.quick) arguments.push_back("--quick");
-                       return arguments;
-                   },
+               .passes_quick = true,
                .writes = {"dynamics.csv"},
                .full_seconds = 130,
                .quick_seconds = 30}},
@@ -112,9 +101,6 @@ const fixbench::Registration extremes({
             };
         },
     .steps = {{.name = "float_extremes",
-               .arguments = [](const Mode& mode) -> std::vector<std::string> {
-                   return {"float_extremes", "--output", mode.data};
-               },
                .writes = {"float_extremes.csv"},
                .targets = {"float_operations"},
                .reads = {FLOAT_PROGRAM},

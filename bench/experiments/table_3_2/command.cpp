@@ -31,12 +31,7 @@ const fixbench::Registration table({
             };
         },
     .steps = {{.name = "table",
-               .arguments =
-                   [](const fixbench::Mode& mode) {
-                       std::vector<std::string> arguments = {"table", "--output", mode.data};
-                       if (mode.quick) arguments.push_back("--quick");
-                       return arguments;
-                   },
+               .passes_quick = true,
                .writes = {"table_3_2.csv", "table_3_1.csv", "division_cycles.csv"},
                .full_only = {"table_3_2_hypotheses.csv"},
                .targets = {"table_3_2_programs"},

@@ -27,6 +27,15 @@ bool selects(const CLI::App& command) {
 }  // namespace
 
 Registration::Registration(Experiment experiment) {
+    for (Step& step : experiment.steps) {
+        if (step.arguments) continue;
+        step.arguments = [name = experiment.name,
+                          passes_quick = step.passes_quick](const Mode& mode) {
+            std::vector<std::string> arguments = {name, "--output", mode.data};
+            if (mode.quick && passes_quick) arguments.push_back("--quick");
+            return arguments;
+        };
+    }
     std::vector<Experiment>& all = registered();
     const auto place = std::find_if(all.begin(), all.end(), [&](const Experiment& each) {
         return each.name > experiment.name;

@@ -32,8 +32,10 @@ struct Mode {
 // A call of a sub-command that `fixbench all` makes.
 struct Step {
     std::string name;
-    // Everything behind `fixbench`.
-    std::function<std::vector<std::string>(const Mode&)> arguments;
+    // Everything behind `fixbench`; without, that is the sub-command, --output and the folder of
+    // the data files, and --quick of a quick run where it is passed.
+    std::function<std::vector<std::string>(const Mode&)> arguments{};
+    bool passes_quick = false;
     std::vector<std::string> writes;             // data files
     std::vector<std::string> full_only{};        // data files that the quick run does not write
     std::vector<std::string> figures{};          // files of the folder figures/

@@ -118,9 +118,6 @@ const fixbench::Registration registration({
             return [scenes](const fixbench::Call& call) { return run(*scenes, call.output); };
         },
     .steps = {{.name = "features",
-               .arguments = [](const fixbench::Mode& mode) -> std::vector<std::string> {
-                   return {"features", "--output", mode.data};
-               },
                .writes = {"features.csv"},
                .targets = {"feature_programs"},
                .reads = {FEATURE_PROGRAM_FOLDER},

@@ -117,9 +117,6 @@ const fixbench::Registration registration({
             };
         },
     .steps = {{.name = "growth",
-               .arguments = [](const fixbench::Mode& mode) -> std::vector<std::string> {
-                   return {"growth", "--output", mode.data};
-               },
                .writes = {"growth.csv"},
                .targets = {"growth_programs"},
                .reads = {GROWTH_PROGRAM_FOLDER},

@@ -34,12 +34,7 @@ const fixbench::Registration registration({
             };
         },
     .steps = {{.name = "region",
-               .arguments =
-                   [](const fixbench::Mode& mode) {
-                       std::vector<std::string> arguments = {"region", "--output", mode.data};
-                       if (mode.quick) arguments.push_back("--quick");
-                       return arguments;
-                   },
+               .passes_quick = true,
                .writes = {"identification.csv", "stable_region.csv", "stable_limits.csv",
                           "stable_changes.csv", "stable_on_chip.csv", "oscillation.csv"},
                .targets = {"held_levers"},

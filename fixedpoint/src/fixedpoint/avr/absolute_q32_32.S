@@ -23,18 +23,11 @@
     ENDFUNC fixedpoint_copysign_q32_32
 
     ENTRY fixedpoint_abs_diff_q32_32
-    sub r18, r10
-    sbc r19, r11
-    sbc r20, r12
-    sbc r21, r13
-    sbc r22, r14
-    sbc r23, r15
-    sbc r24, r16
-    sbc r25, r17
+    sub_bytes r18, r10, 8
     brlt .Lnegate       // by the exact difference, of which the sign is no bit
     ret
 .Lnegate:
-    negate_64
+    negate_bytes r18, 8
     ret
     ENDFUNC fixedpoint_abs_diff_q32_32
 #endif

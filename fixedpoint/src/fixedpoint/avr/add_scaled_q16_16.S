@@ -109,11 +109,7 @@
     breq .Lwhole_factor
     clt
 .Lcomponents:
-    push count
-    push zero
-    push s1
-    push s4
-    push s5
+    push_all count, zero, s1, s4, s5
     movw r26, r24
     mov count, b0
     clr zero
@@ -143,11 +139,7 @@
     dec count
     breq 4f
     rjmp .Lcomponent
-4:  pop s5
-    pop s4
-    pop s1
-    pop zero
-    pop count
+4:  pop_all s5, s4, s1, zero, count
     clr r1
     ret
     ENDFUNC fixedpoint_add_scaled3_q16_16

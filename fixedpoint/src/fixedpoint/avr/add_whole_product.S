@@ -8,25 +8,11 @@
 #include "short_factor_q16_16.inc"
 
     FUNCTION fixedpoint_add_whole_product
-    mul a0, b0
-    add s2, r0
-    adc s3, r1
-    adc s4, zero
-    adc s5, zero
-    mul a1, b0
-    add s3, r0
-    adc s4, r1
-    adc s5, zero
-    mul a0, b1
-    add s3, r0
-    adc s4, r1
-    adc s5, zero
-    mul a2, b0
-    add s4, r0
-    adc s5, r1
-    mul a1, b1
-    add s4, r0
-    adc s5, r1
+    mul_add a0, b0, s2, s3, zero, s4, s5
+    mul_add a1, b0, s3, s4, zero, s5
+    mul_add a0, b1, s3, s4, zero, s5
+    mul_add a2, b0, s4, s5
+    mul_add a1, b1, s4, s5
     mul a3, b0
     add s5, r0
     mul a2, b1

@@ -37,16 +37,6 @@
 
 #include "rise_q16_16.inc"
 
-    .macro negate
-    com rA3
-    com rA2
-    com rA1
-    neg rA0
-    sbci rA1, 0xff
-    sbci rA2, 0xff
-    sbci rA3, 0xff
-    .endm
-
 // interval:fraction of the number of 16 bits in r23:r22, in units of 2^-16.
     .macro take_interval
     ldi fraction0, 0
@@ -100,7 +90,7 @@
     ENTRY fixedpoint_arc_sine_q16_16
     bst rA3, 7
     brtc 1f
-    negate
+    negate_bytes rA0, 4
 1:  or rA2, rA3
     brne .Lfrom_one
     tst rA1
@@ -148,29 +138,21 @@
     brpl 1b
     rcall .Larc
     // pi/2 - 2 asin s
-    lsl r22
-    rol r23
-    rol r24
-    com r22
-    com r23
-    com r24
-    subi r22, lo8(-(HALF_PI + 3 * 64 + 1))
-    sbci r23, hi8(-(HALF_PI + 3 * 64 + 1))
-    sbci r24, hlo8(-(HALF_PI + 3 * 64 + 1))
+    lsl_bytes r22, 3
+    com_bytes r22, 3
+    subi_bytes r22, -(HALF_PI + 3 * 64 + 1), 3
     ret
     ENDFUNC fixedpoint_arc_sine_q16_16
 
     FUNCTION fixedpoint_asin_q16_16
     XCALL fixedpoint_arc_sine_q16_16
-    lsl r22
-    rol r23
-    rol r24
+    lsl_bytes r22, 3
     mov r22, r23
     mov r23, r24
     ldi r24, 0
     rol r24
     brtc 1f
-    negate
+    negate_bytes rA0, 4
 1:  ret
     ENDFUNC fixedpoint_asin_q16_16
 
@@ -178,24 +160,15 @@
     XCALL fixedpoint_arc_sine_q16_16
     brts 1f
     // pi/2 - asin |a|
-    com r22
-    com r23
-    com r24
-    subi r22, lo8(-(HALF_PI + 2 * 64 + 1))
-    sbci r23, hi8(-(HALF_PI + 2 * 64 + 1))
-    sbci r24, hlo8(-(HALF_PI + 2 * 64 + 1))
+    com_bytes r22, 3
+    subi_bytes r22, -(HALF_PI + 2 * 64 + 1), 3
     rjmp 2f
 1:  subi r22, lo8(-(HALF_PI))
     sbci r23, hi8(-(HALF_PI))
     sbci r24, hlo8(-(HALF_PI))
     sbci r25, 0xff
-2:  lsl r22
-    rol r23
-    rol r24
-    rol r25
-    mov r22, r23
-    mov r23, r24
-    mov r24, r25
+2:  lsl_bytes r22, 4
+    mov_bytes r22, r23, 3
     ldi r25, 0
     ret
     ENDFUNC fixedpoint_acos_q16_16

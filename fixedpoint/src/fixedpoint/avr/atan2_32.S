@@ -27,58 +27,13 @@
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
 #include "cubic_32.inc"
-
-#define n0 r22
-#define n1 r23
-#define n2 r24
-#define n3 r25
-#define d0 r18
-#define d1 r19
-#define d2 r20
-#define d3 r21
-#define v r17
-#define nothing r16
-#define e0 r28
-#define e1 r29
-#define e2 r30
-#define e3 r31
-
-    // A digit of the quotient in q; x4..x0 = the rest of the dividend.
-    .macro digit q, x4, x3, x2, x1, x0
-    mul \q, e0
-    movw r14, r0
-    mul \q, e2
-    movw r26, r0
-    mul \q, e1
-    add r15, r0
-    adc r26, r1
-    adc r27, nothing
-    mul \q, e3
-    add r27, r0
-    adc r1, nothing
-    add \x0, r14
-    adc \x1, r15
-    adc \x2, r26
-    adc \x3, r27
-    adc \x4, r1
-    brcc 9f
-    add \x0, e0
-    adc \x1, e1
-    adc \x2, e2
-    adc \x3, e3
-    adc \x4, nothing
-    .endm
+#include "digits_32.inc"
 
     // r25:r22 = floor(2^32 n / d), n = r25:r22 below d = r21:r18; r26 = the upper byte of what is left,
     // where the divisor is 2^40 or less by a 256th of it at most. Changes r18..r21, r27, r30, r31; r1
     // is not 0 at return.
     FUNCTION fixedpoint_ratio_32
-    push r14
-    push r15
-    push r16
-    push r17
-    push r28
-    push r29
+    push_all r14, r15, r16, r17, r28, r29
     clr nothing
     tst d3
     brne 2f
@@ -92,13 +47,9 @@
     clr n1
     tst d3
     brne 2f
-1:  mov d3, d2
-    mov d2, d1
-    mov d1, d0
+1:  mov_from_top d1, d0, 3
     clr d0
-    mov n3, n2
-    mov n2, n1
-    mov n1, n0
+    mov_from_top n1, n0, 3
     clr n0
     tst d3
     breq 1b             // a divisor of one byte, once more
@@ -108,74 +59,22 @@
     inc r31
     mul n3, r17
     mov n3, r0
-    mul n2, r17
-    or n3, r1
-    mov n2, r0
-    mul n1, r17
-    or n2, r1
-    mov n1, r0
-    mul n0, r17
-    or n1, r1
-    mov n0, r0
+    mul_or_bytes n0, r17, n0, 3
     mul d3, r17
     mov d3, r0
-    mul d2, r17
-    or d3, r1
-    mov d2, r0
-    mul d1, r17
-    or d2, r1
-    mov d1, r0
-    mul d0, r17
-    or d1, r1
-    mov d0, r0
+    mul_or_bytes d0, r17, d0, 3
     mov r30, d3
     mov r0, d2
     lsl r0
     rol r30
-    lpm r27, Z
-    // r17:e3:e2:e1:e0 = 2^40 - d v
-    mul d0, r27
-    movw e0, r0
-    mul d2, r27
-    movw e2, r0
-    mul d3, r27
-    add e3, r0
-    adc r1, d3
-    mov r17, r1
-    mul d1, r27
-    add e1, r0
-    adc e2, r1
-    adc e3, nothing
-    adc r17, nothing
-    add e1, d0
-    adc e2, d1
-    adc e3, d2
-    adc r17, nothing
-    com e3
-    com e2
-    com e1
-    neg e0
-    sbci e1, 0xff
-    sbci e2, 0xff
-    sbci e3, 0xff
-    adc r17, nothing
-    breq 1f
-    sub e0, d0
-    sbc e1, d1
-    sbc e2, d2
-    sbc e3, d3
-    inc r27
-1:  mov v, r27
+    find_reciprocal
     // The dividend r25..r21 = n v
     mul n0, v
     mov r20, r0
     mov r21, r1
     mul n2, v
     movw r18, r0
-    mul n1, v
-    add r21, r0
-    adc r18, r1
-    adc r19, nothing
+    mul_add n1, v, r21, r18, nothing, r19
     mul n3, v
     clr r26
     add r19, r0
@@ -199,33 +98,17 @@
     subi r24, 0xff
     sbci r25, 0xff
 9:  digit r23, r22, r21, r20, r19, r18
-    subi r23, 0xff
-    sbci r24, 0xff
-    sbci r25, 0xff
+    increment_bytes r23, 3
 9:  digit r22, r21, r20, r19, r18, r17
-    subi r22, 0xff
-    sbci r23, 0xff
-    sbci r24, 0xff
-    sbci r25, 0xff
+    increment_bytes r22, 4
     // The rest is below 2^40, not always below the divisor.
 9:  mov r26, r21
-    add r17, e0
-    adc r18, e1
-    adc r19, e2
-    adc r20, e3
+    add_bytes r17, e0, 4
     adc r21, nothing
     brcc 1f
     mov r26, r21
-    subi r22, 0xff
-    sbci r23, 0xff
-    sbci r24, 0xff
-    sbci r25, 0xff
-1:  pop r29
-    pop r28
-    pop r17
-    pop r16
-    pop r15
-    pop r14
+    increment_bytes r22, 4
+1:  pop_all r29, r28, r17, r16, r15, r14
     ret
     ENDFUNC fixedpoint_ratio_32
 
@@ -254,10 +137,7 @@
     .endif
     SECTION fixedpoint_\certain\()atan2_q\integer\()_\fraction
 .Lequal_\fraction:
-    mov r0, n0
-    or r0, n1
-    or r0, n2
-    or r0, n3
+    or_bytes r0, n0, 4
     breq 1f
     ldi r22, 0xff
     ldi r23, 0xff
@@ -275,19 +155,10 @@
     ldi r26, 0
     bst n3, 7
     brtc .Lratio_is_known_\fraction
-    com n3
-    com n2
-    com n1
-    neg n0
-    sbci n1, 0xff
-    sbci n2, 0xff
-    sbci n3, 0xff
+    negate_bytes n0, 4
     rjmp .Lratio_is_known_\fraction
     .else
-    ldi r18, (1 << \fraction) & 0xff
-    ldi r19, ((1 << \fraction) >> 8) & 0xff
-    ldi r20, ((1 << \fraction) >> 16) & 0xff
-    ldi r21, ((1 << \fraction) >> 24) & 0xff
+    ldi_bytes r18, 1 << \fraction, 4
     rjmp .Lright_\fraction
     .endif
     ENDFUNC fixedpoint_\certain\()atan_q\integer\()_\fraction
@@ -297,27 +168,12 @@
     tst d3
     brpl .Lright_\fraction
     ldi r30, 1 << LEFT
-    com d3
-    com d2
-    com d1
-    neg d0
-    sbci d1, 0xff
-    sbci d2, 0xff
-    sbci d3, 0xff
+    negate_bytes d0, 4
 .Lright_\fraction:
     bst n3, 7
     brtc 1f
-    com n3
-    com n2
-    com n1
-    neg n0
-    sbci n1, 0xff
-    sbci n2, 0xff
-    sbci n3, 0xff
-1:  cp n0, d0
-    cpc n1, d1
-    cpc n2, d2
-    cpc n3, d3
+    negate_bytes n0, 4
+1:  cp_bytes n0, d0, 4
     brlo 2f
     breq .Lequal_\fraction
     movw r26, n0
@@ -331,9 +187,7 @@
     XCALL fixedpoint_ratio_32
 .Llook_up_\fraction:
     mov r30, r25
-    mov r20, r24
-    mov r19, r23
-    mov r18, r22
+    mov_from_top r18, r22, 3
     find_record fixedpoint_atan_32_table, r22
     clr zero
     .if \fraction > 24
@@ -342,10 +196,7 @@
     pop r0
     mul r22, r0
     add r23, r1
-    adc r24, zero
-    adc r25, zero
-    adc r26, zero
-    adc r27, zero
+    adc_each r24, zero, 4
     clr r22
     .else
     XCALL fixedpoint_cubic_32
@@ -370,11 +221,7 @@
 4:
     .if \fraction > 24
     .if \fraction == 32
-    lsl r23
-    rol r24
-    rol r25
-    rol r26
-    rol r27
+    lsl_bytes r23, 5
     rol r22
     .endif
     mov r18, r22
@@ -397,13 +244,7 @@
     shift_signed (31 - \fraction)
     .endif
     brtc 5f
-    com r25
-    com r24
-    com r23
-    neg r22
-    sbci r23, 0xff
-    sbci r24, 0xff
-    sbci r25, 0xff
+    negate_bytes r22, 4
 5:  ret
     .if \fraction > 29
 .Lsaturated_\fraction:
@@ -416,10 +257,7 @@
 
     // The angle less than a constant that is added next: its one's complement is -1 less it.
     .macro turned_back fraction
-    com r23
-    com r24
-    com r25
-    com r26
+    com_bytes r23, 4
     com r22
     .if \fraction > 24
     com r27

@@ -115,9 +115,7 @@
     add rise0, r1
     clr rise1
     rol rise1
-    mul slope1, fraction1
-    add rise0, r0
-    adc rise1, r1
+    mul_add slope1, fraction1, rise0, rise1
     sub reciprocal0, rise0
     sbc reciprocal1, rise1
     sbci reciprocal2, 0
@@ -127,22 +125,10 @@
     mul numerator2, reciprocal0
     mov ratio0, r1
     clr reciprocal0     // used up: zero
-    mul numerator1, reciprocal1
-    add ratio0, r1
-    adc ratio1, reciprocal0
-    adc ratio2, reciprocal0
-    mul numerator0, reciprocal2
-    add ratio0, r1
-    adc ratio1, reciprocal0
-    adc ratio2, reciprocal0
-    mul numerator2, reciprocal1
-    add ratio0, r0
-    adc ratio1, r1
-    adc ratio2, reciprocal0
-    mul numerator1, reciprocal2
-    add ratio0, r0
-    adc ratio1, r1
-    adc ratio2, reciprocal0
+    mul_add_upper numerator1, reciprocal1, ratio0, reciprocal0, ratio1, ratio2
+    mul_add_upper numerator0, reciprocal2, ratio0, reciprocal0, ratio1, ratio2
+    mul_add numerator2, reciprocal1, ratio0, ratio1, reciprocal0, ratio2
+    mul_add numerator1, reciprocal2, ratio0, ratio1, reciprocal0, ratio2
     lsl ratio0
     rol ratio1
     rol ratio2
@@ -164,9 +150,7 @@
     add atan_rise0, r1
     clr atan_rise1
     rol atan_rise1
-    mul atan_slope1, ratio1
-    add atan_rise0, r0
-    adc atan_rise1, r1
+    mul_add atan_slope1, ratio1, atan_rise0, atan_rise1
     clr r1
     add angle0, atan_rise0
     adc angle1, atan_rise1
@@ -188,22 +172,14 @@
     ldi power, 1
     mul d3, power
     mov interval, r0
-    mul d2, power
-    or interval, r1
-    mov fraction1, r0
-    mul d1, power
-    or fraction1, r1
-    mov fraction0, r0
+    mul_or d2, power, fraction1, interval
+    mul_or d1, power, fraction0, fraction1
     mul d0, power
     or fraction0, r1
     mul n3, power
     mov numerator2, r0
-    mul n2, power
-    or numerator2, r1
-    mov numerator1, r0
-    mul n1, power
-    or numerator1, r1
-    mov numerator0, r0
+    mul_or n2, power, numerator1, numerator2
+    mul_or n1, power, numerator0, numerator1
     mul n0, power
     or numerator0, r1
     rjmp .Lnormalised
@@ -214,13 +190,7 @@
     ENTRY fixedpoint_atan_q16_16
     bst r25, 7
     brtc .Lpositive
-    com r25
-    com r24
-    com r23
-    neg r22
-    sbci r23, 0xff
-    sbci r24, 0xff
-    sbci r25, 0xff
+    negate_bytes r22, 4
 .Lpositive:
     adiw r24, 0
     brne .Lat_least_one
@@ -251,10 +221,7 @@
 .Lat_least_one:
     movw d0, r22
     movw d2, r24
-    ldi n0, 0
-    ldi n1, 0
-    ldi n2, 1
-    ldi n3, 0
+    ldi_bytes n0, 0x10000, 4
     ldi octant, 1 << STEEP
     rjmp .Lfirst_octant
     ENDFUNC fixedpoint_atan_q16_16

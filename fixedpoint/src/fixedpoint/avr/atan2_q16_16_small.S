@@ -36,10 +36,7 @@
     SECTION fixedpoint_atan2_q16_16_small
 
     ENTRY fixedpoint_atan_q16_16_small
-    ldi d0, 0
-    ldi d1, 0
-    ldi d2, 1
-    ldi d3, 0
+    ldi_bytes d0, 0x10000, 4
     ENDFUNC fixedpoint_atan_q16_16_small
 
     ENTRY fixedpoint_atan2_q16_16_small
@@ -49,19 +46,11 @@
     cpi d2, 0x80
     cpc d3, r1
     brcs .Lscaled
-    lsr d3
-    ror d2
-    ror d1
-    ror d0
-    lsr n3
-    ror n2
-    ror n1
-    ror n0
+    lsr_bytes d0, 4
+    lsr_bytes n0, 4
     rjmp .Lscale
 .Lscaled:
-    cp d0, r1
-    cpc d1, r1
-    cpc d2, r1
+    cp_each d0, r1, 3
     brne .Ldivide
     ret                 // D is 0, and so is N
 .Ldivide:
@@ -75,16 +64,10 @@
     sbrc octant, 7
     ldi x0, 0x10
 .Lbit:
-    lsl n0
-    rol n1
-    rol n2
-    cp n0, d0
-    cpc n1, d1
-    cpc n2, d2
+    lsl_bytes n0, 3
+    cp_bytes n0, d0, 3
     brcs .Lbelow
-    sub n0, d0
-    sbc n1, d1
-    sbc n2, d2
+    sub_bytes n0, d0, 3
 .Lbelow:
     rol x0
     brcc .Lbit
@@ -97,9 +80,7 @@
     andi x0, 0xf6       // 6 for the bits that follow: errors are balanced
     mov r23, x0
     movw r24, x1
-    ldi sum0, 0
-    ldi sum1, 0
-    ldi sum2, 0
+    ldi_bytes sum0, 0, 3
     mov sum3, octant    // to which nothing is carried
     ldi r30, lo8(fixedpoint_arctangent_small_table)
     ldi r31, hi8(fixedpoint_arctangent_small_table)

@@ -53,19 +53,6 @@
 #define STEEP 0
 #define LEFT 1
 
-    .macro add_upper_byte a, b, p0, p1, p2
-    mul \a, \b
-    add \p0, r1
-    adc \p1, nothing
-    adc \p2, nothing
-    .endm
-    .macro add_product a, b, p0, p1, p2
-    mul \a, \b
-    add \p0, r0
-    adc \p1, r1
-    adc \p2, nothing
-    .endm
-
     // p2:p1:p0 = a b / 2^24 of three bytes each: portable/multiply_high_24.hpp.
     .macro product_of_fractions p2, p1, p0, a2, a1, a0, b2, b1, b0
     mul \a2, \b2
@@ -73,10 +60,10 @@
     mov \p2, r1
     mul \a2, \b0
     mov \p0, r1
-    add_upper_byte \a1, \b1, \p0, \p1, \p2
-    add_upper_byte \a0, \b2, \p0, \p1, \p2
-    add_product \a2, \b1, \p0, \p1, \p2
-    add_product \a1, \b2, \p0, \p1, \p2
+    mul_add_upper \a1, \b1, \p0, nothing, \p1, \p2
+    mul_add_upper \a0, \b2, \p0, nothing, \p1, \p2
+    mul_add \a2, \b1, \p0, \p1, nothing, \p2
+    mul_add \a1, \b2, \p0, \p1, nothing, \p2
     .endm
 
     // The angle is r22:r18, r26 in units of 2^-39 and holds half an ulp for the rounding, before and after.
@@ -91,76 +78,36 @@
     .endm
     .macro subtract_angle_from value
     com r26
-    com r18
-    com r19
-    com r20
-    com r21
-    com r22
+    com_bytes r18, 5
     add_to_angle (\value + 1 + (2 << 6))
     .endm
 
     SECTION fixedpoint_atan2_q32_32
     ENTRY fixedpoint_atan_q32_32
-    push r10
-    push r11
-    push r12
-    push r13
-    push r14
-    push r15
-    push r16
-    push r17
+    push_all r10, r11, r12, r13, r14, r15, r16, r17
     clr r10
     clr r11
-    movw r12, r10
-    movw r14, r10
-    movw r16, r10
+    movw_each r12, r10, 6
     inc r14
     ldi r30, 0
     rjmp .Lright
     ENDFUNC fixedpoint_atan_q32_32
 
     ENTRY fixedpoint_atan2_q32_32
-    push r10
-    push r11
-    push r12
-    push r13
-    push r14
-    push r15
-    push r16
-    push r17
+    push_all r10, r11, r12, r13, r14, r15, r16, r17
     ldi r30, 0
     sbrs r17, 7
     rjmp .Lright
     ldi r30, 1 << LEFT
     clr r26
-    com r10
-    com r11
-    com r12
-    com r13
-    com r14
-    com r15
-    com r16
+    com_bytes r10, 7
     com r17             // leaves a carry
-    adc r10, r26
-    adc r11, r26
-    adc r12, r26
-    adc r13, r26
-    adc r14, r26
-    adc r15, r26
-    adc r16, r26
-    adc r17, r26
+    adc_each r10, r26, 8
 .Lright:
     bst r25, 7
     brtc 1f
-    negate_64
-1:  cp r18, r10
-    cpc r19, r11
-    cpc r20, r12
-    cpc r21, r13
-    cpc r22, r14
-    cpc r23, r15
-    cpc r24, r16
-    cpc r25, r17
+    negate_bytes r18, 8
+1:  cp_bytes r18, r10, 8
     brlo 1f
     movw r26, r10
     movw r10, r18
@@ -193,28 +140,14 @@
 1:  mov r0, r17
     or r0, r16
     brne 1f
-    movw r16, r14
-    movw r14, r12
-    movw r12, r10
-    movw r24, r22
-    movw r22, r20
-    movw r20, r18
+    movw_from_top r12, r10, 6
+    movw_from_top r20, r18, 6
     clr r11
     clr r19
 1:  tst r17
     brne 1f
-    mov r17, r16
-    mov r16, r15
-    mov r15, r14
-    mov r14, r13
-    mov r13, r12
-    mov r12, r11
-    mov r25, r24
-    mov r24, r23
-    mov r23, r22
-    mov r22, r21
-    mov r21, r20
-    mov r20, r19
+    mov_from_top r12, r11, 6
+    mov_from_top r20, r19, 6
     tst r17
     brne 1f
     pop r30             // y and x are 0, and so is r25:r18
@@ -226,34 +159,12 @@
     lpm r26, Z
     mul d4, r26
     mov d4, r0
-    mul d3, r26
-    or d4, r1
-    mov d3, r0
-    mul d2, r26
-    or d3, r1
-    mov d2, r0
-    mul d1, r26
-    or d2, r1
-    mov d1, r0
-    mul d0, r26
-    or d1, r1
-    mov d0, r0
+    mul_or_bytes d0, r26, d0, 4
     mul r12, r26
     or d0, r1
     mul n4, r26
     mov n4, r0
-    mul n3, r26
-    or n4, r1
-    mov n3, r0
-    mul n2, r26
-    or n3, r1
-    mov n2, r0
-    mul n1, r26
-    or n2, r1
-    mov n1, r0
-    mul n0, r26
-    or n1, r1
-    mov n0, r0
+    mul_or_bytes n0, r26, n0, 4
     mul r20, r26
     or n0, r1
     // R
@@ -265,24 +176,14 @@
     rol fraction1
     rol r30             // without the leading one
     ldi r31, hi8(fixedpoint_ratio_table)
-    lpm slope0, Z
-    inc r31
-    lpm slope1, Z
-    inc r31
-    lpm inverse1, Z
-    inc r31
-    lpm inverse2, Z
-    inc r31
-    lpm inverse0, Z
+    lpm_pages slope0, slope1, inverse1, inverse2, inverse0
     mul slope1, fraction0
     mov fall0, r1
     mul slope0, fraction1
     add fall0, r1
     clr fall1
     rol fall1
-    mul slope1, fraction1
-    add fall0, r0
-    adc fall1, r1
+    mul_add slope1, fraction1, fall0, fall1
     sub inverse0, fall0
     sbc inverse1, fall1
     sbc inverse2, nothing
@@ -298,21 +199,15 @@
     mul g0, d2
     movw r18, r0
     clr r24
-    add_product g1, d1, r18, r19, r24
-    add_product g2, d0, r18, r19, r24
+    mul_add g1, d1, r18, r19, nothing, r24
+    mul_add g2, d0, r18, r19, nothing, r24
     clr r25
-    add_product g0, d3, r19, r24, r25
-    add_product g1, d2, r19, r24, r25
-    add_product g2, d1, r19, r24, r25
-    mul g0, d4
-    add r24, r0
-    adc r25, r1
-    mul g1, d3
-    add r24, r0
-    adc r25, r1
-    mul g2, d2
-    add r24, r0
-    adc r25, r1
+    mul_add g0, d3, r19, r24, nothing, r25
+    mul_add g1, d2, r19, r24, nothing, r25
+    mul_add g2, d1, r19, r24, nothing, r25
+    mul_add g0, d4, r24, r25
+    mul_add g1, d3, r24, r25
+    mul_add g2, d2, r24, r25
     mul g1, d4
     add r25, r0
     mul g2, d3
@@ -323,9 +218,7 @@
     sbc n1, r24
     sbc n2, r25
     lsl r18
-    rol n0
-    rol n1
-    rol n2
+    rol_bytes n0, 3
     ldi bias, 40
     add inverse0, bias
     adc inverse1, nothing
@@ -358,22 +251,10 @@
     rjmp 4f
 2:  subtract_angle_from 1727108826179
 4:  lsl r26
-    rol r18
-    rol r19
-    rol r20
-    rol r21
-    rol r22
+    rol_bytes r18, 5
     brtc 5f
-    com r18
-    com r19
-    com r20
-    com r21
-    com r22
-    subi r18, 0xff
-    sbci r19, 0xff
-    sbci r20, 0xff
-    sbci r21, 0xff
-    sbci r22, 0xff
+    com_bytes r18, 5
+    increment_bytes r18, 5
 5:  mov r23, r22
     lsl r23
     sbc r23, r23
@@ -381,14 +262,7 @@
     mov r25, r23
     clr r1
 .Lreturn:
-    pop r17
-    pop r16
-    pop r15
-    pop r14
-    pop r13
-    pop r12
-    pop r11
-    pop r10
+    pop_all r17, r16, r15, r14, r13, r12, r11, r10
     ret
     ENDFUNC fixedpoint_atan2_q32_32
 #endif

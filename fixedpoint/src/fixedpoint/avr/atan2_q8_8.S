@@ -35,11 +35,7 @@
     // value1:value0 and r0 = what the page-wise table of chords holds for r30.
     .macro load_chord
     ldi r31, hi8(fixedpoint_atan2_q8_8_table)
-    lpm value0, Z
-    inc r31
-    lpm value1, Z
-    inc r31
-    lpm r0, Z
+    lpm_pages value0, value1, r0
     .endm
 
     SECTION fixedpoint_atan2_q8_8
@@ -108,12 +104,8 @@
     clr zero
     mul small1, value1
     movw t0, r0
-    mul small1, value0
-    add t0, r1
-    adc t1, zero
-    mul small0, value1
-    add t0, r1
-    adc t1, zero
+    mul_add_upper small1, value0, t0, zero, t1
+    mul_add_upper small0, value1, t0, zero, t1
     lsl t0
     rol t1
 

@@ -63,50 +63,24 @@
     .macro add_twice_u
     .rept 2
     add r11, r26
-    adc r12, r18
-    adc r13, r19
-    adc r14, r20
-    adc r15, r21
+    adc_bytes r12, r18, 4
     .endr
     .endm
 
     FUNCTION fixedpoint_cbrt_q32_32
-    mov r0, r18
-    or r0, r19
-    or r0, r20
-    or r0, r21
-    or r0, r22
-    or r0, r23
-    or r0, r24
-    or r0, r25
+    or_bytes r0, r18, 8
     brne 1f
     ret
 1:  bst r25, 7
     brtc 1f
-    negate_64
-1:  push r8
-    push r9
-    push r10
-    push r11
-    push r12
-    push r13
-    push r14
-    push r15
-    push r16
-    push r17
-    push r28
-    push r29
+    negate_bytes r18, 8
+1:  push_all r8, r9, r10, r11, r12, r13, r14, r15, r16, r17, r28, r29
     clr zero
     ldi r28, 64
     drop_leading_one r28
-    push r19
-    push r20
-    push r21
+    push_all r19, r20, r21
     mov r30, r25
-    mov r25, r24
-    mov r24, r23
-    mov r23, r22
-    mov r22, r21
+    mov_from_top r22, r21, 4
     find_record_64 fixedpoint_cbrt_64_table, r26
     XCALL fixedpoint_cubic_64
     // r24:r23 = 2^15 / (3 y^2), from behind the record
@@ -122,15 +96,10 @@
     sbc r24, zero
     // u = (y - 1) 2^40, r15:r8 = the square of 2^40 + u from byte 2 on, less 2^80
     lsl r26
-    rol r18
-    rol r19
-    rol r20
-    rol r21
+    rol_bytes r18, 4
     clr r8
     clr r9
-    movw r10, r8
-    movw r12, r8
-    movw r14, r8
+    movw_each r10, r8, 6
     product_of_u 0, 2, 0
     product_of_u 0, 3, 1
     product_of_u 1, 2, 1
@@ -140,20 +109,11 @@
     product_of_u 2, 3, 3
     product_of_u 2, 4, 4
     product_of_u 3, 4, 5
-    lsl r8
-    rol r9
-    rol r10
-    rol r11
-    rol r12
-    rol r13
-    rol r14
-    rol r15
+    lsl_bytes r8, 8
     product_of_u 1, 1, 0
     product_of_u 2, 2, 2
     product_of_u 3, 3, 4
-    mul r21, r21
-    add r14, r0
-    adc r15, r1
+    mul_add r21, r21, r14, r15
     add_twice_u
     // r29, r27, r25 = bytes 10 to 8 of the cube
     mov r22, r8
@@ -174,48 +134,26 @@
     product_of_square \i, 3
     .endr
     // r22, r9, r8 = m - y^3 2^56, of 24 bits; r15:r13 = it times 2^15 / (3 y^2)
-    pop r22
-    pop r9
-    pop r8
+    pop_all r22, r9, r8
     sub r8, r25
     sbc r9, r27
     sbc r22, r29
-    clr r13
-    clr r14
-    clr r15
+    clr_bytes r13, 3
     mul r8, r23
     mov r12, r1
-    mul r8, r24
-    add r12, r0
-    adc r13, r1
-    mul r9, r23
-    add r12, r0
-    adc r13, r1
-    adc r14, zero
-    mul r9, r24
-    add r13, r0
-    adc r14, r1
-    mul r22, r23
-    add r13, r0
-    adc r14, r1
-    adc r15, zero
-    mul r22, r24
-    add r14, r0
-    adc r15, r1
+    mul_add r8, r24, r12, r13
+    mul_add r9, r23, r12, r13, zero, r14
+    mul_add r9, r24, r13, r14
+    mul_add r22, r23, r13, r14, zero, r15
+    mul_add r22, r24, r14, r15
     cpi r22, 0x40
     brlo 1f
     sub r14, r23
     sbc r15, r24
 1:  // r24:r18 = y 2^55
-    lsr r21
-    ror r20
-    ror r19
-    ror r18
+    lsr_bytes r18, 4
     ror r26
-    mov r24, r21
-    mov r23, r20
-    mov r22, r19
-    mov r21, r18
+    mov_from_top r21, r18, 4
     mov r20, r26
     ori r24, 0x80
     mov r18, r13
@@ -224,10 +162,7 @@
     lsl r25
     sbc r25, r25
     add r20, r15
-    adc r21, r25
-    adc r22, r25
-    adc r23, r25
-    adc r24, r25
+    adc_each r21, r25, 4
     // r15 = floor(r28 / 3), r28 the rest
     ldi r30, 171
     mul r28, r30
@@ -243,53 +178,21 @@
     sub r24, r15
 1:  cpi r24, 8
     brlo 2f
-    mov r25, r26
-    mov r26, r27
-    mov r27, r28
-    mov r28, r29
-    mov r29, r30
-    mov r30, r31
+    mov_bytes r25, r26, 6
     clr r31
     subi r24, 8
     rjmp 1b
-2:  lsr r31
-    ror r30
-    ror r29
-    ror r28
-    ror r27
-    ror r26
-    ror r25
+2:  lsr_bytes r25, 7
     dec r24
     brpl 2b
-    mov r18, r25
-    mov r19, r26
-    mov r20, r27
-    mov r21, r28
-    mov r22, r29
-    mov r23, r30
+    mov_bytes r18, r25, 6
     clr r24
     clr r25
-    adc r18, zero
-    adc r19, zero
-    adc r20, zero
-    adc r21, zero
-    adc r22, zero
-    adc r23, zero
+    adc_each r18, zero, 6
     brtc 3f
-    negate_64
+    negate_bytes r18, 8
 3:  clr r1
-    pop r29
-    pop r28
-    pop r17
-    pop r16
-    pop r15
-    pop r14
-    pop r13
-    pop r12
-    pop r11
-    pop r10
-    pop r9
-    pop r8
+    pop_all r29, r28, r17, r16, r15, r14, r13, r12, r11, r10, r9, r8
     ret
     ENDFUNC fixedpoint_cbrt_q32_32
 #endif

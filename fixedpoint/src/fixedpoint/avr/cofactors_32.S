@@ -29,14 +29,12 @@
     movw r30, q
     add r30, \z
     adc r31, zero
-    load_a
+    ld_each a0, X+, 4
     add_product \fraction, \top, 1
     .endm
 
     .macro cofactors fraction, top
-    .irp n, 2, 3, 4, 5, 6, 7, 8, 9, 28, 29
-    push r\n
-    .endr
+    push_all r2, r3, r4, r5, r6, r7, r8, r9, r28, r29
     push_sum \top
     movw r28, r22
     adiw r24, 12
@@ -53,7 +51,7 @@
     mov left, r24
 2:  begin_at_minus_1 \top
     add_components k, j, \fraction, \top
-    complement \top
+    com_bytes s0, (\top + 1)
     add_components j, k, \fraction, \top
     finish \fraction
     mov r24, i
@@ -70,9 +68,7 @@
     movw q, r24
 4:  rjmp 2b
 5:  pop_sum \top
-    .irp n, 29, 28, 9, 8, 7, 6, 5, 4, 3, 2
-    pop r\n
-    .endr
+    pop_all r29, r28, r9, r8, r7, r6, r5, r4, r3, r2
     ret
     .endm
 

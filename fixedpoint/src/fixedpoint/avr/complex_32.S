@@ -24,14 +24,14 @@
     clr zero
     begin_at_minus_1 \top
     set                 // T: of the real part
-5:  load_a              // the imaginary part of a
+5:  ld_each a0, X+, 4              // the imaginary part of a
     add_product \fraction, \top
     brtc 2f
-    complement \top
+    com_bytes s0, (\top + 1)
     sbiw r30, 8
 2:  adiw r30, 4
     sbiw r26, 8
-    load_a
+    ld_each a0, X+, 4
     add_product \fraction, \top
     finish \fraction
     brtc 4f

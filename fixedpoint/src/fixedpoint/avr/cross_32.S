@@ -33,15 +33,6 @@
 // Bit 0: and the scalar of a times b; bit 1: and a times the scalar of b; bit 2: twice the sum.
 #define options r9
 
-    .macro double top
-    lsl s0
-    .irp n, 1, 2, 3, 4, 5, 6, 7
-    .if \n <= \top
-    rol r1\n
-    .endif
-    .endr
-    .endm
-
     // s += a b of the components at the places p and q.
     .macro add_components p, q
     movw r26, b
@@ -54,9 +45,7 @@
     .endm
 
     .macro cross fraction, top
-1:  .irp n, 2, 3, 4, 5, 6, 7, 8, 9, 28, 29
-    push r\n
-    .endr
+1:  push_all r2, r3, r4, r5, r6, r7, r8, r9, r28, r29
     push_sum \top
     movw r28, r24
     movw a, r22
@@ -80,7 +69,7 @@
     rcall 9f
     adiw r30, 4
     rcall 9f
-    complement \top
+    com_bytes s0, (\top + 1)
     movw r26, b
     movw r30, a
     sbiw r26, 4
@@ -89,7 +78,7 @@
     finish \fraction
 2:  begin_at_minus_1 \top
     add_components k, j
-    complement \top
+    com_bytes s0, (\top + 1)
     add_components j, k
     sbrc options, 2
     rjmp 3f
@@ -110,7 +99,7 @@
     adc r31, zero
     rcall 9f
     rjmp 4f
-3:  double \top
+3:  lsl_bytes s0, (\top + 1)
 4:  finish \fraction
     mov r24, i
     mov i, j
@@ -120,11 +109,9 @@
     breq 5f
     rjmp 2b
 5:  pop_sum \top
-    .irp n, 29, 28, 9, 8, 7, 6, 5, 4, 3, 2
-    pop r\n
-    .endr
+    pop_all r29, r28, r9, r8, r7, r6, r5, r4, r3, r2
     ret
-9:  load_a
+9:  ld_each a0, X+, 4
     add_product \fraction, \top
     ret
     .endm

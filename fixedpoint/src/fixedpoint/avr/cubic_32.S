@@ -48,9 +48,7 @@
     ldi fall1, 0
     add fall0, r1
     adc fall1, zero
-    mul bend1, t2
-    add fall0, r0
-    adc fall1, r1
+    mul_add bend1, t2, fall0, fall1
     adiw r30, 1
     lpm slope0, Z+
     sub slope0, fall0
@@ -67,20 +65,10 @@
     ldi rise2, 0
     add rise0, r1
     adc rise1, zero
-    mul slope2, t0
-    add rise0, r1
-    adc rise1, zero
-    mul slope2, t1
-    add rise0, r0
-    adc rise1, r1
-    adc rise2, zero
-    mul slope1, t2
-    add rise0, r0
-    adc rise1, r1
-    adc rise2, zero
-    mul slope2, t2
-    add rise1, r0
-    adc rise2, r1
+    mul_add_upper slope2, t0, rise0, zero, rise1
+    mul_add slope2, t1, rise0, rise1, zero, rise2
+    mul_add slope1, t2, rise0, rise1, zero, rise2
+    mul_add slope2, t2, rise1, rise2
     lpm r0, Z+
     add r22, r0
     lpm r0, Z+
@@ -129,23 +117,11 @@
     mov fall0, r1
     ldi fall1, 0
     ldi fall2, 0
-    mul bend1, t1
-    add fall0, r1
-    adc fall1, zero
-    mul bend2, t0
-    add fall0, r1
-    adc fall1, zero
-    mul bend2, t1
-    add fall0, r0
-    adc fall1, r1
-    adc fall2, zero
-    mul bend1, t2
-    add fall0, r0
-    adc fall1, r1
-    adc fall2, zero
-    mul bend2, t2
-    add fall1, r0
-    adc fall2, r1
+    mul_add_upper bend1, t1, fall0, zero, fall1
+    mul_add_upper bend2, t0, fall0, zero, fall1
+    mul_add bend2, t1, fall0, fall1, zero, fall2
+    mul_add bend1, t2, fall0, fall1, zero, fall2
+    mul_add bend2, t2, fall1, fall2
     lpm slope0, Z+
     sub slope0, fall0
     lpm slope1, Z+
@@ -158,36 +134,18 @@
     mov rise0, r1
     ldi rise1, 0
     ldi rise2, 0
-    mul slope1, t1
-    add rise0, r1
-    adc rise1, zero
-    mul slope2, t0
-    add rise0, r1
-    adc rise1, zero
+    mul_add_upper slope1, t1, rise0, zero, rise1
+    mul_add_upper slope2, t0, rise0, zero, rise1
     mul slope3, t0
     ldi rise3, 0        // t0 is used up
     add rise0, r0
     adc rise1, r1
     adc rise2, zero
-    mul slope2, t1
-    add rise0, r0
-    adc rise1, r1
-    adc rise2, zero
-    mul slope1, t2
-    add rise0, r0
-    adc rise1, r1
-    adc rise2, zero
-    mul slope3, t1
-    add rise1, r0
-    adc rise2, r1
-    adc rise3, zero
-    mul slope2, t2
-    add rise1, r0
-    adc rise2, r1
-    adc rise3, zero
-    mul slope3, t2
-    add rise2, r0
-    adc rise3, r1
+    mul_add slope2, t1, rise0, rise1, zero, rise2
+    mul_add slope1, t2, rise0, rise1, zero, rise2
+    mul_add slope3, t1, rise1, rise2, zero, rise3
+    mul_add slope2, t2, rise1, rise2, zero, rise3
+    mul_add slope3, t2, rise2, rise3
     lpm r0, Z+
     add r23, r0
     lpm r24, Z+

@@ -28,57 +28,14 @@
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
+#include "digits_32.inc"
 
-#define n0 r22
-#define n1 r23
-#define n2 r24
-#define n3 r25
 #define n4 r14
-#define d0 r18
-#define d1 r19
-#define d2 r20
-#define d3 r21
 #define digits r15
-#define zero r16
-#define v r17
-#define e0 r28
-#define e1 r29
-#define e2 r30
-#define e3 r31
-
-    // A digit in q; x4..x0 = the rest of the dividend. Goes to 9 where it was right, else falls
-    // through, for q to be raised by 1.
-    .macro digit q, x4, x3, x2, x1, x0
-    mul \q, e0
-    movw r14, r0
-    mul \q, e2
-    movw r26, r0
-    mul \q, e1
-    add r15, r0
-    adc r26, r1
-    adc r27, zero
-    mul \q, e3
-    add r27, r0
-    adc r1, zero
-    add \x0, r14
-    adc \x1, r15
-    adc \x2, r26
-    adc \x3, r27
-    adc \x4, r1
-    brcc 9f
-    add \x0, e0
-    adc \x1, e1
-    adc \x2, e2
-    adc \x3, e3
-    adc \x4, zero
-    .endm
 
     SECTION fixedpoint_divide_32
 .Lzero_divisor:
-    mov r0, n0
-    or r0, n1
-    or r0, n2
-    or r0, n3
+    or_bytes r0, n0, 4
     breq .Lrestore
 .Lclamp:
     ldi r22, 0xff
@@ -86,27 +43,15 @@
     movw r24, r22
     andi r25, 0x7f
     brtc .Lrestore
-    com r22
-    com r23
-    com r24
-    com r25
+    com_bytes r22, 4
 .Lrestore:
-    pop r29
-    pop r28
-    pop r17
-    pop r16
-    pop r15
-    pop r14
+    pop_all r29, r28, r17, r16, r15, r14
     clr r1
     ret
 .Lsmall_divisor:
-    mov r0, d0
-    or r0, d1
-    or r0, d2
+    or_bytes r0, d0, 3
     breq .Lzero_divisor
-1:  mov d3, d2
-    mov d2, d1
-    mov d1, d0
+1:  mov_from_top d1, d0, 3
     clr d0
     inc r31
     tst d3
@@ -115,34 +60,17 @@
 
     // r30 = 2^(F mod 8), r31 = floor(F / 8)
     ENTRY fixedpoint_divide_32
-    push r14
-    push r15
-    push r16
-    push r17
-    push r28
-    push r29
-    clr zero
+    push_all r14, r15, r16, r17, r28, r29
+    clr nothing
     mov r0, n3
     eor r0, d3
     bst r0, 7
     tst n3
     brpl 1f
-    com n3
-    com n2
-    com n1
-    neg n0
-    sbci n1, 0xff
-    sbci n2, 0xff
-    sbci n3, 0xff
+    negate_bytes n0, 4
 1:  tst d3
     brpl 1f
-    com d3
-    com d2
-    com d1
-    neg d0
-    sbci d1, 0xff
-    sbci d2, 0xff
-    sbci d3, 0xff
+    negate_bytes d0, 4
 1:  tst d3
     breq .Lsmall_divisor
 .Ldivisor:
@@ -160,15 +88,7 @@
     mul n3, r26
     mov n4, r1
     mov n3, r0
-    mul n2, r26
-    or n3, r1
-    mov n2, r0
-    mul n1, r26
-    or n2, r1
-    mov n1, r0
-    mul n0, r26
-    or n1, r1
-    mov n0, r0
+    mul_or_bytes n0, r26, n0, 3
     mul d3, r17
     mov d3, r0
     mul d1, r17
@@ -180,7 +100,7 @@
     add d3, r1
     add d1, r28
     adc d2, r29
-    adc d3, zero
+    adc d3, nothing
     // Digits that are surely zero
 1:  tst n4
     brne 2f
@@ -189,9 +109,7 @@
     tst digits
     breq 2f
     mov n4, n3
-    mov n3, n2
-    mov n2, n1
-    mov n1, n0
+    mov_from_top n1, n0, 3
     clr n0
     dec digits
     rjmp 1b
@@ -204,40 +122,7 @@
     lsl r0
     rol r30
     inc r31
-    lpm r27, Z
-    // r17:e3:e2:e1:e0 = 2^40 - d v
-    mul d0, r27
-    movw e0, r0
-    mul d2, r27
-    movw e2, r0
-    mul d3, r27
-    add e3, r0
-    adc r1, d3
-    mov r17, r1
-    mul d1, r27
-    add e1, r0
-    adc e2, r1
-    adc e3, zero
-    adc r17, zero
-    add e1, d0
-    adc e2, d1
-    adc e3, d2
-    adc r17, zero
-    com e3
-    com e2
-    com e1
-    neg e0
-    sbci e1, 0xff
-    sbci e2, 0xff
-    sbci e3, 0xff
-    adc r17, zero
-    breq 1f
-    sub e0, d0
-    sbc e1, d1
-    sbc e2, d2
-    sbc e3, d3
-    inc r27
-1:  mov v, r27
+    find_reciprocal
     // The dividend r25..r20 = n v
     mul n0, v
     movw r20, r0
@@ -245,16 +130,8 @@
     movw r18, r0
     mul n4, v
     movw r26, r0
-    mul n3, v
-    add r19, r0
-    adc r26, r1
-    adc r27, zero
-    mul n1, v
-    add r21, r0
-    adc r18, r1
-    adc r19, zero
-    adc r26, zero
-    adc r27, zero
+    mul_add n3, v, r19, r26, nothing, r27
+    mul_add n1, v, r21, r18, nothing, r19, r26, r27
     add r21, n0
     adc r18, n1
     adc r19, n2
@@ -262,34 +139,20 @@
     adc r27, n4
     movw r22, r18
     movw r24, r26
-    clr r17
-    clr r18
-    clr r19
+    clr_bytes r17, 3
     sbrs digits, 1
     rjmp 1f
     sbrc digits, 0
     rjmp .Ldigit_3
-    mov r19, r20
-    mov r20, r21
-    mov r21, r22
-    mov r22, r23
-    mov r23, r24
-    mov r24, r25
+    mov_bytes r19, r20, 6
     clr r25
     rjmp .Ldigit_2
-1:  movw r18, r20
-    movw r20, r22
-    movw r22, r24
+1:  movw_bytes r18, r20, 6
     clr r24
     clr r25
     sbrc digits, 0
     rjmp .Ldigit_1
-    mov r17, r18
-    mov r18, r19
-    mov r19, r20
-    mov r20, r21
-    mov r21, r22
-    mov r22, r23
+    mov_bytes r17, r18, 6
     clr r23
     rjmp .Ldigit_0
 
@@ -304,27 +167,15 @@
 9:
 .Ldigit_1:
     digit r23, r22, r21, r20, r19, r18
-    subi r23, 0xff
-    sbci r24, 0xff
-    sbci r25, 0xff
+    increment_bytes r23, 3
 9:
 .Ldigit_0:
     digit r22, r21, r20, r19, r18, r17
-    subi r22, 0xff
-    sbci r23, 0xff
-    sbci r24, 0xff
-    sbci r25, 0xff
-9:  lsl r17
-    rol r18
-    rol r19
-    rol r20
-    rol r21
+    increment_bytes r22, 4
+9:  lsl_bytes r17, 5
     brcs 1f
-    add r17, e0
-    adc r18, e1
-    adc r19, e2
-    adc r20, e3
-    adc r21, zero
+    add_bytes r17, e0, 4
+    adc r21, nothing
     brcc 2f
     brtc 1f
     or r17, r18
@@ -332,21 +183,12 @@
     or r17, r20
     or r17, r21
     breq 2f
-1:  subi r22, 0xff
-    sbci r23, 0xff
-    sbci r24, 0xff
-    sbci r25, 0xff
+1:  increment_bytes r22, 4
 2:  tst r25
     brpl 3f
     rjmp .Lclamp
 3:  brtc 4f
-    com r25
-    com r24
-    com r23
-    neg r22
-    sbci r23, 0xff
-    sbci r24, 0xff
-    sbci r25, 0xff
+    negate_bytes r22, 4
 4:  rjmp .Lrestore
     ENDFUNC fixedpoint_divide_32
 

@@ -46,28 +46,14 @@
 
 #include "long_root.inc"
 
-    .macro negate first, last
-    .irp n, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25
-    .if (\n >= \first) && (\n <= \last)
-    com r\n
-    .endif
-    .endr
-    .irp n, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25
-    .if (\n >= \first) && (\n <= \last)
-    adc r\n, zero
-    .endif
-    .endr
+    .macro negate number
+    com_bytes \number, 8
+    adc_each \number, zero, 8
     .endm
 
     .macro next_byte
     mov u8, u7
-    mov u7, u6
-    mov u6, u5
-    mov u5, u4
-    mov u4, u3
-    mov u3, u2
-    mov u2, u1
-    mov u1, u0
+    mov_from_top u1, u0, 7
     clr u0
     .endm
 
@@ -99,48 +85,30 @@
     .endm
 
     FUNCTION fixedpoint_divide_64
-    .irp n, 28, 17, 16, 15, 14, 13, 12, 11, 10, 6, 5, 4, 3, 2
-    push r\n
-    .endr
+    push_all r28, r17, r16, r15, r14, r13, r12, r11, r10, r6, r5, r4, r3, r2
     clr zero
     mov r0, d7
     eor r0, u7
     bst r0, 7
     tst u7
     brpl 1f
-    negate 18, 25
+    negate u0
 1:  tst d7
     brpl 1f
-    negate 10, 17
-1:  mov r0, d0
-    .irp n, 11, 12, 13, 14, 15, 16, 17
-    or r0, r\n
-    .endr
+    negate d0
+1:  or_bytes r0, d0, 8
     brne 1f
     rjmp .Lzero_divisor
     // r30 = fraction + k
 1:  mov r30, r8
     rjmp 2f
-1:  mov d7, d6
-    mov d6, d5
-    mov d5, d4
-    mov d4, d3
-    mov d3, d2
-    mov d2, d1
-    mov d1, d0
+1:  mov_from_top d1, d0, 7
     clr d0
     subi r30, -8
 2:  tst d7
     breq 1b
     brmi 2f
-1:  lsl d0
-    rol d1
-    rol d2
-    rol d3
-    rol d4
-    rol d5
-    rol d6
-    rol d7
+1:  lsl_bytes d0, 8
     inc r30
     tst d7
     brpl 1b
@@ -148,14 +116,7 @@
     mov r31, r30
     andi r31, 7
     breq 2f
-1:  lsl u0
-    rol u1
-    rol u2
-    rol u3
-    rol u4
-    rol u5
-    rol u6
-    rol u7
+1:  lsl_bytes u0, 8
     rol u8
     dec r31
     brne 1b
@@ -195,14 +156,7 @@
     take_off 1, d1, d3, d5
     brpl 2f
 1:  dec digit
-    add u0, d0
-    adc u1, d1
-    adc u2, d2
-    adc u3, d3
-    adc u4, d4
-    adc u5, d5
-    adc u6, d6
-    adc u7, d7
+    add_bytes u0, d0, 8
     adc u8, zero
     brmi 1b
 2:  mov r30, count
@@ -219,60 +173,35 @@
 
     // 2 u >= d, for a negative quotient 2 u > d: carry clear.
 .Lcompare:
-    lsl u0
-    rol u1
-    rol u2
-    rol u3
-    rol u4
-    rol u5
-    rol u6
-    rol u7
+    lsl_bytes u0, 8
     brcs 2f
     brtc 1f
     sec
-1:  cpc u0, d0
-    cpc u1, d1
-    cpc u2, d2
-    cpc u3, d3
-    cpc u4, d4
-    cpc u5, d5
-    cpc u6, d6
-    cpc u7, d7
+1:  cpc_bytes u0, d0, 8
     rjmp 3f
 2:  clc
-3:  .irp n, 18, 19, 20, 21, 22, 23, 24, 25
-    pop r\n
-    .endr
+3:  pop_all r18, r19, r20, r21, r22, r23, r24, r25
     sbrc u7, 7
     rjmp .Lsaturate
-    .irp n, 18, 19, 20, 21, 22, 23, 24, 25
-    sbci r\n, 0xff
-    .endr
+    sbci_each u0, 0xff, 8
     brmi .Lsaturate
     brtc .Lrestore
-    negate 18, 25
+    negate u0
     rjmp .Lrestore
 
 .Lzero_divisor:
-    mov r0, u0
-    .irp n, 19, 20, 21, 22, 23, 24, 25
-    or r0, r\n
-    .endr
+    or_bytes r0, u0, 8
     breq .Lrestore
 .Lsaturate:
     ldi u0, 0xff
     brtc 1f
     clr u0
 1:  mov u1, u0
-    movw u2, u0
-    movw u4, u0
-    movw u6, u0
+    movw_each u2, u0, 6
     subi u7, 0x80
 .Lrestore:
     clr r1
-    .irp n, 2, 3, 4, 5, 6, 10, 11, 12, 13, 14, 15, 16, 17, 28
-    pop r\n
-    .endr
+    pop_all r2, r3, r4, r5, r6, r10, r11, r12, r13, r14, r15, r16, r17, r28
     ret
     ENDFUNC fixedpoint_divide_64
 

@@ -53,9 +53,7 @@
     add \x1, r0
     adc \x2, r1
     rol \x3
-    mul n1, r27
-    add \x2, r0
-    adc \x3, r1
+    mul_add n1, r27, \x2, \x3
     .endm
     // Adds byte w at x2, x3 and the new x4.
     .macro multiply_byte byte, x2, x3, x4
@@ -64,9 +62,7 @@
     add \x2, r0
     adc \x3, r1
     rol \x4
-    mul \byte, r27
-    add \x3, r0
-    adc \x4, r1
+    mul_add \byte, r27, \x3, \x4
     .endm
 
     // A digit in q below which the bytes x3..x0 follow, E = r31:r19:r18, r24 = 0. Goes to 9 where
@@ -86,10 +82,7 @@
     adc \x3, r24
     brcc 9f
     rjmp 8f
-7:  mul \q, r19
-    add \x1, r0
-    adc \x2, r1
-    adc \x3, r24
+7:  mul_add \q, r19, \x1, \x2, r24, \x3
 8:  add \x0, r18
     adc \x1, r19
     adc \x2, r31
@@ -101,10 +94,7 @@
     movw r24, r0
     mul \q, r30
     movw r26, r0
-    mul \q, r29
-    add r25, r0
-    adc r26, r1
-    adc r27, r16
+    mul_add \q, r29, r25, r26, r16, r27
     mul \q, r31
     add r27, r0
     adc r1, r16
@@ -112,20 +102,14 @@
 
     // n >= 2^15 d, d = 0 included: 0 only for 0 / 0.
 .Lclamp:
-    mov r0, n0
-    or r0, n1
-    or r0, n2
-    or r0, n3
+    or_bytes r0, n0, 4
     breq 1f
     ldi r22, 0xff
     ldi r23, 0xff
     movw r24, r22
     andi r25, 0x7f
     brtc 1f
-    com r22
-    com r23
-    com r24
-    com r25
+    com_bytes r22, 4
 1:  ret
     // a = -2^31: overflows for b = -2^16, which is r21 = r20 = 0xff, r19 = r18 = 0.
 .Lsmallest:
@@ -156,9 +140,7 @@
     brne .Lshort
     mov r19, r18
     clr r18
-    mov n3, n2
-    mov n2, n1
-    mov n1, n0
+    mov_from_top n1, n0, 3
     clr n0
     rjmp .Lshort
 
@@ -168,25 +150,13 @@
     bst r0, 7
     tst r25
     brpl 1f
-    com r25
-    com r24
-    com r23
-    neg r22
-    sbci r23, 0xff
-    sbci r24, 0xff
-    sbci r25, 0xff
+    negate_bytes r22, 4
     brmi .Lsmallest
 1:
 .Lpositive:
     tst r21
     brpl .Lmagnitudes
-    com r21
-    com r20
-    com r19
-    neg r18
-    sbci r19, 0xff
-    sbci r20, 0xff
-    sbci r21, 0xff
+    negate_bytes r18, 4
 .Lmagnitudes:
     mov r0, r20
     or r0, r21
@@ -217,9 +187,7 @@
     movw r18, r0
     add r18, r26
     adc r19, r27
-    mul r26, r30
-    add r18, r1
-    adc r19, r21
+    mul_add_upper r26, r30, r18, r21, r19
     com r18                 // E, and whether its third byte is 0
     neg r0
     sbci r18, 0xff
@@ -285,9 +253,7 @@
     add r31, r0
     adc r20, r1
     brcc .Lshort_digit_0
-    subi r21, 0xff
-    sbci r22, 0xff
-    sbci r23, 0xff
+    increment_bytes r21, 3
     add r26, r19
     adc r31, r18
     adc r20, r25
@@ -307,9 +273,7 @@
     brts .Lnegate
     ret
 .Lshort_large:
-    mul n3, r26
-    add r22, r0
-    adc r23, r1
+    mul_add n3, r26, r22, r23
     mul n3, r27
     add r23, r0
     clr r25
@@ -320,25 +284,13 @@
 .Lup:
     clr r1
     brts .Lcomplement
-    subi r22, 0xff
-    sbci r23, 0xff
-    sbci r24, 0xff
-    sbci r25, 0xff
+    increment_bytes r22, 4
     ret
 .Lcomplement:
-    com r22
-    com r23
-    com r24
-    com r25
+    com_bytes r22, 4
     ret
 .Lnegate:
-    com r25
-    com r24
-    com r23
-    neg r22
-    sbci r23, 0xff
-    sbci r24, 0xff
-    sbci r25, 0xff
+    negate_bytes r22, 4
     ret
 .Lshort_carry:
     cpi r31, 0x7d
@@ -347,18 +299,14 @@
     brlo 1f
     rcall .Lshort_increment
     rjmp .Lshort_up
-1:  mul r20, r19
-    add r26, r1
-    adc r31, r25
+1:  mul_add_upper r20, r19, r26, r25, r31
     add r0, r19
     adc r26, r18
     adc r31, r25
     rcall .Lshort_increment
     rjmp 2f
 .Lshort_exact:
-    mul r20, r19
-    add r26, r1
-    adc r31, r25
+    mul_add_upper r20, r19, r26, r25, r31
 2:  lsl r0
     rol r26
     rol r31
@@ -369,10 +317,7 @@
     brcc .Lshort_down
     rjmp .Lshort_up
 .Lshort_increment:
-    subi r20, 0xff
-    sbci r21, 0xff
-    sbci r22, 0xff
-    sbci r23, 0xff
+    increment_bytes r20, 4
     ret
 
     // 2^16 <= d < 2^24; k = 32, E = r31:r19:r18, x = r25, r23, r30, r22, r21, r20, and two bytes 0.
@@ -389,9 +334,7 @@
     mov r20, r0
     mul r18, r21
     movw r26, r0
-    mul r19, r21
-    add r27, r0
-    adc r20, r1
+    mul_add r19, r21, r27, r20
 .Lmedium_index:
     mov r30, r20
     mov r18, r27
@@ -481,10 +424,7 @@
     rjmp .Lup
 .Lto_medium_large:
     rjmp .Lmedium_large
-7:  mul r30, r19
-    add r20, r0
-    adc r21, r1
-    adc r22, r24
+7:  mul_add r30, r19, r20, r21, r24, r22
 8:  subi r30, 0xff
     sbci r23, 0xff
     sbci r25, 0xff
@@ -527,14 +467,8 @@
 1:  rcall .Lmedium_increment
     rjmp .Lmedium_up
 .Lmedium_rest:
-    mul r22, r19
-    add r26, r0
-    adc r20, r1
-    adc r21, r24
-    mul r22, r18
-    add r26, r1
-    adc r20, r24
-    adc r21, r24
+    mul_add r22, r19, r26, r20, r24, r21
+    mul_add_upper r22, r18, r26, r24, r20, r21
     ret
 .Lmedium_increment:
     subi r22, 0xff
@@ -549,9 +483,7 @@
     add r30, r0
     adc r23, r1
     rol r24
-    mul n3, r27
-    add r23, r0
-    adc r24, r1
+    mul_add n3, r27, r23, r24
     mov r25, r24
     clr r24
 .Lmedium_digit_3:
@@ -561,10 +493,7 @@
 
     // 2^24 <= d; k = 40, E = r31..r28, x = r23..r18, and two bytes 0; r16 = 0.
 .Llong:
-    push r16
-    push r17
-    push r28
-    push r29
+    push_all r16, r17, r28, r29
     ldi r31, hi8(fixedpoint_reciprocal_table)
     mov r30, r21
     lpm r26, Z
@@ -598,28 +527,13 @@
     add r31, r0
     adc r1, r21
     mov r17, r1
-    mul r19, r27
-    add r29, r0
-    adc r30, r1
-    adc r31, r16
+    mul_add r19, r27, r29, r30, r16, r31, r17
+    add_bytes r29, r18, 3
     adc r17, r16
-    add r29, r18
-    adc r30, r19
-    adc r31, r20
-    adc r17, r16
-    com r31
-    com r30
-    com r29
-    neg r28
-    sbci r29, 0xff
-    sbci r30, 0xff
-    sbci r31, 0xff
+    negate_bytes r28, 4
     adc r17, r16
     breq .Llong_scale
-    sub r28, r18
-    sbc r29, r19
-    sbc r30, r20
-    sbc r31, r21
+    sub_bytes r28, r18, 4
     inc r27
 .Llong_scale:
     mov r17, r26
@@ -633,58 +547,36 @@
     multiply_byte n3, r21, r22, r23
 .Llong_digit_2:
     multiply32 r23          // bits 16..23
-    add r18, r24
-    adc r19, r25
-    adc r20, r26
-    adc r21, r27
+    add_bytes r18, r24, 4
     adc r22, r1
     brcc .Llong_digit_1
     inc r23
-    add r18, r28
-    adc r19, r29
-    adc r20, r30
-    adc r21, r31
+    add_bytes r18, r28, 4
     adc r22, r16
 .Llong_digit_1:
     multiply32 r22          // bits 8..15
     mov r17, r24
-    add r18, r25
-    adc r19, r26
-    adc r20, r27
+    add_bytes r18, r25, 3
     adc r21, r1
     brcc .Llong_digit_0
     subi r22, 0xff
     sbci r23, 0xff
-    add r17, r28
-    adc r18, r29
-    adc r19, r30
-    adc r20, r31
+    add_bytes r17, r28, 4
     adc r21, r16
 .Llong_digit_0:
     multiply32 r21          // bits 0..7
-    add r17, r25
-    adc r18, r26
-    adc r19, r27
+    add_bytes r17, r25, 3
     adc r20, r1
     brcc 1f
-    subi r21, 0xff
-    sbci r22, 0xff
-    sbci r23, 0xff
+    increment_bytes r21, 3
     add r24, r28
-    adc r17, r29
-    adc r18, r30
-    adc r19, r31
+    adc_bytes r17, r29, 3
     adc r20, r16
 1:  lsl r24
-    rol r17
-    rol r18
-    rol r19
-    rol r20
+    rol_bytes r17, 4
     brcs 1f
     add r24, r28
-    adc r17, r29
-    adc r18, r30
-    adc r19, r31
+    adc_bytes r17, r29, 3
     adc r20, r16
     brcc .Llong_down
     brtc 1f
@@ -693,17 +585,10 @@
     or r24, r19
     or r24, r20
     breq .Llong_down
-1:  subi r21, 0xff
-    sbci r22, 0xff
-    sbci r23, 0xff
+1:  increment_bytes r21, 3
 .Llong_down:
-    pop r29
-    pop r28
-    pop r17
-    pop r16
-    mov r24, r23
-    mov r23, r22
-    mov r22, r21
+    pop_all r29, r28, r17, r16
+    mov_from_top r22, r21, 3
     clr r25
     clr r1
     brts 1f

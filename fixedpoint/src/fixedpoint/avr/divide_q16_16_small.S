@@ -54,27 +54,16 @@
     breq .Lnormalised
 1:  tst r25
     brne 2f
-    mov r25, r24
-    mov r24, r23
-    mov r23, r22
+    mov_from_top r23, r22, 3
     clr r22
     subi exponent, -8
     rjmp 1b
 2:  brmi .Lnormalised
     inc exponent
-    lsl r22
-    rol r23
-    rol r24
-    rol r25
+    lsl_bytes r22, 4
     rjmp 2b
 .Lnegate:
-    com r25
-    com r24
-    com r23
-    neg r22
-    sbci r23, 0xff
-    sbci r24, 0xff
-    sbci r25, 0xff
+    negate_bytes r22, 4
 .Lnormalised:
     ret
 
@@ -111,10 +100,7 @@
     movw q2, q0
     tst bytes
     brmi .Lvanishes
-    lsr n3
-    ror n2
-    ror n1
-    ror n0
+    lsr_bytes n0, 4
     inc bits
     rjmp .Lnext
 .Lbyte:
@@ -126,21 +112,12 @@
     clr q0
 .Lbit:
     lsl q0
-    lsl n0
-    rol n1
-    rol n2
-    rol n3
+    lsl_bytes n0, 4
     brcs .Ltake
-    cp n0, d0
-    cpc n1, d1
-    cpc n2, d2
-    cpc n3, d3
+    cp_bytes n0, d0, 4
     brcs .Lnext
 .Ltake:
-    sub n0, d0
-    sbc n1, d1
-    sbc n2, d2
-    sbc n3, d3
+    sub_bytes n0, d0, 4
     inc q0
 .Lnext:
     dec bits
@@ -151,17 +128,11 @@
 
     tst q3
     brmi .Lsaturate
-    lsl n0
-    rol n1
-    rol n2
-    rol n3
+    lsl_bytes n0, 4
     brcs .Lup
     bld bits, 0         // it is 0
     lsr bits
-    cpc n0, d0
-    cpc n1, d1
-    cpc n2, d2
-    cpc n3, d3
+    cpc_bytes n0, d0, 4
     brcs .Lsigned
 .Lup:
     subi q0, 0xff
@@ -180,15 +151,9 @@
 .Lnegative:
     rjmp .Lnegate
 .Lsaturate:
-    ldi r22, 0xff
-    ldi r23, 0xff
-    ldi r24, 0xff
-    ldi r25, 0x7f
+    ldi_bytes r22, 0x7fffffff, 4
     brtc .Lreturn
-    com r22
-    com r23
-    com r24
-    com r25
+    com_bytes r22, 4
 .Lreturn:
     ret
     ENDFUNC fixedpoint_divide_q16_16_small

@@ -73,25 +73,10 @@
     lpm power, Z
     .endm
 
-    .macro complement_q
-    com q1
-    com q2
-    com q3
-    com q4
-    com q5
-    com q6
-    com q7
-    .endm
     .macro negate_q
-    complement_q
+    com_bytes q1, 7
     neg q0
-    sbci q1, 0xff
-    sbci q2, 0xff
-    sbci q3, 0xff
-    sbci q4, 0xff
-    sbci q5, 0xff
-    sbci q6, 0xff
-    sbci q7, 0xff
+    sbci_each q1, 0xff, 7
     .endm
 
     SECTION fixedpoint_divide_q32_32
@@ -113,30 +98,15 @@
     mov u2, u1
     mov u1, u0
     mov u0, q7
-    mov q7, q6
-    mov q6, q5
-    mov q5, q4
-    mov q4, q3
+    mov_from_top q4, q3, 4
     .endm
     .macro move_up
     move_up_dividend
-    mov q3, q2
-    mov q2, q1
-    mov q1, q0
+    mov_from_top q1, q0, 3
     .endm
 
     ENTRY fixedpoint_divide_q32_32
-    push r14
-    push r13
-    push r12
-    push r11
-    push r10
-    push r29
-    push r28
-    push r9
-    push r8
-    push r7
-    push r17
+    push_all r14, r13, r12, r11, r10, r29, r28, r9, r8, r7, r17
     mov r26, q7
     eor r26, d7
     bst r26, 7
@@ -146,20 +116,14 @@
 1:  tst d7
     brpl 1f
     rjmp .Lnegative_divisor
-1:  mov r0, d5
-    or r0, d6
-    or r0, d7
+1:  or_bytes r0, d5, 3
     breq .Lshort
     rjmp .Llong
 
 .Lshort:
-    mov r0, q5
-    or r0, q6
-    or r0, q7
+    or_bytes r0, q5, 3
     brne .Lcheck_range
-    mov r0, d2
-    or r0, d3
-    or r0, d4
+    or_bytes r0, d2, 3
     brne .Lin_range
     // |a| < 2^31 |b|?
 .Lcheck_range:
@@ -194,31 +158,22 @@
     clr d1
     subi count, -2
     rjmp 1b
-2:  mov d4, d3
-    mov d3, d2
-    mov d2, d1
-    mov d1, d0
+2:  mov_from_top d1, d0, 4
     clr d0
     inc count
 .Lshort_scale:
     find_power d4
     mul d4, power
     mov d4, r0
-    scale d4, d3, d3, power
-    scale d3, d2, d2, power
-    scale d2, d1, d1, power
-    scale d1, d0, d0, power
-    mov r0, q5
-    or r0, q6
-    or r0, q7
+    mul_or_bytes d0, power, d0, 4
+    or_bytes r0, q5, 3
     brne .Llong_dividend
     mul q4, power
     mov u4, r1
     mov u3, r0
-    scale u3, u2, q3, power
-    scale u2, u1, q2, power
-    scale u1, u0, q1, power
-    scale u0, q7, q0, power
+    mul_or q3, power, u2, u3
+    mul_or_bytes q1, power, u0, 2
+    mul_or q0, power, q7, u0
     clr q4
     rjmp 3f
 .Llong_dividend:
@@ -227,32 +182,21 @@
     brne 2f
     tst q6
     brne 1f
-    movw q6, q4
-    movw q4, q2
-    movw q2, q0
+    movw_from_top q2, q0, 6
     clr q0
     clr q1
     subi count, 2
     rjmp 2f
-1:  mov q7, q6
-    mov q6, q5
-    mov q5, q4
-    mov q4, q3
-    mov q3, q2
-    mov q2, q1
-    mov q1, q0
+1:  mov_from_top q1, q0, 7
     clr q0
     dec count
 2:  mul q7, power
     mov u4, r1
     mov u3, r0
-    scale u3, u2, q6, power
-    scale u2, u1, q5, power
-    scale u1, u0, q4, power
-    scale u0, q7, q3, power
-    scale q7, q6, q2, power
-    scale q6, q5, q1, power
-    scale q5, q4, q0, power
+    mul_or q6, power, u2, u3
+    mul_or_bytes q4, power, u0, 2
+    mul_or q3, power, q7, u0
+    mul_or_bytes q0, power, q4, 3
 3:  clr q0
     clr q1
     movw q2, q0
@@ -299,9 +243,7 @@
     tst u4
     brne 1f
     rjmp .Lshort_next
-1:  sub u0, d0
-    sbc u1, d1
-    sbc u2, d2
+1:  sub_bytes u0, d0, 3
     sbc u3, zero
     rjmp .Lshort_high
 
@@ -329,17 +271,13 @@
     brne .Lshort_digit
 
 .Lcompare:
-    lsl u0
-    rol u1
-    rol u2
+    lsl_bytes u0, 3
     rol u3
     rol u4
     brcs 2f
     brtc 1f
     sec
-1:  cpc u0, d0
-    cpc u1, d1
-    cpc u2, d2
+1:  cpc_bytes u0, d0, 3
     cpc u3, d3
     cpc u4, d4
     rjmp 3f
@@ -361,9 +299,7 @@
     clr digit
 1:  dec digit
     add q7, d0
-    adc u0, d1
-    adc u1, d2
-    adc u2, d3
+    adc_bytes u0, d1, 3
     adc u3, d4
     adc u4, zero
     brcc 1b
@@ -374,42 +310,24 @@
     brtc 1f
     clr q0
 1:  mov q1, q0
-    movw q2, q0
-    movw q4, q0
-    movw q6, q0
+    movw_each q2, q0, 6
     subi q7, 0x80
     rjmp .Lrestore
 
     // One more where the carry is clear; then the complement is the negative.
 .Lround:
     brts .Lround_negative
-    sbci q0, 0xff
-    sbci q1, 0xff
-    sbci q2, 0xff
-    sbci q3, 0xff
-    sbci q4, 0xff
-    sbci q5, 0xff
-    sbci q6, 0xff
-    sbci q7, 0xff
+    sbci_each q0, 0xff, 8
     brmi .Lsaturate
 .Lrestore:
     clr r1
-    pop r7
-    pop r8
-    pop r9
-    pop r28
-    pop r29
-    pop r10
-    pop r11
-    pop r12
-    pop r13
-    pop r14
+    pop_all r7, r8, r9, r28, r29, r10, r11, r12, r13, r14
     ret
 
 .Lround_negative:
     brcs 1f
     com q0
-    complement_q
+    com_bytes q1, 7
     rjmp .Lrestore
 1:  negate_q
     rjmp .Lrestore
@@ -419,14 +337,7 @@
     pop d7
     mov d6, d7
     mov d5, d7
-    mov r0, q0
-    or r0, q1
-    or r0, q2
-    or r0, q3
-    or r0, q4
-    or r0, q5
-    or r0, q6
-    or r0, q7
+    or_bytes r0, q0, 8
     breq 1f
     rjmp .Lsaturate
 1:  rjmp .Lrestore
@@ -456,32 +367,18 @@
 #define inverse r5
 
 .Lsix_bytes:
-    movw d6, d4
-    movw d4, d2
-    movw d2, d0
+    movw_from_top d2, d0, 6
     clr d0
     clr d1
     rjmp .Llong_scale
 .Lseven_bytes:
-    mov d7, d6
-    mov d6, d5
-    mov d5, d4
-    mov d4, d3
-    mov d3, d2
-    mov d2, d1
-    mov d1, d0
+    mov_from_top d1, d0, 7
     clr d0
     rjmp .Llong_scale
 
     .macro shift_remainder
     mov u8, u7
-    mov u7, u6
-    mov u6, u5
-    mov u5, u4
-    mov u4, u3
-    mov u3, u2
-    mov u2, u1
-    mov u1, u0
+    mov_from_top u1, u0, 7
     clr u0
     .endm
 
@@ -491,33 +388,17 @@
     and r0, d7
     com r0
     brne 1f
-    com d1
-    com d2
-    com d3
-    com d4
+    com_bytes d1, 4
     neg d0
-    sbc d1, d5
-    sbc d2, d5
-    sbc d3, d5
-    sbc d4, d5
+    sbc_each d1, d5, 4
     brcc 1f
     rjmp .Lshort
 1:  push d6
     push d5
-    com d1
-    com d2
-    com d3
-    com d4
-    com d5
-    com d6
-    com d7
+    com_bytes d1, 7
     ldi r26, 0xff
     neg d0
-    sbc d1, r26
-    sbc d2, r26
-    sbc d3, r26
-    sbc d4, r26
-    sbc d5, r26
+    sbc_each d1, r26, 5
     sbci d6, 0xff
     sbci d7, 0xff
     rjmp .Llong_count
@@ -526,9 +407,7 @@
     push d6
     push d5
 .Llong_count:
-    push r6
-    push r5
-    push r4
+    push_all r6, r5, r4
     clr zero
     ldi r30, 7
     mov r0, d7
@@ -545,23 +424,11 @@
     find_power d7
     mul d7, power
     mov d7, r0
-    scale d7, d6, d6, power
-    scale d6, d5, d5, power
-    scale d5, d4, d4, power
-    scale d4, d3, d3, power
-    scale d3, d2, d2, power
-    scale d2, d1, d1, power
-    scale d1, d0, d0, power
+    mul_or_bytes d0, power, d0, 7
     mul u7, power
     mov u8, r1
     mov u7, r0
-    scale u7, u6, u6, power
-    scale u6, u5, u5, power
-    scale u5, u4, u4, power
-    scale u4, u3, u3, power
-    scale u3, u2, u2, power
-    scale u2, u1, u1, power
-    scale u1, u0, u0, power
+    mul_or_bytes u0, power, u0, 7
 .Llong_invert:
     invert inverse, d7, d6
     rjmp .Llong_digit
@@ -576,12 +443,7 @@
     tst u8
     brne 1f
     rjmp .Llong_next
-1:  sub u1, d0
-    sbc u2, d1
-    sbc u3, d2
-    sbc u4, d3
-    sbc u5, d4
-    sbc u6, d5
+1:  sub_bytes u1, d0, 6
     sbc u7, zero
     rjmp .Llong_high
 
@@ -590,10 +452,7 @@
     movw r30, r0
     mul digit, d4
     movw r8, r0
-    mul digit, d3
-    add r31, r0
-    adc r8, r1
-    adc r9, zero
+    mul_add digit, d3, r31, r8, zero, r9
     mul digit, d5
     add r9, r0
     adc r1, zero
@@ -618,14 +477,8 @@
     movw r8, r0
     mul digit, d4
     movw r6, r0
-    mul digit, d1
-    add r31, r0
-    adc r8, r1
-    adc r9, zero
-    mul digit, d3
-    add r9, r0
-    adc r6, r1
-    adc r7, zero
+    mul_add digit, d1, r31, r8, zero, r9
+    mul_add digit, d3, r9, r6, zero, r7
     mul digit, d5
     add r7, r0
     adc r1, zero
@@ -653,56 +506,24 @@
     shift_remainder
     clr digit
 1:  dec digit
-    add u0, d0
-    adc u1, d1
-    adc u2, d2
-    adc u3, d3
-    adc u4, d4
-    adc u5, d5
-    adc u6, d6
-    adc u7, d7
+    add_bytes u0, d0, 8
     adc u8, zero
     brcc 1b
     rjmp .Llong_next
 
     // 2 r >= |d|, for a negative quotient 2 r > |d|: carry clear.
 .Llong_round:
-    lsl u0
-    rol u1
-    rol u2
-    rol u3
-    rol u4
-    rol u5
-    rol u6
-    rol u7
+    lsl_bytes u0, 8
     brcs 2f
     brtc 1f
     sec
-1:  cpc u0, d0
-    cpc u1, d1
-    cpc u2, d2
-    cpc u3, d3
-    cpc u4, d4
-    cpc u5, d5
-    cpc u6, d6
-    cpc u7, d7
+1:  cpc_bytes u0, d0, 8
     rjmp 3f
 .Llong_round_up:
 2:  clc
-3:  pop q0
-    pop q1
-    pop q2
-    pop q3
-    pop q4
-    pop q5
-    pop q6
+3:  pop_all q0, q1, q2, q3, q4, q5, q6
     ldi q7, 0
-    pop r4
-    pop r5
-    pop r6
-    pop d5
-    pop d6
-    pop d7
+    pop_all r4, r5, r6, d5, d6, d7
     rjmp .Lround
     ENDFUNC fixedpoint_divide_q32_32
 

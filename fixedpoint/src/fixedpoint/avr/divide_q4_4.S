@@ -25,9 +25,7 @@
     .macro multiply_by_reciprocal
     mov r30, r22
     ldi r31, hi8(fixedpoint_divide_q4_4_table)
-    lpm r18, Z
-    inc r31
-    lpm r19, Z
+    lpm_pages r18, r19
     mov r20, r24
     ldi r21, 64
     muls r20, r19

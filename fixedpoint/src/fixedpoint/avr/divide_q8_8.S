@@ -231,14 +231,8 @@
     movw q0, r0
     mul u0, a0
     mov r30, r1
-    mul u0, a1
-    add r30, r0
-    adc q0, r1
-    adc q1, zero
-    mul u1, a0
-    add r30, r0
-    adc q0, r1
-    adc q1, zero
+    mul_add u0, a1, r30, q0, zero, q1
+    mul_add u1, a0, r30, q0, zero, q1
     subi r30, 0xc0
     sbci q0, 0xff
     sbci q1, 0xff

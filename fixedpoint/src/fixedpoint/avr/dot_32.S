@@ -24,7 +24,7 @@
     movw r30, r22
     clr zero
     clear_sum \top
-2:  load_a
+2:  ld_each a0, X+, 4
     add_product \fraction, \top
     adiw r30, 4
     dec count

@@ -30,10 +30,7 @@
     .macro clear_sum
     clr r8
     clr r9
-    movw r10, r8
-    movw r12, r8
-    movw r14, r8
-    movw r16, r8
+    movw_each r10, r8, 8
     .endm
 
     // Products of the bytes n.. at Y, each two bytes above the one before, side by side.
@@ -73,9 +70,7 @@
     clt
 1:  push r29
     push r28
-    .irp n, 17, 16, 15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 25, 24, 23, 22, 21, 20, 19, 18
-    push r\n
-    .endr
+    push_all r17, r16, r15, r14, r13, r12, r11, r10, r9, r8, r7, r6, r5, r4, r3, r2, r25, r24, r23, r22, r21, r20, r19, r18
     movw r2, r24
     movw r4, r22
     mov components, r20
@@ -101,39 +96,17 @@
     ld digit, X
     adiw r26, 8
     products 0
-    add r8, r18
-    adc r9, r19
-    adc r10, r20
-    adc r11, r21
-    adc r12, r22
-    adc r13, r23
-    adc r14, r24
-    adc r15, r25
+    add_bytes r8, r18, 8
     adc r16, r1
     adc r17, r1
     products 1
-    add r9, r18
-    adc r10, r19
-    adc r11, r20
-    adc r12, r21
-    adc r13, r22
-    adc r14, r23
-    adc r15, r24
-    adc r16, r25
+    add_bytes r9, r18, 8
     adc r17, r1
     adiw r28, 8
     dec left
     brne .Lcomponent
     push r8
-    mov r8, r9
-    mov r9, r10
-    mov r10, r11
-    mov r11, r12
-    mov r12, r13
-    mov r13, r14
-    mov r14, r15
-    mov r15, r16
-    mov r16, r17
+    mov_bytes r8, r9, 9
     clr r17
     sec
     adc r4, r1
@@ -157,9 +130,7 @@
     adiw r30, 8
     dec components
     brne .Lsigns
-    .irp n, 8, 9, 10, 11, 12, 13, 14, 15
-    push r\n
-    .endr
+    push_all r8, r9, r10, r11, r12, r13, r14, r15
     // The byte below the nine, r0, and those, r27:r25..r18
     in r30, 0x3d
     in r31, 0x3e
@@ -180,28 +151,17 @@
     andi r26, 7
     breq 2f
 1:  lsr r27
-    ror r25
-    ror r24
-    ror r23
-    ror r22
-    ror r21
-    ror r20
-    ror r19
-    ror r18
+    ror_bytes r18, 8
     dec r26
     brne 1b
-2:  .irp n, 18, 19, 20, 21, 22, 23, 24, 25
-    adc r\n, r1
-    .endr
+2:  adc_each r18, r1, 8
     adiw r28, 25
     in r0, 0x3f
     cli
     out 0x3e, r29
     out 0x3f, r0
     out 0x3d, r28
-    .irp n, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 28, 29
-    pop r\n
-    .endr
+    pop_all r2, r3, r4, r5, r6, r7, r8, r9, r10, r11, r12, r13, r14, r15, r16, r17, r28, r29
     ret
     ENDFUNC fixedpoint_dot_64
 

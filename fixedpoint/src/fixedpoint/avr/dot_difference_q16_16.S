@@ -140,14 +140,7 @@
     ldi r18, 3
     set
 .Lcomponents:
-    push q0
-    push q1
-    push count
-    push s0
-    push zero
-    push s1
-    push s4
-    push s5
+    push_all q0, q1, count, s0, zero, s1, s4, s5
     brtc 1f
     push r28
     push r29
@@ -163,10 +156,7 @@
     clr s3
     movw s4, s2
 .Lcomponent:
-    ld a0, X+
-    ld a1, X+
-    ld a2, X+
-    ld a3, X+
+    ld_each a0, X+, 4
     brtc .Lfraction
     subtract_byte a0, sub
     subtract_byte a1, sbc
@@ -217,14 +207,7 @@
     brtc 5f
     pop r29
     pop r28
-5:  pop s5
-    pop s4
-    pop s1
-    pop zero
-    pop s0
-    pop count
-    pop q1
-    pop q0
+5:  pop_all s5, s4, s1, zero, s0, count, q1, q0
     clr r1
     ret
     ENDFUNC fixedpoint_dot_difference3_q16_16

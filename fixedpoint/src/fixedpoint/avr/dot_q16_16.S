@@ -33,13 +33,6 @@
 #define q0 r28
 #define q1 r29
 
-    .macro load_a
-    ld a0, X+
-    ld a1, X+
-    ld a2, X+
-    ld a3, X+
-    .endm
-
     // a1 b0 and a3 b0
     .macro add_odd_row_0
     mulsu a3, digit
@@ -91,14 +84,12 @@
     add s3, r0
     adc s4, r1
     adc s5, q0
-    mulsu digit, a1
-    add s4, r0
-    adc s5, r1
+    mulsu_add digit, a1, s4, s5
     .endm
 
     // s = a_0 b_0
     .macro first_product
-    load_a
+    ld_each a0, X+, 4
     ldd digit, Z + 2
     mul a0, digit
     movw s2, r0
@@ -108,11 +99,7 @@
     ld digit, Z
     mul a0, digit
     movw s0, r0
-    mul a2, digit
-    add s2, r0
-    adc s3, r1
-    adc s4, zero
-    adc s5, zero
+    mul_add a2, digit, s2, s3, zero, s4, s5
     add_odd_row_0
     add_row_1 0
     add_row_3 0
@@ -120,7 +107,7 @@
 
     // s += a_i b_i; the last component rounds.
     .macro add_product offset, last
-    load_a
+    ld_each a0, X+, 4
     ldd digit, Z + 4 * \offset
     mul a2, digit
     movw q0, r0
@@ -158,12 +145,7 @@
 
     ENTRY fixedpoint_dot3_q16_16
     set
-1:  push s0
-    push s1
-    push s2
-    push s3
-    push q0
-    push q1
+1:  push_all s0, s1, s2, s3, q0, q1
     movw r26, r24
     movw r30, r22
     clr zero
@@ -176,10 +158,7 @@
     pop q1
     pop q0
     movw r22, s2
-    pop s3
-    pop s2
-    pop s1
-    pop s0
+    pop_all s3, s2, s1, s0
     clr r1
     ret
     ENDFUNC fixedpoint_dot3_q16_16

@@ -34,11 +34,9 @@
 
     // Of byte `byte` of the sum, r2 + byte, unless it lies above 11.
     .macro into operation, byte, value
-    .irp n, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13
-    .if \n - 2 == \byte
-    \operation r\n, \value
+    .if \byte < 12
+    \operation 2 + \byte, \value
     .endif
-    .endr
     .endm
 
     // Four products side by side into bytes `byte`.. of the sum.
@@ -79,25 +77,17 @@
     ENTRY fixedpoint_dot3_q32_32
     ldi r21, 3
 1:
-    .irp n, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 28, 29
-    push r\n
-    .endr
+    push_all r2, r3, r4, r5, r6, r7, r8, r9, r10, r11, r12, r13, r14, r15, r16, r17, r28, r29
     movw r26, r24
     movw r30, r22
     mov r24, r21
     clr zero
     clr r2
     clr r3
-    .irp n, 4, 6, 8, 10, 12
-    movw r\n, r2
-    .endr
+    movw_each r4, r2, 10
 .Lcomponent:
-    .irp n, 14, 15, 16, 17, 18, 19, 20, 21
-    ld r\n, X+
-    .endr
-    push r24
-    push r26
-    push r27
+    ld_each a0, X+, 8
+    push_all r24, r26, r27
     .irp n, 0, 1, 2, 3, 4, 5, 6, 7
     ldd digit, Z + \n
     chain a0, a2, a4, a6, \n
@@ -105,39 +95,22 @@
     .endr
     tst digit
     brpl 1f
-    sub s8, a0
-    sbc s9, a1
-    sbc s10, a2
-    sbc s11, a3
+    sub_bytes s8, a0, 4
 1:  tst a7
     brpl 2f
     ld r26, Z
-    ldd r27, Z + 1
-    ldd r28, Z + 2
-    ldd r29, Z + 3
-    sub s8, r26
-    sbc s9, r27
-    sbc s10, r28
-    sbc s11, r29
+    ldd_bytes r27, Z + 1, 3
+    sub_bytes s8, r26, 4
 2:  adiw r30, 8
-    pop r27
-    pop r26
-    pop r24
+    pop_all r27, r26, r24
     dec r24
     breq 3f
     rjmp .Lcomponent
 3:  clr r1
     lsl s3
-    .irp n, 6, 7, 8, 9, 10, 11, 12, 13
-    adc r\n, r1
-    .endr
-    movw r18, r6
-    movw r20, r8
-    movw r22, r10
-    movw r24, r12
-    .irp n, 29, 28, 17, 16, 15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2
-    pop r\n
-    .endr
+    adc_each r6, r1, 8
+    movw_bytes r18, r6, 8
+    pop_all r29, r28, r17, r16, r15, r14, r13, r12, r11, r10, r9, r8, r7, r6, r5, r4, r3, r2
     ret
     ENDFUNC fixedpoint_dot3_q32_32
 

@@ -30,9 +30,7 @@
     .macro add_product
     ld a, X+
     ld b, Z+
-    muls a, b
-    add s0, r0
-    adc s1, r1
+    muls_add a, b, s0, s1
     .endm
 
     SECTION fixedpoint_dot_q4_4

@@ -37,16 +37,9 @@
     ld a1, X+
     ld b0, Z+
     ld b1, Z+
-    mul a0, b0
-    add s0, r0
-    adc s1, r1
-    adc s2, zero
-    mulsu a1, b0
-    add s1, r0
-    adc s2, r1
-    mulsu b1, a0
-    add s1, r0
-    adc s2, r1
+    mul_add a0, b0, s0, s1, zero, s2
+    mulsu_add a1, b0, s1, s2
+    mulsu_add b1, a0, s1, s2
     mul a1, b1
     add s2, r0
     .endm

@@ -45,27 +45,10 @@
     .endm
 
     FUNCTION fixedpoint_exp2_q32_32_unsaturated
-    push r8
-    push r9
-    push r10
-    push r11
-    push r12
-    push r13
-    push r14
-    push r15
-    push r16
-    push r17
-    push r28
-    push r29
+    push_all r8, r9, r10, r11, r12, r13, r14, r15, r16, r17, r28, r29
     clr zero
-    com r18
-    com r19
-    com r20
-    com r21
-    subi r18, 0xff
-    sbci r19, 0xff
-    sbci r20, 0xff
-    sbci r21, 0xff
+    com_bytes r18, 4
+    increment_bytes r18, 4
     adc r22, zero       // the carry is set where g is not 0
     subi r22, -41
     push r22

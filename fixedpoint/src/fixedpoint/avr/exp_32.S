@@ -57,15 +57,10 @@
     ldi r23, 0
     ldi r22, 0
     .elseif bytes_up == 1
-    mov r25, r24
-    mov r24, r23
-    mov r23, r22
+    mov_from_top r23, r22, 3
     ldi r22, 0
     .elseif bytes_up == -1
-    mov r21, r22
-    mov r22, r23
-    mov r23, r24
-    mov r24, r25
+    mov_bytes r21, r22, 4
     lsl r25
     sbc r25, r25
     .elseif \fraction > 24
@@ -79,16 +74,11 @@
     .else
     lsl r22
     .endif
-    rol r23
-    rol r24
-    rol r25
+    rol_bytes r23, 3
     .endr
     .elseif bits_up < 0
     .rept -bits_up
-    asr r25
-    ror r24
-    ror r23
-    ror r22
+    asr_bytes r22, 4
     .if \fraction > 24
     ror r21
     .endif
@@ -131,9 +121,7 @@
     mov r30, r1
     clr r31
     subi r25, -24
-    mul r25, r27
-    add r30, r0
-    adc r31, r1
+    mul_add r25, r27, r30, r31
     .set constant, 24 * 185 - 128 * (\fraction + 10) - 9
     subi r30, constant & 0xff
     sbci r31, (constant >> 8) & 0xff
@@ -147,19 +135,13 @@
     mov rest1, r1
     clr rest2
     ldi r31, (LN2 >> 8) & 0xff
-    mul r27, r31
-    add rest1, r0
-    adc rest2, r1
+    mul_add r27, r31, rest1, rest2
     clr rest3
     ldi r31, (LN2 >> 16) & 0xff
-    mul r27, r31
-    add rest2, r0
-    adc rest3, r1
+    mul_add r27, r31, rest2, rest3
     clr rest4
     ldi r31, (LN2 >> 24) & 0xff
-    mul r27, r31
-    add rest3, r0
-    adc rest4, r1
+    mul_add r27, r31, rest3, rest4
     ldi r31, (LN2 >> 32) & 0xff
     mul r27, r31
     add rest4, r0

@@ -21,17 +21,12 @@
 
     SECTION fixedpoint_exp_64
 .Lunrounded:
-    .irp n, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 28, 29
-    push r\n
-    .endr
+    push_all r8, r9, r10, r11, r12, r13, r14, r15, r16, r17, r28, r29
     mov r28, r16
     clr zero
     bst r25, 7
     // r27:r18 = a 2^16, to be moved up by 56 - fraction bits
-    movw r26, r24
-    movw r24, r22
-    movw r22, r20
-    movw r20, r18
+    movw_from_top r20, r18, 8
     ldi r18, 0
     ldi r19, 0
     ldi r29, 56
@@ -43,26 +38,13 @@
     sbc r30, r30
     cp r30, r27
     brne .Lbeyond
-    mov r27, r26
-    mov r26, r25
-    mov r25, r24
-    mov r24, r23
-    mov r23, r22
-    mov r22, r21
-    mov r21, r20
+    mov_from_top r21, r20, 7
     ldi r20, 0
 2:  subi r29, 8
     brcc 1b
     subi r29, -8
     breq 5f
-3:  lsl r20
-    rol r21
-    rol r22
-    rol r23
-    rol r24
-    rol r25
-    rol r26
-    rol r27
+3:  lsl_bytes r20, 8
     brvs .Lbeyond
     dec r29
     brne 3b
@@ -77,24 +59,12 @@
 .Lbelow:
     clr r18
     clr r19
-    movw r20, r18
-    movw r22, r18
-    movw r24, r18
+    movw_each r20, r18, 6
 6:  clr r1
-    .irp n, 29, 28, 17, 16, 15, 14, 13, 12, 11, 10, 9, 8
-    pop r\n
-    .endr
+    pop_all r29, r28, r17, r16, r15, r14, r13, r12, r11, r10, r9, r8
     ret
 
-4:  asr r27
-    ror r26
-    ror r25
-    ror r24
-    ror r23
-    ror r22
-    ror r21
-    ror r20
-    ror r19
+4:  asr_bytes r19, 9
     inc r29
     brne 4b
 5:  mov r30, r27
@@ -104,15 +74,7 @@
     find multiples, r28, 9
     load 8, 9
     dec r28
-    add r18, r8
-    adc r19, r9
-    adc r20, r10
-    adc r21, r11
-    adc r22, r12
-    adc r23, r13
-    adc r24, r14
-    adc r25, r15
-    adc r26, r16
+    add_bytes r18, r8, 9
     adc r27, zero
     ldi r29, 178
     mul r28, r29
@@ -129,15 +91,7 @@
     rjmp .Lbelow
 1:
     multiple_of_ln2 r27, r26, r29
-    sub r8, r18
-    sbc r9, r19
-    sbc r10, r20
-    sbc r11, r21
-    sbc r12, r22
-    sbc r13, r23
-    sbc r14, r24
-    sbc r15, r25
-    sbc r16, r26
+    sub_bytes r8, r18, 9
     clt
     XJMP fixedpoint_power_of_rest_q32_32
 

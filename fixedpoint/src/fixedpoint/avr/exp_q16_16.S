@@ -84,11 +84,7 @@
     mov r20, rA0
     subi r20, 128
     ldi r31, POWER
-    lpm r23, Z
-    inc r31
-    lpm r22, Z
-    inc r31
-    lpm r21, Z
+    lpm_pages r23, r22, r21
     mulsu r20, r23
     movw r26, r0
     sbc r25, r25
@@ -106,20 +102,14 @@
     subi r21, -64       // half of what the seven bits count that are cut
     sbci r22, -1
     sbci r23, -1
-    lsl r21
-    rol r22
-    rol r23
-    rol r24
+    lsl_bytes r21, 4
     ret
 
 .Lout_of_range:
     tst rA3
     brmi 1f
 .Lmaximum:
-    ldi r22, 0xff
-    ldi r23, 0xff
-    ldi r24, 0xff
-    ldi r25, 0x7f
+    ldi_bytes r22, 0x7fffffff, 4
     ret
 1:  mov r22, r1
     mov r23, r1
@@ -181,11 +171,7 @@
     adc growth3, zero
 .Lsmall:
     ldi r31, POWER
-    lpm r23, Z
-    inc r31
-    lpm r19, Z
-    inc r31
-    lpm r21, Z
+    lpm_pages r23, r19, r21
     mulsu growth3, r23
     movw r30, r0
     sbc r24, r24
@@ -194,10 +180,7 @@
     add r30, r1
     adc r31, r26
     adc r24, r26
-    mul growth2, r23
-    add r21, r1
-    adc r19, zero
-    adc r23, zero
+    mul_add_upper growth2, r23, r21, zero, r19, r23
     add r21, r30
     adc r19, r31
     adc r23, r24
@@ -216,9 +199,7 @@
     sbrs k, 4
     rjmp .Lone_or_two_bytes
     lsl r21             // k >= -1: three bytes
-    adc r22, r1
-    adc r23, r1
-    adc r24, r1
+    adc_each r22, r1, 3
     ret
 .Lnext_node:
     // s = 127: a growth of 128 units of 2^-16, and g more, does not fit. From the next node it is
@@ -269,39 +250,20 @@
     adc growth3, r25
     brvs .Lnext_node
 .Lmultiply:
-    push r16
-    push r17
-    push r28
-    push r29
+    push_all r16, r17, r28, r29
     mov r30, rA1
     ldi r31, POWER
-    lpm m4, Z
-    inc r31
-    lpm m3, Z
-    inc r31
-    lpm m2, Z
-    inc r31
-    lpm m1, Z
-    inc r31
-    lpm m0, Z
+    lpm_pages m4, m3, m2, m1, m0
     mul m4, growth1
     movw p0, r0
-    mul m4, growth0
-    add p0, r1
-    adc p1, zero
+    mul_add_upper m4, growth0, p0, zero, p1
     mul m3, growth2
     ldi p2, 0
     add p0, r0
     adc p1, r1
     adc p2, zero
-    mul m3, growth1
-    add p0, r1
-    adc p1, zero
-    adc p2, zero
-    mul m2, growth2
-    add p0, r1
-    adc p1, zero
-    adc p2, zero
+    mul_add_upper m3, growth1, p0, zero, p1, p2
+    mul_add_upper m2, growth2, p0, zero, p1, p2
     mulsu growth3, m1
     sbc sign, sign
     add p0, r1
@@ -321,11 +283,7 @@
     add p2, r0
     adc p3, r1
     adc p4, sign
-    mul m4, growth2
-    add p1, r0
-    adc p2, r1
-    adc p3, zero
-    adc p4, zero
+    mul_add m4, growth2, p1, p2, zero, p3, p4
     mulsu growth3, m3
     sbc sign, sign
     add p1, r0
@@ -358,9 +316,7 @@
     lsl r0              // k >= 7: four bytes
     rjmp 3f
 1:  lsl r22             // k = 4 to 6: three
-    mov r22, r23
-    mov r23, r24
-    mov r24, r25
+    mov_bytes r22, r23, 3
     ldi r25, 0
     rjmp 3f
 2:  lsl m0              // k = 15: all but the last of the mantissa
@@ -368,14 +324,8 @@
     mov r24, m3
     mov r23, m2
     mov r22, m1
-3:  adc r22, zero
-    adc r23, zero
-    adc r24, zero
-    adc r25, zero
-    pop r29
-    pop r28
-    pop r17
-    pop r16
+3:  adc_each r22, zero, 4
+    pop_all r29, r28, r17, r16
     clr r1
     sbrs r25, 7
     ret
@@ -400,23 +350,13 @@
     mul f0, r24
     mov growth2, r0
     mov rA0, r1
-    mul f0, r25
-    add growth1, r0
-    adc growth2, r1
-    adc rA0, r31
+    mul_add f0, r25, growth1, growth2, r31, rA0
     mul f1, r24
     add rA0, r0
     ldi rA1, 0
     adc rA1, r1
-    mul f1, r30
-    add growth1, r0
-    adc growth2, r1
-    adc rA0, r31
-    adc rA1, r31
-    mul f1, r25
-    add growth2, r0
-    adc rA0, r1
-    adc rA1, r31
+    mul_add f1, r30, growth1, growth2, r31, rA0, rA1
+    mul_add f1, r25, growth2, rA0, r31, rA1
     sbrs f1, 7
     rjmp 1f
     subi growth2, LN2_0

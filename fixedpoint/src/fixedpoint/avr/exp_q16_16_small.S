@@ -94,10 +94,7 @@
 
     SECTION fixedpoint_exp_q16_16_small
 .Lsaturate:
-    ldi r22, 0xff
-    ldi r23, 0xff
-    ldi r24, 0xff
-    ldi r25, 0x7f
+    ldi_bytes r22, 0x7fffffff, 4
     ret
 .Lzero:
     ldi r22, 0
@@ -132,10 +129,7 @@
     brmi 2b
     cpi shift, 2
     brlo .Lsaturate
-    push r16
-    push r17
-    push r28
-    push r29
+    push_all r16, r17, r28, r29
     mov step, r3
     swap step
     andi step, 15
@@ -193,9 +187,7 @@
     add_product p1, p2, p3
     mul t3, v3
     add_product p1, p2, p3
-    mul fine, v3
-    add p2, r0
-    adc p3, r1
+    mul_add fine, v3, p2, p3
     brtc 1f
     add p0, t1
     adc p1, t2
@@ -248,9 +240,7 @@
     add_product p2, p3, q4
     mul f3, c3
     add_product p2, p3, q4
-    mul f3, c4
-    add p3, r0
-    adc q4, r1
+    mul_add f3, c4, p3, q4
     add p0, c0
     adc p1, c1
     adc p2, c2
@@ -267,28 +257,17 @@
     ldi r18, 0
 2:  cpi shift, 9
     brlo 3f
-    mov r22, r23
-    mov r23, r24
-    mov r24, r25
+    mov_bytes r22, r23, 3
     mov r25, r20
     ldi r20, 0
     subi shift, 8
     rjmp 2b
 3:  lsr r20
-    ror r25
-    ror r24
-    ror r23
-    ror r22
+    ror_bytes r22, 4
     dec shift
     brne 3b
-    adc r22, r18
-    adc r23, r18
-    adc r24, r18
-    adc r25, r18
-    pop r29
-    pop r28
-    pop r17
-    pop r16
+    adc_each r22, r18, 4
+    pop_all r29, r28, r17, r16
     clr r1
     ret
     ENDFUNC fixedpoint_exp_q16_16_small

@@ -47,18 +47,14 @@
 .Lnothing:
     ldi r18, 0
     ldi r19, 0
-    movw r20, r18
-    movw r22, r18
-    movw r24, r18
+    movw_each r20, r18, 6
     ret
 
     ENTRY fixedpoint_exp_q32_32
     mov r26, r22
     lsl r26
     sbc r26, r26
-    cp r23, r26
-    cpc r24, r26
-    cpc r25, r26
+    cp_each r23, r26, 3
     brne .Lbeyond
     cpi r22, -23
     brlt .Lnothing
@@ -75,24 +71,10 @@
     brge .Llargest
     clt
     ENTRY fixedpoint_unrounded_exp_q32_32
-    push r8
-    push r9
-    push r10
-    push r11
-    push r12
-    push r13
-    push r14
-    push r15
-    push r16
-    push r17
-    push r28
-    push r29
+    push_all r8, r9, r10, r11, r12, r13, r14, r15, r16, r17, r28, r29
     clr zero
     multiple_of_ln2 r22, r21, r27
-    sub r13, r18
-    sbc r14, r19
-    sbc r15, r20
-    sbc r16, r21
+    sub_bytes r13, r18, 4
     ENTRY fixedpoint_power_of_rest_q32_32
     // r14:r8 = t 2^72, r30:r26 = t^2 2^72
     fraction_product 14, 14, 5
@@ -106,59 +88,30 @@
     add r23, r1
     adc r24, r1
     adc r25, zero
-    mul r19, r21
-    add r23, r0
-    adc r24, r1
-    adc r25, zero
+    mul_add r19, r21, r23, r24, zero, r25
     add r23, r1
     adc r24, zero
     adc r25, zero
-    sub r26, r23
-    sbc r27, r24
-    sbc r28, r25
+    sub_bytes r26, r23, 3
     sbc r29, zero
     sbc r30, zero
-    lsr r30
-    ror r29
-    ror r28
-    ror r27
-    ror r26
-    sub r8, r26
-    sbc r9, r27
-    sbc r10, r28
-    sbc r11, r29
-    sbc r12, r30
+    lsr_bytes r26, 5
+    sub_bytes r8, r26, 5
     sbc r13, zero
     sbc r14, zero
     // f in r25:r18, f q in r31:r26, f + q - f q in r25:r18
     find fine, r15, 8
     load 18, 8
     fraction_product 25, 14, 6
-    add r18, r8
-    adc r19, r9
-    adc r20, r10
-    adc r21, r11
-    adc r22, r12
-    adc r23, r13
-    adc r24, r14
+    add_bytes r18, r8, 7
     adc r25, zero
-    sub r18, r26
-    sbc r19, r27
-    sbc r20, r28
-    sbc r21, r29
-    sbc r22, r30
-    sbc r23, r31
+    sub_bytes r18, r26, 6
     sbc r24, zero
     sbc r25, zero
     find coarse, r16, 9
     load 8, 9
     fraction_product 16, 25, 8
-    sub r8, r26
-    sbc r9, r27
-    sbc r10, r28
-    sbc r11, r29
-    sbc r12, r30
-    sbc r13, r31
+    sub_bytes r8, r26, 6
     sbc r14, r18
     sbc r15, r19
     sbc r16, zero
@@ -184,30 +137,18 @@
     movw r8, r12
     movw r10, r14
     mov r12, r16
-    clr r13
-    clr r14
-    clr r15
-    clr r16
+    clr_bytes r13, 4
 1:  sbrs r31, 4
     rjmp 1f
     mov r26, r9
-    movw r8, r10
-    movw r10, r12
-    movw r12, r14
+    movw_bytes r8, r10, 6
     mov r14, r16
     clr r15
     clr r16
 1:  sbrs r31, 3
     rjmp 1f
     mov r26, r8
-    mov r8, r9
-    mov r9, r10
-    mov r10, r11
-    mov r11, r12
-    mov r12, r13
-    mov r13, r14
-    mov r14, r15
-    mov r15, r16
+    mov_bytes r8, r9, 8
     clr r16
 1:  ldi r30, 128
     sbrc r31, 1
@@ -246,27 +187,9 @@
     or r25, r0
     brts 1f
     lsl r26
-    adc r18, zero
-    adc r19, zero
-    adc r20, zero
-    adc r21, zero
-    adc r22, zero
-    adc r23, zero
-    adc r24, zero
-    adc r25, zero
+    adc_each r18, zero, 8
 1:  clr r1
-    pop r29
-    pop r28
-    pop r17
-    pop r16
-    pop r15
-    pop r14
-    pop r13
-    pop r12
-    pop r11
-    pop r10
-    pop r9
-    pop r8
+    pop_all r29, r28, r17, r16, r15, r14, r13, r12, r11, r10, r9, r8
     ret
     ENDFUNC fixedpoint_exp_q32_32
 #endif

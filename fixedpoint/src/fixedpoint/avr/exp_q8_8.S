@@ -73,22 +73,11 @@
     mov result_1, r1
     mul power2, growth1
     movw result0, r0
-    mul power0, growth1
-    add result_1, r1
-    adc result0, zero
-    adc result1, zero
-    mul power2, growth0
-    add result_1, r0
-    adc result0, r1
-    adc result1, zero
-    mul power1, growth1
-    add result_1, r0
-    adc result0, r1
-    adc result1, zero
+    mul_add_upper power0, growth1, result_1, zero, result0, result1
+    mul_add power2, growth0, result_1, result0, zero, result1
+    mul_add power1, growth1, result_1, result0, zero, result1
     clr r1
-    lsl power0
-    rol power1
-    rol power2
+    lsl_bytes power0, 3
     add result_1, power0
     adc result0, power1
     adc result1, power2

@@ -71,9 +71,7 @@
     mov r30, r1
     clr r31
     subi r23, -24
-    mul r23, r27
-    add r30, r0
-    adc r31, r1
+    mul_add r23, r27, r30, r31
     .set constant, 24 * 185 - 128 * (OFFSET + 1) - 9
     subi r30, constant & 0xff
     sbci r31, (constant >> 8) & 0xff
@@ -102,9 +100,7 @@
     sbci rest3, (constant >> 24) & 0xff
     sbci rest4, (constant >> 32) & 0xff
     sub rest0, r18
-    sbc rest1, r19
-    sbc rest2, r20
-    sbc rest3, r21
+    sbc_bytes rest1, r19, 3
     sbc rest4, r22
     add k, r16
     subi k, OFFSET - 9
@@ -114,9 +110,7 @@
     brlt 3f
     rjmp .Llargest
 3:
-    mov r18, rest1
-    mov r19, rest2
-    mov r20, rest3
+    mov_bytes r18, rest1, 3
     exponential
     scale
 .Lno_more_digits:
@@ -129,13 +123,8 @@
     FUNCTION fixedpoint_certain_exp_q16_16
     push r16
     ldi r16, 16
-    ldi r18, 0
-    ldi r19, 0
-    ldi r20, 0
-    mov r21, r22
-    mov r22, r23
-    mov r23, r24
-    mov r24, r25
+    ldi_bytes r18, 0, 3
+    mov_bytes r21, r22, 4
     lsl r25
     sbc r25, r25
     XCALL fixedpoint_exp_wide
@@ -151,10 +140,7 @@
 1:  cp r18, r19
     brsh 3f
     lsl r21
-    adc r22, r1
-    adc r23, r1
-    adc r24, r1
-    adc r25, r1
+    adc_each r22, r1, 4
     brmi 2f
     ret
 2:  XJMP fixedpoint_largest_32

@@ -18,42 +18,14 @@
 #include "prelude.inc"
 
     .macro half_of_powers operation, with_carry
-    push r8
-    push r9
-    push r10
-    push r11
-    push r12
-    push r13
-    push r14
-    push r15
-    push r16
-    push r18
-    push r19
-    push r20
-    push r21
-    push r22
+    push_all r8, r9, r10, r11, r12, r13, r14, r15, r16, r18, r19, r20, r21, r22
     set
     XCALL fixedpoint_unrounded_exp_q32_32
-    movw r8, r18
-    movw r10, r20
-    movw r12, r22
-    movw r14, r24
+    movw_bytes r8, r18, 8
     mov r16, r26
-    pop r22
-    pop r21
-    pop r20
-    pop r19
-    pop r18
-    com r18             // the power takes nothing beyond r22
-    com r19
-    com r20
-    com r21
-    com r22
-    subi r18, 0xff
-    sbci r19, 0xff
-    sbci r20, 0xff
-    sbci r21, 0xff
-    sbci r22, 0xff
+    pop_all r22, r21, r20, r19, r18
+    com_bytes r18, 5    // the power takes nothing beyond r22
+    increment_bytes r18, 5
     XCALL fixedpoint_unrounded_exp_q32_32
     \operation r16, r26
     \with_carry r8, r18
@@ -64,35 +36,10 @@
     \with_carry r13, r23
     \with_carry r14, r24
     \with_carry r15, r25
-    movw r18, r8
-    movw r20, r10
-    movw r22, r12
-    movw r24, r14
-    subi r18, 0xff
-    sbci r19, 0xff
-    sbci r20, 0xff
-    sbci r21, 0xff
-    sbci r22, 0xff
-    sbci r23, 0xff
-    sbci r24, 0xff
-    sbci r25, 0xff
-    lsr r25
-    ror r24
-    ror r23
-    ror r22
-    ror r21
-    ror r20
-    ror r19
-    ror r18
-    pop r16
-    pop r15
-    pop r14
-    pop r13
-    pop r12
-    pop r11
-    pop r10
-    pop r9
-    pop r8
+    movw_bytes r18, r8, 8
+    increment_bytes r18, 8
+    lsr_bytes r18, 8
+    pop_all r16, r15, r14, r13, r12, r11, r10, r9, r8
     ret
     .endm
 
@@ -107,13 +54,7 @@
     FUNCTION fixedpoint_exp_q32_32_fine
     set
     XCALL fixedpoint_unrounded_exp_q32_32
-    mov r25, r24
-    mov r24, r23
-    mov r23, r22
-    mov r22, r21
-    mov r21, r20
-    mov r20, r19
-    mov r19, r18
+    mov_from_top r19, r18, 7
     mov r18, r26
     ret
     ENDFUNC fixedpoint_exp_q32_32_fine

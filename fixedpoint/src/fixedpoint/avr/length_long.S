@@ -74,26 +74,14 @@
 
     SECTION fixedpoint_length_long
 .Lclamp:
-    ldi l0, 0xff
-    ldi l1, 0xff
-    ldi l2, 0xff
-    ldi l3, 0x7f
+    ldi_bytes l0, 0x7fffffff, 4
 .Lrestore:
-    pop r14
-    pop r15
-    pop r16
-    pop r17
-    pop r29
-    pop r28
+    pop_all r14, r15, r16, r17, r29, r28
     clr r1
     ret
 
     ENTRY fixedpoint_length_long
-    push r29
-    push r17
-    push r16
-    push r15
-    push r14
+    push_all r29, r17, r16, r15, r14
     clr zero
     clr n6
     clr n7
@@ -121,10 +109,7 @@
     adc n6, r0
     adc n7, r1
     lsl a3
-    mul a2, a3
-    add n5, r0
-    adc n6, r1
-    adc n7, zero
+    mul_add a2, a3, n5, n6, zero, n7
     lsl a2
     adc a3, zero
     mul a0, a1
@@ -156,29 +141,19 @@
     adc n7, zero
     dec count
     breq .Lsum
-    ld a0, Z+
-    ld a1, Z+
-    ld a2, Z+
-    ld a3, Z+
+    ld_each a0, Z+, 4
     tst a3
     brpl .Lsquare
-    com a1
-    com a2
-    com a3
+    com_bytes a1, 3
     neg a0
-    sbci a1, 0xff
-    sbci a2, 0xff
-    sbci a3, 0xff
+    sbci_each a1, 0xff, 3
     brmi 1f
     rjmp .Lsquare
 1:  rjmp .Lclamp
 
 .Lshort:
     mov m5, n5
-    mov m4, n4
-    mov m3, n3
-    mov m2, n2
-    mov m1, n1
+    mov_from_top m1, n1, 4
     ldi back, 1
     rjmp .Lnormalised
 
@@ -191,9 +166,7 @@
     breq 1f
     mov m5, n7
     mov m4, n6
-    mov m3, n5
-    mov m2, n4
-    mov m1, n3
+    mov_from_top m1, n3, 3
     ldi back, 0x80
     rjmp 2f
 1:  tst n6
@@ -217,28 +190,12 @@
     ldi power, 64
 3:  mul m5, power
     mov m5, r0
-    mul m4, power
-    or m5, r1
-    mov m4, r0
-    mul m3, power
-    or m4, r1
-    mov m3, r0
-    mul m2, power
-    or m3, r1
-    mov m2, r0
-    mul m1, power
-    or m2, r1
-    mov m1, r0
+    mul_or m4, power, m4, m5
+    mul_or_bytes m1, power, m1, 3
 .Lnormalised:
     ldi r31, hi8(fixedpoint_sqrt_table)
-    lpm s2, Z
-    inc r31
-    lpm s3, Z
-    inc r31
-    lpm slope, Z
-    mul slope, m4
-    add s2, r1
-    adc s3, zero
+    lpm_pages s2, s3, slope
+    mul_add_upper slope, m4, s2, zero, s3
     // c in s3:s2; its remainder over 256, modulo 2^16, in r31:r30
     movw r30, m3
     mul s2, s2
@@ -254,10 +211,7 @@
     // S = s3:s2:s1
     mul r30, slope
     mov s1, r1
-    mul r31, slope
-    add s1, r0
-    adc s2, r1
-    adc s3, zero
+    mul_add r31, slope, s1, s2, zero, s3
     subi s1, 6
     sbc s2, zero
     sbc s3, zero
@@ -291,10 +245,7 @@
     mov qf, r0
     add q0, r1
     adc q1, zero
-    mul m1, slope
-    add qf, r1
-    adc q0, zero
-    adc q1, zero
+    mul_add_upper m1, slope, qf, zero, q0, q1
     // x
     mul s2, slope
     mov x, r1
@@ -324,25 +275,16 @@
     // r = l3:l2:l1:l0, its fraction f
 4:  mul s3, back
     movw l2, r0
-    mul s2, back
-    or l2, r1
-    mov l1, r0
-    mul s1, back
-    or l1, r1
-    mov l0, r0
-    mul q0, back
-    or l0, r1
-    mov f, r0
+    mul_or s2, back, l1, l2
+    mul_or s1, back, l0, l1
+    mul_or q0, back, f, l0
     mul qf, back
     or f, r1
     subi f, 0x40
     brmi 5f
     // Near 1/2: up where n - r (r + 1) - 1, modulo 2^32, is not negative.
     sec
-    sbc n0, l0
-    sbc n1, l1
-    sbc n2, l2
-    sbc n3, l3
+    sbc_bytes n0, l0, 4
     mul l0, l0
     sub n0, r0
     sbc n1, r1
@@ -371,10 +313,7 @@
     sub n3, r0
     lsl n3
 5:  brcs 6f
-    subi l0, 0xff
-    sbci l1, 0xff
-    sbci l2, 0xff
-    sbci l3, 0xff
+    increment_bytes l0, 4
     brpl 6f
     rjmp .Lclamp
 6:  rjmp .Lrestore

@@ -45,11 +45,9 @@
 
     // Of byte `byte` of the sum, r2 + byte, unless it lies outside.
     .macro into operation, byte, value
-    .irp n, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17
-    .if \n - 2 == \byte
-    \operation r\n, \value
+    .if (\byte >= 0) && (\byte < 16)
+    \operation 2 + \byte, \value
     .endif
-    .endr
     .endm
 
     // Products of `digit` by up to four bytes, side by side into bytes `byte`.. of the sum.
@@ -175,13 +173,7 @@
     .endm
 
     .macro pair_up
-    movw r16, r14
-    movw r14, r12
-    movw r12, r10
-    movw r10, r8
-    movw r8, r6
-    movw r6, r4
-    movw r4, r2
+    movw_from_top r4, r2, 14
     clr r2
     clr r3
     .endm
@@ -195,35 +187,21 @@
     ENTRY fixedpoint_length3_q32_32
     ldi r26, 3
 1:
-    .irp n, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 28, 29
-    push r\n
-    .endr
+    push_all r2, r3, r4, r5, r6, r7, r8, r9, r10, r11, r12, r13, r14, r15, r16, r17, r28, r29
     clr r2
     clr r3
-    .irp n, 4, 6, 8, 10, 12, 14, 16
-    movw r\n, r2
-    .endr
+    movw_each r4, r2, 14
     movw r30, r24
 .Lcomponent:
-    .irp n, 18, 19, 20, 21, 22, 23, 24, 25
-    ld r\n, Z+
-    .endr
-    push r26
-    push r30
-    push r31
+    ld_each r18, Z+, 8
+    push_all r26, r30, r31
     tst r25
     brpl 1f
-    .irp n, 19, 20, 21, 22, 23, 24, 25
-    com r\n
-    .endr
+    com_bytes r19, 7
     neg r18
-    .irp n, 19, 20, 21, 22, 23, 24, 25
-    sbci r\n, 0xff
-    .endr
+    sbci_each r19, 0xff, 7
     brpl 1f
-    pop r31
-    pop r30
-    pop r26
+    pop_all r31, r30, r26
     XJMP .Lclamp
 1:  chain 14, r25, r25
     lsl r25
@@ -247,9 +225,7 @@
     double r19, r20
     chain 0, r18, r18, r20, r22, r24
     chain 1, r18, r19, r21, r23, r25
-    pop r31
-    pop r30
-    pop r26
+    pop_all r31, r30, r26
     dec r26
     breq 1f
     rjmp .Lcomponent
@@ -258,50 +234,24 @@
 
     // 2^fraction a, shifted by bits, by a byte and by pairs of bytes
     FUNCTION fixedpoint_sqrt_64
-    .irp n, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 28, 29
-    push r\n
-    .endr
+    push_all r2, r3, r4, r5, r6, r7, r8, r9, r10, r11, r12, r13, r14, r15, r16, r17, r28, r29
     mov r26, r16
     clr r10
     clr r11
-    movw r12, r10
-    movw r14, r10
-    movw r16, r10
+    movw_each r12, r10, 6
     tst r25
     brpl 1f
-    movw r18, r10
-    movw r20, r10
-    movw r22, r10
-    movw r24, r10
-1:  movw r2, r18
-    movw r4, r20
-    movw r6, r22
-    movw r8, r24
+    movw_each r18, r10, 8
+1:  movw_bytes r2, r18, 8
     mov r27, r26
     andi r27, 7
     breq 2f
-1:  lsl r2
-    rol r3
-    rol r4
-    rol r5
-    rol r6
-    rol r7
-    rol r8
-    rol r9
-    rol r10
+1:  lsl_bytes r2, 9
     dec r27
     brne 1b
 2:  sbrs r26, 3
     rjmp 1f
-    mov r11, r10
-    mov r10, r9
-    mov r9, r8
-    mov r8, r7
-    mov r7, r6
-    mov r6, r5
-    mov r5, r4
-    mov r4, r3
-    mov r3, r2
+    mov_from_top r3, r2, 9
     clr r2
 1:  swap r26
     andi r26, 3
@@ -326,41 +276,21 @@
     brne 1b
     clr r18
     clr r19
-    movw r20, r18
-    movw r22, r18
-    movw r24, r18
+    movw_each r20, r18, 6
     rjmp .Lrestore
 .Lclamp:
     ldi r18, 0xff
     ldi r19, 0xff
-    movw r20, r18
-    movw r22, r18
-    movw r24, r18
+    movw_each r20, r18, 6
     andi r25, 0x7f
 .Lrestore:
-    .irp n, 29, 28, 17, 16, 15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2
-    pop r\n
-    .endr
+    pop_all r29, r28, r17, r16, r15, r14, r13, r12, r11, r10, r9, r8, r7, r6, r5, r4, r3, r2
     clr r1
     ret
 2:  clr r31
     tst r17
     brne 3f
-    mov r17, r16
-    mov r16, r15
-    mov r15, r14
-    mov r14, r13
-    mov r13, r12
-    mov r12, r11
-    mov r11, r10
-    mov r10, r9
-    mov r9, r8
-    mov r8, r7
-    mov r7, r6
-    mov r6, r5
-    mov r5, r4
-    mov r4, r3
-    mov r3, r2
+    mov_from_top r3, r2, 15
     clr r2
     ldi r31, 1
     // `power` brings the leading one to bit 7 or 6; r30 undoes it, and a move by half a byte.
@@ -379,21 +309,7 @@
     ldi r30, 0x20
 4:  mul r17, power
     mov r17, r0
-    scale r17, r16, r16, power
-    scale r16, r15, r15, power
-    scale r15, r14, r14, power
-    scale r14, r13, r13, power
-    scale r13, r12, r12, power
-    scale r12, r11, r11, power
-    scale r11, r10, r10, power
-    scale r10, r9, r9, power
-    scale r9, r8, r8, power
-    scale r8, r7, r7, power
-    scale r7, r6, r6, power
-    scale r6, r5, r5, power
-    scale r5, r4, r4, power
-    scale r4, r3, r3, power
-    scale r3, r2, r2, power
+    mul_or_bytes r2, power, r2, 15
 .Lscaled:
     sbrc r31, 0
     swap r30
@@ -408,14 +324,8 @@
     clr digits
     mov r30, r17
     ldi r31, hi8(fixedpoint_sqrt_table)
-    lpm x1, Z
-    inc r31
-    lpm x0, Z
-    inc r31
-    lpm r0, Z
-    mul r0, r16
-    add x1, r1
-    adc x0, digits
+    lpm_pages x1, x0, r0
+    mul_add_upper r0, r16, x1, digits, x0
     mul x1, x1
     sub r14, r0
     sbc r15, r1
@@ -428,21 +338,7 @@
     sub r15, r0
     sbc r16, r1
     // Halved, with what follows.
-    lsr r16
-    ror r15
-    ror r14
-    ror r13
-    ror r12
-    ror r11
-    ror r10
-    ror r9
-    ror r8
-    ror r7
-    ror r6
-    ror r5
-    ror r4
-    ror r3
-    ror r2
+    lsr_bytes r2, 15
     ldi half, 0x80
     rjmp 2f
 1:  adiw x1, 1
@@ -480,13 +376,7 @@
 1:  cpi r26, 8
     breq 2f
     mov r27, r18
-    mov r18, r19
-    mov r19, r20
-    mov r20, r21
-    mov r21, r22
-    mov r22, r23
-    mov r23, r24
-    mov r24, r25
+    mov_bytes r18, r19, 7
     clr r25
     inc r26
     rjmp 1b
@@ -517,9 +407,7 @@
     or r24, r0
     mov r25, r1
 3:  lsl r27
-    .irp n, 18, 19, 20, 21, 22, 23, 24, 25
-    adc r\n, zero
-    .endr
+    adc_each r18, zero, 8
     brpl 4f
     rjmp .Lclamp
 4:  rjmp .Lrestore

@@ -30,9 +30,7 @@
     .endm
     .macro add_square
     ld x, X+
-    muls x, x
-    add s0, r0
-    adc s1, r1
+    muls_add x, x, s0, s1
     .endm
 
     SECTION fixedpoint_length_q4_4

@@ -54,14 +54,8 @@
     com x1
     neg x0
     sbci x1, 0xff
-1:  mul x0, x0
-    add s0, r0
-    adc s1, r1
-    adc s2, zero
-    adc s3, zero
-    mul x1, x1
-    add s2, r0
-    adc s3, r1
+1:  mul_add x0, x0, s0, s1, zero, s2, s3
+    mul_add x1, x1, s2, s3
     mul x0, x1
     lsl r0
     rol r1
@@ -77,9 +71,7 @@
     tst s3
     brne .Lpairs
 .Lbytes:
-    mov s3, s2
-    mov s2, s1
-    mov s1, s0
+    mov_from_top s1, s0, 3
     clr s0
     subi k, -4
     tst s3
@@ -96,14 +88,8 @@
     clr r1
     ret
 .Lpair:
-    lsl s0
-    rol s1
-    rol s2
-    rol s3
-    lsl s0
-    rol s1
-    rol s2
-    rol s3
+    lsl_bytes s0, 4
+    lsl_bytes s0, 4
     inc k
 .Lpairs:
     cpi s3, 0x40
@@ -130,9 +116,7 @@
     inc root
 
     // q = (s3:s2:s1) / (2 root); the remainder is s3:s1, with s0 behind it.
-1:  lsr s3
-    ror s2
-    ror s1
+1:  lsr_bytes s1, 3
     rol s3
     ldi q, 0xff
     cp s2, root

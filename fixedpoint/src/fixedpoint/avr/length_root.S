@@ -33,9 +33,7 @@
     clr k
 1:  tst r27
     brne 2f
-    mov r27, r26
-    mov r26, r25
-    mov r25, r24
+    mov_from_top r25, r24, 3
     mov r24, r31
     mov r31, r30
     clr r30
@@ -58,20 +56,12 @@
     ldi r23, 64
 3:  mul r27, r23
     mov r30, r0
-    mul r26, r23
-    or r30, r1
-    mov m2, r0
-    mul r25, r23
-    or m2, r1
-    mov m1, r0
+    mul_or r26, r23, m2, r30
+    mul_or r25, r23, m1, m2
     mul r24, r23
     or m1, r1
     ldi r31, hi8(fixedpoint_sqrt_table)
-    lpm s1, Z
-    inc r31
-    lpm s2, Z
-    inc r31
-    lpm slope, Z
+    lpm_pages s1, s2, slope
     mul slope, m2
     add s1, r1
     brcc 4f
@@ -170,10 +160,7 @@
     clr r1
     ret
 .Lzero:
-    clr r22
-    clr r23
-    clr r24
-    clr r25
+    clr_bytes r22, 4
     ret
     ENDFUNC fixedpoint_length_root
 #endif

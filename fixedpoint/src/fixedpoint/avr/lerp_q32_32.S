@@ -23,36 +23,13 @@
 #endif
 
     FUNCTION fixedpoint_lerp_q32_32
-    push r28
-    push r29
-    push r25
-    push r24
-    push r23
-    push r22
-    push r21
-    push r20
-    push r19
-    push r18
+    push_all r28, r29, r25, r24, r23, r22, r21, r20, r19, r18
     in r28, SPL
     in r29, SPH
-    sub r10, r18
-    sbc r11, r19
-    sbc r12, r20
-    sbc r13, r21
-    sbc r14, r22
-    sbc r15, r23
-    sbc r16, r24
-    sbc r17, r25
+    sub_bytes r10, r18, 8
     in r0, SREG
     bst r0, 3           // the overflow of signed numbers
-    ldd r18, Y + T0 + 0
-    ldd r19, Y + T0 + 1
-    ldd r20, Y + T0 + 2
-    ldd r21, Y + T0 + 3
-    ldd r22, Y + T0 + 4
-    ldd r23, Y + T0 + 5
-    ldd r24, Y + T0 + 6
-    ldd r25, Y + T0 + 7
+    ldd_bytes r18, Y + T0, 8
     XCALL fixedpoint_multiply_q32_32
     brtc 2f
     ldd r26, Y + T0 + 0

@@ -49,11 +49,7 @@
     mov r30, interval
     // Values lie in the upper halves of the pages, slopes and bends in the lower ones.
     ldi r31, hi8(fixedpoint_log2_table)
-    lpm sum0, Z
-    inc r31
-    lpm sum1, Z
-    inc r31
-    lpm sum2, Z
+    lpm_pages sum0, sum1, sum2
     subi r30, 128
     lpm bend, Z
     dec r31
@@ -64,9 +60,7 @@
     mov rest, fraction1
     com rest
     fmul rest, fraction1
-    mul r1, bend
-    add rise0, r1
-    adc rise1, zero
+    mul_add_upper r1, bend, rise0, zero, rise1
     add sum0, rise0
     adc sum1, rise1
     adc sum2, zero

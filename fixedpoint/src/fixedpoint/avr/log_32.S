@@ -62,10 +62,7 @@
     ldi r18, 0
     rjmp .Llook_up_\fraction
 .Lno_logarithm_\fraction:
-    ldi r22, 0
-    ldi r23, 0
-    ldi r24, 0
-    ldi r25, 0x80
+    ldi_bytes r22, 0x80000000, 4
     ret
 .Lone_leads_four_\fraction:
     ldi r27, 56 * 3
@@ -98,9 +95,7 @@
     find_exponent r23, 1
     mul r23, factor
     mov r30, r0
-    mul r22, factor
-    or r30, r1
-    mov r20, r0
+    mul_or r22, factor, r20, r30
     ldi r19, 0
     ldi r18, 0
     rjmp .Llook_up_\fraction
@@ -112,12 +107,8 @@
     find_exponent r24, 2
     mul r24, factor
     mov r30, r0
-    mul r23, factor
-    or r30, r1
-    mov r20, r0
-    mul r22, factor
-    or r20, r1
-    mov r19, r0
+    mul_or r23, factor, r20, r30
+    mul_or r22, factor, r19, r20
     ldi r18, 0
     rjmp .Llook_up_\fraction
 
@@ -129,15 +120,8 @@
     find_exponent r25, 3
     mul r25, factor
     mov r30, r0
-    mul r24, factor
-    or r30, r1
-    mov r20, r0
-    mul r23, factor
-    or r20, r1
-    mov r19, r0
-    mul r22, factor
-    or r19, r1
-    mov r18, r0
+    mul_or r24, factor, r20, r30
+    mul_or_bytes r22, factor, r18, 2
 .Llook_up_\fraction:
     push r27
     find_record fixedpoint_log_32_table, r26

@@ -64,9 +64,7 @@
     adc sum2, r0
     adc sum3, zero
     inc r31
-    lpm slope1, Z
-    inc r31
-    lpm slope0, Z
+    lpm_pages slope1, slope0
     find_rise
     add sum0, rise0
     adc sum1, rise1

@@ -26,19 +26,9 @@
 #define sum2 r20
 #define sum3 r21
 
-    .macro subtract constant
-    subi sum0, lo8(\constant)
-    sbci sum1, hi8(\constant)
-    sbci sum2, hlo8(\constant)
-    sbci sum3, hhi8(\constant)
-    .endm
-
     SECTION fixedpoint_log_q16_16_small
 .Lnone:
-    ldi r22, 0
-    ldi r23, 0
-    ldi r24, 0
-    ldi r25, 0x80
+    ldi_bytes r22, 0x80000000, 4
     ret
 
     ENTRY fixedpoint_log_q16_16_small
@@ -47,33 +37,23 @@
     cpc r1, r24
     cpc r1, r25
     brge .Lnone
-    ldi sum0, lo8(START)
-    ldi sum1, hi8(START)
-    ldi sum2, hlo8(START)
-    ldi sum3, hhi8(START)
+    ldi_bytes sum0, START, 4
 .Lbyte:
     tst r25
     brne .Lbit
-    mov r25, r24
-    mov r24, r23
-    mov r23, r22
+    mov_from_top r23, r22, 3
     mov r22, r1
-    subtract (8 * LN2)
+    subi_bytes sum0, (8 * LN2), 4
     rjmp .Lbyte
 .Lbit:
-    subtract LN2
-    lsl r22
-    rol r23
-    rol r24
-    rol r25
+    subi_bytes sum0, LN2, 4
+    lsl_bytes r22, 4
     brcc .Lbit
 
     ldi r30, lo8(fixedpoint_log_small_table)
     ldi r31, hi8(fixedpoint_log_small_table)
     XCALL fixedpoint_parabola_small
-    mov r22, sum1
-    mov r23, sum2
-    mov r24, sum3
+    mov_bytes r22, sum1, 3
     lsl sum3
     sbc r25, r25
     clr r1

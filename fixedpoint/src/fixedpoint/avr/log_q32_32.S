@@ -64,11 +64,7 @@
     adc r22, zero
     brts 1f
     lsl r26
-    rol r18
-    rol r19
-    rol r20
-    rol r21
-    rol r22
+    rol_bytes r18, 5
     sbc r23, r23
     mov r24, r23
     mov r25, r23

@@ -14,11 +14,7 @@
     FUNCTION fixedpoint_log_q32_32_fine
     set
     XCALL fixedpoint_unrounded_log_q32_32
-    mov r23, r22
-    mov r22, r21
-    mov r21, r20
-    mov r20, r19
-    mov r19, r18
+    mov_from_top r19, r18, 5
     mov r18, r26
     mov r24, r23
     lsl r24

@@ -39,12 +39,6 @@
 
 #include "round_32.inc"
 
-    .macro product p, q, low, high, carry
-    mul \p, \q
-    add \low, r0
-    adc \high, r1
-    adc \carry, zero
-    .endm
     .macro signed_product p, q, low, high, carry
     mulsu \p, \q
     sbc \carry, zero
@@ -73,11 +67,11 @@
     mov s1, r1
     mul a1, rB1
     movw s2, r0
-    product a0, rB1, s1, s2, s3
-    product a1, rB0, s1, s2, s3
+    mul_add a0, rB1, s1, s2, zero, s3
+    mul_add a1, rB0, s1, s2, zero, s3
     clr s4
-    product a0, rB2, s2, s3, s4
-    product a2, rB0, s2, s3, s4
+    mul_add a0, rB2, s2, s3, zero, s4
+    mul_add a2, rB0, s2, s3, zero, s4
     .if \first == 0
     top_product mul, a1, rB2, s3, s4
     top_product mul, a2, rB1, s3, s4
@@ -88,8 +82,8 @@
     last_product a3, rB1, s4
     .else
     ldi s5, 2
-    product a1, rB2, s3, s4, s5
-    product a2, rB1, s3, s4, s5
+    mul_add a1, rB2, s3, s4, zero, s5
+    mul_add a2, rB1, s3, s4, zero, s5
     signed_product rB3, a0, s3, s4, s5
     signed_product a3, rB0, s3, s4, s5
     .if \first == 1
@@ -101,7 +95,7 @@
     subi s5, 2
     .else
     ldi s6, 2
-    product a2, rB2, s4, s5, s6
+    mul_add a2, rB2, s4, s5, zero, s6
     signed_product rB3, a1, s4, s5, s6
     signed_product a3, rB1, s4, s5, s6
     .if \first == 2
@@ -114,9 +108,7 @@
     ldi s7, 2
     signed_product rB3, a2, s5, s6, s7
     signed_product a3, rB2, s5, s6, s7
-    muls a3, rB3
-    add s6, r0
-    adc s7, r1
+    muls_add a3, rB3, s6, s7
     subi s5, 2
     sbci s6, 2
     sbci s7, 2
@@ -143,10 +135,7 @@
 
     FUNCTION fixedpoint_multiply_add_q\integer\()_\fraction
     multiply \fraction
-    add r22, r14
-    adc r23, r15
-    adc r24, r16
-    adc r25, r17
+    add_bytes r22, r14, 4
     ret
     ENDFUNC fixedpoint_multiply_add_q\integer\()_\fraction
     .endm

@@ -14,10 +14,7 @@
 
     FUNCTION fixedpoint_multiply_add_q16_16
     multiply_q16_16
-    add r22, r14
-    adc r23, r15
-    adc r24, r16
-    adc r25, r17
+    add_bytes r22, r14, 4
     ret
     ENDFUNC fixedpoint_multiply_add_q16_16
 

@@ -37,14 +37,8 @@
     mov s1, r1
     mul rA1, rB1
     movw s2, r0
-    mul rA0, rB1
-    add s1, r0
-    adc s2, r1
-    adc s3, \s4
-    mul rA1, rB0
-    add s1, r0
-    adc s2, r1
-    adc s3, \s4
+    mul_add rA0, rB1, s1, s2, \s4, s3
+    mul_add rA1, rB0, s1, s2, \s4, s3
     mul rA0, rB2
     lsl s1              // rounds
     adc s2, r0
@@ -96,17 +90,11 @@
     add r31, r0
     adc r27, r1
     rol r26
-    mul rA2, rB2
-    add r27, r0
-    adc r26, r1
-    mul rA2, rB1
-    add r31, r0
-    adc r27, r1
+    mul_add rA2, rB2, r27, r26
+    mul_add rA2, rB1, r31, r27
     clr r1
     adc r26, r1
-    mul rA2, rB0
-    add r30, r0
-    adc r31, r1
+    mul_add rA2, rB0, r30, r31
     clr r1
     adc r27, r1
     adc r26, r1
@@ -175,9 +163,7 @@
     sbc rB0, rB0
     add r30, r0
     adc r31, r1
-    adc r25, rB0
-    adc r26, rB0
-    adc r27, rB0
+    adc_each r25, rB0, 3
     clr r1
     mov r0, r26
     lsl r0

@@ -39,21 +39,17 @@
 #define b7 r17
 #define zero r31
 
-    .macro accumulate low, high, carry
-    add \low, r0
-    adc \high, r1
-    adc \carry, zero
-    .endm
-
-    .macro product p, q, low, high, carry
-    mul \p, \q
-    accumulate \low, \high, \carry
+    // The products of bytes i of a and k - i of b, for i = first..last.
+    .macro column k, first, last, low, high, carry
+    rising \first, (\last + 1), mul_add, .Lr18 + \n, .Lr10 + \k - \n, \low, \high, zero, \carry
     .endm
 
     .macro signed_product p, q, low, high, carry
     mulsu \p, \q
     sbc \carry, zero
-    accumulate \low, \high, \carry
+    add \low, r0
+    adc \high, r1
+    adc \carry, zero
     .endm
 
     FUNCTION fixedpoint_multiply_q32_32
@@ -67,89 +63,44 @@
     mov r26, r1
     adc r26, zero
     ldi r27, 0x80
-    product a1, b0, r30, r26, r27
+    mul_add a1, b0, r30, r26, zero, r27
     // byte 2
     clr r30
-    product a0, b2, r26, r27, r30
-    product a1, b1, r26, r27, r30
-    product a2, b0, r26, r27, r30
+    column 2, 0, 2, r26, r27, r30
     // byte 3
     clr r26
-    product a0, b3, r27, r30, r26
-    product a1, b2, r27, r30, r26
-    product a2, b1, r27, r30, r26
-    product a3, b0, r27, r30, r26
+    column 3, 0, 3, r27, r30, r26
     // byte 4
     clr r27
-    product a0, b4, r30, r26, r27
-    product a1, b3, r30, r26, r27
-    product a2, b2, r30, r26, r27
-    product a3, b1, r30, r26, r27
-    product a4, b0, r30, r26, r27
+    column 4, 0, 4, r30, r26, r27
     push r30
     // byte 5
     clr r30
-    product a0, b5, r26, r27, r30
-    product a1, b4, r26, r27, r30
-    product a2, b3, r26, r27, r30
-    product a3, b2, r26, r27, r30
-    product a4, b1, r26, r27, r30
-    product a5, b0, r26, r27, r30
+    column 5, 0, 5, r26, r27, r30
     push r26
     // byte 6
     clr r26
-    product a0, b6, r27, r30, r26
-    product a1, b5, r27, r30, r26
-    product a2, b4, r27, r30, r26
-    product a3, b3, r27, r30, r26
-    product a4, b2, r27, r30, r26
-    product a5, b1, r27, r30, r26
-    product a6, b0, r27, r30, r26
+    column 6, 0, 6, r27, r30, r26
     push r27
     // byte 7
     ldi r27, 1
     signed_product b7, a0, r30, r26, r27
-    product a1, b6, r30, r26, r27
-    product a2, b5, r30, r26, r27
-    product a3, b4, r30, r26, r27
-    product a4, b3, r30, r26, r27
-    product a5, b2, r30, r26, r27
-    product a6, b1, r30, r26, r27
-    product a7, b0, r30, r26, r27
+    column 7, 1, 7, r30, r26, r27
     push r30
     // byte 8
     ldi r18, 1
     signed_product b7, a1, r26, r27, r18
-    product a2, b6, r26, r27, r18
-    product a3, b5, r26, r27, r18
-    product a4, b4, r26, r27, r18
-    product a5, b3, r26, r27, r18
-    product a6, b2, r26, r27, r18
-    product a7, b1, r26, r27, r18
+    column 8, 2, 7, r26, r27, r18
     // byte 9
     clr r19
     signed_product b7, a2, r27, r18, r19
-    product a3, b6, r27, r18, r19
-    product a4, b5, r27, r18, r19
-    product a5, b4, r27, r18, r19
-    product a6, b3, r27, r18, r19
-    product a7, b2, r27, r18, r19
+    column 9, 3, 7, r27, r18, r19
     // byte 10
-    mulsu b7, a3
-    add r18, r0
-    adc r19, r1
-    mul a4, b6
-    add r18, r0
-    adc r19, r1
-    mul a5, b5
-    add r18, r0
-    adc r19, r1
-    mul a6, b4
-    add r18, r0
-    adc r19, r1
-    mul a7, b3
-    add r18, r0
-    adc r19, r1
+    mulsu_add b7, a3, r18, r19
+    mul_add a4, b6, r18, r19
+    mul_add a5, b5, r18, r19
+    mul_add a6, b4, r18, r19
+    mul_add a7, b3, r18, r19
     // byte 11
     mul a4, b7
     add r19, r0
@@ -171,10 +122,7 @@
     clr r1
     movw r22, r26
     movw r24, r18
-    pop r21
-    pop r20
-    pop r19
-    pop r18
+    pop_all r21, r20, r19, r18
     ret
     ENDFUNC fixedpoint_multiply_q32_32
 

@@ -18,9 +18,7 @@
     movw r20, r24
     mulsu r21, r22
     movw r24, r0
-    mulsu r23, r20
-    add r24, r0
-    adc r25, r1
+    mulsu_add r23, r20, r24, r25
     mul r21, r23
     add r25, r0
     mul r20, r22

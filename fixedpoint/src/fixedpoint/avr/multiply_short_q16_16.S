@@ -26,10 +26,7 @@
     add s1, r0
     adc s2, r1
     adc s3, zero
-    mul rA0, rB1
-    add s1, r0
-    adc s2, r1
-    adc s3, zero
+    mul_add rA0, rB1, s1, s2, zero, s3
     sbrs rB2, 0
     rjmp 1f
     add s2, rA0

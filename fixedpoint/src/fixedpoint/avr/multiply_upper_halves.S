@@ -41,16 +41,8 @@
 
     // s4:s0 += p1:p0 q1:q0
     .macro pair p0, p1, q0, q1
-    mul \p0, \q1
-    add s1, r0
-    adc s2, r1
-    adc s3, zero
-    adc s4, zero
-    mul \p1, \q0
-    add s1, r0
-    adc s2, r1
-    adc s3, zero
-    adc s4, zero
+    mul_add \p0, \q1, s1, s2, zero, s3, s4
+    mul_add \p1, \q0, s1, s2, zero, s3, s4
     mul \p1, \q1
     movw t0, r0
     mul \p0, \q0
@@ -82,25 +74,15 @@
     .endm
 
     FUNCTION fixedpoint_multiply_upper_halves
-    push zero
-    push r28
-    push r29
+    push_all zero, r28, r29
     clr zero
     ldi s4, 0
     mul a2, b6
     movw s0, r0
     mul a3, b7
     movw s2, r0
-    mul a2, b7
-    add s1, r0
-    adc s2, r1
-    adc s3, zero
-    adc s4, zero
-    mul a3, b6
-    add s1, r0
-    adc s2, r1
-    adc s3, zero
-    adc s4, zero
+    mul_add a2, b7, s1, s2, zero, s3, s4
+    mul_add a3, b6, s1, s2, zero, s3, s4
     pair b2, b3, a6, a7
     ldi s5, 0
     ldi s6, 0
@@ -113,9 +95,7 @@
     movw r22, s4
     movw r20, s2
     clr r1
-    pop r29
-    pop r28
-    pop zero
+    pop_all r29, r28, zero
     ret
     ENDFUNC fixedpoint_multiply_upper_halves
 #endif

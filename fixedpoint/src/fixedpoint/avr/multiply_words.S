@@ -59,9 +59,7 @@
     SECTION fixedpoint_multiply_words
     ENTRY fixedpoint_upper_product
     ENTRY fixedpoint_multiply_words
-    push r17
-    push r28
-    push r29
+    push_all r17, r28, r29
     movw b0, r18
     movw b2, r20
     mul a0, b0
@@ -69,13 +67,8 @@
     mul a2, b0
     movw s2, r0
     ldi s4, 0
-    mul a1, b0
-    add s1, r0
-    adc s2, r1
-    adc s3, s4
-    mul a3, b0
-    add s3, r0
-    adc s4, r1
+    mul_add a1, b0, s1, s2, s4, s3
+    mul_add a3, b0, s3, s4
     row b1, s1, s2, s3, s4, s5
     row b2, s2, s3, s4, s5, s6
     row b3, s3, s4, s5, s6, s7
@@ -84,9 +77,7 @@
     mov r24, s6
     mov r25, s7
     clr r1
-    pop r29
-    pop r28
-    pop r17
+    pop_all r29, r28, r17
     ret
     ENDFUNC fixedpoint_multiply_words
     ENDFUNC fixedpoint_upper_product

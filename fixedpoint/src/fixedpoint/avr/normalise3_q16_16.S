@@ -28,27 +28,17 @@
 
 // r27:r26:r25:r24 = |next component|, at most 2^31 - 1; its sign becomes the low bit of `signs`.
     .macro load_magnitude
-    ld r24, Z+
-    ld r25, Z+
-    ld r26, Z+
-    ld r27, Z+
+    ld_each r24, Z+, 4
     mov r0, r27
     lsl r0
     rol signs
     tst r27
     brpl 1f
-    com r25
-    com r26
-    com r27
+    com_bytes r25, 3
     neg r24
-    sbci r25, 0xff
-    sbci r26, 0xff
-    sbci r27, 0xff
+    sbci_each r25, 0xff, 3
     brpl 1f
-    com r24
-    com r25
-    com r26
-    com r27
+    com_bytes r24, 4
 1:
     .endm
 
@@ -56,37 +46,20 @@
     .macro scale high, middle, low, x3, x2, x1, x0
     mul \x3, r22
     mov \high, r0
-    mul \x2, r22
-    or \high, r1
-    mov \middle, r0
-    mul \x1, r22
-    or \middle, r1
-    mov \low, r0
+    mul_or \x2, r22, \middle, \high
+    mul_or \x1, r22, \low, \middle
     mul \x0, r22
     or \low, r1
     .endm
 
 // r21:r20:r19:r18 += (high:middle)^2 + 2 high low. Needs high < 128.
     .macro add_square high, middle, low
-    mul \high, \high
-    add r20, r0
-    adc r21, r1
-    mul \middle, \middle
-    add r18, r0
-    adc r19, r1
-    adc r20, zero
-    adc r21, zero
+    mul_add \high, \high, r20, r21
+    mul_add \middle, \middle, r18, r19, zero, r20, r21
     mov r22, \high
     lsl r22
-    mul r22, \middle
-    add r19, r0
-    adc r20, r1
-    adc r21, zero
-    mul r22, \low
-    add r18, r0
-    adc r19, r1
-    adc r20, zero
-    adc r21, zero
+    mul_add r22, \middle, r19, r20, zero, r21
+    mul_add r22, \low, r18, r19, zero, r20, r21
     .endm
 
 // Stores the nearest integer to high:middle:low r20:r19:r18 / 2^30 with the sign in bit `sign`. Of
@@ -97,46 +70,20 @@
     mul \middle, r19
     movw r22, r0
     clr r27
-    mul \high, r19
-    add r23, r0
-    adc r24, r1
-    adc r25, r27
-    mul \middle, r20
-    add r23, r0
-    adc r24, r1
-    adc r25, r27
-    mul \high, r18
-    add r22, r0
-    adc r23, r1
-    adc r24, r27
-    adc r25, r27
-    mul \low, r20
-    add r22, r0
-    adc r23, r1
-    adc r24, r27
-    adc r25, r27
+    mul_add \high, r19, r23, r24, r27, r25
+    mul_add \middle, r20, r23, r24, r27, r25
+    mul_add \high, r18, r22, r23, r27, r24, r25
+    mul_add \low, r20, r22, r23, r27, r24, r25
     clr r26
+    lsl_bytes r23, 4
+    lsl_bytes r23, 4
     lsl r23
-    rol r24
-    rol r25
-    rol r26
-    lsl r23
-    rol r24
-    rol r25
-    rol r26
-    lsl r23
-    adc r24, r27
-    adc r25, r27
-    adc r26, r27
+    adc_each r24, r27, 3
     sbrs signs, \sign
     rjmp 1f
-    com r25
-    com r26
-    com r27
+    com_bytes r25, 3
     neg r24
-    sbci r25, 0xff
-    sbci r26, 0xff
-    sbci r27, 0xff
+    sbci_each r25, 0xff, 3
 1:  st Y+, r24
     st Y+, r25
     st Y+, r26
@@ -144,9 +91,7 @@
     .endm
 
     FUNCTION fixedpoint_normalise3_q16_16
-    .irp register, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 28, 29
-    push r\register
-    .endr
+    push_all r4, r5, r6, r7, r8, r9, r10, r11, r12, r13, r14, r15, r28, r29
     movw r30, r24
     movw r28, r22
     clr signs
@@ -168,17 +113,11 @@
     or r22, r10
     or r22, r26
     brmi 3f
-    mov r7, r6
-    mov r6, r5
-    mov r5, r4
+    mov_from_top r5, r4, 3
     clr r4
-    mov r11, r10
-    mov r10, r9
-    mov r9, r8
+    mov_from_top r9, r8, 3
     clr r8
-    mov r27, r26
-    mov r26, r25
-    mov r25, r24
+    mov_from_top r25, r24, 3
     clr r24
     dec r21
     brne 1b
@@ -213,27 +152,20 @@
     brsh 1f
     clt
     .rept 2
-    lsl r18
-    rol r19
-    rol r20
-    rol r21
+    lsl_bytes r18, 4
     .endr
 1:  mov r30, r21
     mov r18, r20
     mov r21, r19
     reciprocal_root r21
     brts 1f
-    lsl r18
-    rol r19
-    rol r20
+    lsl_bytes r18, 3
 1:  store_component r7, r6, r5, 2
     store_component r11, r10, r9, 1
     store_component r14, r13, r12, 0
     clr r1
 .Lrestore:
-    .irp register, 29, 28, 15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4
-    pop r\register
-    .endr
+    pop_all r29, r28, r15, r14, r13, r12, r11, r10, r9, r8, r7, r6, r5, r4
     ret
 .Lzero:
     ldi r24, 12

@@ -66,19 +66,14 @@
 
     // s3:s2:s1 += (high:low)^2 / 2^8
     .macro add_square low, high
-    mul \low, \low
-    add s1, r1
-    adc s2, zero
-    adc s3, zero
+    mul_add_upper \low, \low, s1, zero, s2, s3
     mul \low, \high
     lsl r0
     rol r1
     add s1, r0
     adc s2, r1
     adc s3, zero
-    mul \high, \high
-    add s2, r0
-    adc s3, r1
+    mul_add \high, \high, s2, s3
     .endm
 
     FUNCTION fixedpoint_normalise3_q8_8
@@ -117,9 +112,7 @@
     scale y0, y1
     scale z0, z1
     clr zero
-    clr s1
-    clr s2
-    clr s3
+    clr_bytes s1, 3
     add_square x0, x1
     add_square y0, y1
     add_square z0, z1
@@ -129,12 +122,8 @@
     cpi s3, 0x40
     brsh 2f
     set
-    lsl s1
-    rol s2
-    rol s3
-    lsl s1
-    rol s2
-    rol s3
+    lsl_bytes s1, 3
+    lsl_bytes s1, 3
 2:  reciprocal_root root1, root0, s3, s2
     lsl root0
     rol root1

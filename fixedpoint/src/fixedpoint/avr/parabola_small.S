@@ -33,9 +33,7 @@
     mov r22, d2
     andi r22, 0xf0
     ldi r26, 96         // 6 / 16 of 2^8
-    mul r22, r26
-    add r30, r1
-    adc r31, zero
+    mul_add_upper r22, r26, r30, zero, r31
     andi d2, 15
     lpm r22, Z+
     mul d1, r22
@@ -60,18 +58,9 @@
     movw p1, r0
     mul d0, slope1
     mov p0, r1
-    mul d1, slope0
-    add p0, r1
-    adc p1, zero
-    adc p2, zero
-    mul d2, slope0
-    add p0, r0
-    adc p1, r1
-    adc p2, zero
-    mul d1, slope1
-    add p0, r0
-    adc p1, r1
-    adc p2, zero
+    mul_add_upper d1, slope0, p0, zero, p1, p2
+    mul_add d2, slope0, p0, p1, zero, p2
+    mul_add d1, slope1, p0, p1, zero, p2
     add sum0, p0
     adc sum1, p1
     adc sum2, p2

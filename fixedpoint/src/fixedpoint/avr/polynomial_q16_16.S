@@ -17,12 +17,7 @@
 #include "short_factor_q16_16.inc"
 
     FUNCTION fixedpoint_polynomial_q16_16
-    push zero
-    push s1
-    push s4
-    push s5
-    push r28
-    push r29
+    push_all zero, s1, s4, s5, r28, r29
     clr zero
     movw r26, r24
     movw r28, r18
@@ -43,10 +38,7 @@
     rol r19
     add r30, r18
     adc r31, r19
-    lpm a0, Z+
-    lpm a1, Z+
-    lpm a2, Z+
-    lpm a3, Z+
+    lpm_each a0, Z+, 4
     sbiw r28, 0
     breq 5f
 2:  multiply_fraction
@@ -58,10 +50,7 @@
     sbc s4, a2
     sbc s5, a3
 3:  sbiw r30, 8
-    lpm a0, Z+
-    lpm a1, Z+
-    lpm a2, Z+
-    lpm a3, Z+
+    lpm_each a0, Z+, 4
     add a0, s2
     adc a1, s3
     adc a2, s4
@@ -70,12 +59,7 @@
     brne 2b
 5:  movw r22, a0
     movw r24, a2
-    pop r29
-    pop r28
-    pop s5
-    pop s4
-    pop s1
-    pop zero
+    pop_all r29, r28, s5, s4, s1, zero
     clr r1
     ret
 6:  push b0

@@ -107,18 +107,7 @@
     .endm
 
     FUNCTION fixedpoint_pow_q32_32_unsaturated
-    push r8
-    push r9
-    push r10
-    push r11
-    push r12
-    push r13
-    push r14
-    push r15
-    push r16
-    push r17
-    push r28
-    push r29
+    push_all r8, r9, r10, r11, r12, r13, r14, r15, r16, r17, r28, r29
     clr zero
     // r28 = e + 32, s in r25:r18
     ldi r28, 63
@@ -173,17 +162,7 @@
     times_factor r27, 3, 3, 13
 
     // r22:r13 = s 2^103, r31:r25 = s^2/2 2^103, r12:r9 = s^3/2 2^102
-    lsr r23
-    ror r22
-    ror r21
-    ror r20
-    ror r19
-    ror r18
-    ror r17
-    ror r16
-    ror r15
-    ror r14
-    ror r13
+    lsr_bytes r13, 11
     fraction_product 22, 22, 7, 25
     fraction_product 31, 22, 4, 9
     // s^2/2 - s^3/3 + s^4/4
@@ -194,18 +173,9 @@
     rol r24
     add r25, r1
     adc r26, r24
-    adc r27, zero
-    adc r28, zero
-    adc r29, zero
-    adc r30, zero
-    adc r31, zero
-    sub r25, r9
-    sbc r26, r10
-    sbc r27, r11
-    sbc r28, r12
-    sbc r29, zero
-    sbc r30, zero
-    sbc r31, zero
+    adc_each r27, zero, 5
+    sub_bytes r25, r9, 4
+    sbc_each r29, zero, 3
     ldi r23, 85
     mul r9, r23
     mov r24, r1
@@ -240,32 +210,13 @@
     .set source, source + 1
     .endr
     .endr
-    sub r13, r25
-    sbc r14, r26
-    sbc r15, r27
-    sbc r16, r28
-    sbc r17, r29
-    sbc r18, r30
-    sbc r19, r31
-    sbc r20, zero
-    sbc r21, zero
-    sbc r22, zero
+    sub_bytes r13, r25, 7
+    sbc_each r20, zero, 3
     // r26:r13 = ln a 2^104
-    lsl r13
-    rol r14
-    rol r15
-    rol r16
-    rol r17
-    rol r18
-    rol r19
-    rol r20
-    rol r21
-    rol r22
+    lsl_bytes r13, 10
     clr r23
     rol r23
-    clr r24
-    clr r25
-    clr r26
+    clr_bytes r24, 3
     add_logarithm 11
     add_logarithm 12
     add_logarithm 13
@@ -366,15 +317,7 @@
 3:  brtc 1f
     negate 18, 27
 1:  multiple_of_ln2 r27, r26, r17
-    sub r8, r18
-    sbc r9, r19
-    sbc r10, r20
-    sbc r11, r21
-    sbc r12, r22
-    sbc r13, r23
-    sbc r14, r24
-    sbc r15, r25
-    sbc r16, r26
+    sub_bytes r8, r18, 9
     clr r17
     clt
     XJMP fixedpoint_power_of_rest_q32_32

@@ -44,21 +44,13 @@
 .Lbyte:
     tst m3
     brne .Ltest
-    mov m3, m2
-    mov m2, m1
-    mov m1, m0
+    mov_from_top m1, m0, 3
     mov m0, zero
     subi s, -4
     rjmp .Lbyte
 .Ltwo_bits:
-    lsl m0
-    rol m1
-    rol m2
-    rol m3
-    lsl m0
-    rol m1
-    rol m2
-    rol m3
+    lsl_bytes m0, 4
+    lsl_bytes m0, 4
     inc s
 .Ltest:
     cpi m3, 64
@@ -96,12 +88,8 @@
     sbci e1, 0x80
     mul e0, y1
     mov y0, r1
-    mulsu e1, y1
-    add y0, r0
-    adc y1, r1
-    muls e1, e1
-    add y0, r0
-    adc y1, r1
+    mulsu_add e1, y1, y0, y1
+    muls_add e1, e1, y0, y1
     ret
     ENDFUNC fixedpoint_reciprocal_root_small
 
@@ -114,14 +102,10 @@
     mov m1, m2
     mov m2, zero
     rjmp 2f
-1:  lsr m2
-    ror m1
-    ror m0
+1:  lsr_bytes m0, 3
 2:  dec s
     brpl 1b
-    adc m0, zero
-    adc m1, zero
-    adc m2, zero
+    adc_each m0, zero, 3
     ldi m3, 0
     ret
     ENDFUNC fixedpoint_shift_root_small

@@ -48,18 +48,6 @@
 #define upper r31
 #define lower r23
 
-    .macro upper_byte_of a, b
-    mul \a, \b
-    add product0, r1
-    adc product1, zero
-    .endm
-    .macro product a, b, p0, p1, p2
-    mul \a, \b
-    add \p0, r0
-    adc \p1, r1
-    adc \p2, zero
-    .endm
-
     SECTION fixedpoint_reciprocal_sqrt_32
 .Lnot_positive:
     tst r25
@@ -91,9 +79,7 @@
     find_exponent r23
     mul r23, factor
     mov r30, r0
-    mul r22, factor
-    or r30, r1
-    mov r20, r0
+    mul_or r22, factor, r20, r30
     rjmp .Lone_byte_of_t
 1:  tst r23
     brne .Lone_leads_two
@@ -122,12 +108,8 @@
     find_exponent r24
     mul r24, factor
     mov r30, r0
-    mul r23, factor
-    or r30, r1
-    mov r20, r0
-    mul r22, factor
-    or r20, r1
-    mov r19, r0
+    mul_or r23, factor, r20, r30
+    mul_or r22, factor, r19, r20
     ldi r18, 0
     rjmp .Llook_up
 
@@ -140,15 +122,8 @@
     find_exponent r25
     mul r25, factor
     mov r30, r0
-    mul r24, factor
-    or r30, r1
-    mov r20, r0
-    mul r23, factor
-    or r20, r1
-    mov r19, r0
-    mul r22, factor
-    or r19, r1
-    mov r18, r0
+    mul_or r24, factor, r20, r30
+    mul_or_bytes r22, factor, r18, 2
 .Llook_up:
     clr zero
     cpi twice, 82
@@ -158,11 +133,7 @@
     push twice
     find_record fixedpoint_reciprocal_sqrt_32_table, r22
     XCALL fixedpoint_cubic_40
-    com m0
-    com m1
-    com m2
-    com m3
-    com m4
+    com_bytes m0, 5
     subi m4, 0x80
     pop product1
     lsr product1
@@ -182,34 +153,30 @@
     clr product1
     clr product2
     ldi lower, 0x04
-    upper_byte_of m1, lower
+    mul_add_upper m1, lower, product0, zero, product1
     ldi lower, 0xf3
-    upper_byte_of m2, lower
+    mul_add_upper m2, lower, product0, zero, product1
     ldi lower, 0x34
-    upper_byte_of m3, lower
-    product m4, lower, product0, product1, product2
+    mul_add_upper m3, lower, product0, zero, product1
+    mul_add m4, lower, product0, product1, zero, product2
     ldi lower, 0xf3
-    product m3, lower, product0, product1, product2
+    mul_add m3, lower, product0, product1, zero, product2
     ldi lower, 0x04
-    product m2, lower, product0, product1, product2
-    product m1, upper, product0, product1, product2
+    mul_add m2, lower, product0, product1, zero, product2
+    mul_add m1, upper, product0, product1, zero, product2
     clr product3
-    product m3, lower, product1, product2, product3
-    product m2, upper, product1, product2, product3
+    mul_add m3, lower, product1, product2, zero, product3
+    mul_add m2, upper, product1, product2, zero, product3
     ldi lower, 0xf3
-    product m4, lower, product1, product2, product3
+    mul_add m4, lower, product1, product2, zero, product3
     clr product4
     ldi lower, 0x04
-    product m4, lower, product2, product3, product4
-    product m3, upper, product2, product3, product4
-    mul m4, upper
-    add product3, r0
-    adc product4, r1
+    mul_add m4, lower, product2, product3, zero, product4
+    mul_add m3, upper, product2, product3, zero, product4
+    mul_add m4, upper, product3, product4
     mov m4, product4
     mov m3, product3
-    mov m2, product2
-    mov m1, product1
-    mov m0, product0
+    mov_from_top m0, product0, 3
     pop r19
     XJMP fixedpoint_scale_40
     ENDFUNC fixedpoint_reciprocal_sqrt_32

@@ -83,9 +83,7 @@
     rjmp .Lbyte\@
 2:  mul r23, r20
     mov r30, r0
-    mul r22, r20
-    or r30, r1
-    mov r18, r0
+    mul_or r22, r20, r18, r30
 3:
     .ifnb \correctly
     push r22
@@ -106,9 +104,7 @@
     .else
     lsl r18
     .endif
-    adc r22, zero
-    adc r23, zero
-    adc r24, zero
+    adc_each r22, zero, 3
     clr r1
     .ifnb \correctly
     pop r0
@@ -124,11 +120,7 @@
 .Lbyte\@:
     mov r30, r22
     ldi r31, hi8(fixedpoint_reciprocal_sqrt_table + 0x300)
-    lpm r22, Z
-    inc r31
-    lpm r23, Z
-    inc r31
-    lpm r24, Z
+    lpm_pages r22, r23, r24
     cpi r30, 64
     brsh 2f
     cpi r30, 2
@@ -137,12 +129,8 @@
     sbrc r30, 0
     ldi r25, 1
 1:  ret
-2:  lsr r24
-    ror r23
-    ror r22
-    lsr r24
-    ror r23
-    ror r22
+2:  lsr_bytes r22, 3
+    lsr_bytes r22, 3
     .ifnb \correctly
     mov r18, r30
     clr r19
@@ -153,9 +141,7 @@
 .Lclose\@:
     push r17
     sec
-    rol r22
-    rol r23
-    rol r24
+    rol_bytes r22, 3
     mul r18, r22
     movw r26, r0
     mul r20, r22
@@ -188,14 +174,10 @@
     add_product r26, r24, r19, r20, r21
     add_product r27, r24, r20, r21
     add_product r30, r24, r21
-    lsr r24
-    ror r23
-    ror r22
+    lsr_bytes r22, 3
     lsl r21
     .endif
-    adc r22, zero
-    adc r23, zero
-    adc r24, zero
+    adc_each r22, zero, 3
     .ifnb \correctly
     clr r1
     pop r17
@@ -213,17 +195,12 @@
 .Labove_one\@:
     brmi .Lnegative\@
     .ifnb \correctly
-    push r22
-    push r23
-    push r24
-    push r25
+    push_all r22, r23, r24, r25
     .endif
     tst r25
     mov r26, r25
     breq 1f
-    mov r22, r23
-    mov r23, r24
-    mov r24, r25
+    mov_bytes r22, r23, 3
     clr zero
     ldi r26, 4
 1:  ldi r20, 64
@@ -241,27 +218,19 @@
     ldi r20, 1
 2:  mul r24, r20
     mov r30, r0
-    mul r23, r20
-    or r30, r1
-    mov r18, r0
-    mul r22, r20
-    or r18, r1
-    mov r21, r0
+    mul_or r23, r20, r18, r30
+    mul_or r22, r20, r21, r18
     mov r22, r26
     reciprocal_root r21
     clr r24
     subi r22, 1
     brcs 4f
     breq 5f
-3:  lsr r20
-    ror r19
-    ror r18
+3:  lsr_bytes r18, 3
     dec r22
     brne 3b
     rjmp 5f
-4:  lsl r18
-    rol r19
-    rol r20
+4:  lsl_bytes r18, 3
 5:
     .ifb \correctly
     lsl r18
@@ -271,22 +240,14 @@
     .ifnb \correctly
     round_unless_close 5, 13
     .endif
-    adc r22, zero
-    adc r23, zero
-    adc r24, zero
+    adc_each r22, zero, 3
     clr r1
     .ifnb \correctly
-    pop r0
-    pop r0
-    pop r0
-    pop r0
+    pop_all r0, r0, r0, r0
     .endif
     ret
     .ifnb \correctly
-9:  pop r21
-    pop r20
-    pop r19
-    pop r18
+9:  pop_all r21, r20, r19, r18
     rjmp .Lclose\@
     .endif
     ENDFUNC \name

@@ -65,10 +65,7 @@
     movw s0, r0
     mul y1, y1
     movw s2, r0
-    mul y0, y1
-    add s1, r0
-    adc s2, r1
-    adc s3, zero
+    mul_add y0, y1, s1, s2, zero, s3
     add s1, r0
     adc s2, r1
     adc s3, zero
@@ -79,29 +76,14 @@
     add e0, r0
     adc r1, zero
     mov e1, r1
-    mul m3, s0
-    add e0, r1
-    adc e1, zero
+    mul_add_upper m3, s0, e0, zero, e1
     clr e2
     adc e2, e2
-    mul m2, s1
-    add e0, r1
-    adc e1, zero
-    adc e2, zero
-    mul m3, s1
-    add e0, r0
-    adc e1, r1
-    adc e2, zero
-    mul m2, s2
-    add e0, r0
-    adc e1, r1
-    adc e2, zero
-    mul m2, s3
-    add e1, r0
-    adc e2, r1
-    mul m3, s2
-    add e1, r0
-    adc e2, r1
+    mul_add_upper m2, s1, e0, zero, e1, e2
+    mul_add m3, s1, e0, e1, zero, e2
+    mul_add m2, s2, e0, e1, zero, e2
+    mul_add m2, s3, e1, e2
+    mul_add m3, s2, e1, e2
     mul m3, s3
     add e2, r0
     com e0
@@ -115,15 +97,9 @@
     mul e2, e2
     mov below, r0
     mov x0, r1
-    mul e0, y1
-    add below, r1
-    adc x0, zero
-    mul e2, y0
-    add below, r0
-    adc x0, r1
-    mul e1, y1
-    add below, r0
-    adc x0, r1
+    mul_add_upper e0, y1, below, zero, x0
+    mul_add e2, y0, below, x0
+    mul_add e1, y1, below, x0
     clr x1
     adc x1, x1
     mul e2, y1

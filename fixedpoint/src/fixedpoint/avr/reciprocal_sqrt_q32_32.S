@@ -52,40 +52,16 @@
 #define z5 r22
 #define z6 r23
 
-    .macro add_product a, b, p0, p1, p2, p3
-    mul \a, \b
-    add \p0, r0
-    adc \p1, r1
-    .ifnb \p2
-    adc \p2, zero
-    .endif
-    .ifnb \p3
-    adc \p3, zero
-    .endif
-    .endm
-    .macro add_upper_byte a, b, p0, p1, p2
-    mul \a, \b
-    add \p0, r1
-    adc \p1, zero
-    .ifnb \p2
-    adc \p2, zero
-    .endif
-    .endm
-
     SECTION fixedpoint_reciprocal_sqrt_q32_32
 .Lnegative:
     ldi r24, 0
     ldi r25, 0
-    movw r18, r24
-    movw r20, r24
-    movw r22, r24
+    movw_each r18, r24, 6
     ret
 .Lzero:
     ldi r18, 0xff
     ldi r19, 0xff
-    movw r20, r18
-    movw r22, r18
-    movw r24, r18
+    movw_each r20, r18, 6
     lsr r25
     ret
 
@@ -108,19 +84,12 @@
 1:  mov r0, r25
     or r0, r24
     brne 1f
-    movw r24, r22
-    movw r22, r20
-    movw r20, r18
+    movw_from_top r20, r18, 6
     clr r19
     subi r27, 8
 1:  tst r25
     brne 1f
-    mov r25, r24
-    mov r24, r23
-    mov r23, r22
-    mov r22, r21
-    mov r21, r20
-    mov r20, r19
+    mov_from_top r20, r19, 6
     subi r27, 4
     tst r25
     breq .Lzero
@@ -138,29 +107,10 @@
     dec r27
 2:  mul r25, r26
     mov r25, r0
-    mul r24, r26
-    or r25, r1
-    mov r24, r0
-    mul r23, r26
-    or r24, r1
-    mov r23, r0
-    mul r22, r26
-    or r23, r1
-    mov r22, r0
-    mul r21, r26
-    or r22, r1
-    mov r21, r0
+    mul_or_bytes r21, r26, r21, 4
     mul r20, r26
     or r21, r1
-3:  push r12
-    push r13
-    push r14
-    push r15
-    push r16
-    push r17
-    push r28
-    push r29
-    push r27
+3:  push_all r12, r13, r14, r15, r16, r17, r28, r29, r27
     movw m2, r24
     movw m4, r22
     mov m5, r21
@@ -171,9 +121,7 @@
     subi r18, 9
     sbc r19, zero
     sbc r20, zero
-    lsl r18
-    rol r19
-    rol r20
+    lsl_bytes r18, 3
     mul r18, r18
     mov s6, r0
     mov s5, r1
@@ -208,24 +156,24 @@
     mov e7, r1
     ldi e6, 0
     ldi e5, 0
-    add_product m1, s6, e7, e6, e5
-    add_product m2, s5, e7, e6, e5
+    mul_add m1, s6, e7, e6, zero, e5
+    mul_add m2, s5, e7, e6, zero, e5
     ldi e4, 0
-    add_upper_byte m3, s4, e6, e5, e4
-    add_upper_byte m4, s3, e6, e5, e4
-    add_product m1, s5, e6, e5, e4
-    add_product m2, s4, e6, e5, e4
-    add_product m3, s3, e6, e5, e4
-    add_product m4, s2, e6, e5, e4
-    add_product m5, s1, e6, e5, e4
+    mul_add_upper m3, s4, e6, zero, e5, e4
+    mul_add_upper m4, s3, e6, zero, e5, e4
+    mul_add m1, s5, e6, e5, zero, e4
+    mul_add m2, s4, e6, e5, zero, e4
+    mul_add m3, s3, e6, e5, zero, e4
+    mul_add m4, s2, e6, e5, zero, e4
+    mul_add m5, s1, e6, e5, zero, e4
     ldi e3, 0
-    add_product m1, s4, e5, e4, e3
-    add_product m2, s3, e5, e4, e3
-    add_product m3, s2, e5, e4, e3
-    add_product m4, s1, e5, e4, e3
-    add_product m1, s3, e4, e3
-    add_product m2, s2, e4, e3
-    add_product m3, s1, e4, e3
+    mul_add m1, s4, e5, e4, zero, e3
+    mul_add m2, s3, e5, e4, zero, e3
+    mul_add m3, s2, e5, e4, zero, e3
+    mul_add m4, s1, e5, e4, zero, e3
+    mul_add m1, s3, e4, e3
+    mul_add m2, s2, e4, e3
+    mul_add m3, s1, e4, e3
     mul m1, s2
     add e3, r0
     mul m2, s1
@@ -236,22 +184,13 @@
     com e5
     com e6
     neg e7
-    sbci e6, 0xff
-    sbci e5, 0xff
-    sbci e4, 0xff
-    sbci e3, 0xff
+    sbci_each e6, 0xff, 4
     // r27:r26:r24 = (8 E)^2 2^56, 21 bits of E
     movw r22, e4
     mov r21, e5
-    lsl r21
-    rol r22
-    rol r23
-    lsl r21
-    rol r22
-    rol r23
-    lsl r21
-    rol r22
-    rol r23
+    lsl_bytes r21, 3
+    lsl_bytes r21, 3
+    lsl_bytes r21, 3
     mul r23, r23
     movw r26, r0
     mul r22, r22
@@ -263,48 +202,33 @@
     adc r27, zero
     .endr
     ldi r21, 12
-    mul r27, r21
-    add e6, r0
-    adc e5, r1
-    adc e4, zero
-    adc e3, zero
-    mul r26, r21
-    add e7, r0
-    adc e6, r1
-    adc e5, zero
-    adc e4, zero
-    adc e3, zero
+    mul_add r27, r21, e6, e5, zero, e4, e3
+    mul_add r26, r21, e7, e6
+    adc_each e5, zero, 3
     mul r24, r21
     add e7, r1
-    adc e6, zero
-    adc e5, zero
-    adc e4, zero
-    adc e3, zero
+    adc_each e6, zero, 4
     // z = Y/2 + Y (E + 3 E^2)
-    mov z6, r20
-    mov z5, r19
-    mov z4, r18
+    mov_from_top z4, r18, 3
     mul z6, e7
     mov z0, r1
     ldi z1, 0
-    add_upper_byte z5, e6, z0, z1
-    add_upper_byte z4, e5, z0, z1
+    mul_add_upper z5, e6, z0, zero, z1
+    mul_add_upper z4, e5, z0, zero, z1
     ldi z2, 0
-    add_product z6, e6, z0, z1, z2
-    add_product z5, e5, z0, z1, z2
-    add_product z4, e4, z0, z1, z2
+    mul_add z6, e6, z0, z1, zero, z2
+    mul_add z5, e5, z0, z1, zero, z2
+    mul_add z4, e4, z0, z1, zero, z2
     ldi z3, 0
-    add_product z6, e5, z1, z2, z3
-    add_product z5, e4, z1, z2, z3
-    add_product z4, e3, z1, z2, z3
+    mul_add z6, e5, z1, z2, zero, z3
+    mul_add z5, e4, z1, z2, zero, z3
+    mul_add z4, e3, z1, z2, zero, z3
     clr r24
-    add_product z6, e4, z2, z3, r24
-    add_product z5, e3, z2, z3, r24
-    add_product z6, e3, z3, r24
+    mul_add z6, e4, z2, z3, zero, r24
+    mul_add z5, e3, z2, z3, zero, r24
+    mul_add z6, e3, z3, r24
     lsl z0
-    rol z1
-    rol z2
-    rol z3
+    rol_bytes z1, 3
     rol r24
     add z4, r24
     adc z5, zero
@@ -316,27 +240,17 @@
     mov z0, z4
     mov z1, z5
     mov z2, z6
-    clr z3
-    clr z4
-    clr z5
-    clr z6
+    clr_bytes z3, 4
 1:  sbrs r27, 4
     rjmp 1f
     mov z0, z2
-    mov z1, z3
-    mov z2, z4
-    mov z3, z5
-    mov z4, z6
+    mov_bytes z1, z3, 4
     clr z5
     clr z6
 1:  sbrs r27, 3
     rjmp 1f
     mov z0, z1
-    mov z1, z2
-    mov z2, z3
-    mov z3, z4
-    mov z4, z5
-    mov z5, z6
+    mov_bytes z1, z2, 5
     clr z6
 1:  ldi r30, 128
     sbrc r27, 1
@@ -348,40 +262,14 @@
     mul z6, r30
     mov z6, r0
     mov r24, r1
-    mul z5, r30
-    or z6, r1
-    mov z5, r0
-    mul z4, r30
-    or z5, r1
-    mov z4, r0
-    mul z3, r30
-    or z4, r1
-    mov z3, r0
-    mul z2, r30
-    or z3, r1
-    mov z2, r0
-    mul z1, r30
-    or z2, r1
-    mov z1, r0
+    mul_or_bytes z1, r30, z1, 5
     mul z0, r30
     or z1, r1
     lsl r0
-    adc z1, zero
-    adc z2, zero
-    adc z3, zero
-    adc z4, zero
-    adc z5, zero
-    adc z6, zero
+    adc_each z1, zero, 6
     adc r24, zero
     clr r1
-    pop r29
-    pop r28
-    pop r17
-    pop r16
-    pop r15
-    pop r14
-    pop r13
-    pop r12
+    pop_all r29, r28, r17, r16, r15, r14, r13, r12
     ret
     ENDFUNC fixedpoint_reciprocal_sqrt_q32_32
 #endif

@@ -28,16 +28,6 @@
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
 
-    .macro negate r0, r1, r2, r3
-    com \r3
-    com \r2
-    com \r1
-    neg \r0
-    sbci \r1, 0xff
-    sbci \r2, 0xff
-    sbci \r3, 0xff
-    .endm
-
     .macro kernel name, quotient, floored
     FUNCTION fixedpoint_\name\()_q16_16
     .if \quotient
@@ -49,11 +39,11 @@
     .endif
     bst r25, 7
     brtc .Ldividend_positive_\name
-    negate r22, r23, r24, r25
+    negate_bytes r22, 4
 .Ldividend_positive_\name\():
     tst r21
     brpl .Ldivisor_positive_\name
-    negate r18, r19, r20, r21
+    negate_bytes r18, 4
 .Ldivisor_positive_\name\():
     clr r26
 
@@ -61,13 +51,9 @@
 .Lbytes_\name\():
     tst r21
     brne .Lbits_\name
-    cp r23, r18
-    cpc r24, r19
-    cpc r25, r20
+    cp_bytes r23, r18, 3
     brlo .Lbits_\name
-    mov r21, r20
-    mov r20, r19
-    mov r19, r18
+    mov_from_top r19, r18, 3
     clr r18
     subi r26, -8
     sbrs r26, 5  // no divisor but 0 moves up by four bytes
@@ -75,10 +61,7 @@
     .if \quotient
     // 2^31, of which the sign makes the limit, unless a is 0, as the divisor is.
     clr r26
-    cp r22, r18
-    cpc r23, r19
-    cpc r24, r20
-    cpc r25, r21
+    cp_bytes r22, r18, 4
     breq 1f
     lsr r31
 1:  rjmp .Lsigned_\name
@@ -88,16 +71,10 @@
 
     // Bits: until the divisor is above the dividend.
 .Lbits_\name\():
-    cp r22, r18
-    cpc r23, r19
-    cpc r24, r20
-    cpc r25, r21
+    cp_bytes r22, r18, 4
     brlo .Laligned_\name
     inc r26
-    lsl r18
-    rol r19
-    rol r20
-    rol r21
+    lsl_bytes r18, 4
     brcc .Lbits_\name
     // The divisor has left the register by a bit. It was 2^31, as is the dividend: nothing is above
     // that. It goes back, the other bytes being 0.
@@ -108,20 +85,11 @@
     tst r26
     breq .Ldone_\name
 .Ldown_\name\():
-    lsr r21
-    ror r20
-    ror r19
-    ror r18
-    cp r22, r18
-    cpc r23, r19
-    cpc r24, r20
-    cpc r25, r21
+    lsr_bytes r18, 4
+    cp_bytes r22, r18, 4
     brlo .Lnext_\name
 .Lsubtract_\name\():
-    sub r22, r18
-    sbc r23, r19
-    sbc r24, r20
-    sbc r25, r21
+    sub_bytes r22, r18, 4
 .Lnext_\name\():
     .if \quotient
     rol r0
@@ -138,15 +106,9 @@
     // -(q + 1), which is the complement, and a remainder less |b|, where signs differ.
     tst r27
     brpl .Lsigned_\name
-    cp r22, r26
-    cpc r23, r26
-    cpc r24, r26
-    cpc r25, r26
+    cp_each r22, r26, 4
     breq .Lsigned_\name
-    sub r22, r18
-    sbc r23, r19
-    sbc r24, r20
-    sbc r25, r21
+    sub_bytes r22, r18, 4
     rjmp .Lremainder_\name
     .endif
 .Lsigned_\name\():
@@ -167,7 +129,7 @@
 .Lremainder_\name\():
     .endif
     brtc .Lpositive_\name
-    negate r22, r23, r24, r25
+    negate_bytes r22, 4
 .Lpositive_\name\():
     .if \quotient
     movw r26, r16

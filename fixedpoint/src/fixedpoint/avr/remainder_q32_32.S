@@ -21,25 +21,10 @@
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
 
-    // The operation, byte by byte: the first of the lowest bytes, the other with its carry.
-    .macro bytewise first, other
-    \first r18, r10
-    \other r19, r11
-    \other r20, r12
-    \other r21, r13
-    \other r22, r14
-    \other r23, r15
-    \other r24, r16
-    \other r25, r17
-    .endm
-
     .macro kernel name, quotient, floored
     FUNCTION fixedpoint_\name\()_q32_32
     .if \quotient
-    push r4
-    push r5
-    push r6
-    push r7
+    push_all r4, r5, r6, r7
     mov r27, r25
     eor r27, r17
     ldi r30, 0xff
@@ -48,57 +33,24 @@
     movw r4, r30
     movw r6, r30
     .endif
-    push r10
-    push r11
-    push r12
-    push r13
-    push r14
-    push r15
-    push r16
-    push r17
+    push_all r10, r11, r12, r13, r14, r15, r16, r17
     bst r25, 7
     brtc 1f
-    negate_64
+    negate_bytes r18, 8
 1:  clr r26
     tst r17
     brpl .Lbytes_\name
-    com r10
-    com r11
-    com r12
-    com r13
-    com r14
-    com r15
-    com r16
-    com r17
+    com_bytes r10, 8
     // The last complement left a carry.
-    adc r10, r26
-    adc r11, r26
-    adc r12, r26
-    adc r13, r26
-    adc r14, r26
-    adc r15, r26
-    adc r16, r26
-    adc r17, r26
+    adc_each r10, r26, 8
 
     // Bytes: while the divisor has a free top byte and 256 times it is not above the dividend.
 .Lbytes_\name\():
     tst r17
     brne .Lbits_\name
-    cp r19, r10
-    cpc r20, r11
-    cpc r21, r12
-    cpc r22, r13
-    cpc r23, r14
-    cpc r24, r15
-    cpc r25, r16
+    cp_bytes r19, r10, 7
     brlo .Lbits_\name
-    mov r17, r16
-    mov r16, r15
-    mov r15, r14
-    mov r14, r13
-    mov r13, r12
-    mov r12, r11
-    mov r11, r10
+    mov_from_top r11, r10, 7
     clr r10
     subi r26, -8
     sbrs r26, 6         // no divisor but 0 moves up by eight bytes
@@ -106,7 +58,7 @@
     .if \quotient
     // 2^63, of which the sign makes the limit, unless a is 0, as the divisor is.
     clr r26
-    bytewise cp, cpc
+    cp_bytes r18, r10, 8
     breq 1f
     lsr r7
 1:  rjmp .Lsigned_\name
@@ -116,17 +68,10 @@
 
     // Bits: until the divisor is above the dividend.
 .Lbits_\name\():
-    bytewise cp, cpc
+    cp_bytes r18, r10, 8
     brlo .Laligned_\name
     inc r26
-    lsl r10
-    rol r11
-    rol r12
-    rol r13
-    rol r14
-    rol r15
-    rol r16
-    rol r17
+    lsl_bytes r10, 8
     brcc .Lbits_\name
     // The divisor has left the register by a bit. It was 2^63, as is the dividend: nothing is above
     // that. It goes back, the other bytes being 0.
@@ -138,28 +83,18 @@
     brne .Ldown_\name
     rjmp .Ldone_\name
 .Ldown_\name\():
-    lsr r17
-    ror r16
-    ror r15
-    ror r14
-    ror r13
-    ror r12
-    ror r11
-    ror r10
-    bytewise cp, cpc
+    lsr_bytes r10, 8
+    cp_bytes r18, r10, 8
     brlo .Lnext_\name
 .Lsubtract_\name\():
-    bytewise sub, sbc
+    sub_bytes r18, r10, 8
 .Lnext_\name\():
     .if \quotient
     rol r0
     rol r1
     rol r30
     rol r31
-    rol r4
-    rol r5
-    rol r6
-    rol r7
+    rol_bytes r4, 4
     .endif
     dec r26
     brne .Ldown_\name
@@ -170,16 +105,9 @@
     // -(q + 1), which is the complement, and a remainder less |b|, where signs differ.
     tst r27
     brpl .Lsigned_\name
-    cp r18, r26
-    cpc r19, r26
-    cpc r20, r26
-    cpc r21, r26
-    cpc r22, r26
-    cpc r23, r26
-    cpc r24, r26
-    cpc r25, r26
+    cp_each r18, r26, 8
     breq .Lsigned_\name
-    bytewise sub, sbc
+    sub_bytes r18, r10, 8
     rjmp .Lremainder_\name
     .endif
 .Lsigned_\name\():
@@ -189,10 +117,7 @@
     com r1
     com r30
     com r31
-    com r4
-    com r5
-    com r6
-    com r7
+    com_bytes r4, 4
     brmi 1b             // 2^63 becomes the number below
     rjmp .Lremainder_\name
 .Lnegative_\name\():
@@ -201,22 +126,12 @@
     adc r1, r26
     adc r30, r26
     adc r31, r26
-    adc r4, r26
-    adc r5, r26
-    adc r6, r26
-    adc r7, r26
+    adc_each r4, r26, 4
 .Lremainder_\name\():
     .endif
     brtc 1f
-    negate_64
-1:  pop r17
-    pop r16
-    pop r15
-    pop r14
-    pop r13
-    pop r12
-    pop r11
-    pop r10
+    negate_bytes r18, 8
+1:  pop_all r17, r16, r15, r14, r13, r12, r11, r10
     .if \quotient
     movw r26, r8
     st X+, r0
@@ -236,10 +151,7 @@
     st X+, r24
     st X, r25
     clr r1
-    pop r7
-    pop r6
-    pop r5
-    pop r4
+    pop_all r7, r6, r5, r4
     .endif
     ret
     ENDFUNC fixedpoint_\name\()_q32_32

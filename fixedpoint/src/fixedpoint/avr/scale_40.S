@@ -18,10 +18,7 @@
     ENTRY fixedpoint_scale_40
     scale
     lsl r21
-    adc r22, r1
-    adc r23, r1
-    adc r24, r1
-    adc r25, r1
+    adc_each r22, r1, 4
     brmi fixedpoint_largest_32
     ret
     ENDFUNC fixedpoint_scale_40
@@ -35,10 +32,7 @@
     ENDFUNC fixedpoint_largest_32
 
     ENTRY fixedpoint_smallest_32
-    ldi r22, 0
-    ldi r23, 0
-    ldi r24, 0
-    ldi r25, 0x80
+    ldi_bytes r22, 0x80000000, 4
     ret
     ENDFUNC fixedpoint_smallest_32
 

@@ -36,11 +36,9 @@
 #define exponent r10
 #define exponent_of_x r11
 
-    .macro product p, q, low, high, carry
-    mul \p, \q
-    add \low, r0
-    adc \high, r1
-    adc \carry, zero
+    // The products of bytes i of a and k - i of another number, for i = first..last.
+    .macro column other, k, first, last, low, high, carry
+    rising \first, (\last + 1), mul_add, .Lr20 + \n, .L\other + \k - \n, \low, \high, zero, \carry
     .endm
 
     SECTION fixedpoint_short_power
@@ -51,44 +49,24 @@
     mul a0, b4
     movw r18, r0
     clr r26
-    product a1, b3, r18, r19, r26
-    product a2, b2, r18, r19, r26
-    product a3, b1, r18, r19, r26
-    product a4, b0, r18, r19, r26
+    column b0, 4, 1, 4, r18, r19, r26
     // byte 5
     clr r18
-    product a0, b5, r19, r26, r18
-    product a1, b4, r19, r26, r18
-    product a2, b3, r19, r26, r18
-    product a3, b2, r19, r26, r18
-    product a4, b1, r19, r26, r18
-    product a5, b0, r19, r26, r18
+    column b0, 5, 0, 5, r19, r26, r18
     // byte 6
     clr r20
-    product a1, b5, r26, r18, r20
-    product a2, b4, r26, r18, r20
-    product a3, b3, r26, r18, r20
-    product a4, b2, r26, r18, r20
-    product a5, b1, r26, r18, r20
+    column b0, 6, 1, 5, r26, r18, r20
     // byte 7
     clr r21
-    product a2, b5, r18, r20, r21
-    product a3, b4, r18, r20, r21
-    product a4, b3, r18, r20, r21
-    product a5, b2, r18, r20, r21
+    column b0, 7, 2, 5, r18, r20, r21
     // byte 8
     clr r22
-    product a3, b5, r20, r21, r22
-    product a4, b4, r20, r21, r22
-    product a5, b3, r20, r21, r22
+    column b0, 8, 3, 5, r20, r21, r22
     // byte 9
     clr r23
-    product a4, b5, r21, r22, r23
-    product a5, b4, r21, r22, r23
+    column b0, 9, 4, 5, r21, r22, r23
     // bytes 10 and 11
-    mul a5, b5
-    add r22, r0
-    adc r23, r1
+    mul_add a5, b5, r22, r23
     movw a4, r22
     movw a2, r20
     mov a1, r18
@@ -98,12 +76,7 @@
     brmi 1f
     dec exponent
     lsl r19
-    rol a0
-    rol a1
-    rol a2
-    rol a3
-    rol a4
-    rol a5
+    rol_bytes a0, 6
 1:  ret
 
     // a = a a, normalised: twice the products of different bytes, from byte 4 in r12 on, and the
@@ -112,29 +85,18 @@
     mul a0, a4
     movw r12, r0
     clr r14
-    product a1, a3, r12, r13, r14
+    mul_add a1, a3, r12, r13, zero, r14
     clr r15
-    product a0, a5, r13, r14, r15
-    product a1, a4, r13, r14, r15
-    product a2, a3, r13, r14, r15
+    column a0, 5, 0, 2, r13, r14, r15
     clr r16
-    product a1, a5, r14, r15, r16
-    product a2, a4, r14, r15, r16
+    column a0, 6, 1, 2, r14, r15, r16
     clr r17
-    product a2, a5, r15, r16, r17
-    product a3, a4, r15, r16, r17
+    column a0, 7, 2, 3, r15, r16, r17
     clr r18
-    product a3, a5, r16, r17, r18
+    mul_add a3, a5, r16, r17, zero, r18
     clr r19
-    product a4, a5, r17, r18, r19
-    lsl r12
-    rol r13
-    rol r14
-    rol r15
-    rol r16
-    rol r17
-    rol r18
-    rol r19
+    mul_add a4, a5, r17, r18, zero, r19
+    lsl_bytes r12, 8
     mul a2, a2
     movw a0, r0
     mul a3, a3
@@ -142,18 +104,13 @@
     mul a4, a4
     movw r26, r0
     mul a5, a5
-    add r12, a0
-    adc r13, a1
-    adc r14, a2
-    adc r15, a3
+    add_bytes r12, a0, 4
     adc r16, r26
     adc r17, r27
     adc r18, r0
     adc r19, r1
     clr zero
-    movw a4, r18
-    movw a2, r16
-    movw a0, r14
+    movw_from_top a0, r14, 6
     mov r19, r13
     lsl exponent
     rjmp .Lnormalise
@@ -166,38 +123,20 @@
     .endm
 
     ENTRY fixedpoint_short_power
-    push r8
-    push r9
-    push r10
-    push r11
-    push r12
-    push r13
-    push r14
-    push r15
-    push r16
-    push r17
-    push r28
-    push r29
-    push r18
-    push r16
+    push_all r8, r9, r10, r11, r12, r13, r14, r15, r16, r17, r28, r29, r18, r16
     movw r30, r20
     clr a0
     clr a1
     clr zero
     rjmp 2f
-1:  mov a5, a4
-    mov a4, a3
-    mov a3, a2
+1:  mov_from_top a3, a2, 3
     clr a2
     subi r18, 8
 2:  tst a5
     breq 1b
     brmi 4f
 3:  dec r18
-    lsl a2
-    rol a3
-    rol a4
-    rol a5
+    lsl_bytes a2, 4
     brpl 3b
 4:  mov exponent, r18
     mov exponent_of_x, r18
@@ -250,29 +189,15 @@
     add r18, exponent
     mov r28, r18
     clr r10
-    mov r11, a0
-    mov r12, a1
-    mov r13, a2
-    mov r14, a3
-    mov r15, a4
-    mov r16, a5
-    clr r17
-    clr r18
-    clr r19
+    mov_bytes r11, a0, 6
+    clr_bytes r17, 3
     movw r20, r18
     movw r22, r18
     clr r24
     ldi r25, 0x40
     XCALL fixedpoint_divide_q32_32
-    lsl r18
-    rol r19
-    rol r20
-    rol r21
-    rol r22
-    mov a5, r22
-    mov a4, r21
-    mov a3, r20
-    mov a2, r19
+    lsl_bytes r18, 5
+    mov_from_top a2, r19, 4
     mov r18, r28
     brcc .Lround
     ldi a2, 0xff
@@ -288,41 +213,19 @@
     brsh .Lzero
     dec r18
     rjmp 2f
-1:  mov a2, a3
-    mov a3, a4
-    mov a4, a5
+1:  mov_bytes a2, a3, 3
     clr a5
 2:  subi r18, 8
     brcc 1b
     subi r18, -8
     breq 4f
-3:  lsr a5
-    ror a4
-    ror a3
-    ror a2
+3:  lsr_bytes a2, 4
     dec r18
     brne 3b
-4:  lsr a5
-    ror a4
-    ror a3
-    ror a2
-    adc a2, r1
-    adc a3, r1
-    adc a4, r1
-    adc a5, r1
+4:  lsr_bytes a2, 4
+    adc_each a2, r1, 4
 .Lreturn:
-    pop r29
-    pop r28
-    pop r17
-    pop r16
-    pop r15
-    pop r14
-    pop r13
-    pop r12
-    pop r11
-    pop r10
-    pop r9
-    pop r8
+    pop_all r29, r28, r17, r16, r15, r14, r13, r12, r11, r10, r9, r8
     ret
 
 .Lzero:

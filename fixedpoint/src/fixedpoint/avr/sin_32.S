@@ -139,9 +139,7 @@
     bst quadrant, 1
     lsr quadrant
     brcc 1f
-    com r18
-    com r19
-    com r20
+    com_bytes r18, 3
     com r30
     .if \fraction > 24
     com r26
@@ -154,10 +152,7 @@
     pop r0
     mul r22, r0
     add r23, r1
-    adc r24, zero
-    adc r25, zero
-    adc r26, zero
-    adc r27, zero
+    adc_each r24, zero, 4
     shift_and_round (39 - \fraction), 23, 0
     .else
     find_record fixedpoint_sine_32_table, r22
@@ -179,13 +174,7 @@
     .endif
     brts 2f
     ret
-2:  com r25
-    com r24
-    com r23
-    neg r22
-    sbci r23, 0xff
-    sbci r24, 0xff
-    sbci r25, 0xff
+2:  negate_bytes r22, 4
     ret
     .if \fraction > 30
 3:  ldi r22, 0xff
@@ -207,29 +196,13 @@
     movw r28, r20
     ldi quadrant, 0
     quarter_turns \fraction
-    push r18
-    push r19
-    push r20
-    push r26
-    push r30
-    push r31
+    push_all r18, r19, r20, r26, r30, r31
     XCALL .Levaluate_\fraction
-    std Y+0, r22
-    std Y+1, r23
-    std Y+2, r24
-    std Y+3, r25
-    pop r31
-    pop r30
-    pop r26
-    pop r20
-    pop r19
-    pop r18
+    std_bytes Y + 0, r22, 4
+    pop_all r31, r30, r26, r20, r19, r18
     inc quadrant
     XCALL .Levaluate_\fraction
-    std Y+4, r22
-    std Y+5, r23
-    std Y+6, r24
-    std Y+7, r25
+    std_bytes Y + 4, r22, 4
     pop r29
     pop r28
     ret
@@ -240,9 +213,7 @@
     FUNCTION fixedpoint_sine_of_quarter_turns_q\integer\()_\fraction
     movw r30, r22
     mov r26, r18
-    mov r18, r19
-    mov r19, r20
-    mov r20, r21
+    mov_bytes r18, r19, 3
     clr zero
     XJMP .Levaluate_\fraction
     ENDFUNC fixedpoint_sine_of_quarter_turns_q\integer\()_\fraction

@@ -41,20 +41,14 @@
     push r29
     movw r28, r20
     rcall fixedpoint_sin_q16_16
-    std Y+0, r22
-    std Y+1, r23
-    std Y+2, r24
-    std Y+3, r25
+    std_bytes Y + 0, r22, 4
     // A quarter turn further: the next quadrant runs the other way.
     com b4
     com b5
     com b6
     inc quadrant
     rcall .Levaluate
-    std Y+4, r22
-    std Y+5, r23
-    std Y+6, r24
-    std Y+7, r25
+    std_bytes Y + 4, r22, 4
     pop r29
     pop r28
     ret
@@ -77,20 +71,10 @@
     com b6
 .Levaluate:
     ldi r31, hi8(fixedpoint_sine_table)
-    lpm slope0, Z
-    inc r31
-    lpm slope1, Z
-    inc r31
-    lpm value1, Z
-    inc r31
-    lpm value2, Z
-    inc r31
-    lpm value0, Z
+    lpm_pages slope0, slope1, value1, value2, value0
     mul slope1, b5
     movw rise0, r0
-    mul slope1, b4
-    add rise0, r1
-    adc rise1, zero
+    mul_add_upper slope1, b4, rise0, zero, rise1
     mul slope0, b5
     add rise0, r1
     clr r1
@@ -106,11 +90,7 @@
     adc r24, r24
     sbrs quadrant, 1
     ret
-    com r24
-    com r23
-    neg r22
-    sbci r23, 0xff
-    sbci r24, 0xff
+    negate_bytes r22, 3
     sbc r25, r25
     ret
 
@@ -121,10 +101,7 @@
     FUNCTION fixedpoint_sine_of_phase_q16_16
     ldi b7, 0
     .rept 2             // the quadrant
-    lsl r22
-    rol r23
-    rol r24
-    rol r25
+    lsl_bytes r22, 4
     rol b7
     .endr
     mov b4, r23

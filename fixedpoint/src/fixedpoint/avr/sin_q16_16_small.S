@@ -85,30 +85,18 @@
     add x0, r1
     clr zero            // m1 is used up; carry stays
     adc x1, zero
-    mul a1, m2
-    add x0, r1
-    adc x1, zero
+    mul_add_upper a1, m2, x0, zero, x1
     add x0, a0          // M3 a0 / 2^8
     adc x1, zero        // at most 0xa1 + 3
-    mul a1, m3
-    add x0, r0
-    adc x1, r1
+    mul_add a1, m3, x0, x1
     clr x2
     adc x2, zero
-    mul a2, m2
-    add x0, r0
-    adc x1, r1
-    adc x2, zero
+    mul_add a2, m2, x0, x1, zero, x2
     mul a1, m4
     add x1, r0
     adc x2, r1          // at most 2 + 0xa1 + 1
-    mul a2, m3
-    add x1, r0
-    adc x2, r1
-    adc quadrant, zero
-    mul a2, m4
-    add x2, r0
-    adc quadrant, r1
+    mul_add a2, m3, x1, x2, zero, quadrant
+    mul_add a2, m4, x2, quadrant
     tst a3
     breq .Lreduced
     // Beyond 256 rad, or negative.
@@ -184,26 +172,15 @@
     add s0, r0
     adc s1, r1          // no carry: both are at most 255^2 in sum
     clr s2
-    mul y2, z2
-    add s1, r0
-    adc s2, r1
+    mul_add y2, z2, s1, s2
 
     mul s2, b2
     movw p1, r0
     mul s1, b1
     mov p0, r1
-    mul s0, b2
-    add p0, r1
-    adc p1, zero
-    adc p2, zero
-    mul s2, b1
-    add p0, r0
-    adc p1, r1
-    adc p2, zero
-    mul s1, b2
-    add p0, r0
-    adc p1, r1
-    adc p2, zero
+    mul_add_upper s0, b2, p0, zero, p1, p2
+    mul_add s2, b1, p0, p1, zero, p2
+    mul_add s1, b2, p0, p1, zero, p2
     lsr p2
     ror p1
     ror p0
@@ -219,9 +196,7 @@
     ldi r24, 0xff
     brts .Lround
     ldi half, 129 - BIAS
-    com y0
-    com y1
-    com y2
+    com_bytes y0, 3
     com r24
 .Lround:
     add y0, half

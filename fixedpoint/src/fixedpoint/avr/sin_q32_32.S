@@ -139,9 +139,7 @@
     mov r26, r22
     lsl r26
     sbc r26, r26
-    cp r23, r26
-    cpc r24, r26
-    cpc r25, r26
+    cp_each r23, r26, 3
     breq 1f
     rjmp .Llong
 1:  quarter_turns 5, r23
@@ -159,39 +157,22 @@
     bst quadrant, 1
     sbrs quadrant, 0
     rjmp 1f
-    com r22
-    com r23
-    com r24
-    com r25
+    com_bytes r22, 4
     com r30
 1:  find_record_64 fixedpoint_sine_64_table, r26
     XCALL fixedpoint_cubic_64
     clr r22
     lsl r26
-    rol r18
-    rol r19
-    rol r20
-    rol r21
-    rol r22
+    rol_bytes r18, 5
     clr r1
     pop r17
     brtc 2f
-    com r18
-    com r19
-    com r20
-    com r21
-    com r22
-    subi r18, 0xff
-    sbci r19, 0xff
-    sbci r20, 0xff
-    sbci r21, 0xff
-    sbci r22, 0xff
+    com_bytes r18, 5
+    increment_bytes r18, 5
     mov r23, r22
     movw r24, r22
     ret
-2:  clr r23
-    clr r24
-    clr r25
+2:  clr_bytes r23, 3
     ret
 
 .Llong:
@@ -202,46 +183,18 @@
     ENDFUNC fixedpoint_sin_q32_32
 
     FUNCTION fixedpoint_sincos_q32_32
-    push r28
-    push r29
-    push r17
+    push_all r28, r29, r17
     movw r28, r16
     clr zero
     XCALL .Lquarter_turns
-    push r22
-    push r23
-    push r24
-    push r25
-    push r30
-    push r31
+    push_all r22, r23, r24, r25, r30, r31
     XCALL .Levaluate
-    std Y+0, r18
-    std Y+1, r19
-    std Y+2, r20
-    std Y+3, r21
-    std Y+4, r22
-    std Y+5, r23
-    std Y+6, r24
-    std Y+7, r25
-    pop r31
-    pop r30
-    pop r25
-    pop r24
-    pop r23
-    pop r22
+    std_bytes Y + 0, r18, 8
+    pop_all r31, r30, r25, r24, r23, r22
     inc quadrant
     XCALL .Levaluate
-    std Y+8, r18
-    std Y+9, r19
-    std Y+10, r20
-    std Y+11, r21
-    std Y+12, r22
-    std Y+13, r23
-    std Y+14, r24
-    std Y+15, r25
-    pop r17
-    pop r29
-    pop r28
+    std_bytes Y + 8, r18, 8
+    pop_all r17, r29, r28
     ret
     ENDFUNC fixedpoint_sincos_q32_32
 

@@ -22,26 +22,13 @@
     mul r25, r27
     mov r26, r1
     mov r25, r0
-    mul r24, r27
-    or r25, r1
-    mov r24, r0
-    mul r23, r27
-    or r24, r1
-    mov r23, r0
-    mul r22, r27
-    or r23, r1
-    mov r22, r0
+    mul_or_bytes r22, r27, r22, 3
     clr r1
     .endif
     .endm
 
     .macro long_root
-    push r28
-    push r29
-    push r17
-    push r16
-    push r15
-    push r14
+    push_all r28, r29, r17, r16, r15, r14
     clr r29
     .endm
 
@@ -55,11 +42,7 @@
     XJMP fixedpoint_length_root
     .elseif \bytes == 1
     clr r18
-    mov r19, r22
-    mov r20, r23
-    mov r21, r24
-    mov r22, r25
-    mov r23, r26
+    mov_bytes r19, r22, 5
     XJMP fixedpoint_length_root
     .elseif \bytes == 2
     movw r20, r22
@@ -76,12 +59,8 @@
     mov r16, r26
     XJMP fixedpoint_root_long
     .elseif \bytes == 3
-    clr r18
-    clr r19
-    clr r20
-    mov r21, r22
-    mov r22, r23
-    mov r23, r24
+    clr_bytes r18, 3
+    mov_bytes r21, r22, 3
     mov r0, r25
     or r0, r26
     brne 1f

@@ -31,14 +31,8 @@
 // high:low = root[r30] + slope[r30] next / 256.
     .macro root16 low, high, slope, next
     ldi r31, hi8(fixedpoint_sqrt_table)
-    lpm \low, Z
-    inc r31
-    lpm \high, Z
-    inc r31
-    lpm \slope, Z
-    mul \slope, \next
-    add \low, r1
-    adc \high, zero
+    lpm_pages \low, \high, \slope
+    mul_add_upper \slope, \next, \low, zero, \high
     .endm
 
 // r26:r19:r18 = c^2 + c - a 2^16 modulo 2^24, from r26 = 2 c0 c2 - a0 with a0 the low byte of a.
@@ -51,9 +45,7 @@
     adc r26, c2
     mul c1, c1
     add r26, r0
-    mul c1, c0
-    add r19, r0
-    adc r26, r1
+    mul_add c1, c0, r19, r26
     add r19, r0
     adc r26, r1
     .endm
@@ -135,12 +127,8 @@
     ldi r18, 0x80 - 6 * 16
 1:  mul r24, r20
     mov r30, r0
-    mul r23, r20
-    or r30, r1
-    mov r26, r0
-    mul r22, r20
-    or r26, r1
-    mov r19, r0
+    mul_or r23, r20, r26, r30
+    mul_or r22, r20, r19, r26
     root16 r20, r21, r24, r26
     // e / 256 in r26:r19, S in r21:r20:r19
     mul r20, r20
@@ -182,9 +170,7 @@
     test_half
     brpl .Ldone
 .Lup:
-    subi c0, 0xff
-    sbci c1, 0xff
-    sbci c2, 0xff
+    increment_bytes c0, 3
 .Ldone:
     clr r1
     ret
@@ -213,9 +199,7 @@
     ldi r27, 32
 1:  mul r23, r20
     mov r30, r0
-    mul r22, r20
-    or r30, r1
-    mov r19, r0
+    mul_or r22, r20, r19, r30
     root16 r20, r21, r18, r19
     mov r26, r22
     mul r20, r27
@@ -235,9 +219,7 @@
     mov r30, r22
     ldi r31, hi8(fixedpoint_sqrt_table)
     cpi r22, 64
-    lpm c0, Z
-    inc r31
-    lpm c1, Z
+    lpm_pages c0, c1
     brlo 2f
     ldi r18, 4
 1:  lsr c1
@@ -265,15 +247,9 @@
     ldi r27, 64
 1:  mul r25, r27
     mov r30, r0
-    mul r24, r27
-    or r30, r1
-    mov r26, r0
-    mul r23, r27
-    or r26, r1
-    mov r19, r0
-    mul r22, r27
-    or r19, r1
-    mov r18, r0
+    mul_or r24, r27, r26, r30
+    mul_or r23, r27, r19, r26
+    mul_or r22, r27, r18, r19
     clr zero
     root16 r20, r21, r24, r26
     movw r30, r18
@@ -291,10 +267,7 @@
     // S in r21:r20:r18
     mul r19, r24
     mov r18, r1
-    mul r26, r24
-    add r18, r0
-    adc r20, r1
-    adc r21, zero
+    mul_add r26, r24, r18, r20, zero, r21
     subi r18, 6
     sbc r20, zero
     sbc r21, zero
@@ -341,19 +314,12 @@
     adc r31, r20
     adc r22, r21
     adc r23, zero
-    mul r20, r18
+    mul_add r20, r18, r31, r22, zero, r23
     add r31, r0
     adc r22, r1
     adc r23, zero
-    add r31, r0
-    adc r22, r1
-    adc r23, zero
-    mul r20, r20
-    add r22, r0
-    adc r23, r1
-    mul r21, r18
-    add r22, r0
-    adc r23, r1
+    mul_add r20, r20, r22, r23
+    mul_add r21, r18, r22, r23
     add r22, r0
     adc r23, r1
     mul r21, r20

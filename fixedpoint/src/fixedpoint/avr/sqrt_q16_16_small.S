@@ -58,10 +58,7 @@
     mov behind, r0
     add c0, r1
     adc c1, zero
-    mul m2, y1
-    add behind, r0
-    adc c0, r1
-    adc c1, zero
+    mul_add m2, y1, behind, c0, zero, c1
     lsl behind
     rol c0
     rol c1
@@ -85,10 +82,7 @@
     add behind, r0
     adc r1, zero
     mov m2, r1
-    mul m1, y1
-    add m0, r0
-    adc behind, r1
-    adc m2, zero
+    mul_add m1, y1, m0, behind, zero, m2
     add c0, m2
     mov m0, behind
     mov m1, c0
@@ -104,12 +98,8 @@
     adc p3, r1
     mul m1, m2
     add p3, r0
-    lsl p1
-    rol p2
-    rol p3
-    mul m1, m1
-    add p2, r0
-    adc p3, r1
+    lsl_bytes p1, 3
+    mul_add m1, m1, p2, p3
     mul m0, m0
     add r0, m0
     adc p1, m1
@@ -121,9 +111,7 @@
     cp p2, a0
     cpc p3, a1
     brpl .Ldone
-    subi m0, 0xff
-    sbci m1, 0xff
-    sbci m2, 0xff
+    increment_bytes m0, 3
     rjmp .Ltest
 .Ldone:
     clr r1

@@ -56,9 +56,7 @@
 1:  mov r0, a7
     or r0, a6
     brne 2f
-    movw a6, a4
-    movw a4, a2
-    movw a2, a0
+    movw_from_top a2, a0, 6
     clr a0
     clr a1
     dec r30
@@ -73,16 +71,7 @@
     clr a3
     rjmp .Lzero
 
-2:  push r10
-    push r11
-    push r12
-    push r13
-    push r14
-    push r15
-    push r16
-    push r17
-    push r28
-    push r29
+2:  push_all r10, r11, r12, r13, r14, r15, r16, r17, r28, r29
     mov count, r30
     clr zero
     clt
@@ -90,13 +79,7 @@
     ldi r31, 0
     tst a7
     brne 1f
-    mov a7, a6
-    mov a6, a5
-    mov a5, a4
-    mov a4, a3
-    mov a3, a2
-    mov a2, a1
-    mov a1, a0
+    mov_from_top a1, a0, 7
     clr a0
     ldi r31, 1
 1:  ldi r30, 1
@@ -114,13 +97,7 @@
     ldi r30, 0x20
 1:  mul a7, power
     mov a7, r0
-    scale a7, a6, a6, power
-    scale a6, a5, a5, power
-    scale a5, a4, a4, power
-    scale a4, a3, a3, power
-    scale a3, a2, a2, power
-    scale a2, a1, a1, power
-    scale a1, a0, a0, power
+    mul_or_bytes a0, power, a0, 7
 .Lscaled:
     sbrc r31, 0
     swap r30
@@ -140,14 +117,8 @@
 .Lseed:
     mov r30, a7
     ldi r31, hi8(fixedpoint_sqrt_table)
-    lpm x1, Z
-    inc r31
-    lpm x0, Z
-    inc r31
-    lpm r0, Z
-    mul r0, a6
-    add x1, r1
-    adc x0, zero
+    lpm_pages x1, x0, r0
+    mul_add_upper r0, a6, x1, zero, x0
 .Lsquare:
     mul x1, x1
     sub a4, r0
@@ -161,13 +132,7 @@
     sub a5, r0
     sbc a6, r1
     // Halved, with what follows.
-    lsr a6
-    ror a5
-    ror a4
-    ror a3
-    ror a2
-    ror a1
-    ror a0
+    lsr_bytes a0, 7
     clr a7
     ror a7
     ldi half, 0x80
@@ -227,9 +192,7 @@
     sub a7, half
     sbc a0, r0
     sbc a1, r1
-    sbc a2, zero
-    sbc a3, zero
-    sbc a4, zero
+    sbc_each a2, zero, 3
     brmi .Lfourth_high
 .Lfourth:
     mov x3, digit
@@ -256,9 +219,7 @@
     mul digit, x3
     sub a7, r0
     sbc a0, r1
-    sbc a1, zero
-    sbc a2, zero
-    sbc a3, zero
+    sbc_each a1, zero, 3
     mul digit, x2
     sub a0, r0
     sbc a1, r1
@@ -268,10 +229,7 @@
     sub a5, half
     sbc a6, r0
     sbc a7, r1
-    sbc a0, zero
-    sbc a1, zero
-    sbc a2, zero
-    sbc a3, zero
+    sbc_each a0, zero, 4
     brmi .Lfifth_high
 .Lfifth:
     mov x4, digit
@@ -300,15 +258,11 @@
     sub a5, r0
     sbc a6, r1
     sbc a7, zero
-    sbc a0, zero
-    sbc a1, zero
-    sbc a2, zero
+    sbc_each a0, zero, 3
     mul digit, x3
     sub a6, r0
     sbc a7, r1
-    sbc a0, zero
-    sbc a1, zero
-    sbc a2, zero
+    sbc_each a0, zero, 3
     mul digit, x2
     sub a7, r0
     sbc a0, r1
@@ -320,9 +274,7 @@
     sbc a5, r1
     sbc a6, zero
     sbc a7, zero
-    sbc a0, zero
-    sbc a1, zero
-    sbc a2, zero
+    sbc_each a0, zero, 3
     brmi .Lsixth_high
 .Lsixth:
     mov x5, digit
@@ -330,24 +282,14 @@
 
     // R > s?
 .Lcompare:
-    lsl a3
-    rol a4
-    rol a5
-    rol a6
-    rol a7
+    lsl_bytes a3, 5
     rol a0
     rol a1
     brcs 1f
-    cp x5, a4
-    cpc x4, a5
-    cpc x3, a6
-    cpc x2, a7
+    cp_bytes x5, a4, 4
     cpc x1, a0
     cpc x0, a1
-1:  mov a0, x5
-    mov a1, x4
-    mov a2, x3
-    mov a3, x2
+1:  mov_bytes a0, x5, 4
     mov a4, x1
     mov a5, x0
     rjmp .Lround
@@ -357,9 +299,7 @@
     ldi half, 0x80
     add a3, half
     adc a4, digit
-    adc a5, x4
-    adc a6, x3
-    adc a7, x2
+    adc_bytes a5, x4, 3
     adc a0, x1
     adc a1, x0
     adc a2, zero
@@ -378,9 +318,7 @@
 1:  clr x1
     rjmp 1f
 .Lfifth_is_last:
-    mov x5, x4
-    mov x4, x3
-    mov x3, x2
+    mov_bytes x5, x4, 3
     mov x2, x1
     mov x1, x0
 1:  clr x0
@@ -406,25 +344,11 @@
     mov a5, r1
     lsl digit
 .Lround:
-    adc a0, zero
-    adc a1, zero
-    adc a2, zero
-    adc a3, zero
-    adc a4, zero
-    adc a5, zero
+    adc_each a0, zero, 6
     clr a6
     clr a7
     clr r1
-    pop r29
-    pop r28
-    pop r17
-    pop r16
-    pop r15
-    pop r14
-    pop r13
-    pop r12
-    pop r11
-    pop r10
+    pop_all r29, r28, r17, r16, r15, r14, r13, r12, r11, r10
     ret
     ENDFUNC fixedpoint_sqrt_q32_32
 

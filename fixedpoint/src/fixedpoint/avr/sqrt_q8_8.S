@@ -30,11 +30,7 @@
 
 .Lchord:
     ldi r31, hi8(fixedpoint_sqrt_q8_8_table + 256)
-    lpm r_0, Z
-    inc r31
-    lpm r_1, Z
-    inc r31
-    lpm slope, Z
+    lpm_pages r_0, r_1, slope
     mul slope, next
     mov r19, r_1
     andi r19, 0xf0

@@ -28,9 +28,7 @@
     // r26 = the bytes from one product of a component to the next one, r27 = those from one
     // component's first product to the next one's, r19 = the bytes of a row of v; T where v has n.
     .macro transform fraction, top
-1:  .irp n, 2, 3, 4, 5, 6, 7, 8, 9, 28, 29
-    push r\n
-    .endr
+1:  push_all r2, r3, r4, r5, r6, r7, r8, r9, r28, r29
     push_sum \top
     push r18
     movw r28, r24
@@ -45,7 +43,7 @@
 2:  movw r26, v
     movw r30, m
     clear_sum \top
-4:  load_a
+4:  ld_each a0, X+, 4
     add_product \fraction, \top
     cp r26, end
     breq 5f
@@ -74,9 +72,7 @@
     rjmp 6b
 8:  pop r18
     pop_sum \top
-    .irp n, 29, 28, 9, 8, 7, 6, 5, 4, 3, 2
-    pop r\n
-    .endr
+    pop_all r29, r28, r9, r8, r7, r6, r5, r4, r3, r2
     ret
     .endm
 
