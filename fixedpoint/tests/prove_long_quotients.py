@@ -322,7 +322,7 @@ def subtract(of, m, over):
     def check(m, end):
         high = end == of.label("high")
         m.possible([])
-        six = of is LONG and m.impossible(m.term(two) >= 1)
+        six = of is LONG and not m.reaches(1, two)
         m.same(m.number(of.rest) - known(of.modulus * high), left_of_six if six else left, of.modulus)
         m.show((of.least + 1, left, -1) if high else (0, left, MANY), equal(m.registers[DIGIT], before), *same(m))
         if not high:

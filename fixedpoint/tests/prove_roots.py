@@ -204,7 +204,7 @@ def compare(of, m, over, which):
         m.possible([])
         m.settle()
         m.show(equal(u, m.times(digit, h) + rest), *same(m))
-        if not m.impossible(m.term(rest - h) >= 0):
+        if m.reaches(0, rest - h):
             m.show((255, digit, 255))
     return check
 

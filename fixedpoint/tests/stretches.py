@@ -8,6 +8,7 @@ which z3 decides over the rationals once it knows which carries must be 0, and w
 """
 
 import copy
+from functools import cache
 from itertools import product
 from math import gcd, prod
 
@@ -15,6 +16,26 @@ import z3
 
 from form import Form, known
 from machine_code import Machine, Unprovable, demand
+
+
+# What z3 is told, made once for all cases: that takes longer than to decide it.
+real = cache(z3.Real)
+
+
+@cache
+def term(items):
+    """Of the names and factors of a form."""
+    return z3.Sum([z3.RealVal(factor) if name == 1 else factor * real(name) for name, factor in items] + [z3.RealVal(0)])
+
+
+@cache
+def at_least(low, items):
+    return term(items) >= low
+
+
+@cache
+def at_most(high, items):
+    return term(items) <= high
 
 
 class Linear(Machine):
@@ -273,7 +294,7 @@ class Linear(Machine):
 
     def possible(self, given):
         """Whether the path can be, where what is given holds. It holds in what is asked from then on."""
-        self.solver, self.reals = z3.SolverFor("QF_LRA"), {}
+        self.solver, self.told = z3.SolverFor("QF_LRA"), {}
         self.fixed = {}  # carries that are known
         for low, form, high in (*self.facts, *given):
             if low == high and len(form) == 1 and form[name := next(iter(form))] == 1:
@@ -287,14 +308,16 @@ class Linear(Machine):
         return self.solver.check() != z3.unsat
 
     def tell(self, low, form, high):
+        items = tuple(form.items())
+        self.told.update(form)
         if low is not None:
-            self.solver.add(self.term(form) >= low)
+            self.solver.add(at_least(low, items))
         if high is not None:
-            self.solver.add(self.term(form) <= high)
+            self.solver.add(at_most(high, items))
 
-    def term(self, form):
-        return z3.Sum([z3.RealVal(factor) if name == 1 else factor * self.reals.setdefault(name, z3.Real(name))
-                       for name, factor in form.items()] + [z3.RealVal(0)])
+    def reaches(self, low, form):
+        """Whether the form can be `low` or more."""
+        return not self.impossible(at_least(low, tuple(form.items())))
 
     def impossible(self, statement):
         self.solver.push()
@@ -307,9 +330,9 @@ class Linear(Machine):
         """Which carries, in the order in which they arose, cannot be 1, or cannot be 0."""
         if not self.solver:
             self.possible([])
-        carries = [name for name in self.reals if name.startswith(("carry", "high")) and "*" not in name]
+        carries = [name for name in self.told if name != 1 and name.startswith(("carry", "high")) and "*" not in name]
         for name in sorted(carries, key=lambda name: int(name.split(".")[1])):
-            carry = self.reals[name]
+            carry = real(name)
             if name not in self.fixed and self.impossible(carry >= 1):
                 self.fixed[name] = 0
             elif name not in self.fixed and name.startswith("carry") and self.impossible(carry <= 0):
@@ -325,8 +348,9 @@ class Linear(Machine):
         def holds(low, form, high):
             if not set(form) - {1}:
                 return (low is None or form.get(1, 0) >= low) and (high is None or form.get(1, 0) <= high)
-            return ((low is None or self.impossible(self.term(form) <= low - 1)) and
-                    (high is None or self.impossible(self.term(form) >= high + 1)))
+            items = tuple(form.items())
+            return ((low is None or self.impossible(at_most(low - 1, items))) and
+                    (high is None or self.impossible(at_least(high + 1, items))))
 
         if not all(holds(*statement) for statement in statements):
             self.settle()

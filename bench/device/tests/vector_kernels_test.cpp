@@ -331,7 +331,9 @@ TEST_F(VectorComplexProduct, IsTheRoundedDifferenceAndSum) {
 
 TEST_F(VectorCofactors, AreRoundedCrossProductsOfRows) {
     using Matrix = std::array<std::array<int32_t, 3>, 3>;
-    const std::uint16_t at_m = chip_.allocate(36), at_result = chip_.allocate(36);
+    // Wherever it lies: an address of a component may carry.
+    const std::uint16_t space = chip_.allocate(36 + 255), at_result = chip_.allocate(36);
+    unsigned place = 0;
     for (int fraction = 0; fraction <= 32; ++fraction) {
         const exact::Format format{32, fraction};
         const std::string split = std::to_string(32 - fraction) + "_" + std::to_string(fraction);
@@ -340,6 +342,7 @@ TEST_F(VectorCofactors, AreRoundedCrossProductsOfRows) {
             Matrix m;
             for (auto& row : m)
                 for (int32_t& x : row) x = number(fraction);
+            const auto at_m = static_cast<std::uint16_t>(space + place++ % 256);
             write(at_m, m);
             cofactors(at_m, at_result);
             const auto result = read<Matrix>(at_result);
