@@ -6,12 +6,6 @@
 
 #define ENGINE_INLINE inline __attribute__((always_inline))
 #define ENGINE_INLINE_LAMBDA __attribute__((always_inline))
-// A function that knows none of its arguments, whoever calls it.
-#ifdef __clang__
-#define ENGINE_OUT_OF_LINE __attribute__((noinline))
-#else
-#define ENGINE_OUT_OF_LINE __attribute__((noinline, noclone))
-#endif
 
 namespace engine {
 
