@@ -147,7 +147,7 @@ struct Proof<fixedpoint::Fixed<I, F>> {
             engine::Vector<Real, N> direction;
             Real excess;
             const bool found = engine::measure<may_be_slack>(
-                [&] { return difference; }, Real(Number::symbol(3, false, {0, 1, 0})),
+                difference, {}, Real(Number::symbol(3, false, {0, 1, 0})),
                 {factor, static_cast<unsigned char>(halvings)}, direction, excess);
             if (!found) throw Unproven("a link is not found");
             note(direction[0], excess);
@@ -174,7 +174,7 @@ struct Proof<fixedpoint::Fixed<I, F>> {
             engine::Vector<Real, N> direction;
             const auto difference = all_differences<N>();
             const Real found = engine::measure_by_steps(
-                difference, Real::from_raw(typename Real::Raw(1) << F), direction);
+                difference, {}, Real::from_raw(typename Real::Raw(1) << F), direction);
             note(direction[0], found);
         });
         scaled = nullptr;

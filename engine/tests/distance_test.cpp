@@ -34,8 +34,8 @@ Measured<Number, N> measure(const engine::Vector<Number, N>& difference, Number 
     engine::Vector<Number, N> direction;
     Number excess = {};
     Measured<Number, N> result = {};
-    result.found = engine::measure<may_be_slack>([&] { return difference; }, length,
-                                                 engine::inverse_of(length), direction, excess);
+    result.found = engine::measure<may_be_slack>(difference, {}, length, engine::inverse_of(length),
+                                                 direction, excess);
     for (unsigned char i = 0; i < N; ++i)
         result.distance = std::hypot(result.distance, value(difference[i]));
     result.excess = value(excess);
@@ -87,6 +87,29 @@ TEST(Inverse, IsTheNearestFactor) {
     EXPECT_EQ(engine::inverse_of(4.0).factor, 0.25);
     EXPECT_EQ(engine::inverse_of(4.0).halvings, 0);
     EXPECT_EQ(engine::times(3.0, engine::inverse_of(4.0)), 0.75);
+}
+
+// A length that the compiler knows has the inverse that it has at run time.
+template <class Number>
+void expect_same_inverses() {
+    using Raw = typename Number::Raw;
+    std::mt19937 random(12);
+    for (int i = 0; i < 100'000; ++i) {
+        const unsigned unused = 33 - 8 * sizeof(Raw);
+        const auto raw = static_cast<Raw>(random() >> (unused + random() % (32 - unused)));
+        if (raw == 0) continue;
+        const auto a = Number::from_raw(raw);
+        const auto known = engine::inverse_by_quotient(a), found = engine::inverse_by_digits(a);
+        ASSERT_EQ(known.factor.raw(), found.factor.raw()) << raw;
+        ASSERT_EQ(known.halvings, found.halvings) << raw;
+    }
+}
+TEST(Inverse, OfAKnownLengthIsTheSame) {
+    expect_same_inverses<Fixed<16, 16>>();
+    expect_same_inverses<Fixed<2, 30>>();
+    expect_same_inverses<Fixed<5, 27>>();
+    expect_same_inverses<Fixed<24, 8>>();
+    expect_same_inverses<Fixed<8, 8>>();
 }
 
 // Near a length L up to 2 m. A scaled component is off by (1 + L) / 2 ulp, so that e is by
@@ -163,8 +186,8 @@ TEST(Distance, SaturatesAtTheEnds) {
     engine::Vector<Number, 2> difference;
     difference[0] = end;
     difference[1] = -end;
-    ASSERT_TRUE(engine::measure<false>([&] { return difference; }, length,
-                                       engine::inverse_of(length), direction, excess));
+    ASSERT_TRUE(engine::measure<false>(difference, {}, length, engine::inverse_of(length),
+                                       direction, excess));
     EXPECT_EQ(excess.raw(), INT32_MAX - 16384);
     EXPECT_NEAR(value(direction[0]), std::sqrt(0.5), 1e-4);
     EXPECT_NEAR(value(direction[1]), -std::sqrt(0.5), 1e-4);

@@ -42,7 +42,7 @@ ENGINE_INLINE Scalar times(Scalar a, const Inverse<Scalar>& inverse) {
 
 // Digit by digit, since it is done once for each link: a kernel's table would stay in flash.
 template <int I, int F, class A>
-__attribute__((noinline, cold)) Inverse<Fixed<I, F, A>> inverse_of(Fixed<I, F, A> a) {
+__attribute__((noinline, cold)) Inverse<Fixed<I, F, A>> inverse_by_digits(Fixed<I, F, A> a) {
     using Number = Fixed<I, F, A>;
     using Raw = typename Number::Raw;
     using Digits = fixedpoint::Unsigned<Raw>;
@@ -66,6 +66,25 @@ __attribute__((noinline, cold)) Inverse<Fixed<I, F, A>> inverse_of(Fixed<I, F, A
     if (rest >= divisor - rest) ++quotient;
     if (static_cast<Raw>(quotient) < 0) return {Number(), 0};
     return {Number::from_raw(static_cast<Raw>(quotient)), halvings};
+}
+// As a quotient of 64 bits: of a > 0 of at most 32 bits.
+template <int I, int F, class A>
+FIXEDPOINT_CONSTEXPR Inverse<Fixed<I, F, A>> inverse_by_quotient(Fixed<I, F, A> a) {
+    using Number = Fixed<I, F, A>;
+    const auto divisor = static_cast<uint64_t>(a.raw());
+    const uint64_t left = divisor >> F >> 1;
+    const int halvings = left == 0 ? 0 : 64 - __builtin_clzll(left);
+    const uint64_t factor = ((uint64_t(2) << (2 * F + halvings)) / divisor + 1) >> 1;
+    const bool fits = factor >> (I + F - 1) == 0;
+    return {Number::from_raw(static_cast<typename Number::Raw>(fits ? factor : 0)),
+            static_cast<unsigned char>(fits ? halvings : 0)};
+}
+// Where the compiler knows the length, it divides, and nothing of that stays in flash.
+template <int I, int F, class A>
+ENGINE_INLINE Inverse<Fixed<I, F, A>> inverse_of(Fixed<I, F, A> a) {
+    const auto raw = a.raw();
+    return I + F <= 32 && __builtin_constant_p(raw) && raw > 0 ? inverse_by_quotient(a)
+                                                               : inverse_by_digits(a);
 }
 template <int I, int F, class A>
 ENGINE_INLINE Fixed<I, F, A> times(Fixed<I, F, A> a, const Inverse<Fixed<I, F, A>>& inverse) {
@@ -129,11 +148,13 @@ struct NearOne<Fixed<I, F, A>> {
     }
 };
 
-// The distance |difference| and the direction along it, from one of nearly that direction and its
+// The distance of two points and the direction along it, from one of nearly that direction and its
 // e. Steps of third order converge for |e| <= 1/4, and from 1/4 of the length six suffice.
 template <class Scalar, int N>
-__attribute__((noinline, cold)) Scalar measure_by_steps(const Vector<Scalar, N>& difference,
-                                                        Scalar e, Vector<Scalar, N>& direction) {
+__attribute__((noinline, cold)) Scalar measure_by_steps(const Vector<Scalar, N>& first,
+                                                        const Vector<Scalar, N>& second, Scalar e,
+                                                        Vector<Scalar, N>& direction) {
+    const Vector<Scalar, N> difference = first - second;
     if (absolute(e) > Scalar(Decimal<25, 2>())) {
         direction = difference;
         bring_near_one(direction);
@@ -147,28 +168,28 @@ __attribute__((noinline, cold)) Scalar measure_by_steps(const Vector<Scalar, N>&
     return dot(direction, difference);
 }
 
-// The direction along difference(), and by how much that is longer than `length`. False where there
-// is none: the ends coincide or, of what may be slack, are surely nearer than the length. That
-// difference is asked for anew where it is needed twice, which is seldom, rather than kept.
-template <bool may_be_slack, class Difference, class Scalar, int N>
-bool measure(const Difference& difference, Scalar length, const Inverse<Scalar>&,
-             Vector<Scalar, N>& direction, Scalar& excess) {
-    direction = difference();
+// The direction from the second point to the first, and by how much they are further apart than
+// `length`. False where there is none: they coincide or, of what may be slack, are surely nearer.
+template <bool may_be_slack, class Scalar, int N>
+bool measure(const Vector<Scalar, N>& first, const Vector<Scalar, N>& second, const Scalar& length,
+             const Inverse<Scalar>&, Vector<Scalar, N>& direction, Scalar& excess) {
+    direction = first - second;
     const Scalar distance = engine::length(direction);
     direction = divided(direction, distance);
     excess = distance - length;
     return !(distance == Scalar());
 }
-template <bool may_be_slack, class Difference, int I, int F, class A, int N>
+template <bool may_be_slack, int I, int F, class A, int N>
 ENGINE_INLINE typename OnlyIf<RoundsOnce<A>::value, bool>::Type measure(
-    const Difference& difference, Fixed<I, F, A> length, const Inverse<Fixed<I, F, A>>& inverse,
+    const Vector<Fixed<I, F, A>, N>& first, const Vector<Fixed<I, F, A>, N>& second,
+    const Fixed<I, F, A>& length, const Inverse<Fixed<I, F, A>>& inverse,
     Vector<Fixed<I, F, A>, N>& direction, Fixed<I, F, A>& excess) {
     using Number = Fixed<I, F, A>;
     const Number near = NearOne<Number>::value();
     // A direction 1 + e long leaves 2 e of a row's change to the next step: by 4 ulp that is below
     // an ulp of each change below 1/8 m/s.
     const Number little = Number::from_raw(F >= 12 ? 4 : 0);
-    direction = difference();
+    direction = first - second;
     scale<N>(direction.component, inverse.factor);
     for (unsigned char i = inverse.halvings; i != 0; --i) halve(direction);
     Number relative = excess_over_one(direction);
@@ -178,7 +199,7 @@ ENGINE_INLINE typename OnlyIf<RoundsOnce<A>::value, bool>::Type measure(
         excess = short_product(relative, length);
         return true;
     }
-    const Number distance = measure_by_steps(difference(), relative, direction);
+    const Number distance = measure_by_steps(first, second, relative, direction);
     excess = distance - length;
     return !(distance == Number());
 }
