@@ -94,7 +94,7 @@ ENGINE_INLINE Fixed<I, F, A> times(Fixed<I, F, A> a, const Inverse<Fixed<I, F, A
 
 template <class Scalar, int N>
 __attribute__((noinline, cold)) void halve(Vector<Scalar, N>& v) {
-    const unsigned char n = not_unrolled(N);
+    const auto n = unknown<unsigned char>(N);
     for (unsigned char i = 0; i < n; ++i) v[i] = half(v[i]);
 }
 
@@ -104,7 +104,7 @@ __attribute__((noinline, cold)) void bring_near_one(Vector<Fixed<I, F, A>, N>& v
     using Number = Fixed<I, F, A>;
     using Raw = typename Number::Raw;
     const auto quarter = Number::from_raw(static_cast<Raw>(Raw(1) << (F < 2 ? 0 : F - 2)));
-    const unsigned char n = not_unrolled(N);
+    const auto n = unknown<unsigned char>(N);
     for (;;) {
         Number least = Number();  // -|v_i| of the largest: the end of the range has no |v_i|
         for (unsigned char i = 0; i < n; ++i) {
@@ -154,9 +154,9 @@ template <class Scalar, int N>
 __attribute__((noinline, cold)) Scalar measure_by_steps(const Vector<Scalar, N>& first,
                                                         const Vector<Scalar, N>& second, Scalar e,
                                                         Vector<Scalar, N>& direction) {
-    const Vector<Scalar, N> difference = first - second;
     if (absolute(e) > Scalar(Decimal<25, 2>())) {
-        direction = difference;
+        const auto n = unknown<unsigned char>(N);
+        for (unsigned char i = 0; i < n; ++i) direction[i] = first[i] - second[i];
         bring_near_one(direction);
         e = excess_over_one(direction);
     }
@@ -165,7 +165,7 @@ __attribute__((noinline, cold)) Scalar measure_by_steps(const Vector<Scalar, N>&
         if (absolute(e) < NearOne<Scalar>::value()) break;
         e = excess_over_one(direction);
     }
-    return dot(direction, difference);
+    return dot_difference(direction, first, second);
 }
 
 // The direction from the second point to the first, and by how much they are further apart than

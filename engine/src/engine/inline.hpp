@@ -9,11 +9,12 @@
 
 namespace engine {
 
-// n, of which the compiler knows no value: a loop to it is not unrolled, where flash is what
-// counts.
-inline unsigned char not_unrolled(unsigned char n) {
-    __asm__("" : "+r"(n));
-    return n;
+// The number, of which the compiler knows no value: a loop to it is not unrolled, and what follows is
+// not compiled once more for it, where flash is what counts.
+template <class Number>
+inline Number unknown(Number number) {
+    __asm__("" : "+r"(number));
+    return number;
 }
 
 }  // namespace engine
