@@ -23,11 +23,12 @@ namespace engine {
 /// \cond internal
 
 // 1 / a = factor / 2^halvings. The factor of a fixed-point number above 1 lies in 1/2..1, so that a
-// long link's is as exact as a short one's. It is 0 where it leaves the format, and of a <= 0.
+// long link's is as exact as a short one's. It is 0 where it leaves the format, and of a <= 0. Of
+// a = 2^-k, k >= 0, the factor is 1 and `halvings` -1 - k: it takes k doublings and no product.
 template <class Scalar>
 struct Inverse {
     Scalar factor;
-    unsigned char halvings;
+    signed char halvings;
 };
 
 template <class Scalar>
@@ -48,7 +49,7 @@ __attribute__((noinline, cold)) Inverse<Fixed<I, F, A>> inverse_by_digits(Fixed<
     using Digits = fixedpoint::Unsigned<Raw>;
     if (!(a > Number())) return {Number(), 0};
     const auto divisor = static_cast<Digits>(a.raw());
-    unsigned char halvings = 0;
+    signed char halvings = 0;
     for (Digits left = divisor >> F >> 1; left != 0; left = static_cast<Digits>(left >> 1)) {
         ++halvings;
     }
@@ -65,6 +66,10 @@ __attribute__((noinline, cold)) Inverse<Fixed<I, F, A>> inverse_by_digits(Fixed<
     }
     if (rest >= divisor - rest) ++quotient;
     if (static_cast<Raw>(quotient) < 0) return {Number(), 0};
+    if (halvings == 0 && (divisor & (divisor - 1)) == 0) {
+        halvings = -1;
+        for (; quotient >> F > 1; quotient = static_cast<Digits>(quotient >> 1)) --halvings;
+    }
     return {Number::from_raw(static_cast<Raw>(quotient)), halvings};
 }
 // As a quotient of 64 bits: of a > 0 of at most 32 bits.
@@ -72,12 +77,14 @@ template <int I, int F, class A>
 FIXEDPOINT_CONSTEXPR Inverse<Fixed<I, F, A>> inverse_by_quotient(Fixed<I, F, A> a) {
     using Number = Fixed<I, F, A>;
     const auto divisor = static_cast<uint64_t>(a.raw());
-    const uint64_t left = divisor >> F >> 1;
-    const int halvings = left == 0 ? 0 : 64 - __builtin_clzll(left);
+    const int power = 63 - __builtin_clzll(divisor) - F;  // 2^power <= a < 2^(power + 1)
+    const int halvings = power < 0 ? 0 : power;
     const uint64_t factor = ((uint64_t(2) << (2 * F + halvings)) / divisor + 1) >> 1;
-    const bool fits = factor >> (I + F - 1) == 0;
-    return {Number::from_raw(static_cast<typename Number::Raw>(fits ? factor : 0)),
-            static_cast<unsigned char>(fits ? halvings : 0)};
+    if (factor >> (I + F - 1) != 0) return {Number(), 0};
+    const bool doubles = power <= 0 && (divisor & (divisor - 1)) == 0;
+    return {
+        Number::from_raw(static_cast<typename Number::Raw>(doubles ? uint64_t(1) << F : factor)),
+        static_cast<signed char>(doubles ? power - 1 : halvings)};
 }
 // Where the compiler knows the length, it divides, and nothing of that stays in flash.
 template <int I, int F, class A>
@@ -88,8 +95,14 @@ ENGINE_INLINE Inverse<Fixed<I, F, A>> inverse_of(Fixed<I, F, A> a) {
 }
 template <int I, int F, class A>
 ENGINE_INLINE Fixed<I, F, A> times(Fixed<I, F, A> a, const Inverse<Fixed<I, F, A>>& inverse) {
-    a *= inverse.factor;
-    return inverse.halvings == 0 ? a : a >> inverse.halvings;
+    signed char i = inverse.halvings;
+    if (i < 0) {
+        while (++i != 0) a += a;
+    } else {
+        a *= inverse.factor;
+        for (; i != 0; --i) a = half(a);
+    }
+    return a;
 }
 
 template <class Scalar, int N>
@@ -190,11 +203,16 @@ ENGINE_INLINE typename OnlyIf<RoundsOnce<A>::value, bool>::Type measure(
     // an ulp of each change below 1/8 m/s.
     const Number little = Number::from_raw(F >= 12 ? 4 : 0);
     direction = first - second;
-    scale<N>(direction.component, inverse.factor);
-    for (unsigned char i = inverse.halvings; i != 0; --i) halve(direction);
+    signed char i = inverse.halvings;
+    if (i < 0) {
+        while (++i != 0) direction += direction;
+    } else {
+        scale<N>(direction.component, inverse.factor);
+        for (; i != 0; --i) halve(direction);
+    }
     Number relative = excess_over_one(direction);
     if (may_be_slack && relative < -near) return false;
-    if (inverse.halvings == 0 && absolute(relative) < near) {
+    if (inverse.halvings <= 0 && absolute(relative) < near) {
         if (absolute(relative) > little) relative = mend_length(direction, relative);
         excess = short_product(relative, length);
         return true;
