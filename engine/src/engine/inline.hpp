@@ -9,12 +9,12 @@
 
 namespace engine {
 
-// The number, of which the compiler knows no value: a loop to it is not unrolled, and what follows is
-// not compiled once more for it, where flash is what counts.
+// n, of which the compiler knows no value: a loop to it is not unrolled, where flash is what
+// counts.
 template <class Number>
-inline Number unknown(Number number) {
-    __asm__("" : "+r"(number));
-    return number;
+inline Number unknown(Number n) {
+    __asm__("" : "+r"(n));
+    return n;
 }
 
 }  // namespace engine
