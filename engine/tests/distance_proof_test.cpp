@@ -147,8 +147,8 @@ struct Proof<fixedpoint::Fixed<I, F>> {
             engine::Vector<Real, N> direction;
             Real excess;
             const bool found = engine::measure<may_be_slack>(
-                [&] { return difference; }, Real(Number::symbol(3, false, {0, 1, 0})),
-                {factor, static_cast<unsigned char>(halvings)}, direction, excess);
+                difference, {}, Real(Number::symbol(3, false, {0, 1, 0})),
+                {factor, static_cast<signed char>(halvings)}, direction, excess);
             if (!found) throw Unproven("a link is not found");
             note(direction[0], excess);
         });
@@ -174,7 +174,7 @@ struct Proof<fixedpoint::Fixed<I, F>> {
             engine::Vector<Real, N> direction;
             const auto difference = all_differences<N>();
             const Real found = engine::measure_by_steps(
-                difference, Real::from_raw(typename Real::Raw(1) << F), direction);
+                difference, {}, Real::from_raw(typename Real::Raw(1) << F), direction);
             note(direction[0], found);
         });
         scaled = nullptr;
@@ -262,6 +262,11 @@ TEST(DistanceProof, InverseIsRoundedOnce) {
     const auto check = [](std::int64_t raw) {
         const auto made =
             engine::inverse_of(fixedpoint::Fixed<16, 16>::from_raw(static_cast<std::int32_t>(raw)));
+        if (made.halvings < 0) {  // exact
+            ASSERT_EQ(made.factor.raw(), 1 << 16);
+            ASSERT_EQ(raw, (1 << 16) >> (-1 - made.halvings));
+            return;
+        }
         const std::int64_t twice = 2 * (std::int64_t(1) << (32 + made.halvings));
         ASSERT_LE(std::abs(twice - 2 * raw * made.factor.raw()), raw) << raw;
         ASSERT_EQ(made.halvings == 0, raw < 1 << 17) << raw;

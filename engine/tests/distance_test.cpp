@@ -34,8 +34,8 @@ Measured<Number, N> measure(const engine::Vector<Number, N>& difference, Number 
     engine::Vector<Number, N> direction;
     Number excess = {};
     Measured<Number, N> result = {};
-    result.found = engine::measure<may_be_slack>([&] { return difference; }, length,
-                                                 engine::inverse_of(length), direction, excess);
+    result.found = engine::measure<may_be_slack>(difference, {}, length, engine::inverse_of(length),
+                                                 direction, excess);
     for (unsigned char i = 0; i < N; ++i)
         result.distance = std::hypot(result.distance, value(difference[i]));
     result.excess = value(excess);
@@ -72,10 +72,16 @@ Number number(Real x) {
 }
 
 // All factors of 16 bits: the nearest to 2^halvings / a in the format, or 0 where that leaves it.
+// Of 2^-k it is 1.
 TEST(Inverse, IsTheNearestFactor) {
     using Number = Fixed<8, 8>;
     for (int a = -32768; a < 32768; ++a) {
         const auto inverse = engine::inverse_of(Number::from_raw(static_cast<int16_t>(a)));
+        if (a == 4 || a == 8 || a == 16 || a == 32 || a == 64 || a == 128 || a == 256) {
+            ASSERT_EQ(inverse.factor.raw(), 256) << a;
+            ASSERT_EQ(256 >> (-1 - inverse.halvings), a);
+            continue;
+        }
         const Real exact = a > 0 ? std::ldexp(Real(65536) / a, inverse.halvings) : 0;
         const bool fits = a > 0 && std::floor(exact + Real(0.5)) <= 32767;
         ASSERT_EQ(inverse.factor.raw(), fits ? std::floor(exact + Real(0.5)) : 0) << a;
@@ -84,9 +90,70 @@ TEST(Inverse, IsTheNearestFactor) {
         else
             ASSERT_EQ(inverse.halvings, 0) << a;
     }
+    for (int a : {1, 2, 3, 77, 1 << 8, 1 << 14, 1 << 15, 1 << 16, 3 << 15}) {
+        const auto inverse = engine::inverse_of(Fixed<16, 16>::from_raw(a));
+        const auto eighth = Fixed<16, 16>::from_raw(1 << 13);
+        const Real product = std::floor(std::ldexp(inverse.factor.raw(), 13 - 16) + Real(0.5));
+        const int doublings = inverse.halvings < 0 ? -1 - inverse.halvings : 0;
+        if (inverse.factor.raw() != 0)
+            EXPECT_EQ(engine::times(eighth, inverse).raw(), std::ldexp(product, doublings)) << a;
+    }
     EXPECT_EQ(engine::inverse_of(4.0).factor, 0.25);
     EXPECT_EQ(engine::inverse_of(4.0).halvings, 0);
     EXPECT_EQ(engine::times(3.0, engine::inverse_of(4.0)), 0.75);
+}
+
+// A length that the compiler knows has the inverse that it has at run time.
+template <class Number>
+void expect_same_inverses() {
+    using Raw = typename Number::Raw;
+    std::mt19937 random(12);
+    for (int i = 0; i < 100'000; ++i) {
+        const unsigned unused = 33 - 8 * sizeof(Raw);
+        const auto raw = static_cast<Raw>(random() >> (unused + random() % (32 - unused)));
+        if (raw == 0) continue;
+        const auto a = Number::from_raw(raw);
+        const auto known = engine::inverse_by_quotient(a), found = engine::inverse_by_digits(a);
+        ASSERT_EQ(known.factor.raw(), found.factor.raw()) << raw;
+        ASSERT_EQ(known.halvings, found.halvings) << raw;
+    }
+}
+TEST(Inverse, OfAKnownLengthIsTheSame) {
+    expect_same_inverses<Fixed<16, 16>>();
+    expect_same_inverses<Fixed<2, 30>>();
+    expect_same_inverses<Fixed<5, 27>>();
+    expect_same_inverses<Fixed<24, 8>>();
+    expect_same_inverses<Fixed<8, 8>>();
+}
+
+// Doubling a difference and a chord is the product with 2^k, which the bounds are proven of.
+template <class Number, int N>
+void expect_doublings_as_products() {
+    std::mt19937_64 random(13);
+    for (int i = 0; i < 20'000; ++i) {
+        const int k = static_cast<int>(random() % 6);
+        const auto one = std::int32_t(1) << fraction<Number>;
+        const engine::Inverse<Number> product = {Number::from_raw(one << k), 0},
+                                      doublings = {Number::from_raw(one),
+                                                   static_cast<signed char>(-1 - k)};
+        const auto length = Number::from_raw(one >> k);
+        engine::Vector<Number, N> end, direction[2];
+        for (auto& x : end.component) x = Number::from_raw(static_cast<std::int32_t>(random()));
+        if (i % 4 != 0)
+            end = any_of_length<Number, N>(value(length) * (1 + (i % 3 - 1) / Real(500)), random);
+        Number excess[2] = {};
+        ASSERT_EQ(engine::measure<false>(end, {}, length, product, direction[0], excess[0]),
+                  engine::measure<false>(end, {}, length, doublings, direction[1], excess[1]));
+        ASSERT_EQ(direction[0], direction[1]) << i;
+        ASSERT_EQ(excess[0].raw(), excess[1].raw()) << i;
+        ASSERT_EQ(engine::times(end[0], product).raw(), engine::times(end[0], doublings).raw());
+    }
+}
+TEST(Inverse, DoublingsAreProducts) {
+    expect_doublings_as_products<Fixed<16, 16>, 2>();
+    expect_doublings_as_products<Fixed<16, 16>, 3>();
+    expect_doublings_as_products<Fixed<8, 24>, 2>();
+    expect_doublings_as_products<SaturatingFixed<16, 16>, 2>();
 }
 
 // Near a length L up to 2 m. A scaled component is off by (1 + L) / 2 ulp, so that e is by
@@ -163,8 +230,8 @@ TEST(Distance, SaturatesAtTheEnds) {
     engine::Vector<Number, 2> difference;
     difference[0] = end;
     difference[1] = -end;
-    ASSERT_TRUE(engine::measure<false>([&] { return difference; }, length,
-                                       engine::inverse_of(length), direction, excess));
+    ASSERT_TRUE(engine::measure<false>(difference, {}, length, engine::inverse_of(length),
+                                       direction, excess));
     EXPECT_EQ(excess.raw(), INT32_MAX - 16384);
     EXPECT_NEAR(value(direction[0]), std::sqrt(0.5), 1e-4);
     EXPECT_NEAR(value(direction[1]), -std::sqrt(0.5), 1e-4);

@@ -302,8 +302,12 @@ inline Number rounded(Number number, Interval rounding) {
 }
 inline Number sum(const Number& x, const Number& y, int sign) {
     const Number a = x.current(), b = y.current();
-    const bool zero = a.ideal.empty() && a.error.single.empty();
-    if (a.vector != b.vector && !zero) throw Unproven("a scalar is added to a vector");
+    const auto is_zero = [](const Number& n) {
+        return n.ideal.empty() && n.error.single.empty() && n.error.across.empty() &&
+               n.error.rest == 0;
+    };
+    if (is_zero(b)) return a;
+    if (a.vector != b.vector && !is_zero(a)) throw Unproven("a scalar is added to a vector");
     Number result = a;
     result.vector = b.vector;
     result.name = name_of({3, a.name, b.name, static_cast<Name>(sign)});

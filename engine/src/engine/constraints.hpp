@@ -18,20 +18,22 @@ namespace engine {
 template <bool may_be_slack, class World, class Link, class Vector, class Scalar>
 ENGINE_INLINE bool measure(const World& world, const Link& link, Vector& direction, Scalar& excess,
                            If<true>) {
-    const auto difference = [&]() ENGINE_INLINE_LAMBDA { return link.ends.difference(world); };
-    return measure<may_be_slack>(difference, link.length, link.inverse, direction, excess);
+    return measure<may_be_slack>(world.particles()[link.ends.a].position,
+                                 link.ends.second_position(world), link.length, link.inverse,
+                                 direction, excess);
 }
 template <bool may_be_slack, class Scalar, int N>
-bool measure_by_call(const Vector<Scalar, N>& difference, Scalar length,
-                     const Inverse<Scalar>& inverse, Vector<Scalar, N>& direction, Scalar& excess) {
-    const auto of_ends = [&]() ENGINE_INLINE_LAMBDA { return difference; };
-    return measure<may_be_slack>(of_ends, length, inverse, direction, excess);
+bool measure_by_call(const Vector<Scalar, N>& first, const Vector<Scalar, N>& second,
+                     const Scalar& length, const Inverse<Scalar>& inverse,
+                     Vector<Scalar, N>& direction, Scalar& excess) {
+    return measure<may_be_slack>(first, second, length, inverse, direction, excess);
 }
 template <bool may_be_slack, class World, class Link, class Vector, class Scalar>
 ENGINE_INLINE bool measure(const World& world, const Link& link, Vector& direction, Scalar& excess,
                            If<false>) {
-    return measure_by_call<may_be_slack>(link.ends.difference(world), link.length, link.inverse,
-                                         direction, excess);
+    return measure_by_call<may_be_slack>(world.particles()[link.ends.a].position,
+                                         link.ends.second_position(world), link.length,
+                                         link.inverse, direction, excess);
 }
 /// \endcond
 

@@ -23,11 +23,12 @@ namespace engine {
 /// \cond internal
 
 // 1 / a = factor / 2^halvings. The factor of a fixed-point number above 1 lies in 1/2..1, so that a
-// long link's is as exact as a short one's. It is 0 where it leaves the format, and of a <= 0.
+// long link's is as exact as a short one's. It is 0 where it leaves the format, and of a <= 0. Of
+// a = 2^-k, k >= 0, the factor is 1 and `halvings` -1 - k: it takes k doublings and no product.
 template <class Scalar>
 struct Inverse {
     Scalar factor;
-    unsigned char halvings;
+    signed char halvings;
 };
 
 template <class Scalar>
@@ -42,13 +43,13 @@ ENGINE_INLINE Scalar times(Scalar a, const Inverse<Scalar>& inverse) {
 
 // Digit by digit, since it is done once for each link: a kernel's table would stay in flash.
 template <int I, int F, class A>
-__attribute__((noinline, cold)) Inverse<Fixed<I, F, A>> inverse_of(Fixed<I, F, A> a) {
+__attribute__((noinline, cold)) Inverse<Fixed<I, F, A>> inverse_by_digits(Fixed<I, F, A> a) {
     using Number = Fixed<I, F, A>;
     using Raw = typename Number::Raw;
     using Digits = fixedpoint::Unsigned<Raw>;
     if (!(a > Number())) return {Number(), 0};
     const auto divisor = static_cast<Digits>(a.raw());
-    unsigned char halvings = 0;
+    signed char halvings = 0;
     for (Digits left = divisor >> F >> 1; left != 0; left = static_cast<Digits>(left >> 1)) {
         ++halvings;
     }
@@ -65,17 +66,48 @@ __attribute__((noinline, cold)) Inverse<Fixed<I, F, A>> inverse_of(Fixed<I, F, A
     }
     if (rest >= divisor - rest) ++quotient;
     if (static_cast<Raw>(quotient) < 0) return {Number(), 0};
+    if (halvings == 0 && (divisor & (divisor - 1)) == 0) {
+        halvings = -1;
+        for (; quotient >> F > 1; quotient = static_cast<Digits>(quotient >> 1)) --halvings;
+    }
     return {Number::from_raw(static_cast<Raw>(quotient)), halvings};
+}
+// As a quotient of 64 bits: of a > 0 of at most 32 bits.
+template <int I, int F, class A>
+FIXEDPOINT_CONSTEXPR Inverse<Fixed<I, F, A>> inverse_by_quotient(Fixed<I, F, A> a) {
+    using Number = Fixed<I, F, A>;
+    const auto divisor = static_cast<uint64_t>(a.raw());
+    const int power = 63 - __builtin_clzll(divisor) - F;  // 2^power <= a < 2^(power + 1)
+    const int halvings = power < 0 ? 0 : power;
+    const uint64_t factor = ((uint64_t(2) << (2 * F + halvings)) / divisor + 1) >> 1;
+    if (factor >> (I + F - 1) != 0) return {Number(), 0};
+    const bool doubles = power <= 0 && (divisor & (divisor - 1)) == 0;
+    return {
+        Number::from_raw(static_cast<typename Number::Raw>(doubles ? uint64_t(1) << F : factor)),
+        static_cast<signed char>(doubles ? power - 1 : halvings)};
+}
+// Where the compiler knows the length, it divides, and nothing of that stays in flash.
+template <int I, int F, class A>
+ENGINE_INLINE Inverse<Fixed<I, F, A>> inverse_of(Fixed<I, F, A> a) {
+    const auto raw = a.raw();
+    return I + F <= 32 && __builtin_constant_p(raw) && raw > 0 ? inverse_by_quotient(a)
+                                                               : inverse_by_digits(a);
 }
 template <int I, int F, class A>
 ENGINE_INLINE Fixed<I, F, A> times(Fixed<I, F, A> a, const Inverse<Fixed<I, F, A>>& inverse) {
-    a *= inverse.factor;
-    return inverse.halvings == 0 ? a : a >> inverse.halvings;
+    signed char i = inverse.halvings;
+    if (i < 0) {
+        while (++i != 0) a += a;
+    } else {
+        a *= inverse.factor;
+        for (; i != 0; --i) a = half(a);
+    }
+    return a;
 }
 
 template <class Scalar, int N>
 __attribute__((noinline, cold)) void halve(Vector<Scalar, N>& v) {
-    const unsigned char n = not_unrolled(N);
+    const auto n = unknown<unsigned char>(N);
     for (unsigned char i = 0; i < n; ++i) v[i] = half(v[i]);
 }
 
@@ -85,7 +117,7 @@ __attribute__((noinline, cold)) void bring_near_one(Vector<Fixed<I, F, A>, N>& v
     using Number = Fixed<I, F, A>;
     using Raw = typename Number::Raw;
     const auto quarter = Number::from_raw(static_cast<Raw>(Raw(1) << (F < 2 ? 0 : F - 2)));
-    const unsigned char n = not_unrolled(N);
+    const auto n = unknown<unsigned char>(N);
     for (;;) {
         Number least = Number();  // -|v_i| of the largest: the end of the range has no |v_i|
         for (unsigned char i = 0; i < n; ++i) {
@@ -129,13 +161,15 @@ struct NearOne<Fixed<I, F, A>> {
     }
 };
 
-// The distance |difference| and the direction along it, from one of nearly that direction and its
+// The distance of two points and the direction along it, from one of nearly that direction and its
 // e. Steps of third order converge for |e| <= 1/4, and from 1/4 of the length six suffice.
 template <class Scalar, int N>
-__attribute__((noinline, cold)) Scalar measure_by_steps(const Vector<Scalar, N>& difference,
-                                                        Scalar e, Vector<Scalar, N>& direction) {
+__attribute__((noinline, cold)) Scalar measure_by_steps(const Vector<Scalar, N>& first,
+                                                        const Vector<Scalar, N>& second, Scalar e,
+                                                        Vector<Scalar, N>& direction) {
     if (absolute(e) > Scalar(Decimal<25, 2>())) {
-        direction = difference;
+        const auto n = unknown<unsigned char>(N);
+        for (unsigned char i = 0; i < n; ++i) direction[i] = first[i] - second[i];
         bring_near_one(direction);
         e = excess_over_one(direction);
     }
@@ -144,41 +178,46 @@ __attribute__((noinline, cold)) Scalar measure_by_steps(const Vector<Scalar, N>&
         if (absolute(e) < NearOne<Scalar>::value()) break;
         e = excess_over_one(direction);
     }
-    return dot(direction, difference);
+    return dot_difference(direction, first, second);
 }
 
-// The direction along difference(), and by how much that is longer than `length`. False where there
-// is none: the ends coincide or, of what may be slack, are surely nearer than the length. That
-// difference is asked for anew where it is needed twice, which is seldom, rather than kept.
-template <bool may_be_slack, class Difference, class Scalar, int N>
-bool measure(const Difference& difference, Scalar length, const Inverse<Scalar>&,
-             Vector<Scalar, N>& direction, Scalar& excess) {
-    direction = difference();
+// The direction from the second point to the first, and by how much they are further apart than
+// `length`. False where there is none: they coincide or, of what may be slack, are surely nearer.
+template <bool may_be_slack, class Scalar, int N>
+bool measure(const Vector<Scalar, N>& first, const Vector<Scalar, N>& second, const Scalar& length,
+             const Inverse<Scalar>&, Vector<Scalar, N>& direction, Scalar& excess) {
+    direction = first - second;
     const Scalar distance = engine::length(direction);
     direction = divided(direction, distance);
     excess = distance - length;
     return !(distance == Scalar());
 }
-template <bool may_be_slack, class Difference, int I, int F, class A, int N>
+template <bool may_be_slack, int I, int F, class A, int N>
 ENGINE_INLINE typename OnlyIf<RoundsOnce<A>::value, bool>::Type measure(
-    const Difference& difference, Fixed<I, F, A> length, const Inverse<Fixed<I, F, A>>& inverse,
+    const Vector<Fixed<I, F, A>, N>& first, const Vector<Fixed<I, F, A>, N>& second,
+    const Fixed<I, F, A>& length, const Inverse<Fixed<I, F, A>>& inverse,
     Vector<Fixed<I, F, A>, N>& direction, Fixed<I, F, A>& excess) {
     using Number = Fixed<I, F, A>;
     const Number near = NearOne<Number>::value();
     // A direction 1 + e long leaves 2 e of a row's change to the next step: by 4 ulp that is below
     // an ulp of each change below 1/8 m/s.
     const Number little = Number::from_raw(F >= 12 ? 4 : 0);
-    direction = difference();
-    scale<N>(direction.component, inverse.factor);
-    for (unsigned char i = inverse.halvings; i != 0; --i) halve(direction);
+    direction = first - second;
+    signed char i = inverse.halvings;
+    if (i < 0) {
+        while (++i != 0) direction += direction;
+    } else {
+        scale<N>(direction.component, inverse.factor);
+        for (; i != 0; --i) halve(direction);
+    }
     Number relative = excess_over_one(direction);
     if (may_be_slack && relative < -near) return false;
-    if (inverse.halvings == 0 && absolute(relative) < near) {
+    if (inverse.halvings <= 0 && absolute(relative) < near) {
         if (absolute(relative) > little) relative = mend_length(direction, relative);
         excess = short_product(relative, length);
         return true;
     }
-    const Number distance = measure_by_steps(difference(), relative, direction);
+    const Number distance = measure_by_steps(first, second, relative, direction);
     excess = distance - length;
     return !(distance == Number());
 }

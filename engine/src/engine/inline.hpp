@@ -6,18 +6,13 @@
 
 #define ENGINE_INLINE inline __attribute__((always_inline))
 #define ENGINE_INLINE_LAMBDA __attribute__((always_inline))
-// A function that knows none of its arguments, whoever calls it.
-#ifdef __clang__
-#define ENGINE_OUT_OF_LINE __attribute__((noinline))
-#else
-#define ENGINE_OUT_OF_LINE __attribute__((noinline, noclone))
-#endif
 
 namespace engine {
 
 // n, of which the compiler knows no value: a loop to it is not unrolled, where flash is what
 // counts.
-inline unsigned char not_unrolled(unsigned char n) {
+template <class Number>
+inline Number unknown(Number n) {
     __asm__("" : "+r"(n));
     return n;
 }

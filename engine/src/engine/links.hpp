@@ -35,8 +35,12 @@ struct Between {
     /// \cond internal
     constexpr Index second() const { return certain(b); }
     template <class World>
+    constexpr const Vector& second_position(const World& world) const {
+        return world.particles()[b].position;
+    }
+    template <class World>
     constexpr Vector difference(const World& world) const {
-        return world.particles()[a].position - world.particles()[b].position;
+        return world.particles()[a].position - second_position(world);
     }
     /// \endcond
 };
@@ -50,6 +54,10 @@ struct Anchored {
 
     /// \cond internal
     constexpr Index second() const { return nothing<Index>(); }
+    template <class World>
+    constexpr const Vector& second_position(const World&) const {
+        return anchor;
+    }
     template <class World>
     constexpr Vector difference(const World& world) const {
         return world.particles()[a].position - anchor;

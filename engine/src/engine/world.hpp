@@ -267,7 +267,7 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
     /// Moves the world on by a step of 2^-K s, or of another type of time steps.
     template <class TimeStep>
     typename OnlyIf<IsTimeStep<TimeStep>::value, void>::Type step(TimeStep dt) {
-        step(dt, If<capacity == 1>());
+        Integrator::step(*this, dt);
     }
     /// Moves the world on by dt seconds, which must be positive; others are reported and do
     /// nothing.
@@ -284,7 +284,7 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
     /// The force of each particle anew.
     void accumulate_forces() {
         only_if<has_forces>(*this, [](World& world) {
-            world.particles_.for_each([](Particle& particle) { force_of(particle) = Vector(); });
+            world.for_each_particle([](Particle& particle) { force_of(particle) = Vector(); });
             world.apply_springs(If<!Integrator::implicit_springs>());
             world.drags_.for_each(Apply{world});
             observe<Scalar>(Quantity::custom_force);
@@ -297,7 +297,7 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
     void integrate_velocities(TimeStep dt) {
         observe<Scalar>(Quantity::velocity);
         if (!Uses::gravity && !has_forces) return;
-        particles_.for_each([&](Particle& particle) {
+        for_each_particle([&](Particle& particle) {
             if (!movable(particle)) return;
             Vector acceleration = this->fall();
             only_if<has_forces>(particle, [&](Particle& p) {
@@ -317,8 +317,8 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
     /// Multiplies each velocity by its particle's damping factor.
     void damp() {
         observe<Scalar>(Quantity::damping);
-        only_if<Uses::damping>(particles_, [](Particles& particles) {
-            particles.for_each(
+        only_if<Uses::damping>(*this, [](World& world) {
+            world.for_each_particle(
                 [](Particle& particle) { particle.velocity *= damping_of(particle); });
         });
     }
@@ -384,15 +384,16 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
             apply(force, world);
         }
     };
-    // Of one particle: in every instruction an address takes two bytes more than a distance from a
-    // register, which reaches 64 bytes, and here none is known.
-    template <class TimeStep>
-    ENGINE_OUT_OF_LINE void step(TimeStep dt, If<true>) {
-        Integrator::step(*this, dt);
-    }
-    template <class TimeStep>
-    ENGINE_INLINE void step(TimeStep dt, If<false>) {
-        Integrator::step(*this, dt);
+    // How many particles a step looks at. Where there is one, it need not have been added: until
+    // then its inverse mass is 0, and nothing moves it.
+    constexpr Index count() const { return capacity == 1 ? 1 : particles_.size(); }
+    template <class Function>
+    ENGINE_INLINE void for_each_particle(Function function) {
+        if (capacity == 1) {
+            function(particles_[0]);
+        } else {
+            particles_.for_each(function);
+        }
     }
     void apply_springs(If<true>) {
         springs_.for_each(Apply{*this});
@@ -415,18 +416,18 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
         const TimeStep& dt;
         template <class Obstacle>
         void operator()(const Obstacle& obstacle) const {
-            for (Index i = 0; i < world.particles_.size(); ++i) constrain(obstacle, i, world, dt);
+            for (Index i = 0; i < world.count(); ++i) constrain(obstacle, i, world, dt);
         }
     };
     template <class TimeStep>
     void integrate_positions(TimeStep dt, If<true>) {
-        for (Index i = 0; i < particles_.size(); ++i) {
+        for (Index i = 0; i < count(); ++i) {
             if (movable(particles_[i])) Flight<World>::move(*this, i, dt);
         }
     }
     template <class TimeStep>
     void integrate_positions(TimeStep dt, If<false>) {
-        particles_.for_each([&](Particle& particle) {
+        for_each_particle([&](Particle& particle) {
             if (!movable(particle)) return;
             particle.move(particle.position, particle.velocity, dt);
         });

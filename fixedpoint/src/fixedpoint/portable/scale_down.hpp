@@ -27,23 +27,32 @@ inline Raw scale_down_by_bytes(Raw a) {
     }
     if (sizeof a == 4) {
         a = static_cast<Raw>(a >> (K / 8 * 8));
-        // Only the bytes that are left move; the last bit that goes is the carry, and rounds.
-#define FIXEDPOINT_SHIFT_ROUNDED(shift)                                   \
+        // Only the bytes that are left move; the last bit that goes is the carry, and rounds. By
+        // its lines the compiler tells how far its jumps over this reach: with more than four
+        // rounds it would think them too near.
+#define FIXEDPOINT_SHIFT_ROUNDED_IN_LINES(shift, lines)                   \
     __asm__(".rept %1\n\t" shift                                          \
             ".endr\n\tadc %A0, __zero_reg__\n\tadc %B0, __zero_reg__\n\t" \
-            "adc %C0, __zero_reg__\n\tadc %D0, __zero_reg__"              \
+            "adc %C0, __zero_reg__\n\tadc %D0, __zero_reg__" lines        \
             : "+r"(a)                                                     \
             : "n"(K % 8))
+#define FIXEDPOINT_SHIFT_ROUNDED(shift)                               \
+    if (K % 8 > 4) {                                                  \
+        FIXEDPOINT_SHIFT_ROUNDED_IN_LINES(shift, "\n\n\n\n\n\n\n\n"); \
+    } else {                                                          \
+        FIXEDPOINT_SHIFT_ROUNDED_IN_LINES(shift, "");                 \
+    }
         if (K < 8) {
-            FIXEDPOINT_SHIFT_ROUNDED("asr %D0\n\tror %C0\n\tror %B0\n\tror %A0\n\t");
+            FIXEDPOINT_SHIFT_ROUNDED("asr %D0\n\tror %C0\n\tror %B0\n\tror %A0\n\t")
         } else if (K < 16) {
-            FIXEDPOINT_SHIFT_ROUNDED("asr %C0\n\tror %B0\n\tror %A0\n\t");
+            FIXEDPOINT_SHIFT_ROUNDED("asr %C0\n\tror %B0\n\tror %A0\n\t")
         } else if (K < 24) {
-            FIXEDPOINT_SHIFT_ROUNDED("asr %B0\n\tror %A0\n\t");
+            FIXEDPOINT_SHIFT_ROUNDED("asr %B0\n\tror %A0\n\t")
         } else {
-            FIXEDPOINT_SHIFT_ROUNDED("asr %A0\n\t");
+            FIXEDPOINT_SHIFT_ROUNDED("asr %A0\n\t")
         }
 #undef FIXEDPOINT_SHIFT_ROUNDED
+#undef FIXEDPOINT_SHIFT_ROUNDED_IN_LINES
         return a;
     }
     constexpr unsigned char bits = K - 1;
