@@ -18,10 +18,13 @@ PROOFS = {(operation, number_format, implementation): proof
               ("fixedpoint/prove_products", ("q32_32",), OURS, ("multiply", "dot2", "dot3")),
               ("fixedpoint/prove_products", ("q8_8",), OURS, ("dot2", "dot3")),
               ("fixedpoint/prove_quotients", ("q16_16",), OURS, ("divide",)),
+              ("fixedpoint/prove_remainders", ("q16_16",), OURS, ("remainder", "divrem", "divmod")),
               ("fixedpoint/prove_quotients_q32_32", ("q32_32",), OURS, ("divide",)),
               ("fixedpoint/prove_roots", ("q32_32",), OURS, ("sqrt",)),
               (*SUMS, OURS, ("add", "subtract", "abs_diff", "copysign", "midpoint")),
-              (*SUMS, "saturating", ("add", "subtract")))
+              (*SUMS, "saturating", ("add", "subtract")),
+              (SUMS[0], ("q8_8",), OURS, ("multiply_add", "lerp")),
+              (*SUMS, OURS, ("lerp",)))
           for operation in operations for number_format in formats}
 # Runs over all inputs are judged in double, to this part of an ulp (reference/bulk.hpp).
 JUDGED_TO = 2**-14
