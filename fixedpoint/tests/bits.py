@@ -81,6 +81,13 @@ class Bits(Machine):
         if mnemonic in ("sbrs", "sbrc"):
             is_set = z3.Extract(int(r), int(r), registers[d]) == 1
             return self.branch(is_set == (mnemonic == "sbrs"), self.program.code[following][3], following)
+        if mnemonic == "cpse":
+            return self.branch(registers[d] == registers[r], self.program.code[following][3], following)
+        if mnemonic == "mul":
+            value = z3.simplify(z3.ZeroExt(8, registers[d]) * z3.ZeroExt(8, registers[r]))
+            registers[0], registers[1] = z3.Extract(7, 0, value), z3.Extract(15, 8, value)
+            self.flags |= {"C": value < 0, "Z": value == 0}
+            return [(following, self)]
         if mnemonic == "st":
             self.stored.append((self.number(26, 2), registers[r]))
             if d == "X+":

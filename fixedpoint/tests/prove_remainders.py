@@ -121,7 +121,8 @@ class Division:
         ends = {None: ("bytes",), "bytes": ("bytes", "bits", "done", None), "bits": ("bits", "down", "subtract", "done"),
                 "down": ("down", "subtract", "done"), "subtract": ("down", "done"), "done": (None,)}
         for label in ends:
-            yield (labels[label], partial(self.begin, label), tuple(end and labels[end] for end in ends[label]), (), ((),), (None,))
+            following = tuple(end and labels[end] for end in ends[label])
+            yield labels[label], partial(self.begin, label), following, (), ((),), (None,)
 
 
 def main():
