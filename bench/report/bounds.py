@@ -10,7 +10,7 @@ import re
 from data import DataError
 
 OURS = "default"
-# Proofs that a result is rounded correctly for every operand: tests of the library and of `exhaustive`.
+# Proofs for every operand, tests of the library and of `exhaustive`: that a result is rounded correctly, ...
 SUMS = "bench/prove_sums", ("q16_16", "q8_24")
 PROOFS = {(operation, number_format, implementation): proof
           for proof, formats, implementation, operations in (
@@ -18,11 +18,16 @@ PROOFS = {(operation, number_format, implementation): proof
               ("fixedpoint/prove_products", ("q32_32",), OURS, ("multiply", "dot2", "dot3")),
               ("fixedpoint/prove_products", ("q8_8",), OURS, ("dot2", "dot3")),
               ("fixedpoint/prove_quotients", ("q16_16",), OURS, ("divide",)),
+              ("fixedpoint/prove_remainders", ("q16_16",), OURS, ("remainder", "divrem", "divmod")),
               ("fixedpoint/prove_quotients_q32_32", ("q32_32",), OURS, ("divide",)),
               ("fixedpoint/prove_roots", ("q32_32",), OURS, ("sqrt",)),
               (*SUMS, OURS, ("add", "subtract", "abs_diff", "copysign", "midpoint")),
-              (*SUMS, "saturating", ("add", "subtract")))
+              (*SUMS, "saturating", ("add", "subtract")),
+              (SUMS[0], ("q8_8",), OURS, ("multiply_add", "lerp")),
+              (*SUMS, OURS, ("lerp",)))
           for operation in operations for number_format in formats}
+# ... or that it errs less than this, in ulp, whatever the largest error that is known.
+LIMITS = {("atan2", "q16_16", OURS): (0.645, "fixedpoint/prove_angles")}
 # Runs over all inputs are judged in double, to this part of an ulp (reference/bulk.hpp).
 JUDGED_TO = 2**-14
 BENCH = pathlib.Path(__file__).resolve().parents[1]
@@ -52,7 +57,7 @@ def largest(named, runs, column, slack):
 
 def known(data, operation, number_format, implementation=OURS):
     """The row of bounds.csv; None where the operation is not there. `bound` is that of the error:
-    "exact" (all inputs were run), "proven" or "lower bound"; where nothing was judged, it and
+    "exact" (all inputs were run), "proven", "proven below" a number or "lower bound"; where nothing was judged, it and
     `max_ulp` are None. Throws DataError where two runs contradict each other."""
     what = {"operation": operation, "format": number_format, "implementation": implementation}
     sampled = data.rows("operations", **what)
@@ -71,10 +76,18 @@ def known(data, operation, number_format, implementation=OURS):
             for row in rows]
     cycles, cycles_witness, cycles_bound, cycles_run = largest(named, runs, "cycles_max", 0)
     ulp, ulp_witness, bound, ulp_run = largest(named, runs, "max_ulp", JUDGED_TO)
-    proof = PROOFS.get(tuple(what.values())) if bound else None
+    kind = tuple(what.values())
+    proof = PROOFS.get(kind) if bound else None
+    if proof:
+        bound = "proven"
+    elif bound and kind in LIMITS:
+        limit, proof = LIMITS[kind]
+        bound = f"proven below {limit}"
+        if ulp >= limit:
+            raise DataError(f"{named}: {ulp} in max_ulp, where {proof} says less than {limit}")
     return what | {"cycles_max": cycles, "cycles_max_witness": cycles_witness, "cycles_bound": cycles_bound,
                    "cycles_run": cycles_run, "max_ulp": ulp, "max_ulp_witness": ulp_witness,
-                   "bound": "proven" if proof else bound, "ulp_run": ulp_run, "proof": proof}
+                   "bound": bound, "ulp_run": ulp_run, "proof": proof}
 
 
 def table(data):

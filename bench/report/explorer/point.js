@@ -26,7 +26,7 @@ export function describe(row, whole) {
     judged ? ["largest error", `${number(row.max_ulp)} ulp, ${number(row.max_error)} in the result's unit`] : ["error", "not judged"],
     judged && ["witness", witness(row.format, row.max_ulp_witness)],
     judged && ["rms, bias", `${number(row.rms_ulp)}, ${number(row.mean_ulp)} ulp`],
-    bound?.bound && ["worst of any run", `${number(bound.max_ulp)} ulp (${bound.proof ?? bound.bound}; ${bound.ulp_run}) at ${witness(row.format, bound.max_ulp_witness)}`],
+    bound?.bound && ["worst of any run", `${number(bound.max_ulp)} ulp (${[bound.bound, bound.proof, bound.ulp_run].filter(Boolean).join("; ")}) at ${witness(row.format, bound.max_ulp_witness)}`],
     bound && ["most cycles of any run", `${number(bound.cycles_max)} (${bound.cycles_bound}; ${bound.cycles_run}) at ${witness(row.format, bound.cycles_max_witness)}`],
     ["flash, stack", `${number(row.flash_bytes)}, ${number(row.stack_bytes)} bytes`],
     row.rival && ["library", `${row.origin} ${row.version ?? ""} ${row.commit ?? ""}, measured ${row.measured}`.replace(/ +/g, " ")],

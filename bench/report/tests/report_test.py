@@ -162,6 +162,11 @@ class Operations(Figures):
         self.assertEqual(known(sampled), of_samples)
         with unittest.mock.patch.dict(bounds.PROOFS, {("add", "q16_16", "default"): "a proof"}):
             self.assertEqual(known(sampled), of_samples[:6] + ["proven", "accuracy.csv, search", "a proof"])
+        with unittest.mock.patch.dict(bounds.LIMITS, {("add", "q16_16", "default"): (0.8, "a proof")}):
+            self.assertEqual(known(sampled), of_samples[:6] + ["proven below 0.8", "accuracy.csv, search", "a proof"])
+        with unittest.mock.patch.dict(bounds.LIMITS, {("add", "q16_16", "default"): (0.7, "a proof")}):
+            with self.assertRaisesRegex(DataError, "0.75 in max_ulp, where a proof says less than 0.7"):
+                known(sampled)
         self.assertEqual(known(sampled, "small"), [90, 1, "lower bound", "operations.csv, physics", *[None] * 5])
         self.assertIsNone(bounds.known(sampled, "exp", "q16_16"))
         whole = header + "add q16_16 default all 120 7 0.875 8 aa\n"

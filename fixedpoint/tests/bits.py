@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: MIT
+"""Proofs about machine code that adds, compares and shifts: every register is a vector of bits, by z3."""
+
+import z3
+
+from machine_code import Machine, Unprovable, demand
+
+NONE = z3.BitVecVal(0, 10)
+CHAINED = ("adc", "sbc", "sbci", "cpc", "ror")
+BRANCHES = {"brcs": ("C", True), "brcc": ("C", False), "breq": ("Z", True), "brne": ("Z", False),
+            "brmi": ("N", True), "brpl": ("N", False), "brvs": ("V", True), "brvc": ("V", False),
+            "brlt": ("S", True), "brge": ("S", False), "brts": ("T", True), "brtc": ("T", False)}
+
+
+class Bits(Machine):
+    """Of bits: what is known of them are conditions."""
+
+    def __init__(self, program):
+        super().__init__(program, {n: z3.BitVec(f"r{n}", 8) for n in range(32)})
+        self.registers[1] = z3.BitVecVal(0, 8)
+        self.holds, self.stored = [], []  # conditions; (address, byte)
+        self.flags = {}
+
+    def copy(self):
+        other = super().copy()
+        other.holds, other.stored, other.flags = self.holds[:], self.stored[:], self.flags.copy()
+        return other
+
+    def is_zero(self, register):
+        return self.impossible(self.registers[register] != 0)
+
+    def impossible(self, condition):
+        solver = z3.SolverFor("QF_BV")
+        solver.add(*self.holds, condition)
+        return solver.check() == z3.unsat
+
+    def possible(self, given):
+        return not self.impossible(z3.And(*given))
+
+    def feasible(self):
+        return self.possible([])
+
+    def number(self, low, size):
+        parts = [self.registers[low + i] for i in reversed(range(size))]
+        return z3.Concat(*parts) if size > 1 else parts[0]
+
+    def flag(self, name):
+        demand(self.flags.get(name) is not None, "a flag is read before it is set")
+        return self.flags[name]
+
+    def result(self, value, **flags):
+        self.flags |= {"N": value < 0, "Z": value == 0} | flags
+        return value
+
+    def sum(self, x, y, carry):
+        wide = z3.ZeroExt(2, x) + z3.ZeroExt(2, y) + carry
+        value = z3.Extract(7, 0, wide)
+        return self.result(value, C=z3.UGT(wide, 255), V=z3.And((x < 0) == (y < 0), (x < 0) != (value < 0)))
+
+    def difference(self, x, y, borrow):
+        wide = z3.ZeroExt(2, x) - z3.ZeroExt(2, y) - borrow
+        value = z3.Extract(7, 0, wide)
+        return self.result(value, C=wide < 0, V=z3.And((x < 0) != (y < 0), (x < 0) != (value < 0)))
+
+    def branch(self, condition, target, following):
+        self.forked, found = True, []
+        for holds, place in ((condition, target), (z3.Not(condition), following)):
+            holds = z3.simplify(holds)
+            if not z3.is_false(holds):
+                after = self.copy()
+                after.holds.append(holds)
+                found.append((place, after))
+        return found
+
+    def compute(self, mnemonic, d, r, target, following):
+        registers = self.registers
+        if mnemonic in BRANCHES:
+            name, is_set = BRANCHES[mnemonic]
+            flag = z3.Xor(self.flag("N"), self.flag("V")) if name == "S" else self.flag(name)
+            return self.branch(flag == is_set, target, following)
+        if mnemonic in ("sbrs", "sbrc"):
+            is_set = z3.Extract(int(r), int(r), registers[d]) == 1
+            return self.branch(is_set == (mnemonic == "sbrs"), self.program.code[following][3], following)
+        if mnemonic == "cpse":
+            return self.branch(registers[d] == registers[r], self.program.code[following][3], following)
+        if mnemonic == "mul":
+            value = z3.simplify(z3.ZeroExt(8, registers[d]) * z3.ZeroExt(8, registers[r]))
+            registers[0], registers[1] = z3.Extract(7, 0, value), z3.Extract(15, 8, value)
+            self.flags |= {"C": value < 0, "Z": value == 0}
+            return [(following, self)]
+        if mnemonic == "st":
+            self.stored.append((self.number(26, 2), registers[r]))
+            if d == "X+":
+                following_byte = self.number(26, 2) + 1
+                registers[26], registers[27] = z3.Extract(7, 0, following_byte), z3.Extract(15, 8, following_byte)
+            return [(following, self)]
+        if mnemonic == "sec":
+            self.flags["C"] = z3.BoolVal(True)
+            return [(following, self)]
+        x, y = registers[d], registers[r] if isinstance(r, int) else z3.BitVecVal(int(r or "0", 0), 8)
+        carry = z3.If(self.flag("C"), z3.BitVecVal(1, 10), NONE) if mnemonic in CHAINED else NONE
+        if mnemonic in ("add", "adc"):
+            registers[d] = self.sum(x, y, carry)
+        elif mnemonic in ("sub", "sbc", "subi", "sbci", "cp", "cpc", "cpi"):
+            zero = self.flag("Z") if mnemonic in CHAINED else True
+            value = self.difference(x, y, carry)
+            self.flags["Z"] = z3.And(zero, self.flags["Z"])
+            registers[d] = x if mnemonic.startswith("cp") else value
+        elif mnemonic == "neg":
+            registers[d] = self.difference(z3.BitVecVal(0, 8), x, NONE)
+        elif mnemonic in ("inc", "dec"):
+            kept = self.flags.get("C")
+            registers[d] = (self.sum if mnemonic == "inc" else self.difference)(x, z3.BitVecVal(1, 8), NONE)
+            self.flags["C"] = kept
+        elif mnemonic == "com":
+            registers[d] = self.result(~x, C=z3.BoolVal(True), V=z3.BoolVal(False))
+        elif mnemonic in ("and", "andi", "or", "ori", "eor"):
+            value = {"and": x & y, "or": x | y, "eor": x ^ y}[mnemonic.removesuffix("i")]
+            registers[d] = self.result(z3.simplify(value), V=z3.BoolVal(False))
+        elif mnemonic in ("lsr", "asr", "ror"):
+            top = z3.Extract(7, 7, x) if mnemonic == "asr" else z3.Extract(0, 0, carry)
+            value, out = z3.Concat(top, z3.Extract(7, 1, x)), z3.Extract(0, 0, x) == 1
+            registers[d] = self.result(value, C=out, V=z3.Xor(value < 0, out))
+        elif mnemonic == "ldi":
+            registers[d] = y
+        elif mnemonic == "sec":
+            self.flags["C"] = z3.BoolVal(True)
+        elif mnemonic == "bst":
+            self.flags["T"] = z3.Extract(int(r), int(r), x) == 1
+        elif mnemonic == "bld":
+            mask = 1 << int(r)
+            registers[d] = z3.If(self.flag("T"), x | mask, x & (255 - mask))
+        else:
+            raise Unprovable(f"{mnemonic} is not modelled")
+        return [(following, self)]
