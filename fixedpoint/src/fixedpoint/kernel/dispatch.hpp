@@ -277,8 +277,8 @@ FIXEDPOINT_CONSTEXPR Raw reciprocal_sqrt_through_q32_32(int64_t a) {
         reciprocal_sqrt<int64_t, 32>(static_cast<int64_t>(static_cast<uint64_t>(a) << 1)));
 }
 // With more fraction bits, that is a quotient by the root of a 4^pairs, which has so many bits that
-// its rounding takes 1/8 ulp at most; results from about 2^60 on are portable code. Q32.32 has a
-// kernel of its own.
+// its rounding takes 1/8 ulp at most below 2^60. Larger results are that of 4^-bits_left and a step
+// of Newton's method. Q32.32 has a kernel of its own.
 template <class Raw, int F, bool by_root = sizeof(Raw) == 8 && (F > 30) && F != 32>
 struct FineReciprocalSqrt {
     static FIXEDPOINT_CONSTEXPR Raw apply(Raw a) { return portable::reciprocal_sqrt<Raw, F>(a); }
@@ -292,15 +292,38 @@ struct FineReciprocalSqrt<int64_t, F, true> {
         uint64_t normalised = static_cast<uint64_t>(a);
         uint8_t pairs = 0;
         if (normalised < uint64_t(1) << bits) {
-            for (; normalised < uint64_t(1) << 54; pairs = static_cast<uint8_t>(pairs + 4))
-                normalised <<= 8;
-            for (; normalised < uint64_t(1) << 61; ++pairs) normalised <<= 2;
+            pairs = static_cast<uint8_t>((__builtin_clzll(normalised) - 1) >> 1);
+            normalised <<= 2 * pairs;
         }
         if (exponent + pairs >= 95) return largest;
-        if (exponent + pairs > 90) return portable::reciprocal_sqrt<int64_t, F>(a);
+        const uint8_t left =
+            static_cast<uint8_t>(exponent + pairs > 90 ? exponent + pairs - 90 : 0);
         const int64_t root = sqrt<int64_t, 62 + F % 2>(static_cast<int64_t>(normalised));
-        return divide_64<int64_t, 0>(int64_t(1) << 62, root,
-                                     static_cast<uint8_t>(exponent + pairs - 31 + F % 2));
+        const int64_t quotient = divide_64<int64_t, 0>(
+            int64_t(1) << 62, root, static_cast<uint8_t>(exponent + pairs - left - 31 + F % 2));
+        return left == 0 ? quotient : refined(normalised, static_cast<uint64_t>(quotient), left);
+    }
+
+  private:
+    // r 2^left + r 2^left h / 2, where a r^2 is 2^(180 + F % 2) (1 - h).
+    static FIXEDPOINT_CONSTEXPR int64_t refined(uint64_t a, uint64_t r, uint8_t left) {
+        constexpr int64_t largest = RawLimits<int64_t>::max;
+        if (r > uint64_t(1) << (63 - left)) return largest;
+        // r^2 in four words, the lowest of which does not count.
+        const uint32_t r1 = upper_word(r), r0 = static_cast<uint32_t>(r);
+        const uint64_t middle = 2 * multiply_words(r1, r0) + upper_word(multiply_words(r0, r0));
+        const uint64_t upper = multiply_words(r1, r1) + upper_word(middle);
+        const uint32_t a1 = upper_word(a), a0 = static_cast<uint32_t>(a);
+        const uint32_t upper1 = upper_word(upper), upper0 = static_cast<uint32_t>(upper);
+        const uint32_t above = upper_word(multiply_words(a0, upper0)) + a1 * upper0 + a0 * upper1 +
+                               upper_word(multiply_words(a1, static_cast<uint32_t>(middle)));
+        // h in units of 2^-72, of 2^-73 where F is odd.
+        const int32_t h = -(static_cast<int32_t>(above) >> 12);
+        const int32_t change = static_cast<int32_t>(r1 >> 16) * h;
+        const uint64_t result =
+            (r << left) +
+            static_cast<uint64_t>(static_cast<int64_t>(((change >> (24 + F % 2 - left)) + 1) >> 1));
+        return result >> 63 != 0 ? largest : static_cast<int64_t>(result);
     }
 };
 template <class Raw, int F>
