@@ -61,6 +61,11 @@ def sine_and_cosine(numerator, denominator, bits):
     return [rounded(_circular(angle, width, k), GUARD) for k in (1, 0)]
 
 
+def circular(angle, denominator, bits):
+    """sin(angle 2^-bits / denominator) 2^bits."""
+    return rounded(_circular((angle << GUARD) // denominator, bits + GUARD, 1), GUARD)
+
+
 def arctangent(numerator, denominator, bits):
     """atan(numerator/denominator) 2^bits, for arguments from 0 to 1, by the series of Euler:
     sum of 2^2n (n!)^2 / (2n+1)! x^(2n+1) / (1 + x^2)^(n+1), whose terms are all positive."""

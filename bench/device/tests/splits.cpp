@@ -15,28 +15,28 @@ using fixedpoint::Nearest;
 #if SPLIT_BITS == 16
 #define SPLITS FIXEDPOINT_SPLITS_16
 #elif SPLIT_BITS == 64
-// One kernel serves all splits: where the shifts begin and end, and some between. Sines of the
-// finer ones are portable code.
-#define COARSE_SPLITS(ROW, KERNEL, shape, operation) \
-    ROW(KERNEL, shape, operation, 64, 0)             \
-    ROW(KERNEL, shape, operation, 63, 1)             \
-    ROW(KERNEL, shape, operation, 57, 7)             \
-    ROW(KERNEL, shape, operation, 56, 8)             \
-    ROW(KERNEL, shape, operation, 48, 16)            \
-    ROW(KERNEL, shape, operation, 40, 24)            \
-    ROW(KERNEL, shape, operation, 35, 29)
-#ifdef COARSE_SPLITS_ALONE
-#define SPLITS COARSE_SPLITS
+// One kernel serves all splits: where the shifts begin and end, and some between. Sines, angles and
+// logarithms of the finest ones are portable code.
+#ifdef WITHOUT_FINEST_SPLITS
+#define FINEST_SPLITS(ROW, KERNEL, shape, operation)
 #else
-#define SPLITS(ROW, KERNEL, shape, operation)    \
-    COARSE_SPLITS(ROW, KERNEL, shape, operation) \
-    ROW(KERNEL, shape, operation, 31, 33)        \
-    ROW(KERNEL, shape, operation, 24, 40)        \
-    ROW(KERNEL, shape, operation, 16, 48)        \
-    ROW(KERNEL, shape, operation, 8, 56)         \
-    ROW(KERNEL, shape, operation, 2, 62)         \
+#define FINEST_SPLITS(ROW, KERNEL, shape, operation) \
+    ROW(KERNEL, shape, operation, 2, 62)             \
     ROW(KERNEL, shape, operation, 1, 63)
 #endif
+#define SPLITS(ROW, KERNEL, shape, operation) \
+    ROW(KERNEL, shape, operation, 64, 0)      \
+    ROW(KERNEL, shape, operation, 63, 1)      \
+    ROW(KERNEL, shape, operation, 57, 7)      \
+    ROW(KERNEL, shape, operation, 56, 8)      \
+    ROW(KERNEL, shape, operation, 48, 16)     \
+    ROW(KERNEL, shape, operation, 40, 24)     \
+    ROW(KERNEL, shape, operation, 35, 29)     \
+    ROW(KERNEL, shape, operation, 31, 33)     \
+    ROW(KERNEL, shape, operation, 24, 40)     \
+    ROW(KERNEL, shape, operation, 16, 48)     \
+    ROW(KERNEL, shape, operation, 8, 56)      \
+    FINEST_SPLITS(ROW, KERNEL, shape, operation)
 #else
 #define SPLITS FIXEDPOINT_SPLITS_32
 #endif

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <fixedpoint/kernel/dispatch.hpp>
 #include <fixedpoint/portable/atan.hpp>
 #include <fixedpoint/portable/divide.hpp>
@@ -46,13 +47,18 @@ class Operands {
     std::mt19937_64 random_{32};
 };
 
+std::string folder() {
+    const char* other = std::getenv("DEVICE_PROGRAMS");
+    return other ? other : PROGRAM_FOLDER;
+}
+
 // A program of one operation, and its subject of each split.
 class Program {
   public:
     explicit Program(const std::string& operation, int bits = 32)
         : operation_(operation),
           bits_(bits),
-          chip_(simulator::Elf(fmt::format(PROGRAM_FOLDER "/splits_{}_{}.elf", bits, operation))) {
+          chip_(simulator::Elf(fmt::format("{}/splits_{}_{}.elf", folder(), bits, operation))) {
         chip_.run_until_function("main");
         for (std::uint16_t& address : vectors_) address = chip_.allocate(3 * sizeof(int64_t));
     }
@@ -575,11 +581,18 @@ TEST(LongSplits, Exp) {
     });
 }
 
-// The splits that take the sine of Q32.32, by angles that it holds and larger ones.
+// But the finest ones, whose sines, angles and logarithms are portable code.
+template <class Check>
+void for_each_split_with_functions(Check check) {
+    for_each_long_split([&](auto F) {
+        if constexpr (F <= 56) check(F);
+    });
+}
+
+// The coarse splits take the sine of Q32.32, by angles that it holds and larger ones.
 TEST(LongSplits, SinAndCos) {
     Program sines("sin", 64), cosines("cos", 64), pairs_of_both("sincos", 64);
-    for_each_long_split([&](auto F) {
-        if constexpr (F > 30) return;
+    for_each_split_with_functions([&](auto F) {
         DeviceFunction sin = sines.subject(F, {8, {8}}), cos = cosines.subject(F, {8, {8}});
         DeviceFunction sincos = pairs_of_both.subject(F, {0, {8, 2}});
         LongOperands operands;
@@ -593,6 +606,40 @@ TEST(LongSplits, SinAndCos) {
             const auto both = pairs_of_both.get<int64_t>(0);
             ASSERT_EQ(both[0], expected[0]) << F << " fraction bits: " << a;
             ASSERT_EQ(both[1], expected[1]) << F << " fraction bits: " << a;
+        }
+    });
+}
+
+// Of every length, and beside the axes and the diagonals.
+TEST(LongSplits, Angles) {
+    Program vectors("atan2", 64), tangents("atan", 64);
+    for_each_split_with_functions([&](auto F) {
+        DeviceFunction atan2 = vectors.subject(F, {8, {8, 8}}),
+                       atan = tangents.subject(F, {8, {8}});
+        LongOperands operands;
+        for (int i = 0; i < pairs / 4; ++i) {
+            const int64_t y = operands.next();
+            const int64_t x = i % 4 != 0 ? operands.next() : i % 8 == 0 ? y : ~y;
+            ASSERT_EQ(atan2(y, x).template as<int64_t>(),
+                      (fixedpoint::kernel::atan2<int64_t, F>(y, x)))
+                << F << " fraction bits: " << y << " " << x;
+            ASSERT_EQ(atan(y).template as<int64_t>(), (fixedpoint::kernel::atan<int64_t, F>(y)))
+                << F << " fraction bits: " << y;
+        }
+    });
+}
+
+// Of every length, and beside 1, where the logarithm is small.
+TEST(LongSplits, Log) {
+    Program program("log", 64);
+    for_each_split_with_functions([&](auto F) {
+        DeviceFunction log = program.subject(F, {8, {8}});
+        LongOperands operands;
+        for (int i = 0; i < pairs / 4; ++i) {
+            const int64_t n = operands.next();
+            const int64_t a = i % 4 != 0 ? n : (int64_t(1) << F) + (n >> (63 - F));
+            ASSERT_EQ(log(a).template as<int64_t>(), (fixedpoint::kernel::log<int64_t, F>(a)))
+                << F << " fraction bits: " << a;
         }
     });
 }

@@ -23,6 +23,7 @@
 #include <fixedpoint/portable/dot.hpp>
 #include <fixedpoint/portable/exp.hpp>
 #include <fixedpoint/portable/exp_wide.hpp>
+#include <fixedpoint/portable/fine_splits.hpp>
 #include <fixedpoint/portable/length.hpp>
 #include <fixedpoint/portable/lerp.hpp>
 #include <fixedpoint/portable/log.hpp>
@@ -85,6 +86,11 @@ FIXEDPOINT_OPERATION(UNARY, asin)
 FIXEDPOINT_OPERATION(UNARY, acos)
 FIXEDPOINT_OPERATION(UNARY, exp)
 FIXEDPOINT_OPERATION(SPLIT_UNARY, exp_64)
+FIXEDPOINT_OPERATION(SPLIT_UNARY, sin_64)
+FIXEDPOINT_OPERATION(SPLIT_UNARY, cos_64)
+FIXEDPOINT_OPERATION(SPLIT_PAIR, sincos_64)
+FIXEDPOINT_OPERATION(SPLIT_BINARY, atan2_64)
+FIXEDPOINT_OPERATION(SPLIT_UNARY, log_64)
 FIXEDPOINT_OPERATION(UNARY, exp_fine)
 FIXEDPOINT_OPERATION(UNARY, exp2_unsaturated)
 FIXEDPOINT_OPERATION(BINARY, pow_unsaturated)
@@ -192,12 +198,33 @@ constexpr Raw from_q32_32(int64_t a) {
     return portable::convert<Raw, F, int64_t, 32>(a);
 }
 
+// Those of the finer splits of 64 bits take the fraction bits as an operand; of the finest ones
+// they are portable code.
+template <class Raw, int F, bool is_fine = portable::is_fine_split<Raw, F>()>
+struct FineSplit {
+    static constexpr Raw sin(Raw a) { return portable::sin<Raw, F>(a); }
+    static constexpr Raw cos(Raw a) { return portable::cos<Raw, F>(a); }
+    static FIXEDPOINT_CONSTEXPR void sincos(Raw a, Raw* pair) { portable::sincos<Raw, F>(a, pair); }
+    static constexpr Raw atan(Raw a) { return portable::atan<Raw, F>(a); }
+    static constexpr Raw atan2(Raw y, Raw x) { return portable::atan2<Raw, F>(y, x); }
+    static constexpr Raw log(Raw a) { return portable::log<Raw, F>(a); }
+};
+template <class Raw, int F>
+struct FineSplit<Raw, F, true> {
+    static FIXEDPOINT_CONSTEXPR Raw sin(Raw a) { return sin_64<Raw, 0>(a, F); }
+    static FIXEDPOINT_CONSTEXPR Raw cos(Raw a) { return cos_64<Raw, 0>(a, F); }
+    static FIXEDPOINT_CONSTEXPR void sincos(Raw a, Raw* pair) { sincos_64<Raw, 0>(a, pair, F); }
+    static FIXEDPOINT_CONSTEXPR Raw atan(Raw a) { return atan2_64<Raw, 0>(a, Raw(1) << F, F); }
+    static FIXEDPOINT_CONSTEXPR Raw atan2(Raw y, Raw x) { return atan2_64<Raw, 0>(y, x, F); }
+    static FIXEDPOINT_CONSTEXPR Raw log(Raw a) { return log_64<Raw, 0>(a, F); }
+};
+
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw atan2(Raw y, Raw x) {
     return through_q16_16<Raw, F>() && !is_q8_8<Raw, F>()
                ? from_q16_16<Raw, F>(atan2<int32_t, 16>(to_q16_16<Raw, F>(y), to_q16_16<Raw, F>(x)))
            : through_q32_32<Raw, F>() ? from_q32_32<Raw, F>(atan2<int64_t, 32>(y, x))
-                                      : portable::atan2<Raw, F>(y, x);
+                                      : FineSplit<Raw, F>::atan2(y, x);
 }
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw atan(Raw a) {
@@ -205,7 +232,7 @@ FIXEDPOINT_CONSTEXPR Raw atan(Raw a) {
                ? from_q16_16<Raw, F>(atan<int32_t, 16>(to_q16_16<Raw, F>(a)))
            : through_q32_32<Raw, F>()
                ? from_q32_32<Raw, F>(atan2<int64_t, 32>(a, int64_t(1) << F % 63))
-               : portable::atan<Raw, F>(a);
+               : FineSplit<Raw, F>::atan(a);
 }
 
 // So do sines, of angles that Q32.32 holds; larger ones are reduced in their own units.
@@ -230,7 +257,7 @@ FIXEDPOINT_CONSTEXPR Raw sine_of(uint64_t quarter_turns) {
     FIXEDPOINT_CONSTEXPR Raw operation(Raw angle) {                                              \
         return through_q16_16<Raw, F>() && !portable::is_coarse_16<Raw, F>()                     \
                    ? from_q16_16<Raw, F>(operation<int32_t, 16>(to_q16_16<Raw, F>(angle)))       \
-               : !through_q32_32<Raw, F>() ? portable::operation<Raw, F>(angle)                  \
+               : !through_q32_32<Raw, F>() ? FineSplit<Raw, F>::operation(angle)                 \
                : is_angle_of_q32_32<Raw, F>(angle)                                               \
                    ? from_q32_32<Raw, F>(operation<int64_t, 32>(angle_of_q32_32<Raw, F>(angle))) \
                    : sine_of<Raw, F>(quarter_turns<Raw, F>(angle) + (ahead));                    \
@@ -250,8 +277,8 @@ FIXEDPOINT_CONSTEXPR Raw reciprocal_sqrt_through_q32_32(int64_t a) {
         reciprocal_sqrt<int64_t, 32>(static_cast<int64_t>(static_cast<uint64_t>(a) << 1)));
 }
 // With more fraction bits, that is a quotient by the root of a 4^pairs, which has so many bits that
-// its rounding takes 1/8 ulp at most; results from about 2^60 on are portable code. Q32.32 has a
-// kernel of its own.
+// its rounding takes 1/8 ulp at most below 2^60. Larger results are that of 4^-bits_left and a step
+// of Newton's method. Q32.32 has a kernel of its own.
 template <class Raw, int F, bool by_root = sizeof(Raw) == 8 && (F > 30) && F != 32>
 struct FineReciprocalSqrt {
     static FIXEDPOINT_CONSTEXPR Raw apply(Raw a) { return portable::reciprocal_sqrt<Raw, F>(a); }
@@ -265,15 +292,38 @@ struct FineReciprocalSqrt<int64_t, F, true> {
         uint64_t normalised = static_cast<uint64_t>(a);
         uint8_t pairs = 0;
         if (normalised < uint64_t(1) << bits) {
-            for (; normalised < uint64_t(1) << 54; pairs = static_cast<uint8_t>(pairs + 4))
-                normalised <<= 8;
-            for (; normalised < uint64_t(1) << 61; ++pairs) normalised <<= 2;
+            pairs = static_cast<uint8_t>((__builtin_clzll(normalised) - 1) >> 1);
+            normalised <<= 2 * pairs;
         }
         if (exponent + pairs >= 95) return largest;
-        if (exponent + pairs > 90) return portable::reciprocal_sqrt<int64_t, F>(a);
+        const uint8_t left =
+            static_cast<uint8_t>(exponent + pairs > 90 ? exponent + pairs - 90 : 0);
         const int64_t root = sqrt<int64_t, 62 + F % 2>(static_cast<int64_t>(normalised));
-        return divide_64<int64_t, 0>(int64_t(1) << 62, root,
-                                     static_cast<uint8_t>(exponent + pairs - 31 + F % 2));
+        const int64_t quotient = divide_64<int64_t, 0>(
+            int64_t(1) << 62, root, static_cast<uint8_t>(exponent + pairs - left - 31 + F % 2));
+        return left == 0 ? quotient : refined(normalised, static_cast<uint64_t>(quotient), left);
+    }
+
+  private:
+    // r 2^left + r 2^left h / 2, where a r^2 is 2^(180 + F % 2) (1 - h).
+    static FIXEDPOINT_CONSTEXPR int64_t refined(uint64_t a, uint64_t r, uint8_t left) {
+        constexpr int64_t largest = RawLimits<int64_t>::max;
+        if (r > uint64_t(1) << (63 - left)) return largest;
+        // r^2 in four words, the lowest of which does not count.
+        const uint32_t r1 = upper_word(r), r0 = static_cast<uint32_t>(r);
+        const uint64_t middle = 2 * multiply_words(r1, r0) + upper_word(multiply_words(r0, r0));
+        const uint64_t upper = multiply_words(r1, r1) + upper_word(middle);
+        const uint32_t a1 = upper_word(a), a0 = static_cast<uint32_t>(a);
+        const uint32_t upper1 = upper_word(upper), upper0 = static_cast<uint32_t>(upper);
+        const uint32_t above = upper_word(multiply_words(a0, upper0)) + a1 * upper0 + a0 * upper1 +
+                               upper_word(multiply_words(a1, static_cast<uint32_t>(middle)));
+        // h in units of 2^-72, of 2^-73 where F is odd.
+        const int32_t h = -(static_cast<int32_t>(above) >> 12);
+        const int32_t change = static_cast<int32_t>(r1 >> 16) * h;
+        const uint64_t result =
+            (r << left) +
+            static_cast<uint64_t>(static_cast<int64_t>(((change >> (24 + F % 2 - left)) + 1) >> 1));
+        return result >> 63 != 0 ? largest : static_cast<int64_t>(result);
     }
 };
 template <class Raw, int F>
@@ -293,7 +343,7 @@ FIXEDPOINT_CONSTEXPR Raw log(Raw a) {
                ? (a > 0 ? from_q32_32<Raw, F>(log<int64_t, 32>(a) +
                                               (((32 - F) * ln2 + (int64_t(1) << 22)) >> 23))
                         : RawLimits<Raw>::min)
-               : portable::log<Raw, F>(a);
+               : FineSplit<Raw, F>::log(a);
 }
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw atan2_small(Raw y, Raw x) {
@@ -319,7 +369,7 @@ FIXEDPOINT_CONSTEXPR void sincos(Raw angle, Raw* sine_and_cosine) {
         sine_and_cosine[0] = sine_of<Raw, F>(turns);
         sine_and_cosine[1] = sine_of<Raw, F>(turns + portable::one_quarter_turn_q32_32);
     } else {
-        portable::sincos<Raw, F>(angle, sine_and_cosine);
+        FineSplit<Raw, F>::sincos(angle, sine_and_cosine);
     }
 }
 
@@ -393,6 +443,24 @@ FIXEDPOINT_CONSTEXPR Raw exp_small(Raw a) {
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw log_small(Raw a) {
     return portable::log_small<Raw, F>(a);
+}
+
+#define FIXEDPOINT_FINE_SPLITS(operation)                         \
+    template <class Raw, int F>                                   \
+    FIXEDPOINT_CONSTEXPR Raw operation(Raw a, uint8_t fraction) { \
+        return portable::operation<Raw, F>(a, fraction);          \
+    }
+FIXEDPOINT_FINE_SPLITS(sin_64)
+FIXEDPOINT_FINE_SPLITS(cos_64)
+FIXEDPOINT_FINE_SPLITS(log_64)
+#undef FIXEDPOINT_FINE_SPLITS
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR void sincos_64(Raw a, Raw* pair, uint8_t fraction) {
+    portable::sincos_64<Raw, F>(a, pair, fraction);
+}
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw atan2_64(Raw y, Raw x, uint8_t fraction) {
+    return portable::atan2_64<Raw, F>(y, x, fraction);
 }
 
 // Every split of 64 bits has one product, one quotient and one root, whose fraction bits are an

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The elementary functions as compositions of kernels: all splits of 32 bits from 9 to 24 fraction
-// bits have them but for tan and pow, which begin at 16, and Q32.32 (elementary_q32_32.hpp). The
-// others have the portable code of portable/elementary.hpp. All are faithful (error below 0.75
-// ulp). exp2, log2, asin and acos of Q16.16 have kernels of their own.
+// bits have them but for tan and pow, which begin at 16, and Q32.32 (elementary_q32_32.hpp); those
+// of 64 bits from 31 to 52 have the logarithms (elementary_fine.hpp). The others have the portable
+// code of portable/elementary.hpp. All are faithful (error below 0.75 ulp). exp2, log2, asin and
+// acos of Q16.16 have kernels of their own.
 //
 // The kernel of a finer format has the bits behind an ulp that a function of its result asks for:
 // its own error, and what a composition adds before it rounds, stays below 0.2 ulp. Powers come
@@ -10,6 +11,7 @@
 #pragma once
 
 #include <fixedpoint/kernel/dispatch.hpp>
+#include <fixedpoint/kernel/elementary_fine.hpp>
 #include <fixedpoint/kernel/elementary_q32_32.hpp>
 #include <fixedpoint/portable/elementary.hpp>
 #include <fixedpoint/portable/logarithm_of_factor_table.hpp>
@@ -395,12 +397,14 @@ using composed::Asin;
 using composed::Log1p;
 }  // namespace q32_32
 
-// Composition where it serves a format, that of Q32.32, else Portable.
-template <class Composition, class OfQ32_32, class Portable>
+// Composition where it serves a format, that of Q32.32 or of finer splits, else Portable.
+template <class Composition, class OfQ32_32, class OfFine, class Portable>
 struct Composed {
     template <class Raw, int F, class... Operands>
     static FIXEDPOINT_IN_PLACE Evaluation<Raw> apply(Operands... a) {
-        using Of64Bits = typename Choice<OfQ32_32, Portable, (sizeof(Raw) == 8 && F == 32)>::Type;
+        using OfFineOrCoarse = typename Choice<OfFine, Portable, fine::serves<Raw, F>()>::Type;
+        using Of64Bits =
+            typename Choice<OfQ32_32, OfFineOrCoarse, (sizeof(Raw) == 8 && F == 32)>::Type;
         using Chosen =
             typename Choice<Composition, Of64Bits, Composition::template serves<Raw, F>()>::Type;
         return Chosen::template apply<Raw, F>(a...);
@@ -408,7 +412,8 @@ struct Composed {
 };
 
 #define FIXEDPOINT_COMPOSED(name, Function) \
-    using Function = Composed<composed::Function, q32_32::Function, portable::Function>;
+    using Function =                        \
+        Composed<composed::Function, q32_32::Function, fine::Function, portable::Function>;
 FIXEDPOINT_ELEMENTARY_FUNCTIONS(FIXEDPOINT_COMPOSED)
 #undef FIXEDPOINT_COMPOSED
 

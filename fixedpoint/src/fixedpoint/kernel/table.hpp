@@ -70,6 +70,9 @@
 #define FIXEDPOINT_RESULT_SPLIT_BINARY(Raw) Raw
 #define FIXEDPOINT_PARAMETERS_SPLIT_BINARY(Raw) (Raw a, Raw b, uint8_t fraction)
 #define FIXEDPOINT_ARGUMENTS_SPLIT_BINARY (a, b, fraction)
+#define FIXEDPOINT_RESULT_SPLIT_PAIR(Raw) void
+#define FIXEDPOINT_PARAMETERS_SPLIT_PAIR(Raw) (Raw a, Raw* pair, uint8_t fraction)
+#define FIXEDPOINT_ARGUMENTS_SPLIT_PAIR (a, pair, fraction)
 #define FIXEDPOINT_RESULT_SPLIT_VECTORS(Raw) Raw
 #define FIXEDPOINT_PARAMETERS_SPLIT_VECTORS(Raw) (const Raw* a, const Raw* b, uint8_t n, uint8_t fraction)
 #define FIXEDPOINT_ARGUMENTS_SPLIT_VECTORS (a, b, n, fraction)
@@ -231,6 +234,11 @@
     KERNEL(UNARY, exp, int32_t, 16, fixedpoint_exp_q16_16, exp) \
     KERNEL(UNARY, exp, int64_t, 32, fixedpoint_exp_q32_32, exp) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, UNARY, exp) \
+    KERNEL(SPLIT_UNARY, sin_64, int64_t, 0, fixedpoint_sin_64, sin_64) \
+    KERNEL(SPLIT_UNARY, cos_64, int64_t, 0, fixedpoint_cos_64, cos_64) \
+    KERNEL(SPLIT_PAIR, sincos_64, int64_t, 0, fixedpoint_sincos_64, sincos_64) \
+    KERNEL(SPLIT_BINARY, atan2_64, int64_t, 0, fixedpoint_atan2_64, atan2_64) \
+    KERNEL(SPLIT_UNARY, log_64, int64_t, 0, fixedpoint_log_64, log_64) \
     KERNEL(SPLIT_UNARY, exp_64, int64_t, 0, fixedpoint_exp_64, exp_64) \
     KERNEL(UNARY, exp_fine, int64_t, 32, fixedpoint_exp_q32_32_fine, exp_fine) \
     KERNEL(UNARY, exp2_unsaturated, int32_t, 16, fixedpoint_exp2_q16_16_unsaturated, exp2_unsaturated) \

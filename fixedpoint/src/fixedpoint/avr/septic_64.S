@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+// The core of the sines, angles and logarithms of the splits of 64 bits that are finer than Q32.32: a
+// function of x in [0, 1) by polynomials of degree 7 on 64 intervals,
+//
+//     c0 + t (c1 + t (c2 + ... + t c7)),   t in [0, 1) the position in the interval.
+//
+// It is no C function.
+//
+// In       r25:r18 = 2^64 x, r31:r30 = the table (tables/septic_64.py)
+// Out      r25:r18, in the table's unit; 0 where that is below 0; r27 = 0
+// Changes  r0..r27, r30, r31
+//
+// By Horner's rule. A product sees as many of the upper bytes of t as the factor before it has, and what
+// the columns below it would carry is left out but for one; where the factor is negative, t is taken
+// off its two's complement.
+//
+// fixedpoint_round_64 is no C function: r25:r18 = r17 and r25:r18 shifted right by r30, 1 to 40, and rounded half
+// up. r17 is 0 or 0xff from there on, or the shift is 8 or more; needs r27 = 0.
+
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
+
+#include "septic_64.inc"
+
+    .macro step bytes, next
+    fraction_product (17 + \bytes), 17, \bytes, 2
+    sbrs 17 + \bytes, 7
+    rjmp 1f
+    sub 2, 18 - \bytes
+    .set byte, 1
+    .rept \bytes - 1
+    sbc 2 + byte, 18 - \bytes + byte
+    .set byte, byte + 1
+    .endr
+1:
+    .if \next > \bytes
+    mov 2 + \bytes, 1 + \bytes
+    lsl 2 + \bytes
+    sbc 2 + \bytes, 2 + \bytes
+    .endif
+    lpm 18, Z+
+    add 18, 2
+    .set byte, 1
+    .rept \next - 1
+    lpm 18 + byte, Z+
+    adc 18 + byte, 2 + byte
+    .set byte, byte + 1
+    .endr
+    .endm
+
+    FUNCTION fixedpoint_septic_64
+    clr zero
+    // r25 = the interval, r24:r18 and r26 = t
+    clr r26
+    .rept 2
+    lsr r25
+    .irp n, 24, 23, 22, 21, 20, 19, 18, 26
+    ror r\n
+    .endr
+    .endr
+    mov r17, r24
+    mov r16, r23
+    mov r15, r22
+    mov r14, r21
+    mov r13, r20
+    mov r12, r19
+    mov r11, r18
+    mov r10, r26
+    ldi r26, 46
+    mul r25, r26
+    add r30, r0
+    adc r31, r1
+    lpm r18, Z+
+    lpm r19, Z+
+    lpm r20, Z+
+    step 3, 4
+    step 4, 5
+    step 5, 5
+    step 5, 6
+    step 6, 7
+    step 7, 8
+    step 8, 8
+    cpi r25, 0xff
+    breq 1f
+    ret
+1:  clr r18
+    clr r19
+    movw r20, r18
+    movw r22, r18
+    movw r24, r18
+    ret
+    ENDFUNC fixedpoint_septic_64
+
+    FUNCTION fixedpoint_round_64
+    rjmp 2f
+1:  mov r0, r18
+    mov r18, r19
+    mov r19, r20
+    mov r20, r21
+    mov r21, r22
+    mov r22, r23
+    mov r23, r24
+    mov r24, r25
+    mov r25, r17
+    lsl r17
+    sbc r17, r17
+2:  subi r30, 8
+    brcc 1b
+    subi r30, -8
+    lsl r0
+    tst r30
+    breq 4f
+3:  asr r17
+    ror r25
+    ror r24
+    ror r23
+    ror r22
+    ror r21
+    ror r20
+    ror r19
+    ror r18
+    dec r30
+    brne 3b
+4:  .irp n, 18, 19, 20, 21, 22, 23, 24, 25
+    adc r\n, zero
+    .endr
+    ret
+    ENDFUNC fixedpoint_round_64
+#endif

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+// int64_t fixedpoint_sin_64(int64_t angle, uint8_t fraction)
+// int64_t fixedpoint_cos_64(int64_t angle, uint8_t fraction)
+// Sine and cosine of angle / 2^fraction radians, for every input; within 0.7 ulp, in [-1, 1]. fraction is
+// 31 to 56.
+//
+// void fixedpoint_sincos_64(int64_t angle, int64_t* sine_and_cosine, uint8_t fraction)
+// Both, bit for bit as above: one reduction, two evaluations.
+//
+// In       angle = r25:r18, fraction = r16; sine_and_cosine = r17:r16, fraction = r14
+// Out      r25:r18
+// Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
+// Stack    24 bytes, sincos 34
+// Table    2346 bytes, fixedpoint_septic_sine_table
+//
+// The angle without its sign becomes S in units of 2^-63, of which 12 bytes count. The upper 5 times 2/pi are
+// the whole quarter turns, or one less; what they leave of S, pi/2 having 10 bytes, is at most one more.
+
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
+#include "septic_64.inc"
+
+    // r11:r2 = pi/2 times the 16 bits in `high` and `low`, as many bytes, of which byte `first` and those above it
+    // count.
+    .macro times_half_pi high, low, bytes
+    clr r2
+    clr r3
+    .set j, 0
+    .rept \bytes
+    .if j < 2
+    ldi r26, (0xc4c6 >> (8 * j)) & 0xff
+    .elseif j < 6
+    ldi r26, (0x2168c234 >> (8 * (j - 2))) & 0xff
+    .else
+    ldi r26, (0xc90fdaa2 >> (8 * (j - 6))) & 0xff
+    .endif
+    mul \low, r26
+    add 2 + j, r0
+    .if j + 1 < \bytes
+    adc 3 + j, r1
+    .if j + 2 < \bytes
+    clr 4 + j
+    adc 4 + j, zero
+    .endif
+    mul \high, r26
+    add 3 + j, r0
+    .if j + 2 < \bytes
+    adc 4 + j, r1
+    .endif
+    .endif
+    .set j, j + 1
+    .endr
+    .endm
+
+    SECTION fixedpoint_sin_64
+    // r25:r18 = the angle in units of 2^-63 less r28's whole quarter turns, which are added to it; T = its sign
+.Lreduce:
+    clr zero
+    bst r25, 7
+    brtc 1f
+    negate_64
+1:  clr r14
+    clr r15
+    movw r16, r14
+    mov r30, r29
+    subi r30, 31
+    rjmp 3f
+2:  .irp n, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24
+    .set place, \n
+    mov place, place + 1
+    .endr
+    clr r25
+3:  subi r30, 8
+    brcc 2b
+    subi r30, -8
+    breq 5f
+4:  lsr r25
+    .irp n, 24, 23, 22, 21, 20, 19, 18, 17, 16, 15, 14
+    ror r\n
+    .endr
+    dec r30
+    brne 4b
+5:  ldi r26, 0xa2
+    mov r13, r26
+    ldi r26, 0xf9
+    mov r12, r26
+    ldi r26, 0x83
+    mov r11, r26
+    ldi r26, 0x6e
+    mov r10, r26
+    ldi r26, 0x4e
+    mov r9, r26
+    fraction_product 25, 13, 5, 3
+    lsl r3
+    rol r4
+    rol r5
+    rol r6
+    rol r7
+    movw r22, r4
+    movw r24, r6
+    add r28, r22
+    times_half_pi r23, r22, 10
+    cp zero, r2
+    cpc zero, r3
+    .irp n, 14, 15, 16, 17, 18, 19, 20, 21
+    sbc \n, \n - 10
+    .endr
+    mov r0, r24
+    or r0, r25
+    brne 8f
+    rjmp 6f
+8:  times_half_pi r25, r24, 8
+    sub r14, r2
+    .irp n, 15, 16, 17, 18, 19, 20, 21
+    sbc \n, \n - 12
+    .endr
+6:  movw r24, r20
+    movw r22, r18
+    movw r20, r16
+    movw r18, r14
+    cpi r25, 0xc9
+    brlo 7f
+    inc r28
+    subi r18, 0x34
+    sbci r19, 0xc2
+    sbci r20, 0x68
+    sbci r21, 0x21
+    sbci r22, 0xa2
+    sbci r23, 0xda
+    sbci r24, 0x0f
+    sbci r25, 0xc9
+    brcc 7f
+    dec r28
+    subi r18, 0xcc
+    sbci r19, 0x3d
+    sbci r20, 0x97
+    sbci r21, 0xde
+    sbci r22, 0x5d
+    sbci r23, 0x25
+    sbci r24, 0xf0
+    sbci r25, 0x36
+7:  ret
+
+    // r25:r18 = the sine of that and r28 quarter turns, negated where T is set
+.Levaluate:
+    sbrs r28, 0
+    rjmp 1f
+    com r18
+    com r19
+    com r20
+    com r21
+    com r22
+    com r23
+    com r24
+    com r25
+    subi r18, 0xcb
+    sbci r19, 0x3d
+    sbci r20, 0x97
+    sbci r21, 0xde
+    sbci r22, 0x5d
+    sbci r23, 0x25
+    sbci r24, 0xf0
+    sbci r25, 0x36
+1:  evaluate fixedpoint_septic_sine_table
+    clr r17
+    round_from 63
+    clr r26
+    bld r26, 1
+    eor r26, r28
+    sbrs r26, 1
+    ret
+    negate_64
+    ret
+
+    ENTRY fixedpoint_cos_64
+    save_registers
+    ldi r28, 1
+    mov r29, r16
+    rcall .Lreduce
+    clt
+    rjmp 1f
+    ENDFUNC fixedpoint_cos_64
+
+    ENTRY fixedpoint_sin_64
+    save_registers
+    ldi r28, 0
+    mov r29, r16
+    rcall .Lreduce
+1:  rcall .Levaluate
+    restore_registers
+    ret
+    ENDFUNC fixedpoint_sin_64
+
+    ENTRY fixedpoint_sincos_64
+    save_registers
+    push r16
+    push r17
+    ldi r28, 0
+    mov r29, r14
+    rcall .Lreduce
+    .irp n, 18, 19, 20, 21, 22, 23, 24, 25
+    push r\n
+    .endr
+    rcall .Levaluate
+    .irp n, 9, 8, 7, 6, 5, 4, 3, 2
+    pop r\n
+    .endr
+    pop r31
+    pop r30
+    .irp n, 18, 19, 20, 21, 22, 23, 24, 25
+    st Z+, r\n
+    .endr
+    push r30
+    push r31
+    movw r18, r2
+    movw r20, r4
+    movw r22, r6
+    movw r24, r8
+    inc r28
+    clt
+    rcall .Levaluate
+    pop r31
+    pop r30
+    .irp n, 18, 19, 20, 21, 22, 23, 24, 25
+    st Z+, r\n
+    .endr
+    restore_registers
+    ret
+    ENDFUNC fixedpoint_sincos_64
+#endif
