@@ -93,6 +93,8 @@ ROOMS = [
             Check("kernels_test", "Power.*", "q32_32_powers")),
     kernels(f"{FIXED}/avr/cbrt_q32_32.S", 1, "q32_32_powers",
             Check("kernels_test", "CubeRoot.*", "q32_32_powers")),
+    kernels(f"{FIXED}/avr/short_power*.S", 1, "q32_32_auxiliary",
+            Check("library_on_device_test", "*/small_operations_test_q8_8", "small_operations_test_q8_8")),
     room("kernels", f"{FIXED}/kernel/*_saturating.hpp", 1,
          Check("saturating_sums_test", devices="saturating_sums"),
          Check("library_on_device_test", "*/operators_test_q16_16", "operators_test_q16_16")),

@@ -74,8 +74,8 @@
 #define FIXEDPOINT_PARAMETERS_SPLIT_VECTORS(Raw) (const Raw* a, const Raw* b, uint8_t n, uint8_t fraction)
 #define FIXEDPOINT_ARGUMENTS_SPLIT_VECTORS (a, b, n, fraction)
 // A power or its reciprocal.
-#define FIXEDPOINT_RESULT_POWER(Raw) uint32_t
-#define FIXEDPOINT_PARAMETERS_POWER(Raw) (uint32_t a, uint16_t n, int8_t exponent, bool reciprocal)
+#define FIXEDPOINT_RESULT_POWER(Raw) ::fixedpoint::Unsigned<Raw>
+#define FIXEDPOINT_PARAMETERS_POWER(Raw) (::fixedpoint::Unsigned<Raw> a, uint16_t n, int8_t exponent, bool reciprocal)
 #define FIXEDPOINT_ARGUMENTS_POWER (a, n, exponent, reciprocal)
 
 // ROW(KERNEL, shape, operation, integer bits, fraction bits) for every split of 16 bits but Q8.8,
@@ -240,6 +240,7 @@
     KERNEL(UNARY, cosh_unsaturated, int64_t, 32, fixedpoint_cosh_q32_32_unsaturated, cosh_unsaturated) \
     KERNEL(SCALED, exp_wide, int64_t, 40, fixedpoint_exp_wide, exp_wide) \
     KERNEL(POWER, short_power, int32_t, 0, fixedpoint_short_power, short_power) \
+    KERNEL(POWER, short_power_64, int64_t, 0, fixedpoint_short_power_64, short_power_64) \
     KERNEL(UNARY, exp_small, int32_t, 16, fixedpoint_exp_q16_16_small, exp_small) \
     KERNEL(UNARY, log, int8_t, 4, fixedpoint_log_q4_4, log) \
     KERNEL(UNARY, log, int16_t, 8, fixedpoint_log_q8_8, log) \
