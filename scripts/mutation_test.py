@@ -93,6 +93,8 @@ ROOMS = [
             Check("kernels_test", "Power.*", "q32_32_powers")),
     kernels(f"{FIXED}/avr/cbrt_q32_32.S", 1, "q32_32_powers",
             Check("kernels_test", "CubeRoot.*", "q32_32_powers")),
+    room("kernels", f"{FIXED}/avr/multiply_saturating_32.S", 1,
+         Check("splits_test", "*.MultiplySaturating", "splits_32_multiply_saturating")),
     kernels(f"{FIXED}/avr/short_power*.S", 1, "q32_32_auxiliary",
             Check("library_on_device_test", "*/small_operations_test_q8_8", "small_operations_test_q8_8")),
     room("kernels", f"{FIXED}/kernel/*_saturating.hpp", 1,

@@ -152,6 +152,7 @@
     KERNEL(WORDS, multiply_upper_halves, uint64_t, 0, fixedpoint_multiply_upper_halves, multiply_upper_halves) \
     KERNEL(SPLIT_BINARY, multiply_64, int64_t, 0, fixedpoint_multiply_64, multiply_64) \
     KERNEL(BINARY, multiply_saturating, int32_t, 16, fixedpoint_multiply_q16_16_saturating, multiply_saturating) \
+    FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, BINARY, multiply_saturating) \
     KERNEL(BINARY, multiply_short, int32_t, 16, fixedpoint_multiply_short_q16_16, multiply) \
     KERNEL(TERNARY, multiply_add, int32_t, 16, fixedpoint_multiply_add_q16_16, multiply_add) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, TERNARY, multiply_add) \
