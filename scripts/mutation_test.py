@@ -94,7 +94,7 @@ ROOMS = [
     kernels(f"{FIXED}/avr/cbrt_q32_32.S", 1, "q32_32_powers",
             Check("kernels_test", "CubeRoot.*", "q32_32_powers")),
     room("kernels", f"{FIXED}/avr/*_64.S {FIXED}/avr/septic_64.inc {FIXED}/avr/fraction_product.inc"
-         f" {FIXED}/avr/leading_one.inc !*/cubic_64.S", 8,
+         f" {FIXED}/avr/leading_one.inc !*/cubic_64.S !*/short_power_64.S", 4,
          Check("splits_test", "LongSplits.Multiply", "splits_64_multiply"),
          Check("splits_test", "LongSplits.Divide", "splits_64_divide"),
          Check("splits_test", "LongSplits.Dot3", "splits_64_dot3"),
@@ -102,6 +102,16 @@ ROOMS = [
          Check("splits_test", "LongSplits.SinAndCos", "splits_64_sin splits_64_cos splits_64_sincos"),
          Check("splits_test", "LongSplits.Angles", "splits_64_atan splits_64_atan2"),
          Check("splits_test", "LongSplits.Log", "splits_64_log")),
+    kernels(f"{FIXED}/avr/*_32.S {FIXED}/avr/*_32.inc {FIXED}/avr/scale_40.* !*/transform_32.S !*/cross_32.S !*/complex_32.S"
+            " !*/cofactors_32.S !*/one_pole_32.S !*/biquad_32.S !*/product_sum_32.inc !*/multiply_saturating_32.S"
+            " !*/*_q32_32.S", 4, "q8_24",
+            Check("kernels_test", "*/q8_24_auxiliary", "q8_24_auxiliary"),
+            Check("kernels_test", "*/q8_24_angles", "q8_24_angles"),
+            Check("kernels_test", "*/q8_24_powers", "q8_24_powers")),
+    room("kernels", f"{FIXED}/avr/multiply_saturating_32.S", 1,
+         Check("splits_test", "*.MultiplySaturating", "splits_32_multiply_saturating")),
+    kernels(f"{FIXED}/avr/short_power*.S", 1, "q32_32_auxiliary",
+            Check("library_on_device_test", "*/small_operations_test_q8_8", "small_operations_test_q8_8")),
     room("kernels", f"{FIXED}/kernel/*_saturating.hpp", 1,
          Check("saturating_sums_test", devices="saturating_sums"),
          Check("library_on_device_test", "*/operators_test_q16_16", "operators_test_q16_16")),

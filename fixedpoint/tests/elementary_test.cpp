@@ -169,24 +169,11 @@ INSTANTIATE_TEST_SUITE_P(Functions, Elementary, testing::Range(std::size_t(0), f
                          });
 
 // Exponents of 64 bits: small ones, those at the limits, and those whose powers are in the range,
-// which are the largest where x is next to 1. A shorter mantissa serves those below 2^13.
-constexpr int64_t largest_short = 8191;
+// which are the largest where x is next to 1. Shorter mantissas serve those below 2^13 and 2^16.
+constexpr int64_t short_exponents[] = {8191, 65535};
 std::vector<int64_t> exponents(int64_t raw, exact::Format format) {
-    std::vector<int64_t> all = {0,
-                                1,
-                                -1,
-                                2,
-                                -2,
-                                3,
-                                -3,
-                                10,
-                                -10,
-                                largest_short,
-                                -largest_short,
-                                INT32_MIN,
-                                INT64_MAX,
-                                INT64_MIN,
-                                largest_short + 1};
+    std::vector<int64_t> all = {0, 1, -1, 2, -2, 3, -3, 10, -10, INT32_MIN, INT64_MAX, INT64_MIN};
+    for (const int64_t n : short_exponents) all.insert(all.end(), {n, -n, n + 1, n / 2 + 1});
     const double logarithm = std::log(std::ldexp(std::fabs(double(raw)), -format.fraction));
     if (!std::isfinite(logarithm) || logarithm == 0) return all;
     const int range = format.width - format.fraction;
@@ -213,10 +200,11 @@ TEST(Power, IsAsDefinedInEverySplit) {
                 numbers.push_back(one - step);
             }
         // Of which the largest short exponents make the largest results.
-        for (const double result : {0.99, 0.8, -0.99, -0.8}) {
-            const double logarithm = result * (width - F - 1) / largest_short;
-            numbers.push_back(std::llround(std::ldexp(std::exp2(logarithm), F)));
-        }
+        for (const double result : {0.99, 0.8, -0.99, -0.8})
+            for (const int64_t n : short_exponents) {
+                const double logarithm = result * (width - F - 1) / double(n);
+                numbers.push_back(std::llround(std::ldexp(std::exp2(logarithm), F)));
+            }
         for (const int64_t a : numbers) {
             if (a > exact::largest(width) || a < exact::smallest(width)) continue;
             for (const int64_t n : exponents(a, subject.format)) {

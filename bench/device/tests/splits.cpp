@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One operation of every split of SPLIT_BITS, for splits_test.cpp: SPLIT_OPERATION.
-#include <fixedpoint/arithmetic/nearest.hpp>
+// One operation of every split of SPLIT_BITS, for splits_test.cpp: SPLIT_OPERATION of Nearest, or
+// of SPLIT_ARITHMETIC.
+#include <fixedpoint/arithmetic/saturating.hpp>
 #include <fixedpoint/kernel/dispatch.hpp>
 
 #include "../subjects/subject.h"
 
-using fixedpoint::Nearest;
+#ifndef SPLIT_ARITHMETIC
+#define SPLIT_ARITHMETIC Nearest
+#endif
+using Arithmetic = fixedpoint::SPLIT_ARITHMETIC;
 
 #define SPLIT_ROW(operation) OPERATION_##operation
 #define SPLIT_SUBJECT(row, I, F) \
-    row(SUBJECT_OF_OPERATION, q##I##_##F, fixedpoint::Integer<SPLIT_BITS>, F, default, Nearest)
+    row(SUBJECT_OF_OPERATION, q##I##_##F, fixedpoint::Integer<SPLIT_BITS>, F, default, Arithmetic)
 #define SPLIT_OF(operation, I, F) SPLIT_SUBJECT(SPLIT_ROW(operation), I, F)
 #define SPLIT(kernel, shape, operation, I, F) SPLIT_OF(operation, I, F)
 #if SPLIT_BITS == 16

@@ -16,6 +16,7 @@
 #include <fixedpoint/portable/length.hpp>
 #include <fixedpoint/portable/log.hpp>
 #include <fixedpoint/portable/multiply_add.hpp>
+#include <fixedpoint/portable/multiply_saturating.hpp>
 #include <fixedpoint/portable/reciprocal_sqrt.hpp>
 #include <fixedpoint/portable/sin.hpp>
 #include <fixedpoint/portable/sqrt.hpp>
@@ -55,10 +56,11 @@ std::string folder() {
 // A program of one operation, and its subject of each split.
 class Program {
   public:
-    explicit Program(const std::string& operation, int bits = 32)
+    explicit Program(const std::string& operation, int bits = 32, const char* arithmetic = "")
         : operation_(operation),
           bits_(bits),
-          chip_(simulator::Elf(fmt::format("{}/splits_{}_{}.elf", folder(), bits, operation))) {
+          chip_(simulator::Elf(
+              fmt::format("{}/splits_{}_{}{}.elf", folder(), bits, operation, arithmetic))) {
         chip_.run_until_function("main");
         for (std::uint16_t& address : vectors_) address = chip_.allocate(3 * sizeof(int64_t));
     }
@@ -214,6 +216,21 @@ TEST(Splits, Multiply) {
         for (int i = 0; i < pairs; ++i) {
             const int32_t a = operands.next(), b = operands.next();
             ASSERT_EQ(multiply(a, b).template as<int32_t>(), (portable::multiply<int32_t, F>(a, b)))
+                << F << " fraction bits: " << a << " " << b;
+        }
+    });
+}
+
+// Of all lengths: a product of boundary numbers mostly saturates.
+TEST(Splits, MultiplySaturating) {
+    Program program("multiply", 32, "_saturating");
+    for_each_split([&](auto F) {
+        DeviceFunction multiply = program.subject(F, {4, {4, 4}});
+        Operands operands;
+        for (int i = 0; i < pairs; ++i) {
+            const int32_t a = operands.next(), b = operands.next() >> (i % 32);
+            ASSERT_EQ(multiply(a, b).template as<int32_t>(),
+                      (portable::multiply_saturating<int32_t, F>(a, b)))
                 << F << " fraction bits: " << a << " " << b;
         }
     });

@@ -38,18 +38,25 @@ void check_root(Int hidden) {
     CHECK(root * root <= n && (root + 1) * (root + 1) > n);
 }
 
-// The kernel of integer powers against the portable code, with mantissas and exponents of all
+// The kernels of integer powers against the portable code, with mantissas and exponents of all
 // lengths.
 void check_powers() {
-    uint32_t random = 1;
+    uint64_t random = 1;
     for (uint16_t i = 0; i < 120; ++i) {
-        random = random * 1664525 + 1013904223;
-        const uint16_t n = static_cast<uint16_t>(random >> (17 + i % 15)) | 1;
-        const int8_t exponent = static_cast<int8_t>(i % 33);
-        volatile uint32_t operand = random >> (i % 32) | 1;
-        for (uint8_t reciprocal = 0; reciprocal < 2; ++reciprocal) {
-            CHECK((kernel::short_power<int32_t, 0>(operand, n, exponent, reciprocal != 0)) ==
-                  (portable::short_power<int32_t, 0>(operand, n, exponent, reciprocal != 0)));
+        random = random * 6364136223846793005 + 1442695040888963407;
+        const uint16_t n = static_cast<uint16_t>(random >> (48 + i % 16)) | 1;
+        const uint16_t short_n = n & 0x7fff;
+        volatile uint64_t hidden = random >> (i % 64) | 1;
+        const uint64_t a = hidden;
+        const uint32_t short_a = static_cast<uint32_t>(random >> 32 >> (i % 32)) | 1;
+        for (uint8_t of_reciprocal = 0; of_reciprocal < 2; ++of_reciprocal) {
+            const bool reciprocal = of_reciprocal != 0;
+            const int8_t unit = static_cast<int8_t>(i % 33);
+            CHECK((kernel::short_power<int32_t, 0>(short_a, short_n, unit, reciprocal)) ==
+                  (portable::short_power<int32_t, 0>(short_a, short_n, unit, reciprocal)));
+            const int8_t long_unit = static_cast<int8_t>(i % 65);
+            CHECK((kernel::short_power_64<int64_t, 0>(a, n, long_unit, reciprocal)) ==
+                  (portable::short_power_64<int64_t, 0>(a, n, long_unit, reciprocal)));
         }
     }
 }
@@ -57,7 +64,8 @@ void check_powers() {
 }  // namespace
 
 void test_small_operations() {
-    check_powers();
+    // The program of 64 bits has no room for them.
+    if (INTEGER_BITS + FRACTION_BITS < 64) check_powers();
     for_each(small_operations, check_operations);
     for (uint16_t n = 0; n < 2000; ++n)
         check_root<uint16_t, uint32_t>(static_cast<uint16_t>(33 * n));

@@ -36,6 +36,7 @@
 #include <fixedpoint/portable/reciprocal_sqrt.hpp>
 #include <fixedpoint/portable/remainder.hpp>
 #include <fixedpoint/portable/short_power.hpp>
+#include <fixedpoint/portable/short_power_64.hpp>
 #include <fixedpoint/portable/sin.hpp>
 #include <fixedpoint/portable/sine_of_phase.hpp>
 #include <fixedpoint/portable/split_64.hpp>
@@ -98,6 +99,7 @@ FIXEDPOINT_OPERATION(UNARY, sinh_unsaturated)
 FIXEDPOINT_OPERATION(UNARY, cosh_unsaturated)
 FIXEDPOINT_OPERATION(SCALED, exp_wide)
 FIXEDPOINT_OPERATION(POWER, short_power)
+FIXEDPOINT_OPERATION(POWER, short_power_64)
 FIXEDPOINT_OPERATION(UNARY, exp_small)
 FIXEDPOINT_OPERATION(UNARY, log)
 FIXEDPOINT_OPERATION(UNARY, log_fine)
@@ -390,9 +392,14 @@ FIXEDPOINT_CONSTEXPR uint64_t exp_wide(Raw a, uint8_t unit) {
     return portable::exp_wide<Raw, F>(a, unit);
 }
 template <class Raw, int F>
-FIXEDPOINT_CONSTEXPR uint32_t short_power(uint32_t a, uint16_t n, int8_t exponent,
-                                          bool reciprocal) {
+FIXEDPOINT_CONSTEXPR Unsigned<Raw> short_power(Unsigned<Raw> a, uint16_t n, int8_t exponent,
+                                               bool reciprocal) {
     return portable::short_power<Raw, F>(a, n, exponent, reciprocal);
+}
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Unsigned<Raw> short_power_64(Unsigned<Raw> a, uint16_t n, int8_t exponent,
+                                                  bool reciprocal) {
+    return portable::short_power_64<Raw, F>(a, n, exponent, reciprocal);
 }
 #define FIXEDPOINT_PORTABLE(operation)          \
     template <class Raw, int F>                 \

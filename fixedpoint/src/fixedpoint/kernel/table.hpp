@@ -77,8 +77,8 @@
 #define FIXEDPOINT_PARAMETERS_SPLIT_VECTORS(Raw) (const Raw* a, const Raw* b, uint8_t n, uint8_t fraction)
 #define FIXEDPOINT_ARGUMENTS_SPLIT_VECTORS (a, b, n, fraction)
 // A power or its reciprocal.
-#define FIXEDPOINT_RESULT_POWER(Raw) uint32_t
-#define FIXEDPOINT_PARAMETERS_POWER(Raw) (uint32_t a, uint16_t n, int8_t exponent, bool reciprocal)
+#define FIXEDPOINT_RESULT_POWER(Raw) ::fixedpoint::Unsigned<Raw>
+#define FIXEDPOINT_PARAMETERS_POWER(Raw) (::fixedpoint::Unsigned<Raw> a, uint16_t n, int8_t exponent, bool reciprocal)
 #define FIXEDPOINT_ARGUMENTS_POWER (a, n, exponent, reciprocal)
 
 // ROW(KERNEL, shape, operation, integer bits, fraction bits) for every split of 16 bits but Q8.8,
@@ -155,6 +155,7 @@
     KERNEL(WORDS, multiply_upper_halves, uint64_t, 0, fixedpoint_multiply_upper_halves, multiply_upper_halves) \
     KERNEL(SPLIT_BINARY, multiply_64, int64_t, 0, fixedpoint_multiply_64, multiply_64) \
     KERNEL(BINARY, multiply_saturating, int32_t, 16, fixedpoint_multiply_q16_16_saturating, multiply_saturating) \
+    FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, BINARY, multiply_saturating) \
     KERNEL(BINARY, multiply_short, int32_t, 16, fixedpoint_multiply_short_q16_16, multiply) \
     KERNEL(TERNARY, multiply_add, int32_t, 16, fixedpoint_multiply_add_q16_16, multiply_add) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, TERNARY, multiply_add) \
@@ -248,6 +249,7 @@
     KERNEL(UNARY, cosh_unsaturated, int64_t, 32, fixedpoint_cosh_q32_32_unsaturated, cosh_unsaturated) \
     KERNEL(SCALED, exp_wide, int64_t, 40, fixedpoint_exp_wide, exp_wide) \
     KERNEL(POWER, short_power, int32_t, 0, fixedpoint_short_power, short_power) \
+    KERNEL(POWER, short_power_64, int64_t, 0, fixedpoint_short_power_64, short_power_64) \
     KERNEL(UNARY, exp_small, int32_t, 16, fixedpoint_exp_q16_16_small, exp_small) \
     KERNEL(UNARY, log, int8_t, 4, fixedpoint_log_q4_4, log) \
     KERNEL(UNARY, log, int16_t, 8, fixedpoint_log_q8_8, log) \

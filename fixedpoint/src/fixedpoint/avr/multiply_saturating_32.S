@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+// int32_t fixedpoint_multiply_saturating_q<32 - F>_<F>(int32_t a, int32_t b)
+// floor(a b / 2^F + 1/2), clamped: the product of each split of 32 bits but Q16.16, whose own is
+// faster, rounded to nearest, ties upward.
+//
+// In       a = r25:r22, b = r21:r18
+// Out      r25:r22
+// Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
+// Stack    5 bytes
+//
+// The columns are those of multiply_32.S, up to byte 7, which is taken modulo 2^8. From byte
+// f = floor((F - 1) / 8) on, the sum is shifted to whole bytes by at most four bits either way, a
+// byte above it taking what moves out; the bit that leaves last rounds. The result fits where all
+// bytes above it are its sign.
+
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
+
+#define a0 r22
+#define a1 r23
+#define a2 r16
+#define a3 r17
+#define zero r27
+// Bytes of the sum; none is where a later one of the result goes.
+#define s0 r26
+#define s1 r24
+#define s2 r30
+#define s3 r31
+#define s4 r25
+#define s5 r28
+#define s6 r29
+#define s7 r15
+#define s8 r27
+
+    .macro product p, q, low, high, carry
+    mul \p, \q
+    add \low, r0
+    adc \high, r1
+    adc \carry, zero
+    .endm
+    .macro signed_product p, q, low, high, carry
+    mulsu \p, \q
+    sbc \carry, zero
+    add \low, r0
+    adc \high, r1
+    adc \carry, zero
+    .endm
+
+    .macro bytes_from first
+    movw a2, r24
+    clr zero
+    mul a0, rB0
+    .if \first == 0
+    mov s0, r0
+    .endif
+    mov s1, r1
+    mul a1, rB1
+    movw s2, r0
+    product a0, rB1, s1, s2, s3
+    product a1, rB0, s1, s2, s3
+    clr s4
+    product a0, rB2, s2, s3, s4
+    product a2, rB0, s2, s3, s4
+    ldi s5, 2
+    product a1, rB2, s3, s4, s5
+    product a2, rB1, s3, s4, s5
+    signed_product rB3, a0, s3, s4, s5
+    signed_product a3, rB0, s3, s4, s5
+    ldi s6, 2
+    product a2, rB2, s4, s5, s6
+    signed_product rB3, a1, s4, s5, s6
+    signed_product a3, rB1, s4, s5, s6
+    clr s7
+    signed_product rB3, a2, s5, s6, s7
+    signed_product a3, rB2, s5, s6, s7
+    muls a3, rB3
+    add s6, r0
+    adc s7, r1
+    subi s5, 2
+    sbci s6, 2
+    sbc s7, zero
+    clr r1
+    .endm
+
+    // `instruction` with the bytes first..last of the sum, up or down.
+    .macro up instruction, first, last
+    .irp n, 0, 1, 2, 3, 4, 5, 6, 7, 8
+    .if (\n >= \first) && (\n <= \last)
+    of_byte \instruction, \n
+    .endif
+    .endr
+    .endm
+    .macro down instruction, first, last
+    .irp n, 8, 7, 6, 5, 4, 3, 2, 1, 0
+    .if (\n >= \first) && (\n <= \last)
+    of_byte \instruction, \n
+    .endif
+    .endr
+    .endm
+    .macro of_byte instruction, n
+    .ifc \n, 0
+    \instruction s0
+    .endif
+    .ifc \n, 1
+    \instruction s1
+    .endif
+    .ifc \n, 2
+    \instruction s2
+    .endif
+    .ifc \n, 3
+    \instruction s3
+    .endif
+    .ifc \n, 4
+    \instruction s4
+    .endif
+    .ifc \n, 5
+    \instruction s5
+    .endif
+    .ifc \n, 6
+    \instruction s6
+    .endif
+    .ifc \n, 7
+    \instruction s7
+    .endif
+    .ifc \n, 8
+    \instruction s8
+    .endif
+    .endm
+    .macro add_carry byte
+    adc \byte, r1
+    .endm
+    .macro other_than_sign byte
+    cp \byte, r0
+    brne 8f
+    .endm
+    .macro take byte
+    mov 22 + target, \byte
+    .set target, target + 1
+    .endm
+    // r0 = the sign of the result.
+    .macro sign_of byte
+    mov r0, \byte
+    lsl r0
+    sbc r0, r0
+    .endm
+
+    // The result from byte `from` on, once the carry has rounded.
+    .macro result from, top, rounds
+    .if \rounds
+    up add_carry, (\from), \top
+    .endif
+    up sign_of, (\from + 3), (\from + 3)
+    up other_than_sign, (\from + 4), \top
+    .set target, 0
+    up take, (\from), (\from + 3)
+    .endm
+
+    .macro round_saturating first, left
+    .if \left < 5
+    mov s8, s7
+    lsl s8
+    sbc s8, s8
+    .rept \left
+    clc
+    up rol, (\first), 8
+    .endr
+    up lsl, (\first), (\first)
+    result (\first + 1), 8, 1
+    .else
+    .rept 8 - \left
+    down asr, 7, 7
+    down ror, (\first), 6
+    .endr
+    mov s8, s7
+    result (\first), 7, (\left < 8)
+    .endif
+    .endm
+
+    .macro kernels integer, fraction
+    FUNCTION fixedpoint_multiply_saturating_q\integer\()_\fraction
+    push r15
+    push r16
+    push r17
+    push r28
+    push r29
+    bytes_from ((\fraction - 1) / 8)
+    round_saturating ((\fraction - 1) / 8), (((\fraction - 1) / 8) * 8 + 8 - \fraction)
+9:  pop r29
+    pop r28
+    pop r17
+    pop r16
+    pop r15
+    ret
+    // To the limit of the sign of s8.
+8:  lsl s8
+    sbc r22, r22
+    com r22
+    mov r23, r22
+    movw r24, r22
+    subi r25, 0x80
+    rjmp 9b
+    ENDFUNC fixedpoint_multiply_saturating_q\integer\()_\fraction
+    .endm
+
+#include "splits_32.inc"
+
+#endif
