@@ -95,8 +95,9 @@ TEST(Inverse, IsTheNearestFactor) {
         const auto eighth = Fixed<16, 16>::from_raw(1 << 13);
         const Real product = std::floor(std::ldexp(inverse.factor.raw(), 13 - 16) + Real(0.5));
         const int doublings = inverse.halvings < 0 ? -1 - inverse.halvings : 0;
-        if (inverse.factor.raw() != 0)
+        if (inverse.factor.raw() != 0) {
             EXPECT_EQ(engine::times(eighth, inverse).raw(), std::ldexp(product, doublings)) << a;
+        }
     }
     EXPECT_EQ(engine::inverse_of(4.0).factor, 0.25);
     EXPECT_EQ(engine::inverse_of(4.0).halvings, 0);

@@ -45,7 +45,7 @@
     tst r25
     brpl 1f
     ldi flags, 1 << BELOW
-    negate_64
+    negate_bytes r18, 8
 1:  tst r17
     brpl 1f
     ori flags, 1 << LEFT
@@ -104,7 +104,7 @@
 1:  round_from 63
     sbrs flags, BELOW
     rjmp 1f
-    negate_64
+    negate_bytes r18, 8
 1:  restore_registers
     ret
     ENDFUNC fixedpoint_atan2_64

@@ -33,10 +33,7 @@
 #define s8 r27
 
     .macro product p, q, low, high, carry
-    mul \p, \q
-    add \low, r0
-    adc \high, r1
-    adc \carry, zero
+    mul_add \p, \q, \low, \high, zero, \carry
     .endm
     .macro signed_product p, q, low, high, carry
     mulsu \p, \q
@@ -73,9 +70,7 @@
     clr s7
     signed_product rB3, a2, s5, s6, s7
     signed_product a3, rB2, s5, s6, s7
-    muls a3, rB3
-    add s6, r0
-    adc s7, r1
+    muls_add a3, rB3, s6, s7
     subi s5, 2
     sbci s6, 2
     sbc s7, zero
@@ -178,18 +173,10 @@
 
     .macro kernels integer, fraction
     FUNCTION fixedpoint_multiply_saturating_q\integer\()_\fraction
-    push r15
-    push r16
-    push r17
-    push r28
-    push r29
+    push_all r15, r16, r17, r28, r29
     bytes_from ((\fraction - 1) / 8)
     round_saturating ((\fraction - 1) / 8), (((\fraction - 1) / 8) * 8 + 8 - \fraction)
-9:  pop r29
-    pop r28
-    pop r17
-    pop r16
-    pop r15
+9:  pop_all r29, r28, r17, r16, r15
     ret
     // To the limit of the sign of s8.
 8:  lsl s8

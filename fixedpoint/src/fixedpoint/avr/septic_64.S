@@ -58,21 +58,11 @@
     ror r\n
     .endr
     .endr
-    mov r17, r24
-    mov r16, r23
-    mov r15, r22
-    mov r14, r21
-    mov r13, r20
-    mov r12, r19
-    mov r11, r18
+    mov_from_top r11, r18, 7
     mov r10, r26
     ldi r26, 46
-    mul r25, r26
-    add r30, r0
-    adc r31, r1
-    lpm r18, Z+
-    lpm r19, Z+
-    lpm r20, Z+
+    mul_add r25, r26, r30, r31
+    lpm_each r18, Z+, 3
     step 3, 4
     step 4, 5
     step 5, 5
@@ -85,22 +75,14 @@
     ret
 1:  clr r18
     clr r19
-    movw r20, r18
-    movw r22, r18
-    movw r24, r18
+    movw_each r20, r18, 6
     ret
     ENDFUNC fixedpoint_septic_64
 
     FUNCTION fixedpoint_round_64
     rjmp 2f
 1:  mov r0, r18
-    mov r18, r19
-    mov r19, r20
-    mov r20, r21
-    mov r21, r22
-    mov r22, r23
-    mov r23, r24
-    mov r24, r25
+    mov_bytes r18, r19, 7
     mov r25, r17
     lsl r17
     sbc r17, r17
@@ -111,14 +93,7 @@
     tst r30
     breq 4f
 3:  asr r17
-    ror r25
-    ror r24
-    ror r23
-    ror r22
-    ror r21
-    ror r20
-    ror r19
-    ror r18
+    ror_bytes r18, 8
     dec r30
     brne 3b
 4:  .irp n, 18, 19, 20, 21, 22, 23, 24, 25

@@ -43,10 +43,7 @@
 #define SPH 0x3e
 
     .macro product p, q, low, high, carry
-    mul \p, \q
-    add \low, r0
-    adc \high, r1
-    adc \carry, zero
+    mul_add \p, \q, \low, \high, zero, \carry
     .endm
 
     // The first `count` products of byte `place`, from byte `first` of the number in r(p) on.
@@ -63,14 +60,7 @@
 
     // a = a x, normalised, with x in r25..r18 as bytes 10 to 3.
 .Lproduct:
-    ldd r18, Y+1
-    ldd r19, Y+2
-    ldd r20, Y+3
-    ldd r21, Y+4
-    ldd r22, Y+5
-    ldd r23, Y+6
-    ldd r24, Y+7
-    ldd r25, Y+8
+    ldd_bytes r18, Y + 1, 8
     clr behind
     clr r4
     column 10, 0, 8, 7, 15, behind, r4, r26
@@ -83,13 +73,8 @@
     column 17, 7, 4, 7, 15, a4, a5, a6
     column 18, 8, 3, 7, 15, a5, a6, a7
     column 19, 9, 2, 7, 15, a6, a7, a8
-    mul a10, r25
-    add a7, r0
-    adc a8, r1
-    movw a9, a7
-    movw a7, a5
-    movw a5, a3
-    movw a3, a1
+    mul_add a10, r25, a7, a8
+    movw_from_top a3, a1, 8
     mov a2, a0
     mov a1, r26
     mov a0, r4
@@ -98,17 +83,7 @@
     brmi 1f
     dec exponent
     lsl behind
-    rol a0
-    rol a1
-    rol a2
-    rol a3
-    rol a4
-    rol a5
-    rol a6
-    rol a7
-    rol a8
-    rol a9
-    rol a10
+    rol_bytes a0, 11
 1:  ret
 
     // a = a a, normalised: twice the products of different bytes, and the squares of bytes.
@@ -139,35 +114,17 @@
     mul a10, a10
     lsl behind
     rol r4
-    rol r18
-    rol r19
-    rol r20
-    rol r21
-    rol r22
-    rol r23
-    rol r24
-    rol r25
-    rol r26
-    rol r27
+    rol_bytes r18, 10
     add behind, a1
     adc r4, a2
-    adc r18, a3
-    adc r19, a4
-    adc r20, a5
-    adc r21, a6
-    adc r22, a7
-    adc r23, a8
+    adc_bytes r18, a3, 6
     adc r24, a0
     adc r25, zero
     adc r26, r0
     adc r27, r1
     clr zero
     mov a0, r4
-    movw a1, r18
-    movw a3, r20
-    movw a5, r22
-    movw a7, r24
-    movw a9, r26
+    movw_bytes a1, r18, 10
     lsl exponent
     rjmp .Lnormalise
 
@@ -182,69 +139,25 @@
     .endm
 
     ENTRY fixedpoint_short_power_64
-    push r2
-    push r3
-    push r4
-    push r5
-    push r6
-    push r7
-    push r8
-    push r9
-    push r10
-    push r11
-    push r12
-    push r13
-    push r14
-    push r15
-    push r16
-    push r17
-    push r28
-    push r29
-    push r12
-    push r14
+    push_all r2, r3, r4, r5, r6, r7, r8, r9, r10, r11, r12, r13, r14, r15, r16, r17, r28, r29, r12, r14
     movw r30, r16
     mov r26, r14
     clr zero
     rjmp 2f
-1:  mov r25, r24
-    mov r24, r23
-    mov r23, r22
-    mov r22, r21
-    mov r21, r20
-    mov r20, r19
-    mov r19, r18
+1:  mov_from_top r19, r18, 7
     clr r18
     subi r26, 8
 2:  tst r25
     breq 1b
     brmi 4f
 3:  dec r26
-    lsl r18
-    rol r19
-    rol r20
-    rol r21
-    rol r22
-    rol r23
-    rol r24
-    rol r25
+    lsl_bytes r18, 8
     brpl 3b
 4:  mov exponent, r26
     mov exponent_of_x, r26
-    clr a0
-    clr a1
-    clr a2
-    movw a3, r18
-    movw a5, r20
-    movw a7, r22
-    movw a9, r24
-    push r25
-    push r24
-    push r23
-    push r22
-    push r21
-    push r20
-    push r19
-    push r18
+    clr_bytes a0, 3
+    movw_bytes a3, r18, 8
+    push_all r25, r24, r23, r22, r21, r20, r19, r18
     in r28, SPL
     in r29, SPH
 
@@ -290,10 +203,7 @@
     ldd r27, Y+10
     tst r27
     brne .Lreciprocal
-    movw r18, a3
-    movw r20, a5
-    movw r22, a7
-    movw r24, a9
+    movw_bytes r18, a3, 8
     sub r26, exponent
     brvs 1f
     rjmp .Lround
@@ -307,14 +217,8 @@
     // Byte i of m, from the first one on, is r(5 + i): so the highest six are the divisor.
 1:  mov r6, a1
     mov r7, a2
-    movw r8, a3
-    movw r10, a5
-    movw r12, a7
-    movw r14, a9
-    clr r16
-    clr r17
-    clr r18
-    clr r19
+    movw_bytes r8, a3, 8
+    clr_bytes r16, 4
     movw r20, r18
     movw r22, r18
     ldi r24, 0x80
@@ -369,42 +273,20 @@
     product r16, r22, r11, r12, r13
     sbrs r17, 0
     rjmp 2f
-    sub r8, r18
-    sbc r9, r19
-    sbc r10, r20
-    sbc r11, r21
-    sbc r12, r22
+    sub_bytes r8, r18, 5
     sbc r13, zero
     // r25..r18 = (2^40 y - 2 y e) / 2^16
-2:  lsl r7
-    rol r8
-    rol r9
-    rol r10
-    rol r11
-    rol r12
-    rol r13
+2:  lsl_bytes r7, 7
     clr r14
     sbrc r13, 7
     com r14
-    mov r25, r22
-    mov r24, r21
-    mov r23, r20
-    mov r22, r19
-    mov r21, r18
-    clr r18
-    clr r19
-    clr r20
+    mov_from_top r21, r18, 5
+    clr_bytes r18, 3
     cp zero, r7
     cpc zero, r8
     cpc zero, r9
-    sbc r18, r10
-    sbc r19, r11
-    sbc r20, r12
-    sbc r21, r13
-    sbc r22, r14
-    sbc r23, r14
-    sbc r24, r14
-    sbc r25, r14
+    sbc_bytes r18, r10, 5
+    sbc_each r23, r14, 3
     mov r26, exponent
     clr r1
     rjmp .Lround
@@ -415,9 +297,7 @@
 .Lbeyond:
     ldi r18, 0xff
 1:  mov r19, r18
-    movw r20, r18
-    movw r22, r18
-    movw r24, r18
+    movw_each r20, r18, 6
     rjmp .Lreturn
 
     // r25..r18 / 2^r26
@@ -429,66 +309,22 @@
     brsh .Lzero
     dec r26
     rjmp 2f
-1:  mov r18, r19
-    mov r19, r20
-    mov r20, r21
-    mov r21, r22
-    mov r22, r23
-    mov r23, r24
-    mov r24, r25
+1:  mov_bytes r18, r19, 7
     clr r25
 2:  subi r26, 8
     brcc 1b
     subi r26, -8
     breq 4f
-3:  lsr r25
-    ror r24
-    ror r23
-    ror r22
-    ror r21
-    ror r20
-    ror r19
-    ror r18
+3:  lsr_bytes r18, 8
     dec r26
     brne 3b
-4:  lsr r25
-    ror r24
-    ror r23
-    ror r22
-    ror r21
-    ror r20
-    ror r19
-    ror r18
-    adc r18, r1
-    adc r19, r1
-    adc r20, r1
-    adc r21, r1
-    adc r22, r1
-    adc r23, r1
-    adc r24, r1
-    adc r25, r1
+4:  lsr_bytes r18, 8
+    adc_each r18, r1, 8
 .Lreturn:
     .rept 10
     pop r0
     .endr
-    pop r29
-    pop r28
-    pop r17
-    pop r16
-    pop r15
-    pop r14
-    pop r13
-    pop r12
-    pop r11
-    pop r10
-    pop r9
-    pop r8
-    pop r7
-    pop r6
-    pop r5
-    pop r4
-    pop r3
-    pop r2
+    pop_all r29, r28, r17, r16, r15, r14, r13, r12, r11, r10, r9, r8, r7, r6, r5, r4, r3, r2
     ret
     ENDFUNC fixedpoint_short_power_64
 

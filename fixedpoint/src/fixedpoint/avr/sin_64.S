@@ -58,7 +58,7 @@
     clr zero
     bst r25, 7
     brtc 1f
-    negate_64
+    negate_bytes r18, 8
 1:  clr r14
     clr r15
     movw r16, r14
@@ -91,11 +91,7 @@
     ldi r26, 0x4e
     mov r9, r26
     fraction_product 25, 13, 5, 3
-    lsl r3
-    rol r4
-    rol r5
-    rol r6
-    rol r7
+    lsl_bytes r3, 5
     movw r22, r4
     movw r24, r6
     add r28, r22
@@ -114,53 +110,22 @@
     .irp n, 15, 16, 17, 18, 19, 20, 21
     sbc \n, \n - 12
     .endr
-6:  movw r24, r20
-    movw r22, r18
-    movw r20, r16
-    movw r18, r14
+6:  movw_from_top r18, r14, 8
     cpi r25, 0xc9
     brlo 7f
     inc r28
-    subi r18, 0x34
-    sbci r19, 0xc2
-    sbci r20, 0x68
-    sbci r21, 0x21
-    sbci r22, 0xa2
-    sbci r23, 0xda
-    sbci r24, 0x0f
-    sbci r25, 0xc9
+    subi_bytes r18, 0xc90fdaa22168c234, 8
     brcc 7f
     dec r28
-    subi r18, 0xcc
-    sbci r19, 0x3d
-    sbci r20, 0x97
-    sbci r21, 0xde
-    sbci r22, 0x5d
-    sbci r23, 0x25
-    sbci r24, 0xf0
-    sbci r25, 0x36
+    subi_bytes r18, 0x36f0255dde973dcc, 8
 7:  ret
 
     // r25:r18 = the sine of that and r28 quarter turns, negated where T is set
 .Levaluate:
     sbrs r28, 0
     rjmp 1f
-    com r18
-    com r19
-    com r20
-    com r21
-    com r22
-    com r23
-    com r24
-    com r25
-    subi r18, 0xcb
-    sbci r19, 0x3d
-    sbci r20, 0x97
-    sbci r21, 0xde
-    sbci r22, 0x5d
-    sbci r23, 0x25
-    sbci r24, 0xf0
-    sbci r25, 0x36
+    com_bytes r18, 8
+    subi_bytes r18, 0x36f0255dde973dcb, 8
 1:  evaluate fixedpoint_septic_sine_table
     clr r17
     round_from 63
@@ -169,7 +134,7 @@
     eor r26, r28
     sbrs r26, 1
     ret
-    negate_64
+    negate_bytes r18, 8
     ret
 
     ENTRY fixedpoint_cos_64
@@ -198,13 +163,9 @@
     ldi r28, 0
     mov r29, r14
     rcall .Lreduce
-    .irp n, 18, 19, 20, 21, 22, 23, 24, 25
-    push r\n
-    .endr
+    push_all r18, r19, r20, r21, r22, r23, r24, r25
     rcall .Levaluate
-    .irp n, 9, 8, 7, 6, 5, 4, 3, 2
-    pop r\n
-    .endr
+    pop_all r9, r8, r7, r6, r5, r4, r3, r2
     pop r31
     pop r30
     .irp n, 18, 19, 20, 21, 22, 23, 24, 25
@@ -212,10 +173,7 @@
     .endr
     push r30
     push r31
-    movw r18, r2
-    movw r20, r4
-    movw r22, r6
-    movw r24, r8
+    movw_bytes r18, r2, 8
     inc r28
     clt
     rcall .Levaluate
