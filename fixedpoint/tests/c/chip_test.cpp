@@ -17,6 +17,7 @@ extern "C" {
     void q##_operations();        \
     void q##_functions();         \
     void q##_angles();            \
+    void q##_turns();             \
     void q##_powers();            \
     void q##_auxiliary();         \
     void q##_conversions();
@@ -35,7 +36,8 @@ struct Part {
 #define PARTS(q)                                                                                \
     {#q "_operations", q##_operations, q##_results},                                            \
         {#q "_functions", q##_functions, q##_results}, {#q "_angles", q##_angles, q##_results}, \
-        {#q "_powers", q##_powers, q##_results}, {#q "_auxiliary", q##_auxiliary, q##_results}, \
+        {#q "_turns", q##_turns, q##_results}, {#q "_powers", q##_powers, q##_results},         \
+        {#q "_auxiliary", q##_auxiliary, q##_results},                                          \
         {#q "_conversions", q##_conversions, q##_results},
 
 class CProgram : public testing::TestWithParam<Part> {};

@@ -70,7 +70,7 @@ def check_standards(scratch):
 def called(compiler, scratch, *options):
     """What program.c calls, over all formats and parts."""
     symbols = set()
-    for q, part in itertools.product(FORMATS, ("operations", "auxiliary")):
+    for q, part in itertools.product(FORMATS, ("operations", "turns", "auxiliary")):
         target = scratch / "program.o"
         must([*compiler, "-std=c99", "-Os", *WARNINGS, *options, f"-I{source}", f"-DFORMAT={q}",
               f"-DIS_{q}", f"-DPART={part}", "-c", here / "program.c", "-o", target])

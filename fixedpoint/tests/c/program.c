@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * Calls every function of fixedpoint_c.h in one FORMAT, with boundary and random operands, and
  * leaves a hash of each function's results: the same on the host and on the chip. There, a PART of
- * the functions fits: operations, functions, angles, powers, auxiliary or conversions. */
+ * the functions fits: operations, functions, angles, turns, powers, auxiliary or conversions. */
 #include "program.h"
 
 #include <fixedpoint_c.h>
@@ -219,7 +219,7 @@ void F(powers)(void) {
     }
 }
 
-void F(auxiliary)(void) {
+void F(turns)(void) {
     start();
     UNARY(sin_turns)
     UNARY(cos_turns)
@@ -229,6 +229,10 @@ void F(auxiliary)(void) {
     UNARY(cos_degrees)
     TWO_OF_UNARY(sincos_degrees)
     BINARY(atan2_degrees)
+}
+
+void F(auxiliary)(void) {
+    start();
     TWO_OF_BINARY(divrem)
     TWO_OF_BINARY(divmod)
     BINARY(midpoint)
