@@ -80,6 +80,8 @@ def known(data, operation, number_format, implementation=OURS):
     proof = PROOFS.get(kind) if bound else None
     if proof:
         bound = "proven"
+        if ulp > 0.5 + JUDGED_TO:
+            raise DataError(f"{named}: {ulp} in max_ulp, where {proof} says at most half")
     elif bound and kind in LIMITS:
         limit, proof = LIMITS[kind]
         bound = f"proven below {limit}"

@@ -154,7 +154,7 @@ def correctly_rounded_finding(data):
         return ""
     ratios = sorted((mean(data, name, *kind) / mean(data, name, "q16_16"), name) for name in known)
     kinds = [each["bound"] for each in known.values()]
-    told = ", ".join(f"{bound} in {kinds.count(bound)}" for bound in ("exact", "proven", "lower bound") if bound in kinds)
+    told = ", ".join(f"{bound} in {kinds.count(bound)}" for bound in sorted(set(kinds)))
     return (f"Where half an ulp matters, `CorrectlyRounded` errs by {max(each['max_ulp'] for each in known.values()):.3g} ulp in "
             f"{len(known)} functions of Q16.16 ({told}), for {ratios[0][0]:.2g} ({ratios[0][1]}) to {ratios[-1][0]:.2g} "
             f"({ratios[-1][1]}) times the default's mean cycles and up to {max(each['cycles_max'] for each in known.values())} beside a tie.")

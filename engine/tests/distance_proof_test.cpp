@@ -180,6 +180,8 @@ struct Proof<fixedpoint::Fixed<I, F>> {
         scaled = nullptr;
     }
 
+    // A length of 2^-k m takes doublings, which round nothing: its error is below that of the
+    // products.
     template <int N>
     void all() {
         for (int halvings = 0; halvings < I - 1; halvings += cell_step) {

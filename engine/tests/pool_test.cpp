@@ -36,6 +36,15 @@ template <class Uses>
 constexpr std::size_t numbers_of_a_particle =
     sizeof(typename engine::World<double, Uses>::Particle) / sizeof(double);
 
+struct Nothing : engine::Uses {
+    static constexpr bool gravity = true;
+};
+TEST(Step, OfNoParticleDoesNothing) {
+    engine::World<fixedpoint::Q16_16, Nothing> world;
+    world.step(BinaryStep<10>());
+    EXPECT_EQ(world.particles().size(), 0u);
+}
+
 // Position, velocity and inverse mass; and what the scene states beside.
 TEST(Particle, HoldsOnlyWhatItsSceneStates) {
     EXPECT_EQ(numbers_of_a_particle<Points>, 5u);

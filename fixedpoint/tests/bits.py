@@ -14,6 +14,7 @@ BRANCHES = {"brcs": ("C", True), "brcc": ("C", False), "breq": ("Z", True), "brn
 
 class Bits(Machine):
     """Of bits: what is known of them are conditions."""
+    returns_in_memory = False
 
     def __init__(self, program):
         super().__init__(program, {n: z3.BitVec(f"r{n}", 8) for n in range(32)})
@@ -89,6 +90,7 @@ class Bits(Machine):
             self.flags |= {"C": value < 0, "Z": value == 0}
             return [(following, self)]
         if mnemonic == "st":
+            demand(self.returns_in_memory and d in ("X", "X+"))
             self.stored.append((self.number(26, 2), registers[r]))
             if d == "X+":
                 following_byte = self.number(26, 2) + 1
@@ -123,8 +125,6 @@ class Bits(Machine):
             registers[d] = self.result(value, C=out, V=z3.Xor(value < 0, out))
         elif mnemonic == "ldi":
             registers[d] = y
-        elif mnemonic == "sec":
-            self.flags["C"] = z3.BoolVal(True)
         elif mnemonic == "bst":
             self.flags["T"] = z3.Extract(int(r), int(r), x) == 1
         elif mnemonic == "bld":

@@ -22,6 +22,10 @@ int64_t sine_or_cosine(Raw angle, int which) {
     return agree && within_one ? int64_t(both[which]) : INT64_MIN / 2 + 12345;
 }
 
+// At the peak the sum of the fine splits' core leaves the signed numbers.
+static_assert(kernel::cos<int64_t, 31>(0) == int64_t(1) << 31, "");
+static_assert(kernel::cos<int64_t, 56>(0) == int64_t(1) << 56, "");
+
 TEST(Sine, IsFaithful) {
     expect_accuracy({"sin", &sine,
                      subjects_of_every_split([]<class Raw, int F>(const int64_t* v) -> int64_t {

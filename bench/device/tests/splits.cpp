@@ -36,6 +36,7 @@ using Arithmetic = fixedpoint::SPLIT_ARITHMETIC;
     ROW(KERNEL, shape, operation, 48, 16)     \
     ROW(KERNEL, shape, operation, 40, 24)     \
     ROW(KERNEL, shape, operation, 35, 29)     \
+    ROW(KERNEL, shape, operation, 33, 31)     \
     ROW(KERNEL, shape, operation, 31, 33)     \
     ROW(KERNEL, shape, operation, 24, 40)     \
     ROW(KERNEL, shape, operation, 16, 48)     \

@@ -32,8 +32,9 @@ struct Mode {
 // A call of a sub-command that `fixbench all` makes.
 struct Step {
     std::string name;
-    // Everything behind `fixbench`; without, that is the sub-command, --output and the folder of
-    // the data files, and --quick of a quick run where it is passed.
+    // Everything behind `fixbench`, with or without --quick; where it is not given, that is the
+    // sub-command, --output, the folder of the data files, and --quick of a quick run if it passes
+    // it.
     std::function<std::vector<std::string>(const Mode&)> arguments{};
     bool passes_quick = false;
     std::vector<std::string> writes;             // data files

@@ -161,7 +161,10 @@ class Operations(Figures):
         of_samples = [99, 3, "lower bound", "operations.csv, full", 0.75, 9, "lower bound", "accuracy.csv, search", None]
         self.assertEqual(known(sampled), of_samples)
         with unittest.mock.patch.dict(bounds.PROOFS, {("add", "q16_16", "default"): "a proof"}):
-            self.assertEqual(known(sampled), of_samples[:6] + ["proven", "accuracy.csv, search", "a proof"])
+            with self.assertRaisesRegex(DataError, "0.75 in max_ulp, where a proof says at most half"):
+                known(sampled)
+            self.assertEqual(known(golden(operations=OPERATIONS, accuracy=accuracy.replace("0.75", "0.5"))),
+                             of_samples[:4] + [0.5, 1, "proven", "operations.csv, physics", "a proof"])
         with unittest.mock.patch.dict(bounds.LIMITS, {("add", "q16_16", "default"): (0.8, "a proof")}):
             self.assertEqual(known(sampled), of_samples[:6] + ["proven below 0.8", "accuracy.csv, search", "a proof"])
         with unittest.mock.patch.dict(bounds.LIMITS, {("add", "q16_16", "default"): (0.7, "a proof")}):

@@ -9,12 +9,12 @@
 
 namespace engine {
 
-// n, of which the compiler knows no value: a loop to it is not unrolled, where flash is what
-// counts.
+// The number, with its value hidden from the compiler, where flash is what counts: no loop of that
+// many rounds is unrolled, and no code is compiled once more for that value.
 template <class Number>
-inline Number unknown(Number n) {
-    __asm__("" : "+r"(n));
-    return n;
+inline Number unknown(Number number) {
+    __asm__("" : "+r"(number));
+    return number;
 }
 
 }  // namespace engine

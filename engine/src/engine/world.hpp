@@ -385,12 +385,12 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
         }
     };
     // How many particles a step looks at. Where there is one, it need not have been added: until
-    // then its inverse mass is 0, and nothing moves it.
+    // then its inverse mass is 0, unless somebody writes to it, and nothing moves it.
     constexpr Index count() const { return capacity == 1 ? 1 : particles_.size(); }
     template <class Function>
     ENGINE_INLINE void for_each_particle(Function function) {
         if (capacity == 1) {
-            function(particles_[0]);
+            function(*particles_.begin());
         } else {
             particles_.for_each(function);
         }

@@ -6,7 +6,8 @@ proves: it may be any number here, but its factors are the right ones.
 
 usage: prove_sums.py FOLDER    that of the device programs
 
-Then instructions are left out in turn, and each time the proof must fail."""
+Then instructions are left out in turn, and each time the proof must fail; of multiply_add and lerp, in which the
+compiler leaves instructions that change nothing, it may stand without a third of them, which are printed."""
 import sys
 from functools import partial
 from pathlib import Path
@@ -133,7 +134,7 @@ def main():
         visited = program.prove(*stretch)
         # The compiler leaves instructions that change nothing.
         found = program.survivors(stretch, visited, EVERY, ("ret",))
-        print(f"{name}: proven")
+        print(f"{name}: proven; of {len(visited)} instructions one in {EVERY} was left out, without effect {found}")
         failed |= 3 * EVERY * len(found) > len(visited)
     return failed
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The core of the sines, angles and logarithms of the splits of 64 bits that are finer than Q32.32: a
-// function of x in [0, 1) by polynomials of degree 7 on 64 intervals,
+// The core of the sines, angles and logarithms of the splits of 64 bits with 31 to 56 fraction bits but
+// Q32.32: a function of x in [0, 1) by polynomials of degree 7 on 64 intervals,
 //
 //     c0 + t (c1 + t (c2 + ... + t c7)),   t in [0, 1) the position in the interval.
 //
@@ -15,7 +15,7 @@
 // off its two's complement.
 //
 // fixedpoint_round_64 is no C function: r25:r18 = r17 and r25:r18 shifted right by r30, 1 to 40, and rounded half
-// up. r17 is 0 or 0xff from there on, or the shift is 8 or more; needs r27 = 0.
+// up. Needs r27 = 0.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -96,9 +96,7 @@
     ror_bytes r18, 8
     dec r30
     brne 3b
-4:  .irp n, 18, 19, 20, 21, 22, 23, 24, 25
-    adc r\n, zero
-    .endr
+4:  adc_each r18, zero, 8
     ret
     ENDFUNC fixedpoint_round_64
 #endif

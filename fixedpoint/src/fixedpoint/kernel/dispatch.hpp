@@ -200,8 +200,8 @@ constexpr Raw from_q32_32(int64_t a) {
     return portable::convert<Raw, F, int64_t, 32>(a);
 }
 
-// Those of the finer splits of 64 bits take the fraction bits as an operand; of the finest ones
-// they are portable code.
+// Those of the splits of 64 bits with 31 to 56 fraction bits take that number as an operand; of the
+// finest ones they are portable code.
 template <class Raw, int F, bool is_fine = portable::is_fine_split<Raw, F>()>
 struct FineSplit {
     static constexpr Raw sin(Raw a) { return portable::sin<Raw, F>(a); }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The core of the sines, angles and logarithms of the splits of 64 bits that are finer than Q32.32,
-// bit for bit as avr/septic_64.S computes it: c0 + t (c1 + t (c2 + ... + t c7)), t in [0, 1) the
-// position in the interval. tables/septic_64.py makes the tables and tells their error.
+// The core of the sines, angles and logarithms of the splits of 64 bits with 31 to 56 fraction bits
+// but Q32.32, bit for bit as avr/septic_64.S computes it: c0 + t (c1 + t (c2 + ... + t c7)), t in
+// [0, 1) the position in the interval. tables/septic_64.py makes the tables and tells their error.
 #pragma once
 
 #include <fixedpoint/constexpr.hpp>
@@ -36,7 +36,9 @@ FIXEDPOINT_CONSTEXPR uint64_t septic_64(uint64_t x) {
         for (int i = 8 - width; i < 8; ++i)
             coefficient |= static_cast<uint64_t>(read_program_memory(Table::record[next++]))
                            << 8 * i;
-        a = static_cast<int64_t>(sum) + (static_cast<int64_t>(coefficient) >> (64 - 8 * width));
+        // At the peak of a sine the sum may reach 2^63.
+        a = static_cast<int64_t>(
+            sum + static_cast<uint64_t>(static_cast<int64_t>(coefficient) >> (64 - 8 * width)));
     }
     const uint64_t value = static_cast<uint64_t>(a);
     return value >> 56 == 0xff ? 0 : value;

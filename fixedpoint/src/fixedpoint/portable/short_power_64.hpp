@@ -15,7 +15,7 @@ struct LongPower {
 };
 
 // The product of two is cut to 88 bits, and its columns of bytes below the tenth are left out,
-// together less than 10 of the last place: below 11 2^-87 of itself.
+// together less than 10 of the last place, 20 where it moves up by a bit: below 21 2^-87 of itself.
 FIXEDPOINT_CONSTEXPR LongPower multiply_long(const LongPower& a, const LongPower& b) {
     uint8_t bytes[12] = {};  // byte 10 and on of the product
     uint32_t sum = 0;
@@ -75,7 +75,7 @@ constexpr bool is_beyond_64_bits(const LongPower& power) {
 
 // x^n or its reciprocal, x = a 2^(exponent - 64), in units of 2^(exponent - 64), rounded to
 // nearest; 2^64 - 1 where it is more. Needs exponent from 0 to 64, 0 < a <= 2^63 and n > 0. Before
-// rounded it is within 11 (n - 1) 2^-87 + 2^-73 of itself, as the squares double what a product
+// rounded it is within 21 (n - 1) 2^-87 + 2^-73 of itself, as the squares double what a product
 // loses; from 2^63 units on it is rounded downward.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR uint64_t short_power_64(uint64_t a, uint16_t n, int8_t exponent,
