@@ -38,8 +38,9 @@ def tiers(data):
     def told(scene, name):
         nearest, small = (rows[scene, f"arithmetic={arithmetic}"] for arithmetic in ("Nearest", "Small"))
         times = small["cycles_per_step_mean"] / nearest["cycles_per_step_mean"]
-        saved = nearest["flash_bytes"] - small["flash_bytes"]
-        return f"{name} takes {times:.2f} times the cycles and {saved} of {nearest['flash_bytes']} bytes less"
+        return (f"{name} takes {times:.2f} times the cycles, and {small['flash_bytes']} bytes in place of "
+                f"{nearest['flash_bytes']}")
+
     nearest, small = (next(row["flash_bytes"] for row in data.rows("flash", operations="nine", format="q16_16",
                                                                  implementation=implementation))
                       for implementation in ("default", "small"))

@@ -1019,8 +1019,8 @@ nine q16_16 small 2200
 nine q8_24 default 1
 own q16_16 small 1
 """)
-        self.assertIn("the lever takes 1.25 times the cycles and 10 of 3900 bytes less, a scene of all features takes 1.26 times "
-                      "the cycles and 1500 of 18000 bytes less; a program of the nine functions takes 2200 bytes in place "
+        self.assertIn("the lever takes 1.25 times the cycles, and 3890 bytes in place of 3900, a scene of all features takes 1.26 "
+                      "times the cycles, and 16500 bytes in place of 18000; a program of the nine functions takes 2200 bytes in place "
                       "of 12000.", features.tiers(made))
 
     def test_saturation(self):
