@@ -74,7 +74,7 @@ __attribute__((noinline, cold)) Inverse<Fixed<I, F, A>> inverse_by_digits(Fixed<
 }
 // As a quotient of 64 bits: of a > 0 of at most 32 bits.
 template <int I, int F, class A>
-FIXEDPOINT_CONSTEXPR Inverse<Fixed<I, F, A>> inverse_by_quotient(Fixed<I, F, A> a) {
+ENGINE_INLINE Inverse<Fixed<I, F, A>> inverse_by_quotient(Fixed<I, F, A> a) {
     using Number = Fixed<I, F, A>;
     const auto divisor = static_cast<uint64_t>(a.raw());
     const int power = 63 - __builtin_clzll(divisor) - F;  // 2^power <= a < 2^(power + 1)
