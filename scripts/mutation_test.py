@@ -102,16 +102,10 @@ ROOMS = [
          Check("splits_test", "LongSplits.SinAndCos", "splits_64_sin splits_64_cos splits_64_sincos"),
          Check("splits_test", "LongSplits.Angles", "splits_64_atan splits_64_atan2"),
          Check("splits_test", "LongSplits.Log", "splits_64_log")),
-    kernels(f"{FIXED}/avr/*_32.S {FIXED}/avr/*_32.inc {FIXED}/avr/scale_40.* !*/transform_32.S !*/cross_32.S !*/complex_32.S"
-            " !*/cofactors_32.S !*/one_pole_32.S !*/biquad_32.S !*/product_sum_32.inc !*/multiply_saturating_32.S"
-            " !*/*_q32_32.S", 4, "q8_24",
-            Check("kernels_test", "*/q8_24_auxiliary", "q8_24_auxiliary"),
-            Check("kernels_test", "*/q8_24_angles", "q8_24_angles"),
-            Check("kernels_test", "*/q8_24_powers", "q8_24_powers")),
     room("kernels", f"{FIXED}/avr/multiply_saturating_32.S", 1,
          Check("splits_test", "*.MultiplySaturating", "splits_32_multiply_saturating")),
     kernels(f"{FIXED}/avr/short_power*.S", 1, "q32_32_auxiliary",
-            Check("library_on_device_test", "*/small_operations_test_q8_8", "small_operations_test_q8_8")),
+            Check("library_on_device_test", "*/small_operations_test_q16_16", "small_operations_test_q16_16")),
     room("kernels", f"{FIXED}/kernel/*_saturating.hpp", 1,
          Check("saturating_sums_test", devices="saturating_sums"),
          Check("library_on_device_test", "*/operators_test_q16_16", "operators_test_q16_16")),
@@ -249,7 +243,7 @@ OPERATORS = {
     "assembly": [
         swap("brcs brcc, breq brne, brmi brpl, brlt brge, sbrc sbrs, brlo brsh, inc dec, brtc brts"),
         one_way("adc:add sbc:sub rol:lsl ror:lsr sbci:subi cpc:cp mulsu:mul add:sub sub:add"),
-        (r"(?<=[\s,])\d+(?=,|\s*$)", one_more),  # an entry of a table
+        (r"(?:(?<=\.byte )|(?<=\.word )|(?<=\.long ))\d+", one_more),  # an entry of a table
         (r"^    (?:adc|add|sub|sbc|mov|movw|lsl|lsr|com|neg|inc|dec|clr|eor|or|subi|sbci|mul_add\w*|mul_or"
          r"|\w+_bytes|\w+_each|\w+_from_top)\b.*$",
          lambda found: ""),
