@@ -105,6 +105,10 @@ class VectorComplexProduct : public VectorKernels {
   protected:
     VectorComplexProduct() : VectorKernels("vector_complex_product") {}
 };
+class VectorMatrixProduct2 : public VectorKernels {
+  protected:
+    VectorMatrixProduct2() : VectorKernels("vector_matrix_product_2") {}
+};
 class VectorCofactors : public VectorKernels {
   protected:
     VectorCofactors() : VectorKernels("vector_cofactors") {}
@@ -231,6 +235,33 @@ TEST_F(VectorProducts, MatricesTimesVectorsAndMatricesAreRoundedSums) {
                     ASSERT_EQ(result[k], exact::dot(a, b, n, format).wrapped)
                         << split << " " << of_matrices << " " << n << " " << k;
                 }
+            }
+        }
+    }
+}
+
+TEST_F(VectorMatrixProduct2, IsMadeOfRoundedSums) {
+    using Matrix = std::array<std::array<int32_t, 2>, 2>;
+    const std::uint16_t at_result = chip_.allocate(16), at_a = chip_.allocate(16),
+                        at_b = chip_.allocate(16);
+    for (int fraction = 0; fraction <= 32; ++fraction) {
+        const exact::Format format{32, fraction};
+        const std::string split = std::to_string(32 - fraction) + "_" + std::to_string(fraction);
+        DeviceFunction multiply(chip_, "fixedpoint_matrix_product_2_q" + split, {0, {2, 2, 2}});
+        for (int i = 0; i < (fraction == 16 || fraction == 24 ? rounds / 10 : 100); ++i) {
+            Matrix a, b;
+            for (Matrix* m : {&a, &b})
+                for (auto& row : *m)
+                    for (int32_t& x : row) x = number(fraction);
+            write(at_a, a);
+            write(at_b, b);
+            multiply(at_result, at_a, at_b);
+            const auto result = read<Matrix>(at_result);
+            for (int k = 0; k < 4; ++k) {
+                const int64_t row[2] = {a[k / 2][0], a[k / 2][1]},
+                              column[2] = {b[0][k % 2], b[1][k % 2]};
+                ASSERT_EQ(result[k / 2][k % 2], exact::dot(row, column, 2, format).wrapped)
+                    << split << " " << k;
             }
         }
     }
