@@ -65,7 +65,7 @@ def kernels(files, count, program, *checks):
 ROOMS = [
     kernels(f"{FIXED}/avr/*_q16_16.S {FIXED}/avr/*_q16_16.inc !*/add_scaled_q16_16.S"
             " !*/dot_difference_q16_16.S !*/multiply_short_q16_16.S"
-            " !*/short_factor_q16_16.inc !*/polynomial_q16_16.S", 8, "q16_16",
+            " !*/short_factor_q16_16.inc !*/polynomial_q16_16.S !*/pid_q16_16.S", 8, "q16_16",
             Check("kernels_test", "*/q16_16_auxiliary", "q16_16_auxiliary"),
             Check("kernels_test", "*/q16_16_angles", "q16_16_angles"),
             Check("kernels_test", "*/q16_16_powers:PowerOfTwo.*", "q16_16_powers"),
@@ -75,9 +75,10 @@ ROOMS = [
          Check("vector_kernels_test", "VectorSteps.*", "vector_steps")),
     room("kernels", f"{FIXED}/avr/transform_32.S {FIXED}/avr/cross_32.S {FIXED}/avr/polynomial_q16_16.S"
          f" {FIXED}/avr/product_sum_32.inc", 2,
-         Check("vector_kernels_test", "VectorProducts.*", "vector_products")),
+         Check("vector_kernels_test", "VectorProducts.*", "vector_products"),
+         Check("vector_kernels_test", "VectorMatrixProduct2.*", "vector_matrix_product_2")),
     room("kernels", f"{FIXED}/avr/complex_32.S {FIXED}/avr/cofactors_32.S {FIXED}/avr/one_pole_32.S"
-         f" {FIXED}/avr/biquad_32.S", 2,
+         f" {FIXED}/avr/biquad_32.S {FIXED}/avr/pid_q16_16.S", 2,
          Check("vector_kernels_test", "VectorComplexProduct.*", "vector_complex_product"),
          Check("vector_kernels_test", "VectorCofactors.*", "vector_cofactors"),
          Check("vector_kernels_test", "VectorFilters.*", "vector_filters")),

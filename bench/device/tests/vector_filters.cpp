@@ -6,5 +6,6 @@
 int32_t (*const volatile filters[])(int32_t, void*) = {
     fixedpoint_one_pole_q16_16, fixedpoint_one_pole_q8_24, fixedpoint_biquad_q16_16,
     fixedpoint_biquad_q8_24};
+int32_t (*const volatile controller)(int32_t, int32_t, void*) = fixedpoint_pid_q16_16;
 
-int main() { return filters[0] != nullptr; }
+int main() { return filters[0] && controller; }

@@ -105,6 +105,10 @@ class VectorComplexProduct : public VectorKernels {
   protected:
     VectorComplexProduct() : VectorKernels("vector_complex_product") {}
 };
+class VectorMatrixProduct2 : public VectorKernels {
+  protected:
+    VectorMatrixProduct2() : VectorKernels("vector_matrix_product_2") {}
+};
 class VectorCofactors : public VectorKernels {
   protected:
     VectorCofactors() : VectorKernels("vector_cofactors") {}
@@ -231,6 +235,36 @@ TEST_F(VectorProducts, MatricesTimesVectorsAndMatricesAreRoundedSums) {
                     ASSERT_EQ(result[k], exact::dot(a, b, n, format).wrapped)
                         << split << " " << of_matrices << " " << n << " " << k;
                 }
+            }
+        }
+    }
+}
+
+TEST_F(VectorMatrixProduct2, IsMadeOfRoundedSums) {
+    using Matrix = std::array<std::array<int32_t, 2>, 2>;
+    const std::uint16_t at_result = chip_.allocate(20), at_a = chip_.allocate(16),
+                        at_b = chip_.allocate(16);
+    for (int fraction = 0; fraction <= 32; ++fraction) {
+        const exact::Format format{32, fraction};
+        const std::string split = std::to_string(32 - fraction) + "_" + std::to_string(fraction);
+        DeviceFunction multiply(chip_, "fixedpoint_matrix_product_2_q" + split, {0, {2, 2, 2}});
+        for (int i = 0; i < (fraction == 16 || fraction == 24 ? rounds / 10 : 100); ++i) {
+            Matrix a, b;
+            for (Matrix* m : {&a, &b})
+                for (auto& row : *m)
+                    for (int32_t& x : row) x = number(fraction);
+            write(at_a, a);
+            write(at_b, b);
+            const int32_t behind = number();
+            write(static_cast<std::uint16_t>(at_result + 16), behind);
+            multiply(at_result, at_a, at_b);
+            ASSERT_EQ(read<int32_t>(static_cast<std::uint16_t>(at_result + 16)), behind);
+            const auto result = read<Matrix>(at_result);
+            for (int k = 0; k < 4; ++k) {
+                const int64_t row[2] = {a[k / 2][0], a[k / 2][1]},
+                              column[2] = {b[0][k % 2], b[1][k % 2]};
+                ASSERT_EQ(result[k / 2][k % 2], exact::dot(row, column, 2, format).wrapped)
+                    << split << " " << k;
             }
         }
     }
@@ -438,6 +472,59 @@ TEST_F(VectorFilters, KeepWhatTheirSumsLose) {
     follow(OnePole<24, std::uint32_t>{}, "fixedpoint_one_pole_q8_24", 24);
     follow(Biquad<16, std::int16_t>{}, "fixedpoint_biquad_q16_16", 16);
     follow(Biquad<24, std::int32_t>{}, "fixedpoint_biquad_q8_24", 24);
+}
+
+// Each product and each sum is clamped; the error that is carried has a half added.
+struct __attribute__((packed)) Controller {
+    int32_t gain[3], low, high, integral, measurement;
+    std::uint16_t error;
+    std::uint8_t started;
+
+    static int64_t clamped(int64_t x) { return std::clamp<int64_t>(x, INT32_MIN, INT32_MAX); }
+    static int64_t rounded(int64_t product) { return clamped((product + 0x8000) >> 16); }
+    int32_t take(int32_t setpoint, int32_t measured) {
+        const int64_t off = clamped(int64_t{setpoint} - measured),
+                      change = started ? clamped(int64_t{measured} - measurement) : 0;
+        const int64_t behind = low_bits(gain[1] * off, 16), sum = error + behind;
+        const int64_t carry = (sum >> 16) - (behind >> 15);
+        const int64_t total = clamped(clamped(rounded(gain[1] * off) + integral) + carry);
+        const int64_t wanted =
+            clamped(clamped(rounded(gain[0] * off) - rounded(gain[2] * change)) + total);
+        measurement = measured;
+        started = 1;
+        if ((wanted > high && total > integral) ||
+            (wanted <= high && wanted < low && total < integral))
+            return wanted > high ? high : low;
+        integral = static_cast<int32_t>(total);
+        error = static_cast<std::uint16_t>(sum);
+        return wanted > high ? high : static_cast<int32_t>(std::max<int64_t>(wanted, low));
+    }
+};
+
+TEST_F(VectorFilters, ControllersSaturateAndDoNotWindUp) {
+    DeviceFunction update(chip_, "fixedpoint_pid_q16_16", {4, {4, 4, 2}});
+    const std::uint16_t at = chip_.allocate(sizeof(Controller));
+    Controller controller{};
+    int limited = 0;
+    for (int i = 0; i < 10 * rounds; ++i) {
+        if (i % 8 == 0) {
+            for (int g = 0; g < 3; ++g) controller.gain[g] = number();
+            const int32_t a = number(), b = number();
+            controller.low = std::min(a, b), controller.high = std::max(a, b);
+            controller.integral = number(), controller.measurement = number();
+            controller.error = static_cast<std::uint16_t>(number());
+            controller.started = i % 16 != 0;
+        }
+        write(at, controller);
+        const int32_t setpoint = number(), measured = number();
+        const auto output = update(setpoint, measured, at).as<int32_t>();
+        ASSERT_EQ(output, controller.take(setpoint, measured)) << i;
+        const auto after = read<Controller>(at);
+        ASSERT_EQ(std::memcmp(&after, &controller, sizeof after), 0) << i;
+        limited += output == controller.low || output == controller.high;
+    }
+    EXPECT_GT(limited, rounds);
+    EXPECT_LT(limited, 9 * rounds);
 }
 
 }  // namespace

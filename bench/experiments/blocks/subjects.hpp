@@ -109,8 +109,9 @@ template <class Number>
 struct complex_product : Block<4, 2> {
     using Complex = fixedpoint::Complex<Number>;
     void step(const Number* in, Number* out) {
-        *reinterpret_cast<Complex*>(out) =
-            *reinterpret_cast<const Complex*>(in) * *reinterpret_cast<const Complex*>(in + 2);
+        fixedpoint::multiply(*reinterpret_cast<const Complex*>(in),
+                             *reinterpret_cast<const Complex*>(in + 2),
+                             *reinterpret_cast<Complex*>(out));
     }
 };
 template <class Number>
@@ -125,8 +126,9 @@ template <class Number, int N>
 struct product : Block<2 * N * N, N * N> {
     using Matrix = fixedpoint::Matrix<Number, N>;
     void step(const Number* in, Number* out) {
-        *reinterpret_cast<Matrix*>(out) =
-            *reinterpret_cast<const Matrix*>(in) * *reinterpret_cast<const Matrix*>(in + N * N);
+        fixedpoint::multiply(*reinterpret_cast<const Matrix*>(in),
+                             *reinterpret_cast<const Matrix*>(in + N * N),
+                             *reinterpret_cast<Matrix*>(out));
     }
 };
 template <class Number>

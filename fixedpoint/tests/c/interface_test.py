@@ -92,7 +92,7 @@ def kernels():
         r"(\w+) int(\d+)_t (\d+) (\w+);", rows)
         if (int(width), int(fraction)) in widths and not re.search(
             "_(small|saturating|unsaturated|fine)$|^(certain|nearest)_|^(wrapping_lerp|sine_of_(phase|quarter_turns))$"
-            "|^(multiply_short|(square|project|dot_difference|add_scaled|exchange)[23]|transform|matrix_product"
+            "|^(multiply_short|(square|project|dot_difference|add_scaled|exchange)[23]|transform|matrix_product(_2)?"
             "|(twice_)?cross|cofactors|(quaternion|complex)_[a-z_]+)$",
             operation)}
 

@@ -49,7 +49,7 @@
     mov k, r24
     ldi r24, 3
     mov left, r24
-2:  begin_at_minus_1 \top
+2:  begin \fraction, \top, 0xff
     add_components k, j, \fraction, \top
     com_bytes s0, (\top + 1)
     add_components j, k, \fraction, \top
@@ -67,7 +67,8 @@
     sbiw r24, 12
     movw q, r24
 4:  rjmp 2b
-5:  pop_sum \top
+5:  clr r1
+    pop_sum \top
     pop_all r29, r28, r9, r8, r7, r6, r5, r4, r3, r2
     ret
     .endm

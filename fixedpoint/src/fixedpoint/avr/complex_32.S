@@ -19,28 +19,26 @@
     movw r28, r24
     movw r26, r22
     movw r30, r20
-    adiw r26, 4
-    adiw r30, 4
     clr zero
-    begin_at_minus_1 \top
-    set                 // T: of the real part
-5:  ld_each a0, X+, 4              // the imaginary part of a
-    add_product \fraction, \top
-    brtc 2f
-    com_bytes s0, (\top + 1)
-    sbiw r30, 8
-2:  adiw r30, 4
+    adiw r26, 4
+    ld_each a0, X+, 4              // the imaginary part of a
     sbiw r26, 8
-    ld_each a0, X+, 4
+    begin \fraction, \top, 0xff
+    set                 // T: of the real part
+2:  add_product \fraction, \top, at=4
+    brtc 3f
+    com_bytes s0, (\top + 1)
+3:  ld_each a0, X+, 4              // the other part
     add_product \fraction, \top
     finish \fraction
     brtc 4f
     clt
-    clear_sum \top
-    rjmp 5b
+    begin \fraction, \top
+    rjmp 2b
 4:  pop r29
     pop r28
     pop_sum \top
+    clr r1
     ret
     .endm
 

@@ -63,7 +63,7 @@
     rjmp 2f
     add b, r19
     adc r5, zero
-    begin_at_minus_1 \top
+    begin \fraction, \top, 0xff
     add_components i, i
     adiw r30, 4
     rcall 9f
@@ -76,7 +76,7 @@
     sbiw r30, 4
     rcall 9f
     finish \fraction
-2:  begin_at_minus_1 \top
+2:  begin \fraction, \top, 0xff
     add_components k, j
     com_bytes s0, (\top + 1)
     add_components j, k
@@ -99,7 +99,7 @@
     adc r31, zero
     rcall 9f
     rjmp 4f
-3:  lsl_bytes s0, (\top + 1)
+3:  double_sum \fraction, \top
 4:  finish \fraction
     mov r24, i
     mov i, j
@@ -108,7 +108,8 @@
     tst i
     breq 5f
     rjmp 2b
-5:  pop_sum \top
+5:  clr r1
+    pop_sum \top
     pop_all r29, r28, r9, r8, r7, r6, r5, r4, r3, r2
     ret
 9:  ld_each a0, X+, 4

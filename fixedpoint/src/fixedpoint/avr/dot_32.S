@@ -23,15 +23,15 @@
     movw r26, r24
     movw r30, r22
     clr zero
-    clear_sum \top
+    begin \fraction, \top
 2:  ld_each a0, X+, 4
     add_product \fraction, \top
     adiw r30, 4
     dec count
     breq 5f
     rjmp 2b
-5:  clr r1
-    round \fraction
+5:  result \fraction, take_result
+    clr r1
     pop count
     pop_sum \top
     ret

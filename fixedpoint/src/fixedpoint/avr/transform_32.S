@@ -11,6 +11,9 @@
 // Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
 // Stack    21 bytes
 //
+// void fixedpoint_matrix_product_2_q<32 - F>_<F>(int32_t* result, const int32_t* a, const int32_t* b)
+// The same of two rows: the matrix a = r23:r22 times b = r21:r20. It takes 11 bytes of stack.
+//
 // What a call and its registers cost is paid once, not once a component or row.
 
 #ifdef __AVR_HAVE_MUL__
@@ -42,7 +45,7 @@
     clr zero
 2:  movw r26, v
     movw r30, m
-    clear_sum \top
+    begin \fraction, \top
 4:  ld_each a0, X+, 4
     add_product \fraction, \top
     cp r26, end
@@ -70,9 +73,39 @@
     adc r3, zero
     add end, step
     rjmp 6b
-8:  pop r18
+8:  clr r1
+    pop r18
     pop_sum \top
     pop_all r29, r28, r9, r8, r7, r6, r5, r4, r3, r2
+    ret
+    .endm
+
+    .macro product_2 fraction, top
+    push_all r28, r29, left
+    push_sum \top
+    movw r28, r24
+    movw r26, r22
+    movw r30, r20
+    clr zero
+    ldi q0, 4
+    mov left, q0
+6:  begin \fraction, \top
+    ld_each a0, X+, 4
+    add_product \fraction, \top
+    ld_each a0, X+, 4
+    add_product \fraction, \top, at=8
+    finish \fraction
+    dec left
+    breq 8f
+    sbrs left, 0
+    rjmp 7f
+    sbiw r26, 8         // the row again, and the other column
+    adiw r30, 8
+7:  sbiw r30, 4
+    rjmp 6b
+8:  clr r1
+    pop_sum \top
+    pop_all left, r29, r28
     ret
     .endm
 
@@ -99,6 +132,10 @@
     set
     transform \fraction, ((\fraction - 1) / 8 + 4)
     ENDFUNC fixedpoint_matrix_product_q\integer\()_\fraction
+
+    FUNCTION fixedpoint_matrix_product_2_q\integer\()_\fraction
+    product_2 \fraction, ((\fraction - 1) / 8 + 4)
+    ENDFUNC fixedpoint_matrix_product_2_q\integer\()_\fraction
     .endm
 
 #include "splits_32.inc"

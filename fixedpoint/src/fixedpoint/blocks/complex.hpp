@@ -13,19 +13,18 @@ struct Complex;
 /// \cond internal
 template <class Number>
 struct ComplexProduct {
-    static Complex<Number> of(const Number* a, const Number* b) {
+    static void apply(const Number* a, const Number* b, Number* result) {
         const Number conjugate[2] = {b[0], -b[1]}, swapped[2] = {b[1], b[0]};
-        return {{BlockNumber<Number>::dot2(a, conjugate), BlockNumber<Number>::dot2(a, swapped)}};
+        result[0] = BlockNumber<Number>::dot2(a, conjugate);
+        result[1] = BlockNumber<Number>::dot2(a, swapped);
     }
 };
-// By one call of a kernel. Raws, unlike numbers, do not begin as 0.
+// By one call of a kernel.
 template <int F>
 struct ComplexProduct<Fixed<32 - F, F>> {
     using Number = Fixed<32 - F, F>;
-    static Complex<Number> of(const Number* a, const Number* b) {
-        int32_t product[2];
-        kernel::complex_product<int32_t, F>(product, raws(a), raws(b));
-        return {{Number::from_raw(product[0]), Number::from_raw(product[1])}};
+    static void apply(const Number* a, const Number* b, Number* result) {
+        kernel::complex_product<int32_t, F>(raws(result), raws(a), raws(b));
     }
 };
 /// \endcond
@@ -53,9 +52,17 @@ struct Complex {
     /// imaginary part of b is the smallest number, its negative is that of the arithmetic, but for
     /// the default one in 32 bits, which is exact there, too.
     friend Complex operator*(const Complex& a, const Complex& b) {
-        return ComplexProduct<Number>::of(a.part, b.part);
+        Complex product;
+        multiply(a, b, product);
+        return product;
     }
 };
+
+/// result = a b, which saves the copy of an assignment. `result` must be neither factor.
+template <class Number>
+void multiply(const Complex<Number>& a, const Complex<Number>& b, Complex<Number>& result) {
+    ComplexProduct<Number>::apply(a.part, b.part, result.part);
+}
 
 /// The conjugate; the negative of the smallest number as the arithmetic has it.
 template <class Number>

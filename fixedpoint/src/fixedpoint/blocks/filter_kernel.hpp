@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// FilterKernel<Number>: the assembly kernels that take one step of a filter, by its state, which
-// begins as the .S file has it.
+// FilterKernel<Number>: the assembly kernels that take one step of a filter or a controller, by its
+// state, which begins as the .S file has it.
 #pragma once
 
 #include <fixedpoint/fixed.hpp>
@@ -11,6 +11,7 @@ int32_t fixedpoint_one_pole_q16_16(int32_t input, void* filter);
 int32_t fixedpoint_one_pole_q8_24(int32_t input, void* filter);
 int32_t fixedpoint_biquad_q16_16(int32_t input, void* filter);
 int32_t fixedpoint_biquad_q8_24(int32_t input, void* filter);
+int32_t fixedpoint_pid_q16_16(int32_t setpoint, int32_t measurement, void* controller);
 }
 
 namespace fixedpoint {

@@ -83,7 +83,7 @@ struct MatrixProduct {
         }
     }
 };
-// By one call of a kernel for N elements.
+// By one call of a kernel for all elements; that for two rows is their own.
 template <int IntegerBits, int F>
 struct MatrixProduct<Fixed<IntegerBits, F>, true> {
     using Number = Fixed<IntegerBits, F>;
@@ -95,6 +95,9 @@ struct MatrixProduct<Fixed<IntegerBits, F>, true> {
     template <uint8_t N>
     static void apply(const Number (&a)[N][N], const Number (&b)[N][N], Number (&result)[N][N]) {
         kernel::matrix_product<Raw, F>(raws(result[0]), raws(a[0]), raws(b[0]), N);
+    }
+    static void apply(const Number (&a)[2][2], const Number (&b)[2][2], Number (&result)[2][2]) {
+        kernel::matrix_product_2<Raw, F>(raws(result[0]), raws(a[0]), raws(b[0]));
     }
 };
 

@@ -13,6 +13,7 @@
 #pragma once
 
 #include <fixedpoint/blocks/carried_error.hpp>
+#include <fixedpoint/blocks/filter_kernel.hpp>
 
 namespace fixedpoint {
 
@@ -27,6 +28,51 @@ struct PidGains {
     Number derivative;
 };
 
+/// \cond internal
+// The state of a controller, in the order of its kernel, and a step. The numbers saturate.
+template <class Number>
+struct PidState {
+    PidGains<Number> gains;
+    Number low, high, integral, measurement;
+    CarriedError<Number> carried;
+    bool started;
+};
+template <class Number, bool has_kernels = kernel::has_assembly>
+struct PidStep {
+    static Number take(PidState<Number>& state, Number setpoint, Number measurement) {
+        const Number error = setpoint - measurement;
+        Number output = state.gains.proportional * error;
+        if (state.started) output -= state.gains.derivative * (measurement - state.measurement);
+        state.measurement = measurement;
+        state.started = true;
+
+        CarriedError<Number> carried = state.carried;
+        const Number integral = carried.multiply_add(state.gains.integral, error, state.integral);
+        output += integral;
+        bool winds_up = false;
+        if (output > state.high) {
+            output = state.high;
+            winds_up = integral > state.integral;
+        } else if (output < state.low) {
+            output = state.low;
+            winds_up = integral < state.integral;
+        }
+        if (!winds_up) {
+            state.integral = integral;
+            state.carried = carried;
+        }
+        return output;
+    }
+};
+template <>
+struct PidStep<Fixed<16, 16, Saturating>, true> {
+    using Number = Fixed<16, 16, Saturating>;
+    static Number take(PidState<Number>& state, Number setpoint, Number measurement) {
+        return Number::from_raw(fixedpoint_pid_q16_16(setpoint.raw(), measurement.raw(), &state));
+    }
+};
+/// \endcond
+
 /// A controller whose output stays in [low, high].
 ///
 /// For every input and every arithmetic: errors, changes, products and sums that leave the range
@@ -37,46 +83,26 @@ class Pid {
   public:
     /// The integral begins at 0.
     Pid(const PidGains<Number>& gains, Number low, Number high)
-        : gains_{N::saturated(gains.proportional), N::saturated(gains.integral),
-                 N::saturated(gains.derivative)},
-          low_(N::saturated(low)),
-          high_(N::saturated(high < low ? low : high)) {}
+        : state_{{N::saturated(gains.proportional), N::saturated(gains.integral),
+                  N::saturated(gains.derivative)},
+                 N::saturated(low),
+                 N::saturated(high < low ? low : high),
+                 Saturated(),
+                 Saturated(),
+                 CarriedError<Saturated>(),
+                 false} {}
 
     /// The output for the next step. The first measurement has no derivative.
     Number update(Number setpoint, Number measurement) {
-        const Saturated position = N::saturated(measurement);
-        const Saturated error = N::saturated(setpoint) - position;
-        Saturated output = gains_.proportional * error;
-        if (started_) output -= gains_.derivative * (position - measurement_);
-        measurement_ = position;
-        started_ = true;
-
-        CarriedError<Saturated> carried = carried_;
-        const Saturated integral = carried.multiply_add(gains_.integral, error, integral_);
-        output += integral;
-        bool winds_up = false;
-        if (output > high_) {
-            output = high_;
-            winds_up = integral > integral_;
-        } else if (output < low_) {
-            output = low_;
-            winds_up = integral < integral_;
-        }
-        if (!winds_up) {
-            integral_ = integral;
-            carried_ = carried;
-        }
-        return N::plain(output);
+        return N::plain(
+            PidStep<Saturated>::take(state_, N::saturated(setpoint), N::saturated(measurement)));
     }
 
   private:
     using N = BlockNumber<Number>;
     using Saturated = typename N::Saturated;
 
-    PidGains<Saturated> gains_;
-    Saturated low_, high_, integral_ = Saturated(), measurement_ = Saturated();
-    CarriedError<Saturated> carried_;
-    bool started_ = false;
+    PidState<Saturated> state_;
 };
 
 }  // namespace fixedpoint

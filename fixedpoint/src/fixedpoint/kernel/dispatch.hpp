@@ -117,6 +117,7 @@ FIXEDPOINT_OPERATION(VECTORS, dot3)
 FIXEDPOINT_OPERATION(SPLIT_VECTORS, dot_64)
 FIXEDPOINT_OPERATION(TRANSFORM, transform)
 FIXEDPOINT_OPERATION(TRANSFORM, matrix_product)
+FIXEDPOINT_OPERATION(OUTER, matrix_product_2)
 FIXEDPOINT_OPERATION(OUTER, cross)
 FIXEDPOINT_OPERATION(OUTER, twice_cross)
 FIXEDPOINT_OPERATION(OUTER, quaternion_times_vector)
@@ -642,6 +643,10 @@ FIXEDPOINT_CONSTEXPR void transform(Raw* result, const Raw* v, const Raw* m, uin
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR void matrix_product(Raw* result, const Raw* v, const Raw* m, uint8_t n) {
     portable::matrix_product<Raw, F>(result, v, m, n);
+}
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR void matrix_product_2(Raw* result, const Raw* a, const Raw* b) {
+    portable::matrix_product_2<Raw, F>(result, a, b);
 }
 
 template <class Raw, int F>

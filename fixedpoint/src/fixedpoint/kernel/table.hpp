@@ -282,6 +282,8 @@
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, TRANSFORM, transform) \
     KERNEL(TRANSFORM, matrix_product, int32_t, 16, fixedpoint_matrix_product_q16_16, matrix_product) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, TRANSFORM, matrix_product) \
+    KERNEL(OUTER, matrix_product_2, int32_t, 16, fixedpoint_matrix_product_2_q16_16, matrix_product_2) \
+    FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, OUTER, matrix_product_2) \
     KERNEL(OUTER, cross, int32_t, 16, fixedpoint_cross_q16_16, cross) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, OUTER, cross) \
     KERNEL(OUTER, twice_cross, int32_t, 16, fixedpoint_twice_cross_q16_16, twice_cross) \

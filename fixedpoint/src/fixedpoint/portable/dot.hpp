@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // dot2, dot3: floor(sum a_i b_i / 2^F + 1/2) modulo 2^W of 2 or 3 components: the sum is exact and
 // is rounded once. transform: these sums for every row of a matrix; matrix_product, for every row
-// and column.
+// and column, and matrix_product_2 for two of each.
 #pragma once
 
 #include <fixedpoint/portable/product_sum.hpp>
@@ -35,6 +35,10 @@ template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR void matrix_product(Raw* result, const Raw* a, const Raw* b, uint8_t n) {
     for (uint8_t i = 0; i < n; ++i)
         for (uint8_t j = 0; j < n; ++j) result[i * n + j] = dot<Raw, F>(a + i * n, b + j, n, n);
+}
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR void matrix_product_2(Raw* result, const Raw* a, const Raw* b) {
+    matrix_product<Raw, F>(result, a, b, 2);
 }
 
 }  // namespace portable
