@@ -65,37 +65,37 @@ def kernels(files, count, program, *checks):
 ROOMS = [
     kernels(f"{FIXED}/avr/*_q16_16.S {FIXED}/avr/*_q16_16.inc !*/add_scaled_q16_16.S"
             " !*/dot_difference_q16_16.S !*/multiply_short_q16_16.S"
-            " !*/short_factor_q16_16.inc !*/polynomial_q16_16.S !*/pid_q16_16.S", 8, "q16_16",
+            " !*/short_factor_q16_16.inc !*/polynomial_q16_16.S !*/pid_q16_16.S", 4, "q16_16",
             Check("kernels_test", "*/q16_16_auxiliary", "q16_16_auxiliary"),
             Check("kernels_test", "*/q16_16_angles", "q16_16_angles"),
             Check("kernels_test", "*/q16_16_powers:PowerOfTwo.*", "q16_16_powers"),
             Check("kernels_test", "*/correctly_rounded_powers", "correctly_rounded_powers")),
     room("kernels", f"{FIXED}/avr/add_scaled_q16_16.S {FIXED}/avr/dot_difference_q16_16.S {FIXED}/avr/multiply_short_q16_16.S"
-         f" {FIXED}/avr/short_factor_q16_16.inc {FIXED}/avr/add_whole_product.S", 2,
+         f" {FIXED}/avr/short_factor_q16_16.inc {FIXED}/avr/add_whole_product.S", 1,
          Check("vector_kernels_test", "VectorSteps.*", "vector_steps")),
     room("kernels", f"{FIXED}/avr/transform_32.S {FIXED}/avr/cross_32.S {FIXED}/avr/polynomial_q16_16.S"
-         f" {FIXED}/avr/product_sum_32.inc", 2,
+         f" {FIXED}/avr/product_sum_32.inc", 1,
          Check("vector_kernels_test", "VectorProducts.*", "vector_products"),
          Check("vector_kernels_test", "VectorMatrixProduct2.*", "vector_matrix_product_2")),
     room("kernels", f"{FIXED}/avr/complex_32.S {FIXED}/avr/cofactors_32.S {FIXED}/avr/one_pole_32.S"
-         f" {FIXED}/avr/biquad_32.S {FIXED}/avr/pid_q16_16.S", 2,
+         f" {FIXED}/avr/biquad_32.S {FIXED}/avr/pid_q16_16.S", 1,
          Check("vector_kernels_test", "VectorComplexProduct.*", "vector_complex_product"),
          Check("vector_kernels_test", "VectorCofactors.*", "vector_cofactors"),
          Check("vector_kernels_test", "VectorFilters.*", "vector_filters")),
-    kernels(f"{FIXED}/avr/*_q8_8.S {FIXED}/avr/*_q8_8.inc", 4, "q8_8"),
-    kernels(f"{FIXED}/avr/*_q4_4.S", 2, "q4_4"),
+    kernels(f"{FIXED}/avr/*_q8_8.S {FIXED}/avr/*_q8_8.inc", 2, "q8_8"),
+    kernels(f"{FIXED}/avr/*_q4_4.S", 1, "q4_4"),
     kernels(f"{FIXED}/avr/*_q32_32.S {FIXED}/avr/cubic_64.* !*/absolute_q32_32.S !*/lerp_q32_32.S"
             " !*/exp2_q32_32.S !*/hyperbolic_q32_32.S !*/pow_q32_32.S !*/cbrt_q32_32.S",
-            2, "q32_32",
+            1, "q32_32",
             Check("kernels_test", "*/q32_32_auxiliary", "q32_32_auxiliary")),
     kernels(f"{FIXED}/avr/absolute_q32_32.S {FIXED}/avr/lerp_q32_32.S", 1, "q32_32_auxiliary"),
     kernels(f"{FIXED}/avr/exp2_q32_32.S {FIXED}/avr/hyperbolic_q32_32.S {FIXED}/avr/pow_q32_32.S"
-            f" {FIXED}/avr/exp_64.inc {FIXED}/avr/*_fine.S", 2, "q32_32_powers",
+            f" {FIXED}/avr/exp_64.inc {FIXED}/avr/*_fine.S", 1, "q32_32_powers",
             Check("kernels_test", "Power.*", "q32_32_powers")),
     kernels(f"{FIXED}/avr/cbrt_q32_32.S", 1, "q32_32_powers",
             Check("kernels_test", "CubeRoot.*", "q32_32_powers")),
     room("kernels", f"{FIXED}/avr/*_64.S {FIXED}/avr/septic_64.inc {FIXED}/avr/fraction_product.inc"
-         f" {FIXED}/avr/leading_one.inc !*/cubic_64.S !*/short_power_64.S", 4,
+         f" {FIXED}/avr/leading_one.inc !*/cubic_64.S !*/short_power_64.S", 2,
          Check("splits_test", "LongSplits.Multiply", "splits_64_multiply"),
          Check("splits_test", "LongSplits.Divide", "splits_64_divide"),
          Check("splits_test", "LongSplits.Dot3", "splits_64_dot3"),
@@ -110,60 +110,57 @@ ROOMS = [
     room("kernels", f"{FIXED}/kernel/*_saturating.hpp", 1,
          Check("saturating_sums_test", devices="saturating_sums"),
          Check("library_on_device_test", "*/operators_test_q16_16", "operators_test_q16_16")),
-    room("tables", "fixedpoint/tables/*.py", 4, "fixedpoint/tests/tables_test.py"),
+    room("tables", "fixedpoint/tables/*.py", 2, "fixedpoint/tests/tables_test.py"),
     room("tables", f"{FIXED}/avr/*_table.S {FIXED}/portable/*_table.hpp"
-         f" {FIXED}/published/arc_tangent_table.hpp", 2, "fixedpoint/tests/tables_test.py"),
+         f" {FIXED}/published/arc_tangent_table.hpp", 1, "fixedpoint/tests/tables_test.py"),
     room("portable", f"{FIXED}/portable/divide.hpp {FIXED}/portable/divide_w*.hpp"
-         f" {FIXED}/portable/remainder.hpp", 3, "products_test", "small_operations_test"),
+         f" {FIXED}/portable/remainder.hpp", 2, "products_test", "small_operations_test"),
     room("portable", f"{FIXED}/kernel/*_q32_32.hpp", 1, "q32_32_test", "checked_test"),
-    room("portable", f"{FIXED}/portable/round.hpp {FIXED}/portable/nearest_root.hpp", 2, "roots_test"),
-    room("portable", f"{FIXED}/portable/decimal_*.hpp !*/decimal_literal.hpp", 2, "decimal_test"),
+    room("portable", f"{FIXED}/portable/round.hpp {FIXED}/portable/nearest_root.hpp", 1, "roots_test"),
+    room("portable", f"{FIXED}/portable/decimal_*.hpp !*/decimal_literal.hpp", 1, "decimal_test"),
     room("arithmetic", f"{FIXED}/arithmetic/*.hpp !*/published.hpp !*/small.hpp !*/checked.hpp"
-         " !*/rounded.hpp !*/correctly_rounded.hpp", 2, "fixed_test", "small_operations_test"),
+         " !*/rounded.hpp !*/correctly_rounded.hpp", 1, "fixed_test", "small_operations_test"),
     room("arithmetic", f"{FIXED}/arithmetic/rounded.hpp", 1, "small_operations_test"),
     room("arithmetic", f"{FIXED}/arithmetic/correctly_rounded.hpp {FIXED}/portable/correct_rounding.hpp"
          f" {FIXED}/portable/certain.hpp {FIXED}/kernel/short_turns.hpp {FIXED}/kernel/precise_sine.hpp"
          f" {FIXED}/kernel/power_side.hpp",
-         2, "correctly_rounded_test"),
-    room("arithmetic", f"{FIXED}/arithmetic/checked.hpp", 2, "checked_test"),
-    room("arithmetic", f"{FIXED}/arithmetic/published.hpp {FIXED}/published/*.hpp !*_table.hpp", 2,
+         1, "correctly_rounded_test"),
+    room("arithmetic", f"{FIXED}/arithmetic/checked.hpp", 1, "checked_test"),
+    room("arithmetic", f"{FIXED}/arithmetic/published.hpp {FIXED}/published/*.hpp !*_table.hpp", 1,
          "published_test"),
-    room("oracle", "reference/judge.cpp reference/exact.cpp reference/error_statistics.cpp", 5,
+    room("oracle", "reference/judge.cpp reference/exact.cpp reference/error_statistics.cpp", 3,
          "reference_tests"),
     room("simulator", "bench/chip/simulator/*.cpp bench/chip/simulator/workarounds/*.cpp"
-         " !*/other_chip.cpp", 5, "simulator_tests"),
+         " !*/other_chip.cpp", 3, "simulator_tests"),
     room("simulator", "bench/chip/simulator/other_chip.cpp", 1, "other_chips_test"),
     room("translator", "bench/chip/instructions/instruction.cpp bench/chip/instructions/translate.cpp"
-         " bench/chip/instructions/fingerprint.cpp", 5, "instructions_tests"),
+         " bench/chip/instructions/fingerprint.cpp", 3, "instructions_tests"),
     room("engine", "engine/src/engine/solvers/*.hpp engine/src/engine/constraints.hpp"
-         " engine/src/engine/links.hpp engine/src/engine/shared_change.hpp", 4,
+         " engine/src/engine/links.hpp engine/src/engine/shared_change.hpp", 2,
          "engine_model_step_test", "engine_pool_test", "engine_direct_rods_test",
          "engine_warm_started_test"),
-    room("engine", "engine/src/engine/continuous.hpp", 2, "engine_continuous_test"),
-    room("engine", "engine/src/engine/distance.hpp", 3, "engine_distance_test",
+    room("engine", "engine/src/engine/continuous.hpp", 1, "engine_continuous_test"),
+    room("engine", "engine/src/engine/distance.hpp", 2, "engine_distance_test",
          "engine_distance_proof_test"),
-    room("engine", "engine/src/engine/integrators/*.hpp engine/src/engine/forces.hpp", 4,
+    room("engine", "engine/src/engine/integrators/*.hpp engine/src/engine/forces.hpp", 2,
          "engine_model_step_test"),
-    room("firmware", "firmware/src/firmware/frame_clock.hpp", 2, "firmware_frame_clock_test"),
+    room("firmware", "firmware/src/firmware/frame_clock.hpp", 1, "firmware_frame_clock_test"),
     room("firmware", "firmware/src/firmware/grid.hpp", 1, "firmware_grid_test"),
-    room("firmware", "firmware/src/firmware/lever.hpp", 2, "firmware_lever_test"),
+    room("firmware", "firmware/src/firmware/lever.hpp", 1, "firmware_lever_test"),
     room("firmware", "firmware/src/firmware/renderer.hpp", 1,
          "firmware_renderer_test"),
-    room("verdicts", "bench/experiments/table_3_2/table_3_2.cpp", 2,
+    room("verdicts", "bench/experiments/table_3_2/table_3_2.cpp", 1,
          Check("table_3_2_test", "Judge*:Table31*:Hypothesis.ThePref*:Hypothesis.AnAlt*")),
     room("verdicts", "bench/experiments/calibration/verdicts.cpp"
-         " bench/experiments/calibration/fit.cpp", 2, "calibration_test"),
-    room("verdicts", "bench/experiments/scenes/judge.cpp", 2,
+         " bench/experiments/calibration/fit.cpp", 1, "calibration_test"),
+    room("verdicts", "bench/experiments/scenes/judge.cpp", 1,
          Check("scene_bench_tests", "Verdict*:LargestDistance*:Extent*:EnergyDrift*")),
     room("verdicts", "bench/experiments/cost/growth/fit.cpp", 1, "growth_tests"),
-    room("stability", "bench/experiments/stability/search.cpp", 4, "search_test"),
-    room("haptic", "bench/experiments/haptic/plant/*.cpp", 4, "haptic_plant_test"),
-    room("haptic", "bench/experiments/haptic/judge.cpp", 3, "haptic_judge_test"),
-    room("report", "bench/report/*.py !*/report.py !*/explorer.py", 6, "bench/report/tests/report_test.py"),
+    room("stability", "bench/experiments/stability/search.cpp", 2, "search_test"),
+    room("haptic", "bench/experiments/haptic/plant/*.cpp", 2, "haptic_plant_test"),
+    room("haptic", "bench/experiments/haptic/judge.cpp", 2, "haptic_judge_test"),
+    room("report", "bench/report/*.py !*/report.py !*/explorer.py", 3, "bench/report/tests/report_test.py"),
 ]
-
-# Their tests compile for long: without --full, half of the faults, rounded up.
-HALVED = ("arithmetic", "engine", "portable")
 
 # Of each room tests are to notice this share; a room of fewer than 20 faults may have one unnoticed,
 # and all rooms together this share.
@@ -723,8 +720,8 @@ def check(arguments):
     slots = []
     for room, faults in zip(chosen, queues):
         shared = Slot(room, faults)
-        count = (room.count + 1) // 2 if room.name in HALVED else room.count
-        slots += [shared] * (len(faults) if arguments.only else room.count * 3 if arguments.full else count)
+        count = room.count * 6 if arguments.full else room.count
+        slots += [shared] * (len(faults) if arguments.only else count)
     checks = list(dict.fromkeys(check for slot in slots for check in slot.room.checks))
 
     build = (ROOT / arguments.build).resolve()
@@ -773,7 +770,7 @@ def main():
     parser.add_argument("--room", choices=sorted({room.name for room in ROOMS}),
                         help="faults of one room only")
     parser.add_argument("--only", metavar="NAME", help="the one fault whose name begins so")
-    parser.add_argument("--full", action="store_true", help="three times as many faults")
+    parser.add_argument("--full", action="store_true", help="six times as many faults")
     parser.add_argument("--build", default="build/release", metavar="DIR",
                         help="the build tree (default: build/release)")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), metavar="N",
