@@ -441,13 +441,14 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
     void solve(If<true>) { Solver::solve(*this); }
     void solve(If<false>) {}
 
-    bool fail(Error error) {
+    __attribute__((cold)) inline bool fail(Error error) {
         if (error_ == Error::none) error_ = error;
         return false;
     }
     Handle refuse(Error error) {
         fail(error);
-        return Handle();
+        // Else the caller's code would be compiled once more for this handle.
+        return Handle(unknown(nothing<Index>()));
     }
     // The index that a handle means, and 0 where it means none.
     Index known(Handle handle) const {

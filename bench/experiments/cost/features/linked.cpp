@@ -8,6 +8,8 @@
 #include <memory>
 #include <regex>
 
+#include "bench/chip/simulator/quotients.hpp"
+
 namespace features {
 namespace {
 
@@ -85,6 +87,7 @@ const std::vector<Rule>& rules() {
         {"dot products", std::regex("fixedpoint_dot"), links_and({"PLANES", "COLLISIONS"})},
         {"square roots", std::regex("^fixedpoint_sqrt_q"), {"ContinuousContacts"}, {"COLLISIONS"}},
         {"floating point", std::regex("^__\\w+(sf|df)\\d?$"), {}},
+        {"the compiler's quotients", std::regex(simulator::compilers_quotient), {}},
         {"64-bit integers", std::regex("^__\\w+di3?(_\\w+)?$"), {}},
         {"the heap", std::regex("^(malloc|free|operator (new|delete))"), {}},
         {"constructors at start-up", std::regex("^_GLOBAL__sub_I"), {}},

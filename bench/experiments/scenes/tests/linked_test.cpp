@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the levers' programs divide by, told from their symbols.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "bench/chip/simulator/quotients.hpp"
+#include "bench/experiments/scenes/chip_run.hpp"
+
+namespace scene_bench {
+namespace {
+
+std::vector<std::string> quotients_of(const char* scene, const char* scalar) {
+    return simulator::quotients(
+        simulator::Elf(program_path(SCENE_PROGRAMS, scene, scalar, "semi_implicit_euler", "8")));
+}
+
+// Its rod is measured by products, and the reciprocal of the length is folded.
+TEST(LinkedQuotients, LeversHaveNone) {
+    for (const char* scalar : {"q8_8", "q8_24", "q16_16", "q16_16_saturating", "q32_32"})
+        EXPECT_THAT(quotients_of("lever", scalar), testing::IsEmpty()) << scalar;
+}
+// Between two particles masses share by one, which shows that it is found.
+TEST(LinkedQuotients, PairsHaveTheKernels) {
+    EXPECT_THAT(quotients_of("double_pendulum", "q16_16"),
+                testing::ElementsAre("fixedpoint_divide_q16_16"));
+}
+
+}  // namespace
+}  // namespace scene_bench

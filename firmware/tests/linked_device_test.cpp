@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the flashed levers divide by, told from their symbols.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "bench/chip/simulator/quotients.hpp"
+
+namespace {
+
+using testing::Contains;
+using testing::IsSubsetOf;
+
+std::vector<std::string> quotients_of(const std::string& program) {
+    return simulator::quotients(
+        simulator::Elf(std::filesystem::path(HAPTIC_FIRMWARE_FOLDER) / (program + ".elf")));
+}
+
+// Of 16 and of 32 bits, and one kernel.
+class FlashedLever : public testing::TestWithParam<const char*> {};
+TEST_P(FlashedLever, HoldsNoQuotientOf64Bits) {
+    EXPECT_THAT(quotients_of(GetParam()), IsSubsetOf({"__divmodhi4", "__udivmodhi4", "__udivmodsi4",
+                                                      "fixedpoint_divide_q16_16"}));
+}
+INSTANTIATE_TEST_SUITE_P(All, FlashedLever,
+                         testing::Values("lever", "lever_profiled", "lever_arduino"),
+                         [](const auto& info) { return std::string(info.param); });
+
+// The published arithmetic divides so, which shows that one is found.
+TEST(PublishedLever, HoldsAQuotientOf64Bits) {
+    EXPECT_THAT(quotients_of("lever_published"), Contains("__udivdi3"));
+}
+
+}  // namespace
