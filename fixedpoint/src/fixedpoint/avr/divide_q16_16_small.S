@@ -8,153 +8,167 @@
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
 //
-// N = 2^m |a| and D = 2^k |b| have their leading ones in bit 31, so that the quotient's magnitude
-// N / D 2^(16 + k - m) has 17 + k - m bits before the point, the first of which may be 0. They are
-// found one by one, eight to a byte: the remainder, N / 2 at first, is doubled and, if it is D or
-// more, becomes smaller by D. More than 32 bits saturate, less than none are less than half a unit.
+// D = 2^(8 n + k) |b| has its leading one in bit 31, k < 8. The quotient's magnitude is
+// 2^k |a| / D 2^(16 + 8 n): one digit in base 256, and 2 + n more. Leading zeros are skipped; more
+// than four digits are left where it saturates. b = 0 counts as 2^-17, by which every a but 0 does.
 //
-// At last the doubled remainder says which way to round: up from D on, but from D + 1 on where the
-// quotient is negative, which is the compare's first borrow.
+// A digit is estimated from the upper byte of the dividend X and a reciprocal of D; then its multiple
+// of D is subtracted. The estimate is off by -3 to 4 units, for which D is subtracted until X is
+// negative, and added until it no longer is. The digit is thus exact whatever the estimate.
+//
+// At last the remainder R says which way to round: up where it is at least D - R, but only where
+// it is more if the quotient is negative, which is the compare's first borrow.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
 
 #define d0 r22
-#define d1 r23
-#define d2 r24
 #define d3 r25
-// The remainder.
-#define n0 r18
-#define n1 r19
-#define n2 r20
-#define n3 r21
-#define q0 r26
-#define q1 r27
-#define q2 r30
-#define q3 r31
-// Before the quotient: k - m, and a count of negative operands.
-#define exponent r30
-#define negatives r31
-// The bits of the quotient's first byte, and the bytes behind it.
-#define bits r0
-#define bytes r1
+#define q0 r18
+#define q1 r19
+#define q2 r20
+#define q3 r21
+#define x0 r26
+#define x1 r27
+#define x2 r28
+#define x3 r29
+#define x4 r30
+// How many digits follow.
+#define behind r31
+// 2^40 / D - 256.
+#define reciprocal r17
+
+// Of the least corrections.
+#define C0 149
+#define C2 216
 
     SECTION fixedpoint_divide_q16_16_small
-    // r25:r22 = 2^j |r25:r22| with its leading one in bit 31, exponent += j; Z where it is 0.
-.Lnormalise:
-    tst r25
-    brpl .Lpositive
-    inc negatives
-    rcall .Lnegate
-.Lpositive:
-    cp r1, r22
-    cpc r1, r23
-    cpc r1, r24
-    cpc r1, r25
-    breq .Lnormalised
-1:  tst r25
-    brne 2f
-    mov_from_top r23, r22, 3
-    clr r22
-    subi exponent, -8
-    rjmp 1b
-2:  brmi .Lnormalised
-    inc exponent
-    lsl_bytes r22, 4
-    rjmp 2b
 .Lnegate:
     negate_bytes r22, 4
-.Lnormalised:
     ret
 
-.Lto_saturate:
-    rjmp .Lsaturate
-
     ENTRY fixedpoint_divide_q16_16_small
-    ldi exponent, 0
-    ldi negatives, 0
-    rcall .Lnormalise
-    breq .Lnormalised
-    neg exponent
-    movw r26, r22
-    movw r22, r18
-    movw r18, r26
-    movw r26, r24
-    movw r24, r20
-    movw r20, r26
-    rcall .Lnormalise
-    bst negatives, 0
-    breq .Lto_saturate
-    subi exponent, -17
-    cpi exponent, 33
-    brge .Lto_saturate
-    mov bits, exponent
-    asr exponent
-    asr exponent
-    asr exponent
-    mov bytes, exponent
-    ldi q0, 7
-    and bits, q0
+    push_all r17, r28, r29
+    mov r0, r25
+    eor r0, r21
+    bst r0, 7
+    sbrc r25, 7
+    rcall .Lnegate
+    movw_bytes x0, r22, 4
+    clr x4
+    movw_bytes d0, r18, 4
+    sbrc d3, 7
+    rcall .Lnegate
+    ldi behind, 2
+.Lbyte:
+    tst d3
+    brne .Lnormal
+    mov_from_top r23, d0, 3
+    clr d0
+    inc behind
+    sbrc behind, 3
+    ldi d3, 0x80        // b = 0
+    rjmp .Lbyte
+.Lbit:
+    lsl_bytes x0, 5
+    lsl_bytes d0, 4
+.Lnormal:
+    brpl .Lbit
+
+    // w (C0 + C2 w^2 / 2), w = 2 - D / 2^31
+    mov reciprocal, d3
+    com reciprocal
+    fmul reciprocal, reciprocal
+    ldi q0, C2
+    mul r1, q0
+    ldi q0, C0
+    add q0, r1
+    fmul reciprocal, q0
+    mov reciprocal, r1
+
     clr q0
     clr q1
     movw q2, q0
-    tst bytes
-    brmi .Lvanishes
-    lsr_bytes n0, 4
-    inc bits
-    rjmp .Lnext
-.Lbyte:
-    mov q3, q2
-    mov q2, q1
-    mov q1, q0
-    ldi q0, 8
-    mov bits, q0
-    clr q0
-.Lbit:
-    lsl q0
-    lsl_bytes n0, 4
-    brcs .Ltake
-    cp_bytes n0, d0, 4
-    brcs .Lnext
-.Ltake:
-    sub_bytes n0, d0, 4
+    rjmp .Lfirst
+.Lskip:
+    mov_from_top x1, x0, 4
+    clr x0
+    dec behind
+    brmi .Lround
+.Lfirst:
+    cp x3, d3
+    cpc x4, q0
+    brcs .Lskip
+    cpi behind, 4
+    brlo .Ldigit
+    rjmp .Lsaturate
+.Ldigit:
+    mov_from_top q1, q0, 3
+    mov q0, x4
+    mul x4, reciprocal
+    sec
+    adc q0, r1
+    brcc .Lmultiple
+    ldi q0, 255
+.Lmultiple:
+    mul q0, d0
+    sub x0, r0
+    sbc x1, r1
+    sbci x2, 0
+    sbci x3, 0
+    sbci x4, 0
+    mul q0, r23
+    sub x1, r0
+    sbc x2, r1
+    sbci x3, 0
+    sbci x4, 0
+    mul q0, r24
+    sub x2, r0
+    sbc x3, r1
+    sbci x4, 0
+    mul q0, d3
+    sub x3, r0
+    sbc x4, r1
+    brmi .Ladd
+.Lsubtract:
     inc q0
-.Lnext:
-    dec bits
-    brne .Lbit
-    dec bytes
-    brpl .Lbyte
-    clr bytes
+    sub_bytes x0, d0, 4
+    sbci x4, 0
+    brcc .Lsubtract
+.Ladd:
+    dec q0
+    add_bytes x0, d0, 4
+    brcc .Ladd
+    inc x4
+    brne .Ladd
+    mov_from_top x1, x0, 4
+    clr x0
+    dec behind
+    brpl .Ldigit
 
+.Lround:
     tst q3
     brmi .Lsaturate
-    lsl_bytes n0, 4
-    brcs .Lup
-    bld bits, 0         // it is 0
-    lsr bits
-    cpc_bytes n0, d0, 4
-    brcs .Lsigned
-.Lup:
-    subi q0, 0xff
-    sbci q1, 0xff
-    sbci q2, 0xff
-    sbci q3, 0xff
-.Lvanishes:
-    clr r1
-.Lsigned:
-    movw r22, q0
-    movw r24, q2
-    brts .Lnegative
-    tst r25
-    brmi .Lsaturate
-    ret
-.Lnegative:
-    rjmp .Lnegate
+    sub_bytes d0, x1, 4
+    brtc 1f
+    sec
+1:  cpc_bytes x1, d0, 4
+    sbci_each q0, 0xff, 4
+    brpl .Lsigned
 .Lsaturate:
-    ldi_bytes r22, 0x7fffffff, 4
+    clr q0
+    brts 1f
+    com q0
+1:  mov q1, q0
+    movw q2, q0
+    subi q3, 0x80
+.Lsigned:
+    movw_bytes r22, q0, 4
     brtc .Lreturn
-    com_bytes r22, 4
+    rcall .Lnegate
 .Lreturn:
+    pop_all r29, r28, r17
+    clr r1
     ret
     ENDFUNC fixedpoint_divide_q16_16_small
 #endif

@@ -82,11 +82,8 @@
     add \low, r1
     adc \high, zero
     .endm
-    // Z = the table's entry of four bytes
-    .macro point_to index, offset
-    mov r30, \index
-    lsl r30
-    lsl r30
+    // Z = the table's entry at r30
+    .macro point_to offset
     ldi r31, 0
     subi r30, lo8(-(fixedpoint_exp_small_table + \offset))
     sbci r31, hi8(-(fixedpoint_exp_small_table + \offset))
@@ -131,8 +128,6 @@
     brlo .Lsaturate
     push_all r16, r17, r28, r29
     mov step, r3
-    swap step
-    andi step, 15
     andi fine, 15
 
     // w = s2^2 2^7 + s2 s1 + s2 s0 / 2^8 + s2^3 / (6 2^8)
@@ -163,7 +158,10 @@
     sbc scratch, scratch
     bst scratch, 0
 
-    point_to fine, 48
+    mov r30, fine
+    lsl r30
+    lsl r30
+    point_to 48
     lpm t0, Z+
     lpm t1, Z+
     lpm t2, Z+
@@ -205,7 +203,11 @@
     adc c3, t3
     adc c4, zero
 
-    point_to step, 0
+    mov r30, step
+    andi r30, 0xf0
+    lsr r30
+    lsr r30
+    point_to 0
     lpm f0, Z+
     lpm f1, Z+
     lpm f2, Z+
@@ -254,7 +256,7 @@
     adc r20, zero
     movw r22, f0
     movw r24, f2
-    ldi r18, 0
+    clr r1
 2:  cpi shift, 9
     brlo 3f
     mov_bytes r22, r23, 3
@@ -266,9 +268,8 @@
     ror_bytes r22, 4
     dec shift
     brne 3b
-    adc_each r22, r18, 4
+    adc_each r22, r1, 4
     pop_all r29, r28, r17, r16
-    clr r1
     ret
     ENDFUNC fixedpoint_exp_q16_16_small
 #endif

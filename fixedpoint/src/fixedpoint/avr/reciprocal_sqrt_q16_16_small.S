@@ -111,9 +111,8 @@
     mov r24, y1
     add r23, x1
     adc r24, zero
-    ldi r25, 15
-    sub r25, s
-    mov s, r25
+    subi s, 15
+    neg s               // no carry from 0
     clr r1
     XJMP fixedpoint_shift_root_small
     ENDFUNC fixedpoint_reciprocal_sqrt_q16_16_small
