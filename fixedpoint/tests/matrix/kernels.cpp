@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Calls the operation of every row of the table of kernels, once. Whoever compiles this for a chip
-// with kernels finds the symbol of each row undefined in the object, and no portable code in it
-// but, with ROUNDED, what those kernels jump to.
-#include <fixedpoint/kernel/dispatch.hpp>
-#ifdef ROUNDED
+// with kernels finds the symbol of each row undefined in the object, and no portable code in it.
 #include <fixedpoint/kernel/nearest.hpp>
-#endif
 
 using namespace fixedpoint;
 
@@ -14,8 +10,5 @@ using namespace fixedpoint;
     FIXEDPOINT_RESULT_##shape(Raw) call_##symbol FIXEDPOINT_PARAMETERS_##shape(Raw) { \
         return kernel::operation<Raw, F> FIXEDPOINT_ARGUMENTS_##shape;                \
     }
-#ifdef ROUNDED
-FIXEDPOINT_ROUNDED_KERNELS(CALL)
-#else
 FIXEDPOINT_KERNELS(CALL)
-#endif
+FIXEDPOINT_ROUNDED_KERNELS(CALL)

@@ -84,9 +84,9 @@ def headers(library, name, standard, chip, *options):
     return "no warning"
 
 
-def table_symbols(*options):
+def table_symbols():
     """The symbols that kernel/table.hpp names."""
-    text = must(["g++", "-E", "-P", *options, f"-I{source}", "-xc++", here / "kernels.cpp"])
+    text = must(["g++", "-E", "-P", f"-I{source}", "-xc++", here / "kernels.cpp"])
     return set(re.findall(r"\bcall_(fixedpoint_\w+)", text))
 
 
@@ -122,8 +122,8 @@ def kernels(name, standard, chip, *options):
         if called:
             raise Failure(f"calls kernels that there are not: {sorted(called)}")
         return "portable"
-    if called != SYMBOLS - ROUNDED:
-        raise Failure(f"kernels not called: {sorted(SYMBOLS - ROUNDED - called)}")
+    if called != SYMBOLS:
+        raise Failure(f"kernels not called: {sorted(SYMBOLS - called)}")
     portable = [line for line in must(["nm", "-C", "--defined-only", target]).splitlines()
                 if "portable::" in line]
     if portable:
@@ -295,8 +295,7 @@ def evaluate(cell):
         return "FAILED", str(failure)
 
 
-ROUNDED = table_symbols("-DROUNDED")
-SYMBOLS = table_symbols() | ROUNDED
+SYMBOLS = table_symbols()
 workers = ThreadPoolExecutor(os.cpu_count())
 running = MULTIPLYING + ["attiny85"]
 ASSEMBLED = dict(zip(running, workers.map(assembly, running)))

@@ -16,18 +16,21 @@ namespace fixedpoint {
 /// As Nearest, with functions whose error is 0.5 ulp at most.
 struct CorrectlyRounded : Nearest {
     /// \cond internal
-#define FIXEDPOINT_CORRECTLY_ROUNDED(name)        \
-    template <class Raw, int F>                   \
-    static constexpr Raw name(Raw a) {            \
-        return kernel::nearest_##name<Raw, F>(a); \
+#define FIXEDPOINT_CORRECTLY_ROUNDED(name, in_doubt)                                              \
+    template <class Raw, int F>                                                                   \
+    static constexpr Raw name(Raw a) {                                                            \
+        return kernel::is_kept(kernel::in_doubt<Raw, F>) ? kernel::nearest_##name<Raw, F>(a) : a; \
     }
-    FIXEDPOINT_CORRECTLY_ROUNDED(sin)
-    FIXEDPOINT_CORRECTLY_ROUNDED(cos)
-    FIXEDPOINT_CORRECTLY_ROUNDED(atan)
-    FIXEDPOINT_CORRECTLY_ROUNDED(exp)
-    FIXEDPOINT_CORRECTLY_ROUNDED(log)
-    FIXEDPOINT_CORRECTLY_ROUNDED(reciprocal_sqrt)
+    FIXEDPOINT_CORRECTLY_ROUNDED(sin, decided_sin)
+    FIXEDPOINT_CORRECTLY_ROUNDED(cos, decided_cos)
+    FIXEDPOINT_CORRECTLY_ROUNDED(atan, decided_atan2)
+    FIXEDPOINT_CORRECTLY_ROUNDED(exp, rounded_power)
+    FIXEDPOINT_CORRECTLY_ROUNDED(log, decided_log)
 #undef FIXEDPOINT_CORRECTLY_ROUNDED
+    template <class Raw, int F>
+    static constexpr Raw reciprocal_sqrt(Raw a) {
+        return kernel::nearest_reciprocal_sqrt<Raw, F>(a);
+    }
 #define FIXEDPOINT_CORRECTLY_ROUNDED(name, Function, ...)              \
     template <class Raw, int F, class... Operands>                     \
     static constexpr Raw name(Operands... a) {                         \
@@ -55,13 +58,14 @@ struct CorrectlyRounded : Nearest {
     /// The angle of (x, y) in (-pi, pi]; 0 where both are 0.
     template <class Raw, int F>
     static constexpr Raw atan2(Raw y, Raw x) {
-        return kernel::nearest_atan2<Raw, F>(y, x);
+        return kernel::is_kept(kernel::decided_atan2<Raw, F>) ? kernel::nearest_atan2<Raw, F>(y, x)
+                                                              : y;
     }
     /// The sine and the cosine of an angle in radians.
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR void sincos(Raw angle, Raw* sine_and_cosine) {
-        sine_and_cosine[0] = kernel::nearest_sin<Raw, F>(angle);
-        sine_and_cosine[1] = kernel::nearest_cos<Raw, F>(angle);
+        sine_and_cosine[0] = sin<Raw, F>(angle);
+        sine_and_cosine[1] = cos<Raw, F>(angle);
     }
     /// The length of a vector of two components, saturated.
     template <class Raw, int F>

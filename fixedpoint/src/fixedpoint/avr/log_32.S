@@ -26,6 +26,9 @@
 #include "cubic_32.inc"
 #include "cubic_core_32.inc"
 
+// The function of kernel/nearest.hpp that decides doubts, as the compiler names it.
+#define DECIDED_LOG _ZN10fixedpoint6kernel11decided_logIlLi16EEET_S2_
+
 #define records fixedpoint_log_32_table + 0xc00
 #define factor r26
 
@@ -232,8 +235,8 @@
     subi r30, -7
 3:  cpi r30, 7 * 32 + 6
     brne 2b
-    XJMP fixedpoint_doubtful_log_q16_16
-    .weak fixedpoint_doubtful_log_q16_16
+    XJMP DECIDED_LOG
+    .weak DECIDED_LOG
     .endif
     ENDFUNC fixedpoint_log_q\integer\()_\fraction\variant
     .endm

@@ -12,13 +12,16 @@
 // As in atan2_32.S; a below 1 is the ratio. The operands wait on the stack for the code that decides
 // doubts.
 //
-// Error in units of 2^-31: the core of 32 bits -5.4 to 2.8, and the ratio -1.5.
+// Error in units of 2^-31: the core of 32 bits -5.6 to 3.1, and the ratio -1.5.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
 #include "cubic_32.inc"
 #include "cubic_core_32.inc"
 #include "ratio_32.inc"
+
+// The function of kernel/nearest.hpp that decides doubts, as the compiler names it.
+#define DECIDED_ATAN2 _ZN10fixedpoint6kernel13decided_atan2IlLi16EEET_S2_S2_
 
 // y is n0, later the shorter coordinate, x is d0, later the longer one.
 #define octant r30
@@ -135,7 +138,7 @@
     ldi_bytes r18, 0x10000, 4
     rjmp 2f
 1:  pop_all r21, r20, r19, r18
-2:  XJMP fixedpoint_doubtful_atan2_q16_16
-    .weak fixedpoint_doubtful_atan2_q16_16
+2:  XJMP DECIDED_ATAN2
+    .weak DECIDED_ATAN2
     ENDFUNC fixedpoint_atan2_q16_16_correctly_rounded
 #endif

@@ -17,6 +17,9 @@
 #include "exp_32.inc"
 #include "scale_40.inc"
 
+// The function of kernel/power_side.hpp that decides doubts, as the compiler names it.
+#define ROUNDED_POWER _ZN10fixedpoint6kernel13rounded_powerIlLi16EEET_S2_S2_
+
 // Bytes of r, the lowest first.
 #define rest0 r26
 #define rest1 r18
@@ -93,7 +96,7 @@
     mov r25, r24
     lsl r25
     sbc r25, r25
-    XJMP fixedpoint_rounded_power_q16_16
-    .weak fixedpoint_rounded_power_q16_16
+    XJMP ROUNDED_POWER
+    .weak ROUNDED_POWER
     ENDFUNC fixedpoint_exp_q16_16_correctly_rounded
 #endif

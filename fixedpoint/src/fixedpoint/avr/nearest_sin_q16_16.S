@@ -14,12 +14,17 @@
 // Of an angle within +-256 rad the upper byte is a sign. Odd quadrants run backwards (one's complement),
 // quadrants 2 and 3 are negated. The angle waits on the stack for the code that decides doubts.
 //
-// Error in units of 2^-31: the core of 32 bits -5.4 to 2.8; the turns 5.1 of 2^-32, which is 4.0.
+// Error in units of 2^-31: the core of 32 bits, of all positions, -5.6 to 3.1; the turns 5.1 of 2^-32, which is
+// 4.0.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
 #include "cubic_32.inc"
 #include "cubic_core_32.inc"
+
+// The functions of kernel/nearest.hpp that decide doubts, as the compiler names them.
+#define DECIDED_SIN _ZN10fixedpoint6kernel11decided_sinIlLi16EEET_S2_
+#define DECIDED_COS _ZN10fixedpoint6kernel11decided_cosIlLi16EEET_S2_
 
 // Bytes of 2/pi 2^48.
 #define M0 0x44
@@ -154,8 +159,8 @@
     clr r1
     pop_all turns4, r25, r24, r23, r22
     sbrc turns4, 0
-    XJMP fixedpoint_doubtful_cos_q16_16
-    XJMP fixedpoint_doubtful_sin_q16_16
-    .weak fixedpoint_doubtful_cos_q16_16, fixedpoint_doubtful_sin_q16_16
+    XJMP DECIDED_COS
+    XJMP DECIDED_SIN
+    .weak DECIDED_COS, DECIDED_SIN
     ENDFUNC fixedpoint_sin_q16_16_correctly_rounded
 #endif

@@ -13,27 +13,19 @@ namespace fixedpoint {
 namespace kernel {
 
 // Out of line, so that nothing is saved for it on the way that is nearly always taken.
-#define FIXEDPOINT_DOUBTFUL(name, Side)                                               \
+#define FIXEDPOINT_DOUBTFUL(name, Side, at_once)                                      \
     template <class Raw, int F>                                                       \
     FIXEDPOINT_CONSTEXPR __attribute__((noinline)) Raw doubtful_##name(Raw a) {       \
-        return portable::correctly_rounded<Raw, F, Side>(                             \
+        return at_once portable::correctly_rounded<Raw, F, Side>(                     \
             kernel::name<int64_t, 32>(portable::convert<int64_t, 32, Raw, F>(a)), a); \
     }
-FIXEDPOINT_DOUBTFUL(sin, SineSide)
-FIXEDPOINT_DOUBTFUL(cos, CosineSide)
-FIXEDPOINT_DOUBTFUL(atan, ArcTangentSide)
-FIXEDPOINT_DOUBTFUL(exp, ExponentialSide)
-FIXEDPOINT_DOUBTFUL(log, NaturalLogarithmSide)
-#undef FIXEDPOINT_DOUBTFUL
 // Of Q16.16 the precise sine needs no stage before it.
-template <>
-FIXEDPOINT_CONSTEXPR __attribute__((noinline)) int32_t doubtful_sin<int32_t, 16>(int32_t a) {
-    return nearest_sine(a, 0);
-}
-template <>
-FIXEDPOINT_CONSTEXPR __attribute__((noinline)) int32_t doubtful_cos<int32_t, 16>(int32_t a) {
-    return nearest_sine(a, 1);
-}
+FIXEDPOINT_DOUBTFUL(sin, SineSide, F == 16 ? static_cast<Raw>(nearest_sine(a, 0)) :)
+FIXEDPOINT_DOUBTFUL(cos, CosineSide, F == 16 ? static_cast<Raw>(nearest_sine(a, 1)) :)
+FIXEDPOINT_DOUBTFUL(atan, ArcTangentSide, )
+FIXEDPOINT_DOUBTFUL(exp, ExponentialSide, )
+FIXEDPOINT_DOUBTFUL(log, NaturalLogarithmSide, )
+#undef FIXEDPOINT_DOUBTFUL
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR __attribute__((noinline)) Raw doubtful_atan2(Raw y, Raw x) {
     return portable::correctly_rounded<Raw, F, AngleSide>(
@@ -41,6 +33,18 @@ FIXEDPOINT_CONSTEXPR __attribute__((noinline)) Raw doubtful_atan2(Raw y, Raw x) 
                            portable::convert<int64_t, 32, Raw, F>(x)),
         y, x);
 }
+
+#define FIXEDPOINT_DECIDED(shape, name)                              \
+    template <class Raw, int F>                                      \
+    FIXEDPOINT_CONSTEXPR FIXEDPOINT_CALLED_BY_KERNEL Raw             \
+        decided_##name FIXEDPOINT_PARAMETERS_##shape(Raw) {          \
+        return doubtful_##name<Raw, F> FIXEDPOINT_ARGUMENTS_##shape; \
+    }
+FIXEDPOINT_DECIDED(UNARY, sin)
+FIXEDPOINT_DECIDED(UNARY, cos)
+FIXEDPOINT_DECIDED(UNARY, log)
+FIXEDPOINT_DECIDED(BINARY, atan2)
+#undef FIXEDPOINT_DECIDED
 
 }  // namespace kernel
 
@@ -71,8 +75,3 @@ FIXEDPOINT_NEAREST(BINARY, atan2)
 }  // namespace fixedpoint
 
 FIXEDPOINT_ROUNDED_KERNELS(FIXEDPOINT_DISPATCH)
-FIXEDPOINT_CALLED_BY_KERNEL(UNARY, doubtful_sin, int32_t, 16, fixedpoint_doubtful_sin_q16_16)
-FIXEDPOINT_CALLED_BY_KERNEL(UNARY, doubtful_cos, int32_t, 16, fixedpoint_doubtful_cos_q16_16)
-FIXEDPOINT_CALLED_BY_KERNEL(BINARY, rounded_power, int32_t, 16, fixedpoint_rounded_power_q16_16)
-FIXEDPOINT_CALLED_BY_KERNEL(UNARY, doubtful_log, int32_t, 16, fixedpoint_doubtful_log_q16_16)
-FIXEDPOINT_CALLED_BY_KERNEL(BINARY, doubtful_atan2, int32_t, 16, fixedpoint_doubtful_atan2_q16_16)
