@@ -69,6 +69,7 @@ ROOMS = [
             Check("kernels_test", "*/q16_16_auxiliary", "q16_16_auxiliary"),
             Check("kernels_test", "*/q16_16_angles", "q16_16_angles"),
             Check("kernels_test", "*/q16_16_powers:PowerOfTwo.*", "q16_16_powers"),
+            Check("kernels_test", "*/correctly_rounded_angles", "correctly_rounded_angles"),
             Check("kernels_test", "*/correctly_rounded_powers", "correctly_rounded_powers")),
     room("kernels", f"{FIXED}/avr/add_scaled_q16_16.S {FIXED}/avr/dot_difference_q16_16.S {FIXED}/avr/multiply_short_q16_16.S"
          f" {FIXED}/avr/short_factor_q16_16.inc {FIXED}/avr/add_whole_product.S", 1,
@@ -123,7 +124,7 @@ ROOMS = [
     room("arithmetic", f"{FIXED}/arithmetic/rounded.hpp", 1, "small_operations_test"),
     room("arithmetic", f"{FIXED}/arithmetic/correctly_rounded.hpp {FIXED}/portable/correct_rounding.hpp"
          f" {FIXED}/portable/certain.hpp {FIXED}/kernel/short_turns.hpp {FIXED}/kernel/precise_sine.hpp"
-         f" {FIXED}/kernel/power_side.hpp",
+         f" {FIXED}/kernel/power_side.hpp {FIXED}/kernel/nearest.hpp",
          1, "correctly_rounded_test"),
     room("arithmetic", f"{FIXED}/arithmetic/checked.hpp", 1, "checked_test"),
     room("arithmetic", f"{FIXED}/arithmetic/published.hpp {FIXED}/published/*.hpp !*_table.hpp", 1,

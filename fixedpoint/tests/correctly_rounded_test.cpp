@@ -157,12 +157,12 @@ TEST(CorrectRoundingByShortCores, LeavesFewOperandsInDoubt) {
         const int32_t a = static_cast<int32_t>(random()) >> random() % 24;
         const int32_t positive = 1 + (a & (RawLimits<int32_t>::max - 1));
         const int32_t exponent = a % (8 << 16);
-        const int32_t results[] = {fixedpoint::kernel::certain_sin<int32_t, 16>(a),
-                                   fixedpoint::kernel::certain_cos<int32_t, 16>(a),
-                                   fixedpoint::kernel::certain_atan<int32_t, 16>(a),
-                                   fixedpoint::kernel::certain_atan2<int32_t, 16>(a, positive),
-                                   fixedpoint::kernel::certain_log<int32_t, 16>(positive),
-                                   fixedpoint::kernel::certain_exp<int32_t, 16>(exponent)};
+        const int32_t results[] = {fixedpoint::portable::certain_sin<int32_t, 16>(a),
+                                   fixedpoint::portable::certain_cos<int32_t, 16>(a),
+                                   fixedpoint::portable::certain_atan<int32_t, 16>(a),
+                                   fixedpoint::portable::certain_atan2<int32_t, 16>(a, positive),
+                                   fixedpoint::portable::certain_log<int32_t, 16>(positive),
+                                   fixedpoint::portable::certain_exp<int32_t, 16>(exponent)};
         for (int k = 0; k < 6; ++k) in_doubt[k] += results[k] == RawLimits<int32_t>::min;
     }
     for (int k = 0; k < 5; ++k) EXPECT_LT(in_doubt[k], 100) << k;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Calls the operation of every row of the table of kernels, once. Whoever compiles this for a chip
 // with kernels finds the symbol of each row undefined in the object, and no portable code in it.
-#include <fixedpoint/kernel/dispatch.hpp>
+#include <fixedpoint/kernel/nearest.hpp>
 
 using namespace fixedpoint;
 
@@ -11,3 +11,4 @@ using namespace fixedpoint;
         return kernel::operation<Raw, F> FIXEDPOINT_ARGUMENTS_##shape;                \
     }
 FIXEDPOINT_KERNELS(CALL)
+FIXEDPOINT_ROUNDED_KERNELS(CALL)

@@ -3,40 +3,34 @@
 /// CorrectlyRounded: as Nearest, but functions too return the exact result rounded to nearest, half
 /// up, so that a result does not depend on the algorithm that made it. In Q16.16 they compute with
 /// cores of 32 bits, where those leave a doubt in Q32.32, and further where that lies on a tie;
-/// sine and cosine go that far at once. Only for formats whose numbers all are numbers of Q16.16,
-/// such as Q4.4 and Q8.8. Functions of turns and degrees and integer powers are Nearest's.
+/// sine, cosine and the kernel of exp go that far at once. Only for formats whose numbers all are
+/// numbers of Q16.16, such as Q4.4 and Q8.8. Functions of turns and degrees and integer powers are
+/// Nearest's.
 #pragma once
 
 #include <fixedpoint/arithmetic/nearest.hpp>
-#include <fixedpoint/kernel/power_side.hpp>
-#include <fixedpoint/kernel/precise_sine.hpp>
-#include <fixedpoint/kernel/short_turns.hpp>
-#include <fixedpoint/portable/correct_rounding.hpp>
+#include <fixedpoint/kernel/nearest.hpp>
 
 namespace fixedpoint {
 
 /// As Nearest, with functions whose error is 0.5 ulp at most.
 struct CorrectlyRounded : Nearest {
     /// \cond internal
-    // What a core of 32 bits leaves in doubt is out of line, so that nothing is saved for it on the
-    // way that is nearly always taken.
-#define FIXEDPOINT_CORRECTLY_ROUNDED(name, Side)                                       \
-    template <class Raw, int F>                                                        \
-    static FIXEDPOINT_CONSTEXPR __attribute__((noinline)) Raw doubtful_##name(Raw a) { \
-        return portable::correctly_rounded<Raw, F, Side>(                              \
-            kernel::name<int64_t, 32>(portable::convert<int64_t, 32, Raw, F>(a)), a);  \
-    }                                                                                  \
-    template <class Raw, int F>                                                        \
-    static FIXEDPOINT_CONSTEXPR Raw name(Raw a) {                                      \
-        const Raw certain = kernel::certain_##name<Raw, F>(a);                         \
-        return certain != RawLimits<Raw>::min ? certain : doubtful_##name<Raw, F>(a);  \
+#define FIXEDPOINT_CORRECTLY_ROUNDED(name, in_doubt)                                              \
+    template <class Raw, int F>                                                                   \
+    static constexpr Raw name(Raw a) {                                                            \
+        return kernel::is_kept(kernel::in_doubt<Raw, F>) ? kernel::nearest_##name<Raw, F>(a) : a; \
     }
-    FIXEDPOINT_CORRECTLY_ROUNDED(sin, kernel::SineSide)
-    FIXEDPOINT_CORRECTLY_ROUNDED(cos, kernel::CosineSide)
-    FIXEDPOINT_CORRECTLY_ROUNDED(atan, kernel::ArcTangentSide)
-    FIXEDPOINT_CORRECTLY_ROUNDED(exp, kernel::ExponentialSide)
-    FIXEDPOINT_CORRECTLY_ROUNDED(log, kernel::NaturalLogarithmSide)
+    FIXEDPOINT_CORRECTLY_ROUNDED(sin, decided_sin)
+    FIXEDPOINT_CORRECTLY_ROUNDED(cos, decided_cos)
+    FIXEDPOINT_CORRECTLY_ROUNDED(atan, decided_atan2)
+    FIXEDPOINT_CORRECTLY_ROUNDED(exp, rounded_power)
+    FIXEDPOINT_CORRECTLY_ROUNDED(log, decided_log)
 #undef FIXEDPOINT_CORRECTLY_ROUNDED
+    template <class Raw, int F>
+    static constexpr Raw reciprocal_sqrt(Raw a) {
+        return kernel::nearest_reciprocal_sqrt<Raw, F>(a);
+    }
 #define FIXEDPOINT_CORRECTLY_ROUNDED(name, Function, ...)              \
     template <class Raw, int F, class... Operands>                     \
     static constexpr Raw name(Operands... a) {                         \
@@ -60,32 +54,18 @@ struct CorrectlyRounded : Nearest {
     FIXEDPOINT_CORRECTLY_ROUNDED(cbrt, Cbrt, portable::CubeRootSide)
     FIXEDPOINT_CORRECTLY_ROUNDED(pow, Pow, portable::WideSide<portable::Pow>)
 #undef FIXEDPOINT_CORRECTLY_ROUNDED
-    template <class Raw, int F>
-    static constexpr Raw reciprocal_sqrt(Raw a) {
-        return kernel::nearest_reciprocal_sqrt<Raw, F>(a);
-    }
-    template <class Raw, int F>
-    static FIXEDPOINT_CONSTEXPR __attribute__((noinline)) Raw doubtful_atan2(Raw y, Raw x) {
-        return portable::correctly_rounded<Raw, F, kernel::AngleSide>(
-            kernel::atan2<int64_t, 32>(portable::convert<int64_t, 32, Raw, F>(y),
-                                       portable::convert<int64_t, 32, Raw, F>(x)),
-            y, x);
-    }
     /// \endcond
     /// The angle of (x, y) in (-pi, pi]; 0 where both are 0.
     template <class Raw, int F>
-    static FIXEDPOINT_CONSTEXPR Raw atan2(Raw y, Raw x) {
-        const Raw certain = kernel::certain_atan2<Raw, F>(y, x);
-        return certain != RawLimits<Raw>::min ? certain : doubtful_atan2<Raw, F>(y, x);
+    static constexpr Raw atan2(Raw y, Raw x) {
+        return kernel::is_kept(kernel::decided_atan2<Raw, F>) ? kernel::nearest_atan2<Raw, F>(y, x)
+                                                              : y;
     }
     /// The sine and the cosine of an angle in radians.
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR void sincos(Raw angle, Raw* sine_and_cosine) {
-        kernel::certain_sincos<Raw, F>(angle, sine_and_cosine);
-        if (sine_and_cosine[0] == RawLimits<Raw>::min)
-            sine_and_cosine[0] = doubtful_sin<Raw, F>(angle);
-        if (sine_and_cosine[1] == RawLimits<Raw>::min)
-            sine_and_cosine[1] = doubtful_cos<Raw, F>(angle);
+        sine_and_cosine[0] = sin<Raw, F>(angle);
+        sine_and_cosine[1] = cos<Raw, F>(angle);
     }
     /// The length of a vector of two components, saturated.
     template <class Raw, int F>
@@ -111,19 +91,5 @@ struct CorrectlyRounded : Nearest {
         unit[2] = portable::correctly_rounded<Raw, F, Side>(wide[2], z, x, y);
     }
 };
-
-/// \cond internal
-// Of Q16.16 the precise sine needs no stage before it.
-template <>
-FIXEDPOINT_CONSTEXPR __attribute__((noinline)) int32_t CorrectlyRounded::doubtful_sin<int32_t, 16>(
-    int32_t a) {
-    return kernel::nearest_sine(a, 0);
-}
-template <>
-FIXEDPOINT_CONSTEXPR __attribute__((noinline)) int32_t CorrectlyRounded::doubtful_cos<int32_t, 16>(
-    int32_t a) {
-    return kernel::nearest_sine(a, 1);
-}
-/// \endcond
 
 }  // namespace fixedpoint

@@ -5,11 +5,6 @@
 // within 0.55 ulp up to F = 28 and 0.75 ulp beyond, saturated where the format cannot hold it;
 // atan2(0, 0) = 0.
 //
-// int32_t fixedpoint_certain_atan2_q16_16(int32_t y, int32_t x)
-// int32_t fixedpoint_certain_atan_q16_16(int32_t a)
-// The same of Q16.16 within 0.5 ulp, or the smallest number where that close to a tie the core leaves a
-// doubt.
-//
 // In       y = r25:r22, x = r21:r18; a = r25:r22
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
@@ -27,88 +22,13 @@
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
 #include "cubic_32.inc"
-#include "digits_32.inc"
+#include "ratio_32.inc"
 
     // r25:r22 = floor(2^32 n / d), n = r25:r22 below d = r21:r18; r26 = the upper byte of what is left,
     // where the divisor is 2^40 or less by a 256th of it at most. Changes r18..r21, r27, r30, r31; r1
     // is not 0 at return.
     FUNCTION fixedpoint_ratio_32
-    push_all r14, r15, r16, r17, r28, r29
-    clr nothing
-    tst d3
-    brne 2f
-    tst d2
-    brne 1f
-    movw d2, d0
-    movw n2, n0
-    clr d0
-    clr d1
-    clr n0
-    clr n1
-    tst d3
-    brne 2f
-1:  mov_from_top d1, d0, 3
-    clr d0
-    mov_from_top n1, n0, 3
-    clr n0
-    tst d3
-    breq 1b             // a divisor of one byte, once more
-2:  ldi r31, hi8(fixedpoint_reciprocal_table)
-    mov r30, d3
-    lpm r17, Z
-    inc r31
-    mul n3, r17
-    mov n3, r0
-    mul_or_bytes n0, r17, n0, 3
-    mul d3, r17
-    mov d3, r0
-    mul_or_bytes d0, r17, d0, 3
-    mov r30, d3
-    mov r0, d2
-    lsl r0
-    rol r30
-    find_reciprocal
-    // The dividend r25..r21 = n v
-    mul n0, v
-    mov r20, r0
-    mov r21, r1
-    mul n2, v
-    movw r18, r0
-    mul_add n1, v, r21, r18, nothing, r19
-    mul n3, v
-    clr r26
-    add r19, r0
-    adc r26, r1
-    add r21, n0
-    adc r18, n1
-    adc r19, n2
-    adc r26, n3
-    mov r25, r26
-    mov r24, r19
-    mov r23, r18
-    mov r22, r21
-    mov r21, r20
-    clr r20
-    clr r19
-    clr r18
-    clr r17
-    digit r25, r24, r23, r22, r21, r20
-    inc r25
-9:  digit r24, r23, r22, r21, r20, r19
-    subi r24, 0xff
-    sbci r25, 0xff
-9:  digit r23, r22, r21, r20, r19, r18
-    increment_bytes r23, 3
-9:  digit r22, r21, r20, r19, r18, r17
-    increment_bytes r22, 4
-    // The rest is below 2^40, not always below the divisor.
-9:  mov r26, r21
-    add_bytes r17, e0, 4
-    adc r21, nothing
-    brcc 1f
-    mov r26, r21
-    increment_bytes r22, 4
-1:  pop_all r29, r28, r17, r16, r15, r14
+    ratio_32
     ret
     ENDFUNC fixedpoint_ratio_32
 
@@ -125,7 +45,7 @@
     .endif
     .endm
 
-    .macro kernels integer, fraction, certain=
+    .macro kernels integer, fraction
     .if \fraction > 24
     .set half_pi, 863554413089
     .set pi, 1727108826179
@@ -135,7 +55,7 @@
     .set pi, 6746518852
     .set cut, 1
     .endif
-    SECTION fixedpoint_\certain\()atan2_q\integer\()_\fraction
+    SECTION fixedpoint_atan2_q\integer\()_\fraction
 .Lequal_\fraction:
     or_bytes r0, n0, 4
     breq 1f
@@ -148,7 +68,7 @@
     rjmp .Llook_up_\fraction
 1:  ret
 
-    ENTRY fixedpoint_\certain\()atan_q\integer\()_\fraction
+    ENTRY fixedpoint_atan_q\integer\()_\fraction
     ldi r30, 0
     .if \fraction == 32
     // 1 lies beyond four bytes, and the numbers are their own ratios to it.
@@ -161,9 +81,9 @@
     ldi_bytes r18, 1 << \fraction, 4
     rjmp .Lright_\fraction
     .endif
-    ENDFUNC fixedpoint_\certain\()atan_q\integer\()_\fraction
+    ENDFUNC fixedpoint_atan_q\integer\()_\fraction
 
-    ENTRY fixedpoint_\certain\()atan2_q\integer\()_\fraction
+    ENTRY fixedpoint_atan2_q\integer\()_\fraction
     ldi r30, 0
     tst d3
     brpl .Lright_\fraction
@@ -176,12 +96,7 @@
 1:  cp_bytes n0, d0, 4
     brlo 2f
     breq .Lequal_\fraction
-    movw r26, n0
-    movw n0, d0
-    movw d0, r26
-    movw r26, n2
-    movw n2, d2
-    movw d2, r26
+    exchange_coordinates
     ori r30, 1 << STEEP
 2:  push r30
     XCALL fixedpoint_ratio_32
@@ -237,9 +152,6 @@
     brsh .Lsaturated_\fraction
     .endif
     .endif
-    .if \fraction == 16
-    leave_doubts
-    .endif
     .if \fraction < 31
     shift_signed (31 - \fraction)
     .endif
@@ -252,7 +164,7 @@
     XJMP fixedpoint_largest_32
 1:  XJMP fixedpoint_smallest_32
     .endif
-    ENDFUNC fixedpoint_\certain\()atan2_q\integer\()_\fraction
+    ENDFUNC fixedpoint_atan2_q\integer\()_\fraction
     .endm
 
     // The angle less than a constant that is added next: its one's complement is -1 less it.
@@ -265,6 +177,5 @@
     .endm
 
 #include "splits_32.inc"
-    kernels 16, 16, certain_
 
 #endif

@@ -19,75 +19,11 @@
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
 #include "cubic_32.inc"
-
-#define t0 r18
-#define t1 r19
-#define t2 r20
+#include "cubic_core_32.inc"
 
     FUNCTION fixedpoint_cubic_32
-#define bend0 r24
-#define bend1 r25
-#define fall0 r22
-#define fall1 r23
-#define slope0 r24
-#define slope1 r25
-#define slope2 r26
-#define rise0 r22
-#define rise1 r23
-#define rise2 r27
-    lpm r22, Z+
-    mulsu r22, t2       // the carry is the sign
-    lpm bend0, Z+
-    lpm bend1, Z+
-    sbc bend1, zero
-    add bend0, r1
-    adc bend1, zero
-    mul bend1, t1
-    mov fall0, r1
-    mul bend0, t2
-    ldi fall1, 0
-    add fall0, r1
-    adc fall1, zero
-    mul_add bend1, t2, fall0, fall1
-    adiw r30, 1
-    lpm slope0, Z+
-    sub slope0, fall0
-    lpm slope1, Z+
-    sbc slope1, fall1
-    lpm slope2, Z+
-    sbc slope2, zero
-    adiw r30, 1
-    mul slope0, t2
-    movw rise0, r0
-    mul slope1, t1
-    mov rise0, rise1
-    ldi rise1, 0
-    ldi rise2, 0
-    add rise0, r1
-    adc rise1, zero
-    mul_add_upper slope2, t0, rise0, zero, rise1
-    mul_add slope2, t1, rise0, rise1, zero, rise2
-    mul_add slope1, t2, rise0, rise1, zero, rise2
-    mul_add slope2, t2, rise1, rise2
-    lpm r0, Z+
-    add r22, r0
-    lpm r0, Z+
-    adc r23, r0
-    lpm r24, Z+
-    adc r24, rise2
-    lpm r25, Z+
-    adc r25, zero
+    cubic_32
     ret
-#undef bend0
-#undef bend1
-#undef fall0
-#undef fall1
-#undef slope0
-#undef slope1
-#undef slope2
-#undef rise0
-#undef rise1
-#undef rise2
     ENDFUNC fixedpoint_cubic_32
 
     FUNCTION fixedpoint_cubic_40

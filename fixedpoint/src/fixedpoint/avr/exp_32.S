@@ -128,29 +128,7 @@
     lsl r30
     rol r31
     mov r27, r31
-    // The product by ln 2, mod 1
-    ldi r31, LN2 & 0xff
-    mul r27, r31
-    mov rest0, r0
-    mov rest1, r1
-    clr rest2
-    ldi r31, (LN2 >> 8) & 0xff
-    mul_add r27, r31, rest1, rest2
-    clr rest3
-    ldi r31, (LN2 >> 16) & 0xff
-    mul_add r27, r31, rest2, rest3
-    clr rest4
-    ldi r31, (LN2 >> 24) & 0xff
-    mul_add r27, r31, rest3, rest4
-    ldi r31, (LN2 >> 32) & 0xff
-    mul r27, r31
-    add rest4, r0
-    .set constant, (\fraction + 9) * LN2
-    subi rest0, constant & 0xff
-    sbci rest1, (constant >> 8) & 0xff
-    sbci rest2, (constant >> 16) & 0xff
-    sbci rest3, (constant >> 24) & 0xff
-    sbci rest4, (constant >> 32) & 0xff
+    multiple_of_ln2 (\fraction + 9), rest0, rest1, rest2, rest3, rest4
     .if \fraction > 24
     sub rest1, r21
     sbc rest2, r22

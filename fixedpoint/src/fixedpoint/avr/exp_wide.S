@@ -4,11 +4,7 @@
 // functions that are made of powers. 0 where x 2^-40 is below -24; 2^32 - 1 and no fraction from 2^32
 // on, or already from 0.9 2^32 on. unit from 0 to 29.
 //
-// int32_t fixedpoint_certain_exp_q16_16(int32_t a)
-// e^a of Q16.16 within 0.5 ulp, saturated, or the smallest number where that close to a tie the error
-// leaves a doubt: it is below r25 + 1 units of 2^-8 ulp, and a unit is cut.
-//
-// In       x = r25:r18, unit = r16; a = r25:r22
+// In       x = r25:r18, unit = r16
 // Out      r25:r18, of which r20:r18 are 0
 // Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
 // Stack    4 bytes
@@ -30,12 +26,6 @@
 // k + 35, not negative for x from -24 on.
 #define k r27
 #define OFFSET 35
-
-    .macro add_product byte, low
-    ldi r31, (LN2 >> (8 * \byte)) & 0xff
-    mul k, r31
-    add \low, r0
-    .endm
 
     SECTION fixedpoint_exp_wide
 .Lout_of_range:
@@ -78,27 +68,7 @@
     lsl r30
     rol r31
     mov k, r31
-    // The product by ln 2, mod 1
-    ldi r31, LN2 & 0xff
-    mul k, r31
-    mov rest0, r0
-    mov rest1, r1
-    clr rest2
-    add_product 1, rest1
-    adc rest2, r1
-    clr rest3
-    add_product 2, rest2
-    adc rest3, r1
-    clr rest4
-    add_product 3, rest3
-    adc rest4, r1
-    add_product 4, rest4
-    .set constant, OFFSET * LN2
-    subi rest0, constant & 0xff
-    sbci rest1, (constant >> 8) & 0xff
-    sbci rest2, (constant >> 16) & 0xff
-    sbci rest3, (constant >> 24) & 0xff
-    sbci rest4, (constant >> 32) & 0xff
+    multiple_of_ln2 (OFFSET), rest0, rest1, rest2, rest3, rest4
     sub rest0, r18
     sbc_bytes rest1, r19, 3
     sbc rest4, r22
@@ -119,31 +89,4 @@
     ldi r18, 0
     ret
     ENDFUNC fixedpoint_exp_wide
-
-    FUNCTION fixedpoint_certain_exp_q16_16
-    push r16
-    ldi r16, 16
-    ldi_bytes r18, 0, 3
-    mov_bytes r21, r22, 4
-    lsl r25
-    sbc r25, r25
-    XCALL fixedpoint_exp_wide
-    pop r16
-    tst r25
-    brmi 2f
-    mov r18, r25
-    subi r18, -2
-    mov r19, r21
-    subi r19, 128
-    brpl 1f
-    neg r19
-1:  cp r18, r19
-    brsh 3f
-    lsl r21
-    adc_each r22, r1, 4
-    brmi 2f
-    ret
-2:  XJMP fixedpoint_largest_32
-3:  XJMP fixedpoint_smallest_32
-    ENDFUNC fixedpoint_certain_exp_q16_16
 #endif

@@ -3,9 +3,9 @@
 // ln a for every a > 0 of each split of 32 bits but Q16.16, whose own is smaller; within 0.55 ulp,
 // saturated where the format cannot hold it; the smallest number where a <= 0.
 //
-// int32_t fixedpoint_certain_log_q16_16(int32_t a)
-// ln a within 0.5 ulp; the smallest number where a <= 0, and where that close to a tie the core leaves a
-// doubt.
+// int32_t fixedpoint_log_q16_16_correctly_rounded(int32_t a)
+// ln a within 0.5 ulp; the smallest number where a <= 0. Where the core leaves a doubt a is put together
+// again from its parts.
 //
 // In       a = r25:r22
 // Out      r25:r22
@@ -24,6 +24,10 @@
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
 #include "cubic_32.inc"
+#include "cubic_core_32.inc"
+
+// The function of kernel/nearest.hpp that decides doubts, as the compiler names it.
+#define DECIDED_LOG _ZN10fixedpoint6kernel11decided_logIlLi16EEET_S2_
 
 #define records fixedpoint_log_32_table + 0xc00
 #define factor r26
@@ -40,8 +44,8 @@
     lpm factor, Z
     .endm
 
-    .macro kernels integer, fraction, name=log
-    SECTION fixedpoint_\name\()_q\integer\()_\fraction
+    .macro kernels integer, fraction, variant=
+    SECTION fixedpoint_log_q\integer\()_\fraction\variant
 .Lone_byte_\fraction:
     cpi r22, 2
     brlo .Lzero_or_one_\fraction
@@ -112,7 +116,7 @@
     ldi r18, 0
     rjmp .Llook_up_\fraction
 
-    ENTRY fixedpoint_\name\()_q\integer\()_\fraction
+    ENTRY fixedpoint_log_q\integer\()_\fraction\variant
     cpi r25, 2
     brlo .Lthree_bytes_\fraction
     sbrc r25, 7
@@ -164,36 +168,80 @@
 1:
     .endif
     .else
+    .ifb \variant
     XCALL fixedpoint_cubic_32
+    .else
+    cubic_32
+    movw r0, r30
+    .endif
     pop r30
     subi r30, -2
     ldi r31, hi8(records)
-    lpm r0, Z+
-    add r22, r0
-    lpm r0, Z+
-    adc r23, r0
-    lpm r0, Z+
-    adc r24, r0
-    lpm r0, Z+
-    adc r25, r0
+    lpm r27, Z+
+    add r22, r27
+    lpm r27, Z+
+    adc r23, r27
+    lpm r27, Z+
+    adc r24, r27
+    lpm r27, Z+
+    adc r25, r27
     lpm r26, Z
     adc r26, zero
     .set constant_log, (1 << (30 - \fraction)) + 1 - (\fraction * 381061692393 >> 8)
-    .if \fraction == 16
-    add_constant 22, constant_log + DOUBT
-    clr r1
-    leave_doubts
-    .else
+    .ifb \variant
     add_constant 22, constant_log
     clr r1
     .endif
     .endif
+    .ifb \variant
     shift_signed (31 - \fraction)
     ret
-    ENDFUNC fixedpoint_\name\()_q\integer\()_\fraction
+    .else
+    add_constant 22, constant_log + DOUBT
+    lsl_bytes r23, 4
+    tst r23
+    breq 8f
+7:  movw r22, r24
+    mov r24, r26
+    lsl r26
+    sbc r25, r25
+    clr r1
+    ret
+8:  cpi r22, 2 * DOUBT
+    brsh 7b
+    // r1:r0 = address of the next interval's record, r30 = 7 e + 6: the number is the table's position
+    // behind a one, shifted right by 32 - e bits.
+    movw r22, r0
+    subi r22, lo8(fixedpoint_log_32_table + 12)
+    sbci r23, hi8(fixedpoint_log_32_table + 12)
+    lsr_bytes r22, 2
+    lsr_bytes r22, 2
+    ldi r25, 171        // 1/3 modulo 256
+    mul r22, r25
+    mov r25, r0
+    clr r1
+    movw r22, r18
+    mov r24, r20
+    sec
+    ror_bytes r22, 4
+1:  subi r30, -7
+    cpi r30, 7 * 25
+    brsh 3f
+    mov_bytes r22, r23, 3
+    clr r25
+    subi r30, -7 * 7
+    rjmp 1b
+2:  lsr_bytes r22, 4
+    subi r30, -7
+3:  cpi r30, 7 * 32 + 6
+    brne 2b
+    XJMP DECIDED_LOG
+    .weak DECIDED_LOG
+    .endif
+    ENDFUNC fixedpoint_log_q\integer\()_\fraction\variant
     .endm
 
 #include "splits_32.inc"
-    kernels 16, 16, certain_log
+    kernels 16, 16, _correctly_rounded
 
 #endif

@@ -8,8 +8,8 @@
 //
 // The same within 0.5 ulp, which is never a tie: 2^50 is no odd square times a.
 //
-// a and the result in r25:r24:r23:r22. Changes r18-r27, r30, r31, r0; r1 is zero at entry and
-// return.
+// a and the result in r25:r24:r23:r22. Changes r18-r27, r30, r31, r0, the latter T; r1 is zero at
+// entry and return.
 //
 // Technique. a is shifted left by an even number of bits, so that its top byte is at least 64. The
 // mantissa 2^22 / sqrt(t / 2^16) of its upper 24 bits comes from the tables, by a chord less a
@@ -84,36 +84,28 @@
 2:  mul r23, r20
     mov r30, r0
     mul_or r22, r20, r18, r30
-3:
-    .ifnb \correctly
-    push r22
-    push r23
-    .endif
-    reciprocal_root
+3:  reciprocal_root
     mul r18, r21
     mov r18, r0
-    mov r22, r1
+    mov r26, r1
     mul r19, r21
-    or r22, r0
-    mov r23, r1
+    or r26, r0
+    mov r27, r1
     mul r20, r21
-    or r23, r0
+    or r27, r0
     mov r24, r1
     .ifnb \correctly
     round_unless_close 32, 40
     .else
     lsl r18
     .endif
+    movw r22, r26
     adc_each r22, zero, 3
     clr r1
-    .ifnb \correctly
-    pop r0
-    pop r0
-    .endif
     ret
     .ifnb \correctly
-9:  pop r19
-    pop r18
+9:  movw r18, r22
+    movw r22, r26
     rjmp .Ltwo_bytes\@
     .endif
 
@@ -134,10 +126,23 @@
     .ifnb \correctly
     mov r18, r30
     clr r19
+    // r24:r22 = q, r19:r18 = a.
 .Ltwo_bytes\@:
-    clr r20
-    clr r21
-    // r24:r22 = q, r21:r18 = a.
+    push r17
+    sec
+    rol_bytes r22, 3
+    mul r18, r22
+    movw r26, r0
+    clr r30
+    clr r31
+    clr r17
+    add_product r19, r22, r27, r30
+    add_product r18, r23, r27, r30, r31
+    add_product r19, r23, r30, r31
+    add_product r18, r24, r30, r31, r17
+    add_product r19, r24, r31, r17
+    rjmp .Lsquare\@
+    // The same, r21:r18 = a.
 .Lclose\@:
     push r17
     sec
@@ -156,6 +161,7 @@
     add_product r18, r24, r30, r31, r17
     add_product r19, r24, r31, r17
     add_product r20, r24, r17
+.Lsquare\@:
     // r17:r31:r30:r27:r26 = (2 q + 1) a modulo 2^40; once more, of which r21 is the upper byte.
     mul r26, r22
     mov r18, r1
@@ -194,12 +200,16 @@
     // by 7 + r26 bits.
 .Labove_one\@:
     brmi .Lnegative\@
-    .ifnb \correctly
-    push_all r22, r23, r24, r25
-    .endif
     tst r25
     mov r26, r25
+    .ifnb \correctly
+    clt
+    .endif
     breq 1f
+    .ifnb \correctly
+    push r22
+    set
+    .endif
     mov_bytes r22, r23, 3
     clr zero
     ldi r26, 4
@@ -220,14 +230,14 @@
     mov r30, r0
     mul_or r23, r20, r18, r30
     mul_or r22, r20, r21, r18
-    mov r22, r26
+    push r26
     reciprocal_root r21
-    clr r24
-    subi r22, 1
+    pop r26
+    subi r26, 1
     brcs 4f
     breq 5f
 3:  lsr_bytes r18, 3
-    dec r22
+    dec r26
     brne 3b
     rjmp 5f
 4:  lsl_bytes r18, 3
@@ -235,19 +245,34 @@
     .ifb \correctly
     lsl r18
     .endif
-    mov r22, r19
-    mov r23, r20
     .ifnb \correctly
     round_unless_close 5, 13
     .endif
+    mov r22, r19
+    mov r23, r20
+    clr r24
     adc_each r22, zero, 3
     clr r1
     .ifnb \correctly
-    pop_all r0, r0, r0, r0
+    brtc 1f
+    pop r0
+1:
     .endif
     ret
     .ifnb \correctly
-9:  pop_all r21, r20, r19, r18
+    // r20:r19 = q, r24:r22 = the upper three bytes of a, of which there are four where T is set.
+9:  mov r26, r19
+    mov r27, r20
+    movw r18, r22
+    mov r20, r24
+    clr r21
+    brtc 1f
+    mov r21, r24
+    mov r20, r23
+    mov r19, r22
+    pop r18
+1:  movw r22, r26
+    clr r24
     rjmp .Lclose\@
     .endif
     ENDFUNC \name

@@ -10,11 +10,6 @@
 // int32_t fixedpoint_sine_of_quarter_turns_q<32 - F>_<F>(uint64_t turns)
 // The sine of turns / 2^40 quarter turns, of which 42 bits count; as above but for the reduction's error.
 //
-// int32_t fixedpoint_certain_sin_q16_16(int32_t angle), fixedpoint_certain_cos_q16_16
-// void fixedpoint_certain_sincos_q16_16(int32_t angle, int32_t* sine_and_cosine)
-// The same of Q16.16 within 0.5 ulp, or the smallest number where that close to a tie the core leaves a
-// doubt.
-//
 // In       angle = r25:r22; sine_and_cosine = r21:r20
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
@@ -124,14 +119,14 @@
 1:
     .endm
 
-    .macro kernels integer, fraction, certain=
-    SECTION fixedpoint_\certain\()sin_q\integer\()_\fraction
-    ENTRY fixedpoint_\certain\()cos_q\integer\()_\fraction
+    .macro kernels integer, fraction
+    SECTION fixedpoint_sin_q\integer\()_\fraction
+    ENTRY fixedpoint_cos_q\integer\()_\fraction
     ldi quadrant, 1
     rjmp .Lreduce_\fraction
-    ENDFUNC fixedpoint_\certain\()cos_q\integer\()_\fraction
+    ENDFUNC fixedpoint_cos_q\integer\()_\fraction
 
-    ENTRY fixedpoint_\certain\()sin_q\integer\()_\fraction
+    ENTRY fixedpoint_sin_q\integer\()_\fraction
     ldi quadrant, 0
 .Lreduce_\fraction:
     quarter_turns \fraction
@@ -158,14 +153,7 @@
     find_record fixedpoint_sine_32_table, r22
     XCALL fixedpoint_cubic_32
     mov r26, zero
-    .if \fraction == 16
-    add_constant 22, (1 << 14) + DOUBT
-    clr r1
-    leave_doubts
-    shift_signed 15
-    .else
     shift_and_round (31 - \fraction), 22, 8
-    .endif
     .endif
     clr r1
     .if \fraction > 30
@@ -188,9 +176,9 @@
     com r22
 4:  ret
     .endif
-    ENDFUNC fixedpoint_\certain\()sin_q\integer\()_\fraction
+    ENDFUNC fixedpoint_sin_q\integer\()_\fraction
 
-    FUNCTION fixedpoint_\certain\()sincos_q\integer\()_\fraction
+    FUNCTION fixedpoint_sincos_q\integer\()_\fraction
     push r28
     push r29
     movw r28, r20
@@ -206,9 +194,8 @@
     pop r29
     pop r28
     ret
-    ENDFUNC fixedpoint_\certain\()sincos_q\integer\()_\fraction
+    ENDFUNC fixedpoint_sincos_q\integer\()_\fraction
 
-    .ifb \certain
     // In a section of its own: sines of radians do not pay for it.
     FUNCTION fixedpoint_sine_of_quarter_turns_q\integer\()_\fraction
     movw r30, r22
@@ -217,10 +204,8 @@
     clr zero
     XJMP .Levaluate_\fraction
     ENDFUNC fixedpoint_sine_of_quarter_turns_q\integer\()_\fraction
-    .endif
     .endm
 
 #include "splits_32.inc"
-    kernels 16, 16, certain_
 
 #endif

@@ -12,10 +12,23 @@ namespace kernel {
 #if defined(__AVR__) && defined(__AVR_HAVE_MUL__) && !defined(FIXEDPOINT_NO_ASSEMBLY)
 constexpr bool has_assembly = true;
 #define FIXEDPOINT_DISPATCH FIXEDPOINT_DISPATCH_TO_KERNEL
+#define FIXEDPOINT_CALLED_BY_KERNEL __attribute__((used, noinline))
 #else
 constexpr bool has_assembly = false;
 #define FIXEDPOINT_DISPATCH(shape, operation, Raw, F, symbol, implementation)
+#define FIXEDPOINT_CALLED_BY_KERNEL __attribute__((noinline))
 #endif
+}  // namespace kernel
+}  // namespace fixedpoint
+
+// FIXEDPOINT_CALLED_BY_KERNEL: a function template to which kernels jump. It is compiled where
+// something is_kept for them.
+namespace fixedpoint {
+namespace kernel {
+template <class Function>
+constexpr bool is_kept(Function*) {
+    return true;
+}
 }  // namespace kernel
 }  // namespace fixedpoint
 

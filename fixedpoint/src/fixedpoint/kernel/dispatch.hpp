@@ -15,7 +15,6 @@
 #include <fixedpoint/portable/atan.hpp>
 #include <fixedpoint/portable/atan2.hpp>
 #include <fixedpoint/portable/cbrt_q32_32.hpp>
-#include <fixedpoint/portable/certain.hpp>
 #include <fixedpoint/portable/convert.hpp>
 #include <fixedpoint/portable/cross.hpp>
 #include <fixedpoint/portable/divide.hpp>
@@ -105,13 +104,6 @@ FIXEDPOINT_OPERATION(UNARY, log)
 FIXEDPOINT_OPERATION(UNARY, log_fine)
 FIXEDPOINT_OPERATION(UNARY, log_small)
 FIXEDPOINT_OPERATION(UNARY, log2)
-FIXEDPOINT_OPERATION(UNARY, certain_sin)
-FIXEDPOINT_OPERATION(UNARY, certain_cos)
-FIXEDPOINT_OPERATION(UNARY, certain_atan)
-FIXEDPOINT_OPERATION(UNARY, certain_exp)
-FIXEDPOINT_OPERATION(UNARY, certain_log)
-FIXEDPOINT_OPERATION(PAIR, certain_sincos)
-FIXEDPOINT_OPERATION(BINARY, certain_atan2)
 FIXEDPOINT_OPERATION(VECTORS, dot2)
 FIXEDPOINT_OPERATION(VECTORS, dot3)
 FIXEDPOINT_OPERATION(SPLIT_VECTORS, dot_64)
@@ -417,23 +409,10 @@ FIXEDPOINT_PORTABLE(cosh_unsaturated)
 FIXEDPOINT_PORTABLE(log_fine)
 FIXEDPOINT_PORTABLE(log2)
 FIXEDPOINT_PORTABLE(nearest_reciprocal_sqrt)
-FIXEDPOINT_PORTABLE(certain_sin)
-FIXEDPOINT_PORTABLE(certain_cos)
-FIXEDPOINT_PORTABLE(certain_atan)
-FIXEDPOINT_PORTABLE(certain_exp)
-FIXEDPOINT_PORTABLE(certain_log)
 #undef FIXEDPOINT_PORTABLE
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw pow_unsaturated(Raw a, Raw b) {
     return portable::pow_unsaturated<Raw, F>(a, b);
-}
-template <class Raw, int F>
-FIXEDPOINT_CONSTEXPR void certain_sincos(Raw angle, Raw* sine_and_cosine) {
-    portable::certain_sincos<Raw, F>(angle, sine_and_cosine);
-}
-template <class Raw, int F>
-FIXEDPOINT_CONSTEXPR Raw certain_atan2(Raw y, Raw x) {
-    return portable::certain_atan2<Raw, F>(y, x);
 }
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw sine_of_phase(Raw phase) {

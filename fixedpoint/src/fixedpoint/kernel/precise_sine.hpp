@@ -80,28 +80,24 @@ FIXEDPOINT_IN_PLACE uint64_t precise_sine_of_rest(uint64_t rest, bool is_cosine)
     return base + change + change;
 }
 
-// The magnitude of a sine in units of 2^-32, rounded downward, and its sign.
-struct PreciseSine {
-    uint32_t magnitude;
-    bool is_negative;
-};
-// Of an angle of Q16.16 and `turned` quarter turns, 0 or 1.
-FIXEDPOINT_CONSTEXPR __attribute__((noinline)) PreciseSine precise_sine(int32_t a, uint8_t turned) {
+// The magnitude of the sine of an angle of Q16.16 and `turned` quarter turns, 0 or 1, in units of
+// 2^-32, rounded downward to an even number, and 1 more where the sine is negative.
+FIXEDPOINT_CONSTEXPR __attribute__((noinline)) uint32_t precise_sine(int32_t a, uint8_t turned) {
     const QuarterTurns angle = nearest_quarter_turns(magnitude(a));
     const uint8_t quadrant = static_cast<uint8_t>(angle.quarters + turned);
     const bool is_cosine = (quadrant & 1) != 0;
     // The cosine does not see the sign of the rest, nor that of the angle.
     const bool is_below = (!is_cosine && !angle.is_beyond) != (turned == 0 && a < 0);
-    return {upper_word(precise_sine_of_rest(angle.rest, is_cosine)),
-            is_below != ((quadrant & 2) != 0)};
+    const uint32_t sine = upper_word(precise_sine_of_rest(angle.rest, is_cosine));
+    return is_below != ((quadrant & 2) != 0) ? sine | 1 : sine & ~uint32_t(1);
 }
 
 // The same, rounded to Q16.16: no result but 0, 1 and -1 has so few digits, none lies on a tie.
 FIXEDPOINT_CONSTEXPR int32_t nearest_sine(int32_t a, uint8_t turned) {
-    const PreciseSine sine = precise_sine(a, turned);
-    const uint32_t rounded = static_cast<uint32_t>(upper_half(sine.magnitude)) +
-                             (static_cast<uint16_t>(sine.magnitude) >> 15);
-    return with_sign<int32_t>(rounded, sine.is_negative);
+    const uint32_t sine = precise_sine(a, turned);
+    const uint32_t rounded =
+        static_cast<uint32_t>(upper_half(sine)) + (static_cast<uint16_t>(sine) >> 15);
+    return with_sign<int32_t>(rounded, (sine & 1) != 0);
 }
 
 // The sign of an exact result is that of the tie next to it.
@@ -109,7 +105,7 @@ template <uint8_t turned>
 struct CircularSide {
     static FIXEDPOINT_CONSTEXPR bool reaches(int64_t tie, int32_t a) {
         const uint32_t positive = static_cast<uint32_t>(magnitude(tie));
-        return (precise_sine(a, turned).magnitude >= positive) != (tie < 0);
+        return (precise_sine(a, turned) >= positive) != (tie < 0);
     }
 };
 using SineSide = CircularSide<0>;

@@ -260,13 +260,6 @@
     KERNEL(UNARY, log_fine, int64_t, 32, fixedpoint_log_q32_32_fine, log_fine) \
     KERNEL(UNARY, log2, int32_t, 16, fixedpoint_log2_q16_16, log2) \
     KERNEL(UNARY, log_small, int32_t, 16, fixedpoint_log_q16_16_small, log_small) \
-    KERNEL(UNARY, certain_sin, int32_t, 16, fixedpoint_certain_sin_q16_16, certain_sin) \
-    KERNEL(UNARY, certain_cos, int32_t, 16, fixedpoint_certain_cos_q16_16, certain_cos) \
-    KERNEL(UNARY, certain_atan, int32_t, 16, fixedpoint_certain_atan_q16_16, certain_atan) \
-    KERNEL(UNARY, certain_exp, int32_t, 16, fixedpoint_certain_exp_q16_16, certain_exp) \
-    KERNEL(UNARY, certain_log, int32_t, 16, fixedpoint_certain_log_q16_16, certain_log) \
-    KERNEL(PAIR, certain_sincos, int32_t, 16, fixedpoint_certain_sincos_q16_16, certain_sincos) \
-    KERNEL(BINARY, certain_atan2, int32_t, 16, fixedpoint_certain_atan2_q16_16, certain_atan2) \
     KERNEL(VECTORS, dot2, int8_t, 4, fixedpoint_dot2_q4_4, dot2) \
     KERNEL(VECTORS, dot2, int16_t, 8, fixedpoint_dot2_q8_8, dot2) \
     KERNEL(VECTORS, dot2, int32_t, 16, fixedpoint_dot2_q16_16, dot2) \
@@ -316,4 +309,13 @@
     KERNEL(VECTOR, length3, int64_t, 32, fixedpoint_length3_q32_32, length3) \
     KERNEL(MAPPING, normalise3, int16_t, 8, fixedpoint_normalise3_q8_8, normalise3) \
     KERNEL(MAPPING, normalise3, int32_t, 16, fixedpoint_normalise3_q16_16, normalise3)
+
+// Those that jump to what kernel/nearest.hpp compiles where a core of 32 bits leaves a doubt.
+#define FIXEDPOINT_ROUNDED_KERNELS(KERNEL) \
+    KERNEL(UNARY, nearest_sin, int32_t, 16, fixedpoint_sin_q16_16_correctly_rounded, nearest_sin) \
+    KERNEL(UNARY, nearest_cos, int32_t, 16, fixedpoint_cos_q16_16_correctly_rounded, nearest_cos) \
+    KERNEL(UNARY, nearest_atan, int32_t, 16, fixedpoint_atan_q16_16_correctly_rounded, nearest_atan) \
+    KERNEL(UNARY, nearest_exp, int32_t, 16, fixedpoint_exp_q16_16_correctly_rounded, nearest_exp) \
+    KERNEL(UNARY, nearest_log, int32_t, 16, fixedpoint_log_q16_16_correctly_rounded, nearest_log) \
+    KERNEL(BINARY, nearest_atan2, int32_t, 16, fixedpoint_atan2_q16_16_correctly_rounded, nearest_atan2)
 // clang-format on

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The exact result of Q16.16, rounded, where the cores of 32 bits leave no doubt about it, and the
-// smallest number, which no result is, where they do. Bit for bit as avr/log_32.S, sin_32.S,
-// atan2_32.S and exp_wide.S compute it; other formats have none, and are always in doubt.
+// smallest number, which no result is, where they do: for hosts, and chips without kernels. Other
+// formats have none, and are always in doubt.
 #pragma once
 
 #include <fixedpoint/portable/atan2_32.hpp>
@@ -46,12 +46,6 @@ FIXEDPOINT_CONSTEXPR Raw certain_cos(Raw) {
 template <>
 FIXEDPOINT_CONSTEXPR int32_t certain_cos<int32_t, 16>(int32_t angle) {
     return certain_sine(quarter_turns_32<16>(angle) + one_quarter_turn_32);
-}
-
-template <class Raw, int F>
-FIXEDPOINT_CONSTEXPR void certain_sincos(Raw angle, Raw* sine_and_cosine) {
-    sine_and_cosine[0] = certain_sin<Raw, F>(angle);
-    sine_and_cosine[1] = certain_cos<Raw, F>(angle);
 }
 
 template <class Raw, int F>

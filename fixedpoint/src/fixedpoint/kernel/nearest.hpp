@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// The functions of CorrectlyRounded that compute with cores of 32 bits: kernel::nearest_sin<Raw, F>
+// and so on. Those of Q16.16 have kernels, which jump to the code here where a core leaves a doubt.
+#pragma once
+
+#include <fixedpoint/kernel/power_side.hpp>
+#include <fixedpoint/kernel/precise_sine.hpp>
+#include <fixedpoint/kernel/short_turns.hpp>
+#include <fixedpoint/portable/certain.hpp>
+#include <fixedpoint/portable/correct_rounding.hpp>
+
+namespace fixedpoint {
+namespace kernel {
+
+// Out of line, so that nothing is saved for it on the way that is nearly always taken.
+#define FIXEDPOINT_DOUBTFUL(name, Side, at_once)                                      \
+    template <class Raw, int F>                                                       \
+    FIXEDPOINT_CONSTEXPR __attribute__((noinline)) Raw doubtful_##name(Raw a) {       \
+        return at_once portable::correctly_rounded<Raw, F, Side>(                     \
+            kernel::name<int64_t, 32>(portable::convert<int64_t, 32, Raw, F>(a)), a); \
+    }
+// Of Q16.16 the precise sine needs no stage before it.
+FIXEDPOINT_DOUBTFUL(sin, SineSide, F == 16 ? static_cast<Raw>(nearest_sine(a, 0)) :)
+FIXEDPOINT_DOUBTFUL(cos, CosineSide, F == 16 ? static_cast<Raw>(nearest_sine(a, 1)) :)
+FIXEDPOINT_DOUBTFUL(atan, ArcTangentSide, )
+FIXEDPOINT_DOUBTFUL(exp, ExponentialSide, )
+FIXEDPOINT_DOUBTFUL(log, NaturalLogarithmSide, )
+#undef FIXEDPOINT_DOUBTFUL
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR __attribute__((noinline)) Raw doubtful_atan2(Raw y, Raw x) {
+    return portable::correctly_rounded<Raw, F, AngleSide>(
+        atan2<int64_t, 32>(portable::convert<int64_t, 32, Raw, F>(y),
+                           portable::convert<int64_t, 32, Raw, F>(x)),
+        y, x);
+}
+
+#define FIXEDPOINT_DECIDED(shape, name)                              \
+    template <class Raw, int F>                                      \
+    FIXEDPOINT_CONSTEXPR FIXEDPOINT_CALLED_BY_KERNEL Raw             \
+        decided_##name FIXEDPOINT_PARAMETERS_##shape(Raw) {          \
+        return doubtful_##name<Raw, F> FIXEDPOINT_ARGUMENTS_##shape; \
+    }
+FIXEDPOINT_DECIDED(UNARY, sin)
+FIXEDPOINT_DECIDED(UNARY, cos)
+FIXEDPOINT_DECIDED(UNARY, log)
+FIXEDPOINT_DECIDED(BINARY, atan2)
+#undef FIXEDPOINT_DECIDED
+
+}  // namespace kernel
+
+#define FIXEDPOINT_NEAREST(shape, name)                                           \
+    namespace portable {                                                          \
+    template <class Raw, int F>                                                   \
+    FIXEDPOINT_CONSTEXPR Raw nearest_##name FIXEDPOINT_PARAMETERS_##shape(Raw) {  \
+        const Raw certain = certain_##name<Raw, F> FIXEDPOINT_ARGUMENTS_##shape;  \
+        return certain != RawLimits<Raw>::min ? certain                           \
+                                              : kernel::doubtful_##name<Raw, F>   \
+                                                    FIXEDPOINT_ARGUMENTS_##shape; \
+    }                                                                             \
+    }                                                                             \
+    namespace kernel {                                                            \
+    template <class Raw, int F>                                                   \
+    FIXEDPOINT_CONSTEXPR Raw nearest_##name FIXEDPOINT_PARAMETERS_##shape(Raw) {  \
+        return portable::nearest_##name<Raw, F> FIXEDPOINT_ARGUMENTS_##shape;     \
+    }                                                                             \
+    }
+FIXEDPOINT_NEAREST(UNARY, sin)
+FIXEDPOINT_NEAREST(UNARY, cos)
+FIXEDPOINT_NEAREST(UNARY, atan)
+FIXEDPOINT_NEAREST(UNARY, exp)
+FIXEDPOINT_NEAREST(UNARY, log)
+FIXEDPOINT_NEAREST(BINARY, atan2)
+#undef FIXEDPOINT_NEAREST
+
+}  // namespace fixedpoint
+
+FIXEDPOINT_ROUNDED_KERNELS(FIXEDPOINT_DISPATCH)
