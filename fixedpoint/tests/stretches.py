@@ -48,6 +48,7 @@ class Linear(Machine):
         self.named = {}   # of a form: the variable that stands for it
         self.solver, self.fixed = None, {}
         self.unequal = None  # what holds the exclusive or of `differing`
+        self.memory = []     # bytes from address 0 on
         self.carry = self.tested = self.sign = self.signs = None
         super().__init__(program, {n: self.variable(f"r{n}") for n in range(32)})
 
@@ -168,6 +169,13 @@ class Linear(Machine):
         demand(place < len(flash))
         self.registers[d] = known(flash[place])
 
+    def load(self, d, low):
+        """From X+ or Z+, which must be known."""
+        pointer = self.number((low, low + 1)).constant()
+        demand(pointer < len(self.memory), "what is read is not of the vector")
+        self.registers[d] = self.memory[pointer]
+        self.registers[low], self.registers[low + 1] = known(pointer + 1 & 255), known(pointer + 1 >> 8)
+
     def compute(self, mnemonic, d, r, target, following):
         registers, before = self.registers, self.tested
         borrow = self.carry if mnemonic in ("adc", "sbc", "sbci", "cpc", "ror") else known(0)
@@ -245,6 +253,8 @@ class Linear(Machine):
             registers[d] = known(int(r, 0))
         elif mnemonic == "lpm":
             self.look_up(d)
+        elif mnemonic == "ld" and r in ("X+", "Z+"):
+            self.load(d, 26 if r == "X+" else 30)
         elif mnemonic in ("brts", "brtc"):
             return [(target if self.transfer == (mnemonic == "brts") else following, self)]
         elif mnemonic in ("brcs", "brcc"):
