@@ -56,7 +56,13 @@
     cpi r18, 128 + \below
     .endm
 
+    // With `correctly` the number stays in r24:r22 for the code that decides doubts, and q is elsewhere.
     .macro kernel name, correctly
+    .ifnb \correctly
+    .set low, 26
+    .else
+    .set low, 22
+    .endif
     FUNCTION \name
     sbiw r24, 0
     brne 0f
@@ -87,19 +93,19 @@
 3:  reciprocal_root
     mul r18, r21
     mov r18, r0
-    mov r26, r1
+    mov low, r1
     mul r19, r21
-    or r26, r0
-    mov r27, r1
+    or low, r0
+    mov low + 1, r1
     mul r20, r21
-    or r27, r0
+    or low + 1, r0
     mov r24, r1
     .ifnb \correctly
     round_unless_close 32, 40
+    movw r22, low
     .else
     lsl r18
     .endif
-    movw r22, r26
     adc_each r22, zero, 3
     clr r1
     ret
@@ -230,27 +236,34 @@
     mov r30, r0
     mul_or r23, r20, r18, r30
     mul_or r22, r20, r21, r18
+    .ifnb \correctly
     push r26
     reciprocal_root r21
-    pop r26
-    subi r26, 1
+    pop low
+    .else
+    mov low, r26
+    reciprocal_root r21
+    clr r24
+    .endif
+    subi low, 1
     brcs 4f
     breq 5f
 3:  lsr_bytes r18, 3
-    dec r26
+    dec low
     brne 3b
     rjmp 5f
 4:  lsl_bytes r18, 3
 5:
-    .ifb \correctly
-    lsl r18
-    .endif
     .ifnb \correctly
     round_unless_close 5, 13
+    .else
+    lsl r18
     .endif
     mov r22, r19
     mov r23, r20
+    .ifnb \correctly
     clr r24
+    .endif
     adc_each r22, zero, 3
     clr r1
     .ifnb \correctly
