@@ -21,8 +21,9 @@ constexpr bool has_assembly = false;
 }  // namespace kernel
 }  // namespace fixedpoint
 
-// FIXEDPOINT_CALLED_BY_KERNEL: a function template to which kernels jump. Who calls such a kernel says
-// is_kept(function), which compiles the function; without, the kernel would jump to address 0. It is always true.
+// FIXEDPOINT_CALLED_BY_KERNEL: a function template to which kernels jump. Who calls such a kernel
+// says is_kept(function), which compiles the function; without, the kernel would jump to address 0.
+// It is always true.
 namespace fixedpoint {
 namespace kernel {
 template <class Function>
