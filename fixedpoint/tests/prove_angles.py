@@ -23,9 +23,10 @@ import sys
 import numpy
 import z3
 
+from arrays import Arrays
 from bits import Bits
 from form import known
-from machine_code import Machine, Program, Unprovable, demand
+from machine_code import Program, demand
 from stretches import Linear
 
 NAME = "fixedpoint_atan2_q16_16"
@@ -56,44 +57,6 @@ class Tables(Bits):
                 inside = z3.And(z3.UGE(self.registers[30], first), z3.ULE(self.registers[30], i))
                 value = z3.If(inside, z3.BitVecVal(table[i], 8), value)
         self.registers[d] = value
-        return [(following, self)]
-
-
-class Arrays(Machine):
-    """Registers hold numbers, or arrays of them: one for each case."""
-
-    def __init__(self, program):
-        super().__init__(program, {n: f"r{n}" for n in range(32)})
-        self.flash = numpy.frombuffer(program.flash, dtype=numpy.uint8)
-        self.carry = None
-
-    def number(self, registers):
-        return sum(self.registers[register] * (1 << 8 * i) for i, register in enumerate(registers))
-
-    def compute(self, mnemonic, d, r, target, following):
-        registers = self.registers
-        carry = self.carry if mnemonic in ("adc", "sbc", "sbci") else 0
-        demand(carry is not None)
-        y = registers[r] if isinstance(r, int) else int(r, 0) if mnemonic in ("ldi", "subi", "sbci") else 0
-        if mnemonic == "lpm":
-            demand(not isinstance(registers[31], str))
-            registers[d] = self.flash[registers[31] * 256 + registers[30]].astype(numpy.int32)
-            return [(following, self)]
-        demand(not isinstance(y, str) and (mnemonic == "ldi" or d == r or not isinstance(registers[d], str)))
-        if mnemonic == "ldi":
-            registers[d] = y
-        elif mnemonic == "eor" and d == r:
-            registers[d] = 0
-        elif mnemonic == "inc":
-            registers[d] = registers[d] + 1 & 255
-        elif mnemonic == "mul":
-            value = registers[d] * y
-            registers[0], registers[1], self.carry = value & 255, value >> 8, None
-        elif mnemonic in ("add", "adc", "sub", "sbc", "subi", "sbci"):
-            value = registers[d] + (y + carry) * (1 if mnemonic.startswith("ad") else -1)
-            registers[d], self.carry = value & 255, value >> 8 & 1
-        else:
-            raise Unprovable(f"{mnemonic} is not modelled")
         return [(following, self)]
 
 
@@ -150,8 +113,7 @@ def magnitudes(m):
 def every(m, first, registers):
     """The numbers of a case, in the registers."""
     numbers = numpy.arange(first, first + CHUNK, m.program.every)
-    for i, register in enumerate(registers):
-        m.registers[register] = (numbers >> 8 * i & 255).astype(numpy.int32)
+    m.place(numbers, registers)
     return numbers
 
 
@@ -159,7 +121,7 @@ def reciprocal(m, first):
     d = every(m, first, D)
 
     def check(m, end):
-        demand(all(m.registers[register] == f"r{register}" for register in (*N, OCTANT)))
+        demand(all(map(m.untouched, (*N, OCTANT))))
         m.program.within("reciprocal", *RECIPROCALS, (m.number(RECIPROCAL) * (d / 2.0**47) - 1) * 2**24)
     return check
 
@@ -182,7 +144,7 @@ def folded(m, first):
     r = every(m, first, RATIO) / 2.0**24
 
     def check(m, end):
-        demand(m.registers[OCTANT] == "r27" and isinstance(m.registers[1], int) and m.registers[1] == 0)
+        demand(m.untouched(OCTANT) and m.is_zero(1))
         demand((m.number(ANGLE) < LARGEST).all())
         error = m.number(ANGLE) - ULP / 2 - numpy.arctan(r) * 2**24
         m.program.within("angle", *ANGLES, error)

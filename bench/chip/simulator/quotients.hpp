@@ -12,7 +12,7 @@
 namespace simulator {
 
 // Of the compiler's integers: __udivmodhi4, __divdi3, __udivmod64. The compiler has quotients of
-// floats, too, which are told from their sf.
+// floats, too, whose names end in sf.
 inline constexpr const char* compilers_quotient = "^__u?(div|mod|divmod)([qhsd]i|psi|64)";
 
 // The names of all functions that divide: the compiler's, and the library's kernels and templates.

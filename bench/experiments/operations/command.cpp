@@ -176,22 +176,22 @@ const fixbench::Registration cycles({
                 return held(measure_cycles(*options));
             };
         },
-    .steps =
-        {{.name = "cycles",
-          .arguments = [](const Mode& mode) -> std::vector<std::string> {
-              std::vector<std::string> arguments = {"cycles", "--output", mode.data, "--samples",
-                                                    mode.quick ? "300" : "20000"};
-              // Not the class `all`: 65536 inputs take longer than the rest.
-              if (mode.quick)
-                  arguments.insert(arguments.end(),
-                                   {"--operands", "boundary,small,physics,full,uniform,published"});
-              return arguments;
-          },
-          .writes = {"operations.csv", "flash.csv", "operations.json"},
-          .targets = {"subjects"},
-          .reads = {device_folder},
-          .full_seconds = 400,
-          .quick_seconds = 60}},
+    .steps = {{.name = "cycles",
+               .arguments = [](const Mode& mode) -> std::vector<std::string> {
+                   std::vector<std::string> arguments = {"cycles", "--output", mode.data,
+                                                         "--samples", mode.quick ? "300" : "20000"};
+                   // Not the class `all`: 65536 inputs take longer than the rest.
+                   if (mode.quick)
+                       arguments.insert(
+                           arguments.end(),
+                           {"--operands", "boundary,small,physics,full,uniform,published"});
+                   return arguments;
+               },
+               .writes = {"operations.csv", "flash.csv", "operations.json"},
+               .targets = {"subjects"},
+               .reads = {device_folder},
+               .full_seconds = 400,
+               .quick_seconds = 60}},
 });
 
 const fixbench::Registration accuracy({

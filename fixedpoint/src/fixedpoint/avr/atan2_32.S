@@ -16,7 +16,7 @@
 // upper byte of what is left counts with the slope there. The angle is put back from the first octant.
 // The ratio's four digits to base 256 are those of divide_32.S without signs, roundings and limits.
 //
-// Error in units of 2^-31: up to F = 24 the core of 32 bits, -5.4 to 2.8, and the ratio 0.5; beyond,
+// Error in units of 2^-31: up to F = 24 the core of 32 bits (cubic_core_32.inc) and the ratio 0.5; beyond,
 // the core of 40 bits 0.2.
 
 #ifdef __AVR_HAVE_MUL__

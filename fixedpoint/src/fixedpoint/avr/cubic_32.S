@@ -5,7 +5,7 @@
 //
 // t in [0, 1) the position in the interval. They are no C functions: r21 is zero instead of r1.
 //
-// fixedpoint_cubic_32    in units of 2^-31, within 5.4 units, modulo 2^32
+// fixedpoint_cubic_32    in units of 2^-31, within 5.7 units (cubic_core_32.inc), modulo 2^32
 // fixedpoint_cubic_40    in units of 2^-39, modulo 2^40; within 57 units, 2^-33.1
 //
 // In       r31:r30 = address of the interval's record (tables/cubic.py), r20:r18 = 2^24 t, r21 = 0
@@ -13,8 +13,8 @@
 // Changes  r0, r1, r22..r27, r30, r31; cubic_40 changes r18, too
 //
 // A record of twelve bytes lies in the order of use. The twist sees the upper byte of t. Products
-// without influence on the unit are left out and those on it keep their upper byte: in cubic_32
-// 2.8 units too much for what is subtracted, 5.3 too few for what is added.
+// without influence on the unit are left out and those on it keep their upper byte. By that alone,
+// cubic_32 subtracts up to 2.8 units too few and adds up to 5.3 too few.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"

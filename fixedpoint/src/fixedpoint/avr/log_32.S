@@ -17,7 +17,7 @@
 // What is left of the number is the position in the table of ln(1 + x). A leading byte of 1 leaves
 // whole bytes.
 //
-// Up to F = 24 the sum is formed in units of 2^-31 by the core of 32 bits, -5.4 to 2.8 units off,
+// Up to F = 24 the sum is formed in units of 2^-31 by the core of 32 bits (cubic_core_32.inc),
 // beyond that in units of 2^-39. The constant -F ln 2 holds half an ulp for the rounding, and a unit
 // for what the core cuts.
 

@@ -14,7 +14,7 @@
 // Of an angle within +-256 rad the upper byte is a sign. Odd quadrants run backwards (one's complement),
 // quadrants 2 and 3 are negated. The angle waits on the stack for the code that decides doubts.
 //
-// Error in units of 2^-31: the core of 32 bits, of all positions, -5.6 to 3.1; the turns 5.1 of 2^-32, which is
+// Error in units of 2^-31: the core of 32 bits (cubic_core_32.inc); the turns, short by 5.1 of 2^-32 at most,
 // 4.0.
 
 #ifdef __AVR_HAVE_MUL__

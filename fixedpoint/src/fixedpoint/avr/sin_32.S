@@ -2,7 +2,7 @@
 // int32_t fixedpoint_sin_q<32 - F>_<F>(int32_t angle)
 // int32_t fixedpoint_cos_q<32 - F>_<F>(int32_t angle)
 // Sine and cosine of an angle in radians of each split of 32 bits but Q16.16, for every input; within
-// 0.55 ulp up to F = 24 and 0.75 ulp beyond, in [-1, 1], saturated where the format does not hold 1.
+// 0.56 ulp up to F = 24 and 0.75 ulp beyond, in [-1, 1], saturated where the format does not hold 1.
 //
 // void fixedpoint_sincos_q<32 - F>_<F>(int32_t angle, int32_t* sine_and_cosine)
 // Both, bit for bit as above: one reduction, two evaluations.
@@ -21,7 +21,7 @@
 // there on average. Where F is below 16, the lowest bytes have no influence and are left zero. Odd
 // quadrants run backwards (one's complement), quadrants 2 and 3 are negated.
 //
-// Error in units of 2^-31: up to F = 24 the core of 32 bits, -5.4 to 2.8, and the quarter turns 1.6,
+// Error in units of 2^-31: up to F = 24 the core of 32 bits (cubic_core_32.inc) and the quarter turns 1.6,
 // of an ulp of 128 or more; beyond, the core of 40 bits 0.22, the turns' lowest byte times the slope
 // of the sine 0.02. Rounding 0.5 ulp.
 

@@ -21,13 +21,14 @@ template <class Number, uint8_t N>
 void multiply(const Matrix<Number, N>& a, const Number (&v)[N], Number (&result)[N]) {
     MatrixProduct<Number>::apply(a.element, v, result);
 }
-/// The product of two matrices, likewise, without the copy that an assignment makes. `result` must
-/// be neither factor.
+/// The product of two matrices, each element rounded once; out of the range as the arithmetic has
+/// it. `result` must be neither factor.
 template <class Number, uint8_t N>
 void multiply(const Matrix<Number, N>& a, const Matrix<Number, N>& b, Matrix<Number, N>& result) {
     MatrixProduct<Number>::apply(a.element, b.element, result.element);
 }
-/// The product of two matrices, likewise.
+/// The product of two matrices, each element rounded once; out of the range as the arithmetic has
+/// it. An assignment copies it, which `multiply` saves.
 template <class Number, uint8_t N>
 Matrix<Number, N> operator*(const Matrix<Number, N>& a, const Matrix<Number, N>& b) {
     Matrix<Number, N> product;

@@ -12,6 +12,8 @@
 ///   without, the loop would stop where integral gain times error rounds to 0.
 #pragma once
 
+#include <stddef.h>
+
 #include <fixedpoint/blocks/carried_error.hpp>
 #include <fixedpoint/blocks/filter_kernel.hpp>
 
@@ -67,6 +69,12 @@ struct PidStep {
 template <>
 struct PidStep<Fixed<16, 16, Saturating>, true> {
     using Number = Fixed<16, 16, Saturating>;
+    using State = PidState<Number>;
+    static_assert(offsetof(State, gains) == 0 && offsetof(State, low) == 12 &&
+                      offsetof(State, high) == 16 && offsetof(State, integral) == 20 &&
+                      offsetof(State, measurement) == 24 && offsetof(State, carried) == 28 &&
+                      offsetof(State, started) == 30,
+                  "avr/pid_q16_16.S");
     static Number take(PidState<Number>& state, Number setpoint, Number measurement) {
         return Number::from_raw(fixedpoint_pid_q16_16(setpoint.raw(), measurement.raw(), &state));
     }

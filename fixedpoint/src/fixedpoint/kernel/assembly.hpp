@@ -18,13 +18,10 @@ constexpr bool has_assembly = false;
 #define FIXEDPOINT_DISPATCH(shape, operation, Raw, F, symbol, implementation)
 #define FIXEDPOINT_CALLED_BY_KERNEL __attribute__((noinline))
 #endif
-}  // namespace kernel
-}  // namespace fixedpoint
 
-// FIXEDPOINT_CALLED_BY_KERNEL: a function template to which kernels jump. It is compiled where
-// something is_kept for them.
-namespace fixedpoint {
-namespace kernel {
+// FIXEDPOINT_CALLED_BY_KERNEL: a function template to which kernels jump. Who calls such a kernel
+// says is_kept(function), which compiles the function; without, the kernel would jump to address 0.
+// It is always true.
 template <class Function>
 constexpr bool is_kept(Function*) {
     return true;

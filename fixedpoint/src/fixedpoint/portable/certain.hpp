@@ -12,7 +12,8 @@
 namespace fixedpoint {
 namespace portable {
 
-// A number in units of 2^-31 with an error below 8 of them, rounded to 16 bits.
+// A number in units of 2^-31 with an error below 8 of them, rounded to 16 bits. The kernels, whose
+// turns are not rounded to nearest, allow for more (avr/cubic_32.inc).
 FIXEDPOINT_CONSTEXPR int32_t rounded_without_doubt(int64_t number) {
     constexpr int64_t doubt = 8;
     const int64_t above = number + (int64_t(1) << 14) + doubt;

@@ -23,7 +23,8 @@ FIXEDPOINT_CONSTEXPR int32_t twist_of(uint8_t interval) {
     return static_cast<int8_t>(read_program_memory(Table::twist[interval]));
 }
 
-// In units of 2^-31, modulo 2^32, up to 4 units off. Needs position below 2^32, the whole table.
+// In units of 2^-31, modulo 2^32, within 5.7 units (avr/cubic_core_32.inc). Needs position below
+// 2^32, the whole table.
 template <class Table>
 FIXEDPOINT_CONSTEXPR uint32_t cubic_32(uint32_t position) {
     const uint8_t interval = static_cast<uint8_t>(position >> 24);
