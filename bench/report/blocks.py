@@ -11,14 +11,17 @@ WORK = {"pid": (3, 0), "biquad": (5, 0), "one_pole": (1, 0), "moving_average": (
         "quaternion_turn": (24, 0), "quaternion_rotate": (15, 0)}
 
 
+def float_cycles(data, row):
+    return data.rows("blocks", block=row["block"], format="binary32")[0]["cycles_mean"]
+
+
 def share_of_work(data, row):
     """The part of float's cycles that the block's products and quotients take alone: a product is what one more adds to
     a dot product, loads included."""
     cycles = {operation: data.rows("operations", operation=operation, format=row["format"], implementation="default",
                                    operands="small")[0]["cycles_mean"] for operation in ("dot2", "dot3", "divide")}
     products, quotients = WORK[row["block"]]
-    float_cycles = row["cycles_mean"] / row["cycles_against_float"]
-    return (products * (cycles["dot3"] - cycles["dot2"]) + quotients * cycles["divide"]) / float_cycles
+    return (products * (cycles["dot3"] - cycles["dot2"]) + quotients * cycles["divide"]) / float_cycles(data, row)
 
 
 def finding(data):
@@ -26,12 +29,13 @@ def finding(data):
     told = []
     for number_format in ("q8_8", "q16_16", "q8_24"):
         rows = data.rows("blocks", format=number_format)
-        above = [row for row in rows if row["cycles_against_float"] > GOAL]
+        shares = {row["block"]: row["cycles_mean"] / float_cycles(data, row) for row in rows}
+        above = [row for row in rows if shares[row["block"]] > GOAL]
         text = f"{len(rows) - len(above)} of {len(rows)} in {style.format_label(number_format)}"
         if above:
-            worst = max(above, key=lambda row: row["cycles_against_float"])
+            worst = max(shares, key=shares.get)
             floors = [share_of_work(data, row) for row in above]
-            text += (f" (the others up to {worst['cycles_against_float']:.2f}, {worst['block'].replace('_', ' ')}; the products "
+            text += (f" (the others up to {shares[worst]:.3g}, {worst.replace('_', ' ')}; the products "
                      f"and quotients of their definitions alone take {min(floors):.2f} to {max(floors):.2f})")
         told.append(text)
     return (f"Building blocks (controllers, filters, tables, matrices, quaternions) that take at most {GOAL} of float's "

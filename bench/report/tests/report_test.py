@@ -961,13 +961,16 @@ class Findings(Figures):
 
     def test_blocks(self):
         made = golden(blocks="""
-block format cycles_mean cycles_against_float
-pid q8_8 300 0.3
-one_pole q8_8 100 0.2
-pid q16_16 400 0.4
-one_pole q16_16 285 0.57
-matrix_inverse_2 q8_24 500 0.5
-one_pole q8_24 490 0.98
+block format cycles_mean
+pid q8_8 300
+one_pole q8_8 100
+pid q16_16 404
+one_pole q16_16 200
+matrix_inverse_2 q8_24 500
+one_pole q8_24 490
+pid binary32 1000
+one_pole binary32 500
+matrix_inverse_2 binary32 1000
 """, operations="""
 operation format implementation operands cycles_mean
 dot2 q16_16 default small 150
@@ -979,8 +982,8 @@ divide q8_24 default small 70
 """)
         self.assertEqual(blocks.finding(made), "Building blocks (controllers, filters, tables, matrices, quaternions) that "
                          "take at most 0.4 of float's cycles: 2 of 2 in Q8.8; 1 of 2 in Q16.16 (the "
-                         "others up to 0.57, one pole; the products and quotients of their definitions alone take 0.10 to "
-                         "0.10); 0 of 2 in Q8.24 (the others up to 0.98, one pole; the products and quotients of their "
+                         "others up to 0.404, pid; the products and quotients of their definitions alone take 0.15 to "
+                         "0.15); 0 of 2 in Q8.24 (the others up to 0.98, one pole; the products and quotients of their "
                          "definitions alone take 0.12 to 0.40).")
 
     def test_features(self):
