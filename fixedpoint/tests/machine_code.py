@@ -102,7 +102,7 @@ class Program:
         """`cuts`: (name, label, mnemonic, operand) of places behind a label, that have none themselves."""
         with tempfile.TemporaryDirectory() as folder:
             elf = elf or linked(folder, sources)
-            symbols = subprocess.run(["avr-nm", elf], check=True, capture_output=True, text=True).stdout
+            symbols = subprocess.run(["avr-nm", "--defined-only", elf], check=True, capture_output=True, text=True).stdout
             subprocess.run(["avr-objcopy", "-O", "binary", "-j", ".text", elf, f"{folder}/flash"], check=True)
             self.flash = Path(f"{folder}/flash").read_bytes()
             self.code = disassemble(elf)[1]
