@@ -21,8 +21,8 @@ struct CorrectlyRounded : Nearest {
     static constexpr Raw name(Raw a) {                                                            \
         return kernel::is_kept(kernel::in_doubt<Raw, F>) ? kernel::nearest_##name<Raw, F>(a) : a; \
     }
-    FIXEDPOINT_CORRECTLY_ROUNDED(sin, decided_sin)
-    FIXEDPOINT_CORRECTLY_ROUNDED(cos, decided_cos)
+    FIXEDPOINT_CORRECTLY_ROUNDED(sin, decided_sine)
+    FIXEDPOINT_CORRECTLY_ROUNDED(cos, decided_sine)
     FIXEDPOINT_CORRECTLY_ROUNDED(atan, decided_atan2)
     FIXEDPOINT_CORRECTLY_ROUNDED(exp, rounded_power)
     FIXEDPOINT_CORRECTLY_ROUNDED(log, decided_log)

@@ -139,6 +139,5 @@
     rjmp 2f
 1:  pop_all r21, r20, r19, r18
 2:  XJMP DECIDED_ATAN2
-    .weak DECIDED_ATAN2
     ENDFUNC fixedpoint_atan2_q16_16_correctly_rounded
 #endif

@@ -22,9 +22,8 @@
 #include "cubic_32.inc"
 #include "cubic_core_32.inc"
 
-// The functions of kernel/nearest.hpp that decide doubts, as the compiler names them.
-#define DECIDED_SIN _ZN10fixedpoint6kernel11decided_sinIlLi16EEET_S2_
-#define DECIDED_COS _ZN10fixedpoint6kernel11decided_cosIlLi16EEET_S2_
+// The function of kernel/nearest.hpp that decides doubts, as the compiler names it.
+#define DECIDED_SINE _ZN10fixedpoint6kernel12decided_sineIlLi16EEET_S2_h
 
 // Bytes of 2/pi 2^48.
 #define M0 0x44
@@ -157,10 +156,7 @@
     ldi r25, 0
     brsh .Lrounded
     clr r1
-    pop_all turns4, r25, r24, r23, r22
-    sbrc turns4, 0
-    XJMP DECIDED_COS
-    XJMP DECIDED_SIN
-    .weak DECIDED_COS, DECIDED_SIN
+    pop_all r20, r25, r24, r23, r22
+    XJMP DECIDED_SINE
     ENDFUNC fixedpoint_sin_q16_16_correctly_rounded
 #endif

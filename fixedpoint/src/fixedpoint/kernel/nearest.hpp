@@ -40,11 +40,13 @@ FIXEDPOINT_CONSTEXPR __attribute__((noinline)) Raw doubtful_atan2(Raw y, Raw x) 
         decided_##name FIXEDPOINT_PARAMETERS_##shape(Raw) {          \
         return doubtful_##name<Raw, F> FIXEDPOINT_ARGUMENTS_##shape; \
     }
-FIXEDPOINT_DECIDED(UNARY, sin)
-FIXEDPOINT_DECIDED(UNARY, cos)
 FIXEDPOINT_DECIDED(UNARY, log)
 FIXEDPOINT_DECIDED(BINARY, atan2)
 #undef FIXEDPOINT_DECIDED
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR FIXEDPOINT_CALLED_BY_KERNEL Raw decided_sine(Raw a, uint8_t turned) {
+    return static_cast<Raw>(nearest_sine(a, turned));
+}
 
 }  // namespace kernel
 
