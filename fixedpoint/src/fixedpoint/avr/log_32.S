@@ -36,7 +36,6 @@
     adc r27, r0
     lpm r22, Z
     adc r22, zero
-    .set constant, \fraction * 381061692393 - (1 << (38 - \fraction))
     add_constant 23, (1 << (38 - \fraction)) - \fraction * 381061692393
     sbci r22, constant & 0xff
     mov r18, r22
