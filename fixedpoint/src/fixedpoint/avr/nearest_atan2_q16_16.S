@@ -21,7 +21,7 @@
 #include "ratio_32.inc"
 
 // The function of kernel/nearest.hpp that decides doubts, as the compiler names it.
-#define DECIDED_ATAN2 _ZN10fixedpoint6kernel13decided_atan2IlLi16EEET_S2_S2_
+#define DECIDED_ATAN2 _ZN10fixedpoint6kernel13decided_atan2IlLi16EEET_S2_S2_S2_
 
 // y is n0, later the shorter coordinate, x is d0, later the longer one.
 #define octant r30
@@ -132,12 +132,19 @@
 .Lalmost_a_tie:
     cpi r22, 2 * DOUBT
     brsh .Lcertain
+    movw r30, r24
     pop_all r25, r24, r23, r22
     sbrs r20, ONE_OPERAND
     rjmp 1f
     ldi_bytes r18, 0x10000, 4
     rjmp 2f
 1:  pop_all r21, r20, r19, r18
-2:  XJMP DECIDED_ATAN2
+2:  push_all r14, r15, r16, r17
+    movw r14, r30
+    mov r16, r26
+    clr r17
+    XCALL DECIDED_ATAN2
+    pop_all r17, r16, r15, r14
+    ret
     ENDFUNC fixedpoint_atan2_q16_16_correctly_rounded
 #endif
