@@ -16,6 +16,7 @@
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
+#include <fixedpoint/portable/doubt.hpp>
 #include "cubic_32.inc"
 #include "cubic_core_32.inc"
 #include "ratio_32.inc"
@@ -38,7 +39,7 @@
     .endm
     // Of what is added the core cuts a unit.
     .macro turn value
-    add_constant 22, \value + (1 << 14) + DOUBT
+    add_constant 22, \value + (1 << 14) + FIXEDPOINT_DOUBT
     .endm
 
     SECTION fixedpoint_atan2_q16_16_correctly_rounded
@@ -130,7 +131,7 @@
     ret
 
 .Lalmost_a_tie:
-    cpi r22, 2 * DOUBT
+    cpi r22, 2 * FIXEDPOINT_DOUBT
     brsh .Lcertain
     movw r30, r24
     pop_all r25, r24, r23, r22

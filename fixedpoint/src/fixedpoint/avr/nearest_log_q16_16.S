@@ -11,6 +11,7 @@
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
+#include <fixedpoint/portable/doubt.hpp>
 #include "cubic_32.inc"
 #include "cubic_core_32.inc"
 #include "log_32.inc"
@@ -22,7 +23,7 @@
     cubic_32
     movw r0, r30
     add_multiple_of_ln2
-    add_constant 22, (1 << 14) + 1 - (16 * 381061692393 >> 8) + DOUBT
+    add_constant 22, (1 << 14) + 1 - (16 * 381061692393 >> 8) + FIXEDPOINT_DOUBT
     lsl_bytes r23, 4
     tst r23
     breq 8f
@@ -32,7 +33,7 @@
     sbc r25, r25
     clr r1
     ret
-8:  cpi r22, 2 * DOUBT
+8:  cpi r22, 2 * FIXEDPOINT_DOUBT
     brsh 7b
     // r1:r0 = address of the next interval's record, r30 = 7 e + 6: the number is the table's position
     // behind a one, shifted right by 32 - e bits.

@@ -19,6 +19,7 @@
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
+#include <fixedpoint/portable/doubt.hpp>
 #include "cubic_32.inc"
 #include "cubic_core_32.inc"
 
@@ -127,7 +128,7 @@
     com turns3
 1:  find_record fixedpoint_sine_32_table, r22
     cubic_32
-    subi_bytes r22, -((1 << 14) + DOUBT), 4
+    subi_bytes r22, -((1 << 14) + FIXEDPOINT_DOUBT), 4
     lsl r23
     breq .Lalmost_a_tie
     rol r24
@@ -150,7 +151,7 @@
     rol r25
     ldi r26, 0
     rol r26
-    cpi r22, 2 * DOUBT
+    cpi r22, 2 * FIXEDPOINT_DOUBT
     movw r22, r24
     mov r24, r26
     ldi r25, 0
