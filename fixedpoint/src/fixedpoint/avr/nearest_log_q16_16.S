@@ -17,7 +17,7 @@
 #include "log_32.inc"
 
 // The function of kernel/nearest.hpp that decides doubts, as the compiler names it.
-#define DECIDED_LOG _ZN10fixedpoint6kernel11decided_logIlLi16EEET_S2_
+#define DECIDED_LOG _ZN10fixedpoint6kernel11decided_logIlLi16EEET_S2_S2_
 
     position_of_logarithm fixedpoint_log_q16_16_correctly_rounded, 16
     cubic_32
@@ -35,6 +35,8 @@
     ret
 8:  cpi r22, 2 * FIXEDPOINT_DOUBT
     brsh 7b
+    mov r27, r24        // r26:r31:r27 = the number above the tie
+    mov r31, r25
     // r1:r0 = address of the next interval's record, r30 = 7 e + 6: the number is the table's position
     // behind a one, shifted right by 32 - e bits.
     movw r22, r0
@@ -61,6 +63,11 @@
     subi r30, -7
 3:  cpi r30, 7 * 32 + 6
     brne 2b
+    mov r18, r27
+    mov r19, r31
+    mov r20, r26
+    lsl r26
+    sbc r21, r21
     XJMP DECIDED_LOG
     ENDFUNC fixedpoint_log_q16_16_correctly_rounded
 #endif

@@ -34,14 +34,12 @@ FIXEDPOINT_CONSTEXPR __attribute__((noinline)) Raw doubtful_atan2(Raw y, Raw x) 
         y, x);
 }
 
-#define FIXEDPOINT_DECIDED(shape, name)                              \
-    template <class Raw, int F>                                      \
-    FIXEDPOINT_CONSTEXPR FIXEDPOINT_CALLED_BY_KERNEL Raw             \
-        decided_##name FIXEDPOINT_PARAMETERS_##shape(Raw) {          \
-        return doubtful_##name<Raw, F> FIXEDPOINT_ARGUMENTS_##shape; \
-    }
-FIXEDPOINT_DECIDED(UNARY, log)
-#undef FIXEDPOINT_DECIDED
+// `above` and one less are the numbers next to the logarithm.
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR FIXEDPOINT_CALLED_BY_KERNEL Raw decided_log(Raw a, Raw above) {
+    const int64_t tie = static_cast<int64_t>(above) * 65536 - 32768;
+    return NaturalLogarithmSide::reaches(tie, a) ? above : static_cast<Raw>(above - 1);
+}
 // `above` and one less are the numbers next to the angle's magnitude.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR FIXEDPOINT_CALLED_BY_KERNEL Raw decided_atan2(Raw y, Raw x, Raw above) {
