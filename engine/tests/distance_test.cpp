@@ -29,12 +29,18 @@ struct Measured {
     Real excess_error, direction_error;  // ulp
 };
 
+// Of two points on either side of the origin.
 template <class Number, int N, bool may_be_slack = false>
 Measured<Number, N> measure(const engine::Vector<Number, N>& difference, Number length) {
-    engine::Vector<Number, N> direction;
+    engine::Vector<Number, N> first, second, direction;
+    for (unsigned char i = 0; i < N; ++i) {
+        const auto raw = difference[i].raw();
+        second[i] = Number::from_raw(static_cast<typename Number::Raw>(-(raw / 3)));
+        first[i] = difference[i] + second[i];
+    }
     Number excess = {};
     Measured<Number, N> result = {};
-    result.found = engine::measure<may_be_slack>(difference, {}, length, engine::inverse_of(length),
+    result.found = engine::measure<may_be_slack>(first, second, length, engine::inverse_of(length),
                                                  direction, excess);
     for (unsigned char i = 0; i < N; ++i)
         result.distance = std::hypot(result.distance, value(difference[i]));

@@ -8,6 +8,7 @@ from exponential_series import exponential
 from series import arctangent, rounded, sine_and_cosine
 
 COARSE, FINE, UNIT = 32, 2048, 64
+FINE_ENTRIES = 69  # beyond COARSE by what a byte of the angle leaves unknown
 EXPONENTS = range(9, 33)
 
 
@@ -26,6 +27,6 @@ if __name__ == "__main__":
         f"atan(i / {COARSE}) and atan(i / {FINE}) in units of 2^-64; sine and cosine of i / {UNIT} in those units, 1 a unit less;\n"
         f"and of e^i from i = {EXPONENTS[0]} on the 64 leading bits, the lower half first.", "CorrectRoundingTable",
         [("uint64_t", "coarse", [arctangent(i, COARSE, 64) for i in range(COARSE + 1)], "{:#018x}ull"),
-         ("uint64_t", "fine", [arctangent(i, FINE, 64) for i in range(FINE // COARSE)], "{:#018x}ull"),
+         ("uint64_t", "fine", [arctangent(i, FINE, 64) for i in range(FINE_ENTRIES)], "{:#018x}ull"),
          ("uint64_t", "unit", [min(part, (1 << 64) - 1) for i in range(UNIT * 11 // 14 + 1) for part in sine_and_cosine(i, UNIT, 64)], "{:#018x}ull"),
          ("uint32_t", "power", [half for i in EXPONENTS for half in halves(mantissa(i))], "{:#010x}u")])

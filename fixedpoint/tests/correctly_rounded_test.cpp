@@ -171,15 +171,23 @@ TEST(CorrectRoundingByShortCores, LeavesFewOperandsInDoubt) {
 
 constexpr Real two_to_64 = Real(18446744073709551616.0);
 
+void expect_direction(uint32_t a, uint32_t b) {
+    const uint64_t scaled = fixedpoint::kernel::shorter_and_longer(a, b);
+    const auto y = static_cast<uint32_t>(scaled >> 32), x = static_cast<uint32_t>(scaled);
+    const auto angle = static_cast<uint64_t>(atan2f128(y, x) * two_to_64);
+    if (angle < 8) return;
+    ASSERT_TRUE(fixedpoint::kernel::direction_reaches(y, x, angle - 8)) << y << ", " << x;
+    ASSERT_FALSE(fixedpoint::kernel::direction_reaches(y, x, angle + 9)) << y << ", " << x;
+}
 TEST(SideOfATie, OfDirectionsErrsByLessThan8Units) {
     std::mt19937 random(7);
-    for (int i = 0; i < 10'000; ++i) {
-        uint32_t x = 1 + (random() >> (1 + random() % 31)), y = random() >> random() % 32;
-        if (y > x) std::swap(x, y);
-        const auto angle = static_cast<uint64_t>(atan2f128(y, x) * two_to_64);
-        if (angle < 8) continue;
-        ASSERT_TRUE(fixedpoint::kernel::direction_reaches(y, x, angle - 8)) << y << ", " << x;
-        ASSERT_FALSE(fixedpoint::kernel::direction_reaches(y, x, angle + 9)) << y << ", " << x;
+    for (int i = 0; i < 10'000; ++i)
+        expect_direction(1 + (random() >> (1 + random() % 31)), random() >> random() % 32);
+    // Where a number of 1/2048 begins and ends, with it the largest of each leading byte.
+    const uint32_t x = uint32_t(1) << 31;
+    for (int i = 0; i <= 8 * 201; ++i) {
+        const auto y = static_cast<uint32_t>(Real(x) * tanf128(Real(i) / 2048));
+        for (uint32_t n = y - (i > 0 ? 2 : 0); n <= y + 2; ++n) expect_direction(n, x);
     }
 }
 

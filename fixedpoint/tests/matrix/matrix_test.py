@@ -6,6 +6,7 @@
 - kernels: where a chip has kernels, each row of kernel/table.hpp is a call of its symbol and no
   portable code; where it has none, no symbol is called; the table names every kernel of avr/;
 - assembly: avr/*.S assemble, to nothing where the chip does not multiply;
+- links: a kernel that jumps to compiled code does not link without it, all others do;
 - runs: the tests of tests/device on the simulated chip;
 - refused: what must not compile does not, for the reason that the library states.
 
@@ -173,6 +174,45 @@ def assembles(chip, assembler="avr-gcc"):
     return "assembles"
 
 
+MISSING = "undefined reference to `long fixedpoint::kernel::"
+
+
+def linked(chip, language, program, *options):
+    """What the linker says of a program with the kernels that it calls, of which nothing is left out."""
+    folder = own_folder("linked")
+    archive = folder / "kernels.a"
+    must(["avr-ar", "rcs", archive, *ASSEMBLED[chip]])
+    return run([*compiler("avr-g++", 14, chip), "-Os", *options, f"-x{language}", "-", "-xnone", archive,
+                "-o", folder / "linked.elf"], input=program)
+
+
+def links_in_c(chip):
+    """Programs in C have no compiled code to which a kernel could jump."""
+    jumping = must(["g++", "-E", "-P", f"-I{source}", "-xc++", "-"],
+                   input="#include <fixedpoint/kernel/table.hpp>\n#define NAME(shape, operation, Raw, F, symbol, same) symbol\n"
+                         "FIXEDPOINT_ROUNDED_KERNELS(NAME)\n").split()
+    for names in [sorted(SYMBOLS - set(jumping)), *([name] for name in jumping)]:
+        result = linked(chip, "c", "".join(f"void {name}(void);\n" for name in names) +
+                        f"int main(void) {{ {'(), '.join(names)}(); }}\n", "-std=c11")
+        if names[0] in jumping and MISSING not in result.stderr:
+            raise Failure(f"{names[0]} links without what it jumps to")
+        if names[0] not in jumping and result.returncode != 0:
+            raise Failure(result.stderr)
+    return f"{len(jumping)} do not"
+
+
+def links_without_weak_symbols(chip):
+    """Where compiled code is the object's own, no kernel finds it."""
+    for call in ("sin(x)", "cos(x)", "atan(x)", "atan2(x, x)", "exp(x)", "log(x)"):
+        result = linked(chip, "c++", "#include <fixedpoint/arithmetic/correctly_rounded.hpp>\n#include <fixedpoint/math.hpp>\n"
+                        "volatile int32_t raw;\nint main() {\n"
+                        "    const auto x = fixedpoint::Fixed<16, 16, fixedpoint::CorrectlyRounded>::from_raw(raw);\n"
+                        f"    raw = {call}.raw();\n}}\n", "-fno-weak")
+        if MISSING not in result.stderr:
+            raise Failure(f"{call} links without what its kernel jumps to")
+    return "nothing does"
+
+
 def runs(name, standard, chip, test, integer_bits, fraction_bits, *options):
     """Links a test of tests/device and runs it. What is not the library's comes from avr-gcc."""
     folder = own_folder(f"{test}_{chip}")
@@ -265,6 +305,8 @@ def cells():
         yield "assembly", "avr-gcc", chip, assembles, (chip,)
     for chip in ("atmega328p", "avrxmega4"):
         yield "assembly", "clang", chip, assembles, (chip, "clang")
+    yield "links", "avr-gcc atmega2560", "C", links_in_c, ("atmega2560",)
+    yield "links", "avr-g++ atmega2560", "-fno-weak", links_without_weak_symbols, ("atmega2560",)
     for name, standard, chip, options in (
             ("avr-g++", 14, "atmega32u4", ()), ("avr-g++", 14, "atmega1284p", ()),
             ("avr-g++", 14, "atmega2560", ()), ("clang++ avr", 14, "atmega328p", ()),

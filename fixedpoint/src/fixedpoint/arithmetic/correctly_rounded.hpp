@@ -3,9 +3,9 @@
 /// CorrectlyRounded: as Nearest, but functions too return the exact result rounded to nearest, half
 /// up, so that a result does not depend on the algorithm that made it. In Q16.16 they compute with
 /// cores of 32 bits, where those leave a doubt in Q32.32, and further where that lies on a tie;
-/// sine, cosine and the kernel of exp go that far at once. Only for formats whose numbers all are
-/// numbers of Q16.16, such as Q4.4 and Q8.8. Functions of turns and degrees and integer powers are
-/// Nearest's.
+/// sine, cosine and all kernels go that far at once. Only for formats whose
+/// numbers all are numbers of Q16.16, such as Q4.4 and Q8.8. Functions of turns and degrees and
+/// integer powers are Nearest's.
 #pragma once
 
 #include <fixedpoint/arithmetic/nearest.hpp>
@@ -21,8 +21,8 @@ struct CorrectlyRounded : Nearest {
     static constexpr Raw name(Raw a) {                                                            \
         return kernel::is_kept(kernel::in_doubt<Raw, F>) ? kernel::nearest_##name<Raw, F>(a) : a; \
     }
-    FIXEDPOINT_CORRECTLY_ROUNDED(sin, decided_sin)
-    FIXEDPOINT_CORRECTLY_ROUNDED(cos, decided_cos)
+    FIXEDPOINT_CORRECTLY_ROUNDED(sin, decided_sine)
+    FIXEDPOINT_CORRECTLY_ROUNDED(cos, decided_sine)
     FIXEDPOINT_CORRECTLY_ROUNDED(atan, decided_atan2)
     FIXEDPOINT_CORRECTLY_ROUNDED(exp, rounded_power)
     FIXEDPOINT_CORRECTLY_ROUNDED(log, decided_log)

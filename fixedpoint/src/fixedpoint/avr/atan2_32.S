@@ -41,7 +41,7 @@
     add_constant 23, (\value + (1 << (38 - \fraction)))
     sbci r22, constant & 0xff
     .else
-    add_constant 22, (\value + (1 << (30 - \fraction)) - DOUBT * (\fraction == 16))   // true is -1
+    add_constant 22, \value + (1 << (30 - \fraction))
     .endif
     .endm
 

@@ -16,12 +16,13 @@
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
+#include <fixedpoint/portable/doubt.hpp>
 #include "cubic_32.inc"
 #include "cubic_core_32.inc"
 #include "ratio_32.inc"
 
 // The function of kernel/nearest.hpp that decides doubts, as the compiler names it.
-#define DECIDED_ATAN2 _ZN10fixedpoint6kernel13decided_atan2IlLi16EEET_S2_S2_
+#define DECIDED_ATAN2 _ZN10fixedpoint6kernel13decided_atan2IlLi16EEET_S2_S2_S2_
 
 // y is n0, later the shorter coordinate, x is d0, later the longer one.
 #define octant r30
@@ -38,7 +39,7 @@
     .endm
     // Of what is added the core cuts a unit.
     .macro turn value
-    add_constant 22, \value + (1 << 14) + DOUBT
+    add_constant 22, \value + (1 << 14) + FIXEDPOINT_DOUBT
     .endm
 
     SECTION fixedpoint_atan2_q16_16_correctly_rounded
@@ -130,15 +131,21 @@
     ret
 
 .Lalmost_a_tie:
-    cpi r22, 2 * DOUBT
+    cpi r22, 2 * FIXEDPOINT_DOUBT
     brsh .Lcertain
+    movw r30, r24
     pop_all r25, r24, r23, r22
     sbrs r20, ONE_OPERAND
     rjmp 1f
     ldi_bytes r18, 0x10000, 4
     rjmp 2f
 1:  pop_all r21, r20, r19, r18
-2:  XJMP DECIDED_ATAN2
-    .weak DECIDED_ATAN2
+2:  push_all r14, r15, r16, r17
+    movw r14, r30
+    mov r16, r26
+    clr r17
+    XCALL DECIDED_ATAN2
+    pop_all r17, r16, r15, r14
+    ret
     ENDFUNC fixedpoint_atan2_q16_16_correctly_rounded
 #endif

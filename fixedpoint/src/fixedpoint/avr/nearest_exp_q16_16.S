@@ -97,6 +97,5 @@
     lsl r25
     sbc r25, r25
     XJMP ROUNDED_POWER
-    .weak ROUNDED_POWER
     ENDFUNC fixedpoint_exp_q16_16_correctly_rounded
 #endif

@@ -19,12 +19,12 @@
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
+#include <fixedpoint/portable/doubt.hpp>
 #include "cubic_32.inc"
 #include "cubic_core_32.inc"
 
-// The functions of kernel/nearest.hpp that decide doubts, as the compiler names them.
-#define DECIDED_SIN _ZN10fixedpoint6kernel11decided_sinIlLi16EEET_S2_
-#define DECIDED_COS _ZN10fixedpoint6kernel11decided_cosIlLi16EEET_S2_
+// The function of kernel/nearest.hpp that decides doubts, as the compiler names it.
+#define DECIDED_SINE _ZN10fixedpoint6kernel12decided_sineIlLi16EEET_S2_h
 
 // Bytes of 2/pi 2^48.
 #define M0 0x44
@@ -128,7 +128,7 @@
     com turns3
 1:  find_record fixedpoint_sine_32_table, r22
     cubic_32
-    subi_bytes r22, -((1 << 14) + DOUBT), 4
+    subi_bytes r22, -((1 << 14) + FIXEDPOINT_DOUBT), 4
     lsl r23
     breq .Lalmost_a_tie
     rol r24
@@ -151,16 +151,13 @@
     rol r25
     ldi r26, 0
     rol r26
-    cpi r22, 2 * DOUBT
+    cpi r22, 2 * FIXEDPOINT_DOUBT
     movw r22, r24
     mov r24, r26
     ldi r25, 0
     brsh .Lrounded
     clr r1
-    pop_all turns4, r25, r24, r23, r22
-    sbrc turns4, 0
-    XJMP DECIDED_COS
-    XJMP DECIDED_SIN
-    .weak DECIDED_COS, DECIDED_SIN
+    pop_all r20, r25, r24, r23, r22
+    XJMP DECIDED_SINE
     ENDFUNC fixedpoint_sin_q16_16_correctly_rounded
 #endif

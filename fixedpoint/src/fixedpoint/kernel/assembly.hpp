@@ -20,8 +20,8 @@ constexpr bool has_assembly = false;
 #endif
 
 // FIXEDPOINT_CALLED_BY_KERNEL: a function template to which kernels jump. Who calls such a kernel
-// says is_kept(function), which compiles the function; without, the kernel would jump to address 0.
-// It is always true.
+// says is_kept(function), which compiles the function; without, the program does not link. It is
+// always true.
 template <class Function>
 constexpr bool is_kept(Function*) {
     return true;

@@ -34,17 +34,23 @@ FIXEDPOINT_CONSTEXPR __attribute__((noinline)) Raw doubtful_atan2(Raw y, Raw x) 
         y, x);
 }
 
-#define FIXEDPOINT_DECIDED(shape, name)                              \
-    template <class Raw, int F>                                      \
-    FIXEDPOINT_CONSTEXPR FIXEDPOINT_CALLED_BY_KERNEL Raw             \
-        decided_##name FIXEDPOINT_PARAMETERS_##shape(Raw) {          \
-        return doubtful_##name<Raw, F> FIXEDPOINT_ARGUMENTS_##shape; \
-    }
-FIXEDPOINT_DECIDED(UNARY, sin)
-FIXEDPOINT_DECIDED(UNARY, cos)
-FIXEDPOINT_DECIDED(UNARY, log)
-FIXEDPOINT_DECIDED(BINARY, atan2)
-#undef FIXEDPOINT_DECIDED
+// `above` and one less are the numbers next to the logarithm.
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR FIXEDPOINT_CALLED_BY_KERNEL Raw decided_log(Raw a, Raw above) {
+    const int64_t tie = static_cast<int64_t>(above) * 65536 - 32768;
+    return NaturalLogarithmSide::reaches(tie, a) ? above : static_cast<Raw>(above - 1);
+}
+// `above` and one less are the numbers next to the angle's magnitude.
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR FIXEDPOINT_CALLED_BY_KERNEL Raw decided_atan2(Raw y, Raw x, Raw above) {
+    const uint32_t tie = (static_cast<uint32_t>(above) << 16) - (uint32_t(1) << 15);
+    const Raw nearest = AngleSide::is_reached(tie, y, x) ? above : static_cast<Raw>(above - 1);
+    return y < 0 ? static_cast<Raw>(-nearest) : nearest;
+}
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR FIXEDPOINT_CALLED_BY_KERNEL Raw decided_sine(Raw a, uint8_t turned) {
+    return static_cast<Raw>(nearest_sine(a, turned));
+}
 
 }  // namespace kernel
 

@@ -21,75 +21,96 @@ struct ShortTurns {
 
 // Of an angle in units of 2^-64, from 0 to 2^-14 above pi/4; the tangent within 4 units, and below
 // 2^-10.9.
-FIXEDPOINT_CONSTEXPR ShortTurns short_turns(uint64_t angle) {
+FIXEDPOINT_IN_PLACE ShortTurns short_turns(uint64_t angle) {
     using Table = portable::CorrectRoundingTable<>;
-    // tan x >= x + x^3 (1/3 + 2/15 x^2).
+    // tan x >= x + x^3 (1/3 + 2/15 x^2): of every x the rest is from 0 to 68.5 2^-11.
     const uint8_t x = static_cast<uint8_t>(upper_word(angle) >> 24);
     const uint8_t x2 = static_cast<uint8_t>(x * x >> 8), x3 = static_cast<uint8_t>(x * x2 >> 8);
-    uint8_t coarse = static_cast<uint8_t>(
+    const uint8_t coarse = static_cast<uint8_t>(
         static_cast<uint8_t>(x + (x3 * static_cast<uint8_t>(85 + (x2 * 34 >> 8)) >> 8)) >> 3);
-    while (coarse < 32 && angle >= read_program_memory(Table::coarse[coarse + 1])) ++coarse;
     uint64_t rest = angle - read_program_memory(Table::coarse[coarse]);
     const uint8_t fine = static_cast<uint8_t>(static_cast<uint16_t>(upper_word(rest) >> 16) >> 5);
     rest -= read_program_memory(Table::fine[fine]);
     // t + t^3 (1/3 + 2/15 t^2): t in units of 2^-42, its square in units of 2^-52.
-    uint64_t fourfold = rest + rest;
-    fourfold += fourfold;
-    const uint32_t t = word_from_byte_3(upper_word(fourfold), static_cast<uint32_t>(fourfold));
+    const uint32_t rest0 = static_cast<uint32_t>(rest);
+    const uint8_t next = static_cast<uint8_t>(rest0 >> 16);
+    const uint32_t t =
+        word_from_byte_3(upper_word(rest), rest0) << 2 | static_cast<uint8_t>(next >> 6);
     const uint32_t square = upper_product<uint32_t, 0>(t, t);
-    uint64_t cube = multiply_words(t, square);
-    cube += cube;
-    cube += cube;
+    const uint32_t cube = upper_product<uint32_t, 0>(t, square << 1);  // 2^-63
     const uint32_t factor =
-        0x55555555 + upper_half(static_cast<uint32_t>(upper_half(square)) * 544);
-    return {coarse, fine, rest + upper_product<uint32_t, 0>(upper_word(cube), factor)};
+        0xaaaaaaaa + upper_half(static_cast<uint32_t>(upper_half(square)) * 1088);
+    return {coarse, fine, rest + upper_product<uint32_t, 0>(cube, factor)};
+}
+
+// The shorter and the longer one, in the upper and the lower word, scaled until the longer one has
+// 32 bits. Needs one above 0.
+FIXEDPOINT_CONSTEXPR __attribute__((noinline)) uint64_t shorter_and_longer(uint32_t a, uint32_t b) {
+    if (a > b) {
+        const uint32_t longer = a;
+        a = b;
+        b = longer;
+    }
+    while (static_cast<uint8_t>(b >> 24) == 0) {
+        b <<= 8;
+        a <<= 8;
+    }
+    while (static_cast<int32_t>(b) >= 0) {
+        b <<= 1;
+        a <<= 1;
+    }
+    return join_words(a, b);
 }
 
 // Whether the direction of (x, y) is `angle`, in units of 2^-64, or beyond, where they differ by
-// 2^-31 at most. Needs x > 0, y <= x (1 + 2^-30) and an angle as short_turns has it. Errs by less
-// than 2^-61.
-FIXEDPOINT_CONSTEXPR bool direction_reaches(uint32_t y, uint32_t x, uint64_t angle) {
-    while (static_cast<uint8_t>((x | y) >> 24) == 0) {
-        x <<= 8;
-        y <<= 8;
-    }
-    while (((x | y) >> 31) == 0) {
-        x <<= 1;
-        y <<= 1;
-    }
-    // The direction of the angle less its rest, in units of 2^-13.
+// 2^-27 at most. Needs x >= 2^31, y <= x and an angle as short_turns has it. Errs by less than
+// 2^-61.
+FIXEDPOINT_IN_PLACE bool direction_reaches(uint32_t y, uint32_t x, uint64_t angle) {
+    // The direction of the angle less its rest, in units of 2^-28: 1 - c f / 2^16 and c / 32 + f /
+    // 2048.
     const ShortTurns turns = short_turns(angle);
     const uint32_t along =
-        (uint32_t(1) << 29) - (static_cast<uint32_t>(turns.coarse * turns.fine) << 13);
+        (uint32_t(1) << 28) -
+        (static_cast<uint32_t>(static_cast<uint16_t>(turns.coarse * turns.fine << 4)) << 8);
     const uint32_t across =
-        (static_cast<uint32_t>(turns.coarse) << 24) + (static_cast<uint32_t>(turns.fine) << 18);
+        static_cast<uint32_t>(static_cast<uint16_t>((turns.coarse << 7) + (turns.fine << 1))) << 16;
     const uint64_t turned_x = multiply_words(x, along) + multiply_words(y, across);
     const uint64_t turned_y = multiply_words(y, along) - multiply_words(x, across);
     const uint32_t y1 = upper_word(turned_y), y0 = static_cast<uint32_t>(turned_y);
     const uint32_t tangent1 = upper_word(turns.tangent),
                    tangent0 = static_cast<uint32_t>(turns.tangent);
-    const int64_t above = static_cast<int64_t>(
-        join_words(word_from_byte_3(y1, y0), y0 << 8) -
-        multiply_high(turned_x, join_words(word_from_byte_3(tangent1, tangent0), tangent0 << 8)));
-    return above >= 0;
+    // 2^8 times the tangent, below 2^61.1, times turned_x, below 2^61; of the product the upper
+    // half.
+    const uint32_t x1 = upper_word(turned_x), slope1 = word_from_byte_3(tangent1, tangent0);
+    const uint32_t lower = upper_product<uint32_t, 0>(static_cast<uint32_t>(turned_x), slope1) +
+                           upper_product<uint32_t, 0>(x1, tangent0 << 8);
+    const uint64_t above =
+        join_words(word_from_byte_3(y1, y0), y0 << 8) - (multiply_words(x1, slope1) + lower);
+    return (upper_word(above) >> 31) == 0;
 }
 
 struct AngleSide {
     static FIXEDPOINT_CONSTEXPR bool reaches(int64_t tie, int32_t y, int32_t x) {
-        constexpr uint64_t pi = 0x243f6a8885a308d3, half_pi = 0x921fb54442d1846a;  // modulo 1
+        const uint32_t low_word = static_cast<uint32_t>(tie);
+        // The tie has the sign of y. Seen from below it is the other side.
+        return is_reached(y < 0 ? 0 - low_word : low_word, y, x) != (y < 0);
+    }
+    // The tie's magnitude modulo 1 by that of the angle.
+    static FIXEDPOINT_IN_PLACE bool is_reached(uint32_t tie, int32_t y, int32_t x) {
+        constexpr uint32_t pi[2] = {0x85a308d3, 0x243f6a88};  // modulo 1
+        constexpr uint32_t half_pi[2] = {0x42d1846a, 0x921fb544};
         const uint32_t height = magnitude(y), width = magnitude(x);
         const bool left = x < 0;
         const bool steep = height > width;
-        const uint32_t low_word = static_cast<uint32_t>(tie);
-        // The tie has the sign of y.
-        const uint64_t angle = join_words(y < 0 ? 0 - low_word : low_word, 0);
-        // Modulo 1.
-        const uint64_t acute =
-            steep ? (left ? angle - half_pi : half_pi - angle) : (left ? pi - angle : angle);
-        const bool reached = steep ? direction_reaches(width, height, acute)
-                                   : direction_reaches(height, width, acute);
-        // Seen from the y axis, from the left and from below, it is the other side.
-        return ((reached != steep) != left) != (y < 0);
+        const uint64_t coordinates = shorter_and_longer(height, width);
+        // tie, pi - tie, half_pi - tie or tie - half_pi.
+        const uint32_t upper =
+            steep ? (left ? tie + ~half_pi[1] : half_pi[1] - tie) : (left ? pi[1] - tie : tie);
+        const uint32_t lower = steep ? (left ? 0 - half_pi[0] : half_pi[0]) : (left ? pi[0] : 0);
+        const bool reached = direction_reaches(
+            upper_word(coordinates), static_cast<uint32_t>(coordinates), join_words(upper, lower));
+        // Seen from the y axis and from the left it is the other side.
+        return (reached != steep) != left;
     }
 };
 struct ArcTangentSide {

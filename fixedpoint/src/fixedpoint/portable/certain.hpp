@@ -5,6 +5,7 @@
 #pragma once
 
 #include <fixedpoint/portable/atan2_32.hpp>
+#include <fixedpoint/portable/doubt.hpp>
 #include <fixedpoint/portable/exp_wide.hpp>
 #include <fixedpoint/portable/log_32.hpp>
 #include <fixedpoint/portable/sin_32.hpp>
@@ -12,13 +13,11 @@
 namespace fixedpoint {
 namespace portable {
 
-// A number in units of 2^-31 with an error below 8 of them, rounded to 16 bits. The kernels, whose
-// turns are not rounded to nearest, allow for more (avr/cubic_32.inc).
+// A number in units of 2^-31, rounded to 16 bits.
 FIXEDPOINT_CONSTEXPR int32_t rounded_without_doubt(int64_t number) {
-    constexpr int64_t doubt = 8;
-    const int64_t above = number + (int64_t(1) << 14) + doubt;
-    return (above & 0x7fff) < 2 * doubt ? RawLimits<int32_t>::min
-                                        : static_cast<int32_t>(above >> 15);
+    const int64_t above = number + (int64_t(1) << 14) + FIXEDPOINT_DOUBT;
+    return (above & 0x7fff) < 2 * FIXEDPOINT_DOUBT ? RawLimits<int32_t>::min
+                                                   : static_cast<int32_t>(above >> 15);
 }
 FIXEDPOINT_CONSTEXPR int32_t rounded_without_doubt(int64_t magnitude, bool negative) {
     const int32_t rounded = rounded_without_doubt(magnitude);

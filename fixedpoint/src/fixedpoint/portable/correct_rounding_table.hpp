@@ -22,7 +22,7 @@ struct CorrectRoundingTable {
         0xa4bc7d1934f70924ull, 0xa9c7abdc4830f5c9ull, 0xaeac4c38b4d8c080ull, 0xb36b31c91f043691ull,
         0xb8053e2bc2319e74ull, 0xbc7b5deae98af281ull, 0xc0ce85b8ac526641ull, 0xc4ffaffabf8fbd55ull,
         0xc90fdaa22168c235ull};
-    static constexpr uint64_t fine[64] FIXEDPOINT_PROGRAM_MEMORY = {
+    static constexpr uint64_t fine[69] FIXEDPOINT_PROGRAM_MEMORY = {
         0x0000000000000000ull, 0x001fffffd55555bcull, 0x003ffffeaaaab777ull, 0x005ffffb80006133ull,
         0x007ffff55556eeefull, 0x009fffeb2aaf8ca9ull, 0x00bfffdc000c2662ull, 0x00dfffc6d56f9814ull,
         0x00ffffaaaaddddb9ull, 0x011fff86805c4346ull, 0x013fff5955f194a7ull, 0x015fff222ba64dbdull,
@@ -38,7 +38,9 @@ struct CorrectRoundingTable {
         0x05ffb80612970d6cull, 0x061fb36e90b88537ull, 0x063faea61d3420e5ull, 0x065fa9abb8ef469eull,
         0x067fa47e64d8b567ull, 0x069f9f1d21e8b4aeull, 0x06bf9986f12143d9ull, 0x06df93bad38e49ceull,
         0x06ff8db7ca45c471ull, 0x071f877cd667f828ull, 0x073f8108f91f9f50ull, 0x075f7a5b33a219b2ull,
-        0x077f7372872f9bf2ull, 0x079f6c4df5135efbull, 0x07bf64ec7ea3cf61ull, 0x07df5d4d2542bcc5ull};
+        0x077f7372872f9bf2ull, 0x079f6c4df5135efbull, 0x07bf64ec7ea3cf61ull, 0x07df5d4d2542bcc5ull,
+        0x07ff556eea5d892aull, 0x081f4d50cf6d584full, 0x083f44f1d5f73efbull, 0x085f3c50ff8c724aull,
+        0x087f336d4dca76efull};
     static constexpr uint64_t unit[102] FIXEDPOINT_PROGRAM_MEMORY = {
         0x0000000000000000ull, 0xffffffffffffffffull, 0x03fff5555dddda9eull, 0xfff8000aaaa4fa51ull,
         0x07ffaaabbbba1ba3ull, 0xffe000aaa93e9589ull, 0x0bfee008197dd455ull, 0xffb8035fefccf675ull,
