@@ -38,7 +38,7 @@ def write(name, generator, sentence, structure, chords):
     slopes = [slope for _, slope in chords]
     assert all(unit + slope < 256 for unit, slope in zip(units, slopes))
     page.write_assembly(name, generator, sentence,
-                        [("whole ulps", wholes), ("units of 2^-5 ulp", units), ("slope", slopes)])
+                        [("slope", slopes), ("units of 2^-5 ulp", units), ("whole ulps", wholes)])
     table_header.write(name, generator, sentence, structure,
                        [("uint16_t", "value", [value for value, _ in chords], "{:4d}"),
                         ("uint8_t", "slope", slopes, "{:3d}")])

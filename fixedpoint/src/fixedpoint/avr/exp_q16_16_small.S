@@ -1,26 +1,28 @@
 // SPDX-License-Identifier: MIT
 // int32_t fixedpoint_exp_q16_16_small(int32_t a)
-// e^a in Q16.16, within 0.66 ulp for every input; the largest number from ln 32768 on, 0 where that
+// e^a in Q16.16, within 0.73 ulp for every input; the largest number from ln 32768 on, 0 where that
 // is nearest.
 //
 // In       a = r25:r22
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
 // Stack    4 bytes
-// Table    112 bytes, fixedpoint_exp_small_table
+// Table    128 bytes, fixedpoint_exp_small_table
 //
 // ln 2 is subtracted k times, in units of 2^-32, of which 3 are added first: what rounding ln 2 up
-// takes off at k = 14, where results have the most bits. Of r = a - k ln 2, at first 0 <= r < ln 2,
-// the table has e^r - 1 for the upper four bits, and the next four; the rest s, below 2^-8, is
+// takes off at k = 14, where results have the most bits. For the upper four bits of r = a - k ln 2,
+// at first 0 <= r < ln 2, the table has a factor 1 + b/256 a little below e^r, and its logarithm,
+// which is subtracted: r < 17/256. For the next byte, j, it has e^(j/256) - 1; the rest s, below
+// 2^-8, is
 //
 //     v = s + s^2 / 2 + s^3 / 6
 //
-// in units of 2^-40. (1 + table)(1 + v) - 1 is formed with its fifth byte, c, then times the other
-// table's number likewise. Products count down to the upper byte of those below 2^-40. Cutting bits
+// in units of 2^-40. c = (1 + table)(1 + v) - 1 is formed with its fifth byte, and of its product with
+// the factor one byte is cut. Products count down to the upper byte of those below 2^-40. Cutting bits
 // before the last shift does not round twice.
 //
-// Error in ulp at k = 14: coarse table 0.12; the sixth of a cube as 43/256, and squares without that
-// of the lowest byte but one, 0.06. Rounding 0.5. The worst of all inputs is 0.65780, at 666438.
+// Rounding errs by 0.5 ulp; the most of what is beyond it is of r at k = 14, from ln 2 and logarithms
+// in whole units. The worst of all inputs is 0.72832, at 675091.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -46,7 +48,8 @@
 // 16 - k: by how many bits the mantissa is shifted.
 #define shift r19
 #define zero r25
-#define step r16
+// b.
+#define factor r16
 #define fine r23
 // What the square and the cube add to s.
 #define w0 r18
@@ -67,11 +70,12 @@
 #define c2 r21
 #define c1 r20
 #define c0 r18
-#define f0 r26
-#define f1 r27
-#define f2 r16
-#define f3 r17
-#define q4 r24
+// The product of b and c.
+#define q0 r24
+#define q1 r30
+#define q2 r31
+#define q3 r26
+#define q4 r27
 
     .macro add_product low, middle, high
     add \low, r0
@@ -102,9 +106,8 @@
     ENTRY fixedpoint_exp_q16_16_small
     adiw r24, 12
     brlt .Lzero
-    tst r25
-    brne .Lsaturate
     cpi r24, 23
+    cpc r25, r1
     brsh .Lsaturate
     subi r4, 12
     ldi s1, 0
@@ -127,8 +130,22 @@
     cpi shift, 2
     brlo .Lsaturate
     push_all r16, r17, r28, r29
-    mov step, r3
-    andi fine, 15
+    // Z = the factor's five bytes
+    mov r30, r3
+    andi r30, 0xf0
+    ldi scratch, 80
+    mul r30, scratch
+    mov r30, r1
+    point_to 0
+    lpm factor, Z+
+    lpm r0, Z+
+    sub s0, r0
+    lpm r0, Z+
+    sbc s1, r0
+    lpm r0, Z+
+    sbc s2, r0
+    lpm r0, Z+
+    sbc r3, r0          // fine
 
     // w = s2^2 2^7 + s2 s1 + s2 s0 / 2^8 + s2^3 / (6 2^8)
     mul s2, s0
@@ -161,7 +178,7 @@
     mov r30, fine
     lsl r30
     lsl r30
-    point_to 48
+    point_to 60
     lpm t0, Z+
     lpm t1, Z+
     lpm t2, Z+
@@ -203,60 +220,24 @@
     adc c3, t3
     adc c4, zero
 
-    mov r30, step
-    andi r30, 0xf0
-    lsr r30
-    lsr r30
-    point_to 0
-    lpm f0, Z+
-    lpm f1, Z+
-    lpm f2, Z+
-    lpm f3, Z+
-    mul f0, c3
-    mov p0, r1
-    clr p1
-    mul f1, c2
-    add_high p0, p1
-    mul f2, c1
-    add_high p0, p1
-    mul f3, c0
-    add_high p0, p1
-    clr p2
-    mul f0, c4
-    add_product p0, p1, p2
-    mul f1, c3
-    add_product p0, p1, p2
-    mul f2, c2
-    add_product p0, p1, p2
-    mul f3, c1
-    add_product p0, p1, p2
-    clr p3
-    mul f1, c4
-    add_product p1, p2, p3
-    mul f2, c3
-    add_product p1, p2, p3
-    mul f3, c2
-    add_product p1, p2, p3
-    clr q4
-    mul f2, c4
-    add_product p2, p3, q4
-    mul f3, c3
-    add_product p2, p3, q4
-    mul_add f3, c4, p3, q4
-    add p0, c0
-    adc p1, c1
-    adc p2, c2
-    adc p3, c3
-    adc q4, c4
-    add f0, p1
-    adc f1, p2
-    adc f2, p3
-    adc f3, q4
-    ldi r20, 1
-    adc r20, zero
-    movw r22, f0
-    movw r24, f2
+    mul factor, c4
+    movw q3, r0
+    mul factor, c2
+    movw q1, r0
+    mul factor, c0
+    mov q0, r1
+    mul_add factor, c1, q0, q1, zero, q2
+    mul_add factor, c3, q2, q3, zero, q4
+    add c0, q0
+    adc c1, q1
+    adc c2, q2
+    adc c3, q3
+    adc c4, q4
     clr r1
+    add c4, factor
+    movw r24, c3
+    movw r22, c1
+    ldi r20, 1          // e^r is below 2
 2:  cpi shift, 9
     brlo 3f
     mov_bytes r22, r23, 3

@@ -40,13 +40,11 @@
     mov r26, r1
     mul d2, r22
     add r26, r0
-    clr r27
-    adc r27, r1
+    adc r1, zero
     lpm r22, Z+
     sub slope0, r26
     lpm r26, Z+
-    sbc slope1, r27
-    ldi zero, 0
+    sbc slope1, r1
     lpm r0, Z+
     add sum0, r0
     lpm r0, Z+

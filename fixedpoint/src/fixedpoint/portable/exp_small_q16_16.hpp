@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // e^a in Q16.16 by two small tables, bit for bit as avr/exp_q16_16_small.S computes it, which says
-// what each step is; within 0.66 ulp for every input.
+// what each step is; within 0.73 ulp for every input.
 #pragma once
 
 #include <fixedpoint/integer.hpp>
@@ -21,7 +21,11 @@ FIXEDPOINT_CONSTEXPR int32_t exp_small_q16_16(int32_t a) {
     for (; rest < 0; rest += ln2) ++shift;
     if (shift < 2) return RawLimits<int32_t>::max;
 
-    const uint32_t r = static_cast<uint32_t>(rest), j = r >> 24 & 15;
+    const uint32_t i = static_cast<uint32_t>(rest) >> 28;
+    const uint64_t b = read_program_memory(ExponentialSmallTable<>::factor[i]);
+    const uint32_t r =
+        static_cast<uint32_t>(rest) - read_program_memory(ExponentialSmallTable<>::logarithm[i]);
+    const uint32_t j = r >> 24;
     const uint32_t s2 = r >> 16 & 0xff, s1 = r >> 8 & 0xff, s0 = r & 0xff;
     const uint32_t square = s2 * s2;
     const uint64_t v = static_cast<uint64_t>(r & 0xffffff) * 256 + (square << 7) + s2 * s1 +
@@ -34,15 +38,7 @@ FIXEDPOINT_CONSTEXPR int32_t exp_small_q16_16(int32_t a) {
                        ((j * v2 + t3 * v3) << 8) + j * v1 + t3 * v2 + t2 * v3 + (t3 * v1 >> 8) +
                        (t2 * v2 >> 8) + (t1 * v3 >> 8);
 
-    const uint32_t f = read_program_memory(ExponentialSmallTable<>::coarse[r >> 28]);
-    const uint32_t f3 = f >> 24, f2 = f >> 16 & 0xff, f1 = f >> 8 & 0xff, f0 = f & 0xff;
-    const uint32_t c4 = static_cast<uint32_t>(c >> 32), c3 = c >> 24 & 0xff, c2 = c >> 16 & 0xff,
-                   c1 = c >> 8 & 0xff, c0 = c & 0xff;
-    const uint64_t product =
-        (static_cast<uint64_t>(f3 * c4) << 24) + (static_cast<uint64_t>(f2 * c4 + f3 * c3) << 16) +
-        ((f1 * c4 + f2 * c3 + f3 * c2) << 8) + f0 * c4 + f1 * c3 + f2 * c2 + f3 * c1 +
-        (f0 * c3 >> 8) + (f1 * c2 >> 8) + (f2 * c1 >> 8) + (f3 * c0 >> 8);
-    const uint64_t mantissa = (uint64_t(1) << 32) + f + ((c + product) >> 8);
+    const uint64_t mantissa = (uint64_t(1) << 32) + (b << 24) + ((c + (b * c >> 8)) >> 8);
     return static_cast<int32_t>(((mantissa >> (shift - 1)) + 1) >> 1);
 }
 

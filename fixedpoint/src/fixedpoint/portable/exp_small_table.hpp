@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // DO NOT EDIT: written by python3 fixedpoint/tables/exp_small.py
-// e^(i/16) - 1 in units of 2^-32, for i = 0..11, and e^(j/256) - 1 in units of 2^-40, for
-// j = 0..15, less its fifth byte, which is j.
+// b for i = 0..11, and ln(1 + b/256) in units of 2^-32, less than 1/256 below i/16; and
+// e^(j/256) - 1 in units of 2^-40, for j = 0..16, less its fifth byte, which is j.
 #pragma once
 
 #include <fixedpoint/program_memory.hpp>
@@ -12,15 +12,21 @@ namespace portable {
 // Any is void: a template's static member may stand in a header.
 template <class Any = void>
 struct ExponentialSmallTable {
-    static constexpr uint32_t coarse[12] FIXEDPOINT_PROGRAM_MEMORY = {
-        0x00000000, 0x1082b578, 0x2216045b, 0x34cb8171, 0x48b5e3c4, 0x5de91760, 0x747a513e, 0x8c802478,
-        0xa61298e2, 0xc14b4312, 0xde455df8, 0xfd1de618};
-    static constexpr uint32_t fine[16] FIXEDPOINT_PROGRAM_MEMORY = {
+    static constexpr uint8_t factor[12] FIXEDPOINT_PROGRAM_MEMORY = {
+          0,  16,  33,  52,  72,  93, 116, 140,
+        165, 193, 221, 252};
+    static constexpr uint32_t logarithm[12] FIXEDPOINT_PROGRAM_MEMORY = {
+        0x00000000, 0x0f851860, 0x1f0a30c0, 0x2f571204, 0x3f7230db, 0x4f553e97, 0x5fabe0ee, 0x6fad3677,
+        0x7f593c84, 0x8fd51a5c, 0x9f519c9c, 0xaf701549};
+    static constexpr uint32_t fine[17] FIXEDPOINT_PROGRAM_MEMORY = {
         0x00000000, 0x00802ab5, 0x02015600, 0x04848362, 0x080ab55e, 0x0c94ef7a, 0x12243641, 0x18b98f42,
-        0x20560112, 0x28fa934f, 0x32a84e9c, 0x3d603ca8, 0x4923682a, 0x55f2dce6, 0x63cfa7ab, 0x72bad656};
+        0x20560112, 0x28fa934f, 0x32a84e9c, 0x3d603ca8, 0x4923682a, 0x55f2dce6, 0x63cfa7ab, 0x72bad656,
+        0x82b577d3};
 };
 template <class Any>
-constexpr uint32_t ExponentialSmallTable<Any>::coarse[];
+constexpr uint8_t ExponentialSmallTable<Any>::factor[];
+template <class Any>
+constexpr uint32_t ExponentialSmallTable<Any>::logarithm[];
 template <class Any>
 constexpr uint32_t ExponentialSmallTable<Any>::fine[];
 
