@@ -125,9 +125,9 @@ class Linear(Machine):
     # Instructions
 
     def byte(self, register):
-        """A variable or a known number in the register."""
+        """A variable or multiple of one, or a known number, in the register."""
         form = self.registers[register]
-        if not set(form) - {1} or len(form) == 1 and form[next(iter(form))] == 1:
+        if not set(form) - {1} or len(form) == 1 and form[next(iter(form))] == 1 or self.is_multiple(form):
             return form
         key = frozenset(form.items())
         if key not in self.named:
@@ -136,9 +136,16 @@ class Linear(Machine):
         self.registers[register] = self.named[key]
         return self.named[key]
 
+    def is_multiple(self, form):
+        """Whether it is a byte, twice or more times a variable."""
+        (name, factor), *others = form.items()
+        return not others and name != 1 and 1 < factor < 256 / self.most(name)
+
     def keep(self, register, total, sign):
         """The byte of a sum that leaves a carry, or of a difference that leaves a borrow."""
-        if set(total) - {1}:
+        if total and self.is_multiple(total):
+            self.carry, form = known(0), total
+        elif set(total) - {1}:
             self.carry = self.variable("carry", 1)
             form = total - self.carry * (256 * sign)
             # A multiple of 2^i is at most 256 - 2^i: over the rationals, that says more.
