@@ -13,6 +13,21 @@ BRANCHES = {"brcs": ("C", True), "brcc": ("C", False), "breq": ("Z", True), "brn
             "brlt": ("S", True), "brge": ("S", False), "brts": ("T", True), "brtc": ("T", False)}
 
 
+def joined(m, registers):
+    """The number in the registers, the lowest first."""
+    return z3.Concat(*(m.registers[register] for register in reversed(registers)))
+
+
+def same(m, registers):
+    """What demands that the registers are as they are now, of bits or of forms."""
+    before = {register: m.registers[register] for register in registers}
+
+    def check(m):
+        demand(all(m.registers[register] is form or isinstance(form, z3.ExprRef) and form.eq(m.registers[register])
+                   for register, form in before.items()))
+    return check
+
+
 class Bits(Machine):
     """Of bits: what is known of them are conditions."""
     returns_in_memory = False

@@ -24,7 +24,7 @@ import numpy
 import z3
 
 from arrays import Arrays
-from bits import Bits
+from bits import Bits, joined
 from form import known
 from machine_code import Program, demand
 from stretches import Linear
@@ -77,7 +77,7 @@ def magnitudes(m):
             demand(m.impossible(z3.Or(large != 0, m.number(22, 4) != 0)))
             return
         demand(m.registers[OCTANT] is kept and "T" not in m.flags)
-        d, n = (z3.Concat(*(m.registers[register] for register in reversed(registers))) for registers in (D, N))
+        d, n = joined(m, D), joined(m, N)
         shifted = [z3.And(z3.LShR(large << k, k) == large, z3.Extract(31, 8, large << k) == d,
                           z3.Extract(31, 8, small << k) == n) for k in range(32)]
         demand(m.impossible(z3.Not(z3.And(z3.Or(*shifted), d < 0))))
@@ -134,7 +134,7 @@ def angle(m):
     (left, below), steep = z3.Bools("left below"), z3.Bool("steep")
     m.registers[OCTANT] = octant(steep, left)
     m.flags["T"] = below
-    first = z3.ZeroExt(8, z3.Concat(*(m.registers[register] for register in reversed(ANGLE))))
+    first = z3.ZeroExt(8, joined(m, ANGLE))
     whole = z3.If(steep, z3.If(left, first + HALF_PI, HALF_PI + ULP - first), z3.If(left, PI + ULP - first, first)) >> 8
     m.holds.append(z3.ULT(first, LARGEST))
 

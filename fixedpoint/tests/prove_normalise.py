@@ -25,10 +25,10 @@ import numpy
 import z3
 
 from arrays import Arrays
-from bits import Bits
+from bits import Bits, joined, same
 from form import known
 from machine_code import Program, demand
-from stretches import Linear, equal
+from stretches import Bounded, equal
 
 BOUNDS = {"q8_8": 0.66, "q16_16": 0.77}  # ulp
 SHORT, LONG = "fixedpoint_normalise3_q8_8", "fixedpoint_normalise3_q16_16"
@@ -49,19 +49,6 @@ SHORT_TURN, LONG_TURN = 1 / (2**15 - 1), 1 / (2**31 - 1) + 3**.5 * 2**8 / (2**30
 
 class Stores(Bits):
     returns_in_memory = True
-
-
-def joined(m, registers):
-    return z3.Concat(*(m.registers[register] for register in reversed(registers)))
-
-
-def same(m, registers):
-    """What demands that the registers are as they are now."""
-    before = {register: m.registers[register] for register in registers}
-
-    def check(m):
-        demand(all(m.registers[register] is form for register, form in before.items()))
-    return check
 
 
 def entry(vector, signs, pattern, m):
@@ -306,8 +293,8 @@ def main():
     for stretches, cuts, sources in (
             (SHORT_STRETCHES, SHORT_CUTS, ("normalise3_q8_8", "long_division_table", "reciprocal_sqrt_q8_8_table")),
             (LONG_STRETCHES, LONG_CUTS, ("normalise3_q16_16", "reciprocal_sqrt_table"))):
-        for machine in (Stores, Arrays, Linear):
-            labels = [label for label, *_ in stretches if DOMAINS.get(label, Linear) is machine]
+        for machine in (Stores, Arrays, Bounded):
+            labels = [label for label, *_ in stretches if DOMAINS.get(label, Bounded) is machine]
             failed |= Program(stretches, machine, sources=sources, cuts=cuts).run(4, ("ret", "rjmp"), labels)
     return failed
 

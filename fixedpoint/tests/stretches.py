@@ -125,9 +125,9 @@ class Linear(Machine):
     # Instructions
 
     def byte(self, register):
-        """A variable or multiple of one, or a known number, in the register."""
+        """A variable or a known number in the register."""
         form = self.registers[register]
-        if not set(form) - {1} or len(form) == 1 and form[next(iter(form))] == 1 or self.is_multiple(form):
+        if not set(form) - {1} or len(form) == 1 and form[next(iter(form))] == 1:
             return form
         key = frozenset(form.items())
         if key not in self.named:
@@ -136,16 +136,9 @@ class Linear(Machine):
         self.registers[register] = self.named[key]
         return self.named[key]
 
-    def is_multiple(self, form):
-        """Whether it is a byte, twice or more times a variable."""
-        (name, factor), *others = form.items()
-        return not others and name != 1 and 1 < factor < 256 / self.most(name)
-
     def keep(self, register, total, sign):
         """The byte of a sum that leaves a carry, or of a difference that leaves a borrow."""
-        if total and self.is_multiple(total):
-            self.carry, form = known(0), total
-        elif set(total) - {1}:
+        if set(total) - {1}:
             self.carry = self.variable("carry", 1)
             form = total - self.carry * (256 * sign)
             # A multiple of 2^i is at most 256 - 2^i: over the rationals, that says more.
@@ -400,6 +393,30 @@ class Linear(Machine):
             if not settled:
                 self.settle()
         raise Unprovable("a result is not what it ought to be")
+
+
+class Bounded(Linear):
+    """Where a form is a byte whatever its variables are, products are of it; where a sum always or never leaves a carry,
+    that is known."""
+
+    def carried(self, form):
+        """The multiple of 256 that is in the form whatever its variables are; None where it depends on them."""
+        least, most = form.get(1, 0), sum(factor * (1 if name == 1 else self.most(name)) for name, factor in form.items())
+        return least >> 8 if min(form.values(), default=0) >= 0 and least >> 8 == most >> 8 else None
+
+    def byte(self, register):
+        form = self.registers[register]
+        return form if self.carried(form) == 0 else super().byte(register)
+
+    def keep(self, register, total, sign):
+        carry = self.carried(total)
+        if carry is None:
+            super().keep(register, total, sign)
+            return
+        self.carry = known(carry)
+        self.tested = self.sign = total - known(256 * carry)
+        if register is not None:
+            self.registers[register] = self.tested
 
 
 def equal(form, other):
