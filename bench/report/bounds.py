@@ -21,6 +21,7 @@ PROOFS = {(operation, number_format, implementation): proof
               ("fixedpoint/prove_remainders", ("q16_16",), OURS, ("remainder", "divrem", "divmod")),
               ("fixedpoint/prove_quotients_q32_32", ("q32_32",), OURS, ("divide",)),
               ("fixedpoint/prove_roots", ("q32_32",), OURS, ("sqrt",)),
+              ("fixedpoint/prove_lengths", ("q16_16",), OURS, ("length2", "length3")),
               ("fixedpoint/prove_short_lengths", ("q8_8",), OURS, ("length3",)),
               (*SUMS, OURS, ("add", "subtract", "abs_diff", "copysign", "midpoint")),
               (*SUMS, "saturating", ("add", "subtract")),
@@ -28,7 +29,9 @@ PROOFS = {(operation, number_format, implementation): proof
               (*SUMS, OURS, ("lerp",)))
           for operation in operations for number_format in formats}
 # ... or that it errs less than this, in ulp, whatever the largest error that is known.
-LIMITS = {("atan2", "q16_16", OURS): (0.645, "fixedpoint/prove_angles")}
+LIMITS = {("atan2", "q16_16", OURS): (0.645, "fixedpoint/prove_angles"),
+          ("normalise3", "q16_16", OURS): (0.77, "fixedpoint/prove_normalise"),
+          ("normalise3", "q8_8", OURS): (0.66, "fixedpoint/prove_normalise")}
 # Runs over all inputs are judged in double, to this part of an ulp (reference/bulk.hpp).
 JUDGED_TO = 2**-14
 BENCH = pathlib.Path(__file__).resolve().parents[1]

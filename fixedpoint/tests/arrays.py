@@ -109,8 +109,8 @@ class Arrays(Machine):
         elif mnemonic == "sbiw":
             value = x + registers[d + 1] * 256 - y
             registers[d], registers[d + 1], self.carry, self.tested, self.sign = value & 255, value >> 8 & 255, None, None, None
-        elif mnemonic in ("mul", "mulsu"):
-            value = (x - (x >> 7) * 256 if mnemonic == "mulsu" else x) * y
+        elif mnemonic in ("mul", "mulsu", "fmul"):
+            value = (x - (x >> 7) * 256 if mnemonic == "mulsu" else x) * y << (mnemonic == "fmul")
             registers[0], registers[1], self.carry = value & 255, value >> 8 & 255, None
         elif mnemonic in ("add", "adc", "sub", "sbc", "subi", "sbci", "cp", "cpc", "cpi"):
             value = x + (y + carry) * (1 if mnemonic.startswith("ad") else -1)

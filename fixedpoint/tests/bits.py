@@ -6,10 +6,26 @@ import z3
 from machine_code import Machine, Unprovable, demand
 
 NONE = z3.BitVecVal(0, 10)
+POINTERS = {"X": 26, "X+": 26, "Y+": 28, "Z+": 30}
 CHAINED = ("adc", "sbc", "sbci", "cpc", "ror")
 BRANCHES = {"brcs": ("C", True), "brcc": ("C", False), "breq": ("Z", True), "brne": ("Z", False),
             "brmi": ("N", True), "brpl": ("N", False), "brvs": ("V", True), "brvc": ("V", False),
             "brlt": ("S", True), "brge": ("S", False), "brts": ("T", True), "brtc": ("T", False)}
+
+
+def joined(m, registers):
+    """The number in the registers, the lowest first."""
+    return z3.Concat(*(m.registers[register] for register in reversed(registers)))
+
+
+def same(m, registers):
+    """What demands that the registers are as they are now, of bits or of forms."""
+    before = {register: m.registers[register] for register in registers}
+
+    def check(m):
+        demand(all(m.registers[register] is form or isinstance(form, z3.ExprRef) and form.eq(m.registers[register])
+                   for register, form in before.items()))
+    return check
 
 
 class Bits(Machine):
@@ -20,6 +36,7 @@ class Bits(Machine):
         super().__init__(program, {n: z3.BitVec(f"r{n}", 8) for n in range(32)})
         self.registers[1] = z3.BitVecVal(0, 8)
         self.holds, self.stored = [], []  # conditions; (address, byte)
+        self.memory = []  # bytes from address 0 on
         self.flags = {}
 
     def copy(self):
@@ -63,6 +80,26 @@ class Bits(Machine):
         value = z3.Extract(7, 0, wide)
         return self.result(value, C=wide < 0, V=z3.And((x < 0) != (y < 0), (x < 0) != (value < 0)))
 
+    def pointer(self, name):
+        """Of a load or store."""
+        low = POINTERS[name]
+        place = z3.simplify(self.number(low, 2))
+        if name[1:] == "+":
+            self.registers[low], self.registers[low + 1] = z3.Extract(7, 0, place + 1), z3.Extract(15, 8, place + 1)
+        return place
+
+    def look_up(self):
+        """In a table of runs of equal bytes, such as the power of two by which a byte is shifted up."""
+        page = z3.simplify(self.registers[31])
+        demand(z3.is_bv_value(page))
+        value, table = z3.FreshConst(z3.BitVecSort(8)), self.program.flash[page.as_long() << 8:]
+        for i in range(1, 128):
+            if i == 127 or table[i] != table[i + 1]:
+                first = next(j for j in range(1, i + 1) if table[j:i + 1] == bytes([table[i]]) * (i + 1 - j))
+                inside = z3.And(z3.UGE(self.registers[30], first), z3.ULE(self.registers[30], i))
+                value = z3.If(inside, z3.BitVecVal(table[i], 8), value)
+        return value
+
     def branch(self, condition, target, following):
         self.forked, found = True, []
         for holds, place in ((condition, target), (z3.Not(condition), following)):
@@ -90,11 +127,19 @@ class Bits(Machine):
             self.flags |= {"C": value < 0, "Z": value == 0}
             return [(following, self)]
         if mnemonic == "st":
-            demand(self.returns_in_memory and d in ("X", "X+"))
-            self.stored.append((self.number(26, 2), registers[r]))
-            if d == "X+":
-                following_byte = self.number(26, 2) + 1
-                registers[26], registers[27] = z3.Extract(7, 0, following_byte), z3.Extract(15, 8, following_byte)
+            demand(self.returns_in_memory and d in POINTERS)
+            self.stored.append((self.pointer(d), registers[r]))
+            return [(following, self)]
+        if mnemonic == "ld":
+            place = self.pointer(r)
+            demand(z3.is_bv_value(place) and place.as_long() < len(self.memory), "what is read is not of the vector")
+            registers[d] = self.memory[place.as_long()]
+            return [(following, self)]
+        if mnemonic == "lpm":
+            registers[d] = self.look_up()
+            return [(following, self)]
+        if mnemonic == "swap":
+            registers[d] = z3.RotateLeft(registers[d], 4)
             return [(following, self)]
         if mnemonic == "sec":
             self.flags["C"] = z3.BoolVal(True)

@@ -11,6 +11,7 @@ from pathlib import Path
 
 CALL_SAVED = [*range(2, 18), 28, 29]
 STEPS = 200  # more than any stretch takes
+FEWER = 97   # of the numbers that are run, one in so many where an instruction is left out
 
 
 class Unprovable(Exception):
@@ -96,7 +97,9 @@ def linked(folder, sources):
 class Program:
     """The machine code of an ELF or of kernels, and stretches of it: (label, begin, ends, saved, cases,
     transfers), the last two where there are several cases, each the arguments of `begin`, and of T. `saved` are
-    the registers on the stack; where one stands for several that held the same, all of them."""
+    the registers on the stack; where one stands for several that held the same, all of them. Proofs that run
+    numbers take every `stride`-th."""
+    stride = 1
 
     def __init__(self, stretches, machine, elf=None, sources=(), cuts=()):
         """`cuts`: (name, label, mnemonic, operand) of places behind a label, that have none themselves."""
@@ -142,7 +145,8 @@ class Program:
                     check(machine, end)
                     pushed = self.saved[end]
                     for first, *others in pushed:
-                        machine.show(*((0, machine.saved[other] - machine.saved[first], 0) for other in others))
+                        for other in others:
+                            machine.show((0, machine.saved[other] - machine.saved[first], 0))
                     demand(machine.stack == [machine.saved[first] for first, *_ in pushed])
                     demand(all(machine.registers[n] == machine.saved[n] for n in CALL_SAVED if n not in chain(*pushed)))
                     demand(end is not None or machine.is_zero(1))
@@ -163,7 +167,7 @@ class Program:
 
     def survivors(self, stretch, visited, every, needless):
         """Instructions without which the proof still goes through."""
-        found = []
+        found, self.stride = [], FEWER
         for address in sorted(visited)[::every]:
             mnemonic, operands, target, following = self.code[address]
             if mnemonic in needless:
@@ -175,6 +179,7 @@ class Program:
             except Unprovable:
                 pass
             self.code[address] = (mnemonic, operands, target, following)
+        self.stride = 1
         return found
 
     def run(self, every, needless, labels=None):

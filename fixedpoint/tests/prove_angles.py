@@ -24,7 +24,7 @@ import numpy
 import z3
 
 from arrays import Arrays
-from bits import Bits
+from bits import Bits, joined
 from form import known
 from machine_code import Program, demand
 from stretches import Linear
@@ -41,39 +41,13 @@ CHUNK = 1 << 18
 BOUND = 0.645  # ulp
 
 
-class Tables(Bits):
-    """Looks up the power of two by which a byte is shifted up."""
-
-    def compute(self, mnemonic, d, r, target, following):
-        if mnemonic != "lpm":
-            return super().compute(mnemonic, d, r, target, following)
-        page = z3.simplify(self.registers[31])
-        demand(z3.is_bv_value(page))
-        page = page.as_long()
-        value, table = z3.BitVec("entry", 8), self.program.flash[page << 8:]
-        for i in range(1, 128):
-            if i == 127 or table[i] != table[i + 1]:
-                first = next(j for j in range(1, i + 1) if table[j:i + 1] == bytes([table[i]]) * (i + 1 - j))
-                inside = z3.And(z3.UGE(self.registers[30], first), z3.ULE(self.registers[30], i))
-                value = z3.If(inside, z3.BitVecVal(table[i], 8), value)
-        self.registers[d] = value
-        return [(following, self)]
-
-
 class Kernel(Program):
-    """Where instructions are left out, fewer cases are run; `found` is the largest and smallest of what all gave."""
-    every = 1
+    """`found` is the largest and smallest of what all cases gave."""
     found = {"reciprocal": (0.0, 0.0), "angle": (0.0, 0.0)}
-
-    def survivors(self, *arguments):
-        self.every = 97
-        found = super().survivors(*arguments)
-        self.every = 1
-        return found
 
     def within(self, name, low, high, numbers):
         demand(low < numbers.min() and numbers.max() < high)
-        if self.every == 1:
+        if self.stride == 1:
             least, most = self.found[name]
             self.found[name] = min(least, float(numbers.min())), max(most, float(numbers.max()))
 
@@ -103,7 +77,7 @@ def magnitudes(m):
             demand(m.impossible(z3.Or(large != 0, m.number(22, 4) != 0)))
             return
         demand(m.registers[OCTANT] is kept and "T" not in m.flags)
-        d, n = (z3.Concat(*(m.registers[register] for register in reversed(registers))) for registers in (D, N))
+        d, n = joined(m, D), joined(m, N)
         shifted = [z3.And(z3.LShR(large << k, k) == large, z3.Extract(31, 8, large << k) == d,
                           z3.Extract(31, 8, small << k) == n) for k in range(32)]
         demand(m.impossible(z3.Not(z3.And(z3.Or(*shifted), d < 0))))
@@ -112,7 +86,7 @@ def magnitudes(m):
 
 def every(m, first, registers):
     """The numbers of a case, in the registers."""
-    numbers = numpy.arange(first, first + CHUNK, m.program.every)
+    numbers = numpy.arange(first, first + CHUNK, m.program.stride)
     m.place(numbers, registers)
     return numbers
 
@@ -160,7 +134,7 @@ def angle(m):
     (left, below), steep = z3.Bools("left below"), z3.Bool("steep")
     m.registers[OCTANT] = octant(steep, left)
     m.flags["T"] = below
-    first = z3.ZeroExt(8, z3.Concat(*(m.registers[register] for register in reversed(ANGLE))))
+    first = z3.ZeroExt(8, joined(m, ANGLE))
     whole = z3.If(steep, z3.If(left, first + HALF_PI, HALF_PI + ULP - first), z3.If(left, PI + ULP - first, first)) >> 8
     m.holds.append(z3.ULT(first, LARGEST))
 
@@ -179,7 +153,7 @@ STRETCHES = [(NAME, entry, (".Lfirst_octant",), (), ((),), (None,)),
 
 def main():
     failed = False
-    for machine, every_other, labels in ((Tables, 8, (NAME, ".Lfirst_octant")), (Arrays, 1, (".Lnormalised", ".Larctangent")),
+    for machine, every_other, labels in ((Bits, 8, (NAME, ".Lfirst_octant")), (Arrays, 1, (".Lnormalised", ".Larctangent")),
                                          (Linear, 2, (".Lreciprocal",)), (Bits, 4, (".Lfolded_angle",))):
         program = Kernel(STRETCHES, machine, cuts=(
             (".Lreciprocal", ".Lnormalised", "mul", "r25"), (".Lfolded_angle", ".Larctangent", "ldi", "r24")),

@@ -395,6 +395,30 @@ class Linear(Machine):
         raise Unprovable("a result is not what it ought to be")
 
 
+class Bounded(Linear):
+    """Where a form is a byte whatever its variables are, products are of it; where a sum always or never leaves a carry,
+    that is known."""
+
+    def carried(self, form):
+        """The multiple of 256 that is in the form whatever its variables are; None where it depends on them."""
+        least, most = form.get(1, 0), sum(factor * (1 if name == 1 else self.most(name)) for name, factor in form.items())
+        return least >> 8 if min(form.values(), default=0) >= 0 and least >> 8 == most >> 8 else None
+
+    def byte(self, register):
+        form = self.registers[register]
+        return form if self.carried(form) == 0 else super().byte(register)
+
+    def keep(self, register, total, sign):
+        carry = self.carried(total)
+        if carry is None:
+            super().keep(register, total, sign)
+            return
+        self.carry = known(carry)
+        self.tested = self.sign = total - known(256 * carry)
+        if register is not None:
+            self.registers[register] = self.tested
+
+
 def equal(form, other):
     return 0, form - other, 0
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // void fixedpoint_normalise3_q8_8(const int16_t* v, int16_t* unit)
-// unit[i] = v[i] 2^8 / length of v, within 0.75 ulp, the largest found being 0.64; a zero vector stays zero. unit may be v.
+// unit[i] = v[i] 2^8 / length of v, within 0.66 ulp; a zero vector stays zero. unit may be v.
 //
 // In:       v r25:r24, unit r23:r22, in RAM
 // Clobbers: r0, r18..r27, r30, r31
