@@ -9,6 +9,7 @@
 #include <engine/error.hpp>
 #include <engine/links.hpp>
 #include <engine/observe.hpp>
+#include <engine/overlap.hpp>
 #include <engine/particle.hpp>
 
 namespace engine {
@@ -82,26 +83,24 @@ ENGINE_INLINE void constrain(const Plane<Scalar, Vector>& plane, Index a, World&
 }
 
 /// Two particles make a row where they overlap. Particles apart along one axis are apart: that
-/// takes no product, and no square of a distance beyond the radii is formed. Where the centres
-/// coincide, the first axis is the normal.
+/// takes no product, and no square of a distance beyond the radii is formed. Most pairs are apart
+/// along the first.
 template <class World, class Index, class TimeStep>
 ENGINE_INLINE void collide(Index a, Index b, World& world, TimeStep dt) {
-    using namespace literals;
     using Scalar = typename World::Scalar;
     observe<Scalar>(Quantity::contact);
     const auto& first = world.step_particles()[a];
     const auto& second = world.step_particles()[b];
     const Scalar reach = first.radius + second.radius;
-    const auto difference = first.position - second.position;
     for (unsigned char i = 0; i < World::dimensions; ++i) {
-        if (!(absolute(difference[i]) < reach)) return;
+        if (!(absolute(first.position[i] - second.position[i]) < reach)) return;
     }
     if (!movable(first) && !movable(second)) return;
-    const Scalar distance = length(difference);
-    if (!(distance < reach)) return;
-    auto normal = divided(difference, distance);
-    if (distance == Scalar()) normal[0] = 1_d;
-    World::Solver::contact(world, a, certain(b), normal, reach - distance, world.restitution(), dt);
+    auto normal = first.position - second.position;
+    const Scalar depth =
+        overlap(first.position, second.position, reach, world.last_reach(), normal);
+    if (!(depth > Scalar())) return;
+    World::Solver::contact(world, a, certain(b), normal, depth, world.restitution(), dt);
 }
 
 }  // namespace engine

@@ -181,6 +181,39 @@ __attribute__((noinline, cold)) Scalar measure_by_steps(const Vector<Scalar, N>&
     return dot_difference(direction, first, second);
 }
 
+// v / length.
+template <int I, int F, class A, int N>
+ENGINE_INLINE void scale(Vector<Fixed<I, F, A>, N>& v, const Inverse<Fixed<I, F, A>>& inverse) {
+    signed char i = inverse.halvings;
+    if (i < 0) {
+        while (++i != 0) v += v;
+    } else {
+        scale<N>(v.component, inverse.factor);
+        for (; i != 0; --i) halve(v);
+    }
+}
+
+// measure() from the direction (first - second) / length, and its e.
+template <int I, int F, class A, int N>
+ENGINE_INLINE bool measure_scaled(const Vector<Fixed<I, F, A>, N>& first,
+                                  const Vector<Fixed<I, F, A>, N>& second,
+                                  const Fixed<I, F, A>& length,
+                                  const Inverse<Fixed<I, F, A>>& inverse, Fixed<I, F, A> e,
+                                  Vector<Fixed<I, F, A>, N>& direction, Fixed<I, F, A>& excess) {
+    using Number = Fixed<I, F, A>;
+    // A direction 1 + e long leaves 2 e of a row's change to the next step: by 4 ulp that is below
+    // an ulp of each change below 1/8 m/s.
+    const Number little = Number::from_raw(F >= 12 ? 4 : 0);
+    if (inverse.halvings <= 0 && absolute(e) < NearOne<Number>::value()) {
+        if (absolute(e) > little) e = mend_length(direction, e);
+        excess = short_product(e, length);
+        return true;
+    }
+    const Number distance = measure_by_steps(first, second, e, direction);
+    excess = distance - length;
+    return !(distance == Number());
+}
+
 // The direction from the second point to the first, and by how much they are further apart than
 // `length`. False where there is none: they coincide or, of what may be slack, are surely nearer.
 template <bool may_be_slack, class Scalar, int N>
@@ -197,29 +230,11 @@ ENGINE_INLINE typename OnlyIf<RoundsOnce<A>::value, bool>::Type measure(
     const Vector<Fixed<I, F, A>, N>& first, const Vector<Fixed<I, F, A>, N>& second,
     const Fixed<I, F, A>& length, const Inverse<Fixed<I, F, A>>& inverse,
     Vector<Fixed<I, F, A>, N>& direction, Fixed<I, F, A>& excess) {
-    using Number = Fixed<I, F, A>;
-    const Number near = NearOne<Number>::value();
-    // A direction 1 + e long leaves 2 e of a row's change to the next step: by 4 ulp that is below
-    // an ulp of each change below 1/8 m/s.
-    const Number little = Number::from_raw(F >= 12 ? 4 : 0);
     direction = first - second;
-    signed char i = inverse.halvings;
-    if (i < 0) {
-        while (++i != 0) direction += direction;
-    } else {
-        scale<N>(direction.component, inverse.factor);
-        for (; i != 0; --i) halve(direction);
-    }
-    Number relative = excess_over_one(direction);
-    if (may_be_slack && relative < -near) return false;
-    if (inverse.halvings <= 0 && absolute(relative) < near) {
-        if (absolute(relative) > little) relative = mend_length(direction, relative);
-        excess = short_product(relative, length);
-        return true;
-    }
-    const Number distance = measure_by_steps(first, second, relative, direction);
-    excess = distance - length;
-    return !(distance == Number());
+    scale(direction, inverse);
+    const Fixed<I, F, A> e = excess_over_one(direction);
+    if (may_be_slack && e < -NearOne<Fixed<I, F, A>>::value()) return false;
+    return measure_scaled(first, second, length, inverse, e, direction, excess);
 }
 
 /// \endcond

@@ -9,6 +9,7 @@
 
 #include <engine/inline.hpp>
 #include <fixedpoint/arithmetic/saturating.hpp>
+#include <fixedpoint/arithmetic/small.hpp>
 #include <fixedpoint/conversion.hpp>
 #include <fixedpoint/math.hpp>
 #include <fixedpoint/vector.hpp>
@@ -77,6 +78,22 @@ ENGINE_INLINE Fixed<I, F, fixedpoint::Nearest> short_product(Fixed<I, F, fixedpo
     using Raw = typename Fixed<I, F, fixedpoint::Nearest>::Raw;
     return Fixed<I, F, fixedpoint::Nearest>::from_raw(
         fixedpoint::kernel::multiply_short<Raw, F>(a.raw(), b.raw()));
+}
+/// \endcond
+
+/// The quotient a / b: in Q16.16 by the division that takes little flash and more cycles.
+template <class Scalar>
+ENGINE_INLINE Scalar brief_quotient(Scalar a, Scalar b) {
+    return a / b;
+}
+/// \cond internal
+ENGINE_INLINE Fixed<16, 16> brief_quotient(Fixed<16, 16> a, Fixed<16, 16> b) {
+    return Fixed<16, 16>::from_raw(fixedpoint::Small::divide<int32_t, 16>(a.raw(), b.raw()));
+}
+ENGINE_INLINE SaturatingFixed<16, 16> brief_quotient(SaturatingFixed<16, 16> a,
+                                                     SaturatingFixed<16, 16> b) {
+    return SaturatingFixed<16, 16>::from_raw(
+        fixedpoint::Small::divide<int32_t, 16>(a.raw(), b.raw()));
 }
 /// \endcond
 

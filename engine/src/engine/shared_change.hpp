@@ -28,8 +28,8 @@ typename World::Scalar mass_share(const World& world, Index a, Index b) {
     if (of_a == Scalar()) return Scalar();
     if (of_a == of_b) return Decimal<5, 1>();  // as the quotient, without a division
     const Scalar sum = saturating_sum(of_a, of_b);
-    if (sum - of_a == of_b) return of_a / sum;
-    return half(of_a) / (half(of_a) + half(of_b));  // where the sum leaves the format
+    if (sum - of_a == of_b) return brief_quotient(of_a, sum);
+    return brief_quotient(half(of_a), half(of_a) + half(of_b));  // where the sum leaves the format
 }
 
 // Of two of different mass.

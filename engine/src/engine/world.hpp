@@ -67,7 +67,8 @@ struct ParticleHandle {
 /// scene uses it.
 template <class ScalarType, class SceneUses>
 class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUses::gravity>,
-              Bounce<ScalarType, may_bounce<SceneUses>()> {
+              Bounce<ScalarType, may_bounce<SceneUses>()>,
+              LastReach<ScalarType, SceneUses::collisions> {
   public:
     /// The type of every number of the world.
     using Scalar = ScalarType;
@@ -370,6 +371,7 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
     void report(Error error) { fail(error); }
 
     /// \cond internal
+    LastReach<Scalar, Uses::collisions>& last_reach() { return *this; }
     PairMemory& pair_memory() { return pair_memory_; }
     IntegratorMemory& integrator_memory() { return integrator_memory_; }
     /// \endcond

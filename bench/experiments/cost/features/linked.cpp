@@ -76,14 +76,19 @@ const std::vector<Rule>& rules() {
          std::regex("SortAndSweep::collide_all"),
          {"SortAndSweep"},
          {"COLLISIONS"}},
-        // Masses share by a quotient between two particles; WorstFirst divides by both.
+        // Masses share by a quotient between two particles, and a bounce off a plane has one: the
+        // small one, without a table. WorstFirst divides by both.
         {"division",
          std::regex("fixedpoint_(divide|reciprocal_table)"),
          {"SPRINGS", "ANCHORED_SPRINGS", "RODS", "ROPES", "PLANES", "COLLISIONS",
           "WorstFirst<10>"}},
+        {"the quotient by a table",
+         std::regex("^fixedpoint_divide_q16_16$"),
+         {"SPRINGS", "ANCHORED_SPRINGS", "ContinuousContacts", "WorstFirst<10>"},
+         {"Nearest"}},
         {"lengths",
          std::regex("fixedpoint_(length|sqrt_table)"),
-         {"SPRINGS", "ANCHORED_SPRINGS", "DRAG", "COLLISIONS"}},
+         {"SPRINGS", "ANCHORED_SPRINGS", "DRAG", "ContinuousContacts"}},
         {"dot products", std::regex("fixedpoint_dot"), links_and({"PLANES", "COLLISIONS"})},
         {"square roots", std::regex("^fixedpoint_sqrt_q"), {"ContinuousContacts"}, {"COLLISIONS"}},
         {"floating point", std::regex("^__\\w+(sf|df)\\d?$"), {}},

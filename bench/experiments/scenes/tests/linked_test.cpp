@@ -24,9 +24,10 @@ TEST(LinkedQuotients, LeversHaveNone) {
         EXPECT_THAT(quotients_of("lever", scalar), testing::IsEmpty()) << scalar;
 }
 // Between two particles masses share by one, which shows that it is found.
-TEST(LinkedQuotients, PairsHaveTheKernels) {
-    EXPECT_THAT(quotients_of("double_pendulum", "q16_16"),
-                testing::ElementsAre("fixedpoint_divide_q16_16"));
+TEST(LinkedQuotients, PairsHaveTheSmallOne) {
+    for (const char* scene : {"double_pendulum", "newtons_cradle", "stack", "box_of_particles"})
+        EXPECT_THAT(quotients_of(scene, "q16_16"),
+                    testing::ElementsAre("fixedpoint_divide_q16_16_small"));
 }
 
 }  // namespace

@@ -130,9 +130,12 @@ struct ProjectedGaussSeidel {
         Scalar correction = penetration;
         if (closing > world.restitution_threshold()) {
             correction = engine::multiply_add(restitution, penetration, penetration);
-            target = dot(world.relative_gravity(a, b), normal) *
-                     (penetration / closing + seconds<Scalar>(half(dt)));
-            target = engine::multiply_add(restitution, target, target);
+            const Scalar pull =
+                World::Uses::gravity ? dot(world.relative_gravity(a, b), normal) : Scalar();
+            if (!(pull == Scalar())) {
+                target = pull * (brief_quotient(penetration, closing) + seconds<Scalar>(half(dt)));
+                target = engine::multiply_add(restitution, target, target);
+            }
         }
         bind(world, a, b, true, normal, correction, target, restitution);
     }
