@@ -40,6 +40,7 @@ class Check(NamedTuple):
     target: str  # the test program; a Python file is run as it stands
     cases: str = "*"  # filter of GoogleTest
     devices: str = ""  # programs for the chip that the test program runs, and that hold the fault
+    narrow: bool = False  # whether the Python file takes the faulty file as its argument
 
 
 class Room(NamedTuple):
@@ -51,6 +52,7 @@ class Room(NamedTuple):
 
 
 FIXED = "fixedpoint/src/fixedpoint"
+TABLES_TEST = Check("fixedpoint/tests/tables_test.py", narrow=True)
 
 
 def room(name, files, count, *checks):
@@ -122,9 +124,9 @@ ROOMS = [
     room("kernels", f"{FIXED}/kernel/*_saturating.hpp", 1,
          Check("saturating_sums_test", devices="saturating_sums"),
          Check("library_on_device_test", "*/operators_test_q16_16", "operators_test_q16_16")),
-    room("tables", "fixedpoint/tables/*.py", 2, "fixedpoint/tests/tables_test.py"),
+    room("tables", "fixedpoint/tables/*.py", 2, TABLES_TEST),
     room("tables", f"{FIXED}/avr/*_table.S {FIXED}/portable/*_table.hpp"
-         f" {FIXED}/published/arc_tangent_table.hpp", 1, "fixedpoint/tests/tables_test.py"),
+         f" {FIXED}/published/arc_tangent_table.hpp", 1, TABLES_TEST),
     room("portable", f"{FIXED}/portable/divide.hpp {FIXED}/portable/divide_w*.hpp"
          f" {FIXED}/portable/remainder.hpp", 2, "products_test", "small_operations_test"),
     room("portable", f"{FIXED}/kernel/*_q32_32.hpp", 1, "q32_32_test", "checked_test"),
@@ -519,26 +521,31 @@ class Tests:
     def __init__(self, graph):
         self.graph = graph
         self.seconds = {}  # that a test may take
+        self.lock, self.sound = threading.Lock(), {}
 
-    def run(self, check, source, program, devices, seconds):
+    def run(self, check, fault, source, program, devices, seconds):
         if is_script(check):
-            return run([sys.executable, "-B", str(source / check.target)], source, seconds)
-        return run([str(program), "--gtest_brief=1", "--gtest_fail_fast",
+            return run([sys.executable, "-B", str(source / check.target),
+                        *([source / fault.path] if check.narrow else [])], source, seconds)
+        # The first failure ends it: what else fails is not asked.
+        return run([str(program), "--gtest_brief=1", "--gtest_break_on_failure",
                     f"--gtest_filter={check.cases}"],
                    self.graph.build / Path(self.graph.goal(check.target)).parent, seconds,
                    {"DEVICE_PROGRAMS": str(devices)} if devices else None)
 
-    def limit(self, check):
+    def limit(self, check, fault):
         """Seconds that the test may take with a fault. Before its first, it must pass without one."""
-        key = check.target, check.cases
-        if key in self.seconds:
-            return self.seconds[key]
-        program = None if is_script(check) else self.graph.build / self.graph.goal(check.target)
-        begin = time.monotonic()
-        output, status = self.run(check, ROOT, program, None, 300)
-        if status != 0 or re.search(r"\b0 tests", output):
-            raise Failure(f"the test {check.target} {check.cases} fails without a fault:\n{output}")
-        self.seconds[key] = 5 + 5 * (time.monotonic() - begin)
+        key = check.target, check.cases, check.narrow and fault.path
+        with self.lock:
+            sound = self.sound.setdefault(key, threading.Lock())
+        with sound:  # one worker runs it, others wait
+            if key not in self.seconds:
+                program = None if is_script(check) else self.graph.build / self.graph.goal(check.target)
+                begin = time.monotonic()
+                output, status = self.run(check, fault, ROOT, program, None, 300)
+                if status != 0 or re.search(r"\b0 tests", output):
+                    raise Failure(f"the test {check.target} {check.cases} fails without a fault:\n{output}")
+                self.seconds[key] = 5 + 5 * (time.monotonic() - begin)
         return self.seconds[key]
 
     def goals(self, check):
@@ -571,18 +578,19 @@ class Tests:
     def notices_by(self, check, fault, worker):
         """Whether that test fails; None where the fault changes no object of it."""
         if is_script(check):
-            return self.run(check, worker.source, None, None, self.limit(check))[1] != 0
+            return self.run(check, fault, worker.source, None, None, self.limit(check, fault))[1] != 0
         try:
             if not self.build(check, fault, worker):
                 return None
             program = self.graph.goal(check.target)
             if not check.devices:
-                return self.run(check, None, worker.made / program, None, self.limit(check))[1] != 0
+                return self.run(check, fault, None, worker.made / program, None,
+                                self.limit(check, fault))[1] != 0
             for device in self.goals(check):
                 if not (worker.made / device).exists():  # one that the fault is not in
                     shutil.copy(self.graph.build / device, worker.made / device)
-            return self.run(check, None, self.graph.build / program,
-                            (worker.made / device).parent, self.limit(check))[1] != 0
+            return self.run(check, fault, None, self.graph.build / program,
+                            (worker.made / device).parent, self.limit(check, fault))[1] != 0
         finally:
             shutil.rmtree(worker.made, ignore_errors=True)
 

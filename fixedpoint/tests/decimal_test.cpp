@@ -30,157 +30,175 @@ std::string decimal_text(const Int& n, unsigned decimals) {
     return (n < 0 ? "-" : "") + digits;
 }
 
+// What the library has read, whatever the format.
+struct Read {
+    int64_t number;
+    TextStatus status;
+    size_t position;
+};
+
 // From a copy on the heap that ends where the text ends, so that the sanitizer sees a read beyond
 // it.
 template <class Raw, int F>
-Parsed<Raw> parse_text(const std::string& text) {
+Read parse_text(const std::string& text) {
     const std::vector<char> copy(text.begin(), text.end());
-    return portable::parse_decimal<Raw, F>(copy.data(), copy.size());
+    const auto result = portable::parse_decimal<Raw, F>(copy.data(), copy.size());
+    return {result.number, result.status, result.position};
 }
 
-template <class Raw, int F>
-std::string print_text(Raw a) {
-    char buffer[portable::decimal_capacity<Raw, F>()];
-    return {buffer, portable::print_decimal<Raw, F>(a, buffer, sizeof buffer)};
-}
+// The functions of a format as plain ones: what judges them is compiled once.
+struct Format {
+    int width, fraction;
+    size_t capacity;
+    Read (*parse)(const std::string& text);
+    size_t (*print)(int64_t a, char* text, size_t capacity);
+    size_t (*print_rounded)(int64_t a, uint8_t decimals, char* text, size_t capacity);
+    size_t (*rounded_capacity)(uint8_t decimals);
 
+    std::string text(int64_t a) const {
+        std::vector<char> buffer(capacity);
+        return {buffer.data(), print(a, buffer.data(), buffer.size())};
+    }
+    std::string text(int64_t a, uint8_t decimals) const {
+        std::vector<char> buffer(rounded_capacity(decimals));
+        return {buffer.data(), print_rounded(a, decimals, buffer.data(), buffer.size())};
+    }
+};
 template <class Raw, int F>
-std::string print_text(Raw a, uint8_t decimals) {
-    std::vector<char> buffer(portable::decimal_capacity<Raw, F>(decimals));
-    return {buffer.data(),
-            portable::print_decimal<Raw, F>(a, decimals, buffer.data(), buffer.size())};
+Format format() {
+    return {
+        RawLimits<Raw>::width,
+        F,
+        portable::decimal_capacity<Raw, F>(),
+        parse_text<Raw, F>,
+        [](int64_t a, char* text, size_t capacity) -> size_t {
+            return portable::print_decimal<Raw, F>(static_cast<Raw>(a), text, capacity);
+        },
+        [](int64_t a, uint8_t decimals, char* text, size_t capacity) -> size_t {
+            return portable::print_decimal<Raw, F>(static_cast<Raw>(a), decimals, text, capacity);
+        },
+        [](uint8_t decimals) -> size_t { return portable::decimal_capacity<Raw, F>(decimals); }};
 }
 
 // Whether the text is read as n / 10^decimals has to be.
-template <class Raw, int F>
-void check_parse(const std::string& text, const Int& n, unsigned decimals) {
-    const Int expected = exact::nearest(n << F, exact::power(10, decimals));
-    const auto result = parse_text<Raw, F>(text);
-    ASSERT_EQ(result.number, exact::clamped<Raw>(expected)) << text;
-    ASSERT_EQ(result.status, exact::fits<Raw>(expected) ? TextStatus::ok : TextStatus::out_of_range)
+void check_parse(const Format& format, const std::string& text, const Int& n, unsigned decimals) {
+    const Int expected = exact::nearest(n << format.fraction, exact::power(10, decimals));
+    const Read result = format.parse(text);
+    ASSERT_EQ(result.number, exact::clamped(expected, format.width)) << text;
+    ASSERT_EQ(result.status,
+              exact::fits(expected, format.width) ? TextStatus::ok : TextStatus::out_of_range)
         << text;
     ASSERT_EQ(result.position, text.size()) << text;
 }
 
-template <class F>
-class Decimal : public testing::Test {};
-template <class RawType, int FractionBits>
-struct Format {
-    using Raw = RawType;
-    static constexpr int F = FractionBits;
+class Decimal : public testing::TestWithParam<Format> {
+  protected:
+    const Format format = GetParam();
+    const int F = format.fraction;
 };
+INSTANTIATE_TEST_SUITE_P(
+    Formats, Decimal,
+    testing::Values(format<int8_t, 0>(), format<int8_t, 1>(), format<int8_t, 2>(),
+                    format<int8_t, 4>(), format<int8_t, 7>(), format<int16_t, 0>(),
+                    format<int16_t, 1>(), format<int16_t, 8>(), format<int16_t, 15>(),
+                    format<int32_t, 0>(), format<int32_t, 16>(), format<int32_t, 24>(),
+                    format<int32_t, 31>(), format<int64_t, 0>(), format<int64_t, 32>(),
+                    format<int64_t, 62>(), format<int64_t, 63>()),
+    [](const auto& info) {
+        return "Of" + std::to_string(info.param.width) + "BitsWithFraction" +
+               std::to_string(info.param.fraction);
+    });
 
-using Formats =
-    testing::Types<Format<int8_t, 0>, Format<int8_t, 1>, Format<int8_t, 2>, Format<int8_t, 4>,
-                   Format<int8_t, 7>, Format<int16_t, 0>, Format<int16_t, 1>, Format<int16_t, 8>,
-                   Format<int16_t, 15>, Format<int32_t, 0>, Format<int32_t, 16>,
-                   Format<int32_t, 24>, Format<int32_t, 31>, Format<int64_t, 0>,
-                   Format<int64_t, 32>, Format<int64_t, 62>, Format<int64_t, 63>>;
-TYPED_TEST_SUITE(Decimal, Formats);
-
-TYPED_TEST(Decimal, PrintsTheShortestAndClosestThatReadsBack) {
-    using Raw = typename TypeParam::Raw;
-    constexpr int F = TypeParam::F;
-    for (const Raw a : exact::raws<Raw>()) {
+TEST_P(Decimal, PrintsTheShortestAndClosestThatReadsBack) {
+    for (const int64_t a : exact::raws(format.width)) {
         // The first number of decimals whose closest number is read as a.
         Int closest;
         unsigned decimals = 0;
-        for (;; ++decimals) {
-            const Int power = exact::power(10, decimals);
+        for (Int power = 1;; ++decimals, power = 10 * power) {
             closest = exact::nearest(a * power, Int(1) << F);
             if (exact::nearest(closest << F, power) == a) break;
         }
-        const std::string text = print_text<Raw, F>(a);
-        ASSERT_EQ(text, decimal_text(closest, decimals)) << +a;
-        const auto result = parse_text<Raw, F>(text);
+        const std::string text = format.text(a);
+        ASSERT_EQ(text, decimal_text(closest, decimals)) << a;
+        const Read result = format.parse(text);
         ASSERT_EQ(result.number, a) << text;
         ASSERT_EQ(result.status, TextStatus::ok) << text;
     }
 }
 
-TYPED_TEST(Decimal, PrintsDecimalsRounded) {
-    using Raw = typename TypeParam::Raw;
-    constexpr int F = TypeParam::F;
-    for (const Raw a : exact::raws<Raw>()) {
-        for (const int decimals : {0, 1, 2, 5, F, F + 2}) {
-            const Int closest = exact::nearest(a * exact::power(10, decimals), Int(1) << F);
-            ASSERT_EQ((print_text<Raw, F>(a, static_cast<uint8_t>(decimals))),
+TEST_P(Decimal, PrintsDecimalsRounded) {
+    for (const int decimals : {0, 1, 2, 5, F, F + 2}) {
+        const Int power = exact::power(10, decimals);
+        for (const int64_t a : exact::raws(format.width)) {
+            const Int closest = exact::nearest(a * power, Int(1) << F);
+            ASSERT_EQ(format.text(a, static_cast<uint8_t>(decimals)),
                       decimal_text(closest, decimals))
-                << +a;
+                << a;
         }
     }
 }
 
-TYPED_TEST(Decimal, ReadsNumbersBetweenTwoOthers) {
-    using Raw = typename TypeParam::Raw;
-    constexpr int F = TypeParam::F;
-    const std::vector<Raw> numbers = exact::raws<Raw>();
+TEST_P(Decimal, ReadsNumbersBetweenTwoOthers) {
+    const std::vector<int64_t> numbers = exact::raws(format.width);
+    const Int scale = exact::power(10, 90), half = exact::power(5, F + 1);
     // Every number of 8 bits and a part of the others, since each has three long texts.
-    const int step = exact::operand_step * (sizeof(Raw) == 1 ? 1 : 7);
+    const int step = exact::operand_step * (format.width == 8 ? 1 : 7);
     for (size_t i = 0; i < numbers.size(); i += step) {
         // The tie above it, (a + 1/2) / 2^F, has F + 1 decimals; then what lies closely beside it.
-        const Int tie = (2 * Int(numbers[i]) + 1) * exact::power(5, F + 1);
-        const Int scale = exact::power(10, 90);
-        check_parse<Raw, F>(decimal_text(tie, F + 1), tie, F + 1);
-        for (const Int& n : {Int(tie * scale - 1), Int(tie * scale), Int(tie * scale + 1)}) {
-            check_parse<Raw, F>(decimal_text(n, F + 91), n, F + 91);
-        }
+        const Int tie = (2 * Int(numbers[i]) + 1) * half;
+        check_parse(format, decimal_text(tie, F + 1), tie, F + 1);
+        for (const Int& n : {tie * scale - 1, tie * scale, tie * scale + 1})
+            check_parse(format, decimal_text(n, F + 91), n, F + 91);
+        if (HasFatalFailure()) return;
     }
 }
 
-TYPED_TEST(Decimal, ReadsExponents) {
-    using Raw = typename TypeParam::Raw;
-    constexpr int F = TypeParam::F;
+TEST_P(Decimal, ReadsExponents) {
     for (const int n : {0, 1, -1, 5, -25, 127, -128, 32767, -12345678}) {
         for (int exponent = -40; exponent <= 40; ++exponent) {
             const std::string digits = std::to_string(n);
             const Int up = exact::power(10, std::max(exponent, 0));
-            check_parse<Raw, F>(digits + "e" + std::to_string(exponent), Int(n) * up,
-                                std::max(-exponent, 0));
-            check_parse<Raw, F>(
-                digits + ".250E" + (exponent < 0 ? "" : "+") + std::to_string(exponent),
-                (Int(n) * 1000 + (n < 0 ? -250 : 250)) * up, std::max(-exponent, 0) + 3);
+            check_parse(format, digits + "e" + std::to_string(exponent), Int(n) * up,
+                        std::max(-exponent, 0));
+            check_parse(format,
+                        digits + ".250E" + (exponent < 0 ? "" : "+") + std::to_string(exponent),
+                        (Int(n) * 1000 + (n < 0 ? -250 : 250)) * up, std::max(-exponent, 0) + 3);
         }
     }
 }
 
-TYPED_TEST(Decimal, ReportsABufferThatIsTooSmall) {
-    using Raw = typename TypeParam::Raw;
-    constexpr int F = TypeParam::F;
-    for (const Raw a :
-         {std::numeric_limits<Raw>::min(), std::numeric_limits<Raw>::max(), Raw(-3)}) {
-        const size_t shortest = print_text<Raw, F>(a).size();
-        const size_t rounded = print_text<Raw, F>(a, 9).size();
+TEST_P(Decimal, ReportsABufferThatIsTooSmall) {
+    for (const int64_t a :
+         {exact::smallest(format.width), exact::largest(format.width), int64_t(-3)}) {
+        const size_t shortest = format.text(a).size(), rounded = format.text(a, 9).size();
         for (size_t capacity = 0; capacity <= rounded + shortest; ++capacity) {
             std::vector<char> buffer(capacity);
-            ASSERT_EQ((portable::print_decimal<Raw, F>(a, buffer.data(), capacity)),
-                      capacity < shortest ? 0 : shortest);
-            ASSERT_EQ((portable::print_decimal<Raw, F>(a, 9, buffer.data(), capacity)),
+            ASSERT_EQ(format.print(a, buffer.data(), capacity), capacity < shortest ? 0 : shortest);
+            ASSERT_EQ(format.print_rounded(a, 9, buffer.data(), capacity),
                       capacity < rounded ? 0 : rounded);
         }
     }
 }
 
-TYPED_TEST(Decimal, CapacityIsReached) {
-    using Raw = typename TypeParam::Raw;
-    constexpr int F = TypeParam::F;
-    EXPECT_EQ((print_text<Raw, F>(std::numeric_limits<Raw>::min(), F).size()),
-              (portable::decimal_capacity<Raw, F>() - (F == 0 ? 1 : 0)));
+TEST_P(Decimal, CapacityIsReached) {
+    EXPECT_EQ(format.text(exact::smallest(format.width), static_cast<uint8_t>(F)).size(),
+              format.capacity - (F == 0 ? 1 : 0));
 }
 
 template <class Word>
 void check_digit_steps() {
-    const Int one = Int(1) << static_cast<int>(8 * sizeof(Word));
+    const Int one = Int(1) << 8 * sizeof(Word);
     for (int digit = 0; digit <= 9; ++digit) {
         // The smallest fraction that begins with this digit, and its neighbours.
         const Int first = -exact::floor_of(-digit * one, 10);
         for (int offset = -1; offset <= 1; ++offset) {
-            const Int bits = exact::clamped<Word>(first + offset);
-            portable::DecimalFraction<Word> fraction = {static_cast<Word>(bits), false};
+            const Int bits = std::clamp(first + offset, Int(0), one - 1);
+            const auto word = static_cast<Word>(static_cast<uint64_t>(bits));
+            portable::DecimalFraction<Word> fraction = {word, false};
             ASSERT_EQ(fraction.take(), exact::floor_of(10 * bits, one)) << bits;
             ASSERT_EQ(fraction.bits, 10 * bits % one) << bits;
 
-            fraction = {static_cast<Word>(bits), false};
+            fraction = {word, false};
             fraction.prepend(static_cast<uint8_t>(digit));
             ASSERT_EQ(fraction.bits, (digit * one + bits) / 10) << bits;
             ASSERT_EQ(fraction.inexact, (digit * one + bits) % 10 != 0) << bits;
@@ -197,10 +215,10 @@ TEST(DecimalText, DoesNotWrapAroundTheWord) {
     for (int offset = -10; offset <= 20; ++offset) {
         for (const int bits : {32, 64}) {
             const Int n = (Int(1) << bits) + offset;
-            check_parse<int8_t, 0>(n.str(), n, 0);
-            check_parse<int32_t, 0>(n.str(), n, 0);
-            check_parse<int64_t, 0>(n.str(), n, 0);
-            check_parse<int64_t, 0>("-" + n.str(), -n, 0);
+            check_parse(format<int8_t, 0>(), n.str(), n, 0);
+            check_parse(format<int32_t, 0>(), n.str(), n, 0);
+            check_parse(format<int64_t, 0>(), n.str(), n, 0);
+            check_parse(format<int64_t, 0>(), "-" + n.str(), -n, 0);
         }
     }
 }
@@ -277,8 +295,8 @@ TEST(DecimalText, TakesExponentsAndDigitsOfAnyLength) {
     EXPECT_EQ((parse_text<int16_t, 8>("-0.001953125" + zeros + "1").number), -1);
 }
 
-template <class Raw, int F>
-void random_text(bool negative, const std::vector<uint8_t>& digits, size_t point, int exponent) {
+void random_text(const Format& format, bool negative, const std::vector<uint8_t>& digits,
+                 size_t point, int exponent) {
     Int n = 0;
     std::string text = negative ? "-" : "";
     point = std::min(point, digits.size());
@@ -289,8 +307,8 @@ void random_text(bool negative, const std::vector<uint8_t>& digits, size_t point
     }
     if (negative) n = -n;
     const int decimals = static_cast<int>(digits.size() - point) - exponent;
-    check_parse<Raw, F>(text + "e" + std::to_string(exponent),
-                        n * exact::power(10, std::max(-decimals, 0)), std::max(decimals, 0));
+    check_parse(format, text + "e" + std::to_string(exponent),
+                n * exact::power(10, std::max(-decimals, 0)), std::max(decimals, 0));
 }
 
 RC_GTEST_PROP(DecimalProperty, RandomText, (bool negative)) {
@@ -298,12 +316,9 @@ RC_GTEST_PROP(DecimalProperty, RandomText, (bool negative)) {
         rc::gen::container<std::vector<uint8_t>>(rc::gen::inRange<uint8_t>(0, 10)));
     const auto point = *rc::gen::inRange<size_t>(0, 12);
     const auto exponent = *rc::gen::inRange(-12, 12);
-    random_text<int8_t, 4>(negative, digits, point, exponent);
-    random_text<int16_t, 15>(negative, digits, point, exponent);
-    random_text<int32_t, 16>(negative, digits, point, exponent);
-    random_text<int64_t, 32>(negative, digits, point, exponent);
-    random_text<int64_t, 63>(negative, digits, point, exponent);
-    RC_ASSERT(!testing::Test::HasFatalFailure());
+    for (const Format& each : {format<int8_t, 4>(), format<int16_t, 15>(), format<int32_t, 16>(),
+                               format<int64_t, 32>(), format<int64_t, 63>()})
+        random_text(each, negative, digits, point, exponent);
 }
 
 RC_GTEST_PROP(DecimalProperty, AnyBytesAreReadOrRefused, (const std::string& text)) {

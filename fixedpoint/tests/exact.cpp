@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "exact.hpp"
 
+#include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
@@ -172,6 +173,13 @@ bool is_nearest_float(int64_t a, int64_t mantissa, int exponent, int digits, For
     const Int gap = at_power && towards_zero ? Int(ulp / 2) : ulp;
     if (at_power && towards_zero && ulp == 1) return difference == 0;
     return twice < gap || (twice == gap && (mantissa & 1) == 0);
+}
+
+Rounded constant(Constant which, Format format) {
+    using namespace boost::math::constants;
+    const Real values[] = {ln_two<Real>(), root_two<Real>(), phi<Real>(),    pi<Real>(),
+                           e<Real>(),      ln_ten<Real>(),   two_pi<Real>(), radian<Real>()};
+    return rounded(Real(ldexp(values[static_cast<int>(which)], format.fraction)), format);
 }
 
 Rounded function(Function which, int64_t a, Format format) {

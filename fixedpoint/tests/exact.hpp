@@ -45,6 +45,9 @@ Rounded normalised(const int64_t* v, int i, Format);
 // in a tie is even.
 bool is_nearest_float(int64_t a, int64_t mantissa, int exponent, int digits, Format);
 
+enum class Constant { ln2, sqrt2, golden_ratio, pi, e, ln10, tau, degrees_per_radian };
+Rounded constant(Constant, Format);
+
 enum class Function { sin, cos, atan, exp, log, sqrt, reciprocal_sqrt };
 Rounded function(Function, int64_t a, Format);
 Rounded atan2(int64_t y, int64_t x, Format);

@@ -1,56 +1,59 @@
 // SPDX-License-Identifier: MIT
 // Exact integers for the tests whose numbers have any number of digits, as decimal text, or more
-// than twice 64; other tests are held against exact.hpp, which is compiled once.
+// than twice 64; other tests are held against exact.hpp.
+//
+// The number itself, a type of Boost.Multiprecision, is behind plain functions: each test that
+// inlined it compiled for three times as long, and ran slower under the sanitizers.
 #pragma once
 
-#include <boost/multiprecision/cpp_int.hpp>
-#include <fixedpoint/integer.hpp>
-#include <vector>
+#include <compare>
+#include <cstdint>
+#include <ostream>
+#include <string>
 
 #include "exact.hpp"
 
 namespace exact {
 
-using Int = boost::multiprecision::cpp_int;
+// Of up to 1024 bits; std::overflow_error for a result of more.
+class Int {
+  public:
+    Int(__int128 n = 0);
+    Int(const Int& other);
+    Int& operator=(const Int& other);
 
-inline Int floor_of(const Int& numerator, const Int& denominator) {
-    const Int quotient = numerator / denominator;
-    return numerator < 0 && quotient * denominator != numerator ? quotient - 1 : quotient;
-}
+    friend Int operator+(const Int& a, const Int& b);
+    friend Int operator-(const Int& a, const Int& b);
+    friend Int operator*(const Int& a, const Int& b);
+    friend Int operator/(const Int& a, const Int& b);  // toward zero
+    friend Int operator%(const Int& a, const Int& b);  // a - a / b * b
+    friend Int operator<<(const Int& a, unsigned bits);
+    Int operator-() const { return 0 - *this; }
 
+    friend bool operator==(const Int& a, const Int& b) { return a <=> b == 0; }
+    friend std::strong_ordering operator<=>(const Int& a, const Int& b);
+
+    explicit operator uint64_t() const;  // modulo 2^64
+    std::string str() const;
+    friend std::ostream& operator<<(std::ostream& out, const Int& a) { return out << a.str(); }
+
+  private:
+    struct Access;  // to the number in the storage
+    alignas(16) unsigned char storage_[160];
+};
+
+inline Int abs(const Int& a) { return a < 0 ? -a : a; }
+// base^exponent.
+Int power(int base, unsigned exponent);
+
+Int floor_of(const Int& numerator, const Int& denominator);
 // numerator / denominator to nearest, ties upward. The denominator is positive.
-inline Int nearest(const Int& numerator, const Int& denominator) {
-    return floor_of(2 * numerator + denominator, 2 * denominator);
-}
-
-inline Int power(int base, unsigned exponent) {
-    return boost::multiprecision::pow(Int(base), exponent);
-}
-
-template <class Raw>
-bool fits(const Int& n) {
-    return n >= std::numeric_limits<Raw>::min() && n <= std::numeric_limits<Raw>::max();
-}
-
-template <class Raw>
-Raw clamped(const Int& n) {
-    return n < std::numeric_limits<Raw>::min()   ? std::numeric_limits<Raw>::min()
-           : n > std::numeric_limits<Raw>::max() ? std::numeric_limits<Raw>::max()
-                                                 : static_cast<Raw>(n);
-}
+Int nearest(const Int& numerator, const Int& denominator);
 
 // n modulo 2^W, as a two's-complement number is.
-template <class Raw>
-Raw wrapped(const Int& n) {
-    const Int modulus = Int(1) << static_cast<int>(8 * sizeof(Raw));
-    const Int rest = n - floor_of(n, modulus) * modulus;
-    return static_cast<Raw>(static_cast<uint64_t>(rest));
-}
-
-template <class Raw>
-std::vector<Raw> raws() {
-    const std::vector<int64_t> numbers = raws(8 * int{sizeof(Raw)});
-    return {numbers.begin(), numbers.end()};
-}
+int64_t wrapped(const Int& n, int width);
+// The number closest to n.
+int64_t clamped(const Int& n, int width);
+inline bool fits(const Int& n, int width) { return n == wrapped(n, width); }
 
 }  // namespace exact

@@ -20,6 +20,8 @@
 #include <random>
 #include <string>
 
+#include "exact.hpp"
+
 namespace {
 
 namespace portable = fixedpoint::portable;
@@ -46,6 +48,15 @@ Real powf128(Real, Real) noexcept;
 
 constexpr Real one = Real(int64_t(1) << 32);
 constexpr int64_t largest = fixedpoint::RawLimits<int64_t>::max;
+
+// Under a sanitizer the first part of the operands will do, of which the pinned one need not be.
+void expect_pinned(double worst, double largest_error, const std::string& witness) {
+    EXPECT_LE(worst, 0.65);
+    EXPECT_LE(worst, largest_error + 1e-6) << witness;
+    if (exact::operand_step == 1) {
+        EXPECT_GE(worst, largest_error - 1e-6) << witness;
+    }
+}
 
 struct Function {
     const char* name;
@@ -130,7 +141,7 @@ TEST_P(Functions, AreAsFarFromTheExactValueAsPinned) {
     Operands operands(function);
     double worst = 0;
     std::array<int64_t, 2> witness{};
-    for (int i = 0; i < function.operands; ++i) {
+    for (int i = 0; i < function.operands / exact::operand_step; ++i) {
         const auto [a, b] = operands.next();
         const int64_t result = function.compute(a, b);
         const Real exact = function.exact(Real(a) / one, Real(b) / one) * one;
@@ -150,8 +161,7 @@ TEST_P(Functions, AreAsFarFromTheExactValueAsPinned) {
             witness = {a, b};
         }
     }
-    EXPECT_LE(worst, 0.65);
-    EXPECT_NEAR(worst, function.largest_error, 1e-6) << witness[0] << " " << witness[1];
+    expect_pinned(worst, function.largest_error, testing::PrintToString(witness));
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -211,7 +221,7 @@ TEST(Pow, IsAsFarFromTheExactValueAsPinned) {
     std::mt19937_64 random(64);
     double worst = 0;
     std::array<int64_t, 2> witness{};
-    for (int i = 0; i < 300'000; ++i) {
+    for (int i = 0; i < 300'000 / exact::operand_step; ++i) {
         const uint64_t digits = random() >> random() % 62, beside = digits >> (36 + random() % 28);
         uint64_t a = digits;
         if (i % 4 == 1) a = (uint64_t(1) << 32) + beside;
@@ -239,8 +249,7 @@ TEST(Pow, IsAsFarFromTheExactValueAsPinned) {
             witness = {static_cast<int64_t>(a), b};
         }
     }
-    EXPECT_LE(worst, 0.65);
-    EXPECT_NEAR(worst, 0.594226753, 1e-6) << witness[0] << " " << witness[1];
+    expect_pinned(worst, 0.594226753, testing::PrintToString(witness));
 }
 
 // A power that is a number of the format is that number; where the format ends, it ends.
@@ -285,7 +294,7 @@ TEST(Tan, IsAsFarFromTheExactValueAsPinnedBesidePoles) {
     const Real half_pi = 2 * atan2f128(1, 1), limit = Real(largest);
     double worst = 0;
     int64_t witness = 0;
-    for (int i = 0; i < 200'000; ++i) {
+    for (int i = 0; i < 200'000 / exact::operand_step; ++i) {
         const unsigned smaller = 34 + random() % 30;
         const uint64_t quarters = (random() >> smaller) | 1;
         const int nearer = 53 + int(random() % 34);
@@ -309,8 +318,7 @@ TEST(Tan, IsAsFarFromTheExactValueAsPinnedBesidePoles) {
             witness = a;
         }
     }
-    EXPECT_LE(worst, 0.65);
-    EXPECT_NEAR(worst, 0.625557042, 1e-6) << witness;
+    expect_pinned(worst, 0.625557042, std::to_string(witness));
 }
 
 // Where a composition ends, and the first result beyond: 31 and 32 ln 2, 34 ln 2 / 2, poles.

@@ -1,8 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Runs every generator of tables/ in a copy of the folder and compares what it writes, byte for
-byte, with the files under src/. Every file there that says DO NOT EDIT must have been written."""
+byte, with the files under src/. Every file there that says DO NOT EDIT must have been written.
 
+Usage: tables_test.py [FILE], with a generator or a generated file: only what depends on that."""
+
+import re
 import shutil
 import subprocess
 import sys
@@ -12,12 +15,26 @@ from pathlib import Path
 LIBRARY = Path(__file__).resolve().parent.parent
 
 
+WRITER = re.compile(r"DO NOT EDIT(?:: written by (?:python3 )?fixedpoint/tables/(\w+\.py))?")
+
+
 def generated_files():
-    files = (path for path in (LIBRARY / "src").rglob("*") if path.is_file())
-    return {path.relative_to(LIBRARY) for path in files if b"DO NOT EDIT" in path.read_bytes()}
+    """With the name of the generator that each says it was written by."""
+    files = [path for path in (LIBRARY / "src").rglob("*") if path.is_file()]
+    return {path.relative_to(LIBRARY): found[1] for path in files
+            if (found := WRITER.search(path.read_text(encoding="utf-8")))}
 
 
-def regenerate(copy):
+def dependents(name):
+    """The generators that import that one, by others too, and itself."""
+    found = {name}
+    for path in (LIBRARY / "tables").glob("*.py"):
+        if re.search(rf"^(import|from) {name[:-3]}\b", path.read_text(encoding="utf-8"), re.MULTILINE):
+            found |= dependents(path.name)
+    return found
+
+
+def regenerate(copy, chosen):
     """Generators write below the folder beside their own. Returns those that fail."""
     shutil.copytree(LIBRARY / "tables", copy / "tables")
     for path in (LIBRARY / "src").rglob("*"):
@@ -26,15 +43,22 @@ def regenerate(copy):
     table = Path("src/fixedpoint/kernel/table.hpp")  # of which kernels there are, for the C header
     shutil.copy(LIBRARY / table, copy / table)
     return [generator.relative_to(copy) for generator in sorted((copy / "tables").glob("*.py"))
-            if subprocess.run([sys.executable, generator], stdout=subprocess.DEVNULL).returncode]
+            if generator.name in chosen
+            and subprocess.run([sys.executable, generator], stdout=subprocess.DEVNULL).returncode]
 
 
 def main():
+    generated = generated_files()
+    chosen = {path.name for path in (LIBRARY / "tables").glob("*.py")}
+    if len(sys.argv) > 1:
+        path = Path(sys.argv[1]).resolve().relative_to(LIBRARY)
+        chosen = dependents(generated.get(path, path.name))
+        generated = {path: writer for path, writer in generated.items() if writer in chosen}
     with tempfile.TemporaryDirectory() as folder:
         copy = Path(folder)
-        faults = [f"{generator}: fails" for generator in regenerate(copy)]
+        faults = [f"{generator}: fails" for generator in regenerate(copy, chosen)]
         written = {path.relative_to(copy) for path in (copy / "src").rglob("*") if path.is_file()}
-        for path in sorted(written | generated_files()):
+        for path in sorted(written | generated.keys()):
             if path not in written:
                 faults.append(f"{path}: no generator writes it")
             elif not (LIBRARY / path).is_file():

@@ -103,7 +103,7 @@ void for_each_split(Check check) {
 // q + 1/2, and a 2^F about (r + 1/2)^2.
 TEST(Splits, DivideBesideHalves) {
     Program program("divide");
-    for_each_split([&](auto F) {
+    const auto check_split = [&](int F, int32_t (*portable_divide)(int32_t, int32_t)) {
         DeviceFunction divide = program.subject(F, {4, {4, 4}});
         std::mt19937_64 random(1);
         for (int i = 0; i < pairs; ++i) {
@@ -114,17 +114,17 @@ TEST(Splits, DivideBesideHalves) {
                 if (a > fixedpoint::RawLimits<int32_t>::max) continue;
                 for (const int32_t sign : {1, -1}) {
                     const int32_t n = static_cast<int32_t>(a) * sign, d = static_cast<int32_t>(b);
-                    ASSERT_EQ(divide(n, d).template as<int32_t>(),
-                              (portable::divide<int32_t, F>(n, d)))
+                    ASSERT_EQ(divide(n, d).as<int32_t>(), portable_divide(n, d))
                         << F << " fraction bits: " << n << " " << d;
                 }
             }
         }
-    });
+    };
+    for_each_split([&](auto F) { check_split(F, portable::divide<int32_t, F>); });
 }
 TEST(Splits, SqrtBesideHalves) {
     Program program("sqrt");
-    for_each_split([&](auto F) {
+    const auto check_split = [&](int F, int32_t (*portable_sqrt)(int32_t)) {
         DeviceFunction sqrt = program.subject(F, {4, {4}});
         std::mt19937_64 random(2);
         for (int i = 0; i < pairs; ++i) {
@@ -132,11 +132,11 @@ TEST(Splits, SqrtBesideHalves) {
             for (uint64_t a = half; a <= half + 1; ++a) {
                 if (a > static_cast<uint64_t>(fixedpoint::RawLimits<int32_t>::max)) continue;
                 const auto n = static_cast<int32_t>(a);
-                ASSERT_EQ(sqrt(n).template as<int32_t>(), (portable::sqrt<int32_t, F>(n)))
-                    << F << " fraction bits: " << a;
+                ASSERT_EQ(sqrt(n).as<int32_t>(), portable_sqrt(n)) << F << " fraction bits: " << a;
             }
         }
-    });
+    };
+    for_each_split([&](auto F) { check_split(F, portable::sqrt<int32_t, F>); });
 }
 
 // r^2 + r, the largest sum of squares below (r + 1/2)^2, is that of (m^2, m, 0), and r^2 + r + 1,
@@ -157,123 +157,122 @@ TEST(LengthQ32_32, RoundsBesideHalves) {
     }
 }
 
-// Of 16 bits; check(F, a, b) for operands of all of them.
-template <class Check>
-void for_each_short_pair(Check check) {
+// Of 16 bits, every split but Q8.8: operands of all of them.
+// Of one operand the second is not used.
+using ShortFunction = int16_t (*)(int16_t a, int16_t b);
+void expect_short_pairs(DeviceFunction function, int operands, int F, ShortFunction expected) {
     const std::vector<int16_t> edges = {0, 1, -1, 2, 255, 256, -256, 32767, -32767, -32768};
-    const auto check_split = [&](auto F) {
-        std::mt19937 random(16);
-        const auto next = [&] {
-            return random() % 4 == 0
-                       ? edges[random() % edges.size()]
-                       : static_cast<int16_t>(static_cast<int16_t>(random()) >> random() % 16);
-        };
-        auto check_pair = check(F);
-        for (int i = 0; i < pairs; ++i) {
-            const int16_t a = next(), b = next();
-            check_pair(a, b);
-        }
+    std::mt19937 random(16);
+    const auto next = [&] {
+        return random() % 4 == 0
+                   ? edges[random() % edges.size()]
+                   : static_cast<int16_t>(static_cast<int16_t>(random()) >> random() % 16);
     };
+    for (int i = 0; i < pairs; ++i) {
+        const int16_t a = next(), b = next();
+        const std::uint64_t values[] = {static_cast<uint16_t>(a), static_cast<uint16_t>(b)};
+        ASSERT_EQ(function.call(std::span(values, operands)).as<int16_t>(), expected(a, b))
+            << F << " fraction bits: " << a << " " << b;
+    }
+}
+template <class Check>
+void for_each_short_split(Check check) {
     [&]<int... F>(std::integer_sequence<int, F...>) {
-        (..., (F == 8 ? void() : check_split(std::integral_constant<int, F>())));
+        (..., (F == 8 ? void() : check(std::integral_constant<int, F>())));
     }
     (std::make_integer_sequence<int, 17>());
 }
 
 TEST(ShortSplits, Multiply) {
     Program program("multiply", 16);
-    for_each_short_pair([&](auto F) {
-        return [F, multiply = program.subject(F, {2, {2, 2}})](int16_t a, int16_t b) mutable {
-            ASSERT_EQ(multiply(a, b).template as<int16_t>(), (portable::multiply<int16_t, F>(a, b)))
-                << F << " fraction bits: " << a << " " << b;
-        };
+    for_each_short_split([&](auto F) {
+        expect_short_pairs(program.subject(F, {2, {2, 2}}), 2, F, portable::multiply<int16_t, F>);
     });
 }
 TEST(ShortSplits, Divide) {
     Program program("divide", 16);
-    for_each_short_pair([&](auto F) {
-        return [F, divide = program.subject(F, {2, {2, 2}})](int16_t a, int16_t b) mutable {
-            ASSERT_EQ(divide(a, b).template as<int16_t>(), (portable::divide<int16_t, F>(a, b)))
-                << F << " fraction bits: " << a << " " << b;
-        };
+    for_each_short_split([&](auto F) {
+        expect_short_pairs(program.subject(F, {2, {2, 2}}), 2, F, portable::divide<int16_t, F>);
     });
 }
 TEST(ShortSplits, Sqrt) {
     Program program("sqrt", 16);
-    for_each_short_pair([&](auto F) {
-        return [F, sqrt = program.subject(F, {2, {2}})](int16_t a, int16_t) mutable {
-            ASSERT_EQ(sqrt(a).template as<int16_t>(), (portable::sqrt<int16_t, F>(a)))
-                << F << " fraction bits: " << a;
-        };
+    for_each_short_split([&](auto F) {
+        expect_short_pairs(program.subject(F, {2, {2}}), 1, F, [](int16_t a, int16_t) {
+            return portable::sqrt<int16_t, decltype(F)::value>(a);
+        });
     });
 }
 
 TEST(Splits, Multiply) {
     Program program("multiply");
-    for_each_split([&](auto F) {
+    const auto check_split = [&](int F, int32_t (*portable_multiply)(int32_t, int32_t)) {
         DeviceFunction multiply = program.subject(F, {4, {4, 4}});
         Operands operands;
         for (int i = 0; i < pairs; ++i) {
             const int32_t a = operands.next(), b = operands.next();
-            ASSERT_EQ(multiply(a, b).template as<int32_t>(), (portable::multiply<int32_t, F>(a, b)))
+            ASSERT_EQ(multiply(a, b).as<int32_t>(), portable_multiply(a, b))
                 << F << " fraction bits: " << a << " " << b;
         }
-    });
+    };
+    for_each_split([&](auto F) { check_split(F, portable::multiply<int32_t, F>); });
 }
 
 // Of all lengths: a product of boundary numbers mostly saturates.
 TEST(Splits, MultiplySaturating) {
     Program program("multiply", 32, "_saturating");
-    for_each_split([&](auto F) {
+    const auto check_split = [&](int F, int32_t (*portable_multiply_saturating)(int32_t, int32_t)) {
         DeviceFunction multiply = program.subject(F, {4, {4, 4}});
         Operands operands;
         for (int i = 0; i < pairs; ++i) {
             const int32_t a = operands.next(), b = operands.next() >> (i % 32);
-            ASSERT_EQ(multiply(a, b).template as<int32_t>(),
-                      (portable::multiply_saturating<int32_t, F>(a, b)))
+            ASSERT_EQ(multiply(a, b).as<int32_t>(), portable_multiply_saturating(a, b))
                 << F << " fraction bits: " << a << " " << b;
         }
-    });
+    };
+    for_each_split([&](auto F) { check_split(F, portable::multiply_saturating<int32_t, F>); });
 }
 
 TEST(Splits, MultiplyAdd) {
     Program program("multiply_add");
-    for_each_split([&](auto F) {
+    const auto check_split = [&](int F,
+                                 int32_t (*portable_multiply_add)(int32_t, int32_t, int32_t)) {
         DeviceFunction multiply_add = program.subject(F, {4, {4, 4, 4}});
         Operands operands;
         for (int i = 0; i < pairs; ++i) {
             const auto [a, b, c] = operands.vector();
-            ASSERT_EQ(multiply_add(a, b, c).template as<int32_t>(),
-                      (portable::multiply_add<int32_t, F>(a, b, c)))
+            ASSERT_EQ(multiply_add(a, b, c).as<int32_t>(), portable_multiply_add(a, b, c))
                 << F << " fraction bits: " << a << " " << b << " " << c;
         }
-    });
+    };
+    for_each_split([&](auto F) { check_split(F, portable::multiply_add<int32_t, F>); });
 }
 
 TEST(Splits, Divide) {
     Program program("divide");
-    for_each_split([&](auto F) {
+    const auto check_split = [&](int F, int32_t (*portable_divide)(int32_t, int32_t)) {
         DeviceFunction divide = program.subject(F, {4, {4, 4}});
         Operands operands;
         for (int i = 0; i < pairs; ++i) {
             const int32_t a = operands.next(), b = operands.next();
-            ASSERT_EQ(divide(a, b).template as<int32_t>(), (portable::divide<int32_t, F>(a, b)))
+            ASSERT_EQ(divide(a, b).as<int32_t>(), portable_divide(a, b))
                 << F << " fraction bits: " << a << " " << b;
         }
-    });
+    };
+    for_each_split([&](auto F) { check_split(F, portable::divide<int32_t, F>); });
 }
 
 TEST(Splits, Sqrt) {
     Program program("sqrt");
-    for_each_split([&](auto F) {
+    const auto check_split = [&](int F, int32_t (*portable_sqrt)(int32_t)) {
         DeviceFunction sqrt = program.subject(F, {4, {4}});
         Operands operands;
         for (int i = 0; i < pairs; ++i) {
             const int32_t a = operands.next();
-            ASSERT_EQ(sqrt(a).template as<int32_t>(), (portable::sqrt<int32_t, F>(a)))
-                << F << " fraction bits: " << a;
+            ASSERT_EQ(sqrt(a).as<int32_t>(), portable_sqrt(a)) << F << " fraction bits: " << a;
         }
-    });
+    };
+    for_each_split([&](auto F) { check_split(F, portable::sqrt<int32_t, F>); });
 }
 
 template <class Expected>
@@ -300,16 +299,16 @@ TEST(Splits, Dot3) {
 
 TEST(Splits, Length3) {
     Program program("length3");
-    for_each_split([&](auto F) {
+    const auto check_split = [&](int F, int32_t (*portable_length3)(const int32_t*)) {
         DeviceFunction length = program.subject(F, {4, {2}});
         Operands operands;
         for (int i = 0; i < pairs / 8; ++i) {
             const Vector v = operands.vector();
-            ASSERT_EQ(length(program.put(0, v)).template as<int32_t>(),
-                      (portable::length3<int32_t, F>(v.data())))
+            ASSERT_EQ(length(program.put(0, v)).as<int32_t>(), portable_length3(v.data()))
                 << F << " fraction bits: " << testing::PrintToString(v);
         }
-    });
+    };
+    for_each_split([&](auto F) { check_split(F, portable::length3<int32_t, F>); });
 }
 
 // A function of one number. `limits` are where its tables go from one interval to the next.
@@ -356,20 +355,21 @@ TEST(Splits, Cos) {
 }
 TEST(Splits, Sincos) {
     Program program("sincos");
-    for_each_split([&](auto F) {
+    const auto check_split = [&](int F, void (*portable_sincos)(int32_t, int32_t*)) {
         DeviceFunction sincos = program.subject(F, {0, {4, 2}});
         Operands operands;
         for (int i = 0; i < pairs / 10; ++i) {
             const int32_t a = operands.next();
             int32_t expected[2];
-            portable::sincos<int32_t, F>(a, expected);
+            portable_sincos(a, expected);
             const std::uint16_t address = program.put(0, Vector{});
             sincos(a, address);
             const Vector pair = program.get(0);
             ASSERT_EQ(pair[0], expected[0]) << F << " fraction bits: " << a;
             ASSERT_EQ(pair[1], expected[1]) << F << " fraction bits: " << a;
         }
-    });
+    };
+    for_each_split([&](auto F) { check_split(F, portable::sincos<int32_t, F>); });
 }
 
 // The numbers from which on the upper nine bits are others.
@@ -431,10 +431,10 @@ TEST(Splits, Atan) {
 // Ratios on both sides of every 1/256, of longer coordinates of every length, in every octant.
 TEST(Splits, Atan2) {
     Program program("atan2");
-    for_each_split([&](auto F) {
+    const auto check_split = [&](int F, int32_t (*portable_atan2)(int32_t, int32_t)) {
         DeviceFunction atan2 = program.subject(F, {4, {4, 4}});
         const auto check = [&](int32_t y, int32_t x) {
-            ASSERT_EQ(atan2(y, x).template as<int32_t>(), (portable::atan2<int32_t, F>(y, x)))
+            ASSERT_EQ(atan2(y, x).as<int32_t>(), portable_atan2(y, x))
                 << F << " fraction bits: " << y << " " << x;
         };
         Operands operands;
@@ -447,7 +447,8 @@ TEST(Splits, Atan2) {
             const int32_t a = i & 1 ? -longer : longer, b = i & 2 ? -shorter : shorter;
             check(i & 4 ? a : b, i & 4 ? b : a);
         }
-    });
+    };
+    for_each_split([&](auto F) { check_split(F, portable::atan2<int32_t, F>); });
 }
 
 // Of 64 bits: the splits of splits.cpp.
@@ -476,24 +477,25 @@ class LongOperands {
 
 TEST(LongSplits, Multiply) {
     Program program("multiply", 64);
-    for_each_long_split([&](auto F) {
+    const auto check_split = [&](int F, int64_t (*portable_multiply)(int64_t, int64_t)) {
         DeviceFunction multiply = program.subject(F, {8, {8, 8}});
         LongOperands operands;
         for (int i = 0; i < pairs; ++i) {
             const int64_t a = operands.next(), b = operands.next();
-            ASSERT_EQ(multiply(a, b).template as<int64_t>(), (portable::multiply<int64_t, F>(a, b)))
+            ASSERT_EQ(multiply(a, b).as<int64_t>(), portable_multiply(a, b))
                 << F << " fraction bits: " << a << " " << b;
         }
-    });
+    };
+    for_each_long_split([&](auto F) { check_split(F, portable::multiply<int64_t, F>); });
 }
 
 // Random operands, and those whose quotient is about q + 1/2.
 TEST(LongSplits, Divide) {
     Program program("divide", 64);
-    for_each_long_split([&](auto F) {
+    const auto check_split = [&](int F, int64_t (*portable_divide)(int64_t, int64_t)) {
         DeviceFunction divide = program.subject(F, {8, {8, 8}});
         const auto check = [&](int64_t a, int64_t b) {
-            ASSERT_EQ(divide(a, b).template as<int64_t>(), (portable::divide<int64_t, F>(a, b)))
+            ASSERT_EQ(divide(a, b).as<int64_t>(), portable_divide(a, b))
                 << F << " fraction bits: " << a << " " << b;
         };
         LongOperands operands;
@@ -507,17 +509,17 @@ TEST(LongSplits, Divide) {
             check(a, i % 2 == 0 ? b : -b);
             check(-a - 1, i % 2 == 0 ? b : -b);
         }
-    });
+    };
+    for_each_long_split([&](auto F) { check_split(F, portable::divide<int64_t, F>); });
 }
 
 // Random operands, and those whose root is about r + 1/2.
 TEST(LongSplits, Sqrt) {
     Program program("sqrt", 64);
-    for_each_long_split([&](auto F) {
+    const auto check_split = [&](int F, int64_t (*portable_sqrt)(int64_t)) {
         DeviceFunction sqrt = program.subject(F, {8, {8}});
         const auto check = [&](int64_t a) {
-            ASSERT_EQ(sqrt(a).template as<int64_t>(), (portable::sqrt<int64_t, F>(a)))
-                << F << " fraction bits: " << a;
+            ASSERT_EQ(sqrt(a).as<int64_t>(), portable_sqrt(a)) << F << " fraction bits: " << a;
         };
         LongOperands operands;
         for (int i = 0; i < pairs; ++i) {
@@ -527,7 +529,8 @@ TEST(LongSplits, Sqrt) {
             check(static_cast<int64_t>(half));
             check(static_cast<int64_t>(half) + 1);
         }
-    });
+    };
+    for_each_long_split([&](auto F) { check_split(F, portable::sqrt<int64_t, F>); });
 }
 
 template <class Expected>
@@ -565,13 +568,12 @@ TEST(LongSplits, Length3) {
 // Of every length, over the range of powers, and where the number of factors of 2 changes.
 TEST(LongSplits, Exp) {
     Program program("exp", 64);
-    for_each_long_split([&](auto F) {
+    const auto check_split = [&](int F, int64_t (*portable_exp)(int64_t)) {
         DeviceFunction exp = program.subject(F, {8, {8}});
         const auto check = [&](double x) {
             const auto a = static_cast<int64_t>(std::ldexp(x, F));
             for (int64_t n = a - 1; n <= a + 1; ++n) {
-                ASSERT_EQ(exp(n).template as<int64_t>(), (portable::exp<int64_t, F>(n)))
-                    << F << " fraction bits: " << n;
+                ASSERT_EQ(exp(n).as<int64_t>(), portable_exp(n)) << F << " fraction bits: " << n;
             }
         };
         const double limit = std::ldexp(0.999, 63 - F);
@@ -592,10 +594,10 @@ TEST(LongSplits, Exp) {
         LongOperands operands;
         for (int i = 0; i < pairs / 4; ++i) {
             const int64_t a = operands.next();
-            ASSERT_EQ(exp(a).template as<int64_t>(), (portable::exp<int64_t, F>(a)))
-                << F << " fraction bits: " << a;
+            ASSERT_EQ(exp(a).as<int64_t>(), portable_exp(a)) << F << " fraction bits: " << a;
         }
-    });
+    };
+    for_each_long_split([&](auto F) { check_split(F, portable::exp<int64_t, F>); });
 }
 
 // But the finest ones, whose sines, angles and logarithms are portable code.
@@ -609,70 +611,77 @@ void for_each_split_with_functions(Check check) {
 // The coarse splits take the sine of Q32.32, by angles that it holds and larger ones.
 TEST(LongSplits, SinAndCos) {
     Program sines("sin", 64), cosines("cos", 64), pairs_of_both("sincos", 64);
-    for_each_split_with_functions([&](auto F) {
+    const auto check_split = [&](int F, int64_t (*portable_sin)(int64_t),
+                                 int64_t (*portable_cos)(int64_t)) {
         DeviceFunction sin = sines.subject(F, {8, {8}}), cos = cosines.subject(F, {8, {8}});
         DeviceFunction sincos = pairs_of_both.subject(F, {0, {8, 2}});
         LongOperands operands;
         for (int i = 0; i < pairs / 4; ++i) {
             const int64_t a = operands.next();
-            const int64_t expected[] = {fixedpoint::kernel::sin<int64_t, F>(a),
-                                        fixedpoint::kernel::cos<int64_t, F>(a)};
-            ASSERT_EQ(sin(a).template as<int64_t>(), expected[0]) << F << " fraction bits: " << a;
-            ASSERT_EQ(cos(a).template as<int64_t>(), expected[1]) << F << " fraction bits: " << a;
+            const int64_t expected[] = {portable_sin(a), portable_cos(a)};
+            ASSERT_EQ(sin(a).as<int64_t>(), expected[0]) << F << " fraction bits: " << a;
+            ASSERT_EQ(cos(a).as<int64_t>(), expected[1]) << F << " fraction bits: " << a;
             sincos(a, pairs_of_both.put(0, std::array<int64_t, 3>{}));
             const auto both = pairs_of_both.get<int64_t>(0);
             ASSERT_EQ(both[0], expected[0]) << F << " fraction bits: " << a;
             ASSERT_EQ(both[1], expected[1]) << F << " fraction bits: " << a;
         }
+    };
+    for_each_split_with_functions([&](auto F) {
+        check_split(F, fixedpoint::kernel::sin<int64_t, F>, fixedpoint::kernel::cos<int64_t, F>);
     });
 }
 
 // Of every length, and beside the axes and the diagonals.
 TEST(LongSplits, Angles) {
     Program vectors("atan2", 64), tangents("atan", 64);
-    for_each_split_with_functions([&](auto F) {
+    const auto check_split = [&](int F, int64_t (*portable_atan2)(int64_t, int64_t),
+                                 int64_t (*portable_atan)(int64_t)) {
         DeviceFunction atan2 = vectors.subject(F, {8, {8, 8}}),
                        atan = tangents.subject(F, {8, {8}});
         LongOperands operands;
         for (int i = 0; i < pairs / 4; ++i) {
             const int64_t y = operands.next();
             const int64_t x = i % 4 != 0 ? operands.next() : i % 8 == 0 ? y : ~y;
-            ASSERT_EQ(atan2(y, x).template as<int64_t>(),
-                      (fixedpoint::kernel::atan2<int64_t, F>(y, x)))
+            ASSERT_EQ(atan2(y, x).as<int64_t>(), portable_atan2(y, x))
                 << F << " fraction bits: " << y << " " << x;
-            ASSERT_EQ(atan(y).template as<int64_t>(), (fixedpoint::kernel::atan<int64_t, F>(y)))
-                << F << " fraction bits: " << y;
+            ASSERT_EQ(atan(y).as<int64_t>(), portable_atan(y)) << F << " fraction bits: " << y;
         }
+    };
+    for_each_split_with_functions([&](auto F) {
+        check_split(F, fixedpoint::kernel::atan2<int64_t, F>, fixedpoint::kernel::atan<int64_t, F>);
     });
 }
 
 // Of every length, and beside 1, where the logarithm is small.
 TEST(LongSplits, Log) {
     Program program("log", 64);
-    for_each_split_with_functions([&](auto F) {
+    const auto check_split = [&](int F, int64_t (*portable_log)(int64_t)) {
         DeviceFunction log = program.subject(F, {8, {8}});
         LongOperands operands;
         for (int i = 0; i < pairs / 4; ++i) {
             const int64_t n = operands.next();
             const int64_t a = i % 4 != 0 ? n : (int64_t(1) << F) + (n >> (63 - F));
-            ASSERT_EQ(log(a).template as<int64_t>(), (fixedpoint::kernel::log<int64_t, F>(a)))
-                << F << " fraction bits: " << a;
+            ASSERT_EQ(log(a).as<int64_t>(), portable_log(a)) << F << " fraction bits: " << a;
         }
-    });
+    };
+    for_each_split_with_functions(
+        [&](auto F) { check_split(F, fixedpoint::kernel::log<int64_t, F>); });
 }
 
 TEST(LongSplits, ReciprocalSqrt) {
     Program program("reciprocal_sqrt", 64);
-    for_each_long_split([&](auto F) {
+    const auto check_split = [&](int F, int64_t (*portable_reciprocal_sqrt)(int64_t)) {
         DeviceFunction reciprocal_sqrt = program.subject(F, {8, {8}});
         LongOperands operands;
         for (int i = 0; i < pairs / 8; ++i) {
             const int64_t a = operands.next();
-            ASSERT_EQ(reciprocal_sqrt(a).template as<int64_t>(),
-                      (fixedpoint::kernel::reciprocal_sqrt<int64_t, F>(a)))
+            ASSERT_EQ(reciprocal_sqrt(a).as<int64_t>(), portable_reciprocal_sqrt(a))
                 << F << " fraction bits: " << a;
         }
-    });
+    };
+    for_each_long_split(
+        [&](auto F) { check_split(F, fixedpoint::kernel::reciprocal_sqrt<int64_t, F>); });
 }
 
 }  // namespace
