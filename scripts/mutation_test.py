@@ -473,8 +473,8 @@ class Worker:
         command = re.sub(r" --footprints \S+", "", command)
         command = command.replace(build, "\x01").replace(f"{ROOT}/", f"{self.source}/")
         for output in outputs:
-            command = re.sub(rf"(?<![\w./]){re.escape(output)}(?=\s|$|\.d\b)|\x01/{re.escape(output)}"
-                             r"(?=\s|$|\.d\b|\")", str(self.made / output), command)
+            command = re.sub(rf"(?<![\w./]){re.escape(output)}(?=\s|$|\.(?:d|gch)\b)|\x01/{re.escape(output)}"
+                             r"(?=\s|$|\.(?:d|gch)\b|\")", str(self.made / output), command)
         return command.replace("\x01", build)
 
 

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
 # Compiles programs for the ATmega328P inside the host build: avr_executable(NAME SOURCES ...
-# [OPTIONS ...] [INCLUDES ...] [LINK_OPTIONS ...] [OBJECTS ...] [ARCHIVES ...] [KERNELS] [GROUP group])
+# [OPTIONS ...] [INCLUDES ...] [HEADER header] [LINK_OPTIONS ...] [OBJECTS ...] [ARCHIVES ...] [KERNELS] [GROUP group])
 # makes ${CMAKE_CURRENT_BINARY_DIR}/NAME.elf and sets the target property ELF to its path. Sources may be
 # .c, .cpp and .S; OBJECTS come from avr_objects(); KERNELS links the library's assembly kernels.
+# HEADER is included first in each .cpp, and parsed once for all that are compiled with the same options.
 # Programs of one source change together: those of a GROUP are one step of the build, and one target,
 # which avr_group(group) makes. Their options must not choose what they include.
 
@@ -11,45 +12,79 @@ find_program(AVR_GXX avr-g++ REQUIRED)
 find_program(AVR_AR avr-ar REQUIRED)
 find_program(AVR_OBJCOPY avr-objcopy REQUIRED)
 
-set(AVR_COMMON_OPTIONS -mmcu=atmega328p -DF_CPU=16000000UL -Os -g -Wall -Wextra -Werror
+# With stabs, which -g means to this compiler, it precompiles no header.
+set(AVR_COMMON_OPTIONS -mmcu=atmega328p -DF_CPU=16000000UL -Os -gdwarf-2 -Wall -Wextra -Werror
     -ffunction-sections -fdata-sections -fshort-enums)
 set(AVR_C_OPTIONS -std=gnu11)
 set(AVR_CXX_OPTIONS -std=gnu++14 -fno-exceptions -fno-rtti -fno-threadsafe-statics)
-# The host compiler's launcher, if there is one (ccache), serves the cross compiler too.
-set(AVR_COMPILE_GCC ${CMAKE_CXX_COMPILER_LAUNCHER} ${AVR_GCC})
-set(AVR_COMPILE_GXX ${CMAKE_CXX_COMPILER_LAUNCHER} ${AVR_GXX})
+set(AVR_LIBRARIES -I${CMAKE_SOURCE_DIR}/fixedpoint/src -I${CMAKE_SOURCE_DIR}/engine/src)
 
-# avr_compile(OUT SOURCE [OPTIONS ...] [INCLUDES ...]): sets OUT to the command that compiles SOURCE.
-# OPTIONS come last on the command line, so that they win over the common ones.
-function(avr_compile out source)
-    cmake_parse_arguments(ARG "" "" "OPTIONS;INCLUDES" ${ARGN})
-    list(TRANSFORM ARG_INCLUDES PREPEND -I)
-    get_filename_component(extension ${source} LAST_EXT)
-    if(extension STREQUAL ".cpp")
-        set(compile ${AVR_COMPILE_GXX} ${AVR_COMMON_OPTIONS} ${AVR_CXX_OPTIONS})
-    elseif(extension STREQUAL ".c")
-        set(compile ${AVR_COMPILE_GCC} ${AVR_COMMON_OPTIONS} ${AVR_C_OPTIONS})
-    else()
-        set(compile ${AVR_COMPILE_GCC} ${AVR_COMMON_OPTIONS} -x assembler-with-cpp)
+# avr_parse(HEADER OPTIONS ...): sets `parsed` to a header that includes it, with its precompiled form beside it for
+# programs of these options; or to nothing where there can be none: the compiler must lie at the same addresses in each
+# run, and ccache keeps no object made so. Macros are the programs' own: where one matters to the header, or anything
+# else does not fit, the compiler reads the header itself.
+execute_process(COMMAND setarch -R ${AVR_GXX} --version RESULT_VARIABLE AVR_MOVES OUTPUT_QUIET ERROR_QUIET)
+function(avr_parse header)
+    set(parsed "" PARENT_SCOPE)
+    if(NOT AVR_MOVES EQUAL 0 OR CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache")
+        return()
     endif()
-    set(${out} ${compile} -I${CMAKE_SOURCE_DIR}/fixedpoint/src -I${CMAKE_SOURCE_DIR}/engine/src
-        ${ARG_INCLUDES} ${ARG_OPTIONS} -c ${source} PARENT_SCOPE)
+    list(FILTER ARGN EXCLUDE REGEX "^-D")
+    string(MAKE_C_IDENTIFIER "${header}${ARGN}" name)
+    set(made ${CMAKE_BINARY_DIR}/parsed/${name}.hpp)
+    set(parsed ${made} PARENT_SCOPE)
+    get_property(known GLOBAL PROPERTY avr_parsed_${name})
+    if(NOT known)
+        set_property(GLOBAL PROPERTY avr_parsed_${name} ON)
+        file(GENERATE OUTPUT ${made}.in CONTENT "#include <${header}>\n")
+        add_custom_command(OUTPUT ${made}
+            COMMAND ${CMAKE_COMMAND} -E copy ${made}.in ${made}
+            COMMAND ${CMAKE_CXX_COMPILER_LAUNCHER} setarch -R ${AVR_GXX} ${AVR_COMMON_OPTIONS} ${AVR_CXX_OPTIONS}
+                    ${AVR_LIBRARIES} ${ARGN} -x c++-header -MMD -MF ${made}.d -MT ${made} -c ${made}.in -o ${made}.gch
+            DEPENDS ${made}.in DEPFILE ${made}.d COMMENT "AVR ${header} ${ARGN}" VERBATIM)
+    endif()
 endfunction()
 
-# avr_objects(OUT NAME SOURCES ... [OPTIONS ...] [INCLUDES ...]): compiles, sets OUT to the objects.
+# avr_compile(OUT SOURCE [OPTIONS ...] [INCLUDES ...] [HEADER header]): sets OUT to the command that compiles SOURCE,
+# and `parsed` to what it needs. OPTIONS come last on the command line, so that they win over the common ones.
+function(avr_compile out source)
+    cmake_parse_arguments(ARG "" "HEADER" "OPTIONS;INCLUDES" ${ARGN})
+    list(TRANSFORM ARG_INCLUDES PREPEND -I)
+    get_filename_component(extension ${source} LAST_EXT)
+    set(parsed)
+    if(extension STREQUAL ".cpp")
+        set(compile ${AVR_GXX} ${AVR_COMMON_OPTIONS} ${AVR_CXX_OPTIONS})
+        if(ARG_HEADER)
+            avr_parse(${ARG_HEADER} ${ARG_OPTIONS})
+        endif()
+        if(parsed)
+            set(compile setarch -R ${compile} -include ${parsed})
+        endif()
+    elseif(extension STREQUAL ".c")
+        set(compile ${AVR_GCC} ${AVR_COMMON_OPTIONS} ${AVR_C_OPTIONS})
+    else()
+        set(compile ${AVR_GCC} ${AVR_COMMON_OPTIONS} -x assembler-with-cpp)
+    endif()
+    # The host compiler's launcher, if there is one (ccache), serves the cross compiler too.
+    set(${out} ${CMAKE_CXX_COMPILER_LAUNCHER} ${compile} ${AVR_LIBRARIES} ${ARG_INCLUDES} ${ARG_OPTIONS} -c ${source}
+        PARENT_SCOPE)
+    set(parsed ${parsed} PARENT_SCOPE)
+endfunction()
+
+# avr_objects(OUT NAME SOURCES ... [OPTIONS ...] [INCLUDES ...] [HEADER header]): compiles, sets OUT to the objects.
 function(avr_objects out name)
-    cmake_parse_arguments(ARG "" "" "SOURCES;OPTIONS;INCLUDES" ${ARGN})
+    cmake_parse_arguments(ARG "" "HEADER" "SOURCES;OPTIONS;INCLUDES" ${ARGN})
     file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/${name}.dir)
     set(objects)
     foreach(source ${ARG_SOURCES})
         get_filename_component(source ${source} ABSOLUTE)
         get_filename_component(stem ${source} NAME)
         set(object ${CMAKE_CURRENT_BINARY_DIR}/${name}.dir/${stem}.o)
-        avr_compile(compile ${source} OPTIONS ${ARG_OPTIONS} INCLUDES ${ARG_INCLUDES})
+        avr_compile(compile ${source} OPTIONS ${ARG_OPTIONS} INCLUDES ${ARG_INCLUDES} HEADER ${ARG_HEADER})
         add_custom_command(
             OUTPUT ${object}
             COMMAND ${compile} -MMD -MF ${object}.d -o ${object}
-            DEPENDS ${source}
+            DEPENDS ${source} ${parsed}
             DEPFILE ${object}.d
             COMMENT "AVR ${name}: ${stem}"
             VERBATIM COMMAND_EXPAND_LISTS)
@@ -70,10 +105,11 @@ add_custom_command(OUTPUT ${AVR_KERNEL_ARCHIVE}
 add_custom_target(avr_kernels DEPENDS ${AVR_KERNEL_OBJECTS} ${AVR_KERNEL_ARCHIVE})
 
 function(avr_executable name)
-    cmake_parse_arguments(ARG "KERNELS" "GROUP" "SOURCES;OPTIONS;INCLUDES;LINK_OPTIONS;OBJECTS;ARCHIVES" ${ARGN})
+    cmake_parse_arguments(ARG "KERNELS" "GROUP;HEADER" "SOURCES;OPTIONS;INCLUDES;LINK_OPTIONS;OBJECTS;ARCHIVES" ${ARGN})
     set(elf ${CMAKE_CURRENT_BINARY_DIR}/${name}.elf)
     list(POP_BACK ARG_SOURCES last)
-    avr_objects(objects ${name} SOURCES ${ARG_SOURCES} OPTIONS ${ARG_OPTIONS} INCLUDES ${ARG_INCLUDES})
+    avr_objects(objects ${name} SOURCES ${ARG_SOURCES} OPTIONS ${ARG_OPTIONS} INCLUDES ${ARG_INCLUDES}
+                HEADER ${ARG_HEADER})
     if(ARG_KERNELS)
         list(PREPEND objects ${AVR_KERNEL_OBJECTS})
     endif()
@@ -82,13 +118,13 @@ function(avr_executable name)
     get_filename_component(stem ${last} NAME)
     set(object ${CMAKE_CURRENT_BINARY_DIR}/${name}.dir/${stem}.o)
     file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/${name}.dir)
-    avr_compile(compile ${last} OPTIONS ${ARG_OPTIONS} INCLUDES ${ARG_INCLUDES})
+    avr_compile(compile ${last} OPTIONS ${ARG_OPTIONS} INCLUDES ${ARG_INCLUDES} HEADER ${ARG_HEADER})
     set(group ${ARG_GROUP})
     if(NOT group)
         set(group ${name})
     endif()
     set_property(GLOBAL APPEND PROPERTY avr_programs_${group} ${elf})
-    set_property(GLOBAL APPEND PROPERTY avr_inputs_${group} ${last} ${objects} ${ARG_OBJECTS} ${ARG_ARCHIVES})
+    set_property(GLOBAL APPEND PROPERTY avr_inputs_${group} ${last} ${parsed} ${objects} ${ARG_OBJECTS} ${ARG_ARCHIVES})
     set_property(GLOBAL APPEND PROPERTY avr_commands_${group}
         COMMAND ${compile} -MMD -MF ${elf}.d -MT ${elf} -o ${object}
         COMMAND ${AVR_GXX} -mmcu=atmega328p -Os ${ARG_OPTIONS} -Wl,--gc-sections ${ARG_LINK_OPTIONS}

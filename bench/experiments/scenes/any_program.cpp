@@ -101,7 +101,7 @@ fs::path any_program(std::string_view scene, std::string_view scalar, std::strin
     compile.insert(compile.end(),
                    {"-DSCENE=" + type_of(scene), "-DSCALAR=" + type_of_scalar(scalar),
                     fmt::format("-DMETHOD={}", types_of_methods.at(method)), "-MMD", "-MF", list,
-                    "-c", SCENE_SOURCE, "-o", object});
+                    "-o", object});
     run_compiler(compile, what);
     std::vector<std::string> link = split(SCENE_LINK);
     link.insert(link.end(), {fmt::format("-Wl,--undefined=step_{}", exponent), object,

@@ -76,12 +76,14 @@ EVERYTHING = {"fixedpoint": here / "everything.cpp",
               "firmware": project / "firmware/tests/everything.cpp"}
 
 
-def headers(library, name, standard, chip, *options):
+def no_warning(name, *arguments):
     # avr-gcc 5.4 looks into templates only where it compiles them.
-    must([*compiler(name, standard, chip), *WARNINGS, *options,
-          f"-I{project / 'engine/src'}", f"-I{project / 'firmware/src'}",
-          *(["-O0", "-c", "-o", "/dev/null"] if name == "avr-g++" else ["-fsyntax-only"]),
-          EVERYTHING[library]])
+    must([*arguments, *WARNINGS, *(["-O0", "-S", "-o", "/dev/null"] if name == "avr-g++" else ["-fsyntax-only"])])
+
+
+def headers(library, name, standard, chip, *options):
+    no_warning(name, *compiler(name, standard, chip), *options, f"-I{project / 'engine/src'}",
+               f"-I{project / 'firmware/src'}", EVERYTHING[library])
     return "no warning"
 
 
@@ -95,34 +97,45 @@ def undefined(objects):
     return set(re.findall(r"U (fixedpoint_\w+)", must(["nm", "-u", *objects])))
 
 
-OBJECTS, COMPILING = {}, {}
+MADE, MAKING = {}, {}
+
+
+def once(key, make):
+    """What make() has returned for this key: cells that run side by side share it."""
+    with MAKING.setdefault(key, threading.Lock()):
+        if key not in MADE:
+            MADE[key] = make()
+    return MADE[key]
 
 
 def compiled(path, name, standard, chip, *options):
     """The object of a source, without a warning. Chips for which the preprocessor makes the same text of it
     share the object: they differ in instructions, and not in what is called."""
     command = [*compiler(name, standard, chip), *WARNINGS, "-Os", *options, path]
-    key = name, standard, options, must([*command, "-E", "-P"])
-    with COMPILING.setdefault(key, threading.Lock()):
-        if key not in OBJECTS:
-            target = own_folder(path.stem) / f"{path.stem}.o"
-            must([*command, "-c", "-o", target])
-            OBJECTS[key] = target
-    return OBJECTS[key]
+
+    def make():
+        target = own_folder(path.stem) / f"{path.stem}.o"
+        must([*command, "-c", "-o", target])
+        return target
+    return once((name, standard, options, must([*command, "-E", "-P"])), make)
 
 
 def kernels(name, standard, chip, *options):
-    """All kernels of kernels.cpp or none are called."""
+    """All kernels of kernels.cpp are called; or none, as where the preprocessed text names none."""
+    if chip in PLAIN or "-DFIXEDPOINT_NO_ASSEMBLY" in options:
+        command = [*compiler(name, standard, chip), *options, here / "kernels.cpp"]
+        text = must([*command, "-E", "-P"])
+        named = set(re.findall(r"\bfixedpoint_\w+", text))
+        if named:
+            raise Failure(f"names kernels that there are not: {sorted(named)}")
+        once((name, standard, text), lambda: no_warning(name, *command))
+        return "portable"
     target = compiled(here / "kernels.cpp", name, standard, chip, *options)
     if "-flto" in options:
         must([*COMPILERS[name], "-flto", "-r", "-nostdlib", "-flinker-output=nolto-rel", target, "-o",
               f"{target}.linked"])
         target = f"{target}.linked"
     called = undefined([target])
-    if chip in PLAIN or "-DFIXEDPOINT_NO_ASSEMBLY" in options:
-        if called:
-            raise Failure(f"calls kernels that there are not: {sorted(called)}")
-        return "portable"
     if called != SYMBOLS:
         raise Failure(f"kernels not called: {sorted(SYMBOLS - called)}")
     portable = [line for line in must(["nm", "-C", "--defined-only", target]).splitlines()
@@ -212,21 +225,26 @@ def links_without_weak_symbols(chip):
             raise Failure(f"{call} links without what its kernel jumps to")
     return "nothing does"
 
+def beside(standard, chip, integer_bits, fraction_bits, flags):
+    """The objects that all tests of a format link: what they expect, and the program around them."""
+    folder = own_folder(f"beside_{chip}")
+    expected = folder / "expected.cpp"
+    must([sys.executable, device / "expected.py", integer_bits, fraction_bits, expected])
+    for path in (expected, device / "main.cpp"):
+        must([*compiler("avr-g++", standard, chip), *flags, "-c", path, "-o", folder / f"{path.stem}.o"])
+    return sorted(folder.glob("*.o"))
+
 
 def runs(name, standard, chip, test, integer_bits, fraction_bits, *options):
     """Links a test of tests/device and runs it. What is not the library's comes from avr-gcc."""
     folder = own_folder(f"{test}_{chip}")
-    expected = folder / "expected.cpp"
-    must([sys.executable, device / "expected.py", integer_bits, fraction_bits, expected])
     flags = ["-Os", "-DF_CPU=16000000UL", f"-DINTEGER_BITS={integer_bits}",
              f"-DFRACTION_BITS={fraction_bits}", f"-I{device}", "-ffunction-sections",
              "-fdata-sections", "-fno-threadsafe-statics", *options]
-    objects = []
-    for path, by in [(expected, "avr-g++"), (device / "main.cpp", "avr-g++"),
-                     (device / f"{test}_test.cpp", name)]:
-        objects.append(folder / f"{path.stem}.o")
-        must([*compiler(by, 14 if by != name else standard, chip), *flags, "-c", path, "-o",
-              objects[-1]])
+    test_object = folder / "test.o"
+    must([*compiler(name, standard, chip), *flags, "-c", device / f"{test}_test.cpp", "-o", test_object])
+    key = standard if name == "avr-g++" else 14, chip, integer_bits, fraction_bits, tuple(flags)
+    objects = [*once(key, lambda: beside(*key)), test_object]
     archive = folder / "kernels.a"
     must(["avr-ar", "rcs", archive, *ASSEMBLED[chip]])
     elf = folder / "test.elf"
