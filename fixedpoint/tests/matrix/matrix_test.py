@@ -225,6 +225,7 @@ def links_without_weak_symbols(chip):
             raise Failure(f"{call} links without what its kernel jumps to")
     return "nothing does"
 
+
 def beside(standard, chip, integer_bits, fraction_bits, flags):
     """The objects that all tests of a format link: what they expect, and the program around them."""
     folder = own_folder(f"beside_{chip}")
