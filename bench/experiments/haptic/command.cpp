@@ -63,7 +63,7 @@ const fixbench::Registration registration({
                .arguments =
                    [](const fixbench::Mode& mode) {
                        std::vector<std::string> arguments = {"haptic", "--output", mode.data};
-                       if (mode.quick) arguments.insert(arguments.end(), {"--seconds", "10"});
+                       if (mode.quick) arguments.insert(arguments.end(), {"--seconds", "5"});
                        return arguments;
                    },
                .writes = {"haptic.csv", "haptic_pins.csv", "workload_firmware.csv"},
