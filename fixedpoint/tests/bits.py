@@ -136,6 +136,7 @@ class Bits(Machine):
             registers[d] = self.memory[place.as_long()]
             return [(following, self)]
         if mnemonic == "lpm":
+            demand(r == "Z", "lpm moves the pointer")
             registers[d] = self.look_up()
             return [(following, self)]
         if mnemonic == "swap":

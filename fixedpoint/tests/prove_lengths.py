@@ -38,7 +38,8 @@ From the first component of 2^23 or more on:
 T is less than OFF off 2^8 sqrt(2^8 M), for which `normalised` holds 1/64 back for what is rounded downward; what is cut is
 worth CUT / 256. Shifted, both are less than 1/4 - 1/256, for the bits behind f: where f is below 1/4 or not below 3/4, the
 nearest integer is known. Between, sqrt(n) is less than 1/2 off r + 1/2, so that the four bytes have the sign. Where T is 1
-less, its fraction bits are ones, and it is rounded up to what it should be.
+less, k ones lead its fraction: from k = 2 on it is rounded up to what it should be. With k = 1, r is 2^31 - 1 and sqrt(n) lies
+between it and 2^31, and both are returned as 2^31 - 1.
 
 Then instructions are left out in turn, and each time the proof must fail.
 """

@@ -170,7 +170,8 @@ int64_t failures_of_lerp() {
 }
 TEST(Lerp, EveryOperandOf8Bits) {
     const auto check = []<int... F>(std::integer_sequence<int, F...>) {
-        for (const int64_t failures : {failures_of_lerp<F>()...}) EXPECT_EQ(failures, 0);
+        int f = 0;
+        for (const int64_t failures : {failures_of_lerp<F>()...}) EXPECT_EQ(failures, 0) << f++;
     };
     check(std::make_integer_sequence<int, 8>());
 }

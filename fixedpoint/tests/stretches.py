@@ -251,7 +251,7 @@ class Linear(Machine):
             registers[d] = known(registers[d].get(1, 0) & int(r, 0))
         elif mnemonic == "ldi":
             registers[d] = known(int(r, 0))
-        elif mnemonic == "lpm":
+        elif mnemonic == "lpm" and r == "Z":
             self.look_up(d)
         elif mnemonic == "ld" and r in ("X+", "Z+"):
             self.load(d, 26 if r == "X+" else 30)

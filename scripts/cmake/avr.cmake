@@ -22,11 +22,11 @@ set(AVR_LIBRARIES -I${CMAKE_SOURCE_DIR}/fixedpoint/src -I${CMAKE_SOURCE_DIR}/eng
 # avr_parse(HEADER OPTIONS ...): sets `parsed` to a header that includes it, with its precompiled form beside it for
 # programs of these options; or to nothing where there can be none: the compiler must lie at the same addresses in each
 # run, and ccache keeps no object made so. Macros are the programs' own: where one matters to the header, or anything
-# else does not fit, the compiler reads the header itself.
+# else does not fit, the compiler reads the header itself. Ninja alone knows a rule in every folder.
 execute_process(COMMAND setarch -R ${AVR_GXX} --version RESULT_VARIABLE AVR_MOVES OUTPUT_QUIET ERROR_QUIET)
 function(avr_parse header)
     set(parsed "" PARENT_SCOPE)
-    if(NOT AVR_MOVES EQUAL 0 OR CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache")
+    if(NOT AVR_MOVES EQUAL 0 OR NOT CMAKE_GENERATOR MATCHES "Ninja" OR CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache")
         return()
     endif()
     list(FILTER ARGN EXCLUDE REGEX "^-D")
@@ -37,7 +37,7 @@ function(avr_parse header)
     if(NOT known)
         set_property(GLOBAL PROPERTY avr_parsed_${name} ON)
         file(GENERATE OUTPUT ${made}.in CONTENT "#include <${header}>\n")
-        add_custom_command(OUTPUT ${made}
+        add_custom_command(OUTPUT ${made} ${made}.gch
             COMMAND ${CMAKE_COMMAND} -E copy ${made}.in ${made}
             COMMAND ${CMAKE_CXX_COMPILER_LAUNCHER} setarch -R ${AVR_GXX} ${AVR_COMMON_OPTIONS} ${AVR_CXX_OPTIONS}
                     ${AVR_LIBRARIES} ${ARGN} -x c++-header -MMD -MF ${made}.d -MT ${made} -c ${made}.in -o ${made}.gch

@@ -30,13 +30,22 @@ inline uint32_t load_program_memory(const uint32_t* entry) {
     return pgm_read_dword(entry);
 #endif
 }
-// The compiler would join the halves by a loop. The entry is r25:r24, and the result r25:r18.
+#if defined(__AVR_HAVE_LPMX__) && defined(__AVR_HAVE_MOVW__)
+// The compiler would join the halves by a loop. The entry is r25:r24, and the result r25:r18. The
+// list of registers is for -fipa-ra, which else keeps what is in them.
 __attribute__((naked, noinline)) inline uint64_t load_program_memory(const uint64_t*) {
     __asm__(
         "movw r30, r24\n\tlpm r18, Z+\n\tlpm r19, Z+\n\tlpm r20, Z+\n\tlpm r21, Z+\n\t"
         "lpm r22, Z+\n\tlpm r23, Z+\n\tlpm r24, Z+\n\tlpm r25, Z\n\tret" ::
             : "r18", "r19", "r20", "r21", "r22", "r23", "r24", "r25", "r30", "r31");
 }
+#else
+inline uint64_t load_program_memory(const uint64_t* entry) {
+    const uint32_t* const halves = reinterpret_cast<const uint32_t*>(entry);
+    return static_cast<uint64_t>(load_program_memory(halves + 1)) << 32 |
+           load_program_memory(halves);
+}
+#endif
 
 template <class T>
 constexpr T read_program_memory(const T& entry) {

@@ -23,7 +23,7 @@ TEST(LinkedQuotients, LeversHaveNone) {
     for (const char* scalar : {"q8_8", "q8_24", "q16_16", "q16_16_saturating", "q32_32"})
         EXPECT_THAT(quotients_of("lever", scalar), testing::IsEmpty()) << scalar;
 }
-// Between two particles masses share by one, which shows that it is found.
+// Masses share by the small quotient. That it is listed shows that the search finds one.
 TEST(LinkedQuotients, PairsHaveTheSmallOne) {
     for (const char* scene : {"double_pendulum", "newtons_cradle", "stack", "box_of_particles"})
         EXPECT_THAT(quotients_of(scene, "q16_16"),

@@ -2,10 +2,10 @@
 /// \file
 /// CorrectlyRounded: as Nearest, but functions too return the exact result rounded to nearest, half
 /// up, so that a result does not depend on the algorithm that made it. In Q16.16 they compute with
-/// cores of 32 bits, where those leave a doubt in Q32.32, and further where that lies on a tie;
-/// sine, cosine and all kernels go that far at once. Only for formats whose
-/// numbers all are numbers of Q16.16, such as Q4.4 and Q8.8. Functions of turns and degrees and
-/// integer powers are Nearest's.
+/// cores of 32 bits, where those leave a doubt in Q32.32, and further where that lies on a tie.
+/// Sine and cosine, and the kernels of the others, skip Q32.32. Only for formats whose numbers all
+/// are numbers of Q16.16, such as Q4.4 and Q8.8. Functions of turns and degrees and integer powers
+/// are Nearest's.
 #pragma once
 
 #include <fixedpoint/arithmetic/nearest.hpp>

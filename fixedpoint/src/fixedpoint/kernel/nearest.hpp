@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The functions of CorrectlyRounded that compute with cores of 32 bits: kernel::nearest_sin<Raw, F>
-// and so on. Those of Q16.16 have kernels, which jump to the code here where a core leaves a doubt.
+// and so on. Those of Q16.16 have kernels, which go to the code here where a core leaves a doubt.
 #pragma once
 
 #include <fixedpoint/kernel/power_side.hpp>

@@ -5,7 +5,6 @@
 #pragma once
 
 #include <fixedpoint/kernel/dispatch.hpp>
-#include <fixedpoint/kernel/multiply_high.hpp>
 #include <fixedpoint/kernel/words.hpp>
 #include <fixedpoint/portable/correct_rounding_table.hpp>
 
@@ -25,7 +24,7 @@ FIXEDPOINT_IN_PLACE ShortTurns short_turns(uint64_t angle) {
     using Table = portable::CorrectRoundingTable<>;
     // tan x >= x + x^3 (1/3 + 2/15 x^2): of every x the rest is from 0 to 68.5 2^-11.
     const uint8_t x = static_cast<uint8_t>(upper_word(angle) >> 24);
-    const uint8_t x2 = static_cast<uint8_t>(x * x >> 8), x3 = static_cast<uint8_t>(x * x2 >> 8);
+    const uint8_t x2 = static_cast<uint8_t>(static_cast<uint16_t>(x) * x >> 8), x3 = static_cast<uint8_t>(x * x2 >> 8);
     const uint8_t coarse = static_cast<uint8_t>(
         static_cast<uint8_t>(x + (x3 * static_cast<uint8_t>(85 + (x2 * 34 >> 8)) >> 8)) >> 3);
     uint64_t rest = angle - read_program_memory(Table::coarse[coarse]);
@@ -63,7 +62,7 @@ FIXEDPOINT_CONSTEXPR __attribute__((noinline)) uint64_t shorter_and_longer(uint3
 }
 
 // Whether the direction of (x, y) is `angle`, in units of 2^-64, or beyond, where they differ by
-// 2^-27 at most. Needs x >= 2^31, y <= x and an angle as short_turns has it. Errs by less than
+// 2^-26 at most. Needs x >= 2^31, y <= x and an angle as short_turns has it. Errs by less than
 // 2^-61.
 FIXEDPOINT_IN_PLACE bool direction_reaches(uint32_t y, uint32_t x, uint64_t angle) {
     // The direction of the angle less its rest, in units of 2^-28: 1 - c f / 2^16 and c / 32 + f /
