@@ -24,7 +24,8 @@ FIXEDPOINT_IN_PLACE ShortTurns short_turns(uint64_t angle) {
     using Table = portable::CorrectRoundingTable<>;
     // tan x >= x + x^3 (1/3 + 2/15 x^2): of every x the rest is from 0 to 68.5 2^-11.
     const uint8_t x = static_cast<uint8_t>(upper_word(angle) >> 24);
-    const uint8_t x2 = static_cast<uint8_t>(static_cast<uint16_t>(x) * x >> 8), x3 = static_cast<uint8_t>(x * x2 >> 8);
+    const uint8_t x2 = static_cast<uint8_t>(static_cast<uint16_t>(x) * x >> 8);
+    const uint8_t x3 = static_cast<uint8_t>(x * x2 >> 8);
     const uint8_t coarse = static_cast<uint8_t>(
         static_cast<uint8_t>(x + (x3 * static_cast<uint8_t>(85 + (x2 * 34 >> 8)) >> 8)) >> 3);
     uint64_t rest = angle - read_program_memory(Table::coarse[coarse]);
