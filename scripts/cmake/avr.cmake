@@ -3,7 +3,8 @@
 # [OPTIONS ...] [INCLUDES ...] [HEADER header] [LINK_OPTIONS ...] [OBJECTS ...] [ARCHIVES ...] [KERNELS] [GROUP group])
 # makes ${CMAKE_CURRENT_BINARY_DIR}/NAME.elf and sets the target property ELF to its path. Sources may be
 # .c, .cpp and .S; OBJECTS come from avr_objects(); KERNELS links the library's assembly kernels.
-# HEADER is included first in each .cpp, and parsed once for all that are compiled with the same options.
+# HEADER is included first in each .cpp, and parsed once for all that are compiled with the same options. A source
+# includes what it uses all the same: where no header can be parsed ahead, it is not included.
 # Programs of one source change together: those of a GROUP are one step of the build, and one target,
 # which avr_group(group) makes. Their options must not choose what they include.
 
