@@ -37,7 +37,7 @@ function main
     .fill 70, 2, 0
 #endif
 
-; (a b + 8) >> 4 in 26 cycles, 12 where b = 0; the last two instructions are never reached.
+; (a b + 8) >> 4, in fewer cycles where b = 0; the last two instructions are never reached.
 function multiply_q4_4_default
     tst r22
     breq 1f
@@ -75,7 +75,7 @@ function multiply_q4_4_unrounded
     ret
     .size multiply_q4_4_unrounded, . - multiply_q4_4_unrounded
 
-; The sum in 19 cycles, 21 where it is large.
+; The sum, in more cycles where it is large.
 function add_q32_32_default
     add r18, r10
     adc r19, r11

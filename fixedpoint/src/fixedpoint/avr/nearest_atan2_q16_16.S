@@ -6,7 +6,7 @@
 // In       y = r25:r22, x = r21:r18; a = r25:r22
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
-// Stack    15 bytes; of atan 11
+// Stack    15 bytes, of atan 11; in doubt 4 and what the compiled code takes
 // Tables   3072 bytes, fixedpoint_atan_32_table; 512 bytes, fixedpoint_reciprocal_table
 //
 // As in atan2_32.S; a below 1 is the ratio. The operands wait on the stack for the code that decides

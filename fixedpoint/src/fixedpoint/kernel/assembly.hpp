@@ -19,9 +19,9 @@ constexpr bool has_assembly = false;
 #define FIXEDPOINT_CALLED_BY_KERNEL __attribute__((noinline))
 #endif
 
-// FIXEDPOINT_CALLED_BY_KERNEL: a function template to which kernels jump. Who calls such a kernel
-// says is_kept(function), which compiles the function; without, the program does not link. It is
-// always true.
+// FIXEDPOINT_CALLED_BY_KERNEL: a function template that kernels jump to or call. Who calls such a
+// kernel says is_kept(function), which compiles the function; without, the program does not link.
+// It is always true.
 template <class Function>
 constexpr bool is_kept(Function*) {
     return true;
