@@ -30,6 +30,10 @@ PROOFS = {(operation, number_format, implementation): proof
           for operation in operations for number_format in formats}
 # ... or that it errs less than this, in ulp, whatever the largest error that is known.
 LIMITS = {("atan2", "q16_16", OURS): (0.645, "fixedpoint/prove_angles"),
+          ("atan2_turns", "q8_8", OURS): (0.500001, "bench/prove_turns"),
+          ("atan2_turns", "q16_16", OURS): (0.5001, "bench/prove_turns"),
+          ("atan2_degrees", "q8_8", OURS): (0.5002, "bench/prove_turns"),
+          ("atan2_degrees", "q16_16", OURS): (0.527, "bench/prove_turns"),
           ("normalise3", "q16_16", OURS): (0.77, "fixedpoint/prove_normalise"),
           ("normalise3", "q8_8", OURS): (0.66, "fixedpoint/prove_normalise")}
 # Runs over all inputs are judged in double, to this part of an ulp (reference/bulk.hpp).

@@ -31,6 +31,7 @@ def same(m, registers):
 class Bits(Machine):
     """Of bits: what is known of them are conditions."""
     returns_in_memory = False
+    looked_up = 128  # bytes of a table
 
     def __init__(self, program):
         super().__init__(program, {n: z3.BitVec(f"r{n}", 8) for n in range(32)})
@@ -93,8 +94,8 @@ class Bits(Machine):
         page = z3.simplify(self.registers[31])
         demand(z3.is_bv_value(page))
         value, table = z3.FreshConst(z3.BitVecSort(8)), self.program.flash[page.as_long() << 8:]
-        for i in range(1, 128):
-            if i == 127 or table[i] != table[i + 1]:
+        for i in range(1, self.looked_up):
+            if i == self.looked_up - 1 or table[i] != table[i + 1]:
                 first = next(j for j in range(1, i + 1) if table[j:i + 1] == bytes([table[i]]) * (i + 1 - j))
                 inside = z3.And(z3.UGE(self.registers[30], first), z3.ULE(self.registers[30], i))
                 value = z3.If(inside, z3.BitVecVal(table[i], 8), value)
@@ -138,6 +139,13 @@ class Bits(Machine):
         if mnemonic == "lpm":
             demand(r == "Z", "lpm moves the pointer")
             registers[d] = self.look_up()
+            return [(following, self)]
+        if mnemonic == "adiw":
+            carry = NONE
+            for register, y in ((d, z3.BitVecVal(int(r, 0), 8)), (d + 1, z3.BitVecVal(0, 8))):
+                registers[register] = self.sum(registers[register], y, carry)
+                carry = z3.If(self.flags["C"], z3.BitVecVal(1, 10), NONE)
+            self.flags["Z"] = None
             return [(following, self)]
         if mnemonic == "swap":
             registers[d] = z3.RotateLeft(registers[d], 4)

@@ -163,7 +163,7 @@ class Program:
         if len(following) > 1:
             for _, after in following:
                 after.passed = machine.passed | {address}
-        return [(target, after) for target, after in following if len(following) == 1 or not again or after.feasible()]
+        return [(target, after) for target, after in following if not again or after.feasible()]
 
     def survivors(self, stretch, visited, every, needless):
         """Instructions without which the proof still goes through."""

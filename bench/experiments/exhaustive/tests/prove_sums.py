@@ -22,9 +22,8 @@ WIDTHS = {"q16_16": 32, "q8_24": 32}
 
 
 def clamped(exact, width):
-    low, high = -(1 << width - 1), (1 << width - 1) - 1
-    return z3.If(exact < low, z3.BitVecVal(low, width + 2),
-                 z3.If(exact > high, z3.BitVecVal(high, width + 2), exact))
+    low, high = (z3.BitVecVal(number, exact.size()) for number in (-(1 << width - 1), (1 << width - 1) - 1))
+    return z3.If(exact < low, low, z3.If(exact > high, high, exact))
 
 
 def magnitude(a):
@@ -47,27 +46,38 @@ EXACT = {
 
 
 class Calling(Bits):
-    """Does not follow a call of the kernel `called`: a name, how many operands it takes, and of which width."""
+    """Does not follow calls of the kernels `called`, one after the other: a name, how many operands it takes, and of
+    which width. `calls` are the operands and the result of each: of more than two operands, the sum of the others less."""
 
     def __init__(self, called, program):
         super().__init__(program)
-        self.called, self.factors, self.product = called, None, None
+        self.called, self.calls = called, []
+
+    def copy(self):
+        other = super().copy()
+        other.calls = self.calls[:]
+        return other
 
     def step(self, address):
-        name, count, width = self.called
         mnemonic, _, target, following = self.program.code[address]
-        if target != self.program.labels[name]:
+        if target not in [self.program.labels[name] for name, *_ in self.called]:
             return super().step(address)
-        demand(mnemonic == "call" and self.factors is None and self.is_zero(1))
-        self.factors = [self.number(low, width // 8) for low in places(width, count)]
-        self.product = z3.BitVec("product", width)
+        demand(mnemonic == "call" and len(self.calls) < len(self.called) and self.is_zero(1))
+        name, count, width = self.called[len(self.calls)]
+        demand(target == self.program.labels[name])
+        operands, result = [self.number(low, width // 8) for low in places(width, count)], z3.BitVec(f"{name}.result", width)
         kept = {n: self.registers[n] for n in (1, *CALL_SAVED)}
-        self.registers = {n: z3.BitVec(f"after{n}", 8) for n in range(32)} | kept
+        self.registers = {n: z3.BitVec(f"{name}.r{n}", 8) for n in range(32)} | kept
         self.flags = {}
-        total = self.product + sum(self.factors[2:])
+        self.calls.append((operands, result))
+        total = result + sum(operands[2:])
         for i, register in enumerate(range(places(width, 1)[0], 26)):
             self.registers[register] = z3.Extract(8 * i + 7, 8 * i, total)
         return [(following, self)]
+
+    def all_calls(self):
+        demand(len(self.calls) == len(self.called))
+        return self.calls
 
 
 def places(width, count):
@@ -79,9 +89,9 @@ def multiply_add(width, _, machine):
     a, b, c = (machine.number(low, width // 8) for low in places(width, 3))
 
     def check(machine, end):
-        demand(machine.product is not None and machine.impossible(z3.Not(z3.And(
-            machine.factors[0] == a, machine.factors[1] == b,
-            machine.number(places(width, 1)[0], width // 8) == machine.product + c))))
+        (factors, product), = machine.all_calls()
+        demand(machine.impossible(z3.Not(z3.And(
+            factors[0] == a, factors[1] == b, machine.number(places(width, 1)[0], width // 8) == product + c))))
     return check
 
 
@@ -93,11 +103,11 @@ def lerp(width, fraction, machine):
     s = z3.Extract(width, width, z3.SignExt(2, b) - z3.SignExt(2, a) - z3.SignExt(2, d))
 
     def check(machine, end):
-        demand(machine.product is not None)
+        (factors, product), = machine.all_calls()
         whole = z3.If(s == 0, z3.BitVecVal(0, width), z3.If(b < a, -t, t) << width - fraction)
         demand(machine.impossible(z3.Not(z3.And(
-            machine.factors[0] == t, machine.factors[1] == d,
-            machine.number(places(width, 1)[0], width // 8) == machine.product + a + whole))))
+            factors[0] == t, factors[1] == d,
+            machine.number(places(width, 1)[0], width // 8) == product + a + whole))))
     return check
 
 
@@ -130,7 +140,7 @@ def main():
             failed |= program.run(1, ("ret",))
     for program, name, exact, called, fraction in OF_PRODUCTS:
         stretch = name, partial(exact, called[2], fraction), (None,), (), ((),), (None,)
-        program = Program([stretch], partial(Calling, called), elf=Path(sys.argv[1]) / f"{program}.elf")
+        program = Program([stretch], partial(Calling, [called]), elf=Path(sys.argv[1]) / f"{program}.elf")
         visited = program.prove(*stretch)
         # The compiler leaves instructions that change nothing.
         found = program.survivors(stretch, visited, EVERY, ("ret",))
