@@ -18,6 +18,7 @@ PROOFS = {(operation, number_format, implementation): proof
               ("fixedpoint/prove_products", ("q32_32",), OURS, ("multiply", "dot2", "dot3")),
               ("fixedpoint/prove_products", ("q8_8",), OURS, ("dot2", "dot3")),
               ("fixedpoint/prove_quotients", ("q16_16",), OURS, ("divide",)),
+              ("fixedpoint/prove_small_quotients", ("q16_16",), "small", ("divide",)),
               ("fixedpoint/prove_remainders", ("q16_16",), OURS, ("remainder", "divrem", "divmod")),
               ("fixedpoint/prove_quotients_q32_32", ("q32_32",), OURS, ("divide",)),
               ("fixedpoint/prove_roots", ("q32_32",), OURS, ("sqrt",)),
