@@ -31,6 +31,16 @@ class Arrays(Machine):
         for i, register in enumerate(registers):
             self.registers[register] = (numbers >> 8 * i & 255).astype(numpy.int32)
 
+    def try_all(self, numbers, place, idle):
+        """Every number in the registers `place`; what demands that it is still there, and that `idle` are as they were."""
+        self.given["tried"] = numbers
+        self.place(numbers, place)
+
+        def same(m):
+            demand((m.number(place) == m.given["tried"]).all() and m.transfer is None)
+            demand(all(m.untouched(register) for register in idle))
+        return same
+
     def is_zero(self, register):
         return isinstance(self.registers[register], int) and self.registers[register] == 0
 

@@ -12,6 +12,8 @@ where q is what the code compares with. So where it is less, M is right, and els
 
 from itertools import product
 
+import numpy
+
 from form import Form, known
 from machine_code import demand
 from stretches import equal
@@ -22,9 +24,14 @@ QUOTIENT, DIGIT = 26, 27
 ESTIMATES = list(product((0, 256), ("fits", "below", "negative")))
 
 
-def inverted(h1, h0):
-    """floor((2^24 - 1) / h) - 2^8"""
-    return known(((1 << 24) - 1) // (h1 << 8 | h0) - 256)
+def invert(m, h, inverse, idle):
+    """The reciprocal floor((2^24 - 1) / h) - 2^8 of each h in its registers."""
+    same = m.try_all(numpy.arange(1 << 15, 1 << 16), h, idle)
+
+    def check(m, end):
+        demand((m.number((inverse,)) == ((1 << 24) - 1) // m.given["tried"] - 256).all())
+        same(m)
+    return check
 
 
 def hold_reciprocal(m, register, h, small):

@@ -6,6 +6,7 @@ import re
 import subprocess
 import sys
 import tempfile
+from functools import cache
 from itertools import chain, product
 from pathlib import Path
 
@@ -40,6 +41,11 @@ def disassemble(elf):
     return functions, {address: (*code[address], following[address]) for address in code}
 
 
+@cache
+def operand(word):
+    return int(word[1:]) if re.fullmatch(r"r\d+", word) else word
+
+
 class Machine:
     """One path through a stretch of code. What registers hold, and the instructions that compute with it
     (`compute`), is the matter of those that derive from it."""
@@ -60,7 +66,7 @@ class Machine:
     def step(self, address):
         """The addresses that may follow, each with the machine there."""
         mnemonic, text, target, following = self.program.code[address]
-        operands = [int(word[1:]) if re.fullmatch(r"r\d+", word) else word for word in text]
+        operands = [operand(word) for word in text]
         d, r = (operands + operands + [None, None])[:2]
         registers = self.registers
         if mnemonic == "mov":
@@ -146,7 +152,8 @@ class Program:
                     pushed = self.saved[end]
                     for first, *others in pushed:
                         for other in others:
-                            machine.show((0, machine.saved[other] - machine.saved[first], 0))
+                            if machine.saved[other] is not machine.saved[first]:
+                                machine.show((0, machine.saved[other] - machine.saved[first], 0))
                     demand(machine.stack == [machine.saved[first] for first, *_ in pushed])
                     demand(all(machine.registers[n] == machine.saved[n] for n in CALL_SAVED if n not in chain(*pushed)))
                     demand(end is not None or machine.is_zero(1))
