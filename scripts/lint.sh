@@ -36,7 +36,7 @@ status=0
 clang-format --dry-run --Werror "${cpp[@]}" || status=1
 shellcheck --severity=warning "${shell[@]}" .ci/run || status=1
 /usr/bin/python3 -m pyflakes "${python[@]}" || status=1
-for program in fixedpoint/tests/consumer/{fixedpoint,engine}.cpp; do
+for program in fixedpoint/tests/consumer/cpp/{fixedpoint,engine}.cpp; do
     clang-tidy --quiet "$program" -- -std=c++17 -Ifixedpoint/src -Iengine/src || status=1
 done
 if [ -n "$all" ]; then

@@ -16,6 +16,5 @@ for each in "$scratch"/sketchbook/libraries/*; do
         [ -e "$each/$name" ] || { echo "FAILED: no $name in $(basename "$each")"; exit 1; }
     done
 done
-for example in "$scratch"/sketchbook/libraries/fixbench-{fixed-*/examples/printing,lever-*/examples/lever}/*.ino; do
-    LIBRARIES=$scratch/sketchbook/libraries "$here/sketch_test.sh" "$example" "$scratch/build"
-done
+LIBRARIES=$scratch/sketchbook/libraries "$here/sketch_test.sh" "$scratch/build" \
+    "$scratch"/sketchbook/libraries/fixbench-{fixed-*/examples/printing,lever-*/examples/lever}/*.ino

@@ -4,7 +4,7 @@
 
 #include <fixedpoint/text.hpp>
 
-#include "console.h"
+#include "../console.h"
 
 template <class Number>
 static void show(const char* name, Number value) {
