@@ -73,7 +73,7 @@ bool advise_program(const Options& given) {
     records::write_whole(rows, text_of(data));
 
     const fs::path recorder = scratch.folder() / "record";
-    compile_for_host(options.program, "record.cpp", "-DRECORD", recorder);
+    compile_for_host(options.program, "record.cpp", {"-DRECORD"}, recorder);
     const int integer_bits = record(options, data, recorder, rows, {}).integer_bits;
     const std::vector<Format> formats = candidates(integer_bits);
     const Recorded recorded = record(options, data, recorder, rows, formats);

@@ -27,13 +27,14 @@ void note_errors(Candidate& candidate, const std::vector<double>& exact) {
     candidate.advice.rms_error = std::sqrt(squares / static_cast<double>(exact.size()));
 }
 
-// Compiles the program in the formats, or throws Failure.
+// Compiles the program in the formats, with these options of the compiler too, or throws Failure.
 void compile_formats(const Options& options, const std::vector<Format>& formats,
-                     const fs::path& runner) {
+                     const fs::path& runner, std::vector<std::string> further = {}) {
     std::string list = "-DFORMATS=";
     for (const Format& format : formats)
         list += fmt::format("X({}, {}) ", format.integer_bits, format.fraction_bits);
-    compile_for_host(options.program, "formats.cpp", list, runner);
+    further.push_back(list);
+    compile_for_host(options.program, "formats.cpp", further, runner);
 }
 
 }  // namespace
@@ -66,7 +67,7 @@ std::vector<Candidate> run_on_host(const Options& options, const fs::path& scrat
     } catch (const Failure&) {
         std::erase_if(formats, [&](const Format& format) {
             try {
-                compile_formats(options, {format}, runner);
+                compile_formats(options, {format}, runner, {"-fsyntax-only"});
                 return false;
             } catch (const Failure& failure) {
                 Candidate& added = refused.emplace_back();

@@ -46,9 +46,11 @@ void compile(std::vector<std::string> command, const fs::path& program, const ch
 
 }  // namespace
 
-void compile_for_host(const fs::path& program, const char* driver, const std::string& definition,
-                      const fs::path& output) {
-    compile({ADVISE_CXX, "-std=c++20", "-O1", "-w", definition}, program, driver, output);
+void compile_for_host(const fs::path& program, const char* driver,
+                      const std::vector<std::string>& options, const fs::path& output) {
+    std::vector<std::string> command = {ADVISE_CXX, "-std=c++20", "-O1", "-w"};
+    command.insert(command.end(), options.begin(), options.end());
+    compile(command, program, driver, output);
 }
 
 void compile_for_chip(const fs::path& program, const std::vector<std::string>& definitions,

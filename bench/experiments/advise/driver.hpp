@@ -17,7 +17,7 @@ class Failure : public std::invalid_argument {
 
 // Throw Failure of one line, the compiler's first error.
 void compile_for_host(const std::filesystem::path& program, const char* driver,
-                      const std::string& definition, const std::filesystem::path& output);
+                      const std::vector<std::string>& options, const std::filesystem::path& output);
 void compile_for_chip(const std::filesystem::path& program,
                       const std::vector<std::string>& definitions,
                       const std::filesystem::path& output);
