@@ -5,18 +5,21 @@
 
 #include <fixedpoint/arithmetic/saturating.hpp>
 
-using Number = fixedpoint::Fixed<16, 16, fixedpoint::Saturating>;
-constexpr Number constant = Number::from_raw(0x12345678);
-
-#define SUBJECT extern "C" __attribute__((used, noinline, flatten)) int32_t
-
-SUBJECT sum(int32_t a, int32_t b) { return (Number::from_raw(a) + Number::from_raw(b)).raw(); }
-SUBJECT difference(int32_t a, int32_t b) {
-    return (Number::from_raw(a) - Number::from_raw(b)).raw();
-}
-SUBJECT sum_with_constant(int32_t a) { return (Number::from_raw(a) + constant).raw(); }
-SUBJECT constant_and_sum(int32_t a) { return (constant + Number::from_raw(a)).raw(); }
-SUBJECT difference_from_constant(int32_t a) { return (constant - Number::from_raw(a)).raw(); }
-SUBJECT difference_with_constant(int32_t a) { return (Number::from_raw(a) - constant).raw(); }
+#define SUBJECT(name, result) \
+    extern "C" __attribute__((used, noinline, flatten)) Raw name { return (result).raw(); }
+#define SUBJECTS(width, I, F, raw_constant)                                                  \
+    namespace sums_##width {                                                                 \
+        using Number = fixedpoint::Fixed<I, F, fixedpoint::Saturating>;                      \
+        using Raw = Number::Raw;                                                             \
+        constexpr Number constant = Number::from_raw(raw_constant);                          \
+        SUBJECT(sum_##width(Raw a, Raw b), Number::from_raw(a) + Number::from_raw(b))        \
+        SUBJECT(difference_##width(Raw a, Raw b), Number::from_raw(a) - Number::from_raw(b)) \
+        SUBJECT(sum_with_constant_##width(Raw a), Number::from_raw(a) + constant)            \
+        SUBJECT(constant_and_sum_##width(Raw a), constant + Number::from_raw(a))             \
+        SUBJECT(difference_from_constant_##width(Raw a), constant - Number::from_raw(a))     \
+        SUBJECT(difference_with_constant_##width(Raw a), Number::from_raw(a) - constant)     \
+    }
+SUBJECTS(16, 8, 8, 0x1234)
+SUBJECTS(32, 16, 16, 0x12345678)
 
 int main() {}

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The dispatch of add_saturating and subtract_saturating. On the device a sum of 32 bits asks the
-// processor's overflow flag, in line; the compiler's code for the portable test takes several times
-// as long.
+// The dispatch of add_saturating and subtract_saturating. On the device one of 16 or 32 bits asks
+// the processor's overflow flag, in line; the compiler's code for the portable test takes several
+// times as long.
 #pragma once
 
 #include <fixedpoint/portable/add_saturating.hpp>
@@ -22,6 +22,20 @@ constexpr Raw subtract_saturating(Raw a, Raw b) {
 #if defined(__AVR__) && !defined(__clang__) && !defined(FIXEDPOINT_NO_ASSEMBLY)
 // Where a + b overflows, both have the sign that the sum should have: that of b (`bst`) atop copies
 // of the wrong one.
+inline int16_t sum_clamped(int16_t a, int16_t b) {
+    asm("add %A0, %A1\n\t"
+        "adc %B0, %B1\n\t"
+        "brvc 1f\n\t"
+        "bst %B1, 7\n\t"
+        "lsl %B0\n\t"
+        "sbc %B0, %B0\n\t"
+        "mov %A0, %B0\n\t"
+        "bld %B0, 7\n"
+        "1:"
+        : "+&r"(a)
+        : "r"(b));
+    return a;
+}
 inline int32_t sum_clamped(int32_t a, int32_t b) {
     asm("add %A0, %A1\n\t"
         "adc %B0, %B1\n\t"
@@ -42,6 +56,21 @@ inline int32_t sum_clamped(int32_t a, int32_t b) {
 }
 // Where a - b overflows, b has the wrong sign, that of the wrapped difference; there is a borrow
 // where it is negative.
+inline int16_t difference_clamped(int16_t a, int16_t b) {
+    asm("sub %A0, %A1\n\t"
+        "sbc %B0, %B1\n\t"
+        "brvc 1f\n\t"
+        "bst %B1, 7\n\t"
+        "sbc %A0, %A0\n\t"
+        "mov %B0, %A0\n\t"
+        "com %B0\n\t"
+        "bld %B0, 7\n\t"
+        "com %B0\n"
+        "1:"
+        : "+&r"(a)
+        : "r"(b));
+    return a;
+}
 inline int32_t difference_clamped(int32_t a, int32_t b) {
     asm("sub %A0, %A1\n\t"
         "sbc %B0, %B1\n\t"
@@ -62,16 +91,21 @@ inline int32_t difference_clamped(int32_t a, int32_t b) {
     return a;
 }
 
-template <>
-FIXEDPOINT_CONSTEXPR int32_t add_saturating(int32_t a, int32_t b) {
-    return __builtin_constant_p(a) && __builtin_constant_p(b) ? portable::add_saturating(a, b)
-                                                              : sum_clamped(a, b);
-}
-template <>
-FIXEDPOINT_CONSTEXPR int32_t subtract_saturating(int32_t a, int32_t b) {
-    return __builtin_constant_p(a) && __builtin_constant_p(b) ? portable::subtract_saturating(a, b)
-                                                              : difference_clamped(a, b);
-}
+#define FIXEDPOINT_SATURATING_SUMS(Raw)                                                            \
+    template <>                                                                                    \
+    FIXEDPOINT_CONSTEXPR Raw add_saturating(Raw a, Raw b) {                                        \
+        return __builtin_constant_p(a) && __builtin_constant_p(b) ? portable::add_saturating(a, b) \
+                                                                  : sum_clamped(a, b);             \
+    }                                                                                              \
+    template <>                                                                                    \
+    FIXEDPOINT_CONSTEXPR Raw subtract_saturating(Raw a, Raw b) {                                   \
+        return __builtin_constant_p(a) && __builtin_constant_p(b)                                  \
+                   ? portable::subtract_saturating(a, b)                                           \
+                   : difference_clamped(a, b);                                                     \
+    }
+FIXEDPOINT_SATURATING_SUMS(int16_t)
+FIXEDPOINT_SATURATING_SUMS(int32_t)
+#undef FIXEDPOINT_SATURATING_SUMS
 #endif
 
 }  // namespace kernel
