@@ -363,6 +363,34 @@ TEST_F(VectorComplexProduct, IsTheRoundedDifferenceAndSum) {
     }
 }
 
+TEST_F(VectorFilters, InverseIsTheQuotientsOfCofactorsAndDeterminant) {
+    using Matrix = std::array<int32_t, 4>;
+    const std::uint16_t at_a = chip_.allocate(16), at_inverse = chip_.allocate(16);
+    DeviceFunction invert(chip_, "fixedpoint_invert2_q16_16", {1, {2, 2}});
+    int singular = 0;
+    for (int i = 0; i < rounds; ++i) {
+        const Matrix a = {number(), number(), number(), number()}, before = {1, 2, 3, 4};
+        const int64_t row[2] = {a[0], a[1]}, column[2] = {a[3], difference(0, a[2])};
+        const int64_t d = exact::dot(row, column, 2, q16_16).wrapped;
+        Matrix expected = before;
+        if (d != 0) {
+            const auto over = [d](int64_t cofactor) {
+                return static_cast<int32_t>(exact::divide(cofactor, d, q16_16).saturated);
+            };
+            expected = {over(a[3]), over(difference(0, a[1])), over(column[1]), over(a[0])};
+        }
+        singular += d == 0;
+        write(at_a, a);
+        write(at_inverse, before);
+        ASSERT_EQ(invert(at_a, at_inverse).as<std::uint8_t>(), d != 0);
+        ASSERT_EQ(read<Matrix>(at_inverse), expected);
+        ASSERT_EQ(read<Matrix>(at_a), a);
+        ASSERT_EQ(invert(at_a, at_a).as<std::uint8_t>(), d != 0);
+        ASSERT_EQ(read<Matrix>(at_a), d != 0 ? expected : a);
+    }
+    EXPECT_GT(singular, 0);
+}
+
 TEST_F(VectorCofactors, AreRoundedCrossProductsOfRows) {
     using Matrix = std::array<std::array<int32_t, 3>, 3>;
     // Wherever it lies: an address of a component may carry.

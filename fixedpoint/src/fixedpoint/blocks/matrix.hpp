@@ -5,6 +5,8 @@
 
 #include <fixedpoint/blocks/number.hpp>
 
+extern "C" uint8_t fixedpoint_invert2_q16_16(const int32_t* a, int32_t* inverse);
+
 namespace fixedpoint {
 
 /// A square matrix of N rows, N 2 or 3.
@@ -100,16 +102,29 @@ bool invert(const Matrix<Number, N>& a, Matrix<Number, N>& inverse) {
 }
 /// \cond internal
 // For so few elements a loop costs more than it saves.
+template <class Number, bool in_kernel = kernel::has_assembly>
+struct Inverse2 {
+    static bool apply(const Matrix<Number, 2>& a, Matrix<Number, 2>& inverse) {
+        const Cofactors<Number, 2> c(a);
+        const Number d = c.determinant(a);
+        if (d == Number()) return false;
+        inverse.element[0][0] = c.matrix.element[0][0] / d;
+        inverse.element[0][1] = c.matrix.element[1][0] / d;
+        inverse.element[1][0] = c.matrix.element[0][1] / d;
+        inverse.element[1][1] = c.matrix.element[1][1] / d;
+        return true;
+    }
+};
+template <>
+struct Inverse2<Fixed<16, 16>, true> {
+    using Matrix2 = Matrix<Fixed<16, 16>, 2>;
+    static bool apply(const Matrix2& a, Matrix2& inverse) {
+        return fixedpoint_invert2_q16_16(raws(a.element[0]), raws(inverse.element[0]));
+    }
+};
 template <class Number>
 bool invert(const Matrix<Number, 2>& a, Matrix<Number, 2>& inverse) {
-    const Cofactors<Number, 2> c(a);
-    const Number d = c.determinant(a);
-    if (d == Number()) return false;
-    inverse.element[0][0] = c.matrix.element[0][0] / d;
-    inverse.element[0][1] = c.matrix.element[1][0] / d;
-    inverse.element[1][0] = c.matrix.element[0][1] / d;
-    inverse.element[1][1] = c.matrix.element[1][1] / d;
-    return true;
+    return Inverse2<Number>::apply(a, inverse);
 }
 /// \endcond
 
