@@ -8,26 +8,24 @@
 //          or four bytes, and the output
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
-// Stack    6 or 7 bytes
+// Stack    4 or 5 bytes
 //
 // The error and the output lie side by side: they are one sum, to which the exact product is added.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
 
+#define SUM_BEGINS_IN_X
 #include "product_sum_32.inc"
 
     // The bytes of the sum behind the coefficient. The lowest one of four error bytes is 0.
-    .macro transfer instruction, fraction, top
-    .irp n, 0, 1, 2, 3, 4, 5, 6
-    .if \n <= \top
-    .ifc \instruction, ldd
-    ldd r1\n, Z + 4 + \fraction / 24 + \n
-    .else
-    std Z + 4 + \fraction / 24 + \n, r1\n
-    .endif
-    .endif
-    .endr
+    .macro load place, top
+    ldd_bytes s0, Z + \place, 2
+    ldd_bytes s2, Z + \place + 2, (\top - 1)
+    .endm
+    .macro store place, top
+    std_bytes Z + \place, s0, 2
+    std_bytes Z + \place + 2, s2, (\top - 1)
     .endm
 
     .macro one_pole fraction, top, o0, o1, o2, o3
@@ -36,7 +34,7 @@
     movw a0, r22
     movw a2, r24
     clr zero
-    transfer ldd, \fraction, \top
+    load (4 + \fraction / 24), \top
     sub a0, \o0
     sbc a1, \o1
     sbc a2, \o2
@@ -49,7 +47,7 @@
     mov a2, a3
     subi a3, 0x80
 2:  add_product \fraction, \top
-    transfer std, \fraction, \top
+    store (4 + \fraction / 24), \top
     clr r1
     mov r22, \o0
     mov r23, \o1
