@@ -12,18 +12,117 @@
 //
 // In       a = r25:r18, b = r17:r10, the results' address = r9:r8
 // Out      r25:r18, the remainder
-// Changes  r0, r18..r26, T; with a quotient r27, r30, r31 too; r1 is 0 again at return
-// Stack    8 bytes, with a quotient 12
+// Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
+// Stack    8 bytes, with a quotient 12; a remainder of |a| < |b| or |a| < 2^40 none
 //
-// As remainder_q16_16.S. r26 counts the bits that the divisor has been moved up by, r27 is the
-// quotient's sign, and r7:r4, r31:r30:r1:r0 the complement of its magnitude.
+// As remainder_q16_16.S; a remainder looks first whether |a| < |b|, then whether five bytes will do.
+// r26 counts the bits that the divisor has been moved up by, r27 is the quotient's sign, and r7:r4,
+// r31:r30:r1:r0 the complement of its magnitude.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
 
+// The remainder of |a| < 2^40: the divisor is a copy of five bytes, and r25 counts.
+    .macro divisor first, next
+    \first r26
+    \next r27
+    \next r30
+    \next r31
+    \next r0
+    .endm
+    .macro halve_divisor first
+    \first r0
+    ror r31
+    ror r30
+    ror r27
+    ror r26
+    .endm
+    .macro of_dividend first, next
+    \first r18, r26
+    \next r19, r27
+    \next r20, r30
+    \next r21, r31
+    \next r22, r0
+    .endm
+    .macro copy_divisor
+    or_bytes r0, r23, 3
+    brne .Lto_long
+    movw r26, r10
+    movw r30, r12
+    mov r0, r14
+    .endm
+    // The carry of a sum, which is lost.
+    .macro carry_of instruction, to, from
+    mov r0, \to
+    \instruction r0, \from
+    .endm
+
+    FUNCTION fixedpoint_remainder_q32_32
+    bst r25, 7
+    brtc 1f
+    negate_bytes r18, 8
+1:  tst r17
+    brmi 2f
+    cp_bytes r18, r10, 8
+    brlo .Lsign
+    copy_divisor
+    rjmp 3f
+.Lto_long:
+    rjmp .Llong
+.Lsign:
+    brtc 1f
+    negate_bytes r18, 8
+1:  ret
+2:  carry_of add, r18, r10
+    rising 1, 8, carry_of, adc, .Lr18 + \n, .Lr10 + \n
+    brcc .Lsign
+    copy_divisor
+    divisor com, com
+    // The last complement left a carry.
+    .irp byte, r26, r27, r30, r31, r0
+    adc \byte, r25
+    .endr
+
+    // Bytes: while the divisor has a free top byte and 256 times it is not above the dividend.
+3:  tst r0
+    brne 4f
+    cp r19, r26
+    cpc r20, r27
+    cpc r21, r30
+    cpc r22, r31
+    brlo 4f
+    mov r0, r31
+    mov r31, r30
+    mov r30, r27
+    mov r27, r26
+    clr r26
+    subi r25, -8
+    sbrs r25, 5
+    rjmp 3b
+    tst r0
+    brne 4f
+    clr r25             // no divisor but 0
+    rjmp .Lsign
+    // Bits: until the divisor is above the dividend, or has left the register by a bit.
+4:  inc r25
+    divisor lsl, rol
+    brcs 5f
+    of_dividend cp, cpc
+    brsh 4b
+    clc
+5:  halve_divisor ror
+6:  of_dividend sub, sbc
+7:  dec r25
+    breq 8f
+    halve_divisor lsr
+    of_dividend cp, cpc
+    brsh 6b
+    rjmp 7b
+8:  rjmp .Lsign
+
     .macro kernel name, quotient, floored
-    FUNCTION fixedpoint_\name\()_q32_32
     .if \quotient
+    FUNCTION fixedpoint_\name\()_q32_32
     push_all r4, r5, r6, r7
     mov r27, r25
     eor r27, r17
@@ -32,12 +131,17 @@
     movw r0, r30
     movw r4, r30
     movw r6, r30
+    .else
+.Llong:
     .endif
     push_all r10, r11, r12, r13, r14, r15, r16, r17
+    .if \quotient
     bst r25, 7
     brtc 1f
     negate_bytes r18, 8
-1:  clr r26
+1:
+    .endif
+    clr r26
     tst r17
     brpl .Lbytes_\name
     com_bytes r10, 8
@@ -79,9 +183,11 @@
     rjmp .Lsubtract_\name
 
 .Laligned_\name\():
+    .if \quotient
     tst r26
     brne .Ldown_\name
     rjmp .Ldone_\name
+    .endif
 .Ldown_\name\():
     lsr_bytes r10, 8
     cp_bytes r18, r10, 8
