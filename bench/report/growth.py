@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The cost of a step against the number of particles, and its fit."""
+"""The cost of a step against the number of particles, and the work that it follows from."""
+import statistics
+
 import matplotlib.pyplot as plt
 
 import style
@@ -23,18 +25,42 @@ def crossing(rows):
 
 
 def beside_box2d(rows):
-    """What a step of the most discs takes in Box2D and in ours, and how far the fits are off."""
+    """What a step of the most discs takes in Box2D and in ours."""
     most = max(row["particles"] for row in rows)
     ours, theirs = (row["cost_per_step"] for name in ("sort_and_sweep", "box2d") for row in rows
                     if (row["broad_phase"], row["particles"]) == (name, most))
     ratios = [row["cost_per_step"] / own["cost_per_step"] for row in rows for own in rows
               if row["broad_phase"] == "box2d" and own["broad_phase"] == "sort_and_sweep"
               and row["particles"] == own["particles"]]
-    worst = {row["broad_phase"]: row["fit_worst_percent"] for row in rows}
     return (f"There {most} discs take {ours / 1e6:.2f} ms a step in Q16.16 and {theirs / 1e6:.2f} ms in Box2D's float, "
-            f"over all numbers of discs {min(ratios):.2f} to {max(ratios):.2f} times ours. No point is further from its fit "
-            f"than {worst['brute_force']:.0f}% (every pair), {worst['sort_and_sweep']:.0f}% (sort and sweep) "
-            f"and {worst['box2d']:.0f}% (Box2D).")
+            f"over all numbers of discs {min(ratios):.2f} to {max(ratios):.2f} times ours.")
+
+
+def fits(rows):
+    """What is fitted by which term, and by how much it is missed, for either search."""
+    told = {row["broad_phase"]: (row["fit_of"], row["fit_term"], row["fit_worst_percent"]) for row in rows if row["fit_of"]}
+    of, = {of for of, _, _ in told.values()}
+    terms = {search: term if term.startswith("N^") else f"the {term} tested" for search, (_, term, _) in told.items()}
+    return (f"the {of} of a step are a + b N + c times "
+            + ", and ".join(f"{terms[search]} within {miss:.1f}% ({SEARCHES[search][2]})"
+                            for search, (_, _, miss) in told.items()) + ".")
+
+
+def times_of_tests(rows):
+    """The least, the median and the largest time of a test, by search."""
+    times = {}
+    for row in rows:
+        if row["fit_of"]:
+            times.setdefault(row["broad_phase"], []).append(row["ns_per_test"])
+    return {search: (min(found), statistics.median(found), max(found)) for search, found in times.items()}
+
+
+def time_of_a_test(rows):
+    """The sentence that says what the time is, and why it is no line."""
+    spread = " and ".join(f"{least:.2f} to {most:.2f} ns ({SEARCHES[search][2]}, median {middle:.2f})"
+                          for search, (least, middle, most) in times_of_tests(rows).items())
+    return (f"Time is told, not bounded: a test, with all that a step does beside it, takes {spread}. That is not one line, "
+            "since a world that outgrows the caches waits for memory.")
 
 
 def draw(data):
@@ -52,7 +78,10 @@ def draw(data):
             counts = [row["particles"] for row in mine]
             axes.plot(counts, [row["cost_per_step"] for row in mine], marker, color=colour,
                       label=label)
-            axes.plot(counts, [row["fitted"] for row in mine], "-", color=colour, linewidth=1)
+            if mine[0]["fit_of"]:
+                # On the host the fit is of tests: they take what one does in the median.
+                scale = times_of_tests(mine)[search][1] if logarithmic else 1
+                axes.plot(counts, [scale * row["fitted"] for row in mine], "-", color=colour, linewidth=1)
         axes.set(title=title, xlabel="particles in a box")
         if logarithmic:
             # The fit of a few particles may be negative: the measured costs set the axis.
@@ -76,6 +105,10 @@ def finding(data):
     text = "In this box sort and sweep is " + ", and ".join(parts) + "."
     if data.has("growth_host"):
         text += " " + beside_box2d(data.rows("growth_host"))
+    text += " On the chip " + fits(data.rows("growth"))
+    if data.has("growth_host"):
+        rows = data.rows("growth_host")
+        text += f" On the host, where the four walls are tested, too, {fits(rows)} {time_of_a_test(rows)}"
     if data.has("features"):
         cost = {row["feature"]: row["cycles_per_step_mean"] for row in data.rows("features", scene="lever")
                 if row["feature"].startswith("broad phase=") and row["with"] == "yes"}

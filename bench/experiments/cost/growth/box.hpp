@@ -23,4 +23,9 @@ void build(World<N, Search>& world) {
     scenes::BoxOf<N>::build(world, numbers);
 }
 
+template <class World>
+void step(World& world) {
+    world.step(engine::BinaryStep<8>());
+}
+
 }  // namespace growth

@@ -2,11 +2,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <engine/hash.hpp>
 #include <filesystem>
 #include <stdexcept>
+#include <utility>
 
 #include "bench/chip/simulator/device_function.hpp"
+#include "bench/experiments/cost/growth/box.hpp"
 #include "bench/experiments/cost/growth/cost.hpp"
+#include "bench/experiments/cost/growth/counted.hpp"
 #include "bench/lab/records/progress.hpp"
 
 namespace growth {
@@ -16,11 +20,25 @@ using simulator::Chip;
 using simulator::DeviceFunction;
 using simulator::Elf;
 
-constexpr unsigned numbers[] = {GROWTH_NUMBERS};
+using Numbers = std::integer_sequence<unsigned, GROWTH_NUMBERS>;
 constexpr unsigned steps = 64;
 constexpr std::uint32_t memory = 2048;
 
-Cost measured(const std::string& search, const std::string& program, unsigned particles) {
+struct Motion {
+    double pairs;  // tested in a step, in the mean
+    std::uint32_t hash;
+};
+
+template <unsigned N, class Search>
+Motion motion() {
+    World<N, Counted<Search>> world;
+    build<N, Counted<Search>>(world);
+    for (unsigned i = 0; i < steps; ++i) growth::step(world);
+    return {static_cast<double>(world.pair_memory().pairs) / steps, engine::state_hash(world)};
+}
+
+Cost measured(const std::string& search, const std::string& program, unsigned particles,
+              const Motion& on_host) {
     const Elf elf(std::filesystem::path(GROWTH_PROGRAM_FOLDER) /
                   fmt::format("growth_{}_{}.elf", program, particles));
     Chip chip(elf);
@@ -28,9 +46,9 @@ Cost measured(const std::string& search, const std::string& program, unsigned pa
     DeviceFunction build(chip, "build", {.result = 0, .operands = {}});
     DeviceFunction step(chip, "step", {.result = 0, .operands = {}});
     DeviceFunction error(chip, "error", {.result = 1, .operands = {}});
-    build.set_budget(100'000'000);
-    step.set_budget(100'000'000);
-    Cost cost{search, particles, 0, elf.ram_bytes(), build().stack_bytes};
+    DeviceFunction hash(chip, "state_hash", {.result = 4, .operands = {}});
+    for (DeviceFunction* function : {&build, &step, &hash}) function->set_budget(100'000'000);
+    Cost cost{search, particles, 0, on_host.pairs, elf.ram_bytes(), build().stack_bytes};
     for (unsigned i = 0; i < steps; ++i) {
         const auto outcome = step();
         cost.per_step += static_cast<double>(outcome.cycles) / steps;
@@ -39,6 +57,9 @@ Cost measured(const std::string& search, const std::string& program, unsigned pa
     if (const auto code = error().as<std::uint8_t>(); code != 0)
         throw std::runtime_error(
             fmt::format("box of {} particles: the world reports error {}", particles, code));
+    if (hash().as<std::uint32_t>() != on_host.hash)
+        throw std::runtime_error(
+            fmt::format("box of {} particles: the host's pairs are of another motion", particles));
     if (cost.ram + cost.stack > memory)
         throw std::runtime_error(
             fmt::format("box of {} particles: {} bytes of data and {} of stack, the chip has {}",
@@ -46,17 +67,19 @@ Cost measured(const std::string& search, const std::string& program, unsigned pa
     return cost;
 }
 
+template <class Search, unsigned... N>
+void add(std::vector<Cost>& costs, const char* search, const char* program,
+         records::Progress& progress, std::integer_sequence<unsigned, N...>) {
+    ((costs.push_back(measured(search, program, N, motion<N, Search>())), progress.advance()), ...);
+}
+
 }  // namespace
 
 std::vector<Cost> costs_on_chip() {
     std::vector<Cost> costs;
-    records::Progress progress("growth on the chip", 2 * std::size(numbers));
-    for (const auto& [search, program] :
-         {std::pair("brute_force", "BruteForce"), {"sort_and_sweep", "SortAndSweep"}})
-        for (const unsigned particles : numbers) {
-            costs.push_back(measured(search, program, particles));
-            progress.advance();
-        }
+    records::Progress progress("growth on the chip", 2 * Numbers::size());
+    add<engine::BruteForce>(costs, "brute_force", "BruteForce", progress, Numbers());
+    add<engine::SortAndSweep>(costs, "sort_and_sweep", "SortAndSweep", progress, Numbers());
     return costs;
 }
 

@@ -11,13 +11,9 @@
 
 namespace growth {
 
-const Term squares{"N^2", [](double n) { return n * n; }};
-const Term strips{"N^1.5", [](double n) { return n * std::sqrt(n); }};
-const Term trees{"N log2 N", [](double n) { return n * std::log2(n); }};
-
-Fit fitted(const std::vector<Cost>& costs, const Term& term) {
+Fit fitted(const std::vector<Sample>& samples) {
     constexpr std::size_t terms = 3;
-    const std::size_t points = costs.size();
+    const std::size_t points = samples.size();
     if (points <= terms) throw std::runtime_error("a fit needs four numbers of particles");
     const auto matrix = [](std::size_t rows, std::size_t columns) {
         return std::unique_ptr<gsl_matrix, void (*)(gsl_matrix*)>(gsl_matrix_alloc(rows, columns),
@@ -30,12 +26,12 @@ Fit fitted(const std::vector<Cost>& costs, const Term& term) {
     const auto powers = matrix(points, terms), covariance = matrix(terms, terms);
     const auto weights = vector(points), values = vector(points), solution = vector(terms);
     for (std::size_t i = 0; i < points; ++i) {
-        const double n = costs[i].particles, cost = costs[i].per_step;
+        const auto [n, grown, value] = samples[i];
         gsl_matrix_set(powers.get(), i, 0, 1);
         gsl_matrix_set(powers.get(), i, 1, n);
-        gsl_matrix_set(powers.get(), i, 2, term.value(n));
-        gsl_vector_set(weights.get(), i, 1 / (cost * cost));
-        gsl_vector_set(values.get(), i, cost);
+        gsl_matrix_set(powers.get(), i, 2, grown);
+        gsl_vector_set(weights.get(), i, 1 / (value * value));
+        gsl_vector_set(values.get(), i, value);
     }
     const std::unique_ptr<gsl_multifit_linear_workspace, void (*)(gsl_multifit_linear_workspace*)>
         workspace(gsl_multifit_linear_alloc(points, terms), gsl_multifit_linear_free);
@@ -43,9 +39,9 @@ Fit fitted(const std::vector<Cost>& costs, const Term& term) {
     gsl_multifit_wlinear(powers.get(), weights.get(), values.get(), solution.get(),
                          covariance.get(), &square, workspace.get());
     Fit fit{gsl_vector_get(solution.get(), 0), gsl_vector_get(solution.get(), 1),
-            gsl_vector_get(solution.get(), 2), term, 0};
-    for (const Cost& cost : costs)
-        fit.worst = std::max(fit.worst, std::abs(fit(cost.particles) / cost.per_step - 1));
+            gsl_vector_get(solution.get(), 2), 0};
+    for (const Sample& sample : samples)
+        fit.worst = std::max(fit.worst, std::abs(fit(sample) / sample.value - 1));
     return fit;
 }
 

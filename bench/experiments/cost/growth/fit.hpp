@@ -10,27 +10,22 @@
 
 namespace growth {
 
-// What grows faster than the number of particles.
-struct Term {
-    const char* name;
-    double (*value)(double n);
+// At a number of particles: what grows faster than they do, and what is to be fitted.
+struct Sample {
+    double particles, grown, value;
 };
 
-// Every pair; neighbours along an axis of a plane's crowd, whose strip holds the root of N; a tree.
-extern const Term squares, strips, trees;
-
-// a + b N + c term(N).
+// a + b N + c grown.
 struct Fit {
     double a, b, c;
-    Term term;
-    double worst;  // largest |cost / fit - 1| of a point
+    double worst;  // largest |fit / value - 1| of a sample
 
-    double operator()(double n) const { return a + b * n + c * term.value(n); }
+    double operator()(const Sample& at) const { return a + b * at.particles + c * at.grown; }
 };
 
-// By least squares of the deviations relative to the cost, so that small numbers count as large
-// ones do. Throws std::runtime_error where there are fewer than four points.
-Fit fitted(const std::vector<Cost>& costs, const Term& term);
+// By least squares of the deviations relative to the value, so that small numbers count as large
+// ones do. Throws std::runtime_error where there are fewer than four samples.
+Fit fitted(const std::vector<Sample>& samples);
 
 // The costs of one broad phase.
 std::vector<Cost> of_search(const std::vector<Cost>& costs, const std::string& search);

@@ -9,6 +9,7 @@
 
 #include "bench/experiments/cost/growth/box2d_discs.hpp"
 #include "bench/experiments/cost/growth/cost.hpp"
+#include "bench/experiments/cost/growth/counted.hpp"
 #include "bench/experiments/cost/growth/discs.hpp"
 #include "bench/experiments/cost/growth/stopwatch.hpp"
 #include "bench/lab/records/progress.hpp"
@@ -28,6 +29,20 @@ std::function<void(unsigned)> in_the_engine() {
     };
 }
 
+// In the mean of the timed steps.
+template <unsigned N, class Search>
+double pairs_in_the_engine() {
+    const auto world = std::make_unique<DiscWorld<N, Counted<Search>>>();
+    build<N, Counted<Search>>(*world);
+    const auto pairs_of = [&](unsigned steps) {
+        const auto before = world->pair_memory().pairs;
+        for (; steps > 0; --steps) world->step(engine::BinaryStep<exponent_of_step>());
+        return world->pair_memory().pairs - before;
+    };
+    pairs_of(warm_steps);
+    return static_cast<double>(pairs_of(timed_steps)) / timed_steps;
+}
+
 std::function<void(unsigned)> in_box2d(unsigned n) {
     const std::shared_ptr<b2World> world = box2d_discs(n);
     return [world](unsigned steps) {
@@ -39,25 +54,27 @@ struct Timed {
     const char* what;
     unsigned particles;
     Start start;
+    double (*pairs)() = nullptr;
 };
 
 // Every pair is too many to wait for beyond 4,096 discs.
 template <unsigned... N>
 void add(std::vector<Timed>& list, unsigned most, std::integer_sequence<unsigned, N...>) {
-    const auto add_all = [&](const char* what, unsigned limit, auto start_of) {
-        ((N <= limit ? list.push_back({what, N, start_of(std::integral_constant<unsigned, N>())})
-                     : void()),
-         ...);
+    const auto add_all = [&](unsigned limit, auto timed) {
+        ((N <= limit ? list.push_back(timed(std::integral_constant<unsigned, N>())) : void()), ...);
     };
-    add_all("brute_force", std::min(most, 4096u), [](auto n) -> Start {
+    add_all(std::min(most, 4096u), [](auto n) -> Timed {
         if constexpr (n <= 4096)
-            return in_the_engine<n, engine::BruteForce>;
+            return {"brute_force", n, in_the_engine<n, engine::BruteForce>,
+                    pairs_in_the_engine<n, engine::BruteForce>};
         else
             return {};
     });
-    add_all("sort_and_sweep", most,
-            [](auto n) -> Start { return in_the_engine<n, engine::SortAndSweep>; });
-    add_all("box2d", most, [](auto n) -> Start { return [n] { return in_box2d(n); }; });
+    add_all(most, [](auto n) -> Timed {
+        return {"sort_and_sweep", n, in_the_engine<n, engine::SortAndSweep>,
+                pairs_in_the_engine<n, engine::SortAndSweep>};
+    });
+    add_all(most, [](auto n) -> Timed { return {"box2d", n, [n] { return in_box2d(n); }}; });
 }
 
 }  // namespace
@@ -76,6 +93,7 @@ std::vector<Cost> costs_on_host(unsigned most) {
         costs.push_back({.broad_phase = list[i].what,
                          .particles = list[i].particles,
                          .per_step = times[i].per_step,
+                         .pairs = list[i].pairs ? list[i].pairs() : 0,
                          .runs = times[i].runs,
                          .rejected = times[i].rejected});
     return costs;

@@ -7,10 +7,12 @@
 
 #include <chrono>
 #include <cmath>
+#include <engine/hash.hpp>
 #include <thread>
 #include <vector>
 
 #include "bench/experiments/cost/growth/box2d_discs.hpp"
+#include "bench/experiments/cost/growth/counted.hpp"
 #include "bench/experiments/cost/growth/stopwatch.hpp"
 
 namespace growth {
@@ -91,6 +93,38 @@ TEST(Discs, AreTheSameInBothEngines) {
         EXPECT_GT(changed(discs), number / 2);
         expect_a_box_of_discs(discs);
     }
+}
+
+template <unsigned N, class Search>
+unsigned long pairs_of_a_moment() {
+    DiscWorld<N, Counted<Search>> counted;
+    DiscWorld<N, Search> plain;
+    build<N, Counted<Search>>(counted);
+    build<N, Search>(plain);
+    unsigned long before = 0;
+    for (unsigned i = 0; i < steps; ++i) {
+        before = counted.pair_memory().pairs;
+        counted.step(engine::BinaryStep<exponent_of_step>());
+        plain.step(engine::BinaryStep<exponent_of_step>());
+    }
+    EXPECT_EQ(engine::state_hash(counted), engine::state_hash(plain));
+    return counted.pair_memory().pairs - before;
+}
+
+TEST(Pairs, AreAllOfThemOrThoseThatOverlapAlongTheFirstAxis) {
+    EXPECT_EQ((pairs_of_a_moment<64, engine::BruteForce>()), 64 * 63 / 2);
+    // Of discs anywhere between the walls: two are within a diameter d of each other along an axis
+    // of width w with the probability 2 d / w - (d / w)^2.
+    const double way = 2 * disc_radius / (2 * half_edge(1024) - 2 * disc_radius);
+    const double expected = 1024 * 1023 / 2 * (2 * way - way * way);
+    EXPECT_NEAR((pairs_of_a_moment<1024, engine::SortAndSweep>()), expected, expected / 20);
+}
+TEST(Pairs, OfDiscsThatAreStillAreThoseOnTheirLattice) {
+    // Along the first axis the discs of a column touch only each other.
+    DiscWorld<16, Counted<engine::SortAndSweep>> world;
+    build<16, Counted<engine::SortAndSweep>>(world);
+    Counted<engine::SortAndSweep>::collide_all(world, engine::BinaryStep<exponent_of_step>());
+    EXPECT_EQ(world.pair_memory().pairs, 4u * (4 * 3 / 2));
 }
 
 TEST(Times, AreThoseOfTheTimedStepsAlone) {
