@@ -69,17 +69,18 @@ ENGINE_INLINE Vector<To, N> in_arithmetic_of(const Vector<From, N>& v) {
     return same;
 }
 // Such spheres are so near each other that nothing leaves the range, and the default arithmetic
-// will do. By a call: inline it takes the registers of the search for pairs.
+// will do, of their difference alone. By a call: inline it takes the registers of the search for
+// pairs.
 template <int N>
 __attribute__((noinline)) SaturatingFixed<16, 16> overlap(
-    const Vector<SaturatingFixed<16, 16>, N>& first,
-    const Vector<SaturatingFixed<16, 16>, N>& second, SaturatingFixed<16, 16> reach,
-    LastReach<SaturatingFixed<16, 16>, true>& last, Vector<SaturatingFixed<16, 16>, N>& direction) {
+    const Vector<SaturatingFixed<16, 16>, N>&, const Vector<SaturatingFixed<16, 16>, N>&,
+    SaturatingFixed<16, 16> reach, LastReach<SaturatingFixed<16, 16>, true>& last,
+    Vector<SaturatingFixed<16, 16>, N>& direction) {
     using Number = Fixed<16, 16>;
     LastReach<Number, true>& inverse = last;
-    const auto a = in_arithmetic_of<Number>(first), b = in_arithmetic_of<Number>(second);
-    Vector<Number, N> unit = a - b;
-    const Number depth = overlap(a, b, Number::from_raw(reach.raw()), inverse, unit);
+    Vector<Number, N> unit = in_arithmetic_of<Number>(direction);
+    const Vector<Number, N> apart = unit, origin;
+    const Number depth = overlap(apart, origin, Number::from_raw(reach.raw()), inverse, unit);
     direction = in_arithmetic_of<SaturatingFixed<16, 16>>(unit);
     return SaturatingFixed<16, 16>::from_raw(depth.raw());
 }
