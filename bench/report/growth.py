@@ -59,8 +59,8 @@ def time_of_a_test(rows):
     """The sentence that says what the time is, and why it is no line."""
     spread = " and ".join(f"{least:.2f} to {most:.2f} ns ({SEARCHES[search][2]}, median {middle:.2f})"
                           for search, (least, middle, most) in times_of_tests(rows).items())
-    return (f"Time is told, not bounded: a test, with all that a step does beside it, takes {spread}. That is not one line, "
-            "since a world that outgrows the caches waits for memory.")
+    return (f"Time is told, not bounded: a test, with all that a step does beside it, takes {spread}. That is not one line: "
+            "what caches and branch prediction do for a world depends on its size.")
 
 
 def draw(data):
