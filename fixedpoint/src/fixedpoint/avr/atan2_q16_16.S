@@ -56,7 +56,7 @@
 #include "octants_q16_16.inc"
 
     FUNCTION fixedpoint_atan2_q16_16
-    into_first_octant
+    into_first_octant negate_bytes n0, 4
     cpse d3, r1
     rjmp .Lfour_bytes
     tst d2

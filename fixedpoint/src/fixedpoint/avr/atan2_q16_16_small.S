@@ -40,7 +40,7 @@
     ENDFUNC fixedpoint_atan_q16_16_small
 
     ENTRY fixedpoint_atan2_q16_16_small
-    into_first_octant
+    into_first_octant rcall .Lnegate
     // Below 2^23 twice N fits three bytes.
 .Lscale:
     cpi d2, 0x80
@@ -92,8 +92,28 @@
     clr r1
     mov angle1, sum1
     mov angle2, sum2
-    return_from_first_octant
-    return_negated
+    ldi angle3, 0
+    ldi r25, 0
+    // A steep angle is taken from pi/2, then a left one from pi.
+    sbrs octant, STEEP
+    rjmp .Lflat
+    subtract_from_constant (HALF_PI + ULP)
+.Lflat:
+    sbrs octant, LEFT
+    rjmp .Lsigned
+    com angle0
+    com_bytes angle1, 3
+    lsr octant          // PI is 2 HALF_PI + 1
+    sbci angle0, lo8(-1 - (PI + ULP))
+    sbci angle1, hi8(-1 - (PI + ULP))
+    sbci angle2, hlo8(-1 - (PI + ULP))
+    sbci angle3, hhi8(-1 - (PI + ULP))
+.Lsigned:
+    brtc .Lreturn
+.Lnegate:
+    negate_bytes r22, 4
+.Lreturn:
+    ret
     ENDFUNC fixedpoint_atan2_q16_16_small
 
 #endif

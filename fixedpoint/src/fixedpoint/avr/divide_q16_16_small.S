@@ -147,13 +147,12 @@
     brpl .Ldigit
 
 .Lround:
-    tst q3
-    brmi .Lsaturate
     sub_bytes d0, x1, 4
     brtc 1f
     sec
 1:  cpc_bytes x1, d0, 4
     sbci_each q0, 0xff, 4
+    brcc .Lsaturate     // rounded up to 2^32, 0 here
     brpl .Lsigned
 .Lsaturate:
     clr q0

@@ -6,7 +6,7 @@
 // In       a = r25:r22
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
-// Stack    4 bytes
+// Stack    3 bytes
 // Table    128 bytes, fixedpoint_exp_small_table
 //
 // ln 2 is subtracted k times, in units of 2^-32, of which 3 are added first: what rounding ln 2 up
@@ -34,7 +34,7 @@
 #define CORRECTION 3
 #define SIXTH 43
 
-// r, of which r4 is the integer and becomes a scratch register; s = s2:s0, then v = v3:v0.
+// r, of which r4 is the integer, 0 at last, and becomes a scratch register; s = s2:s0, then v = v3:v0.
 #define r4 r24
 #define scratch r24
 #define r3 r23
@@ -55,8 +55,9 @@
 #define w0 r18
 #define w1 r26
 #define w2 r27
-// The table's number, and its product.
-#define t0 r17
+#define square r30
+// The table's number, and its product; t0 is used up early.
+#define t0 r29
 #define t1 r24
 #define t2 r26
 #define t3 r27
@@ -94,21 +95,22 @@
     .endm
 
     SECTION fixedpoint_exp_q16_16_small
-.Lsaturate:
-    ldi_bytes r22, 0x7fffffff, 4
-    ret
-.Lzero:
-    ldi r22, 0
-    ldi r23, 0
+.Lbeyond:
+    sbiw r24, 12
+.Lsaturate:             // r25 is not negative
+    lsl r25
+    sbc r22, r22
+    com r22
+    mov r23, r22
     movw r24, r22
+    lsr r25
     ret
 
     ENTRY fixedpoint_exp_q16_16_small
     adiw r24, 12
-    brlt .Lzero
     cpi r24, 23
     cpc r25, r1
-    brsh .Lsaturate
+    brsh .Lbeyond
     subi r4, 12
     ldi s1, 0
     ldi s0, CORRECTION
@@ -129,12 +131,12 @@
     brmi 2b
     cpi shift, 2
     brlo .Lsaturate
-    push_all r16, r17, r28, r29
+    push_all r16, r28, r29
     // Z = the factor's five bytes
     mov r30, r3
     andi r30, 0xf0
-    ldi scratch, 80
-    mul r30, scratch
+    ldi w1, 80
+    mul r30, w1
     mov r30, r1
     point_to 0
     lpm factor, Z+
@@ -155,8 +157,7 @@
     adc r1, zero
     mov w1, r1
     mul s2, s2
-    mov t0, r1
-    ldi scratch, 0
+    mov square, r1
     lsr r1
     ror r0
     ror scratch
@@ -164,7 +165,7 @@
     adc w1, r0
     adc r1, zero
     mov w2, r1
-    mul s2, t0
+    mul s2, square
     ldi scratch, SIXTH
     mul r1, scratch
     add_product w0, w1, w2
@@ -183,23 +184,23 @@
     lpm t1, Z+
     lpm t2, Z+
     lpm t3, Z+
+    mul fine, v1        // fine is at most 16
+    movw p0, r0
+    add c0, t0
+    adc p1, zero
     mul t1, v3
-    mov p0, r1
-    clr p1
+    add_high p0, p1
     mul t2, v2
     add_high p0, p1
     mul t3, v1
     add_high p0, p1
     clr p2
-    mul fine, v1
-    add_product p0, p1, p2
     mul t3, v2
     add_product p0, p1, p2
     mul t2, v3
     add_product p0, p1, p2
     clr p3
-    mul fine, v2
-    add_product p1, p2, p3
+    mul_add fine, v2, p1, p2
     mul t3, v3
     add_product p1, p2, p3
     mul_add fine, v3, p2, p3
@@ -214,8 +215,7 @@
     adc c2, p2
     adc c3, p3
     adc c4, zero
-    add c0, t0
-    adc c1, t1
+    add c1, t1
     adc c2, t2
     adc c3, t3
     adc c4, zero
@@ -250,7 +250,7 @@
     dec shift
     brne 3b
     adc_each r22, r1, 4
-    pop_all r29, r28, r17, r16
+    pop_all r29, r28, r16
     ret
     ENDFUNC fixedpoint_exp_q16_16_small
 #endif

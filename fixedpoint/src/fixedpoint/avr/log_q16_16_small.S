@@ -32,11 +32,8 @@
     ret
 
     ENTRY fixedpoint_log_q16_16_small
-    cp r1, r22
-    cpc r1, r23
-    cpc r1, r24
-    cpc r1, r25
-    brge .Lnone
+    tst r25
+    brmi .Lnone
     ldi_bytes sum0, START, 4
 .Lbyte:
     tst r25
@@ -44,7 +41,9 @@
     mov_from_top r23, r22, 3
     mov r22, r1
     subi_bytes sum0, (8 * LN2), 4
-    rjmp .Lbyte
+    brpl .Lbyte
+    tst r25             // the lowest byte
+    breq .Lnone
 .Lbit:
     subi_bytes sum0, LN2, 4
     lsl_bytes r22, 4
