@@ -34,8 +34,8 @@ using Operands = std::array<std::int64_t, reference::most_operands>;
 // The quick run exhausts spaces of up to 2^24 inputs, the full one those of 2^32 that matter.
 constexpr int quick_exhaustive_bits = 24;
 
-constexpr std::uint64_t random_samples = 200'000, quick_random_samples = 5'000;
-constexpr std::uint64_t search_evaluations = 400'000, quick_search_evaluations = 10'000;
+constexpr std::uint64_t random_samples = 200'000, quick_random_samples = 2'000;
+constexpr std::uint64_t search_evaluations = 400'000, quick_search_evaluations = 4'000;
 
 // Uniform operands are nearly all of the largest magnitudes: they would weigh the mean errors down.
 constexpr operands::OperandClass random_classes[] = {
