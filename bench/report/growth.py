@@ -50,17 +50,17 @@ def times_of_tests(rows):
     """The least, the median and the largest time of a test, by search."""
     times = {}
     for row in rows:
-        if row["fit_of"]:
+        if row["ns_per_test"]:
             times.setdefault(row["broad_phase"], []).append(row["ns_per_test"])
     return {search: (min(found), statistics.median(found), max(found)) for search, found in times.items()}
 
 
 def time_of_a_test(rows):
-    """The sentence that says what the time is, and why it is no line."""
+    """The sentence that says what the time is, and that it is no line."""
     spread = " and ".join(f"{least:.2f} to {most:.2f} ns ({SEARCHES[search][2]}, median {middle:.2f})"
                           for search, (least, middle, most) in times_of_tests(rows).items())
-    return (f"Time is told, not bounded: a test, with all that a step does beside it, takes {spread}. That is not one line: "
-            "what caches and branch prediction do for a world depends on its size.")
+    return (f"Time is told, not bounded: a test, with all that a step does beside it, takes {spread}. That is not one line, and "
+            "why was not measured.")
 
 
 def draw(data):

@@ -26,7 +26,7 @@ What is shown of the stretch behind each label:
 
 As 0 <= X < 256 D, the q with 0 <= X - q D < D is a byte, whatever of it has been carried out of its register on the way; and
 Q, which begins with j < 4, has four bytes at most. Each step of `subtract` and `add` brings Y nearer to where they end.
-Then instructions are left out in turn, and each time the proof must fail.
+Then every fourth instruction is left out in turn, all of those that are run, and each time the proof must fail.
 """
 
 import sys

@@ -31,7 +31,8 @@ using reference::NumberFormat;
 
 using Operands = std::array<std::int64_t, reference::most_operands>;
 
-// The quick run exhausts spaces of up to 2^24 inputs, the full one those of 2^32 that matter.
+// The quick run shows that each subject runs and is judged; the bounds are the full run's. It
+// exhausts spaces of up to 2^24 inputs, the full one those of 2^32 that matter.
 constexpr int quick_exhaustive_bits = 24;
 
 constexpr std::uint64_t random_samples = 200'000, quick_random_samples = 2'000;

@@ -19,6 +19,15 @@ project() {
     rm -rf "$scratch/build"
 }
 
+# installs LIBRARY: by itself, without any of the project around it.
+installs() {
+    cp -r "$root/$1" "$scratch/source"
+    quietly cmake -S "$scratch/source" -B "$scratch/library" "${options[@]}"
+    quietly cmake --build "$scratch/library"
+    quietly cmake --install "$scratch/library" --prefix "$scratch/installed"
+    rm -rf "$scratch/source" "$scratch/library"
+}
+
 for target in host avr; do
     options=(-G Ninja)
     [ $target = host ] || options+=(-DCMAKE_TOOLCHAIN_FILE="$root/scripts/cmake/avr_toolchain.cmake")
@@ -29,22 +38,15 @@ for target in host avr; do
             origin=file://$scratch/project.tar.gz
             tar czf "$scratch/project.tar.gz" -C "$root" CMakeLists.txt fixedpoint engine
             ;;
-        find_package)
-            # Each library by itself, without any of the project around it, and then not even that.
-            options+=(-DCMAKE_PREFIX_PATH="$scratch/installed")
-            for each in fixedpoint engine; do
-                cp -r "$root/$each" "$scratch/source"
-                quietly cmake -S "$scratch/source" -B "$scratch/library" "${options[@]}"
-                quietly cmake --build "$scratch/library"
-                quietly cmake --install "$scratch/library" --prefix "$scratch/installed"
-                rm -rf "$scratch/source" "$scratch/library"
-            done
-            ;;
+        find_package) options+=(-DCMAKE_PREFIX_PATH="$scratch/installed") ;;
     esac
     # The library's own project asks for C++, but once it is installed, one in C needs none.
     if [ "$way" = find_package ]; then
+        installs fixedpoint
         project fixedpoint c
-        project "fixedpoint;engine" "fixedpoint;engine"
+        project fixedpoint fixedpoint
+        installs engine
+        project "fixedpoint;engine" engine
         rm -rf "$scratch/installed"
     else
         project "fixedpoint;engine" "c;fixedpoint;engine"

@@ -19,8 +19,11 @@ fi
 compile() {
     local sketch=$1 name elf kernels
     name=$(basename "$sketch" .ino)
-    rm -rf "$scratch/sketch" "$scratch/build/sketch" && mkdir "$scratch/sketch"
-    cp "$sketch" "$scratch/sketch/sketch.ino"
+    # As the Arduino IDE demands.
+    [ "$(basename "$(dirname "$sketch")")" = "$name" ] || { echo "FAILED: $sketch is not in a folder of its name"; exit 1; }
+    rm -rf "$scratch/sketch" "$scratch/build/sketch"
+    cp -r "$(dirname "$sketch")" "$scratch/sketch"
+    mv "$scratch/sketch/$name.ino" "$scratch/sketch/sketch.ino"
     arduino-builder -compile -quiet -warnings more \
         -hardware /usr/share/arduino-builder -hardware /usr/share/arduino/hardware \
         -tools /usr/share/arduino-builder -prefs runtime.tools.avr-gcc.path=/usr \
@@ -50,6 +53,8 @@ compile() {
         END { print name ": " bytes[".text"] + bytes[".data"] " bytes of flash, " bytes[".data"] + bytes[".bss"] " of RAM" }'
     echo "kernels: $kernels"
 }
+failures=0
 for sketch in "${@:2}"; do
-    compile "$sketch"
+    (compile "$sketch") || failures=1
 done
+exit $failures

@@ -17,16 +17,19 @@
 namespace growth {
 namespace {
 
+template <unsigned N, class World>
+void take(unsigned steps, World& world) {
+    for (; steps > 0; --steps) world.step(engine::BinaryStep<exponent_of_step>());
+    if (world.error() != engine::Error::none)
+        throw std::runtime_error(
+            fmt::format("box of {} discs: {}", N, engine::describe(world.error())));
+}
+
 template <unsigned N, class Search>
 std::function<void(unsigned)> in_the_engine() {
     const auto world = std::make_shared<DiscWorld<N, Search>>();
     build<N, Search>(*world);
-    return [world](unsigned steps) {
-        for (; steps > 0; --steps) world->step(engine::BinaryStep<exponent_of_step>());
-        if (world->error() != engine::Error::none)
-            throw std::runtime_error(
-                fmt::format("box of {} discs: {}", N, engine::describe(world->error())));
-    };
+    return [world](unsigned steps) { take<N>(steps, *world); };
 }
 
 // In the mean of the timed steps.
@@ -36,7 +39,7 @@ double pairs_in_the_engine() {
     build<N, Counted<Search>>(*world);
     const auto pairs_of = [&](unsigned steps) {
         const auto before = world->pair_memory().pairs;
-        for (; steps > 0; --steps) world->step(engine::BinaryStep<exponent_of_step>());
+        take<N>(steps, *world);
         return world->pair_memory().pairs - before;
     };
     pairs_of(warm_steps);

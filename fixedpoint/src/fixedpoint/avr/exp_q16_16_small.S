@@ -97,7 +97,7 @@
     SECTION fixedpoint_exp_q16_16_small
 .Lbeyond:
     sbiw r24, 12
-.Lsaturate:             // r25 is not negative
+.Lsaturate:             // by the sign of r25: the largest number, or 0
     lsl r25
     sbc r22, r22
     com r22
