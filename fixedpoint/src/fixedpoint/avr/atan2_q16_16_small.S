@@ -33,6 +33,9 @@
 #define x1 r30
 #define x2 r31
 
+// What is subtracted of a complement, -1 - angle, so that pi less the angle is left.
+#define LESS_PI (-1 - (PI + ULP))
+
     SECTION fixedpoint_atan2_q16_16_small
 
     ENTRY fixedpoint_atan_q16_16_small
@@ -104,10 +107,10 @@
     com angle0
     com_bytes angle1, 3
     lsr octant          // PI is 2 HALF_PI + 1
-    sbci angle0, lo8(-1 - (PI + ULP))
-    sbci angle1, hi8(-1 - (PI + ULP))
-    sbci angle2, hlo8(-1 - (PI + ULP))
-    sbci angle3, hhi8(-1 - (PI + ULP))
+    sbci angle0, lo8(LESS_PI)
+    sbci angle1, hi8(LESS_PI)
+    sbci angle2, hlo8(LESS_PI)
+    sbci angle3, hhi8(LESS_PI)
 .Lsigned:
     brtc .Lreturn
 .Lnegate:
