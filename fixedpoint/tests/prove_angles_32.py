@@ -318,6 +318,7 @@ def bound(program):
                   -512 * bend - 1536 * t * twist + unit / 256**2 * 2 * x / square**2,
                   -1536 * twist - unit / 256**3 * (6 * x * x - 2) / square**3)
     beyond = sum(abs(each) * half**n / factorial for n, each, factorial in zip((1, 2, 3), difference[1:], (1, 2, 6)))
+    # Numbers of at most 2^40 are rounded here, to 2^-13: a hundredth is far more than their errors sum up to.
     beyond += FOURTH * unit / 256**4 * half**4 / 24 + 0.01
     lost = LOST / 2**24
     # t2 / 256 is t, less up to a 256th.
