@@ -36,14 +36,14 @@ struct Point {
     unsigned particles;
     double cost;
     std::string unit;
-    std::optional<double> pairs, ns_per_test;
-    std::optional<std::uint32_t> ram, stack;    // of the chip
-    std::optional<std::size_t> runs, rejected;  // of the host
-    std::string fit_of;
-    std::optional<double> fitted, fit_constant, fit_linear;
-    std::string fit_term;
-    std::optional<double> fit_factor, fit_worst_percent;
-    bool cheapest;
+    std::optional<double> pairs{}, ns_per_test{};
+    std::optional<std::uint32_t> ram{}, stack{};    // of the chip
+    std::optional<std::size_t> runs{}, rejected{};  // of the host
+    std::string fit_of{};
+    std::optional<double> fitted{}, fit_constant{}, fit_linear{};
+    std::string fit_term{};
+    std::optional<double> fit_factor{}, fit_worst_percent{};
+    bool cheapest = false;
 
     static constexpr auto columns = std::tuple(
         column("where", &Point::where), column("broad_phase", &Point::broad_phase),

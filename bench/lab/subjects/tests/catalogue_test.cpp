@@ -27,8 +27,9 @@ std::set<std::string> on_the_chip() {
 std::set<std::string> on_the_host() {
     std::set<std::string> names;
     for (const HostSubject& host : host_subjects())
-        if (host.subject.operation != reference::Operation::convert)
+        if (host.subject.operation != reference::Operation::convert) {
             EXPECT_TRUE(names.insert(host.name()).second) << host.name() << " is there twice";
+        }
     return names;
 }
 
