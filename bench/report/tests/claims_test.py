@@ -60,6 +60,22 @@ class Claims(unittest.TestCase):
         self.assertEqual(len(self.pages), len(report.PAGES))
         self.assertLessEqual(sum(len(text.splitlines()) for text in self.pages.values()), 500)
 
+    def test_the_first_screen_of_the_project_has_measured_figures(self):
+        readme = (RESULTS.parent / "README.md").read_text(encoding="utf-8")
+
+        def tells(text):
+            self.assertTrue(text in " ".join(readme.split()), f"README.md has to say '{text}'")
+        names = ("add", "multiply", "divide", "sqrt", "sin", "atan2")
+        tells(f"| mean cycles | {' | '.join(names)} |")
+        for label, number_format, implementation in (("avr-libc float", "float", "libc"), ("Q16.16, design of 2016", "q16_16", "published"),
+                                                     ("Q16.16, this library", "q16_16", "default")):
+            mean = {row["operation"]: f"{float(row['cycles_mean']):.0f}" for row in rows(
+                "operations", format=number_format, implementation=implementation, operands="physics")}
+            tells(f"| {label} | {' | '.join(mean.get(name, '–') for name in names)} |")
+        tells(f"{sum(row['operands'] == 'all' for row in rows('exhaustive'))} kernels ran over all of their inputs")
+        self.assertEqual({row["violations"] for row in rows("exhaustive")}, {"0"})
+        self.assertEqual({row["mismatches"] for row in rows("kernels")}, {"0"})
+
     def test_table_3_2_names_its_hypothesis_and_the_baseline(self):
         hypotheses = rows("table_3_2_hypotheses")
         used, = (row for row in hypotheses if row["measured_with"] == "yes")
