@@ -7,7 +7,7 @@ import style
 
 BIN = 16  # cycles, as division_cycles.csv counts them
 # What the classes of operands hold (bench/lab/operands/operand_class.hpp).
-CLASSES = {"small": "below 1", "physics": "0.01 to 20", "full": "all magnitudes alike",
+CLASSES = {"small": "below 1", "physics": "0.01 to 20", "full": "all magnitudes equally likely",
            "published": "those of the published timing loop, rebuilt"}
 
 
@@ -40,7 +40,7 @@ def draw(data):
     for row, side in zip((row for row in rows if row["kind"] == "published"),
                          ((2, "left"), (-2, "right"), (2, "left"))):
         name = "engine: 62 µs" if "engine" in row["note"] else (
-            "Table 3.2 less loop" if "less" in row["note"] else "Table 3.2")
+            "Table 3.2 minus loop" if "less" in row["note"] else "Table 3.2")
         top.annotate(name, (row["cycles"], 0.86), xycoords=("data", "axes fraction"), fontsize=7,
                      xytext=(side[0], 0), textcoords="offset points", ha=side[1])
     grid.flat[-1].set_xlabel("cycles, including call and return")

@@ -95,7 +95,7 @@ def draw(data):
             axes.set_yticks(ticks, ["exact"] + [f"$10^{{{round(math.log10(tick))}}}$" for tick in ticks[1:]])
     for axes in list(grid.flat)[len(shown):]:
         axes.set_axis_off()
-    figure.supxlabel("cycles, mean over operands of 0.01 to 20; the numbers at our points and float's are bytes of flash")
+    figure.supxlabel("cycles, mean over operands of 0.01 to 20; numbers are bytes of flash")
     figure.supylabel("rms error, in the unit of the result")
     names = sorted(seen, key=lambda name: name in rivals.NAMES.values())  # ours first
     style.legend_above(figure, [seen[name] for name in names], names, 5)

@@ -99,4 +99,5 @@ def finding(data, against):
         text += "none takes fewer cycles than ours"
     if equal:
         text += f"; some take as many for {listed(sorted(equal))}"
-    return f"{text}. {exacter} have a smaller error than ours, {smaller} take less flash."
+    return (f"{text}. {exacter} {'has' if exacter == 1 else 'have'} a smaller error than ours, {smaller} "
+            f"{'takes' if smaller == 1 else 'take'} less flash.")

@@ -22,7 +22,7 @@ function loses(format, implementation) {
     .map((row) => `${words(row.operation)} (${number(row[column])}:${number(rivals.get(row.operation)[column])})`);
   const cycles = more("cycles_mean"), flash = more("flash_bytes");
   const list = (found, what) => (found.length === 0 ? `no operation takes more ${what}`
-    : `${found.length} of ${mine.length} operations take more ${what}${found.length <= 4 ? `: ${found.join(", ")}` : ""}`);
+    : `${found.length} of ${mine.length} operations ${found.length === 1 ? "takes" : "take"} more ${what}${found.length <= 4 ? `: ${found.join(", ")}` : ""}`);
   return `Compared with ${rivalImplementation === "default" ? "our " : ""}${formatLabel(rivalFormat)}: ${list(cycles, "cycles")}; ${list(flash, "flash")}.`;
 }
 

@@ -310,14 +310,14 @@ fp64lib fp_double 1.1 - 2026-01-03 add float64 physics 9 123 0.0000001 9 -
         made = golden(operations=OPERATIONS, rivals=self.RIVALS)
         self.assertEqual(rivals.finding(made, "q16_16"),
                          "Of 2 functions of other libraries, compared with Q16.16, none takes fewer cycles than ours; "
-                         "some take as many for add. 1 have a smaller error than ours, 1 take less flash.")
+                         "some take as many for add. 1 has a smaller error than ours, 1 takes less flash.")
         self.assertEqual(rivals.finding(made, "q32_32"), "")  # none of ours was measured
         self.assertEqual([(row["operation"], row["cycles_mean"]) for row in rivals.rows(made)],
                          [("sqrt", 500), ("add", 10), ("add", 123)])
         wide = golden(operations=OPERATIONS.replace("q8_8", "q32_32"), rivals=self.RIVALS)
         self.assertEqual(rivals.finding(wide, "q32_32"),
                          "Of 1 functions of other libraries, compared with Q32.32, none takes fewer cycles than ours. "
-                         "1 have a smaller error than ours, 1 take less flash.")
+                         "1 has a smaller error than ours, 1 takes less flash.")
         compilers = golden(operations=OPERATIONS, rivals=self.RIVALS.replace("avrfix avrfix", "GCC gcc_accum"))
         self.assertEqual({row["variant"] for row in rivals.judged(compilers)}, {"libfixmath", "gcc_accum", "fp_double"})
         self.assertEqual({row["variant"] for row in rivals.comparable(compilers)}, {"libfixmath", "fp_double"})
@@ -378,7 +378,7 @@ law - - - 2 constant
                          [(1600, 16, 0.75), (1616, 16, 0.25), (480, 16, 1)])
         self.assertEqual([line.get_xdata()[0] for line in axes.lines], [481, 992, 1920, 1900])
         self.assertEqual([(text.get_text(), text.xy[0]) for text in axes.texts],
-                         [("engine: 62 µs", 992), ("Table 3.2", 1920), ("Table 3.2 less loop", 1900)])
+                         [("engine: 62 µs", 992), ("Table 3.2", 1920), ("Table 3.2 minus loop", 1900)])
 
     def test_table_3_2_has_the_published_cells(self):
         with open(pathlib.Path(__file__).parents[3] / "reference/published/table_3_2.csv", encoding="utf-8") as stream:
