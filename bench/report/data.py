@@ -57,10 +57,10 @@ def _typed(cell, column, place):
         except ValueError:
             continue
         if isinstance(value, float) and math.isnan(value):
-            raise DataError(f"{place}, column {column}: '{cell}' is no number")
+            raise DataError(f"{place}, column {column}: '{cell}' is not a number")
         return value
     if column not in TEXT:
-        raise DataError(f"{place}, column {column}: '{cell}' is no number")
+        raise DataError(f"{place}, column {column}: '{cell}' is not a number")
     return cell
 
 

@@ -1353,8 +1353,8 @@ class Damage(Figures):
                 (good[:-6], "operations.csv, row 3: 2 cells under 4 columns"),
                 (good + b"add,q8_8,1,2,3\n", "operations.csv, row 4: 5 cells under 4 columns"),
                 (good.replace(b",9,1", b",9,"), "row 2, column loops: the number is missing"),
-                (good.replace(b",9,1", b",nan,1"), "row 2, column cycles_max: 'nan' is no number"),
-                (good.replace(b",9,1", b",9 1,1"), "row 2, column cycles_max: '9 1' is no number"),
+                (good.replace(b",9,1", b",nan,1"), "row 2, column cycles_max: 'nan' is not a number"),
+                (good.replace(b",9,1", b",9 1,1"), "row 2, column cycles_max: '9 1' is not a number"),
                 (good.replace(b"add,q8", b"\xff\xfe"), "operations.csv: 'utf-8' codec"),
                 (good, "operations.csv: there is no column 'implementation'")):
             told = self.told(content)
