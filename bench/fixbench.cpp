@@ -20,19 +20,19 @@ namespace {
 
 const fixbench::Registration report({
     .name = "report",
-    .description = "Figures, pages and corpora of operands out of the data files; with --check, "
-                   "whether those that\n"
-                   "are there follow from them.",
+    .description = "Makes figures, pages and corpora of operands from the data files; with "
+                   "--check,\n"
+                   "tests whether those that are there follow from them.",
     .add =
         [](CLI::App& command) {
             const auto results = std::make_shared<std::string>();
             command
                 .add_option("--results", *results,
-                            "folder that holds data/ and gets figures/ and the pages")
+                            "folder that has data/ and gets figures/ and the pages")
                 ->required();
             const auto check = std::make_shared<bool>(), here = std::make_shared<bool>();
             command.add_flag("--check", *check,
-                             "write nothing; fail where a page or figure does not follow from the "
+                             "write nothing; fail if a page or figure does not follow from the "
                              "data");
             command.add_flag("--measured-here", *here,
                              "the data were measured on this machine today: note its tools and "
@@ -67,17 +67,17 @@ int main(int argc, char** argv) {
     CLI::App app(
         "Measures fixed-point arithmetic on a simulated ATmega328P: cycles, error, flash and "
         "stack.\n"
-        "`fixbench all` runs every experiment; each runs alone too, and prints its table.");
+        "`fixbench all` runs every experiment; each also runs alone and prints its table.");
     app.get_formatter()->column_width(34);
     app.footer(
-        "Exit status: 0 where all was done and every check held, 1 where a check failed, 2 where\n"
+        "Exit status: 0 if everything was done and every check held, 1 if a check failed, 2 if\n"
         "the call or its input was wrong.");
     app.failure_message(one_line);
     app.set_version_flag("--version", std::string("fixbench " FIXBENCH_VERSION));
     bool list = false, json = false;
-    CLI::Option* const list_flag =
-        app.add_flag("--list", list, "the experiments, how long each took last, what each writes");
-    app.add_flag("--json", json, "the list as JSON")->needs(list_flag);
+    CLI::Option* const list_flag = app.add_flag(
+        "--list", list, "list the experiments, how long each took last, what each writes");
+    app.add_flag("--json", json, "print the list as JSON")->needs(list_flag);
 
     std::function<int()> action;
     for (const fixbench::Experiment& experiment : fixbench::experiments())

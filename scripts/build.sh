@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Sets up, configures, and builds targets of one preset.
 # Usage: scripts/build.sh [release | sanitize] [TARGET ...]
-# Without targets: of release, fixbench and what it measures; of sanitize, the tests of the host.
+# Default targets: of release, fixbench and what it measures; of sanitize, the host's tests.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 preset=${1:-release}

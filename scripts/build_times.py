@@ -4,8 +4,8 @@
 
 Usage: scripts/build_times.py [BUILD_FOLDER] [--slowest N]
 
-Steps that the build no longer has are left out. Seconds are of one core, as the machine's load let
-them be; a step of ccache counts what it took.
+Steps that the build no longer has are left out. Seconds are of one core, under whatever load the
+machine had; a step of ccache counts with the time it took.
 """
 import argparse
 import collections
@@ -53,7 +53,7 @@ def room_of(output, folder):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("folder", nargs="?", default="build/release", type=Path)
-    parser.add_argument("--slowest", type=int, default=15, metavar="N", help="steps to name (15)")
+    parser.add_argument("--slowest", type=int, default=15, metavar="N", help="number of slowest steps to name (default: 15)")
     arguments = parser.parse_args()
     log = arguments.folder / ".ninja_log"
     if not log.is_file():

@@ -4,8 +4,8 @@
 # checks it: a public name without documentation is an error.
 #
 # Usage: scripts/docs.sh [FOLDER]
-#   FOLDER  where the reference goes, FOLDER/html/index.html; build/docs unless given
-# Exit status: 0, 1 where a name is not documented or a comment is malformed, 2 for a wrong call.
+#   FOLDER  where to write it (default: build/docs); begin with FOLDER/html/index.html
+# Exit status: 0; 1 if a name is not documented or a comment is malformed; 2 for a wrong call.
 set -euo pipefail
 
 case ${1:-} in
@@ -13,7 +13,7 @@ case ${1:-} in
     -*) echo "docs.sh: unknown argument '$1'; see --help" >&2; exit 2 ;;
 esac
 if [ $# -gt 1 ]; then
-    echo "docs.sh: expects one folder, not $#; see --help" >&2
+    echo "docs.sh: takes one folder, not $#; see --help" >&2
     exit 2
 fi
 folder=$(realpath -m -- "${1:-$(dirname "$0")/../build/docs}")

@@ -1,16 +1,16 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Writes a program to an Arduino Nano through its bootloader, reads it back, and says where the
-# figures measured with this very program are.
+# Writes a program to an Arduino Nano through its bootloader, reads it back, and names the files with
+# the figures measured for this very program.
 #
 # Usage: scripts/flash.sh [--port PORT] [--old-bootloader] [ELF]
-#   --port PORT        serial port of the board; without it, the one board that is there
-#   --old-bootloader   57600 baud, as on Nanos before 2018; otherwise 115200 baud
-#   ELF                the program; without it the lever, build/release/firmware/lever.elf
+#   --port PORT        serial port of the board (default: the only board found)
+#   --old-bootloader   57600 baud, for Nanos from before 2018; otherwise 115200 baud
+#   ELF                the program (default: the lever, build/release/firmware/lever.elf)
 #
-# Exits with 0 when the board holds the program, 2 for a wrong call or program, 3 for a port that is
-# not there, not the only one, or in use, 4 for a board that does not answer or is not a Nano,
-# 5 when the flash does not hold what was written, 6 for a missing tool.
+# Exit status: 0 if the board holds the program, 2 for a wrong call or program, 3 for a port that is
+# missing, ambiguous or in use, 4 for a board that does not answer or is not a Nano, 5 if the flash
+# does not hold what was written, 6 for a missing tool.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
 devices=${FLASH_DEVICES:-/dev} # the tests have devices of their own
@@ -73,14 +73,14 @@ if [ -z "$port" ]; then
 fi
 [ -e "$port" ] || die 3 "no port $port"
 [ -c "$port" ] || die 3 "$port is not a serial port"
-[ -r "$port" ] && [ -w "$port" ] || die 3 "no permission for $port; its group is $(stat -Lc %G "$port"): sudo usermod -aG $(stat -Lc %G "$port") $(id -un), then log in anew"
-# Linux lets two programs share a serial port, and each of them get half of the bytes.
+[ -r "$port" ] && [ -w "$port" ] || die 3 "no permission for $port; its group is $(stat -Lc %G "$port"): sudo usermod -aG $(stat -Lc %G "$port") $(id -un), then log in again"
+# Linux lets two programs share a serial port, and each then gets half of the bytes.
 user=$(find /proc/[0-9]*/fd -lname "$(readlink -f "$port")" 2>/dev/null | head -1 | cut -d/ -f3 || true)
 [ -z "$user" ] || die 3 "$port is in use by $(cat "/proc/$user/comm" 2>/dev/null || echo process), process $user; close it first"
 
 echo "flash.sh: writing $size bytes to $port at $baud baud" >&2
 status=0
-# The bootloader erases page by page as it writes, and knows no erasing of the whole flash (-D).
+# The bootloader erases page by page as it writes and cannot erase the whole flash (-D).
 avrdude -q -c arduino -p m328p -P "$port" -b $baud -x attempts=3 -D -U "flash:w:$image:r" >"$scratch/log" 2>&1 || status=$?
 said() { grep -qiE "$1" "$scratch/log"; }
 words() { grep -ioE "$1" "$scratch/log" | grep -v TIOCM | head -1; } # modem lines are not everywhere

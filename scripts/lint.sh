@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Checks what needs no build: formatting (clang-format), shell scripts (shellcheck), Python
-# (pyflakes), and the public headers (clang-tidy, .clang-tidy). Exit status 1 where one complains.
+# (pyflakes), and the public headers (clang-tidy, .clang-tidy). Exit status 1 if one complains.
 #
 # Usage: scripts/lint.sh [--fix | --all]
 #   --fix  formats the sources instead
-#   --all  clang-tidy on every source of the host too; needs a configured build/release; half an hour
+#   --all  also runs clang-tidy on every source of the host; needs a configured build/release and
+#          half an hour
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

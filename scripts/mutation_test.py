@@ -789,13 +789,13 @@ def main():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--seed", type=int, default=1, help="chooses the faults (default: 1)")
     parser.add_argument("--room", choices=sorted({room.name for room in ROOMS}),
-                        help="faults of one room only")
-    parser.add_argument("--only", metavar="NAME", help="the one fault whose name begins so")
+                        help="only the faults of one folder")
+    parser.add_argument("--only", metavar="NAME", help="only the fault whose name begins with NAME")
     parser.add_argument("--full", action="store_true", help="six times as many faults")
     parser.add_argument("--build", default="build/release", metavar="DIR",
                         help="the build tree (default: build/release)")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), metavar="N",
-                        help="faults at a time (default: one a core)")
+                        help="faults tried at a time (default: one per core)")
     arguments = parser.parse_args()
     if arguments.jobs < 1:
         parser.error("--jobs must be 1 or more")

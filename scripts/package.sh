@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Writes what is published of each library: a tree with the library at its root, as a repository of
-# its own needs it, and the zip file of it that the Arduino IDE installs.
+# Writes each library as it is published: a tree with the library at its root, as a repository of its
+# own needs it, and the zip file that the Arduino IDE installs.
 #
-# Usage: scripts/package.sh FOLDER    writes FOLDER/NAME-VERSION/ and FOLDER/NAME-VERSION.zip, NAME
-#                                     and VERSION as library.properties has them
-# What git does not know is left out. Exit status: 2 for a wrong call.
+# Usage: scripts/package.sh FOLDER    writes FOLDER/NAME-VERSION/ and FOLDER/NAME-VERSION.zip, with
+#                                     NAME and VERSION from library.properties
+# Files unknown to git are left out. Exit status: 2 for a wrong call.
 set -euo pipefail
 if [ "${1-}" = --help ]; then
     sed -n '3,/^set /{/^set /d;s/^# \{0,1\}//p}' "$0"

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Installs what the project builds and runs with, from Debian's packages. Does nothing, fast, where
-# all of it is there.
+# Installs what the project needs to build and run, from Debian's packages. Returns quickly if
+# everything is there.
 #
 # Usage: scripts/setup.sh [--tests | --fuzz | --pdf] [--list]
-#   --tests  what the tests need, too
-#   --fuzz   what fuzzing needs, too
-#   --pdf    what printing the report needs, too
+#   --tests  also installs what the tests need
+#   --fuzz   also installs what fuzzing needs
+#   --pdf    also installs what printing the report needs
 #   --list   prints the packages and installs nothing
 set -euo pipefail
 
@@ -43,7 +43,7 @@ fi
 if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
     echo "setup.sh: this is not a Debian system. Install the equivalents of these packages:" >&2
     printf '  %s\n' "${packages[@]}" >&2
-    # What a build needs most; where it stands, go on and let CMake name anything else.
+    # What a build needs most. If it is there, go on and let CMake name anything else.
     for tool in g++ cmake ninja avr-gcc avr-objdump python3 node; do
         command -v "$tool" >/dev/null || { echo "setup.sh: missing: $tool" >&2; exit 1; }
     done

@@ -1,16 +1,16 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# All tests: installs what is missing, builds, runs, and says how long each part took.
+# Runs the tests: installs what is missing, builds, runs, and says how long each part took.
 #
 # Usage: scripts/test.sh [--quick | --full] [--help]
 #   --quick  unit tests on the host and on the simulated chip: for every edit
-#   (none)   what has to pass before a change goes in: all tests; again under the sanitizers what
-#            the host can run; deliberate faults, which the tests of each room must notice; and the main
+#   (none)   what must pass before a change goes in: all tests; the host's tests again under the
+#            sanitizers; deliberate faults, which the tests of each folder must notice; and the main
 #            job, bench/run_all.sh --quick
 #   --full   the same with more deliberate faults, four minutes of fuzzing, 10^7 steps of three scenes
 #            on the simulated chip, every scene in every number format and method there, and an hour of
 #            random worlds
-# One test alone: ctest --preset release -R NAME. Exit status: 0 when all passed, 1 when one failed,
+# To run one test: ctest --preset release -R NAME. Exit status: 0 if all passed, 1 if one failed,
 # 2 for a wrong call.
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -12,15 +12,15 @@ namespace {
 const fixbench::Registration registration({
     .name = "lever",
     .description =
-        "The device live in a terminal of 80 x 24: the lever's firmware in the simulated chip,\n"
-        "paced to the clock on the wall; the keys are the hand, the dial and what goes wrong.\n\n"
-        "With --record what was shown is written: lever.cast (asciinema), lever.svg (plays in a\n"
-        "browser, the first 10 s) and replay.json (for the replay page of the report). With\n"
-        "--scenario besides it needs no terminal and nobody: the same files for the same "
-        "program.\n\n"
-        "Keys: up, down (k, j) push the lever; space grips it or lets go; right, left (l, h) turn\n"
-        "the dial; u unplugs a sensor, the other, none; s stalls the servo; f asks for a full\n"
-        "frame; r resets; q ends.\n\n"
+        "Shows the device live in a terminal of 80 x 24: the lever's firmware on the simulated\n"
+        "chip, in real time. The keys are the hand, the dial and the faults.\n\n"
+        "With --record, what was shown is written: lever.cast (asciinema), lever.svg (plays the\n"
+        "first 10 s in a browser) and replay.json (for the replay page of the report). With\n"
+        "--scenario as well, it needs neither terminal nor keys, and the same program gives the\n"
+        "same files.\n\n"
+        "Keys: up, down (k, j) push the lever; space grips it or lets go; right, left (l, h)\n"
+        "turn the dial; u unplugs a sensor, then the other, then none; s stalls the servo; f\n"
+        "asks for a full frame; r resets; q ends.\n\n"
         "Examples: fixbench lever\n"
         "          fixbench lever --scenario demonstration --record recordings",
     .add =
@@ -32,15 +32,14 @@ const fixbench::Registration registration({
                 ->check(CLI::IsMember({"q16_16", "published", "float"}));
             command.add_option(
                 "--scenario", options->scenario,
-                "what happens besides the keys: demonstration, or one of `fixbench haptic`");
+                "what happens besides the keys: demonstration, or a scenario of `fixbench haptic`");
             command
-                .add_option(
-                    "--seconds", options->seconds,
-                    "ends after so long; a recording of a scenario with it, after 60 s at most")
+                .add_option("--seconds", options->seconds,
+                            "end after this time; a recorded scenario ends after at most 60 s")
                 ->check(CLI::Range(0.1, 3600.0));
             command.add_option("--record", options->record, "folder for recordings");
             CLI::Option* const firmware =
-                command.add_option("--firmware", options->firmware, "folder of the programs")
+                command.add_option("--firmware", options->firmware, "folder with the programs")
                     ->check(CLI::ExistingDirectory);
             return [options, firmware](const fixbench::Call&) {
                 if (firmware->count() == 0)

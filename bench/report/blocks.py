@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The library's building blocks beside float."""
+"""The library's building blocks compared with float."""
 import style
 
 GOAL = 0.4  # of float's cycles
@@ -25,7 +25,7 @@ def share_of_work(data, row):
 
 
 def finding(data):
-    """For each fixed-point format, how many blocks reach the goal, the dearest of the others, and their floor."""
+    """For each fixed-point format, how many blocks reach the goal, the most expensive of the others, and their floor."""
     told = []
     for number_format in ("q8_8", "q16_16", "q8_24"):
         rows = data.rows("blocks", format=number_format)
@@ -35,8 +35,8 @@ def finding(data):
         if above:
             worst = max(shares, key=shares.get)
             floors = [share_of_work(data, row) for row in above]
-            text += (f" (the others up to {shares[worst]:.3g}, {worst.replace('_', ' ')}; the products "
-                     f"and quotients of their definitions alone take {min(floors):.2f} to {max(floors):.2f})")
+            text += (f" (the others up to {shares[worst]:.3g}, {worst.replace('_', ' ')}; there the products "
+                     f"and quotients that the definitions require take {min(floors):.2f} to {max(floors):.2f} by themselves)")
         told.append(text)
-    return (f"Building blocks (controllers, filters, tables, matrices, quaternions) that take at most {GOAL} of float's "
+    return (f"Building blocks (controllers, filters, tables, matrices, quaternions) that take at most {GOAL} times float's "
             f"cycles: {'; '.join(told)}.")

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The largest cycles and the largest error that any run knows of an operation, be it sampled, searched
-or over all inputs, and what kind of maximum each is."""
+"""The largest cycles and the largest error of an operation in any run, whether sampled, searched or over
+all inputs, and what kind of maximum each is."""
 import csv
 import functools
 import io
@@ -59,7 +59,7 @@ def largest(named, runs, column, slack):
     file, row = max(runs, key=lambda run: run[1][column])
     limits = [row[column] for _, row in runs if row["operands"] == "all"]
     if limits and row[column] > min(limits) + slack:
-        raise DataError(f"{named}: {row[column]} in {column}, where a run of all inputs found at most {min(limits)}")
+        raise DataError(f"{named}: {row[column]} in {column}, but a run over all inputs found at most {min(limits)}")
     return (row[column], row[f"{column}_witness"], "exact" if limits else "lower bound",
             f"{file}.csv, {row['operands']}")
 
@@ -76,8 +76,8 @@ def known(data, operation, number_format, implementation=OURS):
     whole = data.rows("exhaustive", **what) if data.has("exhaustive") else []
     for each in whole:
         if each["kernel_sha256"] != sampled[0]["kernel_sha256"]:
-            raise DataError(f"exhaustive.csv tells of another machine code of {named} than "
-                            f"operations.csv: `fixbench exhaustive --symbol {named}` runs it again")
+            raise DataError(f"exhaustive.csv and operations.csv measure different machine code of "
+                            f"{named}: `fixbench exhaustive --symbol {named}` runs it again")
     # The portable code gives the same bits; some implementations have no results of their own.
     as_default = implementations().get(implementation, {}).get("as_default")
     judged = data.rows("accuracy", **what | ({"implementation": OURS} if as_default else {})) if data.has("accuracy") else []
@@ -90,12 +90,12 @@ def known(data, operation, number_format, implementation=OURS):
     if proof:
         bound = "proven"
         if ulp > 0.5 + JUDGED_TO:
-            raise DataError(f"{named}: {ulp} in max_ulp, where {proof} says at most half")
+            raise DataError(f"{named}: {ulp} in max_ulp, but {proof} proves at most half")
     elif bound and kind in LIMITS:
         limit, proof = LIMITS[kind]
         bound = f"proven below {limit}"
         if ulp >= limit:
-            raise DataError(f"{named}: {ulp} in max_ulp, where {proof} says less than {limit}")
+            raise DataError(f"{named}: {ulp} in max_ulp, but {proof} proves less than {limit}")
     return what | {"cycles_max": cycles, "cycles_max_witness": cycles_witness, "cycles_bound": cycles_bound,
                    "cycles_run": cycles_run, "max_ulp": ulp, "max_ulp_witness": ulp_witness,
                    "bound": bound, "ulp_run": ulp_run, "proof": proof}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""From the numbers that a user knows, the largest value and the smallest step, to a type of the
+"""From the two numbers that a user knows, the largest value and the smallest step, to a type of the
 library, its limits and its cost."""
 import math
 

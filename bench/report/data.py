@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Loads the data files of the bench as lists of rows with typed cells. What is wrong with one is a
-DataError that names file, row and column; a row is counted from 1, the line of the names."""
+"""Loads the data files of the bench as lists of rows with typed cells. A defect in one is a DataError
+that names file, row and column; rows are counted from 1, which is the line of names."""
 import csv
 import json
 import math
@@ -57,10 +57,10 @@ def _typed(cell, column, place):
         except ValueError:
             continue
         if isinstance(value, float) and math.isnan(value):
-            raise DataError(f"{place}, column {column}: '{cell}' is no number")
+            raise DataError(f"{place}, column {column}: '{cell}' is not a number")
         return value
     if column not in TEXT:
-        raise DataError(f"{place}, column {column}: '{cell}' is no number")
+        raise DataError(f"{place}, column {column}: '{cell}' is not a number")
     return cell
 
 

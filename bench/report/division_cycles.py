@@ -7,8 +7,8 @@ import style
 
 BIN = 16  # cycles, as division_cycles.csv counts them
 # What the classes of operands hold (bench/lab/operands/operand_class.hpp).
-CLASSES = {"small": "below 1", "physics": "0.01 to 20", "full": "all magnitudes alike",
-           "published": "those of the published timing loop, as rebuilt"}
+CLASSES = {"small": "below 1", "physics": "0.01 to 20", "full": "all magnitudes equally likely",
+           "published": "those of the published timing loop, rebuilt"}
 
 
 def draw(data):
@@ -40,10 +40,10 @@ def draw(data):
     for row, side in zip((row for row in rows if row["kind"] == "published"),
                          ((2, "left"), (-2, "right"), (2, "left"))):
         name = "engine: 62 µs" if "engine" in row["note"] else (
-            "Table 3.2 less loop" if "less" in row["note"] else "Table 3.2")
+            "Table 3.2 minus loop" if "less" in row["note"] else "Table 3.2")
         top.annotate(name, (row["cycles"], 0.86), xycoords=("data", "axes fraction"), fontsize=7,
                      xytext=(side[0], 0), textcoords="offset points", ha=side[1])
-    grid.flat[-1].set_xlabel("cycles with call and return")
+    grid.flat[-1].set_xlabel("cycles, including call and return")
     handles, labels = top.get_legend_handles_labels()
     style.legend_above(figure, handles, labels, 3)
     return figure
@@ -53,10 +53,10 @@ def finding(data):
     """What divisions of physics operands cost, and what the rebuilt engine's do."""
     published, floats, ours = (operations.row(data, "divide", *kind)
                                for kind in (operations.PUBLISHED, operations.FLOAT, ("q16_16", "default")))
-    text = (f"On operands of 0.01 to 20 the 2016 design divides in {published['cycles_mean'] / 16:.0f} µs, "
-            f"float in {floats['cycles_mean'] / 16:.0f} and ours in {ours['cycles_mean'] / 16:.1f}")
+    text = (f"On operands of 0.01 to 20 a division takes {published['cycles_mean'] / 16:.0f} µs in the 2016 design, "
+            f"{floats['cycles_mean'] / 16:.0f} µs in float and {ours['cycles_mean'] / 16:.1f} µs in ours")
     engine = data.rows("workload", quantity="divide") if data.has("workload") else []
     if engine:
-        text += (f"; within the rebuilt engine it takes {engine[0]['measured']:.0f} µs on average "
-                 f"where {engine[0]['published']:.0f} were published")
+        text += (f". Within the rebuilt engine of 2016 it takes {engine[0]['measured']:.0f} µs on average; "
+                 f"{engine[0]['published']:.0f} µs were published")
     return text + "."

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Error against cycles with flash beside it: a panel an operation, a point an implementation of 32 bits,
-the Pareto front drawn."""
+"""Error against cycles, annotated with flash: a panel for each operation, a point for each implementation
+of 32 bits, and the Pareto front."""
 import math
 
 import matplotlib.pyplot as plt
@@ -95,7 +95,7 @@ def draw(data):
             axes.set_yticks(ticks, ["exact"] + [f"$10^{{{round(math.log10(tick))}}}$" for tick in ticks[1:]])
     for axes in list(grid.flat)[len(shown):]:
         axes.set_axis_off()
-    figure.supxlabel("cycles, mean over operands of 0.01 to 20; at ours and float's points their bytes of flash")
+    figure.supxlabel("cycles, mean over operands of 0.01 to 20; numbers are bytes of flash")
     figure.supylabel("rms error, in the unit of the result")
     names = sorted(seen, key=lambda name: name in rivals.NAMES.values())  # ours first
     style.legend_above(figure, [seen[name] for name in names], names, 5)
@@ -111,5 +111,5 @@ def finding(data):
         holders = {row["format"] for row in rows if point(row) in front}
         owners["ours"] += bool(holders & {"q16_16", "q8_24"})
         owners["float"] += "float" in holders
-    return (f"Of {len(shown)} operations with kernels, one of ours is on the Pareto front (no other is both faster and more "
-            f"exact) in {owners['ours']}, float in {owners['float']}.")
+    return (f"In {owners['ours']} of {len(shown)} operations with kernels, one of our formats is on the Pareto front (nothing else is both "
+            f"faster and more exact); float is in {owners['float']}.")

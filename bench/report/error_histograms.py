@@ -47,6 +47,6 @@ def finding(data):
     """By how much the largest errors of the two differ, over the panels' operations."""
     pairs = [tuple(bounds.known(data, operation, number_format, implementation)["max_ulp"]
                    for implementation in ("published", "default")) for operation, number_format in PANELS]
-    return ("The 2016 design truncates: its largest errors in these four are "
+    return ("The 2016 design truncates. Its largest errors in these four operations are "
             + ", ".join(f"{published:.3g}" for published, _ in pairs) + " ulp, ours "
             + ", ".join(f"{ours:.3g}" for _, ours in pairs) + ".")

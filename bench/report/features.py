@@ -3,7 +3,7 @@
 
 
 def finding(data):
-    """The dearest and the cheapest features, in cycles and in flash; the lever without the engine."""
+    """The most expensive and the cheapest features, in cycles and in flash; the lever without the engine."""
     rows = data.rows("features", scene="lever")
     without = {row["feature"]: row for row in rows if row["with"] == "no"}
     cost = {feature: (row["cycles_per_step_mean"] - without[feature]["cycles_per_step_mean"],
@@ -12,23 +12,23 @@ def finding(data):
 
     def told(feature):
         cycles, flash = cost[feature]
-        return f"{feature} {cycles:+.0f} cycles a step and {flash:+d} bytes of flash"
+        return f"{feature} ({cycles:+.0f} cycles a step, {flash:+d} bytes of flash)"
     by_cycles = sorted(cost, key=cost.get)
-    text = (f"Of {len(cost)} features the dearest are {told(by_cycles[-1])}, and {told(by_cycles[-2])}; "
+    text = (f"Of {len(cost)} features the most expensive are {told(by_cycles[-1])} and {told(by_cycles[-2])}; "
             f"the cheapest is {told(by_cycles[0])}.")
     return f"{text} {by_hand(rows)}".rstrip()
 
 
 def by_hand(rows):
-    """What it costs that the engine takes other scenes than the lever's, too."""
+    """What the engine's generality costs the lever."""
     hand = next((row for row in rows if row["feature"] == "by_hand"), None)
     if hand is None:
         return ""
     engine, = (row for row in rows if (row["feature"], row["with"]) == ("arithmetic=Nearest", "yes"))
     cycles, flash = ((engine[name], hand[name]) for name in ("cycles_per_step_mean", "flash_bytes"))
-    return (f"Written by hand, with the same result to the bit, the lever's step takes {cycles[1]:.0f} cycles and "
-            f"{flash[1]} bytes: the engine, which takes other scenes, too, takes {cycles[0] / cycles[1]:.2f} and "
-            f"{flash[0] / flash[1]:.2f} times that.")
+    return (f"Written by hand, with bit-identical results, the lever's step takes {cycles[1]:.0f} cycles and "
+            f"{flash[1]} bytes. The engine, which also runs other scenes, takes {cycles[0] / cycles[1]:.2f} times the cycles and "
+            f"{flash[0] / flash[1]:.2f} times the flash.")
 
 
 def tiers(data):
@@ -38,14 +38,14 @@ def tiers(data):
     def told(scene, name):
         nearest, small = (rows[scene, f"arithmetic={arithmetic}"] for arithmetic in ("Nearest", "Small"))
         times = small["cycles_per_step_mean"] / nearest["cycles_per_step_mean"]
-        return (f"{name} takes {times:.2f} times the cycles, and {small['flash_bytes']} bytes in place of "
+        return (f"{name} takes {times:.2f} times the cycles and {small['flash_bytes']} bytes instead of "
                 f"{nearest['flash_bytes']}")
 
     nearest, small = (next(row["flash_bytes"] for row in data.rows("flash", operations="nine", format="q16_16",
                                                                  implementation=implementation))
                       for implementation in ("default", "small"))
-    return (f"With `Small` in place of `Nearest`, {told('lever', 'the lever')}, {told('everything', 'a scene of all features')}; "
-            f"a program of the nine functions takes {small} bytes in place of {nearest}. Sums and products are the same code in "
-            "both, and so is what consists of them: a PID controller, a biquad filter. `Nearest` is the default since a step "
-            "runs out of cycles before these programs run out of flash, and a table is linked only where it is used. `Small` "
-            "is for a program that calls many functions, or for a single one, as the firmware's arc tangent.")
+    return (f"With `Small` instead of `Nearest`, {told('lever', 'the lever')}, {told('everything', 'a scene with all features')}; "
+            f"a program with the nine functions takes {small} bytes instead of {nearest}. Sums and products are the same code in "
+            "both, and so is everything made of them, such as a PID controller or a biquad filter. `Nearest` is the default, since "
+            "a step runs out of cycles before these programs run out of flash, and a table is linked only if it is used. `Small` "
+            "is for a program that calls many functions, or for a single function, such as the firmware's arc tangent.")

@@ -32,8 +32,8 @@ def beside_box2d(rows):
     ratios = [row["cost_per_step"] / own["cost_per_step"] for row in rows for own in rows
               if row["broad_phase"] == "box2d" and own["broad_phase"] == "sort_and_sweep"
               and row["particles"] == own["particles"]]
-    return (f"There {most} discs take {ours / 1e6:.2f} ms a step in Q16.16 and {theirs / 1e6:.2f} ms in Box2D's float, "
-            f"over all numbers of discs {min(ratios):.2f} to {max(ratios):.2f} times ours.")
+    return (f"There {most} discs take {ours / 1e6:.2f} ms a step in Q16.16 and {theirs / 1e6:.2f} ms in Box2D's float; "
+            f"over all numbers of discs Box2D takes {min(ratios):.2f} to {max(ratios):.2f} times as long as ours.")
 
 
 def fits(rows):
@@ -41,9 +41,11 @@ def fits(rows):
     told = {row["broad_phase"]: (row["fit_of"], row["fit_term"], row["fit_worst_percent"]) for row in rows if row["fit_of"]}
     of, = {of for of, _, _ in told.values()}
     terms = {search: term if term.startswith("N^") else f"the {term} tested" for search, (_, term, _) in told.items()}
-    return (f"the {of} of a step are a + b N + c times "
-            + ", and ".join(f"{terms[search]} within {miss:.1f}% ({SEARCHES[search][2]})"
-                            for search, (_, _, miss) in told.items()) + ".")
+    missed = {}
+    for search, (_, _, miss) in told.items():
+        missed.setdefault(terms[search], []).append(f"{SEARCHES[search][2]}: within {miss:.1f}%")
+    return (f"the {of} of a step follow a + b N + c times "
+            + " and ".join(f"{term} ({'; '.join(misses)})" for term, misses in missed.items()) + ".")
 
 
 def times_of_tests(rows):
@@ -56,11 +58,11 @@ def times_of_tests(rows):
 
 
 def time_of_a_test(rows):
-    """The sentence that says what the time is, and that it is no line."""
+    """The sentence that says what the time is, and that it does not follow one line."""
     spread = " and ".join(f"{least:.2f} to {most:.2f} ns ({SEARCHES[search][2]}, median {middle:.2f})"
                           for search, (least, middle, most) in times_of_tests(rows).items())
-    return (f"Time is told, not bounded: a test, with all that a step does beside it, takes {spread}. That is not one line, and "
-            "why was not measured.")
+    return (f"Times are reported, not bounded: a test, including its share of everything else in a step, takes {spread}. The times do not "
+            "follow one line; the reason was not measured.")
 
 
 def draw(data):
@@ -94,21 +96,21 @@ def draw(data):
 
 
 def finding(data):
-    """From how many particles on sort and sweep is cheaper, in this box and in the lever's scene."""
+    """From what number of particles sort and sweep is cheaper, in this box and in the lever's scene."""
     def told(rows, where):
         count = crossing(rows)
-        return f"never cheaper {where}" if count is None else f"cheaper from {count} particles on, {where}"
+        return f"never cheaper {where}" if count is None else f"cheaper from {count} particles upwards {where}"
 
     parts = [told(data.rows("growth"), "on the chip")]
     if data.has("growth_host"):
         parts.append(told(data.rows("growth_host"), "on the host"))
-    text = "In this box sort and sweep is " + ", and ".join(parts) + "."
+    text = "In this box sort and sweep is " + " and ".join(parts) + "."
     if data.has("growth_host"):
         text += " " + beside_box2d(data.rows("growth_host"))
     text += " On the chip " + fits(data.rows("growth"))
     if data.has("growth_host"):
         rows = data.rows("growth_host")
-        text += f" On the host, where the four walls are tested, too, {fits(rows)} {time_of_a_test(rows)}"
+        text += f" On the host, where the four walls are tested as well, {fits(rows)} {time_of_a_test(rows)}"
     if data.has("features"):
         cost = {row["feature"]: row["cycles_per_step_mean"] for row in data.rows("features", scene="lever")
                 if row["feature"].startswith("broad phase=") and row["with"] == "yes"}

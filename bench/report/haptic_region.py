@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Where a held lever is still: measured over a family of plants, beside the linear theory."""
+"""Where a held lever stays at rest: measured over a family of plants, and by linear theory."""
 import matplotlib.pyplot as plt
 import numpy
 from matplotlib.lines import Line2D
@@ -57,7 +57,7 @@ def settled_finding(data):
     """Which levers need no picture, in a sentence."""
     names = [f"{ARITHMETICS[arithmetic]} with {DAMPINGS[damping]}" if damping == "yes"
              else f"{ARITHMETICS[arithmetic]} {DAMPINGS[damping]}" for arithmetic, damping in settled(data)]
-    return f"Not drawn, since all plants are at rest everywhere: {'; '.join(names)}." if names else ""
+    return f"Not drawn, because all plants are at rest everywhere: {'; '.join(names)}." if names else ""
 
 
 def draw(data):
@@ -98,11 +98,10 @@ def draw(data):
     for axes in panels[-1]:
         axes.set_xlabel("arm, cm", fontsize=8)
     bar = figure.colorbar(image, ax=panels, shrink=0.5, pad=0.01)
-    bar.set_label("share of the plants that are at rest when grasped")
+    bar.set_label("share of plants at rest when grasped")
     style.legend_above(figure, [Line2D([], [], color=THEORY, linestyle="dashed")],
-                       ["linear theory: below, half of the plants and more are stable; where there "
-                        "is no line, everywhere. Numbers: plants at rest when released against, "
-                        "where not all"], 1)
+                       ["linear theory: at least half of the plants are stable below the line, or everywhere if "
+                        "there is none. Numbers: plants at rest when released against, if not all"], 1)
     return figure
 
 

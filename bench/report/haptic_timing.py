@@ -6,7 +6,7 @@ import matplotlib.pyplot as plt
 DEVICES = {"published": "as published, rebuilt", "q16_16": "ours, Q16.16"}
 # Shades: no colour here is that of a number format.
 COLOURS = {"step": "#222222", "render": "#bbbbbb", "contacts found": "#888888",
-           "contacts resolved": "#555555", "square_root": "#777777", "operation": "#999999"}
+           "contacts solved": "#555555", "square_root": "#777777", "operation": "#999999"}
 LABELS = {"square_root": "square roots", "operation": "products, quotients"}
 
 
@@ -25,8 +25,8 @@ def lanes(axes, rows, pins):
 
 
 def with_contacts_told_apart(rows):
-    """The pin of the collisions is high twice a step: while contacts are found, then resolved."""
-    names = iter(("contacts found", "contacts resolved"))
+    """The pin of the collisions is high twice in each step: while contacts are found, then solved."""
+    names = iter(("contacts found", "contacts solved"))
     return [row | {"pin": next(names)} if row["pin"] == "collision" else row for row in rows]
 
 
@@ -39,7 +39,7 @@ def draw(data):
         lanes(frames, seen, ("step", "render"))
         frames.set(title=f"{title}: three frames", xlim=(0, 160), xlabel="ms")
         within = with_contacts_told_apart([row for row in mine if row["view"] == "step"])
-        lanes(step, within, ("step", "contacts found", "contacts resolved", "square_root", "operation"))
+        lanes(step, within, ("step", "contacts found", "contacts solved", "square_root", "operation"))
         length = max(row["end_ms"] for row in within)
         step.set(title=f"{title}: a step of {length:.2f} ms", xlim=(0, length), xlabel="ms")
     return figure

@@ -37,6 +37,6 @@ def finding(data):
     flash = [name for name in ratios
              if operations.row(data, name, "q16_16")["flash_bytes"]
              > operations.row(data, name, *operations.FLOAT)["flash_bytes"]]
-    return (f"Q16.16 takes fewer cycles than float in {faster} of {len(ratios)} operations, "
-            f"{operations.geometric_mean(ratios.values()):.3f} of them in the geometric mean, "
+    return (f"Q16.16 takes fewer cycles than float in {faster} of {len(ratios)} operations "
+            f"({operations.geometric_mean(ratios.values()):.3f} times as many in the geometric mean) "
             f"and more flash in {len(flash)}.")

@@ -45,11 +45,11 @@ def finding(data):
     falls = [shorter * row["fall_damped_s"] for row in rows if row["fall_damped_s"] is not None]
     as_fast = sum(WITHIN[0] <= fall / published <= WITHIN[1] for fall in falls)
     factor, name = narrowed(data)[0]
-    return (f"Without its selective damping the 2016 design falls in the published {published:g} s, to 10 %, and swings "
-            f"in a hand on {lever.share(len(kept), len(rows), ' plants')} drawn from the ranges of the data sheets. With the "
-            f"damping {lever.share(as_fast, len(rows))} fall as fast, the fastest in {min(falls):.2f} s: it halves the "
-            "velocity where the frame's own inertia presses against the fall. Gravity alone takes "
+    return (f"Without its selective damping the 2016 design falls in the published {published:g} s, to within 10 %, and swings in a "
+            f"hand, on {lever.share(len(kept), len(rows), ' plants')} drawn from the ranges of the data sheets. With the "
+            f"damping {lever.share(as_fast, len(rows))} fall as fast, the fastest in {min(falls):.2f} s: the damping halves the "
+            "velocity when the frame's own inertia presses against the fall. Gravity alone takes "
             f"{by_gravity(lever.PUBLISHED_ARM):.3f} s."
-            + (" So the published time is taken to be that of the lever without it." if as_fast < len(kept) / 10 else "")
+            + (" So we take the published time to be that of the lever without damping." if as_fast < len(kept) / 10 else "")
             + " Of the plant's parameters, these two facts narrow "
-            f"{name.replace('_', ' ')} most: to {100 * factor:.0f} % of its range.")
+            f"{name.replace('_', ' ')} most, to {100 * factor:.0f} % of its range.")

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the page of the lever tells of the workload: verdicts on the published figures, measured in
-the engine alone and in the whole device, and the device in each arithmetic."""
+"""What the lever's page says about the workload: verdicts on the published figures, measured in the
+engine alone and in the whole device, and the device in each arithmetic."""
 import csv
 import math
 import pathlib
@@ -61,9 +61,9 @@ def finding(data):
     loop = {row["arithmetic"]: row["loop_rate_hz"] for row in data.rows("haptic", scenario="poke_while_held")}
     return (f"Poked while a hand holds it, the lever of the 2016 design swings by "
             f"{swing['2016 design', 'without damping']:.3g} degrees without its selective damping and by "
-            f"{swing['2016 design', 'selective damping']:.3g} with it, ours by "
-            f"{swing['ours, Q16.16', 'selective damping']:.2g}, at {loop['q16_16']:.0f} steps a second in "
-            f"place of {loop['published']:.0f}. Let go, it falls in {fall['q16_16']:.2f} s, the rebuilt one in "
+            f"{swing['2016 design', 'selective damping']:.3g} with it. Ours swings by "
+            f"{swing['ours, Q16.16', 'selective damping']:.2g} degrees, at {loop['q16_16']:.0f} steps a second instead of "
+            f"{loop['published']:.0f}. When let go, ours falls in {fall['q16_16']:.2f} s and the rebuilt design in "
             f"{fall['published']:.2f} s; {published('fall_time'):g} s were published for an arm of 20 cm.")
 
 
@@ -83,21 +83,21 @@ def others(data):
         held = sum(row["verdict"] == "held" for row in rows)
         parts.append(f"{name} {held} of {len(rows)}")
     longest = {row["arithmetic"]: row["seconds"] for row in data.rows("haptic", scenario="hours")}
-    return (f"{' and '.join(parts)} of them. The scenario \"hours\" simulates {longest['q16_16']:.0f} s of ours and "
+    return (f"{' and '.join(parts)}. The scenario \"hours\" simulates {longest['q16_16']:.0f} s of ours and "
             f"{longest['float']:.0f} s of the others.")
 
 
 def scenarios_finding(data):
-    """What our lever keeps over all scenarios, in a sentence or two; what does not hold is told."""
+    """What our lever keeps over all scenarios, in a sentence or two, and where it fails."""
     rows = data.rows("haptic", arithmetic="q16_16")
     broken = [f"{row['scenario'].replace('_', ' ')} ({row['reason']})" for row in rows if row["verdict"] != "held"]
     late = max(rows, key=lambda row: row["worst_lateness_ms"])
-    return (f"As it is flashed, in Q16.16, the lever passes {len(rows) - len(broken)} of {len(rows)} scenarios"
+    return (f"As flashed, in Q16.16, the lever passes {len(rows) - len(broken)} of {len(rows)} scenarios"
             + (f", not {', '.join(broken)}" if broken else "")
-            + f", at {min(row['loop_rate_hz'] for row in rows):.0f} steps a second or more. A step takes "
-            f"{max(row['step_max_ms'] for row in rows):.2f} ms at most and begins {late['worst_lateness_ms']:.2f} ms late "
-            f"at most ({late['scenario'].replace('_', ' ')}); the processor is busy for "
-            f"{max(row['cpu_percent'] for row in rows):.0f} % of its time at most and the stack is "
+            + f", at {min(row['loop_rate_hz'] for row in rows):.0f} steps a second or more. A step takes at most "
+            f"{max(row['step_max_ms'] for row in rows):.2f} ms and begins at most {late['worst_lateness_ms']:.2f} ms late "
+            f"(scenario \"{late['scenario'].replace('_', ' ')}\"). The processor is busy for at most "
+            f"{max(row['cpu_percent'] for row in rows):.0f} % of its time, and the stack is at most "
             f"{max(row['stack_bytes'] for row in rows)} bytes deep.")
 
 
@@ -106,17 +106,17 @@ def profile_finding(data):
     rows = data.rows("profile_lever")
     asleep = next(row for row in rows if row["function"] == "(asleep)")
     busiest = [row for row in rows if row is not asleep][:4]
-    return (f"The processor sleeps for {100 * asleep['self_share']:.0f} % of them. The rest goes to "
+    return (f"The processor sleeps for {100 * asleep['self_share']:.0f} % of them. Most of the rest goes to "
             + ", ".join(f"`{row['function']}` ({100 * row['self_share']:.1f} %)" for row in busiest)
-            + " and what takes less: [the whole profile](data/profile_lever.csv).")
+            + ": [the whole profile](data/profile_lever.csv).")
 
 
 def calibration_finding(data):
-    """The curve that was chosen, beside the one that fits best."""
+    """The curve that was chosen, and the published one."""
     rows = data.rows("calibration_candidates")
     chosen = next(row for row in rows if row["verdict"] == "chosen")
     published = next(row for row in rows if row["fitted_to"] == "as published")
-    return (f"Chosen is {chosen['formula']}: {chosen['rms_g']:.3g} g rms over the readings ({chosen['leave_one_out_rms_g']:.3g} "
-            f"where each reading is left out of its own fit), {chosen['cycles_mean']:.0f} cycles and "
-            f"{chosen['flash_bytes']} bytes; the published {published['formula']} as it stands has "
+    return (f"The curve chosen is {chosen['formula']}: {chosen['rms_g']:.3g} g rms over the readings ({chosen['leave_one_out_rms_g']:.3g} g "
+            f"with each reading left out of its own fit), {chosen['cycles_mean']:.0f} cycles and "
+            f"{chosen['flash_bytes']} bytes. The published {published['formula']}, with its coefficients, has "
             f"{published['rms_g']:.3g} g, {published['cycles_mean']:.0f} cycles and {published['flash_bytes']} bytes.")

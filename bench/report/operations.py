@@ -72,10 +72,10 @@ def elementary_finding(data):
     for number_format in FORMATS:
         ratios = ratios_to_float(data, number_format, elementary=True)
         if ratios:
-            dearest = max(ratios, key=ratios.get)
-            ranges.append(f"{min(ratios.values()):.3g} to {ratios[dearest]:.3g} times ({dearest}) in "
+            slowest = max(ratios, key=ratios.get)
+            ranges.append(f"{min(ratios.values()):.3g} to {ratios[slowest]:.3g} ({slowest}) in "
                           f"{style.format_label(number_format)}")
-    return (f"The {len(ELEMENTARY)} further functions, {', '.join(ELEMENTARY)}, take float's cycles "
+    return (f"Cycles of the {len(ELEMENTARY)} further functions ({', '.join(ELEMENTARY)}), as a multiple of float's: "
             f"{', '.join(ranges)}." if ranges else "")
 
 
@@ -111,9 +111,9 @@ def losses(data, number_format, implementation):
     slow = slower_than_float(data, number_format, implementation)
     if not slow:
         return f"none of {len(every)} takes more cycles than float"
-    shown = ", ".join(f"{name} {ratio:.3g} times" for name, ratio in slow[:2])
-    more = f" and {len(slow) - 2} more" if len(slow) > 2 else ""
-    return f"{shown} float's cycles{more}"
+    shown = ", ".join([f"{slow[0][0]} {slow[0][1]:.3g} times float's cycles"]
+                      + [f"{name} {ratio:.3g} times" for name, ratio in slow[1:2]])
+    return shown + (f", and {len(slow) - 2} more" if len(slow) > 2 else "")
 
 
 def largest_of(errors):
@@ -147,7 +147,7 @@ def format_table(data):
 
 
 def correctly_rounded_finding(data):
-    """What functions that round correctly cost beside the default's, in a sentence; empty where none was measured."""
+    """What functions that round correctly cost compared with the default's, in a sentence; empty if none was measured."""
     kind = "q16_16", "correctly_rounded"
     known = {name: bounds.known(data, name, *kind) for name in names(data, *kind)}
     if not known:
@@ -155,9 +155,9 @@ def correctly_rounded_finding(data):
     ratios = sorted((mean(data, name, *kind) / mean(data, name, "q16_16"), name) for name in known)
     kinds = [each["bound"] for each in known.values()]
     told = ", ".join(f"{bound} in {kinds.count(bound)}" for bound in sorted(set(kinds)))
-    return (f"Where half an ulp matters, `CorrectlyRounded` errs by {max(each['max_ulp'] for each in known.values()):.3g} ulp in "
-            f"{len(known)} functions of Q16.16 ({told}), for {ratios[0][0]:.2g} ({ratios[0][1]}) to {ratios[-1][0]:.2g} "
-            f"({ratios[-1][1]}) times the default's mean cycles and up to {max(each['cycles_max'] for each in known.values())} beside a tie.")
+    return (f"If you need correct rounding, `CorrectlyRounded` errs by at most {max(each['max_ulp'] for each in known.values()):.3g} ulp in "
+            f"{len(known)} functions of Q16.16 (bound: {told}). It takes {ratios[0][0]:.2g} ({ratios[0][1]}) to {ratios[-1][0]:.2g} "
+            f"({ratios[-1][1]}) times the default's mean cycles, and up to {max(each['cycles_max'] for each in known.values())} cycles near a tie.")
 
 
 def least_flash(data):
@@ -165,9 +165,9 @@ def least_flash(data):
     rows = sorted(data.rows("flash", operations="nine"), key=lambda row: row["flash_bytes"])
     least, ours = rows[0], min((row for row in rows if row["format"] != "float"),
                                key=lambda row: row["flash_bytes"])
-    text = (f"A program with the nine takes least flash in {style.label(least['format'], least['implementation'])}, "
+    text = (f"A program with the nine operations takes the least flash in {style.label(least['format'], least['implementation'])}: "
             f"{least['flash_bytes']} bytes")
     if least is not ours:
-        text += (f"; the least of ours is {ours['flash_bytes']} "
+        text += (f"; the smallest of ours takes {ours['flash_bytes']} "
                  f"({style.label(ours['format'], ours['implementation'])})")
     return text + "."

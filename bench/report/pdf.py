@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Prints the pages of results/ as one PDF, for those who cite it: Markdown to HTML, and Chromium."""
+"""Prints the pages of results/ as one PDF, to be cited: Markdown to HTML, and Chromium."""
 import argparse
 import pathlib
 import re

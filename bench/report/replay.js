@@ -236,7 +236,7 @@ function findMoments() {
   const note = (k, text) => { if (k >= 0) found.push([k, text]); };
   const moves = first(0, k => lever[k] - lever[0] > 1 && held[k]);
   note(moves, "pushed");
-  if (moves >= 0) note(first(moves, k => arm[k] - arm[moves] > 0.002), "arm made longer");
+  if (moves >= 0) note(first(moves, k => arm[k] - arm[moves] > 0.002), "arm lengthened");
   const free = first(1, k => held[k - 1] && !held[k]);
   note(free, "let go");
   if (free >= 0) {

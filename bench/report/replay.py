@@ -23,7 +23,7 @@ def check(recording):
             "the pins are not step, render, servo")
     require(recording["screens"] and all(len(screen["cells"]) == CELLS
                                          for screen in recording["screens"]),
-            "a screen has not 20 x 20 cells")
+            "a screen does not have 20 x 20 cells")
 
 
 def page(templates, data):

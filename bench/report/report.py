@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws the figures and writes the pages of results/ out of its data files."""
+"""Draws the figures and writes the pages of results/ from its data files."""
 import argparse
 import concurrent.futures
 import contextlib
@@ -233,13 +233,13 @@ def differences(results, experiments):
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--results", required=True,
-                        help="folder that holds data/ and gets figures/ and README.md")
+                        help="folder that has data/ and gets figures/ and the pages")
     parser.add_argument("--experiments", type=json.loads, default=[],
-                        help="what `fixbench --list --json` prints: who makes which file")
+                        help="output of `fixbench --list --json`: which command makes which file")
     parser.add_argument("--measured-here", action="store_true",
                         help="the data were measured on this machine today: note its tools and the date")
     parser.add_argument("--check", action="store_true",
-                        help="write nothing; fail where a page or figure does not follow from the data")
+                        help="write nothing; fail if a page or figure does not follow from the data")
     arguments = parser.parse_args()
     results = pathlib.Path(arguments.results)
     try:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Other libraries beside ours."""
+"""Other libraries compared with ours."""
 import style
 from data import DataError
 
@@ -30,7 +30,7 @@ def judged(data, **wanted):
     found = data.rows("rivals", **wanted) if data.has("rivals") else []
     unknown = {row["variant"] for row in found} - set(NAMES)
     if unknown:
-        raise DataError(f"rivals.csv has a variant that no page has a name for: {min(unknown)}")
+        raise DataError(f"rivals.csv has a variant that the pages have no name for: {min(unknown)}")
     return [row for row in found if row["regular"] and not row["failure"]]
 
 
@@ -90,7 +90,7 @@ def finding(data, against):
             equal.add(row["operation"])
     if not count:
         return ""
-    text = f"Of {count} functions of other libraries, held against {style.format_label(against)}, "
+    text = f"Of {count} functions of other libraries, compared with {style.format_label(against)}, "
     if ahead:
         faster = sum(map(len, ahead.values()))
         text += (f"{faster} {'take' if faster > 1 else 'takes'} fewer cycles than ours: "
@@ -98,5 +98,6 @@ def finding(data, against):
     else:
         text += "none takes fewer cycles than ours"
     if equal:
-        text += f"; some take as many in {listed(sorted(equal))}"
-    return f"{text}. Smaller than ours is the error of {exacter} and the flash of {smaller}."
+        text += f"; some take as many for {listed(sorted(equal))}"
+    return (f"{text}. {exacter} {'has' if exacter == 1 else 'have'} a smaller error than ours, {smaller} "
+            f"{'takes' if smaller == 1 else 'take'} less flash.")

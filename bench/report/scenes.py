@@ -142,10 +142,9 @@ def spread_finding(data):
     pairs = {(row["scene"], row["integrator"], row["dt"], row["scalar"]): row["error_median"] for row in rows}
     smaller = [pairs[key] <= (1 + SAME) * pairs[(*key[:3], "float")] for key in pairs
                if key[3] == "q8_24" and (*key[:3], "float") in pairs]
-    return (f"From {rows[0]['states']} starts drawn from seeds, the largest error of a run is {ratio[len(ratio) // 2]:.1f} times "
-            f"the smallest in the median of {len(rows)} runs that held from all of them. At the same method and step, "
-            f"the median over the starts is no more than 5% larger in Q8.24 than in float in {sum(smaller)} of the {len(smaller)} "
-            f"runs that both hold.")
+    return (f"Over {rows[0]['states']} seeded initial states, the largest error of a run is {ratio[len(ratio) // 2]:.1f} times the smallest "
+            f"(median of the {len(rows)} runs that hold from all of them). With the same method and step, the median error over the "
+            f"initial states is at most 5% larger in Q8.24 than in float in {sum(smaller)} of the {len(smaller)} runs that hold in both.")
 
 
 def saturation(data):
@@ -168,9 +167,9 @@ def saturation_finding(data):
                   for plain, saturating, _ in lines)
     to_float = [saturating["cycles_per_step_mean"] / other["cycles_per_step_mean"] for _, saturating, other in lines]
     flash = [saturating["flash_bytes"] - plain["flash_bytes"] for plain, saturating, _ in lines]
-    return (f"Over {len(lines)} scenes in steps of 1/256 s saturating Q16.16 takes {cost[0][0]:.3f} ({cost[0][1]}) to "
-            f"{cost[-1][0]:.3f} ({cost[-1][1]}) times the cycles of plain Q16.16, {min(to_float):.3f} to "
-            f"{max(to_float):.3f} times float's, and {min(flash):+d} to {max(flash):+d} bytes of flash.")
+    return (f"In {len(lines)} scenes with steps of 1/256 s, saturating Q16.16 takes {cost[0][0]:.3f} ({cost[0][1]}) to "
+            f"{cost[-1][0]:.3f} ({cost[-1][1]}) times the cycles of plain Q16.16 and {min(to_float):.3f} to "
+            f"{max(to_float):.3f} times those of float. Its flash differs from plain Q16.16's by {min(flash):+d} to {max(flash):+d} bytes.")
 
 
 def failures(data):
@@ -217,7 +216,7 @@ def draw(data):
         label_steps(axes, best)
     for axes in list(grid.flat)[len(scenes):]:
         axes.set_axis_off()
-    figure.supxlabel("cycles per simulated second (dotted: all that the chip has)")
+    figure.supxlabel("cycles per simulated second (dotted: the chip's 16 million)")
     figure.supylabel("the larger of the method's and the arithmetic's error, m")
     handles = [Line2D([], [], linestyle="", marker="o", markeredgecolor=style.colour(*of),
                       markerfacecolor=style.face(*of)) for of in SCALARS.values()]
@@ -267,11 +266,11 @@ def draw_time_steps(data):
 
 
 def finding(data):
-    """Of how many scenes float has a point that none of ours is as good as, in a sentence."""
+    """In how many scenes some point of float beats all of ours, in a sentence."""
     wins = {win["scene"] for win in float_wins(data)}
-    return (f"In {len(judged(data)) - len(wins)} of {len(judged(data))} scenes no choice of float errs "
-            f"less than every choice of ours that costs no more"
-            + (f"; in {', '.join(sorted(map(title, wins)))} one does." if wins else "."))
+    return (f"In {len(judged(data)) - len(wins)} of {len(judged(data))} scenes, for every choice of float there is a choice of ours "
+            f"that costs no more and errs no more (within {100 * SAME:.0f}%)"
+            + (f"; not in {', '.join(sorted(map(title, wins)))}." if wins else "."))
 
 
 def splits_finding(data):
@@ -279,9 +278,9 @@ def splits_finding(data):
     rows = [row for row in measured(data) if is_split(row)]
     on_front = {row["scene"] for scene in judged(data) for row in front(measured(data, scene)) if is_split(row)}
     used = sorted({row["scalar"] for row in rows}, key=lambda name: int(name[1:].split("_")[0]))
-    return rows and (f"Each scene was run in its best split of 32 bits, too: that with the most fraction bits that holds "
-                     f"every number of its runs on the chip ({', '.join(map(style.format_label, used))}). It stands on the "
-                     f"front of {len(on_front)} of {len(judged(data))} scenes.")
+    return rows and (f"Each scene was also run in its best split of 32 bits: the one with the most fraction bits in which "
+                     f"every number of its runs on the chip fits ({', '.join(map(style.format_label, used))}). It is on the "
+                     f"front in {len(on_front)} of {len(judged(data))} scenes.")
 
 
 def turning(data):
@@ -295,4 +294,4 @@ def turning(data):
             worse.append(title(scene))
     return (f"In {len(worse)} of {len(judged(data))} scenes the shortest step that was run on the chip is "
             "not the best one for Q16.16 with velocity Verlet: the arithmetic's error, which grows with "
-            "the number of steps, is then larger than what the method gains.")
+            "the number of steps, then outweighs what the method gains.")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The published workload: one step as a logic analyser would show it, and cycles by rounds."""
+"""The published workload: one step as a logic analyser would show it, and cycles by iterations."""
 import matplotlib.pyplot as plt
 
 import style
@@ -59,7 +59,7 @@ def lever_steps(data):
     sets the program apart, mean cycles, flash."""
     table = []
     for row in data.rows("features", scene="lever", feature="arithmetic=Nearest", **{"with": "yes"}):
-        table.append(("Q16.16", "features", "-O2; a particle on an anchored rod, pushed each step",
+        table.append(("Q16.16", "features", "-O2; a particle on an anchored rod, pushed in each step",
                       row["cycles_per_step_mean"], row["flash_bytes"]))
     for row in data.rows("scenes", scene="lever", integrator="semi_implicit_euler", dt=1 / 256):
         if (row["scalar"], row["arithmetic"]) in (("q16_16", "nearest"), ("float", "avr-libc")):
@@ -70,7 +70,7 @@ def lever_steps(data):
         rows = data.rows("workload", arithmetic=number_format)
         flash = {row["reason"]: row["measured"] for row in rows if row["quantity"] == "lever_flash"}
         table += [(style.format_label(number_format), "workload",
-                   f"{row['reason']}; parts of the step are functions of their own, to be traced",
+                   f"{row['reason']}; parts of the step are separate functions, so that they can be traced",
                    row["measured"], flash[row["reason"]])
                   for row in rows if row["quantity"] == "lever_step"]
     return table

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Where scenes stay stable, by format and method, with the bounds of theory."""
+"""Where scenes stay stable, by format and method, with theoretical bounds."""
 import math
 import pathlib
 import re
@@ -149,8 +149,9 @@ def speed_finding(data):
                 raise ValueError(f"{method} has other radii than {drawn} in {scalar}")
             apart = max([apart] + [abs(alike[x] / limits[x] - 1) for x in limits if not math.isnan(limits[x])])
     names = " and ".join(METHOD_LABELS[method] for method in others)
-    told = f"have limits up to {100 * apart:.2g} % away" if apart else "have the same limits"
-    return f"The speed on a circle with {METHOD_LABELS[drawn]}, beside the 2016 design's explicit Euler; {names} {told}:"
+    told = f"differ by up to {100 * apart:.2g} %" if apart else "are the same"
+    return (f"The figure shows the speed on a circle with {METHOD_LABELS[drawn]} and with the 2016 design's explicit Euler. The limits "
+            f"of {names} {told}.")
 
 
 def with_end(row):
@@ -164,7 +165,7 @@ def by_gsl(rows):
 
 
 def finding(data):
-    """What the engine's methods and formats hold, in a sentence or two."""
+    """What the engine's methods and formats withstand, in a sentence or two."""
     rows = data.rows("stability")
     held = {scalar: sum(row["verdict"] == "stable" for row in rows if row["scalar"] == scalar
                         and row["arithmetic"] in DEFAULT and row["integrator"] == "semi_implicit_euler")
@@ -172,9 +173,9 @@ def finding(data):
     cases = len({row["case"] for row in rows})
     plain, wraps, _ = silent(rows, "nearest")
     saturating, saturating_wraps, _ = silent(rows, "saturating")
-    return (f"{cases} cases are driven until they break. With the semi-implicit step {held['q16_16']} of them still hold in "
-            f"Q16.16 where the search ends, {held['float']} in float. Over all methods of the engine, plain Q16.16 wraps in "
-            f"silence in {wraps} of {plain} runs, saturating Q16.16 in {saturating_wraps} of {saturating}.")
+    return (f"{cases} cases are driven until they break. With the semi-implicit step, {held['q16_16']} of them still hold in "
+            f"Q16.16 where the search ends, and {held['float']} in float. Over all methods of the engine, plain Q16.16 wraps "
+            f"silently in {wraps} of {plain} runs, saturating Q16.16 in {saturating_wraps} of {saturating}.")
 
 
 def chain_finding(data):
@@ -186,10 +187,11 @@ def chain_finding(data):
 
     def limits(x):
         return [number(row["limit"]) for row in rows if number(row["x"]) == x]
-    return (f"The mass that a hanging chain of rods bears at its end, in masses of a link, is {min(limits(shortest)):.3g} to "
-            f"{max(limits(shortest)):.3g} for {shortest:.0f} rods and {min(limits(longest)):.3g} to {max(limits(longest)):.3g} "
-            f"for {longest:.0f}: the format changes it by a factor of up to "
-            f"{max(max(limits(row['x'])) / min(limits(row['x'])) for row in rows):.2g}, the length by {max(limits(shortest)) / max(limits(longest)):.2g}.")
+    return (f"At its end, a hanging chain of {shortest:.0f} rods bears a mass of {min(limits(shortest)):.3g} to "
+            f"{max(limits(shortest)):.3g} links, one of {longest:.0f} rods {min(limits(longest)):.3g} to "
+            f"{max(limits(longest)):.3g}. The format changes this by a factor of up to "
+            f"{max(max(limits(row['x'])) / min(limits(row['x'])) for row in rows):.2g}, the length by a factor of "
+            f"{max(limits(shortest)) / max(limits(longest)):.2g}.")
 
 
 def dynamics(data, scalar, integrator):
@@ -218,21 +220,21 @@ def divergence_finding(data, integrator="velocity_verlet"):
                      for scalar, row in sorted(times.items(), key=lambda item: item[1]["measured"]))
     coarse, fine = times["q16_16"]["measured"], times["q32_32"]["measured"]
     rate = rates["q32_32"]
-    return (f"A chaotic double pendulum leaves the same method's run in double by {times['q16_16']['at']:g} m after {told}, "
-            f"in the mean over seeded starts. The distance grows by {rate['measured']:.3g}/s in Q32.32, where the "
-            f"equations of motion have a Lyapunov exponent of {rate['theory']:.3g}/s; from Q16.16 to Q32.32 each bit "
-            f"buys {(fine - coarse) / 16:.3g} s, and ln 2 over that exponent is {math.log(2) / rate['theory']:.3g} s.")
+    return (f"A chaotic double pendulum departs by {times['q16_16']['at']:g} m from the same method's run in double after {told} "
+            f"(means over seeded starts). In Q32.32 the distance grows at {rate['measured']:.3g}/s; the Lyapunov exponent of the "
+            f"equations of motion is {rate['theory']:.3g}/s. From Q16.16 to Q32.32 each bit buys {(fine - coarse) / 16:.3g} s; ln 2 "
+            f"over that exponent is {math.log(2) / rate['theory']:.3g} s.")
 
 
 def float_finding(data):
-    """Where the device's float is another than the host's, in a sentence."""
+    """Where the device's float differs from the host's, in a sentence."""
     rows = data.rows("float_extremes")
     apart = [row for row in rows if row["differ"]]
-    told = "; ".join(f"{row['operation'].replace('_', ' ')}, {row['operands']}: {row['differ']} of {row['pairs']} pairs, the first "
-                     f"{row['first_mismatch'].replace(' ', ' and ')}, of which IEEE 754 makes {row['host']} and the device {row['device']}"
+    told = "; ".join(f"{row['operation'].replace('_', ' ')}, {row['operands']}: {row['differ']} of {row['pairs']} pairs, of which the first is "
+                     f"{row['first_mismatch'].replace(' ', ' and ')}: IEEE 754 requires {row['host']}, the device returns {row['device']}"
                      for row in apart)
-    return (f"The rows of float ran on the host. On the simulated chip avr-libc returns the same bits in "
-            f"{len(rows) - len(apart)} of {len(rows)} classes of operands (subnormals, infinities and not-a-number among them) of "
+    return (f"The rows for float ran on the host. On the simulated chip avr-libc returns the same bits in "
+            f"{len(rows) - len(apart)} of {len(rows)} classes of operands (including subnormals, infinities and NaNs) of "
             f"{len({row['operation'] for row in rows})} operations, {sum(row['pairs'] for row in rows)} pairs in all"
             + (f". It differs in {told}." if apart else "."))
 
@@ -250,8 +252,7 @@ def ablations_finding(data):
 
     def told(row):
         return f"{row['ablation']} in {row['case'].replace('_', ' ')}"
-    best, dearest, cheapest = max(rows, key=gain), max(rows, key=cost), min(rows, key=cost)
-    return (f"Over {len({row['ablation'] for row in rows})} measures in {len(rows)} cases the limit moves by a factor "
-            f"of up to {figure(gain(best))} ({told(best)}) and in {sum(gain(row) < 1.05 for row in rows)} cases by less "
-            f"than 5 %, at {cost(cheapest):+.0f} % ({told(cheapest)}) to {cost(dearest):+.0f} % "
-            f"({told(dearest)}) of the step's cycles.").replace(" -", " −")
+    best, costliest, cheapest = max(rows, key=gain), max(rows, key=cost), min(rows, key=cost)
+    return (f"Over {len({row['ablation'] for row in rows})} measures in {len(rows)} cases, a measure moves the limit by a factor of up to "
+            f"{figure(gain(best))} ({told(best)}); in {sum(gain(row) < 1.05 for row in rows)} cases it is less than 5 %. It changes the "
+            f"step's cycles by {cost(cheapest):+.0f} % ({told(cheapest)}) to {cost(costliest):+.0f} % ({told(costliest)}).").replace(" -", " −")

@@ -42,7 +42,7 @@ def draw(data):
     axes.minorticks_off()
     axes.set_xticks(range(len(rows)), [f"{row['type']} {row['operation']}" for row in rows],
                     rotation=60, ha="right", fontsize=7)
-    for side, align, text in ((-4, "right", f"the table's {CELLS} cells"), (4, "left", "+ figures of the text")):
+    for side, align, text in ((-4, "right", f"the table's {CELLS} cells"), (4, "left", "+ figures from the text")):
         axes.annotate(text, (CELLS - 0.5, 0.52), fontsize=7, ha=align, xytext=(side, 0), textcoords="offset points")
     axes.legend(loc="upper left", ncols=4)
     return figure
@@ -50,6 +50,6 @@ def draw(data):
 
 def finding(data):
     counts = verdicts(data)
-    return (f"Of the table's {CELLS} cells one hypothesis reproduces {counts['reproduced']}; "
-            f"{counts['explained']} more are explained by another one, "
-            f"{counts['not reproducible']} by none.")
+    return (f"Of the table's {CELLS} cells, this one hypothesis reproduces {counts['reproduced']}; "
+            f"another hypothesis explains {counts['explained']} more, "
+            f"and none explains the other {counts['not reproducible']}.")

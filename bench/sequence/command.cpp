@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fixbench all, and what tells about the program itself.
+// fixbench all, and the sub-commands about the program itself.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,11 +18,10 @@ using fixbench::Call;
 const fixbench::Registration all({
     .name = "all",
     .description =
-        "Runs every experiment and draws the report; `fixbench --list` names them. They share the\n"
-        "cores, the longest begins first, and times left follow from the last run on this "
-        "machine.\n"
-        "The files of an experiment move into the results when it has succeeded: interrupted, no\n"
-        "file is lost or half-written.\n\n"
+        "Runs every experiment and draws the report; `fixbench --list` names them. They share\n"
+        "the cores, and the longest begins first; the time left is estimated from the last run\n"
+        "on this machine. An experiment's files move into the results only when it has\n"
+        "succeeded, so an interruption leaves no file lost or half-written.\n\n"
         "Example: fixbench all --quick --only cycles,accuracy",
     .add =
         [](CLI::App& command) {
@@ -37,20 +36,21 @@ const fixbench::Registration all({
             command
                 .add_flag_callback(
                     "--check", [options] { options->kind = Kind::check; },
-                    "measures as --full into build/check/ and fails where a deterministic file "
+                    "measures as --full into build/check/ and fails if a deterministic file "
                     "differs from results/")
                 ->excludes(full)
                 ->excludes(quick);
             full->excludes(quick);
             command.add_flag("--exhaustive", options->exhaustive,
-                             "also every input of the spaces of 2^32, on the host and as machine "
-                             "code: hours; without, the rows of the last such run are kept");
-            command.add_option("--only", options->only, "only these of `fixbench --list`")
+                             "also run all inputs of 2^32, on the host and as machine code, for "
+                             "hours; otherwise the rows of the last such run are kept");
+            command
+                .add_option("--only", options->only, "only these experiments of `fixbench --list`")
                 ->delimiter(',');
             command.add_flag("--resume", options->resume,
-                             "leave out what was measured with the same programs and options");
+                             "skip what was already measured with the same programs and options");
             command.add_option("--results", options->results,
-                               "folder to write, in place of results/, build/quick/, build/check/");
+                               "folder to write instead of results/, build/quick/ or build/check/");
             command.add_option("--threads", options->threads, "cores to keep busy")
                 ->capture_default_str()
                 ->check(CLI::Range(1, 1024));
@@ -60,7 +60,7 @@ const fixbench::Registration all({
 
 const fixbench::Registration completion({
     .name = "completion",
-    .description = "Prints the completion of sub-commands and options for bash.\n\n"
+    .description = "Prints the bash completion of sub-commands and options.\n\n"
                    "Example: source <(fixbench completion)",
     .add =
         [](CLI::App& command) {
@@ -73,7 +73,7 @@ const fixbench::Registration completion({
 
 const fixbench::Registration man({
     .name = "man",
-    .description = "Prints the manual page, made from the help.\n\n"
+    .description = "Prints the manual page, which is made from the help texts.\n\n"
                    "Example: fixbench man | man -l -",
     .add =
         [](CLI::App& command) {

@@ -105,7 +105,7 @@ std::string manual_page(const CLI::App& app) {
                             paragraphs(command->get_description()), entries(*command));
     return text +
            ".SH EXIT STATUS\n"
-           ".TP\n.B 0\nall that was asked for was done, and every check held\n"
+           ".TP\n.B 0\neverything was done, and every check held\n"
            ".TP\n.B 1\na check failed\n"
            ".TP\n.B 2\nthe call or its input was wrong\n";
 }

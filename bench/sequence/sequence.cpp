@@ -292,8 +292,9 @@ class Sequence {
         for (const auto& entry : fs::recursive_directory_iterator(job.folder))
             if (entry.is_regular_file() && entry.path().filename() != "log" &&
                 !expected.contains(entry.path()))
-                throw std::runtime_error(fmt::format("wrote {}, for which it is not registered",
-                                                     entry.path().filename().string()));
+                throw std::runtime_error(
+                    fmt::format("wrote {}, which it is not registered to write",
+                                entry.path().filename().string()));
         // Copied beside their places and renamed there, as the build may lie on another disk.
         for (const File& file : job.files) records::write_whole(file.place, content_of(file.made));
         remember(job);
@@ -354,7 +355,7 @@ class Sequence {
         const auto done = std::count_if(jobs_.begin(), jobs_.end(),
                                         [](const Job& job) { return job.state == Job::done; });
         fmt::print(stderr,
-                   "fixbench: interrupted; {} of {} steps are done and kept, --resume goes on\n",
+                   "fixbench: interrupted; {} of {} steps are done and kept; --resume continues\n",
                    done, jobs_.size());
         std::signal(caught, SIG_DFL);
         std::raise(caught);
@@ -370,7 +371,7 @@ class Sequence {
             if (job.status > fixbench::check_failed) code = fixbench::wrong_call;
         }
         fmt::print(stderr,
-                   "fixbench: failed: {}; what they wrote lies in {}, the other results are "
+                   "fixbench: failed: {}; what they wrote is in {}, the other results are "
                    "in place\n",
                    fmt::join(names, ", "), jobs_.front().folder.parent_path().string());
         return code;
@@ -474,7 +475,7 @@ std::vector<Step> chosen_steps(const Options& options) {
     });
     if (steps.empty())
         throw std::invalid_argument(
-            "--only: its figures differ from run to run, and --check "
+            "--only: these figures differ from run to run, so --check "
             "leaves them out");
     return steps;
 }

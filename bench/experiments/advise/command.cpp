@@ -31,26 +31,20 @@ stability::Cost on_chip(const std::string& scene, const std::string& scalar,
 const fixbench::Registration command({
     .name = "advise",
     .description =
-        "Number formats that run a program or a scene within an error, cheapest first, with "
-        "cycles,\n"
-        "flash and the bits that are left to overflow. Exits with 1 where nothing meets the "
-        "error.\n\n"
-        "--program FILE: your code, `template <class Number> class Program` with a member "
-        "function\n"
-        "`Number step(Number...)`, run with your data: CSV files of a column for each input, a "
-        "run\n"
-        "each, which begins with a new Program. Recorded in double, then in each format that "
-        "holds\n"
-        "what was recorded, on the host and on the simulated chip, where both have to agree. The\n"
-        "error is the largest against double. Files: advice.csv, ranges.csv (what every variable\n"
-        "that fixedpoint::watch names and every line had for values; printed with --ranges).\n\n"
-        "--scene NAME: a scene of the engine against its true motion, in all splits Q2.14 to "
-        "Q12.4,\n"
-        "Q4.28 to Q24.8 and Q12.52 to Q40.24, and float, with every method and step. What the "
-        "data\n"
-        "lack the cycles of is built and run on the simulated chip; the program stays in the "
-        "build\n"
-        "folder.\n\n"
+        "Lists the number formats that run a program or a scene within an error, cheapest\n"
+        "first, with cycles, flash and the bits left before overflow. Exits with 1 if nothing\n"
+        "meets the error.\n\n"
+        "--program FILE: your code, `template <class Number> class Program` with a member\n"
+        "function `Number step(Number...)`. It runs on your data: CSV files with a column for\n"
+        "each input. Each file is a run, which begins with a new Program. The program is\n"
+        "recorded in double, then run in each format that fits what was recorded, on the host\n"
+        "and on the simulated chip, which have to agree. The error is the largest difference\n"
+        "from double. Files: advice.csv, ranges.csv (the values of every line and of every\n"
+        "variable that fixedpoint::watch names; printed with --ranges).\n\n"
+        "--scene NAME: a scene of the engine against its true motion, in all splits Q2.14 to\n"
+        "Q12.4, Q4.28 to Q24.8 and Q12.52 to Q40.24, and float, with every method and step. A\n"
+        "program whose cycles are not in the data is built and run on the simulated chip, and\n"
+        "stays in the build folder.\n\n"
         "Example: fixbench advise --program my_filter.cpp --inputs my_data.csv --error 0.001\n"
         "         fixbench advise --scene pendulum --error 5 --unit mm",
     .prints = {"advice.csv", "ranges.csv"},
@@ -64,7 +58,7 @@ const fixbench::Registration command({
             const auto asked = std::make_shared<Asked>();
             asked->scene.data = FIXBENCH_SOURCE_FOLDER "/results/data";
             CLI::Option* const program =
-                command.add_option("--program", asked->program.program, "a C++ file of yours")
+                command.add_option("--program", asked->program.program, "your C++ file")
                     ->check(CLI::ExistingFile);
             CLI::Option* const inputs =
                 command.add_option("--inputs", asked->program.data, "CSV files of its inputs")
@@ -73,7 +67,7 @@ const fixbench::Registration command({
             program->needs(inputs);
             CLI::Option* const ranges = command
                                             .add_flag("--ranges", asked->program.ranges_only,
-                                                      "only the ranges of variables and lines")
+                                                      "list only the ranges of variables and lines")
                                             ->needs(program);
             CLI::Option* const scene =
                 command
@@ -85,24 +79,25 @@ const fixbench::Registration command({
             CLI::Option* const error =
                 command
                     .add_option("--error", asked->error,
-                                "the largest error of a result, or of a position")
+                                "largest error of a result, or of a position")
                     ->check([](const std::string& text) {
                         double error = 0;
                         return CLI::detail::lexical_cast(text, error) && std::isfinite(error) &&
                                        error > 0
                                    ? std::string()
-                                   : "a number above 0 is needed, not " + text;
+                                   : "must be a number above 0, not " + text;
                     });
             error->excludes(ranges);
-            command.add_option("--unit", asked->unit, "of a position's error: m, cm, mm or um")
+            command
+                .add_option("--unit", asked->unit, "unit of a position's error: m, cm, mm or um")
                 ->transform(CLI::CheckedTransformer(std::map<std::string, double>{
                     {"m", 1}, {"cm", 1e-2}, {"mm", 1e-3}, {"um", 1e-6}}))
                 ->needs(scene);
             command
                 .add_option("--data", asked->scene.data,
-                            "folder of scenes.csv and operations.csv, for cycles and flash")
+                            "folder with scenes.csv and operations.csv, for cycles and flash")
                 ->capture_default_str();
-            command.add_option("--lines", asked->scene.most, "so many lines of a scene at most")
+            command.add_option("--lines", asked->scene.most, "at most this many lines for a scene")
                 ->capture_default_str()
                 ->check(CLI::Range(1, 10000))
                 ->needs(scene);
@@ -110,10 +105,9 @@ const fixbench::Registration command({
                 const bool scene = !asked->scene.scene.empty();
                 if (!scene && asked->program.program.empty())
                     throw std::invalid_argument(
-                        "advise takes --program and --inputs, or --scene, and --error");
+                        "advise needs --program and --inputs, or --scene; and --error");
                 if (asked->error == 0 && !asked->program.ranges_only)
-                    throw std::invalid_argument(
-                        "advise takes --error, the largest that is allowed");
+                    throw std::invalid_argument("advise needs --error, the largest error allowed");
                 bool found;
                 if (scene) {
                     asked->scene.error = asked->error * asked->unit;

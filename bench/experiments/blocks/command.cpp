@@ -45,8 +45,8 @@ int run(const std::filesystem::path& output) {
         rows.push_back({m.block, m.format, m.cycles_mean, m.cycles_max,
                         m.cycles_mean / in_float->cycles_mean, m.flash, m.max_error, m.rms_error});
         if (m.format != "binary32" && m.unlike_host != 0) {
-            fmt::print(stderr, "{} {}: {} of {} outputs are not the host's\n", m.block, m.format,
-                       m.unlike_host, m.outputs);
+            fmt::print(stderr, "{} {}: {} of {} outputs differ from the host's\n", m.block,
+                       m.format, m.unlike_host, m.outputs);
             held = false;
         }
     }
@@ -57,11 +57,10 @@ int run(const std::filesystem::path& output) {
 const fixbench::Registration registration({
     .name = "blocks",
     .description =
-        "What the library's building blocks (PID, filters, tables, polynomials, complex numbers,\n"
-        "matrices, quaternions) cost on the chip in fixed point and in float: cycles a step, "
-        "flash\n"
-        "beside an empty program, and the error against a run in double. Fails where a result in\n"
-        "fixed point is not the host's. File: blocks.csv.\n\n"
+        "What the library's building blocks (PID, filters, tables, polynomials, complex\n"
+        "numbers, matrices, quaternions) cost on the chip in fixed point and in float: cycles a\n"
+        "step, flash above that of an empty program, and the error against a run in double.\n"
+        "Fails if a fixed-point result differs from the host's. File: blocks.csv.\n\n"
         "Example: fixbench blocks",
     .prints = {"blocks.csv"},
     .add = [](CLI::App&) { return [](const fixbench::Call& call) { return run(call.output); }; },

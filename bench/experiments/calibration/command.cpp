@@ -12,15 +12,16 @@ namespace {
 const fixbench::Registration registration({
     .name = "calibrate",
     .description =
-        "The curve of a force sensor from its readings under known weights. Files:\n"
+        "Fits the curve of a force sensor to its readings under known weights. Files:\n"
         "calibration_candidates.csv, calibration.csv and calibration_verdicts.csv (whether the\n"
-        "published readings give the published curve); with --header the firmware's header.\n\n"
+        "published readings give the published curve); with --header, also the firmware's\n"
+        "header.\n\n"
         "READINGS is a CSV file with the columns adc_reading (0 to 1023) and actual_g, as\n"
-        "spreadsheets write it: separated by commas or, with decimal commas, by semicolons, in\n"
-        "any order; repeated readings of a weight are averaged. 5 weights or more are needed, and\n"
-        "readings must rise with them. Families of curves are fitted by least squares; each is\n"
-        "run on the simulated chip for all 1024 readings. Of those within one standard error of\n"
-        "the least leave-one-out error the one of fewest cycles is taken.\n\n"
+        "spreadsheets write it: separated by commas or, with decimal commas, by semicolons. At\n"
+        "least 5 weights are needed, in any order, and readings must rise with them; repeated\n"
+        "readings of a weight are averaged. Families of curves are fitted by least squares, and\n"
+        "each runs on the simulated chip for all 1024 readings. Of those within one standard\n"
+        "error of the smallest leave-one-out error, the one with the fewest cycles is chosen.\n\n"
         "Example: fixbench calibrate reference/published/table_d_1.csv",
     .prints = {"calibration_candidates.csv"},
     .add =

@@ -14,12 +14,10 @@ namespace {
 const fixbench::Registration command({
     .name = "compare",
     .description =
-        "Two runs held against each other: which subjects got slower, larger or less exact, and "
-        "one\n"
-        "score, the geometric mean of how many times better than avr-libc's float ours is in "
-        "cycles,\n"
-        "flash and error over a fixed list of operations, with its parts. File: compare.csv.\n"
-        "Exit status 1 where a figure is worse or a subject is gone.\n\n"
+        "Compares two runs: which subjects became slower, larger or less exact. It also prints\n"
+        "a score: by how much ours is better than avr-libc's float, as the geometric mean of\n"
+        "cycles, flash and error over a fixed list of operations, with its parts. File:\n"
+        "compare.csv. Exit status 1 if a figure is worse or a subject is gone.\n\n"
         "Example: fixbench compare HEAD~1 results",
     .prints = {"compare.csv"},
     .add =
@@ -32,7 +30,7 @@ const fixbench::Registration command({
                 .add_option("old", asked->before,
                             "folder of a run, or a git revision with results/data/operations.csv")
                 ->required();
-            command.add_option("new", asked->after, "the same of the later run")->required();
+            command.add_option("new", asked->after, "the same for the later run")->required();
             return [asked](const fixbench::Call& call) {
                 const records::Table before = operations_of(asked->before, FIXBENCH_SOURCE_FOLDER),
                                      after = operations_of(asked->after, FIXBENCH_SOURCE_FOLDER);

@@ -18,7 +18,7 @@ using fixbench::Call;
 
 int held(std::uint64_t violations) {
     if (violations == 0) return fixbench::held;
-    fmt::print(stderr, "fixbench: {} results are not what their definition says\n", violations);
+    fmt::print(stderr, "fixbench: {} results contradict their definition\n", violations);
     return fixbench::check_failed;
 }
 
@@ -39,11 +39,10 @@ const fixbench::Registration exhaustive({
     .name = "exhaustive",
     .description =
         "Kernels as machine code, translated instruction by instruction and run over all inputs\n"
-        "where there are at most 2^32 (operands `all`), else over a long search (`search`).\n"
+        "if there are at most 2^32 (operands `all`), otherwise over a long search (`search`).\n"
         "About a minute a function. Rows go into exhaustive.csv; those of other functions stay.\n"
-        "With --shard i/n a part of the work goes into files that `fixbench merge` joins. A "
-        "worker\n"
-        "that dies is started again and goes on from its checkpoint:\n\n"
+        "With --shard i/n a part of the work goes into files that `fixbench merge` joins. A\n"
+        "worker that dies continues from its checkpoint when it is started again:\n\n"
         "  parallel --retries 3 fixbench exhaustive --output DIR --shard {}/16 ::: $(seq 16)\n"
         "  fixbench merge --output DIR DIR/*.json\n\n"
         "Example: fixbench exhaustive --symbol sqrt_q16_16_default,sin_q16_16_default",
@@ -57,15 +56,16 @@ const fixbench::Registration exhaustive({
             };
             const auto asked = std::make_shared<Asked>();
             command
-                .add_option("--program", asked->programs, "device programs; by default q16_16.elf")
+                .add_option("--program", asked->programs, "device programs (default: q16_16.elf)")
                 ->check(CLI::ExistingFile);
             command
                 .add_option("--symbol", asked->options.symbols,
-                            "only these functions; else all that can be judged")
+                            "only these functions (default: all that can be judged)")
                 ->delimiter(',');
             command
-                .add_option("--search-operands", asked->options.search_operands,
-                            "operands of a search, for functions of more than 32 bits of operands")
+                .add_option(
+                    "--search-operands", asked->options.search_operands,
+                    "operands of a search, for functions with more than 32 bits of operands")
                 ->capture_default_str()
                 ->check(CLI::Range(std::uint64_t(1), std::uint64_t(1) << 40));
             CLI::Option* const shard =
@@ -122,8 +122,9 @@ const fixbench::Registration exhaustive({
 
 const fixbench::Registration merge({
     .name = "merge",
-    .description = "Joins the files of all shards of `exhaustive` into exhaustive.csv: what a run\n"
-                   "without shards would have written.",
+    .description =
+        "Joins the files of all shards of `exhaustive` into exhaustive.csv, as a run without\n"
+        "shards would have written it.",
     .prints = {"exhaustive.csv"},
     .add =
         [](CLI::App& command) {

@@ -6,13 +6,13 @@
 #SBATCH --requeue
 # A task of a Slurm array runs one shard of `fixbench exhaustive`. The folder of --output holds the
 # checkpoints, so it must be on a file system that all nodes share: a task that is started again,
-# by Slurm or by the same call, goes on from its checkpoint.
+# by Slurm or by the same call, continues from its checkpoint.
 #
 # Usage: sbatch --array=1-SHARDS slurm.sh SHARDS FIXBENCH --output DIR --program ELF [OPTIONS]
-#   SHARDS    in how many parts the work is divided. Slurm's own count would be another one where
-#             only the tasks that failed are submitted again (--array=3,7).
+#   SHARDS    the number of parts of the work. Slurm's own count would be wrong if only the tasks
+#             that failed are submitted again (--array=3,7).
 #   FIXBENCH  the program; what follows are options of `fixbench exhaustive`. Name the device
-#             program, or every node tries to build it.
+#             program, or else every node tries to build it.
 # Then: fixbench merge --output DIR DIR/*.json
 set -eu
 

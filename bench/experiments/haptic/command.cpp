@@ -20,12 +20,13 @@ const std::vector<std::string> programs = {
 const fixbench::Registration registration({
     .name = "haptic",
     .description =
-        "The lever's firmware in the simulated chip, coupled to a model of servo, foam, sensors\n"
-        "and hand, through every scenario: does it keep its envelope and its time?\n"
-        "Files: haptic.csv and, where all scenarios are run, workload_firmware.csv, the published\n"
-        "figures beside ours, and haptic_pins.csv, the profiling pins' timing.\n\n"
-        "With --record each run is written too: <scenario>.<arithmetic>.csv, .vcd (pins, as logic\n"
-        "analysers have them) and .screen.txt.\n\n"
+        "Runs the lever's firmware on the simulated chip, coupled to a model of servo, foam,\n"
+        "sensors and hand, through every scenario: does it stay in its envelope and keep its\n"
+        "time?\n"
+        "Files: haptic.csv and, if all scenarios are run, workload_firmware.csv (the published\n"
+        "figures next to ours) and haptic_pins.csv (the timing of the profiling pins).\n\n"
+        "With --record each run is written too: <scenario>.<arithmetic>.csv, .vcd (pins, for\n"
+        "logic analysers) and .screen.txt.\n\n"
         "Example: fixbench haptic --scenario bounce --arithmetic q16_16 --record recordings",
     .prints = {"haptic.csv"},
     .add =
@@ -38,12 +39,12 @@ const fixbench::Registration registration({
                                     "only these: q16_16, published, float");
             command
                 .add_option("--seconds", options->longest,
-                            "scenarios end after so long; by default an hour for q16_16, where "
-                            "nothing is recorded, and 240 for the others")
+                            "scenarios end after this time (default: 240 s; for q16_16 "
+                            "without --record, an hour)")
                 ->check(CLI::Range(1, 1000000));
             command.add_option("--record", options->record, "folder for recordings");
             CLI::Option* const firmware =
-                command.add_option("--firmware", options->firmware, "folder of the programs")
+                command.add_option("--firmware", options->firmware, "folder with the programs")
                     ->check(CLI::ExistingDirectory);
             return [options, firmware](const fixbench::Call& call) {
                 if (firmware->count() == 0) fixbench::build(programs);
@@ -54,7 +55,7 @@ const fixbench::Registration registration({
                 if (options->scenarios.empty() && options->arithmetics.empty())
                     write_workload(*options);
                 if (failed == 0) return fixbench::held;
-                fmt::print(stderr, "fixbench: {} runs left their envelope: see haptic.csv\n",
+                fmt::print(stderr, "fixbench: {} runs left their envelope; see haptic.csv\n",
                            failed);
                 return fixbench::check_failed;
             };

@@ -20,24 +20,24 @@ using fixbench::Call;
 const fixbench::Registration judge({
     .name = "judge",
     .description =
-        "Anybody's function against what it is said to compute: cycles and stack on the simulated\n"
-        "chip by class of operands, error, worst operands, calling convention and stray writes.\n"
-        "Or, with --pipe, results that any program has computed, as lines of operands and "
-        "results.\n"
-        "File: judge.csv.\n\n"
-        "--as says what is computed: <operation>:<format>, with :published or :saturating behind\n"
-        "it for another arithmetic than the default's; or a formula over raw numbers,\n"
+        "Judges anybody's function against what it is said to compute: cycles and stack on the\n"
+        "simulated chip by class of operands, error, worst operands, calling convention and\n"
+        "stray writes. With --pipe it judges results that any program has computed, as lines of\n"
+        "operands and results. File: judge.csv.\n\n"
+        "--as says what is computed. Either <operation>:<format>, followed by :published or\n"
+        ":saturating for another arithmetic than the default; or a formula over raw numbers,\n"
         "<type>(<type>,...)=<formula> of the operands a, b, c ..., with the types int8..int64,\n"
-        "uint8..uint32 and the fixed-point formats, of which the values count. The error is in\n"
-        "units of the result's last place.\n\n"
-        "A line of --pipe is one call: operands and results as decimal raw numbers with blanks\n"
-        "between; `#` begins a comment.\n\n"
-        "Exit status 1 where a result is wrong: of an operation by its definition, of a formula\n"
-        "beyond half an ulp, and of both with --bound beyond that.\n\n"
+        "uint8..uint32 and the fixed-point formats, which stand for their values. The error is\n"
+        "in units in the last place (ulp) of the result.\n\n"
+        "A line of --pipe is one call: operands and results as decimal raw numbers, separated\n"
+        "by blanks; `#` begins a comment.\n\n"
+        "Exit status 1 if a result is wrong: if an operation contradicts its definition, or if\n"
+        "a formula is off by more than half an ulp. With --bound, both are wrong beyond that\n"
+        "bound.\n\n"
         "Example: fixbench judge program.elf --function my_sqrt --as sqrt:q16_16 --bound 1\n"
         "         fixbench judge program.elf --function mul --as 'int32(int32,int32)=a*b/2^16'\n"
-        "         fixbench operands --as sqrt:q8_8 --class all | ./mine | fixbench judge --pipe "
-        "--as sqrt:q8_8",
+        "         fixbench operands --as sqrt:q8_8 --class all | ./mine |\n"
+        "             fixbench judge --pipe --as sqrt:q8_8",
     .prints = {"judge.csv"},
     .add =
         [](CLI::App& command) {
@@ -49,14 +49,15 @@ const fixbench::Registration judge({
             CLI::Option* const program =
                 command.add_option("program", asked->options.program, "an ELF file for the chip")
                     ->check(CLI::ExistingFile);
-            CLI::Option* const function = command.add_option(
-                "--function", asked->options.function, "the function, by avr-gcc's convention");
+            CLI::Option* const function =
+                command.add_option("--function", asked->options.function,
+                                   "its function, which follows avr-gcc's calling convention");
             program->needs(function);
             command.add_option("--as", asked->options.claim, "what it is said to compute")
                 ->required();
             command
                 .add_option("--bound", asked->options.bound_ulp,
-                            "the largest error in ulp that is right")
+                            "largest error in ulp that still counts as right")
                 ->check(CLI::Range(0.0, 1e18));
             CLI::Option* const samples =
                 command
@@ -64,7 +65,7 @@ const fixbench::Registration judge({
                                 "operands of each random class and of the boundary table")
                     ->capture_default_str()
                     ->check(CLI::Range(std::uint64_t(1), std::uint64_t(1) << 40));
-            command.add_flag("--pipe", asked->pipe, "judge lines of the standard input")
+            command.add_flag("--pipe", asked->pipe, "judge lines from the standard input")
                 ->excludes(program)
                 ->excludes(function)
                 ->excludes(samples);
@@ -72,7 +73,7 @@ const fixbench::Registration judge({
                 ProgramOptions& options = asked->options;
                 if (!asked->pipe && (options.program.empty() || options.function.empty()))
                     throw std::invalid_argument(
-                        "judge takes a program and --function, or --pipe and lines on the standard "
+                        "judge needs a program and --function, or --pipe and lines on the standard "
                         "input");
                 options.output = call.output;
                 options.threads = call.threads;
@@ -97,10 +98,9 @@ const fixbench::Registration judge({
 const fixbench::Registration operands({
     .name = "operands",
     .description =
-        "Operands as text, a call a line, for any program to compute with: decimal raw numbers "
-        "with\n"
-        "blanks between; `#` begins a comment, which of boundary operands says what they are.\n\n"
-        "Classes: small |x| < 1; physics 0.01..20; full, log-uniform over the range; uniform;\n"
+        "Prints operands as text, one call a line, for any program to compute with: decimal raw\n"
+        "numbers, separated by blanks. `#` begins a comment, which explains boundary operands.\n\n"
+        "Classes: small, |x| < 1; physics, 0.01..20; full, log-uniform over the range; uniform;\n"
         "published; boundary, an annotated table; all, every input of at most 32 bits.\n\n"
         "Example: fixbench operands --operation divide --format q8_24 --class boundary",
     .add =
@@ -115,21 +115,23 @@ const fixbench::Registration operands({
             CLI::Option* const format =
                 command.add_option("--format", asked->format, "e.g. q8_24")->needs(operation);
             operation->needs(format);
-            command.add_option("--as", asked->claim, "both as judge takes them, or a formula")
+            command
+                .add_option("--as", asked->claim,
+                            "operation and format, or a formula, as for judge")
                 ->excludes(operation)
                 ->excludes(format);
             command.add_option("--class", asked->operand_class, "which operands")
                 ->capture_default_str();
-            command.add_option("--samples", asked->samples, "how many of a random class")
+            command.add_option("--samples", asked->samples, "number of operands of a random class")
                 ->capture_default_str()
                 ->check(CLI::Range(std::uint64_t(1), std::uint64_t(1) << 40));
-            command.add_option("--seed", asked->seed, "another gives others of a random class")
+            command.add_option("--seed", asked->seed, "seed of a random class")
                 ->capture_default_str();
             return [asked](const Call&) {
                 if (asked->claim.empty()) {
                     if (asked->operation.empty())
                         throw std::invalid_argument(
-                            "operands takes --operation and --format, or --as");
+                            "operands needs --operation and --format, or --as");
                     asked->claim = asked->operation + ":" + asked->format;
                 }
                 std::vector<std::string> classes = {"boundary", "all"};
@@ -146,11 +148,9 @@ const fixbench::Registration operands({
 const fixbench::Registration corpus({
     .name = "corpus",
     .description =
-        "The boundary table and the worst operands that were measured of each operation and "
-        "format,\n"
-        "as files <operation>_<format>.txt for the tests of others. `fixbench report` writes them "
-        "to\n"
-        "results/corpus/.\n\n"
+        "Writes the boundary table and the worst measured operands of each operation and\n"
+        "format, as files <operation>_<format>.txt for the tests of others. `fixbench report`\n"
+        "writes them to results/corpus/.\n\n"
         "Example: fixbench corpus --data results/data --output build/corpus",
     .add =
         [](CLI::App& command) {

@@ -116,22 +116,23 @@ const fixbench::Registration cycles({
     .description =
         "Cycles, stack, flash and error of each subject on classes of operands.\n"
         "Files: operations.csv, flash.csv (of programs that use several operations) and\n"
-        "operations.json (Google Benchmark's schema). Means are over the operands whose result is\n"
-        "rounded, not pinned by definition nor below half an ulp.\n\n"
-        "A subject is an extern \"C\" function <operation>_<format>_<implementation> of a device\n"
-        "program, by default q4_4.elf, q8_8.elf, q16_16.elf, q8_24.elf, q32_32.elf, each of\n"
-        "them with _angles, _powers and _auxiliary, correctly_rounded_angles.elf,\n"
-        "correctly_rounded_powers.elf, roundings.elf and rivals.elf in\n"
+        "operations.json (Google Benchmark's schema). Means are over the operands whose result\n"
+        "is rounded: neither pinned by definition nor below half an ulp.\n\n"
+        "A subject is an extern \"C\" function <operation>_<format>_<implementation> of a\n"
+        "device program. The default programs are q4_4.elf, q8_8.elf, q16_16.elf, q8_24.elf and\n"
+        "q32_32.elf, each also with _angles, _powers and _auxiliary,\n"
+        "correctly_rounded_angles.elf, correctly_rounded_powers.elf, roundings.elf and\n"
+        "rivals.elf, in\n"
         "  " FIXBENCH_DEVICE_FOLDER "\n"
-        "(avr-nm lists them), for avr-gcc's calling convention: any other tool can call it too.\n"
-        "Cycles include call (4) and ret (4), not the loading of operands.\n\n"
-        "Operand classes: small |x| < 1; physics 0.01..20 (exp: ..10); full, log-uniform over the "
-        "range;\n"
-        "uniform, every raw alike; published, those of the rebuilt harness; boundary, an annotated "
-        "table; all, every input\n"
-        "where there are at most 65536.\n\n"
+        "(avr-nm lists their functions). They follow avr-gcc's calling convention, so any other\n"
+        "tool can call them too. Cycles include call (4) and ret (4), but not the loading of\n"
+        "operands.\n\n"
+        "Operand classes: small, |x| < 1; physics, 0.01..20 (exp: up to 10); full, log-uniform\n"
+        "over the range; uniform, every raw number equally likely; published, those of the\n"
+        "rebuilt harness; boundary, an annotated table; all, every input if there are at most\n"
+        "65536.\n\n"
         "Example: fixbench cycles --operation divide --format q16_16,float --operands physics\n"
-        "Example: fixbench cycles --mcu atmega2560,attiny85 --format q16_16",
+        "         fixbench cycles --mcu atmega2560,attiny85 --format q16_16",
     .prints = {"operations.csv", "other_chips.csv"},
     .add =
         [](CLI::App& command) {
@@ -139,7 +140,7 @@ const fixbench::Registration cycles({
             const auto chips = std::make_shared<std::vector<std::string>>();
             add_filters(command, options->selection);
             fixbench::add_selection(command, "--mcu", *chips,
-                                    "the library's functions on these chips: file "
+                                    "the library's functions on these chips; file: "
                                     "other_chips.csv");
             fixbench::add_selection(command, "--operands", options->selection.operands,
                                     "only these operand classes");
@@ -197,10 +198,9 @@ const fixbench::Registration cycles({
 const fixbench::Registration accuracy({
     .name = "accuracy",
     .description =
-        "Error of the portable code, which the device's results equal bit for bit, over whole "
-        "input\n"
-        "spaces where they are finite enough (operands `all`), else over boundary tables, random\n"
-        "operands and a search for the worst case.\n"
+        "Error of the portable code, which the device's results equal bit for bit: over the\n"
+        "whole input space if it is small enough (operands `all`), otherwise over boundary\n"
+        "tables, random operands and a search for the worst case.\n"
         "Files: accuracy.csv, error_histograms.csv and error_along_input.csv.\n\n"
         "Example: fixbench accuracy --operation sqrt --format q16_16",
     .prints = {"accuracy.csv"},
@@ -210,11 +210,11 @@ const fixbench::Registration accuracy({
             add_filters(command, options->selection);
             CLI::Option* const quick = command.add_flag(
                 "--quick", options->quick,
-                "sample the input spaces of more than 2^24 points instead of exhausting them");
+                "sample input spaces of more than 2^24 points instead of exhausting them");
             command
                 .add_option("--keep", options->kept,
-                            "folder of an earlier run: the rows of spaces of 2^32 points are "
-                            "its rows, held against samples of the present code")
+                            "folder of an earlier run, from which rows of 2^32 points are "
+                            "taken if samples of the present code agree with them")
                 ->check(CLI::ExistingDirectory)
                 ->excludes(quick);
             return [options](const Call& call) {
@@ -242,12 +242,11 @@ const fixbench::Registration accuracy({
 const fixbench::Registration verify({
     .name = "verify",
     .description =
-        "The device's machine code against the host, bit for bit: boundary tables, random "
-        "operands,\n"
-        "all inputs where there are at most 65536 of a fast function; the calling convention, "
-        "stray writes, and "
-        "which\n"
-        "instructions were executed. File: kernels.csv.\n\n"
+        "Compares the device's machine code with the host, bit for bit: on boundary tables,\n"
+        "random operands and, for fast functions with at most 65536 inputs, all inputs. Also\n"
+        "checks the calling convention and stray writes, and records which instructions were\n"
+        "executed.\n"
+        "File: kernels.csv.\n\n"
         "Example: fixbench verify --operation divide --samples 10000000",
     .prints = {"kernels.csv"},
     .add =
@@ -284,13 +283,13 @@ const fixbench::Registration verify({
 
 const fixbench::Registration throughput({
     .name = "throughput",
-    .description = "What the portable code costs on this machine, by Google Benchmark.\n"
+    .description = "What the portable code costs on this machine, measured with Google Benchmark.\n"
                    "File: host_throughput.json. Names are those of the device subjects.",
     .prints = {"host_throughput.json"},
     .add =
         [](CLI::App& command) {
             const auto seconds = std::make_shared<double>(0.2);
-            command.add_option("--seconds", *seconds, "time that each function runs for")
+            command.add_option("--seconds", *seconds, "seconds that each function runs")
                 ->capture_default_str()
                 ->check(CLI::Range(0.001, 60.0));
             return [seconds](const Call& call) {

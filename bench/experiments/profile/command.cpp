@@ -114,11 +114,11 @@ const fixbench::Registration registration({
     .name = "profile",
     .description =
         "Where each cycle and stack byte of a program for the ATmega328P goes, function by\n"
-        "function, its interrupts' latencies and a bound of its stack by its machine code.\n"
-        "With --output, for firmware.elf: profile_firmware.csv, interrupts_firmware.csv,\n"
+        "function; the latencies of its interrupts; and a bound on its stack from its machine\n"
+        "code. With --output, for firmware.elf: profile_firmware.csv, interrupts_firmware.csv,\n"
         "stack_firmware.csv, stacks_firmware.folded and the flame graph firmware_flame.svg.\n\n"
-        "A function's cycles include its call and return; inlined functions belong to the one\n"
-        "that they were inlined into. A marker is a byte that the program writes to GPIOR0.\n\n"
+        "A function's cycles include its call and return; an inlined function counts for the\n"
+        "one that it was inlined into. A marker is a byte that the program writes to GPIOR0.\n\n"
         "Example: fixbench profile firmware.elf --seconds 5 --output profile",
     .add =
         [](CLI::App& command) {
@@ -126,17 +126,18 @@ const fixbench::Registration registration({
             command.add_option("program", options->program, "the ELF file")->required();
             command
                 .add_option("--seconds", options->seconds,
-                            "simulated time from reset; with markers, at most")
+                            "simulated time from reset; with markers, the longest")
                 ->capture_default_str();
             CLI::Option* const from =
-                command.add_option("--from", options->from, "begins behind this marker");
-            command.add_option("--to", options->to, "ends with the next marker of this value")
+                command.add_option("--from", options->from, "begin after this marker");
+            command.add_option("--to", options->to, "end at the next marker with this value")
                 ->needs(from);
-            command.add_option("--scenario", options->scenario,
-                               "of `fixbench haptic`: a lever, coupled to the model of its device");
+            command.add_option(
+                "--scenario", options->scenario,
+                "scenario of `fixbench haptic`: a lever coupled to the model of its device");
             command.add_option("--output", options->output, "folder for the files");
             command.add_option("--figures", options->figures,
-                               "folder for the flame graph, if another");
+                               "folder for the flame graph, if not that of --output");
             return [options](const fixbench::Call&) { return run(*options); };
         },
     .steps = {{.name = "profile",

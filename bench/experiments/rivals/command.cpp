@@ -17,11 +17,10 @@ namespace {
 const fixbench::Registration command({
     .name = "rivals",
     .description =
-        "Other libraries on the simulated chip: cycles, error, flash, stack and what they return "
-        "at\n"
-        "the edges. A library is built from a checkout that you have; what needs none (_Accum,\n"
-        "64-bit integers) is always measured. Figures of the others are those of the last run,\n"
-        "with their date, version and commit. File: rivals.csv.\n\n"
+        "Other libraries on the simulated chip: cycles, error, flash, stack and what they\n"
+        "return outside the range. A library is built from your checkout; what needs none\n"
+        "(_Accum, 64-bit integers) is always measured. Figures of libraries that are not given\n"
+        "are those of the last run, with their date, version and commit. File: rivals.csv.\n\n"
         "Example: fixbench rivals --source libfixmath=../libfixmath --keep results/data/rivals.csv",
     .prints = {"rivals.csv"},
     .add =
@@ -48,7 +47,7 @@ const fixbench::Registration command({
                         equals == source.npos ? "" : source.substr(equals + 1);
                     if (!std::filesystem::is_directory(folder))
                         throw std::invalid_argument(
-                            fmt::format("--source {}: <rival>=<folder> is wanted, and the folder "
+                            fmt::format("--source {}: must be <rival>=<folder>, and the folder "
                                         "must exist",
                                         source));
                     options.sources[name] = folder;

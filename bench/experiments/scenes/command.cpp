@@ -16,15 +16,14 @@ using fixbench::Call;
 const fixbench::Registration scenes({
     .name = "scenes",
     .description =
-        "Error of every scene of engine/src/scenes/ in every scalar, method and time step, "
-        "against\n"
-        "cycles on the simulated chip. Builds the device programs that were selected where they\n"
-        "are out of date. File: scenes.csv.\n\n"
-        "error is against the truth; error_method that of the same method in 50 digits; and\n"
-        "error_arithmetic is against the same method in 50 digits. Each is the largest distance "
-        "of\n"
-        "a particle at any quarter of a second, in metres. Rows without cycles ran on the host,\n"
-        "which the chip equals bit for bit. A run that failed is a row with its reason.\n\n"
+        "Error of every scene of engine/src/scenes/ in every scalar, method and time step,\n"
+        "against cycles on the simulated chip. Builds the selected device programs that are out\n"
+        "of date.\n"
+        "File: scenes.csv.\n\n"
+        "`error` is the distance from the truth, `error_method` that of the same method in 50\n"
+        "digits, `error_arithmetic` the distance from that method. Each is the largest over all\n"
+        "particles and quarters of a second, in metres. Rows without cycles ran on the host,\n"
+        "whose results equal the chip's bit for bit. A failed run is a row with its reason.\n\n"
         "Example: fixbench scenes --scene pendulum --scalar q16_16,float",
     .prints = {"scenes.csv"},
     .add =
@@ -38,8 +37,8 @@ const fixbench::Registration scenes({
             fixbench::add_selection(command, "--method", options->methods,
                                     "only these methods, e.g. velocity_verlet");
             command.add_flag("--quick", options->quick,
-                             "on the chip only steps of 2^-8 s, of semi-implicit Euler and of "
-                             "Q16.16; on the host all else, and longer steps");
+                             "on the chip, only steps of 2^-8 s, semi-implicit Euler and "
+                             "Q16.16; on the host, everything else, with longer steps");
             return [options](const Call& call) {
                 options->output = call.output;
                 options->threads = call.threads;
@@ -61,12 +60,12 @@ const fixbench::Registration scenes({
 const fixbench::Registration states({
     .name = "initial_states",
     .description =
-        "Error of every scene in every scalar and method from eight initial states drawn from\n"
-        "seeds: smallest, median and largest. On the host, which the chip equals bit for bit in\n"
-        "fixed point; float is the host's. File: initial_states.csv.\n\n"
-        "error is against the truth from the same start; of the box, whose truth is not known,\n"
-        "against the same method and step in double. Runs that fail, or are off by more than the\n"
-        "size of the scene, are not held.\n\n"
+        "Error of every scene in every scalar and method over eight seeded initial states:\n"
+        "smallest, median and largest. Runs on the host, whose fixed-point results equal the\n"
+        "chip's bit for bit; float is the host's. File: initial_states.csv.\n\n"
+        "`error` is against the truth from the same start; for the box, whose truth is not\n"
+        "known, against the same method and step in double. Runs that fail, or are off by more\n"
+        "than the size of the scene, do not count as held.\n\n"
         "Example: fixbench initial_states --scene pendulum",
     .prints = {"initial_states.csv"},
     .add =
@@ -90,11 +89,11 @@ const fixbench::Registration states({
 const fixbench::Registration workload({
     .name = "workload",
     .description =
-        "The published lever with the 2016 design's arithmetic, ours and float on one source: its "
-        "step,\n"
-        "what its parts cost inside the running engine, and how many steps a second that makes,\n"
-        "beside the published figures. Files: workload.csv, workload_rounds.csv (cycles by rounds\n"
-        "of contact resolution) and workload_trace.csv (one step, call by call).",
+        "The published lever with the 2016 design's arithmetic, ours and float, from one\n"
+        "source: its step, what its parts cost inside the running engine, and how many steps a\n"
+        "second that allows, next to the published figures. Files: workload.csv,\n"
+        "workload_rounds.csv (cycles by rounds of contact resolution) and workload_trace.csv\n"
+        "(one step, call by call).",
     .prints = {"workload.csv"},
     .add =
         [](CLI::App&) {

@@ -16,12 +16,11 @@ using fixbench::Call;
 const fixbench::Registration measure({
     .name = "stability",
     .description =
-        "Stiff and extreme cases, each driven to where it breaks: the limit by bisection, and "
-        "what\n"
-        "went wrong first, for every scalar and method of the engine. Files: stability.csv\n"
-        "and, where neither cases nor subjects are picked, envelope.csv, stability_map.csv, "
-        "ablations.csv\n"
-        "and suitability.csv (the least error of each width in each scene; not with --quick).\n\n"
+        "Stiff and extreme cases, each driven until it breaks: the limit, by bisection, and\n"
+        "what went wrong first, for every scalar and method of the engine. Files: stability.csv\n"
+        "and, unless cases or subjects are selected, envelope.csv, stability_map.csv,\n"
+        "ablations.csv and suitability.csv (the smallest error of each width in each scene; not\n"
+        "with --quick).\n\n"
         "Example: fixbench stability --case spring_stiffness --scalar q16_16",
     .prints = {"stability.csv"},
     .add =
@@ -55,14 +54,17 @@ const fixbench::Registration measure({
 const fixbench::Registration dynamics({
     .name = "dynamics",
     .description =
-        "Motion in the long run, in every scalar and method, beside theory: growth (spectral\n"
-        "radius of the map of a step, fitted to the run, beside the method's own), energy (gained\n"
-        "over up to 10^6 steps), reversal (distance from the start after a run there and back),\n"
-        "order (distance between runs whose links were added in another order), dead_band (where\n"
-        "rounding holds a damped spring), limit_cycle (its period; 1 is rest), divergence (when\n"
-        "rounding parts a chaotic double pendulum from its run in double) and its rate. An empty\n"
-        "`measured` is a run that does not fit the format or wraps, or does not part in its time.\n"
-        "File: dynamics.csv.\n\n"
+        "Motion in the long run, in every scalar and method, next to theory:\n"
+        "  growth       spectral radius of the map of a step, fitted to the run, and the method's\n"
+        "  energy       gained over up to 10^6 steps\n"
+        "  reversal     distance from the start after a run there and back\n"
+        "  order        distance between runs whose links were added in another order\n"
+        "  dead_band    where rounding holds a damped spring\n"
+        "  limit_cycle  its period; 1 is rest\n"
+        "  divergence   when rounding separates a chaotic double pendulum from its run in double\n"
+        "  divergence_rate  how fast the two then separate\n"
+        "An empty `measured` is a run that does not fit the format or wraps, or does not\n"
+        "separate in its time. File: dynamics.csv.\n\n"
         "Example: fixbench dynamics --quick",
     .prints = {"dynamics.csv"},
     .add =
@@ -86,10 +88,11 @@ const fixbench::Registration dynamics({
 const fixbench::Registration extremes({
     .name = "float_extremes",
     .description =
-        "avr-libc's float on the simulated chip against the host's, which is IEEE 754's: every\n"
-        "operation of the engine on all pairs of a table of extremes (zeros, subnormals, ends of\n"
-        "the range, infinities, NaN) and on pairs drawn from a seed; how many differ, and the\n"
-        "first. File: float_extremes.csv.\n\n"
+        "Compares avr-libc's float on the simulated chip with the host's, which follows IEEE\n"
+        "754: every operation of the engine on all pairs of a table of extremes (zeros,\n"
+        "subnormals, ends of the range, infinities, NaN) and on seeded random pairs; how many\n"
+        "differ, and the first.\n"
+        "File: float_extremes.csv.\n\n"
         "Example: fixbench float_extremes",
     .prints = {"float_extremes.csv"},
     .add =

@@ -12,10 +12,11 @@ namespace {
 
 const fixbench::Registration table({
     .name = "table",
-    .description = "The published timing table, measured again cell by cell with a verdict,\n"
-                   "the cost of its division by operand, and Table 3.1, computed.\n"
-                   "Files: table_3_2.csv, table_3_1.csv, division_cycles.csv and, with the\n"
-                   "search over hypotheses, table_3_2_hypotheses.csv.",
+    .description =
+        "Measures the published timing table again, cell by cell, with a verdict for each; the\n"
+        "cost of its division by operand; and computes Table 3.1.\n"
+        "Files: table_3_2.csv, table_3_1.csv, division_cycles.csv and, with the search over\n"
+        "hypotheses, table_3_2_hypotheses.csv.",
     .prints = {"table_3_2.csv"},
     .add =
         [](CLI::App& command) {

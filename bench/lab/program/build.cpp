@@ -74,7 +74,7 @@ void build(const std::vector<std::string>& targets) {
     }
     const auto [text, built] = run("ninja -C '" FIXBENCH_BUILD_FOLDER "'" + list + " 2>&1", [&] {
         fmt::print(
-            stderr, "fixbench: building {}, for what it reads is out of date\n",
+            stderr, "fixbench: bringing {} up to date\n",
             targets.size() == 1 ? targets.front() : fmt::format("{} targets", targets.size()));
     });
     if (!built) {

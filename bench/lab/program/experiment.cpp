@@ -64,8 +64,9 @@ void add_to(CLI::App& app, const Experiment& experiment, std::function<int()>& a
     const auto options = std::make_shared<Options>();
     options->output.prints = experiment.prints;
     command
-        ->add_option("--output", options->output.folder,
-                     "folder for the data files; without, the table is printed and nothing written")
+        ->add_option(
+            "--output", options->output.folder,
+            "folder for the data files; without it, the table is printed and nothing is written")
         ->check([](const std::string& text) {
             return text.empty() ? std::string("a folder is needed") : std::string();
         });

@@ -103,8 +103,8 @@ int Output::collect(const std::function<int(const fs::path&)>& measure) const {
         for (const std::string& name : prints)
             if (is_selection && fs::exists(folder / name))
                 throw std::invalid_argument(
-                    fmt::format("{} is there already, and a selection does not replace it: name "
-                                "another folder, or print without --output",
+                    fmt::format("{} is there already, and a selection must not replace it: name "
+                                "another folder, or omit --output to print",
                                 (folder / name).string()));
         require_writable(folder);
         return measure(folder);

@@ -131,7 +131,7 @@ class ReplayPage(unittest.TestCase):
     def test_finds_the_moments(self):
         moments = dict(self.shown_at(0)["moments"]["buttons"])
         self.assertAlmostEqual(moments["let go"], 2, delta=0.01)
-        self.assertLess(moments["pushed"], moments["arm made longer"])
+        self.assertLess(moments["pushed"], moments["arm lengthened"])
         self.assertLess(moments["let go"], moments["at the stop"])
         self.assertLess(moments["at the stop"], moments["bounced"])
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Error against cost of each operation: a panel an operation, a point a format and implementation.
+// Error against cost: a panel for each operation, a point for each format and implementation.
 import { compared, formats, implementations, measured, physics, styles, unique } from "./data.js";
 import { choice, h, select } from "./dom.js";
 import { chart, front, frontLine, letter, logAxis, colour } from "./chart.js";
@@ -57,9 +57,9 @@ function panel(operation, state, pin) {
       ? chart({ label: `${operation}: ${errors[error]} error against ${costs[cost]}`, points, x, y, pin: (point) => pin(point.row),
         under: drawn.map(([key, kept]) => frontLine(kept, right, key === "shared" ? "var(--soft)" : colour(formats[key].style))),
         describe: (point) => ({ ...describe(point.row), hint: "Click or Enter pins it." }) })
-      : h("p", { class: "soft" }, "No row of the data is of these formats, implementations and operands."),
+      : h("p", { class: "soft" }, "The data have no row for these formats, implementations and operands."),
     h("figcaption", {}, told.join(" "),
-      apart.length ? ` Faint, not compared: ${apart.join(", ")}, as an operand or a result may not fit.` : "",
+      apart.length ? ` Faint, not compared: ${apart.join(", ")}, because an operand or a result may not fit.` : "",
       unjudged.length ? ` Without a judged error: ${unjudged.join(", ")}.` : ""));
 }
 
@@ -77,10 +77,10 @@ export function build(root, state) {
       choice(state, "format", "Formats", Object.entries(formats).filter(([name]) => present.has(name)).map(([value, facts]) => [value, facts.label, letter(facts)])),
       choice(state, "implementation", "Implementations", Object.entries(implementations).filter(([value]) => used.has(value)).map(([value, { label }]) => [value, label]))),
     pinned, panels,
-    h("p", { class: "soft" }, "A colour and symbol is a number format; ", letter({ style: "published" }), ` is the ${styles.published.label}, with its format beside it; `, letter({ style: "rival" }), ` is ${styles.rival.label}; hollow: a variant of ours. The grey line is the Pareto front of what can be compared: `,
-      "errors in the unit of the result among formats that hold all operands and results, other errors within a format. ",
-      "A result that the definition fixes (saturated, outside the domain) has no error and is not counted as one of 0; 0 on an axis is an exact result. ",
-      "Mean cycles and errors in the result's unit are over the regular operands: their result is neither fixed so, nor does it underflow."));
+    h("p", { class: "soft" }, "Each number format has a colour and a symbol; ", letter({ style: "published" }), ` is the ${styles.published.label}, labelled with its format; `, letter({ style: "rival" }), ` is ${styles.rival.label}; hollow symbols are variants of ours. The grey line is the Pareto front of what can be compared: `,
+      "errors in the unit of the result across formats that hold all operands and results, other errors within one format. ",
+      "A result that the definition fixes (saturated, outside the domain) has no error and does not count as an error of 0; 0 on an axis is an exact result. ",
+      "Mean cycles and errors in the unit of the result are over the regular operands, whose result is neither fixed in this way nor underflows."));
 
   function draw() {
     unit.querySelector("select").disabled = state.get("error") === "bias";

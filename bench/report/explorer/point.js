@@ -37,7 +37,7 @@ export function describe(row, whole) {
 
 function histogram(row) {
   const judged = judgedAs(row), bins = rows("error_histograms").filter(same(judged));
-  if (!bins.length) return h("p", { class: "soft" }, "The data hold no histogram of its error.");
+  if (!bins.length) return h("p", { class: "soft" }, "The data have no histogram of its error.");
   const total = bins.reduce((sum, bin) => sum + bin.count, 0);
   const inside = bins.filter((bin) => Number.isFinite(bin.low_ulp) && Number.isFinite(bin.high_ulp));
   const beyond = total - inside.reduce((sum, bin) => sum + bin.count, 0);
@@ -49,14 +49,14 @@ function histogram(row) {
       y: { label: "share of inputs", grid: true, labelArrow: "none", tickFormat: tick, ticks: 5 },
       marks: [Plot.rectY(inside, { x1: "low_ulp", x2: "high_ulp", y: (bin) => bin.count / total, fill: colour(subjectOf(row).style) }),
         Plot.ruleX([-0.5, 0.5], { stroke: "var(--soft)", strokeDasharray: "2 3" }), Plot.ruleY([0])] }),
-    h("figcaption", {}, run ? `Operands: ${run.operands}; ${whole(run.samples)} judged, ${whole(run.defined)} more whose result the definition fixes, ${number(run.underflowed)} that underflow. ` : "",
+    h("figcaption", {}, run ? `Operands: ${run.operands}; ${whole(run.samples)} judged; the definition fixes the result of ${whole(run.defined)} more; ${number(run.underflowed)} underflow. ` : "",
       `${whole(beyond)} beyond ±${number(reach)} ulp. Dotted: ±0.5 ulp, correct rounding.`,
       judged.implementation !== row.implementation ? ` Its results are by definition those of ${implementations.default.label}.` : ""));
 }
 
 function along(row) {
   const judged = judgedAs(row), parts = rows("error_along_input").filter(same(judged));
-  if (!parts.length) return h("p", { class: "soft" }, "The data hold no error along its input.");
+  if (!parts.length) return h("p", { class: "soft" }, "The data have no error along its input.");
   const lines = [["max_ulp", "largest", null], ["rms_ulp", "rms", "5 3"], ["mean_ulp", "bias", "1 3"]];
   const middle = (part) => Math.sqrt(part.low * part.high);
   return h("figure", { "data-part": "along" }, h("h3", {}, "Error along the input"),
@@ -66,7 +66,7 @@ function along(row) {
       marks: [Plot.ruleY([0]), ...lines.flatMap(([column, name, dash]) => [
         Plot.line(parts, { x: middle, y: column, stroke: colour(subjectOf(row).style), strokeDasharray: dash, strokeWidth: 1.4 }),
         Plot.text(parts.slice(-1), { x: middle, y: column, text: () => name, dx: 4, textAnchor: "start" })])] }),
-    h("figcaption", {}, `${whole(parts.reduce((sum, part) => sum + part.samples, 0))} samples in ${number(parts.length)} parts, of which the worst errs by ${number(Math.max(...parts.map((part) => part.max_ulp)))} ulp; of any run: ${number(known(row).max_ulp)}.`));
+    h("figcaption", {}, `${whole(parts.reduce((sum, part) => sum + part.samples, 0))} samples in ${number(parts.length)} parts. The worst part errs by ${number(Math.max(...parts.map((part) => part.max_ulp)))} ulp; the worst of any run is ${number(known(row).max_ulp)}.`));
 }
 
 // The card of a pinned point.

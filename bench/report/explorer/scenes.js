@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Work-precision curves: error against cycles per simulated second, a panel a scene, a curve a number
-// format and method, a point a time step.
+// Work-precision curves: error against cycles per simulated second, with a panel for each scene, a
+// curve for each number format and method, and a point for each time step.
 import * as Plot from "@observablehq/plot";
 import { hertz, rows, scalars as subjects, unique } from "./data.js";
 import { choice, h, select } from "./dom.js";
 import { chart, front, frontLine, letter, logAxis } from "./chart.js";
 import { number, words } from "./text.js";
 
-const errors = { larger: "of method or arithmetic, the larger", error: "in all", error_method: "of the method", error_arithmetic: "of the arithmetic" };
+const errors = { larger: "larger of method and arithmetic", error: "total", error_method: "of the method", error_arithmetic: "of the arithmetic" };
 const dashes = { explicit_euler: "1 3", semi_implicit_euler: null, velocity_verlet: "6 3", implicit_springs: "8 3 1 3", direct_rods: "2 2" };
 
 export const title = "Scenes";
@@ -29,8 +29,8 @@ function describe(row) {
     ["error", `${number(row.error)} ${row.unit}`],
     ["of the method", `${number(row.error_method)} ${row.unit}`],
     ["of the arithmetic", `${number(row.error_arithmetic)} ${row.unit}`],
-    ["cycles a step", `${number(row.cycles_per_step_mean)} mean, ${number(row.cycles_per_step_max)} largest`],
-    ["cycles a second", `${number(row.cycles_per_simulated_second)}: ${number(100 * row.cycles_per_simulated_second / hertz)} % of the chip`],
+    ["cycles per step", `${number(row.cycles_per_step_mean)} mean, ${number(row.cycles_per_step_max)} largest`],
+    ["cycles per simulated second", `${number(row.cycles_per_simulated_second)}: ${number(100 * row.cycles_per_simulated_second / hertz)} % of the chip`],
     ["energy drift", number(row.energy_drift)],
     ["flash, RAM, stack", `${number(row.flash_bytes)}, ${number(row.ram_bytes)}, ${number(row.stack_bytes)} bytes`],
     ["steps", number(row.steps)],
@@ -41,7 +41,7 @@ function panel(scene, state) {
   const error = state.get("error");
   const selected = measured().filter((row) => row.scene === scene && state.list("scalar").includes(scalarOf(row)) && state.list("method").includes(row.integrator));
   const other = rows("scenes").filter((row) => row.scene === scene && row.verdict !== "held").length;
-  const y = logAxis(selected.map((row) => errorOf(row, error)), `error ${errors[error]}; ${selected[0]?.unit ?? ""}`);
+  const y = logAxis(selected.map((row) => errorOf(row, error)), `error (${errors[error]}), ${selected[0]?.unit ?? ""}`);
   const x = logAxis(selected.map((row) => row.cycles_per_simulated_second), "cycles per simulated second", [hertz]);
   const points = selected.map((row) => ({ row, x: row.cycles_per_simulated_second, y: y.place(errorOf(row, error)), ...subjects[scalarOf(row)], series: `${scalarOf(row)}/${row.integrator}` }));
   const kept = front(points), few = unique(points.map((point) => point.series)).length <= 6;
@@ -56,9 +56,9 @@ function panel(scene, state) {
       ? chart({ label: `${words(scene)}: error against cycles per simulated second`, points, x, y, height: 300, describe: (point) => describe(point.row),
         under: [frontLine(kept, x.domain[1], "var(--soft)"), ...lines,
           Plot.ruleX([hertz], { stroke: "var(--text)", strokeDasharray: "2 3" }),
-          Plot.text([hertz], { x: (value) => value, frameAnchor: "top", dy: 2, dx: -4, textAnchor: "end", lineAnchor: "top", text: () => `all of the chip, ${number(hertz / 1e6)} MHz`, fill: "var(--soft)" })] })
-      : h("p", { class: "soft" }, "No run that held is of these formats and methods."),
-    h("figcaption", {}, best ? `Smallest error that the chip affords: ${number(errorOf(best, error))} ${best.unit}, ${scalarLabel(scalarOf(best))}, ${words(best.integrator)}, ${step(best)}, ${number(100 * best.cycles_per_simulated_second / hertz)} % of its cycles.` : "",
+          Plot.text([hertz], { x: (value) => value, frameAnchor: "top", dy: 2, dx: -4, textAnchor: "end", lineAnchor: "top", text: () => `the chip's limit, ${number(hertz / 1e6)} MHz`, fill: "var(--soft)" })] })
+      : h("p", { class: "soft" }, "No successful run has these formats and methods."),
+    h("figcaption", {}, best ? `Smallest error within the chip's limit: ${number(errorOf(best, error))} ${best.unit}, ${scalarLabel(scalarOf(best))}, ${words(best.integrator)}, ${step(best)}, ${number(100 * best.cycles_per_simulated_second / hertz)} % of its cycles.` : "",
       other ? ` ${other} runs of this scene failed and are not drawn.` : ""));
 }
 
@@ -77,10 +77,10 @@ export function build(root, state) {
     choice(state, "scene", "Scenes", scenes.map((scene) => [scene, words(scene)])),
     choice(state, "scalar", "Number formats", scalars.map((scalar) => [scalar, scalarLabel(scalar), letter(subjects[scalar])])),
     choice(state, "method", "Methods", methods.map((method) => [method, words(method), dash(method)]))),
-  panels, h("p", { class: "soft" }, "A curve is a format and a method, a point a time step; hollow: saturating. The grey line is the Pareto front, its points ",
-    "labelled by step in seconds; the dotted line is all that the chip has. The error is the largest distance of a particle from its true place. ",
-    "In all, the errors of method and arithmetic may cancel each other: a front of it rewards chance.",
-    unjudged.length ? ` Without a truth to be judged by: ${unjudged.map(words).join(", ")}.` : ""));
+  panels, h("p", { class: "soft" }, "A curve is a format and a method, a point on it a time step; hollow symbols saturate. The grey line is the Pareto front, whose points ",
+    "are labelled with the step in seconds; the dotted line is the chip's limit. The error is the largest distance of a particle from its true position. ",
+    "In the total error, those of method and arithmetic may cancel by chance, and its front rewards that.",
+    unjudged.length ? ` Without a reference to be judged by: ${unjudged.map(words).join(", ")}.` : ""));
   function draw() {
     panels.replaceChildren(...scenes.filter((scene) => state.list("scene").includes(scene)).map((scene) => panel(scene, state)));
   }

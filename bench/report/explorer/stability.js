@@ -18,7 +18,7 @@ function describe(row) {
   return { title: `${words(row.case)}, ${scalarLabel(scalarOf(row))}, ${words(row.integrator)}`, facts: [
     [`limit of ${row.parameter}`, `${number(row.limit)}${row.unit === 1 ? "" : ` ${row.unit}`}${kind(row) === "stable" ? " (end of the search)" : ""}`],
     ["beyond it", row.verdict],
-    ["first event", row.first_event ?? "none told"],
+    ["first event", row.first_event ?? "none reported"],
     row.step !== null && ["in step", number(row.step)],
     ["judged by", row.reference],
   ] };
@@ -80,15 +80,15 @@ function map(state) {
     under: [Plot.line(points.toSorted((a, b) => a.x - b.x), { x: "x", y: "y", z: "series", stroke: "style", strokeWidth: 1.3 }),
       bounds.length ? Plot.line(bounds.sort((a, b) => a.x - b.x), { x: "x", y: "y", stroke: "var(--text)", strokeDasharray: "5 4" }) : null],
     describe: ({ row }) => ({ title: `${scalarLabel(scalarOf(row))}, ${words(row.integrator)}`, facts: [
-      [row.x_name, number(row.x)], [row.y_name, `${number(row.limit)}${row.unit === 1 ? "" : ` ${row.unit}`}`], ["limited by", row.limited_by], ["bound of theory", number(row.bound)]] }) }),
+      [row.x_name, number(row.x)], [row.y_name, `${number(row.limit)}${row.unit === 1 ? "" : ` ${row.unit}`}`], ["limited by", row.limited_by], ["theoretical bound", number(row.bound)]] }) }),
   h("figcaption", {}, [...widest].map(([scalar, of]) => `${scalarLabel(scalar)}: ${number(Math.min(...of.map((row) => row.limit)))} to ${number(Math.max(...of.map((row) => row.limit)))}`).join("; "), ".",
-    bounds.length ? " Dashed: the bound of theory." : "", none ? ` ${none} places have no limit to draw: the case breaks everywhere there.` : ""));
+    bounds.length ? " Dashed: theoretical bound." : "", none ? ` ${none} points have no limit to draw, because the case breaks everywhere there.` : ""));
 }
 
 export function build(root, state) {
   const all = rows("stability");
   const told = h("p", { class: "verdicts", role: "status" }), holder = h("div", { class: "scroll" }), maps = h("div", { class: "panels wide" });
-  const search = h("label", {}, "cases that contain", h("input", { type: "search", name: "case", value: state.get("case"), oninput: (event) => state.set("case", event.target.value) }));
+  const search = h("label", {}, "cases containing", h("input", { type: "search", name: "case", value: state.get("case"), oninput: (event) => state.set("case", event.target.value) }));
   root.append(h("div", { class: "controls" },
     select(state, "method", "method", unique(all.map((row) => row.integrator)).map((name) => [name, words(name)])), search,
     select(state, "verdict", "with the verdict", [["", "any"], ...unique(all.map(kind)).map((name) => [name, name])])),

@@ -60,14 +60,30 @@ class Claims(unittest.TestCase):
         self.assertEqual(len(self.pages), len(report.PAGES))
         self.assertLessEqual(sum(len(text.splitlines()) for text in self.pages.values()), 500)
 
+    def test_the_first_screen_of_the_project_has_measured_figures(self):
+        readme = (RESULTS.parent / "README.md").read_text(encoding="utf-8")
+
+        def tells(text):
+            self.assertTrue(text in " ".join(readme.split()), f"README.md has to say '{text}'")
+        names = ("add", "multiply", "divide", "sqrt", "sin", "atan2")
+        tells(f"| mean cycles | {' | '.join(names)} |")
+        for label, number_format, implementation in (("avr-libc float", "float", "libc"), ("Q16.16, design of 2016", "q16_16", "published"),
+                                                     ("Q16.16, this library", "q16_16", "default")):
+            mean = {row["operation"]: f"{float(row['cycles_mean']):.0f}" for row in rows(
+                "operations", format=number_format, implementation=implementation, operands="physics")}
+            tells(f"| {label} | {' | '.join(mean.get(name, '–') for name in names)} |")
+        tells(f"{sum(row['operands'] == 'all' for row in rows('exhaustive'))} kernels ran over all of their inputs")
+        self.assertEqual({row["violations"] for row in rows("exhaustive")}, {"0"})
+        self.assertEqual({row["mismatches"] for row in rows("kernels")}, {"0"})
+
     def test_table_3_2_names_its_hypothesis_and_the_baseline(self):
         hypotheses = rows("table_3_2_hypotheses")
         used, = (row for row in hypotheses if row["measured_with"] == "yes")
         self.says("README.md", f"{len(hypotheses)} hypotheses")
-        self.says("README.md", f"the one of rank {used['rank']} ")
+        self.says("README.md", f"the hypothesis of rank {used['rank']} ")
         self.says("README.md", f"within 10% in {used['within_10_percent']} of the {len(rows('table_3_2'))} rows")
         mean = sum(int(row["within_10_percent"]) for row in hypotheses) / len(hypotheses)
-        self.says("README.md", f"a hypothesis does in {mean:.4g} on average")
+        self.says("README.md", f"an average hypothesis does so in {mean:.4g}")
 
     def test_table_3_2_counts_are_of_what_they_say(self):
         with open(RESULTS.parent / "reference/published/table_3_2.csv", newline="", encoding="utf-8") as stream:
@@ -80,8 +96,8 @@ class Claims(unittest.TestCase):
         of = {verdict: sum(row["verdict"] == verdict for row in measured[:cells])
               for verdict in ("reproduced", "explained", "not reproducible")}
         self.assertEqual(sum(of.values()), cells)
-        self.says("README.md", f"Of the table's {cells} cells one hypothesis reproduces {of['reproduced']}; {of['explained']} more "
-                               f"are explained by another one, {of['not reproducible']} by none")
+        self.says("README.md", f"Of the table's {cells} cells, this one hypothesis reproduces {of['reproduced']}; another hypothesis "
+                               f"explains {of['explained']} more, and none explains the other {of['not reproducible']}")
 
     def test_explained_names_a_measured_cause_and_the_odds(self):
         for row in rows("table_3_2", verdict="explained"):
@@ -104,9 +120,9 @@ class Claims(unittest.TestCase):
         mean = {row["implementation"]: float(row["cycles_mean"]) / 16 for row in rows("operations", operation="divide", operands="physics")
                 if row["format"] in ("q16_16", "float") and row["implementation"] in ("published", "libc", "default")}
         engine, = rows("workload", quantity="divide")
-        self.says("README.md", f"the 2016 design divides in {mean['published']:.0f} µs, float in {mean['libc']:.0f} and ours in "
-                               f"{mean['default']:.1f}; within the rebuilt engine it takes {float(engine['measured']):.0f} µs on "
-                               f"average where {float(engine['published']):.0f} were published")
+        self.says("README.md", f"a division takes {mean['published']:.0f} µs in the 2016 design, {mean['libc']:.0f} µs in float and "
+                               f"{mean['default']:.1f} µs in ours. Within the rebuilt engine of 2016 it takes "
+                               f"{float(engine['measured']):.0f} µs on average; {float(engine['published']):.0f} µs were published")
 
     def test_means_are_over_the_domain(self):
         # Operands that leave early, the negative ones, are not among them.
@@ -207,7 +223,7 @@ class Claims(unittest.TestCase):
 
     def test_sort_and_sweep_is_cheaper_from_there_on(self):
         cost = {(row["broad_phase"], int(row["particles"])): float(row["cost_per_step"]) for row in rows("growth")}
-        first = int(re.search(r"sort and sweep is cheaper from (\d+) particles on, on the chip", self.words["engine.md"]).group(1))
+        first = int(re.search(r"sort and sweep is cheaper from (\d+) particles upwards on the chip", self.words["engine.md"]).group(1))
         counts = sorted(count for phase, count in cost if phase == "sort_and_sweep")
         cheaper = {count: cost["sort_and_sweep", count] < cost["brute_force", count] for count in counts}
         self.assertTrue(all(cheaper[count] for count in counts if count >= first))
@@ -226,7 +242,7 @@ class Claims(unittest.TestCase):
         found = rows("stability")
         self.says("stability.md", f"{len({row['case'] for row in found})} cases in {len({row['scalar'] for row in found})} number formats")
         by_gsl = {row["case"] for row in found if row["reference"].startswith("GSL")}
-        self.says("stability.md", f"in {len(by_gsl)} cases GSL's integrators")
+        self.says("stability.md", f"in {len(by_gsl)} cases, GSL's integrators")
         ended = {row["quantity"] for row in rows("envelope", integrator="semi_implicit_euler", scalar="float", arithmetic="ieee")
                  if row["limited_by"].startswith("stable")}
         for quantity, _, *cells in self.table("stability.md", "| quantity | unit |"):

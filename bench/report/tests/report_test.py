@@ -146,8 +146,8 @@ class Operations(Figures):
                                  "Q16.16, small tables": [[70, 1]], "Q16.16": [[300, 0], [10, 1]]})
         self.assertEqual(flash.collections[1].get_offsets().tolist(), [[20, 0], [30, 1]])
         self.assertEqual(headline.finding(golden(operations=OPERATIONS)),
-                         "Q16.16 takes fewer cycles than float in 2 of 2 operations, 0.224 of them in "
-                         "the geometric mean, and more flash in 1.")
+                         "Q16.16 takes fewer cycles than float in 2 of 2 operations (0.224 times as many in "
+                         "the geometric mean) and more flash in 1.")
 
     @unittest.mock.patch.dict(bounds.PROOFS, clear=True)
     def test_the_bound_is_that_of_any_run_of_the_same_code(self):
@@ -161,23 +161,23 @@ class Operations(Figures):
         of_samples = [99, 3, "lower bound", "operations.csv, full", 0.75, 9, "lower bound", "accuracy.csv, search", None]
         self.assertEqual(known(sampled), of_samples)
         with unittest.mock.patch.dict(bounds.PROOFS, {("add", "q16_16", "default"): "a proof"}):
-            with self.assertRaisesRegex(DataError, "0.75 in max_ulp, where a proof says at most half"):
+            with self.assertRaisesRegex(DataError, "0.75 in max_ulp, but a proof proves at most half"):
                 known(sampled)
             self.assertEqual(known(golden(operations=OPERATIONS, accuracy=accuracy.replace("0.75", "0.5"))),
                              of_samples[:4] + [0.5, 1, "proven", "operations.csv, physics", "a proof"])
         with unittest.mock.patch.dict(bounds.LIMITS, {("add", "q16_16", "default"): (0.8, "a proof")}):
             self.assertEqual(known(sampled), of_samples[:6] + ["proven below 0.8", "accuracy.csv, search", "a proof"])
         with unittest.mock.patch.dict(bounds.LIMITS, {("add", "q16_16", "default"): (0.7, "a proof")}):
-            with self.assertRaisesRegex(DataError, "0.75 in max_ulp, where a proof says less than 0.7"):
+            with self.assertRaisesRegex(DataError, "0.75 in max_ulp, but a proof proves less than 0.7"):
                 known(sampled)
         self.assertEqual(known(sampled, "small"), [90, 1, "lower bound", "operations.csv, physics", *[None] * 5])
         self.assertIsNone(bounds.known(sampled, "exp", "q16_16"))
         whole = header + "add q16_16 default all 120 7 0.875 8 aa\n"
         made = golden(operations=OPERATIONS, accuracy=accuracy, exhaustive=whole)
         self.assertEqual(known(made), [120, 7, "exact", "exhaustive.csv, all", 0.875, 8, "exact", "exhaustive.csv, all", None])
-        for damaged, message in ((whole.replace("8 aa", "8 ab"), "another machine code"),
-                                 (whole.replace("120 7", "98 7"), "add_q16_16_default: 99 in cycles_max, where"),
-                                 (whole.replace("0.875", "0.625"), "0.75 in max_ulp, where")):
+        for damaged, message in ((whole.replace("8 aa", "8 ab"), "different machine code"),
+                                 (whole.replace("120 7", "98 7"), "add_q16_16_default: 99 in cycles_max, but"),
+                                 (whole.replace("0.875", "0.625"), "0.75 in max_ulp, but")):
             made = golden(operations=OPERATIONS, accuracy=accuracy, exhaustive=damaged)
             with self.assertRaisesRegex(DataError, message):
                 bounds.known(made, "add", "q16_16")
@@ -257,8 +257,8 @@ own q8_8 small 90
         self.assertEqual(operations.flash_together(made, "q16_16"), 9000)
         self.assertIsNone(operations.flash_together(made, "q8_8"))
         self.assertEqual(operations.least_flash(made),
-                         "A program with the nine takes least flash in avr-libc float, 2388 bytes; the "
-                         "least of ours is 2500 (Q16.16, small tables).")
+                         "A program with the nine operations takes the least flash in avr-libc float: 2388 bytes; the "
+                         "smallest of ours takes 2500 (Q16.16, small tables).")
 
     def test_what_correct_rounding_costs(self):
         made = golden(operations=OPERATIONS)
@@ -268,8 +268,9 @@ sqrt q16_16 correctly_rounded physics 9 9 750 999 1 0.49 1 0.001 50 ll
 add q16_16 correctly_rounded physics 9 9 15 2000 1 0.5 1 0.001 50 mm
 """)
         self.assertEqual(operations.correctly_rounded_finding(made),
-                         "Where half an ulp matters, `CorrectlyRounded` errs by 0.5 ulp in 2 functions of Q16.16 (lower bound in 2), "
-                         "for 1.5 (add) to 2.5 (sqrt) times the default's mean cycles and up to 2000 beside a tie.")
+                         "If you need correct rounding, `CorrectlyRounded` errs by at most 0.5 ulp in 2 functions of Q16.16 (bound: "
+                         "lower bound in 2). It takes 1.5 (add) to 2.5 (sqrt) times the default's mean cycles, and up to 2000 "
+                         "cycles near a tie.")
 
     def test_a_pareto_front_is_what_no_other_beats(self):
         front = error_against_cycles.pareto([(3, 5), (1, 9), (2, 9), (4, 5), (5, 1), (3, 6)])
@@ -292,8 +293,8 @@ add q16_16 correctly_rounded physics 9 9 15 2000 1 0.5 1 0.001 50 mm
         self.assertAlmostEqual(shown[0].get_ylim()[0], 0.0001 / 3)
         self.assertAlmostEqual(shown[0].get_ylim()[1], 0.003)
         self.assertEqual(error_against_cycles.finding(made),
-                         "Of 3 operations with kernels, one of ours is on the Pareto front (no other is both faster and "
-                         "more exact) in 3, float in 2.")
+                         "In 3 of 3 operations with kernels, one of our formats is on the Pareto front (nothing else is "
+                         "both faster and more exact); float is in 2.")
 
     RIVALS = """
 rival variant version commit measured operation format operands regular cycles_mean rms_error flash_bytes failure
@@ -308,15 +309,15 @@ fp64lib fp_double 1.1 - 2026-01-03 add float64 physics 9 123 0.0000001 9 -
     def test_rivals_stand_beside_ours(self):
         made = golden(operations=OPERATIONS, rivals=self.RIVALS)
         self.assertEqual(rivals.finding(made, "q16_16"),
-                         "Of 2 functions of other libraries, held against Q16.16, none takes fewer cycles than ours; "
-                         "some take as many in add. Smaller than ours is the error of 1 and the flash of 1.")
+                         "Of 2 functions of other libraries, compared with Q16.16, none takes fewer cycles than ours; "
+                         "some take as many for add. 1 has a smaller error than ours, 1 takes less flash.")
         self.assertEqual(rivals.finding(made, "q32_32"), "")  # none of ours was measured
         self.assertEqual([(row["operation"], row["cycles_mean"]) for row in rivals.rows(made)],
                          [("sqrt", 500), ("add", 10), ("add", 123)])
         wide = golden(operations=OPERATIONS.replace("q8_8", "q32_32"), rivals=self.RIVALS)
         self.assertEqual(rivals.finding(wide, "q32_32"),
-                         "Of 1 functions of other libraries, held against Q32.32, none takes fewer cycles than ours. "
-                         "Smaller than ours is the error of 1 and the flash of 1.")
+                         "Of 1 functions of other libraries, compared with Q32.32, none takes fewer cycles than ours. "
+                         "1 has a smaller error than ours, 1 takes less flash.")
         compilers = golden(operations=OPERATIONS, rivals=self.RIVALS.replace("avrfix avrfix", "GCC gcc_accum"))
         self.assertEqual({row["variant"] for row in rivals.judged(compilers)}, {"libfixmath", "gcc_accum", "fp_double"})
         self.assertEqual({row["variant"] for row in rivals.comparable(compilers)}, {"libfixmath", "fp_double"})
@@ -333,7 +334,7 @@ fp64lib fp_double 1.1 - 2026-01-03 add float64 physics 9 123 0.0000001 9 -
     def test_errors_are_compared_over_one_range(self):
         """Of an operand whose result ours cannot hold, the other's error says nothing beside ours."""
         made = golden(operations=OPERATIONS.replace("physics 9 9 10", "physics 9 8 10"), rivals=self.RIVALS)
-        self.assertIn("Smaller than ours is the error of 0 ", rivals.finding(made, "q16_16"))
+        self.assertIn(" 0 have a smaller error than ours", rivals.finding(made, "q16_16"))
 
     def test_a_rival_without_a_name_is_refused(self):
         made = golden(operations=OPERATIONS, rivals=self.RIVALS.replace("libfixmath_bytes", "another"))
@@ -377,7 +378,7 @@ law - - - 2 constant
                          [(1600, 16, 0.75), (1616, 16, 0.25), (480, 16, 1)])
         self.assertEqual([line.get_xdata()[0] for line in axes.lines], [481, 992, 1920, 1900])
         self.assertEqual([(text.get_text(), text.xy[0]) for text in axes.texts],
-                         [("engine: 62 µs", 992), ("Table 3.2", 1920), ("Table 3.2 less loop", 1900)])
+                         [("engine: 62 µs", 992), ("Table 3.2", 1920), ("Table 3.2 minus loop", 1900)])
 
     def test_table_3_2_has_the_published_cells(self):
         with open(pathlib.Path(__file__).parents[3] / "reference/published/table_3_2.csv", encoding="utf-8") as stream:
@@ -445,22 +446,22 @@ lever broad_phase=SortAndSweep yes 5562
         made = golden(growth=GROWTH, features=phases)
         for row in made.rows("features"):
             row["feature"] = row["feature"].replace("broad_", "broad ")
-        self.assertEqual(growth.finding(made), "In this box sort and sweep is cheaper from 4 particles on, "
-                         "on the chip. On the chip the cycles of a step are a + b N + c times the pairs tested within 3.8% "
-                         "(every pair), and the pairs tested within 1.6% (sort and sweep). In the lever's scene, where "
+        self.assertEqual(growth.finding(made), "In this box sort and sweep is cheaper from 4 particles upwards "
+                         "on the chip. On the chip the cycles of a step follow a + b N + c times the pairs tested (every pair: "
+                         "within 3.8%; sort and sweep: within 1.6%). In the lever's scene, where "
                          "few particles meet, it takes 5562 cycles a step and every pair 5438.")
 
     def test_the_plane_is_held_against_box2d(self):
         self.assertEqual(growth.beside_box2d(golden(growth_host=PLANE).rows("growth_host")),
-                         "There 64 discs take 9.00 ms a step in Q16.16 and 18.00 ms in Box2D's float, over all numbers of "
-                         "discs 1.50 to 2.00 times ours.")
+                         "There 64 discs take 9.00 ms a step in Q16.16 and 18.00 ms in Box2D's float; over all numbers of "
+                         "discs Box2D takes 1.50 to 2.00 times as long as ours.")
 
     def test_tests_are_held_and_their_times_told(self):
         rows = golden(growth_host=PLANE).rows("growth_host")
-        self.assertEqual(growth.fits(rows), "the tests of a step are a + b N + c times N^1.5 within 3.0% (sort and sweep).")
+        self.assertEqual(growth.fits(rows), "the tests of a step follow a + b N + c times N^1.5 (sort and sweep: within 3.0%).")
         self.assertTrue(growth.time_of_a_test(rows).startswith(
-            "Time is told, not bounded: a test, with all that a step does beside it, takes 2.00 to 2.00 ns (every pair, median 2.00) "
-            "and 2.00 to 3.00 ns (sort and sweep, median 2.50)."))
+            "Times are reported, not bounded: a test, including its share of everything else in a step, takes 2.00 to 2.00 ns (every "
+            "pair, median 2.00) and 2.00 to 3.00 ns (sort and sweep, median 2.50)."))
         told = growth.finding(golden(growth=GROWTH, growth_host=PLANE))
         for sentence in (growth.fits(rows), growth.time_of_a_test(rows), growth.beside_box2d(rows)):
             self.assertIn(sentence, told)
@@ -508,7 +509,7 @@ class Scenes(Figures):
         self.data = golden(scenes=SCENES)
 
     def test_the_spread_over_starts(self):
-        self.assertIn("the largest error of a run is 4.0 times the smallest in the median of 3 runs", scenes.spread_finding(golden(
+        self.assertIn("the largest error of a run is 4.0 times the smallest (median of the 3 runs", scenes.spread_finding(golden(
             initial_states=STATES)))
         self.assertIn("than in float in 1 of the 1 runs", scenes.spread_finding(golden(
             initial_states=STATES)))
@@ -534,7 +535,7 @@ class Scenes(Figures):
         row = data.rows("scenes")[-2]
         self.assertEqual((scenes.kind(row), scenes.scalar(row), scenes.ours(row)),
                          (("q5_27", "default"), "Q5.27", True))
-        self.assertIn("(Q5.27, Q6.26). It stands on the front of 1 of 1 scenes.", scenes.splits_finding(data))
+        self.assertIn("(Q5.27, Q6.26). It is on the front in 1 of 1 scenes.", scenes.splits_finding(data))
         self.assertFalse(scenes.splits_finding(self.data))
         self.assertFalse(any(map(scenes.is_split, self.data.rows("scenes"))))
         with self.assertRaises(KeyError):
@@ -569,8 +570,8 @@ class Scenes(Figures):
                          "Q16.16 pays for semi-implicit Euler with steps of 1/256 s there, whose own error "
                          "is 9.0e-03 m (its arithmetic's 1.0e-03 m); ours reaches float's error as Q32.32, "
                          "velocity Verlet, at 0.115 million cycles")
-        self.assertEqual(scenes.finding(self.data), "In 0 of 1 scenes no choice of float errs less than "
-                         "every choice of ours that costs no more; in fall one does.")
+        self.assertEqual(scenes.finding(self.data), "In 0 of 1 scenes, for every choice of float there is a choice "
+                         "of ours that costs no more and errs no more (within 5%); not in fall.")
 
     def test_errors_that_cancel_rank_by_the_larger(self):
         row = {"error": 0.001, "error_method": 0.004, "error_arithmetic": 0.005}
@@ -721,8 +722,8 @@ divide result_is_subnormal 5 {} 0x1p-126 0x1p-127 0x0p+0
 """
         finding = stability.float_finding(golden(float_extremes=table.format(2)))
         self.assertIn("in 1 of 2 classes of operands", finding)
-        self.assertIn("of 2 operations, 15 pairs in all. It differs in divide, result_is_subnormal: 2 of 5 pairs, the first "
-                      "0x1p-126, of which IEEE 754 makes 0x1p-127 and the device 0x0p+0.", finding)
+        self.assertIn("of 2 operations, 15 pairs in all. It differs in divide, result_is_subnormal: 2 of 5 pairs, of which the first is "
+                      "0x1p-126: IEEE 754 requires 0x1p-127, the device returns 0x0p+0.", finding)
         self.assertTrue(stability.float_finding(golden(float_extremes=table.format(0))).endswith("15 pairs in all."))
 
     def test_what_a_bit_buys_of_a_chaotic_motion(self):
@@ -735,9 +736,9 @@ divergence q32_32 nearest velocity_verlet 0.1 12 14
 divergence q32_32 nearest explicit_euler 0.1 99 14
 divergence_rate q32_32 nearest velocity_verlet 0.1 1.25 1.386294361
 """))
-        self.assertIn("by 0.1 m after 4 s in Q16.16, 12 s in Q32.32, in", finding)
-        self.assertIn("by 1.25/s in Q32.32", finding)
-        self.assertIn("each bit buys 0.5 s, and ln 2 over that exponent is 0.5 s.", finding)
+        self.assertIn("by 0.1 m from the same method's run in double after 4 s in Q16.16, 12 s in Q32.32 (", finding)
+        self.assertIn("In Q32.32 the distance grows at 1.25/s", finding)
+        self.assertIn("each bit buys 0.5 s; ln 2 over that exponent is 0.5 s.", finding)
 
     def test_the_long_run_of_a_format(self):
         found = stability.dynamics(golden(dynamics="""
@@ -768,7 +769,8 @@ mass_ratio 16 7 q16_16 nearest semi_implicit_euler
 mass_ratio 16 8 float ieee semi_implicit_euler
 mass_ratio 16 1 float ieee explicit_euler
 """)
-        self.assertIn("is 100 to 110 for 2 rods and 7 to 8 for 16: the format changes it by a factor of up to 1.1, the length by 14.",
+        self.assertIn("of 2 rods bears a mass of 100 to 110 links, one of 16 rods 7 to 8. The format changes this by a factor of up to 1.1, "
+                      "the length by a factor of 14.",
                       stability.chain_finding(made))
 
     MAP = """
@@ -813,9 +815,9 @@ map x limit scalar arithmetic integrator bound
 
         def told():
             return stability.speed_finding(golden(stability_map="\n".join(["map x limit scalar arithmetic integrator bound", *rows])))
-        self.assertIn("velocity Verlet and springs solved implicitly have the same limits:", told())
+        self.assertIn("velocity Verlet and springs solved implicitly are the same.", told())
         rows[3] = rows[3].replace(" 20 ", " 15 ")
-        self.assertIn("have limits up to 25 % away:", told())
+        self.assertIn("differ by up to 25 %.", told())
         del rows[5]
         self.assertRaises(ValueError, told)
 
@@ -891,7 +893,7 @@ poke_while_held published 94
         made = golden(stable_region=at_rest)
         self.assertEqual(haptic_region.settled(made), [("float", "no")])
         self.assertEqual(haptic_region.settled_finding(made),
-                         "Not drawn, since all plants are at rest everywhere: ours, float without damping.")
+                         "Not drawn, because all plants are at rest everywhere: ours, float without damping.")
         self.assertEqual(haptic_region.settled_finding(self.data()), "")
         labels = [axes.get_ylabel() for axes in haptic_region.draw(made).axes]
         self.assertFalse(any("float,\nwithout" in label for label in labels), labels)
@@ -995,10 +997,10 @@ dot3 q8_24 default small 260
 divide q8_24 default small 70
 """)
         self.assertEqual(blocks.finding(made), "Building blocks (controllers, filters, tables, matrices, quaternions) that "
-                         "take at most 0.4 of float's cycles: 2 of 2 in Q8.8; 1 of 2 in Q16.16 (the "
-                         "others up to 0.404, pid; the products and quotients of their definitions alone take 0.15 to "
-                         "0.15); 0 of 2 in Q8.24 (the others up to 0.98, one pole; the products and quotients of their "
-                         "definitions alone take 0.12 to 0.40).")
+                         "take at most 0.4 times float's cycles: 2 of 2 in Q8.8; 1 of 2 in Q16.16 (the "
+                         "others up to 0.404, pid; there the products and quotients that the definitions require take 0.15 to "
+                         "0.15 by themselves); 0 of 2 in Q8.24 (the others up to 0.98, one pole; there the products and quotients "
+                         "that the definitions require take 0.12 to 0.40 by themselves).")
 
     def test_features(self):
         made = golden(features="""
@@ -1015,11 +1017,11 @@ everything gravity yes 5 5
 everything arithmetic=Nearest yes 5 5
 lever by_hand yes 1500 2000
 """)
-        self.assertEqual(features.finding(made), "Of 3 features the dearest are rods +500 cycles a step and +200 bytes "
-                         "of flash, and ropes +300 cycles a step and +500 bytes of flash; the cheapest is gravity +10 "
-                         "cycles a step and -10 bytes of flash. Written by hand, with the same result to the bit, the lever's "
-                         "step takes 1500 cycles and 2000 bytes: the engine, which takes other scenes, too, takes 1.40 and "
-                         "1.95 times that.")
+        self.assertEqual(features.finding(made), "Of 3 features the most expensive are rods (+500 cycles a step, +200 bytes "
+                         "of flash) and ropes (+300 cycles a step, +500 bytes of flash); the cheapest is gravity (+10 "
+                         "cycles a step, -10 bytes of flash). Written by hand, with bit-identical results, the lever's "
+                         "step takes 1500 cycles and 2000 bytes. The engine, which also runs other scenes, takes 1.40 times the "
+                         "cycles and 1.95 times the flash.")
 
     def test_fast_or_small(self):
         made = golden(features="""
@@ -1036,8 +1038,8 @@ nine q16_16 small 2200
 nine q8_24 default 1
 own q16_16 small 1
 """)
-        self.assertIn("the lever takes 1.25 times the cycles, and 3890 bytes in place of 3900, a scene of all features takes 1.26 "
-                      "times the cycles, and 16500 bytes in place of 18000; a program of the nine functions takes 2200 bytes in place "
+        self.assertIn("the lever takes 1.25 times the cycles and 3890 bytes instead of 3900, a scene with all features takes 1.26 "
+                      "times the cycles and 16500 bytes instead of 18000; a program with the nine functions takes 2200 bytes instead "
                       "of 12000.", features.tiers(made))
 
     def test_saturation(self):
@@ -1047,8 +1049,9 @@ own q16_16 small 1
                                                          cycles, (1000, 1000 + cycles[0], 500)):
                 rows += f"{scene} {scalar} {arithmetic} semi_implicit_euler 0.00390625 {each} {flash}\n"
         self.assertEqual(scenes.saturation_finding(golden(scenes=rows)),
-                         "Over 2 scenes in steps of 1/256 s saturating Q16.16 takes 0.950 (stack) to 1.100 (fall) times "
-                         "the cycles of plain Q16.16, 0.275 to 0.500 times float's, and +100 to +200 bytes of flash.")
+                         "In 2 scenes with steps of 1/256 s, saturating Q16.16 takes 0.950 (stack) to 1.100 (fall) times "
+                         "the cycles of plain Q16.16 and 0.275 to 0.500 times those of float. Its flash differs from plain Q16.16's "
+                         "by +100 to +200 bytes.")
 
     def test_ablations(self):
         made = golden(ablations="""
@@ -1058,9 +1061,9 @@ lead mass 4 4.1 100 80
 share small_step 0.5 0.125 100 150
 share nothing 0 3 100 900
 """)
-        self.assertEqual(stability.ablations_finding(made), "Over 2 measures in 3 cases the limit moves by a factor of up to "
-                         "4 (lead in spring step) and in 1 cases by less than 5 %, at −20 % (lead in mass) to +50 % (share "
-                         "in small step) of the step's cycles.")
+        self.assertEqual(stability.ablations_finding(made), "Over 2 measures in 3 cases, a measure moves the limit by a factor "
+                         "of up to 4 (lead in spring step); in 1 cases it is less than 5 %. It changes the step's cycles by −20 % (lead "
+                         "in mass) to +50 % (share in small step).")
 
     def test_scenarios(self):
         made = golden(haptic="""
@@ -1069,16 +1072,16 @@ fall_down q16_16 held - 1024.4 0.4 0.2 44 131
 fast_dial q16_16 swings too_late 1023.6 0.5 0.3 45 130
 fall_down float held - 1 9 9 99 999
 """)
-        self.assertEqual(lever.scenarios_finding(made), "As it is flashed, in Q16.16, the lever passes 1 of 2 "
+        self.assertEqual(lever.scenarios_finding(made), "As flashed, in Q16.16, the lever passes 1 of 2 "
                          "scenarios, not fast dial (too_late), at 1024 steps a "
-                         "second or more. A step takes 0.50 ms at most and begins 0.30 ms late at most (fast dial); the "
-                         "processor is busy for 45 % of its time at most and the stack is 131 bytes deep.")
+                         "second or more. A step takes at most 0.50 ms and begins at most 0.30 ms late (scenario \"fast dial\"). The "
+                         "processor is busy for at most 45 % of its time, and the stack is at most 131 bytes deep.")
 
     def test_profile(self):
         made = golden(profile_lever="function self_share\n(asleep) 0.5\n"
                       + "".join(f"f{k} 0.{k}\n" for k in (2, 1)) + "g 0.05\nh 0.04\ni 0.03\n")
-        self.assertEqual(lever.profile_finding(made), "The processor sleeps for 50 % of them. The rest goes to `f2` (20.0 %), "
-                         "`f1` (10.0 %), `g` (5.0 %), `h` (4.0 %) and what takes less: [the whole profile]"
+        self.assertEqual(lever.profile_finding(made), "The processor sleeps for 50 % of them. Most of the rest goes to `f2` (20.0 %), "
+                         "`f1` (10.0 %), `g` (5.0 %), `h` (4.0 %): [the whole profile]"
                          "(data/profile_lever.csv).")
 
     def test_calibration(self):
@@ -1090,9 +1093,9 @@ x/a as_published 41.125 - 714.8 2332 rejected
 """)
         for row in made.rows("calibration_candidates"):
             row["fitted_to"] = row["fitted_to"].replace("_", " ")
-        self.assertEqual(lever.calibration_finding(made), "Chosen is a+b: 36.2 g rms over the readings (44.5 where each reading "
-                         "is left out of its own fit), 326 cycles and 2126 bytes; the published x/a as it stands has 41.1 g, "
-                         "715 cycles and 2332 bytes.")
+        self.assertEqual(lever.calibration_finding(made), "The curve chosen is a+b: 36.2 g rms over the readings (44.5 g with each "
+                         "reading left out of its own fit), 326 cycles and 2126 bytes. The published x/a, with its coefficients, has "
+                         "41.1 g, 715 cycles and 2332 bytes.")
 
     def test_elementary_functions_are_those_of_the_library(self):
         header = pathlib.Path(__file__).parents[3] / "fixedpoint/src/fixedpoint/portable/elementary.hpp"
@@ -1111,7 +1114,7 @@ x/a as_published 41.125 - 714.8 2332 rejected
                 ("tan", "float libc", 300), ("pow", "q16_16 default", 400), ("pow", "float libc", 200))))
         self.assertEqual(operations.ratios_to_float(made, "q16_16"), {"sqrt": 0.5})
         self.assertEqual(operations.ratios_to_float(made, "q16_16", elementary=True), {"tan": 3, "pow": 2})
-        self.assertIn("pow, take float's cycles 2 to 3 times (tan) in Q16.16.",
+        self.assertIn("pow), as a multiple of float's: 2 to 3 (tan) in Q16.16.",
                       operations.elementary_finding(made))
 
 
@@ -1138,7 +1141,7 @@ class Identification(Figures):
         self.assertIn("on 5 of 11 plants (", text)
         self.assertIn("With the damping 0 of 11 (", text)
         self.assertIn("the fastest in 0.20 s", text)
-        self.assertIn("narrow friction most: to 60 %", text)
+        self.assertIn("narrow friction most, to 60 %", text)
         as_fast = made.rows("identification")
         as_fast[3]["fall_damped_s"] = 0.18 * 1.09
         self.assertIn("With the damping 1 of 11 (", identification.finding(made))
@@ -1198,7 +1201,7 @@ hours published 240 failed
 fall published 3 held
 """)
         self.assertEqual(lever.others(made), "The same firmware in float passes 1 of 1 and the rebuilt 2016 "
-                         'design 1 of 2 of them. The scenario "hours" simulates 3600 s of ours and 240 s of '
+                         'design 1 of 2. The scenario "hours" simulates 3600 s of ours and 240 s of '
                          "the others.")
 
     def test_every_published_figure_has_its_verdict(self):
@@ -1350,8 +1353,8 @@ class Damage(Figures):
                 (good[:-6], "operations.csv, row 3: 2 cells under 4 columns"),
                 (good + b"add,q8_8,1,2,3\n", "operations.csv, row 4: 5 cells under 4 columns"),
                 (good.replace(b",9,1", b",9,"), "row 2, column loops: the number is missing"),
-                (good.replace(b",9,1", b",nan,1"), "row 2, column cycles_max: 'nan' is no number"),
-                (good.replace(b",9,1", b",9 1,1"), "row 2, column cycles_max: '9 1' is no number"),
+                (good.replace(b",9,1", b",nan,1"), "row 2, column cycles_max: 'nan' is not a number"),
+                (good.replace(b",9,1", b",9 1,1"), "row 2, column cycles_max: '9 1' is not a number"),
                 (good.replace(b"add,q8", b"\xff\xfe"), "operations.csv: 'utf-8' codec"),
                 (good, "operations.csv: there is no column 'implementation'")):
             told = self.told(content)

@@ -104,10 +104,10 @@ int run(const std::vector<std::string>& scenes, const std::filesystem::path& out
 const fixbench::Registration registration({
     .name = "features",
     .description =
-        "What each feature of the engine costs: flash and RAM beside an empty program and cycles\n"
-        "a step, in Q16.16 at -O2, of the lever's scene and of a scene with everything, with the\n"
-        "feature in and out, and of the lever written by hand, without the engine. Fails where a\n"
-        "program holds code or a table that it does not use.\n"
+        "What each feature of the engine costs: flash and RAM above those of an empty program,\n"
+        "and cycles a step, in Q16.16 at -O2; for the lever's scene and for a scene with\n"
+        "everything, with and without the feature; and for the lever written by hand, without\n"
+        "the engine. Fails if a program contains code or a table that it does not use.\n"
         "File: features.csv.\n\n"
         "Example: fixbench features --scene lever",
     .prints = {"features.csv"},

@@ -143,9 +143,9 @@ int run(const Options& options) {
     for (const Model& model : models) all_fit = fits(model, costs, points) && all_fit;
     if (const auto from =
             crossing(of_search(costs, "brute_force"), of_search(costs, "sort_and_sweep")))
-        fmt::print(stderr, "sort_and_sweep is the cheaper from {} particles on\n", *from);
+        fmt::print(stderr, "sort_and_sweep is cheaper from {} particles upwards\n", *from);
     else
-        fmt::print(stderr, "brute_force is the cheaper up to the end\n");
+        fmt::print(stderr, "brute_force is cheaper for every number of particles\n");
     records::table_of(points).save(options.output /
                                    (options.host ? "growth_host.csv" : "growth.csv"));
     return all_fit ? fixbench::held : fixbench::check_failed;
@@ -154,20 +154,19 @@ int run(const Options& options) {
 const fixbench::Registration registration({
     .name = "growth",
     .description =
-        "The cost of a step against the number N of particles in a box, with either broad phase,\n"
-        "and the pairs that it tests: on the simulated chip up to what its memory holds, where "
-        "the\n"
-        "cycles are to follow the pairs, or with --host of discs in the plane on this machine, in\n"
-        "nanoseconds, beside Box2D, where the tests are to follow the particles. Exits with 1 "
-        "where\n"
-        "they miss by more than 5 %. File: growth.csv or growth_host.csv.\n\n"
+        "The cost of a step against the number N of particles in a box, with either broad\n"
+        "phase, and the pairs that it tests. On the simulated chip N goes up to what the memory\n"
+        "holds, and the cycles must follow the pairs. With --host it times discs in the plane\n"
+        "on this machine, in nanoseconds, compared with Box2D, and the tests must follow the\n"
+        "particles. Exits with 1 if they miss by more than 5 %. File: growth.csv or\n"
+        "growth_host.csv.\n\n"
         "Example: fixbench growth",
     .prints = {"growth.csv", "growth_host.csv"},
     .add =
         [](CLI::App& command) {
             const auto options = std::make_shared<Options>();
             command.add_flag("--host", options->host, "time this machine instead");
-            command.add_option("--most", options->most, "particles on the host")
+            command.add_option("--most", options->most, "largest number of particles on the host")
                 ->check(CLI::Range(144, 16384))
                 ->capture_default_str();
             return [options](const fixbench::Call& call) {

@@ -12,12 +12,13 @@ namespace {
 const fixbench::Registration registration({
     .name = "region",
     .description =
-        "Where a held lever is at rest: arm length x loop rate x stiffness of the hand, for each\n"
-        "arithmetic, with and without the selective damping, over plants of which the 2016 design\n"
-        "falls and swings as published, beside the linear theory. The firmware's lever runs on the "
-        "host by the chip's schedule; the\n"
-        "simulated chip checks it at the shortest arm, and differences are printed. It swings\n"
-        "where, after a poke, it moves by more than 1.5 degrees in the last of four seconds.\n"
+        "Searches where a held lever is at rest: arm length x loop rate x stiffness of the\n"
+        "hand, for each arithmetic, with and without the selective damping, compared with the\n"
+        "linear theory. The plants are those on which the 2016 design falls and swings as\n"
+        "published. The firmware's lever runs on the host, on the chip's schedule; the\n"
+        "simulated chip checks it at the shortest arm, and differences are printed. A lever\n"
+        "swings if, after a poke, it moves by more than 1.5 degrees in the last of four\n"
+        "seconds.\n"
         "Files: identification.csv, stable_region.csv, stable_limits.csv, stable_changes.csv,\n"
         "stable_on_chip.csv and oscillation.csv.",
     .prints = {"stable_limits.csv"},

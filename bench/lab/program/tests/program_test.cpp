@@ -50,7 +50,7 @@ TEST(Names, UnknownOnesAreRefusedWithWhatExists) {
         fixbench::check_names("--format", {"q8_8", "q16_61"}, known);
     });
     EXPECT_EQ(half_wrong,
-              "--format 'q16_61': there is none, did you mean q16_16?; there are float, q16_16, "
+              "--format 'q16_61' is unknown (did you mean q16_16?); there are float, q16_16, "
               "q8_8");
     EXPECT_THAT(refusal([&] { fixbench::check_names("--format", {"zzzzzzzz"}, known); }),
                 Not(HasSubstr("did you mean")));

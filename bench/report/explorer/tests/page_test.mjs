@@ -237,7 +237,7 @@ test("a scene's point tells its row, and the budget is the chip's clock", async 
   const found = await pointAtAll("[data-scene=pendulum]", (_, title) => Number(row(title).cycles_per_simulated_second), (_, title) => Number(row(title).error));
   for (const { title, facts } of found) {
     close(read(facts.error), row(title).error, title);
-    close(read(facts["cycles a second"]), row(title).cycles_per_simulated_second, title);
+    close(read(facts["cycles per simulated second"]), row(title).cycles_per_simulated_second, title);
   }
   const [a, b] = [found[0], found.find(({ ring }) => Math.abs(ring.x - found[0].ring.x) > 50)].map(({ title, ring }) => [Math.log(row(title).cycles_per_simulated_second), ring.x]);
   const line = await page.locator("[data-scene=pendulum] svg [aria-label=rule] line").first().boundingBox();
@@ -324,7 +324,7 @@ test("a table is filtered, sorted and saved as it stands", async () => {
 
 test("the overview says which formats hold a need, and the mean and largest cycles", async () => {
   await go("view=overview&range=20&resolution=0.0001");
-  assert.equal(await page.locator("p[role=status]").textContent(), "Q16.16, Q8.24, Q32.32, float hold it.");
+  assert.equal(await page.locator("p[role=status]").textContent(), "Q16.16, Q8.24, Q32.32, float fit.");
   const cells = await page.locator("[data-subject='q16_16/default'] td.number").evaluateAll((all) => all.map((cell) => cell.innerText.split("\n")));
   ["add", "multiply", "divide", "sqrt", "sin", "atan2"].forEach((operation, index) => {
     const mine = (row) => row.operation === operation && row.format === "q16_16" && row.implementation === "default";
