@@ -68,7 +68,7 @@ ROOMS = [
     kernels(f"{FIXED}/avr/*_q16_16.S {FIXED}/avr/*_q16_16.inc !*/add_scaled_q16_16.S"
             " !*/dot_difference_q16_16.S !*/multiply_short_q16_16.S"
             " !*/short_factor_q16_16.inc !*/polynomial_q16_16.S !*/pid_q16_16.S !*/invert2_q16_16.S"
-            f" {FIXED}/avr/cubic_core_32.inc {FIXED}/avr/ratio_32.inc {FIXED}/avr/exp_32.inc", 3, "q16_16",
+            f" {FIXED}/avr/cubic_core_32.inc {FIXED}/avr/ratio_32.inc {FIXED}/avr/exp_32.inc", 2, "q16_16",
             Check("kernels_test", "*/q16_16_auxiliary", "q16_16_auxiliary"),
             Check("kernels_test", "*/q16_16_angles", "q16_16_angles"),
             Check("kernels_test", "*/q16_16_powers:PowerOfTwo.*", "q16_16_powers"),
@@ -86,7 +86,7 @@ ROOMS = [
          Check("vector_kernels_test", "VectorComplexProduct.*", "vector_complex_product"),
          Check("vector_kernels_test", "VectorCofactors.*", "vector_cofactors"),
          Check("vector_kernels_test", "VectorFilters.*", "vector_filters")),
-    kernels(f"{FIXED}/avr/*_q8_8.S {FIXED}/avr/*_q8_8.inc", 2, "q8_8"),
+    kernels(f"{FIXED}/avr/*_q8_8.S {FIXED}/avr/*_q8_8.inc", 1, "q8_8"),
     kernels(f"{FIXED}/avr/*_q4_4.S", 1, "q4_4"),
     kernels(f"{FIXED}/avr/*_q32_32.S {FIXED}/avr/cubic_64.* !*/absolute_q32_32.S !*/lerp_q32_32.S"
             " !*/exp2_q32_32.S !*/hyperbolic_q32_32.S !*/pow_q32_32.S !*/cbrt_q32_32.S",
@@ -99,7 +99,7 @@ ROOMS = [
     kernels(f"{FIXED}/avr/cbrt_q32_32.S", 1, "q32_32_powers",
             Check("kernels_test", "CubeRoot.*", "q32_32_powers")),
     room("kernels", f"{FIXED}/avr/*_64.S {FIXED}/avr/septic_64.inc {FIXED}/avr/fraction_product.inc"
-         f" {FIXED}/avr/leading_one.inc !*/cubic_64.S !*/short_power_64.S", 2,
+         f" {FIXED}/avr/leading_one.inc !*/cubic_64.S !*/short_power_64.S", 1,
          Check("splits_test", "LongSplits.Multiply", "splits_64_multiply"),
          Check("splits_test", "LongSplits.Divide", "splits_64_divide"),
          Check("splits_test", "LongSplits.Dot3", "splits_64_dot3"),
@@ -108,7 +108,7 @@ ROOMS = [
          Check("splits_test", "LongSplits.Angles", "splits_64_atan splits_64_atan2"),
          Check("splits_test", "LongSplits.Log", "splits_64_log")),
     room("kernels", f"{FIXED}/avr/sin_32.S {FIXED}/avr/atan2_32.S {FIXED}/avr/exp_32.S {FIXED}/avr/log_32.*"
-         f" {FIXED}/avr/reciprocal_sqrt_32.S {FIXED}/avr/cubic_32.*", 2,
+         f" {FIXED}/avr/reciprocal_sqrt_32.S {FIXED}/avr/cubic_32.*", 1,
          Check("splits_test", "Splits.Log", "splits_32_log"),
          Check("splits_test", "Splits.ReciprocalSqrt", "splits_32_reciprocal_sqrt"),
          Check("splits_test", "Splits.Exp", "splits_32_exp"),
@@ -124,7 +124,7 @@ ROOMS = [
     room("kernels", f"{FIXED}/kernel/*_saturating.hpp", 1,
          Check("saturating_sums_test", devices="saturating_sums"),
          Check("library_on_device_test", "*/operators_test_q16_16", "operators_test_q16_16")),
-    room("tables", "fixedpoint/tables/*.py", 2, TABLES_TEST),
+    room("tables", "fixedpoint/tables/*.py", 1, TABLES_TEST),
     room("tables", f"{FIXED}/avr/*_table.S {FIXED}/portable/*_table.hpp"
          f" {FIXED}/published/arc_tangent_table.hpp", 1, TABLES_TEST),
     room("portable", f"{FIXED}/portable/divide.hpp {FIXED}/portable/divide_w*.hpp", 1,
@@ -146,10 +146,10 @@ ROOMS = [
     room("oracle", "reference/judge.cpp reference/exact.cpp reference/error_statistics.cpp", 2,
          Check("reference_tests", "-Bulk.*"), Check("reference_tests", "Bulk.*")),
     room("simulator", "bench/chip/simulator/*.cpp bench/chip/simulator/workarounds/*.cpp"
-         " !*/other_chip.cpp", 3, "simulator_tests"),
+         " !*/other_chip.cpp", 2, "simulator_tests"),
     room("simulator", "bench/chip/simulator/other_chip.cpp", 1, "other_chips_test"),
     room("translator", "bench/chip/instructions/instruction.cpp bench/chip/instructions/translate.cpp"
-         " bench/chip/instructions/fingerprint.cpp", 2, "instructions_tests"),
+         " bench/chip/instructions/fingerprint.cpp", 1, "instructions_tests"),
     room("engine", "engine/src/engine/solvers/*.hpp engine/src/engine/constraints.hpp"
          " engine/src/engine/links.hpp engine/src/engine/shared_change.hpp", 2,
          "engine_model_step_test", "engine_pool_test", "engine_direct_rods_test",
@@ -171,10 +171,10 @@ ROOMS = [
     room("verdicts", "bench/experiments/scenes/judge.cpp", 1,
          Check("scene_bench_tests", "Verdict*:LargestDistance*:Extent*:EnergyDrift*")),
     room("verdicts", "bench/experiments/cost/growth/fit.cpp", 1, "growth_tests"),
-    room("stability", "bench/experiments/stability/search.cpp", 2, "search_test"),
-    room("haptic", "bench/experiments/haptic/plant/*.cpp", 2, "haptic_plant_test"),
-    room("haptic", "bench/experiments/haptic/judge.cpp", 2, "haptic_judge_test"),
-    room("report", "bench/report/*.py !*/report.py !*/explorer.py", 3, "bench/report/tests/report_test.py"),
+    room("stability", "bench/experiments/stability/search.cpp", 1, "search_test"),
+    room("haptic", "bench/experiments/haptic/plant/*.cpp", 1, "haptic_plant_test"),
+    room("haptic", "bench/experiments/haptic/judge.cpp", 1, "haptic_judge_test"),
+    room("report", "bench/report/*.py !*/report.py !*/explorer.py", 2, "bench/report/tests/report_test.py"),
 ]
 
 # Of each room tests are to notice this share; a room of fewer than 20 faults may have one unnoticed,
