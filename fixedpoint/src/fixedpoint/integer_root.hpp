@@ -8,7 +8,7 @@
 
 namespace fixedpoint {
 
-/// floor(sqrt(n)) of an integer of any type, exact; 0 where n < 0.
+/// floor(sqrt(n)) for an integer n of any type, exact; 0 if n < 0.
 template <class Int>
 FIXEDPOINT_CONSTEXPR Int isqrt(Int n) {
     static_assert(BuiltinNumber<Int>::kind == BuiltinKind::integer,
