@@ -16,7 +16,7 @@ FIXEDPOINT_CONSTEXPR uint16_t rise(uint16_t slope, uint16_t fraction) {
                                  (slope_low * fraction_high >> 8));
 }
 
-// The height of a parabola of unit curvature above its chord: t (1 - t) 2^9.
+// The height of a parabola with unit `bend` above its chord: t (1 - t) 2^9.
 FIXEDPOINT_CONSTEXPR uint16_t height(uint16_t fraction) {
     const uint16_t fraction_high = fraction >> 8;
     return static_cast<uint16_t>(fraction_high * (255 - fraction_high) >> 7);
