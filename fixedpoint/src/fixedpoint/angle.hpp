@@ -98,7 +98,7 @@ FIXEDPOINT_CONSTEXPR Fixed<IntegerBits, F, A> atan2_degrees(Fixed<IntegerBits, F
 /// angle.
 template <int Bits>
 class Turn {
-    static_assert(Bits == 16 || Bits == 32, "A turn has 16 or 32 bits.");
+    static_assert(Bits == 16 || Bits == 32, "A Turn has 16 or 32 bits.");
 
   public:
     /// The unsigned integer of Bits bits.

@@ -27,11 +27,12 @@ struct convert_one_operand_to_the_format_of_the_other;
 template <int IntegerBits, int FractionBits, class ArithmeticPolicy = Nearest>
 class Fixed {
     static_assert(IntegerBits >= 1,
-                  "IntegerBits counts the sign and is at least 1: take a smaller unit, so that the "
-                  "point lies inside the integer.");
-    static_assert(FractionBits >= 0,
-                  "FractionBits is not negative: take a larger unit, so that the point lies inside "
-                  "the integer.");
+                  "IntegerBits counts the sign and must be at least 1: choose a smaller unit, so "
+                  "that the binary point is inside the integer.");
+    static_assert(
+        FractionBits >= 0,
+        "FractionBits must not be negative: choose a larger unit, so that the binary point "
+        "is inside the integer.");
 
   public:
     /// The two's-complement integer of IntegerBits + FractionBits bits: int8_t, int16_t, int32_t or

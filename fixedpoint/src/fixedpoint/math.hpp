@@ -155,7 +155,7 @@ constexpr Fixed<IntegerBits, F, A> pow(Fixed<IntegerBits, F, A> x, Fixed<Integer
 template <int IntegerBits, int F, class A, class Int>
 FIXEDPOINT_CONSTEXPR Fixed<IntegerBits, F, A> power(Fixed<IntegerBits, F, A> x, Int n) {
     static_assert(BuiltinNumber<Int>::kind == BuiltinKind::integer,
-                  "power takes an integer exponent: pow is for a fixed-point one.");
+                  "power takes an integer exponent: use pow for a fixed-point one.");
     using Raw = Integer<IntegerBits + F>;
     const auto result = kernel::integer_power<Raw, F>(
         x.raw(), portable::integer_magnitude<Unsigned<Int>>(n), portable::is_negative_integer(n));
@@ -211,7 +211,7 @@ constexpr Fixed<IntegerBits, F, A> multiply_add(Fixed<IntegerBits, F, A> a,
 /// a / 2^K, rounded; K must not be negative. scale_down<10>(a) takes a quarter of a product's time.
 template <int K, int IntegerBits, int F, class A>
 constexpr Fixed<IntegerBits, F, A> scale_down(Fixed<IntegerBits, F, A> a) {
-    static_assert(K >= 0, "scale_down divides by 2^K, K not negative.");
+    static_assert(K >= 0, "scale_down divides by 2^K: K must not be negative.");
     return Fixed<IntegerBits, F, A>::from_raw(A::template scale_down<K>(a.raw()));
 }
 

@@ -13,7 +13,7 @@ namespace fixedpoint {
 template <int IntegerBits, int F, class A>
 const Integer<IntegerBits + F>* raws(const Fixed<IntegerBits, F, A>* numbers) {
     static_assert(sizeof(Fixed<IntegerBits, F, A>) == sizeof(Integer<IntegerBits + F>),
-                  "A Fixed holds its raw only.");
+                  "A Fixed must consist of its raw only.");
     return reinterpret_cast<const Integer<IntegerBits + F>*>(numbers);
 }
 template <int IntegerBits, int F, class A>

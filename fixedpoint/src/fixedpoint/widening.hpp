@@ -17,8 +17,8 @@ template <int Bits>
 struct WidthOf {
     static_assert(
         Bits <= 64,
-        "No format holds this sum or product: its operands have 64 bits together at most, "
-        "a sum's 32 bits each.");
+        "No format holds this sum or product: the operands of a product must have at most "
+        "64 bits together, those of a sum 32 bits each.");
     static constexpr int value = Bits <= 8 ? 8 : Bits <= 16 ? 16 : Bits <= 32 ? 32 : 64;
 };
 /// \endcond

@@ -43,7 +43,7 @@ struct BiquadSum {
 // once.
 template <int IntegerBits, int F, class A>
 class BiquadSum<Fixed<IntegerBits, F, A>> {
-    static_assert(IntegerBits >= 3, "The coefficients of a biquad, up to 2, need 3 integer bits.");
+    static_assert(IntegerBits >= 3, "Biquad coefficients, which reach 2, need 3 integer bits.");
 
   public:
     using Number = Fixed<IntegerBits, F, A>;

@@ -19,7 +19,7 @@ namespace fixedpoint {
 // 1/2) ulp, in units of 2^-F ulp.
 template <int F>
 struct RoundingError {
-    static_assert(F <= 60, "Errors are carried up to 60 fraction bits.");
+    static_assert(F <= 60, "Errors can be carried with up to 60 fraction bits.");
     // Low has at least F bits; Sum is signed and can hold the sum of 16 errors.
     using Low = UnsignedInteger<F <= 8 ? 8 : F <= 16 ? 16 : F <= 32 ? 32 : 64>;
     using Sum = Integer<F <= 4 ? 8 : F <= 12 ? 16 : F <= 28 ? 32 : 64>;

@@ -33,10 +33,10 @@ struct Interpolation<Fixed<IntegerBits, F, A>> {
     template <int StepExponent, uint16_t N>
     static Number apply(const Table<Number, N>& table, Number begin, Number x) {
         constexpr int bits = F + StepExponent;
-        static_assert(bits >= 0, "A step is at least one ulp.");
+        static_assert(bits >= 0, "A step must be at least one ulp.");
         static_assert(bits < RawLimits<Raw>::width - 1 &&
                           N - 1 <= RawLimits<Raw>::max >> (bits < 0 ? 0 : bits),
-                      "A table is no longer than the largest number.");
+                      "The table must not extend over more than the largest number.");
         if (x <= begin) return table[0];
         const Raw distance = Saturating::subtract<Raw, F>(x.raw(), begin.raw());
         if (distance >> bits >= static_cast<Raw>(N - 1)) return table[N - 1];

@@ -12,7 +12,7 @@ namespace fixedpoint {
 /// A square matrix of N rows; N must be 2 or 3.
 template <class Number, uint8_t N>
 struct Matrix {
-    static_assert(N == 2 || N == 3, "A matrix has two or three rows.");
+    static_assert(N == 2 || N == 3, "A matrix must have two or three rows.");
     /// element[i][j] is in row i and column j.
     Number element[N][N];
 };

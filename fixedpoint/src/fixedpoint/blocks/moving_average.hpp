@@ -44,7 +44,7 @@ class MovingAverage {
 template <int IntegerBits, int F, class A, uint16_t N>
 class MovingAverage<Fixed<IntegerBits, F, A>, N> {
     static_assert(N >= 2 && N <= 256 && (N & (N - 1)) == 0,
-                  "A moving average takes 2, 4, 8 ... 256 inputs.");
+                  "The number of inputs must be 2, 4, 8, ... or 256.");
 
   public:
     /// The type of the numbers averaged.

@@ -75,7 +75,7 @@ struct PidStep<Fixed<16, 16, Saturating>, true> {
                       offsetof(State, high) == 16 && offsetof(State, integral) == 20 &&
                       offsetof(State, measurement) == 24 && offsetof(State, carried) == 28 &&
                       offsetof(State, started) == 30,
-                  "avr/pid_q16_16.S");
+                  "The layout must be that of avr/pid_q16_16.S.");
     static Number take(PidState<Number>& state, Number setpoint, Number measurement) {
         return Number::from_raw(fixedpoint_pid_q16_16(setpoint.raw(), measurement.raw(), &state));
     }

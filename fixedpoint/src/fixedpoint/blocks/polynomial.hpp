@@ -27,7 +27,7 @@ struct HornerStep {
 // be converted. In 32 bits every such product has a kernel.
 template <int IntegerBits, int F, class A, int CoefficientF>
 struct HornerStep<Fixed<IntegerBits, F, A>, Fixed<32 - CoefficientF, CoefficientF, A>> {
-    static_assert(IntegerBits + F <= 32, "Coefficients are at least as wide as the argument.");
+    static_assert(IntegerBits + F <= 32, "Coefficients must be at least as wide as the argument.");
     using Coefficient = Fixed<32 - CoefficientF, CoefficientF, A>;
     explicit HornerStep(Fixed<IntegerBits, F, A> x) : x_(x.raw()) {}
     Coefficient apply(Coefficient p, Coefficient c) const {

@@ -14,7 +14,7 @@ namespace fixedpoint {
 ///     static const Table<Q16_16, 3> table FIXEDPOINT_PROGRAM_MEMORY = {{1_q16_16, ...}};
 template <class Number, uint16_t N>
 struct Table {
-    static_assert(N >= 1, "A table has an entry.");
+    static_assert(N >= 1, "A table needs at least one entry.");
     /// The entries. On the chip, read them only by operator[].
     Number entry[N];
 

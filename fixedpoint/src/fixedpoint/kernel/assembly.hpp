@@ -32,8 +32,8 @@ constexpr bool is_kept(Function*) {
 #ifdef FIXEDPOINT_ASSEMBLY
 static_assert(
     fixedpoint::kernel::has_assembly,
-    "FIXEDPOINT_ASSEMBLY asks for the assembly kernels, which there are for an AVR with a "
-    "hardware multiplier and without FIXEDPOINT_NO_ASSEMBLY.");
+    "FIXEDPOINT_ASSEMBLY asks for the assembly kernels, which need an AVR with a hardware "
+    "multiplier and exclude FIXEDPOINT_NO_ASSEMBLY.");
 #endif
 
 // FIXEDPOINT_DISPATCH(shape, operation, Raw, F, symbol, implementation), a row of kernel/table.hpp,

@@ -138,7 +138,7 @@ struct PhaseOfDegrees<F, 64> {
 };
 template <class Core, class Raw, int F>
 FIXEDPOINT_CONSTEXPR typename Core::Phase phase_of_degrees(Raw angle) {
-    static_assert(F <= 54, "Angles in degrees have 54 fraction bits at most.");
+    static_assert(F <= 54, "Angles in degrees have at most 54 fraction bits.");
     using Phase = typename Core::Phase;
     constexpr uint64_t turn = uint64_t(360) << F;
     constexpr bool is_reduced =
@@ -160,7 +160,7 @@ struct FineAngle {
 template <class Raw, int F, int FromF, int Bits>
 FIXEDPOINT_CONSTEXPR Raw scaled_angle(int64_t angle, uint64_t factor) {
     constexpr int shift = Bits + FromF - F - 64;
-    static_assert(shift >= 0, "Angles in degrees have 54 fraction bits at most.");
+    static_assert(shift >= 0, "Angles in degrees have at most 54 fraction bits.");
     const portable::Wide128 product = portable::multiply_full(magnitude(angle), factor);
     const uint64_t rounded = shift > 0 ? ((product.high >> (shift > 0 ? shift - 1 : 0)) + 1) >> 1
                                        : product.high + (product.low >> 63);

@@ -19,7 +19,7 @@ namespace fixedpoint {
 namespace portable {
 
 #ifdef __OPTIMIZE__
-__attribute__((error("fixed takes a constant that the format holds"))) int64_t
+__attribute__((error("fixed takes a constant that the format can represent"))) int64_t
 the_format_does_not_hold_this_constant();
 #else
 inline int64_t the_format_does_not_hold_this_constant() { __builtin_trap(); }

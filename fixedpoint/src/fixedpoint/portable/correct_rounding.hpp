@@ -22,7 +22,7 @@ namespace portable {
 template <class Raw, int F, class Side, class... Operands>
 FIXEDPOINT_CONSTEXPR Raw correctly_rounded(int64_t wide, Operands... a) {
     static_assert(F <= 16 && RawLimits<Raw>::width - F <= 16,
-                  "only for formats whose numbers all are numbers of Q16.16");
+                  "CorrectlyRounded needs a format whose numbers are all numbers of Q16.16.");
     constexpr uint32_t half = uint32_t(1) << (31 - F);
     const Converted<Raw> up = convert_clamped<Raw, F, int64_t, 32>(wide);
     const bool is_tie = (static_cast<uint32_t>(wide) & (2 * half - 1)) == half;

@@ -66,7 +66,7 @@ FIXEDPOINT_CONSTEXPR Word128 logarithm_104(uint64_t a) {
 // x is unsigned too and must not be 0.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw pow_unsaturated(Raw x, Raw y) {
-    static_assert(F == 32, "a power of Q32.32");
+    static_assert(F == 32, "This is the power of Q32.32.");
     const Word128 logarithm = logarithm_104(static_cast<uint64_t>(x));
     const bool below_1 = static_cast<int64_t>(logarithm.high) < 0;
     const bool falls = below_1 != (y < 0);

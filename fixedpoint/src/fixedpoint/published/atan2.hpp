@@ -19,7 +19,8 @@ constexpr uint64_t from_32_fraction_bits(uint64_t value) {
 // pi / 2^halvings rounded to F fraction bits, from the 61 that 64 bits hold.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw pi_share(int halvings) {
-    static_assert(F <= 60, "pi is kept to 61 fraction bits: at most 60 can be rounded from it.");
+    static_assert(F <= 60,
+                  "pi is stored with 61 fraction bits: at most 60 can be rounded from it.");
     const uint64_t pi_61 = 0x6487ed5110b4611aull;
     const int drop = 61 - F + halvings;
     return static_cast<Raw>((pi_61 + (uint64_t(1) << (drop - 1))) >> drop);

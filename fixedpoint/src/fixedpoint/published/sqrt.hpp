@@ -15,7 +15,7 @@ namespace published {
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw sqrt(Raw a) {
     static_assert(F % 2 == 0,
-                  "The published square root takes two bits of the radicand a round: "
+                  "The published square root takes two bits of the radicand per iteration: "
                   "the number of fraction bits must be even.");
     static_assert(F <= RawLimits<Raw>::width - 4,
                   "The remainder of the published square root, at most 4 times the root, must fit: "
