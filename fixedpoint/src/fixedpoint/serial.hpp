@@ -26,7 +26,8 @@ size_t print(Out& out, Fixed<IntegerBits, F, A> x, uint8_t decimals) {
 
 /// Reads the characters that have arrived, up to the first that cannot belong to a number, and
 /// parses them. It does not wait: call it once the line is complete, since a number still arriving
-/// is cut short or malformed. At most 40 characters are read, more than any number needs.
+/// is cut short or malformed. At most 40 characters are read: more than the shortest text of any
+/// number has, but text with more digits is split there.
 template <class Number, class In>
 Parsed<Number> read(In& in) {
     char text[40];

@@ -11,7 +11,7 @@
 // Table    512 bytes, fixedpoint_reciprocal_table
 //
 // The method is that of divide_q16_16.S: the divisor d = 2^k |b| has its leading one in bit 31,
-// and v = 2^8..2^9 makes D = d v = 2^40 - E, 0 < E < 2^32. A digit of the quotient to base 256 is
+// and v in 2^8..2^9 gives D = d v = 2^40 - E, 0 < E < 2^32. A base-256 digit of the quotient is
 // then the highest of the six bytes of the dividend,
 //
 //     x - digit D = x - digit 2^40 + digit E,

@@ -41,7 +41,7 @@
 // k + 17.
 #define k r27
 #define zero r18
-// The mantissa of 40 bits starts as the power; m4 lies where rA1 was.
+// The 40-bit mantissa starts as the power; m4 replaces rA1.
 #define m0 r28
 #define m1 r16
 #define m2 r17
@@ -53,7 +53,7 @@
 #define p2 r30
 #define p3 r31
 #define p4 r29
-// A product's sign, where growth0 was.
+// The sign of a product; replaces growth0.
 #define sign r26
 
 #define POWER hi8(fixedpoint_exp_table)

@@ -2,11 +2,11 @@
 // int64_t fixedpoint_exp_q32_32(int64_t a)
 // e^a within 0.65 ulp; saturated to the largest number.
 //
-// Not C functions, but entries for other functions of powers: fixedpoint_unrounded_exp_q32_32
-// r25:r18, r26 = e^a in units of 2^-40, rounded downward. Needs T = 1 and
-//                                  a from -23 to below 32 ln 2; T stays.
-// fixedpoint_power_of_rest_q32_32  2^k e^-r. Needs r8..r17, r28 and r29 pushed in that order and k + 41
-//                                  behind them, r in r16:r8, r17 = 0, T = 0.
+// Not C functions, but entries for other functions of powers:
+// fixedpoint_unrounded_exp_q32_32  r25:r18, r26 = e^a in units of 2^-40, rounded downward. Requires
+//                                  T = 1 and a in [-23, 32 ln 2); T is kept.
+// fixedpoint_power_of_rest_q32_32  2^k e^-r. Requires r8..r17, r28, r29 and k + 41 pushed in that
+//                                  order, r in r16:r8, r17 = 0, T = 0.
 //
 // In       a = r25:r18
 // Out      r25:r18

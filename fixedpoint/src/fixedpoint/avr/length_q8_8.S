@@ -115,7 +115,7 @@
     sbc s3, double1
     inc root
 
-    // q = (s3:s2:s1) / (2 root); the remainder is s3:s1, with s0 behind it.
+    // q = (s3:s2:s1) / (2 root); the remainder is s3:s1, followed by s0.
 1:  lsr_bytes s1, 3
     rol s3
     ldi q, 0xff

@@ -131,7 +131,7 @@
     lsl root0
     rol root1
 
-    // r31:r30 = (x root + 2^20) / 2^16, of which 2^5 are one.
+    // r31:r30 = (x root + 2^20) / 2^16, in units of 2^-5.
 .Lcomponent:
     mul x1, root1
     movw r30, r0

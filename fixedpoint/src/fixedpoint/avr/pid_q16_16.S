@@ -5,7 +5,7 @@
 //
 // In       setpoint = r25:r22, measurement = r21:r18, controller = r17:r16: the proportional, integral and
 //          derivative gains, the smallest and the largest output, the integral, the last measurement,
-//          the carried error with half an ulp added, in two bytes, and 1 where there was a measurement, else 0
+//          the carried error with half an ulp added, in two bytes, and 1 once there was a measurement, else 0
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
 // Stack    10 bytes and a call

@@ -239,7 +239,7 @@
     .endr
     add r26, r28
 
-    // T = the sign of the product; |ln a| in memory from Y + 1 on, r17:r10 = |b|
+    // T = the sign of the product; |ln a| is in memory from Y + 1 on, r17:r10 = |b|
     bst r26, 7
     brtc 1f
     negate 13, 26

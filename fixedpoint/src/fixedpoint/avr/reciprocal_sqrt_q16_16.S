@@ -170,7 +170,8 @@
     add_product r19, r24, r31, r17
     add_product r20, r24, r17
 .Lsquare\@:
-    // r17:r31:r30:r27:r26 = (2 q + 1) a modulo 2^40; once more, of which r21 is the upper byte.
+    // r17:r31:r30:r27:r26 = (2 q + 1) a modulo 2^40; then times 2 q + 1 once more, with r21 as the
+    // upper byte.
     mul r26, r22
     mov r18, r1
     mul r30, r22

@@ -248,7 +248,7 @@
     add r17, r0
     mul r15, r19
     add r17, r0
-    // r13..r8 = y e, and a byte behind it
+    // r13..r8 = y e, and the byte below it
     ldi r24, 16
     clr r7
     mov r8, r24

@@ -108,9 +108,10 @@ struct OfMantissa58 {
 using Log2Side = LogarithmSide<OfMantissa58<Log2>, int64_t(1) << 58>;
 using Log10Side = LogarithmSide<OfMantissa58<Log10>, 86765988883177455>;
 
-// Functions of which few operands have results in the range: of each of those the side was compared
-// with an evaluation of 113 bits. Powers have too many pairs for that: they are correct unless one
-// is closer to a tie than 2^-48. A power that is a tie, as 1.5^17, comes out as the tie.
+// For functions with few operands whose results are in range: for each of those, the side was
+// compared with an evaluation of 113 bits. Powers have too many pairs for that: they are correct
+// unless one is closer to a tie than 2^-48. A power that is a tie, such as 1.5^17, evaluates to
+// exactly the tie.
 template <class Function>
 struct WideSide {
     template <class... Operands>
