@@ -71,15 +71,15 @@ constexpr Fixed<IntegerBits, F, A> tan(Fixed<IntegerBits, F, A> a) {
     return Fixed<IntegerBits, F, A>::from_raw(
         A::template tan<Integer<IntegerBits + F>, F>(a.raw()));
 }
-/// The arc sine in radians, faithful (error below 0.75 ulp; below 3 ulp with more than 58 fraction
-/// bits), saturated. An argument outside [-1, 1] counts as the nearer end.
+/// The arc sine in radians, faithful (error below 0.75 ulp), saturated; with more than 58 fraction
+/// bits the error is below 3 ulp. An argument outside [-1, 1] counts as the nearer end.
 template <int IntegerBits, int F, class A>
 constexpr Fixed<IntegerBits, F, A> asin(Fixed<IntegerBits, F, A> a) {
     return Fixed<IntegerBits, F, A>::from_raw(
         A::template asin<Integer<IntegerBits + F>, F>(a.raw()));
 }
-/// The arc cosine in radians, faithful (error below 0.75 ulp; below 3 ulp with more than 58
-/// fraction bits), saturated. An argument outside [-1, 1] counts as the nearer end.
+/// The arc cosine in radians, faithful (error below 0.75 ulp), saturated; with more than 58
+/// fraction bits the error is below 3 ulp. An argument outside [-1, 1] counts as the nearer end.
 template <int IntegerBits, int F, class A>
 constexpr Fixed<IntegerBits, F, A> acos(Fixed<IntegerBits, F, A> a) {
     return Fixed<IntegerBits, F, A>::from_raw(
