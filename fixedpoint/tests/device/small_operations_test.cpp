@@ -29,7 +29,7 @@ void check_operations(const SmallOperations& expected) {
               .raw() == expected.saturated_lerp);
 }
 
-// root^2 <= n < (root + 1)^2 for a number that is unknown to the compiler.
+// root^2 <= n < (root + 1)^2 of a number that the compiler knows nothing of.
 template <class Int, class Square>
 void check_root(Int hidden) {
     volatile Int operand = hidden;
@@ -64,7 +64,7 @@ void check_powers() {
 }  // namespace
 
 void test_small_operations() {
-    // The 64-bit program does not have room for them.
+    // The program of 64 bits has no room for them.
     if (INTEGER_BITS + FRACTION_BITS < 64) check_powers();
     for_each(small_operations, check_operations);
     for (uint16_t n = 0; n < 2000; ++n)
