@@ -3,7 +3,7 @@
 
     (gdb) source fixedpoint/debug/fixedpoint_gdb.py
 
-or the same line in ~/.gdbinit. As many decimals are shown as the format is good for."""
+or the same line in ~/.gdbinit. It shows as many decimals as the format can resolve."""
 
 from fractions import Fraction
 
@@ -12,7 +12,7 @@ import gdb.printing
 
 
 def decimal(value, decimals):
-    """The fraction with so many decimals, rounded half up."""
+    """The fraction with that many decimals, rounded half up."""
     digits = f"{abs((value * 10**decimals + Fraction(1, 2)).__floor__()):0{decimals + 1}}"
     sign = "-" if value < 0 and int(digits) else ""
     return sign + (f"{digits[:-decimals]}.{digits[-decimals:]}" if decimals else digits)

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The whole library that a device program uses, under the name that Arduino sketches include.
-/// What is not used costs nothing: no function, no table.
+/// The whole library for device programs, under the name that Arduino sketches include. What a
+/// program does not use costs it neither a function nor a table.
 ///
-/// A program names what `///` documents, and nothing that is marked as internal.
+/// The public interface is what `///` documents; everything marked as internal may change.
 #pragma once
 
 /// \namespace fixedpoint

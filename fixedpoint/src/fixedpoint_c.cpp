@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The functions of fixedpoint_c.h, in the default arithmetic. On the AVR those with a kernel are
-// here too, under the names that other languages than C call them by.
+// The functions of fixedpoint_c.h, in the default arithmetic. On the AVR the functions with a
+// kernel are here too, under the names by which languages other than C call them.
 #define FIXEDPOINT_C_KERNEL(symbol)
 #include <fixedpoint.h>
 #include <fixedpoint_c.h>
@@ -13,7 +13,7 @@ static_assert(static_cast<int>(TextStatus::ok) == FIXEDPOINT_TEXT_OK &&
                   static_cast<int>(TextStatus::empty) == FIXEDPOINT_TEXT_EMPTY &&
                   static_cast<int>(TextStatus::malformed) == FIXEDPOINT_TEXT_MALFORMED &&
                   static_cast<int>(TextStatus::out_of_range) == FIXEDPOINT_TEXT_OUT_OF_RANGE,
-              "C has the statuses of TextStatus.");
+              "The statuses of C must be those of TextStatus.");
 
 template <class Number>
 fixedpoint_text_status parse_text(const char* text, typename Number::Raw* number) {
@@ -22,7 +22,8 @@ fixedpoint_text_status parse_text(const char* text, typename Number::Raw* number
     return static_cast<fixedpoint_text_status>(parsed.status);
 }
 
-// Ends with a zero what `print_into(text, capacity)` prints, of which 0 says that it does not fit.
+// Adds a terminating zero to what `print_into(text, capacity)` prints, which returns 0 if the text
+// does not fit.
 template <class Print>
 size_t terminated(Print print_into, char* text, size_t capacity) {
     if (capacity == 0) return 0;
@@ -157,7 +158,7 @@ Number number(typename Number::Raw raw) {
     }                                                                                       \
     static_assert(Number##_TEXT_CAPACITY == text_capacity<Number>() + 1, "and a zero");
 
-// The AVR's double is a float.
+// On the AVR a double is a float.
 #ifdef __AVR__
 #define FORMAT_DOUBLE(q, Number)
 #else

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Writes fixedpoint/src/fixedpoint/avr/arc_sine_table.S and portable/arc_sine_table.hpp: parabolas on
-intervals of 1/64, for Q16.16, of the arc sine from 0 to 1/2 and of the root that brings larger
-numbers there."""
+"""Writes fixedpoint/src/fixedpoint/avr/arc_sine_table.S and portable/arc_sine_table.hpp: parabolas
+on intervals of 1/64, for Q16.16, of the arc sine from 0 to 1/2 and of the root that reduces larger
+arguments to that range."""
 
 from fractions import Fraction
 from math import isqrt
@@ -23,7 +23,7 @@ BEND_BITS = 7
 
 
 def arc(i):
-    """What the arc sine exceeds its argument by."""
+    """asin x - x."""
     def exact(t):
         position = i * WHOLE + t
         excess = arc_sine(position, INTERVALS * WHOLE, ARC_UNIT + GUARD)
@@ -42,9 +42,9 @@ def root(i):
 
 
 SENTENCE = """\
-Of the arc sine from 0 on, in units of 2^-23: what it exceeds its argument by and 64, half an ulp of
-Q16.16; what the chord of that rises over 1/64; its height over the curve's middle. Of sqrt(x / 2)
-from x = 1/4 on, in units of 2^-22: value, rise and the curve's height over the middle of its chord."""
+For the arc sine from 0 on, in units of 2^-23: asin x - x plus 64, half an ulp of Q16.16; the rise of
+its chord over 1/64; the height of the chord above the middle of the curve. For sqrt(x / 2) from
+x = 1/4 on, in units of 2^-22: value, rise and the height of the curve above the middle of its chord."""
 
 
 def main():
@@ -55,7 +55,7 @@ def main():
     for value, slope, bend in arcs + roots:
         records += [value & 255, value >> 8 & 255, value >> 16, slope & 255, slope >> 8, bend]
     page.write_assembly("arc_sine_table", "arc_sine.py", SENTENCE, [
-        ("three bytes of value, two of slope, the bend; of the roots behind the arcs", records)], 1)
+        ("three bytes of value, two of slope, the bend; first the arcs, then the roots", records)], 1)
     table_header.write("arc_sine_table", "arc_sine.py", SENTENCE, "ArcSineTable", [
         (kind, f"{name}_{member}", [row[k] for row in rows], form)
         for name, rows in (("arc", arcs), ("root", roots))

@@ -19,6 +19,6 @@ def arctangent(numerator, denominator):
 if __name__ == "__main__":
     interpolation.write(
         "arctangent_table", "arctangent.py",
-        "2^24 atan(x) + 128 on 256 intervals of [0, 1]: half an ulp of Q16.16 is in it, so that\n"
-        "cutting 8 bits rounds.",
+        "2^24 atan(x) + 128 on 256 intervals of [0, 1]: it includes half an ulp of Q16.16, so that\n"
+        "truncating 8 bits rounds.",
         interpolation.chords(arctangent, HALF_ULP), "ArctangentTable")

@@ -4,9 +4,9 @@
 chords of the reciprocal and of the arc tangent, half a page each.
 
 reciprocal i = 128..255: for d = 256 i + l, value - floor(slope l / 256) is 2^30 / d, always less and
-as near as the chord allows.
-angle i = 0..127: for T = 256 i + f, value + floor(slope f / 256) + T is 2^16 atan(T / 2^15) and half
-a unit, the mean of what the two cut.
+as close as the chord allows.
+angle i = 0..127: for T = 256 i + f, value + floor(slope f / 256) + T is 2^16 atan(T / 2^15) plus half
+a unit, the mean truncation of the two.
 """
 
 from fractions import Fraction
@@ -16,7 +16,7 @@ import series
 
 BITS = 60
 HEADER = """// SPDX-License-Identifier: MIT
-// DO NOT EDIT: written by python3 fixedpoint/tables/atan2_q8_8.py, which says what the entries are.
+// DO NOT EDIT: written by python3 fixedpoint/tables/atan2_q8_8.py, which describes the entries.
 #pragma once
 
 #include <fixedpoint/program_memory.hpp>

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
 """Writes fixedpoint/src/fixedpoint/avr/atan_32_table.S and portable/atan_32_table.hpp: the arc
-tangent of [0, 1], for every split of 32 bits."""
+tangent on [0, 1], for every 32-bit format."""
 
 from fractions import Fraction
 

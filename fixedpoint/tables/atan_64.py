@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
 """Writes fixedpoint/src/fixedpoint/avr/atan_64_table.S and portable/atan_64_table.hpp: the arc
-tangent of [0, 1], for Q32.32."""
+tangent on [0, 1], for Q32.32."""
 
 import cubic
 from atan_32 import scaled

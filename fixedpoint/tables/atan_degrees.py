@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Writes fixedpoint/src/fixedpoint/portable/atan_degrees_table.hpp: the angles of the ratios from
-which the angle of a vector in degrees is never far."""
+"""Writes fixedpoint/src/fixedpoint/portable/atan_degrees_table.hpp: the angles of the nodes from
+which the angle of a vector in degrees is computed."""
 
 import series
 import table_header

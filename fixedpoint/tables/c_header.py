@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Writes src/fixedpoint_c.h: every operation, in every format that has a name in C, as a plain C
-function. On the AVR a function that has a kernel in kernel/table.hpp is that kernel."""
+"""Writes src/fixedpoint_c.h: every operation, in every format with a name in C, as a plain C
+function. On the AVR a function with a kernel in kernel/table.hpp is that kernel."""
 
 import subprocess
 import textwrap
@@ -12,128 +12,128 @@ import page
 FORMATS = [(4, 4), (8, 8), (16, 16), (8, 24), (32, 32)]
 
 # Name, result, parameters, and what it returns for every input. Q is the number's type, {q} its
-# name, {width} its bits, {integer} and {fraction} those in front of and behind the point.
+# name, {width} its bits, {integer} and {fraction} those before and after the point.
 OPERATIONS = [
-    ("add", "Q", "Q a, Q b", "a + b modulo 2^{integer}: a sum out of the range wraps."),
+    ("add", "Q", "Q a, Q b", "a + b modulo 2^{integer}: a sum out of range wraps."),
     ("subtract", "Q", "Q a, Q b",
-     "a - b modulo 2^{integer}: a difference out of the range wraps."),
+     "a - b modulo 2^{integer}: a difference out of range wraps."),
     ("negate", "Q", "Q a", "-a; {Q}_MIN stays {Q}_MIN."),
     ("abs", "Q", "Q a", "|a|; {Q}_MIN stays {Q}_MIN."),
     ("multiply", "Q", "Q a, Q b",
-     "a b rounded to nearest, half up, modulo 2^{integer}: a product out of the range wraps."),
+     "a b rounded to nearest, half up, modulo 2^{integer}: a product out of range wraps."),
     ("multiply_add", "Q", "Q a, Q b, Q c",
      "a b + c rounded once, to nearest, half up, modulo 2^{integer}."),
     ("divide", "Q", "Q a, Q b",
-     "a / b rounded to nearest, half up, saturated to {Q}_MIN and {Q}_MAX. Where b is 0: {Q}_MAX "
+     "a / b rounded to nearest, half up, saturated to {Q}_MIN and {Q}_MAX. If b is 0: {Q}_MAX "
      "if a > 0, {Q}_MIN if a < 0, 0 if a is 0."),
     ("remainder", "Q", "Q a, Q b",
-     "a - b trunc(a / b), exact, 0 or of the sign of a. Where b is 0: a."),
+     "a - b trunc(a / b), exact: 0 or of the sign of a; a if b is 0."),
     ("shift_left", "Q", "Q a, uint8_t count",
      "a 2^count modulo 2^{integer}; 0 from count = {width} on."),
     ("shift_right", "Q", "Q a, uint8_t count",
-     "a / 2^count rounded downward; from count = {width} on 0, or -1 ulp where a < 0."),
-    ("sqrt", "Q", "Q a", "The square root rounded to nearest; 0 where a < 0."),
+     "a / 2^count rounded downward; from count = {width} on 0, or -1 ulp if a < 0."),
+    ("sqrt", "Q", "Q a", "The square root rounded to nearest; 0 if a < 0."),
     ("reciprocal_sqrt", "Q", "Q a",
-     "1 / sqrt(a) within 0.75 ulp, saturated to {Q}_MAX, which it is where a is 0; 0 where "
-     "a < 0."),
+     "1 / sqrt(a) within 0.75 ulp, saturated to {Q}_MAX; {Q}_MAX if a is 0, and 0 if a < 0."),
     ("sin", "Q", "Q angle",
-     "The sine of any angle in radians within 0.75 ulp, never beyond -1 and 1."),
+     "The sine of any angle in radians within 0.75 ulp, never outside [-1, 1]."),
     ("cos", "Q", "Q angle",
-     "The cosine of any angle in radians within 0.75 ulp, never beyond -1 and 1."),
+     "The cosine of any angle in radians within 0.75 ulp, never outside [-1, 1]."),
     ("sincos", "void", "Q angle, Q sine_and_cosine[2]",
-     "Writes what sin and cos return, in less time than both take."),
+     "Writes what sin and cos return, in that order, in less time than two calls."),
     ("atan", "Q", "Q a", "The arc tangent in radians within 0.75 ulp."),
     ("atan2", "Q", "Q y, Q x",
-     "The angle of the vector (x, y) in radians, in (-pi, pi], within 0.75 ulp; 0 where both are "
-     "0."),
+     "The angle of the vector (x, y) in radians, in (-pi, pi], within 0.75 ulp; 0 if both are 0."),
     ("exp", "Q", "Q a",
-     "e^a within 0.75 ulp, saturated to {Q}_MAX; 0 where e^a is below half an ulp or about it."),
-    ("log", "Q", "Q a", "The natural logarithm within 0.75 ulp; {Q}_MIN where a <= 0."),
+     "e^a within 0.75 ulp, saturated to {Q}_MAX; it may be 0 if e^a is below 0.75 ulp."),
+    ("log", "Q", "Q a", "The natural logarithm within 0.75 ulp; {Q}_MIN if a <= 0."),
     ("tan", "Q", "Q angle",
-     "The tangent of any angle in radians within 0.75 ulp, saturated beside a pole."),
+     "The tangent of any angle in radians within 0.75 ulp, saturated near a pole."),
     ("asin", "Q", "Q a",
-     "The arc sine in radians within 0.75 ulp, saturated; beyond -1 and 1 what it is there."),
+     "The arc sine in radians within 0.75 ulp, saturated. An argument outside [-1, 1] counts as the "
+     "nearer end."),
     ("acos", "Q", "Q a",
-     "The arc cosine in radians within 0.75 ulp, saturated; beyond -1 and 1 what it is there."),
+     "The arc cosine in radians within 0.75 ulp, saturated. An argument outside [-1, 1] counts as the "
+     "nearer end."),
     ("exp2", "Q", "Q a", "2^a within 0.75 ulp, saturated to {Q}_MAX."),
     ("expm1", "Q", "Q a", "e^a - 1 within 0.75 ulp, saturated to {Q}_MAX."),
-    ("log2", "Q", "Q a", "The logarithm to base 2 within 0.75 ulp; {Q}_MIN where a <= 0."),
-    ("log10", "Q", "Q a", "The logarithm to base 10 within 0.75 ulp; {Q}_MIN where a <= 0."),
-    ("log1p", "Q", "Q a", "ln(1 + a) within 0.75 ulp; {Q}_MIN where a <= -1."),
+    ("log2", "Q", "Q a", "The logarithm to base 2 within 0.75 ulp, exact for powers of 2; {Q}_MIN if a <= 0."),
+    ("log10", "Q", "Q a", "The logarithm to base 10 within 0.75 ulp; {Q}_MIN if a <= 0."),
+    ("log1p", "Q", "Q a", "ln(1 + a) within 0.75 ulp; {Q}_MIN if a <= -1."),
     ("sinh", "Q", "Q a", "The hyperbolic sine within 0.75 ulp, saturated."),
     ("cosh", "Q", "Q a", "The hyperbolic cosine within 0.75 ulp, saturated to {Q}_MAX."),
-    ("tanh", "Q", "Q a", "The hyperbolic tangent within 0.75 ulp, never beyond -1 and 1."),
-    ("cbrt", "Q", "Q a", "The cube root within 0.75 ulp, negative where a is."),
+    ("tanh", "Q", "Q a", "The hyperbolic tangent within 0.75 ulp, never outside [-1, 1]."),
+    ("cbrt", "Q", "Q a", "The cube root within 0.75 ulp, negative if a is."),
     ("pow", "Q", "Q x, Q y",
-     "x^y within 0.75 ulp, saturated; 1 where y is 0. Where x is 0: 0, or {Q}_MAX where y < 0. Where "
-     "x < 0: the power of |x|, negative for odd y, and 0 where y is not an integer."),
+     "x^y within 0.75 ulp, saturated; 1 if y is 0. Otherwise, if x is 0: 0, or {Q}_MAX if y < 0. If "
+     "x < 0: the power of |x|, negated if y is odd, and 0 if y is not an integer."),
     ("sin_turns", "Q", "Q angle",
-     "The sine of any angle in turns within 0.75 ulp, exact at quarter turns, never beyond -1 and 1."),
+     "The sine of any angle in turns within 0.75 ulp, exact at quarter turns, never outside [-1, 1]."),
     ("cos_turns", "Q", "Q angle",
-     "The cosine of any angle in turns within 0.75 ulp, exact at quarter turns, never beyond -1 and 1."),
+     "The cosine of any angle in turns within 0.75 ulp, exact at quarter turns, never outside [-1, 1]."),
     ("sincos_turns", "void", "Q angle, Q sine_and_cosine[2]",
-     "Writes what sin_turns and cos_turns return."),
+     "Writes what sin_turns and cos_turns return, in that order."),
     ("atan2_turns", "Q", "Q y, Q x",
-     "The angle of the vector (x, y) in turns, from -1/2 to 1/2, within 0.75 ulp; 0 where both are 0."),
+     "The angle of the vector (x, y) in turns, from -1/2 to 1/2, within 0.75 ulp; 0 if both are 0."),
     ("sin_degrees", "Q", "Q angle",
-     "The sine of any angle in degrees within 0.75 ulp, exact at multiples of 90, never beyond -1 and "
-     "1."),
+     "The sine of any angle in degrees within 0.75 ulp, exact at multiples of 90, never outside "
+     "[-1, 1]."),
     ("cos_degrees", "Q", "Q angle",
-     "The cosine of any angle in degrees within 0.75 ulp, exact at multiples of 90, never beyond -1 "
-     "and 1."),
+     "The cosine of any angle in degrees within 0.75 ulp, exact at multiples of 90, never outside "
+     "[-1, 1]."),
     ("sincos_degrees", "void", "Q angle, Q sine_and_cosine[2]",
-     "Writes what sin_degrees and cos_degrees return."),
+     "Writes what sin_degrees and cos_degrees return, in that order."),
     ("atan2_degrees", "Q", "Q y, Q x",
-     "The angle of the vector (x, y) in degrees, from -180 to 180, within 0.75 ulp, saturated; 0 where "
+     "The angle of the vector (x, y) in degrees, from -180 to 180, within 0.75 ulp, saturated; 0 if "
      "both are 0."),
     ("divrem", "void", "Q a, Q b, Q quotient_and_remainder[2]",
-     "Writes trunc(a / b), an integer, and a - b trunc(a / b), exact, 0 or of the sign of a; the "
-     "quotient is saturated. Where b is 0: {Q}_MAX if a > 0, {Q}_MIN if a < 0, 0 if a is 0; and a."),
+     "Writes trunc(a / b), an integer, saturated, and the exact remainder a - b trunc(a / b), which is "
+     "0 or has the sign of a. If b is 0, the quotient is {Q}_MAX if a > 0, {Q}_MIN if a < 0, 0 if a "
+     "is 0, and the remainder is a."),
     ("divmod", "void", "Q a, Q b, Q quotient_and_remainder[2]",
-     "Writes floor(a / b), an integer, and a - b floor(a / b), exact, 0 or of the sign of b; without a "
-     "quotient as divrem."),
+     "Writes floor(a / b), an integer, saturated, and the exact remainder a - b floor(a / b), which is "
+     "0 or has the sign of b. If b is 0, the results are those of divrem."),
     ("lerp", "Q", "Q a, Q b, Q t",
-     "a + t (b - a) rounded once, to nearest, half up, modulo 2^{integer}; with t from 0 to 1 between a "
+     "a + t (b - a) rounded once, to nearest, half up, modulo 2^{integer}; for t in [0, 1] between a "
      "and b."),
     ("smoothstep", "Q", "Q t",
-     "3 t^2 - 2 t^3 rounded to nearest, half up; 0 where t < 0, and 1 where t > 1."),
-    ("midpoint", "Q", "Q a, Q b", "(a + b) / 2 rounded to nearest, half up; no sum overflows."),
+     "3 t^2 - 2 t^3 rounded to nearest, half up; 0 if t < 0, and 1 if t > 1."),
+    ("midpoint", "Q", "Q a, Q b", "(a + b) / 2 rounded to nearest, half up. No intermediate sum overflows."),
     ("abs_diff", "Q", "Q a, Q b", "|a - b| modulo 2^{integer}."),
-    ("sign", "int8_t", "Q a", "-1, 0 or 1 as a is negative, zero or positive."),
+    ("sign", "int8_t", "Q a", "-1, 0 or 1 if a is negative, zero or positive."),
     ("isqrt", "int{width}_t", "int{width}_t n",
-     "floor(sqrt(n)) of an integer, not of a number, exact; 0 where n < 0."),
-    ("copysign", "Q", "Q a, Q b", "|a|, negative where b is; {Q}_MIN for |{Q}_MIN|."),
+     "floor(sqrt(n)) of an integer, not of a raw number, exact; 0 if n < 0."),
+    ("copysign", "Q", "Q a, Q b", "|a| with the sign of b, where 0 counts as positive; {Q}_MIN if a is {Q}_MIN."),
     ("power", "Q", "Q x, int32_t n",
-     "x^n within 0.75 ulp, saturated; 1 where n is 0, and {Q}_MAX where x is 0 and n < 0."),
+     "x^n within 0.75 ulp, saturated; 1 if n is 0, and {Q}_MAX if x is 0 and n < 0."),
     ("dot2", "Q", "const Q a[2], const Q b[2]",
      "a[0] b[0] + a[1] b[1] rounded once, to nearest, half up, modulo 2^{integer}."),
     ("dot3", "Q", "const Q a[3], const Q b[3]",
-     "The sum of the three a[i] b[i] rounded once, to nearest, half up, modulo 2^{integer}."),
+     "a[0] b[0] + a[1] b[1] + a[2] b[2] rounded once, to nearest, half up, modulo 2^{integer}."),
     ("length2", "Q", "const Q v[2]",
-     "The length of v within 1 ulp, saturated to {Q}_MAX; no square overflows."),
+     "The length of v within 1 ulp, saturated to {Q}_MAX. No intermediate square overflows."),
     ("length3", "Q", "const Q v[3]",
-     "The length of v within 1 ulp, saturated to {Q}_MAX; no square overflows."),
+     "The length of v within 1 ulp, saturated to {Q}_MAX. No intermediate square overflows."),
     ("normalise3", "void", "const Q v[3], Q unit[3]",
-     "Writes v divided by its length, each component within 1 ulp; zeros where v is zero. `unit` "
-     "may be v."),
+     "Writes v divided by its length to `unit`, each component within 1 ulp; zeros if v is zero. "
+     "`unit` may be `v`."),
     ("from_int32", "Q", "int32_t n",
-     "The number n modulo 2^{integer}: itself where the format holds it."),
+     "The number n modulo 2^{integer}: n itself if the format can represent it."),
     ("to_int32", "int32_t", "Q a", "The integer nearest to a, half up{beyond_int32}."),
     ("from_float", "Q", "float x",
-     "x rounded to nearest, half up, saturated to {Q}_MIN and {Q}_MAX; 0 where x is NaN."),
+     "x rounded to nearest, half up, saturated to {Q}_MIN and {Q}_MAX; 0 if x is NaN."),
     ("to_float", "float", "Q a", "The float nearest to a, half to even."),
     ("parse", "fixedpoint_text_status", "const char* text, Q* number",
-     "Writes the number that `text`, up to its terminating zero, says: a sign or none, digits with "
-     "or without a point, an exponent or none. It is rounded to nearest, half up; {Q}_MIN or "
-     "{Q}_MAX where it is out of the range, 0 where the text is no number; the status returned "
-     "says which."),
+     "Reads zero-terminated text: an optional sign, digits with an optional point, an optional "
+     "exponent, and nothing else. Writes the number, rounded to nearest, half up; {Q}_MIN or {Q}_MAX "
+     "if it is out of range, and 0 if the text is not a number. The status returned says which."),
     ("print", "size_t", "Q a, char* text, size_t capacity",
      "Writes the shortest decimal text that parse reads as a, and a terminating zero; returns its "
-     "length without the zero. Where `capacity` is below {Q}_TEXT_CAPACITY the text may not fit: "
-     "then it returns 0 and writes an empty text, and nothing where `capacity` is 0."),
+     "length without the zero. A `capacity` of {Q}_TEXT_CAPACITY is always enough. If the text does "
+     "not fit, it returns 0 and writes an empty text, or nothing if `capacity` is 0."),
     ("print_decimals", "size_t", "Q a, uint8_t decimals, char* text, size_t capacity",
-     "As print, with so many decimals, at most {fraction}, from which on they are exact; rounded "
-     "to nearest, half up."),
+     "As print, with that many decimals, rounded to nearest, half up; more than {fraction} count as "
+     "{fraction}, which are exact."),
 ]
 HOST_OPERATIONS = [
     ("from_double", "Q", "double x", "As {q}_from_float."),
@@ -144,13 +144,13 @@ HEAD = """\
 /* SPDX-License-Identifier: MIT
  * DO NOT EDIT: written by python3 fixedpoint/tables/c_header.py */
 /// \\file
-/// The library for C, and for every language that calls C: each operation as a function of plain
-/// integers. A number of Q16.16 is an int32_t, value = raw / 2^16; q16_16 names that type.
+/// The library for C, and for every language that can call C: each operation is a function on
+/// plain integers. A number of Q16.16 is an int32_t, value = raw / 2^16; q16_16 names that type.
 ///
-/// An "ulp" is the distance between neighbouring numbers. Numbers are compared by the operators of
-/// C. On an AVR that multiplies, a function that has an assembly kernel is that kernel; the others,
-/// and all functions elsewhere, are in fixedpoint_c.cpp: link the library that CMake makes of it,
-/// or compile it along. FIXEDPOINT_NO_ASSEMBLY, defined for both, turns the kernels off.
+/// An "ulp" is the distance between adjacent numbers. Compare numbers with the operators of C. On
+/// an AVR with a multiplier, a function that has an assembly kernel is that kernel. All other
+/// functions are in fixedpoint_c.cpp: link the library that CMake builds from it, or compile it
+/// with the program. Define FIXEDPOINT_NO_ASSEMBLY for both to turn the kernels off.
 #ifndef FIXEDPOINT_C_H
 #define FIXEDPOINT_C_H
 
@@ -177,15 +177,15 @@ HEAD = """\
 extern "C" {
 #endif
 
-/// What a parse function says of its text: one of the four below.
+/// What a parse function reports: one of the four values below.
 typedef uint8_t fixedpoint_text_status;
 /// The text is a number in the range.
 #define FIXEDPOINT_TEXT_OK 0
-/// There is no text at all.
+/// The text is empty.
 #define FIXEDPOINT_TEXT_EMPTY 1
 /// The text is not a decimal number.
 #define FIXEDPOINT_TEXT_MALFORMED 2
-/// The text is a decimal number that the format cannot hold.
+/// The text is a decimal number outside the range of the format.
 #define FIXEDPOINT_TEXT_OUT_OF_RANGE 3
 """
 TAIL = """
@@ -214,15 +214,15 @@ def comment(sentence):
 
 
 def text_capacity(integer, fraction):
-    """A sign, the digits of the integer part, a point, the decimals and a zero."""
+    """A sign, the digits of the integer part, a point, the decimals and the terminating zero."""
     return 1 + len(str(2**(integer - 1))) + 1 + fraction + 1
 
 
 def section(integer, fraction, symbols):
-    """What the header has of one format."""
+    """The declarations of one format."""
     q, width = f"q{integer}_{fraction}", integer + fraction
     upper, raw = q.upper(), f"int{width}_t"
-    beyond = (": from 2^31 - 1/2 on, -2^31" if integer == 32 else "")
+    beyond = ("; -2^31 from 2^31 - 1/2 on" if integer == 32 else "")
     words = {"q": q, "Q": upper, "width": width, "integer": integer, "fraction": fraction,
              "beyond_int32": beyond}
 
@@ -242,9 +242,9 @@ def section(integer, fraction, symbols):
         "/// The number 1.", f"#define {upper}_ONE (({q})(INT64_C(1) << {fraction}))",
         *comment("The constant n / d of two integers, rounded to nearest, half up: "
                  f"{upper}_RATIO(38, 100) is 0.38. d must be in 1..2^30, n in -2^29..2^29, and "
-                 "the quotient in the range."),
+                 "the quotient in range."),
         f"#define {upper}_RATIO(n, d) (({q})FIXEDPOINT_C_RATIO(n, d, {fraction}))",
-        "/// The capacity that is enough for the text of every number, its zero included.",
+        "/// The capacity that is enough for the text of every number, including its terminating zero.",
         f"#define {upper}_TEXT_CAPACITY {text_capacity(integer, fraction)}",
     ]
     for operation in OPERATIONS:
@@ -257,7 +257,7 @@ def section(integer, fraction, symbols):
 
 
 def conversion(source, target):
-    """From one format to another."""
+    """The declaration of the conversion from one format to another."""
     (from_integer, from_fraction), (to_integer, to_fraction) = source, target
     rounds, wraps = to_fraction < from_fraction, to_integer < from_integer
     how = [*(["rounded to nearest, half up"] if rounds else []),

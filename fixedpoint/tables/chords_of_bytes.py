@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Chords for the kernels of 16 bits: on an interval of 256 positions f = 0..255 a function is
-value + (slope f >> 8), the slope of 8 bits, the value in units of 2^-5 ulp with half an ulp in it.
-The value is kept as whole ulps and units beyond them: two bytes of which the second one takes the
-product without a carry."""
+"""Linear interpolation for the 16-bit kernels: on an interval of 256 positions f = 0..255 a function
+is value + (slope f >> 8). The slope has 8 bits; the value is in units of 2^-5 ulp and includes half
+an ulp. The value is stored as whole ulps and remaining units: two bytes, so that the product is
+added to the second one without a carry."""
 
 import page
 import table_header
@@ -11,7 +11,7 @@ UNITS_PER_ULP = 32
 
 
 def chord(targets):
-    """(value, slope) with the least maximum of |value + (slope f >> 8) - targets[f]|."""
+    """(value, slope) that minimise the maximum of |value + (slope f >> 8) - targets[f]|."""
     steepness = round((targets[255] - targets[0]) * 256 / 255)
     best = None
     for slope in range(max(steepness - 3, 0), min(steepness + 4, 256)):
@@ -30,9 +30,9 @@ def of(function, intervals):
 
 
 def write(name, generator, sentence, structure, chords):
-    """avr/<name>.S, the bytes of each interval behind one another's by the number of intervals, and
-    portable/<name>.hpp with the same numbers."""
-    # The last value may be 256 ulp, which a byte does not hold: the units have room for more.
+    """Writes avr/<name>.S, in which the bytes of an interval are as far apart as there are
+    intervals, and portable/<name>.hpp with the same numbers."""
+    # The last value may be 256 ulp, which does not fit in a byte: the units have room for more.
     wholes = [min(value // UNITS_PER_ULP, 255) for value, _ in chords]
     units = [value - UNITS_PER_ULP * whole for (value, _), whole in zip(chords, wholes)]
     slopes = [slope for _, slope in chords]

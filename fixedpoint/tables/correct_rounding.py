@@ -1,14 +1,14 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Writes fixedpoint/src/fixedpoint/portable/correct_rounding_table.hpp: what tells on which side of a tie
-an angle or a power lies."""
+"""Writes fixedpoint/src/fixedpoint/portable/correct_rounding_table.hpp: the constants that decide
+on which side of a tie an angle or a power lies."""
 
 import table_header
 from exponential_series import exponential
 from series import arctangent, rounded, sine_and_cosine
 
 COARSE, FINE, UNIT = 32, 2048, 64
-FINE_ENTRIES = 69  # beyond COARSE by what a byte of the angle leaves unknown
+FINE_ENTRIES = 69  # a coarse step, 64, plus what a byte of the angle leaves open
 EXPONENTS = range(9, 33)
 
 
@@ -24,8 +24,8 @@ def halves(word):
 if __name__ == "__main__":
     table_header.write(
         "correct_rounding_table", "correct_rounding.py",
-        f"atan(i / {COARSE}) and atan(i / {FINE}) in units of 2^-64; sine and cosine of i / {UNIT} in those units, 1 a unit less;\n"
-        f"and of e^i from i = {EXPONENTS[0]} on the 64 leading bits, the lower half first.", "CorrectRoundingTable",
+        f"atan(i / {COARSE}) and atan(i / {FINE}) in units of 2^-64; sine and cosine of i / {UNIT} in those units, 1 as a unit less;\n"
+        f"and the 64 leading bits of e^i from i = {EXPONENTS[0]} on, the lower half first.", "CorrectRoundingTable",
         [("uint64_t", "coarse", [arctangent(i, COARSE, 64) for i in range(COARSE + 1)], "{:#018x}ull"),
          ("uint64_t", "fine", [arctangent(i, FINE, 64) for i in range(FINE_ENTRIES)], "{:#018x}ull"),
          ("uint64_t", "unit", [min(part, (1 << 64) - 1) for i in range(UNIT * 11 // 14 + 1) for part in sine_and_cosine(i, UNIT, 64)], "{:#018x}ull"),

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""Tables for piecewise cubics on 256 intervals, one a function: the cores of avr/cubic_32.S, for
-numbers of 32 bits, and of avr/cubic_64.S evaluate
+"""Tables for piecewise cubics on 256 intervals, one table per function. The cores of avr/cubic_32.S,
+for 32-bit numbers, and of avr/cubic_64.S evaluate
 
-    value + t (slope - t (bend + t twist)),   t in [0, 1) the position in the interval,
+    value + t (slope - t (bend + t twist)),   where t in [0, 1) is the position in the interval,
 
-with value and slope in units of 2^-39, the twist in units of 2^-31, the bend in units of 2^-31 for 32
-bits and of 2^-39 for 64. A function is increasing and concave, its derivatives at most 2, 4 and 6."""
+with value and slope in units of 2^-39, the twist in units of 2^-31, and the bend in units of 2^-31 for
+32 bits and of 2^-39 for 64. The function must be increasing and concave, with its first three
+derivatives at most 2, 4 and 6."""
 
 from collections import namedtuple
 from fractions import Fraction
@@ -14,7 +15,7 @@ import page
 import table_header
 
 INTERVALS = 256
-# Nodes of Chebyshev's polynomials on [0, 1], by their number; doubles are near enough.
+# Chebyshev nodes on [0, 1], by their number; doubles are accurate enough.
 NODES = {2: [0.14644660940672627, 0.8535533905932737],
          3: [0.0669872981077807, 0.5, 0.9330127018922193],
          4: [0.03806023374435663, 0.30865828381745514, 0.6913417161825449, 0.9619397662556434]}
@@ -35,7 +36,7 @@ def nearest(x):
 
 
 def evaluate_32(row, t):
-    """cubic_40 of portable/cubic_32.hpp; t in units of 2^-24."""
+    """cubic_40 of portable/cubic_32.hpp; t is in units of 2^-24."""
     value, slope, bend, twist = row
     t0, t1, t2 = t & 255, t >> 8 & 255, t >> 16
     bent = (bend << 8) + twist * t2
@@ -48,7 +49,7 @@ def evaluate_32(row, t):
 
 
 def evaluate_64(row, t):
-    """cubic_64 of portable/cubic_64.hpp; t in units of 2^-32."""
+    """cubic_64 of portable/cubic_64.hpp; t is in units of 2^-32."""
     value, slope, bend, twist = row
     t0, t1, t2, t3 = (t >> 8 * i & 255 for i in range(4))
     bent = bend + twist * t3 + (twist * t2 >> 8)
@@ -60,9 +61,9 @@ def evaluate_64(row, t):
             (s3 * t0 >> 8) + (s2 * t1 >> 8) + (s1 * t2 >> 8) + (s0 * t3 >> 8))
 
 
-# What the cores differ in: the bits of t and those of them that the twist sees, the unit of the bend
-# in units of 2^-39, its bytes, how many twists are tried beside each other, what the values hold for
-# the rounding, half an ulp of Q32.32, and the evaluation.
+# The differences between the cores: the bits of t and how many of them multiply the twist, the unit
+# of the bend in units of 2^-39, its bytes, how many adjacent twists are tried, the rounding offset
+# in the values, half an ulp of Q32.32, and the evaluation.
 Core = namedtuple("Core", "t_bits twist_bits bend_unit bend_bytes twists half_ulp evaluate")
 CORE_32 = Core(24, 8, 256, 2, 1, 0, evaluate_32)
 CORE_64 = Core(32, 16, 1, 3, 3, 1 << 6, evaluate_64)
@@ -70,14 +71,14 @@ CORE_64 = Core(32, 16, 1, 3, 3, 1 << 6, evaluate_64)
 
 def interval(function, i, core):
     """The record and the largest error at the checked points. Each coefficient is rounded before those
-    of lower order are fitted, which take up most of what the rounding leaves."""
+    of lower order are fitted, which compensate for most of the rounding."""
 
     def exact(t):
         position = Fraction(i * GRID + int(t * GRID), INTERVALS * GRID)
         return function(position.numerator, position.denominator)
 
     points = {n: [Fraction(int(t * GRID), GRID) for t in nodes] for n, nodes in NODES.items()}
-    # The kernels take the upper bits of t for the twist, half a unit less in the mean.
+    # The kernels use only the upper bits of t for the twist, on average half a unit less.
     cut = Fraction(1, 2 << core.twist_bits)
     unit = core.bend_unit
 
@@ -89,7 +90,7 @@ def interval(function, i, core):
             points[2],
             [exact(t) + t * t * (unit * bend + 256 * twist * (t - cut)) for t in points[2]])[-1])
         if bend < 0:
-            return None  # the cores have no sign for it
+            return None  # the cores treat it as unsigned
         assert -128 <= twist <= 127 and 0 <= slope < 1 << 32
         assert bend < (1 << 8 * core.bend_bytes) - 128
         checked = [Fraction(k, GRID) for k in range(0, GRID, GRID // CHECKED - 1)]
@@ -107,20 +108,20 @@ def interval(function, i, core):
 
 def write(name, generator, sentence, structure, function, pages=(),
           intervals=INTERVALS, core=CORE_32):
-    """avr/<name>.S and portable/<name>.hpp. `function` of a numerator and a denominator, from 0 to 1,
-    is a Fraction in units of 2^-39. `pages` follow in the assembly table alone."""
+    """Writes avr/<name>.S and portable/<name>.hpp. `function` takes a numerator and a denominator, for
+    ratios from 0 to 1, and returns a Fraction in units of 2^-39. `pages` follow only in the assembly table."""
     found = [interval(function, i, core) for i in range(intervals)]
     rows = [row for row, _ in found]
     if core is CORE_64:
         error = float(max(error for _, error in found))
-        sentence += f"\n{error:.1f} 2^-39 off at most, of 34 points an interval; the values hold half an ulp of Q32.32."
+        sentence += f"\nThe error is at most {error:.1f} 2^-39 at 34 points per interval; the values include half an ulp of Q32.32."
     records = []
     for value, slope, bend, twist in rows:
         records += [twist & 255, *(bend >> 8 * i & 255 for i in range(core.bend_bytes)),
                     *(slope >> 8 * i & 255 for i in range(4)),
                     *(value >> 8 * i & 255 for i in range(5))]
     page.write_assembly(name, generator, sentence, [
-        (f"twist, {core.bend_bytes} bytes of bend, 4 of slope, 5 of value; as often as there are intervals",
+        (f"for each interval: twist, {core.bend_bytes} bytes of bend, 4 of slope, 5 of value",
          records), *pages], None if core is CORE_32 else 1)
     table_header.write(name, generator, sentence, structure, [
         ("uint32_t", "value", [value >> 8 & 0xffffffff for value, _, _, _ in rows], "0x{:08x}"),

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Writes src/fixedpoint/avr/divide_q4_4_table.S: the reciprocal of every Q4.4 divisor, as a signed
-number of 16 bits, at the scale that divide_q4_4.S states."""
+"""Writes src/fixedpoint/avr/divide_q4_4_table.S: the reciprocal of every Q4.4 divisor as a signed
+16-bit number, at the scale that divide_q4_4.S states."""
 
 import page
 

@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Writes fixedpoint/src/fixedpoint/portable/elementary_table.hpp: what turns natural logarithms into
-those of other bases, in exact integer arithmetic, for working words of 32, 64 and 128 bits."""
+"""Writes fixedpoint/src/fixedpoint/portable/elementary_table.hpp: the constants that convert
+natural logarithms to other bases, in exact integer arithmetic, for working words of 32, 64 and 128
+bits."""
 
 import series
 from cordic import literal
@@ -11,7 +12,7 @@ from page import SOURCE
 HEAD = """// SPDX-License-Identifier: MIT
 // DO NOT EDIT: written by python3 fixedpoint/tables/elementary.py
 // log10(2) with Bits - 6 fraction bits of the working word; 1/ln 2 and 1/ln 10 with Bits - 1; 1/3
-// with Bits. half_pi_excess is what CordicConstants<Word128>::half_pi is too large by, with\n// 190 fraction bits.
+// with Bits. half_pi_excess is CordicConstants<Word128>::half_pi - pi/2, with 190 fraction bits.
 #pragma once
 
 #include <fixedpoint/portable/word128.hpp>

@@ -3,10 +3,10 @@
 """Writes fixedpoint/src/fixedpoint/avr/exp_table.S and portable/exp_table.hpp: the exponential
 function at 256 nodes and the reduction of its argument by multiples of ln 2, for Q16.16.
 
-x - k ln 2 in units of 2^-16 is 256 h + l + tail + 1/16, h from -128 to 127 and l, the low byte of
-raw + offset, from 0 to 255. The node of h is 256 h + 128 + 1/16, so that l - 128 + tail is what is
-left to it; its exponential less 1 has all its values within -128 .. 128 units, a signed byte and a
-fraction, but for l = 255 where tail exceeds 0.87."""
+x - k ln 2 in units of 2^-16 is 256 h + l + tail + 1/16, with h in -128..127 and l, the low byte of
+raw + offset, in 0..255. The node of h is 256 h + 128 + 1/16, so l - 128 + tail is the distance from
+it; its exponential minus 1 is within -128 .. 128 units, a signed byte and a fraction, except for
+l = 255 if tail exceeds 0.87."""
 
 from fractions import Fraction
 
@@ -18,10 +18,10 @@ FRACTION_BITS = 39
 FIRST, FIRST_LARGE, LAST = -17, 4, 16
 GUARD = 64
 NODE_SHIFT = Fraction(1, 16)
-# What the products lose in the mean, in units of the tail's last bit.
+# The mean truncation of the products, in units of the last bit of the tail.
 SMALL_LOSS, LARGE_LOSS = 3, 64
-# Leaves room for the 31 / 256 that the square adds at l = 255. A tail that this cuts has a small
-# result.
+# Leaves room for the 31 / 256 that the square adds at l = 255. Results for which this limits the
+# tail are small.
 LARGEST_SMALL_TAIL = 224
 
 
@@ -32,7 +32,8 @@ def power(index):
 
 def reduction(k):
     """(offset, tail) of k, exact."""
-    # k = 16 is beyond every result: half a unit less leaves mantissas from 1 on, which are clamped.
+    # k = 16 is out of range for every result: half a unit less leaves mantissas of at least 1,
+    # which saturate.
     multiple = Fraction(31, 2) if k == LAST else k
     shift = -multiple * Fraction(logarithm(2, 1, 16 + GUARD), 1 << GUARD) - NODE_SHIFT
     offset = shift.numerator // shift.denominator
@@ -40,9 +41,9 @@ def reduction(k):
 
 
 SENTENCE = """\
-2^39 e^x at the nodes x = (256 h + 128 + 1/16) / 2^16, h being the index as a signed byte. For k
-from -17 to 16: offset and tail, 16 and 24 bits of -k ln 2 - 2^-20 behind the point; below k = 4
-the tail has 8 bits."""
+2^39 e^x at the nodes x = (256 h + 128 + 1/16) / 2^16, where h is the index as a signed byte. For k
+from -17 to 16: offset and tail, the first 16 and the next 24 fraction bits of -k ln 2 - 2^-20; below
+k = 4 the tail has 8 bits."""
 
 
 def main():
@@ -64,7 +65,7 @@ def main():
     page.write_assembly("exp_table", "exp.py", SENTENCE, [
         *((f"power, bits {bit}..{bit + 7}", [value >> bit & 255 for value in powers])
           for bit in (32, 24, 16, 8, 0)),
-        ("of k: offset low, high; tail, bits 16..23; 2^((k + 1) mod 8); tail, bits 8..15, 0..7",
+        ("by k: offset low, high; tail, bits 16..23; 2^((k + 1) mod 8); tail, bits 8..15, 0..7",
          records)])
     table_header.write("exp_table", "exp.py", SENTENCE, "ExpTable", [
         ("uint32_t", "power", [value >> 8 for value in powers], "0x{:08x}"),

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Writes fixedpoint/src/fixedpoint/avr/exp_32_table.S and portable/exp_32_table.hpp: the exponential
-function of what is left of ln 2, for every split of 32 bits."""
+"""Writes fixedpoint/src/fixedpoint/avr/exp_32_table.S and portable/exp_32_table.hpp: the
+exponential function of the reduced argument, for every 32-bit format."""
 
 from fractions import Fraction
 

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Writes fixedpoint/src/fixedpoint/avr/exp_64_table.S and portable/exp_64_table.hpp: the multiples of
-ln 2 and the powers of e from which the exponential function of Q32.32 is a product."""
+"""Writes fixedpoint/src/fixedpoint/avr/exp_64_table.S and portable/exp_64_table.hpp: the multiples
+of ln 2, and the powers of e whose product is the exponential function of Q32.32."""
 
 from fractions import Fraction
 
@@ -12,7 +12,7 @@ from exponential_series import exponential, logarithm
 BITS = 72
 GUARD = 24
 LN2 = logarithm(2, 1, BITS + GUARD)
-# e^a is a power of two, 2^-33 at least and 2^33 at most, times e^-x, x below 200/256.
+# e^a is a power of two, from 2^-33 to 2^33, times e^-x with x below 200/256.
 POWERS = range(-33, 34)
 COARSE = 200
 
@@ -39,7 +39,7 @@ if __name__ == "__main__":
     coarse = [min(nearest(power(i, 256)), (1 << BITS) - 1) for i in range(COARSE)]
     fine = [(1 << BITS) - nearest(power(i, 65536)) for i in range(256)]
     assert max(fine) < 1 << 64
-    sentence = ("k ln 2 modulo 1, e^(-i/256) and 1 - e^(-i/65536), all in units of 2^-72, 1 itself one "
+    sentence = ("k ln 2 modulo 1, e^(-i/256) and 1 - e^(-i/65536), all in units of 2^-72, 1 itself as one "
                 "unit less.")
     page.write_assembly("exp_64_table", "exp_64.py", sentence, [
         ("1 - e^(-i/65536), 8 bytes", [byte for n in fine for byte in bytes_of(n, 8)]),

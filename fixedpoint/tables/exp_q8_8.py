@@ -1,12 +1,13 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Writes src/fixedpoint/avr/exp_q8_8_table.S and src/fixedpoint/portable/exp_q8_8_table.hpp: e^a of
-Q8.8 as a node's power times 1 + growth. A node is every 64th raw number from -1600 on, its power in
-units of 2^-7 ulp. At the distance j = 0..63 from it the growth is 512 j + j (j + 5) + more[j], in
-units of 2^-17, which leaves of the series but a byte.
+"""Writes src/fixedpoint/avr/exp_q8_8_table.S and src/fixedpoint/portable/exp_q8_8_table.hpp: e^a in
+Q8.8 as the power at a node times 1 + growth. Every 64th raw number from -1600 on is a node; its
+power is in units of 2^-7 ulp. At the distance j = 0..63 from it the growth is 512 j + j (j + 5) +
+more[j], in units of 2^-17, so only a byte of the series is stored.
 
-A distance is shared by all nodes, a node by all distances. In turn, each number is the one next to
-its exact value with which the worst of the results that it takes part in is best."""
+A distance is shared by all nodes, and a node by all distances. In turn, each number is chosen among
+the neighbours of its exact value so as to minimise the largest errors of the results that depend on
+it."""
 
 from fractions import Fraction
 
@@ -15,14 +16,15 @@ import table_header
 from exponential_series import exponential
 
 FIRST, NODES, DISTANCES = -1600, 45, 64
-LIMIT = 1243  # e^a leaves the format
+LIMIT = 1243  # e^a overflows
 LINEAR = 5    # and 512, per distance
 BITS = 40
-OFFSET = 104  # of each growth, lest `more` be negative: powers are as much less
+OFFSET = 104  # added to each growth so that `more` is not negative; powers are scaled down
 
 
 def result(power, growth):
-    """As the kernel computes it: products below the unit are cut but for those of the next byte."""
+    """As the kernel computes it: products below the unit are omitted, except those of the next
+    byte."""
     high, low = growth >> 8, growth & 255
     p2, p1, p0 = power >> 16, power >> 8 & 255, power & 255
     product = (p2 * high << 8) + p2 * low + p1 * high + (p1 * low >> 8) + (p0 * high >> 8)
@@ -70,7 +72,7 @@ def tables():
 
 if __name__ == "__main__":
     powers, more = tables()
-    SENTENCE = ("e^a of every 64th a in units of 2^-7 ulp, and what a distance's growth has beyond its\n"
+    SENTENCE = ("e^a at every 64th a in units of 2^-7 ulp, and the growth at each distance minus its\n"
                 "quadratic part, in units of 2^-17.")
     page.write_assembly("exp_q8_8_table", "exp_q8_8.py", SENTENCE,
                         [("powers", [byte for power in powers for byte in power.to_bytes(3, "little")]),

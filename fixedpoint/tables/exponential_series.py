@@ -7,7 +7,7 @@ from series import GUARD, rounded
 
 
 def exponential(numerator, denominator, bits):
-    """e^(numerator/denominator) 2^bits; the denominator is positive."""
+    """e^(numerator/denominator) 2^bits; the denominator must be positive."""
     width = bits + GUARD
     term, total, k = 1 << width, 0, 0
     while term:

@@ -34,7 +34,7 @@ def arctangent(a):
 
 
 def natural_logarithm(a):
-    """The smallest number where a <= 0."""
+    """ln a, or the smallest number if a <= 0."""
     if a <= 0:
         return Fraction(-8)
     doublings = 0
@@ -47,12 +47,12 @@ def natural_logarithm(a):
 
 
 def root(a):
-    """0 where a < 0."""
+    """sqrt(a), or 0 if a < 0."""
     return Fraction(isqrt(2**(2 * BITS) * max(a.numerator, 0) // a.denominator), 2**BITS)
 
 
 def reciprocal_root(a):
-    """The largest number where a = 0, and 0 where a < 0."""
+    """1 / sqrt(a), or the largest number if a = 0, and 0 if a < 0."""
     if a <= 0:
         return Fraction(8 if a == 0 else 0)
     return Fraction(isqrt(2**(2 * BITS) * a.denominator // a.numerator), 2**BITS)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Tables for linear interpolation on 256 intervals: a 24-bit value and a 16-bit slope for each.
-The kernels read one byte a page, portable code reads the same numbers from a header."""
+"""Tables for linear interpolation on 256 intervals: a 24-bit value and a 16-bit slope for each. The
+kernels read one byte from each page; portable code reads the same numbers from a header."""
 
 from fractions import Fraction
 
@@ -8,14 +8,16 @@ import page
 import table_header
 
 INTERVALS = 256
-# Products of slope and fraction are cut to whole units in three places, 1.5 units in the mean.
+# Products of slope and fraction are truncated to whole units in three places, on average by 1.5
+# units.
 CUT = Fraction(3, 2)
 
 
 def chords(function, offset):
     """(value, slope) for each interval of [0, 1], in units of the table: chords of `function`
-    (position as numerator and denominator) moved by half of their distance from the curve, plus
-    `offset` units. A falling function has its slopes negated: the kernel subtracts."""
+    (which takes the position as numerator and denominator), moved by half of their distance from
+    the curve, plus `offset` units. The slopes of a falling function are negated: the kernel
+    subtracts."""
     rows = []
     for i in range(INTERVALS):
         left = function(2 * i, 2 * INTERVALS)
@@ -31,7 +33,8 @@ def chords(function, offset):
 
 
 def write(name, generator, sentence, rows, structure):
-    """avr/<name>.S and portable/<name>.hpp with the structure that holds the same numbers."""
+    """Writes avr/<name>.S and portable/<name>.hpp with the structure that contains the same
+    numbers."""
     # The value's low byte comes last: the kernel loads it into the page register itself.
     page.write_assembly(name, generator, sentence, [
         ("slope, bits 0..7", [slope & 255 for _, slope in rows]),

@@ -28,8 +28,8 @@ def exponent_logarithm(exponent):
 
 
 SENTENCE = """\
-ln(1 + i/256) 2^24 + 128: half an ulp of Q16.16 is in it, so that cutting 8 bits rounds; what the
-logarithm rises over the interval; ln 2 (e - 16) 2^24 for the exponent e of the raw number."""
+ln(1 + i/256) 2^24 + 128, which includes half an ulp of Q16.16, so that truncating 8 bits rounds; the
+rise of the logarithm over the interval; ln 2 (e - 16) 2^24 for the exponent e of the raw number."""
 
 
 def main():
@@ -48,9 +48,9 @@ def main():
         ("value, bits 16..23", byte(values, 2)),
         ("slope, bits 8..15", byte(slopes, 1)),
         ("slope, bits 0..7", byte(slopes, 0)),
-        ("5 log2 of a byte, by its upper 7 bits", [5 * max(0, (2 * i).bit_length() - 1)
+        ("5 log2 of a byte, indexed by its upper 7 bits", [5 * max(0, (2 * i).bit_length() - 1)
                                                    for i in range(128)]),
-        ("of e: the factor that moves the leading one to bit 7, four bytes of logarithm",
+        ("by e: the factor that moves the leading one to bit 7, four bytes of logarithm",
          records)])
     table_header.write("log_table", "log.py", SENTENCE, "LogTable", [
         ("uint32_t", "value", values, "0x{:06x}"),

@@ -18,7 +18,7 @@ BEND_BITS = 8
 
 
 def curve(i):
-    """log2(1 + i/128) and on over the interval, less t/2, which the kernel adds itself."""
+    """log2(1 + i/128 + t/128) on the interval, minus t/2, which the kernel adds itself."""
     def exact(t):
         ln = logarithm(INTERVALS * WHOLE + i * WHOLE + t, INTERVALS * WHOLE, UNIT + GUARD)
         return Fraction(ln << UNIT, logarithm(2, 1, UNIT + GUARD)) - Fraction(t, 2)
@@ -27,8 +27,8 @@ def curve(i):
 
 
 SENTENCE = """\
-log2(1 + i/128) 2^23 + 64: half an ulp of Q16.16 is in it, so that cutting 7 bits rounds; what the
-chord rises over the interval, less 2^15; twice the curve's height over its middle."""
+log2(1 + i/128) 2^23 + 64, which includes half an ulp of Q16.16, so that truncating 7 bits rounds; the
+rise of the chord over the interval, minus 2^15; twice the height of the curve above its middle."""
 
 
 def main():
@@ -45,9 +45,9 @@ def main():
         ("value, bits 8..15", byte(values, 1)),
         ("bend", bends),
         ("value, bits 16..23", byte(values, 2)),
-        ("128 + log2 of a byte, by its upper 7 bits", [128 + max(0, (2 * i).bit_length() - 1)
+        ("128 + log2 of a byte, indexed by its upper 7 bits", [128 + max(0, (2 * i).bit_length() - 1)
                                                        for i in range(128)]),
-        ("the factor that moves the leading one to bit 7, by that logarithm",
+        ("the factor that moves the leading one to bit 7, indexed by that logarithm",
          [1 << (7 - i) for i in range(8)])])
     table_header.write("log2_table", "log2.py", SENTENCE, "Log2Table", [
         ("uint32_t", "value", values, "0x{:06x}"),

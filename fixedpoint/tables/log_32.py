@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
 """Writes fixedpoint/src/fixedpoint/avr/log_32_table.S and portable/log_32_table.hpp: the natural
-logarithm of [1, 2] and the multiples of ln 2, for every split of 32 bits."""
+logarithm on [1, 2] and the multiples of ln 2, for every 32-bit format."""
 
 from fractions import Fraction
 
@@ -24,7 +24,7 @@ if __name__ == "__main__":
     cubic.write("log_32_table", "log_32.py",
                 "ln(1 + x) on 256 intervals of [0, 1], cubics in the layout of tables/cubic.py.",
                 "Log32Table", scaled, [
-                    ("of e: the factor that moves the leading one out of a byte, then e ln 2 in "
+                    ("by e: the factor that shifts the leading one out of a byte, then e ln 2 in "
                      "units of 2^-39", records + [0] * (256 - len(records))),
-                    ("7 log2 of a byte, by its upper 7 bits",
+                    ("7 log2 of a byte, indexed by its upper 7 bits",
                      [7 * max(0, (2 * i).bit_length() - 1) for i in range(128)])])

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
 """Writes fixedpoint/src/fixedpoint/avr/log_64_table.S and portable/log_64_table.hpp: the natural
-logarithm of [1, 2] and the multiples of ln 2, for Q32.32."""
+logarithm on [1, 2] and the multiples of ln 2, for Q32.32."""
 
 import cubic
 from exponential_series import logarithm
@@ -11,7 +11,7 @@ LN2 = logarithm(2, 1, 55)
 
 if __name__ == "__main__":
     records = []
-    # A number of Q32.32 has its leading one from 2^-32 to 2^30.
+    # The leading one of a number of Q32.32 is in 2^-32..2^30.
     for exponent in range(-32, 31):
         multiple = exponent * LN2 + (1 << 15) >> 16
         records += [multiple >> 8 * i & 255 for i in range(6)]

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Writes fixedpoint/src/fixedpoint/portable/logarithm_of_factor_table.hpp: the factors of 8 bits
-that bring a mantissa next to 1, and their logarithms, in exact integer arithmetic."""
+"""Writes fixedpoint/src/fixedpoint/portable/logarithm_of_factor_table.hpp: the 8-bit factors that
+bring a mantissa close to 1, and their logarithms, in exact integer arithmetic."""
 
 from cordic import literal
 from exponential_series import logarithm
@@ -16,8 +16,8 @@ if __name__ == "__main__":
     (SOURCE / "portable/logarithm_of_factor_table.hpp").write_text(f"""\
 // SPDX-License-Identifier: MIT
 // DO NOT EDIT: written by python3 fixedpoint/tables/logarithm_of_factor.py
-// Of node i, 1 + i / {NODES}: 1 - decrease / {ONE} is the nearest factor to its reciprocal, and the logarithm
-// that of the factor's reciprocal, in units of 2^-{BITS}, as is ln 2.
+// For node i, 1 + i / {NODES}: 1 - decrease / {ONE} is the factor nearest to its reciprocal, and logarithm is
+// that of the reciprocal of the factor, in units of 2^-{BITS}, like ln 2.
 #pragma once
 
 #include <stdint.h>

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Writes tables of bytes, by default each on a page of its own, so that an index is one register."""
+"""Writes tables of bytes, by default each aligned to a page, so that an index is one register."""
 
 from pathlib import Path
 

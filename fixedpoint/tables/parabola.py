@@ -22,8 +22,8 @@ def height(t):
 
 
 def parabola(exact, bits):
-    """(value, slope, bend) of the curve exact(t). The bend counts upwards where the curve lies over its
-    chord, else downwards. The value makes the largest errors of both signs equal."""
+    """(value, slope, bend) of the curve exact(t). The bend counts upwards if the curve is above its
+    chord, otherwise downwards. The value makes the largest errors of both signs equal."""
     left, middle, right = exact(0), exact(WHOLE // 2), exact(WHOLE)
     slope = round(right - left)
     over = middle - (left + right) / 2

@@ -3,8 +3,8 @@
 """Writes fixedpoint/src/fixedpoint/avr/pow_64_table.S and portable/pow_64_table.hpp: the factors that
 bring a mantissa from [1, 2) down to 1 + s, s < 2^-23, and their logarithms, for pow of Q32.32.
 
-A factor is (1 - d 2^-8p)(1 - d' 2^-8p'), d and d' bytes. The leading bits of s choose it, as the one
-that leaves the least s for which no number of the interval comes below 1."""
+A factor is (1 - d 2^-8p)(1 - d' 2^-8p'), where d and d' are bytes. It is chosen by the leading bits
+of s: the one that leaves the smallest s while no number of the interval comes below 1."""
 
 from fractions import Fraction
 
@@ -14,7 +14,7 @@ from exponential_series import logarithm
 
 BITS = 104
 GUARD = 24
-# A number of Q32.32 has its leading one from 2^-32 to 2^31.
+# The leading one of an unsigned number of Q32.32 is in 2^-32..2^31.
 BIAS = 32
 
 
@@ -23,18 +23,18 @@ def rounded(x):
 
 
 def minus_logarithm(factor):
-    """-ln(factor) in units of 2^-104; the factor is from 1/2 to 1."""
+    """-ln(factor) in units of 2^-104; the factor must be in [1/2, 1]."""
     return Fraction(logarithm(factor.denominator, factor.numerator, BITS + GUARD), 1 << GUARD)
 
 
 def digit(excess, place):
-    """The largest d for which (1 + excess)(1 - d 2^-8place) is 1 at least."""
+    """The largest d for which (1 + excess)(1 - d 2^-8place) is at least 1."""
     return min(int(excess / (1 + excess) * 256**place), 255)
 
 
 def step(largest, index_bits, places):
-    """Of s up to `largest`, whose index has units of 2^-index_bits: the digits and the logarithm of
-    each interval, and the largest s that is left."""
+    """For s up to `largest`, indexed in units of 2^-index_bits: the digits and the logarithm of each
+    interval, and the largest remaining s."""
     rows, left = [], 0
     for index in range(int(largest * 2**index_bits) + 1):
         start = Fraction(index, 2**index_bits)
@@ -69,8 +69,8 @@ if __name__ == "__main__":
     for rows, size in zip(steps[1:], sizes[1:]):
         assert max(logarithm for _, logarithm in rows) < 1 << 8 * size
     sentence = (
-        "Factors from the digits d 2^-8, then d 2^-8 and d' 2^-16, d 2^-16 and d' 2^-24, d 2^-24, less than\n"
-        "1 by them, and minus their logarithms in units of 2^-104; 32 ln 2 less of the first. Last ln 2.")
+        "The digits of the factors 1 - d 2^-8, then with d 2^-8 and d' 2^-16, d 2^-16 and d' 2^-24, d 2^-24,\n"
+        "and minus their logarithms in units of 2^-104; those of the first are 32 ln 2 less. Then ln 2.")
     print([len(rows) for rows in steps], float(left * 2**23))
     page.write_assembly("pow_64_table", "pow_64.py", sentence, [
         (f"step {number}: {len(rows)} records of {len(rows[0][0]) + size} bytes",

@@ -40,7 +40,7 @@ constexpr {word} PseudoDivisionConstants<{word}, Any>::logarithm[];
 
 
 if __name__ == "__main__":
-    # The steps of the logarithm with the most fraction bits that the word takes, (F + 5) / 2.
+    # (F + 5) / 2 steps, for the largest number of fraction bits F that the word serves.
     text = SENTENCE + table("uint32_t", 32, 12) + table("uint64_t", 64, 28)
     text += table("Word128", 128, 34) + "\n}  // namespace portable\n}  // namespace fixedpoint\n"
     (SOURCE / "portable/pseudo_division_table.hpp").write_text(text)

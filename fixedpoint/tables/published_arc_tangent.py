@@ -21,7 +21,7 @@ def arc_tangent(t):
     while term > Fraction(1, 2**101):
         total += term
         n += 1
-        # 2^-160 a step is far below the bound; it keeps the fractions short.
+        # Truncation to 2^-160 per step is far below the bound; it keeps the fractions short.
         term = Fraction(int(term * ratio * Fraction(2 * n, 2 * n + 1) * 2**160), 2**160)
     return total
 
@@ -48,7 +48,7 @@ namespace published {{
 
 constexpr uint8_t arc_tangent_intervals = {INTERVALS};
 
-// A copy for each file that uses it, which the linker drops where it is not called.
+// A copy for each file that uses it, which the linker drops if it is not used.
 #ifdef __AVR__
 __attribute__((section(".progmem.data.fixedpoint_published_arc_tangent")))
 #endif

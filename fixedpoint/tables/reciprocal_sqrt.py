@@ -3,8 +3,8 @@
 """Writes the tables of the reciprocal square root: src/fixedpoint/avr/reciprocal_sqrt_table.S for
 the kernels and src/fixedpoint/portable/reciprocal_sqrt_table.hpp for the portable implementation.
 
-The root's mantissa is y(t) = 2^22 / sqrt(t / 2^16), 2^14 <= t < 2^16. With t = 256 h + l + x / 256
-it is taken from the chord over [256 h, 256 h + 256] less a parabola:
+The mantissa of the root is y(t) = 2^22 / sqrt(t / 2^16), 2^14 <= t < 2^16. With t = 256 h + l + x / 256
+it is the chord over [256 h, 256 h + 256] minus a parabola:
 
     value[h] - floor(l slope_low / 256) - l slope_high - floor(x slope_high / 256)
              - floor(floor(l (256 - l) / 128) bulge / 128)
@@ -13,10 +13,10 @@ value[h] h = 64..255: as above; h = 2..63: the nearest integer to 2^24 / sqrt(h)
          of the raw number h; h = 1, 0: the lower 24 bits of 2^24 and of the largest number.
 slope[h], bulge[h] h = 64..255: as above.
 
-Of the integers near the exact chord and parabola, those are taken that make the largest error of
-the Q16.16 result smallest: the mantissa is shifted right by 2 bits where l = x = 0 (raw numbers of
-up to 8 bits), by 3, 4, 5 and 6 where x = 0 and l is a multiple of 64, 16, 4 and 1, and by 7 or more
-elsewhere.
+Of the integers near the exact chord and parabola, those that minimise the largest error of the
+Q16.16 result are chosen. The mantissa is shifted right by 2 bits if l = x = 0 (raw numbers of up to
+8 bits), by 3, 4, 5 and 6 if x = 0 and l is a multiple of 64, 16, 4 and 1, and by 7 or more
+otherwise.
 """
 import math
 import pathlib
@@ -54,8 +54,8 @@ def entry(h):
         for bulge in range(rounded((start + end) // 2 - middle) - 2, 256):
             if bulge > rounded((start + end) // 2 - middle) + 3:
                 break
-            # What value would be exact, by operand. The best one is the least far from all of them:
-            # of those with one shift, from the least and the largest.
+            # The value that would be exact, for each operand. The best value is closest to all of
+            # them; for each shift, only the smallest and the largest matter.
             limits = {}
             for l, x, shift, y in exact:
                 limits.setdefault(shift, []).append(y + (fall(slope, bulge, l, x) << GUARD))
@@ -88,7 +88,7 @@ def main():
     slope = [e[2] for e in entries]
     bulge = [e[3] for e in entries]
     unused = [0] * FIRST
-    notice = "DO NOT EDIT: written by fixedpoint/tables/reciprocal_sqrt.py, which says what it is."
+    notice = "DO NOT EDIT: written by fixedpoint/tables/reciprocal_sqrt.py, which describes the entries."
     (SOURCE / "avr/reciprocal_sqrt_table.S").write_text(
         "\n".join(
             [
@@ -110,7 +110,7 @@ def main():
         + "\n"
     )
     table_header.write(
-        "reciprocal_sqrt_table", "reciprocal_sqrt.py, which says what it is.",
+        "reciprocal_sqrt_table", "reciprocal_sqrt.py, which describes the entries.",
         "From 2^14 on, in steps of 256.", "ReciprocalSqrtTable",
         [("uint32_t", "value", value[FIRST:], "{}"), ("uint16_t", "slope", slope, "{}"),
          ("uint8_t", "bulge", bulge, "{}")])

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
 """Writes fixedpoint/src/fixedpoint/avr/reciprocal_sqrt_32_table.S and
-portable/reciprocal_sqrt_32_table.hpp: the reciprocal square root of [1, 2], for every split of 32
-bits."""
+portable/reciprocal_sqrt_32_table.hpp: the reciprocal square root on [1, 2], for every 32-bit
+format."""
 
 from fractions import Fraction
 from math import isqrt
@@ -23,6 +23,6 @@ if __name__ == "__main__":
                 "1 - 1/sqrt(1 + x) on 256 intervals of [0, 1], cubics in the layout of "
                 "tables/cubic.py.",
                 "ReciprocalSqrt32Table", fallen, [
-                    ("of a byte, by its upper 7 bits: the factor that moves its leading one out",
+                    ("the factor that shifts the leading one out of a byte, indexed by its upper 7 bits",
                      [256 >> logarithm & 255 for logarithm in logarithms]),
-                    ("and its base-2 logarithm", logarithms)])
+                    ("its base-2 logarithm, indexed likewise", logarithms)])

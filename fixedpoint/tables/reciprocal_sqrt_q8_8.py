@@ -1,18 +1,18 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
 """Writes src/fixedpoint/avr/reciprocal_sqrt_q8_8_table.S and
-src/fixedpoint/portable/reciprocal_sqrt_q8_8_table.hpp: chords of 2^20 / sqrt(m) for m of 16 bits, 32
-intervals from 2^14 and 32 from 2^15 on, at 256 positions f each: value - (slope f >> 8).
+src/fixedpoint/portable/reciprocal_sqrt_q8_8_table.hpp: chords of 2^20 / sqrt(m) for 16-bit m, with
+32 intervals from 2^14 and 32 from 2^15 on and 256 positions f in each: value - (slope f >> 8).
 
-A raw number a is m / 4^j, and the result (value - (slope f >> 8)) 2^j / 256, rounded. The chord of
-an interval is the one with the least error of all inputs that fall into it."""
+A raw number a is m / 4^j, and the result is (value - (slope f >> 8)) 2^j / 256, rounded. The chord
+of an interval minimises the largest error over all inputs in it."""
 
 from math import isqrt
 
 import page
 import table_header
 
-FRACTION = 20  # of results in the search
+FRACTION = 20  # fraction bits of results in the search
 
 
 def interval_and_position(a):
@@ -25,7 +25,7 @@ def interval_and_position(a):
 
 
 def inputs():
-    """For each interval (2^j, position, exact result)."""
+    """For each interval, the (2^j, position, exact result) of all inputs in it."""
     intervals = [[] for _ in range(64)]
     for a in range(1, 2**15):
         j, interval, position = interval_and_position(a)
@@ -59,7 +59,7 @@ def chord(interval, points):
 if __name__ == "__main__":
     chords = [chord(i, points) for i, points in enumerate(inputs())]
     values, slopes = ([row[k] for row in chords] for k in (1, 2))
-    SENTENCE = "2^20 / sqrt(m), m of 16 bits."
+    SENTENCE = "2^20 / sqrt(m) for 16-bit m."
     page.write_assembly("reciprocal_sqrt_q8_8_table", "reciprocal_sqrt_q8_8.py", SENTENCE, [
         ("value, high bytes", [value >> 8 for value in values]),
         ("value, low bytes", [value & 255 for value in values]), ("slope", slopes)])

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
 """Writes src/fixedpoint/avr/root_table.S: floor(sqrt(256 h)) for h = 64..255, which is the integer
-root of 16 bits h:l, or 1 less than that."""
+root of the 16-bit number h:l, or 1 less."""
 
 from math import isqrt
 

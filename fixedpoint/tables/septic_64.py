@@ -1,11 +1,13 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Writes avr/septic_<name>_table.S and portable/septic_<name>_table.hpp of fixedpoint/src/fixedpoint: functions on 64 intervals of [0, 1), in each a
-polynomial of degree 7 that avr/septic_64.S evaluates by Horner's rule,
+"""Writes avr/septic_<name>_table.S and portable/septic_<name>_table.hpp of fixedpoint/src/fixedpoint:
+functions on 64 intervals of [0, 1), with a polynomial of degree 7 in each, which avr/septic_64.S
+evaluates by Horner's rule,
 
-    c0 + t (c1 + t (c2 + ... + t c7)),   t in [0, 1) the position in the interval.
+    c0 + t (c1 + t (c2 + ... + t c7)),   where t in [0, 1) is the position in the interval.
 
-A record holds c7 to c0, the lowest byte first, in the unit of the function and in as many bytes as WIDTHS says."""
+A record contains c7 to c0, the lowest byte first, in the unit of the function and with the widths in
+bytes that WIDTHS gives."""
 
 from fractions import Fraction
 from math import cos, pi
@@ -34,14 +36,14 @@ def log1p(numerator, denominator, bits):
     return logarithm(denominator + numerator, denominator, bits)
 
 
-# What it is of x, the number of intervals that there are arguments in.
+# Name, formula in x, function, and the number of intervals that contain arguments.
 FUNCTIONS = [("sine", "sin 2x", sine, 51), ("log", "ln(1 + x)", log1p, 64), ("atan", "atan x", arctangent, 64)]
 UNIT = 63
 
 
 def product(a, t, width):
-    """Of a, signed, and the upper bytes of t, a fraction of 64 bits: the columns of the product above the point, of
-    that below it the upper bytes."""
+    """The product of a, signed, and the upper bytes of t, a 64-bit fraction: the columns above the point, and the
+    upper bytes of the column below it."""
     t >>= 64 - 8 * width
     a_bytes, t_bytes = ([number >> 8 * i & 255 for i in range(width)] for number in (a, t))
     total = 0
@@ -53,7 +55,7 @@ def product(a, t, width):
 
 
 def evaluate(row, t):
-    """septic_64 of portable/septic_64.hpp; t in units of 2^-64."""
+    """septic_64 of portable/septic_64.hpp; t is in units of 2^-64."""
     a = row[0]
     for width, coefficient in zip(WIDTHS, row[1:]):
         assert -1 << 8 * width - 1 <= a < 1 << 8 * width - 1
@@ -62,7 +64,7 @@ def evaluate(row, t):
 
 
 def coefficients(values):
-    """Of the powers of t, of the polynomial through values at NODES."""
+    """The coefficients, in powers of t, of the polynomial through values at NODES."""
     differences = divided_differences(NODES, values)
     result = []
     for node, difference in zip(reversed(NODES), reversed(differences)):
@@ -79,7 +81,7 @@ def record(function, interval):
         return Fraction(function(int(position), INTERVALS * GRID, BITS), 1 << BITS - UNIT)
 
     row = [nearest(c) for c in reversed(coefficients([exact(t) for t in NODES]))]
-    # The constant makes up for what the products cut.
+    # The constant compensates for the truncation of the products.
     errors = [evaluate(row, int(t * (1 << 64))) - exact(t) for t in SAMPLES]
     middle = nearest((max(errors) + min(errors)) / 2)
     row[-1] -= middle
@@ -89,8 +91,8 @@ def record(function, interval):
 def write(name, formula, function, intervals):
     records = [record(function, i) for i in range(intervals)]
     digits = [c >> 8 * i & 255 for row, _ in records for c, width in zip(row, WIDTHS) for i in range(width)]
-    sentence = (f"{formula} of x in [0, 1) in units of 2^-{UNIT}, in the layout of tables/septic_64.py;\n"
-                f"{float(max(error for _, error in records)):.1f} units off at most at the {len(SAMPLES)} checked points of an interval.")
+    sentence = (f"{formula} for x in [0, 1) in units of 2^-{UNIT}, in the layout of tables/septic_64.py;\n"
+                f"the error is at most {float(max(error for _, error in records)):.1f} units at the {len(SAMPLES)} checked points of each interval.")
     page.write_assembly(f"septic_{name}_table", "septic_64.py", sentence,
                         [("bytes of c7 to c0: " + ", ".join(map(str, WIDTHS)), digits)], 1)
     table_header.write(f"septic_{name}_table", "septic_64.py", sentence, f"Septic{name.capitalize()}Table",

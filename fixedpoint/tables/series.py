@@ -37,7 +37,7 @@ def two_over_pi(bits):
 
 
 def _circular(angle, width, k):
-    """The sine of angle / 2^width, k = 1, or its cosine, k = 0, in the same units."""
+    """The sine of angle / 2^width if k = 1, or its cosine if k = 0, in the same units."""
     square = angle * angle >> width
     term, total = angle if k else 1 << width, 0
     sign = 1
@@ -81,7 +81,7 @@ def arctangent(numerator, denominator, bits):
 
 
 def arc_sine(numerator, denominator, bits):
-    """asin(numerator/denominator) 2^bits, for arguments from 0 to 1, of which those near 1 take long."""
+    """asin(numerator/denominator) 2^bits, for arguments from 0 to 1; those near 1 take long."""
     term = (numerator << bits + GUARD) // denominator
     total, k = 0, 1
     while term:

@@ -19,6 +19,6 @@ def sine(numerator, denominator):
 if __name__ == "__main__":
     interpolation.write(
         "sine_table", "sine.py",
-        "2^23 sin(pi/2 x) + 64 on 256 intervals of [0, 1]: half an ulp of Q16.16 is in it, so\n"
-        "that cutting 7 bits rounds.",
+        "2^23 sin(pi/2 x) + 64 on 256 intervals of [0, 1]: it includes half an ulp of Q16.16, so\n"
+        "that truncating 7 bits rounds.",
         interpolation.chords(sine, HALF_ULP), "SineTable")

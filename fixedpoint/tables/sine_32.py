@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Writes fixedpoint/src/fixedpoint/avr/sine_32_table.S and portable/sine_32_table.hpp: the sine of
-the first quarter turn, for every split of 32 bits."""
+"""Writes fixedpoint/src/fixedpoint/avr/sine_32_table.S and portable/sine_32_table.hpp: the sine on
+the first quarter turn, for every 32-bit format."""
 
 from fractions import Fraction
 

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Writes fixedpoint/src/fixedpoint/avr/sine_64_table.S and portable/sine_64_table.hpp: the sine of
+"""Writes fixedpoint/src/fixedpoint/avr/sine_64_table.S and portable/sine_64_table.hpp: the sine on
 the first quarter turn, for Q32.32."""
 
 import cubic

@@ -27,7 +27,7 @@ def exact_root(h, l):
 
 def largest_slope(h, root):
     rises = [exact_root(h, l) - root for l in range(256)]
-    # floor(d l / 256) <= rise where d l < 256 (rise + 1).
+    # floor(d l / 256) <= rise if d l < 256 (rise + 1).
     slope = 128 if h == 255 else min(255, *((256 * rises[l] + 255) // l for l in range(1, 256)))
     shortfall = max(rise - (slope * l >> 8) for l, rise in enumerate(rises))
     assert shortfall <= 2, (h, shortfall)
@@ -37,7 +37,7 @@ def largest_slope(h, root):
 def check_extrapolation(root, slope):
     """The 24-bit root S = 256 c + floor(floor(e / 256) slope / 256), with c the 16-bit root and
     e = m - c^2, is less than 5 off sqrt(m 2^16) at both ends of the 2^16 numbers m that share a c.
-    Between the ends S - sqrt(m 2^16) is convex but for the rounding down, which stays below 2."""
+    Between the ends S - sqrt(m 2^16) is convex, apart from the rounding down, which is below 2."""
     for t in range(256 * FIRST, 1 << 16):
         h, l = divmod(t, 256)
         c = root[h] + (slope[h] * l >> 8)
@@ -48,14 +48,14 @@ def check_extrapolation(root, slope):
 
 def check_third_digit(root, slope):
     """The 32-bit root that length_long.S takes of a 48-bit number M is less than 0.44 off.
-    S, 6 less than above, lacks d. Its remainder (S + d)^2 - S^2 times slope / 2^24 is q, nearly
-    2^8 d; with x = floor((slope (S >> 8) - 2^23) / 2^10) it becomes q - floor(q / 32) x / 256.
-    What is dropped of the remainder and of q comes to less than 1/64."""
+    S, 6 less than above, is d too small. Its remainder (S + d)^2 - S^2 times slope / 2^24 is q,
+    nearly 2^8 d; with x = floor((slope (S >> 8) - 2^23) / 2^10) it becomes q - floor(q / 32) x /
+    256. The dropped parts of the remainder and of q amount to less than 1/64."""
     for t in range(256 * FIRST, 1 << 16):
         h, l = divmod(t, 256)
         c = root[h] + (slope[h] * l >> 8)
-        # Not rounded, S - sqrt(M) is convex in M and least where the slopes agree. Rounding takes
-        # less than 2 off, a borrow that is ignored adds less than 1.
+        # Without rounding, S - sqrt(M) is convex in M, and smallest where the slopes agree.
+        # Rounding subtracts less than 2, and an ignored borrow adds less than 1.
         ends = math.sqrt(t << 16), math.sqrt(t + 1 << 16)
         agree = min(max((1 << 23) / slope[h], ends[0]), ends[1])
         lack = [256 * r + 6 - 256 * c - (r * r - c * c) * slope[h] / 65536 for r in (*ends, agree)]
@@ -85,7 +85,7 @@ def main():
     check_third_digit(root, slope)
     lines = [
         "// SPDX-License-Identifier: MIT",
-        "// DO NOT EDIT: written by fixedpoint/tables/sqrt.py, which says what the entries are.",
+        "// DO NOT EDIT: written by fixedpoint/tables/sqrt.py, which describes the entries.",
         "#ifdef __AVR_HAVE_MUL__",
         '#include "prelude.inc"',
         "    TABLE fixedpoint_sqrt_table",

@@ -7,9 +7,9 @@ value, slope[i]   chords of the root r(a) = 16 sqrt(a): for raw numbers a = base
                       i = 16..127:  base = 256 i,          f = 0..255
                       i = 136..255: base = 32 (i - 128),   f = 0..31
                   the estimate (16 value + slope f) >> 8 is the nearest integer to r(a) or one
-                  less; of all chords of which this holds, the one that is oftenest exact.
+                  less; of all chords with this property, the one that is exact most often.
                   value has 16 bits: its low byte is bits 11..4, its high byte has bits 15..12 in
-                  the low nibble and bits 3..0 in the high one, so that two bytes are the integer.
+                  the low nibble and bits 3..0 in the high one, so that two bytes form the integer.
 """
 
 import math

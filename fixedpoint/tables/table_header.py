@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Writes the header through which portable code reads the numbers of a table."""
+"""Writes the header from which portable code reads the numbers of a table."""
 
 from page import SOURCE, rows
 

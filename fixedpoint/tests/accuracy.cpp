@@ -57,7 +57,7 @@ class Operands {
             for (int64_t a = exact::smallest(width); a <= exact::largest(width); ++a) add(a);
             return;
         }
-        // Exact values of 64 bits cost a thousand times as much.
+        // Exact values for 64 bits cost a thousand times as much.
         const int samples = width == 32 ? 2000 : 25;
         for (int bit = 0; bit < width - 1; bit += width == 32 ? 1 : 5) {
             for (int64_t offset = -1; offset <= 1; ++offset) {
@@ -68,7 +68,7 @@ class Operands {
         for (int i = 0; i < samples; ++i) {
             add(uniform());
             add(uniform() >> random_() % width);
-            // What e^a does not saturate: from -(F + 2) ln 2 to (W - F) ln 2.
+            // Operands for which e^a does not saturate: from -(F + 2) ln 2 to (W - F) ln 2.
             const double at = -(F + 2) + (width + 2) * std::ldexp(double(random_() >> 11), -53);
             add(static_cast<int64_t>(
                 std::ldexp(std::clamp(at * M_LN2, -100.0, 100.0), std::min(F, width - 9))));
@@ -110,7 +110,8 @@ class Operands {
         const int samples = width == 64 ? 40 : 1500;
         const auto of_any_size = [&] { return uniform() >> random_() % width; };
         for (int i = 0; i < samples; ++i) {
-            // One after the other: of arguments each compiler evaluates another one first.
+            // In separate statements: the order in which arguments are evaluated depends on the
+            // compiler.
             const int64_t x = uniform(), y = uniform();
             add(y, x);
             const int64_t smaller_x = of_any_size(), smaller_y = of_any_size();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How far the functions are from the exact value, in ulp: every result within the documented bound,
-// and the largest and the mean error of each format over fixed operands as accuracy.txt has them.
-// The bound is what is promised; the two figures change with every constant of an algorithm.
+// The errors of the functions in ulp: every result must be within the documented bound, and the
+// largest and the mean error of each format over fixed operands must be those in accuracy.txt. The
+// bound is the promise; the two figures change with every constant of an algorithm.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 #include "subjects.hpp"
 
-// Of a function of one operand, or of atan2 where `function` is null.
+// For a function of one operand, or for atan2 if `function` is null.
 struct Measured {
     const char* name;
     const exact::Function* function;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Angles in turns and degrees against binary128, whose operand is reduced by exact integers: every
-// operand of 8 and 16 bits in every split, boundary and random ones of the wider.
+// Angles in turns and degrees against binary128, with argument reduction in exact integers: every
+// operand of 8 and 16 bits in every split, boundary and random operands of wider formats.
 #include <fixedpoint/angle.hpp>
 #include <fixedpoint/arithmetic/saturating.hpp>
 
@@ -14,7 +14,7 @@ using reference::Binary128;
 
 const Binary128 pi = 4 * reference::functions::atan(Binary128(1));
 
-// The distance in ulp from the exact value, which a format that does not hold it saturates.
+// The distance in ulp from the exact value, which is saturated if it is out of range.
 double error(int64_t result, Binary128 exact, int width, int fraction) {
     Binary128 ulps = exact * (Binary128(uint64_t(1) << (fraction / 2)) *
                               Binary128(uint64_t(1) << (fraction - fraction / 2)));
@@ -25,7 +25,7 @@ double error(int64_t result, Binary128 exact, int width, int fraction) {
     return static_cast<double>(distance < 0 ? -distance : distance);
 }
 
-// Of angle / (2^F per_turn) turns: exactly reduced, and where it is a quarter turn, exact.
+// The sine of angle / (2^F per_turn) turns: exactly reduced, and exact at quarter turns.
 Binary128 exact_sine(int64_t angle, int fraction, int per_turn, int quarters) {
     const __int128 turn = static_cast<__int128>(per_turn) << fraction;
     __int128 rest = (4 * static_cast<__int128>(angle) + quarters * turn) % (4 * turn);
@@ -39,7 +39,7 @@ Binary128 exact_sine(int64_t angle, int fraction, int per_turn, int quarters) {
 
 struct Sines {
     int64_t sine, cosine;
-    bool agree;  // with what gives both at once
+    bool agree;  // with the function that returns both
 };
 struct AngleSubject {
     exact::Format format;
@@ -83,7 +83,8 @@ std::vector<AngleSubject> angle_subjects() {
     return all;
 }
 
-// Those of exact.hpp and, of wider formats, the multiples of a quarter turn and their neighbours.
+// The operands of exact.hpp and, for wider formats, the multiples of a quarter turn and their
+// neighbours.
 std::vector<int64_t> angles(const AngleSubject& subject) {
     const auto [width, fraction] = subject.format;
     std::vector<int64_t> numbers = exact::raws(width, 10);

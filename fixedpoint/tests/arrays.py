@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Proofs about machine code by running it for every case: registers hold numbers, or arrays of them."""
+"""Proofs about machine code by running it for every case: registers contain numbers, or arrays of
+them."""
 
 import numpy
 
@@ -11,7 +12,8 @@ BRANCHES = {"brcs": ("carry", 1), "brcc": ("carry", 0), "breq": ("tested", 0), "
 
 
 class Arrays(Machine):
-    """Where a branch parts the cases, each path goes on with its own; `given` are arrays that go with them."""
+    """If a branch separates the cases, each path continues with its own; `given` are arrays that
+    are split with them."""
 
     def __init__(self, program):
         super().__init__(program, {n: f"r{n}" for n in range(32)})
@@ -32,7 +34,8 @@ class Arrays(Machine):
             self.registers[register] = (numbers >> 8 * i & 255).astype(numpy.int32)
 
     def try_all(self, numbers, place, idle):
-        """Every number in the registers `place`; what demands that it is still there, and that `idle` are as they were."""
+        """Every number in the registers `place`; a check that it is still there, and that `idle`
+        are unchanged."""
         self.given["tried"] = numbers
         self.place(numbers, place)
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// atan, atan2 and the reciprocal square roots by tables: faithful, and saturated.
+// atan, atan2 and the reciprocal square roots from tables are faithful and saturated.
 #include <fixedpoint/kernel/dispatch.hpp>
 
 #include "accuracy.hpp"
@@ -26,7 +26,7 @@ TEST(Atan, IsFaithful) {
                      0.75});
 }
 
-// Formats of 32 and 64 bits but Q16.16 have no other.
+// Formats of 32 and 64 bits other than Q16.16 do not have another implementation.
 template <class Wrap>
 std::vector<Subject> narrow_and_q16_16(Wrap wrap) {
     std::vector<Subject> all;

@@ -19,7 +19,7 @@ def joined(m, registers):
 
 
 def same(m, registers):
-    """What demands that the registers are as they are now, of bits or of forms."""
+    """A check that the registers are as they are now, for bits or forms."""
     before = {register: m.registers[register] for register in registers}
 
     def check(m):
@@ -29,7 +29,7 @@ def same(m, registers):
 
 
 class Bits(Machine):
-    """Of bits: what is known of them are conditions."""
+    """Registers of bits; what is known about them is a list of conditions."""
     returns_in_memory = False
     looked_up = 128  # bytes of a table
 
@@ -82,7 +82,7 @@ class Bits(Machine):
         return self.result(value, C=wide < 0, V=z3.And((x < 0) != (y < 0), (x < 0) != (value < 0)))
 
     def pointer(self, name):
-        """Of a load or store."""
+        """The pointer of a load or store."""
         low = POINTERS[name]
         place = z3.simplify(self.number(low, 2))
         if name[1:] == "+":
@@ -90,7 +90,8 @@ class Bits(Machine):
         return place
 
     def look_up(self):
-        """In a table of runs of equal bytes, such as the power of two by which a byte is shifted up."""
+        """A lookup in a table of runs of equal bytes, such as the powers of two that shift a byte
+        left."""
         page = z3.simplify(self.registers[31])
         demand(z3.is_bv_value(page))
         value, table = z3.FreshConst(z3.BitVecSort(8)), self.program.flash[page.as_long() << 8:]

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Checked tells its hook exactly where the exact result, rounded, is not in the range or there is
-// none: every operation, every split of 8 bits, every operand.
+// Checked notifies its hook exactly when the exact result, rounded, is out of range or does not
+// exist: every operation, every split of 8 bits, every operand.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -20,7 +20,7 @@ namespace {
 using namespace fixedpoint;
 using exact::Function;
 
-// How often each event but underflow was told, and of which operation last.
+// How often each event except underflow was reported, and the operation of the last one.
 struct Told {
     int overflows, divisions_by_zero, domain_errors;
     friend bool operator==(const Told& a, const Told& b) {
@@ -173,8 +173,8 @@ TEST(Checked, TellsWhatLeavesTheRangeInEverySplitOf8Bits) {
     Splits<std::make_integer_sequence<int, 8>>::check();
 }
 
-// The magnitude of the product of these raw numbers is that of the limit, 2^95, and 2^64: of two
-// words of 64 bits the lower ones are equal.
+// The magnitude of the product of these raw numbers is that of the limit, 2^95, plus 2^64: the
+// lower 64-bit words are equal.
 TEST(Checked, TellsOfProductsThatAreBeyondTheLimitInTheirUpperWordAlone) {
     using Number = Fixed<32, 32, Checked<Hook>>;
     const int64_t b = -((int64_t(1) << 62) + (int64_t(1) << 31));
@@ -185,7 +185,7 @@ TEST(Checked, TellsOfProductsThatAreBeyondTheLimitInTheirUpperWordAlone) {
     expect(nothing, fixedpoint::Operation::multiply, product(int64_t(1) << 32));
 }
 
-// Powers that are the range's ends and those beyond them: the kernel's result has no sign.
+// Powers at and beyond the limits of the range: the result of the kernel is unsigned.
 TEST(Checked, TellsOfPowersBeyondTheEndsOfQ32_32) {
     using Number = Fixed<32, 32, Checked<Hook>>;
     constexpr int64_t one = int64_t(1) << 32, largest = std::numeric_limits<int64_t>::max();

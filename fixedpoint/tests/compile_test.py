@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""What must not compile says what to write instead, in the first line of the compiler's output that
-names the statement; and all headers compile behind the macros of C and of Arduino.
+"""Statements that must not compile say what to write instead, in the first line of the compiler's
+output that names the statement; and all headers compile after the macros of C and of Arduino.
 Usage: compile_test.py COMPILER [OPTION ...]"""
 import pathlib
 import re
@@ -13,9 +13,9 @@ SOURCE = pathlib.Path(__file__).parent.parent / "src"
 LITERAL = "write_a_literal_or_from_integer_or_from_float"
 CONVERT = "convert_one_operand_to_the_format_of_the_other"
 
-# Statements on Q16_16 x, Q8_8 z and Saturating s of 16 and 16 bits, and what the compiler says.
+# Statements on Q16_16 x, Q8_8 z and s, a Saturating Q16.16, and what the compiler says.
 REFUSED = [
-    # What is exact with an integer is not here.
+    # Operations that are exact with an integer compile and are not listed.
     *((f"(void)(2 {sign} x)", LITERAL) for sign in "/%"),
     ("(void)(x % 3)", LITERAL),
     ("x %= 1", LITERAL),
@@ -41,7 +41,7 @@ REFUSED = [
     ("stream << x", "include_fixedpoint_host_stream_hpp"),
     ("stream >> x", "include_fixedpoint_host_stream_hpp"),
 ]
-# Failed assertions stand in the header, with the statement as where they are required from.
+# Failed assertions are reported in the header, with the statement as the place that required them.
 ASSERTED = [
     ("(void)Q16_16::from_integer(0.5)", "from_integer takes an integer"),
     ("(void)from_float<Q16_16>(1)", "from_float takes a float or double"),
@@ -146,7 +146,7 @@ def headers(command, on_chip):
     if status != 0:
         yield "behind the macros of C and Arduino:\n" + "\n".join(output.splitlines()[:12])
     for path in paths:
-        # Each brings what it needs; those of one folder are alike.
+        # Each header includes what it needs; those of a folder behave alike.
         if path.parent.name in ("fixedpoint", "arithmetic", "host"):
             status, output = compile_text(command, f"#include <{path}>\n")
             if status != 0:

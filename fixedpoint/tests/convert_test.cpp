@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Conversions against exact arithmetic: formats, integers, float and double, integers with
-// decimals.
+// Conversions against exact arithmetic: between formats, integers, float and double, and from
+// integers with decimals.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -39,7 +39,7 @@ constexpr Pair pair = {type<To, ToF>, type<From, FromF>,
                            *fits = result.fits;
                        }};
 
-// From and to every format below.
+// Between this and every format below.
 template <class Raw, int F>
 void add_pairs(std::vector<Pair>& pairs) {
     pairs.insert(pairs.end(), {pair<Raw, F, int8_t, 0>,
@@ -122,7 +122,7 @@ void check_floating_point() {
     using Limits = std::numeric_limits<Float>;
     constexpr Float infinity = Limits::infinity();
     const std::vector<int64_t> operands = exact::raws(RawLimits<Raw>::width, 10);
-    // A fifth of those of 16 bits.
+    // Only a fifth of the 16-bit operands.
     for (std::size_t i = 0; i<operands.size(); i += operands.size()> 60000 ? 5 : 1) {
         const auto a = static_cast<Raw>(operands[i]);
         const Float x = portable::to_float<Float, Raw, F>(a);
@@ -130,7 +130,8 @@ void check_floating_point() {
         ASSERT_TRUE(exact::is_nearest_float(a, mantissa, exponent, Limits::digits,
                                             {RawLimits<Raw>::width, F}))
             << +a;
-        // Numbers midway between two raw ones, where a Float holds them, and their neighbours.
+        // Numbers halfway between two raw ones, if a Float can represent them, and their
+        // neighbours.
         const Float ulp = std::ldexp(Float(1), -F);
         for (const Float offset : {Float(0), Float(0.25), Float(0.5), Float(0.75)}) {
             const Float y = x + offset * ulp;
@@ -224,7 +225,7 @@ TEST(PublicConversion, NamesWhatItConvertsTo) {
     EXPECT_FALSE(from_decimal_checked<Q4_4>(-1000, 1).fits);
 }
 
-// An integer has no arithmetic of its own.
+// An integer does not have an arithmetic of its own.
 TEST(PublicConversion, ToAnIntegerIsInTheArithmeticOfTheSource) {
     const auto raw = 300 << 16;
     EXPECT_EQ(convert<int8_t>(Q16_16::from_raw(raw)), 44);

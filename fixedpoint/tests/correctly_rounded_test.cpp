@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // CorrectlyRounded against functions of 113 bits: the exact result, rounded, for every operation.
-// What random operands reach seldom, a result in Q32.32 on a tie or next to one, is looked for; and
-// what decides there is held to the bound of its error, from both sides of it.
+// Results in Q32.32 on a tie or next to one, which random operands rarely reach, are searched for;
+// and the error bound of the code that decides them is checked on both sides of the tie.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -63,8 +63,8 @@ struct Function {
     int16_t (*q8_8)(int16_t a);
     int8_t (*q4_4)(int8_t a);
     int64_t (*wide)(int64_t a);
-    // Of all operands with a result in the range, or of 2^24 others, those whose results are
-    // closest to a tie: 2^-18 to 2^-33 ulp.
+    // Among all operands with a result in range, or 2^24 of them, those whose results are closest
+    // to a tie: 2^-18 to 2^-33 ulp.
     std::vector<int32_t> hardest;
 };
 
@@ -260,8 +260,8 @@ TEST(CorrectRoundingOfPairs, OfPowers) {
     }
 }
 
-// A power x^y of Q16.16 is a tie only where x is a power w^(2^s) and y is 17 / 2^s, with w 1/2 or
-// 3/2, or -17 / 2^s, with w 2: others have too many or too few fraction bits.
+// A power x^y in Q16.16 is a tie only if x is a power w^(2^s) and y is 17 / 2^s, with w = 1/2 or
+// 3/2, or -17 / 2^s, with w = 2: others have too many or too few fraction bits.
 TEST(CorrectRoundingOfPairs, OfPowersThatAreTies) {
     constexpr int32_t largest_power = 64570082;  // 1.5^17 = 985.2612...
     int32_t three_halves = 3 << 15, half = 1 << 15, two = 2 << 16;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Decimal text against exact integers: every number of 8 and 16 bits and boundaries of the others,
-// printed, read back and read between two numbers; malformed text; buffers and texts without a byte
-// to spare.
+// Decimal text against exact integers: every number of 8 and 16 bits and boundary numbers of wider
+// formats, printed, read back, and read from text between two numbers; malformed text; buffers and
+// texts without a spare byte.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -30,14 +30,14 @@ std::string decimal_text(const Int& n, unsigned decimals) {
     return (n < 0 ? "-" : "") + digits;
 }
 
-// What the library has read, whatever the format.
+// The result of parse, independent of the format.
 struct Read {
     int64_t number;
     TextStatus status;
     size_t position;
 };
 
-// From a copy on the heap that ends where the text ends, so that the sanitizer sees a read beyond
+// From a copy on the heap that ends where the text ends, so that the sanitizer detects reads beyond
 // it.
 template <class Raw, int F>
 Read parse_text(const std::string& text) {
@@ -46,7 +46,7 @@ Read parse_text(const std::string& text) {
     return {result.number, result.status, result.position};
 }
 
-// The functions of a format as plain ones: what judges them is compiled once.
+// The functions of a format as plain functions, so that the checks are compiled once.
 struct Format {
     int width, fraction;
     size_t capacity;
@@ -80,7 +80,7 @@ Format format() {
         [](uint8_t decimals) -> size_t { return portable::decimal_capacity<Raw, F>(decimals); }};
 }
 
-// Whether the text is read as n / 10^decimals has to be.
+// Checks that the text is read as n / 10^decimals must be.
 void check_parse(const Format& format, const std::string& text, const Int& n, unsigned decimals) {
     const Int expected = exact::nearest(n << format.fraction, exact::power(10, decimals));
     const Read result = format.parse(text);
@@ -111,7 +111,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST_P(Decimal, PrintsTheShortestAndClosestThatReadsBack) {
     for (const int64_t a : exact::raws(format.width)) {
-        // The first number of decimals whose closest number is read as a.
+        // The smallest number of decimals at which the closest decimal is read as a.
         Int closest;
         unsigned decimals = 0;
         for (Int power = 1;; ++decimals, power = 10 * power) {
@@ -141,10 +141,11 @@ TEST_P(Decimal, PrintsDecimalsRounded) {
 TEST_P(Decimal, ReadsNumbersBetweenTwoOthers) {
     const std::vector<int64_t> numbers = exact::raws(format.width);
     const Int scale = exact::power(10, 90), half = exact::power(5, F + 1);
-    // Every number of 8 bits and a part of the others, since each has three long texts.
+    // Every number of 8 bits and some of the others, since each has three long texts.
     const int step = exact::operand_step * (format.width == 8 ? 1 : 7);
     for (size_t i = 0; i < numbers.size(); i += step) {
-        // The tie above it, (a + 1/2) / 2^F, has F + 1 decimals; then what lies closely beside it.
+        // The tie above it, (a + 1/2) / 2^F, which has F + 1 decimals, and then its close
+        // neighbours.
         const Int tie = (2 * Int(numbers[i]) + 1) * half;
         check_parse(format, decimal_text(tie, F + 1), tie, F + 1);
         for (const Int& n : {tie * scale - 1, tie * scale, tie * scale + 1})
@@ -232,9 +233,9 @@ struct Malformed {
 TEST(DecimalText, SaysWhereItIsMalformed) {
     const Malformed table[] = {
         {"", TextStatus::empty, 0},           // nothing
-        {" ", TextStatus::malformed, 0},      // no white space, in front
+        {" ", TextStatus::malformed, 0},      // no leading white space
         {" 1", TextStatus::malformed, 0},     //
-        {"1 ", TextStatus::malformed, 1},     // nor behind
+        {"1 ", TextStatus::malformed, 1},     // no trailing white space
         {"+", TextStatus::malformed, 1},      // a sign alone
         {"-", TextStatus::malformed, 1},      //
         {"--1", TextStatus::malformed, 1},    // one sign
@@ -243,7 +244,7 @@ TEST(DecimalText, SaysWhereItIsMalformed) {
         {"-.", TextStatus::malformed, 2},     //
         {"..1", TextStatus::malformed, 1},    // one point
         {"1.2.3", TextStatus::malformed, 3},  //
-        {"1,5", TextStatus::malformed, 1},    // the point is no comma
+        {"1,5", TextStatus::malformed, 1},    // a comma is not a point
         {"e5", TextStatus::malformed, 0},     // an exponent alone
         {".e5", TextStatus::malformed, 1},    //
         {"1e", TextStatus::malformed, 2},     // an exponent without digits
@@ -256,8 +257,8 @@ TEST(DecimalText, SaysWhereItIsMalformed) {
         {"nan", TextStatus::malformed, 0},    //
         {"12a", TextStatus::malformed, 2},    // the first bad character
         {"1\xff", TextStatus::malformed, 1},  // beyond ASCII
-        {"\x2f", TextStatus::malformed, 0},   // the character in front of 0
-        {"\x3a", TextStatus::malformed, 0},   // the character behind 9
+        {"\x2f", TextStatus::malformed, 0},   // the character before 0
+        {"\x3a", TextStatus::malformed, 0},   // the character after 9
     };
     for (const Malformed& row : table) {
         const auto result = parse_text<int32_t, 16>(row.text);
@@ -352,7 +353,7 @@ void for_each_value(std::integer_sequence<int, F...>, Check check) {
     (of_split.template operator()<F>(), ...);
 }
 
-// Each text alone, with what may follow it, and one character short of room.
+// Each text alone, with following text, and in a buffer one character too small.
 TEST(CharsText, EveryValueOf8And16BitsReadsBackToTheLastBit) {
     int failures = 0;
     const auto check = [&](auto x) {
@@ -406,7 +407,7 @@ TEST(CharsText, ReadsTheLongestNumberAsTheStandardDoes) {
         EXPECT_EQ(read.ptr - expected.text, expected.length) << expected.text;
         EXPECT_EQ(static_cast<int>(read.ec), static_cast<int>(expected.ec)) << expected.text;
         EXPECT_EQ(x.raw(), expected.value * 65536) << expected.text;
-        // GCC's for double, but for what a double holds.
+        // Agrees with GCC's from_chars for double, except for the limits of a double.
         double standard = 7;
         const auto of_double =
             std::from_chars(expected.text, expected.text + std::strlen(expected.text), standard);

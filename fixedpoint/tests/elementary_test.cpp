@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The elementary functions of portable/elementary.hpp against the reference: every result as its
-// row of operation_table.h defines it, and every event that Checked has to tell.
+// row of operation_table.h defines it, and every event that Checked must report.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -25,7 +25,7 @@ constexpr bool is_pow(reference::Operation operation) {
     return operation == reference::Operation::pow;
 }
 
-// And where a composition of kernels begins, ends, or takes another kernel.
+// Also the splits at which a composition of kernels begins, ends or uses another kernel.
 template <class Wrap>
 std::vector<Subject> subjects_of_compositions(Wrap wrap) {
     std::vector<Subject> all = subjects(wrap);
@@ -47,8 +47,9 @@ const std::vector<ElementaryFunction>& functions() {
     return all;
 }
 
-// Where functions change: zero, one, the limits, powers of two and their neighbours, beside the
-// poles of the tangent, where exponentials reach the limits, and every magnitude between.
+// Points at which functions change: zero, one, the limits, powers of two and their neighbours,
+// operands near the poles of the tangent and where exponentials reach the limits; and operands of
+// every magnitude.
 std::vector<int64_t> operands(exact::Format format, int random_ones) {
     const int width = format.width, F = format.fraction;
     std::vector<int64_t> numbers;
@@ -96,7 +97,7 @@ std::vector<int64_t> operands(exact::Format format, int random_ones) {
     return numbers;
 }
 
-// Of pow: every base with exponents whose powers are in the range, and others.
+// For pow: every base with exponents whose powers are in range, and others.
 std::vector<std::array<int64_t, 2>> operand_pairs(exact::Format format, bool paired) {
     std::vector<std::array<int64_t, 2>> pairs;
     const std::vector<int64_t> numbers = operands(format, 40);
@@ -132,7 +133,7 @@ std::vector<std::array<int64_t, 2>> operand_pairs(exact::Format format, bool pai
     return pairs;
 }
 
-// math.hpp says which formats of 64 bits the bound of the table does not hold in.
+// math.hpp says in which 64-bit formats the bound of the table does not hold.
 double bound(reference::Operation operation, exact::Format format) {
     using reference::Operation;
     const bool arc = operation == Operation::asin || operation == Operation::acos;
@@ -168,8 +169,8 @@ INSTANTIATE_TEST_SUITE_P(Functions, Elementary, testing::Range(std::size_t(0), f
                                  reference::shape(functions()[of.param].operation).name);
                          });
 
-// Exponents of 64 bits: small ones, those at the limits, and those whose powers are in the range,
-// which are the largest where x is next to 1. Shorter mantissas serve those below 2^13 and 2^16.
+// 64-bit exponents: small ones, those at the limits, and those whose powers are in range, which are
+// largest for x close to 1. Exponents below 2^13 and 2^16 use shorter mantissas.
 constexpr int64_t short_exponents[] = {8191, 65535};
 std::vector<int64_t> exponents(int64_t raw, exact::Format format) {
     std::vector<int64_t> all = {0, 1, -1, 2, -2, 3, -3, 10, -10, INT32_MIN, INT64_MAX, INT64_MIN};
@@ -193,13 +194,13 @@ TEST(Power, IsAsDefinedInEverySplit) {
                                            reference::fixed_format(width - F, F),
                                            reference::Arithmetic::nearest};
         std::vector<int64_t> numbers = operands(subject.format, width == 8 ? 0 : 10);
-        // Next to 1 and -1.
+        // Close to 1 and -1.
         for (int64_t step = 1; F < width - 1 && step < 5; ++step)
             for (const int64_t one : {int64_t(1) << F, -(int64_t(1) << F)}) {
                 numbers.push_back(one + step);
                 numbers.push_back(one - step);
             }
-        // Of which the largest short exponents make the largest results.
+        // Bases for which the largest short exponents give the largest results.
         for (const double result : {0.99, 0.8, -0.99, -0.8})
             for (const int64_t n : short_exponents) {
                 const double logarithm = result * (width - F - 1) / double(n);
@@ -294,8 +295,8 @@ TEST(CheckedElementary, TellsWhatHasNoValueOrDoesNotFit) {
     }
 }
 
-// e^(x 2^-40) 2^unit in units of 2^-32, against long double: within 2^-33 of itself, and the 2^-8
-// that it is rounded downward to.
+// e^(x 2^-40) 2^unit in units of 2^-32, against long double: a relative error of at most 2^-33,
+// plus the 2^-8 of rounding downward.
 TEST(ExpWide, IsWithinItsBound) {
     std::mt19937_64 random(40);
     for (int i = 0; i < 200000; ++i) {
@@ -318,7 +319,7 @@ TEST(ExpWide, IsWithinItsBound) {
     EXPECT_EQ((kernel::exp_wide<int64_t, 40>(INT64_MIN, 29)), 0u);
 }
 
-// Values that are exact, and those that a definition pins.
+// Values that are exact, and values that a definition fixes.
 static_assert(Nearest::exp2<int32_t, 16>(3 << 16) == 8 << 16, "2^3");
 static_assert(Nearest::exp2<int32_t, 16>(-16 << 16) == 1, "2^-16");
 static_assert(Nearest::log2<int32_t, 16>(8 << 16) == 3 << 16, "log2(8)");

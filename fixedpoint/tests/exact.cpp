@@ -11,10 +11,11 @@
 namespace exact {
 namespace {
 
-// Holds every value of 64-bit formats, and 10^255 times as much.
+// Wide enough for every value of 64-bit formats times 10^255.
 using Int = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<
     2048, 2048, boost::multiprecision::signed_magnitude, boost::multiprecision::unchecked, void>>;
-// Its own error vanishes beside an ulp of 63 fraction bits, of angles with 63 integer bits too.
+// Its own error is negligible compared with an ulp of 63 fraction bits, even for angles with 63
+// integer bits.
 using Real = boost::multiprecision::number<
     boost::multiprecision::cpp_bin_float<192, boost::multiprecision::digit_base_2>>;
 
@@ -48,7 +49,7 @@ Rounded ratio(const Int& numerator, const Int& denominator, Format format) {
     return in_range(nearest(numerator, denominator), format.width);
 }
 
-// sqrt(numerator / denominator) to nearest: of a half, up.
+// sqrt(numerator / denominator) to nearest, half up.
 Int nearest_root(const Int& numerator, const Int& denominator) {
     return (boost::multiprecision::sqrt(Int(4 * numerator / denominator)) + 1) / 2;
 }
@@ -64,7 +65,7 @@ Number value(Function function, const Number& a) {
         case Function::atan:
             return atan(a);
         case Function::exp:
-            // Beyond +-100 every format is saturated.
+            // Beyond +-100 every format saturates.
             return exp(a < -100 ? Number(-100) : a > 100 ? Number(100) : a);
         case Function::log:
             return log(a);
@@ -167,7 +168,7 @@ bool is_nearest_float(int64_t a, int64_t mantissa, int exponent, int digits, For
     const Int difference =
         (Int(a) << (-format.fraction - unit)) - (Int(mantissa) << (exponent - unit));
     const Int twice = 2 * abs(difference), ulp = power_of_two(exponent - unit);
-    // Below a power of two the neighbour is half as far.
+    // Below a power of two the neighbour is half as far away.
     const bool at_power = abs(Int(mantissa)) == power_of_two(digits - 1);
     const bool towards_zero = (difference < 0) == (mantissa > 0);
     const Int gap = at_power && towards_zero ? Int(ulp / 2) : ulp;

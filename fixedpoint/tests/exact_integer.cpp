@@ -48,7 +48,7 @@ Int operator%(const Int& a, const Int& b) {
     return Int::Access::make(Int::Access::of(a) % Int::Access::of(b));
 }
 Int operator<<(const Int& a, unsigned bits) {
-    // Boost shifts no negative integer.
+    // Boost does not shift negative integers.
     return a < 0 ? -(-a << bits) : Int::Access::make(Int::Access::of(a) << bits);
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Exact integers for the tests whose numbers have any number of digits, as decimal text, or more
-// than twice 64; other tests are held against exact.hpp.
+// Exact integers for tests whose numbers have arbitrarily many digits, such as decimal text, or
+// more than twice 64 bits; other tests use exact.hpp.
 //
-// The number itself, a type of Boost.Multiprecision, is behind plain functions: each test that
-// inlined it compiled for three times as long, and ran slower under the sanitizers.
+// The number itself, a type of Boost.Multiprecision, is hidden behind plain functions: tests that
+// inlined it took three times as long to compile, and ran slower under the sanitizers.
 #pragma once
 
 #include <compare>
@@ -15,7 +15,7 @@
 
 namespace exact {
 
-// Of up to 1024 bits; std::overflow_error for a result of more.
+// Up to 1024 bits; a wider result throws std::overflow_error.
 class Int {
   public:
     Int(__int128 n = 0);
@@ -47,12 +47,12 @@ inline Int abs(const Int& a) { return a < 0 ? -a : a; }
 Int power(int base, unsigned exponent);
 
 Int floor_of(const Int& numerator, const Int& denominator);
-// numerator / denominator to nearest, ties upward. The denominator is positive.
+// numerator / denominator rounded to nearest, half up. The denominator must be positive.
 Int nearest(const Int& numerator, const Int& denominator);
 
-// n modulo 2^W, as a two's-complement number is.
+// n modulo 2^W, as a two's-complement number.
 int64_t wrapped(const Int& n, int width);
-// The number closest to n.
+// n saturated to `width` bits.
 int64_t clamped(const Int& n, int width);
 inline bool fits(const Int& n, int width) { return n == wrapped(n, width); }
 

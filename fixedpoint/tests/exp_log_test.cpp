@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// exp and log: faithful, and saturated.
+// exp and log are faithful and saturated.
 #include <cmath>
 #include <fixedpoint/kernel/dispatch.hpp>
 
@@ -26,7 +26,7 @@ TEST(Logarithm, IsFaithful) {
                      0.76});
 }
 
-// Formats of 32 and 64 bits but Q16.16 have no other.
+// Formats of 32 and 64 bits other than Q16.16 do not have another implementation.
 template <class Wrap>
 std::vector<Subject> narrow_and_q16_16(Wrap wrap) {
     std::vector<Subject> all;
@@ -50,8 +50,8 @@ TEST(SmallLogarithm, IsFaithful) {
                      0.76});
 }
 
-// Every path of the kernel, of which one is taken by one operand in 100,000. Beyond +-12 the result
-// is 0 or the largest number, which the boundaries show.
+// Every path of the kernel, one of which is taken by only one operand in 100,000. Beyond +-12 the
+// result is 0 or the largest number, which the boundaries cover.
 TEST(Exponential, IsFaithfulForEveryInputOfQ16_16ThatIsNotSaturated) {
     long double largest = 0;
     for (int32_t a = -12 * 65536; a < 12 * 65536; ++a) {

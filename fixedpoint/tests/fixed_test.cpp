@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The operators of Fixed in every arithmetic, against exact arithmetic: all pairs of Q4.4, boundary
-// and random pairs of the others. That Checked tells what it must is in checked_test.cpp.
+// and random pairs of the others. checked_test.cpp covers what Checked reports.
 #include <algorithm>
 #include <fixedpoint/arithmetic/checked.hpp>
 #include <fixedpoint/arithmetic/published.hpp>
@@ -16,7 +16,7 @@ namespace {
 
 using namespace fixedpoint;
 
-// What is computed of two operands in one format: each row the result of one operation.
+// The results computed from two operands in one format, one row per operation.
 constexpr int most_results = 24;
 struct Results {
     int count = 0;
@@ -79,7 +79,8 @@ constexpr auto arithmetic_operators = []<class Number>(Number x, Number y, Resul
     for (const bool answer : {x == y, x != y, x<y, x> y, x <= y, x >= y}) results.add(answer);
 };
 
-// As it is defined; pick takes the wrapped or the saturated result of the ring operations.
+// The results by definition; pick selects the wrapped or the saturated result of the ring
+// operations.
 template <class Pick>
 auto defined(Pick pick) {
     return [pick](int64_t a, int64_t b, exact::Format format, Results& results) {
@@ -122,7 +123,7 @@ TEST(Operators, SaturatingSaturates) {
     check(operators_in<Saturating>(arithmetic_operators), defined(saturated));
 }
 
-// Each product and each sum by itself.
+// Each product and each sum separately.
 TEST(Operators, SaturatingSaturatesProductsAndSumsOfSeveral) {
     check(operators_in<Saturating>([]<class Number>(Number x, Number y, Results& results) {
               using Raw = typename Number::Raw;
@@ -146,7 +147,7 @@ TEST(Operators, SaturatingSaturatesProductsAndSumsOfSeveral) {
           });
 }
 
-// A product, quotient or part that vanishes is told, and no other.
+// A product, quotient or part that is rounded to 0 is reported, and nothing else.
 int underflows = 0;
 struct Underflow {
     static void notify(Event event, fixedpoint::Operation) {
@@ -193,7 +194,7 @@ TEST(Operators, ScaleDownRoundsForEveryPower) {
           });
 }
 
-// Counts of every type, up to those that no unsigned char holds.
+// Counts of every type, including those that an unsigned char cannot represent.
 template <class Number, class Count>
 void check_shift(int64_t a, Count count, int meaning) {
     using SaturatingNumber = Fixed<Number::integer_bits, Number::fraction_bits, Saturating>;

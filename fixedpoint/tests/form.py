@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""Linear forms, of which proofs make what registers hold."""
+"""Linear forms, in which proofs express the contents of registers."""
 
 from machine_code import Unprovable
 
 
 class Form(dict):
-    """Combination of variables; the key 1 holds the constant."""
+    """A linear combination of variables; the key 1 is for the constant."""
 
     def __add__(self, other):
         total = Form(self)

@@ -47,7 +47,7 @@ TEST(OutputStream, HonoursWidthFillAndSign) {
     EXPECT_EQ(streamed(std::showpos, 1.5_q8_8, ' ', -1.5_q8_8, ' ', 0_q8_8), "+1.5 -1.5 +0");
 }
 
-// As of a double of the same value.
+// As for a double of the same value.
 TEST(OutputStream, PadsAsOfDouble) {
     for (const auto adjust : {std::left, std::right, std::internal}) {
         for (const auto sign : {std::showpos, std::noshowpos}) {
@@ -70,11 +70,11 @@ struct Extraction {
 TEST(InputStream, TakesWhatMayBeANumberAndSaysSo) {
     const Extraction table[] = {
         {"1.5", 1.5, false, ""},          // up to the end
-        {"  -1.5 2", -1.5, false, " 2"},  // white space in front is skipped
-        {"1.5abc", 1.5, false, "abc"},    // the rest stays
+        {"  -1.5 2", -1.5, false, " 2"},  // leading white space is skipped
+        {"1.5abc", 1.5, false, "abc"},    // the rest stays in the stream
         {"1.5.5", 1.5, false, ".5"},      // one point
         {"1e1e1", 10, false, "e1"},       // one exponent
-        {"1-2", 1, false, "-2"},          // a sign only in front
+        {"1-2", 1, false, "-2"},          // a sign only at the start
         {"+.5e+1,", 5, false, ","},       // every part of a number
         {"200", 127.99609375, true, ""},  // out of range: the limit
         {"-200;", -128, true, ";"},       //
@@ -126,7 +126,7 @@ TEST(Format, PadsAsOfDouble) {
          {"{:08}", "{:8}", "{:*<8}", "{:06.2f}", "{:02}", "{:0}", "{:*>9.2f}", "{:010.3f}"}) {
         for (const double x : {-1.5, 1.5, 0.25, -0.25}) {
             const auto number = from_float<Q8_8>(x);
-            // Numbers are aligned to the right by default.
+            // Numbers are right-aligned by default.
             EXPECT_EQ(fmt::format(fmt::runtime(text), number), fmt::format(fmt::runtime(text), x))
                 << text << " of " << x;
         }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Operators of a number and an integer of any type, in every arithmetic, against exact integers:
-// all pairs of 8 bits, boundary and random ones of the others; products and sums that widen, and
+// Operators on a number and an integer of any type, in every arithmetic, against exact integers:
+// all pairs of 8 bits, boundary and random pairs of wider ones; widening products and sums; and
 // narrow.
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ namespace {
 using namespace fixedpoint;
 using exact::Int;
 
-// What the hook was told of last.
+// The last event reported to the hook.
 Event event;
 int events = 0;
 struct Hook {
@@ -32,11 +32,12 @@ struct Hook {
 enum { sum, difference, difference_from, product, quotient, operations };
 struct Results {
     int64_t nearest[operations], saturating[operations], checked[operations];
-    // By Checked: whether it overflowed, and whether it told anything else.
+    // From Checked: whether it reported overflow, and whether it reported anything else.
     bool overflow[operations], other[operations];
     bool equal, less, greater;
-    // Whether assignment, exchanged operands and the other comparisons say the same. Told here and
-    // expected once: in a template of some hundred instances each EXPECT would be compiled anew.
+    // Whether assignment, exchanged operands and the other comparisons agree. Collected here and
+    // expected once: in a template with some hundred instances, each EXPECT would be compiled every
+    // time.
     bool consistent;
 };
 
@@ -177,7 +178,7 @@ void check_all(const std::vector<MixedSubject>& all) {
                 check(subject, a, n);
                 if (testing::Test::HasFatalFailure()) return;
             }
-            // Quotients that are ties, and those beside them.
+            // Quotients that are ties, and their neighbours.
             const uint64_t twice = 2 * static_cast<uint64_t>(a);
             for (const uint64_t n : {twice - 1, twice, twice + 1}) {
                 if (subject.integer_width == 64) check(subject, a, n);
@@ -211,7 +212,7 @@ TEST(IntegerOperand, PublishedDividesTowardZero) {
     }
 }
 
-// Every pair of 8 bits, in splits that share no fraction bits; the result's value is the exact one.
+// Every pair of 8 bits, in splits with different fraction bits; the value of the result is exact.
 TEST(Widening, ProductsAndSumsAreExact) {
     const auto check = []<int I1, int F1, int I2, int F2>(
                            std::integer_sequence<int, I1, F1, I2, F2>) {
@@ -246,7 +247,7 @@ TEST(Widening, NarrowRoundsAndSaturates) {
     EXPECT_EQ(narrow<int16_t>(Q32_32::max()), 32767);
 }
 
-// The float or integer rounded to nearest half up, as from_float and from_integer make it.
+// The float or integer rounded to nearest, half up, as by from_float and from_integer.
 static_assert(fixed<16, 16>(0.38).raw() == 24904);
 static_assert(fixed<16, 16>(-0.38F).raw() == -24904);
 static_assert(fixed<16, 16, Saturating>(32767.999992).raw() == RawLimits<int32_t>::max);
@@ -258,14 +259,15 @@ static_assert(fixed<64, 0>(-9223372036854775808.0).raw() == RawLimits<int64_t>::
 static_assert(fixed<1, 63>(0.75).raw() == int64_t(3) << 61);
 static_assert(fixed<64, 0>(9007199254740993LL).raw() == 9007199254740993, "no detour by a double");
 
-// The constants in every split that holds them, against a library with constants of its own.
+// The constants in every split that can represent them, against a library with constants of its
+// own.
 struct ConstantOfSplit {
     exact::Constant constant;
     exact::Format format;
     int64_t raw;
 };
-// What a constant asks of a number. Fixed has that, and some hundred operators, which would be
-// instantiated for every split.
+// What a constant needs from a number. Fixed provides that, but also some hundred operators, which
+// would be instantiated for every split.
 template <int I, int F>
 struct Split {
     using Raw = Integer<I + F>;

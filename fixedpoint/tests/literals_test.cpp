@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Literals are constants of the exact value. That a literal out of range or malformed does not
-// compile is the compiler's to say: literal() is used here the way the operators use it.
+// Literals are constants with the exact value. literal() is used here as the operators use it;
+// compile_test.py checks that literals that are out of range or malformed do not compile.
 #include <gtest/gtest.h>
 
 #include <fixedpoint/literals.hpp>
@@ -34,7 +34,7 @@ constexpr Fixed<1, 63> operator""_q1_63() {
 }
 static_assert((0.1_q1_63).raw() == 922337203685477581, "2^63 / 10 = 922337203685477580.8");
 
-// What the operators refuse, seen before they do.
+// What the operators reject, checked before they do.
 constexpr bool is_decimal(const char* text, int length) {
     return portable::is_decimal_literal(text, text + length);
 }
@@ -43,8 +43,8 @@ static_assert(!is_decimal("0x1", 3), "hexadecimal");
 static_assert(!is_decimal("0b1", 3), "binary");
 static_assert(!is_decimal("1.2.3", 5) && !is_decimal("1e", 2) && !is_decimal("1e+", 3), "");
 
-// A literal's constant is the number that the parser of text reads, and out of range where it says
-// so.
+// The constant of a literal is the number that the text parser reads, and is out of range exactly
+// when the parser says so.
 template <int I, int F>
 void expect_as_parsed(const std::string& text) {
     using Number = Fixed<I, F>;

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The digits of long_division.inc: what proofs say of them where it compares an estimate.
+"""The digits of long_division.inc: the statements of the proofs at the point where it compares an
+estimate.
 
 u is three bytes, h the two that divide, 2^15 <= h; u < 2^8 h + 2^8. v is the reciprocal of h. Of the
 estimate t, one byte, or 256, and u - t h, the lowest two bytes are there: M. Then one of these is so:
@@ -7,7 +8,8 @@ estimate t, one byte, or 256, and u - t h, the lowest two bytes are there: M. Th
     u - t h = M          and M + h < 2^16, or the upper byte of M is less than q
     u - t h = M - 2^16   and it is at least -h, and the upper byte of M is at least q
 
-where q is what the code compares with. So where it is less, M is right, and else it is M + h.
+where q is the number that the code compares with. So if it is less, M is right, and otherwise M +
+h.
 """
 
 from itertools import product
@@ -20,7 +22,7 @@ from stretches import equal
 
 MANY = 1 << 90
 QUOTIENT, DIGIT = 26, 27
-# t - digit, and which of the above.
+# t - digit, and which of the cases above.
 ESTIMATES = list(product((0, 256), ("fits", "below", "negative")))
 
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Machine code, and the proofs about it: a stretch at a time, then with instructions left out."""
+"""Machine code and proofs about it: one stretch at a time, then again with instructions left
+out."""
 
 import copy
 import re
@@ -11,8 +12,8 @@ from itertools import chain, product
 from pathlib import Path
 
 CALL_SAVED = [*range(2, 18), 28, 29]
-STEPS = 200  # more than any stretch takes
-FEWER = 97   # of the numbers that are run, one in so many where an instruction is left out
+STEPS = 200  # more steps than any stretch takes
+FEWER = 97   # if an instruction is left out, only one in this many numbers is run
 
 
 class Unprovable(Exception):
@@ -47,8 +48,8 @@ def operand(word):
 
 
 class Machine:
-    """One path through a stretch of code. What registers hold, and the instructions that compute with it
-    (`compute`), is the matter of those that derive from it."""
+    """One path through a stretch of code. Derived classes define the contents of registers and the
+    instructions that compute with them (`compute`)."""
 
     def __init__(self, program, registers):
         self.program, self.registers = program, registers
@@ -108,7 +109,8 @@ class Program:
     stride = 1
 
     def __init__(self, stretches, machine, elf=None, sources=(), cuts=()):
-        """`cuts`: (name, label, mnemonic, operand) of places behind a label, that have none themselves."""
+        """`cuts`: (name, label, mnemonic, operand) of places after a label that do not have a label
+        themselves."""
         with tempfile.TemporaryDirectory() as folder:
             elf = elf or linked(folder, sources)
             symbols = subprocess.run(["avr-nm", "--defined-only", elf], check=True, capture_output=True, text=True).stdout
@@ -128,7 +130,7 @@ class Program:
                       for label, _, _, saved, *_ in stretches} | {None: ()}
 
     def prove(self, label, begin, ends, _, cases=((),), transfers=(False, True)):
-        """Of the stretch behind a label; returns the addresses on paths that can be."""
+        """Proves the stretch after a label; returns the addresses on feasible paths."""
         visited = set()
         for case, transfer in product(cases, transfers):
             start = self.machine(self)
@@ -162,7 +164,7 @@ class Program:
 
     @staticmethod
     def follow(address, machine):
-        """One step. A path that comes to a fork again goes on only where it can."""
+        """One step. A path that reaches a fork again continues only if that is feasible."""
         again = address in machine.passed
         machine.visited.append(address)
         demand(len(machine.visited) < STEPS, "a loop does not end")
@@ -173,7 +175,7 @@ class Program:
         return [(target, after) for target, after in following if not again or after.feasible()]
 
     def survivors(self, stretch, visited, every, needless):
-        """Instructions without which the proof still goes through."""
+        """Instructions without which the proof still succeeds."""
         found, self.stride = [], FEWER
         for address in sorted(visited)[::every]:
             mnemonic, operands, target, following = self.code[address]
@@ -190,7 +192,8 @@ class Program:
         return found
 
     def run(self, every, needless, labels=None):
-        """Proves every stretch, or those behind the labels, then leaves out instructions; whether something failed."""
+        """Proves every stretch, or those after the given labels, then leaves out instructions;
+        returns whether anything failed."""
         failed = False
         for stretch in self.stretches if labels is None else [each for each in self.stretches if each[0] in labels]:
             try:

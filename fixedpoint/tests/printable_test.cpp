@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers where Arduino's Print takes what is Printable.
+// Numbers as Printables of Arduino's Print.
 #define ARDUINO 10800
 #include <fixedpoint.h>
 #include <gtest/gtest.h>

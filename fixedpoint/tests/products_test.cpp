@@ -14,7 +14,7 @@ namespace {
 
 using namespace fixedpoint;
 
-// Calls expected(a, b, c, format), which says what the subject returns.
+// Calls expected(a, b, c, format), which returns what the subject must return.
 template <class Expected>
 void check(const std::vector<Subject>& subjects, Expected expected) {
     for (const Subject& subject : subjects) {
@@ -81,7 +81,7 @@ TEST(Dot, IsRoundedOnce) {
           });
 }
 
-// Whether steps of vectors in place are made of products and sums that are as defined.
+// Whether in-place vector steps consist of products and sums as defined.
 template <class Raw, int F>
 bool are_as_defined(const int64_t* v, void add_scaled(Raw*, const Raw*, Raw),
                     void exchange(Raw*, Raw*, const Raw*, Raw),
@@ -117,7 +117,7 @@ TEST(VectorSteps, AreMadeOfProductsAndSums) {
           defined);
 }
 
-// Three products of the smallest number exceed what twice the width holds as a signed number.
+// Three products of the smallest number overflow a signed number of twice the width.
 TEST(Dot, HoldsThreeSquaresOfTheSmallestNumber) {
     for (const Subject& subject : subjects([]<class Raw, int F>(const int64_t*) -> int64_t {
              const Raw v[3] = {RawLimits<Raw>::min, RawLimits<Raw>::min, RawLimits<Raw>::min};
@@ -165,7 +165,7 @@ TEST(Divide, RoundsHalvesUpAndSaturatesHalfAnUlpBeyondTheLimits) {
                 check(half, -(int64_t(1) << (F + 1)));
             }
         }
-        // a 2^F / b beside 2^(W-1).
+        // a 2^F / b near 2^(W-1).
         for (int64_t b = 1; b < 40; ++b) {
             const __int128 limit = (static_cast<__int128>(b) << (width - 1)) >> F;
             for (int offset = -1; offset <= 1; ++offset) {
@@ -186,7 +186,7 @@ TEST(Remainder, IsExactWithTheSignOfTheDividend) {
           });
 }
 
-// The device's way, beside the native type of the host.
+// The device's implementation against the native type of the host.
 TEST(Wide, DigitsAndBitsAreTheNativeResults) {
     std::mt19937_64 random(7);
     for (int i = 0; i < 100000; ++i) {

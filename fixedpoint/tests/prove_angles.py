@@ -1,10 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Proves how much fixedpoint_atan2_q16_16 errs at most, for all pairs of operands, from its instructions and tables.
+"""Proves an error bound of fixedpoint_atan2_q16_16 for all pairs of operands, from its instructions
+and tables.
 
 usage: prove_angles.py
 
-The code is cut where 24 bits are at hand:
+The code is cut where intermediate results have 24 bits:
 
     octant       the smaller magnitude and the larger one, and what has been folded                by bits
     normalised   N and D, which are these, cut to 24 bits from the leading one of D on             by bits
@@ -13,9 +14,9 @@ The code is cut where 24 bits are at hand:
     folded       2^24 of its arc tangent and half an ulp, for every ratio                          by running it
     return       the angle of the octant                                                           by bits
 
-The errors are added up for every ratio r: that of the arc tangent, and those of r, of which it takes 1 / (1 + r^2). That
-of the reciprocal is relative: the angle takes r / (1 + r^2) of it. Then instructions are left out in turn, and each time
-the proof must fail.
+The errors are added up for every ratio r: that of the arc tangent, and those of r, which enter the
+angle with the factor 1 / (1 + r^2). That of the reciprocal is relative and enters with the factor r
+/ (1 + r^2). Then instructions are left out in turn, and each time the proof must fail.
 """
 
 import sys
@@ -42,7 +43,7 @@ BOUND = 0.645  # ulp
 
 
 class Kernel(Program):
-    """`found` is the largest and smallest of what all cases gave."""
+    """`found` is the largest and the smallest result over all cases."""
     found = {"reciprocal": (0.0, 0.0), "angle": (0.0, 0.0)}
 
     def within(self, name, low, high, numbers):

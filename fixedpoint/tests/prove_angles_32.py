@@ -1,10 +1,12 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Proves how much fixedpoint_atan2_q4_28 errs at most, for all pairs of operands, from its instructions and tables.
+"""Proves an error bound of fixedpoint_atan2_q4_28 for all pairs of operands, from its instructions
+and tables.
 
 usage: prove_angles_32.py
 
-The kernel calls two others. Of each it is proven what it returns, and of the kernel that it calls them rightly:
+The kernel calls two others. It is proven what each of them returns, and that the kernel calls them
+correctly:
 
     fixedpoint_ratio_32, n < d      Q and a byte r: Q + r / 256 is 2^32 n / d, less 0 to REST
         index       n and d are moved up by the same bits, until bit 31 of d is set            by bits
@@ -20,11 +22,12 @@ The kernel calls two others. Of each it is proven what it returns, and of the ke
     fixedpoint_atan2_q4_28          the first octant's angle is that of Q and floor(s r / 256) more, or that of
                                     2^32 - 1 and 255 where n = d; the result is that of the octant, rounded    by bits
 
-The errors are added up for each interval of the table, in units of 2^-39. That of the cubic against the arc tangent is
-expanded beside PIECES points of each interval: the fourth derivative of the difference is the arc tangent's alone, which
-is below 4.7. s is the slope from the interval's begin, not the one at t, and is cut: what it adds errs by the difference of
-both, at most. Then every eighth instruction is left out in turn, all of those that are run, and bytes of the table changed, and
-each time the proof must fail.
+The errors are added up for each interval of the table, in units of 2^-39. That of the cubic against
+the arc tangent is expanded around PIECES points of each interval: the fourth derivative of the
+difference is that of the arc tangent alone, which is below 4.7. s is the slope from the start of
+the interval, not that at t, and is truncated: its contribution errs by at most the difference of
+the two. Then every eighth instruction is left out in turn, all of those that are run, and bytes of
+the table are changed, and each time the proof must fail.
 """
 
 import sys
@@ -56,7 +59,7 @@ RECORD, PIECES, FOURTH = 12, 64, 4.7
 
 
 class Calling(Bits):
-    """Knows of what it calls only what is proven."""
+    """Knows only what is proven about the functions it calls."""
     looked_up = 256
 
     def __init__(self, program):
@@ -163,7 +166,7 @@ def dividend(m):
 
 
 def at_digit(m, q):
-    """E, the digits so far, and what is left below the last of them if that is right."""
+    """E, the digits so far, and the remainder below the last of them if that is right."""
     m.zero(ZERO, *range(17, q - 5))
     e = m.number(E)
     m.hold(1, e)
@@ -200,7 +203,7 @@ def remainder(m):
 
 
 class Cubic(Linear):
-    """Takes the record's bytes one after the other, whatever they are."""
+    """Takes the bytes of the record one after the other, whatever their values."""
 
     def next(self, size):
         """The number of the next bytes."""
@@ -267,7 +270,7 @@ def fall(m):
 
 
 def taken(m, record_read):
-    """Z is moved by reading alone, and all that is given is read."""
+    """Z moves only by reading, and everything given is read."""
     demand((m.registers[30], m.registers[31]) == record_read and next(m.record, None) is None)
 
 
@@ -304,7 +307,7 @@ def climbed(m):
 
 
 def bound(program):
-    """Of the result, in units of 2^-28, from the table and from what is proven."""
+    """The error bound of the result, in units of 2^-28, from the table and from what is proven."""
     value, slope, bend, twist = (part.astype(float)[:, None] for part in rows(program))
     demand((value + slope < 2.0**39).all())
     begin = numpy.arange(256)[:, None] / 256
@@ -336,7 +339,7 @@ def bound(program):
 
 
 def unnoticed(program):
-    """Bytes of the table that may be another by 1 although that is 2^-31."""
+    """Bytes of the table that may differ by 1 unnoticed although that is 2^-31."""
     flash, first = program.flash, program.labels[ARCTANGENT]
     found = []
     for place in (first + RECORD * i + byte for i in range(0, 256, 16) for byte in (0, 1, 4, 8)):

@@ -5,7 +5,7 @@ vectors of two and three components, from the instructions and their tables.
 
 usage: prove_lengths.py
 
-What is said of the registers at each label; v is the vector, at address 0:
+The statements about the registers at each label; v is the vector, at address 0:
 
     component   S is the sum of the squares before Z                                             by bits
     square      x is the magnitude of the component that Z has passed, below 2^23                by linear forms
@@ -16,8 +16,9 @@ What is said of the registers at each label; v is the vector, at address 0:
     step        n = N - r (r + 1) - 1 modulo 2^32, not negative                                  by linear forms
     done        likewise, negative                                                               by linear forms
 
-At `near`, 0 <= sqrt(N) - r < 13, so that n is between -2^25 and 2^29 and its four bytes have its sign; from there on
-r (r - 1) < N or r = 0, and n falls. At `done`, N <= r (r + 1): r is nearest, as a root is never an integer and a half.
+At `near`, 0 <= sqrt(N) - r < 13, so n is between -2^25 and 2^29 and its four bytes have its sign;
+from there on r (r - 1) < N or r = 0, and n decreases. At `done`, N <= r (r + 1): r is nearest,
+since a root is never an integer plus one half.
 
 From the first component of 2^23 or more on:
 
@@ -35,10 +36,11 @@ From the first component of 2^23 or more on:
     half        r = floor(T / 2^k), its fraction f; r or r + 1 is returned where f < 1/4 or >= 3/4   by bits
     signed      n - r (r + 1) - 1 modulo 2^32                                                    by linear forms
 
-T is less than OFF off 2^8 sqrt(2^8 M), for which `normalised` holds 1/64 back for what is rounded downward; what is cut is
-worth CUT / 256. Shifted, both are less than 1/4 - 1/256, for the bits behind f: where f is below 1/4 or not below 3/4, the
-nearest integer is known. Between, sqrt(n) is less than 1/2 off r + 1/2, so that the four bytes have the sign. Where T is 1
-less, k ones lead its fraction: from k = 2 on it is rounded up to what it should be. With k = 1, r is 2^31 - 1 and sqrt(n) lies
+T is less than OFF off 2^8 sqrt(2^8 M), for which `normalised` reserves 1/64 for rounding downward;
+the truncated part is worth CUT / 256. Shifted, both are less than 1/4 - 1/256, for the bits after
+f: if f is below 1/4 or not below 3/4, the nearest integer is known. In between, sqrt(n) is less
+than 1/2 off r + 1/2, so the four bytes have the sign. If T is 1 less, k ones lead its fraction:
+from k = 2 on it is rounded up to the correct value. With k = 1, r is 2^31 - 1 and sqrt(n) is
 between it and 2^31, and both are returned as 2^31 - 1.
 
 Then instructions are left out in turn, and each time the proof must fail.
@@ -404,7 +406,7 @@ def long_signed(m):
 
 
 def of(count):
-    """The stretches of the length of so many components, and their cuts."""
+    """The stretches of the length of that many components, and their cuts."""
     name = f"fixedpoint_length{count}_q16_16"
     component_at = [name, *(f".Lcomponent{i}" for i in range(1, count)), ROOT]
     stretches, cuts = [], []
@@ -452,7 +454,7 @@ def main():
     by_bits = (ROOT, ".Lback", LONG, ".Lnext", ".Lsum", ".Leighth", ".Lfine", ".Lshift", ".Lsigned")
     for count in (3, 2):
         name, own, cuts = of(count)
-        # What is shared is proven once.
+        # Shared code is proven once.
         labels = [label for label, *_ in own + (SHARED + LONGER if count == 3 else [])]
         domains = {label: Bits if label in by_bits or label == name or label.startswith(".Lcomponent")
                    else Arrays if label in (".Ltable", ".Lnormalised", ".Lturn") else Bounded for label in labels}

@@ -1,12 +1,12 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Proves that fixedpoint_divide_q32_32 returns the quotient rounded to nearest, ties upward, clamped,
-for all pairs of operands, from its instructions and its table.
+"""Proves that fixedpoint_divide_q32_32 returns the quotient rounded to nearest, half up, and
+saturated, for all pairs of operands, from its instructions and its table.
 
 usage: prove_long_quotients.py short|long    the code for divisors below 2^40; that for others, and the entry
 
-What is said of the registers at each label (stretches.py); n = |a|, d = |b|, T: the signs differ.
-Q = 2^32 n / d is to be found; c digits are to come, at least one. Of divisors below 2^40:
+The statements about the registers at each label (stretches.py); n = |a|, d = |b|, T: the signs
+differ. Q = 2^32 n / d is sought; c digits remain, at least one. For divisors below 2^40:
 
     short         d < 2^40; n 2^32 / d is in range where n < 2^31 d
     in_range      Q = n 256^(c-1) / d, and d of c bytes more is D, once multiplied by 2^k
@@ -18,13 +18,14 @@ Q = 2^32 n / d is to be found; c digits are to come, at least one. Of divisors b
     high          the same, and R < 0, but above -D / 2^7: the digit that is kept is g - 1
     .Lcompare     U < D; .Lround_up: U is negative, and the last digit that is kept is 1 less
 
-So each digit makes row' = 256 row - (2^64 D - 1) g; behind a high one, the digits g - 1 and 256 - t make
-256 g - t, which is what was subtracted. By induction the last row is 256^c row - (2^64 D - 1) G, with G
-of all digits. As 256^c row is divisible by 2^64, and G < 2^63, the lower bytes are G, and U = D (Q - G).
+So each digit turns row into row' = 256 row - (2^64 D - 1) g; after a digit that is too high, the
+digits g - 1 and 256 - t give 256 g - t, which is what was subtracted. By induction the last row is
+256^c row - (2^64 D - 1) G, where G consists of all digits. Since 256^c row is divisible by 2^64,
+and G < 2^63, the lower bytes are G, and U = D (Q - G).
 
-Others: the same without a row, as all bytes to come are 0; the digits are on the stack, above what
-was saved, and at the end there are 7 bytes, with zeros in front. Q <= 2^55. U = D (Q - G), likewise.
-Then instructions are left out in turn, and each time the proof must fail.
+Others: the same without a row, since all further bytes are 0; the digits are on the stack, above
+the saved registers, and at the end there are 7 bytes, with leading zeros. Q <= 2^55. U = D (Q - G),
+likewise. Then instructions are left out in turn, and each time the proof must fail.
 """
 
 import sys
@@ -120,7 +121,7 @@ def short(m):
 
 
 def out_of_range(m):
-    """The quotient is not below 2^63, or 0 / 0."""
+    """The quotient is at least 2^63, or 0 / 0."""
     n = m.number(Q)
 
     def check(m, end):
@@ -397,7 +398,7 @@ def congruent(form, modulus):
 
 
 def rounded(of, m, up):
-    """The remainder rounds; where it is negative, upward."""
+    """The remainder rounds; if it is negative, upward."""
     left, d, quotient = begin_last(of, m)
     m.hold(128, m.registers[of.d[-1]])
     m.hold(1, d - left)

@@ -1,10 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Proves how much fixedpoint_normalise3_q8_8 and _q16_16 err at most, for all vectors, from their instructions and tables.
+"""Proves error bounds of fixedpoint_normalise3_q8_8 and _q16_16 for all vectors, from their
+instructions and tables.
 
 usage: prove_normalise.py
 
-What is said of the registers at each label; v is the vector, at address 0:
+The statements about the registers at each label; v is the vector, at address 0:
 
     bits, bytes      the magnitudes, that of the smallest number 1 less, and the signs         by bits
     scaled           X = these 2^k, cut to 24 bits in Q16.16, the largest in its upper half    by bits
@@ -13,9 +14,10 @@ What is said of the registers at each label; v is the vector, at address 0:
     sign             floor((x R - what is dropped) / UNIT + 1/2), x a component of X           by linear forms
     next, return     that with its sign, stored                                                by bits
 
-|X| is known from s but for what is dropped; R |X| / ONE is how much longer than 1 the result is. A magnitude that is 1 less
-than it should be, or cut after 23 bits, turns the vector: unit vectors of a and b differ by |a - b| / sqrt(|a| |b|) at most.
-Then instructions are left out in turn, and each time the proof must fail.
+|X| is known from s except for the dropped part; R |X| / ONE is the length of the result. A
+magnitude that is 1 too small, or truncated to 23 bits, rotates the vector: unit vectors of a and b
+differ by at most |a - b| / sqrt(|a| |b|). Then instructions are left out in turn, and each time the
+proof must fail.
 """
 
 import sys
@@ -92,7 +94,8 @@ def scaled(before, after, signs, m):
 
 
 def components(m, vector, largest):
-    """The numbers, whose highest bytes are below 128, that of the largest one 64 at least."""
+    """The numbers; their highest bytes are below 128, and that of the largest one is at least
+    64."""
     for place in vector:
         m.registers[place[-1]] = m.variable("high", 127)
     high = m.registers[vector[largest][-1]]
@@ -130,7 +133,7 @@ def long_squares(m, largest):
 
 
 def bounded(number_format, product, low, high, one, lost, turn):
-    """`product` is R |X| where |X|^2 or 4 |X|^2 is `low` to `high`."""
+    """`product` is R |X| if |X|^2 or 4 |X|^2 is in `low`..`high`."""
     unit = {"q8_8": 2**8, "q16_16": 2**16}[number_format]
     longer, shorter = (product * numpy.sqrt(high) / one - 1).max(), (1 - product * numpy.sqrt(low) / one).max()
     bound = 0.5 + unit * (max(longer, shorter + lost / one) + turn) + 1e-6
@@ -216,7 +219,7 @@ def begin_sign(m):
 
 
 def stored(m, end, place, value, negative):
-    """Demands that the value, or its opposite, and nothing else has been stored from `place` on."""
+    """Checks that the value, or its negative, and nothing else has been stored from `place` on."""
     value = z3.If(negative, -value, value)
     wrong = [z3.Or(where != place + i, byte != z3.Extract(8 * i + 7, 8 * i, value)) for i, (where, byte) in enumerate(m.stored)]
     demand(8 * len(m.stored) == value.size() and m.impossible(z3.Or(*wrong)))

@@ -7,17 +7,18 @@ usage: prove_products.py [--kernel NAME]
 
 The kernel's instructions are executed with every register holding a linear form: a combination of
 the bytes of operands, the bytes that multiplications return, and carry flags, all of them integer
-variables. A multiplication is not looked into: whatever byte of a and byte of b it takes, its two
-result bytes and its sign are variables, and they make up the product. The exact sum is a linear form
-of the same products; those that are not formed have weights beyond the result, or a factor that is
-known. Where the code asks for an operand's sign, or whether a byte is 0 or -1, both answers are followed. What remains is one statement without products of
-variables,
+variables. Multiplications are opaque: for any byte of a and byte of b, the two result bytes and the
+sign are variables that together form the product. The exact sum is a linear form of the same
+products; products that are not computed have weights beyond the result, or a known factor. If the
+code tests the sign of an operand, or whether a byte is 0 or -1, both answers are followed. What
+remains is one statement without products of variables,
 
     0 <= (sum a b + 2^(F-1) - 2^F result) mod 2^(F+W) < 2^F.
 
-Carries that the code drops are in it with a factor other than 0. Each is shown to be 0, in the order
-in which they arise, then the statement itself, by linear programming over the rationals: z3 need not
-search. Then instructions are left out in turn, and each time the proof must fail.
+Carries that the code drops occur in it with a nonzero factor. Each is shown to be 0, in the order
+in which they arise, and then the statement itself is shown, by linear programming over the
+rationals: z3 need not search. Then instructions are left out in turn, and each time the proof must
+fail.
 """
 
 import argparse
@@ -35,8 +36,8 @@ from form import Form, known
 from machine_code import CALL_SAVED, Unprovable, disassemble
 
 SOURCE = Path(__file__).parent.parent / "src"
-STEPS = 3000  # more than any kernel takes
-# Which leave the flags that a branch reads.
+STEPS = 3000  # more steps than any kernel takes
+# Instructions that set the flags that a branch reads.
 KEEP_FLAGS = {"mov", "movw", "ldi", "ld", "ldd", "push", "pop", "nop", "clt", "set", "rjmp", "brts", "brtc",
               "brpl", "brmi", "breq", "brne", "sbrs", "sbrc"}
 
@@ -52,8 +53,8 @@ class Pointer:
 
 
 class Machine:
-    """One path through a kernel; `answers` says what is so where the code asks: of an operand, whether it
-    is negative, of a byte and a number, whether they are equal."""
+    """One path through a kernel; `answers` gives the results of the tests in the code: whether an
+    operand is negative, and whether a byte equals a number."""
 
     def __init__(self, kernel, code, answers):
         self.kernel, self.code = kernel, code
@@ -379,7 +380,7 @@ class Machine:
 
 
 class Undecided(Exception):
-    """What the code asks of the operands."""
+    """A test of the operands in the code whose result is not known."""
 
 
 class Kernel:
@@ -396,7 +397,7 @@ class Kernel:
         self.c = range(3 * first - 52, 3 * first - 52 + self.size)
         self.entry = None
         self.visited = set()   # addresses
-        self.answered = set()  # questions of which the answer is that the result is right
+        self.answered = set()  # queries whose answer is that the result is right
 
     def place_operands(self, machine):
         registers = machine.registers
@@ -455,7 +456,7 @@ class Kernel:
         machine.conclude()
 
 
-# Of three shifts to the right, rational numbers say too little.
+# For three right shifts, the rationals are too weak.
 KERNELS = [Kernel(operation, *split)
            for operation, splits in [
                ("multiply", [*SPLITS_16, *SPLITS_32, (32, 32)]),
@@ -464,8 +465,8 @@ KERNELS = [Kernel(operation, *split)
                ("dot3", [(8, 8), (16, 16), (8, 24), (32, 32)])]
            for split in splits if split[1] % 8 != 3]
 
-# How many instructions are left out, spread evenly over a kernel: all of the short ones. The macros of
-# the others have instructions that some splits do not need.
+# The number of instructions that are left out, spread evenly over a kernel: all of them in short
+# kernels. The macros of the others contain instructions that some splits do not need.
 MUTATIONS = {"multiply_q8_8": 99, "multiply_q16_16": 99, "multiply_q8_24": 12, "multiply_q32_32": 8,
              "multiply_add_q16_16": 99, "dot3_q16_16": 30, "dot3_q8_24": 8, "dot3_q32_32": 8}
 
@@ -480,7 +481,7 @@ def assembled(folder):
 
 
 def survivors(kernel, code, count):
-    """The instructions without which the proof still goes through, of `count` that are left out."""
+    """The instructions without which the proof still succeeds, among `count` that are left out."""
     addresses = sorted(a for a in kernel.visited if code[a][0] != "ret")
     found = []
     for address in addresses[::-(-len(addresses) // count)]:

@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Proves that fixedpoint_divide_q16_16 returns the quotient rounded to nearest, ties upward, clamped,
-for all pairs of operands, from its instructions and its table.
+"""Proves that fixedpoint_divide_q16_16 returns the quotient rounded to nearest, half up, and
+saturated, for all pairs of operands, from its instructions and its table.
 
 usage: prove_quotients.py
 
-What is said of the registers at each label (stretches.py), in the order of the code:
+The statements about the registers at each label (stretches.py), in the order of the code:
 
     magnitudes            n = |a|, d = |b|, T: the signs differ
     short, medium, long   n < 2^15 d where d < 2^16; n / d is as before
@@ -14,9 +14,9 @@ What is said of the registers at each label (stretches.py), in the order of the 
     digit                 x = n w at the first; at each, n w 2^16 = (the digits above) D + x, scaled
     return                n w 2^16 / D = n 2^16 / d differs from the result by 1/2 at most
 
-A tie n 2^16 / d - 1/2 = an integer needs d divisible by 2^17, thus not a short one. Nor does rounding
-carry the result beyond 2^31: n / d <= 2^15 - 1/d where d < 2^16; else n <= 2^31 without both extremes.
-Then instructions are left out in turn, and each time the proof must fail.
+A tie, n 2^16 / d - 1/2 an integer, requires d divisible by 2^17, so d is not short. Nor does
+rounding carry the result beyond 2^31: n / d <= 2^15 - 1/d if d < 2^16; otherwise n <= 2^31,
+excluding both extremes. Then instructions are left out in turn, and each time the proof must fail.
 """
 
 import sys
@@ -30,14 +30,14 @@ from stretches import Linear, equal, zeros
 
 NAME = "fixedpoint_divide_q16_16"
 TABLE = "fixedpoint_reciprocal_table"
-# Every eighth instruction is left out, but for those that skip digits of 0, clear what is 0 already, or
-# test such bytes.
+# Every eighth instruction is left out, except those that skip digits of 0, clear what is already 0,
+# or test such bytes.
 EVERY = 8
 NEEDLESS = ("breq", "eor", "or", "ret")
 
 
 class Reciprocals(Linear):
-    """What its table holds for what is looked up."""
+    """The contents of its table for the index looked up."""
 
     def look_up(self, d):
         page = self.registers[31].get(1, 0) - (self.program.labels[TABLE] >> 8)
@@ -68,7 +68,7 @@ MANY = 1 << 64
 
 
 class Size:
-    """The code for divisors of one size, D = 2^k - E: in which registers its numbers are."""
+    """The code for divisors of one size, D = 2^k - E: the registers of its numbers."""
 
     def __init__(self, name, k, **registers):
         self.name, self.k, self.top = name, k, B[k // 8 - 2]
@@ -105,7 +105,7 @@ def entry(m):
 
 
 def magnitudes(m):
-    """n / d, or the clamped result"""
+    """n / d, or the saturated result"""
     m.zero(1)
     n, d = m.number(A), m.number(B)
     m.hold(0, n, 1 << 31)
@@ -241,7 +241,7 @@ def stretches():
 
 
 def check_table(program):
-    """What Reciprocals says of it."""
+    """Checks what Reciprocals assumes about the table."""
     page = program.flash[program.labels[TABLE]:][:512]
     for i, (p, v) in enumerate(zip(page[:256], page[256:])):
         demand(i == 0 or 128 <= p * i <= 256 - p)

@@ -5,9 +5,10 @@ their instructions.
 
 usage: prove_remainders.py
 
-n and d are the operands' magnitudes, k the bits that d is moved up by: D = d 2^k. Of n, S has been taken off, which is q D,
-q being the quotient so far: that is not looked into, but as D is halved q doubles, and S takes up D where q takes up 1.
-What is said at each label:
+n and d are the magnitudes of the operands, and k is the number of bits by which d is shifted left:
+D = d 2^k. S = q D has been subtracted from n, where q is the quotient so far. The product is
+opaque, but when D is halved q doubles, and when q is incremented S increases by D. The statements
+at each label:
 
     bytes, bits    D has not lost a bit, the dividend is n, q is 0
     down           n = S + the dividend, which is less than D
@@ -43,13 +44,13 @@ def magnitude(number):
 
 
 class Division:
-    """What is so at the labels of one kernel, of which `quotient` and `floored` say what it returns."""
+    """The statements at the labels of one kernel; `quotient` and `floored` say what it returns."""
 
     def __init__(self, name, quotient, floored):
         self.name, self.quotient, self.floored = name, quotient, floored
 
     def begin(self, label, m):
-        """The stretch's check, of registers that hold what is said at the label."""
+        """The check of the stretch, from registers that satisfy the statement at the label."""
         n, d = z3.BitVecs("n d", 32)
         negative = z3.Bools("a_negative b_negative")
         taken = z3.BitVec("taken", 32)

@@ -5,8 +5,8 @@ a >= 0, and 0 for all others, from its instructions and its tables.
 
 usage: prove_roots.py
 
-What is said of the registers at each label (stretches.py), in the order of the code; s the root so
-far, of k bytes, and X = 2^7 (N 2^(16 (k - 4)) - s^2), by as many bytes more as are still in use:
+The statements about the registers at each label (stretches.py), in the order of the code; s is the
+root so far, of k bytes, and X = 2^7 (N 2^(16 (k - 4)) - s^2), extended by the bytes still in use:
 
     seed      N = a 2^e >= 2^62; the root of 2^(16 (count - 2)) N, times shift / 256, is that of 2^32 a
     square    s^2 <= N / 2^32 < (s + 4)^2, by trying the highest two bytes of N
@@ -19,9 +19,9 @@ far, of k bytes, and X = 2^7 (N 2^(16 (k - 4)) - s^2), by as many bytes more as 
     .Lcompare, .Lshift_root    all digits are there; of the longest roots, 2 X is compared with s
     return    floor(root of N' + 1/2), where s = floor(root of N'), and N' - s^2 = X / 2^7 if it is needed
 
-As a square is never an integer and 1/4, there are no ties. The root of k bytes times shift / 256,
-rounded, is that of the exact root, rounded: what is below the bit that rounds does not matter.
-Then instructions are left out in turn, and each time the proof must fail.
+Since a square is never an integer plus 1/4, there are no ties. The root of k bytes times shift /
+256, rounded, is that of the exact root, rounded: bits below the rounding bit do not matter. Then
+instructions are left out in turn, and each time the proof must fail.
 """
 
 import sys
@@ -61,7 +61,7 @@ class Digit:
         self.root = ROOT[k - 1::-1]
 
     def product(self, m, s, digit):
-        """What X loses with a digit."""
+        """The amount subtracted from X for a digit."""
         return (m.times(s, digit) * 512 + m.times(digit, digit)) * (1 << self.longer + 7)
 
 
@@ -91,7 +91,7 @@ def entry(m):
 
 
 def counted(m, digits):
-    """`count` says how many digits are to come, up to all of `digits`; with T, all."""
+    """`count` is the number of digits that remain, up to all of `digits`; with T, all."""
     if m.transfer:
         m.registers[COUNT] = known(digits)
     else:
@@ -219,7 +219,7 @@ def less_digit(of, m):
 
 
 def digit_taken(of, m, x, s):
-    """What is left of X with a digit, if that is less than 0, or not."""
+    """The remainder of X after a digit, if that is negative, or if it is not."""
     for statement in remains(x, s, of.longer + 23):
         m.hold(*statement)
     same, shift = kept(m, *of.root, *KEPT, INVERSE), kept(m, *KEPT)

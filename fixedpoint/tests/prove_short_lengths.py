@@ -5,7 +5,7 @@
 
 usage: prove_short_lengths.py
 
-What is said of the registers at each label; v is the vector, at address 0:
+The statements about the registers at each label; v is the vector, at address 0:
 
     component   S is the sum of the squares before X; `count` components are left            by linear forms
     magnitude   x is the magnitude of the component that X has passed                        by linear forms
@@ -15,9 +15,10 @@ What is said of the registers at each label; v is the vector, at address 0:
     back        R = floor(sqrt(M))                                                           by running it
     return      floor((R + 2^(k - 1)) / 2^k), at most 2^15 - 1
 
-The last is floor(sqrt(S) + 1/2), as a floor of a floor is; a square is never an integer and 1/4, so there are
-no ties. Of M, the lowest byte plays no part up to `last`: what is said there must hold with 0 and with 255.
-Then instructions are left out in turn, and each time the proof must fail.
+The last is floor(sqrt(S) + 1/2), since nested floors can be merged; a square is never an integer
+plus 1/4, so there are no ties. The lowest byte of M does not matter up to `last`: the statement
+there must hold with 0 and with 255. Then instructions are left out in turn, and each time the proof
+must fail.
 """
 
 import sys

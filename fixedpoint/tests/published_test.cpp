@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The published arithmetic against plain definitions in 128-bit integers, and its mended defects.
+// The published arithmetic against plain definitions in 128-bit integers, and the defects corrected
+// in it.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,7 +20,7 @@ namespace {
 namespace published = fixedpoint::published;
 __extension__ using Wide = __int128;
 
-// The quotient truncated toward zero, the low bits of it: C's own division of wide integers.
+// The low bits of the quotient truncated toward zero: C's own division of wide integers.
 template <class Raw>
 Raw truncated(Wide numerator, Wide denominator) {
     return static_cast<Raw>(numerator / denominator);
@@ -40,7 +41,7 @@ std::vector<Raw> operands(int count) {
                             static_cast<Raw>(Limits::min() + 1)};
     std::mt19937_64 random(32);
     for (int i = 0; i < count; ++i) {
-        // Of every magnitude.
+        // Operands of every magnitude.
         values.push_back(static_cast<Raw>(static_cast<std::int64_t>(random()) >> (random() % 64)));
     }
     return values;

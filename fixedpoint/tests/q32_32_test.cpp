@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The functions of Q32.32, which have kernels of their own, against functions of 113 bits: a
-// million operands each, a tenth where they are compositions, those beside the limits of the tables
-// among them. accuracy_test's exact values would take an hour for as many.
+// million operands each, or a tenth of that for compositions, including those near the interval
+// limits of the tables. The exact values of accuracy_test would take an hour for as many.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -49,7 +49,8 @@ Real powf128(Real, Real) noexcept;
 constexpr Real one = Real(int64_t(1) << 32);
 constexpr int64_t largest = fixedpoint::RawLimits<int64_t>::max;
 
-// Under a sanitizer the first part of the operands will do, of which the pinned one need not be.
+// Under a sanitizer the first part of the operands is enough, and it need not include the pinned
+// one.
 void expect_pinned(double worst, double largest_error, const std::string& witness) {
     EXPECT_LE(worst, 0.65);
     EXPECT_LE(worst, largest_error + 1e-6) << witness;
@@ -62,8 +63,8 @@ struct Function {
     const char* name;
     int64_t (*compute)(int64_t a, int64_t b);
     Real (*exact)(Real a, Real b);  // NaN outside the domain
-    // An operand at the limit of two intervals of a table: index from 0 to 2047, scale from 0
-    // to 61.
+    // An operand at the limit of two intervals of a table. index must be in 0..2047, scale in
+    // 0..61.
     double (*limit)(int index, int scale);
     double largest_error;
     int operands = 1'000'000;
@@ -80,7 +81,7 @@ class Operands {
                 return {a, near(a)};
             case 1:
                 return {a, wrapping(0 - static_cast<uint64_t>(near(a)))};
-            case 2:  // the ratio next to a limit of the arc tangent's table
+            case 2:  // the ratio near an interval limit of the arc tangent table
                 return {near(static_cast<int64_t>(std::ldexp(double(a), -8) *
                                                   double(random_() % 513) * 0.5)),
                         a};
@@ -103,7 +104,8 @@ class Operands {
                 return wrapping(random_()) >> random_() % 64;
             case 3:
                 return wrapping(random_()) >> (24 + random_() % 8);
-            default: {  // one after the other, whatever order a compiler has for arguments
+            default: {  // in separate statements: the order of evaluation of arguments is
+                        // unspecified
                 const int scale = static_cast<int>(random_() % 62);
                 const int index = static_cast<int>(random_() % 2048);
                 return near(static_cast<int64_t>(function_.limit(index, scale)));
@@ -123,7 +125,7 @@ double limit_of_angle(int index, int) { return std::ldexp((index - 1024) * (M_PI
 double limit_of_binary_exponent(int index, int scale) {
     return std::ldexp((scale - 31) - index / 256.0 / M_LN2 / (index % 2 == 0 ? 1 : 256), 32);
 }
-// Where the power of two or a table's entry becomes another.
+// Where the power of two or the table entry changes.
 double limit_of_exponent(int index, int scale) {
     return std::ldexp((scale - 31) * M_LN2 - index / 256.0 / (index % 2 == 0 ? 1 : 256), 32);
 }
@@ -215,8 +217,8 @@ INSTANTIATE_TEST_SUITE_P(
         ELEMENTARY(tan, limit_of_angle, 0.613114736)),
     [](const auto& function) { return std::string(function.param.name); });
 
-// Bases beside 1, beside the limits of the first factor's intervals and anywhere, each with an
-// exponent for which the power has every magnitude or lies in the highest octaves.
+// Bases near 1, near the interval limits of the first factor, and anywhere, each with an exponent
+// that gives powers of every magnitude or in the highest octaves.
 TEST(Pow, IsAsFarFromTheExactValueAsPinned) {
     std::mt19937_64 random(64);
     double worst = 0;
@@ -252,7 +254,7 @@ TEST(Pow, IsAsFarFromTheExactValueAsPinned) {
     expect_pinned(worst, 0.594226753, testing::PrintToString(witness));
 }
 
-// A power that is a number of the format is that number; where the format ends, it ends.
+// A power that is a number of the format is that number; at the limits of the format it saturates.
 TEST(Pow, IsExactWhereTheFormatHoldsIt) {
     const auto pow = [](int64_t a, int64_t b) {
         return fixedpoint::Nearest::pow<int64_t, 32>(a, b);
@@ -288,7 +290,8 @@ TEST(Pow, IsExactWhereTheFormatHoldsIt) {
     EXPECT_EQ(pow(unit + 1, INT64_MAX), 7081203937);
 }
 
-// Beside a pole, of small angles and of any, where the tangent has every magnitude and beyond.
+// Near a pole, for small and for arbitrary angles, with tangents of every magnitude and out of
+// range.
 TEST(Tan, IsAsFarFromTheExactValueAsPinnedBesidePoles) {
     std::mt19937_64 random(11);
     const Real half_pi = 2 * atan2f128(1, 1), limit = Real(largest);
@@ -321,7 +324,7 @@ TEST(Tan, IsAsFarFromTheExactValueAsPinnedBesidePoles) {
     expect_pinned(worst, 0.625557042, std::to_string(witness));
 }
 
-// Where a composition ends, and the first result beyond: 31 and 32 ln 2, 34 ln 2 / 2, poles.
+// The last operand of a composition and the first beyond it: 31 and 32 ln 2, 34 ln 2 / 2, poles.
 TEST(Limits, LieWhereResultsLeaveTheRange) {
     using fixedpoint::Nearest;
     const auto expm1 = [](int64_t a) { return Nearest::expm1<int64_t, 32>(a); };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whether a result fits, in every split of 16, 32 and 64 bits: operands on both sides of the limit
-// against exact arithmetic. For 8 bits checked_test.cpp asks for every operand.
+// Whether a result is in range, in every split of 16, 32 and 64 bits: operands on both sides of the
+// limit against exact arithmetic. For 8 bits checked_test.cpp covers every operand.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -99,7 +99,7 @@ TEST_P(Range, Atan2OnBothSidesOfTheLimit) {
                 y / std::tan(std::ldexp(1.0L, integer_bits - 1)) * (y < 0 ? -1 : 1);
             if (std::abs(at) > std::ldexp(0.99L, width - 1)) continue;
             for (int offset = -3; offset <= 3; ++offset) {
-                // Of 64 bits the limit is known to 2^-61, a few units of x.
+                // For 64 bits the limit is known to 2^-61, a few units of x.
                 const int64_t x = std::llround(at) + (width == 64 ? 16 * offset + 8 : offset);
                 ASSERT_EQ(split.atan2_fits(y, x), exact::atan2(y, x, split.format).fits)
                     << y << " " << x;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Recorded numbers compute as the number within, and tell every range by name and line.
+// Recorded numbers compute as the wrapped number does, and record every range by name and line.
 #include <fixedpoint.h>
 #include <gtest/gtest.h>
 
@@ -75,7 +75,7 @@ TEST_F(RecordedTest, LinesAndNamesAreTold) {
     EXPECT_EQ(recording().operations, operations);
 }
 
-// The result within is that of the format; what is recorded is exact.
+// The wrapped result is that of the format; the recorded one is exact.
 TEST_F(RecordedTest, AFormatIsToldOfWhatItLoses) {
     const Recorded<Q8_8> large(100_q8_8), small(0.05_q8_8);
     EXPECT_EQ((large + large).value(), 100_q8_8 + 100_q8_8);  // wrapped

@@ -16,7 +16,7 @@ std::string name(exact::Format format) {
     return std::to_string(format.width) + " bits, F = " + std::to_string(format.fraction);
 }
 
-// Operands, and those whose exact result lies beside half an ulp: (r + 1/2)^2 / 2^F.
+// Operands, including those whose exact result is close to a tie: (r + 1/2)^2 / 2^F.
 std::vector<int64_t> radicands(exact::Format format) {
     std::vector<int64_t> numbers = exact::raws(format.width);
     std::mt19937_64 random(16);
@@ -38,7 +38,7 @@ TEST(Sqrt, RoundsToNearest) {
          })) {
         SCOPED_TRACE(name(subject.format));
         for (const int64_t a : radicands(subject.format)) {
-            // r is the root where (r - 1/2)^2 < a 2^F < (r + 1/2)^2.
+            // r is the root if (r - 1/2)^2 < a 2^F < (r + 1/2)^2.
             const __int128 root = subject.compute(&a);
             if (a <= 0) {
                 ASSERT_EQ(int64_t(root), 0) << a;
@@ -86,7 +86,7 @@ std::vector<std::array<int64_t, 3>> vectors(int width) {
             for (const int64_t z : edges) all.push_back({x, y, z});
         }
     }
-    // One long component and short ones: a unit vector beside an axis.
+    // One long component and short ones: a unit vector near an axis.
     for (int64_t short_one = 0; short_one < 40; ++short_one) {
         for (const int64_t x : {least, least + 1, most})
             all.push_back({short_one, x, -short_one / 2});
@@ -122,7 +122,7 @@ TEST(Length, RoundsToNearestSaturated) {
     }
 }
 
-// The component that stands in v[3].
+// The component that is in v[3].
 template <class Raw, int F>
 int64_t component(const int64_t* v) {
     Raw raw[3] = {Raw(v[0]), Raw(v[1]), Raw(v[2])};
@@ -138,7 +138,7 @@ TEST(Normalise, RoundsToNearestOrStaysWithinItsBound) {
         const bool is_nearest = width >= 32 ? F > width - 5 : F > 13;
         const bool is_q8_8 = width == 16 && F == 8;
         const bool through_q16_16 = !is_nearest && width < 32;
-        // 0.9 ulp of Q16.16 beside half an ulp of a narrow format.
+        // 0.9 ulp of Q16.16 in addition to half an ulp of a narrow format.
         const double bound = is_nearest               ? 0.5
                              : is_q8_8                ? 0.75
                              : through_q16_16         ? 0.5 + std::ldexp(0.9, F - 16)
@@ -162,7 +162,7 @@ TEST(Normalise, RoundsToNearestOrStaysWithinItsBound) {
     }
 }
 
-// -1 is a number where 1 is none.
+// A format that can represent -1 but not 1.
 TEST(Normalise, HoldsMinusOneWithOneIntegerBit) {
     for (const Subject& subject : subjects(
              []<class Raw, int F>(const int64_t* v) -> int64_t { return component<Raw, F>(v); })) {

@@ -30,7 +30,7 @@ TEST(Serial, PrintsTheShortestTextOrSoManyDecimals) {
     EXPECT_EQ(print(serial, -0.38_q16_16), 5u);
     EXPECT_EQ(print(serial, 2.5_q4_4, 3), 5u);
     EXPECT_EQ(serial.characters, "-0.382.500");
-    // From as many decimals as bits on, a number is exact: no buffer overflows.
+    // With as many decimals as fraction bits a number is exact, so the buffer cannot overflow.
     serial.characters.clear();
     print(serial, Q8_8::ulp(), 255);
     EXPECT_EQ(serial.characters, "0.00390625");

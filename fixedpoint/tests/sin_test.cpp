@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// sin, cos and sincos: faithful, and never beyond +-1.
+// sin, cos and sincos are faithful and never outside [-1, 1].
 #include <fixedpoint/kernel/dispatch.hpp>
 
 #include "accuracy.hpp"
@@ -10,7 +10,7 @@ using namespace fixedpoint;
 
 constexpr exact::Function sine = exact::Function::sin, cosine = exact::Function::cos;
 
-// Both at once, whose parts are checked here; a result that no bound allows where they are wrong.
+// Checks that sincos agrees with sin and cos; returns a result outside every bound if it does not.
 template <class Raw, int F>
 int64_t sine_or_cosine(Raw angle, int which) {
     Raw both[2] = {};
@@ -22,7 +22,7 @@ int64_t sine_or_cosine(Raw angle, int which) {
     return agree && within_one ? int64_t(both[which]) : INT64_MIN / 2 + 12345;
 }
 
-// At the peak the sum of the fine splits' core leaves the signed numbers.
+// At the peak the sum in the core of the fine splits exceeds the signed range.
 static_assert(kernel::cos<int64_t, 31>(0) == int64_t(1) << 31, "");
 static_assert(kernel::cos<int64_t, 56>(0) == int64_t(1) << 56, "");
 

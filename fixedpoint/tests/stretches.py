@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""Proofs about machine code that multiplies, a stretch at a time.
+"""Proofs about machine code that multiplies, one stretch at a time.
 
-The code is cut at its labels. Of the stretch behind each, every path is followed with the registers
-holding linear forms of bytes, of products of bytes and of carries. Where the registers at a cut hold
-what is said of it, they must hold at the next what is said there: a statement of linear inequalities,
-which z3 decides over the rationals once it knows which carries must be 0, and which must be 1.
+The code is cut at its labels. In the stretch after each label, every path is followed, with the
+registers containing linear forms of bytes, of products of bytes and of carries. If the registers
+satisfy the statement at a cut, they must satisfy the statement at the next one. That is a set of
+linear inequalities, which z3 decides over the rationals once it knows which carries must be 0 and
+which must be 1.
 """
 
 import copy
@@ -18,7 +19,7 @@ from form import Form, known
 from machine_code import Machine, Unprovable, demand
 
 
-# What z3 is told, made once for all cases: that takes longer than to decide it.
+# The input of z3, built once for all cases: building takes longer than deciding.
 real = cache(z3.Real)
 
 
@@ -96,7 +97,7 @@ class Linear(Machine):
         return total
 
     def monomial(self, x, y):
-        """Of two variables, of which each may be the constant 1."""
+        """The product of two variables, each of which may be the constant 1."""
         if 1 in (x, y):
             return Form({y if x == 1 else x: 1})
         name = "*".join(sorted((*x.split("*"), *y.split("*"))))
@@ -114,7 +115,8 @@ class Linear(Machine):
         return prod(self.ranges[part] for part in name.split("*"))
 
     def bring(self, factor):
-        """What is known of bytes, carries and the high bytes of products, times a form that is not negative."""
+        """The known facts about bytes, carries and the high bytes of products, times a non-negative
+        form."""
         for low, fact, high in self.facts[:]:
             if None not in (low, high) and len(fact) > 1 and max(str(name).count("*") for name in fact) < 2:
                 product = self.times(fact, factor)
@@ -278,7 +280,8 @@ class Linear(Machine):
         return [(following, self)]
 
     def apart(self, d, r):
-        """Whether the registers have no bit in common: one is a multiple of more than the other can be."""
+        """Whether the registers have no bit in common: one is a multiple of a number that exceeds
+        the other."""
         upper, lower = self.registers[d], self.registers[r]
         return (len(lower) == 0 or 1 not in lower and len(lower) == 1 and lower[name := next(iter(lower))] == 1 and
                 gcd(256, *upper.values()) > self.most(name))
@@ -303,7 +306,8 @@ class Linear(Machine):
     # Conclusions
 
     def possible(self, given):
-        """Whether the path can be, where what is given holds. It holds in what is asked from then on."""
+        """Whether the path is feasible under the given conditions, which are assumed from then
+        on."""
         self.solver, self.told = z3.SolverFor("QF_LRA"), {}
         self.fixed = {}  # carries that are known
         for low, form, high in (*self.facts, *given):
@@ -374,13 +378,14 @@ class Linear(Machine):
             self.hold(*statement)
 
     def same(self, form, other, modulus):
-        """Both are equal, as they are so modulo a power of two, and differ by less than it."""
+        """Both are equal, since they are congruent modulo a power of two and differ by less than
+        it."""
         demand(self.constant(form - other, modulus) == 0)
         self.learn((1 - modulus, form - other, modulus - 1))
         self.hold(0, form - other, 0)
 
     def constant(self, form, modulus):
-        """The number that the form is modulo a power of two."""
+        """The constant to which the form is congruent modulo a power of two."""
         for settled in (False, True):
             rest = known(0)
             for name, factor in form.items():
@@ -396,11 +401,12 @@ class Linear(Machine):
 
 
 class Bounded(Linear):
-    """Where a form is a byte whatever its variables are, products are of it; where a sum always or never leaves a carry,
-    that is known."""
+    """If a form is a byte for all values of its variables, products are formed of it; if a sum
+    always or never leaves a carry, that is known."""
 
     def carried(self, form):
-        """The multiple of 256 that is in the form whatever its variables are; None where it depends on them."""
+        """The multiple of 256 in the form for all values of its variables; None if it depends on
+        them."""
         least, most = form.get(1, 0), sum(factor * (1 if name == 1 else self.most(name)) for name, factor in form.items())
         return least >> 8 if min(form.values(), default=0) >= 0 and least >> 8 == most >> 8 else None
 
@@ -428,7 +434,7 @@ def zeros(m, registers):
 
 
 def kept(m, *registers):
-    """What shows that the registers are as they are now."""
+    """A check that the registers are as they are now."""
     before = {register: m.registers[register] for register in registers}
     transfer = m.transfer
 

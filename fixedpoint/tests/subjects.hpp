@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One operation in many formats as a table of plain functions, so that a test is compiled once and
-// loops over the formats at run time; and the operands that such tests go through.
+// loops over the formats at run time; and the operands of such tests.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ void add_subjects(std::vector<Subject>& subjects, Wrap wrap, std::integer_sequen
     (subjects.push_back(subject<Raw, F>(wrap)), ...);
 }
 
-// Every split of 8 bits, and of the wider numbers the ends, the middle and splits that are not
+// Every split of 8 bits, and for wider numbers the extremes, the middle and splits that are not
 // whole bytes.
 template <class Wrap>
 std::vector<Subject> subjects(Wrap wrap) {
@@ -58,8 +58,8 @@ std::vector<Subject> subjects_of_every_split(Wrap wrap) {
     return all;
 }
 
-// All pairs of 8-bit numbers; of wider ones pairs of boundary and random numbers, and each with 0,
-// 1, -1 and the limits.
+// All pairs of 8-bit numbers. For wider ones, pairs of boundary and random numbers, and each of
+// them with 0, 1, -1 and the limits.
 template <class Check>
 void for_each_pair(int width, Check check) {
     if (width == 8) {
@@ -78,7 +78,7 @@ void for_each_pair(int width, Check check) {
     for (std::size_t n = 0; n < numbers.size(); n += exact::operand_step) {
         const int64_t a = numbers[n];
         for (int i = 0; i < 4; ++i) check(a, numbers[random() % numbers.size()]);
-        // Uniform operands, as no other class is.
+        // Uniformly distributed operands; the other classes are not.
         check(static_cast<int64_t>(random()) >> (64 - width),
               static_cast<int64_t>(random()) >> (64 - width));
         for (const int64_t b : edges) {

@@ -3,7 +3,8 @@
 """Runs every generator of tables/ in a copy of the folder and compares what it writes, byte for
 byte, with the files under src/. Every file there that says DO NOT EDIT must have been written.
 
-Usage: tables_test.py [FILE], with a generator or a generated file: only what depends on that."""
+Usage: tables_test.py [FILE], with a generator or a generated file: checks only what depends on
+it."""
 
 import re
 import shutil
@@ -19,14 +20,14 @@ WRITER = re.compile(r"DO NOT EDIT(?:: written by (?:python3 )?fixedpoint/tables/
 
 
 def generated_files():
-    """With the name of the generator that each says it was written by."""
+    """The generated files, with the name of the generator that each states."""
     files = [path for path in (LIBRARY / "src").rglob("*") if path.is_file()]
     return {path.relative_to(LIBRARY): found[1] for path in files
             if (found := WRITER.search(path.read_text(encoding="utf-8")))}
 
 
 def dependents(name):
-    """The generators that import that one, by others too, and itself."""
+    """The generators that import the given one, directly or indirectly, and itself."""
     found = {name}
     for path in (LIBRARY / "tables").glob("*.py"):
         if re.search(rf"^(import|from) {name[:-3]}\b", path.read_text(encoding="utf-8"), re.MULTILINE):
@@ -35,7 +36,8 @@ def dependents(name):
 
 
 def regenerate(copy, chosen):
-    """Generators write below the folder beside their own. Returns those that fail."""
+    """Runs the chosen generators, which write to the folder next to their own. Returns those that
+    fail."""
     shutil.copytree(LIBRARY / "tables", copy / "tables")
     for path in (LIBRARY / "src").rglob("*"):
         if path.is_dir():

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One sum and one product in every arithmetic: what happens where the result leaves the format.
+// One sum and one product in every arithmetic: what happens if the result is out of range.
 #include <fixedpoint.h>
 
 #include <fixedpoint/arithmetic/checked.hpp>
@@ -33,8 +33,8 @@ struct Results {
 void setup() {
     Serial.begin(115200);
     Results<Nearest>::show("Nearest");            // the default: rounds, and sums wrap
-    Results<Saturating>::show("Saturating");      // stays at the end of the range
-    Results<Checked<Counting>>::show("Checked");  // tells what left it
+    Results<Saturating>::show("Saturating");      // stays at the limit of the range
+    Results<Checked<Counting>>::show("Checked");  // reports results out of range
     Results<Small>::show("Small");                // functions without tables
     Results<Published>::show("Published");        // the baseline for comparison
     Serial.print(events);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The attitude of a body that turns at a constant rate, as a quaternion that stays normalised; what
-// it does to a vector, and the same vector through the inverse of a matrix; and a phasor beside it.
+// The attitude of a body that rotates at a constant rate, as a quaternion that stays normalised; a
+// vector rotated by it, and the same vector through the inverse of a matrix; and, separately, a
+// phasor.
 #include <fixedpoint.h>
 
 #include <fixedpoint/blocks/complex.hpp>
@@ -10,7 +11,7 @@
 using namespace fixedpoint;
 using namespace fixedpoint::literals;
 
-// Half of 0.02 rad about (1, 2, 2) / 3.
+// Half of a rotation by 0.02 rad about (1, 2, 2) / 3.
 static const Quaternion<Q16_16> turn = {
     {0.99995_q16_16, 0.003333_q16_16, 0.006667_q16_16, 0.006667_q16_16}};
 static const Complex<Q16_16> phasor_turn = {{0.9998_q16_16, 0.019999_q16_16}};

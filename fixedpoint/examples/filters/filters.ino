@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One noisy input through three filters, for the serial plotter, 500 times a second: a low-pass of
-// the first order, one of the second, and the mean of 16 inputs; and its cube, by a polynomial.
+// One noisy input through three filters, for the serial plotter, 500 times a second: a first-order
+// low-pass filter, a second-order one, and the mean of 16 inputs; and its cube, by a polynomial.
 #include <fixedpoint.h>
 
 #include <fixedpoint/blocks/biquad.hpp>
@@ -12,7 +12,7 @@ using namespace fixedpoint;
 using namespace fixedpoint::literals;
 
 static OnePole<Q16_16> first_order(0.06_q16_16);  // 5 Hz
-// Butterworth, 10 Hz at 500 Hz. A format that saturates cannot be thrown off by a large input.
+// Butterworth, 10 Hz at 500 Hz. In a saturating format, a large input cannot upset the filter.
 using Signal = Fixed<16, 16, Saturating>;
 static Biquad<Signal> second_order({convert<Signal>(0.00362168_q32_32),
                                     convert<Signal>(0.00724336_q32_32),
@@ -20,7 +20,7 @@ static Biquad<Signal> second_order({convert<Signal>(0.00362168_q32_32),
                                     convert<Signal>(-1.82269493_q32_32),
                                     convert<Signal>(0.83718165_q32_32)});
 static MovingAverage<Q16_16, 16> mean;
-// x^3. The finer format of the coefficients leaves one rounding, that of the result.
+// x^3. With the finer format of the coefficients, only the rounding of the result matters.
 using Fine = Fixed<8, 24>;
 static const Table<Fine, 4> cube FIXEDPOINT_PROGRAM_MEMORY = {
     {Fine(), Fine(), Fine(), Fine::from_raw(1L << 24)}};

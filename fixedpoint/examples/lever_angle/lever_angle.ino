@@ -8,7 +8,7 @@ using namespace fixedpoint::literals;
 void setup() { Serial.begin(115200); }
 
 void loop() {
-    // Readings of 0..1023 stand for -0.5 m to 0.5 m.
+    // Readings of 0..1023 represent -0.5 m to 0.5 m.
     const Q16_16 x = convert<Q16_16>(analogRead(A0) - 512) / 1024.0_q16_16;
     const Q16_16 y = convert<Q16_16>(analogRead(A1) - 512) / 1024.0_q16_16;
 

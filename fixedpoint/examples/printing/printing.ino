@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Reads a number from the serial monitor, and prints it and its root in three ways: to the last
-// bit, with so many decimals, and as something Printable.
+// bit, with a given number of decimals, and as a Printable.
 #include <fixedpoint.h>
 
 using namespace fixedpoint;

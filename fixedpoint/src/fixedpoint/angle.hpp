@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Angles in turns and in degrees, and a type that is one. A number's fraction of a turn is its
-/// angle, so that no angle is too large: sines are exact at every quarter turn, in the range of the
-/// format and beyond.
+/// Angles in turns and in degrees, and Turn, a type for an angle. Only the fractional part of a
+/// number of turns matters, so no angle is too large, and sines are exact at every quarter turn.
 #pragma once
 
 #include <fixedpoint/kernel/turns.hpp>
@@ -41,25 +40,25 @@ template <class Number>
 using AngleOfVector = kernel::AngleOfVector<typename Number::Raw, Number::fraction_bits>;
 /// \endcond
 
-/// The sine of any angle in turns, faithful (error below 0.75 ulp), never beyond -1 and 1; exact at
-/// whole numbers of quarter turns, saturated where the format does not hold 1.
+/// The sine of any angle in turns, faithful (error below 0.75 ulp), never outside [-1, 1]; exact at
+/// multiples of a quarter turn, but saturated if the format cannot represent 1.
 template <int IntegerBits, int F, class A>
 FIXEDPOINT_CONSTEXPR Fixed<IntegerBits, F, A> sin_turns(Fixed<IntegerBits, F, A> angle) {
     return sine_of_phase<Fixed<IntegerBits, F, A>>(turns_phase(angle));
 }
-/// The cosine of any angle in turns, as sin_turns.
+/// The cosine of any angle in turns, with the properties of sin_turns.
 template <int IntegerBits, int F, class A>
 FIXEDPOINT_CONSTEXPR Fixed<IntegerBits, F, A> cos_turns(Fixed<IntegerBits, F, A> angle) {
     return cosine_of_phase<Fixed<IntegerBits, F, A>>(turns_phase(angle));
 }
-/// Sine and cosine of any angle in turns, each as sin_turns.
+/// The sine and the cosine of any angle in turns: what sin_turns and cos_turns return.
 template <int IntegerBits, int F, class A>
 FIXEDPOINT_CONSTEXPR SineAndCosine<Fixed<IntegerBits, F, A>> sincos_turns(
     Fixed<IntegerBits, F, A> angle) {
     return sine_and_cosine_of_phase<Fixed<IntegerBits, F, A>>(turns_phase(angle));
 }
-/// The angle of the vector (x, y) in turns, from -1/2 to 1/2, faithful (error below 0.75 ulp, with
-/// 63 fraction bits below 1 ulp); exact on the axes, and 0 where both are 0.
+/// The angle of the vector (x, y) in turns, from -1/2 to 1/2, faithful (error below 0.75 ulp; below
+/// 1 ulp with 63 fraction bits); exact on the axes, and 0 if both are 0.
 template <int IntegerBits, int F, class A>
 FIXEDPOINT_CONSTEXPR Fixed<IntegerBits, F, A> atan2_turns(Fixed<IntegerBits, F, A> y,
                                                           Fixed<IntegerBits, F, A> x) {
@@ -67,26 +66,27 @@ FIXEDPOINT_CONSTEXPR Fixed<IntegerBits, F, A> atan2_turns(Fixed<IntegerBits, F, 
     return Number::from_raw(AngleOfVector<Number>::in_turns(y.raw(), x.raw()));
 }
 
-/// The sine of any angle in degrees, faithful (error below 0.75 ulp), never beyond -1 and 1; exact
-/// at multiples of 90, saturated where the format does not hold 1. More than 54 fraction bits do
-/// not compile. A division makes turns of degrees: turns are cheaper.
+/// The sine of any angle in degrees; the format must not have more than 54 fraction bits. Faithful
+/// (error below 0.75 ulp), never outside [-1, 1]; exact at multiples of 90, but saturated if the
+/// format cannot represent 1. Degrees are first divided down to turns: sin_turns is cheaper.
 template <int IntegerBits, int F, class A>
 FIXEDPOINT_CONSTEXPR Fixed<IntegerBits, F, A> sin_degrees(Fixed<IntegerBits, F, A> angle) {
     return sine_of_phase<Fixed<IntegerBits, F, A>>(degrees_phase(angle));
 }
-/// The cosine of any angle in degrees, as sin_degrees.
+/// The cosine of any angle in degrees, with the properties of sin_degrees.
 template <int IntegerBits, int F, class A>
 FIXEDPOINT_CONSTEXPR Fixed<IntegerBits, F, A> cos_degrees(Fixed<IntegerBits, F, A> angle) {
     return cosine_of_phase<Fixed<IntegerBits, F, A>>(degrees_phase(angle));
 }
-/// Sine and cosine of any angle in degrees, each as sin_degrees.
+/// The sine and the cosine of any angle in degrees: what sin_degrees and cos_degrees return.
 template <int IntegerBits, int F, class A>
 FIXEDPOINT_CONSTEXPR SineAndCosine<Fixed<IntegerBits, F, A>> sincos_degrees(
     Fixed<IntegerBits, F, A> angle) {
     return sine_and_cosine_of_phase<Fixed<IntegerBits, F, A>>(degrees_phase(angle));
 }
-/// The angle of the vector (x, y) in degrees, from -180 to 180, faithful (error below 0.75 ulp),
-/// saturated; exact on the axes, and 0 where both are 0. More than 54 fraction bits do not compile.
+/// The angle of the vector (x, y) in degrees, from -180 to 180; the format must not have more than
+/// 54 fraction bits. Faithful (error below 0.75 ulp), saturated; exact on the axes, and 0 if both
+/// are 0.
 template <int IntegerBits, int F, class A>
 FIXEDPOINT_CONSTEXPR Fixed<IntegerBits, F, A> atan2_degrees(Fixed<IntegerBits, F, A> y,
                                                             Fixed<IntegerBits, F, A> x) {
@@ -94,11 +94,11 @@ FIXEDPOINT_CONSTEXPR Fixed<IntegerBits, F, A> atan2_degrees(Fixed<IntegerBits, F
     return Number::from_raw(AngleOfVector<Number>::in_degrees(y.raw(), x.raw()));
 }
 
-/// An angle: raw / 2^Bits of a turn, with Bits = 16 or 32. What lies beyond a turn wraps around, as
-/// angles do.
+/// An angle of raw / 2^Bits turns; Bits must be 16 or 32. Whole turns are dropped, as befits an
+/// angle.
 template <int Bits>
 class Turn {
-    static_assert(Bits == 16 || Bits == 32, "A turn has 16 or 32 bits.");
+    static_assert(Bits == 16 || Bits == 32, "A Turn has 16 or 32 bits.");
 
   public:
     /// The unsigned integer of Bits bits.
@@ -111,13 +111,13 @@ class Turn {
     /// The angle in 2^-Bits turns.
     constexpr Raw raw() const { return raw_; }
 
-    /// The angle of so many turns, rounded to nearest, half up.
+    /// The angle of that many turns, rounded to nearest, half up, less its whole turns.
     template <int IntegerBits, int F, class A>
     static constexpr Turn from_turns(Fixed<IntegerBits, F, A> turns) {
         return Turn(portable::convert<Raw, Bits, Integer<IntegerBits + F>, F>(turns.raw()));
     }
-    /// The angle in turns, in [-1/2, 1/2), rounded to nearest, half up, as the arithmetic of Number
-    /// converts.
+    /// The angle in turns, in [-1/2, 1/2), converted to Number by its arithmetic (Nearest: rounded
+    /// to nearest, half up).
     template <class Number>
     constexpr Number turns() const {
         return Number::from_raw(
@@ -126,7 +126,7 @@ class Turn {
                 static_cast<Integer<Bits>>(raw_)));
     }
 
-    /// The sum, the difference, the opposite and the multiple, each less its whole turns.
+    /// The exact sum, difference, negative and integer multiple, each less its whole turns.
     /// @{
     friend constexpr Turn operator+(Turn a, Turn b) {
         return Turn(static_cast<Raw>(a.raw_ + b.raw_));
@@ -147,14 +147,15 @@ class Turn {
     FIXEDPOINT_CONSTEXPR Turn& operator+=(Turn b) { return *this = *this + b; }
     FIXEDPOINT_CONSTEXPR Turn& operator-=(Turn b) { return *this = *this - b; }
     /// @}
-    /// Whether the two are the same angle. Angles on a circle have no order.
+    /// Whether the two are the same angle. There is no operator<, since angles on a circle have no
+    /// order.
     /// @{
     friend constexpr bool operator==(Turn a, Turn b) { return a.raw_ == b.raw_; }
     friend constexpr bool operator!=(Turn a, Turn b) { return a.raw_ != b.raw_; }
     /// @}
 
     /// \cond internal
-    // The phase that a sine's core takes; bits that are too fine for it are cut.
+    // The phase that the core of the sine takes; bits too fine for it are truncated.
     template <class Core>
     constexpr typename Core::Phase phase() const {
         return Core::phase_bits >= Bits
@@ -172,17 +173,17 @@ class Turn {
     Raw raw_;
 };
 
-/// The sine of an angle as a number: sin<Q16_16>(angle), as sin_turns.
+/// The sine of an angle as a number, as in sin<Q16_16>(angle), with the properties of sin_turns.
 template <class Number, int Bits>
 FIXEDPOINT_CONSTEXPR Number sin(Turn<Bits> angle) {
     return sine_of_phase<Number>(angle.template phase<CoreOf<Number>>());
 }
-/// The cosine of an angle as a number, as sin_turns.
+/// The cosine of an angle as a number, with the properties of sin_turns.
 template <class Number, int Bits>
 FIXEDPOINT_CONSTEXPR Number cos(Turn<Bits> angle) {
     return cosine_of_phase<Number>(angle.template phase<CoreOf<Number>>());
 }
-/// Sine and cosine of an angle as numbers, each as sin_turns.
+/// The sine and the cosine of an angle as numbers, with the properties of sin_turns.
 template <class Number, int Bits>
 FIXEDPOINT_CONSTEXPR SineAndCosine<Number> sincos(Turn<Bits> angle) {
     return sine_and_cosine_of_phase<Number>(angle.template phase<CoreOf<Number>>());

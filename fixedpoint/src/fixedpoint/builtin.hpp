@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// BuiltinNumber<T>: says of the integers and floating-point types of the language that they are
-// such, without <type_traits>, which the chip's compiler does not have. Its member types are the
-// results of deleted functions: their names stand in the compiler's first line and say what to
+// BuiltinNumber<T>: classifies the integer and floating-point types of the language without
+// <type_traits>, which the chip's compiler does not have. Its member types are the result types of
+// deleted functions: their names appear in the first line of the compiler's error and say what to
 // write instead.
 #pragma once
 
@@ -11,8 +11,8 @@ struct Refused;
 
 enum class BuiltinKind : unsigned char {
     none,
-    integer,    // what counts: an operand beside a fixed-point number
-    character,  // and truth values: integers to the language, but no quantities
+    integer,    // a quantity: may be mixed with a fixed-point number
+    character,  // and bool: integers to the language, but not quantities
     floating_point
 };
 
@@ -59,8 +59,8 @@ template <> struct BuiltinNumber<double> : BuiltinNumberOf<BuiltinKind::floating
 template <> struct BuiltinNumber<long double> : BuiltinNumberOf<BuiltinKind::floating_point> {};
 // clang-format on
 
-// Result where Number is an integer that an operator takes beside a fixed-point number; nothing,
-// and then the operator is none, where it is not.
+// Result if Number is an integer that may be mixed with a fixed-point number; otherwise there is no
+// Type, which removes the operator from overload resolution.
 template <class Number, class Result, BuiltinKind = BuiltinNumber<Number>::kind>
 struct BesideInteger {};
 template <class Number, class Result>
@@ -68,7 +68,7 @@ struct BesideInteger<Number, Result, BuiltinKind::integer> {
     using Type = Result;
 };
 
-// The numbers that no operator takes beside a fixed-point number.
+// The built-in numbers that may not be mixed with a fixed-point number.
 template <class Number, BuiltinKind = BuiltinNumber<Number>::kind>
 struct NotBesideFixed : BuiltinNumber<Number> {};
 template <class Number>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Mathematical constants, rounded to nearest from 60 digits: constants::pi<Q16_16>(). One beyond
-/// the range of its format does not compile.
+/// Mathematical constants, rounded to nearest from 60 digits: constants::pi<Q16_16>(). A constant
+/// outside the range of its format does not compile.
 #pragma once
 
 #include <fixedpoint/fixed.hpp>
@@ -9,12 +9,13 @@
 
 namespace fixedpoint {
 
-/// Mathematical constants in every format that holds them.
+/// Mathematical constants in every format that can represent them.
 namespace constants {
 
 /// \cond internal
-// As a literal of the format, and within the range. The text is no argument of a template, which
-// C++11 does not have, but of a function that is one return statement.
+// Parsed like a literal, and checked against the range. The text is an argument of a function,
+// since C++11 does not accept it as a template argument, and that function is a single return
+// statement.
 template <class Number>
 constexpr portable::DecimalWord<typename Number::Raw> magnitude(const char* digits, int count) {
     return portable::parse_literal<typename Number::Raw, Number::fraction_bits>(digits,
@@ -65,7 +66,7 @@ template <class Number>
 constexpr Number golden_ratio() {
     return FIXEDPOINT_CONSTANT("1.61803398874989484820458683436563811772030917980576286213545");
 }
-/// 180 / pi: an angle in radians times this is one in degrees.
+/// 180 / pi: multiply an angle in radians by it to get degrees.
 template <class Number>
 constexpr Number degrees_per_radian() {
     return FIXEDPOINT_CONSTANT("57.2957795130823208767981548141051703324054724665643215491602");

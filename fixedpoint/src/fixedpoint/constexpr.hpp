@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// FIXEDPOINT_CONSTEXPR: constexpr from C++14 on. C++11 allows a constant expression no more than a
-// return statement; there, functions of several statements run when the program does, with the same
-// results. Literals are constants in every standard.
+// FIXEDPOINT_CONSTEXPR: constexpr from C++14 on. In C++11 a constexpr function must be a single
+// return statement; functions of several statements are therefore evaluated at run time there, with
+// the same results. Literals are constants in every standard.
 #pragma once
 
 #if __cplusplus >= 201402L
@@ -10,8 +10,8 @@
 #define FIXEDPOINT_CONSTEXPR inline
 #endif
 
-// FIXEDPOINT_IN_PLACE: the same of a function whose result of several bytes its caller takes apart,
-// which would pass through memory if it was called.
+// FIXEDPOINT_IN_PLACE: the same, always inlined. For a function that returns several values
+// together, which would pass through memory in an actual call.
 #ifdef __GNUC__
 #define FIXEDPOINT_IN_PLACE FIXEDPOINT_CONSTEXPR __attribute__((always_inline))
 #else

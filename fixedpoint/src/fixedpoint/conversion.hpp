@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Numbers of one kind as numbers of another: fixed-point formats, integers, float and double.
-/// Every conversion rounds to nearest, half up (to_float: half to even), and none is implicit.
+/// Conversions between fixed-point formats, integers, float and double. Every one rounds to
+/// nearest, half up (to_float: half to even), and none is implicit.
 ///
-/// Each comes in two forms. The plain one returns a number: where the source does not fit, convert
-/// does what the arithmetic of the target does (of the source, where the target is an integer), and
-/// from_float and from_decimal saturate; Checked notifies its hook of all of them. The one named
-/// _checked returns Converted: `number` is saturated, and `fits` says whether the source, rounded,
-/// is in the range.
+/// Each comes in two forms. The plain form returns a number. If the rounded source is out of range,
+/// convert leaves the result to the arithmetic of the target (of the source if the target is an
+/// integer), while from_float and from_decimal saturate; Checked notifies its hook in each case.
+/// The form named _checked returns Converted: `number` is saturated, and `fits` says whether the
+/// rounded source is in range.
 ///
-/// An integer rounded otherwise is convert<int>(floor(x)), and so on: see math.hpp.
+/// To round to an integer in another direction, write convert<int>(floor(x)) and the like: see
+/// math.hpp.
 #pragma once
 
 #include <fixedpoint/fixed.hpp>
@@ -25,8 +26,8 @@ using portable::Converted;
 /// \endcond
 
 /// \cond internal
-// What conversions see in a number: a Raw and the bits behind its point, none in an integer. An
-// integer has no arithmetic of its own: that of the other side applies.
+// A number as conversions see it: a Raw and its fraction bits, 0 for an integer. An integer does
+// not have an arithmetic of its own; that of the other side applies.
 template <class Number>
 struct NumberFormat {
     static_assert(BuiltinNumber<Number>::is_integer,
@@ -51,8 +52,8 @@ struct NumberFormat<Fixed<IntegerBits, F, A>> {
 };
 /// \endcond
 
-/// The source rounded to the fraction bits of the target: convert<Q8_8>(x),
-/// convert<int>(x), convert<Q16_16>(38).
+/// The source rounded to the fraction bits of the target, as in convert<Q8_8>(x), convert<int>(x)
+/// or convert<Q16_16>(38). If it is out of range, the arithmetic decides (Nearest: modulo 2^W).
 template <class Target, class Source>
 constexpr Target convert(Source source) {
     using To = NumberFormat<Target>;
@@ -63,8 +64,8 @@ constexpr Target convert(Source source) {
         Arithmetic::template convert<typename To::Raw, To::fraction_bits, typename From::Raw,
                                      From::fraction_bits>(From::raw(source)));
 }
-/// The source rounded to the fraction bits of the target, in `number`, saturated; `fits` says
-/// whether it, rounded, is in the range.
+/// The source rounded to the fraction bits of the target and saturated; `fits` says whether the
+/// rounded source is in range.
 template <class Target, class Source>
 FIXEDPOINT_CONSTEXPR Converted<Target> convert_checked(Source source) {
     using To = NumberFormat<Target>;
@@ -75,8 +76,8 @@ FIXEDPOINT_CONSTEXPR Converted<Target> convert_checked(Source source) {
     return {To::number(result.number), result.fits};
 }
 
-/// The float or double x, rounded; NaN gives 0 and does not fit. Exact: x is taken apart by its
-/// bits.
+/// The float or double x, rounded to nearest, half up, and saturated; 0 if x is NaN. Correctly
+/// rounded: it works on the bits of x.
 template <class Target, class Float>
 constexpr Target from_float(Float x) {
     static_assert(!BuiltinNumber<Float>::is_integer,
@@ -84,8 +85,8 @@ constexpr Target from_float(Float x) {
     return Target::from_raw(
         Target::Arithmetic::template from_float<typename Target::Raw, Target::fraction_bits>(x));
 }
-/// The number nearest to x, half up, in `number`, saturated; `fits` is false where it is out of the
-/// range, and for NaN, whose number is 0.
+/// The float or double x, rounded to nearest, half up, and saturated; 0 if x is NaN. `fits` is
+/// false if the rounded x is out of range, and for NaN.
 template <class Target, class Float>
 FIXEDPOINT_CONSTEXPR Converted<Target> from_float_checked(Float x) {
     static_assert(!BuiltinNumber<Float>::is_integer, "from_float_checked takes a float or double.");
@@ -94,10 +95,10 @@ FIXEDPOINT_CONSTEXPR Converted<Target> from_float_checked(Float x) {
 }
 
 /// The constant x, an integer, float or double, rounded to nearest, half up: fixed<16, 16>(0.38).
-/// It does not compile where the format does not hold x, rounded, nor for NaN, nor where the
-/// compiler does not know x: from_float takes those. 0.38 is the float or double that C++ makes of
-/// it; a literal of literals.hpp is the decimal itself. In C++20 always evaluated by the compiler;
-/// before, where it is a constant expression or the compiler optimises.
+/// The compiler must know x, and the rounded x must be in range: otherwise, and for NaN, the call
+/// does not compile; use from_float there. 0.38 is first rounded to a float or double; a literal
+/// from literals.hpp is the decimal itself. C++20 always evaluates the call at compile time;
+/// earlier standards do if it is a constant expression or the compiler optimises.
 template <int IntegerBits, int FractionBits, class Arithmetic = Nearest, class Number>
 FIXEDPOINT_CONSTEVAL Fixed<IntegerBits, FractionBits, Arithmetic> fixed(Number x) {
     return Fixed<IntegerBits, FractionBits, Arithmetic>::from_raw(
@@ -105,21 +106,22 @@ FIXEDPOINT_CONSTEVAL Fixed<IntegerBits, FractionBits, Arithmetic> fixed(Number x
                            BuiltinNumber<Number>::kind>::raw(x));
 }
 
-/// The float or double nearest to x, half to even.
+/// The float or double nearest to x, half to even. Every format is within the range of float.
 template <class Float, int IntegerBits, int F, class A>
 constexpr Float to_float(Fixed<IntegerBits, F, A> x) {
     return portable::to_float<Float, Integer<IntegerBits + F>, F>(x.raw());
 }
 
-/// n / 10^decimals, rounded: from_decimal<Q16_16>(38, 2) is 0.38.
+/// n / 10^decimals for a signed integer n, rounded to nearest, half up, and saturated:
+/// from_decimal<Q16_16>(38, 2) is 0.38.
 template <class Target, class Int>
 constexpr Target from_decimal(Int n, uint8_t decimals) {
     return Target::from_raw(
         Target::Arithmetic::template from_decimal<typename Target::Raw, Target::fraction_bits>(
             n, decimals));
 }
-/// n / 10^decimals rounded to nearest, half up, in `number`, saturated; `fits` says whether it,
-/// rounded, is in the range.
+/// n / 10^decimals for a signed integer n, rounded to nearest, half up, and saturated; `fits` says
+/// whether the rounded value is in range.
 template <class Target, class Int>
 FIXEDPOINT_CONSTEXPR Converted<Target> from_decimal_checked(Int n, uint8_t decimals) {
     const auto result =

@@ -2,13 +2,13 @@
 /// \file
 /// Fixed<IntegerBits, FractionBits, Arithmetic>: a signed fixed-point number, value = raw / 2^F, in
 /// a two's-complement integer of IntegerBits + FractionBits = 8, 16, 32 or 64 bits. The sign counts
-/// as an integer bit. Arithmetic decides how results are rounded and what happens when they do not
-/// fit: see arithmetic/nearest.hpp for the rule that the default follows for every input.
+/// as an integer bit. Arithmetic decides how results are rounded and what happens to those out of
+/// range; arithmetic/nearest.hpp states the rule that the default follows for every input.
 ///
-/// Both operands of an operator have the same format and arithmetic, or one is an integer, which
-/// counts as itself whether the format holds it or not: only the result is held to the range. No
-/// conversion is implicit: use a literal of literals.hpp, from_integer or from_raw, and
-/// conversion.hpp for everything else.
+/// Both operands of an operator must have the same format and arithmetic, or one must be an
+/// integer. An integer keeps its exact value even if the format cannot represent it; only the
+/// result must be in range. No conversion is implicit: use a literal from literals.hpp,
+/// from_integer or from_raw, and conversion.hpp for everything else.
 #pragma once
 
 #include <fixedpoint/arithmetic/nearest.hpp>
@@ -22,26 +22,27 @@ namespace fixedpoint {
 struct convert_one_operand_to_the_format_of_the_other;
 /// \endcond
 
-/// A number raw / 2^FractionBits. The file says what its parameters mean; README.md, what each
-/// operation returns for every input.
+/// A number raw / 2^FractionBits. The comment at the top of this file explains the parameters;
+/// README.md lists what each operation returns for every input.
 template <int IntegerBits, int FractionBits, class ArithmeticPolicy = Nearest>
 class Fixed {
     static_assert(IntegerBits >= 1,
-                  "IntegerBits counts the sign and is at least 1: take a smaller unit, so that the "
-                  "point lies inside the integer.");
-    static_assert(FractionBits >= 0,
-                  "FractionBits is not negative: take a larger unit, so that the point lies inside "
-                  "the integer.");
+                  "IntegerBits counts the sign and must be at least 1: choose a smaller unit, so "
+                  "that the binary point is inside the integer.");
+    static_assert(
+        FractionBits >= 0,
+        "FractionBits must not be negative: choose a larger unit, so that the binary point "
+        "is inside the integer.");
 
   public:
     /// The two's-complement integer of IntegerBits + FractionBits bits: int8_t, int16_t, int32_t or
     /// int64_t.
     using Raw = Integer<IntegerBits + FractionBits>;
-    /// The arithmetic, which rounds results and decides what becomes of those that do not fit.
+    /// The arithmetic, which rounds results and decides what happens to those out of range.
     using Arithmetic = ArithmeticPolicy;
-    /// The bits in front of the point, the sign among them.
+    /// The bits before the binary point, including the sign.
     static constexpr int integer_bits = IntegerBits;
-    /// The bits behind the point: neighbours are 2^-fraction_bits apart.
+    /// The bits after the binary point: adjacent numbers are 2^-fraction_bits apart.
     static constexpr int fraction_bits = FractionBits;
 
     /// The number 0.
@@ -52,9 +53,9 @@ class Fixed {
     /// The number times 2^FractionBits, an integer.
     constexpr Raw raw() const { return raw_; }
 
-    /// The integer n, of any integer type. Where the format does not hold it, the arithmetic
+    /// The integer n, of any integer type. If the format cannot represent it, the arithmetic
     /// decides: Nearest takes n 2^F modulo 2^W, Saturating returns the nearest number, Checked
-    /// notifies.
+    /// wraps as Nearest does and notifies its hook.
     template <class Integral>
     static constexpr Fixed from_integer(Integral n) {
         static_assert(BuiltinNumber<Integral>::is_integer,
@@ -65,20 +66,20 @@ class Fixed {
 
     /// The largest number.
     static constexpr Fixed max() { return from_raw(RawLimits<Raw>::max); }
-    /// The smallest number, which has no positive counterpart.
+    /// The smallest number. Its negative is out of range.
     static constexpr Fixed min() { return from_raw(RawLimits<Raw>::min); }
-    /// The distance between neighbours, one unit in the last place.
+    /// The distance between adjacent numbers, one unit in the last place.
     static constexpr Fixed ulp() { return from_raw(1); }
 
-    /// The sum, exact; one out of the range as the arithmetic has it (Nearest: modulo 2^W).
+    /// The exact sum. If it is out of range, the arithmetic decides (Nearest: modulo 2^W).
     friend constexpr Fixed operator+(Fixed a, Fixed b) {
         return from_raw(Arithmetic::template add<Raw, FractionBits>(a.raw_, b.raw_));
     }
-    /// The difference, exact; one out of the range as the arithmetic has it (Nearest: modulo 2^W).
+    /// The exact difference. If it is out of range, the arithmetic decides (Nearest: modulo 2^W).
     friend constexpr Fixed operator-(Fixed a, Fixed b) {
         return from_raw(Arithmetic::template subtract<Raw, FractionBits>(a.raw_, b.raw_));
     }
-    /// The product, rounded once; one out of the range as the arithmetic has it (Nearest: modulo
+    /// The product, rounded once. If it is out of range, the arithmetic decides (Nearest: modulo
     /// 2^W).
     friend constexpr Fixed operator*(Fixed a, Fixed b) {
         return from_raw(Arithmetic::template multiply<Raw, FractionBits>(a.raw_, b.raw_));
@@ -88,26 +89,28 @@ class Fixed {
     friend constexpr Fixed operator/(Fixed a, Fixed b) {
         return from_raw(Arithmetic::template divide<Raw, FractionBits>(a.raw_, b.raw_));
     }
-    /// a - b trunc(a / b), exact, 0 or of the sign of a; a % 0 is a.
+    /// The exact remainder a - b trunc(a / b), which is 0 or has the sign of a; a % 0 is a.
     friend constexpr Fixed operator%(Fixed a, Fixed b) {
         return from_raw(Arithmetic::template remainder<Raw, FractionBits>(a.raw_, b.raw_));
     }
-    /// The negative; that of the smallest number as the arithmetic has it (Nearest: itself).
+    /// The exact negative. That of the smallest number is out of range, so the arithmetic decides
+    /// (Nearest: the number itself).
     constexpr Fixed operator-() const {
         return from_raw(Arithmetic::template negate<Raw, FractionBits>(raw_));
     }
     /// The number itself.
     constexpr Fixed operator+() const { return *this; }
 
-    /// a 2^count as the arithmetic shifts. A count may be of any integer type; from W on, all
-    /// counts mean the same, and a negative one counts as larger than W, as converted to unsigned
-    /// it is.
+    /// a 2^count. If it is out of range, the arithmetic decides (Nearest: modulo 2^W, 0 from count
+    /// = W on). The count may have any integer type. A negative one counts as larger than W, which
+    /// it is once converted to unsigned; all counts from W on give the same result.
     template <class Count>
     friend constexpr Fixed operator<<(Fixed a, Count count) {
         return from_raw(
             Arithmetic::template shift_left<Raw, FractionBits>(a.raw_, shift_count(count)));
     }
-    /// floor(a / 2^count) in units of one ulp, for every count.
+    /// a / 2^count, rounded downward. The count may have any integer type; from W on, and if it is
+    /// negative, the result is 0, or -1 ulp if a < 0.
     template <class Count>
     friend FIXEDPOINT_CONSTEXPR Fixed operator>>(Fixed a, Count count) {
         constexpr unsigned char last = RawLimits<Raw>::width - 1;
@@ -115,7 +118,7 @@ class Fixed {
             static_cast<Raw>(a.raw_ >> (shift_count(count) < last ? shift_count(count) : last)));
     }
 
-    /// The sum, exact; one out of the range as the arithmetic has it (Nearest: modulo 2^W).
+    /// The exact sum. If it is out of range, the arithmetic decides (Nearest: modulo 2^W).
     /// @{
     template <class Int>
     friend constexpr typename BesideInteger<Int, Fixed>::Type operator+(Fixed a, Int n) {
@@ -128,7 +131,7 @@ class Fixed {
         return a + n;
     }
     /// @}
-    /// The difference, exact; one out of the range as the arithmetic has it (Nearest: modulo 2^W).
+    /// The exact difference. If it is out of range, the arithmetic decides (Nearest: modulo 2^W).
     /// @{
     template <class Int>
     friend constexpr typename BesideInteger<Int, Fixed>::Type operator-(Fixed a, Int n) {
@@ -145,8 +148,7 @@ class Fixed {
                                !portable::is_negative_integer(n), Operation::subtract));
     }
     /// @}
-    /// The product, exact, for nothing is rounded; one out of the range as the arithmetic has it
-    /// (Nearest: modulo 2^W).
+    /// The exact product. If it is out of range, the arithmetic decides (Nearest: modulo 2^W).
     /// @{
     template <class Int>
     friend constexpr typename BesideInteger<Int, Fixed>::Type operator*(Fixed a, Int n) {
@@ -159,15 +161,15 @@ class Fixed {
         return a * n;
     }
     /// @}
-    /// The quotient, rounded once; a / 0 and the smallest number over -1 as of two numbers. An
-    /// integer over a number is refused: the integer may lie beyond the format, and its quotient in
-    /// it.
+    /// The quotient, rounded once and saturated; a / 0 is the largest number, the smallest, or 0,
+    /// by the sign of a. An integer divided by a number does not compile: the integer could be out
+    /// of range although the quotient is in range.
     template <class Int>
     friend constexpr typename BesideInteger<Int, Fixed>::Type operator/(Fixed a, Int n) {
         return from_raw(portable::divide_integer<Arithmetic>(a.raw_, n));
     }
 
-    /// As the operator without the equals sign, whose result this number becomes.
+    /// Assigns the result of the binary operator to this number.
     /// @{
     FIXEDPOINT_CONSTEXPR Fixed& operator+=(Fixed b) { return *this = *this + b; }
     FIXEDPOINT_CONSTEXPR Fixed& operator-=(Fixed b) { return *this = *this - b; }
@@ -200,7 +202,7 @@ class Fixed {
     }
     /// @}
 
-    /// Compares the values: exact, and false or true for every pair of numbers.
+    /// Compares the values, exactly. Every pair of numbers is ordered.
     /// @{
     friend constexpr bool operator==(Fixed a, Fixed b) { return a.raw_ == b.raw_; }
     friend constexpr bool operator!=(Fixed a, Fixed b) { return a.raw_ != b.raw_; }
@@ -210,7 +212,7 @@ class Fixed {
     friend constexpr bool operator>=(Fixed a, Fixed b) { return a.raw_ >= b.raw_; }
     /// @}
 
-    /// Compares the values: exact for every integer, in the range or not.
+    /// Compares the values, exactly, even if the integer is out of range.
     /// @{
     template <class Int>
     friend constexpr typename BesideInteger<Int, bool>::Type operator==(Fixed a, Int n) {
@@ -264,10 +266,10 @@ class Fixed {
     }
     /// @}
 
-    /// Other operands of two kinds do not compile: a product of two formats would hide in which of
-    /// the two it is rounded; a float would be rounded before the arithmetic sees it, or the number
-    /// become a float; a character or a truth value is no quantity. Nor is an integer made a number
-    /// where that might not hold it.
+    /// Other mixed operands do not compile. A product of two formats would hide in which of them it
+    /// is rounded. With a float, either the float would be rounded before the arithmetic sees it or
+    /// the number would become a float. A character or a bool is not a quantity. Integers do not
+    /// convert implicitly either, since the format might not represent them.
     template <class Number,
               class write_a_literal_or_from_integer_or_from_float =
                   typename BuiltinNumber<Number>::write_a_literal_or_from_integer_or_from_float>
@@ -323,7 +325,7 @@ class Fixed {
         return portable::integer_fits<Raw, FractionBits>(n);
     }
 
-    // What an unsigned char does not hold is beyond every width.
+    // A count that an unsigned char cannot represent exceeds every width.
     template <class Count>
     static constexpr unsigned char shift_count(Count count) {
         static_assert(BuiltinNumber<Count>::is_integer, "A shift takes an integer count.");
@@ -335,7 +337,7 @@ class Fixed {
 };
 
 /// \cond internal
-// Takes any stream of the C++ library, and ranks behind the operators of host/stream.hpp.
+// Matches any stream of the C++ library, with lower priority than the operators of host/stream.hpp.
 struct include_fixedpoint_host_stream_hpp {
     template <class Stream, class = decltype(static_cast<Stream*>(nullptr)->rdbuf())>
     include_fixedpoint_host_stream_hpp(Stream&);
@@ -348,7 +350,7 @@ void operator>>(include_fixedpoint_host_stream_hpp,
                 Fixed<IntegerBits, FractionBits, Arithmetic>&) = delete;
 /// \endcond
 
-// The formats of every width with equal halves, in the default arithmetic.
+// For each width, the format with as many integer bits as fraction bits, in the default arithmetic.
 
 /// 8 bits: -8 to 7.9375 in steps of 0.0625.
 using Q4_4 = Fixed<4, 4>;

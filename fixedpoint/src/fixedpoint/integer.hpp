@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The two's-complement integers that carry fixed-point numbers: Integer<Bits>, their unsigned
-// partners, the integer of twice the width, and the few wrapping operations that C++ leaves
-// undefined on signed types. Needs nothing but <stdint.h>, so that it compiles for the chip.
+// The two's-complement integers behind fixed-point numbers: Integer<Bits>, their unsigned
+// counterparts, the integer of twice the width, and the few wrapping operations that C++ leaves
+// undefined for signed types. Includes only <stdint.h>, so that it compiles for the chip.
 #pragma once
 
 #include <stdint.h>
 
 #include <fixedpoint/constexpr.hpp>
 
-// Macros of the Arduino core and of Windows that would break every function of these names, the
-// library's included. Integers and floats keep abs and round from <stdlib.h> and <math.h>.
+// Macros of the Arduino core and of Windows that would break every function of these names,
+// including the library's. Integers and floats keep abs and round from <stdlib.h> and <math.h>.
 #undef abs
 #undef max
 #undef min
@@ -85,7 +85,7 @@ constexpr Raw wrapping_negate(Raw a) {
     return wrapping_subtract(Raw(0), a);
 }
 
-// a 2^count modulo 2^W, 0 from count = W on.
+// a 2^count modulo 2^W; 0 from count = W on.
 template <class Raw>
 constexpr Raw wrapping_shift_left(Raw a, unsigned char count) {
     return count >= RawLimits<Raw>::width ? Raw(0)
@@ -93,29 +93,29 @@ constexpr Raw wrapping_shift_left(Raw a, unsigned char count) {
                                                 static_cast<Unsigned<Raw>>(a) << count));
 }
 
-// |a| as an unsigned number: exact for the smallest value too.
+// |a| as an unsigned number, exact even for the smallest value.
 template <class Raw>
 constexpr Unsigned<Raw> magnitude(Raw a) {
     return a < 0 ? static_cast<Unsigned<Raw>>(Unsigned<Raw>(0) - static_cast<Unsigned<Raw>>(a))
                  : static_cast<Unsigned<Raw>>(a);
 }
 
-// Whether one of the two is negative and the other is not. It looks at the highest byte alone: the
-// compiler for the chip would compare all of them.
+// Whether exactly one of the two is negative. Only the highest bytes are examined: the compiler for
+// the chip would compare all of them.
 template <class Raw>
 constexpr bool signs_differ(Raw a, Raw b) {
     return static_cast<int8_t>(static_cast<int8_t>(a >> (RawLimits<Raw>::width - 8)) ^
                                static_cast<int8_t>(b >> (RawLimits<Raw>::width - 8))) < 0;
 }
 
-// `magnitude` with the sign put back, modulo 2^W.
+// `magnitude` with the sign restored, modulo 2^W.
 template <class Raw>
 constexpr Raw with_sign(Unsigned<Raw> magnitude, bool negative) {
     return static_cast<Raw>(
         static_cast<Unsigned<Raw>>(negative ? Unsigned<Raw>(0) - magnitude : magnitude));
 }
 
-// The Raw nearest to a number of a wider type.
+// A number of a wider type, saturated to the range of Raw.
 template <class Raw, class Number>
 constexpr Raw clamped(Number number) {
     return number > RawLimits<Raw>::max   ? RawLimits<Raw>::max
@@ -123,7 +123,7 @@ constexpr Raw clamped(Number number) {
                                           : static_cast<Raw>(number);
 }
 
-// `magnitude` with the sign put back, saturated to what a Raw holds.
+// `magnitude` with the sign restored, saturated to the range of Raw.
 template <class Raw, class Magnitude>
 FIXEDPOINT_CONSTEXPR Raw clamped_with_sign(Magnitude magnitude, bool negative) {
     const Magnitude limit = static_cast<Magnitude>(RawLimits<Raw>::max);

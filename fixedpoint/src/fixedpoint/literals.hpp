@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Literals such as 0.38_q16_16, exact to the last bit: the compiler's characters are parsed, no
-/// double is involved, and the result is a constant. Always decimal, 017 being 17. The sign is not
-/// part of a literal: -0.38_q16_16 negates 0.38_q16_16, and the smallest number is written
+/// Literals such as 0.38_q16_16, exact to the last bit: the source characters are parsed, no double
+/// is involved, and the result is a constant. Literals are always decimal: 017 is 17. The sign is
+/// not part of a literal: -0.38_q16_16 negates 0.38_q16_16, and the smallest number is written
 /// Q16_16::min().
 ///
-/// A format of one's own gets its literal in one line:
+/// A format of your own gets its literal in one line:
 ///   template <char... Text>
 ///   constexpr Fixed<8, 24> operator""_q8_24() { return literal<Fixed<8, 24>, Text...>(); }
 #pragma once
@@ -29,7 +29,7 @@ struct LiteralText {
 template <char... Text>
 constexpr char LiteralText<Text...>::text[];
 
-// The raw number of a literal, a member so that it is always a constant.
+// The raw of a literal: a static member, so that it is always a constant.
 template <class Raw, int F, char... Text>
 struct LiteralRaw {
     static constexpr portable::DecimalWord<Raw> magnitude =
@@ -40,7 +40,8 @@ struct LiteralRaw {
 };
 /// \endcond
 
-/// The number that the characters say; what is not a decimal number in range does not compile.
+/// The number that the characters denote, rounded to nearest, half up. Anything but a decimal
+/// number in range does not compile.
 template <class Number, char... Text>
 constexpr Number literal() {
     static_assert(LiteralText<Text...>::is_decimal,
@@ -49,26 +50,26 @@ constexpr Number literal() {
         LiteralRaw<typename Number::Raw, Number::fraction_bits, Text...>::value);
 }
 
-/// The number rounded to nearest, half up. What is no decimal number in the range of Q4_4 does not
-/// compile.
+/// The number rounded to nearest, half up. Anything but a decimal number in the range of Q4_4 does
+/// not compile.
 template <char... Text>
 constexpr Q4_4 operator""_q4_4() {
     return literal<Q4_4, Text...>();
 }
-/// The number rounded to nearest, half up. What is no decimal number in the range of Q8_8 does not
-/// compile.
+/// The number rounded to nearest, half up. Anything but a decimal number in the range of Q8_8 does
+/// not compile.
 template <char... Text>
 constexpr Q8_8 operator""_q8_8() {
     return literal<Q8_8, Text...>();
 }
-/// The number rounded to nearest, half up. What is no decimal number in the range of Q16_16 does
-/// not compile.
+/// The number rounded to nearest, half up. Anything but a decimal number in the range of Q16_16
+/// does not compile.
 template <char... Text>
 constexpr Q16_16 operator""_q16_16() {
     return literal<Q16_16, Text...>();
 }
-/// The number rounded to nearest, half up. What is no decimal number in the range of Q32_32 does
-/// not compile.
+/// The number rounded to nearest, half up. Anything but a decimal number in the range of Q32_32
+/// does not compile.
 template <char... Text>
 constexpr Q32_32 operator""_q32_32() {
     return literal<Q32_32, Text...>();

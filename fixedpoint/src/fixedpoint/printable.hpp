@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Numbers where an Arduino sketch takes what is Printable: Serial.println(printable(x)) or, with so
-// many decimals, printable(x, 3). The vtable that this needs is the wrapper's: a number has none,
-// and a program that prints by print(Serial, x) does not hold it.
+// Numbers as Arduino Printables: Serial.println(printable(x)) or, with three decimals, printable(x,
+// 3). The vtable that this needs belongs to the wrapper: numbers stay free of one, and a program
+// that uses print(Serial, x) does not contain it.
 #pragma once
 
 #ifdef ARDUINO
 #include <Print.h>
-// A macro of avr-libc's <stdlib.h>, which the core's header brings: see integer.hpp.
+// A macro of avr-libc's <stdlib.h>, which the core's header includes: see integer.hpp.
 #undef abs
 
 #include <fixedpoint/serial.hpp>
@@ -21,7 +21,7 @@ class PrintableNumber : public ::Printable {
     size_t printTo(::Print& out) const override {
         return decimals_ == shortest ? print(out, number_) : print(out, number_, decimals_);
     }
-    // In place of the decimals: the shortest text that parse reads as the number.
+    // Instead of a number of decimals: the shortest text that parse reads as the number.
     static constexpr uint8_t shortest = 255;
 
   private:

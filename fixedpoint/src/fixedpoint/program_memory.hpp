@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Constants that stay in flash: FIXEDPOINT_PROGRAM_MEMORY places a table there,
-// read_program_memory(entry) reads an entry of it. Off the chip, and while the compiler evaluates a
-// constant expression, an entry is an ordinary constant.
+// Constants that stay in flash: FIXEDPOINT_PROGRAM_MEMORY places a table there, and
+// read_program_memory(entry) reads an entry. On the host, and in a constant expression, an entry is
+// an ordinary constant.
 #pragma once
 
 #include <stdint.h>
 
 #ifdef __AVR__
 #include <avr/pgmspace.h>
-#ifdef __clang__  // which does not know the attribute of PROGMEM
+#ifdef __clang__  // does not know the attribute of PROGMEM
 #define FIXEDPOINT_PROGRAM_MEMORY __attribute__((section(".progmem.data.fixedpoint")))
 #else
 #define FIXEDPOINT_PROGRAM_MEMORY PROGMEM
@@ -23,7 +23,7 @@ namespace fixedpoint {
 inline uint8_t load_program_memory(const uint8_t* entry) { return pgm_read_byte(entry); }
 inline uint16_t load_program_memory(const uint16_t* entry) { return pgm_read_word(entry); }
 inline uint32_t load_program_memory(const uint32_t* entry) {
-#ifdef __clang__  // whose assembly has no operands of four registers, as pgm_read_dword has
+#ifdef __clang__  // does not support the four-register asm operands of pgm_read_dword
     const uint16_t* const halves = reinterpret_cast<const uint16_t*>(entry);
     return static_cast<uint32_t>(pgm_read_word(halves + 1)) << 16 | pgm_read_word(halves);
 #else
@@ -31,8 +31,9 @@ inline uint32_t load_program_memory(const uint32_t* entry) {
 #endif
 }
 #if defined(__AVR_HAVE_LPMX__) && defined(__AVR_HAVE_MOVW__)
-// The compiler would join the halves by a loop. The entry is r25:r24, and the result r25:r18. The
-// list of registers is for -fipa-ra, which else keeps what is in them.
+// Written in assembly, since the compiler would join the halves by a loop. The entry is passed in
+// r25:r24, the result returned in r25:r18. The clobber list is for -fipa-ra, which would otherwise
+// assume that these registers keep their values.
 __attribute__((naked, noinline)) inline uint64_t load_program_memory(const uint64_t*) {
     __asm__(
         "movw r30, r24\n\tlpm r18, Z+\n\tlpm r19, Z+\n\tlpm r20, Z+\n\tlpm r21, Z+\n\t"

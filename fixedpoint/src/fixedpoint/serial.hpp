@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Numbers to and from what has Arduino's members: print(Serial, x) needs write(text, length), and
-/// read<Number>(Serial) needs peek() and read(), as Print and Stream have them.
+/// Numbers to and from Arduino's streams. print(Serial, x) needs write(text, length), and
+/// read<Number>(Serial) needs peek() and read(), as members of Print and Stream.
 #pragma once
 
 #include <fixedpoint/text.hpp>
 
 namespace fixedpoint {
 
-/// Writes the shortest text that parse reads as x; returns the characters written.
+/// Writes the shortest text that parse reads as x; returns what `write` returns, the number of
+/// characters written.
 template <class Out, int IntegerBits, int F, class A>
 size_t print(Out& out, Fixed<IntegerBits, F, A> x) {
     char text[text_capacity<Fixed<IntegerBits, F, A>>()];
     return out.write(text, print(x, text, sizeof text));
 }
-/// Writes x with so many decimals, at most F, from which on they are exact.
+/// Writes x with that many decimals, rounded to nearest, half up; more than F count as F, which are
+/// exact. Returns what `write` returns.
 template <class Out, int IntegerBits, int F, class A>
 size_t print(Out& out, Fixed<IntegerBits, F, A> x, uint8_t decimals) {
     char text[text_capacity<Fixed<IntegerBits, F, A>>()];
@@ -22,9 +24,10 @@ size_t print(Out& out, Fixed<IntegerBits, F, A> x, uint8_t decimals) {
         text, print(x, decimals < F ? decimals : static_cast<uint8_t>(F), text, sizeof text));
 }
 
-/// Takes the characters of a number that have arrived, up to the first one that is none of it, and
-/// parses them: a stream that has more to come says so by TextStatus::malformed or a number cut
-/// short, so wait for the line's end. 40 characters are read at most, more than any number needs.
+/// Reads the characters that have arrived, up to the first that cannot belong to a number, and
+/// parses them. It does not wait: call it once the line is complete, since a number still arriving
+/// is cut short or malformed. At most 40 characters are read: more than the shortest text of any
+/// number has, but text with more digits is split there.
 template <class Number, class In>
 Parsed<Number> read(In& in) {
     char text[40];

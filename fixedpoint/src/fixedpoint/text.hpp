@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Fixed-point numbers as decimal text, exact to the last bit, without heap and on the device too.
+/// Fixed-point numbers as decimal text, exact to the last bit. No heap is used; all of it runs on
+/// the device too.
 #pragma once
 
 #include <fixedpoint/fixed.hpp>
@@ -15,16 +16,17 @@ using portable::Parsed;
 using portable::TextStatus;
 /// \endcond
 
-/// The number that text[0 .. length) says, as a whole: a sign or none, digits with or without a
-/// point, an exponent or none. Rounded to nearest, half up; the limit of the range with
-/// TextStatus::out_of_range; 0 with TextStatus::empty or malformed, and then `position` is where.
+/// Reads text[0 .. length), which must be a decimal number as a whole: an optional sign, digits
+/// with an optional point, an optional exponent. The number is rounded to nearest, half up. Out of
+/// range, it is the nearer limit, with TextStatus::out_of_range. It is 0 for TextStatus::empty and
+/// TextStatus::malformed; `position` is where reading stopped.
 template <class Number>
 FIXEDPOINT_CONSTEXPR Parsed<Number> parse(const char* text, size_t length) {
     const auto result =
         portable::parse_decimal<typename Number::Raw, Number::fraction_bits>(text, length);
     return {Number::from_raw(result.number), result.status, result.position};
 }
-/// The same of text that ends with a zero: parse<Q16_16>("1.5").number.
+/// The same for zero-terminated text: parse<Q16_16>("1.5").number.
 template <class Number>
 FIXEDPOINT_CONSTEXPR Parsed<Number> parse(const char* text) {
     size_t length = 0;
@@ -32,15 +34,16 @@ FIXEDPOINT_CONSTEXPR Parsed<Number> parse(const char* text) {
     return parse<Number>(text, length);
 }
 
-/// The shortest text that parse reads as x and, of those, the closest to it, without a terminating
-/// zero. Returns its length, or 0 where it does not fit into the buffer.
+/// Writes the shortest text that parse reads as x, and of several the closest to x, without a
+/// terminating zero. Returns its length, or 0 if the buffer is too small; its content is then
+/// unspecified.
 template <int IntegerBits, int F, class A>
 constexpr size_t print(Fixed<IntegerBits, F, A> x, char* buffer, size_t capacity) {
     return portable::print_decimal<Integer<IntegerBits + F>, F>(x.raw(), buffer, capacity);
 }
 
-/// x with so many decimals, rounded to nearest, half up; exact from F decimals on. Returns as
-/// above.
+/// Writes x with that many decimals, rounded to nearest, half up; from F decimals on the text is
+/// exact. Returns its length, or 0 if the buffer is too small; its content is then unspecified.
 template <int IntegerBits, int F, class A>
 constexpr size_t print(Fixed<IntegerBits, F, A> x, uint8_t decimals, char* buffer,
                        size_t capacity) {
@@ -48,32 +51,34 @@ constexpr size_t print(Fixed<IntegerBits, F, A> x, uint8_t decimals, char* buffe
                                                                 capacity);
 }
 
-/// What to_chars and from_chars say, as std::errc does of the standard's; none is TextError().
+/// What to_chars and from_chars report, as the standard's functions do by std::errc; TextError() is
+/// none.
 enum class TextError : unsigned char {
-    none,                 ///< all went well
+    none,                 ///< success
     invalid_argument,     ///< the text does not begin with a number
-    result_out_of_range,  ///< it does, with one that the format cannot hold
+    result_out_of_range,  ///< it begins with a number that is out of range
     value_too_large,      ///< the buffer is too small
 };
 /// What to_chars returns.
 struct ToCharsResult {
-    char* ptr;     ///< behind the text, or the end of the buffer where that is too small
+    char* ptr;     ///< the end of the text, or of the buffer if that is too small
     TextError ec;  ///< none or value_too_large
 };
 /// What from_chars returns.
 struct FromCharsResult {
-    const char* ptr;  ///< behind the number, or the begin of a text that has none
+    const char* ptr;  ///< the end of the number, or the start of a text without one
     TextError ec;     ///< none, invalid_argument or result_out_of_range
 };
 
-/// Writes the shortest text that from_chars reads as x to [first, last), as std::to_chars does.
+/// Writes the shortest text that from_chars reads as x to [first, last), as std::to_chars does. If
+/// the buffer is too small, its content is unspecified.
 template <int IntegerBits, int F, class A>
 FIXEDPOINT_CONSTEXPR ToCharsResult to_chars(char* first, char* last, Fixed<IntegerBits, F, A> x) {
     const size_t length = print(x, first, static_cast<size_t>(last - first));
     return length == 0 ? ToCharsResult{last, TextError::value_too_large}
                        : ToCharsResult{first + length, TextError::none};
 }
-/// Writes x with so many decimals, rounded to nearest, half up.
+/// Writes x with that many decimals, rounded to nearest, half up, to [first, last).
 template <int IntegerBits, int F, class A>
 FIXEDPOINT_CONSTEXPR ToCharsResult to_chars(char* first, char* last, Fixed<IntegerBits, F, A> x,
                                             uint8_t decimals) {
@@ -81,8 +86,9 @@ FIXEDPOINT_CONSTEXPR ToCharsResult to_chars(char* first, char* last, Fixed<Integ
     return length == 0 ? ToCharsResult{last, TextError::value_too_large}
                        : ToCharsResult{first + length, TextError::none};
 }
-/// Reads the longest number that [first, last) begins with, as std::from_chars does: no blanks and
-/// no plus before it, what follows is left alone, and x keeps its value where there is an error.
+/// Reads the longest number at the start of [first, last), as std::from_chars does: leading blanks
+/// and a plus are not accepted, what follows the number is ignored, and x keeps its value on an
+/// error.
 template <int IntegerBits, int F, class A>
 FIXEDPOINT_CONSTEXPR FromCharsResult from_chars(const char* first, const char* last,
                                                 Fixed<IntegerBits, F, A>& x) {
@@ -94,36 +100,37 @@ FIXEDPOINT_CONSTEXPR FromCharsResult from_chars(const char* first, const char* l
     return {first + length, TextError::none};
 }
 
-/// What stands in front of a number that is not negative.
+/// The character in front of a number that is not negative.
 enum class Sign : unsigned char {
     minus_only,  ///< nothing
     always,      ///< a plus
     space,       ///< a blank
 };
-/// How a number is laid out: aligned to the right in `width`, with `fill` before it, zeros behind
-/// its sign. A longer text is not cut.
+/// How a number is laid out: right-aligned in `width` characters and padded with `fill` on the
+/// left; zeros go between sign and digits. A longer text is not truncated.
 struct Layout {
-    /// In place of the decimals: the shortest text that parse reads as the number.
+    /// Instead of a number of decimals: the shortest text that parse reads as the number.
     static constexpr uint8_t shortest = 255;
 
-    /// So wide, with so many decimals.
+    /// At least `width_` characters wide, with `decimals_` decimals.
     constexpr explicit Layout(uint8_t width_, uint8_t decimals_ = shortest,
                               Sign sign_ = Sign::minus_only, char fill_ = ' ')
         : width(width_), decimals(decimals_), sign(sign_), fill(fill_) {}
 
-    /// What the constructor takes.
+    /// The arguments of the constructor.
     /// @{
     uint8_t width, decimals;
     Sign sign;
     char fill;
     /// @}
 };
-/// x laid out, without a terminating zero. Returns its length, or 0 where it does not fit into the
-/// buffer; layout.width or text_capacity + 1 is enough, whichever is more.
+/// Writes x as `layout` says, without a terminating zero. Returns the length, or 0 if the buffer is
+/// too small; its content is then unspecified. The larger of layout.width and
+/// text_capacity<Number>(decimals) + 1 is enough.
 template <int IntegerBits, int F, class A>
 FIXEDPOINT_CONSTEXPR size_t print(Fixed<IntegerBits, F, A> x, Layout layout, char* buffer,
                                   size_t capacity) {
-    // Behind the place of a sign that the number itself does not have.
+    // Leaves room for a plus or a blank in front.
     const uint8_t sign = x.raw() >= 0 && layout.sign != Sign::minus_only ? 1 : 0;
     if (capacity < sign) return 0;
     const size_t length = layout.decimals == Layout::shortest
@@ -134,16 +141,17 @@ FIXEDPOINT_CONSTEXPR size_t print(Fixed<IntegerBits, F, A> x, Layout layout, cha
     return portable::align_right(buffer, length + sign, capacity, layout.width, layout.fill);
 }
 
-/// The raw of x as hexadecimal digits of its two's complement, W / 4 of them behind 0x, without a
-/// terminating zero: what a debugger shows, and exact at a glance. Returns its length, or 0 where
-/// it does not fit into the buffer.
+/// Writes the raw of x as 0x and the W / 4 hexadecimal digits of its two's complement, without a
+/// terminating zero: exact, and what a debugger shows. Returns the length, or 0 if the buffer is
+/// too small.
 template <int IntegerBits, int F, class A>
 FIXEDPOINT_CONSTEXPR size_t print_raw(Fixed<IntegerBits, F, A> x, char* buffer, size_t capacity) {
     return portable::print_hexadecimal(static_cast<UnsignedInteger<IntegerBits + F>>(x.raw()),
                                        buffer, capacity);
 }
-/// The number whose raw text[0 .. length) says as print_raw writes it; letters of either case, and
-/// leading zeros may be missing.
+/// Reads text[0 .. length), a raw as print_raw writes it; letters may have either case, and leading
+/// zeros may be missing. The number is 0 unless the status is TextStatus::ok; more than W bits are
+/// out_of_range.
 template <class Number>
 FIXEDPOINT_CONSTEXPR Parsed<Number> parse_raw(const char* text, size_t length) {
     const auto result = portable::parse_hexadecimal<Unsigned<typename Number::Raw>>(text, length);
@@ -151,7 +159,7 @@ FIXEDPOINT_CONSTEXPR Parsed<Number> parse_raw(const char* text, size_t length) {
             result.position};
 }
 
-/// The capacity that is always enough: for the shortest text, or for so many decimals.
+/// The capacity that is enough for every number: for the shortest text, or with that many decimals.
 template <class Number>
 constexpr size_t text_capacity(uint8_t decimals = Number::fraction_bits) {
     return portable::decimal_capacity<typename Number::Raw, Number::fraction_bits>(decimals);

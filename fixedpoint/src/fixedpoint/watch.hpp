@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// watch(x, "speed") names a value of generic code for host/recorded.hpp. Of every other number it
-/// is x itself, and costs nothing.
+/// watch(x, "speed") names a value in generic code for host/recorded.hpp. For every other number
+/// type it returns x and costs nothing.
 #pragma once
 
 namespace fixedpoint {
@@ -13,7 +13,7 @@ struct Watch {
 };
 /// \endcond
 
-/// x. A Recorded number adds its value to the range of that name.
+/// Returns x. If x is Recorded, its value is added to the range of that name.
 template <class Number>
 constexpr const Number& watch(const Number& x, const char* name) {
     return Watch<Number>::of(x, name);

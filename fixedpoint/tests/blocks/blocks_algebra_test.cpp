@@ -51,7 +51,7 @@ TYPED_TEST(Algebra, ComplexProductsRoundOnce) {
     }
 }
 
-// By the kernel's definition: -INT32_MIN is no number, but its products are.
+// By the definition of the kernel: -INT32_MIN is out of range, but its products need not be.
 TEST(Complex, ProductsInThirtyTwoBitsAreExactBesideTheSmallestNumber) {
     const Complex<Q16_16> a{{Q16_16::from_raw(3 << 15), Q16_16::from_raw(5 << 14)}};
     const Complex<Q16_16> b{{Q16_16::from_raw(1), Q16_16::min()}};
@@ -91,7 +91,7 @@ TYPED_TEST(Algebra, MatrixProductsRoundOnce) {
     products_round_once<TypeParam, 3>();
 }
 
-// Cramer's rule in long double, whose cofactor (i, j) is signed by its place.
+// Cramer's rule in long double; the sign of cofactor (i, j) depends on its position.
 template <class Number>
 long double exact_determinant(const Matrix<Number, 2>& a) {
     return value(a.element[0][0]) * value(a.element[1][1]) -

@@ -23,7 +23,7 @@ using Numbers = testing::Types<Q4_4, Q8_8, Q16_16, Fixed<8, 24>, Q32_32, Fixed<1
                                Fixed<8, 8, Saturating>>;
 TYPED_TEST_SUITE(OfNumber, Numbers);
 
-// What one sum has lost, the next one has: the state never departs from the exact one.
+// The next sum recovers what one sum has lost: the state never departs from the exact one.
 TYPED_TEST(OfNumber, LosesNothingOfAnIntegral) {
     using Number = TypeParam;
     constexpr int F = Number::fraction_bits;
@@ -60,7 +60,7 @@ TEST(OnePole, ArrivesAtItsInputWithoutOvershoot) {
         }
     }
 }
-// Where k x is far below an ulp, the filter moves nevertheless.
+// Even if k x is far below an ulp, the filter moves.
 TEST(OnePole, ArrivesWithTheSmallestCoefficient) {
     OnePole<Q8_8> filter(Q8_8::ulp());
     for (int i = 0; i < 3000; ++i) filter.update(Q8_8::max());
@@ -93,8 +93,8 @@ TYPED_TEST(OfNumber, FollowsTheExactOnePoleWithinAnUlp) {
 struct Coefficients {
     double b0, b1, b2, a1, a2;
 };
-// Low-pass filters with poles nearer and nearer to 1, a resonator, and a high-pass filter; all of
-// them multiples of 1/16, then of 1/256.
+// Low-pass filters with poles closer and closer to 1, a resonator, and a high-pass filter; all
+// coefficients are multiples of 1/16, then of 1/256.
 const Coefficients coarse[] = {
     {.0625, 0, 0, -1.75, .8125}, {1, 0, 0, -1.5, .625}, {1, 0, 0, 0, .9375}, {1, -2, 1, 1.25, .5}};
 const Coefficients fine[] = {
@@ -112,8 +112,8 @@ BiquadCoefficients<Number> of(const Coefficients& c) {
     return {number(c.b0), number(c.b1), number(c.b2), number(c.a1), number(c.a2)};
 }
 
-// 1/2 sum |g_n|, g the response of (1 + k1 z^-1 + k2 z^-2) / (1 + a1 z^-1 + a2 z^-2) to an impulse,
-// k1 and k2 the integers next to a1 and a2, but next to -a in a tie upward.
+// 1/2 sum |g_n|, where g is the impulse response of (1 + k1 z^-1 + k2 z^-2) / (1 + a1 z^-1 + a2
+// z^-2), and k1 and k2 are the integers nearest to a1 and a2; ties are rounded half up for -a.
 long double dead_band(const Coefficients& c) {
     const long double k1 = -std::floor(-c.a1 + .5), k2 = -std::floor(-c.a2 + .5);
     long double sum = 0, y1 = 0, y2 = 0;
@@ -151,8 +151,8 @@ TEST(Biquad, FollowsTheExactFilterWithinItsDeadBand) {
     }
 }
 
-// From many last outputs y1 and y2, behind some others: what is left without input is in the dead
-// band. The same filter without error feedback stays further out.
+// Starting from many pairs of previous outputs y1 and y2: the remaining output without input is
+// within the dead band. The same filter without error feedback stays further out.
 TEST(Biquad, EndsInItsDeadBandFromEveryState) {
     int largest_of_all = 0, naive_of_all = 0;
     for (Coefficients c : coarse) {
@@ -161,7 +161,7 @@ TEST(Biquad, EndsInItsDeadBandFromEveryState) {
         int largest = 0, naive_largest = 0;
         for (int start = 0; start < 8 * 32 * 32; start += exact::operand_step) {
             Biquad<Q4_4> filter(of<Q4_4>(c));
-            // Small enough for the outputs to stay in the range.
+            // Small enough for the outputs to stay in range.
             const int y1 = start % 32 - 16, y2 = start / 32 % 32 - 16, y3 = start / 1024;
             const int a1 = int(16 * c.a1), a2 = int(16 * c.a2);
             for (const int input : {y3, y2, y1}) filter.update(Q4_4::from_raw(int8_t(input)));

@@ -67,7 +67,7 @@ template <int StepExponent, class Number, uint16_t N>
 void is_exact(const Table<Number, N>& table, Number begin) {
     std::mt19937_64 random(1);
     for (long k = 0; k < 65536; ++k) {
-        // All numbers of 8 and 16 bits; of wider ones, those near the table and any.
+        // All numbers of 8 and 16 bits; for wider formats, numbers near the table and random ones.
         const Number x =
             sizeof(Number) <= 2
                 ? Number::from_raw(static_cast<typename Number::Raw>(k))

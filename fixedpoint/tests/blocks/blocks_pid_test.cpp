@@ -40,7 +40,7 @@ TYPED_TEST(Controller, FollowsTheExactOne) {
             << i;
     }
 }
-// An error of which a step's share rounds to 0 moves the output in the end.
+// An error whose contribution per step rounds to 0 still moves the output eventually.
 TYPED_TEST(Controller, AddsUpWhatIsBelowAnUlp) {
     using Number = TypeParam;
     Pid<Number> pid({Number(), number<Number>(.0625L), Number()}, Number::min(), Number::max());
@@ -66,7 +66,7 @@ TYPED_TEST(Controller, DoesNotDifferentiateTheSetpoint) {
     EXPECT_EQ(pid.update(one, one).raw(), 0);
     EXPECT_EQ(pid.update(one, one + Number::ulp()).raw(), -1);
 }
-// At the ends of the range nothing changes its sign, in no arithmetic.
+// At the limits of the range nothing changes its sign, in any arithmetic.
 TYPED_TEST(Controller, SaturatesAtTheEndsOfTheRange) {
     using Number = TypeParam;
     const Number gain = number<Number>(3);

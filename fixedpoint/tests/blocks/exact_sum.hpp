@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Exact sums of products of raw numbers, which the blocks are judged by.
+// Exact sums of products of raw numbers, the reference for the blocks.
 #pragma once
 
 #include <algorithm>
@@ -29,7 +29,7 @@ template <class Number>
 long double ulp() {
     return std::ldexp(1.0L, -Number::fraction_bits);
 }
-// x without what the format does not hold.
+// x truncated to the format. x must be in range.
 template <class Number>
 Number number(long double x) {
     return Number::from_raw(

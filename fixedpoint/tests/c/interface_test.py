@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""fixedpoint_c.h as others meet it:
+"""fixedpoint_c.h as its users see it:
 
 - no warning in any standard of C and C++, on host and chip, alone and beside fixedpoint.h;
 - program.c calls every function that the header declares;
@@ -38,7 +38,7 @@ def must(command, **options):
 
 
 def check_standards(scratch):
-    """Every macro is used once: what is wrong with one shows where it is expanded."""
+    """Every macro is used once, since errors in a macro appear only where it is expanded."""
     lines = ["#include <fixedpoint_c.h>"]
     for q in FORMATS:
         upper = q.upper()
@@ -68,7 +68,7 @@ def check_standards(scratch):
 
 
 def called(compiler, scratch, *options):
-    """What program.c calls, over all formats and parts."""
+    """The functions that program.c calls, over all formats and parts."""
     symbols = set()
     for q, part in itertools.product(FORMATS, ("operations", "turns", "auxiliary")):
         target = scratch / "program.o"
@@ -79,8 +79,8 @@ def called(compiler, scratch, *options):
 
 
 def kernels():
-    """The kernels of the formats that the header has, but those of other variants, parts of functions
-    and a solver's steps, which the header does not have."""
+    """The kernels of the formats in the header, except those of other variants, parts of functions
+    and steps of a solver, which the header does not have."""
     rows = must(["g++", "-E", "-P", "-xc++", "-"],
                 input=f'#include "{source}/fixedpoint/kernel/table.hpp"\n'
                       "#define ROW(shape, operation, Raw, F, symbol, same) operation Raw F symbol;\n"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every operation of the reference's table is a function of fixedpoint_c.h in every format, and
-// returns what the reference defines. What C has besides is held to exact values.
+// returns what the reference defines. The other functions of C are compared with exact values.
 #include <fixedpoint_c.h>
 #include <gtest/gtest.h>
 
@@ -53,7 +53,7 @@ struct Vector {
     f(Vector<q>(v).raw, unit); \
     r[0] = unit[0], r[1] = unit[1], r[2] = unit[2]
 
-// The number of components is half the operands of dot, and all of length's.
+// The number of components is half the number of operands for dot, and all of them for length.
 #define CALLED_unary(f, q, operands) CALL_unary(f, q)
 #define CALLED_binary(f, q, operands) CALL_binary(f, q)
 #define CALLED_ternary(f, q, operands) CALL_ternary(f, q)
@@ -79,7 +79,7 @@ struct Vector {
 #define FUNCTION_dot PLAIN
 #define FUNCTION_length PLAIN
 #define FUNCTION_direction PLAIN
-// From each of the other formats, and from and to the built-in types.
+// Conversions from each of the other formats, and from and to the built-in types.
 #define FUNCTION_conversion(name, signature, operands, q, integer, fraction)
 
 #define CONVERSION(function, To, to, From, from)                                             \
@@ -146,7 +146,8 @@ TEST(C, EveryOperationReturnsWhatTheReferenceDefines) {
         for (const std::int64_t first : all) {
             std::int64_t operands[reference::most_operands] = {first},
                          results[reference::most_results] = {};
-            // Every other call has operands of its first one's magnitude and of the boundaries.
+            // Every other call has operands with the magnitude of its first one, and boundary
+            // operands.
             for (std::size_t i = 1; i < shape.operands; ++i)
                 operands[i] =
                     all[random() % 4 == 0 ? all.size() - 1 - random() % 5 : random() % all.size()];
@@ -191,7 +192,7 @@ void check_text(const Text<Raw>& c) {
         const std::size_t length = c.print(raw, text, c.capacity);
         ASSERT_EQ(length, std::string(text).size()) << raw;
         ASSERT_GT(length, 0u);
-        // Only what double holds exactly can be told by it.
+        // Only values that a double represents exactly can be compared.
         if (sizeof(Raw) < 8) {
             ASSERT_EQ(std::floor(std::strtod(text, nullptr) * unit + 0.5), raw) << text;
             ASSERT_EQ(c.to_double(raw), raw / unit);

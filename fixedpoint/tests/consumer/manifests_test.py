@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""What Arduino and PlatformIO read of a library holds by their documentation, and is true.
+"""The files that Arduino and PlatformIO read conform to their documentation, and are true.
 
 Usage: manifests_test.py LIBRARY_FOLDER
 """
@@ -20,8 +20,8 @@ def expect(condition, message):
         failures.append(message)
 
 
-# PlatformIO: docs.platformio.org, "library.json". The fields that there are, of which a misspelt one
-# would go unnoticed, and the limits of the registry.
+# PlatformIO: docs.platformio.org, "library.json". The known fields, since a misspelt one would go
+# unnoticed, and the limits of the registry.
 text = {"type": "string", "minLength": 1, "maxLength": 255}
 texts = {"anyOf": [text, {"type": "array", "items": text, "minItems": 1}]}
 
@@ -88,7 +88,7 @@ for header in properties.get("includes", "").split(","):
     expect((library / "src" / header.strip()).is_file(),
            f"library.properties: no header src/{header}")
 
-# One library, not three; one project, whose address stands in library.properties of fixedpoint.
+# One library, not three; one project, whose address is in library.properties of fixedpoint.
 for field in ("name", "version", "license"):
     expect(properties.get(field) == manifest[field],
            f"library.properties: {field} {properties.get(field)}, library.json: {manifest[field]}")
@@ -114,7 +114,7 @@ if port.exists():
     for field, value in json.loads(port.read_text()).items():
         expect(field == "dependencies" or value == manifest[field], f"vcpkg.json: {field} '{value}'")
 
-# Rules of arduino-lint that need no network.
+# Rules of arduino-lint that do not need a network.
 expect(re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9 ._-]{0,15}", properties["name"]),
        "library.properties: a name has letters, digits, blanks and ._-, 16 at most")
 expect("arduino" not in properties["name"].lower(), "library.properties: a name without 'Arduino'")
@@ -133,14 +133,14 @@ for path in library.rglob("*"):
     expect(not path.is_symlink() and path.name != ".development" and path.suffix != ".exe",
            f"{path.relative_to(library)} does not belong into a library")
 
-# The words that the editor colours are words of the library.
+# The words that the editor highlights are words of the library.
 source = "\n".join(path.read_text() for path in (library / "src").rglob("*.h*"))
 known = set(re.findall(r"\w+", source))
 coloured = set()
 for number, line in enumerate((library / "keywords.txt").read_text().splitlines(), 1):
     if not line or line.startswith("#"):
         continue
-    word, *kind = line.split("\t")  # a tab, or the editor does not see it
+    word, *kind = line.split("\t")  # a tab; otherwise the editor ignores the line
     expect(kind in (["KEYWORD1"], ["KEYWORD2"], ["LITERAL1"]),
            f"keywords.txt:{number}: '{line}' is not WORD<tab>KIND")
     expect(word in known, f"keywords.txt:{number}: no '{word}' in src/")

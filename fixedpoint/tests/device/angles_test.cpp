@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Sines of turns and degrees, and the angles of vectors: the kernels have what the compiler
-// computes from the portable code, which the host's tests judge; quarter turns are exact.
+// Sines of turns and degrees, and the angles of vectors: the kernels return what the compiler
+// computes from the portable code, which is tested on the host; quarter turns are exact.
 #include <fixedpoint/angle.hpp>
 
 #include "numbers.hpp"
@@ -32,7 +32,7 @@ struct SinesOf<0> {
     static void check() {}
 };
 
-// 1 as the format holds it, -1 and 0.
+// 1, saturated if need be, -1 and 0.
 Raw of_quadrant(uint8_t quadrant) {
     const int8_t sign = quadrant % 2 == 0 ? 0 : quadrant == 1 ? 1 : -1;
     return convert_checked<Number>(sign).number.raw();
@@ -52,7 +52,7 @@ void test_angles() {
                    [](Turn<16> angle) { return sin<Number>(angle); });
     check_quarters([](uint8_t quarters) { return Turn<32>::from_raw(0x40000000) * (quarters - 1); },
                    [](Turn<32> angle) { return cos<Number>(angle); });
-    // The axes, where the format holds the angle.
+    // The axes, if the format can represent the angle.
     const Number one = operand(1), zero = operand(0);
     const Raw quarter = static_cast<Raw>((int64_t(1) << FRACTION_BITS) / 4);
     CHECK(FRACTION_BITS < 2 || atan2_turns(one, zero).raw() == quarter);

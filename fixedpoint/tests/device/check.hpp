@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Checks that count themselves, for a chip that has nowhere to print: whoever runs the program
-// reads the counters once it has reached finished().
+// Checks that count their results, for a chip that cannot print: the runner reads the counters once
+// the program has reached finished().
 #pragma once
 
 #include <stdint.h>
@@ -11,7 +11,7 @@
 
 extern "C" {
 extern uint16_t checks, failures;
-// Where the first failure was; the row is that of the table gone through, from 0.
+// The place of the first failure; the row is the index in the table being processed, from 0.
 extern char first_failing_test[32];
 extern uint16_t first_failing_line, first_failing_row;
 void finished();

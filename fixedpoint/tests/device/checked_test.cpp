@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Checked returns what the default arithmetic returns, and tells its hook what went wrong.
+// Checked returns what the default arithmetic returns, and reports events to its hook.
 #include <fixedpoint/math.hpp>
 
 #include "hook.hpp"

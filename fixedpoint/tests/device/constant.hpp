@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// CHECK_CONSTANT(expression): what the compiler computes is what the chip computes. The expression,
-// of two numbers x and y with the raw values A and B, is evaluated as a constant, of constants that
-// the optimiser may fold, and of operands that the compiler knows nothing of.
+// CHECK_CONSTANT(expression): the compiler computes what the chip computes. The expression in two
+// numbers x and y with the raw values A and B is evaluated as a constant expression, with constants
+// that the optimiser may fold, and with operands that are unknown to the compiler.
 #pragma once
 
 #include "numbers.hpp"
@@ -34,7 +34,7 @@ constexpr fixedpoint::Fixed<INTEGER_BITS, FRACTION_BITS, Arithmetic> as(Number x
     return fixedpoint::Fixed<INTEGER_BITS, FRACTION_BITS, Arithmetic>::from_raw(x.raw());
 }
 
-// Operands: in the middle of the range, and near 1, or 1/2 where there is no 1.
+// Operands in the middle of the range and near 1, or near 1/2 if the format cannot represent 1.
 constexpr Raw third = fixedpoint::RawLimits<Raw>::max / 3,
               fifth = fixedpoint::RawLimits<Raw>::min / 5;
 constexpr Raw one = static_cast<Raw>(fixedpoint::Unsigned<Raw>(1)

@@ -9,7 +9,7 @@ using namespace fixedpoint;
 
 namespace {
 
-// Functions of vectors, as functions of the two numbers that they are made of.
+// Functions of vectors, as functions of the two numbers from which the vectors are built.
 constexpr Number dot(Number x, Number y) {
     const Raw a[] = {x.raw(), y.raw(), x.raw()}, b[] = {y.raw(), y.raw(), x.raw()};
     return Number::from_raw(Nearest::dot3<Raw, FRACTION_BITS>(a, b));

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Writes the rows of numbers.hpp for one format: boundary operands and what the library says of
-them, in exact fractions. Usage: expected.py INTEGER_BITS FRACTION_BITS OUTPUT.cpp"""
+"""Writes the rows of numbers.hpp for one format: boundary operands and the results that the library
+must return, from exact fractions. Usage: expected.py INTEGER_BITS FRACTION_BITS OUTPUT.cpp"""
 
 import random
 import re
@@ -97,7 +97,7 @@ def integer_pairs():
 
 
 def small_operations(a, b, t):
-    """Those that are exact or rounded once, of two numbers and a position t between them."""
+    """Operations that are exact or rounded once, on two numbers and a position t between them."""
     truncated, floored = ([clamped(n), a - n * b] for n in (toward_zero(Fraction(a, b)), a // b)) if b else (
         [(a > 0) * high() + (a < 0) * low(), a] for _ in range(2))
     u = min(max(Fraction(t, ONE), 0), 1)
@@ -207,7 +207,7 @@ def parse(text, position):
         status = "malformed" if text else "empty"
         return [f'"{text}"', raw(0), f"fixedpoint::TextStatus::{status}", str(position)]
     mantissa, exponent = re.fullmatch(r"([^eE]*)[eE]?(.*)", text).groups()
-    # What is beyond every format need not be exact.
+    # Results outside every format need not be exact.
     exponent = min(max(int(exponent or "0"), -100), 100)
     n = nearest(Fraction(mantissa) * Fraction(10)**exponent * ONE)
     status = "ok" if n == clamped(n) else "out_of_range"
@@ -215,14 +215,15 @@ def parse(text, position):
 
 
 def with_places(x, places):
-    """x to nearest, ties upward, with so many decimals."""
+    """x rounded to nearest, half up, with that many decimals."""
     n = nearest(x * 10**places)
     digits = str(abs(n)).rjust(places + 1, "0")
     return ("-" if n < 0 else "") + (f"{digits[:-places]}.{digits[-places:]}" if places else digits)
 
 
 def shortest(a):
-    """The fewest decimals with which some decimal reads as a: rounding picks the closest one."""
+    """The smallest number of decimals at which some decimal reads as a; rounding picks the closest
+    one."""
     x = Fraction(a, ONE)
     return next(text for text in (with_places(x, places) for places in range(W + 1))
                 if nearest(Fraction(text) * ONE) == a)

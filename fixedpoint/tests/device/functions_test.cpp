@@ -61,7 +61,7 @@ void check_from_decimal(const FromDecimal& expected) {
     CHECK(result.fits == expected.fits);
 }
 
-// By hand, where a 16-bit int could be too short.
+// By hand, for cases in which a 16-bit int could be too short.
 void check_integers() {
     CHECK(Q16_16::from_integer(-300).raw() == -300l * 65536);
     CHECK(convert<Q16_16>(38).raw() == 38l * 65536);

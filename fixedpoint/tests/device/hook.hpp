@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The hook of the checked arithmetic under test, which remembers what it was told.
+// The hook of the checked arithmetic under test, which remembers what was reported to it.
 #pragma once
 
 #include <fixedpoint/arithmetic/checked.hpp>
@@ -14,14 +14,14 @@ struct Hook {
     static Event event;
     static Operation operation;
     static void notify(Event event_, Operation operation_) {
-        if (event_ == Event::underflow) return;  // of no use to the tables of the tests
+        if (event_ == Event::underflow) return;  // not in the tables of the tests
         ++calls;
         event = event_;
         operation = operation_;
     }
 };
 
-// Whether the hook was called as it should have been since this was last asked.
+// Whether the hook was called as expected since the last call of this function.
 inline bool hooked(bool expected, Event event, Operation operation) {
     const uint8_t calls = Hook::calls;
     Hook::calls = 0;

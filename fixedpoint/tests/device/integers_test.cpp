@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers beside integers, and sums and products that widen.
+// Operations on numbers and integers, and widening sums and products.
 #include <fixedpoint/arithmetic/saturating.hpp>
 #include <fixedpoint/constants.hpp>
 #include <fixedpoint/widening.hpp>
@@ -39,7 +39,7 @@ void check_type(const WithInteger& expected) {
 
 void check_types(const WithInteger& expected) {
     check_type<int>(expected);
-    // Of 64 bits, more than one type does not fit the flash.
+    // With 64 bits, more than one type does not fit in flash.
     if (sizeof(Raw) == 8) return;
     check_type<int8_t>(expected);
     check_type<uint8_t>(expected);

@@ -24,7 +24,7 @@ extern "C" __attribute__((noinline, used)) void finished() {
     }
 }
 
-// Zero where the file is not linked.
+// Null if the file is not linked.
 __attribute__((weak)) void test_operators();
 __attribute__((weak)) void test_integers();
 __attribute__((weak)) void test_small_operations();

@@ -19,7 +19,7 @@ struct Pair {
     Raw a, b;
     Raw sum, difference, product, quotient, remainder;
     Raw saturated_sum, saturated_difference, saturated_product;
-    // Whether sum, difference, product and quotient, rounded, do not fit: bits 0 to 3.
+    // Whether sum, difference, product and quotient, rounded, are out of range: bits 0 to 3.
     uint8_t overflows;
 };
 struct WithInteger {
@@ -38,7 +38,7 @@ struct SmallOperations {
 };
 struct Shift {
     Raw a;
-    uint8_t count;  // that of the last row of an `a` stands for all larger counts too
+    uint8_t count;  // in the last row for an `a`, it also stands for all larger counts
     Raw left, saturated_left, right;
 };
 struct Single {
@@ -100,7 +100,7 @@ void for_each(const Rows<Row>& rows, Check check) {
     row = 0;
 }
 
-// A number that the compiler knows nothing of.
+// A number that is unknown to the compiler.
 __attribute__((noinline)) inline Number operand(Raw raw) {
     volatile Raw hidden = raw;
     return Number::from_raw(hidden);

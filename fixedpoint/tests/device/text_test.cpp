@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Decimal text, and literals, which are decimal text that the compiler reads.
+// Decimal text, and literals, which are decimal text read by the compiler.
 #include <fixedpoint/literals.hpp>
 
 #include "numbers.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Everything that the library offers, in every format of the tables and in every arithmetic: what a
-// compiler has to say about a header, it says here. Compiled, and not run.
+// Everything that the library offers, in every format of the tables and in every arithmetic, so
+// that a compiler reports any warning about a header here. Compiled, but not run.
 #include <fixedpoint.h>
 
 #include <fixedpoint/arithmetic/checked.hpp>
@@ -41,7 +41,7 @@ static_assert((1 - 0.5_q16_16 * 3).raw() == -32768 && 1_q16_16 < 2 && 2u > 1_q16
 static_assert(fixed<16, 16>(-0.38).raw() == -24904, "a checked constant");
 static_assert(constants::pi<Q16_16>().raw() == 205887, "pi 2^16 = 205887.42");
 #if __cplusplus >= 201402L
-// So is what is computed of them, from C++14 on.
+// So are results computed from them, from C++14 on.
 static_assert((2.5_q16_16 * 0.5_q16_16).raw() == 81920, "a product");
 static_assert((1_q16_16 / 3_q16_16).raw() == 21845, "a quotient");
 static_assert(sqrt(2_q16_16).raw() == 92682, "a root");

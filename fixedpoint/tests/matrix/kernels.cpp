@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Calls the operation of every row of the table of kernels, once. Whoever compiles this for a chip
-// with kernels finds the symbol of each row undefined in the object, and no portable code in it.
+// Calls the operation of every row of the table of kernels once. Compiled for a chip with kernels,
+// the object has the symbol of each row undefined and does not contain portable code.
 #include <fixedpoint/kernel/nearest.hpp>
 
 using namespace fixedpoint;

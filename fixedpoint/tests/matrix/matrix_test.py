@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Compilers x standards x chips: what the libraries promise on each, in one table.
+"""Compilers x standards x chips: what the libraries promise for each, in one table.
 
 - headers: no warning from any public header of any library, in any standard, here or in `public`;
 - kernels: where a chip has kernels, each row of kernel/table.hpp is a call of its symbol and no
@@ -31,13 +31,13 @@ scratch = tempfile.TemporaryDirectory(dir=sys.argv[1])  # removed when the progr
 
 WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror"]
 STANDARDS = [11, 14, 17, 20, 23]
-# Chips with kernels; without; and those for which nobody has run anything.
+# Chips with kernels; chips without; and chips on which nobody has run anything.
 MULTIPLYING = ["atmega328p", "atmega32u4", "atmega1284p", "atmega2560"]
 PLAIN = ["attiny85", "attiny1634"]
 NEVER_RUN = ["atxmega128a1", "avrxmega3", "avrxmega4"]  # the last two: the cores of AVR-0/1 and -Dx
 KERNEL_FORMATS = "q4_4|q8_8|q16_16|q32_32|q8_24|q1_15"
 HOST_AS_AVR = ["-D__AVR__", "-D__AVR_HAVE_MUL__", f"-I{here / 'host_avr'}"]
-# avr-libc's <stdint.h> has its limits for C++ on request only.
+# avr-libc's <stdint.h> defines its limits for C++ only on request.
 CLANG_AVR = ["clang++-19", "--target=avr", "-nostdlibinc", "-isystem", "/usr/lib/avr/include",
              "-D__STDC_LIMIT_MACROS"]
 COMPILERS = {"g++": ["g++"], "clang++": ["clang++-19"], "avr-g++": ["avr-g++"],
@@ -49,7 +49,7 @@ class Failure(Exception):
 
 
 def own_folder(name):
-    """Cells run side by side, so that none may write where another one reads."""
+    """Cells run in parallel, so none may write where another one reads."""
     return Path(tempfile.mkdtemp(prefix=f"{name}_", dir=scratch.name))
 
 
@@ -77,7 +77,7 @@ EVERYTHING = {"fixedpoint": here / "everything.cpp",
 
 
 def no_warning(name, *arguments):
-    # avr-gcc 5.4 looks into templates only where it compiles them.
+    # avr-gcc 5.4 checks templates only where it compiles them.
     must([*arguments, *WARNINGS, *(["-O0", "-S", "-o", "/dev/null"] if name == "avr-g++" else ["-fsyntax-only"])])
 
 
@@ -101,7 +101,7 @@ MADE, MAKING = {}, {}
 
 
 def once(key, make):
-    """What make() has returned for this key: cells that run side by side share it."""
+    """The result of make() for this key, shared by cells that run in parallel."""
     with MAKING.setdefault(key, threading.Lock()):
         if key not in MADE:
             MADE[key] = make()
@@ -109,8 +109,8 @@ def once(key, make):
 
 
 def compiled(path, name, standard, chip, *options):
-    """The object of a source, without a warning. Chips for which the preprocessor makes the same text of it
-    share the object: they differ in instructions, and not in what is called."""
+    """The object of a source, compiled without a warning. Chips for which the preprocessed text is
+    the same share the object: they differ in instructions, not in what is called."""
     command = [*compiler(name, standard, chip), *WARNINGS, "-Os", *options, path]
 
     def make():
@@ -121,7 +121,7 @@ def compiled(path, name, standard, chip, *options):
 
 
 def kernels(name, standard, chip, *options):
-    """All kernels of kernels.cpp are called; or none, as where the preprocessed text names none."""
+    """All kernels of kernels.cpp are called, or none if the preprocessed text does not name any."""
     if chip in PLAIN or "-DFIXEDPOINT_NO_ASSEMBLY" in options:
         command = [*compiler(name, standard, chip), *options, here / "kernels.cpp"]
         text = must([*command, "-E", "-P"])
@@ -146,8 +146,8 @@ def kernels(name, standard, chip, *options):
 
 
 def everything(name, standard, chip):
-    """Through the public functions, too, and with no warning from their headers, every kernel of the
-    formats used is called, but for the steps of a solver, which the engine calls."""
+    """Every kernel of the formats used is called through the public functions too, without a
+    warning from their headers, except the steps of a solver, which the engine calls."""
     called = undefined([compiled(EVERYTHING["fixedpoint"], name, standard, chip)])
     expected = set() if chip in PLAIN else {
         symbol for symbol in SYMBOLS if re.search(rf"_({KERNEL_FORMATS})(_|$)", symbol)
@@ -174,7 +174,7 @@ def assembles(chip, assembler="avr-gcc"):
         if defined:
             raise Failure(f"a kernel for a chip without: {sorted(defined)}")
         return "nothing"
-    # What kernels share among themselves, and what a block calls, is no operation.
+    # Symbols shared among kernels, and those that a block calls, are not operations.
     shared = {f"fixedpoint_{name}" for name in (
         "add_whole_product", "arc_sine_q16_16", "cubic_32", "cubic_40", "cubic_64", "divide_32", "exp_32",
         "biquad_q16_16", "biquad_q8_24", "invert2_q16_16", "largest_32", "length_long", "length_root",
@@ -192,7 +192,8 @@ MISSING = "undefined reference to `long fixedpoint::kernel::"
 
 
 def linked(chip, language, program, *options):
-    """What the linker says of a program with the kernels that it calls, of which nothing is left out."""
+    """The output of the linker for a program with the kernels that it calls, none of them left
+    out."""
     folder = own_folder("linked")
     archive = folder / "kernels.a"
     must(["avr-ar", "rcs", archive, *ASSEMBLED[chip]])
@@ -201,7 +202,7 @@ def linked(chip, language, program, *options):
 
 
 def links_in_c(chip):
-    """Programs in C have no compiled code to which a kernel could jump."""
+    """Programs in C do not have compiled code to which a kernel could jump."""
     jumping = must(["g++", "-E", "-P", f"-I{source}", "-xc++", "-"],
                    input="#include <fixedpoint/kernel/table.hpp>\n#define NAME(shape, operation, Raw, F, symbol, same) symbol\n"
                          "FIXEDPOINT_ROUNDED_KERNELS(NAME)\n").split()
@@ -216,7 +217,7 @@ def links_in_c(chip):
 
 
 def links_without_weak_symbols(chip):
-    """Where compiled code is the object's own, no kernel finds it."""
+    """If compiled code is local to an object, no kernel finds it."""
     for call in ("sin(x)", "cos(x)", "atan(x)", "atan2(x, x)", "exp(x)", "log(x)"):
         result = linked(chip, "c++", "#include <fixedpoint/arithmetic/correctly_rounded.hpp>\n#include <fixedpoint/math.hpp>\n"
                         "volatile int32_t raw;\nint main() {\n"
@@ -228,7 +229,7 @@ def links_without_weak_symbols(chip):
 
 
 def beside(standard, chip, integer_bits, fraction_bits, flags):
-    """The objects that all tests of a format link: what they expect, and the program around them."""
+    """The objects that all tests of a format link: the expected results, and the main program."""
     folder = own_folder(f"beside_{chip}")
     expected = folder / "expected.cpp"
     must([sys.executable, device / "expected.py", integer_bits, fraction_bits, expected])
@@ -238,7 +239,8 @@ def beside(standard, chip, integer_bits, fraction_bits, flags):
 
 
 def runs(name, standard, chip, test, integer_bits, fraction_bits, *options):
-    """Links a test of tests/device and runs it. What is not the library's comes from avr-gcc."""
+    """Links a test of tests/device and runs it. Everything outside the library comes from
+    avr-gcc."""
     folder = own_folder(f"{test}_{chip}")
     flags = ["-Os", "-DF_CPU=16000000UL", f"-DINTEGER_BITS={integer_bits}",
              f"-DFRACTION_BITS={fraction_bits}", f"-I{device}", "-ffunction-sections",
@@ -276,7 +278,7 @@ REFUSED = [
     ("Fixed<12, 12> x; (void)x;", "has 8, 16, 32 or 64 bits"),
     ("Fixed<64, 64> x; (void)x;", "has 8, 16, 32 or 64 bits"),
     ("Fixed<0, 16> x; (void)x;", "IntegerBits counts the sign"),
-    ("Fixed<17, -1> x; (void)x;", "FractionBits is not negative"),
+    ("Fixed<17, -1> x; (void)x;", "FractionBits must not be negative"),
     ("8_q4_4;", "outside the range of its fixed-point format"),
     ("0x10_q16_16;", "A fixed-point literal is a decimal number"),
     ("0b1_q16_16;", "A fixed-point literal is a decimal number"),
@@ -294,7 +296,7 @@ def cells():
             for library in EVERYTHING:
                 yield "headers", f"{library} {name}", f"gnu++{standard}", headers, (
                     library, name, standard, None, *options)
-    # The cells of `public` look into the library's own headers in these standards.
+    # The cells of `public` check the library's own headers in these standards.
     for standard in STANDARDS[:2]:
         for library in ("engine", "firmware"):
             yield "headers", f"{library} avr-g++", f"gnu++{standard}", headers, (
@@ -312,7 +314,7 @@ def cells():
             row = f"{name} gnu++{standard}"
             for chip in MULTIPLYING + PLAIN:
                 if name == "clang++ avr" and chip == "attiny1634":
-                    continue  # clang has the instructions of no chip beyond its own list
+                    continue  # clang does not know the instructions of chips outside its list
                 yield "kernels", row, chip, kernels, (name, standard, chip)
             yield "kernels", row, "no assembly", kernels, (
                 name, standard, "atmega328p", "-DFIXEDPOINT_NO_ASSEMBLY")

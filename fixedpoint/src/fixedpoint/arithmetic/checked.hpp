@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Checked<Hook>: returns what Nearest returns, and calls Hook::notify(event, operation) first
-/// where the exact result, rounded, is not in the range (overflow), where there is none (division
-/// by zero, domain error), and where a product or quotient other than 0 is rounded to 0
-/// (underflow). Operations that are not named below have a result in range for every operand. parse
-/// and the conversions named _checked return their status and do not notify.
+/// Checked<Hook>: returns what Nearest returns, but first calls Hook::notify(event, operation) if
+/// the exact result, rounded, is out of range (overflow), if there is no exact result (division by
+/// zero, domain error), and if a product or quotient other than 0 is rounded to 0 (underflow).
+/// Operations that are not listed below have a result in range for every operand. parse and the
+/// conversions named _checked return a status instead and do not notify.
 #pragma once
 
 #include <fixedpoint/arithmetic/saturating.hpp>
 
 namespace fixedpoint {
 
-/// As Nearest, and tells Hook::notify(Event, Operation) of each result that is not what exact
-/// arithmetic would give.
+/// As Nearest, and reports to Hook::notify(Event, Operation) each result that is not the exact one,
+/// rounded.
 template <class Hook>
 struct Checked : Nearest {
     /// a + b mod 2^W; notifies of overflow.
@@ -27,19 +27,20 @@ struct Checked : Nearest {
         return wrapped<Raw>(Nearest::subtract<Raw, F>(a, b), Saturating::subtract<Raw, F>(a, b),
                             Operation::subtract);
     }
-    /// -a mod 2^W; notifies of the overflow of the smallest number.
+    /// -a mod 2^W; notifies of overflow if a is the smallest number.
     template <class Raw, int F>
     static constexpr Raw negate(Raw a) {
         return wrapped<Raw>(Nearest::negate<Raw, F>(a), Saturating::negate<Raw, F>(a),
                             Operation::negate);
     }
-    /// a b rounded, mod 2^W; notifies of overflow, and of underflow where neither is 0 and the
-    /// product is rounded to 0.
+    /// a b rounded, mod 2^W; notifies of overflow, and of underflow if neither is 0 and the product
+    /// is rounded to 0.
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR Raw multiply(Raw a, Raw b) {
         const Raw result = Nearest::multiply<Raw, F>(a, b);
         const Raw saturated = Saturating::multiply<Raw, F>(a, b);
-        // Comparing the two would miss a product that wraps all the way round to its limit.
+        // Comparing result and saturated would miss a product that wraps all the way round to its
+        // limit.
         if ((saturated == RawLimits<Raw>::max || saturated == RawLimits<Raw>::min) &&
             product_exceeds<Raw, F>(a, b, saturated)) {
             Hook::notify(Event::overflow, Operation::multiply);
@@ -66,9 +67,9 @@ struct Checked : Nearest {
         if (b == 0) Hook::notify(Event::division_by_zero, Operation::remainder);
         return Nearest::remainder<Raw, F>(a, b);
     }
-    /// `settle` takes more than the result mod 2^W.
+    /// `settle` needs more than the result mod 2^W.
     static constexpr bool settles = true;
-    /// The result mod 2^W; notifies of overflow where the exact one does not fit.
+    /// The result mod 2^W; notifies of overflow if the exact one is out of range.
     template <class Raw>
     static FIXEDPOINT_CONSTEXPR Raw settle(Raw wrapped, bool fits, bool, Operation operation) {
         watch_range(fits, operation);
@@ -93,13 +94,13 @@ struct Checked : Nearest {
         watch_range(portable::convert_clamped<Raw, F, FromRaw, FromF>(a).fits, Operation::convert);
         return Nearest::convert<Raw, F, FromRaw, FromF>(a);
     }
-    /// As Nearest; notifies of a domain error where a < 0.
+    /// As Nearest; notifies of a domain error if a < 0.
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR Raw sqrt(Raw a) {
         if (a < 0) Hook::notify(Event::domain_error, Operation::sqrt);
         return Nearest::sqrt<Raw, F>(a);
     }
-    /// As Nearest; notifies of a domain error where a < 0, of division by zero where a = 0, and of
+    /// As Nearest; notifies of a domain error if a < 0, of division by zero if a = 0, and of
     /// overflow.
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR Raw reciprocal_sqrt(Raw a) {
@@ -109,7 +110,7 @@ struct Checked : Nearest {
                     Operation::reciprocal_sqrt);
         return Nearest::reciprocal_sqrt<Raw, F>(a);
     }
-    /// As Nearest; notifies of a domain error where a <= 0, and of overflow.
+    /// As Nearest; notifies of a domain error if a <= 0, and of overflow.
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR Raw log(Raw a) {
         if (a <= 0) Hook::notify(Event::domain_error, Operation::log);
@@ -122,25 +123,25 @@ struct Checked : Nearest {
         watch_range(portable::exp_fits<Raw, F>(a), Operation::exp);
         return Nearest::exp<Raw, F>(a);
     }
-    /// As Nearest; notifies of overflow, in formats that do not hold pi.
+    /// As Nearest; notifies of overflow, which occurs in formats that cannot represent pi.
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR Raw atan2(Raw y, Raw x) {
         watch_range(portable::atan2_fits<Raw, F>(y, x), Operation::atan2);
         return Nearest::atan2<Raw, F>(y, x);
     }
-    /// As Nearest; notifies of overflow, in formats that do not hold 1.
+    /// As Nearest; notifies of overflow, which occurs in formats that cannot represent 1.
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR Raw cos(Raw angle) {
         watch_range(portable::cos_fits<Raw, F>(angle), Operation::cos);
         return Nearest::cos<Raw, F>(angle);
     }
-    /// As Nearest; notifies once of an overflow of the cosine.
+    /// As Nearest; notifies of overflow of the cosine, once.
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR void sincos(Raw angle, Raw* sine_and_cosine) {
         watch_range(portable::cos_fits<Raw, F>(angle), Operation::cos);
         Nearest::sincos<Raw, F>(angle, sine_and_cosine);
     }
-    /// \cond internal Those of portable/elementary.hpp; their evaluation says what to tell.
+    /// \cond internal The functions of portable/elementary.hpp; their evaluation reports events.
 #define FIXEDPOINT_ELEMENTARY_FUNCTION(name, Function)                                    \
     template <class Raw, int F, class... Operands>                                        \
     static FIXEDPOINT_CONSTEXPR Raw name(Operands... operands) {                          \
@@ -163,7 +164,7 @@ struct Checked : Nearest {
                     Operation::round);
         return Nearest::round<Raw, F>(a);
     }
-    /// NaN is a domain error.
+    /// As Nearest; notifies of overflow, and of a domain error if x is NaN.
     template <class Raw, int F, class Float>
     static FIXEDPOINT_CONSTEXPR Raw from_float(Float x) {
         if (x != x) Hook::notify(Event::domain_error, Operation::from_float);
@@ -188,12 +189,12 @@ struct Checked : Nearest {
                         Operation::multiply_add);
         return result;
     }
-    /// As Nearest; notifies where the sum overflows.
+    /// As Nearest; notifies of overflow of the sum.
     template <class Raw, int F>
     static constexpr Raw dot2(const Raw* a, const Raw* b) {
         return watched_dot<Raw, F>(a, b, 2, Nearest::dot2<Raw, F>(a, b));
     }
-    /// As Nearest; notifies where the sum overflows.
+    /// As Nearest; notifies of overflow of the sum.
     template <class Raw, int F>
     static constexpr Raw dot3(const Raw* a, const Raw* b) {
         return watched_dot<Raw, F>(a, b, 3, Nearest::dot3<Raw, F>(a, b));
@@ -208,7 +209,8 @@ struct Checked : Nearest {
     static constexpr Raw length3(const Raw* v) {
         return watched_length<Raw>(v, 3, Nearest::length3<Raw, F>(v));
     }
-    /// One event for a vector, however many of its components are 1.
+    /// As Nearest; notifies of overflow, which occurs in formats that cannot represent 1: once,
+    /// however many components are 1.
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR void normalise3(const Raw* v, Raw* unit) {
         watch_range(portable::normalised_fits<Raw, F>(v, 0) &&
@@ -217,7 +219,7 @@ struct Checked : Nearest {
                     Operation::normalise);
         Nearest::normalise3<Raw, F>(v, unit);
     }
-    /// As Nearest; notifies of underflow where a is not 0 and the result is.
+    /// As Nearest; notifies of underflow if a is not 0 and the result is.
     template <int K, class Raw>
     static FIXEDPOINT_CONSTEXPR Raw scale_down(Raw a) {
         const Raw result = Nearest::scale_down<K>(a);
@@ -252,9 +254,10 @@ struct Checked : Nearest {
         const Sum wide = static_cast<Sum>(static_cast<Sum>(portable::exact_product(c, Raw(1))));
         return static_cast<Sum>(wide << F);
     }
-    // Whether the sum of up to three terms of 2W bits, divided by 2^F, is not the result. The two
-    // differ by a multiple of 2^W where it overflowed and by at most 1/2 where it did not, which
-    // can be told from a quarter of each term: three quarters do not overflow 2W bits.
+    // Notifies if the sum of up to three terms of 2W bits, divided by 2^F, is not the result. The
+    // two differ by a multiple of 2^W if the sum overflowed and by at most 1/2 if it did not. A
+    // quarter of each term is enough to distinguish the cases, and three quarters do not overflow
+    // 2W bits.
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR void watch_sum(const portable::DoubleWord<Raw>* terms, int n,
                                                Raw result, Operation operation) {
@@ -286,7 +289,7 @@ struct Checked : Nearest {
     }
     template <class Raw>
     static FIXEDPOINT_CONSTEXPR Raw watched_length(const Raw* v, int n, Raw result) {
-        // Beyond (max + 1/2)^2 the root rounds to more than the largest number.
+        // The root rounds to more than the largest number if its square exceeds (max + 1/2)^2.
         const portable::DoubleWord<Raw> most = static_cast<portable::DoubleWord<Raw>>(
             portable::square(RawLimits<Raw>::max) +
             portable::DoubleWord<Raw>(magnitude(RawLimits<Raw>::max)));
@@ -296,15 +299,15 @@ struct Checked : Nearest {
         return result;
     }
 
-    // For sums, which cannot wrap all the way round to the saturated result.
+    // Only for sums, which cannot wrap all the way round to the saturated result.
     template <class Raw>
     static FIXEDPOINT_CONSTEXPR Raw wrapped(Raw result, Raw saturated, Operation operation) {
         watch_range(result == saturated, operation);
         return result;
     }
 
-    // Whether |numerator| 2^shift lies more than half of |unit| beyond |limit| |unit| (by half
-    // itself only where the result is positive, since halves are rounded up).
+    // Whether `value` exceeds `limit` by more than `half`, or by exactly `half` if `tie_counts`:
+    // halves are rounded up, so a tie leaves the range only above it.
     static FIXEDPOINT_CONSTEXPR bool beyond(portable::Wide128 value, portable::Wide128 limit,
                                             uint64_t half, bool tie_counts) {
         const uint64_t low = value.low - limit.low;
@@ -318,7 +321,7 @@ struct Checked : Nearest {
     }
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR bool product_exceeds(Raw a, Raw b, Raw limit) {
-        // a b against limit 2^F, in units of 1: half an ulp is 2^(F-1).
+        // Compares |a b| with |limit| 2^F; half an ulp is 2^(F-1).
         if (F == 0) {
             return beyond(portable::multiply_full(magnitude<int64_t>(a), magnitude<int64_t>(b)),
                           shifted(magnitude<int64_t>(limit), 0), 0, false);
@@ -328,7 +331,8 @@ struct Checked : Nearest {
     }
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR bool quotient_exceeds(Raw a, Raw b, Raw limit) {
-        // a 2^F against limit b; half an ulp is |b| / 2, a tie only where b is even.
+        // Compares |a| 2^F with |limit b|; half an ulp is |b| / 2, and a tie is possible only if b
+        // is even.
         const uint64_t divisor = magnitude<int64_t>(b);
         return beyond(shifted(magnitude<int64_t>(a), F),
                       portable::multiply_full(magnitude<int64_t>(limit), divisor),

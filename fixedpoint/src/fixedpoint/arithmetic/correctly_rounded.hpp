@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 /// \file
 /// CorrectlyRounded: as Nearest, but functions too return the exact result rounded to nearest, half
-/// up, so that a result does not depend on the algorithm that made it. In Q16.16 they compute with
-/// cores of 32 bits, where those leave a doubt in Q32.32, and further where that lies on a tie.
-/// Sine and cosine, and the kernels of the others, skip Q32.32. Only for formats whose numbers all
-/// are numbers of Q16.16, such as Q4.4 and Q8.8. Functions of turns and degrees and integer powers
-/// are Nearest's.
+/// up, so results do not depend on the algorithm. Every number of the format must be a number of
+/// Q16.16, as in Q4.4 and Q8.8. A function is first computed with a 32-bit core. If the error bound
+/// of that leaves the rounding undecided, it is computed in Q32.32, and if that result is a tie, to
+/// further digits. Sine and cosine, and the kernels of the other functions, skip Q32.32. Functions
+/// of turns and degrees and integer powers are those of Nearest.
 #pragma once
 
 #include <fixedpoint/arithmetic/nearest.hpp>
@@ -13,7 +13,7 @@
 
 namespace fixedpoint {
 
-/// As Nearest, with functions whose error is 0.5 ulp at most.
+/// As Nearest, with correctly rounded functions: their error is at most 0.5 ulp.
 struct CorrectlyRounded : Nearest {
     /// \cond internal
 #define FIXEDPOINT_CORRECTLY_ROUNDED(name, in_doubt)                                              \
@@ -55,29 +55,30 @@ struct CorrectlyRounded : Nearest {
     FIXEDPOINT_CORRECTLY_ROUNDED(pow, Pow, portable::WideSide<portable::Pow>)
 #undef FIXEDPOINT_CORRECTLY_ROUNDED
     /// \endcond
-    /// The angle of (x, y) in (-pi, pi]; 0 where both are 0.
+    /// The angle of (x, y) in (-pi, pi], correctly rounded, saturated; 0 if both are 0.
     template <class Raw, int F>
     static constexpr Raw atan2(Raw y, Raw x) {
         return kernel::is_kept(kernel::decided_atan2<Raw, F>) ? kernel::nearest_atan2<Raw, F>(y, x)
                                                               : y;
     }
-    /// The sine and the cosine of an angle in radians.
+    /// The sine and the cosine of an angle in radians, in that order, correctly rounded.
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR void sincos(Raw angle, Raw* sine_and_cosine) {
         sine_and_cosine[0] = sin<Raw, F>(angle);
         sine_and_cosine[1] = cos<Raw, F>(angle);
     }
-    /// The length of a vector of two components, saturated.
+    /// The length of a vector of two components, correctly rounded, saturated.
     template <class Raw, int F>
     static constexpr Raw length2(const Raw* v) {
         return portable::length2<Raw, F>(v);
     }
-    /// The length of a vector of three components, saturated.
+    /// The length of a vector of three components, correctly rounded, saturated.
     template <class Raw, int F>
     static constexpr Raw length3(const Raw* v) {
         return portable::length3<Raw, F>(v);
     }
-    /// v / length3(v), by component; the zero vector stays zero. `unit` may be v.
+    /// Writes v / length3(v) to `unit`, each component correctly rounded; the zero vector stays
+    /// zero. `unit` may be `v`.
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR void normalise3(const Raw* v, Raw* unit) {
         using Side = portable::UnitComponentSide;

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// What happens in an operation whose result is not what exact arithmetic would give, and which
-/// operation it was: what Checked tells its hook.
+/// The events that Checked reports to its hook, and the operations in which they happen.
 #pragma once
 
 namespace fixedpoint {
 
-/// What a hook is told of.
+/// Why a result is not the exact one, rounded: it is out of range, a divisor is 0, an argument is
+/// outside the domain, or a product or quotient other than 0 was rounded to 0.
 enum class Event : unsigned char { overflow, division_by_zero, domain_error, underflow };
 
-/// The operation that an event happened in; dot is dot2 and dot3, length is length2 and length3.
+/// The operation in which an event happened. dot stands for dot2 and dot3, length for length2,
+/// length3 and hypot.
 enum class Operation : unsigned char {
     add,
     subtract,

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// \file
 /// Rounded: as Nearest, but products, quotients, conversions and divisions by a power of two are
-/// rounded toward zero, toward minus infinity or half to even. It is for results that have to be
-/// those of another machine or of a standard: no kernel serves it, and the portable code takes
-/// several times the cycles of Nearest. Everything else is Nearest's.
+/// rounded toward zero, toward minus infinity or half to even. Use it to reproduce the results of
+/// another machine or of a standard. It does not have kernels, and the portable code takes several
+/// times the cycles of Nearest. Everything else is inherited from Nearest.
 #pragma once
 
 #include <fixedpoint/arithmetic/nearest.hpp>
@@ -14,7 +14,7 @@ namespace fixedpoint {
 /// As Nearest, with another rounding of products, quotients and conversions.
 template <Rounding rounding>
 struct Rounded : Nearest {
-    /// a * b rounded, mod 2^W.
+    /// a b rounded, mod 2^W.
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR Raw multiply(Raw a, Raw b) {
         return portable::multiply_rounded<rounding, Raw, F>(a, b);
@@ -25,12 +25,12 @@ struct Rounded : Nearest {
     static FIXEDPOINT_CONSTEXPR Raw divide(Raw a, Raw b) {
         return portable::divide_rounded<rounding, Raw, F>(a, b);
     }
-    /// a b, rounded, + c, mod 2^W.
+    /// The rounded a b, plus c, mod 2^W.
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR Raw multiply_add(Raw a, Raw b, Raw c) {
         return wrapping_add(multiply<Raw, F>(a, b), c);
     }
-    /// The sum of a_i b_i over two or three components, each product rounded for itself, mod 2^W.
+    /// The sum of a_i b_i over two or three components, each product rounded separately, mod 2^W.
     /// @{
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR Raw dot2(const Raw* a, const Raw* b) {
@@ -46,18 +46,18 @@ struct Rounded : Nearest {
     static FIXEDPOINT_CONSTEXPR Raw scale_down(Raw a) {
         return portable::shift_rounded<rounding, K>(a);
     }
-    /// a, an integer or of another format, rounded to F fraction bits, mod 2^W.
+    /// a, an integer or a raw of another format, rounded to F fraction bits, mod 2^W.
     template <class Raw, int F, class FromRaw, int FromF>
     static FIXEDPOINT_CONSTEXPR Raw convert(FromRaw a) {
         return portable::convert_rounded<rounding, Raw, F, FromRaw, FromF>(a);
     }
 };
 
-/// To the number next to 0, as C divides integers.
+/// Rounds toward zero, as C divides integers.
 using TowardZero = Rounded<Rounding::toward_zero>;
-/// To the smaller number, as >> shifts.
+/// Rounds toward minus infinity, as >> shifts.
 using Downward = Rounded<Rounding::downward>;
-/// To the nearer number, and from the middle to the even one, as IEEE 754: without a bias.
+/// Rounds to nearest, half to even, as IEEE 754 does by default: unbiased.
 using HalfToEven = Rounded<Rounding::half_to_even>;
 
 }  // namespace fixedpoint

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Wrapping: what every arithmetic has in common. Sums and shifts are exact modulo 2^W;
-/// conversions, divisions by a power of two and roundings to an integer are not what arithmetics
-/// differ in, but for those that saturate or tell.
+/// Wrapping: the operations that all arithmetics share. Sums and shifts are exact modulo 2^W;
+/// conversions, divisions by a power of two and roundings to an integer are rounded to nearest.
+/// Arithmetics that saturate, report or round differently override them.
 #pragma once
 
 #include <fixedpoint/arithmetic/event.hpp>
@@ -14,9 +14,10 @@
 
 namespace fixedpoint {
 
-/// What all arithmetics have in common: sums, shifts, conversions and roundings to an integer.
+/// The operations that all arithmetics share: sums, shifts, conversions and roundings to an
+/// integer.
 struct Wrapping {
-    /// Whether sums, differences and products beyond the range are taken modulo 2^W.
+    /// Whether sums, differences and products out of range are taken modulo 2^W.
     static constexpr bool is_modulo = true;
 
     /// (a + b) mod 2^W.
@@ -34,16 +35,17 @@ struct Wrapping {
     static constexpr Raw negate(Raw a) {
         return wrapping_negate(a);
     }
-    /// Whether `settle` takes more than the result mod 2^W.
+    /// Whether `settle` needs more than the result mod 2^W.
     static constexpr bool settles = false;
-    /// What becomes of an exact result other than that of two raws: `wrapped` is the result mod
-    /// 2^W, `fits` says whether it is the exact one, and `is_above`, where it is not, whether that
-    /// lies above the range rather than below.
+    /// Turns an exact result into the one to return, for operations that are not defined by two
+    /// raws alone. `wrapped` is the result mod 2^W; the other arguments say whether it is the exact
+    /// one, if not, whether the exact one is above the range rather than below, and which operation
+    /// it belongs to.
     template <class Raw>
     static constexpr Raw settle(Raw wrapped, bool, bool, Operation) {
         return wrapped;
     }
-    /// The same of the integers' quotient a / b, which is saturated already.
+    /// The same for the integer quotient a / b, which is already saturated.
     template <class Raw>
     static constexpr Raw settle_quotient(Raw quotient, Raw, Raw) {
         return quotient;
@@ -58,12 +60,12 @@ struct Wrapping {
     static constexpr Raw scale_down(Raw a) {
         return portable::scale_down<K>(a);
     }
-    /// a, an integer or of another format, rounded to F fraction bits, mod 2^W.
+    /// a, an integer or a raw of another format, rounded to F fraction bits, mod 2^W.
     template <class Raw, int F, class FromRaw, int FromF>
     static constexpr Raw convert(FromRaw a) {
         return portable::convert<Raw, F, FromRaw, FromF>(a);
     }
-    /// The float or double x, rounded, saturated; 0 where x is NaN.
+    /// The float or double x, rounded, saturated; 0 if x is NaN.
     template <class Raw, int F, class Float>
     static constexpr Raw from_float(Float x) {
         return portable::from_float<Raw, F>(x).number;
@@ -73,12 +75,12 @@ struct Wrapping {
     static constexpr Raw from_decimal(Int n, uint8_t decimals) {
         return portable::from_decimal<Raw, F>(n, decimals).number;
     }
-    /// The smallest integral number >= a, and the nearest one, half up; saturated.
+    /// The smallest integral number >= a, saturated.
     template <class Raw, int F>
     static constexpr Raw ceil(Raw a) {
         return portable::ceil<Raw, F>(a);
     }
-    /// The nearest integral number, half up; saturated.
+    /// The nearest integral number, half up, saturated.
     template <class Raw, int F>
     static constexpr Raw round(Raw a) {
         return portable::round<Raw, F>(a);

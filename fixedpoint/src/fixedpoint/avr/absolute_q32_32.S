@@ -5,7 +5,7 @@
 // int64_t fixedpoint_abs_diff_q32_32(int64_t a, int64_t b)
 // |a - b|.
 //
-// Both modulo 2^64. The same for every format of 64 bits.
+// Both modulo 2^64. The same for every 64-bit format.
 //
 // In       a = r25:r18, b = r17:r10
 // Out      r25:r18
@@ -24,7 +24,7 @@
 
     ENTRY fixedpoint_abs_diff_q32_32
     sub_bytes r18, r10, 8
-    brlt .Lnegate       // by the exact difference, of which the sign is no bit
+    brlt .Lnegate       // by the exact difference, whose sign is not one of its bits
     ret
 .Lnegate:
     negate_bytes r18, 8

@@ -12,8 +12,8 @@
 // Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
 // Stack    5 bytes and a call; of exchange 9 bytes and a call
 //
-// The factor is a of short_factor_q16_16.inc, the components are b. A sum by a whole factor from 0 to
-// 255, as many an inverse mass is, takes a quarter of the products and no rounding.
+// The factor is a of short_factor_q16_16.inc, the components are b. A whole factor from 0 to 255,
+// which many inverse masses are, takes a quarter of the products and does not need rounding.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -21,7 +21,7 @@
 #include "short_factor_q16_16.inc"
 
 #define count r13
-// Of a whole factor, in place of s4 and s5.
+// For a whole factor, in place of s4 and s5.
 #define w4 a0
 #define w5 a1
 

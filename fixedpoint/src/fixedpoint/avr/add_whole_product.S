@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// s5:s2 += a b modulo 2^32 of the signed b in b1:b0, for the operands of Q16.16 that have more than
-// a sign before the point. The registers are those of short_factor_q16_16.inc.
+// s5:s2 += a b modulo 2^32 for the signed b in b1:b0: for Q16.16 operands whose integer part is not
+// just a sign. The registers are those of short_factor_q16_16.inc.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // DO NOT EDIT: written by python3 fixedpoint/tables/arc_sine.py
-// Of the arc sine from 0 on, in units of 2^-23: what it exceeds its argument by and 64, half an ulp of
-// Q16.16; what the chord of that rises over 1/64; its height over the curve's middle. Of sqrt(x / 2)
-// from x = 1/4 on, in units of 2^-22: value, rise and the curve's height over the middle of its chord.
+// For the arc sine from 0 on, in units of 2^-23: asin x - x plus 64, half an ulp of Q16.16; the rise of
+// its chord over 1/64; the height of the chord above the middle of the curve. For sqrt(x / 2) from
+// x = 1/4 on, in units of 2^-22: value, rise and the height of the curve above the middle of its chord.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
 
     TABLE fixedpoint_arc_sine_table, 1
-    // three bytes of value, two of slope, the bend; of the roots behind the arcs
+    // three bytes of value, two of slope, the bend; first the arcs, then the roots
     .byte  64,   0,   0,   5,   0,   2,  70,   0,   0,  37,   0,   6, 107,   0,   0, 101
     .byte   0,  10, 208,   0,   0, 198,   0,  14, 151,   1,   0,  71,   1,  18, 222,   2
     .byte   0, 232,   1,  22, 197,   4,   0, 171,   2,  26, 112,   7,   0, 143,   3,  31

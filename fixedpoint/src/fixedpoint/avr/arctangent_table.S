@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // DO NOT EDIT: written by python3 fixedpoint/tables/arctangent.py
-// 2^24 atan(x) + 128 on 256 intervals of [0, 1]: half an ulp of Q16.16 is in it, so that
-// cutting 8 bits rounds.
+// 2^24 atan(x) + 128 on 256 intervals of [0, 1]: it includes half an ulp of Q16.16, so that
+// truncating 8 bits rounds.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"

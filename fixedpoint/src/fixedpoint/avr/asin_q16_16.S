@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 // int32_t fixedpoint_asin_q16_16(int32_t a), fixedpoint_acos_q16_16(int32_t a)
-// asin a and acos a in Q16.16, within 0.6 ulp; beyond -1 and 1 what they are there.
+// asin a and acos a in Q16.16, within 0.6 ulp; arguments outside [-1, 1] count as the nearer end.
 //
 // In       a = r25:r22
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
 //
-// Below 1/2 the arc sine s + (asin s - s), above it pi/2 - 2 asin s with s = sqrt((1 - |a|) / 2), which
-// is 1/2 at most: two tables of parabolas on intervals of 1/64, for what is behind s and for the root,
-// of an argument that is normalised by powers of 4. A parabola's height over or below its chord is the
-// bend times t (1 - t), for which 8 bits of the fraction t are enough. s has 22 bits behind the point,
-// the result 23 before it is rounded: an error of the root counts twice and 1.15 times, the slope of
-// the arc sine at 1/2.
+// Argument reduction: below 1/2 the arc sine is s + (asin s - s); above, it is pi/2 - 2 asin s with
+// s = sqrt((1 - |a|) / 2), which is at most 1/2. Two tables of parabolas on intervals of 1/64 give
+// asin s - s and the root, whose argument is normalised by powers of 4. The height of a parabola
+// above or below its chord is the bend times t (1 - t), for which 8 bits of the fraction t are
+// enough. s has 22 fraction bits, and the result has 23 before it is rounded: an error of the root
+// counts 2 times 1.15, the slope of the arc sine at 1/2.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -20,12 +20,12 @@
 #define interval r23
 #define fraction1 r22
 #define fraction0 r21
-// By how many bits the root is shifted back.
+// The number of bits by which the root is shifted back.
 #define shift r20
 #define slope0 r18
 #define slope1 r19
 #define bend r23
-#define rest r18 // of the interval, behind the fraction
+#define rest r18 // bits of the interval, below the fraction
 #define rise0 r30
 #define rise1 r31
 #define sum0 r26
@@ -37,7 +37,7 @@
 
 #include "rise_q16_16.inc"
 
-// interval:fraction of the number of 16 bits in r23:r22, in units of 2^-16.
+// interval:fraction of the 16-bit number in r23:r22, in units of 2^-16.
     .macro take_interval
     ldi fraction0, 0
     .rept 2
@@ -47,7 +47,7 @@
     .endr
     .endm
 
-// The value of the record that lies 6 times the interval behind the table's `start`; Z at the rest.
+// The value of the record at `start` + 6 interval; Z points to the rest.
     .macro find_value start
     ldi r18, 6
     mul interval, r18
@@ -59,7 +59,7 @@
     lpm sum2, Z+
     .endm
 
-// What lies between the value and the parabola, added; the height over the chord by `bent`.
+// Adds the chord's rise from the value, and the height of the parabola above the chord by `bent`.
     .macro add_parabola bent, bent_carry
     lpm slope0, Z+
     lpm slope1, Z+
@@ -125,7 +125,7 @@
 2:  cpi r23, 0x40
     brlo 1b
     take_interval
-    find_value (33 - 16) * 6 // the roots begin at interval 16, behind 33 arcs
+    find_value (33 - 16) * 6 // the roots begin at interval 16, after 33 arcs
     add_parabola add, adc
     mov fraction0, sum0
     mov fraction1, sum1

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // int32_t fixedpoint_atan2_q<32 - F>_<F>(int32_t y, int32_t x)
 // int32_t fixedpoint_atan_q<32 - F>_<F>(int32_t a)
-// The angle of the vector (x, y) in (-pi, pi] and of (1, a), of each split of 32 bits but Q16.16;
-// within 0.55 ulp up to F = 28 and 0.75 ulp beyond, saturated where the format cannot hold it;
-// atan2(0, 0) = 0.
+// The angle of the vector (x, y) in (-pi, pi] and of (1, a), in every 32-bit format except Q16.16;
+// within 0.55 ulp up to F = 28 and 0.75 ulp beyond, saturated; atan2(0, 0) = 0.
 //
 // In       y = r25:r22, x = r21:r18; a = r25:r22
 // Out      r25:r22
@@ -12,21 +11,22 @@
 // Tables   3072 bytes, fixedpoint_atan_32_table; 512 bytes, fixedpoint_reciprocal_table
 //
 // The ratio of the shorter coordinate to the longer one, rounded downward to 32 fraction bits, is
-// the position in the table of the arc tangent; 2^32 - 1 where both are equal. Beyond F = 24 the
-// upper byte of what is left counts with the slope there. The angle is put back from the first octant.
-// The ratio's four digits to base 256 are those of divide_32.S without signs, roundings and limits.
+// the position in the arc tangent table; it is 2^32 - 1 if both are equal. Beyond F = 24 the upper
+// byte of the remainder is interpolated with the slope there. The angle is then unfolded from the
+// first octant. The four base-256 digits of the ratio are those of divide_32.S without signs,
+// rounding and limits.
 //
-// Error in units of 2^-31: up to F = 24 the core of 32 bits (cubic_core_32.inc) and the ratio 0.5; beyond,
-// the core of 40 bits 0.2.
+// Error in units of 2^-31: up to F = 24 the 32-bit core (cubic_core_32.inc) and the ratio 0.5;
+// beyond, the 40-bit core 0.2.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
 #include "cubic_32.inc"
 #include "ratio_32.inc"
 
-    // r25:r22 = floor(2^32 n / d), n = r25:r22 below d = r21:r18; r26 = the upper byte of what is left,
-    // where the divisor is 2^40 or less by a 256th of it at most. Changes r18..r21, r27, r30, r31; r1
-    // is not 0 at return.
+    // r25:r22 = floor(2^32 n / d) for n = r25:r22 below d = r21:r18; r26 = the upper byte of the
+    // remainder for the scaled divisor, which is 2^40 less at most a 256th. Changes r18..r21, r27,
+    // r30, r31; r1 is not 0 at return.
     FUNCTION fixedpoint_ratio_32
     ratio_32
     ret
@@ -71,7 +71,7 @@
     ENTRY fixedpoint_atan_q\integer\()_\fraction
     ldi r30, 0
     .if \fraction == 32
-    // 1 lies beyond four bytes, and the numbers are their own ratios to it.
+    // 1 does not fit in four bytes, and the numbers are their own ratios to it.
     ldi r26, 0
     bst n3, 7
     brtc .Lratio_is_known_\fraction
@@ -167,7 +167,8 @@
     ENDFUNC fixedpoint_atan2_q\integer\()_\fraction
     .endm
 
-    // The angle less than a constant that is added next: its one's complement is -1 less it.
+    // Prepares the subtraction of the angle from the constant added next: its one's complement is
+    // -1 - angle.
     .macro turned_back fraction
     com_bytes r23, 4
     com r22

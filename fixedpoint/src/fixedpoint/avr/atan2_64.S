@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // int64_t fixedpoint_atan2_64(int64_t y, int64_t x, uint8_t fraction)
-// The angle of the vector (x, y) in radians, with so many fraction bits, within 0.7 ulp; 0 for the zero vector.
-// fraction is 31 to 56.
+// The angle of the vector (x, y) in radians with `fraction` fraction bits, within 0.7 ulp; 0 for
+// the zero vector. fraction must be in 31..56.
 //
 // In       y = r25:r18, x = r17:r10, fraction = r8
 // Out      r25:r18
@@ -9,8 +9,8 @@
 // Stack    46 bytes
 // Tables   2944 bytes, fixedpoint_septic_atan_table; that of divide_64.S
 //
-// The smaller side over the larger one, by divide_64 with 63 fraction bits, is the position in the table. An angle has
-// nine bytes until it is rounded.
+// The ratio of the smaller side to the larger one, by divide_64 with 63 fraction bits, is the
+// position in the table. An angle has nine bytes until it is rounded.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -21,7 +21,8 @@
 #define LEFT 1
 #define STEEP 2
 
-    // r17 and r25:r18 = an angle, in units of 2^-63, less that; of its bytes the lowest first.
+    // r17 and r25:r18 = an angle, in units of 2^-63, minus that; its bytes are given from the
+    // lowest on.
     .macro subtract_from b0, b1, b2, b3, b4, b5, b6, b7, b8
     .irp n, 18, 19, 20, 21, 22, 23, 24, 25, 17
     com r\n

@@ -10,22 +10,24 @@
 // Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
 //
 // The smaller magnitude N is divided by the larger one D: both are shifted until D has 24 bits (a
-// multiplication by a power of two), the reciprocal of D comes from chords on 256 intervals, and
-// N/D from six of the nine byte products. The arc tangent of the ratio comes from chords on 256
-// intervals; octants fold by pi/2 and pi. atan of less than 1 needs no division.
+// multiplication by a power of two), the reciprocal of D comes from linear interpolation on 256
+// intervals, and N/D from six of the nine byte products. The arc tangent of the ratio also comes
+// from linear interpolation on 256 intervals; octants are folded by pi/2 and pi. atan of less than
+// 1 does not need a division.
 //
 // Error in ulp: chord of the arc tangent 0.041; chord of the reciprocal 2^-19, of which the angle
-// takes at most half, 0.063; the ratio cut to 23 bits, less than 5 units of them, 0.039; D and N
-// cut to 24 bits 0.016; rise and entries of the reciprocal 0.005, of the arc tangent 0.013; pi
-// 0.002. Rounding 0.5. The worst of all 2^32 inputs of atan is 0.58382, at -68608; the worst found
-// of atan2, in 10^9 pairs and by climbing, is 0.62549, at (-25067131, -33686008).
+// takes at most half, 0.063; the ratio truncated to 23 bits, less than 5 units of them, 0.039; D
+// and N truncated to 24 bits 0.016; rise and entries of the reciprocal 0.005, of the arc tangent
+// 0.013; pi 0.002. Rounding 0.5. The largest error over all 2^32 inputs of atan is 0.58382, at
+// -68608; the largest found for atan2, in 10^9 pairs and by hill climbing, is 0.62549, at
+// (-25067131, -33686008).
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
 
 #define octant r27
 #define power r26
-// D normalised, without its leading one: interval and fraction of it.
+// D normalised, without its leading one: its interval and fraction.
 #define interval r30
 #define fraction0 r20
 #define fraction1 r21
@@ -61,7 +63,7 @@
     rjmp .Lfour_bytes
     tst d2
     brne .Lthree_bytes
-    // D is below 1: eight bits up; at most twice.
+    // D is below 1: shifted left by eight bits, at most twice.
 .Lshort:
     mov d2, d1
     mov d1, d0
@@ -157,7 +159,7 @@
     adc angle2, r1
     return_from_first_octant
 
-    // Rounding of the reciprocal made the ratio 1 or a little more.
+    // Rounding of the reciprocal made the ratio 1 or slightly more.
 .Lone:
     ldi ratio0, 0xff
     ldi ratio1, 0xff

@@ -10,15 +10,16 @@
 // Tables   3328 bytes, fixedpoint_atan_64_table; 1280 bytes, fixedpoint_ratio_table; 256 bytes,
 //          fixedpoint_leading_one_table
 //
-// Both coordinates go up until the longer one D has its leading one at the top; five bytes of each are
-// kept, N of the shorter one. Chords on 256 intervals give 2^63 / D in three bytes R, 40 less, so that R
-// is never too large. Three bytes g of N / D follow from N R, at most 2^-17 too small; the remainder
-// N - g D, exact but for what lies below the result, times R + 40 gives the bytes below. The ratio, 40
-// bits, is the position in the table of the arc tangent; 2^40 - 1 where it rounds to 1. The angle is put
-// back from the first octant.
+// Both coordinates are shifted left until the longer one, D, has its leading one at the top; five
+// bytes of each are kept, N of the shorter one. Linear interpolation on 256 intervals gives 2^63 /
+// D in three bytes R, biased by -40 so that R is never too large. Three bytes g of N / D follow
+// from N R, at most 2^-17 too small; the remainder N - g D, exact except for bits below the result,
+// times R + 40 gives the bytes below. The 40-bit ratio is the position in the arc tangent table; it
+// is 2^40 - 1 if it rounds to 1. The angle is then unfolded from the first octant.
 //
-// Error in units of 2^-39: the core 11.0; the product of the relative errors of R, 73 2^-24, and of R +
-// 40, 34 2^-24, 1.2; the bytes left out 3; N and D cut to five bytes 1; the rounding 64, half an ulp.
+// Error in units of 2^-39: the core 11.0; the product of the relative errors of R, 73 2^-24, and of
+// R + 40, 34 2^-24, 1.2; the omitted bytes 3; N and D truncated to five bytes 1; the rounding 64,
+// half an ulp.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -66,7 +67,8 @@
     mul_add \a1, \b2, \p0, \p1, nothing, \p2
     .endm
 
-    // The angle is r22:r18, r26 in units of 2^-39 and holds half an ulp for the rounding, before and after.
+    // The angle is r22:r18, r26 in units of 2^-39 and includes half an ulp for rounding, before and
+    // after.
     .macro add_to_angle value
     .set constant, -(\value)
     subi r26, constant & 0xff

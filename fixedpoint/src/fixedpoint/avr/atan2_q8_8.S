@@ -9,10 +9,11 @@
 // Clobbers: r0, r18..r23, r26, r27, r30, r31
 // Stack:    0 bytes.
 //
-// The smaller coordinate times the reciprocal of the larger, both moved up so that the larger's
-// leading one is in bit 15, is the ratio t in 15 bits, below 1 as the reciprocal always is a little
-// less than 1 / larger. Reciprocal and arc tangent are chords, of 128 intervals each (3 loads and a
-// multiplication); atan2_q8_8.py makes them. portable/atan2_q8_8.hpp is the same, bit for bit.
+// The smaller coordinate times the reciprocal of the larger one, both shifted left so that the
+// leading one of the larger is in bit 15, is the ratio t in 15 bits. It is below 1, since the
+// reciprocal is always slightly less than 1 / larger. Reciprocal and arc tangent are interpolated
+// linearly on 128 intervals each (3 loads and a multiplication); atan2_q8_8.py generates the
+// tables. portable/atan2_q8_8.hpp is the same, bit for bit.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -28,11 +29,12 @@
 #define t0 r26
 #define t1 r27
 #define zero r31
-// 2^16 pi and half of it, and half an ulp.
+// 2^16 pi and half of it, plus half an ulp.
 #define PI 206015
 #define HALF_PI 103072
 
-    // value1:value0 and r0 = what the page-wise table of chords holds for r30.
+    // value1:value0 and r0 = the entry for r30 in the table of chords, whose bytes are in separate
+    // pages.
     .macro load_chord
     ldi r31, hi8(fixedpoint_atan2_q8_8_table)
     lpm_pages value0, value1, r0

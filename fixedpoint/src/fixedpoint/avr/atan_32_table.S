@@ -6,7 +6,7 @@
 #include "prelude.inc"
 
     TABLE fixedpoint_atan_32_table
-    // twist, 2 bytes of bend, 4 of slope, 5 of value; as often as there are intervals
+    // for each interval: twist, 2 bytes of bend, 4 of slope, 5 of value
     .byte  43,   0,   0,  53,   0,   0, 128,   1,   0,   0,   0,   0,  43, 128,   0,  56
     .byte 128, 255, 127,  86, 213, 255, 127,   0,  43,   0,   1,  73,   0, 254, 127, 173
     .byte 170, 254, 255,   0,  43, 127,   1, 130, 127, 251, 127,  44, 128, 251, 127,   1

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // DO NOT EDIT: written by python3 fixedpoint/tables/atan_64.py
 // atan(x) on 256 intervals of [0, 1], cubics in the layout of tables/cubic.py.
-// 11.0 2^-39 off at most, of 34 points an interval; the values hold half an ulp of Q32.32.
+// The error is at most 11.0 2^-39 at 34 points per interval; the values include half an ulp of Q32.32.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
 
     TABLE fixedpoint_atan_64_table, 1
-    // twist, 3 bytes of bend, 4 of slope, 5 of value; as often as there are intervals
+    // for each interval: twist, 3 bytes of bend, 4 of slope, 5 of value
     .byte  42,   0,   1,   0, 107,   0,   0, 128,  53,   0,   0,   0,   0,  43, 125, 127
     .byte   0, 202, 127, 255, 127, 155, 213, 255, 127,   0,  43, 112, 255,   0, 207, 255
     .byte 253, 127, 244, 170, 254, 255,   0,  43,  85, 127,   1, 236, 127, 251, 127,  94

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // int32_t fixedpoint_biquad_q16_16(int32_t input, void* filter)
 // int32_t fixedpoint_biquad_q8_24(int32_t input, void* filter)
-// The next output of a filter of the second order: the exact sum of five products and two errors times
-// their weights, rounded half up and taken modulo 2^32; what that loses is the next error.
+// The next output of a second-order filter: the exact sum of five products and two weighted errors,
+// rounded half up and taken modulo 2^32. The rounding error becomes the next error.
 //
 // In       input = r25:r22, filter = r21:r20: the coefficients of x, x1, x2, y1, y2, then x1, x2, y1, y2,
 //          the weights of the last two errors, a byte each, and these errors, signed, in 2 or 4 bytes
@@ -10,8 +10,8 @@
 // Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
 // Stack    8 or 9 bytes
 //
-// Each product leaves its signal in a, which the next signal's place takes: all move on by one. The
-// coefficient of y1 is between 1 and 2 in most low-pass filters.
+// Each product leaves its signal in a, which is stored to the place of the next signal: so all
+// signals move on by one. The coefficient of y1 is between 1 and 2 in most low-pass filters.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -28,7 +28,7 @@
     mov \a, r0
     .endm
 
-    // sum += weight error, in the bytes that hold it.
+    // sum += weight error, in the bytes that it occupies.
     .macro add_error weight_at, error_at, fraction
     ldd weight, Y + \weight_at
     ldd part, Y + \error_at
@@ -90,7 +90,7 @@
     std Y + 2, \o2
     std Y + 3, \o3
     ldi r24, 0x80
-    eor \half, r24      // less the half that was to round
+    eor \half, r24      // minus the half added for rounding
     .irp n, 0, 1, 2, 3
     .if \n < \error_bytes
     ldd r24, Y + 10 + \n

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // DO NOT EDIT: written by python3 fixedpoint/tables/cbrt_64.py
-// cbrt(1 + x) - 1, 9 2^-39 more and half an ulp of Q32.32 less, on 256 intervals of [0, 1], cubics
-// in the layout of tables/cubic.py.
-// 8.4 2^-39 off at most, of 34 points an interval; the values hold half an ulp of Q32.32.
+// cbrt(1 + x) - 1 + 9 2^-39 - half an ulp of Q32.32 on 256 intervals of [0, 1], cubics in the
+// layout of tables/cubic.py.
+// The error is at most 8.4 2^-39 at 34 points per interval; the values include half an ulp of Q32.32.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
 
     TABLE fixedpoint_cbrt_64_table, 1
-    // twist, 3 bytes of bend, 4 of slope, 5 of value; as often as there are intervals
+    // for each interval: twist, 3 bytes of bend, 4 of slope, 5 of value
     .byte 248,  18,  57,  14, 191, 170, 170,  42,   7,   0,   0,   0,   0, 248, 157,  33
     .byte  14, 165,  80, 142,  42, 174, 121, 156,  42,   0, 248, 101,  10,  14, 116,  37
     .byte 114,  42, 173, 176,  28,  85,   0, 248, 107, 243,  13, 179,  40,  86,  42, 177

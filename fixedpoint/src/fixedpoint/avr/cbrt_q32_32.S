@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // int64_t fixedpoint_cbrt_q32_32(int64_t a)
-// The cube root of a, of its sign, within 0.55 ulp.
+// The cube root of a, with its sign, within 0.55 ulp.
 //
 // In       a = r25:r18
 // Out      r25:r18
@@ -8,11 +8,12 @@
 // Stack    17 bytes
 // Table    3349 bytes, fixedpoint_cbrt_64_table
 //
-// |a| = m 2^e, m from 1 to 2. The core has y, the cube root of m, within 2^-34, and y + (m - y^3) / (3 y^2)
-// is within 2^-47. Of m - y^3 only the bytes 2^-40 to 2^-56 are formed, since all above are 0 or all are
-// ones; 1 / (3 y^2) is the slope of the core's record. The cube root of 2^(e mod 3) and the place follow.
+// |a| = m 2^e, 1 <= m < 2. The core gives y, the cube root of m, within 2^-34, and one Newton step,
+// y + (m - y^3) / (3 y^2), is within 2^-47. Of m - y^3 only the bytes 2^-40 to 2^-56 are computed,
+// since those above are all zeros or all ones; 1 / (3 y^2) is the slope in the core's record. The
+// result is multiplied by the cube root of 2^(e mod 3) and shifted into place.
 //
-// Error in ulps where the result is largest: the slope's upper bytes 0.06, the rounding 0.5.
+// Error in ulp for the largest results: the truncated slope 0.06, the rounding 0.5.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -29,7 +30,7 @@
     \operation \other, 17 + \i
     .endif
     .endm
-// A product of bytes of u to r15:r8, its column being `column`.
+// Adds a product of bytes of u to r15:r8 in column `column`.
     .macro product_of_u i, j, column
     with_byte_of_u mov, \i, r25
     with_byte_of_u mul, \j, r25
@@ -83,7 +84,7 @@
     mov_from_top r22, r21, 4
     find_record_64 fixedpoint_cbrt_64_table, r26
     XCALL fixedpoint_cubic_64
-    // r24:r23 = 2^15 / (3 y^2), from behind the record
+    // r24:r23 = 2^15 / (3 y^2), which follows the record
     sbiw r30, 10
     lpm r22, Z
     mul r22, r25

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // void fixedpoint_cofactors_q<32 - F>_<F>(const int32_t* m, int32_t* result)
-// The cofactors of a matrix of three rows: row i is the cross product of the two rows after row i in
-// cyclic order. Each is the exact difference of two products, divided by 2^F, rounded half up and
-// taken modulo 2^32. Of each split of 32 bits.
+// The cofactors of a 3x3 matrix: row i is the cross product of the two rows after row i in cyclic
+// order. Each is the exact difference of two products, divided by 2^F, rounded half up and taken
+// modulo 2^32. For every 32-bit format.
 //
-// In       m = r25:r24, result = r23:r22, in RAM; result is not m
+// In       m = r25:r24, result = r23:r22, in RAM; result must not be m
 // Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
 // Stack    18 bytes
 
@@ -13,7 +13,7 @@
 
 #include "product_sum_32.inc"
 
-// The two rows, and the places of their components in cyclic order, in bytes.
+// The two rows, and the byte offsets of their components in cyclic order.
 #define p r2
 #define q r4
 #define i r6

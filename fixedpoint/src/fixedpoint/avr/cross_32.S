@@ -9,28 +9,28 @@
 // void fixedpoint_quaternion_product_q<32 - F>_<F>(the same)
 // The product of two quaternions, the scalar part first.
 //
-// Each component is the exact sum of products, of which some are subtracted, divided by 2^F,
-// rounded half up and taken modulo 2^32. Of each split of 32 bits.
+// Each component is an exact sum of products, some of them negated, divided by 2^F, rounded half up
+// and taken modulo 2^32. For every 32-bit format.
 //
-// In       result = r25:r24, a = r23:r22, b = r21:r20; result is neither in a nor in b
+// In       result = r25:r24, a = r23:r22, b = r21:r20; result must not overlap a or b
 // Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
 // Stack    18 bytes and a call
 //
-// The bytes of a, often a rotation, are those that product_sum_32.inc takes apart.
+// a, often a rotation, is the operand that product_sum_32.inc takes byte by byte.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
 
 #include "product_sum_32.inc"
 
-// The vectors a and b, whose scalar parts lie in front of them.
+// The vectors a and b; their scalar parts precede them.
 #define a r2
 #define b r4
-// Places of the components i, j, k in cyclic order, in bytes.
+// The byte offsets of the components i, j, k in cyclic order.
 #define i r6
 #define j r7
 #define k r8
-// Bit 0: and the scalar of a times b; bit 1: and a times the scalar of b; bit 2: twice the sum.
+// Bit 0: add the scalar of a times b; bit 1: add a times the scalar of b; bit 2: double the sum.
 #define options r9
 
     // s += a b of the components at the places p and q.

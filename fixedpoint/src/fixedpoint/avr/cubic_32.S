@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The cores of every function of 32 bits: a piecewise cubic on 256 intervals,
+// The cores of every 32-bit function: a piecewise cubic on 256 intervals,
 //
 //     value + t (slope - t (bend + t twist)),
 //
-// t in [0, 1) the position in the interval. They are no C functions: r21 is zero instead of r1.
+// where t in [0, 1) is the position in the interval. Not C functions: r21 is zero instead of r1.
 //
 // fixedpoint_cubic_32    in units of 2^-31, within 5.7 units (cubic_core_32.inc), modulo 2^32
 // fixedpoint_cubic_40    in units of 2^-39, modulo 2^40; within 57 units, 2^-33.1
@@ -12,9 +12,10 @@
 // Out      r25:r22; r27:r23, and r22 = the slope there, in units of 2^-15
 // Changes  r0, r1, r22..r27, r30, r31; cubic_40 changes r18, too
 //
-// A record of twelve bytes lies in the order of use. The twist sees the upper byte of t. Products
-// without influence on the unit are left out and those on it keep their upper byte. By that alone,
-// cubic_32 subtracts up to 2.8 units too few and adds up to 5.3 too few.
+// The twelve bytes of a record are in the order of use. The twist is multiplied by the upper byte
+// of t only. Products below the unit are omitted, and of those that reach it only the upper byte is
+// kept. By that alone, cubic_32 subtracts up to 2.8 units too little and adds up to 5.3 units too
+// little.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"

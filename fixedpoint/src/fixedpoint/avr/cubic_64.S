@@ -4,16 +4,16 @@
 //
 //     value + t (slope - t (bend + t twist)),
 //
-// t in [0, 1) the position in the interval. It is no C function: r17 is zero instead of r1.
+// where t in [0, 1) is the position in the interval. Not a C function: r17 is zero instead of r1.
 //
 // In       r31:r30 = address of the interval's record (tables/cubic.py), r25:r22 = 2^32 t, r17 = 0
-// Out      r21:r18, r26 = the function in units of 2^-39, modulo 2^40, with half an ulp of Q32.32 for
-//          the rounding; the tables tell its error
+// Out      r21:r18, r26 = the function in units of 2^-39, modulo 2^40, including half an ulp of
+//          Q32.32 for rounding; the tables state its error
 // Changes  r0, r1, r18..r22, r26, r27, r30, r31
 //
-// A record of thirteen bytes lies in the order of use. The twist sees the upper two bytes of t.
-// Products without influence on the unit are left out and those on it keep their upper byte; the
-// table makes up for what that cuts in the mean.
+// The thirteen bytes of a record are in the order of use. The twist is multiplied by the upper two
+// bytes of t only. Products below the unit are omitted, and of those that reach it only the upper
+// byte is kept; the table compensates for the mean of that truncation.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -44,7 +44,7 @@
     lpm bend0, Z+
     lpm bend1, Z+
     lpm bend2, Z+
-    mov r19, t3         // mulsu takes no register beyond r23
+    mov r19, t3         // mulsu does not take registers above r23
     mulsu twist, r19    // the carry is the sign
     sbc bend2, zero
     add bend0, r0

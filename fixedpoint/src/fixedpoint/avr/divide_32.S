@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // int32_t fixedpoint_divide_q<32 - F>_<F>(int32_t a, int32_t b)
-// floor(a 2^F / b + 1/2), clamped; for b = 0 the largest number where a > 0, the smallest where
-// a < 0, 0 where a = 0: the quotient of each split of 32 bits but Q16.16, whose own is faster,
-// rounded to nearest, ties upward.
+// floor(a 2^F / b + 1/2), saturated. If b = 0: the largest number if a > 0, the smallest if a < 0,
+// 0 if a = 0. The quotient, rounded to nearest, half up, of every 32-bit format except Q16.16,
+// which has a faster kernel of its own.
 //
 // In       a = r25:r22, b = r21:r18
 // Out      r25:r22
@@ -11,19 +11,18 @@
 // Table    512 bytes, fixedpoint_reciprocal_table
 //
 // The method is that of divide_q16_16.S: the divisor d = 2^k |b| has its leading one in bit 31,
-// and v = 2^8..2^9 makes D = d v = 2^40 - E, 0 < E < 2^32. A digit of the quotient to base 256 is
+// and v in 2^8..2^9 gives D = d v = 2^40 - E, 0 < E < 2^32. A base-256 digit of the quotient is
 // then the highest of the six bytes of the dividend,
 //
 //     x - digit D = x - digit 2^40 + digit E,
 //
-// or one more where that carries out of 40 bits. The dividend is n = 2^m |a|, m = (F + k) mod 8;
-// j = floor((F + k) / 8) digits follow the first one, as n 2^(8 j) / d is the quotient. First
-// digits are skipped while the highest byte of n says that they are zero. Where j is 4 or more
-// after that, the quotient is at least 2^32 128 / 129, beyond every number; where it is 3 it may
-// be.
+// or one more if that carries out of 40 bits. The dividend is n = 2^m |a|, m = (F + k) mod 8;
+// j = floor((F + k) / 8) digits follow the first one, since n 2^(8 j) / d is the quotient. Leading
+// digits are skipped while the highest byte of n shows that they are zero. If j is then 4 or more,
+// the quotient is at least 2^32 128 / 129 and out of range; if it is 3, the quotient may be.
 //
-// The quotient's bytes take the place of the dividend's, in nine registers of which the last digit
-// is always r22: a dividend with fewer digits begins further down. Last, twice the remainder is
+// The bytes of the quotient replace those of the dividend, in nine registers of which r22 is always
+// the last digit: a dividend with fewer digits begins further down. Finally, twice the remainder is
 // compared with D; a tie rounds up.
 
 #ifdef __AVR_HAVE_MUL__
@@ -101,7 +100,7 @@
     add d1, r28
     adc d2, r29
     adc d3, nothing
-    // Digits that are surely zero
+    // Digits that are certainly zero
 1:  tst n4
     brne 2f
     cp n3, d3

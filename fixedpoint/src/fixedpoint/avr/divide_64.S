@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // int64_t fixedpoint_divide_64(int64_t a, int64_t b, uint8_t fraction)
-// floor(a 2^fraction / b + 1/2), clamped; b = 0: the largest number where a > 0, the smallest where
-// a < 0, 0 where a = 0. fraction < 64.
+// floor(a 2^fraction / b + 1/2), saturated. If b = 0: the largest number if a > 0, the smallest if
+// a < 0, 0 if a = 0. fraction must be below 64.
 //
 // In       a = r25:r18, b = r17:r10, fraction = r8
 // Out      r25:r18
@@ -10,17 +10,18 @@
 // Table    256 bytes, fixedpoint_long_division_table
 //
 // Long division of magnitudes in base 256 by d = 2^k |b|, whose leading one is bit 63. The dividend
-// is |a| 2^(fraction + k): a is shifted by the bits of that exponent below a byte, and each of its
-// whole bytes makes one more digit, for which a zero byte follows the remainder u. A digit from the
-// highest bytes (long_division.inc) is at most 1 too large; then d comes back. Digits that are
-// surely zero cost no division. The first digit that is not surely zero makes, with the next one, a
-// number that is not zero: with more than nine digits left the quotient is out of range, and of
-// nine the first has to be zero. Last, twice the remainder is compared with d.
+// is |a| 2^(fraction + k): a is shifted left by that exponent modulo 8, and each whole byte of the
+// exponent gives one more digit, for which a zero byte is appended to the remainder u. A digit
+// estimated from the highest bytes (long_division.inc) is at most 1 too large; then d is added
+// back. Digits that are certainly zero do not cost a division. The first digit that is not
+// certainly zero forms a nonzero number together with the next one: with more than nine digits left
+// the quotient is out of range, and with nine the first must be zero. Finally, twice the remainder
+// is compared with d.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
 
-// |a|, then the remainder, last the quotient
+// |a|, then the remainder, finally the quotient
 #define u0 r18
 #define u1 r19
 #define u2 r20
@@ -125,7 +126,7 @@
     lsr r30
     inc r30
     mov count, r30
-    // Digits that are surely zero
+    // Digits that are certainly zero
     rjmp 2f
 1:  dec count
     breq .Lno_digit
@@ -171,7 +172,7 @@
     next_byte
     rjmp .Ldigit
 
-    // 2 u >= d, for a negative quotient 2 u > d: carry clear.
+    // Carry clear if 2 u >= d or, for a negative quotient, 2 u > d.
 .Lcompare:
     lsl_bytes u0, 8
     brcs 2f

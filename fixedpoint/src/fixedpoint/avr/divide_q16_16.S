@@ -1,36 +1,36 @@
 // SPDX-License-Identifier: MIT
 // int32_t fixedpoint_divide_q16_16(int32_t a, int32_t b)
-// floor(a 2^16 / b + 1/2), clamped: the Q16.16 quotient rounded to nearest, ties upward; for b = 0
-// the largest number where a > 0, the smallest where a < 0, 0 where a = 0.
+// floor(a 2^16 / b + 1/2), saturated: the Q16.16 quotient rounded to nearest, half up. If b = 0:
+// the largest number if a > 0, the smallest if a < 0, 0 if a = 0.
 //
 // In       a = r25:r22, b = r21:r18
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
-// Stack    4 bytes where |b| >= 2^24, else at most 2
+// Stack    4 bytes if |b| >= 2^24, otherwise at most 2
 // Table    512 bytes, fixedpoint_reciprocal_table
 //
-// On the magnitudes n = |a| and d = |b|; T is the sign. Both are multiplied by the same w = p v, p
-// the power of two that moves the leading one of d to the top of its highest byte, v a 9-bit
-// reciprocal of what comes out, so that d w = D = 2^k - E with 0 < E < 2^(k-8), where k is 8 times
-// one more than the bytes of d. (tables/reciprocal.py: the v of the table or, where E takes another
-// bit, v + 1.) A digit of the quotient to base 256 is then the highest byte of the dividend
-// x = n w itself (A. Svoboda, An algorithm for division, 1963):
+// On the magnitudes n = |a| and d = |b|; T is the sign. Both are multiplied by the same w = p v. p
+// is the power of two that moves the leading one of d to the top of its highest byte, and v is a
+// 9-bit reciprocal of the result, so that d w = D = 2^k - E with 0 < E < 2^(k-8), where k is 8
+// times one more than the number of bytes of d. (tables/reciprocal.py: the v of the table or, if E
+// takes another bit, v + 1.) A base-256 digit of the quotient is then the highest byte of the
+// dividend x = n w itself (A. Svoboda, An algorithm for division, 1963):
 //
 //     x - digit D = x - digit 2^k + digit E
 //
-// drops the byte and adds digit E below it. Where that carries out of k bits the digit is one
-// larger, and E is added once more. That cannot carry again: digit E <= 255 (2^(k-8) - 1), so that
-// less than 2^k - 2^(k-8) is left after the carry. The larger digit may be 256, so that it is added
-// to all the digits above.
+// drops the byte and adds digit E below it. If that carries out of k bits, the digit is one larger,
+// and E is added once more. That cannot carry again: digit E <= 255 (2^(k-8) - 1), so less than 2^k
+// - 2^(k-8) remains after the carry. The larger digit may be 256, so it is added to all digits
+// above.
 //
-// Of the last digit's product only the highest byte of E takes part, which leaves the highest byte
-// of the remainder R at most 1 too small. The quotient grows by 0 where R < D/2, by 1 below 3/2 D,
-// by 2 from there. As D > 2^k - 2^(k-8), that is from 7f.8..80.0 and from 17e.8..180.0 on, in units
-// of the highest byte: unless it is 7d, 7e or 7f it decides, else R is completed and compared.
-// A tie, a 2^17 / d odd, needs a d that 2^17 divides.
+// The product of the last digit uses only the highest byte of E, which leaves the highest byte of
+// the remainder R at most 1 too small. The quotient grows by 0 if R < D/2, by 1 if R < 3/2 D, and
+// otherwise by 2. Since D > 2^k - 2^(k-8), the thresholds are 7f.8..80.0 and 17e.8..180.0 in units
+// of the highest byte: unless that byte is 7d, 7e or 7f, it decides; otherwise R is completed and
+// compared. A tie, a 2^17 / d odd, requires that 2^17 divides d.
 //
-// Zero leading bytes of n and of x are skipped. Overflow, n >= 2^15 d, is sorted out first, where
-// d < 2^16; n < 2^24 and d >= 2^9 cannot overflow. Above, only -2^31 / -2^16 can.
+// Zero leading bytes of n and of x are skipped. If d < 2^16, overflow, n >= 2^15 d, is checked
+// first; n < 2^24 with d >= 2^9 cannot overflow. For larger d, only -2^31 / -2^16 can.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -65,8 +65,8 @@
     mul_add \byte, r27, \x3, \x4
     .endm
 
-    // A digit in q below which the bytes x3..x0 follow, E = r31:r19:r18, r24 = 0. Goes to 9 where
-    // it was right, else falls through, for q to be raised by 1.
+    // A digit in q, followed by the bytes x3..x0; E = r31:r19:r18, r24 = 0. Branches to 9 if the
+    // digit was right, otherwise falls through, so that q is incremented.
     .macro digit24 q, x0, x1, x2, x3
     mul \q, r31
     movw r26, r0
@@ -100,7 +100,7 @@
     adc r1, r16
     .endm
 
-    // n >= 2^15 d, d = 0 included: 0 only for 0 / 0.
+    // n >= 2^15 d, including d = 0; the result is 0 only for 0 / 0.
 .Lclamp:
     or_bytes r0, n0, 4
     breq 1f
@@ -124,7 +124,7 @@
 .Lnot_short:
     rjmp .Lmedium_or_long
 
-    // d < 2^9 or n >= 2^24. Where d < 2^8, n < 2^23, and both are shifted by a byte.
+    // d < 2^9 or n >= 2^24. If d < 2^8, then n < 2^23, and both are shifted by a byte.
 .Lcheck:
     mov r0, n1
     mov r26, n2
@@ -181,7 +181,7 @@
     lsl r18
     rol r30
     inc r31
-    lpm r30, Z              // v, its ninth bit left out
+    lpm r30, Z              // v without its ninth bit
     // r19:r18:r0 = (d p) v
     mul r27, r30
     movw r18, r0

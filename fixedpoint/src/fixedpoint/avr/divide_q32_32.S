@@ -1,32 +1,33 @@
 // SPDX-License-Identifier: MIT
 // int64_t fixedpoint_divide_q32_32(int64_t a, int64_t b)
-// floor(2^32 a / b + 1/2), clamped; b = 0: the largest number where a > 0, the smallest where a <
-// 0, 0 where a = 0.
+// floor(2^32 a / b + 1/2), saturated. If b = 0: the largest number if a > 0, the smallest if a < 0,
+// 0 if a = 0.
 //
 // In:       a r25..r18, b r17..r10
 // Out:      r25..r18
 // Clobbers: r0, r26, r27, r30, r31
-// Stack:    11 bytes, 23 where |b| >= 256.
+// Stack:    11 bytes, 23 if |b| >= 256.
 //
 // Long division of magnitudes in base 256 by d = 2^k |b|, whose leading one is the highest bit of
-// five bytes, or, where |b| >= 256, of eight; a is multiplied by 2^k likewise. A digit that comes
-// from the highest three bytes of the remainder and the highest two of d is at most 1 too large,
-// for the lower bytes of d; it is at most 256, and they are less than d / 2^15: where the remainder
-// turns negative, it is above -d / 2^7. Then the digit is taken as 1 less, and instead of another
-// division the next digit is -1 or -2, for as often d is added to 2^8 times the remainder and the
-// next byte. So a digit that is too large costs nothing; the last one need not be mended, as a
-// remainder that close to d rounds back.
+// five bytes or, if |b| >= 256, of eight; a is multiplied by 2^k too. A digit estimated from the
+// highest three bytes of the remainder and the highest two of d ignores the lower bytes of d, so it
+// is at most 1 too large. The digit is at most 256, and the lower bytes are less than d / 2^15: a
+// negative remainder is therefore above -d / 2^7. In that case the digit is decremented, and
+// instead of another division the next digit is -1 or -2, as many times as d is added to 2^8 times
+// the remainder plus the next byte. So a digit that is too large costs nothing extra. The last
+// digit need not be corrected, since a remainder that close to d rounds back.
 //
-// The remainder stays below d, hence its highest bytes are at most d's, and where they are equal,
-// the digit from them is 256, and surely too large. Last, twice the remainder is compared with d:
-// not less, for a negative quotient more, rounds away from zero, so that ties go upward.
+// The remainder stays below d, so its highest bytes are at most those of d; if they are equal, the
+// digit estimated is 256 and certainly too large. Finally, twice the remainder is compared with d:
+// the quotient is rounded away from zero if it is not less or, for a negative quotient, more. So
+// ties go upward.
 //
-// Five bytes: the remainder, the rest of the dividend and the quotient are one row of bytes that
-// moves up a byte for each digit. Where |a| < 2^31 |b| fails, the result is clamped before. Where
-// only two bytes of d are not zero, the digits from them are exact.
-// Eight bytes: after the first digit the dividend is all zeros; the digits wait on the stack. The
-// quotient is below 2^55. It is longest for divisors of six bytes, for which two products of each
-// digit are left out.
+// Five bytes: the remainder, the rest of the dividend and the quotient are one row of bytes that is
+// shifted by a byte for each digit. Unless |a| < 2^31 |b|, the result saturates before the
+// division. If only two bytes of d are nonzero, the digits from them are exact. Eight bytes: after
+// the first digit the dividend is all zeros; the digits are kept on the stack. The quotient is
+// below 2^55. It is longest for divisors of six bytes, for which two products of each digit are
+// omitted.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -53,7 +54,7 @@
 #define d7 r17
 #define power r26
 
-    // digit = u2:u1:u0 / h1:h0, u1:u0 = the remainder, where digit 0 with u2 != 0 stands for 256.
+    // digit = u2:u1:u0 / h1:h0, u1:u0 = the remainder; digit 0 with u2 != 0 stands for 256.
     .macro estimate u2, u1, u0, h1, h0, inverse, name
     estimate_digit \u2, \u1, \u0, \h1, \h0, \inverse
     cp \u0, \h0
@@ -81,8 +82,8 @@
 
     SECTION fixedpoint_divide_q32_32
 
-    // Divisors of at most five bytes. u4..u0:q7..q0 moves up by a byte for each digit, which comes
-    // in at the bottom.
+    // Divisors of at most five bytes. u4..u0:q7..q0 is shifted left by a byte for each digit, which
+    // enters at the bottom.
 #define u0 r7
 #define u1 r8
 #define u2 r9
@@ -202,7 +203,7 @@
     movw q2, q0
 .Lshort_invert:
     invert inverse, d4, d3
-    // Digits that are surely zero.
+    // Digits that are certainly zero.
 .Lskip:
     tst u4
     brne 2f
@@ -314,7 +315,7 @@
     subi q7, 0x80
     rjmp .Lrestore
 
-    // One more where the carry is clear; then the complement is the negative.
+    // One more if the carry is clear; then the complement is the negative.
 .Lround:
     brts .Lround_negative
     sbci_each q0, 0xff, 8
@@ -351,8 +352,8 @@
 #undef inverse
 
 
-    // Divisors of six to eight bytes. The quotient has at most seven, and no dividend is too large.
-    // u8..u0 = 2^k |a|, later the remainder.
+    // Divisors of six to eight bytes. The quotient has at most seven bytes, and every dividend is
+    // in range. u8..u0 = 2^k |a|, later the remainder.
 #define u0 r18
 #define u1 r19
 #define u2 r20
@@ -511,7 +512,7 @@
     brcc 1b
     rjmp .Llong_next
 
-    // 2 r >= |d|, for a negative quotient 2 r > |d|: carry clear.
+    // Carry clear if 2 r >= |d| or, for a negative quotient, 2 r > |d|.
 .Llong_round:
     lsl_bytes u0, 8
     brcs 2f

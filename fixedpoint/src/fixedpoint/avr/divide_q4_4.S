@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
 // int8_t fixedpoint_divide_q4_4(int8_t a, int8_t b)
-// floor(2^4 a / b + 1/2), clamped; b = 0: the largest number where a > 0, the smallest where a < 0,
-// 0 where a = 0.
+// floor(2^4 a / b + 1/2), saturated. If b = 0: the largest number if a > 0, the smallest if a < 0,
+// 0 if a = 0.
 //
 // In:       a r24, b r22
 // Out:      r24
 // Clobbers: r0, r18..r21, r23, r25, r30, r31
 // Stack:    0 bytes.
 //
-// a times a signed reciprocal R of 16 bits, one for every b, is the quotient: R is the integer
-// nearest to 2^19 / b where |b| > 16, so that the quotient stands at bit 15 of a R, and to 2^16 / b
-// where 2 <= |b| <= 16, with the quotient at bit 12 (2^16 / 2 is one too large for R, and one less
-// does no harm). a R is off by less than 64 units, since |a| <= 128 and R is off by half a unit at
-// most; 64 units are added. So the error lies in [0, 128) units, and what it must not bridge, the
-// step from one possible fraction of a quotient to the next, is 2^15 / 2 |b| >= 128 units where
-// |b| > 16, and 2^12 / 2 |b| >= 128 units elsewhere. Hence ties round upward and nothing else does.
+// The quotient is a times a signed 16-bit reciprocal R from a table with an entry for every b. R is
+// the integer nearest to 2^19 / b if |b| > 16, with the quotient at bit 15 of a R, and to 2^16 / b
+// if 2 <= |b| <= 16, with the quotient at bit 12 (2^16 / 2 is one too large for R, and one less
+// does not matter). a R is off by less than 64 units, since |a| <= 128 and R is off by at most half
+// a unit; 64 units are added. So the error is in [0, 128) units. It must not bridge the step from
+// one possible fraction of a quotient to the next, which is 2^15 / 2 |b| >= 128 units if |b| > 16,
+// and 2^12 / 2 |b| >= 128 units otherwise. Hence ties round upward, and nothing else does.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"

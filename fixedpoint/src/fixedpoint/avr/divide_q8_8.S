@@ -1,35 +1,36 @@
 // SPDX-License-Identifier: MIT
 // int16_t fixedpoint_divide_q8_8(int16_t a, int16_t b)
-// floor(2^8 a / b + 1/2), clamped; b = 0: the largest number where a > 0, the smallest where a < 0,
-// 0 where a = 0.
+// floor(2^8 a / b + 1/2), saturated. If b = 0: the largest number if a > 0, the smallest if a < 0,
+// 0 if a = 0.
 //
 // In:       a r25:r24, b r23:r22
 // Out:      r25:r24
 // Clobbers: r0, r18..r23, r26, r27, r30, r31
 // Stack:    0 bytes.
 //
-// On magnitudes, the sign put back at the end; for a negative quotient half a divisor less one unit
-// rounds, so that ties go upward.
+// On magnitudes; the sign is restored at the end. A negative quotient is rounded by half a divisor
+// less one unit, so that ties go upward.
 //
-// |b| < 1: b has one byte. With its leading one moved to bit 7 it divides 2^9 |a|, moved likewise,
-// in two digits by Moeller and Granlund's reciprocal, exactly; 2 |a| < 2^8 b where nothing clamps,
-// so that the first digit fits. In the second step the remainder is never the divisor or more (all
-// 2^14 pairs of divisor and remainder were tried), so that it lacks the second correction. The
-// quotient has one bit more than the result: it is what rounds, and only a negative tie must look
-// at the remainder. Rounding carries no further than the low byte: a fraction of quotients by one
-// byte is at most 254/255, less than the 511/512 that would.
+// |b| < 1: b has one byte. With its leading one shifted to bit 7, it divides 2^9 |a|, shifted
+// likewise, exactly and in two digits by Moeller and Granlund's reciprocal; 2 |a| < 2^8 b unless
+// the result saturates, so the first digit fits. In the second step the remainder never reaches the
+// divisor (all 2^14 pairs of divisor and remainder were tried), so it omits the second correction.
+// The quotient has one bit more than the result, which rounds; only a negative tie must look at the
+// remainder. Rounding does not carry beyond the low byte: the fraction of a quotient by one byte is
+// at most 254/255, less than the 511/512 needed for that.
 //
-// |b| >= 1, |a| < |b|: one digit, from the reciprocal of b's leading eight bits plus one. It is
-// therefore never too large, and at most 4 too small (all dividends and divisors were tried): the
-// remainder is brought below b by subtraction. Half a divisor, added to the remainder beforehand,
-// makes the digit round. |b| = 128 is a shift.
+// |b| >= 1, |a| < |b|: one digit, from the reciprocal of the leading eight bits of b plus one. It
+// is therefore never too large, and at most 4 too small (all dividends and divisors were tried):
+// subtractions bring the remainder below b. Half a divisor, added to the remainder beforehand,
+// rounds the digit. |b| = 128 is a shift.
 //
-// |b| >= 1, |a| >= |b|: all bits at once. Let d = 2^k |b| have its leading one in bit 15, v be the
-// largest number with d v < 2^24, and e = 2^24 - d v <= d. A step of Newton's iteration makes of v
-// the reciprocal v (1 + e / 2^24); times 2^k that is u, 2^24 / |b| less 1 unit or so. q = (u |a| +
-// 2^14) / 2^16, rounded down, is the rounded quotient or 1 less: all dividends and divisors were
-// tried, and 60 2^8 to 64 2^8 would do for 2^14. So half a divisor plus the remainder is at least 0
-// and below 2 |b| < 2^16: its lower 16 bits tell which. Only 2^15 / 2^8 is too large.
+// |b| >= 1, |a| >= |b|: all bits in one step. Let d = 2^k |b| have its leading one in bit 15, v be
+// the largest number with d v < 2^24, and e = 2^24 - d v <= d. A Newton step turns v into the
+// reciprocal v (1 + e / 2^24); times 2^k that is u, which is 2^24 / |b| less about 1 unit. q = (u
+// |a| + 2^14) / 2^16, rounded down, is the rounded quotient or 1 less: all dividends and divisors
+// were tried, and any number from 60 2^8 to 64 2^8 would do for 2^14. So half a divisor plus the
+// remainder is at least 0 and below 2 |b| < 2^16, and its lower 16 bits tell which. Only 2^15 / 2^8
+// is out of range.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -113,7 +114,7 @@
     adc a0, r1
     ret
 
-    // A tie of a negative quotient has no remainder.
+    // At a tie of a negative quotient the remainder is 0.
 .Lround_negative:
     brcc .Lnegate
     cp r1, r0
@@ -261,7 +262,7 @@
     rjmp .Lnegate
     ret
 
-    // Too large, or 0 / 0.
+    // Out of range, or 0 / 0.
 .Lclamp:
     mov r18, a0
     or r18, a1

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // int32_t fixedpoint_dot2_q<32 - F>_<F>(const int32_t* a, const int32_t* b)
 // int32_t fixedpoint_dot3_q<32 - F>_<F>(const int32_t* a, const int32_t* b)
-// floor(sum a_i b_i / 2^F + 1/2) modulo 2^32 of 2 or 3 components, one rounding: of each split of
-// 32 bits but Q16.16, whose own is faster.
+// floor(sum a_i b_i / 2^F + 1/2) modulo 2^32 of 2 or 3 components, one rounding: of every 32-bit
+// format except Q16.16, which has a faster kernel of its own.
 //
 // In       a = r25:r24, b = r23:r22, in RAM
 // Out      r25:r22

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // int64_t fixedpoint_dot_64(const int64_t* a, const int64_t* b, uint8_t n, uint8_t fraction)
 // int64_t fixedpoint_multiply_64(int64_t a, int64_t b, uint8_t fraction)
-// floor(sum a_i b_i / 2^fraction + 1/2) modulo 2^64 of n = 1 to 3 components, or of one product:
-// one rounding. fraction < 64.
+// floor(sum a_i b_i / 2^fraction + 1/2) modulo 2^64 over n components, or of one product: one
+// rounding. n must be in 1..3 and fraction below 64.
 //
 // In       a = r25:r24, b = r23:r22, in RAM, n = r20, fraction = r18;
 //          a = r25:r18, b = r17:r10, fraction = r8
@@ -11,13 +11,14 @@
 // Stack    43 bytes
 //
 // Row by row: each takes one byte of all b_i and leaves one byte of the exact sum on the stack. The
-// even and the odd products of a byte lie side by side and go into the sum in one carry chain each.
-// They are products of unsigned numbers: where a_i is negative, they are 2^64 b_i too much, and
-// likewise for b_i, which the bytes from 8 on lose last. The sum of a row is below 2^80.
+// even products of a byte are adjacent, and so are the odd ones: each set is added to the sum in
+// one carry chain. The products are unsigned: if a_i is negative, they are 2^64 b_i too large, and
+// likewise for b_i; that is subtracted from the bytes from 8 on at the end. The sum of a row is
+// below 2^80.
 //
-// The result is in nine bytes of the sum, shifted by at most seven bits. The bit that leaves last
-// rounds; where none does, it is the highest of the byte below, and below byte 0 lies the fraction,
-// which has none there. A single product takes the saved registers of b and a copy of a as vectors.
+// The result is in nine bytes of the sum, shifted right by at most seven bits. The last bit shifted
+// out rounds; if none is, the rounding bit is the highest of the byte below, and below byte 0 it is
+// 0. A single product uses the saved registers of b and a copy of a as vectors.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -33,7 +34,7 @@
     movw_each r10, r8, 8
     .endm
 
-    // Products of the bytes n.. at Y, each two bytes above the one before, side by side.
+    // Adjacent products with every second byte at Y, from byte n on.
     .macro products n
     ldd r18, Y + \n
     mul r18, digit
@@ -50,7 +51,7 @@
     clr r1
     .endm
 
-    // Takes the number at `pointer` off bytes 8 to 15 of the sum.
+    // Subtracts the number at `pointer` from bytes 8 to 15 of the sum.
     .macro take_off pointer
     ld r0, \pointer
     sub r8, r0

@@ -6,11 +6,11 @@
 //
 // int32_t fixedpoint_project2_q16_16(const int32_t* n, const int32_t* u)
 // int32_t fixedpoint_project3_q16_16(const int32_t* n, const int32_t* u)
-// The same with d_i = u_i: the dot product, in less time where n is a unit vector.
+// The same with d_i = u_i: the dot product, in less time if n is a unit vector.
 //
 // int32_t fixedpoint_square2_q16_16(const int32_t* n)
 // int32_t fixedpoint_square3_q16_16(const int32_t* n)
-// The same with d_i = n_i, in half of the time where each |n_i| < 1.
+// The same with d_i = n_i, in half the time if each |n_i| < 1.
 //
 // In       n = r25:r24, u = r23:r22, v = r21:r20, in RAM
 // Out      r25:r22
@@ -18,7 +18,7 @@
 // Stack    10 bytes and a call
 //
 // The differences are a of short_factor_q16_16.inc, the components of n are b. Bytes 0..5 of the
-// sum, 2^48 being beyond the result, begin with the half that rounds.
+// sum are kept, since 2^48 is beyond the result; they start with the half ulp that rounds.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -43,8 +43,8 @@
     \instruction \a, r0
     .endm
 
-// The squares of |n_i|, which is a1:a0: three products each. No sum reaches 2^34, so that the count
-// fits above its byte 4. T tells three components.
+// The squares of |n_i|, which is a1:a0: three products each. No sum reaches 2^34, so the count fits
+// above its byte 4. T is set for three components.
     SECTION fixedpoint_square_q16_16
     ENTRY fixedpoint_square2_q16_16
     ldi count_and_4, 0x20
@@ -101,7 +101,7 @@
     clr r25
     clr r1
     ret
-.Lbeyond_one:           // begins anew, with Z before the components that were read
+.Lbeyond_one:           // starts over, with Z before the components already read
     ldi r18, 2
     bld r18, 0          // 2 or 3
     mov r19, r18

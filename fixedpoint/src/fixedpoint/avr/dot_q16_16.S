@@ -8,11 +8,11 @@
 // Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
 // Stack    6 bytes
 //
-// Bytes 0..5 of the exact sum, 2^48 being beyond the result, take one component after the other,
-// and of it one byte of b after the other, so that no more than one byte of b is held. The even
-// and the odd products of a byte of b lie side by side and go into the sum in one carry chain
-// each. `mulsu` sets the carry to the sign of its product, which is subtracted from the bytes
-// above it. Rounding adds 2^15, which carries into byte 2 exactly when byte 1 has its top bit set:
+// Bytes 0..5 of the exact sum are formed, since 2^48 is beyond the result: component by component,
+// and byte by byte of b, so that only one byte of b is in a register. The even products of a byte
+// of b are adjacent, and so are the odd ones: each set is added to the sum in one carry chain.
+// `mulsu` sets the carry to the sign of its product, which is subtracted from the bytes above the
+// product. Rounding adds 2^15, which carries into byte 2 exactly when byte 1 has its top bit set:
 // in the last component `lsl` of it is the carry of the first chain that begins at byte 2.
 
 #ifdef __AVR_HAVE_MUL__

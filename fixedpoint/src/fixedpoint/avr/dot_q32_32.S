@@ -8,10 +8,10 @@
 // Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
 // Stack    23 bytes
 //
-// Bytes 0..11 of the exact sum, 2^96 being beyond the result, take one component after the other,
-// and of it one byte of b after the other. The even and the odd products of a byte of b lie side by
-// side and go into the sum in one carry chain each. They are products of unsigned numbers: where
-// a_i is negative, they are 2^64 b_i too much, and likewise for b_i.
+// Bytes 0..11 of the exact sum are formed, since 2^96 is beyond the result: component by component,
+// and byte by byte of b. The even products of a byte of b are adjacent, and so are the odd ones:
+// each set is added to the sum in one carry chain. The products are unsigned: if a_i is negative,
+// they are 2^64 b_i too large, and likewise for b_i.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -32,14 +32,14 @@
 #define digit r22
 #define zero r23
 
-    // Of byte `byte` of the sum, r2 + byte, unless it lies above 11.
+    // An instruction on byte `byte` of the sum, r2 + byte, unless it is above 11.
     .macro into operation, byte, value
     .if \byte < 12
     \operation 2 + \byte, \value
     .endif
     .endm
 
-    // Four products side by side into bytes `byte`.. of the sum.
+    // Four adjacent products to bytes `byte`.. of the sum.
     .macro chain p0, p1, p2, p3, byte
     .if \byte + 6 < 12
     mul \p3, digit

@@ -8,7 +8,7 @@
 // Clobbers: r0, r18..r21, r25..r27, r30, r31
 // Stack:    0 bytes.
 //
-// The exact sum wraps in 16 bits, of which bits 11..4 count.
+// The sum modulo 2^16 is enough: the result is its bits 11..4.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"

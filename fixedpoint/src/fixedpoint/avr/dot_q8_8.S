@@ -8,8 +8,8 @@
 // Clobbers: r0, r18..r27, r30, r31
 // Stack:    0 bytes.
 //
-// Bits 23..0 of the exact sum: what lies above is beyond the result. The sum wraps, so that only the
-// product of the low bytes carries past its own two bytes.
+// Bits 23..0 of the exact sum are formed; higher bits are beyond the result. So only the product of
+// the low bytes carries past its own two bytes.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // int64_t fixedpoint_exp2_q32_32_unsaturated(int64_t a)
-// 2^a within 0.65 ulp. Needs a from -33 to below 31.
+// 2^a within 0.65 ulp. a must be in [-33, 31).
 //
 // In       a = r25:r18
 // Out      r25:r18
@@ -8,8 +8,8 @@
 // Stack    13 bytes
 // Table    4451 bytes, fixedpoint_exp_64_table
 //
-// a is k - g, 0 <= g < 1, and r = g ln 2 to 72 bits, column by column: of the column below the lowest
-// one only the upper bytes count. exp_q32_32.S has the rest.
+// Argument reduction: a = k - g with 0 <= g < 1, and r = g ln 2 to 72 bits, column by column; of
+// the column below the lowest one only the upper bytes are included. exp_q32_32.S does the rest.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -17,7 +17,7 @@
 #define zero r17
 #define digit r23
 
-    // g_i and the byte of ln 2 that lead to a column.
+    // g_i and the byte of ln 2 whose product belongs to a column.
     .macro product i
     .set j, column + 4 - \i
     .if j >= 0 && j < 9
@@ -49,7 +49,7 @@
     clr zero
     com_bytes r18, 4
     increment_bytes r18, 4
-    adc r22, zero       // the carry is set where g is not 0
+    adc r22, zero       // the carry is set if g is not 0
     subi r22, -41
     push r22
     clr r8

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // int32_t fixedpoint_exp_q<32 - F>_<F>(int32_t a)
-// e^a of each split of 32 bits but Q16.16, whose own is smaller; within 0.7 ulp, of results below
-// 2^30 within 0.6 ulp; saturated to the largest number, 0 where that is nearest.
+// e^a in every 32-bit format except Q16.16, which has a smaller kernel of its own; within 0.7 ulp,
+// of results below 2^30 within 0.6 ulp; saturated to the largest number.
 //
 // In       a = r25:r22
 // Out      r25:r22
@@ -9,10 +9,10 @@
 // Stack    4 bytes
 // Table    2496 bytes, fixedpoint_exp_32_table
 //
-// a is k ln 2 - r, 0 <= r < 0.79: k from the upper bytes of a by 185/128 = 1.4453 for 1/ln 2, with as
-// much more as makes up for the error of that, and r to 40 fraction bits. 1 - e^-r is the table's
-// function; the core of 40 bits is 0.2 units of 2^-31 off, and r's lowest byte counts with the slope.
-// scale_40.S brings the mantissa e^-r to its place.
+// Argument reduction: a = k ln 2 - r with 0 <= r < 0.79. k comes from the upper bytes of a, with
+// 185/128 = 1.4453 for 1/ln 2 and a constant that covers the error of that; r has 40 fraction bits.
+// 1 - e^-r is the function of the table; the 40-bit core is within 0.2 units of 2^-31, and the
+// lowest byte of r is interpolated with the slope. scale_40.S shifts the mantissa e^-r into place.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -25,7 +25,7 @@
 #define rest3 r20
 #define rest4 r30
 
-    // Branches where r25:r22 >= limit, or is less.
+    // Branches if r25:r22 >= limit, or if it is less.
     .macro branch_to_limit branch, limit, target
     .set limit_bytes, \limit
     cpi r22, limit_bytes & 0xff
@@ -38,11 +38,11 @@
     \branch \target
     .endm
 
-    // r25:r21 = r25:r22 2^(32 - fraction), r25 the whole part with its sign; r21 only counts beyond
-    // 24 fraction bits.
+    // r25:r21 = r25:r22 2^(32 - fraction); r25 is the signed integer part, and r21 matters only
+    // beyond 24 fraction bits.
     .macro align fraction
     .set bytes_up, (35 - \fraction) / 8 - 1
-    .if \fraction == 3     // whose numbers up to 155 are not a signed byte
+    .if \fraction == 3     // whose numbers, up to 155, do not fit a signed byte
     .set bytes_up, 2
     .endif
     .set bits_up, 24 - \fraction - 8 * bytes_up
@@ -99,7 +99,8 @@
     branch_to_limit brge, (((31 - \fraction) * LN2 >> (40 - \fraction)) + 1), 1f
     branch_to_limit brge, (-((\fraction + 2) * LN2 >> (40 - \fraction))), 3f
     .else
-    // By the upper byte: from 31 to 32 octaves and from -F - 4 to -F - 2 a multiple of it lies.
+    // Decided by the upper byte: a multiple of it lies between 31 and 32 octaves, and between -F -
+    // 4 and -F - 2.
     .if \fraction < 32
     cpi r25, ((31 - \fraction) * LN2 + (1 << (64 - \fraction)) - 1) >> (64 - \fraction)
     .else

@@ -7,7 +7,7 @@
 #include "prelude.inc"
 
     TABLE fixedpoint_exp_32_table
-    // twist, 2 bytes of bend, 4 of slope, 5 of value; as often as there are intervals
+    // for each interval: twist, 2 bytes of bend, 4 of slope, 5 of value
     .byte 235, 255,  63,  81, 255, 255, 127,  20,   0,   0,   0,   0, 235, 192,  63,   9
     .byte  64, 128, 127,  78,  21, 192, 127,   0, 235, 128,  63,   2, 255,   0, 127,  93
     .byte 170,   0, 255,   0, 235,  65,  63, 188,  61, 130, 126,  80,  62, 194, 125,   1

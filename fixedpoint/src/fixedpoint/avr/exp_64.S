@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // int64_t fixedpoint_exp_64(int64_t a, uint8_t fraction)
-// 2^fraction e^(a / 2^fraction) within 0.66 ulp; saturated to the largest number, 0 where that is
-// nearest. fraction < 64.
+// 2^fraction e^(a / 2^fraction) within 0.66 ulp; saturated to the largest number. fraction must be
+// below 64.
 //
 // In       a = r25:r18, fraction = r16
 // Out      r25:r18
@@ -9,9 +9,10 @@
 // Stack    15 bytes
 // Table    4451 bytes, fixedpoint_exp_64_table
 //
-// That is 2^32 e^x, x = a / 2^fraction + (fraction - 32) ln 2 in units of 2^-72: a moves up to its
-// place, or down, bit by bit, and the table of exp_q32_32.S, which has the rest, has the multiple of
-// ln 2 modulo 1. What is before the point of it is (178 fraction + 192) / 256 - 23, rounded downward.
+// That is 2^32 e^x with x = a / 2^fraction + (fraction - 32) ln 2 in units of 2^-72: a is shifted
+// left or right bit by bit, and the table of exp_q32_32.S, which does the rest, contains the
+// multiple of ln 2 modulo 1. The integer part of that is (178 fraction + 192) / 256 - 23, rounded
+// downward.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -25,7 +26,7 @@
     mov r28, r16
     clr zero
     bst r25, 7
-    // r27:r18 = a 2^16, to be moved up by 56 - fraction bits
+    // r27:r18 = a 2^16, to be shifted left by 56 - fraction bits
     movw_from_top r20, r18, 8
     ldi r18, 0
     ldi r19, 0

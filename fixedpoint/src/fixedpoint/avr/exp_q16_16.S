@@ -3,30 +3,32 @@
 // e^a in Q16.16, within 0.66 ulp for every input; the largest number from ln 32768 on, 0 from
 // -17 ln 2 down.
 // int32_t fixedpoint_exp2_q16_16_unsaturated(int32_t a)
-// 2^a within 0.72 ulp, for a from -17 to below 15.
+// 2^a within 0.72 ulp. a must be in [-17, 15).
 //
 // In       a = r25:r22
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
 // Stack    2 bytes; 6 from 2.53 on
 //
-// a - k ln 2, k about a / ln 2, lies between -0.26 and 0.49, where the table holds e^x at 256
-// nodes. A multiple of ln 2 is a 16-bit offset and a constant tail behind the 16 bits, so that what
-// is left to the node is an integer s, a signed byte, and that tail: r = s + tail, in units of
-// 2^-16. The mantissa is power + power (e^r - 1), and 2^k a multiplication by 2^((k + 1) mod 8),
-// then a choice of bytes.
-//   k = 0:   e^r - 1 = s: the nodes lie 1/16 unit aside, the mean of s^2 / 2.
+// Argument reduction: a - k ln 2, with k about a / ln 2, is between -0.26 and 0.49, where the table
+// has e^x at 256 nodes. A multiple of ln 2 is stored as a 16-bit offset and a constant tail below
+// these 16 bits, so the distance from the node is an integer s, a signed byte, plus that tail:
+// r = s + tail, in units of 2^-16. The mantissa is power + power (e^r - 1), and 2^k is a
+// multiplication by 2^((k + 1) mod 8) followed by a choice of bytes.
+//   k = 0:   e^r - 1 = s: the nodes are offset by 1/16 unit, the mean of s^2 / 2.
 //   k < 4:   the power's upper 24 bits; e^r - 1 = r + s^2 / 2, 16 bits.
 //   k >= 4:  the power's 40 bits; e^r - 1 = r + s^2 / 2 + s tail + s^3 / 6, 32 bits.
 //
-// Error in ulp, rounding 0.5 included. k = 0: s^2 / 2 less its mean is 2^-20 of a result of up to
-// 1.65 2^16, 0.1; worst 0.594. k < 4: 2^-23 of the mantissa is 1/16 at k = 3, and what the products
-// lose beside the mean that is in the tail comes to 1.8 of these; worst 0.615. k >= 4: at 2^31 the cut
-// of the cube is 0.08, s times the tail's lower bytes 0.06; worst 0.655, of all 2^32 inputs, at 675750.
+// Error in ulp, including 0.5 for rounding. k = 0: s^2 / 2 less its mean is 2^-20 of a result of up
+// to 1.65 2^16, 0.1; worst 0.594. k < 4: 2^-23 of the mantissa is 1/16 at k = 3, and the truncation
+// of the products, apart from its mean, which the tail includes, amounts to 1.8 of these; worst
+// 0.615. k >= 4: at 2^31 the truncation of the cube is 0.08, s times the lower bytes of the tail
+// 0.06; worst 0.655 over all 2^32 inputs, at 675750.
 //
-// 2^a takes the nearest integer as k and the rest times ln 2 as r, with 24 bits of tail, of which 16
-// count in s tail; the mantissa of 40 bits serves from k = 4 on. k < 4: worst 0.640. Beyond: at 2^31
-// what ln 2 leaves out is 0.06, the cut of the cube 0.08; worst 0.711, of all inputs, at 982248.
+// 2^a takes the nearest integer as k and the rest times ln 2 as r, with 24 bits of tail, of which
+// 16 count in s tail; the 40-bit mantissa is used from k = 4 on. k < 4: worst 0.640. Beyond: at
+// 2^31 the truncated ln 2 costs 0.06, the truncation of the cube 0.08; worst 0.711 over all inputs,
+// at 982248.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -39,7 +41,7 @@
 // k + 17.
 #define k r27
 #define zero r18
-// The mantissa of 40 bits starts as the power; m4 lies where rA1 was.
+// The 40-bit mantissa starts as the power; m4 replaces rA1.
 #define m0 r28
 #define m1 r16
 #define m2 r17
@@ -51,7 +53,7 @@
 #define p2 r30
 #define p3 r31
 #define p4 r29
-// A product's sign, where growth0 was.
+// The sign of a product; replaces growth0.
 #define sign r26
 
 #define POWER hi8(fixedpoint_exp_table)
@@ -60,14 +62,14 @@
 #define COLUMNS 34
 #define LARGE_COLUMNS 13
 
-// For 2^a: what is left to the nearest integer, and 2^24 ln 2.
+// For 2^a: the distance from the nearest integer, and 2^24 ln 2.
 #define f0 r18
 #define f1 r19
 #define LN2_0 0x18
 #define LN2_1 0x72
 #define LN2_2 0xb1
-// From a multiple of ln 2 to r, in units of 2^-40: the nodes' 1/16, less what the products lose in
-// the mean, and less what rounds the small tail.
+// From a multiple of ln 2 to r, in units of 2^-40: the 1/16 of the nodes, minus the mean truncation
+// of the products, and minus the rounding of the small tail.
 #define SMALL_SHIFT 0x0c8000
 #define LARGE_SHIFT 0x0fffc0
 
@@ -99,7 +101,7 @@
     clr r1
     ldi r24, 0
     ldi r25, 0
-    subi r21, -64       // half of what the seven bits count that are cut
+    subi r21, -64       // half the weight of the seven truncated bits
     sbci r22, -1
     sbci r23, -1
     lsl_bytes r21, 4
@@ -202,8 +204,8 @@
     adc_each r22, r1, 3
     ret
 .Lnext_node:
-    // s = 127: a growth of 128 units of 2^-16, and g more, does not fit. From the next node it is
-    // 256 units less, which is what the signed byte made of it, and 21 - 256 g of 2^-32 more.
+    // s = 127: a growth of 128 units of 2^-16, plus g, does not fit. Seen from the next node it is
+    // 256 units less, which is how the signed byte reads it, and 21 - 256 g units of 2^-32 more.
     inc rA1
     ldi r19, 21
     sub r19, growth2
@@ -220,7 +222,7 @@
     lpm growth1, Z
     subi r30, -LARGE_COLUMNS
     lpm growth0, Z
-    ldi r25, 0          // what the sums carry into growth3, which stays s until the last
+    ldi r25, 0          // the carries into growth3, which stays s until the end
     muls growth3, growth3
     movw r30, r0
     mulsu growth3, growth2

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // int64_t fixedpoint_exp_q32_32(int64_t a)
-// e^a within 0.65 ulp; saturated to the largest number, 0 where that is nearest.
+// e^a within 0.65 ulp; saturated to the largest number.
 //
-// No C functions, where others of powers enter:
-// fixedpoint_unrounded_exp_q32_32  r25:r18, r26 = e^a in units of 2^-40, rounded downward. Needs T = 1 and
-//                                  a from -23 to below 32 ln 2; T stays.
-// fixedpoint_power_of_rest_q32_32  2^k e^-r. Needs r8..r17, r28 and r29 pushed in that order and k + 41
-//                                  behind them, r in r16:r8, r17 = 0, T = 0.
+// Not C functions, but entries for other functions of powers:
+// fixedpoint_unrounded_exp_q32_32  r25:r18, r26 = e^a in units of 2^-40, rounded downward. Requires
+//                                  T = 1 and a in [-23, 32 ln 2); T is kept.
+// fixedpoint_power_of_rest_q32_32  2^k e^-r. Requires r8..r17, r28, r29 and k + 41 pushed in that
+//                                  order, r in r16:r8, r17 = 0, T = 0.
 //
 // In       a = r25:r18
 // Out      r25:r18
@@ -14,15 +14,16 @@
 // Stack    13 bytes
 // Table    4451 bytes, fixedpoint_exp_64_table
 //
-// a is k ln 2 - r, 0 <= r < 0.779: k + 41 from the upper bytes of a by 185/128 = 1.4453 for 1/ln 2, with
-// as much more as makes up for the error of that, and r to 72 bits. Of r's bytes the first looks up
-// e^-i/256, the second f = 1 - e^-i/65536; of the rest t, below 2^-16, q = 1 - e^-t = t - (t^2 - t^3/3)/2
-// up to t^4/24. Then e^-r = e^-i/256 (1 - (f + q - f q)), which goes to its place by less than a byte, by a
-// product with a power of 2, and by whole bytes. Products are formed column by column, without the
-// columns below the result but for the upper bytes of the next one.
+// Argument reduction: a = k ln 2 - r with 0 <= r < 0.779. k + 41 comes from the upper bytes of a,
+// with 185/128 = 1.4453 for 1/ln 2 and a constant that covers the error of that; r has 72 bits. The
+// first byte of r looks up e^-i/256, the second f = 1 - e^-i/65536; for the rest t, below 2^-16,
+// q = 1 - e^-t = t - (t^2 - t^3/3)/2 up to t^4/24. Then e^-r = e^-i/256 (1 - (f + q - f q)), which
+// is shifted into place by less than a byte, by a product with a power of 2, and by whole bytes.
+// Products are formed column by column; of the columns below the result only the upper bytes of the
+// next one are included.
 //
-// Error in units of 2^-72, 256 of which are an ulp of the largest results at least: t^4/24 11, the square
-// of t 5, its cube 2, the products 11 and 15 the other way, the tables 2.
+// Error in units of 2^-72, where an ulp of the largest results is at least 256 units: t^4/24 11,
+// the square of t 5, its cube 2, the products 11 and, with the opposite sign, 15, the tables 2.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -78,7 +79,7 @@
     ENTRY fixedpoint_power_of_rest_q32_32
     // r14:r8 = t 2^72, r30:r26 = t^2 2^72
     fraction_product 14, 14, 5
-    // Less t^3/3, of which r20:r18 is three times as much
+    // Minus t^3/3, where r20:r18 is three times that
     fraction_product 30, 14, 3, 18
     ldi r21, 0x55
     mul r20, r21
@@ -115,7 +116,7 @@
     sbc r14, r18
     sbc r15, r19
     sbc r16, zero
-    // Down by r31 + 1 bits, 7 to 73; r26 is the byte below r8
+    // Shifted right by r31 + 1 bits, 7 to 73; r26 is the byte below r8
     clr r26
     pop r30
     ldi r31, 80

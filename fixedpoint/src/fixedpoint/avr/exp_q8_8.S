@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
 // int16_t fixedpoint_exp_q8_8(int16_t a)
-// e^a in Q8.8 within 0.519 ulp (exact); the largest number from ln 128 on, 0 where that is nearest.
+// e^a in Q8.8 within 0.519 ulp (exact bound); the largest number from ln 128 on.
 //
 // In:       a r25:r24
 // Out:      r25:r24
 // Clobbers: r0, r18..r23, r26, r27, r30, r31
 // Stack:    0 bytes.
 //
-// Counted from -1600, the upper bits of a are a node, the lower six its distance j from there. The
-// table has the node's power in units of 2^-7 ulp, to which its product with the growth
+// Counted from -1600, the upper bits of a are a node and the lower six the distance j from it. The
+// table has the power at the node in units of 2^-7 ulp, to which its product with the growth
 //
 //     e^(j/256) - 1 = 2^-17 (512 j + j (j + 5) + more)
 //
-// is added; `more` is a byte of the table. exp_q8_8.py chooses the numbers, exp_q8_8.hpp is the same,
-// bit for bit. Products are formed down to the upper byte of those below 2^-8 ulp.
+// is added; `more` is a byte of the table. exp_q8_8.py chooses the numbers, and exp_q8_8.hpp is the
+// same, bit for bit. Products are formed down to the upper byte of those below 2^-8 ulp.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -87,7 +87,7 @@
     ret
 
 .Lout_of_range:
-    // Zero where a is negative, which is where it is at least -2^15.
+    // Zero if a is negative, that is, at least -2^15.
     ldi r18, hi8(0x8000 + NEGATED_FIRST)
     cpi r24, lo8(0x8000 + NEGATED_FIRST)
     cpc r25, r18

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // DO NOT EDIT: written by python3 fixedpoint/tables/exp.py
-// 2^39 e^x at the nodes x = (256 h + 128 + 1/16) / 2^16, h being the index as a signed byte. For k
-// from -17 to 16: offset and tail, 16 and 24 bits of -k ln 2 - 2^-20 behind the point; below k = 4
-// the tail has 8 bits.
+// 2^39 e^x at the nodes x = (256 h + 128 + 1/16) / 2^16, where h is the index as a signed byte. For k
+// from -17 to 16: offset and tail, the first 16 and the next 24 fraction bits of -k ln 2 - 2^-20; below
+// k = 4 the tail has 8 bits.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -93,7 +93,7 @@
     .byte  62,  99, 219, 154, 254, 208,  70,   1,  16, 240, 138,  53, 185,  75, 143, 155
     .byte 243, 141, 208, 148,  37,  63,  18,  66, 230, 139,  47,  74, 198,   5, 223, 164
     .byte  25, 127, 140, 112, 213, 222,  42, 209, 104, 253,  30, 212, 165, 148,  36,  87
-    // of k: offset low, high; tail, bits 16..23; 2^((k + 1) mod 8); tail, bits 8..15, 0..7
+    // by k: offset low, high; tail, bits 16..23; 2^((k + 1) mod 8); tail, bits 8..15, 0..7
     .byte 147,  33, 175,  61, 203,  89, 230, 116,   2, 144,  30, 172,  58, 200,  86, 228
     .byte 114, 255, 141,  27, 169,  55, 197,  83, 225, 111, 253, 139,  24, 166,  52, 194
     .byte  80, 151, 200,  23, 101, 180,   2,  81, 159, 238,  61, 139, 218,  40, 119, 197

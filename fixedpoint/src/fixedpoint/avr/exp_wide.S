@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // uint64_t fixedpoint_exp_wide(int64_t x, uint8_t unit)
-// e^(x 2^-40) 2^unit in units of 2^-32, of which the upper 8 bits behind the point count, for the
-// functions that are made of powers. 0 where x 2^-40 is below -24; 2^32 - 1 and no fraction from 2^32
-// on, or already from 0.9 2^32 on. unit from 0 to 29.
+// e^(x 2^-40) 2^unit in units of 2^-32, with 8 significant fraction bits, for the functions
+// composed of powers. unit must be in 0..29. 0 if x 2^-40 is below -24; 2^32 - 1 without a fraction
+// from 2^32 on, possibly already from 0.9 2^32 on.
 //
 // In       x = r25:r18, unit = r16
 // Out      r25:r18, of which r20:r18 are 0

@@ -15,7 +15,7 @@
 // Clobbers: r30, r31; sincos also r0, r26, r27
 // Stack:    0 bytes.
 //
-// The tables hold the result of every number: no arithmetic is faster than one load.
+// The tables contain the result for every number: no arithmetic is faster than one load.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // int64_t fixedpoint_sinh_q32_32_unsaturated(int64_t a)
 // int64_t fixedpoint_cosh_q32_32_unsaturated(int64_t a)
-// Hyperbolic sine and cosine within 0.65 ulp. Needs a from 0 to below 32 ln 2.
+// Hyperbolic sine and cosine within 0.65 ulp. a must be in [0, 32 ln 2).
 //
 // int64_t fixedpoint_exp_q32_32_fine(int64_t a)
-// e^a in units of 2^-40, rounded downward. Needs a from -23 to 15.
+// e^a in units of 2^-40, rounded downward. a must be in [-23, 15].
 //
 // In       a = r25:r18
 // Out      r25:r18
@@ -12,7 +12,7 @@
 // Stack    15 bytes, sinh and cosh 32
 // Table    4451 bytes, fixedpoint_exp_64_table
 //
-// Both powers have a byte behind an ulp; half of their sum is rounded once.
+// Both powers have a guard byte; half of their sum is rounded once.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"

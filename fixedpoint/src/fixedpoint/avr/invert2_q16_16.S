@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 // uint8_t fixedpoint_invert2_q16_16(const int32_t* a, int32_t* inverse)
-// The inverse of a matrix of two rows (blocks/matrix.hpp) and 1; where its determinant is 0, 0 alone.
+// Writes the inverse of a 2x2 matrix (blocks/matrix.hpp) and returns 1; if the rounded determinant
+// is 0, only returns 0.
 //
 // In       a = r25:r24, inverse = r23:r22, in RAM; inverse may be a
 // Out      r24
 // Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
 // Stack    16 bytes and a call
 //
-// The column (a11, -a10) of cofactors lies on the stack, for the determinant and as two numerators.
-// Each quotient goes where no element is that a later one takes.
+// The column (a11, -a10) of cofactors is kept on the stack, for the determinant and as two
+// numerators. Each quotient overwrites only an element that is no longer needed.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"

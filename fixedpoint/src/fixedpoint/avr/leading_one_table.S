@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // DO NOT EDIT: written by python3 fixedpoint/tables/leading_one.py
-// Of a byte that is not zero, by its upper 7 bits.
+// For a byte that is not zero, indexed by its upper 7 bits.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -15,7 +15,7 @@
     .byte   7,   7,   7,   7,   7,   7,   7,   7,   7,   7,   7,   7,   7,   7,   7,   7
     .byte   7,   7,   7,   7,   7,   7,   7,   7,   7,   7,   7,   7,   7,   7,   7,   7
     .byte   7,   7,   7,   7,   7,   7,   7,   7,   7,   7,   7,   7,   7,   7,   7,   7
-    // The factor that brings the leading one to the top
+    // The factor that moves the leading one to the top
     .byte 128,  64,  32,  32,  16,  16,  16,  16,   8,   8,   8,   8,   8,   8,   8,   8
     .byte   4,   4,   4,   4,   4,   4,   4,   4,   4,   4,   4,   4,   4,   4,   4,   4
     .byte   2,   2,   2,   2,   2,   2,   2,   2,   2,   2,   2,   2,   2,   2,   2,   2

@@ -6,9 +6,9 @@
 // v in r25:r24, the result in r25:r24:r23:r22. Changes r18-r27, r30, r31, r0; r1 is zero at entry
 // and return.
 //
-// Technique. Components below 2^23 have squares that sum to less than 2^48, which six registers
-// hold, and length_root.S takes the root. From the first larger one on length_long.S takes over,
-// with the sum so far and the components that are left in r28.
+// Technique. The squares of components below 2^23 sum to less than 2^48, which fits in six
+// registers, and length_root.S takes the root. From the first larger component on length_long.S
+// takes over, with the sum so far and the number of remaining components in r28.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"

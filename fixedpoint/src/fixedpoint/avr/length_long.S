@@ -5,28 +5,30 @@
 // r25:r24:r23:r22 = the integer nearest to the root of n = r23:...:r18, the sum of the squares so
 // far, plus the square of r27:r26:r25:r24, a magnitude of 2^23 to 2^31, plus the squares of the
 // r28 - 1 components that follow at r31:r30; at most 2^31 - 1. The caller's r28 has been pushed.
-// Keeps what calls keep; r1 is zero at return. Stack: 8 bytes with the r28 and the return address.
+// Preserves the call-saved registers; r1 is zero at return. Stack: 8 bytes with the r28 and the
+// return address.
 //
 // fixedpoint_root_long: the root of n itself, 2^46 at least, after r28, r29, r17, r16, r15 and r14
 // have been pushed and r29 cleared, for sqrt_32.S.
 //
-// Technique. k is 1 to 8, such that M = n 4^k / 2^16 has its leading one in bit 47 or 46: whole
-// bytes by moves, up to 6 bits by a product. The root of M 2^16, 32 bits, shifted back by k, is
-// the length.
+// Technique. k is chosen in 1..8 such that M = n 4^k / 2^16 has its leading one in bit 47 or 46:
+// whole bytes are shifted by moves, up to 6 bits by a product. The 32-bit root of M 2^16, shifted
+// back by k, is the length.
 //
 // Root. c, the root of the upper two bytes, and S, in 24 bits, are those of sqrt_q16_16.S. S is
-// made 6 less, which leaves it 0 to 12 below sqrt(M). Its remainder R = M - S^2, of which bytes 1
-// to 3 are enough, makes eight more bits: 2^8 R / (2 S), about q = R slope / 2^24. The slope is up
-// to 1 % off, which would make q wrong by 28. Its product with S says how far it is off:
+// decremented by 6, which leaves it 0 to 12 below sqrt(M). Its remainder R = M - S^2, of which
+// bytes 1 to 3 are enough, gives eight more bits: 2^8 R / (2 S), about q = R slope / 2^24. The
+// slope is up to 1 % off, which would make q wrong by 28. Its product with S measures that error:
 //     x = floor((slope (S >> 8) - 2^23) / 2^10),
-// and q - floor(q / 32) x / 256 is less than 0.44 off, which tables/sqrt.py asserts for every
-// upper two bytes of M. It is at most 2^32, which becomes 2^32 - 1.
+// and q - floor(q / 32) x / 256 is less than 0.44 off, which tables/sqrt.py asserts for every value
+// of the upper two bytes of M. The root is at most 2^32, which becomes 2^32 - 1.
 //
-// Rounding. The bytes of n that m1 does not reach are worth less than 0.02, 0.07 and 0.26 in 32
-// bits where k is 1, 2 and 3 or more, so that the shifted root is less than 1/4 off. Where its
-// fraction f is below 1/4 or at least 3/4 the nearest integer is known. Between, the integer part r
-// is rounded up where n exceeds (r + 1/2)^2, for integers n > r^2 + r. As sqrt(n) is less than 1/2
-// from r + 1/2, and r below 2^31, the two differ by less than 2^31: four bytes tell.
+// Rounding. The bytes of n below m1 are worth less than 0.02, 0.07 and 0.26 units of the 32-bit
+// root if k is 1, 2 and 3 or more, so the shifted root is less than 1/4 off. If its fraction f is
+// below 1/4 or at least 3/4, the nearest integer is known. In between, the integer part r is
+// rounded up if n exceeds (r + 1/2)^2, which for integers is n > r^2 + r. Since sqrt(n) is less
+// than 1/2 from r + 1/2, and r is below 2^31, the two sides differ by less than 2^31: four bytes
+// decide.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -157,7 +159,7 @@
     ldi back, 1
     rjmp .Lnormalised
 
-    // M = n 4^k / 2^16 without what is below m1; back = 2^(8 - k).
+    // M = n 4^k / 2^16 without the bytes below m1; back = 2^(8 - k).
     ENTRY fixedpoint_root_long
 .Lsum:
     cpi n7, 0x40
@@ -282,7 +284,7 @@
     or f, r1
     subi f, 0x40
     brmi 5f
-    // Near 1/2: up where n - r (r + 1) - 1, modulo 2^32, is not negative.
+    // Near 1/2: rounded up if n - r (r + 1) - 1, modulo 2^32, is not negative.
     sec
     sbc_bytes n0, l0, 4
     mul l0, l0

@@ -4,7 +4,8 @@
 // The integer nearest to the root of the sum of the squares of 2 or 3 components, at most 2^63 - 1.
 //
 // int64_t fixedpoint_sqrt_64(int64_t a, uint8_t fraction)
-// The integer nearest to the root of 2^fraction a (there are no ties); 0 where a < 0. fraction < 64.
+// The integer nearest to the root of 2^fraction a (there are no ties); 0 if a < 0. fraction must be
+// below 64.
 //
 // In       v = r25:r24, in RAM; a = r25:r18, fraction = r16
 // Out      r25:r18
@@ -13,15 +14,16 @@
 // Table    768 bytes, fixedpoint_sqrt_table; 256 bytes, fixedpoint_long_division_table
 //
 // Squares. Row k of |v_i| = a7:...:a0 is a_k 2^(8 k) (a_k 2^(8 k) + twice the bytes above k), from
-// row 7 downward, while the bytes above k are doubled one by one. The even and the odd
-// products of a row lie side by side and go into the sum in one carry chain each.
+// row 7 downward, while the bytes above k are doubled one by one. The even products of a row are
+// adjacent, and so are the odd ones: each set is added to the sum in one carry chain.
 //
-// Root. That of sqrt_q32_32.S, of a number A of 16 bytes that moves up by pairs of bytes, by one byte
-// and by an even number of bits until its highest byte is 64 or more. Each pair of bytes leaves out
-// one of the root's eight bytes. Its first two come from the table, each further one from a step of
-// long division. The root moves down again by half as many bits, and the last one that leaves it
-// rounds; where none would leave, one more byte is computed. From 2^126 on A clamps, so that
-// there is a byte for that, and the lowest bit of A is 0, which the halving of the remainder drops.
+// Root. As in sqrt_q32_32.S, for a number A of 16 bytes that is shifted left by pairs of bytes, by
+// one byte and by an even number of bits until its highest byte is 64 or more. Each pair of bytes
+// saves one of the eight bytes of the root. Its first two bytes come from the table, each further
+// one from a step of long division. The root is shifted right again by half as many bits, and the
+// last bit shifted out rounds; if there would be none, one more byte is computed. From 2^126 on the
+// result saturates, so there is a byte for that, and the lowest bit of A is 0, which the halving of
+// the remainder drops.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -43,14 +45,14 @@
 
 #include "long_root.inc"
 
-    // Of byte `byte` of the sum, r2 + byte, unless it lies outside.
+    // An instruction on byte `byte` of the sum, r2 + byte, unless it is outside.
     .macro into operation, byte, value
     .if (\byte >= 0) && (\byte < 16)
     \operation 2 + \byte, \value
     .endif
     .endm
 
-    // Products of `digit` by up to four bytes, side by side into bytes `byte`.. of the sum.
+    // Adjacent products of `digit` and up to four bytes to bytes `byte`.. of the sum.
     .macro chain byte, digit, p0, p1, p2, p3
     .ifnb \p3
     mul \p3, \digit
@@ -117,9 +119,9 @@
     .endm
 
     // The root's byte x_m, r25 - m, from the remainder's highest bytes u2:u1:u0; u2 is byte 15 - m.
-    // The digit takes off what the bytes x_2.. of the root make with it, and half its square. Where
-    // that is too much the digit is one less, and 2^8 x + digit - 1/2 comes back. Below the lowest
-    // byte the last digit needs one more, r0. Goes to .Ldone with the last digit.
+    // Subtracts the products of the digit with the bytes x_2.. of the root, and half its square. If
+    // that is too much, the digit is decremented, and 2^8 x + digit - 1/2 is added back. The last
+    // digit needs one more byte below the lowest, r0. Branches to .Ldone after the last digit.
     .macro step m, u2, u1, u0
     estimate \u2, \u1, \u0
     .irp n, 18, 19, 20, 21, 22, 23
@@ -262,12 +264,12 @@
 2:  XJMP fixedpoint_root_128
     ENDFUNC fixedpoint_sqrt_64
 
-    // The root of the sum, which returns in place of its caller.
+    // The root of the sum; returns for its caller.
     FUNCTION fixedpoint_root_128
     ldi r26, 8
     cpi r17, 0x40
     brsh .Lclamp
-    // A pair of bytes up
+    // Shifted left by a pair of bytes
 1:  mov r0, r17
     or r0, r16
     brne 2f
@@ -293,7 +295,7 @@
     mov_from_top r3, r2, 15
     clr r2
     ldi r31, 1
-    // `power` brings the leading one to bit 7 or 6; r30 undoes it, and a move by half a byte.
+    // `power` moves the leading one to bit 7 or 6; r30 undoes that, and a shift by half a byte.
 3:  ldi r30, 1
     cpi r17, 64
     brsh .Lscaled
@@ -315,7 +317,7 @@
     swap r30
     push r30
     push r26
-    // Nothing to be shifted out: one byte more rounds.
+    // No bit is shifted out: one more byte rounds.
     cpi r30, 1
     brne 1f
     inc r26
@@ -368,7 +370,7 @@
     step 6, r11, r10, r9
     step 7, r10, r9, r8
 
-    // Down by whole bytes, and by bits; r27 = what left last.
+    // Shifted right by whole bytes, and by bits; r27 = the last bits shifted out.
 .Ldone:
     pop r26
     pop r30

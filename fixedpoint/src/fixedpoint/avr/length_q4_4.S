@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // int8_t fixedpoint_length2_q4_4(const int8_t* v)
 // int8_t fixedpoint_length3_q4_4(const int8_t* v)
-// The square root of the sum of 2 or 3 squares, rounded to nearest (there are no ties), clamped: the
-// fraction bits cancel, so that it is the length of every split of 8 bits.
+// The square root of the sum of 2 or 3 squares, rounded to nearest (there are no ties), saturated:
+// the fraction bits cancel, so it is the length in every 8-bit format.
 //
 // In:       v r25:r24, in RAM
 // Out:      r24
@@ -10,7 +10,7 @@
 // Stack:    0 bytes.
 //
 // The sum S has 16 bits. With S 4^k at least 2^14, s = floor(sqrt(S 4^k)) has 8 bits, and the result
-// is (s + 2^(k-1)) / 2^k, rounded down; where k is 0, it is too large.
+// is (s + 2^(k-1)) / 2^k, rounded down; if k is 0, it is out of range.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"

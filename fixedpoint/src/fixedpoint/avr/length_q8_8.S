@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // int16_t fixedpoint_length2_q8_8(const int16_t* v)
 // int16_t fixedpoint_length3_q8_8(const int16_t* v)
-// The square root of the sum of 2 or 3 squares, rounded to nearest (there are no ties), clamped: the
-// fraction bits cancel, so that it is the length of every split of 16 bits.
+// The square root of the sum of 2 or 3 squares, rounded to nearest (there are no ties), saturated:
+// the fraction bits cancel, so it is the length in every 16-bit format.
 //
 // In:       v r25:r24, in RAM
 // Out:      r25:r24
@@ -10,9 +10,9 @@
 // Stack:    0 bytes.
 //
 // The sum S has 32 bits. With S 4^k at least 2^30, R = floor(sqrt(S 4^k)) has 16 bits, and the
-// result is (R + 2^(k-1)) / 2^k, rounded down; where k is 0, it is too large. R is computed by P.
-// Zimmermann, Karatsuba square root (1999): the root s of the upper 16 bits, then one digit q of 8
-// bits, which is the remainder by 2 s and at most 1 too large.
+// result is (R + 2^(k-1)) / 2^k, rounded down; if k is 0, it is out of range. R is computed as in
+// P. Zimmermann, Karatsuba square root (1999): the root s of the upper 16 bits, then one 8-bit
+// digit q, the remainder divided by 2 s, which is at most 1 too large.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -115,7 +115,7 @@
     sbc s3, double1
     inc root
 
-    // q = (s3:s2:s1) / (2 root); the remainder is s3:s1, with s0 behind it.
+    // q = (s3:s2:s1) / (2 root); the remainder is s3:s1, followed by s0.
 1:  lsr_bytes s1, 3
     rol s3
     ldi q, 0xff

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The root that the lengths share. Not a C function: its arguments are where their sums are.
+// The root that the lengths share. Not a C function: its arguments are in the registers of their
+// sums.
 //
 // r25:r24:r23:r22 = r, the integer nearest to sqrt(N), N = r23:r22:r21:r20:r19:r18 < 3 * 2^46.
 // Changes r18-r21, r26, r27, r30, r31, r0 as well; r1 is zero at return.
 //
-// Technique. That of sqrt_q16_16.S: N is shifted left by 2 k bits, a 16-bit root from tables gets
-// eight more bits by the table's slope. Of the numbers that share a 16-bit root the fourth byte is
-// dropped here, so that the 24-bit root is less than 6 above and less than 5.1 below sqrt(N
-// 4^k). Less 6 and shifted back by k it is not above sqrt(N), and N - r (r + 1) - 1 says how often
-// it is stepped up: once or twice, but up to 12 times where k is 0.
+// Technique. As in sqrt_q16_16.S: N is shifted left by 2 k bits, and a 16-bit root from tables gets
+// eight more bits by the slope of the table. Here the fourth byte is dropped, so the 24-bit root is
+// less than 6 above and less than 5.1 below sqrt(N 4^k). Minus 6 and shifted back by k, it is not
+// above sqrt(N), and N - r (r + 1) - 1 says how often it is incremented: once or twice, but up to
+// 12 times if k is 0.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -26,7 +27,7 @@
 #define m2 r26
 
     FUNCTION fixedpoint_length_root
-    // k: 4 for each zero byte ahead.
+    // k: 4 for each leading zero byte.
     movw r26, r22
     movw r24, n2
     movw r30, n0

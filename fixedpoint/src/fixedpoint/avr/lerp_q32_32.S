@@ -7,7 +7,7 @@
 // Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
 // Stack    10 bytes and those of multiply_q32_32
 //
-// Where b - a wraps, T is set and the product is t 2^32 off.
+// If b - a wraps, T is set and the product is off by t 2^32.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -15,7 +15,7 @@
 #define SPL 0x3d
 #define SPH 0x3e
 #define SREG 0x3f
-// The first byte of t above Y: ten bytes are saved and the return address lies between.
+// The offset of t from Y: ten saved bytes and the return address are in between.
 #ifdef __AVR_3_BYTE_PC__
 #define T0 14
 #else

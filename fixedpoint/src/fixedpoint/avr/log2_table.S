@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // DO NOT EDIT: written by python3 fixedpoint/tables/log2.py
-// log2(1 + i/128) 2^23 + 64: half an ulp of Q16.16 is in it, so that cutting 7 bits rounds; what the
-// chord rises over the interval, less 2^15; twice the curve's height over its middle.
+// log2(1 + i/128) 2^23 + 64, which includes half an ulp of Q16.16, so that truncating 7 bits rounds; the
+// rise of the chord over the interval, minus 2^15; twice the height of the curve above its middle.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -61,7 +61,7 @@
     .byte  89,  90,  91,  92,  93,  94,  94,  95,  96,  97,  98,  99, 100, 100, 101, 102
     .byte 103, 104, 104, 105, 106, 107, 108, 109, 109, 110, 111, 112, 112, 113, 114, 115
     .byte 116, 116, 117, 118, 119, 119, 120, 121, 122, 122, 123, 124, 125, 125, 126, 127
-    // 128 + log2 of a byte, by its upper 7 bits
+    // 128 + log2 of a byte, indexed by its upper 7 bits
     .byte 128, 129, 130, 130, 131, 131, 131, 131, 132, 132, 132, 132, 132, 132, 132, 132
     .byte 133, 133, 133, 133, 133, 133, 133, 133, 133, 133, 133, 133, 133, 133, 133, 133
     .byte 134, 134, 134, 134, 134, 134, 134, 134, 134, 134, 134, 134, 134, 134, 134, 134
@@ -70,7 +70,7 @@
     .byte 135, 135, 135, 135, 135, 135, 135, 135, 135, 135, 135, 135, 135, 135, 135, 135
     .byte 135, 135, 135, 135, 135, 135, 135, 135, 135, 135, 135, 135, 135, 135, 135, 135
     .byte 135, 135, 135, 135, 135, 135, 135, 135, 135, 135, 135, 135, 135, 135, 135, 135
-    // the factor that moves the leading one to bit 7, by that logarithm
+    // the factor that moves the leading one to bit 7, indexed by that logarithm
     .byte 128,  64,  32,  16,   8,   4,   2,   1
     ENDTABLE fixedpoint_log2_table
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The logarithm of the splits of 16 bits with less than 8 fraction bits: log_q8_8.inc.
+// The logarithm in the 16-bit formats with fewer than 8 fraction bits: log_q8_8.inc.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"

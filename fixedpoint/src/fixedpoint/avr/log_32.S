@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 // int32_t fixedpoint_log_q<32 - F>_<F>(int32_t a)
-// ln a for every a > 0 of each split of 32 bits but Q16.16, whose own is smaller; within 0.55 ulp,
-// saturated where the format cannot hold it; the smallest number where a <= 0.
+// ln a for every a > 0 in every 32-bit format except Q16.16, which has a smaller kernel of its own;
+// within 0.55 ulp, saturated; the smallest number if a <= 0.
 //
 // In       a = r25:r22
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
 // Table    3456 bytes, fixedpoint_log_32_table
 //
-// Up to F = 24 the sum is formed in units of 2^-31 by the core of 32 bits (cubic_core_32.inc),
-// beyond that in units of 2^-39. The constant -F ln 2 holds half an ulp for the rounding, and a unit
-// for what the core cuts.
+// Up to F = 24 the sum is formed in units of 2^-31 with the 32-bit core (cubic_core_32.inc), beyond
+// that in units of 2^-39. The constant -F ln 2 includes half an ulp for rounding, and a unit for
+// the truncation in the core.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"

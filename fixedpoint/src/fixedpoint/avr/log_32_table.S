@@ -6,7 +6,7 @@
 #include "prelude.inc"
 
     TABLE fixedpoint_log_32_table
-    // twist, 2 bytes of bend, 4 of slope, 5 of value; as often as there are intervals
+    // for each interval: twist, 2 bytes of bend, 4 of slope, 5 of value
     .byte 214, 255,  63, 146, 255, 255, 127,   9,   0,   0,   0,   0, 214, 129,  63, 229
     .byte 127, 128, 127, 127,  42, 192, 127,   0, 215,   2,  63, 166, 251,   1, 127,  97
     .byte  83,   1, 255,   0, 215, 134,  62,  45, 114, 132, 126,   0, 118, 196, 125,   1
@@ -199,7 +199,7 @@
     .byte 251,  64,  16, 170,   1, 129,  64, 152, 164,  10, 184,  87, 251,  48,  16, 205
     .byte 144,  96,  64,  73, 107, 123, 248,  87, 251,  32,  16, 106,  64,  64,  64,  27
     .byte 209, 203,  56,  88, 251,  16,  16,  79,  16,  32,  64, 138, 246, 251, 120,  88
-    // of e: the factor that moves the leading one out of a byte, then e ln 2 in units of 2^-39
+    // by e: the factor that shifts the leading one out of a byte, then e ln 2 in units of 2^-39
     .byte   0,   0,   0,   0,   0,   0,   0, 128, 233, 251,  11, 185,  88,   0,  64, 210
     .byte 247,  23, 114, 177,   0,  32, 187, 243,  35,  43,  10,   1,  16, 164, 239,  47
     .byte 228,  98,   1,   8, 141, 235,  59, 157, 187,   1,   4, 118, 231,  71,  86,  20
@@ -216,7 +216,7 @@
     .byte  12,  10,   4,  78, 133, 103, 175, 101,  10,   2,  55, 129, 115, 104, 190,  10
     .byte   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0
     .byte   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0
-    // 7 log2 of a byte, by its upper 7 bits
+    // 7 log2 of a byte, indexed by its upper 7 bits
     .byte   0,   7,  14,  14,  21,  21,  21,  21,  28,  28,  28,  28,  28,  28,  28,  28
     .byte  35,  35,  35,  35,  35,  35,  35,  35,  35,  35,  35,  35,  35,  35,  35,  35
     .byte  42,  42,  42,  42,  42,  42,  42,  42,  42,  42,  42,  42,  42,  42,  42,  42

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // int64_t fixedpoint_log_64(int64_t a, uint8_t fraction)
-// 2^fraction ln(a / 2^fraction) for every a > 0, within 0.7 ulp; the smallest number where a <= 0. fraction is
-// 31 to 56.
+// 2^fraction ln(a / 2^fraction) for every a > 0, within 0.7 ulp; the smallest number if a <= 0.
+// fraction must be in 31..56.
 //
 // In       a = r25:r18, fraction = r16
 // Out      r25:r18
@@ -9,8 +9,8 @@
 // Stack    22 bytes
 // Table    2944 bytes, fixedpoint_septic_log_table
 //
-// The bits behind the leading one are the position in the table of ln(1 + x); |e| ln 2 has nine bytes, of which
-// one is before the point.
+// The bits after the leading one are the position in the table of ln(1 + x); |e| ln 2 has nine
+// bytes, one of them before the point.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // DO NOT EDIT: written by python3 fixedpoint/tables/log_64.py
 // ln(1 + x) on 256 intervals of [0, 1], cubics in the layout of tables/cubic.py.
-// 8.4 2^-39 off at most, of 34 points an interval; the values hold half an ulp of Q32.32.
+// The error is at most 8.4 2^-39 at 34 points per interval; the values include half an ulp of Q32.32.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
 
     TABLE fixedpoint_log_64_table, 1
-    // twist, 3 bytes of bend, 4 of slope, 5 of value; as often as there are intervals
+    // for each interval: twist, 3 bytes of bend, 4 of slope, 5 of value
     .byte 214,  54, 255,  63, 180, 255, 255, 127,  70,   0,   0,   0,   0, 214, 178, 128
     .byte  63, 130, 127, 128, 127, 202,  42, 192, 127,   0, 215,  38,   2,  63, 184, 251
     .byte   1, 127, 159,  83,   1, 255,   0, 215, 139, 134,  62, 164, 114, 132, 126,  56

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
 // int32_t fixedpoint_log_q16_16(int32_t a)
-// ln a in Q16.16, within 0.57 ulp for every a > 0; the smallest number where a <= 0.
+// ln a in Q16.16, within 0.57 ulp for every a > 0; the smallest number if a <= 0.
 //
 // In       a = r25:r22
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
 //
-// The leading byte of the raw number looks up its base-2 logarithm, and with the number of bytes
-// below it that finds a record of five bytes: the power of two that moves the leading one to bit 7,
-// and ln 2 (e - 16) in units of 2^-24. The 8 bits behind the leading one are the interval of the
-// table, the next 16 bits the fraction of it.
+// The leading byte of the raw number looks up its base-2 logarithm. With the number of bytes below
+// it, that selects a record of five bytes: the power of two that moves the leading one to bit 7,
+// and ln 2 (e - 16) in units of 2^-24. The 8 bits after the leading one are the interval of the
+// table, and the next 16 bits are its fraction.
 //
-// Error in ulp: chord 0.0625; table entries, cut low bytes 0.004. Rounding 0.5. The worst of all
-// inputs is 0.56635, at 67372032.
+// Error in ulp: chord 0.0625; table entries and truncated low bytes 0.004. Rounding 0.5. The
+// largest error over all inputs is 0.56635, at 67372032.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -22,7 +22,7 @@
 #define slope0 r27
 #define rise0 r30
 #define rise1 r31
-// The result in units of 2^-24; bytes 1..3 take the place of the argument.
+// The result in units of 2^-24; bytes 1..3 replace the argument.
 #define sum0 r26
 #define sum1 r22
 #define sum2 r23
@@ -32,7 +32,7 @@
 
     SECTION fixedpoint_log_q16_16
 
-// The factor by which the leading byte is normalised; Z then points to the exponent's logarithm.
+// The factor that normalises the leading byte; Z then points to the logarithm of the exponent.
     .macro find_record leading, bytes_below
     mov r30, \leading
     lsr r30

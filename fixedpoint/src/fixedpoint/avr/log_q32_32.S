@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // int64_t fixedpoint_log_q32_32(int64_t a)
-// ln a for every a > 0, within 0.6 ulp; the smallest number where a <= 0.
+// ln a for every a > 0, within 0.6 ulp; the smallest number if a <= 0.
 //
-// fixedpoint_unrounded_log_q32_32 is no C function: r22:r18, r26 = ln a in units of 2^-39 and 64 more.
-// Needs T = 1, a > 0.
+// fixedpoint_unrounded_log_q32_32 is not a C function: r22:r18, r26 = ln a in units of 2^-39, plus
+// 64. Requires T = 1 and a > 0.
 //
 // In       a = r25:r18
 // Out      r25:r18
@@ -12,7 +12,7 @@
 // Tables   3706 bytes, fixedpoint_log_64_table; 256 bytes, fixedpoint_leading_one_table
 //
 // normalise_64 finds the leading one; the 40 bits below it are the position in the table of ln(1 + x).
-// A table has the multiples of ln 2.
+// The multiples of ln 2 come from a table.
 //
 // Error in units of 2^-39: the core 8.7, the multiple of ln 2 and the position 1, the rounding 64, half
 // an ulp.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // int64_t fixedpoint_log_q32_32_fine(int64_t a)
-// ln a in units of 2^-39 and 64 more, within 11 units. Needs a > 0.
+// ln a in units of 2^-39, plus 64, within 11 units. a must be greater than 0.
 //
 // In       a = r25:r18
 // Out      r25:r18

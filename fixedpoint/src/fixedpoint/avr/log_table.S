@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // DO NOT EDIT: written by python3 fixedpoint/tables/log.py
-// ln(1 + i/256) 2^24 + 128: half an ulp of Q16.16 is in it, so that cutting 8 bits rounds; what the
-// logarithm rises over the interval; ln 2 (e - 16) 2^24 for the exponent e of the raw number.
+// ln(1 + i/256) 2^24 + 128, which includes half an ulp of Q16.16, so that truncating 8 bits rounds; the
+// rise of the logarithm over the interval; ln 2 (e - 16) 2^24 for the exponent e of the raw number.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -92,7 +92,7 @@
     .byte  23, 201, 124,  47, 227, 150,  74, 255, 179, 104,  30, 211, 137,  64, 246, 173
     .byte 100,  28, 211, 140,  68, 253, 182, 111,  40, 226, 156,  87,  17, 204, 136,  67
     .byte 255, 187, 119,  52, 241, 174, 108,  41, 231, 165, 100,  35, 226, 161,  96,  32
-    // 5 log2 of a byte, by its upper 7 bits
+    // 5 log2 of a byte, indexed by its upper 7 bits
     .byte   0,   5,  10,  10,  15,  15,  15,  15,  20,  20,  20,  20,  20,  20,  20,  20
     .byte  25,  25,  25,  25,  25,  25,  25,  25,  25,  25,  25,  25,  25,  25,  25,  25
     .byte  30,  30,  30,  30,  30,  30,  30,  30,  30,  30,  30,  30,  30,  30,  30,  30
@@ -101,7 +101,7 @@
     .byte  35,  35,  35,  35,  35,  35,  35,  35,  35,  35,  35,  35,  35,  35,  35,  35
     .byte  35,  35,  35,  35,  35,  35,  35,  35,  35,  35,  35,  35,  35,  35,  35,  35
     .byte  35,  35,  35,  35,  35,  35,  35,  35,  35,  35,  35,  35,  35,  35,  35,  35
-    // of e: the factor that moves the leading one to bit 7, four bytes of logarithm
+    // by e: the factor that moves the leading one to bit 7, four bytes of logarithm
     .byte 128, 129, 222, 232, 244,  64, 152,  80, 154, 245,  32, 176, 194,  75, 246,  16
     .byte 200,  52, 253, 246,   8, 224, 166, 174, 247,   4, 248,  24,  96, 248,   2,  16
     .byte 139,  17, 249,   1,  40, 253, 194, 249, 128,  64, 111, 116, 250,  64,  88, 225

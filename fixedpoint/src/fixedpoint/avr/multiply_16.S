@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // int16_t fixedpoint_multiply_q<16 - F>_<F>(int16_t a, int16_t b)
-// floor(a b / 2^F + 1/2) modulo 2^16: the product of each split of 16 bits but Q8.8, whose own is
-// faster, rounded to nearest, ties upward.
+// floor(a b / 2^F + 1/2) modulo 2^16: the product rounded to nearest, half up, of every 16-bit
+// format except Q8.8, which has a faster kernel of its own.
 //
 // In       a = r25:r24, b = r23:r22
 // Out      r25:r24
 // Changes  r0, r19..r21, r26, r27; r1 is 0 again at return
 //
-// The result is in three of the product's four bytes, from byte floor((F - 1) / 8) on, shifted to
-// whole bytes by at most four bits either way; the bit that leaves last rounds.
+// The result is in three of the four bytes of the product, from byte floor((F - 1) / 8) on, shifted
+// to whole bytes by at most four bits in either direction; the last bit shifted out rounds.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"

@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: MIT
 // int32_t fixedpoint_multiply_q<32 - F>_<F>(int32_t a, int32_t b)
 // int32_t fixedpoint_multiply_add_q<32 - F>_<F>(int32_t a, int32_t b, int32_t c)
-// floor(a b / 2^F + 1/2) modulo 2^32, and c more: the product of each split of 32 bits but Q16.16,
-// whose own is faster, rounded to nearest, ties upward.
+// floor(a b / 2^F + 1/2) modulo 2^32, plus c: the product rounded to nearest, half up, of every
+// 32-bit format except Q16.16, which has a faster kernel of its own.
 //
 // In       a = r25:r22, b = r21:r18, c = r17:r14
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
 // Stack    2 bytes
 //
-// Column by column: byte k of the product is the sum of all a_i b_j with i + j = k, and each
-// column's carries go no further than two bytes up. The result is in five bytes of the product,
-// from byte floor((F - 1) / 8) on, shifted to whole bytes by at most four bits either way; the bit
-// that leaves last rounds. Bytes below the five only carry, bytes above are not formed.
+// Column by column: byte k of the product is the sum of all a_i b_j with i + j = k, and the carries
+// of a column reach at most two bytes up. The result is in five bytes of the product, from byte
+// floor((F - 1) / 8) on, shifted to whole bytes by at most four bits in either direction; the last
+// bit shifted out rounds. Bytes below the five only carry; bytes above are not computed.
 //
 // `mulsu` sets the carry to the sign of its product, which is subtracted from the byte above it.
-// Bytes 5 and 6 each receive two such signs and start from 2, which is taken off at the end: no
-// sum is negative before, and none needs extension. a1 b1 <= 0xfe01 takes up the at most 0x1fd that
-// the columns below carry into it.
+// Bytes 5 and 6 each receive two such signs and start from 2, which is subtracted at the end: no
+// sum is negative before that, and none needs sign extension. a1 b1 <= 0xfe01 absorbs the carries
+// of the columns below, at most 0x1fd.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -27,7 +27,7 @@
 #define a2 r16
 #define a3 r17
 #define zero r27
-// Bytes of the sum; the first ones have been dropped where the last ones begin.
+// Bytes of the sum; the first ones have been dropped when the last ones begin.
 #define s0 r26
 #define s1 r25
 #define s2 r30

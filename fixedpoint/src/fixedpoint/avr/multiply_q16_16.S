@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // int32_t fixedpoint_multiply_q16_16(int32_t a, int32_t b)
-// floor(a b / 2^16 + 1/2) modulo 2^32: the Q16.16 product rounded to nearest, ties upward.
+// floor(a b / 2^16 + 1/2) modulo 2^32: the Q16.16 product rounded to nearest, half up.
 //
 // In       a = r25:r22, b = r21:r18
 // Out      r25:r22

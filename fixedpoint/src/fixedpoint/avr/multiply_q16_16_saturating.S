@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: MIT
 // int32_t fixedpoint_multiply_q16_16_saturating(int32_t a, int32_t b)
-// floor(a b / 2^16 + 1/2), clamped: the Q16.16 product rounded to nearest, ties upward.
+// floor(a b / 2^16 + 1/2), saturated: the Q16.16 product rounded to nearest, half up.
 //
 // In       a = r25:r22, b = r21:r18
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
 //
-// The sum of byte products is carried to byte 6, and it fits where byte 6 is the sign of byte 5.
+// The sum of byte products is carried to byte 6, and the result is in range if byte 6 is the sign
+// extension of byte 5.
 // - |a|, |b| <= 2^24, both highest bytes 0 or -1: 9 unsigned products of the lower three bytes,
-//   less the other operand 2^24 where one is negative.
-// - One is beyond that, the other is small, -2^23 <= x < 2^23, and has three bytes: 12 products,
-//   of which those with a highest byte are signed; `mulsu` sets the carry to the sign.
+//   minus the other operand times 2^24 if one is negative.
+// - One is beyond that, the other is small, -2^23 <= x < 2^23, and has three bytes: 12 products;
+//   those with a highest byte are signed, and `mulsu` sets the carry to the sign.
 // - One is beyond, the other is not small: |a b| >= 2^47 overflows.
 // Rounding adds 2^15, which carries into byte 2 exactly when byte 1 has its top bit set: `lsl` of
-// it is the carry of the next chain. Byte 2 and 3 begin as a1 b1 <= 0xfe01, which takes up what the
-// columns below it carry.
+// it is the carry of the next chain. Bytes 2 and 3 start as a1 b1 <= 0xfe01, which absorbs the
+// carries of the columns below.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -23,7 +24,8 @@
 #define s2 r30
 #define s3 r31
 
-    // Sets Z where the number is small, else `brlt` and `brge` tell its sign. Uses up x3; r1 = 0.
+    // Sets Z if the number is small; otherwise `brlt` and `brge` test its sign. Destroys x3;
+    // r1 = 0.
     .macro test_small x2, x3
     mov r0, \x2
     lsl r0
@@ -48,7 +50,7 @@
 
     SECTION fixedpoint_multiply_q16_16_saturating
 
-    // a is beyond 2^24: swaps the operands where b is small.
+    // a is beyond 2^24: swaps the operands if b is small.
 .La_beyond:
     test_small rB2, rB3
     brne .Lbeyond
@@ -112,7 +114,7 @@
     sbc r27, rB1
     sbc r26, rB2
     sbc r0, r1
-    and rA3, rB3          // 2^48 where both are negative
+    and rA3, rB3          // 2^48 if both are negative
     sub r0, rA3
     mov rA3, r26
     mov rA2, r27
@@ -124,8 +126,8 @@
 1:  mov r27, r0
     rjmp .Lclamp
 
-    // Bytes 2..6: r30, r31, r25, r26, r27. A byte of an operand that is used up takes the sign of
-    // its last product.
+    // Bytes 2..6: r30, r31, r25, r26, r27. An operand byte that is no longer needed takes the sign
+    // of its last product.
 .La_small:
     multiply_low r25
     muls rB3, rA2
@@ -173,7 +175,7 @@
     mov r24, r25
     mov r25, r26
     ret
-    // To the limit of the sign of r27.
+    // Saturates to the limit with the sign of r27.
 .Lclamp:
     cpi r27, 0x80
     sbc r22, r22

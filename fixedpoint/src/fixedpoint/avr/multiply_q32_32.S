@@ -7,16 +7,16 @@
 // Clobbers: r0, r26, r27, r30, r31
 // Stack:    4 bytes.
 //
-// Column by column: byte k of the product is the sum of all a_i b_j with i + j = k and what the
-// column before left over, in three registers that change roles from column to column. Of the
-// result, bytes 4..7 wait on the stack, since all of a and b is still needed, and bytes 8..11 take
-// the place of a0 and a1 and what has become free. 0x80 at byte 3 rounds; it is what the register
-// of byte 3 starts from.
+// Column by column: byte k of the product is the sum of all a_i b_j with i + j = k and the carry of
+// the previous column, in three registers that change roles from column to column. Bytes 4..7 of
+// the result are kept on the stack, since all of a and b is still needed; bytes 8..11 replace a0
+// and a1 and other registers that have become free. The register of byte 3 starts from 0x80, which
+// rounds.
 //
-// b7 is signed, and its products are extended by one byte. So that no sum is negative and needs
-// further extension, bytes 9 and 10 start from 1, which is taken off at the end: a_i b7 is above
-// -2^15, hence the sum of all columns up to 7 is above -2^72, and that up to 8 above -2^80. Byte 11
-// is the highest that counts. Where a is negative, its unsigned product is 2^64 b too large.
+// b7 is signed, and its products are sign-extended by one byte. Bytes 9 and 10 start from 1, which
+// is subtracted at the end, so that no sum is negative and needs further extension: a_i b7 is above
+// -2^15, so the sum of all columns up to 7 is above -2^72, and that up to 8 above -2^80. Byte 11 is
+// the highest that counts. If a is negative, its unsigned product is 2^64 b too large.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -39,7 +39,7 @@
 #define b7 r17
 #define zero r31
 
-    // The products of bytes i of a and k - i of b, for i = first..last.
+    // The products of byte i of a and byte k - i of b, for i = first..last.
     .macro column k, first, last, low, high, carry
     rising \first, (\last + 1), mul_add, .Lr18 + \n, .Lr10 + \k - \n, \low, \high, zero, \carry
     .endm

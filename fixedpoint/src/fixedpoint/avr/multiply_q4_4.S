@@ -8,7 +8,7 @@
 // Stack:    0 bytes.
 //
 // The result is bits 11..4 of the product: the high byte's low nibble and the low byte's high
-// nibble, which one swap puts in place, and one more where bit 3 is set.
+// nibble, which one swap puts in place, plus one if bit 3 is set.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"

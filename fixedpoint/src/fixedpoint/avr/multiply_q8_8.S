@@ -8,8 +8,8 @@
 // Stack:    0 bytes.
 //
 // The four byte products, of which bits 23..8 count. mulsu makes the middle two signed; it takes
-// r16..r23 only, hence the copy of a. The lowest product comes last: its bit 7 rounds, and r1,
-// cleared for the caller anyway, is the zero that the carry needs.
+// only r16..r23, hence the copy of a. The lowest product comes last: its bit 7 rounds, and r1,
+// which must be cleared for the caller anyway, is the zero that the carry needs.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"

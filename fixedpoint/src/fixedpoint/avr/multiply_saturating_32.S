@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // int32_t fixedpoint_multiply_saturating_q<32 - F>_<F>(int32_t a, int32_t b)
-// floor(a b / 2^F + 1/2), clamped: the product of each split of 32 bits but Q16.16, whose own is
-// faster, rounded to nearest, ties upward.
+// floor(a b / 2^F + 1/2), saturated: the product rounded to nearest, half up, of every 32-bit
+// format except Q16.16, which has a faster kernel of its own.
 //
 // In       a = r25:r22, b = r21:r18
 // Out      r25:r22
@@ -9,9 +9,9 @@
 // Stack    5 bytes
 //
 // The columns are those of multiply_32.S, up to byte 7, which is taken modulo 2^8. From byte
-// f = floor((F - 1) / 8) on, the sum is shifted to whole bytes by at most four bits either way, a
-// byte above it taking what moves out; the bit that leaves last rounds. The result fits where all
-// bytes above it are its sign.
+// f = floor((F - 1) / 8) on, the sum is shifted to whole bytes by at most four bits in either
+// direction, with one more byte above it for the bits shifted out to the left; the last bit shifted
+// out to the right rounds. The result is in range if all bytes above it are its sign extension.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -21,7 +21,7 @@
 #define a2 r16
 #define a3 r17
 #define zero r27
-// Bytes of the sum; none is where a later one of the result goes.
+// Bytes of the sum; none is in a register that a later byte of the result needs.
 #define s0 r26
 #define s1 r24
 #define s2 r30
@@ -77,7 +77,7 @@
     clr r1
     .endm
 
-    // `instruction` with the bytes first..last of the sum, up or down.
+    // `instruction` on the bytes first..last of the sum, upward or downward.
     .macro up instruction, first, last
     .irp n, 0, 1, 2, 3, 4, 5, 6, 7, 8
     .if (\n >= \first) && (\n <= \last)
@@ -178,7 +178,7 @@
     round_saturating ((\fraction - 1) / 8), (((\fraction - 1) / 8) * 8 + 8 - \fraction)
 9:  pop_all r29, r28, r17, r16, r15
     ret
-    // To the limit of the sign of s8.
+    // Saturates to the limit with the sign of s8.
 8:  lsl s8
     sbc r22, r22
     com r22

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // int16_t fixedpoint_multiply_saturating_q8_8(int16_t a, int16_t b)
-// floor(a b / 2^8 + 1/2), clamped: the Q8.8 product rounded to nearest, ties upward.
+// floor(a b / 2^8 + 1/2), saturated: the Q8.8 product rounded to nearest, half up.
 //
 // In       a = r25:r24, b = r23:r22
 // Out      r25:r24
 // Changes  r0, r18..r21, r26; r1 is 0 again at return
 //
-// The exact product, of which bit 7 rounds; it fits where byte 3 is the sign of byte 2.
+// The exact product, of which bit 7 rounds; it is in range if byte 3 is the sign extension of byte
+// 2.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -48,7 +49,7 @@
     mov r25, s2
     mov r24, s1
     ret
-    // To the limit of the sign of s3.
+    // Saturates to the limit with the sign of s3.
 1:  lsl s3
     sbc r24, r24
     com r24

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // int32_t fixedpoint_multiply_short_q16_16(int32_t a, int32_t b)
-// Needs -2^15 <= a < 2^15, 0 <= b < 2^17 and |a b| < 2^31: floor(a b / 2^16 + 1/2), which takes two
-// bytes.
+// floor(a b / 2^16 + 1/2), which fits in two bytes. Requires -2^15 <= a < 2^15, 0 <= b < 2^17 and
+// |a b| < 2^31.
 //
 // In       a = r25:r22, b = r21:r18
 // Out      r25:r22

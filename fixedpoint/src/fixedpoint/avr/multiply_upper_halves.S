@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // uint64_t fixedpoint_multiply_upper_halves(uint64_t a, uint64_t b)
-// a b / 2^64, at most 2^18 less: a1 b1 of the upper words, and of an upper and a lower word the
+// a b / 2^64, or up to 2^18 less: a1 b1 of the upper words plus, for an upper and a lower word, the
 // product of their upper halves.
 //
 // In       a = r25:r18, b = r17:r10
@@ -8,8 +8,9 @@
 // Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
 // Stack    3 bytes
 //
-// The halves' products have their lowest byte at that of the result, as a1 b1 has, which comes row
-// by row as in multiply_words.S; here the second chain of a row may leave a carry.
+// The products of the halves and a1 b1 are aligned with the lowest byte of the result. a1 b1 is
+// computed row by row as in multiply_words.S, except that the second chain of a row may leave a
+// carry.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"

@@ -3,16 +3,16 @@
 // a b, exact.
 //
 // uint32_t fixedpoint_upper_product(uint32_t a, uint32_t b)
-// Its upper word, which the calling convention has in the same place.
+// Its upper word, which the calling convention returns in the same registers.
 //
 // In       a = r25:r22, b = r21:r18
 // Out      r25:r18
 // Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
 // Stack    3 bytes
 //
-// Row by row: of a byte of b, the even and the odd products lie side by side and go into the sum in
-// one carry chain each. A sum of j rows is below 2^(32 + 8 j), so that the second chain of a row
-// leaves no carry.
+// Row by row: the even products of a byte of b are adjacent, and so are the odd ones, and each set
+// is added to the sum in one carry chain. A sum of j rows is below 2^(32 + 8 j), so the second
+// chain of a row does not leave a carry.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -27,7 +27,7 @@
 #define b3 r31
 #define t0 r28
 #define t1 r29
-// Bytes of the sum; an upper one takes the place of a byte of b that is used up.
+// Bytes of the sum; an upper one replaces a byte of b that is no longer needed.
 #define s0 r18
 #define s1 r19
 #define s2 r20

@@ -6,13 +6,13 @@
 // In       y = r25:r22, x = r21:r18; a = r25:r22
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
-// Stack    15 bytes, of atan 11; in doubt 4 and what the compiled code takes
+// Stack    15 bytes, of atan 11; in close cases 4 and those of the compiled code
 // Tables   3072 bytes, fixedpoint_atan_32_table; 512 bytes, fixedpoint_reciprocal_table
 //
-// As in atan2_32.S; a below 1 is the ratio. The operands wait on the stack for the code that decides
-// doubts.
+// As in atan2_32.S; a below 1 is the ratio. The operands are kept on the stack for the code that
+// decides close cases.
 //
-// Error in units of 2^-31: the core of 32 bits (cubic_core_32.inc), the ratio -1.0, pi 0.3.
+// Error in units of 2^-31: the 32-bit core (cubic_core_32.inc), the ratio -1.0, pi 0.3.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -21,7 +21,7 @@
 #include "cubic_core_32.inc"
 #include "ratio_32.inc"
 
-// The function of kernel/nearest.hpp that decides doubts, as the compiler names it.
+// The function of kernel/nearest.hpp that decides close cases, under its mangled name.
 #define DECIDED_ATAN2 _ZN10fixedpoint6kernel13decided_atan2IlLi16EEET_S2_S2_S2_
 
 // y is n0, later the shorter coordinate, x is d0, later the longer one.
@@ -33,11 +33,12 @@
 #define HALF_PI 3373259426
 #define PI 6746518852
 
-    // The angle less a constant that is added next: its one's complement is -1 less it.
+    // Prepares the subtraction of the angle from the constant added next: its one's complement is
+    // -1 - angle.
     .macro turned_back
     com_bytes r22, 5
     .endm
-    // Of what is added the core cuts a unit.
+    // One unit of the constant is for the truncation in the core.
     .macro turn value
     add_constant 22, \value + (1 << 14) + FIXEDPOINT_DOUBT
     .endm

@@ -8,16 +8,17 @@
 // Stack    7 bytes
 // Table    2496 bytes, fixedpoint_exp_32_table
 //
-// a is k ln 2 - r as in exp_32.S. Of all arguments the mantissa e^-r errs by 0.379 2^-32 of itself at most,
-// so that the result errs by less than its upper half, and 1, halved, in units of 2^-16 ulp; of these one
-// more is cut. The argument waits on the stack for the code that decides doubts.
+// a is k ln 2 - r as in exp_32.S. Over all arguments the relative error of the mantissa e^-r is at
+// most 0.379 2^-32, so the error of the result, in units of 2^-16 ulp, is less than half of (its
+// upper half plus 1); truncation adds one more unit. The argument is kept on the stack for the code
+// that decides close cases.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
 #include "exp_32.inc"
 #include "scale_40.inc"
 
-// The function of kernel/power_side.hpp that decides doubts, as the compiler names it.
+// The function of kernel/power_side.hpp that decides close cases, under its mangled name.
 #define ROUNDED_POWER _ZN10fixedpoint6kernel13rounded_powerIlLi16EEET_S2_S2_
 
 // Bytes of r, the lowest first.
@@ -61,7 +62,7 @@
     subi k, -8
     exponential
     scale r20
-    // r21:r20 = the fraction. It lies clear of 1/2 if its upper byte does by r25 / 2 + 2.
+    // r21:r20 = the fraction. It is safely away from 1/2 if its upper byte is by r25 / 2 + 2.
     mov r19, r25
     lsr r19
     subi r19, -2

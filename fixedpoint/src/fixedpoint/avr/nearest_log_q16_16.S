@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // int32_t fixedpoint_log_q16_16_correctly_rounded(int32_t a)
-// ln a of Q16.16 within 0.5 ulp; the smallest number where a <= 0.
+// ln a of Q16.16 within 0.5 ulp; the smallest number if a <= 0.
 //
 // In       a = r25:r22
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
 // Table    3456 bytes, fixedpoint_log_32_table
 //
-// As in log_32.S. Where the core leaves a doubt a is put together again from its parts.
+// As in log_32.S. If the core leaves the rounding undecided, a is reassembled from its parts.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -16,7 +16,7 @@
 #include "cubic_core_32.inc"
 #include "log_32.inc"
 
-// The function of kernel/nearest.hpp that decides doubts, as the compiler names it.
+// The function of kernel/nearest.hpp that decides close cases, under its mangled name.
 #define DECIDED_LOG _ZN10fixedpoint6kernel11decided_logIlLi16EEET_S2_S2_
 
     position_of_logarithm fixedpoint_log_q16_16_correctly_rounded, 16
@@ -37,8 +37,8 @@
     brsh 7b
     mov r27, r24        // r26:r31:r27 = the number above the tie
     mov r31, r25
-    // r1:r0 = address of the next interval's record, r30 = 7 e + 6: the number is the table's position
-    // behind a one, shifted right by 32 - e bits.
+    // r1:r0 = address of the next interval's record, r30 = 7 e + 6: the number is a one followed by
+    // the position in the table, shifted right by 32 - e bits.
     movw r22, r0
     subi r22, lo8(fixedpoint_log_32_table + 12)
     sbci r23, hi8(fixedpoint_log_32_table + 12)

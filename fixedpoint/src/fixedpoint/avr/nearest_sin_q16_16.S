@@ -9,13 +9,15 @@
 // Stack    5 bytes
 // Table    3072 bytes, fixedpoint_sine_32_table
 //
-// The angle times 2/pi 2^48, rounded downward, is its quarter turns, of which 32 fraction bits count.
-// Byte k of that is the sum of all a_i m_j with i + j = k + 4; of those below only the upper bytes count.
-// Of an angle within +-256 rad the upper byte is a sign. Odd quadrants run backwards (one's complement),
-// quadrants 2 and 3 are negated. The angle waits on the stack for the code that decides doubts.
+// Argument reduction: the angle times 2/pi 2^48, rounded downward, is the angle in quarter turns,
+// of which 32 fraction bits count. Byte k of that is the sum of all a_i m_j with i + j = k + 4; of
+// those below only the upper bytes are included. The upper byte of an angle within +-256 rad is a
+// sign extension. In odd quadrants the position runs backwards (one's complement); in quadrants 2
+// and 3 the result is negated. The angle is kept on the stack for the code that decides close
+// cases.
 //
-// Error in units of 2^-31: the core of 32 bits (cubic_core_32.inc); the turns, short by 5.1 of 2^-32 at most,
-// 4.0.
+// Error in units of 2^-31: the 32-bit core (cubic_core_32.inc); the turns, at most 5.1 units of
+// 2^-32 too small, 4.0.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -23,7 +25,7 @@
 #include "cubic_32.inc"
 #include "cubic_core_32.inc"
 
-// The function of kernel/nearest.hpp that decides doubts, as the compiler names it.
+// The function of kernel/nearest.hpp that decides close cases, under its mangled name.
 #define DECIDED_SINE _ZN10fixedpoint6kernel12decided_sineIlLi16EEET_S2_h
 
 // Bytes of 2/pi 2^48.
@@ -61,7 +63,7 @@
     rjmp .Lreduce
     ENDFUNC fixedpoint_cos_q16_16_correctly_rounded
 
-    // The upper byte's products, of every second column.
+    // The products of the upper byte, in every second column.
 .Lfar:
     ldi r27, M1
     mul r25, r27
@@ -119,7 +121,7 @@
     cpi r25, 0xff
     breq 1f
     rjmp .Lfar
-1:  subtract_from_turns M1, M2, M3, M4, M5          // the lower bytes less 2^24
+1:  subtract_from_turns M1, M2, M3, M4, M5          // the lower bytes minus 2^24
 .Lreduced:
     bst turns4, 1
     lsr turns4

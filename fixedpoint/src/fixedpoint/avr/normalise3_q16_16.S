@@ -6,16 +6,16 @@
 // v in r25:r24, unit in r23:r22. Changes r18-r27, r30, r31, r0; r1 is zero at entry and return.
 //
 // Technique. All magnitudes are shifted left by the same number of bits, so that the largest has
-// its top bit in bit 30, and keep their upper three bytes. The sum of their squares less what is
-// below 2^16 of it, normalised to 2^30 .. 2^32, has a reciprocal root of 23 bits, by which the
-// three are multiplied, signs put back. portable/normalise.hpp is bit for bit the same.
+// its top bit in bit 30, and keep their upper three bytes. The sum of their squares, without the
+// part below 2^16, is normalised to 2^30 .. 2^32. The three are multiplied by its reciprocal root
+// of 23 bits, and the signs are restored. portable/normalise.hpp is the same, bit for bit.
 //
-// Error, in ulp of a component (2^-16, where the components are below 1 and the length is 1):
+// Error, in ulp of a component (2^-16; the components are below 1 and the length is 1):
 //     0.5      rounding
 //     0.19     parts of the squares that are dropped: at most 3 (2^25 + 2^16) of a sum of 2^44
 //     0.08     reciprocal root: less than 5 of 2^22
 //     0.07     parts of the product that are dropped: less than 2 * 2^24 of 2^45, and 1 of 2^22
-//     0.02     magnitude, cut after 23 bits; its largest is 2^31 - 1
+//     0.02     magnitude, truncated to 23 bits; its largest is 2^31 - 1
 // That is 0.86 in all; tests/prove_normalise.py proves 0.77.
 
 #ifdef __AVR_HAVE_MUL__
@@ -52,7 +52,7 @@
     or \low, r1
     .endm
 
-// r21:r20:r19:r18 += (high:middle)^2 + 2 high low. Needs high < 128.
+// r21:r20:r19:r18 += (high:middle)^2 + 2 high low. high must be below 128.
     .macro add_square high, middle, low
     mul_add \high, \high, r20, r21
     mul_add \middle, \middle, r18, r19, zero, r20, r21
@@ -62,8 +62,9 @@
     mul_add r22, \low, r18, r19, zero, r20, r21
     .endm
 
-// Stores the nearest integer to high:middle:low r20:r19:r18 / 2^30 with the sign in bit `sign`. Of
-// the product, middle r18, low r19 and low r18 are left out, and the byte below 2^24 plays no part.
+// Stores the nearest integer to high:middle:low r20:r19:r18 / 2^30 with the sign in bit `sign`. The
+// partial products middle r18, low r19 and low r18 are omitted, and the byte below 2^24 does not
+// matter.
     .macro store_component high, middle, low, sign
     mul \high, r20
     movw r24, r0
@@ -103,7 +104,7 @@
     movw r10, r26
     load_magnitude
 
-    // Whole bytes to the left, until the top bit would be among the upper nine bits.
+    // Shifted left by whole bytes, until the top bit would be among the upper nine bits.
     ldi r21, 4
 1:  mov r23, r7
     or r23, r11
@@ -122,7 +123,7 @@
     dec r21
     brne 1b
     rjmp .Lzero
-    // r22 = the power of two that takes the top bit to bit 30
+    // r22 = the power of two that moves the top bit to bit 30
 3:  ldi r22, 128
     rjmp 6f
 2:  ldi r22, 1
@@ -146,7 +147,7 @@
     add_square r7, r6, r5
     add_square r11, r10, r9
     add_square r14, r13, r12
-    // Below 2^30 the sum is made four times larger, and its reciprocal root then twice.
+    // Below 2^30 the sum is multiplied by four, and its reciprocal root then by two.
     set
     cpi r21, 64
     brsh 1f

@@ -6,10 +6,10 @@
 // Clobbers: r0, r18..r27, r30, r31
 // Stack:    2 bytes.
 //
-// All magnitudes c are moved up by the same number of bits, until the largest has its leading one in
-// bit 14 (-2^15 counts as 2^15 - 1). The upper 16 bits of the sum of their squares, from 2^14 on, have
-// a reciprocal root of 13 bits, by which the three are multiplied, signs put back.
-// portable/normalise_q8_8.hpp is the same, bit for bit.
+// All magnitudes c are shifted left by the same number of bits, until the largest has its leading
+// one in bit 14 (-2^15 counts as 2^15 - 1). The three are multiplied by a 13-bit reciprocal root of
+// the upper 16 bits of the sum of their squares, which are at least 2^14, and the signs are
+// restored. portable/normalise_q8_8.hpp is the same, bit for bit.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -85,7 +85,7 @@
     load_magnitude x0, x1
     load_magnitude y0, y1
     load_magnitude z0, z1
-    // sss10000: the one says when all signs are gone.
+    // sss10000: the 1 marks the end of the signs.
     mov signs, r30
     swap signs
     lsl signs
@@ -131,7 +131,7 @@
     lsl root0
     rol root1
 
-    // r31:r30 = (x root + 2^20) / 2^16, of which 2^5 are one.
+    // r31:r30 = (x root + 2^20) / 2^16, in units of 2^-5.
 .Lcomponent:
     mul x1, root1
     movw r30, r0

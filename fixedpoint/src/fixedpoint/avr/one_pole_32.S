@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // int32_t fixedpoint_one_pole_q16_16(int32_t input, void* filter)
 // int32_t fixedpoint_one_pole_q8_24(int32_t input, void* filter)
-// output:error += coefficient (input - output), of which the difference is saturated; returns the
-// output.
+// output:error += coefficient (input - output), where the difference saturates; returns the output.
 //
 // In       input = r25:r22, filter = r21:r20: the coefficient, the error in the highest F bits of two
 //          or four bytes, and the output
@@ -10,7 +9,7 @@
 // Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
 // Stack    4 or 5 bytes
 //
-// The error and the output lie side by side: they are one sum, to which the exact product is added.
+// The error and the output are adjacent and form one sum, to which the exact product is added.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -18,7 +17,7 @@
 #define SUM_BEGINS_IN_X
 #include "product_sum_32.inc"
 
-    // The bytes of the sum behind the coefficient. The lowest one of four error bytes is 0.
+    // The bytes of the sum, which follow the coefficient. The lowest of four error bytes is 0.
     .macro load place, top
     ldd_bytes s0, Z + \place, 2
     ldd_bytes s2, Z + \place + 2, (\top - 1)
@@ -40,7 +39,7 @@
     sbc a2, \o2
     sbc a3, \o3
     brvc 2f
-    lsl a3              // to the end of the range that the wrapped sign is not of
+    lsl a3              // to the limit opposite to the wrapped sign
     sbc a3, a3
     mov a0, a3
     mov a1, a3

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // int32_t fixedpoint_pid_q16_16(int32_t setpoint, int32_t measurement, void* controller)
-// The next output of a controller (blocks/pid.hpp), each product rounded and saturated, each sum saturated.
+// The next output of a controller (blocks/pid.hpp). Each product is rounded and saturated, and each
+// sum is saturated.
 //
 // In       setpoint = r25:r22, measurement = r21:r18, controller = r17:r16: the proportional, integral and
 //          derivative gains, the smallest and the largest output, the integral, the last measurement,
-//          the carried error with half an ulp added, in two bytes, and 1 where there was a measurement, else 0
+//          the carried error with half an ulp added, in two bytes, and 1 once there was a measurement, else 0
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
 // Stack    10 bytes and a call
@@ -12,12 +13,12 @@
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
 
-// The error, later what the integral's rounding loses and carries.
+// The error, later the rounding error and the carry of the integral.
 #define error0 r8
 #define error2 r10
 #define missing r8
 #define carried r10
-// The output but for the integral, before that the derivative's share.
+// The output without the integral, before that the derivative's share.
 #define output0 r12
 #define output2 r14
 
@@ -28,7 +29,7 @@
 #define carried_at 28
 #define started_at 30
 
-    // r25:r22 after a sum that sets V where it wrapped.
+    // r25:r22 after a sum that sets V if it wrapped.
     .macro saturate
     brvc 1f
     rcall .Llimit
@@ -36,7 +37,7 @@
     .endm
 
     SECTION fixedpoint_pid_q16_16
-    // The limit that the wrapped sign is not of.
+    // The limit opposite to the wrapped sign.
 .Llimit:
     lsl rA3
     sbc rA3, rA3
@@ -46,7 +47,7 @@
     subi rA3, 0x80
     ret
 
-    // The first measurement has no derivative.
+    // For the first measurement the derivative is 0.
 .Lfirst:
     std_bytes Y + measurement_at, rB0, 4
     ldi r26, 1
@@ -85,7 +86,7 @@
     movw rA0, error0
     movw rA2, error2
     ldd_bytes rB0, Y + 4, 4
-    mul rA0, rB0        // the product's bytes behind an ulp
+    mul rA0, rB0        // the bytes of the product below an ulp
     movw r26, r0
     mul rA0, rB1
     add r27, r0

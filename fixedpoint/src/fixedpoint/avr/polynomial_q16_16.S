@@ -8,8 +8,8 @@
 // Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
 // Stack    8 bytes and a call
 //
-// p is a, the fraction of x b of short_factor_q16_16.inc; what x has before its point is in r27:r26
-// and takes a multiplication where it is neither 0 nor -1, which T says.
+// p is a, and the fraction of x is b, of short_factor_q16_16.inc. The integer part of x is in
+// r27:r26 and takes a multiplication only if it is neither 0 nor -1, which T indicates.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -22,7 +22,7 @@
     movw r26, r24
     movw r28, r18
     movw r30, r20
-    mov r0, r26         // T: r27:r26 is not one sign
+    mov r0, r26         // T: r27:r26 is not just a sign extension
     lsl r0
     sbc r0, r0
     clt

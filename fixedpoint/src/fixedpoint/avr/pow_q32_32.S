@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // int64_t fixedpoint_pow_q32_32_unsaturated(int64_t a, int64_t b)
-// a^b within 0.65 ulp, both a and the result without a sign; above 2^63 where the format ends. Needs a
-// other than 0.
+// a^b within 0.65 ulp; a and the result are unsigned, and a result out of range is above 2^63. a
+// must not be 0.
 //
 // In       a = r25:r18, b = r17:r10
 // Out      r25:r18
@@ -9,14 +9,14 @@
 // Stack    26 bytes
 // Tables   4044 bytes, fixedpoint_pow_64_table; 4451 bytes, fixedpoint_exp_64_table
 //
-// a = 2^e (1 + s). The leading bits of s choose a factor that brings 1 + s nearer to 1 but not below
-// it, and four times over s is below 2^-23, where ln(1 + s) is s - s^2/2 + s^3/3 - s^4/4. With e ln 2 and
-// what the factors' logarithms are less than 0 this is ln a. It has units of 2^-104, as b is up to 2^31
-// and the power up to 2^31. The product with |b| is formed column by column, in units of 2^-72; where
-// it is beyond the format, 22 or -23 stands for it. exp_q32_32.S has the rest.
+// a = 2^e (1 + s). The leading bits of s choose a factor that brings 1 + s closer to 1 but not
+// below it. After four such steps s is below 2^-23, where ln(1 + s) is s - s^2/2 + s^3/3 - s^4/4.
+// With e ln 2 and minus the logarithms of the factors, that gives ln a. It is in units of 2^-104,
+// since b and the power are up to 2^31. The product with |b| is formed column by column, in units
+// of 2^-72; if it is out of range, it is replaced by 22 or -23. exp_q32_32.S does the rest.
 //
-// Error in units of 2^-72, 256 of which are an ulp of the largest results at least: the logarithm 20
-// units of 2^-104, hence 10, the product 7, the exponential function what it has.
+// Error in units of 2^-72, where an ulp of the largest results is at least 256 units: the logarithm
+// 20 units of 2^-104, hence 10, the product 7, plus that of the exponential function.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -33,9 +33,9 @@
 #define ln2 fourth_records + 65 * 12
 #define carry r26
 
-// Byte i of s behind the point, the first of them r25 and the last r13, is register 26 - i.
+// Byte i of s after the point, from the first in r25 to the last in r13, is register 26 - i.
 
-// s of (1 + s)(1 - digit 2^-8place), s lying in the bytes `top` to `lowest`.
+// s = (1 + s)(1 - digit 2^-8place) - 1, for s in the bytes `top` to `lowest`.
     .macro times_factor digit, place, top, lowest
     .set source, \lowest
     .rept \lowest - \top + 1
@@ -64,7 +64,7 @@
     .endr
     .endm
 
-// r26:r13 += the logarithm of `count` bytes of the record of which the stack has the address.
+// r26:r13 += the logarithm of `count` bytes in the record whose address is on the stack.
     .macro add_logarithm count
     pop r31
     pop r30
@@ -95,7 +95,8 @@
     .endr
     .endm
 
-// Byte `column` of the product in r18 to r27, r30 and r31, that of 2^-72 being 8; 7 is dropped.
+// The register of byte `column` of the product: r18 to r27, r30 and r31. Column 8 is 2^-72, and
+// column 7 is dropped.
     .macro to_place operation, column, source
     .set place, 10 + \column
     .if \column == 7
@@ -238,7 +239,7 @@
     .endr
     add r26, r28
 
-    // T = the sign of the product; |ln a| in memory from Y + 1 on, r17:r10 = |b|
+    // T = the sign of the product; |ln a| is in memory from Y + 1 on, r17:r10 = |b|
     bst r26, 7
     brtc 1f
     negate 13, 26
@@ -280,7 +281,7 @@
     .endr
     .set column, column + 1
     .endr
-    // What there is from 2^8 on is beyond the format.
+    // Any bit from 2^8 on means out of range.
     or r30, r31
     .set byte, 5
     .rept 3

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // DO NOT EDIT: written by python3 fixedpoint/tables/ratio.py
-// 2^24 / (1 + x) on 256 intervals of [0, 1], falling: the slope is its negative.
+// 2^24 / (1 + x) on 256 intervals of [0, 1]. It is falling: slopes are negated.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"

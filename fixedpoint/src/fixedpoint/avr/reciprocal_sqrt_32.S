@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // int32_t fixedpoint_reciprocal_sqrt_q<32 - F>_<F>(int32_t a)
-// 2^F sqrt(2^F / a) of each split of 32 bits but Q16.16, whose own is smaller; within 0.55 ulp, of
-// results from 2^29 on within 0.75 ulp; saturated to the largest number, which it is where a = 0; 0
-// where a < 0.
+// 2^F sqrt(2^F / a) in every 32-bit format except Q16.16, which has a smaller kernel of its own;
+// within 0.55 ulp, and for results from 2^29 on within 0.75 ulp; saturated to the largest number,
+// which is also the result for a = 0; 0 if a < 0.
 //
 // In       a = r25:r22
 // Out      r25:r22
@@ -10,11 +10,11 @@
 // Stack    3 bytes
 // Table    3328 bytes, fixedpoint_reciprocal_sqrt_32_table
 //
-// a is m 2^e, 1 <= m < 2: the leading byte looks up its base-2 logarithm and the power of 2 that moves
-// its leading one out; what is left is the position in the table of 1 - 1/sqrt(1 + x). Where 3F - e
-// is odd, the mantissa is multiplied by 1/sqrt(2), and scale_40.S brings it to its place.
+// a = m 2^e, 1 <= m < 2: the leading byte looks up its base-2 logarithm and the power of 2 that
+// shifts its leading one out; the rest is the position in the table of 1 - 1/sqrt(1 + x). If 3F - e
+// is odd, the mantissa is multiplied by 1/sqrt(2); scale_40.S shifts it into place.
 //
-// Error in units of 2^-31: the core of 40 bits 0.2, the product by 1/sqrt(2) 0.02.
+// Error in units of 2^-31: the 40-bit core 0.2, the product with 1/sqrt(2) 0.02.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"

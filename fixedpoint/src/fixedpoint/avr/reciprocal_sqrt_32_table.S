@@ -6,7 +6,7 @@
 #include "prelude.inc"
 
     TABLE fixedpoint_reciprocal_sqrt_32_table
-    // twist, 2 bytes of bend, 4 of slope, 5 of value; as often as there are intervals
+    // for each interval: twist, 2 bytes of bend, 4 of slope, 5 of value
     .byte 216,   0,  48, 250, 255, 255,  63, 249, 255, 255, 255, 255, 217, 136,  47,   4
     .byte 119, 160,  63, 228,  39, 208,  63,   0, 217,  20,  47,  85, 220,  65,  63, 191
     .byte  61,  65, 127,   0, 218, 159,  46, 128,  41, 228,  62,   8,  45,  84, 190,   0
@@ -199,7 +199,7 @@
     .byte 252, 168,   8, 246,  43, 229,  22, 212,  68, 123,  34,  37, 252, 157,   8,  48
     .byte 232, 211,  22, 191, 204,  87,  57,  37, 252, 146,   8, 255, 185, 194,  22, 229
     .byte  27,  35,  80,  37, 252, 136,   8,  61, 162, 177,  22, 196,  71, 221, 102,  37
-    // of a byte, by its upper 7 bits: the factor that moves its leading one out
+    // the factor that shifts the leading one out of a byte, indexed by its upper 7 bits
     .byte   0, 128,  64,  64,  32,  32,  32,  32,  16,  16,  16,  16,  16,  16,  16,  16
     .byte   8,   8,   8,   8,   8,   8,   8,   8,   8,   8,   8,   8,   8,   8,   8,   8
     .byte   4,   4,   4,   4,   4,   4,   4,   4,   4,   4,   4,   4,   4,   4,   4,   4
@@ -208,7 +208,7 @@
     .byte   2,   2,   2,   2,   2,   2,   2,   2,   2,   2,   2,   2,   2,   2,   2,   2
     .byte   2,   2,   2,   2,   2,   2,   2,   2,   2,   2,   2,   2,   2,   2,   2,   2
     .byte   2,   2,   2,   2,   2,   2,   2,   2,   2,   2,   2,   2,   2,   2,   2,   2
-    // and its base-2 logarithm
+    // its base-2 logarithm, indexed likewise
     .byte   0,   1,   2,   2,   3,   3,   3,   3,   4,   4,   4,   4,   4,   4,   4,   4
     .byte   5,   5,   5,   5,   5,   5,   5,   5,   5,   5,   5,   5,   5,   5,   5,   5
     .byte   6,   6,   6,   6,   6,   6,   6,   6,   6,   6,   6,   6,   6,   6,   6,   6

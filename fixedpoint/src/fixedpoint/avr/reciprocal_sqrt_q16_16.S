@@ -1,30 +1,30 @@
 // SPDX-License-Identifier: MIT
 // int32_t fixedpoint_reciprocal_sqrt_q16_16(int32_t a);
 //
-// 2^24 / sqrt(a), the reciprocal root of a 2^-16 in units of 2^-16, within 0.6441 ulp; 2^31 - 1
-// where a = 0; 0 where a < 0.
+// 2^24 / sqrt(a), the reciprocal root of a 2^-16 in units of 2^-16, within 0.6441 ulp; 2^31 - 1 if
+// a = 0; 0 if a < 0.
 //
 // int32_t fixedpoint_reciprocal_sqrt_q16_16_correctly_rounded(int32_t a);
 //
-// The same within 0.5 ulp, which is never a tie: 2^50 is no odd square times a.
+// The same within 0.5 ulp. There are no ties: 2^50 is not an odd square times a.
 //
 // a and the result in r25:r24:r23:r22. Changes r18-r27, r30, r31, r0, the latter T; r1 is zero at
 // entry and return.
 //
 // Technique. a is shifted left by an even number of bits, so that its top byte is at least 64. The
-// mantissa 2^22 / sqrt(t / 2^16) of its upper 24 bits comes from the tables, by a chord less a
+// mantissa 2^22 / sqrt(t / 2^16) of its upper 24 bits comes from the tables, by a chord minus a
 // parabola, and is shifted back with one rounding. A fourth byte of a is dropped: it is beyond the
-// 12 bits that such a result has.
+// 12 bits of such a result.
 //
-// Error. The mantissa is too far off by at most 2^s (0.1441) in units of its 23 bits, where the
-// result is the mantissa shifted right by s bits; the tables are chosen for that. portable/
-// reciprocal_sqrt.hpp is bit for bit the same, so that its largest error over all inputs, 0.64405
-// ulp at a = 1037, is the kernel's.
+// Error. The mantissa is off by at most 2^s (0.1441) in units of its 23 bits, where the result is
+// the mantissa shifted right by s bits; the tables are chosen for that.
+// portable/reciprocal_sqrt.hpp is the same, bit for bit, so its largest error over all inputs,
+// 0.64405 ulp at a = 1037, is also the kernel's.
 //
-// Correct rounding. Before the last rounding the mantissa is r 2^-8 ulp. It is -32.0 to 39.8 of these
-// from the exact value where a < 2^16, and -4.8 to 12.1 where it is more: the largest of all a. What
-// r says of the tie q + 1/2 holds unless it lies that close to it. There the exact value reaches the
-// tie where D = 2^50 - (2 q + 1)^2 a is above 0. Since |D| < 2^39, bit 39 of the product tells that.
+// Correct rounding. Before the last rounding the mantissa is r 2^-8 ulp. Over all a, it is -32.0 to
+// 39.8 of these from the exact value if a < 2^16, and -4.8 to 12.1 otherwise. Unless r is that
+// close to the tie q + 1/2, it decides the rounding. If it is, the exact value reaches the tie if
+// D = 2^50 - (2 q + 1)^2 a is above 0. Since |D| < 2^39, bit 39 of the product decides.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -33,7 +33,7 @@
 
 #define zero r25
 
-    // The sum of the columns from `low` on has a product of two bytes more.
+    // Adds a product of two bytes to the columns from `low` on.
     .macro add_product x, y, low, high, carry1, carry2
     mul \x, \y
     add \low, r0
@@ -48,7 +48,8 @@
     .endif
     .endm
 
-    // r24:r22 = q, r18 = the byte below it: rounds unless it lies from -`below` to `above` of a tie.
+    // r24:r22 = q, r18 = the byte below it: rounds unless that is within -`below`..`above` of a
+    // tie.
     .macro round_unless_close below, above
     subi r18, 128 - \below
     cpi r18, \below + \above
@@ -56,7 +57,8 @@
     cpi r18, 128 + \below
     .endm
 
-    // With `correctly` the number stays in r24:r22 for the code that decides doubts, and q is elsewhere.
+    // With `correctly`, the number stays in r24:r22 for the code that decides close cases, and q is
+    // elsewhere.
     .macro kernel name, correctly
     .ifnb \correctly
     .set low, 26
@@ -168,7 +170,8 @@
     add_product r19, r24, r31, r17
     add_product r20, r24, r17
 .Lsquare\@:
-    // r17:r31:r30:r27:r26 = (2 q + 1) a modulo 2^40; once more, of which r21 is the upper byte.
+    // r17:r31:r30:r27:r26 = (2 q + 1) a modulo 2^40; then times 2 q + 1 once more, with r21 as the
+    // upper byte.
     mul r26, r22
     mov r18, r1
     mul r30, r22

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // int64_t fixedpoint_reciprocal_sqrt_q32_32(int64_t a)
-// 2^48 / sqrt(a), the reciprocal root of a 2^-32 in units of 2^-32, within 0.65 ulp; the largest number
-// where a = 0; 0 where a < 0.
+// 2^48 / sqrt(a), the reciprocal root of a 2^-32 in units of 2^-32, within 0.65 ulp; the largest
+// number if a = 0; 0 if a < 0.
 //
 // In       a = r25:r18
 // Out      r25:r18
@@ -9,14 +9,15 @@
 // Stack    9 bytes
 // Tables   1536 bytes, fixedpoint_reciprocal_sqrt_table
 //
-// a goes up by whole bytes and then by an even number of bits until its highest byte is 64 or more; it
-// is then m, 1/4 <= m < 1. reciprocal_root gives Y, 24 bits of 1 / sqrt(m), 2^-20.8 too small at most
-// and 9 2^-22 less, so that e = 1 - m Y^2 is never below 0. Then 1 / sqrt(m) is Y (1 + e/2 + 3/8 e^2 +
-// ...), in which 5/16 e^3 is below 2^-54. E = e/4 is 1/4 less the product of m and the six bytes of
-// (Y/2)^2, of which the bytes of weight 2^-24 to 2^-56 are formed; those above are known.
+// a is shifted left by whole bytes and then by an even number of bits until its highest byte is 64
+// or more; it is then m, 1/4 <= m < 1. reciprocal_root gives Y, 24 bits of 1 / sqrt(m), at most
+// 2^-20.8 too small and biased by -9 2^-22, so that e = 1 - m Y^2 is never below 0. Then 1 /
+// sqrt(m) is Y (1 + e/2 + 3/8 e^2 + ...), in which 5/16 e^3 is below 2^-54. E = e/4 is 1/4 minus
+// the product of m and the six bytes of (Y/2)^2, of which the bytes of weight 2^-24 to 2^-56 are
+// computed; those above are known.
 //
-// The result has 48 bits less half as many as a has: of a longer a the lower bytes count less, and
-// neither they nor the products with them are formed but for what influences a byte that counts.
+// The result has 48 bits minus half as many as a has. The longer a is, the less its lower bytes
+// matter; they and their products are computed only as far as they influence a significant byte.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -68,7 +69,7 @@
     ENTRY fixedpoint_reciprocal_sqrt_q32_32
     tst r25
     brmi .Lnegative
-    // r27 = the bits less one by which the mantissa will go down
+    // r27 = one less than the number of bits by which the mantissa will be shifted right
     ldi r27, 38
     mov r0, r25
     or r0, r24
@@ -233,7 +234,7 @@
     add z4, r24
     adc z5, zero
     adc z6, zero
-    // Down by r27 + 1 bits, 8 to 39
+    // Shifted right by r27 + 1 bits, 8 to 39
     pop r27
     sbrs r27, 5
     rjmp 1f

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 // int16_t fixedpoint_reciprocal_sqrt_q8_8(int16_t a)
-// 1 / sqrt(a) within 0.5164 ulp (exact); the largest number where a = 0, 0 where a < 0.
+// 1 / sqrt(a) within 0.5164 ulp (exact); the largest number if a = 0, 0 if a < 0.
 //
 // In:       a r25:r24
 // Out:      r25:r24
 // Clobbers: r0, r18, r19, r22, r30, r31
 // Stack:    0 bytes.
 //
-// a is moved up by a byte and then by bit pairs, until its leading one is in bit 14 or 15: 4^j a.
-// Chords of reciprocal_sqrt_q8_8.py, 32 from either bit on, give 2^8 / 2^j times the result.
-// portable/reciprocal_sqrt_q8_8.hpp is the same, bit for bit.
+// a is shifted left by a byte and then by pairs of bits, until its leading one is in bit 14 or 15:
+// 4^j a. Linear interpolation in the table of reciprocal_sqrt_q8_8.py, with 32 intervals for either
+// bit, gives 2^8 / 2^j times the result. portable/reciprocal_sqrt_q8_8.hpp is the same, bit for
+// bit.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"

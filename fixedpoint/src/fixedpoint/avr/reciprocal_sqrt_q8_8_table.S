@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // DO NOT EDIT: written by python3 fixedpoint/tables/reciprocal_sqrt_q8_8.py
-// 2^20 / sqrt(m), m of 16 bits.
+// 2^20 / sqrt(m) for 16-bit m.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"

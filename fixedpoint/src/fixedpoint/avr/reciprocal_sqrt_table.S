@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// DO NOT EDIT: written by fixedpoint/tables/reciprocal_sqrt.py, which says what it is.
+// DO NOT EDIT: written by fixedpoint/tables/reciprocal_sqrt.py, which describes the entries.
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
     TABLE fixedpoint_reciprocal_sqrt_table

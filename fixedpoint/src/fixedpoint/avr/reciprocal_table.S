@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // DO NOT EDIT: written by python3 fixedpoint/tables/reciprocal.py
-// Powers of two and reciprocals, by which divisors are scaled.
+// Powers of two and reciprocals for scaling divisors.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"

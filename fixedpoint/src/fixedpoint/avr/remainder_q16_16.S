@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: MIT
 // int32_t fixedpoint_remainder_q16_16(int32_t a, int32_t b)
-// a - b trunc(a / b), exact, with the sign of a; a where b = 0.
+// a - b trunc(a / b), exact, with the sign of a; a if b = 0.
 //
 // void fixedpoint_divrem_q16_16(int32_t a, int32_t b, int32_t* quotient_and_remainder)
-// trunc(a / b), saturated, and the remainder; where b = 0 the limit of the sign of a, or 0, and a.
+// trunc(a / b), saturated, and the remainder. If b = 0: the limit with the sign of a, or 0, and a.
 //
 // void fixedpoint_divmod_q16_16(int32_t a, int32_t b, int32_t* quotient_and_remainder)
-// The same of floor(a / b), with a remainder of the sign of b.
+// The same for floor(a / b), with a remainder that has the sign of b.
 //
-// Scale-free: the same for every 32-bit format.
+// The fraction bits cancel: the same for every 32-bit format.
 //
-// Restoring division of the magnitudes: the divisor is moved up under the dividend, by whole bytes
-// first, then by bits until it is larger, and comes down again bit by bit. The cost follows the length
-// of the quotient. Where that is asked for, the carry of each comparison, the complement of a bit of
-// it, is shifted into ones.
+// Restoring division of the magnitudes: the divisor is shifted left, by whole bytes first and then
+// by bits, until it exceeds the dividend, and then right again bit by bit. The cost is proportional
+// to the length of the quotient. If the quotient is requested, the carry of each comparison, the
+// complement of a quotient bit, is shifted into ones.
 //
 // In:        r25:r22 a, r21:r18 b, r17:r16 the results' address
 // Out:       r25:r22, the remainder
 // Clobbers:  r18..r21, r26, T; with a quotient r0, r27, r30, r31 too, and r1 is 0 again at return
-//   r25:r22  the dividend's magnitude, at last the remainder
-//   r21:r18  the divisor's magnitude, moved up
-//   r26      bits that the divisor has been moved up by, 0 at last
+//   r25:r22  the dividend's magnitude, finally the remainder
+//   r21:r18  the divisor's magnitude, shifted left
+//   r26      bits by which the divisor has been shifted left, finally 0
 //   T        the sign of a
 //   r31:r30:r1:r0  the complement of the quotient's magnitude
 //   r27      its sign
@@ -47,7 +47,8 @@
 .Ldivisor_positive_\name\():
     clr r26
 
-    // Bytes: while the divisor has a free top byte and 256 times it is not above the dividend.
+    // By bytes, while the top byte of the divisor is free and 256 times the divisor does not exceed
+    // the dividend.
 .Lbytes_\name\():
     tst r21
     brne .Lbits_\name
@@ -56,10 +57,10 @@
     mov_from_top r19, r18, 3
     clr r18
     subi r26, -8
-    sbrs r26, 5  // no divisor but 0 moves up by four bytes
+    sbrs r26, 5  // only a divisor of 0 is shifted by four bytes
     rjmp .Lbytes_\name
     .if \quotient
-    // 2^31, of which the sign makes the limit, unless a is 0, as the divisor is.
+    // 2^31, which the sign turns into the limit, unless a is 0 like the divisor.
     clr r26
     cp_bytes r22, r18, 4
     breq 1f
@@ -69,15 +70,15 @@
     rjmp .Ldone_\name
     .endif
 
-    // Bits: until the divisor is above the dividend.
+    // By bits, until the divisor exceeds the dividend.
 .Lbits_\name\():
     cp_bytes r22, r18, 4
     brlo .Laligned_\name
     inc r26
     lsl_bytes r18, 4
     brcc .Lbits_\name
-    // The divisor has left the register by a bit. It was 2^31, as is the dividend: nothing is above
-    // that. It goes back, the other bytes being 0.
+    // The divisor is one bit too long for the register. It was 2^31, and so is the dividend, since
+    // nothing exceeds that. It is shifted back; its other bytes are 0.
     ror r21
     rjmp .Lsubtract_\name
 
@@ -103,7 +104,7 @@
 .Ldone_\name\():
     .if \quotient
     .if \floored
-    // -(q + 1), which is the complement, and a remainder less |b|, where signs differ.
+    // If the signs differ: -(q + 1), which is the complement, and the remainder minus |b|.
     tst r27
     brpl .Lsigned_\name
     cp_each r22, r26, 4
@@ -118,7 +119,7 @@
     com r1
     com r30
     com r31
-    brmi 1b             // 2^31 becomes the number below
+    brmi 1b             // 2^31 saturates to 2^31 - 1
     rjmp .Lremainder_\name
 .Lnegative_\name\():
     sec

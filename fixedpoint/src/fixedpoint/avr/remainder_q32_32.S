@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: MIT
 // int64_t fixedpoint_remainder_q32_32(int64_t a, int64_t b)
-// a - b trunc(a / b), exact, with the sign of a; a where b = 0.
+// a - b trunc(a / b), exact, with the sign of a; a if b = 0.
 //
 // void fixedpoint_divrem_q32_32(int64_t a, int64_t b, int64_t* quotient_and_remainder)
-// trunc(a / b), saturated, and the remainder; where b = 0 the limit of the sign of a, or 0, and a.
+// trunc(a / b), saturated, and the remainder. If b = 0: the limit with the sign of a, or 0, and a.
 //
 // void fixedpoint_divmod_q32_32(int64_t a, int64_t b, int64_t* quotient_and_remainder)
-// The same of floor(a / b), with a remainder of the sign of b.
+// The same for floor(a / b), with a remainder that has the sign of b.
 //
-// Scale-free: the same for every format of 64 bits.
+// The fraction bits cancel: the same for every 64-bit format.
 //
 // In       a = r25:r18, b = r17:r10, the results' address = r9:r8
 // Out      r25:r18, the remainder
 // Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
 // Stack    8 bytes, with a quotient 12; a remainder of |a| < |b| or |a| < 2^40 none
 //
-// As remainder_q16_16.S; a remainder looks first whether |a| < |b|, then whether five bytes will do.
-// r26 counts the bits that the divisor has been moved up by, r27 is the quotient's sign, and r7:r4,
-// r31:r30:r1:r0 the complement of its magnitude.
+// As remainder_q16_16.S; a remainder first checks whether |a| < |b|, then whether five bytes are
+// enough. r26 counts the bits by which the divisor has been shifted left, r27 is the sign of the
+// quotient, and r7:r4, r31:r30:r1:r0 are the complement of its magnitude.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -83,7 +83,8 @@
     adc \byte, r25
     .endr
 
-    // Bytes: while the divisor has a free top byte and 256 times it is not above the dividend.
+    // By bytes, while the top byte of the divisor is free and 256 times the divisor does not exceed
+    // the dividend.
 3:  tst r0
     brne 4f
     cp r19, r26
@@ -103,7 +104,7 @@
     brne 4f
     clr r25             // no divisor but 0
     rjmp .Lsign
-    // Bits: until the divisor is above the dividend, or has left the register by a bit.
+    // By bits, until the divisor exceeds the dividend or is one bit too long for the register.
 4:  inc r25
     divisor lsl, rol
     brcs 5f
@@ -148,7 +149,8 @@
     // The last complement left a carry.
     adc_each r10, r26, 8
 
-    // Bytes: while the divisor has a free top byte and 256 times it is not above the dividend.
+    // By bytes, while the top byte of the divisor is free and 256 times the divisor does not exceed
+    // the dividend.
 .Lbytes_\name\():
     tst r17
     brne .Lbits_\name
@@ -157,10 +159,10 @@
     mov_from_top r11, r10, 7
     clr r10
     subi r26, -8
-    sbrs r26, 6         // no divisor but 0 moves up by eight bytes
+    sbrs r26, 6         // only a divisor of 0 is shifted by eight bytes
     rjmp .Lbytes_\name
     .if \quotient
-    // 2^63, of which the sign makes the limit, unless a is 0, as the divisor is.
+    // 2^63, which the sign turns into the limit, unless a is 0 like the divisor.
     clr r26
     cp_bytes r18, r10, 8
     breq 1f
@@ -170,15 +172,15 @@
     rjmp .Ldone_\name
     .endif
 
-    // Bits: until the divisor is above the dividend.
+    // By bits, until the divisor exceeds the dividend.
 .Lbits_\name\():
     cp_bytes r18, r10, 8
     brlo .Laligned_\name
     inc r26
     lsl_bytes r10, 8
     brcc .Lbits_\name
-    // The divisor has left the register by a bit. It was 2^63, as is the dividend: nothing is above
-    // that. It goes back, the other bytes being 0.
+    // The divisor is one bit too long for the register. It was 2^63, and so is the dividend, since
+    // nothing exceeds that. It is shifted back; its other bytes are 0.
     ror r17
     rjmp .Lsubtract_\name
 
@@ -208,7 +210,7 @@
 .Ldone_\name\():
     .if \quotient
     .if \floored
-    // -(q + 1), which is the complement, and a remainder less |b|, where signs differ.
+    // If the signs differ: -(q + 1), which is the complement, and the remainder minus |b|.
     tst r27
     brpl .Lsigned_\name
     cp_each r18, r26, 8
@@ -224,7 +226,7 @@
     com r30
     com r31
     com_bytes r4, 4
-    brmi 1b             // 2^63 becomes the number below
+    brmi 1b             // 2^63 saturates to 2^63 - 1
     rjmp .Lremainder_\name
 .Lnegative_\name\():
     sec

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 // int8_t fixedpoint_remainder_q4_4(int8_t a, int8_t b)
-// a - b trunc(a / b), exact, with the sign of a; a where b = 0: the same for every split of 8 bits.
+// a - b trunc(a / b), exact, with the sign of a; a if b = 0: the same for every 8-bit format.
 //
 // In:       a r24, b r22
 // Out:      r24
 // Clobbers: r18, r22, T
 // Stack:    0 bytes.
 //
-// Restoring division of the magnitudes without a quotient: the divisor is moved up until it is above
-// the dividend, and comes down again bit by bit. The cost follows the length of the quotient.
+// Restoring division of the magnitudes without a quotient: the divisor is shifted left until it
+// exceeds the dividend, and then right again bit by bit. The cost is proportional to the length of
+// the quotient.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -31,7 +32,7 @@
     brlo .Laligned
     lsl b
     brcc .Lup
-    // 2^8 is above everything.
+    // A divisor of 2^8 exceeds every dividend.
     ror b
     rjmp .Lsubtract
 .Ldown:

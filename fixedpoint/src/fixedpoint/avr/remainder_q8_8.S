@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 // int16_t fixedpoint_remainder_q8_8(int16_t a, int16_t b)
-// a - b trunc(a / b), exact, with the sign of a; a where b = 0: the same for every split of 16 bits.
+// a - b trunc(a / b), exact, with the sign of a; a if b = 0: the same for every 16-bit format.
 //
 // In:       a r25:r24, b r23:r22
 // Out:      r25:r24
 // Clobbers: r18, r22, r23, T
 // Stack:    0 bytes.
 //
-// Restoring division of the magnitudes without a quotient: the divisor is moved up until it is above
-// the dividend, and comes down again bit by bit. The cost follows the length of the quotient.
+// Restoring division of the magnitudes without a quotient: the divisor is shifted left until it
+// exceeds the dividend, and then right again bit by bit. The cost is proportional to the length of
+// the quotient.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -37,7 +38,7 @@
     rjmp .Lup
     cp a1, b0
     brlo .Lup
-    // The divisor, of one byte, moves up by a byte.
+    // The divisor has one byte and is shifted left by a byte.
     mov b1, b0
     clr b0
     ldi bits, 8
@@ -51,7 +52,7 @@
     lsl b0
     rol b1
     brcc .Lup
-    // 2^16 is above everything.
+    // A divisor of 2^16 exceeds every dividend.
     ror b1
     rjmp .Lsubtract
 .Laligned:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The last step of functions of 32 bits whose results have an exponent. They are no C functions: a
-// kernel jumps here to return.
+// The last step of 32-bit functions whose results have an exponent. Not C functions: a kernel jumps
+// here to return.
 //
 // fixedpoint_scale_40      r25:r22 = r27:r23 2^(r19 - 48) rounded to nearest, saturated; r19 from 7 to
 //                          41, r27:r23 at most about 2^39

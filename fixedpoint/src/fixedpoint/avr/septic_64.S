@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
-// The core of the sines, angles and logarithms of the splits of 64 bits with 31 to 56 fraction bits but
-// Q32.32: a function of x in [0, 1) by polynomials of degree 7 on 64 intervals,
+// The core of sine, angle and logarithm in the 64-bit formats with 31 to 56 fraction bits other
+// than Q32.32: a function of x in [0, 1) by polynomials of degree 7 on 64 intervals,
 //
-//     c0 + t (c1 + t (c2 + ... + t c7)),   t in [0, 1) the position in the interval.
+//     c0 + t (c1 + t (c2 + ... + t c7)),   where t in [0, 1) is the position in the interval.
 //
-// It is no C function.
+// Not a C function.
 //
 // In       r25:r18 = 2^64 x, r31:r30 = the table (tables/septic_64.py)
-// Out      r25:r18, in the table's unit; 0 where that is below 0; r27 = 0
+// Out      r25:r18, in the table's unit; 0 if the value is below 0; r27 = 0
 // Changes  r0..r27, r30, r31
 //
-// By Horner's rule. A product sees as many of the upper bytes of t as the factor before it has, and what
-// the columns below it would carry is left out but for one; where the factor is negative, t is taken
-// off its two's complement.
+// By Horner's rule. A product uses as many upper bytes of t as the other factor has. Of the columns
+// below the product, only the carries of one are included. If the factor is negative, t is
+// subtracted from the product with its two's complement.
 //
-// fixedpoint_round_64 is no C function: r25:r18 = r17 and r25:r18 shifted right by r30, 1 to 40, and rounded half
-// up. Needs r27 = 0.
+// fixedpoint_round_64 is not a C function: r25:r18 = r17 and r25:r18 shifted right by r30 and
+// rounded half up. Requires r30 in 1..40 and r27 = 0.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"

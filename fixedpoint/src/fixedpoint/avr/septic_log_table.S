@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // DO NOT EDIT: written by python3 fixedpoint/tables/septic_64.py
-// ln(1 + x) of x in [0, 1) in units of 2^-63, in the layout of tables/septic_64.py;
-// 14.9 units off at most at the 96 checked points of an interval.
+// ln(1 + x) for x in [0, 1) in units of 2^-63, in the layout of tables/septic_64.py;
+// the error is at most 14.9 units at the 96 checked points of each interval.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"

@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: MIT
 // uint32_t fixedpoint_short_power(uint32_t a, uint16_t n, int8_t exponent, bool reciprocal)
-// x^n or its reciprocal of x = a 2^(exponent - 32), in units of 2^(exponent - 32), rounded to
-// nearest; 2^32 - 1 where it is more. Needs exponent from 0 to 32, a > 0 and 0 < n < 2^15.
+// x^n or its reciprocal for x = a 2^(exponent - 32), in units of 2^(exponent - 32), rounded to
+// nearest and saturated to 2^32 - 1. Requires exponent in 0..32, a > 0 and 0 < n < 2^15.
 //
 // In:       a r25..r22, n r21:r20, exponent r18, reciprocal r16
 // Out:      r25..r22
 // Clobbers: r0, r18..r21, r26, r27, r30, r31
 // Stack:    16 bytes, and those of fixedpoint_divide_q32_32.
 //
-// The mantissa has 48 bits, the highest set. The digits of n are taken from the first on: a square
-// for each, and one product with x for a 1. A 1 behind the last digit tells the end. From 2^46 on
-// and below 2^-47, which is beyond every format, the power stays as it is. The reciprocal is that
-// of the mantissa as a number of Q32.32, a quotient of 39 bits.
+// The mantissa has 48 bits, the highest set. Square and multiply from the first binary digit of n
+// on: a square for each digit, and a product with x for each 1. A sentinel 1 after the last digit
+// marks the end. From 2^46 on and below 2^-47, which is out of range in every format, the power is
+// left as it is. The reciprocal is that of the mantissa as a number of Q32.32, a quotient of 39
+// bits.
 //
-// The product goes column by column: byte k is the sum of all a_i b_j with i + j = k and what the
-// column before left over. The first four columns are left out, and each column takes the place of
-// what is used up.
+// The product is formed column by column: byte k is the sum of all a_i b_j with i + j = k and the
+// carry of the previous column. The first four columns are omitted, and each column replaces a byte
+// that is no longer needed.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -36,7 +37,7 @@
 #define exponent r10
 #define exponent_of_x r11
 
-    // The products of bytes i of a and k - i of another number, for i = first..last.
+    // The products of byte i of a and byte k - i of another number, for i = first..last.
     .macro column other, k, first, last, low, high, carry
     rising \first, (\last + 1), mul_add, .Lr20 + \n, .L\other + \k - \n, \low, \high, zero, \carry
     .endm
@@ -115,7 +116,7 @@
     lsl exponent
     rjmp .Lnormalise
 
-    // C = 0 where the power is beyond every format.
+    // C = 0 if the power is out of range in every format.
     .macro compare_with_limit
     mov r18, exponent
     subi r18, -46
@@ -143,7 +144,7 @@
     movw r8, a2
     movw r28, a4
 
-    // The leading digit moves out.
+    // The leading digit is shifted out.
     sec
     rol r30
     rol r31

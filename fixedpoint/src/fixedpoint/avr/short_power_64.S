@@ -1,31 +1,32 @@
 // SPDX-License-Identifier: MIT
 // uint64_t fixedpoint_short_power_64(uint64_t a, uint16_t n, int8_t exponent, bool reciprocal)
-// x^n or its reciprocal of x = a 2^(exponent - 64), in units of 2^(exponent - 64), rounded to
-// nearest; 2^64 - 1 where it is more. Needs exponent from 0 to 64, 0 < a <= 2^63 and n > 0.
+// x^n or its reciprocal for x = a 2^(exponent - 64), in units of 2^(exponent - 64), rounded to
+// nearest and saturated to 2^64 - 1. Requires exponent in 0..64, 0 < a <= 2^63 and n > 0.
 //
 // In:       a r25..r18, n r17:r16, exponent r14, reciprocal r12
 // Out:      r25..r18
 // Clobbers: r0, r26, r27, r30, r31
 // Stack:    30 bytes, and those of fixedpoint_divide_q32_32.
 //
-// The mantissa has 88 bits, the highest set. The digits of n are taken from the first on: a square
-// for each, and one product with x for a 1. A 1 behind the last digit tells the end. Where digits
-// are left of a power from 2^63 on or below 2^-64, all of it is beyond every format.
+// The mantissa has 88 bits, the highest set. Square and multiply from the first binary digit of n
+// on: a square for each digit, and a product with x for each 1. A sentinel 1 after the last digit
+// marks the end. If digits remain and the power is at least 2^63 or below 2^-64, the result is out
+// of range in every format.
 //
-// The product goes column by column: byte k is the sum of all a_i b_j with i + j = k and what the
-// column before left over. The first ten columns are left out, and each column takes the place of
-// what is used up. x waits on the stack; its 64 bits are bytes 3 to 10 of the mantissa.
+// The product is formed column by column: byte k is the sum of all a_i b_j with i + j = k and the
+// carry of the previous column. The first ten columns are omitted, and each column replaces a byte
+// that is no longer needed. x is kept on the stack; its 64 bits are bytes 3 to 10 of the mantissa.
 //
-// The reciprocal of the mantissa m, as digits 2^63 / m, begins with y = 2^39 / m, a quotient of 40
-// bits. With e = m y - 2^39, which is above -1 and below 1, it is 2^24 y - y e / 2^15. All that is left
-// out of the products, less than 10 of a y e of which a digit has 2^15, is less than what y e begins
-// with, so that the digits are never too large.
+// The reciprocal of the mantissa m, as digits 2^63 / m, starts from y = 2^39 / m, a quotient of 40
+// bits. With e = m y - 2^39, which is between -1 and 1, it is 2^24 y - y e / 2^15. The omitted
+// parts of the products, less than 10 units of y e, where a digit has 2^15, are less than the
+// initial value of y e, so the digits are never too large.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
 
 #define zero r2
-#define behind r3       // byte 10 of a product, the one behind the mantissa
+#define behind r3       // byte 10 of a product, the first below the mantissa
 #define exponent r5
 #define exponent_of_x r6
 #define a0 r7
@@ -46,7 +47,7 @@
     mul_add \p, \q, \low, \high, zero, \carry
     .endm
 
-    // The first `count` products of byte `place`, from byte `first` of the number in r(p) on.
+    // The first `count` products in column `place`, from byte `first` of the number in r(p) on.
     .macro column place, first, count, p, q, low, high, carry
     clr \carry
     .set byte, \first
@@ -128,7 +129,7 @@
     lsl exponent
     rjmp .Lnormalise
 
-    // Leaves where the power is beyond every format.
+    // Leaves if the power is out of range in every format.
     .macro stop_beyond
     mov r18, exponent
     subi r18, -63
@@ -161,7 +162,7 @@
     in r28, SPL
     in r29, SPH
 
-    // The leading digit moves out.
+    // The leading digit is shifted out.
     sec
     rol r30
     rol r31
@@ -247,7 +248,7 @@
     add r17, r0
     mul r15, r19
     add r17, r0
-    // r13..r8 = y e, and a byte behind it
+    // r13..r8 = y e, and the byte below it
     ldi r24, 16
     clr r7
     mov r8, r24

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The sine and the cosine of the splits of 16 bits with less than 8 fraction bits: sin_q8_8.inc.
+// The sine and the cosine in the 16-bit formats with fewer than 8 fraction bits: sin_q8_8.inc.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"

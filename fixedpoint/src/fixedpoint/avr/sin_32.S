@@ -1,29 +1,32 @@
 // SPDX-License-Identifier: MIT
 // int32_t fixedpoint_sin_q<32 - F>_<F>(int32_t angle)
 // int32_t fixedpoint_cos_q<32 - F>_<F>(int32_t angle)
-// Sine and cosine of an angle in radians of each split of 32 bits but Q16.16, for every input; within
-// 0.56 ulp up to F = 24 and 0.75 ulp beyond, in [-1, 1], saturated where the format does not hold 1.
+// Sine and cosine of an angle in radians in every 32-bit format except Q16.16, for every input;
+// within 0.56 ulp up to F = 24 and 0.75 ulp beyond, in [-1, 1], saturated if the format cannot
+// represent 1.
 //
 // void fixedpoint_sincos_q<32 - F>_<F>(int32_t angle, int32_t* sine_and_cosine)
-// Both, bit for bit as above: one reduction, two evaluations.
+// Both, bit for bit as above: one argument reduction, two evaluations.
 //
 // int32_t fixedpoint_sine_of_quarter_turns_q<32 - F>_<F>(uint64_t turns)
-// The sine of turns / 2^40 quarter turns, of which 42 bits count; as above but for the reduction's error.
+// The sine of turns / 2^40 quarter turns, whose low 42 bits count; as above, but without the error
+// of the reduction.
 //
 // In       angle = r25:r22; sine_and_cosine = r21:r20
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
 // Table    3072 bytes, fixedpoint_sine_32_table
 //
-// The angle times 2/pi 2^(32 - F) is its quarter turns, of which 32 fraction bits count, from F = 25
-// on 40. Column by column: byte k of the product is the sum of all a_i m_j with i + j = k + 4. Of
-// the column below the lowest one only the upper bytes count, and 2 units make up for what is cut
-// there on average. Where F is below 16, the lowest bytes have no influence and are left zero. Odd
-// quadrants run backwards (one's complement), quadrants 2 and 3 are negated.
+// Argument reduction: the angle times 2/pi 2^(32 - F) is the angle in quarter turns, of which 32
+// fraction bits count, or 40 from F = 25 on. Column by column: byte k of the product is the sum of
+// all a_i m_j with i + j = k + 4. Of the column below the lowest one only the upper bytes are
+// included, and 2 units compensate for the mean of that truncation. If F is below 16, the lowest
+// bytes do not matter and are left zero. In odd quadrants the position runs backwards (one's
+// complement); in quadrants 2 and 3 the result is negated.
 //
-// Error in units of 2^-31: up to F = 24 the core of 32 bits (cubic_core_32.inc) and the quarter turns 1.6,
-// of an ulp of 128 or more; beyond, the core of 40 bits 0.22, the turns' lowest byte times the slope
-// of the sine 0.02. Rounding 0.5 ulp.
+// Error in units of 2^-31: up to F = 24, where an ulp is 128 or more, the 32-bit core
+// (cubic_core_32.inc) and the quarter turns 1.6; beyond, the 40-bit core 0.22, and the lowest byte
+// of the turns times the slope of the sine 0.02. Rounding 0.5 ulp.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -31,7 +34,7 @@
 
 #define quadrant r31
 
-    // The turns lie in r26 (column -1), r20:r18 (2..0), r31:r30 (4, 3).
+    // The turns are in r26 (column -1), r20:r18 (2..0), r31:r30 (4, 3).
     .macro locate column
     .set place, 18 + \column - 9 * (\column > 2) - 9 * (\column < 0)
     .endm
@@ -65,7 +68,7 @@
     .endif
     .endm
     .macro products column
-    product 1, \column  // by the byte that the column below ends with
+    product 1, \column  // with the byte that the column below ends with
     product 3, \column
     product 2, \column
     product 0, \column
@@ -103,7 +106,7 @@
     .endr
     sbrs r25, 7
     rjmp 1f
-    // An angle below 0 is its bytes less 2^32.
+    // A negative angle is its unsigned value minus 2^32.
     .set borrow, 0
     .set column, first_column
     .rept 5 - first_column
@@ -169,7 +172,7 @@
     ldi r23, 0xff
     movw r24, r22
     lsr r25
-    brtc 4f             // of radians, cosines alone are that large
+    brtc 4f             // for radians, only cosines are that large
     com r25
     com r24
     com r23
@@ -196,7 +199,7 @@
     ret
     ENDFUNC fixedpoint_sincos_q\integer\()_\fraction
 
-    // In a section of its own: sines of radians do not pay for it.
+    // In a section of its own, so that programs with sines of radians do not include it.
     FUNCTION fixedpoint_sine_of_quarter_turns_q\integer\()_\fraction
     movw r30, r22
     mov r26, r18

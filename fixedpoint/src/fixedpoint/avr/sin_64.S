@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // int64_t fixedpoint_sin_64(int64_t angle, uint8_t fraction)
 // int64_t fixedpoint_cos_64(int64_t angle, uint8_t fraction)
-// Sine and cosine of angle / 2^fraction radians, for every input; within 0.7 ulp, in [-1, 1]. fraction is
-// 31 to 56.
+// Sine and cosine of angle / 2^fraction radians, for every input; within 0.7 ulp, in [-1, 1].
+// fraction must be in 31..56.
 //
 // void fixedpoint_sincos_64(int64_t angle, int64_t* sine_and_cosine, uint8_t fraction)
-// Both, bit for bit as above: one reduction, two evaluations.
+// Both, bit for bit as above: one argument reduction, two evaluations.
 //
 // In       angle = r25:r18, fraction = r16; sine_and_cosine = r17:r16, fraction = r14
 // Out      r25:r18
@@ -13,15 +13,16 @@
 // Stack    24 bytes, sincos 34
 // Table    2346 bytes, fixedpoint_septic_sine_table
 //
-// The angle without its sign becomes S in units of 2^-63, of which 12 bytes count. The upper 5 times 2/pi are
-// the whole quarter turns, or one less; what they leave of S, pi/2 having 10 bytes, is at most one more.
+// Argument reduction: the magnitude of the angle becomes S in units of 2^-63, of which 12 bytes
+// count. The upper 5 bytes times 2/pi give the whole quarter turns, or one less; the remainder of
+// S, with pi/2 to 10 bytes, contains at most one more.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
 #include "septic_64.inc"
 
-    // r11:r2 = pi/2 times the 16 bits in `high` and `low`, as many bytes, of which byte `first` and those above it
-    // count.
+    // r11:r2 = pi/2 times the 16 bits in `high` and `low`, to that many bytes; byte `first` and
+    // those above it count.
     .macro times_half_pi high, low, bytes
     clr r2
     clr r3
@@ -53,7 +54,8 @@
     .endm
 
     SECTION fixedpoint_sin_64
-    // r25:r18 = the angle in units of 2^-63 less r28's whole quarter turns, which are added to it; T = its sign
+    // r25:r18 = the angle in units of 2^-63 minus its whole quarter turns, which are added to r28;
+    // T = its sign
 .Lreduce:
     clr zero
     bst r25, 7
@@ -120,7 +122,7 @@
     subi_bytes r18, 0x36f0255dde973dcc, 8
 7:  ret
 
-    // r25:r18 = the sine of that and r28 quarter turns, negated where T is set
+    // r25:r18 = the sine of that plus r28 quarter turns, negated if T is set
 .Levaluate:
     sbrs r28, 0
     rjmp 1f

@@ -4,21 +4,22 @@
 // Sine and cosine of a Q16.16 angle in radians, for every input; within 0.67 ulp, in [-1, 1].
 //
 // void fixedpoint_sincos_q16_16(int32_t angle, int32_t* sine_and_cosine)
-// Both, bit for bit as above: one reduction, two evaluations.
+// Both, bit for bit as above: one argument reduction, two evaluations.
 //
 // int32_t fixedpoint_sine_of_phase_q16_16(int32_t phase)
-// The sine of phase / 2^32 turns; as above but for the reduction's error.
+// The sine of phase / 2^32 turns; as above, but without the error of the reduction.
 //
 // In       angle = r25:r22; sine_and_cosine = r21:r20
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
 //
-// Byte 6 of the quarter turns is the interval of the table, bytes 5 and 4 the fraction of it. Odd
-// quadrants run backwards (one's complement), quadrants 2 and 3 are negated.
+// Byte 6 of the quarter turns is the interval of the table, and bytes 5 and 4 are its fraction. In
+// odd quadrants the position runs backwards (one's complement); in quadrants 2 and 3 the result is
+// negated.
 //
-// Error in ulp: chord 0.154; quarter turns 0.036; three low bytes cut from the rise, 1.5 units of
-// 2^-7 around the mean that is in the table, 0.012; table entries 0.008. Rounding 0.5. The worst of
-// all 2^32 angles is 0.66588, at -1103431490.
+// Error in ulp: chord 0.154; quarter turns 0.036; three low bytes truncated from the rise, 1.5
+// units of 2^-7 around the mean, which the table includes, 0.012; table entries 0.008. Rounding
+// 0.5. The largest error over all 2^32 angles is 0.66588, at -1103431490.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -97,7 +98,7 @@
     quarter_turns_far
     ENDFUNC fixedpoint_sin_q16_16
 
-    // In a section of its own: sines of radians do not pay for it.
+    // In a section of its own, so that programs with sines of radians do not include it.
     FUNCTION fixedpoint_sine_of_phase_q16_16
     ldi b7, 0
     .rept 2             // the quadrant

@@ -4,10 +4,11 @@
 // Sine and cosine of an angle in radians, for every input; within 0.65 ulp, in [-1, 1].
 //
 // void fixedpoint_sincos_q32_32(int64_t angle, int64_t* sine_and_cosine)
-// Both, bit for bit as above: one reduction, two evaluations.
+// Both, bit for bit as above: one argument reduction, two evaluations.
 //
 // int64_t fixedpoint_sine_of_quarter_turns_q32_32(uint64_t turns)
-// The sine of turns / 2^40 quarter turns, of which 42 bits count; as above but for the reduction's error.
+// The sine of turns / 2^40 quarter turns, whose low 42 bits count; as above, but without the error
+// of the reduction.
 //
 // In       angle = r25:r18; sine_and_cosine = r17:r16
 // Out      r25:r18
@@ -15,11 +16,12 @@
 // Stack    4 bytes, sincos 14
 // Table    3328 bytes, fixedpoint_sine_64_table
 //
-// The angle times 2/pi 2^8 is its quarter turns, of which 40 fraction bits count. Column by column:
-// byte k of the product is the sum of all a_i m_j with i - j = k, m_0 the first byte of 2/pi behind the
-// point. Of the column below the lowest one only the upper bytes count; 3/4 of a unit for each byte of
-// the angle makes up for what is cut there on average. An angle below 128 rad has five bytes. Odd
-// quadrants run backwards (one's complement), quadrants 2 and 3 are negated.
+// Argument reduction: the angle times 2/pi 2^8 is the angle in quarter turns, of which 40 fraction
+// bits count. Column by column: byte k of the product is the sum of all a_i m_j with i - j = k,
+// where m_0 is the first byte of 2/pi after the point. Of the column below the lowest one only the
+// upper bytes are included; 3/4 of a unit for each byte of the angle compensates for the mean of
+// that truncation. An angle below 128 rad has five bytes. In odd quadrants the position runs
+// backwards (one's complement); in quadrants 2 and 3 the result is negated.
 //
 // Error in units of 2^-39: the core 11.5, the quarter turns 6 times pi/4, the rounding 64, half an ulp.
 
@@ -29,8 +31,8 @@
 
 #define quadrant r31
 
-    // The turns lie in r26, r27, r30, r31, r18, r19: where byte 4 and 5 begin, the angle's lowest two
-    // are used up.
+    // The turns are in r26, r27, r30, r31, r18, r19: when bytes 4 and 5 begin, the lowest two bytes
+    // of the angle are no longer needed.
     .macro to_column operation, column, source
     .if \column < 2
     .set place, 26 + \column
@@ -68,7 +70,7 @@
     .endif
     .endm
 
-    // The first by the byte of 2/pi that the column below ends with.
+    // The first with the byte of 2/pi that the column below ends with.
     .macro products bytes, column, m
     .set taken, \column + loaded
     .if loaded >= 0 && taken < \bytes
@@ -84,7 +86,7 @@
     .endr
     .endm
 
-    // The quarter turns of an angle of so many bytes; needs a register for constants.
+    // The quarter turns of an angle of that many bytes; takes a register for constants.
     .macro quarter_turns bytes, m
     .set loaded, -2
     ldi r26, 4 + \bytes / 8 * 2
@@ -98,7 +100,7 @@
     .endr
     sbrs 17 + \bytes, 7
     rjmp 1f
-    // An angle below 0 is its bytes less 2^40 or 2^64.
+    // A negative angle is its unsigned value minus 2^40 or 2^64.
     .if \bytes == 5
     to_column subi, 0, 0x44
     to_column sbci, 1, 0x4e
@@ -198,7 +200,7 @@
     ret
     ENDFUNC fixedpoint_sincos_q32_32
 
-    // In a section of its own: sines of radians do not pay for it.
+    // In a section of its own, so that programs with sines of radians do not include it.
     FUNCTION fixedpoint_sine_of_quarter_turns_q32_32
     movw r30, r22
     movw r24, r20

@@ -6,7 +6,7 @@
 #include "prelude.inc"
 
     TABLE fixedpoint_sine_32_table
-    // twist, 2 bytes of bend, 4 of slope, 5 of value; as often as there are intervals
+    // for each interval: twist, 2 bytes of bend, 4 of slope, 5 of value
     .byte  83,   0,   0, 192, 218,  15, 201,  11,   0,   0,   0,   0,  83, 248,   0, 167
     .byte 226,  14, 201,   0, 136,  15, 201,   0,  83, 240,   1, 122, 250,  11, 201, 220
     .byte  31,  29, 146,   1,  83, 232,   2,  68,  34,   7, 201, 138, 215,  38,  91,   2

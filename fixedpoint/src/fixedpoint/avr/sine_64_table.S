@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // DO NOT EDIT: written by python3 fixedpoint/tables/sine_64.py
 // sin(pi/2 x) on 256 intervals of [0, 1], cubics in the layout of tables/cubic.py.
-// 11.5 2^-39 off at most, of 34 points an interval; the values hold half an ulp of Q32.32.
+// The error is at most 11.5 2^-39 at 34 points per interval; the values include half an ulp of Q32.32.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
 
     TABLE fixedpoint_sine_64_table, 1
-    // twist, 3 bytes of bend, 4 of slope, 5 of value; as often as there are intervals
+    // for each interval: twist, 3 bytes of bend, 4 of slope, 5 of value
     .byte  82,   6,   1,   0,  15, 219,  15, 201,  53,   0,   0,   0,   0,  83, 146, 247
     .byte   0,  98, 226,  14, 201,  56, 136,  15, 201,   0,  83, 154, 239,   1,  62, 250
     .byte  11, 201,  19,  32,  29, 146,   1,  83, 156, 231,   2,   9,  34,   7, 201, 194

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 // int32_t fixedpoint_sqrt_q<32 - F>_<F>(int32_t a)
-// The integer nearest to sqrt(a 2^F), which is never half-way between two, at most 2^31 - 1; 0
-// where a < 0: the square root of each split of 32 bits but Q16.16, whose own is faster.
+// The integer nearest to sqrt(a 2^F), which is never half-way between two, at most 2^31 - 1; 0 if
+// a < 0. The square root in every 32-bit format except Q16.16, which has a faster kernel of its
+// own.
 //
 // In       a = r25:r22
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
 // Stack    6 bytes
 //
-// a 2^F is a sum of squares to length_root.S, below 3 * 2^46, or to length_long.S.
+// a 2^F is passed like a sum of squares to length_root.S if it is below 3 * 2^46, and otherwise to
+// length_long.S.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // int32_t fixedpoint_sqrt_q16_16(int32_t a);
 //
-// The integer r nearest to sqrt(a 2^16), which is never half-way between two; 0 where a < 0.
+// The integer r nearest to sqrt(a 2^16), which is never half-way between two; 0 if a < 0.
 //
 // a and r in r25:r24:r23:r22. Changes r18-r27, r30, r31, r0; r1 is zero at entry and return.
 //
@@ -9,16 +9,18 @@
 // 64; the root of that is shifted back by k. With l the byte below h, the tables give
 //     c = root[h] + floor(slope[h] l / 256),
 // at most 2 below the integer part of the root of h:l, in 16 bits; tables/sqrt.py asserts that for
-// every h:l. Where more bytes follow, the exact e = m - c^2 over m, the upper 32 bits of the
-// shifted number, makes eight more bits: the root's slope at c is 2^15 / c, which is slope[h] / 256
-// to within its rounding, so that S = 256 c + e slope[h] / 2^16 is the root in 24 bits.
-// tables/sqrt.py asserts that it is less than 5 off at either end of the numbers that share c;
-// floors and the dropped low byte of e add less than 1 to S above and are part of the 5 below.
+// every h:l. If more bytes follow, the exact e = m - c^2, where m is the upper 32 bits of the
+// shifted number, gives eight more bits: the slope of the root at c is 2^15 / c, which is slope[h]
+// / 256 to within its rounding, so S = 256 c + e slope[h] / 2^16 is the root in 24 bits.
+// tables/sqrt.py asserts that it is less than 5 off at either end of the numbers that share c; the
+// floors and the dropped low byte of e add less than 1 to the upper bound and are part of the 5
+// below.
 //
 // Rounding. Let r' be the shifted root without its k fraction bits f. r is r' or r' + 1, and it is
-// r' + 1 where N = a 2^16 exceeds (r' + 1/2)^2, which for integers is N > r'^2 + r'. The difference
-// of the two sides fits in the bytes it is computed in, as r' is less than 2 off, so that the upper
-// bytes need no product. Where f is further than the root's error from 1/2, r is known without.
+// r' + 1 if N = a 2^16 exceeds (r' + 1/2)^2, which for integers is N > r'^2 + r'. The difference of
+// the two sides fits in the bytes it is computed in, since r' is less than 2 off, so the upper
+// bytes do not need products. If f is further from 1/2 than the error of the root, r is known
+// without that.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -36,7 +38,7 @@
     .endm
 
 // r26:r19:r18 = c^2 + c - a 2^16 modulo 2^24, from r26 = 2 c0 c2 - a0 with a0 the low byte of a.
-// Negative where c is to be rounded up.
+// Negative if c must be rounded up.
     .macro test_half
     mul c0, c0
     movw r18, r0
@@ -65,8 +67,7 @@
     brmi 1f
 2:  clr r1
     ret
-    // r is c + 2 where the difference is below -2 c - 2 <= -2^16 - 2: never if its top byte is
-    // 0xff.
+    // r is c + 2 if the difference is below -2 c - 2 <= -2^16 - 2: never if its top byte is 0xff.
 1:  subi c0, 0xff
     sbci c1, 0xff
     cpi r26, 0xff
@@ -106,7 +107,7 @@
     ret
 2:
     // 2^16 .. 2^24: r20 = 2^(2 k - 8) normalises a, whose top byte is r24; r27 = 2^(8 - k) shifts
-    // back, and leaves f in a byte. Between r18 and 256 - r18 f is too close to 1/2.
+    // back, and leaves f in a byte. From r18 to 256 - r18, f is too close to 1/2.
     ldi r20, 64
     ldi r27, 2
     ldi r18, 0x80 - 6 * 2
@@ -175,7 +176,7 @@
     clr r1
     ret
 
-    // The difference for c + 1 where c was not enough.
+    // The difference for c + 1, if c was not enough.
 .Lremainder_of_two:
     add r18, c0
     adc r19, c1
@@ -230,10 +231,10 @@
     adc c1, zero
 2:  ret
 
-    // 2^24 .. 2^31: r27 = 2^(2 k). S is made 6 less, so that it is 1 to 11 below the root, and
-    // stepped up by the same slope times its exact remainder, of which the upper half of 32 bits is
-    // enough. That leaves it at most 0.1 above and 1.2 below the root, so that r is r' or r' + 1
-    // once more.
+    // 2^24 .. 2^31: r27 = 2^(2 k). S is decremented by 6, so that it is 1 to 11 below the root, and
+    // then refined by the same slope times its exact remainder, of which the upper half of 32 bits
+    // is enough. That leaves it at most 0.1 above and 1.2 below the root, so r is again r' or r' +
+    // 1.
 .Labove_256:
     ldi r27, 1
     cpi r25, 64

@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: MIT
 // int64_t fixedpoint_sqrt_q32_32(int64_t a)
-// The nearest number to the square root of a (there are no ties); 0 where a < 0.
+// The nearest number to the square root of a (there are no ties); 0 if a < 0.
 //
 // In:       a r25..r18
 // Out:      r25..r18
 // Clobbers: r0, r26, r27, r30, r31
 // Stack:    10 bytes.
 //
-// a moves up by whole bytes and then by an even number of bits until its highest byte is 64 or
-// more. The first two bytes of the root s come from a chord and are at most 3 too small for the
-// highest four bytes of a: the remainder is brought to at most 2 s by subtraction. Each further
-// byte d of the root is the largest with 2 (2^8 s) d + d^2 <= 2^16 R2 + the next two bytes, R2 the
-// remainder, so about 2^8 R / s with R = R2 / 2. The digit from the highest three bytes of R and
-// the highest two of s is 256 at most, which becomes 255, and too large by little, as it ignores
-// the lower bytes of s and d^2 / 2: where R turns negative, d is one less and R gets back 2^8 s + d
-// - 1/2. The lowest bit of R2 is the highest of the byte that follows R; the shift by one bit puts
-// it there.
+// a is shifted left by whole bytes and then by an even number of bits until its highest byte is 64
+// or more. The first two bytes of the root s come from linear interpolation and are at most 3 too
+// small for the highest four bytes of a: subtractions bring the remainder to at most 2 s. Each
+// further byte d of the root is the largest with 2 (2^8 s) d + d^2 <= 2^16 R2 + the next two bytes,
+// where R2 is the remainder, so d is about 2^8 R / s with R = R2 / 2. The digit estimated from the
+// highest three bytes of R and the highest two of s is at most 256, which becomes 255, and slightly
+// too large, since it ignores the lower bytes of s and d^2 / 2: if R turns negative, d is
+// decremented and 2^8 s + d - 1/2 is added back to R. The lowest bit of R2 is the highest of the
+// byte that follows R; the shift by one bit puts it there.
 //
-// The root is then moved down by half as many bits as a was moved up: 0 to 7, for bytes that would
-// be moved out entirely are not computed. The highest bit that goes out rounds: a root of exactly
-// half an ulp more would be that of no integer. Where no bit goes out, one more byte is computed,
-// or, for the longest a, the remainder compared with s.
+// The root is then shifted right by half as many bits as a was shifted left: 0 to 7, since bytes
+// that would be shifted out entirely are not computed. The highest bit shifted out rounds: no
+// integer has a root at exactly half an ulp. If no bit is shifted out, one more byte is computed
+// or, for the longest a, the remainder is compared with s.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -75,7 +75,7 @@
     mov count, r30
     clr zero
     clt
-    // power brings the leading one to bit 7 or 6; shift undoes it, and a move by half a byte.
+    // power moves the leading one to bit 7 or 6; shift undoes that, and a shift by half a byte.
     ldi r31, 0
     tst a7
     brne 1f
@@ -102,7 +102,7 @@
     sbrc r31, 0
     swap r30
     mov shift, r30
-    // Nothing to be shifted out: one byte more, or, for the longest, the remainder, rounds.
+    // No bit is shifted out: one more byte or, for the longest, the remainder rounds.
     cpi r30, 1
     brne .Lseed
     inc count

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 // int16_t fixedpoint_sqrt_q8_8(int16_t a)
-// The nearest number to the square root of a (there are no ties); 0 where a < 0.
+// The nearest number to the square root of a (there are no ties); 0 if a < 0.
 //
 // In:       a r25:r24
 // Out:      r25:r24
 // Clobbers: r0, r18..r20, r22, r23, r30, r31
 // Stack:    0 bytes.
 //
-// The root of a raw number below 2^8 is in the table. Above, a chord gives r, which is the root or
-// one less (sqrt_q8_8.py sees to it), and r + 1 it is where r^2 + r < 2^8 a, that is, where
-// r + 1/2 < sqrt(2^8 a): the difference fits in 16 bits, so that no more of it is computed.
+// The roots of raw numbers below 2^8 are in the table. Above, linear interpolation gives r, which
+// is the root or one less (sqrt_q8_8.py ensures that). It is r + 1 if r^2 + r < 2^8 a, that is, if
+// r + 1/2 < sqrt(2^8 a): the difference fits in 16 bits, and only these are computed.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"

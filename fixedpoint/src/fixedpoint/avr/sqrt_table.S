@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// DO NOT EDIT: written by fixedpoint/tables/sqrt.py, which says what the entries are.
+// DO NOT EDIT: written by fixedpoint/tables/sqrt.py, which describes the entries.
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
     TABLE fixedpoint_sqrt_table

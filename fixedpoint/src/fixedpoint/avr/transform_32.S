@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
 // void fixedpoint_transform_q<32 - F>_<F>(int32_t* result, const int32_t* v, const int32_t* m,
 //                                         uint8_t n)
-// The matrix m of n rows times the column v, n = 2, 3 or 4: each component is
-// floor(sum m_ij v_j / 2^F + 1/2) modulo 2^32, one rounding. Of each split of 32 bits.
+// The matrix m of n rows times the column v; n must be 2, 3 or 4. Each component is floor(sum m_ij
+// v_j / 2^F + 1/2) modulo 2^32, one rounding. For every 32-bit format.
 //
 // void fixedpoint_matrix_product_q<32 - F>_<F>(the same)
-// The matrix v of n rows times the matrix m, each element rounded so.
+// The matrix v of n rows times the matrix m, each element rounded in the same way.
 //
-// In       result = r25:r24, v = r23:r22, m = r21:r20, n = r18; result is neither in v nor in m
+// In       result = r25:r24, v = r23:r22, m = r21:r20, n = r18; result must not overlap v or m
 // Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
 // Stack    21 bytes
 //
 // void fixedpoint_matrix_product_2_q<32 - F>_<F>(int32_t* result, const int32_t* a, const int32_t* b)
-// The same of two rows: the matrix a = r23:r22 times b = r21:r20. It takes 11 bytes of stack.
+// The same for two rows: the matrix a = r23:r22 times b = r21:r20. It takes 11 bytes of stack.
 //
-// What a call and its registers cost is paid once, not once a component or row.
+// The cost of the call and of saving registers is paid once, not per component or row.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -28,8 +28,9 @@
 #define end r8
 #define left r9
 
-    // r26 = the bytes from one product of a component to the next one, r27 = those from one
-    // component's first product to the next one's, r19 = the bytes of a row of v; T where v has n.
+    // r26 = the distance in bytes from one product of a component to the next, r27 = that from the
+    // first product of one component to that of the next, r19 = the bytes of a row of v; T is set
+    // if v has n.
     .macro transform fraction, top
 1:  push_all r2, r3, r4, r5, r6, r7, r8, r9, r28, r29
     push_sum \top

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Biquad: the filter of the second order, in direct form I with error feedback.
+/// Biquad: a second-order filter in direct form I with error feedback.
 ///
-/// Direct form I, since its states are inputs and outputs, which are in the range where the signals
-/// are; those of form II are larger than both by the gain of the poles. Error feedback, since the
-/// error of an output would otherwise be amplified by the poles, at low frequencies by
-/// 1 / (1 + a1 + a2). The errors of the last two outputs are fed back by the integers next to -a1
-/// and -a2, which takes no product and leaves nearly nothing to amplify (Laakso and Hartimo, "Noise
-/// reduction in recursive digital filters using high-order error feedback", 1992).
+/// Direct form I, since its states are inputs and outputs, which are in range whenever the signals
+/// are; the states of direct form II are larger than both by the gain of the poles. Error feedback,
+/// since the poles would otherwise amplify the rounding error of an output, at low frequencies by 1
+/// / (1 + a1 + a2). The errors of the last two outputs are fed back with the integers nearest to
+/// -a1 and -a2 as weights, which takes no multiplication and leaves almost nothing to amplify
+/// (Laakso and Hartimo, "Noise reduction in recursive digital filters using high-order error
+/// feedback", 1992).
 #pragma once
 
 #include <fixedpoint/blocks/carried_error.hpp>
@@ -15,8 +16,8 @@
 
 namespace fixedpoint {
 
-/// The coefficients of (b0 + b1 z^-1 + b2 z^-2) / (1 + a1 z^-1 + a2 z^-2), as a design program
-/// prints them.
+/// The coefficients of (b0 + b1 z^-1 + b2 z^-2) / (1 + a1 z^-1 + a2 z^-2), as filter design
+/// programs print them.
 template <class Number>
 struct BiquadCoefficients {
     /// The coefficients of the inputs.
@@ -30,7 +31,7 @@ struct BiquadCoefficients {
 };
 
 /// \cond internal
-// The sum of the five products: of float and double.
+// The sum of the five products, for float and double.
 template <class Number>
 struct BiquadSum {
     BiquadSum(Number, Number) {}
@@ -38,10 +39,11 @@ struct BiquadSum {
         return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3] + a[4] * b[4];
     }
 };
-// With the errors of the last two sums, rounded once.
+// For Fixed: the sum of the five products and the fed-back errors of the last two sums, rounded
+// once.
 template <int IntegerBits, int F, class A>
 class BiquadSum<Fixed<IntegerBits, F, A>> {
-    static_assert(IntegerBits >= 3, "The coefficients of a biquad, up to 2, need 3 integer bits.");
+    static_assert(IntegerBits >= 3, "Biquad coefficients, which reach 2, need 3 integer bits.");
 
   public:
     using Number = Fixed<IntegerBits, F, A>;
@@ -78,7 +80,7 @@ class BiquadSum<Fixed<IntegerBits, F, A>> {
     static typename Rounding::Low low(Number a, Number b) {
         return Rounding::low_product(a.raw(), b.raw());
     }
-    // In cases, since the compiler would make a product of 32 bits of a loop.
+    // By cases, since the compiler would compute a 32-bit product in a loop.
     static Sum times(int8_t weight, Error error) {
         if (weight == 0) return 0;
         const Sum sum = static_cast<Sum>(weight & 1 ? Sum(error) : Sum(error) * 2);
@@ -88,7 +90,7 @@ class BiquadSum<Fixed<IntegerBits, F, A>> {
     int8_t weight1_, weight2_;
     Error error1_ = 0, error2_ = 0;
 };
-// The state of a filter and a step.
+// The state of a filter, and one step.
 template <class Number, bool in_kernel = FilterKernel<Number>::exists>
 class BiquadSteps {
   public:
@@ -110,7 +112,7 @@ class BiquadSteps {
     Number state_[5];
     BiquadSum<Number> sum_;
 };
-// In the order of the kernel.
+// The members are in the order that the kernel expects.
 template <class Number>
 class BiquadSteps<Number, true> {
   public:
@@ -133,18 +135,18 @@ class BiquadSteps<Number, true> {
 
 /// The filter y = b0 x + b1 x1 + b2 x2 - a1 y1 - a2 y2.
 ///
-/// For every input: the exact sum, with the errors fed back, is rounded once. In a wrapping
-/// arithmetic partial sums may leave the range, and where the output does, it is taken modulo 2^W,
-/// which a filter may never recover from: with Fixed<I, F, Saturating> it stays at the end of the
-/// range, and so do the partial sums.
-/// The output of a stable filter is within 1/2 sum |g_n| ulp of the exact filter's; without input
-/// it ends in 0 or in a limit cycle of that size. g is the response of
-/// (1 + k1 z^-1 + k2 z^-2) / (1 + a1 z^-1 + a2 z^-2) to an impulse, k1 and k2 the integers next to
-/// a1 and a2: 1.8 ulp for the low-pass filter with a1 = -1.758, a2 = 0.836, without feedback 14.
+/// For every input, the exact sum, including the errors fed back, is rounded once. In a wrapping
+/// arithmetic partial sums may overflow. An output out of range is taken modulo 2^W, from which a
+/// filter may never recover; with Fixed<I, F, Saturating> it saturates, and so do the partial sums.
+/// The output of a stable filter is within 1/2 sum |g_n| ulp of the exact filter's; with zero input
+/// it settles at 0 or in a limit cycle of that size. g is the impulse response of (1 + k1 z^-1 + k2
+/// z^-2) / (1 + a1 z^-1 + a2 z^-2), where k1 and k2 are the integers nearest to a1 and a2. For the
+/// low-pass filter with a1 = -1.758, a2 = 0.836 the bound is 1.8 ulp; without feedback it is 14
+/// ulp.
 template <class Number>
 class Biquad {
   public:
-    /// At rest: all former inputs and outputs are 0.
+    /// At rest: all previous inputs and outputs are 0.
     explicit Biquad(const BiquadCoefficients<Number>& c) : steps_(c) {}
 
     /// Takes the next input and returns the output.

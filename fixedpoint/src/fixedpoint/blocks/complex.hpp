@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Complex numbers, whose products round once.
+/// Complex numbers. Each part of a product is rounded once.
 #pragma once
 
 #include <fixedpoint/blocks/number.hpp>
@@ -19,7 +19,7 @@ struct ComplexProduct {
         result[1] = BlockNumber<Number>::dot2(a, swapped);
     }
 };
-// By one call of a kernel.
+// In one call of a kernel.
 template <int F>
 struct ComplexProduct<Fixed<32 - F, F>> {
     using Number = Fixed<32 - F, F>;
@@ -35,22 +35,22 @@ struct Complex {
     /// The real and the imaginary part.
     Number part[2];
 
-    /// The part without i.
+    /// The real part.
     constexpr Number real() const { return part[0]; }
-    /// The part before i.
+    /// The imaginary part.
     constexpr Number imaginary() const { return part[1]; }
 
-    /// The sum, exact; out of the range as the arithmetic has it.
+    /// The exact sum. If a part is out of range, the arithmetic decides.
     friend constexpr Complex operator+(const Complex& a, const Complex& b) {
         return {{a.part[0] + b.part[0], a.part[1] + b.part[1]}};
     }
-    /// The difference, exact; out of the range as the arithmetic has it.
+    /// The exact difference. If a part is out of range, the arithmetic decides.
     friend constexpr Complex operator-(const Complex& a, const Complex& b) {
         return {{a.part[0] - b.part[0], a.part[1] - b.part[1]}};
     }
-    /// The product, each part rounded once; out of the range as the arithmetic has it. Where the
-    /// imaginary part of b is the smallest number, its negative is that of the arithmetic, but for
-    /// the default one in 32 bits, which is exact there, too.
+    /// The product, each part rounded once. If a part is out of range, the arithmetic decides. If
+    /// the imaginary part of b is the smallest number, its negative in the real part is what the
+    /// arithmetic makes of it; only the default arithmetic in 32 bits is exact there too.
     friend Complex operator*(const Complex& a, const Complex& b) {
         Complex product;
         multiply(a, b, product);
@@ -58,19 +58,20 @@ struct Complex {
     }
 };
 
-/// result = a b, which saves the copy of an assignment. `result` must be neither factor.
+/// result = a b, without the copy of an assignment. `result` must not be `a` or `b`.
 template <class Number>
 void multiply(const Complex<Number>& a, const Complex<Number>& b, Complex<Number>& result) {
     ComplexProduct<Number>::apply(a.part, b.part, result.part);
 }
 
-/// The conjugate; the negative of the smallest number as the arithmetic has it.
+/// The conjugate. If the imaginary part is the smallest number, the arithmetic decides on its
+/// negative.
 template <class Number>
 constexpr Complex<Number> conjugate(const Complex<Number>& a) {
     return {{a.part[0], -a.part[1]}};
 }
-/// |a|^2, rounded once; out of the range as the arithmetic has it. The magnitude |a| is
-/// length2(a.part), which no square overflows.
+/// |a|^2, rounded once. If it is out of range, the arithmetic decides. The magnitude |a| is
+/// length2(a.part), in which no square overflows.
 template <class Number>
 Number squared_magnitude(const Complex<Number>& a) {
     return BlockNumber<Number>::dot2(a.part, a.part);

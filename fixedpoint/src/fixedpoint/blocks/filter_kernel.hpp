@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// FilterKernel<Number>: the assembly kernels that take one step of a filter or a controller, by its
-// state, which begins as the .S file has it.
+// FilterKernel<Number>: the assembly kernels that execute one step of a filter or a controller.
+// They take a pointer to its state, whose layout the .S file describes.
 #pragma once
 
 #include <fixedpoint/fixed.hpp>

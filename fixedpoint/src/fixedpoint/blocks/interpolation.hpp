@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// interpolate: a function from a table of its values at equal distances, linear in between.
+/// interpolate: linear interpolation in a table of equidistant values.
 #pragma once
 
 #include <fixedpoint/blocks/number.hpp>
@@ -8,7 +8,7 @@
 
 namespace fixedpoint {
 
-/// What is behind interpolate: of float and double.
+/// The implementation for float and double.
 /// \cond internal
 template <class Number>
 struct Interpolation {
@@ -28,15 +28,15 @@ template <int IntegerBits, int F, class A>
 struct Interpolation<Fixed<IntegerBits, F, A>> {
     using Number = Fixed<IntegerBits, F, A>;
     using Raw = typename Number::Raw;
-    // The weight of the next entry is what the distance has below the step: a number of
-    // F + StepExponent fraction bits, so that the product is rounded once, whatever the step is.
+    // The weight of the next entry is the part of the distance below the step: a number of F +
+    // StepExponent fraction bits, so the product is rounded only once, whatever the step.
     template <int StepExponent, uint16_t N>
     static Number apply(const Table<Number, N>& table, Number begin, Number x) {
         constexpr int bits = F + StepExponent;
-        static_assert(bits >= 0, "A step is at least one ulp.");
+        static_assert(bits >= 0, "A step must be at least one ulp.");
         static_assert(bits < RawLimits<Raw>::width - 1 &&
                           N - 1 <= RawLimits<Raw>::max >> (bits < 0 ? 0 : bits),
-                      "A table is no longer than the largest number.");
+                      "The table must not extend over more than the largest number.");
         if (x <= begin) return table[0];
         const Raw distance = Saturating::subtract<Raw, F>(x.raw(), begin.raw());
         if (distance >> bits >= static_cast<Raw>(N - 1)) return table[N - 1];
@@ -49,10 +49,11 @@ struct Interpolation<Fixed<IntegerBits, F, A>> {
 };
 /// \endcond
 
-/// The table's function at x, rounded once: entry i is its value at begin + i 2^StepExponent.
+/// The function at x by linear interpolation, rounded once. Entry i of the table is its value at
+/// begin + i 2^StepExponent. Adjacent entries must not differ by more than the largest number.
 ///
-/// For every x: below `begin` it is the first entry, beyond the last entry that one. Neighbouring
-/// entries must not differ by more than the largest number.
+/// The result is defined for every x: the first entry below `begin`, and the last entry beyond its
+/// place.
 template <int StepExponent, class Number, uint16_t N>
 Number interpolate(const Table<Number, N>& table, Number begin, Number x) {
     return Interpolation<Number>::template apply<StepExponent>(table, begin, x);

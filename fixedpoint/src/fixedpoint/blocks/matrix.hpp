@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Matrices of two and three rows, whose products round once an element.
+/// 2x2 and 3x3 matrices. Each element of a product is rounded once.
 #pragma once
 
 #include <fixedpoint/blocks/number.hpp>
@@ -9,28 +9,28 @@ extern "C" uint8_t fixedpoint_invert2_q16_16(const int32_t* a, int32_t* inverse)
 
 namespace fixedpoint {
 
-/// A square matrix of N rows, N 2 or 3.
+/// A square matrix of N rows; N must be 2 or 3.
 template <class Number, uint8_t N>
 struct Matrix {
-    static_assert(N == 2 || N == 3, "A matrix has two or three rows.");
-    /// element[i][j] stands in row i and column j.
+    static_assert(N == 2 || N == 3, "A matrix must have two or three rows.");
+    /// element[i][j] is in row i and column j.
     Number element[N][N];
 };
 
-/// The product of a matrix and a column, each element rounded once; out of the range as the
-/// arithmetic has it. `result` must not be `v`.
+/// result = a v, the product of a matrix and a column vector, each element rounded once. If an
+/// element is out of range, the arithmetic decides. `result` must not be `v`.
 template <class Number, uint8_t N>
 void multiply(const Matrix<Number, N>& a, const Number (&v)[N], Number (&result)[N]) {
     MatrixProduct<Number>::apply(a.element, v, result);
 }
-/// The product of two matrices, each element rounded once; out of the range as the arithmetic has
-/// it. `result` must be neither factor.
+/// result = a b, each element rounded once. If an element is out of range, the arithmetic decides.
+/// `result` must not be `a` or `b`.
 template <class Number, uint8_t N>
 void multiply(const Matrix<Number, N>& a, const Matrix<Number, N>& b, Matrix<Number, N>& result) {
     MatrixProduct<Number>::apply(a.element, b.element, result.element);
 }
-/// The product of two matrices, each element rounded once; out of the range as the arithmetic has
-/// it. An assignment copies it, which `multiply` saves.
+/// The product of two matrices, each element rounded once. If an element is out of range, the
+/// arithmetic decides. `multiply` avoids the copy of an assignment.
 template <class Number, uint8_t N>
 Matrix<Number, N> operator*(const Matrix<Number, N>& a, const Matrix<Number, N>& b) {
     Matrix<Number, N> product;
@@ -50,7 +50,7 @@ template <class Number>
 void cofactors(const Matrix<Number, 3>& a, Matrix<Number, 3>& result) {
     SpaceProduct<Number>::cofactors(a.element, result.element);
 }
-// The cofactors of a. Not a Matrix, whose numbers would begin as 0.
+// The cofactors of a. A union, since the numbers of a Matrix would first be set to 0.
 template <class Number, uint8_t N>
 union Cofactors {
     explicit Cofactors(const Matrix<Number, N>& a) { cofactors(a, matrix); }
@@ -62,9 +62,9 @@ union Cofactors {
 };
 /// \endcond
 
-/// The matrix of cofactors, transposed: a adjugate(a) is determinant(a) times the unit matrix. Each
-/// element is rounded once; out of the range, and the negative of the smallest number, as the
-/// arithmetic has it.
+/// The transposed matrix of cofactors: a adjugate(a) is determinant(a) times the identity matrix.
+/// Each element is rounded once. If an element, or the negative of one, is out of range, the
+/// arithmetic decides.
 template <class Number, uint8_t N>
 Matrix<Number, N> adjugate(const Matrix<Number, N>& a) {
     const Cofactors<Number, N> c(a);
@@ -74,17 +74,18 @@ Matrix<Number, N> adjugate(const Matrix<Number, N>& a) {
     return result;
 }
 
-/// The determinant. Of two rows it is rounded once; of three, its cofactors are too: with elements
-/// up to m it is within (1 + 3 m) / 2 ulp. Out of the range as the arithmetic has it.
+/// The determinant. For two rows it is rounded once. For three, the cofactors are rounded too: if
+/// no element exceeds m in magnitude, the result is within (1 + 3 m) / 2 ulp. If it is out of
+/// range, the arithmetic decides.
 template <class Number, uint8_t N>
 Number determinant(const Matrix<Number, N>& a) {
     return Cofactors<Number, N>(a).determinant(a);
 }
 
-/// Computes the inverse and says whether there is one; where the determinant, rounded, is 0,
-/// `inverse` stays as it was. Each element is the quotient of a cofactor and the determinant, both
-/// rounded, and saturated: an error of e ulp in the determinant d makes one of e / |d| parts in
-/// 2^F of the element, so that d should not be small. `inverse` may be `a`.
+/// Computes the inverse and returns whether there is one; if the rounded determinant is 0,
+/// `inverse` is left unchanged. Each element is the quotient of a cofactor and the determinant,
+/// both rounded; the quotient saturates. An error of e ulp in the determinant d causes a relative
+/// error of e / |d| parts in 2^F in each element, so d should not be small. `inverse` may be `a`.
 template <class Number, uint8_t N>
 bool invert(const Matrix<Number, N>& a, Matrix<Number, N>& inverse) {
     const Cofactors<Number, N> c(a);
@@ -101,7 +102,7 @@ bool invert(const Matrix<Number, N>& a, Matrix<Number, N>& inverse) {
     return true;
 }
 /// \cond internal
-// For so few elements a loop costs more than it saves.
+// Unrolled: for four elements a loop costs more than it saves.
 template <class Number, bool in_kernel = kernel::has_assembly>
 struct Inverse2 {
     static bool apply(const Matrix<Number, 2>& a, Matrix<Number, 2>& inverse) {

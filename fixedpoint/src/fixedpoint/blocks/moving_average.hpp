@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// MovingAverage: the mean of the last N inputs, from a running sum that is exact: it neither
-/// drifts nor overflows.
+/// MovingAverage: the mean of the last N inputs. The running sum is exact: it neither drifts nor
+/// overflows.
 #pragma once
 
 #include <fixedpoint/fixed.hpp>
@@ -14,11 +14,11 @@ constexpr unsigned char log2_of(uint16_t n) {
 }
 /// \endcond
 
-/// Of float numbers, for comparison: the sum keeps each rounding error for ever.
+/// For float and double, for comparison: the sum keeps every rounding error forever.
 template <class Number, uint16_t N>
 class MovingAverage {
   public:
-    /// As if all former inputs had been `value`.
+    /// As if all previous inputs had been `value`.
     explicit MovingAverage(Number value = Number()) : sum_(value * N) {
         for (uint16_t i = 0; i < N; ++i) window_[i] = value;
     }
@@ -36,20 +36,21 @@ class MovingAverage {
     uint8_t oldest_ = 0;
 };
 
-/// The mean of the last N inputs, rounded once, for every input. N is a power of two from 2 to 256:
-/// any other takes a division.
+/// The mean of the last N inputs, rounded once, for every input. N must be a power of two from 2 to
+/// 256; any other would take a division.
 ///
-/// The sum of the raws has one byte more than a raw: it always fits, and nothing wider is added.
+/// The sum of the raws has one byte more than a raw. It always fits, and no wider addition is
+/// needed.
 template <int IntegerBits, int F, class A, uint16_t N>
 class MovingAverage<Fixed<IntegerBits, F, A>, N> {
     static_assert(N >= 2 && N <= 256 && (N & (N - 1)) == 0,
-                  "A moving average takes 2, 4, 8 ... 256 inputs.");
+                  "The number of inputs must be 2, 4, 8, ... or 256.");
 
   public:
-    /// The numbers that it averages.
+    /// The type of the numbers averaged.
     using Number = Fixed<IntegerBits, F, A>;
 
-    /// As if all former inputs had been `value`.
+    /// As if all previous inputs had been `value`.
     explicit MovingAverage(Number value = Number())
         : sum_(static_cast<Low>(Unsigned<Raw>(value.raw()) << log2_of(N))),
           sum_above_(static_cast<int8_t>(value.raw() >> (RawLimits<Raw>::width - log2_of(N)))) {
@@ -60,7 +61,7 @@ class MovingAverage<Fixed<IntegerBits, F, A>, N> {
         const Raw oldest = window_[oldest_], newest = input.raw();
         window_[oldest_] = newest;
         oldest_ = static_cast<uint8_t>((oldest_ + 1) % N);
-        // The difference is 2^W less than its bits where it is negative.
+        // A negative difference is 2^W less than its unsigned value.
         const Low difference = static_cast<Low>(wrapping_subtract(newest, oldest));
         sum_ = static_cast<Low>(sum_ + difference);
         if (sum_ < difference) ++sum_above_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What the blocks ask of a number: BlockNumber<Number>. A Fixed answers with the library's
-// operations that round once, float and double with their operators, so that one block serves both.
+// BlockNumber<Number>: the operations that the blocks need from a number. For Fixed they are the
+// library's operations that round once, for float and double the operators, so one block serves
+// both.
 #pragma once
 
 #include <fixedpoint/arithmetic/saturating.hpp>
@@ -35,12 +36,12 @@ template <int IntegerBits, int F, class A>
 struct BlockNumber<Fixed<IntegerBits, F, A>> {
     using Number = Fixed<IntegerBits, F, A>;
     using Raw = typename Number::Raw;
-    // For what must not change its sign at the end of the range, whatever the arithmetic is.
+    // For values that must saturate instead of changing their sign, whatever the arithmetic.
     using Saturated = Fixed<IntegerBits, F, Saturating>;
     static constexpr Saturated saturated(Number a) { return Saturated::from_raw(a.raw()); }
     static constexpr Number plain(Saturated a) { return Number::from_raw(a.raw()); }
 
-    // The largest number where the format does not hold 1.
+    // The largest number if the format cannot represent 1.
     static constexpr Number one() {
         return Number::from_raw(IntegerBits == 1 ? RawLimits<Raw>::max
                                                  : static_cast<Raw>(Unsigned<Raw>(1) << F));
@@ -66,8 +67,8 @@ Number dot_of(const Number* a, const Number (&b)[3]) {
     return BlockNumber<Number>::dot3(a, b);
 }
 
-// A matrix of N rows, N 2 or 3, times the column v and times another one, each element rounded
-// once. `result` is none of the factors.
+// A matrix of N rows times the column v, and times another matrix, each element rounded once. N
+// must be 2 or 3, and `result` must not be a factor.
 template <class Number, bool in_kernel = kernel::has_assembly && sizeof(Number) == 4>
 struct MatrixProduct {
     template <uint8_t N>
@@ -83,7 +84,7 @@ struct MatrixProduct {
         }
     }
 };
-// By one call of a kernel for all elements; that for two rows is their own.
+// In one call of a kernel for all elements; 2x2 products have a kernel of their own.
 template <int IntegerBits, int F>
 struct MatrixProduct<Fixed<IntegerBits, F>, true> {
     using Number = Fixed<IntegerBits, F>;
@@ -101,14 +102,14 @@ struct MatrixProduct<Fixed<IntegerBits, F>, true> {
     }
 };
 
-// The axes of space that follow i = 0, 1, 2 in cyclic order.
+// The axes of space after and before i = 0, 1, 2 in cyclic order.
 constexpr uint8_t next_axis(uint8_t i) { return i == 2 ? uint8_t(0) : static_cast<uint8_t>(i + 1); }
 constexpr uint8_t last_axis(uint8_t i) { return i == 0 ? uint8_t(2) : static_cast<uint8_t>(i - 1); }
 
 // The cross product of two vectors, each component rounded once; the cofactors of a matrix, whose
-// row i is the cross product of the rows behind row i; and a rotation: v + w t + u x t, where
-// t = 2 u x v and (w, u) = q. `cross` is none of the factors, `cofactors` not m; `rotated` may be
-// v.
+// row i is the cross product of the two rows that follow row i; and a rotation, v + w t + u x t,
+// where t = 2 u x v and (w, u) = q. `cross` must not be a factor and `cofactors` must not be m;
+// `rotated` may be v.
 template <class Number>
 struct SpaceProduct {
     static void cross(const Number* a, const Number* b, Number* cross) {
@@ -134,7 +135,8 @@ struct SpaceProduct {
         for (uint8_t i = 0; i < 3; ++i) rotated[i] = turned[i];
     }
 };
-// By a call of a kernel for all three. Raws, unlike numbers, do not begin as 0.
+// With one kernel call for all three components. The arrays are of raws, since numbers would first
+// be set to 0.
 template <int F>
 struct SpaceProduct<Fixed<32 - F, F>> {
     using Number = Fixed<32 - F, F>;

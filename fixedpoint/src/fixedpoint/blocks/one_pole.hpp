@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// OnePole: the low-pass filter y += k (x - y) of the first order, with error feedback. Written by
-/// hand it stops short of its input, where k (x - y) rounds to 0: with k = 1/256 half a percent of
-/// the range away in Q8.8. This one always arrives.
+/// OnePole: the first-order low-pass filter y += k (x - y), with error feedback. Written by hand,
+/// it stops short of its input once k (x - y) rounds to 0: in Q8.8 with k = 1/256, half a percent
+/// of the range away. This one always arrives.
 #pragma once
 
 #include <fixedpoint/blocks/carried_error.hpp>
@@ -11,7 +11,7 @@
 namespace fixedpoint {
 
 /// \cond internal
-// The state of a filter, in the order of its kernel, and a step.
+// The state of a filter, in the order that its kernel expects, and one step.
 template <class Number>
 struct OnePoleState {
     Number coefficient;
@@ -34,21 +34,22 @@ struct OnePoleStep<Number, true> {
 };
 /// \endcond
 
-/// A low-pass filter with the time constant 1/k steps; the high-pass filter is x - y.
+/// A low-pass filter with a time constant of 1/k steps; x - y is the high-pass filter.
 ///
-/// For every input: the output stays between the smallest and the largest input, nothing overflows,
-/// and a constant input becomes the output exactly, without a limit cycle, where k is not 0. An x
-/// further from y than the largest number counts as if it were at that distance.
+/// For every input, the output stays between the smallest and the largest input, and nothing
+/// overflows. If k is not 0, a constant input is reached exactly, without a limit cycle. If x - y
+/// exceeds the range, it saturates.
 template <class Number>
 class OnePole {
   public:
-    /// The coefficient k is limited to 0..1: k = 1 - e^(-step / time constant).
+    /// The coefficient k is limited to [0, 1]; a time constant needs k = 1 - e^(-step / time
+    /// constant).
     explicit OnePole(Number coefficient, Number output = Number())
         : state_{limited(coefficient), CarriedError<Number>(), output} {}
 
     /// Takes the next input and returns the output.
     Number update(Number input) { return OnePoleStep<Number>::take(state_, input); }
-    /// What update returned last.
+    /// The last result of update, or the initial output.
     Number output() const { return state_.output; }
 
   private:

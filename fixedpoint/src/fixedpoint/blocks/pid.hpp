@@ -3,13 +3,13 @@
 /// Pid: a controller with proportional, integral and derivative action, limited output and
 /// anti-windup.
 ///
-/// - The derivative is that of the measurement, not of the error: a new setpoint would otherwise
+/// - The derivative is taken of the measurement, not of the error: a new setpoint would otherwise
 ///   kick the output.
 /// - Anti-windup is conditional integration: while the output is at a limit, the integral does not
 ///   move further towards it. Back-calculation would need a fourth gain and one more product, and
-///   drives the integral away from where it stopped.
-/// - The integral carries its rounding errors, so that an error too small for one step adds up:
-///   without, the loop would stop where integral gain times error rounds to 0.
+///   would drive the integral away from where it stopped.
+/// - The integral carries its rounding error, so an increment too small for one step still
+///   accumulates. Without that the loop would stall once integral gain times error rounds to 0.
 #pragma once
 
 #include <stddef.h>
@@ -22,16 +22,17 @@ namespace fixedpoint {
 /// The gains for one step of h seconds.
 template <class Number>
 struct PidGains {
-    /// Output per error.
+    /// Output per unit of error.
     Number proportional;
-    /// Output per error and step: the gain per second times h.
+    /// Output per unit of error and step: the gain per second times h.
     Number integral;
-    /// Output per change of the measurement in a step: the gain in seconds over h.
+    /// Output per change of the measurement in one step: the gain in seconds divided by h.
     Number derivative;
 };
 
 /// \cond internal
-// The state of a controller, in the order of its kernel, and a step. The numbers saturate.
+// The state of a controller, in the order that its kernel expects, and one step. The numbers
+// saturate.
 template <class Number>
 struct PidState {
     PidGains<Number> gains;
@@ -74,7 +75,7 @@ struct PidStep<Fixed<16, 16, Saturating>, true> {
                       offsetof(State, high) == 16 && offsetof(State, integral) == 20 &&
                       offsetof(State, measurement) == 24 && offsetof(State, carried) == 28 &&
                       offsetof(State, started) == 30,
-                  "avr/pid_q16_16.S");
+                  "The layout must be that of avr/pid_q16_16.S.");
     static Number take(PidState<Number>& state, Number setpoint, Number measurement) {
         return Number::from_raw(fixedpoint_pid_q16_16(setpoint.raw(), measurement.raw(), &state));
     }
@@ -83,13 +84,12 @@ struct PidStep<Fixed<16, 16, Saturating>, true> {
 
 /// A controller whose output stays in [low, high].
 ///
-/// For every input and every arithmetic: errors, changes, products and sums that leave the range
-/// stay at its end, so that nothing changes its sign; the integral stays in the range. Where low is
-/// above high, the output is low.
+/// For every input and in every arithmetic, errors, changes, products and sums saturate, so none
+/// changes its sign, and so does the integral. If low is above high, the output is low.
 template <class Number>
 class Pid {
   public:
-    /// The integral begins at 0.
+    /// The integral starts at 0.
     Pid(const PidGains<Number>& gains, Number low, Number high)
         : state_{{N::saturated(gains.proportional), N::saturated(gains.integral),
                   N::saturated(gains.derivative)},
@@ -100,7 +100,7 @@ class Pid {
                  CarriedError<Saturated>(),
                  false} {}
 
-    /// The output for the next step. The first measurement has no derivative.
+    /// The output for the next step. At the first call the derivative is 0.
     Number update(Number setpoint, Number measurement) {
         return N::plain(
             PidStep<Saturated>::take(state_, N::saturated(setpoint), N::saturated(measurement)));

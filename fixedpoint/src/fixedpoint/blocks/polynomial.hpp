@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// polynomial: a polynomial by Horner's rule in a format finer than that of its argument and
-/// result, so that one rounding is left, at the end.
+/// polynomial: Horner's rule in a format finer than that of the argument and the result, so that
+/// only the final rounding matters.
 #pragma once
 
 #include <fixedpoint/blocks/number.hpp>
@@ -23,11 +23,11 @@ struct HornerStep {
   private:
     Coefficient x_;
 };
-// A product of raws less the fraction bits of x has the format of p: x need not be converted. In 32
-// bits every such product has a kernel.
+// The product of two raws, shifted right by the fraction bits of x, has the format of p: x need not
+// be converted. In 32 bits every such product has a kernel.
 template <int IntegerBits, int F, class A, int CoefficientF>
 struct HornerStep<Fixed<IntegerBits, F, A>, Fixed<32 - CoefficientF, CoefficientF, A>> {
-    static_assert(IntegerBits + F <= 32, "Coefficients are at least as wide as the argument.");
+    static_assert(IntegerBits + F <= 32, "Coefficients must be at least as wide as the argument.");
     using Coefficient = Fixed<32 - CoefficientF, CoefficientF, A>;
     explicit HornerStep(Fixed<IntegerBits, F, A> x) : x_(x.raw()) {}
     Coefficient apply(Coefficient p, Coefficient c) const {
@@ -47,7 +47,7 @@ struct Horner {
         return sum;
     }
 };
-// By one call, of an x that Q16.16 holds.
+// In one call, if every x is a number of Q16.16.
 template <int IntegerBits, int F, int CoefficientF>
 struct Horner<Fixed<IntegerBits, F>, Fixed<32 - CoefficientF, CoefficientF>, true> {
     using Coefficient = Fixed<32 - CoefficientF, CoefficientF>;
@@ -70,12 +70,12 @@ struct HornerInKernel<Fixed<IntegerBits, F>, Fixed<32 - CoefficientF, Coefficien
 /// The sum of coefficient[i] x^i, computed in the format of the coefficients and rounded to that of
 /// x.
 ///
-/// With W, the coefficients' format: each of the N - 1 steps c + x p is rounded once. For |x| <= 1
-/// the error so is at most 1/2 ulp of the result and (N - 1)/2 ulp of W: with 8 more fraction bits
-/// in W, as Q8.24 has beside Q16.16 and Q16.16 beside Q8.8, below 0.52 ulp up to degree 9. What
-/// leaves the range of W, in between too, is as its arithmetic has it (Nearest: modulo 2^W); so is,
-/// in the conversion at the end, what leaves the range of x. Coefficients of 32 bits
-/// take an x of at most 32 bits as it is; others take x converted to W.
+/// Let W be the format of the coefficients. Each of the N - 1 steps c + x p is rounded once. For
+/// |x| <= 1 the error is therefore at most 1/2 ulp of the result plus (N - 1)/2 ulp of W: below
+/// 0.52 ulp up to degree 9 if W has 8 more fraction bits, as Q8.24 has compared with Q16.16, and
+/// Q16.16 with Q8.8. If an intermediate result is out of the range of W, or the final one out of
+/// the range of x, the arithmetic decides (Nearest: modulo 2^W). 32-bit coefficients are multiplied
+/// by x itself, which must have at most 32 bits; others by x converted to W.
 template <class Number, class Coefficient, uint16_t N>
 Number polynomial(Number x, const Table<Coefficient, N>& coefficient) {
     return BlockNumber<Number>::from(

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Quaternions for rotations in space, and the step that keeps them of length 1.
+/// Quaternions for rotations in space, and the step that keeps their length at 1.
 #pragma once
 
 #include <fixedpoint/blocks/number.hpp>
 
 namespace fixedpoint {
 
-/// The quaternion w + i x + j y + k z. One of length 1 is a rotation: by the angle a about the unit
-/// vector (u, v, t), cos(a/2) + sin(a/2) (i u + j v + k t).
+/// The quaternion w + i x + j y + k z. One of length 1 is a rotation: cos(a/2) + sin(a/2) (i u + j
+/// v + k t) rotates by the angle a about the unit vector (u, v, t).
 template <class Number>
 struct Quaternion {
     /// w, x, y, z.
@@ -45,9 +45,9 @@ struct QuaternionProduct<Fixed<32 - F, F>> {
 };
 /// \endcond
 
-/// The product a b: the rotation by b, then by a. Each part within 1 ulp, and rounded once in the
-/// default arithmetic of 32 bits; out of the range as the arithmetic has it. The format needs 3
-/// integer bits, the sign among them, for two of length 1.
+/// The product a b: the rotation by b, then by a. Each part is within 1 ulp, and rounded once in
+/// the default arithmetic in 32 bits. If a part is out of range, the arithmetic decides. For two
+/// quaternions of length 1 the format needs 3 integer bits, including the sign.
 template <class Number>
 Quaternion<Number> operator*(const Quaternion<Number>& a, const Quaternion<Number>& b) {
     Quaternion<Number> product;
@@ -55,17 +55,17 @@ Quaternion<Number> operator*(const Quaternion<Number>& a, const Quaternion<Numbe
     return product;
 }
 
-/// The conjugate, of a rotation the inverse; negatives of the smallest number as the arithmetic has
-/// them.
+/// The conjugate, which is the inverse of a rotation. If a part is the smallest number, the
+/// arithmetic decides on its negative.
 template <class Number>
 Quaternion<Number> conjugate(const Quaternion<Number>& a) {
     return {{a.part[0], -a.part[1], -a.part[2], -a.part[3]}};
 }
 
-/// a as a quaternion of length 1, by one step of Newton's method: a + a (1 - |a|^2) / 2. One of
-/// length 1 + d, d small, becomes one of length 1 - 3/2 d^2. After each product it keeps the length
-/// within 2 ulp of 1 for ever; it does not bring one back whose length is beyond sqrt(3), nor
-/// one whose squared length leaves the range.
+/// a scaled towards length 1 by one step of Newton's method: a + a (1 - |a|^2) / 2. For small d, a
+/// length of 1 + d becomes 1 - 3/2 d^2. Applied after each product, it keeps the length within 2
+/// ulp of 1 forever. It does not correct a length above sqrt(3), nor one whose square is out of
+/// range.
 template <class Number>
 Quaternion<Number> renormalised(const Quaternion<Number>& a) {
     using N = BlockNumber<Number>;
@@ -76,9 +76,10 @@ Quaternion<Number> renormalised(const Quaternion<Number>& a) {
     return result;
 }
 
-/// The vector v, rotated by q of length 1: v + w t + u x t, where t = 2 u x v and u is (x, y, z) of
-/// q. Each component is within 2.3 ulp and what q lacks in length, in the default arithmetic of 32
-/// bits within 1.4 ulp; the format needs to hold 4 |v|. `result` may be `v`.
+/// Writes the vector v, rotated by q, to `result`: v + w t + u x t, where t = 2 u x v and u is (x,
+/// y, z) of q. q must have length 1, and 4 |v| must be in range. Each component is within 2.3 ulp,
+/// or 1.4 ulp in the default arithmetic in 32 bits, plus the error that the length of q causes.
+/// `result` may be `v`.
 template <class Number>
 void rotate(const Quaternion<Number>& q, const Number (&v)[3], Number (&result)[3]) {
     SpaceProduct<Number>::rotate(q.part, v, result);

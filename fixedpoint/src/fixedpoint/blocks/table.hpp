@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Table: constants of a block that stay in program memory, where they take no RAM.
+/// Table: the constants of a block, in program memory, where they do not take RAM.
 #pragma once
 
 #include <fixedpoint/integer.hpp>
@@ -8,17 +8,17 @@
 
 namespace fixedpoint {
 
-/// N constants in program memory, for polynomials and interpolation. On the chip it is read there,
-/// and must have been placed there:
+/// N constants for polynomials and interpolation. On the chip a table is read from program memory,
+/// so it must be placed there:
 ///
 ///     static const Table<Q16_16, 3> table FIXEDPOINT_PROGRAM_MEMORY = {{1_q16_16, ...}};
 template <class Number, uint16_t N>
 struct Table {
-    static_assert(N >= 1, "A table has an entry.");
-    /// The entries, which on the chip only operator[] may read.
+    static_assert(N >= 1, "A table needs at least one entry.");
+    /// The entries. On the chip, read them only by operator[].
     Number entry[N];
 
-    /// The entry i, which must be less than N.
+    /// Entry i; i must be less than N.
     Number operator[](uint16_t i) const {
 #ifdef __AVR__
         using Bits = UnsignedInteger<8 * sizeof(Number)>;

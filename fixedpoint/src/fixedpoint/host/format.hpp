@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// fmt of fixed-point numbers, as format_specification.hpp says.
+/// Fixed-point numbers for fmt; format_specification.hpp describes the specification.
 #pragma once
 
 #include <fmt/format.h>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// What fmt and std::format have in common: {:[[fill]align][0][width][.decimals][f]}, aligned to
-/// the right by default; 0 fills with zeros behind the sign where no alignment is given, as for
-/// double. Without decimals it is the shortest text that reads back.
+/// The format specification for fmt and std::format: {:[[fill]align][0][width][.decimals][f]}.
+/// Numbers are right-aligned by default. As for double, 0 pads with zeros after the sign if no
+/// alignment is given. Without decimals the text is the shortest that reads back as the same
+/// number.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +12,7 @@
 namespace fixedpoint {
 
 /// \cond internal
-// A formatter of numbers that throws Error at what it does not know.
+// A formatter of numbers that throws Error at a specification it does not know.
 template <class Error>
 class NumberFormatter {
   public:

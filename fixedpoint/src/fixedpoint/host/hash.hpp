@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// std::hash of fixed-point numbers: that of the raw integer.
+/// std::hash of fixed-point numbers: the hash of the raw integer.
 #pragma once
 
 #include <fixedpoint/fixed.hpp>

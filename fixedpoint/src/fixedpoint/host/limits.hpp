@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
 /// std::numeric_limits of fixed-point numbers. As for the standard types, min() is the smallest
-/// positive number where there are fractions and the lowest one where there are none.
+/// positive number if there are fraction bits, and the lowest number if there are none.
 #pragma once
 
 #include <fixedpoint/fixed.hpp>
@@ -31,8 +31,8 @@ class std::numeric_limits<fixedpoint::Fixed<IntegerBits, F, A>> {
 
     static constexpr int radix = 2;
     static constexpr int digits = IntegerBits + F - 1;
-    /// The decimal digits that survive in front of the point and behind it; floor(n log10(2)) =
-    /// floor(3 n / 10) for n < 64.
+    /// The decimal digits before and after the point that survive a round trip; floor(n
+    /// log10(2)) = floor(3 n / 10) for n < 64.
     static constexpr int digits10 = (IntegerBits - 1) * 3 / 10 + F * 3 / 10;
     static constexpr int max_digits10 = 0;
     /// There is no exponent.
@@ -45,9 +45,10 @@ class std::numeric_limits<fixedpoint::Fixed<IntegerBits, F, A>> {
     static constexpr Number max() noexcept { return Number::max(); }
     static constexpr Number min() noexcept { return F == 0 ? Number::min() : Number::ulp(); }
     static constexpr Number denorm_min() noexcept { return min(); }
-    /// The distance between neighbours, the same everywhere in the range.
+    /// The distance between adjacent numbers, the same everywhere in the range.
     static constexpr Number epsilon() noexcept { return Number::ulp(); }
-    /// One half, the largest rounding error in ulp; without fraction bits there is no half.
+    /// One half, the largest rounding error in ulp; 0 if there are no fraction bits to represent
+    /// it.
     static constexpr Number round_error() noexcept {
         return Number::from_raw(static_cast<Raw>((fixedpoint::Unsigned<Raw>(1) << F) >> 1));
     }

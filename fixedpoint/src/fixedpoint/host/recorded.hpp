@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Recorded<double> and Recorded<Fixed<...>>: a number that computes as the number within, and
-/// records the exact result of every operation, before it is rounded and wrapped, by the line of
-/// the source on which the operation stands. Run your own data through your own code with it, and
-/// recording() tells which format would have held what:
+/// Recorded<double> and Recorded<Fixed<...>>: a wrapper that computes as the wrapped number does
+/// and records the exact result of every operation, before rounding and wrapping, by its source
+/// line. Run your own data through your own code with it, and recording() shows which format each
+/// line needs:
 ///
 ///     filter<Recorded<double>>(...);
 ///     for (const auto& line : recording().lines)
 ///         line.second.overflows(16), line.second.underflows(16);   // of Q16.16
 ///
-/// A dot product, a length and a multiply_add count by what they return alone, since the library's
-/// do not overflow within. "Exact" is double: to 53 bits. Each thread has a recording of its own.
+/// A dot product, a length and a multiply_add record only their result, since the library's do not
+/// overflow in between. "Exact" means computed in double, to 53 bits. Each thread has its own
+/// recording.
 #pragma once
 
 #include <cmath>
@@ -25,10 +26,10 @@
 
 namespace fixedpoint {
 
-/// The values that a variable or the operations of a line had.
+/// The values that a variable, or the operations of a source line, took.
 class Range {
   public:
-    /// Adds a value. One that is not finite overflows every format.
+    /// Adds a value. A value that is not finite overflows every format.
     void add(double x) {
         ++count_;
         if (x < least_) least_ = x;
@@ -40,38 +41,38 @@ class Range {
             ++exponents_[1024];
             return;
         }
-        // The most negative number of a format is a power of two, and half an ulp below 0 is
-        // rounded to 0: a negative power of two belongs to the smaller magnitudes.
+        // The most negative number of a format is a power of two, and -1/2 ulp is rounded to 0, so
+        // a negative power of two is counted with the smaller magnitudes.
         int exponent;
         const double mantissa = std::frexp(x, &exponent);
         ++exponents_[mantissa == -0.5 ? exponent - 2 : exponent - 1];
     }
 
-    /// How many values there were.
+    /// The number of values.
     std::uint64_t count() const { return count_; }
-    /// The lowest and the highest value.
+    /// The lowest and the highest value; infinity and -infinity if there were none.
     /// @{
     double least() const { return least_; }
     double greatest() const { return greatest_; }
     /// @}
-    /// The smallest magnitude other than 0; infinite where all were 0.
+    /// The smallest magnitude other than 0; infinite if all values were 0.
     double smallest() const { return smallest_; }
 
-    /// How many values lie outside of [-2^(integer_bits-1), 2^(integer_bits-1)).
+    /// The number of values outside [-2^(integer_bits-1), 2^(integer_bits-1)).
     std::uint64_t overflows(int integer_bits) const {
         std::uint64_t sum = 0;
         for (const auto& each : exponents_)
             if (each.first >= integer_bits - 1) sum += each.second;
         return sum;
     }
-    /// How many values other than 0 are rounded to 0.
+    /// The number of values other than 0 that would be rounded to 0.
     std::uint64_t underflows(int fraction_bits) const {
         std::uint64_t sum = 0;
         for (const auto& each : exponents_)
             if (each.first < -fraction_bits - 1) sum += each.second;
         return sum;
     }
-    /// The fewest integer bits, the sign among them, that hold all values.
+    /// The smallest number of integer bits, including the sign, with which no value overflows.
     int integer_bits() const {
         return exponents_.empty() || exponents_.rbegin()->first < 0
                    ? 1
@@ -83,30 +84,30 @@ class Range {
     double least_ = std::numeric_limits<double>::infinity();
     double greatest_ = -std::numeric_limits<double>::infinity();
     double smallest_ = std::numeric_limits<double>::infinity();
-    std::map<int, std::uint64_t> exponents_;  // of magnitudes: 2^k <= |x| < 2^(k+1)
+    std::map<int, std::uint64_t> exponents_;  // by k, where 2^k <= |x| < 2^(k+1)
 };
 
-/// All that Recorded numbers have told.
+/// Everything that Recorded numbers have recorded.
 struct Recording {
     /// By file and line.
     std::map<std::pair<std::string, int>, Range> lines;
-    /// By the name that watch() was given.
+    /// By the name passed to watch().
     std::map<std::string, Range> variables;
-    /// How often each operation was done: "add", "multiply", "sqrt", ...
+    /// How often each operation was executed: "add", "multiply", "sqrt", ...
     std::map<std::string, std::uint64_t> operations;
 };
 
-/// This thread's recording. Assign Recording() to begin anew.
+/// This thread's recording. Assign Recording() to start over.
 inline Recording& recording() {
     static thread_local Recording one;
     return one;
 }
 
-/// A number that records; the file says what.
+/// A number that records; the comment at the top of this file says what.
 template <class Value>
 class Recorded {
-    // The operand of an operation and the line on which that stands: operators take no default
-    // arguments, but conversions to their parameters do.
+    // The operand of an operation and the line of that operation. An operator cannot have default
+    // arguments, but the conversion to its parameter type can.
     struct Operand {
         Recorded number;
         const char* file;
@@ -119,15 +120,15 @@ class Recorded {
   public:
     /// The number 0.
     Recorded() : value_() {}
-    /// A number as it is within, which is not recorded.
+    /// Wraps a value, which is not recorded.
     explicit Recorded(Value value) : value_(value) {}
 
-    /// The number within.
+    /// The wrapped number.
     Value value() const { return value_; }
-    /// Its value.
+    /// The wrapped number as a double.
     explicit operator double() const { return to_double(value_); }
 
-    /// As the operations of the number within; each records.
+    /// The operations of the wrapped number; each is recorded.
     /// @{
     friend Recorded operator+(const Recorded& a, const Operand& b) {
         return recorded(b, "add", a.value_ + b.number.value_, double(a) + double(b.number));
@@ -150,7 +151,7 @@ class Recorded {
     Recorded& operator/=(const Operand& b) { return *this = *this / b; }
     /// @}
 
-    /// Compares the numbers within.
+    /// Compares the wrapped numbers.
     /// @{
     friend bool operator==(const Recorded& a, const Recorded& b) { return a.value_ == b.value_; }
     friend bool operator!=(const Recorded& a, const Recorded& b) { return a.value_ != b.value_; }
@@ -202,12 +203,13 @@ class Recorded {
 #undef FIXEDPOINT_RECORDED_FUNCTION
     /// \endcond
 
-    /// a b + c, of which the result alone is recorded.
+    /// a b + c, of which only the result is recorded.
     friend Recorded multiply_add(const Recorded& a, const Recorded& b, const Operand& c) {
         return recorded(c, "multiply_add", fused(a.value_, b.value_, c.number.value_),
                         double(a) * double(b) + double(c.number));
     }
-    /// The smaller, the larger, and a between two bounds, as of the numbers within.
+    /// The smaller, the larger, and a limited to two bounds, as for the wrapped numbers; not
+    /// recorded.
     /// @{
     friend Recorded min(const Recorded& a, const Recorded& b) { return b < a ? b : a; }
     friend Recorded max(const Recorded& a, const Recorded& b) { return a < b ? b : a; }
@@ -216,7 +218,7 @@ class Recorded {
     }
     /// @}
 
-    /// Records an operation that is not among these, on the line of the call.
+    /// Records an operation that is not one of these, by the line of the call.
     static Recorded of(const char* operation, Value value, double exact,
                        const char* file = __builtin_FILE(), int line = __builtin_LINE()) {
         return recorded(Operand(Recorded(), file, line), operation, value, exact);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// std::format of fixed-point numbers, as format_specification.hpp says, where the standard library
-/// has it (C++20, __cpp_lib_format); elsewhere nothing.
+/// Fixed-point numbers for std::format; format_specification.hpp describes the specification. Empty
+/// if the standard library does not have std::format (C++20, __cpp_lib_format).
 #pragma once
 
 #if __cplusplus >= 202002L

@@ -10,8 +10,8 @@
 
 namespace fixedpoint {
 
-/// With std::fixed, as many decimals as precision() says, 255 at most; otherwise the shortest text
-/// that reads back. Honours width, fill, left, right, internal and showpos.
+/// Writes the shortest text that reads back as the number or, with std::fixed, precision()
+/// decimals, 255 at most. Honours width, fill, left, right, internal and showpos.
 template <int IntegerBits, int F, class A>
 std::ostream& operator<<(std::ostream& stream, Fixed<IntegerBits, F, A> number) {
     const bool is_fixed = (stream.flags() & std::ios::floatfield) == std::ios::fixed;
@@ -26,8 +26,8 @@ std::ostream& operator<<(std::ostream& stream, Fixed<IntegerBits, F, A> number) 
     return stream << text;
 }
 
-/// Takes the longest run of characters that can begin a decimal number. As for float: malformed
-/// text gives 0, a number out of range the limit of the range, and both set failbit.
+/// Reads the longest run of characters that can begin a decimal number. As for float, malformed
+/// text gives 0, a number out of range gives the nearer limit, and both set failbit.
 template <int IntegerBits, int F, class A>
 std::istream& operator>>(std::istream& stream, Fixed<IntegerBits, F, A>& number) {
     const std::istream::sentry ready(stream);

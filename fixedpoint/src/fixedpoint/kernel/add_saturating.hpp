@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The dispatch of add_saturating and subtract_saturating. On the device one of 16 or 32 bits asks
-// the processor's overflow flag, in line; the compiler's code for the portable test takes several
-// times as long.
+// The dispatch of add_saturating and subtract_saturating. On the device, those of 16 and 32 bits
+// test the processor's overflow flag inline; the compiler's code for the portable test takes
+// several times as long.
 #pragma once
 
 #include <fixedpoint/portable/add_saturating.hpp>
@@ -18,10 +18,10 @@ constexpr Raw subtract_saturating(Raw a, Raw b) {
     return portable::subtract_saturating(a, b);
 }
 
-// clang has no operands of four registers.
+// clang does not support asm operands of four registers.
 #if defined(__AVR__) && !defined(__clang__) && !defined(FIXEDPOINT_NO_ASSEMBLY)
-// Where a + b overflows, both have the sign that the sum should have: that of b (`bst`) atop copies
-// of the wrong one.
+// If a + b overflows, a and b both have the sign of the exact sum, and the wrapped sum has the
+// wrong one. The result is the sign of b (`bst`) on top of copies of the wrong sign.
 inline int16_t sum_clamped(int16_t a, int16_t b) {
     asm("add %A0, %A1\n\t"
         "adc %B0, %B1\n\t"
@@ -54,8 +54,8 @@ inline int32_t sum_clamped(int32_t a, int32_t b) {
         : "r"(b));
     return a;
 }
-// Where a - b overflows, b has the wrong sign, that of the wrapped difference; there is a borrow
-// where it is negative.
+// If a - b overflows, b has the wrong sign, that of the wrapped difference; there is a borrow if
+// that is negative.
 inline int16_t difference_clamped(int16_t a, int16_t b) {
     asm("sub %A0, %A1\n\t"
         "sbc %B0, %B1\n\t"

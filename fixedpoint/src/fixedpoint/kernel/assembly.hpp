@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Whether the assembly kernels of avr/ are used, and how one takes the place of portable code.
+// Whether the assembly kernels of avr/ are used, and how a kernel replaces portable code.
 //
-// They need an AVR that multiplies in hardware; FIXEDPOINT_NO_ASSEMBLY turns them off. A program
-// that must not run without them defines FIXEDPOINT_ASSEMBLY.
+// They need an AVR with a hardware multiplier; FIXEDPOINT_NO_ASSEMBLY turns them off. A program
+// that must not be built without them defines FIXEDPOINT_ASSEMBLY.
 #pragma once
 
 #include <fixedpoint/constexpr.hpp>
@@ -19,9 +19,9 @@ constexpr bool has_assembly = false;
 #define FIXEDPOINT_CALLED_BY_KERNEL __attribute__((noinline))
 #endif
 
-// FIXEDPOINT_CALLED_BY_KERNEL: a function template that kernels jump to or call. Who calls such a
-// kernel says is_kept(function), which compiles the function; without, the program does not link.
-// It is always true.
+// FIXEDPOINT_CALLED_BY_KERNEL marks a function template that kernels jump to or call. The caller of
+// such a kernel must evaluate is_kept(function), which instantiates the function and is always
+// true; otherwise the program does not link.
 template <class Function>
 constexpr bool is_kept(Function*) {
     return true;
@@ -32,23 +32,23 @@ constexpr bool is_kept(Function*) {
 #ifdef FIXEDPOINT_ASSEMBLY
 static_assert(
     fixedpoint::kernel::has_assembly,
-    "FIXEDPOINT_ASSEMBLY asks for the assembly kernels, which there are for an AVR with a "
-    "hardware multiplier and without FIXEDPOINT_NO_ASSEMBLY.");
+    "FIXEDPOINT_ASSEMBLY asks for the assembly kernels, which need an AVR with a hardware "
+    "multiplier and exclude FIXEDPOINT_NO_ASSEMBLY.");
 #endif
 
 // FIXEDPOINT_DISPATCH(shape, operation, Raw, F, symbol, implementation), a row of kernel/table.hpp,
 // makes kernel::operation<Raw, F> call `symbol` at run time, and portable::implementation<Raw, F>
-// in constant expressions. How the two are told apart depends on the compiler:
+// in constant expressions. How the two cases are distinguished depends on the compiler:
 //
 // GCC from 9 and clang from 9 have __builtin_is_constant_evaluated.
 //
 // GCC 5 to 7 do not. Their gnu_inline gives `symbol` a body for constant expressions that is never
-// compiled into the program. noinline and noclone keep the optimiser from using it at run time; a
-// section of its own, from taking it for another symbol whose body is the same (sqrt and
-// sqrt_small), for which no_icf does not suffice.
+// compiled into the program. noinline and noclone keep the optimiser from using it at run time. A
+// section of its own keeps the optimiser from merging it with another symbol that has the same body
+// (sqrt and sqrt_small), which no_icf does not prevent.
 //
-// GCC 8 refuses that pair of attributes, and C++11 has no such constant expressions: there is only
-// the call, so that what would be a constant is computed at run time.
+// GCC 8 rejects that combination of attributes, and C++11 does not allow such constant expressions.
+// There, only the call remains, and what would be a constant is computed at run time.
 #if __cplusplus < 201402L || (__GNUC__ == 8 && !defined(__clang__))
 #define FIXEDPOINT_DECLARE_KERNEL(shape, Raw, F, symbol, implementation) \
     FIXEDPOINT_RESULT_##shape(Raw) symbol FIXEDPOINT_PARAMETERS_##shape(Raw);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The angle of a vector of Q32.32 in degrees: results have nine bits before the point, for which
-// the angle in radians has too few behind it.
+// The angle of a vector of Q32.32 in degrees. Results have up to nine bits before the point, so the
+// angle in radians does not have enough fraction bits to scale it.
 #pragma once
 
 #include <fixedpoint/kernel/dispatch.hpp>
@@ -10,7 +10,7 @@ namespace fixedpoint {
 namespace kernel {
 namespace q32_32 {
 
-// A number of 64 bits in two words: the chip shifts those by bytes without a call.
+// A 64-bit number in two words, which the chip can shift by bytes without a call.
 struct Words {
     uint32_t high, low;
 
@@ -25,14 +25,14 @@ FIXEDPOINT_CONSTEXPR Words words(uint64_t a) {
 
 constexpr uint16_t upper_half(uint32_t a) { return static_cast<uint16_t>(a >> 16); }
 
-// 32 a + i b. Needs i from 0 to 32.
+// 32 a + i b. i must be in 0..32.
 FIXEDPOINT_CONSTEXPR uint32_t sum_of_multiples(uint16_t a, uint8_t i, uint16_t b) {
     return (static_cast<uint32_t>(a) << 5) + static_cast<uint32_t>(b) * i;
 }
 
-// Of height / width up to 1, in units of 2^-48 degrees. With i / 32 next to the ratio, it is
-// atan(i / 32) + atan(d), d = (32 height - i width) / (32 width + i height), |d| < 2^-5.9, and
-// atan(d) = d - d^3 (1/3 - d^2/5 + d^4/7). Needs height <= width < 2^63, not 0.
+// The arc tangent of height / width in units of 2^-48 degrees. Requires height <= width < 2^63 and
+// width > 0. With i / 32 nearest to the ratio, it is atan(i / 32) + atan(d), d = (32 height - i
+// width) / (32 width + i height), |d| < 2^-5.9, and atan(d) = d - d^3 (1/3 - d^2/5 + d^4/7).
 FIXEDPOINT_CONSTEXPR uint64_t degrees_of_ratio(Words height, Words width) {
     while (width.high < uint32_t(1) << 23) {
         width.up();
@@ -69,7 +69,7 @@ FIXEDPOINT_CONSTEXPR uint64_t degrees_of_ratio(Words height, Words width) {
            static_cast<uint64_t>(multiply<int64_t, 32>(d - bend, degrees_per_radian));
 }
 
-// |a|, of the smallest number 1 less.
+// |a|, or 1 less if a is the smallest number.
 FIXEDPOINT_CONSTEXPR uint64_t below_2_63(int64_t a) {
     return magnitude(a == RawLimits<int64_t>::min ? -RawLimits<int64_t>::max : a);
 }

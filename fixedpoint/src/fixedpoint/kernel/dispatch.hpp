@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Which code an operation of a format runs through: kernel::operation<Raw, F>.
+// Which code runs for an operation in a format: kernel::operation<Raw, F>.
 //
-// A format with an assembly kernel of its own (table.hpp) calls that. Here is what the others do:
-// narrow formats borrow the kernels of Q16.16, and those of 64 bits some of Q32.32, where those are
-// exact enough, and all else runs the portable implementation.
+// A format with an assembly kernel of its own (table.hpp) calls that. This file says what the
+// others do: narrow formats use the kernels of Q16.16, and 64-bit formats some of Q32.32, if those
+// are accurate enough; everything else runs the portable implementation.
 #pragma once
 
 #include <fixedpoint/kernel/assembly.hpp>
@@ -41,7 +41,7 @@
 #include <fixedpoint/portable/split_64.hpp>
 #include <fixedpoint/portable/sqrt.hpp>
 
-// Every operation is declared first, so that the kernels are known before anything calls one.
+// Every operation is declared first, since a kernel must be known before anything calls it.
 namespace fixedpoint {
 namespace kernel {
 #define FIXEDPOINT_OPERATION(shape, operation)          \
@@ -140,29 +140,29 @@ FIXEDPOINT_KERNELS(FIXEDPOINT_DISPATCH)
 namespace fixedpoint {
 namespace kernel {
 
-// Functions of the formats of 8 and 16 bits go through Q16.16, which holds all their numbers: its
-// kernels are many times faster than the portable code of a narrow format, and exact enough. An
-// error of e ulp in Q16.16 leaves 1/2 + e 2^(F-16) ulp after the rounding to F fraction bits: at
+// Functions of 8- and 16-bit formats go through Q16.16, which represents all their numbers: its
+// kernels are many times faster than the portable code of a narrow format, and accurate enough. An
+// error of e ulp in Q16.16 becomes 1/2 + e 2^(F-16) ulp after the rounding to F fraction bits: at
 // most 0.6 ulp for e < 0.8 and F <= 13.
 template <class Raw, int F>
 constexpr bool through_q16_16() {
     return sizeof(Raw) <= 2 && F <= 13;
 }
 
-// The functions of Q8.8 have kernels of their own, but for the small variants; so have sine, cosine
-// and logarithm of the coarser splits of 16 bits.
+// The functions of Q8.8 have kernels of their own, except the small variants. So have sine, cosine
+// and logarithm in the coarser 16-bit formats.
 template <class Raw, int F>
 constexpr bool is_q8_8() {
     return sizeof(Raw) == 2 && F == 8;
 }
 
-// a as Q16.16, exact. Precondition: through_q16_16<Raw, F>().
+// a in Q16.16, exact. Requires through_q16_16<Raw, F>().
 template <class Raw, int F>
 constexpr int32_t to_q16_16(Raw a) {
     return portable::convert<int32_t, 16, Raw, F>(a);
 }
 
-// a rounded to F fraction bits and clamped.
+// a rounded to F fraction bits and saturated.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw from_q16_16(int32_t a) {
     return portable::convert_clamped<Raw, F, int32_t, 16>(a).number;
@@ -181,20 +181,20 @@ FIXEDPOINT_THROUGH_Q16_16(cos_small, false)
 FIXEDPOINT_THROUGH_Q16_16(atan_small, false)
 #undef FIXEDPOINT_THROUGH_Q16_16
 
-// Angles of vectors and logarithms of the formats of 64 bits need no more than those of Q32.32,
-// whatever the numbers' units: e ulp there leave 1/2 + e 2^(F-32) ulp, at most 0.66 for F <= 30.
+// For angles of vectors and logarithms in 64-bit formats, Q32.32 is enough, whatever the units of
+// the operands: an error of e ulp there becomes 1/2 + e 2^(F-32) ulp, at most 0.66 for F <= 30.
 template <class Raw, int F>
 constexpr bool through_q32_32() {
     return sizeof(Raw) == 8 && F <= 30;
 }
-// a rounded to F fraction bits. Precondition: through_q32_32<Raw, F>().
+// a rounded to F fraction bits. Requires through_q32_32<Raw, F>().
 template <class Raw, int F>
 constexpr Raw from_q32_32(int64_t a) {
     return portable::convert<Raw, F, int64_t, 32>(a);
 }
 
-// Those of the splits of 64 bits with 31 to 56 fraction bits take that number as an operand; of the
-// finest ones they are portable code.
+// In 64-bit formats with 31 to 56 fraction bits, the kernels take that number as an operand; finer
+// formats use portable code.
 template <class Raw, int F, bool is_fine = portable::is_fine_split<Raw, F>()>
 struct FineSplit {
     static constexpr Raw sin(Raw a) { return portable::sin<Raw, F>(a); }
@@ -230,7 +230,8 @@ FIXEDPOINT_CONSTEXPR Raw atan(Raw a) {
                : FineSplit<Raw, F>::atan(a);
 }
 
-// So do sines, of angles that Q32.32 holds; larger ones are reduced in their own units.
+// Sines go through Q32.32 too, for angles that it can represent; larger angles are reduced in their
+// own units.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR bool is_angle_of_q32_32(Raw angle) {
     const int32_t upper = static_cast<int32_t>(upper_word(static_cast<uint64_t>(angle)));
@@ -261,7 +262,7 @@ FIXEDPOINT_SINE(sin, 0)
 FIXEDPOINT_SINE(cos, portable::one_quarter_turn_q32_32)
 #undef FIXEDPOINT_SINE
 
-// 2^(3 F / 2) / sqrt(a) from 2^48 / sqrt(a), or, where F is odd, from that of 2 a or a / 2.
+// 2^(3 F / 2) / sqrt(a) from 2^48 / sqrt(a) or, if F is odd, from that of 2 a or a / 2.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw reciprocal_sqrt_through_q32_32(int64_t a) {
     constexpr int exponent = 3 * F / 2;
@@ -271,9 +272,10 @@ FIXEDPOINT_CONSTEXPR Raw reciprocal_sqrt_through_q32_32(int64_t a) {
     return from_q32_32<Raw, exponent - 15>(
         reciprocal_sqrt<int64_t, 32>(static_cast<int64_t>(static_cast<uint64_t>(a) << 1)));
 }
-// With more fraction bits, that is a quotient by the root of a 4^pairs, which has so many bits that
-// its rounding takes 1/8 ulp at most below 2^60. Larger results are that of 4^-bits_left and a step
-// of Newton's method. Q32.32 has a kernel of its own.
+// With more fraction bits, the reciprocal root is a quotient by the root of a 4^pairs, which has
+// enough bits that its rounding costs at most 1/8 ulp for results below 2^60. Larger results are
+// computed without their last `left` bits and refined by one step of Newton's method. Q32.32 has a
+// kernel of its own.
 template <class Raw, int F, bool by_root = sizeof(Raw) == 8 && (F > 30) && F != 32>
 struct FineReciprocalSqrt {
     static FIXEDPOINT_CONSTEXPR Raw apply(Raw a) { return portable::reciprocal_sqrt<Raw, F>(a); }
@@ -300,11 +302,11 @@ struct FineReciprocalSqrt<int64_t, F, true> {
     }
 
   private:
-    // r 2^left + r 2^left h / 2, where a r^2 is 2^(180 + F % 2) (1 - h).
+    // r 2^left (1 + h / 2), where a r^2 = 2^(180 + F % 2) (1 - h).
     static FIXEDPOINT_CONSTEXPR int64_t refined(uint64_t a, uint64_t r, uint8_t left) {
         constexpr int64_t largest = RawLimits<int64_t>::max;
         if (r > uint64_t(1) << (63 - left)) return largest;
-        // r^2 in four words, the lowest of which does not count.
+        // r^2 in four words, of which the lowest is dropped.
         const uint32_t r1 = upper_word(r), r0 = static_cast<uint32_t>(r);
         const uint64_t middle = 2 * multiply_words(r1, r0) + upper_word(multiply_words(r0, r0));
         const uint64_t upper = multiply_words(r1, r1) + upper_word(middle);
@@ -312,7 +314,7 @@ struct FineReciprocalSqrt<int64_t, F, true> {
         const uint32_t upper1 = upper_word(upper), upper0 = static_cast<uint32_t>(upper);
         const uint32_t above = upper_word(multiply_words(a0, upper0)) + a1 * upper0 + a0 * upper1 +
                                upper_word(multiply_words(a1, static_cast<uint32_t>(middle)));
-        // h in units of 2^-72, of 2^-73 where F is odd.
+        // h in units of 2^-72, or of 2^-73 if F is odd.
         const int32_t h = -(static_cast<int32_t>(above) >> 12);
         const int32_t change = static_cast<int32_t>(r1 >> 16) * h;
         const uint64_t result =
@@ -328,7 +330,7 @@ FIXEDPOINT_CONSTEXPR Raw reciprocal_sqrt(Raw a) {
            : through_q32_32<Raw, F>() ? reciprocal_sqrt_through_q32_32<Raw, F>(a)
                                       : FineReciprocalSqrt<Raw, F>::apply(a);
 }
-// The logarithm of a number of 2^-F as one of 2^-32 is (32 - F) ln 2 too small.
+// Read in units of 2^-32 instead of 2^-F, a number has a logarithm that is (32 - F) ln 2 too small.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw log(Raw a) {
     constexpr int64_t ln2 = 24973259072661437;  // 2^-55
@@ -450,8 +452,8 @@ FIXEDPOINT_CONSTEXPR Raw atan2_64(Raw y, Raw x, uint8_t fraction) {
     return portable::atan2_64<Raw, F>(y, x, fraction);
 }
 
-// Every split of 64 bits has one product, one quotient and one root, whose fraction bits are an
-// operand, and one exponential function. Those of Q32.32 are its own.
+// All 64-bit formats share one product, quotient, root, dot product and exponential function, which
+// take the fraction bits as an operand. Q32.32 has its own.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw multiply_64(Raw a, Raw b, uint8_t fraction) {
     return portable::multiply_64<Raw, F>(a, b, fraction);
@@ -472,7 +474,7 @@ template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw dot_64(const Raw* a, const Raw* b, uint8_t n, uint8_t fraction) {
     return portable::dot_64<Raw, F>(a, b, n, fraction);
 }
-// The portable code where there are no kernels.
+// The portable code if there are no kernels.
 template <class Raw, int F, bool by_kernels = has_assembly && sizeof(Raw) == 8>
 struct Split {
     static FIXEDPOINT_CONSTEXPR Raw multiply(Raw a, Raw b) {
@@ -506,7 +508,7 @@ FIXEDPOINT_CONSTEXPR Raw exp(Raw a) {
                ? from_q16_16<Raw, F>(exp<int32_t, 16>(to_q16_16<Raw, F>(a)))
                : Split<Raw, F>::exp(a);
 }
-// Of |a| < 1/4 and 0 <= b < 2.
+// Requires |a| < 1/4 and 0 <= b < 2.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw multiply_short(Raw a, Raw b) {
     return multiply<Raw, F>(a, b);
@@ -520,8 +522,8 @@ FIXEDPOINT_CONSTEXPR Raw multiply_add(Raw a, Raw b, Raw c) {
     return wrapping_add(multiply<Raw, F>(a, b), c);
 }
 
-// a + t (b - a), rounded once, modulo 2^W. Where b - a leaves the range, 2^W is missing from it or
-// too much, which t makes t 2^(W-F).
+// a + t (b - a), rounded once, modulo 2^W. If b - a is out of range, the wrapped difference is 2^W
+// too small or too large, which the product with t turns into t 2^(W-F).
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw wrapping_lerp(Raw a, Raw b, Raw t) {
     const Raw difference = wrapping_subtract(b, a);
@@ -533,7 +535,7 @@ FIXEDPOINT_CONSTEXPR Raw wrapping_lerp(Raw a, Raw b, Raw t) {
     return multiply_add<Raw, F>(t, difference, start);
 }
 
-// Formats of 8 and 16 bits have the quotient a 2^16 / (b 2^(16 - F)) of Q16.16, rounded once.
+// In formats of 8 and 16 bits, the quotient is that of a and b 2^(16 - F) in Q16.16, rounded once.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw divide(Raw a, Raw b) {
     return has_assembly && sizeof(Raw) <= 2
@@ -542,7 +544,7 @@ FIXEDPOINT_CONSTEXPR Raw divide(Raw a, Raw b) {
                      static_cast<int32_t>(b) * (int32_t(1) << (F < 16 ? 16 - F : 0))))
                : Split<Raw, F>::divide(a, b);
 }
-// Once in a program, however many quotients it takes.
+// noinline: once in a program, however many quotients it computes.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR __attribute__((noinline)) Raw divide_small(Raw a, Raw b) {
     return portable::divide_small<Raw, F>(a, b);
@@ -560,7 +562,7 @@ FIXEDPOINT_CONSTEXPR Raw remainder(Raw a, Raw b) {
                               : static_cast<Raw>(remainder<int8_t, 4>(static_cast<int8_t>(a),
                                                                       static_cast<int8_t>(b)));
 }
-// Nor do divrem and divmod. Up to 16 bits the compiler divides as fast.
+// Neither do divrem and divmod. Up to 16 bits the compiler's division is as fast.
 #define FIXEDPOINT_DIVISION(operation)                                                        \
     template <class Raw>                                                                      \
     FIXEDPOINT_CONSTEXPR void raw_##operation(Raw a, Raw b, Raw* pair) {                      \
@@ -580,7 +582,7 @@ FIXEDPOINT_DIVISION(divrem)
 FIXEDPOINT_DIVISION(divmod)
 #undef FIXEDPOINT_DIVISION
 
-// Neither do these. Up to 32 bits the compiler's code is as good.
+// Nor do these. Up to 32 bits the compiler's code is as good.
 #define FIXEDPOINT_OF_64_BITS(operation)                                                           \
     template <class Raw, int F>                                                                    \
     FIXEDPOINT_CONSTEXPR Raw operation(Raw a, Raw b) {                                             \
@@ -593,7 +595,7 @@ FIXEDPOINT_OF_64_BITS(copysign)
 FIXEDPOINT_OF_64_BITS(abs_diff)
 #undef FIXEDPOINT_OF_64_BITS
 
-// Formats of 8 and 16 bits have the root of the integer a 2^F, rounded once.
+// In formats of 8 and 16 bits, the root is that of the integer a 2^F, rounded once.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw sqrt(Raw a) {
     return has_assembly && sizeof(Raw) <= 2
@@ -653,7 +655,7 @@ FIXEDPOINT_CONSTEXPR void cofactors(const Raw* m, Raw* result) {
     portable::cofactors<Raw, F>(m, result);
 }
 
-// dot2 and dot3, where a is mostly a unit vector.
+// dot2 and dot3; their kernels are fastest if a is a unit vector.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw project2(const Raw* a, const Raw* b) {
     return dot2<Raw, F>(a, b);
@@ -662,7 +664,7 @@ template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw project3(const Raw* a, const Raw* b) {
     return dot3<Raw, F>(a, b);
 }
-// The dot product of a vector and itself.
+// The dot product of a vector with itself.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw square2(const Raw* v) {
     return project2<Raw, F>(v, v);
@@ -672,7 +674,7 @@ FIXEDPOINT_CONSTEXPR Raw square3(const Raw* v) {
     return project3<Raw, F>(v, v);
 }
 
-// The portable sentences, by the kernels of this format's dot product and products.
+// As the portable functions, but with this format's kernels for dot products and products.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw dot_difference2(const Raw* n, const Raw* u, const Raw* v) {
     const Raw difference[2] = {wrapping_subtract(u[0], v[0]), wrapping_subtract(u[1], v[1])};
@@ -711,8 +713,8 @@ FIXEDPOINT_CONSTEXPR void exchange3(Raw* a, Raw* b, const Raw* v, Raw factor) {
     exchange1<Raw, F>(a + 2, b + 2, v[2], factor);
 }
 
-// The fraction bits cancel: a width has one length, the kernel of its square split, which rounds to
-// nearest as the portable code does.
+// The fraction bits cancel, so a width needs only one length: the kernel of its format with equal
+// integer and fraction bits, which rounds to nearest as the portable code does.
 #define FIXEDPOINT_LENGTH(length, Raw, F) \
     FIXEDPOINT_CONSTEXPR Raw raw_##length(const Raw* v) { return length<Raw, F>(v); }
 FIXEDPOINT_LENGTH(length2, int8_t, 4)
@@ -751,7 +753,7 @@ struct Normalisation<Raw, F, false> {
         portable::normalise3<Raw, F>(v, unit);
     }
 };
-// Without assembly; with it, the kernel takes this place.
+// Used only without assembly; with it, normalise3 of Q16.16 is a kernel.
 template <>
 struct Normalisation<int32_t, 16, true> : Normalisation<int32_t, 16, false> {};
 

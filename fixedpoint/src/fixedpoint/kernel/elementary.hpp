@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The elementary functions as compositions of kernels: all splits of 32 bits from 9 to 24 fraction
-// bits have them but for tan and pow, which begin at 16, and Q32.32 (elementary_q32_32.hpp); those
-// of 64 bits from 31 to 52 have the logarithms (elementary_fine.hpp). The others have the portable
-// code of portable/elementary.hpp. All are faithful (error below 0.75 ulp). exp2, log2, asin and
-// acos of Q16.16 have kernels of their own.
+// The elementary functions as compositions of kernels. They exist for the 32-bit formats with 9 to
+// 24 fraction bits (tan and pow with 16 to 24) and for Q32.32 (elementary_q32_32.hpp); the 64-bit
+// formats with 31 to 52 fraction bits have the logarithms (elementary_fine.hpp). All other formats
+// use the portable code of portable/elementary.hpp. All are faithful (error below 0.75 ulp). exp2,
+// log2, asin and acos of Q16.16 have kernels of their own.
 //
-// The kernel of a finer format has the bits behind an ulp that a function of its result asks for:
-// its own error, and what a composition adds before it rounds, stays below 0.2 ulp. Powers come
-// from exp_wide, as no split of 32 bits has digits enough for them.
+// The kernel of a finer format supplies the guard bits: its error and the error that the
+// composition adds before the final rounding stay below 0.2 ulp together. Powers come from
+// exp_wide, since no 32-bit format has enough digits for them.
 #pragma once
 
 #include <fixedpoint/kernel/dispatch.hpp>
@@ -22,7 +22,7 @@ namespace kernel {
 using portable::Evaluation;
 using portable::Outcome;
 
-// First where a condition holds, else Second.
+// First if the condition is true, else Second.
 template <class First, class Second, bool condition>
 struct Choice {
     using Type = First;
@@ -34,7 +34,7 @@ struct Choice<First, Second, false> {
 
 namespace composed {
 
-// What a composition serves: the splits of 32 bits with so many fraction bits.
+// The formats that a composition serves: those of 32 bits with least..most fraction bits.
 template <int least, int most>
 struct Splits {
     template <class Raw, int F>
@@ -43,17 +43,17 @@ struct Splits {
     }
 };
 
-// a with 40 fraction bits, of F.
+// a, with F fraction bits, with 40.
 template <int F>
 constexpr int64_t with_40_bits(int64_t a) {
     return a * (int64_t(1) << (40 - F));
 }
-// a 2^-drop, rounded half up; half a unit more fits.
+// a 2^-drop, rounded half up. a + 2^(drop-1) must not overflow.
 template <int drop, class Integer>
 constexpr Integer rounded(Integer a) {
     return drop == 0 ? a : (a + (Integer(1) << (drop > 0 ? drop - 1 : 0))) >> drop;
 }
-// A magnitude in units of 2^-32 as the number it is nearest to, saturated.
+// A magnitude in units of 2^-32 and a sign, rounded to the nearest number and saturated.
 FIXEDPOINT_IN_PLACE Evaluation<int32_t> rounded_power(uint64_t magnitude, bool negative) {
     const uint32_t limit = uint32_t(RawLimits<int32_t>::max) + (negative ? 1 : 0);
     const uint32_t whole = static_cast<uint32_t>(magnitude >> 32);
@@ -89,7 +89,7 @@ struct Expm1 : Splits<9, 24> {
     static FIXEDPOINT_IN_PLACE Evaluation<Raw> apply(Raw a) {
         const uint64_t one = uint64_t(1) << (32 + F);
         const uint64_t power = exp_wide<int64_t, 40>(with_40_bits<F>(a), F);
-        // The error of a power next to 1 must not change the sign.
+        // The error of a power close to 1 must not change the sign.
         const bool negative = power < one;
         return rounded_power(negative ? one - power : power - one, negative);
     }
@@ -113,7 +113,7 @@ struct Cosh : Splits<9, 24> {
         return rounded_power(power + exp_wide<int64_t, 40>(-x, F - 1), false);
     }
 };
-// (1 - e^-2|a|) / (1 + e^-2|a|), of the sign of a.
+// (1 - e^-2|a|) / (1 + e^-2|a|), with the sign of a.
 struct Tanh : Splits<9, 24> {
     template <class Raw, int F>
     static FIXEDPOINT_IN_PLACE Evaluation<Raw> apply(Raw a) {
@@ -130,7 +130,7 @@ struct Tanh : Splits<9, 24> {
     }
 };
 
-// Logarithms. That of a 2^-fraction, in units of 2^-fraction:
+// Logarithms. `of` is that of a 2^-fraction, in units of 2^-fraction:
 
 template <class Wide>
 struct NaturalLogarithm;
@@ -146,13 +146,13 @@ struct NaturalLogarithm<int32_t> {
 template <>
 struct NaturalLogarithm<int64_t> {
     static constexpr int fraction = 32, scale = 32;
-    static constexpr int64_t ln2_11_times = 32747489190;  // less than 0.02 off
+    static constexpr int64_t ln2_11_times = 32747489190;  // within 0.02 units
     static FIXEDPOINT_CONSTEXPR int64_t of(uint64_t a) {
         return a >> 63 != 0 ? log<int64_t, 32>(static_cast<int64_t>(a >> 11)) + ln2_11_times
                             : log<int64_t, 32>(static_cast<int64_t>(a));
     }
 };
-// That of a 2^-F, `excess` ln 2 more, in the same units.
+// The logarithm of a 2^-F, which is `excess` ln 2 more, in the same units.
 template <int F>
 struct LogarithmOf {
     using Wide = typename Choice<int32_t, int64_t, (F <= 16)>::Type;
@@ -163,7 +163,7 @@ struct LogarithmOf {
                static_cast<Wide>((excess * ln2_48 + (int64_t(1) << (47 - fraction))) >>
                                  (48 - fraction));
     }
-    // To the base b, with 1 / ln b in units of 2^-34 and the logarithm of 2 in units of 2^-32.
+    // To base b, given 1 / ln b in units of 2^-34 and log_b 2 in units of 2^-32.
     template <int64_t per_ln_b, int64_t log_b_of_2>
     static FIXEDPOINT_CONSTEXPR Wide to_base(Unsigned<Wide> a) {
         constexpr int scale = NaturalLogarithm<Wide>::scale, drop = 34 - scale;
@@ -198,7 +198,7 @@ struct Log10 : Splits<9, 24> {
                 static_cast<Unsigned<Raw>>(a)));
     }
 };
-// 1 + a fits the unsigned number.
+// As an unsigned number, 1 + a always fits.
 struct Log1p : Splits<9, 24> {
     template <class Raw, int F>
     static FIXEDPOINT_IN_PLACE Evaluation<Raw> apply(Raw a) {
@@ -208,7 +208,7 @@ struct Log1p : Splits<9, 24> {
             LogarithmOf<F>::natural(one + static_cast<Unsigned<Raw>>(a)));
     }
 };
-// e^(ln |a| / 3), of the sign of a.
+// e^(ln |a| / 3), with the sign of a.
 struct Cbrt : Splits<9, 24> {
     template <class Raw, int F>
     static FIXEDPOINT_IN_PLACE Evaluation<Raw> apply(Raw a) {
@@ -221,8 +221,8 @@ struct Cbrt : Splits<9, 24> {
 
 // Angles.
 
-// The right triangle of a number a 2^-F below 1 and the root of 1 less its square, which is exact:
-// sides in units of 2^-side, angles in units of 2^-angle. a is not 0.
+// The right triangle with the legs a 2^-F < 1 and sqrt(1 - (a 2^-F)^2), whose radicand is exact.
+// Sides are in units of 2^-side, angles in units of 2^-angle. a must not be 0.
 template <class Raw>
 struct Triangle;
 template <>
@@ -285,7 +285,7 @@ struct Acos : Splits<9, 28> {
                              a);
     }
 };
-// Whether the arc functions of Q16.16 have a value there, whose kernels are their own.
+// The outcome of the arc functions of Q16.16, which have kernels of their own.
 constexpr Outcome arc_outcome_q16_16(int32_t a) {
     return portable::beyond_one<int32_t, 16>(a) ? Outcome::domain_error : Outcome::in_range;
 }
@@ -298,8 +298,9 @@ FIXEDPOINT_IN_PLACE Evaluation<int32_t> Acos::apply<int32_t, 16>(int32_t a) {
     return {acos<int32_t, 16>(a), arc_outcome_q16_16(a)};
 }
 
-// Beside a pole the tangent is 1 / rest - rest (1/3 + rest^2 / 45 + 2 rest^4 / 945 + ...). With few
-// fraction bits a rest below 2^-5 needs but the first term, with more one below 3/8 the first four.
+// Near a pole the tangent is 1 / rest - rest (1/3 + rest^2 / 45 + 2 rest^4 / 945 + ...). With few
+// fraction bits, a rest below 2^-5 needs only the first term; with more, a rest below 3/8 needs the
+// first four.
 template <int F, bool few = (F <= 16)>
 struct Pole {
     static constexpr int32_t reach = int32_t(1) << 26;  // 2^-31
@@ -315,8 +316,8 @@ struct Pole<F, false> {
         return 1431655765 + multiply<int32_t, 32>(square, second);                  // 2^-32
     }
 };
-// `rest` is the angle from the nearest whole number of quarter turns, in units of 2^-63: of |a|, as
-// the tangent of a differs from that by no more than its sign.
+// `rest` is the distance of |a| from the nearest multiple of a quarter turn, in units of 2^-31,
+// with 32 more bits in `fine`. Working on |a| is enough: the tangent of a differs only in its sign.
 struct Tan : Splits<16, 24> {
     template <class Raw, int F>
     static FIXEDPOINT_IN_PLACE Evaluation<Raw> apply(Raw a) {
@@ -328,7 +329,8 @@ struct Tan : Splits<16, 24> {
         const int16_t nearest = static_cast<int16_t>(rounded<F>(turns));
         const uint16_t quarters = static_cast<uint16_t>(below_zero ? -nearest : nearest);
         const uint32_t positive = magnitude(a);
-        // |a| 2^(31 - F), modulo 2, by whole bytes and a bit.
+        // |a| 2^(31 - F) modulo 2^32, in two parts: the compiler shifts by whole bytes and by a bit
+        // faster.
         const uint32_t angle =
             (positive >> 1) << (32 - F) | ((positive & 1) != 0 ? uint32_t(1) << (31 - F) : 0);
         const uint64_t low = uint64_t(quarters) * half_pi_low;
@@ -355,9 +357,9 @@ struct Tan : Splits<16, 24> {
     }
 };
 
-// x^y = e^(y ln x). The logarithm is as exact as the largest y asks for: in units of 2^-56 and,
-// near 1, within 2^-45 of itself. A factor of the table brings x near 1, to 1 + s, |s| < 0.016,
-// whose logarithm is s - s^2 (1/2 - s/3 + s^2/4 - s^3/5 + s^4/6).
+// x^y = e^(y ln x). The logarithm is as accurate as the largest y requires: in units of 2^-56 and,
+// near 1, with a relative error below 2^-45. A factor from the table brings x to 1 + s,
+// |s| < 0.016, whose logarithm is s - s^2 (1/2 - s/3 + s^2/4 - s^3/5 + s^4/6).
 template <int F>
 FIXEDPOINT_CONSTEXPR int64_t logarithm_56(uint32_t x) {
     using portable::LogarithmOfFactor;
@@ -390,14 +392,15 @@ struct Pow : Splits<16, 24>, portable::SignedPower<PowerOfMagnitude> {};
 
 }  // namespace composed
 
-// Those of Q32.32 that need no finer digits than the other compositions have.
+// The functions of Q32.32 that do not need more digits than these compositions have.
 namespace q32_32 {
 using composed::Acos;
 using composed::Asin;
 using composed::Log1p;
 }  // namespace q32_32
 
-// Composition where it serves a format, that of Q32.32 or of finer splits, else Portable.
+// Composition if it serves the format, otherwise that of Q32.32 or of fine formats, otherwise
+// Portable.
 template <class Composition, class OfQ32_32, class OfFine, class Portable>
 struct Composed {
     template <class Raw, int F, class... Operands>

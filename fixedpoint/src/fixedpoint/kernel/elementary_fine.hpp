@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Logarithms of the splits of 64 bits with 31 to 52 fraction bits but Q32.32, from the natural one
-// with 56.
+// Logarithms of the 64-bit formats with 31 to 52 fraction bits other than Q32.32, from the natural
+// logarithm with 56.
 #pragma once
 
 #include <fixedpoint/kernel/dispatch.hpp>
@@ -18,8 +18,8 @@ constexpr bool serves() {
     return portable::is_fine_split<Raw, F>() && F <= 52;
 }
 
-// That of a 2^-F in units of 2^-56, within 1.2 units: 0.6 of the kernel's, and half of one of the
-// multiple of ln 2. Needs a > 0.
+// ln(a 2^-F) in units of 2^-56, within 1.2 units: 0.6 from the kernel and half a unit from the
+// multiple of ln 2. a must not be 0.
 template <int F>
 FIXEDPOINT_CONSTEXPR int64_t natural_logarithm(uint64_t a) {
     constexpr int64_t ln2 = 49946518145322873, behind = 172;  // and behind / 256
@@ -28,7 +28,7 @@ FIXEDPOINT_CONSTEXPR int64_t natural_logarithm(uint64_t a) {
     return log_64<int64_t, 0>(static_cast<int64_t>(is_long ? a >> 1 : a), 56) + n * ln2 +
            ((n * behind + 128) >> 8);
 }
-// To the base b, with 1 / ln b in units of 2^-60.
+// The logarithm to base b, given 1 / ln b in units of 2^-60.
 template <int64_t per_ln_b>
 struct LogarithmToBase {
     template <class Raw, int F>
@@ -42,7 +42,7 @@ struct LogarithmToBase {
 struct Log2 : LogarithmToBase<1663314137230540311> {};
 struct Log10 : LogarithmToBase<500707447518348173> {};
 
-// 1 + a fits the unsigned number.
+// As an unsigned number, 1 + a always fits.
 struct Log1p {
     template <class Raw, int F>
     static FIXEDPOINT_IN_PLACE Evaluation<Raw> apply(Raw a) {
@@ -53,7 +53,7 @@ struct Log1p {
     }
 };
 
-// The others are portable code.
+// The other functions are portable code.
 using portable::Acos;
 using portable::Asin;
 using portable::Cbrt;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The elementary functions of Q32.32 as compositions of its kernels, of which some have entries
-// that return digits behind an ulp. All are faithful (error below 0.75 ulp).
+// The elementary functions of Q32.32 as compositions of its kernels, some of which have an entry
+// that returns guard bits too. All are faithful (error below 0.75 ulp).
 #pragma once
 
 #include <fixedpoint/kernel/dispatch.hpp>
@@ -9,7 +9,7 @@
 namespace fixedpoint {
 namespace kernel {
 
-// Whether f(a) = a + c a^3 + ..., |c| up to 1/3, is within 1/3 ulp of a itself.
+// Whether f(a) = a + c a^3 + ..., |c| <= 1/3, is within 1/3 ulp of a itself.
 template <int F, class Magnitude>
 constexpr bool is_nearly_linear(Magnitude positive) {
     return positive < Magnitude(1) << (F - (F + 2) / 3);
@@ -50,7 +50,7 @@ struct Expm1 {
     }
 };
 
-// The kernel's power has no sign yet and 64 bits, of which the format holds 63.
+// The kernel's power is unsigned and has 64 bits, of which the format has 63.
 struct PowerOfMagnitude {
     template <class Raw, int F>
     static FIXEDPOINT_IN_PLACE Evaluation<int64_t> apply(uint64_t x, int64_t y, bool negative) {
@@ -82,7 +82,7 @@ struct Cosh {
         return {cosh_unsaturated<int64_t, 32>(static_cast<int64_t>(positive)), Outcome::in_range};
     }
 };
-// (1 - e^-2|a|) / (1 + e^-2|a|), of the sign of a.
+// (1 - e^-2|a|) / (1 + e^-2|a|), with the sign of a.
 struct Tanh {
     template <class Raw, int F>
     static FIXEDPOINT_IN_PLACE Evaluation<int64_t> apply(int64_t a) {
@@ -99,8 +99,8 @@ struct Tanh {
     }
 };
 
-// Logarithms. That to the base b, with 1 / ln b in units of 2^-41 and what rounds units of 2^-48 to
-// ulps, less what log_fine has more.
+// Logarithms to base b, given 1 / ln b in units of 2^-41. `half` is half an ulp in units of 2^-48,
+// less what log_fine adds.
 template <int64_t per_ln_b, int64_t half>
 struct LogarithmToBase {
     template <class Raw, int F>
@@ -122,9 +122,9 @@ struct Cbrt {
 
 // Angles.
 
-// With x the distance from the nearest whole number of quarter turns and z = x^2, the cotangent of
-// x is 1/x - x p and its tangent x / (1 - z p), p = 1/3 + z/45 + 2 z^2/945 + ... Large angles and
-// those beside a pole ask for more digits of x.
+// With x the distance from the nearest multiple of a quarter turn and z = x^2, the cotangent of x
+// is 1/x - x p and its tangent x / (1 - z p), p = 1/3 + z/45 + 2 z^2/945 + ... Large angles and
+// those near a pole need more digits of x.
 struct Tan {
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR Evaluation<int64_t> apply(int64_t a) {
@@ -132,7 +132,7 @@ struct Tan {
         const bool is_short = positive < uint64_t(1) << 40;
         bool negative = a < 0, odd = false;
         int64_t x = is_short ? rest_of_short(positive, odd) : 0;  // 2^-56
-        // Beside a pole the digits behind x count as much more as the tangent is larger.
+        // Near a pole the digits after x matter more, in proportion to the tangent.
         constexpr uint64_t near = uint64_t(1) << 46;
         if (!is_short || (odd && magnitude(x) < near)) {
             const Word128 fine = rest_of_long(positive, odd);
@@ -167,7 +167,8 @@ struct Tan {
   private:
     using Word128 = portable::Word128;
 
-    // What whole quarter turns leave of an angle below 256 rad, in units of 2^-56.
+    // The remainder of an angle below 256 rad after subtracting whole quarter turns, in units of
+    // 2^-56.
     static FIXEDPOINT_CONSTEXPR int64_t rest_of_short(uint64_t positive, bool& odd) {
         constexpr int32_t two_over_pi = 41722;                     // 2^-16
         constexpr uint32_t upper = 0x1921fb5, lower = 0x4442d184;  // of pi/2, 2^-24 and 2^-56
@@ -183,7 +184,7 @@ struct Tan {
         return static_cast<int64_t>((positive << 24) - whole);
     }
 
-    // What whole quarter turns leave of any angle, in units of 2^-126.
+    // The remainder of any angle after subtracting whole quarter turns, in units of 2^-126.
     static FIXEDPOINT_CONSTEXPR Word128 rest_of_long(uint64_t positive, bool& odd) {
         const uint32_t high = static_cast<uint32_t>(positive >> 32),
                        low = static_cast<uint32_t>(positive);
@@ -206,7 +207,7 @@ struct Tan {
         return Word128(positive << 30, 0) - upper - lower;
     }
 
-    // 1/x - x/3 of x below 2^-10, in units of 2^-126.
+    // 1/x - x/3 for x below 2^-10, which is in units of 2^-126.
     static FIXEDPOINT_CONSTEXPR Evaluation<int64_t> beside_pole(Word128 x, bool negative) {
         if (x.high >> 31 == 0) return overflow(negative);
         const int32_t third = multiply<int32_t, 32>(static_cast<int32_t>(x.high >> 22),
@@ -218,7 +219,7 @@ struct Tan {
             x.high += x.high + (static_cast<int64_t>(x.low) < 0 ? 1 : 0);
             x.low += x.low;
         }
-        // The reciprocal of the upper 63 bits, then of what it leaves of all of them.
+        // The reciprocal of the upper 63 bits, then a correction from the remainder of all bits.
         const uint64_t upper = x.high >> 1;
         const uint64_t first = static_cast<uint64_t>(
             divide<int64_t, 32>(int64_t(1) << 62, static_cast<int64_t>(upper)));
@@ -235,7 +236,7 @@ struct Tan {
         return {with_sign<int64_t>(cotangent, negative), Outcome::in_range};
     }
 
-    // p - 1/3 in units of 2^-36, of z in units of 2^-31 up to 0.63, within 2 units.
+    // p - 1/3 in units of 2^-36, within 2 units, for z in units of 2^-31 up to 0.63.
     static FIXEDPOINT_CONSTEXPR int32_t tail(int32_t z) {
         const int32_t fourth = 11562496 + multiply<int32_t, 32>(z, 2895704);  // 2^-39, 2^-40
         const int32_t third = 58206832 + multiply<int32_t, 32>(z, fourth);    // 2^-38

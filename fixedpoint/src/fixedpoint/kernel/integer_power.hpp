@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Integer powers. Short exponents go through the kernels of powers. Longer ones of the formats of
-// up to 32 bits with at most 24 fraction bits go through the kernels of Q32.32: those leave the few
-// bits that these products and reciprocals lose.
+// Integer powers. Short exponents go through the power kernels. Longer ones, in formats of up to 32
+// bits with at most 24 fraction bits, go through the kernels of Q32.32, which have guard bits
+// enough for what these products and reciprocals lose.
 #pragma once
 
 #include <fixedpoint/kernel/elementary.hpp>
@@ -11,13 +11,14 @@ namespace fixedpoint {
 namespace kernel {
 
 struct PowerSteps64 {
-    // a b0 / 2^32 of a number whose first bit is set, which counts as a sign.
+    // a b / 2^32. The leading bit of a is set, which the kernel takes for a sign; the sum corrects
+    // that.
     static FIXEDPOINT_CONSTEXPR uint64_t multiply_by_half(uint64_t a, uint32_t b) {
         return static_cast<uint64_t>(kernel::multiply<int64_t, 32>(static_cast<int64_t>(a),
                                                                    static_cast<int64_t>(b))) +
                (static_cast<uint64_t>(b) << 32);
     }
-    // Within 1.5 units of the last place.
+    // Within 1.5 units in the last place.
     static FIXEDPOINT_CONSTEXPR portable::UpperProduct<uint64_t> multiply(uint64_t a, uint64_t b) {
         const uint64_t low = multiply_by_half(a, static_cast<uint32_t>(b));
         const uint32_t behind = static_cast<uint32_t>(low);
@@ -25,7 +26,7 @@ struct PowerSteps64 {
             multiply_by_half(a, static_cast<uint32_t>(b >> 32)) + static_cast<uint32_t>(low >> 32),
             static_cast<uint8_t>(behind >> 31)};
     }
-    // 2^126 / a within 2^-39 of it, from the 40 bits of a in front.
+    // 2^126 / a with a relative error below 2^-39, from the upper 40 bits of a.
     static FIXEDPOINT_CONSTEXPR uint64_t reciprocal(uint64_t a) {
         return static_cast<uint64_t>(
                    kernel::divide<int64_t, 32>(int64_t(1) << 62, static_cast<int64_t>(a >> 24)))
@@ -35,7 +36,7 @@ struct PowerSteps64 {
 
 template <class Number, int F>
 struct PowerInUlps;
-// Below 2^13 its exponents leave the short power an error of 0.13 ulp at most.
+// Exponents below 2^13 keep the error of the short power at 0.13 ulp or less.
 template <int F>
 struct PowerInUlps<int32_t, F> {
     template <class Count>

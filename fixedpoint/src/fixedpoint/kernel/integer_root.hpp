@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// floor(sqrt(n)) of an unsigned integer, by the square root of a format.
+// floor(sqrt(n)) of an integer, by the square root of a fixed-point format.
 #pragma once
 
 #include <fixedpoint/kernel/dispatch.hpp>
@@ -8,8 +8,8 @@
 namespace fixedpoint {
 namespace kernel {
 
-// root, or one less where its square is larger than n; 0 of 0. Needs root up to 2^(W/2), whose
-// square is 0.
+// root, or one less if its square exceeds n; 0 if root is 0. root must be at most 2^(W/2), whose
+// square wraps to 0.
 template <class Word>
 FIXEDPOINT_CONSTEXPR __attribute__((noinline)) Word root_not_above(Word root, Word n) {
     using Half = UnsignedInteger<static_cast<int>(sizeof(Word) > 1 ? 4 * sizeof(Word) : 8)>;
@@ -19,10 +19,10 @@ FIXEDPOINT_CONSTEXPR __attribute__((noinline)) Word root_not_above(Word root, Wo
     return static_cast<Word>(static_cast<Word>(square - 1) >= n ? root - 1 : root);
 }
 
-// The format with as many bits before the point as behind it has the root in units of 2^-(W/4),
-// rounded to nearest: an integer, if not the root's, then the next one. From 2^(W-1) on there are
-// no numbers of it, and the root is twice that of a quarter, whose missing bits are less than what
-// is rounded. 0 where n < 0.
+// floor(sqrt(n)); 0 if n < 0. The format with equal integer and fraction bits gives the root in
+// units of 2^-(W/4), rounded to nearest. If that is an integer, it is the root or one more. n from
+// 2^(W-1) on is not a number of the format; its root is twice that of n / 4, whose dropped bits are
+// below the rounding.
 template <class Int>
 FIXEDPOINT_CONSTEXPR Unsigned<Int> integer_root(Int n) {
     using Word = Unsigned<Int>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The upper half of the product of two numbers of 64 bits, by products of their words.
+// The upper half of the product of two 64-bit numbers, from the products of their words.
 #pragma once
 
 #include <fixedpoint/kernel/dispatch.hpp>
@@ -8,7 +8,7 @@
 namespace fixedpoint {
 namespace kernel {
 
-// a b / 2^64, at most 3 less.
+// a b / 2^64, or up to 3 less.
 FIXEDPOINT_CONSTEXPR uint64_t multiply_high(uint64_t a, uint64_t b) {
     const uint32_t a1 = upper_word(a), b1 = upper_word(b);
     return multiply_words(a1, b1) + upper_product<uint32_t, 0>(static_cast<uint32_t>(a), b1) +

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The functions of CorrectlyRounded that compute with cores of 32 bits: kernel::nearest_sin<Raw, F>
-// and so on. Those of Q16.16 have kernels, which go to the code here where a core leaves a doubt.
+// The functions of CorrectlyRounded that are computed with 32-bit cores: kernel::nearest_sin<Raw,
+// F> and so on. Those of Q16.16 have kernels, which call the code here if the core leaves the
+// rounding undecided.
 #pragma once
 
 #include <fixedpoint/kernel/power_side.hpp>
@@ -12,14 +13,14 @@
 namespace fixedpoint {
 namespace kernel {
 
-// Out of line, so that nothing is saved for it on the way that is nearly always taken.
+// Out of line, so the path that is nearly always taken does not save registers for it.
 #define FIXEDPOINT_DOUBTFUL(name, Side, at_once)                                      \
     template <class Raw, int F>                                                       \
     FIXEDPOINT_CONSTEXPR __attribute__((noinline)) Raw doubtful_##name(Raw a) {       \
         return at_once portable::correctly_rounded<Raw, F, Side>(                     \
             kernel::name<int64_t, 32>(portable::convert<int64_t, 32, Raw, F>(a)), a); \
     }
-// Of Q16.16 the precise sine needs no stage before it.
+// In Q16.16 the precise sine does not need a stage before it.
 FIXEDPOINT_DOUBTFUL(sin, SineSide, F == 16 ? static_cast<Raw>(nearest_sine(a, 0)) :)
 FIXEDPOINT_DOUBTFUL(cos, CosineSide, F == 16 ? static_cast<Raw>(nearest_sine(a, 1)) :)
 FIXEDPOINT_DOUBTFUL(atan, ArcTangentSide, )
@@ -34,13 +35,13 @@ FIXEDPOINT_CONSTEXPR __attribute__((noinline)) Raw doubtful_atan2(Raw y, Raw x) 
         y, x);
 }
 
-// `above` and one less are the numbers next to the logarithm.
+// `above` and `above` - 1 are the numbers adjacent to the logarithm.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR FIXEDPOINT_CALLED_BY_KERNEL Raw decided_log(Raw a, Raw above) {
     const int64_t tie = static_cast<int64_t>(above) * 65536 - 32768;
     return NaturalLogarithmSide::reaches(tie, a) ? above : static_cast<Raw>(above - 1);
 }
-// `above` and one less are the numbers next to the angle's magnitude.
+// `above` and `above` - 1 are the numbers adjacent to the magnitude of the angle.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR FIXEDPOINT_CALLED_BY_KERNEL Raw decided_atan2(Raw y, Raw x, Raw above) {
     const uint32_t tie = (static_cast<uint32_t>(above) << 16) - (uint32_t(1) << 15);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// On which side of a tie a power of e or a natural logarithm lies: a number against a power, of
-// which the largest results of Q32.32 have 61 bits.
+// On which side of a tie a power of e or a natural logarithm lies. A number is compared with a
+// power, scaled so that Q32.32 gives it to 61 bits.
 #pragma once
 
 #include <fixedpoint/kernel/dispatch.hpp>
@@ -9,11 +9,11 @@
 namespace fixedpoint {
 namespace kernel {
 
-// Whether n 2^s is e^x or more, x of Q32.32 from -12 to below 12, where for some s they differ by
-// less than 2^-30 of themselves. Needs n > 0. Errs by less than 2^-60 of the power.
+// Whether n 2^s >= e^x, with a relative error below 2^-60. Requires n > 0, x of Q32.32 in [-12,
+// 12), and that for some s the two differ by a relative 2^-30 or less.
 //
-// n e^c against e^(x + c) from e^20 to e^21, both with 64 leading bits, of which 2 may lie on
-// different sides of a power of 2: they are compared modulo that.
+// Compares n e^c with e^(x + c), which lies in e^20..e^21, by the 64 leading bits of both. These
+// may lie on different sides of a power of 2, so they are compared modulo that.
 FIXEDPOINT_CONSTEXPR __attribute__((noinline)) bool reaches_power(uint32_t n, int64_t x) {
     // c - 9.
     const uint8_t index = static_cast<uint8_t>(11 - static_cast<int32_t>(x >> 32));
@@ -33,7 +33,7 @@ struct ExponentialSide {
         return !reaches_power(static_cast<uint32_t>(tie >> 15), static_cast<int64_t>(a) * 65536);
     }
 };
-// e^a of Q16.16, rounded, from the same rounded downward.
+// e^a in Q16.16 rounded to nearest, given e^a rounded downward.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR FIXEDPOINT_CALLED_BY_KERNEL Raw rounded_power(Raw a, Raw floor) {
     const bool is_below =

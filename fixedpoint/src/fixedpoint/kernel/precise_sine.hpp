@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Sine and cosine of numbers of Q16.16 within 2^-51. Of all of them the one next to a tie of Q16.16
-// is 2^-47.8 away from it.
+// Sine and cosine of numbers of Q16.16 within 2^-51. Over all inputs, the result closest to a tie
+// of Q16.16 is 2^-47.8 away from it.
 #pragma once
 
 #include <fixedpoint/kernel/dispatch.hpp>
@@ -10,8 +10,8 @@
 namespace fixedpoint {
 namespace kernel {
 
-// An angle without its sign as quarter turns and a rest of up to pi/4 and 2^-14 either way, with
-// its magnitude in units of 2^-63, within 2 units.
+// The magnitude of an angle as quarter turns and a rest of at most pi/4 + 2^-14 in either
+// direction. The magnitude of the rest is in units of 2^-63, within 2 units.
 struct QuarterTurns {
     uint16_t quarters;
     bool is_beyond;
@@ -23,7 +23,7 @@ FIXEDPOINT_IN_PLACE QuarterTurns nearest_quarter_turns(uint32_t positive) {
     constexpr uint16_t below = 0xc4c6;                         // 2^-79
     const uint16_t quarters =
         upper_half((upper_product<uint32_t, 0>(positive, two_over_pi) + (uint32_t(1) << 13)) << 2);
-    // The chip's compiler shifts by 16 at once, but by 15 in a loop.
+    // The chip's compiler shifts by 16 with moves, but by 15 in a loop.
     const uint32_t scaled = static_cast<uint32_t>(static_cast<uint16_t>(positive >> 1)) << 16 |
                             ((positive & 1) != 0 ? 0x8000 : 0);
     const uint64_t rest = join_words(scaled - half_pi[0] * quarters, 0) -
@@ -33,9 +33,10 @@ FIXEDPOINT_IN_PLACE QuarterTurns nearest_quarter_turns(uint32_t positive) {
     return {quarters, !is_before, is_before ? 0 - rest : rest};
 }
 
-// The sine of `rest` 2^-63 or its cosine, without its sign, in units of 2^-64; 1 is a unit less.
+// The magnitude of the sine or cosine of `rest` 2^-63 in units of 2^-64; 1 is represented by one
+// unit less.
 //
-// By the sine and the cosine of the nearest multiple A of 2^-6 and of the difference t:
+// From the sine and the cosine of the nearest multiple A of 2^-6 and those of the difference t:
 //     sin(A + t) = sin A + cos A sin t - sin A (1 - cos t).
 FIXEDPOINT_IN_PLACE uint64_t precise_sine_of_rest(uint64_t rest, bool is_cosine) {
     const uint32_t rest1 = upper_word(rest), rest0 = static_cast<uint32_t>(rest);
@@ -65,7 +66,7 @@ FIXEDPOINT_IN_PLACE uint64_t precise_sine_of_rest(uint64_t rest, bool is_cosine)
     // 2 (1 - cos t) in units of 2^-78.
     const uint64_t versine = square - join_words(upper_half(fourth), fourth << 16);
 
-    // In units of 2^-64, and 1 is a unit less.
+    // In units of 2^-64; 1 is represented by one unit less.
     const uint64_t* const entry = &portable::CorrectRoundingTable<>::unit[2 * index];
     const uint64_t base = read_program_memory(entry[is_cosine ? 1 : 0]);
     const uint64_t slope = read_program_memory(entry[is_cosine ? 0 : 1]);
@@ -80,19 +81,19 @@ FIXEDPOINT_IN_PLACE uint64_t precise_sine_of_rest(uint64_t rest, bool is_cosine)
     return base + change + change;
 }
 
-// The magnitude of the sine of an angle of Q16.16 and `turned` quarter turns, 0 or 1, in units of
-// 2^-32, rounded downward to an even number, and 1 more where the sine is negative.
+// The sine of an angle of Q16.16 plus `turned` quarter turns, 0 or 1. Its magnitude is in units of
+// 2^-32, rounded downward to an even number; bit 0 is set if the sine is negative.
 FIXEDPOINT_CONSTEXPR __attribute__((noinline)) uint32_t precise_sine(int32_t a, uint8_t turned) {
     const QuarterTurns angle = nearest_quarter_turns(magnitude(a));
     const uint8_t quadrant = static_cast<uint8_t>(angle.quarters + turned);
     const bool is_cosine = (quadrant & 1) != 0;
-    // The cosine does not see the sign of the rest, nor that of the angle.
+    // The cosine is even: neither the sign of the rest nor that of the angle matters.
     const bool is_below = (!is_cosine && !angle.is_beyond) != (turned == 0 && a < 0);
     const uint32_t sine = upper_word(precise_sine_of_rest(angle.rest, is_cosine));
     return is_below != ((quadrant & 2) != 0) ? sine | 1 : sine & ~uint32_t(1);
 }
 
-// The same, rounded to Q16.16: no result but 0, 1 and -1 has so few digits, none lies on a tie.
+// The same, rounded to Q16.16. No exact result is a tie: only 0, 1 and -1 have that few digits.
 FIXEDPOINT_CONSTEXPR int32_t nearest_sine(int32_t a, uint8_t turned) {
     const uint32_t sine = precise_sine(a, turned);
     const uint32_t rounded =
@@ -100,7 +101,7 @@ FIXEDPOINT_CONSTEXPR int32_t nearest_sine(int32_t a, uint8_t turned) {
     return with_sign<int32_t>(rounded, (sine & 1) != 0);
 }
 
-// The sign of an exact result is that of the tie next to it.
+// The exact result has the sign of the tie closest to it.
 template <uint8_t turned>
 struct CircularSide {
     static FIXEDPOINT_CONSTEXPR bool reaches(int64_t tie, int32_t a) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Angles against directions to 61 bits. Turns whose tangents are short fractions bring an
-// angle next to 0, and a vector of integers turned by them stays one: nothing is rounded before the
-// last turn, by less than 2^-10.
+// Compares angles with directions to 61 bits. Rotations whose tangents are short fractions reduce
+// an angle to nearly 0, and they map vectors of integers to vectors of integers: nothing is rounded
+// before the last rotation, by less than 2^-10.
 #pragma once
 
 #include <fixedpoint/kernel/dispatch.hpp>
@@ -18,11 +18,11 @@ struct ShortTurns {
     uint64_t tangent;
 };
 
-// Of an angle in units of 2^-64, from 0 to 2^-14 above pi/4; the tangent within 4 units, and below
-// 2^-10.9.
+// Requires an angle in [0, pi/4 + 2^-14], in units of 2^-64. The tangent is within 4 units, and
+// below 2^-10.9.
 FIXEDPOINT_IN_PLACE ShortTurns short_turns(uint64_t angle) {
     using Table = portable::CorrectRoundingTable<>;
-    // tan x >= x + x^3 (1/3 + 2/15 x^2): of every x the rest is from 0 to 68.5 2^-11.
+    // tan x >= x + x^3 (1/3 + 2/15 x^2): for every x the rest is in 0..68.5 2^-11.
     const uint8_t x = static_cast<uint8_t>(upper_word(angle) >> 24);
     const uint8_t x2 = static_cast<uint8_t>(static_cast<uint16_t>(x) * x >> 8);
     const uint8_t x3 = static_cast<uint8_t>(x * x2 >> 8);
@@ -43,8 +43,8 @@ FIXEDPOINT_IN_PLACE ShortTurns short_turns(uint64_t angle) {
     return {coarse, fine, rest + upper_product<uint32_t, 0>(cube, factor)};
 }
 
-// The shorter and the longer one, in the upper and the lower word, scaled until the longer one has
-// 32 bits. Needs one above 0.
+// The smaller operand in the upper word and the larger one in the lower word, both scaled until the
+// larger one has 32 bits. They must not both be 0.
 FIXEDPOINT_CONSTEXPR __attribute__((noinline)) uint64_t shorter_and_longer(uint32_t a, uint32_t b) {
     if (a > b) {
         const uint32_t longer = a;
@@ -62,12 +62,12 @@ FIXEDPOINT_CONSTEXPR __attribute__((noinline)) uint64_t shorter_and_longer(uint3
     return join_words(a, b);
 }
 
-// Whether the direction of (x, y) is `angle`, in units of 2^-64, or beyond, where they differ by
-// 2^-26 at most. Needs x >= 2^31, y <= x and an angle as short_turns has it. Errs by less than
-// 2^-61.
+// Whether the direction of (x, y) is at least `angle`, in units of 2^-64, with an error below
+// 2^-61. Requires x >= 2^31, y <= x, an angle that short_turns accepts, and that the two differ by
+// at most 2^-26.
 FIXEDPOINT_IN_PLACE bool direction_reaches(uint32_t y, uint32_t x, uint64_t angle) {
-    // The direction of the angle less its rest, in units of 2^-28: 1 - c f / 2^16 and c / 32 + f /
-    // 2048.
+    // The direction of the angle without its rest, in units of 2^-28: (1 - c f / 2^16, c / 32 + f /
+    // 2048).
     const ShortTurns turns = short_turns(angle);
     const uint32_t along =
         (uint32_t(1) << 28) -
@@ -79,8 +79,8 @@ FIXEDPOINT_IN_PLACE bool direction_reaches(uint32_t y, uint32_t x, uint64_t angl
     const uint32_t y1 = upper_word(turned_y), y0 = static_cast<uint32_t>(turned_y);
     const uint32_t tangent1 = upper_word(turns.tangent),
                    tangent0 = static_cast<uint32_t>(turns.tangent);
-    // 2^8 times the tangent, below 2^61.1, times turned_x, below 2^61; of the product the upper
-    // half.
+    // The upper half of the product of 2^8 times the tangent, below 2^61.1, and turned_x, below
+    // 2^61.
     const uint32_t x1 = upper_word(turned_x), slope1 = word_from_byte_3(tangent1, tangent0);
     const uint32_t lower = upper_product<uint32_t, 0>(static_cast<uint32_t>(turned_x), slope1) +
                            upper_product<uint32_t, 0>(x1, tangent0 << 8);
@@ -92,10 +92,10 @@ FIXEDPOINT_IN_PLACE bool direction_reaches(uint32_t y, uint32_t x, uint64_t angl
 struct AngleSide {
     static FIXEDPOINT_CONSTEXPR bool reaches(int64_t tie, int32_t y, int32_t x) {
         const uint32_t low_word = static_cast<uint32_t>(tie);
-        // The tie has the sign of y. Seen from below it is the other side.
+        // The tie has the sign of y. Mirroring at the x axis swaps the sides.
         return is_reached(y < 0 ? 0 - low_word : low_word, y, x) != (y < 0);
     }
-    // The tie's magnitude modulo 1 by that of the angle.
+    // Whether the magnitude of the angle reaches that of the tie, which is given modulo 1.
     static FIXEDPOINT_IN_PLACE bool is_reached(uint32_t tie, int32_t y, int32_t x) {
         constexpr uint32_t pi[2] = {0x85a308d3, 0x243f6a88};  // modulo 1
         constexpr uint32_t half_pi[2] = {0x42d1846a, 0x921fb544};
@@ -109,7 +109,7 @@ struct AngleSide {
         const uint32_t lower = steep ? (left ? 0 - half_pi[0] : half_pi[0]) : (left ? pi[0] : 0);
         const bool reached = direction_reaches(
             upper_word(coordinates), static_cast<uint32_t>(coordinates), join_words(upper, lower));
-        // Seen from the y axis and from the left it is the other side.
+        // Measuring from the y axis or from the left swaps the sides.
         return (reached != steep) != left;
     }
 };

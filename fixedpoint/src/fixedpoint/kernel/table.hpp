@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The assembly kernels: FIXEDPOINT_KERNELS(KERNEL) invokes, for each of them,
+// The assembly kernels: for each of them, FIXEDPOINT_KERNELS(KERNEL) expands
 //     KERNEL(shape, operation, Raw, fraction bits, symbol, implementation)
-// `symbol` is the function in avr/ that kernel::operation<Raw, fraction bits> calls in place of
-// portable::implementation<Raw, fraction bits>, with the same results. `shape` names its
-// parameters.
+// `symbol` is the function in avr/ that kernel::operation<Raw, fraction bits> calls instead of
+// portable::implementation<Raw, fraction bits>, with the same results. `shape` stands for its
+// result and parameters.
 #pragma once
 
 // clang-format off
-// What kernel::operation<Raw, F> returns, its parameters, and a call's arguments, by shape.
+// The result of kernel::operation<Raw, F>, its parameters, and the arguments of a call, by shape.
 #define FIXEDPOINT_RESULT_UNARY(Raw) Raw
 #define FIXEDPOINT_PARAMETERS_UNARY(Raw) (Raw a)
 #define FIXEDPOINT_ARGUMENTS_UNARY (a)
@@ -20,7 +20,7 @@
 #define FIXEDPOINT_RESULT_DIVISION(Raw) void
 #define FIXEDPOINT_PARAMETERS_DIVISION(Raw) (Raw a, Raw b, Raw* pair)
 #define FIXEDPOINT_ARGUMENTS_DIVISION (a, b, pair)
-// Of a vector, of two vectors, and into one: of a number, and of a vector.
+// From one vector and from two vectors; into a pair from a number, and into a vector from a vector.
 #define FIXEDPOINT_RESULT_VECTOR(Raw) Raw
 #define FIXEDPOINT_PARAMETERS_VECTOR(Raw) (const Raw* v)
 #define FIXEDPOINT_ARGUMENTS_VECTOR (v)
@@ -33,7 +33,8 @@
 #define FIXEDPOINT_RESULT_MAPPING(Raw) void
 #define FIXEDPOINT_PARAMETERS_MAPPING(Raw) (const Raw* v, Raw* mapped)
 #define FIXEDPOINT_ARGUMENTS_MAPPING (v, mapped)
-// Of a vector and the difference of two; a vector times a factor into one sum, and into two.
+// From a vector and the difference of two others; a scaled vector added to one sum, and moved
+// between two.
 #define FIXEDPOINT_RESULT_DIFFERENCE(Raw) Raw
 #define FIXEDPOINT_PARAMETERS_DIFFERENCE(Raw) (const Raw* n, const Raw* u, const Raw* v)
 #define FIXEDPOINT_ARGUMENTS_DIFFERENCE (n, u, v)
@@ -43,27 +44,27 @@
 #define FIXEDPOINT_RESULT_EXCHANGE(Raw) void
 #define FIXEDPOINT_PARAMETERS_EXCHANGE(Raw) (Raw* a, Raw* b, const Raw* v, Raw factor)
 #define FIXEDPOINT_ARGUMENTS_EXCHANGE (a, b, v, factor)
-// Of a matrix of n rows and a vector.
+// From a matrix of n rows and a vector.
 #define FIXEDPOINT_RESULT_TRANSFORM(Raw) void
 #define FIXEDPOINT_PARAMETERS_TRANSFORM(Raw) (Raw* result, const Raw* v, const Raw* m, uint8_t n)
 #define FIXEDPOINT_ARGUMENTS_TRANSFORM (result, v, m, n)
-// Of two vectors into a third one.
+// From two vectors into a third.
 #define FIXEDPOINT_RESULT_OUTER(Raw) void
 #define FIXEDPOINT_PARAMETERS_OUTER(Raw) (Raw* result, const Raw* a, const Raw* b)
 #define FIXEDPOINT_ARGUMENTS_OUTER (result, a, b)
-// Of an angle that is reduced.
+// From a reduced angle.
 #define FIXEDPOINT_RESULT_TURNS(Raw) Raw
 #define FIXEDPOINT_PARAMETERS_TURNS(Raw) (uint64_t turns)
 #define FIXEDPOINT_ARGUMENTS_TURNS (turns)
-// A number times 2^unit, with digits behind the point.
+// A result scaled by 2^unit, with fraction bits.
 #define FIXEDPOINT_RESULT_SCALED(Raw) uint64_t
 #define FIXEDPOINT_PARAMETERS_SCALED(Raw) (Raw a, uint8_t unit)
 #define FIXEDPOINT_ARGUMENTS_SCALED (a, unit)
-// Of two words into one of twice the width.
+// From two words into one of twice the width.
 #define FIXEDPOINT_RESULT_WORDS(Raw) uint64_t
 #define FIXEDPOINT_PARAMETERS_WORDS(Raw) (Raw a, Raw b)
 #define FIXEDPOINT_ARGUMENTS_WORDS (a, b)
-// Of numbers of any split, whose fraction bits are an operand.
+// In any format of the width: the fraction bits are an operand.
 #define FIXEDPOINT_RESULT_SPLIT_UNARY(Raw) Raw
 #define FIXEDPOINT_PARAMETERS_SPLIT_UNARY(Raw) (Raw a, uint8_t fraction)
 #define FIXEDPOINT_ARGUMENTS_SPLIT_UNARY (a, fraction)
@@ -81,9 +82,9 @@
 #define FIXEDPOINT_PARAMETERS_POWER(Raw) (::fixedpoint::Unsigned<Raw> a, uint16_t n, int8_t exponent, bool reciprocal)
 #define FIXEDPOINT_ARGUMENTS_POWER (a, n, exponent, reciprocal)
 
-// ROW(KERNEL, shape, operation, integer bits, fraction bits) for every split of 16 bits but Q8.8,
-// and of 32 bits but Q16.16, whose kernels are their own. The coarse ones have less fraction bits
-// than Q8.8.
+// ROW(KERNEL, shape, operation, integer bits, fraction bits) for every split, that is division into
+// integer and fraction bits, of 16 bits except Q8.8 and of 32 bits except Q16.16, which have
+// kernels of their own. Coarse splits have fewer fraction bits than Q8.8.
 #define FIXEDPOINT_COARSE_SPLITS_16(ROW, KERNEL, shape, operation) \
     ROW(KERNEL, shape, operation, 16, 0) \
     ROW(KERNEL, shape, operation, 15, 1) \
@@ -311,7 +312,8 @@
     KERNEL(MAPPING, normalise3, int16_t, 8, fixedpoint_normalise3_q8_8, normalise3) \
     KERNEL(MAPPING, normalise3, int32_t, 16, fixedpoint_normalise3_q16_16, normalise3)
 
-// Those that jump to what kernel/nearest.hpp compiles where a core of 32 bits leaves a doubt.
+// The kernels that jump to code of kernel/nearest.hpp if a 32-bit core leaves the rounding
+// undecided.
 #define FIXEDPOINT_ROUNDED_KERNELS(KERNEL) \
     KERNEL(UNARY, nearest_sin, int32_t, 16, fixedpoint_sin_q16_16_correctly_rounded, nearest_sin) \
     KERNEL(UNARY, nearest_cos, int32_t, 16, fixedpoint_cos_q16_16_correctly_rounded, nearest_cos) \

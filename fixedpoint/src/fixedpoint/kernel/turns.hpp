@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Sines of angles in turns and degrees, and angles as such. The fraction of a turn is the reduced
-// angle: nothing is rounded before the sine's core.
+// Sines of angles in turns and degrees, and angles of vectors in those units. The fraction of a
+// turn is the reduced angle already, so nothing is rounded before the core of the sine.
 #pragma once
 
 #include <fixedpoint/kernel/atan2_degrees_q32_32.hpp>
@@ -9,10 +9,10 @@
 namespace fixedpoint {
 namespace kernel {
 
-// A core takes a phase, the angle in turns with phase_bits fraction bits, of which it leaves out
-// the whole turns, and returns the sine.
+// A core takes a phase, the fractional part of the angle in turns with phase_bits fraction bits,
+// and returns the sine.
 
-// Splits of 16 bits with up to 8 fraction bits: a phase of 16 bits, to which finer ones are cut.
+// 16-bit formats with up to 8 fraction bits: a phase of 16 bits, to which finer ones are truncated.
 template <class Raw, int F>
 struct SineOfPhase16 {
     using Phase = uint16_t;
@@ -21,7 +21,7 @@ struct SineOfPhase16 {
         return sine_of_phase<Raw, F>(static_cast<Raw>(phase));
     }
 };
-// Within 0.67 ulp in Q16.16, which leaves 0.59 ulp with up to 13 fraction bits.
+// Within 0.67 ulp in Q16.16, so within 0.59 ulp in formats of up to 13 fraction bits.
 template <class Raw, int F>
 struct SineOfPhase32 {
     using Phase = uint32_t;
@@ -30,7 +30,8 @@ struct SineOfPhase32 {
         return from_q16_16<Raw, F>(sine_of_phase<int32_t, 16>(static_cast<int32_t>(phase)));
     }
 };
-// Splits of 8 and 16 bits that Q16.16 is too coarse for take the sine of the same split of 32 bits.
+// Formats of 8 and 16 bits for which Q16.16 is too coarse use the sine of the 32-bit format with as
+// many fraction bits.
 template <class Raw, int F>
 struct SineOfPhase42 {
     using Phase = uint64_t;
@@ -54,7 +55,7 @@ struct SineOfPhase64 {
     static constexpr int phase_bits = 64;
     static FIXEDPOINT_CONSTEXPR Raw sine(Phase phase) {
         using Word = portable::CordicWord<F>;
-        // The nearest quarter turn, and pi/2 2^126 times the distance from it.
+        // The nearest quarter turn, and the distance from it times pi/2 2^126.
         const uint8_t quarters = static_cast<uint8_t>((phase + (uint64_t(1) << 61)) >> 62);
         const int64_t distance =
             static_cast<int64_t>(phase - (static_cast<uint64_t>(quarters) << 62));
@@ -91,7 +92,7 @@ constexpr typename Core::Phase quarter_turn() {
     return static_cast<typename Core::Phase>(typename Core::Phase(1) << (Core::phase_bits - 2));
 }
 
-// The phase of an angle in turns: exact. Without fraction bits all turns are whole.
+// The phase of an angle in turns, exact. It is 0 if there are no fraction bits.
 template <class Core, class Raw, int F>
 constexpr typename Core::Phase phase_of_turns(Raw angle) {
     using Phase = typename Core::Phase;
@@ -100,23 +101,23 @@ constexpr typename Core::Phase phase_of_turns(Raw angle) {
                                        << (F == 0 ? 0 : Core::phase_bits - F));
 }
 
-// 32 n / 45, cut, and at multiples of 45 exact. Precondition: n is at most 2^37 / 43, which is
-// above 360 2^23.
+// floor(32 n / 45), exact at multiples of 45. n must be at most 2^37 / 43, which is above 360 2^23.
 FIXEDPOINT_CONSTEXPR uint32_t over_45(uint32_t n) {
     return static_cast<uint32_t>(multiply_words(n, 0xb60b60b7) >> 32);
 }
 
-// rest / (360 2^F) of a turn, cut: exact for quarter turns. Precondition: rest < 360 2^F, unless
-// the phase has 16 bits, which leave out the turns.
+// rest / (360 2^F) of a turn, truncated: exact for quarter turns. rest must be less than 360 2^F,
+// unless the phase has 16 bits, which drop whole turns.
 template <int F, int phase_bits>
 struct PhaseOfDegrees {
     static FIXEDPOINT_CONSTEXPR uint32_t of(uint32_t rest) {
         const uint32_t phase = over_45(rest << ((phase_bits == 16 ? 8 : 23) - F));
-        // Cut to the 26 bits that count, before the sign: an angle and its opposite are cut alike.
+        // Truncated to the 26 significant bits before the sign is applied, so that an angle and its
+        // negative are truncated alike.
         return phase_bits == 16 ? phase : phase << 1 & ~uint32_t(63);
     }
 };
-// rest 2^(39 - F) / 45 in two digits, of which the lower one has 24 bits.
+// rest 2^(39 - F) / 45 by long division in two digits, the lower one of 24 bits.
 template <int F>
 struct PhaseOfDegrees<F, 42> {
     static constexpr int below = F > 15 ? F - 15 : 0, above = F > 15 ? 0 : 15 - F;
@@ -137,7 +138,7 @@ struct PhaseOfDegrees<F, 64> {
 };
 template <class Core, class Raw, int F>
 FIXEDPOINT_CONSTEXPR typename Core::Phase phase_of_degrees(Raw angle) {
-    static_assert(F <= 54, "Angles in degrees have 54 fraction bits at most.");
+    static_assert(F <= 54, "Angles in degrees have at most 54 fraction bits.");
     using Phase = typename Core::Phase;
     constexpr uint64_t turn = uint64_t(360) << F;
     constexpr bool is_reduced =
@@ -148,25 +149,25 @@ FIXEDPOINT_CONSTEXPR typename Core::Phase phase_of_degrees(Raw angle) {
     return angle < 0 ? static_cast<Phase>(Phase(0) - phase) : phase;
 }
 
-// The angle of the vector (x, y) in radians with `fraction_bits`: enough for one in turns or
-// degrees with F. It depends on the ratio of the raws alone, not on their fraction bits.
+// The fraction bits of an angle in radians that are enough for one in turns or degrees with F. The
+// angle depends only on the ratio of the raws, not on their fraction bits.
 template <class Raw, int F>
 struct FineAngle {
     static constexpr int fraction_bits = F <= 24 ? 32 : sizeof(Raw) == 4 ? 60 : 61;
 };
 
-// angle factor 2^-Bits, in which angle has FromF fraction bits, rounded to F bits and saturated.
+// angle factor 2^-Bits rounded to F fraction bits and saturated; angle has FromF fraction bits.
 template <class Raw, int F, int FromF, int Bits>
 FIXEDPOINT_CONSTEXPR Raw scaled_angle(int64_t angle, uint64_t factor) {
     constexpr int shift = Bits + FromF - F - 64;
-    static_assert(shift >= 0, "Angles in degrees have 54 fraction bits at most.");
+    static_assert(shift >= 0, "Angles in degrees have at most 54 fraction bits.");
     const portable::Wide128 product = portable::multiply_full(magnitude(angle), factor);
     const uint64_t rounded = shift > 0 ? ((product.high >> (shift > 0 ? shift - 1 : 0)) + 1) >> 1
                                        : product.high + (product.low >> 63);
     return clamped_with_sign<Raw>(rounded, angle < 0);
 }
 
-// The angle of (x, y), by its unit factor 2^-Bits.
+// The angle of (x, y) in radians, times factor 2^-Bits.
 template <class Raw, int F, int Bits>
 FIXEDPOINT_CONSTEXPR Raw angle_of(Raw y, Raw x, uint64_t factor) {
     using Fine = FineAngle<Raw, F>;
@@ -183,8 +184,7 @@ struct AngleOfVector {
         return angle_of<Raw, F, 58>(y, x, 0xe52ee0d31e0fbdc3);  // 180 / pi
     }
 };
-// Up to 16 fraction bits an angle in radians of 32 bits and the product are off by 2^-5 ulp
-// together.
+// Up to 16 fraction bits, a 32-bit angle in radians and the product err by 2^-5 ulp together.
 template <class Raw, int F>
 struct AngleOfVector<Raw, F, true> {
     static FIXEDPOINT_CONSTEXPR int32_t in_radians(Raw y, Raw x) {  // 2^-28
@@ -204,7 +204,7 @@ struct AngleOfVector<Raw, F, true> {
         return rounded<21>(multiply<int32_t, 32>(in_radians(y, x), per_radian));
     }
 };
-// An angle in radians has as many digits as one in turns asks for.
+// In Q32.32, an angle in radians has enough digits for one in turns.
 template <>
 struct AngleOfVector<int64_t, 32, false> {
     static FIXEDPOINT_CONSTEXPR int64_t in_turns(int64_t y, int64_t x) {

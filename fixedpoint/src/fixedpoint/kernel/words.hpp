@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The words of a number of 64 bits. The chip's compiler shifts 64 bits by a loop over bytes, even
-// by four of them. Its calling convention has the upper word of an argument where a word belongs
-// that is returned, and two words where one of 64 bits does.
+// The words of a 64-bit number. The chip's compiler shifts 64 bits by a loop over bytes, even by
+// four of them. In its calling convention, the upper word of a 64-bit argument is where a 32-bit
+// result is returned, and two 32-bit arguments are where a 64-bit result is: these functions are a
+// `ret`.
 #pragma once
 
 #include <fixedpoint/integer.hpp>
@@ -28,7 +29,7 @@ FIXEDPOINT_IN_PLACE uint64_t join_words(uint32_t upper, uint32_t lower) {
 #endif
 
 constexpr uint16_t upper_half(uint32_t a) { return static_cast<uint16_t>(a >> 16); }
-// The word that begins with the highest byte of `lower`.
+// The low three bytes of `upper` followed by the highest byte of `lower`.
 constexpr uint32_t word_from_byte_3(uint32_t upper, uint32_t lower) {
     return upper << 8 | static_cast<uint8_t>(lower >> 24);
 }

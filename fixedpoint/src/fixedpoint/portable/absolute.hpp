@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Absolute values modulo 2^W: copysign, |a| with the sign of b, and abs_diff, |a - b|.
+// Absolute values modulo 2^W: copysign is |a| with the sign of b, abs_diff is |a - b|.
 #pragma once
 
 #include <fixedpoint/integer.hpp>

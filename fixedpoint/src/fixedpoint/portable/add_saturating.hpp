@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// add_saturating, subtract_saturating: a + b and a - b, saturated to the smallest or largest number
-// where they do not fit.
+// add_saturating, subtract_saturating: a + b and a - b, saturated to the smallest or largest
+// number.
 #pragma once
 
 #include <fixedpoint/integer.hpp>
@@ -15,7 +15,7 @@ constexpr Raw limit_by_sign(Raw a) {
 
 template <class Raw>
 FIXEDPOINT_CONSTEXPR Raw add_saturating(Raw a, Raw b) {
-    // An overflow has happened where both operands differ in sign from the wrapped sum.
+    // The sum overflowed if both operands differ in sign from the wrapped sum.
     const Raw sum = wrapping_add(a, b);
     return ((a ^ sum) & (b ^ sum)) < 0 ? limit_by_sign(a) : sum;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Steps of vectors of 2 or 3 components in place, each component rounded once, modulo 2^W:
 // add_scaled: sum_i += floor(v_i factor / 2^F + 1/2).
-// exchange:   the same product is added to a_i and subtracted from b_i, so that a_i + b_i stays.
+// exchange:   the same product is added to a_i and subtracted from b_i, so a_i + b_i is preserved.
 // dot_difference: dot(n, d) with d_i = u_i - v_i modulo 2^W, signed.
 // square: dot(v, v).
 #pragma once

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // DO NOT EDIT: written by python3 fixedpoint/tables/arc_sine.py
-// Of the arc sine from 0 on, in units of 2^-23: what it exceeds its argument by and 64, half an ulp of
-// Q16.16; what the chord of that rises over 1/64; its height over the curve's middle. Of sqrt(x / 2)
-// from x = 1/4 on, in units of 2^-22: value, rise and the curve's height over the middle of its chord.
+// For the arc sine from 0 on, in units of 2^-23: asin x - x plus 64, half an ulp of Q16.16; the rise of
+// its chord over 1/64; the height of the chord above the middle of the curve. For sqrt(x / 2) from
+// x = 1/4 on, in units of 2^-22: value, rise and the height of the curve above the middle of its chord.
 #pragma once
 
 #include <fixedpoint/program_memory.hpp>

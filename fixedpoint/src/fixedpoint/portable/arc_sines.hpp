@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// asin and acos: faithful, error below 0.75 ulp, with more than 58 fraction bits below 2 ulp;
-// saturated. Beyond -1 and 1 they are what they are there.
+// asin and acos: faithful, error below 0.75 ulp (below 2 ulp with more than 58 fraction bits),
+// saturated. An argument outside [-1, 1] counts as the nearer end.
 #pragma once
 
 #include <fixedpoint/portable/atan2.hpp>
@@ -10,8 +10,8 @@
 namespace fixedpoint {
 namespace portable {
 
-// sqrt(a) in a unit far smaller than the angle's: of 2^((F + 12) / 2) in a root of 32 bits where
-// that fits.
+// sqrt(a) in a unit far smaller than the unit of the angle: scaled by 2^((F + 12) / 2) in a 32-bit
+// root if that fits.
 template <int F, bool narrow = (F <= 24)>
 struct RootOfSum {
     static FIXEDPOINT_CONSTEXPR uint32_t apply(uint64_t a) {
@@ -25,8 +25,8 @@ struct RootOfSum<F, false> {
     }
 };
 
-// acos(a 2^-F) for 0 <= a < 2^F, as the word of first_quadrant_angle has it: twice the angle of
-// (sqrt(1 + a), sqrt(1 - a)), of which no digits cancel at either end.
+// acos(a 2^-F) for 0 <= a < 2^F, in the scale of first_quadrant_angle: twice the angle of (sqrt(1 +
+// a), sqrt(1 - a)), which avoids cancellation at both ends.
 template <int F>
 FIXEDPOINT_CONSTEXPR CordicWord<F + 1> acute_arc_cosine(uint64_t a) {
     constexpr uint64_t one = uint64_t(1) << F;

@@ -45,7 +45,7 @@ FIXEDPOINT_CONSTEXPR int32_t arc_sine_q16_16(int32_t a) {
     return half_pi_q16_16 + 3 * 64 - 2 * small_arc_sine_q16_16(root_of_half_q16_16(rest));
 }
 
-// Both of Q16.16 alone.
+// Both only in Q16.16.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw asin(Raw a) {
     const int32_t angle = arc_sine_q16_16(a) >> 7;

@@ -8,10 +8,11 @@
 namespace fixedpoint {
 namespace portable {
 
-// The small variant, for every format: no table but the word's few atan(2^-i), in Q16.16 none.
+// The small variant, for every format: its only table is the few atan(2^-i) of the word, and in
+// Q16.16 it does not have one.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw atan_small(Raw a) {
-    // 1 may be beyond the signed format, never beyond the unsigned one.
+    // The signed format may not be able to represent 1; the unsigned one always can.
     constexpr Unsigned<Raw> one = static_cast<Unsigned<Raw>>(Unsigned<Raw>(1) << F);
     return round_from_cordic<Raw, F>(first_quadrant_angle<F>(magnitude(a), one), a < 0);
 }
@@ -25,7 +26,7 @@ template <class Raw, int F>
 struct ArcTangent {
     static FIXEDPOINT_CONSTEXPR Raw apply(Raw a) { return atan_small<Raw, F>(a); }
 };
-// Rounded to nearest by that of Q16.16, as the table of the kernel is.
+// The arc tangent of Q16.16 rounded to nearest, like the table of the kernel.
 template <>
 struct ArcTangent<int8_t, 4> {
     static FIXEDPOINT_CONSTEXPR int8_t apply(int8_t a) {

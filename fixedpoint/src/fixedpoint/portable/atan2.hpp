@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // atan2: the angle of the vector (x, y) in radians, in (-pi, pi], faithful (error below 0.75 ulp),
-// saturated where the format cannot hold it; atan2(0, 0) = 0.
+// saturated; atan2(0, 0) = 0.
 #pragma once
 
 #include <fixedpoint/portable/atan2_32.hpp>
@@ -13,14 +13,14 @@
 namespace fixedpoint {
 namespace portable {
 
-// The angle of (x, y), both coordinates non-negative, not both zero, in the word's scale, within
-// 0.2 ulp of F fraction bits.
+// The angle of (x, y) in the scale of the word, within 0.2 ulp of F fraction bits. x and y must be
+// non-negative and not both zero.
 //
-// The vector is turned towards the x axis by atan(2^-i), i = 1, 2, ..., each turn only if y stays
-// non-negative. With Y = 2^i y, turn i is Y -= x, x += Y / 2^(2i), and y / x < 2^-i holds after it,
-// since y < 2^-(i-1) x before. Y is exact and only x is truncated. Where x grows too little to
-// matter (3 i >= F + 5), atan(2^-i) is 2^-i and the turns become the long division Y / x.
-// x starts below 2^(Bits-2) and grows by less than sqrt(2) 1.17, so that Y < 2 x fits.
+// The vector is rotated towards the x axis by atan(2^-i), i = 1, 2, ..., each rotation only if y
+// stays non-negative. With Y = 2^i y, rotation i is Y -= x, x += Y / 2^(2i), and y / x < 2^-i after
+// it, since y < 2^-(i-1) x before. Y is exact and only x is truncated. Once x grows too little to
+// matter (3 i >= F + 5), atan(2^-i) is 2^-i and the rotations become the long division Y / x. x
+// starts below 2^(Bits-2) and grows by less than a factor of sqrt(2) 1.17, so Y < 2 x fits.
 template <int F, class Coordinate>
 FIXEDPOINT_CONSTEXPR CordicWord<F> first_quadrant_angle(Coordinate y, Coordinate x) {
     using Word = CordicWord<F>;
@@ -39,7 +39,7 @@ FIXEDPOINT_CONSTEXPR CordicWord<F> first_quadrant_angle(Coordinate y, Coordinate
     Word adjacent = cordic_coordinate<Word>(larger);
     Word opposite = cordic_coordinate<Word>(smaller);
 
-    // Half of what the turns leave over.
+    // Half of the largest remaining angle.
     Word angle = Word(1) << (bits - 2 - turns - 1);
     for (int i = 1; i <= rotations; ++i) {
         opposite = opposite << 1;

@@ -9,12 +9,12 @@
 namespace fixedpoint {
 namespace portable {
 
-// shorter / longer as the position in the table, and 2^-40 units more.
+// shorter / longer as the position in the table in units of 2^-32, and eight more bits.
 struct Ratio32 {
     uint32_t position;
     uint32_t rest;
 };
-// shorter is at most longer, which is at most 2^32 and not 0.
+// Requires shorter <= longer <= 2^32 and longer > 0.
 FIXEDPOINT_CONSTEXPR Ratio32 ratio_32(uint64_t shorter, uint64_t longer) {
     if (shorter == longer) return {0xffffffff, 0xff};
     const uint32_t position = static_cast<uint32_t>((shorter << 32) / longer);
@@ -24,15 +24,15 @@ FIXEDPOINT_CONSTEXPR Ratio32 ratio_32(uint64_t shorter, uint64_t longer) {
         longer <<= 1;
         rest <<= 1;
     }
-    // The kernel multiplies both by the factor that makes the longer one 2^40 or little less:
+    // The kernel multiplies both by the factor that makes the longer one 2^40 or slightly less:
     // tables/reciprocal.py.
     uint32_t factor = (uint32_t(1) << 17) / (257 + static_cast<uint32_t>(longer >> 23 & 0xff));
     if (((uint64_t(1) << 40) - longer * factor) >> 32 != 0) ++factor;
     return {position, static_cast<uint32_t>(rest * factor >> 32)};
 }
 
-// The angle of (width, height), turned to the left half plane where asked, in units of 2^-31,
-// beyond 24 fraction bits of 2^-39; not both are 0, each is at most 2^32.
+// The angle of (width, height), mirrored to the left half plane if `left`, in units of 2^-31, or of
+// 2^-39 beyond 24 fraction bits. height and width must be at most 2^32 and not both 0.
 template <int F>
 FIXEDPOINT_CONSTEXPR int64_t unrounded_angle_32(uint64_t height, uint64_t width, bool left) {
     const bool steep = height > width;
@@ -41,7 +41,7 @@ FIXEDPOINT_CONSTEXPR int64_t unrounded_angle_32(uint64_t height, uint64_t width,
     constexpr int64_t pi = is_coarse ? 6746518852 : 1727108826179;
     int64_t angle = 0;
     if (is_coarse) {
-        // And a unit for what the core cuts.
+        // Plus a unit for the truncation in the core.
         angle = static_cast<int64_t>(cubic_32<Atan32Table<>>(ratio.position)) + 1;
     } else {
         const Cubic40 core = cubic_40<Atan32Table<>>(ratio.position);
@@ -50,7 +50,7 @@ FIXEDPOINT_CONSTEXPR int64_t unrounded_angle_32(uint64_t height, uint64_t width,
     return steep ? (left ? pi / 2 + angle : pi / 2 - angle) : (left ? pi - angle : angle);
 }
 
-// Rounded, and turned below where asked.
+// The same, rounded, and mirrored to the lower half plane if `below`.
 template <int F>
 FIXEDPOINT_CONSTEXPR int32_t angle_32(uint64_t height, uint64_t width, bool left, bool below) {
     constexpr int fraction_bits = is_coarse_32<F>() ? 31 : 39;

@@ -12,7 +12,8 @@
 namespace fixedpoint {
 namespace portable {
 
-// numerator / denominator with 24 fraction bits, below 1. Needs numerator <= denominator, not 0.
+// numerator / denominator with 24 fraction bits, below 1. Requires numerator <= denominator and
+// denominator > 0.
 FIXEDPOINT_CONSTEXPR uint32_t ratio_q16_16(uint32_t numerator, uint32_t denominator) {
     while ((denominator >> 31) == 0) {
         denominator <<= 1;

@@ -12,21 +12,21 @@
 namespace fixedpoint {
 namespace portable {
 
-// shorter / longer with 40 fraction bits, below 1. Needs shorter <= longer, not 0.
+// shorter / longer with 40 fraction bits, below 1. Requires shorter <= longer and longer > 0.
 FIXEDPOINT_CONSTEXPR uint64_t ratio_q32_32(uint64_t shorter, uint64_t longer) {
     while (longer >> 63 == 0) {
         longer <<= 1;
         shorter <<= 1;
     }
     const uint64_t n = shorter >> 24, d = longer >> 24;
-    // 2^63 / d: at most 34 too large before, and never after.
+    // 2^63 / d: at most 34 too large before the bias, and never too large after it.
     constexpr uint32_t bias = 40;
     const uint32_t inverse = interpolate_falling<RatioTable<>>(
                                  static_cast<uint32_t>(d >> 15 & 0xffffff) & ~uint32_t(1)) -
                              bias;
     const uint32_t g = multiply_high_24(static_cast<uint32_t>(n >> 16), inverse) << 1;
 
-    // n 2^24 - g d by bytes, without the lowest two.
+    // n 2^24 - g d from byte products, without the lowest two bytes.
     uint32_t product = 0;
     for (int i = 0; i < 3; ++i) {
         for (int j = 2 - i; j < 6 - i && j < 5; ++j) {
@@ -40,10 +40,10 @@ FIXEDPOINT_CONSTEXPR uint64_t ratio_q32_32(uint64_t shorter, uint64_t longer) {
     return ratio >> 40 != 0 ? 0xffffffffff : ratio;
 }
 
-// The angle of (width, height), turned to the left half plane and below where asked; not both are
-// 0.
+// The angle of (width, height), mirrored to the left and to the lower half plane if `left` and
+// `below`. height and width must not both be 0.
 FIXEDPOINT_CONSTEXPR int64_t angle_q32_32(uint64_t height, uint64_t width, bool left, bool below) {
-    // In units of 2^-39; the table's angle holds half an ulp for the rounding.
+    // In units of 2^-39; the angle from the table includes half an ulp for rounding.
     constexpr int64_t half_pi = 863554413090, pi = 1727108826179, half = 1 << 6;
     const bool steep = height >= width;
     const int64_t angle = static_cast<int64_t>(

@@ -8,8 +8,8 @@
 namespace fixedpoint {
 namespace portable {
 
-// 2^16 atan(numerator / denominator), for numerator <= denominator, denominator not 0. Reciprocal
-// and arc tangent are chords, the ratio has 15 bits and is below 1.
+// 2^16 atan(numerator / denominator). Requires numerator <= denominator and denominator > 0.
+// Reciprocal and arc tangent are interpolated linearly; the ratio has 15 bits and is below 1.
 FIXEDPOINT_CONSTEXPR uint16_t arctangent_q8_8(uint16_t numerator, uint16_t denominator) {
     using Table = Atan2Q8_8Table<>;
     while ((denominator >> 15) == 0) {
@@ -31,7 +31,7 @@ FIXEDPOINT_CONSTEXPR uint16_t arctangent_q8_8(uint16_t numerator, uint16_t denom
 
 FIXEDPOINT_CONSTEXPR int16_t atan2_q8_8(int16_t y, int16_t x) {
     if (x == 0 && y == 0) return 0;
-    // With half an ulp, so that cutting 8 bits rounds.
+    // Includes half an ulp, so that truncating 8 bits rounds.
     constexpr uint32_t half_pi = 103072, pi = 206015, half_ulp = 128;
     const uint16_t height = magnitude(y), width = magnitude(x);
     uint32_t angle = 0;

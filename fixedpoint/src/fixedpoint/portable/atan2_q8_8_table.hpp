@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// DO NOT EDIT: written by python3 fixedpoint/tables/atan2_q8_8.py, which says what the entries are.
+// DO NOT EDIT: written by python3 fixedpoint/tables/atan2_q8_8.py, which describes the entries.
 #pragma once
 
 #include <fixedpoint/program_memory.hpp>

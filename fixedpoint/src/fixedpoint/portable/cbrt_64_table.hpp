@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // DO NOT EDIT: written by python3 fixedpoint/tables/cbrt_64.py
-// cbrt(1 + x) - 1, 9 2^-39 more and half an ulp of Q32.32 less, on 256 intervals of [0, 1], cubics
-// in the layout of tables/cubic.py.
-// 8.4 2^-39 off at most, of 34 points an interval; the values hold half an ulp of Q32.32.
+// cbrt(1 + x) - 1 + 9 2^-39 - half an ulp of Q32.32 on 256 intervals of [0, 1], cubics in the
+// layout of tables/cubic.py.
+// The error is at most 8.4 2^-39 at 34 points per interval; the values include half an ulp of Q32.32.
 #pragma once
 
 #include <fixedpoint/program_memory.hpp>

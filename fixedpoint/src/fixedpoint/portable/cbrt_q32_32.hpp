@@ -9,10 +9,10 @@
 namespace fixedpoint {
 namespace portable {
 
-// Of the cube of 2^40 + u, in units of 2^-120, the bytes 8 to 10, and how many carries reach them
-// from byte 7; u is below 2^39.
+// Bytes 8 to 10 of the cube of 2^40 + u, in units of 2^-120, including the carries from byte 7. u
+// must be below 2^39.
 FIXEDPOINT_CONSTEXPR uint32_t middle_of_cube(uint64_t u) {
-    // The square from byte 2 on, but for 2^80.
+    // The square from byte 2 on, without 2^80.
     uint64_t square = u << 25;
     for (int i = 0; i < 5; ++i) {
         for (int j = 0; j < 5; ++j) {
@@ -32,8 +32,8 @@ FIXEDPOINT_CONSTEXPR uint32_t middle_of_cube(uint64_t u) {
     return cube >> 8;
 }
 
-// The root y of the table, 1 + u, becomes y + (m - y^3) / (3 y^2), m being the mantissa: the slope
-// of the table is 1 / (3 y^2).
+// One Newton step: the root y = 1 + u from the table becomes y + (m - y^3) / (3 y^2), where m is
+// the mantissa; the slope of the table is 1 / (3 y^2).
 FIXEDPOINT_CONSTEXPR int64_t cbrt_q32_32(int64_t a) {
     using Table = Cbrt64Table<>;
     constexpr uint64_t half_roots[3] = {0x80000000000000, 0xa14517cc6b9457,
@@ -53,7 +53,8 @@ FIXEDPOINT_CONSTEXPR int64_t cbrt_q32_32(int64_t a) {
     const int32_t slope =
         static_cast<int32_t>((read_program_memory(Table::slope[interval]) >> 16) -
                              (bend * static_cast<uint8_t>(position >> 24) >> 7));  // 2^-15
-    // From -84 to 16 2^-39, as the table's root is too large in the mean: 24 bits, 2^-56.
+    // The residual m - y^3 is in -84..16 2^-39, since the table's root is biased upward: 24 bits in
+    // units of 2^-56.
     const uint32_t rest =
         (static_cast<uint32_t>(mantissa >> 8) - middle_of_cube(root << 1)) & 0xffffff;
     const int64_t distance = static_cast<int64_t>(rest) - (rest < 0x400000 ? 0 : 0x1000000);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The exact result of Q16.16, rounded, where the cores of 32 bits leave no doubt about it, and the
-// smallest number, which no result is, where they do: for hosts, and chips without kernels. Other
-// formats have none, and are always in doubt.
+// The exact result in Q16.16, rounded, if a 32-bit core decides the rounding; otherwise the
+// smallest number, which is never a result. For hosts and chips without kernels. In other formats
+// the rounding always counts as undecided.
 #pragma once
 
 #include <fixedpoint/portable/atan2_32.hpp>
@@ -81,8 +81,8 @@ template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw certain_exp(Raw) {
     return RawLimits<Raw>::min;
 }
-// The mantissa errs by 0.2 units of 2^-31, so that the whole errs by less than its upper byte and 1
-// in units of 2^-8 ulp; a unit more is cut.
+// The mantissa errs by 0.2 units of 2^-31, so the result errs by less than its upper byte plus 1 in
+// units of 2^-8 ulp; truncation adds one more unit.
 template <>
 FIXEDPOINT_CONSTEXPR int32_t certain_exp<int32_t, 16>(int32_t a) {
     const uint64_t power = exp_wide<int64_t, 40>(static_cast<int64_t>(a) * (int32_t(1) << 24), 16);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The chords of tables/chords_of_bytes.py, as the kernels of 16 bits evaluate them.
+// Linear interpolation in the tables of tables/chords_of_bytes.py, as the 16-bit kernels evaluate
+// it.
 #pragma once
 
 #include <fixedpoint/integer.hpp>
@@ -8,7 +9,7 @@
 namespace fixedpoint {
 namespace portable {
 
-// The splits of 16 bits for which these chords are exact enough.
+// Whether the tables are accurate enough for the format.
 template <class Raw, int F>
 constexpr bool is_coarse_16() {
     return sizeof(Raw) == 2 && F <= 8;

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The raw of a float or an integer that the compiler knows: in every standard a constant
-// expression, which what goes beyond the range is not.
+// The raw of a float or an integer that the compiler knows: a constant expression in every
+// standard, unless the value is out of range.
 #pragma once
 
 #include <fixedpoint/builtin.hpp>
 #include <fixedpoint/portable/convert.hpp>
 
-// C++20 evaluates such a function when it compiles or not at all. Before, an optimising compiler
-// refuses a call of what is left over; one that does not optimise stops the program there.
+// C++20 always evaluates such a function at compile time. Before C++20, an optimising compiler
+// rejects a call of the error function that is left over; without optimisation, the program stops
+// there.
 #if __cplusplus >= 202002L
 #define FIXEDPOINT_CONSTEVAL consteval
 #else
@@ -18,7 +19,7 @@ namespace fixedpoint {
 namespace portable {
 
 #ifdef __OPTIMIZE__
-__attribute__((error("fixed takes a constant that the format holds"))) int64_t
+__attribute__((error("fixed takes a constant that the format can represent"))) int64_t
 the_format_does_not_hold_this_constant();
 #else
 inline int64_t the_format_does_not_hold_this_constant() { __builtin_trap(); }
@@ -31,7 +32,8 @@ struct Constant {
 };
 template <class Raw, int F>
 struct Constant<Raw, F, BuiltinKind::integer> {
-    // In words that hold every integer: a call to what is not inlined would leave the refusal in.
+    // In words that can represent every integer: a call to a function that is not inlined would
+    // leave the error function in.
     template <class Int>
     static FIXEDPOINT_CONSTEVAL Raw raw(Int n) {
         return (n < Int(1)
@@ -48,15 +50,15 @@ struct Constant<Raw, F, BuiltinKind::floating_point> {
     static FIXEDPOINT_CONSTEVAL Float power(int bits) {
         return static_cast<Float>(uint64_t(1) << bits);
     }
-    // floor(ulps + 1/2), from the integer next to ulps toward 0.
+    // floor(ulps + 1/2), given `whole`, which is ulps truncated.
     template <class Float>
     static FIXEDPOINT_CONSTEVAL int64_t rounded(Float ulps, int64_t whole) {
         return ulps - static_cast<Float>(whole) >= Float(0.5)   ? whole + 1
                : ulps - static_cast<Float>(whole) < -Float(0.5) ? whole - 1
                                                                 : whole;
     }
-    // Where a Float does not tell the limit from half an ulp beyond, it has no number between them.
-    // No comparison holds for NaN.
+    // If a Float does not distinguish the limit from half an ulp beyond it, it does not have a
+    // number between the two. Every comparison with NaN is false.
     template <class Float>
     static FIXEDPOINT_CONSTEVAL Raw raw_of_ulps(Float ulps) {
         return ulps < power<Float>(RawLimits<Raw>::width - 1) - Float(0.5) &&
@@ -64,7 +66,7 @@ struct Constant<Raw, F, BuiltinKind::floating_point> {
                    ? static_cast<Raw>(rounded(ulps, static_cast<int64_t>(ulps)))
                    : static_cast<Raw>(the_format_does_not_hold_this_constant());
     }
-    // Scaled by a power of two, x stays exact.
+    // Scaling x by a power of two is exact.
     template <class Float>
     static FIXEDPOINT_CONSTEVAL Raw raw(Float x) {
         return raw_of_ulps(x * power<Float>(F));

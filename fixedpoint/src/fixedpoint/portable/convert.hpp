@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Conversion between fixed-point formats and integers of any width and signedness. An integer is
-// the format with F = 0, so that every conversion is one shift, rounded to nearest half up
-// where it drops bits. convert wraps, convert_clamped saturates and says so.
+// the format with F = 0, so every conversion is one shift, rounded to nearest, half up, if it drops
+// bits. convert wraps; convert_clamped saturates and reports whether it did.
 #pragma once
 
 #include <fixedpoint/integer.hpp>
@@ -11,7 +11,7 @@
 namespace fixedpoint {
 namespace portable {
 
-// The integer n 2^Shift mod 2^W, W the width of Target.
+// The integer n 2^Shift mod 2^W, where W is the width of Target.
 template <class Target, int Shift, class Source>
 constexpr Target scale(Source n) {
     return static_cast<Target>(
@@ -26,8 +26,8 @@ FIXEDPOINT_CONSTEXPR Converted<Target> scale_clamped(Source n) {
         target_is_signed ? static_cast<Target>(RawLimits<Target>::max) : Target(-1);
     constexpr Target min =
         target_is_signed ? static_cast<Target>(RawLimits<Target>::min) : Target(0);
-    // Zero and negative sources are compared as signed numbers and the others as unsigned ones, so
-    // that no comparison mixes the two, nor asks whether an unsigned number is below zero.
+    // Zero and negative sources are compared as signed numbers and positive ones as unsigned
+    // numbers, so that no comparison mixes the two or tests an unsigned number for being negative.
     if (n < Source(1)) {
         const bool fits = static_cast<Integer<RawLimits<Source>::width>>(n) >=
                           static_cast<Integer<RawLimits<Target>::width>>(min >> Shift);
@@ -40,7 +40,7 @@ FIXEDPOINT_CONSTEXPR Converted<Target> scale_clamped(Source n) {
     return {scale<Target, Shift>(n), true};
 }
 
-// How far a point moves left or right from one format to another.
+// The left and the right shift of a raw from one format to another.
 template <int FromF, int ToF>
 constexpr int left_shift() {
     return ToF > FromF ? ToF - FromF : 0;

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Converted: what a conversion that may leave the range of its target returns.
+/// Converted: the result of a conversion whose source may be outside the target's range.
 #pragma once
 
 namespace fixedpoint {
 namespace portable {
 
-/// The target number nearest to the source, and whether the source, rounded, is that number. Where
-/// it is not, the number is the limit of the target's range that the source lies beyond.
+/// The source rounded and saturated to the target's range, and whether it was in range.
 template <class Target>
 struct Converted {
-    /// The target number.
+    /// The target number: the rounded source, or the limit of the range that it exceeds.
     Target number;
-    /// Whether the source, rounded, is it.
+    /// Whether the rounded source is in range.
     bool fits;
 };
 

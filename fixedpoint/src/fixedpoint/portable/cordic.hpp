@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The working word of the shift-and-add rotations (Jack Volder, "The CORDIC trigonometric computing
-// technique", 1959): the narrowest one that leaves at least twelve bits beyond the result's
-// fraction for rounding errors and the headroom of the vector. It holds angles with Bits - 2
-// fraction bits.
+// technique", 1959): the narrowest one with at least twelve bits more than the fraction of the
+// result, for guard bits and the growth of the vector. Angles have Bits - 2 fraction bits.
 #pragma once
 
 #include <fixedpoint/integer.hpp>
@@ -32,7 +31,7 @@ constexpr int cordic_bits() {
     return static_cast<int>(8 * sizeof(Word));
 }
 
-// An unsigned integer with its top bit moved to bit Bits - 3 of the word; what falls below is cut.
+// An unsigned integer with its top bit moved to bit Bits - 3 of the word; lower bits are truncated.
 template <class Word, class Coordinate>
 FIXEDPOINT_CONSTEXPR Word cordic_coordinate(Coordinate a) {
     constexpr int surplus = RawLimits<Coordinate>::width - (cordic_bits<Word>() - 2);

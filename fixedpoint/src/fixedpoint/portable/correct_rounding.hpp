@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// On which side of a tie an exact result lies, for numbers of Q16.16, and the rounding that asks.
+// On which side of a tie an exact result lies, for numbers of Q16.16, and the rounding that depends
+// on it.
 //
-// A result in units of 2^-32 whose error is below one unit decides the rounding to 16 bits and
-// fewer, unless it is a tie itself: from a unit above the tie on the exact result is beyond it,
-// from a unit below it is not. Once in 2^16 results it is one, and a `reaches` decides: whether the
-// exact result is the tie, in units of 2^-32, or more. Where integers decide it is exact, in the
-// others an evaluation with an error far below the distance of the nearest result from a tie.
+// A result in units of 2^-32 with an error below one unit decides the rounding to 16 or fewer
+// fraction bits, unless it is itself a tie: from one unit above the tie on, the exact result is
+// above it; from one unit below, it is not. About once in 2^16 results it is a tie, and a `reaches`
+// decides whether the exact result is at least the tie, given in units of 2^-32. Some are exact, by
+// integers; the others evaluate the function with an error far below the smallest distance of any
+// result from a tie.
 #pragma once
 
 #include <fixedpoint/portable/convert.hpp>
@@ -15,25 +17,26 @@
 namespace fixedpoint {
 namespace portable {
 
-// `wide` 2^-32, the exact result within less than 2^-32, rounded to F bits, half up, and saturated.
+// The exact result, from which `wide` 2^-32 must differ by less than 2^-32, rounded to F fraction
+// bits, half up, and saturated.
 template <class Raw, int F, class Side, class... Operands>
 FIXEDPOINT_CONSTEXPR Raw correctly_rounded(int64_t wide, Operands... a) {
     static_assert(F <= 16 && RawLimits<Raw>::width - F <= 16,
-                  "only for formats whose numbers all are numbers of Q16.16");
+                  "CorrectlyRounded needs a format whose numbers are all numbers of Q16.16.");
     constexpr uint32_t half = uint32_t(1) << (31 - F);
     const Converted<Raw> up = convert_clamped<Raw, F, int64_t, 32>(wide);
     const bool is_tie = (static_cast<uint32_t>(wide) & (2 * half - 1)) == half;
-    // What lies below the smallest number is saturated, whichever side it is on.
+    // Results below the smallest number saturate, whichever side of the tie they are on.
     if (!is_tie || !up.fits || up.number == RawLimits<Raw>::min) return up.number;
     return Side::reaches(wide, convert<int32_t, 16, Raw, F>(a)...)
                ? up.number
                : static_cast<Raw>(up.number - 1);
 }
 
-// 2 r for a result r of Q16.16 from one of 2^-32 that is a tie.
+// 2 r in Q16.16 for a tie r given in units of 2^-32.
 constexpr int64_t twice_in_q16_16(int64_t tie) { return tie / (1 << 15); }
 
-// a 2^35 >= (2 r)^3, from their small difference modulo 2^64.
+// a 2^35 >= (2 r)^3, decided by their small difference modulo 2^64.
 struct CubeRootSide {
     static FIXEDPOINT_CONSTEXPR bool reaches(int64_t tie, int32_t a) {
         const uint64_t root = static_cast<uint64_t>(twice_in_q16_16(tie));
@@ -42,7 +45,7 @@ struct CubeRootSide {
         return above >> 63 == 0;
     }
 };
-// v / sqrt(v^2 + a^2 + b^2) >= r where v^2 2^34 >= (2 r)^2 (v^2 + a^2 + b^2), all of one sign.
+// v / sqrt(v^2 + a^2 + b^2) >= r if v^2 2^34 >= (2 r)^2 (v^2 + a^2 + b^2), for v and r of one sign.
 struct UnitComponentSide {
     static FIXEDPOINT_CONSTEXPR bool reaches(int64_t tie, int32_t v, int32_t a, int32_t b) {
         const uint64_t component = static_cast<uint64_t>(twice_in_q16_16(v < 0 ? -tie : tie));
@@ -52,10 +55,10 @@ struct UnitComponentSide {
     }
 };
 
-// The fraction bits to which the cores of 128 bits are exact.
+// The fraction bits to which the 128-bit cores are accurate.
 constexpr int precise_fraction = 60;
 
-// Cosine and sine of a, of Q16.16, with 126 fraction bits.
+// Cosine and sine of a, a number of Q16.16, with 126 fraction bits.
 FIXEDPOINT_CONSTEXPR UnitVector<Word128> precise_unit_vector(int32_t a) {
     constexpr uint64_t two_over_pi = 683565276;  // 2^-30
     const uint64_t positive = magnitude(a);
@@ -72,7 +75,7 @@ constexpr Word128 signed_word(int64_t a) {
 }
 constexpr bool is_at_least(const Word128& a, const Word128& b) { return !is_negative(a - b); }
 
-// The sine against the tie times the cosine, both with 94 fraction bits.
+// Compares the sine with the tie times the cosine, both with 94 fraction bits.
 struct TangentSide {
     static FIXEDPOINT_CONSTEXPR bool reaches(int64_t tie, int32_t a) {
         const UnitVector<Word128> unit = precise_unit_vector(a);
@@ -83,8 +86,8 @@ struct TangentSide {
         return is_at_least(shift_right_signed(sine, 32), tie < 0 ? negated(product) : product);
     }
 };
-// The logarithm of a 2^-16 as that of a mantissa from 1 to 2 and a multiple of that of 2, with 58
-// fraction bits.
+// The logarithm of a 2^-16 as the logarithm of a mantissa in [1, 2) plus a multiple of that of 2,
+// with 58 fraction bits.
 template <class OfMantissa, int64_t of_two>
 struct LogarithmSide {
     static FIXEDPOINT_CONSTEXPR bool reaches(int64_t tie, int32_t a) {
@@ -105,9 +108,10 @@ struct OfMantissa58 {
 using Log2Side = LogarithmSide<OfMantissa58<Log2>, int64_t(1) << 58>;
 using Log10Side = LogarithmSide<OfMantissa58<Log10>, 86765988883177455>;
 
-// Functions of which few operands have results in the range: of each of those the side was compared
-// with an evaluation of 113 bits. Powers have too many pairs for that: they are correct unless one
-// is closer to a tie than 2^-48. A power that is a tie, as 1.5^17, comes out as the tie.
+// For functions with few operands whose results are in range: for each of those, the side was
+// compared with an evaluation of 113 bits. Powers have too many pairs for that: they are correct
+// unless one is closer to a tie than 2^-48. A power that is a tie, such as 1.5^17, evaluates to
+// exactly the tie.
 template <class Function>
 struct WideSide {
     template <class... Operands>

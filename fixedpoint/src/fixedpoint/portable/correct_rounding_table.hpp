@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // DO NOT EDIT: written by python3 fixedpoint/tables/correct_rounding.py
-// atan(i / 32) and atan(i / 2048) in units of 2^-64; sine and cosine of i / 64 in those units, 1 a unit less;
-// and of e^i from i = 9 on the 64 leading bits, the lower half first.
+// atan(i / 32) and atan(i / 2048) in units of 2^-64; sine and cosine of i / 64 in those units, 1 as a unit less;
+// and the 64 leading bits of e^i from i = 9 on, the lower half first.
 #pragma once
 
 #include <fixedpoint/program_memory.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // cross, twice_cross, quaternion_times_vector, quaternion_product, complex_product, and the
-// cofactors of a matrix of three rows: floor(sum / 2^F + 1/2) modulo 2^W of each component, where
-// the sum of products, of which some are subtracted, is exact.
+// cofactors of a 3x3 matrix. Each component is floor(sum / 2^F + 1/2) modulo 2^W, where the sum of
+// products, some of them negated, is exact.
 #pragma once
 
 #include <fixedpoint/portable/product_sum.hpp>

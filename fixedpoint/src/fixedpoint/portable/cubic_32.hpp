@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Piecewise cubics on 256 intervals, the core of every function of 32 bits, bit for bit as
-// avr/cubic_32.S computes them: value + t (slope - t (bend + t twist)), t in [0, 1) the position in
-// the interval. tables/cubic.py makes the tables.
+// Piecewise cubics on 256 intervals, the core of every 32-bit function, bit for bit as
+// avr/cubic_32.S computes them: value + t (slope - t (bend + t twist)), where t in [0, 1) is the
+// position in the interval. tables/cubic.py generates the tables.
 #pragma once
 
 #include <fixedpoint/constexpr.hpp>
@@ -11,7 +11,7 @@
 namespace fixedpoint {
 namespace portable {
 
-// Whether the core of 32 bits is exact enough for a function whose results are below 2.
+// Whether the 32-bit core is accurate enough for a function whose results are below 2.
 template <int F>
 constexpr bool is_coarse_32() {
     return F <= 24;
@@ -23,8 +23,8 @@ FIXEDPOINT_CONSTEXPR int32_t twist_of(uint8_t interval) {
     return static_cast<int8_t>(read_program_memory(Table::twist[interval]));
 }
 
-// In units of 2^-31, modulo 2^32, within 5.7 units (avr/cubic_core_32.inc). Needs position below
-// 2^32, the whole table.
+// In units of 2^-31, modulo 2^32, within 5.7 units (avr/cubic_core_32.inc). The position is in
+// units of 2^-32 of the whole table.
 template <class Table>
 FIXEDPOINT_CONSTEXPR uint32_t cubic_32(uint32_t position) {
     const uint8_t interval = static_cast<uint8_t>(position >> 24);

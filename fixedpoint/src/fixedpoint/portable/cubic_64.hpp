@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The piecewise cubics of Q32.32, bit for bit as avr/cubic_64.S computes them: value + t (slope - t
-// (bend + t twist)), t in [0, 1) the position in the interval. tables/cubic.py makes the tables.
+// (bend + t twist)), where t in [0, 1) is the position in the interval. tables/cubic.py generates
+// the tables.
 #pragma once
 
 #include <fixedpoint/constexpr.hpp>
@@ -10,8 +11,8 @@
 namespace fixedpoint {
 namespace portable {
 
-// In units of 2^-39, modulo 2^40, with half an ulp of Q32.32 for the rounding. Needs position below
-// 2^40, the whole table.
+// In units of 2^-39, modulo 2^40, including half an ulp of Q32.32 for rounding. The position, below
+// 2^40, is in units of 2^-40 of the whole table.
 template <class Table>
 FIXEDPOINT_CONSTEXPR uint64_t cubic_64(uint64_t position) {
     const uint8_t interval = static_cast<uint8_t>(position >> 32);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The two steps that all decimal text consists of: a binary fraction takes a decimal digit in
-// front, or gives its first decimal digit away. Both are exact, in one word and without a wider
-// one.
+// The two steps behind all decimal text: prepend a decimal digit to a binary fraction, and take its
+// first decimal digit away. Both are exact in one word, without a wider one.
 #pragma once
 
 #include <fixedpoint/integer.hpp>
@@ -10,20 +9,21 @@
 namespace fixedpoint {
 namespace portable {
 
-// The word in which a Raw meets decimal digits: at least 32 bits, so that the narrow formats share
-// their code and no operand is promoted to a signed int.
+// The word in which a Raw is converted from and to decimal digits: at least 32 bits, so that the
+// narrow formats share their code and no operand is promoted to a signed int.
 template <class Raw>
 using DecimalWord = UnsignedInteger<(RawLimits<Raw>::width > 32) ? 64 : 32>;
 
-// A number in [0, 1): bits / 2^P, P the width of Word, and a little more where `inexact`.
+// A number in [0, 1): bits / 2^P, where P is the width of Word, plus less than one unit if
+// `inexact`.
 template <class Word>
 struct DecimalFraction {
     Word bits;
     bool inexact;
 
-    // Becomes (digit + *this) / 10. Going from the last digit to the first, bits is the exact
-    // fraction of arbitrarily many digits rounded down, since floor((d + x) / 10) =
-    // floor((d + floor(x)) / 10) for integer d; inexact says whether anything was dropped.
+    // Becomes (digit + *this) / 10. Called from the last digit to the first, it keeps in `bits` the
+    // exact fraction of arbitrarily many digits, rounded down, since floor((d + x) / 10) = floor((d
+    // + floor(x)) / 10) for integer d. `inexact` says whether anything was dropped.
     FIXEDPOINT_CONSTEXPR void prepend(uint8_t digit) {
         // 2^P = 10 tenth + 6 for P = 32 and 64, so that digit 2^P / 10 = digit tenth + 6 digit
         // / 10.
@@ -33,7 +33,7 @@ struct DecimalFraction {
         inexact = inexact || rest % 10 != 0;
     }
 
-    // Gives away the first decimal digit d and becomes 10 *this - d.
+    // Returns the first decimal digit d and becomes 10 *this - d.
     FIXEDPOINT_CONSTEXPR uint8_t take() {
         // With bits = 16 a + b, 10 bits / 2^P = (10 a + 10 b / 16) / 2^(P-4), which stays below
         // 2^P.
@@ -43,29 +43,29 @@ struct DecimalFraction {
         return static_cast<uint8_t>(digit);
     }
 
-    // Whether rounding to an integer moves the magnitude up: nearest, half up.
+    // Whether rounding to an integer, to nearest, half up, increases the magnitude.
     FIXEDPOINT_CONSTEXPR bool rounds_away(bool negative) const {
         constexpr Word half = Word(1) << (RawLimits<Word>::width - 1);
         return bits > half || (bits == half && (inexact || !negative));
     }
 };
 
-// The number magnitude / 2^F in [0, 2^(P-F)) is (magnitude >> F) + this.
+// The fraction of magnitude / 2^F, whose integer part is magnitude >> F.
 template <class Word, int F>
 constexpr DecimalFraction<Word> fraction_of(Word magnitude) {
-    // Two shifts, since one by P (F = 0) is undefined.
+    // Two shifts, since a single shift by P (F = 0) would be undefined.
     return {(magnitude << (RawLimits<Word>::width - 1 - F)) << 1, false};
 }
 
-// The number (integer + fraction), negated where `negative`, as a raw number: rounded to nearest,
-// half up, and saturated.
+// integer + fraction, negated if `negative`, as a raw number: rounded to nearest, half up, and
+// saturated.
 template <class Raw, int F, class Word>
 FIXEDPOINT_CONSTEXPR Converted<Raw> assemble(Word integer, DecimalFraction<Word> fraction,
                                              bool negative) {
     const Word limit = static_cast<Word>(RawLimits<Raw>::max) + (negative ? 1 : 0);
     const Converted<Raw> clamped = {negative ? RawLimits<Raw>::min : RawLimits<Raw>::max, false};
     if (integer > (limit >> F)) return clamped;
-    // What lies below one ulp, again as a fraction of it.
+    // The part below one ulp, as a fraction of an ulp.
     const DecimalFraction<Word> below = {fraction.bits << F, fraction.inexact};
     const Word magnitude =
         (integer << F) + ((fraction.bits >> (RawLimits<Word>::width - 1 - F)) >> 1);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The characters of a literal as a raw number, a constant in C++11 too: each function is a single
-// return statement. At run time, and for signs, portable/decimal_parse.hpp does the same in loops.
+// The characters of a literal as a raw number, which is a constant in C++11 too: each function is a
+// single return statement. At run time, and for signs, portable/decimal_parse.hpp does the same in
+// loops.
 //
-// A literal has no sign. Ties upward are then told by the bit behind the last one: what the digits
-// leave below it does not matter, and is dropped.
+// A literal does not have a sign. Rounding half up then depends only on the bit after the last one;
+// all lower digits are dropped.
 #pragma once
 
 #include <limits.h>
@@ -16,7 +17,7 @@ namespace portable {
 
 constexpr bool is_literal_digit(char c) { return c >= '0' && c <= '9'; }
 constexpr uint8_t literal_digit(char c) { return static_cast<uint8_t>(c - '0'); }
-// What stands between and behind the digits of a mantissa: separators mean nothing.
+// The characters of a mantissa; digit separators are ignored.
 constexpr bool is_mantissa(char c) { return is_literal_digit(c) || c == '.' || c == '\''; }
 
 constexpr const char* mantissa_end(const char* at, const char* end) {
@@ -31,17 +32,17 @@ constexpr bool all_digits(const char* at, const char* end) {
 constexpr bool has_sign(const char* at, const char* end) {
     return at != end && (*at == '-' || *at == '+');
 }
-// [at, end), behind the mantissa: nothing, or an exponent.
+// Whether [at, end), what follows the mantissa, is empty or an exponent.
 constexpr bool is_exponent(const char* at, const char* end) {
     return at == end || ((*at == 'e' || *at == 'E') && at + 1 + has_sign(at + 1, end) != end &&
                          all_digits(at + 1 + has_sign(at + 1, end), end));
 }
-// The compiler sees to it that a literal begins with a digit or a point and a digit.
+// The compiler guarantees that a literal begins with a digit, or with a point and a digit.
 constexpr bool is_decimal_literal(const char* at, const char* end) {
     return count('.', at, mantissa_end(at, end)) <= 1 && is_exponent(mantissa_end(at, end), end);
 }
 
-// Larger exponents than any literal has digits need not be told apart.
+// Exponents larger than the number of digits in any literal need not be distinguished.
 constexpr long exponent_digits(const char* at, const char* end, long exponent) {
     return at == end ? exponent
                      : exponent_digits(at + 1, end,
@@ -55,13 +56,13 @@ constexpr long literal_exponent(const char* at, const char* end) {
            : at[1] == '-'           ? -exponent_digits(at + 2, end, 0)
                                     : exponent_digits(at + 2, end, 0);
 }
-// The digits behind the point.
+// The number of digits after the point.
 constexpr long count_decimals(const char* at, const char* last, bool behind) {
     return at == last ? 0
                       : (behind && is_literal_digit(*at) ? 1 : 0) +
                             count_decimals(at + 1, last, behind || *at == '.');
 }
-// Where [first, last) has `decimals` digits behind it, or first.
+// The position in [first, last) that `decimals` digits follow, or first if there are fewer.
 constexpr const char* point_of(const char* first, const char* last, long decimals) {
     return decimals <= 0 || first == last
                ? last
@@ -74,7 +75,8 @@ constexpr Word prepended(uint8_t digit, Word bits) {
     return static_cast<Word>(digit * (static_cast<Word>(-1) / 10) + bits / 10 +
                              (6u * digit + static_cast<unsigned>(bits % 10)) / 10);
 }
-// The fraction whose last `decimals` digits are the last ones of [first, last), and zeros in front.
+// The fraction of `decimals` digits, which are the last ones of [first, last) with zeros before
+// them.
 template <class Word>
 constexpr Word literal_fraction(const char* first, const char* last, long decimals, Word bits) {
     return decimals <= 0 || (first == last && bits == 0) ? bits
@@ -84,7 +86,7 @@ constexpr Word literal_fraction(const char* first, const char* last, long decima
                                   prepended<Word>(literal_digit(last[-1]), bits))
                : literal_fraction(first, last - 1, decimals, bits);
 }
-// 10 integer + digit, or the largest Word where that is larger; once reached, it stays.
+// 10 integer + digit, saturated to the largest Word, at which it then stays.
 template <class Word>
 constexpr Word appended(Word integer, uint8_t digit) {
     return integer > (static_cast<Word>(-1) - 9) / 10 ? static_cast<Word>(-1)
@@ -104,7 +106,8 @@ constexpr Word with_zeros(Word integer, long zeros) {
                : with_zeros(appended(integer, 0), zeros - 1);
 }
 
-// (integer + fraction / 2^P) 2^F to nearest, ties upward; the largest Word where no Raw holds it.
+// (integer + fraction / 2^P) 2^F rounded to nearest, half up; the largest Word if integer is out of
+// range.
 template <class Raw, int F, class Word>
 constexpr Word rounded_literal(Word integer, Word fraction) {
     return integer > static_cast<Word>(RawLimits<Raw>::max) >> F
@@ -120,7 +123,7 @@ constexpr DecimalWord<Raw> parse_mantissa(const char* first, const char* last, l
                    -decimals),
         literal_fraction<DecimalWord<Raw>>(first, last, decimals, 0));
 }
-// The number that a decimal literal says; more than the largest Raw where none holds it.
+// The number that a decimal literal denotes; more than the largest Raw if it is out of range.
 template <class Raw, int F>
 constexpr DecimalWord<Raw> parse_literal(const char* first, const char* end) {
     return parse_mantissa<Raw, F>(first, mantissa_end(first, end),

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Decimal text to raw numbers, exact to the last bit for arbitrarily many digits.
-// Accepted: sign? (digits point? digits? | point digits) ((e|E) sign? digits)?, and nothing around
-// it.
+// Decimal text to raw numbers, exact to the last bit for arbitrarily many digits. Accepted: sign?
+// (digits point? digits? | point digits) ((e|E) sign? digits)?, with nothing before or after it.
 #pragma once
 
 #include <limits.h>
@@ -13,20 +12,20 @@
 namespace fixedpoint {
 namespace portable {
 
-/// What a text is, of which a number is read.
+/// What parse found in a text.
 enum class TextStatus : unsigned char {
     ok,            ///< a number in the range
-    empty,         // no text at all
-    malformed,     // not a decimal number: it ends, or has an unexpected character, at `position`
+    empty,         ///< no text at all
+    malformed,     ///< not a decimal number: it ends, or has an unexpected character, at `position`
     out_of_range,  ///< a decimal number that the format cannot hold, saturated
 };
 
 /// What parse returns.
 template <class Number>
 struct Parsed {
-    /// The number; the limit of the range where the text is beyond it, 0 where it is none.
+    /// The number; the nearer limit if it is out of range, 0 if the text is not a number.
     Number number;
-    /// Whether it is what the text says.
+    /// Whether that is the text's number, and if not, why.
     TextStatus status;
     size_t position;  ///< where reading stopped: the length of a well-formed text
 };
@@ -36,9 +35,9 @@ constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 // A decimal number as it stands in the text.
 struct DecimalText {
-    const char* first;  // its digits, and perhaps a point between them: [first, last)
+    const char* first;  // its digits, possibly with a point: [first, last)
     const char* last;
-    long decimals;  // the digits behind the point, less the exponent
+    long decimals;  // the number of digits after the point, less the exponent
     bool negative;
     TextStatus status;
     size_t position;
@@ -74,7 +73,7 @@ FIXEDPOINT_CONSTEXPR DecimalText scan_decimal(const char* text, size_t length) {
         complete = at != end && is_digit(*at);
         long exponent = 0;
         for (; at != end && is_digit(*at); ++at) {
-            // Larger exponents than any text has digits need not be told apart.
+            // Exponents larger than the number of digits in any text need not be distinguished.
             if (exponent < LONG_MAX / 100) exponent = 10 * exponent + (*at - '0');
         }
         decimals -= exponent_is_negative ? -exponent : exponent;
@@ -85,13 +84,13 @@ FIXEDPOINT_CONSTEXPR DecimalText scan_decimal(const char* text, size_t length) {
     return {first, last, decimals, negative, status, static_cast<size_t>(at - text)};
 }
 
-// The characters that text begins with and that are a number: a minus or none, digits, an exponent
-// that has digits. 0 where there is none.
+// The length of the number that the text begins with: an optional minus, digits, an exponent if it
+// has digits. 0 if there is none.
 FIXEDPOINT_CONSTEXPR size_t decimal_prefix(const char* text, size_t length) {
     if (length != 0 && *text == '+') return 0;
     const DecimalText source = scan_decimal(text, length);
     const size_t digits = static_cast<size_t>(source.last - text);
-    // No digit of a mantissa, or all of an exponent.
+    // Either there is no exponent, or it is complete.
     if (source.position == digits || is_digit(text[source.position - 1])) {
         const bool has_digits = source.last != source.first &&
                                 (source.last[-1] != '.' || source.last - source.first > 1);
@@ -100,22 +99,22 @@ FIXEDPOINT_CONSTEXPR size_t decimal_prefix(const char* text, size_t length) {
     return digits;
 }
 
-// 10 integer + digit, or the largest Word where that is larger; once reached, it stays.
+// 10 integer + digit, saturated to the largest Word, at which it then stays.
 template <class Word>
 FIXEDPOINT_CONSTEXPR Word append_digit(Word integer, uint8_t digit) {
     constexpr Word max = static_cast<Word>(-1);
     return integer > (max - 9) / 10 ? max : integer * 10 + digit;
 }
 
-// The number that the text says, rounded to nearest, half up. Out of range it is the
-// limit of the range; for empty or malformed text it is 0. Reads text[0] to text[length - 1] only.
+// The number in the text, rounded to nearest, half up; the nearer limit if it is out of range, and
+// 0 for empty or malformed text. Reads only text[0] to text[length - 1].
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Parsed<Raw> parse_decimal(const char* text, size_t length) {
     using Word = DecimalWord<Raw>;
     const DecimalText source = scan_decimal(text, length);
     if (source.status != TextStatus::ok) return {0, source.status, source.position};
 
-    // Behind the point, from the last digit to the first; in front of the first there are zeros.
+    // After the point, from the last digit to the first, with zeros before the first.
     DecimalFraction<Word> fraction = {0, false};
     const char* last = source.last;
     long decimals = source.decimals;
@@ -123,7 +122,7 @@ FIXEDPOINT_CONSTEXPR Parsed<Raw> parse_decimal(const char* text, size_t length) 
         if (last != source.first && last[-1] == '.') --last;
         fraction.prepend(last == source.first ? 0 : static_cast<uint8_t>(*--last - '0'));
     }
-    // In front of the point, from the first digit to the last; behind the last there are zeros.
+    // Before the point, from the first digit to the last, with zeros after the last.
     Word integer = 0;
     for (const char* at = source.first; at != last; ++at) {
         if (*at != '.') integer = append_digit(integer, static_cast<uint8_t>(*at - '0'));

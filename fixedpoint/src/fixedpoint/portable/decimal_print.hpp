@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Raw numbers to decimal text: the shortest that reads back, or a given number of decimals. Both
-// write no terminating zero and return the length; 0 says that the buffer is too small, and then
-// what is in it means nothing.
+// Raw numbers to decimal text: the shortest that reads back, or a given number of decimals. Neither
+// writes a terminating zero. Both return the length, or 0 if the buffer is too small; its content
+// is then unspecified.
 #pragma once
 
 #include <stddef.h>
@@ -12,8 +12,8 @@
 namespace fixedpoint {
 namespace portable {
 
-// The length that no text exceeds: a sign, the integer digits, a point and the decimals, F of them
-// in the shortest text and in the exact one.
+// An upper bound on the length of any text: a sign, the integer digits, a point and the decimals,
+// of which the shortest and the exact text have up to F.
 template <class Raw, int F>
 constexpr size_t decimal_capacity(uint8_t decimals = F) {
     // floor(n log10(2)) = floor(3 n / 10) for n < 64.
@@ -40,8 +40,8 @@ struct DecimalWriter {
     constexpr size_t written() const { return length <= capacity ? length : 0; }
 };
 
-// Moves a text of so many characters to the right end of `width`, behind as many of `fill`, zeros
-// behind its sign. Returns its length, 0 where it does not fit.
+// Right-aligns a text of `length` characters in `width` by padding with `fill` on the left; zeros
+// go after the sign. Returns the new length, or 0 if it does not fit.
 FIXEDPOINT_CONSTEXPR size_t align_right(char* text, size_t length, size_t capacity, uint8_t width,
                                         char fill) {
     if (length >= width) return length;
@@ -67,9 +67,9 @@ FIXEDPOINT_CONSTEXPR size_t print_decimal(Raw raw, char* buffer, size_t capacity
     writer.put_integer(number >> F);
 
     // (Steele and White, How to print floating-point numbers accurately, 1990: fixed-point
-    // fractions.) A decimal reads back if it is less than half an ulp away. None is exactly as far
-    // away, since such a number has F + 1 decimals. Rounding up never carries: the digit in front
-    // of a 9 would have been close enough already.
+    // fractions.) A decimal reads back if it is less than half an ulp away. No decimal considered
+    // is exactly half an ulp away, since such a number has F + 1 decimals. Rounding up never
+    // carries: the digit before a 9 would already have been close enough.
     DecimalFraction<Word> fraction = fraction_of<Word, F>(number);
     Word half_ulp = Word(1) << (RawLimits<Word>::width - 1 - F);
     bool last = fraction.bits == 0;
@@ -78,7 +78,7 @@ FIXEDPOINT_CONSTEXPR size_t print_decimal(Raw raw, char* buffer, size_t capacity
         const uint8_t digit = fraction.take();
         const bool up = fraction.rounds_away(negative);
         const Word distance = up ? Word(0) - fraction.bits : fraction.bits;
-        // Half an ulp, ten times as large from here on, may have come to exceed a whole digit.
+        // Half an ulp, ten times as large from here on, may by now exceed a whole digit.
         last = half_ulp > max / 10;
         half_ulp *= 10;
         last = last || distance < half_ulp;
@@ -87,8 +87,8 @@ FIXEDPOINT_CONSTEXPR size_t print_decimal(Raw raw, char* buffer, size_t capacity
     return writer.written();
 }
 
-// The number with so many decimals, rounded to nearest, half up; exact from F
-// decimals on. A number that rounds to zero has no sign, and without decimals there is no point.
+// The number with that many decimals, rounded to nearest, half up; exact from F decimals on. A
+// number that rounds to zero is written without a sign, and without decimals there is no point.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR size_t print_decimal(Raw raw, uint8_t decimals, char* buffer,
                                           size_t capacity) {
@@ -96,7 +96,8 @@ FIXEDPOINT_CONSTEXPR size_t print_decimal(Raw raw, uint8_t decimals, char* buffe
     const Word number = magnitude(raw);
     const Word integer = number >> F;
 
-    // Where rounding up ends: behind the last digit that is not a 9; at 0, in the integer.
+    // The decimal at which the carry of rounding up ends: the last one that is not a 9, or 0 for
+    // the integer.
     DecimalFraction<Word> fraction = fraction_of<Word, F>(number);
     int carry_ends = 0;
     bool is_zero = integer == 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// divide: floor(a 2^F / b + 1/2), the quotient rounded to nearest, half up, saturated to what
-// fits. b = 0: the largest number where a > 0, the smallest where a < 0, 0 where a = 0.
+// divide: floor(a 2^F / b + 1/2), the quotient rounded to nearest, half up, and saturated. If
+// b = 0: the largest number if a > 0, the smallest if a < 0, 0 if a = 0.
 #pragma once
 
 #include <fixedpoint/integer.hpp>
@@ -9,14 +9,13 @@
 namespace fixedpoint {
 namespace portable {
 
-// A magnitude that no Raw holds: what saturates.
+// A magnitude above every Raw: it saturates.
 template <class Raw>
 constexpr Unsigned<Raw> magnitude_overflow() {
     return static_cast<Unsigned<Raw>>(RawLimits<Raw>::min);
 }
 
-// dividend / divisor, rounded to nearest; ties go upward or downward. From 2^(W-1) on it is an
-// overflow.
+// dividend / divisor, rounded to nearest; ties go upward or downward. From 2^(W-1) on it overflows.
 template <class Raw, class Dividend>
 FIXEDPOINT_CONSTEXPR Unsigned<Raw> rounded_quotient(Dividend dividend, Unsigned<Raw> divisor,
                                                     bool tie_upward) {
@@ -28,7 +27,7 @@ FIXEDPOINT_CONSTEXPR Unsigned<Raw> rounded_quotient(Dividend dividend, Unsigned<
     return static_cast<Unsigned<Raw>>(quotient + (tie_upward ? rest >= other : rest > other));
 }
 
-// The same of a 2^F / b, in a dividend of twice the width.
+// The same for a 2^F / b, with a dividend of twice the width.
 template <class Raw, int F>
 struct WideQuotient {
     static constexpr Unsigned<Raw> rounded(Unsigned<Raw> a, Unsigned<Raw> b, bool tie_upward) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// divide_widening: the result of divide, by a division that widens to 2W bits only where it must,
-// that is where |a| 2^F does not fit in W bits.
+// divide_widening: the result of divide, by a division that widens to 2W bits only if it must, that
+// is, if |a| 2^F does not fit in W bits.
 #pragma once
 
 #include <fixedpoint/portable/divide.hpp>

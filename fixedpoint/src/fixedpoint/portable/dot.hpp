@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// dot2, dot3: floor(sum a_i b_i / 2^F + 1/2) modulo 2^W of 2 or 3 components: the sum is exact and
-// is rounded once. transform: these sums for every row of a matrix; matrix_product, for every row
-// and column, and matrix_product_2 for two of each.
+// dot2, dot3: floor(sum a_i b_i / 2^F + 1/2) modulo 2^W over 2 or 3 components: the sum is exact
+// and rounded once. transform computes these sums for every row of a matrix, matrix_product for
+// every row and column, and matrix_product_2 for two of each.
 #pragma once
 
 #include <fixedpoint/portable/product_sum.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Unsigned integers of twice a Raw's width: a native one up to 64 bits, Word128 beyond. Square
+// Unsigned integers of twice the width of a Raw: a native one up to 64 bits, Word128 above. Square
 // roots of sums of squares and of ratios need them.
 #pragma once
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The elementary functions that have no kernel of their own in most formats, X(name, class of its
-// evaluation): the arithmetics expand the list, and kernel/elementary.hpp says where kernels serve.
-// Nothing but templates: a program pays for those it calls.
+// The elementary functions without a kernel of their own in most formats, as X(name, class of its
+// evaluation). The arithmetics expand the list; kernel/elementary.hpp says which formats use
+// kernels. All are templates: a program pays only for those it calls.
 #pragma once
 
 #include <fixedpoint/portable/arc_sines.hpp>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // DO NOT EDIT: written by python3 fixedpoint/tables/elementary.py
 // log10(2) with Bits - 6 fraction bits of the working word; 1/ln 2 and 1/ln 10 with Bits - 1; 1/3
-// with Bits. half_pi_excess is what CordicConstants<Word128>::half_pi is too large by, with
-// 190 fraction bits.
+// with Bits. half_pi_excess is CordicConstants<Word128>::half_pi - pi/2, with 190 fraction bits.
 #pragma once
 
 #include <fixedpoint/portable/word128.hpp>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What the elementary functions without a kernel have in common: they compute in a word of twice
-// the width of a number of 32 or 64 bits, far finer than an ulp, and round once. Numbers of 8 and
-// 16 bits go through Q16.16, as where there are kernels, which adds at most 2^-3 of their own
-// error; with more than 13 fraction bits through 32 bits with as many, rounded once.
+// the width of a 32- or 64-bit number, far finer than an ulp, and round once. Numbers of 8 and 16
+// bits go through Q16.16, as they do with kernels, which adds at most 2^-3 of its error; with more
+// than 13 fraction bits they go through 32 bits with as many, rounded once.
 #pragma once
 
 #include <fixedpoint/portable/convert.hpp>
@@ -11,7 +11,7 @@
 namespace fixedpoint {
 namespace portable {
 
-// Whether a function has a value there that the format can hold.
+// Whether a function has a value at its operands, and that value is in range.
 enum class Outcome : unsigned char { in_range, overflow, division_by_zero, domain_error };
 
 template <class Raw>
@@ -25,7 +25,8 @@ constexpr int word_bits() {
     return 2 * RawLimits<Raw>::width;
 }
 
-// magnitude / 2^surplus with its sign, rounded to nearest and saturated. Needs 0 < surplus < Bits.
+// magnitude / 2^surplus with its sign, rounded to nearest and saturated. Requires
+// 0 < surplus < Bits.
 template <class Raw, class Word>
 FIXEDPOINT_CONSTEXPR Evaluation<Raw> evaluation(const Word& magnitude, int surplus, bool negative) {
     const Word rounded = (magnitude + (Word(uint8_t(1)) << (surplus - 1))) >> surplus;
@@ -37,7 +38,7 @@ FIXEDPOINT_CONSTEXPR Evaluation<Raw> evaluation(const Word& magnitude, int surpl
     return {with_sign<Raw>(static_cast<Unsigned<Raw>>(rounded), negative), Outcome::in_range};
 }
 
-// floor(a b / 2^W), exact: it fits.
+// floor(a b / 2^W), which always fits.
 template <class Raw>
 FIXEDPOINT_CONSTEXPR DoubleWord<Raw> multiply_by_half_word(const DoubleWord<Raw>& a,
                                                            Unsigned<Raw> b) {
@@ -46,7 +47,7 @@ FIXEDPOINT_CONSTEXPR DoubleWord<Raw> multiply_by_half_word(const DoubleWord<Raw>
     return Parts::multiply(Parts::high(a), b) + DoubleWord<Raw>(Parts::high(low));
 }
 
-// floor(a b / 2^(2W)) or one or two less.
+// floor(a b / 2^(2W)), or one or two less.
 template <class Raw>
 FIXEDPOINT_CONSTEXPR DoubleWord<Raw> multiply_high(const DoubleWord<Raw>& a,
                                                    const DoubleWord<Raw>& b) {
@@ -56,7 +57,8 @@ FIXEDPOINT_CONSTEXPR DoubleWord<Raw> multiply_high(const DoubleWord<Raw>& a,
     return high + (low >> RawLimits<Raw>::width);
 }
 
-// floor(numerator 2^bits / denominator). Needs numerator < 2 denominator, denominator < 2^(Bits-1).
+// floor(numerator 2^bits / denominator). Requires numerator < 2 denominator and denominator <
+// 2^(Bits-1).
 template <class Word>
 FIXEDPOINT_CONSTEXPR Word long_division(Word numerator, const Word& denominator, int bits) {
     Word quotient(uint8_t(0));
@@ -71,7 +73,7 @@ FIXEDPOINT_CONSTEXPR Word long_division(Word numerator, const Word& denominator,
     return quotient;
 }
 
-// Function is a class whose apply<Raw, F> returns the Evaluation of numbers of 32 and 64 bits.
+// Function must be a class whose apply<Raw, F> returns the Evaluation for 32- and 64-bit numbers.
 template <class Function, class Raw, int F, bool narrow = (sizeof(Raw) < 4)>
 struct Evaluated {
     template <class... Operands>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// exp: e^a within 0.75 ulp, saturated to the largest number; 0 where that is nearest.
+// exp: e^a within 0.75 ulp, saturated to the largest number.
 #pragma once
 
 #include <fixedpoint/portable/double_word.hpp>
@@ -13,17 +13,17 @@
 namespace fixedpoint {
 namespace portable {
 
-// Twice as wide as the result, and at least 32 bits: e^a has W - 1 significant bits where it is
-// large, and the argument has six bits before the point.
+// Twice as wide as the result, and at least 32 bits: a large e^a has W - 1 significant bits, and
+// the argument has six bits before the point.
 template <class Raw>
 using ExponentialWord =
     DoubleWord<Integer<(RawLimits<Raw>::width < 16 ? 16 : RawLimits<Raw>::width)>>;
 
 // e^a 2^-k, from 1 to 2.1, with Bits - 3 fraction bits, by pseudo-multiplication (J. E. Meggitt,
 // "Pseudo division and pseudo multiplication processes", 1962). `rest` is a - k ln 2, from 0 to
-// 0.73, with Bits - 6 fraction bits: it is the sum of some ln(1 + 2^-i), each of which multiplies
-// the result by 1 + 2^-i, and of what is left below 2^-steps, whose own factor differs from 1 +
-// rest by less than 2^-(W + 2).
+// 0.73, with Bits - 6 fraction bits. It is decomposed into a sum of some ln(1 + 2^-i), each of
+// which multiplies the result by 1 + 2^-i, and a remainder below 2^-steps, whose factor differs
+// from 1 + remainder by less than 2^-(W + 2).
 template <int W, class Word>
 FIXEDPOINT_CONSTEXPR Word exponential_mantissa(Word rest) {
     using Constants = PseudoDivisionConstants<Word>;
@@ -40,7 +40,7 @@ FIXEDPOINT_CONSTEXPR Word exponential_mantissa(Word rest) {
         }
     }
 
-    // The result times what is left, bit by bit from the lowest.
+    // The result times the remainder, bit by bit from the lowest.
     Word factor = rest >> (bits - 6 - factor_bits);
     Word product(0);
     for (int i = steps; i < factor_bits; ++i) {
@@ -51,7 +51,7 @@ FIXEDPOINT_CONSTEXPR Word exponential_mantissa(Word rest) {
     return result + (product >> steps);
 }
 
-// For every format but Q16.16; small, as it has no table but the word's few ln(1 + 2^-i).
+// For every format except Q16.16. Small, since its only table is the few ln(1 + 2^-i) of the word.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw exp_small(Raw a) {
     using Word = ExponentialWord<Raw>;
@@ -63,7 +63,7 @@ FIXEDPOINT_CONSTEXPR Raw exp_small(Raw a) {
     if (whole > 44) return RawLimits<Raw>::max;
     if (whole < -46) return 0;
 
-    // k = floor(a / ln 2) or, where a is less than 0.04 above a multiple of ln 2, one less.
+    // k = floor(a / ln 2), or possibly one less if a is less than 0.04 above a multiple of ln 2.
     constexpr int down = F > 6 ? F - 6 : 0, up = F > 6 ? 0 : 6 - F;
     const int32_t sixty_fourths = static_cast<int32_t>(a >> down) * (int32_t(1) << up);
     const int k = static_cast<int>((sixty_fourths * 1477 - 1000) >> 16);

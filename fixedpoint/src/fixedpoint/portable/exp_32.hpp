@@ -11,7 +11,7 @@
 namespace fixedpoint {
 namespace portable {
 
-// e^-r in units of 2^-39, within 2^-33; r in units of 2^-40, at most 0.79.
+// e^-r in units of 2^-39, within 2^-33, for r in units of 2^-40, at most 0.79.
 FIXEDPOINT_CONSTEXPR uint64_t exp_mantissa_40(uint64_t r) {
     const Cubic40 core = cubic_40<Exp32Table<>>(static_cast<uint32_t>(r >> 8));
     return (uint64_t(1) << 39) - 1 - core.value - (core.slope * (r & 0xff) >> 8);
@@ -24,7 +24,7 @@ FIXEDPOINT_CONSTEXPR int32_t exp_32(int32_t a) {
     if (a > (31 - F) * ln2 >> (40 - F)) return RawLimits<int32_t>::max;
     if (a < -((F + 2) * ln2 >> (40 - F))) return 0;
 
-    // k + F + 9, where a is k ln 2 less what is left, 0 to 0.79.
+    // k + F + 9, where a is k ln 2 minus a rest in 0..0.79.
     const int64_t position = static_cast<int64_t>(a) * (int64_t(1) << (32 - F));
     const int32_t whole = static_cast<int32_t>(position >> 32) + 24;
     const int32_t fraction = static_cast<int32_t>(position >> 24 & 0xff);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // DO NOT EDIT: written by python3 fixedpoint/tables/exp_64.py
-// k ln 2 modulo 1, e^(-i/256) and 1 - e^(-i/65536), all in units of 2^-72, 1 itself one unit less.
+// k ln 2 modulo 1, e^(-i/256) and 1 - e^(-i/65536), all in units of 2^-72, 1 itself as one unit less.
 #pragma once
 
 #include <fixedpoint/program_memory.hpp>

@@ -8,8 +8,8 @@
 namespace fixedpoint {
 namespace portable {
 
-// e^node (1 + growth) 2^23 from the upper three bytes of the power; growth in units of 2^-24, of
-// which 16 bits count.
+// e^node (1 + growth) 2^23 from the upper three bytes of the power; growth is in units of 2^-24,
+// and 16 bits of it count.
 FIXEDPOINT_CONSTEXPR uint32_t grown_power_24(uint8_t node, int16_t growth) {
     const uint32_t power = read_program_memory(ExpTable<>::power[node]) >> 8;
     const int32_t power1 = power >> 8 & 0xff, power2 = static_cast<int32_t>(power >> 16);
@@ -18,7 +18,7 @@ FIXEDPOINT_CONSTEXPR uint32_t grown_power_24(uint8_t node, int16_t growth) {
                                          (power2 * growth0 >> 8));
 }
 
-// e^node (1 + growth) 2^39, growth in units of 2^-40.
+// e^node (1 + growth) 2^39; growth is in units of 2^-40.
 FIXEDPOINT_CONSTEXPR uint64_t grown_power_40(uint8_t node, int32_t growth) {
     const uint32_t power = read_program_memory(ExpTable<>::power[node]);
     const int32_t power1 = power & 0xff, power2 = power >> 8 & 0xff, power3 = power >> 16 & 0xff,
@@ -34,8 +34,8 @@ FIXEDPOINT_CONSTEXPR uint64_t grown_power_40(uint8_t node, int32_t growth) {
            static_cast<uint64_t>(high * 256 + low);
 }
 
-// e^x 2^k from what is left of x, in units of 2^-16: its position among the nodes, and the tail of
-// 24 bits behind it. The exponent is k + 17; the result fits an unsigned number.
+// e^x 2^k from the reduced x: its position among the nodes, in units of 2^-16, and the tail of 24
+// bits after it. The exponent is k + 17; the result fits in an unsigned number.
 FIXEDPOINT_CONSTEXPR uint32_t small_power_q16_16(uint16_t position, uint32_t tail, int exponent) {
     uint8_t node = static_cast<uint8_t>(position >> 8);
     const int32_t s = static_cast<int32_t>(position & 0xff) - 128;
@@ -48,7 +48,7 @@ FIXEDPOINT_CONSTEXPR uint32_t small_power_q16_16(uint16_t position, uint32_t tai
     const int shift = 8 * (3 - (exponent >> 3));
     return ((scaled >> (shift - 1)) + 1) >> 1;
 }
-// Of the tail, `tail_bits` count in the product with s.
+// The same for large k. `tail_bits` bits of the tail count in the product with s.
 FIXEDPOINT_CONSTEXPR uint32_t large_power_q16_16(uint16_t position, uint32_t tail, int tail_bits,
                                                  int exponent) {
     uint8_t node = static_cast<uint8_t>(position >> 8);
@@ -82,7 +82,7 @@ FIXEDPOINT_CONSTEXPR int32_t exp_q16_16(int32_t a) {
     if (whole < -12) return 0;
     if (whole > 10) return RawLimits<int32_t>::max;
 
-    // k + 17, k being about x / ln 2 less up to 0.7: x - k ln 2 is between -0.26 and 0.49.
+    // k + 17, where k is about x / ln 2 minus up to 0.7: x - k ln 2 is between -0.26 and 0.49.
     const int k = static_cast<int>(((whole + 12) * 185 + ((a >> 8 & 0xff) * 185 >> 8)) >> 7);
     const uint16_t position = static_cast<uint16_t>(a + read_program_memory(ExpTable<>::offset[k]));
     const uint32_t tail = read_program_memory(ExpTable<>::tail[k]);
@@ -91,9 +91,9 @@ FIXEDPOINT_CONSTEXPR int32_t exp_q16_16(int32_t a) {
     return result >> 31 != 0 ? RawLimits<int32_t>::max : static_cast<int32_t>(result);
 }
 
-// 2^a, for a from -17 to below 15.
+// 2^a. a must be in [-17, 15).
 FIXEDPOINT_CONSTEXPR int32_t exp2_unsaturated_q16_16(int32_t a) {
-    constexpr int64_t ln2 = 0xb17218;  // 2^-24, and 8 2^-32 too much
+    constexpr int64_t ln2 = 0xb17218;  // 2^-24, too large by 8 2^-32
     const int16_t f = static_cast<int16_t>(a);
     const int exponent = static_cast<int>((a >> 16) + (f < 0 ? 1 : 0)) + 17;
     const bool small = exponent < 21;

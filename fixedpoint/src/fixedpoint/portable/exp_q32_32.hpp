@@ -10,8 +10,8 @@
 namespace fixedpoint {
 namespace portable {
 
-// The first `bytes` bytes of the product of two fractions of so many bytes: of the byte products
-// that lie below only those of the next column count, with their upper bytes.
+// The first `bytes` bytes of the product of two fractions of that many bytes. Of the byte products
+// below them, only the upper bytes of the next column are included.
 FIXEDPOINT_CONSTEXPR uint64_t fraction_product(uint64_t a, uint64_t b, int bytes) {
     uint64_t product = 0;
     for (int i = 0; i < bytes; ++i) {
@@ -26,7 +26,7 @@ FIXEDPOINT_CONSTEXPR uint64_t fraction_product(uint64_t a, uint64_t b, int bytes
     return product;
 }
 
-// 1 - e^-t, t below 2^-16, both in units of 2^-72.
+// 1 - e^-t for t below 2^-16, both in units of 2^-72.
 FIXEDPOINT_CONSTEXPR uint64_t fall_of_power_q32_32(uint64_t t) {
     const uint64_t square = fraction_product(t >> 16, t >> 16, 5);
     const uint32_t cube = static_cast<uint32_t>(fraction_product(square >> 16, t >> 32, 3));
@@ -36,7 +36,7 @@ FIXEDPOINT_CONSTEXPR uint64_t fall_of_power_q32_32(uint64_t t) {
     return t - ((square - third) >> 1);
 }
 
-// whole 2^-32 and, behind it, guard 2^-40.
+// whole 2^-32 + guard 2^-40.
 struct GuardedPower {
     uint64_t whole;
     uint8_t guard;
@@ -45,8 +45,8 @@ constexpr int64_t rounded(GuardedPower power) {
     return static_cast<int64_t>(power.whole + (power.guard >> 7));
 }
 
-// 2^k e^-r, rounded downward: r in units of 2^-72, of which `upper` are the upper two bytes. Needs
-// k from -33 to 33, r below 0.78.
+// 2^k e^-r, rounded downward. k must be in -33..33 and r below 0.78; r is in units of 2^-72, and
+// `upper` its upper two bytes.
 FIXEDPOINT_CONSTEXPR GuardedPower power_of_rest_q32_32(int k, uint16_t upper, uint64_t rest) {
     using Table = Exp64Table<>;
     const uint64_t q = fall_of_power_q32_32(rest);
@@ -58,7 +58,7 @@ FIXEDPOINT_CONSTEXPR GuardedPower power_of_rest_q32_32(int k, uint16_t upper, ui
     const uint64_t low = (power_low - static_cast<uint32_t>(product)) & 0xff;
     const uint64_t mantissa = power - (product >> 8) - (power_low < (product & 0xff) ? 1 : 0);
 
-    // The mantissa, 2^-72, goes down by -1 to 65 bits to units of 2^-40.
+    // The mantissa, in units of 2^-72, is shifted right by -1 to 65 bits to units of 2^-40.
     const int shift = 32 - k;
     if (shift < 0) return {mantissa << 1 | low >> 7, static_cast<uint8_t>(low << 1)};
     if (shift >= 64) return {0, static_cast<uint8_t>(mantissa >> (shift - 8))};
@@ -67,9 +67,9 @@ FIXEDPOINT_CONSTEXPR GuardedPower power_of_rest_q32_32(int k, uint16_t upper, ui
                                            : mantissa >> (shift - 8))};
 }
 
-// e^a, a in units of 2^-72. Needs a from -23 to below 32 ln 2.
+// e^a for a in units of 2^-72. a must be in [-23, 32 ln 2).
 FIXEDPOINT_CONSTEXPR GuardedPower unrounded_exp_72(const Word128& a) {
-    // k + 41, where a is k ln 2 less what is left, 0 to 0.779.
+    // k + 41, where a is k ln 2 minus a rest in 0..0.779.
     const int32_t whole = static_cast<int32_t>(static_cast<int64_t>(a.high) >> 8) + 24;
     const int32_t fraction = static_cast<uint8_t>(a.high);
     const int k = static_cast<int>((whole * 185 + (fraction * 185 >> 8) + 945) >> 7);
@@ -115,16 +115,16 @@ FIXEDPOINT_CONSTEXPR Raw exp_64(Raw a, uint8_t fraction) {
     return power < 0 ? RawLimits<Raw>::max : power;
 }
 
-// Where the caller has seen to the range; of Q32.32 alone.
+// Only in Q32.32; the caller must check the range.
 
-// e^a in units of 2^-40, rounded downward. Needs a from -23 to 15.
+// e^a in units of 2^-40, rounded downward. a must be in [-23, 15].
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw exp_fine(Raw a) {
     const GuardedPower power = unrounded_exp_q32_32(a);
     return static_cast<Raw>(power.whole << 8 | power.guard);
 }
 
-// Half of e^a + e^-a and of e^a - e^-a. Need a from 0 to below 32 ln 2.
+// (e^a + e^-a) / 2 and (e^a - e^-a) / 2. a must be in [0, 32 ln 2).
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw cosh_unsaturated(Raw a) {
     const GuardedPower rising = unrounded_exp_q32_32(a), falling = unrounded_exp_q32_32(-a);
@@ -138,13 +138,13 @@ FIXEDPOINT_CONSTEXPR Raw sinh_unsaturated(Raw a) {
     return static_cast<Raw>((rising.whole - falling.whole - borrow + 1) >> 1);
 }
 
-// 2^a. Needs a from -33 to below 31.
+// 2^a. a must be in [-33, 31).
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw exp2_unsaturated(Raw a) {
     // In units of 2^-72.
     constexpr uint8_t ln2[9] = {0xca, 0xab, 0x79, 0xcf, 0xd1, 0xf7, 0x17, 0x72, 0xb1};
     const uint32_t g = uint32_t(0) - static_cast<uint32_t>(a);
-    // The rest, its lowest byte that of the column.
+    // The rest; its lowest byte belongs to the current column.
     uint8_t rest[9] = {};
     uint32_t sum = 0;
     for (int column = -1; column < 9; ++column) {

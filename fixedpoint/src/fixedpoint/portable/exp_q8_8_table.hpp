@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // DO NOT EDIT: written by python3 fixedpoint/tables/exp_q8_8.py
-// e^a of every 64th a in units of 2^-7 ulp, and what a distance's growth has beyond its
+// e^a at every 64th a in units of 2^-7 ulp, and the growth at each distance minus its
 // quadratic part, in units of 2^-17.
 #pragma once
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // DO NOT EDIT: written by python3 fixedpoint/tables/exp.py
-// 2^39 e^x at the nodes x = (256 h + 128 + 1/16) / 2^16, h being the index as a signed byte. For k
-// from -17 to 16: offset and tail, 16 and 24 bits of -k ln 2 - 2^-20 behind the point; below k = 4
-// the tail has 8 bits.
+// 2^39 e^x at the nodes x = (256 h + 128 + 1/16) / 2^16, where h is the index as a signed byte. For k
+// from -17 to 16: offset and tail, the first 16 and the next 24 fraction bits of -k ln 2 - 2^-20; below
+// k = 4 the tail has 8 bits.
 #pragma once
 
 #include <fixedpoint/program_memory.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Powers of e with more digits than a number of 32 bits has, bit for bit as avr/exp_wide.S computes
+// Powers of e with more digits than a 32-bit number has, bit for bit as avr/exp_wide.S computes
 // them.
 #pragma once
 
@@ -9,9 +9,9 @@
 namespace fixedpoint {
 namespace portable {
 
-// e^(x 2^-40) 2^unit in units of 2^-32, rounded downward to 2^-8, within 2^-33 of itself and 2^-8;
-// 0 where x is below -24; 2^32 - 1 and no fraction from 2^32 on, or already from 0.9 2^32 on. Needs
-// unit from 0 to 29.
+// e^(x 2^-40) 2^unit in units of 2^-32, rounded downward to 2^-8, with a relative error of 2^-33
+// plus 2^-8. unit must be in 0..29. 0 if x is below -24; 2^32 - 1 without a fraction if the power
+// is 2^32 or more, possibly already from 0.9 2^32 on.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR uint64_t exp_wide(Raw x, uint8_t unit) {
     static_assert(sizeof(Raw) == 8 && F == 40, "The argument has 24 bits before the point.");
@@ -21,7 +21,7 @@ FIXEDPOINT_CONSTEXPR uint64_t exp_wide(Raw x, uint8_t unit) {
     if (x >= int64_t(46) << 40) return largest;
     if (x < -(int64_t(24) << 40)) return 0;
 
-    // k + 35, where x is k ln 2 less what is left, 0 to 0.79.
+    // k + 35, where x is k ln 2 minus a rest in 0..0.79.
     const int32_t whole = static_cast<int32_t>(x >> 40);
     const int32_t fraction = static_cast<int32_t>(x >> 32 & 0xff);
     const int k =

@@ -15,10 +15,12 @@ struct Power {
     int exponent;
 };
 
-// Where e^x leaves every format of 64 bits: from 2^66 on, and below 2^-66.
+// From here on e^x exceeds every 64-bit format and e^-x is 0 in all of them: above 2^66, and below
+// 2^-66.
 constexpr int largest_exponent = 46;
 
-// e^x or e^-x to 2^-(W + 3) of itself; x has Bits - 6 fraction bits and counts as at most 46.
+// e^x or e^-x with a relative error of 2^-(W + 3). x has Bits - 6 fraction bits; above 46 it counts
+// as 46.
 template <class Raw>
 FIXEDPOINT_CONSTEXPR Power<DoubleWord<Raw>> exponential(DoubleWord<Raw> x, bool negative) {
     using Word = DoubleWord<Raw>;
@@ -26,7 +28,7 @@ FIXEDPOINT_CONSTEXPR Power<DoubleWord<Raw>> exponential(DoubleWord<Raw> x, bool 
     constexpr Word largest = Word(uint8_t(largest_exponent)) << (bits - 6);
     const Word ln2 = PseudoDivisionConstants<Word>::ln2();
     if (x > largest) x = largest;
-    // k = floor(x / ln 2) or, where x is less than 0.04 above a multiple of ln 2, one less.
+    // k = floor(x / ln 2), or possibly one less if x is less than 0.04 above a multiple of ln 2.
     const int32_t sixty_fourths = static_cast<int32_t>(static_cast<uint16_t>(x >> (bits - 12)));
     const int32_t floored = negative ? -sixty_fourths - 1 : sixty_fourths;
     const int k = static_cast<int>((floored * 1477 - 1000) >> 16);
@@ -35,7 +37,7 @@ FIXEDPOINT_CONSTEXPR Power<DoubleWord<Raw>> exponential(DoubleWord<Raw> x, bool 
     return {exponential_mantissa<RawLimits<Raw>::width + 2>(rest), k};
 }
 
-// The power in units of 2^-unit, at most 2^limit of them, which needs limit < Bits - 3.
+// The power in units of 2^-unit, saturated to 2^limit of them. Requires limit < Bits - 3.
 template <int limit, class Word>
 FIXEDPOINT_CONSTEXPR Word in_units(const Power<Word>& power, int unit) {
     constexpr int bits = static_cast<int>(8 * sizeof(Word));
@@ -45,8 +47,8 @@ FIXEDPOINT_CONSTEXPR Word in_units(const Power<Word>& power, int unit) {
                                       : power.mantissa >> surplus;
 }
 
-// The bits behind an ulp in which powers are added and subtracted, and a limit that is beyond every
-// format with half of it too.
+// The guard bits with which powers are added and subtracted, and a limit that exceeds every format
+// even when halved.
 constexpr int power_guard = 8;
 template <class Raw>
 constexpr int power_limit() {
@@ -58,7 +60,7 @@ template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR DoubleWord<Raw> guarded_exponential(Raw a, bool negative) {
     constexpr int up = word_bits<Raw>() - 6 - F;
     const Unsigned<Raw> positive = magnitude(a);
-    // Beyond the largest exponent nothing changes, and x must not overflow its word.
+    // Above the largest exponent the result no longer changes, and x must not overflow its word.
     const bool beyond = F < RawLimits<Raw>::width - 6 &&
                         (positive >> (F < RawLimits<Raw>::width - 6 ? F : 0)) >= largest_exponent;
     const DoubleWord<Raw> x = beyond ? DoubleWord<Raw>(uint8_t(largest_exponent))
@@ -75,7 +77,7 @@ struct Exp2 {
         const Raw whole = static_cast<Raw>(a >> F);
         if (whole > 66) return {RawLimits<Raw>::max, Outcome::overflow};
         if (whole < -66) return {0, Outcome::in_range};
-        // The fraction as a multiple of 2^-W, times ln 2.
+        // The fraction in units of 2^-W, times ln 2.
         const Unsigned<Raw> fraction =
             F == 0 ? Unsigned<Raw>(0)
                    : static_cast<Unsigned<Raw>>(static_cast<Unsigned<Raw>>(a)
@@ -97,7 +99,7 @@ struct Expm1 {
         using Word = DoubleWord<Raw>;
         const Word one = Word(uint8_t(1)) << (F + power_guard);
         const Word power = guarded_exponential<Raw, F>(a, a < 0);
-        // The error of a power next to 1 must not change the sign.
+        // The error of a power close to 1 must not change the sign.
         const bool negative = power < one;
         return evaluation<Raw>(negative ? one - power : power - one, power_guard, negative);
     }
@@ -120,7 +122,7 @@ struct Cosh {
             power_guard + 1, false);
     }
 };
-// (1 - e^-2|a|) / (1 + e^-2|a|), of the sign of a.
+// (1 - e^-2|a|) / (1 + e^-2|a|), with the sign of a.
 struct Tanh {
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR Evaluation<Raw> apply(Raw a) {
@@ -128,7 +130,8 @@ struct Tanh {
         constexpr int bits = word_bits<Raw>();
         constexpr int unit = bits - 3;
         const Unsigned<Raw> positive = magnitude(a);
-        // Of e^-2|a| nothing is left from the largest exponent on: 1 to all digits of any format.
+        // From the largest exponent on e^-2|a| vanishes: the result is 1 to all digits of any
+        // format.
         const bool beyond =
             F < RawLimits<Raw>::width - 5 &&
             (positive >> (F < RawLimits<Raw>::width - 5 ? F : 0)) >= largest_exponent / 2;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sine, cosine, angle and logarithm of the splits of 64 bits with 31 to 56 fraction bits but
+// Sine, cosine, angle and logarithm in the 64-bit formats with 31 to 56 fraction bits other than
 // Q32.32, bit for bit as avr/sin_64.S, atan2_64.S and log_64.S compute them.
 #pragma once
 
@@ -18,14 +18,14 @@ constexpr bool is_fine_split() {
     return sizeof(Raw) == 8 && F > 30 && F != 32 && F <= 56;
 }
 
-// `high` and `low` 2^-64, shifted right by 1 to 40 and rounded half up.
+// high 2^64 + low, shifted right and rounded half up. The shift must be in 1..40.
 FIXEDPOINT_CONSTEXPR int64_t rounded_64(int8_t high, uint64_t low, int shift) {
     const uint64_t above = static_cast<uint64_t>(int64_t(high)) << (64 - shift);
     return static_cast<int64_t>((above | low >> shift) + (low >> (shift - 1) & 1));
 }
 
-// The whole quarter turns of an angle without its sign, modulo 256, and what they leave, in units
-// of 2^-63, below pi/2.
+// The whole quarter turns in the magnitude of an angle, modulo 256, and the rest, in units of
+// 2^-63, below pi/2.
 struct QuarterTurnsAndRest {
     uint8_t quarters;
     uint64_t rest;
@@ -70,7 +70,7 @@ FIXEDPOINT_CONSTEXPR void sincos_64(Raw a, Raw* pair, uint8_t fraction) {
 
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw atan2_64(Raw y, Raw x, uint8_t fraction) {
-    // pi/2 and what is behind the 64 bits of pi, in units of 2^-63.
+    // pi/2, and pi without its leading bit, in units of 2^-63.
     constexpr uint64_t half_pi = 0xc90fdaa22168c235, pi = 0x921fb54442d1846a;
     uint64_t larger = magnitude(x), smaller = magnitude(y);
     const bool steep = smaller > larger;

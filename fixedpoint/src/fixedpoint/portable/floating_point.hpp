@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// IEEE 754 numbers to and from raw numbers. Float is float or double, told apart by its size alone:
-// on the 8-bit device both have 32 bits. Infinities and NaN are input like any other.
+// IEEE 754 numbers to and from raw numbers. Float is float or double, distinguished only by size:
+// on the 8-bit device both have 32 bits. Infinities and NaN are valid inputs.
 #pragma once
 
 #include <fixedpoint/integer.hpp>
@@ -28,7 +28,7 @@ template <class Float>
 FIXEDPOINT_CONSTEXPR typename FloatLayout<sizeof(Float)>::Bits bits_of(Float x) {
     using Bits = typename FloatLayout<sizeof(Float)>::Bits;
 #ifdef __AVR__
-    // Not a constant expression for this compiler, but folded where x is a constant.
+    // Not a constant expression for this compiler, but folded if x is a constant.
     Bits bits = 0;
     __builtin_memcpy(&bits, &x, sizeof bits);
     return bits;
@@ -53,8 +53,8 @@ FIXEDPOINT_CONSTEXPR Converted<Raw> from_float(Float x) {
     const Converted<Raw> clamped = {negative ? RawLimits<Raw>::min : RawLimits<Raw>::max, false};
     if (exponent == exponent_mask) return fraction != 0 ? Converted<Raw>{0, false} : clamped;
 
-    // |x| 2^F = mantissa 2^shift. Subnormals need not be told apart: below 2^-125 all is far less
-    // than half an ulp of any format.
+    // |x| 2^F = mantissa 2^shift. Subnormals need no special case: anything below 2^-125 is far
+    // less than half an ulp of any format.
     Word mantissa = fraction | (Bits(1) << m);
     const int shift = exponent - Layout::exponent_bias - m + F;
     const Word limit = static_cast<Word>(RawLimits<Raw>::max) + (negative ? 1 : 0);
@@ -72,10 +72,10 @@ FIXEDPOINT_CONSTEXPR Converted<Raw> from_float(Float x) {
     return {with_sign<Raw>(static_cast<Unsigned<Raw>>(mantissa), negative), true};
 }
 
-// a / 2^F rounded to the nearest Float, half to even as IEEE 754 rounds.
+// a / 2^F rounded to the nearest Float, half to even, as IEEE 754 does by default.
 template <class Float, class Raw, int F>
 constexpr Float to_float(Raw a) {
-    // Only the conversion of the integer rounds: the product by a power of two is exact.
+    // Only the conversion of the integer rounds: the product with a power of two is exact.
     return static_cast<Float>(a) * (Float(1) / static_cast<Float>(uint64_t(1) << F));
 }
 

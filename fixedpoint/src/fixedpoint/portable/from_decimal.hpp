@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// from_decimal: a number written as an integer and a power of ten below it.
+// from_decimal: a number given as an integer divided by a power of ten.
 #pragma once
 
 #include <fixedpoint/integer.hpp>
@@ -8,8 +8,8 @@
 namespace fixedpoint {
 namespace portable {
 
-// n / 10^decimals, rounded to nearest, half up, and saturated: from_decimal(38, 2) is
-// 0.38. n is a signed integer of any width.
+// n / 10^decimals, rounded to nearest, half up, and saturated: from_decimal(38, 2) is 0.38. n must
+// be a signed integer, of any width.
 template <class Raw, int F, class Int>
 FIXEDPOINT_CONSTEXPR Converted<Raw> from_decimal(Int n, uint8_t decimals) {
     static_assert(Int(-1) < Int(1), "from_decimal takes a signed integer.");

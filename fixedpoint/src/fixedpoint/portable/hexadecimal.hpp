@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Raws as hexadecimal text, 0x and all digits of the two's complement, and such text as raws.
+// Raws to and from hexadecimal text: 0x and all digits of the two's complement.
 #pragma once
 
 #include <fixedpoint/portable/decimal_parse.hpp>
@@ -20,7 +20,7 @@ FIXEDPOINT_CONSTEXPR size_t print_hexadecimal(Word raw, char* buffer, size_t cap
     return digits + size_t(2);
 }
 
-// 16 for what is no digit.
+// The value of a hexadecimal digit; 16 if c is not one.
 constexpr uint8_t hexadecimal_digit(char c) {
     return static_cast<uint8_t>(is_digit(c)            ? c - '0'
                                 : c >= 'a' && c <= 'f' ? c - 'a' + 10
@@ -28,7 +28,7 @@ constexpr uint8_t hexadecimal_digit(char c) {
                                                        : 16);
 }
 
-// Out of range where there are more digits than a Word has, leading zeros apart.
+// Out of range if there are more digits than a Word has, not counting leading zeros.
 template <class Word>
 FIXEDPOINT_CONSTEXPR Parsed<Word> parse_hexadecimal(const char* text, size_t length) {
     if (length == 0) return {0, TextStatus::empty, 0};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Operations of a raw number a, value = a / 2^F, and an integer n of any type: the result modulo
+// Operations on a raw number a, value = a / 2^F, and an integer n of any type: the result modulo
 // 2^W, and whether it is the exact one. No step narrows n.
 #pragma once
 
@@ -9,12 +9,12 @@
 namespace fixedpoint {
 namespace portable {
 
-// The unsigned integer that holds the magnitudes of both.
+// An unsigned integer wide enough for the magnitudes of both.
 template <class Raw, class Int>
 using MagnitudeOf =
     UnsignedInteger<(sizeof(Raw) > sizeof(Int)) ? RawLimits<Raw>::width : RawLimits<Int>::width>;
 
-// Asks no unsigned number whether it is below zero, which compilers warn of.
+// Avoids comparing an unsigned number with zero by <, which compilers warn about.
 template <class Int>
 constexpr bool is_negative_integer(Int n) {
     return n < Int(1) && n != Int(0);
@@ -25,7 +25,7 @@ constexpr Word integer_magnitude(Int n) {
                                                     : static_cast<Word>(n));
 }
 
-// a + n, as raws modulo 2^W: W bits of n are enough.
+// The raw of a + n modulo 2^W, for which W bits of n are enough.
 template <class Raw, int F, class Int>
 constexpr Raw add_integer(Raw a, Int n) {
     return wrapping_add(a, scale<Raw, F>(n));
@@ -37,7 +37,7 @@ constexpr Raw multiply_integer(Raw a, Int n) {
                                                        static_cast<Unsigned<Raw>>(n)));
 }
 
-// The distance to - from between raws, in whole numbers, rounded down. Precondition: to >= from.
+// floor((to - from) / 2^F) for raws. Requires to >= from.
 template <class Raw, int F, class Int>
 constexpr MagnitudeOf<Raw, Int> whole_distance(Raw from, Raw to) {
     return static_cast<MagnitudeOf<Raw, Int>>(
@@ -46,21 +46,21 @@ constexpr MagnitudeOf<Raw, Int> whole_distance(Raw from, Raw to) {
         F);
 }
 
-// a + n: |n| is at most the distance from a to the limit that n leads to.
+// a + n is in range if |n| is at most the distance from a to the limit in the direction of n.
 template <class Raw, int F, class Int>
 constexpr bool sum_fits(Raw a, Int n) {
     return integer_magnitude<MagnitudeOf<Raw, Int>>(n) <=
            (is_negative_integer(n) ? whole_distance<Raw, F, Int>(RawLimits<Raw>::min, a)
                                    : whole_distance<Raw, F, Int>(a, RawLimits<Raw>::max));
 }
-// a - n: from ~a = -a - 1 it is as far to one limit as from a to the other.
+// a - n: ~a = -a - 1 is as far from one limit as a is from the other.
 template <class Raw, int F, class Int>
 constexpr bool difference_fits(Raw a, Int n) {
     return sum_fits<Raw, F>(static_cast<Raw>(~a), n);
 }
-// n - a is in the range from min to max where n 2^F is in that from a + min to a + max. With n >= 0
-// only the latter counts, with n < 0 the former, written as |n| - 1 <= (max - a - (2^F - 1)) / 2^F,
-// since a format need not hold 2^F.
+// n - a is in [min, max] if n 2^F is in [a + min, a + max]. For n >= 0 only the upper bound
+// matters, for n < 0 only the lower one, which is written as |n| - 1 <= (max - a - (2^F - 1)) /
+// 2^F, since 2^F may be out of range.
 template <class Raw, int F, class Int>
 constexpr bool difference_from_fits(Raw a, Int n) {
     using Magnitude = MagnitudeOf<Raw, Int>;
@@ -73,7 +73,7 @@ constexpr bool difference_from_fits(Raw a, Int n) {
                          whole_distance<Raw, F, Int>(
                              a, static_cast<Raw>(RawLimits<Raw>::max - fraction_mask<Raw, F>()));
 }
-// |a| <= limit / |n|: where n is a constant, so is the quotient.
+// |a| <= limit / |n|: if n is a constant, so is the quotient.
 template <class Raw, class Int>
 constexpr bool product_fits(Raw a, Int n) {
     using Magnitude = MagnitudeOf<Raw, Int>;
@@ -89,8 +89,8 @@ constexpr bool integer_fits(Int n) {
     return sum_fits<Raw, F>(Raw(0), n);
 }
 
-// A ratio of small numbers that every rounding takes for a / n, n being beyond all raws: it lies
-// with a / n on the same side of 0, 1/2 and 1.
+// A ratio of small numbers that rounds like a / n in every rounding mode, for an n that exceeds all
+// raws: it is on the same side of 0, 1/2 and 1 as a / n.
 template <class Raw>
 struct Ratio {
     Raw numerator, denominator;
@@ -103,7 +103,7 @@ constexpr Ratio<Raw> ratio_like(Magnitude a, Magnitude n, Raw sign) {
                         : Ratio<Raw>{sign, 3};
 }
 
-// a / n as Arithmetic divides.
+// a / n by the division of Arithmetic.
 template <class Arithmetic, class Raw>
 constexpr Raw divide_ratio(Ratio<Raw> ratio) {
     return Arithmetic::template divide<Raw, 0>(ratio.numerator, ratio.denominator);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// x^n with an integer n, by squaring: of the digits of n from the first on, on a mantissa of 64
-// bits for numbers of up to 32 and of 128 for those of 64.
+// x^n for an integer n, by square and multiply over the binary digits of n from the first on, with
+// a mantissa of 64 bits for numbers of up to 32 bits and of 128 for those of 64.
 //
-// Each product is cut to the mantissa's M bits, and squares double the error: it is below n 2^(1-M)
-// of the result. A result in the range has |ln x| n <= (I - 1) ln 2, or is below e^-n|ln x|, with
-// |ln x| >= 2^-F: that leaves 0.2 ulp of M = 2 W bits, and faithful results (error below 0.75 ulp).
+// Each product is truncated to the M bits of the mantissa, and squaring doubles the error: the
+// relative error is below n 2^(1-M). A result in range has |ln x| n <= (I - 1) ln 2, or is below
+// e^-n|ln x|, with |ln x| >= 2^-F. For M = 2 W bits that leaves 0.2 ulp, so results are faithful
+// (error below 0.75 ulp).
 #pragma once
 
 #include <fixedpoint/portable/evaluation.hpp>
@@ -13,7 +14,7 @@
 namespace fixedpoint {
 namespace portable {
 
-// The upper half of a product, and the digit behind it.
+// The upper half of a product, and the next bit.
 template <class Word>
 struct UpperProduct {
     Word upper;
@@ -32,17 +33,17 @@ FIXEDPOINT_CONSTEXPR UpperProduct<Word128> multiply_upper(const Word128& a, cons
             static_cast<uint8_t>(middle.low >> 63)};
 }
 
-// mantissa / 2^bits 2^exponent, the mantissa's first bit being set.
+// mantissa 2^(exponent - bits); the leading bit of the mantissa is set.
 template <class Word>
 struct FloatingPower {
     Word mantissa;
     int16_t exponent;
 };
 
-// What a power is made of, for every format.
+// The steps of a power, for every format.
 template <class Word>
 struct PowerSteps {
-    // Once in a program, however many powers it takes.
+    // noinline: once in a program, however many powers it computes.
     static FIXEDPOINT_CONSTEXPR __attribute__((noinline)) UpperProduct<Word> multiply(
         const Word& a, const Word& b) {
         return multiply_upper(a, b);
@@ -63,13 +64,14 @@ FIXEDPOINT_CONSTEXPR void multiply_by(FloatingPower<Word>& a, const FloatingPowe
     a.exponent = static_cast<int16_t>(a.exponent + b.exponent - (is_short ? 1 : 0));
 }
 
-// The number that powers of a format are computed for, and the word they are computed in.
+// The number type that powers of a format are computed for, and the word they are computed in.
 template <class Raw>
 using PowerNumber = Integer<(sizeof(Raw) < 4 ? 32 : RawLimits<Raw>::width)>;
 template <class Number>
 using PowerWord = DoubleWord<Number>;
 
-// Beyond 2^+-70 a power and its reciprocal are beyond every format or below half an ulp of it.
+// Outside 2^-70..2^70, a power and its reciprocal exceed every format or are below half an ulp of
+// it.
 constexpr int16_t beyond_every_format = 70;
 
 // x^n or its reciprocal in ulps of a number of W bits, of x = magnitude 2^-F, rounded to nearest;
@@ -82,7 +84,7 @@ FIXEDPOINT_CONSTEXPR __attribute__((noinline)) Unsigned<Number> power_in_ulps(
     using Magnitude = Unsigned<Number>;
     constexpr int width = RawLimits<Number>::width, bits = 2 * width;
     constexpr Magnitude beyond = static_cast<Magnitude>(~Magnitude(0));
-    // A pair of constants would be kept in RAM.
+    // Not initialised from a constant pair, which the compiler would keep in RAM.
     FloatingPower<Word> power = {Word(), static_cast<int16_t>(width - F)};
     while (static_cast<Magnitude>(magnitude >> (width - 1)) == 0) {
         magnitude = static_cast<Magnitude>(magnitude << 1);
@@ -93,7 +95,7 @@ FIXEDPOINT_CONSTEXPR __attribute__((noinline)) Unsigned<Number> power_in_ulps(
     constexpr int16_t limit = beyond_every_format;
     uint8_t digits = 0;
     for (Count rest = n; rest != 0; rest = static_cast<Count>(rest >> 1)) ++digits;
-    // The powers of |x| go one way: once beyond, always beyond.
+    // The powers of |x| are monotonic: once out of range, always out of range.
     while (--digits != 0 && (power.exponent < limit) && (power.exponent > -limit)) {
         multiply_by<Steps>(power, power);
         if ((static_cast<uint8_t>(n >> (digits - 1)) & 1) != 0) multiply_by<Steps>(power, factor);

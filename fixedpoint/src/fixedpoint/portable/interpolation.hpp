@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Interpolation in tables, bit for bit as the assembly kernels do it: linear on 256 intervals, and
-// the parts of parabolas.
+// the terms of parabolas.
 #pragma once
 
 #include <fixedpoint/program_memory.hpp>
@@ -8,7 +8,7 @@
 namespace fixedpoint {
 namespace portable {
 
-// slope * fraction / 2^16 from three of the four byte products, two of them without their low byte.
+// slope fraction / 2^16 from three of the four byte products, two of them without their low byte.
 FIXEDPOINT_CONSTEXPR uint16_t rise(uint16_t slope, uint16_t fraction) {
     const uint16_t slope_high = slope >> 8, slope_low = slope & 0xff;
     const uint16_t fraction_high = fraction >> 8, fraction_low = fraction & 0xff;
@@ -16,7 +16,7 @@ FIXEDPOINT_CONSTEXPR uint16_t rise(uint16_t slope, uint16_t fraction) {
                                  (slope_low * fraction_high >> 8));
 }
 
-// What a parabola of unit bend lies over its chord: t (1 - t) 2^9.
+// The height of a parabola with unit `bend` above its chord: t (1 - t) 2^9.
 FIXEDPOINT_CONSTEXPR uint16_t height(uint16_t fraction) {
     const uint16_t fraction_high = fraction >> 8;
     return static_cast<uint16_t>(fraction_high * (255 - fraction_high) >> 7);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// lerp: a + t (b - a) from the exact product, rounded once. smoothstep: 3 t^2 - 2 t^3 of t in
-// [0, 1], rounded once from exact integers.
+// lerp: a + t (b - a) from the exact product, rounded once. smoothstep: 3 t^2 - 2 t^3 for t in [0,
+// 1], from exact integers, rounded once.
 #pragma once
 
 #include <fixedpoint/portable/double_word.hpp>
@@ -9,7 +9,7 @@
 namespace fixedpoint {
 namespace portable {
 
-// The result modulo 2^W, whether that is the exact one, rounded, and if not whether that lies above
+// The result modulo 2^W, whether it is the exact one, rounded, and if not, whether that is above
 // the range.
 template <class Raw>
 struct Settled {
@@ -26,7 +26,7 @@ FIXEDPOINT_CONSTEXPR Settled<Raw> lerp(Raw a, Raw b, Raw t) {
     const bool negative = (b < a) != (t < 0);
     const Word distance = static_cast<Word>(b < a ? static_cast<Word>(a) - static_cast<Word>(b)
                                                   : static_cast<Word>(b) - static_cast<Word>(a));
-    // At most 2^(W-1) (2^W - 1); half an ulp, half up, still leaves it below 2^(2W).
+    // At most 2^(W-1) (2^W - 1); half an ulp more is still below 2^(2W).
     const uint8_t tie_is_lower = negative && F > 0;
     const Product half = static_cast<Product>(Product(uint8_t(F != 0)) << (F == 0 ? 0 : F - 1));
     const Product product =
@@ -34,7 +34,7 @@ FIXEDPOINT_CONSTEXPR Settled<Raw> lerp(Raw a, Raw b, Raw t) {
                              Product(tie_is_lower));
     const Product ulps = static_cast<Product>(product >> F);
     const Word step = Parts::low(ulps);
-    // From a to the limit that the step leads to.
+    // The distance from a to the limit in the direction of the step.
     const Word room =
         static_cast<Word>(negative ? static_cast<Word>(a) - static_cast<Word>(RawLimits<Raw>::min)
                                    : static_cast<Word>(RawLimits<Raw>::max) - static_cast<Word>(a));
@@ -54,7 +54,7 @@ template <int F, class Word>
 FIXEDPOINT_CONSTEXPR Word smoothstep_in(Word t, Word c) {
     return static_cast<Word>((t * t * c + (Word(1) << (2 * F - 2))) >> (2 * F - 1));
 }
-// In words of 64 bits, the lowest of which is below half an ulp where F > 32.
+// In 64-bit words; if F > 32, the lowest one is below half an ulp.
 template <int F>
 FIXEDPOINT_CONSTEXPR uint64_t smoothstep_in_words(uint64_t t, uint64_t c) {
     constexpr int drop = F > 32 ? 64 : 0;
@@ -65,8 +65,9 @@ FIXEDPOINT_CONSTEXPR uint64_t smoothstep_in_words(uint64_t t, uint64_t c) {
     const Word128 rounded = product + (Word128(1) << (2 * F - 2 - drop));
     return (rounded >> (2 * F - 1 - drop)).low;
 }
-// Of t and c as fractions of 32 and 31 bits, so that the words of products need no shift. What the
-// square's lower word leaves below the product's upper one does not reach half an ulp.
+// t and c as fractions of 32 and 31 bits, so that the words of products need not be shifted. What
+// the lower word of the square contributes below the upper word of the product does not reach half
+// an ulp.
 template <int F>
 FIXEDPOINT_CONSTEXPR uint32_t smoothstep_in_fractions(uint32_t t, uint32_t c) {
     constexpr bool fits = F <= 16;  // t^2
@@ -93,7 +94,7 @@ struct Smoothstep<F, true, true> {
     using Word = uint32_t;
     static FIXEDPOINT_CONSTEXPR Word of(Word t, Word c) { return smoothstep_in<F>(t, c); }
 };
-// t^2 (1 + (1/2 - t)), t below 1, by products of 32 bits.
+// t^2 (1 + (1/2 - t)) for t below 1, from 32-bit products.
 template <>
 struct Smoothstep<32, false, false> {
     using Word = uint64_t;
@@ -105,7 +106,7 @@ struct Smoothstep<32, false, false> {
         const uint64_t square = multiply_words(position, position);
         const uint64_t high = multiply_words(static_cast<uint32_t>(square >> 32), factor);
         const uint64_t low = multiply_words(static_cast<uint32_t>(square), factor);
-        // In units of 2^-63, rounded downward: what is behind them decides no tie.
+        // In units of 2^-63, rounded downward: the digits below never decide a tie.
         const uint64_t product =
             rises ? square + high + (low >> 32) : square - high - ((low + 0xffffffff) >> 32);
         const uint64_t rounded = product + (half >> 1);
@@ -121,7 +122,7 @@ struct Smoothstep<0, true, true> {
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw smoothstep(Raw t) {
     using Word = typename Smoothstep<F>::Word;
-    // 2^F as an operand, which a format of one integer bit does not reach.
+    // 2^F as an operand, which no number of a format with one integer bit reaches.
     constexpr Unsigned<Raw> one = static_cast<Unsigned<Raw>>(Unsigned<Raw>(1) << F);
     constexpr Word c = static_cast<Word>((Word(1) << F) + ((Word(1) << F) >> 1));
     if (t <= 0) return 0;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// log: the natural logarithm within 0.75 ulp, saturated where the format cannot hold it; the
-// smallest number where a <= 0.
+// log: the natural logarithm within 0.75 ulp, saturated; the smallest number if a <= 0.
 #pragma once
 
 #include <fixedpoint/portable/convert.hpp>
@@ -16,8 +15,8 @@
 namespace fixedpoint {
 namespace portable {
 
-// ln(1 + 2^-i) with Bits - 6 fraction bits. Behind the table it is 2^-i - 2^-2i / 2 but for 2^-3i /
-// 3; formats of 63 fraction bits and less end before.
+// ln(1 + 2^-i) with Bits - 6 fraction bits. After the end of the table it is 2^-i - 2^-2i / 2,
+// within 2^-3i / 3; formats with up to 63 fraction bits do not go that far.
 template <class Word, int most>
 FIXEDPOINT_CONSTEXPR Word logarithm_of_factor(int i) {
     using Constants = PseudoDivisionConstants<Word>;
@@ -31,10 +30,11 @@ FIXEDPOINT_CONSTEXPR Word logarithm_of_factor(int i) {
 // ln(mantissa) with Bits - 6 fraction bits, by pseudo-division (J. E. Meggitt, "Pseudo division and
 // pseudo multiplication processes", 1962); mantissa from 1 to 2, with Bits - 3 fraction bits.
 //
-// A product of some 1 + 2^-i climbs towards the mantissa, step i being taken only if it does not
-// pass it. Before step i, rest is 2^(i-1) (mantissa - product), less than 2^(i-1) times the
-// product's 2^-(i-1), the largest step left: twice that fits. Once a step changes the product too
-// little to matter, 2^-2i < 2^-(F + 3), the steps become the long division of the rest by it.
+// A product of some 1 + 2^-i approaches the mantissa from below; step i is taken only if the
+// product does not exceed the mantissa. Before step i, rest is 2^(i-1) (mantissa - product), which
+// is less than 2^(i-1) times the largest remaining step, 2^-(i-1) of the product: twice that fits.
+// Once a step changes the product too little to matter, 2^-2i < 2^-(F + 3), the steps become the
+// long division of the rest by the product.
 template <int F, class Word>
 FIXEDPOINT_CONSTEXPR Word mantissa_logarithm(Word mantissa) {
     constexpr int bits = cordic_bits<Word>();
@@ -43,7 +43,7 @@ FIXEDPOINT_CONSTEXPR Word mantissa_logarithm(Word mantissa) {
 
     Word product = Word(1) << (bits - 3);
     Word rest = mantissa - product;
-    // Half of what the steps leave over.
+    // Half of the largest remaining step.
     Word logarithm = Word(1) << (bits - 6 - steps - 1);
     for (int i = 1; i <= steps; ++i) {
         rest = rest << 1;
@@ -60,7 +60,7 @@ FIXEDPOINT_CONSTEXPR Word mantissa_logarithm(Word mantissa) {
     return logarithm;
 }
 
-// For every format but Q16.16; small, as it has no table but the word's few ln(1 + 2^-i).
+// For every format except Q16.16. Small, since its only table is the few ln(1 + 2^-i) of the word.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw log_small(Raw a) {
     using Word = CordicWord<F>;
@@ -76,7 +76,7 @@ FIXEDPOINT_CONSTEXPR Raw log_small(Raw a) {
     const Word fraction = mantissa_logarithm<F>(cordic_coordinate<Word>(normalised));
     const Word multiple =
         PseudoDivisionConstants<Word>::ln2() * magnitude(static_cast<int16_t>(exponent));
-    // A number below 1 is at most 1 - 2^-F: its logarithm stays negative.
+    // A number below 1 is at most 1 - 2^-F, so its logarithm stays negative.
     const Word result = exponent < 0 ? multiple - fraction : multiple + fraction;
     return clamped_with_sign<Raw>((result + (Word(1) << (surplus - 1))) >> surplus, exponent < 0);
 }
@@ -90,7 +90,7 @@ template <class Raw, int F, bool is_coarse = is_coarse_16<Raw, F>()>
 struct Logarithm {
     static constexpr Raw apply(Raw a) { return log_small<Raw, F>(a); }
 };
-// Rounded to nearest by that of Q16.16, as the table of the kernel is.
+// The logarithm of Q16.16 rounded to nearest, like the table of the kernel.
 template <>
 struct Logarithm<int8_t, 4, false> {
     static FIXEDPOINT_CONSTEXPR int8_t apply(int8_t a) {

@@ -9,7 +9,7 @@
 namespace fixedpoint {
 namespace portable {
 
-// Of Q16.16 alone.
+// Only in Q16.16.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw log2(Raw a) {
     if (a <= 0) return RawLimits<int32_t>::min;

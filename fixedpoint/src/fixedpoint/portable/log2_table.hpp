@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // DO NOT EDIT: written by python3 fixedpoint/tables/log2.py
-// log2(1 + i/128) 2^23 + 64: half an ulp of Q16.16 is in it, so that cutting 7 bits rounds; what the
-// chord rises over the interval, less 2^15; twice the curve's height over its middle.
+// log2(1 + i/128) 2^23 + 64, which includes half an ulp of Q16.16, so that truncating 7 bits rounds; the
+// rise of the chord over the interval, minus 2^15; twice the height of the curve above its middle.
 #pragma once
 
 #include <fixedpoint/program_memory.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// log in the splits of 16 bits with up to 8 fraction bits, bit for bit as avr/log_q8_8.inc computes
-// it; within 0.522 ulp.
+// log in 16-bit formats with up to 8 fraction bits, bit for bit as avr/log_q8_8.inc computes it;
+// within 0.522 ulp.
 #pragma once
 
 #include <fixedpoint/integer.hpp>
@@ -13,8 +13,8 @@ namespace portable {
 template <int F>
 FIXEDPOINT_CONSTEXPR int16_t log_16(int16_t a) {
     if (a <= 0) return RawLimits<int16_t>::min;
-    // In units of 2^-16: the logarithm of 2^(15 - F), and what half an ulp is more than that of
-    // Q8.8, which is in the chords; ln 2.
+    // In units of 2^-16: the logarithm of 2^(15 - F), plus the difference between half an ulp and
+    // that of Q8.8, which the table includes; and ln 2.
     constexpr int32_t largest =
         ((15 - F) * int32_t(4542609) + 50) / 100 + 128 * ((int32_t(1) << (8 - F)) - 1);
     constexpr int32_t log_2 = 45426;

@@ -10,8 +10,8 @@
 namespace fixedpoint {
 namespace portable {
 
-// In units of 2^-31, and one more for what the core cuts; beyond 24 fraction bits of 2^-39. Needs
-// a > 0.
+// In units of 2^-31, plus one for the truncation in the core; beyond 24 fraction bits in units of
+// 2^-39. a must be greater than 0.
 template <int F>
 FIXEDPOINT_CONSTEXPR int64_t unrounded_log_32(int32_t a) {
     uint32_t normalised = static_cast<uint32_t>(a);
@@ -32,7 +32,7 @@ template <int F>
 FIXEDPOINT_CONSTEXPR int32_t log_32(int32_t a) {
     if (a <= 0) return RawLimits<int32_t>::min;
     constexpr int surplus = is_coarse_32<F>() ? 0 : 8;
-    // In units of 2^-31, half a last place added.
+    // In units of 2^-31, with half an ulp added.
     int64_t sum = (unrounded_log_32<F>(a) + (int64_t(1) << (30 + surplus - F))) >> surplus;
     sum = F > 31 ? sum * 2 : sum >> (F > 31 ? 0 : 31 - F);
     return sum < RawLimits<int32_t>::min ? RawLimits<int32_t>::min : static_cast<int32_t>(sum);

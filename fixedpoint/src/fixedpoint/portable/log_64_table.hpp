@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // DO NOT EDIT: written by python3 fixedpoint/tables/log_64.py
 // ln(1 + x) on 256 intervals of [0, 1], cubics in the layout of tables/cubic.py.
-// 8.4 2^-39 off at most, of 34 points an interval; the values hold half an ulp of Q32.32.
+// The error is at most 8.4 2^-39 at 34 points per interval; the values include half an ulp of Q32.32.
 #pragma once
 
 #include <fixedpoint/program_memory.hpp>

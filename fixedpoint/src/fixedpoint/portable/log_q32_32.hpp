@@ -9,7 +9,7 @@
 namespace fixedpoint {
 namespace portable {
 
-// ln a in units of 2^-39 and half an ulp more, for the rounding; of Q32.32 alone. Needs a > 0.
+// ln a in units of 2^-39 plus half an ulp, for rounding. Only in Q32.32; a must be greater than 0.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw log_fine(Raw a) {
     uint64_t normalised = static_cast<uint64_t>(a);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // DO NOT EDIT: written by python3 fixedpoint/tables/log.py
-// ln(1 + i/256) 2^24 + 128: half an ulp of Q16.16 is in it, so that cutting 8 bits rounds; what the
-// logarithm rises over the interval; ln 2 (e - 16) 2^24 for the exponent e of the raw number.
+// ln(1 + i/256) 2^24 + 128, which includes half an ulp of Q16.16, so that truncating 8 bits rounds; the
+// rise of the logarithm over the interval; ln 2 (e - 16) 2^24 for the exponent e of the raw number.
 #pragma once
 
 #include <fixedpoint/program_memory.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // DO NOT EDIT: written by python3 fixedpoint/tables/logarithm_of_factor.py
-// Of node i, 1 + i / 64: 1 - decrease / 256 is the nearest factor to its reciprocal, and the logarithm
-// that of the factor's reciprocal, in units of 2^-56, as is ln 2.
+// For node i, 1 + i / 64: 1 - decrease / 256 is the factor nearest to its reciprocal, and logarithm is
+// that of the reciprocal of the factor, in units of 2^-56, like ln 2.
 #pragma once
 
 #include <stdint.h>

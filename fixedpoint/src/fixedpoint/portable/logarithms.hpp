@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // log2, log10, log1p: logarithms, faithful (error below 0.75 ulp), saturated; the smallest number
-// where there is none.
+// if there is no logarithm.
 #pragma once
 
 #include <fixedpoint/portable/elementary_table.hpp>
@@ -10,14 +10,14 @@
 namespace fixedpoint {
 namespace portable {
 
-// ln(a) = exponent ln 2 + fraction, the fraction with Bits - 6 fraction bits.
+// ln(a) = exponent ln 2 + fraction; the fraction has Bits - 6 fraction bits.
 template <class Word>
 struct SplitLogarithm {
     Word fraction;
     int exponent;
 };
 
-// Of a 2^-F, a > 0; the fraction is within 2^-(P + 4).
+// The logarithm of a 2^-F, its fraction within 2^-(P + 4). a must not be 0.
 template <class Raw, int F, int P = F>
 FIXEDPOINT_CONSTEXPR SplitLogarithm<DoubleWord<Raw>> natural_logarithm(Unsigned<Raw> a) {
     using Word = DoubleWord<Raw>;
@@ -30,7 +30,7 @@ FIXEDPOINT_CONSTEXPR SplitLogarithm<DoubleWord<Raw>> natural_logarithm(Unsigned<
     return {mantissa_logarithm<P>(Word(a) << (W - 2)), exponent};
 }
 
-// exponent log_b(2) + fraction / ln(b) in F fraction bits; all with Bits - 6 bits.
+// exponent log_b(2) + fraction / ln(b) with F fraction bits; both terms have Bits - 6.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Evaluation<Raw> logarithm_sum(int exponent, const DoubleWord<Raw>& log_b_of_2,
                                                    const DoubleWord<Raw>& fraction) {
@@ -46,7 +46,7 @@ constexpr Evaluation<Raw> no_logarithm() {
     return {RawLimits<Raw>::min, Outcome::domain_error};
 }
 
-// To the base b: with log_b(2) in Bits - 6 fraction bits and 1 / ln(b) in Bits - 1.
+// The logarithm to base b, given log_b(2) with Bits - 6 fraction bits and 1 / ln(b) with Bits - 1.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Evaluation<Raw> logarithm(Raw a, const DoubleWord<Raw>& log_b_of_2,
                                                const DoubleWord<Raw>& per_ln_b) {
@@ -72,7 +72,7 @@ struct Log10 {
         return logarithm<Raw, F>(a, Constants::log10_of_2(), Constants::per_ln10());
     }
 };
-// ln(1 + a), with all its digits near 0. 1 + a fits the unsigned number.
+// ln(1 + a), with all its digits near 0. As an unsigned number, 1 + a always fits.
 struct Log1p {
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR Evaluation<Raw> apply(Raw a) {

@@ -7,8 +7,8 @@
 namespace fixedpoint {
 namespace portable {
 
-// a b / 2^24 from six of the nine byte products, three of them without their low byte: up to 5 less
-// than the product.
+// a b / 2^24 from six of the nine byte products, three of them without their low byte: up to 5 too
+// small.
 FIXEDPOINT_CONSTEXPR uint32_t multiply_high_24(uint32_t a, uint32_t b) {
     const uint32_t a0 = a & 0xff, a1 = a >> 8 & 0xff, a2 = a >> 16;
     const uint32_t b0 = b & 0xff, b1 = b >> 8 & 0xff, b2 = b >> 16;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// multiply_saturating: floor(a b / 2^F + 1/2), saturated to the smallest or largest number where it
-// does not fit.
+// multiply_saturating: floor(a b / 2^F + 1/2), saturated to the smallest or largest number.
 #pragma once
 
 #include <fixedpoint/integer.hpp>
@@ -25,7 +24,7 @@ struct SaturatingMultiplication<int64_t, F> {
     static FIXEDPOINT_CONSTEXPR int64_t apply(int64_t a, int64_t b) {
         const bool negative = (a < 0) != (b < 0);
         const Wide128 product = multiply_full(magnitude(a), magnitude(b));
-        // Half an ulp, less one unit where the result is negative: a tie then goes towards zero.
+        // Half an ulp, less one unit if the result is negative: a tie then goes towards zero.
         const uint64_t half = (uint64_t(1) << F) >> 1;
         const uint64_t bias = half - (negative && F != 0 ? 1 : 0);
         const uint64_t low = product.low + bias;

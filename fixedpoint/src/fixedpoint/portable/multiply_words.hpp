@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The exact product of two words of 32 bits, its upper word, and that of two words of 64 bits. The
-// first is a call of its own: inlined, the chip's compiler extends an operand to 64 bits for all
-// that it is multiplied by, and multiplies 64 bits in full.
+// The exact product of two 32-bit words, its upper word, and that of two 64-bit words. The first is
+// never inlined: the chip's compiler would extend an operand to 64 bits for all its products, and
+// multiply in full 64 bits.
 #pragma once
 
 #include <fixedpoint/integer.hpp>
@@ -19,8 +19,8 @@ FIXEDPOINT_CONSTEXPR uint32_t upper_product(uint32_t a, uint32_t b) {
     return static_cast<uint32_t>(multiply_words(a, b) >> 32);
 }
 
-// a b / 2^64, at most 2^18 less: of the words, and of an upper and a lower one what their upper
-// halves have in it.
+// a b / 2^64, or up to 2^18 less: the product of the upper words, plus the products of the upper
+// halves of an upper and a lower word.
 template <class, int>
 FIXEDPOINT_CONSTEXPR uint64_t multiply_upper_halves(uint64_t a, uint64_t b) {
     const uint32_t a1 = static_cast<uint32_t>(a >> 32), b1 = static_cast<uint32_t>(b >> 32);

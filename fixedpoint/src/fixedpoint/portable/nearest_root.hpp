@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Correctly rounded square roots of integers and of ratios, on which sqrt, reciprocal_sqrt, length
-// and normalise stand. Shift and subtract only.
+// Correctly rounded square roots of integers and of ratios, by shift and subtract. sqrt,
+// reciprocal_sqrt, length and normalise use them.
 #pragma once
 
 #include <fixedpoint/portable/double_word.hpp>
@@ -8,9 +8,9 @@
 namespace fixedpoint {
 namespace portable {
 
-// sqrt(high 2^W + low) to nearest, never a tie; at most `limit`. Digit by digit: two bits of the
-// radicand make one bit of the root. A limit of 2^(W-1) comes out as the smallest number, which is
-// its negative.
+// sqrt(high 2^W + low) rounded to nearest, never a tie; at most `limit`. Digit by digit: two bits
+// of the radicand give one bit of the root. A limit of 2^(W-1) is returned as the smallest number,
+// which is its negative.
 template <class Raw, Unsigned<Raw> limit = static_cast<Unsigned<Raw>>(RawLimits<Raw>::max)>
 FIXEDPOINT_CONSTEXPR Raw nearest_root(Unsigned<Raw> high, Unsigned<Raw> low) {
     using Word = Unsigned<Raw>;
@@ -19,25 +19,25 @@ FIXEDPOINT_CONSTEXPR Raw nearest_root(Unsigned<Raw> high, Unsigned<Raw> low) {
     if (high >= quarter) return static_cast<Raw>(limit);
     Word root = 0, remainder = 0, digits = high;
     int pair = 0;
-    // Leading zeros make no digit.
+    // Leading zeros do not give digits.
     for (; pair < W / 2 && digits < quarter; ++pair) digits = static_cast<Word>(digits << 2);
     for (; pair < W; ++pair) {
         if (pair == W / 2) digits = low;
-        // 4 remainder + digit >= 4 root + 1, without its overflow. What is left is at most twice
+        // 4 remainder + digit >= 4 root + 1, without overflow. The new remainder is at most twice
         // the new root and fits.
         const bool one = static_cast<Word>(remainder + (digits >= quarter ? 1 : 0)) > root;
-        // One bit at a time: the device has no shifts by 30.
+        // One bit at a time: the device does not have a shift by 30.
         remainder = static_cast<Word>((remainder << 1) | (digits >> (W - 1)));
         digits = static_cast<Word>(digits << 1);
         remainder = static_cast<Word>((remainder << 1) | (digits >> (W - 1)));
         digits = static_cast<Word>(digits << 1);
         root = static_cast<Word>(root << 1);
-        // No branch: on the host its misprediction would cost more than the round.
+        // Without a branch: on the host its misprediction would cost more than the iteration.
         const Word mask = static_cast<Word>(-static_cast<int>(one));
         remainder = static_cast<Word>(remainder - (static_cast<Word>((root << 1) | 1) & mask));
         root = static_cast<Word>(root | (mask & 1));
     }
-    // remainder > root: the radicand lies beyond (root + 1/2)^2 = root^2 + root + 1/4.
+    // remainder > root: the radicand exceeds (root + 1/2)^2 = root^2 + root + 1/4.
     const Word rounded = static_cast<Word>(root + (remainder > root ? 1 : 0));
     return rounded > limit ? static_cast<Raw>(limit) : static_cast<Raw>(rounded);
 }
@@ -47,8 +47,8 @@ FIXEDPOINT_CONSTEXPR Raw nearest_root(DoubleWord<Raw> radicand) {
     return nearest_root<Raw>(DoubleWordOf<Raw>::high(radicand), DoubleWordOf<Raw>::low(radicand));
 }
 
-// sqrt(numerator 2^doublings / denominator) to nearest, half up; at most `limit`, as above. Needs
-// numerator < 2 denominator. Number is any unsigned integer that holds the two.
+// sqrt(numerator 2^doublings / denominator) rounded to nearest, half up; at most `limit`, as above.
+// Requires numerator < 2 denominator. Number may be any unsigned integer that can represent both.
 template <class Raw, class Number,
           Unsigned<Raw> limit = static_cast<Unsigned<Raw>>(RawLimits<Raw>::max)>
 FIXEDPOINT_CONSTEXPR Raw nearest_root_of_ratio(Number numerator, Number denominator,
@@ -72,7 +72,7 @@ FIXEDPOINT_CONSTEXPR Raw nearest_root_of_ratio(Number numerator, Number denomina
             low = static_cast<Word>(low | 1);
         }
     }
-    // A ratio x is beyond (r + 1/2)^2 where x + 3/4 reaches the integer r^2 + r + 1: the root of
+    // A ratio x reaches (r + 1/2)^2 when x + 3/4 reaches the integer r^2 + r + 1: the root of
     // floor(x + 3/4) rounds like that of x.
     const Number left = static_cast<Number>(denominator - remainder);
     if (!(remainder < left) ||

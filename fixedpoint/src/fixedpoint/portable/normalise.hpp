@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // normalise3: v / |v|, in place or elsewhere; a zero vector stays zero. Each component is within
-// 0.77 ulp in Q16.16 and 0.66 ulp in Q8.8, bit for bit as the kernels compute it, within 0.97 ulp
-// where normalises_by_length, and rounded to nearest in the other formats.
+// 0.77 ulp in Q16.16 and 0.66 ulp in Q8.8, bit for bit as the kernels compute it; within 0.97 ulp
+// if normalises_by_length; and rounded to nearest in all other formats.
 #pragma once
 
 #include <fixedpoint/portable/divide.hpp>
@@ -12,23 +12,24 @@
 namespace fixedpoint {
 namespace portable {
 
-// Whether the numbers of a format have four bits above 2^F for normalise_by_length to scale in.
+// Whether the format has four bits above 2^F, which normalise_by_length needs for scaling.
 template <class Raw, int F>
 constexpr bool normalises_by_length() {
     return sizeof(Raw) >= 4 && F <= RawLimits<Raw>::width - 5;
 }
 
-// v / |v| by the length and the division of Operations, a class with these of Raw and F.
+// v / |v| by the length and the division of Operations, a class that has both for Raw and F.
 //
-// v is scaled first, so that its largest component is at least 2^(F + 2), and below 2^(W - 2), for
-// the length to fit. Scaled up, it is exact: the length, half a unit off, makes 1/8 ulp of an error
-// in a component, and the division 1/2. Halved and rounded, each component is up to 1/2 off, the
-// length up to sqrt(3) / 2 + 1/2, of at least 2^(W - 3) >= 2^(F + 2): 0.47 ulp together.
+// v is scaled first, so that its largest component is at least 2^(F + 2), and below 2^(W - 2) for
+// the length to fit. Scaling up is exact: the length, half a unit off, then causes an error of 1/8
+// ulp in a component, and the division 1/2 ulp. If components are halved and rounded, each is up to
+// 1/2 off, and the length, at least 2^(W - 3) >= 2^(F + 2), up to sqrt(3) / 2 + 1/2: 0.47 ulp
+// together.
 template <class Raw, int F, class Operations>
 FIXEDPOINT_CONSTEXPR void normalise_by_length(const Raw* v, Raw* unit) {
     constexpr int W = RawLimits<Raw>::width, room = W - 4 - F, step = room < 8 ? room : 8;
     Raw scaled[3] = {v[0], v[1], v[2]};
-    // Has the largest component's leading one, or, of -2^n, a lower one, but no lower than bit 0.
+    // Has the leading one of the largest component or, for -2^n, a lower one, but at least bit 0.
     Unsigned<Raw> largest = (v[0] | v[1] | v[2]) != 0;
     for (const Raw component : scaled) {
         largest = static_cast<Unsigned<Raw>>(
@@ -65,8 +66,8 @@ struct Normalisation<Raw, F, false> {
     static FIXEDPOINT_CONSTEXPR void apply(const Raw* v, Raw* unit) {
         const DoubleWord<Raw> length_squared = sum_of_squares(v, 3);
         for (int i = 0; i < 3; ++i) {
-            // The zero vector has no ratio; a zero component needs none. With one integer bit -1 is
-            // a number and 1 is none.
+            // The zero vector does not have ratios, and a zero component does not need one. With
+            // one integer bit, the format can represent -1 but not 1.
             if (v[i] < 0) {
                 unit[i] = wrapping_negate(
                     nearest_root_of_ratio<Raw, DoubleWord<Raw>,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // DO NOT EDIT: written by python3 fixedpoint/tables/pow_64.py
-// Factors from the digits d 2^-8, then d 2^-8 and d' 2^-16, d 2^-16 and d' 2^-24, d 2^-24, less than
-// 1 by them, and minus their logarithms in units of 2^-104; 32 ln 2 less of the first. Last ln 2.
+// The digits of the factors 1 - d 2^-8, then with d 2^-8 and d' 2^-16, d 2^-16 and d' 2^-24, d 2^-24,
+// and minus their logarithms in units of 2^-104; those of the first are 32 ln 2 less. Then ln 2.
 #pragma once
 
 #include <fixedpoint/program_memory.hpp>

@@ -9,12 +9,12 @@
 namespace fixedpoint {
 namespace portable {
 
-// s of (1 + s)(1 - digit 2^-8place), in units of 2^-104.
+// (1 + s)(1 - digit 2^-8place) - 1, in units of 2^-104.
 FIXEDPOINT_CONSTEXPR Word128 times_factor(const Word128& s, uint8_t digit, int place) {
     return s - (Word128(digit) << (104 - 8 * place)) - ((s * digit) >> 8 * place);
 }
 
-// ln(1 + s), s below 2^-23, both in units of 2^-104.
+// ln(1 + s) for s below 2^-23, both in units of 2^-104.
 FIXEDPOINT_CONSTEXPR Word128 logarithm_beside_1(const Word128& s) {
     // In units of 2^-103, 2^-79 and 2^-102: s^2 / 2 is square's, s^3 / 2 is cube's.
     const Word128 half = s >> 1;
@@ -22,14 +22,14 @@ FIXEDPOINT_CONSTEXPR Word128 logarithm_beside_1(const Word128& s) {
     const uint64_t square = fraction_product(fraction, fraction, 7);
     const uint64_t cube = fraction_product(square >> 24, fraction >> 24, 4);
     const uint64_t upper = square >> 48;
-    // cube / 3 is 85/256 of it and of what that leaves.
+    // cube / 3 is 85/256 (cube + cube/256 + ...).
     const uint64_t third = cube * 85;
     return (half - Word128(square + (upper * upper >> 7) - cube - (third >> 8) - (third >> 16) -
                            (third >> 24) - (third >> 32)))
            << 1;
 }
 
-// ln a in units of 2^-104, modulo 2^128. Needs a > 0.
+// ln a in units of 2^-104, modulo 2^128. a must not be 0.
 FIXEDPOINT_CONSTEXPR Word128 logarithm_104(uint64_t a) {
     using Table = Pow64Table<>;
     uint8_t exponent = 63;
@@ -62,19 +62,19 @@ FIXEDPOINT_CONSTEXPR Word128 logarithm_104(uint64_t a) {
                    read_program_memory(Table::fourth_lower[fourth]));
 }
 
-// x^y as a number without a sign, of which nothing but that it is above 2^63 holds where the format
-// ends. Needs x > 0, which has no sign either.
+// x^y as an unsigned number. If it is out of range, the result is only guaranteed to be above 2^63.
+// x is unsigned too and must not be 0.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw pow_unsaturated(Raw x, Raw y) {
-    static_assert(F == 32, "a power of Q32.32");
+    static_assert(F == 32, "This is the power of Q32.32.");
     const Word128 logarithm = logarithm_104(static_cast<uint64_t>(x));
     const bool below_1 = static_cast<int64_t>(logarithm.high) < 0;
     const bool falls = below_1 != (y < 0);
     const Word128 distance = below_1 ? Word128() - logarithm : logarithm;
     const uint64_t factor = magnitude(y);
 
-    // Their product in bytes, in units of 2^-72: from column 7 of the byte products on, of which
-    // only the carries count.
+    // Their product in bytes, in units of 2^-72, from column 7 of the byte products on; only the
+    // carries of that column count.
     uint8_t bytes[10] = {};
     uint32_t sum = 0;
     bool beyond = false;

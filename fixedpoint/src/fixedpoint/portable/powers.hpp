@@ -8,9 +8,9 @@
 namespace fixedpoint {
 namespace portable {
 
-// x^y: 1 where y is 0; where x is 0, 0, or where y < 0 the largest number; where x < 0, |x|^y with
-// the sign of (-1)^y, and 0 where y is not an integer. PowerOfMagnitude evaluates |x|^y and gives
-// it a sign; |x| and y are not 0.
+// x^y: 1 if y is 0. Otherwise, if x is 0: 0, or the largest number if y < 0. If x < 0: |x|^y with
+// the sign of (-1)^y, and 0 if y is not an integer. PowerOfMagnitude evaluates |x|^y, where neither
+// is 0, and gives it a sign.
 template <class PowerOfMagnitude>
 struct SignedPower {
     template <class Raw, int F>
@@ -33,9 +33,9 @@ struct SignedPower {
     }
 };
 
-// Beside 1 the logarithm of x is at least about 2^-F, so that a power in the range has a y below
-// both 2^(I-1) and 2^F times the range of the logarithm: below 2^(W/2 + 4). The logarithm is that
-// much finer than a result of W digits asks for.
+// Near 1 the logarithm of x is at least about 2^-F, so for a power in range y is below both 2^(I-1)
+// and 2^F times the range of the logarithm: below 2^(W/2 + 4). The logarithm has that many guard
+// bits beyond what a result of W digits needs.
 struct PowerOfMagnitude {
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR Evaluation<Raw> apply(Unsigned<Raw> x, Raw y, bool negative) {
@@ -49,7 +49,7 @@ struct PowerOfMagnitude {
         const Word distance =
             logarithm.exponent < 0 ? multiple - logarithm.fraction : multiple + logarithm.fraction;
         const bool beyond_1 = (logarithm.exponent < 0) == (y < 0);
-        // distance |y|, whose point stands behind F more bits, saturated.
+        // distance |y|, which has F more fraction bits, saturated.
         const Unsigned<Raw> factor = magnitude(y);
         const Word upper = multiply_by_half_word<Raw>(distance, factor);
         const Word lower = Word(Parts::low(Parts::multiply(Parts::low(distance), factor)));
@@ -63,14 +63,14 @@ struct PowerOfMagnitude {
 };
 struct Pow : SignedPower<PowerOfMagnitude> {};
 
-// The cube root, negative where a is.
+// The cube root, negative if a is.
 struct Cbrt {
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR Evaluation<Raw> apply(Raw a) {
         using Word = DoubleWord<Raw>;
         constexpr int W = RawLimits<Raw>::width;
         if (a == 0) return {0, Outcome::in_range};
-        // e^(fraction / 3) 2^(remainder / 3) 2^quotient, the remainder from 0 to 2.
+        // e^(fraction / 3) 2^(remainder / 3) 2^quotient, with the remainder in 0..2.
         const SplitLogarithm<Word> logarithm = natural_logarithm<Raw, F, W + 4>(magnitude(a));
         const int quotient = (logarithm.exponent + 66) / 3 - 22;
         const int remainder = logarithm.exponent - 3 * quotient;

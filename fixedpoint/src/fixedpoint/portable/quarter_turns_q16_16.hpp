@@ -10,8 +10,8 @@ namespace portable {
 
 constexpr uint32_t one_quarter_turn_q16_16 = uint32_t(1) << 24;
 
-// The angle in quarter turns, modulo 256: 24 fraction bits, less at most 6 units that come from
-// products the kernel leaves out.
+// The angle in quarter turns, modulo 256, with 24 fraction bits. It is up to 6 units too small
+// because of the byte products that the kernel omits.
 FIXEDPOINT_CONSTEXPR uint32_t quarter_turns_q16_16(int32_t angle) {
     const uint32_t a = static_cast<uint32_t>(angle);
     const uint32_t a0 = a & 0xff, a1 = a >> 8 & 0xff, a2 = a >> 16 & 0xff, a3 = a >> 24;
@@ -26,7 +26,7 @@ FIXEDPOINT_CONSTEXPR uint32_t quarter_turns_q16_16(int32_t angle) {
     return angle < 0 ? unsigned_turns - 0xf9836e4e : unsigned_turns;
 }
 
-// The position in the first quarter that has the same sine, but for its sign.
+// The position in the first quarter with the same sine, up to its sign.
 FIXEDPOINT_CONSTEXPR uint32_t fold_quarter_turns_q16_16(uint32_t turns) {
     const bool backward = (turns >> 24 & 1) != 0;
     return (backward ? ~turns : turns) & 0xffffff;

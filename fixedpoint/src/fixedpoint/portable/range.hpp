@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Whether the exact result of a function, rounded to nearest, fits its format. The
-// functions themselves saturate and cannot be asked, since the largest number is a result like any
-// other. Each answer is a comparison with the operand at which the result passes the limit, half an
-// ulp beyond the last number; functions that are not named here stay within every format.
+// Whether the exact result of a function, rounded to nearest, is in range. The functions themselves
+// saturate, so their result does not tell: the largest number is a result like any other. Each
+// answer is a comparison with the operand at which the result crosses the limit, half an ulp beyond
+// the last number. Results of functions not named here are always in range.
 #pragma once
 
 #include <fixedpoint/portable/double_word.hpp>
@@ -15,23 +15,24 @@ constexpr int integer_bits_of() {
     return RawLimits<Raw>::width - F;
 }
 
-// a 2^count, which shifted back gives a.
+// a 2^count is in range if shifting it back gives a.
 template <class Raw>
 constexpr bool shift_left_fits(Raw a, unsigned char count) {
     return a == 0 || (count < RawLimits<Raw>::width &&
                       static_cast<Raw>(wrapping_shift_left(a, count) >> count) == a);
 }
 
-// 2^(3F/2) / sqrt(a) >= 2^(W-1) - 1/2. With e = 3F + 2 - 2W that is a <= 2^e (1 + 2^(1-W) + ...),
-// and the bracket adds nothing to the integer a, e being at most W - 1. Needs a > 0.
+// a must be greater than 0. The result is out of range if 2^(3F/2) / sqrt(a) >= 2^(W-1) - 1/2. With
+// e = 3F + 2 - 2W that is a <= 2^e (1 + 2^(1-W) + ...), and the bracket does not matter for the
+// integer a, since e is at most W - 1.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR bool reciprocal_sqrt_fits(Raw a) {
     constexpr int e = 3 * F + 2 - 2 * RawLimits<Raw>::width;
     return e < 0 || static_cast<Raw>(a - 1) >> (e < 0 ? 0 : e) != 0;
 }
 
-// cos(a) >= 1 - 2^-W, where 1 is not in the range: a^2 <= 2^-F up to a^4 / 12, which is less than
-// the distance to the next square.
+// If 1 is out of range, the result is too if cos(a) >= 1 - 2^-W: a^2 <= 2^-F up to a^4 / 12, which
+// is less than the distance to the next square.
 template <class Raw, int F>
 constexpr bool cos_fits(Raw a) {
     using Square = DoubleWord<Raw>;
@@ -56,8 +57,8 @@ FIXEDPOINT_CONSTEXPR bool exp_fits(Raw a) {
     return a < limit;
 }
 
-// ln(a) < -2^(I-1) - 2^-(F+1) below a = e^-2^(I-1) (1 - d + d^2 / 2), d = 2^-(F+1). Of the numbers
-// of a format with seven integer bits or more none is that small.
+// ln(a) < -2^(I-1) - 2^-(F+1) below a = e^-2^(I-1) (1 - d + d^2 / 2), d = 2^-(F+1). With seven
+// integer bits or more no number is that small.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw log_limit() {
     // e^-2^k in units of 2^-64.
@@ -70,17 +71,17 @@ FIXEDPOINT_CONSTEXPR Raw log_limit() {
     const uint64_t second_order = first_order >> F >> 2;
     return static_cast<Raw>((power - first_order + second_order) >> ((64 - F) % 64));
 }
-// Needs a > 0.
+// a must be greater than 0.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR bool log_fits(Raw a) {
     const Raw limit = log_limit<Raw, F>();
     return a > limit;
 }
 
-// The angle of (x, y) leaves [-c, c), c = 2^(I-1), where I is 1 or 2: where it is at least c - d,
-// d = 2^-(F+1) being half an ulp, or below -c - d, that is where x / |y| <= cot(c -+ d).
-// The constants have 62 bits: with 64-bit operands the limit is that of the angle to 2^-61, closer
-// than the function itself comes to it.
+// The angle of (x, y) can leave [-c, c), c = 2^(I-1), if I is 1 or 2. It does if it is at least c -
+// d, where d = 2^-(F+1) is half an ulp, or below -c - d, that is, if x / |y| <= cot(c -+ d). The
+// constants have 62 bits: with 64-bit operands the limit is that of the angle to 2^-61, which is
+// more accurate than the function itself.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR bool atan2_fits(Raw y, Raw x) {
     constexpr int whole_bits = integer_bits_of<Raw, F>();
@@ -97,9 +98,9 @@ FIXEDPOINT_CONSTEXPR bool atan2_fits(Raw y, Raw x) {
     return obtuse ? x >= 0 || left < right : x > 0 && left > right;
 }
 
-// The component v[i] / |v| of a vector >= 1 - 2^-W, where 1 is not in the range. With n the sum of
-// the other squares that is 4 v[i]^2 > n (2^(F+2) - 3), but for a rest below 1 of the integers; and
-// it cannot be where n >= 2^F.
+// If 1 is out of range, a component v[i] / |v| is too if it is >= 1 - 2^-W. With n the sum of the
+// other squares, that is 4 v[i]^2 > n (2^(F+2) - 3), up to a remainder below 1 between integers; it
+// is impossible if n >= 2^F.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR bool normalised_fits(const Raw* v, int i) {
     using Square = DoubleWord<Raw>;

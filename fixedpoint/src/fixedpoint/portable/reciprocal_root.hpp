@@ -9,8 +9,8 @@
 namespace fixedpoint {
 namespace portable {
 
-// 2^38 / sqrt(radicand) less than 6 from the exact value, below 2^23. Needs a radicand of at least
-// 2^30 and looks at its upper 24 bits; tables/reciprocal_sqrt.py gives the formula.
+// 2^38 / sqrt(radicand), less than 6 from the exact value and below 2^23. The radicand must be at
+// least 2^30, and only its upper 24 bits count; tables/reciprocal_sqrt.py gives the formula.
 FIXEDPOINT_CONSTEXPR uint32_t reciprocal_root_mantissa(uint32_t radicand) {
     const int h = static_cast<int>(radicand >> 24) - 64;
     const uint32_t l = radicand >> 16 & 0xff, x = radicand >> 8 & 0xff;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// reciprocal_sqrt: 2^F sqrt(2^F / a), saturated; the largest number where a = 0, 0 where a < 0.
-// Rounded to nearest, except in Q8.8, there within 0.5164 ulp, and in formats of 32 bits, there bit
-// for bit as the kernels compute it, in Q16.16 within 0.66 ulp, else within 0.75 ulp, and in
-// Q32.32, there within 0.65 ulp.
+// reciprocal_sqrt: 2^F sqrt(2^F / a), saturated; the largest number if a = 0, and 0 if a < 0. Bit
+// for bit as the kernels compute it in Q8.8 (within 0.5164 ulp), in Q16.16 (0.66 ulp), in the other
+// 32-bit formats (0.75 ulp) and in Q32.32 (0.65 ulp); rounded to nearest in all other formats.
 #pragma once
 
 #include <fixedpoint/portable/nearest_root.hpp>
@@ -15,7 +14,7 @@
 namespace fixedpoint {
 namespace portable {
 
-// Rounded to nearest in every format, and with no table: what is correctly rounded, and the small
+// Rounded to nearest in every format and without a table: for CorrectlyRounded and the small
 // variant.
 template <class Raw, int F>
 constexpr Raw nearest_reciprocal_sqrt(Raw a) {
@@ -59,7 +58,7 @@ struct ReciprocalSqrt<int64_t, 32> {
     static FIXEDPOINT_CONSTEXPR int64_t apply(int64_t a) { return reciprocal_sqrt_q32_32(a); }
 };
 
-// The small variant; nearest but in Q16.16.
+// The small variant: rounded to nearest except in Q16.16.
 template <class Raw, int F>
 constexpr Raw reciprocal_sqrt_small(Raw a) {
     return nearest_reciprocal_sqrt<Raw, F>(a);

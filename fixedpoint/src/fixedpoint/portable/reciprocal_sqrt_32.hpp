@@ -10,7 +10,7 @@
 namespace fixedpoint {
 namespace portable {
 
-// mantissa / sqrt(2), up to 4 units less: byte by byte, without the bytes below the result.
+// mantissa / sqrt(2), or up to 4 units less: byte by byte, without the bytes below the result.
 FIXEDPOINT_CONSTEXPR uint64_t over_root_of_two_40(uint64_t mantissa) {
     constexpr uint32_t factor = 0xb504f334;  // 2^-32
     uint64_t result = 0;

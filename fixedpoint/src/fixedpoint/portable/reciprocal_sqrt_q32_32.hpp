@@ -8,21 +8,21 @@
 namespace fixedpoint {
 namespace portable {
 
-// Byte i behind the point of a fraction in units of 2^-8n, the first one being 1.
+// Byte i after the point of a fraction in units of 2^-8n; the first byte is byte 1.
 constexpr uint32_t byte_of_fraction(uint64_t fraction, int n, int i) {
     return static_cast<uint32_t>(fraction >> 8 * (n - i) & 0xff);
 }
 
-// 1/4 - m s in units of 2^-56, m in units of 2^-64 and s in units of 2^-48, where it is below
-// 2^-19.
+// 1/4 - m s in units of 2^-56, for m in units of 2^-64 and s in units of 2^-48. The result must be
+// below 2^-19.
 FIXEDPOINT_CONSTEXPR uint64_t quarter_less_product(uint64_t m, uint64_t s) {
     uint64_t product = 0;
     for (int i = 1; i <= 5; ++i) {
         for (int j = 1; j <= 6; ++j) {
             const int weight = i + j;
             const uint64_t digits = byte_of_fraction(m, 8, i) * byte_of_fraction(s, 6, j);
-            // Of the fifth byte, only its products above 2^-48 count, and of the others the upper
-            // bytes of what is below the last byte that counts.
+            // Of the products of the fifth byte only those above 2^-48 count, and of the others
+            // below the last byte that counts, only their upper bytes.
             const int last = i <= 2 ? 7 : 6;
             if (weight < 3 || weight > last + 1 || (i == 5 && weight > 6)) continue;
             product += weight > last ? digits >> 8 << 8 * (7 - last)
@@ -44,7 +44,7 @@ FIXEDPOINT_CONSTEXPR int64_t reciprocal_sqrt_q32_32(int64_t a) {
     const uint64_t y = (reciprocal_root_mantissa(static_cast<uint32_t>(m >> 32)) - 9) << 1;
     const uint64_t e = quarter_less_product(m, y * y);
 
-    // (8 e)^2 in units of 2^-62, without the lowest byte; twelve of it, in units of 2^-56, are 3
+    // (8 e)^2 in units of 2^-62, without the lowest byte; twelve times it, in units of 2^-56, is 3
     // e^2.
     const uint32_t u = static_cast<uint32_t>(e >> 21);
     const uint32_t u0 = u & 0xff, u1 = u >> 8;

@@ -9,7 +9,7 @@
 namespace fixedpoint {
 namespace portable {
 
-// 2^20 / sqrt(radicand), for a radicand of at least 2^14.
+// 2^20 / sqrt(radicand). The radicand must be at least 2^14.
 FIXEDPOINT_CONSTEXPR uint16_t reciprocal_root_q8_8(uint16_t radicand) {
     using Table = ReciprocalSqrtQ8_8Table<>;
     // 32 intervals of 2^9 from 2^14 on, 32 of 2^10 from 2^15 on.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// DO NOT EDIT: written by python3 fixedpoint/tables/reciprocal_sqrt.py, which says what it is.
+// DO NOT EDIT: written by python3 fixedpoint/tables/reciprocal_sqrt.py, which describes the entries.
 // From 2^14 on, in steps of 256.
 #pragma once
 

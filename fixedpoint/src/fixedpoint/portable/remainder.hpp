@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// remainder: a - b trunc(a / b), exact, with the sign of a; a where b = 0. divrem: trunc(a / b), an
-// integer, and that remainder. divmod: floor(a / b) and what it leaves, of the sign of b. Quotients
-// are saturated; that of b = 0 is the limit of the sign of a, or 0.
+// remainder: a - b trunc(a / b), exact, with the sign of a; a if b = 0. divrem: trunc(a / b), an
+// integer, and that remainder. divmod: floor(a / b) and its remainder, which has the sign of b.
+// Quotients are saturated; if b = 0, they are the limit with the sign of a, or 0.
 #pragma once
 
 #include <fixedpoint/portable/add_saturating.hpp>
@@ -11,7 +11,7 @@ namespace portable {
 
 template <class Raw, int F>
 constexpr Raw remainder(Raw a, Raw b) {
-    // A divisor of -1 is taken apart: the quotient of the smallest number would not fit.
+    // A divisor of -1 is a special case: the quotient of the smallest number would overflow.
     return b == 0 ? a : b == -1 ? Raw(0) : static_cast<Raw>(a % b);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Rounding to an integer: as a plain integer (integer_floor and its kin, which always fit a Raw)
-// and as a fixed-point number again (floor and its kin, which saturate what does not fit).
+// Rounding to an integer: as a plain integer, which always fits a Raw (integer_floor and the like),
+// and as a fixed-point number, saturated (floor and the like).
 #pragma once
 
 #include <fixedpoint/integer.hpp>
@@ -8,13 +8,13 @@
 namespace fixedpoint {
 namespace portable {
 
-// The bits of a Raw that lie behind the point.
+// The fraction bits of a Raw.
 template <class Raw, int F>
 constexpr Raw fraction_mask() {
     return static_cast<Raw>((Unsigned<Raw>(1) << F) - 1);
 }
 
-// a - floor(a): what lies behind the point, in [0, 1) for negative a too.
+// a - floor(a): the fraction, in [0, 1) for negative a too.
 template <class Raw, int F>
 constexpr Raw fraction(Raw a) {
     return static_cast<Raw>(a & fraction_mask<Raw, F>());
@@ -35,20 +35,20 @@ constexpr Raw integer_ceil(Raw a) {
 // The integer nearest to a / 2^F, half up: floor(a / 2^F + 1/2).
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw integer_round(Raw a) {
-    // The sum a + 2^(F-1) could overflow; the bit behind the point says the same.
+    // The sum a + 2^(F-1) could overflow; the first fraction bit decides just as well.
     constexpr Raw half = static_cast<Raw>((Unsigned<Raw>(1) << F) >> 1);
     Raw rounded = integer_floor<Raw, F>(a);
     if ((a & half) != 0) rounded = static_cast<Raw>(rounded + 1);
     return rounded;
 }
 
-// Whether the integer n is not beyond the largest number. Needs an n that is not below the range.
+// Whether the integer n is in range. n must not be below it.
 template <class Raw, int F>
 constexpr bool integral_fits(Raw n) {
     return n <= (RawLimits<Raw>::max >> F);
 }
 
-// The number n; the largest number where n lies beyond it.
+// The number n, or the largest number if n exceeds it.
 template <class Raw, int F>
 constexpr Raw integral_saturated_above(Raw n) {
     return !integral_fits<Raw, F>(n)
@@ -62,14 +62,13 @@ constexpr Raw floor(Raw a) {
     return static_cast<Raw>(a & ~fraction_mask<Raw, F>());
 }
 
-// The smallest integral number >= a; where that integer is not representable, the largest number.
+// The smallest integral number >= a; the largest number if that is out of range.
 template <class Raw, int F>
 constexpr Raw ceil(Raw a) {
     return integral_saturated_above<Raw, F>(integer_ceil<Raw, F>(a));
 }
 
-// The integral number nearest to a, half up; where that integer is not representable, the
-// largest number.
+// The integral number nearest to a, half up; the largest number if that is out of range.
 template <class Raw, int F>
 constexpr Raw round(Raw a) {
     return integral_saturated_above<Raw, F>(integer_round<Raw, F>(a));

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Products, quotients and conversions rounded otherwise than to nearest, half up: what lies between
-// two raws goes to the one that the mode says.
+// Products, quotients and conversions with a rounding mode other than to nearest, half up.
 #pragma once
 
 #include <fixedpoint/portable/convert.hpp>
@@ -9,16 +8,16 @@
 
 namespace fixedpoint {
 
-/// Where a result between two numbers goes.
+/// The rounding mode: to which of two adjacent numbers a result between them goes.
 enum class Rounding : unsigned char {
-    toward_zero,   ///< to the one next to 0
+    toward_zero,   ///< to the one nearer to 0
     downward,      ///< to the smaller one
-    half_to_even,  ///< to the nearer one; from the middle to the one with an even raw
+    half_to_even,  ///< to the nearer one; a tie goes to the one with an even raw
 };
 
 namespace portable {
 
-// Where the remainder of a whole quotient lies.
+// The remainder of an integer quotient compared with half the divisor.
 enum class Remainder : unsigned char { none, below_half, half, above_half };
 template <class Word>
 constexpr Remainder remainder_of(const Word& rest, const Word& other, bool is_zero) {
@@ -28,14 +27,14 @@ constexpr Remainder remainder_of(const Word& rest, const Word& other, bool is_ze
                           : Remainder::half;
 }
 
-// Whether floor(x), of which the remainder is this, is an ulp too small.
+// Whether floor(x), with this remainder, must be rounded up by an ulp.
 constexpr bool goes_up_from_floor(Rounding rounding, Remainder rest, bool negative, bool odd) {
     return rounding == Rounding::toward_zero ? negative && rest != Remainder::none
            : rounding == Rounding::half_to_even
                ? rest == Remainder::above_half || (rest == Remainder::half && odd)
                : false;
 }
-// The same of the magnitude of x, rounded toward zero.
+// The same for the magnitude of x, truncated.
 constexpr bool goes_away_from_zero(Rounding rounding, Remainder rest, bool negative, bool odd) {
     return rounding == Rounding::downward ? negative && rest != Remainder::none
                                           : rounding == Rounding::half_to_even &&
@@ -52,14 +51,14 @@ FIXEDPOINT_CONSTEXPR Raw multiply_rounded(Raw a, Raw b) {
     const Product rest = static_cast<Product>(product - static_cast<Product>(floor << F));
     const Product other =
         static_cast<Product>(static_cast<Product>(Product(uint8_t(1)) << F) - rest);
-    const bool negative = (a < 0) != (b < 0);  // a product of 0 leaves nothing
+    const bool negative = (a < 0) != (b < 0);  // irrelevant for a product of 0
     const bool up =
         goes_up_from_floor(rounding, remainder_of(rest, other, !(rest > Product(uint8_t(0)))),
                            negative, (static_cast<uint8_t>(result) & 1) != 0);
     return wrapping_add(result, static_cast<Raw>(up ? 1 : 0));
 }
 
-// The whole part of a 2^F / b and what it leaves; from 2^(W-1) on an overflow.
+// The integer part of a 2^F / b and its remainder; from 2^(W-1) on it overflows.
 template <class Raw>
 struct WholeQuotient {
     Unsigned<Raw> quotient, rest;
@@ -81,7 +80,7 @@ FIXEDPOINT_CONSTEXPR WholeQuotient<int64_t> whole_quotient(uint64_t a, uint64_t 
     if (division.quotient >> 63 != 0) return {magnitude_overflow<int64_t>(), 0};
     return {division.quotient, division.remainder};
 }
-// a 2^F / b, saturated; b = 0 as divide.
+// a 2^F / b, saturated; for b = 0 as divide.
 template <Rounding rounding, class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw divide_rounded(Raw a, Raw b) {
     if (b == 0) return a > 0 ? RawLimits<Raw>::max : a < 0 ? RawLimits<Raw>::min : Raw(0);
@@ -96,7 +95,7 @@ FIXEDPOINT_CONSTEXPR Raw divide_rounded(Raw a, Raw b) {
         negative);
 }
 
-// a / 2^Shift, which from Shift = W on lies from -1/2 to below 1/2.
+// a / 2^Shift. From Shift = W on the exact quotient is in [-1/2, 1/2).
 template <Rounding rounding, int Shift, class Raw>
 FIXEDPOINT_CONSTEXPR Raw shift_rounded(Raw a) {
     constexpr bool whole = Shift >= RawLimits<Raw>::width;
@@ -113,7 +112,7 @@ FIXEDPOINT_CONSTEXPR Raw shift_rounded(Raw a) {
                                        (static_cast<uint8_t>(floor) & 1) != 0);
     return static_cast<Raw>(floor + (up ? 1 : 0));
 }
-// a of another format, modulo 2^W.
+// a, a raw of another format, rounded, modulo 2^W.
 template <Rounding rounding, class ToRaw, int ToF, class FromRaw, int FromF>
 FIXEDPOINT_CONSTEXPR ToRaw convert_rounded(FromRaw a) {
     return scale<ToRaw, left_shift<FromF, ToF>()>(

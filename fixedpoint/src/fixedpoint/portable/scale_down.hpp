@@ -16,8 +16,8 @@ FIXEDPOINT_CONSTEXPR Raw scale_down_plain(Raw a) {
 }
 
 #if defined(__AVR__) && !defined(__clang__)
-// Whole bytes first, then bit by bit: left to itself the compiler shifts in a loop of K rounds. Of
-// whole bytes only, the top bit of the last byte that goes rounds.
+// Whole bytes first, then bit by bit: by itself the compiler would shift in a loop of K iterations.
+// If only whole bytes are shifted out, the top bit of the last one rounds.
 template <int K, class Raw>
 inline Raw scale_down_by_bytes(Raw a) {
     if (K % 8 == 0) {
@@ -27,9 +27,9 @@ inline Raw scale_down_by_bytes(Raw a) {
     }
     if (sizeof a == 4) {
         a = static_cast<Raw>(a >> (K / 8 * 8));
-        // Only the bytes that are left move; the last bit that goes is the carry, and rounds. By
-        // its lines the compiler tells how far its jumps over this reach: with more than four
-        // rounds it would think them too near.
+        // Only the remaining bytes are shifted; the last bit shifted out is the carry, and rounds.
+        // The compiler estimates the size of this code, and so the reach of its jumps over it, from
+        // the number of lines: with more than four shifts it would underestimate it.
 #define FIXEDPOINT_SHIFT_ROUNDED_IN_LINES(shift, lines)                   \
     __asm__(".rept %1\n\t" shift                                          \
             ".endr\n\tadc %A0, __zero_reg__\n\tadc %B0, __zero_reg__\n\t" \

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The core of the sines, angles and logarithms of the splits of 64 bits with 31 to 56 fraction bits
-// but Q32.32, bit for bit as avr/septic_64.S computes it: c0 + t (c1 + t (c2 + ... + t c7)), t in
-// [0, 1) the position in the interval. tables/septic_64.py makes the tables and tells their error.
+// The core of sine, angle and logarithm in the 64-bit formats with 31 to 56 fraction bits other
+// than Q32.32, bit for bit as avr/septic_64.S computes it: c0 + t (c1 + t (c2 + ... + t c7)), where
+// t in [0, 1) is the position in the interval. tables/septic_64.py generates the tables and states
+// their error.
 #pragma once
 
 #include <fixedpoint/constexpr.hpp>
@@ -10,16 +11,17 @@
 namespace fixedpoint {
 namespace portable {
 
-// Of x in units of 2^-64; 0 where that is below 0.
+// The value at x, which is in units of 2^-64; 0 if the value is below 0.
 template <class Table>
 FIXEDPOINT_CONSTEXPR uint64_t septic_64(uint64_t x) {
     int next = static_cast<uint8_t>(x >> 58) * 46;
     const uint64_t t = x << 6;
     int64_t a = 0;
-    // The bytes of the coefficients, 3, 4, 5, 5 and so on, and of the factors before them.
+    // The widths in bytes of the coefficients, 3, 4, 5, 5 and so on, and of the factors before
+    // them.
     uint32_t widths = 0x88765543;
     for (uint8_t width = 0; widths != 0; widths >>= 4) {
-        // No product before the first.
+        // There is no product before the first coefficient.
         const uint64_t upper = width == 0 ? 0 : t >> (64 - 8 * width) % 64;
         uint64_t sum = a < 0 ? 0 - upper : 0;
         for (int i = 0; i < width; ++i) {

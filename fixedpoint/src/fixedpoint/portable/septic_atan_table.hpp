@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // DO NOT EDIT: written by python3 fixedpoint/tables/septic_64.py
-// atan x of x in [0, 1) in units of 2^-63, in the layout of tables/septic_64.py;
-// 15.6 units off at most at the 96 checked points of an interval.
+// atan x for x in [0, 1) in units of 2^-63, in the layout of tables/septic_64.py;
+// the error is at most 15.6 units at the 96 checked points of each interval.
 #pragma once
 
 #include <fixedpoint/program_memory.hpp>

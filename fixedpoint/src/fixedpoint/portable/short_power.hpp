@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// x^n of a number of up to 32 bits, by squaring, on a mantissa of 48 bits: bit for bit as
+// x^n for a number of up to 32 bits, by squaring, with a mantissa of 48 bits: bit for bit as
 // avr/short_power.S computes it.
 #pragma once
 
@@ -8,11 +8,11 @@
 namespace fixedpoint {
 namespace portable {
 
-// A mantissa from 2^55 on, below 2^56 and without its last byte, and in that byte the exponent: x =
-// mantissa 2^(exponent - 56).
+// A power is one word: a mantissa in [2^55, 2^56) with the exponent in place of its low byte.
+// x = mantissa 2^(exponent - 56).
 //
-// The product of two is cut to 48 bits, and its columns of bytes below the fifth are left out,
-// together 2^-5 of the last place: below 1.04 2^-47 of itself.
+// The product of two is truncated to 48 bits, and its byte columns below the fifth, together 2^-5
+// units in the last place, are omitted: the relative error is below 1.04 2^-47.
 FIXEDPOINT_CONSTEXPR uint64_t multiply_short(uint64_t a, uint64_t b) {
     uint64_t sum = 0;  // byte 4 and on of the product
     for (uint8_t i = 0; i < 6; ++i) {
@@ -27,15 +27,15 @@ FIXEDPOINT_CONSTEXPR uint64_t multiply_short(uint64_t a, uint64_t b) {
                           : (sum >> 15 << 8) | static_cast<uint8_t>(exponent - 1);
 }
 
-// From here on a power of numbers of 32 bits and its reciprocal are beyond every format.
+// Whether a power of 32-bit numbers and its reciprocal are out of range in every format.
 constexpr bool is_beyond_32_bits(uint64_t power) {
     return static_cast<int8_t>(power) >= 47 || static_cast<int8_t>(power) <= -47;
 }
 
-// x^n or its reciprocal, x = a 2^(exponent - 32), in units of 2^(exponent - 32), rounded to
-// nearest; 2^32 - 1 where it is more. Needs exponent from 0 to 32, a > 0 and 0 < n < 2^15. Before
-// it is rounded it is within 1.04 (n - 1) 2^-47 + 2^-39 of itself, as the squares double what a
-// product loses; from 2^31 units on it is rounded downward.
+// x^n or its reciprocal for x = a 2^(exponent - 32), in units of 2^(exponent - 32), rounded to
+// nearest and saturated to 2^32 - 1. Requires exponent in 0..32, a > 0 and 0 < n < 2^15. Before
+// rounding its relative error is at most 1.04 (n - 1) 2^-47 + 2^-39, since squaring doubles the
+// loss of a product; from 2^31 units on it is rounded downward.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR uint32_t short_power(uint32_t a, uint16_t n, int8_t exponent,
                                           bool reciprocal) {
@@ -63,7 +63,7 @@ FIXEDPOINT_CONSTEXPR uint32_t short_power(uint32_t a, uint16_t n, int8_t exponen
         digits = quotient >> 39 != 0 ? beyond : static_cast<uint64_t>(quotient >> 7);
         surplus = exponent - 1 + static_cast<int8_t>(power);
     }
-    // In units: digits / 2^surplus, with 2^31 <= digits < 2^32.
+    // The result in units is digits / 2^surplus, with 2^31 <= digits < 2^32.
     return surplus < 0     ? beyond
            : surplus == 0  ? static_cast<uint32_t>(digits)
            : surplus <= 32 ? static_cast<uint32_t>(((digits >> (surplus - 1)) + 1) >> 1)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// x^n of a number of 64 bits, by squaring, on a mantissa of 88 bits: bit for bit as
+// x^n for a 64-bit number, by squaring, with a mantissa of 88 bits: bit for bit as
 // avr/short_power_64.S computes it.
 #pragma once
 
@@ -8,14 +8,15 @@
 namespace fixedpoint {
 namespace portable {
 
-// mantissa 2^(exponent - 88), the first bit of the last byte being set.
+// mantissa 2^(exponent - 88); the top bit of the last byte is set.
 struct LongPower {
     uint8_t mantissa[11];
     int8_t exponent;
 };
 
-// The product of two is cut to 88 bits, and its columns of bytes below the tenth are left out,
-// together less than 10 of the last place, 20 where it moves up by a bit: below 21 2^-87 of itself.
+// The product of two is truncated to 88 bits, and its byte columns below the tenth, together less
+// than 10 units in the last place, or 20 if the product is shifted up by a bit, are omitted: the
+// relative error is below 21 2^-87.
 FIXEDPOINT_CONSTEXPR LongPower multiply_long(const LongPower& a, const LongPower& b) {
     uint8_t bytes[12] = {};  // byte 10 and on of the product
     uint32_t sum = 0;
@@ -34,14 +35,14 @@ FIXEDPOINT_CONSTEXPR LongPower multiply_long(const LongPower& a, const LongPower
     return product;
 }
 
-// The highest bytes, as many as are asked for.
+// The upper `bytes` bytes.
 FIXEDPOINT_CONSTEXPR uint64_t front_of(const LongPower& a, uint8_t bytes) {
     uint64_t front = 0;
     for (uint8_t i = 11; i > 11 - bytes; --i) front = front << 8 | a.mantissa[i - 1];
     return front;
 }
 
-// 2^63 / m of m = mantissa / 2^88, at most 2^-10 too small before it is rounded downward.
+// 2^63 / m for m = mantissa / 2^88, at most 2^-10 too small before it is rounded downward.
 FIXEDPOINT_CONSTEXPR uint64_t reciprocal_digits(const LongPower& a) {
     constexpr uint64_t longest = (uint64_t(1) << 40) - 1;
     const uint64_t quotient = static_cast<uint64_t>(
@@ -67,16 +68,16 @@ FIXEDPOINT_CONSTEXPR uint64_t reciprocal_digits(const LongPower& a) {
     return (y << 24) + static_cast<uint64_t>((-2 * y_e) >> 24);
 }
 
-// From here on the powers and reciprocals of numbers of 64 bits are beyond every format, unless n
+// Whether the powers and reciprocals of 64-bit numbers are out of range in every format, unless n
 // has no further digit.
 constexpr bool is_beyond_64_bits(const LongPower& power) {
     return power.exponent >= 64 || power.exponent <= -64;
 }
 
-// x^n or its reciprocal, x = a 2^(exponent - 64), in units of 2^(exponent - 64), rounded to
-// nearest; 2^64 - 1 where it is more. Needs exponent from 0 to 64, 0 < a <= 2^63 and n > 0. Before
-// rounded it is within 21 (n - 1) 2^-87 + 2^-73 of itself, as the squares double what a product
-// loses; from 2^63 units on it is rounded downward.
+// x^n or its reciprocal for x = a 2^(exponent - 64), in units of 2^(exponent - 64), rounded to
+// nearest and saturated to 2^64 - 1. Requires exponent in 0..64, 0 < a <= 2^63 and n > 0. Before
+// rounding its relative error is at most 21 (n - 1) 2^-87 + 2^-73, since squaring doubles the loss
+// of a product; from 2^63 units on it is rounded downward.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR uint64_t short_power_64(uint64_t a, uint16_t n, int8_t exponent,
                                              bool reciprocal) {
@@ -97,7 +98,7 @@ FIXEDPOINT_CONSTEXPR uint64_t short_power_64(uint64_t a, uint16_t n, int8_t expo
         } while (by_x && (n & digit) != 0);
     }
     const uint64_t digits = reciprocal ? reciprocal_digits(power) : front_of(power, 8);
-    // In units: digits / 2^surplus, with 2^63 <= digits < 2^64.
+    // The result in units is digits / 2^surplus, with 2^63 <= digits < 2^64.
     const int surplus = reciprocal ? exponent - 1 + power.exponent : exponent - power.exponent;
     return surplus < 0    ? beyond
            : surplus == 0 ? digits

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // sin, cos, sincos of an angle in radians: for every input faithful (error below 0.75 ulp) and
-// never beyond +-1, saturated where the format does not hold 1.
+// never outside [-1, 1], saturated if the format cannot represent 1.
 #pragma once
 
 #include <fixedpoint/portable/cordic.hpp>
@@ -14,8 +14,8 @@
 namespace fixedpoint {
 namespace portable {
 
-// The word in which an angle of W bits is reduced: twice as wide, so that pi/2 times the number of
-// quarter turns keeps W - 1 bits beyond the angle's range.
+// The word for argument reduction of an angle of W bits: twice as wide, so that pi/2 times the
+// number of quarter turns keeps W - 1 guard bits.
 template <int W>
 struct ReductionWordOf {
     using Type = uint32_t;
@@ -38,23 +38,23 @@ constexpr Word negated(const Word& word) {
     return Word(0) - word;
 }
 
-// Halves a two's-complement word count times.
+// A two's-complement word shifted right by `count`, with sign extension.
 template <class Word>
 constexpr Word shift_right_signed(const Word& word, int count) {
     return is_negative(word) ? negated(Word(1)) - ((negated(Word(1)) - word) >> count)
                              : word >> count;
 }
 
-// The unit vector at an angle within a little over +-pi/4 of the x axis; two's complement, all with
-// Bits - 2 fraction bits.
+// The unit vector at an angle slightly beyond +-pi/4 at most; two's complement, with Bits - 2
+// fraction bits.
 template <class Word>
 struct UnitVector {
     Word cosine;
     Word sine;
 };
 
-// Turns by +-atan(2^-i) leave an angle below 2^-turns, whose own turn is a multiplication by it:
-// the cosine of what is left differs from 1 by less than 2^-(F + 6).
+// Rotations by +-atan(2^-i) leave an angle below 2^-turns. The rotation by that is a multiplication
+// by it, since its cosine differs from 1 by less than 2^-(F + 6).
 template <int F, class Word>
 FIXEDPOINT_CONSTEXPR UnitVector<Word> unit_vector(Word angle) {
     using Constants = CordicConstants<Word>;
@@ -65,7 +65,8 @@ FIXEDPOINT_CONSTEXPR UnitVector<Word> unit_vector(Word angle) {
     Word x = Constants::gain();
     Word y(0);
     for (int i = 1; i <= turns; ++i) {
-        // Behind the table atan(2^-i) is 2^-i, or finer than for sines 2^-i - 2^-3i / 3.
+        // After the end of the table atan(2^-i) is 2^-i or, for words finer than those of sines,
+        // 2^-i - 2^-3i / 3.
         const Word step =
             i <= Constants::arctangent_count ? read_program_memory(Constants::arctangent[i - 1])
             : F <= Constants::largest_fraction_bits || 3 * i + 2 >= bits
@@ -84,7 +85,7 @@ FIXEDPOINT_CONSTEXPR UnitVector<Word> unit_vector(Word angle) {
         }
     }
 
-    // x and y times the angle that is left, bit by bit from the lowest.
+    // x and y times the remaining angle, bit by bit from the lowest.
     const bool negative = is_negative(angle);
     Word factor = (negative ? negated(angle) : angle) >> (bits - 2 - angle_bits);
     Word x_part(0);
@@ -123,8 +124,8 @@ FIXEDPOINT_CONSTEXPR SineCosine<Raw> sine_and_cosine(Raw angle) {
     using Word = CordicWord<F>;
     constexpr int bits = cordic_bits<Reduction>();
 
-    // The nearest whole number of quarter turns, or where F is 0 or 1, with too few bits of 2/pi
-    // for that, one whose remainder the turns still reach.
+    // The nearest number of quarter turns. If F is 0 or 1, the bits of 2/pi are too few for that,
+    // but the remainder is still within reach of the rotations.
     const Unsigned<Raw> positive = magnitude(angle);
     const Reduction product = Constants::two_over_pi() * positive;
     const Unsigned<Raw> quarters = static_cast<Unsigned<Raw>>(
@@ -140,7 +141,8 @@ FIXEDPOINT_CONSTEXPR SineCosine<Raw> sine_and_cosine(Raw angle) {
             round_signed_from_cordic<Raw, F>(odd ? unit.sine : unit.cosine, beyond != odd)};
 }
 
-// The small variants, for every format: no table but the word's few atan(2^-i), in Q16.16 none.
+// The small variants, for every format: their only table is the few atan(2^-i) of the word, and in
+// Q16.16 they do not have one.
 template <class Raw, int F>
 constexpr Raw sin_small(Raw angle) {
     return sine_and_cosine<Raw, F>(angle).sine;

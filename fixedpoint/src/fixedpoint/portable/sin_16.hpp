@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// sin and cos in the splits of 16 bits with up to 8 fraction bits, bit for bit as avr/sin_q8_8.inc
+// sin and cos in 16-bit formats with up to 8 fraction bits, bit for bit as avr/sin_q8_8.inc
 // computes them; within 0.546 ulp.
 #pragma once
 
@@ -10,16 +10,16 @@
 namespace fixedpoint {
 namespace portable {
 
-// 2^16 times the number of turns, cut; modulo 2^16.
+// 2^16 times the number of turns, truncated, modulo 2^16.
 template <int F>
 FIXEDPOINT_CONSTEXPR uint16_t phase_16(int16_t angle) {
-    // 2^32 / 2 pi ulp. The kernel leaves the lowest of the products out.
+    // The turns in an ulp, 2^-F / (2 pi), in units of 2^-32. The kernel omits the lowest product.
     constexpr uint32_t turns = (uint32_t(683565276) + (uint32_t(1) << F >> 1)) >> F;
     const uint32_t low = angle & 0xff, high = static_cast<uint32_t>(angle >> 8) << 8;
     return static_cast<uint16_t>((low * (turns & ~uint32_t(0xff)) + high * turns) >> 16);
 }
 
-// Half a unit of 2^-8 is in the chords.
+// The table includes half a unit of 2^-8.
 template <int F>
 FIXEDPOINT_CONSTEXPR int16_t sine_of_phase_16(uint16_t phase) {
     constexpr uint16_t more_than_half = 16 * ((1 << (8 - F)) - 1);

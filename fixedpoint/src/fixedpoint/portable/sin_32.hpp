@@ -10,8 +10,8 @@
 namespace fixedpoint {
 namespace portable {
 
-// The angle in quarter turns, modulo 256, with 40 fraction bits, of which the lowest are zero where
-// they have no influence.
+// The angle in quarter turns, modulo 256, with 40 fraction bits; the lowest are zero if they do not
+// matter.
 template <int F>
 FIXEDPOINT_CONSTEXPR uint64_t quarter_turns_32(int32_t angle) {
     // 2/pi 2^(72 - F) or, without the lowest byte, 2/pi 2^(64 - F).
@@ -37,7 +37,7 @@ FIXEDPOINT_CONSTEXPR uint64_t quarter_turns_32(int32_t angle) {
     return turns & 0xffffffffffff;
 }
 
-// Where on the table they lie; odd quarters run backwards.
+// The position in the table; odd quarters run backwards.
 constexpr uint64_t position_of_quarter_turns(uint64_t turns) {
     return ((turns >> 40 & 1) != 0 ? ~turns : turns) & 0xffffffffff;
 }

@@ -9,10 +9,10 @@
 namespace fixedpoint {
 namespace portable {
 
-// The angle in quarter turns, modulo 256, with 40 fraction bits. An angle below 128 rad has five
-// bytes that count.
+// The angle in quarter turns, modulo 256, with 40 fraction bits. Only five bytes of an angle below
+// 128 rad are significant.
 FIXEDPOINT_CONSTEXPR uint64_t quarter_turns_q32_32(int64_t angle) {
-    // Bytes of 2/pi behind the point.
+    // The bytes of 2/pi after the point.
     constexpr uint8_t two_over_pi[9] = {0xa2, 0xf9, 0x83, 0x6e, 0x4e, 0x44, 0x15, 0x29, 0xfc};
     const int bytes = (angle >> 39) == (angle >> 63) ? 5 : 8;
     uint64_t turns = bytes == 5 ? 4 : 6;

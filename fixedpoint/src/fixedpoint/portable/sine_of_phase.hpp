@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The sine of an angle that is reduced already: a phase, the angle in turns as an integer of which
-// the whole turns are left out. Sines of radians and of turns end in it.
+// The sine of a reduced angle: a phase, the fractional part of the angle in turns as an integer.
+// Sines of radians and of turns end in it.
 #pragma once
 
 #include <fixedpoint/portable/sin_16.hpp>
@@ -11,8 +11,8 @@
 namespace fixedpoint {
 namespace portable {
 
-// In the splits of 16 bits with up to 8 fraction bits, of a phase of 16 bits, half a unit of which
-// is in the chords; in Q16.16, of 32 bits, the lowest six of which have no influence.
+// In 16-bit formats with up to 8 fraction bits the phase has 16 bits, and the table includes half a
+// unit of it. In Q16.16 it has 32 bits, of which the lowest six do not matter.
 template <class Raw, int F>
 struct SineOfPhase;
 template <int F>
@@ -32,8 +32,8 @@ constexpr Raw sine_of_phase(Raw phase) {
     return SineOfPhase<Raw, F>::of(phase);
 }
 
-// In the splits of 32 bits and in Q32.32, of quarter turns with 40 fraction bits, of which 42 bits
-// count.
+// In 32-bit formats and in Q32.32: the sine of quarter turns with 40 fraction bits, of which the
+// low 42 bits count.
 template <class Raw, int F>
 struct SineOfQuarterTurns {
     static FIXEDPOINT_CONSTEXPR Raw of(uint64_t turns) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // DO NOT EDIT: written by python3 fixedpoint/tables/sine.py
-// 2^23 sin(pi/2 x) + 64 on 256 intervals of [0, 1]: half an ulp of Q16.16 is in it, so
-// that cutting 7 bits rounds.
+// 2^23 sin(pi/2 x) + 64 on 256 intervals of [0, 1]: it includes half an ulp of Q16.16, so
+// that truncating 7 bits rounds.
 #pragma once
 
 #include <fixedpoint/program_memory.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Products, quotients and roots of the splits of 64 bits with the fraction bits as an operand, at
-// most 63: what the kernels that serve every split return. portable::multiply, divide, sqrt and dot
-// define them.
+// Products, quotients and roots in 64-bit formats with the fraction bits, at most 63, as an
+// operand: the results of the kernels that serve every format. portable::multiply, divide, sqrt and
+// dot define them.
 #pragma once
 
 #include <fixedpoint/portable/divide.hpp>

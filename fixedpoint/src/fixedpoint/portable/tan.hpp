@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// tan of any angle in radians, saturated: faithful, error below 0.75 ulp, beside a pole of a format
-// with more than 48 integer bits below 2^(integer bits - 53) ulp.
+// tan of any angle in radians, saturated: faithful (error below 0.75 ulp), except near a pole in
+// formats with more than 48 integer bits, where the error is below 2^(integer bits - 53) ulp.
 #pragma once
 
 #include <fixedpoint/portable/evaluation.hpp>
@@ -9,8 +9,8 @@
 namespace fixedpoint {
 namespace portable {
 
-// What an error e of the rotated vector does to a tangent t is t^2 e, at most 2^(2I - 2) e: a word
-// of 64 bits has e = 2^-56.
+// An error e of the rotated vector changes a tangent t by t^2 e, at most 2^(2I - 2) e; a 64-bit
+// word has e = 2^-56.
 template <class Raw, int F, bool fine = (RawLimits<Raw>::width - F > 23)>
 struct TangentWordOf {
     using Type = Word128;
@@ -30,7 +30,8 @@ struct Tan {
         constexpr int bits = cordic_bits<Word>();
         constexpr int reduction_bits = word_bits<Raw>();
 
-        // The nearest whole number of quarter turns, or one whose remainder the turns still reach.
+        // The nearest number of quarter turns, or one whose remainder is still within reach of the
+        // rotations.
         const Unsigned<Raw> positive = magnitude(a);
         const DoubleWord<Raw> product = CordicConstants<DoubleWord<Raw>>::two_over_pi() * positive;
         const uint64_t quarters = static_cast<Unsigned<Raw>>(

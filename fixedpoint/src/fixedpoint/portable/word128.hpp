@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // An unsigned 128-bit integer of two 64-bit halves, with the few operations that shift-and-add
-// algorithms need; arithmetic modulo 2^128. The device's compiler has no such type, and the host
-// runs the same code.
+// algorithms need; arithmetic modulo 2^128. The device's compiler does not have such a type; the
+// host runs the same code.
 //
-// Operands are taken by reference: avr-gcc 5.4 remembers constant calls by their class arguments,
-// and an assignment to the variable behind such an argument alters what it remembers.
+// Operands are passed by reference, as a workaround: avr-gcc 5.4 caches constant calls by their
+// class arguments, and an assignment to the variable passed as such an argument corrupts the cache.
 #pragma once
 
 #include <fixedpoint/portable/wide.hpp>

@@ -13,7 +13,7 @@ namespace published {
 
 constexpr uint8_t arc_tangent_intervals = 200;
 
-// A copy for each file that uses it, which the linker drops where it is not called.
+// A copy for each file that uses it, which the linker drops if it is not used.
 #ifdef __AVR__
 __attribute__((section(".progmem.data.fixedpoint_published_arc_tangent")))
 #endif

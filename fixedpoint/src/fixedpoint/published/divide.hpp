@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// divide: a 2^F / b truncated toward zero, modulo 2^W: the report's algorithm.
-// b = 0: the largest number if a > 0, the smallest if a < 0, 0 if a = 0.
+// divide: a 2^F / b truncated toward zero, modulo 2^W, by the algorithm of the 2016 design. b = 0:
+// the largest number if a > 0, the smallest if a < 0, 0 if a = 0.
 #pragma once
 
 #include <fixedpoint/integer.hpp>
@@ -9,9 +9,9 @@
 namespace fixedpoint {
 namespace published {
 
-// Both operands are made positive, the dividend is widened and shifted left, and the sign is put
-// back. Mended: a zero divisor has a result, the most negative number a magnitude, and nothing
-// negative is shifted left.
+// Both operands are made positive, the dividend is widened and shifted left, and the sign is
+// restored. Corrected: a zero divisor has a result, the most negative number has a magnitude, and
+// no negative number is shifted left.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw divide(Raw a, Raw b) {
     if (b == 0) return a > 0 ? RawLimits<Raw>::max : a < 0 ? RawLimits<Raw>::min : Raw(0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// from_decimal: integer / 10^decimals truncated toward zero, modulo 2^W: the report's conversion,
-// from_decimal<int32_t, 16>(38, 2) being 0.38.
+// from_decimal: integer / 10^decimals truncated toward zero, modulo 2^W, as in the 2016 design:
+// from_decimal<int32_t, 16>(38, 2) is 0.38.
 #pragma once
 
 #include <fixedpoint/integer.hpp>
@@ -10,8 +10,8 @@
 namespace fixedpoint {
 namespace published {
 
-// Mended: the power of ten, an int of 16 bits in the report, overflowed from the fifth decimal on.
-// Beyond the 19th decimal nothing of an integer of 32 bits is left.
+// Corrected: the power of ten, originally a 16-bit int, overflowed from the fifth decimal on.
+// Beyond the 19th decimal nothing is left of a 32-bit integer.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw from_decimal(int32_t integer, uint8_t decimals) {
     if (decimals > 19) return 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the published multiplication, division and arc tangent share: the quotient of magnitudes
-// and the sign flip.
+// Shared by the published multiplication, division and arc tangent: the quotient of magnitudes and
+// the sign flip.
 #pragma once
 
 #include <fixedpoint/integer.hpp>
@@ -9,16 +9,18 @@
 namespace fixedpoint {
 namespace published {
 
-// value * flip modulo 2^W, flip being 1 or -1. The report puts a sign back by a multiplication,
-// where a conditional negation would do; that is most of what the sign costs, and is kept.
+// value * flip modulo 2^W; flip must be 1 or -1. The 2016 design restores a sign by a
+// multiplication where a conditional negation would do. That is most of the cost of the sign, and
+// is kept.
 template <class Raw>
 constexpr Raw flip_sign(Unsigned<Raw> value, int flip) {
-    // 1u, since a product of narrow unsigned numbers would be an int, which must not overflow.
+    // 1u: the product of narrow unsigned numbers would otherwise be an int, which must not
+    // overflow.
     return static_cast<Raw>(
         static_cast<Unsigned<Raw>>(1u * value * static_cast<Unsigned<Raw>>(flip)));
 }
 
-// floor(a 2^F / b) modulo 2^W. Needs b > 0.
+// floor(a 2^F / b) modulo 2^W. b must be greater than 0.
 template <class Raw, int F>
 struct MagnitudeDivision {
     static constexpr Unsigned<Raw> apply(Unsigned<Raw> a, Unsigned<Raw> b) {
@@ -27,7 +29,7 @@ struct MagnitudeDivision {
     }
 };
 
-// divide_full wants a quotient of 64 bits: reducing the upper half first drops what lies above.
+// divide_full requires a 64-bit quotient: reducing the upper half first drops what is above.
 template <int F>
 struct MagnitudeDivision<int64_t, F> {
     static FIXEDPOINT_CONSTEXPR uint64_t apply(uint64_t a, uint64_t b) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// multiply: a b / 2^F truncated toward zero, modulo 2^W: the report's algorithm.
+// multiply: a b / 2^F truncated toward zero, modulo 2^W, by the algorithm of the 2016 design.
 #pragma once
 
 #include <fixedpoint/integer.hpp>
@@ -26,7 +26,7 @@ struct MagnitudeProduct<int64_t, F> {
 };
 
 // Both operands are made positive, multiplied in twice the width, shifted right, and the sign is
-// put back. Mended: the most negative number, whose negation overflowed, has a magnitude here.
+// restored. Corrected: the most negative number, whose negation overflowed, has a magnitude here.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw multiply(Raw a, Raw b) {
     int flip = 1;

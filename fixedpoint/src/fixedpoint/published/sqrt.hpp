@@ -8,14 +8,14 @@
 namespace fixedpoint {
 namespace published {
 
-// Two bits of the radicand make one bit of the root: W/2 rounds for the bits of a, F/2 for the
-// zeros that follow them (16 + 8 for Q16.16). On the device the shift by W - 2, which has no
-// instruction, is a loop of its own in each round: that is most of the cost.
-// Mended: a negative radicand has a result.
+// Two bits of the radicand give one bit of the root: W/2 iterations for the bits of a, F/2 for the
+// zeros that follow them (16 + 8 for Q16.16). The device does not have an instruction for the shift
+// by W - 2, so it is a loop within each iteration: that is most of the cost. Corrected: a negative
+// radicand has a result.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw sqrt(Raw a) {
     static_assert(F % 2 == 0,
-                  "The published square root takes two bits of the radicand a round: "
+                  "The published square root takes two bits of the radicand per iteration: "
                   "the number of fraction bits must be even.");
     static_assert(F <= RawLimits<Raw>::width - 4,
                   "The remainder of the published square root, at most 4 times the root, must fit: "
