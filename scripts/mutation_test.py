@@ -321,6 +321,9 @@ def equivalent_faults():
             continue
         if len(lines) < 4 or lines[1][:2] != "- " or lines[2][:2] != "+ ":
             raise Failure(f"{EQUIVALENT.name}: not a path, '- line', '+ line' and a proof:\n{block}")
+        source = (ROOT / lines[0]).read_text(encoding="utf-8").splitlines()
+        if lines[1][2:] not in (line.strip() for line in source):
+            raise Failure(f"{EQUIVALENT.name}: {lines[0]} has no line '{lines[1][2:]}'")
         faults.add((lines[0], lines[1][2:], lines[2][2:]))
     return faults
 

@@ -3,6 +3,8 @@
 #include <fixedpoint.h>
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <limits>
 #include <string>
 
 namespace {
@@ -44,6 +46,14 @@ TEST(Serial, ReadsUpToWhatIsNoPartOfANumber) {
     EXPECT_EQ(serial.read(), ' ');
     EXPECT_EQ(read<Q16_16>(serial).status, TextStatus::empty);
     EXPECT_EQ(serial.characters, "x");
+}
+
+TEST(Serial, ReadsTheExactTextOfAnyNumber) {
+    Serial serial;
+    const Q32_32 number = Q32_32::from_raw(std::numeric_limits<std::int64_t>::min() + 1);
+    EXPECT_EQ(print(serial, number, 32), 44u);
+    EXPECT_EQ(read<Q32_32>(serial).number, number);
+    EXPECT_TRUE(serial.characters.empty());
 }
 
 TEST(Serial, ReportsWhatItCannotHold) {

@@ -26,11 +26,11 @@ size_t print(Out& out, Fixed<IntegerBits, F, A> x, uint8_t decimals) {
 
 /// Reads the characters that have arrived, up to the first that cannot belong to a number, and
 /// parses them. It does not wait: call it once the line is complete, since a number still arriving
-/// is cut short or malformed. At most 40 characters are read: more than the shortest text of any
-/// number has, but text with more digits is split there.
+/// is cut short or malformed. At most 40 characters are read, or as many as the longest exact text
+/// of the format has, if that is more; text with more digits is split there.
 template <class Number, class In>
 Parsed<Number> read(In& in) {
-    char text[40];
+    char text[text_capacity<Number>() > 40 ? text_capacity<Number>() : 40];
     size_t length = 0;
     for (int next = in.peek(); length < sizeof text && next >= 0; next = in.peek()) {
         const char c = static_cast<char>(next);
