@@ -12,7 +12,7 @@ namespace engine {
 /// A time step of 2^-K s. K must be in 0..59.
 template <int K>
 struct BinaryStep {
-    static_assert(K >= 0 && K < 60, "A binary step is 2^-K seconds, K from 0 to 59.");
+    static_assert(K >= 0 && K < 60, "A binary step is 2^-K seconds: K must be in 0..59.");
 };
 
 /// Whether T is a time step other than a scalar in seconds: such a type reaches the integrators

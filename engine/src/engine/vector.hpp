@@ -44,12 +44,12 @@ struct Vector {
     /// The vector (x, y), from scalars or decimal constants.
     template <class X, class Y>
     constexpr Vector(X x, Y y) : component{scalar(x), scalar(y)} {
-        static_assert(N == 2, "A vector of three components is made of three.");
+        static_assert(N == 2, "A vector of three components needs three arguments.");
     }
     /// The vector (x, y, z), from scalars or decimal constants.
     template <class X, class Y, class Z>
     constexpr Vector(X x, Y y, Z z) : component{scalar(x), scalar(y), scalar(z)} {
-        static_assert(N == 3, "A vector of two components is made of two.");
+        static_assert(N == 3, "A vector of two components needs two arguments.");
     }
     /// Copies v, without setting the components to zero first, and without the byte loop that the
     /// device's compiler would make.

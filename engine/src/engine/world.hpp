@@ -101,10 +101,9 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
     static constexpr unsigned long max_rows =
         Solver::rows_per_rod * (0ul + Uses::rods + Uses::anchored_rods) + Uses::ropes +
         Uses::anchored_ropes + Uses::contacts;
-    static_assert(Uses::radii || !Uses::continuous_contacts,
-                  "continuous_contacts are of particles with radii.");
+    static_assert(Uses::radii || !Uses::continuous_contacts, "continuous_contacts need radii.");
     static_assert(max_rows <= 65535,
-                  "Rods, ropes and contacts make at most 65535 rows: Uses states more.");
+                  "Rods, ropes and contacts make at most 65535 rows, but Uses states more.");
 
     /// A vector of the world's dimensions.
     using Vector = engine::Vector<Scalar, dimensions>;
