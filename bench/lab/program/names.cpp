@@ -32,8 +32,8 @@ void check_names(const std::string& option, const std::vector<std::string>& aske
         if (std::binary_search(known.begin(), known.end(), name)) continue;
         const std::string nearest = nearest_name(name, known);
         throw std::invalid_argument(
-            fmt::format("{} '{}': there is none{}; there are {}", option, name,
-                        nearest.empty() ? "" : fmt::format(", did you mean {}?", nearest),
+            fmt::format("{} '{}' does not exist{}; allowed are {}", option, name,
+                        nearest.empty() ? "" : fmt::format(" (did you mean {}?)", nearest),
                         fmt::join(known, ", ")));
     }
 }

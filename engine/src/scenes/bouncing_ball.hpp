@@ -25,8 +25,7 @@ struct BouncingBall {
         Scalar velocity_x = engine::Decimal<5, 1>();  // m/s
         Scalar radius = engine::Decimal<125, 3>();    // m
         Scalar restitution = engine::Decimal<8, 1>();
-        Scalar restitution_threshold =
-            engine::Decimal<25, 2>();  // m/s; slower than this it does not bounce
+        Scalar restitution_threshold = engine::Decimal<25, 2>();  // m/s; slower: no bounce
     };
 
     template <class World>

@@ -53,7 +53,7 @@ TEST(MeasureCycles, ABadSubjectIsNamedWithItsOperandsAndLeavesTheOthersMeasured)
         ASSERT_NE(begin, 0u) << subject << " is not in\n" << messages;
         const std::string line = messages.substr(begin, messages.find('\n', begin) - begin);
         EXPECT_THAT(line, HasSubstr(fault.what));
-        EXPECT_THAT(line, testing::EndsWith(", of the operands 256"));
+        EXPECT_THAT(line, testing::EndsWith(", with the operands 256"));
         EXPECT_EQ(messages.find(subject, begin + line.size()), messages.npos) << messages;
     }
     EXPECT_THAT(messages, HasSubstr(" boundary operands break the definition, the first: 256\n"));

@@ -12,7 +12,7 @@ using reference::Operation;
 
 __extension__ typedef __float128 Real;
 
-// In units of an ulp of Q16.16.
+// In ulp of Q16.16.
 Real distance_from_a_tie(Operation operation, std::int64_t raw) {
     const Real a = Real(raw) / 65536;
     const Real result = 65536 * (operation == Operation::sin   ? sinf128(a)

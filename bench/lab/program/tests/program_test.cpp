@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the command line stands on: names, output, cores that processes share, times, comparison.
+// What the command line is built on: names, output, cores that processes share, times, comparison.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -50,7 +50,7 @@ TEST(Names, UnknownOnesAreRefusedWithWhatExists) {
         fixbench::check_names("--format", {"q8_8", "q16_61"}, known);
     });
     EXPECT_EQ(half_wrong,
-              "--format 'q16_61': there is none, did you mean q16_16?; there are float, q16_16, "
+              "--format 'q16_61' does not exist (did you mean q16_16?); allowed are float, q16_16, "
               "q8_8");
     EXPECT_THAT(refusal([&] { fixbench::check_names("--format", {"zzzzzzzz"}, known); }),
                 Not(HasSubstr("did you mean")));
@@ -76,7 +76,7 @@ TEST(Output, ASelectionDoesNotReplaceAFile) {
             return 0;
         });
     });
-    EXPECT_THAT(reason, HasSubstr("table.csv is there already"));
+    EXPECT_THAT(reason, HasSubstr("table.csv already exists"));
     EXPECT_FALSE(measured);
     output.is_selection = false;
     EXPECT_EQ(output.collect(writes_table), 0);
@@ -153,7 +153,7 @@ TEST(Comparison, NamesTheFirstLineThatDiffers) {
     EXPECT_THAT(sequence::first_difference(a, b), HasSubstr("missing"));
 }
 
-// A process that shares the cores works on its own and on those that it gets; what it got it gives
+// A process that shares the cores works on its own core and on those that it gets. It gives these
 // back, and no task is lost or done twice.
 TEST(Pool, BoundsTheThreadsOfAProcess) {
     lab::Pool pool(1);
