@@ -108,13 +108,13 @@ head -1 "$scratch/good/operations.csv" | grep -q "^operation,format,implementati
     fail "the columns of operations.csv"
 python3 -m json.tool "$scratch/good/operations.json" >/dev/null || fail "operations.json is no JSON"
 # A selection never replaces what is there.
-refuses "operations.csv is there already" "${one[@]}" --output "$scratch/good"
+refuses "operations.csv already exists" "${one[@]}" --output "$scratch/good"
 
 # A subject that misbehaves is named with its operands, and all others are measured.
 "$fixbench" cycles --program "$(dirname "$fixbench")/experiments/operations/misbehaving.elf" --operands boundary \
     --csv >"$scratch/out" 2>"$scratch/err"
 [ $? -eq 1 ] || fail "cycles of subjects that misbehave: exit status"
-grep -q "negate_q8_8_hangs: boundary operands: not done .* of the operands 256" "$scratch/err" ||
+grep -q "negate_q8_8_hangs: boundary operands: not done .* with the operands 256" "$scratch/err" ||
     fail "a subject that hangs: $(cat "$scratch/err")"
 [ "$(grep -c ^negate,q8_8 "$scratch/out")" -eq 3 ] || fail "good subjects beside bad ones: $(cat "$scratch/out")"
 

@@ -19,7 +19,7 @@ struct Row {
     std::string block, format;
     double cycles_mean;
     std::uint32_t cycles_max;
-    double against_float;  // cycles, of those in binary32
+    double against_float;  // cycles relative to those in binary32
     std::uint32_t flash;
     double max_error, rms_error;
 
@@ -45,8 +45,8 @@ int run(const std::filesystem::path& output) {
         rows.push_back({m.block, m.format, m.cycles_mean, m.cycles_max,
                         m.cycles_mean / in_float->cycles_mean, m.flash, m.max_error, m.rms_error});
         if (m.format != "binary32" && m.unlike_host != 0) {
-            fmt::print(stderr, "{} {}: {} of {} outputs are not the host's\n", m.block, m.format,
-                       m.unlike_host, m.outputs);
+            fmt::print(stderr, "{} {}: {} of {} outputs differ from the host's\n", m.block,
+                       m.format, m.unlike_host, m.outputs);
             held = false;
         }
     }

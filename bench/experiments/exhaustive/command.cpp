@@ -18,7 +18,7 @@ using fixbench::Call;
 
 int held(std::uint64_t violations) {
     if (violations == 0) return fixbench::held;
-    fmt::print(stderr, "fixbench: {} results are not what their definition says\n", violations);
+    fmt::print(stderr, "fixbench: {} results contradict their definition\n", violations);
     return fixbench::check_failed;
 }
 

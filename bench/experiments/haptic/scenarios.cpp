@@ -119,7 +119,7 @@ Scenario scenario(std::string_view name, const Travel& travel) {
         if (s.name == name) return s;
         names += (names.empty() ? "" : ", ") + s.name;
     }
-    throw std::invalid_argument(fmt::format("no scenario '{}'; there are {}", name, names));
+    throw std::invalid_argument(fmt::format("no scenario '{}'; allowed are {}", name, names));
 }
 
 }  // namespace haptic

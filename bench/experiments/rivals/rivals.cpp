@@ -267,8 +267,8 @@ records::Table joined(const records::Table& measured, const fs::path& kept) {
     const records::Table earlier =
         kept.empty() ? records::Table(measured.columns()) : records::Table::load(kept);
     if (earlier.columns() != measured.columns())
-        throw std::invalid_argument(
-            fmt::format("{} has other columns than rivals.csv has now", kept.string()));
+        throw std::invalid_argument(fmt::format(
+            "the columns of {} are not those of the present rivals.csv", kept.string()));
     const std::size_t rival = measured.column("rival"), date = measured.column("measured");
     const auto undated = [&](std::vector<std::string> row) {
         row[date].clear();

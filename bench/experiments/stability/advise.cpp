@@ -332,7 +332,7 @@ bool advise(const AdviceOptions& options) {
             *std::min_element(results.begin(), results.end(),
                               [](const Result& a, const Result& b) { return a.error < b.error; });
         fmt::print(
-            "{}: nothing stays within {:.3g} m. The nearest is {} {} at 2^-{} s with {:.3g} m.\n",
+            "{}: nothing stays within {:.3g} m. The closest is {} {} at 2^-{} s with {:.3g} m.\n",
             options.scene, options.error, nearest.format, nearest.method, nearest.choice.exponent,
             nearest.error);
         return false;

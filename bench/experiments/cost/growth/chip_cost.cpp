@@ -25,7 +25,7 @@ constexpr unsigned steps = 64;
 constexpr std::uint32_t memory = 2048;
 
 struct Motion {
-    double pairs;  // tested in a step, in the mean
+    double pairs;  // tested in a step, on average
     std::uint32_t hash;
 };
 

@@ -56,7 +56,8 @@ TEST(MeasureCycles, ABadSubjectIsNamedWithItsOperandsAndLeavesTheOthersMeasured)
         EXPECT_THAT(line, testing::EndsWith(", with the operands 256"));
         EXPECT_EQ(messages.find(subject, begin + line.size()), messages.npos) << messages;
     }
-    EXPECT_THAT(messages, HasSubstr(" boundary operands break the definition, the first: 256\n"));
+    EXPECT_THAT(messages,
+                HasSubstr(" boundary operands contradict the definition, the first: 256\n"));
 
     const records::Table table = records::Table::load(options.output / "operations.csv");
     std::map<std::string, std::vector<std::string>> rows;
