@@ -16,8 +16,8 @@ def float_cycles(data, row):
 
 
 def share_of_work(data, row):
-    """The part of float's cycles that the block's products and quotients take alone: a product is what one more adds to
-    a dot product, loads included."""
+    """The fraction of float's cycles that the block's products and quotients alone take. The cost of a product is that
+    of one more product in a dot product, including its loads."""
     cycles = {operation: data.rows("operations", operation=operation, format=row["format"], implementation="default",
                                    operands="small")[0]["cycles_mean"] for operation in ("dot2", "dot3", "divide")}
     products, quotients = WORK[row["block"]]
@@ -25,7 +25,8 @@ def share_of_work(data, row):
 
 
 def finding(data):
-    """For each fixed-point format, how many blocks reach the goal, the dearest of the others, and their floor."""
+    """For each fixed-point format: how many blocks reach the goal, the most expensive of the others, and their
+    floor."""
     told = []
     for number_format in ("q8_8", "q16_16", "q8_24"):
         rows = data.rows("blocks", format=number_format)

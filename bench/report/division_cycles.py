@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the 2016 design's Q16.16 division costs by operand class, its two published figures, and ours."""
+"""The cost of the 2016 design's Q16.16 division by operand class, its two published figures, and ours."""
 import matplotlib.pyplot as plt
 
 import operations
 import style
 
-BIN = 16  # cycles, as division_cycles.csv counts them
-# What the classes of operands hold (bench/lab/operands/operand_class.hpp).
+BIN = 16  # cycles, as in division_cycles.csv
+# The content of the operand classes (bench/lab/operands/operand_class.hpp).
 CLASSES = {"small": "below 1", "physics": "0.01 to 20", "full": "all magnitudes alike",
            "published": "those of the published timing loop, as rebuilt"}
 
@@ -50,7 +50,7 @@ def draw(data):
 
 
 def finding(data):
-    """What divisions of physics operands cost, and what the rebuilt engine's do."""
+    """The cost of divisions of physics operands, and of those in the rebuilt engine."""
     published, floats, ours = (operations.row(data, "divide", *kind)
                                for kind in (operations.PUBLISHED, operations.FLOAT, ("q16_16", "default")))
     text = (f"On operands of 0.01 to 20 the 2016 design divides in {published['cycles_mean'] / 16:.0f} µs, "

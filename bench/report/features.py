@@ -3,7 +3,7 @@
 
 
 def finding(data):
-    """The dearest and the cheapest features, in cycles and in flash; the lever without the engine."""
+    """The most expensive and the cheapest features, in cycles and in flash; the lever without the engine."""
     rows = data.rows("features", scene="lever")
     without = {row["feature"]: row for row in rows if row["with"] == "no"}
     cost = {feature: (row["cycles_per_step_mean"] - without[feature]["cycles_per_step_mean"],
@@ -20,7 +20,7 @@ def finding(data):
 
 
 def by_hand(rows):
-    """What it costs that the engine takes other scenes than the lever's, too."""
+    """The price of the engine's generality, by the lever written by hand."""
     hand = next((row for row in rows if row["feature"] == "by_hand"), None)
     if hand is None:
         return ""

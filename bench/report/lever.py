@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the page of the lever tells of the workload: verdicts on the published figures, measured in
-the engine alone and in the whole device, and the device in each arithmetic."""
+"""The workload on the lever's page: verdicts on the published figures, measured in the engine alone and in the whole
+device, and the device in each arithmetic."""
 import csv
 import math
 import pathlib
@@ -17,11 +17,11 @@ DEVICES = {
     "float": "float",
     "published": "as published, rebuilt",
 }
-# Rows of the comparison; what rendering costs stands in the data.
+# Rows of the comparison; the cost of rendering is in the data.
 QUANTITIES = ("loop_rate", "loop_step", "loop_step_max", "worst_lateness", "cpu_share", "flash_bytes",
               "static_ram_bytes", "stack_measured", "stack_bound")
 
-# m: of which the fall was published.
+# m: the arm whose fall was published.
 PUBLISHED_ARM = 0.2
 
 
@@ -46,7 +46,7 @@ def verdicts(data):
 
 
 def devices(data):
-    """Quantity, unit and a value for each device, of what the page compares."""
+    """Quantity, unit and a value for each device, for the page's comparison."""
     told = {}
     for row in data.rows("workload_firmware", verdict="measured"):
         told.setdefault((row["quantity"], row["unit"]), {})[row["arithmetic"]] = row["measured"]
@@ -55,7 +55,7 @@ def devices(data):
 
 
 def finding(data):
-    """What the lever does when it is poked, and the time of its fall."""
+    """The reaction of the lever to a poke, and the time of its fall."""
     swing = {(row["lever"], row["damping"]): row["swing"] for row in haptic_region.oscillation(data)}
     fall = {row["arithmetic"]: row["fall_s"] for row in data.rows("haptic", scenario="release_and_fall")}
     loop = {row["arithmetic"]: row["loop_rate_hz"] for row in data.rows("haptic", scenario="poke_while_held")}
@@ -88,7 +88,7 @@ def others(data):
 
 
 def scenarios_finding(data):
-    """What our lever keeps over all scenarios, in a sentence or two; what does not hold is told."""
+    """What our lever achieves over all scenarios, in a sentence or two, including what fails."""
     rows = data.rows("haptic", arithmetic="q16_16")
     broken = [f"{row['scenario'].replace('_', ' ')} ({row['reason']})" for row in rows if row["verdict"] != "held"]
     late = max(rows, key=lambda row: row["worst_lateness_ms"])
@@ -112,7 +112,7 @@ def profile_finding(data):
 
 
 def calibration_finding(data):
-    """The curve that was chosen, beside the one that fits best."""
+    """The chosen curve, next to the one that fits best."""
     rows = data.rows("calibration_candidates")
     chosen = next(row for row in rows if row["verdict"] == "chosen")
     published = next(row for row in rows if row["fitted_to"] == "as published")

@@ -50,7 +50,7 @@ class Run {
             return std::stod(cell);
         } catch (const std::exception&) {
             throw std::invalid_argument(
-                fmt::format("operations.csv: '{}' of {} is no number", cell, column));
+                fmt::format("operations.csv: '{}' of {} is not a number", cell, column));
         }
     }
 

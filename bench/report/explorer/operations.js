@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Error against cost of each operation: a panel an operation, a point a format and implementation.
+// Error against cost of each operation: one panel per operation, one point per format and implementation.
 import { compared, formats, implementations, measured, physics, styles, unique } from "./data.js";
 import { choice, h, select } from "./dom.js";
 import { chart, front, frontLine, letter, logAxis, colour } from "./chart.js";
@@ -23,8 +23,8 @@ function errorOf(row, error, unit) {
   return row[`${error}_${unit === "ulp" ? "ulp" : "error"}`];
 }
 
-// Errors in the unit of the result can be held against each other across the formats that share
-// operands and domain; all others within a format.
+// Errors in the unit of the result can be compared across the formats that share operands and domain; all others only
+// within a format.
 export function group(row, unit) {
   return unit === "absolute" && row.operands === "physics" && compared[row.operation].includes(row.format) ? "shared" : row.format;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Work-precision curves: error against cycles per simulated second, a panel a scene, a curve a number
-// format and method, a point a time step.
+// Work-precision curves: error against cycles per simulated second, one panel per scene, one curve per number format
+// and method, one point per time step.
 import * as Plot from "@observablehq/plot";
 import { hertz, rows, scalars as subjects, unique } from "./data.js";
 import { choice, h, select } from "./dom.js";
@@ -11,13 +11,13 @@ const errors = { larger: "of method or arithmetic, the larger", error: "in all",
 const dashes = { explicit_euler: "1 3", semi_implicit_euler: null, velocity_verlet: "6 3", implicit_springs: "8 3 1 3", direct_rods: "2 2" };
 
 export const title = "Scenes";
-// Runs on the chip that held and have a truth to be judged by.
+// Runs on the chip that held and have a truth to be compared with.
 const measured = () => rows("scenes").filter((row) => row.cycles_per_simulated_second !== null && row.error !== null
   && row.error_arithmetic !== null && row.verdict === "held");
 const scalarOf = (row) => `${row.scalar}/${row.arithmetic}`;
 const scalarLabel = (scalar) => subjects[scalar].label;
 const step = (row) => (row.dt >= 1 ? `${row.dt} s` : `1/${Math.round(1 / row.dt)} s`);
-// A sum of the shares that cancel each other would look better than either.
+// A sum of the two parts would look better than either if they cancel.
 const errorOf = (row, error) => (error === "larger" ? Math.max(Math.abs(row.error_method), Math.abs(row.error_arithmetic)) : Math.abs(row[error]));
 
 const first = unique(measured().map((row) => row.scene)).slice(0, 6);

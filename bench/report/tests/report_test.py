@@ -175,7 +175,7 @@ class Operations(Figures):
         whole = header + "add q16_16 default all 120 7 0.875 8 aa\n"
         made = golden(operations=OPERATIONS, accuracy=accuracy, exhaustive=whole)
         self.assertEqual(known(made), [120, 7, "exact", "exhaustive.csv, all", 0.875, 8, "exact", "exhaustive.csv, all", None])
-        for damaged, message in ((whole.replace("8 aa", "8 ab"), "another machine code"),
+        for damaged, message in ((whole.replace("8 aa", "8 ab"), "other machine code"),
                                  (whole.replace("120 7", "98 7"), "add_q16_16_default: 99 in cycles_max, where"),
                                  (whole.replace("0.875", "0.625"), "0.75 in max_ulp, where")):
             made = golden(operations=OPERATIONS, accuracy=accuracy, exhaustive=damaged)
@@ -1350,8 +1350,8 @@ class Damage(Figures):
                 (good[:-6], "operations.csv, row 3: 2 cells under 4 columns"),
                 (good + b"add,q8_8,1,2,3\n", "operations.csv, row 4: 5 cells under 4 columns"),
                 (good.replace(b",9,1", b",9,"), "row 2, column loops: the number is missing"),
-                (good.replace(b",9,1", b",nan,1"), "row 2, column cycles_max: 'nan' is no number"),
-                (good.replace(b",9,1", b",9 1,1"), "row 2, column cycles_max: '9 1' is no number"),
+                (good.replace(b",9,1", b",nan,1"), "row 2, column cycles_max: 'nan' is not a number"),
+                (good.replace(b",9,1", b",9 1,1"), "row 2, column cycles_max: '9 1' is not a number"),
                 (good.replace(b"add,q8", b"\xff\xfe"), "operations.csv: 'utf-8' codec"),
                 (good, "operations.csv: there is no column 'implementation'")):
             told = self.told(content)
