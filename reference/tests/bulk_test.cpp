@@ -203,7 +203,7 @@ TEST(Bulk, AgreesInQ8_24) { compare_arithmetics<fixed_format(8, 24)>(1000); }
 #endif
 
 // The exact value lies 2^-28 ulp below a tie; in double it is the tie.
-TEST(Bulk, TellsTheSideOfATie) {
+TEST(Bulk, DecidesTheSideOfATie) {
     constexpr Subject subject{Operation::sin, fixed_format(1, 31), Arithmetic::correctly_rounded};
     const std::int64_t angle = -1422477815;
     const auto below = static_cast<std::int64_t>(

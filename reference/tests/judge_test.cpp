@@ -40,7 +40,7 @@ void PrintTo(const Row& row, std::ostream* out) {
     *out << shape(row.operation).name << " " << row.format << ": " << row.what;
 }
 
-TEST(Judge, TellsWhereAFunctionUnderflows) {
+TEST(Judge, ReportsWhereAFunctionUnderflows) {
     // exp(x) 2^16 = 1/2 at x = -17 ln 2, raw -772243.6.
     const auto underflows = [](Operation operation, std::int64_t operand) {
         return judged(operation, "q16_16", Arithmetic::nearest, {operand}, {0}).underflow;
@@ -381,7 +381,7 @@ TEST(Judge, VectorsReportTheirWorstComponent) {
     EXPECT_NEAR(both.error_ulp, 0.3575, 1e-4);
 }
 
-TEST(Judge, AVectorIsPinnedWhereAllOfItIs) {
+TEST(Judge, AVectorIsPinnedIfAllComponentsAre) {
     // sin(0) = 0 is exact; cos(0) = 1 saturates where the sign is the only integer bit.
     const Judgement mixed = judged(Operation::sincos, "q1_15", nearest, {0}, {0, 32767});
     EXPECT_TRUE(mixed.as_defined);
@@ -595,7 +595,7 @@ TEST(JudgeConversion, BetweenFormats) {
 
 // A value that is not in range has one definition for every format: the nearer limit, and 0 for
 // NaN.
-TEST(JudgeConversion, FromFloatsThatNoFixedPointNumberIsNear) {
+TEST(JudgeConversion, FromFloatsOutsideTheRange) {
     for (const char* name : {"q4_4", "q8_8", "q1_15", "q16_16", "q8_24", "q32_32"}) {
         for (const Arithmetic arithmetic : {nearest, saturating}) {
             const NumberFormat format = parse_format(name);

@@ -138,7 +138,7 @@ TEST(Pace, FollowsTheWall) {
 
 // At half the speed of the wall clock it is behind by no more than is allowed, however long it
 // takes.
-TEST(Pace, GivesUpWhatTheMachineCannotDo) {
+TEST(Pace, GivesUpWhatTheMachineCannotKeepUpWith) {
     Pace pace(0);
     double simulated = 0;
     for (double wall = 0; wall < 60; wall += 0.04) {

@@ -77,7 +77,7 @@ TEST_F(Played, TheDialMakesTheArmLonger) {
     EXPECT_NEAR(session.status().arm.value(), 0.355, 0.005);
 }
 
-TEST_F(Played, UnpluggingGoesRoundTheSensors) {
+TEST_F(Played, UnpluggingCyclesThroughTheSensors) {
     for (const std::optional<int> expected :
          {std::optional<int>(0), std::optional<int>(1), std::optional<int>()}) {
         session.press(Key::unplug);
@@ -110,7 +110,7 @@ TEST_F(Played, AFullFrameIsSentOnRequest) {
     EXPECT_GT(session.status().bytes_per_second, 30);
 }
 
-TEST_F(Played, AResetBeginsAnewAndTimeGoesOn) {
+TEST_F(Played, AResetStartsAgainAndTimeContinues) {
     session.press(Key::dial_up);
     const double before = session.time();
     session.press(Key::reset);

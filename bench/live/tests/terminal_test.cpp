@@ -166,7 +166,7 @@ TEST(Window, KeysReachTheDeviceAndTheTerminalIsRestored) {
     EXPECT_THAT(content(folder.path / "lever.cast"), HasSubstr("real time"));
 }
 
-TEST(Window, SaysSoWhereTheTerminalShrinks) {
+TEST(Window, ReportsATerminalThatShrinks) {
     Window window({});
     ASSERT_TRUE(window.shows("real time"));
     window.resize(40, 10);
@@ -188,7 +188,7 @@ TEST(Window, NothingMovesWhereNoKeyIsPressed) {
     EXPECT_LT(most(signals["arm"]), 0.235);
 }
 
-TEST(Window, AResetStartsTheRecordingOfTheDeviceAnew) {
+TEST(Window, AResetRestartsTheRecordingOfTheDevice) {
     Folder folder;
     Window window({"--record", folder.path.string()});
     ASSERT_TRUE(window.shows("real time"));
@@ -267,7 +267,7 @@ TEST(Lever, SaysThatItNeedsATerminal) {
     EXPECT_EQ(std::count(result.text.begin(), result.text.end(), '\n'), 1);
 }
 
-TEST(Lever, RefusesAScenarioThatThereIsNot) {
+TEST(Lever, RefusesAnUnknownScenario) {
     const Folder folder;
     const std::filesystem::path unmade = folder.path / "unmade";
     const Result result = run("--scenario nonsense --record " + unmade.string());
@@ -277,7 +277,7 @@ TEST(Lever, RefusesAScenarioThatThereIsNot) {
     EXPECT_FALSE(std::filesystem::exists(unmade));
 }
 
-TEST(Lever, RefusesAFolderThatTakesNoRecordingBeforeItBegins) {
+TEST(Lever, RefusesAFolderThatIsNotWritableBeforeItStarts) {
     const Result result = run("--record /proc/recording");
     EXPECT_NE(result.status, 0);
     EXPECT_THAT(result.text, HasSubstr("/proc/recording"));

@@ -148,7 +148,7 @@ TEST_P(EachBootloader, WritesVerifiesAndStartsTheProgram) {
     EXPECT_EQ(board_.sent_by_application(), expected_greeting());
 }
 
-TEST_P(EachBootloader, ABitThatDoesNotHoldIsCaught) {
+TEST_P(EachBootloader, AStuckBitIsDetected) {
     const std::string port = "--port " + board_.port() + " ";
     constexpr std::uint16_t address = 0x0a31;
     const std::uint8_t written = Elf(application).flash()[address];
@@ -169,7 +169,7 @@ INSTANTIATE_TEST_SUITE_P(, EachBootloader,
                                          Nano{"atmegaboot", "--old-bootloader", 0x7800}),
                          [](const auto& nano) { return nano.param.bootloader; });
 
-TEST_F(FlashTest, TheOtherSpeedIsHintedAt) {
+TEST_F(FlashTest, TheOtherSpeedIsSuggested) {
     Board board(programs / "atmegaboot.elf", true);
     plug_in(board, "ttyUSB0");
     expect_refusal(flash(application, &board), 4, "try --old-bootloader");
@@ -231,7 +231,7 @@ TEST_F(FlashTest, AMissingToolIsNamedWithWhatInstallsIt) {
                    "avrdude is missing; scripts/setup.sh");
 }
 
-TEST_F(FlashTest, FiguresOfAnotherProgramAreNotTakenForThisOnes) {
+TEST_F(FlashTest, FiguresOfAnotherProgramAreNotUsed) {
     Board board(programs / "optiboot.elf", true);
     plug_in(board, "ttyUSB0");
     const std::string other(64, 'b');

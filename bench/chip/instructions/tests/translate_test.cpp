@@ -127,7 +127,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Fault{"reads_a_port", "in r24, 0x03: only SPL, SPH and SREG"},
                     Fault{"is_no_code", "opcode 0x00ff, .word 0x00ff: no such instruction"}));
 
-TEST(FingerprintTest, HoldsWhereverTheFunctionLies) {
+TEST(FingerprintTest, DoesNotDependOnTheAddressOfTheFunction) {
     const Elf elf(test_program("functions")), moved(test_program("moved")),
         another(test_program("another"));
     ASSERT_NE(elf.function("lookup").address, moved.function("lookup").address);

@@ -137,7 +137,7 @@ TEST(Profiler, ReturnToAPushedAddressIsAJump) {
     EXPECT_EQ(called["returns_elsewhere"].frame_bytes, 4);
 }
 
-TEST(Profiler, SubroutineWithinAFunctionIsNoCall) {
+TEST(Profiler, SubroutineWithinAFunctionIsNotACall) {
     const Called called("own_subroutine");
     EXPECT_EQ(called["own_subroutine"].calls, 1);
     EXPECT_EQ(called["own_subroutine"].per_call.count, 1);
@@ -156,7 +156,7 @@ constexpr Cycle handler_self = 4 + 3 + 2 + 2 + 4, handler_callee = 3 + 3 + 4;
 // sts 2 each (4 of them), ldi 1 each (2), ret 4; called by rcall.
 constexpr Cycle start_timer = 3 + 4 * 2 + 2 + 4;
 
-TEST(Profiler, InterruptIsNoPartOfWhatItInterrupts) {
+TEST(Profiler, InterruptIsNotPartOfWhatItInterrupts) {
     const Called called("interrupted_nops", 50);
     EXPECT_EQ(called["interrupted_nops"].self_cycles, 4 + 1 + 200 + 1 + 4);
     EXPECT_EQ(called["interrupted_nops"].inclusive_cycles, 210 + start_timer);

@@ -70,7 +70,7 @@ TEST(StackBound, FrameAndSharedPrologue) {
 }
 
 // main() with the deepest handler, the other one waiting.
-TEST(StackBound, OneInterruptUponTheProgram) {
+TEST(StackBound, OneInterruptOnTopOfTheProgram) {
     const StackBound bound = static_stack_bound(test_program("interrupts"));
     const Profile profile = measured("interrupts", Chip::frequency);
     ASSERT_TRUE(bound.bytes);

@@ -139,7 +139,7 @@ TEST_F(DamagedElfTest, ProgramsForOtherChipsAreRefused) {
     }
 }
 
-TEST_F(DamagedElfTest, WhatDoesNotFitIsRefused) {
+TEST_F(DamagedElfTest, ProgramsThatDoNotFitAreRefused) {
     const std::string intact = bytes;
     set(segment(0) + p_paddr, 0x7fff);
     expect(std::to_string(0x7fff + number(segment(0) + p_filesz)) +
@@ -253,7 +253,7 @@ TEST_F(DamagedElfTest, RandomFaults) {
     }
 }
 
-TEST(ElfTest, SaysWhatIsWrongWithAFile) {
+TEST(ElfTest, ReportsWhatIsWrongWithAFile) {
     EXPECT_EQ(message_of([] { Elf{"/no/such.elf"}; }), "/no/such.elf: cannot be opened");
     EXPECT_EQ(message_of([] { Elf{"/proc/self/exe"}; }),
               "/proc/self/exe: not a linked program for the AVR");

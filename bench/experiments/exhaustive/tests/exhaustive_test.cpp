@@ -169,7 +169,7 @@ std::string content(const fs::path& path) {
 
 // A child process is killed amid a run of two functions, whatever it is doing; the next run goes on
 // from the checkpoint and writes what an undisturbed one does.
-TEST_F(ExhaustiveTest, AKilledRunGoesOn) {
+TEST_F(ExhaustiveTest, AKilledRunContinues) {
     options_.symbols = {"multiply_q4_4_default", "add_q32_32_default"};
     options_.search_operands = 3'000'000;
     run_exhaustive(options_);
@@ -215,7 +215,7 @@ TEST_F(ExhaustiveTest, CheckpointsOfOtherRunsAreNotUsed) {
     }
 }
 
-TEST_F(ExhaustiveTest, RejectsWhatCannotBeJudged) {
+TEST_F(ExhaustiveTest, RejectsSubjectsThatCannotBeJudged) {
     options_.symbols = {"skips"};
     EXPECT_THROW(run_exhaustive(options_), std::invalid_argument);
     EXPECT_THROW(parse_shard("0/3"), std::invalid_argument);

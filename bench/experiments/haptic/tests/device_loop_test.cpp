@@ -38,7 +38,7 @@ TEST(Judge, FailsAClockThatIsTooStrict) {
 }
 
 // Where the coupling stops to look plays no part.
-TEST(DeviceLoop, DoesNotDependOnHowOftenItIsLookedAt) {
+TEST(DeviceLoop, DoesNotDependOnHowOftenItIsObserved) {
     const Scenario s = scenario("bounce");
     const auto end_of = [&](double interval) {
         DeviceLoop loop(simulator::Elf(ours().elf), published_parameters(), s.script);

@@ -36,7 +36,7 @@ Judgement judge(const Timing& timing, const TimingLimits& held_to = limits) {
     return Judge({}, held_to).judge(timing, end, shortest_arm);
 }
 
-TEST(JudgeTiming, MeasuresWhatTheStepsSay) {
+TEST(JudgeTiming, MeasuresTheSteps) {
     const Judgement j = judge(punctual());
     EXPECT_EQ(j.violations, std::vector<std::string>{});
     EXPECT_DOUBLE_EQ(j.loop_rate, 1000);
@@ -249,7 +249,7 @@ TEST(JudgeRest, TheServoRestsWithinADegreeFromThatTimeOn) {
     EXPECT_FALSE(rests(10, 8.99));
 }
 
-TEST(JudgeScreen, AWrongOneAtAnyTimeCounts) {
+TEST(JudgeScreen, AWrongScreenAtAnyTimeCounts) {
     for (const int wrong : {0, 1, 2}) {
         Judge judge({}, limits);
         for (int k = 0; k < 3; ++k) judge.watch({k * 1e-3, 0, 0, k != wrong});

@@ -70,7 +70,7 @@ TEST_F(Workload, JudgesEachPublishedFigureOfTheDevice) {
                                              "square_roots_share", "fall_time"}));
 }
 
-TEST_F(Workload, TellsWhatTheSketchCosts) {
+TEST_F(Workload, ReportsWhatTheSketchCosts) {
     EXPECT_NEAR(measured("loop_rate", "q16_16_arduino"), measured("loop_rate", "q16_16"), 1);
     EXPECT_GT(measured("flash_bytes", "q16_16_arduino"), measured("flash_bytes", "q16_16"));
     EXPECT_GT(measured("static_ram_bytes", "q16_16_arduino"),

@@ -63,7 +63,7 @@ TEST(OtherChip, RefusesWhatItCannotRun) {
 }
 
 // A wrong sum is told of: the program is one that claims to add and multiply.
-TEST(OtherChips, TellsOfResultsThatBreakTheDefinition) {
+TEST(OtherChips, ReportsResultsThatContradictTheDefinition) {
     const std::filesystem::path folder = OTHER_CHIPS_SCRATCH;
     std::filesystem::create_directories(folder / "atmega328p/q16_16");
     std::filesystem::create_directories(folder / "out");

@@ -17,14 +17,14 @@ Trajectory along_x(std::initializer_list<double> places) {
     return trajectory;
 }
 
-TEST(LargestDistance, IsTheLargestBehindTheStart) {
+TEST(LargestDistance, IsTheLargestAfterTheStart) {
     EXPECT_EQ(largest_distance(along_x({9, 1, 2}), along_x({0, 1.5, 2.25})), 0.5);
     const Trajectory near = {{{{0, 0, 0}, {}}}, {{{3, 4, 0}, {}}, {{0, 0, 1}, {}}}};
     const Trajectory far = {{{{0, 0, 0}, {}}}, {{{0, 0, 0}, {}}, {{0, 0, 8}, {}}}};
     EXPECT_EQ(largest_distance(near, far), 7);
 }
 
-TEST(LargestDistance, OfWhatIsNoNumberIsNone) {
+TEST(LargestDistance, OfNumbersThatAreNotFiniteIsNone) {
     EXPECT_TRUE(std::isnan(largest_distance(along_x({0, none, 1}), along_x({0, 0, 0}))));
     EXPECT_TRUE(std::isnan(largest_distance(along_x({0}), along_x({0}))));
     EXPECT_TRUE(std::isnan(largest_distance({}, along_x({0, 1}))));

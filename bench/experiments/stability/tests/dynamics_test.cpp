@@ -46,13 +46,13 @@ TEST(FittedMap, IsTheMapOfTheRun) {
     for (int i = 0; i < 4; ++i) EXPECT_NEAR(fitted[i], map[i], 1e-9) << i;
 }
 
-TEST(FittedMap, IsNoneWhereTheStatesDoNotTellIt) {
+TEST(FittedMap, IsNoneWhereTheStatesDoNotDetermineIt) {
     EXPECT_TRUE(fitted_map({{1, 0}, {0.5, 0}, {0.25, 0}}).empty());
 }
 
 class InDouble : public testing::TestWithParam<Subject> {};
 
-TEST_P(InDouble, GrowsAsTheoryHasIt) {
+TEST_P(InDouble, GrowsAsInTheory) {
     for (const DynamicsRow& row : growth_of(GetParam())) {
         ASSERT_TRUE(row.measured.has_value()) << row.at;
         EXPECT_NEAR(*row.measured, *row.theory, 1e-7) << row.system << ' ' << row.at;

@@ -106,14 +106,14 @@ TEST_F(Search, TellsDriftFromDivergence) {
     EXPECT_EQ(found(std::nextafter(1.0, 2), 7).verdict, Verdict::drifts);
 }
 
-TEST_F(Search, ABreakAtTheStartIsOneOfTheFirstStep) {
+TEST_F(Search, AFailureAtTheStartBelongsToTheFirstStep) {
     const Trial trial = attempt(nothing, breaking(1, 1000, 0.5, 20, 0).at(1));
     EXPECT_FALSE(trial.held);
     EXPECT_EQ(trial.failed_step, 1u);
     EXPECT_EQ(trial.outcome.steps, 0u);
 }
 
-TEST_F(Search, AttemptRunsOnUntilTheMeasurePassesWhereItIsToStop) {
+TEST_F(Search, AttemptRunsUntilTheMeasurePassesItsStop) {
     Experiment growing = breaking(1, 1000, 1000).at(1);
     growing.measure = [](const State&, unsigned step) { return step / 10.0; };
     const Trial trial = attempt(nothing, growing, 5);
@@ -143,7 +143,7 @@ TEST_F(Search, EnduranceCountsTheStepsThatHeld) {
 }
 
 // What the subject itself tells comes before what the measure says; the earliest cause counts.
-TEST_F(Search, NamesWhatTheSubjectTells) {
+TEST_F(Search, NamesWhatTheSubjectReports) {
     const Case one = breaking(1, 1000, 30, 20, 7);
     const auto found = [&](std::function<void(Outcome&, unsigned)> happens) {
         incident = std::move(happens);
@@ -161,7 +161,7 @@ TEST_F(Search, NamesWhatTheSubjectTells) {
     EXPECT_EQ(finding.first_event, "too many contacts");
 }
 
-TEST_F(Search, WhatWrapsFailsWithoutAMeasure) {
+TEST_F(Search, AWrapFailsWithoutAMeasure) {
     incident = [](Outcome& outcome, unsigned step) {
         if (step == 5) outcome.record.notify(Event::overflow, Operation::multiply);
     };

@@ -25,7 +25,7 @@ Finding find(const std::string& name, const std::string& scalar, const std::stri
     return find_limit(case_named(name), subject(scalar, arithmetic, integrator), fine);
 }
 
-TEST(Recording, SaturatingReturnsWhatSaturatingReturnsAndTellsWhatItClamped) {
+TEST(Recording, SaturatingReturnsWhatSaturatingReturnsAndReportsWhatSaturated) {
     using S = fixedpoint::Saturating;
     using R = RecordingSaturating;
     EXPECT_TRUE(rc::check([](const std::array<std::int16_t, 3>& a,
@@ -144,14 +144,14 @@ TEST(Engine, DefaultOutlivesThePublishedByAHundredfoldStiffness) {
     EXPECT_GT(ours * ours, 100 * published * published);
 }
 
-TEST(Engine, ResiduesMoveWhatRoundingHolds) {
+TEST(Engine, ResidualsMoveWhatRoundingStops) {
     const double rounded = find("slow", "q16_16", "semi_implicit_euler").limit;
     const double carried = find("slow", "q16_16", "semi_implicit_compensated").limit;
     EXPECT_LT(carried, rounded / 100);
 }
 
 // Pools filled to their capacity, and by one more, in every subject.
-TEST(Engine, ReportsWhatAWorldHasNoRoomFor) {
+TEST(Engine, ReportsFullPools) {
     const Measure anything = [](const State&, unsigned) { return 0.0; };
     Description bodies;
     for (int i = 0; i < 20; ++i) bodies.bodies.push_back({.position = {4.0 * i, 0}});

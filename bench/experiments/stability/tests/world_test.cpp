@@ -134,7 +134,7 @@ INSTANTIATE_TEST_SUITE_P(Methods, RandomWorlds,
                          [](const auto& info) { return info.param.second; });
 
 // A chip that is another world differs: the comparison can fail.
-TEST(Comparison, TellsAnotherMethodAndAnotherNumber) {
+TEST(Comparison, DetectsAnotherMethodAndAnotherNumber) {
     Description made;
     made.bodies = {{.position = {3, 0}}};
     made.springs = {{{.length = 2}, 50, 0}};

@@ -34,7 +34,7 @@ TEST(Harness, CyclesOfAPassAreThoseCountedByHand) {
 }
 
 // 30000 passes of 18 cycles are 33.75 ms, of which the timer's interrupt takes half a percent more.
-TEST(Harness, MillisecondsAreTheCoresOwn) {
+TEST(Harness, MillisecondsAreThoseOfTheCore) {
     Harness harness(plain_program().elf);
     const auto ms = harness.milliseconds("assign", {"int16_t", "subtract"}, seven_by_three);
     EXPECT_GE(ms, 33u);

@@ -38,7 +38,7 @@ TEST(ClosestTies, AreCloserThanAnyRandomOperandMayBe) {
     }
 }
 
-TEST(ClosestTies, BelongToCorrectRoundingAlone) {
+TEST(ClosestTies, BelongOnlyToCorrectRounding) {
     EXPECT_TRUE(
         closest_ties({Operation::sin, reference::q16_16, reference::Arithmetic::nearest}).empty());
     EXPECT_TRUE(closest_ties({Operation::reciprocal_sqrt, reference::q16_16,

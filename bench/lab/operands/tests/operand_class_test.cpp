@@ -182,7 +182,7 @@ TEST(OperandClass, ExponentsOfPowersAreSmallIntegers) {
 }
 
 // In a format without fraction bits, 1 is the only physical operand of asin.
-TEST(OperandClass, OneNumberMayBeAllThereIs) {
+TEST(OperandClass, AClassMayContainASingleNumber) {
     for (const double value : sample(Operation::asin, "q16_0", OperandClass::physics))
         EXPECT_EQ(std::abs(value), 1);
 }

@@ -40,7 +40,7 @@ std::string refusal(Call call) {
     return "accepted";
 }
 
-TEST(Names, UnknownOnesAreRefusedWithWhatExists) {
+TEST(Names, UnknownNamesAreRefusedWithThoseThatExist) {
     const std::vector<std::string> known = {"q8_8", "q16_16", "float", "q8_8"};
     EXPECT_EQ(refusal([&] {
                   fixbench::check_names("--format", {"q16_16", "float"}, known);
@@ -82,7 +82,7 @@ TEST(Output, ASelectionDoesNotReplaceAFile) {
     EXPECT_EQ(output.collect(writes_table), 0);
 }
 
-TEST(Output, AFolderThatTakesNothingIsToldOfBeforeTheMeasurement) {
+TEST(Output, AFolderThatIsNotWritableIsReportedBeforeTheMeasurement) {
     const fs::path file = fresh("file");
     records::write_whole(file, "");
     fixbench::Output output;

@@ -62,7 +62,7 @@ TEST(Record, IsReadAsItWasWritten) {
     EXPECT_EQ(records::rows_of<Named>(table).at(1).name, "c");  // some of the columns
 }
 
-TEST(Record, RefusesACellOfAnotherType) {
+TEST(Record, RefusesACellOfTheWrongType) {
     const auto refusal = [](const char* cells) -> std::string {
         const std::string text = std::string("name,count,mean,error,grams,held,low,high\n") + cells;
         try {
@@ -94,7 +94,7 @@ TEST(Table, SurvivesQuotesCommasAndLineBreaks) {
     EXPECT_EQ(loaded.rows(), table.rows());
 }
 
-TEST(Table, RefusesWhatIsMalformed) {
+TEST(Table, RefusesMalformedText) {
     EXPECT_THROW(records::Table({"a", "b"}).add({"1"}), std::logic_error);
     EXPECT_THROW(records::Table({"a"}).column("b"), std::runtime_error);
     EXPECT_THROW(records::Table::load(scratch("absent.csv")), std::runtime_error);
@@ -104,7 +104,7 @@ TEST(Table, RefusesWhatIsMalformed) {
     EXPECT_THROW(records::Table::load(scratch("open.csv")), std::runtime_error);
 }
 
-TEST(WholeFile, LeavesTheOldFileWhereTheNewOneCannotBeWritten) {
+TEST(WholeFile, LeavesTheOldFileIfTheNewOneCannotBeWritten) {
     const auto folder = scratch("folder.csv");
     std::filesystem::create_directories(folder / "occupied");
     EXPECT_THROW(records::write_whole(folder, "text"), std::runtime_error);

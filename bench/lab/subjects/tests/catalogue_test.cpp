@@ -48,7 +48,7 @@ TEST(Catalogue, EachSideHasWhatTheOtherHas) {
     EXPECT_EQ(rivals, (std::map<std::string, int>{{"accum", 16}, {"libc", 51}, {"native", 20}}));
 }
 
-TEST(Catalogue, WhoIsHeldToADefinition) {
+TEST(Catalogue, KnowsWhichResultsAreHeldToADefinition) {
     const auto held = [](const char* symbol) {
         return catalogue::is_held_to_its_definition(reference::parse_symbol(symbol));
     };

@@ -55,7 +55,7 @@ TEST(Unneeded, finds_a_stowaway) {
         EXPECT_THAT(found, Contains(HasSubstr("fixedpoint_sqrt_q16_16 of square roots")));
     }
 }
-TEST(Unneeded, finds_each_feature_that_a_scene_is_said_not_to_use) {
+TEST(Unneeded, finds_each_feature_that_a_scene_is_declared_not_to_use) {
     for (const Program& program : load_programs(folder)) {
         if (!program.with || program.feature.find('=') != std::string::npos) continue;
         Uses others = program.uses;

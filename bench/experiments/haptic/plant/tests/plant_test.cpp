@@ -268,7 +268,7 @@ Plant busy(double step, int calls) {
     return plant;
 }
 
-TEST(Plant, IsTheSameHoweverOftenItIsAsked) {
+TEST(Plant, DoesNotDependOnHowOftenItIsRead) {
     const Plant once = busy(20e-6, 0), often = busy(20e-6, 1000);
     EXPECT_EQ(once.lever_angle(), often.lever_angle());
     EXPECT_EQ(once.lever_velocity(), often.lever_velocity());

@@ -167,7 +167,7 @@ TEST(Holding, PutsTheArmWhereItIsAskedFor) {
 
 // The chip keeps the schedule that the host's loop is made of: as many steps, and the lever where
 // the host's is, while nothing amplifies the microseconds between them.
-TEST(HostLoop, IsTheChipsTwin) {
+TEST(HostLoop, AgreesWithTheChip) {
     const Parameters p = published_parameters();
     const Script script = Holding(0.3).script;
     DeviceLoop chip(simulator::Elf(HELD_LEVER_FOLDER "/held_q16_16_10_damped.elf"), p, script);
@@ -188,7 +188,7 @@ TEST(HostLoop, IsTheChipsTwin) {
 // A lever whose sensors are on a frame without inertia falls by gravity alone, from 30 degrees
 // above the horizontal to 29 below: the pendulum's integral, whose singular end theta = 30 degrees
 // - u^2 removes.
-TEST(Fall, IsGravitysWhereNothingPressesTheSensors) {
+TEST(Fall, IsThatOfGravityIfNothingPressesTheSensors) {
     Parameters p = published_parameters();
     p.lever.inertia *= 1e-2;
     p.servo.inertia *= 1e-2;
