@@ -190,8 +190,8 @@ TEST(Distance, IsRightNearTheLength) {
     check_near<Fixed<32, 32>, 3>();
 }
 
-// Every distance that the format holds, of every length: relative to it within a few ulp, and
-// what rounding each product adds in an arithmetic that saturates.
+// Every distance that the format holds, for every length: relative to it within a few ulp, plus
+// what the rounding of each product adds in an arithmetic that saturates.
 template <class Number, int N>
 void check_all(int most) {
     std::mt19937_64 random(1);

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Fixed<I, F, Tracked<...>>: a number that stands for all numbers which the code could hold in its
+// Fixed<I, F, Tracked<...>>: a number that represents all numbers that the code could have in its
 // place. The code under proof is instantiated with it, so that its own constants, shifts and
-// roundings are what is bounded.
+// roundings are bounded.
 //
-// A number is what exact arithmetic would have, its ideal, and an error in ulps. An ideal is a
+// A number is an ideal, which exact arithmetic would have, and an error in ulp. An ideal is a
 // polynomial in q, with powers of the distance D of two ends, of the length L of their link and of
 // l = sqrt(1 + q), the length of a vector near 1. A vector's ideal is such a number times the unit
-// vector n from end to end. n itself stays a symbol: n . n = 1 is all that is needed of it.
-// An error is a linear form in the roundings, with a rest of second order. Of a vector's rounding
-// h, a box with a side for each component, the form holds across h + along n (n . h) in a vector
-// and along (n . h) in a scalar. So what a step corrects cancels.
+// vector n from end to end. n itself remains a symbol: only n . n = 1 is needed. An error is a
+// linear form in the roundings, with a remainder of second order. For a vector's rounding h, a box
+// with a side for each component, the form contains across h + along n (n . h) in a vector and
+// along (n . h) in a scalar, so that what a step corrects cancels.
 // Where a comparison cannot be decided, both branches are taken.
 #pragma once
 

@@ -16,7 +16,8 @@ namespace {
 
 using testing::HasSubstr;
 
-// What is said of each subject that misbehaves, all of the operand 256; the others are measured.
+// The message for each subject that misbehaves, always for the operand 256; the others are
+// measured.
 struct Fault {
     const char* subject;
     const char* what;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs on the chip and on the host against a fall computed by hand, and runs that fail.
+// Runs on the chip and on the host, compared with a fall computed by hand; and runs that fail.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -91,7 +91,7 @@ TEST(FreeFall, ByHandOnTheChip) {
                         scene_named("free_fall"), "q16_16", exponent, Hashes::no);
         expect_free_fall(run, exponent);
         EXPECT_EQ(run.steps, 2u << exponent);
-        // Four additions of four bytes at least, and far less than a product.
+        // At least four additions of four bytes, and far less than a product.
         EXPECT_GT(run.cycles_mean, 100);
         EXPECT_LT(run.cycles_mean, 1000);
         EXPECT_GE(run.cycles_max, run.cycles_mean);
