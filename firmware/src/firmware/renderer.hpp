@@ -162,8 +162,7 @@ class Renderer : Transmission<Board, Screen, Screen::protocol> {
         rows_left_ = Grid::rows;
     }
 
-    /// Sends the next frame completely. Call it when a terminal has been attached or its content is
-    /// garbled.
+    /// Sends the next frame completely: for a terminal that was just attached or is garbled.
     void refresh() { Transmission::forget(); }
 
     /// Sends a row, or as much of it as the port takes. Does nothing while more than half of the
