@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// \file
 /// Continuous contacts: a particle that would move further than half its radius in a step moves
-/// until it first overlaps something by a quarter of the radius, and no further. The next step
-/// finds the contact there, solves it like every other, and the particle moves on. Slower particles
-/// move as they do without continuous contacts.
+/// until it first overlaps something by a quarter of its radius (of the sum of both radii), and no
+/// further. The next step finds the contact there, solves it like every other, and the particle
+/// moves on. Slower particles move as they do without continuous contacts.
 ///
 /// Particles move one after the other, in the order in which they were added, each against the
 /// current positions of all others, so that none passes through another. The price is time: a fast

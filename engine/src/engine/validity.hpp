@@ -35,7 +35,7 @@ struct NormalTolerance<Fixed<I, F, A>> {
     }
 };
 
-// Not inlined, and without dot(): otherwise the compiler would inline less of what a step calls.
+// Not inlined, and without dot(), so that the calls of a step are inlined as if this did not exist.
 template <class Scalar, int N>
 __attribute__((noinline)) bool is_unit(const Vector<Scalar, N>& v) {
     const Scalar one = Decimal<1, 0>();

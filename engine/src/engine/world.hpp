@@ -50,8 +50,8 @@ struct Bounce<Scalar, true> {
 };
 /// \endcond
 
-/// Names one particle of a World. A handle that add_particle did not return names none. The handle
-/// of another type of world does not compile.
+/// Names one particle of a World. A default-constructed handle names none. The handle of another
+/// type of world does not compile.
 template <class World, class Index>
 struct ParticleHandle {
     /// The index of the particle.

@@ -55,7 +55,7 @@ TEST(Names, UnknownNamesAreRefusedWithThoseThatExist) {
     EXPECT_THAT(refusal([&] { fixbench::check_names("--format", {"zzzzzzzz"}, known); }),
                 Not(HasSubstr("did you mean")));
     EXPECT_THAT(refusal([&] { fixbench::check_names("--format", {""}, known); }),
-                HasSubstr("there are"));
+                HasSubstr("allowed are"));
 }
 
 int writes_table(const fs::path& folder) {
