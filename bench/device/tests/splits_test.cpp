@@ -450,7 +450,7 @@ TEST(Splits, Atan2) {
     for_each_split([&](auto F) { check_split(F, portable::atan2<int32_t, F>); });
 }
 
-// Of 64 bits: the splits of splits.cpp.
+// The splits of 64 bits in splits.cpp.
 template <class Check>
 void for_each_long_split(Check check) {
     [&]<int... F>(std::integer_sequence<int, F...>) {
@@ -599,7 +599,7 @@ TEST(LongSplits, Exp) {
     for_each_long_split([&](auto F) { check_split(F, portable::exp<int64_t, F>); });
 }
 
-// But the finest ones, whose sines, angles and logarithms are portable code.
+// All but the finest ones, whose sines, angles and logarithms are portable code.
 template <class Check>
 void for_each_split_with_functions(Check check) {
     for_each_long_split([&](auto F) {
@@ -607,7 +607,7 @@ void for_each_split_with_functions(Check check) {
     });
 }
 
-// The coarse splits take the sine of Q32.32, by angles that it holds and larger ones.
+// The coarse splits use the sine of Q32.32, for angles that it holds and for larger ones.
 TEST(LongSplits, SinAndCos) {
     Program sines("sin", 64), cosines("cos", 64), pairs_of_both("sincos", 64);
     const auto check_split = [&](int F, int64_t (*portable_sin)(int64_t),
@@ -631,7 +631,7 @@ TEST(LongSplits, SinAndCos) {
     });
 }
 
-// Of every length, and beside the axes and the diagonals.
+// Of every length, and next to the axes and the diagonals.
 TEST(LongSplits, Angles) {
     Program vectors("atan2", 64), tangents("atan", 64);
     const auto check_split = [&](int F, int64_t (*portable_atan2)(int64_t, int64_t),
@@ -652,7 +652,7 @@ TEST(LongSplits, Angles) {
     });
 }
 
-// Of every length, and beside 1, where the logarithm is small.
+// Of every length, and next to 1, where the logarithm is small.
 TEST(LongSplits, Log) {
     Program program("log", 64);
     const auto check_split = [&](int F, int64_t (*portable_log)(int64_t)) {

@@ -68,7 +68,7 @@ constexpr Fixed<I, F, A> saturating_product(Fixed<I, F, A> a, Fixed<I, F, A> b) 
 }
 /// \endcond
 
-/// a b. |a| must be less than 1/4, and b in 0..2 without 2.
+/// a b. |a| must be less than 1/4, and 0 <= b < 2.
 template <class Scalar>
 ENGINE_INLINE Scalar short_product(Scalar a, Scalar b) {
     return a * b;
@@ -83,7 +83,8 @@ ENGINE_INLINE Fixed<I, F, fixedpoint::Nearest> short_product(Fixed<I, F, fixedpo
 }
 /// \endcond
 
-/// a / b. In Q16.16 it uses the division that takes less flash and more cycles.
+/// a / b, with the result of the operator. In Q16.16 it uses the division that takes less flash and
+/// more cycles.
 template <class Scalar>
 ENGINE_INLINE Scalar brief_quotient(Scalar a, Scalar b) {
     return a / b;
