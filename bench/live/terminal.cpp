@@ -30,8 +30,8 @@ struct sigaction former[std::size(ending_signals)];
 void require_window() {
     if (isatty(STDIN_FILENO) == 0 || isatty(STDOUT_FILENO) == 0)
         throw std::runtime_error(
-            "the lever is shown in a terminal, and input or output is none; --scenario with "
-            "--record needs none");
+            "the lever needs a terminal for input and output; only --scenario with --record "
+            "does not");
     winsize size{};
     if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col < Picture::columns ||
         size.ws_row < Picture::rows)

@@ -115,7 +115,7 @@ def physics_operands(operation=None):
     found = re.search(r"physics_least = ([\d.]+), physics_greatest = ([\d.]+), "
                       r"physics_greatest_of_exp = ([\d.]+);", read("lab/operands/operand_class.cpp"))
     if not found:
-        raise DataError("lab/operands/operand_class.cpp: the limits of the class physics are gone")
+        raise DataError("lab/operands/operand_class.cpp: the limits of the class physics are missing")
     if operation in ("asin", "acos"):
         return float(found[1]), 1.0
     exponentials = ("exp", "exp2", "expm1", "sinh", "cosh")

@@ -223,7 +223,7 @@ class Kept {
         for (std::int64_t raw; words >> raw;) witness.push_back(raw);
         const auto stale = [&](const std::string& reason) {
             throw std::runtime_error(
-                fmt::format("{}: the row that is kept of all inputs is not of this code: {}; "
+                fmt::format("{}: the kept row over all inputs is not of this code: {}; "
                             "`fixbench all --exhaustive --only accuracy` runs them again",
                             job.name(), reason));
         };
@@ -231,14 +231,14 @@ class Kept {
             stale("it names no operands");
         const double there = std::abs(job.judge_own(witness).error_ulp);
         if (records::cell(there) != largest)
-            stale(fmt::format("at {} it errs by {} ulp, not {}",
+            stale(fmt::format("at {} its error is {} ulp, not {}",
                               kept[accuracy_.column("max_ulp_witness")], records::cell(there),
                               largest));
         const ErrorStatistics samples = sample(job, true);
         if (samples.wrong() != 0)
             stale(fmt::format("{} contradicts the definition", text_of(samples.wrong_witness())));
         if (samples.max_ulp() > there)
-            stale(fmt::format("at {} it errs by {} ulp, and {} was the most",
+            stale(fmt::format("at {} its error is {} ulp, and the kept maximum {}",
                               text_of(samples.max_witness()), records::cell(samples.max_ulp()),
                               largest));
         const auto text = [&](const char* name) { return kept[accuracy_.column(name)]; };

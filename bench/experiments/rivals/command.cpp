@@ -48,7 +48,7 @@ const fixbench::Registration command({
                         equals == source.npos ? "" : source.substr(equals + 1);
                     if (!std::filesystem::is_directory(folder))
                         throw std::invalid_argument(
-                            fmt::format("--source {}: <rival>=<folder> is wanted, and the folder "
+                            fmt::format("--source {}: expected <rival>=<folder>, and the folder "
                                         "must exist",
                                         source));
                     options.sources[name] = folder;

@@ -86,7 +86,7 @@ Layout layout_of(std::string_view scalar) {
         std::from_chars(integer.ptr + 1, end, fraction_bits).ec == std::errc())
         return {(integer_bits + fraction_bits) / 8, fraction_bits};
     throw std::runtime_error(
-        fmt::format("scalar '{}': float, q16_16 and the like are allowed", scalar));
+        fmt::format("unknown scalar '{}': allowed are float, q16_16 and the like", scalar));
 }
 
 std::filesystem::path program_path(const std::filesystem::path& folder, std::string_view scene,

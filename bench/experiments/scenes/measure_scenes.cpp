@@ -129,7 +129,7 @@ std::vector<Subject> selected(const SceneOptions& options) {
     check(options);
     std::vector<Subject> subjects = subjects_of(options);
     if (subjects.empty())
-        throw std::invalid_argument("no run is of such a scene, scalar and method together");
+        throw std::invalid_argument("no run has this scene, scalar and method together");
     return subjects;
 }
 

@@ -304,7 +304,7 @@ bool advise(const AdviceOptions& options) {
     const auto truth = truth_of(options.scene);
     if (!truth)
         throw std::runtime_error(
-            fmt::format("no true motion is known of scene '{}'", options.scene));
+            fmt::format("no true motion is known for scene '{}'", options.scene));
     std::vector<Result> results = run_all(options.scene, *truth, options.threads);
 
     const Costs costs(options.data, options.scene);

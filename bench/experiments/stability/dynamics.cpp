@@ -130,7 +130,7 @@ std::vector<double> step_map(const std::string& integrator, double omega, double
     }
     if (integrator == "semi_implicit_euler" || integrator == "semi_implicit_compensated")
         return {1 - h * h * k, h * (1 - h * c), -h * k, 1 - h * c};
-    throw std::invalid_argument("no map of a step is known of " + integrator);
+    throw std::invalid_argument("no step map is known for " + integrator);
 }
 
 std::vector<double> fitted_map(const std::vector<std::vector<double>>& states) {

@@ -205,7 +205,7 @@ void measure_stability(const Options& options) {
                 work.emplace_back(&one, &subject);
     }
     if (work.empty())
-        throw std::invalid_argument("no subject is of such a scalar and integrator together");
+        throw std::invalid_argument("no subject has this scalar and integrator together");
     std::vector<Finding> findings(work.size());
     {
         records::Progress progress("stability", work.size());

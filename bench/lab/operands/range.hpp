@@ -31,7 +31,8 @@ constexpr Range every_raw(const reference::NumberFormat& format) {
 // otherwise.
 constexpr Range part(const Range& range, std::uint64_t index, std::uint64_t count) {
     if (index >= count || count > range.size())
-        throw std::invalid_argument("a range has parts 0 .. count - 1, and none of them is empty");
+        throw std::invalid_argument(
+            "a part of a range must be in 0 .. count - 1, and must not be empty");
     const std::uint64_t share = range.size() / count, larger = range.size() % count;
     const auto start = [&](std::uint64_t i) {
         return range.first + std::int64_t(i * share + (i < larger ? i : larger));

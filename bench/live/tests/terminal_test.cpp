@@ -263,7 +263,7 @@ Result run(const std::string& arguments) {
 TEST(Lever, SaysThatItNeedsATerminal) {
     const Result result = run("");
     EXPECT_NE(result.status, 0);
-    EXPECT_THAT(result.text, HasSubstr("input or output is none"));
+    EXPECT_THAT(result.text, HasSubstr("needs a terminal"));
     EXPECT_EQ(std::count(result.text.begin(), result.text.end(), '\n'), 1);
 }
 
@@ -281,7 +281,7 @@ TEST(Lever, RefusesAFolderThatIsNotWritableBeforeItStarts) {
     const Result result = run("--record /proc/recording");
     EXPECT_NE(result.status, 0);
     EXPECT_THAT(result.text, HasSubstr("/proc/recording"));
-    EXPECT_THAT(result.text, Not(HasSubstr("input or output is none")));
+    EXPECT_THAT(result.text, Not(HasSubstr("needs a terminal")));
     EXPECT_EQ(std::count(result.text.begin(), result.text.end(), '\n'), 1);
 }
 

@@ -41,7 +41,7 @@ Plant::Plant(Parameters parameters, Script script)
     };
     if (conductance_.size() < 2 ||
         std::adjacent_find(conductance_.begin(), conductance_.end(), falls) != conductance_.end())
-        throw std::invalid_argument("a sensor's curve has two points or more and rises");
+        throw std::invalid_argument("a sensor's curve needs at least two points and must rise");
     servo_.angle = lever_.angle = target_ = script_.hand_angle.at(0);
     for (int sensor : {0, 1}) {
         sensor_force_[sensor] = elastic_force(parameters_.foam, compression(sensor));
