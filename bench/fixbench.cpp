@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fixbench, the command line of the bench: the experiments that are registered, as sub-commands.
+// fixbench, the command line of the bench: the registered experiments as sub-commands.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -54,7 +54,7 @@ const fixbench::Registration report({
         },
 });
 
-// One line, whatever the library has to say.
+// One line, whatever the library reports.
 std::string one_line(const CLI::App*, const CLI::Error& error) {
     std::string text = error.what();
     std::replace(text.begin(), text.end(), '\n', ' ');

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The judge for exhaustive runs and long searches: the definitions of definition.hpp for one
-// subject that is known at compile time, a few nanoseconds each. Integer results are judged by
-// their residual in integers, exactly; functions in double or __float128, whose error stays below
-// 2^-14 ulp of the result's format. The C library computes in double by other instructions on other
-// processors, and the last bit of its results with them: sums over many inputs hide it, a search
+// subject that is known at compile time, in a few nanoseconds each. Integer results are judged
+// exactly, by their residual in integers; functions in double or __float128, whose error stays
+// below 2^-14 ulp of the result's format. In double, the C library uses other instructions on other
+// processors, and the last bit of its results may differ: sums over many inputs hide that, a search
 // that compares two errors does not. Binary128 is integer arithmetic, the same everywhere.
 //
-// Holds fixed-point, integer and (for multiply, divide ...) any width; not float and _Accum, not
-// exp of a 64-bit format. A test compares it with judge.hpp.
+// Covers fixed-point and integer formats of every width; not float, not _Accum, not exp of a 64-bit
+// format. A test compares it with judge.hpp.
 #pragma once
 
 #include <cmath>
@@ -21,7 +21,7 @@
 
 namespace reference::bulk {
 
-// Raws of 8 and 16 bits and their products leave room in 64 bits.
+// Raws of 8 and 16 bits and their products fit 64 bits.
 __extension__ using Integer128 = __int128;
 __extension__ using Unsigned128 = unsigned __int128;
 template <int width>
@@ -44,7 +44,8 @@ constexpr Number sign_extend(Number x) {
         return Number(Unsigned128(x) << excess) >> excess;
 }
 
-// a + b and a - b modulo 2^64 or 2^128: a wrapping result does not see what is lost at the top.
+// a + b and a - b modulo 2^64 or 2^128: a wrapping result does not depend on the bits lost at the
+// top.
 template <class Number>
 using Unsigned = std::conditional_t<sizeof(Number) == 8, std::uint64_t, Unsigned128>;
 template <class Number>
@@ -61,7 +62,7 @@ constexpr Judgement pinned(std::int64_t target, std::int64_t result) {
     return {.error_ulp = error, .defined = true, .as_defined = result == target};
 }
 
-// The result against x = n / q, q > 0, given the residual d = result q - n.
+// Judges the result against x = n / q, q > 0, given the residual d = result q - n.
 template <Rounding rounding, class Number>
 constexpr bool is_rounded(Number d, Number q, bool x_is_negative, bool even) {
     static_assert(rounding != Rounding::within_bound);
@@ -75,7 +76,7 @@ constexpr bool is_rounded(Number d, Number q, bool x_is_negative, bool even) {
     return from_below ? -q < d && d <= 0 : 0 <= d && d < q;
 }
 
-// Where x = n / q, rounded, leaves the range: +1 above, -1 below.
+// Where x = n / q, rounded, lies: +1 above the range, -1 below it, 0 within.
 template <NumberFormat format, Rounding rounding, class Number>
 constexpr int beyond_range(Number n, Number q) {
     const Number high = Number(format.max()) * q, low = Number(format.min()) * q;
@@ -87,7 +88,7 @@ constexpr int beyond_range(Number n, Number q) {
         return n >= high + q ? 1 : n < low ? -1 : 0;
 }
 
-// x = n / q. `power` is log2 of q where that is known at compile time, otherwise negative.
+// Judges x = n / q. `power` is log2 of q if that is known at compile time, otherwise negative.
 template <Subject subject, int power = -1, class Number>
 constexpr Judgement judge_quotient(Number n, Number q, std::int64_t result) {
     constexpr Definition held_to = definition(subject);
@@ -115,7 +116,7 @@ constexpr Judgement judge_quotient(Number n, Number q, std::int64_t result) {
             .as_defined = is_rounded<held_to.rounding>(d, q, n < 0, result % 2 == 0)};
 }
 
-// An error the nearest way round modulo 2^W.
+// The error modulo 2^W that is nearest to 0.
 template <NumberFormat format, class Number>
 Number wrapped(Number error) {
     constexpr Number turn = Number(2) * -Number(format.min());
@@ -123,7 +124,7 @@ Number wrapped(Number error) {
     return error - turn * functions::floor(error / turn + Number(0.5));
 }
 
-// x of a function, in ulp.
+// Judges the value x of a function, in ulp.
 template <Subject subject, class Number>
 Judgement judge_function(Number x, std::int64_t result) {
     constexpr Definition held_to = definition(subject);
@@ -149,7 +150,7 @@ Number root_error(std::int64_t result, Square square) {
     const Number root = std::sqrt(Number(square));
     const Number r = Number(result);
     if (r <= 0) return r - root;
-    // |result^2 - square| < 2^127 wherever the root does not clamp.
+    // |result^2 - square| < 2^127 wherever the root does not saturate.
     const Integer128 residual =
         Integer128(Unsigned128(result) * Unsigned128(result) - Unsigned128(square));
     return (residual == std::int64_t(residual) ? Number(std::int64_t(residual))
@@ -157,7 +158,7 @@ Number root_error(std::int64_t result, Square square) {
            (r + root);
 }
 
-// With F fraction bits, of which the rest of the subject tells nothing.
+// A root with F fraction bits, which may differ from those of the subject's format.
 template <Subject subject>
 Judgement judge_root(std::int64_t a, std::int64_t result, int F = subject.format.fraction) {
     constexpr NumberFormat format = subject.format;
@@ -168,7 +169,7 @@ Judgement judge_root(std::int64_t a, std::int64_t result, int F = subject.format
     const bool nearest = square <= r * r + r && (r == 0 || square > r * r - r);
     const bool below = r * r <= square && square < (r + 1) * (r + 1);
     const bool rounded = held_to.rounding == Rounding::nearest_upward ? nearest : below;
-    // The root of a format without integer bits below 1 may round to 1.
+    // In a format whose range ends below 1, a root may round to 1.
     if (2 * F >= format.width) {
         const Number limit = Number(format.max());
         const bool above = held_to.rounding == Rounding::nearest_upward
@@ -220,11 +221,11 @@ Judgement judge_unit_vector(std::span<const std::int64_t> v,
     return worst;
 }
 
-// What functions are computed in, unless a caller says otherwise.
+// The type in which functions are computed, unless the caller chooses another.
 template <int width>
 using FunctionFloat = std::conditional_t<(width <= 32), double, Binary128>;
 
-// Takes what reference::judge takes; the number of operands and results is not checked.
+// Takes the arguments of reference::judge; does not check the number of operands and results.
 template <Subject subject, class Real = FunctionFloat<subject.format.width>>
 Judgement judge(std::span<const std::int64_t> operands, std::span<const std::int64_t> results) {
     constexpr Operation operation = subject.operation;
@@ -252,7 +253,7 @@ Judgement judge(std::span<const std::int64_t> operands, std::span<const std::int
             return {.excluded = "undefined outside the operation's domain"};
         return pinned(outside_domain(operation, format, a), result);
     }
-    // Of several results: each for itself, the worse one's error.
+    // Of several results: each is judged on its own, and the larger error counts.
     const auto worse_of = [](const Judgement& s, const Judgement& c) {
         Judgement worse = std::abs(c.error_ulp) > std::abs(s.error_ulp) ? c : s;
         worse.defined = s.defined && c.defined;
@@ -358,7 +359,7 @@ Judgement judge(std::span<const std::int64_t> operands, std::span<const std::int
         const Judgement judgement = judge_function<subject>(exact * one, result);
         if constexpr (definition(subject).rounding == Rounding::nearest_upward &&
                       !std::is_same_v<Real, Binary128>) {
-            // So close to a tie, double does not tell on which side of it the value lies.
+            // This close to a tie, double cannot decide on which side of it the value lies.
             if (std::abs(std::abs(judgement.error_ulp) - 0.5) < std::ldexp(1.0, -14))
                 return judge<subject, Binary128>(operands, results);
         }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What each operation returns, for every input: the exact value x of operation_table.h, as each
-// arithmetic rounds it, and what it does with a result that does not fit.
+// What each operation returns, for every input: the exact value x of operation_table.h, rounded as
+// the arithmetic rounds, and what happens to a result that does not fit.
 #pragma once
 
 #include <cmath>
@@ -13,16 +13,16 @@
 namespace reference {
 
 enum class Rounding {
-    nearest_upward,  // floor(x + 1/2)
-    nearest_even,    // nearest, ties to the even neighbour
-    toward_zero,     // the digits after the last place dropped from the magnitude
+    nearest_upward,  // round half up: floor(x + 1/2)
+    nearest_even,    // round half to even
+    toward_zero,     // the magnitude truncated
     downward,        // floor(x)
-    within_bound     // not rounded to a certain neighbour: at most bound_ulp from x
+    within_bound     // any integer at most bound_ulp from x
 };
 
 enum class Overflow {
     wraps,        // modulo 2^W
-    clamps,       // to the nearest representable number
+    clamps,       // saturates: the nearest representable number
     to_infinity,  // IEEE 754
     undefined     // not judged
 };
@@ -30,7 +30,7 @@ enum class Overflow {
 struct Definition {
     Rounding rounding;
     Overflow overflow;
-    double bound_ulp;  // of |result - x|; infinite where nothing is promised
+    double bound_ulp;  // of |result - x|; infinite if nothing is promised
 };
 
 inline constexpr double no_bound = std::numeric_limits<double>::infinity();
@@ -67,8 +67,8 @@ constexpr Definition definition(Operation operation, Arithmetic arithmetic) {
                            plain.overflow);
         }
         case Arithmetic::published:
-            // Its arc tangent interpolates in a table and promises nothing, and takes a ratio
-            // outside [0, 1] for the nearer end; its atan2 lies in [0, 2 pi).
+            // Its arc tangent interpolates in a table without a bound, and replaces a ratio outside
+            // [0, 1] by the nearer end. Its atan2 lies in [0, 2 pi).
             if (function) return {Rounding::within_bound, Overflow::wraps, no_bound};
             return rounded(Rounding::toward_zero, Overflow::wraps);
         case Arithmetic::integer:
@@ -76,8 +76,8 @@ constexpr Definition definition(Operation operation, Arithmetic arithmetic) {
             return rounded(Rounding::toward_zero,
                            operation == Operation::divide ? Overflow::undefined : Overflow::wraps);
         case Arithmetic::ieee:
-            // Only + - * / remainder, sqrt and conversion are bound by IEEE 754; a compound
-            // operation rounds its parts, a function promises nothing.
+            // IEEE 754 defines only + - * / remainder, sqrt and conversion. A compound operation
+            // rounds its parts, and a function has no bound.
             switch (operation) {
                 case Operation::multiply_add:
                 case Operation::dot2:
@@ -99,21 +99,21 @@ constexpr Definition definition(Operation operation, Arithmetic arithmetic) {
     return {};
 }
 
-// Whether the results of half of the operands are below half an ulp.
+// Whether the results for half of the operands are below half an ulp.
 constexpr bool vanishes(Operation operation) {
     return operation == Operation::exp || operation == Operation::exp2 ||
            operation == Operation::pow || operation == Operation::power;
 }
 
-// The number 1 as a raw; of 64 bits it may be too large for one.
+// The number 1 as a raw, which may exceed a raw of 64 bits.
 __extension__ using LongRaw = __int128;
 constexpr LongRaw raw_one(const NumberFormat& format) { return LongRaw(1) << format.fraction; }
 
 constexpr bool is_multiple(std::int64_t a, LongRaw one) { return a % one == 0; }
 inline bool is_multiple(double a, double one) { return std::fmod(a, one) == 0; }
 
-// Whether the operation has an exact value there. `x` are the raws of a format and `one` is its
-// raw_one, or they are the values of floats and 1.
+// Whether the operation has an exact value for the operands `x`: raws of a format, with `one` its
+// raw_one, or values of floats, with `one` 1.
 template <class Number, class One>
 constexpr bool in_domain(Operation operation, std::span<const Number> x, One one) {
     switch (shape(operation).domain) {
@@ -141,7 +141,7 @@ constexpr bool in_domain(Operation operation, std::span<const Number> x, One one
     return false;
 }
 
-// pi / 2^halvings to nearest, clamped.
+// pi / 2^halvings as a raw, rounded half up and saturated.
 constexpr std::int64_t rounded_pi(const NumberFormat& format, int halvings) {
     // pi 2^62, as 2 bits and 62.
     constexpr std::uint64_t pi = 0xc90fdaa22168c234;
@@ -152,8 +152,8 @@ constexpr std::int64_t rounded_pi(const NumberFormat& format, int halvings) {
     return rounded > std::uint64_t(format.max()) ? format.max() : std::int64_t(rounded);
 }
 
-// What a fixed-point operation returns where there is none, of several results one; a is the first
-// operand's raw.
+// What a fixed-point operation returns outside its domain, in result number `component`. `a` is the
+// raw of the first operand.
 constexpr std::int64_t outside_domain(Operation operation, const NumberFormat& format,
                                       std::int64_t a, std::size_t component = 0) {
     switch (operation) {
@@ -184,8 +184,9 @@ constexpr std::int64_t outside_domain(Operation operation, const NumberFormat& f
     }
 }
 
-// The definition of a subject: a conversion to float is IEEE 754's; one from float clamps what does
-// not fit (NaN: 0), into C's integers it truncates and leaves undefined what does not fit.
+// The definition of a subject. A conversion to float follows IEEE 754. One from float to fixed
+// point saturates what does not fit, and turns NaN into 0. One from float to C's integers
+// truncates, and leaves what does not fit undefined.
 constexpr Definition definition(const Subject& subject) {
     if (subject.format.is_float()) return definition(subject.operation, Arithmetic::ieee);
     if (!subject.operand_format.is_float())

@@ -21,7 +21,7 @@ Witness witness_of(const nlohmann::json& json) {
     return Witness(operands);
 }
 
-// JSON has no infinity; an error that is none stands as null.
+// JSON has no infinity; an infinite error is stored as null.
 nlohmann::json finite_or_null(double number) {
     return std::isfinite(number) ? nlohmann::json(number) : nlohmann::json();
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Accumulates judgements: maximum with its witness, rms, bias and histogram of the errors, and how
-// many inputs were pinned, excluded or wrong. One object per thread or shard, merged at the end in
-// the order of the shards: the figures then do not depend on who ran when.
+// Accumulates judgements: the largest error with its witness, rms, bias and histogram, and how many
+// inputs were pinned, excluded or wrong. Use one object per thread or shard and merge them in the
+// order of the shards: the figures then do not depend on timing.
 #pragma once
 
 #include <gsl/gsl_histogram.h>
@@ -37,7 +37,7 @@ class Witness {
 class ErrorStatistics {
   public:
     // Bins are centred on the multiples of 1/32 ulp from -2 to 2: errors of 0 and 1/2 ulp, which
-    // exact arithmetic yields often, lie in the middle of a bin.
+    // exact arithmetic produces often, lie in the middle of a bin.
     static constexpr int bins_per_ulp = 32;
     static constexpr int ulps_each_side = 2;
     static constexpr std::size_t bin_count = 2 * bins_per_ulp * ulps_each_side + 1;
@@ -57,18 +57,18 @@ class ErrorStatistics {
         }
         if (judgement.defined) {
             ++defined_;
-            // A pinned result that is right has no rounding error to speak of.
+            // A pinned result that is right has no rounding error.
             if (judgement.as_defined) return;
         }
         add_error(judgement, operands);
     }
 
-    // What `later` accumulated follows what this did; of equal maxima the earlier stays.
+    // Appends what `later` accumulated. Of equal maxima the earlier one is kept.
     void merge(const ErrorStatistics& later);
 
     std::uint64_t count() const { return count_; }                   // judged inputs
-    std::uint64_t defined() const { return defined_; }               // of them with a pinned result
-    std::uint64_t underflowed() const { return underflowed_; }       // of them below half an ulp
+    std::uint64_t defined() const { return defined_; }               // those with a pinned result
+    std::uint64_t underflowed() const { return underflowed_; }       // those below half an ulp
     std::uint64_t excluded() const { return excluded_; }             // inputs that were not judged
     std::uint64_t wrong() const { return wrong_; }                   // judged inputs not as defined
     const Witness& wrong_witness() const { return wrong_witness_; }  // the first
@@ -76,17 +76,17 @@ class ErrorStatistics {
     double max_ulp() const { return std::abs(max_error_); }
     double max_error_ulp() const { return max_error_; }  // signed
     const Witness& max_witness() const { return max_witness_; }
-    // Over the inputs that did not underflow; 0 where there are none.
+    // Over the inputs that did not underflow; 0 if there are none.
     double rms_ulp() const;
     double mean_ulp() const;  // the bias
 
-    // Counts per bin of the inputs that did not underflow; errors beyond the first and last are in
-    // neither.
+    // Counts per bin of the inputs that did not underflow. Errors beyond the first and the last bin
+    // are counted in below_histogram() and above_histogram().
     const gsl_histogram& histogram() const { return *histogram_; }
     std::uint64_t below_histogram() const { return below_; }
     std::uint64_t above_histogram() const { return above_; }
 
-    // A shard's file; reading one back and merging gives what one run would have.
+    // The file of a shard. Reading shards back and merging them gives the result of a single run.
     friend void to_json(nlohmann::json& json, const ErrorStatistics& statistics);
     friend void from_json(const nlohmann::json& json, ErrorStatistics& statistics);
 

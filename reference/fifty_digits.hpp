@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// FiftyDigits: a floating-point number of 50 decimal digits with the operators of a built-in one,
-// no conversions but from integers and double, and no expression templates. What a computation in
-// it has as error is the method's alone.
+// FiftyDigits: a floating-point number of 50 decimal digits with the operators of a built-in one.
+// It converts only from integers and double, and has no expression templates. The error of a
+// computation in it is the error of the method alone.
 //
-// The number itself, a type of Boost.Multiprecision, is behind plain functions: inlined into every
-// scene and method it took half of their compile time.
+// The number itself, a type of Boost.Multiprecision, is hidden behind plain functions: inlined into
+// every scene and method it took half of their compile time.
 #pragma once
 
 namespace reference {

@@ -29,7 +29,7 @@ struct Formula::Node {
     }
     Real value(std::span<const Real> operands) const {
         if (is_leaf()) return leaf(operands);
-        // Not in a vector: a formula is evaluated for millions of operands.
+        // Not a vector, for speed: a formula is evaluated for millions of operands.
         std::array<Real, most_parts> values;
         for (std::size_t i = 0; i < parts.size(); ++i) {
             if (parts[i]->is_leaf())
@@ -115,7 +115,7 @@ class Parser {
         throw std::invalid_argument(
             fmt::format("the formula '{}' needs {} at character {}", text_, wanted, at_ + 1));
     }
-    // A function of constants is one, and computed but once.
+    // A function of constants is a constant, and computed only once.
     static Node node(Function function, std::vector<Node> parts) {
         const bool known = std::all_of(parts.begin(), parts.end(),
                                        [](const Node& part) { return part->constant.has_value(); });
@@ -148,7 +148,8 @@ class Parser {
                 return left;
         }
     }
-    // A product with the reciprocal of a power of two is as exact, and a third of the time.
+    // A product with the reciprocal of a power of two is as accurate, and takes a third of the
+    // time.
     static Node quotient(const Node& a, const Node& b) {
         if (b->constant && isfinite(*b->constant) && *b->constant != 0 &&
             scale(Real(1), binade(*b->constant)) == *b->constant)
@@ -157,7 +158,7 @@ class Parser {
         return node([](Values x) { return Real(x[0] / x[1]); }, {a, b});
     }
     Node sign() {
-        // Whoever nests deeper writes no formula, and the stack has an end.
+        // No real formula nests deeper, and the stack is finite.
         if (++depth_ > 200) fail("fewer levels");
         const Node result =
             take('-') ? node([](Values x) { return Real(-x[0]); }, {sign()}) : power();

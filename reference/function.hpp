@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What each function of plain numbers is, once for every type in which it is computed: Real, where
-// truth is wanted; double and binary128, where the bulk judge is in a hurry; float, whose special
-// cases are those of C's Annex F.
+// Every function of plain numbers, once for all types in which it is computed: Real for the exact
+// value; double and binary128 for the bulk judge, which must be fast; float, whose special cases
+// are those of C's Annex F.
 #pragma once
 
 #include <cmath>
@@ -9,7 +9,7 @@
 
 #include "reference/operation.hpp"
 
-// Of the C library, on x86-64 for every compiler.
+// Part of the C library, on x86-64 for every compiler.
 extern "C" {
 __extension__ __float128 sinf128(__float128) noexcept;
 __extension__ __float128 cosf128(__float128) noexcept;
@@ -65,7 +65,8 @@ inline Binary128 sqrt(Binary128 x) { return sqrtf128(x); }
 inline Binary128 floor(Binary128 x) { return floorf128(x); }
 }  // namespace functions
 
-// 2 pi times the fraction of a turn, of which `turn` is the whole: no turns are left of it.
+// The angle in radians, reduced to within half a turn. `turn` is a whole turn in the unit of
+// `angle`.
 template <class Number>
 Number radians(const Number& angle, int turn) {
     using functions::floor, functions::atan;
@@ -73,7 +74,7 @@ Number radians(const Number& angle, int turn) {
     const Number rest = angle - turn * floor(Number(angle / turn + Number(0.5)));
     return rest * tau / turn;
 }
-// Of an angle in radians, as a part of `turn`.
+// An angle in radians in the unit of which `turn` is a whole turn.
 template <class Number>
 Number part_of_turn(const Number& radians, int turn) {
     using functions::atan;
@@ -81,8 +82,8 @@ Number part_of_turn(const Number& radians, int turn) {
     return radians * turn / tau;
 }
 
-// Precondition: the operands lie in the operation's domain, or Number has values for what does not.
-// Inlined, since the bulk judge knows the operation at compile time.
+// The operands must lie in the operation's domain, unless Number has values outside it. Inlined,
+// since the bulk judge knows the operation at compile time.
 template <class Number>
 [[gnu::always_inline]] inline Number function(Operation operation, const Number* x) {
     using functions::sqrt, functions::atan, functions::atan2, functions::sin, functions::cos,

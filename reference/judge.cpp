@@ -17,7 +17,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// The mapping of an exact result x (in ulp) to the integer that the rounding demands.
+// The integer that the rounding requires for an exact result x (in ulp).
 template <class Number>
 Number rounded(const Number& x, Rounding rounding) {
     switch (rounding) {
@@ -61,7 +61,7 @@ Judgement judge_pinned(const NumberFormat& format, std::int64_t pinned, std::int
     return judgement;
 }
 
-// Of a fixed-point or integer result, exact value x in ulp.
+// Judges a fixed-point or integer result against the exact value x, in ulp.
 template <class Number>
 Judgement judge_fixed(const NumberFormat& format, const Definition& definition, const Number& x,
                       std::int64_t result) {
@@ -86,7 +86,7 @@ Judgement judge_fixed(const NumberFormat& format, const Definition& definition, 
     return {.error_ulp = error_ulp, .as_defined = as_defined};
 }
 
-// Of an IEEE float. The ulp is that of the exact value's binade.
+// Judges an IEEE float. The ulp is that of the exact value's binade.
 template <class Number>
 Judgement judge_float(const NumberFormat& format, const Definition& definition, const Number& exact,
                       std::int64_t result) {
@@ -112,8 +112,8 @@ Judgement judge_float(const NumberFormat& format, const Definition& definition, 
             .as_defined = as_defined};
 }
 
-// What the host's C library says for floats that are not finite or out of the domain; its special
-// cases are those of C's Annex F. Only called for such.
+// The result of the host's C library for floats that are not finite or outside the domain; its
+// special cases are those of C's Annex F. Called only for these.
 template <class Float>
 Float special_case(Operation operation, const Float* x) {
     switch (operation) {
@@ -144,7 +144,8 @@ Float special_case(Operation operation, const Float* x) {
     }
 }
 
-// The exact value that the arithmetic means, where it differs from the mathematical function's.
+// Adapts the operands to what the published arithmetic computes where it differs from the
+// mathematical function.
 void follow_published(Operation operation, std::span<Rational> x) {
     if (operation == Operation::atan) x[0] = x[0] < 0 ? Rational(0) : x[0] > 1 ? Rational(1) : x[0];
 }
@@ -237,10 +238,10 @@ class Judge {
 
     Judgement special(std::int64_t result) const {
         if (is_auxiliary(subject_.operation))
-            return {.excluded = "no function of C, whose special cases would be known"};
+            return {.excluded = "C defines no special cases for this operation"};
         if (vector_operands(subject_.operation) == 1)
             return {.excluded = "a vector function of floats that are not finite, or all zero"};
-        // Sine and cosine of what is not finite are the same NaN.
+        // Sine and cosine of a number that is not finite are the same NaN.
         const Operation operation =
             subject_.operation == Operation::sincos ? Operation::sin : subject_.operation;
         return subject_.operand_format.width == 32 ? special_as<float>(operation, result)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Judges one result of any subject against the exact value: any format, any operands, some
-// microseconds each. bulk.hpp judges the 8- to 32-bit formats some hundred times faster.
+// Judges one result of any subject against the exact value: any format, any operands, a few
+// microseconds each. bulk.hpp judges the formats of 8 to 32 bits some hundred times faster.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 
 namespace reference {
 
-// `operands` and `results` hold raws, as many as shape(subject.operation) says; throws
-// std::invalid_argument where there are more or fewer. The sign of a float zero is not judged.
+// `operands` and `results` are raws, as many as shape(subject.operation) states; throws
+// std::invalid_argument for any other number of them. The sign of a float zero is not judged.
 Judgement judge(const Subject& subject, std::span<const std::int64_t> operands,
                 std::span<const std::int64_t> results);
 

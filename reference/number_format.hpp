@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a bit pattern means: the number formats by name, and their range.
-// A raw is always the pattern's low W bits sign-extended to int64_t, an IEEE float's included.
+// What a bit pattern means: the number formats by name, and their range. A raw is always the low W
+// bits of the pattern, sign-extended to int64_t, even for an IEEE float.
 #pragma once
 
 #include <cstdint>
@@ -10,9 +10,9 @@
 namespace reference {
 
 enum class FormatKind {
-    fixed,    // q<integer bits>_<fraction bits>, the sign among the integer bits: value = raw / 2^F
+    fixed,    // q<integer bits>_<fraction bits>, sign included: value = raw / 2^F
     integer,  // int8, int16, int32, int64: F = 0, C's arithmetic
-    accum,    // s<integer bits>_<fraction bits>, GCC's _Accum types, the sign is a bit of its own
+    accum,    // s<integer bits>_<fraction bits>, GCC's _Accum types: the sign has its own bit
     ieee      // IEEE 754: float is binary32, float64 is binary64
 };
 
@@ -25,21 +25,22 @@ struct NumberFormat {
 
     constexpr bool is_float() const { return kind == FormatKind::ieee; }
 
-    // Of a float, as <cfloat> counts: the bits of its significand, the first of which is not
-    // stored; the exponent of its infinity; that of its smallest normal number.
+    // Of a float, counted as in <cfloat>: the bits of its significand, whose first is not stored;
+    // the exponent of infinity; the exponent of the smallest normal number.
     constexpr int significand_bits() const { return width == 32 ? 24 : 53; }
     constexpr int infinity_exponent() const { return width == 32 ? 128 : 1024; }
     constexpr int least_exponent() const { return 2 - infinity_exponent(); }
-    // The exponent of the last place of its subnormal numbers.
+    // The exponent of the last place of the subnormal numbers.
     constexpr int least_place() const { return least_exponent() - significand_bits() + 1; }
     constexpr std::int64_t infinity() const {
         return std::int64_t(2 * infinity_exponent() - 1) << (significand_bits() - 1);
     }
 
-    // The sign's bit, extended as a raw is.
+    // The sign bit, extended like a raw.
     constexpr std::int64_t sign() const { return std::int64_t(std::uint64_t(-1) << (width - 1)); }
 
-    // Least and greatest raw; of a float the patterns of the least and greatest finite number.
+    // The smallest and largest raw; of a float, the patterns of the smallest and largest finite
+    // number.
     constexpr std::int64_t min() const { return is_float() ? sign() | max() : sign(); }
     constexpr std::int64_t max() const { return is_float() ? infinity() - 1 : ~sign(); }
 
@@ -59,8 +60,8 @@ inline constexpr NumberFormat q32_32 = fixed_format(32, 32);
 inline constexpr NumberFormat ieee_single = {FormatKind::ieee, 32, 0};
 inline constexpr NumberFormat ieee_double = {FormatKind::ieee, 64, 0};
 
-// Reads "q16_16", "int32", "s16_15", "float" or "float64". Throws std::invalid_argument that names
-// what is allowed.
+// Reads "q16_16", "int32", "s16_15", "float" or "float64". Throws std::invalid_argument for any
+// other name, with a message that lists what is allowed.
 NumberFormat parse_format(std::string_view name);
 std::string format_name(const NumberFormat& format);
 
@@ -69,7 +70,7 @@ bool is_finite(const NumberFormat& format, std::int64_t raw);
 
 // The double nearest to what a raw stands for.
 double to_double(const NumberFormat& format, std::int64_t raw);
-// Of a float format: the raw nearest to a double.
+// The raw nearest to a double. `format` must be a float format.
 std::int64_t raw_of_double(const NumberFormat& format, double number);
 
 std::int64_t raw_of_float(float number);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The number types in which truth is computed, and the roundings between them.
+// The number types in which exact values are computed, and the roundings between them.
 #pragma once
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -9,13 +9,13 @@ namespace reference {
 
 namespace multiprecision = boost::multiprecision;
 
-// No expression templates: results are stored at once, and `auto` means what it says.
+// No expression templates: results are stored immediately, and `auto` is the number type.
 using Integer = multiprecision::number<multiprecision::cpp_int_backend<>, multiprecision::et_off>;
 using Rational =
     multiprecision::number<multiprecision::rational_adaptor<multiprecision::cpp_int_backend<>>,
                            multiprecision::et_off>;
 
-// 96 decimal digits are 319 bits: a 64-bit format's value takes at most 64 of them before the
+// 96 decimal digits are 319 bits. A value of a 64-bit format takes at most 64 of them before the
 // binary point of its raw, which leaves over 200 bits below the ulp.
 using Real =
     multiprecision::number<multiprecision::mpfr_float_backend<96, multiprecision::allocate_stack>,
@@ -28,7 +28,7 @@ Real scale(const Real& x, int exponent);
 Rational floor(const Rational& x);
 Real floor(const Real& x);
 
-// The exponent e with 2^e <= |x| < 2^(e+1). Precondition: x is neither zero nor infinite.
+// The exponent e with 2^e <= |x| < 2^(e+1). `x` must be neither zero nor infinite.
 int binade(const Rational& x);
 int binade(const Real& x);
 

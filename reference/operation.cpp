@@ -15,7 +15,7 @@ constexpr bool rows_fit_their_limits() {
 }
 static_assert(rows_fit_their_limits(), "Arrays of operands and results are of these sizes.");
 
-// The longest operation name that the symbol begins with and an underscore follows.
+// The longest operation name that starts the symbol and is followed by an underscore.
 const OperationShape* leading_operation(std::string_view symbol) {
     const OperationShape* found = nullptr;
     for (const OperationShape& candidate : operations) {
@@ -28,7 +28,7 @@ const OperationShape* leading_operation(std::string_view symbol) {
     return found;
 }
 
-// Takes the format that `rest` begins with, and the underscore after it, off its front.
+// Removes the format that `rest` starts with, and the underscore after it, and returns the format.
 NumberFormat take_format(std::string_view& rest) {
     const bool split = rest.starts_with("q") || rest.starts_with("s");
     const std::size_t first = rest.find('_');
@@ -72,13 +72,13 @@ Arithmetic arithmetic_of(const NumberFormat& format, std::string_view implementa
 
 NamedSubject parse_symbol(std::string_view symbol) try {
     const OperationShape* operation = leading_operation(symbol);
-    if (!operation) throw std::invalid_argument("it begins with no known operation");
+    if (!operation) throw std::invalid_argument("it does not start with a known operation");
     std::string_view rest = symbol.substr(operation->name.size() + 1);
     const NumberFormat first = take_format(rest);
     const NumberFormat format =
         operation->operation == Operation::convert ? take_format(rest) : first;
     if (rest.empty()) throw std::invalid_argument("no implementation follows the format");
-    // A conversion is held to the side whose arithmetic the implementation chose.
+    // A conversion is held to the definition of its fixed-point side, of the operand if both are.
     const NumberFormat& side = first.kind == FormatKind::fixed ? first : format;
     return {{operation->operation, format, arithmetic_of(side, rest), first}, std::string(rest)};
 } catch (const std::invalid_argument& error) {

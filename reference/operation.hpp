@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The operations that are judged, by name, and the subject of a judgement: an operation in a format
-// under the definitions of one arithmetic.
+// The operations that are judged, by name, and the subject of a judgement: an operation in a
+// format, held to the definitions of one arithmetic.
 #pragma once
 
 #include <array>
@@ -35,8 +35,8 @@ enum class Domain {
     nonzero_vector,
     above_minus_one,
     unit_interval,  // -1 to 1
-    power,          // x[0]^x[1]
-    integer_power   // x[0]^x[1], x[1] an integer
+    power,          // a^b
+    integer_power   // a^n, n an integer
 };
 
 struct OperationShape {
@@ -63,7 +63,7 @@ constexpr const OperationShape& shape(Operation operation) {
     return operations[std::size_t(operation)];
 }
 
-// How many vectors an operation takes as its operands; 0 where they are plain numbers.
+// How many vectors an operation takes; 0 if its operands are plain numbers.
 constexpr std::size_t vector_operands(Operation operation) {
     switch (shape(operation).signature) {
         case Signature::dot:
@@ -80,12 +80,12 @@ constexpr bool is_shift(Operation operation) {
     return shape(operation).signature == Signature::shift;
 }
 
-// Whether an operand is an integer, of which the raw is the value.
+// Whether an operand is an integer, whose raw is its value.
 constexpr bool takes_integer(Operation operation, std::size_t index) {
     return operation == Operation::isqrt ||
            (index == 1 && (is_shift(operation) || operation == Operation::power));
 }
-// Whether it is of the AUXILIARY_OPERATIONS, which the others and C's library do not have.
+// Whether it is one of the AUXILIARY_OPERATIONS, for which C defines no special cases.
 constexpr bool is_auxiliary(Operation operation) {
     switch (operation) {
 #define AUXILIARY_CASE(name, ...) case Operation::name:
@@ -99,27 +99,27 @@ constexpr bool is_auxiliary(Operation operation) {
 constexpr bool gives_integer_quotient(Operation operation) {
     return operation == Operation::divrem || operation == Operation::divmod;
 }
-// Whether the first result is one.
+// Whether the first result is an integer.
 constexpr bool gives_integer(Operation operation) {
     return gives_integer_quotient(operation) || operation == Operation::sign ||
            operation == Operation::isqrt;
 }
 
-// Throws std::invalid_argument that lists the operations.
+// Throws std::invalid_argument for an unknown name, with a message that lists the operations.
 Operation parse_operation(std::string_view name);
 
-// Whose definitions a result is held to.
+// The definitions that a result is held to.
 enum class Arithmetic {
-    nearest,     // the default: nearest, ties upward; ring operations wrap, everything else clamps
-    published,   // the report's: truncation toward zero, the low W bits are kept
-    saturating,  // nearest, and every operation clamps
-    correctly_rounded,  // nearest, and functions round as the other operations do
-    toward_zero,        // nearest, with another rounding of products, quotients and conversions
+    nearest,            // the default: round half up; ring operations wrap, all others saturate
+    published,          // the 2016 design's: truncates toward zero, keeps the low W bits
+    saturating,         // nearest, but every operation saturates
+    correctly_rounded,  // nearest, but functions are rounded like the other operations
+    toward_zero,        // nearest, but with another rounding of products, quotients and conversions
     downward,
     half_to_even,
     integer,  // C's integers: toward zero, wrapping; what C leaves undefined is not judged
-    ieee,     // IEEE 754: nearest, ties to even, overflow to infinity
-    accum,    // GCC's _Accum: the error is measured, overflow is undefined and not judged
+    ieee,     // IEEE 754: round half to even, overflow to infinity
+    accum,    // GCC's _Accum: the error is measured; overflow is undefined and not judged
 };
 
 struct Subject {
@@ -131,19 +131,20 @@ struct Subject {
     bool operator==(const Subject&) const = default;
 };
 
-// The definitions that an implementation in a format claims: float is IEEE 754, the _Accum formats
-// GCC's, an integer C's; in fixed-point formats `published`, `saturating`, `correctly_rounded` and
-// the roundings (also as a prefix: "saturating_small") name their own and every other
-// implementation claims the default's.
+// The definitions that an implementation in a format claims: float those of IEEE 754, the _Accum
+// formats GCC's, an integer C's. In a fixed-point format `published`, `saturating`,
+// `correctly_rounded` and the roundings (also as a prefix: "saturating_small") claim their own;
+// every other implementation claims the default's.
 Arithmetic arithmetic_of(const NumberFormat& format, std::string_view implementation);
 
-// A subject and the implementation's name from a symbol <operation>_<format>_<implementation>, such
-// as multiply_q16_16_default; convert_<operand format>_<format>_<implementation> for conversions.
+// A subject and the name of the implementation, read from a symbol
+// <operation>_<format>_<implementation> such as multiply_q16_16_default, or convert_<operand
+// format>_<format>_<implementation> for conversions.
 struct NamedSubject {
     Subject subject;
     std::string implementation;
 };
-// Throws std::invalid_argument that says which part was not understood.
+// Throws std::invalid_argument for any other symbol, with a message that says which part is wrong.
 NamedSubject parse_symbol(std::string_view symbol);
 
 }  // namespace reference

@@ -1,142 +1,204 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
- * Every operation, once: OPERATION_<name>(X, ...) passes its row to the macro X, further arguments
- * after it. What lists operations expands these rows: the reference, the subjects of the host, and
- * those of the device, whose compilers speak C11 and C++14.
+ * Every operation, once: OPERATION_<name>(X, ...) passes the operation's row to the macro X, and
+ * any further arguments after it. Whatever lists operations expands these rows: the reference, the
+ * subjects on the host, and those on the device, whose compilers speak C11 and C++14.
  *
  * X(name, signature, operands, results, kind, bound_ulp, domain, ...)
  *
- * signature  how the function is called (bench/lab/catalogue/invoke.h)
- * operands   how many numbers it takes, and `results` how many it gives. Vectors lie one after the
- *            other: the operands of dot3 are a0 a1 a2 b0 b1 b2. atan2 takes y, x. The second
- * operand of a shift is a count, a plain integer, and that of power an exponent, a raw that stands
- * for itself, as do operand and result of isqrt and the result of sign. The results of sincos are
- * sine and cosine; those of divrem and divmod the quotient, an integer in the raw, and the
- * remainder. kind ring: exact, rounded, then taken modulo 2^W in the
- * wrapping arithmetics, so that sums whose intermediates overflow still come out right; rounded:
- * exact, rounded, clamped; function: within bound_ulp of the exact value, clamped domain     where
- * it has an exact value; what it returns elsewhere stands behind the row
+ * signature: how the function is called (bench/lab/catalogue/invoke.h).
  *
- * Notation: a, b raws of W bits, value = raw / 2^F; x the exact result in units of the last place.
+ * operands, results: how many numbers it takes and returns. Vectors are passed one after the other:
+ * the operands of dot3 are a0 a1 a2 b0 b1 b2. atan2 takes y, then x.
+ *
+ * kind: what becomes of the exact result x, which is given in ulp (units of 2^-F).
+ *   ring: x is rounded half up, then taken modulo 2^W in the wrapping arithmetics, so that a sum
+ *     whose intermediate results overflow is still right; a saturating arithmetic saturates it.
+ *   rounded: x is rounded half up, then saturated.
+ *   function: the result is an integer at most bound_ulp from x, saturated.
+ * The arithmetics that round or overflow otherwise are in definition.hpp.
+ *
+ * domain: the operands for which x exists. The sentence above each row also defines the result for
+ * all other operands.
+ *
+ * Notation: a, b, c are the operands in order, as numbers: raw / 2^F. MAX and MIN are the largest
+ * and the smallest number of the format. An operand or result that is called an integer is stored
+ * as a raw that equals it.
  */
 #ifndef REFERENCE_OPERATION_TABLE_H
 #define REFERENCE_OPERATION_TABLE_H
 
 /* clang-format off */
-#define OPERATION_add(X, ...) /* x = a + b */ \
+/* a + b. */
+#define OPERATION_add(X, ...) \
     X(add, binary, 2, 1, ring, 0, everywhere, __VA_ARGS__)
-#define OPERATION_subtract(X, ...) /* x = a - b */ \
+/* a - b. */
+#define OPERATION_subtract(X, ...) \
     X(subtract, binary, 2, 1, ring, 0, everywhere, __VA_ARGS__)
-#define OPERATION_multiply(X, ...) /* x = a b / 2^F */ \
+/* a b. */
+#define OPERATION_multiply(X, ...) \
     X(multiply, binary, 2, 1, ring, 0, everywhere, __VA_ARGS__)
-#define OPERATION_divide(X, ...) /* x = a 2^F / b; b = 0: MAX if a > 0, MIN if a < 0, 0 if a = 0 */ \
+/* a / b. If b = 0: MAX for a > 0, MIN for a < 0, 0 for a = 0. */
+#define OPERATION_divide(X, ...) \
     X(divide, binary, 2, 1, rounded, 0, nonzero_divisor, __VA_ARGS__)
-#define OPERATION_remainder(X, ...) /* x = a - b trunc(a / b), exact; b = 0: a */ \
+/* a - b trunc(a / b), which is exact and 0 or of the sign of a. If b = 0: a. */
+#define OPERATION_remainder(X, ...) \
     X(remainder, binary, 2, 1, rounded, 0, nonzero_divisor, __VA_ARGS__)
-#define OPERATION_sqrt(X, ...) /* x = sqrt(a 2^F), never a tie; a < 0: 0 */ \
+/* The square root of a, which is never a tie. If a < 0: 0. */
+#define OPERATION_sqrt(X, ...) \
     X(sqrt, unary, 1, 1, rounded, 0, not_negative, __VA_ARGS__)
+/* The arc tangent of a, in radians. */
 #define OPERATION_atan(X, ...) \
     X(atan, unary, 1, 1, function, 0.75, everywhere, __VA_ARGS__)
-#define OPERATION_atan2(X, ...) /* in (-pi, pi]; a = b = 0: 0 */ \
+/* The angle of the point (x, y) = (b, a), in radians, in (-pi, pi]. If a = b = 0: 0. */
+#define OPERATION_atan2(X, ...) \
     X(atan2, binary, 2, 1, function, 0.75, nonzero_vector, __VA_ARGS__)
-#define OPERATION_reciprocal_sqrt(X, ...) /* a = 0: MAX; a < 0: 0 */ \
+/* 1 / sqrt(a). If a = 0: MAX. If a < 0: 0. */
+#define OPERATION_reciprocal_sqrt(X, ...) \
     X(reciprocal_sqrt, unary, 1, 1, function, 0.75, positive, __VA_ARGS__)
-#define OPERATION_sin(X, ...) /* any angle; never beyond +-1, which errs by 1 ulp or more */ \
+/* The sine of any angle a in radians. A result beyond +-1 would be off by at least 1 ulp. */
+#define OPERATION_sin(X, ...) \
     X(sin, unary, 1, 1, function, 0.75, everywhere, __VA_ARGS__)
-#define OPERATION_cos(X, ...) /* as sin */ \
+/* The cosine of any angle a in radians, under the rule of sin. */
+#define OPERATION_cos(X, ...) \
     X(cos, unary, 1, 1, function, 0.75, everywhere, __VA_ARGS__)
-#define OPERATION_sincos(X, ...) /* of each result */ \
+/* The sine and the cosine of any angle a in radians, each within the bound. */
+#define OPERATION_sincos(X, ...) \
     X(sincos, pair, 1, 2, function, 0.75, everywhere, __VA_ARGS__)
-#define OPERATION_exp(X, ...) /* underflows to 0 by rounding */ \
+/* e^a. A value below half an ulp may become 0. */
+#define OPERATION_exp(X, ...) \
     X(exp, unary, 1, 1, function, 0.75, everywhere, __VA_ARGS__)
-#define OPERATION_log(X, ...) /* a <= 0: MIN */ \
+/* The natural logarithm of a. If a <= 0: MIN. */
+#define OPERATION_log(X, ...) \
     X(log, unary, 1, 1, function, 0.75, positive, __VA_ARGS__)
-#define OPERATION_tan(X, ...) /* any angle; clamps beside a pole */ \
+/* The tangent of any angle a in radians. Next to a pole it saturates. */
+#define OPERATION_tan(X, ...) \
     X(tan, unary, 1, 1, function, 0.75, everywhere, __VA_ARGS__)
-#define OPERATION_asin(X, ...) /* beyond +-1: +-pi/2, rounded */ \
+/* The arc sine of a, in radians. If a < -1 or a > 1: -pi/2 or pi/2, rounded, saturated. */
+#define OPERATION_asin(X, ...) \
     X(asin, unary, 1, 1, function, 0.75, unit_interval, __VA_ARGS__)
-#define OPERATION_acos(X, ...) /* beyond 1: 0; beyond -1: pi, rounded */ \
+/* The arc cosine of a, in radians. If a > 1: 0. If a < -1: pi, rounded, saturated. */
+#define OPERATION_acos(X, ...) \
     X(acos, unary, 1, 1, function, 0.75, unit_interval, __VA_ARGS__)
-#define OPERATION_exp2(X, ...) /* 2^a */ \
+/* 2^a. A value below half an ulp may become 0. */
+#define OPERATION_exp2(X, ...) \
     X(exp2, unary, 1, 1, function, 0.75, everywhere, __VA_ARGS__)
-#define OPERATION_expm1(X, ...) /* e^a - 1 */ \
+/* e^a - 1. */
+#define OPERATION_expm1(X, ...) \
     X(expm1, unary, 1, 1, function, 0.75, everywhere, __VA_ARGS__)
-#define OPERATION_log2(X, ...) /* a <= 0: MIN */ \
+/* The binary logarithm of a. If a <= 0: MIN. */
+#define OPERATION_log2(X, ...) \
     X(log2, unary, 1, 1, function, 0.75, positive, __VA_ARGS__)
-#define OPERATION_log10(X, ...) /* a <= 0: MIN */ \
+/* The decimal logarithm of a. If a <= 0: MIN. */
+#define OPERATION_log10(X, ...) \
     X(log10, unary, 1, 1, function, 0.75, positive, __VA_ARGS__)
-#define OPERATION_log1p(X, ...) /* ln(1 + a); a <= -1: MIN */ \
+/* The natural logarithm of 1 + a. If a <= -1: MIN. */
+#define OPERATION_log1p(X, ...) \
     X(log1p, unary, 1, 1, function, 0.75, above_minus_one, __VA_ARGS__)
+/* The hyperbolic sine of a. */
 #define OPERATION_sinh(X, ...) \
     X(sinh, unary, 1, 1, function, 0.75, everywhere, __VA_ARGS__)
+/* The hyperbolic cosine of a. */
 #define OPERATION_cosh(X, ...) \
     X(cosh, unary, 1, 1, function, 0.75, everywhere, __VA_ARGS__)
+/* The hyperbolic tangent of a. */
 #define OPERATION_tanh(X, ...) \
     X(tanh, unary, 1, 1, function, 0.75, everywhere, __VA_ARGS__)
-#define OPERATION_cbrt(X, ...) /* negative where a is */ \
+/* The cube root of a, negative for a < 0. */
+#define OPERATION_cbrt(X, ...) \
     X(cbrt, unary, 1, 1, function, 0.75, everywhere, __VA_ARGS__)
-#define OPERATION_pow(X, ...) /* a^b; b = 0: 1; a = 0, b < 0: MAX; a < 0, b no integer: 0 */ \
+/* a^b; 1 if b = 0. If a = 0 and b < 0: MAX. If a < 0 and b is not a whole number: 0. */
+#define OPERATION_pow(X, ...) \
     X(pow, binary, 2, 1, function, 0.75, power, __VA_ARGS__)
-#define OPERATION_sin_turns(X, ...) /* sin(2 pi a), any angle; never beyond +-1 */ \
+/* sin(2 pi a), for any a. A result beyond +-1 would be off by at least 1 ulp. */
+#define OPERATION_sin_turns(X, ...) \
     X(sin_turns, unary, 1, 1, function, 0.75, everywhere, __VA_ARGS__)
-#define OPERATION_cos_turns(X, ...) /* as sin_turns */ \
+/* cos(2 pi a), for any a, under the rule of sin_turns. */
+#define OPERATION_cos_turns(X, ...) \
     X(cos_turns, unary, 1, 1, function, 0.75, everywhere, __VA_ARGS__)
-#define OPERATION_sincos_turns(X, ...) /* of each result */ \
+/* sin(2 pi a) and cos(2 pi a), for any a, each within the bound. */
+#define OPERATION_sincos_turns(X, ...) \
     X(sincos_turns, pair, 1, 2, function, 0.75, everywhere, __VA_ARGS__)
-#define OPERATION_atan2_turns(X, ...) /* in -1/2..1/2; a = b = 0: 0 */ \
+/* atan2(a, b) / (2 pi), in -1/2..1/2. If a = b = 0: 0. */
+#define OPERATION_atan2_turns(X, ...) \
     X(atan2_turns, binary, 2, 1, function, 0.75, nonzero_vector, __VA_ARGS__)
-#define OPERATION_sin_degrees(X, ...) /* sin(2 pi a / 360), any angle; never beyond +-1 */ \
+/* sin(pi a / 180), for any a. A result beyond +-1 would be off by at least 1 ulp. */
+#define OPERATION_sin_degrees(X, ...) \
     X(sin_degrees, unary, 1, 1, function, 0.75, everywhere, __VA_ARGS__)
-#define OPERATION_cos_degrees(X, ...) /* as sin_degrees */ \
+/* cos(pi a / 180), for any a, under the rule of sin_degrees. */
+#define OPERATION_cos_degrees(X, ...) \
     X(cos_degrees, unary, 1, 1, function, 0.75, everywhere, __VA_ARGS__)
-#define OPERATION_sincos_degrees(X, ...) /* of each result */ \
+/* sin(pi a / 180) and cos(pi a / 180), for any a, each within the bound. */
+#define OPERATION_sincos_degrees(X, ...) \
     X(sincos_degrees, pair, 1, 2, function, 0.75, everywhere, __VA_ARGS__)
-#define OPERATION_atan2_degrees(X, ...) /* in -180..180; a = b = 0: 0 */ \
+/* 180 atan2(a, b) / pi, in -180..180. If a = b = 0: 0. */
+#define OPERATION_atan2_degrees(X, ...) \
     X(atan2_degrees, binary, 2, 1, function, 0.75, nonzero_vector, __VA_ARGS__)
-#define OPERATION_divrem(X, ...) /* trunc(a / b), an integer, and a - b trunc(a / b); b = 0: as divide, and a */ \
+/* The integer q = trunc(a / b), and a - b q. If b = 0: the result of divide as a raw, and a. */
+#define OPERATION_divrem(X, ...) \
     X(divrem, binary_pair, 2, 2, rounded, 0, nonzero_divisor, __VA_ARGS__)
-#define OPERATION_divmod(X, ...) /* floor(a / b), an integer, and a - b floor(a / b); b = 0: as divrem */ \
+/* The integer q = floor(a / b), and a - b q. If b = 0: the results of divrem. */
+#define OPERATION_divmod(X, ...) \
     X(divmod, binary_pair, 2, 2, rounded, 0, nonzero_divisor, __VA_ARGS__)
-#define OPERATION_lerp(X, ...) /* x = a + (b - a) c / 2^F, one rounding */ \
+/* a + (b - a) c for any c, rounded once. */
+#define OPERATION_lerp(X, ...) \
     X(lerp, ternary, 3, 1, ring, 0, everywhere, __VA_ARGS__)
-#define OPERATION_smoothstep(X, ...) /* 3 a^2 - 2 a^3 of a held to 0..1, one rounding */ \
+/* 3 t^2 - 2 t^3, rounded once, where t is a limited to 0..1. */
+#define OPERATION_smoothstep(X, ...) \
     X(smoothstep, unary, 1, 1, rounded, 0, everywhere, __VA_ARGS__)
-#define OPERATION_midpoint(X, ...) /* x = (a + b) / 2 */ \
+/* (a + b) / 2, without overflow of the sum. */
+#define OPERATION_midpoint(X, ...) \
     X(midpoint, binary, 2, 1, rounded, 0, everywhere, __VA_ARGS__)
-#define OPERATION_abs_diff(X, ...) /* x = |a - b| */ \
+/* |a - b|. */
+#define OPERATION_abs_diff(X, ...) \
     X(abs_diff, binary, 2, 1, ring, 0, everywhere, __VA_ARGS__)
-#define OPERATION_copysign(X, ...) /* x = |a|, negative where b is */ \
+/* |a| if b >= 0, -|a| if b < 0. */
+#define OPERATION_copysign(X, ...) \
     X(copysign, binary, 2, 1, ring, 0, everywhere, __VA_ARGS__)
-#define OPERATION_power(X, ...) /* a^n, 1 where n = 0; a = 0, n < 0: MAX */ \
+/* a^n, where the second operand n is an integer; 1 if n = 0. If a = 0 and n < 0: MAX. */
+#define OPERATION_power(X, ...) \
     X(power, binary, 2, 1, function, 0.75, integer_power, __VA_ARGS__)
-#define OPERATION_sign(X, ...) /* -1, 0 or 1, an integer */ \
+/* The integer -1, 0 or 1: the sign of a. */
+#define OPERATION_sign(X, ...) \
     X(sign, unary, 1, 1, rounded, 0, everywhere, __VA_ARGS__)
-#define OPERATION_isqrt(X, ...) /* floor(sqrt(a)) of an integer; a < 0: 0 */ \
+/* floor(sqrt(a)), where a and the result are integers. If a < 0: 0. */
+#define OPERATION_isqrt(X, ...) \
     X(isqrt, unary, 1, 1, rounded, 0, not_negative, __VA_ARGS__)
-#define OPERATION_multiply_add(X, ...) /* x = a b / 2^F + c, one rounding */ \
+/* a b + c, rounded once. */
+#define OPERATION_multiply_add(X, ...) \
     X(multiply_add, ternary, 3, 1, ring, 0, everywhere, __VA_ARGS__)
-#define OPERATION_dot2(X, ...) /* x = sum of a_i b_i / 2^F, one rounding */ \
+/* a0 b0 + a1 b1, rounded once. */
+#define OPERATION_dot2(X, ...) \
     X(dot2, dot, 4, 1, ring, 0, everywhere, __VA_ARGS__)
-#define OPERATION_dot3(X, ...) /* as dot2 */ \
+/* a0 b0 + a1 b1 + a2 b2, rounded once. */
+#define OPERATION_dot3(X, ...) \
     X(dot3, dot, 6, 1, ring, 0, everywhere, __VA_ARGS__)
-#define OPERATION_length2(X, ...) /* no overflow of the squares */ \
+/* sqrt(a0^2 + a1^2). The squares do not overflow. */
+#define OPERATION_length2(X, ...) \
     X(length2, length, 2, 1, function, 1, everywhere, __VA_ARGS__)
-#define OPERATION_length3(X, ...) /* as length2 */ \
+/* sqrt(a0^2 + a1^2 + a2^2). The squares do not overflow. */
+#define OPERATION_length3(X, ...) \
     X(length3, length, 3, 1, function, 1, everywhere, __VA_ARGS__)
-#define OPERATION_normalise3(X, ...) /* of each component; the zero vector stays zero */ \
+/* The three components of a / |a|, each within the bound. If a = 0: the zero vector. */
+#define OPERATION_normalise3(X, ...) \
     X(normalise3, direction, 3, 3, function, 1, nonzero_vector, __VA_ARGS__)
-#define OPERATION_negate(X, ...) /* x = -a */ \
+/* -a. */
+#define OPERATION_negate(X, ...) \
     X(negate, unary, 1, 1, ring, 0, everywhere, __VA_ARGS__)
-#define OPERATION_abs(X, ...) /* x = |a| */ \
+/* |a|. */
+#define OPERATION_abs(X, ...) \
     X(abs, unary, 1, 1, ring, 0, everywhere, __VA_ARGS__)
-#define OPERATION_shift_left(X, ...) /* x = a 2^n */ \
+/* a 2^n, where the count n is an integer, at least 0. */
+#define OPERATION_shift_left(X, ...) \
     X(shift_left, shift, 2, 1, ring, 0, everywhere, __VA_ARGS__)
-#define OPERATION_shift_right(X, ...) /* x = a / 2^n, rounded downward: an arithmetic shift */ \
+/* a / 2^n, rounded downward, where the count n is an integer, at least 0. */
+#define OPERATION_shift_right(X, ...) \
     X(shift_right, shift, 2, 1, ring, 0, everywhere, __VA_ARGS__)
-#define OPERATION_convert(X, ...) /* x = the value in the result's last places */ \
+/* a, in the format of the result. */
+#define OPERATION_convert(X, ...) \
     X(convert, conversion, 1, 1, ring, 0, everywhere, __VA_ARGS__)
 /* clang-format on */
 
-/* Those that are measured on the device in every format. */
+/* Measured on the device in every format. */
 #define MEASURED_OPERATIONS(X, ...)                                                             \
     OPERATION_add(X, __VA_ARGS__) OPERATION_subtract(X, __VA_ARGS__) OPERATION_multiply(        \
         X, __VA_ARGS__) OPERATION_divide(X, __VA_ARGS__) OPERATION_remainder(X, __VA_ARGS__)    \
@@ -148,8 +210,8 @@
                         OPERATION_dot3(X, __VA_ARGS__) OPERATION_length2(X, __VA_ARGS__)        \
                             OPERATION_length3(X, __VA_ARGS__) OPERATION_normalise3(X, __VA_ARGS__)
 
-/* Those made of the first, measured on the device too, in programs of their own: the first do not
- * leave them room. Of angles, and of powers and logarithms. */
+/* Made of the measured operations: functions of angles, and powers and logarithms. They are also
+ * measured on the device, in programs of their own, since the others leave no room in flash. */
 #define ANGLE_OPERATIONS(X, ...) \
     OPERATION_tan(X, __VA_ARGS__) OPERATION_asin(X, __VA_ARGS__) OPERATION_acos(X, __VA_ARGS__)
 #define POWER_OPERATIONS(X, ...)                                                                  \
@@ -161,8 +223,8 @@
 #define ELEMENTARY_OPERATIONS(X, ...) \
     ANGLE_OPERATIONS(X, __VA_ARGS__) POWER_OPERATIONS(X, __VA_ARGS__)
 
-/* Those that every arithmetic takes from others, in programs of their own too: angles in turns and
- * degrees, and what is exact or rounded once. */
+/* The same in every arithmetic, except for overflow: angles in turns and degrees, and operations
+ * that are exact or rounded once. They are in programs of their own, too. */
 #define AUXILIARY_OPERATIONS(X, ...)                                                               \
     OPERATION_sin_turns(X, __VA_ARGS__) OPERATION_cos_turns(X, __VA_ARGS__)                        \
         OPERATION_sincos_turns(X, __VA_ARGS__) OPERATION_atan2_turns(X, __VA_ARGS__)               \

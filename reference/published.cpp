@@ -21,7 +21,7 @@ std::vector<std::string> split(const std::string& line) {
     return fields;
 }
 
-// A row of a file, which knows where it stands.
+// A row of a file, which knows its file and line.
 class Row {
   public:
     Row(const std::string& file, int line, std::vector<std::string> fields)
@@ -61,7 +61,7 @@ class Row {
 };
 
 // The rows below the header, each with as many fields as there are columns. The published files
-// quote nothing and have no comma within a field.
+// contain no quotes and no comma within a field.
 std::vector<Row> read_rows(const std::filesystem::path& file,
                            const std::vector<std::string>& columns) {
     std::ifstream stream(file);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The published figures as data: what results are printed beside. See published/README.md.
+// The published figures as data, to be printed next to measured results. See published/README.md.
 #pragma once
 
 #include <filesystem>
@@ -8,15 +8,15 @@
 
 namespace reference {
 
-// The folder of the sources that holds them.
+// The source folder that holds them.
 const std::filesystem::path& published_folder();
 
 // Milliseconds for 30000 operations.
 struct PublishedTiming {
-    std::string type;       // as the report names it: int16_t, fixed_16_16, float ...
+    std::string type;       // as the publication names it: int16_t, fixed_16_16, float ...
     std::string operation;  // add, subtract, multiply, divide; sqrt, atan2, shift_left_16
     double milliseconds;
-    std::string note;  // of a function only
+    std::string note;  // for functions only
 
     // 30000 operations at 16 MHz.
     double cycles_per_operation() const { return milliseconds * 16000 / 30000; }
@@ -30,7 +30,7 @@ struct WorkloadFigure {
     std::string where;
 };
 
-// Of a force sensor: what it read under a weight, and the weight that the fitted curve gives back.
+// A force sensor's reading under a known weight, and the weight that the fitted curve returns.
 struct ForceCalibration {
     double adc_reading;
     double actual_grams;
@@ -44,10 +44,10 @@ struct ForceCorrection {
 };
 
 // Whether a measured figure reproduces the published one, given their ratio: within 10%, both ends
-// included. The ends are compared as they stand: 1.1 - 1 is not 0.1 in double.
+// included. The ends are written out, since 1.1 - 1 is not 0.1 in double.
 constexpr bool within_10_percent(double ratio) { return ratio >= 0.9 && ratio <= 1.1; }
 
-// Each throws std::runtime_error with file, line and reason where the file is missing or malformed.
+// Each throws std::runtime_error with file, line and reason if the file is missing or malformed.
 // The 24 cells of Table 3.2, row by row.
 std::vector<PublishedTiming> load_table_3_2(
     const std::filesystem::path& folder = published_folder());

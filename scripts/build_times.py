@@ -16,7 +16,7 @@ from pathlib import Path
 
 
 def outputs_of(folder):
-    """What the build makes now; the log also holds what it made once."""
+    """The present targets of the build; the log also contains former ones."""
     listed = subprocess.run(["ninja", "-C", folder, "-t", "targets", "all"], check=True,
                             capture_output=True, text=True)
     return {line.rpartition(": ")[0] for line in listed.stdout.splitlines()}
@@ -29,7 +29,7 @@ def steps_of(log):
     for line in reversed(log.read_text(encoding="utf-8").splitlines()):
         fields = line.split("\t")
         if len(fields) != 5:
-            continue  # the first line, which tells the version
+            continue  # the first line, which contains the version
         begin, end, _, output, command = fields
         if output not in present or output in seen or (begin, end, command) in seen:
             continue
@@ -39,7 +39,7 @@ def steps_of(log):
 
 
 def room_of(output, folder):
-    """The folder of the sources that made it; tests and programs of the chip apart."""
+    """The source folder of a target; tests and programs for the chip are separate."""
     path = re.sub(rf"^{re.escape(str(folder.resolve()))}/", "", output)
     parts = path.split("/")
     depth = 3 if parts[0] == "bench" and len(parts) > 3 and parts[1] in ("chip", "lab", "experiments") else \

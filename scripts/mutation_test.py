@@ -36,15 +36,15 @@ ROOT = Path(__file__).resolve().parent.parent
 
 
 class Check(NamedTuple):
-    """A test that is to notice faults."""
-    target: str  # the test program; a Python file is run as it stands
+    """A test that should notice faults."""
+    target: str  # the test program; a Python file is run directly
     cases: str = "*"  # filter of GoogleTest
-    devices: str = ""  # programs for the chip that the test program runs, and that hold the fault
+    devices: str = ""  # programs for the chip that the test program runs and that contain the fault
     narrow: bool = False  # whether the Python file takes the faulty file as its argument
 
 
 class Room(NamedTuple):
-    """Files, how many faults they get, and the tests of which one is to notice what is wrong."""
+    """Files, how many faults they get, and the tests one of which must notice each fault."""
     name: str
     files: str  # patterns, separated by spaces; one with ! excludes
     count: int
@@ -177,11 +177,11 @@ ROOMS = [
     room("report", "bench/report/*.py !*/report.py !*/explorer.py", 2, "bench/report/tests/report_test.py"),
 ]
 
-# Of each room tests are to notice this share; a room of fewer than 20 faults may have one unnoticed,
-# and all rooms together this share.
+# The tests of each room must notice this share of faults; a room of fewer than 20 faults may have one unnoticed, and
+# all rooms together must reach this share.
 SHARE = 0.95
 
-# Lines where a fault changes nothing that a test should see: files, what the line holds, the reason.
+# Lines where a fault changes nothing that a test should see: files, a pattern of the line, the reason.
 HARMLESS = [
     ("bench/report/*.py", r"(fontsize|linewidths?|figsize|markersize|alpha|zorder|pad|rotation|shrink)=",
      "the look of a figure"),
@@ -191,7 +191,7 @@ HARMLESS = [
 ]
 
 
-# Faults with which the program means the same, each with its proof; none of them is tried.
+# Faults that do not change the meaning of the program, each with its proof; none of them is tried.
 EQUIVALENT = ROOT / "scripts" / "equivalent_faults.txt"
 
 
@@ -209,17 +209,17 @@ class Fault(NamedTuple):
     room: Room
     path: str
     line: int  # from 0
-    begin: int  # what is replaced in the line
+    begin: int  # the part of the line that is replaced
     end: int
     replacement: str
-    key: str  # names the fault: equal for equal text, wherever it stands
+    key: str  # identifies the fault: the same for the same text, wherever it is
 
     def text(self, original):
         return original[:self.begin] + self.replacement + original[self.end:]
 
 
 def swap(pairs):
-    """Each word of a pair for the other."""
+    """Maps each word of a pair to the other."""
     words = {}
     for pair in pairs.split(", "):
         a, b = pair.split()
@@ -238,7 +238,7 @@ def one_way(text):
 
 
 NUMBER = r"(?<![\w.$'\"])(?:0x[0-9a-f]+|\d+)(?![\w.'\"])"
-# Operators in code have a space on both sides, which brackets of templates have not.
+# Operators in code have a space on both sides, which the brackets of templates do not.
 SYMBOLS = (r"(?<= )(?:<|>|<=|>=|==|!=|\+|-|\*|&&|\|\||\+=|-=)(?= )", {
     "<": "<=", "<=": "<", ">": ">=", ">=": ">", "==": "!=", "!=": "==", "+": "-", "-": "+", "*": "/",
     "&&": "||", "||": "&&", "+=": "-=", "-=": "+="}.__getitem__)
@@ -269,7 +269,7 @@ def kind_of(path):
 
 
 def code_of(line, path):
-    """The line with its comment and its texts blanked, of the same length."""
+    """The line with its comment and its texts blanked, with the same length."""
     line = re.sub(r'"(?:\\.|[^"\\])*"', lambda text: "\x00" * len(text.group()), line)
     mark = {".py": "#", ".S": "//", ".inc": "//"}.get(Path(path).suffix, "//")
     comment = line.find(mark)
@@ -278,13 +278,13 @@ def code_of(line, path):
     return line if comment < 0 else line[:comment].rstrip()
 
 
-# An assertion that holds still holds when it is weakened: only a second fault would show the first.
+# An assertion that holds still holds when it is weakened: only a second fault would reveal the first.
 SKIPPED = re.compile(r"^\s*(#|import |from |using |template|static_assert|assert |throw |namespace"
                      r"|class |struct |@|case |\.(?!byte|word)|say\(|print\(|raise )")
 
 
 def lines_of(path):
-    """Number and code of the lines that may hold a fault."""
+    """Number and code of the lines that may contain a fault."""
     within_text = False
     for number, line in enumerate((ROOT / path).read_text(encoding="utf-8").splitlines()):
         if path.endswith(".py") and line.count('"""') % 2:
@@ -312,7 +312,7 @@ def files_of(room, known):
 
 
 def equivalent_faults():
-    """Path, line and faulty line of each; the blocks of the file hold their proof as well."""
+    """Path, line and faulty line of each; the blocks of the file also contain the proofs."""
     blocks = re.split(r"\n\n+", EQUIVALENT.read_text(encoding="utf-8").strip())
     faults = set()
     for block in blocks:
@@ -329,7 +329,7 @@ def equivalent_faults():
 
 
 def candidates(room, known, seed):
-    """Faults of a room, in the seed's order, the files by turns, one fault a line."""
+    """Faults of a room in the seed's order, taking the files in turn, at most one fault per line."""
     by_file, equivalent = [], equivalent_faults()
     for path in files_of(room, known):
         faults, seen = [], {}
@@ -356,13 +356,13 @@ def candidates(room, known, seed):
 # --- The build, repeated elsewhere ------------------------------------------------------------------
 
 class Edge(NamedTuple):
-    output: str  # relative to the build tree, as are the inputs within it
+    output: str  # relative to the build tree, like the inputs inside it
     inputs: frozenset
     command: str
 
 
 class Graph:
-    """What ninja knows: by which command each output is made, and of what."""
+    """The knowledge of ninja: by which command each output is made, and from what."""
 
     def __init__(self, build):
         self.build = build
@@ -371,7 +371,7 @@ class Graph:
         self.edges = {}
         for entry in json.loads(self.ask("compdb", "-x")):
             output, command = entry["output"], entry["command"]
-            # Neither lists of tests nor files of dependencies are wanted.
+            # Lists of tests and files of dependencies are not needed.
             command = re.split(r" && (?:cd \S+ && )?/\S+/cmake (?:-D|-E cmake_transform_depfile)",
                                command)[0]
             if command:
@@ -389,7 +389,7 @@ class Graph:
                          if not line.startswith("ninja: Entering"))
 
     def name(self, path):
-        """A path in the build tree relative to it, any other absolute."""
+        """A path in the build tree relative to it, any other path absolute."""
         path = os.path.normpath(os.path.join(self.build, path))
         inside = str(self.build) + "/"
         return path[len(inside):] if path.startswith(inside) else path
@@ -405,8 +405,8 @@ class Graph:
         return {output: frozenset(inputs) for output, inputs in found.items()}
 
     def inputs(self):
-        """Of every output what its build statement and its own file of dependencies name; order-only
-        inputs are left out."""
+        """For every output, the inputs named in its build statement and its dependency file, without order-only
+        inputs."""
         found, outputs = {}, []
         text = (self.build / "build.ninja").read_text(encoding="utf-8").replace("$\n", "")
         for line in text.splitlines():
@@ -424,7 +424,7 @@ class Graph:
         return found
 
     def closure(self, goals):
-        """All that the goals are made of."""
+        """Everything that the goals are made from."""
         seen, waiting = set(), list(goals)
         while waiting:
             output = waiting.pop()
@@ -434,7 +434,7 @@ class Graph:
         return seen
 
     def affected(self, path, goals):
-        """The edges on the way from a source to the goals, inputs first."""
+        """The edges between a source and the goals, inputs first."""
         within = self.closure(goals)
         source = str(ROOT / path)
         order, state = [], {source: True}
@@ -453,7 +453,7 @@ class Graph:
         return order
 
     def goal(self, name, suffix=""):
-        """The file that a target of that name makes."""
+        """The file that the target of that name makes."""
         ends = name + suffix
         found = [output for output in self.edges if output == ends or output.endswith("/" + ends)]
         if len(found) != 1:
@@ -462,7 +462,7 @@ class Graph:
 
 
 class Worker:
-    """A copy of the sources and what is built of it."""
+    """A copy of the sources and what is built from it."""
 
     def __init__(self, folder, build, known):
         self.source, self.made, self.build = folder / "source", folder / "made", build
@@ -471,9 +471,9 @@ class Worker:
             shutil.copy2(ROOT / path, self.source / path)
 
     def elsewhere(self, command, outputs):
-        """The command on the copy, with these outputs apart from the build tree."""
+        """The command on the copy, with these outputs outside the build tree."""
         build = str(self.build)
-        # What each subject weighs takes longest, and no test asks for it.
+        # The footprints of the subjects take longest, and no test needs them.
         command = re.sub(r" --footprints \S+", "", command)
         command = command.replace(build, "\x01").replace(f"{ROOT}/", f"{self.source}/")
         for output in outputs:
@@ -487,14 +487,14 @@ class Refused(Exception):
 
 
 class NoticedByCompiler(Exception):
-    """A check at compile time fails with the fault."""
+    """A check at compile time fails because of the fault."""
 
 
 RUNNING, STOPPING = set(), threading.Event()
 
 
 def run(command, folder, seconds, environment=None):
-    """Exit status and output; None as status where the time does not suffice."""
+    """Exit status and output; None as status if the time limit is exceeded."""
     if STOPPING.is_set():
         raise KeyboardInterrupt
 
@@ -524,25 +524,26 @@ class Tests:
 
     def __init__(self, graph):
         self.graph = graph
-        self.seconds = {}  # that a test may take
+        self.seconds = {}  # the time limit of each test
         self.lock, self.sound = threading.Lock(), {}
 
     def run(self, check, fault, source, program, devices, seconds):
         if is_script(check):
             return run([sys.executable, "-B", str(source / check.target),
                         *([source / fault.path] if check.narrow else [])], source, seconds)
-        # The first failure ends it: what else fails is not asked.
+        # Stops at the first failure: further failures do not matter.
         return run([str(program), "--gtest_brief=1", "--gtest_break_on_failure",
                     f"--gtest_filter={check.cases}"],
                    self.graph.build / Path(self.graph.goal(check.target)).parent, seconds,
                    {"DEVICE_PROGRAMS": str(devices)} if devices else None)
 
     def limit(self, check, fault):
-        """Seconds that the test may take with a fault. Before its first, it must pass without one."""
+        """The time limit of the test with a fault, in seconds. Before its first fault, the test must pass without
+        one."""
         key = check.target, check.cases, check.narrow and fault.path
         with self.lock:
             sound = self.sound.setdefault(key, threading.Lock())
-        with sound:  # one worker runs it, others wait
+        with sound:  # one worker runs it, the others wait
             if key not in self.seconds:
                 program = None if is_script(check) else self.graph.build / self.graph.goal(check.target)
                 begin = time.monotonic()
@@ -559,7 +560,7 @@ class Tests:
             [self.graph.goal(check.target)]
 
     def notices(self, fault, worker):
-        """Whether a test fails with the fault; None where the fault changes no object."""
+        """Whether a test fails with the fault; None if the fault changes no object."""
         copy = worker.source / fault.path
         sound = copy.read_text(encoding="utf-8")
         lines = sound.splitlines(keepends=True)
@@ -568,7 +569,7 @@ class Tests:
         copy.write_text("".join(lines), encoding="utf-8")
         try:
             verdicts = []
-            stem = Path(fault.path).stem  # the test of that name, if there is one, is the likeliest
+            stem = Path(fault.path).stem  # the test of that name, if there is one, is the most likely
             for check in sorted(fault.room.checks, key=lambda check: stem not in check.target):
                 verdicts.append(self.notices_by(check, fault, worker))
                 if verdicts[-1]:
@@ -580,7 +581,7 @@ class Tests:
             copy.write_text(sound, encoding="utf-8")
 
     def notices_by(self, check, fault, worker):
-        """Whether that test fails; None where the fault changes no object of it."""
+        """Whether that test fails; None if the fault changes none of its objects."""
         if is_script(check):
             return self.run(check, fault, worker.source, None, None, self.limit(check, fault))[1] != 0
         try:
@@ -591,7 +592,7 @@ class Tests:
                 return self.run(check, fault, None, worker.made / program, None,
                                 self.limit(check, fault))[1] != 0
             for device in self.goals(check):
-                if not (worker.made / device).exists():  # one that the fault is not in
+                if not (worker.made / device).exists():  # one that does not contain the fault
                     shutil.copy(self.graph.build / device, worker.made / device)
             return self.run(check, fault, None, self.graph.build / program,
                             (worker.made / device).parent, self.limit(check, fault))[1] != 0
@@ -599,7 +600,7 @@ class Tests:
             shutil.rmtree(worker.made, ignore_errors=True)
 
     def build(self, check, fault, worker):
-        """Builds what the test runs; whether an object changed."""
+        """Builds what the test runs. Returns whether an object changed."""
         edges = self.graph.affected(fault.path, self.goals(check))
         outputs = [edge.output for edge in edges]
         if not edges:
@@ -626,7 +627,7 @@ class Tests:
 
 
 def sections(path):
-    """What of an object reaches the program: the disassembly with its data, without its name."""
+    """The part of an object that reaches the program: the disassembly with its data, without its name."""
     tool = "avr-objdump" if b"\x53\x00" == path.read_bytes()[18:20] else "objdump"
     done = subprocess.run([tool, "-sr", "-j", ".*", path], capture_output=True)
     if done.returncode != 0 or not done.stdout:
@@ -643,7 +644,7 @@ def sections(path):
 # --- The run ----------------------------------------------------------------------------------------
 
 def known_files():
-    """All sources: the results are made of them, and need no copy."""
+    """All sources, except the results, which are made from them and need no copy."""
     listed = subprocess.run(["git", "-C", ROOT, "ls-files", "-co", "--exclude-standard"],
                             capture_output=True, text=True)
     if listed.returncode == 0:
@@ -655,7 +656,7 @@ def known_files():
 
 
 class Slot:
-    """The faults that are to come of one room, until its count of them has been tried."""
+    """The next faults of one room, until its number of faults has been tried."""
 
     def __init__(self, room, faults):
         self.room, self.faults, self.lock = room, faults, threading.Lock()
@@ -671,7 +672,7 @@ def describe(fault):
 
 
 class Campaign:
-    """All faults, tried by several workers; what became of them."""
+    """All faults, tried by several workers, and their outcomes."""
 
     def __init__(self, tests, workers, slots):
         self.tests, self.slots, self.begin = tests, slots, time.monotonic()
@@ -759,7 +760,7 @@ def check(arguments):
                               stdout=sys.stderr)
         if done.returncode != 0:
             raise Failure(f"{arguments.build} does not build")
-        tests.graph = Graph(build)  # with what the build found out of dependencies
+        tests.graph = Graph(build)  # with the dependencies found by the build
 
     begin = time.monotonic()
     with tempfile.TemporaryDirectory(prefix="mutation_test_") as folder:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How many letters a name differs from another in, for advice on misspelled ones.
+// In how many letters two names differ, for suggestions on misspelled names.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-// Levenshtein's: letters to insert, remove or replace.
+// The Levenshtein distance: letters to insert, remove or replace.
 inline std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> row(b.size() + 1);
     std::iota(row.begin(), row.end(), std::size_t{0});

@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Links the device program that holds the subjects, and weighs each of them.
+"""Links the device program that contains the subjects, and measures the footprint of each.
 
 Every global function <operation>_<format>_<implementation> of the objects is a subject. An assembly
-kernel fixedpoint_<operation>_<format>[_<variant>] takes the place of the C++ subject of that name
-(without a variant: `default`), so that a call reaches it without a jump in between.
+kernel fixedpoint_<operation>_<format>[_<variant>] replaces the C++ subject of that name (without a
+variant: `default`), so that a call reaches it without a jump in between.
 
-The footprint of a subject is what a program grows by that uses it alone: flash (code, tables,
-initialised data) and static RAM, everything it pulls in included. What operations share counts once
-in a program that uses several: `nine_<format>_<implementation>` is the footprint of those of TOGETHER,
-ours from the default implementation where this one has no variant of its own, and
+The footprint of a subject is the growth of a program that uses only this subject: flash (code,
+tables, initialised data) and static RAM, including everything it pulls in. Code that operations
+share counts once in a program that uses several: `nine_<format>_<implementation>` is the footprint of those of TOGETHER,
+for ours from the default implementation if this one has no variant of its own, and
 `own_<format>_<implementation>` that of all that this implementation has.
 """
 import argparse
@@ -41,7 +41,7 @@ def functions(objects):
 
 
 def subjects_of(objects):
-    """The subjects that the objects define, and the kernel that takes the place of each."""
+    """The subjects that the objects define, and the kernel that replaces each."""
     names = functions(objects)
     subjects = sorted(name for name in names
                       if SUBJECT.match(name) and not name.startswith("fixedpoint_"))
@@ -70,7 +70,7 @@ def together(subjects):
     for number_format, implementation in sorted(kinds):
         own = [name for name in subjects
                if SUBJECT.match(name).groups()[1:] == (number_format, implementation)]
-        # Not where the rest of them is in another program.
+        # Not if the others are in another program.
         if not own[0].startswith(("abs_diff_", "acos_")) and implementation != "correctly_rounded":
             programs[f"own_{number_format}_{implementation}"] = own
         chosen = [f"{operation}_{number_format}_{implementation}" for operation in TOGETHER]
@@ -93,7 +93,7 @@ def main():
 
     def link(chosen, output):
         options = [option for subject in chosen for option in linked_as(subject, aliases)]
-        # The relocations tell which tables a kernel reads.
+        # The relocations show which tables a kernel reads.
         run(["avr-g++", "-mmcu=atmega328p", "-Os", "-Wl,--gc-sections,--emit-relocs", *options,
              *arguments.objects, "-lm", "-o", output])
 

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Builds the subjects of one format for another chip than the ATmega328P: a program for each, since
-a small chip does not hold them all. Those that do not fit even so are listed without a size.
+a small chip cannot hold them all. Subjects that do not fit on their own are listed without a size.
 
-Writes FOLDER/<subject>.elf, and FOLDER/programs.csv last: subject, flash_bytes, by which a program
-grows that uses the subject alone.
+Writes FOLDER/<subject>.elf, and FOLDER/programs.csv last: subject, and flash_bytes, the growth
+of a program that uses only this subject.
 """
 import argparse
 import concurrent.futures
@@ -42,7 +42,7 @@ def main():
         return target
 
     def linked(subject, options):
-        """What the program takes; None where it does not fit."""
+        """The bytes of flash of the program; None if it does not fit."""
         target = str(arguments.folder / f"{subject}.elf")
         done = subprocess.run(
             ["avr-g++", chip, "-Os", "-Wl,--gc-sections",

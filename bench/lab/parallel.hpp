@@ -13,9 +13,9 @@
 
 namespace operations {
 
-// Calls task(0) .. task(count - 1) on so many threads, in order of starting; where processes share
-// the cores, on as many of them as there are cores to have. The first exception ends the run and is
-// thrown here.
+// Calls task(0) .. task(count - 1) on that many threads, starting them in order. Where processes
+// share the cores, it uses only as many threads as there are free cores. The first exception ends
+// the run and is rethrown here.
 template <class Task>
 void in_parallel(unsigned threads, std::size_t count, Task&& task) {
     std::atomic<std::size_t> next{0};
@@ -31,7 +31,7 @@ void in_parallel(unsigned threads, std::size_t count, Task&& task) {
         std::vector<std::jthread> workers;
         for (unsigned i = 0; i < threads; ++i) {
             workers.emplace_back([&, i] {
-                // The first works on the core that the process has.
+                // The first thread works on the core that belongs to the process.
                 lab::Pool* const pool = i == 0 ? nullptr : lab::Pool::shared();
                 try {
                     while (!pool || pool->take([&] { return next >= count; })) {

@@ -54,7 +54,7 @@ bool Pool::take(const std::function<bool()>& over) {
 
 void Pool::give_back() {
     const char token = '+';
-    // A byte always fits: there are no more of them than there were at first.
+    // A byte always fits: there are never more than at the start.
     [[maybe_unused]] const auto written = write(write_, &token, 1);
 }
 

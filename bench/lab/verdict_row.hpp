@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A measured figure beside the published one, with a verdict.
+// A measured figure next to the published one, with a verdict.
 #pragma once
 
 #include <limits>
@@ -13,7 +13,7 @@ namespace lab {
 
 struct VerdictRow {
     std::string quantity, arithmetic;
-    double published, measured;  // NaN where nothing was published
+    double published, measured;  // NaN if nothing was published
     std::string unit;
     double ratio;
     std::string verdict, reason;
@@ -28,10 +28,10 @@ struct VerdictRow {
         records::column("reason", &VerdictRow::reason));
 };
 
-// Beside the published figure of that name: reproduced where the ratio is within 10% of 1, else
-// what `otherwise` says: explained, where the reason names a cause that is itself measured or
-// counted; cause named, where nobody measured it; or not reproducible. Throws std::logic_error
-// where no such figure was published.
+// A row with the published figure of that name. The verdict is "reproduced" if the ratio is within
+// 10% of 1, otherwise `otherwise`: "explained" if the reason names a cause that is itself measured
+// or counted, "cause named" if nobody measured it, or "not reproducible". Throws std::logic_error
+// if no such figure was published.
 inline VerdictRow compared(const std::string& quantity, const std::string& arithmetic,
                            double measured, const std::string& reason, const char* otherwise) {
     static const std::vector<reference::WorkloadFigure> published = reference::load_workload();
@@ -44,7 +44,7 @@ inline VerdictRow compared(const std::string& quantity, const std::string& arith
     throw std::logic_error("no published figure: " + quantity);
 }
 
-// What has no published figure.
+// A row without a published figure.
 inline VerdictRow told(const std::string& quantity, const std::string& arithmetic, double measured,
                        const std::string& unit, const std::string& reason) {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();

@@ -14,17 +14,17 @@
 namespace live {
 namespace {
 
-// Of the image, in pixels; a character of a common fixed-width font of 15 is 9 wide.
+// Of the image, in pixels. A character of a common fixed-width font of size 15 is 9 pixels wide.
 constexpr int cell_width = 9, cell_height = 18, font_size = 15, baseline = 14, margin = 12;
 constexpr int image_width = Picture::columns * cell_width + 2 * margin;
 constexpr int image_height = Picture::rows * cell_height + 2 * margin;
 
-// What writes `to` over `from` on a terminal.
+// The text that changes `from` to `to` on a terminal.
 std::string difference(const Picture& from, const Picture& to) {
     std::string text;
     std::optional<Ink> ink;
     for (int row = 0; row < Picture::rows; ++row) {
-        int written = -1;  // the column behind the last one
+        int written = -1;  // the column after the last one
         for (int column = 0; column < Picture::columns; ++column) {
             const Cell& cell = to.at(row, column);
             if (cell == from.at(row, column)) continue;
@@ -52,8 +52,8 @@ std::string escaped(const std::string& text) {
     return safe;
 }
 
-// Blocks are drawn as such, for fonts differ in them: how much of the cell, how dense; and from
-// where on.
+// Blocks are drawn as rectangles, since fonts differ in them: how much of the cell, how dense, and
+// from where.
 struct Block {
     double from, to, density;
 };
@@ -83,8 +83,8 @@ std::string drawn(int row, int column, int cells, const std::wstring& text, Ink 
                        width, escaped(characters));
 }
 
-// Shown between two shares of the animation's length; each value holds until the next one's time.
-// Where nothing moves it is the first picture that is seen.
+// Shown between two fractions of the animation's length; each value holds until the next one's
+// time. Without animation the first picture is shown.
 std::string beginning_of_group(double from, double to, double length) {
     std::string values, times;
     if (from > 0) {
@@ -144,7 +144,7 @@ std::string Film::cast(const std::string& title) const {
     return head.dump() + "\n" + events_;
 }
 
-// Those that are not blank, in the order in which they are joined.
+// The spans that are not blank, in the order in which they are joined.
 std::vector<Film::Span> Film::spans() const {
     std::vector<Span> all = over_;
     const double end = std::min(end_, longest_image);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pictures over time as an animation: as a terminal's recording and as an image for a browser.
+// Pictures over time as an animation: as a terminal recording and as an image for a browser.
 #pragma once
 
 #include <string>
@@ -11,27 +11,27 @@ namespace live {
 
 class Film {
   public:
-    // The image ends here, to stay small; the terminal's recording does not.
+    // The image ends here, to stay small; the terminal recording does not.
     static constexpr double longest_image = 10;  // s
 
-    // What is shown from `time` on, in s; times rise.
+    // Shows `picture` from `time` on, in s. Times must rise.
     void add(double time, const Picture& picture);
-    // It ends, and begins anew, so much after its last picture.
+    // The time at which the animation ends and starts again, in s.
     void end(double time) { end_ = time; }
 
     // For asciinema's players, version 2 of its format.
     std::string cast(const std::string& title) const;
 
-    // An SVG that plays by itself, without a script. Cells that come and go together are a group.
+    // An SVG that plays without a script. Cells that appear and disappear together are a group.
     std::string svg(const std::string& title) const;
 
   private:
-    // A cell and since when it is so.
+    // A cell, and since when it is shown.
     struct Shown {
         Cell cell;
         double since = 0;
     };
-    // A cell that was so for a time.
+    // A cell that was shown for a time.
     struct Span {
         int row, column;
         Cell cell;

@@ -34,14 +34,14 @@ haptic::Scenario by_hand() {
     return s;
 }
 
-// A session and what is kept of it.
+// A session and what is recorded of it.
 class Show {
   public:
     Show(Session& session, bool recorded) : session_(session) {
         if (recorded) replay_.emplace(session_);
     }
 
-    // Time goes in samples.
+    // Advances time by one sample.
     void sample() {
         session_.run_until(static_cast<double>(++samples_) * Replay::sample);
         if (replay_) replay_->watch(session_);
@@ -73,7 +73,7 @@ class Show {
     long long samples_ = 0;
 };
 
-// A folder that takes no recording is told of before somebody plays, not after.
+// A folder that cannot take a recording is reported before somebody plays, not after.
 void try_folder(const std::filesystem::path& folder) {
     records::write_whole(folder / "lever.trial", "");
     std::filesystem::remove(folder / "lever.trial");
@@ -84,7 +84,7 @@ double wall_clock() {
     return std::chrono::duration<double>(now).count();
 }
 
-// Until somebody ends it or `end`, s. Returns the signal that ended it, or 0.
+// Runs until somebody ends it, or until `end`, in s. Returns the signal that ended it, or 0.
 int play(Session& session, Show& show, double end) {
     Terminal terminal;
     const double start = wall_clock();
@@ -164,7 +164,7 @@ int run_lever(const Options& options) {
             play(session, show, options.seconds.value_or(std::numeric_limits<double>::infinity()));
     }
     if (recorded) show.save(options.record);
-    // Ctrl-C is a way to end; whoever sent another signal is told that it was that.
+    // Ctrl-C is a regular way to end; for any other signal, the exit status must show it.
     if (signal != 0 && signal != SIGINT) std::raise(signal);
     return EXIT_SUCCESS;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A session with the lever, at a terminal or by itself.
+// A session with the lever, at a terminal or alone.
 #pragma once
 
 #include <filesystem>
@@ -16,10 +16,10 @@ struct Options {
     std::optional<double> seconds;
 };
 
-// Pushed up, held while the dial makes the arm longer, let go: falls, bounces, rests.
+// Pushed up, held while the dial makes the arm longer, released: falls, bounces, rests.
 haptic::Scenario demonstration();
 
-// Returns the exit code; throws std::exception with a line for whoever asked for what cannot be.
+// Returns the exit code. Throws std::exception with one line if the options cannot be met.
 int run_lever(const Options& options);
 
 }  // namespace live

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Simulated time against the clock on the wall. A machine that cannot keep up falls behind by
-// `most_behind` at most: what is beyond is given up, never made up for.
+// Simulated time relative to the wall clock. A machine that cannot keep up falls behind by at most
+// `most_behind`; any further delay is given up, never made up for.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@ class Pace {
 
     explicit Pace(double wall) : origin_(wall), since_(wall) {}
 
-    // The simulated time that it ought to be, where it is `simulated` by now. Both in s.
+    // The simulated time that should be reached, where `simulated` is reached by now. Both in s.
     double due(double wall, double simulated) {
         origin_ = std::max(origin_, wall - simulated - most_behind);
         if (wall - since_ >= 1) {
@@ -23,7 +23,7 @@ class Pace {
         }
         return wall - origin_;
     }
-    // Simulated seconds a second, over the last one.
+    // Simulated seconds per second, over the last second.
     double factor() const { return factor_; }
 
   private:

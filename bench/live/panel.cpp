@@ -10,14 +10,14 @@ namespace {
 using haptic::DeviceLoop;
 
 constexpr int screen_row = 1, panel_column = 44, bar_cells = 15;
-constexpr double slow = 0.97;  // of real time: below it is worth a word
+constexpr double slow = 0.97;  // of real time; below it the panel says so
 constexpr const wchar_t* help =
     L"\u2191\u2193 push  space grip  \u2190\u2192 dial  u unplug  s stall  f full frame  r reset  "
     L"q quit";
 
 std::wstring wide(const std::string& ascii) { return {ascii.begin(), ascii.end()}; }
 
-// Two columns a cell, so that it is as wide as it is high; distinct without colours too.
+// Two columns per cell, so that it is as wide as it is high; distinguishable without colours, too.
 void draw_screen(Picture& picture, const std::vector<std::string>& screen) {
     const std::wstring line(2 * DeviceLoop::columns, L'\u2500');
     picture.put(screen_row, 0, L"\u256d" + line + L"\u256e", Ink::dim);

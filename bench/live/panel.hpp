@@ -9,10 +9,10 @@
 
 namespace live {
 
-// Of the clock on the wall; none in a recording that nobody waits for.
+// The wall clock; none in a recording that nobody waits for.
 struct WallClock {
     double seconds;  // since the session began
-    double factor;   // simulated seconds a second, of late
+    double factor;   // simulated seconds per second, recently
 };
 
 Picture panel(const Session& session, const std::optional<WallClock>& clock);

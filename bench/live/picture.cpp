@@ -25,9 +25,9 @@ std::wstring bar(int cells, double from, double to) {
         const int left = std::clamp(begin - 8 * cell, 0, 8);
         const int right = std::clamp(end - 8 * cell, 0, 8);
         if (right <= left) {
-            text += L'\u00b7';  // a dot: the bar's ground
+            text += L'\u00b7';  // a dot: the background of the bar
         } else if (left > 2 && right == 8) {
-            text += L'\u2590';  // the right half, the one block of that side
+            text += L'\u2590';  // the right half, the only such block on that side
         } else {
             text += static_cast<wchar_t>(L'\u2588' + 8 - right);
         }

@@ -12,7 +12,7 @@ namespace live {
 enum class Ink : std::uint8_t { plain, dim, title, rod, weight, pivot, measure, warning };
 constexpr int inks = 8;
 
-// Of an ink: the colour as 0xrrggbb on a dark ground, and in a terminal's 256 colours.
+// The colour of an ink: 0xrrggbb on a dark background, and in a terminal's 256 colours.
 struct Colour {
     std::uint32_t rgb;
     int terminal;
@@ -37,7 +37,7 @@ class Picture {
     static constexpr int columns = 80, rows = 24;
 
     const Cell& at(int row, int column) const { return cells_[row * columns + column]; }
-    // What reaches beyond the right edge is cut off.
+    // Text beyond the right edge is cut off.
     void put(int row, int column, std::wstring_view text, Ink ink = Ink::plain);
     bool operator==(const Picture&) const = default;
 
@@ -45,8 +45,8 @@ class Picture {
     std::array<Cell, rows * columns> cells_;
 };
 
-// A bar of so many cells, filled between two shares of its length, in eighths of a cell at its
-// right end. Shares beyond 0 to 1 are cut off.
+// A bar of that many cells, filled between two fractions of its length, to an eighth of a cell at
+// its right end. Fractions outside 0 to 1 are cut off.
 std::wstring bar(int cells, double from, double to);
 
 std::string utf8(wchar_t glyph);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a session did, as data for a page that replays it: angles, forces, screen and pins.
+// The record of a session, as data for a page that replays it: angles, forces, screen and pins.
 #pragma once
 
 #include <string>
@@ -13,14 +13,14 @@ class Replay {
   public:
     static constexpr double sample = 0.004;  // s
 
-    // Of the session since its last reset: another one is needed behind the next.
+    // Records the session since its last reset; after another reset a new Replay is needed.
     explicit Replay(Session& session);
 
-    // To be called each `sample` seconds.
+    // Must be called every `sample` seconds.
     void watch(Session& session);
 
-    // In SI units but for degrees; pins as the microseconds that they are low, high, low, ... from
-    // the first sample on.
+    // In SI units, except for degrees. Pins are the microseconds that they are low, high, low, ...
+    // from the first sample on.
     std::string json(const Session& session) const;
 
   private:

@@ -12,9 +12,9 @@ using haptic::degrees;
 using haptic::Fault;
 using haptic::seconds_of;
 
-constexpr double watched = 1;  // s, of what is shown as a rate
+constexpr double watched = 1;  // s, over which rates are shown
 
-// Of a key: a hand that holds moves by so much, one that does not gives a push.
+// The effect of a key: a hand that holds moves by this much, one that does not gives a push.
 constexpr double hand_moves = degrees(3), hand_takes = 0.06;  // rad, s
 constexpr double push_force = 2.5, push_lasts = 0.15;         // N, s
 constexpr double hand_closes = 0.05;                          // s

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A device in the closed loop that somebody plays with: time goes on as it is told to, keys are the
-// hand at the lever, the dial and what goes wrong.
+// A device in the closed loop to play with: time advances as it is told to, and keys control the
+// hand at the lever, the dial and faults.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@ enum class Key {
     stall,
     full_frame,
     reset,
-    quit  // nothing to the device
+    quit  // no effect on the device
 };
 
 struct Status {
@@ -34,13 +34,13 @@ struct Status {
     double reading[2];                // counts
     double pulse;                     // s
     double dial;                      // 0 to 1
-    std::optional<double> arm;        // m; before the firmware has one: nothing
+    std::optional<double> arm;        // m; none until the firmware has one
     bool held, stalled;               // by the hand; the servo
     std::optional<int> unplugged;     // sensor
-    std::optional<double> loop_rate;  // Hz, like all that follows over the last second
+    std::optional<double> loop_rate;  // Hz; this and the following over the last second
     double cpu_share, rendering_share;
     double frames_per_second, bytes_per_second;
-    std::optional<double> lateness;   // s, of the worst step, where steps have one length
+    std::optional<double> lateness;   // s, of the latest step, if steps have one length
     std::vector<std::string> screen;  // lines, from the top
 };
 
@@ -55,19 +55,19 @@ class Session {
 
     const haptic::Firmware& firmware() const { return firmware_; }
     const haptic::Scenario& scenario() const { return scenario_; }
-    // Another one after each reset.
+    // A new one after each reset.
     haptic::DeviceLoop& loop() { return *loop_; }
 
   private:
-    // Of the timing, at a time.
+    // A mark of the timing, at a time.
     struct Mark {
         double time;
         std::size_t steps;
         haptic::Cycle asleep, rendering;
         double frames;
         std::uint64_t bytes;
-        // Of the steps since the mark before, the latest: its beginning less the periods before
-        // it, in cycles.
+        // The latest of the steps since the mark before: its start less the periods before it, in
+        // cycles.
         std::int64_t latest;
     };
     void reset();
@@ -85,7 +85,7 @@ class Session {
     std::unique_ptr<haptic::DeviceLoop> loop_;
     double before_ = 0;  // the time of the last reset
     std::deque<Mark> marks_;
-    std::int64_t on_time_ = 0;  // the least of all steps
+    std::int64_t on_time_ = 0;  // the smallest of all steps
 };
 
 }  // namespace live

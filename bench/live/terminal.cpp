@@ -30,8 +30,8 @@ struct sigaction former[std::size(ending_signals)];
 void require_window() {
     if (isatty(STDIN_FILENO) == 0 || isatty(STDOUT_FILENO) == 0)
         throw std::runtime_error(
-            "the lever is shown in a terminal, and input or output is none; --scenario with "
-            "--record needs none");
+            "the lever needs a terminal for input and output; only --scenario with --record "
+            "does not");
     winsize size{};
     if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col < Picture::columns ||
         size.ws_row < Picture::rows)
@@ -45,10 +45,10 @@ void require_window() {
 
 Terminal::Terminal() {
     require_window();
-    // The panel's characters are in no other encoding.
+    // Only this encoding contains the panel's characters.
     std::setlocale(LC_CTYPE, "");
     if (std::string_view(nl_langinfo(CODESET)) != "UTF-8") std::setlocale(LC_CTYPE, "C.UTF-8");
-    // Before ncurses looks at them: it ends the program at a signal that nobody handles.
+    // Before ncurses installs its handlers: it ends the program at a signal that nobody handles.
     caught = 0;
     struct sigaction action {};
     action.sa_handler = [](int number) { caught = number; };
@@ -66,7 +66,7 @@ Terminal::Terminal() {
     noecho();
     keypad(stdscr, TRUE);
     set_escdelay(25);
-    // Some terminals send these whatever mode they are asked to be in; Escape alone would end.
+    // Some terminals send these in any mode; Escape alone would end the session.
     for (const auto& [sequence, key] : {std::pair{"\x1b[A", KEY_UP},
                                         {"\x1b[B", KEY_DOWN},
                                         {"\x1b[C", KEY_RIGHT},
@@ -91,7 +91,7 @@ Terminal::~Terminal() {
 }
 
 void Terminal::show(const Picture& picture) {
-    // ncurses learns of a new size from the key KEY_RESIZE.
+    // ncurses reports a new size by the key KEY_RESIZE.
     if (COLS < Picture::columns || LINES < Picture::rows) {
         erase();
         mvaddnstr(

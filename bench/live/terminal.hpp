@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The terminal that somebody sits at: pictures out, keys in. While it exists the terminal is in
-// another mode, and as it was before when it is gone, however that comes about. One at a time.
+// The terminal of the user: pictures out, keys in. While this object exists the terminal is in
+// another mode, and it is restored afterwards, however the program ends. One at a time.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@ namespace live {
 
 class Terminal {
   public:
-    // Throws std::runtime_error where input or output is no terminal, or the window is too small.
+    // Throws std::runtime_error if input or output is not a terminal, or the window is too small.
     Terminal();
     ~Terminal();
     Terminal(const Terminal&) = delete;
@@ -20,10 +20,10 @@ class Terminal {
 
     void show(const Picture& picture);
 
-    // Waits for a key for so many seconds at most.
+    // Waits for a key, for at most that many seconds.
     std::optional<Key> key(double seconds);
 
-    // The signal that asks the program to end, once there was one.
+    // The signal that asks the program to end, or 0 if there was none.
     static int signal();
 };
 

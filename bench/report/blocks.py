@@ -16,8 +16,8 @@ def float_cycles(data, row):
 
 
 def share_of_work(data, row):
-    """The part of float's cycles that the block's products and quotients take alone: a product is what one more adds to
-    a dot product, loads included."""
+    """The fraction of float's cycles that the block's products and quotients alone take. The cost of a product is that
+    of one more product in a dot product, including its loads."""
     cycles = {operation: data.rows("operations", operation=operation, format=row["format"], implementation="default",
                                    operands="small")[0]["cycles_mean"] for operation in ("dot2", "dot3", "divide")}
     products, quotients = WORK[row["block"]]

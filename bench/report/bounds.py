@@ -10,7 +10,7 @@ import re
 from data import DataError
 
 OURS = "default"
-# Proofs for every operand, tests of the library and of `exhaustive`: that a result is rounded correctly, ...
+# Proofs for every operand, tests of the library and of `exhaustive`: that a result is correctly rounded ...
 SUMS = "bench/prove_sums", ("q16_16", "q8_24")
 PROOFS = {(operation, number_format, implementation): proof
           for proof, formats, implementation, operations in (
@@ -29,7 +29,7 @@ PROOFS = {(operation, number_format, implementation): proof
               (SUMS[0], ("q8_8",), OURS, ("multiply_add", "lerp")),
               (*SUMS, OURS, ("lerp",)))
           for operation in operations for number_format in formats}
-# ... or that it errs less than this, in ulp, whatever the largest error that is known.
+# ... or that its error is less than this, in ulp, whatever the largest known error is.
 LIMITS = {("atan2", "q16_16", OURS): (0.645, "fixedpoint/prove_angles"),
           ("atan2_turns", "q8_8", OURS): (0.500001, "bench/prove_turns"),
           ("atan2_turns", "q16_16", OURS): (0.5001, "bench/prove_turns"),
@@ -37,7 +37,7 @@ LIMITS = {("atan2", "q16_16", OURS): (0.645, "fixedpoint/prove_angles"),
           ("atan2_degrees", "q16_16", OURS): (0.527, "bench/prove_turns"),
           ("normalise3", "q16_16", OURS): (0.77, "fixedpoint/prove_normalise"),
           ("normalise3", "q8_8", OURS): (0.66, "fixedpoint/prove_normalise")}
-# Runs over all inputs are judged in double, to this part of an ulp (reference/bulk.hpp).
+# Runs over all inputs are judged in double, to this fraction of an ulp (reference/bulk.hpp).
 JUDGED_TO = 2**-14
 BENCH = pathlib.Path(__file__).resolve().parents[1]
 
@@ -52,7 +52,7 @@ def implementations():
 
 
 def largest(named, runs, column, slack):
-    """Value, witness, bound and file of the largest of a column; all None where no run has it."""
+    """Value, witness, bound and file of the largest value of a column; all None if no run has it."""
     runs = [(file, row) for file, row in runs if row.get(column) is not None]
     if not runs:
         return None, None, None, None
@@ -65,9 +65,9 @@ def largest(named, runs, column, slack):
 
 
 def known(data, operation, number_format, implementation=OURS):
-    """The row of bounds.csv; None where the operation is not there. `bound` is that of the error:
-    "exact" (all inputs were run), "proven", "proven below" a number or "lower bound"; where nothing was judged, it and
-    `max_ulp` are None. Throws DataError where two runs contradict each other."""
+    """The row of bounds.csv; None if the operation does not exist. `bound` is that of the error: "exact" (all inputs
+    were run), "proven", "proven below" a number or "lower bound". If nothing was judged, it and `max_ulp` are None.
+    Raises DataError if two runs contradict each other."""
     what = {"operation": operation, "format": number_format, "implementation": implementation}
     sampled = data.rows("operations", **what)
     if not sampled:

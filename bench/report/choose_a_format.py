@@ -8,13 +8,13 @@ import operations
 from data import DataError
 
 WIDTHS = (8, 16, 32, 64)
-# The formats of which all operations are measured, as the library names them.
+# The formats in which all operations are measured, by their names in the library.
 MEASURED = {"q4_4": "`Q4_4`", "q8_8": "`Q8_8`", "q16_16": "`Q16_16`", "q8_24": "`Fixed<8, 24>`",
             "q32_32": "`Q32_32`", "float": "float"}
 
 
 def integer_bits(largest):
-    """The least I of which -2^(I-1) .. 2^(I-1), the upper end excluded, holds +-largest."""
+    """The smallest I for which the range -2^(I-1) .. 2^(I-1), without the upper end, contains +-largest."""
     bits = 1
     while not largest < 2.0**(bits - 1):
         bits += 1
@@ -22,7 +22,7 @@ def integer_bits(largest):
 
 
 def fraction_bits(step):
-    """The least F with 2^-F <= step."""
+    """The smallest F with 2^-F <= step."""
     bits = 0
     while 2.0**-bits > step:
         bits += 1
@@ -46,7 +46,7 @@ class Format:
 
     @property
     def measured(self):
-        """Its name among the formats that are measured, if it is one."""
+        """Its name among the measured formats, or None."""
         name = f"q{self.integer}_{self.fraction}"
         return name if name in MEASURED else None
 
@@ -60,13 +60,13 @@ class Format:
         return math.sqrt(2.0**-(self.fraction + 1))
 
     def stands_still_below(self, rate):
-        """The speed, in units a second, whose step at that rate is half an ulp."""
+        """The speed, in units per second, whose step at that rate is half an ulp."""
         return rate * 2.0**-(self.fraction + 1)
 
 
 def choose(largest, step):
-    """The narrowest format with that range and that resolution, of equal halves if these do. What
-    is left over makes the steps finer."""
+    """The narrowest format with that range and that resolution, with equal halves if these suffice. Bits that are left
+    over make the steps finer."""
     integer, fraction = integer_bits(largest), fraction_bits(step)
     for width in WIDTHS:
         if integer + fraction <= width:

@@ -8,7 +8,7 @@ import pathlib
 
 
 class DataError(Exception):
-    """What is wrong with the data, in one line."""
+    """A fault in the data, in one line."""
 
 
 # Columns that hold text in at least one file. All others hold numbers.
@@ -22,7 +22,7 @@ limit limited_by loop map max_ulp_witness measure measured measured_with note op
 readings reason reference rival scalar scenario scene shift standard_errors still_at_shortest symbol system type
 unbounded unit variant vector verdict version view where widening with x_name y_name
 """.split())
-# Numbers that a row may lack: what the chip cannot hold has no cycles, an exact result no error.
+# Numbers that a row may lack: a program that does not fit the chip has no cycles, an exact result no error.
 OPTIONAL = frozenset("""
 chip_frequency_hz count cycles cycles_max cycles_mean cycles_min cycles_per_simulated_second
 cycles_per_step_max cycles_per_step_mean error error_arithmetic error_by_extent error_max error_median error_method error_min
@@ -36,7 +36,7 @@ within_1_ulp within_8_ulp within_half_ulp worst_lateness_ms worst_thrown_frequen
 
 
 class Row(dict):
-    """A row by the names of its columns; the file is told where one is missing."""
+    """A row, accessed by the names of its columns; an error names the file."""
 
     def __init__(self, file, cells):
         super().__init__(cells)
@@ -87,8 +87,8 @@ def load(path):
 
 
 class Data:
-    """The folder of data files. `experiments` is the list that `fixbench --list --json` prints: a
-    missing file is an error that names the command which makes it."""
+    """The folder of data files. `experiments` is the list printed by `fixbench --list --json`: the error for a missing
+    file names the command that makes it."""
 
     def __init__(self, folder, experiments=()):
         self.folder = pathlib.Path(folder)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the 2016 design's Q16.16 division costs by operand class, its two published figures, and ours."""
+"""The cost of the 2016 design's Q16.16 division by operand class, its two published figures, and ours."""
 import matplotlib.pyplot as plt
 
 import operations
@@ -50,7 +50,7 @@ def draw(data):
 
 
 def finding(data):
-    """What divisions of physics operands cost, and what the rebuilt engine's do."""
+    """The cost of divisions of physics operands, and of those in the rebuilt engine."""
     published, floats, ours = (operations.row(data, "divide", *kind)
                                for kind in (operations.PUBLISHED, operations.FLOAT, ("q16_16", "default")))
     text = (f"On operands of 0.01 to 20 a division takes {published['cycles_mean'] / 16:.0f} µs in the 2016 design, "

@@ -10,7 +10,7 @@ import operations
 import rivals
 import style
 
-# Formats of one size compete: a caller who has four bytes a number chooses among these.
+# Formats of one size compete: a caller with four bytes per number chooses among these.
 FORMATS = ("q16_16", "q8_24", "s16_15", "float")
 IMPLEMENTATIONS = ("default", "small", "published", "accum", "libc")
 # An exact result has no place on a logarithmic axis; it is drawn at this floor.
@@ -18,7 +18,7 @@ FLOOR = 1e-11
 
 
 def pareto(points):
-    """The points that no other beats in both coordinates, by cycles."""
+    """The points that no other point beats in both coordinates, by cycles."""
     front, best = [], float("inf")
     for point in sorted(points):
         if point[1] < best:
@@ -28,7 +28,7 @@ def pareto(points):
 
 
 def panels(data):
-    """The rows of each operation with a kernel that more than one implementation has."""
+    """The rows of each operation that has a kernel and more than one implementation."""
     rows = [row for row in data.rows("operations", operands="physics")
             if row["format"] in FORMATS and row["implementation"] in IMPLEMENTATIONS
             and row["operation"] not in operations.ELEMENTARY
@@ -48,7 +48,7 @@ def point(row):
 
 
 def contested(data):
-    """The panels that are drawn: of operations which others have, too, than our default, float and the 2016 design."""
+    """The panels to draw: operations that others have in addition to our default, float and the 2016 design."""
     plain = {("q16_16", "default"), ("q8_24", "default"), ("float", "libc"), ("q16_16", "published")}
     return {operation: rows for operation, rows in panels(data).items()
             if rivals.rows(data, operation, ("q16_16",)) or any((row["format"], row["implementation"]) not in plain for row in rows)}
@@ -61,7 +61,7 @@ def draw(data):
     figure, grid = plt.subplots(lines, columns, figsize=(11, 2.5 * lines + 0.6), squeeze=False)
     seen = {}
     for axes, (operation, rows) in zip(grid.flat, shown.items()):
-        # _Accum is a subject of operations.csv already.
+        # _Accum is already a subject of operations.csv.
         others = [row for row in rivals.rows(data, operation, ("q16_16",)) if row["variant"] != "gcc_accum"]
         points = [point(row) for row in rows + others]
         for row in others:
@@ -103,7 +103,7 @@ def draw(data):
 
 
 def finding(data):
-    """Of whom the fronts are, in a sentence."""
+    """Which implementations form the fronts, in a sentence."""
     shown = panels(data)
     owners = {"ours": 0, "float": 0}
     for operation, rows in shown.items():

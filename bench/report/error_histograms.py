@@ -21,7 +21,7 @@ def draw(data):
             total = sum(row["count"] for row in rows)
             if not total:
                 continue
-            # A bin that holds nothing has no row.
+            # A bin that contains nothing has no row.
             edges = sorted({row[edge] for row in inside for edge in ("low_ulp", "high_ulp")})
             share = {row["low_ulp"]: row["count"] / total for row in inside}
             axes.stairs([share.get(edge, 0) for edge in edges[:-1]], edges, linewidth=1.2,

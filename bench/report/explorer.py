@@ -20,7 +20,7 @@ from data import DataError
 SOURCES = pathlib.Path(__file__).resolve().parent / "explorer"
 BENCH = SOURCES.parents[1]
 
-# The tables of the page. Those that a view draws come first; all stand in the table view.
+# The tables of the page. Those that a view draws come first; the table view shows all.
 DRAWN = {
     "overview": ("operations", "accuracy", "exhaustive", "flash", "table_3_1"),
     "operations": ("operations", "accuracy", "exhaustive", "error_histograms", "error_along_input",
@@ -34,10 +34,10 @@ LISTED = ("kernels", "table_3_2", "workload", "workload_firmware", "features", "
 # A marker of matplotlib as the library's symbol and as a letter.
 SYMBOLS = {"o": ("circle", "●"), "s": ("square", "■"), "^": ("triangle", "▲"), "D": ("diamond2", "◆"),
            "*": ("star", "★"), "P": ("cross", "✚"), "X": ("saltire", "✖"), "1": ("wye", "⅄")}
-# The implementation that an arithmetic of scenes and cases is, where it has another name.
+# The implementation of an arithmetic of scenes and cases, if its name differs.
 IMPLEMENTATION = {"nearest": "default", "avr-libc": "libc", "ieee": "libc"}
 
-# What ends a case: its letter, the level of its shade, the louder the end the darker, and its meaning.
+# How a case ends: its letter, the level of its shade (the louder the end, the darker), and its meaning.
 VERDICTS = {
     "stable": ("S", 0, "held over the whole range; the limit is where the search ended"),
     "reports": ("R", 1, "the engine itself reports the error"),
@@ -64,7 +64,7 @@ LARGEST = {
     "sincos": lambda least, greatest: 1,
     "exp": lambda least, greatest: math.exp(greatest),
     "log": lambda least, greatest: max(abs(math.log(least)), abs(math.log(greatest))),
-    # Without bound beside a pole.
+    # Unbounded next to a pole.
     "tan": lambda least, greatest: math.inf,
     "asin": lambda least, greatest: math.pi / 2,
     "acos": lambda least, greatest: math.pi,
@@ -93,7 +93,7 @@ LARGEST = {
     "midpoint": lambda least, greatest: greatest,
     "abs_diff": lambda least, greatest: 2 * greatest,
     "copysign": lambda least, greatest: greatest,
-    # The exponent's magnitude is 8 at most, and -1 the reciprocal.
+    # The magnitude of the exponent is at most 8, and for -1 the result is the reciprocal.
     "power": lambda least, greatest: max(greatest ** 8, least ** -8),
     "sign": lambda least, greatest: 1,
     "isqrt": lambda least, greatest: greatest,
@@ -111,7 +111,7 @@ def read(path):
 
 
 def physics_operands(operation=None):
-    """The least and the greatest magnitude of the operands `physics`, of an operation or of most."""
+    """The smallest and the largest magnitude of the operands `physics`, for an operation or for most."""
     found = re.search(r"physics_least = ([\d.]+), physics_greatest = ([\d.]+), "
                       r"physics_greatest_of_exp = ([\d.]+);", read("lab/operands/operand_class.cpp"))
     if not found:
@@ -123,14 +123,14 @@ def physics_operands(operation=None):
 
 
 def style_of(number_format, implementation):
-    """Whose colour and marker it has."""
+    """The name whose colour and marker it has."""
     if implementation == "published":
         return "published"
     return number_format if number_format in style.FORMATS else "other"
 
 
 def subject(number_format, implementation):
-    """How a format in an implementation is called and drawn."""
+    """The label and style of a format in an implementation."""
     if implementation in rivals.NAMES:
         return {"label": rivals.label(number_format, implementation), "style": "rival",
                 "hollow": False}
@@ -140,7 +140,7 @@ def subject(number_format, implementation):
 
 
 def number_format(name, data):
-    """What a format can hold."""
+    """The range and resolution of a format."""
     drawn = {"label": style.format_label(name), "style": name if name in style.FORMATS else "rival"}
     if name == "float64":  # that of Python
         return drawn | {"fraction": None, "maximum": sys.float_info.max, "resolution": None,
@@ -152,16 +152,15 @@ def number_format(name, data):
     family, whole, fraction = re.fullmatch(r"([qs]|int)(\d+)(?:_(\d+))?", name).groups()
     fraction = int(fraction or 0)
     resolution = 2.0 ** -fraction
-    # The sign counts in a Q format and in an integer, not in an _Accum.
+    # The sign counts as a bit in a Q format and in an integer, not in an _Accum.
     maximum = 2.0 ** (int(whole) - (family != "s")) - resolution
     return drawn | {"fraction": fraction, "maximum": maximum, "resolution": resolution,
                     "relative": None}
 
 
 def compared(formats, names):
-    """Of each operation the formats that hold every operand and every result of the class physics:
-    these share their domain, and their errors can be held against each other. The plain integers
-    round their operands."""
+    """For each operation the formats that hold every operand and every result of the class physics: these share their
+    domain, and their errors can be compared. The plain integers round their operands."""
     require_known("operations", "operation", names, LARGEST)
     held = {}
     for name in names:
@@ -180,8 +179,8 @@ def require_known(file, column, found, known):
 
 
 def literal(value):
-    """A cell as JSON. JSON has no infinity, but a number beyond the double's range reads as it; an
-    integer that a double does not hold becomes text."""
+    """A cell as JSON. JSON has no infinity, but reads a number beyond the range of double as infinity; an integer that
+    a double cannot hold becomes text."""
     if isinstance(value, float) and math.isinf(value):
         return "1e999" if value > 0 else "-1e999"
     if isinstance(value, int) and abs(value) > 2 ** 53:
@@ -190,7 +189,7 @@ def literal(value):
 
 
 def column(values):
-    """A column as JSON: its cells, or its few values and their numbers where that is shorter."""
+    """A column as JSON: its cells or, if that is shorter, its few values and their indices."""
     cells = [literal(value) for value in values]
     different = list(dict.fromkeys(cells))
     plain = f"[{','.join(cells)}]"
@@ -205,10 +204,10 @@ def table(rows, command):
 
 
 def gather(data):
-    """All that the page knows, as JSON."""
+    """Everything that the page contains, as JSON."""
     views = {view: names for view, names in DRAWN.items() if data.has(names[0])}
     names = list(dict.fromkeys(name for drawn in views.values() for name in drawn))
-    # The exhaustive run takes hours, the rivals' need their sources: they may not have been made.
+    # The exhaustive run takes hours, and the rivals need their sources: both may be missing.
     names = [name for name in names
              if name not in ("exhaustive", "flash", "rivals") or data.has(name)]
     names += [name for name in LISTED if data.has(name)]
@@ -262,11 +261,11 @@ def gather(data):
 
 
 class NoRegistry(Exception):
-    """The packages are not here, and there is no way to where they are."""
+    """The packages are not installed, and their registry cannot be reached."""
 
 
 def install():
-    """Installs what package-lock.json pins, unless it is there already."""
+    """Installs what package-lock.json pins, unless it is already installed."""
     lock = SOURCES / "package-lock.json"
     wanted = hashlib.sha256(lock.read_bytes()).hexdigest()
     stamp = SOURCES / "node_modules" / "installed-lock"
@@ -329,7 +328,7 @@ def page(templates, data):
 
 
 def write(path, templates, data, write_whole):
-    """Writes the page; where the library cannot be had, says so and leaves the page as it is."""
+    """Writes the page. If the library is not available, says so and leaves the page unchanged."""
     try:
         write_whole(path, page(templates, data))
     except NoRegistry as reason:

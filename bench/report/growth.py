@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The cost of a step against the number of particles, and the work that it follows from."""
+"""The cost of a step against the number of particles, and the work that determines it."""
 import statistics
 
 import matplotlib.pyplot as plt
@@ -12,7 +12,7 @@ SEARCHES = {"brute_force": (style.PALE, "o", "every pair"),
 
 
 def crossing(rows):
-    """The fewest particles from which on sort and sweep is the cheaper."""
+    """The smallest number of particles from which sort and sweep is cheaper."""
     cost = {name: {row["particles"]: row["cost_per_step"] for row in rows
                    if row["broad_phase"] == name} for name in SEARCHES}
     first = None
@@ -25,7 +25,7 @@ def crossing(rows):
 
 
 def beside_box2d(rows):
-    """What a step of the most discs takes in Box2D and in ours."""
+    """The cost of a step of the most discs in Box2D and in our engine."""
     most = max(row["particles"] for row in rows)
     ours, theirs = (row["cost_per_step"] for name in ("sort_and_sweep", "box2d") for row in rows
                     if (row["broad_phase"], row["particles"]) == (name, most))
@@ -37,7 +37,7 @@ def beside_box2d(rows):
 
 
 def fits(rows):
-    """What is fitted by which term, and by how much it is missed, for either search."""
+    """For either broad phase: what is fitted, by which term, and the largest deviation."""
     told = {row["broad_phase"]: (row["fit_of"], row["fit_term"], row["fit_worst_percent"]) for row in rows if row["fit_of"]}
     of, = {of for of, _, _ in told.values()}
     terms = {search: term if term.startswith("N^") else f"the {term} tested" for search, (_, term, _) in told.items()}
@@ -49,7 +49,7 @@ def fits(rows):
 
 
 def times_of_tests(rows):
-    """The least, the median and the largest time of a test, by search."""
+    """The smallest, the median and the largest time of a test, by broad phase."""
     times = {}
     for row in rows:
         if row["ns_per_test"]:
@@ -76,17 +76,17 @@ def draw(data):
             mine = sorted((row for row in rows if row["broad_phase"] == search),
                           key=lambda row: row["particles"])
             if not mine:
-                continue  # Box2D is not for the chip
+                continue  # Box2D does not run on the chip
             counts = [row["particles"] for row in mine]
             axes.plot(counts, [row["cost_per_step"] for row in mine], marker, color=colour,
                       label=label)
             if mine[0]["fit_of"]:
-                # On the host the fit is of tests: they take what one does in the median.
+                # On the host the tests are fitted: they are scaled by the median time of one.
                 scale = times_of_tests(mine)[search][1] if logarithmic else 1
                 axes.plot(counts, [scale * row["fitted"] for row in mine], "-", color=colour, linewidth=1)
         axes.set(title=title, xlabel="particles in a box")
         if logarithmic:
-            # The fit of a few particles may be negative: the measured costs set the axis.
+            # The fit may be negative for few particles: the measured costs determine the axis.
             costs = [row["cost_per_step"] for row in rows]
             axes.set(xscale="log", yscale="log", ylim=(min(costs) / 2, max(costs) * 2))
         else:

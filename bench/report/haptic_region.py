@@ -36,7 +36,7 @@ def grid(rows, column):
 
 
 def write_thrown(axes, rows, arms, hands):
-    """How many plants are still when they are thrown, where not all are."""
+    """How many plants are still when they are thrown, if not all are."""
     for row in rows:
         if row["still_thrown"] == row["plants"]:
             continue
@@ -46,7 +46,7 @@ def write_thrown(axes, rows, arms, hands):
 
 
 def settled(data):
-    """The levers of which every plant is at rest, grasped or released against, at each rate, arm and hand."""
+    """The levers with which every plant is at rest, grasped or released against, at each rate, arm and hand."""
     rows = data.rows("stable_region")
     levers = dict.fromkeys((row["arithmetic"], row["damping"]) for row in rows)
     return [lever for lever in levers if all(row["still"] == row["still_thrown"] == row["plants"] for row in rows
@@ -61,7 +61,7 @@ def settled_finding(data):
 
 
 def draw(data):
-    """A panel a lever and loop rate: shades are measured, the dashed line is the theory's."""
+    """One panel per lever and loop rate: shades are measured, the dashed line is the theory's."""
     rest, every = settled(data), grouped(data.rows("stable_region"))
     groups = {group: rows for group, rows in every.items() if group[:2] not in rest} or every
     columns = sorted({(clock, rate) for _, _, clock, rate in groups},
@@ -122,7 +122,7 @@ def draw_oscillation(data):
 
 
 def oscillation(data):
-    """Of each trace in its last second: lever, damping, swing in degrees, frequency in Hz."""
+    """For each trace in its last second: lever, damping, swing in degrees, frequency in Hz."""
     rows = [row for row in data.rows("oscillation")]
     end = rows[-1]["time_s"]
     last = [row for row in rows if row["time_s"] > end - 1]
@@ -143,19 +143,19 @@ def share(rows, column):
 
 
 def least(values):
-    """None, which stands for no value, is less than any."""
+    """The smallest value; None, which means no value, counts as the smallest."""
     values = list(values)
     return None if None in values else min(values)
 
 
 def most(values):
-    """None, which stands for no value, is more than any."""
+    """The largest value; None, which means no value, counts as the largest."""
     values = list(values)
     return None if None in values else max(values)
 
 
 def summary(data):
-    """A row a lever, its damping and its loop rate."""
+    """One row per lever, damping and loop rate."""
     limits = grouped(data.rows("stable_limits"))
     chips = grouped(data.rows("stable_on_chip"))
     result = []
@@ -184,13 +184,13 @@ def at_own_rate(data):
 
 
 def agreement(data):
-    """Points at which chip and host say the same, and all of them."""
+    """The number of points at which chip and host agree, and of all points."""
     rows = data.rows("stable_on_chip")
     return sum(row["chip"] == row["host"] for row in rows), len(rows)
 
 
 def differing(data):
-    """The levers at which they do not, each with how often."""
+    """The levers for which they do not agree, each with how often."""
     counts = {}
     for row in data.rows("stable_on_chip"):
         if row["chip"] != row["host"]:

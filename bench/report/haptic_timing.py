@@ -1,17 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What Figures 4.1 to 4.3 show, again, by the profiling pins: step and rendering over three frames,
-and contacts, roots and operations within a step."""
+"""Figures 4.1 to 4.3 measured again, from the profiling pins: step and rendering over three frames, and contacts, roots
+and operations within a step."""
 import matplotlib.pyplot as plt
 
 DEVICES = {"published": "as published, rebuilt", "q16_16": "ours, Q16.16"}
-# Shades: no colour here is that of a number format.
+# Shades: the colours of number formats are not used here.
 COLOURS = {"step": "#222222", "render": "#bbbbbb", "contacts found": "#888888",
            "contacts solved": "#555555", "square_root": "#777777", "operation": "#999999"}
 LABELS = {"square_root": "square roots", "operation": "products, quotients"}
 
 
 def lanes(axes, rows, pins):
-    """A lane a pin, with how often and how long in all it was high."""
+    """One lane per pin, with how often and for how long in total it was high."""
     for lane, pin in enumerate(reversed(pins)):
         spans = [(row["begin_ms"], row["end_ms"] - row["begin_ms"]) for row in rows
                  if row["pin"] == pin]

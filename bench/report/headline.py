@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The result in one picture: cycles and flash of Q16.16, of the 2016 design's and of emulated float."""
+"""The result in one picture: cycles and flash of Q16.16, the 2016 design's and emulated float."""
 import matplotlib.pyplot as plt
 
 import operations

@@ -1,21 +1,21 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Which plants behave as the report of 2016 says of its device, and what that leaves open."""
+"""Which plants behave as the 2016 design is said to have behaved, and what that leaves open."""
 import math
 
 import numpy
 
 import lever
 
-# Ratios to the published figure that reproduce it, as in every verdict.
+# Ratios to the published figure that count as reproducing it, as in every verdict.
 WITHIN = (0.9, 1.1)
-# What stands in identification.csv besides the numbers of the plant.
+# The columns of identification.csv that are not numbers of the plant.
 JUDGED = ("plant", "as_published", "fall_undamped_s", "fall_damped_s", "swing_undamped_deg")
 
 
 def narrowed(data):
-    """Of each number of the plant that the data sheets leave open: how much of its range, on a
-    logarithmic axis, the middle nine tenths of the plants that behave as published still take, over
-    what those of all draws take; the least first."""
+    """For each number of the plant that the data sheets leave open: how much of its range, on a logarithmic axis,
+    the middle nine tenths of the plants that behave as published cover, relative to those of all draws; the
+    smallest first."""
     rows = data.rows("identification")
     kept = [row for row in rows if row["as_published"] == "yes"]
 
@@ -27,8 +27,8 @@ def narrowed(data):
 
 
 def by_gravity(arm, half=math.radians(30)):
-    """s in which an arm falls from 30 degrees above the horizontal to as many below, by gravity alone."""
-    # Measured by u, theta = half - u^2, the pendulum's integral has no singular end.
+    """The time in s in which an arm falls from 30 degrees above the horizontal to 30 below, by gravity alone."""
+    # In terms of u, theta = half - u^2, the pendulum's integral has no singular end.
     steps = 10000
     u = (numpy.arange(steps) + 0.5) / steps * math.sqrt(2 * half)
     speed = numpy.sqrt(math.sin(half) - numpy.sin(half - u ** 2))
@@ -40,7 +40,7 @@ def finding(data):
     rows = data.rows("identification")
     kept = [row for row in rows if row["as_published"] == "yes"]
     published = lever.published("fall_time")
-    # Times of fall are as the roots of the arms.
+    # Times of fall are proportional to the square roots of the arms.
     shorter = math.sqrt(lever.PUBLISHED_ARM / data.rows("stable_changes")[0]["arm_m"])
     falls = [shorter * row["fall_damped_s"] for row in rows if row["fall_damped_s"] is not None]
     as_fast = sum(WITHIN[0] <= fall / published <= WITHIN[1] for fall in falls)

@@ -17,11 +17,11 @@ DEVICES = {
     "float": "float",
     "published": "as published, rebuilt",
 }
-# Rows of the comparison; what rendering costs stands in the data.
+# Rows of the comparison; the cost of rendering is in the data.
 QUANTITIES = ("loop_rate", "loop_step", "loop_step_max", "worst_lateness", "cpu_share", "flash_bytes",
               "static_ram_bytes", "stack_measured", "stack_bound")
 
-# m: of which the fall was published.
+# m: the arm whose fall was published.
 PUBLISHED_ARM = 0.2
 
 
@@ -46,7 +46,7 @@ def verdicts(data):
 
 
 def devices(data):
-    """Quantity, unit and a value for each device, of what the page compares."""
+    """Quantity, unit and a value for each device, for the page's comparison."""
     told = {}
     for row in data.rows("workload_firmware", verdict="measured"):
         told.setdefault((row["quantity"], row["unit"]), {})[row["arithmetic"]] = row["measured"]
@@ -55,7 +55,7 @@ def devices(data):
 
 
 def finding(data):
-    """What the lever does when it is poked, and the time of its fall."""
+    """The reaction of the lever to a poke, and the time of its fall."""
     swing = {(row["lever"], row["damping"]): row["swing"] for row in haptic_region.oscillation(data)}
     fall = {row["arithmetic"]: row["fall_s"] for row in data.rows("haptic", scenario="release_and_fall")}
     loop = {row["arithmetic"]: row["loop_rate_hz"] for row in data.rows("haptic", scenario="poke_while_held")}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What an operation costs and errs by, over operands of the class `physics`."""
+"""The cost and the error of an operation, over operands of the class `physics`."""
 import math
 
 import bounds
@@ -10,31 +10,31 @@ FORMATS = ("q4_4", "q8_8", "q16_16", "q8_24", "q32_32")
 FLOAT = ("float", "libc")
 PUBLISHED = ("q16_16", "published")
 BASIC = ("add", "multiply", "divide", "sqrt", "sin", "atan2")
-# Functions that most formats make of the cores of others: fixedpoint/portable/elementary.hpp. They are told apart, since a
-# mean of both would be that of neither.
+# Functions that most formats make from the cores of others: fixedpoint/portable/elementary.hpp. They are reported
+# separately, since a mean over both kinds would describe neither.
 ELEMENTARY = ("tan", "asin", "acos", "exp2", "expm1", "log2", "log10", "log1p", "sinh", "cosh", "tanh",
               "cbrt", "pow")
 # AUXILIARY_OPERATIONS of reference/operation_table.h. They are in no mean: float has expressions in their place.
 AUXILIARY = ("sin_turns", "cos_turns", "sincos_turns", "atan2_turns", "sin_degrees", "cos_degrees", "sincos_degrees",
              "atan2_degrees", "divrem", "divmod", "lerp", "smoothstep", "midpoint", "abs_diff", "copysign",
              "power", "sign", "isqrt")
-# Whose square roots the first page compares.
+# The implementations whose square roots the first page compares.
 ROOTS = (("q4_4", OURS), ("q8_8", OURS), ("q16_16", OURS), ("q16_16", "small"), ("q8_24", OURS),
          ("q32_32", OURS), FLOAT, PUBLISHED)
 
-# ulp of a float that make half its value: no digit is right.
+# ulp of a float that amount to half its value: no digit is right.
 LOST = 2**23
 
 
 def row(data, operation, number_format, implementation=OURS, operands="physics"):
-    """The row of a class of operands; None where the operation is not there."""
+    """The row of a class of operands; None if the operation does not exist."""
     rows = data.rows("operations", operation=operation, format=number_format,
                      implementation=implementation, operands=operands)
     return rows[0] if rows else None
 
 
 def mean(data, operation, number_format, implementation=OURS):
-    """Mean cycles; None where the operation is not there."""
+    """Mean cycles; None if the operation does not exist."""
     found = row(data, operation, number_format, implementation)
     return found["cycles_mean"] if found else None
 
@@ -46,7 +46,7 @@ def names(data, number_format="q16_16", implementation=OURS):
 
 
 def every_ratio_to_float(data, number_format, implementation=OURS):
-    """Mean cycles over those of avr-libc's float, by operation that both have."""
+    """Mean cycles relative to those of avr-libc's float, for each operation that both have."""
     found = {}
     for operation in names(data, number_format, implementation):
         theirs = mean(data, operation, *FLOAT)
@@ -56,7 +56,7 @@ def every_ratio_to_float(data, number_format, implementation=OURS):
 
 
 def ratios_to_float(data, number_format, implementation=OURS, elementary=False):
-    """Of these the operations with kernels, or the elementary functions."""
+    """The part of these operations that has kernels, or the elementary functions."""
     return {operation: ratio for operation, ratio in every_ratio_to_float(data, number_format, implementation).items()
             if operation not in AUXILIARY and (operation in ELEMENTARY) == elementary}
 
@@ -67,7 +67,7 @@ def geometric_mean(values):
 
 
 def elementary_finding(data):
-    """What the functions beyond those of the front pages take, in a sentence; nothing where they were not measured."""
+    """The cost of the functions beyond those of the front pages, in a sentence; empty if they were not measured."""
     ranges = []
     for number_format in FORMATS:
         ratios = ratios_to_float(data, number_format, elementary=True)
@@ -87,14 +87,14 @@ def slower_than_float(data, number_format, implementation=OURS):
 
 
 def flash_together(data, number_format, implementation=OURS):
-    """Bytes of flash of a program with + - * / sqrt sin atan2 exp log; None where it has not all."""
+    """Bytes of flash of a program with + - * / sqrt sin atan2 exp log; None if it does not have all of them."""
     rows = data.rows("flash", operations="nine", format=number_format, implementation=implementation)
     return rows[0]["flash_bytes"] if rows else None
 
 
 def cheapest_format(data, largest, step):
-    """Of the formats of the library the one with the fewest bits, then cycles of a product, that holds
-    +-largest in steps no longer than `step`."""
+    """Among the formats of the library that hold +-largest in steps no longer than `step`: the one with the fewest
+    bits, then with the fewest cycles of a product."""
     fit = [each for each in data.rows("table_3_1") if each["format"] in FORMATS
            and each["maximum"] >= largest and each["resolution"] <= step]
     return min(fit, key=lambda each: (each["bits"], mean(data, "multiply", each["format"])))
@@ -117,15 +117,16 @@ def losses(data, number_format, implementation):
 
 
 def largest_of(errors):
-    """The largest error and whose it is, as text; operations that err by half their value or more are counted apart."""
+    """The largest error and its operation, as text; operations that are off by half their value or more are counted
+    separately."""
     lost = sum(ulp >= LOST for ulp, _ in errors)
     ulp, name = max(error for error in errors if error[0] < LOST)
     return f"{ulp:.4g} ({name})" + (f"; *no digit* in {lost} of {len(errors)}" if lost else "")
 
 
 def format_table(data):
-    """The rows of the first page: an arithmetic, its range and resolution, its largest error, mean
-    cycles, flash, and where it loses."""
+    """The rows of the first page: an arithmetic, its range and resolution, its largest error, mean cycles, flash, and
+    where it loses."""
     limits = {row["format"]: row for row in data.rows("table_3_1")}
     ratios = every_ratio_to_float(data, "q16_16").values()
     table = []

@@ -11,7 +11,7 @@ ARITHMETIC = {"q16_16": "Q16.16", "published": "the published arithmetic", "floa
 
 
 def check(recording):
-    """Raises DataError where the recording is not one that the page can show."""
+    """Raises DataError unless the page can show the recording."""
     def require(held, what):
         if not held:
             raise DataError(f"replay.json: {what}; fixbench lever writes it")

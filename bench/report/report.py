@@ -55,7 +55,7 @@ PAGES = {
 
 
 def figures(data):
-    """Name and maker of each figure."""
+    """The name and the function of each figure."""
     makers = {
         "headline": lambda: headline.draw(data),
         "table_3_2": lambda: table_3_2.draw(data),
@@ -107,7 +107,7 @@ def tool_versions():
 
 
 def note_tools(data):
-    """Writes tools.json: with what and when the data of the folder were measured."""
+    """Writes tools.json: the tools with which the data of the folder were measured, and when."""
     write_whole(data / "tools.json", json.dumps(
         {"date": datetime.date.today().isoformat(), "tools": tool_versions()}, indent=1) + "\n")
 
@@ -128,7 +128,7 @@ def write_whole(path, text):
 
 
 def no_gap(value):
-    """A value as it stands on a page. What is missing is an error: None would hide a finding."""
+    """A value as it is printed on a page. A missing value is an error: None would hide a finding."""
     if value is None:
         raise DataError("a value is missing")
     return value
@@ -153,12 +153,12 @@ def page(environment, template, names):
 
 @contextlib.contextmanager
 def telling(what):
-    """Whatever the data make impossible is a DataError that says what was to be made of them."""
+    """Turns any failure over impossible data into a DataError that says what was to be made of them."""
     try:
         yield
     except (DataError, jinja2.TemplateError, ArithmeticError, LookupError, StopIteration, TypeError,
             ValueError) as error:
-        # The innermost line of a template, if it was one.
+        # The innermost line of a template, if there is one.
         lines = [f"{pathlib.Path(frame.filename).name}, line {frame.lineno}: "
                  for frame in traceback.extract_tb(error.__traceback__)
                  if frame.filename.endswith(".j2")]
@@ -174,7 +174,7 @@ def draw(data, folder, name):
 def draw_all(data, folder):
     """All figures, on as many cores as there are."""
     folder.mkdir(parents=True, exist_ok=True)
-    # Forked, so that a process has what the others had read before it.
+    # Forked, so that a process has what its parent has read.
     with concurrent.futures.ProcessPoolExecutor(mp_context=multiprocessing.get_context("fork")) as pool:
         drawn = [pool.submit(draw, data, folder, name) for name in figures(data)]
         for _ in tqdm.tqdm(concurrent.futures.as_completed(drawn), total=len(drawn), desc="figures",
@@ -217,7 +217,7 @@ def write(results, experiments=()):
 
 
 def differences(results, experiments):
-    """The pages and figures of a folder that are not what follows from its data."""
+    """The pages and figures of a folder that do not follow from its data."""
     with tempfile.TemporaryDirectory() as scratch:
         made = pathlib.Path(scratch)
         (made / "data").mkdir()

@@ -3,7 +3,7 @@
 import style
 from data import DataError
 
-# How the pages call the variants of rivals.csv, in the order of the table's columns.
+# The names on the pages of the variants of rivals.csv, in the order of the table's columns.
 NAMES = {
     "libfixmath": "libfixmath",
     "libfixmath_bytes": "libfixmath, 8-bit option",
@@ -19,14 +19,14 @@ NAMES = {
 }
 MARKERS = dict(zip(NAMES, "xx+1233|4_*"))
 COLOURS = dict(zip(NAMES, ("#555555", "#999999", *["#777777"] * 9)))
-# Errors nearer than that are the same: they were drawn from one class of operands, not as the same operands.
+# Errors closer than this count as equal: they come from one class of operands, not from the same operands.
 SAME = 0.95
-# Which of ours a format is held against: one of as many bits.
+# Which of our formats a format is compared with: one with as many bits.
 OURS = {"q16_16": "q16_16", "s16_15": "q16_16", "float64": "q32_32"}
 
 
 def judged(data, **wanted):
-    """Those that return for all operands; none where nothing was measured."""
+    """Those that return for all operands; empty if nothing was measured."""
     found = data.rows("rivals", **wanted) if data.has("rivals") else []
     unknown = {row["variant"] for row in found} - set(NAMES)
     if unknown:
@@ -35,25 +35,25 @@ def judged(data, **wanted):
 
 
 def comparable(data):
-    """Those that the explorer shows beside ours, where the compiler's own types stand already."""
+    """Those that the explorer shows next to ours, which already include the compiler's own types."""
     return [row for row in judged(data) if row["variant"] != "gcc_accum"]
 
 
 def rows(data, operation=None, against=("q16_16", "q32_32")):
-    """Those that are held against these formats of ours, on operands of 0.01 to 20."""
+    """Those that are compared with these formats of ours, on operands of 0.01 to 20."""
     return [row for row in judged(data, operands="physics")
             if OURS.get(row["format"]) in against and operation in (None, row["operation"])]
 
 
 def label(number_format, variant):
-    """How a library's numbers are called, e.g. libfixmath, Q16.16."""
+    """The name of a library's numbers, e.g. libfixmath, Q16.16."""
     if number_format == "float64":
         return NAMES[variant]
     return f"{NAMES[variant].split(', s16')[0]}, {style.format_label(number_format)}"
 
 
 def ours(data, row):
-    """Our function that a rival's is held against; none where there is none."""
+    """Our function that a rival's is compared with, or None."""
     return next(iter(data.rows("operations", operation=row["operation"], format=OURS[row["format"]],
                                implementation="default", operands="physics")), None)
 
@@ -73,8 +73,8 @@ def listed(names):
 
 
 def finding(data, against):
-    """Where another library takes fewer cycles than ours of that format, or as many, and how often
-    its error or its flash is the smaller; empty where none is held against that."""
+    """Where another library takes fewer cycles than ours of that format, or as many, and how often its error or its
+    flash is smaller; empty if none is compared with that format."""
     ahead, equal, count, smaller, exacter = {}, set(), 0, 0, 0
     for row in rows(data, against=(against,)):
         mine = ours(data, row)

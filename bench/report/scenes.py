@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Error against run time of each scene: a point a scalar, method and time step; the Pareto front."""
+"""Error against run time of each scene: one point per scalar, method and time step; the Pareto front."""
 import matplotlib.pyplot as plt
 from matplotlib.lines import Line2D
 
 import style
 
-# Format and implementation of the scalars, as `style` knows them.
+# Format and implementation of the scalars, as in `style`.
 SCALARS = {
     ("q8_8", "nearest"): ("q8_8", "default"),
     ("q8_24", "nearest"): ("q8_24", "default"),
@@ -23,9 +23,9 @@ METHODS = {
     "direct_rods": ("Verlet with rods solved directly", "D"),
 }
 TARGETS = {"1 cm": 1e-2, "1 mm": 1e-3, "0.1 mm": 1e-4, "10 µm": 1e-5}
-# Errors that differ by less are the same error, of the method.
+# Errors that differ by less count as the same error, that of the method.
 SAME = 0.05
-# An error below what the truth itself is known to has no place on a logarithmic axis.
+# An error below the accuracy of the truth has no place on a logarithmic axis.
 FLOOR = 1e-12
 
 
@@ -34,7 +34,7 @@ def title(scene):
 
 
 def is_split(row):
-    """A scene's best split of 32 bits, which is another in each scene and has no style of its own."""
+    """A scene's best split of 32 bits, which differs between scenes and has no style of its own."""
     return row["arithmetic"] == "nearest" and row["scalar"].startswith("q") and row["scalar"] not in style.FORMATS
 
 
@@ -47,8 +47,8 @@ def scalar(row):
 
 
 def size(row):
-    """By what runs are ranked: the larger of the method's and the arithmetic's error. Their sum can
-    be smaller than either where the two happen to cancel, which another start would undo."""
+    """The error that runs are ranked by: the larger of the method's and the arithmetic's. Their sum can be smaller than
+    either if the two happen to cancel, which would not happen from another start."""
     return max(row["error_method"], row["error_arithmetic"])
 
 
@@ -65,7 +65,7 @@ def step(row):
 
 
 def measured(data, scene=None):
-    """The runs on the chip that held and have a truth to be judged by."""
+    """The runs on the chip that held and have a truth to be compared with."""
     return [row for row in data.rows("scenes")
             if row["cycles_per_simulated_second"] is not None and row["error"] is not None
             and row["verdict"] == "held" and scene in (None, row["scene"])]
@@ -81,7 +81,7 @@ def judged(data):
 
 
 def front(rows):
-    """The rows that no other beats in both size of the error and cycles, by cycles."""
+    """The rows that no other row beats in both error and cycles, by cycles."""
     best, kept = float("inf"), []
     for row in sorted(rows, key=lambda row: (row["cycles_per_simulated_second"], size(row))):
         if size(row) < best:
@@ -91,14 +91,14 @@ def front(rows):
 
 
 def cheapest(data, scene, error):
-    """The run with the fewest cycles whose error is no larger; None where there is none."""
+    """The run with the fewest cycles whose error is no larger, or None."""
     fit = [row for row in measured(data, scene) if size(row) <= error]
     return min(fit, key=lambda row: row["cycles_per_simulated_second"], default=None)
 
 
 def float_wins(data):
-    """For each scene the rows of float on its front whose error is smaller, by more than SAME, than
-    that of the best of ours at no higher cost."""
+    """For each scene the rows of float on its front whose error is smaller, by more than SAME, than that of the best of
+    ours at no higher cost."""
     wins = []
     for scene in judged(data):
         rows = measured(data, scene)
@@ -118,7 +118,7 @@ def float_wins(data):
 
 
 def reason(row, rival, match):
-    """Why none of ours is as good as that row at its cost, from the two shares of the rival's error."""
+    """Why none of ours is as good as that row at its cost, from the two parts of the rival's error."""
     if rival is None:
         return "none of ours is as cheap"
     if rival["error_arithmetic"] > rival["error_method"]:
@@ -177,7 +177,7 @@ def failures(data):
 
 
 def label_steps(axes, best):
-    """Writes the time step beside the points of a front, from the most exact on, where there is room."""
+    """Writes the time step next to the points of a front, from the most accurate on, where there is room."""
     axes.autoscale_view()
     used = []
     for row in reversed(best):
@@ -230,7 +230,7 @@ def draw(data):
 
 
 def draw_time_steps(data):
-    """What the method and what the arithmetic errs by, against the time step."""
+    """The errors of the method and of the arithmetic, against the time step."""
     scenes, drawn = judged(data), set()
     columns = 3
     lines = -(-len(scenes) // columns)
@@ -274,7 +274,7 @@ def finding(data):
 
 
 def splits_finding(data):
-    """On how many fronts the best split of 32 bits stands, in a sentence; empty where none was run."""
+    """On how many fronts the best split of 32 bits is, in a sentence; empty if none was run."""
     rows = [row for row in measured(data) if is_split(row)]
     on_front = {row["scene"] for scene in judged(data) for row in front(measured(data, scene)) if is_split(row)}
     used = sorted({row["scalar"] for row in rows}, key=lambda name: int(name[1:].split("_")[0]))

@@ -55,8 +55,8 @@ def draw_rounds(data):
 
 
 def lever_steps(data):
-    """A step of the lever in Q16.16 and float in each program that takes it: number format, where the figure is from, what
-    sets the program apart, mean cycles, flash."""
+    """A step of the lever in Q16.16 and float in each program that contains it: number format, source of the figure,
+    what distinguishes the program, mean cycles, flash."""
     table = []
     for row in data.rows("features", scene="lever", feature="arithmetic=Nearest", **{"with": "yes"}):
         table.append(("Q16.16", "features", "-O2; a particle on an anchored rod, pushed in each step",

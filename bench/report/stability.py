@@ -9,12 +9,12 @@ import matplotlib.pyplot as plt
 import style
 
 FORMATS = ["q8_8", "q8_24", "q16_16", "q32_32", "float"]
-# The arithmetic of a format where nothing else is said.
+# The default arithmetic of a format.
 DEFAULT = ["nearest", "ieee"]
-# Of the envelope, the cases that the page shows.
+# The cases of the envelope that the page shows.
 ENVELOPE = ("far_from_origin", "rod_span", "rod_short", "half_space", "slow", "spring_stiffness", "spring_slow", "light_body",
             "heavy_body", "small_binary_step")
-# Of the case `stiffness`: it breaks where a spring's amplitude has grown so much in so many steps.
+# The case `stiffness` fails where a spring's amplitude has grown by this factor in this many steps.
 SPRINGS = pathlib.Path(__file__).parents[1] / "experiments" / "stability" / "cases" / "springs.cpp"
 GROWTH, STEPS = map(int, re.search(r"growth = (\d+), growth_steps = (\d+);", SPRINGS.read_text(encoding="utf-8")).groups())
 METHODS = ["explicit_euler", "semi_implicit_euler", "velocity_verlet", "implicit_springs"]
@@ -29,13 +29,13 @@ def number(cell):
 
 
 def whole(value):
-    """An integer with its thousands apart."""
+    """An integer with its thousands separated."""
     return f"{value:,}".replace(",", "\u202f")
 
 
 def figure(value):
-    """A cell of the page's tables: a number to three significant digits, as a power of ten where
-    it is very small or large; a text as it is."""
+    """A cell of the page's tables: a number to three significant digits, as a power of ten if it is very small or
+    large; a text unchanged."""
     if not isinstance(value, (int, float)):
         return str(value)
     if value == 0:
@@ -50,8 +50,8 @@ def figure(value):
 
 
 def silent(rows, arithmetic):
-    """Of Q16.16 in the engine's own methods: all rows, those that a result ends which wraps within
-    a step, and those that a number of the scene ends which the format cannot hold at all."""
+    """For Q16.16 in the engine's own methods: all rows, those that end because a result wraps within a step, and those
+    that end because the format cannot hold a number of the scene."""
     mine = [row for row in rows if row["scalar"] == "q16_16" and row["arithmetic"] == arithmetic
             and row["integrator"] != "explicit_euler"]
     ended = [row for row in mine if row["verdict"] == "overflows"]
@@ -74,9 +74,9 @@ def bound(rows, name):
 
 
 def stiffness_bound(rows, method):
-    """The stiffness that theory has for the method at each step: semi-implicit Euler and Verlet oscillate up to omega dt = 2.
-    Explicit Euler grows at any step, by sqrt(1 + (omega dt)^2): its bound is where that reaches GROWTH in STEPS. Springs that
-    are solved implicitly have none."""
+    """The stiffness limit of the method in theory, at each step: semi-implicit Euler and Verlet oscillate up to omega
+    dt = 2. Explicit Euler grows at any step, by sqrt(1 + (omega dt)^2): its limit is where that reaches GROWTH in
+    STEPS. Springs that are solved implicitly have no limit."""
     steps, limits = bound(rows, "stiffness_upper")
     if method == "implicit_springs":
         return [], []
@@ -86,7 +86,7 @@ def stiffness_bound(rows, method):
 
 
 def panels(methods, x_label, y_label):
-    """A panel for each of the methods, two in a row, outer axes labelled."""
+    """One panel per method, two in a row, outer axes labelled."""
     lines = len(methods) // 2
     figure, grid = plt.subplots(lines, 2, figsize=(9, 3.5 * lines), sharex=True, sharey=True)
     for axes, method in zip(grid.flat, methods):
@@ -110,7 +110,7 @@ def draw_stiffness(data):
             x, high = points(rows, "stiffness_upper", scalar, method)
             low = points(rows, "stiffness_lower", scalar, method)[1]
             colour = style.colour(scalar)
-            # What lies beneath is drawn wider, since formats with the same limit cover each other.
+            # Markers below others are drawn larger, since formats with the same limit cover each other.
             look = {"color": colour, "marker": style.marker(scalar), "markersize": 3,
                     "linewidth": 1 + 0.6 * (len(FORMATS) - 1 - FORMATS.index(scalar))}
             axes.plot(x, high, label=style.format_label(scalar), **look)
@@ -122,7 +122,7 @@ def draw_stiffness(data):
 
 
 def draw_speed(data):
-    """The speed on a rod that keeps its length, against that length. The methods but explicit Euler share a panel: see
+    """The speed on a rod that keeps its length, against that length. All methods but explicit Euler share a panel: see
     speed_finding."""
     rows = data.rows("stability_map")
     figure, grid = panels(METHODS[:2], "radius, m", "largest speed, m/s")
@@ -155,7 +155,7 @@ def speed_finding(data):
 
 
 def with_end(row):
-    """A limit, marked where it is only the end of the search."""
+    """A limit, marked if it is only the end of the search."""
     return ("beyond " if str(row["limited_by"]).startswith("stable") else "") + figure(row["limit"])
 
 
@@ -179,7 +179,7 @@ def finding(data):
 
 
 def chain_finding(data):
-    """Whether the format matters for what a chain of rods bears, in a sentence."""
+    """Whether the format matters for the load that a chain of rods withstands, in a sentence."""
     rows = [row for row in data.rows("stability_map", map="mass_ratio")
             if row["integrator"] == "semi_implicit_euler" and row["arithmetic"] in DEFAULT]
     shortest = min(number(row["x"]) for row in rows)
@@ -195,9 +195,9 @@ def chain_finding(data):
 
 
 def dynamics(data, scalar, integrator):
-    """Of a scalar and a method: the largest distance of the growth a step from theory, the energy gained
-    after the most steps by system, the distance from the start after a reversal, the dead band with its
-    bound, and the period of the limit cycle; None where a run does not fit or wraps."""
+    """For a scalar and a method: the largest distance of the growth per step from theory, the energy gained after the
+    most steps by system, the distance from the start after a reversal, the dead band with its bound, and the period of
+    the limit cycle; None if a run does not fit or wraps."""
     rows = [row for row in data.rows("dynamics", scalar=scalar, integrator=integrator)
             if row["arithmetic"] in DEFAULT]
 
@@ -212,7 +212,7 @@ def dynamics(data, scalar, integrator):
 
 
 def divergence_finding(data, integrator="velocity_verlet"):
-    """When a chaotic motion is lost to rounding, by format, and what a bit buys, in a sentence."""
+    """When a chaotic motion is lost to rounding, by format, and the value of a bit, in a sentence."""
     rows = [row for row in data.rows("dynamics", integrator=integrator) if row["arithmetic"] in DEFAULT]
     times = {row["scalar"]: row for row in rows if row["measure"] == "divergence" and row["measured"] is not None}
     rates = {row["scalar"]: row for row in rows if row["measure"] == "divergence_rate"}
@@ -240,7 +240,7 @@ def float_finding(data):
 
 
 def ablations_finding(data):
-    """What the measures of the engine buy and cost, in a sentence."""
+    """What the measures of the engine gain and cost, in a sentence."""
     rows = [row for row in data.rows("ablations") if number(row["before"]) > 0 and number(row["after"]) > 0]
 
     def gain(row):  # a limit that should be small as well as one that should be large

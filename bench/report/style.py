@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How every figure looks, and how it is saved: the same data give the same bytes."""
+"""The style of every figure, and how it is saved: the same data give the same bytes."""
 import pathlib
 import re
 
@@ -8,9 +8,9 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
-# A label, a colour and a marker for each number format, the same on all pages. The toolchain's own
-# families have one colour each and tell their formats apart by the marker. The colours can be told
-# apart by the colour-blind (Okabe and Ito, 2008).
+# A label, a colour and a marker for each number format, the same on all pages. The toolchain's own families have one
+# colour each, and their formats differ by the marker. The colour-blind can distinguish the colours (Okabe and Ito,
+# 2008).
 ACCUM, INTEGER = "#999999", "#444444"
 FORMATS = {
     "q4_4": ("Q4.4", "#8c6d00", "*"),
@@ -28,12 +28,12 @@ FORMATS = {
     "int32": ("int32_t", INTEGER, "o"),
     "int64": ("int64_t", INTEGER, "s"),
 }
-# The 2016 design, in whatever format.
+# The 2016 design, in any format.
 PUBLISHED = ("2016 design", "#d55e00", "X")
-# Another library, in whatever format.
+# Another library, in any format.
 RIVAL = ("another library", "#555555", "1")
 OTHER = ("#000000", "*")
-# What no format has: measured against published, verdicts, theory.
+# For what is not a format: measured against published, verdicts, theory.
 INK = "#222222"
 PALE = "#bbbbbb"
 
@@ -44,14 +44,14 @@ IMPLEMENTATIONS = dict(re.findall(r'^ *X\((\w+), .*"(.*)"\)$',
 
 
 def format_label(number_format):
-    """Q8.24 of q8_24."""
+    """"Q8.24" for "q8_24"."""
     if number_format in FORMATS:
         return FORMATS[number_format][0]
     return re.sub(r"^q(\d+)_(\d+)$", r"Q\1.\2", number_format)
 
 
 def label(number_format, implementation="default"):
-    """How a number format in an implementation is called."""
+    """The label of a number format in an implementation."""
     plain = format_label(number_format)
     if implementation == "published":
         return f"{plain}, {PUBLISHED[0]}"
@@ -63,7 +63,7 @@ def label(number_format, implementation="default"):
 
 
 def colour(number_format, implementation="default"):
-    """That of the format, or of the 2016 design."""
+    """The style of the format, or of the 2016 design."""
     if implementation == "published":
         return PUBLISHED[1]
     return FORMATS[number_format][1] if number_format in FORMATS else OTHER[0]
@@ -76,7 +76,7 @@ def marker(number_format, implementation="default"):
 
 
 def face(number_format, implementation="default"):
-    """The marker's inside: empty for a variant of a format beside its default."""
+    """The marker's inside: empty for a variant of a format that is not its default."""
     plain = implementation in ("default", "libc", "accum", "native", "published")
     return colour(number_format, implementation) if plain else "white"
 
@@ -98,7 +98,7 @@ plt.rcParams.update({
 
 
 def save(figure, folder, name):
-    """Writes <name>.svg and <name>.png, each whole or not at all."""
+    """Writes <name>.svg and <name>.png, each completely or not at all."""
     for suffix, options in ((".svg", {"metadata": {"Date": None}}),
                             (".png", {"dpi": 110, "metadata": {"Software": None}})):
         partial = folder / f".{name}.partial{suffix}"

@@ -10,14 +10,13 @@ FACES = {"reproduced": style.INK, "explained": style.PALE, "not reproducible": "
 
 
 def verdicts(data):
-    """How many of the table's cells have which verdict."""
+    """The number of the table's cells with each verdict."""
     cells = data.rows("table_3_2")[:CELLS]
     return {verdict: sum(row["verdict"] == verdict for row in cells) for verdict in FACES}
 
 
 def hypothesis(data):
-    """The row that the table is measured with, and the mean number of rows that a hypothesis
-    reproduces."""
+    """The row that the table is measured with, and the mean number of rows that a hypothesis reproduces."""
     rows = data.rows("table_3_2_hypotheses")
     chosen = [row for row in rows if row["measured_with"] == "yes"]
     return chosen[0], sum(row["within_10_percent"] for row in rows) / len(rows)

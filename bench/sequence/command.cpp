@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fixbench all, and the sub-commands about the program itself.
+// fixbench all, and the commands that describe the program itself.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -6,8 +6,8 @@
 
 namespace sequence {
 
-// Empty where both files hold the same bytes; otherwise the first line in which they differ, both
-// readings of it, and how many lines do. A file that is missing differs.
+// Empty if both files contain the same bytes; otherwise the first line in which they differ, in
+// both versions, and how many lines do. A missing file differs.
 std::string first_difference(const std::filesystem::path& committed,
                              const std::filesystem::path& measured);
 

@@ -25,7 +25,7 @@ std::vector<std::string> flags_of(const CLI::App& app) {
     return names;
 }
 
-// Text as roff takes it: no line begins with a control character, hyphens are hyphens.
+// Text for roff: no line starts with a control character, hyphens are hyphens.
 std::string roff(const std::string& text) {
     std::string escaped;
     bool begins = true;
@@ -42,7 +42,7 @@ std::string roff(const std::string& text) {
     return escaped;
 }
 
-// Lines stay as they are; an empty one begins a paragraph.
+// Lines stay as they are; an empty one starts a paragraph.
 std::string paragraphs(const std::string& text) {
     std::string result = ".nf\n";
     for (std::size_t i = 0; i < text.size();) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The manual page and the shell's completion, out of the command line itself.
+// The manual page and the shell completion, generated from the command line itself.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -38,7 +38,8 @@ Process::Process(const std::vector<std::string>& command, const std::filesystem:
     pid_ = fork();
     if (pid_ < 0) throw std::runtime_error("cannot start a process");
     if (pid_ == 0) {
-        // A group of its own: Ctrl-C reaches the one that shows the progress, which ends the rest.
+        // A process group of its own: Ctrl-C reaches the process that shows the progress, which
+        // ends the others.
         setpgid(0, 0);
         prctl(PR_SET_PDEATHSIG, SIGTERM);
         if (getppid() != parent) _exit(127);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A program that runs beside this one, with what it says in a log.
+// A program that runs next to this one, with its output in a log.
 #pragma once
 
 #include <sys/types.h>
@@ -15,16 +15,16 @@ namespace sequence {
 
 class Process {
   public:
-    // Starts it in the folder. `pool` is the cores that it shares; without, it does not know of
-    // others. It ends when this process does. Throws std::runtime_error where it cannot start.
+    // Starts it in the folder. `pool` is the pool of cores that it shares; without one it does not
+    // know of others. It ends when this process does. Throws std::runtime_error if it cannot start.
     Process(const std::vector<std::string>& command, const std::filesystem::path& folder,
             const std::filesystem::path& log, const lab::Pool* pool);
 
-    // The exit status once it has ended, 128 and more for a signal.
+    // The exit status once it has ended; 128 and more for a signal.
     std::optional<int> ended();
-    // Seconds of all cores up to now.
+    // Seconds of all cores so far.
     double cpu_seconds() const;
-    // It and what it started.
+    // Stops it and everything that it started.
     void stop();
 
   private:

@@ -152,7 +152,8 @@ class Sequence {
         return quick_ ? step.quick_seconds : step.full_seconds;
     }
 
-    // Hash of all that the results of a step follow from: this program, the call, what it reads.
+    // A hash of everything that the results of a step depend on: this program, the call, and its
+    // inputs.
     std::string key_of(const Job& job) {
         if (program_hash_.empty()) program_hash_ = hash_of(this_program);
         std::string text = program_hash_;
@@ -212,7 +213,7 @@ class Sequence {
             {&job, Process(job.command, source_folder, job.folder / "log", &pool_), elapsed()});
     }
 
-    // Starts what there are cores for. What times this machine goes first and by itself.
+    // Starts as many jobs as there are cores. A job that times this machine goes first and alone.
     void start_more() {
         for (Job& job : jobs_) {
             if (job.state != Job::waiting) continue;
@@ -220,7 +221,7 @@ class Sequence {
                 if (job.step.times_host || running_.front().job->step.times_host) return;
                 if (!pool_.try_take()) return;
             } else {
-                // Nobody else is there: the pool holds all cores but this job's own.
+                // No other job is running: the pool gets all cores but this job's own.
                 pool_.refill(options_.threads - 1);
             }
             start(job);
@@ -275,12 +276,12 @@ class Sequence {
                 fmt::print(stderr, "{}: {}\n", job.step.name, error.what());
             }
         } else {
-            fmt::print(stderr, "{}: failed with {}; it said:\n{}", job.step.name, status,
-                       last_lines(job.folder / "log", 20));
+            fmt::print(stderr, "{}: failed with exit status {}; its last output:\n{}",
+                       job.step.name, status, last_lines(job.folder / "log", 20));
         }
     }
 
-    // What a step was registered to write is there, and nothing else; then it moves.
+    // Checks that the step wrote exactly what it is registered to write, then moves its files.
     void publish(Job& job) {
         std::set<fs::path> expected;
         for (const File& file : job.files) {
@@ -295,7 +296,8 @@ class Sequence {
                 throw std::runtime_error(
                     fmt::format("wrote {}, which it is not registered to write",
                                 entry.path().filename().string()));
-        // Copied beside their places and renamed there, as the build may lie on another disk.
+        // Copied next to their places and renamed there, since the build folder may be on another
+        // disk.
         for (const File& file : job.files) records::write_whole(file.place, content_of(file.made));
         remember(job);
     }
@@ -314,7 +316,7 @@ class Sequence {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     }
 
-    // Of what is not done: what it took last time, less what it has had.
+    // For the unfinished jobs: their previous times, less what they have used.
     double core_seconds_left() const {
         double left = 0;
         for (const Job& job : jobs_)
@@ -402,7 +404,7 @@ class Sequence {
     }
 
     static std::vector<std::string> unclaimed(const fs::path& folder) {
-        std::set<std::string> claimed = {"bounds.csv", "tools.json"};  // the report's
+        std::set<std::string> claimed = {"bounds.csv", "tools.json"};  // written by the report
         for (const Step& step : all_steps())
             for (const auto* list : {&step.writes, &step.full_only})
                 claimed.insert(list->begin(), list->end());
@@ -414,7 +416,7 @@ class Sequence {
         return names;
     }
 
-    // Figures and pages, where all that they are drawn from is there.
+    // Makes figures and pages if all their data are there.
     int reported() {
         for (const Step& step : all_steps())
             for (const std::string& name : step.writes)
@@ -429,7 +431,7 @@ class Sequence {
         std::optional<int> status;
         while (!(status = report.ended())) usleep(50'000);
         if (*status != 0) {
-            fmt::print(stderr, "report: failed with {}; it said:\n{}", *status,
+            fmt::print(stderr, "report: failed with exit status {}; its last output:\n{}", *status,
                        last_lines(log, 20));
             return *status > fixbench::check_failed ? fixbench::wrong_call : fixbench::check_failed;
         }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `fixbench all`: the steps of all experiments as processes that share the cores, the longest
-// first. A step writes into a folder of its own in the build folder; its files move into the
-// results when it has succeeded, so that an interruption leaves every file whole, old or new.
+// first. A step writes into its own folder in the build folder. Its files move into the results
+// when it has succeeded, so that an interruption leaves every file whole, old or new.
 #pragma once
 
 #include <filesystem>
@@ -25,13 +25,13 @@ struct Options {
 // Every step, by name.
 std::vector<fixbench::Step> all_steps();
 
-// The steps that the options ask for. Throws std::invalid_argument for a name that is none.
+// The steps that the options select. Throws std::invalid_argument for an unknown name.
 std::vector<fixbench::Step> chosen_steps(const Options& options);
 
 // Returns the exit code.
 int run_all(const Options& options);
 
-// All steps with what each writes and how long it last took: for readers, and as JSON.
+// All steps with what each writes and how long it took last time: for readers, and as JSON.
 std::string readable_list();
 std::string json_list();
 

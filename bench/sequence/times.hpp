@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How long each step took when it last ran on this machine, kept in the build folder.
+// How long each step took in its last run on this machine, stored in the build folder.
 #pragma once
 
 #include <filesystem>
@@ -15,11 +15,11 @@ struct Taken {
 
 class Times {
   public:
-    // A file that is missing or damaged holds nothing.
+    // A file that is missing or damaged counts as empty.
     explicit Times(std::filesystem::path file);
 
     std::optional<Taken> of(const std::string& step, bool quick) const;
-    // Saved at once.
+    // Saved immediately.
     void set(const std::string& step, bool quick, Taken taken);
 
   private:

@@ -43,8 +43,8 @@ refuses "did you mean pendulum" scenes --scene pendulun "${a[@]}"
 refuses "did you mean q16_16" scenes --scene pendulum --scalar q16_61 "${a[@]}"
 refuses "velocity_verlet" scenes --method verlet "${a[@]}"
 refuses "did you mean spring_stiffness" stability --case spring_stifness "${a[@]}"
-refuses "there are" stability --scalar q7_1 "${a[@]}"
-refuses "there are" stability --integrator leapfrog "${a[@]}"
+refuses "allowed are" stability --scalar q7_1 "${a[@]}"
+refuses "allowed are" stability --integrator leapfrog "${a[@]}"
 refuses "did you mean bounce" haptic --scenario bonce "${a[@]}"
 refuses "float, published, q16_16" haptic --arithmetic double "${a[@]}"
 refuses "did you mean lever" features --scene levr "${a[@]}"
@@ -108,13 +108,13 @@ head -1 "$scratch/good/operations.csv" | grep -q "^operation,format,implementati
     fail "the columns of operations.csv"
 python3 -m json.tool "$scratch/good/operations.json" >/dev/null || fail "operations.json is no JSON"
 # A selection never replaces what is there.
-refuses "operations.csv is there already" "${one[@]}" --output "$scratch/good"
+refuses "operations.csv already exists" "${one[@]}" --output "$scratch/good"
 
 # A subject that misbehaves is named with its operands, and all others are measured.
 "$fixbench" cycles --program "$(dirname "$fixbench")/experiments/operations/misbehaving.elf" --operands boundary \
     --csv >"$scratch/out" 2>"$scratch/err"
 [ $? -eq 1 ] || fail "cycles of subjects that misbehave: exit status"
-grep -q "negate_q8_8_hangs: boundary operands: not done .* of the operands 256" "$scratch/err" ||
+grep -q "negate_q8_8_hangs: boundary operands: not done .* with the operands 256" "$scratch/err" ||
     fail "a subject that hangs: $(cat "$scratch/err")"
 [ "$(grep -c ^negate,q8_8 "$scratch/out")" -eq 3 ] || fail "good subjects beside bad ones: $(cat "$scratch/out")"
 

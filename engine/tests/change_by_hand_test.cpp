@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is changed between steps acts from the next step's beginning.
+// A change between two steps takes effect at the start of the next step.
 #include <engine.h>
 #include <gtest/gtest.h>
 
@@ -50,7 +50,7 @@ struct ChangeByHand : testing::Test {
         world[body].position = {3_d, 0_d};
         world[body].velocity = {0_d, 0_d};
     }
-    // By a reference from before a step, which the world does not see.
+    // Through a reference from before a step, which the world cannot notice.
     void rest_at_3_unseen() {
         auto& particle = world[body];
         world.step(BinaryStep<4>());
@@ -59,16 +59,16 @@ struct ChangeByHand : testing::Test {
     }
 };
 
-TEST_F(ChangeByHand, PositionsMakeForcesAnew) {
+TEST_F(ChangeByHand, PositionsUpdateTheForces) {
     rest_at_3();
     expect_step_from_rest(1, 0);
 }
-TEST_F(ChangeByHand, PositionsInTheListMakeForcesAnew) {
+TEST_F(ChangeByHand, PositionsInTheListUpdateTheForces) {
     world.particles()[0].position = {3_d, 0_d};
     world.particles()[0].velocity = {0_d, 0_d};
     expect_step_from_rest(1, 0);
 }
-TEST_F(ChangeByHand, LengthsMakeForcesAnew) {
+TEST_F(ChangeByHand, LengthsUpdateTheForces) {
     rest_at_3_unseen();
     world.set_length(world.anchored_springs()[0], 2_d);
     expect_step_from_rest(2, 0);
@@ -89,7 +89,7 @@ TEST_F(ChangeByHand, AddedParticlesAct) {
     expect_step_from_rest(1, 0);
 }
 
-// Reading keeps the forces of the step before, with which a step costs one evaluation.
+// Reading keeps the forces of the previous step, with which a step costs one evaluation.
 TEST_F(ChangeByHand, LookingChangesNothing) {
     auto other = world;
     for (int i = 0; i < 8; ++i) {
@@ -113,7 +113,7 @@ struct CanAppend : std::false_type {};
 template <class T>
 struct CanAppend<T, decltype(void(std::declval<T>().append()))> : std::true_type {};
 
-// Nothing is removed, so that no broad phase keeps what is gone.
+// Nothing is removed, so no broad phase keeps a removed particle.
 TEST(Elements, AreNeitherAddedNorRemovedByHand) {
     using World = engine::World<double, Sprung>;
     using Particles = decltype(std::declval<World&>().particles());

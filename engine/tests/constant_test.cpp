@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Decimal constants and binary time steps, against exact integers.
+// Decimal constants and binary time steps, compared with exact integers.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -90,10 +90,10 @@ TEST(Decimal, IsRoundedOnceInEveryScalar) {
     check(-128_d, "-128");
     check(3.1415926535897932_d, "3.1415926535897932");
     check(engine::Decimal<-981, 2>(), "-9.81");
-    // Half of a last bit of Q16.16, up and down: ties go upward.
+    // Half of a last bit of Q16.16, positive and negative: rounded half up.
     check(engine::Decimal<762939453125, 17>(), "0.00000762939453125");
     check(engine::Decimal<-762939453125, 17>(), "-0.00000762939453125");
-    // More digits than a float holds: two roundings would go the wrong way.
+    // More digits than a float holds: two roundings would give the wrong result.
     check(16.777217_d, "16.777217");
     check(83.886091_d, "83.886091");
     check(100.663297_d, "100.663297");

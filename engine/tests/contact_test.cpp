@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Contacts, rods and ropes in motion, and the two searches for pairs.
+// Contacts, rods and ropes in motion, and the two broad phases.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -59,7 +59,7 @@ struct Crowd : engine::Uses {
     static constexpr unsigned char dimensions = 3;
     static constexpr unsigned particles = 40, contacts = 40 * 39 / 2;
     static constexpr bool radii = true, collisions = true;
-    using Solver = engine::WorstFirst<1>;  // moves nothing while it looks for pairs
+    using Solver = engine::WorstFirst<1>;  // moves nothing in the broad phase
 };
 struct CrowdByForce : Crowd {
     using BroadPhase = engine::BruteForce;
@@ -79,7 +79,7 @@ std::set<std::pair<int, int>> pairs(World& world) {
 
 }  // namespace
 
-// Where the two part: the change of the second velocity is the rest of the first's, so that a
+// With different masses, the change of the second velocity is the rest of the first's, so that the
 // momentum is lost by the rounding of the share (times the change), of the first's part, and of
 // each component.
 RC_GTEST_PROP(Contact, MomentumIsConservedToTheRounding, ()) {
@@ -132,7 +132,7 @@ TEST(Contact, EqualDiscsSwapVelocitiesHeadOn) {
     EXPECT_NEAR(runs::to_double(world[b].position[0]), 1.375 + 2.625, 2 / 64.0);
 }
 
-// At 0.75 s the first ball's momentum has gone through three others to the last.
+// At 0.75 s the first ball's momentum has passed through three others to the last.
 TEST(Contact, CradleHandsMomentumToTheLastBall) {
     const auto check = [](auto scalar) {
         const auto state = runs::run<NewtonsCradle, SemiImplicit, decltype(scalar), 9>()[2];
@@ -171,7 +171,7 @@ TEST(Contact, BouncesReachTheirHeights) {
 }
 
 TEST(Contact, RopeIsNeverLongerThanAStepMakesIt) {
-    // At the event the fall of 5.6 m/s goes on to the end of the step: 0.022 m of 2 m.
+    // At the event the fall of 5.6 m/s continues to the end of the step: 0.022 m of 2 m.
     EXPECT_LT((largest_misfit<RopeSwing, double, SemiImplicit>(2, true)), 0.011);
     EXPECT_LT((largest_misfit<RopeSwing, Number, SemiImplicit>(2, true)), 0.011);
     EXPECT_LT((largest_misfit<RopeSwing, Number, Verlet>(2, true)), 0.011);
@@ -196,7 +196,7 @@ TEST(Contact, BoxKeepsItsEnergyAndItsBalls) {
         runs::run<BoxOfParticles, decltype(method), Scalar, 8>([&](const auto& world) {
             const auto state = runs::state_of(world);
             ASSERT_NEAR(kinetic_energy(state), kinetic_energy(start), drift);
-            // A step makes 1.5 m/s * 2^-8 s of way.
+            // The motion of one step is 1.5 m/s * 2^-8 s.
             for (std::size_t a = 0; a < state.size(); ++a) {
                 for (double x : state[a].position) ASSERT_LT(std::abs(x), 1 - 0.125 + 0.01);
                 for (std::size_t b = 0; b < a; ++b)
@@ -237,10 +237,10 @@ RC_GTEST_PROP(BroadPhase, SortAndSweepFindsWhatBruteForceFinds, ()) {
         by_force.add_particle(ball);
         by_sweep.add_particle(ball);
     }
-    // The order of one look is the start of the next.
+    // The order of one search is the start of the next.
     for (int look = 0; look < 3; ++look) {
         for (int i = 0; i < count; ++i) {
-            // On whole metres now and then, for edges that just touch.
+            // Sometimes on whole metres, for edges that just touch.
             const bool whole = *rc::gen::inRange(0, 3) == 0;
             for (unsigned char axis = 0; axis < 3; ++axis) {
                 Number x = any_between(-5, 5);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Continuous contacts: nothing passes a thin wall, whatever its speed; the speeds after it are the
-// closed forms of a collision; and what is slow, or has nothing in its way, moves as without.
+// Continuous contacts: nothing passes a thin wall, whatever its speed. The speeds afterwards are
+// the closed forms of a collision. A particle that is slow, or has nothing in its way, moves as it
+// does without them.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -48,8 +49,8 @@ auto add(World& world, double x, double y, double vx, double vy, double inverse_
     return world.add_particle(body);
 }
 
-// The largest speed that a position in the middle of the range can have at a step of 2^-K s: after
-// one step it is still in the range.
+// The largest speed that a position in the middle of the range can have with a step of 2^-K s, so
+// that it is still in the range after one step.
 template <class Scalar>
 struct Format {
     static double largest_speed(int) { return 1e9; }
@@ -70,7 +71,7 @@ using Formats = testing::Types<Fixed<8, 8>, Fixed<8, 24>, Fixed<16, 16>, Saturat
                                Fixed<32, 32>, float, double>;
 TYPED_TEST_SUITE(Continuous, Formats);
 
-// From far and near, straight and slanted, between two spheres of the wall and at one.
+// From far and near, straight and slanted, between two spheres of the wall and at one of them.
 template <class Scalar, class Integrator, int K>
 void throw_at_a_wall() {
     std::mt19937 random(17);
@@ -82,7 +83,7 @@ void throw_at_a_wall() {
             Watched<Scalar, Integrator> world;
             world.set_restitution(0.5_d);
             const double aim = 0.1 * (part(random) - 0.5), slant = 0.4 * (part(random) - 0.5);
-            // Its first step ends on the way, at the wall or behind it.
+            // Its first step ends before the wall, at it or behind it.
             const double way = std::min((0.2 + 1.6 * part(random)) * v * std::ldexp(1.0, -K),
                                         Format<Scalar>::largest_position());
             const auto ball = add(world, -0.11 - way, aim - slant * way, v, slant * v);
@@ -111,7 +112,7 @@ TYPED_TEST(Continuous, NothingPassesAThinWall) {
     throw_at_a_wall<TypeParam, SemiImplicitEuler, 4>();
 }
 
-// Without, it passes: what the test above holds is not held anyway.
+// Without them it passes: the test above tests something.
 TEST(Discrete, PassesAThinWall) {
     Unwatched<double> world;
     const auto ball = add(world, -0.3, 0, 100, 0);
@@ -120,13 +121,13 @@ TEST(Discrete, PassesAThinWall) {
     EXPECT_GT(world[ball].position[0], 0);
 }
 
-// Two of one line after the collision: closed form, with momentum and energy.
+// Two on one line after the collision: the closed form, with momentum and energy.
 TYPED_TEST(Continuous, SpeedsAfterACollisionAreThoseOfTheClosedForm) {
     const double fastest = Format<TypeParam>::largest_speed(8) / 2;
     for (double v = 1; v < fastest; v *= 1.9) {
         Watched<TypeParam> world;
         world.set_restitution(1_d);
-        // Four steps away, and in the range.
+        // Four steps away, and within the range.
         const double way = std::min(4 * v / 256, Format<TypeParam>::largest_position());
         const auto first = add(world, -0.11 - way, 0, v, 0, 1);
         const auto second = add(world, 0, 0, 0, 0, 0.5);
@@ -165,7 +166,7 @@ TYPED_TEST(Continuous, AFastParticleStaysInItsBox) {
     }
 }
 
-TYPED_TEST(Continuous, WithNothingInTheWayMovesAsWithout) {
+TYPED_TEST(Continuous, WithNothingInTheWayMovesAsWithoutContinuousContacts) {
     Watched<TypeParam> world;
     Unwatched<TypeParam> plain;
     const auto build = [](auto& w) {
@@ -182,15 +183,15 @@ TYPED_TEST(Continuous, WithNothingInTheWayMovesAsWithout) {
     }
 }
 
-// Room for more particles is at the origin, where they would be before they are added.
-TYPED_TEST(Continuous, ParticlesThatAreNotThereAreNotInTheWay) {
+// Particles that have not been added are at the origin.
+TYPED_TEST(Continuous, ParticlesNotYetAddedAreNotInTheWay) {
     Watched<TypeParam> world;
     const auto ball = add(world, -1, 0, 100, 0);
     for (int step = 0; step < 16; ++step) world.step(BinaryStep<8>());
     EXPECT_NEAR(to_double(world[ball].position[0]), -1 + 16 * 100 / 256.0, 0.05);
 }
 
-// Below half a radius a step, contacts are found as without: bit for bit the same.
+// Below half a radius per step, contacts are found as without: bit for bit the same.
 RC_GTEST_PROP(ContinuousContacts, OfSlowParticlesAreTheSame, ()) {
     using Scalar = Fixed<16, 16>;
     World<Scalar, Hall<true>> world;
@@ -212,7 +213,7 @@ RC_GTEST_PROP(ContinuousContacts, OfSlowParticlesAreTheSame, ()) {
     };
     build(world), build(plain);
     for (int step = 0; step < 32; ++step) {
-        // Corrections and shared velocities keep below the bound here: 6.4 m/s at this step.
+        // Corrections and shared velocities stay below the bound here: 6.4 m/s with this step.
         world.step(BinaryStep<8>());
         plain.step(BinaryStep<8>());
         for (const auto& p : plain.particles())
@@ -221,7 +222,7 @@ RC_GTEST_PROP(ContinuousContacts, OfSlowParticlesAreTheSame, ()) {
     }
 }
 
-// Of a crowd in a box, at any speed, none leaves it and no energy is won.
+// In a crowd in a box, at any speed, no particle leaves the box, and no energy is gained.
 RC_GTEST_PROP(ContinuousContacts, KeepACrowdInItsBox, ()) {
     World<double, Hall<true>> world;
     std::mt19937 random(*rc::gen::arbitrary<unsigned>());

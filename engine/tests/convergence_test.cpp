@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The order of each method in each scene: the error against the true motion when the time step is
-// halved.
+// The order of each method in each scene: the error relative to the true motion when the time step
+// is halved.
 #include "runs.hpp"
 
 using namespace scenes;
@@ -8,7 +8,7 @@ using runs::error;
 
 namespace {
 
-// The gap of first order to second is wide: 2 or 4, at steps of 2^-10 and 2^-11 s.
+// First and second order are far apart: a factor of 2 or 4, at steps of 2^-10 and 2^-11 s.
 template <class Scene, class Method>
 void expect_order(int order) {
     const double coarse = error<Scene, Method, double, 10>();
@@ -44,8 +44,8 @@ TEST(Convergence, VerletIsOfSecondOrder) {
 }
 
 // Ten iterations leave a part of what gravity adds in a step along rods that share a particle: an
-// error of velocity in proportion to the step.
-TEST(Convergence, VerletIsOfFirstOrderWhereSweepsAreFew) {
+// error of velocity proportional to the step.
+TEST(Convergence, VerletIsOfFirstOrderWithFewIterations) {
     expect_order<ChainOfRods, Verlet>(1);
     EXPECT_GT((error<DoublePendulum, Verlet, double, 11>()),
               2 * (error<DoublePendulum, VerletSolved, double, 11>()));
@@ -76,14 +76,14 @@ TEST(Convergence, ExplicitEulerIsOfFirstOrderWithoutRods) {
     expect_order<ProjectileWithDrag, Published>(1);
 }
 
-// The published resolution ends below a closing velocity of 0.01 m/s, which smaller steps do not
-// lessen.
+// The published contact resolution stops below a closing velocity of 0.01 m/s, which smaller steps
+// do not reduce.
 TEST(Convergence, PublishedRodsStopConverging) {
     EXPECT_GT((error<Pendulum, Published, double, 12>()),
               (error<Pendulum, Published, double, 10>()));
 }
 
-// Where an event falls inside a step, the error is of first order, but jumps with the event's place
+// If an event falls inside a step, the error is of first order, but jumps with the event's position
 // in its step: judged over a factor of 64.
 TEST(Convergence, EventsAreOfFirstOrder) {
     const auto falls = [](double coarse, double fine) {
@@ -100,14 +100,14 @@ TEST(Convergence, EventsAreOfFirstOrder) {
     falls(error<NewtonsCradle, Verlet, double, 6>(), error<NewtonsCradle, Verlet, double, 12>());
 }
 
-// Head-on, and against a plane, the bounce is put where it would be after its exact time.
+// Head-on, and against a plane, the bounce is placed where it would be after its exact time.
 TEST(Convergence, VerletBouncesToSecondOrder) {
     EXPECT_GT((error<BouncingBall, Verlet, double, 7>()),
               200 * (error<BouncingBall, Verlet, double, 12>()));
 }
 
-// What is left in double is the method's error alone.
-TEST(Convergence, FiftyDigitsErrAsDoubleDoes) {
+// The error that remains in double is that of the method alone.
+TEST(Convergence, FiftyDigitsHaveTheErrorOfDouble) {
     const double wide = error<Pendulum, Verlet, reference::FiftyDigits, 8>();
     EXPECT_NEAR(wide, (error<Pendulum, Verlet, double, 8>()), 1e-6 * wide);
 }

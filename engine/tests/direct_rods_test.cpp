@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// DirectRods against what Newton's third law and the rods demand, solved by GSL; against closed
-// forms and conserved quantities where masses are far apart; and where rods form no chain.
+// DirectRods, compared with what Newton's third law and the rods require, solved by GSL; with
+// closed forms and conserved quantities where masses are far apart; and with rods that do not form
+// a chain.
 #include <gsl/gsl_linalg.h>
 
 #include <array>
@@ -25,7 +26,7 @@ struct Rods : Uses {
 template <class Scalar, class OfUses = Rods>
 using WorldOfRods = World<Scalar, OfUses>;
 
-// A rod between particles, or of one to a fixed point.
+// A rod between two particles, or from one to a fixed point.
 struct Link {
     int a, b;  // b < 0: to the anchor
 };
@@ -73,7 +74,7 @@ std::vector<Plain> velocities_by_gsl(const std::vector<Link>& links, std::vector
     return v;
 }
 
-// Bodies of 1 kg below one another on rods of 0.5 m, the last of another mass, pushed sideways.
+// Bodies of 1 kg below each other on rods of 0.5 m, the last with another mass, pushed sideways.
 template <class Scalar>
 void hang(WorldOfRods<Scalar>& world, unsigned links, Scalar last_inverse_mass) {
     using namespace engine::literals;
@@ -110,7 +111,7 @@ double stretch(const WorldOfRods<Scalar>& world) {
     return largest;
 }
 
-// J; the potential energy is 0 where the chain hangs.
+// The energy in J; the potential energy is 0 where the chain hangs.
 template <class Scalar>
 double energy(const WorldOfRods<Scalar>& world) {
     double sum = 0;
@@ -152,7 +153,7 @@ TEST(DirectRods, EqualsGslInRandomChains) {
         for (int p = 0; p < n; ++p) {
             position[p] = {p + 0.8 * uniform(random), 2 * uniform(random)};
             velocity[p] = {3 * uniform(random), 3 * uniform(random)};
-            // Anything from 1 g to 1 t, and now and then what does not move.
+            // Anything from 1 g to 1 t, and sometimes an immovable particle.
             inverse_mass[p] = random() % 8 == 0 ? 0 : std::pow(1000, uniform(random));
             WorldOfRods<double>::Body body;
             body.position = {position[p][0], position[p][1]};
@@ -161,7 +162,7 @@ TEST(DirectRods, EqualsGslInRandomChains) {
             if (inverse_mass[p] == 0) velocity[p] = {0, 0}, body.velocity = {0.0, 0.0};
             world.add_particle(body);
         }
-        // From a particle in the middle to both ends, each rod turned at random.
+        // From a particle in the middle to both ends, with the rods' ends swapped at random.
         const int middle = int(random() % n);
         std::vector<Link> links;
         if (random() % 2 == 0 && inverse_mass[middle] > 0 && (middle == 0 || middle == n - 1))
@@ -184,7 +185,7 @@ TEST(DirectRods, EqualsGslInRandomChains) {
             } else {
                 world.add_rod(std::uint8_t(link.a), std::uint8_t(link.b), distance);
             }
-            // Two ends that do not move have no say, and GSL no row for them.
+            // Two immovable ends have no effect, and GSL no row for them.
             if (inverse_mass[link.a] == 0 && (link.b < 0 || inverse_mass[link.b] == 0)) continue;
             between.push_back(link);
             unit.push_back({d[0] / distance, d[1] / distance});
@@ -229,8 +230,8 @@ TEST(DirectRods, HoldsAHundredThousandTimesTheMassInSmallSteps) {
     }
 }
 
-// Impulses are equal and opposite, but for the rounding of the share and of each end's change: 2
-// ulps at most, of each of 7 rods in each step.
+// Impulses are equal and opposite, except for the rounding of the share and of each end's change:
+// at most 2 ulp for each of 7 rods in each step.
 template <class Scalar>
 void expect_momentum(double within) {
     using namespace engine::literals;
@@ -262,7 +263,7 @@ TEST(DirectRods, KeepsTheMomentumOfAFreeChain) {
     expect_momentum<Fixed<16, 16>>(std::ldexp(2.0 * 7 * 1024, -16));
 }
 
-TEST(DirectRods, ReportsRodsThatFormNoChain) {
+TEST(DirectRods, ReportsRodsThatDoNotFormAChain) {
     using namespace engine::literals;
     WorldOfRods<double> world;
     WorldOfRods<double>::Body body;

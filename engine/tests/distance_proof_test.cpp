@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Proves the bounds of engine/distance.hpp for all inputs, in Nearest as in Saturating: its code
-// runs on numbers that stand for whole cells of inputs (error_form.hpp), and the cells cover the
-// domain. A cell is a range of q = (distance / length)^2 - 1, and one of the length; far from it,
-// one of the length to which bring_near_one has scaled the difference, and one of the distance.
+// Proves the bounds of engine/distance.hpp for all inputs, in Nearest as in Saturating. Its code
+// runs on numbers that represent whole cells of inputs (error_form.hpp), and the cells cover the
+// domain. A cell is a range of q = (distance / length)^2 - 1 and one of the length; far from the
+// length, a range of the length to which bring_near_one has scaled the difference, and one of the
+// distance.
 #include <gtest/gtest.h>
 
 #include <engine/distance.hpp>
@@ -12,17 +13,17 @@
 namespace proof {
 namespace {
 
-// A sanitizer looks at paths and not at results: fewer cells will do.
+// A sanitizer checks paths and not results, so fewer cells suffice.
 #ifdef SPARSE_OPERANDS
 constexpr int cell_step = 7;
 #else
 constexpr int cell_step = 1;
 #endif
 
-// Neither distance nor length comes nearer to the end of the format's range.
+// Neither distance nor length comes closer to the end of the format's range.
 constexpr double share_of_range = 0.98;
 
-// What bring_near_one has made of the difference: where its length lies, and by how many ulp a
+// The result of bring_near_one for the difference: the range of its length, and by how many ulp a
 // component is too small.
 struct Scaled {
     Interval length;
@@ -32,7 +33,7 @@ const Scaled* scaled = nullptr;
 
 }  // namespace
 
-// In place of the engine's, which only loops: the test BringNearOne shows what it makes.
+// Replaces the engine's, which only loops: the test BringNearOne shows its result.
 template <int N, int I, int F>
 void bring_near_one(engine::Vector<Scalar<I, F>, N>& v) {
     if (!scaled) throw Elsewhere();
@@ -48,8 +49,8 @@ void bring_near_one(engine::Vector<Scalar<I, F>, N>& v) {
 
 namespace {
 
-// The largest errors found: of a component of the direction, in ulps; of the excess beyond half an
-// ulp for the last rounding, or one for each component, in ulps for each metre.
+// The largest errors found: of a component of the direction, in ulp; of the excess in ulp per
+// metre, beyond half an ulp for the last rounding or one ulp for each component.
 struct Largest {
     double direction = 0, excess = 0;
     void take(double d, double e) {
@@ -58,7 +59,7 @@ struct Largest {
     }
 };
 
-// l R - 1 of the ideal l R, in ulps.
+// l R - 1 of the ideal l R, in ulp.
 Interval stretch(const Number& vector) {
     if (vector.ideal.size() != 1 || vector.ideal.begin()->first != Powers{0, 0, 1})
         throw Unproven("a direction is not near 1");
@@ -67,8 +68,8 @@ Interval stretch(const Number& vector) {
     return range(square, path.q) / (path.of(vector.ideal) + 1) / path.ulp();
 }
 
-// What L P, the excess near the length, is off by from L (l - 1), in units of L. Not in a template,
-// where clang 19 takes Polynomial{1} for one coefficient of 0.
+// The error of L P, the excess near the length, relative to L (l - 1), in units of L. Not in a
+// template, where clang 19 takes Polynomial{1} for one coefficient of 0.
 Interval beside_excess(const Polynomial& p) {
     const Polynomial one_more = p + Polynomial{1};
     return range(one_more * one_more + Polynomial{-1, -1}, path.q) /
@@ -112,7 +113,7 @@ struct Proof<fixedpoint::Fixed<I, F>> {
     using Real = Scalar<I, F>;
     static constexpr double range = share_of_range * (std::uint64_t(1) << (I - 1));
     static constexpr double ulp = 1 / double(std::uint64_t(1) << F);
-    static constexpr double near = 1 / double(1 << (F + 5) / 3);  // as NearOne, for the cells alone
+    static constexpr double near = 1 / double(1 << (F + 5) / 3);  // as NearOne, for the cells only
 
     int dimensions;
     bool sums_round_once;
@@ -132,7 +133,7 @@ struct Proof<fixedpoint::Fixed<I, F>> {
         return made;
     }
 
-    // What measure makes of one cell. A link that may be slack, and is not shorter, is found.
+    // The result of measure for one cell. A link that may be slack, and is not shorter, is found.
     template <bool may_be_slack, int N>
     void measure(Interval q, Interval length, int halvings) {
         Interval distance = length * root(q + 1);
@@ -153,7 +154,7 @@ struct Proof<fixedpoint::Fixed<I, F>> {
             note(direction[0], excess);
         });
     }
-    // The exact excess is D - L = L (l - 1). The code has L P, near the length, or D l R - L.
+    // The exact excess is D - L = L (l - 1). The code computes L P near the length, or D l R - L.
     void note(const Number& direction, const Number& result) {
         const Number excess = result.current();
         Interval off = path.of(excess.error);
@@ -180,8 +181,7 @@ struct Proof<fixedpoint::Fixed<I, F>> {
         scaled = nullptr;
     }
 
-    // A length of 2^-k m takes doublings, which round nothing: its error is below that of the
-    // products.
+    // A length of 2^-k m takes doublings, which are exact: its error is below that of the products.
     template <int N>
     void all() {
         for (int halvings = 0; halvings < I - 1; halvings += cell_step) {
@@ -213,7 +213,7 @@ struct Proof<fixedpoint::Fixed<I, F>> {
             for (; q < 24 * ulp; q += ulp) both(q, q + ulp);
         else
             for (; q < near; q += near / 2) both(q, q + near / 2);
-        // Up to where the square leaves the format. Beyond |q| = 1/2 the code begins anew, and a
+        // Up to where the square leaves the format. Beyond |q| = 1/2 the code starts again, and a
         // few wide cells show that it does.
         for (double to; q < range - 1; q = to) {
             to = q < 0.51 ? q + std::min(q / 8, 1.0 / 128) : std::min(1.25 * q, range - 1);
@@ -222,7 +222,7 @@ struct Proof<fixedpoint::Fixed<I, F>> {
     }
 };
 
-// Near the length, and else.
+// Near the length, and elsewhere.
 struct Bounds {
     Largest near_length, elsewhere;
 };
@@ -234,7 +234,7 @@ void expect_within(const Bounds& bounds, bool sums_round_once) {
     EXPECT_LE(proof.near_length.excess, bounds.near_length.excess) << N;
     EXPECT_LE(proof.elsewhere.direction, bounds.elsewhere.direction) << N;
     EXPECT_LE(proof.elsewhere.excess, bounds.elsewhere.excess) << N;
-    // Not for want of cells.
+    // The proof must not fail for lack of cells.
     if (cell_step > 1) return;
     EXPECT_GT(proof.near_length.excess, 0.75 * bounds.near_length.excess) << N;
     EXPECT_GT(proof.elsewhere.excess, 0.75 * bounds.elsewhere.excess) << N;
@@ -258,8 +258,8 @@ TEST(DistanceProof, HoldsWithMoreFractionBits) {
 }
 #endif
 
-// What the proof takes of 1 / length: half an ulp, of all lengths of less than 2 m, and of those at
-// the ends of each other number of halvings.
+// What the proof assumes of 1 / length: half an ulp, for all lengths of less than 2 m, and for
+// those at the ends of each other number of halvings.
 TEST(DistanceProof, InverseIsRoundedOnce) {
     const auto check = [](std::int64_t raw) {
         const auto made =
@@ -282,8 +282,9 @@ TEST(DistanceProof, InverseIsRoundedOnce) {
         }
     }
 }
-// What it takes of bring_near_one: the difference times a power of two, rounded down by less than
-// `floors` ulp, with its largest component in 1/4..1/2. Of all components of 16 bits, beside some.
+// What it assumes of bring_near_one: the difference times a power of two, rounded down by less than
+// `floors` ulp, with its largest component in 1/4..1/2. For all components of 16 bits, next to some
+// others.
 TEST(DistanceProof, BringNearOneScales) {
     using Small = fixedpoint::Fixed<8, 8>;
     for (int a = -32768; a < 32768; ++a) {

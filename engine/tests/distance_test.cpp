@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Distances and directions by products, against long double's root and quotient.
+// Distances and directions by products, compared with long double's root and quotient.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -29,7 +29,7 @@ struct Measured {
     Real excess_error, direction_error;  // ulp
 };
 
-// Of two points on either side of the origin.
+// For two points on either side of the origin.
 template <class Number, int N, bool may_be_slack = false>
 Measured<Number, N> measure(const engine::Vector<Number, N>& difference, Number length) {
     engine::Vector<Number, N> first, second, direction;
@@ -77,8 +77,8 @@ Number number(Real x) {
         static_cast<typename Number::Raw>(std::llround(std::ldexp(x, fraction<Number>))));
 }
 
-// All factors of 16 bits: the nearest to 2^halvings / a in the format, or 0 where that leaves it.
-// Of 2^-k it is 1.
+// All factors of 16 bits: the nearest to 2^halvings / a in the format, or 0 if that does not fit.
+// For 2^-k it is 1.
 TEST(Inverse, IsTheNearestFactor) {
     using Number = Fixed<8, 8>;
     for (int a = -32768; a < 32768; ++a) {
@@ -110,7 +110,7 @@ TEST(Inverse, IsTheNearestFactor) {
     EXPECT_EQ(engine::times(3.0, engine::inverse_of(4.0)), 0.75);
 }
 
-// A length that the compiler knows has the inverse that it has at run time.
+// A length known at compile time has the same inverse as at run time.
 template <class Number>
 void expect_same_inverses() {
     using Raw = typename Number::Raw;
@@ -133,7 +133,7 @@ TEST(Inverse, OfAKnownLengthIsTheSame) {
     expect_same_inverses<Fixed<8, 8>>();
 }
 
-// Doubling a difference and a chord is the product with 2^k, which the bounds are proven of.
+// Doubling a difference and a chord equals the product with 2^k, for which the bounds are proven.
 template <class Number, int N>
 void expect_doublings_as_products() {
     std::mt19937_64 random(13);
@@ -190,8 +190,8 @@ TEST(Distance, IsRightNearTheLength) {
     check_near<Fixed<32, 32>, 3>();
 }
 
-// Every distance that the format holds, of every length: relative to it within a few ulp, and
-// what rounding each product adds in an arithmetic that saturates.
+// Every distance that the format holds, for every length: relative to it within a few ulp, plus
+// what the rounding of each product adds in an arithmetic that saturates.
 template <class Number, int N>
 void check_all(int most) {
     std::mt19937_64 random(1);

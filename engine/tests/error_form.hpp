@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Fixed<I, F, Tracked<...>>: a number that stands for all numbers which the code could hold in its
+// Fixed<I, F, Tracked<...>>: a number that represents all numbers that the code could have in its
 // place. The code under proof is instantiated with it, so that its own constants, shifts and
-// roundings are what is bounded.
+// roundings are bounded.
 //
-// A number is what exact arithmetic would have, its ideal, and an error in ulps. An ideal is a
+// A number is an ideal, which exact arithmetic would have, and an error in ulp. An ideal is a
 // polynomial in q, with powers of the distance D of two ends, of the length L of their link and of
 // l = sqrt(1 + q), the length of a vector near 1. A vector's ideal is such a number times the unit
-// vector n from end to end. n itself stays a symbol: n . n = 1 is all that is needed of it.
-// An error is a linear form in the roundings, with a rest of second order. Of a vector's rounding
-// h, a box with a side for each component, the form holds across h + along n (n . h) in a vector
-// and along (n . h) in a scalar. So what a step corrects cancels.
+// vector n from end to end. n itself remains a symbol: only n . n = 1 is needed. An error is a
+// linear form in the roundings, with a remainder of second order. For a vector's rounding h, a box
+// with a side for each component, the form contains across h + along n (n . h) in a vector and
+// along (n . h) in a scalar, so that what a step corrects cancels.
 // Where a comparison cannot be decided, both branches are taken.
 #pragma once
 
@@ -30,8 +30,8 @@ struct Unproven : std::runtime_error {
 // The path belongs to another part of the proof.
 struct Elsewhere {};
 
-// lo..hi. An end moves outward only where an operation has rounded it, so that dyadic numbers of
-// few bits stay exact.
+// lo..hi. An end moves outward only if an operation has rounded it, so that dyadic numbers of few
+// bits stay exact.
 struct Interval {
     double lo, hi;
     constexpr Interval(double x = 0) : lo(x), hi(x) {}
@@ -92,7 +92,8 @@ inline Polynomial operator*(const Polynomial& a, const Polynomial& b) {
         for (std::size_t j = 0; j < b.size(); ++j) product[i + j] += a[i] * b[j];
     return product;
 }
-// Over all q of an interval; what is divisible by a power of q stays so small near 0.
+// Over all q of an interval; a polynomial divisible by a power of q stays correspondingly small
+// near 0.
 inline Interval range(const Polynomial& p, Interval q) {
     Interval sum;
     for (std::size_t i = p.size(); i-- > 0;) sum = sum * q + p[i];
@@ -104,7 +105,7 @@ using Powers = std::array<int, 3>;
 using Ideal = std::map<Powers, Polynomial>;
 using Name = std::uint64_t;
 
-// A few values by their names.
+// A few values by name.
 template <class Value>
 struct Named : std::vector<std::pair<Name, Value>> {
     Value& operator[](Name name) {
@@ -125,16 +126,16 @@ struct Error {
     double rest = 0;                // at most that, or a vector of that length
 };
 
-// What holds on one path through the code.
+// What is known on one path through the code.
 struct Path {
     int integer_bits = 0, fraction_bits = 0, dimensions = 0;
     bool sums_round_once = true;
     Interval q, distance, length;
-    Named<Interval> single;     // where a rounding lies, ulp
-    Named<double> box;          // how far a component goes either way, ulp
-    std::map<Name, int> unit;   // vectors of the ideal l n, of which version
-    int version = 0;            // how often q was chosen anew
-    std::vector<bool> answers;  // to what could not be decided
+    Named<Interval> single;     // the range of a rounding, ulp
+    Named<double> box;          // the range of a component, either way, ulp
+    std::map<Name, int> unit;   // vectors of the ideal l n, and their version
+    int version = 0;            // how often q was redefined
+    std::vector<bool> answers;  // to questions that could not be decided
     std::size_t asked = 0;
     std::map<std::array<Name, 3>, bool> decided;
 
@@ -173,7 +174,7 @@ struct Path {
         }
         return sum.hi;
     }
-    // Whether a < b, and so on: the same question has the same answer.
+    // Whether a < b, and so on. The same question has the same answer.
     bool decide(bool surely, bool surely_not, std::array<Name, 3> question) {
         if (surely || surely_not) return surely;
         if (const auto found = decided.find(question); found != decided.end()) return found->second;
@@ -183,7 +184,7 @@ struct Path {
 };
 inline Path path;
 
-// Runs it on every path that begins like this one.
+// Runs it on every path that starts like this one.
 template <class Run>
 void on_all_paths(const Path& start, Run run) {
     for (std::vector<bool> answers;;) {
@@ -209,14 +210,14 @@ inline Name name_of(std::initializer_list<Name> parts) {
     return name;
 }
 
-// Of the input 1 / length, whose error lies on both sides of 0 alike.
+// Of the input 1 / length, whose error is symmetric about 0.
 constexpr Name factor_name = 2;
 
-// A scalar, or in a component's place the whole vector.
+// A scalar, or the whole vector in place of a component.
 struct Number {
     Name name = 0;
     bool vector = false;
-    int version = 0;  // of the q that the ideal is of
+    int version = 0;  // of the q that the ideal refers to
     Ideal ideal;
     Error error;
 
@@ -233,7 +234,7 @@ struct Number {
         number.ideal[powers] = {factor};
         return number;
     }
-    // In the q of now.
+    // In terms of the present q.
     Number current() const {
         Number number = *this;
         if (const auto found = path.unit.find(name); found != path.unit.end()) {
@@ -281,7 +282,7 @@ inline void add_scaled(Error& sum, const Error& error, Interval factor) {
     sum.rest = (Interval(sum.rest) + Interval(factor.magnitude()) * error.rest).hi;
 }
 
-// The result, within the range, with what rounding adds.
+// The result, within the range, plus its rounding.
 inline Number rounded(Number number, Interval rounding) {
     if (rounding.magnitude() != 0) {
         if (number.vector) {
@@ -327,12 +328,12 @@ inline Number product(const Number& x, const Number& y, Interval rounding = {-0.
     result.name = name_of({4, a.name, b.name});
     result.ideal = a.ideal * b.ideal;
     add_scaled(result.error, a.error, path.of(b.ideal));
-    // Of a vector the other's error counts along n.
+    // Of a vector the other factor's error counts along n.
     for (const auto& [name, along] : b.error.along) result.error.across[name] += 0;
     if (!a.vector) result.error.across.clear();
     const Interval factor = path.of(a.ideal);
     if (b.error.single.size() == 1 && b.error.single.front().first == name_of({2, factor_name})) {
-        // 1 / length has no other use. As a rounding of its own that counts as most at once: steps
+        // 1 / length is not used elsewhere. It counts as a separate rounding immediately: steps
         // cancel a number better than a range.
         const Name own = name_of({8, result.name});
         path.single[own] = b.error.single.front().second * path.single.at(b.name);
@@ -356,7 +357,7 @@ inline Number shifted(const Number& x, int count) {
     add_scaled(result.error, x.current().error, factor);
     return rounded(result, {factor - 1, 0});
 }
-// Names the vector's length l from now on, where it is the vector's own.
+// Defines l as the vector's length from now on, if it is the vector's own.
 inline void choose_q(const Number& v, Interval square) {
     ++path.version;
     path.q = square - 1;
@@ -365,7 +366,7 @@ inline void choose_q(const Number& v, Interval square) {
 inline Number dot(const Number& x, const Number& y) {
     if (x.name == y.name) {
         Ideal square = x.current().ideal * x.current().ideal;
-        const bool first = square.begin()->first == Powers{2, -2, 0};  // 1 + q, as it was given
+        const bool first = square.begin()->first == Powers{2, -2, 0};  // 1 + q, as given
         if (square.size() != 1) throw Unproven("a length that is not followed");
         choose_q(x, first ? path.q + 1 : path.of(square));
     }
@@ -393,7 +394,7 @@ inline Interval value(const Number& x) {
     return path.of(number.ideal) + path.of(number.error) * path.ulp();
 }
 
-// The arithmetic: sums of products are rounded once, or each product by itself.
+// The arithmetic: sums of products are rounded once, or each product separately.
 struct Tracked {
     template <class Raw, int F>
     static Raw dot2(const Raw*, const Raw*);
@@ -438,14 +439,14 @@ namespace proof {
 template <int I, int F>
 using Scalar = fixedpoint::Fixed<I, F, Tracked>;
 
-// Every component stands for the whole vector: all must have come by the same operations.
+// Every component stands for the whole vector: all must result from the same operations.
 template <int N, int I, int F>
 const Number& whole(const Scalar<I, F>* v) {
     for (int i = 1; i < N; ++i)
         if (v[i].name != v[0].name) throw Unproven("components are treated unequally");
     return v[0];
 }
-// What the engine's vectors call.
+// The functions that the engine's vectors call.
 template <int N, int I, int F>
 Scalar<I, F> dot(const Scalar<I, F>* a, const Scalar<I, F>* b) {
     return Scalar<I, F>(dot(whole<N>(a), whole<N>(b)));

@@ -32,7 +32,7 @@ struct WorldErrors : testing::Test {
         body.position = {2_d, 0_d};
         b = world.add_particle(body);
     }
-    // What the last call did must be refused for that reason; the next may succeed.
+    // The last call must have been refused for that reason; the next may succeed.
     void expect(Error error, bool done) {
         EXPECT_FALSE(done);
         EXPECT_STREQ(engine::describe(world.error()), engine::describe(error));
@@ -103,8 +103,8 @@ TYPED_TEST(WorldErrors, BadRestitutions) {
     EXPECT_TRUE(world.add_rope(this->a, this->b, 1_d, 1_d));
 }
 
-// To 2^-9 of the length: three digits will do, two will not.
-TYPED_TEST(WorldErrors, NormalsOfAnotherLengthThanOne) {
+// To 2^-9 of the length: three digits suffice, two do not.
+TYPED_TEST(WorldErrors, NormalsOfALengthOtherThanOne) {
     using Vector = typename TestFixture::World::Vector;
     const Vector bad[] = {{0_d, 5_d}, {0_d, 0.5_d},   {0.71_d, 0.71_d}, {0.6_d, 0.79_d},
                           {1_d, 1_d}, {-1.01_d, 0_d}, {0_d, 0.99_d},    {100_d, 100_d}};
@@ -152,7 +152,7 @@ TYPED_TEST(WorldErrors, LengthsBetweenSteps) {
     EXPECT_EQ(world.anchored_springs()[0].rest_length, TypeParam(6_d));
 }
 
-TYPED_TEST(WorldErrors, TimeStepsThatDoNotGoForward) {
+TYPED_TEST(WorldErrors, TimeStepsThatAreNotPositive) {
     auto& world = this->world;
     world.gravity = {1_d, 0_d};
     for (const TypeParam dt : {TypeParam(), TypeParam(-0.5_d)}) {
@@ -165,7 +165,7 @@ TYPED_TEST(WorldErrors, TimeStepsThatDoNotGoForward) {
     EXPECT_EQ(world[this->a].velocity[0], TypeParam(0.5_d));
 }
 
-// A handle that no add_particle made means no particle; those of other types of worlds do not
+// A handle that no add_particle made names no particle; those of other types of worlds do not
 // compile.
 TYPED_TEST(WorldErrors, HandlesOfNothing) {
     auto& world = this->world;
@@ -281,7 +281,7 @@ using FloatingScalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(FloatingErrors, FloatingScalars);
 }  // namespace
 
-TYPED_TEST(FloatingErrors, NumbersThatAreNoNumbers) {
+TYPED_TEST(FloatingErrors, NumbersThatAreNotFinite) {
     auto& world = this->world;
     const auto a = this->a, b = this->b;
     using Limits = std::numeric_limits<TypeParam>;
@@ -345,7 +345,7 @@ TEST(WorldError, UnusedNumbersAreNotChecked) {
     EXPECT_EQ(world.error(), Error::none);
 }
 
-TEST(WorldError, RodWithoutDirectionIsReportedAndTheRestGoesOn) {
+TEST(WorldError, RodWithoutDirectionIsReportedAndTheStepContinues) {
     engine::World<double, Everything> world;
     engine::World<double, Everything>::Body body;
     body.inverse_mass = 1;
@@ -357,7 +357,7 @@ TEST(WorldError, RodWithoutDirectionIsReportedAndTheRestGoesOn) {
     EXPECT_EQ(world[a].position[0], 1);
 }
 
-TEST(WorldError, EachHasItsOwnWords) {
+TEST(WorldError, EachHasItsOwnDescription) {
     std::set<std::string> words;
     const int count = static_cast<int>(Error::no_such_link) + 1;
     for (int i = 0; i < count; ++i) words.insert(engine::describe(static_cast<Error>(i)));

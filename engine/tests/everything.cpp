@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Everything that the engine offers, in every kind of scalar: what a compiler has to say about a
-// header, it says here. Compiled, and not run.
+// Everything that the engine offers, in every kind of scalar, so that the compiler's warnings about
+// its headers appear here. Compiled, and not run.
 #include <engine.h>
 
 #include <engine/hash.hpp>

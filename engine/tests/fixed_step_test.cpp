@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What only fixed-point worlds do: share by masses whose inverses overflow, stiff springs whose
-// terms overflow, residuals, hashes. Against doubles and exact integers.
+// terms overflow, residuals, hashes. Compared with doubles and exact integers.
 #include <engine.h>
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ struct Pair : engine::Uses {
     static constexpr unsigned particles = 2, rods = 1;
 };
 
-// Two on a rod that is 2 m too long: who moves by how much.
+// Two on a rod that is 2 m too long: who moves, and by how much.
 void expect_shares(Q8_8 inverse_a, Q8_8 inverse_b, double share_a, double share_b) {
     engine::World<Q8_8, Pair> world;
     decltype(world)::Body body;
@@ -63,8 +63,8 @@ struct Stiff : engine::Uses {
 
 double saturated(double x) { return std::min(x, 127.99609375); }
 
-// u' = (u - s x) / d with s = i h k and d = 1 + h i (h k + c), each term at the end of its range
-// where it leaves it.
+// u' = (u - s x) / d with s = i h k and d = 1 + h i (h k + c), each term at the end of its range if
+// it does not fit.
 void expect_implicit(double inverse, double k, double c, double x, double u) {
     const double h = 1 / 16.0;
     const double s = saturated(inverse * (k * h));
@@ -92,7 +92,7 @@ TEST(ImplicitSprings, FollowTheClosedFormWhereTermsOverflow) {
                     for (const double u : {0.0, 2.0, -3.0}) expect_implicit(inverse, k, c, x, u);
 }
 
-// Inverse masses of 100 each: their sum stays at the end of the range, and the pair shares alike.
+// Inverse masses of 100 each: their sum saturates, and the pair shares equally.
 TEST(ImplicitSprings, OfLightPairsPullBothEnds) {
     engine::World<Q8_8, Stiff> world;
     decltype(world)::Body body;
@@ -125,7 +125,7 @@ TEST(CompensatedIntegration, LosesNothing) {
     }
     body.inverse_mass = 1_d;
     const auto a = world.add_particle(body);
-    int64_t position[3] = {};  // times 2^7, of velocities that are floors themselves
+    int64_t position[3] = {};  // times 2^7, for velocities that are floors themselves
     for (int step = 1; step <= 300; ++step) {
         world.step(BinaryStep<7>());
         for (unsigned char i = 0; i < 3; ++i) {
@@ -157,14 +157,14 @@ TEST(CompensatedIntegration, CarriesByteByByte) {
     }
 }
 
-// FNV-1a of the bytes, as the authors' own tables have it.
+// FNV-1a of bytes, from the tables of its authors.
 TEST(Hash, IsFnv1a) {
     EXPECT_EQ(engine::hash_into(2166136261u, 'a'), 0xe40c292cu);
     const char foobar[] = {'f', 'o', 'o', 'b', 'a', 'r'};
     EXPECT_EQ(engine::hash_into(2166136261u, foobar), 0xbf9cf968u);
 }
 
-TEST(Hash, KnowsPositionsVelocitiesAndTheirOrder) {
+TEST(Hash, DependsOnPositionsVelocitiesAndTheirOrder) {
     engine::World<Q8_8, Pair> world;
     EXPECT_EQ(engine::state_hash(world), 2166136261u);
     world.add_particle({});
@@ -196,7 +196,7 @@ TEST(Scalar, SaturatesAtBothEnds) {
     EXPECT_EQ(engine::absolute(2.0), 2);
 }
 
-// One name: with both namespaces open, multiply_add of Fixed numbers is the library's.
+// With both namespaces open, multiply_add of Fixed numbers is the library's.
 TEST(Scalar, MultiplyAddIsOneName) {
     using namespace engine;
     using namespace fixedpoint;

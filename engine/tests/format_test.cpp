@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a format's arithmetic adds to the error of a method.
+// The error that a format's arithmetic adds to that of a method.
 #include "runs.hpp"
 
 using namespace scenes;
@@ -13,7 +13,7 @@ double distance_to_double() {
                                   runs::run<Scene, SemiImplicit, double, 8>());
 }
 
-// The bounds, m: what the error of a last bit a step comes to in the scene's duration.
+// The bounds in m: what an error of one last bit per step amounts to over the scene's duration.
 template <class Scene>
 void expect_near_double(double q16_16, double q8_24) {
     const double coarse = distance_to_double<Scene, Fixed<16, 16>>();
@@ -24,7 +24,7 @@ void expect_near_double(double q16_16, double q8_24) {
 
 }  // namespace
 
-// A velocity that is off by half a last bit in every step is off by 2^-17 * 256 * 2 m/s in the end.
+// A velocity that is off by half a last bit in every step is off by 2^-17 * 256 * 2 m/s at the end.
 TEST(Format, ErrorOfTheArithmeticIsBounded) {
     expect_near_double<FreeFall>(5e-3, 2e-5);
     expect_near_double<BouncingBall>(2e-3, 8e-6);
@@ -40,11 +40,12 @@ TEST(Format, ErrorOfTheArithmeticIsBounded) {
     expect_near_double<PublishedLever>(5e-4, 5e-6);
 }
 
-// Which step finds the rope taut hangs on the last bit, so that runs part by what a step makes.
+// The step that finds the rope taut depends on the last bit, so that runs differ by the motion of
+// one step.
 TEST(Format, RopeMayBeTautAStepLater) { expect_near_double<RopeSwing>(0.06, 0.06); }
 
-// Q8.24 has 8 bits more behind the point than Q16.16, and uses them.
-TEST(Format, MoreBitsBehindThePointAreMoreExact) {
+// Q8.24 has 8 fraction bits more than Q16.16, and uses them.
+TEST(Format, MoreFractionBitsAreMoreAccurate) {
     EXPECT_LT((50 * distance_to_double<Pendulum, Fixed<8, 24>>()),
               (distance_to_double<Pendulum, Fixed<16, 16>>()));
     EXPECT_LT((50 * distance_to_double<Pendulum, Fixed<32, 32>>()),

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One to three steps of random small worlds of everything, against a model written down a second
-// time from the documentation: plain doubles, no templates, every formula in the open. Numbers lie
-// on a grid of quarters, so that surfaces that just touch and velocities at the threshold are met
-// often.
+// One to three steps of random small worlds with everything, compared with a model written a second
+// time from the documentation: plain doubles, no templates, every formula explicit. Numbers are on
+// a grid of quarters, so that surfaces that just touch and velocities at the threshold occur often.
 #include <engine.h>
 #include <gtest/gtest.h>
 
@@ -66,10 +65,10 @@ struct Model {
     std::vector<Row> rows;
     bool forces_known = false;
     int steps = 0;
-    bool is_close = false;  // a comparison hung on rounding: not to be compared
+    bool is_close = false;  // a comparison depended on rounding: not to be compared
 
-    // Equal numbers tell which of < and <= is meant where both sides have them without rounding: on
-    // the grid, in the first step.
+    // Equal numbers distinguish < from <= where both sides have them without rounding: on the grid,
+    // in the first step.
     bool less(double a, double b) {
         const bool is_exact = steps == 0 && a == b && std::floor(a * 1024) == a * 1024;
         if (std::abs(a - b) < 1e-9 && !is_exact) is_close = true;
@@ -80,7 +79,7 @@ struct Model {
         return b == none ? particles[a].v : particles[a].v - particles[b].v;
     }
     double inverse(int i) const { return i == none ? 0 : particles[i].inverse_mass; }
-    // The change of a quantity of a relative to b along n, in proportion to inverse mass.
+    // Changes a quantity of a relative to b along n, in proportion to inverse mass.
     void shift(int a, int b, V n, double change, V Particle::*quantity) {
         const double total = inverse(a) + inverse(b);
         if (total == 0) return;
@@ -399,7 +398,7 @@ void build(World& world, const Model& m) {
         world.add_plane(vector<World>(p.normal), p.offset, p.restitution);
 }
 
-// Whether a rod has no direction, which is an error of the world and no matter of the model.
+// Whether a rod has no direction, which is an error of the world and not part of the model.
 bool has_direction(const Model& m) {
     for (const Link& r : m.rods)
         if (norm(m.particles[r.a].x - m.position_of(r.b, r.anchor)) == 0) return false;

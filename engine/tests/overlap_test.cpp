@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Overlaps of spheres and their directions, against long double's root and quotient.
+// Overlaps of spheres and their directions, compared with long double's root and quotient.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -37,9 +37,9 @@ Found<Number, N> overlap(const Vector<Number, N>& a, const Vector<Number, N>& b,
     return found;
 }
 
-// Pairs of which the differences along the axes are below the sum of the radii: from far within
-// each other, where most fast ones are found, to corners where they are apart. The bounds are those
-// of distance.hpp, in either arithmetic the plain format's.
+// Pairs whose differences along the axes are below the sum of the radii: from deep inside each
+// other, where most fast particles are found, to corners where they are apart. The bounds are those
+// of distance.hpp; in either arithmetic those of the plain format.
 template <class Number, int N>
 void expect_right(double least, double most) {
     std::mt19937_64 random(1);
@@ -99,7 +99,7 @@ TEST(Overlap, IsRight) {
     expect_right<SaturatingFixed<16, 16>, 3>(-14, 14.9);
 }
 
-// Spheres of which the smallest have no 1 / reach in the format, at one place and an ulp apart.
+// Spheres, the smallest of which have no 1 / reach in the format, in one place and one ulp apart.
 template <class Number>
 void expect_right_at_one_place() {
     LastReach<Number> last;
@@ -123,8 +123,8 @@ TEST(Overlap, IsRightAtOnePlace) {
     expect_right_at_one_place<SaturatingFixed<16, 16>>();
 }
 
-// Up to 1 m what touches along an axis does not overlap, as in a cradle at rest.
-TEST(Overlap, IsNoneWhereTheyTouch) {
+// Up to 1 m, spheres that touch along an axis do not overlap, as in a cradle at rest.
+TEST(Overlap, IsZeroWhereTheyTouch) {
     using Number = Fixed<16, 16>;
     LastReach<Number> last;
     for (int32_t raw = 1; raw <= 1 << 16; ++raw) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pools whose capacities pass the limits of an 8-bit index: each holds what it states, and every
+// Pools whose capacities exceed the limits of an 8-bit index: each holds what it states, and every
 // element acts.
 #include <engine.h>
 #include <gtest/gtest.h>
@@ -45,7 +45,7 @@ TEST(Step, OfNoParticleDoesNothing) {
     EXPECT_EQ(world.particles().size(), 0u);
 }
 
-// Position, velocity and inverse mass; and what the scene states beside.
+// Position, velocity and inverse mass, and what the scene states in addition.
 TEST(Particle, HoldsOnlyWhatItsSceneStates) {
     EXPECT_EQ(numbers_of_a_particle<Points>, 5u);
     EXPECT_EQ(numbers_of_a_particle<PointsInSpace>, 7u);
@@ -104,7 +104,7 @@ TEST(Pools, RowsOfRodsAndRopesAreCountedApartFromParticles) {
     expect_all_hang<129, engine::ProjectedGaussSeidel<4>>();
 }
 
-// Two rows a rod and one a rope: 255, 258 and 261.
+// Two rows per rod and one per rope: 255, 258 and 261.
 TEST(Pools, RowsOfOpposedContactsAreCountedApartFromParticles) {
     expect_all_hang<85, engine::WorstFirst<255>>();
     expect_all_hang<86, engine::WorstFirst<255>>();
@@ -143,7 +143,7 @@ struct Many : engine::Uses {
     static constexpr bool gravity = true;
 };
 
-// As many contacts as particles on a floor, and none beyond.
+// As many contacts as particles on a floor, and no more.
 template <unsigned N>
 void expect_all_lie() {
     engine::World<double, Many<N>> world;

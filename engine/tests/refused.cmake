@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # cmake -DCOMPILER=... -DSOURCE=... -DINCLUDES=a;b -P refused.cmake: compiles SOURCE, which must
-# fail, and looks for each sentence behind `// refused: ` among the errors, as often as it is there.
+# fail, and searches the errors for each sentence after `// refused: `, as often as it occurs there.
 set(flags)
 foreach(include ${INCLUDES})
     list(APPEND flags -I${include})
@@ -21,7 +21,7 @@ foreach(line ${expected})
     if(at EQUAL -1)
         message(FATAL_ERROR "Not refused: ${sentence}\n${errors}")
     endif()
-    # Each error answers for one line only.
+    # Each error counts for one line only.
     string(SUBSTRING "${errors}" 0 ${at} before)
     math(EXPR at "${at} + 1")
     string(SUBSTRING "${errors}" ${at} -1 behind)

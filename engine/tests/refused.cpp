@@ -31,7 +31,7 @@ engine::World<double, Chains> chains;  // refused: Rods, ropes and contacts make
 engine::World<double, Opposed>
     opposed;  // refused: Rods, ropes and contacts make at most 65535 rows
 
-engine::World<double, Points> points;  // refused: continuous_contacts are of particles with radii.
+engine::World<double, Points> points;  // refused: continuous_contacts need radii.
 
 void build() {
     engine::World<double, Alone> world;
@@ -44,5 +44,5 @@ void build() {
     unsigned char byte(1_d);      // refused: A decimal constant is a fixed-point
     char16_t letter = -1_d;       // refused: A decimal constant is a fixed-point
     __int128 wide = 0.5_d;        // refused: A decimal constant is a fixed-point
-    engine::BinaryStep<-1> back;  // refused: A binary step is 2^-K seconds, K from 0 to 59.
+    engine::BinaryStep<-1> back;  // refused: A binary step is 2^-K seconds: K must be in 0..59.
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Runs of scenes on the host, looked at four times a second.
+// Runs of scenes on the host, observed four times a second.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -57,7 +57,7 @@ reference::Times observed_times() {
     return times;
 }
 
-// In steps of 2^-K s; look(world) is called after each.
+// In steps of 2^-K s; look(world) is called after each step.
 template <class Scene, class Method, class Scalar, int K, class Look>
 reference::Trajectory run(Look look) {
     WorldOf<Scene, Method, Scalar> world;
@@ -76,7 +76,7 @@ reference::Trajectory run() {
     return run<Scene, Method, Scalar, K>([](const auto&) {});
 }
 
-// Between positions, m.
+// The largest distance between positions, m.
 inline double largest_distance(const reference::Trajectory& a, const reference::Trajectory& b) {
     EXPECT_EQ(a.size(), b.size());
     double largest = 0;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// In SaturatingFixed numbers what leaves the range stays at its end, on the side where it left: in
-// Q8.8,
-// +-128, in every place where the plain format comes back from the other side.
+// In SaturatingFixed, a result that leaves the range stays at its end, on the side where it left
+// it: in Q8.8, +-128, wherever the plain format wraps around to the other side.
 #include <engine.h>
 #include <gtest/gtest.h>
 
@@ -36,7 +35,7 @@ struct Falling : engine::Uses {
     static constexpr bool gravity = true;
 };
 
-TEST(Saturating, WhatFallsOnAndOnStaysAtTheEndOfPositionsAndVelocities) {
+TEST(Saturating, AnEndlessFallStaysAtTheEndOfTheRange) {
     OneBody<Number, Falling> saturating(-100_d, 0_d, 1_d);
     OneBody<Plain, Falling> plain(-100_d, 0_d, 1_d);
     saturating.world.gravity[0] = -100_d;
@@ -75,8 +74,8 @@ struct Rolling : engine::Uses {
     using Solver = engine::ProjectedGaussSeidel<10>;
 };
 
-// The velocity changes by twice what it was: 240 in a range of 128.
-TEST(Saturating, ABounceTurnsTheVelocityRound) {
+// The velocity changes by twice its value: 240 in a range of 128.
+TEST(Saturating, ABounceReversesTheVelocity) {
     OneBody<Number, Rolling> body(1_d, -120_d, 1_d);
     body.world.add_plane({1_d, 0_d}, 0_d, 1_d);
     body.world.step(BinaryStep<4>());
@@ -104,7 +103,7 @@ bool touch(Scalar a, Scalar b, Scalar radius) {
 }
 
 // 255.5 m apart, which is -0.5 m in a range of 256; two radii of 100 m are -56 m there.
-TEST(Saturating, WhatIsFarApartDoesNotTouchAndLargeBodiesDo) {
+TEST(Saturating, DistantBodiesDoNotTouchAndLargeOnesDo) {
     EXPECT_FALSE(touch<Number>(127.75_d, -127.75_d, 1_d));
     EXPECT_TRUE(touch<Plain>(127.75_d, -127.75_d, 1_d));
     EXPECT_TRUE(touch<Number>(0_d, 50_d, 100_d));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vectors of fixed-point numbers against exact integers.
+// Vectors of fixed-point numbers, compared with exact integers.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -19,7 +19,7 @@ engine::Vector<Number, N> any_vector() {
     for (unsigned char i = 0; i < N; ++i) v[i] = Number::from_raw(*rc::gen::arbitrary<int32_t>());
     return v;
 }
-// Components below 64, so that no product leaves the format.
+// Components below 64, so that no product overflows the format.
 template <int N>
 engine::Vector<Number, N> small_vector() {
     engine::Vector<Number, N> v;
@@ -63,7 +63,7 @@ void check_length() {
     RC_ASSERT(fabsl(length(v).raw() - exact) <= 1);
     const auto unit = normalise(v);
     const long double whole = length(v).raw();
-    // Rounding of the quotient, and one ulp of the length in proportion.
+    // The rounding of the quotient, and one ulp of the length in proportion.
     for (unsigned char i = 0; i < N && whole > 0; ++i)
         RC_ASSERT(fabsl(unit[i].raw() - 65536.0L * v[i].raw() / whole) <= 0.5L);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// WarmStartedGaussSeidel: at rest, what its rows do is the weight that hangs on them or lies on
-// them, in closed form; a row alone does what ProjectedGaussSeidel does; and a bounce is a bounce.
+// WarmStartedGaussSeidel: at rest, its rows carry the weight that hangs on them or lies on them, in
+// closed form; a single row does what ProjectedGaussSeidel does; and a bounce is a bounce.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -75,8 +75,8 @@ double largest_overlap(const World& world) {
     return largest;
 }
 
-// Of a row between a and b, i = 1/m: the impulse is change / (i_a + i_b), and at rest it is the
-// tension of a step. The k-th rod from above bears what hangs below it.
+// For a row between a and b, i = 1/m: the impulse is change / (i_a + i_b), and at rest it is the
+// tension of a step. Rod number k from above carries what hangs below it.
 TEST(WarmStarted, RodsOfAChainAtRestBearTheWeightBelow) {
     for (const double heavy : {1., 10., 100.}) {
         World<double, Chain<WarmStartedGaussSeidel<10>>> world;
@@ -103,7 +103,8 @@ TEST(WarmStarted, ContactsOfAPileAtRestBearTheWeightAbove) {
     }
 }
 
-// In Q16.16, which rounds: a pile of 20 with four iterations keeps its shape; without, it gives.
+// In Q16.16, which rounds: a pile of 20 with four iterations keeps its shape; without warm starting
+// it collapses.
 TEST(WarmStarted, HoldsAPileOfTwentyThatFourIterationsDoNot) {
     World<SaturatingFixed<16, 16>, Pile<WarmStartedGaussSeidel<4>>> warm;
     World<SaturatingFixed<16, 16>, Pile<ProjectedGaussSeidel<4>>> cold;
@@ -144,18 +145,18 @@ TEST(WarmStarted, AChainBearsAThousandTimesItsMass) {
     }
 }
 
-// A row alone is solved exactly: then it matters not where the solver began.
+// A single row is solved exactly: then it does not matter where the solver started.
 struct Warm : SemiImplicit {
     using Solver = WarmStartedGaussSeidel<10>;
 };
-TEST(WarmStarted, ASingleRowIsSolvedAsWithout) {
+TEST(WarmStarted, ASingleRowIsSolvedAsWithoutIt) {
     EXPECT_LT(runs::largest_distance((runs::run<Pendulum, Warm, double, 8>()),
                                      (runs::run<Pendulum, SemiImplicit, double, 8>())),
               1e-11);
 }
 
-// Against the closed forms; the overlap that stays is all that is added.
-TEST(WarmStarted, BouncesErrByNoMoreThanWithout) {
+// Compared with the closed forms; only the overlap that stays is added.
+TEST(WarmStarted, BouncesAreAsAccurateAsWithoutIt) {
     EXPECT_LT((runs::error<BouncingBall, Warm, double, 10>()),
               (runs::error<BouncingBall, SemiImplicit, double, 10>() + 1e-4));
     EXPECT_LT((runs::error<TwoBodyCollision, Warm, double, 10>()),

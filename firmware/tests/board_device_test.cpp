@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The hardware layer in the simulated chip: what is on its pins, on its line and in its variables.
+// The hardware layer in the simulated chip: the state of its pins, its line and its variables.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -50,12 +50,12 @@ TEST_F(BoardTest, EachInputHasItsReadings) {
     for (int i = 0; i < 3; ++i)
         EXPECT_EQ(program.get<std::uint16_t>("sums", i), 4 * (100 + 300 * i)) << i;
     for (std::size_t i = 0; i < channels.size(); ++i) ASSERT_EQ(channels[i], i % 3) << i;
-    // 13 cycles of the converter's clock of 125 kHz and the wait for the next one.
+    // 13 cycles of the converter's clock of 125 kHz, and the wait for the next one.
     for (std::size_t i = 2; i < starts.size(); ++i)
         EXPECT_NEAR((starts[i] - starts[i - 1]) / cycles_per_microsecond, 108, 6);
 }
 
-// A sum holds the newest four readings: a step of the voltage passes through it in four.
+// A sum contains the newest four readings: a step of the voltage passes through it in four.
 TEST_F(BoardTest, TheNewestReadingsAreSummed) {
     int conversions = 0;
     chip.on_conversion([&](Cycle, int channel) {
@@ -113,8 +113,8 @@ class ServoTest : public BoardTest {
     Edges edges;
 };
 
-// With the line saturated both ways and the converter running: under half a microsecond off, as the
-// interrupt waits for the tick.
+// With the line saturated both ways and the converter running: less than half a microsecond off,
+// since the interrupt waits for the tick.
 TEST_F(ServoTest, ThePulseIsAsLongAsCommanded) {
     do_task(busy);
     double worst_width = 0, worst_period = 0;
@@ -144,7 +144,7 @@ TEST_F(ServoTest, ThePulseIsHeldToTheTravel) {
     }
 }
 
-// Timer1 comes back to the same phase after 1024 periods. Here one of the compare values is 0.
+// Timer1 returns to the same phase after 1024 periods. Here one of the compare values is 0.
 TEST_F(ServoTest, NoPulseIsMissedInAThousand) {
     program.set<std::uint16_t>("pulse", 3016);
     measure(0.045);
@@ -154,7 +154,7 @@ TEST_F(ServoTest, NoPulseIsMissedInAThousand) {
     for (const double width : widths) ASSERT_NEAR(width, 1508, 0.5);
 }
 
-// A command in the middle of a pulse is for the next one, and no pulse is of mixed bytes.
+// A command in the middle of a pulse applies to the next one, and no pulse is made of mixed bytes.
 TEST_F(ServoTest, CommandsDoNotCutPulses) {
     do_task(alternate_pulses);
     measure(0.045);
@@ -171,7 +171,7 @@ TEST_F(ServoTest, CommandsDoNotCutPulses) {
 
 // --- Serial port ---
 
-TEST_F(BoardTest, NothingIsSentUnasked) {
+TEST_F(BoardTest, NothingIsSentWithoutRequest) {
     program.run_for(0.01);
     EXPECT_TRUE(sent.empty());
 }
@@ -182,7 +182,7 @@ TEST_F(BoardTest, TheTransmitterIsNeverIdle) {
     ASSERT_GT(sent.size(), 4900u);
     for (std::size_t i = 1; i < sent.size(); ++i) {
         ASSERT_EQ(sent[i].value, static_cast<std::uint8_t>(i));
-        // 10 bits of 4 us; the first frames begin before the ring has filled.
+        // 10 bits of 4 us; the first frames start before the ring has filled.
         const auto cycles = sent[i].cycle - sent[i - 1].cycle;
         ASSERT_TRUE(cycles == 640 || i <= 100) << i << ": " << cycles;
     }
@@ -198,7 +198,7 @@ TEST_F(BoardTest, WhatIsReceivedComesBack) {
     EXPECT_EQ(program.get<std::uint8_t>("lost"), 0);
 }
 
-// Nobody reads: 16 bytes are kept, the rest is counted, and none is mixed up afterwards.
+// Nobody reads: 16 bytes are kept, the rest is counted, and nothing is mixed up afterwards.
 TEST_F(BoardTest, LostBytesAreCounted) {
     program.run_for(0.001);
     for (int i = 0; i < 116; ++i) chip.send_to_uart(static_cast<std::uint8_t>(i));
@@ -214,8 +214,8 @@ TEST_F(BoardTest, LostBytesAreCounted) {
     EXPECT_EQ(program.get<std::uint8_t>("lost"), 255);
 }
 
-// With interrupts off for 0.5 ms the receiver keeps two bytes and a third in its shift register;
-// it tells of the loss, not of its size.
+// With interrupts off for 0.5 ms the receiver keeps two bytes and a third in its shift register; it
+// reports the loss, but not its size.
 TEST_F(BoardTest, AnOverrunLosesTheLaterBytes) {
     program.run_for(0.001);
     do_task(deaf);
@@ -228,8 +228,8 @@ TEST_F(BoardTest, AnOverrunLosesTheLaterBytes) {
 
 // --- Clock ---
 
-// Each reading was taken between two marks. All readings are right if there is one cycle at which
-// the count was zero that explains them all.
+// Each reading was taken between two marks. All readings are right if a single cycle at which the
+// count was zero explains them all.
 class ClockTest : public BoardTest {
   protected:
     ClockTest() {
@@ -262,7 +262,7 @@ class ClockTest : public BoardTest {
     std::uint64_t wraps = 0, last_ticks = 0, readings = 0;
 };
 
-// Through 120 overflows of the 16-bit count, some of which fall into a reading.
+// Through 120 overflows of the 16-bit count, some of which occur during a reading.
 TEST_F(ClockTest, CountsHalfMicrosecondsFromTheStart) {
     do_task(watch_clock);
     program.run_for(4.0);
@@ -272,7 +272,7 @@ TEST_F(ClockTest, CountsHalfMicrosecondsFromTheStart) {
     EXPECT_GT(readings, 10000u);
 }
 
-// Wound on to 64 overflows before its wrap, 35 minutes after the start.
+// Advanced to 64 overflows before its wrap, 35 minutes after the start.
 TEST_F(ClockTest, RunsThroughItsWrap) {
     program.run_for(0.001);
     program.set<std::uint16_t>("overflows_", 0xffff - 64);

@@ -11,7 +11,7 @@ namespace {
 using fixedpoint::Fixed;
 using fixedpoint::Q16_16;
 
-// The formula in the header's comment, in double, is what every scalar approximates.
+// The formula in the header's comment, in double, which every scalar approximates.
 template <class Scalar>
 double distance(double (*to_double)(Scalar)) {
     double worst = 0;
@@ -61,7 +61,7 @@ TEST(Calibration, ASumCountsAsTheMeanOfItsReadings) {
     expect_mean_of_readings<4>();
 }
 
-TEST(Calibration, ASumTellsFractionsOfACount) {
+TEST(Calibration, ASumResolvesFractionsOfACount) {
     EXPECT_GT((grams<Q16_16, 1>(1801)), (grams<Q16_16, 1>(1800)));
     EXPECT_LT((grams<Q16_16, 1>(1801)), (grams<Q16_16, 1>(1802)));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Debug text and profiling: what they do where they are on, and that they cost nothing where they
-// are off.
+// Debug text and profiling: what they do if they are on, and that they cost nothing if they are
+// off.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -52,7 +52,7 @@ TEST(Categories, TextOfEachTopicOnItsLine) {
     EXPECT_EQ(lines[23], "the root is 2.500   ");
 }
 
-// Up for two cycles longer than what is within takes.
+// High for two cycles longer than the code inside takes.
 TEST(Categories, EachHasItsPin) {
     DeviceProgram program("talkative");
     std::vector<Cycle> lengths[8];
@@ -70,16 +70,16 @@ TEST(Categories, EachHasItsPin) {
     EXPECT_GT(rounds, 20);
     for (int pin = 2; pin <= 3; ++pin) EXPECT_EQ(shortest(pin), 2u + 1) << pin;
     // A round takes the root of a product, and the step of a pendulum, whose rod is found, by
-    // products, and resolved.
+    // products, and solved.
     EXPECT_NEAR(static_cast<double>(lengths[4].size()), 2 * rounds, 2);
     EXPECT_NEAR(static_cast<double>(lengths[5].size()), rounds, 2);
     EXPECT_GT(static_cast<double>(lengths[6].size()), 6 * rounds);
-    // A single rod is solved where it is found: nothing is left to resolve.
+    // A single rod is solved where it is found: nothing is left to solve.
     for (std::size_t i = 0; i + 1 < lengths[4].size(); i += 2) {
         EXPECT_GT(lengths[4][i], 200u);
         EXPECT_EQ(lengths[4][i + 1], 2u);
     }
-    // What solves the rod's row and what is a product take 80 to 100 cycles at least.
+    // Solving the rod's row and computing a product each take at least 80 to 100 cycles.
     EXPECT_GT(shortest(5), 60u);
     EXPECT_GT(shortest(6), 60u);
     EXPECT_LT(shortest(6), 200u);

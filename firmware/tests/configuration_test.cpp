@@ -42,7 +42,7 @@ TEST(RingBuffer, IsAQueue) {
     EXPECT_GT(read, 5000);
 }
 
-TEST(RingBuffer, OfTheLargestSizeTellsFullFromEmpty) {
+TEST(RingBuffer, OfTheLargestSizeDistinguishesFullFromEmpty) {
     RingBuffer<128> ring{};
     for (int i = 0; i < 128; ++i) ring.push(i);
     EXPECT_EQ(ring.free(), 0);

@@ -69,7 +69,7 @@ TEST(Profiling, AScopeRaisesItsPin) {
     EXPECT_EQ(Board::world().pins, 0);
 }
 
-// Multiplies, and notes which pins are up meanwhile.
+// Multiplies, and records which pins are high meanwhile.
 struct Watched : fixedpoint::Nearest {
     static inline uint8_t pins = 0;
     template <class Raw, int F>

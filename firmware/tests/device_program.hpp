@@ -15,7 +15,7 @@ class DeviceProgram {
         : chip(simulator::Elf(std::string(TEST_PROGRAM_DIRECTORY) + "/firmware_" + name + ".elf")) {
     }
 
-    // The address of a variable by its name, of a static member by what its mangled name holds.
+    // The address of a variable by its name; of a static member, by a part of its mangled name.
     std::uint16_t address_of(const std::string& name) const {
         for (const auto& [symbol, object] : chip.elf().objects())
             if (symbol == name || symbol.ends_with(name + "E"))
@@ -39,8 +39,8 @@ class DeviceProgram {
                              static_cast<simulator::Cycle>(seconds * simulator::Chip::frequency));
     }
 
-    // Runs to the end of the function that has just been entered. The cycles without those of
-    // interrupts that came meanwhile.
+    // Runs to the end of the function that has just been entered. Returns its cycles without those
+    // of interrupts that occurred meanwhile.
     simulator::Cycle cycles_of_function() {
         if (handlers_.empty())
             for (const auto& [name, function] : chip.elf().functions())

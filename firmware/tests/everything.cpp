@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Everything that the firmware offers, on the chip or on the host: what a compiler has to say about
-// a header, it says here. Compiled, and not run.
+// Everything that the firmware offers, on the chip or on the host, so that the compiler's warnings
+// about its headers appear here. Compiled, and not run.
 #include <engine.h>
 
 #include <firmware/debug.hpp>

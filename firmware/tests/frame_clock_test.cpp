@@ -10,7 +10,7 @@ namespace {
 
 constexpr uint32_t ms = ticks_per_millisecond;
 
-// Where a clock may stand at the start: in its middle, and just before it wraps.
+// Where a clock may be at the start: in its middle, and just before it wraps.
 class ClockTest : public testing::TestWithParam<uint32_t> {
   protected:
     const uint32_t start = GetParam();
@@ -18,8 +18,8 @@ class ClockTest : public testing::TestWithParam<uint32_t> {
 INSTANTIATE_TEST_SUITE_P(Starts, ClockTest,
                          testing::Values(0u, 12345u, 0x7ffffff0u, 0u - 3 * ms, 0u - 1));
 
-// Runs the loop for a time: each step takes as long as `cost` says of its number, each pass that
-// does not step one tick. Returns the physics' time that has passed.
+// Runs the loop for a time. Step number i takes cost(i); each pass without a step takes one tick.
+// Returns the time of the physics that has passed.
 template <class Steps, class Cost>
 uint64_t run(Steps& steps, uint32_t start, uint64_t duration, Cost cost) {
     uint64_t physics = 0, elapsed = 0;
@@ -59,7 +59,7 @@ TEST_P(ClockTest, FixedStepsMakesUpForLateSteps) {
         run(steps, start, 1000 * ms, [](int i) { return i % 100 == 50 ? 13 * ms / 2 : ms / 4; });
     EXPECT_GE(physics, 998 * ms);
     EXPECT_EQ(steps.given_up(), 0u);
-    // Begins 5.5 ms late, and 0.75 ms less with each of the next ones, until less than a step.
+    // Starts 5.5 ms late, and 0.75 ms less with each of the next ones, until less than a step.
     EXPECT_EQ(steps.late(), 10 * 7u);
     EXPECT_EQ(steps.worst_delay(), 11 * ms / 2);
 }
@@ -74,7 +74,7 @@ TEST_P(ClockTest, FixedStepsGivesUpAndCountsWhatIsTooLate) {
     EXPECT_EQ(steps.worst_delay(), 99 * ms);
 }
 
-// Steps that take longer than their length: physics falls behind, and says by how much.
+// Steps that take longer than their length: the physics falls behind, and reports by how much.
 TEST_P(ClockTest, FixedStepsOverloadIsReported) {
     FixedSteps<ms, 4> steps(start);
     const uint64_t physics = run(steps, start, 3000 * ms, [](int) { return 2 * ms; });
@@ -83,7 +83,7 @@ TEST_P(ClockTest, FixedStepsOverloadIsReported) {
     EXPECT_LE(steps.worst_delay(), 7 * ms);
 }
 
-TEST_P(ClockTest, FixedStepsHoursWithAWrapOrMore) {
+TEST_P(ClockTest, FixedStepsRunForHoursThroughWraps) {
     FixedSteps<50000> steps(start);  // 25 ms
     uint64_t physics = 0;
     const uint64_t end = 6ull * 3600 * ticks_per_second;
@@ -93,7 +93,7 @@ TEST_P(ClockTest, FixedStepsHoursWithAWrapOrMore) {
     EXPECT_EQ(steps.late() + steps.given_up(), 0u);
 }
 
-// Waits until it is 10 ms behind; then steps of 5 ms and of what the one before took.
+// Waits until it is 10 ms behind; then makes steps of 5 ms plus the duration of the previous one.
 TEST_P(ClockTest, PublishedStepsWaitsThenCatchesUp) {
     PublishedSteps steps(start);
     uint32_t now = 0;
@@ -112,7 +112,7 @@ TEST_P(ClockTest, PublishedStepsWaitsThenCatchesUp) {
     EXPECT_EQ(steps.due(start + 29 * ms + 1), 5 * ms);
 }
 
-TEST_P(ClockTest, PublishedStepsWaitsAsSoonAsItIsNotBehind) {
+TEST_P(ClockTest, PublishedStepsWaitsWhenNoLongerBehind) {
     PublishedSteps steps(start);
     for (int i = 0; i < 2; ++i) {
         EXPECT_EQ(steps.due(start + 10 * ms), 5 * ms);
@@ -137,7 +137,7 @@ TEST_P(ClockTest, FramesTwentyASecond) {
     for (uint32_t i = 0; i < 4; ++i) EXPECT_NEAR(due[i], i * 50 * ms, 7);
 }
 
-TEST_P(ClockTest, FramesNoneIsMadeUpFor) {
+TEST_P(ClockTest, FramesAreNotMadeUpFor) {
     Frames<> frames(start);
     EXPECT_TRUE(frames.due(start));
     EXPECT_TRUE(frames.due(start + 260 * ms));
@@ -147,8 +147,8 @@ TEST_P(ClockTest, FramesNoneIsMadeUpFor) {
 }
 
 // A frame that is late by less than a frame keeps the beat; one that is late by exactly a frame or
-// more starts another.
-TEST_P(ClockTest, FramesKeepTheBeatWhereTheyAreLateByLessThanAFrame) {
+// more starts a new one.
+TEST_P(ClockTest, FramesKeepTheBeatIfLateByLessThanAFrame) {
     constexpr uint32_t frame = 50 * ms;
     for (const uint32_t late : {uint32_t{0}, uint32_t{1}, frame / 2, frame - 1, frame, frame + 1}) {
         Frames<> frames(start);
@@ -160,7 +160,7 @@ TEST_P(ClockTest, FramesKeepTheBeatWhereTheyAreLateByLessThanAFrame) {
     }
 }
 
-// Late by a step to the tick is late; as far behind as is made up for, nothing is given up.
+// Late by exactly one step counts as late; as far behind as is made up for, nothing is given up.
 TEST_P(ClockTest, FixedStepsCountAtTheTick) {
     const auto after = [&](uint32_t behind) {
         FixedSteps<ms, 10> steps(start);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every cell of what a grid draws, against the inequalities of rasteriser.hpp.
+// Every cell that a grid draws, compared with the inequalities of rasteriser.hpp.
 #include <gtest/gtest.h>
 
 #include <firmware/projection.hpp>
@@ -24,7 +24,7 @@ rasteriser::Picture picture_of(const Grid& grid) {
 using Square = Grid<20, 20, 2, false>;
 using Odd = Grid<13, 7, 4, false>;
 
-// Coordinates of every size: near the grid, some of its lengths away, as far as allowed.
+// Coordinates of every size: near the grid, a few of its lengths away, and as far as allowed.
 class Coordinates {
   public:
     int16_t operator()() {
@@ -56,7 +56,7 @@ TEST(Grid, Lines) {
     expect_lines<Odd>();
 }
 
-// Through the grid for certain, from ends that may be far away.
+// Certainly through the grid, from ends that may be far away.
 TEST(Grid, LinesThatCross) {
     Coordinates coordinate;
     int drawn = 0;
@@ -131,7 +131,7 @@ TEST(DepthBuffer, TheNearestIsShown) {
     EXPECT_EQ(grid.colour(5, 5), 2);
 }
 
-// A line that is clipped has the depth of the whole one.
+// A clipped line has the depth of the whole line.
 TEST(DepthBuffer, OfAClippedLine) {
     Grid<20, 20, 2, true> grid;
     grid.clear();
@@ -184,14 +184,14 @@ TYPED_TEST(ProjectionTest, CellsAreTheFloor) {
     EXPECT_EQ(View::length(number<TypeParam>(0.0101)), 1);
 }
 
-TYPED_TEST(ProjectionTest, FarAwayIsHeldWithinReach) {
+TYPED_TEST(ProjectionTest, FarAwayIsLimitedToTheReach) {
     using View = Projection<Square, ViewOf<TypeParam, 50>>;
     EXPECT_EQ(View::column(number<TypeParam>(1e30)), farthest_cell / 50 * 50);
     EXPECT_EQ(View::column(number<TypeParam>(-1e30)), -(farthest_cell / 50 * 50));
     EXPECT_EQ(View::length(number<TypeParam>(32767)), farthest_cell / 50 * 50);
 }
 
-TEST(Projection, NotANumberIsHeldToo) {
+TEST(Projection, NotANumberIsLimitedToo) {
     using View = Projection<Square, ViewOf<float, 50>>;
     EXPECT_EQ(View::column(__builtin_nanf("")), -(farthest_cell / 50 * 50));
 }

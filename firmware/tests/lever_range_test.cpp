@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Why the lever's numbers need no clamping: whatever sensors and dial say, none of its sums and
-// products leaves Q16.16. A scalar that watches every operation is the lever's.
+// Why the lever's numbers need no saturation: whatever sensors and dial read, none of its sums and
+// products leaves Q16.16. The lever's scalar here checks every operation.
 #include <gtest/gtest.h>
 
 #include <firmware/lever.hpp>
@@ -21,7 +21,7 @@ struct Count {
 using Watched = fixedpoint::Fixed<16, 16, fixedpoint::Checked<Count>>;
 
 constexpr engine::BinaryStep<10> step;
-// A sanitizer looks at paths and not at results: fewer readings will do.
+// A sanitizer checks paths and not results, so fewer readings suffice.
 #ifdef SPARSE_OPERANDS
 constexpr int reading_step = 341, rounds = 10000;
 #else
@@ -45,9 +45,9 @@ Readings readings(int a, int b, int dial_sum) {
     return {{static_cast<uint16_t>(a), static_cast<uint16_t>(b), static_cast<uint16_t>(dial_sum)}};
 }
 
-TYPED_TEST(LeverRange, HoldsWhateverIsPushedForHowLong) {
+TYPED_TEST(LeverRange, HoldsForEveryPushOfAnyLength) {
     wrapped = 0;
-    // All that the sensors can say, one against the other, with the arm short, long and changing.
+    // Every pair of sensor readings, with the arm short, long and changing.
     for (int first = 0; first <= most; first += reading_step)
         for (int second = 0; second <= most; second += reading_step)
             for (int dial_sum : {0, most}) {
@@ -64,7 +64,7 @@ TYPED_TEST(LeverRange, HoldsWhateverChangesFromStepToStep) {
     std::mt19937 random(1);
     Lever<TypeParam> lever;
     for (int i = 0; i < rounds; ++i) {
-        // Between noise around rest and wires torn off and put back in every step.
+        // Between noise around rest and wires torn off and reconnected in every step.
         const int far = i % 2000 < 1000 ? most : 60;
         const auto sensor = [&] {
             const int reading = 2 * 870 + static_cast<int>(random() % (2 * far + 1)) - far;
@@ -75,7 +75,7 @@ TYPED_TEST(LeverRange, HoldsWhateverChangesFromStepToStep) {
     EXPECT_EQ(wrapped, 0);
 }
 
-// The watch counts.
+// The check itself works.
 TEST(LeverRangeWatch, SeesWhatLeavesTheRange) {
     wrapped = 0;
     const Watched large = Watched::from_integer(30000);

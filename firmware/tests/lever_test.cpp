@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The lever on the host: its physics against what a lever does, and the program on the host's
+// The lever on the host: its physics compared with a real lever's, and the program on the host's
 // board.
 #include <gtest/gtest.h>
 
@@ -46,7 +46,7 @@ using AllChoices = testing::Types<LeverChoices<Q>, LeverChoices<float>,
                                   LeverChoices<fixedpoint::Q16_16>, Corrected>;
 TYPED_TEST_SUITE(AnyLever, AllChoices);
 
-// The pulses of so many steps under the same readings.
+// The pulses of that many steps with the same readings.
 template <class Lever>
 uint16_t steps(Lever& lever, int n, const Readings& readings) {
     uint16_t pulse = 0;
@@ -66,12 +66,12 @@ TYPED_TEST(AnyLever, IsPushedToItsUpperStopAndFallsBack) {
     EXPECT_NEAR(steps(lever, 5000, sensed(at_rest, at_rest)), lower_pulse, 4);
 }
 
-// A point mass on a rod of length L from 30 degrees above the horizontal to 30 degrees below it:
-// by the energy, the integral of d angle / sqrt(2 g / L (sin 30 - sin angle)).
+// A point mass on a rod of length L from 30 degrees above the horizontal to 30 degrees below it: by
+// the energy, the integral of d angle / sqrt(2 g / L (sin 30 - sin angle)).
 double fall_time(double length) {
     const double g = 9.81, top = std::asin(0.5);
     double time = 0;
-    constexpr int n = 200000;  // midpoints of u, angle = top - u^2, that take the pole away
+    constexpr int n = 200000;  // midpoints of u, angle = top - u^2, which removes the pole
     const double end = std::sqrt(2 * top);
     for (int i = 0; i < n; ++i) {
         const double u = (i + 0.5) * end / n;
@@ -87,7 +87,7 @@ TEST(Lever, FallsAsAPointOnARodDoes) {
         steps(lever, 3000, sensed(2 * 955, 2 * 100, dial_sum));
         int n = 0;
         while (lever.step(sensed(at_rest, at_rest, dial_sum), step) > lower_pulse && n < 4000) ++n;
-        // The upper stop lets it bounce down by less than the last step's 4.6 mm/s.
+        // The upper stop lets it bounce down with less than the last step's 4.6 mm/s.
         EXPECT_NEAR(n / 1024.0, fall_time(number(lever.length())), 0.006) << dial_sum;
     }
 }
@@ -120,10 +120,10 @@ TEST(Lever, FollowsTheDialWithoutMovingTheServo) {
     EXPECT_NEAR(last, 0.48, 1e-3);
 }
 
-// Lifting the weight takes a force at the sensors in proportion to the arm's length.
+// Lifting the weight takes a force at the sensors proportional to the arm's length.
 TEST(Lever, GivesTheArmItsMechanicalAdvantage) {
     const auto balance = [](int dial_sum) {
-        // The least reading of sensor a that lifts the arm off its stop.
+        // The smallest reading of sensor a that lifts the arm off its stop.
         for (int sum = at_rest; sum < 2 * 960; ++sum) {
             Lever<Undamped> lever;
             steps(lever, 700, sensed(at_rest, at_rest, dial_sum));
@@ -156,7 +156,7 @@ TEST(Lever, BeforeItsFirstReadingsIsShortAndMissesNoSensor) {
     EXPECT_NEAR(number(lever.length()), 0.23, 1e-4);
 }
 
-TEST(Lever, FeelsNothingOfADisconnectedSensor) {
+TEST(Lever, IgnoresADisconnectedSensor) {
     for (const auto& [a, b] : {std::pair{0, int{at_rest}},
                                {int{at_rest}, 0},
                                {2046, int{at_rest}},
@@ -180,7 +180,7 @@ TEST(Lever, FeelsNothingOfADisconnectedSensor) {
     EXPECT_TRUE(lever.sensors_connected());
 }
 
-// Whatever the converter reads, the commanded pulse stays within what the board holds to travel.
+// Whatever the converter reads, the commanded pulse stays within the board's travel.
 TEST(Lever, SurvivesAnyReadings) {
     Lever<LeverChoices<Q>> lever;
     std::uint32_t random = 1;
@@ -195,7 +195,7 @@ TEST(Lever, SurvivesAnyReadings) {
     EXPECT_NEAR(steps(lever, 5000, sensed(at_rest, at_rest)), lower_pulse, 4);
 }
 
-// The table against the published one, which is reference/published/table_d_2.csv.
+// The table, compared with the published one, reference/published/table_d_2.csv.
 TEST(FrameCorrection, IsThePublishedTable) {
     std::ifstream file(PUBLISHED_FOLDER "/table_d_2.csv");
     std::string line;
@@ -241,7 +241,7 @@ TEST(LeverProgram, StepsOnTimeAndDrawsTwentyFramesASecond) {
     EXPECT_NE(world.transmitted.find('#'), std::string::npos);
     EXPECT_EQ(world.pulse, lower_pulse);
 
-    // Nothing moves, so nothing is sent, until a byte asks for all of it.
+    // Nothing moves, so nothing is sent, until a byte requests a full frame.
     const std::size_t before = world.transmitted.size();
     for (uint32_t tick = 0; tick < ticks_per_second / 5; tick += 200) {
         world.ticks += 200;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the flashed levers divide by, told from their symbols.
+// The divisions in the flashed levers, by their symbols.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -19,9 +19,9 @@ std::vector<std::string> quotients_of(const std::string& program) {
         simulator::Elf(std::filesystem::path(HAPTIC_FIRMWARE_FOLDER) / (program + ".elf")));
 }
 
-// Of 16 and of 32 bits, and one kernel.
+// 16-bit and 32-bit ones, and one kernel.
 class FlashedLever : public testing::TestWithParam<const char*> {};
-TEST_P(FlashedLever, HoldsNoQuotientOf64Bits) {
+TEST_P(FlashedLever, HasNo64BitQuotient) {
     EXPECT_THAT(quotients_of(GetParam()), IsSubsetOf({"__divmodhi4", "__udivmodhi4", "__udivmodsi4",
                                                       "fixedpoint_divide_q16_16"}));
 }
@@ -29,8 +29,8 @@ INSTANTIATE_TEST_SUITE_P(All, FlashedLever,
                          testing::Values("lever", "lever_profiled", "lever_arduino"),
                          [](const auto& info) { return std::string(info.param); });
 
-// The published arithmetic divides so, which shows that one is found.
-TEST(PublishedLever, HoldsAQuotientOf64Bits) {
+// The published arithmetic divides like this, which shows that such a quotient is found.
+TEST(PublishedLever, HasA64BitQuotient) {
     EXPECT_THAT(quotients_of("lever_published"), Contains("__udivdi3"));
 }
 

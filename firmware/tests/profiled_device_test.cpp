@@ -13,8 +13,8 @@ using namespace haptic;
 
 enum Pin : int { step = 2, render, collision, square_root, operation };
 
-// How often each pin rose in a second, how long it was high in all, in s, and how often it rose
-// while no step was computed.
+// How often each pin rose in a second, how long it was high in total, in s, and how often it rose
+// outside a step.
 struct Use {
     std::map<int, int> rises, outside_of_steps;
     std::map<int, double> high;
@@ -51,11 +51,11 @@ TEST_P(ProfiledLever, RaisesEachPinWhereItsCategoryRuns) {
     ASSERT_GT(steps, 50);
     EXPECT_GT(use.rises[render], 19);
     EXPECT_NEAR(use.rises[collision], 2 * steps, 2) << "contacts are found, then resolved";
-    // The length of the one rod: of arithmetic that rounds, by products.
+    // The length of the one rod: by products in an arithmetic that rounds.
     const bool has_root = GetParam() == std::string("lever_published_profiled");
     EXPECT_NEAR(use.rises[square_root], has_root ? steps : 0, 2);
     EXPECT_GT(use.rises[operation], 20 * steps);
-    EXPECT_LE(use.outside_of_steps[collision], 2);  // of a step that was under way at first
+    EXPECT_LE(use.outside_of_steps[collision], 2);  // from a step under way at the start
     EXPECT_LE(use.outside_of_steps[square_root], 1);
     EXPECT_LT(use.high[square_root], use.high[collision]);
     EXPECT_LT(use.high[collision], use.high[step]);
@@ -64,15 +64,15 @@ INSTANTIATE_TEST_SUITE_P(All, ProfiledLever,
                          testing::Values("lever_profiled", "lever_published_profiled"),
                          [](const auto& info) { return std::string(info.param); });
 
-// An inlined product is computed while its pin is high, neither before nor after: 300 cycles and
-// more in the published arithmetic.
+// An inlined product is computed while its pin is high, neither before nor after: over 300 cycles
+// in the published arithmetic.
 TEST(ProfiledOperations, AreHighForAsLongAsTheyTake) {
     Use use = use_of("lever_published_profiled");
     EXPECT_GT(use.high[operation] / use.rises[operation], 18e-6);
     EXPECT_LT(use.high[operation] / use.rises[operation], 60e-6);
 }
 
-TEST(Lever, RaisesThePinsOfStepAndFrameAlone) {
+TEST(Lever, RaisesOnlyThePinsOfStepAndFrame) {
     Use use = use_of("lever");
     EXPECT_GT(use.rises[step], 1000);
     EXPECT_GT(use.rises[render], 19);

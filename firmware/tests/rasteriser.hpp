@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What lines and circles are, cell by cell and by inequalities alone: no cell is found from another
-// one, and no coordinate is too large.
+// The definition of lines and circles, cell by cell and by inequalities only: no cell is derived
+// from another one, and no coordinate is too large.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ struct Circle {
     std::int64_t x, y, radius;
 };
 
-// Whether (along, across) is the cell nearest to the line in its column, ties upward.
+// Whether (along, across) is the cell nearest to the line in its column; of two, the upper.
 inline bool on_line_along(std::int64_t along, std::int64_t across, std::int64_t a0, std::int64_t b0,
                           std::int64_t a1, std::int64_t b1) {
     if (a1 < a0) return on_line_along(along, across, a1, b1, a0, b0);
@@ -46,7 +46,7 @@ inline bool covers(const Circle& circle, std::int64_t x, std::int64_t y) {
            square < (2 * greater + 1) * (2 * greater + 1);
 }
 
-// The rows of a picture, from the top, each cell a character.
+// The rows of a picture, from the top; each cell is a character.
 using Picture = std::vector<std::string>;
 
 template <class Shape>

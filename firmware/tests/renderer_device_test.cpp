@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a terminal at the chip's serial port shows of shapes in the world, against inequalities.
+// What a terminal at the chip's serial port shows of shapes in the world, compared with
+// inequalities.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -34,7 +35,7 @@ class RendererDeviceTest : public testing::Test {
         for (std::size_t i = 0; i < list.size(); ++i) program.set("shapes", list[i], i);
         program.set("shapes", Shape{}, list.size());
     }
-    // Until the terminal has the next frame whose drawing has not begun yet.
+    // Until the terminal has the next frame whose drawing has not started yet.
     void show() {
         program.chip.run_until_function("render_shapes");
         const auto before = program.get<std::uint8_t>("frames_shown");
@@ -95,7 +96,7 @@ TEST_F(RendererDeviceTest, TheTerminalShowsTheWorld) {
     }
 }
 
-// As far away as numbers go: drawn where the reach of the projection ends, and in no time.
+// As far away as numbers go: drawn at the end of the projection's reach, and without delay.
 TEST_F(RendererDeviceTest, TheEndsOfTheWorldDoNoHarm) {
     constexpr std::int32_t most = INT32_MAX, least = INT32_MIN;
     put({{1, 1, least, least, most, most},
@@ -116,7 +117,7 @@ TEST_F(RendererDeviceTest, TheEndsOfTheWorldDoNoHarm) {
              {3, 0, 0, 0, near(0, 163), 0}}));
 }
 
-TEST_F(RendererDeviceTest, OnlyChangesAreSentUntilAWholeFrameIsAskedFor) {
+TEST_F(RendererDeviceTest, OnlyChangesAreSentUntilAWholeFrameIsRequested) {
     const auto list = random_shapes();
     put(list);
     show();
@@ -130,8 +131,8 @@ TEST_F(RendererDeviceTest, OnlyChangesAreSentUntilAWholeFrameIsAskedFor) {
     EXPECT_EQ(terminal.screen(), picture_of(list));
 }
 
-// The lever: a rod and its two ends, that sweeps 60 degrees in half a second. 20 frames a second
-// take less than 5% of the CPU, which the interrupts that send them are part of.
+// The lever: a rod and its two ends, which sweeps 60 degrees in half a second. 20 frames a second
+// take less than 5% of the CPU, including the interrupts that send them.
 TEST_F(RendererDeviceTest, TakesLessThanATwentiethOfTheCpu) {
     const auto lever = [](double angle) {
         const std::int32_t x = 0x2800, y = 0x2c00;
@@ -185,7 +186,7 @@ TEST_F(RendererDeviceTest, NeedsLittleMemory) {
                 static_cast<unsigned>(8 * sizeof(Shape)), stack);
 }
 
-// The arithmetic of the world is the projection's alone: where its products are exact, as these
+// Only the projection depends on the arithmetic of the world: if its products are exact, as these
 // are, the picture is the same.
 class ScalarTest : public RendererDeviceTest, public testing::WithParamInterface<const char*> {
   protected:

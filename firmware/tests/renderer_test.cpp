@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a terminal shows of what was drawn, however little the port takes at a time.
+// What a terminal shows of the drawing, however little the port takes at a time.
 #include <gtest/gtest.h>
 
 #include <firmware/debug.hpp>
@@ -105,7 +105,7 @@ TYPED_TEST(ChangesTest, WhatDidNotChangeIsNotSent) {
     this->renderer.finish();
     this->sent = 0;
     this->show();
-    // Two neighbours, one cleared and one set, behind one movement: ESC [ l l ; c H, two cells.
+    // Two neighbours, one cleared and one set, after one movement: ESC [ l l ; c H, two cells.
     EXPECT_EQ(this->sent, std::string("\x1b[16;4H .").size() - (TypeParam::rows < 14 ? 1 : 0));
 }
 
@@ -119,8 +119,8 @@ TYPED_TEST(ChangesTest, RefreshSendsAllToANewTerminal) {
     EXPECT_EQ(this->terminal.top(TypeParam::rows), expected);
 }
 
-// Between the renderer's rows debug text moves the cursor.
-TYPED_TEST(ChangesTest, DebugTextInBetweenHarmsNothing) {
+// Between the renderer's rows, debug text moves the cursor.
+TYPED_TEST(ChangesTest, DebugTextInBetweenDoesNoHarm) {
     using Text = Debug<Host<Talkative>, TypeParam::rows + 1>;
     for (int frame = 0; frame < 200; ++frame) {
         const auto expected = this->draw_something();

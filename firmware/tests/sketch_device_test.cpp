@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The lever as an Arduino sketch, examples/lever/lever.ino, in the closed loop: it is held to what
-// the lever on the bare chip is held to.
+// The lever as an Arduino sketch, examples/lever/lever.ino, in the closed loop, with the
+// requirements of the lever on the bare chip.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -33,7 +33,7 @@ INSTANTIATE_TEST_SUITE_P(All, SketchInTheLoop,
                                          "sensor_unplugged"),
                          [](const auto& info) { return std::string(info.param); });
 
-// Pulses every 20 ms, a picture of pivot, rod and weight, and Arduino's clock beside them.
+// Pulses every 20 ms, a picture of pivot, rod and weight, and Arduino's clock as well.
 TEST(Sketch, PulsesDrawsAndLeavesMillis) {
     DeviceLoop loop(simulator::Elf(sketch().elf), published_parameters(),
                     scenario("push_and_hold").script);
@@ -55,7 +55,7 @@ TEST(Sketch, PulsesDrawsAndLeavesMillis) {
     EXPECT_NEAR(milliseconds, 2000, 2);
 }
 
-// Arduino's clock interrupt, 93 cycles long, does not move the pulse of a lever that rests.
+// Arduino's clock interrupt, 93 cycles long, does not move the pulse of a lever at rest.
 TEST(Sketch, PulsesToTheMicrosecond) {
     DeviceLoop loop(simulator::Elf(sketch().elf), published_parameters(),
                     scenario("sensor_unplugged").script);
@@ -66,7 +66,7 @@ TEST(Sketch, PulsesToTheMicrosecond) {
     EXPECT_NEAR(loop.timing().longest_period, 0.02, 1e-6);
 }
 
-// Both are the same arithmetic: what they compute for the same inputs at the same time.
+// Both have the same arithmetic: they compute the same for the same inputs at the same time.
 TEST(Sketch, MovesTheArmAsTheBareMetalDoes) {
     const auto angle = [](const Firmware& firmware) {
         DeviceLoop loop(simulator::Elf(firmware.elf), published_parameters(),

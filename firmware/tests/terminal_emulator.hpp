@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A terminal: takes bytes, holds what its screen shows. Anything that the firmware should not send
-// throws.
+// A terminal: takes bytes and stores what its screen shows. Anything that the firmware should not
+// send throws.
 #pragma once
 
 #include <stdexcept>
@@ -35,7 +35,7 @@ class TerminalEmulator {
     }
 
     const std::vector<std::string>& screen() const { return screen_; }
-    // So many lines from the top.
+    // The first `lines` lines from the top.
     std::vector<std::string> top(int lines) const {
         return {screen_.begin(), screen_.begin() + lines};
     }

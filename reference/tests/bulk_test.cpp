@@ -38,7 +38,7 @@ class Operands {
                 return boundary_[(pattern >> 8) % boundary_.size()];
             case 1:
                 return format_.sign_extend(random_());
-            // Uniform in length, so that small raws occur.
+            // Uniform in length, so that small raws are drawn, too.
             default:
                 return format_.sign_extend(random_()) >> ((pattern >> 8) % format_.width);
         }
@@ -50,7 +50,7 @@ class Operands {
     std::mt19937_64 random_{7};
 };
 
-// One of several results, in ulp.
+// The exact value of one of several results, in ulp.
 long double component(const Subject& subject, std::span<const std::int64_t> v, std::size_t index) {
     const auto scale = [&](long double x, int sign) {
         return std::ldexp(x, sign * subject.format.fraction);
@@ -78,11 +78,11 @@ long double component(const Subject& subject, std::span<const std::int64_t> v, s
     return square == 0 ? 0 : scale(v[index] / std::sqrt(square), 1);
 }
 
-// A result that is right or wrong by little, wherever the exact value lies.
+// A result that is right or slightly wrong, wherever the exact value lies.
 std::int64_t plausible(const Subject& subject, std::span<const std::int64_t> operands,
                        std::size_t index, std::int64_t step) {
-    // The judge's own error of result 0 leads to the right one, modulo 2^W, as far as double
-    // reaches.
+    // The judge's own error for the result 0 leads to the right one modulo 2^W, as far as double is
+    // exact.
     std::vector<std::int64_t> results(shape(subject.operation).results, 0);
     if (results.size() > 1) {
         const long double x = component(subject, operands, index);
@@ -100,8 +100,8 @@ std::int64_t plausible(const Subject& subject, std::span<const std::int64_t> ope
     return subject.format.sign_extend(std::uint64_t(result) + std::uint64_t(step));
 }
 
-// A sanitizer looks at paths and not at results: fewer operands will do. The step is odd, so that
-// every kind of result, which hangs on the round modulo 8, still has its turn.
+// A sanitizer checks paths and not results, so fewer operands suffice. The step is odd, so that
+// every kind of result, which depends on the round modulo 8, still occurs.
 #ifdef SPARSE_OPERANDS
 constexpr int round_step = 7;
 #else
@@ -128,14 +128,14 @@ void compare(const Subject& subject, FastJudge* fast_judge, int rounds) {
         ASSERT_EQ(got.excluded == nullptr, expected.excluded == nullptr)
             << operands[0] << " " << operands[1];
         if (expected.excluded) continue;
-        // Of several results the largest error counts; two of one size may differ in sign.
+        // Of several results the largest error counts; two of equal size may differ in sign.
         const auto size = [&](double error) { return of.results > 1 ? std::abs(error) : error; };
         ASSERT_NEAR(size(got.error_ulp), size(expected.error_ulp),
                     1e-4 + 1e-12 * std::abs(expected.error_ulp))
             << operands[0] << " " << operands[1] << " -> " << results[0];
         ASSERT_EQ(got.defined, expected.defined) << operands[0] << " " << operands[1];
         ASSERT_EQ(got.underflow, expected.underflow) << operands[0] << " " << operands[1];
-        // Where a bound is met to the last bit the fast judge may err either way.
+        // Where a bound is met to the last bit, the fast judge may decide either way.
         const bool on_bound =
             definition(subject).rounding == Rounding::within_bound &&
             std::abs(std::abs(expected.error_ulp) - definition(subject).bound_ulp) < 1e-4;
@@ -174,7 +174,7 @@ void compare_arithmetics(int rounds) {
                 sincos_turns, atan2_turns, sin_degrees, cos_degrees, atan2_degrees, divrem, divmod,
                 Operation::lerp, smoothstep, Operation::midpoint, abs_diff, Operation::copysign,
                 power, sign, isqrt>(rounds);
-    // Within -1 to 1 degrees the cosine rounds to 1, which such a format does not hold.
+    // Between -1 and 1 degrees the cosine rounds to 1, which such a format cannot hold.
     if constexpr (format.width - format.fraction > 1)
         compare_all<format, Arithmetic::nearest, sincos_degrees>(rounds);
     compare_all<format, Arithmetic::published, add, subtract, multiply, divide, Operation::sqrt,
@@ -197,13 +197,13 @@ TEST(Bulk, AgreesInQ16_16) { compare_arithmetics<q16_16>(1000); }
 TEST(Bulk, AgreesInQ32_32) { compare_arithmetics<q32_32>(1000); }
 TEST(Bulk, AgreesInQ1_31) { compare_arithmetics<fixed_format(1, 31)>(1000); }
 TEST(Bulk, AgreesInQ16_0) { compare_arithmetics<fixed_format(16, 0)>(1000); }
-#ifndef SPARSE_OPERANDS  // paths that the others take, too
+#ifndef SPARSE_OPERANDS  // the other formats take the same paths
 TEST(Bulk, AgreesInQ1_15) { compare_arithmetics<fixed_format(1, 15)>(1000); }
 TEST(Bulk, AgreesInQ8_24) { compare_arithmetics<fixed_format(8, 24)>(1000); }
 #endif
 
-// The exact value lies 2^-28 ulp below a tie, on which it lies in double.
-TEST(Bulk, TellsTheSideOfATie) {
+// The exact value lies 2^-28 ulp below a tie; in double it is the tie.
+TEST(Bulk, DecidesTheSideOfATie) {
     constexpr Subject subject{Operation::sin, fixed_format(1, 31), Arithmetic::correctly_rounded};
     const std::int64_t angle = -1422477815;
     const auto below = static_cast<std::int64_t>(

@@ -86,7 +86,7 @@ TEST(ErrorStatistics, CountsKindsOfJudgement) {
     EXPECT_EQ(gsl_histogram_sum(&statistics.histogram()), 0);
 }
 
-TEST(ErrorStatistics, WhatUnderflowsCountsOnlyTowardsTheMaximum) {
+TEST(ErrorStatistics, UnderflowCountsOnlyTowardsTheMaximum) {
     ErrorStatistics statistics;
     statistics.add({.error_ulp = 0.25}, Raws{1});
     statistics.add({.error_ulp = -0.375, .underflow = true}, Raws{2});

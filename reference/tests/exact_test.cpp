@@ -74,8 +74,8 @@ TEST(Exact, KnownToManyDigits) {
 }
 
 TEST(Exact, AngleReductionHoldsFarOut) {
-    // sin(2^31 - 2^-32), the widest angle of 64-bit formats, by the addition theorem from two
-    // angles that MPFR reduces on their own.
+    // sin(2^31 - 2^-32), the largest angle of 64-bit formats, by the addition theorem from two
+    // angles that MPFR reduces separately.
     const Rational whole[] = {scale(Rational(1), 31)}, ulp[] = {scale(Rational(1), -32)};
     const Rational angle[] = {whole[0] - ulp[0]};
     const auto real = [](const Exact& exact) { return std::get<Real>(exact); };

@@ -65,13 +65,13 @@ TEST(Formula, ProductsOf64BitsAreExact) {
     EXPECT_EQ(Formula("a*b+c-a*b", 3)(operands), 1);
 }
 
-TEST(Formula, HasNoFiniteValueWhereThereIsNone) {
+TEST(Formula, IsNotFiniteWhereUndefined) {
     EXPECT_FALSE(std::isfinite(value("1/a", {Real(0)})));
     EXPECT_FALSE(std::isfinite(value("sqrt(a)", {Real(-1)})));
     EXPECT_FALSE(std::isfinite(value("log(a)", {Real(0)})));
 }
 
-TEST(Formula, RefusesWhatItCannotRead) {
+TEST(Formula, RefusesInvalidText) {
     const auto refusal = [](const std::string& text, std::size_t operands) -> std::string {
         try {
             Formula(text, operands);

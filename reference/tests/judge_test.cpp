@@ -30,7 +30,7 @@ struct Row {
     const char* format;
     Arithmetic arithmetic;
     Raws operands;
-    std::int64_t result;  // what the definition demands
+    std::int64_t result;  // what the definition requires
     double error_ulp;     // of that result
     bool defined;
     const char* what;
@@ -40,7 +40,7 @@ void PrintTo(const Row& row, std::ostream* out) {
     *out << shape(row.operation).name << " " << row.format << ": " << row.what;
 }
 
-TEST(Judge, TellsWhereAFunctionUnderflows) {
+TEST(Judge, ReportsWhereAFunctionUnderflows) {
     // exp(x) 2^16 = 1/2 at x = -17 ln 2, raw -772243.6.
     const auto underflows = [](Operation operation, std::int64_t operand) {
         return judged(operation, "q16_16", Arithmetic::nearest, {operand}, {0}).underflow;
@@ -273,7 +273,7 @@ INSTANTIATE_TEST_SUITE_P(
             "clamps"}));
 
 TEST(Judge, FunctionsMayErrWithinTheirBound) {
-    // sin(1) is 55146.6425 ulp, so that 55146 errs by 0.6425 and 55145 by 1.6425.
+    // sin(1) is 55146.6425 ulp, so 55146 is off by 0.6425 and 55145 by 1.6425.
     const auto sine = [](std::int64_t result) {
         return judged(Operation::sin, "q16_16", nearest, {one}, {result});
     };
@@ -320,7 +320,7 @@ TEST(Judge, RingOperationsWrapOrClamp) {
     }
 }
 
-// What the library promises of each function, beside the functions of the C library.
+// What the library promises for each function, next to the functions of the C library.
 TEST(Judge, FunctionsAreHeldToTheirBound) {
     struct Function {
         Operation operation;
@@ -381,8 +381,8 @@ TEST(Judge, VectorsReportTheirWorstComponent) {
     EXPECT_NEAR(both.error_ulp, 0.3575, 1e-4);
 }
 
-TEST(Judge, AVectorIsPinnedWhereAllOfItIs) {
-    // sin(0) = 0 is exact, cos(0) = 1 clamps where there is no integer bit but the sign.
+TEST(Judge, AVectorIsPinnedIfAllComponentsAre) {
+    // sin(0) = 0 is exact; cos(0) = 1 saturates where the sign is the only integer bit.
     const Judgement mixed = judged(Operation::sincos, "q1_15", nearest, {0}, {0, 32767});
     EXPECT_TRUE(mixed.as_defined);
     EXPECT_FALSE(mixed.defined);
@@ -463,7 +463,7 @@ TEST(JudgeFloat, SpecialCases) {
     EXPECT_TRUE(accepted(Operation::multiply_add, {INFINITY, 2, 1}, INFINITY));
     EXPECT_TRUE(accepted(Operation::multiply_add, {1, 1, INFINITY}, INFINITY));
     EXPECT_TRUE(accepted(Operation::multiply_add, {INFINITY, 0, 1}, NAN));
-    // Paired by component: 0 times infinity would be no number.
+    // The product of each pair of components: 0 times infinity would be NaN.
     EXPECT_TRUE(accepted(Operation::dot2, {INFINITY, 0, 1, 1}, INFINITY));
     EXPECT_TRUE(accepted(Operation::dot2, {0, INFINITY, 1, 1}, INFINITY));
     EXPECT_TRUE(accepted(Operation::dot3, {INFINITY, 0, 0, 1, 1, 1}, INFINITY));
@@ -498,7 +498,7 @@ Judgement judged_double(Operation operation, std::initializer_list<double> opera
                   {raw_of_double(ieee_double, result)});
 }
 
-// The host's operators are IEEE 754's: they share nothing with the judge.
+// The host's operators follow IEEE 754 and share no code with the judge.
 TEST(JudgeDouble, TheHostsOperatorsAreCorrectlyRounded) {
     std::mt19937_64 random(1);
     const auto draw = [&] {
@@ -520,7 +520,7 @@ TEST(JudgeDouble, TheHostsOperatorsAreCorrectlyRounded) {
         expect(Operation::multiply, {a, b}, a * b);
         expect(Operation::divide, {a, b}, a / b);
         expect(Operation::sqrt, {c}, std::sqrt(c));
-        // No more is asked of it than of a product and a sum.
+        // No more is required of it than of a product and a sum.
         EXPECT_LE(
             std::abs(
                 judged_double(Operation::multiply_add, {a, b, c}, std::fma(a, b, c)).error_ulp),
@@ -554,13 +554,13 @@ TEST(JudgeDouble, EdgesAndUlps) {
     EXPECT_TRUE(judged_double(Operation::add, {DBL_MAX, 0x1p969}, DBL_MAX).as_defined);
     EXPECT_EQ(judged_double(Operation::multiply, {DBL_TRUE_MIN, 0.75}, DBL_TRUE_MIN).error_ulp,
               0.25);
-    // Of a result that is far off, the ulp is still that of the exact value.
+    // Even for a result that is far off, the ulp is that of the exact value.
     EXPECT_EQ(judged_double(Operation::add, {1, 2}, 0).error_ulp, -0x3p51);
     EXPECT_EQ(judged_double(Operation::add, {1, 2}, 0).error, 3);
     EXPECT_EQ(judged_float(Operation::add, {1, 2}, 0).error, 3);
     EXPECT_EQ(judged(Operation::add, "q16_16", nearest, {1, 2}, {0}).error, 0x3p-16);
-    // The component that errs by the most ulps, the tiny one, is not the one with the largest
-    // error.
+    // The component with the largest error in ulp, the tiny one, does not have the largest error in
+    // magnitude.
     const Judgement direction = judged(Operation::normalise3, "float", Arithmetic::ieee,
                                        {raw_of_float(0x1p-60f), raw_of_float(1), 0},
                                        {raw_of_float(0x1.fp-60f), raw_of_float(1.5f), 0});
@@ -593,9 +593,9 @@ TEST(JudgeConversion, BetweenFormats) {
     EXPECT_TRUE(accepted("float", "int32", integer, raw_of_float(-1.75f), -1));
 }
 
-// Of what is no number in range there is one definition for every format: its nearer limit, 0 of
+// A value that is not in range has one definition for every format: the nearer limit, and 0 for
 // NaN.
-TEST(JudgeConversion, FromFloatsThatNoFixedPointNumberIsNear) {
+TEST(JudgeConversion, FromFloatsOutsideTheRange) {
     for (const char* name : {"q4_4", "q8_8", "q1_15", "q16_16", "q8_24", "q32_32"}) {
         for (const Arithmetic arithmetic : {nearest, saturating}) {
             const NumberFormat format = parse_format(name);

@@ -99,7 +99,7 @@ TEST(Symbol, NamesTheSubject) {
               (Subject{Operation::convert, q16_16, Arithmetic::saturating, ieee_single}));
 }
 
-TEST(Symbol, WhatItDoesNotUnderstandIsRejected) {
+TEST(Symbol, OtherNamesAreRejected) {
     for (const char* symbol :
          {"", "main", "multiply", "multiply_", "multiply_q16_16", "cube_q16_16_x",
           "multiply_q16_16_", "multiply_double_libc", "convert_q8_8_default"}) {

@@ -10,7 +10,7 @@
 namespace reference {
 namespace {
 
-// Calls function(scene) with the scene of that name.
+// Calls function(scene) with the scene of that name; throws std::invalid_argument if there is none.
 template <class Function>
 void with_scene(std::string_view name, Function function) {
     bool found = false;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Points on a chain of rods that hangs from a fixed point, in the plane, by the angles of the rods.
+// A chain of rods with a point mass at the end of each, which hangs from a fixed point, in the
+// plane. The variables are the angles of the rods.
 #pragma once
 
 #include "reference/trajectories/trajectory.hpp"
@@ -15,7 +16,7 @@ struct Link {
 
 struct Chain {
     std::array<double, 2> pivot;         // m
-    std::array<double, 2> acceleration;  // m/s^2, of every point if it were free
+    std::array<double, 2> acceleration;  // m/s^2, of every point without its rods
     std::vector<Link> links;             // from the pivot outwards
 };
 

@@ -18,7 +18,7 @@ Trajectory at_each(const Times& times, Function state_at) {
     return trajectory;
 }
 
-// A free body that began at 0 s.
+// A free body with the state `from` at 0 s.
 ParticleState thrown(const ParticleState& from, double gravity, double time) {
     ParticleState now = from;
     now.position = from.position + time * from.velocity;
@@ -38,7 +38,8 @@ Trajectory trajectory(const scenes::FreeFall::Parameters<double>& with, const Ti
     return at_each(times, [&](double time) { return State{thrown(start, with.gravity, time)}; });
 }
 
-// The ball lands at v after sqrt(2 h / g); the n-th flight takes 2 restitution^n v / g.
+// The ball lands with the velocity v after sqrt(2 h / g); the n-th flight takes 2 restitution^n v /
+// g.
 Trajectory trajectory(const scenes::BouncingBall::Parameters<double>& with, const Times& times) {
     const double drop = with.height - with.radius;
     const double landing = std::sqrt(2 * drop / with.gravity);
@@ -72,7 +73,7 @@ Trajectory trajectory(const scenes::SpringAndMass::Parameters<double>& with, con
     const double d = with.damping * with.inverse_mass / 2;
     const double square = with.stiffness * with.inverse_mass - d * d;
     if (!(square > 0))
-        throw std::invalid_argument("a spring without oscillation has no truth here");
+        throw std::invalid_argument("the spring's motion is known only where it oscillates");
     const double w = std::sqrt(square);
     return at_each(times, [&](double time) {
         const double decay = stretch * std::exp(-d * time);
@@ -108,8 +109,8 @@ Trajectory trajectory(const scenes::TwoBodyCollision::Parameters<double>& with,
     });
 }
 
-// All fall side by side, so that a ball is stopped when it has closed all gaps below it, by balls
-// that lie already.
+// All balls fall side by side. A ball stops when it has closed all gaps below it, on balls that are
+// at rest already.
 Trajectory trajectory(const scenes::Stack::Parameters<double>& with, const Times& times) {
     return at_each(times, [&](double time) {
         State state;
@@ -139,7 +140,7 @@ Trajectory trajectory(const scenes::Lever::Parameters<double>& with, const Times
 
 Trajectory trajectory(const scenes::PublishedLever::Parameters<double>& with, const Times& times) {
     if (with.damping != 1)
-        throw std::invalid_argument("the lever's truth is known without damping");
+        throw std::invalid_argument("the lever's motion is known only without damping");
     const ParticleState pivot = {{0.38, 0.15, 0}, {}};
     const double x = 0.1 - 0.38, y = 0 - 0.15;
     const double pull = with.length / std::hypot(x, y);
@@ -147,11 +148,12 @@ Trajectory trajectory(const scenes::PublishedLever::Parameters<double>& with, co
     return at_each(times, [&](double time) { return State{pivot, at(swing, time)}; });
 }
 
-// The moving ball's momentum goes through the row at once: the row swings as one pendulum of which
-// one half is seen at the first ball and the other at the last.
+// The moving ball's momentum passes through the row instantly: the row swings as one pendulum, one
+// half of whose swing is seen at the first ball and the other at the last.
 Trajectory trajectory(const scenes::NewtonsCradle::Parameters<double>& with, const Times& times) {
     if (with.restitution != 1 || !(with.x < 0))
-        throw std::invalid_argument("the cradle's truth is known for restitution 1, from the left");
+        throw std::invalid_argument(
+            "the cradle's motion is known only for restitution 1 and x < 0");
     const Swing swing = {{0, 0}, {with.x, with.y}, {0, -with.gravity}};
     return at_each(times, [&](double time) {
         State state;

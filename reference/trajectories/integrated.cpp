@@ -15,10 +15,10 @@
 namespace reference {
 namespace {
 
-// The angle of a rod as a chain counts it.
+// The angle of a rod in the convention of chain.hpp.
 double angle(double x, double y) { return std::atan2(x, -y); }
 
-// Where a rope of that length would be exceeded by a free fall from rest, m^2.
+// The squared distance of a free fall from rest less the squared length of the rope, in m^2.
 struct Reach {
     const scenes::RopeSwing::Parameters<double>& with;
     double operator()(double time) const {
@@ -66,10 +66,12 @@ Trajectory trajectory(const scenes::ProjectileWithDrag::Parameters<double>& with
 
 double taut_time(const scenes::RopeSwing::Parameters<double>& with) {
     Reach reach{with};
-    // The point is below the rope's circle after a fall of twice its diameter, and inside at first.
+    // After a fall of twice its diameter, the point is below the rope's circle; at first it is
+    // inside.
     const double end = std::sqrt(2 * (std::abs(with.y) + 4 * with.length) / with.gravity);
     if (!(reach(0) < 0))
-        throw std::invalid_argument("the swing's truth is known for a rope that is slack at first");
+        throw std::invalid_argument(
+            "the swing's motion is known only for a rope slack at the start");
     gsl_function function = {
         [](double time, void* object) { return (*static_cast<Reach*>(object))(time); }, &reach};
     const std::unique_ptr<gsl_root_fsolver, decltype(&gsl_root_fsolver_free)> solver(
@@ -98,7 +100,7 @@ Trajectory trajectory(const scenes::RopeSwing::Parameters<double>& with, const T
             trajectory.push_back({{{with.x, y, 0}, {0, -with.gravity * time, 0}}});
         }
     }
-    // What is left of the velocity (0, -g t) is its part along the arc.
+    // Only the part of the velocity (0, -g t) along the arc remains.
     const double y = with.y - with.gravity / 2 * taut * taut;
     const double first_angle = angle(with.x, y);
     const double speed = -with.gravity * taut * std::sin(first_angle);

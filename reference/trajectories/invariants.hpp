@@ -14,19 +14,19 @@ struct AnchoredSpring {
     double rest_length = 0;          // m
 };
 
-// What a particle's energy is made of.
+// The constants that a particle's energy depends on.
 struct Mechanics {
-    double mass = 1;                // kg; 0 for what cannot move
-    std::array<double, 3> force{};  // N, constant: gravity, and the user's
+    double mass = 1;                // kg; 0 for an immovable particle
+    std::array<double, 3> force{};  // N, constant: gravity and the user's force
     AnchoredSpring spring;
 };
 
-// One for each particle of the scene of that name, with the numbers of its own.
+// One for each particle of the scene of that name, with the scene's default parameters.
 std::vector<Mechanics> mechanics(std::string_view scene);
 
 // Kinetic energy, and potential energy of constant forces (0 at the origin) and springs, J.
 double energy(const std::vector<Mechanics>& mechanics, const State& state);
-// kg m/s.
+// The momentum in kg m/s.
 std::array<double, 3> momentum(const std::vector<Mechanics>& mechanics, const State& state);
 
 }  // namespace reference

@@ -13,10 +13,10 @@ struct Swing {
     std::array<double, 2> acceleration;  // m/s^2, not zero
 };
 
-// At that time, s.
+// The state at `time`, in s.
 ParticleState at(const Swing& swing, double time);
 
-// s, of a full swing to and fro.
+// The period of a full swing back and forth, in s.
 double period(const Swing& swing);
 
 }  // namespace reference

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The true motion of each scene: where every particle is, and how fast, at given times. Of a scene
-// only the numbers are known here (its Parameters<double>); the laws are written anew, in closed
-// form where there is one, else in generalised coordinates and integrated by GSL.
+// The exact motion of each scene: the position and velocity of every particle at given times. Only
+// the numbers of a scene are used here (its Parameters<double>); the laws are written
+// independently, in closed form where one exists, otherwise in generalised coordinates, integrated
+// by GSL.
 //
-// Times are in seconds, not negative and never falling; what breaks that, and parameters that no
-// truth is known for, throw std::invalid_argument.
+// Times are in seconds, must not be negative and must not decrease. Other times, and parameters for
+// which no truth is known, throw std::invalid_argument.
 #pragma once
 
 #include <array>
@@ -23,7 +24,7 @@ using State = std::vector<ParticleState>;  // in the order in which the scene ad
 using Trajectory = std::vector<State>;     // one for each time
 using Times = std::vector<double>;         // s
 
-// The error that the integration may make in a step, absolute and relative.
+// The error allowed in a step of the integration, absolute and relative.
 constexpr double default_tolerance = 1e-13;
 
 // In closed form.
@@ -31,14 +32,14 @@ Trajectory trajectory(const scenes::FreeFall::Parameters<double>& with, const Ti
 Trajectory trajectory(const scenes::SpringAndMass::Parameters<double>& with, const Times& times);
 Trajectory trajectory(const scenes::TwoBodyCollision::Parameters<double>& with, const Times& times);
 Trajectory trajectory(const scenes::Stack::Parameters<double>& with, const Times& times);
-// Every bounce is one, however slow.
+// Every contact with the floor is a bounce, however slow.
 Trajectory trajectory(const scenes::BouncingBall::Parameters<double>& with, const Times& times);
 Trajectory trajectory(const scenes::Pendulum::Parameters<double>& with, const Times& times);
 Trajectory trajectory(const scenes::Lever::Parameters<double>& with, const Times& times);
 Trajectory trajectory(const scenes::PublishedLever::Parameters<double>& with, const Times& times);
 Trajectory trajectory(const scenes::NewtonsCradle::Parameters<double>& with, const Times& times);
 
-// Integrated.
+// By integration.
 Trajectory trajectory(const scenes::DoublePendulum::Parameters<double>& with, const Times& times,
                       double tolerance = default_tolerance);
 Trajectory trajectory(const scenes::ChainOfRods::Parameters<double>& with, const Times& times,
@@ -48,11 +49,11 @@ Trajectory trajectory(const scenes::ProjectileWithDrag::Parameters<double>& with
 Trajectory trajectory(const scenes::RopeSwing::Parameters<double>& with, const Times& times,
                       double tolerance = default_tolerance);
 
-// When the rope of the swing becomes taut, s: the event is located by root finding.
+// The time in s at which the rope of the swing becomes taut, located by root finding.
 double taut_time(const scenes::RopeSwing::Parameters<double>& with);
 
-// The scene of that name with the numbers of its own; nothing where only conserved quantities are
-// known of it.
+// The scene of that name with its default parameters; nothing if only its conserved quantities are
+// known.
 std::optional<Trajectory> trajectory(std::string_view scene, const Times& times);
 
 }  // namespace reference

@@ -20,7 +20,7 @@ inline double dot(const Vector3& a, const Vector3& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-// Throws std::invalid_argument where times are not what trajectory.hpp asks for.
+// Throws std::invalid_argument if the times are not as trajectory.hpp requires.
 void check(const std::vector<double>& times);
 
 }  // namespace reference

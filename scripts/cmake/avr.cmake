@@ -1,29 +1,31 @@
 # SPDX-License-Identifier: MIT
 # Compiles programs for the ATmega328P inside the host build: avr_executable(NAME SOURCES ...
-# [OPTIONS ...] [INCLUDES ...] [HEADER header] [LINK_OPTIONS ...] [OBJECTS ...] [ARCHIVES ...] [KERNELS] [GROUP group])
-# makes ${CMAKE_CURRENT_BINARY_DIR}/NAME.elf and sets the target property ELF to its path. Sources may be
-# .c, .cpp and .S; OBJECTS come from avr_objects(); KERNELS links the library's assembly kernels.
-# HEADER is included first in each .cpp, and parsed once for all that are compiled with the same options. A source
-# includes what it uses all the same: where no header can be parsed ahead, it is not included.
-# Programs of one source change together: those of a GROUP are one step of the build, and one target,
-# which avr_group(group) makes. Their options must not choose what they include.
+# [OPTIONS ...] [INCLUDES ...] [HEADER header] [LINK_OPTIONS ...] [OBJECTS ...] [ARCHIVES ...]
+# [KERNELS] [GROUP group]) makes ${CMAKE_CURRENT_BINARY_DIR}/NAME.elf and sets the target property
+# ELF to its path. Sources may be .c, .cpp and .S; OBJECTS come from avr_objects(); KERNELS links
+# the library's assembly kernels. HEADER is included first in each .cpp, and is parsed once for all
+# that are compiled with the same options. A source must still include what it uses: if no header
+# can be precompiled, it is not included. Programs of one source change together: those of a GROUP
+# are one step of the build and one target, made by avr_group(group). Their options must not choose
+# what they include.
 
 find_program(AVR_GCC avr-gcc REQUIRED)
 find_program(AVR_GXX avr-g++ REQUIRED)
 find_program(AVR_AR avr-ar REQUIRED)
 find_program(AVR_OBJCOPY avr-objcopy REQUIRED)
 
-# With stabs, which -g means to this compiler, it precompiles no header.
+# With stabs, which is what -g means to this compiler, it does not precompile a header.
 set(AVR_COMMON_OPTIONS -mmcu=atmega328p -DF_CPU=16000000UL -Os -gdwarf-2 -Wall -Wextra -Werror
     -ffunction-sections -fdata-sections -fshort-enums)
 set(AVR_C_OPTIONS -std=gnu11)
 set(AVR_CXX_OPTIONS -std=gnu++14 -fno-exceptions -fno-rtti -fno-threadsafe-statics)
 set(AVR_LIBRARIES -I${CMAKE_SOURCE_DIR}/fixedpoint/src -I${CMAKE_SOURCE_DIR}/engine/src)
 
-# avr_parse(HEADER OPTIONS ...): sets `parsed` to a header that includes it, with its precompiled form beside it for
-# programs of these options; or to nothing where there can be none: the compiler must lie at the same addresses in each
-# run, and ccache keeps no object made so. Macros are the programs' own: where one matters to the header, or anything
-# else does not fit, the compiler reads the header itself. Ninja alone knows a rule in every folder.
+# avr_parse(HEADER OPTIONS ...): sets `parsed` to a header that includes it, with its precompiled
+# form next to it for programs with these options; or to nothing if there cannot be one. The
+# compiler must be at the same addresses in each run, and ccache does not keep objects made like
+# this. Macros belong to the programs: if one affects the header, or anything else does not match,
+# the compiler reads the header itself. Only Ninja shares rules between folders.
 execute_process(COMMAND setarch -R ${AVR_GXX} --version RESULT_VARIABLE AVR_MOVES OUTPUT_QUIET ERROR_QUIET)
 function(avr_parse header)
     set(parsed "" PARENT_SCOPE)
@@ -46,8 +48,9 @@ function(avr_parse header)
     endif()
 endfunction()
 
-# avr_compile(OUT SOURCE [OPTIONS ...] [INCLUDES ...] [HEADER header]): sets OUT to the command that compiles SOURCE,
-# and `parsed` to what it needs. OPTIONS come last on the command line, so that they win over the common ones.
+# avr_compile(OUT SOURCE [OPTIONS ...] [INCLUDES ...] [HEADER header]): sets OUT to the command that
+# compiles SOURCE, and `parsed` to the header that it needs. OPTIONS come last on the command line,
+# so that they override the common ones.
 function(avr_compile out source)
     cmake_parse_arguments(ARG "" "HEADER" "OPTIONS;INCLUDES" ${ARGN})
     list(TRANSFORM ARG_INCLUDES PREPEND -I)
@@ -66,7 +69,7 @@ function(avr_compile out source)
     else()
         set(compile ${AVR_GCC} ${AVR_COMMON_OPTIONS} -x assembler-with-cpp)
     endif()
-    # The host compiler's launcher, if there is one (ccache), serves the cross compiler too.
+    # The host compiler's launcher, if there is one (ccache), is used for the cross compiler, too.
     set(${out} ${CMAKE_CXX_COMPILER_LAUNCHER} ${compile} ${AVR_LIBRARIES} ${ARG_INCLUDES} ${ARG_OPTIONS} -c ${source}
         PARENT_SCOPE)
     set(parsed ${parsed} PARENT_SCOPE)
@@ -95,7 +98,7 @@ function(avr_objects out name)
 endfunction()
 
 # The kernels of the fixed-point library, assembled once for all programs: every assembly file, each
-# in a section of its own; as objects, and as an archive of which the linker takes what is used.
+# in a section of its own; as objects, and as an archive from which the linker takes what is used.
 file(GLOB kernel_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/fixedpoint/src/fixedpoint/avr/*.S)
 avr_objects(AVR_KERNEL_OBJECTS kernels SOURCES ${kernel_sources})
 set(AVR_KERNEL_ARCHIVE ${CMAKE_CURRENT_BINARY_DIR}/kernels.a)
@@ -114,7 +117,7 @@ function(avr_executable name)
     if(ARG_KERNELS)
         list(PREPEND objects ${AVR_KERNEL_OBJECTS})
     endif()
-    # The last source, mostly the only one, is compiled and linked in one step.
+    # The last source, usually the only one, is compiled and linked in one step.
     get_filename_component(last ${last} ABSOLUTE)
     get_filename_component(stem ${last} NAME)
     set(object ${CMAKE_CURRENT_BINARY_DIR}/${name}.dir/${stem}.o)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Toolchain file for projects of their own on an ATmega328P at 16 MHz, or another chip by AVR_MCU and
+# Toolchain file for separate projects on an ATmega328P at 16 MHz, or on another chip by AVR_MCU and
 # AVR_FREQUENCY: cmake -DCMAKE_TOOLCHAIN_FILE=avr_toolchain.cmake ...
 set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_SYSTEM_PROCESSOR avr)

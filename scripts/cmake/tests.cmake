@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
-# Tests are built by the target `tests`, not by default, and at -Og: most of them compile for longer
-# than they run, and at -O1 by a third longer. Under the sanitizers, which double the time of the
-# optimiser, they are not optimised at all, unlike the libraries that they call. A label says what a
-# test needs:
+# Tests are built by the target `tests`, not by default, and with -Og: most of them compile for
+# longer than they run, and with -O1 for a third longer. Under the sanitizers, which double the time
+# of the optimiser, they are not optimised at all, unlike the libraries that they call. A label says
+# what a test needs:
 #   host     neither the cross compiler nor the simulated chip; runs under the sanitizers too
 #   script   as host, a command that runs no program of ours
 #   device   programs for the chip of its own
 #   slow     fixbench, the device programs of an experiment, or a project or sketch of its own
-# The target `quick_tests` makes those of the first three.
+# The target `quick_tests` builds those of the first three.
 
 set(TEST_OPTIMISATION -Og CACHE STRING "Level at which tests are compiled")
 add_custom_target(host_tests)
@@ -29,8 +29,8 @@ function(add_labelled label)
     endif()
 endfunction()
 
-# What nearly every test includes is parsed once, for all tests: GoogleTest alone takes longer than
-# most tests take for the rest. ccache keeps no object that was made with a precompiled header.
+# Headers that nearly every test includes are parsed once for all tests: GoogleTest alone takes
+# longer than the rest of most tests. ccache does not keep objects made with a precompiled header.
 if(CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache")
     set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
 endif()
@@ -42,7 +42,7 @@ target_precompile_headers(test_headers PRIVATE <gtest/gtest.h> <fmt/format.h> <f
 
 # test_program(TARGET LABEL SOURCES ... [LIBRARIES ...] [DEFINITIONS ...] [NEEDS ...] [NAME name]
 #              [PREFIX prefix] [MAIN library] [PROPERTIES ...]): a GoogleTest program.
-# With NAME it is one test; without, each of its cases is one, with PREFIX before its name.
+# With NAME it is one test; without, each of its cases is a test, with PREFIX before its name.
 function(test_program target label)
     cmake_parse_arguments(ARG "" "NAME;PREFIX;MAIN" "SOURCES;LIBRARIES;DEFINITIONS;NEEDS;PROPERTIES" ${ARGN})
     if(NOT ARG_MAIN)

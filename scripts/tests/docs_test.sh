@@ -34,7 +34,7 @@ undocument() {  # FILE COMMENT NAME
 undocument fixedpoint/src/fixedpoint/math.hpp 'The smaller of the two' 'min('
 undocument fixedpoint/src/fixedpoint_c.h 'The number 1.' Q4_4_ONE
 undocument engine/src/engine/world.hpp "Multiplies each velocity by its particle's" 'damp()'
-undocument firmware/src/firmware/renderer.hpp 'The next frame is sent whole' 'refresh()'
+undocument firmware/src/firmware/renderer.hpp 'Sends the next frame completely' 'refresh()'
 
 [ $failures -eq 0 ] && echo "every public name is documented"
 exit $failures

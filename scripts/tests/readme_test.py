@@ -15,13 +15,13 @@ ROOT = Path(__file__).resolve().parents[2]
 STARTS = re.compile(r"(?:build/release/bench/)?fixbench\s|scripts/\S+|bench/run_all\.sh|ctest\s|cmake\s|"
                     r"ninja\s|avr-\S+\s|python3\s|/usr/bin/python3\s|git\s")
 
-# Commands that are run as they stand, in the root of the project: pattern and why they are cheap.
+# Commands that are run unchanged, in the root of the project: pattern, and why they are cheap.
 RUN = [
     (r"fixbench --help", "prints"),
     (r"fixbench advise --scene .*", "reads the committed results"),
     (r"avr-g\+\+ .* program\.cpp .*", "compiles the first program of the page"),
 ]
-# What is run in place of a command, and why.
+# What is run instead of a command, and why.
 INSTEAD = [
     (r"bench/run_all\.sh.*", "bench/run_all.sh --help", "measures for half an hour"),
     (r"scripts/test\.sh.*", "scripts/test.sh --help", "would run this test again"),
@@ -41,7 +41,7 @@ INSTEAD = [
     (r"avr-gdb .*", "true", "an interactive program that the set-up does not install"),
     (r"avr-objdump .*", "avr-objdump --version", "takes a program of the user's"),
 ]
-FLASH = 30720  # bytes that the bootloader leaves
+FLASH = 30720  # bytes that the bootloader leaves free
 
 failures = []
 
@@ -69,8 +69,8 @@ def without_fences(text):
 
 
 def commands(text):
-    """Line and text of each command: the lines of the blocks without a language, and what stands in
-    backquotes and begins like one."""
+    """Line and text of each command: the lines of the blocks without a language, and the texts in backquotes that start
+    like a command."""
     for language, line, block in fences(text):
         if language in ("", "sh", "bash"):
             for command in block.replace("\\\n", " ").splitlines():
@@ -118,7 +118,7 @@ def check_command(place, command, fixbench, scratch):
 
 
 def check_program(place, program, scratch):
-    """Host and chip compile it; what has no main gets one."""
+    """Compiles the program for host and chip; a program without main() gets one."""
     if not re.search(r"\bmain\(", program):
         program += "\nint main() {}\n"
     path = scratch / "program.cpp"
@@ -131,7 +131,7 @@ def check_program(place, program, scratch):
 
 
 def anchors(path):
-    """Of the headings, as GitHub makes them, and of elements with a name of their own."""
+    """The anchors of the headings, as GitHub makes them, and of elements with a name."""
     text = without_fences(path.read_text(encoding="utf-8"))
     found = set(re.findall(r"<a (?:id|name)=\"([^\"]+)\"", text))
     for heading in re.findall(r"^#+ +(.*)$", text, re.MULTILINE):
@@ -166,7 +166,7 @@ def main():
         text = readme.read_text(encoding="utf-8")
         check_links(readme, text)
         if readme.is_relative_to(ROOT / "results"):
-            continue  # pages: what they name is what made them
+            continue  # pages: the commands that they name have made them
         programs = [(line, block) for language, line, block in fences(text) if language == "cpp"]
         for line, program in programs:
             check_program(f"{readme.relative_to(ROOT)}:{line}", program, scratch)

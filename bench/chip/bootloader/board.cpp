@@ -28,7 +28,7 @@ constexpr std::uint16_t mcusr = 0x54;
 constexpr std::uint8_t external_reset = 0x02;  // bit EXTRF of MCUSR
 
 constexpr auto longest_wait = 1ms;
-constexpr Cycle longest_run = Chip::frequency / 500;  // of simulated time in one go
+constexpr Cycle longest_run = Chip::frequency / 500;  // simulated time per call
 constexpr Cycle patience = Chip::frequency / 2;
 constexpr double speed_tolerance = 0.04;  // of an asynchronous receiver of ten bits
 
@@ -62,8 +62,8 @@ Board::Board(const std::filesystem::path& bootloader, bool patient)
         throw std::system_error(error, std::generic_category(), "a pseudo-terminal");
     port_ = name;
 
-    // A terminal that nobody has opened yet does not count as closed: open it once. It neither
-    // echoes nor translates, as a serial line does not.
+    // A terminal that nobody has opened yet does not count as closed, so it is opened once. Like a
+    // serial line, it neither echoes nor translates.
     const Descriptor other_end(checked(::open(name, O_RDWR | O_NOCTTY | O_CLOEXEC), name));
     termios2 settings{};
     settings.c_cflag = CS8 | CREAD | CLOCAL | B9600;
@@ -78,7 +78,7 @@ Board::Board(const std::filesystem::path& bootloader, bool patient)
 void Board::press_reset(std::uint8_t cause) {
     chip_.reset();
     if (cause) chip_.write(mcusr, {&cause, 1});
-    chip_.set_program_counter(entry_);  // as the fuse BOOTRST has it
+    chip_.set_program_counter(entry_);  // as the fuse BOOTRST does
     held_in_reset_ = false;
     last_byte_ = 0;
     start_ = Clock::now();
@@ -87,7 +87,7 @@ void Board::press_reset(std::uint8_t cause) {
 
 void Board::watch_port() {
     pollfd terminal{terminal_, POLLIN, 0};
-    // A closed port is always ready to say so: wait elsewhere.
+    // poll() returns immediately for a closed port: wait elsewhere.
     if (!open_) std::this_thread::sleep_for(longest_wait);
     ::poll(&terminal, 1, open_ ? static_cast<int>(longest_wait / 1ms) : 0);
     const bool open = !(terminal.revents & POLLHUP);
@@ -104,7 +104,7 @@ bool Board::same_speed() const {
     return std::abs(speed / settings.c_ospeed - 1) < speed_tolerance;
 }
 
-// What comes at another speed than the chip's does not come through.
+// Bytes sent at another speed than the chip's are lost.
 void Board::receive() {
     std::uint8_t bytes[256];
     for (ssize_t count; (count = ::read(terminal_, bytes, sizeof bytes)) > 0;) {
@@ -117,7 +117,7 @@ void Board::receive() {
 void Board::send() {
     if (!in_bootloader()) sent_by_application_.append(sent_.begin(), sent_.end());
     if (open_ && same_speed()) {
-        // A full buffer loses bytes, as the adapter's does.
+        // A full buffer loses bytes, like the adapter's.
         [[maybe_unused]] const auto written = ::write(terminal_, sent_.data(), sent_.size());
     }
     sent_.clear();
@@ -130,7 +130,7 @@ bool Board::host_is_late() const {
 void Board::run(Cycle until) {
     const auto run_as_before = chip_.core()->run;
     chip_.run_until_cycle(until);
-    // A watchdog that ran out replaces simavr's way of running by one that resets.
+    // A watchdog that expired replaces simavr's run function by one that resets.
     if (chip_.core()->run != run_as_before) press_reset(0);
     if (stuck_bit_) {
         std::uint8_t& byte = chip_.core()->flash[stuck_bit_->address];

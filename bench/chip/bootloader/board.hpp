@@ -3,7 +3,7 @@
 // its flash and its UART on a pseudo-terminal, which any program that talks to a board can open.
 //
 // Opening the port resets the chip, as the adapter's DTR line does. Simulated time follows the wall
-// clock and never runs ahead of it; where the machine is too busy for that it falls behind.
+// clock and never runs ahead of it; if the machine is too busy it falls behind.
 #pragma once
 
 #include <chrono>
@@ -17,7 +17,7 @@
 
 namespace bootloader {
 
-// A bit of the flash that does not take what is written.
+// A bit of the flash that cannot be written.
 struct StuckBit {
     std::uint16_t address;
     std::uint8_t mask;
@@ -38,18 +38,18 @@ class Descriptor {
 
 class Board {
   public:
-    // A program whose function `bootloader` is where the chip begins after a reset. The rest of the
-    // flash is empty. Throws std::system_error when there is no pseudo-terminal to be had.
+    // Starts a program whose function `bootloader` is the chip's entry after a reset. The rest of
+    // the flash is empty. Throws std::system_error if no pseudo-terminal is available.
     //
-    // A bootloader gives up on a host that is silent for a second. A patient board stops simulated
-    // time before that, so that a test of a host which gets no processor time still ends well; then
-    // again, a program is only started by a host that says goodbye or closes the port.
+    // A bootloader gives up on a host that is silent for a second. A `patient` board stops
+    // simulated time before that, so that a test whose host gets no processor time still ends well.
+    // In return, a program starts only when the host says goodbye or closes the port.
     explicit Board(const std::filesystem::path& bootloader, bool patient);
 
     const std::string& port() const { return port_; }
 
-    // Waits at most a millisecond for bytes from the port, and lets the chip catch up with the wall
-    // clock. Throws simulator::SimulationError when the application runs wild.
+    // Waits at most a millisecond for bytes from the port, then lets the chip catch up with the
+    // wall clock. Throws simulator::SimulationError if the application runs wild.
     void serve();
 
     bool in_bootloader() const { return chip_.program_counter() >= entry_; }
@@ -79,7 +79,7 @@ class Board {
     bool open_ = false, held_in_reset_ = true;
     std::vector<std::uint8_t> sent_;  // in the run that just ended
     simulator::Cycle last_byte_ = 0;
-    Clock::time_point start_;  // of cycle 0, later by what the machine was too busy for
+    Clock::time_point start_;  // of cycle 0, plus the time for which the machine was too busy
     std::string sent_by_application_;
     std::optional<StuckBit> stuck_bit_;
 };

@@ -1,5 +1,5 @@
 ; SPDX-License-Identifier: GPL-3.0-or-later
-; The bytes of a bootloader as a program of their own, linked to where they belong.
+; The bytes of a bootloader as a program, linked to the address where they belong.
     .section .text
     .global bootloader
     .type bootloader, @function

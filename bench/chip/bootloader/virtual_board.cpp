@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A Nano to flash and to talk to where there is none: prints its serial port and runs until it is
+// A simulated Nano to flash and to talk to. Prints the name of its serial port and runs until it is
 // interrupted.
 #include <fmt/format.h>
 

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A folder of its own, removed at the end.
+// A temporary folder, removed by the destructor.
 class ScratchFolder {
   public:
     ScratchFolder() {
@@ -106,7 +106,7 @@ CompiledFunction::CompiledFunction(const simulator::Elf& elf, std::string_view s
       flash_(elf.flash()),
       object_(translation_.source, compilation),
       run_(reinterpret_cast<Run*>(object_.symbol("instructions_run"))) {
-    flash_.resize(0x10000, 0xff);  // whatever Z holds
+    flash_.resize(0x10000, 0xff);  // whatever address Z contains
 }
 
 CompiledFunction::Session::Session(const CompiledFunction& function)

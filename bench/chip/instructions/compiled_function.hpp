@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A function of a device program as host code: translated, compiled, loaded. Some ten nanoseconds a
-// call, against a microsecond in the simulator.
+// A function of a device program as host code: translated, compiled, loaded. A call takes about ten
+// nanoseconds, against a microsecond in the simulator.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace instructions {
 
-// A call that broke the calling convention, accessed memory that is not its own, or did not return.
+// A call that broke the calling convention, accessed memory outside its areas, or did not return.
 class Misbehaviour : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
@@ -24,11 +24,11 @@ class Misbehaviour : public std::runtime_error {
 struct Compilation {
     std::string options = "-O3 -march=native";
     std::filesystem::path include_folder =
-        INSTRUCTIONS_INCLUDE_FOLDER;  // holds bench/chip/instructions
+        INSTRUCTIONS_INCLUDE_FOLDER;  // contains bench/chip/instructions
 };
 
-// A shared object made of C++ source, unloaded at the end. Throws std::runtime_error where the
-// compiler refuses the source.
+// A shared object compiled from C++ source, unloaded by the destructor. Throws std::runtime_error
+// if the compiler rejects the source.
 class SharedObject {
   public:
     explicit SharedObject(const std::string& source, const Compilation& compilation = {});
@@ -44,23 +44,24 @@ class SharedObject {
 
 class CompiledFunction {
   public:
-    // Throws TranslationError, std::runtime_error.
+    // Throws TranslationError or std::runtime_error.
     CompiledFunction(const simulator::Elf& elf, std::string_view symbol, const Interface& interface,
                      const Compilation& compilation = {});
 
     const std::string& symbol() const { return symbol_; }
     std::size_t arity() const { return interface_.operands.size(); }
     std::size_t result_count() const { return interface_.results.size(); }
-    // Every instruction that control flow can meet, calls included.
+    // Every instruction that control flow can reach, including those of called functions.
     const ControlFlow& flow() const { return flow_; }
 
-    // What a caller of its own thread needs: memory, and which blocks were executed.
+    // The state that each thread of a caller needs: memory, and which blocks were executed.
     class Session {
       public:
         explicit Session(const CompiledFunction& function);
 
-        // As many calls as `cycles` has room for; raws lie one call after the other. Cycles include
-        // call (4) and ret (4). Throws Misbehaviour with the operands.
+        // Makes as many calls as `cycles` has elements; the raws of the calls follow one after the
+        // other. Cycles include call (4) and ret (4). Throws Misbehaviour, which names the
+        // operands.
         void run(std::span<const std::int64_t> operands, std::span<std::int64_t> results,
                  std::span<std::uint32_t> cycles);
 
@@ -72,7 +73,7 @@ class CompiledFunction {
         std::uint64_t pattern_ = 0;
     };
 
-    // The instructions of the symbol's own bytes that are in none of the given blocks, sorted.
+    // The instructions among the symbol's own bytes that are in none of the given blocks, sorted.
     std::vector<std::uint32_t> unreached(const std::set<std::uint32_t>& reached_blocks) const;
 
   private:

@@ -9,7 +9,7 @@
 namespace instructions {
 namespace {
 
-// The table in flash that holds an address.
+// The table in flash that contains an address.
 const simulator::Symbol* table_at(const simulator::Elf& elf, std::uint32_t address) {
     for (const simulator::Symbol& table : elf.flash_objects())
         if (table.address <= address && address < table.address + table.size) return &table;
@@ -38,7 +38,7 @@ std::string fingerprint(const simulator::Elf& elf, std::string_view symbol) {
     for (const Instruction& instruction : flow.instructions) {
         text += instruction.row->mnemonic;
         if (instruction.row->flow != Flow::next) {
-            // A skip's register and bit; the others' operand is their target.
+            // The operands of a skip are its register and bit; of the others, the target.
             if (instruction.row->flow == Flow::skip) text += instruction.text();
             for (const std::uint32_t address : ControlFlow::successors(instruction, elf.flash()))
                 text += fmt::format(" {}", ordinal.at(address));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The instruction set of the AVR, one row an instruction: its bits, its assembler text, what it
-// does as a C++ statement, its cycles. Decoding, disassembly and translation all read these rows.
+// The instruction set of the AVR, one row per instruction: its bits, its assembler text, its effect
+// as a C++ statement, its cycles. Decoding, disassembly and translation all use these rows.
 #pragma once
 
 #include <cstdint>
@@ -10,15 +10,15 @@
 
 namespace instructions {
 
-// How an instruction goes on.
+// Where control flow goes after an instruction.
 enum class Flow {
-    next,         // to the instruction behind it
-    branch,       // to `target` where `statement` holds, else to the next; a cycle more where taken
-    skip,         // over the next instruction where `statement` holds; a cycle more a word skipped
+    next,         // to the next instruction
+    branch,       // to `target` if `statement` is true, else to the next; taken, one cycle more
+    skip,         // over the next instruction if `statement` is true; a cycle more per word
     jump,         // to `target`
-    call,         // to `target`, back to the next
-    ret,          // to where it was called from
-    unsupported,  // not in an ATmega328P, or nothing that a function of plain numbers may use
+    call,         // to `target`, then back to the next
+    ret,          // back to the caller
+    unsupported,  // not in an ATmega328P, or not allowed in a function of plain numbers
 };
 
 struct InstructionRow {
@@ -32,8 +32,8 @@ struct InstructionRow {
     std::string_view mnemonic;
     std::string_view operands;  // as avr-objdump prints them, with {field}
     Flow flow;
-    int cycles;                  // on the ATmega328P; of a branch or skip not taken
-    std::string_view statement;  // C++ over semantics.hpp; a condition for branch and skip
+    int cycles;                  // on the ATmega328P; of a branch or skip, when not taken
+    std::string_view statement;  // C++ over semantics.hpp; for branch and skip, a condition
     bool two_words = false;
 };
 
@@ -42,7 +42,7 @@ std::span<const InstructionRow> instruction_set();
 struct Instruction {
     std::uint32_t address = 0;  // flash byte address
     std::uint16_t opcode = 0, second_word = 0;
-    const InstructionRow* row = nullptr;  // null where the opcode is none
+    const InstructionRow* row = nullptr;  // null if the opcode is not an instruction
 
     // Fields; registers as numbers, pairs as the lower number.
     int d = 0, r = 0, K = 0, q = 0, A = 0, b = 0, k = 0, h = 0;
@@ -53,10 +53,11 @@ struct Instruction {
     std::uint32_t absolute() const { return std::uint32_t(h) << 16 | second_word; }
 
     std::string text() const;       // "adiw r24, 0x01", as avr-objdump prints it
-    std::string statement() const;  // the row's statement with the fields put in
+    std::string statement() const;  // the row's statement with the fields filled in
 };
 
-// The instruction at a flash byte address. Throws std::out_of_range where the flash ends before.
+// The instruction at a flash byte address. Throws std::out_of_range if the flash ends before it
+// does.
 Instruction decode(std::span<const std::uint8_t> flash, std::uint32_t address);
 
 }  // namespace instructions

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What each instruction of the AVR does to registers, flags and memory. Translated code includes
-// this header and is made of calls of it; the compiler removes the flags that nothing reads.
+// The effect of each AVR instruction on registers, flags and memory. Translated code includes this
+// header and consists of calls of it; the compiler removes flags that nothing reads.
 // Source: Atmel, "AVR Instruction Set Manual" (DS40002198).
 #pragma once
 
@@ -47,7 +47,7 @@ inline void sub(Byte& d, Byte r, Status& f) {
     d = difference(d, r, false, f);
     f.z = d == 0;
 }
-// Zero stays set only where the bytes below were zero too.
+// Zero stays set only if the lower bytes were zero, too.
 inline void cpc(Byte d, Byte r, Status& f) { f.z &= difference(d, r, f.c, f) == 0; }
 inline void sbc(Byte& d, Byte r, Status& f) {
     d = difference(d, r, f.c, f);
@@ -146,7 +146,7 @@ inline void sbiw(Byte& low, Byte& high, Byte k, Status& f) {
     set_word(low, high, after, f);
 }
 
-// X+, Y+, Z+ and -X, -Y, -Z: the address, and the pointer moved.
+// X+, Y+, Z+ and -X, -Y, -Z: returns the address and moves the pointer.
 inline Word moved_after(Byte& low, Byte& high) {
     const Word address = word(low, high);
     low = Byte(address + 1);
@@ -160,19 +160,19 @@ inline Word moved_before(Byte& low, Byte& high) {
     return address;
 }
 
-// What ends a call that does what a function may not.
+// Thrown by a call that does something that a function must not do.
 struct Fault {
     const char* what;
     unsigned where;
 };
 
-// Data space as a function may use it: it reads its operands, its results and its stack, and writes
-// its results and its stack. Areas are [begin, end) of data-space addresses.
+// Data space as a function may use it: it may read its operands, results and stack, and write its
+// results and stack. Areas are [begin, end) in data-space addresses.
 template <Word operands_begin, Word operands_end, Word results_begin, Word results_end,
           Word ram_end>
 struct Memory {
     static constexpr Word ram_begin = 0x100;
-    Byte* bytes;  // ram_end of them
+    Byte* bytes;  // ram_end bytes
     Word sp;
 
     Byte load(unsigned address) const {
@@ -200,7 +200,7 @@ struct Memory {
             throw Fault{"pops more than was pushed, stack pointer", sp};
         return bytes[sp];
     }
-    // A return address lies with its high byte at the lower address.
+    // The high byte of a return address is at the lower address.
     void push_address(Word word_address) {
         push(Byte(word_address));
         push(Byte(word_address >> 8));
@@ -234,8 +234,8 @@ struct Memory {
     }
 };
 
-// What register `number` holds on entry where the calling convention gives it no meaning: another
-// value in each call, so that a function that relies on one or loses one is found out.
+// The content on entry of register `number`, if the calling convention gives it no meaning: another
+// value in each call, so that a function that relies on one or loses one is detected.
 constexpr Byte unspecified(std::uint64_t pattern, int number) {
     return Byte((pattern >> number % 8 * 8) ^ unsigned(number) * 37);
 }

@@ -11,7 +11,7 @@
 namespace instructions {
 namespace {
 
-// Both areas lie across a 256-byte page, where a pointer's low byte wraps.
+// Both areas cross a 256-byte page boundary, where a pointer's low byte wraps.
 constexpr std::uint16_t operand_area = 0x01f9, result_area = 0x02fb;
 
 constexpr std::size_t deepest_call = 16, most_states = 100000;
@@ -23,7 +23,7 @@ constexpr int budget = 1'000'000;  // cycles
                                        why));
 }
 
-// ld and st that move the pointer they load or store: the manual leaves the outcome undefined.
+// ld and st that move the pointer that they load or store: the manual leaves the result undefined.
 bool moves_its_own_pointer(const Instruction& instruction) {
     if ((instruction.opcode & 0xfc00) != 0x9000 || instruction.row->two_words) return false;
     const int mode = instruction.opcode & 15, number = instruction.opcode >> 4 & 31;
@@ -37,7 +37,7 @@ bool is_other_io(const Instruction& instruction) {
     return (mnemonic == "in" || mnemonic == "out") && instruction.A < 0x3d;
 }
 
-// `rcall .+0`, which avr-gcc makes room of two bytes on the stack with.
+// `rcall .+0`, with which avr-gcc reserves two bytes of stack.
 bool only_pushes(const Instruction& instruction) {
     return instruction.row->flow == Flow::call && instruction.target() == instruction.next();
 }
@@ -71,7 +71,7 @@ std::vector<simulator::Place> array_at(std::uint16_t address, std::size_t count,
     return places;
 }
 
-// An instruction under the calls that led to it, each by its return address.
+// An instruction and the calls that led to it, each by its return address.
 struct State {
     std::vector<std::uint32_t> calls;
     std::uint32_t address;
@@ -108,7 +108,7 @@ class Translator {
         source_ += '\n';
     }
 
-    // Blocks are numbered as they are referred to, each emitted once.
+    // Blocks are numbered when they are first referred to, and each is emitted once.
     std::size_t label(const State& state) {
         const auto [place, fresh] = labels_.emplace(state, blocks_.size());
         if (fresh) {
@@ -147,7 +147,7 @@ class Translator {
         }
     }
 
-    // Whether the block ends with the instruction.
+    // Emits the instruction. Returns whether it ends the block.
     bool emit(const Instruction& instruction, const std::vector<std::uint32_t>& calls, int cycles) {
         const std::uint32_t next = instruction.next();
         const InstructionRow& row = *instruction.row;
@@ -229,7 +229,7 @@ class Translator {
             line("  r{} = {};", place.address + 1, value >> 8);
         }
         for (const int i : call_saved()) line("  const Byte entry{0} = r{0};", i);
-        // For the results, which a function might forget to write.
+        // For the results, which a function could forget to write.
         for (const simulator::Place& place : interface_.results)
             if (!place.in_registers())
                 for (int byte = 0; byte < place.size; ++byte)
@@ -325,7 +325,7 @@ ControlFlow control_flow(const simulator::Elf& elf, std::string_view symbol) {
         const auto successors = ControlFlow::successors(instruction, elf.flash());
         const bool falls_through = instruction.row->flow == Flow::next || only_pushes(instruction);
         if (!falls_through) flow.leaders.insert(successors.begin(), successors.end());
-        // The next instruction comes off the stack first.
+        // The next instruction is popped first.
         open.insert(open.end(), successors.rbegin(), successors.rend());
     }
     return flow;

@@ -89,7 +89,7 @@ std::string hsl(const Colour& colour, int lightness) {
     return fmt::format("hsl({},{}%,{}%)", colour.hue, colour.saturation, lightness);
 }
 
-// Colours tell kernels.
+// The colour marks kernels.
 std::string fitting(const std::string& name, double pixels) {
     std::string label = short_name(name);
     if (label.starts_with(kernel_prefix)) label.erase(0, kernel_prefix.size());
@@ -141,7 +141,7 @@ class Drawing {
         const double share = static_cast<double>(bar.inclusive) / awake_;
         const double pixels = share * (width - 2 * margin);
         if (pixels < narrowest) return;
-        // Neighbours and callers differ a little.
+        // The colours of neighbours and callers differ slightly.
         const Colour& colour = level ? colour_of(bar.name, in_interrupt) : ground_colour;
         const int lightness = colour.lightness + (level % 2 ? 0 : 5);
         const double y = height_ - margin - bar_height * (level + 1);

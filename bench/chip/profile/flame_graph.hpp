@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A profile as a picture: a bar for each path of calls, as wide as its inclusive cycles, upon the
-// bar of its caller.
+// A profile as a picture: a bar for each path of calls, above the bar of its caller, whose width is
+// its inclusive cycles.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace profile {
 
-// A self-contained SVG document without scripts; a bar names itself and its cycles when pointed at.
-// Interrupt handlers stand beside the program, on the same ground: the time awake.
+// A self-contained SVG document without scripts. Pointing at a bar shows its name and cycles.
+// Interrupt handlers are next to the program, on the same ground: the time awake.
 std::string flame_graph(const Profile& profile, std::string_view title);
 
 }  // namespace profile

@@ -60,8 +60,8 @@ bool is_start_up(const Symbol& symbol) {
     return symbol.address == 0 || std::ranges::find(labels, symbol.name) != std::end(labels);
 }
 
-// Of several names of one address the one that the program's author gave it. Unused vectors are
-// all names of __bad_interrupt.
+// Of several names of one address, prefers the one that the program's author gave it. Unused
+// vectors are all names of __bad_interrupt.
 auto rank(const Symbol& symbol) {
     return std::tuple(symbol.name.starts_with(vector_prefix), symbol.name.starts_with('_'),
                       symbol.name);
@@ -81,12 +81,12 @@ std::string readable(const std::string& symbol) {
     return demangled ? demangled.get() : symbol;
 }
 
-// A label without a size that lies within no function reaches up to the next label, and so does one
-// of the start-up code, whose sections follow each other without more labels.
+// A label without a size that is not inside a function extends to the next label. So does a label
+// of the start-up code, whose sections follow each other without further labels.
 std::vector<Symbol> code_symbols(const simulator::Elf& elf) {
     std::map<std::uint32_t, Symbol> by_address;
     for (const auto& [name, symbol] : elf.functions()) {
-        // The linker's absolute symbols of the memory regions' sizes look like labels.
+        // The linker's absolute symbols for the sizes of memory regions look like labels.
         if (symbol.address % 2 || name.ends_with("_REGION_LENGTH__")) continue;
         const auto [at, is_new] = by_address.try_emplace(symbol.address, symbol);
         if (!is_new && rank(symbol) < rank(at->second)) at->second = symbol;

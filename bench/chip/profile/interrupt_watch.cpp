@@ -8,7 +8,7 @@
 
 namespace profile {
 
-// Every vector has two signals: one follows its request, one whether its handler runs.
+// Every vector has two signals: one for its request, and one for whether its handler is running.
 InterruptWatch::InterruptWatch(avr_t* core) : core_(core) {
     for_each_signal([](Vector& vector, avr_irq_t* signal, auto notify) {
         avr_irq_register_notify(signal, notify, &vector);
@@ -40,7 +40,7 @@ void InterruptWatch::before_step() {
 }
 
 // simavr raises the flag's signal whether or not the interrupt is enabled, but not while it is
-// pending already.
+// already pending.
 void InterruptWatch::at_request(avr_irq_t*, std::uint32_t raised, void* of) {
     Vector& vector = *static_cast<Vector*>(of);
     avr_t* const core = vector.watch->core_;

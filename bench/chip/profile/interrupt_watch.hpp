@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sees a chip's interrupts requested and served, by the signals that simavr raises per vector.
+// Observes when a chip's interrupts are requested and served, by the signals that simavr raises per
+// vector.
 //
-// An interrupt is requested at the cycle in which its flag rises while it is enabled, or in which
-// it is enabled while its flag is up; global interrupts (SREG's I) play no part.
+// An interrupt is requested in the cycle in which its flag rises while it is enabled, or in which
+// it is enabled while its flag is set. The global interrupt flag (SREG's I) does not matter.
 #pragma once
 
 #include <array>
@@ -25,14 +26,14 @@ class InterruptWatch {
     struct Entry {
         int vector;
         simulator::Cycle begin;                     // of the entry's own four cycles
-        std::optional<simulator::Cycle> requested;  // none where that was before the watch began
+        std::optional<simulator::Cycle> requested;  // none if that was before the watch started
     };
 
-    // To be called before each step of the chip. simavr serves a peripheral's event once the
-    // instruction has ended amid which it falls due; this notes when that is.
+    // Must be called before each step of the chip. simavr serves a peripheral's event after the
+    // instruction during which it falls due; this records when that is.
     void before_step();
 
-    // The interrupt that was entered in the last step, at most one.
+    // The interrupt that was entered in the last step; there is at most one.
     const std::optional<Entry>& entry() const { return entry_; }
 
   private:

@@ -36,8 +36,8 @@ Profiler::Profiler(simulator::Chip& chip)
     restart();
 }
 
-// The stack pointer holds between two `out` what neither the one nor the other means; avr-gcc
-// writes its high byte first. So it is looked at after the low byte.
+// Between the two `out` instructions that write the stack pointer, its value means nothing. avr-gcc
+// writes the high byte first, so it is examined after the low byte.
 std::vector<Profiler::Kind> Profiler::kinds_of(const simulator::Elf& elf) {
     std::vector<Kind> kinds(simulator::Elf::flash_size / 2, Kind::plain);
     for (std::uint32_t at = 0; at + 4 <= elf.flash().size(); at += 2) {
@@ -66,7 +66,7 @@ void Profiler::step() {
     std::uint16_t stack_pointer = chip_.stack_pointer();
     Cycle end = core_->cycle;
     const std::optional<InterruptWatch::Entry>& interrupt = watch_.entry();
-    if (interrupt) {  // behind the instruction, in the same step
+    if (interrupt) {  // after the instruction, in the same step
         end = interrupt->begin;
         stack_pointer += return_address_bytes;
         const std::uint8_t* const pushed = chip_.data() + stack_pointer;
@@ -122,7 +122,7 @@ int Profiler::child(int parent, Index function) {
     return node;
 }
 
-// A frame on top of the context's others, which is its root where there is none.
+// Pushes a frame onto the context's others; the first is its root.
 void Profiler::enter(std::uint32_t address, std::uint16_t stack_pointer,
                      std::uint16_t return_address) {
     Context& context = contexts_.back();
@@ -144,7 +144,7 @@ void Profiler::begin_root(std::uint32_t address, std::uint16_t stack_pointer) {
     enter(address, stack_pointer, 0);
     Frame& root = contexts_.back().frames.back();
     root.whole = false;
-    --nodes_[static_cast<std::size_t>(root.node)].calls;  // it began before it was watched
+    --nodes_[static_cast<std::size_t>(root.node)].calls;  // it started before it was watched
 }
 
 void Profiler::note_depth(Stack& of, const Frame& frame) {
@@ -264,7 +264,7 @@ void Profiler::restart() {
     per_call_.assign(functions_.size(), {});
     stack_.assign(functions_.size(), {});
     vectors_.assign(vector_count, {});
-    // A function that waits for another to return has its stack pointer above that one's.
+    // A function that waits for another to return has a higher stack pointer than that one.
     std::uint16_t below = lowest_;
     for (auto context = contexts_.rbegin(); context != contexts_.rend(); ++context) {
         context->requested.reset();
@@ -294,7 +294,7 @@ Profile Profiler::profile() const {
         }
     }
 
-    // Returns the cycles of a path and of all that continue it.
+    // Returns the cycles of a path and of all its continuations.
     std::vector<int> open(functions_.size());
     std::vector<std::string> path;
     Cycle sum = 0;

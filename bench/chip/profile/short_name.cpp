@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::string_view anonymous = "(anonymous namespace)::", operator_word = "operator";
 
-// "Lever<Q16_16>::step(int)" is "Lever::step", with what is before a space left out.
+// "Lever<Q16_16>::step(int)" becomes "Lever::step"; everything before a space is dropped.
 std::string without_arguments(std::string_view name) {
     std::string plain;
     int depth = 0;  // in angle brackets

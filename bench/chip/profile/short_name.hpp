@@ -6,8 +6,8 @@
 
 namespace profile {
 
-// A C++ function as its reader calls it: its class and its name, without namespaces, arguments and
-// return type. Overloads and instances of a template share it. Other names stay as they are.
+// A C++ function as a reader would call it: class and name, without namespaces, arguments and
+// return type. Overloads and instances of a template share it. Other names are unchanged.
 std::string short_name(std::string_view name);
 
 }  // namespace profile

@@ -27,8 +27,8 @@ constexpr int ram_bytes = simulator::Chip::ram_end - simulator::Chip::ram_begin;
 constexpr int stack_low_port = 0x3d, stack_high_port = 0x3e;
 constexpr std::string_view switch_jumps[] = {"__tablejump2__", "__tablejump__"};
 
-// What is known of a register's byte. An address in the stack is known by its depth: the bytes
-// between it and the stack pointer that the function began with.
+// What is known of the byte in a register. An address in the stack is known by its depth: the bytes
+// between it and the stack pointer at the function's start.
 struct Byte {
     enum Kind { unknown, constant, low, high, low_after_subtraction, low_after_addition };
     Kind kind = unknown;
@@ -44,7 +44,7 @@ struct Registers {
     void forget(int number) { (*this)[number] = {}; }
     void forget_pair(int number) { forget(number), forget(number + 1); }
 
-    // Keeps what both know; whether that is less than before.
+    // Keeps what both know. Returns whether that is less than before.
     bool join(const Registers& other) {
         bool changed = false;
         for (std::size_t i = 0; i < bytes.size(); ++i) {
@@ -67,7 +67,7 @@ struct Registers {
         byte =
             byte.kind == Byte::low ? Byte{Byte::low_after_addition, byte.depth, constant} : Byte{};
     }
-    // The instruction with carry that follows one of the above on the register below.
+    // The instruction with carry that follows one of those above, on the upper register.
     void carry(int number, int constant, Byte::Kind after) {
         Byte& upper = (*this)[number];
         const Byte lower = number ? (*this)[number - 1] : Byte{};
@@ -90,7 +90,7 @@ struct Registers {
     }
 };
 
-// All that a call of one address can lead to.
+// Everything that a call of one address can lead to.
 struct Summary {
     int frame = 0;
     std::optional<int> stack = 0;
@@ -121,7 +121,7 @@ class CallGraph {
     std::vector<std::uint32_t> in_progress_;
 };
 
-// Follows the instructions from one entry, into what it jumps to but not into what it calls.
+// Follows the instructions from one entry, into the targets of jumps but not of calls.
 class CallGraph::Walk {
   public:
     explicit Walk(CallGraph& graph) : graph_(graph) {}
@@ -222,15 +222,15 @@ class CallGraph::Walk {
         visit(now.next(), depth, registers);
     }
 
-    // A call into the middle of the function that it is in.
+    // A call into the middle of the function that contains it.
     bool is_subroutine(const Instruction& call) const {
         const FunctionMap::Index function = graph_.names_.at(call.target());
         return function == graph_.names_.at(call.address) &&
                call.target() != graph_.names_[function].address;
     }
 
-    // The cases of a switch are what else there is in its function, once all that is reached
-    // without them is known. Begins the first one that is new.
+    // The cases of a switch are whatever else is in its function, once everything that is reachable
+    // without them is known. Starts the first one that is new.
     bool visit_next_case() {
         const std::size_t size = graph_.elf_.flash().size();
         for (const auto& [jump, registers] : switches_) {
@@ -352,7 +352,7 @@ Summary CallGraph::summary(std::uint32_t entry) {
     return found;
 }
 
-// Entries in flash of the functions that the start-up code calls for global objects.
+// The flash addresses of the functions that the start-up code calls for global objects.
 std::vector<std::uint32_t> constructors(const simulator::Elf& elf) {
     std::vector<std::uint32_t> found;
     if (!elf.has_function("__ctors_start") || !elf.has_function("__ctors_end")) return found;
@@ -372,7 +372,7 @@ StackBound static_stack_bound(const simulator::Elf& elf) {
         if (std::ranges::find(bound.unbounded, reason) == bound.unbounded.end())
             bound.unbounded.push_back(reason);
     };
-    // The bytes of a call, or 0 where it is unbounded.
+    // The bytes of a call, or 0 if it is unbounded.
     const auto bytes_of = [&](std::uint32_t entry) {
         const Summary summary = graph.summary(entry);
         if (!summary.stack) add_reason(summary.unbounded);

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How deep a program's stack can get at most, from its machine code alone: each function's
-// instructions are followed along every path with the depth of the stack, calls along the call
-// graph.
+// The maximum depth of a program's stack, from its machine code alone: each function's instructions
+// are followed along every path with the depth of the stack, and calls along the call graph.
 //
-// What it takes for granted: a `jmp __tablejump2__` is a switch and stays in its function; no
-// handler that enables interrupts is interrupted by itself (`interruptible` names them). What it
-// cannot bound it names: indirect calls and jumps, recursion, a stack pointer set to a computed
-// value (alloca, longjmp).
+// Assumptions: a `jmp __tablejump2__` is a switch and stays in its function; a handler that enables
+// interrupts is not interrupted by itself (`interruptible` lists them). What cannot be bounded is
+// named: indirect calls and jumps, recursion, a stack pointer set to a computed value (alloca,
+// longjmp).
 #pragma once
 
 #include <cstdint>
@@ -20,21 +19,21 @@ namespace profile {
 
 struct FunctionBound {
     std::string name;
-    std::optional<unsigned> frame_bytes;  // return address included, without what it calls
-    std::optional<unsigned> stack_bytes;  // with what it calls; both none where unbounded
+    std::optional<unsigned> frame_bytes;  // including the return address, without its callees
+    std::optional<unsigned> stack_bytes;  // with its callees; both are empty if unbounded
     std::string unbounded;                // the first reason, e.g. "indirect call in main+6"
     bool enables_interrupts = false;      // it, or what it calls, executes `sei`
 };
 
 struct StackBound {
-    std::optional<unsigned> bytes;        // the whole program's; none where unbounded
+    std::optional<unsigned> bytes;        // of the whole program; empty if unbounded
     std::vector<std::string> path;        // the deepest calls from main() or a constructor
-    unsigned path_bytes = 0;              // of it, where bounded
-    std::vector<std::string> interrupts;  // the deepest handlers that can be on the stack at once
-    unsigned interrupt_bytes = 0;         // of these, where bounded
+    unsigned path_bytes = 0;              // bytes of this path, if bounded
+    std::vector<std::string> interrupts;  // the deepest handlers that can be on the stack together
+    unsigned interrupt_bytes = 0;         // bytes of these, if bounded
     std::vector<std::string> interruptible;  // handlers that must not be interrupted by themselves
-    std::vector<std::string> unbounded;      // reasons, empty where bounded
-    std::vector<FunctionBound> functions;    // all that can be reached, by name
+    std::vector<std::string> unbounded;      // reasons; empty if bounded
+    std::vector<FunctionBound> functions;    // all that are reachable, by name
 };
 
 // Throws simulator::ElfError for a program without main().

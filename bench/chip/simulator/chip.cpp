@@ -25,8 +25,8 @@
 namespace simulator {
 namespace {
 
-// simavr reports an access beyond RAM, then does it all the same; `lpm` and `spm` it does not check
-// at all. A guest's addresses have 16 bits, so 64 KiB of host memory hold whatever it reaches
+// simavr reports an access beyond RAM but executes it nevertheless; `lpm` and `spm` are not checked
+// at all. A guest's addresses have 16 bits, so 64 KiB of host memory contain whatever it reaches
 // before the run ends, at no cost in speed.
 void widen(std::uint8_t*& memory, std::size_t size, std::uint8_t fill) {
     constexpr std::size_t address_space = 0x10000;
@@ -65,8 +65,8 @@ struct Chip::Attachments {
           uart(chip.avr_),
           adc(chip.avr_),
           // The core stores the stack pointer as two bytes, low byte first, at each push, pop, call
-          // and return; a program stores it with two `out`, for avr-gcc the high byte first. So the
-          // pair is complete after the high byte, unless an `out` wrote it.
+          // and return. A program stores it with two `out`, in avr-gcc's code the high byte first.
+          // So the pair is complete after the high byte, unless an `out` wrote it.
           stack_low(chip.avr_, registers::spl,
                     [&chip](const WriteHook& hook, std::uint8_t value) {
                         hook.forward(value);
@@ -77,7 +77,7 @@ struct Chip::Attachments {
                          hook.forward(value);
                          if (!is_out(current_opcode(chip.avr_))) chip.note_stack_pointer();
                      }),
-          // EEARH holds two bits; simavr follows the address that all eight make.
+          // EEARH holds two bits; simavr uses an address made of all eight.
           eeprom_high(chip.avr_, registers::eearh,
                       [](const WriteHook& hook, std::uint8_t value) { hook.forward(value & 3); }),
           gpior0(chip.avr_, registers::gpior0,
@@ -107,7 +107,7 @@ Chip::Chip(Elf elf)
 }
 
 Chip::~Chip() {
-    // What avr_terminate() leaves behind: the signals of interrupts and registers, and their list.
+    // Not freed by avr_terminate(): the signals of interrupts and registers, and their list.
     for (int i = 0; i < avr_->interrupts.vector_count; ++i)
         avr_free_irq(avr_->interrupts.vector[i]->irq, AVR_INT_IRQ_COUNT);
     avr_free_irq(avr_->interrupts.irq, AVR_INT_IRQ_COUNT);
@@ -153,7 +153,7 @@ void Chip::fail(const std::string& reason) {
     avr_->state = cpu_Crashed;
 }
 
-// simavr tells of a fault by a message alone; after an illegal opcode it even runs on.
+// simavr reports a fault only by a message; after an illegal opcode it even continues.
 void Chip::on_message(avr_t* avr, int level, const char* format, va_list) {
     if (level != LOG_ERROR || !avr || !avr->custom.data) return;
     Chip& chip = *static_cast<Chip*>(avr->custom.data);
@@ -166,8 +166,7 @@ void Chip::on_message(avr_t* avr, int level, const char* format, va_list) {
         chip.fail("access to a data address beyond the RAM");
 }
 
-// In the place of avr_run(), which paces a sleep to the wall clock and overshoots its end by a
-// cycle.
+// Replaces avr_run(), which paces a sleep to the wall clock and overshoots its end by a cycle.
 void Chip::advance(Cycle most) {
     avr_->run_cycle_limit = most;
     const Cycle until_event = avr_cycle_timer_process(avr_);  // also sets how long a burst may be

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A simulated ATmega328P at 16 MHz: libsimavr 1.6, with a workaround for each of its defects
-// that changes a cycle count or a result (workarounds/, and Chip's constructor). Nothing can hang:
-// a run that exceeds its cycle budget, an illegal opcode, a jump out of the program and a stack
-// that runs into the data end in a SimulationError of one line.
+// A simulated ATmega328P at 16 MHz: libsimavr 1.6, with a workaround for each of its defects that
+// changes a cycle count or a result (workarounds/, and Chip's constructor). Nothing can hang: a run
+// that exceeds its cycle budget, an illegal opcode, a jump out of the program and a stack that runs
+// into the data all end in a SimulationError of one line.
 //
-// Cycle stamps that callbacks get are the cycle at which the instruction began that caused them.
+// The cycle that a callback gets is the one at which the instruction that caused it started.
 // Callbacks must not throw.
 #pragma once
 
@@ -40,7 +40,7 @@ class Chip {
     static constexpr std::uint16_t ram_begin = Elf::ram_begin;
     static constexpr std::uint16_t ram_end = Elf::ram_end;      // one past the last byte
     static constexpr Cycle default_budget = 60ull * frequency;  // one minute
-    static constexpr Cycle call_budget = frequency;  // a second: start-up code, a function
+    static constexpr Cycle call_budget = frequency;  // a second: start-up code, or a function
 
     // Loads the program and resets.
     explicit Chip(Elf elf);
@@ -50,15 +50,15 @@ class Chip {
 
     const Elf& elf() const { return elf_; }
 
-    // As after power-on: the cycle count is 0, registers and I/O are cleared, RAM is kept.
+    // The state after power-on: the cycle count is 0, registers and I/O are cleared, RAM is kept.
     void reset();
 
-    // Running. Each takes at most the budget of cycles, beyond which it throws.
+    // Running. Each takes at most the budget of cycles and throws SimulationError beyond it.
     void step();  // one instruction, an interrupt's entry, or the time asleep until the next event
     void run_until_cycle(Cycle cycle);
     void run_until_address(std::uint32_t flash_address, Cycle budget = default_budget);
     void run_until_function(std::string_view name, Cycle budget = call_budget);
-    template <class Predicate>  // asked after each instruction
+    template <class Predicate>  // evaluated after each instruction
     void run_until(Predicate&& reached, Cycle budget = default_budget) {
         const Cycle limit = cycle() + budget;
         while (!reached()) {
@@ -79,40 +79,41 @@ class Chip {
     std::uint8_t status() const;  // SREG
     std::uint8_t reg(int number) const { return data()[number]; }
 
-    // The data space: 0..31 registers, 32..255 I/O as last written, then SRAM. Has no side effects.
+    // The data space: 0..31 registers, 32..255 I/O as last written, then SRAM. Access has no side
+    // effects.
     std::uint8_t* data() const { return data_; }
     std::uint8_t read(std::uint16_t address) const { return data_[address]; }
     void read(std::uint16_t address, std::span<std::uint8_t> bytes) const;
     void write(std::uint16_t address, std::span<const std::uint8_t> bytes);
 
-    // Sets aside bytes of SRAM above the program's variables, for operands that a function gets by
-    // address; until the next reset. The stack may not grow into them either.
+    // Reserves bytes of SRAM above the program's variables, for operands that a function takes by
+    // address, until the next reset. The stack must not grow into them either.
     std::uint16_t allocate(std::uint16_t bytes);
 
-    // The world outside. A callback replaces the one set before, but for on_edge, where all are
+    // The outside world. A callback replaces the previous one, except for on_edge, where all are
     // called.
     using WriteCallback = std::function<void(Cycle, std::uint8_t value)>;
     using EdgeCallback = std::function<void(Cycle, bool level)>;
     using VoltageCallback = std::function<double(Cycle, int channel)>;
     void on_gpior0_write(
-        WriteCallback callback);  // `out` takes 1 cycle: subtract it from a bracket
+        WriteCallback callback);  // `out` takes 1 cycle: subtract it from an interval
     void on_edge(Pin pin,
                  EdgeCallback callback);        // at each change of level, driven from either side
     void set_pin(Pin pin, bool level);          // drives an input
     void on_conversion(VoltageCallback volts);  // asked at the start of each ADC conversion
     void on_uart_byte(WriteCallback callback);  // at the end of each frame that the chip sends
-    void send_to_uart(std::uint8_t byte);       // arrives a frame later, behind what is queued
+    void send_to_uart(std::uint8_t byte);       // arrives a frame later, after queued bytes
 
-    // For what works on the core itself (device_function.cpp, workarounds/).
+    // For code that works on the core itself (device_function.cpp, workarounds/).
     avr_t* core() const { return avr_; }
     void throw_if_crashed() const;
     [[noreturn]] void throw_budget_exceeded(Cycle budget) const;
 
   private:
-    void advance(Cycle most);  // a burst that ends with the instruction that reaches so many cycles
+    void advance(Cycle most);  // a burst; ends with the instruction that reaches that many cycles
     void note_stack_pointer();
     void expect_in_data_space(std::uint16_t address, std::size_t bytes) const;
-    void fail(const std::string& reason);  // stops the core; thrown once it has returned
+    void fail(const std::string& reason);  // stops the core; thrown after it has returned
     static void on_message(avr_t* avr, int level, const char* format, va_list arguments);
 
     Elf elf_;

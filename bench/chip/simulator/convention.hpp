@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // avr-gcc's calling convention: where a function finds its operands, where it leaves its result and
-// what it must leave as it was. The only description of it; whoever calls a function, in the
-// simulator or translated, places operands by it. Source: GCC wiki, "avr-gcc", "Calling
-// Convention".
+// what it must preserve. This is the only description of it: every caller of a function, simulated
+// or translated, places operands by it. Source: GCC wiki, "avr-gcc", "Calling Convention".
 #pragma once
 
 #include <cstdint>
@@ -10,7 +9,7 @@
 
 namespace simulator {
 
-// Sizes in bytes: 1, 2 (also pointers), 4 or 8; 0 is a function that returns nothing.
+// Sizes in bytes: 1, 2 (also pointers), 4 or 8. A result of 0 bytes means that there is none.
 struct Signature {
     int result;
     std::vector<int> operands;
@@ -26,17 +25,17 @@ struct Place {
 };
 
 constexpr int pointer_size = 2, return_address_size = 2;
-constexpr int call_cycles = 4;    // of `call`, which a function's cycles include
+constexpr int call_cycles = 4;    // of `call`, included in a function's cycles
 constexpr int zero_register = 1;  // r1 is zero at entry and at return
 
-// r2..r17 and Y, which a function has to leave as they were.
+// r2..r17 and Y, which a function must preserve.
 constexpr bool is_call_saved(int number) {
     return (number >= 2 && number <= 17) || number == 28 || number == 29;
 }
 
-// Operands go from r25 downwards, each to an even register; from the first one that would begin
-// below r8 on, all go onto the stack, the first at the lowest address, without padding. A result
-// ends at r25, and begins at an even register.
+// Operands go from r25 downwards, each to an even register. From the first one that would start
+// below r8, all go onto the stack, the first at the lowest address, without padding. A result ends
+// at r25 and starts at an even register.
 struct Frame {
     std::vector<Place> operands;
     Place result;
@@ -47,7 +46,7 @@ struct Frame {
     }
 };
 
-// Of a caller whose stack is empty.
+// For a caller whose stack is empty.
 Frame frame_of(const Signature& signature);
 
 }  // namespace simulator

@@ -12,8 +12,9 @@
 namespace simulator {
 namespace {
 
-// A `sleep` in the last word of flash is where functions return to: it stops the core's burst. Two
-// illegal words before it stop who strays through the erased flash, which executes as `sbrs`.
+// Functions return to a `sleep` in the last word of flash, which stops the core's burst. Two
+// illegal words before it stop a program that strays through the erased flash, which executes as
+// `sbrs`.
 constexpr std::uint32_t sentinel = Elf::flash_size - 2;
 constexpr std::uint16_t end_of_flash[] = {0x00ff, 0x00ff, 0x9588};
 constexpr Cycle sleep_cycles = 1;
@@ -31,7 +32,7 @@ T load(const std::uint8_t* from) {
     return value;
 }
 
-// Interrupts off, and the program afterwards where it was before.
+// Turns interrupts off, and restores the program counter at the end.
 class Interlude {
   public:
     explicit Interlude(avr_t* core)
@@ -88,7 +89,8 @@ Outcome DeviceFunction::call(std::span<const std::uint64_t> operands) {
     std::uint8_t* const data = chip_.data();
     const Interlude interlude(core_);
 
-    // Registers without a meaning hold another value in each call: who relies on one is found out.
+    // Registers without a meaning hold another value in each call, so that a function that relies
+    // on one is detected.
     pattern_ = pattern_ * 6364136223846793005u + 1442695040888963407u;
     for (int i = 0; i < registers; i += 8) std::memcpy(data + i, &pattern_, 8);
     data[zero_register] = 0;

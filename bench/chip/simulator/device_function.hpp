@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Calls a function of the loaded program by avr-gcc's convention, on the bare core: no peripheral
-// runs and no interrupt comes meanwhile. The start-up code must have run before where the function
-// uses variables: `chip.run_until_function("main")`.
+// runs and no interrupt occurs. If the function uses variables, the start-up code must have run
+// before: `chip.run_until_function("main")`.
 //
 //     DeviceFunction multiply(chip, "multiply_q16_16_default", {.result = 4, .operands = {4, 4}});
 //     const Outcome outcome = multiply(std::int32_t{1 << 16}, std::int32_t{3 << 16});
 //     outcome.as<std::int32_t>(), outcome.cycles, outcome.stack_bytes
 //
 // What is counted:
-// - cycles: `call` (4), the function from its first instruction to its `ret` (4) included; not the
-//   loading of operands into registers, not their pushing onto the stack.
+// - cycles: `call` (4) and the function from its first instruction to its `ret` (4), which is
+// included; not the loading of operands into registers or their pushing onto the stack.
 // - stack_bytes: from the byte below the operands down to the lowest address that the stack pointer
-//   made free for pushes, i.e. the return address (2) plus all that the function and what it calls
-//   push or reserve. Operands that are passed on the stack belong to the caller.
+// made free for pushes: the return address (2) plus everything that the function and its callees
+// push or reserve. Operands on the stack belong to the caller.
 #pragma once
 
 #include <bit>
@@ -43,17 +43,17 @@ struct Outcome {
     }
 };
 
-// The flash words at which an executed instruction began.
+// The flash words at which an executed instruction starts.
 class Coverage {
   public:
     void mark(std::uint32_t flash_address) { executed_[flash_address / 2] = true; }
-    // Marks what the other has marked, of the same program.
+    // Adds the marks of the other, which must belong to the same program.
     void merge(const Coverage& other) {
         for (std::size_t i = 0; i < executed_.size(); ++i) {
             if (other.executed_[i]) executed_[i] = true;
         }
     }
-    // Addresses of the instructions of a symbol's range that were not executed.
+    // Addresses of the instructions within a symbol's range that were not executed.
     std::vector<std::uint32_t> missed(const Elf& elf, const Symbol& symbol) const;
 
   private:
@@ -64,9 +64,9 @@ class DeviceFunction {
   public:
     DeviceFunction(Chip& chip, std::string_view symbol, Signature signature);
 
-    // The operands' low bytes count. Throws SimulationError where the function does not return
-    // within the budget, crashes, or breaks the calling convention: r1 is zero, r2..r17, r28 and
-    // r29 and the stack pointer are as before, interrupts are off as before.
+    // Only the low bytes of the operands count. Throws SimulationError if the function does not
+    // return within the budget, crashes, or breaks the calling convention: r1 must be zero,
+    // r2..r17, r28, r29 and the stack pointer unchanged, and interrupts off as before.
     Outcome call(std::span<const std::uint64_t> operands);
 
     template <class... Operands>
@@ -77,10 +77,10 @@ class DeviceFunction {
 
     void set_budget(Cycle cycles) { budget_ = cycles; }
 
-    // Each instruction executed is marked from now on, until set to nullptr.
+    // Marks each executed instruction from now on, until set to nullptr.
     void record(Coverage* coverage) { coverage_ = coverage; }
 
-    // From now on each call also fails that changes a byte of SRAM outside of its stack frame, its
+    // From now on, a call fails, too, if it changes a byte of SRAM outside its stack frame, its
     // operands on the stack and the given areas.
     struct Area {
         std::uint16_t address;
@@ -108,12 +108,12 @@ class DeviceFunction {
     Symbol symbol_;
     Signature signature_;
     Frame frame_;
-    std::uint64_t pattern_ = 0;  // for the call-saved registers, another in each call
+    std::uint64_t pattern_ = 0;  // for the call-saved registers, different in each call
     Cycle budget_ = 1'000'000;
     Coverage* coverage_ = nullptr;
     bool watch_writes_ = false;
     std::vector<Area> writable_;
-    std::vector<std::uint8_t> memory_;  // as it was before the call
+    std::vector<std::uint8_t> memory_;  // before the call
 };
 
 }  // namespace simulator

@@ -21,10 +21,11 @@ namespace {
 constexpr std::uint32_t data_origin = 0x800000;    // the linker's address of data space
 constexpr std::uint32_t eeprom_origin = 0x810000;  // the linker's address of EEPROM
 
-constexpr std::string_view same_device = "atmega328";  // but for its signature
+constexpr std::string_view same_device = "atmega328";  // identical except for its signature
 constexpr unsigned architecture_mask = 0x7f, device_architecture = 5;
 
-// No program for 32 KiB of flash comes near them; what exceeds them would only take time.
+// No program for 32 KiB of flash comes close to these limits; a file that exceeds them would only
+// take time.
 constexpr std::size_t largest_file = 64 << 20, most_entries = 1 << 20, longest_name = 512;
 
 std::vector<char> read_file(const std::filesystem::path& path) {
@@ -51,7 +52,7 @@ std::string sha256_of(std::span<const std::uint8_t> bytes) {
     return fmt::format("{:02x}", fmt::join(digest, digest + length, ""));
 }
 
-// What is read from the file, part by part; each part is checked as it is read.
+// Reads the file part by part; each part is checked as it is read.
 class Elf::Reader {
   public:
     Reader(Elf& elf, std::vector<char>& bytes)
@@ -61,7 +62,7 @@ class Elf::Reader {
         if (header_.e_machine != EM_AVR || header_.e_type != ET_EXEC ||
             header_.e_ident[EI_CLASS] != ELFCLASS32 || header_.e_ident[EI_DATA] != ELFDATA2LSB)
             refuse("not a linked program for the AVR");
-        // libelf takes a file that ends before its table of sections for one without sections.
+        // libelf treats a file that ends before its table of sections as one without sections.
         std::size_t sections = 0;
         expect(elf_getshdrnum(file_.get(), &sections) == 0 && (sections || !header_.e_shoff) &&
                    header_.e_shoff + sections * header_.e_shentsize <= size_,
@@ -71,7 +72,7 @@ class Elf::Reader {
     void read(const std::vector<char>& bytes) {
         expect_device();
         load_segments(bytes);
-        // Symbols are checked against the flash that is loaded, relocations refer to symbols.
+        // Symbols are checked against the loaded flash, and relocations refer to symbols.
         for_each_section([&](Elf_Scn*, const GElf_Shdr& about) { add_section(about); });
         for_each_section([&](Elf_Scn* section, const GElf_Shdr& about) {
             if (about.sh_type == SHT_SYMTAB) add_symbols(section, about);
@@ -102,7 +103,7 @@ class Elf::Reader {
     std::string text(std::size_t section, std::size_t offset) const {
         const char* const found = elf_strptr(file_.get(), section, offset);
         const std::string_view name = found ? found : "";
-        // What is shown on a terminal stays on its line.
+        // A name that is shown on a terminal must stay on its line.
         expect(found && std::none_of(name.begin(), name.end(),
                                      [](unsigned char c) { return std::iscntrl(c); }),
                "table of names");
@@ -131,8 +132,8 @@ class Elf::Reader {
                                architecture, device, device_architecture));
     }
 
-    // The note holds six words of addresses and sizes, a table of offsets led by its size, and the
-    // strings that the offsets lead to: the first is the device's name.
+    // The note contains six words of addresses and sizes, a table of offsets preceded by its size,
+    // and the strings at these offsets. The first string is the name of the device.
     std::string device_of(std::string_view note) const {
         constexpr std::size_t table = 6 * 4;
         const auto word = [&](std::size_t at) {
@@ -217,11 +218,11 @@ class Elf::Reader {
             const bool global = GELF_ST_BIND(symbol.st_info) != STB_LOCAL;
             const bool in_flash = address < elf_.flash_.size();
             const std::uint64_t end = std::uint64_t(address) + size;
-            // Not the end of the program: avr-libc states some of its functions longer than they
-            // are, as __mulsf3x.
+            // Not checked against the end of the program: avr-libc states the size of some
+            // functions, such as __mulsf3x, too large.
             if (size && address < eeprom_origin)
                 expect(end <= (address < data_origin ? flash_size : data_origin + ram_end), part);
-            // A table without a name, too, is one that relocations lead to.
+            // Includes tables without a name, since relocations refer to them.
             if (type == STT_OBJECT && address < data_origin)
                 elf_.flash_objects_.push_back({name, address, size});
             if (name.empty() || symbol.st_shndx == SHN_UNDEF) continue;
@@ -257,7 +258,7 @@ class Elf::Reader {
         }
     }
 
-    // A label without a size takes that of the function at its address.
+    // Gives a label without a size that of the function at its address.
     void size_labels() {
         std::map<std::uint32_t, std::uint32_t> sizes;
         for (const auto& [name, symbol] : elf_.functions_) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // An ELF file for the ATmega328P: its flash image, symbols, sections and relocations. Addresses of
-// functions are flash byte addresses (twice the program counter's words); addresses of data are
-// data-space addresses, without the 0x800000 that the linker adds.
+// functions are flash byte addresses (twice the program counter's word addresses). Addresses of
+// data are data-space addresses, without the 0x800000 that the linker adds.
 //
-// A file is judged as a whole before anybody uses it: programs for other chips, programs that do
-// not fit and damaged files are refused, so that every address and size below lies in the chip.
+// A file is checked as a whole before it is used: programs for other chips, programs that do not
+// fit and damaged files are refused, so that every address and size below lies within the chip.
 #pragma once
 
 #include <cstdint>
@@ -26,10 +26,10 @@ class ElfError : public std::runtime_error {
 struct Symbol {
     std::string name;
     std::uint32_t address;
-    std::uint32_t size;  // bytes; 0 where the file does not say
+    std::uint32_t size;  // bytes; 0 if the file does not say
 };
 
-// In hexadecimal, as sha256sum prints it.
+// In hexadecimal, in the form of sha256sum.
 std::string sha256_of(std::span<const std::uint8_t> bytes);
 
 struct Section {
@@ -40,10 +40,10 @@ struct Section {
     bool in_ram;    // counts towards RAM: data, bss, noinit
 };
 
-// A constant that the linker put into an instruction.
+// A constant that the linker inserted into an instruction.
 struct Relocation {
     unsigned type;         // R_AVR_...
-    std::uint32_t target;  // the address that it stands for
+    std::uint32_t target;  // the address that it represents
 };
 
 class Elf {
@@ -53,41 +53,42 @@ class Elf {
     static constexpr std::uint32_t ram_begin = 0x0100;
     static constexpr std::uint32_t ram_end = 0x0900;  // one past the last byte
 
-    // Throws ElfError of one line when there is no such file, or it is not a whole program for the
-    // device. Which device a program was built for, its note .note.gnu.avr.deviceinfo tells;
-    // without one (no start-up code of avr-libc) the architecture and the sizes have to fit.
+    // Throws ElfError with one line if there is no such file, or it is not a complete program for
+    // the device. The note .note.gnu.avr.deviceinfo says which device a program was built for;
+    // without it (no start-up code of avr-libc) the architecture and the sizes must fit.
     explicit Elf(const std::filesystem::path& path);
 
     const std::filesystem::path& path() const { return path_; }
-    // Of the flash image: what `avr-objcopy -O binary -j .text -j .data` writes of the file.
-    // Debugging information, which tells where a program was built, plays no part.
+    // Of the flash image, as `avr-objcopy -O binary -j .text -j .data` writes it. Debugging
+    // information, which contains the build folder, does not matter.
     const std::string& sha256() const { return sha256_; }
 
-    // The bytes at flash address 0 and on; ends with the last byte that the program sets.
+    // The bytes from flash address 0 to the last byte that the program sets.
     const std::vector<std::uint8_t>& flash() const { return flash_; }
     const std::vector<Section>& sections() const { return sections_; }
     std::uint32_t flash_bytes() const;
     std::uint32_t ram_bytes() const;
 
-    // Throws ElfError, with the closest names there are, when the name is not there.
+    // Throws ElfError with the closest existing names if the name does not exist.
     const Symbol& function(std::string_view name) const { return find(functions_, name); }
     const Symbol& object(std::string_view name) const { return find(objects_, name); }
     bool has_function(std::string_view name) const {
         return functions_.find(name) != functions_.end();
     }
 
-    // Functions, and global labels in flash without a type (assembly labels, the linker's --defsym,
-    // which take the size of the function at the same address). By name.
+    // Functions, and global labels in flash without a type (assembly labels, the linker's
+    // --defsym), which take the size of the function at the same address. By name.
     using Symbols = std::map<std::string, Symbol, std::less<>>;
     const Symbols& functions() const { return functions_; }
     const Symbols& objects() const { return objects_; }
 
     // Constant tables, in the order of the file.
     const std::vector<Symbol>& flash_objects() const { return flash_objects_; }
-    // Of the code, by the address of the instruction; empty without the linker's --emit-relocs.
+    // Relocations of the code, by the address of the instruction. Empty without the linker's
+    // --emit-relocs.
     const std::map<std::uint32_t, Relocation>& relocations() const { return relocations_; }
 
-    // "name" or "name+offset" of the function that holds a flash address, for messages.
+    // "name" or "name+offset" of the function that contains a flash address, for messages.
     std::string describe(std::uint32_t flash_address) const;
 
   private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Functions put in front of what simavr does at an I/O register or a signal. A hook lives as long
-// as the chip, stays where it was made, and its function must not throw.
+// Functions that run in place of simavr's own at an I/O register or a signal. A hook must live as
+// long as the chip and must not be moved, and its function must not throw.
 #pragma once
 
 #include <sim_avr.h>
@@ -28,7 +28,7 @@ class WriteHook {
     }
     WriteHook(const WriteHook&) = delete;
 
-    // What simavr does without the hook.
+    // Calls simavr's own function.
     void forward(std::uint8_t value) const {
         if (simavr_)
             simavr_(avr_, address_, value, simavr_parameter_);

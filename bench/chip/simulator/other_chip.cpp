@@ -20,7 +20,7 @@ namespace {
 constexpr std::uint64_t call_budget = 4'000'000;  // cycles; the slowest portable function: 500000
 constexpr int registers = 32;
 
-// simavr tells of a fault by a message, then goes on; the run ends by its budget.
+// simavr reports a fault by a message and continues; the run ends by its budget.
 void silence(avr_t*, int, const char*, va_list) {}
 
 }  // namespace
@@ -49,7 +49,7 @@ OtherChip::OtherChip(const std::string& name, const std::filesystem::path& progr
         throw SimulationError(fmt::format("{}: has no main() or no _end", program.string()));
     free_ = static_cast<std::uint16_t>(end->second);
     run_to(main->second, call_budget, "start-up code");
-    // Where functions return to: a `sleep` in the last word of flash stops the core.
+    // Functions return to a `sleep` in the last word of flash, which stops the core.
     constexpr std::uint16_t sleep = 0x9588;
     std::memcpy(avr_->flash + avr_->flashend - 1, &sleep, sizeof sleep);
 }
@@ -79,7 +79,7 @@ OtherChip::Outcome OtherChip::call(const std::string& function, const Signature&
     if (symbol == symbols_.end())
         throw SimulationError(fmt::format("{}: the program has no such function", function));
     const Frame frame = frame_of(signature);
-    // The frame is that of the ATmega328P: elsewhere the RAM ends at another address.
+    // The frame is that of the ATmega328P. On other chips the RAM ends at another address.
     const int shift = avr_->ramend + 1 - Chip::ram_end;
     for (int i = 0; i < registers; ++i) data_[i] = static_cast<std::uint8_t>(0xa5 ^ 37 * i);
     data_[zero_register] = 0;
@@ -91,7 +91,7 @@ OtherChip::Outcome OtherChip::call(const std::string& function, const Signature&
     std::array<std::uint8_t, registers> at_entry;
     std::copy_n(data_, registers, at_entry.begin());
 
-    // The return address lies with its low byte on top.
+    // The low byte of the return address is on top.
     const std::uint32_t sentinel = avr_->flashend - 1;
     const int caller = frame.caller_stack_pointer() + shift, entry = caller - avr_->address_size;
     for (int i = 0; i < avr_->address_size; ++i)
@@ -107,7 +107,7 @@ OtherChip::Outcome OtherChip::call(const std::string& function, const Signature&
     bool kept = stack == caller && data_[zero_register] == 0;
     for (int i = 0; i < registers; ++i) kept &= !is_call_saved(i) || data_[i] == at_entry[i];
     if (!kept) throw SimulationError(fmt::format("{}: breaks the calling convention", function));
-    // `call` takes two cycles more than its address has bytes; a chip of 8 KB has `rcall` alone.
+    // `call` takes two cycles more than the bytes of its address; a chip of 8 KB has only `rcall`.
     const int of_call = avr_->flashend < 0x2000 ? 3 : 2 + avr_->address_size;
     Outcome outcome{0, static_cast<std::uint32_t>(avr_->cycle - begin) + of_call};
     std::memcpy(&outcome.result, data_ + frame.result.address,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Any chip that simavr knows, for calls of functions alone. No peripheral runs and no interrupt
-// comes; the cycles of instructions need none of the ATmega328P's workarounds (chip.hpp).
+// Any chip that simavr knows, for calls of functions only. No peripheral runs and no interrupt
+// occurs; the cycles of instructions need none of the ATmega328P's workarounds (chip.hpp).
 #pragma once
 
 #include <cstdint>
@@ -18,8 +18,8 @@ namespace simulator {
 
 class OtherChip {
   public:
-    // Loads the program and runs it up to main(). Throws SimulationError where simavr does not
-    // know the chip, or the file is no program of its.
+    // Loads the program and runs it up to main(). Throws SimulationError if simavr does not know
+    // the chip, or if the file is not a program for it.
     OtherChip(const std::string& name, const std::filesystem::path& program);
     ~OtherChip();
     OtherChip(const OtherChip&) = delete;
@@ -27,14 +27,14 @@ class OtherChip {
 
     struct Outcome {
         std::uint64_t result;
-        std::uint32_t cycles;  // the chip's own call and ret included
+        std::uint32_t cycles;  // including the chip's own call and ret
     };
-    // Throws SimulationError where the function is not there, does not return, or breaks the
-    // calling convention.
+    // Throws SimulationError if the function does not exist, does not return, or breaks the calling
+    // convention.
     Outcome call(const std::string& function, const Signature& signature,
                  std::span<const std::uint64_t> operands);
 
-    // Of SRAM above the program's variables, for what functions get by address.
+    // Reserves SRAM above the program's variables, for operands that functions take by address.
     std::uint16_t allocate(std::size_t bytes);
     std::uint8_t* data() const { return data_; }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The quotients in a program, told from its symbols: each takes hundreds of bytes of flash, and the
-// compiler links its own without a word where a constant is not folded.
+// The quotients in a program, by its symbols. Each takes hundreds of bytes of flash, and where a
+// constant is not folded the compiler links its own without a warning.
 #pragma once
 
 #include <regex>
@@ -11,11 +11,12 @@
 
 namespace simulator {
 
-// Of the compiler's integers: __udivmodhi4, __divdi3, __udivmod64. The compiler has quotients of
-// floats, too, whose names end in sf.
+// The compiler's integer quotients: __udivmodhi4, __divdi3, __udivmod64. Its floating-point
+// quotients have names that end in sf.
 inline constexpr const char* compilers_quotient = "^__u?(div|mod|divmod)([qhsd]i|psi|64)";
 
-// The names of all functions that divide: the compiler's, and the library's kernels and templates.
+// The names of all functions that divide: those of the compiler, and the library's kernels and
+// templates.
 inline std::vector<std::string> quotients(const Elf& elf) {
     static const std::regex of_compiler(compilers_quotient), of_floats("^__divsf3"),
         of_library("fixedpoint.*(divide|divmod|divrem|remainder)");

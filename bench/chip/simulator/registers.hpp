@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Data-space addresses of the ATmega328P's I/O registers that the simulator looks at (data sheet,
+// Data-space addresses of the ATmega328P's I/O registers that the simulator uses (data sheet,
 // section "Register Summary").
 #pragma once
 

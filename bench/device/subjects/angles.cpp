@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tangents and arc functions of one format of the library, LIBRARY_FORMAT, which the program of its
-// other subjects has no room for.
+// Tangents and arc functions of one format of the library, LIBRARY_FORMAT, for which the program of
+// its other subjects has no room.
 #include <fixedpoint/arithmetic/nearest.hpp>
 
 #include "subject.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Angles in turns and degrees, and what is exact or rounded once, of one format of the library,
-// LIBRARY_FORMAT.
+// Angles in turns and degrees, and operations that are exact or rounded once, in one format of the
+// library, LIBRARY_FORMAT.
 #include "bench/lab/catalogue/functions.hpp"
 #include "subject.h"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// avr-libc's emulated IEEE single precision, the rival that every fixed-point result is held
-// against.
+// avr-libc's emulated IEEE single precision, the rival with which every fixed-point result is
+// compared.
 #include <math.h>
 
 #include "subject.h"
 
-// The length has a body of its own: a direction calls it.
+// The length is a function of its own, since a direction calls it.
 SUBJECT float length3_float_libc(const float* v);
 
 struct Libc {
@@ -66,7 +66,8 @@ struct Libc {
     static Float log(Float a) {
         return ::log(a);
     }
-    // avr-libc has no exp2, expm1, log2 and log1p: what programs write instead.
+    // avr-libc has no exp2, expm1, log2 and log1p: these are the expressions that programs use
+    // instead.
     template <class Float, int>
     static Float exp2(Float a) {
         return ::exp(a * 0.69314718f);
@@ -119,7 +120,7 @@ struct Libc {
     static Float pow(Float a, Float b) {
         return ::pow(a, b);
     }
-    // Nor has it what follows: the expressions that are written instead.
+    // Nor does it have the following: the expressions that are used instead.
     template <class Float, int>
     static Float sin_turns(Float a) {
         return ::sin(a * 6.28318531f);
@@ -184,7 +185,7 @@ struct Libc {
     static Float copysign(Float a, Float b) {
         return ::copysign(a, b);
     }
-    // GCC's own, by squaring, whose exponent is an int.
+    // GCC's own, by squaring, with an int exponent.
     template <class Float, int>
     static Float power(Float a, Float n) {
         return __builtin_powif(a, static_cast<int>(n));

@@ -6,7 +6,7 @@
 
 using fixedpoint::Unsigned;
 
-// Sums and products wrap, as the machine's do: computed without sign, where that is defined.
+// Sums and products wrap, like the machine's: computed unsigned, where that is defined.
 struct Native {
     template <class Raw, int F>
     static constexpr Raw add(Raw a, Raw b) {

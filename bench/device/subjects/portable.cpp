@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The portable C++ that the assembly kernels replace: what the compiler makes of the same results.
+// The portable C++ that the assembly kernels replace: the compiler's code for the same results.
 #include <fixedpoint/portable/divide.hpp>
 #include <fixedpoint/portable/divide_widening.hpp>
 #include <fixedpoint/portable/multiply.hpp>
@@ -22,7 +22,7 @@ struct Portable {
     }
 };
 
-// The idea of the 2016 design for a better division: widen only where it must.
+// The 2016 design's idea for a better division: widen only where necessary.
 struct Widening {
     template <class Raw, int F>
     static constexpr Raw divide(Raw a, Raw b) {

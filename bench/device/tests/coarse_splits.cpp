@@ -12,7 +12,7 @@
 
 EACH(DECLARATION)
 
-// The linker keeps what is referred to.
+// References that keep the linker from dropping them.
 void (*const volatile kernels[])() = {EACH(ADDRESS)};
 
 int main() { return kernels[0] != nullptr; }

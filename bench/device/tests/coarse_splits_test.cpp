@@ -27,7 +27,7 @@ class CoarseSplits : public testing::Test {
     static std::string symbol(const char* operation) {
         return fmt::format("fixedpoint_{}_q{}_{}", operation, 16 - F, F);
     }
-    // double errs by 2^-38 ulp or so.
+    // The error of double is about 2^-38 ulp.
     static double error(double (*function)(double), int a, int result) {
         return std::abs(result - std::ldexp(function(std::ldexp(a, -F)), F));
     }

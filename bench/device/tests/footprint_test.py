@@ -18,7 +18,7 @@ def run(*command):
 
 
 def data_in_flash(program):
-    """The names of what a program reads from program memory."""
+    """The names of the tables that a program reads from program memory."""
     symbols = map(str.split, run("avr-readelf", "-sW", FOLDER / f"{program}.elf").splitlines())
     return {symbol[7] for symbol in symbols
             if len(symbol) == 8 and symbol[3] == "OBJECT" and int(symbol[1], 16) < 0x800000}
@@ -41,7 +41,7 @@ class Footprint(unittest.TestCase):
     def test_all_functions_of_angles_fit_six_kilobytes(self):
         self.assertLessEqual({"fixedpoint_sine_table", "fixedpoint_arctangent_table"},
                              data_in_flash("angles_footprint"))
-        # The start-up code is in both.
+        # Both contain the start-up code.
         self.assertLessEqual(flash_bytes("angles_footprint") - flash_bytes("multiply_footprint"),
                              6 * 1024)
 

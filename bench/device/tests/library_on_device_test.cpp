@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs the library's own tests on the simulated chip and reports what they counted.
+// Runs the library's own tests on the simulated chip and reports their counts.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -11,7 +11,7 @@
 
 namespace {
 
-constexpr std::uint32_t usable_flash = 30720;  // beside the bootloader
+constexpr std::uint32_t usable_flash = 30720;  // without the bootloader
 constexpr simulator::Cycle budget = 10ull * simulator::Chip::frequency;
 
 std::vector<std::string> programs() {
@@ -37,7 +37,7 @@ std::string text(const simulator::Chip& chip, const char* name) {
     return characters;
 }
 
-// The folder of the programs: scripts/mutation_test.py names another, with faults in them.
+// The folder of the programs; scripts/mutation_test.py names another one, with faults in them.
 std::string folder() {
     const char* other = std::getenv("DEVICE_PROGRAMS");
     return other ? other : PROGRAM_FOLDER;

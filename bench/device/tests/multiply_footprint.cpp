@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A program that uses nothing of the library but multiplication.
+// A program that uses only multiplication of the library.
 #include <fixedpoint/fixed.hpp>
 
 volatile int32_t raw;

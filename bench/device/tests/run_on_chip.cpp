@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs a test program of fixedpoint/tests/device on any chip that simavr knows, and prints what it
-// counted. Cycles mean nothing here: the workarounds that make them exact are those of the
+// Runs a test program of fixedpoint/tests/device on any chip that simavr knows, and prints its
+// counts. Cycles mean nothing here: the workarounds that make them exact are those of the
 // ATmega328P (bench/chip/simulator).
 //
 // Usage: run_on_chip MCU ELF FINISHED CHECKS FAILURES LINE
-// The last four are addresses, hexadecimal as avr-nm prints them.
+// The last four are addresses, in hexadecimal as printed by avr-nm.
 #include <sim_avr.h>
 #include <sim_elf.h>
 

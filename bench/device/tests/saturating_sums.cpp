@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Saturating sums of which none or one operand is a constant, inlined as in a program that has one
-// of them.
+// Saturating sums with a constant as neither or one of the operands, inlined as in a program that
+// contains one of them.
 #include <fixedpoint.h>
 
 #include <fixedpoint/arithmetic/saturating.hpp>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Saturating sums take the processor's overflow flag whichever operand is a constant: their cycles
-// tell it from the portable code, which gives the same results in twice to four times as many.
+// Saturating sums use the processor's overflow flag whichever operand is a constant. Their cycles
+// distinguish them from the portable code, which gives the same results in two to four times as
+// many.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -14,7 +15,7 @@ namespace {
 
 using simulator::DeviceFunction;
 
-// Of 32 bits: call 4, ret 4, the sum 14 at most, the constant 4, and moves of operands.
+// For 32 bits: call 4, ret 4, the sum at most 14, the constant 4, and moves of operands.
 template <class Raw>
 constexpr std::uint32_t most_cycles = 10 * sizeof(Raw);
 

@@ -19,8 +19,8 @@ using Arithmetic = fixedpoint::SPLIT_ARITHMETIC;
 #if SPLIT_BITS == 16
 #define SPLITS FIXEDPOINT_SPLITS_16
 #elif SPLIT_BITS == 64
-// One kernel serves all splits: where the shifts begin and end, and some between. Sines, angles and
-// logarithms of the finest ones are portable code.
+// One kernel serves all splits: here where the shifts start and end, and some between. Sines,
+// angles and logarithms of the finest ones are portable code.
 #ifdef WITHOUT_FINEST_SPLITS
 #define FINEST_SPLITS(ROW, KERNEL, shape, operation)
 #else
@@ -47,7 +47,7 @@ using Arithmetic = fixedpoint::SPLIT_ARITHMETIC;
 #endif
 SPLITS(SPLIT, , , SPLIT_OPERATION)
 
-// The linker keeps what is referred to.
+// References that keep the linker from dropping them.
 #define SPLIT_NAME(operation, I, F) operation##_q##I##_##F##_default
 #define SPLIT_ADDRESS_OF(operation, I, F) reinterpret_cast<void (*)()>(SPLIT_NAME(operation, I, F)),
 #define SPLIT_ADDRESS(kernel, shape, operation, I, F) SPLIT_ADDRESS_OF(operation, I, F)

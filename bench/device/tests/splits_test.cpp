@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The kernels of every split of 16 and 32 bits, and of some of 64, on the simulated chip against
-// the portable code, bit for bit: the split is their parameter, and only some splits are programs
-// of the bench. And operands for which rounding is a near thing.
+// The kernels of every split of 16 and 32 bits, and of some of 64, on the simulated chip, compared
+// bit for bit with the portable code: the split is their parameter, and only some splits are in
+// programs of the bench. Includes operands whose rounding is decided narrowly.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -98,9 +98,9 @@ void for_each_split(Check check) {
     for_each_split(check, std::make_integer_sequence<int, 33>());
 }
 
-// The quotients and roots of random numbers lie far from where rounding is decided. These are the
-// operands on either side: of the divisor b and the root r, those for which a 2^F / b is about
-// q + 1/2, and a 2^F about (r + 1/2)^2.
+// The quotients and roots of random numbers are far from where rounding is decided. These are the
+// operands on either side: of the divisor b and the root r, those for which a 2^F / b is about q +
+// 1/2, and a 2^F about (r + 1/2)^2.
 TEST(Splits, DivideBesideHalves) {
     Program program("divide");
     const auto check_split = [&](int F, int32_t (*portable_divide)(int32_t, int32_t)) {
@@ -139,8 +139,8 @@ TEST(Splits, SqrtBesideHalves) {
     for_each_split([&](auto F) { check_split(F, portable::sqrt<int32_t, F>); });
 }
 
-// r^2 + r, the largest sum of squares below (r + 1/2)^2, is that of (m^2, m, 0), and r^2 + r + 1,
-// the next, that of (m^2 - 1, m, 0).
+// r^2 + r, the largest sum of squares below (r + 1/2)^2, belongs to (m^2, m, 0), and r^2 + r + 1,
+// the next, to (m^2 - 1, m, 0).
 TEST(LengthQ32_32, RoundsBesideHalves) {
     Chip chip(simulator::Elf(PROGRAM_FOLDER "/q32_32.elf"));
     chip.run_until_function("main");
@@ -157,8 +157,7 @@ TEST(LengthQ32_32, RoundsBesideHalves) {
     }
 }
 
-// Of 16 bits, every split but Q8.8: operands of all of them.
-// Of one operand the second is not used.
+// Of 16 bits, every split but Q8.8, with all operands. Functions of one operand ignore the second.
 using ShortFunction = int16_t (*)(int16_t a, int16_t b);
 void expect_short_pairs(DeviceFunction function, int operands, int F, ShortFunction expected) {
     const std::vector<int16_t> edges = {0, 1, -1, 2, 255, 256, -256, 32767, -32767, -32768};
@@ -218,7 +217,7 @@ TEST(Splits, Multiply) {
     for_each_split([&](auto F) { check_split(F, portable::multiply<int32_t, F>); });
 }
 
-// Of all lengths: a product of boundary numbers mostly saturates.
+// Of all lengths, since a product of boundary numbers mostly saturates.
 TEST(Splits, MultiplySaturating) {
     Program program("multiply", 32, "_saturating");
     const auto check_split = [&](int F, int32_t (*portable_multiply_saturating)(int32_t, int32_t)) {
@@ -311,7 +310,7 @@ TEST(Splits, Length3) {
     for_each_split([&](auto F) { check_split(F, portable::length3<int32_t, F>); });
 }
 
-// A function of one number. `limits` are where its tables go from one interval to the next.
+// A function of one number. `limits` are the ends of the intervals of its tables.
 template <class Expected>
 void expect_function(Program& program, int fraction_bits, Expected expected,
                      const std::vector<int32_t>& limits) {
@@ -372,7 +371,7 @@ TEST(Splits, Sincos) {
     for_each_split([&](auto F) { check_split(F, portable::sincos<int32_t, F>); });
 }
 
-// The numbers from which on the upper nine bits are others.
+// The numbers at which the upper nine bits change.
 std::vector<int32_t> limits_of_mantissas() {
     std::vector<int32_t> limits;
     for (int exponent = 0; exponent < 31; ++exponent) {
@@ -390,8 +389,8 @@ TEST(Splits, Log) {
     });
 }
 
-// Where the number of factors of 2 that are split off changes or nearly does, all that saturates,
-// and operands over what does not.
+// Where the number of factors of 2 that are split off changes or nearly does, everything that
+// saturates, and operands over the rest.
 std::vector<int32_t> limits_of_exponents(int fraction_bits) {
     std::vector<int32_t> limits;
     const auto add = [&](double x) {
@@ -451,7 +450,7 @@ TEST(Splits, Atan2) {
     for_each_split([&](auto F) { check_split(F, portable::atan2<int32_t, F>); });
 }
 
-// Of 64 bits: the splits of splits.cpp.
+// The splits of 64 bits in splits.cpp.
 template <class Check>
 void for_each_long_split(Check check) {
     [&]<int... F>(std::integer_sequence<int, F...>) {
@@ -600,7 +599,7 @@ TEST(LongSplits, Exp) {
     for_each_long_split([&](auto F) { check_split(F, portable::exp<int64_t, F>); });
 }
 
-// But the finest ones, whose sines, angles and logarithms are portable code.
+// All but the finest ones, whose sines, angles and logarithms are portable code.
 template <class Check>
 void for_each_split_with_functions(Check check) {
     for_each_long_split([&](auto F) {
@@ -608,7 +607,7 @@ void for_each_split_with_functions(Check check) {
     });
 }
 
-// The coarse splits take the sine of Q32.32, by angles that it holds and larger ones.
+// The coarse splits use the sine of Q32.32, for angles that it holds and for larger ones.
 TEST(LongSplits, SinAndCos) {
     Program sines("sin", 64), cosines("cos", 64), pairs_of_both("sincos", 64);
     const auto check_split = [&](int F, int64_t (*portable_sin)(int64_t),
@@ -632,7 +631,7 @@ TEST(LongSplits, SinAndCos) {
     });
 }
 
-// Of every length, and beside the axes and the diagonals.
+// Of every length, and next to the axes and the diagonals.
 TEST(LongSplits, Angles) {
     Program vectors("atan2", 64), tangents("atan", 64);
     const auto check_split = [&](int F, int64_t (*portable_atan2)(int64_t, int64_t),
@@ -653,7 +652,7 @@ TEST(LongSplits, Angles) {
     });
 }
 
-// Of every length, and beside 1, where the logarithm is small.
+// Of every length, and next to 1, where the logarithm is small.
 TEST(LongSplits, Log) {
     Program program("log", 64);
     const auto check_split = [&](int F, int64_t (*portable_log)(int64_t)) {

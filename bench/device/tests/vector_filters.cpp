@@ -3,7 +3,7 @@
 #include <fixedpoint/blocks/filter_kernel.hpp>
 #include <fixedpoint/blocks/matrix.hpp>
 
-// The linker keeps what is referred to.
+// References that keep the linker from dropping them.
 int32_t (*const volatile filters[])(int32_t, void*) = {
     fixedpoint_one_pole_q16_16, fixedpoint_one_pole_q8_24, fixedpoint_biquad_q16_16,
     fixedpoint_biquad_q8_24};

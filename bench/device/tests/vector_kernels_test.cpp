@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The kernels of vectors, matrices, quaternions, polynomials and filters on the simulated chip,
-// against exact arithmetic: any operands, and those that the kernels take apart (components of unit
-// vectors, their fractions 0).
+// compared with exact arithmetic, for any operands and for those that the kernels treat specially
+// (components of unit vectors, with fraction 0).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -56,7 +56,7 @@ class VectorKernels : public testing::Test {
             (random_() % 2 == 0 ? static_cast<int64_t>(random_() % 3) - 1
                                 : static_cast<int64_t>(random_() % static_cast<uint64_t>(one))));
     }
-    // A whole number from 0 to 255, or an ulp beside it.
+    // A whole number from 0 to 255, or one ulp off.
     int32_t whole(int i) {
         return ((i & 255) << 16) + static_cast<int32_t>(random_() % 4 == 0) -
                static_cast<int32_t>(random_() % 4 == 0);
@@ -270,7 +270,7 @@ TEST_F(VectorMatrixProduct2, IsMadeOfRoundedSums) {
     }
 }
 
-// Which products make a component: of the quaternions' parts a_p and b_q, with a sign.
+// The products that make up a component: of the quaternions' parts a_p and b_q, with a sign.
 struct Product {
     int sign, p, q;
 };
@@ -393,7 +393,7 @@ TEST_F(VectorFilters, InverseIsTheQuotientsOfCofactorsAndDeterminant) {
 
 TEST_F(VectorCofactors, AreRoundedCrossProductsOfRows) {
     using Matrix = std::array<std::array<int32_t, 3>, 3>;
-    // Wherever it lies: an address of a component may carry.
+    // At any address, since the address of a component may carry.
     const std::uint16_t space = chip_.allocate(36 + 255), at_result = chip_.allocate(36);
     unsigned place = 0;
     for (int fraction = 0; fraction <= 32; ++fraction) {
@@ -428,7 +428,7 @@ int64_t low_bits(__int128 a, int fraction) {
     return static_cast<int64_t>(a & ((int64_t{1} << fraction) - 1));
 }
 
-// The error is held with the half that rounds, in the highest bits of `Low`.
+// The error is stored together with the half that rounds, in the highest bits of `Low`.
 template <int fraction, class Low>
 struct __attribute__((packed)) OnePole {
     int32_t coefficient;
@@ -502,7 +502,7 @@ TEST_F(VectorFilters, KeepWhatTheirSumsLose) {
     follow(Biquad<24, std::int32_t>{}, "fixedpoint_biquad_q8_24", 24);
 }
 
-// Each product and each sum is clamped; the error that is carried has a half added.
+// Each product and each sum saturates; the carried error includes a half.
 struct __attribute__((packed)) Controller {
     int32_t gain[3], low, high, integral, measurement;
     std::uint16_t error;

@@ -3,7 +3,7 @@
 #include <fixedpoint/blocks/polynomial.hpp>
 #include <fixedpoint/kernel/dispatch.hpp>
 
-// The linker keeps what is referred to.
+// References that keep the linker from dropping them.
 #define ADDRESS(shape, operation, Raw, F, symbol, same) symbol,
 void (*const volatile transforms[])(int32_t*, const int32_t*, const int32_t*, uint8_t) = {
     fixedpoint_transform_q16_16,
@@ -12,7 +12,7 @@ void (*const volatile crosses[])(int32_t*, const int32_t*, const int32_t*) = {
     fixedpoint_cross_q16_16,
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, ADDRESS, OUTER, cross)};
 
-// Any numbers, the ends of the range among them.
+// Any numbers, including the ends of the range.
 extern "C" {
 extern const int32_t coefficients[5] FIXEDPOINT_PROGRAM_MEMORY = {102921, INT32_MIN, -42218,
                                                                   INT32_MAX, 4833};

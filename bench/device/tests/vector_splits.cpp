@@ -2,7 +2,7 @@
 // The kernels of OPERATION for every split of 32 bits, for vector_kernels_test.cpp.
 #include <fixedpoint/kernel/dispatch.hpp>
 
-// The linker keeps what is referred to.
+// References that keep the linker from dropping them.
 #define ADDRESS(shape, operation, Raw, F, symbol, same) reinterpret_cast<void (*)()>(symbol),
 #define ADDRESS_OF_Q16_16(operation) FIXEDPOINT_KERNEL_OF_SPLIT_32(ADDRESS, , operation, 16, 16)
 void (*const volatile kernels[])() = {

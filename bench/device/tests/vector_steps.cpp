@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The kernels of steps, most of which change vectors in place, and shifts, for
+// The kernels of steps, most of which change vectors in place, and of shifts, for
 // vector_kernels_test.cpp.
 #include <fixedpoint/kernel/dispatch.hpp>
 #include <fixedpoint/portable/scale_down.hpp>
@@ -14,7 +14,7 @@
     OF_8(X, 24, 25, 26, 27, 28, 29, 30, 31)
 ALL_SHIFTS(SCALE_DOWN)
 
-// The linker keeps what is referred to.
+// References that keep the linker from dropping them.
 #define KERNEL(name) reinterpret_cast<void (*)()>(fixedpoint_##name##_q16_16)
 void (*const volatile kernels[])() = {
     KERNEL(multiply_short), KERNEL(square2),         KERNEL(square3),         KERNEL(project2),

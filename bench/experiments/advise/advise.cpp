@@ -24,8 +24,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Cycles of a step's operations as the table has them: of the format itself, or of the format with
-// a name whose kernels its width has. What the table does not know counts nothing.
+// Cycles of the operations of a step, from the table: those of the format itself, or of the named
+// format whose kernels its width uses. Operations that the table does not contain count as 0.
 class Estimates {
   public:
     explicit Estimates(const fs::path& file) {
@@ -94,7 +94,7 @@ bool advise_program(const Options& given) {
         });
     };
     measure(false);
-    // Numbers of 64 bits are several times slower: they are left out where others will do.
+    // Numbers of 64 bits are several times slower: they are left out if narrower ones suffice.
     const auto met = [](const Candidate& each) {
         return each.advice.meets && each.advice.cycles_mean;
     };
@@ -115,7 +115,7 @@ bool advise_program(const Options& given) {
     const auto nearest = std::min_element(
         advice.begin(), advice.end(),
         [](const Advice& a, const Advice& b) { return a.max_error < b.max_error; });
-    fmt::print(stderr, "advise: nothing stays within {:.3g}; the nearest is {} with {:.3g}{}{}\n",
+    fmt::print(stderr, "advise: no format stays within {:.3g}; the closest is {} with {:.3g}{}{}\n",
                options.error, nearest->format, nearest->max_error,
                nearest->failure.empty() ? "" : ": ", nearest->failure);
     return false;

@@ -14,7 +14,7 @@ namespace advise {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr simulator::Cycle chip_cycles = 50'000'000;  // of each format: half a second of simulation
+constexpr simulator::Cycle chip_cycles = 50'000'000;  // per format: half a second of simulation
 
 void note_errors(Candidate& candidate, const std::vector<double>& exact) {
     double most = 0, squares = 0;
@@ -27,7 +27,8 @@ void note_errors(Candidate& candidate, const std::vector<double>& exact) {
     candidate.advice.rms_error = std::sqrt(squares / static_cast<double>(exact.size()));
 }
 
-// Compiles the program in the formats, with these options of the compiler too, or throws Failure.
+// Compiles the program in the formats, with these additional compiler options. Throws Failure if
+// that fails.
 void compile_formats(const Options& options, const std::vector<Format>& formats,
                      const fs::path& runner, std::vector<std::string> further = {}) {
     std::string list = "-DFORMATS=";

@@ -15,7 +15,7 @@
 namespace advise {
 namespace {
 
-// What a scene takes in a format that no data file need have.
+// The cost of a scene in a format that need not be in any data file.
 stability::Cost on_chip(const std::string& scene, const std::string& scalar,
                         const std::string& method, int exponent) {
     const auto& scenes = scene_bench::all_scenes();

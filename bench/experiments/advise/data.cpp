@@ -24,7 +24,7 @@ Data load(const std::vector<fs::path>& files) {
                                                     files[0].string(), data.names.size()));
         if (table.rows().empty())
             throw std::invalid_argument(fmt::format(
-                "{}: a line of names and at least one row of numbers are wanted", file.string()));
+                "{}: expected a line of names and at least one row of numbers", file.string()));
         std::vector<Row>& run = data.runs.emplace_back();
         for (const auto& cells : table.rows()) {
             Row& row = run.emplace_back();
@@ -33,8 +33,9 @@ Data load(const std::vector<fs::path>& files) {
                 const char* const end = cell.data() + cell.size();
                 const auto [rest, error] = std::from_chars(cell.data(), end, x);
                 if (error != std::errc() || rest != end || !std::isfinite(x))
-                    throw std::invalid_argument(fmt::format("{}, row {}: '{}' is no finite number",
-                                                            file.string(), run.size(), cell));
+                    throw std::invalid_argument(
+                        fmt::format("{}, row {}: '{}' is not a finite number", file.string(),
+                                    run.size(), cell));
                 row.push_back(x);
             }
         }

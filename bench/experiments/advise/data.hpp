@@ -12,7 +12,7 @@ using Row = std::vector<double>;
 
 struct Data {
     std::vector<std::string> names;      // of the inputs
-    std::vector<std::vector<Row>> runs;  // of a file each
+    std::vector<std::vector<Row>> runs;  // one per file
     std::size_t rows() const {
         std::size_t sum = 0;
         for (const auto& run : runs) sum += run.size();
@@ -20,11 +20,11 @@ struct Data {
     }
 };
 
-// Throws std::invalid_argument of one line where a file is no table of numbers, or has other
-// columns than the first.
+// Throws std::invalid_argument with one line if a file is not a table of numbers, or its columns
+// differ from those of the first.
 Data load(const std::vector<std::filesystem::path>& files);
 
-// As the programs of driver/ read them.
+// In the form that the programs of driver/ read.
 std::string text_of(const Data& data);
 
 }  // namespace advise

@@ -15,7 +15,8 @@ namespace fs = std::filesystem;
 const fs::path source_folder = ADVISE_SOURCE_FOLDER;
 const fs::path driver_folder = source_folder / "bench/experiments/advise/driver";
 
-// The compiler's first error, or its first line. Its colours are off where nobody looks.
+// The compiler's first error, or else its first line. Without colours, since it does not write to a
+// terminal.
 std::string first_error(const std::string& text) {
     std::string first;
     for (std::size_t begin = 0; begin < text.size();) {

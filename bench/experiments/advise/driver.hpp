@@ -9,13 +9,13 @@
 
 namespace advise {
 
-// Of the program in a format.
+// The program fails in a format.
 class Failure : public std::invalid_argument {
   public:
     using std::invalid_argument::invalid_argument;
 };
 
-// Throw Failure of one line, the compiler's first error.
+// Both throw Failure with one line: the compiler's first error.
 void compile_for_host(const std::filesystem::path& program, const char* driver,
                       const std::vector<std::string>& options, const std::filesystem::path& output);
 void compile_for_chip(const std::filesystem::path& program,
@@ -24,8 +24,8 @@ void compile_for_chip(const std::filesystem::path& program,
 
 using Words = std::vector<std::string>;
 
-// The lines that a program of the driver prints, as words between tabulators. Throws
-// std::invalid_argument where it crashes or is not done in time.
+// The lines that a program of the driver prints, as words separated by tabs. Throws
+// std::invalid_argument if it crashes or exceeds the time limit.
 std::vector<Words> lines_of(const std::filesystem::path& user, std::vector<std::string> command);
 
 }  // namespace advise

@@ -11,7 +11,7 @@
 
 namespace advise {
 
-// A number format; of width 0: float.
+// A number format. A width of 0 means float.
 struct Format {
     int integer_bits = 0, fraction_bits = 0;
 
@@ -25,7 +25,7 @@ struct Format {
         return is_float() ? std::bit_cast<float>(static_cast<std::int32_t>(pattern))
                           : std::ldexp(static_cast<double>(pattern), -fraction_bits);
     }
-    // The pattern of a number that fits, rounded half up; saturated otherwise.
+    // The pattern of a number, rounded half up and saturated.
     std::int64_t pattern(double x) const {
         if (is_float()) return std::bit_cast<std::int32_t>(static_cast<float>(x));
         const double limit = std::ldexp(1.0, width() - 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the program told in double: the range of every variable and line, and its results.
+// What the program in double reports: the range of every variable and line, and its results.
 #pragma once
 
 #include <map>
@@ -13,14 +13,14 @@
 
 namespace advise {
 
-// A row of ranges.csv: what a variable, or the operations of a line, had for values.
+// A row of ranges.csv: the values of a variable, or of the operations of a line.
 struct RangeRow {
     std::string kind, name, source;
     std::uint64_t count;
     double least, greatest;
-    std::optional<double> smallest;  // magnitude other than 0
+    std::optional<double> smallest;  // the smallest magnitude other than 0
     int integer_bits;
-    std::string overflows, underflows;  // in the candidates where there are any
+    std::string overflows, underflows;  // the candidates with any, and how many
 
     static constexpr auto columns = [] {
         using records::column;
@@ -34,20 +34,21 @@ struct RangeRow {
     }();
 };
 
-// How often a step does an operation.
+// How often a step performs an operation.
 using Operations = std::map<std::string, double>;
-// Notes that `rows` steps did words[1] words[2] times. A sign costs what a subtraction from 0 does.
+// Records that `rows` steps performed words[1] words[2] times. A change of sign costs as much as a
+// subtraction from 0.
 void note_operation(Operations& operations, const Words& words, std::size_t rows);
 
 struct Recorded {
     std::vector<double> outputs;  // of all runs, in double
     Operations operations;
-    int integer_bits = 1;  // that hold everything
+    int integer_bits = 1;  // enough for all values
     std::vector<RangeRow> ranges;
 };
 
-// Runs the compiled driver/record.cpp on a file of rows, and counts what overflows and underflows
-// in the formats. Throws std::invalid_argument where the data do not fit the program.
+// Runs the compiled driver/record.cpp on a file of rows, and counts overflows and underflows in the
+// formats. Throws std::invalid_argument if the data do not fit the program.
 Recorded record(const Options& options, const Data& data, const std::filesystem::path& recorder,
                 const std::filesystem::path& rows, const std::vector<Format>& formats);
 

@@ -19,7 +19,7 @@ struct Row {
     std::string block, format;
     double cycles_mean;
     std::uint32_t cycles_max;
-    double against_float;  // cycles, of those in binary32
+    double against_float;  // cycles relative to those in binary32
     std::uint32_t flash;
     double max_error, rms_error;
 

@@ -25,7 +25,7 @@ double value(fixedpoint::Fixed<I, F> x) {
     return fixedpoint::to_float<double>(x);
 }
 
-// The device program of the block, whose `input` and `output` are reached by address.
+// The device program of the block, whose `input` and `output` are accessed by address.
 template <class Number>
 class Device {
   public:
@@ -82,10 +82,10 @@ Measurement measured(const std::string& block, const std::string& format, unsign
         0,
         steps * outputs,
         0};
-    std::mt19937 random(1);  // the same inputs for each format
+    std::mt19937 random(1);  // the same inputs for every format
     for (unsigned k = 0; k < steps; ++k) {
         for (unsigned i = 0; i < inputs; ++i) {
-            // A multiple of 2^-16, where the format holds that.
+            // A multiple of 2^-16, if the format holds that.
             constexpr int bits = std::is_same_v<Number, q8_8> ? 8 : 16;
             const long n = static_cast<long>(random() % 131073) - 65536;
             in[i] = Constant<Number, bits>::of((n >> (16 - bits)) +

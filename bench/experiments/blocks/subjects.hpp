@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The blocks as they are measured: each takes `inputs` numbers in -1..1 a step, `offset` added to
-// them, and gives `outputs`. The same source runs on the chip and on the host, for Fixed, float and
-// double. Constants are multiples of 2^-8, which every format holds, so that only arithmetic errs.
+// The blocks as they are measured: each takes `inputs` numbers in -1..1 per step, adds `offset` to
+// them, and returns `outputs` numbers. The same source runs on the chip and on the host, for Fixed,
+// float and double. Constants are multiples of 2^-8, which every format holds, so that only the
+// arithmetic causes errors.
 #pragma once
 
 #include <fixedpoint/blocks/biquad.hpp>
@@ -38,7 +39,8 @@ constexpr Number constant(long n) {
     return Constant<Number, 8>::of(n);
 }
 
-// The format of a polynomial's coefficients: finer than that of its argument where there is one.
+// The format of a polynomial's coefficients: finer than that of its argument if there is a finer
+// one.
 template <class Number>
 struct Finer {
     using Type = Number;
@@ -84,7 +86,7 @@ struct moving_average : Block<1, 1> {
     fixedpoint::MovingAverage<Number, 16> filter;
     void step(const Number* in, Number* out) { *out = filter.update(*in); }
 };
-// About sin(pi/2 x).
+// Approximately sin(pi/2 x).
 template <class Number>
 struct polynomial : Block<1, 1> {
     using Coefficient = typename Finer<Number>::Type;
@@ -135,7 +137,7 @@ template <class Number>
 struct matrix_product_2 : product<Number, 2> {};
 template <class Number>
 struct matrix_product_3 : product<Number, 3> {};
-// Of matrices whose diagonal is large, so that they have an inverse.
+// For matrices with a large diagonal, so that they have an inverse.
 template <class Number, int N>
 struct inverse : Block<N * N, N * N> {
     using Matrix = fixedpoint::Matrix<Number, N>;
@@ -148,7 +150,7 @@ template <class Number>
 struct matrix_inverse_2 : inverse<Number, 2> {};
 template <class Number>
 struct matrix_inverse_3 : inverse<Number, 3> {};
-// Turns on by the same rotation, and keeps the length.
+// Applies the same rotation in every step, and keeps the length.
 template <class Number>
 struct quaternion_turn : Block<0, 4> {
     using Quaternion = fixedpoint::Quaternion<Number>;

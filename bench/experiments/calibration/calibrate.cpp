@@ -21,7 +21,7 @@
 namespace calibration {
 namespace {
 
-constexpr int upper = 850;  // from where on the published function was fitted
+constexpr int upper = 850;  // the published function was fitted from here on
 
 std::vector<Reading> upper_part(const std::vector<Reading>& readings) {
     std::vector<Reading> part;
@@ -42,8 +42,8 @@ Errors errors_of(const Candidate& candidate, const std::vector<Reading>& reading
     return errors;
 }
 
-// Each reading but the first and the last, beyond which nothing but a guess reaches, judged by the
-// fit to all others.
+// For each reading except the first and the last, beyond which a curve can only extrapolate: its
+// error when the curve is fitted to all others.
 double leave_one_out_rms(Family family, const std::vector<Reading>& readings, bool only_upper) {
     double sum = 0;
     for (std::size_t out = 1; out + 1 < readings.size(); ++out) {
@@ -80,7 +80,8 @@ std::string coefficients_text(const std::vector<double>& coefficients) {
     return fmt::format("{:.10g}", fmt::join(coefficients, " "));
 }
 
-// Of calibration_candidates.csv. What was not measured since the curve was rejected has no cell.
+// A row of calibration_candidates.csv. Values that were not measured because the curve was rejected
+// are empty.
 struct CandidateRow {
     std::string curve, formula, fitted_to, coefficients, standard_errors;
     std::optional<double> rms, max, upper_rms, upper_max, leave_one_out_rms;  // g
@@ -141,7 +142,7 @@ std::vector<CandidateRow> candidate_rows(const std::vector<Candidate>& all, std:
     return rows;
 }
 
-// Of calibration.csv, in grams.
+// A row of calibration.csv, in grams.
 struct ReadingRow {
     int adc;
     double actual, published, published_error, fitted, fitted_error, device, device_minus_fitted;
@@ -163,7 +164,7 @@ std::vector<ReadingRow> reading_rows(const Candidate& chosen,
         const double published = value<double>(published_function_1, r.adc);
         const double fitted = held_value(chosen.curve, chosen.range, r.adc);
         const double device = chosen.device->raw[static_cast<std::size_t>(r.adc)] / 65536.0;
-        // 0.0 makes a negative zero positive.
+        // Adding 0.0 makes a negative zero positive.
         rows.push_back({r.adc, r.grams, published + 0.0, published - r.grams + 0.0, fitted + 0.0,
                         fitted - r.grams + 0.0, device + 0.0, device - fitted + 0.0});
     }

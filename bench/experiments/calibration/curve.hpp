@@ -28,14 +28,14 @@ inline constexpr std::array families = {
 std::string name_of(Family family);
 std::string formula_of(Family family);
 
-// Coefficients in the order of the formula's letters; of a monotone cubic (reading, grams, slope)
-// for each knot.
+// The coefficients in the order of the formula's letters; for a monotone cubic (reading, grams,
+// slope) of each knot.
 struct Curve {
     Family family;
     std::vector<double> coefficients;
 };
 
-// The curve as its formula says, poles and all.
+// The value of the curve's formula, even at poles.
 template <class Number>
 Number value(const Curve& curve, const Number& x) {
     const std::vector<double>& c = curve.coefficients;
@@ -68,19 +68,20 @@ Number value(const Curve& curve, const Number& x) {
 
 struct Fit {
     Curve curve;
-    std::vector<double> standard_errors;  // of each coefficient; none of a curve through all points
+    std::vector<double> standard_errors;  // of each coefficient; empty for a monotone cubic
     double square_sum;                    // of the residuals, in grams^2
 };
 
-// Of each fitted family but the line, which has two; a fit needs more readings than that.
+// The number of parameters of each fitted family, except the line, which has two. A fit needs more
+// readings than parameters.
 inline constexpr std::size_t parameters = 3;
 
-// Least squares in grams, unweighted. Throws std::runtime_error where there are too few readings or
-// the iteration does not converge.
+// Unweighted least squares in grams. Throws std::runtime_error if there are too few readings or the
+// iteration does not converge.
 Fit fit(Family family, const std::vector<Reading>& readings);
 
 // The readings between which a curve is used: those around the calibrated ones over which it rises
-// and stays between 0 and most_grams. Outside of them the weight is held.
+// and is between 0 and most_grams. Outside them the weight is that of the nearest end.
 struct Range {
     int lowest, highest;
 };

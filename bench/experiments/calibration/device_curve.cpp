@@ -105,7 +105,7 @@ DeviceCurve::DeviceCurve(const Curve& curve, Range range)
                 Held<Quadratic>{lowest, highest, {q(c[0] * 0x1p20), q(c[1] * 0x1p10), q(c[2])}};
             break;
         case Family::hyperbola:
-            quantised(c[2] * 16);  // throws: up to 16 readings are summed
+            quantised(c[2] * 16);  // throws if too large: up to 16 readings are summed
             curve_ =
                 Held<Hyperbola>{lowest, highest, {q(c[0] - c[1]), q(c[1] * c[2] / 4), q(c[2])}};
             break;
@@ -130,7 +130,7 @@ DeviceMeasurement DeviceCurve::measure(const DeviceProgram& program) const {
     chip.run_until_function("main");
     std::vector<std::uint64_t> operands;
     if (family_ == Family::monotone_cubic) {
-        // The table lies in flash, where the program holds a place for it.
+        // The table is in flash, at an address that the program reserves.
         simulator::DeviceFunction place(chip, "pieces_q16_16_default", {2, {}});
         const std::uint16_t address = place().as<std::uint16_t>();
         if (pieces_.size() > pieces_capacity)
@@ -189,7 +189,7 @@ std::string DeviceCurve::definition() const {
                                   "{}}}}};\n",
                                   type, held.lowest, held.highest, pieces_.size());
             } else {
-                // The members of such a curve are its coefficients, and nothing else.
+                // The members of such a curve are its coefficients and nothing else.
                 std::array<std::int32_t, sizeof held.curve / sizeof(std::int32_t)> c;
                 static_assert(sizeof c == sizeof held.curve);
                 std::memcpy(c.data(), &held.curve, sizeof c);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A fitted curve as the firmware evaluates it: coefficients in units of 2^-16, Q16.16 arithmetic.
+// A fitted curve as the firmware evaluates it: coefficients in units of 2^-16, arithmetic in
+// Q16.16.
 #pragma once
 
 #include <array>
@@ -15,10 +16,10 @@
 namespace calibration {
 
 struct DeviceProgram {
-    std::filesystem::path elf, footprints;  // made by bench/experiments/calibration/CMakeLists.txt
+    std::filesystem::path elf, footprints;  // written by this folder's CMakeLists.txt
 };
 
-// Over all 1024 readings on the simulated chip.
+// Over all 1024 readings, on the simulated chip.
 struct DeviceMeasurement {
     std::array<std::int32_t, 1024> raw;
     double cycles_mean, cycles_max;
@@ -27,16 +28,16 @@ struct DeviceMeasurement {
 
 class DeviceCurve {
   public:
-    // Throws std::runtime_error where a scaled coefficient does not fit 16:16 bits.
+    // Throws std::runtime_error if a scaled coefficient does not fit 16:16 bits.
     DeviceCurve(const Curve& curve, Range range);
-    // The pieces of a cubic are pointed at.
+    // Not copied: there are pointers to the pieces of a cubic.
     DeviceCurve(const DeviceCurve&) = delete;
     DeviceCurve& operator=(const DeviceCurve&) = delete;
 
-    // In Q16.16 on the host, bit for bit what the chip returns.
+    // In Q16.16 on the host, bit for bit equal to the chip's result.
     std::int32_t raw(int reading) const;
 
-    // Throws std::logic_error where the chip returns anything else than `raw` does.
+    // Throws std::logic_error if the chip returns anything other than `raw`.
     DeviceMeasurement measure(const DeviceProgram& program) const;
 
     // The definitions of the curve for calibration_table.hpp.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Levenberg-Marquardt by GSL in coordinates in which all coefficients are of the order of one:
-// s = reading / 1024 and kilograms. In grams and counts those of the published family spread over
-// five decades, and the normal equations over ten.
+// Levenberg-Marquardt by GSL in coordinates in which all coefficients are of order one: s = reading
+// / 1024, and kilograms. In grams and counts those of the published family differ by five decades,
+// and the normal equations by ten.
 #include <fmt/format.h>
 #include <gsl/gsl_blas.h>
 #include <gsl/gsl_errno.h>
@@ -30,7 +30,7 @@ struct Point {
     double s, y;
 };
 
-// A family in scaled coordinates: its value with the derivative by each parameter.
+// A family in scaled coordinates: its value and its derivative with respect to each parameter.
 struct Model {
     std::function<double(const Parameters&, double s, Parameters& derivative)> value;
     Parameters start;
@@ -63,7 +63,7 @@ std::vector<double> linear(const std::vector<Point>& points, std::size_t terms,
     return result;
 }
 
-// The best of a grid of shapes, each with its own best offset and scale.
+// The best shape of a grid, each with its best offset and scale.
 Parameters best_start(const std::vector<Point>& points, const std::vector<double>& grid,
                       const std::function<double(double shape, double s)>& basis) {
     Parameters best{};
@@ -84,7 +84,7 @@ Parameters best_start(const std::vector<Point>& points, const std::vector<double
 
 Model model_of(Family family, const std::vector<Point>& points) {
     if (family == Family::rational_quadratic) {
-        // s / y is a polynomial; weighted by y^2 / s its residual is near that of y.
+        // s / y is a polynomial; weighted by y^2 / s, its residual is close to that of y.
         const auto start = linear(
             points, 3,
             [](std::size_t j, const Point& p) { return std::pow(p.s, 2.0 - double(j)) * p.y; },
@@ -179,7 +179,8 @@ Solution solve(Family family, const std::vector<Point>& points) {
     int reason = 0;
     const int status = gsl_multifit_nlinear_driver(1000, 1e-13, 1e-13, 0, nullptr, nullptr, &reason,
                                                    workspace.get());
-    // GSL_ENOPROG: no step makes the residual smaller, i.e. the least is reached to the last digit.
+    // GSL_ENOPROG: no step reduces the residual, which means that the minimum is reached to the
+    // last digit.
     if (status != GSL_SUCCESS && status != GSL_ENOPROG)
         throw std::runtime_error(fmt::format("the fit of {} does not converge: {}", name_of(family),
                                              gsl_strerror(status)));
@@ -198,7 +199,7 @@ Solution solve(Family family, const std::vector<Point>& points) {
     return solution;
 }
 
-// A monotone cubic through all readings (Steffen 1990, as GSL has it).
+// A monotone cubic through all readings (Steffen 1990, as implemented by GSL).
 Curve steffen(const std::vector<Reading>& readings) {
     std::vector<double> x, y;
     for (const Reading& r : readings) {

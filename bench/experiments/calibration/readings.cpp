@@ -33,15 +33,15 @@ std::string trimmed(const std::string& text) {
     return text.substr(first, text.find_last_not_of(" \t") + 1 - first);
 }
 
-// A spreadsheet's file: the table, and the line that each row stood on.
+// A spreadsheet's file: the table, and the line of each row.
 struct Sheet {
     records::Table table;
     std::vector<std::size_t> lines;
     bool decimal_comma;
 };
 
-// Without the mark that Excel puts before UTF-8, and without blank lines. Where commas are decimal,
-// spreadsheets separate by semicolons.
+// Ignores Excel's mark before UTF-8, and blank lines. Where the comma is the decimal separator,
+// spreadsheets separate cells by semicolons.
 Sheet load_sheet(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
     if (!stream) throw std::runtime_error(fmt::format("cannot read {}", file.string()));
@@ -67,7 +67,7 @@ struct Row {
     std::size_t line;
 };
 
-// By rising weight, the readings of the same weight as their mean.
+// In order of rising weight; readings of the same weight are replaced by their mean.
 std::vector<Row> averaged(const std::vector<Row>& rows) {
     std::map<double, std::vector<Row>> weights;
     for (const Row& row : rows) weights[row.reading.grams].push_back(row);
@@ -103,7 +103,7 @@ std::vector<Reading> load_readings(const std::filesystem::path& file) {
     };
     std::vector<Row> rows;
     for (std::size_t i = 0; i < sheet.table.rows().size(); ++i) {
-        // A quoted cell may hold line breaks, and the lines behind it then stand further down.
+        // A quoted cell may contain line breaks; later lines are further down then.
         const std::size_t line = sheet.lines[std::min(i + 1, sheet.lines.size() - 1)];
         const std::string reading_text = cell(i, adc), weight_text = cell(i, grams);
         const auto reading = parsed<int>(reading_text);

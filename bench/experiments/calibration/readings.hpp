@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a force sensor read under known weights.
+// The readings of a force sensor under known weights.
 #pragma once
 
 #include <filesystem>
@@ -12,11 +12,12 @@ struct Reading {
     double grams;  // >= 0
 };
 
-// The columns adc_reading and actual_g of a CSV file as spreadsheets write it; others are left
-// alone. Rows may stand in any order and come out by rising weight; several readings of a weight
-// are averaged. Where cells are separated by semicolons, decimal commas are read too. Throws
-// std::runtime_error of one line, with file and line number, where a column is missing, a cell is
-// no number, a reading lies outside 0..1023, or readings do not rise with the weight.
+// Reads the columns adc_reading and actual_g of a CSV file as written by spreadsheets; other
+// columns are ignored. Rows may be in any order; the result is in order of rising weight, and
+// several readings of a weight are averaged. If cells are separated by semicolons, decimal commas
+// are accepted, too. Throws std::runtime_error with one line that names file and line number if a
+// column is missing, a cell is not a number, a reading is outside 0..1023, or the readings do not
+// rise with the weight.
 std::vector<Reading> load_readings(const std::filesystem::path& file);
 
 }  // namespace calibration

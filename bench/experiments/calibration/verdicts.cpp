@@ -31,7 +31,7 @@ PublishedFit reproduce(const std::string& function, const Curve& published,
             try {
                 refitted = fit(published.family, run);
             } catch (const std::runtime_error&) {
-                continue;  // this run of readings has no least
+                continue;  // this run of readings has no minimum
             }
             const double worst = worst_coefficient(refitted.curve, published);
             if (best && worst >= best->worst_coefficient) continue;

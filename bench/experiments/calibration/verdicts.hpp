@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Do the published readings give the published coefficients?
+// Whether the published readings yield the published coefficients.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace calibration {
 
-// Coefficients as published, of readings 850 and up and of those below.
+// The published coefficients for readings from 850 and for those below.
 inline const Curve published_function_1 = {Family::rational_quadratic,
                                            {-1.30315751e-5, 1.063940729e-2, 2.30339406}};
 inline const Curve published_function_2 = {Family::quadratic,
@@ -21,28 +21,29 @@ inline const Curve published_function_2 = {Family::quadratic,
 struct PublishedFit {
     std::string function;
     Curve published;
-    Fit refitted;              // to the run of readings whose fit comes closest
+    Fit refitted;              // to the run of readings with the closest fit
     int first, last;           // those readings
-    double excess;             // of the published sum of squares over the least, relative
-    double largest_distance;   // of the two curves over those readings, grams
+    double excess;             // of the published sum of squares over the minimum, relative
+    double largest_distance;   // between the two curves over those readings, grams
     double worst_coefficient;  // largest relative difference of a coefficient
     std::string verdict;
 };
 
 // reproduced: every coefficient to six digits. equivalent: the published sum of squares exceeds the
-// least by under a ten-thousandth, so that the readings cannot tell the two curves apart.
+// minimum by less than a ten-thousandth, so that the readings cannot distinguish the two curves.
 PublishedFit reproduce(const std::string& function, const Curve& published,
                        const std::vector<Reading>& readings);
 
-// The largest error in grams, at which reading, of the published Function 1 in Q16.16 where its
-// coefficients are rounded to that format as they stand, over readings up to the last one.
+// The largest error in grams, and its reading, of the published Function 1 in Q16.16 when its
+// coefficients are rounded to that format without scaling, over readings up to `last`.
 struct Unscaled {
     double error;
     int reading;
 };
 Unscaled unscaled_function_1(const std::vector<Reading>& readings);
 
-// Of calibration_verdicts.csv: a coefficient, or the unscaled evaluation, which has none.
+// A row of calibration_verdicts.csv: a coefficient, or the unscaled evaluation, which does not have
+// one.
 struct VerdictRow {
     std::string function, readings, coefficient;
     std::optional<double> published, refitted, standard_error, excess;

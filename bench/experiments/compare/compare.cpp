@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Of all of them less is better.
+// Quantities of which less is better.
 struct Quantity {
     const char* column;
     bool depends_on_samples;
@@ -50,7 +50,7 @@ class Run {
             return std::stod(cell);
         } catch (const std::exception&) {
             throw std::invalid_argument(
-                fmt::format("operations.csv: '{}' of {} is no number", cell, column));
+                fmt::format("operations.csv: '{}' of {} is not a number", cell, column));
         }
     }
 
@@ -70,7 +70,7 @@ Change change_of(const Key& key, const char* quantity) {
     return change;
 }
 
-// The fixed list of the score. Sums are exact in fixed point and have no error to be compared.
+// The operations of the score. Sums are exact in fixed point and have no error to compare.
 constexpr const char* scored[] = {"add",   "multiply", "divide", "sqrt", "sin",
                                   "atan2", "exp",      "log",    "dot3", "length3"};
 struct Part {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two runs held against each other: what got slower, larger or less exact.
+// Compares two runs: what became slower, larger or less accurate.
 #pragma once
 
 #include <filesystem>
@@ -15,7 +15,7 @@ namespace compare {
 struct Change {
     std::string operation, format, implementation, operands, quantity;
     std::optional<double> before, after;
-    std::string verdict;  // worse, better, new, gone; score and its parts have none where equal
+    std::string verdict;  // worse, better, new, gone; the score and its parts: none if equal
 
     static constexpr auto columns = [] {
         using records::column;
@@ -28,18 +28,18 @@ struct Change {
     }();
 };
 
-// operations.csv of a run: of a folder that holds it or data/operations.csv, or of a git revision
-// of `repository`. Throws std::invalid_argument of one line where there is none.
+// operations.csv of a run: of a folder that contains it or data/operations.csv, or of a git
+// revision of `repository`. Throws std::invalid_argument with one line if there is none.
 records::Table operations_of(const std::string& folder_or_revision,
                              const std::filesystem::path& repository);
 
-// The rows of all subjects that changed, in the order of the later run. Means are compared where
+// The rows of all subjects that changed, in the order of the later run. Means are compared only if
 // both runs took the same number of samples.
 std::vector<Change> changes(const records::Table& before, const records::Table& after);
 
-// How many times better ours is than avr-libc's float, over a fixed list of operations: the
-// geometric mean of cycles, flash and error, last; before it the three means, and before those
-// their parts.
+// How many times better ours is than avr-libc's float, over a fixed list of operations. The last
+// row is the geometric mean of cycles, flash and error, the three before it their means, and those
+// before them the parts.
 std::vector<Change> score(const records::Table& before, const records::Table& after);
 
 }  // namespace compare

@@ -36,9 +36,9 @@ namespace {
 using instructions::CompiledFunction;
 
 constexpr int exhaustive_bits = 32;
-constexpr std::size_t calls_of_a_batch = 512;  // raws and cycles of a batch stay in the first cache
+constexpr std::size_t calls_of_a_batch = 512;  // whose raws and cycles fit the first-level cache
 
-// Runs one part of a function's inputs.
+// Runs parts of a function's inputs.
 class Worker {
   public:
     Worker(const CompiledFunction& function, const Oracle& oracle)
@@ -49,7 +49,7 @@ class Worker {
           results_(calls_of_a_batch * function.result_count()),
           cycles_(calls_of_a_batch) {}
 
-    // Inputs first..last-1 of all, an input being the operands' bits one above the other.
+    // Inputs first..last-1 of all. An input is the concatenation of the operands' bits.
     Part exhaust(std::uint64_t first, std::uint64_t last) {
         const reference::NumberFormat& format = oracle_.subject.operand_format;
         Part part;
@@ -62,8 +62,8 @@ class Worker {
         return part;
     }
 
-    // A part of a search: its share of the boundary table; then half of the budget random, a
-    // quarter each climbing towards the largest error and the most cycles.
+    // A part of a search: its share of the boundary table; then half of the budget on random
+    // operands, and a quarter each on climbing towards the largest error and the most cycles.
     Part search(std::span<const operands::BoundaryCase> cases, std::uint64_t index,
                 std::uint64_t budget, std::uint64_t seed) {
         Part part;
@@ -188,15 +188,16 @@ Part run_part(Worker& worker, const Job& job, std::uint64_t index, const Options
     return worker.search(job.boundary, index, budget, seed_of(job.symbol, index));
 }
 
-// The parts of a function's run that are done, in a file beside the results: an interrupted run
-// goes on from there. It holds for the very program that judged, whatever has been built since.
+// The completed parts of a function's run, in a file next to the results: an interrupted run
+// continues from there. It is valid only for the very program that was judged, whatever has been
+// built since.
 class Checkpoint {
   public:
     Checkpoint(const Options& options, const Measurement& run)
         : path_(options.output / fmt::format("exhaustive.{}.{}-of-{}.checkpoint.json", run.symbol,
                                              options.shard.index, options.shard.count)) {}
 
-    // What was done of the run, without which it begins anew.
+    // Restores the completed parts of the run, or nothing if there are none.
     void resume(Measurement& run) const {
         std::ifstream stream(path_);
         if (!stream) return;
@@ -211,7 +212,7 @@ class Checkpoint {
         }
     }
 
-    // Where the last one is so old that losing the work since would matter.
+    // Saves if the last checkpoint is so old that losing the work since would matter.
     void save_if_due(const Measurement& run) {
         constexpr std::chrono::seconds interval(2);
         const auto now = std::chrono::steady_clock::now();
@@ -244,7 +245,7 @@ class Checkpoint {
     std::chrono::steady_clock::time_point saved_ = std::chrono::steady_clock::now();
 };
 
-// Runs the parts that the checkpoint lacks.
+// Runs the parts that the checkpoint does not contain.
 void run_parts(const simulator::Elf& elf, const Job& job, const Options& options,
                Measurement& measurement, Checkpoint& checkpoint) {
     const Shard& shard = options.shard;
@@ -283,7 +284,7 @@ void run_parts(const simulator::Elf& elf, const Job& job, const Options& options
     });
 }
 
-// What tells the run of a job from any other; without a part yet.
+// Identifies the run of a job; without any parts yet.
 Measurement run_of(const simulator::Elf& elf, const Job& job, const Options& options) {
     return {.symbol = job.symbol,
             .elf_sha256 = elf.sha256(),
@@ -304,7 +305,7 @@ records::Table empty_table() {
 
 std::vector<std::string> row_of(const Measurement& measurement, const Part& total) {
     const reference::NamedSubject named = reference::parse_symbol(measurement.symbol);
-    // The means over the operands of a search would tell of the search.
+    // Means over the operands of a search would describe the search.
     const auto mean = [&](std::optional<double> value) {
         return measurement.every_input ? records::cell(value) : std::string();
     };
@@ -329,7 +330,8 @@ std::vector<std::string> row_of(const Measurement& measurement, const Part& tota
 
 void report(const Measurement& measurement, const Part& total) {
     if (total.errors.wrong() != 0)
-        fmt::print(stderr, "{}: {} operands break the definition, the first: {}\n",
+        fmt::print(stderr,
+                   "{}: the results of {} operands contradict the definition, the first: {}\n",
                    measurement.symbol, total.errors.wrong(),
                    operations::text_of(total.errors.wrong_witness()));
     if (total.differences.count != 0)
@@ -340,7 +342,7 @@ void report(const Measurement& measurement, const Part& total) {
         fmt::print(stderr, "{}: no input reached 0x{:04x}\n", measurement.symbol, address);
 }
 
-// Puts the rows of the measurements in the place of those of the same functions.
+// Replaces the rows of the same functions by those of the measurements.
 std::uint64_t save(const std::vector<Measurement>& measurements,
                    const std::filesystem::path& output) {
     const std::filesystem::path path = output / "exhaustive.csv";
@@ -352,7 +354,8 @@ std::uint64_t save(const std::vector<Measurement>& measurements,
     if (std::filesystem::exists(path)) {
         const records::Table old = records::Table::load(path);
         if (old.columns() != table.columns())
-            throw std::runtime_error(fmt::format("{}: has other columns", path.string()));
+            throw std::runtime_error(
+                fmt::format("{}: its columns are not those of this version", path.string()));
         for (const auto& row : old.rows()) add(row);
     }
     std::uint64_t violations = 0;
@@ -395,7 +398,7 @@ std::uint64_t run_exhaustive(const Options& options) {
         if (!job.every_input())
             job.boundary = operands::boundary_cases(subject.operation, subject.operand_format);
         run_parts(elf, job, options, measurement, checkpoint);
-        // A finished function, too, is not run again where one after it is interrupted.
+        // Saves the finished function, too: it is not run again if a later one is interrupted.
         checkpoint.save(measurement);
         if (measurement.is_complete()) {
             violations += save({measurement}, options.output);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What running a function over a space of inputs found, part by part, so that the sums of a run do
-// not depend on the number of threads and shards.
+// The results of running a function over a space of inputs, part by part, so that the sums of a run
+// do not depend on the number of threads and shards.
 #pragma once
 
 #include <cstdint>
@@ -34,7 +34,8 @@ struct CycleStatistics {
         }
     }
     void merge(const CycleStatistics& later);
-    // Over the regular calls: what leaves early would tell of the operands, not of the function.
+    // Over the regular calls: calls that leave early say something about the operands, not about
+    // the function.
     std::optional<double> mean() const {
         if (regular_calls == 0) return std::nullopt;
         return double(regular_sum) / double(regular_calls);
@@ -51,16 +52,16 @@ struct Part {
 
 struct Measurement {
     std::string symbol, elf_sha256, kernel_sha256;
-    bool every_input = false;           // and not a search
-    std::uint64_t search_operands = 0;  // of a search
+    bool every_input = false;           // every input was run; otherwise it was a search
+    std::uint64_t search_operands = 0;  // if it was a search
     bool has_portable = false;
     std::map<std::uint64_t, Part> parts;  // of operations::exhaustive_parts
     std::set<std::uint32_t> unreached;    // flash byte addresses
 
     // Whether both measure the same function of the same program in the same way, so that their
-    // parts are those of one run.
+    // parts belong to one run.
     bool is_of_the_run_of(const Measurement& other) const;
-    // Throws std::runtime_error where the two are not of one run, or share a part.
+    // Throws std::runtime_error if the two are not of one run, or share a part.
     void join(const Measurement& other);
     bool is_complete() const { return parts.size() == operations::exhaustive_parts; }
     Part total() const;

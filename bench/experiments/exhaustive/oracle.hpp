@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What judges the results of a subject that is known only at run time: the reference's bulk judge
-// and, where the host has it, the portable implementation that promises the same bits.
+// Judges the results of a subject that is known only at run time: by the reference's bulk judge
+// and, if the host has it, by the portable implementation that promises the same bits.
 #pragma once
 
 #include <cstdint>
@@ -20,20 +20,21 @@ struct Differences {
 
 struct Oracle {
     reference::Subject subject;
-    // Raws lie one call after the other; `regular` tells of each call, or is empty.
+    // The raws of the calls follow one after the other. `regular` gets a value for each call, or is
+    // empty.
     reference::Judgement (*judge)(std::span<const std::int64_t> operands,
                                   std::span<const std::int64_t> results);
     void (*judge_all)(std::span<const std::int64_t> operands, std::span<const std::int64_t> results,
                       reference::ErrorStatistics& statistics, std::span<bool> regular);
-    // Null where there is none.
+    // Null if the host does not have it.
     const operations::HostSubject* portable;
 
-    // Counts the calls whose results differ from the portable's. Precondition: there is one.
+    // Counts the calls whose results differ from the portable ones. `portable` must not be null.
     void compare_all(std::span<const std::int64_t> operands, std::span<const std::int64_t> results,
                      Differences& found) const;
 };
 
-// None where the host has no subject of these definitions (float, _Accum, integers).
+// None if the host has no subject with these definitions (float, _Accum, integers).
 std::optional<Oracle> oracle_of(const reference::NamedSubject& named);
 
 }  // namespace machine_code

@@ -19,8 +19,8 @@ using simulator::Elf;
 
 enum DevicePin { step_pin = 2, render_pin = 3, servo_pin = 7 };
 
-// A frame begins with the first rendering after a pause; its rows follow at 0.1 ms, but for the
-// steps in between, which take 12 ms at most.
+// A frame starts with the first rendering after a pause. Its rows follow every 0.1 ms, except for
+// the steps in between, which take at most 12 ms.
 constexpr Cycle pause_between_frames = 15 * Chip::frequency / 1000;
 
 }  // namespace
@@ -52,7 +52,7 @@ void DeviceLoop::wrap_clock_at(double seconds) {
     chip_.write(address_of("overflows_"), bytes);
 }
 
-// A step at a time while awake, so that not a cycle of sleep is missed or counted too much.
+// One step at a time while awake, so that the cycles of sleep are counted exactly.
 void DeviceLoop::run_until(double seconds) {
     const auto end = static_cast<Cycle>(std::llround(seconds * Chip::frequency));
     while (chip_.cycle() < end) {
@@ -101,8 +101,8 @@ void DeviceLoop::at_byte(std::uint8_t byte) {
     terminal_.take(static_cast<char>(byte));
 }
 
-// A static member of the program's classes, by the end of its mangled name, which the guard of its
-// initialisation shares.
+// A static member of the program's classes, by the end of its mangled name. The guard of its
+// initialisation ends with the same name.
 std::uint16_t DeviceLoop::address_of(std::string_view member) const {
     const std::string end = fmt::format("{}{}E", member.size(), member);
     for (const auto& [name, object] : chip_.elf().objects())
@@ -123,7 +123,7 @@ double DeviceLoop::arm_length() const {
     return 1 / inverse;
 }
 
-// The renderer begins with whether the screen is known, then has two bits a cell of it.
+// The renderer starts with a flag whether the screen is known, followed by two bits per cell of it.
 bool DeviceLoop::screen_is_right() const {
     const bool under_way = chip_.cycle() - last_byte_ < Chip::frequency / 1000 ||
                            chip_.cycle() - last_render_ < Chip::frequency / 1000;

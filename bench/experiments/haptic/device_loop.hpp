@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The device in the loop: a firmware's ELF in the simulated chip, wired to a plant. The plant is
-// moved on when somebody looks at it alone: at each conversion, at the end of each servo pulse, and
-// where run_until() stops. What is measured is seen from outside, at pins, serial port and sleep.
+// The device in the loop: a firmware's ELF in the simulated chip, wired to a plant. The plant
+// advances only when it is observed: at each conversion, at the end of each servo pulse, and where
+// run_until() stops. Everything is measured from outside: at pins, serial port and sleep.
 //
 //     DeviceLoop loop(Elf("lever.elf"), scenario.adapted(published_parameters()), scenario.script);
 //     loop.run_until(2.5);
 //     loop.plant().lever_angle(), loop.terminal().screen(), loop.timing().step_begins ...
 //
-// Pins: PD2 is high while a step is computed, PD3 while a frame is drawn or sent, PD7 is the
-// servo's pulse. The program is taken to be a LeverProgram of firmware/lever_program.hpp.
+// Pins: PD2 is high while a step is computed, PD3 while a frame is drawn or sent; PD7 is the
+// servo's pulse. The program must be a LeverProgram of firmware/lever_program.hpp.
 #pragma once
 
 #include <array>
@@ -36,14 +36,15 @@ struct PinEdge {
     bool level;
 };
 
-// From the first step on; cycles.
+// From the first step on, in cycles.
 struct Timing {
     std::vector<Cycle> step_begins;
-    std::vector<std::uint32_t> step_lengths;         // interrupts included
+    std::vector<std::uint32_t> step_lengths;         // including interrupts
     std::vector<Cycle> frame_begins, frame_lengths;  // from the first drawing to the last sending
     Cycle asleep = 0, rendering = 0;
     std::uint64_t bytes_sent = 0, lines_sent = 0;
-    // Of the servo: pulses in s, and the longest time from one's beginning to the next.
+    // Of the servo: the number of pulses, and the longest time from the start of one to the next,
+    // in s.
     std::uint64_t pulses = 0;
     double shortest_pulse = 1, longest_pulse = 0, longest_period = 0;
 };
@@ -55,27 +56,27 @@ class DeviceLoop {
 
     DeviceLoop(const simulator::Elf& elf, Parameters parameters, Script script);
 
-    // Puts the firmware's clock so that its 32 bits wrap so many seconds from reset.
+    // Sets the firmware's clock so that its 32 bits wrap this many seconds after reset.
     void wrap_clock_at(double seconds);
 
     void run_until(double seconds);
     double time() const { return seconds_of(chip_.cycle()); }
 
-    // As a key pressed on the terminal: asks for a full frame.
+    // Like a key pressed on the terminal: requests a full frame.
     void send(std::uint8_t byte) { chip_.send_to_uart(byte); }
 
     Plant& plant() { return plant_; }
     simulator::Chip& chip() { return chip_; }
     const Timing& timing() const { return timing_; }
     const std::vector<std::string>& screen() const { return terminal_.screen(); }
-    double pulse() const { return pulse_; }  // the last one, s
-    // Of the virtual arm, m, as the firmware has it in memory.
+    double pulse() const { return pulse_; }  // the last pulse, s
+    // The length of the virtual arm in the firmware's memory, in m.
     double arm_length() const;
-    // Whether the terminal shows what the firmware believes it shows; true while bytes are under
-    // way, and where every frame is sent whole.
+    // Whether the terminal shows what the firmware believes it shows. True while bytes are under
+    // way, and always if every frame is sent completely.
     bool screen_is_right() const;
 
-    // All edges from here on are appended.
+    // Appends all edges from here on.
     void record_edges(std::vector<PinEdge>& edges) { edges_ = &edges; }
 
   private:

@@ -46,7 +46,7 @@ using records::column;
 struct Row {
     std::string scenario, arithmetic;
     double seconds, loop_rate, step_mean_ms, step_max_ms;
-    std::optional<std::uint64_t> late_steps;  // where the device has steps of one length
+    std::optional<std::uint64_t> late_steps;  // if the device has steps of constant length
     double worst_lateness_ms, cpu_percent, render_percent, frames_per_s;
     double servo_min_us, servo_max_us, fall, swing_deg;
     unsigned stack_bytes;
@@ -67,18 +67,18 @@ struct Row {
         column("reason", &Row::reason), column("elf_sha256", &Row::elf_sha256));
 };
 
-// The device itself for an hour, what is shown beside it for four minutes; and recordings, of which
-// an hour would fill a disk.
+// An hour for the device itself, four minutes for the others; and less for recordings, since an
+// hour of them would fill a disk.
 double longest(const Options& options, const Firmware& program) {
     if (options.longest) return *options.longest;
     return program.flashed && options.record.empty() ? 3600 : 240;
 }
 
-// What lies beyond the end is not asked for.
+// Removes the requirements that lie beyond the end.
 Scenario shortened(Scenario scenario, double longest) {
     if (scenario.duration <= longest) return scenario;
     scenario.duration = longest;
-    // Half a minute after its pushes the lever rests.
+    // Half a minute after it was pushed, the lever rests.
     if (scenario.envelope.rest && scenario.envelope.rest->from > longest)
         scenario.envelope.rest->from = longest - 1;
     return scenario;
@@ -136,7 +136,7 @@ std::uint64_t run_scenarios(const Options& options) {
     for (const Firmware& program : programs)
         for (const Scenario& scenario : scenes)
             jobs.push_back({program, shortened(scenario, longest(options, program))});
-    // The longest first, so that none is left to one thread in the end.
+    // The longest first, so that none is left for a single thread at the end.
     std::vector<std::size_t> order(jobs.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {

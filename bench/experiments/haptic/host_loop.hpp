@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The firmware's lever on the host, wired to a plant by the chip's schedule: the same code, bit for
-// bit the same arithmetic in fixed point, some forty times as fast as the simulated chip. What
-// the schedule leaves out is the jitter of interrupts, some microseconds.
+// The firmware's lever on the host, wired to a plant by the chip's schedule: the same code with, in
+// fixed point, bit-identical arithmetic, some forty times as fast as the simulated chip. The
+// schedule ignores the jitter caused by interrupts, a few microseconds.
 //
 //     HostLoop<firmware::LeverChoices<firmware::LeverScalar>> loop(parameters, script, 0.36e-3);
 //     loop.run_until(2.5);
@@ -26,11 +26,12 @@ class HostLoop {
   public:
     using Lever = firmware::Lever<Choices>;
 
-    // A step takes so long, in s, from its readings to its pulse.
+    // `step_takes` is the time in s from a step's readings to its pulse.
     HostLoop(Parameters parameters, Script script, double step_takes)
         : plant_(std::move(parameters), std::move(script)), step_takes_(step_takes) {}
 
-    // Each event at its time: a sample, its reading, a step that is due, the servo's edges.
+    // Processes each event at its time: a sample, its reading, a step that is due, the servo's
+    // edges.
     void run_until(double seconds) {
         for (;;) {
             const double rise =
@@ -43,7 +44,7 @@ class HostLoop {
             } else if (rise <= reading) {
                 if (rise > seconds) break;
                 ++frames_;
-                // A pulse's length is fixed as it begins.
+                // The length of a pulse is fixed when it starts.
                 take_command(rise);
                 pulse_ = static_cast<double>(commanded_) / firmware::ticks_per_second;
                 fall_ = rise + pulse_;
@@ -57,7 +58,7 @@ class HostLoop {
 
     Plant& plant() { return plant_; }
     Lever& lever() { return lever_; }
-    double pulse() const { return pulse_; }  // the last one, s
+    double pulse() const { return pulse_; }  // the last pulse, s
     std::uint64_t steps() const { return steps_done_; }
 
   private:
@@ -69,7 +70,8 @@ class HostLoop {
                Schedule::conversion * static_cast<double>(conversions_);
     }
 
-    // The interrupt at a conversion's end wakes the program, which then steps if it is due.
+    // The interrupt at the end of a conversion wakes the program, which then makes a step if one is
+    // due.
     void convert(double now) {
         const int input = static_cast<int>(conversions_ % Schedule::inputs);
         plant_.advance_to(sample_time());

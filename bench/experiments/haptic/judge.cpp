@@ -64,7 +64,7 @@ void Judge::judge_timing(const Timing& timing, double end) {
         watched;
     if (!limits_) return;
 
-    // Of the k-th step: its beginning less k periods, against the earliest of these.
+    // For step k: its start less k periods, relative to the earliest of these.
     std::vector<std::int64_t> offsets;
     for (std::size_t k = 0; k < timing.step_begins.size(); ++k)
         offsets.push_back(static_cast<std::int64_t>(timing.step_begins[k]) -

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Watches a device loop through a scenario and says whether the run stayed in its envelope.
+// Watches a device loop through a scenario and decides whether the run stayed within its envelope.
 #pragma once
 
 #include <limits>
@@ -12,7 +12,7 @@
 
 namespace haptic {
 
-// What a loop that keeps time is held to; none where a device has no steps of one length.
+// The limits for a loop that keeps time; none for a device without steps of constant length.
 struct TimingLimits {
     Cycle step_period;        // nominal
     double loop_rate = 1000;  // Hz, at least
@@ -24,16 +24,17 @@ struct TimingLimits {
 
 struct Judgement {
     double loop_rate = 0, step_mean = 0, step_most = 0;  // Hz, s, s
-    // Against steps of the nominal period of which none is earlier than due; s. NaN without limits.
+    // Relative to steps of the nominal period, none of which is earlier than due; in s. NaN without
+    // limits.
     double worst_lateness = std::numeric_limits<double>::quiet_NaN();
     std::uint64_t late_steps = 0;  // by more than the limit
     double cpu_share = 0, rendering_share = 0, frames_per_second = 0;
     double fall = std::numeric_limits<double>::quiet_NaN();   // s
-    double swing = std::numeric_limits<double>::quiet_NaN();  // rad, where it is to be quiet
-    std::vector<std::string> violations;  // empty where the run is as it should be
+    double swing = std::numeric_limits<double>::quiet_NaN();  // rad, where the lever must be quiet
+    std::vector<std::string> violations;                      // empty if the run passed
 };
 
-// What is seen of a run at one time; angles in rad.
+// The observations of a run at one time. Angles are in rad.
 struct Glance {
     double time, servo_angle, lever_angle;
     bool screen_is_right = true;
@@ -44,9 +45,9 @@ class Judge {
     Judge(const Scenario& scenario, std::optional<TimingLimits> limits)
         : scenario_(scenario), limits_(limits) {}
 
-    // To be called each millisecond.
+    // Must be called each millisecond.
     void watch(const Glance& glance);
-    // Of a run that ended at `end`, with the virtual arm so long, m.
+    // Judges a run that ended at `end` with a virtual arm of `arm_length` m.
     Judgement judge(const Timing& timing, double end, double arm_length);
 
   private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A run as files: what the plant did (CSV, each millisecond), the pins (VCD) and the screen.
+// A run as files: the plant's state (CSV, each millisecond), the pins (VCD) and the screen.
 #pragma once
 
 #include <filesystem>
@@ -11,19 +11,19 @@
 
 namespace haptic {
 
-// Value change dump (IEEE 1364), a wire a pin, in units of 100 ps: a cycle is 625 of them.
+// Value change dump (IEEE 1364), one wire per pin, in units of 100 ps: a cycle is 625 units.
 std::string value_change_dump(const std::vector<PinEdge>& edges);
 
 class Recording {
   public:
     explicit Recording(DeviceLoop& loop);
 
-    // To be called each millisecond.
+    // Must be called each millisecond.
     void watch(DeviceLoop& loop);
     const std::vector<PinEdge>& edges() const { return edges_; }
 
-    // Writes <name>.csv, <name>.vcd and <name>.screen.txt, in which each screen that differs from
-    // the one before has its time in s and its lines.
+    // Writes <name>.csv, <name>.vcd and <name>.screen.txt. The last contains each screen that
+    // differs from the one before: its time in s and its lines.
     void save(const std::filesystem::path& folder, const std::string& name) const;
 
   private:

@@ -26,7 +26,7 @@ std::vector<Scenario> scenarios(const Travel& travel) {
     std::vector<Scenario> list;
 
     // Published: a 20 cm arm falls in about 0.18 s, so 23 cm in 0.18 sqrt(23 / 20) = 0.19 s. The
-    // hand takes some of it to let go, the servo's frame 20 ms.
+    // release by the hand takes part of it, the servo's frame 20 ms.
     Scenario s{
         "release_and_fall", "held at the top, let go after 1 s", 3, held_at(travel.raised), 1, {}};
     s.script.hand_grip.step(1, 0);
@@ -36,7 +36,8 @@ std::vector<Scenario> scenarios(const Travel& travel) {
     s = {"bounce", "the same, watched until it rests", 6, held_at(travel.raised), 1, {}};
     s.script.hand_grip.step(1, 0);
     s.envelope.fall = {0.10, 0.35};
-    // No limit on how often it turns: that hangs on when in the servo's period the hand lets go.
+    // The number of turns is not limited: it depends on when in the servo's period the hand lets
+    // go.
     s.envelope.rest = {5, travel.lowered};
     list.push_back(s);
 
@@ -119,7 +120,7 @@ Scenario scenario(std::string_view name, const Travel& travel) {
         if (s.name == name) return s;
         names += (names.empty() ? "" : ", ") + s.name;
     }
-    throw std::invalid_argument(fmt::format("no scenario '{}'; there are {}", name, names));
+    throw std::invalid_argument(fmt::format("no scenario '{}'; allowed are {}", name, names));
 }
 
 }  // namespace haptic

@@ -53,7 +53,7 @@ double mean_frame(const Timing& timing) {
            static_cast<double>(timing.frame_lengths.size());
 }
 
-// While a pin was high.
+// A time during which a pin was high.
 struct Interval {
     int pin;
     double begin, end;  // s
@@ -76,7 +76,7 @@ enum Pin : int { step_pin = 2, render_pin, collision_pin, square_root_pin, opera
 constexpr const char* pin_names[] = {"step",        "render",    "collision",
                                      "square_root", "operation", "servo"};
 
-// A profiled program through the scenario: what its pins do.
+// A run of a profiled program through the scenario: the activity of its pins.
 struct Profiled {
     std::string device;
     Source source;
@@ -120,7 +120,7 @@ struct PinRow {
                    records::column("end_ms", &PinRow::end_ms, "{:.4f}"));
 };
 
-// Three frames, and the longest step amid them.
+// Three frames, and the longest step during them.
 void save_pins(const std::vector<Profiled>& devices, const std::filesystem::path& folder) {
     std::vector<PinRow> rows;
     for (const Profiled& of : devices) {
@@ -149,7 +149,8 @@ void save_pins(const std::vector<Profiled>& devices, const std::filesystem::path
     records::table_of(rows).save(folder / "haptic_pins.csv");
 }
 
-// What the pins show of all steps. Contacts raise theirs twice: found, then resolved.
+// What the pins show of all steps. The contacts' pin rises twice: while they are found and while
+// they are resolved.
 void tell_pins(Sheet& sheet, const Profiled& of) {
     double step_time = 0, found = 0, resolved = 0, square_roots = 0, operations = 0;  // s
     double steps = 0, most_resolved = 0;
@@ -233,7 +234,7 @@ void tell_device(Sheet& sheet, const Firmware& firmware, const Scenario& scene) 
                "bytes", bound.bytes ? "by the machine code" : bound.unbounded.front());
 }
 
-// The published arm was 20 cm long, the scenario's is 23 cm: times as the square roots.
+// The published arm was 20 cm long, the scenario's is 23 cm: times scale as the square roots.
 void tell_fall(Sheet& sheet, const Firmware& published) {
     constexpr double published_arm = 0.20, arm = 0.23;  // m
     const Run r = run(published, scenario("release_and_fall"), published_parameters());

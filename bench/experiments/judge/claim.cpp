@@ -73,7 +73,7 @@ class OperationClaim : public Claim {
   private:
     reference::Subject subject_;
     std::optional<double> bound_ulp_;
-    // Who judges fast, of the library's own formats and of other splits; null where nobody does.
+    // The fast judges of the library's own formats and of other splits; null if there is none.
     const operations::HostSubject* host_ = nullptr;
     SplitJudge split_ = nullptr;
 };
@@ -92,7 +92,7 @@ class FormulaClaim : public Claim {
             calling_.signature.operands.push_back(operand.format.width / 8);
     }
 
-    // All combinations of the operands' tables, thinned evenly where they are over a hundred
+    // All combinations of the operands' tables, thinned evenly if there are more than a hundred
     // thousand.
     std::vector<operands::BoundaryCase> boundary_cases() const override {
         constexpr std::uint64_t most = 100'000;
@@ -174,7 +174,7 @@ Type parse_type(const std::string& name) {
     type.format = reference::parse_format(type.is_unsigned ? name.substr(1) : name);
     if (type.format.is_float() || (type.is_unsigned && type.format.width == 64))
         throw std::invalid_argument(fmt::format(
-            "a formula knows no {}: its types are int8 to int64, uint8 to uint32 and fixed-point "
+            "a formula cannot use {}: its types are int8 to int64, uint8 to uint32 and fixed-point "
             "formats such as q16_16",
             name));
     return type;
@@ -202,11 +202,11 @@ std::unique_ptr<const Claim> parse_formula(const std::string& text, double bound
                                           bound_ulp);
 }
 
-// "sqrt:q16_16", "convert:q8_24:q16_16", and behind either the arithmetic: ":published".
+// "sqrt:q16_16" or "convert:q8_24:q16_16", optionally followed by the arithmetic: ":published".
 reference::Subject parse_operation(const std::string& text) {
     std::string symbol = text;
     std::replace(symbol.begin(), symbol.end(), ':', '_');
-    // Without an arithmetic it is the default's.
+    // Without an arithmetic, the default.
     for (const std::string& each : {symbol + "_default", symbol}) {
         try {
             const reference::NamedSubject named = reference::parse_symbol(each);
@@ -218,12 +218,12 @@ reference::Subject parse_operation(const std::string& text) {
         }
     }
     const std::size_t colon = text.find(':');
-    reference::parse_operation(text.substr(0, colon));  // says what there is
+    reference::parse_operation(text.substr(0, colon));  // its message lists what exists
     if (colon != text.npos)
         reference::parse_format(text.substr(colon + 1, text.find(':', colon + 1) - colon - 1));
     throw std::invalid_argument(fmt::format(
-        "'{}' is not <operation>:<format>, e.g. sqrt:q16_16, nor with :published or :saturating "
-        "behind it, nor convert:<from>:<to>",
+        "'{}' is not <operation>:<format>, e.g. sqrt:q16_16, or convert:<from>:<to>, either with "
+        ":published or :saturating appended",
         text));
 }
 

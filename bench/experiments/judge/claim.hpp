@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a function is said to compute: an operation of the catalogue in a format, "sqrt:q16_16", or
-// a formula over raw numbers, "int32(int32,int32)=a*b/2^16". From it follow how the function is
-// called, which operands are worth trying and what is right.
+// What a function claims to compute: an operation of the catalogue in a format, "sqrt:q16_16", or a
+// formula over raw numbers, "int32(int32,int32)=a*b/2^16". The claim determines how the function is
+// called, which operands are worth trying and which results are right.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ namespace judge {
 
 using Raws = std::span<const std::int64_t>;
 
-// A raw is the number's pattern, sign-extended; of an unsigned type too.
+// A raw is the number's pattern, sign-extended even for an unsigned type.
 struct Type {
     reference::NumberFormat format;
     bool is_unsigned = false;
@@ -30,7 +30,7 @@ struct Type {
     std::int64_t greatest() const {
         return is_unsigned ? -2 * minus_half_turn() - 1 : -(minus_half_turn() + 1);
     }
-    // The number that a pattern is read and written as in decimal.
+    // The decimal number for a pattern.
     std::int64_t number(std::int64_t raw) const {
         return is_unsigned && raw < 0 ? raw - 2 * minus_half_turn() : raw;
     }
@@ -45,14 +45,14 @@ class Claim {
   public:
     virtual ~Claim() = default;
 
-    // One for each operand, vectors one component after the other.
+    // One type for each operand, or for each component of a vector.
     const std::vector<Type>& operands() const { return operands_; }
     const Type& result() const { return result_; }
     std::size_t results() const { return results_; }
     const operations::Calling& calling() const { return calling_; }
 
     virtual std::vector<operands::BoundaryCase> boundary_cases() const = 0;
-    // Fills in the operands that come next; the same seed gives the same ones.
+    // Fills in the next operands; the same seed gives the same ones.
     class Sampler {
       public:
         virtual ~Sampler() = default;
@@ -60,13 +60,13 @@ class Claim {
     };
     virtual std::unique_ptr<Sampler> sampler(operands::OperandClass operand_class,
                                              std::uint64_t seed) const = 0;
-    // All bits of all operands.
+    // The number of bits of all operands together.
     int input_bits() const;
-    // The operands of the i-th of all 2^input_bits() inputs.
+    // The operands of input number i of all 2^input_bits() inputs.
     void input(std::uint64_t i, std::span<std::int64_t> operands) const;
 
     virtual reference::Judgement judge(Raws operands, Raws results) const = 0;
-    // Of any number of calls, their raws one after the other.
+    // Judges any number of calls, whose raws follow one after the other.
     virtual void judge_all(Raws operands, Raws results,
                            reference::ErrorStatistics& statistics) const;
 
@@ -77,12 +77,12 @@ class Claim {
     operations::Calling calling_{};
 };
 
-// Operands as their decimal numbers, with blanks between.
+// Operands as decimal numbers, separated by spaces.
 std::string text_of(const Claim& claim, Raws operands);
 
-// With a bound, a result that is not pinned is right where it is so near to the exact one; without,
-// where the operation's definition allows it, and of a formula within half an ulp. Throws
-// std::invalid_argument of one line.
+// With a bound, a result that is not pinned is right if it is within the bound of the exact one.
+// Without, it is right if the operation's definition allows it; for a formula, if it is within half
+// an ulp. Throws std::invalid_argument with one line if the text is not a claim.
 std::unique_ptr<const Claim> parse_claim(const std::string& text,
                                          std::optional<double> bound_ulp = {});
 

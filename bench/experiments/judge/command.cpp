@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fixbench judge, operands and corpus: anybody's arithmetic.
+// fixbench judge, operands and corpus: for anybody's arithmetic.
 #include <fmt/format.h>
 
 #include <memory>

@@ -18,19 +18,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Pairs of a table are tens of thousands: a file holds so many of them, taken evenly, beside all
-// ties and the worst.
+// There are tens of thousands of pairs in a table: a file contains this many of them, taken evenly,
+// in addition to all ties and the worst operands.
 constexpr std::size_t most_boundary_cases = 300;
 
-// By operation and format, the operands as text and why they are there. Of equal operands the first
-// reason stays.
+// By operation and format: the operands as text, and why they are included. Of equal operands the
+// first reason is kept.
 using Subject = std::pair<std::string, std::string>;
 using Worst = std::map<Subject, std::vector<std::pair<std::string, std::string>>>;
 
 struct Source {
     const char* file;
     const char* column;
-    const char* why;  // with the implementation behind it
+    const char* why;  // followed by the implementation
 };
 constexpr Source sources[] = {
     {"exhaustive.csv", "max_ulp_witness", "the largest error known of"},

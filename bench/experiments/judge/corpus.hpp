@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Operands worth trying for everybody's implementation, as files: the boundary table and the worst
-// operands that were ever measured, each with why it is there. Lines as in pipe.hpp.
+// Operands worth trying for every implementation, as files: the boundary table and the worst
+// operands ever measured, each with the reason why it is included. Lines as in pipe.hpp.
 #pragma once
 
 #include <filesystem>

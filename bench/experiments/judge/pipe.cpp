@@ -30,7 +30,7 @@ class Writer {
         if (!what.empty()) fmt::format_to(std::back_inserter(text_), " # {}", what);
         text_.push_back('\n');
         if (std::fwrite(text_.data(), 1, text_.size(), out_) != text_.size())
-            throw std::runtime_error("cannot write operands: whoever reads them has ended");
+            throw std::runtime_error("cannot write operands: their reader has ended");
     }
 
   private:
@@ -39,7 +39,7 @@ class Writer {
     fmt::memory_buffer text_;
 };
 
-// Lines of a stream, without their ends; longer ones than anybody means are refused.
+// Lines of a stream, without their ends. Lines that are too long to be meant are refused.
 class Lines {
   public:
     explicit Lines(std::FILE* in) : in_(in), buffer_(std::size_t(1) << 20) {}
@@ -76,8 +76,8 @@ class Lines {
     bool ended_ = false;
 };
 
-// The numbers of a line; more than there is room for are counted, not stored. False where something
-// else stands among them.
+// The numbers of a line; numbers beyond the available space are counted but not stored. Returns
+// false if the line contains anything else.
 bool parse(std::string_view line, std::span<std::int64_t> numbers, std::size_t& count) {
     const char* at = line.data();
     const char* const end = at + line.size();
@@ -121,7 +121,7 @@ void write_operands(const Claim& claim, const std::string& operand_class, std::u
         }
     }
     if (std::fflush(out) != 0)
-        throw std::runtime_error("cannot write operands: whoever reads them has ended");
+        throw std::runtime_error("cannot write operands: their reader has ended");
 }
 
 Piped judge_lines(const Claim& claim, std::FILE* in) {
@@ -146,10 +146,10 @@ Piped judge_lines(const Claim& claim, std::FILE* in) {
             throw std::invalid_argument(
                 fmt::format("line {}: {}: '{}'", number, why, line.substr(0, 80)));
         };
-        if (!parse(line, numbers, count)) refuse("no decimal number of 64 bits");
+        if (!parse(line, numbers, count)) refuse("not decimal numbers of 64 bits");
         if (count == 0) continue;
         if (count != per_call)
-            refuse(fmt::format("{} operands and {} results are wanted, not {} numbers", arity,
+            refuse(fmt::format("expected {} operands and {} results, got {} numbers", arity,
                                claim.results(), count));
         for (std::size_t i = 0; i < per_call; ++i) {
             const Type& type = *types[i];

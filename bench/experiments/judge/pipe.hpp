@@ -4,10 +4,10 @@
 //     fixbench operands --as divide:q8_24 --class boundary | ./mine | fixbench judge --pipe --as
 //     divide:q8_24
 //
-// A line is one call: the operands, and in what is judged the results behind them, as decimal raw
-// numbers with blanks between. Of vectors and several results one component follows the other; an
-// IEEE single is its pattern as an int32. `#` begins a comment up to the end of the line; a line
-// without numbers means nothing.
+// A line is one call: the operands and, if it is to be judged, the results after them, as decimal
+// raw numbers separated by spaces. The components of vectors, and several results, follow one after
+// the other. An IEEE single is its pattern as an int32. `#` starts a comment to the end of the
+// line; a line without numbers is ignored.
 #pragma once
 
 #include <cstdint>
@@ -18,8 +18,8 @@
 
 namespace judge {
 
-// Writes operands of a class: those of operand_class.hpp, "boundary", of which each says what it
-// is, or "all". Throws std::invalid_argument for another class, and for "all" of more than 32 bits.
+// Writes operands of a class: one of operand_class.hpp, "boundary", with a description of each, or
+// "all". Throws std::invalid_argument for any other class, and for "all" of more than 32 bits.
 void write_operands(const Claim& claim, const std::string& operand_class, std::uint64_t samples,
                     std::uint64_t seed, std::FILE* out);
 
@@ -28,8 +28,8 @@ struct Piped {
     reference::ErrorStatistics errors;
 };
 
-// Judges all lines. Throws std::invalid_argument that names the line where it is none of a call,
-// and where there is no call at all.
+// Judges all lines. Throws std::invalid_argument that names the line if it is not a call, or if
+// there is no call at all.
 Piped judge_lines(const Claim& claim, std::FILE* in);
 
 }  // namespace judge

@@ -24,7 +24,7 @@ using Operands = std::array<std::int64_t, reference::most_operands>;
 
 constexpr std::uint64_t seed = 1;
 
-// "my_sqrt" of "my_sqrt(long)" and "ns::my_sqrt<int>(long)"; of C the symbol itself.
+// "my_sqrt" for "my_sqrt(long)" and "ns::my_sqrt<int>(long)"; for C the symbol itself.
 std::string plain_name(const std::string& symbol) {
     int status = 0;
     char* const demangled = abi::__cxa_demangle(symbol.c_str(), nullptr, nullptr, &status);
@@ -53,9 +53,9 @@ std::string symbol_of(const simulator::Elf& elf, const std::string& function) {
         nearest.empty() ? "" : fmt::format(", did you mean {}?", nearest), function));
 }
 
-// A function that takes other operands than those that it is given reads registers that hold none,
-// which have another value in each call; one that returns fewer bytes leaves registers of the
-// result as they were. Empty where neither shows.
+// A function that takes other operands than it is given reads registers that do not contain any,
+// whose value differs in each call. A function that returns fewer bytes leaves registers of the
+// result unchanged. Empty if neither is observed.
 std::string signature_fault(DeviceCall& call, const Claim& claim) {
     constexpr int trials = 64;
     const std::size_t arity = claim.operands().size();

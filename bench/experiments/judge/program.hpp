@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A function of somebody's program on the simulated chip, held to what it is said to compute.
+// A function of a user's program on the simulated chip, compared with what it claims to compute.
 #pragma once
 
 #include <cstdint>
@@ -13,17 +13,17 @@
 
 namespace judge {
 
-// A row of judge.csv: what one class of operands showed.
+// A row of judge.csv: the result for one class of operands.
 struct Figures {
     std::string function, claim, operands;
     std::uint64_t samples, regular;  // regular: Judgement::regular()
-    // Missing where no chip was measured.
+    // Missing if no chip was measured.
     std::optional<std::uint32_t> cycles_min;
-    std::optional<double> cycles_mean;  // over the regular operands; over all where none is
+    std::optional<double> cycles_mean;  // over the regular operands, or over all if none is regular
     std::optional<std::uint32_t> cycles_max;
     std::string cycles_max_witness;
     std::optional<std::uint16_t> stack_bytes;
-    // Missing where no result was judged.
+    // Missing if no result was judged.
     std::optional<double> max_ulp;
     std::string max_ulp_witness;
     std::optional<double> rms_ulp, mean_ulp;
@@ -49,7 +49,7 @@ struct Figures {
     }();
 };
 
-// The columns that follow from the errors, whose bound is a lower one.
+// The columns that follow from the errors. The bound is a lower bound.
 Figures figures_of(const Claim& claim, const reference::ErrorStatistics& errors);
 
 struct ProgramOptions {
@@ -62,10 +62,10 @@ struct ProgramOptions {
     unsigned threads = 1;
 };
 
-// Writes judge.csv and returns how much is wrong: results that break the claim, and 1 for a
+// Writes judge.csv and returns the number of faults: results that contradict the claim, and 1 for a
 // function that does not return, breaks the calling convention, writes where it must not or has
-// another signature than the claim says. What is wrong is said on stderr, a line each. Throws
-// std::invalid_argument where the program has no such function or the claim is none.
+// another signature than the claim says. Each fault is a line on stderr. Throws
+// std::invalid_argument if the program has no such function or the claim is invalid.
 std::uint64_t judge_program(const ProgramOptions& options);
 
 }  // namespace judge

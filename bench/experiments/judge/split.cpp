@@ -12,7 +12,7 @@ using reference::NumberFormat;
 using reference::Operation;
 using Raws = std::span<const std::int64_t>;
 
-constexpr double doubt = 0x1p-13;  // ulp: twice what the error of a function in double stays below
+constexpr double doubt = 0x1p-13;  // ulp: twice the bound of a function's error in double
 
 constexpr bool is_function(Operation operation) {
     return reference::shape(operation).kind == reference::Kind::function;
@@ -28,7 +28,7 @@ constexpr bool is_judged_here() {
 
 template <Operation operation, int width>
 Judgement judge_split(const NumberFormat& format, Raws operands, Raws results) {
-    // Its definition and its range are those of every split.
+    // The definition and the range do not depend on the split.
     constexpr reference::Subject subject{
         operation, {reference::FormatKind::fixed, width, 0}, reference::Arithmetic::nearest};
     namespace bulk = reference::bulk;
@@ -77,7 +77,7 @@ Judgement judge_split(const NumberFormat& format, Raws operands, Raws results) {
         for (std::size_t i = 0; i < operands.size(); ++i)
             x[i] = std::ldexp(static_cast<double>(operands[i]), -F);
         const double exact = std::ldexp(reference::function(operation, x), F);
-        // Where double does not tell on which side of a limit the value lies, 300 bits do.
+        // Where double cannot decide on which side of a limit the value lies, 300 bits can.
         constexpr double bound = reference::definition(subject).bound_ulp;
         constexpr double limits[] = {subject.format.min() - 0.5, -0.5, 0.5,
                                      subject.format.max() + 0.5};
@@ -107,7 +107,7 @@ SplitJudge split_judge(const reference::Subject& subject) {
         subject.operand_format != subject.format ||
         subject.arithmetic != reference::Arithmetic::nearest)
         return nullptr;
-    // A turn of 2^64 and as many fraction bits would leave the 128 bits that bulk has.
+    // A turn of 2^64 and as many fraction bits would exceed the 128 bits that bulk uses.
     if (subject.format.fraction > 62) return nullptr;
     switch (subject.format.width) {
         case 8:

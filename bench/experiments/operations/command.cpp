@@ -43,7 +43,7 @@ void add_filters(CLI::App& command, Selection& selection) {
                             "only these implementations, e.g. default,published,libc");
 }
 
-// The names that subjects go by.
+// The names that subjects can be selected by.
 struct Known {
     std::vector<std::string> operations, formats, implementations;
 
@@ -65,14 +65,15 @@ Known known_to_host() {
     return known;
 }
 
-// By its own programs, or those of the build, which are made where they are missing or old.
+// The user's own programs, or those of the build, which are built if they are missing or out of
+// date.
 void settle_programs(std::vector<std::filesystem::path>& programs) {
     if (!programs.empty()) return;
     fixbench::build({"subjects"});
     programs = all_programs();
 }
 
-// FIXBENCH_OTHER_CHIPS and the formats are lists that CMake writes, separated by commas.
+// FIXBENCH_OTHER_CHIPS and the formats are lists written by CMake, separated by commas.
 std::vector<std::string> listed(std::string_view names) {
     std::vector<std::string> list;
     for (std::size_t end; !names.empty(); names.remove_prefix(std::min(end + 1, names.size()))) {
@@ -82,7 +83,7 @@ std::vector<std::string> listed(std::string_view names) {
     return list;
 }
 
-// The programs of the chips are made of each format that is asked for.
+// Builds the programs of the chips for each format that is asked for.
 OtherChipOptions settle_other_chips(const std::vector<std::string>& chips, CycleOptions& cycles) {
     if (!cycles.programs.empty())
         throw std::invalid_argument("--mcu builds its programs, and takes no --program");
@@ -107,7 +108,7 @@ OtherChipOptions settle_other_chips(const std::vector<std::string>& chips, Cycle
 
 int held(std::uint64_t violations) {
     if (violations == 0) return fixbench::held;
-    fmt::print(stderr, "fixbench: {} results are not what their definition says\n", violations);
+    fmt::print(stderr, "fixbench: {} results contradict their definition\n", violations);
     return fixbench::check_failed;
 }
 
@@ -181,7 +182,7 @@ const fixbench::Registration cycles({
                .arguments = [](const Mode& mode) -> std::vector<std::string> {
                    std::vector<std::string> arguments = {"cycles", "--output", mode.data,
                                                          "--samples", mode.quick ? "300" : "20000"};
-                   // Not the class `all`: 65536 inputs take longer than the rest.
+                   // Without the class `all`: 65536 inputs take longer than the rest.
                    if (mode.quick)
                        arguments.insert(
                            arguments.end(),
@@ -265,7 +266,7 @@ const fixbench::Registration verify({
                 options->threads = call.threads;
                 const std::uint64_t differing = verify_kernels(*options);
                 if (differing == 0) return fixbench::held;
-                fmt::print(stderr, "fixbench: {} subjects differ\n", differing);
+                fmt::print(stderr, "fixbench: {} subjects differ from the host\n", differing);
                 return fixbench::check_failed;
             };
         },

@@ -24,7 +24,7 @@ using fixedpoint::Nearest;
 using fixedpoint::Published;
 using reference::Operation;
 
-// Operands of 0.01 to 20 in both signs, log-uniform, clipped to the format.
+// Log-uniform operands of 0.01 to 20 with both signs, clipped to the format.
 template <class Raw, int F>
 std::array<Raw, 1024> physics_operands(std::uint64_t seed) {
     std::mt19937_64 random(seed);
@@ -102,7 +102,7 @@ void operations::measure_throughput(const std::filesystem::path& file, double se
     measure_formats<Nearest>("default");
     measure_formats<Published>("published");
     measure_float();
-    // The table that the library shows goes to stderr, as all that is not the result does.
+    // The library's table goes to stderr, like everything that is not the result.
     std::filesystem::path partial = file;
     partial += ".partial";
     std::string arguments[] = {"fixbench", fmt::format("--benchmark_min_time={}", seconds),

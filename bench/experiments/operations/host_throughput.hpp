@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the portable code costs on the host, by Google Benchmark.
+// The cost of the portable code on the host, by Google Benchmark.
 #pragma once
 
 #include <filesystem>
 
 namespace operations {
 
-// Runs each function for so many seconds and writes Google Benchmark's JSON.
+// Runs each function for that many seconds and writes Google Benchmark's JSON.
 void measure_throughput(const std::filesystem::path& file, double seconds);
 
 }  // namespace operations

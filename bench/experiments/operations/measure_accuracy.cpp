@@ -31,14 +31,14 @@ using reference::NumberFormat;
 
 using Operands = std::array<std::int64_t, reference::most_operands>;
 
-// The quick run shows that each subject runs and is judged; the bounds are the full run's. It
-// exhausts spaces of up to 2^24 inputs, the full one those of 2^32 that matter.
+// The quick run shows that each subject runs and is judged; the bounds come from the full run. The
+// quick run exhausts spaces of up to 2^24 inputs, the full run those of 2^32 that matter.
 constexpr int quick_exhaustive_bits = 24;
 
 constexpr std::uint64_t random_samples = 200'000, quick_random_samples = 2'000;
 constexpr std::uint64_t search_evaluations = 400'000, quick_search_evaluations = 4'000;
 
-// Uniform operands are nearly all of the largest magnitudes: they would weigh the mean errors down.
+// Nearly all uniform operands have the largest magnitudes: they would reduce the mean errors.
 constexpr operands::OperandClass random_classes[] = {
     operands::OperandClass::small, operands::OperandClass::physics, operands::OperandClass::full,
     operands::OperandClass::published};
@@ -85,9 +85,10 @@ bool is_exhaustive(const HostSubject& job, bool quick) {
     if (job.input_bits() > exhaustive_bits) return false;
     if (job.input_bits() <= quick_exhaustive_bits) return true;
     if (quick) return false;
-    // 2^32 inputs: for the default's operations, and for the published product and quotient.
-    // Lengths are bounded by construction, sincos is sin and cos, the functions of a format that is
-    // not square run through Q16.16's, and 2^32 floats would take the exact judge half a day.
+    // 2^32 inputs: for the default's operations, and for the published product and quotient. Not
+    // for lengths, which are bounded by construction; nor sincos, which is sin and cos; nor the
+    // functions of a split with unequal parts, which use Q16.16's; nor 2^32 floats, which would
+    // take the exact judge half a day.
     const reference::Subject& subject = job.subject;
     if (subject.format.is_float() || subject.operand_format.is_float()) return false;
     if (job.implementation == "published") {
@@ -149,7 +150,7 @@ struct Interval {
                    column("rms_ulp", &Interval::rms_ulp), column("mean_ulp", &Interval::mean_ulp));
 };
 
-// What is found of one subject.
+// The results for one subject.
 struct Found {
     Accuracy accuracy;
     std::vector<Bin> histogram;
@@ -173,8 +174,7 @@ void add_histogram(std::vector<Bin>& bins, const HostSubject& job,
     add(histogram.range[histogram.n], INFINITY, static_cast<double>(statistics.above_histogram()));
 }
 
-// The largest error, judged without the hurry of a run over all inputs, which is off by up to 2^-14
-// ulp.
+// The largest error, judged exactly: a run over all inputs is off by up to 2^-14 ulp.
 double largest_error(const HostSubject& job, const ErrorStatistics& statistics) {
     const auto witness = statistics.max_witness().operands();
     return witness.empty() ? 0 : std::abs(job.judge_own(witness).error_ulp);
@@ -199,22 +199,22 @@ void add_statistics(Found& found, const HostSubject& job, const ErrorStatistics&
     if (found.wrong != 0) found.wrong_witness = text_of(statistics.wrong_witness());
 }
 
-// What an earlier run wrote of a subject: found by the first three columns.
+// The results of an earlier run for a subject, found by the first three columns.
 class Kept {
   public:
     explicit Kept(const std::filesystem::path& folder)
         : accuracy_(records::Table::load(folder / "accuracy.csv")),
           histograms_(records::Table::load(folder / "error_histograms.csv")) {}
 
-    // The row of the subject, where all inputs were run.
+    // The row of the subject, if all inputs were run.
     const std::vector<std::string>* row(const HostSubject& job) const {
         for (const auto& row : accuracy_.rows())
             if (is_of(row, job) && row[accuracy_.column("operands")] == "all") return &row;
         return nullptr;
     }
 
-    // Adds the rows of the subject, once they agree with the code as it is: it errs as it did at
-    // the operands of the largest error, and at no sample by more.
+    // Adds the rows of the subject, after checking that they agree with the present code: its error
+    // at the operands of the largest error is the same, and no sample has a larger one.
     void add(const HostSubject& job, Found& found) const {
         const std::vector<std::string>& kept = *row(job);
         const std::string largest = kept[accuracy_.column("max_ulp")];
@@ -223,7 +223,7 @@ class Kept {
         for (std::int64_t raw; words >> raw;) witness.push_back(raw);
         const auto stale = [&](const std::string& reason) {
             throw std::runtime_error(
-                fmt::format("{}: the row that is kept of all inputs is not of this code: {}; "
+                fmt::format("{}: the kept row over all inputs is not of this code: {}; "
                             "`fixbench all --exhaustive --only accuracy` runs them again",
                             job.name(), reason));
         };
@@ -231,14 +231,14 @@ class Kept {
             stale("it names no operands");
         const double there = std::abs(job.judge_own(witness).error_ulp);
         if (records::cell(there) != largest)
-            stale(fmt::format("at {} it errs by {} ulp, not {}",
+            stale(fmt::format("at {} its error is {} ulp, not {}",
                               kept[accuracy_.column("max_ulp_witness")], records::cell(there),
                               largest));
         const ErrorStatistics samples = sample(job, true);
         if (samples.wrong() != 0)
-            stale(fmt::format("{} breaks the definition", text_of(samples.wrong_witness())));
+            stale(fmt::format("{} contradicts the definition", text_of(samples.wrong_witness())));
         if (samples.max_ulp() > there)
-            stale(fmt::format("at {} it errs by {} ulp, and {} was the most",
+            stale(fmt::format("at {} its error is {} ulp, and the kept maximum {}",
                               text_of(samples.max_witness()), records::cell(samples.max_ulp()),
                               largest));
         const auto text = [&](const char* name) { return kept[accuracy_.column(name)]; };
@@ -309,7 +309,7 @@ std::uint64_t measure_accuracy(const AccuracyOptions& options) {
     std::optional<Kept> kept;
     if (!options.kept.empty()) kept.emplace(options.kept);
     std::vector<Found> found(jobs.size());
-    // Sampled jobs share the threads; of an exhaustive one each thread takes a part of the inputs.
+    // Sampled jobs share the threads. In an exhaustive job, each thread takes a part of the inputs.
     std::vector<std::size_t> sampled, exhausted;
     for (std::size_t i = 0; i < jobs.size(); ++i) {
         const bool exhaustive = is_exhaustive(jobs[i], options.quick);
@@ -347,7 +347,8 @@ std::uint64_t measure_accuracy(const AccuracyOptions& options) {
         Found& its = found[i];
         violations += its.wrong;
         if (its.wrong != 0)
-            fmt::print(stderr, "{}: {} operands break the definition, the first: {}\n",
+            fmt::print(stderr,
+                       "{}: the results of {} operands contradict the definition, the first: {}\n",
                        jobs[i].name(), its.wrong, its.wrong_witness);
         accuracy.push_back(std::move(its.accuracy));
         histograms.insert(histograms.end(), its.histogram.begin(), its.histogram.end());

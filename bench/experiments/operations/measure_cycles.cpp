@@ -45,20 +45,20 @@ struct Figures {
     std::string operation, format, implementation, operands;
     std::uint64_t samples, regular;  // regular: Judgement::regular()
     std::uint32_t cycles_min;
-    double cycles_mean;  // over the regular operands; over all where none is
+    double cycles_mean;  // over the regular operands, or over all if none is regular
     std::uint32_t cycles_max;
     std::string cycles_max_witness;
-    // Errors are missing where no result was judged.
+    // Errors are missing if no result was judged.
     std::optional<double> max_ulp;
     std::string max_ulp_witness;
     std::optional<double> rms_ulp;
-    std::string flash_bytes;  // empty where the program's footprints are not known
+    std::string flash_bytes;  // empty if the program's footprints are not known
     std::uint16_t stack_bytes;
     std::optional<double> mean_ulp;
     std::string ram_bytes;
     std::uint64_t violations;
     std::optional<double> max_error, rms_error;
-    std::string kernel_sha256;  // empty where the linker did not keep what it takes
+    std::string kernel_sha256;  // empty if the linker did not keep relocations
 
     static constexpr auto columns = std::tuple(
         column("operation", &Figures::operation), column("format", &Figures::format),
@@ -81,7 +81,7 @@ struct Row : Measurement {
     std::string subject;
     reference::NamedSubject named;
     std::string operands;
-    std::string failure{};  // why it could not be measured to its end
+    std::string failure{};  // why it could not be measured completely
 
     Row(const simulator::Elf* program, const std::string& subject,
         const reference::NamedSubject& named, const std::string& operands)
@@ -117,8 +117,8 @@ void run_all_inputs(DeviceSubject& subject, Row& row) {
     }
 }
 
-// Thinned evenly to at most `samples` cases: pairs of a 64-bit format are over 100000. Those next
-// to a tie are never left out.
+// At most `samples` cases, thinned evenly: a 64-bit format has over 100000 pairs. Those next to a
+// tie are never left out.
 void run_boundary(DeviceSubject& subject, Row& row, std::uint64_t samples) {
     const std::vector<operands::BoundaryCase> cases =
         operands::boundary_cases(row.named.subject.operation, row.named.subject.operand_format);
@@ -187,8 +187,8 @@ void load_footprints(Footprints& footprints, std::filesystem::path program) {
     for (const auto& row : table.rows()) footprints[row[subject]] = {row[flash], row[ram]};
 }
 
-// A row of flash.csv: what a program pays that uses several operations, of the format in the
-// implementation. `operations` is "nine" or "own", as bench/device/link_subjects.py says.
+// A row of flash.csv: the flash of a program that uses several operations of the format in the
+// implementation. `operations` is "nine" or "own", as in bench/device/link_subjects.py.
 struct Flash {
     std::string operations, format, implementation, flash_bytes, ram_bytes;
 
@@ -221,7 +221,7 @@ std::map<std::string, std::string> kernel_hashes(const std::vector<Row>& rows) {
         try {
             entry->second = instructions::fingerprint(*row.program, row.subject);
         } catch (const instructions::TranslationError&) {
-            // Somebody else's program: measured all the same.
+            // A program from elsewhere: it is measured without a hash.
         }
     }
     return hashes;
@@ -236,7 +236,8 @@ std::vector<Figures> figures_of(const std::vector<Row>& rows, const Footprints& 
         const auto judged = [&](double error) {
             return row.errors.count() > 0 ? std::optional(error) : std::nullopt;
         };
-        // What is neither pinned nor below half an ulp has a size that formats are compared by.
+        // A result that is neither pinned nor below half an ulp has a magnitude by which formats
+        // can be compared.
         const auto regular = [&](double error) {
             return row.regular > 0 ? std::optional(error) : std::nullopt;
         };
@@ -318,9 +319,11 @@ std::uint64_t measure_cycles(const CycleOptions& options) {
     for (const Row& row : rows) {
         if (row.errors.wrong() == 0 || !catalogue::is_held_to_its_definition(row.named)) continue;
         violations += row.errors.wrong();
-        fmt::print(stderr, "{}: {} of {} {} operands break the definition, the first: {}\n",
-                   row.subject, row.errors.wrong(), row.samples, row.operands,
-                   text_of(row.errors.wrong_witness()));
+        fmt::print(
+            stderr,
+            "{}: the results of {} of {} {} operands contradict the definition, the first: {}\n",
+            row.subject, row.errors.wrong(), row.samples, row.operands,
+            text_of(row.errors.wrong_witness()));
     }
     records::table_of(figures_of(rows, footprints)).save(options.output / "operations.csv");
     records::table_of(flash_of(footprints)).save(options.output / "flash.csv");

@@ -30,9 +30,9 @@ struct Row {
     std::string chip, operation, format, implementation, operands;
     std::uint64_t samples = 0;
     std::uint32_t cycles_min = std::numeric_limits<std::uint32_t>::max();
-    double cycles_mean = 0;  // over the regular operands (Judgement); over all where none is
+    double cycles_mean = 0;  // over the regular operands, or over all if none is regular
     std::uint32_t cycles_max = 0;
-    std::string flash_bytes;  // by which a program grows that uses the function alone
+    std::string flash_bytes;  // the growth of a program that uses only this function
     std::uint64_t violations = 0;
 
     static constexpr auto columns =
@@ -146,7 +146,7 @@ void add_tasks(std::vector<Task>& tasks, const std::string& chip,
         const reference::NamedSubject named = reference::parse_symbol(program[subject]);
         if (!selection.selects(named.subject, named.implementation)) continue;
         if (program[flash].empty()) {
-            fmt::print(stderr, "{}: does not fit into the {}\n", program[subject], chip);
+            fmt::print(stderr, "{}: does not fit the {}\n", program[subject], chip);
             continue;
         }
         for (const std::string& operands : other_chip_operands) {
@@ -192,7 +192,8 @@ std::uint64_t measure_other_chips(const OtherChipOptions& options) {
             continue;
         }
         if (task.row.violations > 0)
-            fmt::print(stderr, "{}: {}: {} of {} {} operands break the definition\n",
+            fmt::print(stderr,
+                       "{}: {}: the results of {} of {} {} operands contradict the definition\n",
                        task.program.stem().string(), task.row.chip, task.row.violations,
                        task.row.samples, task.row.operands);
         violations += task.row.violations;

@@ -16,18 +16,18 @@ inline const std::vector<std::string> other_chip_operands = {"physics", "full", 
 
 struct OtherChipOptions {
     std::vector<std::string> chips;
-    // Holds <chip>/<format>/<subject>.elf and programs.csv, as bench/device/other_chip.py writes
-    // them.
+    // Contains <chip>/<format>/<subject>.elf and programs.csv, as written by
+    // bench/device/other_chip.py.
     std::filesystem::path programs;
     std::filesystem::path output;  // folder for other_chips.csv
-    Selection selection;           // whose formats are given
+    Selection selection;           // must name its formats
     std::uint64_t samples = 1000;  // of each class
     unsigned threads = 1;
 };
 
-// Writes other_chips.csv. Returns how many results broke their definition; a subject that does not
-// return or breaks the calling convention counts as one, is reported on stderr and left out.
-// Throws std::invalid_argument where nothing is selected.
+// Writes other_chips.csv. Returns how many results contradict their definition. A subject that does
+// not return or breaks the calling convention counts as one, is reported on stderr and left out.
+// Throws std::invalid_argument if nothing is selected.
 std::uint64_t measure_other_chips(const OtherChipOptions& options);
 
 }  // namespace operations

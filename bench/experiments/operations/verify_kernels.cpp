@@ -26,11 +26,11 @@ namespace {
 using records::column;
 using Operands = std::array<std::int64_t, reference::most_operands>;
 
-// What the boundary cases of a subject may take, and all its inputs or its random operands: the
-// functions without a kernel cost up to half a million cycles a call.
+// The cycles that the boundary cases of a subject may take, and as many for all its inputs or its
+// random operands: functions without a kernel cost up to half a million cycles a call.
 constexpr std::uint64_t cycle_budget = 100'000'000;
 
-// Log-uniform ones reach every binade, uniform ones every pattern of bits.
+// Log-uniform operands reach every binade, uniform ones every pattern of bits.
 constexpr operands::OperandClass random_classes[] = {
     operands::OperandClass::physics, operands::OperandClass::full, operands::OperandClass::uniform};
 
@@ -43,7 +43,7 @@ struct Comparison {
     bool all = false;  // all inputs were compared
     reference::Witness first_mismatch{};
     simulator::Coverage coverage{};
-    std::string failure{};  // why it could not be compared to its end
+    std::string failure{};  // why it could not be compared completely
 };
 
 // A row of kernels.csv.
@@ -146,7 +146,7 @@ std::uint64_t verify_kernels(const VerifyOptions& options) {
         progress.advance();
     });
 
-    // Functions share code, as cosine does the sine's: what one reached counts for all.
+    // Functions share code, as the cosine uses the sine's: code reached by one counts for all.
     std::map<const simulator::Elf*, simulator::Coverage> coverage;
     for (const Comparison& each : comparisons) coverage[each.program].merge(each.coverage);
 

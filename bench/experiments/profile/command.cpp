@@ -45,8 +45,8 @@ void check(const Options& options) {
                 fmt::format("{} {}: a marker is a byte, 0 to 255", name, *marker));
 }
 
-// The program from reset for the time, or from the end of the write of one marker to the end of the
-// next write of the other.
+// Runs the program from reset for the given time, or from the end of the write of one marker to the
+// end of the next write of the other.
 Profile measure(const Options& options, Chip& chip) {
     std::optional<int> marker;
     chip.on_gpior0_write([&](Cycle, std::uint8_t value) { marker = value; });
@@ -55,7 +55,7 @@ Profile measure(const Options& options, Chip& chip) {
     constexpr Cycle millisecond = Chip::frequency / 1000;
     records::Progress progress("profile", end / millisecond);
     Cycle shown = 0;
-    // Whether the marker came before the end.
+    // Returns whether the marker came before the end.
     const auto run_to = [&](const std::optional<int>& wanted) {
         while (chip.cycle() < end) {
             marker.reset();
@@ -82,7 +82,7 @@ Profile measure(const Options& options, Chip& chip) {
     return profiler.profile();
 }
 
-// Alone, or in the loop with the plant, which moves on as the chip looks at it.
+// The program alone, or in the loop with the plant, which advances when the chip observes it.
 Profile measure(const Options& options, const simulator::Elf& elf) {
     if (options.scenario.empty()) {
         Chip chip(elf);

@@ -21,7 +21,7 @@ double share(Cycle part, Cycle whole) {
 
 using records::column;
 
-// Least, mean and most, of what happened at all.
+// Minimum, mean and maximum; empty if there are none.
 struct Cells {
     std::optional<Cycle> min, max;
     std::string mean;
@@ -101,8 +101,8 @@ std::vector<InterruptRow> interrupt_rows(const Profile& profile) {
     return rows;
 }
 
-// A row of stack_<program>.csv: measured, beside the bound of all functions that ran or that the
-// machine code can reach.
+// A row of stack_<program>.csv: the measured stack, next to the bound over all functions that ran
+// or that the machine code can reach.
 struct StackRow {
     std::string function;
     std::optional<unsigned> frame_bytes_measured, frame_bytes_bound, stack_bytes_measured,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A profile and a stack bound as files.
+// Writes a profile and a stack bound as files.
 #pragma once
 
 #include <filesystem>

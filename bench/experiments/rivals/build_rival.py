@@ -3,7 +3,7 @@
 """Builds the programs of a rival from a user's checkout: an ELF file and the footprints of its subjects for each variant.
 
 Usage: build_rival.py RIVAL [--source FOLDER] --output FOLDER. Prints JSON: version, commit, and the programs by
-their variants. What fails is one line on stderr.
+variant. A failure is one line on stderr.
 """
 import argparse
 import glob
@@ -36,12 +36,12 @@ def run(command, **options):
     if done.returncode != 0:
         lines = done.stderr.splitlines()
         errors = [line for line in lines if "undefined reference" in line or "rror:" in line] or lines or [""]
-        fail(f"{os.path.basename(command[0])} fails at {command[-1]}: {errors[0]}")
+        fail(f"{os.path.basename(command[0])} fails for {command[-1]}: {errors[0]}")
     return done.stdout.strip()
 
 
 def commit_of(source):
-    """Empty where the checkout is none of git, or of another repository around it."""
+    """Empty if the checkout is not in git, or only part of another repository."""
     git = ["git", "-C", source]
     top = subprocess.run([*git, "rev-parse", "--show-toplevel"], capture_output=True, text=True, check=False)
     if top.returncode != 0 or os.path.realpath(top.stdout.strip()) != os.path.realpath(source):
@@ -62,7 +62,7 @@ def version_of(rival, source):
 
 
 def found(pattern):
-    """The files that match; the pattern itself, which is then missing, where none does."""
+    """The files that match; if none does, the pattern itself, which is then reported missing."""
     return sorted(glob.glob(pattern)) or [pattern]
 
 
@@ -73,7 +73,7 @@ def build(rival, variant, options, source, folder):
              *(name for pattern in rival.get("sources", []) for name in found(os.path.join(source, pattern)))]
     for name in [*below, *files]:
         if not os.path.exists(name):
-            fail(f"{source} is no checkout of {rival['origin']}: {os.path.relpath(name, source)} is missing")
+            fail(f"{source} is not a checkout of {rival['origin']}: {os.path.relpath(name, source)} is missing")
     os.makedirs(os.path.join(folder, variant), exist_ok=True)
     objects = []
     for number, name in enumerate(files):

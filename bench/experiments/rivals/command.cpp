@@ -47,7 +47,7 @@ const fixbench::Registration command({
                         equals == source.npos ? "" : source.substr(equals + 1);
                     if (!std::filesystem::is_directory(folder))
                         throw std::invalid_argument(
-                            fmt::format("--source {}: must be <rival>=<folder>, and the folder "
+                            fmt::format("--source {}: expected <rival>=<folder>, and the folder "
                                         "must exist",
                                         source));
                     options.sources[name] = folder;

@@ -42,12 +42,12 @@ struct Figures {
     std::string max_ulp_witness;
     std::optional<double> rms_ulp, mean_ulp;
     std::optional<double> max_error, rms_error;  // in the unit of the result
-    // Shares of the results that are so near to the exact value.
+    // Shares of the results that are this close to the exact value.
     std::optional<double> within_half_ulp, within_1_ulp, within_8_ulp;
     std::string flash_bytes, ram_bytes;
     std::optional<std::uint16_t> stack_bytes;
-    std::string edges;    // what it returns there
-    std::string failure;  // why it could not be measured to its end
+    std::string edges;    // the results for edge cases
+    std::string failure;  // why it could not be measured completely
 
     static constexpr auto columns = std::tuple(
         column("rival", &Figures::rival), column("variant", &Figures::variant),
@@ -73,7 +73,7 @@ nlohmann::json manifest() {
     return nlohmann::json::parse(stream);
 }
 
-// What build_rival.py prints; throws its one line where it fails.
+// The output of build_rival.py. Throws its one line of error if it fails.
 nlohmann::json build(const std::string& rival, const fs::path& source, const fs::path& scratch) {
     std::vector<std::string> arguments = {folder / "build_rival.py", rival, "--output", scratch};
     if (!source.empty()) arguments.insert(arguments.end(), {"--source", source});
@@ -90,11 +90,11 @@ struct Case {
     std::vector<std::int64_t> operands;
 };
 
-// Where operations overflow or have no value.
+// Operands for which operations overflow or have no value.
 std::vector<Case> edges_of(const reference::Subject& subject) {
     const reference::NumberFormat& format = subject.operand_format;
     const std::int64_t max = format.max(), min = format.min();
-    // A whole number; the nearest to it that a format of a large fraction has.
+    // A whole number, or the nearest to it in a format with many fraction bits.
     const auto whole = [&](int number) {
         if (format.is_float()) return reference::raw_of_double(format, number);
         const double raw = std::ldexp(number, format.fraction);
@@ -167,7 +167,7 @@ std::string number_text(const reference::NumberFormat& format, std::int64_t raw)
 struct Subject {
     const simulator::Elf* program;
     std::string symbol;
-    Figures known;  // all but what is measured
+    Figures known;  // everything that is not measured
 };
 
 template <class Use>
@@ -201,7 +201,7 @@ Figures measure(const Subject& subject, operands::OperandClass operand_class,
     figures.operands = operands::class_name(operand_class);
     figures.edges = edges_text(subject);
     operations::Measurement measurement;
-    reference::ErrorStatistics errors;  // of what an exact result in range was rounded to
+    reference::ErrorStatistics errors;  // of results for which the exact value is in range
     std::array<std::uint64_t, 3> near{};
     try {
         with_call(subject, [&](operations::DeviceSubject& call) {
@@ -261,14 +261,14 @@ std::map<std::string, std::pair<std::string, std::string>> footprints_of(const f
     return footprints;
 }
 
-// Rows of the present run in place of those of the same rivals; a row that is equal but for its
-// date stays.
+// Replaces the rows of the same rivals by those of the present run. A row that is equal except for
+// its date is kept.
 records::Table joined(const records::Table& measured, const fs::path& kept) {
     const records::Table earlier =
         kept.empty() ? records::Table(measured.columns()) : records::Table::load(kept);
     if (earlier.columns() != measured.columns())
-        throw std::invalid_argument(
-            fmt::format("{} has other columns than rivals.csv has now", kept.string()));
+        throw std::invalid_argument(fmt::format(
+            "the columns of {} are not those of the present rivals.csv", kept.string()));
     const std::size_t rival = measured.column("rival"), date = measured.column("measured");
     const auto undated = [&](std::vector<std::string> row) {
         row[date].clear();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Other libraries' arithmetic on the simulated chip, built from checkouts that the user has.
+// Measures other libraries' arithmetic on the simulated chip, built from the user's checkouts.
 #pragma once
 
 #include <filesystem>
@@ -11,19 +11,19 @@ namespace rivals {
 
 struct Options {
     std::map<std::string, std::filesystem::path> sources;  // checkouts, by rival
-    std::filesystem::path kept;  // rivals.csv of an earlier run; none where empty
+    std::filesystem::path kept;  // rivals.csv of an earlier run; empty: none
     std::filesystem::path output;
     std::string date;  // of this run
     std::uint64_t samples = 2000;
     unsigned threads = 1;
 };
 
-// The names in rivals.json; those that need no source.
+// The names in rivals.json, and those that need no source.
 std::vector<std::string> known_rivals();
 
-// Measures the rivals that need no source and those whose checkouts are named, writes rivals.csv.
-// Rows of the others are those of the earlier run, and so are rows whose figures did not change:
-// they keep their date. Throws std::invalid_argument of one line where a checkout does not build.
+// Measures the rivals that need no source and those whose checkouts are named, and writes
+// rivals.csv. The rows of the others are those of the earlier run. Rows whose figures did not
+// change keep their date. Throws std::invalid_argument with one line if a checkout does not build.
 void measure_rivals(const Options& options);
 
 }  // namespace rivals

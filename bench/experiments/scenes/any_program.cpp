@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The arguments of a command, as CMake joined them.
+// The arguments of a command that CMake joined.
 std::vector<std::string> split(std::string_view text) {
     std::vector<std::string> words;
     for (std::size_t begin = 0; begin <= text.size();) {
@@ -30,7 +30,7 @@ std::vector<std::string> split(std::string_view text) {
     return words;
 }
 
-// DoublePendulum of double_pendulum.
+// "DoublePendulum" for "double_pendulum".
 std::string type_of(std::string_view scene) {
     std::string type;
     bool first = true;
@@ -58,14 +58,14 @@ std::string type_of_scalar(std::string_view scalar) {
                              layout.fraction_bits);
 }
 
-// Whether the program is newer than every file that the compiler's list of them names.
+// Whether the program is newer than every file in the compiler's list of its dependencies.
 bool up_to_date(const fs::path& program, const fs::path& list) {
     std::ifstream stream(list);
     if (!fs::exists(program) || !stream) return false;
     const auto made = fs::last_write_time(program);
     if (fs::last_write_time(SCENE_KERNELS) > made) return false;
     std::string word;
-    stream >> word;  // the name of what is made
+    stream >> word;  // the name of the target
     while (stream >> word)
         if (word != "\\" && (!fs::exists(word) || fs::last_write_time(word) > made)) return false;
     return true;
@@ -92,7 +92,7 @@ fs::path any_program(std::string_view scene, std::string_view scalar, std::strin
     const fs::path list = fs::path(program).replace_extension(".d");
     if (up_to_date(program, list)) return program;
 
-    // Flash is told less an empty program's, which is looked for beside the program.
+    // The flash of an empty program, which is expected next to the program, is subtracted.
     fixbench::build({(built / "empty.elf").string()});
     fs::copy_file(built / "empty.elf", folder / "empty.elf", fs::copy_options::update_existing);
     const fs::path object = fs::path(program).replace_extension(".o");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which parts of a program run when: calls of functions, found by watching the program counter and
+// When the parts of a program run: calls of functions, found by watching the program counter and
 // the stack pointer, which changes nothing in the program.
 #pragma once
 
@@ -12,8 +12,8 @@
 
 namespace scene_bench {
 
-// A part of a program: the functions whose symbols begin with one of the prefixes. A function that
-// is called while another of its lane runs is part of that one.
+// A part of a program: the functions whose symbols start with one of the prefixes. A function that
+// is called while another of its lane runs belongs to that call.
 struct Lane {
     std::string name;
     std::vector<std::string> prefixes;
@@ -21,15 +21,15 @@ struct Lane {
 
 struct Call {
     std::size_t lane;
-    simulator::Cycle begin, end;  // `call` (4 cycles) and `ret` included
+    simulator::Cycle begin, end;  // including `call` (4 cycles) and `ret`
 };
 
 class CallTrace {
   public:
     CallTrace(simulator::Chip& chip, const std::vector<Lane>& lanes);
 
-    // The chip stands at a function's first instruction: runs to its return; the calls meanwhile,
-    // by their ends.
+    // The chip must be at a function's first instruction. Runs to its return and returns the calls
+    // made meanwhile, in order of their ends.
     std::vector<Call> run_function();
 
   private:

@@ -22,7 +22,7 @@ using simulator::DeviceFunction;
 
 constexpr simulator::Cycle longest_step = 50'000'000;
 
-// The functions of the program that only serve to measure it.
+// The functions of the program that serve only to measure it.
 std::uint32_t measuring_bytes(const simulator::Elf& elf) {
     std::uint32_t bytes = 0;
     for (const char* name : {"position_of", "world_error", "state_hash"})
@@ -34,7 +34,7 @@ std::uint32_t empty_program_bytes(const std::filesystem::path& beside) {
     return simulator::Elf(beside.parent_path() / "empty.elf").flash_bytes();
 }
 
-// Where each particle lies.
+// The address of each particle.
 std::vector<std::uint16_t> addresses(Chip& chip, unsigned particles) {
     DeviceFunction position_of(chip, "position_of", {.result = 2, .operands = {1}});
     std::vector<std::uint16_t> found;
@@ -86,7 +86,7 @@ Layout layout_of(std::string_view scalar) {
         std::from_chars(integer.ptr + 1, end, fraction_bits).ec == std::errc())
         return {(integer_bits + fraction_bits) / 8, fraction_bits};
     throw std::runtime_error(
-        fmt::format("scalar '{}': float, q16_16 and the like are allowed", scalar));
+        fmt::format("unknown scalar '{}': allowed are float, q16_16 and the like", scalar));
 }
 
 std::filesystem::path program_path(const std::filesystem::path& folder, std::string_view scene,

@@ -14,7 +14,7 @@ namespace scene_bench {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-// A rod that is so far off its length, in proportion, holds nothing any more.
+// A rod whose length is off by this fraction no longer holds anything.
 constexpr double lost_rod = 0.1;
 
 double distance(const ParticleState& a, const ParticleState& b) {

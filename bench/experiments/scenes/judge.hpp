@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far a run is from the truth, and whether it can be called a run of the scene at all.
+// How far a run is from the truth, and whether it counts as a run of the scene at all.
 #pragma once
 
 #include <string>
@@ -9,15 +9,16 @@
 
 namespace scene_bench {
 
-// The largest distance between a particle and itself in the other trajectory over the times that
-// both have, m. NaN where a position is none, or where neither has a time beyond the start.
+// The largest distance between a particle and its counterpart in the other trajectory over the
+// times that both contain, m. NaN if a position is not finite, or if either has no time beyond the
+// start.
 double largest_distance(const Trajectory& a, const Trajectory& b);
 
-// The diagonal of the box that holds all particles at all times, m.
+// The diagonal of the box that contains all particles at all times, m.
 double extent(const Trajectory& trajectory);
 
-// The largest |E - E of the truth at the same time|, against the truth's largest kinetic energy;
-// where the truth is empty, |E - E at the start| against the kinetic energy at the start. NaN where
+// The largest |E - E of the truth at the same time|, relative to the truth's largest kinetic
+// energy. Without a truth, |E - E at the start| relative to the kinetic energy at the start. NaN if
 // nothing moves.
 double energy_drift(std::string_view scene, const Trajectory& run, const Trajectory& truth);
 
@@ -25,10 +26,10 @@ double energy_drift(std::string_view scene, const Trajectory& run, const Traject
 struct Evidence {
     const Scene& scene;
     const Run& run;
-    double error;         // against the truth, or NaN
+    double error;         // relative to the truth, or NaN
     double error_method;  // of the same method in 50 digits, or NaN
     double extent;        // of the truth, m
-    double range;         // one past the format's largest number, maybe infinite
+    double range;         // one past the format's largest number; may be infinite
     double needed_range;  // the largest number that the run in double needed
 };
 // "held", or "failed: " and the reason.

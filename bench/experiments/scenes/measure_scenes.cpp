@@ -22,14 +22,14 @@ namespace scene_bench {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-// The reference runs, on the host alone.
+// The reference runs, on the host only.
 constexpr std::string_view wide = "fifty_digits", recording = "double";
 
-// Time steps, as exponents: on the chip, and on the host, whose results the chip's are bit for bit.
+// Time steps, as exponents: on the chip; and on the host, whose results are bit for bit the chip's.
 const std::vector<int> chip_exponents = {6, 8, 10};
 const std::vector<int> host_exponents = {5, 6, 7, 8, 9, 10, 11, 12};
-// Of each scene the quick run has programs in all scalars with one method, and with all methods in
-// one scalar: CMake's scene_quick_programs.
+// For each scene, the quick run has programs in all scalars with one method, and with all methods
+// in one scalar: CMake's scene_quick_programs.
 bool has_quick_program(std::string_view scalar, std::string_view method) {
     return method == "semi_implicit_euler" || scalar == "q16_16";
 }
@@ -62,7 +62,7 @@ bool contains(const std::vector<int>& exponents, int exponent) {
     return std::find(exponents.begin(), exponents.end(), exponent) != exponents.end();
 }
 
-// Of fixed-point scalars, at the end of their names: q16_16_published.
+// Arithmetics at the end of the names of fixed-point scalars: q16_16_published.
 constexpr std::array<std::string_view, 2> named_arithmetics = {"published", "saturating"};
 
 std::string arithmetic_of(std::string_view scalar) {
@@ -113,7 +113,7 @@ std::vector<Subject> subjects_of(const SceneOptions& options) {
                 if (wanted(options.scalars, scalar) && in_mode)
                     subjects.push_back({&scene, scalar, subject.method, exponent, on_chip});
             };
-            // The chip's float is another than the host's, and runs there alone.
+            // The chip's float differs from the host's, and runs only there.
             if (subject.scalar == recording && has_program("float"))
                 for (const int exponent : chip_exponents) add("float", exponent, true);
             for (const int exponent : host_exponents)
@@ -129,7 +129,7 @@ std::vector<Subject> selected(const SceneOptions& options) {
     check(options);
     std::vector<Subject> subjects = subjects_of(options);
     if (subjects.empty())
-        throw std::invalid_argument("no run is of such a scene, scalar and method together");
+        throw std::invalid_argument("no run has this scene, scalar and method together");
     return subjects;
 }
 
@@ -138,7 +138,7 @@ std::filesystem::path program_of(const Subject& subject, const std::filesystem::
                         std::to_string(subject.exponent));
 }
 
-// At the times of a run; empty where only conserved quantities are known.
+// At the times of a run; empty if only conserved quantities are known.
 Trajectory truth_of(const Scene& scene) {
     reference::Times times;
     for (unsigned i = 0; i <= scene.duration * observations_per_second; ++i)
@@ -213,7 +213,7 @@ SceneRow row(const Subject& subject, const ChipRun& run, const ReferenceRuns& re
             said};
 }
 
-// Calls the task for each element, the costliest first, with a bar.
+// Calls the task for each element, the most expensive first, with a progress bar.
 template <class T, class Cost, class Task>
 void for_all(const char* name, unsigned threads, const std::vector<T>& elements, Cost cost,
              Task task) {

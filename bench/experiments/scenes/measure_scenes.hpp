@@ -10,8 +10,8 @@
 
 namespace scene_bench {
 
-// A row of scenes.csv. What is not known or not measured is NaN: cycles and bytes of runs of the
-// host, errors where no true motion is known.
+// A row of scenes.csv. What is not known or not measured is NaN: cycles and bytes of runs on the
+// host, and errors if no true motion is known.
 struct SceneRow {
     std::string scene, scalar, arithmetic, integrator;
     double dt;
@@ -49,11 +49,12 @@ struct SceneOptions {
     bool quick = false;  // coarse time steps only, fewer programs for the chip
 };
 
-// The device programs that such a run reads, by their paths. Throws std::invalid_argument where a
-// name is none or nothing is selected.
+// The device programs that such a run needs, by their paths. Throws std::invalid_argument if a name
+// does not exist or nothing is selected.
 std::vector<std::string> programs_of(const SceneOptions& options);
 
-// Writes scenes.csv. Throws where a name is none, a program is missing, or chip and host differ.
+// Writes scenes.csv. Throws if a name does not exist, a program is missing, or chip and host
+// differ.
 void measure_scenes(const SceneOptions& options);
 
 }  // namespace scene_bench

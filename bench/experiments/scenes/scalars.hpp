@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The scalars that scenes are run with, on the chip and on the host, under the names that programs
-// and data files call them by. `float` is the compiler's.
+// The scalars that scenes run with, on the chip and on the host, under their names in programs and
+// data files. `float` is the compiler's.
 #pragma once
 
 #include <fixedpoint/arithmetic/published.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a run of a scene is, wherever it ran, and the scenes with their runs on the host.
+// A run of a scene, wherever it ran, and the scenes with their runs on the host.
 #pragma once
 
 #include <cstdint>
@@ -15,17 +15,17 @@ using reference::ParticleState;
 using reference::State;
 using reference::Trajectory;
 
-// Runs are looked at so often, at 0 s first.
+// How often the state of a run is recorded, first at 0 s.
 constexpr int observations_per_second = 4;
 
 struct Run {
-    Trajectory trajectory;              // ends early where the run failed
-    std::string failure;                // empty where nothing went wrong
-    std::vector<std::uint32_t> hashes;  // of the state after each step, where asked for
-    double largest_number = 0;          // of any result, where the scalar tells (double)
+    Trajectory trajectory;              // ends early if the run failed
+    std::string failure;                // empty if nothing went wrong
+    std::vector<std::uint32_t> hashes;  // of the state after each step, if requested
+    double largest_number = 0;          // of any result, if the scalar reports it (double)
 };
 
-// Whether every number is one.
+// Whether every number is finite.
 bool finite(const State& state);
 
 enum class Hashes { no, of_each_step };
@@ -33,7 +33,7 @@ enum class Hashes { no, of_each_step };
 struct HostSubject {
     std::string scalar;  // as in scalars.hpp, or double, fifty_digits
     std::string method;  // as in scenes/methods.hpp
-    // For the scene's duration in steps of 2^-exponent s.
+    // Runs for the scene's duration in steps of 2^-exponent s.
     Run (*run)(int exponent, Hashes hashes);
 };
 
@@ -43,7 +43,7 @@ struct Scene {
     unsigned dimensions = 0;
     unsigned particles = 0;
     bool springs = false;
-    // The format of 32 bits with the most fraction bits that holds every number of the scene.
+    // The 32-bit format with the most fraction bits that holds every number of the scene.
     std::string split = {};
     std::vector<HostSubject> subjects = {};
     // The largest |length - distance| / length of a rod.
@@ -52,7 +52,7 @@ struct Scene {
     const HostSubject* find(std::string_view scalar, std::string_view method) const;
 };
 
-// Those of engine/src/scenes/, in that order.
+// The scenes of engine/src/scenes/, in that order.
 const std::vector<Scene>& all_scenes();
 
 }  // namespace scene_bench

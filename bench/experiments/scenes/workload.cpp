@@ -33,7 +33,8 @@ constexpr unsigned steps_run = 400;  // 2 s of 5 ms
 constexpr unsigned most_rounds = 10;
 constexpr simulator::Cycle longest_step = 10'000'000;
 constexpr std::array flags = {"Os", "O2", "O3"};
-// A round takes more; what programs with other limits differ by otherwise takes less.
+// A round takes more cycles than this; other differences between programs with different limits are
+// smaller.
 constexpr std::uint32_t least_round = 200;
 constexpr const char* rounds_flag = "O2";
 
@@ -72,14 +73,14 @@ struct Cost {
     double mean() const { return static_cast<double>(cycles) / static_cast<double>(calls); }
 };
 
-// A program's steps, taken apart.
+// The steps of a program, taken apart.
 struct Steps {
     Cost step;
     std::array<Cost, part_count> parts;
     double share(Part part) const {
         return static_cast<double>(parts[part].cycles) / static_cast<double>(step.cycles);
     }
-    std::vector<Call> trace;  // of the longest step, in cycles from its begin
+    std::vector<Call> trace;  // of the longest step, in cycles from its start
     unsigned particle_bytes = 0, world_bytes = 0, flash_bytes = 0;
 };
 
@@ -113,13 +114,13 @@ Steps take_apart(const std::filesystem::path& program) {
     return result;
 }
 
-// What a step costs by the rounds of contact resolution that it goes through, the one that finds
-// nothing to resolve any more included. Each step of the run is taken by eleven programs that
-// differ in the rounds that they allow, 0 to 10, from the same state: so many rounds were gone
-// through as the first allows beyond which the cycles stay the same.
+// The cost of a step by the number of rounds of contact resolution that it makes, including the
+// last round, which finds nothing to resolve. Each step of the run is made by eleven programs with
+// different limits of rounds, 0 to 10, from the same state. The number of rounds is the first limit
+// beyond which the cycles stay the same.
 struct Rounds {
-    std::array<Cost, most_rounds + 1> cost;  // of so many rounds, in steps that go through as many
-    std::array<unsigned, most_rounds + 1> steps{};  // that go through so many
+    std::array<Cost, most_rounds + 1> cost;         // by rounds, over the steps that make as many
+    std::array<unsigned, most_rounds + 1> steps{};  // the number of steps that make as many
 };
 
 Rounds count_rounds(const std::filesystem::path& folder, const std::string& arithmetic) {
@@ -185,7 +186,7 @@ const Steps& run_of(const Runs& runs, const char* scene, const std::string& arit
     return runs.at(fmt::format("{}.{}.{}", scene, arithmetic, flag));
 }
 
-// The flag that makes the mean step the shortest.
+// The flag with the shortest mean step.
 const char* best_flag(const Runs& runs, const char* scene, const std::string& arithmetic) {
     return *std::min_element(flags.begin(), flags.end(), [&](const char* a, const char* b) {
         return run_of(runs, scene, arithmetic, a).step.mean() <
@@ -198,7 +199,7 @@ std::string span(const Cost& cost) {
                        microseconds(cost.max));
 }
 
-// The published program's figures, at the flag that its compiler was given.
+// The published program's figures, with the flag that its compiler was given.
 void compare_published(Sheet& sheet, const Runs& runs, const Rounds& rounds) {
     const char* const flag = "Os";
     const Steps& steps = run_of(runs, "published_lever", "published", flag);
@@ -251,7 +252,7 @@ void compare_published(Sheet& sheet, const Runs& runs, const Rounds& rounds) {
         explained);
 }
 
-// Each arithmetic on the same source: at the same flags and at the best.
+// Each arithmetic on the same source: with the same flags and with the best.
 void compare_arithmetics(Sheet& sheet, const Runs& runs, const char* scene) {
     for (const Arithmetic& arithmetic : arithmetics) {
         const std::string& program = arithmetic.program;

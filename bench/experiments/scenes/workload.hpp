@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The published workload, measured: the lever's step and its parts.
+// Measures the published workload: the lever's step and its parts.
 #pragma once
 
 #include <filesystem>

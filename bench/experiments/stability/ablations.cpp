@@ -32,8 +32,8 @@ constexpr Method warm_started{"nearest", "warm_started"};
 constexpr Method continuous_contacts{"nearest", "continuous_contacts"};
 constexpr Method saturating{"saturating", "semi_implicit_euler"};
 
-// Before and after differ in the ablation alone. Cycles are of the case at the parameter
-// `timed_at`, where both hold, or at its easy end.
+// The engine before and after differs only in the ablation. Cycles are those of the case at the
+// parameter `timed_at`, where both hold, or at its easy end.
 constexpr struct {
     const char *ablation, *found_by;
     Method before, after;
@@ -70,7 +70,7 @@ constexpr struct {
 const Subject& subject_of(Method method) {
     return subject("q16_16", method.arithmetic, method.integrator);
 }
-// What tells it from ours.
+// The part that distinguishes it from ours.
 std::string name_of(Method method) {
     return method.arithmetic == std::string("nearest") ? method.integrator : method.arithmetic;
 }
@@ -79,7 +79,7 @@ struct Cycles {
     double mean;
     std::uint32_t most;
 };
-// Of a step of the program that is the case and no more.
+// Of a step of the program that contains only the case.
 Cycles cycles_of(const Case& one, Method method, double parameter) {
     constexpr unsigned most_steps = 1000;
     const Description description = one.at(parameter).description;
@@ -100,14 +100,14 @@ Cycles cycles_of(const Case& one, Method method, double parameter) {
     return {double(sum) / steps, most};
 }
 
-// A parameter that the method before does not bear, a half beyond its limit.
+// A parameter that the method before does not withstand: half beyond its limit.
 double beyond(const Case& one, double limit) {
     if (std::isnan(limit)) return one.from;
     if (one.endurance) return std::min(one.to, 2 * limit);
     return limit * (one.to > one.from ? 1.5 : 1 / 1.5);
 }
 
-// The measure of the case, in tolerances; or that the engine stopped with an error.
+// The measure of the case, in tolerances, or the engine's error.
 std::string error_text(const Case& one, Method method, double parameter) {
     const Trial trial = attempt(subject_of(method), one.at(parameter), 1e9);
     if (!trial.outcome.error.empty()) return "stops";
@@ -116,8 +116,8 @@ std::string error_text(const Case& one, Method method, double parameter) {
 
 using records::column;
 
-// A row of ablations.csv. Limits, or none; errors in tolerances at what the method before does not
-// bear, or why there are none.
+// A row of ablations.csv: limits, or none; errors in tolerances at a parameter that the method
+// before does not withstand, or why there are none.
 struct AblationRow {
     std::string ablation, of_case, parameter, unit, before_method, after_method;
     std::string before, after, before_error, after_error;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What was mended in the published methods: each ablation against the engine without that one
-// ablation, in limit, error and cycles.
+// The improvements over the published methods: each ablation compared with the complete engine, in
+// limit, error and cycles.
 #pragma once
 
 #include <filesystem>

@@ -33,7 +33,7 @@ namespace {
 constexpr int first_exponent = 5, last_exponent = 12;
 constexpr unsigned looks_per_second = 4;
 
-// A format (of width 0: float), a method by its index and a step of 2^-exponent s.
+// A format (width 0: float), a method by its index, and steps of 2^-exponent s.
 struct Choice {
     Split split;
     std::size_t method;
@@ -49,9 +49,9 @@ struct Result {
         cycles = std::ldexp(cost.cycles_per_step, choice.exponent);
         flash = cost.flash_bytes;
     }
-    double cycles = 0, flash = 0;  // a simulated second, bytes; 0 where not known
+    double cycles = 0, flash = 0;  // per simulated second, bytes; 0 if not known
     bool estimated = false;        // from another split of the same width, method or step
-    bool named = false;            // the format is one that the data know
+    bool named = false;            // the data contain the format by name
 };
 
 std::string scalar_of(const Split& split) {
@@ -116,8 +116,8 @@ Result run(const std::string& scene, const reference::Trajectory& truth, const C
     return result;
 }
 
-// Cycles and flash as measured, of this scene and method; as an estimate those of the same width
-// where this split was not measured, and of any step where this one was not.
+// Cycles and flash as measured for this scene and method. Otherwise an estimate: those of another
+// split of the same width, or of any step.
 class Costs {
   public:
     Costs(const std::filesystem::path& data, const std::string& scene) {
@@ -167,13 +167,14 @@ class Costs {
     std::map<std::pair<std::string, std::string>, Known> measured_;
 };
 
-// How far a run is from both limits of its split, in bits: to overflow, and to the error allowed.
+// How far a run is from both limits of its split, in bits: from overflow, and from the allowed
+// error.
 double reserve(const Result& result, double error) {
     return std::min({result.position_bits, result.velocity_bits, result.force_bits,
                      std::log2(error / result.error)});
 }
 
-// By cycles where they were measured, else by the number of bits and steps.
+// By cycles if they were measured, otherwise by the number of bits and steps.
 auto price(const Result& result) {
     const int width = result.choice.split.width();
     const double bits = width == 0 ? 48 : width;  // float lies between 32 and 64 bits
@@ -214,7 +215,7 @@ std::vector<Result> run_all(const std::string& scene, const reference::Trajector
     return results;
 }
 
-// The diagonal of the box that holds all of a motion, m.
+// The diagonal of the box that contains all of a motion, m.
 double extent(const reference::Trajectory& truth) {
     Point low{1e300, 1e300}, high{-1e300, -1e300};
     for (const reference::State& state : truth)
@@ -225,7 +226,7 @@ double extent(const reference::Trajectory& truth) {
     return std::hypot(high.x - low.x, high.y - low.y);
 }
 
-// Lines whose cycles no file has run on the chip.
+// Measures the lines whose cycles are in no file on the chip.
 void measure(const AdviceOptions& options, std::vector<Result>& lines) {
     std::vector<Result*> unknown;
     for (Result& line : lines)
@@ -246,7 +247,7 @@ void measure(const AdviceOptions& options, std::vector<Result>& lines) {
 
 }  // namespace
 
-// A row of suitability.csv: of the formats of a group the one with the least error.
+// A row of suitability.csv: the format of a group with the smallest error.
 struct SuitabilityRow {
     std::string scene, formats, best_format, integrator;
     std::optional<double> dt, error;
@@ -303,13 +304,13 @@ bool advise(const AdviceOptions& options) {
     const auto truth = truth_of(options.scene);
     if (!truth)
         throw std::runtime_error(
-            fmt::format("no true motion is known of scene '{}'", options.scene));
+            fmt::format("no true motion is known for scene '{}'", options.scene));
     std::vector<Result> results = run_all(options.scene, *truth, options.threads);
 
     const Costs costs(options.data, options.scene);
     for (Result& result : results) costs.add_to(result);
-    // The split with most in reserve of each width, method and step, among those within the error,
-    // and beside it the formats with a name, whose kernels are faster.
+    // For each width, method and step, the split with the largest reserve among those within the
+    // error; in addition the formats with a name, whose kernels are faster.
     std::map<std::tuple<int, std::size_t, int, std::string>, Result> best;
     std::vector<Result> good;
     for (const Result& result : results) {
@@ -332,7 +333,7 @@ bool advise(const AdviceOptions& options) {
             *std::min_element(results.begin(), results.end(),
                               [](const Result& a, const Result& b) { return a.error < b.error; });
         fmt::print(
-            "{}: nothing stays within {:.3g} m. The nearest is {} {} at 2^-{} s with {:.3g} m.\n",
+            "{}: nothing stays within {:.3g} m. The closest is {} {} at 2^-{} s with {:.3g} m.\n",
             options.scene, options.error, nearest.format, nearest.method, nearest.choice.exponent,
             nearest.error);
         return false;

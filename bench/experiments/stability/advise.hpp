@@ -7,7 +7,7 @@
 
 namespace stability {
 
-// What a scene takes on the chip.
+// The cost of a scene on the chip.
 struct Cost {
     double cycles_per_step;
     double flash_bytes;
@@ -15,22 +15,22 @@ struct Cost {
 
 struct AdviceOptions {
     std::string scene;
-    double error = 0;  // m, that positions may have
+    double error = 0;  // m, the allowed error of positions
     std::filesystem::path data;
     unsigned threads = 1;
     unsigned most = 12;  // lines
-    // Runs a scene on the chip in a scalar (q16_16, float), a method and steps of 2^-exponent s.
-    // Throws std::runtime_error where the chip cannot.
+    // Runs a scene on the chip in a scalar (q16_16, float), with a method and steps of 2^-exponent
+    // s. Throws std::runtime_error if the chip cannot run it.
     std::function<Cost(const std::string& scene, const std::string& scalar,
                        const std::string& method, int exponent)>
         measure;
 };
 
-// Prints the formats, methods and steps that run a scene within an error of its truth, cheapest
-// first; whether there are any. What no data file has the cycles of is measured.
+// Prints the formats, methods and steps that run a scene within an error of its truth, the cheapest
+// first. Returns whether there are any. Cycles that no data file contains are measured.
 bool advise(const AdviceOptions& options);
 
-// The least error that formats of each width reach in each scene whose truth is known, over all
+// The smallest error that formats of each width reach in each scene whose truth is known, over all
 // splits, methods and steps that advise() tries. Writes suitability.csv.
 void measure_suitability(const std::filesystem::path& output, unsigned threads);
 

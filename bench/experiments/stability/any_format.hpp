@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // AnyFormat: a fixed-point number whose width and split are chosen at run time, so that one
 // instance of the engine runs in every format. Its results are those of Fixed in the default
-// arithmetic, but for lengths, which are correctly rounded here and within 1 ulp there. It tells
-// the recorder what Checked would tell.
+// arithmetic, except for lengths, which are correctly rounded here and within 1 ulp there. It
+// reports to the recorder what Checked would report.
 #pragma once
 
 #include <cmath>
@@ -60,8 +60,8 @@ class AnyFormat {
             tell(Event::division_by_zero, Operation::divide);
             return a.raw_ == 0 ? AnyFormat() : saturated(a.raw_ < 0 ? -limit() - 1 : limit());
         }
-        // floor(a / b + 1/2) with a positive divisor b: floor((a + floor(b / 2)) / b), since there
-        // is no tie where b is odd.
+        // floor(a / b + 1/2) for a positive divisor b: floor((a + floor(b / 2)) / b), since there
+        // is no tie for odd b.
         const Wide numerator = (Wide(a.raw_) << fraction()) * (b.raw_ < 0 ? -1 : 1);
         const Wide divisor = b.raw_ < 0 ? -Wide(b.raw_) : Wide(b.raw_);
         const Wide quotient = floored(numerator + divisor / 2, divisor);
@@ -79,7 +79,7 @@ class AnyFormat {
     friend bool operator<=(AnyFormat a, AnyFormat b) { return a.raw_ <= b.raw_; }
     friend bool operator>=(AnyFormat a, AnyFormat b) { return a.raw_ >= b.raw_; }
 
-    // What the engine asks of a scalar beyond its operators (engine/scalar.hpp).
+    // What the engine requires of a scalar in addition to its operators (engine/scalar.hpp).
     template <int N>
     friend AnyFormat dot(const AnyFormat* a, const AnyFormat* b) {
         Wide sum = 0;
@@ -114,7 +114,7 @@ class AnyFormat {
         return result;
     }
 
-    // x rounded, ties upward, and whether it fits.
+    // x rounded half up, and whether it fits.
     static AnyFormat nearest(double x, bool& fits) {
         const double scaled = std::floor(std::ldexp(x, fraction()) + 0.5);
         fits = std::abs(scaled) <= static_cast<double>(split().most());

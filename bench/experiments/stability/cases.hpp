@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The battery: what is driven to where it breaks. A case sweeps one parameter from easy to hard; an
+// The battery: what is driven until it fails. A case sweeps one parameter from easy to hard; an
 // experiment is the case at one value of it.
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace stability {
 
-// How far the state after a step is from what the case allows: up to 1 it holds, NaN does not.
+// How far the state after a step is from what the case allows: it holds up to 1, and not for NaN.
 using Measure = std::function<double(const State& state, unsigned step)>;
 
 struct Experiment {
@@ -23,10 +23,10 @@ struct Case {
     std::string name;
     std::string group;  // springs, links, contacts, edges
     std::string parameter, unit;
-    double from = 0, to = 0;  // from easy to hard, either may be the larger; both positive
+    double from = 0, to = 0;  // from easy to hard; either may be larger, both are positive
     std::string reference;    // what the measure compares with
     std::function<Experiment(double)> at;
-    // Of an endurance the parameter is a number of steps: `to` of them at most, in one run.
+    // In an endurance case the parameter is a number of steps: at most `to`, in one run.
     bool endurance = false;
 };
 
@@ -35,12 +35,12 @@ std::vector<Case> link_cases();
 std::vector<Case> contact_cases();
 std::vector<Case> edge_cases();
 const std::vector<Case>& all_cases();
-// Throws std::logic_error where there is none.
+// Throws std::logic_error if there is none of that name.
 const Case& case_named(const std::string& name);
 
 // The cases of the maps: the limit along one axis at a value of the other.
 Case stiffness_at_step(int exponent, bool softer);  // a step of 2^-exponent s
 Case mass_ratio_at_links(unsigned links);           // a hanging chain of rods
-Case speed_at_length(double length, int exponent);  // a body that circles on a rod
+Case speed_at_length(double length, int exponent);  // a body circling on a rod
 
 }  // namespace stability

@@ -24,7 +24,7 @@ ChipWorld::ChipWorld(const std::filesystem::path& program, const Description& de
     simulator::DeviceFunction exponent(chip_, "step_exponent", {.result = 1, .operands = {}});
     const int of_program = exponent().as<std::uint8_t>();
     if (description.dt.seconds > 0 || description.dt.exponent != of_program)
-        throw std::runtime_error(fmt::format("{}: steps by 2^-{} s, and not as the scene does",
+        throw std::runtime_error(fmt::format("{}: its step is 2^-{} s, not that of the scene",
                                              program.string(), of_program));
 
     const Description& d = description;

@@ -12,10 +12,10 @@ namespace stability {
 
 class ChipWorld {
   public:
-    // Throws std::runtime_error where the program's step is another than the description's.
+    // Throws std::runtime_error if the program's step differs from the description's.
     ChipWorld(const std::filesystem::path& program, const Description& description);
 
-    // The cycles that it took, its call (4) and return (4) included.
+    // Returns the cycles of the step, including its call (4) and return (4).
     std::uint32_t step() { return step_().cycles; }
     engine::Error error() { return static_cast<engine::Error>(error_().as<std::uint8_t>()); }
     std::uint32_t hash() { return hash_().as<std::uint32_t>(); }

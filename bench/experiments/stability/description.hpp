@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A scene as plain numbers, for every scalar alike: what a world is built from. SI units.
+// A scene as plain numbers for all scalars: what a world is built from. SI units.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ struct Body {
     double damping = 1;  // factor of the velocity in each step
 };
 
-constexpr int no_body = -1;  // as b of a link: the other end is its anchor
+constexpr int no_body = -1;  // as b of a link: its other end is the anchor
 
 struct Link {
     int a = 0, b = no_body;
@@ -44,7 +44,7 @@ struct Plane {
 // 2^-exponent s, or a step in seconds that the scalar rounds.
 struct TimeStep {
     int exponent = 10;
-    double seconds = 0;  // where the step is no power of two
+    double seconds = 0;  // used if the step is not a power of two
 
     static TimeStep binary(int exponent) { return {exponent, 0}; }
     static TimeStep of_seconds(double seconds) { return {0, seconds}; }
@@ -64,7 +64,7 @@ struct Description {
     double restitution = 0, restitution_threshold = 0;
     TimeStep dt;
     unsigned steps = 1000;
-    // From this step on the first anchored rod has this length: a dial that somebody turned.
+    // From this step on the first anchored rod has this length, as if somebody turned the dial.
     unsigned dial_step = 0;
     double dial_length = 0;
 };

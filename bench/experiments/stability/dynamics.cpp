@@ -40,7 +40,7 @@ DynamicsRow row_of(const Subject& subject, std::string measure, std::string syst
     return row;
 }
 
-// Whether it ran to the end of its steps, or to where it was told to stop, without a wrap.
+// Whether it ran to the end of its steps, or to where it was told to stop, without wrapping.
 bool went_well(const Outcome& outcome) {
     return outcome.unfit.empty() && outcome.vanished.empty() && outcome.error.empty() &&
            !outcome.record.first_failure();
@@ -88,7 +88,7 @@ Description pendulum(TimeStep dt, unsigned steps) {
     made.steps = steps;
     return made;
 }
-// A body on a spring of length 0 circles its fixed point, for ever in exact arithmetic.
+// A body on a spring of length 0 circles its fixed point, in exact arithmetic for ever.
 Description orbit(TimeStep dt, unsigned steps) {
     Description made;
     made.bodies = {{.position = {1, 0}, .velocity = {0, 2}}};
@@ -121,7 +121,7 @@ std::vector<double> step_map(const std::string& integrator, double omega, double
         return {1 - h * h * k / d, h / d, -h * k / d, 1 / d};
     }
     if (integrator == "velocity_verlet") {
-        // Forces are those of the half step before: from v = u + h/2 a(x, u), u follows; then
+        // The forces are those of the previous half step: u follows from v = u + h/2 a(x, u); then
         // w = v + h/2 a(x, u); x' = x + h w; v' = w + h/2 a(x', w).
         const double uv = 1 / (1 - h / 2 * c), ux = h / 2 * k * uv;
         const double wx = -h / 2 * (k + c * ux), wv = 1 - h / 2 * c * uv;
@@ -130,12 +130,12 @@ std::vector<double> step_map(const std::string& integrator, double omega, double
     }
     if (integrator == "semi_implicit_euler" || integrator == "semi_implicit_compensated")
         return {1 - h * h * k, h * (1 - h * c), -h * k, 1 - h * c};
-    throw std::invalid_argument("no map of a step is known of " + integrator);
+    throw std::invalid_argument("no step map is known for " + integrator);
 }
 
 std::vector<double> fitted_map(const std::vector<std::vector<double>>& states) {
     const std::size_t n = states.front().size();
-    // The normal equations G M^T = R, G the sum of y y^T and R that of y y'^T.
+    // The normal equations G M^T = R; G is the sum of y y^T, and R that of y y'^T.
     std::vector<double> gram(n * n), right(n * n), map(n * n);
     for (std::size_t s = 0; s + 1 < states.size(); ++s)
         for (std::size_t i = 0; i < n; ++i)
@@ -160,7 +160,7 @@ std::vector<double> fitted_map(const std::vector<std::vector<double>>& states) {
     return map;
 }
 
-// The run begins small where the motion grows, and ends where it is large, or lost in rounding.
+// The run starts small if the motion grows, and ends where it is large or lost in rounding.
 std::vector<DynamicsRow> growth_of(const Subject& subject) {
     constexpr double small = 1.0 / 16, large = 1, end = 1.0 / 64;  // m
     const TimeStep dt = TimeStep::binary(2);
@@ -183,7 +183,7 @@ std::vector<DynamicsRow> growth_of(const Subject& subject) {
                                      "omega dt", omega_dt, "1/step", made);
             row.theory = theory;
             row.steps = static_cast<unsigned>(states.size()) - (states.empty() ? 0 : 1);
-            // The first step has no forces of a step before it.
+            // The first step has no forces of a previous step.
             if (!states.empty()) states.erase(states.begin());
             if (went_well(outcome) && states.size() > 2) {
                 const auto map = fitted_map(states);
@@ -200,11 +200,11 @@ std::vector<DynamicsRow> energy_of(const Subject& subject, unsigned longest) {
     struct System {
         const char* name;
         Description description;
-        double omega;  // of linear ones; 0 of others
+        double omega;  // of linear systems; 0 for others
         double scale;  // J, of the motion
     };
     const double omega = 2;
-    // It damps along the spring alone, and the length of an orbit's hardly changes.
+    // It damps only along the spring, and the length of an orbit's spring hardly changes.
     const bool implicit = subject.integrator == "implicit_springs";
     const System systems[] = {{"spring", spring(1, omega * omega, 0, dt, longest), omega, 2},
                               {"orbit", orbit(dt, longest), implicit ? 0 : omega, 4},
@@ -230,8 +230,8 @@ std::vector<DynamicsRow> energy_of(const Subject& subject, unsigned longest) {
                 row_of(subject, "energy", name, "steps", at, "of the energy of the motion", made);
             for (const auto& [step, gain] : gains)
                 if (step == at && went_well(outcome)) row.measured = gain;
-            // Of a linear system the energy grows by the square of the map's radius a step; of the
-            // symplectic ones not at all.
+            // The energy of a linear system grows by the square of the map's radius per step; with
+            // the symplectic methods not at all.
             if (of_linear > 0) {
                 const double log_radius = std::log(
                     spectral_radius(step_map(subject.integrator, of_linear, 0, dt.value()), 2));
@@ -250,7 +250,7 @@ std::vector<DynamicsRow> energy_of(const Subject& subject, unsigned longest) {
 
 namespace {
 
-// Forward, and back with the velocities turned round.
+// Forward, and back with reversed velocities.
 std::optional<double> reversal(const Subject& subject, const Description& forward) {
     const auto there = end_of(subject, forward);
     if (!there) return std::nullopt;
@@ -266,7 +266,7 @@ std::optional<double> reversal(const Subject& subject, const Description& forwar
     return distance(*home, start);
 }
 
-// The distance at the end when what links bodies is added the other way round.
+// The distance at the end if the links are added in reverse order.
 std::optional<double> reordered(const Subject& subject, const Description& made) {
     Description other = made;
     std::reverse(other.rods.begin(), other.rods.end());
@@ -319,12 +319,12 @@ std::vector<DynamicsRow> order_of(const Subject& subject) {
     return rows;
 }
 
-// Where rounding to nearest holds a damped spring of 1 kg, in m. At rest v h is below half an ulp,
-// and so is (k x + c v) h, which gives |k x| < ulp / 2h + c ulp / 2h, beside half an ulp by which
-// the force is rounded and k times half an ulp of the length. Velocity Verlet adds the force over
-// half a step at a time: twice as much is lost. What carries residuals loses neither. The implicit
-// method divides the velocity by d = 1 + h (h k + c): where that changes it by less than half an
-// ulp nothing damps, and the spring swings on at x = v / omega.
+// Where round-to-nearest stops a damped spring of 1 kg, in m. At rest v h is below half an ulp, and
+// so is (k x + c v) h, which gives |k x| < ulp / 2h + c ulp / 2h, plus half an ulp by which the
+// force is rounded and k times half an ulp of the length. Velocity Verlet adds the force over half
+// a step at a time: twice as much is lost. Residuals lose neither. The implicit method divides the
+// velocity by d = 1 + h (h k + c): if that changes it by less than half an ulp nothing is damped,
+// and the spring keeps swinging at x = v / omega.
 static double dead_band_bound(const std::string& integrator, double ulp, double k, double c,
                               double h) {
     if (integrator == "semi_implicit_compensated") return ulp * (2 + k / 2 + c) / k;
@@ -367,9 +367,9 @@ std::vector<DynamicsRow> dead_band_of(const Subject& subject) {
 
 namespace {
 
-constexpr double apart = 0.1;  // m, at which a run has left the other
+constexpr double apart = 0.1;  // m, the distance at which a run has left the other
 
-// Of points of 1 kg on rods of 1 m; where they start is set for each run.
+// Points of 1 kg on rods of 1 m; each run sets their start.
 Description double_pendulum() {
     Description made;
     made.rods = {{.a = 0, .length = 1}, {.a = 1, .b = 0, .length = 1}};
@@ -379,7 +379,7 @@ Description double_pendulum() {
     return made;
 }
 
-// Two points of such a pendulum, at rest, both above the fixed point or little below it.
+// Two points of such a pendulum, at rest, both above the fixed point or slightly below it.
 reference::Chain chaotic_start(unsigned seed) {
     std::mt19937 bits(seed);
     const auto angle = [&](double low, double high) {
@@ -389,7 +389,7 @@ reference::Chain chaotic_start(unsigned seed) {
     return {{0, 0}, {0, -9.81}, {{1, 1, upper, 0}, {1, 1, lower, 0}}};
 }
 
-// The angles and their rates in a state of such points.
+// The angles and their rates of change in a state of these points.
 std::vector<double> variables_of(const reference::State& state) {
     std::vector<double> angles, rates;
     reference::ParticleState from{};
@@ -416,7 +416,7 @@ double mean(const std::vector<double>& values) {
     return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
 }
 
-// The slope of a line through points in least squares.
+// The slope of the least-squares line through points.
 double slope(const std::vector<std::pair<double, double>>& points) {
     double x = 0, y = 0, xx = 0, xy = 0;
     for (const auto& [at, value] : points) x += at, y += value;
@@ -427,8 +427,8 @@ double slope(const std::vector<std::pair<double, double>>& points) {
 
 }  // namespace
 
-// Benettin, Galgani, Giorgilli and Strelcyn 1980: a second motion starts beside the first; each
-// second its distance tells the growth and is set back to what it was.
+// Benettin, Galgani, Giorgilli and Strelcyn 1980: a second motion starts next to the first. Every
+// second its distance gives the growth and is reset.
 double lyapunov_exponent(unsigned seconds) {
     constexpr double beside = 1e-7, tolerance = 1e-12;
     double growth = 0;
@@ -475,7 +475,7 @@ Divergence divergence(const Subject& subject) {
             const double distance_now = distance(state, true_states.at(step));
             const double time = step * made.dt.value();
             if (first == 0) first = distance_now;
-            // The rounding of the first steps adds up before it grows.
+            // The rounding errors of the first steps add up before they grow.
             if (distance_now > 16 * first) growing.emplace_back(time, std::log(distance_now));
             if (distance_now > apart) left = time;
             return !left;

@@ -19,7 +19,7 @@ namespace {
 using Limits = std::numeric_limits<float>;
 using Pair = std::pair<float, float>;
 
-// By magnitude; each with either sign.
+// By magnitude; each is used with either sign.
 const float extremes[] = {
     0,
     0x1p-149f,         // the smallest subnormal
@@ -35,7 +35,7 @@ const float extremes[] = {
     1,
     0x1.000002p0f,
     3,
-    0x1p24f,  // from here on an ulp is 2
+    0x1p24f,  // from here on one ulp is 2
     0x1p63f,
     0x1.fffffep63f,   // whose square is just finite
     0x1p64f,          // whose square is not
@@ -44,7 +44,7 @@ const float extremes[] = {
     Limits::quiet_NaN(),
 };
 
-// On a function of the device, two floats give the bits of one.
+// A function of the device that maps two floats to the bits of a result.
 struct Operation {
     const char* name;
     unsigned operands;
@@ -73,7 +73,7 @@ std::vector<Pair> pairs_of(const Operation& operation) {
         for (const float b : values)
             if (operation.operands == 2) pairs.emplace_back(a, b);
     }
-    // Any patterns, and near magnitudes, between which sums cancel.
+    // Any patterns, and similar magnitudes, whose sums cancel.
     std::mt19937 bits(1);
     for (int i = 0; i < 2000; ++i) {
         const std::uint32_t a = bits(), b = bits();

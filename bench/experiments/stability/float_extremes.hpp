@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The device's float against the host's, which is IEEE 754's: each operation of the engine on every
-// pair of a table of extremes, and on pairs drawn from a seed. Zeros differ by their signs, NaNs do
-// not differ.
+// The device's float compared with the host's, which follows IEEE 754: each operation of the engine
+// on every pair of a table of extreme values, and on pairs drawn from a seed. Zeros of different
+// signs differ, NaNs do not.
 #pragma once
 
 #include <filesystem>
@@ -13,7 +13,7 @@
 namespace stability {
 
 // A row of float_extremes.csv: an operation on operands of a class. The first pair whose results
-// differ, and both results, are in hexadecimal floating point; empty where none differ.
+// differ, and both results, are in hexadecimal floating point; empty if none differ.
 struct FloatRow {
     std::string operation, operands;
     unsigned pairs = 0, differ = 0;
@@ -29,10 +29,10 @@ struct FloatRow {
 
 // The class of a pair and its result: the first that applies of nan operand, infinite operand,
 // subnormal operand, result is nan, result is infinite, result is subnormal, result is zero,
-// normal. Results of comparisons are numbers of no class.
+// normal. The results of comparisons do not belong to a class.
 std::string class_of(float a, float b, float result);
 
-// On the program device/float_operations.cpp.
+// By the program device/float_operations.cpp.
 std::vector<FloatRow> compare_floats(const std::filesystem::path& program);
 
 // Writes float_extremes.csv.

@@ -61,7 +61,7 @@ CaseRow row(const Case& one, const Subject& subject, const Finding& finding) {
             one.reference};
 }
 
-// What a format and a method can do, each told by a case.
+// The abilities of a format and a method, each shown by a case.
 constexpr struct {
     const char *quantity, *found_by;
 } envelope[] = {
@@ -87,7 +87,7 @@ struct MapPoint {
     std::string map, x_name;
     double x;
     Case one;
-    double bound;  // by theory, of undamped motion without rounding; NaN where there is none
+    double bound;  // by theory, for undamped motion without rounding; NaN if there is none
 };
 
 std::vector<MapPoint> map_points() {
@@ -104,7 +104,7 @@ std::vector<MapPoint> map_points() {
         points.push_back({"mass_ratio", "links", double(links), mass_ratio_at_links(links), none});
     for (int power = -10; power <= 14; power += 2) {
         const double rod = std::ldexp(1.0, power);
-        // A body that would pass its chord's centre in one step has no rod any more: v dt = r.
+        // A body that would pass the centre of its chord in one step loses its rod: v dt = r.
         points.push_back({"speed", "length", rod, speed_at_length(rod, 8), rod * 256});
     }
     return points;
@@ -138,7 +138,7 @@ struct MapRow {
     std::string map, x_name;
     double x;
     std::string y_name, unit, scalar, arithmetic, integrator, limit, limited_by;
-    double bound;  // NaN where there is none
+    double bound;  // NaN if there is none
 
     static constexpr auto columns = std::tuple(
         column("map", &MapRow::map), column("x_name", &MapRow::x_name), column("x", &MapRow::x),
@@ -205,7 +205,7 @@ void measure_stability(const Options& options) {
                 work.emplace_back(&one, &subject);
     }
     if (work.empty())
-        throw std::invalid_argument("no subject is of such a scalar and integrator together");
+        throw std::invalid_argument("no subject has this scalar and integrator together");
     std::vector<Finding> findings(work.size());
     {
         records::Progress progress("stability", work.size());

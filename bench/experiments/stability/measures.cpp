@@ -20,7 +20,7 @@ double length(Point p) { return std::hypot(p.x, p.y); }
 namespace {
 
 double dot(Point a, Point b) { return a.x * b.x + a.y * b.y; }
-// The largest, or NaN where one is.
+// The larger, or NaN if one is NaN.
 double larger(double a, double b) {
     return std::isnan(a) || std::isnan(b) ? std::numeric_limits<double>::quiet_NaN()
                                           : std::max(a, b);
@@ -59,7 +59,7 @@ std::vector<Point> accelerations(const Description& description, const State& st
     return forces;
 }
 
-// GSL's driver over y' = f(t, y) with a Jacobian by differences.
+// GSL's driver for y' = f(t, y), with a Jacobian by differences.
 class Equation {
   public:
     using Function = std::function<void(const double* y, double* dydt)>;
@@ -71,7 +71,7 @@ class Equation {
         driver_.reset(gsl_odeiv2_driver_alloc_y_new(&system_, type, 1e-6, tolerance, tolerance));
         if (!driver_) throw std::runtime_error("GSL cannot make a solver");
     }
-    // To a time not before the last one; NaN where the solver gives up.
+    // Advances to a time that must not be before the previous one; NaN if the solver gives up.
     const std::vector<double>& at(double time) {
         if (time > time_ &&
             gsl_odeiv2_driver_apply(driver_.get(), &time_, time, y_.data()) != GSL_SUCCESS)
@@ -275,7 +275,7 @@ Measure follows_solver(const Description& description, Solver solver, double tol
         truth.push_back(equation.at(check * between * dt));
     return [truth = std::move(truth), between, n, tolerance](const State& state, unsigned step) {
         double worst = 0;
-        for (std::size_t i = 0; i < n; ++i)  // what has run away is told at once
+        for (std::size_t i = 0; i < n; ++i)  // a runaway is reported immediately
             worst = larger(worst, std::isfinite(state[i].position.x + state[i].position.y)
                                       ? 0
                                       : std::numeric_limits<double>::quiet_NaN());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Methods beside those of scenes/methods.hpp, for the host and the chip: the engine with residuals,
-// and the engine with one of its ablations left out, each as scenes::SemiImplicit in all else.
+// Methods in addition to those of scenes/methods.hpp, for the host and the chip: the engine with
+// residuals, and the engine without one of its measures, each otherwise scenes::SemiImplicit.
 #pragma once
 
 #include <scenes/methods.hpp>
@@ -20,13 +20,13 @@ struct HasExactSteps<CompensatedIntegration> {
     static constexpr bool value = true;
 };
 
-// SemiImplicit whose iterations begin where the last step ended.
+// SemiImplicit whose iterations start where the last step ended.
 struct WarmStarted : scenes::SemiImplicit {
     static constexpr const char* name = "warm_started";
     using Solver = engine::WarmStartedGaussSeidel<10>;
 };
 
-// SemiImplicit that finds the contacts of fast particles on their way.
+// SemiImplicit that finds the contacts of fast particles along their path.
 struct ContinuousContacts : scenes::SemiImplicit {
     static constexpr const char* name = "continuous_contacts";
 };
@@ -39,13 +39,13 @@ struct HasContinuousContacts<ContinuousContacts> {
     static constexpr bool value = true;
 };
 
-// The positions of a step by the velocities before it.
+// Positions use the velocities before the step.
 struct PositionsFirst : scenes::SemiImplicit {
     static constexpr const char* name = "positions_first";
     using Integrator = engine::ExplicitEuler;
 };
 
-// Of the contacts of a step the worst again and again, in as many rounds as there are sweeps.
+// In each round, solves only the worst contact of the step; there are as many rounds as iterations.
 struct WorstContactFirst : scenes::SemiImplicit {
     static constexpr const char* name = "worst_contact_first";
     using Solver = engine::WorstFirst<10>;
@@ -53,7 +53,7 @@ struct WorstContactFirst : scenes::SemiImplicit {
 
 using PlainSweeps = engine::ProjectedGaussSeidel<10>;
 
-// A rod as two opposed contacts, where its length is off.
+// A rod is two opposed contacts where its length is off.
 struct OpposedContacts : scenes::SemiImplicit {
     static constexpr const char* name = "rods_as_opposed_contacts";
     struct Solver : PlainSweeps {
@@ -81,7 +81,7 @@ struct TangentRods : scenes::SemiImplicit {
     };
 };
 
-// A bounce begins where it is found.
+// A bounce starts where it is found.
 struct LateBounces : scenes::SemiImplicit {
     static constexpr const char* name = "bounces_when_found";
     struct Solver : PlainSweeps {
@@ -93,7 +93,7 @@ struct LateBounces : scenes::SemiImplicit {
     };
 };
 
-// Velocities by impulses, change / (sum of inverse masses), in place of shares.
+// Velocities by impulses, change / (sum of inverse masses), instead of shares.
 struct Impulses : scenes::SemiImplicit {
     static constexpr const char* name = "velocities_by_impulses";
     struct Solver : PlainSweeps {
@@ -132,7 +132,7 @@ struct Impulses : scenes::SemiImplicit {
     };
 };
 
-// A force of each particle that stays as it is, N.
+// A constant force on each particle, N.
 template <class World>
 struct ConstantForces {
     typename World::Vector force[World::capacity];

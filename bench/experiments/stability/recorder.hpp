@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The recording scalar: arithmetics that return what Nearest and Published return and tell the
-// thread's recorder what overflowed, what was divided by zero and which results vanished, in the
-// computation of which quantity and in which step.
+// The recording scalar: arithmetics that return what Nearest and Published return, and report to
+// the thread's recorder what overflowed, what was divided by zero and which results vanished, with
+// the quantity being computed and the step.
 #pragma once
 
 #include <cmath>
@@ -23,7 +23,7 @@ struct Occurrence {
 // "overflow multiply spring_force"
 std::string to_text(const Occurrence& occurrence);
 
-// Of the magnitudes of a quantity: the largest, and the smallest that is not zero.
+// The magnitudes of a quantity: the largest, and the smallest that is not zero.
 struct Magnitudes {
     double smallest = std::numeric_limits<double>::infinity();
     double largest = 0;
@@ -55,14 +55,14 @@ class Recorder {
         }
     }
 
-    // In an arithmetic that clamps everything.
+    // In an arithmetic that saturates everything.
     void clamp(fixedpoint::Operation operation) {
         ++clamped_;
         if (!first_clamp_) first_clamp_ = {fixedpoint::Event::overflow, operation, quantity_, step};
     }
 
-    // Of what wrapped, of divisions by zero and domain errors; quotients and lengths beyond the
-    // range are clamped, as documented, and counted alone.
+    // The first wrap, division by zero or domain error. Quotients and lengths beyond the range
+    // saturate, as documented, and are only counted.
     const std::optional<Occurrence>& first_failure() const { return first_failure_; }
     const std::optional<Occurrence>& first_clamp() const { return first_clamp_; }
     const std::optional<Occurrence>& first_underflow() const { return first_underflow_; }
@@ -75,9 +75,9 @@ class Recorder {
     unsigned steps_with_underflow_ = 0, last_underflow_step_ = 0, clamped_ = 0;
 };
 
-// The recorder of this thread's run, or none.
+// The recorder of this thread's run, or null.
 Recorder*& active_recorder();
-// Records into a recorder while it lives.
+// Makes a recorder active while this object lives.
 class Recorded {
   public:
     explicit Recorded(Recorder& recorder) { active_recorder() = &recorder; }
@@ -100,7 +100,7 @@ struct Recording : fixedpoint::Checked<Hook> {
     }
 };
 
-// What saturates, each product and sum by itself.
+// The saturating arithmetic, each product and sum separately.
 struct ClampHook {
     static void notify(fixedpoint::Event event, fixedpoint::Operation operation) {
         Recorder* const recorder = active_recorder();
@@ -156,8 +156,8 @@ struct RecordingSaturating : fixedpoint::Checked<ClampHook> {
     }
 };
 
-// The published results; an exact result beyond the range differs from what is returned by more
-// than the truncation does.
+// The published results. An exact result beyond the range differs from the returned one by more
+// than the truncation.
 struct RecordingPublished : fixedpoint::Published {
     static void enter(engine::Quantity quantity) { Recording::enter(quantity); }
 

@@ -101,8 +101,8 @@ Description describe_scene(const std::string& name, int exponent) {
         }
     });
     if (!found)
-        throw std::runtime_error(fmt::format("no scene '{}' in two dimensions; there are {}", name,
-                                             fmt::join(plane_scenes(), ", ")));
+        throw std::runtime_error(fmt::format("no scene '{}' in two dimensions; allowed are {}",
+                                             name, fmt::join(plane_scenes(), ", ")));
     return made;
 }
 

@@ -9,10 +9,10 @@
 
 namespace stability {
 
-// Its duration is in `steps` steps of `dt`, a binary step. Throws std::runtime_error where there is
-// no such scene, or none in two dimensions.
+// The scene's duration is in `steps` steps of `dt`, a binary step. Throws std::runtime_error if
+// there is no such scene, or if it is not in two dimensions.
 Description describe_scene(const std::string& name, int exponent);
-// Those in two dimensions.
+// The scenes in two dimensions.
 std::vector<std::string> plane_scenes();
 
 }  // namespace stability

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double runaway = 10;  // tolerances
 
-// Whether the method alone holds: in double, where nothing is rounded to speak of.
+// Whether the method alone holds: in double, where rounding is negligible.
 bool holds_in_double(const Experiment& experiment, const Subject& subject) {
     static const std::vector<Subject> in_double = subjects_of_double();
     static const std::vector<Subject> ablated = subjects_of_ablated_in_double();
@@ -22,7 +22,7 @@ bool holds_in_double(const Experiment& experiment, const Subject& subject) {
     return false;
 }
 
-// What went wrong in an experiment that does not hold.
+// Determines what went wrong in an experiment that does not hold.
 void diagnose(const Case& one, double parameter, const Subject& subject, Finding& finding) {
     const auto again = [&] { return one.at(parameter); };  // a measure may remember its run
     const Experiment experiment = again();
@@ -109,7 +109,7 @@ Trial attempt(const Subject& subject, const Experiment& experiment, double stop)
         return within || trial.worst < stop;
     });
     const Outcome& outcome = trial.outcome;
-    // What wrapped has failed, whether or not the measure shows it.
+    // A run that wrapped has failed, whether or not the measure shows it.
     const auto& failure = outcome.record.first_failure();
     trial.held = trial.failed_step == 0 && outcome.unfit.empty() && outcome.vanished.empty() &&
                  outcome.error.empty() && !failure;
@@ -126,7 +126,7 @@ Finding find_limit(const Case& one, const Subject& subject, const Effort& effort
     const auto parameter = [&](double i) { return one.from * std::pow(10, decades * i / count); };
     Finding finding;
     finding.limit = std::numeric_limits<double>::quiet_NaN();
-    // The easiest that holds, then the next that does not.
+    // The easiest parameter that holds, then the next that does not.
     double held = -1, failed = -1;
     for (unsigned i = 0; i <= count && failed < 0; ++i) {
         Trial trial = attempt(subject, one.at(parameter(i)));

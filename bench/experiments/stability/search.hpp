@@ -10,26 +10,26 @@ namespace stability {
 enum class Verdict {
     stable,      // as far as the case goes
     drifts,      // away from the reference, by `rate` tolerances a second
-    diverges,    // to ten tolerances and beyond, or no number any more
+    diverges,    // to ten tolerances and beyond, or to NaN
     overflows,   // by the first event
-    saturates,   // by the first result that was clamped, where everything is
-    underflows,  // products vanish that move something, where double holds
-    reports,     // the engine says that a capacity does not suffice
+    saturates,   // by the first result that saturated, if everything saturates
+    underflows,  // a product that moves something vanishes, and double holds
+    reports,     // the engine reports that a capacity is too small
 };
 std::string to_text(Verdict verdict);
 
 struct Finding {
     Verdict verdict = Verdict::stable;
-    double limit = 0;  // the last parameter that held; NaN where none did
+    double limit = 0;  // the last parameter that held; NaN if none did
     std::string first_event;
-    unsigned step = 0;  // of what went wrong, just beyond the limit
+    unsigned step = 0;  // of the failure, just beyond the limit
     double rate = 0;    // of a drift
     Outcome last_held;  // at the limit
 };
 
-// The limit as files have it: to four digits, or "none".
+// The limit as it is in files: to four digits, or "none".
 std::string limit_of(const Finding& finding);
-// Its verdict with the first event, where there is one.
+// Its verdict, with the first event if there is one.
 std::string cause_of(const Finding& finding);
 
 struct Effort {
@@ -38,7 +38,7 @@ struct Effort {
     double longest_endurance = 1e9;  // steps
 };
 
-// One run: whether it held, and in which step it did not.
+// One run: whether it held, and if not, in which step it failed.
 struct Trial {
     Outcome outcome;
     unsigned failed_step = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a battery is run on: a scalar with a method, behind one function.
+// What a battery runs on: a scalar with a method, behind one function.
 #pragma once
 
 #include <functional>
@@ -11,30 +11,30 @@
 
 namespace stability {
 
-// Sees the world after each step, the first time with step 0; false ends the run.
+// Called with the world after each step, first with step 0. Returns false to end the run.
 using Watch = std::function<bool(const State& state, unsigned step)>;
 
 struct Outcome {
     unsigned steps = 0;    // done
-    std::string error;     // of the engine; empty where there was none
-    std::string unfit;     // a number of the description beyond the format, or none
-    std::string vanished;  // one that is 0 in the format, without which it is another scene
+    std::string error;     // of the engine; empty if there was none
+    std::string unfit;     // a number of the description that the format cannot hold, or none
+    std::string vanished;  // one that is 0 in the format, which makes it another scene
     Recorder record;
 };
 
 struct Subject {
     std::string scalar, arithmetic, integrator;
-    double largest = 0, ulp = 0;  // of the format; of floating point, ulp is 0
+    double largest = 0, ulp = 0;  // of the format; for floating point, ulp is 0
     Outcome (*run)(const Description& description, const Watch& watch);
 };
 
 // Every scalar with every method.
 const std::vector<Subject>& subjects();
-// One of them, or of the ablated ones. Throws std::runtime_error where there is none such.
+// One of them, or of the ablated ones. Throws std::runtime_error if there is none.
 const Subject& subject(const std::string& scalar, const std::string& arithmetic,
                        const std::string& integrator);
 
-// The parts of subjects(), each compiled on its own.
+// The parts of subjects(), each compiled separately.
 std::vector<Subject> subjects_of_q8_8();
 std::vector<Subject> subjects_of_q16_16();
 std::vector<Subject> subjects_of_q32_32();
@@ -42,9 +42,9 @@ std::vector<Subject> subjects_of_q8_24();
 std::vector<Subject> subjects_of_q16_16_published();
 std::vector<Subject> subjects_of_q16_16_saturating();
 std::vector<Subject> subjects_of_float();
-// Q16.16 with one ablation of the engine left out; not among subjects().
+// Q16.16 with one measure of the engine left out; not in subjects().
 std::vector<Subject> subjects_of_ablated();
-// Truth by the engine itself, where nothing is rounded to speak of; not among subjects().
+// Truth by the engine itself, where rounding is negligible; not in subjects().
 std::vector<Subject> subjects_of_double();
 std::vector<Subject> subjects_of_ablated_in_double();
 

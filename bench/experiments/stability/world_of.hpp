@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One world for all cases: it has a little of everything, and its results are those of a world that
-// states only what the case uses. Compiled once a scalar, by subjects/<scalar>.cpp.
+// One world for all cases. It has some of everything, and its results are those of a world that
+// states only what the case uses. Compiled once per scalar, by subjects/<scalar>.cpp.
 #pragma once
 
 #include <algorithm>
@@ -27,12 +27,12 @@ struct Everything : scenes::UsesWith<Method> {
     using CustomForce = ConstantForces<World>;
 };
 
-// A time step chosen at run time, a power of two or not: bit for bit the products of
+// A time step chosen at run time, a power of two or not: its products are bit for bit those of
 // engine::BinaryStep or of a scalar in seconds.
 template <class Scalar>
 struct RunStep {
     int exponent;    // of a binary step
-    Scalar seconds;  // where binary is false
+    Scalar seconds;  // used if binary is false
     bool binary;
 
     operator Scalar() const {
@@ -86,13 +86,13 @@ struct engine::IsTimeStep<stability::RunStep<Scalar>> {
 
 namespace stability {
 
-// Without these a scene is another one: a mass is infinite, a step moves nothing.
+// Without these the scene is another one: a mass is infinite, or a step moves nothing.
 inline bool is_essential(const char* name) {
     const std::string_view text = name;
     return text == "inverse_mass" || text == "time_step" || text == "stiffness" || text == "length";
 }
 
-// Numbers of a description in a scalar. What does not fit is named.
+// Numbers of a description in a scalar. A number that does not fit is named.
 template <class Scalar>
 struct Rounding {
     std::string unfit, vanished;
@@ -246,7 +246,8 @@ class Run {
         return healthy();
     }
     void look() {
-        // Not to be taken for a change by hand, after which a step begins with other forces.
+        // Through a const world: otherwise it would count as a change by hand, after which a step
+        // starts with new forces.
         const World& world = world_;
         state_.resize(world.particles().size());
         Recorder& record = outcome_.record;

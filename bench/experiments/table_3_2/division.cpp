@@ -48,7 +48,7 @@ class Draw {
     }
 
   private:
-    // Spelled out: the distributions of the standard library differ between its makers.
+    // Written out, since the distributions of standard libraries differ.
     double uniform(double low, double high) {
         return low + (high - low) * static_cast<double>(random_() >> 11) * 0x1p-53;
     }
@@ -153,7 +153,7 @@ DivisionStudy study_division(const std::filesystem::path& division_elf, const Op
         }
         study.costs.push_back(std::move(cost));
     }
-    // The fit must not lean on the one pair that it is to explain.
+    // The fit must not depend on the one pair that it is to explain.
     study.law = fit_division_law(study.divisions);
     DivisionCost cost{"published", {}, {}};
     const double scale = published.raw ? 1 : 65536;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the published Q16.16 division and the toolchain's float division cost, by operand, and the
-// law that predicts the former: libgcc's 64-bit division skips the leading zero bytes of the
+// The cost of the published Q16.16 division and of the toolchain's float division, by operand, and
+// the law that predicts the former: libgcc's 64-bit division skips the leading zero bytes of the
 // quotient, and spends 8 cycles on each of its one bits.
 #pragma once
 
@@ -16,14 +16,14 @@ namespace table_3_2 {
 
 struct Division {
     std::int32_t a, b;
-    std::uint32_t cycles;  // with call and return
+    std::uint32_t cycles;  // including call and return
 };
 
-// The magnitude of a 2^16 / b before it is cut to 32 bits. Needs b != 0.
+// The magnitude of a 2^16 / b before it is truncated to 32 bits. `b` must not be 0.
 std::uint64_t published_quotient(std::int32_t a, std::int32_t b);
-int quotient_bytes(std::int32_t a, std::int32_t b);  // without the leading zero bytes
+int quotient_bytes(std::int32_t a, std::int32_t b);  // without leading zero bytes
 
-// The report measured 62 us in its running engine.
+// 62 us were measured in the published engine while it ran.
 constexpr double engine_division_cycles = 62e-6 * simulator::Chip::frequency;
 
 // cycles = constant + per_byte * (bytes of the quotient) + per_one * (its one bits)
@@ -34,7 +34,8 @@ struct DivisionLaw {
     double rms_residual, max_residual;
 
     double predict(std::int32_t a, std::int32_t b) const;
-    // Bytes of the quotient of positive operands that takes so many cycles, half of its bits ones.
+    // The bytes of the quotient of positive operands that takes this many cycles, if half of its
+    // bits are ones.
     double bytes_for(double cycles) const { return (cycles - constant) / (per_byte + 4 * per_one); }
 };
 DivisionLaw fit_division_law(const std::vector<Division>& divisions);
@@ -50,12 +51,13 @@ struct DivisionStudy {
     std::vector<Division> divisions;
 };
 
-// `samples` random operand pairs of each class; `published` is what the harness fits best with.
+// `samples` random operand pairs of each class. `published` are the operands that fit the harness
+// best.
 DivisionStudy study_division(const std::filesystem::path& division_elf, const Operands& published,
                              int samples);
 
-// A row of division_cycles.csv: by kind a bin of a `histogram`, from `cycles` on, of 16 cycles; a
-// `summary`; a `published` figure; or a coefficient of the `law`.
+// A row of division_cycles.csv. Its kind is a bin of a `histogram`, 16 cycles wide, from `cycles`
+// on; a `summary`; a `published` figure; or a coefficient of the `law`.
 struct DivisionRow {
     std::string kind, operands;
     std::optional<double> cycles;

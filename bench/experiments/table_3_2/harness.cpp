@@ -11,7 +11,7 @@ namespace table_3_2 {
 
 namespace {
 
-// Twice what the dearest pass takes, the square root at -O0.
+// Twice the most expensive pass, that of the square root at -O0.
 constexpr simulator::Cycle pass_budget = 30'000;
 
 int bytes_of(const std::string& type) {
@@ -28,7 +28,7 @@ std::uint64_t bits_of(const std::string& type, double integer, double real, bool
     return static_cast<std::uint64_t>(static_cast<std::int64_t>(value));
 }
 
-// The branches of a function that lead backward, the one that spans the most code first.
+// The backward branches of a function, the one that spans the most code first.
 std::vector<std::uint32_t> back_edges(const std::vector<std::uint8_t>& flash,
                                       const simulator::Symbol& cell) {
     std::multimap<int, std::uint32_t> edges;
@@ -84,7 +84,7 @@ double Harness::cycles(const std::string& form, const Cell& cell, const Operands
                        int passes) {
     const simulator::Symbol& symbol = prepare(form, cell, operands);
     // The longest backward branch that each pass takes closes the loop, or lies in a block that the
-    // compiler moved behind it; either is executed once a pass. Longer ones may be on paths that
+    // compiler moved behind it; either is executed once per pass. Longer ones may be on paths that
     // these operands do not take.
     for (const std::uint32_t edge : back_edges(chip_.elf().flash(), symbol)) {
         prepare(form, cell, operands);
@@ -108,7 +108,7 @@ std::uint32_t Harness::milliseconds(const std::string& form, const Cell& cell,
                                     const Operands& operands) {
     const simulator::Symbol& symbol = prepare(form, cell, operands);
     write("timed_cell", symbol.address / 2, 2);
-    // In bursts of a millisecond, which is ten times faster than looking at each instruction.
+    // In bursts of a millisecond, which is ten times faster than examining each instruction.
     const simulator::Symbol& finished = chip_.elf().function("finished");
     const simulator::Cycle limit = simulator::Chip::default_budget;
     while (chip_.program_counter() - finished.address >= finished.size) {

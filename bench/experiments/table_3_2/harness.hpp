@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The published timing harness on the simulated chip: one program (device/harness.cpp, compiled
-// for one hypothesis) whose cells are timed, in cycles for one pass of the loop or in milliseconds
-// for all 30000 as the Arduino core's millis() counts them.
+// The published timing harness on the simulated chip: one program (device/harness.cpp, compiled for
+// one hypothesis) whose cells are timed, either in cycles for one pass of the loop or in
+// milliseconds for all 30000, as counted by the Arduino core's millis().
 #pragma once
 
 #include <cstdint>
@@ -12,9 +12,9 @@
 
 namespace table_3_2 {
 
-// The two operands, as the source of the harness would have them: `integer` in the integer types,
-// `real` in float and the fixed-point types, or where `raw` the integers as the raw values of the
-// fixed-point types.
+// The two operands as written in the source of the harness: `integer` in the integer types, `real`
+// in float and the fixed-point types, or if `raw` the integers as raw values of the fixed-point
+// types.
 struct Operands {
     struct Pair {
         double a, b;
@@ -43,7 +43,8 @@ class Harness {
     // The form is "assign", "accumulate" or "replace".
     double cycles(const std::string& form, const Cell& cell, const Operands& operands, int passes);
 
-    // The whole loop as the sketch would print it: millis() after less millis() before.
+    // The result of the whole loop as the sketch would print it: millis() after less millis()
+    // before.
     std::uint32_t milliseconds(const std::string& form, const Cell& cell, const Operands& operands);
 
   private:
@@ -55,7 +56,7 @@ class Harness {
     simulator::Chip chip_;
 };
 
-// The number of cycles in a pass as milliseconds for 30000 passes without the timer's interrupt.
+// The cycles of a pass as milliseconds for 30000 passes, without the timer's interrupt.
 double undisturbed_ms(double cycles);
 
 }  // namespace table_3_2

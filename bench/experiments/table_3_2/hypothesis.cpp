@@ -15,8 +15,8 @@ namespace table_3_2 {
 
 namespace {
 
-// What the sums over all rows of fits that are as good as equal may differ by: a third of a percent
-// a row.
+// Fits whose sums over all rows differ by less than this count as equal: a third of a percent per
+// row.
 constexpr double tie = 0.1;
 
 bool leaves_early(const Operands& operands) {
@@ -87,12 +87,12 @@ const std::vector<std::string>& forms() {
 
 const std::vector<Operands>& operand_pairs() {
     static const std::vector<Operands> pairs{
-        // Numbers that anybody would type.
+        // Numbers that anybody might type.
         {{7, 3}, {3.75, 1.25}, false},
         {{100, 7}, {12.5, 0.38}, false},
         {{1000, 3}, {100, 3}, false},
-        // The same integers in every type, as raw values where the type is fixed-point: quotients
-        // of two, three and four bytes before the shift.
+        // The same integers in every type, as raw values in the fixed-point types: quotients of
+        // two, three and four bytes before the shift.
         {{1000, 3}, {3.75, 1.25}, true},
         {{30000, 7}, {3.75, 1.25}, true},
         {{1000000, 3}, {3.75, 1.25}, true},
@@ -102,7 +102,7 @@ const std::vector<Operands>& operand_pairs() {
         {{2000000000, 7}, {3.75, 1.25}, true},
         {{16777215, 1}, {3.75, 1.25}, true},
         {{2147483647, 128}, {3.75, 1.25}, true},
-        // Floating-point operands that leave early: a zero divisor, an overflow.
+        // Floating-point operands with an early exit: a zero divisor, an overflow.
         {{1000000, 3}, {3.75, 0}, true},
         {{1000000, 3}, {1e30, 1e30}, true},
     };

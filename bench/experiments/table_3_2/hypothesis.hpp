@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the report leaves open about its harness, as axes of which a hypothesis names one value
-// each, and how well a hypothesis fits the published figures.
+// What the publication leaves open about its harness, as axes. A hypothesis has one value on each
+// axis. How well a hypothesis fits the published figures.
 #pragma once
 
 #include <array>
@@ -34,14 +34,14 @@ struct Hypothesis {
     Operands operands;
 };
 
-// The axes by name and the value that a hypothesis has on each, in words of the report.
+// The names of the axes; the value of a hypothesis on each is in the publication's words.
 constexpr std::array axes{"form", "operands", "flags", "loop", "operators", "shift", "widening"};
 std::array<std::string, axes.size()> values(const Hypothesis& hypothesis);
 
 // The axes on which two hypotheses differ.
 std::vector<std::size_t> differences(const Hypothesis& a, const Hypothesis& b);
 
-// Whether they differ on one axis, or on the form and one axis more.
+// Whether they differ on one axis, or on the form and one more axis.
 bool is_alternative(const Hypothesis& best, const Hypothesis& other);
 
 // Everything that is tried: each program with each form and each pair of operands.
@@ -57,19 +57,18 @@ struct Fit {
     int within_10_percent = 0;
 };
 
-// All hypotheses, best first, measured by two threads, of which each calls `program_done` once a
-// program.
+// All hypotheses, best first, measured by two threads. Each calls `program_done` once per program.
 std::vector<Fit> search(const std::vector<Program>& programs,
                         const std::vector<Published>& published,
                         const std::function<void()>& program_done);
 
-// The hypothesis of the table, out of fits sorted best first. None whose floating-point operands
-// only serve an early exit (no author times a division by zero knowingly; it remains an
-// explanation of a cell), and where several are as good as equal, one with the toolchain's usual
+// The hypothesis for the table, from fits sorted best first. Excludes those whose floating-point
+// operands only serve an early exit (no author times a division by zero knowingly; it may still
+// explain a single cell). Of several that fit equally well, prefers one with the toolchain's usual
 // flags and an int counter.
 const Fit& preferred(const std::vector<Fit>& fits);
 
-// The hypothesis that is preferred after a search, for when there is none.
+// The hypothesis that a search prefers, for runs without a search.
 Hypothesis best_known(const std::vector<Program>& programs);
 
 }  // namespace table_3_2

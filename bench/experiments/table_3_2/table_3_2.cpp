@@ -19,7 +19,7 @@ namespace table_3_2 {
 
 namespace {
 
-// A value of an axis in the words of a reason.
+// The value of an axis in words, for a reason.
 std::string in_words(std::size_t axis, const std::string& value) {
     static const std::map<std::string, std::string> words{
         {"form assign", "c = a op b"},
@@ -65,9 +65,9 @@ class Programs {
     std::map<std::filesystem::path, std::unique_ptr<Harness>> harnesses_;
 };
 
-// Of the hypotheses that differ from the best on one axis, or on the form and one axis more, the
+// Among the hypotheses that differ from the best on one axis, or on the form and one more: the
 // first that comes within 10% (fewest changes, then the nearest), else the nearest. All cells of
-// the published table were compiled alike: the flags are not changed.
+// the published table were compiled alike, so the flags are not changed.
 Alternatives alternatives_to(const Published& row, const Hypothesis& best,
                              const std::vector<Program>& programs, Programs& harnesses) {
     struct Candidate {
@@ -102,7 +102,7 @@ Alternatives alternatives_to(const Published& row, const Hypothesis& best,
     std::stable_sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
         return std::pair(a.changes, a.miss) < std::pair(b.changes, b.miss);
     });
-    // A few passes mislead where a floating-point sum grows: the whole loop decides.
+    // A few passes are misleading where a floating-point sum grows: the whole loop decides.
     for (const Candidate& candidate : candidates) {
         if (candidate.miss > 0.1) continue;
         const Alternative alternative = measured(candidate);
@@ -120,7 +120,7 @@ using records::column;
 // A row of table_3_2_hypotheses.csv: the best hypothesis has rank 1.
 struct HypothesisRow {
     int rank;
-    bool measured_with;  // the one that Table 3.2 is measured with
+    bool measured_with;  // the hypothesis that Table 3.2 is measured with
     double log_ratio_sum;
     int within_10_percent;
     std::vector<std::string> on_axes;
@@ -219,7 +219,7 @@ Verdict judge(double published_ms, double measured_ms, const Hypothesis& hypothe
     const std::string change =
         fmt::format("{:.0f} ms ({:+.1f}%) with {}", nearest->ms, (nearest_ratio - 1) * 100,
                     change_in_words(hypothesis, nearest->hypothesis));
-    // How many would have done by chance tells what the explanation is worth.
+    // How many would match by chance shows the value of the explanation.
     if (reference::within_10_percent(nearest_ratio))
         return {"explained", fmt::format("{}; {} of {} alternatives come within 10%", change,
                                          alternatives.near, alternatives.tried)};
@@ -229,7 +229,7 @@ Verdict judge(double published_ms, double measured_ms, const Hypothesis& hypothe
 
 records::Table table_3_1() {
     std::vector<FormatRow> rows;
-    // The decimal digits behind the point that the fraction bits carry: floor(F log10 2).
+    // The decimal digits after the point that the fraction bits represent: floor(F log10 2).
     const auto fixed = [&](const char* name, int bits, int fraction_bits) {
         const long double resolution = std::ldexp(1.0L, -fraction_bits);  // 63 bits for q32_32
         const long double limit = std::ldexp(1.0L, bits - 1 - fraction_bits);

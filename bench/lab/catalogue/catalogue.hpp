@@ -24,16 +24,16 @@ struct Implementation {
 inline constexpr std::array implementations = {IMPLEMENTATIONS(IMPLEMENTATION_ROW)};
 #undef IMPLEMENTATION_ROW
 
-// Whether a wrong result is a failure: a rival's error is only measured. An implementation that the
-// catalogue does not have, in somebody's own program, claims the definitions of its format.
+// Whether a wrong result is a failure. A rival's error is only measured. An implementation that is
+// not in the catalogue, in somebody else's program, claims the definitions of its format.
 inline bool is_held_to_its_definition(const reference::NamedSubject& named) {
     for (const Implementation& row : implementations)
         if (row.name == named.implementation) return row.provenance != Provenance::rival;
     return named.subject.format.kind == reference::FormatKind::fixed;
 }
 
-// The device programs without their suffix: four for each format of the library, two of what is
-// correctly rounded, that of the roundings, and the rivals'.
+// The device programs without their suffix: four for each format of the library, two for the
+// correctly rounded arithmetic, one for the roundings, and the rivals'.
 inline std::vector<std::string> programs() {
 #define PROGRAM_NAME(format, ...) \
 #format, #format "_angles", #format "_powers", #format "_auxiliary",

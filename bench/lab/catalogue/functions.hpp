@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The functions of numbers that are the same in every arithmetic, as a policy: what
-// AUXILIARY_OPERATIONS are on the host and on the device.
+// The functions of numbers that are the same in every arithmetic, as a policy: the
+// AUXILIARY_OPERATIONS on the host and on the device.
 #pragma once
 
 #include <fixedpoint/angle.hpp>

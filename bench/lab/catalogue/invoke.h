@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
- * How an operation is called, by its signature, on the host and on the device: invoke<operation,
- * Policy, Raw, F>(...) is the policy's function of that name, and a function that does nothing else
- * is
+ * How an operation is called on the host and on the device, according to its signature:
+ * invoke<operation, Policy, Raw, F>(...) calls the policy's function of that name, and a function
+ * that does nothing else is
  *
  *     RESULT_binary(Raw) name PARAMETERS_binary(Raw) { return invoke<...> ARGUMENTS_binary; }
  *
- * A vector is a pointer to its first component; several results go where the last argument points.
+ * A vector is passed as a pointer to its first component; several results are stored where the last
+ * argument points.
  */
 #ifndef BENCH_LAB_CATALOGUE_INVOKE_H
 #define BENCH_LAB_CATALOGUE_INVOKE_H

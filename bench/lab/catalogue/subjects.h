@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
- * Every implementation that is measured, once, and the formats and operations that it has. The
+ * Every implementation that is measured, once, with the formats and operations that it has. The
  * subjects of the host and of the device, the device programs, and the names, order and labels in
  * the figures are expanded from these rows. */
 #ifndef BENCH_LAB_CATALOGUE_SUBJECTS_H
@@ -29,7 +29,7 @@
     X(int16, int16_t, 0, __VA_ARGS__) \
     X(int32, int32_t, 0, __VA_ARGS__) \
     X(int64, int64_t, 0, __VA_ARGS__)
-/* GCC's, by integer and fraction bits, the sign bit apart. */
+/* GCC's, by integer and fraction bits; the sign bit is not counted. */
 #define ACCUMS(X, ...)                      \
     X(s8_7, short _Accum, 7, __VA_ARGS__)   \
     X(s16_15, _Accum, 15, __VA_ARGS__)      \
@@ -68,12 +68,12 @@
 
 /* X(implementation, policy, provenance, on the host, formats, operations, label)
  *
- * policy       the struct of static member functions that computes; on the device the file of that
- *              name in bench/device/subjects/ knows it
+ * policy       the struct of static member functions that computes; on the device it is used by the
+ *              file of that name in bench/device/subjects/
  * provenance   ours and published: each result is held to its definition; rival: the error is
  *              measured and not judged
- * on the host  own: through the same policy; as_default: by definition with the default's results;
- *              none: what the toolchain of the device brings */
+ * on the host  own: through the same policy; as_default: by definition the default's results; none:
+ *              part of the device's toolchain */
 /* clang-format off */
 #define IMPLEMENTATION_default(X) \
     X(default, Nearest, ours, own, LIBRARY_FORMATS, MEASURED_OPERATIONS, "ours, default")

@@ -18,7 +18,7 @@ using reference::Operation;
 
 __extension__ using Integer = __int128;  // holds 2^(2 F)
 
-// The first description of a raw stays.
+// The first description of a raw is kept.
 using Table = std::map<std::int64_t, std::string>;
 
 // floor(sqrt(square)), by bisection.
@@ -31,7 +31,7 @@ Integer root_of(Integer square) {
     return low;
 }
 
-// What a format does not hold is left out.
+// Numbers that the format does not hold are left out.
 class FixedTable {
   public:
     explicit FixedTable(const NumberFormat& format) : format_(format), F_(format.fraction) {
@@ -79,7 +79,7 @@ class FixedTable {
             around(what, Integer(std::floor(std::ldexp(number, F_) + 0.5L)));
     }
 
-    // Where octants meet and sines are extreme or zero.
+    // Where octants meet, and where a sine is extreme or zero.
     void angles() {
         for (const int k : {1, 2, 3, 4, 5, 6, 7, 8, 16, 400}) {
             rounded(fmt::format("{} pi/4, rounded", k), k * std::numbers::pi_v<long double> / 4);
@@ -103,7 +103,7 @@ class FixedTable {
                 -(F_ + 1) * std::numbers::ln2_v<long double>);
     }
 
-    // Bytes and bits that make carries run or tables begin and end.
+    // Bytes and bits at which carries propagate or tables begin and end.
     void patterns() {
         for (const std::uint64_t pattern :
              {0x5555555555555555u, 0xaaaaaaaaaaaaaaaau, 0x00ff00ff00ff00ffu, 0xff00ff00ff00ff00u,
@@ -126,7 +126,7 @@ Table float_table(const NumberFormat& format) {
         table.emplace(raw, what);
         table.emplace(raw | format.sign(), minus + what);
     };
-    // As integers the patterns of one sign are in the order of the magnitudes.
+    // As integers, the patterns of one sign are ordered by magnitude.
     const auto around = [&](const std::string& what, double number) {
         const std::int64_t raw = reference::raw_of_double(format, std::abs(number));
         const auto each = [&](std::int64_t magnitude, const std::string& where) {
@@ -163,8 +163,8 @@ Table float_table(const NumberFormat& format) {
     return table;
 }
 
-// Products and quotients that lie exactly between two raws: with odd u and v,
-// (u 2^i) (v 2^(F-1-i)) / 2^F = u v / 2 and (u w 2^i) 2^F / (w 2^(F+1+i)) = u / 2.
+// Products and quotients exactly halfway between two raws: with odd u and v, (u 2^i) (v 2^(F-1-i))
+// / 2^F = u v / 2 and (u w 2^i) 2^F / (w 2^(F+1+i)) = u / 2.
 std::vector<BoundaryCase> ties(Operation operation, const NumberFormat& format) {
     std::vector<BoundaryCase> cases;
     const int F = format.fraction;

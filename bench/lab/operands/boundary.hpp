@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Boundary tables: operands where arithmetic breaks, each with what it is. Made by rules, so that
-// every split of every width has its own.
+// Boundary tables: operands where arithmetic is likely to fail, each with a description. Generated
+// by rules, so that every split of every width has its own.
 #pragma once
 
 #include <cstdint>
@@ -16,16 +16,16 @@ struct BoundaryOperand {
     std::string what;
 };
 
-// Sorted by raw, none twice.
+// Sorted by raw, without duplicates.
 std::vector<BoundaryOperand> boundary_operands(const reference::NumberFormat& format);
 
 struct BoundaryCase {
     std::vector<std::int64_t> operands;
-    std::string what;  // one description an operand, or what makes the operands a case together
+    std::string what;  // a description of each operand, or of the combination
 };
 
-// Every operand of the table for operations of one operand, all pairs and the ties of the roundings
-// for two, all combinations of a few for more. `format` is that of the operands.
+// For operations of one operand, every operand of the table; of two, all pairs and the ties of the
+// roundings; of more, all combinations of a few. `format` is that of the operands.
 std::vector<BoundaryCase> boundary_cases(reference::Operation operation,
                                          const reference::NumberFormat& format);
 

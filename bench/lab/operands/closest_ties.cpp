@@ -8,8 +8,9 @@ namespace {
 
 using reference::Operation;
 
-// Of all operands above 0, of exp of all, the 60 whose results lie closest to a tie, the closest
-// first: found by evaluating them all in double, and the closest of those with 200 bits.
+// Of all operands above 0 (for exp, of all operands), the 60 whose results are closest to a tie,
+// the closest first. Found by evaluating all operands in double, and the closest of those with 200
+// bits.
 const std::map<Operation, std::vector<std::int64_t>> closest = {
     {Operation::sin,
      {1096971357, 1818983540, 2003574557, 2101406008, 813518282,  487425461,  1225650914,

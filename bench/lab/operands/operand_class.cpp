@@ -20,7 +20,7 @@ __extension__ using Unsigned128 = unsigned __int128;
 // exp(20) is 4.9e8, and Q16.16 ends at 32768.
 constexpr double physics_least = 0.01, physics_greatest = 20, physics_greatest_of_exp = 10;
 
-// Whether most negative operands have no result to measure.
+// Whether the operation has no result to measure for most negative operands.
 bool takes_positive_operands(Operation operation) {
     const reference::Domain domain = reference::shape(operation).domain;
     return domain == reference::Domain::not_negative || domain == reference::Domain::positive ||
@@ -39,8 +39,8 @@ double greatest_of_physics(Operation operation) {
                                        : physics_greatest;
 }
 
-// The raw nearest to mantissa 2^(exponent - 63), the mantissa's top bit being set, among the
-// positive ones. Of a float the mantissa is cut.
+// The raw nearest to mantissa 2^(exponent - 63) among the positive raws. The top bit of the
+// mantissa must be set. Of a float the mantissa is truncated.
 std::int64_t raw_of(const NumberFormat& format, std::uint64_t mantissa, int exponent) {
     if (format.is_float()) {
         const std::uint64_t stored = (mantissa << 1) >> (65 - format.significand_bits());
@@ -139,13 +139,13 @@ std::int64_t Sampler::draw_magnitude() {
 }
 
 std::int64_t Sampler::log_uniform(double least, double greatest) {
-    // The binades of the format's positive numbers (of a float's normal ones).
+    // The binades of the format's positive numbers (of a float, of its normal numbers).
     const int first = format_.is_float() ? format_.least_exponent() : -format_.fraction;
     const int last =
         format_.is_float() ? format_.infinity_exponent() - 1 : format_.width - 2 - format_.fraction;
     const int low = std::max(first, least > 0 ? std::ilogb(least) : first);
     const int high = std::min(last, std::isfinite(greatest) ? std::ilogb(greatest) : last);
-    // Of a format without fractions, 1 alone lies in 0.01..1: no draw below would ever meet it.
+    // In a format without fraction bits, 0.01..1 contains only 1, which no draw below would hit.
     if (low == high && greatest == std::ldexp(1.0, high))
         return raw_of(format_, std::uint64_t(1) << 63, high);
     for (;;) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random operands by class. The same seed gives the same operands on every machine: nothing but
-// integers and exact scaling stands between the generator and the raw.
+// Random operands by class. The same seed gives the same operands on every machine: between the
+// generator and the raw there are only integers and exact scaling.
 #pragma once
 
 #include <cstdint>
@@ -12,22 +12,22 @@
 
 namespace operands {
 
-// A class's range is clipped to the magnitudes that the format holds; no class but `uniform` draws
-// 0 or MIN, which the boundary tables hold. Signs are even, but sqrt, reciprocal_sqrt and log get
-// positive operands only: outside their domain they do no work worth measuring. The count of a
-// shift is uniform in 0..W-1 in every class, the integer exponent of power in -8..8.
+// The range of a class is clipped to the magnitudes that the format holds. Only `uniform` draws 0
+// and MIN, which the boundary tables contain. Signs are drawn with equal probability, except that
+// sqrt, reciprocal_sqrt and log get positive operands only: outside their domain there is no work
+// worth measuring. In every class the count of a shift is uniform in 0..W-1, and the integer
+// exponent of power in -8..8.
 enum class OperandClass {
-    // Uniform over the numbers with 0 < |x| < 1 (a float: over the multiples of 2^-p, p the bits
-    // of its significand; integers have none, which leaves +-1).
+    // Uniform over the numbers with 0 < |x| < 1 (a float: over the multiples of 2^-p, where p is
+    // the number of bits of its significand; integers: +-1, since they have no others).
     small,
-    // Log-uniform with 0.01 <= |x| <= 20, the lengths, masses and forces of a scene in SI units.
-    // exp takes no more than 10, since all formats of 32 bits that are compared hold exp(10).
+    // Log-uniform with 0.01 <= |x| <= 20: the lengths, masses and forces of a scene in SI units.
+    // exp takes at most 10, since all formats of 32 bits that are compared hold exp(10).
     physics,
     // Log-uniform over all magnitudes of the format (a float: over all normal ones).
     full,
-    // Every raw of the format with the same probability (a float: every finite pattern). Most
-    // have the largest magnitudes, and all their bits are random: what log-uniform operands seldom
-    // have.
+    // Every raw of the format with the same probability (a float: every finite pattern). Most have
+    // large magnitudes, and all their bits are random, which is rare in log-uniform operands.
     uniform,
     // The operands of the published timing harness, the same at every draw.
     published,
@@ -38,13 +38,13 @@ inline constexpr OperandClass operand_classes[] = {OperandClass::small, OperandC
                                                    OperandClass::published};
 
 std::string_view class_name(OperandClass operand_class);
-// Throws std::invalid_argument that lists the classes.
+// Throws std::invalid_argument for an unknown name, with a message that lists the classes.
 OperandClass parse_class(std::string_view name);
 
-// An integer, where an operation takes one: a raw that stands for itself, or a float.
+// An integer operand of an operation: a raw that equals it, or a float.
 std::int64_t integer(const reference::NumberFormat& format, std::int64_t number);
 
-// How many of `wanted` samples are worth taking: one of a class whose draws are all the same.
+// How many of `wanted` samples are worth taking: one for a class whose draws are all the same.
 constexpr std::uint64_t distinct_samples(OperandClass operand_class, std::uint64_t wanted) {
     return operand_class == OperandClass::published && wanted > 1 ? 1 : wanted;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Exhaustive ranges of raws, and their division among shards and threads.
+// Exhaustive ranges of raws, and how they are divided among shards and threads.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,8 @@ struct Range {
     bool operator==(const Range&) const = default;
 };
 
-// Every raw of a format of at most 32 bits; for float every pattern, NaNs included.
+// Every raw of a format of at most 32 bits, throws std::invalid_argument for a wider one. Of float
+// every pattern, NaNs included.
 constexpr Range every_raw(const reference::NumberFormat& format) {
     if (format.width > 32)
         throw std::invalid_argument("a 64-bit format has too many raws to visit them all");
@@ -25,11 +26,13 @@ constexpr Range every_raw(const reference::NumberFormat& format) {
     return {-half, half - 1};
 }
 
-// Part `index` of `count` (0-based) of nearly equal parts which together are the range, in order.
-// Precondition: 0 <= index < count <= range.size().
+// Part `index` (from 0) of `count` nearly equal parts that together make up the range, in order.
+// `index` must be less than `count`, and `count` at most range.size(); throws std::invalid_argument
+// otherwise.
 constexpr Range part(const Range& range, std::uint64_t index, std::uint64_t count) {
     if (index >= count || count > range.size())
-        throw std::invalid_argument("a range has parts 0 .. count - 1, and none of them is empty");
+        throw std::invalid_argument(
+            "a part of a range must be in 0 .. count - 1, and must not be empty");
     const std::uint64_t share = range.size() / count, larger = range.size() % count;
     const auto start = [&](std::uint64_t i) {
         return range.first + std::int64_t(i * share + (i < larger ? i : larger));

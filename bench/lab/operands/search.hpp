@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Worst-case search: hill-climbing with restarts over the bits of the operands towards the maximum
-// of any objective, such as |error| or cycles. What it finds is a lower bound of the maximum.
+// Worst-case search: hill climbing with restarts over the bits of the operands, towards the maximum
+// of any objective, such as |error| or cycles. The result is a lower bound of the maximum.
 #pragma once
 
 #include <cstdint>
@@ -18,12 +18,12 @@ struct Worst {
     double value = -std::numeric_limits<double>::infinity();
 };
 
-// `objective(std::span<const std::int64_t>)` gives a double, -infinity for operands to stay away
-// from. Same seed and budget, same answer; `evaluations` counts calls of the objective.
+// `objective(std::span<const std::int64_t>)` returns a double, -infinity for operands to avoid. The
+// same seed and budget give the same result. `evaluations` is the number of calls of the objective.
 //
 // A climb starts at random operands, takes every mutation that is not worse, and ends when none of
-// 24 for each bit of the operands was better. A third of the starts is of the class physics, a
-// third full, a third mixes rows of the boundary table.
+// 24 mutations per bit of the operands was better. A third of the starts is of class physics, a
+// third of class full, and a third mixes rows of the boundary table.
 template <class Objective>
 Worst search_worst(reference::Operation operation, const reference::NumberFormat& format,
                    std::uint64_t evaluations, std::uint64_t seed, Objective&& objective) {
@@ -48,7 +48,7 @@ Worst search_worst(reference::Operation operation, const reference::NumberFormat
                 }
         }
     };
-    // One or two bits flipped, a step to a near raw, or an operand shifted by a bit.
+    // Flips one or two bits, steps to a nearby raw, or shifts an operand by one bit.
     const auto mutate = [&](std::vector<std::int64_t>& operands) {
         std::int64_t& operand = operands[below(arity)];
         const auto flip = [&] { return std::uint64_t(1) << below(std::size_t(format.width)); };

@@ -32,15 +32,15 @@ class Lock {
     int file_;
 };
 
-// A line of ninja that tells of a step, other than those by which it looks for new sources.
+// A line in which ninja reports a step, other than the steps that look for new sources.
 bool is_step(const std::string& line) {
     return line.starts_with('[') && line.find("Re-checking globbed") == line.npos &&
            line.find("Re-running CMake") == line.npos;
 }
 
-// What the command printed, and whether it succeeded; `at_first_step` is called when it turns out
-// that there is something to do. A dry run would not tell: to ninja, globbed folders are always out
-// of date.
+// What the command printed, and whether it succeeded. Calls `at_first_step` when the first step
+// shows that there is something to do. A dry run cannot tell: ninja always considers globbed
+// folders out of date.
 std::pair<std::string, bool> run(const std::string& command,
                                  const std::function<void()>& at_first_step) {
     FILE* const pipe = popen(command.c_str(), "r");
@@ -74,12 +74,12 @@ void build(const std::vector<std::string>& targets) {
     }
     const auto [text, built] = run("ninja -C '" FIXBENCH_BUILD_FOLDER "'" + list + " 2>&1", [&] {
         fmt::print(
-            stderr, "fixbench: bringing {} up to date\n",
+            stderr, "fixbench: building {}, out of date\n",
             targets.size() == 1 ? targets.front() : fmt::format("{} targets", targets.size()));
     });
     if (!built) {
         fmt::print(stderr, "{}", text);
-        throw std::runtime_error("the device programs cannot be built");
+        throw std::runtime_error("the device programs do not build");
     }
 }
 

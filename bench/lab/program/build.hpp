@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Device programs are built when an experiment reads them, and only those.
+// Device programs are built only when an experiment reads them.
 #pragma once
 
 #include <string>
@@ -7,9 +7,9 @@
 
 namespace fixbench {
 
-// Builds targets of the build folder, or files below it by their paths. Says on stderr what it
-// builds, nothing where all is up to date. A step of `fixbench all` builds nothing: that was done
-// before it. Throws std::runtime_error where the build fails.
+// Builds targets of the build folder, or files below it by their paths. Prints to stderr what it
+// builds, and nothing if everything is up to date. Does nothing in a step of `fixbench all`, which
+// has built everything before. Throws std::runtime_error if the build fails.
 void build(const std::vector<std::string>& targets);
 
 }  // namespace fixbench

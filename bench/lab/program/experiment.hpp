@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How an experiment joins fixbench: a file command.cpp in its folder holds one static Registration
-// for each sub-command. The command line, --help, the order of `fixbench all`, what --check
-// compares and the list of who writes which file follow from the list of them.
+// How an experiment joins fixbench: command.cpp in its folder contains one static Registration for
+// each sub-command. The command line, --help, the order of `fixbench all`, what --check compares
+// and the list of who writes which file follow from these.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -13,16 +13,16 @@
 
 namespace fixbench {
 
-// What a sub-command exits with: a failed check is 1; a wrong call or input, which is thrown, is 2.
+// Exit statuses of a sub-command: 1 for a failed check, 2 for a wrong call or input, which throws.
 constexpr int held = EXIT_SUCCESS, check_failed = 1, wrong_call = 2;
 
-// What the framework hands to an experiment that runs.
+// What the framework passes to an experiment that runs.
 struct Call {
-    std::filesystem::path output;  // exists and can be written
+    std::filesystem::path output;  // exists and is writable
     unsigned threads;
 };
 
-// One run of `fixbench all`, as its steps see it.
+// One run of `fixbench all`, as seen by its steps.
 struct Mode {
     bool quick, exhaustive;
     std::filesystem::path committed;              // data of the last full run
@@ -32,33 +32,33 @@ struct Mode {
 // A call of a sub-command that `fixbench all` makes.
 struct Step {
     std::string name;
-    // Everything behind `fixbench`, with or without --quick; where it is not given, that is the
-    // sub-command, --output, the folder of the data files, and --quick of a quick run if it passes
-    // it.
+    // The arguments after `fixbench`, with or without --quick. The default is the sub-command,
+    // --output, the folder of the data files, and --quick in a quick run if `passes_quick`.
     std::function<std::vector<std::string>(const Mode&)> arguments{};
     bool passes_quick = false;
     std::vector<std::string> writes;             // data files
     std::vector<std::string> full_only{};        // data files that the quick run does not write
-    std::vector<std::string> figures{};          // files of the folder figures/
-    std::vector<std::string> targets{};          // of the build, which it reads
-    std::vector<std::string> quick_targets{};    // those of the quick run, where it reads fewer
-    std::vector<std::filesystem::path> reads{};  // files, and folders of programs: inputs
-    // Seconds of one core, roughly: orders the steps until they have been timed on this machine.
+    std::vector<std::string> figures{};          // files in the folder figures/
+    std::vector<std::string> targets{};          // of the build, which the step reads
+    std::vector<std::string> quick_targets{};    // those of the quick run, if it reads fewer
+    std::vector<std::filesystem::path> reads{};  // inputs: files, and folders of programs
+    // Seconds of one core, approximately: determines the order of the steps until they have been
+    // timed on this machine.
     double full_seconds = 60, quick_seconds = 10;
-    // It times this machine: it runs alone, and its figures differ from run to run.
+    // The step times this machine: it runs alone, and its figures differ from run to run.
     bool times_host = false;
-    // Only with --exhaustive, or where it is named.
+    // Runs only with --exhaustive, or if it is named.
     bool only_exhaustive = false;
-    // It writes the firmware's calibration header.
+    // The step writes the firmware's calibration header.
     bool writes_header = false;
 };
 
 struct Experiment {
     std::string name, description;
-    // The data files of which the first that was written is printed without --output; none where
-    // the sub-command sees to its own output.
+    // Without --output, the first of these data files that was written is printed. Empty if the
+    // sub-command handles its own output.
     std::vector<std::string> prints{};
-    // Adds the options, returns what runs.
+    // Adds the options and returns the function that runs.
     std::function<std::function<int(const Call&)>(CLI::App&)> add;
     std::vector<Step> steps{};
 };
@@ -70,13 +70,13 @@ struct Registration {
 // Sorted by name.
 const std::vector<Experiment>& experiments();
 
-// An option that takes a list of names and makes the run a selection of the whole. Where one is
-// given, files that are there already are not replaced.
+// An option that takes a list of names and makes the run a selection of the whole. A selection does
+// not replace existing files.
 CLI::Option* add_selection(CLI::App& command, const std::string& option,
                            std::vector<std::string>& names, const std::string& description);
 
-// Adds the experiment's sub-command with --output, --json, --csv and --threads where it prints
-// files; what was asked for is stored in `action`.
+// Adds the experiment's sub-command, with --output, --json, --csv and --threads if it prints files.
+// The requested call is stored in `action`.
 void add_to(CLI::App& app, const Experiment& experiment, std::function<int()>& action);
 
 }  // namespace fixbench

@@ -32,7 +32,7 @@ void check_names(const std::string& option, const std::vector<std::string>& aske
         if (std::binary_search(known.begin(), known.end(), name)) continue;
         const std::string nearest = nearest_name(name, known);
         throw std::invalid_argument(
-            fmt::format("{} '{}' is unknown{}; there are {}", option, name,
+            fmt::format("{} '{}' does not exist{}; allowed are {}", option, name,
                         nearest.empty() ? "" : fmt::format(" (did you mean {}?)", nearest),
                         fmt::join(known, ", ")));
     }

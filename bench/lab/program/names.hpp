@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Names that a user gives are held against those that exist.
+// Checks the names that a user gives against those that exist.
 #pragma once
 
 #include <string>
@@ -7,11 +7,11 @@
 
 namespace fixbench {
 
-// The known name that is most like the asked one, or nothing where none is near.
+// The known name that is most similar to `asked`, or nothing if none is similar.
 std::string nearest_name(const std::string& asked, const std::vector<std::string>& known);
 
-// Throws std::invalid_argument of one line for the first asked name that is not known; it lists
-// what exists and says which of them may have been meant.
+// Throws std::invalid_argument for the first of the `asked` names that is not known. The message is
+// one line that lists the known names and suggests the most similar.
 void check_names(const std::string& option, const std::vector<std::string>& asked,
                  std::vector<std::string> known);
 

@@ -23,12 +23,12 @@ std::string text_of(const fs::path& file) {
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-// Columns side by side, numbers to the right; columns without a value are left out.
+// Columns side by side, numbers aligned to the right; columns without a value are left out.
 std::string aligned(const records::Table& table) {
     const auto is_number = [](const std::string& cell) {
         return cell.empty() || cell.find_first_not_of("0123456789.+-e") == std::string::npos;
     };
-    // Characters, not bytes, of UTF-8.
+    // Counts characters of UTF-8, not bytes.
     const auto length = [](const std::string& cell) {
         return static_cast<std::size_t>(
             std::count_if(cell.begin(), cell.end(), [](char c) { return (c & 0xc0) != 0x80; }));
@@ -83,7 +83,8 @@ nlohmann::ordered_json rows_of(const records::Table& table) {
 }  // namespace
 
 void require_writable(const fs::path& folder) {
-    // Folders that are made for the trial go again: a run that is refused leaves nothing.
+    // Folders that were created for the trial are removed again: a refused run leaves nothing
+    // behind.
     std::vector<fs::path> made;
     std::error_code ignored;
     for (fs::path each = fs::absolute(folder);
@@ -99,12 +100,12 @@ int Output::collect(const std::function<int(const fs::path&)>& measure) const {
     if (!folder.empty()) {
         if (json || csv)
             throw std::invalid_argument(
-                "--json and --csv print the table; with --output it goes into files");
+                "--json and --csv print the table and cannot be combined with --output");
         for (const std::string& name : prints)
             if (is_selection && fs::exists(folder / name))
                 throw std::invalid_argument(
-                    fmt::format("{} is there already, and a selection must not replace it: name "
-                                "another folder, or omit --output to print",
+                    fmt::format("{} already exists, and a selection does not replace it: name "
+                                "another folder, or print without --output",
                                 (folder / name).string()));
         require_writable(folder);
         return measure(folder);
@@ -114,11 +115,13 @@ int Output::collect(const std::function<int(const fs::path&)>& measure) const {
     for (const std::string& name : prints) {
         const fs::path file = scratch.folder() / name;
         if (!fs::exists(file)) continue;
-        // Where the experiment writes JSON of its own, that is it.
+        // If the experiment writes its own JSON, that is printed.
         fs::path document = file;
         document.replace_extension(".json");
         const bool tabular = file.extension() == ".csv";
-        if (csv && !tabular) throw std::invalid_argument(fmt::format("{} has no CSV", name));
+        if (csv && !tabular)
+            throw std::invalid_argument(
+                fmt::format("--csv cannot print {}, which is not a table", name));
         if (csv || !tabular)
             fmt::print("{}", text_of(file));
         else if (json && fs::exists(document))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the data files of a run go: into the folder that was asked for, or as a table to the
-// terminal.
+// Where the data files of a run go: into the folder that the user named, or to the terminal as a
+// table.
 #pragma once
 
 #include <filesystem>
@@ -10,19 +10,20 @@
 
 namespace fixbench {
 
-// Writes a file to the folder and removes it again, with the folders that it made for it. Throws
-// std::runtime_error of one line: what takes no results is told of before an hour of measuring, not
-// after.
+// Writes a file to the folder and removes it again, including the folders that it made for it.
+// Throws std::runtime_error with one line: a folder that is not writable is reported before an hour
+// of measuring, not after.
 void require_writable(const std::filesystem::path& folder);
 
 struct Output {
-    std::filesystem::path folder;     // none: print
-    std::vector<std::string> prints;  // data files, of which the first that there is is printed
+    std::filesystem::path folder;     // empty: print
+    std::vector<std::string> prints;  // data files, the first existing of which is printed
     bool json = false, csv = false;
-    bool is_selection = false;  // of the whole: files that are there already stay
+    bool is_selection = false;  // part of the whole: existing files are not replaced
 
     // Calls `measure` with a folder to write to and returns its result. Throws
-    // std::invalid_argument where a selection would replace a file.
+    // std::invalid_argument if a selection would replace a file, or if --json or --csv was given
+    // with --output.
     int collect(const std::function<int(const std::filesystem::path&)>& measure) const;
 };
 

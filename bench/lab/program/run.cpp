@@ -12,7 +12,7 @@
 namespace fixbench {
 namespace {
 
-// A file without a name: unlike a pipe it takes all output while nobody reads.
+// A file without a name: unlike a pipe, it takes all output while nobody reads.
 class Output {
   public:
     Output() : file_(std::tmpfile(), std::fclose) {

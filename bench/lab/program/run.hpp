@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs another program to its end.
+// Runs another program until it ends.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ struct Ran {
     std::string out, err;
 };
 
-// The first argument is the program, by its path or found in PATH; no shell reads the others.
+// The first argument is the program, by its path or found in PATH. No shell interprets the others.
 Ran run(std::vector<std::string> arguments);
 
 }  // namespace fixbench

@@ -10,7 +10,7 @@
 
 namespace fixbench {
 
-// A folder for temporary files, which goes with them.
+// A folder for temporary files, removed with its contents by the destructor.
 class Scratch {
   public:
     Scratch() {

@@ -9,32 +9,32 @@
 
 namespace records {
 
-// A number as a cell: up to six significant digits, integers in full, no trailing zeros; empty for
-// NaN, which stands for "not measured".
+// A number as a cell: up to six significant digits, integers in full, no trailing zeros. Empty for
+// NaN, which means "not measured".
 std::string cell(double value);
 
 class Table {
   public:
     explicit Table(std::vector<std::string> columns);
 
-    // Throws std::logic_error where the row has another number of cells than there are columns.
+    // Throws std::logic_error if the number of cells differs from the number of columns.
     void add(std::vector<std::string> row);
 
-    // Of the file, in messages; empty where there is none.
+    // The name of the file, for messages; empty if there is no file.
     const std::string& name() const { return name_; }
     const std::vector<std::string>& columns() const { return columns_; }
     const std::vector<std::vector<std::string>>& rows() const { return rows_; }
 
-    // The index of a column; throws std::runtime_error where there is none of that name.
+    // The index of a column. Throws std::runtime_error if there is no column of that name.
     std::size_t column(std::string_view name) const;
 
     std::string to_csv() const;
     void save(const std::filesystem::path& path) const;
 
-    // Throws std::runtime_error with file and line where the file is missing or malformed.
+    // Throws std::runtime_error with file and line if the file is missing or malformed.
     static Table load(const std::filesystem::path& path);
 
-    // The same of a text, which messages call `name`.
+    // The same for a text, which messages refer to as `name`.
     static Table parse(std::string_view text, const std::string& name, char separator = ',');
 
   private:

@@ -31,7 +31,7 @@ void Progress::advance(std::uint64_t steps) {
                                  std::chrono::steady_clock::now() - start_)
                                  .count();
     std::int64_t due = next_print_ms_;
-    // Whoever moves the due time on is the one who prints.
+    // The thread that advances the due time prints.
     if (now >= due &&
         next_print_ms_.compare_exchange_strong(due, now + (terminal_ ? 200 : 10000))) {
         print(done, false);

@@ -10,9 +10,9 @@
 
 namespace records {
 
-// Counts steps of a task towards a total. On a terminal it redraws one line, elsewhere it prints a
-// line every ten seconds; a process that shares the cores with others is silent, since whoever
-// started it shows how far all are. Safe to advance from several threads.
+// Counts the steps of a task towards a total. On a terminal it redraws one line, elsewhere it
+// prints a line every ten seconds. A process that shares the cores with others prints nothing,
+// since its parent shows the progress of all. advance() may be called from several threads.
 class Progress {
   public:
     Progress(std::string task, std::uint64_t total);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A row of a data file is a struct, and its columns stand beside its members:
+// A row of a data file is a struct, and its columns are listed next to its members:
 //
 //     struct Reading {
 //         std::string name;
-//         std::optional<double> error;  // an empty cell where there is none
+//         std::optional<double> error;  // an empty cell if there is none
 //         double grams;
 //         static constexpr auto columns =
 //             std::tuple(column("name", &Reading::name), column("error", &Reading::error),
@@ -12,8 +12,8 @@
 //     records::table_of(readings).save(path);
 //     records::rows_of<Reading>(records::Table::load(path));
 //
-// Columns that several files share stand in a base of their rows, which std::tuple_cat joins to the
-// rest.
+// Columns that several files share are listed in a base class of their rows, joined by
+// std::tuple_cat.
 #pragma once
 
 #include <fmt/format.h>
@@ -36,14 +36,14 @@ template <class Row, class Member>
 struct Column {
     const char* name;
     Member Row::*member;
-    const char* format;  // of fmt; null where a number is written as cell() does
+    const char* format;  // of fmt; null to write a number as cell() does
 };
 
-// A column for each of a list of names, which need not be known before the program runs.
+// A column for each name of a list that need not be known before the program runs.
 template <class Row, class Value>
 struct Columns {
     std::vector<std::string> (*names)();
-    std::vector<Value> Row::*values;  // as many as names
+    std::vector<Value> Row::*values;  // as many as there are names
     const char* format;
 };
 template <class Row, class Value>
@@ -91,7 +91,7 @@ std::string cell(const Value& value, const char* format) {
     return cell(value);
 }
 
-// The value of a cell as cell() writes it; false where it is none of that type.
+// Reads the value of a cell as cell() writes it. Returns false if the text is not of that type.
 inline bool read(const std::string& text, std::string& value) {
     value = text;
     return true;
@@ -144,8 +144,8 @@ Table table_of(const std::vector<Row>& rows) {
         Row::columns);
 }
 
-// The rows of a table that has these columns, among others. Throws std::runtime_error that names
-// the file and the column where one is missing, and the line where a cell is none of its type.
+// The rows of a table that has at least these columns. Throws std::runtime_error that names the
+// file and the column if one is missing, or the line if a cell is not of its type.
 template <class Row>
 std::vector<Row> rows_of(const Table& table) {
     std::vector<Row> rows(table.rows().size());
@@ -153,7 +153,7 @@ std::vector<Row> rows_of(const Table& table) {
         const std::size_t index = table.column(name);
         for (std::size_t i = 0; i < rows.size(); ++i)
             if (const std::string& text = table.rows()[i][index]; !read(text, value_in(rows[i])))
-                throw std::runtime_error(fmt::format("{}:{}: '{}' is out of place in column '{}'",
+                throw std::runtime_error(fmt::format("{}:{}: '{}' is not a value of column '{}'",
                                                      table.name(), i + 2, text, name));
     };
     const auto fill_each = [&](const auto& of) {

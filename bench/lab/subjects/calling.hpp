@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a subject of the device program is called: scalars by value; vectors by a pointer each;
-// several results through a pointer that comes last; counts of shifts as bytes.
+// How a subject of the device program is called: scalars by value; each vector by a pointer;
+// several results through a pointer, the last argument; counts of shifts as bytes.
 #pragma once
 
 #include "bench/chip/instructions/translate.hpp"
@@ -10,7 +10,7 @@
 namespace operations {
 
 struct Calling {
-    simulator::Signature signature;  // in which a pointer is an operand
+    simulator::Signature signature;  // in which a pointer counts as an operand
     instructions::Pointers pointers;
 };
 

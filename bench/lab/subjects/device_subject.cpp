@@ -51,7 +51,7 @@ DeviceResult DeviceCall::call(std::span<const std::int64_t> operands) {
             return function_.call({arguments.data(), count});
         } catch (const simulator::SimulationError& error) {
             throw simulator::SimulationError(
-                fmt::format("{}, of the operands {}", error.what(), fmt::join(operands, " ")));
+                fmt::format("{}, with the operands {}", error.what(), fmt::join(operands, " ")));
         }
     }();
     DeviceResult result{{}, outcome.cycles, outcome.stack_bytes};
@@ -76,7 +76,7 @@ std::vector<std::string> subjects_of(const simulator::Elf& elf) {
             reference::parse_symbol(name);
             subjects.push_back(name);
         } catch (const std::invalid_argument&) {
-            // Not a subject: start-up code, a library routine, a kernel under its own name.
+            // Not a subject: start-up code, a library routine, or a kernel under its own name.
         }
     }
     return subjects;

@@ -21,17 +21,18 @@ struct DeviceResult {
     std::uint16_t stack_bytes;
 };
 
-// A function of a program that is called as its signature wants.
+// A function of a program, called according to its signature.
 class DeviceCall {
   public:
-    // Throws simulator::SimulationError where the program has no such function.
+    // Throws simulator::SimulationError if the program has no such function.
     DeviceCall(simulator::Chip& chip, const std::string& symbol, Calling calling,
                const reference::NumberFormat& result_format);
 
-    // Throws simulator::SimulationError where the call does not return or breaks the convention.
+    // Throws simulator::SimulationError if the call does not return or breaks the calling
+    // convention.
     DeviceResult call(std::span<const std::int64_t> operands);
 
-    // From now on a call also fails that writes outside of its stack frame and its result.
+    // From now on, a call that writes outside its stack frame and its result fails, too.
     void forbid_stray_writes();
 
     void record(simulator::Coverage* coverage) { function_.record(coverage); }
@@ -41,14 +42,14 @@ class DeviceCall {
     Calling calling_;
     reference::NumberFormat result_format_;
     std::uint16_t operands_address_;              // of vectors
-    std::uint16_t result_size_, result_address_;  // of results that go through a pointer
+    std::uint16_t result_size_, result_address_;  // of results returned through a pointer
     simulator::DeviceFunction function_;
 };
 
 // A function whose name says what it computes.
 class DeviceSubject : public DeviceCall {
   public:
-    // Throws std::invalid_argument where the name is not <operation>_<format>_<implementation>.
+    // Throws std::invalid_argument unless the name is <operation>_<format>_<implementation>.
     DeviceSubject(simulator::Chip& chip, const std::string& symbol)
         : DeviceSubject(chip, symbol, reference::parse_symbol(symbol)) {}
 

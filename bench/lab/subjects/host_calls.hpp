@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a host subject computes and how it is judged, for subjects known at compile time. The loops
-// over calls stand here, where the compiler sees what they call.
+// over calls are here, where the compiler can inline the callee.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +23,7 @@ void for_each_call(Raws operands, Results results, Visit&& visit) {
         visit(operands.subspan(i * arity, arity), results.subspan(i * count, count));
 }
 
-// One call of the policy's function, as its signature wants it.
+// Calls the policy's function once, according to its signature.
 template <reference::Operation operation, class Policy, class Raw, int F>
 void call(Raws operands, std::span<std::int64_t> results) {
     constexpr std::size_t arity = reference::shape(operation).operands;
@@ -53,12 +53,12 @@ void evaluate(Raws operands, std::span<std::int64_t> results) {
     for_each_call<operation>(operands, results, call<operation, Policy, Raw, F>);
 }
 
-// Functions are judged in binary128 where errors are compared, so that a search takes the same way
-// on every processor; `Real` is another type where there are too many of them.
+// Functions are judged in binary128 where errors are compared, so that a search takes the same path
+// on every processor. `Real` is a faster type for very many calls.
 template <reference::Subject subject, class Real = reference::Binary128>
 reference::Judgement judge(Raws operands, Raws results) {
-    // The bulk judge has no float, and no C type holds exp of a 64-bit format to a fraction of its
-    // ulp.
+    // The bulk judge does not support float, and no C type holds exp of a 64-bit format to a
+    // fraction of its ulp.
     if constexpr (subject.format.is_float() || subject.operand_format.is_float() ||
                   (subject.operation == reference::Operation::exp && subject.format.width == 64)) {
         return reference::judge(subject, operands, results);

@@ -15,7 +15,7 @@ using reference::NumberFormat;
 using reference::Operation;
 using reference::Subject;
 
-// Floating point is clamped and never wrapped, whatever the policy.
+// Floating point saturates and never wraps, whatever the policy.
 template <Subject subject, class Policy>
 std::int64_t converted(std::int64_t operand) {
     constexpr NumberFormat to = subject.format, from = subject.operand_format;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The host subjects of one format of the library, LIBRARY_FORMAT, out of the catalogue's rows. A
-// translation unit each: a format takes ten seconds to compile.
+// The host subjects of one format of the library, LIBRARY_FORMAT, from the catalogue's rows. Each
+// format has its own translation unit, since it takes ten seconds to compile.
 #include <fixedpoint/arithmetic/correctly_rounded.hpp>
 #include <fixedpoint/arithmetic/nearest.hpp>
 #include <fixedpoint/arithmetic/published.hpp>

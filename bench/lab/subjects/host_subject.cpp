@@ -10,7 +10,7 @@
 
 namespace operations {
 
-// Each from its translation unit.
+// Each is defined in its own translation unit.
 #define DECLARE_ADDER(format, ...) void add_##format(std::vector<HostSubject>& subjects);
 LIBRARY_FORMATS(DECLARE_ADDER)
 void add_conversions(std::vector<HostSubject>& subjects);
@@ -40,7 +40,7 @@ reference::Judgement HostSubject::judge_own(Raws operands) const {
 }
 
 reference::ErrorStatistics HostSubject::exhaust(std::uint64_t part) const {
-    constexpr std::size_t calls_of_a_batch = 512;  // whose raws stay in the first cache
+    constexpr std::size_t calls_of_a_batch = 512;  // whose raws fit the first-level cache
     const reference::OperationShape& shape = reference::shape(subject.operation);
     const std::uint64_t share = (std::uint64_t(1) << input_bits()) / exhaustive_parts;
     const int width = subject.operand_format.width;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What many calls of one function cost and how far their results are off.
+// What many calls of one function cost and how large their errors are.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@ struct Measurement {
     reference::Witness cycles_max_witness{};
     std::uint16_t stack_bytes = 0;
     reference::ErrorStatistics errors{};
-    // In the unit of the result, so that formats can be held against each other.
+    // In the unit of the result, so that formats can be compared.
     double max_error = 0;
     long double sum_of_squared_errors = 0;  // squares of a float64's errors are beyond a double
 
@@ -48,18 +48,18 @@ struct Measurement {
         return static_cast<double>(
             std::sqrt(sum_of_squared_errors / static_cast<long double>(regular)));
     }
-    // Over the regular operands; over all where none is.
+    // Over the regular operands, or over all if none is regular.
     double cycles_mean() const {
         return regular > 0 ? static_cast<double>(regular_cycles_sum) / static_cast<double>(regular)
                            : static_cast<double>(cycles_sum) / static_cast<double>(samples);
     }
 };
 
-// What the random operands of a measurement may take: the portable functions of the 64-bit formats
-// cost up to half a million cycles a call.
+// The cycles that the random operands of a measurement may take: the portable functions of the
+// 64-bit formats cost up to half a million cycles a call.
 constexpr std::uint64_t measurement_cycles = 60'000'000;
 
-// Input spaces up to this size are run through as a class of their own.
+// Input spaces of up to this size are measured completely, as a class of their own.
 constexpr int all_inputs_bits = 16;
 
 }  // namespace operations

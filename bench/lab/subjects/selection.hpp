@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which subjects and operand classes a run is asked for.
+// The subjects and operand classes that a run is asked for.
 #pragma once
 
 #include <string>

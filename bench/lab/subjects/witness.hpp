@@ -10,7 +10,7 @@
 
 namespace operations {
 
-// The raw operands of a witness, with spaces between them.
+// The raw operands of a witness, separated by spaces.
 inline std::string text_of(const reference::Witness& witness) {
     return fmt::format("{}", fmt::join(witness.operands(), " "));
 }

@@ -119,7 +119,7 @@ TEST_F(ThreePictures, AreGroupsOfAnImageThatComeAndGo) {
     EXPECT_THAT(svg, HasSubstr("<text class=\"b\" x=\"12\" y=\"224\" textLength=\"18\">ab</text>"));
     EXPECT_THAT(svg, HasSubstr("<text class=\"h\" x=\"30\" y=\"224\" textLength=\"18\">cd</text>"));
     EXPECT_THAT(svg, Not(HasSubstr("<script")));
-    // "one" until 0.5 s, "1" from then on, a block until 1 s; all else always.
+    // "one" until 0.5 s, "1" from then on, a block until 1 s; everything else always.
     EXPECT_THAT(svg, HasSubstr("values=\"inline;none\" keyTimes=\"0;0.25000\"/><text"));
     EXPECT_THAT(svg, HasSubstr("values=\"none;inline\" keyTimes=\"0;0.25000\"/><text"));
     EXPECT_THAT(svg, HasSubstr("values=\"inline;none\" keyTimes=\"0;0.50000\"/><path"));
@@ -136,8 +136,9 @@ TEST(Pace, FollowsTheWall) {
     EXPECT_DOUBLE_EQ(pace.factor(), 1);
 }
 
-// At half the speed of the wall it is behind by no more than is allowed, however long it lasts.
-TEST(Pace, GivesUpWhatTheMachineCannotDo) {
+// At half the speed of the wall clock it is behind by no more than is allowed, however long it
+// takes.
+TEST(Pace, GivesUpWhatTheMachineCannotKeepUpWith) {
     Pace pace(0);
     double simulated = 0;
     for (double wall = 0; wall < 60; wall += 0.04) {

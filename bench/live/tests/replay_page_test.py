@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The replay page against the recording that it is made of.
+"""The replay page, compared with the recording that it is made from.
 Usage: replay_page_test.py FIXBENCH REPORT_FOLDER SCRATCH_FOLDER NODE"""
 import copy
 import html.parser
@@ -95,7 +95,7 @@ class ReplayPage(unittest.TestCase):
                 replay.check(recording)
 
     def shown_at(self, time):
-        """What the page's script has set by then: attributes and texts by the element's name."""
+        """What the page's script has set at that time: attributes and texts by the element's name."""
         stage = pathlib.Path(__file__).with_name("replay_stage.js")
         given = json.dumps({"scripts": self.page.scripts, "time": time,
                             "identifiers": sorted(filter(None, self.page.identifiers))})
@@ -114,7 +114,7 @@ class ReplayPage(unittest.TestCase):
             self.assertAlmostEqual(shown["arm/1"]["cy"], -arm * math.sin(angle), places=6)
             told = shown["v-lever"]["text"].replace("\u2212", "-").split()[0]
             self.assertRegex(told, r"^-?\d+\.\d$")
-            # A half in the second place may go either way.
+            # A half in the second place may be rounded either way.
             self.assertLessEqual(abs(float(told) - signals["lever"][k]), 0.05 + 1e-9)
             held = shown["hand"]["opacity"] == 1
             self.assertEqual(held, bool(signals["held"][k]))

@@ -77,7 +77,7 @@ TEST_F(Played, TheDialMakesTheArmLonger) {
     EXPECT_NEAR(session.status().arm.value(), 0.355, 0.005);
 }
 
-TEST_F(Played, UnpluggingGoesRoundTheSensors) {
+TEST_F(Played, UnpluggingCyclesThroughTheSensors) {
     for (const std::optional<int> expected :
          {std::optional<int>(0), std::optional<int>(1), std::optional<int>()}) {
         session.press(Key::unplug);
@@ -110,7 +110,7 @@ TEST_F(Played, AFullFrameIsSentOnRequest) {
     EXPECT_GT(session.status().bytes_per_second, 30);
 }
 
-TEST_F(Played, AResetBeginsAnewAndTimeGoesOn) {
+TEST_F(Played, AResetStartsAgainAndTimeContinues) {
     session.press(Key::dial_up);
     const double before = session.time();
     session.press(Key::reset);
@@ -134,7 +134,7 @@ TEST_F(Played, ThePanelShowsTheScreenAndTheFigures) {
           L"space grip", L"q quit", L"1000 \u00b5s"})
         EXPECT_NE(text.find(shown), std::wstring::npos)
             << std::string(shown, shown + wcslen(shown));
-    // The weight, where the device's screen has it.
+    // The weight, where the device's screen shows it.
     const auto screen = session.status().screen;
     for (int row = 0; row < 20; ++row)
         for (int column = 0; column < 20; ++column)
@@ -143,7 +143,7 @@ TEST_F(Played, ThePanelShowsTheScreenAndTheFigures) {
                 screen[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] == 'o');
 }
 
-// The page's data against the session that they are of.
+// The page's data compared with the session that they belong to.
 TEST(Replay, IsWhatTheSessionDid) {
     Session session(haptic::firmwares(HAPTIC_FIRMWARE_FOLDER).front(), demonstration());
     Replay replay(session);
@@ -163,7 +163,7 @@ TEST(Replay, IsWhatTheSessionDid) {
         EXPECT_NEAR(signals["arm"][k].get<double>(), seen[k].arm.value_or(0), 0.000051);
         EXPECT_EQ(signals["held"][k].get<int>() != 0, seen[k].held);
     }
-    // The screen at the end, and the pins against what was measured at them.
+    // The screen at the end, and the pins compared with what was measured at them.
     std::string cells;
     for (const std::string& line : seen.back().screen) cells += line;
     EXPECT_EQ(page["screens"].back()["cells"], cells);

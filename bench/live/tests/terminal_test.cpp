@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The command as somebody at a terminal has it, through a pseudo terminal.
+// The command as seen by somebody at a terminal, through a pseudo-terminal.
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <poll.h>
@@ -61,7 +61,8 @@ class Window {
             execv(FIXBENCH, list.data());
             _exit(127);
         }
-        // The slave stays open here, so that its settings can be looked at after the child's end.
+        // The slave stays open here, so that its settings can be examined after the child has
+        // ended.
         slave_ = slave;
     }
     ~Window() {
@@ -73,7 +74,7 @@ class Window {
         close(slave_);
     }
 
-    // Reads until the text was there, or fails after ten seconds.
+    // Reads until the text has appeared, or fails after ten seconds.
     bool shows(const std::string& text) {
         for (int i = 0; i < 1000 && output.find(text) == std::string::npos; ++i) read_some(10);
         return output.find(text) != std::string::npos;
@@ -90,7 +91,7 @@ class Window {
         const winsize size{rows, columns, 0, 0};
         ioctl(master_, TIOCSWINSZ, &size);
     }
-    // The status of waitpid(); -1 where it did not end within ten seconds.
+    // The status of waitpid(), or -1 if it did not end within ten seconds.
     int end() {
         int status = -1;
         for (int i = 0; i < 1000; ++i) {
@@ -165,7 +166,7 @@ TEST(Window, KeysReachTheDeviceAndTheTerminalIsRestored) {
     EXPECT_THAT(content(folder.path / "lever.cast"), HasSubstr("real time"));
 }
 
-TEST(Window, SaysSoWhereTheTerminalShrinks) {
+TEST(Window, ReportsATerminalThatShrinks) {
     Window window({});
     ASSERT_TRUE(window.shows("real time"));
     window.resize(40, 10);
@@ -177,7 +178,7 @@ TEST(Window, SaysSoWhereTheTerminalShrinks) {
     EXPECT_EQ(window.end(), 0);
 }
 
-// The lever does not lift itself, nor the arm grow by itself.
+// The lever does not lift itself, nor does the arm grow by itself.
 TEST(Window, NothingMovesWhereNoKeyIsPressed) {
     Folder folder;
     Window window({"--record", folder.path.string(), "--seconds", "1"});
@@ -187,7 +188,7 @@ TEST(Window, NothingMovesWhereNoKeyIsPressed) {
     EXPECT_LT(most(signals["arm"]), 0.235);
 }
 
-TEST(Window, AResetStartsTheRecordingOfTheDeviceAnew) {
+TEST(Window, AResetRestartsTheRecordingOfTheDevice) {
     Folder folder;
     Window window({"--record", folder.path.string()});
     ASSERT_TRUE(window.shows("real time"));
@@ -224,7 +225,7 @@ TEST(Window, ControlCAndEscapeEndIt) {
     }
 }
 
-// A line, and nothing that would spoil the window.
+// One line, and nothing that would spoil the window.
 void expect_refused(Window& window, const std::string& reason) {
     const int status = window.end();
     EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) != 0) << status;
@@ -246,7 +247,7 @@ TEST(Window, OfAnUnknownTypeIsRefused) {
     expect_refused(window, "TERM='nonsense'");
 }
 
-// Its standard output and error, and its exit code, with input from nowhere.
+// Standard output and error, and the exit code, without any input.
 struct Result {
     int status;
     std::string text;
@@ -262,11 +263,11 @@ Result run(const std::string& arguments) {
 TEST(Lever, SaysThatItNeedsATerminal) {
     const Result result = run("");
     EXPECT_NE(result.status, 0);
-    EXPECT_THAT(result.text, HasSubstr("input or output is none"));
+    EXPECT_THAT(result.text, HasSubstr("needs a terminal"));
     EXPECT_EQ(std::count(result.text.begin(), result.text.end(), '\n'), 1);
 }
 
-TEST(Lever, RefusesAScenarioThatThereIsNot) {
+TEST(Lever, RefusesAnUnknownScenario) {
     const Folder folder;
     const std::filesystem::path unmade = folder.path / "unmade";
     const Result result = run("--scenario nonsense --record " + unmade.string());
@@ -276,11 +277,11 @@ TEST(Lever, RefusesAScenarioThatThereIsNot) {
     EXPECT_FALSE(std::filesystem::exists(unmade));
 }
 
-TEST(Lever, RefusesAFolderThatTakesNoRecordingBeforeItBegins) {
+TEST(Lever, RefusesAFolderThatIsNotWritableBeforeItStarts) {
     const Result result = run("--record /proc/recording");
     EXPECT_NE(result.status, 0);
     EXPECT_THAT(result.text, HasSubstr("/proc/recording"));
-    EXPECT_THAT(result.text, Not(HasSubstr("input or output is none")));
+    EXPECT_THAT(result.text, Not(HasSubstr("needs a terminal")));
     EXPECT_EQ(std::count(result.text.begin(), result.text.end(), '\n'), 1);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A chart of Observable Plot whose points can be pointed at, walked through with the arrow keys, and
-// pinned. What is told of a point is the same in all three.
+// A chart of Observable Plot whose points can be pointed at, visited with the arrow keys, and pinned. All three show
+// the same details of a point.
 import * as Plot from "@observablehq/plot";
 import { h, facts } from "./dom.js";
 import { styles } from "./data.js";
@@ -17,7 +17,7 @@ const saltire = { draw(context, size) {
   corners.forEach(([x, y], index) => context[index ? "lineTo" : "moveTo"](...turned(x * arm, y * arm)));
   context.closePath();
 } };
-// The scales that every chart shares: a colour and a symbol a number format, and one a rival.
+// The scales that every chart shares: a colour and a symbol per number format, and one per rival.
 export const scales = {
   color: { domain: names, range: names.map(colour) },
   symbol: { domain: names, range: names.map((name) => (styles[name].symbol === "saltire" ? saltire : styles[name].symbol)) },
@@ -27,7 +27,7 @@ const tip = document.getElementById("tip"), live = document.getElementById("live
 export function hide() { tip.hidden = true; }
 document.addEventListener("keydown", (event) => { if (event.key === "Escape") hide(); });
 
-// Shows what is told beside a place of the document, within the window.
+// Shows details next to a place of the document, within the window.
 export function show(told, left, top) {
   tip.replaceChildren(h("strong", {}, told.title), facts(told.facts), told.hint ? h("div", { class: "soft" }, told.hint) : "");
   tip.hidden = false;
@@ -41,7 +41,7 @@ export function say(told) {
   live.textContent = [told.title, ...told.facts.filter((pair) => pair).map(([name, value]) => `${name}: ${value.title ?? value}`)].join("; ");
 }
 
-// Ticks of a logarithmic axis: powers of ten, and multiples where there are few of them.
+// Ticks of a logarithmic axis: powers of ten, and multiples if there are few of them.
 function ticks([low, high]) {
   const first = Math.floor(Math.log10(low)), last = Math.ceil(Math.log10(high)), decades = last - first;
   const multiples = high / low < 4 ? [1, 1.5, 2, 3, 4, 5, 6, 8] : decades <= 3 ? [1, 2, 5] : [1];
@@ -52,7 +52,7 @@ function ticks([low, high]) {
   return all.map((value) => Number(value.toPrecision(3))).filter((value) => value >= low && value <= high);
 }
 
-// A logarithmic axis over the values. Zero has no place on it: it gets one below all others.
+// A logarithmic axis over the values. Zero has no place on it, and is put below all others.
 export function logAxis(values, label, more = []) {
   const positive = [...values, ...more].filter((value) => value > 0);
   let low = Math.min(...positive), high = Math.max(...positive);
@@ -65,7 +65,7 @@ export function logAxis(values, label, more = []) {
     ticks: floor ? [floor, ...shown] : shown, written: (value) => (value === floor ? "0" : tick(value)) };
 }
 
-// The points whose text stands free of the others', of which each says whether it stands to the left.
+// The points whose labels do not overlap others; each says whether its label is on the left.
 function legible(points, x, y, width, height) {
   const part = (value, [low, high]) => Math.log(value / low) / Math.log(high / low);
   const kept = [];
@@ -79,8 +79,8 @@ function legible(points, x, y, width, height) {
   return kept;
 }
 
-// points: {x, y, style, hollow, faded, text, ...}; `describe` tells {title, facts} of one, `pin` takes
-// one; `under` are the marks below the points.
+// points: {x, y, style, hollow, faded, text, ...}. `describe` returns {title, facts} of a point, `pin` takes a point;
+// `under` are the marks below the points.
 export function chart({ label, points, x, y, under = [], height = 280, describe, pin }) {
   const holder = h("div", { class: "chart", tabindex: points.length ? "0" : null, role: "group",
     "aria-label": `${label}. ${points.length} points; the arrow keys walk through them${pin ? ", Enter pins one" : ""}.` });
@@ -112,7 +112,7 @@ export function chart({ label, points, x, y, under = [], height = 280, describe,
     plot = Plot.plot({ width, height, marginLeft: 50, marginRight: 16, marginBottom: 38, marginTop: 26, ...scales,
       x: { type: "log", domain: x.domain }, y: { type: "log", domain: y.domain },
       marks: [
-        // The library would leave out some of the labels that a logarithmic axis is told to have.
+        // The library would leave out some of the labels that a logarithmic axis is given.
         Plot.gridX(x.ticks), Plot.gridY(y.ticks),
         Plot.axisX(x.ticks, { text: x.written, label: x.label, labelAnchor: "center", labelArrow: "none" }),
         Plot.axisY(y.ticks, { text: y.written, label: y.label, labelAnchor: "top", labelArrow: "none" }),
@@ -120,9 +120,9 @@ export function chart({ label, points, x, y, under = [], height = 280, describe,
         texts(false), texts(true),
         drawn((at) => !at.hollow, { fill: "style", stroke: "var(--card)", strokeWidth: 1 }),
         drawn((at) => at.hollow, { stroke: "style", fill: "var(--card)", strokeWidth: 1.8 }),
-        // Finds the nearest point, and draws nothing.
+        // Finds the nearest point and draws nothing.
         Plot.dot(points, Plot.pointer({ ...place, stroke: "none", maxRadius: 30 }))] });
-    // What a reader of screens needs is told by the holder.
+    // The holder provides the text for screen readers.
     plot.setAttribute("aria-hidden", "true");
     plot.addEventListener("input", () => point(plot.value, false));
     holder.replaceChildren(plot);
@@ -145,7 +145,7 @@ export function chart({ label, points, x, y, under = [], height = 280, describe,
   return holder;
 }
 
-// A chart without points to point at, drawn as wide as it may be.
+// A chart without interactive points, drawn as wide as possible.
 export function drawing(label, options) {
   const holder = h("div", { class: "chart", role: "img", "aria-label": label });
   let last = 0;
@@ -167,7 +167,7 @@ export function front(points) {
   return kept;
 }
 
-// The front as a line of steps that goes on to the right end.
+// The front as a line of steps that continues to the right end.
 export function frontLine(kept, right, stroke) {
   return Plot.line([...kept, { ...kept.at(-1), x: right }], { x: "x", y: "y", curve: "step-after", stroke, strokeWidth: 1.2, strokeOpacity: 0.7 });
 }

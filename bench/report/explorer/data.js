@@ -9,7 +9,7 @@ export const has = (name) => name in page.tables;
 export const command = (name) => page.tables[name].command;
 export const columns = (name) => Object.keys(page.tables[name].columns);
 
-// The rows of <name>.csv as objects; none where there is no such file.
+// The rows of <name>.csv as objects; empty if there is no such file.
 export function rows(name) {
   if (!has(name)) return [];
   if (!decoded.has(name)) {
@@ -32,7 +32,7 @@ export function measured() {
 
 export const unique = (values) => [...new Set(values)];
 
-// The columns' names and a line a row, cells quoted where they must be.
+// The columns' names, and a line per row, with cells quoted if necessary.
 export function csv(names, selected) {
   const cell = (value) => {
     const text = value === null ? "" : String(value);

@@ -27,7 +27,7 @@ export function select(state, name, label, options) {
         { value, disabled, selected: state.get(name) === value }, text))));
 }
 
-// Boxes to check, of which the summary names those that are. options: [value, label, ornament].
+// Check boxes; the summary names those that are checked. options: [value, label, ornament].
 export function choice(state, name, label, options) {
   const chosen = () => {
     const labels = options.filter(([value]) => state.list(name).includes(value)).map(([, text]) => text);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Shows the view that the address names.
+// Shows the view named in the address.
 import { views as available } from "./data.js";
 import { h } from "./dom.js";
 import { hide } from "./chart.js";
@@ -24,7 +24,7 @@ function show() {
   state.defaults = known[name].defaults;
   for (const [each, link] of Object.entries(links))
     if (each === name) link.setAttribute("aria-current", "page"); else link.removeAttribute("aria-current");
-  // A link leads back to what was chosen in its view.
+  // A link leads back to what was selected in its view.
   if (name === state.view) links[name].href = location.hash;
   state.saved = (address) => { links[name].href = address; };
   root.replaceChildren();

@@ -23,8 +23,8 @@ function errorOf(row, error, unit) {
   return row[`${error}_${unit === "ulp" ? "ulp" : "error"}`];
 }
 
-// Errors in the unit of the result can be held against each other across the formats that share
-// operands and domain; all others within a format.
+// Errors in the unit of the result can be compared across the formats that share operands and domain; all others only
+// within a format.
 export function group(row, unit) {
   return unit === "absolute" && row.operands === "physics" && compared[row.operation].includes(row.format) ? "shared" : row.format;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which format to use, what it costs, and where it loses.
+// Which format to use, what it costs, and where it is worse.
 import { formats, has, implementations, physics, rows, subjects as styled, unique } from "./data.js";
 import { h } from "./dom.js";
 import { letter } from "./chart.js";
@@ -26,14 +26,14 @@ function loses(format, implementation) {
   return `Compared with ${rivalImplementation === "default" ? "our " : ""}${formatLabel(rivalFormat)}: ${list(cycles, "cycles")}; ${list(flash, "flash")}.`;
 }
 
-// The largest error in ulp of the six operations that is known from any run.
+// The largest known error in ulp of the six operations, over all runs.
 function worstOfSix(format, implementation) {
   const judged = columns.map(([operation]) => known({ operation, format, implementation })).filter((row) => row?.bound);
   const largest = judged.reduce((best, row) => (row.max_ulp > (best?.max_ulp ?? -1) ? row : best), null);
   return largest ? [number(largest.max_ulp), h("small", {}, `${words(largest.operation)}, ${largest.bound}`), h("small", {}, `${physics[0]} to ${physics[1]}: ${number(worstOfPhysics(format, implementation))}`)] : "–";
 }
 
-// The largest error of the six operations on operands that a scene has.
+// The largest error of the six operations on operands that occur in a scene.
 function worstOfPhysics(format, implementation) {
   const judged = of(format, implementation).filter((row) => columns.some(([operation]) => operation === row.operation) && row.max_ulp !== null);
   return Math.max(...judged.map((row) => row.max_ulp));

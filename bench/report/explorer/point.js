@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is known of an operation in a format and an implementation: figures with their witnesses and
-// bounds, the worst of any run, hashes; the histogram of its error, and the error along the input.
+// What is known of an operation in a format and an implementation: figures with their witnesses and bounds, the worst
+// of any run, and hashes; the histogram of its error, and the error along the input.
 import * as Plot from "@observablehq/plot";
 import { command, has, implementations, measured, rows } from "./data.js";
 import { facts, h } from "./dom.js";
@@ -10,10 +10,10 @@ import { hash, number, subjectLabel, subjectOf, tick, whole, witness, words } fr
 const same = (row) => (other) => other.operation === row.operation && other.format === row.format && other.implementation === row.implementation;
 const first = (name, row) => rows(name).find(same(row));
 
-// An implementation that has no results of its own has the default's, by definition.
+// An implementation that has no results of its own has, by definition, those of the default.
 const judgedAs = (row) => (implementations[row.implementation].as_default ? { ...row, implementation: "default" } : row);
 
-// The row of bounds.csv of an operation, format and implementation; none for other libraries.
+// The row of bounds.csv for an operation, format and implementation; none for other libraries.
 export const known = (row) => first("bounds", row);
 
 export function describe(row, whole) {

@@ -11,13 +11,13 @@ const errors = { larger: "larger of method and arithmetic", error: "total", erro
 const dashes = { explicit_euler: "1 3", semi_implicit_euler: null, velocity_verlet: "6 3", implicit_springs: "8 3 1 3", direct_rods: "2 2" };
 
 export const title = "Scenes";
-// Runs on the chip that held and have a truth to be judged by.
+// Runs on the chip that held and have a truth to be compared with.
 const measured = () => rows("scenes").filter((row) => row.cycles_per_simulated_second !== null && row.error !== null
   && row.error_arithmetic !== null && row.verdict === "held");
 const scalarOf = (row) => `${row.scalar}/${row.arithmetic}`;
 const scalarLabel = (scalar) => subjects[scalar].label;
 const step = (row) => (row.dt >= 1 ? `${row.dt} s` : `1/${Math.round(1 / row.dt)} s`);
-// A sum of the shares that cancel each other would look better than either.
+// A sum of the two parts would look better than either if they cancel.
 const errorOf = (row, error) => (error === "larger" ? Math.max(Math.abs(row.error_method), Math.abs(row.error_arithmetic)) : Math.abs(row[error]));
 
 const first = unique(measured().map((row) => row.scene)).slice(0, 6);

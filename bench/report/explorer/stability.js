@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where each case breaks in each format, and what goes wrong first; and how far maps of two
-// parameters reach.
+// Where each case fails in each format, and what goes wrong first; and how far the maps of two parameters reach.
 import * as Plot from "@observablehq/plot";
 import { command, rows, scalars as subjects, unique, verdicts } from "./data.js";
 import { h, select } from "./dom.js";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is chosen, kept in the address behind #. What is at its default does not stand there.
+// The selection, kept in the address after #. Defaults are not included.
 export class State {
-  // `changed` is told the name of what is chosen anew.
+  // `changed` is called with the name of what was selected.
   constructor(hash, changed) {
     this.chosen = new URLSearchParams(hash.slice(1));
     this.defaults = {};
@@ -23,6 +23,6 @@ export class State {
     history.replaceState(null, "", address);
     this.saved?.(address);
   }
-  // The names that begin so and are chosen.
+  // The selected names that start with the prefix.
   names(prefix) { return [...this.chosen.keys()].filter((name) => name.startsWith(prefix)); }
 }

@@ -8,7 +8,7 @@ export const title = "Table";
 export const defaults = { file: tableNames[0], sort: "" };
 const page = 100;
 
-// "text" is contained, "=text" is the whole cell; "<3", "<=3", ">3", ">=3" compare numbers.
+// "text" must be contained, "=text" is the whole cell; "<3", "<=3", ">3", ">=3" compare numbers.
 export function matches(value, wanted) {
   const [, operator, operand] = wanted.match(/^\s*(<=|>=|<|>|=)?\s*(.*?)\s*$/);
   if (operator && operator !== "=") {
@@ -25,7 +25,7 @@ export function selected(state) {
   const kept = rows(name).filter((row) => filters.every(([column, wanted]) => matches(row[column], wanted)));
   if (!sort) return kept;
   const column = sort.replace(/^-/, ""), sign = sort.startsWith("-") ? -1 : 1;
-  // Numbers before texts, and what is missing last.
+  // Numbers before texts, missing values last.
   const rank = (value) => (value === null ? 2 : typeof value === "number" ? 0 : 1);
   return [...kept].sort(({ [column]: a }, { [column]: b }) => rank(a) - rank(b)
     || sign * (typeof a === "number" ? a - b : String(a).localeCompare(String(b))));
@@ -64,7 +64,7 @@ export function build(root, state) {
       if (sort.replace(/^-/, "") === th.dataset.column) th.setAttribute("aria-sort", sort.startsWith("-") ? "descending" : "ascending");
       else th.removeAttribute("aria-sort");
     }
-    // Cells show what the file holds, unrounded.
+    // Cells show the content of the file, unrounded.
     body.replaceChildren(...list.slice(0, limit).map((row) => h("tr", {}, names.map((name) => h("td",
       { class: numeric.has(name) ? "number" : String(row[name]).length > 40 ? "wrap" : null }, row[name] === null ? "" : String(row[name]))))),
     ...(list.length > limit ? [h("tr", {}, h("td", { colspan: names.length }, h("button", { type: "button", onclick: () => { limit += 10 * page; fill(); } }, `Show more; ${number(list.length - limit)} rows are not shown`)))] : []));

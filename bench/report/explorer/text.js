@@ -4,7 +4,7 @@ import { formats, subjects } from "./data.js";
 
 const superscripts = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 
-// Four significant digits; powers of ten where it is very small or large.
+// Four significant digits, with a power of ten if the number is very small or large.
 export function number(value) {
   if (value === null || value === undefined) return "–";
   if (typeof value !== "number") return String(value);
@@ -43,7 +43,7 @@ export const formatLabel = (format) => formats[format]?.label ?? words(format);
 export const subjectOf = (row) => subjects[`${row.format}/${row.implementation}`];
 export const subjectLabel = (row) => subjectOf(row).label;
 
-// A raw operand as the number that it stands for.
+// The number that a raw operand stands for.
 function value(format, raw) {
   const { fraction } = formats[format];
   if (fraction !== null) return Number(raw) / 2 ** fraction;

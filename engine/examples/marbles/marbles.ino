@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Four marbles in a tray, the first on a spring to the tray's middle: prints all positions ten
-// times a second, and stops with a message when the world says that something is wrong.
+// Four marbles in a tray, the first on a spring to the middle of the tray. Prints all positions ten
+// times a second, and stops with a message if the world reports an error.
 #include <engine.h>
 
 using namespace engine;

@@ -13,12 +13,12 @@ struct Either<false, A, B> {
     using Type = B;
 };
 
-// By which an overload is chosen: f(If<true>()) calls f(If<true>).
+// Selects an overload: f(If<true>()) calls f(If<true>).
 template <bool condition>
 struct If {};
 
 // only_if<condition>(subject, [&](auto& subject) { ... }): the lambda is not instantiated where the
-// condition does not hold, so that it may name members that the subject does not have then.
+// condition is false, so that it may name members that the subject does not have then.
 template <bool condition>
 struct OnlyIfTrue {
     template <class Subject, class Function>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Finds the constraint rows of a step: of rods, of taut ropes, of particles in planes and of
+/// Finds the constraint rows of a step: of rods, of taut ropes, of particles inside planes and of
 /// particles that overlap. A direction points from the second end to the first.
 #pragma once
 
@@ -15,7 +15,8 @@
 namespace engine {
 
 /// \cond internal
-// measure(), inline where the world has one kind of such links: a call costs as much as a product.
+// measure(), inline where the world has only one kind of such links: a call costs as much as a
+// product.
 template <bool may_be_slack, class World, class Link, class Vector, class Scalar>
 ENGINE_INLINE bool measure(const World& world, const Link& link, Vector& direction, Scalar& excess,
                            If<true>) {
@@ -38,8 +39,9 @@ ENGINE_INLINE bool measure(const World& world, const Link& link, Vector& directi
 }
 /// \endcond
 
-/// A rod makes a row in every step, since it bounds velocities even where its length is right. Ends
-/// at one place are reported: the rod has no direction there.
+/// A rod makes a row in every step, since it constrains the velocity even where its length is
+/// right. If its ends coincide there is no direction: it sets error() to no_direction and makes no
+/// row.
 template <class World, class Scalar, class Ends, class TimeStep>
 ENGINE_INLINE void constrain(const Rod<Scalar, Ends>& rod, World& world, TimeStep dt) {
     observe<Scalar>(Quantity::rod);
@@ -52,7 +54,7 @@ ENGINE_INLINE void constrain(const Rod<Scalar, Ends>& rod, World& world, TimeSte
     World::Solver::rod(world, rod.ends.a, rod.ends.second(), direction, excess, rod.inverse, dt);
 }
 
-/// A rope makes a row where it is taut or too long.
+/// A rope makes a row where it is taut or too long. If its ends coincide it makes none.
 template <class World, class Scalar, class Ends, class TimeStep>
 ENGINE_INLINE void constrain(const Rope<Scalar, Ends>& rope, World& world, TimeStep dt) {
     observe<Scalar>(Quantity::rope);
@@ -65,8 +67,8 @@ ENGINE_INLINE void constrain(const Rope<Scalar, Ends>& rope, World& world, TimeS
                         rope.restitution, dt);
 }
 
-/// A particle makes a row where it reaches into a plane. Inline as collide(): most particles reach
-/// nothing, and a call costs more than to find that.
+/// A particle makes a row where it reaches into a plane. Inline, like collide(): most particles do
+/// not touch the plane, and a call would cost more than finding that out.
 template <class World, class Scalar, class Vector, class Index, class TimeStep>
 ENGINE_INLINE void constrain(const Plane<Scalar, Vector>& plane, Index a, World& world,
                              TimeStep dt) {
@@ -82,9 +84,9 @@ ENGINE_INLINE void constrain(const Plane<Scalar, Vector>& plane, Index a, World&
     }
 }
 
-/// Two particles make a row where they overlap. Particles apart along one axis are apart: that
-/// takes no product, and no square of a distance beyond the radii is formed. Most pairs are apart
-/// along the first.
+/// Two particles make a row where they overlap. Particles that are apart along one axis are apart:
+/// that test takes no product, and no square of a distance beyond the radii is formed. Most pairs
+/// are apart along the first axis.
 template <class World, class Index, class TimeStep>
 ENGINE_INLINE void collide(Index a, Index b, World& world, TimeStep dt) {
     using Scalar = typename World::Scalar;

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Continuous contacts: a particle that moves further than half its radius in a step goes until it
-/// first overlaps something by a quarter, and no further. There the next step finds the contact,
-/// solves it as every other, and the particle goes on. Slower ones move as they do without.
+/// Continuous contacts: a particle that would move further than half its radius in a step moves
+/// until it first overlaps something by a quarter of its radius (of the sum of both radii), and no
+/// further. The next step finds the contact there, solves it like every other, and the particle
+/// moves on. Slower particles move as they do without continuous contacts.
 ///
-/// Particles move one after the other, in the order in which they were added, each against all
-/// others where they are by then: nothing is passed, whatever comes later. The price is time: a
-/// fast particle loses the rest of the step in which it touches, and of a close row of fast ones
-/// each behind the first may lose a step's way, once. Per fast particle that takes a look at each
-/// plane and each other particle.
+/// Particles move one after the other, in the order in which they were added, each against the
+/// current positions of all others, so that none passes through another. The price is time: a fast
+/// particle loses the rest of the step in which it touches something, and in a close row of fast
+/// particles each one behind the first may lose the motion of one step. A fast particle is tested
+/// against each plane and each other particle.
 #pragma once
 
 #include <engine/choice.hpp>
@@ -44,7 +45,7 @@ class Flight {
     World& world;
     const Index moving;
     const Vector direction;
-    Scalar left;  // of the way
+    Scalar left;  // of the path
 
     Flight(World& of_world, Index of_particle, const Vector& towards, Scalar way)
         : world(of_world), moving(of_particle), direction(towards), left(way) {}
@@ -56,10 +57,10 @@ class Flight {
         return false;
     }
 
-    // Moves the particle where something is in its way; true, and nothing moved, where nothing is.
-    // The direction is rounded, so that a long way ends beside its end: it goes 255 parts of 256
-    // and looks again. Each look is so much more exact, and a few do; what is not there after all
-    // of them stays short of the obstacle.
+    // Moves the particle if something is in its way. Returns true, and moves nothing, if nothing
+    // is. The direction is rounded, so that a long path ends beside its true end: the particle goes
+    // 255/256 of the free path and looks again. Each look is more accurate by that factor, and a
+    // few suffice; a particle that has not arrived after all of them stops short of the obstacle.
     bool reaches_its_end() {
         auto& particle = world.step_particles()[moving];
         const Scalar near = particle.radius * BinaryStep<3>();
@@ -78,7 +79,7 @@ class Flight {
         return false;
     }
 
-    // How far it may go: all of what is left, or less.
+    // How far it may go: at most what is left of the path.
     Scalar free_way() const {
         Scalar free = left;
         world.planes().for_each([&](const typename World::Plane& plane) { to_plane(plane, free); });
@@ -90,7 +91,8 @@ class Flight {
         return free;
     }
 
-    // A point would stop on the plane and not in it: that a plane holds half of space is enough.
+    // A point would stop on the plane and not in it; it needs no such test, since a plane holds
+    // half of space.
     void to_plane(const typename World::Plane& plane, Scalar& free) const {
         const auto& particle = world.particles()[moving];
         const Scalar approach = -plane.along_normal(direction);
@@ -100,9 +102,10 @@ class Flight {
         if (height < free * approach) shorten(free, height / approach);
     }
 
-    // With d from the other particle, the way passes it closest after b = -d . direction, at the
-    // distance c = |d + b direction|, and touches it half a chord earlier. From far away c is
-    // uncertain by the rounding of the direction: then it goes near and looks again.
+    // With d the offset from the other particle, the path passes it closest after b = -d .
+    // direction, at the distance c = |d + b direction|, and touches it half a chord earlier. From
+    // far away the rounding of the direction makes c uncertain: then the particle goes near and
+    // looks again.
     void to_particle(Index other, Scalar& free) const {
         const auto& first = world.particles()[moving];
         const auto& second = world.particles()[other];
@@ -118,7 +121,8 @@ class Flight {
         }
         const Scalar distance = length(offset);
         if (!(distance < bound)) return;
-        // Two roots: the square of a large radius leaves a format where its root does not.
+        // Two roots: the square of a large radius leaves a format where the product of the roots
+        // does not.
         shorten(free, is_from_afar ? closest - reach - reach
                                    : closest - root(reach - distance) * root(reach + distance));
     }

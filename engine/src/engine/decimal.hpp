@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// \file
 /// Decimal constants for every scalar: `0.38_d` is the number 0.38, rounded once, at compile time,
-/// to whatever scalar it becomes: Q16.16, Q8.24, float, double or a wide type. What does not fit a
-/// fixed-point format does not compile.
+/// to the scalar that it becomes: Q16.16, Q8.24, float, double or a wide type. A constant that does
+/// not fit a fixed-point format does not compile.
 #pragma once
 
 #include <engine/scalar.hpp>
@@ -24,9 +24,9 @@ struct DecimalIn {
     static constexpr Scalar value() { return Scalar(digits) / Scalar(power_of_ten(places)); }
 };
 
-// |digits| / 10^places digit by digit: how often the divisor goes into so many doubled numbers, and
-// what is left. Functions of one return statement, so that C++11, too, computes constants when it
-// compiles.
+// |digits| / 10^places bit by bit: the quotient and the remainder of the numerator, doubled as
+// often as needed, and the divisor. Each function is one return statement, so that C++11, too,
+// evaluates constants at compile time.
 template <int64_t digits, unsigned char places>
 struct BinaryDigits {
     struct Division {
@@ -57,8 +57,7 @@ struct BinaryDigits {
         return rounded<Binary>(first(), bits, digits < 0 ? -1 : 1);
     }
 
-    // |raw| of the number with F fraction bits, rounded half up; all ones where it is above
-    // `limit`.
+    // |raw| of the number with F fraction bits, rounded half up; all ones where it exceeds `limit`.
     static constexpr uint64_t rounded(Division d) {
         return d.quotient + (2 * d.remainder + (digits < 0 ? 0 : 1) > divisor);
     }
@@ -69,7 +68,7 @@ struct BinaryDigits {
     }
 };
 
-// Constants are members, so that they are constants wherever they stand.
+// Constants are members, so that they are evaluated at compile time wherever they are used.
 template <class Binary, int bits, int64_t digits, unsigned char places>
 struct DecimalInBinary {
     static constexpr Binary constant = BinaryDigits<digits, places>::template rounded<Binary>(bits);
@@ -94,11 +93,11 @@ struct DecimalIn<Fixed<I, F, A>, digits, places> {
 };
 /// \endcond
 
-/// The constant digits / 10^places, which becomes whatever scalar it is assigned to.
+/// The constant digits / 10^places, which converts to the scalar that it is assigned to.
 template <int64_t digits, unsigned char places>
 struct Decimal {
-    /// The constant in a scalar, rounded once. One out of the range of a fixed-point format does
-    /// not compile, nor does an integer.
+    /// The constant as a scalar, rounded once. Does not compile if it is outside the range of a
+    /// fixed-point format, or if the target is an integer.
     template <class Scalar>
     constexpr operator Scalar() const {
         static_assert(!fixedpoint::BuiltinNumber<Scalar>::is_integer,
@@ -129,7 +128,7 @@ struct DecimalText {
 };
 /// \endcond
 
-/// The constant of up to 18 digits with at most one point: 12_d, 0.38_d.
+/// The constant of at most 18 digits with at most one point: 12_d, 0.38_d.
 template <char... Text>
 constexpr Decimal<DecimalText<Text...>::digits, DecimalText<Text...>::places> operator""_d() {
     return {};

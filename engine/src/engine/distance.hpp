@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
-// The distance of a link's ends and the direction of one from the other. In fixed point a step
-// takes neither a root nor a quotient for it: a link knows 1 / length, and its product with the
-// difference d of the ends is nearly a unit vector n where these are near that length. With
-// e = (n . n - 1) / 2, the unit vector is n (1 + 2 e)^(-1/2), by its series up to e^2. Where e is
-// large, a few such steps one after the other converge. The distance is length (1 + e - e^2 / 2),
-// or d . n.
+// The distance between the ends of a link, and the direction from one to the other. In fixed point
+// a step needs neither a root nor a quotient for it: a link stores 1 / length, and the product of
+// that with the difference d of the ends is nearly a unit vector n when the distance is close to
+// the length. With e = (n . n - 1) / 2, the unit vector is n (1 + 2 e)^(-1/2), by its series up to
+// e^2. Where e is large, a few such steps in sequence converge. The distance is length (1 + e - e^2
+// / 2), or d . n.
 //
-// Proven for Q16.16 (engine/distance_proof_test), of a distance D and a length L from 4 ulp to 98%
-// of the range, where (D / L)^2 is within that, too: near a length below 2 m a component of the
-// direction is off by at most 8.5 ulp and the excess by 3 L + 1/2, else by 10.75 ulp and by
+// Proven for Q16.16 (engine/distance_proof_test), for a distance D and a length L from 4 ulp to 98%
+// of the range, if (D / L)^2 is within that, too. Close to a length below 2 m, a component of the
+// direction is off by at most 8.5 ulp and the excess by 3 L + 1/2 ulp; otherwise by 10.75 ulp and
 // 3.25 D + N / 2. Where each product of a sum is rounded (Saturating), these are 9, 3.5 L + 1/2,
+// 11.25 and 5 D + N / 2.
 // 11.25 and 5 D + N / 2.
 #pragma once
 
@@ -22,9 +23,10 @@ namespace engine {
 
 /// \cond internal
 
-// 1 / a = factor / 2^halvings. The factor of a fixed-point number above 1 lies in 1/2..1, so that a
-// long link's is as exact as a short one's. It is 0 where it leaves the format, and of a <= 0. Of
-// a = 2^-k, k >= 0, the factor is 1 and `halvings` -1 - k: it takes k doublings and no product.
+// 1 / a = factor / 2^halvings. For a fixed-point number above 1 the factor lies in 1/2..1, so that
+// a long link's inverse is as accurate as a short one's. The factor is 0 if it does not fit the
+// format, and for a <= 0. For a = 2^-k, k >= 0, the factor is 1 and `halvings` is -1 - k: scaling
+// takes k doublings and no product.
 template <class Scalar>
 struct Inverse {
     Scalar factor;
@@ -41,7 +43,7 @@ ENGINE_INLINE Scalar times(Scalar a, const Inverse<Scalar>& inverse) {
     return a * inverse.factor;
 }
 
-// Digit by digit, since it is done once for each link: a kernel's table would stay in flash.
+// Digit by digit, since it runs once for each link: a kernel's table would stay in flash.
 template <int I, int F, class A>
 __attribute__((noinline, cold)) Inverse<Fixed<I, F, A>> inverse_by_digits(Fixed<I, F, A> a) {
     using Number = Fixed<I, F, A>;
@@ -72,7 +74,7 @@ __attribute__((noinline, cold)) Inverse<Fixed<I, F, A>> inverse_by_digits(Fixed<
     }
     return {Number::from_raw(static_cast<Raw>(quotient)), halvings};
 }
-// As a quotient of 64 bits: of a > 0 of at most 32 bits.
+// By a quotient of 64 bits. `a` must be above 0 and of at most 32 bits.
 template <int I, int F, class A>
 ENGINE_INLINE Inverse<Fixed<I, F, A>> inverse_by_quotient(Fixed<I, F, A> a) {
     using Number = Fixed<I, F, A>;
@@ -86,7 +88,7 @@ ENGINE_INLINE Inverse<Fixed<I, F, A>> inverse_by_quotient(Fixed<I, F, A> a) {
         Number::from_raw(static_cast<typename Number::Raw>(doubles ? uint64_t(1) << F : factor)),
         static_cast<signed char>(doubles ? power - 1 : halvings)};
 }
-// Where the compiler knows the length, it divides, and nothing of that stays in flash.
+// Where the compiler knows the length, it divides, and nothing of this stays in flash.
 template <int I, int F, class A>
 ENGINE_INLINE Inverse<Fixed<I, F, A>> inverse_of(Fixed<I, F, A> a) {
     const auto raw = a.raw();
@@ -111,7 +113,8 @@ __attribute__((noinline, cold)) void halve(Vector<Scalar, N>& v) {
     for (unsigned char i = 0; i < n; ++i) v[i] = half(v[i]);
 }
 
-// v 2^k with its largest component in 1/4..1/2, so that 1/4 < |v| < 0.87; 0 stays 0.
+// Scales v by a power of two such that its largest component lies in 1/4..1/2, hence 1/4 < |v| <
+// 0.87. Zero stays zero.
 template <int I, int F, class A, int N>
 __attribute__((noinline, cold)) void bring_near_one(Vector<Fixed<I, F, A>, N>& v) {
     using Number = Fixed<I, F, A>;
@@ -119,7 +122,7 @@ __attribute__((noinline, cold)) void bring_near_one(Vector<Fixed<I, F, A>, N>& v
     const auto quarter = Number::from_raw(static_cast<Raw>(Raw(1) << (F < 2 ? 0 : F - 2)));
     const auto n = unknown<unsigned char>(N);
     for (;;) {
-        Number least = Number();  // -|v_i| of the largest: the end of the range has no |v_i|
+        Number least = Number();  // -|v_i| of the largest; |v_i| itself may not fit
         for (unsigned char i = 0; i < n; ++i) {
             const Number below_zero = v[i] > Number() ? -v[i] : v[i];
             if (below_zero < least) least = below_zero;
@@ -134,14 +137,14 @@ __attribute__((noinline, cold)) void bring_near_one(Vector<Fixed<I, F, A>, N>& v
     }
 }
 
-// e = (v . v - 1) / 2, by which |v| exceeds 1 where that is little.
+// e = (v . v - 1) / 2, the amount by which |v| exceeds 1 when that is small.
 template <class Scalar, int N>
 ENGINE_INLINE Scalar excess_over_one(const Vector<Scalar, N>& v) {
     return half(squared_length(v) - Scalar(Decimal<1, 0>()));
 }
 
-// Makes v, which exceeds 1 by that e, v / |v|: 1 - e + 3/2 e^2 of it, which leaves 5/2 |e|^3 of the
-// length. Returns by how much |v| exceeded 1.
+// Normalises v, whose e is given: multiplies it by 1 - e + 3/2 e^2, which leaves an error of 5/2
+// |e|^3 in the length. Returns the amount by which |v| exceeded 1.
 template <class Scalar, int N>
 __attribute__((noinline)) Scalar mend_length(Vector<Scalar, N>& v, Scalar e) {
     const Scalar square = e * e;
@@ -150,7 +153,7 @@ __attribute__((noinline)) Scalar mend_length(Vector<Scalar, N>& v, Scalar e) {
     return excess;
 }
 
-// Up to this e, mend_length leaves less than half an ulp.
+// Up to this e, mend_length leaves an error of less than half an ulp.
 template <class Number>
 struct NearOne;
 template <int I, int F, class A>
@@ -161,8 +164,8 @@ struct NearOne<Fixed<I, F, A>> {
     }
 };
 
-// The distance of two points and the direction along it, from one of nearly that direction and its
-// e. Steps of third order converge for |e| <= 1/4, and from 1/4 of the length six suffice.
+// The distance between two points and the unit direction along it, from an approximate direction
+// and its e. Steps of third order converge for |e| <= 1/4, and from 1/4 of the length six suffice.
 template <class Scalar, int N>
 __attribute__((noinline, cold)) Scalar measure_by_steps(const Vector<Scalar, N>& first,
                                                         const Vector<Scalar, N>& second, Scalar e,
@@ -193,7 +196,7 @@ ENGINE_INLINE void scale(Vector<Fixed<I, F, A>, N>& v, const Inverse<Fixed<I, F,
     }
 }
 
-// measure() from the direction (first - second) / length, and its e.
+// measure(), from the direction (first - second) / length and its e.
 template <int I, int F, class A, int N>
 ENGINE_INLINE bool measure_scaled(const Vector<Fixed<I, F, A>, N>& first,
                                   const Vector<Fixed<I, F, A>, N>& second,
@@ -201,8 +204,8 @@ ENGINE_INLINE bool measure_scaled(const Vector<Fixed<I, F, A>, N>& first,
                                   const Inverse<Fixed<I, F, A>>& inverse, Fixed<I, F, A> e,
                                   Vector<Fixed<I, F, A>, N>& direction, Fixed<I, F, A>& excess) {
     using Number = Fixed<I, F, A>;
-    // A direction 1 + e long leaves 2 e of a row's change to the next step: by 4 ulp that is below
-    // an ulp of each change below 1/8 m/s.
+    // A direction of length 1 + e leaves 2 e of a row's change to the next step. Up to an e of 4
+    // ulp that is below an ulp for each change below 1/8 m/s.
     const Number little = Number::from_raw(F >= 12 ? 4 : 0);
     if (inverse.halvings <= 0 && absolute(e) < NearOne<Number>::value()) {
         if (absolute(e) > little) e = mend_length(direction, e);
@@ -214,8 +217,9 @@ ENGINE_INLINE bool measure_scaled(const Vector<Fixed<I, F, A>, N>& first,
     return !(distance == Number());
 }
 
-// The direction from the second point to the first, and by how much they are further apart than
-// `length`. False where there is none: they coincide or, of what may be slack, are surely nearer.
+// Computes the unit direction from the second point to the first, and by how much their distance
+// exceeds `length`. Returns false where there is no direction: the points coincide or, if the link
+// may be slack, are certainly closer than its length.
 template <bool may_be_slack, class Scalar, int N>
 bool measure(const Vector<Scalar, N>& first, const Vector<Scalar, N>& second, const Scalar& length,
              const Inverse<Scalar>&, Vector<Scalar, N>& direction, Scalar& excess) {

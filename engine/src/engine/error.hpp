@@ -1,32 +1,32 @@
 // SPDX-License-Identifier: MIT
 /// \file
 /// What can go wrong in a world. A world keeps the first error until it is cleared. A number that
-/// is NaN or infinite is as bad as a negative one.
+/// is NaN or infinite counts as out of range.
 #pragma once
 
 #include <fixedpoint/constexpr.hpp>
 
 namespace engine {
 
-/// The first error of a world; none of them stops it.
+/// The first error of a world. No error stops the world.
 enum class Error : unsigned char {
     none,              ///< all is well
     pool_full,         ///< more particles, forces or constraints than Uses states
-    no_such_particle,  ///< a handle that no particle of this world belongs to
+    no_such_particle,  ///< a handle that names no particle of this world
     same_particle,     ///< both ends of a spring, rod or rope are one particle
     bad_mass,          ///< a negative inverse mass
     bad_radius,        ///< a negative radius
-    bad_length,        ///< a rod or rope of length 0 or less, a spring of negative rest length
+    bad_length,        ///< a length (or its inverse) of 0 or less, a negative rest length
     bad_stiffness,     ///< a negative stiffness, damping or drag
     bad_normal,        ///< a plane whose normal is not of length 1
-    contacts_full,     ///< in a step: more contacts at once than Uses states
-    no_direction,      ///< in a step: both ends of a rod are at one place
-    bad_restitution,   ///< a restitution outside 0..1, or a negative threshold of it
+    contacts_full,     ///< in a step: more contacts than Uses states
+    no_direction,      ///< in a step: both ends of a rod are in the same place
+    bad_restitution,   ///< a restitution outside 0..1, or a negative restitution threshold
     bad_damping,       ///< a damping factor outside 0..1
     bad_time_step,     ///< a step of 0 s or less
     not_finite,        ///< a position, velocity, anchor, normal or offset that is NaN or infinite
     no_chain,          ///< in a step: a rod shares particles with two rods added before it
-    no_such_link,      ///< a spring, rod or rope that is none of this world
+    no_such_link,      ///< a spring, rod or rope that does not belong to this world
 };
 
 /// The error in words, for hosts.

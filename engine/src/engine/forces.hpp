@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The forces of springs and drag, added to the accumulators of particles.
+/// The forces of springs and drag, added to the force on each particle.
 #pragma once
 
 #include <engine/links.hpp>
@@ -8,8 +8,8 @@
 
 namespace engine {
 
-/// A spring pulls with stiffness * extension + damping * rate of extension along its length. It
-/// does nothing where its ends coincide, since it has no direction there.
+/// Adds the force of a spring to its ends: stiffness * extension + damping * rate of extension
+/// along its length. Does nothing where the ends coincide, since there is no direction then.
 template <class World, class Scalar, class Ends>
 void apply(const Spring<Scalar, Ends>& spring, World& world) {
     observe<Scalar>(Quantity::spring_force);

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// state_hash: FNV-1a of the positions and velocities of all particles, in the order in which they
-/// were added. Equal worlds of one scalar have equal hashes on every machine.
-/// (G. Fowler, L. C. Noll, K.-P. Vo, The FNV Non-Cryptographic Hash Algorithm, 1991.)
+/// state_hash: the FNV-1a hash of the positions and velocities of all particles, in the order in
+/// which they were added. Equal worlds of one scalar have equal hashes on every little-endian
+/// machine. (G. Fowler, L. C. Noll, K.-P. Vo, The FNV Non-Cryptographic Hash Algorithm, 1991.)
 #pragma once
 
 #include <stdint.h>
 
 namespace engine {
 
-/// A hash carried on by the bytes of a vector.
+/// The hash continued with the bytes of a vector.
 template <class Vector>
 uint32_t hash_into(uint32_t hash, const Vector& vector) {
     const unsigned char* bytes = reinterpret_cast<const unsigned char*>(&vector);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// ENGINE_INLINE and, behind the parameters of a lambda, ENGINE_INLINE_LAMBDA: short functions that
-// the device's compiler must not call out of line, even where it optimises for size: a call by
-// reference costs more than what they do.
+// ENGINE_INLINE and, after the parameters of a lambda, ENGINE_INLINE_LAMBDA mark short functions
+// that the device's compiler must inline even when it optimises for size: a call that passes
+// references costs more than they do.
 #pragma once
 
 #define ENGINE_INLINE inline __attribute__((always_inline))
@@ -9,8 +9,8 @@
 
 namespace engine {
 
-// The number, with its value hidden from the compiler, where flash is what counts: no loop of that
-// many rounds is unrolled, and no code is compiled once more for that value.
+// The number, with its value hidden from the compiler, for code where flash matters most: a loop of
+// that many rounds is not unrolled, and no code is specialised for that value.
 template <class Number>
 inline Number unknown(Number number) {
     __asm__("" : "+r"(number));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
 /// Springs, rods and ropes, which act between two particles or between a particle and a fixed
-/// point; drag and planes, which act on one particle.
+/// point. Drag and planes, which act on one particle.
 #pragma once
 
 #include <engine/decimal.hpp>
@@ -10,14 +10,14 @@
 
 namespace engine {
 
-/// In place of the second particle's index where there is none.
+/// The index that stands for no second particle.
 template <class Index>
 constexpr Index nothing() {
     return static_cast<Index>(-1);
 }
 
 /// \cond internal
-// An index that is not nothing: the compiler drops what is for nothing.
+// The index, which must not be nothing: the compiler drops the code for that case.
 template <class Index>
 constexpr Index certain(Index index) {
     return index != nothing<Index>() ? index : (__builtin_unreachable(), index);
@@ -75,7 +75,7 @@ struct Spring {
     Scalar rest_length;  ///< m
 };
 
-/// Holds its ends at a distance.
+/// Holds its ends at a fixed distance.
 template <class Scalar, class Ends>
 struct Rod {
     /// The two ends.
@@ -92,7 +92,7 @@ struct Rope {
     /// The two ends.
     Ends ends;
     Scalar length;       ///< m
-    Scalar restitution;  ///< 0..1 of the velocity at which it becomes taut
+    Scalar restitution;  ///< rebound velocity / velocity at which it becomes taut, 0..1
     /// \cond internal
     Inverse<Scalar> inverse;  // of the length
     /// \endcond
@@ -119,7 +119,7 @@ struct Drag {
     Scalar quadratic;  ///< N s^2/m^2
 };
 
-/// The half space of the points x with normal . x >= offset is free, the rest is solid.
+/// The half space of the points x with normal . x >= offset is free. The rest is solid.
 template <class Scalar, class Vector>
 struct Plane {
     Vector normal;       ///< of length 1
@@ -127,11 +127,11 @@ struct Plane {
     Scalar restitution;  ///< 0..1
 
     /// \cond internal
-    // Of a normal along an axis, as floors and walls have it, one more than the axis, negative
-    // where the normal points back; 0 of every other.
+    // For a normal along an axis, as of floors and walls: the axis + 1, negative where the normal
+    // points backwards. 0 for every other normal.
     signed char axis;
-    // normal . v. Along an axis that is a component, exactly: a product costs as much as all else
-    // that a plane takes of a particle that is far away.
+    // normal . v. Along an axis that is exactly one component: a product costs as much as
+    // everything else that a plane takes for a particle that is far away.
     Scalar along_normal(const Vector& v) const {
         if (axis == 0) return dot(normal, v);
         return axis > 0 ? v[static_cast<unsigned char>(axis - 1)]
@@ -147,21 +147,21 @@ signed char axis_of(const Vector<Scalar, N>& normal) {
     for (unsigned char i = 0; i < N; ++i) {
         if (normal[i] == Scalar()) continue;
         if (axis != 0 || !(absolute(normal[i]) == one)) return 0;
-        // Not `normal[i] < one`: beside that comparison avr-gcc 5.4 makes it <=, of 64 bits.
+        // Not `normal[i] < one`: next to that comparison avr-gcc 5.4 turns it into <=, of 64 bits.
         axis = static_cast<signed char>(normal[i] < Scalar() ? -i - 1 : i + 1);
     }
     return axis;
 }
 /// \endcond
 
-/// Whether the second end is a particle. Where a world has nothing that acts between two particles,
-/// that is known at compile time.
+/// Whether the second end is a particle. Known at compile time for a world in which nothing acts
+/// between two particles.
 template <class World, class Index>
 constexpr bool is_particle(const World&, Index second) {
     return World::has_pairs && second != nothing<Index>();
 }
 
-/// The velocity of a against b, which may be nothing.
+/// The velocity of a relative to b. b may be nothing.
 template <class World, class Index>
 ENGINE_INLINE typename World::Vector relative_velocity(const World& world, Index a, Index b) {
     typename World::Vector velocity = world.particles()[a].velocity;
@@ -169,7 +169,7 @@ ENGINE_INLINE typename World::Vector relative_velocity(const World& world, Index
     return velocity;
 }
 
-/// The velocity of a against b, which may be nothing, along a direction.
+/// The velocity of a relative to b along a direction. b may be nothing.
 template <class World, class Index, class Vector>
 ENGINE_INLINE typename World::Scalar velocity_along(const World& world, Index a, Index b,
                                                     const Vector& direction) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Observation: an arithmetic that has `static void enter(Quantity)` is told at the head of each
-/// phase which quantity a step works on, so that it can name what overflowed or vanished. For every
-/// other scalar nothing is compiled.
+/// Observation: an arithmetic with a function `static void enter(Quantity)` is told, at the start
+/// of each phase, which quantity a step works on, so that it can name what overflowed or vanished.
+/// For every other scalar nothing is compiled.
 #pragma once
 
 #include <engine/inline.hpp>
@@ -36,7 +36,8 @@ struct Observer<fixedpoint::Fixed<I, F, A>> {
     static ENGINE_INLINE void enter(Quantity quantity) { tell<A>(quantity, 0); }
 
   private:
-    // The first where the arithmetic has the function: an int is the better match for 0.
+    // The first overload is used where the arithmetic has the function: for the argument 0, int is
+    // the better match.
     template <class Arithmetic>
     static ENGINE_INLINE auto tell(Quantity quantity, int)
         -> decltype(Arithmetic::enter(quantity)) {

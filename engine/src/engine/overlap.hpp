@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// By how much two spheres overlap, and in which direction the first lies from the second. In Q16.16
-// products tell both, as of links, with the sum of the radii for the length: the bounds are those
-// of distance.hpp, proven from a sum of 4 ulp on. In other formats, and in float, a root and
-// quotients are the cheaper way.
+// How far two spheres overlap, and the direction from the second to the first. In Q16.16 both
+// follow from products, as for links, with the sum of the radii as the length: the bounds are those
+// of distance.hpp, proven for sums of at least 4 ulp. In other formats, and in float, a root and
+// quotients cost less.
 #pragma once
 
 #include <engine/distance.hpp>
@@ -11,8 +11,8 @@ namespace engine {
 
 /// \cond internal
 
-// What a world that has collisions knows of the pair whose overlap was last asked for. Where all
-// radii are alike, their sum has one inverse.
+// What a world with collisions remembers of the last pair that it tested. If all radii are equal,
+// their sum has one inverse.
 template <class Scalar, bool by_products>
 struct Reach {};
 template <class Scalar>
@@ -29,9 +29,9 @@ struct LastReach<Fixed<16, 16, A>, true> : Reach<Fixed<16, 16, A>, RoundsOnce<A>
 template <>
 struct LastReach<SaturatingFixed<16, 16>, true> : LastReach<Fixed<16, 16>, true> {};
 
-// Of spheres of which each component of `first - second` is below the sum of their radii, `reach`:
-// by how much they overlap, 0 or less where they do not. Where they do, `direction`, which must be
-// that difference, becomes 1 long; where the centres coincide, the first axis.
+// How far two spheres overlap; 0 or less if they do not. Each component of `first - second` must be
+// less than the sum of their radii, `reach`, and `direction` must be that difference. If they
+// overlap, it becomes a unit vector; if their centres coincide, the first axis.
 template <class Scalar, int N>
 ENGINE_INLINE Scalar overlap(const Vector<Scalar, N>&, const Vector<Scalar, N>&, Scalar reach,
                              LastReach<Scalar, true>&, Vector<Scalar, N>& direction) {
@@ -68,9 +68,8 @@ ENGINE_INLINE Vector<To, N> in_arithmetic_of(const Vector<From, N>& v) {
                           ENGINE_INLINE_LAMBDA { same[i] = To::from_raw(v[i].raw()); });
     return same;
 }
-// Such spheres are so near each other that nothing leaves the range, and the default arithmetic
-// will do, of their difference alone. By a call: inline it takes the registers of the search for
-// pairs.
+// Such spheres are so close that nothing leaves the range of the default arithmetic, applied to
+// their difference alone. Not inlined: inline it would take the registers of the broad phase.
 template <int N>
 __attribute__((noinline)) SaturatingFixed<16, 16> overlap(
     const Vector<SaturatingFixed<16, 16>, N>&, const Vector<SaturatingFixed<16, 16>, N>&,

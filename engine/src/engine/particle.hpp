@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// A particle: a sphere that does not turn. It holds what its scene uses and no more.
+/// A particle: a sphere that does not rotate. It stores what its scene uses and no more.
 #pragma once
 
 #include <engine/decimal.hpp>
@@ -35,10 +35,11 @@ template <class Vector, bool used>
 struct Displacement {};
 template <class Vector>
 struct Displacement<Vector, true> {
-    Vector displacement;  // m, by what the solver moved it in this step
+    Vector displacement;  // m, the way that the solver moved it in this step
 };
 
-// What a particle may not have: then these are only declared, since what names them is not called.
+// Members that a particle may not have. These overloads are only declared then, since nothing calls
+// them.
 template <class Scalar>
 Scalar& radius_of(Radius<Scalar, true>& particle) {
     return particle.radius;
@@ -64,7 +65,7 @@ const Scalar& radius_of(const Radius<Scalar, true>& particle) {
 template <class Scalar>
 const Scalar& radius_of(const Radius<Scalar, false>&);
 
-// Adds rate * dt to a vector. With residuals, what is below one ulp is carried to the next step.
+// Adds rate * dt to a vector. With residuals, the part below one ulp is carried to the next step.
 template <class Vector, bool exact>
 struct Residuals {
     template <class TimeStep>
@@ -99,7 +100,8 @@ struct Residuals<Vector, true> {
 };
 /// \endcond
 
-/// The description that add_particle makes a particle from. What the scene does not use is ignored.
+/// The description that add_particle makes a particle from. Members that the scene does not use are
+/// ignored.
 template <class Scalar, int N>
 struct Body {
     Vector<Scalar, N> position;        ///< m
@@ -109,8 +111,8 @@ struct Body {
     Scalar damping = Decimal<1, 0>();  ///< factor of the velocity in each step
 };
 
-/// A particle of a world: with `force`, `radius`, `damping` and `displacement` where the scene uses
-/// them.
+/// A particle of a world. It has the members `force`, `radius`, `damping` and `displacement` if the
+/// scene uses them.
 template <class Scalar, class Uses, bool forces, bool displacement>
 struct Particle : Force<Vector<Scalar, Uses::dimensions>, forces>,
                   Radius<Scalar, Uses::radii>,
@@ -122,7 +124,7 @@ struct Particle : Force<Vector<Scalar, Uses::dimensions>, forces>,
     Scalar inverse_mass = Scalar();             ///< 1/kg; 0 is immovable
 };
 
-/// Whether anything moves the particle: its inverse mass is not 0.
+/// Whether the particle can move: its inverse mass is above 0.
 template <class Particle>
 constexpr bool movable(const Particle& particle) {
     return particle.inverse_mass > decltype(particle.inverse_mass)();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Pool<T, capacity>: up to `capacity` elements in place, no heap. Elements keep their index. A
-/// pool of capacity 0 is an empty class, and loops over it compile to nothing.
+/// Pool<T, capacity>: up to `capacity` elements in place, without a heap. Elements keep their
+/// index. A pool of capacity 0 is an empty class, and loops over it compile to nothing.
 #pragma once
 
 #include <stdint.h>
@@ -22,18 +22,18 @@ struct CountTo {
 };
 /// \endcond
 
-/// The elements of a pool, to be read and changed, but neither added nor removed. An index must be
-/// less than size().
+/// The elements of a pool, which can be read and changed, but neither added nor removed. An index
+/// must be less than size().
 template <class T, unsigned capacity>
 class Elements {
   public:
-    /// The type of an index: of one byte up to 255 elements, else of two.
+    /// The type of an index: one byte for a capacity of up to 255, else two.
     using Index = typename CountTo<capacity>::Type;
 
-    /// How many elements are in it.
+    /// The number of elements.
     constexpr Index size() const { return size_; }
 
-    /// The element of that index, which needs no look-up where there is room for one only.
+    /// The element of that index. With a capacity of 1 every index means the one element.
     FIXEDPOINT_CONSTEXPR T& operator[](Index i) { return elements_[capacity == 1 ? 0 : i]; }
     /// The element of that index.
     constexpr const T& operator[](Index i) const { return elements_[capacity == 1 ? 0 : i]; }
@@ -45,8 +45,8 @@ class Elements {
     constexpr const T* end() const { return elements_ + size_; }
     /// @}
 
-    /// Calls function(element) for each; not compiled where the capacity is 0, no loop where it
-    /// is 1.
+    /// Calls function(element) for each element. With a capacity of 0 nothing is compiled, with 1
+    /// no loop.
     template <class Function>
     ENGINE_INLINE void for_each(Function function) {
         visit(*this, function);
@@ -70,7 +70,7 @@ class Elements {
     T elements_[capacity]{};
 
   protected:
-    Index size_ = 0;  ///< how many elements are in it
+    Index size_ = 0;  ///< the number of elements
 };
 
 /// \cond internal
@@ -89,17 +89,18 @@ class Elements<T, 0> {
 };
 /// \endcond
 
-/// Elements that can be added and removed together.
+/// Elements that are added one by one and removed together.
 template <class T, unsigned capacity>
 class Pool : public Elements<T, capacity> {
   public:
-    /// Whether there is room for no more.
+    /// Whether there is no room for another element.
     constexpr bool full() const { return this->size_ == capacity; }
     /// Removes all elements.
     FIXEDPOINT_CONSTEXPR void clear() { this->size_ = 0; }
-    /// Needs !full(). The new element is still what it was made as, or what it was before clear().
+    /// Adds an element and returns it. The pool must not be full. The element has its default
+    /// value, or the value it had before clear().
     FIXEDPOINT_CONSTEXPR T& append() { return (*this)[this->size_++]; }
-    /// Adds a copy of the element and returns it. Needs !full().
+    /// Adds a copy of the element and returns it. The pool must not be full.
     FIXEDPOINT_CONSTEXPR T& append(const T& element) { return append() = element; }
 };
 

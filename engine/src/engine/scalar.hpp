@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// What the engine asks of a scalar: the operators + - * / and comparisons, and the functions here,
-/// which a Fixed computes with the library's operations that round once and every other type
-/// (float, double, a wide floating-point type) with its operators and the sqrt found by its type.
+/// What the engine requires of a scalar: the operators + - * / and comparisons, and the functions
+/// in this file. A Fixed computes them with the library's operations that round once. Every other
+/// type (float, double, a wide floating-point type) uses its operators and the sqrt of its own
+/// namespace or of <math.h>.
 #pragma once
 
 #include <math.h>
@@ -18,9 +19,9 @@ namespace engine {
 
 using fixedpoint::Fixed;
 
-/// The scalar to begin with: nothing wraps, and what does not fit stays at the end of the range,
-/// where it is seen. A plain Fixed wraps and takes fewer cycles: it is for scenes whose numbers are
-/// known to fit.
+/// The scalar to begin with: nothing wraps, and a result that does not fit stays at the end of the
+/// range, where it is easily seen. A plain Fixed wraps and takes fewer cycles: use it for scenes
+/// whose numbers are known to fit.
 template <int I, int F>
 using SaturatingFixed = Fixed<I, F, fixedpoint::Saturating>;
 
@@ -32,15 +33,16 @@ FIXEDPOINT_CONSTEXPR Scalar dot(const Scalar* a, const Scalar* b) {
     return sum;
 }
 
-/// The length of a vector of N components.
+/// The length of a vector of N components. For a scalar other than Fixed it overflows where the
+/// square does.
 template <int N, class Scalar>
 Scalar length(const Scalar* v) {
     using ::sqrt;
     return sqrt(dot<N>(v, v));
 }
 
-/// a + b, at the end of the scalar's range where it leaves it: for what is better too small than of
-/// the wrong sign.
+/// a + b; of a Fixed, the nearest end of the range where the sum does not fit, since a value that
+/// is too small is better than one of the wrong sign.
 template <class Scalar>
 constexpr Scalar saturating_sum(Scalar a, Scalar b) {
     return a + b;
@@ -52,7 +54,7 @@ constexpr Fixed<I, F, A> saturating_sum(Fixed<I, F, A> a, Fixed<I, F, A> b) {
     return Fixed<I, F, A>::from_raw(fixedpoint::Saturating::template add<Raw, F>(a.raw(), b.raw()));
 }
 /// \endcond
-/// The product a b, at the end of the scalar's range where it leaves it.
+/// a b; of a Fixed, the nearest end of the range where the product does not fit.
 template <class Scalar>
 constexpr Scalar saturating_product(Scalar a, Scalar b) {
     return a * b;
@@ -66,7 +68,7 @@ constexpr Fixed<I, F, A> saturating_product(Fixed<I, F, A> a, Fixed<I, F, A> b) 
 }
 /// \endcond
 
-/// The product a b of |a| < 1/4 and 0 <= b < 2.
+/// a b. |a| must be less than 1/4, and 0 <= b < 2.
 template <class Scalar>
 ENGINE_INLINE Scalar short_product(Scalar a, Scalar b) {
     return a * b;
@@ -81,7 +83,8 @@ ENGINE_INLINE Fixed<I, F, fixedpoint::Nearest> short_product(Fixed<I, F, fixedpo
 }
 /// \endcond
 
-/// The quotient a / b: in Q16.16 by the division that takes little flash and more cycles.
+/// a / b, with the result of the operator. In Q16.16 it uses the division that takes less flash and
+/// more cycles.
 template <class Scalar>
 ENGINE_INLINE Scalar brief_quotient(Scalar a, Scalar b) {
     return a / b;
@@ -97,7 +100,7 @@ ENGINE_INLINE SaturatingFixed<16, 16> brief_quotient(SaturatingFixed<16, 16> a,
 }
 /// \endcond
 
-/// Whether a is neither infinite nor NaN, as every Fixed is.
+/// Whether a is neither infinite nor NaN. True of every Fixed.
 template <class Scalar>
 ENGINE_INLINE constexpr bool is_finite(Scalar a) {
     return a - a == Scalar();
@@ -109,14 +112,15 @@ constexpr bool is_finite(Fixed<I, F, A>) {
 }
 /// \endcond
 
-/// |a|.
+/// |a|. The smallest number of a wrapping format stays negative.
 template <class Scalar>
 constexpr Scalar absolute(Scalar a) {
     return a < Scalar() ? -a : a;
 }
 
 /// \cond internal
-// An arithmetic without compound operations (Published) takes them apart, as every other scalar.
+// An arithmetic without compound operations (Published) computes them from their parts, like every
+// other scalar.
 template <class Arithmetic>
 struct RoundsOnce {
     template <class A>
@@ -139,7 +143,7 @@ template <int N, int I, int F, class A>
 Compound<I, F, A> dot(const Fixed<I, F, A>* a, const Fixed<I, F, A>* b) {
     return N == 2 ? fixedpoint::dot2(a, b) : fixedpoint::dot3(a, b);
 }
-// In an engine the first factor is mostly a direction.
+// In the engine the first factor is usually a direction.
 template <int N, int I, int F>
 ENGINE_INLINE Fixed<I, F, fixedpoint::Nearest> dot(const Fixed<I, F, fixedpoint::Nearest>* a,
                                                    const Fixed<I, F, fixedpoint::Nearest>* b) {
@@ -148,7 +152,7 @@ ENGINE_INLINE Fixed<I, F, fixedpoint::Nearest> dot(const Fixed<I, F, fixedpoint:
     return Number::from_raw(N == 2 ? fixedpoint::kernel::project2<Raw, F>(raws(a), raws(b))
                                    : fixedpoint::kernel::project3<Raw, F>(raws(a), raws(b)));
 }
-// The sum of v_i^2 over N components. It stands behind the dot products that it takes.
+// The sum of v_i^2 over N components. Declared after the dot products that it calls.
 template <int N, class Scalar>
 FIXEDPOINT_IN_PLACE Scalar square(const Scalar* v) {
     return dot<N>(v, v);
@@ -166,9 +170,9 @@ Compound<I, F, A> length(const Fixed<I, F, A>* v) {
 }
 /// \endcond
 
-/// a b + c: of a Fixed by fixedpoint::multiply_add, which rounds once. The engine calls it with its
-/// namespace, since a plain multiply_add of Fixed numbers is the library's. A scalar that computes
-/// it otherwise specialises MultiplyAdd.
+/// a b + c. A Fixed uses fixedpoint::multiply_add, which rounds once. The engine calls its own
+/// function with its namespace, since argument-dependent lookup of a plain multiply_add on Fixed
+/// numbers finds the library's. A scalar that computes it otherwise specialises MultiplyAdd.
 template <class Scalar>
 struct MultiplyAdd {
     /// The value a b + c.
@@ -183,7 +187,8 @@ struct MultiplyAdd<Fixed<I, F, A>> {
     }
 
   private:
-    // The first where the arithmetic rounds once: an int is the better match for 0.
+    // The first overload is used where the arithmetic rounds once: for the argument 0, int is the
+    // better match.
     template <class Arithmetic>
     static ENGINE_INLINE constexpr Compound<I, F, Arithmetic> sum(Number a, Number b, Number c,
                                                                   int) {
@@ -195,27 +200,28 @@ struct MultiplyAdd<Fixed<I, F, A>> {
     }
 };
 /// \endcond
-/// a b + c: of a Fixed rounded once, of another scalar as its operators round.
+/// a b + c: rounded once for a Fixed, rounded by its operators for another scalar.
 template <class Scalar>
 ENGINE_INLINE constexpr Scalar multiply_add(Scalar a, Scalar b, Scalar c) {
     return MultiplyAdd<Scalar>::of(a, b, c);
 }
 
-/// Adds v factor to a vector of N components, each component rounded once where the scalar can.
+/// Adds v factor to the vector `sum` of N components; each component is rounded once if the scalar
+/// can.
 template <int N, class Scalar>
 void add_scaled(Scalar* sum, const Scalar* v, Scalar factor) {
     for (unsigned char i = 0; i < N; ++i) {
         sum[i] = engine::multiply_add(v[i], factor, sum[i]);
     }
 }
-/// Multiplies a vector of N components by a factor, each rounded once.
+/// Multiplies a vector of N components by a factor; each component is rounded once.
 template <int N, class Scalar>
 ENGINE_INLINE void scale(Scalar* v, Scalar factor) {
     v[0] = v[0] * factor;
     v[1] = v[1] * factor;
     if (N == 3) v[N - 1] = v[N - 1] * factor;
 }
-/// Adds v factor to a, and takes the same product from b: a + b stays as it is, to the bit where
+/// Adds v factor to a and subtracts the same product from b. a + b is unchanged to the last bit if
 /// the scalar's sums are exact.
 template <int N, class Scalar>
 void exchange(Scalar* a, Scalar* b, const Scalar* v, Scalar factor) {
@@ -225,7 +231,7 @@ void exchange(Scalar* a, Scalar* b, const Scalar* v, Scalar factor) {
         b[i] -= product;
     }
 }
-/// The dot product of n and u - v.
+/// The dot product of n and u - v, of N components.
 template <int N, class Scalar>
 Scalar dot_difference(const Scalar* n, const Scalar* u, const Scalar* v) {
     Scalar difference[N];
@@ -233,7 +239,7 @@ Scalar dot_difference(const Scalar* n, const Scalar* u, const Scalar* v) {
     return dot<N>(difference, n);
 }
 /// \cond internal
-// The default arithmetic has these in its kernels.
+// The kernels of the default arithmetic provide these.
 template <int N, int I, int F>
 ENGINE_INLINE void add_scaled(Fixed<I, F, fixedpoint::Nearest>* sum,
                               const Fixed<I, F, fixedpoint::Nearest>* v,
@@ -245,7 +251,8 @@ ENGINE_INLINE void add_scaled(Fixed<I, F, fixedpoint::Nearest>* sum,
         fixedpoint::kernel::add_scaled3<Raw, F>(raws(sum), raws(v), factor.raw());
     }
 }
-// Its kernel knows whole factors, such as 1 / length of a rod of 1/4 m. As v + v (factor - 1).
+// Its kernel has a fast path for whole factors, such as 1 / length of a rod of 1/4 m. Computed as v
+// + v (factor - 1).
 template <int N>
 ENGINE_INLINE void scale(Fixed<16, 16, fixedpoint::Nearest>* v,
                          Fixed<16, 16, fixedpoint::Nearest> factor) {

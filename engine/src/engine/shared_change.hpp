@@ -14,25 +14,25 @@ bool either_moves(const World& world, Index a, Index b) {
            (is_particle(world, b) && movable(world.particles()[b]));
 }
 
-// The part of a change that a takes: i_a / (i_a + i_b) of the inverse masses. b takes the rest.
-// Needs one that can move.
+// The part of a change that a takes: i_a / (i_a + i_b) of the inverse masses. b takes the rest. At
+// least one of the two must be movable.
 template <class World, class Index>
 typename World::Scalar mass_share(const World& world, Index a, Index b) {
     using Scalar = typename World::Scalar;
     const Scalar one = Decimal<1, 0>();
-    if (!World::has_pairs) return one;  // known here, so that no quotient is linked
+    if (!World::has_pairs) return one;  // known at compile time, so that no quotient is linked
     if (!is_particle(world, b)) return one;
     const Scalar of_a = world.particles()[a].inverse_mass;
     const Scalar of_b = world.particles()[b].inverse_mass;
     if (of_b == Scalar()) return one;
     if (of_a == Scalar()) return Scalar();
-    if (of_a == of_b) return Decimal<5, 1>();  // as the quotient, without a division
+    if (of_a == of_b) return Decimal<5, 1>();  // equal to the quotient, without a division
     const Scalar sum = saturating_sum(of_a, of_b);
     if (sum - of_a == of_b) return brief_quotient(of_a, sum);
-    return brief_quotient(half(of_a), half(of_a) + half(of_b));  // where the sum leaves the format
+    return brief_quotient(half(of_a), half(of_a) + half(of_b));  // where the sum does not fit
 }
 
-// Of two of different mass.
+// For two particles of different mass.
 template <class Vector, class Scalar>
 void share_between(Vector& of_a, Vector& of_b, const Vector& direction, Scalar change,
                    Scalar share) {
@@ -41,8 +41,8 @@ void share_between(Vector& of_a, Vector& of_b, const Vector& direction, Scalar c
     if (!(part == change)) of_b.add_scaled(direction, part - change);
 }
 
-// Half of a change toward zero: an ulp is left of an odd one. What rests on something so stays in
-// touch with it, where half of an ulp more than is missing would lift it.
+// Half of a change, rounded toward zero: of an odd change one ulp is left. So a particle at rest on
+// another stays in touch with it; half an ulp too much would lift it off.
 template <class Scalar>
 Scalar half_toward_zero(Scalar change) {
     const Scalar half_up = change * BinaryStep<1>();
@@ -51,8 +51,9 @@ Scalar half_toward_zero(Scalar change) {
 
 // Changes `quantity`, &Particle::position or &Particle::velocity, of a relative to b by `change`
 // along `direction`, which points from b to a; b may be nothing. `share` must be mass_share(world,
-// a, b), and one of them must move. Two of equal mass take the same product, so that their sum, the
-// momentum, stays to the bit: a change of an ulp may be none. Returns whether there was one.
+// a, b), and at least one of the two must be movable. Two particles of equal mass take the same
+// product, so that the sum of their momenta is unchanged to the last bit: a change of one ulp then
+// has no effect. Returns whether anything changed.
 template <class Vector, class Scalar>
 ENGINE_INLINE bool apply_shared(Vector& of_a, Vector* of_b, const Vector& direction, Scalar change,
                                 Scalar share) {

@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// BinaryStep<K>: a time step of 2^-K s. In every format, products with it are more exact than with
-/// a rounded 0.001, and a shift takes a quarter of a multiplication's time. A scalar in seconds is
-/// a time step, too.
+/// BinaryStep<K>: a time step of 2^-K s. In every format, products with it are more accurate than
+/// with a rounded 0.001, and a shift takes a quarter of a multiplication's time. A scalar in
+/// seconds is a time step, too.
 #pragma once
 
 #include <engine/scalar.hpp>
 
 namespace engine {
 
-/// A time step of 2^-K s, K in 0..59.
+/// A time step of 2^-K s. K must be in 0..59.
 template <int K>
 struct BinaryStep {
-    static_assert(K >= 0 && K < 60, "A binary step is 2^-K seconds, K from 0 to 59.");
+    static_assert(K >= 0 && K < 60, "A binary step is 2^-K seconds: K must be in 0..59.");
 };
 
-/// Whether T is a time step other than a scalar in seconds: such a one reaches the integrators as
-/// it is. Who writes another specialises this, and gives it half(T), a product with the scalar from
-/// the left, and a conversion to the scalar.
+/// Whether T is a time step other than a scalar in seconds: such a type reaches the integrators
+/// unchanged. To add one, specialise this and provide half(T), a product with the scalar on the
+/// left, and a conversion to the scalar.
 template <class T>
 struct IsTimeStep {
     /// Whether it is one.
@@ -31,7 +31,7 @@ struct IsTimeStep<BinaryStep<K>> {
 /// \endcond
 
 /// \cond internal
-// A step in seconds, as a scalar holds it.
+// A step in seconds as a scalar.
 template <class Scalar>
 struct Seconds {
     template <int K>
@@ -47,13 +47,13 @@ struct Seconds<Fixed<I, F, A>> {
     static constexpr Number of(BinaryStep<K>) {
         static_assert(I > 1 || K > 0, "A step of 1 s does not fit a format of one integer bit.");
         using Raw = typename Number::Raw;
-        // Half an ulp rounds up to one, less to none.
+        // Half an ulp rounds up to one ulp, less to 0.
         return Number::from_raw(F >= K ? Raw(1) << (F >= K ? F - K : 0) : Raw(F + 1 == K));
     }
     static constexpr Number of(Number dt) { return dt; }
 };
 /// \endcond
-/// A step in seconds, rounded to the scalar.
+/// A step in seconds, rounded to the scalar: half an ulp becomes one ulp, a shorter step 0.
 template <class Scalar, class TimeStep>
 constexpr Scalar seconds(TimeStep dt) {
     return Seconds<Scalar>::of(dt);
@@ -87,7 +87,9 @@ constexpr Fixed<I, F, A> operator*(Fixed<I, F, A> a, BinaryStep<K>) {
 }
 /// \endcond
 
-/// floor((a + residual) / 2^count); the remainder, in units of an ulp, is the new residual.
+/// floor((a + residual) / 2^count), where the sum saturates; the remainder, in units of an ulp,
+/// becomes the new residual. `count` must be less than the width of the format. For the largest
+/// `count`, nothing is carried.
 template <int I, int F, class A>
 FIXEDPOINT_CONSTEXPR Fixed<I, F, A> carried_shift(Fixed<I, F, A> a, unsigned char count,
                                                   Fixed<I, F, A>& residual) {
@@ -99,8 +101,9 @@ FIXEDPOINT_CONSTEXPR Fixed<I, F, A> carried_shift(Fixed<I, F, A> a, unsigned cha
         holds ? static_cast<Raw>(sum.raw() & ((Raw(1) << (holds ? count : 0)) - 1)) : Raw(0));
     return whole;
 }
-/// a dt, whose part below one ulp is carried in `residual` to the next product: over many binary
-/// steps nothing is lost. With every other step and every other scalar the product is rounded.
+/// a dt; the part below one ulp is carried in `residual` to the next product, so that nothing is
+/// lost over many binary steps. With every other step and every other scalar the product is rounded
+/// and `residual` is not used.
 template <class Scalar, class TimeStep>
 constexpr Scalar carried_product(Scalar a, TimeStep dt, Scalar&) {
     return a * dt;

@@ -8,7 +8,7 @@
 ///     };
 ///     engine::World<Q16_16, Pendulum> world;
 ///
-/// What is left at 0 or false is not compiled: no code, no table, no byte of RAM.
+/// What is left at 0 or false is not compiled: it takes no code, no table and no RAM.
 #pragma once
 
 #include <engine/broad_phase/brute_force.hpp>
@@ -17,16 +17,17 @@
 
 namespace engine {
 
-/// The custom force of a scene that has none.
+/// The custom force of a scene that does not have one.
 struct NoCustomForce {
     /// Adds no force.
     template <class World>
     void apply(World&) const {}
 };
 
-/// What a scene uses: derive from it and hide what differs. What is 0 or false is not compiled.
+/// What a scene uses: derive from it and hide the members that differ. What is 0 or false is not
+/// compiled.
 struct Uses {
-    /// 2 or 3.
+    /// The number of dimensions, 2 or 3.
     static constexpr unsigned char dimensions = 2;
 
     static constexpr unsigned particles = 0;         ///< the capacity of each pool, from here on
@@ -38,20 +39,20 @@ struct Uses {
     static constexpr unsigned ropes = 0;             ///< between two particles
     static constexpr unsigned anchored_ropes = 0;    ///< between a particle and a point
     static constexpr unsigned planes = 0;            ///< solid half spaces
-    static constexpr unsigned contacts = 0;  ///< at once in a step, beside those of rods and ropes
+    static constexpr unsigned contacts = 0;          ///< in one step, besides rods and ropes
 
     static constexpr bool gravity = false;     ///< one acceleration of all movable particles
     static constexpr bool damping = false;     ///< a factor of each particle's velocity
     static constexpr bool collisions = false;  ///< between particles
     static constexpr bool radii = false;       ///< particles are spheres, not points
-    /// Fast particles stop in the step in which they touch something, in place of passing it. Needs
-    /// radii.
+    /// A fast particle stops in the step in which it touches something, instead of passing through
+    /// it. Needs radii.
     static constexpr bool continuous_contacts = false;
     /// Velocities and positions carry what rounding a product with a binary step loses, for slow
-    /// motion and small steps. Takes 4 numbers of RAM a particle in two dimensions.
+    /// motion and small steps. Takes 4 scalars of RAM per particle in two dimensions, 6 in three.
     static constexpr bool compensated_integration = false;
 
-    /// A force of the scene's own: `void apply(World&)` adds to the forces of particles in each
+    /// A force of the scene's own: `void apply(World&)` adds to the force on the particles in each
     /// step.
     template <class World>
     using CustomForce = NoCustomForce;
@@ -60,14 +61,14 @@ struct Uses {
 
     /// ExplicitEuler, SemiImplicitEuler, ImplicitSprings or VelocityVerlet.
     using Integrator = SemiImplicitEuler;
-    /// ProjectedGaussSeidel, WarmStartedGaussSeidel or WorstFirst, of so many iterations; or
-    /// DirectRods.
+    /// ProjectedGaussSeidel, WarmStartedGaussSeidel or WorstFirst, each with its number of
+    /// iterations, or DirectRods.
     using Solver = ProjectedGaussSeidel<4>;
     /// BruteForce or SortAndSweep.
     using BroadPhase = BruteForce;
 };
 
-/// Whether a scene has constraints that push one way only: contacts and ropes.
+/// Whether a scene has constraints that only push: contacts and ropes.
 template <class SceneUses>
 constexpr bool may_bounce() {
     return SceneUses::contacts > 0 || SceneUses::ropes > 0 || SceneUses::anchored_ropes > 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// fault_in(link, particles): why a world of so many particles cannot take a spring, rod, rope, drag
-// or plane; Error::none where it can. Checked when something is added or changed, so that no step
+// fault_in(link, particles): why a world with that many particles refuses a spring, rod, rope, drag
+// or plane; Error::none if it does not. Checked when something is added or changed, so that no step
 // has to. In fixed-point formats every number is finite, and that check is not compiled.
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace engine {
 
-// Both are false of a NaN and of an infinity.
+// Both are false for NaN and infinity.
 template <class Scalar>
 constexpr bool is_at_least_0(Scalar a) {
     return is_finite(a) && !(a < Scalar());
@@ -21,8 +21,8 @@ constexpr bool is_between_0_and_1(Scalar a) {
     return is_at_least_0(a) && !(Scalar(Decimal<1, 0>()) < a);
 }
 
-// By how much the square of a normal may be off 1: its length by 2^-9, so that 0.707 will do; in a
-// coarse format by what the rounding of its components and of their squares comes to.
+// How far the square of a normal may differ from 1: the length by 2^-9, so that 0.707 is accepted;
+// in a coarse format, by the rounding of its components and of their squares.
 template <class Scalar>
 struct NormalTolerance {
     static constexpr Scalar value() { return Decimal<4, 3>(); }
@@ -35,7 +35,7 @@ struct NormalTolerance<Fixed<I, F, A>> {
     }
 };
 
-// Out of line, and without dot(): what a step calls is inlined there as if this were not.
+// Not inlined, and without dot(), so that the calls of a step are inlined as if this did not exist.
 template <class Scalar, int N>
 __attribute__((noinline)) bool is_unit(const Vector<Scalar, N>& v) {
     const Scalar one = Decimal<1, 0>();
@@ -43,18 +43,18 @@ __attribute__((noinline)) bool is_unit(const Vector<Scalar, N>& v) {
     const Scalar most = one + tolerance;
     Scalar square = Scalar();
     for (unsigned char i = 0; i < N; ++i) {
-        if (most < absolute(v[i])) return false;  // before its square leaves the format
+        if (most < absolute(v[i])) return false;  // before its square overflows the format
         square += v[i] * v[i];
     }
     return !(square < one - tolerance) && !(most < square);
 }
 
-// Whether a rod or a rope may have the length of that inverse.
+// Whether a rod or rope may have that length, whose inverse is given.
 template <class Scalar>
 constexpr bool are_length_and_inverse(Scalar length, Scalar inverse) {
     return is_finite(length) && is_finite(inverse) && inverse > Scalar();
 }
-// Whether a rod, a rope or a spring may have that length.
+// Whether a rod, rope or spring may have that length.
 template <class Link, class Scalar>
 bool takes_length(const Link&, Scalar length) {
     return are_length_and_inverse(length, inverse_of(length).factor);

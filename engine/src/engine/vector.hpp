@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
 /// Vector<Scalar, N>: N = 2 or 3 components, one after the other, with the operations of a physics
-/// engine. Products of vectors round once where the scalar can.
+/// engine. Products of vectors round once if the scalar can.
 #pragma once
 
 #include <engine/inline.hpp>
@@ -10,7 +10,8 @@
 namespace engine {
 
 /// \cond internal
-// function(i) for each component, without a loop: on the device that halves the cost of a vector.
+// Calls function(i) for each component, without a loop: on the device that halves the cost of a
+// vector operation.
 template <int N, class Function>
 ENGINE_INLINE void for_components(Function function) {
     function(0);
@@ -18,7 +19,7 @@ ENGINE_INLINE void for_components(Function function) {
     if (N == 3) function(N - 1);
 }
 
-// The indices of a vector's components, as a list for the compiler.
+// The indices of a vector's components, as a parameter pack.
 template <unsigned char... i>
 struct Components {};
 template <int N>
@@ -31,7 +32,7 @@ struct ComponentsOf<3> {
 };
 /// \endcond
 
-/// A vector of two or three scalars, in the units of what it stands for.
+/// A vector of two or three scalars, in the unit of the quantity.
 template <class Scalar, int N>
 struct Vector {
     static_assert(N == 2 || N == 3, "A vector has two or three components.");
@@ -40,17 +41,18 @@ struct Vector {
 
     /// The zero vector.
     constexpr Vector() : Vector(typename ComponentsOf<N>::List()) {}
-    /// The vector (x, y), of scalars or of decimal constants.
+    /// The vector (x, y), from scalars or decimal constants.
     template <class X, class Y>
     constexpr Vector(X x, Y y) : component{scalar(x), scalar(y)} {
-        static_assert(N == 2, "A vector of three components is made of three.");
+        static_assert(N == 2, "A vector of three components needs three arguments.");
     }
-    /// The vector (x, y, z), of scalars or of decimal constants.
+    /// The vector (x, y, z), from scalars or decimal constants.
     template <class X, class Y, class Z>
     constexpr Vector(X x, Y y, Z z) : component{scalar(x), scalar(y), scalar(z)} {
-        static_assert(N == 3, "A vector of two components is made of two.");
+        static_assert(N == 3, "A vector of two components needs two arguments.");
     }
-    /// Without zeros first, and without the loop over bytes that the device's compiler would make.
+    /// Copies v, without setting the components to zero first, and without the byte loop that the
+    /// device's compiler would make.
     ENGINE_INLINE Vector(const Vector& v) : Vector(v, typename ComponentsOf<N>::List()) {}
     /// Takes the components of v.
     ENGINE_INLINE Vector& operator=(const Vector& v) {
@@ -75,14 +77,14 @@ struct Vector {
         for_components<N>([&](unsigned char i) ENGINE_INLINE_LAMBDA { component[i] -= b[i]; });
         return *this;
     }
-    /// By a scalar or a time step.
+    /// Multiplies each component by a scalar or a time step.
     template <class Factor>
     ENGINE_INLINE Vector& operator*=(Factor factor) {
         for_components<N>([&](unsigned char i)
                               ENGINE_INLINE_LAMBDA { component[i] = component[i] * factor; });
         return *this;
     }
-    /// this + b factor, each component rounded once.
+    /// Adds b factor; each component is rounded once if the scalar can.
     ENGINE_INLINE Vector& add_scaled(const Vector& b, Scalar factor) {
         engine::add_scaled<N>(component, b.component, factor);
         return *this;
@@ -98,13 +100,13 @@ struct Vector {
         Vector difference(a);
         return difference -= b;
     }
-    /// The product with a scalar or a time step, each component rounded once.
+    /// The product with a scalar or a time step; each component is rounded once.
     template <class Factor>
     ENGINE_INLINE friend Vector operator*(const Vector& a, Factor factor) {
         Vector product(a);
         return product *= factor;
     }
-    /// The vector of the opposite direction.
+    /// The opposite vector.
     ENGINE_INLINE Vector operator-() const {
         Vector negative;
         return negative -= *this;
@@ -117,7 +119,7 @@ struct Vector {
         }
         return true;
     }
-    /// Whether a component differs.
+    /// Whether any component differs.
     friend constexpr bool operator!=(const Vector& a, const Vector& b) { return !(a == b); }
 
   private:
@@ -125,49 +127,50 @@ struct Vector {
     explicit constexpr Vector(Components<i...>) : component{(static_cast<void>(i), Scalar())...} {}
     template <unsigned char... i>
     ENGINE_INLINE Vector(const Vector& v, Components<i...>) : component{v[i]...} {}
-    // By implicit conversion only, which a Decimal has and a raw integer has not.
+    // By implicit conversion only: a Decimal has one, a raw integer does not.
     static constexpr Scalar scalar(Scalar x) { return x; }
 };
 
-/// The dot product, in fixed point rounded once.
+/// The dot product, rounded once in fixed point. Overflows as the scalar does.
 template <class Scalar, int N>
 ENGINE_INLINE Scalar dot(const Vector<Scalar, N>& a, const Vector<Scalar, N>& b) {
     return dot<N>(a.component, b.component);
 }
 
-/// Adds v factor to a, and takes the same product from b.
+/// Adds v factor to a and subtracts the same product from b.
 template <class Scalar, int N>
 ENGINE_INLINE void exchange(Vector<Scalar, N>& a, Vector<Scalar, N>& b, const Vector<Scalar, N>& v,
                             Scalar factor) {
     exchange<N>(a.component, b.component, v.component, factor);
 }
 
-/// dot(n, u - v), in fixed point rounded once.
+/// dot(n, u - v), rounded once in fixed point. Overflows as the scalar does.
 template <class Scalar, int N>
 ENGINE_INLINE Scalar dot_difference(const Vector<Scalar, N>& n, const Vector<Scalar, N>& u,
                                     const Vector<Scalar, N>& v) {
     return dot_difference<N>(n.component, u.component, v.component);
 }
 
-/// |v|^2. Overflows where the square does: see length.
+/// |v|^2. Overflows where the square does; length() does not.
 template <class Scalar, int N>
 ENGINE_INLINE Scalar squared_length(const Vector<Scalar, N>& v) {
     return square<N>(v.component);
 }
 
-/// |v|; in the default fixed-point arithmetic no square overflows, and the result saturates.
+/// |v|. In the default fixed-point arithmetic no square overflows, and a result that does not fit
+/// saturates. For other scalars it overflows where the square does.
 template <class Scalar, int N>
 Scalar length(const Vector<Scalar, N>& v) {
     return length<N>(v.component);
 }
 
-/// v / |v|; the zero vector stays zero.
+/// v / |v|. The zero vector stays zero.
 template <class Scalar, int N>
 Vector<Scalar, N> normalise(const Vector<Scalar, N>& v) {
     return divided(v, length(v));
 }
 
-/// v / divisor; the zero vector where the divisor is zero.
+/// v / divisor. The zero vector if the divisor is zero.
 template <class Scalar, int N>
 ENGINE_INLINE Vector<Scalar, N> divided(const Vector<Scalar, N>& v, Scalar divisor) {
     if (divisor == Scalar()) return {};
@@ -182,18 +185,18 @@ ENGINE_INLINE bool is_finite(const Vector<Scalar, N>& v) {
     return is_finite(v[0]) && is_finite(v[1]) && is_finite(v[N - 1]);
 }
 
-/// The cross product, each product rounded.
+/// The cross product. Each product is rounded.
 template <class Scalar>
 Vector<Scalar, 3> cross(const Vector<Scalar, 3>& a, const Vector<Scalar, 3>& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-/// The third component of the cross product, the others being zero.
+/// The third component of the cross product; the others are zero.
 template <class Scalar>
 Scalar cross(const Vector<Scalar, 2>& a, const Vector<Scalar, 2>& b) {
     return a[0] * b[1] - a[1] * b[0];
 }
 
-/// The products of the components, each rounded once.
+/// The products of the components. Each is rounded once.
 template <class Scalar, int N>
 Vector<Scalar, N> component_product(Vector<Scalar, N> a, const Vector<Scalar, N>& b) {
     for (unsigned char i = 0; i < N; ++i) a[i] *= b[i];

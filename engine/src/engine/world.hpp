@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// World<Scalar, Uses>: particles, what acts between them, and the step. The scalar is any
-/// fixed-point format, float, double or a wide type; Uses states what the scene uses (uses.hpp).
+/// World<Scalar, Uses>: particles, the forces and constraints on them, and the step. The scalar is
+/// any fixed-point format, float, double or a wide type; Uses states what the scene uses
+/// (uses.hpp).
 ///
 ///     World<Q16_16, Pendulum> world;
 ///     world.gravity = {0_d, -9.81_d};
@@ -11,8 +12,8 @@
 ///     world.step(BinaryStep<10>());                   // 2^-10 s
 ///     world[bob].position
 ///
-/// Handles stay valid as long as the world: nothing is moved or removed. Nothing allocates. SI
-/// units.
+/// Handles stay valid as long as the world: nothing is moved or removed. Nothing allocates. All
+/// units are SI.
 #pragma once
 
 #include <engine/choice.hpp>
@@ -49,22 +50,22 @@ struct Bounce<Scalar, true> {
 };
 /// \endcond
 
-/// Says which particle of a World is meant. One that was not made by add_particle means none; those
-/// of another type of world do not compile.
+/// Names one particle of a World. A default-constructed handle names none. The handle of another
+/// type of world does not compile.
 template <class World, class Index>
 struct ParticleHandle {
     /// The index of the particle.
     Index index;
-    /// Means no particle.
+    /// Names no particle.
     constexpr ParticleHandle() : index(nothing<Index>()) {}
-    /// Means the particle of that index.
+    /// Names the particle of that index.
     constexpr ParticleHandle(Index of_particle) : index(of_particle) {}
-    /// Whether it means a particle.
+    /// Whether it names a particle. Does not check that the particle has been added.
     constexpr explicit operator bool() const { return index != nothing<Index>(); }
 };
 
-/// Particles, what acts between them, and the step. `gravity`, in m/s^2, is a member where the
-/// scene uses it.
+/// Particles, the forces and constraints on them, and the step. A world has the member `gravity`,
+/// in m/s^2, if the scene uses gravity.
 template <class ScalarType, class SceneUses>
 class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUses::gravity>,
               Bounce<ScalarType, may_bounce<SceneUses>()>,
@@ -83,9 +84,9 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
 
     /// 2 or 3.
     static constexpr unsigned char dimensions = Uses::dimensions;
-    /// How many particles there can be.
+    /// The largest number of particles.
     static constexpr unsigned capacity = Uses::particles;
-    /// Whether anything can bounce: contacts and ropes.
+    /// Whether anything can bounce: the scene has contacts or ropes.
     static constexpr bool bounces = may_bounce<Uses>();
     /// Whether anything acts between two particles.
     static constexpr bool has_pairs =
@@ -95,15 +96,14 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
     /// Whether particles accumulate forces.
     static constexpr bool has_forces =
         (has_springs && !Integrator::implicit_springs) || Uses::drags > 0 || Uses::custom_force;
-    /// How many constraint rows there can be in a step; in more bits than an unsigned of the device
-    /// has.
+    /// The largest number of constraint rows in a step, in a type wider than the device's unsigned,
+    /// which it could overflow.
     static constexpr unsigned long max_rows =
         Solver::rows_per_rod * (0ul + Uses::rods + Uses::anchored_rods) + Uses::ropes +
         Uses::anchored_ropes + Uses::contacts;
-    static_assert(Uses::radii || !Uses::continuous_contacts,
-                  "continuous_contacts are of particles with radii.");
+    static_assert(Uses::radii || !Uses::continuous_contacts, "continuous_contacts need radii.");
     static_assert(max_rows <= 65535,
-                  "Rods, ropes and contacts make at most 65535 rows: Uses states more.");
+                  "Rods, ropes and contacts make at most 65535 rows, but Uses states more.");
 
     /// A vector of the world's dimensions.
     using Vector = engine::Vector<Scalar, dimensions>;
@@ -113,7 +113,7 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
     using Index = typename CountTo<capacity>::Type;
     /// What add_particle returns.
     using Handle = ParticleHandle<World, Index>;
-    /// What the world holds of a particle.
+    /// What the world stores for a particle.
     using Particle = engine::Particle<Scalar, Uses, has_forces, Solver::needs_displacement>;
     /// \cond internal
     using Particles = Pool<Particle, Uses::particles>;
@@ -137,9 +137,11 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
     /// The scene's own force.
     using CustomForce = typename Uses::template CustomForce<World>;
 
-    /// Adds a particle and returns its handle. What cannot be added leaves the world as it was,
-    /// sets error() and returns a handle that is false; the other add_ functions return false. What
-    /// the scene does not use of a body is ignored.
+    /// Adds a particle and returns its handle. The inverse mass must be at least 0, the radius at
+    /// least 0, the damping in 0..1, and all numbers finite. A member of the body that the scene
+    /// does not use is ignored. If an add_ function refuses its arguments or its pool is full, it
+    /// sets error() and leaves the world as it was; add_particle then returns a handle that
+    /// converts to false, the others return false.
     Handle add_particle(const Body& body) {
         if (!is_finite(body.position) || !is_finite(body.velocity)) {
             return refuse(Error::not_finite);
@@ -157,89 +159,96 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
         integrator_memory_.restart();
         return Handle(static_cast<Index>(particles_.size() - 1));
     }
-    /// A spring between two particles: stiffness in N/m, damping in N s/m, length in m, none
-    /// negative.
+    /// Adds a spring between two different particles. Stiffness (N/m), damping (N s/m) and rest
+    /// length (m) must be at least 0.
     bool add_spring(Handle a, Handle b, Scalar stiffness, Scalar damping, Scalar rest_length) {
         return add(springs_, {{a.index, b.index}, stiffness, damping, rest_length});
     }
-    /// A spring between a particle and a fixed point: units as of add_spring.
+    /// Adds a spring between a particle and a fixed point. Units and ranges are those of
+    /// add_spring.
     bool add_anchored_spring(Handle a, const Vector& anchor, Scalar stiffness, Scalar damping,
                              Scalar rest_length) {
         return add(anchored_springs_, {{a.index, anchor}, stiffness, damping, rest_length});
     }
-    /// Holds two particles at a distance, in m, above 0.
+    /// Holds two different particles at a distance in m, which must be above 0, as must its
+    /// inverse, rounded to the format.
     bool add_rod(Handle a, Handle b, Scalar length) {
         return add(rods_, {{a.index, b.index}, length, inverse_of(length)});
     }
-    /// Holds a particle at a distance, in m, above 0, from a fixed point.
+    /// Holds a particle at a distance in m from a fixed point. The range is that of add_rod.
     bool add_anchored_rod(Handle a, const Vector& anchor, Scalar length) {
         return add(anchored_rods_, {{a.index, anchor}, length, inverse_of(length)});
     }
-    /// Keeps two particles within a distance, in m, above 0; restitution, in 0..1, of the velocity
-    /// at which it becomes taut.
+    /// Keeps two different particles within a distance in m; its range is that of add_rod. When the
+    /// rope becomes taut, the particles rebound with `restitution` (0..1) times the velocity at
+    /// which they separated.
     bool add_rope(Handle a, Handle b, Scalar length, Scalar restitution) {
         return add(ropes_, {{a.index, b.index}, length, restitution, inverse_of(length)});
     }
-    /// Keeps a particle within a distance of a fixed point: units as of add_rope.
+    /// Keeps a particle within a distance of a fixed point. Units and ranges are those of add_rope.
     bool add_anchored_rope(Handle a, const Vector& anchor, Scalar length, Scalar restitution) {
         return add(anchored_ropes_, {{a.index, anchor}, length, restitution, inverse_of(length)});
     }
-    /// Slows a particle: linear in N s/m, quadratic in N s^2/m^2, none negative.
+    /// Slows a particle by linear (N s/m) and quadratic (N s^2/m^2) drag. Both must be at least 0.
     bool add_drag(Handle a, Scalar linear, Scalar quadratic) {
         return add(drags_, {a.index, linear, quadratic});
     }
-    /// Adds a solid plane: the half space of the points x with normal . x >= offset is free. The
-    /// normal must be of length 1 (within 2^-9), as normalise() makes it.
+    /// Adds a solid plane: the half space of the points x with normal . x >= offset (m) is free.
+    /// The normal must have length 1 within 2^-9, as normalise() returns it, and the restitution
+    /// must be in 0..1.
     bool add_plane(const Vector& normal, Scalar offset, Scalar restitution) {
         return add(planes_, {normal, offset, restitution, axis_of(normal)});
     }
 
-    /// Between steps: another length of a rod, a rope or a spring of this world, as in
-    /// set_length(world.rods()[0], 0.3_d). It is refused as the add_ functions refuse it.
+    /// Changes the length of a rod, rope or spring of this world between steps, as in
+    /// set_length(world.rods()[0], 0.3_d). The range is that of the add_ functions. A length out of
+    /// range, or a link of another world, sets error(), changes nothing and returns false.
     template <class Link>
     bool set_length(const Link& link, Scalar length) {
         auto& pool = pool_of(link);
         if (&link < pool.begin() || !(&link < pool.end())) return fail(Error::no_such_link);
         if (!takes_length(link, length)) return fail(Error::bad_length);
-        give_length(const_cast<Link&>(link), length);  // an element of this world, which may change
+        give_length(const_cast<Link&>(link), length);  // this world owns it, and is not const
         integrator_memory_.restart();
         return true;
     }
 
-    /// Of particles that meet: 0 (no bounce) to 1 (as fast as before). Anything else is refused: it
-    /// sets error() and returns false.
+    /// Sets the restitution of particles that meet: from 0 (no bounce) to 1 (as fast as before).
+    /// Any other value sets error(), changes nothing and returns false.
     bool set_restitution(Scalar restitution) {
         if (!is_between_0_and_1(restitution)) return fail(Error::bad_restitution);
         this->restitution_ = restitution;
         return true;
     }
-    /// In m/s: what meets no faster does not bounce. A negative one is refused, as above.
+    /// Sets the threshold in m/s: particles that meet no faster than this do not bounce. A negative
+    /// value sets error(), changes nothing and returns false.
     bool set_restitution_threshold(Scalar threshold) {
         if (!is_at_least_0(threshold)) return fail(Error::bad_restitution);
         this->restitution_threshold_ = threshold;
         return true;
     }
-    /// Of particles that meet, in 0..1.
+    /// The restitution of particles that meet, in 0..1.
     const Scalar& restitution() const { return this->restitution_; }
-    /// In m/s: what meets no faster does not bounce.
+    /// The threshold in m/s: particles that meet no faster than this do not bounce.
     const Scalar& restitution_threshold() const { return this->restitution_threshold_; }
 
-    /// The first error since the world was made or the error was cleared.
+    /// The first error since the world was made or since clear_error().
     Error error() const { return error_; }
-    /// Forgets the error, so that the next one is seen.
+    /// Forgets the error, so that the next one is kept.
     void clear_error() { error_ = Error::none; }
 
-    /// Particles and the custom force may be changed between steps. What is written there is not
-    /// checked. A handle of no particle is reported, and gives the first.
+    /// The particle of a handle, which may be changed between steps. What is written there is not
+    /// checked. A handle that names no particle sets error(), and the result is the first particle.
     Particle& operator[](Handle handle) { return particles()[known(handle)]; }
-    /// The particle of a handle. A handle of no particle is reported, and gives the first.
+    /// The particle of a handle. A handle that names no particle sets error(), and the result is
+    /// the first particle.
     const Particle& operator[](Handle handle) const { return particles_[known(handle)]; }
-    /// All particles, to be changed between steps. What is written there is not checked.
+    /// All particles, which may be changed between steps. What is written there is not checked.
     Elements<Particle, Uses::particles>& particles() {
         integrator_memory_.restart();
         return particles_;
     }
-    /// The scene's own force, to be changed between steps.
+    /// The scene's own force, which may be changed between steps.
     CustomForce& custom_force() {
         integrator_memory_.restart();
         return custom_force_;
@@ -247,7 +256,7 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
 
     /// All particles, in the order in which they were added.
     const Elements<Particle, Uses::particles>& particles() const { return particles_; }
-    /// Of their kind, in the order in which they were added.
+    /// All links, drags and planes of one kind, in the order in which they were added.
     /// @{
     const Pool<Spring, Uses::springs>& springs() const { return springs_; }
     const Pool<AnchoredSpring, Uses::anchored_springs>& anchored_springs() const {
@@ -265,13 +274,13 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
     /// The scene's own force.
     const CustomForce& custom_force() const { return custom_force_; }
 
-    /// Moves the world on by a step of 2^-K s, or of another type of time steps.
+    /// Advances the world by a step of 2^-K s, or of another type for which IsTimeStep is true.
     template <class TimeStep>
     typename OnlyIf<IsTimeStep<TimeStep>::value, void>::Type step(TimeStep dt) {
         Integrator::step(*this, dt);
     }
-    /// Moves the world on by dt seconds, which must be positive; others are reported and do
-    /// nothing.
+    /// Advances the world by dt seconds. `dt` must be positive and finite; any other value sets
+    /// error() and does nothing.
     void step(Scalar dt) {
         if (!is_finite(dt) || !(dt > Scalar())) return report(Error::bad_time_step);
         Integrator::step(*this, dt);
@@ -279,10 +288,10 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
 
     // The parts of a step, for integrators, solvers and custom forces.
 
-    /// The particles, to be changed by a step: the integrator is not told.
+    /// The particles, for a step to change: the integrator is not told of the change.
     Elements<Particle, Uses::particles>& step_particles() { return particles_; }
 
-    /// The force of each particle anew.
+    /// Computes the force on each particle: springs, drags and the custom force.
     void accumulate_forces() {
         only_if<has_forces>(*this, [](World& world) {
             world.for_each_particle([](Particle& particle) { force_of(particle) = Vector(); });
@@ -293,7 +302,7 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
         });
     }
 
-    /// Velocities by forces and gravity.
+    /// Integrates velocities over dt, by forces and gravity.
     template <class TimeStep>
     void integrate_velocities(TimeStep dt) {
         observe<Scalar>(Quantity::velocity);
@@ -308,7 +317,7 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
         });
     }
 
-    /// Positions by velocities.
+    /// Integrates positions over dt, by velocities.
     template <class TimeStep>
     void integrate_positions(TimeStep dt) {
         observe<Scalar>(Quantity::position);
@@ -324,7 +333,7 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
         });
     }
 
-    /// Finds the rows that bound velocities and positions in this step.
+    /// Finds the rows that constrain velocities and positions in this step.
     template <class TimeStep>
     void collect_constraints(TimeStep dt) {
         rows_.clear();
@@ -336,7 +345,7 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
         planes_.for_each(ConstrainAll<TimeStep>{*this, dt});
         collide_all(dt, If<Uses::collisions>());
     }
-    /// Another row, in which fill(row) writes; an error where the scene has not stated that many.
+    /// Appends a row, which fill(row) writes. If there is no room, sets error() to contacts_full.
     template <class Function>
     ENGINE_INLINE void append_row(Function fill) {
         if (rows_.full()) {
@@ -345,17 +354,19 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
             fill(rows_.append());
         }
     }
-    /// The constraint rows of this step; none of a single rod, which is solved where it is found.
+    /// The constraint rows of this step. A world whose only constraint is one rod has none: that
+    /// rod is solved where it is found.
     const Rows& rows() const { return rows_; }
-    /// The constraint rows of this step, to be changed by a solver.
+    /// The constraint rows of this step, for a solver to change.
     Rows& step_rows() { return rows_; }
-    /// Gives the particles velocities that the rows of this step allow.
+    /// Gives the particles velocities that satisfy the rows of this step, as far as the solver's
+    /// iterations reach.
     void solve_constraints() {
         observe<Scalar>(Quantity::resolution);
         solve(If<(keeps_rows && max_rows > 0)>());
     }
 
-    /// The acceleration of a against b by gravity.
+    /// The acceleration by gravity of a relative to b: zero where both or neither can move.
     Vector relative_gravity(Index a, Index b) const {
         Vector relative;
         only_if<Uses::gravity>(*this, [&](const World& world) {
@@ -367,7 +378,7 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
         return relative;
     }
 
-    /// Sets error(), where it is none.
+    /// Sets error(), unless it is already set.
     void report(Error error) { fail(error); }
 
     /// \cond internal
@@ -377,8 +388,8 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
     /// \endcond
 
   private:
-    // The parts of a step that a scene may do without: If<false> is the overload that does nothing,
-    // and then the other one, which names what there is not, is not compiled.
+    // The parts of a step that a scene may do without: If<false> selects the overload that does
+    // nothing. The other one, which names members that are missing then, is not compiled.
     struct Apply {
         World& world;
         template <class Force>
@@ -386,8 +397,8 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
             apply(force, world);
         }
     };
-    // How many particles a step looks at. Where there is one, it need not have been added: until
-    // then its inverse mass is 0, unless somebody writes to it, and nothing moves it.
+    // How many particles a step visits. With a capacity of 1 the particle need not have been added:
+    // until then its inverse mass is 0, unless somebody writes to it, and nothing moves it.
     constexpr Index count() const { return capacity == 1 ? 1 : particles_.size(); }
     template <class Function>
     ENGINE_INLINE void for_each_particle(Function function) {
@@ -449,10 +460,10 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
     }
     Handle refuse(Error error) {
         fail(error);
-        // Else the caller's code would be compiled once more for this handle.
+        // Otherwise the compiler would specialise the caller's code for this handle.
         return Handle(unknown(nothing<Index>()));
     }
-    // The index that a handle means, and 0 where it means none.
+    // The index that a handle names, or 0 where it names no particle.
     Index known(Handle handle) const {
         if (handle.index < particles_.size()) return handle.index;
         if (error_ == Error::none) error_ = Error::no_such_particle;
@@ -489,7 +500,7 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
     Pool<Rope, Uses::ropes> ropes_;
     Pool<AnchoredRope, Uses::anchored_ropes> anchored_ropes_;
     Pool<Plane, Uses::planes> planes_;
-    Rows rows_;  // of the step under way
+    Rows rows_;  // of the current step
     PairMemory pair_memory_;
     IntegratorMemory integrator_memory_;
     CustomForce custom_force_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A bouncing ball: dropped on a floor, drifting to the side, each bounce 0.8 times as fast as the
-// one before. Truth: parabolas between bounces, whose times are a geometric series, in closed form.
+// A bouncing ball: dropped on a floor, moving sideways; each bounce is 0.8 times as fast as the one
+// before. Truth: parabolas between bounces, whose times are a geometric series, in closed form.
 // Conserved: the momentum along the floor; the energy between bounces.
 #pragma once
 
@@ -25,7 +25,7 @@ struct BouncingBall {
         Scalar velocity_x = engine::Decimal<5, 1>();  // m/s
         Scalar radius = engine::Decimal<125, 3>();    // m
         Scalar restitution = engine::Decimal<8, 1>();
-        Scalar restitution_threshold = engine::Decimal<25, 2>();  // m/s, below which it lies
+        Scalar restitution_threshold = engine::Decimal<25, 2>();  // m/s; slower: no bounce
     };
 
     template <class World>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A box of N balls in three dimensions that start on a lattice with velocities in all directions
-// and bounce off each other and the walls for ever. The box grows with N, its density does not.
+// N balls in a three-dimensional box. They start on a lattice with velocities in all directions,
+// and bounce off each other and the walls for ever. The box grows with N; its density does not.
 // Truth: conserved quantities, since the motion is chaotic. Conserved: the kinetic energy; the
-// momentum while no ball meets a wall. No two balls overlap and none leaves the box by more than a
-// step's way.
+// momentum as long as no ball meets a wall. No two balls overlap, and none leaves the box, by more
+// than the motion of one step.
 #pragma once
 
 #include <scenes/methods.hpp>
@@ -30,7 +30,7 @@ struct BoxOf {
     struct Parameters {
         Scalar half_spacing = engine::Decimal<5, 1>();  // m, between a ball and its wall
         Scalar radius = engine::Decimal<125, 3>();      // m
-        Scalar velocity = engine::Decimal<25, 2>();     // m/s; components are -4 to 4 of these
+        Scalar velocity = engine::Decimal<25, 2>();     // m/s; components are -4 to 4 times this
         Scalar restitution = engine::Decimal<1, 0>();
     };
 

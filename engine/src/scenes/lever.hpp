@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The haptic lever's virtual side: 0.1 kg at the end of an arm of 0.25 m that turns about a fixed
-// pivot, under gravity and a constant force of the user, released at rest. Truth: a pendulum under
-// the sum of both forces, which has a closed form by elliptic functions. Conserved: the energy, of
-// that force too.
+// The virtual side of the haptic lever: 0.1 kg at the end of an arm of 0.25 m that turns about a
+// fixed pivot, under gravity and a constant force of the user, released at rest. Truth: a pendulum
+// under the sum of both forces, in closed form by elliptic functions. Conserved: the energy,
+// including that of the user's force.
 #pragma once
 
 #include <scenes/methods.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The methods that scenes are run with: an integrator and a solver each. A scene's Uses derives
-// from UsesWith<Method>.
+// The methods that scenes run with: each is an integrator and a solver. A scene's Uses derives from
+// UsesWith<Method>.
 #pragma once
 
 #include <engine.h>
@@ -28,7 +28,7 @@ struct Implicit {
     using Integrator = engine::ImplicitSprings;
     using Solver = engine::ProjectedGaussSeidel<10>;
 };
-// Of scenes with several rods and nothing that pushes.
+// For scenes with several rods and nothing that only pushes.
 struct Direct {
     static constexpr const char* name = "direct_rods";
     using Integrator = engine::VelocityVerlet;
@@ -41,8 +41,8 @@ struct UsesWith : engine::Uses {
     using Solver = typename Method::Solver;
 };
 
-// The scene with its numbers as they stand. (A default argument would do, but for avr-gcc 5.4,
-// which leaves the conversions of constants undefined in one.)
+// Builds the scene with its default parameters. (A default argument would do the same, but avr-gcc
+// 5.4 leaves the conversions of constants undefined in one.)
 template <class Scene, class World>
 void build(World& world) {
     const typename Scene::template Parameters<typename World::Scalar> numbers{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Newton's cradle: five balls that hang side by side and just touch, on rods of 1 m; the first is
+// Newton's cradle: five balls that hang side by side and just touch, on rods of 1 m. The first is
 // released 37 degrees from the vertical. Truth: the first and the last swing in turn, half a
 // pendulum's period each, in closed form by elliptic functions. Conserved: the energy.
 #pragma once
@@ -22,7 +22,7 @@ struct NewtonsCradle {
     template <class Scalar>
     struct Parameters {
         Scalar gravity = engine::Decimal<981, 2>();  // m/s^2
-        Scalar x = engine::Decimal<-6, 1>();         // m, of the first, from where it hangs
+        Scalar x = engine::Decimal<-6, 1>();         // m, of the first ball, from its rest position
         Scalar y = engine::Decimal<-8, 1>();         // m
         Scalar length = engine::Decimal<1, 0>();     // m, of each rod
         Scalar radius = engine::Decimal<125, 3>();   // m

@@ -21,7 +21,7 @@ struct ProjectileWithDrag {
     template <class Scalar>
     struct Parameters {
         Scalar gravity = engine::Decimal<981, 2>();    // m/s^2
-        Scalar velocity_x = engine::Decimal<12, 0>();  // m/s, at the start, from 0
+        Scalar velocity_x = engine::Decimal<12, 0>();  // m/s, at the start, which is at 0
         Scalar velocity_y = engine::Decimal<16, 0>();  // m/s
         Scalar linear = engine::Decimal<125, 3>();     // N s/m
         Scalar quadratic = engine::Decimal<625, 4>();  // N s^2/m^2

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The lever as published, for its figures: three dimensions, the pivot a particle of infinite mass,
-// spheres that might collide, damping (off), no force by the user. The published rod is too short
-// at the start (0.15 m between points that are 0.32 m apart), and is pulled to its length by the
-// first step. Truth: the pendulum that starts there, in closed form by elliptic functions.
+// The lever as published, for comparison with its figures: three dimensions, the pivot a particle
+// of infinite mass, spheres that could collide, damping (off), no force by the user. The published
+// rod is too short at the start (0.15 m between points that are 0.32 m apart), and the first step
+// pulls it to its length. Truth: the pendulum that starts there, in closed form by elliptic
+// functions.
 #pragma once
 
 #include <scenes/methods.hpp>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A rope swing: a point falls freely beside the rope's fixed end until the rope of 2 m is taut, at
-// (1.2, -1.6) m, loses its velocity along the rope, and swings from there. Truth: the parabola
-// until the rope is taut (an event), then the equation of the angle. The swing stays below the
-// fixed end, so that the rope stays taut. Conserved: the energy before and after the event.
+// A rope swing: a point falls freely next to the rope's fixed end until the rope of 2 m is taut, at
+// (1.2, -1.6) m. There it loses its velocity along the rope, and swings. Truth: the parabola until
+// the rope is taut (an event), then the equation of the angle. The swing stays below the fixed end,
+// so that the rope stays taut. Conserved: the energy before and after the event.
 #pragma once
 
 #include <scenes/methods.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A spring and a mass: 1 kg on a spring of 25 N/m from a fixed point, stretched along a line of
-// slope 4/3 and let go; no gravity. Truth: the (damped) oscillation along that line, in closed
-// form. Conserved: the energy where the damping is 0.
+// slope 4/3 and released; no gravity. Truth: the (damped) oscillation along that line, in closed
+// form. Conserved: the energy if the damping is 0.
 #pragma once
 
 #include <scenes/methods.hpp>

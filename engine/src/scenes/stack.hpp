@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A stack: four balls above each other over a floor, each with a gap below it, fall onto each other
-// without a bounce and lie. Truth: each ball falls freely until the gaps below it are closed and
-// lies from then on, in closed form. In the end the centres lie at radius (2 k + 1).
+// A stack: four balls above each other over a floor, each with a gap below it. They fall onto each
+// other without bouncing and come to rest. Truth: each ball falls freely until the gaps below it
+// are closed, and rests from then on, in closed form. At the end the centres are at radius (2 k +
+// 1).
 #pragma once
 
 #include <scenes/methods.hpp>

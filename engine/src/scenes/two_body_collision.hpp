@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Two discs of 1 kg and 0.5 kg that meet off centre: the line of their centres has slope 3/4 then.
-// Truth: straight lines before and after, in closed form. Conserved: the momentum, the energy
-// before and after, of the energy along the line of centres restitution^2.
+// Two discs of 1 kg and 0.5 kg that meet off centre: at that moment the line between their centres
+// has slope 3/4. Truth: straight lines before and after, in closed form. Conserved: the momentum;
+// the energy before and after; of the energy along the line of centres, restitution^2 is left.
 #pragma once
 
 #include <scenes/methods.hpp>
@@ -20,9 +20,9 @@ struct TwoBodyCollision {
 
     template <class Scalar>
     struct Parameters {
-        Scalar velocity = engine::Decimal<2, 0>();         // m/s along x, of the first, from 0
-        Scalar other_x = engine::Decimal<2, 0>();          // m, of the second at the start
-        Scalar other_y = engine::Decimal<3, 1>();          // m
+        Scalar velocity = engine::Decimal<2, 0>();  // m/s along x, of the first, which starts at 0
+        Scalar other_x = engine::Decimal<2, 0>();   // m, of the second at the start
+        Scalar other_y = engine::Decimal<3, 1>();   // m
         Scalar other_velocity = engine::Decimal<-1, 0>();  // m/s along x
         Scalar inverse_mass = engine::Decimal<1, 0>();     // 1/kg
         Scalar other_inverse_mass = engine::Decimal<2, 0>();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers for a debugger to look at.
+// Numbers for a debugger to display.
 #include <fixedpoint.h>
 
 #include <engine/pool.hpp>
@@ -43,6 +43,6 @@ int main() {
     inspect(point);
     inspect(row);
     inspect(empty);
-    // In these members the expressions of the natvis files are evaluated.
+    // The expressions of the natvis files are evaluated in these members.
     return x.raw() == pool.size() || position[1] == x;
 }

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The families of curves from a force sensor's reading to grams, evaluated in the scalar of one's
-/// choice: Fixed with at least 16 integer and 16 fraction bits, float or double.
+/// The families of curves from a force sensor's reading to grams, evaluated in a scalar of the
+/// caller's choice: Fixed with at least 16 integer and 16 fraction bits, float or double.
 ///
-/// Coefficients are integers in units of 2^-16, which every such Fixed and double hold exactly, and
-/// are scaled so that none that matters falls below a few thousand units. `fixbench calibrate` fits
-/// them; the one curve that the firmware uses stands in calibration_table.hpp. Evaluation is always
-/// inlined, so that the coefficients of a constant curve are immediate operands and take no RAM.
+/// Coefficients are integers in units of 2^-16, which every such Fixed and double hold exactly.
+/// They are scaled so that no important one is smaller than a few thousand units. `fixbench
+/// calibrate` fits them; the curve that the firmware uses is in calibration_table.hpp. Evaluation
+/// is always inlined, so that the coefficients of a constant curve are immediate operands and take
+/// no RAM.
 ///
-/// A curve takes the sum of 2^sum_bits readings, sum_bits from 0 to 4, as the reading that their
-/// mean is, fractions of a count included: near the end of the range a count is tens of grams.
+/// A curve takes the sum of 2^sum_bits readings, with sum_bits in 0..4, in place of their mean, so
+/// that fractions of a count matter: near the end of the range a count is tens of grams.
 #pragma once
 
 #include <math.h>
@@ -21,7 +22,7 @@
 namespace firmware {
 namespace calibration {
 
-/// The scalar `raw` / 2^16.
+/// The number `raw` / 2^16 as a scalar.
 template <class Scalar>
 struct Constant {
     static constexpr Scalar of(int32_t raw) { return static_cast<Scalar>(raw) / 65536; }
@@ -36,17 +37,18 @@ struct Constant<fixedpoint::Fixed<I, F, A>> {
     }
 };
 
-/// n 2^-exponent, for 0 <= n <= 32767 >> max(0, -exponent) and exponent <= 16: exact in every
-/// Scalar. A shift by 16 is free on the chip, one by another constant takes 5 cycles or more for
+/// n 2^-exponent, exact in every Scalar. `exponent` must be at most 16, and `n` in 0..32767 >>
+/// max(0, -exponent). On the chip a shift by 16 is free; one by another constant takes time for
 /// each bit.
 template <class Scalar, int exponent = 0>
 constexpr Scalar scaled(int n) {
     return Constant<Scalar>::of(static_cast<int32_t>(n) << (16 - exponent));
 }
 
-/// A curve on the readings on which it rises, is positive and stays below the sensor's range.
-/// Beyond them the result is held, so that every reading that a converter can give, a torn wire's
-/// and a short circuit's too, has a weight within bounds; poles lie outside.
+/// A curve, limited to the readings `lowest` to `highest`, in which it rises and is positive and
+/// below the sensor's range. A reading outside them counts as the nearest of the two, so that every
+/// reading of a converter, even with a broken wire or a short circuit, yields a weight within
+/// bounds. Poles lie outside.
 template <class Curve>
 struct Held {
     int16_t lowest, highest;
@@ -61,7 +63,7 @@ struct Held {
     }
 };
 
-/// a x + b, in s = x / 1024.
+/// a x + b, computed in s = x / 1024.
 struct Line {
     int32_t linear, constant;  ///< 2^10 a, b
 
@@ -72,8 +74,8 @@ struct Line {
     }
 };
 
-/// x / (a x^2 + b x + c), the published Function 1: with s = x / 1024 as 32 x over
-/// 32 (2^20 a s^2 + 2^10 b s + c), since a itself is less than one unit of 2^-16.
+/// x / (a x^2 + b x + c), the published Function 1. With s = x / 1024 it is computed as 32 x / (32
+/// (2^20 a s^2 + 2^10 b s + c)), since a itself is less than one unit of 2^-16.
 struct RationalQuadratic {
     int32_t square, linear, constant;  ///< 2^25 a, 2^15 b, 2^5 c
 
@@ -86,7 +88,7 @@ struct RationalQuadratic {
     }
 };
 
-/// a x^2 + b x + c, the published Function 2, in s = x / 1024.
+/// a x^2 + b x + c, the published Function 2, computed in s = x / 1024.
 struct Quadratic {
     int32_t square, linear, constant;  ///< 2^20 a, 2^10 b, c
 
@@ -98,9 +100,9 @@ struct Quadratic {
     }
 };
 
-/// o + w x / (p - x): what a divider reads of a resistance that is the sum of a constant part and
-/// of a part inversely proportional to the weight above a threshold o. With one division, as (o -
-/// w) + 4 ((w p / 4) / (p - x)), since w p exceeds 2^15.
+/// o + w x / (p - x): the reading of a divider whose resistance is the sum of a constant part and a
+/// part inversely proportional to the weight above a threshold o. Computed with one division, as (o
+/// - w) + 4 ((w p / 4) / (p - x)), since w p exceeds 2^15.
 struct Hyperbola {
     int32_t offset, numerator, pole;  ///< o - w, w p / 4, p
 
@@ -113,7 +115,7 @@ struct Hyperbola {
     }
 };
 
-/// o + e^(k + n ln g) of the conductance g = x / (1023 - x) in units of the divider's.
+/// o + e^(k + n ln g), where g = x / (1023 - x) is the conductance in units of the divider's.
 struct ConductancePower {
     int32_t offset, logarithm, exponent;  ///< o, k, n
 
@@ -132,15 +134,15 @@ struct ConductancePower {
     }
 };
 
-/// A curve through every reading, cubic between two of them:
-/// value + t (slope + t (square + t cube)) with t = (x - first) / width.
+/// One piece of a curve that passes through every reading and is cubic between two of them: value +
+/// t (slope + t (square + t cube)) with t = (x - first) / width.
 struct CubicPiece {
     uint16_t first, width;
     uint32_t value, slope, square, cube;  ///< two's complement
 };
 
 struct MonotoneCubic {
-    const CubicPiece* pieces;  ///< in program memory, by rising `first`
+    const CubicPiece* pieces;  ///< in program memory, in order of rising `first`
     int16_t count;
 
     template <class Scalar, int sum_bits = 0>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Debug text by topic. A topic that the board's configuration does not name in `debugged` compiles
-/// to nothing, its strings included. Strings stay in flash: FIRMWARE_TEXT("...").
+/// Debug text by topic. A topic that the board's configuration does not list in `debugged` compiles
+/// to nothing, including its strings. Strings stay in flash: FIRMWARE_TEXT("...").
 ///
-/// Each topic has a line of its own below the renderer's grid, which its newest text replaces. A
-/// text that the serial port has no room for is dropped and counted: nothing here waits.
+/// Each topic has its own line below the renderer's grid, which its newest text replaces. A text
+/// for which the serial port has no room is dropped and counted: nothing here waits.
 #pragma once
 
 #include <firmware/configuration.hpp>
@@ -14,11 +14,11 @@
 
 namespace firmware {
 
-/// Debug text of a Board; first_line is the terminal's line of the first topic.
+/// Debug text of a Board. `first_line` is the terminal line of the first topic.
 template <class Board, uint8_t first_line>
 class Debug {
   public:
-    /// The text, and behind it the number with so many decimals.
+    /// Prints the text, followed by the number with that many decimals.
     template <Topic topic, class Number>
     static void print(FlashText text, Number number, uint8_t decimals) {
         if (!on(topic)) return;
@@ -27,20 +27,20 @@ class Debug {
             static_cast<uint8_t>(fixedpoint::print(number, decimals, digits, sizeof digits));
         write(line_of(topic), text, digits, length);
     }
-    /// The text, and behind it an integer.
+    /// Prints the text, followed by an integer.
     template <Topic topic>
     static void print(FlashText text, int32_t number) {
         if (!on(topic)) return;
         print<topic>(text, fixedpoint::Fixed<32, 0>::from_raw(number), 0);
     }
-    /// The text alone.
+    /// Prints the text alone.
     template <Topic topic>
     static void print(FlashText text) {
         if (!on(topic)) return;
         write(line_of(topic), text, nullptr, 0);
     }
 
-    /// Texts that were dropped since the start; stops at 255.
+    /// The number of texts dropped since the start; stops at 255.
     static uint8_t dropped() { return dropped_; }
 
   private:
@@ -54,7 +54,7 @@ class Debug {
     static void write(uint8_t line, FlashText text, const char* digits, uint8_t length) {
         char place[terminal::longest_move];
         const uint8_t moved = terminal::move(place, line, 1);
-        // Together at most 255, or it would not fit the largest ring buffer either.
+        // Together at most 255 bytes: more would not fit the largest ring buffer either.
         const uint16_t needed =
             static_cast<uint16_t>(moved + text.length + length + terminal::erase_length);
         if (needed > Board::writable()) {

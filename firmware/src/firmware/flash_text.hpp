@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Text that stays in flash: FIRMWARE_TEXT("..."), read a character at a time.
+/// Text that stays in flash: FIRMWARE_TEXT("..."), read one character at a time.
 #pragma once
 
 #include <stdint.h>
@@ -18,9 +18,9 @@ namespace firmware {
 
 /// A text that is kept in flash.
 struct FlashText {
-    /// Where it begins: in flash, not in RAM.
+    /// The first character: in flash, not in RAM.
     const char* address;
-    /// Its characters.
+    /// The number of characters.
     uint8_t length;
 
     /// The character i, which must be less than `length`.
@@ -33,7 +33,7 @@ struct FlashText {
     }
 };
 
-/// A function, as avr-gcc 5.4 loses a string of PSTR within braces.
+/// A function, since avr-gcc 5.4 loses a string of PSTR within braces.
 inline FlashText flash_text(const char* address, uint8_t length) { return {address, length}; }
 
 }  // namespace firmware

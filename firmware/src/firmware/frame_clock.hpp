@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// When to step the physics and when to render. Times are a board's ticks, modulo 2^32: what is
-/// asked must be asked again within 17 minutes. Plain logic, without a clock of its own:
+/// When to step the physics and when to render. Times are a board's ticks, modulo 2^32: due() must
+/// be called at least every 17 minutes. Plain logic, without a clock of its own:
 ///
 ///     while (const uint32_t length = steps.due(Board::ticks())) {
 ///         step(seconds<Scalar>(length));
@@ -9,7 +9,7 @@
 ///     }
 ///     if (frames.due(Board::ticks())) draw();
 ///
-/// So that one of two policies is a matter of one type.
+/// The two policies for steps differ only in their type.
 #pragma once
 
 #include <firmware/hardware/readings.hpp>
@@ -17,10 +17,11 @@
 
 namespace firmware {
 
-/// How much later `now` is than `then`, negative where it is earlier.
+/// `now` less `then` in ticks; negative if `now` is earlier. The two must be less than 2^31 ticks
+/// apart.
 constexpr int32_t elapsed(uint32_t then, uint32_t now) { return static_cast<int32_t>(now - then); }
 
-/// A length of time as a number of the physics, rounded to nearest.
+/// A time in ticks as seconds of the physics, rounded to nearest.
 template <class Scalar>
 constexpr Scalar seconds(uint32_t ticks) {
     return fixedpoint::from_decimal<Scalar>(static_cast<int32_t>(ticks / ticks_per_microsecond), 6);
@@ -32,20 +33,20 @@ constexpr float seconds<float>(uint32_t ticks) {
 }
 /// \endcond
 
-/// Steps of one length, each due at its time. Late ones are made up for, up to most_behind steps;
-/// what is later than that is given up, so that one long wait is not followed by a burst of steps.
-/// Nothing of it is silent: late steps (a whole step or more), steps given up and the worst delay
-/// are counted.
+/// Steps of one length, each due at its time. Up to most_behind late steps are made up for. Steps
+/// later than that are given up, so that a long wait is not followed by a burst of steps. Nothing
+/// of this is silent: late steps (by a whole step or more), steps given up and the worst delay are
+/// counted.
 template <uint16_t step_length = ticks_per_millisecond, uint8_t most_behind = 10>
 class FixedSteps {
-    static_assert(step_length > 0, "A step takes time.");
-    static_assert(most_behind > 0, "Steps that are late at all cannot be made up for.");
+    static_assert(step_length > 0, "step_length must be above 0.");
+    static_assert(most_behind > 0, "most_behind must be above 0, or no late step is made up for.");
 
   public:
     /// The first step is due one step after `now`.
     explicit FixedSteps(uint32_t now) : next_(now + step_length) {}
 
-    /// The length of the step that is due, 0 where none is.
+    /// The length in ticks of the step that is due, or 0 if none is.
     uint16_t due(uint32_t now) {
         const int32_t behind = elapsed(next_, now);
         if (behind < 0) return 0;
@@ -57,14 +58,14 @@ class FixedSteps {
         next_ += step_length;
         return step_length;
     }
-    /// Says that the step has been computed; of steps of one length nothing depends on it.
+    /// Reports that the step has been computed. Steps of constant length ignore it.
     void done(uint32_t) {}
 
-    /// Steps that began a whole step late or more.
+    /// The number of steps that began late by a whole step or more.
     uint32_t late() const { return late_; }
-    /// Steps that were given up, as they were too late.
+    /// The number of steps given up because they were too late.
     uint32_t given_up() const { return given_up_; }
-    uint32_t worst_delay() const { return worst_delay_; }  ///< ticks
+    uint32_t worst_delay() const { return worst_delay_; }  ///< in ticks
 
   private:
     void give_up(int32_t behind) {
@@ -77,14 +78,14 @@ class FixedSteps {
     uint32_t late_ = 0, given_up_ = 0, worst_delay_ = 0;
 };
 
-/// The published policy: physics waits until it is 10 ms behind the clock, then catches up until it
-/// is ahead, each step as long as the one before took to compute, and 5 ms on top.
+/// The published policy: the physics waits until it is 10 ms behind the clock, then catches up
+/// until it is ahead. Each step is as long as the previous one took to compute, plus 5 ms.
 class PublishedSteps {
   public:
-    /// Physics begins at `now`.
+    /// The physics starts at `now`.
     explicit PublishedSteps(uint32_t now) : physics_(now) {}
 
-    /// The length of the step that is due, 0 where none is.
+    /// The length in ticks of the step that is due, or 0 if none is.
     uint32_t due(uint32_t now) {
         const int32_t behind = elapsed(physics_, now);
         if (behind <= 0) catching_up_ = false;
@@ -95,25 +96,27 @@ class PublishedSteps {
         physics_ += length;
         return length;
     }
-    /// Says that the step has been computed at `now`, from which follows the length of the next.
+    /// Reports that the step has been computed at `now`. This determines the length of the next
+    /// one.
     void done(uint32_t now) { duration_ = now - begun_; }
 
   private:
     static constexpr int32_t wait_until_behind = 10 * ticks_per_millisecond;
 
-    uint32_t physics_;  // the time up to which physics has come
+    uint32_t physics_;  // the time that the physics has reached
     uint32_t begun_ = 0, duration_ = 0;
     bool catching_up_ = false;
 };
 
-/// Frames of one length, 20 a second. One that is late by a whole frame or more is left out.
+/// Frames of one length, 20 a second by default. A frame that is late by a whole frame or more is
+/// skipped.
 template <uint32_t frame_length = 50ul * ticks_per_millisecond>
 class Frames {
   public:
-    /// The first frame is due at once.
+    /// The first frame is due immediately.
     explicit Frames(uint32_t now) : next_(now) {}
 
-    /// Whether a frame is to be drawn now; true once for each.
+    /// Whether to draw a frame now. True once per frame.
     bool due(uint32_t now) {
         const int32_t behind = elapsed(next_, now);
         if (behind < 0) return false;

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// A grid of cells, 1, 2 or 4 bits each, onto which lines and circles are drawn. Cell (0, 0) is at
-/// the lower left. Everything is clipped: coordinates and radii may be anything up to
-/// `farthest_cell`, and no call takes longer than a walk across the grid.
+/// A grid of cells of 1, 2 or 4 bits, on which lines and circles are drawn. Cell (0, 0) is at the
+/// lower left. Everything is clipped: coordinates must be within +-`farthest_cell`, radii at most
+/// that, and no call takes longer than a walk across the grid.
 ///
-/// What is drawn is defined without reference to how (an axis is the direction along which a shape
-/// goes faster):
-/// - line: in each column (row, where it is steeper than 45 degrees) the one cell that is nearest
-///   to the exact line, of two that are equally near the upper (the right) one;
-/// - circle: in each column whose cells it crosses at 45 degrees or less the two cells whose centre
-///   is nearest to the exact circle vertically, and likewise in each row horizontally.
+/// The cells that are drawn are defined independently of the algorithm:
+/// - line: in each column (in each row, if the line is steeper than 45 degrees) the cell that is
+/// nearest to the exact line; of two that are equally near, the upper (right) one;
+/// - circle: in each column that it crosses at 45 degrees or less, the two cells whose centres are
+/// vertically nearest to the exact circle, and likewise in each row, horizontally.
 #pragma once
 
 #include <stdint.h>
@@ -18,15 +17,15 @@
 
 namespace firmware {
 
-/// Sums of coordinates fit 16 bits, products of two of them 32.
+/// The largest coordinate: sums of two coordinates fit 16 bits, products of two 32.
 constexpr int16_t farthest_cell = 8191;
 
 /// \cond internal
-// The integers nearest to a straight line from `from` to `to` in `steps` steps, of two that are
-// equally near the greater one: from + floor((2 k (to - from) + steps) / (2 steps)) for step k.
+// The integers nearest to a straight line from `from` to `to` in `steps` steps; of two that are
+// equally near, the greater: from + floor((2 k (to - from) + steps) / (2 steps)) for step k.
 class Interpolation {
   public:
-    // Where steps > 0; the line is entered at step `first`.
+    // `steps` must be above 0. The iteration starts at step `first`.
     Interpolation(int16_t from, int16_t to, int16_t steps, int16_t first) : steps_(steps) {
         const int16_t rise = to - from;
         whole_ = floor_divide(rise, steps);
@@ -62,15 +61,15 @@ class Interpolation {
     uint16_t error_;  // 0 .. 2 steps - 1
 };
 
-// The depth of each cell, where there is a depth buffer; greater is nearer to the viewer.
+// The depth of each cell, if there is a depth buffer. A greater depth is nearer to the viewer.
 template <uint16_t cells, bool kept>
 class DepthBuffer {
   public:
     void clear() {
         for (uint16_t i = 0; i < cells; ++i) depth_[i] = -128;
     }
-    // Whether something at this depth is in front of, or as near as, what the cell shows; then it
-    // is what the cell shows.
+    // Whether a point at this depth is at least as near as what the cell shows. If so, the cell
+    // takes its depth.
     bool in_front(uint16_t cell, int8_t depth) {
         if (depth < depth_[cell]) return false;
         depth_[cell] = depth;
@@ -101,25 +100,25 @@ class DepthInterpolation<false> {
 };
 /// \endcond
 
-/// A grid of cells of `bits_` bits, with the depth of each cell where `depth_` says so.
+/// A grid of cells of `bits_` bits, with a depth for each cell if `depth_` is true.
 template <uint8_t columns_, uint8_t rows_, uint8_t bits_, bool depth_>
 class Grid : DepthBuffer<uint16_t{rows_} * columns_, depth_> {
     using Nearest = DepthBuffer<uint16_t{rows_} * columns_, depth_>;
 
   public:
-    /// 1 to 99.
+    /// The number of columns, 1 to 99.
     static constexpr uint8_t columns = columns_;
-    /// 1 to 90.
+    /// The number of rows, 1 to 90.
     static constexpr uint8_t rows = rows_;
-    /// Of a cell: 1, 2 or 4.
+    /// The bits of a cell: 1, 2 or 4.
     static constexpr uint8_t bits = bits_;
-    /// Whether what is nearer hides what is farther.
+    /// Whether nearer cells hide those behind them.
     static constexpr bool depth = depth_;
-    /// How many cells share a byte.
+    /// The number of cells in a byte.
     static constexpr uint8_t cells_per_byte = 8 / bits;
-    /// The bytes of a row.
+    /// The number of bytes in a row.
     static constexpr uint8_t row_bytes = (columns + cells_per_byte - 1) / cells_per_byte;
-    /// How many colours there are; 0 is the blank.
+    /// The number of colours. Colour 0 is the blank.
     static constexpr uint8_t colours = 1 << bits;
 
     static_assert(bits == 1 || bits == 2 || bits == 4,
@@ -127,29 +126,29 @@ class Grid : DepthBuffer<uint16_t{rows_} * columns_, depth_> {
     static_assert(columns >= 1 && columns <= 99 && rows >= 1 && rows <= 90,
                   "A grid has 1 to 99 columns and 1 to 90 rows, as a terminal addresses them.");
 
-    /// Makes all cells blank, and as far away as can be.
+    /// Makes all cells blank and infinitely far away.
     void clear() {
         for (uint8_t row = 0; row < rows; ++row)
             for (uint8_t i = 0; i < row_bytes; ++i) cells_[row][i] = 0;
         Nearest::clear();
     }
 
-    /// The colour of a cell, which must be in the grid.
+    /// The colour of a cell, which must be inside the grid.
     uint8_t colour(uint8_t column, uint8_t row) const {
         return cells_[row][column / cells_per_byte] >> shift(column) & (colours - 1);
     }
-    /// The bytes of a row, the first column in the lowest bits.
+    /// The bytes of a row, which must be inside the grid. The first column is in the lowest bits.
     /// @{
     const uint8_t* row(uint8_t row) const { return cells_[row]; }
     uint8_t* row(uint8_t row) { return cells_[row]; }
     /// @}
-    /// The bits of a column in its byte.
+    /// The mask of a column's bits in its byte.
     static constexpr uint8_t mask(uint8_t column) {
         return static_cast<uint8_t>((colours - 1) << shift(column));
     }
 
-    /// Colours a cell, unless something nearer is there; nothing outside of the grid. A greater z
-    /// is nearer.
+    /// Colours a cell, unless a nearer one is there. Does nothing outside the grid. A greater z is
+    /// nearer.
     void point(int16_t x, int16_t y, uint8_t colour, int8_t z = 0) {
         if (static_cast<uint16_t>(x) >= columns || static_cast<uint16_t>(y) >= rows) return;
         const uint8_t column = static_cast<uint8_t>(x), row = static_cast<uint8_t>(y);
@@ -159,7 +158,8 @@ class Grid : DepthBuffer<uint16_t{rows_} * columns_, depth_> {
                                     static_cast<uint8_t>(colour << shift(column)));
     }
 
-    /// Draws a line between two cells, as the file defines it; z goes from z0 to z1 along it.
+    /// Draws a line between two cells, as defined at the top of the file. z changes from z0 to z1
+    /// along it.
     void line(int16_t x0, int16_t y0, int16_t x1, int16_t y1, uint8_t colour, int8_t z0 = 0,
               int8_t z1 = 0) {
         const int16_t width = x1 < x0 ? x0 - x1 : x1 - x0;
@@ -179,15 +179,15 @@ class Grid : DepthBuffer<uint16_t{rows_} * columns_, depth_> {
         line_along(steep, from, to, colour);
     }
 
-    /// A circle's outline; a point where the radius is 0.
+    /// Draws the outline of a circle: a point if the radius is 0, nothing if it is negative.
     void circle(int16_t x, int16_t y, int16_t radius, uint8_t colour, int8_t z = 0) {
         if (radius <= 0) {
             if (radius == 0) point(x, y, colour, z);
             return;
         }
-        // The greatest i with 2 i^2 - i < r^2: up to it the nearest cell i columns from the centre
+        // The greatest i with 2 i^2 - i < r^2: up to it, the nearest cell i columns from the centre
         // is at least i rows away, so that the arcs of columns and those of rows meet. 46341 / 2^16
-        // exceeds sqrt(1/2), and i less than r sqrt(1/2) + 1/2.
+        // exceeds sqrt(1/2), and i is less than r sqrt(1/2) + 1/2.
         const int32_t square = static_cast<int32_t>(radius) * radius;
         int16_t reach = static_cast<int16_t>((static_cast<uint32_t>(radius) * 46341u >> 16) + 1);
         while (static_cast<int32_t>(2 * reach - 1) * reach >= square) --reach;
@@ -201,7 +201,7 @@ class Grid : DepthBuffer<uint16_t{rows_} * columns_, depth_> {
     }
     static constexpr uint8_t length(bool vertical) { return vertical ? rows : columns; }
 
-    // The axis that is walked is `along`, vertical or not.
+    // An end of a line. `along` is the axis that is walked, vertical or horizontal.
     struct End {
         int16_t along, across;
         int8_t z;
@@ -227,17 +227,17 @@ class Grid : DepthBuffer<uint16_t{rows_} * columns_, depth_> {
         }
     }
 
-    // The cells whose distance `i` from the centre along the axis is at most `reach`. Their
-    // distance across it is the integer h nearest to sqrt(s), s = r^2 - i^2, which is the one with
-    // -h < s - h^2 <= h. It changes by at most one from cell to cell, and the error s - h^2 stays
-    // within 3 h + 2, also before h has been corrected: 16 bits.
+    // Draws the cells whose distance `i` from the centre along the axis is at most `reach`. Their
+    // distance across it is the integer h nearest to sqrt(s), s = r^2 - i^2: the one with -h < s -
+    // h^2 <= h. It changes by at most one from cell to cell, and the error s - h^2 stays within 3 h
+    // + 2 even before h has been corrected, which fits 16 bits.
     void arcs_along(bool vertical, int16_t centre, int16_t centre_across, int32_t square,
                     int16_t reach, uint8_t colour, int8_t z) {
         if (centre + reach < 0 || centre - reach >= length(vertical)) return;
         const bool clipped = centre < reach;
         int16_t i = clipped ? -centre : -reach;
         const int32_t rest = square - static_cast<int32_t>(i) * i;
-        // The root of `rest` is 2^-8 of that of 2^16 `rest`.
+        // The root of `rest` is 2^-8 times that of 2^16 `rest`.
         int16_t h = static_cast<int16_t>(
             clipped ? fixedpoint::kernel::sqrt_small<int32_t, 16>(rest) >> 8 : reach);
         int16_t error = static_cast<int16_t>(rest - static_cast<int32_t>(h) * h);

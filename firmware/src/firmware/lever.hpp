@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The haptic lever: a weight of 0.1 kg at the end of a virtual arm, felt through a servo. The
-/// user's force is measured by two opposed sensors, the arm is moved by the engine, and the servo
-/// is told the arm's angle. Knows no hardware: readings come in, the servo's pulse goes out, so
-/// that it runs alike on the chip, in tests and in a search for its limits.
+/// The haptic lever: a weight of 0.1 kg at the end of a virtual arm, felt through a servo. Two
+/// opposed sensors measure the user's force, the engine moves the arm, and the servo follows the
+/// arm's angle. The lever uses no hardware: readings come in and the servo's pulse goes out, so
+/// that the same code runs on the chip, in tests and in a search for its limits.
 ///
 ///     Lever<LeverChoices<Q16_16>> lever;
 ///     Board::command_servo(lever.step(Board::readings(), BinaryStep<10>()));
 ///
-/// Angles are the arm's above its lower stop, in rad; forces and speeds are positive upwards. SI
-/// units. What depends on the arm's length alone is computed when that changes.
+/// Angles are the arm's, above its lower stop, in rad. Forces and speeds are positive upwards. All
+/// units are SI. Values that depend only on the arm's length are computed when it changes.
 #pragma once
 
 #include <engine.h>
@@ -24,47 +24,51 @@
 
 namespace firmware {
 
-/// What a lever is made of; derive from it and hide what differs. 2^rate steps a second.
+/// What a lever is made of: derive from it and hide the members that differ. It makes 2^rate steps
+/// a second.
 template <class ScalarType, int rate = 10>
 struct LeverChoices {
     /// The number type of force, arm and pulse.
     using Scalar = ScalarType;
-    /// The scene of the engine that the arm is.
+    /// The engine's scene that contains the arm.
     using Scene = scenes::Lever;
     /// The integrator and the solver.
     using Method = scenes::SemiImplicit;
 
-    /// 1024.07 steps a second of 2^-10 s each: 64 ppm apart, as a resonator is from its frequency.
+    /// 1024.07 steps a second of 2^-10 s each: they differ by 64 ppm, as a resonator does from its
+    /// frequency.
     static constexpr uint16_t step_length = ticks_per_second >> rate;  ///< ticks
     /// When a step is due.
     using Steps = FixedSteps<step_length>;
-    /// The engine's step for so many ticks.
+    /// The engine's step for that many ticks.
     static constexpr engine::BinaryStep<rate> time_step(uint16_t) { return {}; }
 
-    /// The servo is told where the arm will be so much later, in s: the pulse that it follows is 10
-    /// ms old in the mean, and its drive takes another 10 ms. Without it servo, foam and sensors of
-    /// a lever that is held still chase each other.
+    /// The servo is told where the arm will be this much later, in s: the pulse that it follows is
+    /// 10 ms old on average, and its drive takes another 10 ms. Without this, the servo, foam and
+    /// sensors of a lever that is held still oscillate.
     static constexpr Scalar servo_delay() { return engine::Decimal<2, 2>(); }
 
-    /// A user who pushes against the motion with more than 0.5 N slows it towards its 0.5 N / push,
-    /// by 2^-damping_exponent of the way in each step: within 2^-5 s. (Published as 0, all of the
-    /// way, in steps of 10 ms; in 1000 steps a second that stops what falls.)
+    /// A user who pushes against the motion with more than 0.5 N slows it towards 0.5 N / push
+    /// times its speed, by 2^-damping_exponent of the way in each step: within 2^-5 s. (Published
+    /// as 0, all of the way, in steps of 10 ms; with 1000 steps a second that would stop a falling
+    /// arm.)
     /// @{
     static constexpr bool selective_damping = true;
     static constexpr uint8_t damping_exponent = rate - 5;
     /// @}
 
-    /// What the sensors feel of their frame's own acceleration is taken off: table D.2.
+    /// Whether to subtract the force that the sensors feel from the acceleration of their own
+    /// frame: table D.2.
     static constexpr bool frame_correction = false;
 
-    /// Of a sensor: the least reading at which the other one may be free. Above the reading at
-    /// rest, so that a sensor that is unplugged then is noticed; below that which holds the weight
-    /// alone, for where it is not, a held lever loses its force whenever a foam lets go, and
-    /// swings.
+    /// The smallest reading of one sensor at which the other may be free. It must be above the
+    /// reading at rest, so that a sensor unplugged at rest is noticed. It must be below the reading
+    /// of a sensor that holds the weight alone: otherwise a held lever loses its force whenever a
+    /// foam lets go, and swings.
     static constexpr uint16_t pressed = 895;
 };
 
-/// The device of the report: its scene, method, clock and damping.
+/// The published device: its scene, method, clock and damping.
 template <class ScalarType>
 struct PublishedLeverChoices : LeverChoices<ScalarType> {
     /// As published.
@@ -87,12 +91,12 @@ class Lever {
     /// The engine's world that the arm is in.
     using World =
         engine::World<Scalar, typename Choices::Scene::template Uses<typename Choices::Method>>;
-    /// Two numbers, x to the right and y upwards.
+    /// A vector (x, y), with x to the right and y upwards.
     using Vector = typename World::Vector;
-    /// Its numbers.
+    /// The dimensions of the lever.
     using Geometry = LeverGeometry<Scalar>;
 
-    /// At rest on the lower stop, the arm at its shortest.
+    /// Starts at rest on the lower stop, with the arm at its shortest.
     Lever() {
         typename Choices::Scene::template Parameters<Scalar> numbers{};
         numbers.length = Geometry::shortest();
@@ -102,7 +106,7 @@ class Lever {
         look();
     }
 
-    /// Moves the arm on by dt and returns the servo's pulse, in ticks.
+    /// Advances the arm by dt and returns the servo's pulse in ticks.
     template <class TimeStep>
     uint16_t step(const Readings& readings, TimeStep dt) {
         if (++steps_ % steps_per_dial_reading == 0) follow_dial(readings.sum[dial]);
@@ -119,12 +123,12 @@ class Lever {
 
     /// The arm's length, in m, which follows the dial.
     Scalar length() { return Arm::rod(world_).length; }
-    /// Whether the last readings can be those of two connected sensors; where not, they count as no
+    /// Whether the last readings can be those of two connected sensors. If not, they count as no
     /// force.
     bool sensors_connected() const { return connected_; }
 
-    /// On a grid of which a cell is 2.5 cm: the longest arm fits. The weight's radius of 1 cm is
-    /// less than half a cell: a point.
+    /// Draws the arm. The grid's cells are 2.5 cm wide, so that the longest arm fits. The weight is
+    /// a point: its radius of 1 cm is less than half a cell.
     template <class Grid>
     void draw(Grid& grid) {
         using Picture = Projection<Grid, typename Geometry::View>;
@@ -142,16 +146,16 @@ class Lever {
     static constexpr uint8_t steps_per_dial_reading = 16;
     enum Colour : uint8_t { rod_colour = 1, pivot_colour = 3, weight_colour = 2 };
 
-    // Sees where the arm is and how fast.
+    // Updates the arm's position and speed from the world.
     void look() {
         const auto& end = Arm::end(world_);
         arm_ = end.position - Arm::pivot(world_);
         speed_ = arm_[1] * end.velocity[0] - arm_[0] * end.velocity[1];
     }
 
-    // In newtons. Foam and frame keep the sensors' distance, so that one is free only while the
-    // other is pressed hard: one that reads nothing while the other is not is unplugged. None reads
-    // the supply itself unless it is shorted.
+    // The user's force in newtons. Foam and frame keep the sensors' distance, so that one is free
+    // only while the other is pressed hard: a sensor that reads nothing while the other is not
+    // pressed is unplugged. No sensor reads the supply itself unless it is shorted.
     Scalar force_at_sensors(const Readings& readings) {
         const uint16_t a = readings.sum[sensor_a], b = readings.sum[sensor_b];
         connected_ = connected(a, b) && connected(b, a);
@@ -164,7 +168,7 @@ class Lever {
         return sum < shorted && (sum > free || other > pressed);
     }
 
-    // Perpendicular to the arm, `per_metre` of it.
+    // Applies a force perpendicular to the arm: `per_metre` times its length.
     void pull_end(Scalar per_metre) {
         Vector& force = world_.custom_force().force;
         force[0] = arm_[1] * per_metre;
@@ -180,13 +184,14 @@ class Lever {
         Arm::end(world_).velocity *= kept + tolerated * share / against;
     }
 
-    // Measured from straight below, where the arm never is: the same in (-pi, pi] and [0, 2 pi).
+    // Measured from straight down, where the arm never is, so that (-pi, pi] and [0, 2 pi) give the
+    // same.
     Scalar angle() const {
         using ::atan2;
         return Scalar(atan2(-arm_[0], -arm_[1])) - Geometry::lower_stop_from_below();
     }
 
-    // Holds the arm between its stops, off which it bounces.
+    // Keeps the arm between its stops, off which it bounces.
     __attribute__((noinline)) Scalar stop(Scalar angle) {
         const bool low = angle < Scalar();
         if (!low && !(angle > Geometry::travel())) return angle;
@@ -209,7 +214,7 @@ class Lever {
             CellArithmetic<Scalar>::nearest(angle * Geometry::ticks_per_radian()));
     }
 
-    // A quarter of the way each time: 55 ms. The angle and its rate stay as they are.
+    // Moves the length a quarter of the way each time: 55 ms. The angle and its rate do not change.
     void follow_dial(uint16_t sum) {
         const Scalar quarter = engine::Decimal<25, 2>();
         const Scalar change = (Geometry::length_at(sum) - length()) * quarter;
@@ -229,7 +234,7 @@ class Lever {
         lead_ = Choices::servo_delay() * inverse_length_ * inverse_length_;
     }
 
-    Scalar inverse_length_;  // 1 / m; the first member, so that a debugger finds it
+    Scalar inverse_length_;  // 1 / m; the first member, where a debugger finds it
     World world_;
     Vector arm_;       // from the pivot to the weight
     Scalar speed_;     // of the weight, upwards, times the arm's length

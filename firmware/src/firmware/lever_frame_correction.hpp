@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// What the opposed sensors feel of their frame's own acceleration, by the published Table D.2: as
-/// the frame speeds up, the lever lies behind and presses on one of them. An option of the lever,
-/// which takes no room where it is off.
+/// The force that the opposed sensors feel from the acceleration of their own frame, by the
+/// published Table D.2: when the frame speeds up, the lever lags behind and presses on one of them.
+/// An option of the lever, which takes no space if it is off.
 #pragma once
 
 #include <engine/time_step.hpp>
@@ -13,7 +13,7 @@
 namespace firmware {
 namespace frame_correction {
 
-/// N per m/s^2 at 5, 6 .. 30 m/s^2, in 2^-16.
+/// N per m/s^2 at 5, 6 .. 30 m/s^2, in units of 2^-16.
 constexpr uint8_t least = 5, most = 30;
 template <class = void>
 struct Table {
@@ -25,7 +25,8 @@ const uint16_t Table<T>::entries[] FIXEDPOINT_PROGRAM_MEMORY = {
     3692, 3906, 4617, 4179, 3502, 4178, 3735, 3835, 3751, 3309, 3684, 3492, 3244,
 };
 
-/// The force in N at an acceleration in m/s^2, by the nearest entry; beyond the last it is held.
+/// The force in N at an acceleration in m/s^2, by the nearest entry. Above 30 m/s^2 it is that of
+/// 30 m/s^2.
 template <class Scalar>
 Scalar force(Scalar acceleration) {
     const Scalar limit = CellArithmetic<Scalar>::from_integer(most);
@@ -39,11 +40,12 @@ Scalar force(Scalar acceleration) {
 
 }  // namespace frame_correction
 
-/// The correction, with what it has to remember; nothing of it where it is off.
+/// The correction and the state that it needs; empty if it is off.
 template <class Scalar, bool on>
 class FrameCorrection {
   public:
-    /// To be added to the sensors' force, by the speed of the arm's end, once a step.
+    /// The force to add to that of the sensors. `speed` is that of the arm's end; call it once per
+    /// step.
     template <class TimeStep>
     Scalar correction(Scalar speed, TimeStep dt) {
         const Scalar change = speed - last_speed_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The numbers of the haptic lever, and where each scene keeps its arm.
+/// The dimensions of the haptic lever, and where each scene keeps its arm.
 #pragma once
 
 #include <firmware/hardware/readings.hpp>
@@ -10,10 +10,10 @@
 
 namespace firmware {
 
-/// Q16_16 but for its arc tangent, which takes less flash and more cycles: `fixbench cycles
+/// Nearest, except for its arc tangent, which takes less flash and more cycles: `fixbench cycles
 /// --operation atan2`.
 struct LeverArithmetic : fixedpoint::Nearest {
-    /// As Small has it.
+    /// The arc tangent of Small.
     template <class Raw, int F>
     static constexpr Raw atan2(Raw y, Raw x) {
         return fixedpoint::Small::atan2<Raw, F>(y, x);
@@ -22,8 +22,8 @@ struct LeverArithmetic : fixedpoint::Nearest {
 /// The number type of the lever that is flashed.
 using LeverScalar = fixedpoint::Fixed<16, 16, LeverArithmetic>;
 
-/// The arm points to the left of its pivot and goes from 30 degrees below the horizontal to 30
-/// degrees above it: 60 degrees of the servo. Its shortest pulse stands for the lower stop.
+/// The arm points to the left of its pivot and moves from 30 degrees below the horizontal to 30
+/// degrees above it: 60 degrees of the servo. The servo's shortest pulse belongs to the lower stop.
 template <class ScalarType>
 struct LeverGeometry {
     /// The number type.
@@ -37,33 +37,33 @@ struct LeverGeometry {
 
     static constexpr Scalar lower_stop_from_below() { return Decimal<10471976, 7>(); }  ///< rad
     static constexpr Scalar travel() { return Decimal<10471976, 7>(); }                 ///< rad
-    /// Of the angle between a stop and the horizontal.
+    /// The cosine of the angle between a stop and the horizontal.
     static constexpr Scalar cosine_of_stop() { return Decimal<8660254, 7>(); }
-    /// Of the angle between a stop and the horizontal.
+    /// The sine of the angle between a stop and the horizontal.
     static constexpr Scalar sine_of_stop() { return Decimal<5, 1>(); }
 
-    /// Of the velocity, off a stop.
+    /// The velocity after a bounce off a stop, relative to the velocity before.
     static constexpr Scalar bounce() { return -Decimal<5, 1>(); }
 
-    /// A hobby servo: 1 ms for 90 degrees.
+    /// The pulse in ticks at the lower stop. For a hobby servo 1 ms is 90 degrees.
     static constexpr uint16_t pulse_at_lower_stop = 1000 * ticks_per_microsecond;
-    /// The servo's pulse, in ticks, by its angle.
+    /// The change of the servo's pulse in ticks per radian.
     static constexpr Scalar ticks_per_radian() { return Decimal<12732395, 4>(); }
 
     static constexpr Scalar sensor_radius() { return Decimal<4, 2>(); }  ///< of the sensors, m
-    /// The force of a gram's weight, N.
+    /// The weight of a gram in N.
     static constexpr Scalar newtons_per_gram() { return Decimal<980665, 8>(); }
 
-    /// The arm's length at one end of the dial, m; at the other it is 0.25 m more.
+    /// The arm's length in m at one end of the dial. At the other it is 0.25 m more.
     static constexpr Scalar shortest() { return Decimal<23, 2>(); }
-    /// The arm's length, in m, for the sum of two readings of the dial.
+    /// The arm's length in m for the sum of two readings of the dial.
     static Scalar length_at(uint16_t sum) {
         return shortest() + calibration::scaled<Scalar, 11>(sum) * longer();
     }
 
-    /// Of the screen: 0.5 m on each side, 2.5 cm a cell.
+    /// The view of the screen: 0.5 m on each side, 2.5 cm a cell.
     struct View {
-        /// As Projection asks for them.
+        /// The members that Projection requires.
         /// @{
         using Scalar = ScalarType;
         static constexpr uint16_t cells_per_unit = 40;
@@ -79,7 +79,7 @@ struct LeverGeometry {
 };
 
 /// \cond internal
-// The rod, its moving end and its fixed one.
+// The rod, its moving end and its fixed end.
 template <class Scene>
 struct ArmOf;
 template <>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The lever as a program on a Board: steps when they are due, frames in between, sleep in the
+/// The lever as a program on a Board: steps when they are due, frames in between, and sleep for the
 /// rest.
 ///
 ///     Program::start();
 ///     for (;;) Program::pass();
 ///
-/// Whatever comes in on the serial port asks for a full frame.
+/// Any byte received on the serial port requests a full frame.
 #pragma once
 
 #include <firmware/frame_clock.hpp>
@@ -16,9 +16,10 @@
 
 namespace firmware {
 
-/// What a lever asks of its Board: 60 degrees of the servo, pins that show when it works.
+/// The lever's configuration of its Board: 60 degrees of the servo, and pins that show when it
+/// works.
 struct LeverWiring : Configuration {
-    /// As Configuration has them.
+    /// See Configuration.
     /// @{
     static constexpr uint16_t servo_shortest = 1000;
     static constexpr uint16_t servo_longest = 1667;
@@ -28,7 +29,7 @@ struct LeverWiring : Configuration {
 };
 
 /// \cond internal
-// The same choices, with contacts on their pin.
+// The same choices, with the pin of contacts driven.
 template <class Board, class Choices>
 struct WatchedSteps : Choices {
     struct Method : Choices::Method {
@@ -37,11 +38,11 @@ struct WatchedSteps : Choices {
 };
 /// \endcond
 
-/// The program of a board; all is static, since there is one.
+/// The program of a board. Everything is static, since there is only one.
 template <class Board, class Choices, class Screen = firmware::Screen>
 class LeverProgram {
   public:
-    /// The lever, watched where its contacts are profiled.
+    /// The lever, watched if its contacts are profiled.
     using Lever = firmware::Lever<
         WhereProfiled<Board, set_of(Category::collision), WatchedSteps<Board, Choices>, Choices>>;
 
@@ -52,7 +53,8 @@ class LeverProgram {
         frames = Frames<>(Board::ticks());
     }
 
-    /// Steps that are due, then a part of a frame, then sleep until the next interrupt.
+    /// Makes the steps that are due, then sends a part of a frame, then sleeps until the next
+    /// interrupt.
     static void pass() {
         uint32_t now = Board::ticks();
         while (const auto length = steps.due(now)) {
@@ -72,7 +74,7 @@ class LeverProgram {
     static Steps steps;
     /// The clock of its frames.
     static Frames<> frames;
-    /// What shows it.
+    /// Shows the lever.
     static Renderer<Board, Screen> renderer;
 
   private:

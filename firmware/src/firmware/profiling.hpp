@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Profiling by pins: a pin is high while its category runs, 2 cycles at either end. A category
-/// that the board's configuration does not name in `profiled` compiles to nothing.
+/// Profiling by pins: a pin is high while its category runs. A category that the board's
+/// configuration does not list in `profiled` compiles to nothing.
 #pragma once
 
 #include <engine/choice.hpp>
@@ -9,7 +9,8 @@
 
 namespace firmware {
 
-/// From here to the end of the block. A category within itself ends with the inner block.
+/// Profiles a category from here to the end of the block. A category nested in itself ends with the
+/// inner block.
 template <class Board, Category category>
 class Profiled {
   public:
@@ -22,8 +23,9 @@ class Profiled {
     Profiled& operator=(const Profiled&) = delete;
 };
 
-/// As Profiled, and the compiler keeps what is within within: left alone it would compute inlined
-/// operations before the pin rises or behind its fall. `operands` are what is computed from.
+/// Like Profiled, but the compiler keeps the operation between the edges: otherwise it might
+/// compute inlined operations before the pin rises or after it falls. `operands` are the inputs of
+/// the operation.
 template <class Board, Category category>
 class ProfiledOperation {
   public:
@@ -64,7 +66,8 @@ class ProfiledOperation {
     }
 };
 
-/// Watched where one of the categories is profiled, else Plain itself: the same program as without.
+/// Watched if one of the categories is profiled, otherwise Plain itself: the same program as
+/// without.
 template <class Board, uint8_t categories, class Watched, class Plain>
 using WhereProfiled = typename engine::Either<(Board::Configuration::profiled & categories) != 0,
                                               Watched, Plain>::Type;
@@ -120,9 +123,9 @@ struct WatchedArithmetic : Arithmetic {
 };
 /// \endcond
 
-/// An arithmetic for Fixed whose products and quotients, and sums of products, raise the pin of
-/// `operation`, whose square roots and lengths raise that of `square_root`. What the arithmetic
-/// does not have this one has not either.
+/// An arithmetic for Fixed that raises the pin of `operation` for products, quotients and sums of
+/// products, and the pin of `square_root` for square roots and lengths. It lacks the operations
+/// that the arithmetic lacks.
 template <class Board, class Arithmetic>
 using ProfiledArithmetic = WhereProfiled<Board, set_of(Category::operation, Category::square_root),
                                          WatchedArithmetic<Board, Arithmetic>, Arithmetic>;
@@ -139,7 +142,7 @@ struct WatchedIntegrator : Integrator {
   private:
     using Collision = ProfiledOperation<Board, Category::collision>;
 
-    // What an integrator asks of a world.
+    // The part of a world that an integrator uses.
     template <class World>
     struct Parts {
         World& world;
@@ -167,8 +170,8 @@ struct WatchedIntegrator : Integrator {
 };
 /// \endcond
 
-/// An integrator of the engine that raises the pin of `collision` twice a step: while contacts and
-/// constraints are found, and while they are resolved.
+/// An integrator of the engine that raises the pin of `collision` twice a step: while it finds
+/// contacts and constraints, and while it solves them.
 template <class Board, class Integrator>
 using ProfiledIntegrator = WhereProfiled<Board, set_of(Category::collision),
                                          WatchedIntegrator<Board, Integrator>, Integrator>;

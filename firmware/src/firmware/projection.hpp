@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// From a world of scalars to a grid's cells; behind it there are only integers. A View says which
-/// part of the world the grid shows:
+/// From a world of scalars to the cells of a grid; beyond it there are only integers. A View says
+/// which part of the world the grid shows:
 ///
 ///     struct View {
 ///         using Scalar = Q16_16;
@@ -10,8 +10,8 @@
 ///         static constexpr Scalar slice() { ... }                              // z of the slice
 ///     };
 ///
-/// Any coordinate is allowed: what is farther from the view's corner than `reach` is drawn as if it
-/// were just there, in each axis by itself. Nothing overflows.
+/// Any coordinate is allowed: one that is farther than `reach` from the view's corner is drawn as
+/// if it were exactly that far, in each axis separately. Nothing overflows.
 #pragma once
 
 #include <stdint.h>
@@ -23,8 +23,8 @@
 namespace firmware {
 
 /// \cond internal
-// What the projection needs of a scalar: a whole number as a scalar, the floor and the nearest
-// integer of one that fits, and how many cells it can count with room to spare.
+// What the projection requires of a scalar: an integer as a scalar, the floor and the nearest
+// integer of a number that fits, and the number of cells that it can count with room to spare.
 template <class Float>
 struct CellArithmetic {
     static constexpr int16_t most_cells = farthest_cell;
@@ -45,16 +45,16 @@ struct CellArithmetic<fixedpoint::Fixed<I, F, A>> {
 };
 /// \endcond
 
-/// The cells of a Grid as a View shows them.
+/// The cells of a Grid on which a View is shown.
 template <class Grid, class View>
 class Projection {
   public:
     /// The number type of the world.
     using Scalar = typename View::Scalar;
 
-    /// The column of an x.
+    /// The column of an x coordinate.
     static int16_t column(Scalar x) { return Cells::floor(scaled(x, View::left())); }
-    /// The row of a y.
+    /// The row of a y coordinate.
     static int16_t row(Scalar y) { return Cells::floor(scaled(y, View::bottom())); }
     /// A length in cells, rounded to nearest.
     static int16_t length(Scalar length) {
@@ -70,9 +70,9 @@ class Projection {
         grid.line(column(x0), row(y0), column(x1), row(y1), colour);
     }
 
-    /// In three dimensions. Without a depth buffer the circle that the slice cuts out of the
-    /// sphere, if it does; with one the whole sphere's outline, where nothing is in front of its
-    /// centre.
+    /// Draws a sphere. Without a depth buffer, draws the circle that the slice cuts out of the
+    /// sphere, if it does. With one, draws the outline of the whole sphere, hidden by whatever is
+    /// in front of its centre.
     static void sphere(Grid& grid, Scalar x, Scalar y, Scalar z, Scalar radius, uint8_t colour) {
         const int16_t height = Cells::nearest(scaled(z, View::slice()));
         int16_t cells = length(radius);
@@ -84,7 +84,8 @@ class Projection {
         }
         grid.circle(column(x), row(y), cells, colour, depth_of(height));
     }
-    /// Of its ends' depths; without a depth buffer a line is drawn wherever it is.
+    /// Draws a line in space with the depths of its ends. Without a depth buffer it is drawn at any
+    /// depth.
     static void line(Grid& grid, Scalar x0, Scalar y0, Scalar z0, Scalar x1, Scalar y1, Scalar z1,
                      uint8_t colour) {
         const int16_t from = Cells::nearest(scaled(z0, View::slice()));
@@ -103,7 +104,7 @@ class Projection {
         return cells < -127 ? -127 : cells > 127 ? 127 : static_cast<int8_t>(cells);
     }
 
-    // (coordinate - origin) in cells. NaN is at the lower end.
+    // (coordinate - origin) in cells. NaN counts as the lower end.
     static Scalar scaled(Scalar coordinate, Scalar origin) {
         const Scalar low = origin - Cells::from_integer(reach);
         const Scalar high = origin + Cells::from_integer(reach);

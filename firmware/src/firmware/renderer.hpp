@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Shows a grid on a terminal at the other end of the serial port, a row a call, and never waits:
+/// Shows a grid on a terminal at the other end of the serial port, one row per call, and never
+/// waits:
 ///
 ///     if (renderer.idle() && frames.due(Board::ticks())) {
 ///         Grid& grid = renderer.begin();  // blank
@@ -9,7 +10,7 @@
 ///     }
 ///     renderer.transmit();  // in every pass of the loop
 ///
-/// Row 0 is the terminal's line `rows`, the top row its line 1.
+/// Row 0 is the terminal's line `rows`; the top row is its line 1.
 #pragma once
 
 #include <stdint.h>
@@ -22,23 +23,23 @@ namespace firmware {
 
 /// How a frame is sent.
 enum class Protocol : uint8_t {
-    changes,  ///< only the cells that changed, each run of them behind a cursor movement
-    lines     ///< every frame from the top, as many blank lines first: as published
+    changes,  ///< only the cells that changed, each run after a cursor movement
+    lines     ///< every frame from the top, after as many blank lines: as published
 };
 
-/// What a screen is; derive from it and hide what differs.
+/// A screen: derive from it and hide the members that differ.
 struct Screen {
-    /// 1 to 99.
+    /// The number of columns, 1 to 99.
     static constexpr uint8_t columns = 20;
-    /// 1 to 90.
+    /// The number of rows, 1 to 90.
     static constexpr uint8_t rows = 20;
-    static constexpr uint8_t bits = 2;  ///< a cell; 2^bits colours
-    /// Whether what is nearer hides what is farther, for a byte of RAM a cell.
+    static constexpr uint8_t bits = 2;  ///< per cell; 2^bits colours
+    /// Whether nearer cells hide those behind them, which takes a byte of RAM per cell.
     static constexpr bool depth = false;
     /// How a frame is sent.
     static constexpr Protocol protocol = Protocol::changes;
 
-    /// The character of a colour; a blank's is a space.
+    /// The character of a colour. The blank is a space.
     static char character(uint8_t colour) { return FIRMWARE_TEXT(" .o#+x*@%&$=-:|^")[colour]; }
 };
 
@@ -53,8 +54,8 @@ class Transmission;
 template <class Board, class Screen>
 class Transmission<Board, Screen, Protocol::changes> {
   protected:
-    // The cell that the terminal shows, and nothing else, changes as it is sent, so that a row may
-    // be left in the middle, when the port is full, and begun again.
+    // Marks each cell as shown when it is sent, and only then, so that a row can be left in the
+    // middle when the port is full, and resumed.
     bool send_row(GridOf<Screen>& grid, uint8_t row) {
         const uint8_t* const wanted = grid.row(row);
         uint8_t* const shown = shown_[row];
@@ -88,7 +89,7 @@ class Transmission<Board, Screen, Protocol::changes> {
         return true;
     }
 
-    // Clears the terminal where it is not known what it shows.
+    // Clears the terminal if its content is not known.
     bool send_head() {
         if (known_) return true;
         if (Board::writable() < terminal::clear_length) return false;
@@ -144,34 +145,34 @@ class Renderer : Transmission<Board, Screen, Screen::protocol> {
     using Transmission = firmware::Transmission<Board, Screen, Screen::protocol>;
 
   public:
-    /// What is drawn on.
+    /// The grid to draw on.
     using Grid = GridOf<Screen>;
 
-    /// Whether the last frame has been sent to its end.
+    /// Whether the last frame has been sent completely.
     bool idle() const { return rows_left_ == 0; }
 
-    /// A blank grid for the next frame; while idle.
+    /// A blank grid for the next frame. The renderer must be idle().
     Grid& begin() {
         grid_.clear();
         return grid_;
     }
-    /// What was drawn is what transmit() sends.
+    /// Ends the drawing: transmit() sends it from now on.
     void finish() {
         Transmission::begin_frame();
         rows_left_ = Grid::rows;
     }
 
-    /// The next frame is sent whole: a terminal has been attached, or garbled.
+    /// Sends the next frame completely: for a terminal that was just attached or is garbled.
     void refresh() { Transmission::forget(); }
 
-    /// Sends a row, or as much of it as the port takes. While more than half of the port's buffer
-    /// is full it does nothing, since each call has to find its place in the row again.
+    /// Sends a row, or as much of it as the port takes. Does nothing while more than half of the
+    /// port's buffer is full, since each call has to find its place in the row again.
     void transmit() {
         if (!idle() && Board::writable() >= Board::Configuration::transmit_capacity / 2) send();
     }
 
   private:
-    // Apart, so that a call that has nothing to send saves no registers.
+    // A function of its own, so that a call that has nothing to send saves no registers.
     __attribute__((noinline)) void send() {
         if (!Transmission::send_head()) return;
         if (Transmission::send_row(grid_, static_cast<uint8_t>(rows_left_ - 1))) --rows_left_;

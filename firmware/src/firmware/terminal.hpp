@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The control sequences of a terminal (ECMA-48, as every terminal program understands them) that
-/// the firmware uses. Lines and columns count from 1, at most 99.
+/// The control sequences that the firmware uses (ECMA-48, which every terminal program
+/// understands). Lines and columns count from 1 and must be at most 99.
 #pragma once
 
 #include <stdint.h>
@@ -11,15 +11,15 @@
 namespace firmware {
 namespace terminal {
 
-/// Characters of the sequence that moves the cursor, at most; that erases the rest of a line; that
-/// clears the screen.
+/// The length of a sequence in characters: at most, for moving the cursor; for erasing the rest of
+/// a line; for clearing the screen.
 /// @{
 constexpr uint8_t longest_move = 8;
 constexpr uint8_t erase_length = 3;
 constexpr uint8_t clear_length = 4;
 /// @}
 
-/// Writes the text. The port must have room for it, as in all of these.
+/// Writes the text. The port must have room for all of it, here and in the functions below.
 template <class Port>
 void write(FlashText text) {
     for (uint8_t i = 0; i < text.length; ++i) {
@@ -38,7 +38,7 @@ void clear_screen() {
     write<Port>(FIRMWARE_TEXT("\x1b[2J"));
 }
 
-/// Writes a number of one or two digits and returns how many.
+/// Writes a number in 0..99 and returns its number of digits.
 inline uint8_t put_number(char* text, uint8_t number) {
     uint8_t tens = 0;
     for (; number >= 10; number = static_cast<uint8_t>(number - 10)) ++tens;

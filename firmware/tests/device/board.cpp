@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Exercises the whole board at once; the test says what to do by the variables.
+// Exercises the whole board together; the test controls it through variables.
 #include <firmware/hardware/atmega328p.hpp>
 
 namespace {
@@ -25,7 +25,7 @@ volatile uint8_t lost;
 volatile uint8_t went_backwards;
 }
 
-// The compiler may not move the clock's reading out of the bracket.
+// The compiler must not move the reading of the clock out of the bracket.
 extern "C" __attribute__((noinline)) uint32_t bracketed_ticks() {
     GPIOR0 = 1;
     const uint32_t now = Board::ticks();
@@ -49,7 +49,7 @@ static void write_echo() {
     }
 }
 
-// Its clock is read so often that some readings meet an overflow.
+// Reads its clock so often that some readings meet an overflow.
 static void judge_clock() {
     static uint32_t last;
     const uint32_t now = bracketed_ticks();

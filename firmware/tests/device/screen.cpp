@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Draws the shapes that the test puts down and shows them, at 20 frames a second.
+// Draws the shapes that the test sets and shows them, at 20 frames a second.
 #include <firmware/frame_clock.hpp>
 #include <firmware/hardware/atmega328p.hpp>
 #include <firmware/projection.hpp>
@@ -56,7 +56,7 @@ Shape shapes[8];
 volatile uint8_t frames_shown;
 volatile uint8_t refresh;
 
-// Each a function of its own, to count its cycles.
+// Separate functions, so that their cycles can be counted.
 __attribute__((noinline)) void render_shapes() {
     auto& grid = renderer.begin();
     for (const Shape& shape : shapes) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Steps that are late at all cannot be made up for.
+// most_behind must be above 0, or no late step is made up for.
 #include <firmware/frame_clock.hpp>
 
 template class firmware::FixedSteps<2000, 0>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// readings_in_sum is a power of two up to 32
+// readings_in_sum must be a power of two up to 32
 #include <firmware/hardware/atmega328p.hpp>
 
 struct Chosen : firmware::Configuration {

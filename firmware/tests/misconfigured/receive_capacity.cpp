@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// receive_capacity is a power of two up to 128.
+// receive_capacity must be a power of two up to 128.
 #include <firmware/hardware/atmega328p.hpp>
 
 struct Chosen : firmware::Configuration {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The servo's pulse at the start lies within its travel.
+// servo_at_start must be from servo_shortest to servo_longest.
 #include <firmware/hardware/atmega328p.hpp>
 
 struct Chosen : firmware::Configuration {

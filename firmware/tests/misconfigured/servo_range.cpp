@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// No hobby servo takes pulses outside of 400 to 2600 microseconds.
+// No hobby servo takes pulses outside 400 to 2600 microseconds.
 #include <firmware/hardware/atmega328p.hpp>
 
 struct Chosen : firmware::Configuration {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The servo's shortest pulse is shorter than its longest one.
+// servo_shortest must be less than servo_longest.
 #include <firmware/hardware/atmega328p.hpp>
 
 struct Chosen : firmware::Configuration {

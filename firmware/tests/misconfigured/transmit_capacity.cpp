@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// transmit_capacity is a power of two from 16
+// transmit_capacity must be a power of two from 16
 #include <firmware/hardware/atmega328p.hpp>
 
 struct Chosen : firmware::Configuration {

@@ -298,7 +298,7 @@ TEST(Trajectory, StackEndsAtItsRestingHeights) {
     }
 }
 
-TEST(Trajectory, RefusesWhatHasNoTruth) {
+TEST(Trajectory, RefusesParametersWithoutAKnownMotion) {
     EXPECT_THROW(trajectory("no such scene", {0}), std::invalid_argument);
     EXPECT_THROW(trajectory("pendulum", {1, 0.5}), std::invalid_argument);
     EXPECT_THROW(trajectory("pendulum", {-1}), std::invalid_argument);

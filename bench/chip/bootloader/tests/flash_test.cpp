@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// scripts/flash.sh with the avrdude that users have, through the bootloaders that boards have.
+// scripts/flash.sh with the avrdude that users have, through the bootloaders of real boards.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -31,12 +31,12 @@ const fs::path application = programs / "bootloader_test_application.elf";
 
 struct Outcome {
     int status;
-    std::string output;  // and errors
+    std::string output;  // including errors
 };
 
 class FlashTest : public testing::Test {
   protected:
-    // A copy of the script with results, a build and devices that are the test's own.
+    // A copy of the script with results, a build and devices that belong to the test.
     void SetUp() override {
         std::string name = (fs::temp_directory_path() / "flash_test.XXXXXX").string();
         ASSERT_NE(::mkdtemp(name.data()), nullptr);
@@ -56,7 +56,7 @@ class FlashTest : public testing::Test {
         std::ofstream(project_ / path) << text;
     }
 
-    // Runs the script, and the board for as long.
+    // Runs the script and, at the same time, the board.
     Outcome flash(const std::string& arguments, Board* board = nullptr,
                   const char* path = nullptr) {
         const std::string command = fmt::format(
@@ -76,7 +76,7 @@ class FlashTest : public testing::Test {
         return outcome;
     }
 
-    // One line on top of the announcement of what is written.
+    // One line in addition to the announcement of what is written.
     static void expect_refusal(const Outcome& outcome, int status, const std::string& text) {
         EXPECT_EQ(outcome.status, status) << outcome.output;
         EXPECT_THAT(outcome.output, HasSubstr(text));
@@ -88,7 +88,7 @@ class FlashTest : public testing::Test {
     fs::path project_;
 };
 
-// What the application says of the table in its flash.
+// What the application reports of the table in its flash.
 std::string expected_greeting() {
     const std::vector<std::uint8_t> flash = Elf(application).flash();
     std::array<std::uint8_t, 256> beginning;
@@ -131,7 +131,7 @@ class EachBootloader : public FlashTest, public testing::WithParamInterface<Nano
 TEST_P(EachBootloader, WritesVerifiesAndStartsTheProgram) {
     ASSERT_EQ(board_.bootloader_entry(), GetParam().entry);
     plug_in(board_, "ttyUSB0");
-    // The same device by another name is not another board.
+    // The same device under another name is not another board.
     fs::create_symlink("../../ttyUSB0", project_ / "dev/serial/by-id/usb-1a86_USB_Serial-port0");
     const std::string hash = Elf(application).sha256();
     write("results/data/workload.csv", "quantity,elf_sha256\nloop rate," + hash + "\n");
@@ -148,14 +148,14 @@ TEST_P(EachBootloader, WritesVerifiesAndStartsTheProgram) {
     EXPECT_EQ(board_.sent_by_application(), expected_greeting());
 }
 
-TEST_P(EachBootloader, ABitThatDoesNotHoldIsCaught) {
+TEST_P(EachBootloader, AStuckBitIsDetected) {
     const std::string port = "--port " + board_.port() + " ";
     constexpr std::uint16_t address = 0x0a31;
     const std::uint8_t written = Elf(application).flash()[address];
     board_.set_stuck_bit(bootloader::StuckBit{address, 0x10, !(written & 0x10)});
     expect_refusal(flash(port + arguments(), &board_), 5, "0x0a31");
 
-    // It was this bit and nothing else; and a board that failed once can be flashed again.
+    // It was only this bit; and a board that failed once can be flashed again.
     std::vector<std::uint8_t> flash_with_the_bit = expected_flash();
     flash_with_the_bit[address] ^= 0x10;
     EXPECT_TRUE(board_.flash() == flash_with_the_bit);
@@ -169,7 +169,7 @@ INSTANTIATE_TEST_SUITE_P(, EachBootloader,
                                          Nano{"atmegaboot", "--old-bootloader", 0x7800}),
                          [](const auto& nano) { return nano.param.bootloader; });
 
-TEST_F(FlashTest, TheOtherSpeedIsHintedAt) {
+TEST_F(FlashTest, TheOtherSpeedIsSuggested) {
     Board board(programs / "atmegaboot.elf", true);
     plug_in(board, "ttyUSB0");
     expect_refusal(flash(application, &board), 4, "try --old-bootloader");
@@ -211,7 +211,7 @@ TEST_F(FlashTest, ProgramsThatCannotBeWrittenAreNamed) {
     expect_refusal(flash("--port"), 2, "--port needs");
     expect_refusal(flash("one.elf two.elf"), 2, "one program at a time");
 
-    // 30,800 bytes: too many for the larger bootloader alone; then for both.
+    // 30,800 bytes: too many for the larger bootloader only; then for both.
     for (const auto& [bytes, option, limit] :
          {std::tuple{30800, "--old-bootloader ", "leaves 30720"}, {32300, "", "leaves 32256"}}) {
         write("large.S", fmt::format(".space {}\n", bytes));
@@ -231,7 +231,7 @@ TEST_F(FlashTest, AMissingToolIsNamedWithWhatInstallsIt) {
                    "avrdude is missing; scripts/setup.sh");
 }
 
-TEST_F(FlashTest, FiguresOfAnotherProgramAreNotTakenForThisOnes) {
+TEST_F(FlashTest, FiguresOfAnotherProgramAreNotUsed) {
     Board board(programs / "optiboot.elf", true);
     plug_in(board, "ttyUSB0");
     const std::string other(64, 'b');

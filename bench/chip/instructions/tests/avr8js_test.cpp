@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every instruction of the ATmega328P in simavr against an independent simulator, avr8js:
-// registers, flags, stack, memory, program counter and cycles, from random states. The translator's
-// semantics are held against simavr in semantics_test.cpp.
+// Every instruction of the ATmega328P in simavr compared with an independent simulator, avr8js:
+// registers, flags, stack, memory, program counter and cycles, from random states.
+// semantics_test.cpp compares the translator's semantics with simavr.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sim_avr.h>
@@ -24,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 using simulator::Chip;
 
-constexpr std::uint32_t here = 0x4000;  // where the instruction lies
+constexpr std::uint32_t here = 0x4000;  // the address of the instruction
 constexpr int gpior0 = 0x1e, gpior0_address = 0x3e;
 constexpr int words_of_a_row = 6, states_of_a_word = 40;
 
@@ -39,7 +39,7 @@ struct Step {
     std::array<std::uint8_t, 32> registers;
 };
 
-// Those that the ATmega328P lacks, or that do not act on registers and memory alone.
+// Instructions that the ATmega328P lacks, or that act on more than registers and memory.
 bool is_left_out(const InstructionRow& row) {
     static const std::set<std::string_view> names = {"elpm",  "xch",   "las",    "lac",
                                                      "lat",   "eijmp", "eicall", "des",
@@ -47,7 +47,7 @@ bool is_left_out(const InstructionRow& row) {
     return names.contains(row.mnemonic);
 }
 
-// A pointer that is moved and loaded or stored at once has no defined outcome.
+// A pointer that is moved and loaded or stored in one instruction has no defined outcome.
 bool is_undefined(const Instruction& instruction) {
     const std::string_view operands = instruction.row->operands, name = instruction.row->mnemonic;
     const bool moves = operands.find("+") != operands.npos || operands.find("-") != operands.npos;
@@ -90,7 +90,7 @@ class Avr8jsStepTest : public testing::Test {
         constexpr std::uint8_t edges[] = {0x00, 0x01, 0x0f, 0x10, 0x7f, 0x80, 0x81, 0xff};
         Step step;
         step.instruction = instruction;
-        // Behind a skip an instruction of one word or of two.
+        // After a skip, an instruction of one word or of two.
         step.second_word = instruction.size() == 4 ? instruction.second_word
                            : random_() & 1         ? 0x9000
                                                    : 0;
@@ -103,7 +103,7 @@ class Avr8jsStepTest : public testing::Test {
         return step;
     }
 
-    // In the words of step.mjs.
+    // In the format of step.mjs.
     std::string in_simavr(const Step& step) {
         const std::uint16_t words[] = {step.instruction.opcode, step.second_word};
         std::memcpy(core_->flash + here, words, sizeof words);
@@ -153,8 +153,8 @@ class Avr8jsStepTest : public testing::Test {
     avr_t* core_;
 };
 
-// The half carry by the manual: of a sum from bit 3, of a difference into bit 3; what does neither
-// leaves it.
+// The half carry according to the manual: of a sum from bit 3, of a difference into bit 3; other
+// instructions leave it unchanged.
 bool half_carry(const Step& step) {
     const Instruction& instruction = step.instruction;
     const std::string_view name = instruction.row->mnemonic;
@@ -185,9 +185,9 @@ struct Answer {
     bool operator==(const Answer&) const = default;
 };
 
-// avr8js 0.21 errs in four things, where the data sheet and the manual are the truth: `cbi` takes
-// two cycles and not one; half carries are those of another bit, and sbiw clears it; fmulsu sets Z
-// where the product is not zero; neg of 0x80 does not set V.
+// avr8js 0.21 is wrong in four things, according to the data sheet and the manual: `cbi` takes two
+// cycles and not one; half carries are those of another bit, and sbiw clears it; fmulsu sets Z if
+// the product is not zero; neg of 0x80 does not set V.
 void correct(Answer& avr8js, const Step& step) {
     constexpr unsigned zero = 2, overflow = 8, sign = 0x10, half = 0x20;
     const std::string_view name = step.instruction.row->mnemonic;
@@ -221,7 +221,7 @@ TEST_F(Avr8jsStepTest, EveryInstructionDoesTheSame) {
                           << fmt::format("{:02x} {:04x} {:02x}", steps[i].flags, steps[i].sp,
                                          fmt::join(steps[i].registers, ""))
                           << "\nsimavr  " << ours << "\navr8js  " << theirs[i];
-        // The table of cycles that the translator adds up is that of both simulators.
+        // The table of cycles that the translator adds up agrees with both simulators.
         const InstructionRow& row = *instruction.row;
         const bool may_skip = row.flow == Flow::branch || row.flow == Flow::skip;
         if (row.flow != Flow::unsupported && !may_skip) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The decoder against avr-objdump, for every opcode word.
+// The decoder, compared with avr-objdump for every opcode word.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ namespace {
 constexpr std::uint32_t opcodes = 0x10000;
 constexpr std::uint16_t second_word = 0x5123;  // one instruction of one word, if it is one
 
-// Each opcode word with a second word behind it.
+// Each opcode word, followed by a second word.
 std::vector<std::uint8_t> every_opcode() {
     std::vector<std::uint8_t> bytes;
     for (std::uint32_t opcode = 0; opcode < opcodes; ++opcode)
@@ -75,7 +75,7 @@ TEST(DecodeTest, AgreesWithObjdumpOnEveryOpcode) {
         const Instruction decoded = decode(bytes, 4 * opcode);
         const std::string& truth = expected.at(4 * opcode);
         ASSERT_EQ(normalised(decoded.text()), truth) << fmt::format("opcode 0x{:04x}", opcode);
-        // objdump gives the second word a line of its own unless it belongs to the first.
+        // objdump puts the second word on a line of its own unless it belongs to the first.
         ASSERT_EQ(decoded.size() == 4, !expected.contains(4 * opcode + 2)) << truth;
     }
 }

@@ -37,7 +37,7 @@ function main
     .fill 70, 2, 0
 #endif
 
-; (a b + 8) >> 4, in fewer cycles where b = 0; the last two instructions are never reached.
+; (a b + 8) >> 4, in fewer cycles if b = 0; the last two instructions are never reached.
 function multiply_q4_4_default
     tst r22
     breq 1f
@@ -75,7 +75,7 @@ function multiply_q4_4_unrounded
     ret
     .size multiply_q4_4_unrounded, . - multiply_q4_4_unrounded
 
-; The sum, in more cycles where it is large.
+; The sum, in more cycles if it is large.
 function add_q32_32_default
     add r18, r10
     adc r19, r11
@@ -287,7 +287,7 @@ function normalise3_q16_16_pointers
     ret
     .size normalise3_q16_16_pointers, . - normalise3_q16_16_pointers
 
-; What may not be.
+; What is not allowed.
 function leaves_r1
     ser r24
     mov r1, r24

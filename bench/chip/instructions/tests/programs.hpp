@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The test programs, as the build made them.
+// The test programs made by the build.
 #pragma once
 
 #include <string>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What each row of the instruction set does, against simavr, on random registers, flags and memory;
-// and that a row that does something else is found out.
+// The effect of each row of the instruction set, compared with simavr on random registers, flags
+// and memory; and that a row with a wrong effect is detected.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sim_avr.h>
@@ -21,7 +21,7 @@ namespace {
 using simulator::Chip;
 
 constexpr int words_of_a_row = 5, trials = 1000;
-constexpr std::uint32_t here = 0x4000;  // where the instruction lies; below it are random bytes
+constexpr std::uint32_t here = 0x4000;  // the address of the instruction; below it are random bytes
 
 // Registers, flags, stack pointer and memory; the generated code declares the same.
 struct State {
@@ -59,7 +59,7 @@ Instruction decode_words(std::uint16_t opcode, std::uint16_t second) {
     return decode(bytes, 0);
 }
 
-// Random words of each row that has a statement; those of one mnemonic, where one is given.
+// Random words of each row that has a statement, or only of one mnemonic.
 std::vector<Instruction> instructions(std::mt19937& random, std::string_view mnemonic = {}) {
     std::vector<Instruction> chosen;
     for (const InstructionRow& row : instruction_set()) {
@@ -104,7 +104,7 @@ class SemanticsTest : public testing::Test {
     }
 
     State random_state() {
-        // Half of the bytes are of those where flags change.
+        // Half of the bytes are values at which flags change.
         constexpr std::uint8_t edges[] = {0x00, 0x01, 0x0f, 0x10, 0x7f, 0x80, 0x81, 0xff};
         State state = state_;
         for (std::uint8_t& byte : state.r)
@@ -121,7 +121,7 @@ class SemanticsTest : public testing::Test {
         std::memcpy(core_->flash + address, &word, sizeof word);
     }
 
-    // One step of simavr from a state; returns the cycles and sets how many words it went on.
+    // One step of simavr from a state. Returns the cycles and sets by how many words it advanced.
     std::uint64_t step(State& state, int& went_on) {
         std::memcpy(core_->data + Chip::ram_begin, state.memory + Chip::ram_begin,
                     Chip::ram_end - Chip::ram_begin);
@@ -143,11 +143,11 @@ class SemanticsTest : public testing::Test {
         return core_->cycle - before;
     }
 
-    // What differs, as text; empty where nothing does.
+    // The difference as text; empty if there is none.
     std::string difference(const Instruction& instruction,
                            void (*translated)(State&, const std::uint8_t*)) {
         put_word(here, instruction.opcode);
-        // Behind a skip an instruction of one word or of two.
+        // After a skip, an instruction of one word or of two.
         const bool long_next = random_() & 1;
         put_word(here + 2, instruction.size() == 4 ? instruction.second_word
                                                    : std::uint16_t(long_next ? 0x9000 : 0));
@@ -216,7 +216,7 @@ struct Mutant {
     friend void PrintTo(const Mutant& mutant, std::ostream* stream) { *stream << mutant.mnemonic; }
 };
 
-// semantics.hpp with one thing wrong.
+// semantics.hpp with one mistake.
 class BrokenSemanticsTest : public SemanticsTest, public testing::WithParamInterface<Mutant> {};
 
 TEST_P(BrokenSemanticsTest, IsFoundOut) {

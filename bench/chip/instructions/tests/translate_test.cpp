@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Translated functions against the simulator, known answers, faults, and their fingerprints.
+// Translated functions compared with the simulator, known answers, faults, and fingerprints.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ class TranslateTest : public testing::Test {
     Elf elf_{test_program("functions")};
 };
 
-// Calls the translation and the simulator alike with `next` operands.
+// Calls the translation and the simulator with the same `next` operands.
 template <class Next>
 void compare(const Elf& elf, const char* symbol, const std::vector<int>& sizes, int result_size,
              int calls, Next&& next) {
@@ -127,7 +127,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Fault{"reads_a_port", "in r24, 0x03: only SPL, SPH and SREG"},
                     Fault{"is_no_code", "opcode 0x00ff, .word 0x00ff: no such instruction"}));
 
-TEST(FingerprintTest, HoldsWhereverTheFunctionLies) {
+TEST(FingerprintTest, DoesNotDependOnTheAddressOfTheFunction) {
     const Elf elf(test_program("functions")), moved(test_program("moved")),
         another(test_program("another"));
     ASSERT_NE(elf.function("lookup").address, moved.function("lookup").address);

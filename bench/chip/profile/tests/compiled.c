@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What avr-gcc makes of frames, switches, shared prologues, interrupts, recursion and long jumps;
-// each case is a program of its own, by CASE.
+// What avr-gcc makes of frames, switches, shared prologues, interrupts, recursion and long jumps.
+// Each case is a program of its own, selected by CASE.
 #include <avr/interrupt.h>
 #include <avr/io.h>
 #include <setjmp.h>
@@ -48,7 +48,7 @@ __attribute__((noinline)) float ratio(float a, float b) { return a / (b + 0.5f);
 __attribute__((noinline)) int64_t product(int64_t a, int64_t b) { return a * b + 7; }
 
 #if CASE == SIMPLE
-// Few bytes are reserved by calls of the next instruction.
+// avr-gcc reserves a few bytes by calling the next instruction.
 __attribute__((noinline, noclone)) static void small_frame_of(uint8_t index) {
     volatile uint8_t bytes[4];
     bytes[index] = index;
@@ -57,7 +57,7 @@ __attribute__((noinline, noclone)) static void small_frame_of(uint8_t index) {
 __attribute__((noinline, noreturn)) void stops(void) {
     for (;;) input = 1;
 }
-// Has no instructions behind its last call: the next function follows.
+// Has no instructions after its last call: the next function follows.
 __attribute__((noinline, noclone)) static void stops_within(uint8_t index) {
     volatile uint8_t bytes[20];
     bytes[index] = index;

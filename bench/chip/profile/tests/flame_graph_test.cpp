@@ -54,7 +54,7 @@ TEST(FlameGraph, LeavesOutTheTimeAsleep) {
     EXPECT_NEAR(bar(svg, "wide").width, 0.6 * bar(svg, "awake").width, 0.01);
 }
 
-TEST(FlameGraph, NothingMeasuredIsStillADocument) {
+TEST(FlameGraph, AnEmptyProfileIsStillADocument) {
     const std::string svg = flame_graph(Profile{}, "empty");
     EXPECT_NE(svg.find("</svg>"), std::string::npos);
     EXPECT_EQ(svg.find("nan"), std::string::npos);

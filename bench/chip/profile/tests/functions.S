@@ -19,7 +19,7 @@
 .endm
 
 .text
-; Begins when called by the start-up code; the tests call the rest from here.
+; Starts when the start-up code calls it; the tests call the rest from here.
 function main
     out GPIOR0, r1
 done:
@@ -68,7 +68,7 @@ function fallen_into
     ret
 end fallen_into
 
-; As __prologue_saves__: entered by a jump, left by a jump back.
+; Like __prologue_saves__: entered by a jump, left by a jump back.
 function with_prologue
     ldi r30, pm_lo8(1f)
     ldi r31, pm_hi8(1f)
@@ -101,7 +101,7 @@ function pushes_two
     ret
 end pushes_two
 
-; Four bytes reserved by calls of the next instruction, as avr-gcc does.
+; Four bytes, reserved by calls of the next instruction as avr-gcc does.
 function reserves
     rcall .
     rcall .

@@ -16,7 +16,7 @@ namespace {
 using simulator::Chip;
 using testing::ElementsAre;
 
-// A call of a function of functions.S out of main().
+// A call of a function of functions.S from main().
 struct Called {
     explicit Called(const std::string& function, std::uint8_t r24 = 0)
         : chip(test_program("functions")) {
@@ -30,7 +30,7 @@ struct Called {
         EXPECT_EQ(chip.program_counter(), chip.elf().function("main").address);
     }
 
-    // Throws where the function did not run.
+    // Throws if the function did not run.
     const FunctionCost& operator[](const std::string& name) const {
         const FunctionCost* const found = profile.find(name);
         if (!found) throw std::runtime_error(name + " did not run");
@@ -74,7 +74,7 @@ TEST(Profiler, NestedCalls) {
     EXPECT_EQ(called.profile.folded(), "main;twice 8\nmain;twice;three_nops 20\n");
 }
 
-// Each of n calls: 3 of rcall (4 of the first), dec, breq (a cycle more where taken, the last),
+// Each of n calls: 3 for rcall (4 for the first), dec, breq (a cycle more when taken, the last),
 // ret.
 TEST(Profiler, RecursionCountsOnceInInclusiveCycles) {
     const Called called("recursive", 5);
@@ -85,7 +85,7 @@ TEST(Profiler, RecursionCountsOnceInInclusiveCycles) {
     EXPECT_EQ(called["recursive"].per_call.count, 5);
     EXPECT_EQ(called["recursive"].per_call.max, all);
     EXPECT_EQ(called["recursive"].per_call.min, 3 + 1 + 2 + 4);
-    // From the innermost out, each a rcall, dec, breq and ret more; the outermost by call.
+    // From the innermost out, each an rcall, dec, breq and ret more; the outermost by call.
     EXPECT_EQ(called["recursive"].per_call.total, 10 + 19 + 28 + 37 + 47);
     EXPECT_EQ(called["recursive"].frame_bytes, 2);
     EXPECT_EQ(called["recursive"].stack_bytes, 10);
@@ -137,7 +137,7 @@ TEST(Profiler, ReturnToAPushedAddressIsAJump) {
     EXPECT_EQ(called["returns_elsewhere"].frame_bytes, 4);
 }
 
-TEST(Profiler, SubroutineWithinAFunctionIsNoCall) {
+TEST(Profiler, SubroutineWithinAFunctionIsNotACall) {
     const Called called("own_subroutine");
     EXPECT_EQ(called["own_subroutine"].calls, 1);
     EXPECT_EQ(called["own_subroutine"].per_call.count, 1);
@@ -156,7 +156,7 @@ constexpr Cycle handler_self = 4 + 3 + 2 + 2 + 4, handler_callee = 3 + 3 + 4;
 // sts 2 each (4 of them), ldi 1 each (2), ret 4; called by rcall.
 constexpr Cycle start_timer = 3 + 4 * 2 + 2 + 4;
 
-TEST(Profiler, InterruptIsNoPartOfWhatItInterrupts) {
+TEST(Profiler, InterruptIsNotPartOfWhatItInterrupts) {
     const Called called("interrupted_nops", 50);
     EXPECT_EQ(called["interrupted_nops"].self_cycles, 4 + 1 + 200 + 1 + 4);
     EXPECT_EQ(called["interrupted_nops"].inclusive_cycles, 210 + start_timer);
@@ -222,7 +222,7 @@ TEST(Profiler, WholeProgramFromReset) {
     EXPECT_EQ(profile.find("main")->calls, 1);
 }
 
-// What DeviceFunction counts of a call, the profiler has to find in its parts.
+// What DeviceFunction counts for a call, the profiler must find in its parts.
 TEST(Profiler, AgreesWithDeviceFunction) {
     Chip chip(test_program("simple"));
     chip.run_until_function("main");

@@ -42,7 +42,7 @@ void expect_no_less_than_measured(const StackBound& bound, const Profile& profil
 
 class ReachesItsBound : public testing::TestWithParam<const char*> {};
 
-// These programs go down each of their few paths.
+// These programs take each of their few paths.
 TEST_P(ReachesItsBound, Exactly) {
     const StackBound bound = static_stack_bound(test_program(GetParam()));
     const Profile profile = measured(GetParam());
@@ -69,8 +69,8 @@ TEST(StackBound, FrameAndSharedPrologue) {
         << "main, and TIMER1_COMPA_vect with what it calls";
 }
 
-// main() with the deepest handler, the other one waiting.
-TEST(StackBound, OneInterruptUponTheProgram) {
+// main() with the deepest handler, while the other one waits.
+TEST(StackBound, OneInterruptOnTopOfTheProgram) {
     const StackBound bound = static_stack_bound(test_program("interrupts"));
     const Profile profile = measured("interrupts", Chip::frequency);
     ASSERT_TRUE(bound.bytes);

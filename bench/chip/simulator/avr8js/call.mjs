@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Calls functions of a flash image in avr8js and prints what they return and cost.
+// Calls functions of a flash image in avr8js and prints their results and costs.
 //
 //     node call.mjs IMAGE MAIN < CALLS
 //
-// IMAGE is the raw contents of flash from address 0, MAIN the byte address of main(), up to which the
-// start-up code runs first. Each line of CALLS is
+// IMAGE is the raw content of flash from address 0. MAIN is the byte address of main(), up to which
+// the start-up code runs first. Each line of CALLS is
 //     ADDRESS RESULT_SIZE SIZE:VALUE SIZE:VALUE ...
-// with hexadecimal numbers and sizes in bytes; the answer is a line `RESULT CYCLES`, hexadecimal and
-// decimal. Cycles include the `call` (4) and the `ret`.
+// with hexadecimal numbers, and sizes in bytes. The answer is a line `RESULT CYCLES`, hexadecimal
+// and decimal. Cycles include the `call` (4) and the `ret`.
 
 import { readFileSync } from "node:fs";
 import { CPU, avrInstruction } from "avr8js";
@@ -32,8 +32,8 @@ function runUntil(wordAddress) {
     }
 }
 
-// avr-gcc's convention: operands downwards from r25, each in an even register; from the first that
-// would begin below r8 on, all are on the stack, the first lowest.
+// avr-gcc's convention: operands go downwards from r25, each in an even register. From the first
+// that would start below r8, all are on the stack, the first one lowest.
 function place(operands) {
     let next = 26;
     const onStack = [];

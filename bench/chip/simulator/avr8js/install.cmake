@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-# cmake -DDIRECTORY=... -P install.cmake: installs avr8js there as package-lock.json pins it, unless it
-# is installed already. Where the registry cannot be reached it says that the tests against it are
-# skipped; everything else that goes wrong is an error.
+# cmake -DDIRECTORY=... -P install.cmake: installs avr8js in that folder, as package-lock.json pins
+# it, unless it is already there. If the registry cannot be reached, it reports that the tests
+# against avr8js are skipped; any other problem is an error.
 foreach(tool node npm)
     find_program(${tool} ${tool})
     if(NOT ${tool})

@@ -3,13 +3,13 @@
 //
 //     node step.mjs IMAGE ADDRESS < STEPS
 //
-// IMAGE is the raw contents of flash, ADDRESS the byte address at which each instruction is put. Each
-// line of STEPS is, in hexadecimal,
+// IMAGE is the raw content of flash. ADDRESS is the byte address at which each instruction is put.
+// Each line of STEPS is, in hexadecimal,
 //     FIRST_WORD SECOND_WORD SREG SP REGISTERS
-// where REGISTERS are 32 bytes without spaces. Before each step the RAM holds ram_byte(address), and
-// GPIOR0 the byte 0xa5. The answer is a line, cycles in decimal and the rest in hexadecimal,
+// where REGISTERS are 32 bytes without spaces. Before each step the RAM contains ram_byte(address),
+// and GPIOR0 the byte 0xa5. The answer is a line, cycles in decimal and the rest in hexadecimal,
 //     CYCLES PC SREG SP REGISTERS GPIOR0 ADDRESS:BYTE ...
-// with the program counter as a byte address and the bytes of RAM that the step changed.
+// where PC is a byte address, and the bytes are those of RAM that the step changed.
 
 import { readFileSync } from "node:fs";
 import { CPU, avrInstruction } from "avr8js";

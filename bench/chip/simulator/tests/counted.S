@@ -1,6 +1,6 @@
 ; SPDX-License-Identifier: GPL-3.0-or-later
-; Straight sequences whose cycles are counted by hand from the instruction set manual; the sum, with
-; call and ret, stands in device_function_test.cpp.
+; Straight sequences whose cycles are counted by hand from the instruction set manual. The sum,
+; including call and ret, is in device_function_test.cpp.
 #define __SFR_OFFSET 0
 #include <avr/io.h>
 

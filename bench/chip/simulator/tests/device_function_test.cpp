@@ -154,7 +154,7 @@ TEST_F(FaultsTest, ProgramsThatGoWrong) {
                  "sleep with interrupts off, which nothing ends, at sleep_forever+4");
 }
 
-// simavr itself would write over the host's memory.
+// simavr itself would overwrite the host's memory.
 TEST_F(FaultsTest, AddressesBeyondTheChip) {
     for (const char* name :
          {"write_beyond_ram", "write_last_address", "read_beyond_ram", "stack_beyond_ram"}) {

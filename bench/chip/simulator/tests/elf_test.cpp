@@ -60,7 +60,7 @@ TEST(ElfTest, HashIsThatOfSha256sum) {
     EXPECT_EQ(program.sha256(), sha256_of(program.flash()));
 }
 
-// A program's bytes to be damaged; fields are those of the ELF specification for 32 bits.
+// A program's bytes to damage; fields are those of the ELF specification for 32 bits.
 class DamagedElfTest : public testing::Test {
   protected:
     static constexpr std::size_t e_type = 0x10, e_machine = 0x12, e_phoff = 0x1c, e_shoff = 0x20,
@@ -93,12 +93,12 @@ class DamagedElfTest : public testing::Test {
     std::size_t segment(int index) const {
         return number(e_phoff) + std::size_t(index) * segment_size;
     }
-    // Some file systems wait for the disk where a file is truncated and written anew.
+    // Some file systems wait for the disk when a file is truncated and rewritten.
     void write() const {
         std::filesystem::remove(path);
         std::ofstream(path, std::ios::binary) << bytes;
     }
-    // What is said of the bytes, without the path; empty where they are read.
+    // The message about the bytes, without the path; empty if they are accepted.
     std::string message() const {
         write();
         const std::string text = message_of([&] { Elf{path}; });
@@ -129,7 +129,7 @@ TEST_F(DamagedElfTest, ProgramsForOtherChipsAreRefused) {
     }
     rename("atmega328");  // the same chip without the P's lower power
     expect("");
-    // Without the note the architecture tells.
+    // Without the note, the architecture decides.
     set(section(note) + sh_type, 1);
     expect("");
     for (const std::uint32_t architecture : {6, 25, 51}) {
@@ -139,7 +139,7 @@ TEST_F(DamagedElfTest, ProgramsForOtherChipsAreRefused) {
     }
 }
 
-TEST_F(DamagedElfTest, WhatDoesNotFitIsRefused) {
+TEST_F(DamagedElfTest, ProgramsThatDoNotFitAreRefused) {
     const std::string intact = bytes;
     set(segment(0) + p_paddr, 0x7fff);
     expect(std::to_string(0x7fff + number(segment(0) + p_filesz)) +
@@ -230,7 +230,7 @@ TEST_F(DamagedElfTest, AnyByteOfItsTables) {
         }
 }
 
-// Thousands of random faults in a blink: what is refused is refused soon, what is read is whole.
+// Thousands of random faults, quickly: what is refused is refused early, what is read is complete.
 TEST_F(DamagedElfTest, RandomFaults) {
     const std::string intact = bytes;
     std::mt19937 random(1);
@@ -253,7 +253,7 @@ TEST_F(DamagedElfTest, RandomFaults) {
     }
 }
 
-TEST(ElfTest, SaysWhatIsWrongWithAFile) {
+TEST(ElfTest, ReportsWhatIsWrongWithAFile) {
     EXPECT_EQ(message_of([] { Elf{"/no/such.elf"}; }), "/no/such.elf: cannot be opened");
     EXPECT_EQ(message_of([] { Elf{"/proc/self/exe"}; }),
               "/proc/self/exe: not a linked program for the AVR");

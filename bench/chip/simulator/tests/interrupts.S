@@ -49,7 +49,7 @@ program TIMER1_OVF_vect
     reti
     .size TIMER1_OVF_vect, . - TIMER1_OVF_vect
 
-; An interrupt amid 100 nops between two marks.
+; An interrupt during 100 nops between two marks.
 program interrupted_nops
     sei
     start_timer 50
@@ -70,8 +70,8 @@ program interrupted_sleep
     rjmp done
     .size interrupted_sleep, . - interrupted_sleep
 
-; Both compare flags are pending as interrupts are enabled: exactly one instruction of the program is
-; executed before the first, and one between the two.
+; Both compare flags are pending when interrupts are enabled: exactly one instruction of the program
+; is executed before the first, and one between the two.
 program pending_pair
     ldi r19, 4
     ldi r24, 0
@@ -91,7 +91,7 @@ program pending_pair
     rjmp done
     .size pending_pair, . - pending_pair
 
-; Sleeps a second at a time, of Timer1 overflows by 1024.
+; Sleeps for a second at a time, by overflows of Timer1 at a prescaler of 1024.
 program long_sleep
     sei
     start_timer 15624

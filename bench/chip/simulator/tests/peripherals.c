@@ -28,7 +28,7 @@ static void send_three(uint8_t format) {
 TEST_PROGRAM uart_8n1(void) { send_three(1 << UCSZ01 | 1 << UCSZ00); }
 TEST_PROGRAM uart_7e2(void) { send_three(1 << UPM01 | 1 << USBS0 | 1 << UCSZ01); }
 
-// At double speed; a one written to TXC0 clears it and nothing else.
+// At double speed. A one written to TXC0 clears only that flag.
 TEST_PROGRAM uart_double_speed(void) {
     uart_start(1 << UCSZ01 | 1 << UCSZ00);
     UBRR0 = 7;
@@ -48,7 +48,7 @@ TEST_PROGRAM uart_off(void) {
     done();
 }
 
-// Its every other call leaves the data register empty, so that it is called again.
+// Every second call leaves the data register empty, so that it is called again.
 static volatile uint8_t next_byte;
 ISR(USART_UDRE_vect) {
     static uint8_t idle;
@@ -79,7 +79,7 @@ TEST_PROGRAM uart_echo(void) {
     done();
 }
 
-// Instructions of one cycle, so that the host sees flags and interrupts come to the cycle.
+// Instructions of one cycle, so that the host sees flags and interrupts exact to the cycle.
 TEST_PROGRAM uart_listen(void) {
     uart_start(1 << UCSZ01 | 1 << UCSZ00);
     asm volatile(".rept 3000\n nop\n .endr");
@@ -162,7 +162,7 @@ TEST_PROGRAM adc_results(void) {
     mark(ADCL);
     mark(ADCH);
     convert(1 << REFS0 | 3);
-    ADMUX = 1 << REFS0 | 0;  // no matter: the conversion is over
+    ADMUX = 1 << REFS0 | 0;  // does not matter: the conversion is over
     mark(ADCL);
     mark(ADCH);
     convert(1 << REFS1 | 1 << REFS0 | 1 << ADLAR | 3);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Each test holds one workaround of a libsimavr defect against the ATmega328P's data sheet, and
+// Each test compares one workaround of a libsimavr defect with the ATmega328P's data sheet, and
 // fails without it.
 #include <avr_extint.h>
 #include <gtest/gtest.h>
@@ -117,8 +117,8 @@ class PeripheralTest : public WorkaroundTest {
     void SetUp() override { load("peripherals"); }
 };
 
-// 10 bits of 64 cycles: 40 us. The second byte waits in UDR0, the third is taken by UDR0 as the
-// second goes to the shift register; TXC0 comes with the end of the last frame.
+// 10 bits of 64 cycles: 40 us. The second byte waits in UDR0; UDR0 takes the third when the second
+// goes to the shift register; TXC0 is set at the end of the last frame.
 TEST_F(PeripheralTest, UartSendsAByteIn40MicrosecondsAndBuffersOne) {
     run("uart_8n1");
     ASSERT_EQ(sent.size(), 3u);
@@ -131,8 +131,8 @@ TEST_F(PeripheralTest, UartSendsAByteIn40MicrosecondsAndBuffersOne) {
     EXPECT_NEAR(marks[3].cycle - sent[2].cycle, 10, 10);
 }
 
-// A frame begins with the store to UDR0, whose two cycles lie before the mark; UDRE0 is there again
-// as the frame before ends, TXC0 as the last one does.
+// A frame starts with the store to UDR0, whose two cycles lie before the mark. UDRE0 is set again
+// when the previous frame ends, TXC0 when the last one does.
 TEST_F(PeripheralTest, UartFlagsComeWithTheEndOfAFrame) {
     std::vector<int> flags;
     chip->on_uart_byte([&](Cycle cycle, std::uint8_t byte) {
@@ -184,8 +184,8 @@ TEST_F(PeripheralTest, UartReceivesAByteEvery40Microseconds) {
     EXPECT_NEAR(marks[2].cycle - marks[1].cycle, 640, 10);
 }
 
-// A frame of 640 cycles for each byte, to the cycle; the receiver holds three, a fourth is lost and
-// says so. Then nops, of which a run of so many cycles takes exactly as many.
+// A frame of 640 cycles for each byte, to the cycle. The receiver holds three, and reports a lost
+// fourth. Then nops: a run of that many cycles takes exactly as many.
 TEST_F(PeripheralTest, UartReceiverToTheCycle) {
     chip->reset();
     chip->run_until_function("main");
@@ -268,7 +268,7 @@ TEST_F(PeripheralTest, AdcHoldsItsResultBetweenTheReadsOfItsBytes) {
     EXPECT_EQ(values(), (std::vector<int>{1, 2, 0, 1, 2, 0}));
 }
 
-// simavr would look at the pins in each cycle.
+// simavr would poll the pins in each cycle.
 TEST_F(PeripheralTest, LowInterruptPinsAreNotPolled) {
     for (const int pin : {EXTINT_IRQ_OUT_INT0, EXTINT_IRQ_OUT_INT1})
         EXPECT_EQ(avr_extint_is_strict_lvl_trig(chip->core(), pin), 0);

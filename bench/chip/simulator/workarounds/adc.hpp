@@ -10,14 +10,14 @@ namespace simulator {
 
 // The result of an analogue-to-digital conversion.
 //
-// simavr: the result is computed as it is read, from the channel that is selected then, in whole
+// simavr: the result is computed when it is read, from the channel selected then, in whole
 // millivolts, as voltage * 1023 / reference. Hardware (data sheet, "ADC Conversion Result"): it is
-// the voltage sampled at the conversion's start, times 1024 / reference, at most 1023; ADCL and
-// ADCH hold it from the conversion's end on, and a read of ADCL holds ADCH back until it is read as
-// well.
+// the voltage sampled at the start of the conversion, times 1024 / reference, at most 1023. ADCL
+// and ADCH hold it from the end of the conversion on, and a read of ADCL freezes ADCH until it is
+// read as well.
 class Adc {
   public:
-    // Volts at a channel (0..7), asked at the start of each conversion.
+    // The voltage at a channel (0..7), asked for at the start of each conversion.
     using Voltage = std::function<double(std::uint64_t cycle, int channel)>;
 
     explicit Adc(avr_t* avr);

@@ -12,7 +12,7 @@ constexpr int waking_cycles = 4;
 }  // namespace
 
 void service_interrupts(avr_t* avr, bool woken) {
-    // -2 is what simavr sets as the I flag is set, and counts up after each instruction.
+    // simavr sets -2 when the I flag is set, and counts up after each instruction.
     if (avr->interrupt_state == -1) avr->interrupt_state = avr_has_pending_interrupts(avr) ? 1 : 0;
     const bool enabled = avr->sreg[S_I];
     avr_service_interrupts(avr);

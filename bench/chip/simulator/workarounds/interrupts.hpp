@@ -5,11 +5,11 @@ struct avr_t;
 
 namespace simulator {
 
-// To be called after each instruction or sleep in the place of avr_service_interrupts().
+// Must be called after each instruction or sleep, in place of avr_service_interrupts().
 //
-// Entry. simavr: an interrupt's entry takes no time. Hardware: four cycles, in which the program
-// counter is pushed, and four more where the interrupt ends a sleep (data sheet, "Interrupt
-// Response Time"); the jump in the vector table then takes its own cycles.
+// Entry. simavr: entering an interrupt takes no time. Hardware: four cycles, in which the program
+// counter is pushed, and four more if the interrupt ends a sleep (data sheet, "Interrupt Response
+// Time"). The jump in the vector table then takes its own cycles.
 //
 // Order. simavr: after `sei` or `reti` two instructions pass before a pending interrupt is served.
 // Hardware: one ("Reset and Interrupt Handling").

@@ -8,7 +8,7 @@
 
 namespace simulator {
 
-// simavr's state of a peripheral: its kind ("timer", "uart") and its number.
+// simavr's state of a peripheral, by its kind ("timer", "uart") and number.
 template <class Peripheral>
 Peripheral* find_peripheral(avr_t* avr, const char* kind, char name) {
     for (avr_io_t* io = avr->io_port; io; io = io->next)

@@ -37,7 +37,7 @@ Uart::Uart(avr_t* avr)
                    update_requests();
                }),
       data_read_(avr, udr0, [this] { return read_data(); }),
-      // An interrupt whose cause still holds as its handler returns comes again.
+      // An interrupt whose cause persists when its handler returns is requested again.
       data_interrupt_(&uart_->udrc.irq[AVR_INT_IRQ_RUNNING],
                       [this](std::uint32_t running) {
                           if (!running) update_requests();
@@ -68,7 +68,7 @@ std::uint32_t Uart::frame_cycles() const {
     return (1 + data_bits + parity_bits + stop_bits) * divider * (double_speed ? 8 : 16);
 }
 
-// A byte for a full buffer is lost.
+// A byte written to a full buffer is lost.
 void Uart::write_data(std::uint8_t byte) {
     if (!avr_regbit_get(avr_, uart_->txen) || buffer_) return;
     if (shift_register_) {

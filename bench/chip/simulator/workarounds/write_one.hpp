@@ -7,12 +7,12 @@
 
 namespace simulator {
 
-// Registers in which writing a one acts and writing a zero does nothing: the timers' interrupt
+// Registers in which writing a one has an effect and writing a zero has none: the timers' interrupt
 // flags TIFRn (a one clears the flag) and PINx (a one toggles the output).
 //
 // simavr: any write to TIFRn clears all of its flags that are set, and `sbi` writes back all the
-// ones that it read. Hardware: only the bits that are written one act (data sheet, "TIFR1"), and
-// `sbi` operates on its one bit alone ("Register Summary", note 3; "Toggling the Pin").
+// ones that it read. Hardware: only the bits written as one have an effect (data sheet, "TIFR1"),
+// and `sbi` affects its one bit only ("Register Summary", note 3; "Toggling the Pin").
 class WriteOneRegisters {
   public:
     explicit WriteOneRegisters(avr_t* avr);

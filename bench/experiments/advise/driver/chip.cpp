@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The user's program for the chip: of INTEGER_BITS and FRACTION_BITS, or without them of float.
-// PARAMETERS and ARGUMENTS say how many inputs there are: "Raw a, Raw b" and "number(a),
+// The user's program for the chip: in INTEGER_BITS and FRACTION_BITS, or in float if they are not
+// defined. PARAMETERS and ARGUMENTS depend on the number of inputs: "Raw a, Raw b" and "number(a),
 // number(b)".
 #include <fixedpoint.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The user's program in the number formats FORMATS, X(integer bits, fraction bits) each, and in
-// float: prints for each a line `format`, the events that Checked tells, how often each operation
-// was done, fused ones as one, and the pattern of each output.
+// The user's program in float and in the number formats FORMATS, an X(integer bits, fraction bits)
+// for each. Prints for each a line `format`, the events that Checked reports, how often each
+// operation ran (a fused operation counts as one), and the pattern of each output.
 #include <bit>
 #include <cstdint>
 #include <fixedpoint/arithmetic/checked.hpp>
@@ -23,7 +23,7 @@ unsigned long long Events::overflows, Events::underflows;
 
 std::map<std::string, unsigned long long> operations;
 
-// The arithmetic, which counts what it is asked for. Of constants nothing is done on the chip.
+// The arithmetic, which counts its operations. On the chip, operations on constants cost nothing.
 struct Counted : fixedpoint::Checked<Events> {
     using Base = fixedpoint::Checked<Events>;
 #define COUNTED(name, ...)                                      \

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The user's file, PROGRAM, which defines `template <class Number> class Program` with a member
-// function `Number step(Number...)`. It comes behind what a Recorded double needs in the engine.
+// function `Number step(Number...)`. It is included after what the engine needs for a Recorded
+// double.
 #pragma once
 
 #include <engine/decimal.hpp>
@@ -11,8 +12,8 @@
 
 namespace fixedpoint {
 
-// The engine asks for these of its scalar; the library's own round once, and do not overflow
-// within.
+// The engine requires these functions of its scalar. The library's own round once and have no
+// intermediate overflow.
 template <int N, class Value>
 Recorded<Value> dot(const Recorded<Value>* a, const Recorded<Value>* b,
                     const char* file = __builtin_FILE(), int line = __builtin_LINE()) {

@@ -20,10 +20,10 @@ constexpr std::size_t count_inputs(Number (Program<Number>::*)(Inputs...)) {
 template <class Number>
 constexpr std::size_t inputs_of_step = count_inputs<Number>(&Program<Number>::step);
 
-// Runs, of which each begins with a program of its own; rows of inputs.
+// Runs, each of which starts with a new program; rows of inputs.
 using Rows = std::vector<std::vector<double>>;
 
-// A row a line, an empty line behind each run.
+// One row per line, and an empty line after each run.
 inline std::vector<Rows> load_runs(const char* path) {
     std::vector<Rows> runs;
     std::FILE* const file = std::fopen(path, "r");
@@ -48,7 +48,7 @@ Number step(Program<Number>& program, const Number* inputs, std::index_sequence<
     return program.step(inputs[i]...);
 }
 
-// Calls use(output) with that of each row; number(x, i) is the i-th input.
+// Calls use(output) for the output of each row; number(x, i) converts the i-th input.
 template <class Number, class ToNumber, class Use>
 void run(const std::vector<Rows>& runs, ToNumber&& number, Use&& use) {
     constexpr std::size_t inputs = inputs_of_step<Number>;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A step of a Kalman filter with the state position and velocity, of which the position is measured
-// 64 times a second. Input: the measurement. Result: the estimated position.
+// A step of a Kalman filter whose state is position and velocity; the position is measured 64 times
+// a second. Input: the measurement. Result: the estimated position.
 #include <engine/decimal.hpp>
 #include <fixedpoint/watch.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The virtual side of the haptic lever, as the scene of the engine: the forces of the user on its
-// end in N, 1024 times a second. Result: how high the end is, in m.
+// The virtual side of the haptic lever, as in the engine's scene. Input: the user's forces on its
+// end in N, 1024 times a second. Result: the height of the end in m.
 #include <scenes/lever.hpp>
 
 template <class Number>

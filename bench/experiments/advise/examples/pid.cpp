@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A PID controller, with the derivative of the measured value and an integral that stops at the
-// actuator's limits. Inputs: the wanted and the measured value, 100 times a second.
+// A PID controller with the derivative of the measured value, and an integral that stops at the
+// actuator's limits. Inputs: the setpoint and the measured value, 100 times a second.
 #include <engine/decimal.hpp>
 #include <fixedpoint/watch.hpp>
 

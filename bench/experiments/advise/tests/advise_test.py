@@ -255,7 +255,7 @@ def refusals():
     refuses(2, "not finite", *of(program("d.cpp", "Number step(Number x) { return x / (x - x); }")))
     refuses(2, "step has 2 inputs, and", *of(program("e.cpp", "Number step(Number x, Number y) { return x + y; }")))
     refuses(1, "does not compile", *of(program("f.cpp", "Number step(Number x) { return x; }", "#include <vector>\n")))
-    refuses(2, "row 1: 'two' is no finite number", "--program", plain, "--inputs",
+    refuses(2, "row 1: 'two' is not a finite number", "--program", plain, "--inputs",
             write_csv("words.csv", ["x"], [("two",)]), "--error", "1")
     refuses(2, "at least one row", "--program", plain, "--inputs", write_csv("none.csv", ["x"], []), "--error", "1")
     refuses(2, "has 2 columns", "--program", plain, "--inputs", data, write_csv("two.csv", ["x", "y"], [(1, 2)]),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One block, BLOCK, of one format, NUMBER: step() takes what lies in `input` and leaves its results
-// in `output`. Without BLOCK it is the program that its flash is compared with.
+// One block, BLOCK, in one format, NUMBER: step() reads `input` and writes its results to `output`.
+// Without BLOCK it is the program whose flash is subtracted.
 #ifdef BLOCK
 #include "../subjects.hpp"
 

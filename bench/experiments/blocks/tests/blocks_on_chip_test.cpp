@@ -11,7 +11,7 @@ TEST(Blocks, have_the_results_of_the_host_on_the_chip) {
         SCOPED_TRACE(m.block + " " + m.format);
         EXPECT_GT(m.cycles_mean, 0);
         EXPECT_GT(m.flash, 0u);
-        // avr-libc's float does not round as the host's.
+        // avr-libc's float rounds differently from the host's.
         if (m.format == "binary32") continue;
         EXPECT_EQ(m.unlike_host, 0u) << "of " << m.outputs;
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every family of calibration curves with its coefficients in RAM, which costs a cycle a byte more
-// than the constants of the firmware, and the firmware's own curve.
+// Every family of calibration curves with its coefficients in RAM, which costs a cycle per byte
+// more than the firmware's constants, and the firmware's own curve.
 #include <firmware/calibration.hpp>
 
 #include "pieces_capacity.hpp"
@@ -23,8 +23,8 @@ extern "C" int32_t monotone_cubic_q16_16_default(const CubicPiece* pieces, int16
                                                  int16_t lowest, int16_t highest, int16_t reading) {
     return Held<MonotoneCubic>{lowest, highest, {pieces, count}}.grams<Q16_16>(reading).raw();
 }
-// Where the bench puts the pieces. They are not of the footprint of the curve, but of a subject of
-// their own, which keeps them in the program.
+// The bench writes the pieces here. They do not belong to the footprint of the curve, but to a
+// subject of their own, which keeps them in the program.
 extern "C" const CubicPiece pieces_of_monotone_cubic[pieces_capacity] FIXEDPOINT_PROGRAM_MEMORY = {
     {1, 1, 0, 0, 0, 0}};
 extern "C" const CubicPiece* pieces_q16_16_default() { return pieces_of_monotone_cubic; }

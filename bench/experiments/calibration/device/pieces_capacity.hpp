@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How many pieces of a cubic the device program has room for.
+// The number of pieces of a cubic for which the device program has room.
 #pragma once
 
 constexpr unsigned pieces_capacity = 64;

@@ -82,7 +82,7 @@ TEST(Readings, ComeInAnyOrderAndWithDecimalCommas) {
     EXPECT_EQ(loaded("actual_g,\"adc_reading\"\n\"1.5\",10\n2,20\n4,31"), expected);
 }
 
-// The curves that the fit has to find again from readings without error.
+// The curves that the fit must recover from readings without error.
 const Curve known[] = {{Family::line, {1.7, -210}},
                        {Family::rational_quadratic, {-1.3e-5, 1.06e-2, 2.3}},
                        {Family::quadratic, {8.5e-4, -0.29, 55}},
@@ -136,12 +136,12 @@ TEST(Range, EndsBeforeThePole) {
     EXPECT_LT(value<double>(published_function_1, 1023), 0);
     EXPECT_EQ(held_value(published_function_1, range, 1023),
               value<double>(published_function_1, range.highest));
-    // A parabola is used from its lowest point, at 173.2, on.
+    // A parabola is used from its lowest point, at 173.2.
     EXPECT_EQ(rising_range(published_function_2, readings).lowest, 173);
 }
 
 // The range goes from the middle reading as far as the curve neither falls nor is negative, up to
-// the last reading of the converter; it may begin at 0 grams and at reading 0.
+// the last reading of the converter; it may start at 0 grams and at reading 0.
 TEST(Range, EndsWhereTheCurveTurnsOrIsNegative) {
     const std::vector<Reading> readings{{400, 1}, {500, 2}, {600, 3}};
     const auto range = [&](std::vector<double> coefficients) {
@@ -155,13 +155,13 @@ TEST(Range, EndsWhereTheCurveTurnsOrIsNegative) {
     EXPECT_EQ(range({0, 1, -100.5}), std::pair(101, 1023));
     EXPECT_EQ(range({0.015625, -6.25, 625}), std::pair(200, 557));  // (x - 200)^2 / 64, to 2000 g
     EXPECT_EQ(range({0, 4, 0}), std::pair(0, 500));                 // 2000 g itself
-    EXPECT_EQ(range({0, 0, 70}), std::pair(0, 1023));               // level is not falling
+    EXPECT_EQ(range({0, 0, 70}), std::pair(0, 1023));               // constant is not falling
     EXPECT_EQ(range({0, 0, 0}), std::pair(0, 1023));
-    EXPECT_EQ(range({1, -999, 249900}), std::pair(499, 539));    // level from 499 to 500
-    EXPECT_EQ(range({-1, 1001, -248600}), std::pair(457, 501));  // level from 500 to 501
+    EXPECT_EQ(range({1, -999, 249900}), std::pair(499, 539));    // constant from 499 to 500
+    EXPECT_EQ(range({-1, 1001, -248600}), std::pair(457, 501));  // constant from 500 to 501
 }
 
-// The published table is the truth on what the published curve is.
+// The published table is the truth for the published curve.
 TEST(Published, Function1GivesThePublishedTable) {
     for (const reference::ForceCalibration& row : reference::load_table_d_1())
         EXPECT_NEAR(value<double>(published_function_1, row.adc_reading), row.calculated_grams,
@@ -171,7 +171,7 @@ TEST(Published, Function1GivesThePublishedTable) {
 TEST(Published, VerdictsTellCurvesApart) {
     std::vector<Reading> readings;
     for (int x = 0; x <= 900; x += 100) {
-        // Errors that alternate, so that the least square sum is not zero.
+        // Alternating errors, so that the least square sum is not zero.
         readings.push_back({x, value<double>(published_function_2, x) + (x % 200 == 0 ? 1 : -1)});
     }
     const Curve right = fit(Family::quadratic, readings).curve;
@@ -185,7 +185,7 @@ TEST(Published, VerdictsTellCurvesApart) {
 }
 
 // About the least square sum S of n readings, a constant that is off by d has S + n d^2: the curve
-// is equivalent below a ten-thousandth of S more, and reproduced below a millionth of each value.
+// is equivalent below S plus a ten-thousandth, and reproduced below a millionth of each value.
 TEST(Published, VerdictsChangeAtTheirThresholds) {
     std::vector<Reading> readings;
     for (int x = 0; x <= 900; x += 100)
@@ -278,7 +278,7 @@ TEST(Choice, FewestCyclesWithinOneStandardError) {
     EXPECT_THROW(choose({candidate(10, 500, "for a reason")}, 20), std::runtime_error);
 }
 
-// The committed header is what the command makes of the published readings, to the last byte.
+// The command makes exactly the committed header from the published readings.
 TEST(Calibrate, MakesTheCommittedHeader) {
     const auto root = reference::published_folder().parent_path().parent_path();
     std::filesystem::current_path(root);

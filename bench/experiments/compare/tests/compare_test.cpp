@@ -26,7 +26,7 @@ std::string text_of(const std::vector<Change>& changes) {
     return text;
 }
 
-TEST(Compare, SaysWhatGotBetterAndWorse) {
+TEST(Compare, ReportsWhatBecameBetterAndWorse) {
     const records::Table before = table(
         "sqrt,q16_16,default,full,10,100,120,0.5,0.3,50,0,2,0,1e-6\n"
         "sin,q16_16,default,full,10,100,120,0.5,0.3,50,0,2,0,1e-6\n"
@@ -61,7 +61,7 @@ TEST(Compare, WithoutFloatThereIsNoScore) {
     EXPECT_FALSE(score(run, run).back().after);
 }
 
-TEST(Compare, RefusesWhatIsNoRun) {
+TEST(Compare, RefusesWhatIsNotARun) {
     const std::filesystem::path here = testing::TempDir();
     EXPECT_THROW(operations_of((here / "absent").string(), here), std::invalid_argument);
     EXPECT_THROW(operations_of("--help", here), std::invalid_argument);

@@ -27,7 +27,7 @@ using simulator::Elf;
 
 constexpr unsigned steps = 256;  // of 2^-10 s
 
-// A row of features.csv: what the program takes beside an empty one.
+// A row of features.csv: what the program takes in addition to an empty one.
 struct Cost {
     std::string scene, feature;
     bool with;
@@ -70,7 +70,7 @@ Cost cost_of(const Program& program, const Elf& empty) {
 int run(const std::vector<std::string>& scenes, const std::filesystem::path& output) {
     const std::filesystem::path folder = FEATURE_PROGRAM_FOLDER;
     auto programs = load_programs(folder);
-    // The lever without the engine: what does it cost that the engine takes other scenes, too?
+    // The lever without the engine shows the price of the engine's generality.
     programs.push_back(
         {"lever", "by_hand", true, {"ANCHORED_RODS"}, folder / "features_by_hand.elf", {}});
     std::vector<std::string> known;

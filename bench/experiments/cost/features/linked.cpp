@@ -15,9 +15,9 @@ namespace {
 
 struct Rule {
     std::string what;
-    std::regex symbol;                    // of a function or table that belongs to it, demangled
-    std::vector<std::string> users;       // features of which each needs it ...
-    std::vector<std::string> given = {};  // ... where one of these is used too, if there are any
+    std::regex symbol;                    // of a function or table of the feature, demangled
+    std::vector<std::string> users;       // the features that need it ...
+    std::vector<std::string> given = {};  // ... if one of these is used too; empty: always
 };
 
 const std::vector<std::string> links = {"SPRINGS", "ANCHORED_SPRINGS", "RODS", "ANCHORED_RODS",
@@ -76,8 +76,8 @@ const std::vector<Rule>& rules() {
          std::regex("SortAndSweep::collide_all"),
          {"SortAndSweep"},
          {"COLLISIONS"}},
-        // Masses share by a quotient between two particles, and a bounce off a plane has one: the
-        // small one, without a table. WorstFirst divides by both.
+        // Sharing by mass between two particles takes a quotient, and so does a bounce off a plane:
+        // the small one, without a table. WorstFirst divides by both.
         {"division",
          std::regex("fixedpoint_(divide|reciprocal_table)"),
          {"SPRINGS", "ANCHORED_SPRINGS", "RODS", "ROPES", "PLANES", "COLLISIONS",

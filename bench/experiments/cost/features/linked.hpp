@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a program holds, told from its symbols, against what its scene uses: the proof that what is
-// not used is not linked.
+// Compares what a program contains, by its symbols, with what its scene uses: the proof that unused
+// features are not linked.
 #pragma once
 
 #include <string>
@@ -11,12 +11,12 @@
 
 namespace features {
 
-// Functions and tables in the program that nothing which the scene uses has need of, with what
-// they belong to: "sqrt_table of square roots". Empty for a program as it should be.
+// Functions and tables in the program that nothing in the scene needs, with the feature that they
+// belong to: "sqrt_table of square roots". Must be empty.
 std::vector<std::string> unneeded(const simulator::Elf& elf, const Uses& uses);
 
-// What the scene uses and the program does not show. In a program whose functions are not inlined,
-// it is empty; else the rules of unneeded() look for the wrong names.
+// What the scene uses and the program does not contain. If this is not empty for a program whose
+// functions are not inlined, the rules of unneeded() look for the wrong names.
 std::vector<std::string> missing(const simulator::Elf& elf, const Uses& uses);
 
 }  // namespace features

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The programs that were compiled with a feature in and out.
+// The programs that were compiled with a feature and without it.
 #pragma once
 
 #include <filesystem>
@@ -19,7 +19,7 @@ struct Program {
     std::filesystem::path measured, uninlined;
 };
 
-// Throws std::runtime_error where the folder's programs.csv is missing or malformed.
+// Throws std::runtime_error if the folder's programs.csv is missing or malformed.
 std::vector<Program> load_programs(const std::filesystem::path& folder);
 
 }  // namespace features

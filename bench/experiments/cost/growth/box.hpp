@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The box of N particles with a broad phase of one's choice, for the chip and the host alike.
+// The box of N particles with a selectable broad phase, for the chip and the host.
 #pragma once
 
 #include <scenes/box_of_particles.hpp>
@@ -8,8 +8,8 @@ namespace growth {
 
 template <unsigned N, class Search>
 struct Uses : scenes::BoxOf<N>::template Uses<scenes::SemiImplicit> {
-    // On the chip few enough that the particles, and not their contacts, fill its memory; crowds
-    // that only the host holds get room for all that may touch in a long run.
+    // On the chip there are so few that the particles, and not their contacts, fill its memory.
+    // Crowds that only the host can hold get room for all contacts of a long run.
     static constexpr unsigned contacts = N < 64 ? N / 4 + 6 : 2 * N;
     using BroadPhase = Search;
 };

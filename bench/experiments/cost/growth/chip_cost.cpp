@@ -25,7 +25,7 @@ constexpr unsigned steps = 64;
 constexpr std::uint32_t memory = 2048;
 
 struct Motion {
-    double pairs;  // tested in a step, in the mean
+    double pairs;  // tested in a step, on average
     std::uint32_t hash;
 };
 
@@ -58,8 +58,9 @@ Cost measured(const std::string& search, const std::string& program, unsigned pa
         throw std::runtime_error(
             fmt::format("box of {} particles: the world reports error {}", particles, code));
     if (hash().as<std::uint32_t>() != on_host.hash)
-        throw std::runtime_error(
-            fmt::format("box of {} particles: the host's pairs are of another motion", particles));
+        throw std::runtime_error(fmt::format(
+            "box of {} particles: the pairs counted on the host belong to another motion",
+            particles));
     if (cost.ram + cost.stack > memory)
         throw std::runtime_error(
             fmt::format("box of {} particles: {} bytes of data and {} of stack, the chip has {}",

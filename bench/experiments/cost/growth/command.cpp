@@ -29,8 +29,8 @@ struct Options {
     std::filesystem::path output;
 };
 
-// A row of growth.csv and of growth_host.csv. The work that is fitted is the chip's cycles, and on
-// the host the tests of a particle against a wall or another; Box2D's is not counted.
+// A row of growth.csv and of growth_host.csv. The work that is fitted is the chip's cycles; on the
+// host, the tests of a particle against a wall or another particle. Box2D's is not counted.
 struct Point {
     std::string where, broad_phase;
     unsigned particles;
@@ -60,12 +60,12 @@ struct Point {
         column("cheapest", &Point::cheapest));
 };
 
-constexpr double bound = 0.05;     // no number of particles may miss the fit by more
+constexpr double bound = 0.05;     // the largest deviation of a sample from the fit
 constexpr std::size_t enough = 6;  // numbers of particles, twice the terms of a fit
 constexpr double walls = 4;        // of the discs' box
 
 double tests(const Cost& cost) { return walls * cost.particles + cost.pairs; }
-// Discs that overlap along one axis: each has a number of them that grows with the root of N.
+// Discs that overlap along one axis: their number per disc grows with the root of N.
 double strips(const Cost& cost) { return cost.particles * std::sqrt(cost.particles); }
 
 struct Model {
@@ -99,7 +99,8 @@ Point point(const Cost& cost, bool host) {
     return point;
 }
 
-// Writes the model's fit into the points of its search, and says whether it holds.
+// Writes the model's fit into the points of its broad phase. Returns whether the fit is within the
+// bound.
 bool fits(const Model& model, const std::vector<Cost>& costs, std::vector<Point>& points) {
     std::vector<Sample> samples;
     for (const Cost& cost : of_search(costs, model.search))

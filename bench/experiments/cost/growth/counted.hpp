@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A broad phase that counts the pairs that it tests. The engine's own search runs: it is given a
-// world that passes on what it asks for, and counts.
+// A broad phase that counts the pairs that it tests. The engine's own broad phase runs on a world
+// that forwards its calls and counts.
 #pragma once
 
 #include <engine/constraints.hpp>

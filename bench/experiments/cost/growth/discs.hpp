@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// N discs that start on a square lattice in a box of the plane and bounce off each other and the
-// walls without loss: what this machine times, in the engine and in Box2D alike. The box grows with
-// N, a square number; its density does not. Conserved: the kinetic energy.
+// N discs that start on a square lattice in a box in the plane and bounce off each other and the
+// walls without loss. This is what the engine and Box2D are timed with on this machine. The box
+// grows with N, a square number; its density does not. Conserved: the kinetic energy.
 #pragma once
 
 #include <scenes/methods.hpp>
@@ -22,13 +22,14 @@ constexpr unsigned exponent_of_step = 8;  // 2^-8 s
 constexpr float disc_radius = 0.25f;      // m, a quarter of the lattice's spacing
 constexpr float half_edge(unsigned n) { return static_cast<float>(edge_of(n)) / 2; }  // m
 
-// Disc i of n, from the box's middle. Every number is a multiple of 1/2: exact in all formats.
+// Disc i of n, relative to the middle of the box. Every number is a multiple of 1/2: exact in all
+// formats.
 constexpr Disc disc(unsigned i, unsigned n) {
     const unsigned edge = edge_of(n);
     const auto start = [&](unsigned cell) {
         return static_cast<float>(cell) + 0.5f - static_cast<float>(edge) / 2;
     };
-    // Mixed, so that no number of columns makes them all alike, and every box is the same crowd.
+    // Mixed, so that no number of columns makes all speeds alike, and every box is a similar crowd.
     const auto speed = [&](unsigned axis) {
         return static_cast<float>(((2 * i + axis) * 2654435761u >> 16) % 9) - 4;
     };

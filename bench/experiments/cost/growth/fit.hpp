@@ -10,7 +10,7 @@
 
 namespace growth {
 
-// At a number of particles: what grows faster than they do, and what is to be fitted.
+// At a number of particles: the term that grows faster than they do, and the value to fit.
 struct Sample {
     double particles, grown, value;
 };
@@ -23,16 +23,16 @@ struct Fit {
     double operator()(const Sample& at) const { return a + b * at.particles + c * at.grown; }
 };
 
-// By least squares of the deviations relative to the value, so that small numbers count as large
-// ones do. Throws std::runtime_error where there are fewer than four samples.
+// Least squares of the relative deviations, so that small numbers count as much as large ones.
+// Throws std::runtime_error if there are fewer than four samples.
 Fit fitted(const std::vector<Sample>& samples);
 
 // The costs of one broad phase.
 std::vector<Cost> of_search(const std::vector<Cost>& costs, const std::string& search);
 
-// The smallest measured number of particles from which on the second is never the dearer one;
-// nothing where there is none. The first has been measured at the second's first numbers; both
-// rise.
+// The smallest measured number of particles from which the second broad phase is never more
+// expensive; nothing if there is none. `first` must have been measured at the first numbers of
+// `second`, and both must be in order of rising numbers.
 std::optional<unsigned> crossing(const std::vector<Cost>& first, const std::vector<Cost>& second);
 
 }  // namespace growth

@@ -32,7 +32,7 @@ std::function<void(unsigned)> in_the_engine() {
     return [world](unsigned steps) { take<N>(steps, *world); };
 }
 
-// In the mean of the timed steps.
+// The mean over the timed steps.
 template <unsigned N, class Search>
 double pairs_in_the_engine() {
     const auto world = std::make_unique<DiscWorld<N, Counted<Search>>>();
@@ -60,7 +60,7 @@ struct Timed {
     double (*pairs)() = nullptr;
 };
 
-// Every pair is too many to wait for beyond 4,096 discs.
+// Testing every pair takes too long beyond 4,096 discs.
 template <unsigned... N>
 void add(std::vector<Timed>& list, unsigned most, std::integer_sequence<unsigned, N...>) {
     const auto add_all = [&](unsigned limit, auto timed) {

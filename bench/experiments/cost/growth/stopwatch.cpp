@@ -47,7 +47,7 @@ Time of_runs(std::vector<double> runs) {
 
 std::vector<Time> time_steps(const std::vector<Start>& worlds,
                              const std::function<void()>& progress) {
-    constexpr double least_time = 3e7;  // ns of a world in a round
+    constexpr double least_time = 3e7;  // ns per world and round
     const Pinned pinned;
     std::vector<std::vector<double>> runs(worlds.size());
     for (unsigned round = 0; round < rounds; ++round)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Times of a step on this machine, of runs that nothing else loaded.
+// Times of a step on this machine, from runs that no other load disturbed.
 #pragma once
 
 #include <cstddef>
@@ -8,9 +8,9 @@
 
 namespace growth {
 
-constexpr unsigned warm_steps = 64, timed_steps = 64;  // until the lattice has dissolved; after it
+constexpr unsigned warm_steps = 64, timed_steps = 64;  // first the lattice dissolves
 
-// Makes a world, and gives a function that takes so many steps of it.
+// Makes a world and returns a function that makes that many steps of it.
 using Start = std::function<std::function<void(unsigned)>()>;
 
 struct Time {
@@ -18,10 +18,11 @@ struct Time {
     std::size_t runs, rejected;
 };
 
-// Of each world. Every run makes the same steps of the same world. Rounds over all worlds spread
-// the runs of one over the whole time, so that no spell of load hits one alone; runs that take over
-// 5% longer than the fastest are rejected as loaded, and the median of the others counts. The
-// thread stays on its processor meanwhile. `progress` is called after each world of each round.
+// The time of each world. Every run makes the same steps of the same world. Rounds over all worlds
+// distribute the runs of one over the whole time, so that a period of load does not affect only
+// one. Runs that take over 5% longer than the fastest are rejected, and the result is the median of
+// the others. The thread stays on its processor. `progress` is called after each world of each
+// round.
 constexpr unsigned rounds = 7;
 std::vector<Time> time_steps(const std::vector<Start>& worlds,
                              const std::function<void()>& progress);

@@ -73,7 +73,7 @@ TEST_F(ExhaustiveTest, ViolationsAreCounted) {
     EXPECT_EQ(cell("violations", "unrounded"), fmt::to_string(wrong));
     EXPECT_EQ(cell("max_ulp", "unrounded"), "0.9375");
     EXPECT_EQ(cell("portable_differences", "unrounded"), "");
-    // Rows of other functions stay.
+    // Rows of other functions are kept.
     options_.symbols = {"multiply_q4_4_default"};
     run_exhaustive(options_);
     EXPECT_EQ(cell("violations", "unrounded"), fmt::to_string(wrong));
@@ -167,9 +167,9 @@ std::string content(const fs::path& path) {
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-// A child process is killed amid a run of two functions, whatever it is doing; the next run goes on
-// from the checkpoint and writes what an undisturbed one does.
-TEST_F(ExhaustiveTest, AKilledRunGoesOn) {
+// A child process is killed during a run of two functions, whatever it is doing. The next run
+// continues from the checkpoint and writes what an undisturbed one does.
+TEST_F(ExhaustiveTest, AKilledRunContinues) {
     options_.symbols = {"multiply_q4_4_default", "add_q32_32_default"};
     options_.search_operands = 3'000'000;
     run_exhaustive(options_);
@@ -202,7 +202,7 @@ TEST_F(ExhaustiveTest, AKilledRunGoesOn) {
         EXPECT_EQ(file.path().string().find("checkpoint"), std::string::npos) << file.path();
 }
 
-// What another program or other parameters left does not count.
+// Checkpoints of another program or with other parameters do not count.
 TEST_F(ExhaustiveTest, CheckpointsOfOtherRunsAreNotUsed) {
     options_.symbols = {"multiply_q4_4_default"};
     run_exhaustive(options_);
@@ -215,7 +215,7 @@ TEST_F(ExhaustiveTest, CheckpointsOfOtherRunsAreNotUsed) {
     }
 }
 
-TEST_F(ExhaustiveTest, RejectsWhatCannotBeJudged) {
+TEST_F(ExhaustiveTest, RejectsSubjectsThatCannotBeJudged) {
     options_.symbols = {"skips"};
     EXPECT_THROW(run_exhaustive(options_), std::invalid_argument);
     EXPECT_THROW(parse_shard("0/3"), std::invalid_argument);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Subjects as the translator calls them against the simulated chip: raws and cycles.
+// Subjects called through the translator, compared with the simulated chip: raws and cycles.
 #include <gtest/gtest.h>
 
 #include "bench/chip/instructions/compiled_function.hpp"
@@ -12,7 +12,7 @@ namespace {
 using simulator::Chip;
 using simulator::Elf;
 
-// Subjects in assembly have a second name, under which the library calls them.
+// Subjects in assembly have a second name, by which the library calls them.
 bool is_kernel(const Elf& elf, const std::string& subject) {
     for (const auto& [name, symbol] : elf.functions())
         if (name.starts_with("fixedpoint_") && symbol.address == elf.function(subject).address)

@@ -22,7 +22,7 @@ double elastic_energy(const FoamParameters& foam, double compression) {
            foam.stop_stiffness * beyond * beyond / 2;
 }
 
-// Foam pushes, and does not pull when it is let go faster than it recovers.
+// Foam pushes, but does not pull when it is released faster than it recovers.
 double foam_force(const FoamParameters& foam, double compression, double speed) {
     if (compression <= 0) return 0;
     return std::max(elastic_force(foam, compression) + foam.damping * speed, 0.0);
@@ -41,7 +41,7 @@ Plant::Plant(Parameters parameters, Script script)
     };
     if (conductance_.size() < 2 ||
         std::adjacent_find(conductance_.begin(), conductance_.end(), falls) != conductance_.end())
-        throw std::invalid_argument("a sensor's curve has two points or more and rises");
+        throw std::invalid_argument("a sensor's curve needs at least two points and must rise");
     servo_.angle = lever_.angle = target_ = script_.hand_angle.at(0);
     for (int sensor : {0, 1}) {
         sensor_force_[sensor] = elastic_force(parameters_.foam, compression(sensor));
@@ -51,7 +51,7 @@ Plant::Plant(Parameters parameters, Script script)
 }
 
 void Plant::advance_to(double seconds) {
-    // A time that is a whole number of steps but for rounding belongs to that step.
+    // A time that is a whole number of steps, except for rounding, belongs to that step.
     const auto due = static_cast<std::int64_t>(std::floor(seconds / parameters_.step + 1e-6));
     while (steps_ < due) step();
 }
@@ -77,7 +77,7 @@ bool Plant::faulty(Fault::Kind kind, int sensor) const {
     });
 }
 
-// Linear in the force between the points, as a force-sensitive resistor is, and beyond the last.
+// Linear in the force between the points, like a force-sensitive resistor, and beyond the last.
 double Plant::conductance_of(double force) const {
     if (force <= conductance_.front().force) return conductance_.front().reading;
     auto next =
@@ -94,7 +94,7 @@ double Plant::lever_inertia() const {
            script_.hand_grip.at(time()) * parameters_.hand.mass * length * length;
 }
 
-// Stretch of the hand's spring in m, no further than its force reaches.
+// The stretch of the hand's spring in m, limited by its force.
 double Plant::hand_spring() const {
     const double stretch =
         (script_.hand_angle.at(time()) - lever_.angle) * parameters_.lever.length;

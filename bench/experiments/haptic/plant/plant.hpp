@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The lever as the chip sees it: servo, lever between two foam-covered force sensors on the servo's
-// frame, hand, dial, and the voltages of the sensors' dividers. Knows no chip and no firmware.
+// The lever as seen by the chip: servo, lever between two foam-covered force sensors on the servo's
+// frame, hand, dial, and the voltages of the sensors' dividers. Depends on neither a chip nor a
+// firmware.
 //
-// Time goes in whole steps from 0, so that the state at a time depends on the pulses and the script
-// alone, never on how often it was asked for: what couples it to a chip may be as lazy as it likes.
-// Angles are the servo's, in rad; 0 is where the shortest pulse leads.
+// Time advances in whole steps from 0, so that the state at a time depends only on the pulses and
+// the script, not on how often it was asked for: the coupling to a chip may be as lazy as it likes.
+// Angles are the servo's, in rad; 0 is the position for the shortest pulse.
 #pragma once
 
 #include <cstdint>
@@ -17,20 +18,22 @@ namespace haptic {
 
 class Plant {
   public:
-    // Everything rests at the angle where the hand wants the lever when the script begins. Throws
-    // std::invalid_argument where the sensor's curve has fewer than two points or does not rise.
+    // Everything rests at the angle at which the hand wants the lever at the start of the script.
+    // Throws std::invalid_argument if the sensor's curve has fewer than two points or does not
+    // rise.
     Plant(Parameters parameters, Script script);
 
-    // To the last whole step at or before `seconds`; a time before now changes nothing.
+    // Advances to the last whole step at or before `seconds`. A time before the present does
+    // nothing.
     void advance_to(double seconds);
 
     // A pulse of `width` seconds that ended at `at`; the servo follows it from then on. Before the
-    // first pulse the servo has no drive. Pulses that are too short or too long count as the
+    // first pulse the servo has no drive. A pulse that is too short or too long counts as the
     // shortest or longest.
     void servo_pulse(double width, double at);
 
-    // At a channel of the converter now, 0..supply, with noise: two calls give two values. A
-    // channel that nothing is wired to reads 0.
+    // The voltage at a channel of the converter now, 0..supply, with noise: two calls return two
+    // values. A channel that nothing is wired to reads 0.
     double voltage(int channel);
 
     // The true state.
@@ -43,12 +46,12 @@ class Plant {
     double sensor_force(int sensor) const { return sensor_force_[sensor]; }  // N, on the foam
     double sensor_reading(int sensor) const;           // counts, without noise, rounding or fault
     double hand_force() const { return hand_force_; }  // N at the lever's end
-    // Kinetic energy of the lever (and hand) and what foam and hand store: J, relative to a foam at
-    // rest without preload.
+    // The kinetic energy of the lever (and the hand) and the energy stored in foam and hand: J,
+    // relative to a foam at rest without preload.
     double stored_energy() const;
     const Parameters& parameters() const { return parameters_; }
 
-    // What is yet to happen; a change counts from now on.
+    // The future of the script. A change takes effect from now on.
     Script& script() { return script_; }
 
   private:

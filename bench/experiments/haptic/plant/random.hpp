@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random numbers that are the same on every machine, which the standard library's distributions
-// are not.
+// Random numbers that are the same on every machine, unlike those of the standard library's
+// distributions.
 #pragma once
 
 #include <cmath>
@@ -14,11 +14,11 @@ class Random {
   public:
     explicit Random(std::uint64_t seed) : bits_(seed) {}
 
-    // In (0, 1].
+    // Uniform in (0, 1].
     double uniform() { return static_cast<double>((bits_() >> 11) + 1) * 0x1p-53; }
-    // From 1 / factor to factor.
+    // Log-uniform from 1 / factor to factor.
     double log_uniform(double factor) { return std::pow(factor, 2 * uniform() - 1); }
-    // Mean 0, standard deviation 1 (Box and Muller 1958).
+    // Normal with mean 0 and standard deviation 1 (Box and Muller 1958).
     double normal() {
         const double radius = std::sqrt(-2 * std::log(uniform()));
         return radius * std::cos(2 * std::numbers::pi * uniform());

@@ -17,7 +17,7 @@ double Signal::at(double time) const {
 
 void Signal::add(double time, double value) {
     if (!(time >= points_.back().time))
-        throw std::invalid_argument("the points of a signal are given in the order of time");
+        throw std::invalid_argument("the points of a signal must be in order of time");
     points_.push_back({time, value});
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What happens to the device from outside, over time: the hand, the dial and faults.
+// What happens to the device from outside over time: the hand, the dial and faults.
 //
 //     Script script;
 //     script.hand_angle.from(degrees(60)).ramp(1, 1.2, degrees(30));
@@ -17,18 +17,18 @@ class Signal {
   public:
     Signal(double value = 0) : points_{{0, value}} {}
 
-    // The value from the start on, all else forgotten.
+    // Sets the value from the start on and forgets everything else.
     Signal& from(double value) {
         points_ = {{0, value}};
         return *this;
     }
-    // Stays as it is until `time`, then jumps.
+    // Constant until `time`, then jumps.
     Signal& step(double time, double value) {
         add(time, points_.back().value);
         add(time, value);
         return *this;
     }
-    // Stays as it is until `begin`, then moves evenly until `end`.
+    // Constant until `begin`, then changes linearly until `end`.
     Signal& ramp(double begin, double end, double value) {
         add(begin, points_.back().value);
         add(end, value);
@@ -40,7 +40,7 @@ class Signal {
     struct Point {
         double time, value;
     };
-    // Times do not fall: std::invalid_argument otherwise.
+    // Times must not decrease: std::invalid_argument otherwise.
     void add(double time, double value);
 
     std::vector<Point> points_;
@@ -53,14 +53,14 @@ struct Fault {
         stalled,    // the servo's shaft does not turn
     };
     Kind kind;
-    int sensor;         // 0 or 1; of no matter to a stalled servo
+    int sensor;         // 0 or 1; ignored for a stalled servo
     double begin, end;  // s
 };
 
 struct Script {
     Signal hand_angle;  // rad: where the hand wants the lever
-    Signal hand_grip;   // 0: lets go; 1: the hand's full stiffness, damping and mass
-    Signal hand_force;  // N at the lever's end towards rising angles, besides
+    Signal hand_grip;   // from 0 (released) to 1: the hand's full stiffness, damping and mass
+    Signal hand_force;  // N at the lever's end towards rising angles, in addition
     Signal dial{0.5};   // 0 to 1 of the supply
     std::vector<Fault> faults;
 };

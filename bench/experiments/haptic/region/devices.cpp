@@ -30,7 +30,7 @@ struct LateToBelieve : Base {
     static constexpr std::uint16_t pressed = 900;
 };
 
-// The report's lever in steps of one length.
+// The published lever in steps of constant length.
 template <int rate>
 struct PublishedAt : firmware::PublishedLeverChoices<PublishedScalar> {
     static constexpr std::uint16_t step_length = firmware::ticks_per_second >> rate;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The one experiment of the stable region: a hand holds the lever still in the middle of its
-// travel, the lever is poked, and comes to rest or does not.
+// The experiment of the stable region: a hand holds the lever still in the middle of its travel,
+// the lever is poked, and comes to rest or does not.
 #pragma once
 
 #include <algorithm>
@@ -12,11 +12,12 @@ namespace haptic::region {
 
 constexpr double shortest_arm = 0.23, longest_arm = 0.48;  // m: the ends of the dial
 
-// How the hand comes to hold the lever: it takes it up from its rest within a second, or it holds
-// it in the middle already when the servo, switched on, throws it towards its stop and back.
+// How the hand comes to hold the lever. Either it grasps the lever at rest and moves it within a
+// second, or it holds it in the middle when the servo is switched on and throws it towards its stop
+// and back.
 enum class Start { taken_up, thrown };
 
-// Poked with 3 N for 50 ms at 2 s, watched from 4 to 5 s.
+// Poked with 3 N for 50 ms at 2 s, observed from 4 to 5 s.
 struct Holding {
     static constexpr double begin = 4, end = 5;  // s
 
@@ -34,14 +35,14 @@ struct Holding {
     Script script;
 };
 
-// What the lever did in the last second.
+// The motion of the lever in the last second.
 struct Swing {
-    // The contact oscillation is of two degrees and more, what is left of the servo's steps and its
-    // dead band a third of a degree: the limit lies between, as in the scenarios' envelopes.
+    // The contact oscillation is two degrees or more; the servo's steps and dead band leave a third
+    // of a degree. The limit is between the two, as in the envelopes of the scenarios.
     static constexpr double most = degrees(1.5);
 
     double size = 0;       // rad, peak to peak
-    double frequency = 0;  // Hz: passes of the mean upwards, where it swings
+    double frequency = 0;  // Hz: upward passes of the mean, if it swings
     bool still() const { return size <= most; }
 };
 
@@ -54,7 +55,7 @@ inline Swing swing_of(const std::vector<double>& angles, double seconds) {
         sum += angle;
     }
     swing.size = highest - least;
-    // Out of the middle quarter, so that ripples on the way do not count.
+    // Counts passes out of the middle quarter, so that ripples on the way do not count.
     const double mean = sum / static_cast<double>(angles.size()), margin = swing.size / 8;
     int passes = 0;
     bool above = angles.front() > mean;
@@ -70,7 +71,7 @@ inline Swing swing_of(const std::vector<double>& angles, double seconds) {
     return swing;
 }
 
-// Loop: a HostLoop or a DeviceLoop that was made with Holding's script.
+// Loop must be a HostLoop or a DeviceLoop made with Holding's script.
 template <class Loop>
 Swing watch_held(Loop& loop) {
     std::vector<double> angles;

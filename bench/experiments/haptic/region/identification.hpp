@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which plants behave as the report says of the device of 2016: its lever falls in the time that is
-// given, and swings when a hand holds it, both without the selective damping that the report added
-// later to cure the swing. The data sheets leave 17 numbers of the plant open, so that many plants
-// do: the numbers are not known by this, the family is.
+// Which plants behave as the 2016 design is said to have behaved: its lever falls in the given
+// time, and swings when a hand holds it, both without the selective damping that was added later to
+// cure the swing. The data sheets leave 17 numbers of the plant open, so many plants do. This
+// identifies a family, not the numbers.
 #pragma once
 
 #include <cstddef>
@@ -19,23 +19,23 @@ struct Identification {
     struct Draw {
         std::uint64_t seed;
         Parameters plant;
-        std::optional<double> fall;  // s, undamped; none where it does not fall
-        double swing;                // rad, held, undamped; 0 where the fall is not as published
+        std::optional<double> fall;  // s, undamped; none if it does not fall
+        double swing;                // rad, held, undamped; 0 if the fall is not as published
         bool as_published;
     };
     std::vector<Draw> draws;  // by rising seed from 1
 
-    // The first `count` plants that behave as published. Throws std::out_of_range where there are
+    // The first `count` plants that behave as published. Throws std::out_of_range if there are
     // fewer.
     std::vector<Parameters> plants(std::size_t count) const;
 };
 
-// Draws plants until so many behave as published; std::runtime_error where of 50 times as many not
-// enough do. A step of the device of 2016 takes so long, in s.
+// Draws plants until `count` of them behave as published. Throws std::runtime_error if 50 times as
+// many draws are not enough. `step_takes` is the time of a step of the 2016 device, in s.
 Identification identify(std::size_t count, double step_takes, unsigned threads);
 
-// A row of identification.csv: a draw, the falls of the device of 2016 with and without the
-// selective damping, whether it behaves as published, and its numbers, each over the middle of its
+// A row of identification.csv: a draw, the falls of the 2016 device with and without selective
+// damping, whether it behaves as published, and its numbers, each divided by the middle of its
 // range.
 struct DrawRow {
     std::uint64_t plant;

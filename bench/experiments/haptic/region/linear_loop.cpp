@@ -39,17 +39,17 @@ Matrix exponential(const Matrix& a) {
     return result;
 }
 
-// Rates of change between the firmware's steps.
+// Rates of change between two steps of the firmware.
 Matrix motion(const Parameters& p, double reading_age) {
     using L = LinearLoop;
     const double radius = p.lever.sensor_radius, c = p.foam.preload;
-    // Of both foams, each pressed by its preload.
+    // Of both foams, each compressed by its preload.
     const double stiffness = 2 * (p.foam.stiffness + 3 * p.foam.hardening * c * c);
     const double damping = 2 * p.foam.damping;
     const double hand = p.lever.length * p.lever.length;
     const double inertia = p.lever.inertia + p.hand.mass * hand;
 
-    // Net force of the foams, N, by state.
+    // The net force of the foams, N, by state variable.
     State net{};
     net[L::lever] = stiffness * radius;
     net[L::servo] = -net[L::lever];
@@ -75,8 +75,8 @@ Matrix motion(const Parameters& p, double reading_age) {
     return a;
 }
 
-// The firmware's step. The damping bites while the arm goes down, against the weight that the hand
-// carries, half of the time: the mean of that is its square root.
+// The firmware's step. The damping acts while the arm moves down, against the weight that the hand
+// carries, which is half of the time: on average that is its square root.
 Matrix step_of(const Parameters& p, const Law& law, double arm, double dt) {
     using L = LinearLoop;
     const double slowed = 1 - law.damping * (1 - tolerated_push / (weight_mass * gravity));
@@ -90,7 +90,7 @@ Matrix step_of(const Parameters& p, const Law& law, double arm, double dt) {
     return m;
 }
 
-// The pulse that begins now is for where the arm will be.
+// The pulse that starts now is for the arm's future position.
 Matrix latch(double servo_delay) {
     using L = LinearLoop;
     Matrix m = identity();
@@ -110,8 +110,8 @@ Matrix apply() {
 
 }  // namespace
 
-// The frame is divided into the nearest whole number of steps. It begins where a pulse has ended;
-// the next was told some steps before its end.
+// The frame is divided into the nearest whole number of steps. It starts at the end of a pulse; the
+// next pulse was commanded some steps before its end.
 LinearLoop::LinearLoop(const Parameters& plant, const Law& law, const Held& held) {
     const int steps = std::max(1, static_cast<int>(std::lround(Schedule::frame / law.step)));
     const double dt = Schedule::frame / steps;

@@ -26,12 +26,12 @@ namespace {
 using records::column;
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-// What is looked at: everything, or enough of it to see that it works.
+// The extent of the study: everything, or enough of it to see that it works.
 struct Extent {
     std::vector<double> arms, hands;  // m, N/m
     std::vector<int> rates;
     std::size_t plants, plants_of_changes;
-    double bisected;  // ratio at which a bisection ends
+    double bisected;  // ratio at which a bisection stops
 
     explicit Extent(bool quick)
         : arms(quick ? std::vector{0.23, 0.48} : std::vector{0.23, 0.28, 0.33, 0.38, 0.43, 0.48}),
@@ -47,7 +47,7 @@ struct Extent {
     }
 };
 
-// What the rows of several files begin with.
+// The first columns of the rows of several files.
 struct DeviceRow {
     std::string arithmetic;
     bool damping;
@@ -59,7 +59,7 @@ struct DeviceRow {
         column("clock", &DeviceRow::clock), column("loop_rate_hz", &DeviceRow::loop_rate_hz));
 };
 
-// A device as it is on the chip.
+// A device as it runs on the chip.
 struct Subject {
     Device device;
     double step_takes;  // s
@@ -80,7 +80,7 @@ std::filesystem::path program_of(const Device& device) {
                        device.damped ? "damped" : "undamped");
 }
 
-// Of a step on the chip while the lever is held, by arithmetic.
+// The time of a step on the chip while the lever is held, by arithmetic.
 std::map<std::string, double> step_times() {
     std::map<std::string, double> times;
     for (const Device& device : devices()) {
@@ -103,7 +103,7 @@ std::vector<Subject> subjects_of(const std::vector<Device>& list,
     std::vector<Subject> subjects;
     for (const Device& device : list) {
         Subject subject{device, step_times.at(device.arithmetic)};
-        // The report's clock: a step is as long as the last one took, and 5 ms.
+        // The clock of the 2016 design: a step is as long as the last one took, plus 5 ms.
         if (device.rate == 0) {
             subject.device.law.step = subject.step_takes + 5e-3;
         } else {
@@ -114,7 +114,7 @@ std::vector<Subject> subjects_of(const std::vector<Device>& list,
     return subjects;
 }
 
-// The family with another hand; 0 is each plant's own.
+// The family with another hand; 0 leaves each plant its own.
 std::vector<Parameters> with_hand(std::vector<Parameters> plants, double stiffness) {
     for (Parameters& plant : plants)
         if (stiffness != 0) plant.hand.stiffness = stiffness;
@@ -123,7 +123,7 @@ std::vector<Parameters> with_hand(std::vector<Parameters> plants, double stiffne
 
 double frequency_of(const Swing& swing) { return swing.still() ? none : swing.frequency; }
 
-// How a family of plants fares, taken up and thrown. One that is still has no frequency.
+// How a family of plants behaves, grasped and thrown. A plant at rest has no frequency.
 struct FamilyRow : DeviceRow {
     double arm_m;
     std::string hand_n_per_m;  // or "own"
@@ -165,7 +165,7 @@ struct FamilyRow : DeviceRow {
     FamilyRow() = default;
 };
 
-// Rows that are found in parallel, in the order of the work.
+// Rows computed in parallel, in the order of the work.
 template <class Task>
 auto found_in_parallel(const std::string& name, unsigned threads, std::size_t rows, Task&& task) {
     std::vector<decltype(task(rows))> found(rows);
@@ -209,8 +209,8 @@ void write_map(const std::vector<Subject>& subjects, const std::vector<Parameter
     records::table_of(rows).save(options.output / "stable_region.csv");
 }
 
-// The end of the range of `still` values that begins at `from`, towards `to`, within a ratio; NaN
-// where not even `from` is still.
+// The end of the range of `still` values that starts at `from`, towards `to`, within a ratio; NaN
+// if not even `from` is still.
 template <class Still>
 double limit(double from, double to, double ratio, Still&& still) {
     if (!still(from)) return std::nan("");
@@ -222,7 +222,7 @@ double limit(double from, double to, double ratio, Still&& still) {
     return from;
 }
 
-// A row of stable_limits.csv; NaN where the plant is still nowhere.
+// A row of stable_limits.csv; NaN if the plant is never still.
 struct LimitsRow : DeviceRow {
     std::size_t plant;
     double own_hand;
@@ -336,7 +336,7 @@ void check_on_chip(const std::vector<Subject>& all, const std::vector<Parameters
     records::table_of(rows).save(options.output / "stable_on_chip.csv");
 }
 
-// Of which there are motions over time.
+// The devices whose motion is shown over time.
 std::vector<Device> shown_over_time() {
     std::vector<Device> list;
     for (const Device& device : devices())
@@ -362,7 +362,7 @@ struct OscillationRow {
                    records::columns_of(&names, &OscillationRow::degrees, "{:.3f}"));
 };
 
-// The lever over time on a plant, by the chip.
+// The motion of the lever over time on a plant, by the chip.
 void write_oscillation(const Parameters& plant, const Options& options) {
     constexpr double interval = 5e-3;
     const std::vector<Device> list = shown_over_time();

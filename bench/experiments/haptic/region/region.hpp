@@ -14,14 +14,15 @@ struct Options {
     unsigned threads = 1;
 };
 
-// Found on the host, checked on the simulated chip. Writes
+// Determined on the host and checked on the simulated chip. Writes
 //   identification.csv  the plants that were drawn, and which of them behave as published
 //   stable_region.csv   how many plants of the family are still, over the whole region, and how
 //                       many of them the linear theory calls stable
-//   stable_limits.csv   of each plant: the shortest arm, the softest and the hardest hand
-//   stable_changes.csv  the flashed lever with what makes it stable left out in turn, and the
-//   others stable_on_chip.csv  the verdicts of host and chip, plant by plant oscillation.csv     a
-//   poked lever over time, on the chip, with and without the damping
+//   stable_limits.csv   for each plant: the shortest arm, the softest and the hardest hand
+//   stable_changes.csv  the flashed lever with each of its stabilising measures left out in turn,
+//                       and the other levers
+//   stable_on_chip.csv  the verdicts of host and chip, plant by plant
+//   oscillation.csv     a poked lever over time, on the chip, with and without the damping
 void measure_region(const Options& options);
 
 }  // namespace haptic::region

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The fall that the report gives a time for: a hand holds the lever at the top and lets go.
+// The fall for which a time was published: a hand holds the lever at the top and lets go.
 #pragma once
 
 #include <optional>
@@ -8,13 +8,13 @@
 
 namespace haptic::region {
 
-// s: what was published for an arm of 20 cm, at the dial's shortest of 23 cm. Times of fall are as
-// the roots of the arms.
+// The published time in s for an arm of 20 cm, converted to the dial's shortest of 23 cm: times of
+// fall are proportional to the square roots of the arms.
 double published_fall();
 
-// Loop: a HostLoop or a DeviceLoop that was made with the script of release_and_fall. Seconds from
-// the hand's letting go until the servo is within a degree of its lower stop; none where it is not
-// within 2 s.
+// The seconds from the hand's release until the servo is within a degree of its lower stop; none if
+// that takes over 2 s. Loop must be a HostLoop or a DeviceLoop made with the script of
+// release_and_fall.
 template <class Loop>
 std::optional<double> watch_fall(Loop& loop) {
     constexpr double let_go = 1, longest = 2;

@@ -15,9 +15,9 @@ const Firmware& ours() {
 
 Run run_shortly(const Scenario& scenario) { return run(ours(), scenario, published_parameters()); }
 
-// That every scenario keeps its envelope, `fixbench haptic` demands.
+// `fixbench haptic` checks that every scenario stays in its envelope.
 
-// The judge can say no: a servo that is blocked for good neither falls nor rests.
+// The judge can fail a run: a servo that is blocked permanently neither falls nor rests.
 TEST(Judge, FailsALeverThatDoesNotFall) {
     Scenario s = scenario("bounce");
     s.script.faults.push_back({Fault::Kind::stalled, 0, 0.5, 100});
@@ -37,8 +37,8 @@ TEST(Judge, FailsAClockThatIsTooStrict) {
     EXPECT_GT(r.judgement.late_steps, 10u);
 }
 
-// Where the coupling stops to look plays no part.
-TEST(DeviceLoop, DoesNotDependOnHowOftenItIsLookedAt) {
+// The result does not depend on where the coupling stops to observe.
+TEST(DeviceLoop, DoesNotDependOnHowOftenItIsObserved) {
     const Scenario s = scenario("bounce");
     const auto end_of = [&](double interval) {
         DeviceLoop loop(simulator::Elf(ours().elf), published_parameters(), s.script);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The judge on runs made up here, each at a limit and beyond it: a run may reach a limit.
+// The judge on constructed runs, each at a limit and beyond it: a run may reach a limit.
 #include "bench/experiments/haptic/judge.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 constexpr Cycle ms = simulator::Chip::frequency / 1000;
 
 // Steps of a millisecond from 0.5 s to 0.75 s, each of 0.2 ms; three of four cycles asleep, one in
-// 32 rendering, five frames; all that is asked for, and no more. Times are exact in double.
+// 32 rendering, five frames: exactly what is required. Times are exact in double.
 Timing punctual() {
     Timing timing;
     for (Cycle k = 0; k < 250; ++k) timing.step_begins.push_back((500 + k) * ms);
@@ -36,7 +36,7 @@ Judgement judge(const Timing& timing, const TimingLimits& held_to = limits) {
     return Judge({}, held_to).judge(timing, end, shortest_arm);
 }
 
-TEST(JudgeTiming, MeasuresWhatTheStepsSay) {
+TEST(JudgeTiming, MeasuresTheSteps) {
     const Judgement j = judge(punctual());
     EXPECT_EQ(j.violations, std::vector<std::string>{});
     EXPECT_DOUBLE_EQ(j.loop_rate, 1000);
@@ -70,7 +70,7 @@ TEST(JudgeTiming, AStepMayBeAsLateAsTheLimitAndNoCycleMore) {
     EXPECT_EQ(judge(timing).late_steps, 1u);
     ASSERT_EQ(judge(timing).violations.size(), 1u);
     EXPECT_EQ(judge(timing).violations[0], "1 steps late by more than 1 ms, the worst by 1.000 ms");
-    // Lateness counts from the earliest step, whichever that is.
+    // Lateness is relative to the earliest step, whichever that is.
     Timing early = punctual();
     early.step_begins[60] -= ms / 2;
     EXPECT_DOUBLE_EQ(judge(early).worst_lateness, 0.5e-3);
@@ -105,7 +105,8 @@ TEST(JudgeTiming, WithoutLimitsNothingIsLate) {
     EXPECT_TRUE(std::isnan(j.worst_lateness));
 }
 
-// A pulse may miss the travel by half a step of 0.29 degrees of 90 a millisecond: 1.61 us.
+// A pulse may exceed the travel by half a step of 0.29 degrees, at 90 degrees per millisecond: 1.61
+// us.
 TEST(JudgePulses, HalfAStepBeyondTheTravelIsAllowed) {
     const auto violations = [](double shortest, double longest, double period) {
         Timing timing = punctual();
@@ -120,7 +121,7 @@ TEST(JudgePulses, HalfAStepBeyondTheTravelIsAllowed) {
     EXPECT_EQ(violations(1e-3, 1.667e-3, 0.02011), 1u);
 }
 
-// What a violation says is what was measured, in the units that it names.
+// The text of a violation contains what was measured, in the units that it names.
 TEST(JudgeTexts, SayWhatWasMeasured) {
     Timing timing = punctual();
     timing.shortest_pulse = 0.9e-3;
@@ -145,8 +146,7 @@ TEST(JudgeTexts, SayWhatWasMeasured) {
                                   "did not rest where it should"}));
 }
 
-// --- The envelope
-// -----------------------------------------------------------------------------------
+// --- The envelope ---
 
 // A run of a second in steps of a millisecond: the servo and the lever as functions of time.
 using Motion = std::function<double(double)>;
@@ -193,7 +193,7 @@ TEST(JudgeFall, AHandThatHoldsOrNeverHeldLetsNothingFall) {
     EXPECT_TRUE(std::isnan(judge(scenario, falling, still).fall));
 }
 
-// From 60 degrees within 0.3 s, then bounces of 4 a second whose height falls by a factor in each.
+// From 60 degrees within 0.3 s, then four bounces a second, each lower by a factor.
 TEST(JudgeRest, ALeverMayBounceManyTimesButNotForEver) {
     const auto violations = [](double factor) {
         const Scenario bounce = scenario("bounce");
@@ -249,7 +249,7 @@ TEST(JudgeRest, TheServoRestsWithinADegreeFromThatTimeOn) {
     EXPECT_FALSE(rests(10, 8.99));
 }
 
-TEST(JudgeScreen, AWrongOneAtAnyTimeCounts) {
+TEST(JudgeScreen, AWrongScreenAtAnyTimeCounts) {
     for (const int wrong : {0, 1, 2}) {
         Judge judge({}, limits);
         for (int k = 0; k < 3; ++k) judge.watch({k * 1e-3, 0, 0, k != wrong});

@@ -10,7 +10,7 @@
 namespace haptic {
 namespace {
 
-// Every scenario can be run on a plant whose servo is left alone, and leaves its state finite.
+// Every scenario runs on a plant whose servo is left alone, and leaves its state finite.
 TEST(Scenarios, RunOnThePlant) {
     std::set<std::string> names;
     for (const Scenario& s : scenarios()) {
@@ -42,7 +42,7 @@ TEST(Scenarios, AreWatchedWhileTheyRun) {
 TEST(Scenarios, AHeldLeverFollowsTheHand) {
     const Scenario s = scenario("push_and_hold");
     Plant plant(published_parameters(), s.script);
-    // The servo follows the lever within a frame, as an ideal firmware would have it.
+    // The servo follows the lever within a frame, as with an ideal firmware.
     for (double time = 0; time < s.duration; time += 0.02) {
         const ServoParameters& servo = plant.parameters().servo;
         const double width =

@@ -49,7 +49,7 @@ class Workload : public testing::Test {
     static inline std::vector<Row> workload_, pins_;
 };
 
-// A ratio within 10% is reproduced, every other has a reason.
+// A ratio within 10% is reproduced; every other one has a reason.
 TEST_F(Workload, JudgesEachPublishedFigureOfTheDevice) {
     std::set<std::string> judged;
     for (const Row& row : workload_) {
@@ -70,7 +70,7 @@ TEST_F(Workload, JudgesEachPublishedFigureOfTheDevice) {
                                              "square_roots_share", "fall_time"}));
 }
 
-TEST_F(Workload, TellsWhatTheSketchCosts) {
+TEST_F(Workload, ReportsWhatTheSketchCosts) {
     EXPECT_NEAR(measured("loop_rate", "q16_16_arduino"), measured("loop_rate", "q16_16"), 1);
     EXPECT_GT(measured("flash_bytes", "q16_16_arduino"), measured("flash_bytes", "q16_16"));
     EXPECT_GT(measured("static_ram_bytes", "q16_16_arduino"),
@@ -90,7 +90,7 @@ TEST_F(Workload, SharesOfAStepAreParts) {
     }
 }
 
-// Between two steps lies the rest of a period, or the drawing of a frame, at most.
+// Between two steps there is at most the rest of a period, or the drawing of a frame.
 TEST_F(Workload, ThePinsShowEveryStep) {
     for (const char* device : {"published", "q16_16"}) {
         const double pause =
@@ -126,7 +126,7 @@ TEST_F(Workload, ThePinsOfAStepLieWithinIt) {
         EXPECT_GT(frames["render"], 3) << device;
         EXPECT_EQ(step["step"], 1) << device;
         EXPECT_EQ(step["collision"], 2) << device;
-        // A rod of fixed point that rounds knows 1 / length and takes no root.
+        // A fixed-point rod in an arithmetic that rounds stores 1 / length and takes no root.
         EXPECT_EQ(step["square_root"], device == std::string("published") ? 1 : 0) << device;
         EXPECT_GT(step["operation"], 20) << device;
     }

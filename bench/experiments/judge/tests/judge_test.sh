@@ -74,7 +74,7 @@ ends 2 "did you mean my_sqrt" judge "$elf" --function my_sqr --as sqrt:q16_16
 ends 2 "unknown operation 'root'" judge "$elf" --function half --as root:q16_16
 ends 2 "unknown number format 'q7_1x'" judge "$elf" --function half --as sqrt:q7_1x
 ends 2 "at character 3" judge "$elf" --function half --as 'int16(int16)=a+b'
-ends 2 "a formula knows no float" judge "$elf" --function half --as 'float(int16)=a'
+ends 2 "a formula cannot use float" judge "$elf" --function half --as 'float(int16)=a'
 ends 2 "<type>(<type>,...)=<formula>" judge "$elf" --function half --as 'int16=a'
 ends 2 "--pipe" judge --as sqrt:q16_16
 ends 2 "did you mean boundary" operands --as sqrt:q16_16 --class bondary
@@ -112,9 +112,9 @@ lines() { printf "$1" >"$scratch/lines"; }
 lines '# nothing\n\n'
 ends 2 "no results" judge --pipe --as divide:q8_24 <"$scratch/lines"
 lines '1 2 3\n1 2\n'
-ends 2 "line 2: 2 operands and 1 results are wanted, not 2 numbers" judge --pipe --as divide:q8_24 <"$scratch/lines"
+ends 2 "line 2: expected 2 operands and 1 results, got 2 numbers" judge --pipe --as divide:q8_24 <"$scratch/lines"
 lines '1 x 3\n'
-ends 2 "line 1: no decimal number" judge --pipe --as divide:q8_24 <"$scratch/lines"
+ends 2 "line 1: not decimal numbers" judge --pipe --as divide:q8_24 <"$scratch/lines"
 lines '1 2 2147483648\n'
 ends 2 "2147483648 is not in -2147483648..2147483647" judge --pipe --as divide:q8_24 <"$scratch/lines"
 lines '1 65535 32768\n'

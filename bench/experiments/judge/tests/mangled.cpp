@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Functions whose symbols are not their names.
+// Functions whose symbols differ from their names.
 #include <stdint.h>
 
 namespace filter {

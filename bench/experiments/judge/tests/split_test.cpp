@@ -17,7 +17,7 @@ namespace {
 using reference::Judgement;
 using reference::Operation;
 
-// What is right or nearly so: by the exact error of any result.
+// A result that is right or nearly right, from the exact error of any result.
 std::int64_t near(const reference::Subject& subject, std::span<const std::int64_t> operands,
                   std::mt19937_64& random) {
     std::int64_t result = 0;
@@ -41,7 +41,7 @@ void compare(const reference::Subject& subject, std::span<const std::int64_t> op
         const std::string where =
             fmt::format("{} of {} in {}: {}", reference::shape(subject.operation).name,
                         fmt::join(operands, " "), reference::format_name(subject.format), result);
-        // Double has 53 bits, of an error of half the range too.
+        // Double has 53 bits, even for an error of half the range.
         ASSERT_NEAR(judged.error_ulp, exact.error_ulp,
                     std::ldexp(1, -14) + std::abs(exact.error_ulp) * 1e-15)
             << where;
@@ -52,7 +52,7 @@ void compare(const reference::Subject& subject, std::span<const std::int64_t> op
     }
 }
 
-// A sanitizer looks at paths and not at results: every other split will do.
+// A sanitizer checks paths and not results, so every other split suffices.
 #ifdef SPARSE_OPERANDS
 constexpr int split_step = 2;
 #else

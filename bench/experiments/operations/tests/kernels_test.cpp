@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The machine code of every subject against the host: as `fixbench verify` runs it, in the
-// simulated chip; and the library's assembly, translated to host code, over operands so dense that
+// The machine code of every subject compared with the host: in the simulated chip, as `fixbench
+// verify` runs it; and the library's assembly, translated to host code, over operands so dense that
 // no path and no carry can be missed.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -26,7 +26,7 @@
 namespace operations {
 namespace {
 
-// The folder of the programs: scripts/mutation_test.py names another, with faults in them.
+// The folder of the programs; scripts/mutation_test.py names another one, with faults in them.
 std::string folder() {
     const char* other = std::getenv("DEVICE_PROGRAMS");
     return other ? other : PROGRAM_FOLDER;
@@ -45,15 +45,14 @@ std::uint64_t differences(const std::string& program, std::uint64_t samples) {
     return verify_kernels(options);
 }
 TEST_P(Kernels, AreTheHostsBitForBit) {
-    // Of 64 bits calls are long.
+    // Calls of 64 bits take long.
     EXPECT_EQ(differences(GetParam(), GetParam().starts_with("q32_32") ? 400 : 4000), 0u);
 }
-// What is the compiler's for the most part: a few samples tell whether the chip's does as the
-// host's.
+// Mostly the compiler's code: a few samples show whether the chip agrees with the host.
 class Compiled : public testing::TestWithParam<std::string> {};
 TEST_P(Compiled, IsTheHostsBitForBit) { EXPECT_EQ(differences(GetParam(), 100), 0u); }
 
-// Calls of a kernel, compared a batch at a time.
+// Calls of a kernel, compared in batches.
 class DenseCalls {
   public:
     DenseCalls(const simulator::Elf& elf, const HostSubject& host)
@@ -67,7 +66,7 @@ class DenseCalls {
         operands_.insert(operands_.end(), operands.begin(), operands.end());
         if (operands_.size() >= batch * function_.arity()) compare();
     }
-    // Fails unless all calls gave what the host gives.
+    // Fails unless all calls gave the host's results.
     void finish() {
         compare();
         EXPECT_EQ(mismatches_, 0u) << host_.name() << ", the first: " << first_;
@@ -111,8 +110,8 @@ class DenseCalls {
     std::string first_;
 };
 
-// Every first operand with every boundary operand as the second, and the other way round: all
-// carries of a 16-bit kernel, its paths at their edges.
+// Every first operand with every boundary operand as the second, and vice versa: all carries of a
+// 16-bit kernel, and the edges of its paths.
 void all_of_one_operand(DenseCalls& calls, const reference::NumberFormat& format) {
     for (const operands::BoundaryOperand& each : operands::boundary_operands(format)) {
         for (std::int64_t raw = format.min(); raw <= format.max(); ++raw) {
@@ -122,7 +121,7 @@ void all_of_one_operand(DenseCalls& calls, const reference::NumberFormat& format
     }
 }
 
-// A space of 2^16 inputs and less is run whole.
+// A space of at most 2^16 inputs is run completely.
 void all_of_the_only_operand(DenseCalls& calls, const reference::NumberFormat& format) {
     for (std::int64_t raw = format.min(); raw <= format.max(); ++raw) calls.add(std::array{raw});
 }
@@ -156,8 +155,8 @@ void lengths_beside_the_limit(DenseCalls& calls, const reference::NumberFormat& 
     }
 }
 
-// Beside the limits of the intervals of 64-bit functions' tables: of a number's leading bits, of
-// the quarter turn, of what is left of ln 2, and of the ratio of two numbers.
+// Next to the limits of the intervals of 64-bit functions' tables: of a number's leading bits, of
+// the quarter turn, of the remainder modulo ln 2, and of the ratio of two numbers.
 void beside_limits_of_tables(DenseCalls& calls, const reference::NumberFormat& format,
                              std::size_t arity) {
     std::mt19937_64 random(7);
@@ -183,7 +182,7 @@ void beside_limits_of_tables(DenseCalls& calls, const reference::NumberFormat& f
     }
 }
 
-// Bases anywhere, beside 1 and beside the limits of the first intervals of pow's table, each with
+// Bases anywhere, next to 1 and next to the limits of the first intervals of pow's table, each with
 // an exponent whose power is in the range of Q32.32, in its highest octaves, or just beyond.
 void powers_in_the_range(DenseCalls& calls) {
     std::mt19937_64 random(8);
@@ -203,7 +202,7 @@ void powers_in_the_range(DenseCalls& calls) {
         }
     }
     // Once in 10^5 bases the sum of the series' squares and fourth powers carries out of its lowest
-    // 24 bits: of these bases beside 1, whose powers of so large exponents show it.
+    // 24 bits: these are such bases next to 1, whose powers with large exponents show it.
     for (const std::int64_t above_1 : {-9695, 59290, -205163, 226716, 368867, -511731}) {
         const std::int64_t a = (std::int64_t(1) << 32) + above_1;
         const double logarithm = std::log1p(std::ldexp(double(above_1), -32));
@@ -212,8 +211,8 @@ void powers_in_the_range(DenseCalls& calls) {
     }
 }
 
-// r^2 + r, the largest sum of squares below (r + 1/2)^2, is that of (m^2, m), and r^2 + r + 1, the
-// next one, that of (m^2 - 1, m).
+// r^2 + r, the largest sum of squares below (r + 1/2)^2, belongs to (m^2, m), and r^2 + r + 1, the
+// next one, to (m^2 - 1, m).
 void lengths_beside_halves(DenseCalls& calls, const reference::NumberFormat& format,
                            std::size_t arity) {
     std::mt19937_64 random(6);
@@ -260,7 +259,7 @@ void call_densely(DenseCalls& calls, const HostSubject& host, std::uint64_t samp
     calls.finish();
 }
 
-// Kernels have a second name, under which the library calls them.
+// Kernels have a second name, by which the library calls them.
 bool is_kernel(const simulator::Elf& elf, const std::string& subject) {
     return std::ranges::any_of(elf.functions(), [&](const auto& function) {
         return function.first.starts_with("fixedpoint_") &&
@@ -280,13 +279,13 @@ TEST_P(Kernels, AreTheHostsOverDenseOperandsWhichTakeEveryPath) {
         reached.merge(calls->reached_blocks());
     }
     EXPECT_FALSE(kernels.empty());
-    // Functions share code, as cosine does the sine's: what one reached counts for all.
+    // Functions share code, as the cosine uses the sine's: code reached by one counts for all.
     for (const auto& calls : kernels)
         EXPECT_EQ(fmt::format("{:04x}", fmt::join(calls->function().unreached(reached), " ")), "")
             << "in " << calls->function().symbol();
 }
 
-// They are kernels behind a test of the range, in the compiler's code.
+// They are kernels after a test of the range, in the compiler's code.
 void expect_the_hosts(const std::string& program, const std::string& subject) {
     const simulator::Elf elf(folder() + "/" + program + ".elf");
     const auto& hosts = host_subjects();

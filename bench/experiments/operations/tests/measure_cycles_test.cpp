@@ -16,7 +16,8 @@ namespace {
 
 using testing::HasSubstr;
 
-// What is said of each subject that misbehaves, all of the operand 256; the others are measured.
+// The message for each subject that misbehaves, always for the operand 256; the others are
+// measured.
 struct Fault {
     const char* subject;
     const char* what;
@@ -53,10 +54,11 @@ TEST(MeasureCycles, ABadSubjectIsNamedWithItsOperandsAndLeavesTheOthersMeasured)
         ASSERT_NE(begin, 0u) << subject << " is not in\n" << messages;
         const std::string line = messages.substr(begin, messages.find('\n', begin) - begin);
         EXPECT_THAT(line, HasSubstr(fault.what));
-        EXPECT_THAT(line, testing::EndsWith(", of the operands 256"));
+        EXPECT_THAT(line, testing::EndsWith(", with the operands 256"));
         EXPECT_EQ(messages.find(subject, begin + line.size()), messages.npos) << messages;
     }
-    EXPECT_THAT(messages, HasSubstr(" boundary operands break the definition, the first: 256\n"));
+    EXPECT_THAT(messages,
+                HasSubstr(" boundary operands contradict the definition, the first: 256\n"));
 
     const records::Table table = records::Table::load(options.output / "operations.csv");
     std::map<std::string, std::vector<std::string>> rows;

@@ -13,7 +13,7 @@
     neg r24
     sbci r25, 0xff
 .endm
-; Goes to the label but for the operand 256.
+; Goes to the label except for the operand 256.
 .macro but_for_one label
     ldi r18, 1
     cpi r24, 0
@@ -128,7 +128,7 @@ function negate_q8_8_unaware
     ret
     .size negate_q8_8_unaware, . - negate_q8_8_unaware
 
-; Result 0 in place of -256.
+; Result 0 instead of -256.
 function negate_q8_8_default
     but_for_one 1f
     clr r24

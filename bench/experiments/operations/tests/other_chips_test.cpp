@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Functions on other chips: the ATmega328P, loaded as any chip, counts what its own class counts;
-// a chip with addresses of 22 bits pays a cycle more for each call and return.
+// Functions on other chips: the ATmega328P, loaded like any chip, has the cycles of its own class;
+// on a chip with addresses of 22 bits each call and each return takes a cycle more.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -19,7 +19,7 @@ using simulator::SimulationError;
 
 const std::string atmega328p = OTHER_CHIPS_SAME;
 const Signature unary{.result = 4, .operands = {4}}, binary{.result = 4, .operands = {4, 4}},
-    wide{.result = 8, .operands = {8, 8, 8}};  // the third operand lies on the stack
+    wide{.result = 8, .operands = {8, 8, 8}};  // the third operand is on the stack
 
 TEST(OtherChip, CountsWhatTheSimulatedAtmega328pCounts) {
     const std::pair<const char*, Signature> functions[] = {
@@ -62,8 +62,8 @@ TEST(OtherChip, RefusesWhatItCannotRun) {
     EXPECT_THROW(chip.call("careless", unary, one), SimulationError);
 }
 
-// A wrong sum is told of: the program is one that claims to add and multiply.
-TEST(OtherChips, TellsOfResultsThatBreakTheDefinition) {
+// A wrong sum is reported: the program claims to add and multiply.
+TEST(OtherChips, ReportsResultsThatContradictTheDefinition) {
     const std::filesystem::path folder = OTHER_CHIPS_SCRATCH;
     std::filesystem::create_directories(folder / "atmega328p/q16_16");
     std::filesystem::create_directories(folder / "out");

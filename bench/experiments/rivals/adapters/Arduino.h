@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
- * What the libraries for Arduino take from its core: the integers' names and limits. */
+ * What the libraries for Arduino use of its core: the names and limits of the integers. */
 #pragma once
 
 #include <limits.h>

@@ -13,7 +13,7 @@ int32_t SUBJECT(divide, q16_16)(int32_t a, int32_t b) { return divkD(a, b); }
 int32_t SUBJECT(sqrt, q16_16)(int32_t a) { return sqrtk(a); }
 int32_t SUBJECT(sin, q16_16)(int32_t a) { return sink(a); }
 int32_t SUBJECT(cos, q16_16)(int32_t a) { return cosk(a); }
-/* Its first operand is the abscissa. */
+/* Its first operand is x. */
 int32_t SUBJECT(atan2, q16_16)(int32_t y, int32_t x) { return atan2k(x, y); }
 int32_t SUBJECT(atan, q16_16)(int32_t a) { return atank(a); }
 int32_t SUBJECT(log, q16_16)(int32_t a) { return logk(a); }

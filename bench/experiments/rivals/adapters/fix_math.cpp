@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Mozzi's FixMath widens the type of each result; the subject cuts it back to the operands' format.
-// It has inverses, and no division.
+// Mozzi's FixMath widens the type of each result; the subject narrows it to the operands' format.
+// It has inverses but no division.
 #include <FixMath.h>
 
 #include "adapter.h"

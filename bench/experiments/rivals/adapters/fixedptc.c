@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
- * fixedptc has one format a build: FIXEDPT_WBITS is on the command line. */
+ * fixedptc has one format per build: FIXEDPT_WBITS is set on the command line. */
 #include <fixedptc.h>
 
 #include "adapter.h"

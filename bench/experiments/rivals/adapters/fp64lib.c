@@ -4,7 +4,7 @@
 
 #include "adapter.h"
 
-/* A jump: around a call avr-gcc saves and moves the registers of the operands. */
+/* A jump, since around a call avr-gcc would save and move the registers of the operands. */
 #define IS(operation, function)                                     \
     __attribute__((naked)) void SUBJECT(operation, float64)(void) { \
         __asm__("jmp %x0" : : "p"(function));                       \
@@ -33,7 +33,7 @@ IS(log10, fp64_log10)
 IS(sinh, fp64_sinh)
 IS(cosh, fp64_cosh)
 IS(tanh, fp64_tanh)
-/* It finds its third operand below the frame of its caller, who must have one. */
+/* It expects its third operand below the frame of its caller, which must have one. */
 float64_t SUBJECT(multiply_add, float64)(float64_t a, float64_t b, float64_t c) {
     return fp64_fma(a, b, c);
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
- * avr-libc's fxlib, for GCC's _Accum: what it adds to the compiler's operators. */
+ * avr-libc's fxlib, for GCC's _Accum: its functions in addition to the compiler's operators. */
 #include <stdfix.h>
 
 #include "adapter.h"
@@ -13,7 +13,7 @@ _Accum log2uk(unsigned _Accum);
 _Accum sinpi2k(_Accum);
 _Accum cospi2k(_Accum);
 
-/* Of an angle in turns; what overflows is whole turns. */
+/* The angle is in turns: an overflow drops whole turns. */
 static _Accum quarter_turns(_Accum turns) {
     union {
         _Accum number;
@@ -30,5 +30,5 @@ _Accum SUBJECT(cos_turns, s16_15)(_Accum a) { return cospi2k(quarter_turns(a)); 
 _Accum SUBJECT(asin, s16_15)(_Accum a) { return asink(a); }
 _Accum SUBJECT(acos, s16_15)(_Accum a) { return acosk(a); }
 _Accum SUBJECT(exp2, s16_15)(_Accum a) { return exp2k(a); }
-/* Of a positive number, whose unsigned type has a place more. */
+/* The operand must be positive: its unsigned type has one more bit. */
 _Accum SUBJECT(log2, s16_15)(_Accum a) { return log2uk(a); }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
- * Q16.16 as most write it at first: through the compiler's integers of 64 bits. */
+ * Q16.16 as a first attempt usually does it: through the compiler's 64-bit integers. */
 #include "adapter.h"
 
 int32_t SUBJECT(multiply, q16_16)(int32_t a, int32_t b) { return ((int64_t)a * b) >> 16; }

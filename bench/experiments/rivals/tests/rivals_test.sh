@@ -23,7 +23,7 @@ refuses "did you mean libfixmath" --source libfixmat=.
 refuses "<rival>=<folder>" --source libfixmath
 refuses "the folder must exist" --source "libfixmath=$scratch/absent"
 mkdir "$scratch/empty"
-refuses "is no checkout of" --source "libfixmath=$scratch/empty"
+refuses "is not a checkout of" --source "libfixmath=$scratch/empty"
 refuses "fp64_*.S is missing" --source "fp64lib=$scratch/empty"
 mkdir "$scratch/broken"
 echo "#error broken" >"$scratch/broken/fixedptc.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program that does nothing: what every other one takes too.
+// A program that does nothing: what every program takes.
 int main() {
     for (;;) {
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A scene as a program for the chip: -DSCENE=Pendulum -DSCALAR=scalars::q16_16 or float
-// -DMETHOD=SemiImplicit. The linker keeps what it is told to (--undefined), so that each time step
-// is a program of its own and weighs what its scene takes.
+// -DMETHOD=SemiImplicit. The linker keeps only what it is told to (--undefined), so that each time
+// step is a program of its own whose size is that of its scene.
 #include <engine/hash.hpp>
 #include <scenes/all.hpp>
 
@@ -17,7 +17,7 @@ extern "C" {
 
 void build() { scenes::build<Scene>(world); }
 
-// By 2^-K seconds. All eight are compiled, also where three are linked: with few callers the
+// Steps of 2^-K seconds. All eight are compiled even if three are linked: with few callers the
 // compiler inlines the whole step into each, and the larger scenes in Q32.32 do not fit the flash.
 #define STEP(K) \
     void step_##K() { world.step(engine::BinaryStep<K>()); }
@@ -30,8 +30,8 @@ STEP(10)
 STEP(11)
 STEP(12)
 
-// For the measuring side, and not counted: where a particle's position lies, its velocity behind
-// it; the world's error; the hash of its state.
+// For the measurement, and not counted: the address of a particle's position, which its velocity
+// follows; the world's error; the hash of its state.
 const Scalar* position_of(uint8_t i) {
     const World& looked_at = world;
     static_assert(sizeof looked_at.particles()[i].position == World::dimensions * sizeof(Scalar),

@@ -3,7 +3,7 @@
 // -DARITHMETIC=published, nearest or float_ -DINTEGRATOR=ExplicitEuler -DSOLVER=WorstFirst<10>.
 //
 // What is watched is a function of its own. For the parts of a step that costs a call each; the
-// report's arithmetic, which was kept in one source file of its own, was called so too.
+// published arithmetic, which was in a source file of its own, was called like this, too.
 #include <fixedpoint/arithmetic/published.hpp>
 #include <scenes/lever.hpp>
 #include <scenes/published_lever.hpp>
@@ -71,7 +71,7 @@ void WATCHED step() {
 }
 #endif
 
-// For the measuring side.
+// For the measurement.
 uint16_t particle_bytes() { return sizeof(Base::Particle); }
 uint16_t world_bytes() { return sizeof(Base); }
 }

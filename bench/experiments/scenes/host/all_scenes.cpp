@@ -7,7 +7,7 @@
 
 namespace scene_bench {
 
-// Each is instantiated in a file of its own, made from scene.cpp.in.
+// Each is instantiated in a file of its own, generated from scene.cpp.in.
 template <class SceneType>
 Scene describe();
 

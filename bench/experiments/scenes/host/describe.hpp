@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// describe<Scene>(): a scene of engine/src/scenes/ with its runs on the host. Each scene is a file
-// of its own, made from scene.cpp.in: they take ten seconds to compile.
+// describe<Scene>(): a scene of engine/src/scenes/ with its runs on the host. Each scene is
+// compiled as a file of its own, generated from scene.cpp.in, since that takes ten seconds.
 #pragma once
 
 #include <algorithm>
@@ -41,7 +41,7 @@ State state_of(const World& world) {
     return state;
 }
 
-// Whether a result of this thread did not fit its format, until it is set back.
+// Whether a result of this thread did not fit its format, until it is reset.
 struct Overflow {
     static bool& seen() {
         static thread_local bool any = false;
@@ -52,7 +52,7 @@ struct Overflow {
     }
 };
 
-// The integer bits of the scene's best split, as CMakeLists.txt has them.
+// The integer bits of the scene's best split, from CMakeLists.txt.
 template <class SceneType>
 constexpr int integer_bits = 0;
 
@@ -83,7 +83,7 @@ Run run_on_host(int exponent, Hashes hashes) {
     return run;
 }
 
-// The scene's world of doubles, put into a state.
+// The scene's world of doubles, set to a state.
 template <class SceneType>
 auto world_in(const State& state) {
     WorldOf<SceneType, double, scenes::SemiImplicit> world;
@@ -124,7 +124,7 @@ void add_runs(std::vector<HostSubject>& subjects) {
     add("fifty_digits", run_on_host<SceneType, reference::FiftyDigits, Method>);
 }
 
-// The best split is run with one method, the one that errs least, and tells where it overflows.
+// The best split runs with one method, the one with the smallest error, and reports overflow.
 template <class SceneType, class Method>
 void add_split(Scene& scene) {
     constexpr int I = integer_bits<SceneType>;
@@ -133,7 +133,7 @@ void add_split(Scene& scene) {
     scene.subjects.push_back({scene.split, Method::name, run_on_host<SceneType, Split, Method>});
 }
 
-// Whether the method of stiff springs differs from SemiImplicit.
+// Whether the method for stiff springs differs from SemiImplicit.
 template <class SceneType>
 constexpr bool has_springs() {
     using Uses = typename SceneType::template Uses<scenes::SemiImplicit>;

@@ -15,7 +15,7 @@
 
 namespace scene_bench {
 
-// Draws that are the same on every machine, which the standard library's distributions are not.
+// Draws that are the same on every machine, unlike those of the standard library's distributions.
 class Draw {
   public:
     explicit Draw(unsigned seed) : bits_(seed) {}
@@ -77,7 +77,7 @@ inline void draw(Numbers<scenes::ChainOfRods>& of, Draw& any) {
     of.y = -of.length * std::cos(angle);
 }
 inline void draw(Numbers<scenes::Stack>& of, Draw& any) { of.gap = any.between(0.05, 0.2); }
-// Exact in every format: chaos would make the rounding of the start the whole of the error.
+// Exact in every format: otherwise chaos would make the rounding of the start the whole error.
 inline void draw(Numbers<scenes::BoxOfParticles>& of, Draw& any) {
     of.velocity = std::round(any.between(0.15, 0.35) * 256) / 256;
 }
@@ -90,13 +90,13 @@ inline void draw(Numbers<scenes::Lever>& of, Draw& any) {
     of.end_x = of.pivot_x + of.length * std::cos(angle);
     of.end_y = of.pivot_y + of.length * std::sin(angle);
 }
-// The end starts where it is and is put on its arm by the first step: the arm's length is its
-// start.
+// The end starts where it is, and the first step puts it onto its arm: the arm's length determines
+// the start.
 inline void draw(Numbers<scenes::PublishedLever>& of, Draw& any) {
     of.length = any.between(0.12, 0.2);
 }
 
-// The numbers of the scene in another scalar: all of them are scalars.
+// The numbers of the scene in another scalar. All of them must be scalars.
 template <class SceneType, class Scalar>
 auto in_scalar(const Numbers<SceneType>& numbers) {
     using Rounded = typename SceneType::template Parameters<Scalar>;
@@ -137,7 +137,7 @@ std::optional<Trajectory> run_from(const Numbers<SceneType>& numbers, int expone
     return trajectory;
 }
 
-// A start of the seed with its truth: where none is known of a draw, the next is drawn.
+// A start drawn from the seed, with its truth. If none is known for a draw, the next is drawn.
 template <class SceneType, class Method>
 std::pair<Numbers<SceneType>, Trajectory> start_of(unsigned seed, int exponent) {
     Draw any(seed);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ranged: a double that remembers the largest magnitude that any of its results had, for a format
-// to be told that it cannot hold them. Dot products and lengths count by what they return alone, as
-// the library's do not overflow within.
+// Ranged: a double that records the largest magnitude of all results, to find out which formats
+// cannot hold them. Of dot products and lengths only the result counts, since the library's have no
+// intermediate overflow.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +25,7 @@ class Ranged {
         made.value_ = value;
         return made;
     }
-    // Of this thread, until it is set back.
+    // Of this thread, until it is reset.
     static double& largest() {
         static thread_local double magnitude = 0;
         return magnitude;
@@ -51,7 +51,7 @@ class Ranged {
     double value_ = 0;
 };
 
-// What the engine's vectors take from their scalar.
+// What the engine's vectors require of their scalar.
 template <int N>
 Ranged dot(const Ranged* a, const Ranged* b) {
     double sum = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// PowerOfTwoStep: 2^-exponent s, as engine::BinaryStep, chosen at run time: the host then needs one
-// instance of a scene for all time steps. Bit for bit BinaryStep's products, which the comparison
-// with the chip shows.
+// PowerOfTwoStep: 2^-exponent s, like engine::BinaryStep, but chosen at run time, so that the host
+// needs one instance of a scene for all time steps. Its products are bit for bit those of
+// BinaryStep, as the comparison with the chip shows.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace scene_bench {
 struct PowerOfTwoStep {
     int exponent;
 
-    // The step in seconds, as a scalar holds it.
+    // The step in seconds as a scalar.
     template <class Scalar>
     operator Scalar() const {
         return seconds(static_cast<const Scalar*>(nullptr));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The hash of the whole state after every step is the same on the host and on the chip, for every
-// scene and every fixed-point format, and its last is pinned. Where the engine is changed on
-// purpose: pin_scene_hashes bench/experiments/scenes/tests/pinned_hashes.csv
+// scene and every fixed-point format, and the last hash is pinned. After an intended change of the
+// engine: pin_scene_hashes bench/experiments/scenes/tests/pinned_hashes.csv
 #include <gtest/gtest.h>
 
 #include "bench/experiments/scenes/chip_run.hpp"
@@ -54,7 +54,7 @@ TEST(PinnedHashes, AreThoseOfAllScenesAndNoMore) {
               all_scenes().size() * pinned_scalars.size());
 }
 
-// An engine that is off by one ulp once in a step.
+// An engine that is off by one ulp once per step.
 struct OffByAnUlp : scenes::SemiImplicit {
     struct Integrator : engine::SemiImplicitEuler {
         template <class World, class TimeStep>

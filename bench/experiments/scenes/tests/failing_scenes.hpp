@@ -6,7 +6,7 @@
 
 namespace scenes {
 
-// Two balls lie on a floor, which makes a contact more than it states.
+// Two balls on a floor, which is one contact more than it states.
 struct Overfull {
     static constexpr const char* name = "overfull";
     static constexpr unsigned duration = 1;
@@ -31,7 +31,8 @@ struct Overfull {
     }
 };
 
-// A spring that is too stiff for any step that it is run with: out of all bounds, and of float's.
+// A spring that is too stiff for any step that it runs with: it leaves all bounds, even those of
+// float.
 struct Exploding {
     static constexpr const char* name = "exploding";
     static constexpr unsigned duration = 4;

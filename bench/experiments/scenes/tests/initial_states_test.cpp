@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Errors from several starts: the spread of known numbers; starts that differ and are the same in
-// every run; and errors that the order of the method explains.
+// every run; and errors that follow from the order of the method.
 #include "bench/experiments/scenes/initial_states.hpp"
 
 #include <gtest/gtest.h>
@@ -45,13 +45,13 @@ TEST(InitialStates, DifferBySeedAndAreTheSameForIt) {
             errors.insert(*error);
         }
         EXPECT_EQ(held, initial_states) << of.scene;
-        // In free fall the method errs alike from every start.
+        // In free fall the method has the same error from every start.
         EXPECT_GT(errors.size(), initial_states / 2) << of.scene;
     }
 }
 
-// From every start, a step 16 times as short: a method of first order errs by a 16th, one of second
-// order by a 256th.
+// From every start with a step 16 times as short: the error of a first-order method falls to a
+// 16th, that of a second-order method to a 256th.
 TEST(InitialStates, ErrorsFallByTheOrderOfTheMethod) {
     for (const char* scene : {"pendulum", "spring_and_mass"}) {
         for (unsigned seed = 1; seed <= initial_states; ++seed) {

@@ -17,14 +17,14 @@ Trajectory along_x(std::initializer_list<double> places) {
     return trajectory;
 }
 
-TEST(LargestDistance, IsTheLargestBehindTheStart) {
+TEST(LargestDistance, IsTheLargestAfterTheStart) {
     EXPECT_EQ(largest_distance(along_x({9, 1, 2}), along_x({0, 1.5, 2.25})), 0.5);
     const Trajectory near = {{{{0, 0, 0}, {}}}, {{{3, 4, 0}, {}}, {{0, 0, 1}, {}}}};
     const Trajectory far = {{{{0, 0, 0}, {}}}, {{{0, 0, 0}, {}}, {{0, 0, 8}, {}}}};
     EXPECT_EQ(largest_distance(near, far), 7);
 }
 
-TEST(LargestDistance, OfWhatIsNoNumberIsNone) {
+TEST(LargestDistance, OfNumbersThatAreNotFiniteIsNone) {
     EXPECT_TRUE(std::isnan(largest_distance(along_x({0, none, 1}), along_x({0, 0, 0}))));
     EXPECT_TRUE(std::isnan(largest_distance(along_x({0}), along_x({0}))));
     EXPECT_TRUE(std::isnan(largest_distance({}, along_x({0, 1}))));
@@ -36,7 +36,8 @@ TEST(Extent, IsTheDiagonal) {
 }
 
 TEST(EnergyDrift, IsAgainstTheTruthsLargestKineticEnergy) {
-    // 1 kg under 9.81 m/s^2: from rest at 20 m to 2 m/s, 2 J, and no metre lower: 9.81 J too many.
+    // 1 kg under 9.81 m/s^2: the truth falls one metre to 2 m/s, 2 J; the run has that speed
+    // without the fall, 9.81 J too much.
     const Trajectory truth = {{{{0, 20, 0}, {}}}, {{{0, 19, 0}, {0, -2, 0}}}};
     Trajectory run = truth;
     EXPECT_EQ(energy_drift("free_fall", run, truth), 0);
@@ -63,7 +64,7 @@ class Verdict : public testing::Test {
 
 TEST_F(Verdict, HeldWithinTheSizeOfTheScene) {
     EXPECT_EQ(of(along_x({0, 0}), 9.9, 0, 200), "held");
-    EXPECT_EQ(of(along_x({0, 0}), none, none, 0), "held");  // no truth to be judged by
+    EXPECT_EQ(of(along_x({0, 0}), none, none, 0), "held");  // no truth to compare with
 }
 TEST_F(Verdict, BeyondTheSize) {
     EXPECT_EQ(of(along_x({0, 0}), 10.1, 0, 127),
@@ -82,7 +83,7 @@ TEST_F(Verdict, TheEnginesOwnError) {
     EXPECT_EQ(of(along_x({0, 0}), 0, 0, 0),
               "failed: more contacts in a step than the scene states");
 }
-// Each threshold is reached without being passed; a number at the format's end does not fit.
+// Each threshold may be reached; a number at the format's end does not fit.
 TEST_F(Verdict, AtItsThresholds) {
     EXPECT_EQ(of(along_x({0, 0}), 10, 0, 200), "held");
     EXPECT_EQ(of(along_x({0, 0}), 10.1, 10, 127),
@@ -95,7 +96,7 @@ TEST_F(Verdict, AtItsThresholds) {
     EXPECT_EQ(of(along_x({0, 0.1}), 0, 0, 0), "held");
     EXPECT_EQ(of(along_x({0, std::nextafter(0.1, 1)}), 0, 0, 0),
               "failed: a rod is 10% off its length");
-    // The worst rod counts, whenever it was, and is told apart from what explains it.
+    // The worst rod counts, whenever it occurred, and is reported separately from its cause.
     EXPECT_EQ(of(along_x({0, 0.5, 0.2, 0}), 0, 0, 0), "failed: a rod is 50% off its length");
     EXPECT_EQ(of(along_x({0, 0.5}), 0, 11, 0).substr(0, 19), "failed: the method ");
     EXPECT_EQ(of(along_x({0, 0.5}), 0, 0, 128).substr(0, 16), "failed: overflow");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the levers' programs divide by, told from their symbols.
+// The divisions in the levers' programs, by their symbols.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ TEST(LinkedQuotients, LeversHaveNone) {
     for (const char* scalar : {"q8_8", "q8_24", "q16_16", "q16_16_saturating", "q32_32"})
         EXPECT_THAT(quotients_of("lever", scalar), testing::IsEmpty()) << scalar;
 }
-// Masses share by the small quotient. That it is listed shows that the search finds one.
+// Masses share by the small quotient. It is listed, which shows that the search finds one.
 TEST(LinkedQuotients, PairsHaveTheSmallOne) {
     for (const char* scene : {"double_pendulum", "newtons_cradle", "stack", "box_of_particles"})
         EXPECT_THAT(quotients_of(scene, "q16_16"),

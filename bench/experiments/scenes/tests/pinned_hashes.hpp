@@ -16,7 +16,7 @@ constexpr std::array pinned_scalars = {"q8_8", "q8_24", "q16_16", "q16_16_satura
 constexpr const char* pinned_method = "semi_implicit_euler";
 constexpr int pinned_exponent = 8;
 
-// As pinned_hashes.csv has them, computed by the host anew.
+// As in pinned_hashes.csv, computed again by the host.
 inline records::Table hash_scenes() {
     records::Table table({"scene", "scalar", "hash"});
     for (const Scene& scene : all_scenes())

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs on the chip and on the host against a fall computed by hand, and runs that fail.
+// Runs on the chip and on the host, compared with a fall computed by hand; and runs that fail.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -44,7 +44,7 @@ void expect_free_fall(const Run& run, int exponent) {
     }
 }
 
-TEST(AnyProgram, OfASplitThatTheBuildKnowsIsTheBuilds) {
+TEST(AnyProgram, OfASplitOfTheBuildIsTheBuilds) {
     const std::filesystem::path made = any_program("free_fall", "q16_16", "semi_implicit_euler", 8);
     const Scene& scene = scene_named("free_fall");
     const ChipRun found = run_on_chip(made, scene, "q16_16", 8, Hashes::no);
@@ -71,7 +71,7 @@ TEST(AnyProgram, IsMadeOnceAndInAnySplit) {
     EXPECT_NEAR(run.trajectory.at(4).at(0).position[1], 24 - 9.81 / 2, 1e-5);
 }
 
-TEST(AnyProgram, TellsOfAFormatThatCannotHoldTheScene) {
+TEST(AnyProgram, ReportsAFormatThatCannotHoldTheScene) {
     EXPECT_THROW(any_program("free_fall", "q2_14", "velocity_verlet", 7), std::runtime_error);
 }
 
@@ -91,7 +91,7 @@ TEST(FreeFall, ByHandOnTheChip) {
                         scene_named("free_fall"), "q16_16", exponent, Hashes::no);
         expect_free_fall(run, exponent);
         EXPECT_EQ(run.steps, 2u << exponent);
-        // Four additions of four bytes at least, and far less than a product.
+        // At least four additions of four bytes, and far less than a product.
         EXPECT_GT(run.cycles_mean, 100);
         EXPECT_LT(run.cycles_mean, 1000);
         EXPECT_GE(run.cycles_max, run.cycles_mean);
@@ -111,7 +111,7 @@ Scene overfull_scene() {
     return scene;
 }
 
-TEST(FailingRun, AContactTooManyEndsIt) {
+TEST(FailingRun, OneContactTooManyEndsIt) {
     const ChipRun on_chip =
         run_on_chip(program_path(programs, "overfull", "q16_16", "semi_implicit_euler", "8"),
                     overfull_scene(), "q16_16", 8, Hashes::no);
@@ -122,7 +122,7 @@ TEST(FailingRun, AContactTooManyEndsIt) {
     EXPECT_EQ(on_host.failure, on_chip.failure);
 }
 
-TEST(FailingRun, ANumberThatIsNoneEndsIt) {
+TEST(FailingRun, ANumberThatIsNotFiniteEndsIt) {
     Scene scene = scene_named("free_fall");
     scene.duration = scenes::Exploding::duration;
     const ChipRun run =

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Scenes that run for long on the simulated chip and on the host, side by side: soak [STEPS], 10^7
-// steps of 2^-8 s of the lever, the stack and the box in Q16.16. Every 100 steps the hashes of both
-// states are compared, and all particles get other velocities along y, the same on both sides. Left
-// alone, the stack lies still after 127 steps and the lever repeats its swings to the bit after
-// 65,535, so that nothing more would be seen. What differs, or reports an error, is told with the
-// steps between which that began: the velocities are drawn from one seed, so that the same call
-// shows it again.
+// Scenes that run for a long time on the simulated chip and on the host, side by side: soak
+// [STEPS], by default 10^7 steps of 2^-8 s of the lever, the stack and the box in Q16.16. Every 100
+// steps the hashes of both states are compared, and all particles get other velocities along y, the
+// same on both sides. Left alone, the stack comes to rest after 127 steps and the lever repeats its
+// swings to the last bit after 65,535, so that nothing more would be tested. A difference or an
+// error is reported with the steps between which it occurred. The velocities are drawn from one
+// seed, so that the same call reproduces it.
 #include <fmt/format.h>
 
 #include <atomic>
@@ -27,7 +27,7 @@ namespace {
 constexpr int exponent = 8;
 constexpr unsigned long between_pushes = 100;
 
-// What differs first, or nothing.
+// The first difference, or nothing.
 template <class SceneType>
 std::string soaked(unsigned long steps, records::Progress& progress) {
     using World = WorldOf<SceneType, scalars::q16_16, scenes::SemiImplicit>;

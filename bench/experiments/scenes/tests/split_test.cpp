@@ -15,7 +15,7 @@ constexpr int chip_exponents[] = {6, 8, 10};
 
 class Split : public testing::TestWithParam<Scene> {
   protected:
-    // The split's run is of one method.
+    // The split runs with one method.
     const HostSubject& subject() const {
         const auto is_split = [&](const HostSubject& one) { return one.scalar == scene.split; };
         return *std::find_if(scene.subjects.begin(), scene.subjects.end(), is_split);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The trace of calls against the profiler, which counts each cycle by other means, and against a
-// plain call of the function.
+// The trace of calls, compared with the profiler, which counts each cycle by other means, and with
+// a plain call of the function.
 #include <gtest/gtest.h>
 
 #include <filesystem>

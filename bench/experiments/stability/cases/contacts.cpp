@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Collisions, stacks, rest, overlap and bodies that cannot move.
+// Collisions, stacks, resting contact, overlap and immovable bodies.
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -39,7 +39,7 @@ Experiment stack_experiment(unsigned n, double gravity) {
     return {made, all_of({no_overlap(made, 0.2), stays_within(made, radius)})};
 }
 
-// Two in line, elastically; the closed form of the velocities after.
+// Two in a line, elastic; with the closed form of the velocities afterwards.
 Experiment head_on(double first_inverse, double second_inverse) {
     Description made;
     made.bodies = {ball({-1, 0}, {1, 0}, first_inverse), ball({0.5, 0}, {}, second_inverse)};
@@ -51,7 +51,7 @@ Experiment head_on(double first_inverse, double second_inverse) {
                                          has_velocity(1, {2 * (1 - share), 0}, 0.05)}))};
 }
 
-// Between two walls with nothing else to do, for so many bounces of about 6.4 steps.
+// Between two walls and nothing else, for that many steps; a bounce takes about 6.4.
 Experiment between_walls(double steps) {
     Description made;
     made.planes = {{{1, 0}, 0, 1}, {{-1, 0}, -0.6, 1}};
@@ -65,8 +65,8 @@ Experiment between_walls(double steps) {
             }};
 }
 
-// Where a ball of `reach` from its target's centre begins, so that its step before it touches ends
-// just short of it: the start that takes it furthest in.
+// Where a ball with `reach` to its target's centre starts, so that the step before it touches ends
+// just short of it: the start that takes it deepest into the target.
 double just_short_of(double reach, double speed, TimeStep dt) {
     return -1.01 * reach - 4 * speed * dt.value();
 }

@@ -8,7 +8,7 @@
 namespace stability {
 namespace {
 
-// One body in flight, whose way is told to a part of itself.
+// One body in flight, whose path must be right to a fraction of itself.
 Experiment flight(const Body& body, Point gravity, TimeStep dt, unsigned steps,
                   double tolerance = 0.1) {
     Description made;

@@ -20,7 +20,7 @@ Experiment holds(const Description& made, double tolerance = 0.05) {
     return {made, rods_hold(made, tolerance)};
 }
 
-// Bodies of 1 kg below one another, the last of another mass, pushed sideways.
+// Bodies of 1 kg hanging below each other, the last with another mass, pushed sideways.
 Description hanging_chain(unsigned n, double last_inverse_mass) {
     Description made;
     for (unsigned i = 0; i < n; ++i) made.bodies.push_back({.position = {0, -0.5 * (i + 1)}});
@@ -275,7 +275,7 @@ std::vector<Case> link_cases() {
              return Experiment{
                  made,
                  from_step(24, all_of({rods_hold(turned, 0.05), [p](const State& state, unsigned) {
-                                           // Beside what gravity and the push give it.
+                                           // In addition to what gravity and the push give it.
                                            return length(state[0].velocity) / (p + 5);
                                        }}))};
          }},

@@ -12,8 +12,8 @@ namespace stability {
 namespace {
 
 constexpr double rest = 32, amplitude = 0.25;  // m
-// What is bounded grows to no more amplitudes, in no fewer steps of the map of stiffness: the
-// report reads both.
+// A bounded motion grows to at most this many amplitudes, in at least this many steps of the map of
+// stiffness. The report reads both constants.
 constexpr double growth = 50, growth_steps = 300;
 constexpr double pi = std::numbers::pi;
 
@@ -27,8 +27,8 @@ Description on_spring(double stiffness, double damping, double inverse_mass, Tim
     return made;
 }
 
-// Bounded by `most` amplitudes about the rest length; begun where it should, within half an
-// amplitude, and half an amplitude moved at the end.
+// Stays within `most` amplitudes of the rest length; starts where it should, within half an
+// amplitude; and has moved half an amplitude by the end.
 Measure oscillates(const Description& description, double extension, double most) {
     const auto lowest = std::make_shared<double>(extension);
     return [spring = description.springs[0], steps = description.steps, extension, most, lowest](
@@ -88,7 +88,7 @@ Experiment at_step_product(double omega_dt, TimeStep dt, unsigned steps) {
 }  // namespace
 
 Case stiffness_at_step(int exponent, bool softer) {
-    // Softer, long enough to move half an amplitude; stiffer, for as many steps as show growth.
+    // Softer: long enough to move half an amplitude. Stiffer: as many steps as show growth.
     return {"stiffness",
             "map",
             "stiffness",

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The operations that the engine asks of float, as the compiler and avr-libc do them on the chip.
+// The operations on float that the engine uses, as the compiler and avr-libc implement them on the
+// chip.
 #include <math.h>
 #include <stdint.h>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A Q16.16 world on the chip that is built from outside, number by number: -DMETHOD=... and
-// -DARITHMETIC=... say how it moves, -DEXPONENT=8 that a step is 2^-8 s, the rest what it holds.
+// -DARITHMETIC=... determine how it moves, -DEXPONENT=8 a step of 2^-8 s, and the other macros its
+// capacities.
 #include <engine.h>
 
 #include <engine/hash.hpp>
@@ -14,7 +15,7 @@ struct Scene : scenes::UsesWith<METHOD> {
                               anchored_springs = ANCHORED_SPRINGS, drags = DRAGS, rods = RODS,
                               anchored_rods = ANCHORED_RODS, ropes = ROPES,
                               anchored_ropes = ANCHORED_ROPES, planes = PLANES;
-    // Rods that are contacts bounce as contacts do.
+    // Rods that are contacts take contact rows.
     static constexpr unsigned contacts = CONTACTS + (METHOD::Solver::rows_per_rod > 1);
     static constexpr bool gravity = GRAVITY, damping = DAMPING, collisions = COLLISIONS,
                           radii = COLLISIONS || PLANES, custom_force = FORCES,
@@ -32,7 +33,7 @@ using engine::only_if;
 
 extern "C" {
 
-// What the next call is about: numbers in SI units; the particles at both ends, of which the second
+// The arguments of the next call: numbers in SI units, and the particles at both ends; the second
 // may be none.
 Scalar numbers[9];
 struct {
@@ -45,10 +46,10 @@ World::Vector vector(uint8_t i) { return {numbers[i], numbers[i + 1]}; }
 World::Handle handle(uint8_t i) { return {static_cast<World::Index>(i)}; }
 
 #define FROM_OUTSIDE extern "C" __attribute__((noinline))
-// A function that has nothing to do in this world is linked all the same.
+// Keeps a function that has nothing to do in this world, so that it is linked.
 inline void keep() { __asm__ volatile(""); }
 
-// Gravity, restitution, the velocity of rest.
+// Gravity, restitution, restitution threshold.
 FROM_OUTSIDE void set_world() {
     keep();
     only_if<GRAVITY>(world, [](auto& w) { w.gravity = vector(0); });

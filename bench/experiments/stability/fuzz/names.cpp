@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// libFuzzer: names that mean something: formats, operations, symbols of subjects, operand classes,
-// shards; and the command line that the battery is asked with.
+// libFuzzer: names with a meaning (formats, operations, symbols of subjects, operand classes,
+// shards), and the command line of the battery.
 #include "bench/lab/program/names.hpp"
 
 #include <sstream>
@@ -14,7 +14,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (size == 0) return 0;
     const std::string text(reinterpret_cast<const char*>(data) + 1, size - 1);
-    // What a shell passes on: a message quotes it as it is.
+    // What a shell passes on: a message quotes it unchanged.
     for (const char c : text)
         if (static_cast<unsigned char>(c) < ' ') return -1;
     switch (data[0] % 6) {

@@ -9,7 +9,7 @@
 
 namespace {
 
-// What was read and printed reads as the same number, by a stream as by parse().
+// A number that was read and printed reads as the same number, by a stream as by parse().
 template <class Number>
 void read(std::string_view text) {
     using fixedpoint::TextStatus;

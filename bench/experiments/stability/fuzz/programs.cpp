@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// libFuzzer: ELF files of programs for the chip, read and run for a moment.
+// libFuzzer: ELF files of programs for the chip, read and run briefly.
 #include "bench/chip/simulator/chip.hpp"
 #include "bench/experiments/stability/fuzz/refusal.hpp"
 

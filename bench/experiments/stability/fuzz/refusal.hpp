@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the fuzzers of text share: bad input is refused by an exception of one line, and nothing
-// else may happen.
+// What the fuzzers of text share: bad input must be refused by an exception of one line, and
+// nothing else may happen.
 #pragma once
 
 #include <unistd.h>
@@ -22,7 +22,7 @@ inline void check(bool holds, const char* what) {
     std::abort();
 }
 
-// Whether the function took it.
+// Whether the function accepted its input.
 template <class Function>
 bool takes(Function function) {
     try {
@@ -36,13 +36,13 @@ bool takes(Function function) {
     }
 }
 
-// In memory where there is such a folder: thousands of files a second are written.
+// In memory if there is such a folder, since thousands of files a second are written.
 inline std::filesystem::path temporary() {
     const std::filesystem::path in_memory = "/dev/shm";
     return std::filesystem::is_directory(in_memory) ? in_memory
                                                     : std::filesystem::temp_directory_path();
 }
-// A folder of this process.
+// A folder for this process.
 inline const std::filesystem::path& folder() {
     static const std::filesystem::path made = [] {
         const auto path = temporary() / ("fuzz." + std::to_string(getpid()));
@@ -55,7 +55,7 @@ inline const std::filesystem::path& folder() {
     }();
     return made;
 }
-// A file there that holds the text.
+// A file in that folder that contains the text.
 inline std::filesystem::path file(const char* name, std::string_view text) {
     const std::filesystem::path path = folder() / name;
     std::ofstream(path, std::ios::binary | std::ios::trunc)

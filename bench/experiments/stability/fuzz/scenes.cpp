@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// libFuzzer: worlds of any numbers, links and capacities, in every scalar and method. Nothing may
-// trap, hang or read out of bounds; the sanitizers tell.
+// libFuzzer: worlds with any numbers, links and capacities, in every scalar and method. Nothing may
+// trap, hang or read out of bounds; the sanitizers detect it.
 #include <cstdint>
 #include <cstring>
 
@@ -8,7 +8,7 @@
 
 namespace {
 
-// Numbers out of the bytes that are left; zeros when there are none.
+// Numbers from the remaining bytes; zeros when there are none left.
 class Source {
   public:
     Source(const std::uint8_t* data, std::size_t size) : data_(data), left_(size) {}
@@ -17,7 +17,7 @@ class Source {
         --left_;
         return *data_++;
     }
-    // Of every magnitude, with what formats stumble over among them.
+    // Of every magnitude, including values that are difficult for formats.
     double number() {
         const std::uint8_t kind = byte();
         const auto small = static_cast<std::int8_t>(byte());
@@ -43,7 +43,7 @@ class Source {
 
 stability::Link link(Source& source) {
     stability::Link made;
-    made.a = source.byte() % 24;  // beyond the bodies there are, too
+    made.a = source.byte() % 24;  // may be beyond the bodies
     made.b = source.byte() % 24 - 1;
     made.anchor = source.point();
     made.length = source.number();

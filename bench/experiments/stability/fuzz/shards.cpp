@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// libFuzzer: the files that parts of an exhaustive run leave, joined.
+// libFuzzer: joins the files of the parts of an exhaustive run.
 #include "bench/experiments/exhaustive/exhaustive.hpp"
 #include "bench/experiments/stability/fuzz/refusal.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Long motion against closed forms: radii of maps whose eigenvalues are known; maps fitted to runs
-// of them; and of double, whose rounding does not count, what theory says.
+// Long motion, compared with closed forms: radii of maps with known eigenvalues; maps fitted to
+// their runs; and double, whose rounding is negligible, with theory.
 #include "bench/experiments/stability/dynamics.hpp"
 
 #include <gtest/gtest.h>
@@ -46,13 +46,13 @@ TEST(FittedMap, IsTheMapOfTheRun) {
     for (int i = 0; i < 4; ++i) EXPECT_NEAR(fitted[i], map[i], 1e-9) << i;
 }
 
-TEST(FittedMap, IsNoneWhereTheStatesDoNotTellIt) {
+TEST(FittedMap, IsNoneWhereTheStatesDoNotDetermineIt) {
     EXPECT_TRUE(fitted_map({{1, 0}, {0.5, 0}, {0.25, 0}}).empty());
 }
 
 class InDouble : public testing::TestWithParam<Subject> {};
 
-TEST_P(InDouble, GrowsAsTheoryHasIt) {
+TEST_P(InDouble, GrowsAsInTheory) {
     for (const DynamicsRow& row : growth_of(GetParam())) {
         ASSERT_TRUE(row.measured.has_value()) << row.at;
         EXPECT_NEAR(*row.measured, *row.theory, 1e-7) << row.system << ' ' << row.at;
@@ -67,7 +67,7 @@ TEST_P(InDouble, GainsTheEnergyOfItsMethod) {
             << row.system << ' ' << row.at;
     }
 }
-// Velocity Verlet is its own inverse with velocities turned round; a method of first order is not.
+// Velocity Verlet is its own inverse with reversed velocities; a first-order method is not.
 TEST_P(InDouble, ComesBackWhereTheMethodIsSymmetric) {
     for (const DynamicsRow& row : reversal_of(GetParam())) {
         if (row.system == "pendulum") continue;
@@ -81,7 +81,7 @@ TEST_P(InDouble, ComesBackWhereTheMethodIsSymmetric) {
 INSTANTIATE_TEST_SUITE_P(Methods, InDouble, testing::ValuesIn(subjects_of_double()),
                          [](const auto& instance) { return instance.param.integrator; });
 
-// Where rounding to nearest lets a damped spring rest, in every fixed-point format.
+// Where round-to-nearest lets a damped spring rest, in every fixed-point format.
 TEST(DeadBand, IsWithinItsBound) {
     for (const Subject& subject : subjects()) {
         if (subject.ulp == 0 || subject.arithmetic == "published") continue;
@@ -92,7 +92,7 @@ TEST(DeadBand, IsWithinItsBound) {
     }
 }
 
-// Forces of springs are sums: their order changes no more than the rounding of the sums.
+// Forces of springs are sums: their order changes only the rounding of the sums.
 TEST(Order, OfSpringsDoesNotMatter) {
     for (const Subject& subject : subjects()) {
         if (subject.ulp == 0 || subject.integrator == "implicit_springs") continue;
@@ -116,9 +116,10 @@ Estimate estimate(const std::vector<double>& sample) {
     return {sum / n, std::sqrt(squares / (n - 1) / n)};
 }
 
-// Of runs of the engine, and of the equations of motion: both tell how fast neighbours part, and so
-// what a bit of resolution buys. A motion of some seconds grows at a rate of its own: the mean over
-// the starts is held to three of its own standard errors, which must tell it from no growth.
+// From runs of the engine and from the equations of motion: both show how fast neighbours separate,
+// and so what a bit of resolution gains. A motion of a few seconds grows at its own rate: the mean
+// over the starts must agree within three of its standard errors, which must distinguish it from no
+// growth.
 TEST(Divergence, IsByTheLyapunovExponent) {
     const double exponent = lyapunov_exponent(30);
     EXPECT_NEAR(exponent, lyapunov_exponent(60), 0.03 * exponent);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The device's float at its extremes: the classes of operands, and what differs from the host's.
+// The device's float at its extremes: the classes of operands, and the differences from the host's.
 #include "bench/experiments/stability/float_extremes.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ TEST(FloatClasses, AreByTheFirstThatApplies) {
 }
 
 // avr-libc rounds some subnormal quotients wrongly: (1 + 2^-23) 2^-126 / 2^24 is above half of the
-// smallest subnormal, which is the nearest float. All else is as IEEE 754 has it.
+// smallest subnormal, which is the nearest float. Everything else follows IEEE 754.
 TEST(DeviceFloat, DiffersFromIeeeInSubnormalQuotientsAlone) {
     std::set<std::string> operations;
     for (const FloatRow& row : compare_floats(FLOAT_PROGRAM)) {

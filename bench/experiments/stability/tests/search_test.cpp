@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The search against closed forms: a subject that does nothing, and a case that breaks exactly at a
-// parameter and in a step.
+// The search, compared with closed forms: a subject that does nothing, and a case that fails
+// exactly at a parameter and in a step.
 #include "bench/experiments/stability/search.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 using fixedpoint::Event;
 using fixedpoint::Operation;
 
-// What the run tells besides the steps; set by a test.
+// What the run reports in addition to the steps; set by a test.
 std::function<void(Outcome&, unsigned step)> incident;
 
 Outcome run(const Description& description, const Watch& watch) {
@@ -33,7 +33,8 @@ class Search : public testing::Test {
   protected:
     ~Search() override { incident = nullptr; }
 
-    // Holds up to `limit`, and breaks beyond it in step `from`, from where the measure is `beyond`.
+    // Holds up to `limit`, and fails beyond it in step `from`, from which on the measure is
+    // `beyond`.
     Case breaking(double first, double last, double limit, double beyond = 20, unsigned from = 7) {
         Case one{"test", "springs", "parameter", "m", first, last, "closed form", {}};
         const bool rising = last > first;
@@ -51,12 +52,12 @@ class Search : public testing::Test {
     }
 };
 
-// The k-th point of `count` between the ends, on a logarithmic scale.
+// Point number k of `count` between the ends, on a logarithmic scale.
 double point(double first, double last, double k, double count) {
     return first * std::pow(last / first, k / count);
 }
 
-// The last parameter that held is the limit rounded down to the grid that bisection divides.
+// The last parameter that held is the limit, rounded down to the grid of the bisection.
 TEST_F(Search, BisectsToTheLastPointBeforeTheLimit) {
     struct {
         double first, last, count;
@@ -91,7 +92,7 @@ TEST_F(Search, NothingHolds) {
     EXPECT_EQ(finding.step, 7u);
 }
 
-// Ten tolerances are a divergence, less is a drift by so many tolerances a second.
+// Ten tolerances are a divergence, less is a drift by that many tolerances per second.
 TEST_F(Search, TellsDriftFromDivergence) {
     const auto found = [&](double measure, unsigned from) {
         return find_limit(breaking(1, 1000, 30, measure, from), nothing, {2, 3});
@@ -106,14 +107,14 @@ TEST_F(Search, TellsDriftFromDivergence) {
     EXPECT_EQ(found(std::nextafter(1.0, 2), 7).verdict, Verdict::drifts);
 }
 
-TEST_F(Search, ABreakAtTheStartIsOneOfTheFirstStep) {
+TEST_F(Search, AFailureAtTheStartBelongsToTheFirstStep) {
     const Trial trial = attempt(nothing, breaking(1, 1000, 0.5, 20, 0).at(1));
     EXPECT_FALSE(trial.held);
     EXPECT_EQ(trial.failed_step, 1u);
     EXPECT_EQ(trial.outcome.steps, 0u);
 }
 
-TEST_F(Search, AttemptRunsOnUntilTheMeasurePassesWhereItIsToStop) {
+TEST_F(Search, AttemptRunsUntilTheMeasurePassesItsStop) {
     Experiment growing = breaking(1, 1000, 1000).at(1);
     growing.measure = [](const State&, unsigned step) { return step / 10.0; };
     const Trial trial = attempt(nothing, growing, 5);
@@ -123,7 +124,7 @@ TEST_F(Search, AttemptRunsOnUntilTheMeasurePassesWhereItIsToStop) {
     EXPECT_EQ(attempt(nothing, growing).outcome.steps, 11u);
 }
 
-// An endurance ends with the last step before the break.
+// An endurance ends with the last step before the failure.
 TEST_F(Search, EnduranceCountsTheStepsThatHeld) {
     Case one = breaking(1, 50, 60);
     one.endurance = true;
@@ -142,8 +143,8 @@ TEST_F(Search, EnduranceCountsTheStepsThatHeld) {
     EXPECT_EQ(find_limit(one, nothing, {2, 10, 30}).limit, 30);
 }
 
-// What the subject itself tells comes before what the measure says; the earliest cause counts.
-TEST_F(Search, NamesWhatTheSubjectTells) {
+// What the subject itself reports takes precedence over the measure; the earliest cause counts.
+TEST_F(Search, NamesWhatTheSubjectReports) {
     const Case one = breaking(1, 1000, 30, 20, 7);
     const auto found = [&](std::function<void(Outcome&, unsigned)> happens) {
         incident = std::move(happens);
@@ -161,7 +162,7 @@ TEST_F(Search, NamesWhatTheSubjectTells) {
     EXPECT_EQ(finding.first_event, "too many contacts");
 }
 
-TEST_F(Search, WhatWrapsFailsWithoutAMeasure) {
+TEST_F(Search, AWrapFailsWithoutAMeasure) {
     incident = [](Outcome& outcome, unsigned step) {
         if (step == 5) outcome.record.notify(Event::overflow, Operation::multiply);
     };
@@ -172,9 +173,9 @@ TEST_F(Search, WhatWrapsFailsWithoutAMeasure) {
     EXPECT_EQ(finding.step, 5u);
 }
 
-// A cause counts up to the step in which the measure fails, and no later.
+// A cause counts only up to the step in which the measure fails.
 TEST_F(Search, ACauseIsNoLaterThanItsEffect) {
-    // The measure passes 1 in step 7 and 10 in step 60, so that the run goes on in between.
+    // The measure passes 1 in step 7 and 10 in step 60, so that the run continues in between.
     Case one = breaking(1, 1000, 30);
     const auto at = one.at;
     one.at = [at](double parameter) {
@@ -211,8 +212,8 @@ TEST_F(Search, ACauseIsNoLaterThanItsEffect) {
     }
 }
 
-// Products that vanish explain a drift where they do so in half of the steps and double holds. The
-// engine in double hands over the one body of the description, the subject above hands over none.
+// Vanishing products explain a drift if they vanish in half of the steps and double holds. The
+// engine in double returns the one body of the description, the subject above returns none.
 TEST_F(Search, UnderflowsWhereHalfOfTheStepsDoAndDoubleHolds) {
     const auto found = [&](const Subject& subject, unsigned steps, double measure,
                            double in_double) {

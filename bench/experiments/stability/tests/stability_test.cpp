@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The battery against what theory says, and what the engine promises for scenes at random.
+// The battery, compared with theory and with what the engine promises for random scenes.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -25,7 +25,7 @@ Finding find(const std::string& name, const std::string& scalar, const std::stri
     return find_limit(case_named(name), subject(scalar, arithmetic, integrator), fine);
 }
 
-TEST(Recording, SaturatingReturnsWhatSaturatingReturnsAndTellsWhatItClamped) {
+TEST(Recording, SaturatingReturnsWhatSaturatingReturnsAndReportsWhatSaturated) {
     using S = fixedpoint::Saturating;
     using R = RecordingSaturating;
     EXPECT_TRUE(rc::check([](const std::array<std::int16_t, 3>& a,
@@ -83,7 +83,7 @@ INSTANTIATE_TEST_SUITE_P(Symplectic, OmegaTimesStep,
                                          std::pair{"float", "semi_implicit_euler"},
                                          std::pair{"float", "velocity_verlet"}));
 
-// The amplitude of an oscillation that one body of 1 kg on a spring reaches in so many steps.
+// The amplitude that the oscillation of one body of 1 kg on a spring reaches in that many steps.
 double amplitude_after(const Subject& subject, double omega_dt, unsigned steps) {
     const double omega = omega_dt * 16;
     Description made;
@@ -101,7 +101,7 @@ double amplitude_after(const Subject& subject, double omega_dt, unsigned steps) 
     return amplitude;
 }
 
-// Explicit Euler multiplies the amplitude by sqrt(1 + (omega dt)^2) a step, for every omega dt.
+// Explicit Euler multiplies the amplitude by sqrt(1 + (omega dt)^2) per step, for every omega dt.
 TEST(ExplicitEuler, GrowsForEveryStep) {
     const Subject& explicit_euler = subject("q32_32", "nearest", "explicit_euler");
     for (const double omega_dt : {0.01, 0.1, 0.5, 1.0}) {
@@ -119,7 +119,7 @@ TEST(ImplicitSprings, AreStableFarBeyondTheExplicitLimit) {
                   .verdict,
               Verdict::stable);
     EXPECT_DOUBLE_EQ(find("spring_coarse_step", "q32_32", "implicit_springs").limit, 1e4);
-    // In Q16.16 up to the stiffness that the format holds.
+    // In Q16.16, up to the stiffness that the format holds.
     const Finding found = find("spring_coarse_step", "q16_16", "implicit_springs");
     EXPECT_EQ(found.first_event, "overflow convert stiffness");
     EXPECT_NEAR(found.limit, std::sqrt(32768.0) / 4, 0.5);
@@ -144,20 +144,20 @@ TEST(Engine, DefaultOutlivesThePublishedByAHundredfoldStiffness) {
     EXPECT_GT(ours * ours, 100 * published * published);
 }
 
-TEST(Engine, ResiduesMoveWhatRoundingHolds) {
+TEST(Engine, ResidualsMoveWhatRoundingStops) {
     const double rounded = find("slow", "q16_16", "semi_implicit_euler").limit;
     const double carried = find("slow", "q16_16", "semi_implicit_compensated").limit;
     EXPECT_LT(carried, rounded / 100);
 }
 
-// Pools filled to their capacity, and by one more, in every subject.
-TEST(Engine, ReportsWhatAWorldHasNoRoomFor) {
+// Pools filled to their capacity, and beyond it by one, in every subject.
+TEST(Engine, ReportsFullPools) {
     const Measure anything = [](const State&, unsigned) { return 0.0; };
     Description bodies;
     for (int i = 0; i < 20; ++i) bodies.bodies.push_back({.position = {4.0 * i, 0}});
     bodies.dt = TimeStep::binary(8);
     bodies.steps = 1;
-    // How many of a kind there may be, and what adds the i-th of them.
+    // The capacity of each kind, and what adds element number i.
     const struct {
         const char* kind;
         int capacity;
@@ -221,7 +221,7 @@ TEST(Engine, ReportsWhatAWorldHasNoRoomFor) {
     }
 }
 
-// A ablation is one thing: what it does not touch moves as before.
+// An ablation changes one thing: what it does not touch moves as before.
 TEST(Ablations, LeaveEverythingElseAsItIs) {
     const auto ends_at = [](const Description& made, const char* method,
                             const char* arithmetic = "nearest") {
@@ -271,7 +271,7 @@ TEST(Ablations, LeaveEverythingElseAsItIs) {
     EXPECT_NE(ends_at(springs, "positions_first"), on_springs);
 }
 
-// The world that has everything moves as the one that has only what its scene states.
+// The world that has everything moves like the one that has only what its scene states.
 TEST(Everything, MovesAsTheSceneItself) {
     unsigned compared = 0;
     scenes::for_each_scene([&](auto scene) {
@@ -282,7 +282,7 @@ TEST(Everything, MovesAsTheSceneItself) {
             scenes::build<Scene>(world);
             Description made = describe_scene(Scene::name, 8);
             made.steps = 400;
-            // A scene may add up positions in its own scalar.
+            // A scene may sum positions in its own scalar.
             for (std::size_t i = 0; i < made.bodies.size(); ++i) {
                 const auto& position = world.particles()[i].position;
                 made.bodies[i].position = {to_double(position[0]), to_double(position[1])};
@@ -344,7 +344,7 @@ TEST(AnyFormat, ComputesAsFixedDoes) {
     }));
 }
 
-// Worlds at random within what a format holds with room to spare.
+// Random worlds within what a format holds with room to spare.
 Description random_springs() {
     Description made;
     const int n = *rc::gen::inRange(2, 6);
@@ -365,7 +365,8 @@ Description random_springs() {
 TEST(RandomSprings, KeepTheirMomentumToTheRounding) {
     EXPECT_TRUE(rc::check([] {
         const Description made = random_springs();
-        // A step rounds each velocity by an ulp or so a spring, and each product with inverse mass.
+        // A step rounds each velocity by about an ulp per spring, and each product with inverse
+        // mass.
         const double ulp = std::ldexp(1.0, -16);
         Point before;
         for (const Body& body : made.bodies)

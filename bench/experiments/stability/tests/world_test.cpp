@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Worlds at random, and those of the ablations, are the same on the host and on the simulated chip:
+// Random worlds, and those of the ablations, are the same on the host and on the simulated chip:
 // the hash of the state after each step, and the error that ends them.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -35,8 +35,8 @@ std::uint32_t hash_of(const State& state) {
     return hash;
 }
 
-// How many steps the host took, in each of which the chip's state was the same. The first that
-// differs is told by `differs_at`.
+// How many steps the host made, after each of which the chip's state was the same. The first that
+// differs is in `differs_at`.
 struct Comparison {
     unsigned steps = 0;
     std::optional<unsigned> differs_at;
@@ -53,7 +53,7 @@ Comparison compare(const Subject& on_host, const std::filesystem::path& on_chip,
         return !result.differs_at;
     });
     result.error = host.error;
-    // The step that an error ends is not shown on the host.
+    // The host does not show a step that an error ends.
     if (!host.error.empty() && host.steps > result.steps) chip.step();
     const std::string chip_error =
         chip.error() == engine::Error::none ? "" : engine::describe(chip.error());
@@ -67,7 +67,7 @@ Point random_point(int most, double unit) {
     return {x, random_number(most, unit)};
 }
 
-// Of four bodies in a few metres, which overlap, pull and hold one another.
+// Four bodies within a few metres, which overlap, pull and hold each other.
 Description random_world() {
     Description made;
     const int n = *rc::gen::inRange(1, 5);
@@ -85,7 +85,7 @@ Description random_world() {
         if (n > 1 && *rc::gen::arbitrary<bool>()) link.b = (link.a + *rc::gen::inRange(1, n)) % n;
         return link;
     };
-    // Two of each kind there is room for.
+    // There is room for two of each kind.
     for (int i = *rc::gen::inRange(0, 3); i > 0; --i)
         made.springs.push_back(
             {ends(), *rc::gen::inRange(0, 4000) / 16.0, *rc::gen::inRange(0, 40) / 16.0});
@@ -133,8 +133,8 @@ INSTANTIATE_TEST_SUITE_P(Methods, RandomWorlds,
                                          std::pair{"continuous_contacts", "ContinuousContacts"}),
                          [](const auto& info) { return info.param.second; });
 
-// A chip that is another world differs: the comparison can fail.
-TEST(Comparison, TellsAnotherMethodAndAnotherNumber) {
+// A chip with another world differs: the comparison can fail.
+TEST(Comparison, DetectsAnotherMethodAndAnotherNumber) {
     Description made;
     made.bodies = {{.position = {3, 0}}};
     made.springs = {{{.length = 2}, 50, 0}};
@@ -150,7 +150,7 @@ TEST(Comparison, TellsAnotherMethodAndAnotherNumber) {
     EXPECT_THROW(ChipWorld(program("random_SemiImplicit"), made), std::runtime_error);
 }
 
-// The programs whose cycles ablations.csv tells are the methods whose limits it tells.
+// The programs whose cycles are in ablations.csv are those of the methods whose limits it contains.
 class AblationPrograms : public testing::TestWithParam<std::array<const char*, 3>> {};
 
 TEST_P(AblationPrograms, MoveAsTheirMethodsOnTheHost) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The two divisions whose cycles are spread out by operand.
+// The two divisions whose cycles are studied by operand.
 #include <fixedpoint/published/divide.hpp>
 
 extern "C" {

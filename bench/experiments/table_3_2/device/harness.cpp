@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The published timing harness: for each type and operation a loop of 30000 on volatile operands,
-// timed by the Arduino core's millis(). What the report leaves open about its loop, its operators
-// and its arithmetic is a macro, one value of each a hypothesis; the three loop forms share a
-// program:
+// timed by the Arduino core's millis(). Each detail of loop, operators and arithmetic that the
+// publication leaves open is a macro, each value of which is a hypothesis. The three loop forms
+// share a program:
 //   cell_assign_<type>_<operation>      c = a op b
 //   cell_accumulate_<type>_<operation>  c += a op b
 //   cell_replace_<type>_<operation>     a = a op b
-// The host writes operands and the cell to be timed into .noinit, which the start-up code leaves
-// alone, and reads `elapsed_ms` when `finished` is reached.
+// The host writes operands and the cell to time into .noinit, which the start-up code leaves
+// unchanged, and reads `elapsed_ms` when `finished` is reached.
 
 #include <Arduino.h>
 
@@ -23,9 +23,9 @@
 #ifndef LOCAL_OPERANDS
 #define LOCAL_OPERANDS 0
 #endif
-// The operators of the fixed-point types: 0 inlined, 1 functions with arguments by value,
-// 2 such functions whose result passes through a constructor that is a call too,
-// 3 functions with arguments by reference.
+// The operators of the fixed-point types: 0 inlined, 1 functions with arguments by value, 2 such
+// functions whose result passes through a constructor that is called, too, 3 functions with
+// arguments by reference.
 #ifndef OPERATORS
 #define OPERATORS 0
 #endif
@@ -33,7 +33,7 @@
 #ifndef VARIABLE_SHIFT
 #define VARIABLE_SHIFT 0
 #endif
-// Operands are widened: 0 after they were made positive, 1 before.
+// Operands are widened: 0 after taking their magnitudes, 1 before.
 #ifndef WIDENED_FIRST
 #define WIDENED_FIRST 0
 #endif
@@ -49,8 +49,8 @@
 
 const int iterations = 30000;
 
-// The arithmetic of the fixed-point types: the library's, or, for a hypothesis on how the report
-// wrote it, the same steps spelled another way.
+// The arithmetic of the fixed-point types: the library's or, for a hypothesis on how it was
+// written, the same steps written differently.
 #if VARIABLE_SHIFT || WIDENED_FIRST
 
 template <int F>
@@ -107,7 +107,7 @@ struct Arithmetic {
 
 #endif
 
-// What a cell calls: the operators of each type, and the addition that `c +=` stands for.
+// What a cell calls: the operators of each type, and the addition in `c +=`.
 template <class T>
 struct Native {
     static INLINED T add(T a, T b) { return a + b; }
@@ -202,7 +202,7 @@ extern "C" {
 void (*volatile timed_cell)() NOINIT;
 volatile uint32_t elapsed_ms NOINIT;
 
-// What the core's delay(), which nothing calls, refers to.
+// Referenced by the core's delay(), which nothing calls.
 void yield() {}
 
 CALLED __attribute__((used)) void finished() {

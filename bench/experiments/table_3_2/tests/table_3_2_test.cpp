@@ -24,17 +24,18 @@ Program plain_program() {
     throw std::runtime_error("no plain program");
 }
 
-// By hand: lds 2 a byte of both operands, sub and sbc 1 a byte, sts 2 a byte, sbiw 2 and brne 2.
+// By hand: lds takes 2 per byte of both operands, sub and sbc 1 per byte, sts 2 per byte, sbiw 2
+// and brne 2.
 TEST(Harness, CyclesOfAPassAreThoseCountedByHand) {
     Harness harness(plain_program().elf);
     EXPECT_EQ(harness.cycles("assign", {"int16_t", "subtract"}, seven_by_three, 5), 7 * 2 + 4);
     EXPECT_EQ(harness.cycles("assign", {"int32_t", "subtract"}, seven_by_three, 5), 7 * 4 + 4);
-    // One more load and one more addition a byte.
+    // One more load and one more addition per byte.
     EXPECT_EQ(harness.cycles("accumulate", {"int16_t", "add"}, seven_by_three, 5), 10 * 2 + 4);
 }
 
-// 30000 passes of 18 cycles are 33.75 ms, of which the timer's interrupt takes half a percent more.
-TEST(Harness, MillisecondsAreTheCoresOwn) {
+// 30000 passes of 18 cycles are 33.75 ms; the timer's interrupt takes half a percent more.
+TEST(Harness, MillisecondsAreThoseOfTheCore) {
     Harness harness(plain_program().elf);
     const auto ms = harness.milliseconds("assign", {"int16_t", "subtract"}, seven_by_three);
     EXPECT_GE(ms, 33u);
@@ -58,7 +59,7 @@ TEST(Judge, WithinTenPercentIsReproduced) {
     EXPECT_EQ(judge(100, 111, hypothesis, {}).verdict, "not reproducible");
 }
 
-// Both ends belong to the 10%, of published figures of every size.
+// Both ends belong to the 10%, for published figures of every size.
 TEST(Judge, ExactlyTenPercentIsReproduced) {
     const Hypothesis hypothesis{plain_program(), "assign", seven_by_three};
     Hypothesis other = hypothesis;
@@ -159,7 +160,7 @@ TEST(Division, AFitFindsTheCoefficientsOfALaw) {
     EXPECT_NEAR(law.per_byte, 200, 1e-6);
     EXPECT_NEAR(law.per_one, 8, 1e-6);
     EXPECT_NEAR(law.max_residual, 0, 1e-6);
-    // Two bytes whose eight ones and eight zeros are 8 * 8 cycles.
+    // Two bytes whose eight ones and eight zeros take 8 * 8 cycles.
     EXPECT_NEAR(law.bytes_for(500 + 2 * 200 + 8 * 8), 2, 1e-6);
     divisions.front().cycles += 100;
     EXPECT_GT(fit_division_law(divisions).max_residual, 50);
@@ -172,7 +173,7 @@ TEST(Division, QuotientBytesAreCountedWithoutLeadingZeros) {
     EXPECT_EQ(quotient_bytes(INT32_MIN, 1), 6);
 }
 
-// The law is exact: not a cycle is left over on any operands.
+// The law is exact: not a cycle is unexplained for any operands.
 TEST(Division, TheDevicesDivisionFollowsTheLaw) {
     const DivisionStudy study = study_division(DIVISION_ELF, seven_by_three, 500);
     EXPECT_LT(study.law.max_residual, 1e-6);
@@ -182,8 +183,8 @@ TEST(Division, TheDevicesDivisionFollowsTheLaw) {
     EXPECT_NEAR(study.law.predict(last.a, last.b), last.cycles, 1e-6);
 }
 
-// By hand: limits, resolution, floor(F log10 2) digits, half the resolution; of float what IEEE 754
-// says.
+// By hand: limits, resolution, floor(F log10 2) digits, half the resolution; for float the values
+// of IEEE 754.
 TEST(Table31, IsThatOfEachFormat) {
     using Rows = std::vector<std::vector<std::string>>;
     EXPECT_EQ(

@@ -12,7 +12,7 @@ using reference::Operation;
 
 __extension__ typedef __float128 Real;
 
-// In units of an ulp of Q16.16.
+// In ulp of Q16.16.
 Real distance_from_a_tie(Operation operation, std::int64_t raw) {
     const Real a = Real(raw) / 65536;
     const Real result = 65536 * (operation == Operation::sin   ? sinf128(a)
@@ -38,7 +38,7 @@ TEST(ClosestTies, AreCloserThanAnyRandomOperandMayBe) {
     }
 }
 
-TEST(ClosestTies, BelongToCorrectRoundingAlone) {
+TEST(ClosestTies, BelongOnlyToCorrectRounding) {
     EXPECT_TRUE(
         closest_ties({Operation::sin, reference::q16_16, reference::Arithmetic::nearest}).empty());
     EXPECT_TRUE(closest_ties({Operation::reciprocal_sqrt, reference::q16_16,

@@ -54,7 +54,7 @@ TEST(OperandClass, TheSameSeedGivesTheSameOperands) {
 }
 
 TEST(OperandClass, TheFirstDrawsStayWhatTheyAre) {
-    // Committed figures rest on these operands.
+    // Committed figures depend on these operands.
     Sampler sampler(Operation::multiply, reference::q16_16, OperandClass::physics, 1);
     std::int64_t operands[2];
     sampler.next(operands);
@@ -82,7 +82,7 @@ TEST(OperandClass, PhysicsIsLogUniform) {
         EXPECT_NEAR(share(values, 0.01, 0.1), decade, 0.01) << format;
         EXPECT_NEAR(share(values, 0.1, 1), decade, 0.01) << format;
         EXPECT_NEAR(share(values, -10, -1), decade, 0.01) << format;
-        // Within a binade too.
+        // Also within a binade.
         const double half_binade = std::log(1.5) / std::log(2000) / 2;
         EXPECT_NEAR(share(values, 1, 1.5), half_binade, 0.005) << format;
     }
@@ -119,11 +119,12 @@ TEST(OperandClass, UniformTakesEveryRawAlike) {
         sampler.next(operands);
         for (const std::int64_t raw : operands) ++counts.at(std::size_t(raw + 128));
     }
-    // The sum of squared deviations over 256 cells is 255 +- 23; beyond 5 of those it is no chance.
+    // The sum of squared deviations over 256 cells is 255 +- 23; more than 5 standard deviations is
+    // not chance.
     double deviation = 0;
     for (const int count : counts) deviation += (count - 1000.0) * (count - 1000.0) / 1000;
     EXPECT_NEAR(deviation, 255, 5 * 23);
-    // Pairs too: a quotient's path depends on both.
+    // Also in pairs: the path of a quotient depends on both.
     const auto values = sample(Operation::multiply, "q32_32", OperandClass::uniform);
     EXPECT_NEAR(share(values, 0, 0x1p30), 0.25, 0.01);
     EXPECT_NEAR(share(values, -0x1p31, -0x1p30), 0.25, 0.01);
@@ -180,8 +181,8 @@ TEST(OperandClass, ExponentsOfPowersAreSmallIntegers) {
     }
 }
 
-// Of a format without fractions, 1 alone is a physical operand of asin.
-TEST(OperandClass, OneNumberMayBeAllThereIs) {
+// In a format without fraction bits, 1 is the only physical operand of asin.
+TEST(OperandClass, AClassMayContainASingleNumber) {
     for (const double value : sample(Operation::asin, "q16_0", OperandClass::physics))
         EXPECT_EQ(std::abs(value), 1);
 }

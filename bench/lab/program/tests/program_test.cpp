@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the command line stands on: names, output, cores that processes share, times, comparison.
+// What the command line is built on: names, output, cores that processes share, times, comparison.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -40,7 +40,7 @@ std::string refusal(Call call) {
     return "accepted";
 }
 
-TEST(Names, UnknownOnesAreRefusedWithWhatExists) {
+TEST(Names, UnknownNamesAreRefusedWithThoseThatExist) {
     const std::vector<std::string> known = {"q8_8", "q16_16", "float", "q8_8"};
     EXPECT_EQ(refusal([&] {
                   fixbench::check_names("--format", {"q16_16", "float"}, known);
@@ -50,12 +50,12 @@ TEST(Names, UnknownOnesAreRefusedWithWhatExists) {
         fixbench::check_names("--format", {"q8_8", "q16_61"}, known);
     });
     EXPECT_EQ(half_wrong,
-              "--format 'q16_61' is unknown (did you mean q16_16?); there are float, q16_16, "
+              "--format 'q16_61' does not exist (did you mean q16_16?); allowed are float, q16_16, "
               "q8_8");
     EXPECT_THAT(refusal([&] { fixbench::check_names("--format", {"zzzzzzzz"}, known); }),
                 Not(HasSubstr("did you mean")));
     EXPECT_THAT(refusal([&] { fixbench::check_names("--format", {""}, known); }),
-                HasSubstr("there are"));
+                HasSubstr("allowed are"));
 }
 
 int writes_table(const fs::path& folder) {
@@ -76,13 +76,13 @@ TEST(Output, ASelectionDoesNotReplaceAFile) {
             return 0;
         });
     });
-    EXPECT_THAT(reason, HasSubstr("table.csv is there already"));
+    EXPECT_THAT(reason, HasSubstr("table.csv already exists"));
     EXPECT_FALSE(measured);
     output.is_selection = false;
     EXPECT_EQ(output.collect(writes_table), 0);
 }
 
-TEST(Output, AFolderThatTakesNothingIsToldOfBeforeTheMeasurement) {
+TEST(Output, AFolderThatIsNotWritableIsReportedBeforeTheMeasurement) {
     const fs::path file = fresh("file");
     records::write_whole(file, "");
     fixbench::Output output;
@@ -153,7 +153,7 @@ TEST(Comparison, NamesTheFirstLineThatDiffers) {
     EXPECT_THAT(sequence::first_difference(a, b), HasSubstr("missing"));
 }
 
-// A process that shares the cores works on its own and on those that it gets; what it got it gives
+// A process that shares the cores works on its own core and on those that it gets. It gives these
 // back, and no task is lost or done twice.
 TEST(Pool, BoundsTheThreadsOfAProcess) {
     lab::Pool pool(1);

@@ -59,10 +59,10 @@ TEST(Record, ColumnsFollowFromTheStruct) {
 TEST(Record, IsReadAsItWasWritten) {
     const records::Table table = records::Table::parse(readings_file, "readings");
     EXPECT_EQ(records::table_of(records::rows_of<Reading>(table)).to_csv(), readings_file);
-    EXPECT_EQ(records::rows_of<Named>(table).at(1).name, "c");  // of columns, some
+    EXPECT_EQ(records::rows_of<Named>(table).at(1).name, "c");  // some of the columns
 }
 
-TEST(Record, RefusesACellOfAnotherType) {
+TEST(Record, RefusesACellOfTheWrongType) {
     const auto refusal = [](const char* cells) -> std::string {
         const std::string text = std::string("name,count,mean,error,grams,held,low,high\n") + cells;
         try {
@@ -73,14 +73,13 @@ TEST(Record, RefusesACellOfAnotherType) {
         return "";
     };
     EXPECT_EQ(refusal("a,1,2,3,4,yes,5,6"), "");
-    EXPECT_EQ(refusal("a,1.5,2,3,4,yes,5,6"),
-              "readings:2: '1.5' is out of place in column 'count'");
-    EXPECT_EQ(refusal("a,,2,3,4,yes,5,6"), "readings:2: '' is out of place in column 'count'");
-    EXPECT_EQ(refusal("a,1,2 m,3,4,yes,5,6"), "readings:2: '2 m' is out of place in column 'mean'");
+    EXPECT_EQ(refusal("a,1.5,2,3,4,yes,5,6"), "readings:2: '1.5' is not a value of column 'count'");
+    EXPECT_EQ(refusal("a,,2,3,4,yes,5,6"), "readings:2: '' is not a value of column 'count'");
+    EXPECT_EQ(refusal("a,1,2 m,3,4,yes,5,6"), "readings:2: '2 m' is not a value of column 'mean'");
     EXPECT_EQ(refusal("a,1,2,none,4,yes,5,6"),
-              "readings:2: 'none' is out of place in column 'error'");
-    EXPECT_EQ(refusal("a,1,2,3,4,true,5,6"), "readings:2: 'true' is out of place in column 'held'");
-    EXPECT_EQ(refusal("a,1,2,3,4,yes,5,six"), "readings:2: 'six' is out of place in column 'high'");
+              "readings:2: 'none' is not a value of column 'error'");
+    EXPECT_EQ(refusal("a,1,2,3,4,true,5,6"), "readings:2: 'true' is not a value of column 'held'");
+    EXPECT_EQ(refusal("a,1,2,3,4,yes,5,six"), "readings:2: 'six' is not a value of column 'high'");
     EXPECT_THROW(records::rows_of<Reading>(records::Table({"name"})), std::runtime_error);
 }
 
@@ -95,7 +94,7 @@ TEST(Table, SurvivesQuotesCommasAndLineBreaks) {
     EXPECT_EQ(loaded.rows(), table.rows());
 }
 
-TEST(Table, RefusesWhatIsMalformed) {
+TEST(Table, RefusesMalformedText) {
     EXPECT_THROW(records::Table({"a", "b"}).add({"1"}), std::logic_error);
     EXPECT_THROW(records::Table({"a"}).column("b"), std::runtime_error);
     EXPECT_THROW(records::Table::load(scratch("absent.csv")), std::runtime_error);
@@ -105,7 +104,7 @@ TEST(Table, RefusesWhatIsMalformed) {
     EXPECT_THROW(records::Table::load(scratch("open.csv")), std::runtime_error);
 }
 
-TEST(WholeFile, LeavesTheOldFileWhereTheNewOneCannotBeWritten) {
+TEST(WholeFile, LeavesTheOldFileIfTheNewOneCannotBeWritten) {
     const auto folder = scratch("folder.csv");
     std::filesystem::create_directories(folder / "occupied");
     EXPECT_THROW(records::write_whole(folder, "text"), std::runtime_error);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The catalogue's two sides against each other: what is measured on the chip has a host subject,
-// and the other way round.
+// The two sides of the catalogue against each other: everything measured on the chip has a host
+// subject, and vice versa.
 #include "bench/lab/catalogue/catalogue.hpp"
 
 #include <gtest/gtest.h>
@@ -49,7 +49,7 @@ TEST(Catalogue, EachSideHasWhatTheOtherHas) {
     EXPECT_EQ(rivals, (std::map<std::string, int>{{"accum", 16}, {"libc", 51}, {"native", 20}}));
 }
 
-TEST(Catalogue, WhoIsHeldToADefinition) {
+TEST(Catalogue, KnowsWhichResultsAreHeldToADefinition) {
     const auto held = [](const char* symbol) {
         return catalogue::is_held_to_its_definition(reference::parse_symbol(symbol));
     };

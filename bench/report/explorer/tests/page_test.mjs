@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page in Chromium, without a network, against the CSV files. PAGE and DATA name them.
+// The page in Chromium, without a network, compared with the CSV files. PAGE and DATA name them.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
@@ -8,7 +8,7 @@ import { chromium } from "playwright-core";
 const address = `file://${process.env.PAGE}`;
 const views = ["overview", "operations", "scenes", "stability", "table"];
 
-// Rows of a CSV file: quoted cells may hold commas and quotes, none holds a new line.
+// Rows of a CSV file: quoted cells may contain commas and quotes, but no line breaks.
 function parsed(text) {
   const [names, ...rows] = text.trimEnd().split("\n").map((line) => {
     const cells = [];
@@ -20,7 +20,7 @@ function parsed(text) {
 const load = (name) => parsed(readFileSync(`${process.env.DATA}/${name}.csv`, "utf8"));
 const operations = load("operations");
 
-// The number that a text of the page begins with: "1 127", "7.629·10⁻⁶", "−0.5".
+// The number at the start of a text of the page: "1 127", "7.629·10⁻⁶", "−0.5".
 function read(text) {
   const [, mantissa, exponent] = text.replaceAll("\u202f", "").replace("−", "-").match(/^(-?[\d.]+)?(?:·?10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+))?/);
   const digits = (exponent ?? "⁰").replace(/[⁰¹²³⁴⁵⁶⁷⁸⁹]/g, (digit) => "⁰¹²³⁴⁵⁶⁷⁸⁹".indexOf(digit)).replace("⁻", "-");
@@ -28,7 +28,7 @@ function read(text) {
 }
 const close = (found, wanted, what) => assert.ok(Math.abs(found - Number(wanted)) <= 6e-4 * Math.abs(Number(wanted)), `${what}: ${found}, not ${wanted}`);
 
-// All but other libraries.
+// All except other libraries.
 const own = "implementation=default,portable,published,small,libc,accum,native";
 let browser, page;
 const wrong = [];
@@ -47,7 +47,7 @@ async function open(state) {
   await each.waitForSelector("body[data-ready]");
   return each;
 }
-// Shows another state in the page that is open.
+// Shows another state in the open page.
 async function go(state) {
   await page.mouse.move(0, 0);
   await page.evaluate((hash) => { location.hash = hash; }, state);
@@ -111,8 +111,8 @@ test("the first paint comes within a second", async () => {
   assert.ok(Math.min(...times) < 1000, `first paint after ${times} ms`);
 });
 
-// Points at each dot of a panel: what is told must be a row of the file, and the dot must stand where
-// that row's numbers are on logarithmic axes.
+// Points at each dot of a panel: its details must be a row of the file, and the dot must be where that row's numbers
+// are on logarithmic axes.
 async function pointAtAll(panel, x, y) {
   const dots = page.locator(`${panel} svg [aria-label=dot] :is(path,circle)`);
   const found = [];
@@ -156,7 +156,7 @@ test("the worst of any run stands beside a sampled one", async () => {
   assert.match(facts["worst of any run"], new RegExp(`exact.*raw ${exhaustive.max_ulp_witness} `));
   close(read(facts["most cycles of any run"]), exhaustive.cycles_max, "exp");
   assert.equal(await page.locator(".pinned dd code").last().getAttribute("title"), exhaustive.kernel_sha256);
-  // Q8.8 saturates where the others go on: they are not compared.
+  // Q8.8 saturates where the others do not, so they are not compared.
   const caption = await page.locator("[data-operation=exp] figcaption").textContent();
   assert.match(caption, /Front: (?!.*Q8\.8.*Faint).*Faint, not compared: .*Q8\.8/);
 });
@@ -279,7 +279,7 @@ test("the address restores what was chosen", async () => {
   await other.waitForSelector("[data-operation=sqrt] svg");
   assert.deepEqual(await state(other), await state(page));
   assert.equal(await other.locator("[data-operation=exp]").count(), 1);
-  // Each link leads to its view, with what was chosen there.
+  // Each link leads to its view, with what was selected there.
   await other.locator("nav a", { hasText: "Scenes" }).click();
   await other.waitForSelector("body[data-view=scenes]");
   await other.locator("nav a", { hasText: "Operations" }).click();
@@ -333,7 +333,7 @@ test("the overview says which formats hold a need, and the mean and largest cycl
     const largest = Math.max(...[...operations, ...load("exhaustive")].filter(mine).map((row) => Number(row.cycles_max)));
     assert.equal(read(cells[index][1].replace("≤ ", "")), largest, operation);
   });
-  // Of a format of 8 bits every pair was run: its largest error is exact, whichever run found it first.
+  // Every pair of a format of 8 bits was run: its largest error is exact, whichever run found it first.
   const whole = operations.filter((row) => row.format === "q4_4" && row.implementation === "default" && row.operands === "all" &&
     ["add", "multiply", "divide", "sqrt", "sin", "atan2"].includes(row.operation));
   const wanted = whole.reduce((best, row) => (Number(row.max_ulp) > Number(best.max_ulp) ? row : best));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// BruteForce: every pair of particles is tested, N (N - 1) / 2 tests a step, and no RAM.
+/// BruteForce: tests every pair of particles, N (N - 1) / 2 tests a step, and takes no RAM.
 #pragma once
 
 #include <engine/constraints.hpp>

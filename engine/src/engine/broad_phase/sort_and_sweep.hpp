@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// SortAndSweep: keeps the particles sorted by their lower edges along the first axis, from step to
-/// step, by insertion. Only pairs that overlap along this axis are tested. Takes one index of RAM a
-/// particle. (D. Baraff, Dynamic Simulation of Non-Penetrating Rigid Bodies,
+/// SortAndSweep: keeps the particles sorted by their lower edges along the first axis, by
+/// insertion, from one step to the next. Only pairs that overlap along this axis are tested. Takes
+/// one index of RAM per particle. (D. Baraff, Dynamic Simulation of Non-Penetrating Rigid Bodies,
 /// 1992.)
 #pragma once
 

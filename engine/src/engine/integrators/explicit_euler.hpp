@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 /// \file
 /// ExplicitEuler: the step of the published design, kept as the baseline: forces, constraints,
-/// positions by the old velocities, velocities, damping. First order; each step multiplies the
+/// positions by the old velocities, velocities, damping. First order. Each step multiplies the
 /// energy of an oscillation by 1 + (omega h)^2.
 #pragma once
 
 namespace engine {
 
-/// First order, unstable without damping: the published design's.
+/// First order, unstable without damping: the integrator of the published design.
 struct ExplicitEuler {
-    /// Whether it moves springs itself, instead of accumulating their forces.
+    /// Whether the integrator applies springs itself instead of accumulating their forces.
     static constexpr bool implicit_springs = false;
     /// \cond internal
     template <class World>
@@ -18,7 +18,7 @@ struct ExplicitEuler {
     };
     /// \endcond
 
-    /// Moves the world on by dt. Called by World::step.
+    /// Advances the world by dt. Called by World::step, which checks dt.
     template <class World, class TimeStep>
     static void step(World& world, TimeStep dt) {
         world.accumulate_forces();

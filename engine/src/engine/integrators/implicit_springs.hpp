@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// ImplicitSprings: SemiImplicitEuler in which each spring pulls as it will at the end of the step.
-/// Stable for every stiffness: oscillations of omega h < 1 are resolved, faster ones are damped
-/// away. First order. Springs are solved one after the other. (D. Baraff, A. Witkin, Large Steps in
-/// Cloth Simulation, 1998, for the implicit step; the closed form of a single spring is its
-/// solution in one dimension.)
+/// ImplicitSprings: SemiImplicitEuler in which each spring pulls with the force that it will have
+/// at the end of the step. Stable for every stiffness: oscillations of omega h < 1 are resolved,
+/// faster ones are damped out. First order. Springs are solved one after the other. (D. Baraff, A.
+/// Witkin, Large Steps in Cloth Simulation, 1998, for the implicit step; the closed form of a
+/// single spring is its solution in one dimension.)
 #pragma once
 
 #include <engine/decimal.hpp>
@@ -16,7 +16,7 @@ namespace engine {
 
 /// First order, stable for springs of every stiffness.
 struct ImplicitSprings {
-    /// Whether it moves springs itself, instead of accumulating their forces.
+    /// Whether the integrator applies springs itself instead of accumulating their forces.
     static constexpr bool implicit_springs = true;
     /// \cond internal
     template <class World>
@@ -25,7 +25,7 @@ struct ImplicitSprings {
     };
     /// \endcond
 
-    /// Moves the world on by dt. Called by World::step.
+    /// Advances the world by dt. Called by World::step, which checks dt.
     template <class World, class TimeStep>
     static void step(World& world, TimeStep dt) {
         world.accumulate_forces();
@@ -50,13 +50,13 @@ struct ImplicitSprings {
         }
     };
 
-    // With i the sum of the inverse masses, x the extension, u the velocity along the spring, k the
-    // stiffness and c the damping, the velocity along it at the end of the step solves
+    // Let i be the sum of the inverse masses, x the extension, u the velocity along the spring, k
+    // the stiffness and c the damping. The velocity along the spring at the end of the step solves
     //   u' = u - h i (k (x + h u') + c u'),  so  u' = u / d - (s / d) x
-    // with s = i h k and d = 1 + h i (h k + c). s / d is at most 1 / h, so that only s itself and
-    // i (h k + c) can leave a format, where very stiff springs pull very light masses. Both
-    // saturate alike, which makes such a spring softer and no less stable. h k is formed before i
-    // comes in, since h i vanishes for heavy masses.
+    // with s = i h k and d = 1 + h i (h k + c). s / d is at most 1 / h, so that only s itself and i
+    // (h k + c) can leave a format, where very stiff springs pull very light masses. Both saturate
+    // alike, which makes such a spring softer but no less stable. h k is formed before it is
+    // multiplied by i, since h i vanishes for heavy masses.
     template <class Spring, class World, class TimeStep>
     static void pull(const Spring& spring, World& world, TimeStep dt) {
         using namespace literals;

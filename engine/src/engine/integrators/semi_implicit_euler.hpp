@@ -6,9 +6,9 @@
 
 namespace engine {
 
-/// First order, keeps the energy of oscillations: the default.
+/// First order, conserves the energy of oscillations on average: the default.
 struct SemiImplicitEuler {
-    /// Whether it moves springs itself, instead of accumulating their forces.
+    /// Whether the integrator applies springs itself instead of accumulating their forces.
     static constexpr bool implicit_springs = false;
     /// \cond internal
     template <class World>
@@ -17,7 +17,7 @@ struct SemiImplicitEuler {
     };
     /// \endcond
 
-    /// Moves the world on by dt. Called by World::step.
+    /// Advances the world by dt. Called by World::step, which checks dt.
     template <class World, class TimeStep>
     static void step(World& world, TimeStep dt) {
         world.accumulate_forces();

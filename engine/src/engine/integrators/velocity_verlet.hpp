@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// \file
 /// VelocityVerlet: integrates velocities over half a step by the old forces, then positions, then
-/// velocities over the other half by the new forces. The next step begins with those, unless
-/// something was changed in between: one evaluation of forces a step. Second order and symplectic,
-/// stable up to omega h = 2. (L. Verlet, Computer experiments on classical fluids I,
-/// 1967.)
+/// velocities over the other half by the new forces. The next step reuses these, unless something
+/// was changed in between: a step evaluates the forces once. Second order and symplectic, stable up
+/// to omega h = 2. (L. Verlet, Computer experiments on classical fluids I, 1967.)
 #pragma once
 
 #include <engine/time_step.hpp>
@@ -13,17 +12,17 @@ namespace engine {
 
 /// Second order, for smooth forces.
 struct VelocityVerlet {
-    /// Whether it moves springs itself, instead of accumulating their forces.
+    /// Whether the integrator applies springs itself instead of accumulating their forces.
     static constexpr bool implicit_springs = false;
     /// \cond internal
     template <class World>
     struct Memory {
-        bool forces_are_current = {};  // they are those of the particles as they are
+        bool forces_are_current = {};  // the forces belong to the present positions and velocities
         FIXEDPOINT_CONSTEXPR void restart() { forces_are_current = false; }
     };
     /// \endcond
 
-    /// Moves the world on by dt. Called by World::step.
+    /// Advances the world by dt. Called by World::step, which checks dt.
     template <class World, class TimeStep>
     static void step(World& world, TimeStep dt) {
         auto& memory = world.integrator_memory();

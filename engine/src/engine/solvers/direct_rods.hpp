@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// DirectRods: the solver of scenes whose rods form chains, and that have neither contacts nor
-/// ropes. It solves the velocities of all rods at once, in time linear in their number, where
-/// ProjectedGaussSeidel needs iterations in proportion to the length of a chain and to the ratio of
-/// its masses. Rows are found, and positions corrected, as ProjectedGaussSeidel does.
+/// DirectRods: the solver of scenes whose rods form chains, without contacts or ropes. It solves
+/// the velocities of all rods together, in time linear in their number. ProjectedGaussSeidel needs
+/// iterations in proportion to the length of a chain and to the ratio of its masses. Rows are
+/// found, and positions corrected, as by ProjectedGaussSeidel.
 ///
-/// Let x_i be the change that row i makes in its own velocity, and s the particle that it shares
-/// with row j. Of x_i, s takes its share along the normal n_i, which changes the velocity of row j
-/// by c_ij x_i with c_ij = +- share_i(s) n_i . n_j. The x_i solve x_j + sum_i c_ij x_i = what the
-/// velocity of row j misses. Each rod may share particles with one rod added before it, its parent,
-/// and with no two: then elimination from the last row to the first fills nothing in. (R.
-/// Featherstone, Rigid Body Dynamics Algorithms, 2008, chapter 6.) Anchored rods count as added
-/// before the others.
+/// Let x_i be the change that row i makes to its own velocity, and s the particle that it shares
+/// with row j. The particle s takes its share of x_i along the normal n_i, which changes the
+/// velocity of row j by c_ij x_i with c_ij = +- share_i(s) n_i . n_j. The x_i solve x_j + sum_i
+/// c_ij x_i = the change that the velocity of row j needs. Each rod may share particles with one
+/// rod added before it, its parent, but not with two: then elimination from the last row to the
+/// first creates no fill-in. (R. Featherstone, Rigid Body Dynamics Algorithms, 2008, chapter 6.)
+/// Anchored rods count as added before the others.
 ///
 /// All c_ij lie in -1..1, whatever the masses are. Where a light particle holds a mass R times its
-/// own, 1 / (R + 1) is left of a pivot. Across two rods of length L under such a tension the light
-/// particle swings with omega^2 = 4 R g / L at most: no step of h with omega h above 2 holds that.
+/// own, a pivot shrinks to 1 / (R + 1). Across two rods of length L under such a tension the light
+/// particle oscillates with omega^2 = 4 R g / L at most, and no step h with omega h above 2 is
+/// stable.
 #pragma once
 
 #include <engine/pool.hpp>
@@ -24,7 +25,7 @@
 namespace engine {
 
 /// \cond internal
-// The smallest pivot: below it rounding decides.
+// The smallest pivot: below it, rounding would decide the result.
 template <class Scalar>
 struct LeastPivot {
     static constexpr Scalar value() { return Decimal<1, 6>(); }
@@ -44,18 +45,18 @@ struct DirectRods : ProjectedGaussSeidel<1> {
         using RowIndex = typename CountTo<static_cast<unsigned>(World::max_rows)>::Type;
         static_assert(!World::bounces, "DirectRods solves rods: not ropes and not contacts.");
         constexpr bool has_parent() const { return parent != nothing<RowIndex>(); }
-        RowIndex parent = {};     // the earlier row of the same particle, or nothing
-        Scalar to_parent = {};    // of this row's change, in the parent's velocity
-        Scalar from_parent = {};  // of the parent's change, in this row's velocity
+        RowIndex parent = {};     // the earlier row that shares a particle, or nothing
+        Scalar to_parent = {};    // the part of this row's change that enters the parent's velocity
+        Scalar from_parent = {};  // the part of the parent's change that enters this row's velocity
         Scalar pivot = {};
-        Scalar change = {};  // of the velocity along the rod; at first what it misses
+        Scalar change = {};  // of the velocity along the rod; at first the change needed
     };
 
     template <class World>
     static void solve(World& world) {
         auto& rows = world.step_rows();
         for (auto& row : rows) {
-            // A direction is not 1 long to the last bit, and where masses differ much, that shows.
+            // The length of a direction is not exactly 1, which matters where masses differ much.
             row.pivot = dot(row.normal, row.normal);
             row.change = row.target - velocity_along(world, row.a, row.b, row.normal);
             couple(world, row);
@@ -73,7 +74,7 @@ struct DirectRods : ProjectedGaussSeidel<1> {
     /// \endcond
 
   private:
-    // The part of a row's change that the particle, which is movable, takes.
+    // The part of a row's change that the particle takes. It must be movable.
     template <class World, class Row, class Index>
     static typename World::Scalar part(const World& world, const Row& row, Index particle) {
         using Scalar = typename World::Scalar;
@@ -107,15 +108,14 @@ struct DirectRods : ProjectedGaussSeidel<1> {
             row.from_parent = part(world, earlier, shared) * cosine;
         }
     }
-    // Whether a row moves a particle that can move.
+    // Whether a row acts on the particle and the particle is movable.
     template <class World, class Row, class Index>
     static bool is_at(const World& world, const Row& row, Index particle) {
         return movable(world.particles()[particle]) &&
                (row.a == particle || (is_particle(world, row.b) && row.b == particle));
     }
 
-    // From the last row to the first: what a row misses, and what it yields, is its parent's from
-    // here on.
+    // From the last row to the first: subtracts each row from its parent's equation.
     template <class Rows>
     static void eliminate(Rows& rows) {
         for (auto i = rows.size(); i-- > 0;) {

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// ProjectedGaussSeidel<max_iterations>: the solver of choice. Positions are corrected once, where
-/// a constraint is found. Velocities are corrected row by row, in at most `max_iterations`
-/// iterations over all rows, which end when one changes nothing. A single row is solved once.
+/// ProjectedGaussSeidel<max_iterations>: the default solver. Positions are corrected once, where a
+/// constraint is found. Velocities are corrected row by row, in at most `max_iterations` iterations
+/// over all rows, which end when one changes nothing. A single row is solved once.
 ///
 /// A rod is one two-sided row. Its end moves along the chord of its arc, not the tangent: the
-/// velocity along the rod becomes -h w^2 / 2L (w the relative velocity, h the step), which keeps
-/// the speed to second order. A velocity of 0 would keep it to first order only.
+/// velocity along the rod becomes -h w^2 / 2L (w is the relative velocity, h the step, L the
+/// length), which conserves the speed to second order. A velocity of 0 would conserve it to first
+/// order only.
 ///
 /// A bounce began when the surfaces met, a time t = penetration / closing velocity ago. The
-/// particle is put where it would be by now, restitution * penetration beyond the surface, and has
-/// the velocity that gravity gave it since. What closes no faster than the restitution threshold
-/// does not bounce.
+/// particle is placed where it would be by now, restitution * penetration beyond the surface, and
+/// receives the velocity that gravity has given it since. A particle that closes no faster than the
+/// restitution threshold does not bounce.
 #pragma once
 
 #include <engine/choice.hpp>
@@ -21,7 +22,7 @@
 namespace engine {
 
 /// \cond internal
-// The part of a row that scenes with one-sided constraints need: contacts and ropes only push.
+// The part of a row that only scenes with contacts or ropes need: their rows only push.
 template <class Scalar, bool used>
 struct Pushing {
     FIXEDPOINT_CONSTEXPR void set_pushing(bool, Scalar) {}
@@ -45,12 +46,12 @@ struct Pushing<Scalar, true> {
         restitution = of_closing_velocities;
     }
     constexpr bool only_pushes() const { return pushes_only; }
-    // Whether it throws back what closes at the velocity.
+    // Whether a row that closes at the velocity bounces.
     template <class World>
     constexpr bool bounces(const World& world, Scalar velocity) const {
         return pushes_only && -velocity > world.restitution_threshold() && restitution > Scalar();
     }
-    // Whether the row acts on a velocity; `goal` becomes the velocity that it asks for.
+    // Whether the row acts on a velocity; `goal` becomes the velocity that it requires.
     template <class World>
     FIXEDPOINT_CONSTEXPR bool acts(const World& world, Scalar velocity, Scalar& goal) const {
         if (!pushes_only) return true;
@@ -64,7 +65,7 @@ struct Pushing<Scalar, true> {
     }
 };
 
-// The part of a row that scenes need in which two particles share a correction.
+// The part of a row that is needed only where two particles share a correction.
 template <class Scalar, bool used>
 struct Sharing {
     FIXEDPOINT_CONSTEXPR void set_share(Scalar) {}
@@ -79,7 +80,7 @@ struct Sharing<Scalar, true> {
     Scalar share_ = Scalar();  // a's part of each correction; b takes the rest
 };
 
-// Whether a world of that solver keeps the rows of a step. A single rod is solved where it is
+// Whether a world with that solver stores the rows of a step. A single rod is solved where it is
 // found.
 template <class Solver>
 constexpr bool keeps_rows_of(const Solver*, bool) {
@@ -93,7 +94,7 @@ constexpr bool keeps_rows_of(const ProjectedGaussSeidel<max_iterations>*, bool i
 }
 /// \endcond
 
-/// The solver of choice: at most max_iterations iterations over all constraint rows in a step.
+/// The default solver: at most max_iterations iterations over all constraint rows in a step.
 template <unsigned char max_iterations>
 struct ProjectedGaussSeidel {
     /// \cond internal
@@ -150,8 +151,9 @@ struct ProjectedGaussSeidel {
     }
 
   protected:
-    // Appends the row that solves the velocities of a and b, and moves a from b by `correction` at
-    // once. Nothing where neither can move, or where there is no room for the row.
+    // Appends the row that constrains the velocities of a and b, and moves a relative to b by
+    // `correction` immediately. Does nothing if neither can move; if there is no room for the row,
+    // sets error().
     template <class World, class Index, class Vector, class Scalar>
     static void bind(World& world, Index a, Index b, bool pushes_only, const Vector& normal,
                      Scalar correction, Scalar target, Scalar restitution) {
@@ -209,7 +211,7 @@ struct ProjectedGaussSeidel {
         }
     };
 
-    // Gives the ends of a row the velocity that it asks for. Returns whether that changed anything.
+    // Gives the ends of a row the velocity that it requires. Returns whether that changed anything.
     template <class World, class Row>
     static bool solve_row(World& world, const Row& row) {
         using Scalar = typename World::Scalar;
@@ -225,7 +227,7 @@ struct ProjectedGaussSeidel {
         return apply_shared(of_a, of_b, row.normal, change, row.share());
     }
 
-    // h w^2 / 2L of the velocity w of a against b.
+    // h w^2 / 2L, where w is the velocity of a relative to b.
     template <class World, class Index, class Scalar, class TimeStep>
     static Scalar chord_velocity(const World& world, Index a, Index b,
                                  const Inverse<Scalar>& of_length, TimeStep dt) {

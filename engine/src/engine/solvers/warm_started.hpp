@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// WarmStartedGaussSeidel<max_iterations>: ProjectedGaussSeidel that begins each step with what its
-/// rows did in the last one. In a tall stack or a heavy chain at rest they do the same in every
-/// step, so that iterations of many steps add up where those of one do not suffice. (E. Catto,
-/// Iterative Dynamics with Temporal Coherence, 2005.)
+/// WarmStartedGaussSeidel<max_iterations>: ProjectedGaussSeidel that starts each step from the
+/// changes its rows made in the previous one. In a tall stack or a heavy chain at rest these are
+/// the same in every step, so the iterations of many steps add up where those of one do not
+/// suffice. (E. Catto, Iterative Dynamics with Temporal Coherence, 2005.)
 ///
-/// A row keeps the change that it made to its velocity over all iterations. One that only pushes
-/// may take back what it pushed, and no more. A row counts as the last step's where it is the same
-/// in the order and of the same ends. A bounce begins anew. So that a contact at rest is found in
-/// every step, and not in every other, an overlap of some ulp stays.
+/// A row accumulates the change that it makes to its velocity over all iterations. A row that only
+/// pushes may take back what it pushed, and no more. A row continues one of the previous step if it
+/// has the same place in the order and the same ends. A bounce starts from zero. An overlap of a
+/// few ulp is left, so that a contact at rest is found in every step and not in every other.
 ///
-/// A bounce is by the velocities before the step's first iteration: in a row of touching balls it
-/// is not passed on within the step, as ProjectedGaussSeidel does. Takes a scalar and two indices
-/// of RAM a row.
+/// A bounce uses the velocities before the step's first iteration: in a row of touching balls it is
+/// not passed on within the step, as it is in ProjectedGaussSeidel. Each row takes another scalar
+/// and two indices of RAM.
 #pragma once
 
 #include <engine/solvers/projected_gauss_seidel.hpp>
@@ -20,7 +20,7 @@
 namespace engine {
 
 /// \cond internal
-// The overlap that stays, m: more than rounding moves a particle at rest.
+// The overlap that is left, in m: more than rounding moves a particle at rest.
 template <class Scalar>
 struct RestingOverlap {
     static constexpr Scalar value() { return Decimal<1, 5>(); }
@@ -32,7 +32,7 @@ struct RestingOverlap<Fixed<I, F, A>> {
 /// \endcond
 
 /// The solver of tall stacks and heavy chains: at most max_iterations iterations in a step, which
-/// begin where the last step ended.
+/// start where the previous step ended.
 template <unsigned char max_iterations>
 struct WarmStartedGaussSeidel : ProjectedGaussSeidel<max_iterations> {
     /// \cond internal
@@ -41,7 +41,7 @@ struct WarmStartedGaussSeidel : ProjectedGaussSeidel<max_iterations> {
     template <class World>
     struct Row : Cold::template Row<World> {
         typename World::Scalar change = {};          // of its velocity, over all iterations
-        typename World::Index of_a = {}, of_b = {};  // the ends that `change` is of
+        typename World::Index of_a = {}, of_b = {};  // the ends that `change` belongs to
     };
 
     template <class World, class Index, class Vector, class Scalar, class TimeStep>
@@ -77,8 +77,8 @@ struct WarmStartedGaussSeidel : ProjectedGaussSeidel<max_iterations> {
                             &World::Particle::velocity);
     }
 
-    // Before anything of the step is applied: the velocity that the row asks for, and what it
-    // begins with.
+    // Before anything is applied in the step: the velocity that the row requires, and the change
+    // that it starts from.
     template <class World, class Row>
     static void begin(const World& world, Row& row) {
         using Scalar = typename World::Scalar;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 /// \file
 /// WorstFirst<max_iterations>: the solver of the published design, kept as the baseline. Each
-/// iteration computes every contact's separating velocity and penetration anew (as found, less what
-/// its particles were moved since). The contact that closes fastest gets an impulse by its
-/// restitution, and a correction of positions in proportion to inverse mass. It ends when none
-/// closes or overlaps. A rod is a pair of opposed contacts where its length is off, since later
-/// corrections may change which side is wrong. A rope is one contact where it is taut.
+/// iteration computes every contact's separating velocity and penetration again (the penetration as
+/// found, less the displacement of its particles since). The contact that closes fastest receives
+/// an impulse by its restitution, and a correction of positions in proportion to inverse mass. The
+/// solver stops when no contact closes or overlaps. A rod is a pair of opposed contacts where its
+/// length is off, since later corrections may change which side is wrong. A rope is one contact
+/// where it is taut.
 #pragma once
 
 #include <engine/decimal.hpp>
@@ -13,7 +14,8 @@
 
 namespace engine {
 
-/// The published solver: at most max_iterations contacts in a step, the fastest closing first.
+/// The published solver: solves at most max_iterations contacts in a step, the fastest closing
+/// first.
 template <unsigned char max_iterations>
 struct WorstFirst {
     /// \cond internal
@@ -25,7 +27,7 @@ struct WorstFirst {
         using Scalar = typename World::Scalar;
         typename World::Index a = {}, b = {};  // b may be nothing
         typename World::Vector normal;         // from b to a
-        Scalar penetration = Scalar();         // when it was found
+        Scalar penetration = Scalar();         // when the contact was found
         Scalar restitution = Scalar();
     };
 
@@ -52,7 +54,7 @@ struct WorstFirst {
     template <class World>
     static void solve(World& world) {
         using Scalar = typename World::Scalar;
-        // A contact that rounding leaves open by a few ulp would take every iteration there is.
+        // A contact that rounding leaves open by a few ulp would use up all iterations.
         const Scalar closing_epsilon = Decimal<1, 2>();  // m/s
         const Scalar slop = Decimal<1, 4>();             // m
         if (world.rows().size() == 0) return;

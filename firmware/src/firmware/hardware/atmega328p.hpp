@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The ATmega328P at 16 MHz: analogue inputs, serial port, servo, clock and profiling pins. All is
-/// done in interrupts; nothing here waits for the hardware but idle(). One Board a program, whose
-/// main file says FIRMWARE_INTERRUPTS(Board) outside of every namespace.
+/// The ATmega328P at 16 MHz: analogue inputs, serial port, servo, clock and profiling pins.
+/// Everything runs in interrupts; only idle() waits for the hardware. A program has one Board, and
+/// its main file says FIRMWARE_INTERRUPTS(Board) outside every namespace.
 ///
-/// Timer1 counts half microseconds, all 16 bits of it: its overflows make the clock, its compare
-/// unit A the edges of the servo's pulse.
+/// All 16 bits of Timer1 count half microseconds: its overflows make the clock, its compare unit A
+/// the edges of the servo's pulse.
 #pragma once
 
 #include <avr/interrupt.h>
@@ -21,36 +21,40 @@ namespace firmware {
 
 static_assert(F_CPU == 16000000, "The timings are those of a 16 MHz clock.");
 
-/// The board, configured by Chosen. All is static: there is one.
+/// The board, configured by Chosen. Everything is static, since there is only one.
 template <class Chosen>
 class Atmega328p : CheckedConfiguration<Chosen> {
   public:
-    /// What it is configured by.
+    /// The configuration.
     using Configuration = Chosen;
 
     /// Sets every register that matters, whatever a bootloader left in it, and enables interrupts.
+    /// Must be called once, before anything else.
     static void start();
 
-    /// The clock: half microseconds since start(), modulo 2^32.
+    /// The clock: half microseconds since start(), modulo 2^32. Right as long as interrupts are
+    /// never disabled for 16 ms or more.
     static uint32_t ticks();
 
-    /// The newest readings of each input, summed.
+    /// The sum of the newest readings of each input.
     static Readings readings();
 
-    /// The servo's pulse from the next frame on, in half microseconds, held to its travel.
+    /// Sets the servo's pulse from its next period on, in half microseconds. A pulse outside the
+    /// servo's travel counts as the nearest end.
     static void command_servo(uint16_t pulse);
 
-    /// How many bytes the serial port, 250000 baud 8N1, has room for.
+    /// The number of bytes that the serial port (250000 baud, 8N1) has room for.
     static uint8_t writable() { return transmit_.free(); }
-    /// Sends as many bytes as there is room for, and returns their number.
+    /// Sends as many bytes as there is room for and returns their number. Does not wait.
     static uint8_t try_write(const char* text, uint8_t length);
-    /// The oldest byte received, -1 where there is none.
+    /// Removes and returns the oldest received byte, or returns -1 if there is none.
     static int16_t read() { return receive_.empty() ? -1 : receive_.pop(); }
-    /// Received bytes that were lost, as nobody read or as they came damaged; stops at 255. Those
-    /// that an overrun of the receiver itself loses count as one.
+    /// The number of received bytes that were lost, because the buffer was full or they arrived
+    /// damaged; stops at 255. All bytes lost in one overrun of the receiver itself count as one.
     static uint8_t lost() { return lost_; }
 
-    /// The profiling pins, 2 cycles each; nothing where the category is not profiled.
+    /// Set the profiling pin of a category high or low; compiled to nothing if the category is not
+    /// profiled.
     /// @{
     template <Category category>
     static void raise() {
@@ -64,10 +68,10 @@ class Atmega328p : CheckedConfiguration<Chosen> {
     }
     /// @}
 
-    /// Sleeps until an interrupt, at most for the 0.1 ms of a conversion.
+    /// Sleeps until the next interrupt, at most the 0.1 ms of a conversion.
     static void idle() { sleep_mode(); }
 
-    /// For FIRMWARE_INTERRUPTS.
+    /// Called by FIRMWARE_INTERRUPTS.
     /// @{
     static inline void conversion_complete() __attribute__((always_inline));
     static inline void servo_edge_is_near() __attribute__((always_inline));
@@ -85,13 +89,13 @@ class Atmega328p : CheckedConfiguration<Chosen> {
     }
     static constexpr uint8_t profiling_pins = static_cast<uint8_t>(Configuration::profiled << PD2);
 
-    // The supply is the reference, as it is of the dividers.
+    // The supply is the reference, as it is for the dividers.
     static constexpr uint8_t multiplexer(uint8_t input) {
         return 1 << REFS0 | (input == sensor_a   ? Configuration::sensor_a_input
                              : input == sensor_b ? Configuration::sensor_b_input
                                                  : Configuration::dial_input);
     }
-    // 125 kHz: the fastest of the converter's clocks that keeps all ten bits.
+    // 125 kHz, the converter's fastest clock that keeps all ten bits.
     static constexpr uint8_t start_conversion =
         1 << ADEN | 1 << ADSC | 1 << ADIE | 1 << ADPS2 | 1 << ADPS1 | 1 << ADPS0;
 
@@ -99,14 +103,14 @@ class Atmega328p : CheckedConfiguration<Chosen> {
     static constexpr uint8_t transmitter_on = receiver_on | 1 << UDRIE0;
 
     static constexpr uint16_t servo_period = 20 * ticks_per_millisecond;
-    // How much earlier than an edge its interrupt comes. Covers the longest time for which
-    // another interrupt or an atomic block holds it up, and its own entry.
+    // How much earlier than an edge its interrupt comes. Covers its own entry and the longest delay
+    // by another interrupt or an atomic block.
     static constexpr uint8_t servo_lead = 12 * ticks_per_microsecond;
 
-    // The newest readings, those of input i at i, i + inputs and so on.
+    // The newest readings; those of input i are at i, i + inputs and so on.
     static constexpr uint8_t places = inputs * Configuration::readings_in_sum;
     static volatile uint16_t history_[places];
-    static volatile uint8_t place_;  // that the next reading takes
+    static volatile uint8_t place_;  // of the next reading
     static volatile uint16_t overflows_;
     static uint16_t pulse_, rise_, edge_;
     static RingBuffer<Configuration::transmit_capacity> transmit_;
@@ -168,13 +172,14 @@ uint32_t Atmega328p<C>::ticks() {
     ATOMIC_BLOCK(ATOMIC_RESTORESTATE) {
         low = TCNT1;
         high = overflows_;
-        // An overflow whose interrupt is still to come: before the count was read if that is low.
+        // An overflow whose interrupt is still pending happened before the count was read if the
+        // count is low.
         if ((TIFR1 & 1 << TOV1) != 0 && low < 0x8000) ++high;
     }
     return static_cast<uint32_t>(high) << 16 | low;
 }
 
-// Reads again where a reading came in between, which none does twice: the next is 0.1 ms away.
+// Reads again if a reading arrived in between. That happens at most once: the next is 0.1 ms away.
 template <class C>
 Readings Atmega328p<C>::readings() {
     Readings result;
@@ -200,14 +205,14 @@ uint8_t Atmega328p<C>::try_write(const char* text, uint8_t length) {
     const uint8_t room = transmit_.free();
     const uint8_t taken = length < room ? length : room;
     for (uint8_t i = 0; i < taken; ++i) transmit_.push(text[i]);
-    // The interrupt turns itself off with the last byte: decide and write as one.
+    // The interrupt turns itself off with the last byte: test and write must not be separated.
     ATOMIC_BLOCK(ATOMIC_RESTORESTATE) {
         if (!transmit_.empty()) UCSR0B = transmitter_on;
     }
     return taken;
 }
 
-// The next conversion is started first, so that nothing delays it.
+// Starts the next conversion first, so that nothing delays it.
 template <class C>
 void Atmega328p<C>::conversion_complete() {
     const uint16_t reading = ADC;
@@ -221,8 +226,8 @@ void Atmega328p<C>::conversion_complete() {
     place_ = static_cast<uint8_t>(place == places - 1 ? 0 : place + 1);
 }
 
-// Waits for the very tick of the edge, 6 cycles a round, so that neither other interrupts nor
-// atomic blocks move it. A pulse's length is fixed as it begins.
+// Waits for the exact tick of the edge, so that neither other interrupts nor atomic blocks move it.
+// The length of a pulse is fixed when it starts.
 template <class C>
 void Atmega328p<C>::servo_edge_is_near() {
     const uint8_t edge = static_cast<uint8_t>(edge_);
@@ -246,7 +251,7 @@ void Atmega328p<C>::byte_received() {
     const uint8_t byte = UDR0;
     const bool kept = (status & 1 << FE0) == 0 && receive_.free() != 0;
     if (kept) receive_.push(byte);
-    // An overrun tells of bytes that came after this one.
+    // An overrun means that bytes after this one were lost.
     if ((!kept || (status & 1 << DOR0) != 0) && lost_ != 255) {
         lost_ = static_cast<uint8_t>(lost_ + 1);
     }
@@ -254,7 +259,7 @@ void Atmega328p<C>::byte_received() {
 
 }  // namespace firmware
 
-/// The interrupts of a Board: once in a program, outside of every namespace.
+/// The interrupts of a Board: once per program, outside every namespace.
 #define FIRMWARE_INTERRUPTS(Board)                          \
     ISR(TIMER1_COMPA_vect) { Board::servo_edge_is_near(); } \
     ISR(TIMER1_OVF_vect) { Board::clock_overflow(); }       \

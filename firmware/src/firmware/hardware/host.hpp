@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The hardware layer as tests see it: a clock that the test moves, readings that it sets, the
-/// bytes that were written, the pulse that was commanded. Same functions as Atmega328p; one type a
-/// test, since all is static there.
+/// The hardware layer for tests: a clock that the test advances, readings that it sets, the bytes
+/// that were written, the pulse that was commanded. It has the functions of Atmega328p. Each test
+/// needs a type of its own, since everything is static.
 #pragma once
 
 #include <firmware/configuration.hpp>
@@ -11,28 +11,28 @@
 
 namespace firmware {
 
-/// A board of which all is the test's: what Atmega328p has, by the same names.
+/// A board under the test's control, with the members of Atmega328p.
 template <class Chosen>
 class Host : CheckedConfiguration<Chosen> {
   public:
-    /// What it is configured by.
+    /// The configuration.
     using Configuration = Chosen;
 
     /// The world, for the test to read and set.
     struct World {
         /// The clock, in half microseconds.
         uint32_t ticks = 0;
-        uint16_t inputs[firmware::inputs] = {};  ///< a reading each, 0 .. 1023
+        uint16_t inputs[firmware::inputs] = {};  ///< one reading of each, 0 .. 1023
         /// The servo's pulse, in half microseconds.
         uint16_t pulse = Configuration::servo_at_start * ticks_per_microsecond;
-        std::string transmitted;  ///< what the ring buffer let go of
-        std::string waiting;      ///< what it holds
+        std::string transmitted;  ///< what the line has taken from the ring buffer
+        std::string waiting;      ///< what the ring buffer holds
         std::string received;     ///< what read() is to return
         /// What lost() is to return.
         uint8_t lost = 0;
-        uint8_t pins = 0;  ///< a bit a category
+        uint8_t pins = 0;  ///< one bit per category
 
-        /// The line takes what waits.
+        /// The line takes everything that waits.
         void drain() {
             transmitted += waiting;
             waiting.clear();
@@ -44,50 +44,50 @@ class Host : CheckedConfiguration<Chosen> {
         return world;
     }
 
-    /// Makes the world as it is at first.
+    /// Resets the world.
     static void start() { world() = World(); }
     /// The world's clock.
     static uint32_t ticks() { return world().ticks; }
-    /// Of each input, readings_in_sum times its reading.
+    /// The reading of each input, times readings_in_sum.
     static Readings readings() {
         Readings result;
         for (int i = 0; i < inputs; ++i)
             result.sum[i] = world().inputs[i] * Configuration::readings_in_sum;
         return result;
     }
-    /// The pulse, held to the servo's travel.
+    /// Sets the pulse, limited to the servo's travel.
     static void command_servo(uint16_t pulse) { world().pulse = servo_pulse<Configuration>(pulse); }
-    /// The room that is left in the ring buffer.
+    /// The free space in the ring buffer.
     static uint8_t writable() {
         return static_cast<uint8_t>(Configuration::transmit_capacity - world().waiting.size());
     }
-    /// Takes as many bytes as there is room for, and returns their number.
+    /// Takes as many bytes as there is room for and returns their number.
     static uint8_t try_write(const char* text, uint8_t length) {
         const uint8_t taken = length < writable() ? length : writable();
         world().waiting.append(text, taken);
         return taken;
     }
-    /// The oldest byte to be received, -1 where there is none.
+    /// Removes and returns the oldest byte to be received, or returns -1 if there is none.
     static int16_t read() {
         if (world().received.empty()) return -1;
         const uint8_t byte = static_cast<uint8_t>(world().received.front());
         world().received.erase(0, 1);
         return byte;
     }
-    /// Received bytes that were lost.
+    /// The number of received bytes that were lost.
     static uint8_t lost() { return world().lost; }
-    /// Raises the category's pin, where it is profiled.
+    /// Raises the category's pin if it is profiled.
     template <Category category>
     static void raise() {
         if (contains(Configuration::profiled, category)) world().pins |= set_of(category);
     }
-    /// Lowers the category's pin, where it is profiled.
+    /// Lowers the category's pin if it is profiled.
     template <Category category>
     static void lower() {
         if (contains(Configuration::profiled, category))
             world().pins &= static_cast<uint8_t>(~set_of(category));
     }
-    /// Returns at once.
+    /// Returns immediately.
     static void idle() {}
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The lever's step without the engine: the same sums and products of the library in the same order,
-// with what a hand knows of this one scene. The arm is 1/4 m long, so that products with its length
-// and its inverse are shifts; the end is always near that length; nothing else acts.
+// simplified for this one scene. The arm is 1/4 m long, so that products with its length and its
+// inverse are shifts; the end is always close to that distance; nothing else acts.
 #include <fixedpoint/kernel/dispatch.hpp>
 #include <fixedpoint/portable/scale_down.hpp>
 
@@ -16,7 +16,7 @@ constexpr Raw raw(double x) { return static_cast<Raw>(x * one + (x < 0 ? -0.5 : 
 struct Lever {
     Raw position[2], velocity[2];  // m, m/s
     Raw pivot[2], gravity[2];      // m, m/s^2
-    Raw force[2], inverse_mass;    // N, of this step; 1/kg
+    Raw force[2], inverse_mass;    // N, in this step; 1/kg
 };
 Lever lever;
 
@@ -40,7 +40,7 @@ __attribute__((noinline)) void step() {
     add_scaled2<Raw, fraction_bits>(acceleration, l.force, l.inverse_mass);
     integrate(l.velocity, acceleration);
 
-    // The direction, and by how much it is longer than 1.
+    // The direction, and by how much its length exceeds 1.
     Raw n[2] = {(l.position[0] - l.pivot[0]) * 4, (l.position[1] - l.pivot[1]) * 4};
     Raw e = (square2<Raw, fraction_bits>(n) - one) >> 1;
     if (e > 4 || e < -4) {
@@ -49,7 +49,7 @@ __attribute__((noinline)) void step() {
         e -= square >> 1;
     }
 
-    // The velocity along the chord of the arc, and the end back onto the arc.
+    // The velocity along the chord of the arc, and the end moved back onto the arc.
     const Raw half_way[2] = {scale_down<step_bits + 1>(l.velocity[0]),
                              scale_down<step_bits + 1>(l.velocity[1])};
     const Raw chord = project2<Raw, fraction_bits>(half_way, l.velocity) * 4;

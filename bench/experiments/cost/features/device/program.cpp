@@ -2,7 +2,7 @@
 // A scene whose features come from the command line: -DGRAVITY=1 -DSPRINGS=0 ... -DDIMENSIONS=2
 // -DINTEGRATOR=SemiImplicitEuler -DSOLVER=ProjectedGaussSeidel<10> -DCONTACTS=DiscreteContacts
 // -DBROAD_PHASE=BruteForce -DARITHMETIC=Nearest. Every feature that is in acts in every step. The
-// first particle is the lever's end; a second hangs beside it where something needs two.
+// first particle is the lever's end; features that need two particles have another next to it.
 #include <engine.h>
 
 #include <fixedpoint/arithmetic/small.hpp>
@@ -81,7 +81,7 @@ __attribute__((noinline)) unsigned char build() {
 __attribute__((noinline)) void step() { world.step(BinaryStep<10>()); }
 
 #if STOWAWAY
-// What no scene asks for, so that the judge of what is linked has something to find.
+// No scene uses this: it is linked so that the test of what is linked has something to find.
 volatile float metres = 1;
 __attribute__((noinline)) void stowaway() {
     metres = metres * 3;

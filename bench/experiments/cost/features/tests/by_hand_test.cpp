@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The lever written by hand moves as the engine's, to the bit: what they cost may be compared.
+// The lever written by hand moves like the engine's, to the last bit, so that their costs can be
+// compared.
 #include <engine.h>
 #include <gtest/gtest.h>
 

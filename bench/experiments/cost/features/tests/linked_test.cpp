@@ -27,11 +27,11 @@ const Uses lever = {"GRAVITY",           "ANCHORED_RODS",
 
 class FeaturePrograms : public testing::TestWithParam<Program> {};
 
-// As measured, where calls are inlined: symbols of kernels and tables remain.
+// As measured, with inlined calls: symbols of kernels and tables remain.
 TEST_P(FeaturePrograms, hold_nothing_that_their_scene_does_not_use) {
     EXPECT_THAT(unneeded(Elf(GetParam().measured), GetParam().uses), IsEmpty());
 }
-// With every function by itself: code that the optimiser would hide in others shows too.
+// With every function separate: code that the optimiser would hide in others is visible, too.
 TEST_P(FeaturePrograms, hold_exactly_what_their_scene_uses_where_nothing_is_inlined) {
     const Elf elf(GetParam().uninlined);
     EXPECT_THAT(unneeded(elf, GetParam().uses), IsEmpty());
@@ -47,7 +47,7 @@ INSTANTIATE_TEST_SUITE_P(all, FeaturePrograms, testing::ValuesIn(load_programs(f
                              return name;
                          });
 
-// The judge finds what is smuggled in, and what the scene did not ask for.
+// The check finds what is smuggled in, and what the scene did not ask for.
 TEST(Unneeded, finds_a_stowaway) {
     for (const char* suffix : {"", "_uninlined"}) {
         const auto found = unneeded(Elf(folder / (std::string(STOWAWAY) + suffix + ".elf")), lever);
@@ -55,7 +55,7 @@ TEST(Unneeded, finds_a_stowaway) {
         EXPECT_THAT(found, Contains(HasSubstr("fixedpoint_sqrt_q16_16 of square roots")));
     }
 }
-TEST(Unneeded, finds_each_feature_that_a_scene_is_said_not_to_use) {
+TEST(Unneeded, finds_each_feature_that_a_scene_is_declared_not_to_use) {
     for (const Program& program : load_programs(folder)) {
         if (!program.with || program.feature.find('=') != std::string::npos) continue;
         Uses others = program.uses;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The box on the chip, of -DPARTICLES=8 and -DBROAD_PHASE=BruteForce.
+// The box on the chip, with for example -DPARTICLES=8 and -DBROAD_PHASE=BruteForce.
 #include "bench/experiments/cost/growth/box.hpp"
 
 #include <engine/hash.hpp>

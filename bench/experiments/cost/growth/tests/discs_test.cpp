@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The engine and Box2D are timed on the same discs: both start alike, keep their energy, and hold
-// their discs apart and in the box.
+// The engine and Box2D are timed on the same discs: both start alike, conserve their energy, and
+// keep their discs apart and in the box.
 #include "bench/experiments/cost/growth/discs.hpp"
 
 #include <gtest/gtest.h>
@@ -113,7 +113,7 @@ unsigned long pairs_of_a_moment() {
 
 TEST(Pairs, AreAllOfThemOrThoseThatOverlapAlongTheFirstAxis) {
     EXPECT_EQ((pairs_of_a_moment<64, engine::BruteForce>()), 64 * 63 / 2);
-    // Of discs anywhere between the walls: two are within a diameter d of each other along an axis
+    // For discs anywhere between the walls: two are within a diameter d of each other along an axis
     // of width w with the probability 2 d / w - (d / w)^2.
     const double way = 2 * disc_radius / (2 * half_edge(1024) - 2 * disc_radius);
     const double expected = 1024 * 1023 / 2 * (2 * way - way * way);
@@ -128,7 +128,7 @@ TEST(Pairs, OfDiscsThatAreStillAreThoseOnTheirLattice) {
 }
 
 TEST(Times, AreThoseOfTheTimedStepsAlone) {
-    // A world that sleeps while it is made and warmed up, and a millisecond a step after it.
+    // A world that sleeps while it is made and warmed up, and then a millisecond per step.
     unsigned taken = 0;
     const Start slow_to_start = [&] {
         taken = 0;

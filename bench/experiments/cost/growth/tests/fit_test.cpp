@@ -39,12 +39,12 @@ std::vector<Cost> points(double a, double b, double c) {
         costs.push_back({"brute_force", static_cast<unsigned>(sample.particles), sample.value});
     return costs;
 }
-TEST(Crossing, is_where_the_second_stays_the_cheaper) {
+TEST(Crossing, is_where_the_second_stays_cheaper) {
     const auto quadratic = points(0, 10, 1), linear = points(100, 20, 0);
     // 10 N + N^2 against 100 + 20 N: 96 and 260 at 8 ... 416 and 420 at 16, 1344 and 740 at 32.
     EXPECT_EQ(crossing(quadratic, linear), 32u);
     EXPECT_EQ(crossing(linear, quadratic), std::nullopt);
-    // Of equal costs none is the dearer one.
+    // Of equal costs neither is more expensive.
     EXPECT_EQ(crossing(linear, linear), 2u);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The plant against closed forms and conservation laws.
+// The plant, compared with closed forms and conservation laws.
 #include "bench/experiments/haptic/plant/plant.hpp"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ TEST(Servo, SlewsAtItsNoLoadSpeed) {
     Plant plant(published_parameters(), {});
     plant.servo_pulse(width_for(plant.parameters(), degrees(90)), 0);
     const double begin = time_of(plant, degrees(25)), end = time_of(plant, degrees(85));
-    // 0.05 s for 60 degrees, free of load; the lever that it drags along costs a little.
+    // 0.05 s for 60 degrees without load; the lever that it moves costs a little.
     EXPECT_NEAR(end - begin, 0.05, 0.002);
 }
 
@@ -94,8 +94,8 @@ TEST(Lever, BalancesTheHandAndTheFoams) {
     }
 }
 
-// Solved on paper: both foams pressed, f(c) = k c + h c^3, so that
-// F L / r = f(p + d) - f(p - d) = 2 (k + 3 h p^2) d + 2 h d^3.
+// Solved by hand: both foams are pressed, f(c) = k c + h c^3, so that F L / r = f(p + d) - f(p - d)
+// = 2 (k + 3 h p^2) d + 2 h d^3.
 TEST(Lever, MovesAsFarAsTheCubicSays) {
     Parameters p = published_parameters();
     p.lever.friction = 0;
@@ -118,10 +118,10 @@ TEST(Foam, EndStopHoldsAHardPush) {
     const double travel = p.foam.thickness - p.foam.preload;
     EXPECT_GT(shift, travel);
     EXPECT_LT(shift, travel + 60 * p.lever.length / p.lever.sensor_radius / p.foam.stop_stiffness);
-    EXPECT_EQ(plant.sensor_force(1), 0);  // the other side is let go, and does not pull
+    EXPECT_EQ(plant.sensor_force(1), 0);  // the other side is released and does not pull
 }
 
-// Pushed, then torn back faster than the foam recovers.
+// Pushed, then pulled back faster than the foam recovers.
 TEST(Foam, NeverPulls) {
     Script script = stalled_at(degrees(30));
     script.hand_force.from(5).step(0.5, -40);
@@ -165,7 +165,7 @@ TEST(Energy, IsKeptWithoutDamping) {
     Parameters p = published_parameters();
     p.foam.damping = p.hand.damping = p.lever.friction = 0;
     double lost = 0;
-    EXPECT_LT(largest_gain_of_energy(p, lost), 0.02);  // symplectic: it swings, and does not drift
+    EXPECT_LT(largest_gain_of_energy(p, lost), 0.02);  // symplectic: it swings but does not drift
     EXPECT_NEAR(lost, 0, 2e-4);
 }
 
@@ -185,7 +185,8 @@ TEST(Sensor, ReadsThePublishedTableBackwards) {
     }
 }
 
-// A push that grows faster than the sensor: the reading comes after the force, and gets there.
+// A push that grows faster than the sensor follows: the reading lags behind the force and reaches
+// it.
 TEST(Sensor, LagsBehindTheForce) {
     Script script = stalled_at(degrees(30));
     script.hand_force.step(0.5, 1);
@@ -251,7 +252,7 @@ TEST(Plant, DialAndUnusedChannels) {
     EXPECT_EQ(plant.voltage(7), 0);
 }
 
-// A push against a servo that moves: everything at once.
+// A push against a moving servo: everything together.
 Plant busy(double step, int calls) {
     Parameters p = published_parameters();
     p.step = step;
@@ -268,7 +269,7 @@ Plant busy(double step, int calls) {
     return plant;
 }
 
-TEST(Plant, IsTheSameHoweverOftenItIsAsked) {
+TEST(Plant, DoesNotDependOnHowOftenItIsRead) {
     const Plant once = busy(20e-6, 0), often = busy(20e-6, 1000);
     EXPECT_EQ(once.lever_angle(), often.lever_angle());
     EXPECT_EQ(once.lever_velocity(), often.lever_velocity());
@@ -280,7 +281,7 @@ TEST(Plant, TheStepIsShortEnough) {
     EXPECT_NEAR(busy(20e-6, 0).lever_angle(), busy(1.25e-6, 0).lever_angle(), degrees(0.01));
 }
 
-// Of first order where nothing jumps: half the step, half the error.
+// First order where nothing jumps: half the step, half the error.
 TEST(Plant, ConvergesWithTheStep) {
     const auto swing = [](double step) {
         Parameters p = published_parameters();
@@ -299,8 +300,8 @@ TEST(Plant, ConvergesWithTheStep) {
     EXPECT_LT(std::abs(fine), degrees(0.001));
 }
 
-// A pulse between two steps drives the servo from the next one on: as one at the step before would,
-// and unlike one at the step after. Only whole steps have passed when it comes.
+// A pulse between two steps drives the servo from the next one on, like one at the step before and
+// unlike one at the step after. Only whole steps have passed when it arrives.
 TEST(Plant, APulseBetweenTwoStepsActsFromTheNextOneOn) {
     const auto after_a_pulse_at = [](double steps) {
         Plant plant(published_parameters(), {});
@@ -327,7 +328,7 @@ TEST(Plant, AStepIsItsEquations) {
     Plant plant(p, script);
     plant.servo_pulse(width_for(p, degrees(60)), 0);
     plant.advance_to(p.step);
-    // The foams hold each other at rest; the drive is full, and nothing turns yet.
+    // The foams balance at rest; the drive is full, and nothing moves yet.
     EXPECT_NEAR(plant.lever_velocity(), 2 * p.lever.length / p.lever.inertia * p.step, 1e-12);
     EXPECT_NEAR(plant.lever_angle() - degrees(30), plant.lever_velocity() * p.step, 1e-15);
     EXPECT_NEAR(plant.servo_velocity(), p.servo.stall_torque / p.servo.inertia * p.step, 1e-12);
@@ -361,8 +362,8 @@ TEST(Plant, RefusesASensorThatDoesNotRise) {
     EXPECT_THROW(Plant(p, {}), std::invalid_argument);
 }
 
-// Each parameter of the family keeps to its factor, reaches both sides of it, and varies for
-// itself.
+// Each parameter of the family stays within its factor, reaches both sides of it, and varies
+// independently.
 TEST(Family, KeepsToItsFactors) {
     using Get = double (*)(const Parameters&);
     const std::pair<Get, double> of[] = {

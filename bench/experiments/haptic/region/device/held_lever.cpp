@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The lever with the choices of -DCHOICES, on the board of lever.cpp, its selective damping as
-// -DDAMPED says: what the host's stable region is checked against.
+// The lever with the choices -DCHOICES, on the board of lever.cpp, with selective damping according
+// to -DDAMPED: the host's stable region is checked against it.
 #include <firmware/hardware/atmega328p.hpp>
 #include <firmware/lever_program.hpp>
 #include <fixedpoint/arithmetic/published.hpp>

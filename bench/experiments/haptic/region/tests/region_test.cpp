@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The host's loop against the chip, the linear theory against closed forms and the loop itself.
+// The host's loop compared with the chip, and the linear theory with closed forms and the loop
+// itself.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -32,8 +33,8 @@ struct PublishedUndamped
     static constexpr bool selective_damping = false;
 };
 
-// A lever that cannot move, a servo that is where it is told to be, a sensor that has no lag: what
-// is left is the virtual arm on the foam's spring, through a sample that is held for a frame.
+// A lever that cannot move, a servo that is where it is told to be, a sensor without lag: what
+// remains is the virtual arm on the foam's spring, through a sample that is held for a frame.
 Parameters rigid() {
     Parameters p = published_parameters();
     p.hand.stiffness = 1e9;
@@ -48,16 +49,16 @@ Parameters rigid() {
     return p;
 }
 
-// One frame T of I x'' = -k (x + tau x')_held is [1 - a/2, T - a tau/2; -a/T, 1 - a tau/T] with
-// a = k T^2 / I: its determinant, 1 + a/2 - a tau/T, leaves the unit circle where tau < T/2, and by
-// Jury's criterion it is left through -1 where tau > 2 I / (k T).
+// One frame T of I x'' = -k (x + tau x')_held is [1 - a/2, T - a tau/2; -a/T, 1 - a tau/T] with a =
+// k T^2 / I. Its determinant, 1 + a/2 - a tau/T, leaves the unit circle where tau < T/2; by Jury's
+// criterion an eigenvalue leaves it through -1 where tau > 2 I / (k T).
 TEST(LinearLoop, HasTheClosedFormsWindowOfTheServosLead) {
     const Parameters p = rigid();
     const double period = Schedule::frame, arm = 0.35;
     const double stiffness = 2 * p.foam.stiffness * p.lever.sensor_radius * p.lever.sensor_radius;
     const double inertia = 0.1 * arm * arm;
-    // What is not of the closed form: the readings' age, which the lead has to make up for besides,
-    // and the pulse that is told before it counts, here by a part of a step.
+    // Not in the closed form: the readings' age, which the lead must compensate, too, and the pulse
+    // that is commanded before it takes effect, here by a part of a step.
     const double age = Schedule::mean_reading_age();
     const double least = period / 2 + age, most = 2 * inertia / (stiffness * period);
     ASSERT_GT(most, 1.5 * least);
@@ -72,13 +73,13 @@ TEST(LinearLoop, HasTheClosedFormsWindowOfTheServosLead) {
     EXPECT_FALSE(stable(1.1 * most));
 }
 
-// Without lead the modulus is sqrt(1 + a/2), the frequency that of the rotation.
+// Without lead the modulus is sqrt(1 + a/2), and the frequency that of the rotation.
 TEST(LinearLoop, GrowsWithoutLeadAsTheDeterminantSays) {
     const Parameters p = rigid();
     const double period = Schedule::frame, arm = 0.45;
     const double stiffness = 2 * p.foam.stiffness * p.lever.sensor_radius * p.lever.sensor_radius;
     const double a = stiffness * period * period / (0.1 * arm * arm);
-    // Of the readings' age, a delay as any: the determinant gains a age / T.
+    // The readings' age is a delay like any other: the determinant gains a age / T.
     const double determinant = 1 + a / 2 + a * Schedule::mean_reading_age() / period;
     const Law law{std::ldexp(1, -16), 0, 0, false};
     const auto verdict = LinearLoop(p, law, {arm, 0, 0}).verdict();
@@ -88,7 +89,7 @@ TEST(LinearLoop, GrowsWithoutLeadAsTheDeterminantSays) {
     EXPECT_NEAR(verdict.frequency, frequency, 0.05 * frequency);
 }
 
-// The verdict is what the model does when it is left alone.
+// The verdict agrees with what the model does when it runs freely.
 TEST(LinearLoop, DoesWhatItsEigenvaluesSay) {
     for (const double lead : {0.0, 0.02})
         for (const double arm : {0.1, 0.23, 0.48}) {
@@ -97,8 +98,8 @@ TEST(LinearLoop, DoesWhatItsEigenvaluesSay) {
             const LinearLoop loop(published_parameters(), law, {arm, step_takes});
             State state{};
             state[LinearLoop::lever] = state[LinearLoop::arm] = 1;
-            // Brought back to size each frame, so that it neither overflows nor vanishes. Its
-            // ripple does not matter over so many frames.
+            // Rescaled each frame, so that it neither overflows nor vanishes. Its ripple does not
+            // matter over this many frames.
             double growth = 0;
             for (int frame = 0; frame < 1300; ++frame) {
                 state = loop.after_frame(state);
@@ -122,8 +123,8 @@ TEST(LinearLoop, IsSteadiedByTheDampingAndTheArm) {
     EXPECT_GT(bare, LinearLoop(p, law, {0.23, step_takes}).verdict().radius);
 }
 
-// A plant without what the theory leaves out, and the firmware in float: where the theory sees
-// growth well beyond 1 the lever swings, where it sees decay it is still.
+// A plant without the effects that the theory leaves out, and the firmware in float: where the
+// theory predicts growth well beyond 1 the lever swings, where it predicts decay it is still.
 TEST(LinearLoop, AgreesWithTheFirmwareOnAPlantWithoutStepsAndDeadBand) {
     Parameters p = published_parameters();
     p.servo.resolution = 1e-9;
@@ -165,9 +166,9 @@ TEST(Holding, PutsTheArmWhereItIsAskedFor) {
     }
 }
 
-// The chip keeps the schedule that the host's loop is made of: as many steps, and the lever where
-// the host's is, while nothing amplifies the microseconds between them.
-TEST(HostLoop, IsTheChipsTwin) {
+// The chip keeps the schedule of the host's loop: as many steps, and the lever in the same place as
+// on the host, as long as nothing amplifies the microseconds between them.
+TEST(HostLoop, AgreesWithTheChip) {
     const Parameters p = published_parameters();
     const Script script = Holding(0.3).script;
     DeviceLoop chip(simulator::Elf(HELD_LEVER_FOLDER "/held_q16_16_10_damped.elf"), p, script);
@@ -186,9 +187,9 @@ TEST(HostLoop, IsTheChipsTwin) {
 }
 
 // A lever whose sensors are on a frame without inertia falls by gravity alone, from 30 degrees
-// above the horizontal to 29 below: the pendulum's integral, whose singular end theta = 30 degrees
-// - u^2 removes.
-TEST(Fall, IsGravitysWhereNothingPressesTheSensors) {
+// above the horizontal to 29 below: the pendulum's integral, whose singular end is removed by theta
+// = 30 degrees - u^2.
+TEST(Fall, IsThatOfGravityIfNothingPressesTheSensors) {
     Parameters p = published_parameters();
     p.lever.inertia *= 1e-2;
     p.servo.inertia *= 1e-2;
@@ -208,7 +209,8 @@ TEST(Fall, IsGravitysWhereNothingPressesTheSensors) {
     EXPECT_NEAR(*fall, gravity, Schedule::frame);
 }
 
-// Who falls and swings as published does so on a loop of its own; who does not is not kept.
+// A plant that falls and swings as published does so in a separate loop, too; the others are not
+// kept.
 TEST(Identification, KeepsThePlantsThatFallAndSwingAsPublished) {
     EXPECT_NEAR(published_fall(), 0.18 * std::sqrt(0.23 / 0.20), 1e-12);
     constexpr double takes = 5.8e-3;
@@ -231,7 +233,7 @@ TEST(Identification, KeepsThePlantsThatFallAndSwingAsPublished) {
 }
 
 // At the shortest arm, on plants whose light foams let go of a sensor while the weight is held: on
-// the chip, and with the threshold that took this for an unplugged sensor, on the host.
+// the chip, and on the host with the threshold that took this for an unplugged sensor.
 TEST(Region, TheShortestArmIsStillWhereAFoamLetsGo) {
     const Parameters light = varied(published_parameters(), 9);
     DeviceLoop chip(simulator::Elf(HELD_LEVER_FOLDER "/held_q16_16_10_damped.elf"), light,
