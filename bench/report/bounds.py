@@ -40,6 +40,9 @@ LIMITS = {("atan2", "q16_16", OURS): (0.645, "fixedpoint/prove_angles"),
           ("pow", "q16_16", OURS): (0.81, "bench/prove_powers"),
           ("normalise3", "q16_16", OURS): (0.77, "fixedpoint/prove_normalise"),
           ("normalise3", "q8_8", OURS): (0.66, "fixedpoint/prove_normalise")}
+# ... or that it returns what others do, which are run over all inputs.
+CALLS = {("sincos", "q16_16", implementation): (("sin", "cos"), "bench/prove_sincos")
+         for implementation in ("small", "correctly_rounded")}
 # Runs over all inputs are judged in double, to this part of an ulp (reference/bulk.hpp).
 JUDGED_TO = 2**-14
 BENCH = pathlib.Path(__file__).resolve().parents[1]
@@ -99,6 +102,16 @@ def known(data, operation, number_format, implementation=OURS):
         bound = f"proven below {limit}"
         if ulp >= limit:
             raise DataError(f"{named}: {ulp} in max_ulp, where {proof} says less than {limit}")
+    elif bound and kind in CALLS:
+        names, proof = CALLS[kind]
+        parts = [known(data, name, number_format, implementation) for name in names]
+        if all(part and part["bound"] == "exact" for part in parts):
+            worst = max(parts, key=lambda part: part["max_ulp"])
+            if ulp > worst["max_ulp"] + JUDGED_TO:
+                raise DataError(f"{named}: {ulp} in max_ulp, where {' and '.join(names)} err by {worst['max_ulp']} at most")
+            ulp, ulp_witness, bound, ulp_run = (worst[key] for key in ("max_ulp", "max_ulp_witness", "bound", "ulp_run"))
+        else:
+            proof = None
     return what | {"cycles_max": cycles, "cycles_max_witness": cycles_witness, "cycles_bound": cycles_bound,
                    "cycles_run": cycles_run, "max_ulp": ulp, "max_ulp_witness": ulp_witness,
                    "bound": bound, "ulp_run": ulp_run, "proof": proof}
