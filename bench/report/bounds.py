@@ -32,6 +32,7 @@ PROOFS = {(operation, number_format, implementation): proof
           for operation in operations for number_format in formats}
 # ... or that it errs less than this, in ulp, whatever the largest error that is known.
 LIMITS = {("atan2", "q16_16", OURS): (0.645, "fixedpoint/prove_angles"),
+          ("atan2", "q16_16", "small"): (0.651, "fixedpoint/prove_small_angles"),
           ("atan2_turns", "q8_8", OURS): (0.500001, "bench/prove_turns"),
           ("atan2_turns", "q16_16", OURS): (0.5001, "bench/prove_turns"),
           ("atan2_degrees", "q8_8", OURS): (0.5002, "bench/prove_turns"),
