@@ -17,6 +17,7 @@ PROOFS = {(operation, number_format, implementation): proof
               ("fixedpoint/prove_products", ("q16_16", "q8_24"), OURS, ("multiply", "multiply_add", "dot2", "dot3")),
               ("fixedpoint/prove_products", ("q32_32",), OURS, ("multiply", "dot2", "dot3")),
               ("fixedpoint/prove_products", ("q8_8",), OURS, ("dot2", "dot3")),
+              ("fixedpoint/prove_saturating_products", ("q16_16",), "saturating", ("multiply",)),
               ("fixedpoint/prove_quotients", ("q16_16",), OURS, ("divide",)),
               ("fixedpoint/prove_small_quotients", ("q16_16",), "small", ("divide",)),
               ("fixedpoint/prove_remainders", ("q16_16",), OURS, ("remainder", "divrem", "divmod")),
@@ -31,12 +32,20 @@ PROOFS = {(operation, number_format, implementation): proof
           for operation in operations for number_format in formats}
 # ... or that its error is less than this, in ulp, whatever the largest known error is.
 LIMITS = {("atan2", "q16_16", OURS): (0.645, "fixedpoint/prove_angles"),
+          ("atan2", "q16_16", "small"): (0.651, "fixedpoint/prove_small_angles"),
           ("atan2_turns", "q8_8", OURS): (0.500001, "bench/prove_turns"),
           ("atan2_turns", "q16_16", OURS): (0.5001, "bench/prove_turns"),
           ("atan2_degrees", "q8_8", OURS): (0.5002, "bench/prove_turns"),
           ("atan2_degrees", "q16_16", OURS): (0.527, "bench/prove_turns"),
+          ("cbrt", "q16_16", OURS): (0.54, "bench/prove_cube_roots"),
+          ("log", "q8_24", OURS): (0.554, "bench/prove_cube_roots"),
+          ("pow", "q8_8", OURS): (0.504, "bench/prove_powers"),
+          ("pow", "q16_16", OURS): (0.81, "bench/prove_powers"),
           ("normalise3", "q16_16", OURS): (0.77, "fixedpoint/prove_normalise"),
           ("normalise3", "q8_8", OURS): (0.66, "fixedpoint/prove_normalise")}
+# ... or that it returns what other functions return, which were run over all inputs.
+CALLS = {("sincos", "q16_16", implementation): (("sin", "cos"), "bench/prove_sincos")
+         for implementation in ("small", "correctly_rounded")}
 # Runs over all inputs are judged in double, to this fraction of an ulp (reference/bulk.hpp).
 JUDGED_TO = 2**-14
 BENCH = pathlib.Path(__file__).resolve().parents[1]
@@ -96,6 +105,16 @@ def known(data, operation, number_format, implementation=OURS):
         bound = f"proven below {limit}"
         if ulp >= limit:
             raise DataError(f"{named}: {ulp} in max_ulp, but {proof} proves less than {limit}")
+    elif bound and kind in CALLS:
+        names, proof = CALLS[kind]
+        parts = [known(data, name, number_format, implementation) for name in names]
+        if all(part and part["bound"] == "exact" for part in parts):
+            worst = max(parts, key=lambda part: part["max_ulp"])
+            if ulp > worst["max_ulp"] + JUDGED_TO:
+                raise DataError(f"{named}: {ulp} in max_ulp, but {' and '.join(names)} err by at most {worst['max_ulp']}")
+            ulp, ulp_witness, bound, ulp_run = (worst[key] for key in ("max_ulp", "max_ulp_witness", "bound", "ulp_run"))
+        else:
+            proof = None
     return what | {"cycles_max": cycles, "cycles_max_witness": cycles_witness, "cycles_bound": cycles_bound,
                    "cycles_run": cycles_run, "max_ulp": ulp, "max_ulp_witness": ulp_witness,
                    "bound": bound, "ulp_run": ulp_run, "proof": proof}

@@ -233,22 +233,30 @@ class Rows(Arrays):
         return found
 
 
+class Core(Program):
+    """`table` is the one whose intervals are looked at, and how many it has."""
+    table = ARCTANGENT, 256
+
+
 def rows(program):
     """V, S, b and w of each interval, as the record has them in the order w, b, S, V."""
-    first = program.labels[ARCTANGENT]
-    table = numpy.frombuffer(program.flash[first:first + 256 * RECORD], dtype=numpy.uint8).reshape(256, RECORD).astype(numpy.int64)
+    name, intervals = program.table
+    first = program.labels[name]
+    table = numpy.frombuffer(program.flash[first:first + intervals * RECORD], dtype=numpy.uint8)
+    table = table.reshape(intervals, RECORD).astype(numpy.int64)
     parts = [sum(table[:, i] << 8 * (i - begin) for i in range(begin, end)) for begin, end in ((7, 12), (3, 7), (1, 3))]
     return *parts, numpy.where(table[:, 0] < 128, table[:, 0], table[:, 0] - 256)
 
 
 def bent(m):
-    i, t2 = (part.ravel() for part in numpy.meshgrid(numpy.arange(256), numpy.arange(256)))
-    m.place(m.program.labels[ARCTANGENT] + RECORD * i, (30, 31))
+    name, intervals = m.program.table
+    i, t2 = (part.ravel() for part in numpy.meshgrid(numpy.arange(intervals), numpy.arange(256)))
+    m.place(m.program.labels[name] + RECORD * i, (30, 31))
     m.place(t2, T[2:])
     m.registers[21] = 0
     _, slope, bend, twist = rows(m.program)
     wanted = 256 * bend[i] + twist[i] * t2
-    place = m.program.labels[ARCTANGENT] + RECORD * i + 3
+    place = m.program.labels[name] + RECORD * i + 3
 
     def check(m, _):
         demand(m.transfer is None and all(map(m.untouched, T[:2])) and (m.number(T[2:]) == t2).all())
@@ -306,27 +314,38 @@ def climbed(m):
     return check
 
 
-def bound(program):
-    """The error bound of the result, in units of 2^-28, from the table and from what is proven."""
+def differences(program, function, fourth, pieces=PIECES):
+    """The polynomial minus `function` in the middle of each piece of an interval, in units of 2^-39, and how much larger
+    the difference may be elsewhere in the piece. `function` returns its value and three derivatives; `fourth` bounds the
+    fourth."""
     value, slope, bend, twist = (part.astype(float)[:, None] for part in rows(program))
     demand((value + slope < 2.0**39).all())
-    begin = numpy.arange(256)[:, None] / 256
-    half = 1 / (2 * PIECES)
-    t = (2 * numpy.arange(PIECES)[None, :] + 1) * half
-    x, unit = begin + t / 256, 2.0**FRACTION
-    square = 1 + x * x
+    half, unit = 1 / (2 * pieces), 2.0**FRACTION
+    t = (2 * numpy.arange(pieces)[None, :] + 1) * half
+    exact = [unit / 256**n * each for n, each in enumerate(function(numpy.arange(len(value))[:, None] / 256 + t / 256))]
     # The difference and its derivatives by t, and what is beyond them.
-    difference = (value - unit * numpy.arctan(x) + t * (slope - 256 * t * (bend + t * twist)),
-                  slope - 512 * t * bend - 768 * t * t * twist - unit / 256 / square,
-                  -512 * bend - 1536 * t * twist + unit / 256**2 * 2 * x / square**2,
-                  -1536 * twist - unit / 256**3 * (6 * x * x - 2) / square**3)
+    difference = (value - exact[0] + t * (slope - 256 * t * (bend + t * twist)),
+                  slope - 512 * t * bend - 768 * t * t * twist - exact[1], -512 * bend - 1536 * t * twist - exact[2],
+                  -1536 * twist - exact[3])
     beyond = sum(abs(each) * half**n / factorial for n, each, factorial in zip((1, 2, 3), difference[1:], (1, 2, 6)))
     # Numbers of at most 2^40 are rounded here, to 2^-13: a hundredth is far more than their errors sum up to.
-    beyond += FOURTH * unit / 256**4 * half**4 / 24 + 0.01
+    return difference[0], beyond + fourth * unit / 256**4 * half**4 / 24 + 0.01
+
+
+def arc_tangent(x):
+    square = 1 + x * x
+    return numpy.arctan(x), 1 / square, -2 * x / square**2, (6 * x * x - 2) / square**3
+
+
+def bound(program):
+    """The error bound of the result, in units of 2^-28, from the table and from what is proven."""
+    _, slope, bend, twist = (part.astype(float)[:, None] for part in rows(program))
+    begin = numpy.arange(256)[:, None] / 256
+    difference, beyond = differences(program, arc_tangent, FOURTH)
     lost = LOST / 2**24
     # t2 / 256 is t, less up to a 256th.
-    cubic = ((difference[0] - beyond + numpy.minimum(twist, 0)).min(1) - lost,
-             (difference[0] + beyond + numpy.maximum(twist, 0)).max(1) + lost)
+    cubic = ((difference - beyond + numpy.minimum(twist, 0)).min(1) - lost,
+             (difference + beyond + numpy.maximum(twist, 0)).max(1) + lost)
     # floor(s r / 256) less the arc tangent's part beyond Q.
     slopes = slope[:, 0] / 2**24, (slope - numpy.maximum(bend * 256, bend * 256 + twist * 255))[:, 0] / 2**24
     steepest, flattest = (128 / (1 + each[:, 0]**2) for each in (begin, begin + 1 / 256 + 2.0**-31))
@@ -373,8 +392,8 @@ def main():
     for machine, every, labels in ((Calling, 8, (NAME, RATIO)),
                                    (Ratio, 8, (".Lindex", ".Lscale", *(f".Ldigit{q}" for q in DIGITS), ".Lremainder")),
                                    (Rows, 1, (CUBIC,)), (Cubic, 8, (".Lfall", ".Lslope", ".Lrise"))):
-        program = Program(STRETCHES, machine, cuts=CUTS,
-                          sources=("atan2_32", "cubic_32", "reciprocal_table", "atan_32_table", "scale_40"))
+        program = Core(STRETCHES, machine, cuts=CUTS,
+                       sources=("atan2_32", "cubic_32", "reciprocal_table", "atan_32_table", "scale_40"))
         if machine is Ratio:
             check_table(program)
         failed |= program.run(every, ("ret", "rjmp"), labels)

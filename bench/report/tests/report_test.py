@@ -182,6 +182,20 @@ class Operations(Figures):
             with self.assertRaisesRegex(DataError, message):
                 bounds.known(made, "add", "q16_16")
 
+    @unittest.mock.patch.dict(bounds.CALLS, {("sincos", "q16_16", "default"): (("sin", "cos"), "a proof")}, clear=True)
+    def test_what_is_shown_to_call_others_errs_as_they_do(self):
+        columns = "operation format implementation operands cycles_max cycles_max_witness max_ulp max_ulp_witness kernel_sha256\n"
+        sampled = columns + "".join(f"{name} q16_16 default full 9 1 0.5 1 {name}\n" for name in ("sin", "cos", "sincos"))
+        whole = columns + "sin q16_16 default all 9 1 0.625 2 sin\ncos q16_16 default all 9 1 0.75 3 cos\n"
+
+        def known(operations, exhaustive):
+            return list(bounds.known(golden(operations=operations, exhaustive=exhaustive), "sincos", "q16_16").values())[7:]
+        self.assertEqual(known(sampled, whole), [0.75, 3, "exact", "exhaustive.csv, all", "a proof"])
+        only_sine = whole[:whole.index("cos q16_16")]
+        self.assertEqual(known(sampled, only_sine), [0.5, 1, "lower bound", "operations.csv, full", None])
+        with self.assertRaisesRegex(DataError, "0.875 in max_ulp, where sin and cos err by 0.75 at most"):
+            known(sampled.replace("0.5 1 sincos", "0.875 1 sincos"), whole)
+
     def test_portable_code_errs_as_the_default_does(self):
         made = golden(operations=OPERATIONS.replace("default full", "portable full"),
                       accuracy="operation format implementation operands max_ulp max_ulp_witness\nadd q16_16 default search 0.75 9\n")
@@ -190,7 +204,7 @@ class Operations(Figures):
     def test_a_proof_is_a_test(self):
         rooms = "fixedpoint", "bench/experiments/exhaustive"
         tests = "".join((pathlib.Path(report.HERE).parents[1] / room / "CMakeLists.txt").read_text() for room in rooms)
-        for proof in bounds.PROOFS.values():
+        for proof in (*bounds.PROOFS.values(), *(proof for _, proof in (*bounds.LIMITS.values(), *bounds.CALLS.values()))):
             self.assertIn(f"test_command({proof}", tests)
 
     def test_against_float(self):

@@ -90,8 +90,7 @@
     clr r26
     mul rA1, rB2
     add r31, r0
-    adc r27, r1
-    rol r26
+    adc r27, r1         // at most 1 + 0xfe + 1
     mul_add rA2, rB2, r27, r26
     mul_add rA2, rB1, r31, r27
     clr r1

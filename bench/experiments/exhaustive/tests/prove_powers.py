@@ -1,0 +1,395 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Proves how much pow of Q16.16 and Q8.8 errs at most, for all pairs of operands, from the machine code and tables that are
+measured.
+
+usage: prove_powers.py FOLDER    that of the device programs
+
+    pow             e^(y ln |x|), of the right sign, rounded and saturated, as the definition of what is
+                    beyond that asks; that of Q8.8 is the same of numbers of Q16.16, rounded again      by bits
+    logarithm_56    the normalised mantissa, then the polynomial of its distance from a node, in the
+                    products of kernels that fixedpoint/prove_products proves                           by bits
+    exp_wide        k ln 2 - r, the mantissa e^-r from the core, the shift                              by bits
+    cubic_40        of which fixedpoint/prove_angles_32 proves the instructions: the table keeps what
+                    they ask of it                                                                      by running it
+
+libgcc's products are taken for exact.
+
+The errors are added up. That of a logarithm L counts by its part of L, as |y ln x| <= 15 ln 2 where a power is in the range;
+the mantissa's, where that counts most: from 2^30.9 units on. Then instructions are left out in turn, and bytes of the tables
+changed, and each time the proof must fail; that of compiled code may stand without a third of them.
+"""
+import sys
+from functools import partial
+from pathlib import Path
+
+import numpy
+import z3
+from mpmath import mp, mpf
+
+from calling import A64, B64, FRAME, SUMS, Compiled, shown, sum_of
+from machine_code import CALL_SAVED, Unprovable, demand
+from prove_angles_32 import CUBIC, LOST, RECORD, Core, Rows, bent, differences, rows
+
+LOG, POW = "_ZN10fixedpoint6kernel8composed12logarithm_56ILi16EEExm", "pow_{}_default"
+NODE = "_ZN10fixedpoint8portable17LogarithmOfFactorIvE{}E"
+CONVERT = "_ZN10fixedpoint8portable15convert_clampedIiLi8ElLi16EEENS0_9ConvertedIT_EET1_"
+LOAD = "_ZN10fixedpoint19load_program_memoryEPKy"
+EXP, TABLE, INTERVALS = "fixedpoint_exp_wide", "fixedpoint_exp_32_table", 208
+LONG_PRODUCT, SHORT_PRODUCT, WIDE_PRODUCT, FULL_PRODUCT = (
+    "fixedpoint_multiply_q32_32", "fixedpoint_multiply_q0_32", "__umulsidi3", "__muldi3")
+A32, B32 = (22, 4), (18, 4)
+LN2_40, LN2_56 = 762123384786, 0xb17217f7d1cf7a
+OFFSET, K, MOST_K = 35, 27, 104
+LARGEST = 0xffffffff << 32
+FIFTH, SIXTH, FOURTH, THIRD, HALF = 13107, 341, 524288, 22369621, 1 << 30
+FROM = 15 * 0.6931471805599453
+PIECES = 512  # of an interval
+BOUND = 0.81  # ulp
+EVERY = 40
+# What is pushed by a function that uses all registers.
+EVERY_SAVED = (*range(2, 18), 28, 29)
+OUT, NEXT = ".Lnode", ".Lloop"
+OCTAVE, SCALE = ".Loctave", ".Lscale"
+
+
+# pow
+
+
+def rounded(power, negative):
+    """Of a power in units of 2^-32, and saturated."""
+    whole, up = z3.Extract(63, 32, power), z3.ZeroExt(31, z3.Extract(31, 31, power))
+    limit = z3.BitVecVal((1 << 31) - 1 + negative, 32)
+    magnitude = z3.If(z3.Or(z3.UGT(whole, limit), z3.UGT(whole + up, limit)), limit, whole + up)
+    return -magnitude if negative else magnitude
+
+
+def of_one_sign(m, negative):
+    """Whether the path is that of negative results."""
+    found = not m.impossible(negative)
+    shown(m, negative == found)
+    m.holds.append(negative == found)
+    return found
+
+
+def narrowed(number):
+    """A number of Q16.16 as one of Q8.8, rounded and saturated."""
+    wide = (z3.SignExt(1, number) + 128) >> 8
+    return z3.Extract(15, 0, z3.If(wide > 32767, z3.BitVecVal(32767, 33), z3.If(wide < -32768, z3.BitVecVal(-32768, 33), wide)))
+
+
+def converted(m):
+    number = m.number(*A32)
+
+    def check(m, _):
+        shown(m, m.number(22, 2) == narrowed(number))
+    return check
+
+
+def pow_of(size, m):
+    """That of Q8.8 is that of Q16.16."""
+    short = size == 2
+    x, y = (m.number(low, size) for low in ((24, 22) if short else (22, 18)))
+    if short:
+        x, y = (z3.Concat(z3.SignExt(8, number), z3.BitVecVal(0, 8)) for number in (x, y))
+    fraction = z3.Extract(15, 0, y)
+
+    def check(m, _):
+        result = m.number(26 - size, size)
+        if short:
+            *m.calls, (convert, (wide,), narrow) = m.calls
+            demand(convert == CONVERT)
+            shown(m, result == z3.Extract(15, 0, narrow))
+            result = wide
+        if not m.calls:
+            largest = z3.BitVecVal((1 << 31) - 1, 32)
+            shown(m, z3.Or(z3.And(y == 0, result == 1 << 16), z3.And(y != 0, x == 0, result == z3.If(y > 0, 0, largest)),
+                           z3.And(y != 0, x < 0, fraction != 0, result == 0)))
+            return
+        (log, (of,), logarithm), (product, factors, exponent), (exp, (argument, unit), power) = m.calls
+        demand((log, product, exp) == (LOG, LONG_PRODUCT, EXP))
+        negative = z3.And(x < 0, z3.Extract(16, 16, y) == 1)
+        shown(m, x != 0, y != 0, z3.Or(x > 0, fraction == 0), of == z3.If(x < 0, -x, x), factors[0] == logarithm,
+              factors[1] == z3.SignExt(32, y), argument == exponent, unit == 16)
+        shown(m, result == rounded(power, of_one_sign(m, negative)))
+    return check
+
+
+# The logarithm
+
+
+class Logarithm(Compiled):
+    def look_up(self):
+        """Whatever it is."""
+        found = z3.BitVec(f"table.{len(self.calls)}", 8)
+        self.calls.append(("table", [self.number(30, 2)], found))
+        return found
+
+
+def begun(m):
+    x = m.number(*A32)
+
+    def check(m, _):
+        shown(m, m.number(*B32) == x, m.frame[1] == 15)
+        demand(not m.calls)
+    return check
+
+
+def doubled(m):
+    m.has_frame = True
+    x, m.frame[1] = m.number(*B32), m.registers[2]
+    exponent = m.frame[1]
+
+    def check(m, end):
+        if end == OUT:
+            shown(m, x < 0, m.number(*B32) == x, m.frame[1] == exponent)
+        else:
+            shown(m, x >= 0, m.number(*B32) == x << 1, m.frame[1] == exponent - 1)
+    return check
+
+
+def distance(m):
+    m.has_frame = True
+    x, m.frame[1] = m.number(*B32), m.registers[2]
+    exponent = m.frame[1]
+    labels = m.program.labels
+    m.holds.append(x < 0)
+
+    def check(m, _):
+        names, operands, results = zip(*m.calls)
+        demand(names == ("table", WIDE_PRODUCT, *[SHORT_PRODUCT] * 4, LONG_PRODUCT, LONG_PRODUCT, LOAD, FULL_PRODUCT))
+        (place,), (one, other), *short, bend, square, (node_place,), (count, ln2) = operands
+        decrease, product, sixth, fifth, fourth, third, bent, fall, logarithm, multiple = results
+        node = z3.LShR(z3.ZeroExt(8, z3.Extract(31, 24, x)) - 127, 1)
+        s = product - (1 << 39)
+        z = z3.Extract(31, 0, s >> 2)
+        half = z3.BitVecVal(HALF, 32) - third
+        shown(m, place == labels[NODE.format("8decrease")] + node, one == 256 - z3.ZeroExt(24, decrease), other == x,
+              *(factors[0] == z for factors in short), short[0][1] == SIXTH, short[1][1] == FIFTH - sixth,
+              short[2][1] == FOURTH - fifth, short[3][1] == THIRD - fourth,
+              bend[0] == s << 11, bend[1] == z3.SignExt(32, half), square[0] == s, square[1] == bent,
+              node_place == labels[NODE.format("9logarithm")] + 8 * node, count == z3.SignExt(56, exponent), ln2 == LN2_56,
+              m.number(18, 8) == (s << 17) - fall + logarithm + multiple)
+    return check
+
+
+PARTS = 32  # of the distances from a node
+
+
+def logarithm_error(program):
+    """The largest error of a logarithm, as a part of it, over all x."""
+    flash, labels = program.flash, program.labels
+    first, second = (labels[NODE.format(name)] for name in ("8decrease", "9logarithm"))
+    worst = 0.0
+    # So that of 1 is 0.
+    demand(not flash[first] and not any(flash[second:second + 8]))
+    for node in range(65):
+        factor = 256 - flash[first + node]
+        logarithm = int.from_bytes(flash[second + 8 * node:second + 8 * node + 8], "little")
+        least, most = max(2 * node + 127, 128) << 24, (2 * node + 129 << 24) - 1
+        # What the table's is less than the right one, in units of 2^-56; to 2^-100.
+        from_table = abs(float(logarithm - mp.log(mpf(256) / factor) * 2**56))
+        s = numpy.linspace(least * factor / 2.0**39 - 1, min(most, (1 << 32) - 1) * factor / 2.0**39 - 1, PARTS + 1)
+        low, high = s[:-1], s[1:]
+        m = numpy.maximum(abs(low), abs(high))
+        demand(m.max() * 2**37 + 1 < 2**31)
+        u = (m * 2**37 + 1) / 2**32
+        # Of each sum: half a unit of the product, the constant, the sum before, and that z is cut.
+        error = 0.5 + abs(FIFTH - 2**16 / 5) + m * abs(SIXTH * 2.0**5 - 2**16 / 6) + SIXTH / 2**32
+        for constant, exact, factor_of_z in ((FOURTH, 2**21 / 4, 2**16), (THIRD, 2**26 / 3, 2**21), (HALF, 2**31 / 2, 2**26)):
+            error = 0.5 + abs(constant - exact) + u * error + factor_of_z / 2**32
+        error = 0.5 + m * 2**39 * (0.5 + m * 2**18 * error) / 2**32
+        error += 2.0**56 * m**7 / 7 / (1 - m) + from_table
+        for exponent in range(-16, 16):
+            of_ln2 = abs(exponent) * abs(float(LN2_56 - mp.log(2) * 2**56))
+            whole = logarithm / 2.0**56 + exponent * numpy.log(2)
+            ends = whole + numpy.log1p(low), whole + numpy.log1p(high)
+            # Next to 1 it is that of 1 +- 2^-16, or 0 without an error.
+            nearest = numpy.where(ends[0] * ends[1] <= 0, 0, numpy.minimum(abs(ends[0]), abs(ends[1])))
+            worst = max(worst, ((error + of_ln2) / numpy.maximum(nearest, 2.0**-16 - 2.0**-32)).max() / 2.0**56)
+    return worst
+
+
+# The power of e
+
+
+class Exponential(Compiled):
+    """Calls the core, which takes r21 as zero."""
+
+    def step(self, address):
+        mnemonic, _, target, following = self.program.code[address]
+        if mnemonic != "call" or target != self.program.labels[CUBIC]:
+            return super().step(address)
+        demand(self.is_zero(21) and not self.calls)
+        given = [self.number(30, 2), self.number(18, 3), self.stack[-1]]
+        kept = {n: self.registers[n] for n in (21, *CALL_SAVED)}
+        self.registers = {n: z3.BitVec(f"core.r{n}", 8) for n in range(32)} | kept
+        self.flags = {}
+        self.calls.append((CUBIC, given, (self.number(23, 5), self.registers[22])))
+        return [(following, self)]
+
+
+def octave(m):
+    x, unit = m.number(*A64), m.registers[16]
+    upper = x >> 40
+    k = z3.Extract(15, 0, upper) * 185 + z3.LShR(z3.ZeroExt(8, z3.Extract(39, 32, x)) * 185, 8) + 128 * (OFFSET + 1) + 9 >> 7
+
+    def check(m, end):
+        result = m.number(*A64)
+        if end is None:
+            shown(m, z3.Or(z3.And(upper >= 46, result == LARGEST), z3.And(upper < -24, result == 0)))
+        else:
+            shown(m, upper < 46, upper >= -24, m.number(18, 5) == z3.Extract(39, 0, x), m.registers[16] == unit,
+                  z3.ZeroExt(8, m.registers[K]) == k, k <= MOST_K)
+    return check
+
+
+def exponential(m):
+    x, unit, k = m.number(18, 5), m.registers[16], m.registers[K]
+    m.holds += [unit >= 0, unit <= 29, k >= 0, k <= MOST_K]
+    place = k + unit - (OFFSET - 9)
+
+    def check(m, end):
+        if end is None:
+            result = m.number(*A64)
+            shown(m, z3.Or(z3.And(place >= 42, result == LARGEST), z3.And(place < 0, result == 0)))
+            return
+        (_, (record, t, lowest), (value, slope)), = m.calls
+        rest = z3.SignExt(32, k) * LN2_40 - OFFSET * LN2_40 - x
+        last = z3.ZeroExt(24, z3.LShR(z3.ZeroExt(8, slope) * z3.ZeroExt(8, lowest), 8))
+        shown(m, m.registers[19] == place, place >= 0, place < 42, lowest == z3.Extract(7, 0, rest), t == z3.Extract(31, 8, rest),
+              record == m.program.labels[TABLE] + RECORD * z3.ZeroExt(8, z3.Extract(39, 32, rest)),
+              m.number(23, 5) == (1 << 39) - 1 - value - last)
+    return check
+
+
+def scaled(m, place):
+    mantissa = m.number(23, 5)
+    m.registers[19] = z3.BitVecVal(place, 8)
+    m.holds.append(z3.ULE(mantissa, 1 << 39))
+
+    def check(m, _):
+        wide = z3.ZeroExt(24, mantissa)
+        shown(m, m.number(18, 8) == (wide << 25 if place > 40 else z3.LShR(wide, 40 - place) << 24))
+    return check
+
+
+def power_of_e(x):
+    power = numpy.exp(-x)
+    return 1 - power, power, -power, power
+
+
+def mantissa_errors(program):
+    """The lowest and the highest of each interval, in units of 2^-39."""
+    _, slope, bend, twist = (part.astype(float)[:, None] for part in rows(program))
+    difference, beyond = differences(program, power_of_e, 1.0, PIECES)
+    # t2 / 256 is t, less up to a 256th; what the fall lacks is multiplied by t.
+    t = numpy.arange(1, PIECES + 1) / PIECES
+    value = ((difference - beyond + numpy.minimum(twist, 0) * t**2).min(1) - LOST / 2**24,
+             (difference + beyond + numpy.maximum(twist, 0) * t**2 + LOST / 2**24 * t).max(1))
+    # floor(s r / 256) less what the power falls beyond Q.
+    slopes = slope[:, 0] / 2**24, (slope - numpy.maximum(bend * 256, bend * 256 + twist * 255))[:, 0] / 2**24
+    steepest, flattest = (128 * numpy.exp(-(numpy.arange(INTERVALS) + each) / 256) for each in (0, 1 + 2.0**-23))
+    last = numpy.minimum(slopes[1] - 1 - steepest, 0) - 1, numpy.maximum(slopes[0] - flattest, 0)
+    return -1 - value[1] - last[1], -1 - value[0] - last[0]
+
+
+def bound(program):
+    """Of a power, in ulp."""
+    errors = mantissa_errors(program)
+    x = numpy.arange(-24 << 8, 46 << 8)
+    k = ((x >> 8) * 185 + ((x & 255) * 185 >> 8) + 128 * (OFFSET + 1) + 9 >> 7) - OFFSET
+    # Beyond, a power is below 2^-9 ulp, or saturates.
+    inside = (k + 9 + 16 >= 0) & (k + 9 + 16 < 42)
+    x, k = x[inside], k[inside]
+    rest = k * LN2_40 - ((x + 1) << 32) + 1, k * LN2_40 - (x << 32)
+    demand((rest[0] >= 0).all())
+    interval = rest[0] >> 32, rest[1] >> 32
+    demand((interval[1] < INTERVALS).all() and (interval[1] - interval[0] <= 1).all())
+    # From here on a power saturates, as its error is less than that by which it is beyond.
+    finite = x / 256 < FROM + 2.0**-20
+    largest = numpy.minimum(2.0**16 * numpy.exp((x + 1) / 256), 2.0**31 * (1 + 2.0**-19))
+    relative = ((logarithm_error(program) * numpy.minimum(abs(x / 256) + 1 / 256, FROM + 2.0**-20) + 2.0**-41) * 1.001 +
+                abs(k) * abs(float(LN2_40 - mp.log(2) * 2**40)) / 2**40)
+    unit = 2.0**(16 + k - 39)
+    low, high = (numpy.where(finite, unit * choose(each[interval[0]], each[interval[1]]), 0)
+                 for choose, each in zip((numpy.minimum, numpy.maximum), errors))
+    # exp_wide cuts to a 256th of an ulp.
+    return 0.5 + max(float((2.0**-8 - low + relative * largest)[finite].max()), float((high + relative * largest)[finite].max()))
+
+
+class Powers(Core):
+    table = TABLE, INTERVALS
+
+
+def unnoticed(program):
+    """Bytes of the tables that may be another by 1 although that is 2^-31 or 2^-40."""
+    flash, found = program.flash, []
+    exp, logarithm = (program.labels[name] for name in (TABLE, NODE.format("9logarithm")))
+    for place in (*(exp + RECORD * i + byte for i in (40, 70, 180) for byte in (0, 1, 4, 8)), logarithm + 8 * 2 + 2):
+        program.flash = flash[:place] + bytes([flash[place] ^ 1]) + flash[place + 1:]
+        try:
+            found += [place] if bound(program) < BOUND else []
+        except Unprovable:
+            pass
+    program.flash = flash
+    return found
+
+
+CALLED = {LOG: ([A32], 8), LONG_PRODUCT: ([A64, B64], 8), EXP: ([A64, (16, 1)], 8), SHORT_PRODUCT: ([A32, B32], 4),
+          WIDE_PRODUCT: ([A32, B32], 8), FULL_PRODUCT: ([A64, B64], 8), LOAD: ([(24, 2)], 8), CONVERT: ([A32], 4)}
+ANY = ((),)
+STRETCHES = [*((POW.format(name), partial(pow_of, size), (None,), (), ANY, (None,)) for name, size in (("q16_16", 4), ("q8_8", 2))),
+             (CONVERT, converted, (None,), (), ANY, (None,)),
+             *((name, partial(sum_of, name), (None,), (), ANY, (None,)) for name in SUMS),
+             (LOG, begun, (NEXT,), (), ANY, (None,)),
+             (NEXT, doubled, (NEXT, OUT), EVERY_SAVED, ANY, (None,)),
+             (OUT, distance, (None,), EVERY_SAVED, ANY, (None,)),
+             (EXP, octave, (OCTAVE, None), (), ANY, (None,)),
+             (OCTAVE, exponential, (SCALE, None), (), ANY, (None,)),
+             (SCALE, scaled, (None,), (), [(i,) for i in range(42)], (None,)),
+             (CUBIC, bent, (".Lfall",), (), ANY, (None,)),
+             (".Lfall", None, (), ())]
+CUTS = ((NEXT, LOG, "sbrc", "r21"), (OUT, NEXT, "mov", "r24"), (".Lproduct", EXP, "ldi", "r27"),
+        (OCTAVE, ".Lproduct", "ldi", "r31"), (".Lmantissa", EXP, "pop", "r0"), (SCALE, ".Lmantissa", "ldi", "r20"),
+        (".Lfall", CUBIC, "mul", "r23"))
+
+
+def counted(program, labels):
+    """Proves stretches of compiled code; how many instructions are in them, and which may be left out."""
+    count, found = 0, []
+    for stretch in (each for each in program.stretches if each[0] in labels):
+        visited = program.prove(*stretch)
+        print(f"{stretch[0]}: proven", flush=True)
+        count += len(visited)
+        found += program.survivors(stretch, visited, EVERY, ("ret", "rjmp", *FRAME))
+    return count, found
+
+
+def main():
+    folder, failed, count, needless = Path(sys.argv[1]), False, 0, []
+    mp.prec = 100
+
+    def program(number_format, machine, labels):
+        stretches = [each for each in STRETCHES if each[0] in (*labels, NEXT, OUT, OCTAVE, SCALE, ".Lfall")]
+        return Powers(stretches, machine, elf=folder / f"{number_format}_powers.elf", cuts=CUTS)
+
+    for number_format, machine, labels in (("q8_8", Compiled, (POW.format("q8_8"), CONVERT)),
+                                           ("q16_16", Compiled, (POW.format("q16_16"), *SUMS)),
+                                           ("q16_16", Logarithm, (LOG, NEXT, OUT))):
+        visited, found = counted(program(number_format, partial(machine, CALLED), labels), labels)
+        count, needless = count + visited, needless + found
+    # The compiler leaves instructions that change nothing.
+    print(f"of {count} compiled instructions one in {EVERY} was left out, without effect {needless}")
+    failed |= 3 * EVERY * len(needless) > count
+    for machine, every, labels in ((partial(Exponential, CALLED), 32, (EXP, OCTAVE, SCALE)), (Rows, 4, (CUBIC,))):
+        last = program("q16_16", machine, labels)
+        failed |= last.run(every, ("ret", "rjmp"), labels)
+    found, places = bound(last), unnoticed(last)
+    print(f"pow_q16_16_default: errs by less than {found:.6f} ulp, of at most {BOUND}; pow_q8_8_default: by less than "
+          f"{0.5 + found / 256:.6f}; bytes of the tables that could be another: {places}")
+    return failed or found >= BOUND or places != []
+
+
+if __name__ == "__main__":
+    sys.exit(main())

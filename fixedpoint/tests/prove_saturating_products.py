@@ -1,0 +1,172 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: MIT
+"""Proves for all operands that fixedpoint_multiply_q16_16_saturating returns the product, rounded to nearest and clamped, from
+its instructions.
+
+usage: prove_saturating_products.py
+
+    entry        both highest bytes are 0 or -1; or one operand has three bytes and is a;
+                 or both are so large that the product overflows, and r27 has its sign                  by bits
+    both, small  R = floor(a b / 2^16 + 1/2) in five bytes, of two's complement                          by linear forms
+    fits, clamp  R, clamped to four bytes                                                                by bits
+
+Then instructions are left out in turn, and each time the proof must fail.
+"""
+
+import sys
+from itertools import product
+
+import z3
+
+from bits import Bits
+from form import Form, known
+from machine_code import Program, demand
+from stretches import Linear, equal, zeros
+
+NAME = "fixedpoint_multiply_q16_16_saturating"
+A, B = 22, 18
+BOTH, SMALL, FITS_BOTH, FITS_SMALL, CLAMP = ".Lboth", ".La_small", ".Lfits_both", ".Lfits_small", ".Lclamp"
+# Where R is, and the largest |R| there.
+PLACES = {FITS_BOTH: ((22, 23, 24, 25, 0), 1 << 32), FITS_SMALL: ((30, 31, 25, 26, 27), 1 << 38)}
+
+
+def entry(m):
+    a, b = m.number(A, 4), m.number(B, 4)
+
+    def below(x, bits):
+        return z3.And(x >= -(1 << bits), x < 1 << bits)
+
+    def check(m, end):
+        demand("T" not in m.flags and m.is_zero(1))
+        if end == BOTH:
+            holds = z3.And(m.number(A, 4) == a, m.number(B, 4) == b, below(a, 24), below(b, 24))
+        elif end == SMALL:
+            short, other = z3.SignExt(8, m.number(A, 3)), m.number(B, 4)
+            holds = z3.Or(z3.And(short == a, other == b), z3.And(short == b, other == a))
+        else:
+            # 2^24 2^23 / 2^16 = 2^31.
+            large = [z3.And(z3.Not(below(x, 24)), z3.Not(below(y, 23))) for x, y in ((a, b), (b, a))]
+            holds = z3.And(z3.Or(*large), (m.registers[27] < 0) == ((a < 0) != (b < 0)))
+        demand(m.impossible(z3.Not(holds)))
+    return check
+
+
+class Signed(Linear):
+    """Knows the signs of highest bytes, by the names of these."""
+
+    def __init__(self, program):
+        super().__init__(program)
+        self.negative = {}
+
+    def as_signed(self, form):
+        """The number that a byte stands for."""
+        name = next(iter(form), None)
+        demand(name in self.negative, "the sign of a byte is asked for that has none")
+        return form - known(256 * self.negative[name])
+
+    def compute(self, mnemonic, d, r, target, following):
+        registers = self.registers
+        if mnemonic in ("mulsu", "muls"):
+            x, y = self.as_signed(self.byte(d)), self.byte(r)
+            if mnemonic == "muls":
+                y = self.as_signed(y)
+            value = self.times(x, y)
+            # The sign is the carry.
+            self.carry = self.variable("carry", 1) if min(x.get(1, 0), y.get(1, 0)) < 0 else known(0)
+            high, value = self.variable("high"), value + self.carry * (1 << 16)
+            self.hold(0, value - high * 256, 255)
+            registers[0], registers[1] = value - high * 256, high
+        elif mnemonic == "sbc" and d == r:
+            registers[d] = self.carry * 255
+        elif mnemonic == "and" and not set(registers[r]) - {1}:
+            demand(registers[r].constant() in (0, 255))
+            registers[d] = registers[d] if registers[r] else known(0)
+        else:
+            return super().compute(mnemonic, d, r, target, following)
+        return [(following, self)]
+
+
+def give_signs(m, places, negative):
+    for register, is_negative in zip(places, negative):
+        m.negative[next(iter(m.registers[register]))] = is_negative
+        m.hold(128 * is_negative, m.registers[register], 127 + 128 * is_negative)
+
+
+def shows_product(a, b):
+    """What demands that R is where it ought to be."""
+    def check(m, end):
+        demand(m.transfer is None)
+        place, _ = PLACES[end]
+        modulus = 1 << 8 * len(place) + 16
+        rest = m.times(a, b) + known(1 << 15) - m.number(place) * (1 << 16)
+        rest = Form({name: (factor + modulus // 2) % modulus - modulus // 2 for name, factor in rest.items()
+                     if factor % modulus})
+        m.show((0, rest, (1 << 16) - 1), *zeros(m, (1,)))
+        if end == FITS_BOTH:
+            m.show(equal(m.registers[26], m.registers[25]))
+    return check
+
+
+def both(m, *negative):
+    m.zero(1)
+    numbers = []
+    for low, is_negative in zip((A, B), negative):
+        m.registers[low + 3] = known(255 * is_negative)
+        numbers.append(m.number(range(low, low + 3)) - known(is_negative << 24))
+    return shows_product(*numbers)
+
+
+def small(m, *negative):
+    m.zero(1)
+    give_signs(m, (A + 2, B + 3), negative)
+    a, b = m.number(range(A, A + 3)), m.number(range(B, B + 4))
+    return shows_product(a - known(negative[0] << 24), b - known(negative[1] << 32))
+
+
+def fits(label, m):
+    place, largest = PLACES[label]
+    if label == FITS_BOTH:
+        m.registers[26] = m.registers[25]
+    r = z3.Concat(*(m.registers[register] for register in reversed(place)))
+    m.holds += [r >= -largest, r <= largest]
+    low, high = (z3.BitVecVal(number, 40) for number in (-1 << 31, (1 << 31) - 1))
+    clamped = z3.Extract(31, 0, z3.If(r < low, low, z3.If(r > high, high, r)))
+
+    def check(m, _):
+        demand(m.impossible(m.number(A, 4) != clamped))
+    return check
+
+
+def clamp(m):
+    negative = m.registers[27] < 0
+
+    def check(m, _):
+        demand(m.impossible(m.number(A, 4) != z3.If(negative, z3.BitVecVal(1 << 31, 32), z3.BitVecVal((1 << 31) - 1, 32))))
+    return check
+
+
+SIGNS = list(product((False, True), repeat=2))
+ANY = ((),)
+STRETCHES = [(NAME, entry, (BOTH, SMALL, CLAMP), (), ANY, (None,)),
+             (BOTH, both, (FITS_BOTH,), (), SIGNS, (None,)),
+             (SMALL, small, (FITS_SMALL,), (), SIGNS, (None,)),
+             (FITS_BOTH, lambda m: fits(FITS_BOTH, m), (None,), (), ANY, (None,)),
+             (FITS_SMALL, lambda m: fits(FITS_SMALL, m), (None,), (), ANY, (None,)),
+             (CLAMP, clamp, (None,), (), ANY, (None,))]
+CUTS = ((BOTH, NAME, "eor", "r27"), (".Lupper", BOTH, "eor", "r26"),
+        (FITS_BOTH, ".Lupper", "add", "r26"), (FITS_SMALL, SMALL, "mov", "r0"))
+
+
+def main():
+    failed = False
+    for machine, labels in ((Bits, (NAME, CLAMP)), (Signed, (BOTH, SMALL))):
+        program = Program(STRETCHES, machine, cuts=CUTS, sources=("multiply_q16_16_saturating",))
+        failed |= program.run(1, ("ret", "rjmp"), labels)
+    # On the way to the return the clamp is passed.
+    program = Program([each for each in STRETCHES if each[0] != CLAMP], Bits, cuts=CUTS,
+                      sources=("multiply_q16_16_saturating",))
+    return failed | program.run(1, ("ret", "rjmp"), (FITS_BOTH, FITS_SMALL))
+
+
+if __name__ == "__main__":
+    sys.exit(main())
