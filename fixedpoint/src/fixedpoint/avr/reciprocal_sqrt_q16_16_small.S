@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // int32_t fixedpoint_reciprocal_sqrt_q16_16_small(int32_t a);
 //
-// 2^24 / sqrt(a) within 0.73 ulp, without a table; 2^31 - 1 where a = 0; 0 where a < 0.
+// 2^24 / sqrt(a) within 0.68 ulp, without a table; 2^31 - 1 where a = 0; 0 where a < 0.
 //
 // In       a = r25:r22
 // Out      r25:r22
@@ -12,8 +12,8 @@
 // bits; the square of e's upper byte stands for the last term. One unit is added for what is cut,
 // and 15 - s bits are taken off by rounding.
 //
-// Error in ulp: in 24 bits up to 2 units, which count by 2^(s - 15), 0.23 at a = 60. Rounding 0.5.
-// 2^24, the root of 1, is beyond the 24 bits. The worst of all inputs is 0.72788, at 60.
+// Error in ulp: in 24 bits up to 2 units, which count by 2^(s - 15), 0.18 at a = 37. Rounding 0.5.
+// 2^24, the root of 1, is beyond the 24 bits. The worst of all inputs is 0.67980, at 37.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
