@@ -13,8 +13,8 @@ namespace portable {
 template <class Any = void>
 struct ArctangentSmallTable {
     static constexpr uint32_t angle[16] FIXEDPOINT_PROGRAM_MEMORY = {
-        120,     1047331, 2086448, 3109739,  4110178,  5081682,  6019292,  6919219,
-        7778837, 8596589, 9371862, 10104826, 10796279, 11447495, 12060089, 12635905};
+             120,  1047331,  2086448,  3109739,  4110178,  5081682,  6019292,  6919219,
+         7778837,  8596589,  9371862, 10104826, 10796279, 11447495, 12060089, 12635905};
 };
 template <class Any>
 constexpr uint32_t ArctangentSmallTable<Any>::angle[];
