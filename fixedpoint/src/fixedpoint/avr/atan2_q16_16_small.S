@@ -18,7 +18,7 @@
 // R is divided further by D + q N / 16, to 16 bits: z, in units of 2^-20, whose arc tangent is
 // z - z^3 / 3. atan(q / 16) has half an ulp for rounding, and what balances the errors.
 //
-// Error in ulp: z 0.03, what is cut of q N / 16 below 0.03 for the smallest D, the cube 0.03. Rounding 0.5.
+// Error in ulp: z 0.03, what is cut of q N / 16 0.03 for the smallest D, the cube 0.03. Rounding 0.5.
 // The worst of atan, of all inputs, is 0.61407, at -11623; the worst found of atan2, in 6 10^7 pairs, is
 // 0.62514, at (12471, 67349).
 
