@@ -7,7 +7,7 @@
 //          less by 0.0004 of it at most, below 2^16; r31 = 0
 // Changes  r0, r1, r20, r21
 //
-// y, Y's first 8 bits, is a polynomial of M's upper byte, off by up to 1 in 60. With m = M / 2^32
+// y, Y's first 8 bits, is a polynomial of M's upper byte, off by up to 1 in 41. With m = M / 2^32
 // and E = 1 - m y^2, Y = y + y E / 2 + y 3/8 E^2, in which the upper byte of E times itself stands
 // for the last term. E is less than that, by a constant, so that Y is never above the root and
 // what is left over is positive in all that follows.

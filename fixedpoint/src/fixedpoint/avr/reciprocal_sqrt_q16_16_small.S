@@ -35,9 +35,9 @@
 #define e1 r23
 #define e2 r20
 // The bytes of the root behind Y's, and one of carries.
-#define x0 r24
+#define x0 r25
 #define x1 r21
-#define below r25
+#define below r24
 
     FUNCTION fixedpoint_reciprocal_sqrt_q16_16_small
     sbiw r24, 0
@@ -70,22 +70,23 @@
     adc s2, r1
     adc s3, zero
 
-    mul m1, s2
+    mul m3, s0
     mov e0, r1
+    mul m1, s2
+    mov e2, r1
     mul m1, s3
     add e0, r0
     adc r1, zero
     mov e1, r1
-    mul_add_upper m3, s0, e0, zero, e1
-    clr e2
-    adc e2, e2
+    add e0, e2
+    adc e1, zero
+    mul m3, s3
+    mov e2, r0
     mul_add_upper m2, s1, e0, zero, e1, e2
     mul_add m3, s1, e0, e1, zero, e2
     mul_add m2, s2, e0, e1, zero, e2
     mul_add m2, s3, e1, e2
     mul_add m3, s2, e1, e2
-    mul m3, s3
-    add e2, r0
     com e0
     com e1
     com e2
@@ -95,8 +96,7 @@
 
     // x1:x0 = e Y / 2^16 + e2^2 / 2^8 + 1
     mul e2, e2
-    mov below, r0
-    mov x0, r1
+    movw below, r0
     mul_add_upper e0, y1, below, zero, x0
     mul_add e2, y0, below, x0
     mul_add e1, y1, below, x0
