@@ -2,8 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Writes fixedpoint/src/fixedpoint/avr/exp_small_table.S and portable/exp_small_table.hpp: factors
 1 + b/256 about e^x at the steps of 1/16 below ln 2 with their logarithms, in units of 2^-32, and
-e^x - 1 at the first 17 steps of 1/256, in units of 2^-40, of which the fifth byte is the step's
-number and is left out."""
+what the logarithms of the first 18 factors 1 + j/256 are below j/256, in units of 2^-40."""
 
 from fractions import Fraction
 
@@ -12,9 +11,11 @@ import table_header
 from exponential_series import logarithm
 
 SENTENCE = ("b for i = 0..11, and ln(1 + b/256) in units of 2^-32, less than 1/256 below i/16; and\n"
-            "e^(j/256) - 1 in units of 2^-40, for j = 0..16, less its fifth byte, which is j.")
-# The largest b leave least to the second table. Those below it err less over all arguments.
-BELOW = {2: 1, 8: 1, 10: 1, 11: 1}
+            "j/256 - ln(1 + j/256) for j = 0..17 in units of 2^-40, with the kernel's correction.")
+# The largest b but these, below which the logarithms are closer to integers.
+LOWER = {7, 10, 11}
+# In units of 2^-40: what ln 2, rounded up, takes off 14 times, less the 2 units of 2^-32 that the kernel adds first.
+CORRECTION = 124
 
 
 def exponential(x):
@@ -31,23 +32,25 @@ def nearest(x):
 
 
 def factor(i):
-    """(b, its logarithm), rounded down up to a third: what the kernel adds to its argument errs upward."""
-    b = int(256 * (exponential(Fraction(i, 16)) - 1)) - BELOW.get(i, 0)
+    """(b, its logarithm)"""
+    b = int(256 * (exponential(Fraction(i, 16)) - 1)) - (i in LOWER)
     units = Fraction(logarithm(256 + b, 256, 64), 2**32)
     assert 16 * units <= i * 2**32 < 16 * units + 2**28
-    return b, int(units + Fraction(2, 3))
+    return b, nearest(units)
+
+
+def shortfall(j):
+    return nearest(Fraction(j * 2**56 - logarithm(256 + j, 256, 64), 2**24)) + CORRECTION
 
 
 if __name__ == "__main__":
     coarse = [factor(i) for i in range(12)]
-    fine = [nearest((exponential(Fraction(j, 256)) - 1) * 2**40) for j in range(17)]
-    assert all(value >> 32 == j for j, value in enumerate(fine))
-    fine = [value % 2**32 for value in fine]
+    fine = [shortfall(j) for j in range(18)]
     page.write_assembly(
         "exp_small_table", "exp_small.py", SENTENCE,
         [("b, logarithm", [byte for b, log in coarse for byte in bytes([b]) + log.to_bytes(4, "little")]),
-         ("fine", [byte for value in fine for byte in value.to_bytes(4, "little")])], alignment=1)
+         ("shortfall", [byte for value in fine for byte in value.to_bytes(4, "little")])], alignment=1)
     table_header.write("exp_small_table", "exp_small.py", SENTENCE, "ExponentialSmallTable",
                        [("uint8_t", "factor", [b for b, _ in coarse], "{:3d}"),
                         ("uint32_t", "logarithm", [log for _, log in coarse], "{:#010x}"),
-                        ("uint32_t", "fine", fine, "{:#010x}")])
+                        ("uint32_t", "shortfall", fine, "{:#010x}")])

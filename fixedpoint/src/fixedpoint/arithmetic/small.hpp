@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
 /// Small: as Nearest, with a division and functions that take little flash instead of little time.
-/// In Q16.16 they share code and have tables of 128 bytes at most; elsewhere they have no tables
+/// In Q16.16 they share code and have tables of 132 bytes at most; elsewhere they have no tables
 /// but a few constants. Bounds are the same; quotients and roots are the same too, other results
 /// may differ in the last place.
 #pragma once

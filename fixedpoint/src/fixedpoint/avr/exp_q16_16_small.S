@@ -1,28 +1,28 @@
 // SPDX-License-Identifier: MIT
 // int32_t fixedpoint_exp_q16_16_small(int32_t a)
-// e^a in Q16.16, within 0.73 ulp for every input; the largest number from ln 32768 on, 0 where that
+// e^a in Q16.16, within 0.72 ulp for every input; the largest number from ln 32768 on, 0 where that
 // is nearest.
 //
 // In       a = r25:r22
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
-// Stack    3 bytes
-// Table    128 bytes, fixedpoint_exp_small_table
+// Stack    2 bytes
+// Table    132 bytes, fixedpoint_exp_small_table
 //
-// ln 2 is subtracted k times, in units of 2^-32, of which 3 are added first: what rounding ln 2 up
+// ln 2 is subtracted k times, in units of 2^-32, of which a correction is added: what rounding ln 2 up
 // takes off at k = 14, where results have the most bits. For the upper four bits of r = a - k ln 2,
 // at first 0 <= r < ln 2, the table has a factor 1 + b/256 a little below e^r, and its logarithm,
-// which is subtracted: r < 17/256. For the next byte, j, it has e^(j/256) - 1; the rest s, below
-// 2^-8, is
+// which is subtracted: r < 17/256. The next factor is 1 + j/256, where j is the upper byte of r, or
+// that and 1 if the byte behind it is at least 256 - j (j + 1) / 2: ln(1 + j/256) is then at most r, and
+// less than 2^-8 below it. For the rest s, which has a fifth byte from the table,
 //
 //     v = s + s^2 / 2 + s^3 / 6
 //
-// in units of 2^-40. c = (1 + table)(1 + v) - 1 is formed with its fifth byte, and of its product with
-// the factor one byte is cut. Products count down to the upper byte of those below 2^-40. Cutting bits
-// before the last shift does not round twice.
+// in units of 2^-40, and c = (1 + v)(1 + j/256)(1 + b/256) - 1. Products count down to the upper byte of
+// those below 2^-40. Cutting bits before the last shift does not round twice.
 //
 // Rounding errs by 0.5 ulp; the most of what is beyond it is of r at k = 14, from ln 2 and logarithms
-// in whole units. The worst of all inputs is 0.72832, at 675091.
+// in whole units. The worst of all inputs is 0.71803, at 677515.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -31,62 +31,37 @@
 #define LN2_1 0x17
 #define LN2_2 0x72
 #define LN2_3 0xb1
-#define CORRECTION 3
+#define CORRECTION 2
 #define SIXTH 43
 
-// r, of which r4 is the integer, 0 at last, and becomes a scratch register; s = s2:s0, then v = v3:v0.
+// r, of which r4 is the integer, 0 at last, and becomes a scratch register; then s = s2:s0 with v0
+// behind it, then c, as the next byte of v is c4.
 #define r4 r24
 #define scratch r24
 #define r3 r23
 #define s2 r22
 #define s1 r21
 #define s0 r20
-#define v3 r22
-#define v2 r21
-#define v1 r20
-#define v0 r18
-// 16 - k: by how many bits the mantissa is shifted.
-#define shift r19
-#define zero r25
-// b.
-#define factor r16
-#define fine r23
-// What the square and the cube add to s.
-#define w0 r18
-#define w1 r26
-#define w2 r27
-#define square r30
-// The table's number, and its product; t0 is used up early.
-#define t0 r29
-#define t1 r24
-#define t2 r26
-#define t3 r27
-#define p0 r30
-#define p1 r31
-#define p2 r28
-#define p3 r29
-// c, in which v is used up.
 #define c4 r23
 #define c3 r22
 #define c2 r21
 #define c1 r20
 #define c0 r18
-// The product of b and c.
-#define q0 r24
+// 16 - k: by how many bits the mantissa is shifted.
+#define shift r19
+#define zero r25
+// What the square and the cube add to s.
+#define w0 r26
+#define w1 r27
+#define w2 r30
+#define square r31
+// b or j, and its product with c.
+#define factor r24
 #define q1 r30
 #define q2 r31
 #define q3 r26
 #define q4 r27
 
-    .macro add_product low, middle, high
-    add \low, r0
-    adc \middle, r1
-    adc \high, zero
-    .endm
-    .macro add_high low, high
-    add \low, r1
-    adc \high, zero
-    .endm
     // Z = the table's entry at r30
     .macro point_to offset
     ldi r31, 0
@@ -131,7 +106,6 @@
     brmi 2b
     cpi shift, 2
     brlo .Lsaturate
-    push_all r16, r28, r29
     // Z = the factor's five bytes
     mov r30, r3
     andi r30, 0xf0
@@ -139,7 +113,8 @@
     mul r30, w1
     mov r30, r1
     point_to 0
-    lpm factor, Z+
+    lpm r0, Z+
+    push r0
     lpm r0, Z+
     sub s0, r0
     lpm r0, Z+
@@ -147,15 +122,36 @@
     lpm r0, Z+
     sbc s2, r0
     lpm r0, Z+
-    sbc r3, r0          // fine
+    sbc r3, r0
 
-    // w = s2^2 2^7 + s2 s1 + s2 s0 / 2^8 + s2^3 / (6 2^8)
-    mul s2, s0
-    mov w0, r1
+    mov r30, r3
+    inc r30
+    mul r30, r3
+    lsr r1
+    ror r0
+    add r0, s2
+    adc r3, zero
+    push r3
+    mov r30, r3
+    lsl r30
+    lsl r30
+    point_to 60
+    lpm c0, Z+
+    lpm r0, Z+
+    add s0, r0
+    lpm r0, Z+
+    adc s1, r0
+    lpm r0, Z+
+    adc s2, r0
+
+    // w = s2^2 2^7 + s2 s1 + s1^2 / 2^9 + s2 s0 / 2^8 + s2^3 / (6 2^8)
     mul s2, s1
-    add w0, r0
-    adc r1, zero
-    mov w1, r1
+    movw w0, r0
+    mul s1, s1
+    lsr r1
+    add w0, r1
+    adc w1, zero
+    mul_add_upper s2, s0, w0, zero, w1
     mul s2, s2
     mov square, r1
     lsr r1
@@ -168,73 +164,36 @@
     mul s2, square
     ldi scratch, SIXTH
     mul r1, scratch
-    add_product w0, w1, w2
-    // v, T its fifth byte
-    add v1, w1
-    adc v2, w2
-    adc v3, zero
-    sbc scratch, scratch
-    bst scratch, 0
-
-    mov r30, fine
-    lsl r30
-    lsl r30
-    point_to 60
-    lpm t0, Z+
-    lpm t1, Z+
-    lpm t2, Z+
-    lpm t3, Z+
-    mul fine, v1        // fine is at most 16
-    movw p0, r0
-    add c0, t0
-    adc p1, zero
-    mul t1, v3
-    add_high p0, p1
-    mul t2, v2
-    add_high p0, p1
-    mul t3, v1
-    add_high p0, p1
-    clr p2
-    mul t3, v2
-    add_product p0, p1, p2
-    mul t2, v3
-    add_product p0, p1, p2
-    clr p3
-    mul_add fine, v2, p1, p2
-    mul t3, v3
-    add_product p1, p2, p3
-    mul_add fine, v3, p2, p3
-    brtc 1f
-    add p0, t1
-    adc p1, t2
-    adc p2, t3
-    adc p3, fine
-    inc fine
-1:  add c0, p0
-    adc c1, p1
-    adc c2, p2
-    adc c3, p3
-    adc c4, zero
-    add c1, t1
-    adc c2, t2
-    adc c3, t3
+    add w0, r0
+    adc w1, r1
+    adc w2, zero
+    // v
+    ldi c4, 0
+    add c0, w0
+    adc c1, w1
+    adc c2, w2
+    adc c3, zero
     adc c4, zero
 
-    mul factor, c4
-    movw q3, r0
+    // Twice c = (1 + c)(1 + factor / 256) - 1
+    set
+3:  pop factor
     mul factor, c2
     movw q1, r0
-    mul factor, c0
-    mov q0, r1
-    mul_add factor, c1, q0, q1, zero, q2
+    mul factor, c4
+    movw q3, r0
+    mul_add_upper factor, c0, c0, zero, q1, q2
+    mul_add factor, c1, c0, q1, zero, q2
     mul_add factor, c3, q2, q3, zero, q4
-    add c0, q0
-    adc c1, q1
+    add c1, q1
     adc c2, q2
     adc c3, q3
     adc c4, q4
-    clr r1
     add c4, factor
+    brtc 4f
+    clt
+    rjmp 3b
+4:  clr r1
     movw r24, c3
     movw r22, c1
     ldi r20, 1          // e^r is below 2
@@ -250,7 +209,6 @@
     dec shift
     brne 3b
     adc_each r22, r1, 4
-    pop_all r29, r28, r16
     ret
     ENDFUNC fixedpoint_exp_q16_16_small
 #endif

@@ -8,8 +8,10 @@
 // Table    96 bytes, fixedpoint_log_small_table
 //
 // a is shifted left until its leading one leaves, and with every bit ln 2 is subtracted from
-// 16 ln 2, in units of 2^-24. What is left of a is the fraction of a number from 1 to 2, of which
-// parabola_small.S adds the logarithm.
+// 16 ln 2, in units of 2^-24. What is left of a is the fraction of a number from 1 to 2, whose
+// logarithm is one of 16 parabolas: the upper four bits are the cell, whose entry of the table has six
+// bytes, the other 20 the distance d into it: value + d (slope - bend d). The products count down to
+// the upper byte of those below 2^-24.
 //
 // Error in ulp: parabola 0.2, ln 2 rounded 0.002. Rounding 0.5. The worst of all inputs is 0.73933,
 // at 1126989248.
@@ -25,6 +27,18 @@
 #define sum1 r19
 #define sum2 r20
 #define sum3 r21
+// The distance: four bits and two bytes.
+#define d2 r25
+#define d1 r24
+#define d0 r23
+#define bend r22
+#define slope0 r26
+#define slope1 r27
+// The product of distance and slope; p1 and p2 where bend and d0 were.
+#define p0 r30
+#define p1 r22
+#define p2 r23
+#define zero r31
 
     SECTION fixedpoint_log_q16_16_small
 .Lnone:
@@ -49,10 +63,46 @@
     lsl_bytes r22, 4
     brcc .Lbit
 
-    ldi r30, lo8(fixedpoint_log_small_table)
-    ldi r31, hi8(fixedpoint_log_small_table)
-    XCALL fixedpoint_parabola_small
-    mov_bytes r22, sum1, 3
+    // Z = the cell's six bytes
+    mov r30, d2
+    andi r30, 0xf0
+    ldi r31, 96
+    mul r30, r31
+    mov r30, r1
+    ldi r31, 0
+    subi r30, lo8(-(fixedpoint_log_small_table))
+    sbci r31, hi8(-(fixedpoint_log_small_table))
+    andi d2, 15
+    lpm slope0, Z+
+    lpm slope1, Z+
+    lpm bend, Z+
+    mul d1, bend
+    sub slope0, r1
+    sbci slope1, 0
+    mul d2, bend
+    sub slope0, r0
+    sbc slope1, r1
+    lpm r0, Z+
+    add sum0, r0
+    lpm r0, Z+
+    adc sum1, r0
+    lpm r0, Z+
+    adc sum2, r0
+    ldi zero, 0
+    adc sum3, zero
+    mul d0, slope1
+    mov p0, r1
+    mul d2, slope1
+    movw p1, r0
+    mul_add_upper d1, slope0, p0, zero, p1, p2
+    mul_add d2, slope0, p0, p1, zero, p2
+    mul_add d1, slope1, p0, p1, zero, p2
+    // The sum is returned without its lowest byte.
+    add p0, sum0
+    adc p1, sum1
+    adc p2, sum2
+    adc sum3, zero
+    mov r24, sum3
     lsl sum3
     sbc r25, r25
     clr r1

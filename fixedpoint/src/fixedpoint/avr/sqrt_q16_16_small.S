@@ -74,30 +74,25 @@
     sbc m2, r1
     mul c1, c1
     sub m2, r0
-    // c:behind += m2:m1 y / 2^16
-    mul m2, y0
-    mov m0, r0
-    mov behind, r1
-    mul m2, y1
-    add behind, r0
-    adc r1, zero
-    mov m2, r1
-    mul_add m1, y1, m0, behind, zero, m2
-    add c0, m2
-    mov m0, behind
+    // c and a byte behind it += m2:m1 y / 2^16
+    mul m1, y1
+    movw m0, r0
+    mul_add m2, y0, m0, m1
+    ldi behind, 0
+    adc behind, zero
+    mul_add m2, y1, m1, behind
+    mov m0, m1
     mov m1, c0
     mov m2, c1
+    add m1, behind
     adc m2, zero
     XCALL fixedpoint_shift_root_small
 .Ltest:
     mul m0, m1
     movw p1, r0
-    mul m0, m2
-    clr p3
-    add p2, r0
-    adc p3, r1
     mul m1, m2
-    add p3, r0
+    mov p3, r0
+    mul_add m0, m2, p2, p3
     lsl_bytes p1, 3
     mul_add m1, m1, p2, p3
     mul m0, m0

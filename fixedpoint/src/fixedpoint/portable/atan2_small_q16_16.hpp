@@ -1,34 +1,41 @@
 // SPDX-License-Identifier: MIT
-// atan2 and atan in Q16.16 by 16 parabolas, bit for bit as avr/atan2_q16_16_small.S computes them;
-// within 0.74 ulp.
+// atan2 and atan in Q16.16 by a table of 16 angles, bit for bit as avr/atan2_q16_16_small.S
+// computes them; within 0.63 ulp.
 #pragma once
 
+#include <fixedpoint/integer.hpp>
 #include <fixedpoint/portable/arctangent_small_table.hpp>
-#include <fixedpoint/portable/octants_q16_16.hpp>
-#include <fixedpoint/portable/parabola_small.hpp>
 
 namespace fixedpoint {
 namespace portable {
 
-// numerator / denominator as a fraction of 24 bits, of which the kernel computes 20; with 6 for the
-// others, errors are balanced. Needs numerator <= denominator, not 0.
-FIXEDPOINT_CONSTEXPR uint32_t ratio_small_q16_16(uint32_t numerator, uint32_t denominator) {
-    for (; denominator >> 23 != 0; denominator >>= 1) numerator >>= 1;
-    const uint32_t bits =
-        numerator == denominator
-            ? 0xfffff
-            : static_cast<uint32_t>((static_cast<uint64_t>(numerator) << 20) / denominator);
-    return bits << 4 | 6;
+// The arc tangent of numerator / denominator with 24 fraction bits and half an ulp of Q16.16 for
+// rounding. Needs numerator <= denominator, not 0.
+FIXEDPOINT_CONSTEXPR uint32_t octant_angle_small_q16_16(uint32_t numerator, uint32_t denominator) {
+    for (; denominator >> 16 == 0; denominator <<= 8) numerator <<= 8;
+    for (; denominator >> 22 != 0; denominator >>= 1) numerator >>= 1;
+    const uint32_t cell = numerator == denominator ? 15 : 16 * numerator / denominator;
+    // The tangent of what is beyond the table's angle, in units of 2^-20.
+    const uint32_t remainder = 16 * numerator - cell * denominator;
+    const uint32_t tangent = static_cast<uint32_t>((static_cast<uint64_t>(remainder) << 16) /
+                                                   (denominator + (cell * numerator >> 4)));
+    const uint32_t upper = tangent >> 8;
+    const uint32_t third = ((upper * upper >> 8) * upper >> 8) * 85 >> 8;
+    return read_program_memory(ArctangentSmallTable<>::angle[cell]) + ((tangent - third) << 4);
 }
 
 FIXEDPOINT_CONSTEXPR int32_t atan2_small_q16_16(int32_t y, int32_t x) {
     if (x == 0 && y == 0) return 0;
     const uint32_t height = magnitude(y), width = magnitude(x);
-    const bool steep = height > width;
-    const uint32_t ratio =
-        steep ? ratio_small_q16_16(width, height) : ratio_small_q16_16(height, width);
-    const uint32_t scaled = parabola_small<ArctangentSmallTable<>>(ratio);
-    return angle_in_octant_q16_16(scaled + (scaled >> 8), steep, x < 0, y < 0);
+    const bool steep = height > width, left = x < 0;
+    const uint32_t first =
+        steep ? octant_angle_small_q16_16(width, height) : octant_angle_small_q16_16(height, width);
+    constexpr uint32_t half_pi = 26353589;
+    const uint32_t axis = steep ? half_pi : left ? 2 * half_pi : 0;
+    // Where the angle is taken off, so is the half ulp, but for an ulp less a unit.
+    const uint32_t angle = steep != left ? axis + 255 - first : axis + first;
+    const int32_t rounded = static_cast<int32_t>(angle >> 8);
+    return y < 0 ? -rounded : rounded;
 }
 
 FIXEDPOINT_CONSTEXPR int32_t atan_small_q16_16(int32_t a) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // e^a in Q16.16 by two small tables, bit for bit as avr/exp_q16_16_small.S computes it, which says
-// what each step is; within 0.73 ulp for every input.
+// what each step is; within 0.72 ulp for every input.
 #pragma once
 
 #include <fixedpoint/integer.hpp>
@@ -10,7 +10,7 @@ namespace fixedpoint {
 namespace portable {
 
 FIXEDPOINT_CONSTEXPR int32_t exp_small_q16_16(int32_t a) {
-    constexpr int64_t ln2 = 0xb17217f8, correction = 3;
+    constexpr int64_t ln2 = 0xb17217f8, correction = 2;
     constexpr uint32_t sixth = 43;
     const int32_t whole = a >> 16;
     if (whole < -12) return 0;
@@ -25,20 +25,18 @@ FIXEDPOINT_CONSTEXPR int32_t exp_small_q16_16(int32_t a) {
     const uint64_t b = read_program_memory(ExponentialSmallTable<>::factor[i]);
     const uint32_t r =
         static_cast<uint32_t>(rest) - read_program_memory(ExponentialSmallTable<>::logarithm[i]);
-    const uint32_t j = r >> 24;
-    const uint32_t s2 = r >> 16 & 0xff, s1 = r >> 8 & 0xff, s0 = r & 0xff;
+    const uint32_t cell = r >> 24;
+    const uint32_t j = cell + (((r >> 16 & 0xff) + (cell * (cell + 1) >> 1)) >> 8);
+    // r - ln(1 + j/256), below 2^-8.
+    const uint32_t s = (r << 8) + read_program_memory(ExponentialSmallTable<>::shortfall[j]);
+    const uint32_t s2 = s >> 24, s1 = s >> 16 & 0xff, s0 = s >> 8 & 0xff;
     const uint32_t square = s2 * s2;
-    const uint64_t v = static_cast<uint64_t>(r & 0xffffff) * 256 + (square << 7) + s2 * s1 +
-                       (s2 * s0 >> 8) + (s2 * (square >> 8) >> 8) * sixth;
-    const uint32_t v3 = v >> 24 & 0xff, v2 = v >> 16 & 0xff, v1 = v >> 8 & 0xff;
-    const uint64_t fine =
-        static_cast<uint64_t>(j) << 32 | read_program_memory(ExponentialSmallTable<>::fine[j]);
-    const uint32_t t3 = fine >> 24 & 0xff, t2 = fine >> 16 & 0xff, t1 = fine >> 8 & 0xff;
-    const uint64_t c = fine + v + (v >> 32 != 0 ? fine >> 8 : 0) + (j * v3 << 16) +
-                       ((j * v2 + t3 * v3) << 8) + j * v1 + t3 * v2 + t2 * v3 + (t3 * v1 >> 8) +
-                       (t2 * v2 >> 8) + (t1 * v3 >> 8);
+    uint64_t c = static_cast<uint64_t>(s) + (square << 7) + s2 * s1 + (s1 * s1 >> 9) +
+                 (s2 * s0 >> 8) + (s2 * (square >> 8) >> 8) * sixth;
+    c += (c * j >> 8) + (static_cast<uint64_t>(j) << 32);
+    c += (c * b >> 8) + (b << 32);
 
-    const uint64_t mantissa = (uint64_t(1) << 32) + (b << 24) + ((c + (b * c >> 8)) >> 8);
+    const uint64_t mantissa = (uint64_t(1) << 32) + (c >> 8);
     return static_cast<int32_t>(((mantissa >> (shift - 1)) + 1) >> 1);
 }
 

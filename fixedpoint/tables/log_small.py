@@ -1,36 +1,31 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Writes log_small_table and arctangent_small_table, for src/fixedpoint/avr/ and for
-src/fixedpoint/portable/: parabolas for ln(1 + x) and 256/257 atan(x) on 16 cells of [0, 1], in
-units of 2^-24. The factor keeps slopes below 1. Half an ulp of Q16.16 is in each value.
+"""Writes log_small_table, for src/fixedpoint/avr/ and for src/fixedpoint/portable/: parabolas for
+ln(1 + x) on 16 cells of [0, 1], in units of 2^-24, with half an ulp of Q16.16 for rounding.
 
 On a cell, 0 <= d < 1/16, the function is value + slope d - bend d^2. The three are those of least
-largest error at 129 points, in the integers of avr/parabola_small.S."""
+largest error at 129 points, in the integers of avr/log_q16_16_small.S."""
 
 from fractions import Fraction
 
 import page
 import table_header
 from exponential_series import logarithm
-from series import arctangent
 
 CELLS = 16
 UNIT = 24
 GUARD = 24
-FINE = 257 << GUARD
+FINE = 1 << GUARD
 SPAN = 1 << UNIT - 4  # of a cell
+HALF_ULP = 128
 DISTANCES = [*range(0, SPAN, SPAN // 128), SPAN - 1]
-GENERATOR = "parabolas_small.py"
+GENERATOR = "log_small.py"
 
 
 def log(x):
     """ln(1 + x) in units."""
     y = 1 + x
     return Fraction(logarithm(y.numerator, y.denominator, UNIT + GUARD), 1 << GUARD)
-
-
-def scaled_atan(x):
-    return Fraction(256, 257) * Fraction(arctangent(x.numerator, x.denominator, UNIT + GUARD), 1 << GUARD)
 
 
 def rise(distance, slope, bend):
@@ -41,10 +36,10 @@ def rise(distance, slope, bend):
     return (high * s1 << 8) + high * s0 + middle * s1 + (middle * s0 >> 8) + (low * s1 >> 8)
 
 
-def parabola(function, middle_bend, cell):
+def parabola(cell):
     """(value, slope, bend): of the slopes, the errors' spread has one minimum."""
     # In units of 1 / FINE, of which the functions are multiples: integers, for speed.
-    curve = [(d, int(function((cell + Fraction(d, SPAN)) / CELLS) * FINE)) for d in DISTANCES]
+    curve = [(d, int(log((cell + Fraction(d, SPAN)) / CELLS) * FINE)) for d in DISTANCES]
 
     def errors(slope, bend):
         return [exact - rise(d, slope, bend) * FINE for d, exact in curve]
@@ -63,33 +58,26 @@ def parabola(function, middle_bend, cell):
                 low = middle + 1
         return low
 
-    bend = round(256 * middle_bend(Fraction(2 * cell + 1, 2 * CELLS)))
+    # Half of the second derivative in the middle, less its sign.
+    bend = round(256 / (2 * (1 + Fraction(2 * cell + 1, 2 * CELLS))**2))
     slope, bend = min(((best_slope(b), b) for b in range(max(bend - 1, 0), bend + 3)),
                       key=lambda pair: spread(*pair))
     error = errors(slope, bend)
     return round(Fraction(min(error) + max(error), 2 * FINE)), slope, bend
 
 
-def write(name, what, function, middle_bend, half_ulp, structure):
-    sentence = (f"Parabolas of {what} on 16 cells of [0, 1]: the bend in units of 2^-8, the slope\n"
-                "in 2^-16, the value in 2^-24, with half an ulp of Q16.16.")
-    parabolas = [parabola(function, middle_bend, cell) for cell in range(CELLS)]
-    parabolas = [(value + half_ulp, slope, bend) for value, slope, bend in parabolas]
-    assert all(value >= 0 and slope < 1 << 16 and bend < 1 << 8 for value, slope, bend in parabolas)
-    table = f"{name}_small_table"
-    page.write_assembly(
-        table, GENERATOR, sentence,
-        [("bend, slope, value", [byte for value, slope, bend in parabolas
-                                 for byte in bytes([bend]) + slope.to_bytes(2, "little")
-                                 + value.to_bytes(3, "little")])], alignment=1)
-    table_header.write(table, GENERATOR, sentence, structure,
-                       [("uint8_t", "bend", [bend for _, _, bend in parabolas], "{:3d}"),
-                        ("uint16_t", "slope", [slope for _, slope, _ in parabolas], "{:5d}"),
-                        ("uint32_t", "value", [value for value, _, _ in parabolas], "{:8d}")])
-
-
 if __name__ == "__main__":
-    # Half of the second derivatives, less their sign.
-    write("log", "ln(1 + x)", log, lambda x: 1 / (2 * (1 + x)**2), 128, "LogarithmSmallTable")
-    write("arctangent", "256/257 atan(x)", scaled_atan, lambda x: x / (1 + x * x)**2, 128,
-          "ArctangentSmallTable")
+    sentence = ("Parabolas of ln(1 + x) on 16 cells of [0, 1]: the slope in units of 2^-16, the bend in\n"
+                "2^-8, the value in 2^-24, with half an ulp of Q16.16.")
+    parabolas = [parabola(cell) for cell in range(CELLS)]
+    parabolas = [(value + HALF_ULP, slope, bend) for value, slope, bend in parabolas]
+    assert all(value >= 0 and slope < 1 << 16 and bend < 1 << 8 for value, slope, bend in parabolas)
+    page.write_assembly(
+        "log_small_table", GENERATOR, sentence,
+        [("slope, bend, value", [byte for value, slope, bend in parabolas
+                                 for byte in slope.to_bytes(2, "little") + bytes([bend])
+                                 + value.to_bytes(3, "little")])], alignment=1)
+    table_header.write("log_small_table", GENERATOR, sentence, "LogarithmSmallTable",
+                       [("uint16_t", "slope", [slope for _, slope, _ in parabolas], "{:5d}"),
+                        ("uint8_t", "bend", [bend for _, _, bend in parabolas], "{:3d}"),
+                        ("uint32_t", "value", [value for value, _, _ in parabolas], "{:8d}")])
