@@ -193,7 +193,7 @@ class Operations(Figures):
         self.assertEqual(known(sampled, whole), [0.75, 3, "exact", "exhaustive.csv, all", "a proof"])
         only_sine = whole[:whole.index("cos q16_16")]
         self.assertEqual(known(sampled, only_sine), [0.5, 1, "lower bound", "operations.csv, full", None])
-        with self.assertRaisesRegex(DataError, "0.875 in max_ulp, where sin and cos err by 0.75 at most"):
+        with self.assertRaisesRegex(DataError, "0.875 in max_ulp, but sin and cos err by at most 0.75"):
             known(sampled.replace("0.5 1 sincos", "0.875 1 sincos"), whole)
 
     def test_portable_code_errs_as_the_default_does(self):
