@@ -100,6 +100,9 @@ std::vector<int64_t> operands(exact::Format format, int random_ones) {
 // For pow: every base with exponents whose powers are in range, and others.
 std::vector<std::array<int64_t, 2>> operand_pairs(exact::Format format, bool paired) {
     std::vector<std::array<int64_t, 2>> pairs;
+    // The largest errors known, 0.724 and -0.711 ulp: both the logarithm and its power err much.
+    if (paired && format.width == 32 && format.fraction == 16)
+        pairs = {{66049, 87173274}, {66023, 91824685}};
     const std::vector<int64_t> numbers = operands(format, 40);
     std::mt19937_64 random(7);
     const int64_t one = format.fraction < 63 ? int64_t(1) << format.fraction : 0;
