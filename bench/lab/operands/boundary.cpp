@@ -164,8 +164,9 @@ Table float_table(const NumberFormat& format) {
 }
 
 // Products and quotients exactly halfway between two raws: with odd u and v, (u 2^i) (v 2^(F-1-i))
-// / 2^F = u v / 2 and (u w 2^i) 2^F / (w 2^(F+1+i)) = u / 2.
-std::vector<BoundaryCase> ties(Operation operation, const NumberFormat& format) {
+// / 2^F = u v / 2 and (u w 2^i) 2^F / (w 2^(F+1+i)) = u / 2. Powers of Q16.16 with the largest
+// errors known, of bases just above 1 with the largest exponents: no random draw meets them.
+std::vector<BoundaryCase> special_pairs(Operation operation, const NumberFormat& format) {
     std::vector<BoundaryCase> cases;
     const int F = format.fraction;
     const auto add = [&](const Integer& a, const Integer& b, const char* what) {
@@ -186,6 +187,10 @@ std::vector<BoundaryCase> ties(Operation operation, const NumberFormat& format) 
                         "a quotient half way between two raws");
             }
         }
+    }
+    if (operation == Operation::pow && format == reference::q16_16) {
+        for (const auto& [base, exponent] : {std::pair(66049, 87173274), {66023, 91824685}})
+            add(base, exponent, "a large power of a base just above 1");
     }
     return cases;
 }
@@ -262,7 +267,8 @@ std::vector<BoundaryCase> boundary_cases(Operation operation, const NumberFormat
             return combinations(boundary_operands(format), 1);
         case 2: {
             std::vector<BoundaryCase> cases = combinations(boundary_operands(format), 2);
-            for (BoundaryCase& tie : ties(operation, format)) cases.push_back(std::move(tie));
+            for (BoundaryCase& pair : special_pairs(operation, format))
+                cases.push_back(std::move(pair));
             return cases;
         }
         case 3:
