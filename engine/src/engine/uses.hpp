@@ -63,7 +63,7 @@ struct Uses {
     /// ProjectedGaussSeidel, WarmStartedGaussSeidel or WorstFirst, of so many iterations; or
     /// DirectRods.
     using Solver = ProjectedGaussSeidel<4>;
-    /// BruteForce or SortAndSweep.
+    /// BruteForce, SortAndSweep or CachedSortAndSweep.
     using BroadPhase = BruteForce;
 };
 
