@@ -7,9 +7,9 @@
 #   (none)   what must pass before a change goes in: all tests; the host's tests again under the
 #            sanitizers; deliberate faults, which the tests of each folder must notice; and the main
 #            job, bench/run_all.sh --quick
-#   --full   the same with more deliberate faults, four minutes of fuzzing, 10^7 steps of three scenes
-#            on the simulated chip, every scene in every number format and method there, and an hour of
-#            random worlds
+#   --full   the same with more deliberate faults, four minutes of fuzzing, 10^7 steps of three scenes in
+#            the chip's machine code, every scene in every number format and method on the simulated
+#            chip, and an hour of random worlds
 # To run one test: ctest --preset release -R NAME. Exit status: 0 if all passed, 1 if one failed,
 # 2 for a wrong call.
 set -euo pipefail
@@ -60,7 +60,7 @@ if [ $tier = full ]; then
     faults=(--full)
     part "set-up for fuzzing" scripts/setup.sh --fuzz
     part "fuzzing" cmake --build build/release --target fuzz
-    part "soak on the chip" cmake --build build/release --target soak
+    part "soak of the chip's code" cmake --build build/release --target soak
     part "every scene on the chip" build/release/bench/fixbench scenes --output build/release/all_scenes
     part "random worlds for an hour" bench/experiments/stability/tests/random_worlds.sh \
         build/release/bench/experiments/stability/world_test 3600

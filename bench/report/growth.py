@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The cost of a step against the number of particles, and the work that determines it."""
-import statistics
-
+"""The cost of a step against the number of particles."""
 import matplotlib.pyplot as plt
 
 import style
@@ -37,32 +35,9 @@ def beside_box2d(rows):
 
 
 def fits(rows):
-    """For either broad phase: what is fitted, by which term, and the largest deviation."""
-    told = {row["broad_phase"]: (row["fit_of"], row["fit_term"], row["fit_worst_percent"]) for row in rows if row["fit_of"]}
-    of, = {of for of, _, _ in told.values()}
-    terms = {search: term if term.startswith("N^") else f"the {term} tested" for search, (_, term, _) in told.items()}
-    missed = {}
-    for search, (_, _, miss) in told.items():
-        missed.setdefault(terms[search], []).append(f"{SEARCHES[search][2]}: within {miss:.1f}%")
-    return (f"the {of} of a step follow a + b N + c times "
-            + " and ".join(f"{term} ({'; '.join(misses)})" for term, misses in missed.items()) + ".")
-
-
-def times_of_tests(rows):
-    """The smallest, the median and the largest time of a test, by broad phase."""
-    times = {}
-    for row in rows:
-        if row["ns_per_test"]:
-            times.setdefault(row["broad_phase"], []).append(row["ns_per_test"])
-    return {search: (min(found), statistics.median(found), max(found)) for search, found in times.items()}
-
-
-def time_of_a_test(rows):
-    """The sentence that says what the time is, and that it does not follow one line."""
-    spread = " and ".join(f"{least:.2f} to {most:.2f} ns ({SEARCHES[search][2]}, median {middle:.2f})"
-                          for search, (least, middle, most) in times_of_tests(rows).items())
-    return (f"Times are reported, not bounded: a test, including its share of everything else in a step, takes {spread}. The times do not "
-            "follow one line; the reason was not measured.")
+    """By how much each search's cost misses its fit."""
+    missed = {row["broad_phase"]: row["fit_worst_percent"] for row in rows if row["fitted"] is not None}
+    return " and ".join(f"{miss:.1f}% ({SEARCHES[search][2]})" for search, miss in missed.items())
 
 
 def draw(data):
@@ -80,10 +55,8 @@ def draw(data):
             counts = [row["particles"] for row in mine]
             axes.plot(counts, [row["cost_per_step"] for row in mine], marker, color=colour,
                       label=label)
-            if mine[0]["fit_of"]:
-                # On the host the tests are fitted: they are scaled by the median time of one.
-                scale = times_of_tests(mine)[search][1] if logarithmic else 1
-                axes.plot(counts, [scale * row["fitted"] for row in mine], "-", color=colour, linewidth=1)
+            if mine[0]["fitted"] is not None:
+                axes.plot(counts, [row["fitted"] for row in mine], "-", color=colour, linewidth=1)
         axes.set(title=title, xlabel="particles in a box")
         if logarithmic:
             # The fit may be negative for few particles: the measured costs determine the axis.
@@ -107,15 +80,16 @@ def finding(data):
     text = "In this box sort and sweep is " + " and ".join(parts) + "."
     if data.has("growth_host"):
         text += " " + beside_box2d(data.rows("growth_host"))
-    text += " On the chip " + fits(data.rows("growth"))
+    text += f" A step costs a + b N + c times the pairs tested: on the chip within {fits(data.rows('growth'))}"
     if data.has("growth_host"):
-        rows = data.rows("growth_host")
-        text += f" On the host, where the four walls are tested as well, {fits(rows)} {time_of_a_test(rows)}"
+        text += (f", on the host within {fits(data.rows('growth_host'))}. There sort and sweep compares copies stored in a row "
+                 "(`CachedSortAndSweep`)")
+    text += "."
     if data.has("features"):
         cost = {row["feature"]: row["cycles_per_step_mean"] for row in data.rows("features", scene="lever")
                 if row["feature"].startswith("broad phase=") and row["with"] == "yes"}
         brute, sweep = (cost.get(f"broad phase={name}") for name in ("BruteForce", "SortAndSweep"))
         if brute and sweep:
-            text += (f" In the lever's scene, where few particles meet, it takes {sweep:.0f} cycles a step "
+            text += (f" In the lever's scene, where few particles meet, sort and sweep takes {sweep:.0f} cycles a step "
                      f"and every pair {brute:.0f}.")
     return text

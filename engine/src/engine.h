@@ -14,6 +14,7 @@
 #undef constrain  // a macro of Arduino's core
 #endif
 
+#include <engine/broad_phase/cached_sort_and_sweep.hpp>
 #include <engine/broad_phase/sort_and_sweep.hpp>
 #include <engine/integrators/explicit_euler.hpp>
 #include <engine/integrators/implicit_springs.hpp>

@@ -67,6 +67,9 @@ struct CrowdByForce : Crowd {
 struct CrowdBySweep : Crowd {
     using BroadPhase = engine::SortAndSweep;
 };
+struct CrowdByCachedSweep : Crowd {
+    using BroadPhase = engine::CachedSortAndSweep;
+};
 
 template <class World>
 std::set<std::pair<int, int>> pairs(World& world) {
@@ -226,9 +229,10 @@ TEST(Contact, StackComesToRest) {
     check(Fixed<8, 8>(), 3e-2);
 }
 
-RC_GTEST_PROP(BroadPhase, SortAndSweepFindsWhatBruteForceFinds, ()) {
+RC_GTEST_PROP(BroadPhase, SweepsFindWhatBruteForceFinds, ()) {
     engine::World<Number, CrowdByForce> by_force;
     engine::World<Number, CrowdBySweep> by_sweep;
+    engine::World<Number, CrowdByCachedSweep> by_cached_sweep;
     const int count = *rc::gen::inRange(0, 41);
     for (int i = 0; i < count; ++i) {
         typename decltype(by_force)::Body ball;
@@ -236,6 +240,7 @@ RC_GTEST_PROP(BroadPhase, SortAndSweepFindsWhatBruteForceFinds, ()) {
         ball.radius = any_between(0, 2);
         by_force.add_particle(ball);
         by_sweep.add_particle(ball);
+        by_cached_sweep.add_particle(ball);
     }
     // The order of one search is the start of the next.
     for (int look = 0; look < 3; ++look) {
@@ -247,10 +252,12 @@ RC_GTEST_PROP(BroadPhase, SortAndSweepFindsWhatBruteForceFinds, ()) {
                 if (whole) x = fixedpoint::floor(x);
                 by_force.particles()[i].position[axis] = x;
                 by_sweep.particles()[i].position[axis] = x;
+                by_cached_sweep.particles()[i].position[axis] = x;
             }
         }
         const auto expected = pairs(by_force);
         RC_ASSERT(pairs(by_sweep) == expected);
+        RC_ASSERT(pairs(by_cached_sweep) == expected);
         RC_CLASSIFY(!expected.empty(), "touch");
     }
 }

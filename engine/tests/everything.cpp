@@ -95,7 +95,7 @@ int main() {
     use_all<Fixed<32, 32, fixedpoint::Small>,
             All<ImplicitSprings, WarmStartedGaussSeidel<4>, BruteForce>>();
     use_all<float, All<VelocityVerlet, ProjectedGaussSeidel<4>, SortAndSweep>>();
-    use_all<double, All<ImplicitSprings, WorstFirst<4>, SortAndSweep>>();
+    use_all<double, All<ImplicitSprings, WorstFirst<4>, CachedSortAndSweep>>();
     use_chain<SaturatingFixed<16, 16>>();
     use_chain<Fixed<32, 32, fixedpoint::Small>>();
     use_chain<float>();

@@ -134,4 +134,18 @@ TEST(Overlap, IsZeroWhereTheyTouch) {
     }
 }
 
+// Balls that lie on each other: a direction an ulp short would keep a stack from coming to rest.
+TEST(Overlap, HasADirectionOfLengthOneWhereItIsLittle) {
+    using Number = Fixed<16, 16>;
+    LastReach<Number> last;
+    const auto reach = Number::from_raw(1 << 15);
+    for (int32_t depth = 1; depth <= 64; ++depth) {
+        const auto distance = Number::from_raw(reach.raw() - depth);
+        const auto found = overlap<Number, 2>({Number(), distance}, {}, reach, last);
+        ASSERT_EQ(found.depth.raw(), depth);
+        ASSERT_EQ(found.direction[0].raw(), 0) << depth;
+        ASSERT_EQ(found.direction[1].raw(), 1 << 16) << depth;
+    }
+}
+
 }  // namespace

@@ -180,6 +180,9 @@ struct Few : engine::Uses {
 struct FewSwept : Few {
     using BroadPhase = engine::SortAndSweep;
 };
+struct FewCached : Few {
+    using BroadPhase = engine::CachedSortAndSweep;
+};
 
 // 300 particles 4 m apart: each touches the next two, 2.5 m in radius.
 TEST(Pools, BroadPhasesReachEveryParticle) {
@@ -198,6 +201,7 @@ TEST(Pools, BroadPhasesReachEveryParticle) {
     };
     EXPECT_EQ(rows(Few()), 299u);
     EXPECT_EQ(rows(FewSwept()), 299u);
+    EXPECT_EQ(rows(FewCached()), 299u);
 }
 
 }  // namespace

@@ -67,6 +67,9 @@ class CompiledFunction {
 
         std::vector<std::uint32_t> reached_blocks() const;  // addresses of their first instructions
 
+        // The data space, for a function that works on the program's variables.
+        std::span<std::uint8_t> memory() { return memory_; }
+
       private:
         const CompiledFunction& function_;
         std::vector<std::uint8_t> memory_, covered_;

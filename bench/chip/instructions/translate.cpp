@@ -361,6 +361,13 @@ Interface interface_of(const simulator::Signature& signature, const Pointers& po
     return interface;
 }
 
+Interface interface_of_variables(const simulator::Elf& elf) {
+    Interface interface = interface_of({0, {}});
+    interface.operand_area =
+        interface.result_area = {simulator::Chip::ram_begin, int(elf.ram_bytes())};
+    return interface;
+}
+
 Translation translate(const simulator::Elf& elf, std::string_view symbol,
                       const Interface& interface) {
     return Translator(elf, symbol, interface).run();

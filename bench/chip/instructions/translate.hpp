@@ -63,6 +63,9 @@ struct Pointers {
 };
 Interface interface_of(const simulator::Signature& signature, const Pointers& pointers);
 
+// Of a function that takes and returns nothing, and works on the program's variables.
+Interface interface_of_variables(const simulator::Elf& elf);
+
 struct Translation {
     std::string source;
     std::vector<std::uint32_t> leaders;  // the block that each byte of the coverage belongs to

@@ -196,17 +196,16 @@ ENGINE_INLINE void scale(Vector<Fixed<I, F, A>, N>& v, const Inverse<Fixed<I, F,
     }
 }
 
-// measure(), from the direction (first - second) / length and its e.
+// measure() from the direction (first - second) / length, and its e. An |e| of up to `little` stays
+// in the direction.
 template <int I, int F, class A, int N>
 ENGINE_INLINE bool measure_scaled(const Vector<Fixed<I, F, A>, N>& first,
                                   const Vector<Fixed<I, F, A>, N>& second,
                                   const Fixed<I, F, A>& length,
                                   const Inverse<Fixed<I, F, A>>& inverse, Fixed<I, F, A> e,
-                                  Vector<Fixed<I, F, A>, N>& direction, Fixed<I, F, A>& excess) {
+                                  Fixed<I, F, A> little, Vector<Fixed<I, F, A>, N>& direction,
+                                  Fixed<I, F, A>& excess) {
     using Number = Fixed<I, F, A>;
-    // A direction of length 1 + e leaves 2 e of a row's change to the next step. Up to an e of 4
-    // ulp that is below an ulp for each change below 1/8 m/s.
-    const Number little = Number::from_raw(F >= 12 ? 4 : 0);
     if (inverse.halvings <= 0 && absolute(e) < NearOne<Number>::value()) {
         if (absolute(e) > little) e = mend_length(direction, e);
         excess = short_product(e, length);
@@ -234,11 +233,15 @@ ENGINE_INLINE typename OnlyIf<RoundsOnce<A>::value, bool>::Type measure(
     const Vector<Fixed<I, F, A>, N>& first, const Vector<Fixed<I, F, A>, N>& second,
     const Fixed<I, F, A>& length, const Inverse<Fixed<I, F, A>>& inverse,
     Vector<Fixed<I, F, A>, N>& direction, Fixed<I, F, A>& excess) {
+    using Number = Fixed<I, F, A>;
     direction = first - second;
     scale(direction, inverse);
-    const Fixed<I, F, A> e = excess_over_one(direction);
-    if (may_be_slack && e < -NearOne<Fixed<I, F, A>>::value()) return false;
-    return measure_scaled(first, second, length, inverse, e, direction, excess);
+    const Number e = excess_over_one(direction);
+    if (may_be_slack && e < -NearOne<Number>::value()) return false;
+    // A direction 1 + e long leaves 2 e of a row's change to the next step: by 4 ulp that is below
+    // an ulp of each change below 1/8 m/s.
+    const Number little = Number::from_raw(F >= 12 ? 4 : 0);
+    return measure_scaled(first, second, length, inverse, e, little, direction, excess);
 }
 
 /// \endcond

@@ -55,7 +55,10 @@ ENGINE_INLINE Compound<16, 16, A> overlap(const Vector<Fixed<16, 16, A>, N>& fir
     const auto e = excess_over_one(direction);
     Fixed<16, 16, A> excess = {};
     if (!(e < excess)) return excess;
-    if (!measure_scaled(first, second, reach, last.inverse, e, direction, excess)) {
+    // Balls that lie on each other share what is left of each change until nothing changes: a
+    // direction an ulp short takes more iterations than to mend it.
+    const Fixed<16, 16, A> little = {};
+    if (!measure_scaled(first, second, reach, last.inverse, e, little, direction, excess)) {
         direction[0] = Decimal<1, 0>();
     }
     return -excess;

@@ -64,7 +64,7 @@ struct Uses {
     /// ProjectedGaussSeidel, WarmStartedGaussSeidel or WorstFirst, each with its number of
     /// iterations, or DirectRods.
     using Solver = ProjectedGaussSeidel<4>;
-    /// BruteForce or SortAndSweep.
+    /// BruteForce, SortAndSweep or CachedSortAndSweep.
     using BroadPhase = BruteForce;
 };
 

@@ -287,7 +287,26 @@ function normalise3_q16_16_pointers
     ret
     .size normalise3_q16_16_pointers, . - normalise3_q16_16_pointers
 
-; What is not allowed.
+; void counts(): counts its calls in two bytes, in more cycles where the lower one wraps.
+.section .bss
+    .global counter
+    .type counter, @object
+counter:
+    .zero 2
+    .size counter, . - counter
+.text
+function counts
+    lds r24, counter
+    subi r24, -1
+    sts counter, r24
+    brne 1f
+    lds r24, counter + 1
+    inc r24
+    sts counter + 1, r24
+1:  ret
+    .size counts, . - counts
+
+; What may not be.
 function leaves_r1
     ser r24
     mov r1, r24

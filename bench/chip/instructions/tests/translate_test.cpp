@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "bench/chip/instructions/compiled_function.hpp"
@@ -89,6 +90,33 @@ TEST_F(TranslateTest, VectorsThroughEveryPointer) {
         chip.read(std::uint16_t(to + 4 * i), {reinterpret_cast<std::uint8_t*>(&result), 4});
         EXPECT_EQ(result, results[i]);
     }
+}
+
+TEST_F(TranslateTest, WorksOnVariables) {
+    const CompiledFunction function(elf_, "counts", interface_of_variables(elf_), quickly);
+    CompiledFunction::Session session(function);
+    Chip chip(elf_);
+    chip.run_until_function("main");
+    const auto variables = session.memory().subspan(Chip::ram_begin, elf_.ram_bytes());
+    chip.read(Chip::ram_begin, variables);
+    DeviceFunction device(chip, "counts", {.result = 0, .operands = {}});
+    const auto counter = elf_.object("counter").address;
+    for (int i = 1; i <= 600; ++i) {
+        std::uint32_t cycles;
+        session.run({}, {}, {&cycles, 1});
+        ASSERT_EQ(device().cycles, cycles) << i;
+        ASSERT_EQ(session.memory()[counter] | session.memory()[counter + 1] << 8, i);
+        std::vector<std::uint8_t> expected(variables.size());
+        chip.read(Chip::ram_begin, expected);
+        ASSERT_TRUE(std::equal(variables.begin(), variables.end(), expected.begin())) << i;
+    }
+}
+
+TEST_F(TranslateTest, WritesNothingBesideTheVariables) {
+    const CompiledFunction function(elf_, "writes_away", interface_of_variables(elf_), quickly);
+    CompiledFunction::Session session(function);
+    std::uint32_t cycles;
+    EXPECT_THROW(session.run({}, {}, {&cycles, 1}), Misbehaviour);
 }
 
 struct Fault {

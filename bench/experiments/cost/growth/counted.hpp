@@ -3,6 +3,7 @@
 // that forwards its calls and counts.
 #pragma once
 
+#include <engine/broad_phase/cached_sort_and_sweep.hpp>
 #include <engine/constraints.hpp>
 
 namespace growth {
@@ -20,6 +21,14 @@ template <class World, class Index, class TimeStep>
 void collide(Index a, Index b, Watched<World>& watched, TimeStep dt) {
     ++watched.world.pair_memory().pairs;
     engine::collide(a, b, watched.world, dt);
+}
+
+// What the copies of a search show apart was tested, too.
+template <class Ordered, class World>
+bool are_apart(const Ordered& a, const Ordered& b, Watched<World>& watched) {
+    const bool apart = engine::are_apart(a, b, watched.world);
+    if (apart) ++watched.world.pair_memory().pairs;
+    return apart;
 }
 
 template <class Search>

@@ -17,33 +17,30 @@
 namespace growth {
 namespace {
 
-template <unsigned N, class World>
+template <class World>
 void take(unsigned steps, World& world) {
     for (; steps > 0; --steps) world.step(engine::BinaryStep<exponent_of_step>());
     if (world.error() != engine::Error::none)
-        throw std::runtime_error(
-            fmt::format("box of {} discs: {}", N, engine::describe(world.error())));
+        throw std::runtime_error(fmt::format("box of {} discs: {}", world.particles().size(),
+                                             engine::describe(world.error())));
 }
 
-template <unsigned N, class Search>
-std::function<void(unsigned)> in_the_engine() {
-    const auto world = std::make_shared<DiscWorld<N, Search>>();
-    build<N, Search>(*world);
-    return [world](unsigned steps) { take<N>(steps, *world); };
+template <class Search>
+std::function<void(unsigned)> in_the_engine(unsigned n) {
+    const auto world = std::make_shared<DiscWorld<Search>>();
+    build<Search>(*world, n);
+    return [world](unsigned steps) { take(steps, *world); };
 }
 
-// The mean over the timed steps.
-template <unsigned N, class Search>
-double pairs_in_the_engine() {
-    const auto world = std::make_unique<DiscWorld<N, Counted<Search>>>();
-    build<N, Counted<Search>>(*world);
-    const auto pairs_of = [&](unsigned steps) {
-        const auto before = world->pair_memory().pairs;
-        take<N>(steps, *world);
-        return world->pair_memory().pairs - before;
-    };
-    pairs_of(warm_steps);
-    return static_cast<double>(pairs_of(timed_steps)) / timed_steps;
+// In the mean of the timed steps.
+template <class Search>
+double pairs_in_the_engine(unsigned n) {
+    const auto world = std::make_unique<DiscWorld<Counted<Search>>>();
+    build<Counted<Search>>(*world, n);
+    take(warm_steps, *world);
+    const auto before = world->pair_memory().pairs;
+    take(timed_steps(n), *world);
+    return static_cast<double>(world->pair_memory().pairs - before) / timed_steps(n);
 }
 
 std::function<void(unsigned)> in_box2d(unsigned n) {
@@ -53,52 +50,43 @@ std::function<void(unsigned)> in_box2d(unsigned n) {
     };
 }
 
-struct Timed {
+struct Kind {
     const char* what;
-    unsigned particles;
-    Start start;
-    double (*pairs)() = nullptr;
+    unsigned most;
+    std::function<void(unsigned)> (*start)(unsigned n);
+    double (*pairs)(unsigned n);
 };
-
-// Testing every pair takes too long beyond 4,096 discs.
-template <unsigned... N>
-void add(std::vector<Timed>& list, unsigned most, std::integer_sequence<unsigned, N...>) {
-    const auto add_all = [&](unsigned limit, auto timed) {
-        ((N <= limit ? list.push_back(timed(std::integral_constant<unsigned, N>())) : void()), ...);
-    };
-    add_all(std::min(most, 4096u), [](auto n) -> Timed {
-        if constexpr (n <= 4096)
-            return {"brute_force", n, in_the_engine<n, engine::BruteForce>,
-                    pairs_in_the_engine<n, engine::BruteForce>};
-        else
-            return {};
-    });
-    add_all(most, [](auto n) -> Timed {
-        return {"sort_and_sweep", n, in_the_engine<n, engine::SortAndSweep>,
-                pairs_in_the_engine<n, engine::SortAndSweep>};
-    });
-    add_all(most, [](auto n) -> Timed { return {"box2d", n, [n] { return in_box2d(n); }}; });
-}
+constexpr Kind kinds[] = {
+    // More take too long to wait for.
+    {"brute_force", 4096, in_the_engine<engine::BruteForce>,
+     pairs_in_the_engine<engine::BruteForce>},
+    {"sort_and_sweep", most_discs, in_the_engine<engine::CachedSortAndSweep>,
+     pairs_in_the_engine<engine::CachedSortAndSweep>},
+    {"box2d", most_discs, in_box2d, nullptr},
+};
 
 }  // namespace
 
 std::vector<Cost> costs_on_host(unsigned most) {
-    std::vector<Timed> list;
-    add(list, most,
-        std::integer_sequence<unsigned, 16, 36, 64, 144, 256, 576, 1024, 2304, 4096, 9216,
-                              16384>());
-    std::vector<Start> starts;
-    for (const Timed& timed : list) starts.push_back(timed.start);
-    records::Progress progress("growth on the host", rounds * list.size());
-    const auto times = time_steps(starts, [&] { progress.advance(); });
     std::vector<Cost> costs;
-    for (std::size_t i = 0; i < list.size(); ++i)
-        costs.push_back({.broad_phase = list[i].what,
-                         .particles = list[i].particles,
-                         .per_step = times[i].per_step,
-                         .pairs = list[i].pairs ? list[i].pairs() : 0,
-                         .runs = times[i].runs,
-                         .rejected = times[i].rejected});
+    std::vector<Timed> worlds;
+    for (const Kind& kind : kinds)
+        for (const unsigned n :
+             {16u, 36u, 64u, 144u, 256u, 576u, 1024u, 2304u, 4096u, 9216u, 16384u}) {
+            if (n > std::min(most, kind.most)) break;
+            worlds.push_back({[&kind, n] { return kind.start(n); }, timed_steps(n)});
+            costs.push_back({.broad_phase = kind.what,
+                             .particles = n,
+                             .per_step = 0,
+                             .pairs = kind.pairs ? kind.pairs(n) : 0});
+        }
+    records::Progress progress("growth on the host", rounds * worlds.size());
+    const auto times = time_steps(worlds, [&] { progress.advance(); });
+    for (std::size_t i = 0; i < costs.size(); ++i) {
+        costs[i].per_step = times[i].per_step;
+        costs[i].runs = times[i].runs;
+        costs[i].rejected = times[i].rejected;
+    }
     return costs;
 }
 

@@ -2,9 +2,10 @@
 #include "bench/experiments/cost/growth/stopwatch.hpp"
 
 #include <sched.h>
+#include <time.h>
 
 #include <algorithm>
-#include <chrono>
+#include <utility>
 
 namespace growth {
 namespace {
@@ -27,37 +28,41 @@ class Pinned {
     cpu_set_t before_;
 };
 
-double nanoseconds_of_a_run(const Start& world) {
-    using Clock = std::chrono::steady_clock;
-    const auto advance = world();
-    advance(warm_steps);
-    const auto begin = Clock::now();
-    advance(timed_steps);
-    return std::chrono::duration<double, std::nano>(Clock::now() - begin).count();
+double processor_time() {
+    timespec time;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return 1e9 * static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec);
 }
 
-Time of_runs(std::vector<double> runs) {
+double nanoseconds_of_a_run(const Timed& world) {
+    const auto advance = world.start();
+    advance(warm_steps);
+    const double begin = processor_time();
+    advance(world.steps);
+    return processor_time() - begin;
+}
+
+Time of_runs(std::vector<double> runs, unsigned steps) {
     std::sort(runs.begin(), runs.end());
     const auto loaded = std::upper_bound(runs.begin(), runs.end(), 1.05 * runs.front());
     const auto kept = static_cast<std::size_t>(loaded - runs.begin());
-    return {runs[kept / 2] / timed_steps, runs.size(), runs.size() - kept};
+    return {runs[kept / 2] / steps, runs.size(), runs.size() - kept};
 }
 
 }  // namespace
 
-std::vector<Time> time_steps(const std::vector<Start>& worlds,
+std::vector<Time> time_steps(const std::vector<Timed>& worlds,
                              const std::function<void()>& progress) {
-    constexpr double least_time = 3e7;  // ns per world and round
     const Pinned pinned;
     std::vector<std::vector<double>> runs(worlds.size());
     for (unsigned round = 0; round < rounds; ++round)
         for (std::size_t i = 0; i < worlds.size(); ++i) {
-            for (double spent = 0; spent < least_time; spent += runs[i].back())
-                runs[i].push_back(nanoseconds_of_a_run(worlds[i]));
+            runs[i].push_back(nanoseconds_of_a_run(worlds[i]));
             progress();
         }
     std::vector<Time> times;
-    for (auto& of_world : runs) times.push_back(of_runs(std::move(of_world)));
+    for (std::size_t i = 0; i < worlds.size(); ++i)
+        times.push_back(of_runs(std::move(runs[i]), worlds[i].steps));
     return times;
 }
 

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Scenes that run for a long time on the simulated chip and on the host, side by side: soak
-// [STEPS], by default 10^7 steps of 2^-8 s of the lever, the stack and the box in Q16.16. Every 100
-// steps the hashes of both states are compared, and all particles get other velocities along y, the
-// same on both sides. Left alone, the stack comes to rest after 127 steps and the lever repeats its
-// swings to the last bit after 65,535, so that nothing more would be tested. A difference or an
-// error is reported with the steps between which it occurred. The velocities are drawn from one
-// seed, so that the same call reproduces it.
+// Scenes that run for long on the chip and on the host, side by side: soak [STEPS [SEED]], 10^7
+// steps of 2^-8 s of the lever, the stack and the box in Q16.16. The chip's machine code runs
+// translated to the host's, ten times as fast as in the simulator. The simulator takes the first
+// 1,000 steps and one of every 50 after them, too, and must leave the same variables after the same
+// cycles. Every 50 steps it computes the hash of the state, which must be the host's, and every 100
+// all particles get other velocities along y, the same on both sides. Left alone, the stack lies
+// still after 127 steps and the lever repeats its swings to the bit after 65,535, so that nothing
+// more would be seen. What differs, or reports an error, is told with the steps between which that
+// began and the call that shows it again.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
 #include <charconv>
 #include <cstdlib>
@@ -15,6 +18,7 @@
 #include <random>
 #include <thread>
 
+#include "bench/chip/instructions/compiled_function.hpp"
 #include "bench/chip/simulator/device_function.hpp"
 #include "bench/experiments/scenes/chip_run.hpp"
 #include "bench/experiments/scenes/host/describe.hpp"
@@ -25,11 +29,59 @@ namespace scene_bench {
 namespace {
 
 constexpr int exponent = 8;
-constexpr unsigned long between_pushes = 100;
+// The stack lies again 100 steps after a push: between two of them it moves.
+constexpr unsigned long between_hashes = 50, between_pushes = 100, compared_at_first = 1000;
+
+// The step of a program, translated and in the simulator. Both work on variables of their own.
+class ChipStep {
+  public:
+    ChipStep(simulator::Chip& chip, const instructions::Compilation& compilation)
+        : chip_(chip),
+          simulated_(chip, symbol, {.result = 0, .operands = {}}),
+          translated_(chip.elf(), symbol, instructions::interface_of_variables(chip.elf()),
+                      compilation),
+          session_(translated_),
+          variables_(
+              session_.memory().subspan(simulator::Chip::ram_begin, chip.elf().ram_bytes())) {
+        simulated_.set_budget(50'000'000);
+        read();
+    }
+
+    // Gives the translation the simulator's variables.
+    void read() { chip_.read(simulator::Chip::ram_begin, variables_); }
+    // Gives the simulator the translation's.
+    void write() { chip_.write(simulator::Chip::ram_begin, variables_); }
+
+    void take() {
+        std::uint32_t cycles;
+        session_.run({}, {}, {&cycles, 1});
+    }
+    // A step of both, from the translation's variables. Throws std::runtime_error where they part.
+    void compare() {
+        write();
+        const std::uint32_t expected = simulated_().cycles;
+        std::uint32_t cycles;
+        session_.run({}, {}, {&cycles, 1});
+        if (cycles != expected)
+            throw std::runtime_error(
+                fmt::format("the translation takes {} cycles, the simulator {}", cycles, expected));
+        if (!std::equal(variables_.begin(), variables_.end(),
+                        chip_.data() + simulator::Chip::ram_begin))
+            throw std::runtime_error("translation and simulator leave different variables");
+    }
+
+  private:
+    static constexpr const char* symbol = "step_8";
+    simulator::Chip& chip_;
+    simulator::DeviceFunction simulated_;
+    instructions::CompiledFunction translated_;
+    instructions::CompiledFunction::Session session_;
+    std::span<std::uint8_t> variables_;
+};
 
 // The first difference, or nothing.
 template <class SceneType>
-std::string soaked(unsigned long steps, records::Progress& progress) {
+std::string soaked(unsigned long steps, std::uint32_t seed, records::Progress& progress) {
     using World = WorldOf<SceneType, scalars::q16_16, scenes::SemiImplicit>;
     using Raw = std::int32_t;
     World world;
@@ -38,29 +90,42 @@ std::string soaked(unsigned long steps, records::Progress& progress) {
                                                      scenes::SemiImplicit::name, "hash"))};
     chip.run_until_function("main");
     simulator::DeviceFunction build(chip, "build", {.result = 0, .operands = {}}),
-        step(chip, "step_8", {.result = 0, .operands = {}}),
         position_of(chip, "position_of", {.result = 2, .operands = {1}}),
         error(chip, "world_error", {.result = 1, .operands = {}}),
         hash(chip, "state_hash", {.result = 4, .operands = {}});
-    for (simulator::DeviceFunction* function : {&build, &step, &hash})
-        function->set_budget(50'000'000);
+    for (simulator::DeviceFunction* function : {&build, &hash}) function->set_budget(50'000'000);
     build();
-    std::mt19937 random(1);
+    // The compiler's time is that of some 100,000 steps.
+    ChipStep step(chip, steps > 100'000 ? instructions::Compilation{}
+                                        : instructions::Compilation{.options = "-O0"});
+    std::mt19937 random(seed);
     for (unsigned long done = 0; done < steps;) {
-        const unsigned long from = done, until = std::min(from + between_pushes, steps);
-        for (; done < until; ++done) {
-            world.step(PowerOfTwoStep{exponent});
-            step();
+        const unsigned long from = done, until = std::min(from + between_hashes, steps);
+        const auto parted = [&](std::string_view how) {
+            return fmt::format("{}: between steps {} and {}: {}; again: scene_soak {} {}",
+                               SceneType::name, from, until, how, until, seed);
+        };
+        try {
+            for (; done < until; ++done) {
+                world.step(PowerOfTwoStep{exponent});
+                if (done < compared_at_first || done + 1 == until)
+                    step.compare();
+                else
+                    step.take();
+            }
+        } catch (const std::runtime_error& error) {
+            return parted(error.what());
         }
         const auto on_host = engine::state_hash(world), on_chip = hash().as<std::uint32_t>();
         if (on_host != on_chip)
-            return fmt::format("{}: between steps {} and {} host and chip part: {:08x}, {:08x}",
-                               SceneType::name, from, done, on_host, on_chip);
+            return parted(
+                fmt::format("the host's hash is {:08x}, the chip's {:08x}", on_host, on_chip));
         const auto code = static_cast<engine::Error>(error().as<std::uint8_t>());
         if (code != engine::Error::none || world.error() != code)
-            return fmt::format("{}: between steps {} and {}: {} on the chip, {} on the host",
-                               SceneType::name, from, done, engine::describe(code),
-                               engine::describe(world.error()));
+            return parted(fmt::format("{} on the chip, {} on the host", engine::describe(code),
+                                      engine::describe(world.error())));
+        progress.advance(done - from);
+        if (done % between_pushes != 0) continue;
         std::uint8_t i = 0;
         for (auto& particle : world.particles()) {
             const Raw velocity = static_cast<Raw>(random() % (1 << 18)) - (1 << 17);  // +-2 m/s
@@ -71,12 +136,13 @@ std::string soaked(unsigned long steps, records::Progress& progress) {
             chip.write(static_cast<std::uint16_t>(position + (World::dimensions + 1) * sizeof(Raw)),
                        bytes);
         }
-        progress.advance(done - from);
+        step.read();
     }
     return "";
 }
 
-bool number(const char* text, unsigned long& value) {
+template <class Number>
+bool number(const char* text, Number& value) {
     const char* const end = text + std::string_view(text).size();
     const auto [rest, status] = std::from_chars(text, end, value);
     return status == std::errc() && rest == end && value > 0;
@@ -88,18 +154,19 @@ bool number(const char* text, unsigned long& value) {
 int main(int argc, char** argv) {
     using namespace scene_bench;
     unsigned long steps = 10'000'000;
-    if (argc > 2 || (argc > 1 && !number(argv[1], steps))) {
-        fmt::print(stderr, "usage: soak [STEPS], a whole number above 0\n");
+    std::uint32_t seed = 1;
+    if (argc > 3 || (argc > 1 && !number(argv[1], steps)) || (argc > 2 && !number(argv[2], seed))) {
+        fmt::print(stderr, "usage: soak [STEPS [SEED]], whole numbers above 0\n");
         return 2;
     }
-    std::string (*const scenes[])(unsigned long, records::Progress&) = {
+    std::string (*const scenes[])(unsigned long, std::uint32_t, records::Progress&) = {
         soaked<scenes::Stack>, soaked<scenes::BoxOfParticles>, soaked<scenes::Lever>};
     constexpr std::size_t count = std::size(scenes);
     std::atomic<int> status{0};
     try {
         records::Progress progress("soak", count * steps);
         operations::in_parallel(std::thread::hardware_concurrency(), count, [&](std::size_t i) {
-            const std::string found = scenes[i](steps, progress);
+            const std::string found = scenes[i](steps, seed, progress);
             if (found.empty()) return;
             fmt::print(stderr, "soak: {}\n", found);
             status = 1;
@@ -110,6 +177,6 @@ int main(int argc, char** argv) {
     }
     if (status == 0)
         fmt::print("soak: {} scenes, {} steps each: {} hashes of the chip's state are the host's\n",
-                   count, steps, count * ((steps - 1) / between_pushes + 1));
+                   count, steps, count * ((steps - 1) / between_hashes + 1));
     return status;
 }
