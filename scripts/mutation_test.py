@@ -67,7 +67,7 @@ def kernels(files, count, program, *checks):
 ROOMS = [
     kernels(f"{FIXED}/avr/*_q16_16.S {FIXED}/avr/*_q16_16.inc !*/add_scaled_q16_16.S"
             " !*/dot_difference_q16_16.S !*/multiply_short_q16_16.S"
-            " !*/short_factor_q16_16.inc !*/polynomial_q16_16.S !*/pid_q16_16.S !*/invert2_q16_16.S"
+            " !*/short_factor_q16_16.inc !*/polynomial_q16_16.S !*/pid_32.S !*/invert2_q16_16.S"
             f" {FIXED}/avr/cubic_core_32.inc {FIXED}/avr/ratio_32.inc {FIXED}/avr/exp_32.inc", 3, "q16_16",
             Check("kernels_test", "*/q16_16_auxiliary", "q16_16_auxiliary"),
             Check("kernels_test", "*/q16_16_angles", "q16_16_angles"),
@@ -82,7 +82,7 @@ ROOMS = [
          Check("vector_kernels_test", "VectorProducts.*", "vector_products"),
          Check("vector_kernels_test", "VectorMatrixProduct2.*", "vector_matrix_product_2")),
     room("kernels", f"{FIXED}/avr/complex_32.S {FIXED}/avr/cofactors_32.S {FIXED}/avr/one_pole_32.S"
-         f" {FIXED}/avr/biquad_32.S {FIXED}/avr/pid_q16_16.S {FIXED}/avr/invert2_q16_16.S", 1,
+         f" {FIXED}/avr/biquad_32.S {FIXED}/avr/pid_32.S {FIXED}/avr/invert2_q16_16.S", 1,
          Check("vector_kernels_test", "VectorComplexProduct.*", "vector_complex_product"),
          Check("vector_kernels_test", "VectorCofactors.*", "vector_cofactors"),
          Check("vector_kernels_test", "VectorFilters.*", "vector_filters")),

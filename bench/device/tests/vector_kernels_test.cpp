@@ -503,56 +503,78 @@ TEST_F(VectorFilters, KeepWhatTheirSumsLose) {
 }
 
 // Each product and each sum is clamped; the error that is carried has a half added.
+template <class Low>
 struct __attribute__((packed)) Controller {
     int32_t gain[3], low, high, integral, measurement;
-    std::uint16_t error;
+    Low error;
     std::uint8_t started;
 
-    static int64_t clamped(int64_t x) { return std::clamp<int64_t>(x, INT32_MIN, INT32_MAX); }
-    static int64_t rounded(int64_t product) { return clamped((product + 0x8000) >> 16); }
-    int32_t take(int32_t setpoint, int32_t measured) {
+    static int64_t clamped(__int128 x) {
+        return static_cast<int64_t>(std::clamp<__int128>(x, INT32_MIN, INT32_MAX));
+    }
+    int32_t take(int32_t setpoint, int32_t measured, int fraction) {
+        const int unused = static_cast<int>(8 * sizeof(Low)) - fraction;
+        const __int128 half = (__int128{1} << fraction) / 2;
+        const auto rounded = [&](__int128 product) {
+            return clamped((product + half) >> fraction);
+        };
         const int64_t off = clamped(int64_t{setpoint} - measured),
                       change = started ? clamped(int64_t{measured} - measurement) : 0;
-        const int64_t behind = low_bits(gain[1] * off, 16), sum = error + behind;
-        const int64_t carry = (sum >> 16) - (behind >> 15);
-        const int64_t total = clamped(clamped(rounded(gain[1] * off) + integral) + carry);
-        const int64_t wanted =
-            clamped(clamped(rounded(gain[0] * off) - rounded(gain[2] * change)) + total);
+        const __int128 product = static_cast<__int128>(gain[1]) * off;
+        const int64_t behind = low_bits(product, fraction), sum = (error >> unused) + behind;
+        const int64_t carry = fraction == 0 ? 0 : (sum >> fraction) - (behind >> (fraction - 1));
+        const int64_t total = clamped(clamped(rounded(product) + integral) + carry);
+        const int64_t wanted = clamped(clamped(rounded(static_cast<__int128>(gain[0]) * off) -
+                                               rounded(static_cast<__int128>(gain[2]) * change)) +
+                                       total);
         measurement = measured;
         started = 1;
         if ((wanted > high && total > integral) ||
             (wanted <= high && wanted < low && total < integral))
             return wanted > high ? high : low;
         integral = static_cast<int32_t>(total);
-        error = static_cast<std::uint16_t>(sum);
+        if (fraction != 0) error = static_cast<Low>(low_bits(sum, fraction) << unused);
         return wanted > high ? high : static_cast<int32_t>(std::max<int64_t>(wanted, low));
     }
 };
 
 TEST_F(VectorFilters, ControllersSaturateAndDoNotWindUp) {
-    DeviceFunction update(chip_, "fixedpoint_pid_q16_16", {4, {4, 4, 2}});
-    const std::uint16_t at = chip_.allocate(sizeof(Controller));
-    Controller controller{};
-    int limited = 0;
-    for (int i = 0; i < 10 * rounds; ++i) {
-        if (i % 8 == 0) {
-            for (int g = 0; g < 3; ++g) controller.gain[g] = number();
-            const int32_t a = number(), b = number();
-            controller.low = std::min(a, b), controller.high = std::max(a, b);
-            controller.integral = number(), controller.measurement = number();
-            controller.error = static_cast<std::uint16_t>(number());
-            controller.started = i % 16 != 0;
+    const std::uint16_t at = chip_.allocate(64);
+    const auto follow = [&](auto controller, int fraction) {
+        const std::string split = std::to_string(32 - fraction) + "_" + std::to_string(fraction);
+        DeviceFunction update(chip_, "fixedpoint_pid_q" + split, {4, {4, 4, 2}});
+        const int steps = fraction == 16 || fraction == 24 ? 10 * rounds : rounds / 10;
+        const int unused = static_cast<int>(8 * sizeof controller.error) - fraction;
+        int limited = 0;
+        for (int i = 0; i < steps; ++i) {
+            if (i % 8 == 0) {
+                for (int g = 0; g < 3; ++g) controller.gain[g] = number(fraction);
+                const int32_t a = number(fraction), b = number(fraction);
+                controller.low = std::min(a, b), controller.high = std::max(a, b);
+                controller.integral = number(fraction), controller.measurement = number(fraction);
+                controller.error = static_cast<decltype(controller.error)>(
+                    low_bits(number(fraction), fraction) << unused);
+                controller.started = i % 16 != 0;
+            }
+            write(at, controller);
+            const int32_t setpoint = number(fraction), measured = number(fraction);
+            const auto output = update(setpoint, measured, at).template as<int32_t>();
+            ASSERT_EQ(output, controller.take(setpoint, measured, fraction)) << split << " " << i;
+            const auto after = read<decltype(controller)>(at);
+            ASSERT_EQ(std::memcmp(&after, &controller, sizeof after), 0) << split << " " << i;
+            limited += output == controller.low || output == controller.high;
         }
-        write(at, controller);
-        const int32_t setpoint = number(), measured = number();
-        const auto output = update(setpoint, measured, at).as<int32_t>();
-        ASSERT_EQ(output, controller.take(setpoint, measured)) << i;
-        const auto after = read<Controller>(at);
-        ASSERT_EQ(std::memcmp(&after, &controller, sizeof after), 0) << i;
-        limited += output == controller.low || output == controller.high;
+        EXPECT_GT(limited, steps / 10) << split;
+        EXPECT_LT(limited, steps * (steps > rounds ? 18 : 19) / 20) << split;
+    };
+    for (int fraction = 0; fraction <= 32; ++fraction) {
+        if (fraction <= 8)
+            follow(Controller<std::uint8_t>{}, fraction);
+        else if (fraction <= 16)
+            follow(Controller<std::uint16_t>{}, fraction);
+        else
+            follow(Controller<std::uint32_t>{}, fraction);
     }
-    EXPECT_GT(limited, rounds);
-    EXPECT_LT(limited, 9 * rounds);
 }
 
 }  // namespace
