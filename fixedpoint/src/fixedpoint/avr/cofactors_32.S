@@ -11,6 +11,10 @@
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
 
+// X is free once a is read.
+#define b1 r26
+#define number_of_b1 26
+#define b2 r27
 #include "product_sum_32.inc"
 
 // The two rows, and the places of their components in cyclic order, in bytes.

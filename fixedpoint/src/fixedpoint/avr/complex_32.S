@@ -10,9 +10,15 @@
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
 
+#define b1 r17
+#define b2 r9
 #include "product_sum_32.inc"
 
     .macro complex_product fraction, top
+    set_short \fraction
+    .if is_short
+    push b2
+    .endif
     push_sum \top
     push r28
     push r29
@@ -38,6 +44,9 @@
 4:  pop r29
     pop r28
     pop_sum \top
+    .if is_short
+    pop b2
+    .endif
     clr r1
     ret
     .endm

@@ -21,6 +21,10 @@
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
 
+// X is free once a is read.
+#define b1 r26
+#define number_of_b1 26
+#define b2 r27
 #include "product_sum_32.inc"
 
 // The vectors a and b, whose scalar parts lie in front of them.
@@ -45,7 +49,8 @@
     .endm
 
     .macro cross fraction, top
-1:  push_all r2, r3, r4, r5, r6, r7, r8, r9, r28, r29
+1:  set_short \fraction
+    push_all r2, r3, r4, r5, r6, r7, r8, r9, r28, r29
     push_sum \top
     movw r28, r24
     movw a, r22
@@ -65,10 +70,14 @@
     adc r5, zero
     begin \fraction, \top, 0xff
     add_components i, i
+    .irp place, 4, 8
     adiw r30, 4
+    .if is_short
+    movw r26, b
+    adiw r26, \place
+    .endif
     rcall 9f
-    adiw r30, 4
-    rcall 9f
+    .endr
     com_bytes s0, (\top + 1)
     movw r26, b
     movw r30, a

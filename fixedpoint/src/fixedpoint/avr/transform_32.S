@@ -19,6 +19,8 @@
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
 
+#define b1 r17
+#define b2 r7
 #include "product_sum_32.inc"
 
 #define v r2
@@ -31,14 +33,17 @@
     // r26 = the bytes from one product of a component to the next one, r27 = those from one
     // component's first product to the next one's, r19 = the bytes of a row of v; T where v has n.
     .macro transform fraction, top
-1:  push_all r2, r3, r4, r5, r6, r7, r8, r9, r28, r29
+1:  set_short \fraction
+    push_all r2, r3, r4, r5, r6, r7, r8, r9, r28, r29
     push_sum \top
     push r18
     movw r28, r24
     movw v, r22
     movw m, r20
     mov step, r26
+    .if !is_short
     mov next, r27
+    .endif
     mov end, r22
     add end, r19
     mov left, r18
@@ -54,7 +59,15 @@
     adc r31, zero
     rjmp 4b
 5:  finish \fraction
+    .if is_short
+    ldi r24, 4
+    brts 1f
+    mov r24, end
+    sub r24, v
+1:  add m, r24
+    .else
     add m, next
+    .endif
     adc r5, zero
     dec left
     breq 7f
@@ -81,7 +94,11 @@
     .endm
 
     .macro product_2 fraction, top
+    set_short \fraction
     push_all r28, r29, left
+    .if is_short
+    push b2
+    .endif
     push_sum \top
     movw r28, r24
     movw r26, r22
@@ -105,6 +122,9 @@
     rjmp 6b
 8:  clr r1
     pop_sum \top
+    .if is_short
+    pop b2
+    .endif
     pop_all left, r29, r28
     ret
     .endm
