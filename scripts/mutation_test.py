@@ -77,9 +77,10 @@ ROOMS = [
     room("kernels", f"{FIXED}/avr/add_scaled_q16_16.S {FIXED}/avr/dot_difference_q16_16.S {FIXED}/avr/multiply_short_q16_16.S"
          f" {FIXED}/avr/short_factor_q16_16.inc {FIXED}/avr/add_whole_product.S", 1,
          Check("vector_kernels_test", "VectorSteps.*", "vector_steps")),
-    room("kernels", f"{FIXED}/avr/transform_32.S {FIXED}/avr/cross_32.S {FIXED}/avr/polynomial_q16_16.S"
+    room("kernels", f"{FIXED}/avr/transform_32.S {FIXED}/avr/cross_32.S {FIXED}/avr/polynomial_*.S"
          f" {FIXED}/avr/product_sum_32.inc", 1,
          Check("vector_kernels_test", "VectorProducts.*", "vector_products"),
+         Check("vector_kernels_test", "VectorPolynomials.*", "vector_polynomials"),
          Check("vector_kernels_test", "VectorMatrixProduct2.*", "vector_matrix_product_2")),
     room("kernels", f"{FIXED}/avr/complex_32.S {FIXED}/avr/cofactors_32.S {FIXED}/avr/one_pole_32.S"
          f" {FIXED}/avr/biquad_32.S {FIXED}/avr/pid_32.S {FIXED}/avr/invert2_q16_16.S", 1,

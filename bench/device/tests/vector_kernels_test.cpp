@@ -97,6 +97,10 @@ class VectorProducts : public VectorKernels {
   protected:
     VectorProducts() : VectorKernels("vector_products") {}
 };
+class VectorPolynomials : public VectorKernels {
+  protected:
+    VectorPolynomials() : VectorKernels("vector_polynomials") {}
+};
 class VectorFilters : public VectorKernels {
   protected:
     VectorFilters() : VectorKernels("vector_filters") {}
@@ -325,18 +329,25 @@ TEST_F(VectorProducts, CrossAndQuaternionProductsAreRoundedSums) {
     }
 }
 
-TEST_F(VectorProducts, PolynomialsRoundOnceAStep) {
+TEST_F(VectorPolynomials, RoundOnceAStep) {
     const int32_t c[5] = {102921, INT32_MIN, -42218, INT32_MAX, 4833};  // as on the chip
     std::uint16_t at_c = 0;
     for (const simulator::Symbol& table : chip_.elf().flash_objects())
         if (table.name == "coefficients") at_c = static_cast<std::uint16_t>(table.address);
-    DeviceFunction polynomial(chip_, "fixedpoint_polynomial_q16_16", {4, {4, 2, 2}});
-    for (int i = 0; i < rounds; ++i) {
-        const int32_t x = number();
-        const int n = 1 + i % 5;
-        int32_t expected = c[n - 1];
-        for (int k = n - 2; k >= 0; --k) expected = sum(product(expected, x), c[k]);
-        ASSERT_EQ(polynomial(x, at_c, n).as<int32_t>(), expected) << x << " " << n;
+    for (int fraction = 0; fraction <= 32; ++fraction) {
+        const exact::Format format{32, fraction};
+        const std::string split = std::to_string(32 - fraction) + "_" + std::to_string(fraction);
+        DeviceFunction polynomial(chip_, "fixedpoint_polynomial_q" + split, {4, {4, 2, 2}});
+        for (int i = 0; i < (fraction == 16 || fraction == 24 ? rounds : 500); ++i) {
+            const int32_t x = number(fraction);
+            const int n = 1 + i % 5;
+            int32_t expected = c[n - 1];
+            for (int k = n - 2; k >= 0; --k)
+                expected =
+                    static_cast<int32_t>(exact::multiply_add(expected, x, c[k], format).wrapped);
+            ASSERT_EQ(polynomial(x, at_c, n).as<int32_t>(), expected)
+                << split << " " << x << " " << n;
+        }
     }
 }
 

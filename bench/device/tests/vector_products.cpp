@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The kernels of matrices, quaternions and polynomials, for vector_kernels_test.cpp.
-#include <fixedpoint/blocks/polynomial.hpp>
+// The kernels of matrices and quaternions, for vector_kernels_test.cpp.
 #include <fixedpoint/kernel/dispatch.hpp>
 
 // The linker keeps what is referred to.
@@ -12,12 +11,4 @@ void (*const volatile crosses[])(int32_t*, const int32_t*, const int32_t*) = {
     fixedpoint_cross_q16_16,
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, ADDRESS, OUTER, cross)};
 
-// Any numbers, the ends of the range among them.
-extern "C" {
-extern const int32_t coefficients[5] FIXEDPOINT_PROGRAM_MEMORY = {102921, INT32_MIN, -42218,
-                                                                  INT32_MAX, 4833};
-}
-int32_t (*const volatile polynomial)(int32_t, const int32_t*,
-                                     uint16_t) = fixedpoint_polynomial_q16_16;
-
-int main() { return transforms[0] && crosses[0] && polynomial(0, coefficients, 5); }
+int main() { return transforms[0] && crosses[0]; }

@@ -176,11 +176,11 @@ def assembles(chip, assembler="avr-gcc"):
         return "nothing"
     # What kernels share among themselves, and what a block calls, is no operation.
     shared = {f"fixedpoint_{name}" for name in (
-        *(f"pid_q{32 - fraction}_{fraction}" for fraction in range(33)),
+        *(f"{block}_q{32 - fraction}_{fraction}" for block in ("pid", "polynomial") for fraction in range(33)),
         "add_whole_product", "arc_sine_q16_16", "cubic_32", "cubic_40", "cubic_64", "divide_32", "exp_32",
         "biquad_q16_16", "biquad_q8_24", "invert2_q16_16", "largest_32", "length_long", "length_root",
         "one_pole_q16_16", "one_pole_q8_24",
-        "parabola_small", "polynomial_q16_16", "power_of_rest_q32_32", "ratio_32", "reciprocal_root_small",
+        "parabola_small", "power_of_rest_q32_32", "ratio_32", "reciprocal_root_small",
         "reciprocal_sqrt_32", "root_128", "root_long", "round_64", "scale_40", "septic_64", "shift_root_small",
         "smallest_32", "unrounded_exp_q32_32", "unrounded_log_q32_32", "zero_32")}
     if defined - shared != SYMBOLS:

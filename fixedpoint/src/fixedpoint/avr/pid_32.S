@@ -20,7 +20,7 @@
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
 #define s1 r8
-#include "short_product_32.inc"
+#include "columns_32.inc"
 
 // The error, later what the integral's rounding loses and carries.
 #define error0 r8

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The kernels of polynomials, for vector_kernels_test.cpp.
+#include <fixedpoint/blocks/polynomial.hpp>
+
+// The linker keeps what is referred to.
+#define ADDRESS(KERNEL, shape, name, I, F) fixedpoint::fixedpoint_polynomial_q##I##_##F,
+int32_t (*const volatile polynomials[])(int32_t, const int32_t*, uint16_t) = {
+    ADDRESS(, , , 16, 16) FIXEDPOINT_SPLITS_32(ADDRESS, , , )};
+
+// Any numbers, the ends of the range among them.
+extern "C" {
+extern const int32_t coefficients[5] FIXEDPOINT_PROGRAM_MEMORY = {102921, INT32_MIN, -42218,
+                                                                  INT32_MAX, 4833};
+}
+
+int main() { return polynomials[0](0, coefficients, 5); }
