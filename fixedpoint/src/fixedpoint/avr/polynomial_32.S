@@ -7,7 +7,7 @@
 // In       x = r25:r22, c = r21:r20 in program memory, n = r19:r18, at least 1
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
-// Stack    8 bytes
+// Stack    6 or 7 bytes
 //
 // p is a and x is b of columns_32.inc. The result is in five bytes of the product, from byte
 // floor((F - 1) / 8) on, as in multiply_32.S. Of 17 to 24 fraction bits the highest byte of x is mostly 0
@@ -18,14 +18,14 @@
 
 #define s2 r14
 #define s3 r15
+#define s7 r28
 #include "columns_32.inc"
 
-#define last r12
-#define c r28
+// Where the last coefficient to be taken ends.
+#define end r12
 
-    // a = the coefficient before.
+    // a = the coefficient at Z, which moves behind it.
     .macro take_coefficient
-    movw r30, c
     lpm_each a0, Z+, 2
     lpm_each a2, Z+, 2
     .endm
@@ -41,18 +41,11 @@
     rol \p4
     .endr
     lsl \p0
-    .ifc \p4, s7
-    mov s2, s7          // Z takes its place
-    .endif
     take_coefficient
     adc a0, \p1
     adc a1, \p2
     adc a2, \p3
-    .ifc \p4, s7
-    adc a3, s2
-    .else
     adc a3, \p4
-    .endif
     .else
     .rept 8 - \left
     lsr \p4
@@ -73,13 +66,18 @@
     .endm
 
     .macro polynomial fraction
-    push_all r12, r13, r14, r15, r16, r17, r28, r29
-    movw last, r20
-    movw c, r18         // c + 4 (n - 1)
-    sbiw c, 1
-    lsl_bytes c, 2
-    lsl_bytes c, 2
-    add_bytes c, r20, 2
+    push_all r12, r13, r14, r15, r16, r17
+    .if \fraction > 24
+    push s7
+    .endif
+    movw r30, r18       // c + 4 (n - 1)
+    sbiw r30, 1
+    lsl_bytes r30, 2
+    lsl_bytes r30, 2
+    add_bytes r30, r20, 2
+    subi r20, 0xfc
+    sbci r21, 0xff
+    movw end, r20
     movw rB0, r22
     movw rB2, r24
     clr zero
@@ -100,7 +98,7 @@
     .else
     five_bytes ((\fraction - 1) / 8)
     .endif
-    sbiw c, 4
+    sbiw r30, 8
     .if (\fraction - 1) / 8 == 0
     add_rounded (8 - \fraction), s0, s1, s2, s3, s4
     .elseif (\fraction - 1) / 8 == 1
@@ -110,11 +108,14 @@
     .else
     add_rounded (32 - \fraction), s3, s4, s5, s6, s7
     .endif
-1:  cp_bytes c, last, 2
+1:  cp_bytes r30, end, 2
     breq 5f
     rjmp 2b
 5:  movw r24, a2
-    pop_all r29, r28, r17, r16, r15, r14, r13, r12
+    .if \fraction > 24
+    pop s7
+    .endif
+    pop_all r17, r16, r15, r14, r13, r12
     clr r1
     ret
     .if (\fraction - 1) / 8 == 2
