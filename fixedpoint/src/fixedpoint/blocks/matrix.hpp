@@ -81,6 +81,56 @@ Number determinant(const Matrix<Number, N>& a) {
     return Cofactors<Number, N>(a).determinant(a);
 }
 
+/// \cond internal
+// The kernel of each split of 32 bits but Q16.16.
+template <int F>
+struct QuotientsKernel;
+#define FIXEDPOINT_QUOTIENTS_KERNEL(KERNEL, shape, name, I, F)                               \
+    extern "C" void fixedpoint_transposed_quotients_q##I##_##F(int32_t* q, const int32_t* a, \
+                                                               int32_t d, uint8_t n);        \
+    template <>                                                                              \
+    struct QuotientsKernel<F> {                                                              \
+        static void apply(int32_t* q, const int32_t* a, int32_t d, uint8_t n) {              \
+            fixedpoint_transposed_quotients_q##I##_##F(q, a, d, n);                          \
+        }                                                                                    \
+    };
+FIXEDPOINT_SPLITS_32(FIXEDPOINT_QUOTIENTS_KERNEL, , , )
+#undef FIXEDPOINT_QUOTIENTS_KERNEL
+template <class Number>
+struct QuotientsInKernel {
+    static constexpr bool value = false;
+};
+template <int F>
+struct QuotientsInKernel<Fixed<32 - F, F>> {
+    static constexpr bool value = kernel::has_assembly && F != 16;
+};
+
+// result_ij = a_ji / d, d not 0.
+template <class Number, bool in_kernel = QuotientsInKernel<Number>::value>
+struct TransposedQuotients {
+    template <uint8_t N>
+    static void apply(const Matrix<Number, N>& a, Number d, Matrix<Number, N>& result) {
+        const Number* const first = a.element[0];
+        const Number* from = first;
+        Number *to = result.element[0], *const end = to + N * N;
+        do {
+            *to = *from / d;
+            from += N;
+            if (from >= first + N * N) from -= N * N - 1;
+        } while (++to != end);
+    }
+};
+// By one call, which takes the reciprocal of d once.
+template <int F>
+struct TransposedQuotients<Fixed<32 - F, F>, true> {
+    using Number = Fixed<32 - F, F>;
+    template <uint8_t N>
+    static void apply(const Matrix<Number, N>& a, Number d, Matrix<Number, N>& result) {
+        QuotientsKernel<F>::apply(raws(result.element[0]), raws(a.element[0]), d.raw(), N);
+    }
+};
+/// \endcond
+
 /// Computes the inverse and says whether there is one; where the determinant, rounded, is 0,
 /// `inverse` stays as it was. Each element is the quotient of a cofactor and the determinant, both
 /// rounded, and saturated: an error of e ulp in the determinant d makes one of e / |d| parts in
@@ -90,14 +140,7 @@ bool invert(const Matrix<Number, N>& a, Matrix<Number, N>& inverse) {
     const Cofactors<Number, N> c(a);
     const Number d = c.determinant(a);
     if (d == Number()) return false;
-    const Number* const first = c.matrix.element[0];
-    const Number* cofactor = first;
-    Number *to = inverse.element[0], *const end = to + N * N;
-    do {
-        *to = *cofactor / d;
-        cofactor += N;
-        if (cofactor >= first + N * N) cofactor -= N * N - 1;
-    } while (++to != end);
+    TransposedQuotients<Number>::apply(c.matrix, d, inverse);
     return true;
 }
 /// \cond internal
@@ -112,6 +155,17 @@ struct Inverse2 {
         inverse.element[0][1] = c.matrix.element[1][0] / d;
         inverse.element[1][0] = c.matrix.element[0][1] / d;
         inverse.element[1][1] = c.matrix.element[1][1] / d;
+        return true;
+    }
+};
+template <int F>
+struct Inverse2<Fixed<32 - F, F>, true> {
+    using Number = Fixed<32 - F, F>;
+    static bool apply(const Matrix<Number, 2>& a, Matrix<Number, 2>& inverse) {
+        const Cofactors<Number, 2> c(a);
+        const Number d = c.determinant(a);
+        if (d == Number()) return false;
+        TransposedQuotients<Number>::apply(c.matrix, d, inverse);
         return true;
     }
 };
