@@ -30,41 +30,6 @@
     lpm_each a2, Z+, 2
     .endm
 
-    // a = the coefficient and p4:...:p0 shifted right by 8 - left bits and rounded.
-    .macro add_rounded left, p0, p1, p2, p3, p4
-    .if \left < 5
-    .rept \left
-    lsl \p0
-    rol \p1
-    rol \p2
-    rol \p3
-    rol \p4
-    .endr
-    lsl \p0
-    take_coefficient
-    adc a0, \p1
-    adc a1, \p2
-    adc a2, \p3
-    adc a3, \p4
-    .else
-    .rept 8 - \left
-    lsr \p4
-    ror \p3
-    ror \p2
-    ror \p1
-    ror \p0
-    .endr
-    .if \left == 8
-    clc
-    .endif
-    take_coefficient
-    adc a0, \p0
-    adc a1, \p1
-    adc a2, \p2
-    adc a3, \p3
-    .endif
-    .endm
-
     .macro polynomial fraction
     push_all r12, r13, r14, r15, r16, r17
     .if \fraction > 24
@@ -81,33 +46,14 @@
     movw rB0, r22
     movw rB2, r24
     clr zero
-    .if (\fraction - 1) / 8 == 2
-    clt
-    cpse rB3, zero
-    set
-    .endif
+    begin_products \fraction
     take_coefficient
     rjmp 1f
-2:  .if (\fraction - 1) / 8 == 2
-    short_product rB0, rB1, rB2
-    brtc 3f
-    cpi rB3, 0xff
-    brne 4f
-    each_of_a sub, sbc
-3:
-    .else
-    five_bytes ((\fraction - 1) / 8)
-    .endif
+2:  product_by_b \fraction
     sbiw r30, 8
-    .if (\fraction - 1) / 8 == 0
-    add_rounded (8 - \fraction), s0, s1, s2, s3, s4
-    .elseif (\fraction - 1) / 8 == 1
-    add_rounded (16 - \fraction), s1, s2, s3, s4, s5
-    .elseif (\fraction - 1) / 8 == 2
-    add_rounded (24 - \fraction), s2, s3, s4, s5, s6
-    .else
-    add_rounded (32 - \fraction), s3, s4, s5, s6, s7
-    .endif
+    each_sum shift, \fraction
+    take_coefficient
+    each_sum add_to_a, \fraction
 1:  cp_bytes r30, end, 2
     breq 5f
     rjmp 2b
@@ -118,19 +64,7 @@
     pop_all r17, r16, r15, r14, r13, r12
     clr r1
     ret
-    .if (\fraction - 1) / 8 == 2
-4:  mulsu rB3, a0
-    sbc s5, zero
-    sbc s6, zero
-    add s3, r0
-    adc s4, r1
-    adc s5, zero
-    adc s6, zero
-    signed_product rB3, a1, s4, s5, s6
-    top_product mulsu, rB3, a2, s5, s6
-    last_product rB3, a3, s6
-    rjmp 3b
-    .endif
+    other_product \fraction
     .endm
 
     .macro kernels integer, fraction

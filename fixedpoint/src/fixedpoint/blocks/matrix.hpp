@@ -96,17 +96,9 @@ struct QuotientsKernel;
     };
 FIXEDPOINT_SPLITS_32(FIXEDPOINT_QUOTIENTS_KERNEL, , , )
 #undef FIXEDPOINT_QUOTIENTS_KERNEL
-template <class Number>
-struct QuotientsInKernel {
-    static constexpr bool value = false;
-};
-template <int F>
-struct QuotientsInKernel<Fixed<32 - F, F>> {
-    static constexpr bool value = kernel::has_assembly && F != 16;
-};
 
 // result_ij = a_ji / d, d not 0.
-template <class Number, bool in_kernel = QuotientsInKernel<Number>::value>
+template <class Number, bool in_kernel = SplitOf32<Number>::value>
 struct TransposedQuotients {
     template <uint8_t N>
     static void apply(const Matrix<Number, N>& a, Number d, Matrix<Number, N>& result) {

@@ -62,6 +62,39 @@ Quaternion<Number> conjugate(const Quaternion<Number>& a) {
     return {{a.part[0], -a.part[1], -a.part[2], -a.part[3]}};
 }
 
+/// \cond internal
+// The kernel of each split of 32 bits but Q16.16.
+template <int F>
+struct Amplify4Kernel;
+#define FIXEDPOINT_AMPLIFY4_KERNEL(KERNEL, shape, name, I, F)                              \
+    extern "C" void fixedpoint_amplify4_q##I##_##F(int32_t* a, int32_t b);                 \
+    template <>                                                                            \
+    struct Amplify4Kernel<F> {                                                             \
+        static void apply(int32_t* a, int32_t b) { fixedpoint_amplify4_q##I##_##F(a, b); } \
+    };
+FIXEDPOINT_SPLITS_32(FIXEDPOINT_AMPLIFY4_KERNEL, , , )
+#undef FIXEDPOINT_AMPLIFY4_KERNEL
+// a + a b, each part rounded once.
+template <class Number, bool in_kernel = SplitOf32<Number>::value>
+struct Amplified4 {
+    static Quaternion<Number> of(const Quaternion<Number>& a, Number b) {
+        Quaternion<Number> result;
+        for (uint8_t i = 0; i < 4; ++i)
+            result.part[i] = BlockNumber<Number>::multiply_add(a.part[i], b, a.part[i]);
+        return result;
+    }
+};
+template <int F>
+struct Amplified4<Fixed<32 - F, F>, true> {
+    using Number = Fixed<32 - F, F>;
+    static Quaternion<Number> of(const Quaternion<Number>& a, Number b) {
+        Quaternion<Number> result = a;
+        Amplify4Kernel<F>::apply(raws(result.part), b.raw());
+        return result;
+    }
+};
+/// \endcond
+
 /// a as a quaternion of length 1, by one step of Newton's method: a + a (1 - |a|^2) / 2. One of
 /// length 1 + d, d small, becomes one of length 1 - 3/2 d^2. After each product it keeps the length
 /// within 2 ulp of 1 for ever; it does not bring one back whose length is beyond sqrt(3), nor
@@ -69,11 +102,7 @@ Quaternion<Number> conjugate(const Quaternion<Number>& a) {
 template <class Number>
 Quaternion<Number> renormalised(const Quaternion<Number>& a) {
     using N = BlockNumber<Number>;
-    const Number correction = N::half_of(N::one() - dot4(a.part, a.part));
-    Quaternion<Number> result;
-    for (uint8_t i = 0; i < 4; ++i)
-        result.part[i] = N::multiply_add(a.part[i], correction, a.part[i]);
-    return result;
+    return Amplified4<Number>::of(a, N::half_of(N::one() - dot4(a.part, a.part)));
 }
 
 /// The vector v, rotated by q of length 1: v + w t + u x t, where t = 2 u x v and u is (x, y, z) of
