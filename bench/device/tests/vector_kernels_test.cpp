@@ -93,9 +93,13 @@ class VectorSteps : public VectorKernels {
   protected:
     VectorSteps() : VectorKernels("vector_steps") {}
 };
-class VectorProducts : public VectorKernels {
+class VectorTransform : public VectorKernels {
   protected:
-    VectorProducts() : VectorKernels("vector_products") {}
+    VectorTransform() : VectorKernels("vector_transform") {}
+};
+class VectorCross : public VectorKernels {
+  protected:
+    VectorCross() : VectorKernels("vector_cross") {}
 };
 class VectorPolynomials : public VectorKernels {
   protected:
@@ -209,7 +213,7 @@ TEST_F(VectorSteps, ExchangeAddsTheRoundedProductsToOneAndTakesThemFromTheOther)
     }
 }
 
-TEST_F(VectorProducts, MatricesTimesVectorsAndMatricesAreRoundedSums) {
+TEST_F(VectorTransform, MatricesTimesVectorsAndMatricesAreRoundedSums) {
     const std::uint16_t at_result = chip_.allocate(64), at_v = chip_.allocate(64),
                         at_m = chip_.allocate(64);
     for (int fraction = 0; fraction <= 32; ++fraction) {
@@ -284,7 +288,7 @@ const Components of_quaternions = {{{1, 0, 0}, {-1, 1, 1}, {-1, 2, 2}, {-1, 3, 3
                                    {{1, 0, 2}, {-1, 1, 3}, {1, 2, 0}, {1, 3, 1}},
                                    {{1, 0, 3}, {1, 1, 2}, {-1, 2, 1}, {1, 3, 0}}};
 
-TEST_F(VectorProducts, CrossAndQuaternionProductsAreRoundedSums) {
+TEST_F(VectorCross, CrossAndQuaternionProductsAreRoundedSums) {
     const std::uint16_t at_result = chip_.allocate(16), at_a = chip_.allocate(16),
                         at_b = chip_.allocate(16);
     struct Kernel {

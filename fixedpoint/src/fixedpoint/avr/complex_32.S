@@ -29,17 +29,29 @@
     adiw r26, 4
     ld_each a0, X+, 4              // the imaginary part of a
     sbiw r26, 8
+    .if !is_short
     begin \fraction, \top, 0xff
+    .endif
     set                 // T: of the real part
-2:  add_product \fraction, \top, at=4
+2:  .if is_short
+    first_product \top, 4
+    brts 1f
+    add_half \fraction, \top
+    rjmp 3f
+1:  complement_and_half \fraction, \top
+    .else
+    add_product \fraction, \top, at=4
     brtc 3f
     com_bytes s0, (\top + 1)
+    .endif
 3:  ld_each a0, X+, 4              // the other part
     add_product \fraction, \top
     finish \fraction
     brtc 4f
     clt
+    .if !is_short
     begin \fraction, \top
+    .endif
     rjmp 2b
 4:  pop r29
     pop r28

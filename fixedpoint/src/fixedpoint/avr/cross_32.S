@@ -37,14 +37,17 @@
 // Bit 0: and the scalar of a times b; bit 1: and a times the scalar of b; bit 2: twice the sum.
 #define options r9
 
-    // s += a b of the components at the places p and q.
-    .macro add_components p, q
+    // X and Z point to the components of b and a at the places q and p; then s += a b.
+    .macro take_components p, q
     movw r26, b
     add r26, \q
     adc r27, zero
     movw r30, a
     add r30, \p
     adc r31, zero
+    .endm
+    .macro add_components p, q
+    take_components \p, \q
     rcall 9f
     .endm
 
@@ -85,9 +88,15 @@
     sbiw r30, 4
     rcall 9f
     finish \fraction
-2:  begin \fraction, \top, 0xff
+2:  .if is_short
+    take_components k, j
+    ld_each a0, X+, 4
+    begin_subtracted_product \fraction, \top
+    .else
+    begin \fraction, \top, 0xff
     add_components k, j
     com_bytes s0, (\top + 1)
+    .endif
     add_components j, k
     sbrc options, 2
     rjmp 3f

@@ -50,7 +50,14 @@
     clr zero
 2:  movw r26, v
     movw r30, m
+    .if is_short
+    ld_each a0, X+, 4
+    begin_product \fraction, \top
+    add r30, step
+    adc r31, zero
+    .else
     begin \fraction, \top
+    .endif
 4:  ld_each a0, X+, 4
     add_product \fraction, \top
     cp r26, end
@@ -106,9 +113,8 @@
     clr zero
     ldi q0, 4
     mov left, q0
-6:  begin \fraction, \top
-    ld_each a0, X+, 4
-    add_product \fraction, \top
+6:  ld_each a0, X+, 4
+    begin_product \fraction, \top
     ld_each a0, X+, 4
     add_product \fraction, \top, at=8
     finish \fraction

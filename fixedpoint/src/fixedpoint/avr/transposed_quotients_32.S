@@ -170,21 +170,36 @@
     clr p5
     mul_add a1, R2, p3, p4, nothing, p5
     mul_add a2, R1, p3, p4, nothing, p5
-    mul_add a3, R0, p3, p4, nothing, p5
     clr p6
     mul_add a0, R4, p4, p5, nothing, p6
     mul_add a1, R3, p4, p5, nothing, p6
     mul_add a2, R2, p4, p5, nothing, p6
-    mul_add a3, R1, p4, p5, nothing, p6
     clr p7
     mul_add a1, R4, p5, p6, nothing, p7
     mul_add a2, R3, p5, p6, nothing, p7
-    mul_add a3, R2, p5, p6, nothing, p7
+    mul_add a2, R4, p6, p7
     clr p8
-    mul_add a2, R4, p6, p7, nothing, p8
-    mul_add a3, R3, p6, p7, nothing, p8
+    tst a3
+    breq 3f
+    mul a3, R2
+    movw a0, r0
+    mul a3, R0
+    add p3, r0
+    adc p4, r1
+    adc p5, a0
+    adc p6, a1
+    adc p7, nothing
+    adc p8, nothing
+    mul a3, R3
+    movw a0, r0
+    mul a3, R1
+    add p4, r0
+    adc p5, r1
+    adc p6, a0
+    adc p7, a1
+    adc p8, nothing
     mul_add a3, R4, p7, p8
-    subi p4, 0x7b
+3:  subi p4, 0x7b
     cpi p4, 0x81 - 0x7b
     brlo .Lfar_divide
     cpi p4, 0x100 - 0x7b    // rounds
@@ -211,7 +226,7 @@
     dec left
     brne .Lelement_again
     dec rows
-    breq 3f
+    breq 4f
     mov r24, step       // n columns back, and to the next one
     subi r24, 0xfc
     mov r0, r24
@@ -226,7 +241,7 @@
     rjmp .Lelement
 .Lfar_divide:
     rjmp .Ldivide
-3:  clr r1
+4:  clr r1
     pop_all r29, r28, r17, r16, r15, r14, r13, r12, r11, r10, r9, r8, r7, r6, r5, r4, r3, r2
     ret
     ENDFUNC fixedpoint_transposed_quotients_32

@@ -88,7 +88,7 @@ template <int F>
 struct Amplified4<Fixed<32 - F, F>, true> {
     using Number = Fixed<32 - F, F>;
     static Quaternion<Number> of(const Quaternion<Number>& a, Number b) {
-        Quaternion<Number> result = a;
+        Quaternion<Number> result = {{a.part[0], a.part[1], a.part[2], a.part[3]}};
         Amplify4Kernel<F>::apply(raws(result.part), b.raw());
         return result;
     }
