@@ -16,6 +16,8 @@
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
 
+#define b1 r17
+#define b2 r27
 #include "product_sum_32.inc"
 
 #define weight r22
@@ -53,6 +55,7 @@
     .endm
 
     .macro biquad fraction, top, error_bytes, half, o0, o1, o2, o3
+    set_short \fraction
     push_sum \top
     push r28
     push r29
