@@ -105,6 +105,10 @@ class VectorPolynomials : public VectorKernels {
   protected:
     VectorPolynomials() : VectorKernels("vector_polynomials") {}
 };
+class VectorInverses : public VectorKernels {
+  protected:
+    VectorInverses() : VectorKernels("vector_inverses") {}
+};
 class VectorFilters : public VectorKernels {
   protected:
     VectorFilters() : VectorKernels("vector_filters") {}
@@ -378,32 +382,109 @@ TEST_F(VectorComplexProduct, IsTheRoundedDifferenceAndSum) {
     }
 }
 
-TEST_F(VectorFilters, InverseIsTheQuotientsOfCofactorsAndDeterminant) {
+TEST_F(VectorPolynomials, AmplifiedNumbersAreRoundedOnce) {
+    using Numbers = std::array<int32_t, 4>;
+    const std::uint16_t at = chip_.allocate(20);
+    for (int fraction = 0; fraction <= 32; ++fraction) {
+        if (fraction == 16) continue;
+        const exact::Format format{32, fraction};
+        const std::string split = std::to_string(32 - fraction) + "_" + std::to_string(fraction);
+        DeviceFunction amplify(chip_, "fixedpoint_amplify4_q" + split, {0, {2, 4}});
+        for (int i = 0; i < (fraction == 24 ? rounds / 10 : 100); ++i) {
+            Numbers a;
+            for (int32_t& x : a) x = number(fraction);
+            const int32_t b = number(fraction), behind = number();
+            write(at, a);
+            write(static_cast<std::uint16_t>(at + 16), behind);
+            amplify(at, b);
+            ASSERT_EQ(read<int32_t>(static_cast<std::uint16_t>(at + 16)), behind);
+            const auto result = read<Numbers>(at);
+            for (int k = 0; k < 4; ++k)
+                ASSERT_EQ(result[k], exact::multiply_add(a[k], b, a[k], format).wrapped)
+                    << split << " " << a[k] << " " << b;
+        }
+    }
+}
+
+TEST_F(VectorInverses, AreTheQuotientsOfCofactorsAndDeterminant) {
     using Matrix = std::array<int32_t, 4>;
     const std::uint16_t at_a = chip_.allocate(16), at_inverse = chip_.allocate(16);
-    DeviceFunction invert(chip_, "fixedpoint_invert2_q16_16", {1, {2, 2}});
     int singular = 0;
-    for (int i = 0; i < rounds; ++i) {
-        const Matrix a = {number(), number(), number(), number()}, before = {1, 2, 3, 4};
-        const int64_t row[2] = {a[0], a[1]}, column[2] = {a[3], difference(0, a[2])};
-        const int64_t d = exact::dot(row, column, 2, q16_16).wrapped;
-        Matrix expected = before;
-        if (d != 0) {
-            const auto over = [d](int64_t cofactor) {
-                return static_cast<int32_t>(exact::divide(cofactor, d, q16_16).saturated);
-            };
-            expected = {over(a[3]), over(difference(0, a[1])), over(column[1]), over(a[0])};
+    for (int fraction = 0; fraction <= 32; ++fraction) {
+        const exact::Format format{32, fraction};
+        const std::string split = std::to_string(32 - fraction) + "_" + std::to_string(fraction);
+        DeviceFunction invert(chip_, "fixedpoint_invert2_q" + split, {1, {2, 2}});
+        for (int i = 0; i < (fraction == 16 || fraction == 24 ? rounds : 300); ++i) {
+            const Matrix a = {number(fraction), number(fraction), number(fraction),
+                              number(fraction)},
+                         before = {1, 2, 3, 4};
+            const int64_t row[2] = {a[0], a[1]}, column[2] = {a[3], difference(0, a[2])};
+            const int64_t d = exact::dot(row, column, 2, format).wrapped;
+            Matrix expected = before;
+            if (d != 0) {
+                const auto over = [&](int64_t cofactor) {
+                    return static_cast<int32_t>(exact::divide(cofactor, d, format).saturated);
+                };
+                expected = {over(a[3]), over(difference(0, a[1])), over(column[1]), over(a[0])};
+            }
+            singular += d == 0;
+            write(at_a, a);
+            write(at_inverse, before);
+            ASSERT_EQ(invert(at_a, at_inverse).as<std::uint8_t>(), d != 0) << split;
+            ASSERT_EQ(read<Matrix>(at_inverse), expected) << split << " " << d;
+            ASSERT_EQ(read<Matrix>(at_a), a);
+            if (fraction != 16) continue;
+            ASSERT_EQ(invert(at_a, at_a).as<std::uint8_t>(), d != 0);
+            ASSERT_EQ(read<Matrix>(at_a), d != 0 ? expected : a);
         }
-        singular += d == 0;
-        write(at_a, a);
-        write(at_inverse, before);
-        ASSERT_EQ(invert(at_a, at_inverse).as<std::uint8_t>(), d != 0);
-        ASSERT_EQ(read<Matrix>(at_inverse), expected);
-        ASSERT_EQ(read<Matrix>(at_a), a);
-        ASSERT_EQ(invert(at_a, at_a).as<std::uint8_t>(), d != 0);
-        ASSERT_EQ(read<Matrix>(at_a), d != 0 ? expected : a);
     }
     EXPECT_GT(singular, 0);
+}
+
+// Divisors of every length, so that the reciprocal is one of five bytes, too small or too large;
+// quotients that are ties or an ulp beside one; and what saturates.
+TEST_F(VectorInverses, TransposedQuotientsAreRounded) {
+    using Numbers = std::array<int32_t, 9>;
+    const std::uint16_t at_a = chip_.allocate(36), at_q = chip_.allocate(40);
+    std::mt19937_64 random(18);
+    for (int fraction = 0; fraction <= 32; ++fraction) {
+        if (fraction == 16) continue;
+        const exact::Format format{32, fraction};
+        const std::string split = std::to_string(32 - fraction) + "_" + std::to_string(fraction);
+        DeviceFunction divide(chip_, "fixedpoint_transposed_quotients_q" + split,
+                              {0, {2, 2, 4, 1}});
+        for (int i = 0; i < (fraction == 24 ? rounds / 2 : 500); ++i) {
+            const int n = 2 + i % 2;
+            const auto length = random() % 32;
+            int32_t d =
+                i % 4 == 0 ? number(fraction) : static_cast<int32_t>(random() >> 32) >> length;
+            if (d == 0) d = 1;
+            Numbers a;
+            for (int32_t& x : a) {
+                // Near half an odd number of ulps, where the product fits.
+                const __int128 half =
+                    static_cast<__int128>(d) * (2 * static_cast<int64_t>(random() % 100000) + 1);
+                const int shift = fraction + 1;
+                const auto near = static_cast<int64_t>(half >> shift);
+                if (i % 2 == 0 && near == static_cast<int32_t>(near))
+                    x = static_cast<int32_t>(near) + static_cast<int32_t>(random() % 2);
+                else
+                    x = number(fraction);
+            }
+            write(at_a, a);
+            const int32_t behind = number();
+            const auto end = static_cast<std::uint16_t>(at_q + 4 * n * n);
+            write(end, behind);
+            divide(at_q, at_a, d, n);
+            ASSERT_EQ(read<int32_t>(end), behind);
+            const auto q = read<Numbers>(at_q);
+            for (int k = 0; k < n * n; ++k) {
+                const int32_t x = a[k % n * n + k / n];
+                ASSERT_EQ(q[k], exact::divide(x, d, format).saturated)
+                    << split << " " << x << " " << d;
+            }
+        }
+    }
 }
 
 TEST_F(VectorCofactors, AreRoundedCrossProductsOfRows) {

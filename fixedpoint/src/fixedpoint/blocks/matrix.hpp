@@ -137,7 +137,19 @@ bool invert(const Matrix<Number, N>& a, Matrix<Number, N>& inverse) {
 }
 /// \cond internal
 // For so few elements a loop costs more than it saves.
-template <class Number, bool in_kernel = kernel::has_assembly>
+template <int F>
+struct Invert2Kernel;
+#define FIXEDPOINT_INVERT2_KERNEL(KERNEL, shape, name, I, F)                              \
+    extern "C" uint8_t fixedpoint_invert2_q##I##_##F(const int32_t* a, int32_t* inverse); \
+    template <>                                                                           \
+    struct Invert2Kernel<F> {                                                             \
+        static bool apply(const int32_t* a, int32_t* inverse) {                           \
+            return fixedpoint_invert2_q##I##_##F(a, inverse);                             \
+        }                                                                                 \
+    };
+FIXEDPOINT_SPLITS_32(FIXEDPOINT_INVERT2_KERNEL, , , )
+#undef FIXEDPOINT_INVERT2_KERNEL
+template <class Number, bool in_kernel = kernel::has_assembly && sizeof(Number) == 4>
 struct Inverse2 {
     static bool apply(const Matrix<Number, 2>& a, Matrix<Number, 2>& inverse) {
         const Cofactors<Number, 2> c(a);
@@ -152,13 +164,10 @@ struct Inverse2 {
 };
 template <int F>
 struct Inverse2<Fixed<32 - F, F>, true> {
-    using Number = Fixed<32 - F, F>;
-    static bool apply(const Matrix<Number, 2>& a, Matrix<Number, 2>& inverse) {
-        const Cofactors<Number, 2> c(a);
-        const Number d = c.determinant(a);
-        if (d == Number()) return false;
-        TransposedQuotients<Number>::apply(c.matrix, d, inverse);
-        return true;
+    using Matrix2 = Matrix<Fixed<32 - F, F>, 2>;
+    static bool apply(const Matrix2& a, Matrix2& inverse) {
+        if (&a == &inverse) return apply(Matrix2(a), inverse);
+        return Invert2Kernel<F>::apply(raws(a.element[0]), raws(inverse.element[0]));
     }
 };
 template <>

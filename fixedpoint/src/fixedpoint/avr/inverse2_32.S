@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// The inverse of the matrix of two rows whose last element is at X, to Y, where its determinant d in
+// r21:r18 is not 0, for invert2_32.S: quotients_32.inc says how. It returns as that does.
+//
+// Table    512 bytes, fixedpoint_reciprocal_table
+
+#ifdef __AVR_HAVE_MUL__
+#include "prelude.inc"
+#include "quotients_32.inc"
+
+// 4 to 1 elements: bit 1 where a cofactor is the negative.
+#define left r12
+
+    .macro negate_cofactor number
+    sbrs left, 1
+    rjmp 1f
+    negate_bytes \number, 4
+1:
+    .endm
+
+    SECTION fixedpoint_inverse2_32
+    other_quotients
+.Ldivide:
+    push_all r26, r27
+    movw r30, r26
+    sbiw r30, 4
+    ld_each r22, Z+, 4
+    negate_cofactor r22
+    divide_again
+    pop_all r27, r26
+    rising 0, 4, st, Y+, .Lr22 + \n
+    rjmp .Lnext
+
+    // r30 = 2^(F mod 8), r31 = floor(F / 8)
+    ENTRY fixedpoint_inverse2_32
+    or_bytes r0, d0, 4
+    mov r24, r0
+    brne 1f
+    rjmp .Lreturn
+1:  push_all r29, r28, r27, r26
+    take_reciprocal
+    pop_all r26, r27, r28, r29
+    ldi r24, 4
+    mov left, r24
+.Lelement:
+    ld_each a0, X+, 4
+    negate_cofactor a0
+    find_quotient
+    st Y+, p5
+    st Y+, p6
+    st Y+, p7
+    st Y+, p8
+.Lnext:
+    sbrc left, 0        // simavr would skip `sbiw` as if it had two words
+    rjmp 1f
+    sbiw r26, 12        // the element above
+1:  dec left
+    breq 4f
+    rjmp .Lelement
+.Lfar_divide:
+    rjmp .Ldivide
+4:  ldi r24, 1
+.Lreturn:
+    clr r1
+    pop_all r29, r28, r17, r16, r15, r14, r13, r12, r11, r10, r9, r8, r7, r6, r5, r4, r3, r2
+    ret
+    ENDFUNC fixedpoint_inverse2_32
+
+#endif
