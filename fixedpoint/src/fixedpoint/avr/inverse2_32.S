@@ -11,11 +11,9 @@
 // 4 to 1 elements: bit 1 where a cofactor is the negative.
 #define left r12
 
-    .macro negate_cofactor number
-    sbrs left, 1
-    rjmp 1f
-    negate_bytes \number, 4
-1:
+    .macro change_sign
+    sbrc left, 1
+    com r0
     .endm
 
     SECTION fixedpoint_inverse2_32
@@ -25,8 +23,10 @@
     movw r30, r26
     sbiw r30, 4
     ld_each r22, Z+, 4
-    negate_cofactor r22
-    divide_again
+    sbrs left, 1
+    rjmp 1f
+    negate_bytes r22, 4
+1:  divide_again
     pop_all r27, r26
     rising 0, 4, st, Y+, .Lr22 + \n
     rjmp .Lnext
@@ -37,15 +37,15 @@
     mov r24, r0
     brne 1f
     rjmp .Lreturn
-1:  push_all r29, r28, r27, r26
+1:  movw left, r26
+    movw kept, r28
     take_reciprocal
-    pop_all r26, r27, r28, r29
+    movw r26, left
     ldi r24, 4
     mov left, r24
 .Lelement:
     ld_each a0, X+, 4
-    negate_cofactor a0
-    find_quotient
+    find_quotient change_sign
     st Y+, p5
     st Y+, p6
     st Y+, p7

@@ -37,7 +37,7 @@
     negate_bytes a0, 4
     begin_product \fraction, \top
     ldd_bytes a0, Y + 0, 4
-    add_product \fraction, \top, at=8
+    add_signed_product \fraction, \top, 0, 8    // mostly not below 1
     result \fraction, take_determinant
     movw r26, r28
     adiw r26, 12

@@ -34,10 +34,11 @@
     // r30 = 2^(F mod 8), r31 = floor(F / 8)
     ENTRY fixedpoint_transposed_quotients_32
     push_all r2, r3, r4, r5, r6, r7, r8, r9, r10, r11, r12, r13, r14, r15, r16, r17, r28, r29
-    push_all r25, r24, r23, r22
+    push_all r23, r22
+    movw kept, r24
     mov rows, r16
     take_reciprocal
-    pop_all r26, r27, r28, r29
+    pop_all r26, r27
     mov step, rows
     dec step
     lsl step
