@@ -8,7 +8,7 @@
 //          the weights of the last two errors, a byte each, and these errors, signed, in 2 or 4 bytes
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
-// Stack    8 or 9 bytes
+// Stack    8 or 10 bytes
 //
 // Each product leaves its signal in a, which the next signal's place takes: all move on by one. The
 // coefficient of y1 is between 1 and 2 in most low-pass filters.

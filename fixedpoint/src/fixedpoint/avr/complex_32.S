@@ -5,7 +5,7 @@
 //
 // In       result = r25:r24, a = r23:r22, b = r21:r20, in RAM; result is neither a nor b
 // Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
-// Stack    10 bytes
+// Stack    10 or 11 bytes
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"

@@ -12,19 +12,13 @@
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
 
-#define b1 r17
-#define b2 r29
 #include "product_sum_32.inc"
 
 #define count r28
 
     .macro dot fraction, top
-1:  set_short \fraction
-    push_sum \top
+1:  push_sum \top
     push count
-    .if is_short
-    push b2
-    .endif
     mov count, r26
     movw r26, r24
     movw r30, r22
@@ -38,9 +32,6 @@
     rjmp 2b
 5:  result \fraction, take_result
     clr r1
-    .if is_short
-    pop b2
-    .endif
     pop count
     pop_sum \top
     ret

@@ -12,7 +12,7 @@
 // Stack    21 bytes
 //
 // void fixedpoint_matrix_product_2_q<32 - F>_<F>(int32_t* result, const int32_t* a, const int32_t* b)
-// The same of two rows: the matrix a = r23:r22 times b = r21:r20. It takes 11 bytes of stack.
+// The same of two rows: the matrix a = r23:r22 times b = r21:r20. It takes 11 or 12 bytes of stack.
 //
 // What a call and its registers cost is paid once, not once a component or row.
 
