@@ -24,10 +24,16 @@
 #define part r23
 #define count r26
 
-    .macro exchange a
-    ld r0, Y
-    st Y+, \a
-    mov \a, r0
+    // The next signal to a, whose place a's takes.
+    .macro exchange
+    ldd_bytes q0, Y + 0, 2
+    ldd_bytes r0, Y + 2, 2
+    st Y+, a0
+    st Y+, a1
+    st Y+, a2
+    st Y+, a3
+    movw a0, q0
+    movw a2, r0
     .endm
 
     // sum += weight error, in the bytes that hold it.
@@ -82,10 +88,7 @@
     dec count
     breq 4f
     adiw r30, 4
-    exchange a0
-    exchange a1
-    exchange a2
-    exchange a3
+    exchange
     rjmp 2b
 4:  sbiw r28, 8         // y1
     std Y + 0, \o0
