@@ -84,10 +84,16 @@
     mov \o2, \o1
     mov \o3, \o1
     ldi count, 5
-2:  add_product \fraction, \top, 1
+2:  .if is_short
+    add_short_product \top, Z+
+    .else
+    add_product \fraction, \top, 1
+    .endif
     dec count
     breq 4f
+    .if !is_short
     adiw r30, 4
+    .endif
     exchange
     rjmp 2b
 4:  sbiw r28, 8         // y1
