@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The inverse of the matrix of two rows whose last element is at X, to Y, where its determinant d in
-// r21:r18 is not 0, for invert2_32.S: quotients_32.inc says how. It returns as that does.
+// The end of invert2_32.S, of all splits, which has saved the registers: the inverse of the matrix whose
+// last element is at X, to Y, and 1, where its determinant d = r21:r18 is not 0, else 0 alone.
+// quotients_32.inc says how the quotients are found. A cofactor that is a negative changes the
+// quotient's sign; only the smallest number, whose negative it is itself, is negated and divided.
 //
 // Table    512 bytes, fixedpoint_reciprocal_table
 

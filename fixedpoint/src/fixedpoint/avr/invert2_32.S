@@ -6,9 +6,9 @@
 // In       a = r25:r24, inverse = r23:r22, in RAM; inverse is not a
 // Out      r24
 // Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
-// Stack    22 bytes and a call
+// Stack    20 bytes and a call
 //
-// The determinant is the sum of a00 a11 and -a10 a01; inverse2_32.S divides by it.
+// The determinant is the sum of -a10 a01 and a00 a11; inverse2_32.S divides by it, and returns.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"

@@ -9,7 +9,7 @@
 //          1 where there was a measurement, else 0
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
-// Stack    9 to 12 bytes and a call
+// Stack    10 to 15 bytes and a call
 //
 // Splits of 20 to 24 fraction bits have a product of their own: the error times the low three bytes of a
 // gain, and the error added or subtracted where the highest byte is 1 or -1. Where that or a shift leaves

@@ -5,7 +5,7 @@
 //
 // In       q = r25:r24, a = r23:r22, in RAM, d = r21:r18, n = r16; q is not in a
 // Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
-// Stack    22 bytes and a call
+// Stack    20 bytes and a call
 // Table    512 bytes, fixedpoint_reciprocal_table
 //
 // quotients_32.inc says how.
