@@ -63,7 +63,7 @@ Quaternion<Number> conjugate(const Quaternion<Number>& a) {
 }
 
 /// \cond internal
-// The kernel of each split of 32 bits but Q16.16.
+// The kernel of each split of 32 bits but Q16.16: a_i += a_i b, each product rounded once.
 template <int F>
 struct Amplify4Kernel;
 #define FIXEDPOINT_AMPLIFY4_KERNEL(KERNEL, shape, name, I, F)                              \
@@ -74,24 +74,14 @@ struct Amplify4Kernel;
     };
 FIXEDPOINT_SPLITS_32(FIXEDPOINT_AMPLIFY4_KERNEL, , , )
 #undef FIXEDPOINT_AMPLIFY4_KERNEL
-// a + a b, each part rounded once.
+// Which of two functions there is: a call from one into the other would cost the short formats.
 template <class Number, bool in_kernel = SplitOf32<Number>::value>
-struct Amplified4 {
-    static Quaternion<Number> of(const Quaternion<Number>& a, Number b) {
-        Quaternion<Number> result;
-        for (uint8_t i = 0; i < 4; ++i)
-            result.part[i] = BlockNumber<Number>::multiply_add(a.part[i], b, a.part[i]);
-        return result;
-    }
+struct Renormalised {
+    using Quaternion = fixedpoint::Quaternion<Number>;
 };
-template <int F>
-struct Amplified4<Fixed<32 - F, F>, true> {
-    using Number = Fixed<32 - F, F>;
-    static Quaternion<Number> of(const Quaternion<Number>& a, Number b) {
-        Quaternion<Number> result = {{a.part[0], a.part[1], a.part[2], a.part[3]}};
-        Amplify4Kernel<F>::apply(raws(result.part), b.raw());
-        return result;
-    }
+template <class Number>
+struct Renormalised<Number, true> {
+    using QuaternionByKernel = Quaternion<Number>;
 };
 /// \endcond
 
@@ -100,10 +90,25 @@ struct Amplified4<Fixed<32 - F, F>, true> {
 /// within 2 ulp of 1 for ever; it does not bring one back whose length is beyond sqrt(3), nor
 /// one whose squared length leaves the range.
 template <class Number>
-Quaternion<Number> renormalised(const Quaternion<Number>& a) {
+typename Renormalised<Number>::Quaternion renormalised(const Quaternion<Number>& a) {
     using N = BlockNumber<Number>;
-    return Amplified4<Number>::of(a, N::half_of(N::one() - dot4(a.part, a.part)));
+    const Number correction = N::half_of(N::one() - dot4(a.part, a.part));
+    Quaternion<Number> result;
+    for (uint8_t i = 0; i < 4; ++i)
+        result.part[i] = N::multiply_add(a.part[i], correction, a.part[i]);
+    return result;
 }
+
+/// \cond internal
+template <class Number>
+typename Renormalised<Number>::QuaternionByKernel renormalised(const Quaternion<Number>& a) {
+    using N = BlockNumber<Number>;
+    const Number correction = N::half_of(N::one() - dot4(a.part, a.part));
+    Quaternion<Number> result = {{a.part[0], a.part[1], a.part[2], a.part[3]}};
+    Amplify4Kernel<Number::fraction_bits>::apply(raws(result.part), correction.raw());
+    return result;
+}
+/// \endcond
 
 /// The vector v, rotated by q of length 1: v + w t + u x t, where t = 2 u x v and u is (x, y, z) of
 /// q. Each component is within 2.3 ulp and what q lacks in length, in the default arithmetic of 32
