@@ -93,9 +93,21 @@ class VectorSteps : public VectorKernels {
   protected:
     VectorSteps() : VectorKernels("vector_steps") {}
 };
-class VectorProducts : public VectorKernels {
+class VectorTransform : public VectorKernels {
   protected:
-    VectorProducts() : VectorKernels("vector_products") {}
+    VectorTransform() : VectorKernels("vector_transform") {}
+};
+class VectorCross : public VectorKernels {
+  protected:
+    VectorCross() : VectorKernels("vector_cross") {}
+};
+class VectorPolynomials : public VectorKernels {
+  protected:
+    VectorPolynomials() : VectorKernels("vector_polynomials") {}
+};
+class VectorInverses : public VectorKernels {
+  protected:
+    VectorInverses() : VectorKernels("vector_inverses") {}
 };
 class VectorFilters : public VectorKernels {
   protected:
@@ -205,7 +217,7 @@ TEST_F(VectorSteps, ExchangeAddsTheRoundedProductsToOneAndTakesThemFromTheOther)
     }
 }
 
-TEST_F(VectorProducts, MatricesTimesVectorsAndMatricesAreRoundedSums) {
+TEST_F(VectorTransform, MatricesTimesVectorsAndMatricesAreRoundedSums) {
     const std::uint16_t at_result = chip_.allocate(64), at_v = chip_.allocate(64),
                         at_m = chip_.allocate(64);
     for (int fraction = 0; fraction <= 32; ++fraction) {
@@ -280,7 +292,7 @@ const Components of_quaternions = {{{1, 0, 0}, {-1, 1, 1}, {-1, 2, 2}, {-1, 3, 3
                                    {{1, 0, 2}, {-1, 1, 3}, {1, 2, 0}, {1, 3, 1}},
                                    {{1, 0, 3}, {1, 1, 2}, {-1, 2, 1}, {1, 3, 0}}};
 
-TEST_F(VectorProducts, CrossAndQuaternionProductsAreRoundedSums) {
+TEST_F(VectorCross, CrossAndQuaternionProductsAreRoundedSums) {
     const std::uint16_t at_result = chip_.allocate(16), at_a = chip_.allocate(16),
                         at_b = chip_.allocate(16);
     struct Kernel {
@@ -325,18 +337,25 @@ TEST_F(VectorProducts, CrossAndQuaternionProductsAreRoundedSums) {
     }
 }
 
-TEST_F(VectorProducts, PolynomialsRoundOnceAStep) {
+TEST_F(VectorPolynomials, RoundOnceAStep) {
     const int32_t c[5] = {102921, INT32_MIN, -42218, INT32_MAX, 4833};  // as on the chip
     std::uint16_t at_c = 0;
     for (const simulator::Symbol& table : chip_.elf().flash_objects())
         if (table.name == "coefficients") at_c = static_cast<std::uint16_t>(table.address);
-    DeviceFunction polynomial(chip_, "fixedpoint_polynomial_q16_16", {4, {4, 2, 2}});
-    for (int i = 0; i < rounds; ++i) {
-        const int32_t x = number();
-        const int n = 1 + i % 5;
-        int32_t expected = c[n - 1];
-        for (int k = n - 2; k >= 0; --k) expected = sum(product(expected, x), c[k]);
-        ASSERT_EQ(polynomial(x, at_c, n).as<int32_t>(), expected) << x << " " << n;
+    for (int fraction = 0; fraction <= 32; ++fraction) {
+        const exact::Format format{32, fraction};
+        const std::string split = std::to_string(32 - fraction) + "_" + std::to_string(fraction);
+        DeviceFunction polynomial(chip_, "fixedpoint_polynomial_q" + split, {4, {4, 2, 2}});
+        for (int i = 0; i < (fraction == 16 || fraction == 24 ? rounds : 500); ++i) {
+            const int32_t x = number(fraction);
+            const int n = 1 + i % 5;
+            int32_t expected = c[n - 1];
+            for (int k = n - 2; k >= 0; --k)
+                expected =
+                    static_cast<int32_t>(exact::multiply_add(expected, x, c[k], format).wrapped);
+            ASSERT_EQ(polynomial(x, at_c, n).as<int32_t>(), expected)
+                << split << " " << x << " " << n;
+        }
     }
 }
 
@@ -363,32 +382,109 @@ TEST_F(VectorComplexProduct, IsTheRoundedDifferenceAndSum) {
     }
 }
 
-TEST_F(VectorFilters, InverseIsTheQuotientsOfCofactorsAndDeterminant) {
+TEST_F(VectorPolynomials, AmplifiedNumbersAreRoundedOnce) {
+    using Numbers = std::array<int32_t, 4>;
+    const std::uint16_t at = chip_.allocate(20);
+    for (int fraction = 0; fraction <= 32; ++fraction) {
+        if (fraction == 16) continue;
+        const exact::Format format{32, fraction};
+        const std::string split = std::to_string(32 - fraction) + "_" + std::to_string(fraction);
+        DeviceFunction amplify(chip_, "fixedpoint_amplify4_q" + split, {0, {2, 4}});
+        for (int i = 0; i < (fraction == 24 ? rounds / 10 : 100); ++i) {
+            Numbers a;
+            for (int32_t& x : a) x = number(fraction);
+            const int32_t b = number(fraction), behind = number();
+            write(at, a);
+            write(static_cast<std::uint16_t>(at + 16), behind);
+            amplify(at, b);
+            ASSERT_EQ(read<int32_t>(static_cast<std::uint16_t>(at + 16)), behind);
+            const auto result = read<Numbers>(at);
+            for (int k = 0; k < 4; ++k)
+                ASSERT_EQ(result[k], exact::multiply_add(a[k], b, a[k], format).wrapped)
+                    << split << " " << a[k] << " " << b;
+        }
+    }
+}
+
+TEST_F(VectorInverses, AreTheQuotientsOfCofactorsAndDeterminant) {
     using Matrix = std::array<int32_t, 4>;
     const std::uint16_t at_a = chip_.allocate(16), at_inverse = chip_.allocate(16);
-    DeviceFunction invert(chip_, "fixedpoint_invert2_q16_16", {1, {2, 2}});
     int singular = 0;
-    for (int i = 0; i < rounds; ++i) {
-        const Matrix a = {number(), number(), number(), number()}, before = {1, 2, 3, 4};
-        const int64_t row[2] = {a[0], a[1]}, column[2] = {a[3], difference(0, a[2])};
-        const int64_t d = exact::dot(row, column, 2, q16_16).wrapped;
-        Matrix expected = before;
-        if (d != 0) {
-            const auto over = [d](int64_t cofactor) {
-                return static_cast<int32_t>(exact::divide(cofactor, d, q16_16).saturated);
-            };
-            expected = {over(a[3]), over(difference(0, a[1])), over(column[1]), over(a[0])};
+    for (int fraction = 0; fraction <= 32; ++fraction) {
+        const exact::Format format{32, fraction};
+        const std::string split = std::to_string(32 - fraction) + "_" + std::to_string(fraction);
+        DeviceFunction invert(chip_, "fixedpoint_invert2_q" + split, {1, {2, 2}});
+        for (int i = 0; i < (fraction == 16 || fraction == 24 ? rounds : 300); ++i) {
+            const Matrix a = {number(fraction), number(fraction), number(fraction),
+                              number(fraction)},
+                         before = {1, 2, 3, 4};
+            const int64_t row[2] = {a[0], a[1]}, column[2] = {a[3], difference(0, a[2])};
+            const int64_t d = exact::dot(row, column, 2, format).wrapped;
+            Matrix expected = before;
+            if (d != 0) {
+                const auto over = [&](int64_t cofactor) {
+                    return static_cast<int32_t>(exact::divide(cofactor, d, format).saturated);
+                };
+                expected = {over(a[3]), over(difference(0, a[1])), over(column[1]), over(a[0])};
+            }
+            singular += d == 0;
+            write(at_a, a);
+            write(at_inverse, before);
+            ASSERT_EQ(invert(at_a, at_inverse).as<std::uint8_t>(), d != 0) << split;
+            ASSERT_EQ(read<Matrix>(at_inverse), expected) << split << " " << d;
+            ASSERT_EQ(read<Matrix>(at_a), a);
+            if (fraction != 16) continue;
+            ASSERT_EQ(invert(at_a, at_a).as<std::uint8_t>(), d != 0);
+            ASSERT_EQ(read<Matrix>(at_a), d != 0 ? expected : a);
         }
-        singular += d == 0;
-        write(at_a, a);
-        write(at_inverse, before);
-        ASSERT_EQ(invert(at_a, at_inverse).as<std::uint8_t>(), d != 0);
-        ASSERT_EQ(read<Matrix>(at_inverse), expected);
-        ASSERT_EQ(read<Matrix>(at_a), a);
-        ASSERT_EQ(invert(at_a, at_a).as<std::uint8_t>(), d != 0);
-        ASSERT_EQ(read<Matrix>(at_a), d != 0 ? expected : a);
     }
     EXPECT_GT(singular, 0);
+}
+
+// Divisors of every length, so that the reciprocal is one of five bytes, too small or too large;
+// quotients that are ties or an ulp beside one; and what saturates.
+TEST_F(VectorInverses, TransposedQuotientsAreRounded) {
+    using Numbers = std::array<int32_t, 9>;
+    const std::uint16_t at_a = chip_.allocate(36), at_q = chip_.allocate(40);
+    std::mt19937_64 random(18);
+    for (int fraction = 0; fraction <= 32; ++fraction) {
+        if (fraction == 16) continue;
+        const exact::Format format{32, fraction};
+        const std::string split = std::to_string(32 - fraction) + "_" + std::to_string(fraction);
+        DeviceFunction divide(chip_, "fixedpoint_transposed_quotients_q" + split,
+                              {0, {2, 2, 4, 1}});
+        for (int i = 0; i < (fraction == 24 ? rounds / 2 : 500); ++i) {
+            const int n = 2 + i % 2;
+            const auto length = random() % 32;
+            int32_t d =
+                i % 4 == 0 ? number(fraction) : static_cast<int32_t>(random() >> 32) >> length;
+            if (d == 0) d = 1;
+            Numbers a;
+            for (int32_t& x : a) {
+                // Near half an odd number of ulps, where the product fits.
+                const __int128 half =
+                    static_cast<__int128>(d) * (2 * static_cast<int64_t>(random() % 100000) + 1);
+                const int shift = fraction + 1;
+                const auto near = static_cast<int64_t>(half >> shift);
+                if (i % 2 == 0 && near == static_cast<int32_t>(near))
+                    x = static_cast<int32_t>(near) + static_cast<int32_t>(random() % 2);
+                else
+                    x = number(fraction);
+            }
+            write(at_a, a);
+            const int32_t behind = number();
+            const auto end = static_cast<std::uint16_t>(at_q + 4 * n * n);
+            write(end, behind);
+            divide(at_q, at_a, d, n);
+            ASSERT_EQ(read<int32_t>(end), behind);
+            const auto q = read<Numbers>(at_q);
+            for (int k = 0; k < n * n; ++k) {
+                const int32_t x = a[k % n * n + k / n];
+                ASSERT_EQ(q[k], exact::divide(x, d, format).saturated)
+                    << split << " " << x << " " << d;
+            }
+        }
+    }
 }
 
 TEST_F(VectorCofactors, AreRoundedCrossProductsOfRows) {
@@ -502,57 +598,79 @@ TEST_F(VectorFilters, KeepWhatTheirSumsLose) {
     follow(Biquad<24, std::int32_t>{}, "fixedpoint_biquad_q8_24", 24);
 }
 
-// Each product and each sum saturates; the carried error includes a half.
+// Each product and each sum is clamped; the error that is carried has a half added.
+template <class Low>
 struct __attribute__((packed)) Controller {
     int32_t gain[3], low, high, integral, measurement;
-    std::uint16_t error;
+    Low error;
     std::uint8_t started;
 
-    static int64_t clamped(int64_t x) { return std::clamp<int64_t>(x, INT32_MIN, INT32_MAX); }
-    static int64_t rounded(int64_t product) { return clamped((product + 0x8000) >> 16); }
-    int32_t take(int32_t setpoint, int32_t measured) {
+    static int64_t clamped(__int128 x) {
+        return static_cast<int64_t>(std::clamp<__int128>(x, INT32_MIN, INT32_MAX));
+    }
+    int32_t take(int32_t setpoint, int32_t measured, int fraction) {
+        const int unused = static_cast<int>(8 * sizeof(Low)) - fraction;
+        const __int128 half = (__int128{1} << fraction) / 2;
+        const auto rounded = [&](__int128 product) {
+            return clamped((product + half) >> fraction);
+        };
         const int64_t off = clamped(int64_t{setpoint} - measured),
                       change = started ? clamped(int64_t{measured} - measurement) : 0;
-        const int64_t behind = low_bits(gain[1] * off, 16), sum = error + behind;
-        const int64_t carry = (sum >> 16) - (behind >> 15);
-        const int64_t total = clamped(clamped(rounded(gain[1] * off) + integral) + carry);
-        const int64_t wanted =
-            clamped(clamped(rounded(gain[0] * off) - rounded(gain[2] * change)) + total);
+        const __int128 product = static_cast<__int128>(gain[1]) * off;
+        const int64_t behind = low_bits(product, fraction), sum = (error >> unused) + behind;
+        const int64_t carry = fraction == 0 ? 0 : (sum >> fraction) - (behind >> (fraction - 1));
+        const int64_t total = clamped(clamped(rounded(product) + integral) + carry);
+        const int64_t wanted = clamped(clamped(rounded(static_cast<__int128>(gain[0]) * off) -
+                                               rounded(static_cast<__int128>(gain[2]) * change)) +
+                                       total);
         measurement = measured;
         started = 1;
         if ((wanted > high && total > integral) ||
             (wanted <= high && wanted < low && total < integral))
             return wanted > high ? high : low;
         integral = static_cast<int32_t>(total);
-        error = static_cast<std::uint16_t>(sum);
+        if (fraction != 0) error = static_cast<Low>(low_bits(sum, fraction) << unused);
         return wanted > high ? high : static_cast<int32_t>(std::max<int64_t>(wanted, low));
     }
 };
 
 TEST_F(VectorFilters, ControllersSaturateAndDoNotWindUp) {
-    DeviceFunction update(chip_, "fixedpoint_pid_q16_16", {4, {4, 4, 2}});
-    const std::uint16_t at = chip_.allocate(sizeof(Controller));
-    Controller controller{};
-    int limited = 0;
-    for (int i = 0; i < 10 * rounds; ++i) {
-        if (i % 8 == 0) {
-            for (int g = 0; g < 3; ++g) controller.gain[g] = number();
-            const int32_t a = number(), b = number();
-            controller.low = std::min(a, b), controller.high = std::max(a, b);
-            controller.integral = number(), controller.measurement = number();
-            controller.error = static_cast<std::uint16_t>(number());
-            controller.started = i % 16 != 0;
+    const std::uint16_t at = chip_.allocate(64);
+    const auto follow = [&](auto controller, int fraction) {
+        const std::string split = std::to_string(32 - fraction) + "_" + std::to_string(fraction);
+        DeviceFunction update(chip_, "fixedpoint_pid_q" + split, {4, {4, 4, 2}});
+        const int steps = fraction == 16 || fraction == 24 ? 10 * rounds : rounds / 10;
+        const int unused = static_cast<int>(8 * sizeof controller.error) - fraction;
+        int limited = 0;
+        for (int i = 0; i < steps; ++i) {
+            if (i % 8 == 0) {
+                for (int g = 0; g < 3; ++g) controller.gain[g] = number(fraction);
+                const int32_t a = number(fraction), b = number(fraction);
+                controller.low = std::min(a, b), controller.high = std::max(a, b);
+                controller.integral = number(fraction), controller.measurement = number(fraction);
+                controller.error = static_cast<decltype(controller.error)>(
+                    low_bits(number(fraction), fraction) << unused);
+                controller.started = i % 16 != 0;
+            }
+            write(at, controller);
+            const int32_t setpoint = number(fraction), measured = number(fraction);
+            const auto output = update(setpoint, measured, at).template as<int32_t>();
+            ASSERT_EQ(output, controller.take(setpoint, measured, fraction)) << split << " " << i;
+            const auto after = read<decltype(controller)>(at);
+            ASSERT_EQ(std::memcmp(&after, &controller, sizeof after), 0) << split << " " << i;
+            limited += output == controller.low || output == controller.high;
         }
-        write(at, controller);
-        const int32_t setpoint = number(), measured = number();
-        const auto output = update(setpoint, measured, at).as<int32_t>();
-        ASSERT_EQ(output, controller.take(setpoint, measured)) << i;
-        const auto after = read<Controller>(at);
-        ASSERT_EQ(std::memcmp(&after, &controller, sizeof after), 0) << i;
-        limited += output == controller.low || output == controller.high;
+        EXPECT_GT(limited, steps / 10) << split;
+        EXPECT_LT(limited, steps * (steps > rounds ? 18 : 19) / 20) << split;
+    };
+    for (int fraction = 0; fraction <= 32; ++fraction) {
+        if (fraction <= 8)
+            follow(Controller<std::uint8_t>{}, fraction);
+        else if (fraction <= 16)
+            follow(Controller<std::uint16_t>{}, fraction);
+        else
+            follow(Controller<std::uint32_t>{}, fraction);
     }
-    EXPECT_GT(limited, rounds);
-    EXPECT_LT(limited, 9 * rounds);
 }
 
 }  // namespace

@@ -35,11 +35,12 @@ struct Point {
     unsigned particles;
     double cost;
     std::string unit;
-    std::optional<double> pairs;
-    std::optional<std::uint32_t> ram, stack;    // of the chip
-    std::optional<std::size_t> runs, rejected;  // of the host
-    std::optional<double> fitted, fit_constant, fit_linear, fit_per_pair, fit_worst_percent;
-    bool cheapest;
+    std::optional<double> pairs{};
+    std::optional<std::uint32_t> ram{}, stack{};    // of the chip
+    std::optional<std::size_t> runs{}, rejected{};  // of the host
+    std::optional<double> fitted{}, fit_constant{}, fit_linear{}, fit_per_pair{},
+        fit_worst_percent{};
+    bool cheapest = false;
 
     static constexpr auto columns = std::tuple(
         column("where", &Point::where), column("broad_phase", &Point::broad_phase),

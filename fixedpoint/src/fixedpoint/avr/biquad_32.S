@@ -8,7 +8,7 @@
 //          the weights of the last two errors, a byte each, and these errors, signed, in 2 or 4 bytes
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
-// Stack    8 or 9 bytes
+// Stack    8 or 10 bytes
 //
 // Each product leaves its signal in a, which is stored to the place of the next signal: so all
 // signals move on by one. The coefficient of y1 is between 1 and 2 in most low-pass filters.
@@ -16,16 +16,24 @@
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
 
+#define b1 r17
+#define b2 r27
 #include "product_sum_32.inc"
 
 #define weight r22
 #define part r23
 #define count r26
 
-    .macro exchange a
-    ld r0, Y
-    st Y+, \a
-    mov \a, r0
+    // The next signal to a, whose place a's takes.
+    .macro exchange
+    ldd_bytes q0, Y + 0, 2
+    ldd_bytes r0, Y + 2, 2
+    st Y+, a0
+    st Y+, a1
+    st Y+, a2
+    st Y+, a3
+    movw a0, q0
+    movw a2, r0
     .endm
 
     // sum += weight error, in the bytes that it occupies.
@@ -53,6 +61,7 @@
     .endm
 
     .macro biquad fraction, top, error_bytes, half, o0, o1, o2, o3
+    set_short \fraction
     push_sum \top
     push r28
     push r29
@@ -75,14 +84,17 @@
     mov \o2, \o1
     mov \o3, \o1
     ldi count, 5
-2:  add_product \fraction, \top, 1
+2:  .if is_short
+    add_short_product \top, Z+
+    .else
+    add_product \fraction, \top, 1
+    .endif
     dec count
     breq 4f
+    .if !is_short
     adiw r30, 4
-    exchange a0
-    exchange a1
-    exchange a2
-    exchange a3
+    .endif
+    exchange
     rjmp 2b
 4:  sbiw r28, 8         // y1
     std Y + 0, \o0

@@ -11,6 +11,10 @@
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
 
+// X is free once a is read.
+#define b1 r26
+#define number_of_b1 26
+#define b2 r27
 #include "product_sum_32.inc"
 
 // The two rows, and the byte offsets of their components in cyclic order.
@@ -21,8 +25,8 @@
 #define k r8
 #define left r9
 
-    // s += p_x q_z
-    .macro add_components x, z, fraction, top
+    // a = p_x, and Z points to q_z.
+    .macro take_components x, z
     movw r26, p
     add r26, \x
     adc r27, zero
@@ -30,10 +34,10 @@
     add r30, \z
     adc r31, zero
     ld_each a0, X+, 4
-    add_product \fraction, \top, 1
     .endm
 
     .macro cofactors fraction, top
+    set_short \fraction
     push_all r2, r3, r4, r5, r6, r7, r8, r9, r28, r29
     push_sum \top
     movw r28, r22
@@ -49,10 +53,10 @@
     mov k, r24
     ldi r24, 3
     mov left, r24
-2:  begin \fraction, \top, 0xff
-    add_components k, j, \fraction, \top
-    com_bytes s0, (\top + 1)
-    add_components j, k, \fraction, \top
+2:  take_components k, j
+    begin_subtracted_product \fraction, \top, 1
+    take_components j, k
+    add_product \fraction, \top, 1
     finish \fraction
     mov r24, i
     mov i, j

@@ -21,6 +21,10 @@
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
 
+// X is free once a is read.
+#define b1 r26
+#define number_of_b1 26
+#define b2 r27
 #include "product_sum_32.inc"
 
 // The vectors a and b; their scalar parts precede them.
@@ -33,19 +37,23 @@
 // Bit 0: add the scalar of a times b; bit 1: add a times the scalar of b; bit 2: double the sum.
 #define options r9
 
-    // s += a b of the components at the places p and q.
-    .macro add_components p, q
+    // X and Z point to the components of b and a at the places q and p; then s += a b.
+    .macro take_components p, q
     movw r26, b
     add r26, \q
     adc r27, zero
     movw r30, a
     add r30, \p
     adc r31, zero
+    .endm
+    .macro add_components p, q
+    take_components \p, \q
     rcall 9f
     .endm
 
     .macro cross fraction, top
-1:  push_all r2, r3, r4, r5, r6, r7, r8, r9, r28, r29
+1:  set_short \fraction
+    push_all r2, r3, r4, r5, r6, r7, r8, r9, r28, r29
     push_sum \top
     movw r28, r24
     movw a, r22
@@ -65,10 +73,14 @@
     adc r5, zero
     begin \fraction, \top, 0xff
     add_components i, i
+    .irp place, 4, 8
     adiw r30, 4
+    .if is_short
+    movw r26, b
+    adiw r26, \place
+    .endif
     rcall 9f
-    adiw r30, 4
-    rcall 9f
+    .endr
     com_bytes s0, (\top + 1)
     movw r26, b
     movw r30, a
@@ -76,9 +88,15 @@
     sbiw r30, 4
     rcall 9f
     finish \fraction
-2:  begin \fraction, \top, 0xff
+2:  .if is_short
+    take_components k, j
+    ld_each a0, X+, 4
+    begin_subtracted_product \fraction, \top
+    .else
+    begin \fraction, \top, 0xff
     add_components k, j
     com_bytes s0, (\top + 1)
+    .endif
     add_components j, k
     sbrc options, 2
     rjmp 3f

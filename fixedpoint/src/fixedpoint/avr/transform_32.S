@@ -12,13 +12,15 @@
 // Stack    21 bytes
 //
 // void fixedpoint_matrix_product_2_q<32 - F>_<F>(int32_t* result, const int32_t* a, const int32_t* b)
-// The same for two rows: the matrix a = r23:r22 times b = r21:r20. It takes 11 bytes of stack.
+// The same of two rows: the matrix a = r23:r22 times b = r21:r20. It takes 11 or 12 bytes of stack.
 //
 // The cost of the call and of saving registers is paid once, not per component or row.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
 
+#define b1 r17
+#define b2 r7
 #include "product_sum_32.inc"
 
 #define v r2
@@ -32,21 +34,31 @@
     // first product of one component to that of the next, r19 = the bytes of a row of v; T is set
     // if v has n.
     .macro transform fraction, top
-1:  push_all r2, r3, r4, r5, r6, r7, r8, r9, r28, r29
+1:  set_short \fraction
+    push_all r2, r3, r4, r5, r6, r7, r8, r9, r28, r29
     push_sum \top
     push r18
     movw r28, r24
     movw v, r22
     movw m, r20
     mov step, r26
+    .if !is_short
     mov next, r27
+    .endif
     mov end, r22
     add end, r19
     mov left, r18
     clr zero
 2:  movw r26, v
     movw r30, m
+    .if is_short
+    ld_each a0, X+, 4
+    begin_product \fraction, \top
+    add r30, step
+    adc r31, zero
+    .else
     begin \fraction, \top
+    .endif
 4:  ld_each a0, X+, 4
     add_product \fraction, \top
     cp r26, end
@@ -55,7 +67,15 @@
     adc r31, zero
     rjmp 4b
 5:  finish \fraction
+    .if is_short
+    ldi r24, 4
+    brts 1f
+    mov r24, end
+    sub r24, v
+1:  add m, r24
+    .else
     add m, next
+    .endif
     adc r5, zero
     dec left
     breq 7f
@@ -82,7 +102,11 @@
     .endm
 
     .macro product_2 fraction, top
+    set_short \fraction
     push_all r28, r29, left
+    .if is_short
+    push b2
+    .endif
     push_sum \top
     movw r28, r24
     movw r26, r22
@@ -90,9 +114,8 @@
     clr zero
     ldi q0, 4
     mov left, q0
-6:  begin \fraction, \top
-    ld_each a0, X+, 4
-    add_product \fraction, \top
+6:  ld_each a0, X+, 4
+    begin_product \fraction, \top
     ld_each a0, X+, 4
     add_product \fraction, \top, at=8
     finish \fraction
@@ -106,6 +129,9 @@
     rjmp 6b
 8:  clr r1
     pop_sum \top
+    .if is_short
+    pop b2
+    .endif
     pop_all left, r29, r28
     ret
     .endm

@@ -11,7 +11,6 @@ int32_t fixedpoint_one_pole_q16_16(int32_t input, void* filter);
 int32_t fixedpoint_one_pole_q8_24(int32_t input, void* filter);
 int32_t fixedpoint_biquad_q16_16(int32_t input, void* filter);
 int32_t fixedpoint_biquad_q8_24(int32_t input, void* filter);
-int32_t fixedpoint_pid_q16_16(int32_t setpoint, int32_t measurement, void* controller);
 }
 
 namespace fixedpoint {
@@ -35,5 +34,21 @@ struct FilterKernel {
 FIXEDPOINT_FILTER_KERNEL(16, 16)
 FIXEDPOINT_FILTER_KERNEL(8, 24)
 #undef FIXEDPOINT_FILTER_KERNEL
+
+// Of each split of 32 bits.
+template <int F>
+struct PidKernel;
+#define FIXEDPOINT_PID_KERNEL(KERNEL, shape, name, I, F)                                 \
+    extern "C" int32_t fixedpoint_pid_q##I##_##F(int32_t setpoint, int32_t measurement,  \
+                                                 void* controller);                      \
+    template <>                                                                          \
+    struct PidKernel<F> {                                                                \
+        static int32_t update(int32_t setpoint, int32_t measurement, void* controller) { \
+            return fixedpoint_pid_q##I##_##F(setpoint, measurement, controller);         \
+        }                                                                                \
+    };
+FIXEDPOINT_PID_KERNEL(, , pid, 16, 16)
+FIXEDPOINT_SPLITS_32(FIXEDPOINT_PID_KERNEL, , , pid)
+#undef FIXEDPOINT_PID_KERNEL
 
 }  // namespace fixedpoint

@@ -82,6 +82,48 @@ Number determinant(const Matrix<Number, N>& a) {
     return Cofactors<Number, N>(a).determinant(a);
 }
 
+/// \cond internal
+// The kernel of each split of 32 bits except Q16.16.
+template <int F>
+struct QuotientsKernel;
+#define FIXEDPOINT_QUOTIENTS_KERNEL(KERNEL, shape, name, I, F)                               \
+    extern "C" void fixedpoint_transposed_quotients_q##I##_##F(int32_t* q, const int32_t* a, \
+                                                               int32_t d, uint8_t n);        \
+    template <>                                                                              \
+    struct QuotientsKernel<F> {                                                              \
+        static void apply(int32_t* q, const int32_t* a, int32_t d, uint8_t n) {              \
+            fixedpoint_transposed_quotients_q##I##_##F(q, a, d, n);                          \
+        }                                                                                    \
+    };
+FIXEDPOINT_SPLITS_32(FIXEDPOINT_QUOTIENTS_KERNEL, , , )
+#undef FIXEDPOINT_QUOTIENTS_KERNEL
+
+// result_ij = a_ji / d. d must not be 0.
+template <class Number, bool in_kernel = SplitOf32<Number>::value>
+struct TransposedQuotients {
+    template <uint8_t N>
+    static void apply(const Matrix<Number, N>& a, Number d, Matrix<Number, N>& result) {
+        const Number* const first = a.element[0];
+        const Number* from = first;
+        Number *to = result.element[0], *const end = to + N * N;
+        do {
+            *to = *from / d;
+            from += N;
+            if (from >= first + N * N) from -= N * N - 1;
+        } while (++to != end);
+    }
+};
+// In one call, which computes the reciprocal of d once.
+template <int F>
+struct TransposedQuotients<Fixed<32 - F, F>, true> {
+    using Number = Fixed<32 - F, F>;
+    template <uint8_t N>
+    static void apply(const Matrix<Number, N>& a, Number d, Matrix<Number, N>& result) {
+        QuotientsKernel<F>::apply(raws(result.element[0]), raws(a.element[0]), d.raw(), N);
+    }
+};
+/// \endcond
+
 /// Computes the inverse and returns whether there is one; if the rounded determinant is 0,
 /// `inverse` is left unchanged. Each element is the quotient of a cofactor and the determinant,
 /// both rounded; the quotient saturates. An error of e ulp in the determinant d causes a relative
@@ -91,19 +133,24 @@ bool invert(const Matrix<Number, N>& a, Matrix<Number, N>& inverse) {
     const Cofactors<Number, N> c(a);
     const Number d = c.determinant(a);
     if (d == Number()) return false;
-    const Number* const first = c.matrix.element[0];
-    const Number* cofactor = first;
-    Number *to = inverse.element[0], *const end = to + N * N;
-    do {
-        *to = *cofactor / d;
-        cofactor += N;
-        if (cofactor >= first + N * N) cofactor -= N * N - 1;
-    } while (++to != end);
+    TransposedQuotients<Number>::apply(c.matrix, d, inverse);
     return true;
 }
 /// \cond internal
 // Unrolled: for four elements a loop costs more than it saves.
-template <class Number, bool in_kernel = kernel::has_assembly>
+template <int F>
+struct Invert2Kernel;
+#define FIXEDPOINT_INVERT2_KERNEL(KERNEL, shape, name, I, F)                              \
+    extern "C" uint8_t fixedpoint_invert2_q##I##_##F(const int32_t* a, int32_t* inverse); \
+    template <>                                                                           \
+    struct Invert2Kernel<F> {                                                             \
+        static bool apply(const int32_t* a, int32_t* inverse) {                           \
+            return fixedpoint_invert2_q##I##_##F(a, inverse);                             \
+        }                                                                                 \
+    };
+FIXEDPOINT_SPLITS_32(FIXEDPOINT_INVERT2_KERNEL, , , )
+#undef FIXEDPOINT_INVERT2_KERNEL
+template <class Number, bool in_kernel = kernel::has_assembly && sizeof(Number) == 4>
 struct Inverse2 {
     static bool apply(const Matrix<Number, 2>& a, Matrix<Number, 2>& inverse) {
         const Cofactors<Number, 2> c(a);
@@ -114,6 +161,14 @@ struct Inverse2 {
         inverse.element[1][0] = c.matrix.element[0][1] / d;
         inverse.element[1][1] = c.matrix.element[1][1] / d;
         return true;
+    }
+};
+template <int F>
+struct Inverse2<Fixed<32 - F, F>, true> {
+    using Matrix2 = Matrix<Fixed<32 - F, F>, 2>;
+    static bool apply(const Matrix2& a, Matrix2& inverse) {
+        if (&a == &inverse) return apply(Matrix2(a), inverse);
+        return Invert2Kernel<F>::apply(raws(a.element[0]), raws(inverse.element[0]));
     }
 };
 template <>

@@ -58,6 +58,16 @@ struct BlockNumber<Fixed<IntegerBits, F, A>> {
     }
 };
 
+// Whether blocks have kernels of their own for each split of 32 bits but Q16.16.
+template <class Number>
+struct SplitOf32 {
+    static constexpr bool value = false;
+};
+template <int F>
+struct SplitOf32<Fixed<32 - F, F>> {
+    static constexpr bool value = kernel::has_assembly && F != 16;
+};
+
 template <class Number>
 Number dot_of(const Number* a, const Number (&b)[2]) {
     return BlockNumber<Number>::dot2(a, b);

@@ -67,17 +67,19 @@ struct PidStep {
         return output;
     }
 };
-template <>
-struct PidStep<Fixed<16, 16, Saturating>, true> {
-    using Number = Fixed<16, 16, Saturating>;
+template <int F>
+struct PidStep<Fixed<32 - F, F, Saturating>, true> {
+    using Number = Fixed<32 - F, F, Saturating>;
     using State = PidState<Number>;
     static_assert(offsetof(State, gains) == 0 && offsetof(State, low) == 12 &&
                       offsetof(State, high) == 16 && offsetof(State, integral) == 20 &&
                       offsetof(State, measurement) == 24 && offsetof(State, carried) == 28 &&
-                      offsetof(State, started) == 30,
-                  "The layout must be that of avr/pid_q16_16.S.");
+                      offsetof(State, started) == (F <= 8    ? 29
+                                                   : F <= 16 ? 30
+                                                             : 32),
+                  "The layout must be that of avr/pid_32.S.");
     static Number take(PidState<Number>& state, Number setpoint, Number measurement) {
-        return Number::from_raw(fixedpoint_pid_q16_16(setpoint.raw(), measurement.raw(), &state));
+        return Number::from_raw(PidKernel<F>::update(setpoint.raw(), measurement.raw(), &state));
     }
 };
 /// \endcond

@@ -7,11 +7,24 @@
 #include <fixedpoint/blocks/number.hpp>
 #include <fixedpoint/blocks/table.hpp>
 
-extern "C" int32_t fixedpoint_polynomial_q16_16(int32_t x, const int32_t* c, uint16_t n);
-
 namespace fixedpoint {
 
 /// \cond internal
+// Of an x of each split of 32 bits.
+template <int F>
+struct PolynomialKernel;
+#define FIXEDPOINT_POLYNOMIAL_KERNEL(KERNEL, shape, name, I, F)                                   \
+    extern "C" int32_t fixedpoint_polynomial_q##I##_##F(int32_t x, const int32_t* c, uint16_t n); \
+    template <>                                                                                   \
+    struct PolynomialKernel<F> {                                                                  \
+        static int32_t apply(int32_t x, const int32_t* c, uint16_t n) {                           \
+            return fixedpoint_polynomial_q##I##_##F(x, c, n);                                     \
+        }                                                                                         \
+    };
+FIXEDPOINT_POLYNOMIAL_KERNEL(, , , 16, 16)
+FIXEDPOINT_SPLITS_32(FIXEDPOINT_POLYNOMIAL_KERNEL, , , )
+#undef FIXEDPOINT_POLYNOMIAL_KERNEL
+
 // c + x p, rounded once to the format of c and p.
 template <class Number, class Coefficient>
 struct HornerStep {
@@ -47,14 +60,15 @@ struct Horner {
         return sum;
     }
 };
-// In one call, if every x is a number of Q16.16.
+// In one call, if every x is a number of Q16.16 or x has 32 bits.
 template <int IntegerBits, int F, int CoefficientF>
 struct Horner<Fixed<IntegerBits, F>, Fixed<32 - CoefficientF, CoefficientF>, true> {
     using Coefficient = Fixed<32 - CoefficientF, CoefficientF>;
     template <uint16_t N>
     static Coefficient apply(Fixed<IntegerBits, F> x, const Table<Coefficient, N>& coefficient) {
-        return Coefficient::from_raw(
-            fixedpoint_polynomial_q16_16(convert<Q16_16>(x).raw(), raws(coefficient.entry), N));
+        constexpr int kernel_bits = IntegerBits <= 16 && F <= 16 ? 16 : F;
+        return Coefficient::from_raw(PolynomialKernel<kernel_bits>::apply(
+            convert<Fixed<32 - kernel_bits, kernel_bits>>(x).raw(), raws(coefficient.entry), N));
     }
 };
 template <class Number, class Coefficient>
@@ -63,7 +77,8 @@ struct HornerInKernel {
 };
 template <int IntegerBits, int F, int CoefficientF>
 struct HornerInKernel<Fixed<IntegerBits, F>, Fixed<32 - CoefficientF, CoefficientF>> {
-    static constexpr bool value = kernel::has_assembly && IntegerBits <= 16 && F <= 16;
+    static constexpr bool value =
+        kernel::has_assembly && ((IntegerBits <= 16 && F <= 16) || IntegerBits + F == 32);
 };
 /// \endcond
 

@@ -62,12 +62,35 @@ Quaternion<Number> conjugate(const Quaternion<Number>& a) {
     return {{a.part[0], -a.part[1], -a.part[2], -a.part[3]}};
 }
 
+/// \cond internal
+// The kernel of each split of 32 bits except Q16.16: a_i += a_i b, each product rounded once.
+template <int F>
+struct Amplify4Kernel;
+#define FIXEDPOINT_AMPLIFY4_KERNEL(KERNEL, shape, name, I, F)                              \
+    extern "C" void fixedpoint_amplify4_q##I##_##F(int32_t* a, int32_t b);                 \
+    template <>                                                                            \
+    struct Amplify4Kernel<F> {                                                             \
+        static void apply(int32_t* a, int32_t b) { fixedpoint_amplify4_q##I##_##F(a, b); } \
+    };
+FIXEDPOINT_SPLITS_32(FIXEDPOINT_AMPLIFY4_KERNEL, , , )
+#undef FIXEDPOINT_AMPLIFY4_KERNEL
+// Selects one of two overloads: a call from one into the other would cost the short formats.
+template <class Number, bool in_kernel = SplitOf32<Number>::value>
+struct Renormalised {
+    using Quaternion = fixedpoint::Quaternion<Number>;
+};
+template <class Number>
+struct Renormalised<Number, true> {
+    using QuaternionByKernel = Quaternion<Number>;
+};
+/// \endcond
+
 /// a scaled towards length 1 by one step of Newton's method: a + a (1 - |a|^2) / 2. For small d, a
 /// length of 1 + d becomes 1 - 3/2 d^2. Applied after each product, it keeps the length within 2
 /// ulp of 1 forever. It does not correct a length above sqrt(3), nor one whose square is out of
 /// range.
 template <class Number>
-Quaternion<Number> renormalised(const Quaternion<Number>& a) {
+typename Renormalised<Number>::Quaternion renormalised(const Quaternion<Number>& a) {
     using N = BlockNumber<Number>;
     const Number correction = N::half_of(N::one() - dot4(a.part, a.part));
     Quaternion<Number> result;
@@ -75,6 +98,17 @@ Quaternion<Number> renormalised(const Quaternion<Number>& a) {
         result.part[i] = N::multiply_add(a.part[i], correction, a.part[i]);
     return result;
 }
+
+/// \cond internal
+template <class Number>
+typename Renormalised<Number>::QuaternionByKernel renormalised(const Quaternion<Number>& a) {
+    using N = BlockNumber<Number>;
+    const Number correction = N::half_of(N::one() - dot4(a.part, a.part));
+    Quaternion<Number> result = {{a.part[0], a.part[1], a.part[2], a.part[3]}};
+    Amplify4Kernel<Number::fraction_bits>::apply(raws(result.part), correction.raw());
+    return result;
+}
+/// \endcond
 
 /// Writes the vector v, rotated by q, to `result`: v + w t + u x t, where t = 2 u x v and u is (x,
 /// y, z) of q. q must have length 1, and 4 |v| must be in range. Each component is within 2.3 ulp,
