@@ -39,4 +39,4 @@ def finding(data):
                      f"and quotients that the definitions require take {min(floors):.2f} to {max(floors):.2f} by themselves)")
         told.append(text)
     return (f"Building blocks (controllers, filters, tables, matrices, quaternions) that take at most {GOAL} times float's "
-            f"cycles: {'; '.join(told)}.")
+            f"cycles on inputs in -1..1: {'; '.join(told)}. Outside of that range, sums of products in Q8.24 take more.")

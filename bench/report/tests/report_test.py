@@ -1008,10 +1008,11 @@ dot3 q8_24 default small 260
 divide q8_24 default small 70
 """)
         self.assertEqual(blocks.finding(made), "Building blocks (controllers, filters, tables, matrices, quaternions) that "
-                         "take at most 0.4 times float's cycles: 2 of 2 in Q8.8; 1 of 2 in Q16.16 (the "
+                         "take at most 0.4 times float's cycles on inputs in -1..1: 2 of 2 in Q8.8; 1 of 2 in Q16.16 (the "
                          "others up to 0.404, pid; there the products and quotients that the definitions require take 0.15 to "
                          "0.15 by themselves); 0 of 2 in Q8.24 (the others up to 0.98, one pole; there the products and quotients "
-                         "that the definitions require take 0.12 to 0.40 by themselves).")
+                         "that the definitions require take 0.12 to 0.40 by themselves). Outside of that range, sums of products "
+                         "in Q8.24 take more.")
 
     def test_features(self):
         made = golden(features="""
