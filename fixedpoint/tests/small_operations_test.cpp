@@ -125,7 +125,8 @@ std::vector<int64_t> operands(int width, size_t count) {
     }
     return numbers;
 }
-// Calls check(a, b) for every pair of 8 bits, or of `count` numbers and the limits, until one fails.
+// Calls check(a, b) for every pair of 8 bits, or of `count` numbers and the limits, until one
+// fails.
 template <class Check>
 void for_each_pair(int width, size_t count, Check check) {
     std::vector<int64_t> left = width == 8 ? exact::raws(8) : operands(width, count), right = left;
