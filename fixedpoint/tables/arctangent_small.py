@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
 """Writes arctangent_small_table, for src/fixedpoint/avr/ and for src/fixedpoint/portable/: atan(i/16) in
-units of 2^-24, with half an ulp of Q16.16 for rounding and what the rest of the angle in
-avr/atan2_q16_16_small.S errs in the mean of its extremes."""
+units of 2^-24, plus half an ulp of Q16.16 for rounding and the mean of the extreme errors of the
+remaining angle in avr/atan2_q16_16_small.S."""
 
 from math import atan
 
@@ -13,9 +13,9 @@ CELLS = 16
 UNIT = 1 << 24
 HALF_ULP = 128
 GENERATOR = "arctangent_small.py"
-SENTENCE = ("atan(i/16) for i = 0..15 in units of 2^-24, with half an ulp of Q16.16 and what balances\n"
-            "the errors of the rest.")
-# Of the denominators, from 2^16 to 2^22: the smallest err most, on one side.
+SENTENCE = ("atan(i/16) for i = 0..15 in units of 2^-24, plus half an ulp of Q16.16 and an offset that\n"
+            "centres the errors of the remaining angle.")
+# Denominators from 2^16 to 2^22: the smallest have the largest errors, on one side.
 DENOMINATORS = [(1 << 16) + 1, 3 << 15, 3 << 18, (1 << 22) - 1]
 
 

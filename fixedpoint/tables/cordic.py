@@ -60,7 +60,7 @@ def main():
 namespace fixedpoint {
 namespace portable {
 
-// Any is void: a template's static member may stand in a header.
+// A template, with Any = void, since its static members may be defined in a header.
 template <class Word, class Any = void>
 struct CordicConstants;
 """ + table("uint32_t", 32, 20) + table("uint64_t", 64, 52) + table("Word128", 128, 63) + """

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
 """Writes fixedpoint/src/fixedpoint/avr/exp_small_table.S and portable/exp_small_table.hpp: factors
-1 + b/256 about e^x at the steps of 1/16 below ln 2 with their logarithms, in units of 2^-32, and
-what the logarithms of the first 18 factors 1 + j/256 are below j/256, in units of 2^-40."""
+1 + b/256 close to e^x at steps of 1/16 below ln 2 with their logarithms, in units of 2^-32, and
+j/256 - ln(1 + j/256) for the first 18 factors 1 + j/256, in units of 2^-40."""
 
 from fractions import Fraction
 
@@ -11,15 +11,15 @@ import table_header
 from exponential_series import logarithm
 
 SENTENCE = ("b for i = 0..11, and ln(1 + b/256) in units of 2^-32, less than 1/256 below i/16; and\n"
-            "j/256 - ln(1 + j/256) for j = 0..17 in units of 2^-40, with the kernel's correction.")
-# The largest b but these, below which the logarithms are closer to integers.
+            "j/256 - ln(1 + j/256) for j = 0..17 in units of 2^-40, plus the correction of the kernel.")
+# Here the largest b minus 1 is taken, since its logarithm is closer to an integer.
 LOWER = {7, 10, 11}
-# In units of 2^-40: what ln 2, rounded up, takes off 14 times, less the 2 units of 2^-32 that the kernel adds first.
+# In units of 2^-40: 14 times the rounding error of ln 2, minus the 2 units of 2^-32 that the kernel adds first.
 CORRECTION = 124
 
 
 def exponential(x):
-    """e^x, off by less than 2^-100."""
+    """e^x, with an error below 2^-100."""
     total = term = Fraction(1)
     for n in range(1, 40):
         term *= x / n

@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
 """Writes log_small_table, for src/fixedpoint/avr/ and for src/fixedpoint/portable/: parabolas for
-ln(1 + x) on 16 cells of [0, 1], in units of 2^-24, with half an ulp of Q16.16 for rounding.
+ln(1 + x) on 16 cells of [0, 1], in units of 2^-24, plus half an ulp of Q16.16 for rounding.
 
-On a cell, 0 <= d < 1/16, the function is value + slope d - bend d^2. The three are those of least
-largest error at 129 points, in the integers of avr/log_q16_16_small.S."""
+On a cell, 0 <= d < 1/16, the function is value + slope d - bend d^2. The coefficients minimise the
+largest error at 129 points in the integer arithmetic of avr/log_q16_16_small.S."""
 
 from fractions import Fraction
 
@@ -29,7 +29,7 @@ def log(x):
 
 
 def rise(distance, slope, bend):
-    """What the kernel adds to the value, at a distance in units."""
+    """The kernel's increment of the value at a distance in units."""
     high, middle, low = distance >> 16, distance >> 8 & 0xFF, distance & 0xFF
     tangent = slope - (high * bend + (middle * bend >> 8))
     s1, s0 = tangent >> 8, tangent & 0xFF
@@ -37,8 +37,8 @@ def rise(distance, slope, bend):
 
 
 def parabola(cell):
-    """(value, slope, bend): of the slopes, the errors' spread has one minimum."""
-    # In units of 1 / FINE, of which the functions are multiples: integers, for speed.
+    """(value, slope, bend): as a function of the slope, the spread of the errors has one minimum."""
+    # In units of 1 / FINE, in which all values are integers, for speed.
     curve = [(d, int(log((cell + Fraction(d, SPAN)) / CELLS) * FINE)) for d in DISTANCES]
 
     def errors(slope, bend):
@@ -58,7 +58,7 @@ def parabola(cell):
                 low = middle + 1
         return low
 
-    # Half of the second derivative in the middle, less its sign.
+    # Half the second derivative in the middle, without its sign.
     bend = round(256 / (2 * (1 + Fraction(2 * cell + 1, 2 * CELLS))**2))
     slope, bend = min(((best_slope(b), b) for b in range(max(bend - 1, 0), bend + 3)),
                       key=lambda pair: spread(*pair))
@@ -68,7 +68,7 @@ def parabola(cell):
 
 if __name__ == "__main__":
     sentence = ("Parabolas of ln(1 + x) on 16 cells of [0, 1]: the slope in units of 2^-16, the bend in\n"
-                "2^-8, the value in 2^-24, with half an ulp of Q16.16.")
+                "2^-8, the value in 2^-24, plus half an ulp of Q16.16.")
     parabolas = [parabola(cell) for cell in range(CELLS)]
     parabolas = [(value + HALF_ULP, slope, bend) for value, slope, bend in parabolas]
     assert all(value >= 0 and slope < 1 << 16 and bend < 1 << 8 for value, slope, bend in parabolas)

@@ -27,7 +27,7 @@ if __name__ == "__main__":
 namespace fixedpoint {{
 namespace portable {{
 
-// Any is void: a template's static member may stand in a header.
+// A template, with Any = void, since its static members may be defined in a header.
 template <class Any = void>
 struct LogarithmOfFactor {{
     static constexpr uint8_t decrease[{NODES + 1}] FIXEDPOINT_PROGRAM_MEMORY = {{

@@ -17,7 +17,7 @@ SENTENCE = """// SPDX-License-Identifier: MIT
 namespace fixedpoint {
 namespace portable {
 
-// Any is void: a template's static member may stand in a header.
+// A template, with Any = void, since its static members may be defined in a header.
 template <class Word, class Any = void>
 struct PseudoDivisionConstants;
 """

@@ -1,12 +1,12 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Proves what avr/reciprocal_root_small.S says of the reciprocal root Y of M, 2^30 <= M < 2^32, for
-its coefficients: Y is below 2^16, not above 2^31 / sqrt(M), and less than 2^-11 of it below. Y
-depends on the upper half of M alone, all of which are tried, at both ends.
+"""Proves the bounds that avr/reciprocal_root_small.S states for the reciprocal root Y of M,
+2^30 <= M < 2^32, with its coefficients: Y is below 2^16, not above 2^31 / sqrt(M), and less than
+2^-11 of it below. Y depends only on the upper half of M; every one is tried, at both ends.
 
-The coefficients were chosen among all near the polynomial of least largest error: of those for which
-reciprocal_sqrt_q16_16_small.S errs least, the ones whose Y is least below, so that
-sqrt_q16_16_small.S tests fewest candidates."""
+The coefficients were chosen among all those near the minimax polynomial: of those for which
+reciprocal_sqrt_q16_16_small.S has the smallest error, the ones whose Y is closest to the root, so
+that sqrt_q16_16_small.S tests the fewest candidates."""
 
 from math import sqrt
 

@@ -1,8 +1,9 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Writes src/fixedpoint/avr/sin_polynomial.inc, the constants of sin_q16_16_small.S: of the integers
-near those of the polynomial without cut products, which 1 - pi^2 / 8 begins, the two that leave the
-least spread of errors in the kernel's own arithmetic, and that spread's middle."""
+"""Writes src/fixedpoint/avr/sin_polynomial.inc, the constants of sin_q16_16_small.S: among the
+integers near the coefficients of the polynomial without truncated products, which begins with
+1 - pi^2 / 8, the two with the smallest spread of errors in the kernel's own arithmetic, and the
+middle of that spread."""
 
 from math import cos, pi
 
@@ -17,7 +18,7 @@ def points(count):
 
 
 def parts(x):
-    """y, its upper bytes and y (1 - y), which do not depend on the constants."""
+    """y, its upper bytes and y (1 - y): none depends on the constants."""
     x2, x1, x0 = x >> 16, x >> 8 & 255, x & 255
     y = (x2 * x2 << 8) + (x1 * x1 >> 8) + 2 * ((x2 * x0 >> 8) + x2 * x1)
     y2, y1 = y >> 16, y >> 8 & 255
@@ -25,7 +26,7 @@ def parts(x):
 
 
 def missing(y, y2, y1, s, c0, c1):
-    """What the kernel subtracts from 1."""
+    """The amount that the kernel subtracts from 1."""
     q = c1 - y2
     b = c0 - (y1 * (q >> 8) >> 8) - (y2 * (q & 255) >> 8) - y2 * (q >> 8)
     s2, s1, s0, b2, b1 = s >> 16, s >> 8 & 255, s & 255, b >> 8, b & 255

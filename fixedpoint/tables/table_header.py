@@ -14,7 +14,7 @@ def write(name, generator, sentence, structure, arrays):
         "#pragma once", "",
         "#include <fixedpoint/program_memory.hpp>", "",
         "namespace fixedpoint {", "namespace portable {", "",
-        "// Any is void: a template's static member may stand in a header.",
+        "// A template, with Any = void, since its static members may be defined in a header.",
         "template <class Any = void>",
         f"struct {structure} {{",
     ]

@@ -1,14 +1,14 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Proves for all operands that fixedpoint_multiply_q16_16_saturating returns the product, rounded to nearest and clamped, from
-its instructions.
+"""Proves for all operands, from its instructions, that fixedpoint_multiply_q16_16_saturating returns the product, rounded to
+nearest and saturated.
 
 usage: prove_saturating_products.py
 
     entry        both highest bytes are 0 or -1; or one operand has three bytes and is a;
                  or both are so large that the product overflows, and r27 has its sign                  by bits
-    both, small  R = floor(a b / 2^16 + 1/2) in five bytes, of two's complement                          by linear forms
-    fits, clamp  R, clamped to four bytes                                                                by bits
+    both, small  R = floor(a b / 2^16 + 1/2) in five bytes, in two's complement                          by linear forms
+    fits, clamp  R, saturated to four bytes                                                              by bits
 
 Then instructions are left out in turn, and each time the proof must fail.
 """
@@ -26,7 +26,7 @@ from stretches import Linear, equal, zeros
 NAME = "fixedpoint_multiply_q16_16_saturating"
 A, B = 22, 18
 BOTH, SMALL, FITS_BOTH, FITS_SMALL, CLAMP = ".Lboth", ".La_small", ".Lfits_both", ".Lfits_small", ".Lclamp"
-# Where R is, and the largest |R| there.
+# The registers of R, and the largest |R| there.
 PLACES = {FITS_BOTH: ((22, 23, 24, 25, 0), 1 << 32), FITS_SMALL: ((30, 31, 25, 26, 27), 1 << 38)}
 
 
@@ -52,14 +52,14 @@ def entry(m):
 
 
 class Signed(Linear):
-    """Knows the signs of highest bytes, by the names of these."""
+    """Knows the signs of the highest bytes, by their names."""
 
     def __init__(self, program):
         super().__init__(program)
         self.negative = {}
 
     def as_signed(self, form):
-        """The number that a byte stands for."""
+        """The number that a byte represents."""
         name = next(iter(form), None)
         demand(name in self.negative, "the sign of a byte is asked for that has none")
         return form - known(256 * self.negative[name])
@@ -93,7 +93,7 @@ def give_signs(m, places, negative):
 
 
 def shows_product(a, b):
-    """What demands that R is where it ought to be."""
+    """A check that R is in the expected registers."""
     def check(m, end):
         demand(m.transfer is None)
         place, _ = PLACES[end]
@@ -162,7 +162,7 @@ def main():
     for machine, labels in ((Bits, (NAME, CLAMP)), (Signed, (BOTH, SMALL))):
         program = Program(STRETCHES, machine, cuts=CUTS, sources=("multiply_q16_16_saturating",))
         failed |= program.run(1, ("ret", "rjmp"), labels)
-    # On the way to the return the clamp is passed.
+    # The path to the return passes the clamp.
     program = Program([each for each in STRETCHES if each[0] != CLAMP], Bits, cuts=CUTS,
                       sources=("multiply_q16_16_saturating",))
     return failed | program.run(1, ("ret", "rjmp"), (FITS_BOTH, FITS_SMALL))

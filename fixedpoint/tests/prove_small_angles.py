@@ -1,21 +1,22 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Proves how much fixedpoint_atan2_q16_16_small errs at most, for all pairs of operands, from its instructions and table.
+"""Proves the largest error of fixedpoint_atan2_q16_16_small for all pairs of operands from its instructions and table.
 
 usage: prove_small_angles.py
 
-    octant       the smaller magnitude N and the larger one D, and what has been folded                          by bits
-    shifted      both up by bytes while D < 2^16, down by a bit while D >= 2^22                                   by bits
+    octant       the smaller magnitude N and the larger one D, and the symmetries applied                        by bits
+    shifted      both up by bytes while D < 2^16, down by bits while D >= 2^22                                    by bits
     a bit        2 N = b D + the next N, b inverted into r26, which ends with the bit that began as its lead     by bits
     quotient     16 N = q D + R                                                                                   by bits
     divisor      D' = D + q N / 16, rounded downward                                                              by linear forms
     tangent      2^16 R = z D' and a remainder                                                                    by bits
-    angle        atan(q / 16) + atan(z / 2^20), in units of 2^-24, and half an ulp, for every q and z            by running it
+    angle        atan(q / 16) + atan(z / 2^20), in units of 2^-24, plus half an ulp, for every q and z           by running it
     return       the angle of the octant                                                                          by bits
 
-What is moved up is exact: below 2^24 it is moved down by two bits that are 0. What is moved down leaves D >= 2^21, so that
-N / D is less than 2^-21 below the ratio, or N / D of that above it. As N / D = tan(atan(q / 16) + atan(t)) with t = R / (16 D + q N), t 2^20 lies from z (1 - 1 / D'),
-or z where q is 0, to z + 1, and R <= D limits z. Then instructions are left out in turn, and each time the proof must fail.
+Shifting up is exact: below 2^24, the two bits shifted down afterwards are 0. Shifting down leaves D >= 2^21, so that N / D
+is less than 2^-21 below the ratio, or less than N / D times that above it. Since N / D = tan(atan(q / 16) + atan(t)) with
+t = R / (16 D + q N), t 2^20 is between z (1 - 1 / D'), or z if q is 0, and z + 1, and R <= D limits z. Then instructions are
+left out in turn, and each time the proof must fail.
 """
 
 import sys
@@ -37,7 +38,7 @@ BOUND = 0.651  # ulp
 
 
 class Dividing(Bits):
-    """Knows of the calls only what is proven of them: `divisions` are N, D, the lead, what is left of N, and r26."""
+    """Knows only the proven effects of the calls: `divisions` are N, D, the lead, the remainder of N, and r26."""
 
     def __init__(self, program):
         super().__init__(program)
@@ -67,7 +68,7 @@ def shown(m, *conditions):
 
 
 def idle(m, *registers):
-    """What demands that the registers and T are as they are now."""
+    """A check that the registers and T are as they are now."""
     before = {register: m.registers[register] for register in registers}
 
     def check(m):
@@ -199,7 +200,7 @@ def angle(m, q):
     return check
 
 
-TURNED = 1.6  # where the angle is taken off, and of multiples of pi/2; and of what is computed here
+TURNED = 1.6  # the errors of subtracting the angle, of multiples of pi/2 and of the computation here
 
 
 def turned(m):

@@ -1,32 +1,32 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Proves that fixedpoint_divide_q16_16_small returns the quotient rounded to nearest, ties upward, clamped, for all pairs of
-operands, from its instructions.
+"""Proves for all pairs of operands, from its instructions, that fixedpoint_divide_q16_16_small returns the quotient rounded
+to nearest, half up, and saturated.
 
 usage: prove_small_quotients.py
 
-n = |a| and d = |b|; b = 0 counts as 2^-17, by which n 2^16 / d is 0 or at least 2^33. At each label, with X and D in
-registers, Q the digits so far and j how many digits are behind the next one,
+n = |a| and d = |b|; b = 0 is taken as 2^-17, so that n 2^16 / d is 0 or at least 2^33. At each label, with X and D in
+registers, Q the digits so far and j the number of digits after the next one,
 
     n 2^16 / d = Q 2^(8 (j + 1)) + 2^(8 j) X / D,  0 <= X < 256 D.
 
-What is shown of the stretch behind each label:
+Proven for the stretch after each label:
 
     entry       X = n, D = d 2^(8 (j - 2)), Q = 0; T: the signs differ                                by bits
     bit         X and D are doubled, until bit 31 of D is set                                          by bits
     scaled      a reciprocal of the upper byte of D, whose estimate q of X / D is such that q 2^24 times
-                that byte, or that and 1, is less than FAR beside every X                              by running it
-    first       X < D, for which X takes up a byte 0, and j 1 less; or j < 4; or 2^(8 j) X / D > 2^31  by bits
+                that byte, or that byte plus 1, differs from every X by less than FAR                  by running it
+    first       X < D: a byte 0 is appended to X, and j is 1 less; or j < 4; or 2^(8 j) X / D > 2^31   by bits
     digit       q is the estimate                                                                      by running it
-    multiple    Y = X - q D, of which |Y| < FAR therefore                                              by linear forms
+    multiple    Y = X - q D, hence |Y| < FAR                                                           by linear forms
     subtract    q is 1 more, Y is D less, until Y < 0                                                  by bits
     add         q is 1 less, Y is D more, until Y >= 0: then Y < D; X = 256 Y, and j is 1 less         by bits
-    round       where j = -1: Q + X / 256 D rounded, with its sign, clamped                            by bits
-    saturate    the clamped result                                                                     by bits
+    round       if j = -1: Q + X / 256 D rounded, with its sign, saturated                             by bits
+    saturate    the saturated result                                                                   by bits
 
-As 0 <= X < 256 D, the q with 0 <= X - q D < D is a byte, whatever of it has been carried out of its register on the way; and
-Q, which begins with j < 4, has four bytes at most. Each step of `subtract` and `add` brings Y nearer to where they end.
-Then every fourth instruction is left out in turn, all of those that are run, and each time the proof must fail.
+Since 0 <= X < 256 D, the q with 0 <= X - q D < D is a byte, whatever has been carried out of its register on the way; and Q,
+which begins with j < 4, has at most four bytes. Each step of `subtract` and `add` brings Y closer to the end of their loops.
+Then every fourth instruction, and every one of those that are run, is left out in turn; each time the proof must fail.
 """
 
 import sys
@@ -55,7 +55,7 @@ def magnitude(number):
 
 
 def begin(m):
-    """T, X, D, Q and j, of which X < 256 D."""
+    """T, X, D, Q and j, where X < 256 D."""
     m.flags["T"] = z3.Bool("negative")
     m.registers[1] = z3.BitVec("r1", 8)
     state = (m.flags["T"], wide(joined(m, X)), wide(joined(m, D)), wide(joined(m, Q)), m.registers[J])
@@ -97,7 +97,7 @@ def bit(m):
 
 
 def estimate(top, reciprocal):
-    """Of the digit, from the upper byte of X."""
+    """The estimate of the digit from the upper byte of X."""
     return numpy.minimum(top + (top * reciprocal >> 8) + 1, 255)
 
 
@@ -113,7 +113,7 @@ def scaled(m):
         demand(all(map(m.untouched, (*X, *D[:3], J))) and m.transfer is None)
         demand((m.registers[D[3]] == numpy.arange(128, 256)).all() and all(map(m.is_zero, Q)))
         upper, top = pairs(128)
-        # As X < 256 D.
+        # Since X < 256 D.
         upper, top = upper[top <= upper], top[top <= upper]
         demand(isinstance(m.registers[RECIPROCAL], numpy.ndarray))
         q = estimate(top, m.registers[RECIPROCAL][upper - 128])
@@ -142,7 +142,7 @@ def first(m):
 
 
 def digit(m):
-    """Whatever the reciprocal."""
+    """For any reciprocal."""
     m.given["reciprocal"], m.given["top"] = pairs(0)
     m.place(m.given["top"], X[4:])
     m.place(m.given["reciprocal"], (RECIPROCAL,))
@@ -168,7 +168,7 @@ def multiple(m):
 
 
 def begin_step(m, low, high):
-    """Those of `begin` but X, and Y."""
+    """The values of `begin` without X, and Y."""
     negative, _, d, q, j = begin(m)
     m.holds = [z3.UGE(d, 1 << 31)]
     y = z3.SignExt(24, joined(m, X))

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The operations that are exact or rounded once (lerp, smoothstep, midpoint, quotients with
-// remainder, ...) against exact integers: every operand of every split of 8 bits, boundary and
-// random ones of the wider formats.
+// remainder, ...) compared with exact integers: every operand of every 8-bit format, boundary and
+// random operands of the wider formats.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -41,7 +41,7 @@ Number number(int64_t raw) {
     return Number::from_raw(static_cast<typename Number::Raw>(raw));
 }
 
-// In every arithmetic, and how often Checked told of it.
+// The result in each arithmetic, and how many events Checked reported.
 struct Results {
     int64_t nearest, saturating, checked;
     int events;
@@ -66,7 +66,7 @@ struct Pair {
     Results copysign, abs_diff;
     Quotient truncated, floored;
 };
-// The operations of a split as plain functions: what judges them is compiled once.
+// The operations of a format as plain functions, so that the checks are compiled once.
 struct Split {
     int width, fraction;
     Results (*lerp)(int64_t a, int64_t b, int64_t t);
@@ -112,7 +112,7 @@ std::vector<Split> wider_splits() {
     return all;
 }
 
-// Numbers of every magnitude and those at the limits, not all of 16 bits.
+// Numbers of every magnitude and those at the limits, but not all 16-bit numbers.
 std::vector<int64_t> operands(int width, size_t count) {
     std::vector<int64_t> numbers = exact::raws(width);
     std::mt19937_64 random(7);
@@ -125,7 +125,8 @@ std::vector<int64_t> operands(int width, size_t count) {
     }
     return numbers;
 }
-// check(a, b) of every pair of 8 bits, or of `count` and the limits, until one fails.
+// Calls check(a, b) for every pair of 8 bits, or of `count` numbers and the limits, until one
+// fails.
 template <class Check>
 void for_each_pair(int width, size_t count, Check check) {
     std::vector<int64_t> left = width == 8 ? exact::raws(8) : operands(width, count), right = left;
@@ -144,7 +145,7 @@ bool as_exact(const Results& results, const Int& exact, int width) {
            results.events == (exact::fits(exact, width) ? 0 : 1);
 }
 
-// floor(n / 2^bits + 1/2) of small integers.
+// floor(n / 2^bits + 1/2) for small integers.
 int64_t rounded(int64_t n, int bits) {
     return bits == 0 ? n : (n + (int64_t(1) << (bits - 1))) >> bits;
 }
@@ -160,7 +161,7 @@ int64_t failures_of_lerp() {
                     return lerp(number<Number>(a), number<Number>(b), number<Number>(t)).raw();
                 };
                 failures += of(Fixed<8 - F, F>()) != static_cast<int8_t>(exact);
-                // Where nothing saturates the two are the same function.
+                // If nothing saturates, the two are the same function.
                 if (exact >= -128 && exact < 128) continue;
                 failures += of(Fixed<8 - F, F, Saturating>()) != (exact < 0 ? -128 : 127);
             }
@@ -211,13 +212,13 @@ TEST(Smoothstep, EveryNumberOf8And16BitsAndSomeOfWiderOnes) {
     for (const Split& split : wider_splits()) {
         std::mt19937_64 random(static_cast<uint64_t>(split.fraction));
         for (const int64_t t : exact::raws(split.width)) check(split, t);
-        // From 0 to 1, where the result is neither.
+        // Between 0 and 1, where the result is neither.
         for (int i = 0; i < 2000; ++i)
             check(split, exact::wrapped(random() >> 1 >> (63 - split.fraction), split.width));
     }
 }
 
-// a / 0 is the limit of a's sign.
+// a / 0: the limit that has the sign of a.
 int64_t limit_of(int64_t a, int width) {
     return a > 0 ? exact::largest(width) : a < 0 ? exact::smallest(width) : 0;
 }
@@ -297,7 +298,7 @@ TEST(IntegerRoot, IsTheLargestIntegerWhoseSquareIsNotLarger) {
     std::vector<uint16_t> all_of_16_bits(65536);
     std::iota(all_of_16_bits.begin(), all_of_16_bits.end(), uint16_t(0));
     expect_roots(all_of_16_bits);
-    // Squares, and the numbers before them.
+    // Squares and the numbers just below them.
     std::vector<uint32_t> squares_of_16_bits;
     for (uint32_t n = 1; n <= UINT16_MAX; ++n) {
         squares_of_16_bits.push_back(n * n);
@@ -317,12 +318,12 @@ TEST(IntegerRoot, IsTheLargestIntegerWhoseSquareIsNotLarger) {
     expect_roots(squares);
 }
 
-// n / d of integers, d > 0, as a mode rounds it.
+// n / d for integers in a rounding mode. d must be above 0.
 Int rounded_to(Rounding rounding, const Int& n, const Int& d) {
     const Int below = exact::floor_of(n, d), rest = n - below * d;
     switch (rounding) {
         case Rounding::toward_zero:
-            return n / d;  // as Boost divides
+            return n / d;  // like Boost
         case Rounding::downward:
             return below;
         case Rounding::half_to_even:
@@ -343,7 +344,7 @@ RoundedSplit rounded_split() {
                 using Number = Fixed<Bits - F, F, Rounded<rounding>>;
                 const auto x = number<Number>(a), y = number<Number>(b);
                 const Number u[] = {x, y, x}, v[] = {y, y, x};
-                // To less fraction bits, and to integers.
+                // To fewer fraction bits, and to integers.
                 using Coarse = Fixed<Bits - F / 2, F / 2, Rounded<rounding>>;
                 return {(x * y).raw(),
                         multiply_add(x, y, x).raw(),

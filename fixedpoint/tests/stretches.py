@@ -25,7 +25,7 @@ real = cache(z3.Real)
 
 @cache
 def term(items):
-    """Of the names and factors of a form."""
+    """The input of z3 for the names and factors of a form."""
     return z3.Sum([z3.RealVal(factor) if name == 1 else factor * real(name) for name, factor in items] + [z3.RealVal(0)])
 
 
@@ -44,9 +44,9 @@ class Linear(Machine):
 
     def __init__(self, program):
         self.names = 0
-        self.ranges = {}  # of a variable: its largest value
+        self.ranges = {}  # variable: its largest value
         self.facts = []   # (low, form, high), either may be None
-        self.named = {}   # of a form: the variable that stands for it
+        self.named = {}   # form: the variable that represents it
         self.solver, self.fixed = None, {}
         self.unequal = None  # what holds the exclusive or of `differing`
         self.memory = []     # bytes from address 0 on
@@ -60,7 +60,7 @@ class Linear(Machine):
             setattr(other, name, copy.copy(getattr(self, name)))
         return other
 
-    # What holds
+    # Facts
 
     def is_zero(self, register):
         return self.registers[register] == known(0)
@@ -270,7 +270,7 @@ class Linear(Machine):
             return self.fork(target, following, form, mnemonic in ("brmi", "brne"), limit)
         else:
             raise Unprovable(f"{mnemonic} is not modelled")
-        # Z is of the bytes before, too: their sum, which is 0 where all are. Or it was not followed; likewise N.
+        # Z depends on the bytes before, too: on their sum, which is 0 if all are. Or it was not followed; likewise N.
         if mnemonic in ("sbc", "sbci", "cpc") and None not in (before, self.tested):
             self.tested = before + self.tested
         elif mnemonic in ("mul", "sbc", "sbci", "cpc", "andi"):
@@ -287,7 +287,7 @@ class Linear(Machine):
                 gcd(256, *upper.values()) > self.most(name))
 
     def fork(self, target, following, form, taken_if_above, limit):
-        """One machine where the form is at least `limit`, and one where it is below."""
+        """One machine with the form at least `limit`, and one with the form below it."""
         if not set(form) - {1}:
             return [(target if (form.get(1, 0) >= limit) == taken_if_above else following, self)]
         self.forked = True
@@ -355,7 +355,7 @@ class Linear(Machine):
                 self.solver.add(carry == self.fixed[name])
 
     def show(self, *statements):
-        """(low, form, high) each."""
+        """Each statement is (low, form, high)."""
         if not self.solver and any(set(form) - {1} for _, form, _ in statements):
             self.possible([])
 

@@ -23,7 +23,8 @@ constexpr int budget = 1'000'000;  // cycles
                                        why));
 }
 
-// ld and st that move the pointer that they load or store: the manual leaves the result undefined.
+// ld and st that change the pointer register they load or store: the manual leaves the result
+// undefined.
 bool moves_its_own_pointer(const Instruction& instruction) {
     if ((instruction.opcode & 0xfc00) != 0x9000 || instruction.row->two_words) return false;
     const int mode = instruction.opcode & 15, number = instruction.opcode >> 4 & 31;
@@ -229,7 +230,7 @@ class Translator {
             line("  r{} = {};", place.address + 1, value >> 8);
         }
         for (const int i : call_saved()) line("  const Byte entry{0} = r{0};", i);
-        // For the results, which a function could forget to write.
+        // Unspecified results, in case a function forgets to write them.
         for (const simulator::Place& place : interface_.results)
             if (!place.in_registers())
                 for (int byte = 0; byte < place.size; ++byte)

@@ -63,7 +63,7 @@ struct Pointers {
 };
 Interface interface_of(const simulator::Signature& signature, const Pointers& pointers);
 
-// Of a function that takes and returns nothing, and works on the program's variables.
+// For a function that takes and returns nothing and works on the variables of the program.
 Interface interface_of_variables(const simulator::Elf& elf);
 
 struct Translation {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The functions that take little flash instead of little time.
+// The functions optimised for flash instead of time.
 #include <fixedpoint/arithmetic/small.hpp>
 
 #include "subject.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The kernels of inverses of matrices, for vector_kernels_test.cpp.
+// The kernels of matrix inverses, for vector_kernels_test.cpp.
 #include <fixedpoint/blocks/matrix.hpp>
 
-// The linker keeps what is referred to.
+// References that keep the linker from dropping them.
 #define INVERSE(KERNEL, shape, name, I, F) fixedpoint::fixedpoint_invert2_q##I##_##F,
 uint8_t (*const volatile inverses[])(const int32_t*, int32_t*) = {
     fixedpoint_invert2_q16_16, FIXEDPOINT_SPLITS_32(INVERSE, , , )};

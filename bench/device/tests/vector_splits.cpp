@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The kernels of OPERATION for every split of 32 bits, for vector_kernels_test.cpp.
+// The kernels of OPERATION for every 32-bit format, for vector_kernels_test.cpp.
 #include <fixedpoint/kernel/dispatch.hpp>
 
 // References that keep the linker from dropping them.

@@ -11,7 +11,6 @@
 // direction is off by at most 8.5 ulp and the excess by 3 L + 1/2 ulp; otherwise by 10.75 ulp and
 // 3.25 D + N / 2. Where each product of a sum is rounded (Saturating), these are 9, 3.5 L + 1/2,
 // 11.25 and 5 D + N / 2.
-// 11.25 and 5 D + N / 2.
 #pragma once
 
 #include <engine/choice.hpp>

@@ -55,8 +55,8 @@ ENGINE_INLINE Compound<16, 16, A> overlap(const Vector<Fixed<16, 16, A>, N>& fir
     const auto e = excess_over_one(direction);
     Fixed<16, 16, A> excess = {};
     if (!(e < excess)) return excess;
-    // Balls that lie on each other share what is left of each change until nothing changes: a
-    // direction an ulp short takes more iterations than to mend it.
+    // Balls that lie on each other share the remainder of each change until nothing changes. If a
+    // direction is an ulp short, the extra iterations cost more than its correction.
     const Fixed<16, 16, A> little = {};
     if (!measure_scaled(first, second, reach, last.inverse, e, little, direction, excess)) {
         direction[0] = Decimal<1, 0>();

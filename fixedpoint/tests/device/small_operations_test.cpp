@@ -29,7 +29,7 @@ void check_operations(const SmallOperations& expected) {
               .raw() == expected.saturated_lerp);
 }
 
-// root^2 <= n < (root + 1)^2 of a number that the compiler knows nothing of.
+// root^2 <= n < (root + 1)^2 for a number hidden from the compiler.
 template <class Int, class Square>
 void check_root(Int hidden) {
     volatile Int operand = hidden;
@@ -38,8 +38,8 @@ void check_root(Int hidden) {
     CHECK(root * root <= n && (root + 1) * (root + 1) > n);
 }
 
-// The kernels of integer powers against the portable code, with mantissas and exponents of all
-// lengths.
+// The kernels of integer powers compared with the portable code, for mantissas and exponents of
+// all lengths.
 void check_powers() {
     uint64_t random = 1;
     for (uint16_t i = 0; i < 120; ++i) {
@@ -64,14 +64,14 @@ void check_powers() {
 }  // namespace
 
 void test_small_operations() {
-    // The program of 64 bits has no room for them.
+    // The 64-bit program has no room for them.
     if (INTEGER_BITS + FRACTION_BITS < 64) check_powers();
     for_each(small_operations, check_operations);
     for (uint16_t n = 0; n < 2000; ++n)
         check_root<uint16_t, uint32_t>(static_cast<uint16_t>(33 * n));
     for (uint32_t n = 1; n < 2000000000; n += n / 2 + 1) check_root<uint32_t, uint64_t>(n);
     check_root<int32_t, int64_t>(2147483647);
-    // Squares, the numbers before them, and some between, up to where the next square overflows.
+    // Squares, the numbers just below them, and some between, until the next square overflows.
     for (uint64_t root = 1; root < UINT32_MAX; root += root / 4 + 1) {
         check_root<uint64_t, uint64_t>(root * root);
         check_root<uint64_t, uint64_t>(root * root - 1);

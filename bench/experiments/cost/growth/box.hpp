@@ -8,8 +8,8 @@ namespace growth {
 
 template <unsigned N, class Search>
 struct Uses : scenes::BoxOf<N>::template Uses<scenes::SemiImplicit> {
-    // On the chip there are so few that the particles, and not their contacts, fill its memory.
-    // Crowds that only the host can hold get room for all contacts of a long run.
+    // On the chip, the particles and not their contacts fill the memory. Worlds that fit only on
+    // the host get room for all contacts of a long run.
     static constexpr unsigned contacts = N < 64 ? N / 4 + 6 : 2 * N;
     using BroadPhase = Search;
 };

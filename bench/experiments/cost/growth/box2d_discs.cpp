@@ -15,7 +15,7 @@ std::unique_ptr<b2World> box2d_discs(unsigned n) {
     fixture.restitution = 1;
     fixture.restitutionThreshold = 0;
     const float wall = half_edge(n);
-    // Clockwise, since the edges of a loop stop only what comes from their right.
+    // Clockwise, since the edges of a loop stop only bodies that come from their right.
     const b2Vec2 corners[] = {{-wall, -wall}, {-wall, wall}, {wall, wall}, {wall, -wall}};
     b2ChainShape walls;
     walls.CreateLoop(corners, 4);

@@ -28,8 +28,8 @@ struct Options {
     std::filesystem::path output;
 };
 
-// A row of growth.csv and of growth_host.csv. Box2D's pairs are not counted, and its cost not
-// fitted.
+// A row of growth.csv and of growth_host.csv. The pairs of Box2D are not counted, and its cost is
+// not fitted.
 struct Point {
     std::string where, broad_phase;
     unsigned particles;
@@ -56,7 +56,7 @@ struct Point {
         column("cheapest", &Point::cheapest));
 };
 
-constexpr double bound = 0.05;     // no cost on the chip may miss the fit by more
+constexpr double bound = 0.05;     // largest permitted deviation of a cost on the chip from the fit
 constexpr std::size_t enough = 6;  // numbers of particles, twice the terms of a fit
 constexpr const char* fitted_searches[] = {"brute_force", "sort_and_sweep"};
 
@@ -77,7 +77,8 @@ Point point(const Cost& cost, bool host) {
     return point;
 }
 
-// Writes the fit of a search's costs into its points, and says whether it misses none by too much.
+// Writes the fit of the costs of a search to its points. Returns whether all deviations are small
+// enough.
 bool fits(const char* search, const std::vector<Cost>& costs, std::vector<Point>& points) {
     const auto sample = [](const Cost& cost) {
         return Sample{1.0 * cost.particles, cost.pairs, cost.per_step};

@@ -23,7 +23,7 @@ void collide(Index a, Index b, Watched<World>& watched, TimeStep dt) {
     engine::collide(a, b, watched.world, dt);
 }
 
-// What the copies of a search show apart was tested, too.
+// A pair that a search rejects by its copies counts as tested, too.
 template <class Ordered, class World>
 bool are_apart(const Ordered& a, const Ordered& b, Watched<World>& watched) {
     const bool apart = engine::are_apart(a, b, watched.world);

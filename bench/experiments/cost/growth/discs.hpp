@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // N discs that start on a square lattice in a box in the plane and bounce off each other and the
-// walls without loss. This is what the engine and Box2D are timed with on this machine. The box
-// grows with N, a square number; its density does not. Conserved: the kinetic energy.
+// walls without loss: the scene for timing the engine and Box2D on this machine. N must be a square
+// number. The box grows with N at constant density. Conserved: the kinetic energy.
 #pragma once
 
 #include <scenes/methods.hpp>
@@ -22,29 +22,30 @@ constexpr unsigned exponent_of_step = 8;  // 2^-8 s
 constexpr float disc_radius = 0.25f;      // m, a quarter of the lattice's spacing
 constexpr float half_edge(unsigned n) { return static_cast<float>(edge_of(n)) / 2; }  // m
 
-// MurmurHash3's finaliser (A. Appleby): numbers that follow each other become unlike ones.
+// MurmurHash3's finaliser (A. Appleby): consecutive numbers become unrelated ones.
 constexpr unsigned mixed(unsigned x) {
     x = (x ^ x >> 16) * 0x85ebca6b;
     x = (x ^ x >> 13) * 0xc2b2ae35;
     return x ^ x >> 16;
 }
 
-// Disc i of n, from the box's middle. Every number is a multiple of 1/2: exact in all formats.
+// Disc i of n, relative to the middle of the box. All numbers are multiples of 1/2, exact in all
+// formats.
 constexpr Disc disc(unsigned i, unsigned n) {
     const unsigned edge = edge_of(n);
     const auto start = [&](unsigned cell) {
         return static_cast<float>(cell) + 0.5f - static_cast<float>(edge) / 2;
     };
-    // Neighbours of a row or a column must not move alike, or every number of columns is another
-    // crowd.
+    // Neighbours in a row or a column must not move alike, or the motion would depend on the number
+    // of columns.
     const auto speed = [&](unsigned axis) {
         return static_cast<float>(mixed(2 * i + axis + 1) % 9) - 4;
     };
     return {{start(i % edge), start(i / edge)}, {speed(0), speed(1)}};
 }
 
-// One program for every number of discs: each compiled for its own takes up to a quarter more or
-// less time for a test than its neighbour, by how the compiler lays out its loops.
+// One program for every number of discs: if each had its own, the layout of the loops by the
+// compiler would change the time of a test by up to a quarter from one to the next.
 constexpr unsigned most_discs = 16384;
 
 template <class Search>
@@ -58,7 +59,7 @@ struct DiscUses : scenes::UsesWith<scenes::SemiImplicit> {
 template <class Search>
 using DiscWorld = engine::World<fixedpoint::Q16_16, DiscUses<Search>>;
 
-// n is a square number, so that the lattice has no gaps.
+// n must be a square number, so that the lattice has no gaps.
 template <class Search>
 void build(DiscWorld<Search>& world, unsigned n) {
     using Scalar = fixedpoint::Q16_16;

@@ -10,7 +10,7 @@
 
 namespace growth {
 
-// At a number of particles: the term that grows faster than they do, and the value to fit.
+// For a number of particles: the term that grows faster than that number, and the value to fit.
 struct Sample {
     double particles, grown, value;
 };

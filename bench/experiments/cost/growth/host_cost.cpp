@@ -32,7 +32,7 @@ std::function<void(unsigned)> in_the_engine(unsigned n) {
     return [world](unsigned steps) { take(steps, *world); };
 }
 
-// In the mean of the timed steps.
+// The mean over the timed steps.
 template <class Search>
 double pairs_in_the_engine(unsigned n) {
     const auto world = std::make_unique<DiscWorld<Counted<Search>>>();
@@ -57,7 +57,7 @@ struct Kind {
     double (*pairs)(unsigned n);
 };
 constexpr Kind kinds[] = {
-    // More take too long to wait for.
+    // With more, every pair takes too long.
     {"brute_force", 4096, in_the_engine<engine::BruteForce>,
      pairs_in_the_engine<engine::BruteForce>},
     {"sort_and_sweep", most_discs, in_the_engine<engine::CachedSortAndSweep>,

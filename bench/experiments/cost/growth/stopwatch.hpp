@@ -10,8 +10,8 @@ namespace growth {
 
 constexpr unsigned warm_steps = 256;  // until the lattice has dissolved
 
-// So many particles move in a run, whatever their number. A processor learns the branches of a
-// short run that is repeated: of 64 steps of 16 discs so well that they took a quarter less time.
+// Steps times particles is the same for every run. A processor learns the branches of a short run
+// that is repeated: 64 steps of 16 discs then took a quarter less time.
 constexpr unsigned timed_steps(unsigned particles) { return (1u << 20) / particles; }
 
 // Makes a world and returns a function that makes that many steps of it.
@@ -22,7 +22,7 @@ struct Timed {
 };
 
 struct Time {
-    double per_step;  // ns of the processor, which others may have had in between
+    double per_step;  // ns of processor time; other programs may have run in between
     std::size_t runs, rejected;
 };
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Machine code of C++ as vectors of bits: functions that it calls are known by what they are given alone."""
+"""Compiled C++ as vectors of bits: of the functions that it calls, only the operands are known."""
 import sys
 from pathlib import Path
 
@@ -13,12 +13,12 @@ from machine_code import CALL_SAVED, demand  # noqa: E402
 machine_code.STEPS = 600  # more than any path of these takes
 FRAME = {"in", "out", "cli"}
 A64, B64 = (18, 8), (10, 8)
-# Of libgcc, which `sums` proves.
+# A function of libgcc, which `sums` proves.
 SUMS = {"__adddi3": lambda a, b: a + b, "__subdi3": lambda a, b: a - b}
 
 
 def sum_of(name, m):
-    """Of two numbers of 64 bits; it changes no other registers."""
+    """For two 64-bit numbers; it changes no other registers."""
     exact, before = SUMS[name](m.number(*A64), m.number(*B64)), m.registers.copy()
 
     def check(m, _):
@@ -28,9 +28,9 @@ def sum_of(name, m):
 
 
 class Compiled(Bits):
-    """`called`: of the functions that are not followed, by name, the operands as (lowest register, bytes), and the bytes of
-    the result, which ends in r25. `calls` are the name, the operands and the result of each. Y is the frame's, if there is
-    one, of which `frame` holds the bytes."""
+    """`called` has, by name of the functions that are not followed, the operands as (lowest register, bytes) and the number
+    of bytes of the result, which ends in r25. `calls` has the name, the operands and the result of each call. If there is
+    a frame, Y points to it, and `frame` contains its bytes."""
 
     def __init__(self, called, program):
         super().__init__(program)
@@ -67,7 +67,7 @@ class Compiled(Bits):
     def compute(self, mnemonic, d, r, target, following):
         registers = self.registers
         if mnemonic in FRAME or mnemonic in ("sbiw", "adiw") and d == 28:
-            # To make the frame and to leave it.
+            # To set up the frame and to release it.
             self.has_frame = True
             if mnemonic == "in" and d in (28, 29):
                 registers[d] = z3.BitVec(f"frame.r{d}", 8)

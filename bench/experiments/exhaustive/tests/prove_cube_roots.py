@@ -1,20 +1,20 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Proves how much cbrt of Q16.16 and log of Q8.24 err at most, for all operands, from the machine code and tables that
+"""Proves the largest errors of cbrt in Q16.16 and log in Q8.24 for all operands from the machine code and tables that
 are measured.
 
-usage: prove_cube_roots.py FOLDER    that of the device programs
+usage: prove_cube_roots.py FOLDER    the folder of the device programs
 
-    cbrt            e^(ln |a| / 3), of the sign of a, rounded                                           by bits
-    log_q8_24       of every a whose leading one is bit e: its place in the table, and e ln 2 added     by bits
+    cbrt            e^(ln |a| / 3), with the sign of a, rounded                                         by bits
+    log_q8_24       for every a whose leading one is bit e: its place in the table, and e ln 2 added    by bits
     cubic_32        V + t (S - t (b + w t2 / 256)), V and S without their lowest bytes:
         bent        b + w t2 / 256, rounded downward, for every interval and t2                         by running it
-        fall        that times t, less 0 to LOST_FALL                                                   by linear forms
-        return      V + t (S - that), less 0 to LOST                                                    by linear forms
-    exp_wide        of that bench/prove_powers proves the error
+        fall        that times t, minus 0 to LOST_FALL                                                  by linear forms
+        return      V + t (S - that), minus 0 to LOST                                                   by linear forms
+    exp_wide        bench/prove_powers proves its error
 
 The errors are added up; that of the logarithm is largest where the root is. Then instructions are left out in turn, and bytes
-of the table changed, and each time the proof must fail; that of compiled code may stand without a third of them.
+of the table changed, and each time the proof must fail; for compiled code, it may succeed without a third of them.
 """
 import sys
 from functools import partial
@@ -35,9 +35,9 @@ BOUND, LOGARITHM_BOUND = 0.54, 0.554  # ulp of Q16.16 and Q8.24
 ROOT, NATURAL, LOG = "cbrt_q16_16_default", "_ZN10fixedpoint6kernel8composed16NaturalLogarithmIlE2ofEm", "fixedpoint_log_q8_24"
 CUBIC, LOGARITHMS, PIECES, EVERY = "fixedpoint_cubic_32", "fixedpoint_log_32_table", 64, 20
 THIRD, LN2, EIGHT_LN2 = ((1 << 48) - 1) // 3, 11629080, 93032640  # 2^-48, 2^-24
-HALF, LN2_24 = (1 << 6) + 1, 24 * 381061692393 >> 8  # half an ulp of 2^-24 and what the core cuts in the mean; 2^-31
+HALF, LN2_24 = (1 << 6) + 1, 24 * 381061692393 >> 8  # half an ulp of 2^-24 plus the mean truncation of the core; 2^-31
 BENT, FALL, VALUE, SLOPE = (24, 25), (22, 23), (22, 23, 24, 25), (24, 25, 26)
-# Of a product in units of 2^24: the lower bytes of two products of bytes, and all of three more.
+# Dropped from a product in units of 2^24: the lower bytes of two byte products, and all of three more.
 LOST_FALL = 2 * 255 * 2**16 + 2 * 255**2 * 2**8 + 255**2
 
 
@@ -70,7 +70,7 @@ def natural(m):
 
 
 class Jumping(Compiled):
-    """May leave by a jump to what it would call."""
+    """May leave by a jump to a function instead of a call."""
 
     def step(self, address):
         mnemonic, _, target, _ = self.program.code[address]
@@ -88,7 +88,7 @@ class Jumping(Compiled):
 
 
 class Logarithm(Compiled):
-    """Calls the core, which takes r21 as zero; looks up what is the same for all numbers of one leading bit."""
+    """Calls the core, which takes r21 as zero; looks up the values shared by all numbers with one leading bit."""
 
     def step(self, address):
         mnemonic, _, target, following = self.program.code[address]
@@ -173,7 +173,7 @@ def bent(m):
 
 
 class Core32(Cubic):
-    """Leaves out bytes of the record by adding to its address."""
+    """Skips bytes of the record by adding to its address."""
 
     def compute(self, mnemonic, d, r, target, following):
         if mnemonic == "adiw" and d == 30:
@@ -231,7 +231,7 @@ def climbed(m):
 
 class Roots(Core):
     table = LOGARITHMS, 256
-    multiples = {}  # of ln 2, by the leading bit
+    multiples = {}  # multiples of ln 2, by the leading bit
 
 
 def natural_logarithm(x):
@@ -239,7 +239,7 @@ def natural_logarithm(x):
 
 
 def logarithm_errors(program):
-    """The lowest and the highest of the logarithms of Q8.24, in ulp of it."""
+    """The lowest and the highest error of the logarithm in Q8.24, in its ulp."""
     value, slope, _, twist = (part[:, None] for part in rows(program))
     difference, beyond = (part / 256 for part in differences(program, natural_logarithm, 6.0, PIECES))
     begin, end = ((numpy.arange(PIECES) + each) / PIECES for each in (0, 1))
@@ -254,22 +254,22 @@ def logarithm_errors(program):
 
 
 def bound(program):
-    """Of a root, in ulp."""
+    """The error of a root, in ulp."""
     log = max(map(abs, logarithm_errors(program)))
-    # That of 2^31 is that of 2^30, and ln 2.
+    # The logarithm of 2^31 is that of 2^30 plus ln 2.
     log += abs(float(LN2 - mp.log(2) * 2**24)) + abs(float(EIGHT_LN2 - mp.log(2) * 8 * 2**24))
     program.table = TABLE, INTERVALS
     mantissa = max(abs(each).max() for each in mantissa_errors(program))
     program.table = LOGARITHMS, 256
-    # All as parts of the root: k is from -5 to 6, and a mantissa is at least e^-0.8.
+    # All relative to the root: k is from -5 to 6, and a mantissa is at least e^-0.8.
     parts = log / 2**24 / 3 + 12 / 2**48 + 2.0**-41 + mantissa / (2**39 * numpy.exp(-0.8))
     parts += 6 * abs(float(LN2_40 - mp.log(2) * 2**40)) / 2**40
-    # exp_wide cuts to a 256th of an ulp; the largest root is 32.
+    # exp_wide truncates to a 256th of an ulp; the largest root is 32.
     return 0.5 + 2.0**-8 + 1.001 * 2**21 * parts
 
 
 def unnoticed(program):
-    """Bytes of the table that may be another by 1 although that is 2^-23 or more."""
+    """Bytes of the table that may change by 1 although that is 2^-23 or more."""
     flash, found = program.flash, []
     first = program.labels[LOGARITHMS]
     for place in (first + RECORD * i + byte for i in (0, 100, 255) for byte in (2, 5, 9)):
@@ -304,13 +304,13 @@ def main():
         print(f"{name}: proven", flush=True)
         count += len(visited)
         needless += program.survivors(program.stretches[0], visited, EVERY, ("ret", "rjmp", *FRAME))
-    # The compiler leaves instructions that change nothing.
+    # Compiled code contains instructions that change nothing.
     print(f"of {count} compiled instructions one in {EVERY} was left out, without effect {needless}")
     failed |= 3 * EVERY * len(needless) > count
     program = Roots(STRETCHES, partial(Logarithm, {}), elf=elf, cuts=CUTS)
     (stretch,) = (each for each in STRETCHES if each[0] == LOG)
     found = program.survivors(stretch, program.prove(*stretch), 26, ("ret", "rjmp"))
-    # The table begins with a page.
+    # The table begins at a page boundary.
     found = [each for each in found if not each.endswith("subi r30, 0x00")]
     print(f"{LOG}: proven; without effect {found}", flush=True)
     failed |= found != []

@@ -1,23 +1,23 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Proves how much pow of Q16.16 and Q8.8 errs at most, for all pairs of operands, from the machine code and tables that are
+"""Proves the largest error of pow in Q16.16 and Q8.8 for all pairs of operands from the machine code and tables that are
 measured.
 
-usage: prove_powers.py FOLDER    that of the device programs
+usage: prove_powers.py FOLDER    the folder of the device programs
 
-    pow             e^(y ln |x|), of the right sign, rounded and saturated, as the definition of what is
-                    beyond that asks; that of Q8.8 is the same of numbers of Q16.16, rounded again      by bits
+    pow             e^(y ln |x|) with the right sign, rounded and saturated, and the defined results in
+                    the special cases; pow in Q8.8 is that of Q16.16, rounded again                     by bits
     logarithm_56    the normalised mantissa, then the polynomial of its distance from a node, in the
                     products of kernels that fixedpoint/prove_products proves                           by bits
     exp_wide        k ln 2 - r, the mantissa e^-r from the core, the shift                              by bits
-    cubic_40        of which fixedpoint/prove_angles_32 proves the instructions: the table keeps what
-                    they ask of it                                                                      by running it
+    cubic_40        fixedpoint/prove_angles_32 proves its instructions; here, that the table meets
+                    their preconditions                                                                 by running it
 
-libgcc's products are taken for exact.
+The products of libgcc are assumed to be exact.
 
-The errors are added up. That of a logarithm L counts by its part of L, as |y ln x| <= 15 ln 2 where a power is in the range;
-the mantissa's, where that counts most: from 2^30.9 units on. Then instructions are left out in turn, and bytes of the tables
-changed, and each time the proof must fail; that of compiled code may stand without a third of them.
+The errors are added up. That of a logarithm L counts relative to L, since |y ln x| <= 15 ln 2 if a power is in range; that of
+the mantissa counts where it is largest, from 2^30.9 units on. Then instructions are left out in turn, and bytes of the tables
+changed, and each time the proof must fail; for compiled code, it may succeed without a third of them.
 """
 import sys
 from functools import partial
@@ -47,7 +47,7 @@ FROM = 15 * 0.6931471805599453
 PIECES = 512  # of an interval
 BOUND = 0.81  # ulp
 EVERY = 60
-# What is pushed by a function that uses all registers.
+# The registers pushed by a function that uses all of them.
 EVERY_SAVED = (*range(2, 18), 28, 29)
 OUT, NEXT = ".Lnode", ".Lloop"
 OCTAVE, SCALE = ".Loctave", ".Lscale"
@@ -57,7 +57,7 @@ OCTAVE, SCALE = ".Loctave", ".Lscale"
 
 
 def rounded(power, negative):
-    """Of a power in units of 2^-32, and saturated."""
+    """A power in units of 2^-32, rounded and saturated."""
     whole, up = z3.Extract(63, 32, power), z3.ZeroExt(31, z3.Extract(31, 31, power))
     limit = z3.BitVecVal((1 << 31) - 1 + negative, 32)
     magnitude = z3.If(z3.Or(z3.UGT(whole, limit), z3.UGT(whole + up, limit)), limit, whole + up)
@@ -65,7 +65,7 @@ def rounded(power, negative):
 
 
 def of_one_sign(m, negative):
-    """Whether the path is that of negative results."""
+    """Whether the path is the one for negative results."""
     found = not m.impossible(negative)
     shown(m, negative == found)
     m.holds.append(negative == found)
@@ -73,7 +73,7 @@ def of_one_sign(m, negative):
 
 
 def narrowed(number):
-    """A number of Q16.16 as one of Q8.8, rounded and saturated."""
+    """A Q16.16 number rounded and saturated to Q8.8."""
     wide = (z3.SignExt(1, number) + 128) >> 8
     return z3.Extract(15, 0, z3.If(wide > 32767, z3.BitVecVal(32767, 33), z3.If(wide < -32768, z3.BitVecVal(-32768, 33), wide)))
 
@@ -87,7 +87,7 @@ def converted(m):
 
 
 def pow_of(size, m):
-    """That of Q8.8 is that of Q16.16."""
+    """pow in Q8.8 is that of Q16.16."""
     short = size == 2
     x, y = (m.number(low, size) for low in ((24, 22) if short else (22, 18)))
     if short:
@@ -177,24 +177,24 @@ PARTS = 32  # of the distances from a node
 
 
 def logarithm_error(program):
-    """The largest error of a logarithm, as a part of it, over all x."""
+    """The largest relative error of a logarithm over all x."""
     flash, labels = program.flash, program.labels
     first, second = (labels[NODE.format(name)] for name in ("8decrease", "9logarithm"))
     worst = 0.0
-    # So that of 1 is 0.
+    # So the logarithm of 1 is 0.
     demand(not flash[first] and not any(flash[second:second + 8]))
     for node in range(65):
         factor = 256 - flash[first + node]
         logarithm = int.from_bytes(flash[second + 8 * node:second + 8 * node + 8], "little")
         least, most = max(2 * node + 127, 128) << 24, (2 * node + 129 << 24) - 1
-        # What the table's is less than the right one, in units of 2^-56; to 2^-100.
+        # The exact logarithm minus that of the table, in units of 2^-56; to 2^-100.
         from_table = abs(float(logarithm - mp.log(mpf(256) / factor) * 2**56))
         s = numpy.linspace(least * factor / 2.0**39 - 1, min(most, (1 << 32) - 1) * factor / 2.0**39 - 1, PARTS + 1)
         low, high = s[:-1], s[1:]
         m = numpy.maximum(abs(low), abs(high))
         demand(m.max() * 2**37 + 1 < 2**31)
         u = (m * 2**37 + 1) / 2**32
-        # Of each sum: half a unit of the product, the constant, the sum before, and that z is cut.
+        # For each sum: half a unit of the product, the constant, the previous sum, and the truncation of z.
         error = 0.5 + abs(FIFTH - 2**16 / 5) + m * abs(SIXTH * 2.0**5 - 2**16 / 6) + SIXTH / 2**32
         for constant, exact, factor_of_z in ((FOURTH, 2**21 / 4, 2**16), (THIRD, 2**26 / 3, 2**21), (HALF, 2**31 / 2, 2**26)):
             error = 0.5 + abs(constant - exact) + u * error + factor_of_z / 2**32
@@ -204,7 +204,7 @@ def logarithm_error(program):
             of_ln2 = abs(exponent) * abs(float(LN2_56 - mp.log(2) * 2**56))
             whole = logarithm / 2.0**56 + exponent * numpy.log(2)
             ends = whole + numpy.log1p(low), whole + numpy.log1p(high)
-            # Next to 1 it is that of 1 +- 2^-16, or 0 without an error.
+            # Next to 1 it is the logarithm of 1 +- 2^-16, or exactly 0.
             nearest = numpy.where(ends[0] * ends[1] <= 0, 0, numpy.minimum(abs(ends[0]), abs(ends[1])))
             worst = max(worst, ((error + of_ln2) / numpy.maximum(nearest, 2.0**-16 - 2.0**-32)).max() / 2.0**56)
     return worst
@@ -280,14 +280,14 @@ def power_of_e(x):
 
 
 def mantissa_errors(program):
-    """The lowest and the highest of each interval, in units of 2^-39."""
+    """The lowest and the highest error of each interval, in units of 2^-39."""
     _, slope, bend, twist = (part.astype(float)[:, None] for part in rows(program))
     difference, beyond = differences(program, power_of_e, 1.0, PIECES)
-    # t2 / 256 is t, less up to a 256th; what the fall lacks is multiplied by t.
+    # t2 / 256 is up to a 256th below t; the error of the fall is multiplied by t.
     t = numpy.arange(1, PIECES + 1) / PIECES
     value = ((difference - beyond + numpy.minimum(twist, 0) * t**2).min(1) - LOST / 2**24,
              (difference + beyond + numpy.maximum(twist, 0) * t**2 + LOST / 2**24 * t).max(1))
-    # floor(s r / 256) less what the power falls beyond Q.
+    # floor(s r / 256) minus the fall of the power beyond Q.
     slopes = slope[:, 0] / 2**24, (slope - numpy.maximum(bend * 256, bend * 256 + twist * 255))[:, 0] / 2**24
     steepest, flattest = (128 * numpy.exp(-(numpy.arange(INTERVALS) + each) / 256) for each in (0, 1 + 2.0**-23))
     last = numpy.minimum(slopes[1] - 1 - steepest, 0) - 1, numpy.maximum(slopes[0] - flattest, 0)
@@ -295,18 +295,18 @@ def mantissa_errors(program):
 
 
 def bound(program):
-    """Of a power, in ulp."""
+    """The error of a power, in ulp."""
     errors = mantissa_errors(program)
     x = numpy.arange(-24 << 8, 46 << 8)
     k = ((x >> 8) * 185 + ((x & 255) * 185 >> 8) + 128 * (OFFSET + 1) + 9 >> 7) - OFFSET
-    # Beyond, a power is below 2^-9 ulp, or saturates.
+    # Beyond this, a power is below 2^-9 ulp or saturates.
     inside = (k + 9 + 16 >= 0) & (k + 9 + 16 < 42)
     x, k = x[inside], k[inside]
     rest = k * LN2_40 - ((x + 1) << 32) + 1, k * LN2_40 - (x << 32)
     demand((rest[0] >= 0).all())
     interval = rest[0] >> 32, rest[1] >> 32
     demand((interval[1] < INTERVALS).all() and (interval[1] - interval[0] <= 1).all())
-    # From here on a power saturates, as its error is less than that by which it is beyond.
+    # From here on a power saturates, since its error is less than its distance beyond the limit.
     finite = x / 256 < FROM + 2.0**-20
     largest = numpy.minimum(2.0**16 * numpy.exp((x + 1) / 256), 2.0**31 * (1 + 2.0**-19))
     relative = ((logarithm_error(program) * numpy.minimum(abs(x / 256) + 1 / 256, FROM + 2.0**-20) + 2.0**-41) * 1.001 +
@@ -314,7 +314,7 @@ def bound(program):
     unit = 2.0**(16 + k - 39)
     low, high = (numpy.where(finite, unit * choose(each[interval[0]], each[interval[1]]), 0)
                  for choose, each in zip((numpy.minimum, numpy.maximum), errors))
-    # exp_wide cuts to a 256th of an ulp.
+    # exp_wide truncates to a 256th of an ulp.
     return 0.5 + max(float((2.0**-8 - low + relative * largest)[finite].max()), float((high + relative * largest)[finite].max()))
 
 
@@ -323,7 +323,7 @@ class Powers(Core):
 
 
 def unnoticed(program):
-    """Bytes of the tables that may be another by 1 although that is 2^-31 or 2^-40."""
+    """Bytes of the tables that may change by 1 although that is 2^-31 or 2^-40."""
     flash, found = program.flash, []
     exp, logarithm = (program.labels[name] for name in (TABLE, NODE.format("9logarithm")))
     for place in (*(exp + RECORD * i + byte for i in (40, 70, 180) for byte in (0, 1, 4, 8)), logarithm + 8 * 2 + 2):
@@ -356,7 +356,7 @@ CUTS = ((NEXT, LOG, "sbrc", "r21"), (OUT, NEXT, "mov", "r24"), (".Lproduct", EXP
 
 
 def counted(program, labels):
-    """Proves stretches of compiled code; how many instructions are in them, and which may be left out."""
+    """Proves stretches of compiled code. Returns the number of their instructions, and which may be left out."""
     count, found = 0, []
     for stretch in (each for each in program.stretches if each[0] in labels):
         visited = program.prove(*stretch)
@@ -379,7 +379,7 @@ def main():
                                            ("q16_16", Logarithm, (LOG, NEXT, OUT))):
         visited, found = counted(program(number_format, partial(machine, CALLED), labels), labels)
         count, needless = count + visited, needless + found
-    # The compiler leaves instructions that change nothing.
+    # Compiled code contains instructions that change nothing.
     print(f"of {count} compiled instructions one in {EVERY} was left out, without effect {needless}")
     failed |= 3 * EVERY * len(needless) > count
     for machine, every, labels in ((partial(Exponential, CALLED), 40, (EXP, OCTAVE, SCALE)), (Rows, 4, (CUBIC,))):

@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Proves that sincos of the policies without a kernel of it returns what sin and cos do, which are run over all inputs:
-the device programs' machine code, every register a vector of bits, by z3.
+"""Proves that sincos, under the policies without a kernel for it, returns the results of sin and cos, which are run over
+all inputs. z3 examines the machine code of the device programs, with every register a vector of bits.
 
-usage: prove_sincos.py FOLDER    that of the device programs
+usage: prove_sincos.py FOLDER    the folder of the device programs
 
 Then instructions are left out in turn, and each time the proof must fail.
 """
@@ -17,7 +17,7 @@ from calling import Compiled, shown
 from machine_code import Program, demand
 
 ANGLE, PLACE = (22, 4), (20, 2)
-# By program: the function, and the kernels' names.
+# By program: the function, and the names of the kernels.
 FUNCTIONS = {"correctly_rounded_angles": ("sincos_q16_16_correctly_rounded", "fixedpoint_{}_q16_16_correctly_rounded"),
              "q16_16": ("sincos_q16_16_small", "fixedpoint_{}_q16_16_small")}
 

@@ -1,13 +1,13 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Proves for all operands that sums and their like are exact: the device programs' machine code, every register
-a vector of bits, by z3. Of multiply_add and lerp, the product is that of a kernel that fixedpoint/prove_products
-proves: it may be any number here, but its factors are the right ones.
+"""Proves for all operands that sums and similar operations are exact: z3 examines the machine code of the device
+programs, with every register a vector of bits. multiply_add and lerp call a product kernel that
+fixedpoint/prove_products proves: here its result may be any number, but its factors must be right.
 
-usage: prove_sums.py FOLDER    that of the device programs
+usage: prove_sums.py FOLDER    the folder of the device programs
 
-Then instructions are left out in turn, and each time the proof must fail; of multiply_add and lerp, in which the
-compiler leaves instructions that change nothing, it may stand without a third of them, which are printed."""
+Then instructions are left out in turn, and each time the proof must fail; for multiply_add and lerp, whose compiled
+code contains instructions that change nothing, it may succeed without a third of them, which are printed."""
 import sys
 from functools import partial
 from pathlib import Path
@@ -30,7 +30,7 @@ def magnitude(a):
     return z3.If(a < 0, -a, a)
 
 
-# By which of a format's programs it is in; of operands two bits wider than they are: the result is the lower bits.
+# By the program of a format; on operands extended by two bits: the result is the lower bits.
 EXACT = {
     "": {
         "add_{}_default": lambda a, b, width: a + b,
@@ -40,14 +40,14 @@ EXACT = {
     "_auxiliary": {
         "abs_diff_{}_default": lambda a, b, width: magnitude(a - b),
         "copysign_{}_default": lambda a, b, width: z3.If((a < 0) != (b < 0), ~a + 1, a),
-        # (a + b) / 2 rounded up, as a + b = 2 (a | b) - (a ^ b): what both have counts twice.
+        # (a + b) / 2 rounded up, since a + b = 2 (a | b) - (a ^ b): common bits count twice.
         "midpoint_{}_default": lambda a, b, width: (a | b) - ((a ^ b) >> 1)},
 }
 
 
 class Calling(Bits):
-    """Does not follow calls of the kernels `called`, one after the other: a name, how many operands it takes, and of
-    which width. `calls` are the operands and the result of each: of more than two operands, the sum of the others less."""
+    """Does not follow calls of the kernels `called`, one after the other: name, number of operands, and their width.
+    `calls` are the operands and the result of each; with more than two operands, minus the sum of the others."""
 
     def __init__(self, called, program):
         super().__init__(program)
@@ -96,8 +96,8 @@ def multiply_add(width, _, machine):
 
 
 def lerp(width, fraction, machine):
-    """a + t (b - a) / 2^F, rounded, where b - a = d + s 2^W, d is of W bits and s is -1, 0 or 1: t d / 2^F, rounded, and
-    a + s t 2^(W-F), which is whole."""
+    """a + t (b - a) / 2^F, rounded, where b - a = d + s 2^W, d has W bits and s is -1, 0 or 1: t d / 2^F, rounded, plus
+    a + s t 2^(W-F), an integer."""
     a, b, t = (machine.number(low, width // 8) for low in places(width, 3))
     d = b - a
     s = z3.Extract(width, width, z3.SignExt(2, b) - z3.SignExt(2, a) - z3.SignExt(2, d))
@@ -112,7 +112,7 @@ def lerp(width, fraction, machine):
 
 
 EVERY = 3
-# (program, function, what is checked, the kernel that it calls, fraction bits)
+# (program, function, check, called kernel, fraction bits)
 OF_PRODUCTS = [("q8_8", "multiply_add_q8_8_default", multiply_add, ("fixedpoint_multiply_q8_8", 2, 16), 8),
                ("q8_8_auxiliary", "lerp_q8_8_default", lerp, ("fixedpoint_multiply_q8_8", 2, 16), 8),
                ("q16_16_auxiliary", "lerp_q16_16_default", lerp, ("fixedpoint_multiply_add_q16_16", 3, 32), 16),
@@ -142,7 +142,7 @@ def main():
         stretch = name, partial(exact, called[2], fraction), (None,), (), ((),), (None,)
         program = Program([stretch], partial(Calling, [called]), elf=Path(sys.argv[1]) / f"{program}.elf")
         visited = program.prove(*stretch)
-        # The compiler leaves instructions that change nothing.
+        # Compiled code contains instructions that change nothing.
         found = program.survivors(stretch, visited, EVERY, ("ret",))
         print(f"{name}: proven; of {len(visited)} instructions one in {EVERY} was left out, without effect {found}")
         failed |= 3 * EVERY * len(found) > len(visited)

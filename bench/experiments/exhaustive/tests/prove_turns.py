@@ -1,19 +1,19 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Proves how much the angles of vectors in turns and degrees err at most, for all pairs of operands: the device programs'
-machine code, every register a vector of bits, by z3.
+"""Proves the largest errors of the angles of vectors in turns and degrees for all pairs of operands: z3 examines the
+machine code of the device programs, with every register a vector of bits.
 
-usage: prove_turns.py FOLDER    that of the device programs
+usage: prove_turns.py FOLDER    the folder of the device programs
 
-The angle a in units of 2^-28 is that of fixedpoint/prove_angles_32, of the operands as they are. Its product with a
-constant c, a c / 2^32 rounded to nearest, is that of fixedpoint/prove_products. What is proven here is that these kernels
-are called rightly, and that the result is the product rounded to nearest, and clamped to the format, by which no error
-grows. In units of the product, that errs by
+fixedpoint/prove_angles_32 proves the angle a, in units of 2^-28, of the unchanged operands. fixedpoint/prove_products
+proves its product with a constant c, a c / 2^32 rounded to nearest. Proven here: these kernels are called correctly, and
+the result is the product rounded to nearest and saturated to the format, which increases no error. In units of the
+product, its error is
 
-    1/2, by c / 2^32 of the error of a, and by the part of pi 2^28 by which c / 2^32 is not what makes it half a turn.
+    1/2, plus c / 2^32 times the error of a, plus pi 2^28 times the error of c / 2^32, by which it misses half a turn.
 
-Then instructions are left out in turn, and each time the proof must fail; it may stand without a sixth of them, which the
-compiler leaves although they change nothing."""
+Then instructions are left out in turn, and each time the proof must fail; it may succeed without a sixth of them, which
+the compiler emits although they change nothing."""
 import sys
 from functools import partial
 from pathlib import Path
@@ -25,7 +25,7 @@ from prove_sums import Calling, clamped, places
 from machine_code import Program, demand
 from prove_angles_32 import BOUND
 
-# Of each function: the bits of the product's fraction, half a turn, and the bound in ulp for each number of fraction bits.
+# For each function: the fraction bits of the product, half a turn, and the bound in ulp for each number of fraction bits.
 UNITS = {"turns": (29, mpf(1) / 2, {8: 0.500001, 16: 0.5001}), "degrees": (21, mpf(180), {8: 0.5002, 16: 0.527})}
 ANGLE, PRODUCT = "fixedpoint_atan2_q4_28", "fixedpoint_multiply_q0_32"
 LARGEST = 1 << 29  # of the product, and beyond: (pi 2^28 + 1) c / 2^32 + 1/2

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Scenes that run for long on the chip and on the host, side by side: soak [STEPS [SEED]], 10^7
-// steps of 2^-8 s of the lever, the stack and the box in Q16.16. The chip's machine code runs
-// translated to the host's, ten times as fast as in the simulator. The simulator takes the first
-// 1,000 steps and one of every 50 after them, too, and must leave the same variables after the same
-// cycles. Every 50 steps it computes the hash of the state, which must be the host's, and every 100
-// all particles get other velocities along y, the same on both sides. Left alone, the stack lies
-// still after 127 steps and the lever repeats its swings to the bit after 65,535, so that nothing
-// more would be seen. What differs, or reports an error, is told with the steps between which that
-// began and the call that shows it again.
+// Long runs of scenes on the chip and on the host, side by side: soak [STEPS [SEED]], by default
+// 10^7 steps of 2^-8 s of the lever, the stack and the box in Q16.16. The machine code of the chip
+// runs translated to that of the host, ten times as fast as in the simulator. The simulator also
+// takes the first 1,000 steps and then one in 50, and must end with the same variables after the
+// same number of cycles. Every 50 steps it computes the hash of the state, which must be that of
+// the host. Every 100 steps all particles get new velocities along y, the same on both sides;
+// otherwise the stack would be at rest after 127 steps and the lever would repeat its swings to the
+// bit after 65,535. A difference or an error is reported with the steps between which it began and
+// the command that reproduces it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ namespace scene_bench {
 namespace {
 
 constexpr int exponent = 8;
-// The stack lies again 100 steps after a push: between two of them it moves.
+// The stack is at rest 100 steps after a push, but between two pushes it moves.
 constexpr unsigned long between_hashes = 50, between_pushes = 100, compared_at_first = 1000;
 
 // The step of a program, translated and in the simulator. Both work on variables of their own.
@@ -47,16 +47,17 @@ class ChipStep {
         read();
     }
 
-    // Gives the translation the simulator's variables.
+    // Copies the variables of the simulator to the translation.
     void read() { chip_.read(simulator::Chip::ram_begin, variables_); }
-    // Gives the simulator the translation's.
+    // Copies the variables of the translation to the simulator.
     void write() { chip_.write(simulator::Chip::ram_begin, variables_); }
 
     void take() {
         std::uint32_t cycles;
         session_.run({}, {}, {&cycles, 1});
     }
-    // A step of both, from the translation's variables. Throws std::runtime_error where they part.
+    // A step of both, from the variables of the translation. Throws std::runtime_error if they
+    // differ afterwards.
     void compare() {
         write();
         const std::uint32_t expected = simulated_().cycles;
@@ -95,7 +96,7 @@ std::string soaked(unsigned long steps, std::uint32_t seed, records::Progress& p
         hash(chip, "state_hash", {.result = 4, .operands = {}});
     for (simulator::DeviceFunction* function : {&build, &hash}) function->set_budget(50'000'000);
     build();
-    // The compiler's time is that of some 100,000 steps.
+    // Compiling takes as long as about 100,000 steps.
     ChipStep step(chip, steps > 100'000 ? instructions::Compilation{}
                                         : instructions::Compilation{.options = "-O0"});
     std::mt19937 random(seed);

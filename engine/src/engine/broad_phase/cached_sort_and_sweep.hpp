@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// CachedSortAndSweep: finds the pairs of SortAndSweep, in the same order, where RAM is plentiful.
-/// Neighbours in the order lie anywhere in memory, and a sweep looks at a particle as often as it
-/// has neighbours along the axis. Copies of what it compares lie in a row: three numbers and an
-/// index a particle. (Not one template for both: on the AVR, pools of few would take more flash.)
+/// CachedSortAndSweep: finds the pairs of SortAndSweep in the same order, where RAM is plentiful.
+/// Neighbours along the axis may be anywhere in memory, and a sweep reads a particle once for each
+/// of them. So the numbers it compares are copied to one array: three numbers and an index per
+/// particle. (Not one template for both: on the AVR, small pools would take more flash.)
 #pragma once
 
 #include <engine/constraints.hpp>
@@ -11,7 +11,7 @@
 namespace engine {
 
 /// \cond internal
-// A particle in the order, with copies of what the search compares.
+// A particle in the order, with copies of the numbers that the search compares.
 template <class World>
 struct Cached {
     typename World::Scalar lower_edge, across, radius;
@@ -26,15 +26,15 @@ struct Cached {
     }
 };
 
-// Whether two particles are apart along the second axis, as collide() finds it. It is given the
-// world so that a search can be watched.
+// Whether two particles are apart along the second axis, by the same test as in collide(). Takes
+// the world so that a search can be watched.
 template <class Ordered, class World>
 ENGINE_INLINE bool are_apart(const Ordered& a, const Ordered& b, World&) {
     return !(absolute(a.across - b.across) < a.radius + b.radius);
 }
 /// \endcond
 
-/// The broad phase of many particles where RAM is plentiful.
+/// The broad phase for many particles where RAM is plentiful.
 struct CachedSortAndSweep {
     /// \cond internal
     template <class World>
@@ -67,7 +67,7 @@ struct CachedSortAndSweep {
             for (auto* b = next + 1; b != end && b->lower_edge < upper_edge; ++b) {
                 if (are_apart(a, *b, world)) continue;
                 collide(a.index, b->index, world, dt);
-                // What overlaps was moved.
+                // If they overlap, both have moved.
                 a.read(particles);
                 b->read(particles);
             }

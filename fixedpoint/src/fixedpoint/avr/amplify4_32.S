@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // void fixedpoint_amplify4_q<32 - F>_<F>(int32_t* a, int32_t b)
-// a_i += floor(a_i b / 2^F + 1/2) modulo 2^32 of four numbers: of each split of 32 bits but Q16.16.
+// a_i += floor(a_i b / 2^F + 1/2) modulo 2^32 for four numbers. For every 32-bit format but Q16.16.
 //
 // In       a = r25:r24, in RAM, b = r23:r20
 // Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return

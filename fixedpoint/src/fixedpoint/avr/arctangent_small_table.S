@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // DO NOT EDIT: written by python3 fixedpoint/tables/arctangent_small.py
-// atan(i/16) for i = 0..15 in units of 2^-24, with half an ulp of Q16.16 and what balances
-// the errors of the rest.
+// atan(i/16) for i = 0..15 in units of 2^-24, plus half an ulp of Q16.16 and an offset that
+// centres the errors of the remaining angle.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"

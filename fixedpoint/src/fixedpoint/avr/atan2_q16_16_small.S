@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // int32_t fixedpoint_atan2_q16_16_small(int32_t y, int32_t x)
-// The angle of the vector (x, y) in Q16.16 radians, in (-pi, pi], within 0.63 ulp; (0, 0): 0.
+// The angle of the vector (x, y) in Q16.16 radians, in (-pi, pi], within 0.63 ulp; 0 for (0, 0).
 //
 // int32_t fixedpoint_atan_q16_16_small(int32_t a)
 // The arc tangent of a Q16.16 number in radians, within 0.63 ulp: atan2(a, 1).
@@ -10,16 +10,16 @@
 // Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
 // Table    48 bytes, fixedpoint_arctangent_small_table
 //
-// The smaller magnitude N is divided by the larger one D bit by bit, after both have been shifted
-// until 2^16 <= D < 2^22. Four bits q leave the remainder R = 16 N - q D. As
+// Both magnitudes are shifted until the larger one, D, is in 2^16 <= D < 2^22; then the smaller
+// one, N, is divided by it bit by bit. Four bits q leave the remainder R = 16 N - q D. Since
 //
 //     atan(N / D) = atan(q / 16) + atan(R / (16 D + q N)),
 //
-// R is divided further by D + q N / 16, to 16 bits: z, in units of 2^-20, whose arc tangent is
-// z - z^3 / 3. atan(q / 16) has half an ulp for rounding, and what balances the errors.
+// R is divided by D + q N / 16, to 16 bits: z, in units of 2^-20, whose arc tangent is z - z^3 / 3.
+// The table adds to atan(q / 16) half an ulp for rounding and an offset that centres the errors.
 //
-// Error in ulp: z 0.03, what is cut of q N / 16 0.03 for the smallest D, the cube 0.03. Rounding 0.5.
-// The worst of atan, of all inputs, is 0.61407, at -11623; the worst found of atan2, in 6 10^7 pairs, is
+// Error in ulp: z 0.03, the truncation of q N / 16 0.03 for the smallest D, the cube 0.03; rounding
+// 0.5. Worst of atan over all inputs: 0.61407, at -11623; worst of atan2 found in 6 10^7 pairs:
 // 0.62514, at (12471, 67349).
 
 #ifdef __AVR_HAVE_MUL__
@@ -39,7 +39,7 @@
 #define z1 r25
 
     SECTION fixedpoint_atan2_q16_16_small
-    // Eight bits of N / D, inverted, or as many as z0 has zeros above its leading one.
+    // Eight bits of N / D, inverted, or as many as there are zeros above the leading one of z0.
 .Lbyte:
     ldi z0, 1
 .Lbit:
@@ -64,7 +64,7 @@
     or r30, d3
     brne .Ldown
     cp_each d0, r1, 2
-    breq .Lnone         // D is 0, and so is N
+    breq .Lnone         // D = 0, hence N = 0
     mov_from_top d1, d0, 2
     mov_from_top n1, n0, 2
     clr d0
@@ -100,7 +100,7 @@
     mul r1, r31
     sub z0, r1
     sbc z1, zero
-    ldi r31, 48         // three bytes an angle
+    ldi r31, 48         // three bytes per angle
     mul q, r31
     mov r30, r1
     ldi r31, 0
@@ -115,7 +115,7 @@
     clr r1
     ldi angle3, 0
 
-    // The octants' angles are taken from, added to, and taken from 0, pi/2, pi, and pi/2.
+    // Octant angles are subtracted from, added to, and subtracted from 0, pi/2, pi and pi/2.
     inc octant
     sbrs octant, 1
     rjmp .Lturned

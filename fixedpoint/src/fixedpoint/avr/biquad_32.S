@@ -24,7 +24,7 @@
 #define part r23
 #define count r26
 
-    // The next signal to a, whose place a's takes.
+    // Loads the next signal into a, after storing a in its place.
     .macro exchange
     ldd_bytes q0, Y + 0, 2
     ldd_bytes r0, Y + 2, 2
@@ -78,7 +78,7 @@
     add_error 16, 18, \fraction
     add_error 17, (18 + \error_bytes), \fraction
     clr zero
-    mov \o1, \o0       // the sign of the errors' sum
+    mov \o1, \o0       // the sign of the sum of the errors
     lsl \o1
     sbc \o1, \o1
     mov \o2, \o1

@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: MIT
 // int32_t fixedpoint_divide_q16_16_small(int32_t a, int32_t b)
 //
-// What fixedpoint_divide_q16_16 returns, without a table: floor(a 2^16 / b + 1/2), clamped; for
-// b = 0 the largest number where a > 0, the smallest where a < 0, 0 where a = 0.
+// The result of fixedpoint_divide_q16_16, without a table: floor(a 2^16 / b + 1/2), saturated. If
+// b = 0: the largest number if a > 0, the smallest if a < 0, 0 if a = 0.
 //
 // In       a = r25:r22, b = r21:r18
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
 //
-// D = 2^(8 n + k) |b| has its leading one in bit 31, k < 8. The quotient's magnitude is
-// 2^k |a| / D 2^(16 + 8 n): one digit in base 256, and 2 + n more. Leading zeros are skipped; more
-// than four digits are left where it saturates. b = 0 counts as 2^-17, by which every a but 0 does.
+// D = 2^(8 n + k) |b| has its leading one in bit 31, k < 8. The magnitude of the quotient is
+// 2^k |a| / D 2^(16 + 8 n): one base-256 digit, then 2 + n more. Leading zeros are skipped; more
+// than four remaining digits saturate. b = 0 is taken as 2^-17: every a but 0 then saturates.
 //
-// A digit is estimated from the upper byte of the dividend X and a reciprocal of D; then its multiple
-// of D is subtracted. The estimate is off by -3 to 4 units, for which D is subtracted until X is
-// negative, and added until it no longer is. The digit is thus exact whatever the estimate.
+// A digit is estimated from the upper byte of the dividend X and a reciprocal of D; digit D is
+// subtracted. The estimate is off by -3 to 4 units: D is subtracted until X is negative, then added
+// until it no longer is. The digit is thus exact whatever the estimate.
 //
-// At last the remainder R says which way to round: up where it is at least D - R, but only where
-// it is more if the quotient is negative, which is the compare's first borrow.
+// Finally the remainder R decides the rounding: up if R >= D - R, but for a negative quotient only
+// if R > D - R, which is the first borrow of the comparison.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -33,12 +33,12 @@
 #define x2 r28
 #define x3 r29
 #define x4 r30
-// How many digits follow.
+// The number of digits that follow.
 #define behind r31
 // 2^40 / D - 256.
 #define reciprocal r17
 
-// Of the least corrections.
+// The coefficients with the fewest corrections.
 #define C0 149
 #define C2 216
 
@@ -152,7 +152,7 @@
     sec
 1:  cpc_bytes x1, d0, 4
     sbci_each q0, 0xff, 4
-    brcc .Lsaturate     // rounded up to 2^32, 0 here
+    brcc .Lsaturate     // rounded up to 2^32, which is 0 here
     brpl .Lsigned
 .Lsaturate:
     clr q0

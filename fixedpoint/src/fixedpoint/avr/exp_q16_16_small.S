@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // int32_t fixedpoint_exp_q16_16_small(int32_t a)
-// e^a in Q16.16, within 0.72 ulp for every input; the largest number from ln 32768 on, 0 where that
-// is nearest.
+// e^a in Q16.16, within 0.72 ulp for every input; the largest number from ln 32768 on, 0 if that is
+// the nearest number.
 //
 // In       a = r25:r22
 // Out      r25:r22
@@ -9,20 +9,20 @@
 // Stack    2 bytes
 // Table    132 bytes, fixedpoint_exp_small_table
 //
-// ln 2 is subtracted k times, in units of 2^-32, of which a correction is added: what rounding ln 2 up
-// takes off at k = 14, where results have the most bits. For the upper four bits of r = a - k ln 2,
-// at first 0 <= r < ln 2, the table has a factor 1 + b/256 a little below e^r, and its logarithm,
-// which is subtracted: r < 17/256. The next factor is 1 + j/256, where j is the upper byte of r, or
-// that and 1 if the byte behind it is at least 256 - j (j + 1) / 2: ln(1 + j/256) is then at most r, and
-// less than 2^-8 below it. For the rest s, which has a fifth byte from the table,
+// ln 2 is subtracted k times in units of 2^-32. A correction in these units makes up for rounding
+// ln 2 up; it fits k = 14, where results have the most bits. For the upper four bits of
+// r = a - k ln 2, at first 0 <= r < ln 2, the table has a factor 1 + b/256 slightly below e^r and
+// its logarithm, which is subtracted: r < 17/256. The next factor is 1 + j/256: j is the upper byte
+// of r, plus 1 if the next byte is at least 256 - j (j + 1) / 2. Then ln(1 + j/256) is at most r,
+// and less than 2^-8 below it. For the remainder s, which gets a fifth byte from the table,
 //
 //     v = s + s^2 / 2 + s^3 / 6
 //
-// in units of 2^-40, and c = (1 + v)(1 + j/256)(1 + b/256) - 1. Products count down to the upper byte of
-// those below 2^-40. Cutting bits before the last shift does not round twice.
+// in units of 2^-40, and c = (1 + v)(1 + j/256)(1 + b/256) - 1. Of byte products below 2^-40, only
+// the upper byte counts. Truncating bits before the last shift does not round twice.
 //
-// Rounding errs by 0.5 ulp; the most of what is beyond it is of r at k = 14, from ln 2 and logarithms
-// in whole units. The worst of all inputs is 0.71803, at 677515.
+// Rounding errs by 0.5 ulp; most of the rest comes from r at k = 14, from ln 2 and logarithms in
+// whole units. Worst over all inputs: 0.71803, at 677515.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -34,8 +34,8 @@
 #define CORRECTION 2
 #define SIXTH 43
 
-// r, of which r4 is the integer, 0 at last, and becomes a scratch register; then s = s2:s0 with v0
-// behind it, then c, as the next byte of v is c4.
+// r; its integer r4 ends as 0 and becomes a scratch register. Then s = s2:s0 followed by v0, then
+// c, since the next byte of v is c4.
 #define r4 r24
 #define scratch r24
 #define r3 r23
@@ -47,10 +47,10 @@
 #define c2 r21
 #define c1 r20
 #define c0 r18
-// 16 - k: by how many bits the mantissa is shifted.
+// 16 - k: the number of bits by which the mantissa is shifted.
 #define shift r19
 #define zero r25
-// What the square and the cube add to s.
+// The terms of the square and the cube, added to s.
 #define w0 r26
 #define w1 r27
 #define w2 r30
@@ -62,7 +62,7 @@
 #define q3 r26
 #define q4 r27
 
-    // Z = the table's entry at r30
+    // Z = the entry of the table at r30
     .macro point_to offset
     ldi r31, 0
     subi r30, lo8(-(fixedpoint_exp_small_table + \offset))
@@ -72,7 +72,7 @@
     SECTION fixedpoint_exp_q16_16_small
 .Lbeyond:
     sbiw r24, 12
-.Lsaturate:             // by the sign of r25: the largest number, or 0
+.Lsaturate:             // the largest number or 0, depending on the sign of r25
     lsl r25
     sbc r22, r22
     com r22
@@ -106,7 +106,7 @@
     brmi 2b
     cpi shift, 2
     brlo .Lsaturate
-    // Z = the factor's five bytes
+    // Z = the five bytes of the factor
     mov r30, r3
     andi r30, 0xf0
     ldi w1, 80

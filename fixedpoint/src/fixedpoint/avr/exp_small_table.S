@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // DO NOT EDIT: written by python3 fixedpoint/tables/exp_small.py
 // b for i = 0..11, and ln(1 + b/256) in units of 2^-32, less than 1/256 below i/16; and
-// j/256 - ln(1 + j/256) for j = 0..17 in units of 2^-40, with the kernel's correction.
+// j/256 - ln(1 + j/256) for j = 0..17 in units of 2^-40, plus the correction of the kernel.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The end of invert2_32.S, of all splits, which has saved the registers: the inverse of the matrix whose
-// last element is at X, to Y, and 1, where its determinant d = r21:r18 is not 0, else 0 alone.
-// quotients_32.inc says how the quotients are found. A cofactor that is a negative changes the
-// quotient's sign; only the smallest number, whose negative it is itself, is negated and divided.
+// The end of invert2_32.S in all formats; invert2_32.S has saved the registers. If the determinant
+// d = r21:r18 is not 0, writes the inverse of the matrix whose last element is at X to Y and returns
+// 1; otherwise only returns 0. quotients_32.inc computes the quotients. A negated cofactor changes
+// the sign of the quotient; only the smallest number, its own negative, is negated and divided.
 //
 // Table    512 bytes, fixedpoint_reciprocal_table
 
@@ -10,7 +10,7 @@
 #include "prelude.inc"
 #include "quotients_32.inc"
 
-// 4 to 1 elements: bit 1 where a cofactor is the negative.
+// The elements left, 4 to 1; bit 1 is set if the cofactor is negated.
 #define left r12
 
     .macro change_sign

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // uint8_t fixedpoint_invert2_q<32 - F>_<F>(const int32_t* a, int32_t* inverse)
-// The inverse of a matrix of two rows (blocks/matrix.hpp) and 1; where its determinant is 0, 0 alone.
-// Of each split of 32 bits but Q16.16.
+// Writes the inverse of a 2x2 matrix (blocks/matrix.hpp) and returns 1; if the rounded determinant
+// is 0, only returns 0. For every 32-bit format but Q16.16.
 //
-// In       a = r25:r24, inverse = r23:r22, in RAM; inverse is not a
+// In       a = r25:r24, inverse = r23:r22, in RAM; inverse must not be a
 // Out      r24
 // Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
 // Stack    20 bytes and a call
 //
-// The determinant is the sum of -a10 a01 and a00 a11; inverse2_32.S divides by it, and returns.
+// The determinant is the sum of -a10 a01 and a00 a11; inverse2_32.S divides by it and returns.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"

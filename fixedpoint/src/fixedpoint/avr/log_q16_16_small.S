@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
 // int32_t fixedpoint_log_q16_16_small(int32_t a)
-// ln a in Q16.16, within 0.74 ulp for every a > 0; the smallest number where a <= 0.
+// ln a in Q16.16, within 0.74 ulp for every a > 0; the smallest number if a <= 0.
 //
 // In       a = r25:r22
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
 // Table    96 bytes, fixedpoint_log_small_table
 //
-// a is shifted left until its leading one leaves, and with every bit ln 2 is subtracted from
-// 16 ln 2, in units of 2^-24. What is left of a is the fraction of a number from 1 to 2, whose
-// logarithm is one of 16 parabolas: the upper four bits are the cell, whose entry of the table has six
-// bytes, the other 20 the distance d into it: value + d (slope - bend d). The products count down to
-// the upper byte of those below 2^-24.
+// a is shifted left until its leading one is shifted out; for every bit, ln 2 is subtracted from
+// 16 ln 2, in units of 2^-24. What remains of a is the fraction of a number from 1 to 2, whose
+// logarithm is given by one of 16 parabolas: the upper four bits select the cell, an entry of six
+// bytes; the other 20 are the distance d into it: value + d (slope - bend d). Of byte products below
+// 2^-24, only the upper byte counts.
 //
-// Error in ulp: parabola 0.2, ln 2 rounded 0.002. Rounding 0.5. The worst of all inputs is 0.73933,
-// at 1126989248.
+// Error in ulp: parabola 0.2, ln 2 rounded 0.002; rounding 0.5. Worst over all inputs: 0.73933, at
+// 1126989248.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -34,7 +34,7 @@
 #define bend r22
 #define slope0 r26
 #define slope1 r27
-// The product of distance and slope; p1 and p2 where bend and d0 were.
+// The product of distance and slope; p1 and p2 replace bend and d0.
 #define p0 r30
 #define p1 r22
 #define p2 r23
@@ -63,7 +63,7 @@
     lsl_bytes r22, 4
     brcc .Lbit
 
-    // Z = the cell's six bytes
+    // Z = the six bytes of the cell
     mov r30, d2
     andi r30, 0xf0
     ldi r31, 96

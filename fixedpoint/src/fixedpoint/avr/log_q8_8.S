@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The logarithm of Q8.8: log_q8_8.inc.
+// The logarithm in Q8.8: log_q8_8.inc.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // DO NOT EDIT: written by python3 fixedpoint/tables/log_small.py
 // Parabolas of ln(1 + x) on 16 cells of [0, 1]: the slope in units of 2^-16, the bend in
-// 2^-8, the value in 2^-24, with half an ulp of Q16.16.
+// 2^-8, the value in 2^-24, plus half an ulp of Q16.16.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"

@@ -1,36 +1,36 @@
 // SPDX-License-Identifier: MIT
 // int32_t fixedpoint_pid_q<32 - F>_<F>(int32_t setpoint, int32_t measurement, void* controller)
-// The next output of a controller (blocks/pid.hpp), each product rounded and saturated, each sum saturated.
-// Of each split of 32 bits.
+// The next output of a controller (blocks/pid.hpp): each product is rounded and saturated, each sum
+// saturated. For every 32-bit format.
 //
-// In       setpoint = r25:r22, measurement = r21:r18, controller = r17:r16: the proportional, integral and
-//          derivative gains, the smallest and the largest output, the integral, the last measurement,
-//          the carried error with half an ulp added, in the highest F bits of one, two or four bytes, and
-//          1 where there was a measurement, else 0
+// In       setpoint = r25:r22, measurement = r21:r18, controller = r17:r16: the proportional, integral
+//          and derivative gains, the smallest and the largest output, the integral, the last
+//          measurement, the carried error plus half an ulp, in the highest F bits of one, two or four
+//          bytes, and 1 if there was a measurement, otherwise 0
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
 // Stack    10 to 15 bytes and a call
 //
-// Splits of 20 to 24 fraction bits have a product of their own: the error times the low three bytes of a
-// gain, and the error added or subtracted where the highest byte is 1 or -1. Where that or a shift leaves
-// the 56 bits of the sum, or its rounding does, V is set, and the limit is taken. Other gains take the
-// kernel of the saturated product. The product's bytes behind an ulp are those of the sum, or as many
-// bytes of the product modulo a power of 256.
+// Formats with 20 to 24 fraction bits have a product of their own: the error times the low three bytes
+// of a gain, plus or minus the error if the highest byte is 1 or -1. If this, a shift or the rounding
+// overflows the 56 bits of the sum, V is set, and the result is the limit. Other gains use the kernel
+// of the saturated product. The bytes of the product below an ulp are those of the sum, or computed
+// separately modulo a power of 256.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
 #define s1 r8
 #include "columns_32.inc"
 
-// The error, later what the integral's rounding loses and carries.
+// The error, later what the rounding of the integral loses and carries.
 #define error0 r8
 #define error2 r10
 #define missing_short r8
 #define missing_long r16
-// The output but for the integral, before that the derivative's share.
+// The output without the integral; before that, the derivative term.
 #define output0 r12
 #define output2 r14
-// The product's bytes behind an ulp.
+// The bytes of the product below an ulp.
 #define low0 r26
 #define low1 r27
 #define low2 r30
@@ -47,7 +47,7 @@
     add \to, r0
     .endm
 
-    // low3:...:low0 = a b modulo 256^bytes. Four of them need r17.
+    // low3:...:low0 = a b modulo 256^bytes. Four bytes need r17.
     .macro low_product bytes
     mul rA0, rB0
     movw low0, r0
@@ -77,7 +77,7 @@
     clr r1
     .endm
 
-    // The carried error's bytes from memory or to it. Of four bytes that hold 17 to 24 bits the lowest is 0.
+    // Loads or stores the bytes of the carried error. The lowest of four bytes with 17 to 24 bits is 0.
     .macro each_carried instruction, bytes, c0, c1, c2, c3
     .set place, carried_at
     .if \bytes == 3
@@ -95,8 +95,8 @@
     .endr
     .endm
 
-    // Adds what a product has behind an ulp to the carried error. Missing = -1 where that carries, and 1
-    // more where the product alone is rounded up.
+    // Adds the part of a product below an ulp to the carried error. `missing` is -1 if that carries,
+    // plus 1 if the product alone is rounded up.
     .macro add_low fraction, bytes, missing, c0, c1, c2, c3
     low_product \bytes
     .if \fraction == 0
@@ -139,7 +139,7 @@
     inc \missing
     .endm
 
-    // r25:r22 after a sum that sets V where it wrapped.
+    // Saturates r25:r22 after a sum that sets V if it wrapped.
     .macro saturate fraction
     brvc 1f
     rcall .Llimit_\fraction
@@ -154,7 +154,7 @@
     .endif
     .endm
 
-    // The result, where the product leaves it, to the limit that its wrapped sign is not of.
+    // Sets the registers of the product to the limit opposite to its wrapped sign.
     .macro limit sign, r0, r1, r2
     lsl \sign
     sbc \sign, \sign
@@ -226,7 +226,7 @@
     ret
     .endm
 
-    // The output r25:r22 of the integral r21:r18 to its limits, and what stays.
+    // Limits the output r25:r22 of the integral r21:r18, and stores the state.
     .macro end_pid own, bytes, c0, c1, c2, c3
     ldd_bytes output0, Y + high_at, 4
     cp_bytes output0, rA0, 4
@@ -343,7 +343,7 @@
 
     .macro pid integer, fraction, bytes, started_at, missing, c0, c1, c2, c3
     SECTION fixedpoint_pid_q\integer\()_\fraction
-    // The limit that the wrapped sign is not of.
+    // The limit opposite to the wrapped sign.
 .Llimit_\fraction:
     limit rA3, rA0, rA1, rA2
 

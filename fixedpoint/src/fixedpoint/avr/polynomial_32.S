@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 // int32_t fixedpoint_polynomial_q<32 - F>_<F>(int32_t x, const int32_t* c, uint16_t n)
 // Horner's rule: p = c[n - 1], then for i = n - 2 .. 0
-// p = floor(p x / 2^F + 1/2) + c[i] modulo 2^32, whatever the fraction bits of p and c are. Of each
-// split of 32 bits but Q16.16, whose own is faster.
+// p = floor(p x / 2^F + 1/2) + c[i] modulo 2^32, whatever the fraction bits of p and c are. For
+// every 32-bit format but Q16.16, whose own kernel is faster.
 //
-// In       x = r25:r22, c = r21:r20 in program memory, n = r19:r18, at least 1
+// In       x = r25:r22, c = r21:r20 in program memory, n = r19:r18; n must be at least 1
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
 // Stack    6 or 7 bytes
 //
 // p is a and x is b of columns_32.inc. The result is in five bytes of the product, from byte
-// floor((F - 1) / 8) on, as in multiply_32.S. Of 17 to 24 fraction bits the highest byte of x is mostly 0
-// or -1, which takes no multiplication; T says that it is not 0.
+// floor((F - 1) / 8) on, as in multiply_32.S. With 17 to 24 fraction bits the highest byte of x is
+// mostly 0 or -1, which needs no multiplication; T indicates that it is not 0.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -21,10 +21,10 @@
 #define s7 r28
 #include "columns_32.inc"
 
-// Where the last coefficient to be taken ends.
+// The address after the last coefficient to be used.
 #define end r12
 
-    // a = the coefficient at Z, which moves behind it.
+    // a = the coefficient at Z; Z moves past it.
     .macro take_coefficient
     lpm_each a0, Z+, 2
     lpm_each a2, Z+, 2

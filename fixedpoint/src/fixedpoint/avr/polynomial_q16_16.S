@@ -3,7 +3,7 @@
 // Horner's rule: p = c[n - 1], then for i = n - 2 .. 0
 // p = floor(p x / 2^16 + 1/2) + c[i] modulo 2^32, whatever the fraction bits of p and c are.
 //
-// In       x = r25:r22, c = r21:r20 in program memory, n = r19:r18, at least 1
+// In       x = r25:r22, c = r21:r20 in program memory, n = r19:r18; n must be at least 1
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
 // Stack    8 bytes and a call

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// What sqrt_q16_16_small.S and reciprocal_sqrt_q16_16_small.S share; neither has a table.
+// The code shared by sqrt_q16_16_small.S and reciprocal_sqrt_q16_16_small.S, without a table.
 //
 // fixedpoint_reciprocal_root_small
 // In       a = r25:r22 > 0
-// Out      M = r25:r22 = a 4^s, from 2^30 to 2^32; s = r30; Y = r19:r18, at most 2^31 / sqrt(M),
-//          less by 0.0004 of it at most, below 2^16; r31 = 0
+// Out      M = r25:r22 = a 4^s, from 2^30 to 2^32; s = r30; Y = r19:r18, below 2^16, at most
+//          2^31 / sqrt(M) and at most 0.0004 of it below it; r31 = 0
 // Changes  r0, r1, r20, r21
 //
-// y, Y's first 8 bits, is a polynomial of M's upper byte, off by up to 1 in 41. With m = M / 2^32
-// and E = 1 - m y^2, Y = y + y E / 2 + y 3/8 E^2, in which the upper byte of E times itself stands
-// for the last term. E is less than that, by a constant, so that Y is never above the root and
-// what is left over is positive in all that follows.
+// y, the first 8 bits of Y, is a polynomial in the upper byte of M, off by up to 1 in 41. With
+// m = M / 2^32 and E = 1 - m y^2, Y = y + y E / 2 + y 3/8 E^2; the square of the upper byte of E
+// approximates the last term. E is lowered by a constant, so that Y is never above the root and all
+// later remainders are positive.
 //
 // fixedpoint_shift_root_small
 // In       root = r24:r22, s = r30 < 16; carry clear, r31 = 0
@@ -31,7 +31,7 @@
 #define e0 r20
 #define e1 r21
 
-// tables/reciprocal_root_small.py proves what follows from them.
+// tables/reciprocal_root_small.py proves the bounds of Y for them.
 #define C0 128
 #define C1 59
 #define C3 198

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
 // int32_t fixedpoint_reciprocal_sqrt_q16_16_small(int32_t a);
 //
-// 2^24 / sqrt(a) within 0.68 ulp, without a table; 2^31 - 1 where a = 0; 0 where a < 0.
+// 2^24 / sqrt(a) within 0.68 ulp, without a table; 2^31 - 1 if a = 0; 0 if a < 0.
 //
 // In       a = r25:r22
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
 //
 // M = a 4^s has the reciprocal root Y, low by up to 2^-11 of it (reciprocal_root_small.S). With
-// e = 1 - M Y^2, from products whose bytes below 2^-30 are cut, Y + Y e / 2 + Y 3/8 e^2 has 24
-// bits; the square of e's upper byte stands for the last term. One unit is added for what is cut,
-// and 15 - s bits are taken off by rounding.
+// e = 1 - M Y^2, from products truncated to units of 2^-30, Y + Y e / 2 + Y 3/8 e^2 has 24 bits;
+// the square of the upper byte of e approximates the last term. One unit makes up for truncation,
+// and 15 - s bits are rounded off.
 //
-// Error in ulp: in 24 bits up to 2 units, which count by 2^(s - 15), 0.18 at a = 37. Rounding 0.5.
-// 2^24, the root of 1, is beyond the 24 bits. The worst of all inputs is 0.67980, at 37.
+// Error in ulp: up to 2 units of the 24 bits, weighted by 2^(s - 15), 0.18 at a = 37; rounding 0.5.
+// 2^24, the result for 1, does not fit in 24 bits. Worst over all inputs: 0.67980, at 37.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -30,11 +30,11 @@
 #define s1 r21
 #define s2 r26
 #define s3 r27
-// M Y^2 modulo 1, then 2 e, in units of 2^-31; the upper two where m1 and s0 were.
+// M Y^2 modulo 1, then 2 e, in units of 2^-31; the upper two replace m1 and s0.
 #define e0 r22
 #define e1 r23
 #define e2 r20
-// The bytes of the root behind Y's, and one of carries.
+// The bytes of the root below those of Y, and one for carries.
 #define x0 r25
 #define x1 r21
 #define below r24

@@ -2,24 +2,25 @@
 // int32_t fixedpoint_sin_q16_16_small(int32_t angle)
 // int32_t fixedpoint_cos_q16_16_small(int32_t angle)
 // Sine and cosine of a Q16.16 angle in radians, for every input; within 0.73 ulp, in [-1, 1].
-// Without a table: about a sixth of the flash of fixedpoint_sin_q16_16, and slower.
+// Without a table: about a sixth of the flash of fixedpoint_sin_q16_16, but slower.
 //
 // In       angle = r25:r22
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
 //
 // With x the distance from the next peak in quarter turns and y = x^2, the magnitude of the sine is
-// 1 - y - y (1 - y) b, where b = c0 - y (c1 - y c2); fixedpoint/tables/sine_small.py fits c0 and c1 to
-// c2 = 2^-10. The last term is below 1/16: 16 bits of y, 1 - y and 4 b are enough in it, 24 beside it.
+// 1 - y - y (1 - y) b, where b = c0 - y (c1 - y c2); fixedpoint/tables/sine_small.py fits c0 and c1
+// for c2 = 2^-10. The last term is below 1/16: in it, 16 bits of y, 1 - y and 4 b are enough; the
+// other terms have 24.
 //
-// Error in ulp: squares, bracket and its product 0.195, quarter turns 0.02. Rounding 0.5. The worst
-// found, in 2 10^8 angles, is 0.71896.
+// Error in ulp: squares, bracket and its product 0.195, quarter turns 0.02; rounding 0.5. Worst
+// found in 2 10^8 angles: 0.71896.
 //
-// Products are cut, which adds BIAS units of 2^-24 to the magnitude in the mean: the half ulp that
-// rounds is less by it where the sine is positive, and more where it is negative.
+// Truncating products adds a mean of BIAS units of 2^-24 to the magnitude: the half ulp for
+// rounding is less by BIAS if the sine is positive, and more if it is negative.
 //
-// The quarter turns are a product with the 40 bits a2f9836e4e / 2^40 of 2/pi, in units of 2^-24.
-// Byte products below the unit are left out; one with f9 is taken as one with 100.
+// The quarter turns are the product with the 40 bits a2f9836e4e / 2^40 of 2/pi, in units of 2^-24.
+// Byte products below the unit are omitted; one with f9 is computed as one with 100.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -29,7 +30,7 @@
 #define a1 r23
 #define a2 r24
 #define a3 r25
-// 2/pi; m1 is used up early.
+// 2/pi; m1 is not needed for long.
 #define M0 0x4e
 #define M1 0x6e
 #define M2 0x83
@@ -41,7 +42,7 @@
 #define m3 r20
 #define m4 r21
 #define zero r18
-// The fraction, of which x is made, and above it the quadrant.
+// The fraction, which becomes x, and above it the quadrant.
 #define x0 r26
 #define x1 r27
 #define x2 r30
@@ -83,7 +84,7 @@
     movw x0, r0
     mul a2, m1
     add x0, r1
-    clr zero            // m1 is used up; carry stays
+    clr zero            // replaces m1; keeps the carry
     adc x1, zero
     mul_add_upper a1, m2, x0, zero, x1
     add x0, a0          // M3 a0 / 2^8
@@ -99,7 +100,7 @@
     mul_add a2, m4, x2, quadrant
     tst a3
     breq .Lreduced
-    // Beyond 256 rad, or negative.
+    // 256 rad or more, or negative.
     ldi m, M0
     mul a3, m
     mov m, r1
@@ -155,7 +156,7 @@
     ldi b1, lo8(C0)
     ldi b2, hi8(C0)
     mul y1, q2
-    sub b1, r1          // without a borrow
+    sub b1, r1          // does not borrow
     mul y2, q1
     sub b1, r1
     sbc b2, zero
@@ -191,7 +192,7 @@
     adc y1, p1
     adc y2, p2
 
-    // What is missing from 1 is y; less 1 it is the sine in the lower half turn.
+    // y is 1 minus the magnitude; y - 1 is the sine in the lower half turn.
     ldi half, 128 + BIAS
     ldi r24, 0xff
     brts .Lround

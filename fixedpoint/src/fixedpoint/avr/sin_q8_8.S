@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The sine and the cosine of Q8.8: sin_q8_8.inc.
+// The sine and the cosine in Q8.8: sin_q8_8.inc.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"

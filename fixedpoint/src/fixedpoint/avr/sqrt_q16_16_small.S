@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
 // int32_t fixedpoint_sqrt_q16_16_small(int32_t a);
 //
-// What fixedpoint_sqrt_q16_16 returns, without a table: the integer nearest to sqrt(a 2^16); 0
-// where a <= 0.
+// The result of fixedpoint_sqrt_q16_16, without a table: the integer nearest to sqrt(a 2^16); 0 if
+// a <= 0.
 //
 // In       a = r25:r22
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
 //
 // M = a 4^s has the reciprocal root Y, low by up to 2^-11 of it (reciprocal_root_small.S). c, the
-// upper half of M Y, is not above the root of M in units of 2^16, nor is c + (M - c^2) Y / 2, but
-// less than 6 units of 2^-8 below it, as what is cut is positive throughout. Shifted back by s
-// bits and rounded, that root x of a 2^16 is thus right or too small.
+// upper half of M Y, is not above the root of M in units of 2^16. Nor is c + (M - c^2) Y / 2, which
+// is less than 6 units of 2^-8 below it, since all truncated parts are positive. Shifted back by s
+// bits and rounded, this root x of a 2^16 is thus correct or too small.
 //
-// x is too small while a 2^16 > x^2 + x. The lower half of that sum is not needed: it says a >
-// floor((x^2 + x) / 2^16), of which two bytes tell, as both sides differ by less than 2^12.
+// x is too small while a 2^16 > x^2 + x. The lower half of the sum is not needed: the condition is
+// a > floor((x^2 + x) / 2^16), and two bytes decide it, since both sides differ by less than 2^12.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -28,7 +28,7 @@
 #define zero r31
 #define a0 r26
 #define a1 r27
-// The root of M in units of 2^8, with another byte behind it.
+// The root of M in units of 2^8, followed by another byte.
 #define c1 r21
 #define c0 r20
 #define behind r25
@@ -51,7 +51,7 @@
     brge .Lnone
     movw a0, m0
     XCALL fixedpoint_reciprocal_root_small
-    // c = m3:m2 y / 2^15; the product of the lowest bytes is cut.
+    // c = m3:m2 y / 2^15; the product of the lowest bytes is truncated.
     mul m3, y1
     movw c0, r0
     mul m3, y0
@@ -74,7 +74,7 @@
     sbc m2, r1
     mul c1, c1
     sub m2, r0
-    // c and a byte behind it += m2:m1 y / 2^16
+    // c, followed by another byte, += m2:m1 y / 2^16
     mul m1, y1
     movw m0, r0
     mul_add m2, y0, m0, m1

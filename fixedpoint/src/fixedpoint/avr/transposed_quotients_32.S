@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // void fixedpoint_transposed_quotients_q<32 - F>_<F>(int32_t* q, const int32_t* a, int32_t d, uint8_t n)
-// Of a square matrix a of n rows, n = 2 or 3, the quotients q_ij = a_ji / d, d not 0: each is that of
-// fixedpoint_divide_q<32 - F>_<F>. Of each split of 32 bits but Q16.16.
+// The quotients q_ij = a_ji / d of a square matrix a of n rows. n must be 2 or 3, and d must not be 0.
+// Each is the result of fixedpoint_divide_q<32 - F>_<F>. For every 32-bit format but Q16.16.
 //
-// In       q = r25:r24, a = r23:r22, in RAM, d = r21:r18, n = r16; q is not in a
+// In       q = r25:r24, a = r23:r22, in RAM, d = r21:r18, n = r16; q must not overlap a
 // Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
 // Stack    20 bytes and a call
 // Table    512 bytes, fixedpoint_reciprocal_table
 //
-// quotients_32.inc says how.
+// quotients_32.inc explains the method.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -16,7 +16,7 @@
 
 #define left r12
 #define rows r13
-// From an element of a to the next one of its column, in bytes, less the four that are read.
+// The distance in bytes from an element of a to the next one in its column, minus the four read.
 #define step r17
 
     SECTION fixedpoint_transposed_quotients_32
@@ -59,7 +59,7 @@
     brne .Lelement_again
     dec rows
     breq 4f
-    mov r24, step       // n columns back, and to the next one
+    mov r24, step       // back by n rows, to the next column
     subi r24, 0xfc
     mov r0, r24
     lsr r24

@@ -35,7 +35,7 @@ FIXEDPOINT_FILTER_KERNEL(16, 16)
 FIXEDPOINT_FILTER_KERNEL(8, 24)
 #undef FIXEDPOINT_FILTER_KERNEL
 
-// Of each split of 32 bits.
+// For every 32-bit format.
 template <int F>
 struct PidKernel;
 #define FIXEDPOINT_PID_KERNEL(KERNEL, shape, name, I, F)                                 \

@@ -83,7 +83,7 @@ Number determinant(const Matrix<Number, N>& a) {
 }
 
 /// \cond internal
-// The kernel of each split of 32 bits except Q16.16.
+// The kernels of every 32-bit format except Q16.16.
 template <int F>
 struct QuotientsKernel;
 #define FIXEDPOINT_QUOTIENTS_KERNEL(KERNEL, shape, name, I, F)                               \

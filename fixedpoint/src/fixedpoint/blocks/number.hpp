@@ -58,7 +58,7 @@ struct BlockNumber<Fixed<IntegerBits, F, A>> {
     }
 };
 
-// Whether blocks have kernels of their own for each split of 32 bits but Q16.16.
+// Whether blocks have kernels of their own for every 32-bit format except Q16.16.
 template <class Number>
 struct SplitOf32 {
     static constexpr bool value = false;

@@ -10,7 +10,7 @@
 namespace fixedpoint {
 
 /// \cond internal
-// Of an x of each split of 32 bits.
+// For x in any 32-bit format.
 template <int F>
 struct PolynomialKernel;
 #define FIXEDPOINT_POLYNOMIAL_KERNEL(KERNEL, shape, name, I, F)                                   \

@@ -63,7 +63,7 @@ Quaternion<Number> conjugate(const Quaternion<Number>& a) {
 }
 
 /// \cond internal
-// The kernel of each split of 32 bits except Q16.16: a_i += a_i b, each product rounded once.
+// The kernel of every 32-bit format except Q16.16: a_i += a_i b, each product rounded once.
 template <int F>
 struct Amplify4Kernel;
 #define FIXEDPOINT_AMPLIFY4_KERNEL(KERNEL, shape, name, I, F)                              \

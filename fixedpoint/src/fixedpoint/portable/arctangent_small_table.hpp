@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // DO NOT EDIT: written by python3 fixedpoint/tables/arctangent_small.py
-// atan(i/16) for i = 0..15 in units of 2^-24, with half an ulp of Q16.16 and what balances
-// the errors of the rest.
+// atan(i/16) for i = 0..15 in units of 2^-24, plus half an ulp of Q16.16 and an offset that
+// centres the errors of the remaining angle.
 #pragma once
 
 #include <fixedpoint/program_memory.hpp>
@@ -9,7 +9,7 @@
 namespace fixedpoint {
 namespace portable {
 
-// Any is void: a template's static member may stand in a header.
+// A template, with Any = void, since its static members may be defined in a header.
 template <class Any = void>
 struct ArctangentSmallTable {
     static constexpr uint32_t angle[16] FIXEDPOINT_PROGRAM_MEMORY = {

@@ -7,7 +7,7 @@
 namespace fixedpoint {
 namespace portable {
 
-// Any is void: a template's static member may stand in a header.
+// A template, with Any = void, since its static members may be defined in a header.
 template <class Any = void>
 struct Atan2Q8_8Table {
     static constexpr uint16_t angle[128] FIXEDPOINT_PROGRAM_MEMORY = {

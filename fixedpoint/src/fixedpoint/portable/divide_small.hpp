@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// divide_small: the same quotient as divide, bit by bit in one word: no table, no wider integer.
+// divide_small: the quotient of divide, bit by bit in one word, without a table or wider integers.
 #pragma once
 
 #include <fixedpoint/portable/divide.hpp>
@@ -14,7 +14,7 @@ FIXEDPOINT_CONSTEXPR Raw divide_small(Raw a, Raw b) {
     const bool negative = (a < 0) != (b < 0);
     Unsigned<Raw> dividend = magnitude(a);
     const Unsigned<Raw> divisor = magnitude(b);
-    Unsigned<Raw> rest = 0;  // below the divisor, which is at most 2^top: doubling it fits
+    Unsigned<Raw> rest = 0;  // below the divisor, which is at most 2^top, so doubling it fits
     Unsigned<Raw> quotient = 0;
     bool fits = true;
     for (unsigned char i = 0; i < RawLimits<Raw>::width + F; ++i) {

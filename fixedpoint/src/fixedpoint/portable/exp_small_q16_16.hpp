@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// e^a in Q16.16 by two small tables, bit for bit as avr/exp_q16_16_small.S computes it, which says
-// what each step is; within 0.72 ulp for every input.
+// e^a in Q16.16 by two small tables, bit for bit like avr/exp_q16_16_small.S, which explains each
+// step; within 0.72 ulp for every input.
 #pragma once
 
 #include <fixedpoint/integer.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // DO NOT EDIT: written by python3 fixedpoint/tables/exp_small.py
 // b for i = 0..11, and ln(1 + b/256) in units of 2^-32, less than 1/256 below i/16; and
-// j/256 - ln(1 + j/256) for j = 0..17 in units of 2^-40, with the kernel's correction.
+// j/256 - ln(1 + j/256) for j = 0..17 in units of 2^-40, plus the correction of the kernel.
 #pragma once
 
 #include <fixedpoint/program_memory.hpp>
@@ -9,7 +9,7 @@
 namespace fixedpoint {
 namespace portable {
 
-// Any is void: a template's static member may stand in a header.
+// A template, with Any = void, since its static members may be defined in a header.
 template <class Any = void>
 struct ExponentialSmallTable {
     static constexpr uint8_t factor[12] FIXEDPOINT_PROGRAM_MEMORY = {

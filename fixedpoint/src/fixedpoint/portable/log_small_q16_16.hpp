@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The natural logarithm in Q16.16 by 16 parabolas, bit for bit as avr/log_q16_16_small.S computes
-// it; within 0.74 ulp for every input.
+// The natural logarithm in Q16.16 by 16 parabolas, bit for bit like avr/log_q16_16_small.S; within
+// 0.74 ulp for every input.
 #pragma once
 
 #include <fixedpoint/integer.hpp>
@@ -9,7 +9,7 @@
 namespace fixedpoint {
 namespace portable {
 
-// ln(1 + x) in units of 2^-24, with half an ulp of Q16.16; x is a fraction of 24 bits.
+// ln(1 + x) in units of 2^-24, plus half an ulp of Q16.16; x is a fraction of 24 bits.
 FIXEDPOINT_CONSTEXPR uint32_t parabola_small(uint32_t x) {
     using Table = LogarithmSmallTable<>;
     const uint32_t cell = x >> 20, d2 = x >> 16 & 15, d1 = x >> 8 & 0xff, d0 = x & 0xff;

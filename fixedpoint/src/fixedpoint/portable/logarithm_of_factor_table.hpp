@@ -11,7 +11,7 @@
 namespace fixedpoint {
 namespace portable {
 
-// Any is void: a template's static member may stand in a header.
+// A template, with Any = void, since its static members may be defined in a header.
 template <class Any = void>
 struct LogarithmOfFactor {
     static constexpr uint8_t decrease[65] FIXEDPOINT_PROGRAM_MEMORY = {

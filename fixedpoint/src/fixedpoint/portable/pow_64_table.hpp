@@ -9,7 +9,7 @@
 namespace fixedpoint {
 namespace portable {
 
-// Any is void: a template's static member may stand in a header.
+// A template, with Any = void, since its static members may be defined in a header.
 template <class Any = void>
 struct Pow64Table {
     static constexpr uint16_t first_digits[64] FIXEDPOINT_PROGRAM_MEMORY = {

@@ -8,7 +8,7 @@
 namespace fixedpoint {
 namespace portable {
 
-// Any is void: a template's static member may stand in a header.
+// A template, with Any = void, since its static members may be defined in a header.
 template <class Any = void>
 struct ReciprocalSqrt32Table {
     static constexpr uint32_t value[256] FIXEDPOINT_PROGRAM_MEMORY = {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The reciprocal square root in Q16.16 without a table, bit for bit as
-// avr/reciprocal_sqrt_q16_16_small.S and avr/reciprocal_root_small.S compute it; within 0.68 ulp.
+// The reciprocal square root in Q16.16 without a table, bit for bit like
+// avr/reciprocal_sqrt_q16_16_small.S and avr/reciprocal_root_small.S; within 0.68 ulp.
 #pragma once
 
 #include <fixedpoint/integer.hpp>
@@ -8,7 +8,7 @@
 namespace fixedpoint {
 namespace portable {
 
-// 2^31 / sqrt(radicand), or up to 2^-11 of it less, below 2^16. Needs a radicand of at least 2^30.
+// 2^31 / sqrt(radicand) or up to 2^-11 of it less, below 2^16. `radicand` must be at least 2^30.
 FIXEDPOINT_CONSTEXPR uint32_t reciprocal_root_small(uint32_t radicand) {
     constexpr uint32_t c0 = 128, c1 = 59, c3 = 198, bias = 12;
     const uint32_t z = ~radicand >> 24;

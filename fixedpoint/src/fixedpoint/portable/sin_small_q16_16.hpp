@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Sine and cosine in Q16.16 without a table, bit for bit as avr/sin_q16_16_small.S computes them;
-// within 0.73 ulp for every input, in [-1, 1].
+// Sine and cosine in Q16.16 without a table, bit for bit like avr/sin_q16_16_small.S; within
+// 0.73 ulp for every input, in [-1, 1].
 #pragma once
 
 #include <stdint.h>
@@ -8,8 +8,8 @@
 namespace fixedpoint {
 namespace portable {
 
-// The angle in quarter turns, modulo 256, with 24 fraction bits, as the kernel forms it: off by up
-// to 7 units.
+// The angle in quarter turns, modulo 256, with 24 fraction bits, as the kernel computes it: off by
+// up to 7 units.
 FIXEDPOINT_CONSTEXPR uint32_t quarter_turns_small_q16_16(int32_t angle) {
     const uint32_t a = static_cast<uint32_t>(angle);
     const uint32_t a0 = a & 0xff, a1 = a >> 8 & 0xff, a2 = a >> 16 & 0xff, a3 = a >> 24;
@@ -22,7 +22,7 @@ FIXEDPOINT_CONSTEXPR uint32_t quarter_turns_small_q16_16(int32_t angle) {
 }
 
 // With x the distance from the peak in quarter turns and y = x^2, the magnitude is
-// 1 - y - y (1 - y) b, b = c0 - y (c1 - y c2), of which this has four times as much in 16 bits.
+// 1 - y - y (1 - y) b, b = c0 - y (c1 - y c2); `bracket` is 4 b in 16 bits.
 FIXEDPOINT_CONSTEXPR int32_t sine_of_quarter_turns_small_q16_16(uint32_t turns) {
     const bool lower = (turns >> 25 & 1) != 0;
     const uint32_t x = ((turns >> 24 & 1) != 0 ? turns : ~turns) & 0xffffff;
@@ -36,7 +36,7 @@ FIXEDPOINT_CONSTEXPR int32_t sine_of_quarter_turns_small_q16_16(uint32_t turns) 
     const uint32_t s = y2 * z1 + y1 * z2 + (y2 * z2 << 8);  // y (1 - y)
     const uint32_t s0 = s & 0xff, s1 = s >> 8 & 0xff, s2 = s >> 16;
     const uint32_t product = (s2 * b2 << 8) + (s1 * b1 >> 8) + (s0 * b2 >> 8) + s2 * b1 + s1 * b2;
-    // What is cut adds 29 units to the magnitude.
+    // Truncation adds a mean of 29 units to the magnitude.
     const int32_t missing = static_cast<int32_t>(y + (product >> 2));
     const int32_t one = int32_t(1) << 24;
     return lower ? (missing - one + 128 + 29) >> 8 : (one - missing + 128 - 29) >> 8;

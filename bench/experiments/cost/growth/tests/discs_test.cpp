@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The engine and Box2D are timed on the same discs: both start alike, conserve their energy, and
-// keep their discs apart and in the box.
+// The engine and Box2D are timed with the same discs: both start in the same state, conserve the
+// energy, and keep the discs apart and in the box.
 #include "bench/experiments/cost/growth/discs.hpp"
 
 #include <gtest/gtest.h>
@@ -120,8 +120,8 @@ unsigned long pairs_of_a_moment(unsigned n) {
 
 TEST(Pairs, AreAllOfThemOrThoseThatOverlapAlongTheFirstAxis) {
     EXPECT_EQ(pairs_of_a_moment<engine::BruteForce>(64), 64 * 63 / 2);
-    // Of discs anywhere between the walls: two are within a diameter d of each other along an axis
-    // of width w with the probability 2 d / w - (d / w)^2.
+    // For uniformly distributed discs: two are within a diameter d of each other along an axis of
+    // width w with probability 2 d / w - (d / w)^2.
     const double way = 2 * disc_radius / (2 * half_edge(1024) - 2 * disc_radius);
     const double expected = 1024 * 1023 / 2 * (2 * way - way * way);
     EXPECT_NEAR(pairs_of_a_moment<SortAndSweep>(1024), expected, expected / 20);
@@ -145,8 +145,8 @@ TEST(Pairs, AreTheSameWhereTheyAreFoundInCopies) {
     }
 }
 TEST(Pairs, GrowAsTheStripsThatDiscsShare) {
-    // Each disc overlaps along one axis a number of others that grows with the root of N. The walls
-    // are tested, too: alone, the pairs of a few discs would weigh as much as all else.
+    // The number of discs that a disc overlaps along one axis grows with the root of N. The walls
+    // are tested, too: without them, the pairs of a few discs would count as much as all the rest.
     std::vector<Sample> samples;
     for (const unsigned n : {16, 36, 64, 144, 256, 576, 1024, 2304, 4096, 9216, 16384}) {
         const auto world = made<Counted<CachedSortAndSweep>>(n);
@@ -163,8 +163,8 @@ TEST(Pairs, GrowAsTheStripsThatDiscsShare) {
 }
 
 TEST(Times, AreThoseOfTheTimedStepsAlone) {
-    // A world that keeps the processor busy while it is made and warmed up, and a millisecond a
-    // step after it.
+    // A world that keeps the processor busy while it is made and warmed up, and then for a
+    // millisecond per step.
     const auto busy = [](double milliseconds) {
         const std::clock_t begin = std::clock();
         while (1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC < milliseconds) {

@@ -44,7 +44,7 @@ TEST(Crossing, is_where_the_second_stays_cheaper) {
     // 10 N + N^2 against 100 + 20 N: 96 and 260 at 8 ... 416 and 420 at 16, 1344 and 740 at 32.
     EXPECT_EQ(crossing(quadratic, linear), 32u);
     EXPECT_EQ(crossing(linear, quadratic), std::nullopt);
-    // Of equal costs neither is more expensive.
+    // If costs are equal, neither is more expensive.
     EXPECT_EQ(crossing(linear, linear), 2u);
 }
 
