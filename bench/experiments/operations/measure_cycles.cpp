@@ -203,10 +203,11 @@ std::vector<Flash> flash_of(const Footprints& footprints) {
     for (const auto& [name, footprint] : footprints) {
         for (const std::string operations : {"nine", "own"}) {
             if (!name.starts_with(operations + '_')) continue;
-            const std::size_t format = operations.size() + 1, implementation = name.rfind('_') + 1;
-            programs.push_back({operations, name.substr(format, implementation - 1 - format),
-                                name.substr(implementation), footprint.flash_bytes,
-                                footprint.ram_bytes});
+            // Format and implementation are spelled as those of a subject.
+            const reference::NamedSubject named =
+                reference::parse_symbol("add" + name.substr(operations.size()));
+            programs.push_back({operations, reference::format_name(named.subject.format),
+                                named.implementation, footprint.flash_bytes, footprint.ram_bytes});
         }
     }
     return programs;

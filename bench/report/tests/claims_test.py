@@ -60,6 +60,11 @@ class Claims(unittest.TestCase):
         self.assertEqual(len(self.pages), len(report.PAGES))
         self.assertLessEqual(sum(len(text.splitlines()) for text in self.pages.values()), 500)
 
+    def test_programs_of_several_operations_are_of_formats_and_implementations_that_exist(self):
+        known = {(row["format"], row["implementation"]) for row in rows("operations")}
+        for row in rows("flash"):
+            self.assertIn((row["format"], row["implementation"]), known)
+
     def test_the_first_screen_of_the_project_has_measured_figures(self):
         readme = (RESULTS.parent / "README.md").read_text(encoding="utf-8")
 
