@@ -22,7 +22,8 @@ const fixbench::Registration report({
     .name = "report",
     .description = "Makes figures, pages and corpora of operands from the data files; with "
                    "--check,\n"
-                   "tests whether those that are there follow from them.",
+                   "tests whether those that are there follow from them.\n\n"
+                   "Example: fixbench report --results results --check",
     .add =
         [](CLI::App& command) {
             const auto results = std::make_shared<std::string>();
