@@ -753,9 +753,9 @@ struct Normalisation<Raw, F, false> {
         portable::normalise3<Raw, F>(v, unit);
     }
 };
-// Used only without assembly; with it, normalise3 of Q16.16 is a kernel.
-template <>
-struct Normalisation<int32_t, 16, true> : Normalisation<int32_t, 16, false> {};
+// Used only without assembly; with it, these are kernels.
+template <int F>
+struct Normalisation<int32_t, F, true> : Normalisation<int32_t, F, false> {};
 
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR void normalise3(const Raw* v, Raw* unit) {

@@ -4,7 +4,9 @@
 #pragma once
 
 #include <fixedpoint/kernel/dispatch.hpp>
+#include <fixedpoint/kernel/words.hpp>
 #include <fixedpoint/portable/elementary.hpp>
+#include <fixedpoint/portable/tangent_64_table.hpp>
 
 namespace fixedpoint {
 namespace kernel {
@@ -122,66 +124,127 @@ struct Cbrt {
 
 // Angles.
 
-// With x the distance from the nearest multiple of a quarter turn and z = x^2, the cotangent of x
-// is 1/x - x p and its tangent x / (1 - z p), p = 1/3 + z/45 + 2 z^2/945 + ... Large angles and
-// those near a pole need more digits of x.
+// With x the distance from the nearest multiple of a quarter turn, A the nearest multiple of 2^-8 and
+// t = x - A, the tangent of x is the quotient of N = tan A + tan t and D = 1 - tan A tan t, and its
+// cotangent the inverse quotient. Cotangents above 16/3 are 1/x - x p, z = x^2, p = 1/3 + z/45 +
+// 2 z^2/945 + ... Large angles and those near a pole need more digits of x.
+//
+// Error in units of 2^-40: N 0.6, D 4. N / D <= 1 errs by 5, D / N <= c by c (4 + 0.6 c), for c = 16/3
+// by 39, 0.15 ulp; 1/x - x p by 11.
 struct Tan {
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR Evaluation<int64_t> apply(int64_t a) {
-        const uint64_t positive = magnitude(a);
-        const bool is_short = positive < uint64_t(1) << 40;
-        bool negative = a < 0, odd = false;
-        int64_t x = is_short ? rest_of_short(positive, odd) : 0;  // 2^-56
+        const Words raw = words(static_cast<uint64_t>(a));
+        bool negative = raw.is_negative(), odd = false;
+        const Words positive = negative ? raw.negated() : raw;
+        const bool is_short = positive.upper < uint32_t(1) << 8;
+        Words x = is_short ? rest_of_short(positive, odd) : raw;  // 2^-56
         // Near a pole the digits after x matter more, in proportion to the tangent.
-        constexpr uint64_t near = uint64_t(1) << 46;
-        if (!is_short || (odd && magnitude(x) < near)) {
-            const Word128 fine = rest_of_long(positive, odd);
-            x = static_cast<int64_t>(fine.high) >> 6;
-            if (odd && magnitude(x) < near) {
-                if (x < 0) return beside_pole(Word128() - fine, negative);
+        if (!is_short || (odd && is_near(x))) {
+            const Word128 fine = rest_of_long(join_words(positive.upper, positive.lower), odd);
+            x = words(static_cast<uint64_t>(static_cast<int64_t>(fine.high) >> 6));
+            if (odd && is_near(x)) {
+                if (x.is_negative()) return beside_pole(Word128() - fine, negative);
                 return beside_pole(fine, !negative);
             }
         }
         if (odd) negative = !negative;
-        if (x < 0) {
-            x = -x;
+        if (x.is_negative()) {
+            x = x.negated();
             negative = !negative;
         }
-        const int64_t x_40 = x >> 16;
-        const int64_t z = multiply<int64_t, 32>(x_40, x_40);  // 2^-48
-        const int64_t p =
-            (int64_t(1) << 40) / 3 +
-            int64_t(tail(static_cast<int32_t>(static_cast<uint32_t>(z >> 16) >> 1))) * 16;
-        int64_t tangent = 0;
-        if (odd) {
-            const int64_t reciprocal = divide<int64_t, 32>(int64_t(1) << 62, x);  // 2^-38
-            const int64_t correction = multiply<int64_t, 32>(x_40, p);            // 2^-48
-            tangent = (reciprocal * 4 - (correction >> 8) + 128) >> 8;
-        } else {
-            const int64_t cosine = (int64_t(1) << 40) - (multiply<int64_t, 32>(z, p) >> 16);
-            tangent = divide<int64_t, 32>(x_40, cosine);
-        }
+        const int64_t tangent = odd && x.upper < uint32_t(3) << 20
+                                    ? large_cotangent(static_cast<int64_t>(join_words(x.upper, x.lower)))
+                                    : quotient(x, odd);
         return {negative ? -tangent : tangent, Outcome::in_range};
     }
 
   private:
     using Word128 = portable::Word128;
 
+    // A 64-bit number. The chip's compiler handles two words with fewer moves.
+    struct Words {
+        uint32_t upper, lower;
+
+        constexpr bool is_negative() const { return static_cast<int32_t>(upper) < 0; }
+        constexpr Words negated() const { return {~upper + (lower == 0 ? 1 : 0), 0 - lower}; }
+    };
+    static FIXEDPOINT_IN_PLACE Words words(uint64_t a) {
+        return {upper_word(a), static_cast<uint32_t>(a)};
+    }
+
+    // The chip's compiler multiplies 16 bits by 16 only if it sees both types.
+    static constexpr uint32_t product(uint16_t a, uint16_t b) { return uint32_t(a) * b; }
+
+    // Whether x, in units of 2^-56, is in -2^-10 .. 2^-10 - 2^-56.
+    static constexpr bool is_near(Words x) {
+        return x.upper + (uint32_t(1) << 14) < uint32_t(1) << 15;
+    }
+
     // The remainder of an angle below 256 rad after subtracting whole quarter turns, in units of
-    // 2^-56.
-    static FIXEDPOINT_CONSTEXPR int64_t rest_of_short(uint64_t positive, bool& odd) {
-        constexpr int32_t two_over_pi = 41722;                     // 2^-16
-        constexpr uint32_t upper = 0x1921fb5, lower = 0x4442d184;  // of pi/2, 2^-24 and 2^-56
-        constexpr uint16_t last = 0x6989;                          // 2^-72
-        const uint8_t quarters = static_cast<uint8_t>(
-            (multiply<int32_t, 16>(static_cast<int32_t>(positive >> 16), two_over_pi) +
-             (int32_t(1) << 15)) >>
-            16);
+    // 2^-56. Its magnitude is at most pi/4 + 2^-22.
+    static FIXEDPOINT_IN_PLACE Words rest_of_short(Words positive, bool& odd) {
+        constexpr uint32_t two_over_pi = 0xa2f9836e;  // 2^-32
+        // pi/2 in units of 2^-24, 2^-40, 2^-56 and 2^-72
+        constexpr uint32_t upper = 0x1921fb5;
+        constexpr uint16_t middle = 0x4442, lower = 0xd184, last = 0x6989;
+        const uint32_t angle = positive.upper << 24 | positive.lower >> 8;  // 2^-24
+        const uint16_t quarters =
+            upper_half(upper_product<uint32_t, 0>(angle, two_over_pi) + (uint32_t(1) << 23)) >> 8;
         odd = (quarters & 1) != 0;
-        const uint64_t whole = (uint64_t(quarters * upper) << 32) +
-                               multiply_words(quarters, lower) +
-                               static_cast<uint16_t>((uint32_t(quarters) * last + 0x8000) >> 16);
-        return static_cast<int64_t>((positive << 24) - whole);
+        const uint32_t second = product(quarters, middle);
+        const uint32_t third =
+            product(quarters, lower) + upper_half(product(quarters, last) + (uint32_t(1) << 15));
+        const uint32_t below = positive.lower << 24;
+        const uint32_t taken = (second << 16) + third;
+        const uint32_t carries = (taken < third ? 1 : 0) + (below < taken ? 1 : 0);
+        return {angle - quarters * upper - upper_half(second) - carries, below - taken};
+    }
+
+    // The tangent, or the cotangent, of x 2^-56, at most pi/4 + 2^-22.
+    static FIXEDPOINT_IN_PLACE int64_t quotient(Words x, bool inverse) {
+        using Table = portable::Tangent64Table<>;
+        const uint8_t node = static_cast<uint8_t>((x.upper + (uint32_t(1) << 15)) >> 16);
+        // t in units of 2^-40, and in those of 2^-24.
+        const int32_t t =
+            static_cast<int32_t>(x.upper << 16 | static_cast<uint16_t>(x.lower >> 16));
+        const int16_t coarse = static_cast<int16_t>(x.upper);
+        // t^3 / 3, below 2^-28.5; the next term of tan t is below 2^-47.
+        const int16_t square = rounded_half(int32_t(coarse) * coarse);              // 2^-32
+        const int32_t third = int32_t(rounded_half(int32_t(coarse) * square)) * 21845;  // 2^-56
+        const uint32_t base1 = read_program_memory(Table::upper[node]);             // 2^-32
+        const uint16_t base0 = read_program_memory(Table::lower[node]);             // 2^-48
+        const int32_t fall =                                                        // 2^-40
+            2 * (multiply<int32_t, 32>(static_cast<int32_t>(base1 >> 1), t) +
+                 rounded_half(int32_t(static_cast<int16_t>(third >> 16)) *
+                              static_cast<int16_t>(upper_half(base1) >> 1)));
+        const int64_t width = static_cast<int64_t>(
+            join_words(word_from_byte_3(fall > 0 ? 0xff : 0x100, 0 - static_cast<uint32_t>(fall)),
+                       (0 - static_cast<uint32_t>(fall)) << 8));  // 2^-48
+        // 2^-48
+        const uint32_t of_t = static_cast<uint32_t>(t) << 8 | static_cast<uint8_t>(x.lower >> 8);
+        const uint32_t rest = static_cast<uint32_t>(third >> 8);
+        const uint32_t first = (base1 << 16 | base0) + of_t, height0 = first + rest;
+        const uint16_t height1 = static_cast<uint16_t>(
+            upper_half(base1) + static_cast<int8_t>(t >> 24) + (first < of_t ? 1 : 0) +
+            (height0 < rest ? 1 : 0) - (third < 0 ? 1 : 0));
+        const int64_t height = static_cast<int64_t>(join_words(height1, height0));
+        return inverse ? divide<int64_t, 32>(width, height) : divide<int64_t, 32>(height, width);
+    }
+    static constexpr int16_t rounded_half(int32_t a) {
+        return static_cast<int16_t>((a + (int32_t(1) << 15)) >> 16);
+    }
+
+    // 1/x - x p for x from 2^-10 to 3/16, in units of 2^-56.
+    static FIXEDPOINT_CONSTEXPR int64_t large_cotangent(int64_t x) {
+        const int32_t x_32 = static_cast<int32_t>(x >> 24);
+        const int32_t z = multiply<int32_t, 32>(x_32, x_32);                     // 2^-32
+        const int32_t third = 145436868 + multiply<int32_t, 32>(z, 14570000);    // 2^-36
+        const int32_t second = 1527099544 + multiply<int32_t, 32>(z, third);     // 2^-36
+        const int64_t p = (int64_t(1) << 40) / 3 + int64_t(multiply<int32_t, 32>(z, second)) * 16;
+        const int64_t reciprocal = divide<int64_t, 32>(int64_t(1) << 62, x);     // 2^-38
+        const int64_t correction = multiply<int64_t, 32>(x >> 16, p);            // 2^-48
+        return (reciprocal * 4 - (correction >> 8) + 128) >> 8;
     }
 
     // The remainder of any angle after subtracting whole quarter turns, in units of 2^-126.
@@ -234,15 +297,6 @@ struct Tan {
             (first << (zeros - 1)) + static_cast<uint64_t>((fraction + 128) >> 8);
         if (cotangent > uint64_t(largest) + (negative ? 1 : 0)) return overflow(negative);
         return {with_sign<int64_t>(cotangent, negative), Outcome::in_range};
-    }
-
-    // p - 1/3 in units of 2^-36, within 2 units, for z in units of 2^-31 up to 0.63.
-    static FIXEDPOINT_CONSTEXPR int32_t tail(int32_t z) {
-        const int32_t fourth = 11562496 + multiply<int32_t, 32>(z, 2895704);  // 2^-39, 2^-40
-        const int32_t third = 58206832 + multiply<int32_t, 32>(z, fourth);    // 2^-38
-        const int32_t second = 290873736 + multiply<int32_t, 32>(z, third);   // 2^-37
-        const int32_t first = 1527099544 + multiply<int32_t, 32>(z, second);  // 2^-36
-        return multiply<int32_t, 31>(z, first);
     }
 };
 

@@ -105,7 +105,7 @@
     ROW(KERNEL, shape, operation, 1, 15) \
     ROW(KERNEL, shape, operation, 0, 16)
 
-#define FIXEDPOINT_SPLITS_32(ROW, KERNEL, shape, operation) \
+#define FIXEDPOINT_COARSE_SPLITS_32(ROW, KERNEL, shape, operation) \
     ROW(KERNEL, shape, operation, 32, 0) \
     ROW(KERNEL, shape, operation, 31, 1) \
     ROW(KERNEL, shape, operation, 30, 2) \
@@ -132,7 +132,10 @@
     ROW(KERNEL, shape, operation, 8, 24) \
     ROW(KERNEL, shape, operation, 7, 25) \
     ROW(KERNEL, shape, operation, 6, 26) \
-    ROW(KERNEL, shape, operation, 5, 27) \
+    ROW(KERNEL, shape, operation, 5, 27)
+
+#define FIXEDPOINT_SPLITS_32(ROW, KERNEL, shape, operation) \
+    FIXEDPOINT_COARSE_SPLITS_32(ROW, KERNEL, shape, operation) \
     ROW(KERNEL, shape, operation, 4, 28) \
     ROW(KERNEL, shape, operation, 3, 29) \
     ROW(KERNEL, shape, operation, 2, 30) \
@@ -310,7 +313,8 @@
     KERNEL(VECTOR, length3, int32_t, 16, fixedpoint_length3_q16_16, length3) \
     KERNEL(VECTOR, length3, int64_t, 32, fixedpoint_length3_q32_32, length3) \
     KERNEL(MAPPING, normalise3, int16_t, 8, fixedpoint_normalise3_q8_8, normalise3) \
-    KERNEL(MAPPING, normalise3, int32_t, 16, fixedpoint_normalise3_q16_16, normalise3)
+    KERNEL(MAPPING, normalise3, int32_t, 16, fixedpoint_normalise3_q16_16, normalise3) \
+    FIXEDPOINT_COARSE_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, MAPPING, normalise3)
 
 // The kernels that jump to code of kernel/nearest.hpp if a 32-bit core leaves the rounding
 // undecided.

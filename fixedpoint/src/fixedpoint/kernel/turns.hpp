@@ -3,8 +3,8 @@
 // turn is the reduced angle already, so nothing is rounded before the core of the sine.
 #pragma once
 
-#include <fixedpoint/kernel/atan2_degrees_q32_32.hpp>
 #include <fixedpoint/kernel/dispatch.hpp>
+#include <fixedpoint/kernel/words.hpp>
 
 namespace fixedpoint {
 namespace kernel {
@@ -149,12 +149,19 @@ FIXEDPOINT_CONSTEXPR typename Core::Phase phase_of_degrees(Raw angle) {
     return angle < 0 ? static_cast<Phase>(Phase(0) - phase) : phase;
 }
 
-// The fraction bits of an angle in radians that are enough for one in turns or degrees with F. The
-// angle depends only on the ratio of the raws, not on their fraction bits.
-template <class Raw, int F>
-struct FineAngle {
-    static constexpr int fraction_bits = F <= 24 ? 32 : sizeof(Raw) == 4 ? 60 : 61;
-};
+// 1 / (2 pi) in units of 2^-66 and 180 / pi in units of 2^-58. An angle depends only on the ratio of
+// the raws, not on their fraction bits.
+constexpr uint64_t turns_per_radian = 0xa2f9836e4e44152a, degrees_per_radian = 0xe52ee0d31e0fbdc3;
+
+// The angle of (x, y) in radians of Q32.32, times factor 2^-64, rounded and saturated. The product
+// must stay below 2^32 units of the result.
+template <class Raw>
+FIXEDPOINT_CONSTEXPR Raw coarse_angle_of(Raw y, Raw x, uint64_t factor) {
+    const int64_t angle = atan2<int64_t, 32>(static_cast<int64_t>(y), static_cast<int64_t>(x));
+    const uint64_t product = static_cast<uint64_t>(multiply<int64_t, 32>(
+        static_cast<int64_t>(magnitude(angle)), static_cast<int64_t>(factor)));
+    return clamped_with_sign<Raw>(upper_word(product + (uint32_t(1) << 31)), angle < 0);
+}
 
 // angle factor 2^-Bits rounded to F fraction bits and saturated; angle has FromF fraction bits.
 template <class Raw, int F, int FromF, int Bits>
@@ -170,18 +177,21 @@ FIXEDPOINT_CONSTEXPR Raw scaled_angle(int64_t angle, uint64_t factor) {
 // The angle of (x, y) in radians, times factor 2^-Bits.
 template <class Raw, int F, int Bits>
 FIXEDPOINT_CONSTEXPR Raw angle_of(Raw y, Raw x, uint64_t factor) {
-    using Fine = FineAngle<Raw, F>;
-    return scaled_angle<Raw, F, Fine::fraction_bits, Bits>(
-        atan2<int64_t, Fine::fraction_bits>(static_cast<int64_t>(y), static_cast<int64_t>(x)),
-        factor);
+    constexpr int fraction_bits = sizeof(Raw) == 4 ? 60 : 61;
+    return scaled_angle<Raw, F, fraction_bits, Bits>(
+        atan2<int64_t, fraction_bits>(static_cast<int64_t>(y), static_cast<int64_t>(x)), factor);
 }
 template <class Raw, int F, bool is_short = (sizeof(Raw) <= 4 && F <= 16)>
 struct AngleOfVector {
+    // An angle of Q32.32 errs by 0.65 ulp, and the product by less than one: an eighth of an ulp in
+    // turns of up to 32 fraction bits, and a sixth in degrees of up to 24.
     static FIXEDPOINT_CONSTEXPR Raw in_turns(Raw y, Raw x) {
-        return angle_of<Raw, F, 66>(y, x, 0xa2f9836e4e44152a);  // 1 / (2 pi)
+        return F <= 32 ? coarse_angle_of<Raw>(y, x, turns_per_radian >> (F <= 32 ? 34 - F : 0))
+                       : angle_of<Raw, F, 66>(y, x, turns_per_radian);
     }
     static FIXEDPOINT_CONSTEXPR Raw in_degrees(Raw y, Raw x) {
-        return angle_of<Raw, F, 58>(y, x, 0xe52ee0d31e0fbdc3);  // 180 / pi
+        return F <= 24 ? coarse_angle_of<Raw>(y, x, degrees_per_radian >> (F <= 24 ? 26 - F : 0))
+                       : angle_of<Raw, F, 58>(y, x, degrees_per_radian);
     }
 };
 // Up to 16 fraction bits, a 32-bit angle in radians and the product err by 2^-5 ulp together.
@@ -204,7 +214,8 @@ struct AngleOfVector<Raw, F, true> {
         return rounded<21>(multiply<int32_t, 32>(in_radians(y, x), per_radian));
     }
 };
-// In Q32.32, an angle in radians has enough digits for one in turns.
+// In Q32.32, an angle in radians has enough digits for one in turns. One in degrees has up to nine
+// bits before the point, and takes radians with 42 fraction bits.
 template <>
 struct AngleOfVector<int64_t, 32, false> {
     static FIXEDPOINT_CONSTEXPR int64_t in_turns(int64_t y, int64_t x) {
@@ -213,7 +224,10 @@ struct AngleOfVector<int64_t, 32, false> {
                16;
     }
     static FIXEDPOINT_CONSTEXPR int64_t in_degrees(int64_t y, int64_t x) {
-        return q32_32::atan2_degrees(y, x);
+        constexpr int64_t per_radian = 15749343949281;  // 2^-38
+        return (multiply<int64_t, 32>(atan2_64<int64_t, 0>(y, x, 42), per_radian) +
+                (int64_t(1) << 15)) >>
+               16;
     }
 };
 

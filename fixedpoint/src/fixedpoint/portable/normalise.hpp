@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // normalise3: v / |v|, in place or elsewhere; a zero vector stays zero. Each component is within
-// 0.77 ulp in Q16.16 and 0.66 ulp in Q8.8, bit for bit as the kernels compute it; within 0.97 ulp
-// if normalises_by_length; and rounded to nearest in all other formats.
+// 0.77 ulp in Q16.16, 0.66 ulp in Q8.8 and 0.56 ulp in the 32-bit formats with up to 24 fraction
+// bits, bit for bit as the kernels compute it; within 0.97 ulp in those with 25 to 27 and if
+// normalises_by_length; and rounded to nearest in all other formats.
 #pragma once
 
 #include <fixedpoint/portable/divide.hpp>
 #include <fixedpoint/portable/length.hpp>
+#include <fixedpoint/portable/normalise_32.hpp>
 #include <fixedpoint/portable/normalise_q8_8.hpp>
 #include <fixedpoint/portable/reciprocal_sqrt.hpp>
 
@@ -80,6 +82,13 @@ struct Normalisation<Raw, F, false> {
                               : nearest_root_of_ratio<Raw>(square(v[i]), length_squared, 2 * F);
             }
         }
+    }
+};
+
+template <int F>
+struct Normalisation<int32_t, F, true> {
+    static FIXEDPOINT_CONSTEXPR void apply(const int32_t* v, int32_t* unit) {
+        normalise3_32<F>(v, unit);
     }
 };
 
