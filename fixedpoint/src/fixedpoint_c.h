@@ -736,7 +736,8 @@ q8_24 q8_24_length2(const q8_24 v[2]);
 q8_24 q8_24_length3(const q8_24 v[3]);
 /// Writes v divided by its length to `unit`, each component within 1 ulp; zeros if v is zero.
 /// `unit` may be `v`.
-void q8_24_normalise3(const q8_24 v[3], q8_24 unit[3]);
+void q8_24_normalise3(const q8_24 v[3], q8_24 unit[3])
+    FIXEDPOINT_C_KERNEL(fixedpoint_normalise3_q8_24);
 /// The number n modulo 2^8: n itself if the format can represent it.
 q8_24 q8_24_from_int32(int32_t n);
 /// The integer nearest to a, half up.

@@ -143,6 +143,7 @@ TEST(Normalise, RoundsToNearestOrStaysWithinItsBound) {
                              : is_q8_8                ? 0.75
                              : through_q16_16         ? 0.5 + std::ldexp(0.9, F - 16)
                              : width == 32 && F == 16 ? 0.9
+                             : width == 32            ? 0.5 + std::ldexp(6.5, F - 31)
                                                       : 0.97;
         for (const auto& v : vectors(width)) {
             for (int i = 0; i < 3; ++i) {

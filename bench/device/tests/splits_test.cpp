@@ -17,6 +17,7 @@
 #include <fixedpoint/portable/log.hpp>
 #include <fixedpoint/portable/multiply_add.hpp>
 #include <fixedpoint/portable/multiply_saturating.hpp>
+#include <fixedpoint/portable/normalise.hpp>
 #include <fixedpoint/portable/reciprocal_sqrt.hpp>
 #include <fixedpoint/portable/sin.hpp>
 #include <fixedpoint/portable/sqrt.hpp>
@@ -338,6 +339,33 @@ std::vector<int32_t> limits_of_angles(int fraction_bits) {
         if (std::abs(angle) < 0x7ffffff0p0) limits.push_back(static_cast<int32_t>(angle));
     }
     return limits;
+}
+
+// Operands of one size, a shorter one among them, and vectors along an axis, whose reciprocal root
+// is the largest. In place.
+TEST(Splits, Normalise3) {
+    Program program("normalise3");
+    const auto check_split = [&](int F, void (*portable_normalise3)(const int32_t*, int32_t*)) {
+        DeviceFunction normalise = program.subject(F, {0, {2, 2}});
+        Operands operands;
+        std::mt19937_64 random(3);
+        for (int i = 0; i < pairs / 4; ++i) {
+            Vector v = operands.vector();
+            if (i % 2 != 0) {
+                const int shift = static_cast<int>(random() % 31);
+                for (int32_t& a : v) a = static_cast<int32_t>(random()) >> shift;
+                v[random() % 3] >>= random() % 32;
+            }
+            if (i % 16 == 0) v = {0, i % 32 == 0 ? 1 << (random() % 31) : v[1], 0};
+            Vector expected;
+            portable_normalise3(v.data(), expected.data());
+            const std::uint16_t address = program.put(0, v);
+            normalise(address, address);
+            ASSERT_EQ(program.get(0), expected)
+                << F << " fraction bits: " << testing::PrintToString(v);
+        }
+    };
+    for_each_split([&](auto F) { check_split(F, portable::normalise3<int32_t, F>); });
 }
 
 TEST(Splits, Sin) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // void fixedpoint_normalise3_q<32 - F>_<F>(const int32_t* v, int32_t* unit)
 // unit[i] = v[i] 2^F / length of v, in the 32-bit formats with up to 27 fraction bits except
-// Q16.16; within 0.56 ulp up to F = 24, and 0.62, 0.74 and 0.97 ulp with 25, 26 and 27. A zero vector
+// Q16.16; within 0.56 ulp up to F = 24, and 0.61, 0.71 and 0.91 ulp with 25, 26 and 27. A zero vector
 // stays zero. unit may be v.
 //
 // In       v = r25:r24, unit = r23:r22
@@ -17,11 +17,11 @@
 // component in units of 2^-31, which are then rounded.
 //
 // Error, in units of 2^-31:
-//     3.9      parts of the products that are omitted: 0 to 6.8, of which 3 are added
+//     4        parts of the products that are omitted: 0 to 7, of which 3 are added
 //     1.5      R: parts of S y^2 that are omitted, 2^-33.7 of it; of y e, -2 to 1; and 3 e^2 / 8
-//     0.6      parts of the squares that are omitted: at most 9 2^24 of 2^60
+//     0.3      parts of the squares that are omitted: at most 15 2^24 of 2^60
 //     0.5      magnitude; its largest is 2^31 - 1
-// and half an ulp, 2^(30 - F), for the rounding.
+// That is 6.3 in all, and half an ulp, 2^(30 - F), for the rounding.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"

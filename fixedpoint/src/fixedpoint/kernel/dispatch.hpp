@@ -51,6 +51,7 @@ namespace kernel {
 FIXEDPOINT_OPERATION(BINARY, multiply)
 FIXEDPOINT_OPERATION(BINARY, upper_product)
 FIXEDPOINT_OPERATION(WORDS, multiply_upper_halves)
+FIXEDPOINT_OPERATION(SPLIT_UNARY, byte_fraction)
 FIXEDPOINT_OPERATION(SPLIT_BINARY, multiply_64)
 FIXEDPOINT_OPERATION(BINARY, multiply_saturating)
 FIXEDPOINT_OPERATION(BINARY, multiply_short)
@@ -377,6 +378,10 @@ FIXEDPOINT_CONSTEXPR uint64_t multiply_words(uint32_t a, uint32_t b) {
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw upper_product(Raw a, Raw b) {
     return portable::upper_product<Raw, F>(a, b);
+}
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw byte_fraction(Raw a, uint8_t j) {
+    return portable::byte_fraction<Raw, F>(a, j);
 }
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR uint64_t multiply_upper_halves(Raw a, Raw b) {

@@ -130,7 +130,7 @@ struct Cbrt {
 // 2 z^2/945 + ... Large angles and those near a pole need more digits of x.
 //
 // Error in units of 2^-40: N 0.6, D 4. N / D <= 1 errs by 5, D / N <= c by c (4 + 0.6 c), for c = 16/3
-// by 39, 0.15 ulp; 1/x - x p by 11.
+// by 39, 0.15 ulp. 1/x - x p errs by 11, and by 22 more for x = 2^-10, since x is up to 1.4 2^-56 off.
 struct Tan {
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR Evaluation<int64_t> apply(int64_t a) {
@@ -173,9 +173,6 @@ struct Tan {
         return {upper_word(a), static_cast<uint32_t>(a)};
     }
 
-    // The chip's compiler multiplies 16 bits by 16 only if it sees both types.
-    static constexpr uint32_t product(uint16_t a, uint16_t b) { return uint32_t(a) * b; }
-
     // Whether x, in units of 2^-56, is in -2^-10 .. 2^-10 - 2^-56.
     static constexpr bool is_near(Words x) {
         return x.upper + (uint32_t(1) << 14) < uint32_t(1) << 15;
@@ -185,20 +182,13 @@ struct Tan {
     // 2^-56. Its magnitude is at most pi/4 + 2^-22.
     static FIXEDPOINT_IN_PLACE Words rest_of_short(Words positive, bool& odd) {
         constexpr uint32_t two_over_pi = 0xa2f9836e;  // 2^-32
-        // pi/2 in units of 2^-24, 2^-40, 2^-56 and 2^-72
-        constexpr uint32_t upper = 0x1921fb5;
-        constexpr uint16_t middle = 0x4442, lower = 0xd184, last = 0x6989;
+        constexpr uint64_t half_pi_less_1 = 0x921fb54442d1846a;  // 2^-64
         const uint32_t angle = positive.upper << 24 | positive.lower >> 8;  // 2^-24
-        const uint16_t quarters =
-            upper_half(upper_product<uint32_t, 0>(angle, two_over_pi) + (uint32_t(1) << 23)) >> 8;
+        const uint8_t quarters = static_cast<uint8_t>(
+            upper_half(upper_product<uint32_t, 0>(angle, two_over_pi) + (uint32_t(1) << 23)) >> 8);
         odd = (quarters & 1) != 0;
-        const uint32_t second = product(quarters, middle);
-        const uint32_t third =
-            product(quarters, lower) + upper_half(product(quarters, last) + (uint32_t(1) << 15));
-        const uint32_t below = positive.lower << 24;
-        const uint32_t taken = (second << 16) + third;
-        const uint32_t carries = (taken < third ? 1 : 0) + (below < taken ? 1 : 0);
-        return {angle - quarters * upper - upper_half(second) - carries, below - taken};
+        return words(join_words(angle - (uint32_t(quarters) << 24), positive.lower << 24) -
+                     byte_fraction<uint64_t, 0>(half_pi_less_1, quarters));
     }
 
     // The tangent, or the cotangent, of x 2^-56, at most pi/4 + 2^-22.

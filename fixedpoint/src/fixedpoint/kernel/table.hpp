@@ -157,6 +157,7 @@
     KERNEL(WORDS, multiply_words, uint32_t, 0, fixedpoint_multiply_words, multiply_words) \
     KERNEL(BINARY, upper_product, uint32_t, 0, fixedpoint_upper_product, upper_product) \
     KERNEL(WORDS, multiply_upper_halves, uint64_t, 0, fixedpoint_multiply_upper_halves, multiply_upper_halves) \
+    KERNEL(SPLIT_UNARY, byte_fraction, uint64_t, 0, fixedpoint_byte_fraction, byte_fraction) \
     KERNEL(SPLIT_BINARY, multiply_64, int64_t, 0, fixedpoint_multiply_64, multiply_64) \
     KERNEL(BINARY, multiply_saturating, int16_t, 8, fixedpoint_multiply_saturating_q8_8, multiply_saturating) \
     KERNEL(BINARY, multiply_saturating, int32_t, 16, fixedpoint_multiply_q16_16_saturating, multiply_saturating) \

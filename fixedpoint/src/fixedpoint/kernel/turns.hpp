@@ -3,6 +3,7 @@
 // turn is the reduced angle already, so nothing is rounded before the core of the sine.
 #pragma once
 
+#include <fixedpoint/kernel/atan2_degrees_q32_32.hpp>
 #include <fixedpoint/kernel/dispatch.hpp>
 #include <fixedpoint/kernel/words.hpp>
 
@@ -214,8 +215,7 @@ struct AngleOfVector<Raw, F, true> {
         return rounded<21>(multiply<int32_t, 32>(in_radians(y, x), per_radian));
     }
 };
-// In Q32.32, an angle in radians has enough digits for one in turns. One in degrees has up to nine
-// bits before the point, and takes radians with 42 fraction bits.
+// In Q32.32, an angle in radians has enough digits for one in turns.
 template <>
 struct AngleOfVector<int64_t, 32, false> {
     static FIXEDPOINT_CONSTEXPR int64_t in_turns(int64_t y, int64_t x) {
@@ -224,10 +224,7 @@ struct AngleOfVector<int64_t, 32, false> {
                16;
     }
     static FIXEDPOINT_CONSTEXPR int64_t in_degrees(int64_t y, int64_t x) {
-        constexpr int64_t per_radian = 15749343949281;  // 2^-38
-        return (multiply<int64_t, 32>(atan2_64<int64_t, 0>(y, x, 42), per_radian) +
-                (int64_t(1) << 15)) >>
-               16;
+        return q32_32::atan2_degrees(y, x);
     }
 };
 

@@ -21,6 +21,13 @@ FIXEDPOINT_CONSTEXPR uint32_t upper_product(uint32_t a, uint32_t b) {
 
 // a b / 2^64, or up to 2^18 less: the product of the upper words, plus the products of the upper
 // halves of an upper and a lower word.
+// a j / 256, truncated.
+template <class, int>
+FIXEDPOINT_CONSTEXPR uint64_t byte_fraction(uint64_t a, uint8_t j) {
+    return multiply_words(static_cast<uint32_t>(a >> 32), j) * (uint32_t(1) << 24) +
+           (multiply_words(static_cast<uint32_t>(a), j) >> 8);
+}
+
 template <class, int>
 FIXEDPOINT_CONSTEXPR uint64_t multiply_upper_halves(uint64_t a, uint64_t b) {
     const uint32_t a1 = static_cast<uint32_t>(a >> 32), b1 = static_cast<uint32_t>(b >> 32);
