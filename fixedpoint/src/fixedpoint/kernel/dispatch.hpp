@@ -40,6 +40,7 @@
 #include <fixedpoint/portable/sine_of_phase.hpp>
 #include <fixedpoint/portable/split_64.hpp>
 #include <fixedpoint/portable/sqrt.hpp>
+#include <fixedpoint/portable/tan_of_rest.hpp>
 
 // Every operation is declared first, since a kernel must be known before anything calls it.
 namespace fixedpoint {
@@ -79,6 +80,7 @@ FIXEDPOINT_OPERATION(UNARY, cos_small)
 FIXEDPOINT_OPERATION(PAIR, sincos)
 FIXEDPOINT_OPERATION(UNARY, sine_of_phase)
 FIXEDPOINT_OPERATION(TURNS, sine_of_quarter_turns)
+FIXEDPOINT_OPERATION(SPLIT_UNARY, tan_of_rest)
 FIXEDPOINT_OPERATION(UNARY, atan)
 FIXEDPOINT_OPERATION(UNARY, atan_small)
 FIXEDPOINT_OPERATION(BINARY, atan2)
@@ -378,6 +380,10 @@ FIXEDPOINT_CONSTEXPR uint64_t multiply_words(uint32_t a, uint32_t b) {
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw upper_product(Raw a, Raw b) {
     return portable::upper_product<Raw, F>(a, b);
+}
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw tan_of_rest(Raw x, uint8_t inverse) {
+    return portable::tan_of_rest<Raw, F>(x, inverse);
 }
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw byte_fraction(Raw a, uint8_t j) {

@@ -6,7 +6,6 @@
 #include <fixedpoint/kernel/dispatch.hpp>
 #include <fixedpoint/kernel/words.hpp>
 #include <fixedpoint/portable/elementary.hpp>
-#include <fixedpoint/portable/tangent_64_table.hpp>
 
 namespace fixedpoint {
 namespace kernel {
@@ -124,13 +123,10 @@ struct Cbrt {
 
 // Angles.
 
-// With x the distance from the nearest multiple of a quarter turn, A the nearest multiple of 2^-8 and
-// t = x - A, the tangent of x is the quotient of N = tan A + tan t and D = 1 - tan A tan t, and its
-// cotangent the inverse quotient. Cotangents above 16/3 are 1/x - x p, z = x^2, p = 1/3 + z/45 +
-// 2 z^2/945 + ... Large angles and those near a pole need more digits of x.
-//
-// Error in units of 2^-40: N 0.6, D 4. N / D <= 1 errs by 5, D / N <= c by c (4 + 0.6 c), for c = 16/3
-// by 39, 0.15 ulp. 1/x - x p errs by 11, and by 22 more for x = 2^-10, since x is up to 1.4 2^-56 off.
+// With x the distance from the nearest multiple of a quarter turn, a kernel has the tangent of x and
+// its cotangent up to 16/3. A larger one is 1/x - x p, z = x^2, p = 1/3 + z/45 + 2 z^2/945 + ...; in
+// units of 2^-40, it errs by 11, and by 22 more for x = 2^-10, since x is up to 1.4 2^-56 off. Large
+// angles and those near a pole need more digits of x.
 struct Tan {
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR Evaluation<int64_t> apply(int64_t a) {
@@ -153,9 +149,10 @@ struct Tan {
             x = x.negated();
             negative = !negative;
         }
+        const int64_t distance = static_cast<int64_t>(join_words(x.upper, x.lower));
         const int64_t tangent = odd && x.upper < uint32_t(3) << 20
-                                    ? large_cotangent(static_cast<int64_t>(join_words(x.upper, x.lower)))
-                                    : quotient(x, odd);
+                                    ? large_cotangent(distance)
+                                    : tan_of_rest<int64_t, 32>(distance, odd ? 1 : 0);
         return {negative ? -tangent : tangent, Outcome::in_range};
     }
 
@@ -189,40 +186,6 @@ struct Tan {
         odd = (quarters & 1) != 0;
         return words(join_words(angle - (uint32_t(quarters) << 24), positive.lower << 24) -
                      byte_fraction<uint64_t, 0>(half_pi_less_1, quarters));
-    }
-
-    // The tangent, or the cotangent, of x 2^-56, at most pi/4 + 2^-22.
-    static FIXEDPOINT_IN_PLACE int64_t quotient(Words x, bool inverse) {
-        using Table = portable::Tangent64Table<>;
-        const uint8_t node = static_cast<uint8_t>((x.upper + (uint32_t(1) << 15)) >> 16);
-        // t in units of 2^-40, and in those of 2^-24.
-        const int32_t t =
-            static_cast<int32_t>(x.upper << 16 | static_cast<uint16_t>(x.lower >> 16));
-        const int16_t coarse = static_cast<int16_t>(x.upper);
-        // t^3 / 3, below 2^-28.5; the next term of tan t is below 2^-47.
-        const int16_t square = rounded_half(int32_t(coarse) * coarse);              // 2^-32
-        const int32_t third = int32_t(rounded_half(int32_t(coarse) * square)) * 21845;  // 2^-56
-        const uint32_t base1 = read_program_memory(Table::upper[node]);             // 2^-32
-        const uint16_t base0 = read_program_memory(Table::lower[node]);             // 2^-48
-        const int32_t fall =                                                        // 2^-40
-            2 * (multiply<int32_t, 32>(static_cast<int32_t>(base1 >> 1), t) +
-                 rounded_half(int32_t(static_cast<int16_t>(third >> 16)) *
-                              static_cast<int16_t>(upper_half(base1) >> 1)));
-        const int64_t width = static_cast<int64_t>(
-            join_words(word_from_byte_3(fall > 0 ? 0xff : 0x100, 0 - static_cast<uint32_t>(fall)),
-                       (0 - static_cast<uint32_t>(fall)) << 8));  // 2^-48
-        // 2^-48
-        const uint32_t of_t = static_cast<uint32_t>(t) << 8 | static_cast<uint8_t>(x.lower >> 8);
-        const uint32_t rest = static_cast<uint32_t>(third >> 8);
-        const uint32_t first = (base1 << 16 | base0) + of_t, height0 = first + rest;
-        const uint16_t height1 = static_cast<uint16_t>(
-            upper_half(base1) + static_cast<int8_t>(t >> 24) + (first < of_t ? 1 : 0) +
-            (height0 < rest ? 1 : 0) - (third < 0 ? 1 : 0));
-        const int64_t height = static_cast<int64_t>(join_words(height1, height0));
-        return inverse ? divide<int64_t, 32>(width, height) : divide<int64_t, 32>(height, width);
-    }
-    static constexpr int16_t rounded_half(int32_t a) {
-        return static_cast<int16_t>((a + (int32_t(1) << 15)) >> 16);
     }
 
     // 1/x - x p for x from 2^-10 to 3/16, in units of 2^-56.

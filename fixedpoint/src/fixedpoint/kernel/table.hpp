@@ -217,6 +217,7 @@
     KERNEL(UNARY, cos, int64_t, 32, fixedpoint_cos_q32_32, cos) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, UNARY, cos) \
     KERNEL(UNARY, cos_small, int32_t, 16, fixedpoint_cos_q16_16_small, cos_small) \
+    KERNEL(SPLIT_UNARY, tan_of_rest, int64_t, 32, fixedpoint_tan_of_rest, tan_of_rest) \
     KERNEL(UNARY, atan, int8_t, 4, fixedpoint_atan_q4_4, atan) \
     KERNEL(UNARY, atan, int16_t, 8, fixedpoint_atan_q8_8, atan) \
     KERNEL(UNARY, atan, int32_t, 16, fixedpoint_atan_q16_16, atan) \

@@ -4,21 +4,11 @@
 #pragma once
 
 #include <fixedpoint/integer.hpp>
+#include <fixedpoint/portable/column_of_product.hpp>
 #include <fixedpoint/portable/reciprocal_root.hpp>
 
 namespace fixedpoint {
 namespace portable {
-
-// The sum of a_i b_j with i + j = column, where a has six bytes and b five; or of their upper bytes.
-FIXEDPOINT_CONSTEXPR uint32_t column_of_product(uint64_t a, uint64_t b, int column, int kept = 0) {
-    uint32_t sum = 0;
-    for (int i = column < 4 ? 0 : column - 4; i <= column && i < 6; ++i) {
-        sum += static_cast<uint32_t>(a >> 8 * i & 0xff) *
-                   static_cast<uint32_t>(b >> 8 * (column - i) & 0xff) >>
-               kept;
-    }
-    return sum;
-}
 
 // 2^63 / sqrt(sum 2^24) for a sum of 2^38 to 2^40 - 1, from -2.1 to 1.4 off, at most 2^32 - 1.
 FIXEDPOINT_CONSTEXPR uint32_t reciprocal_root_of_sum(uint64_t sum) {
