@@ -767,6 +767,8 @@ struct Normalisation<Raw, F, false> {
 // Used only without assembly; with it, these are kernels.
 template <int F>
 struct Normalisation<int32_t, F, true> : Normalisation<int32_t, F, false> {};
+template <>
+struct Normalisation<int64_t, 32, true> : Normalisation<int64_t, 32, false> {};
 
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR void normalise3(const Raw* v, Raw* unit) {

@@ -316,6 +316,7 @@
     KERNEL(VECTOR, length3, int64_t, 32, fixedpoint_length3_q32_32, length3) \
     KERNEL(MAPPING, normalise3, int16_t, 8, fixedpoint_normalise3_q8_8, normalise3) \
     KERNEL(MAPPING, normalise3, int32_t, 16, fixedpoint_normalise3_q16_16, normalise3) \
+    KERNEL(MAPPING, normalise3, int64_t, 32, fixedpoint_normalise3_q32_32, normalise3) \
     FIXEDPOINT_COARSE_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, MAPPING, normalise3)
 
 // The kernels that jump to code of kernel/nearest.hpp if a 32-bit core leaves the rounding

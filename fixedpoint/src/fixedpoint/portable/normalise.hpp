@@ -8,6 +8,7 @@
 #include <fixedpoint/portable/divide.hpp>
 #include <fixedpoint/portable/length.hpp>
 #include <fixedpoint/portable/normalise_32.hpp>
+#include <fixedpoint/portable/normalise_q32_32.hpp>
 #include <fixedpoint/portable/normalise_q8_8.hpp>
 #include <fixedpoint/portable/reciprocal_sqrt.hpp>
 
@@ -89,6 +90,13 @@ template <int F>
 struct Normalisation<int32_t, F, true> {
     static FIXEDPOINT_CONSTEXPR void apply(const int32_t* v, int32_t* unit) {
         normalise3_32<F>(v, unit);
+    }
+};
+
+template <>
+struct Normalisation<int64_t, 32, true> {
+    static FIXEDPOINT_CONSTEXPR void apply(const int64_t* v, int64_t* unit) {
+        normalise3_q32_32(v, unit);
     }
 };
 
