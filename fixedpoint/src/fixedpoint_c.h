@@ -921,7 +921,8 @@ q32_32 q32_32_length3(const q32_32 v[3])
     FIXEDPOINT_C_KERNEL(fixedpoint_length3_q32_32);
 /// Writes v divided by its length to `unit`, each component within 1 ulp; zeros if v is zero.
 /// `unit` may be `v`.
-void q32_32_normalise3(const q32_32 v[3], q32_32 unit[3]);
+void q32_32_normalise3(const q32_32 v[3], q32_32 unit[3])
+    FIXEDPOINT_C_KERNEL(fixedpoint_normalise3_q32_32);
 /// The number n modulo 2^32: n itself if the format can represent it.
 q32_32 q32_32_from_int32(int32_t n);
 /// The integer nearest to a, half up; -2^31 from 2^31 - 1/2 on.

@@ -144,6 +144,7 @@ TEST(Normalise, RoundsToNearestOrStaysWithinItsBound) {
                              : through_q16_16         ? 0.5 + std::ldexp(0.9, F - 16)
                              : width == 32 && F == 16 ? 0.9
                              : width == 32            ? 0.5 + std::ldexp(6.5, F - 31)
+                             : F == 32                ? 0.6
                                                       : 0.97;
         for (const auto& v : vectors(width)) {
             for (int i = 0; i < 3; ++i) {

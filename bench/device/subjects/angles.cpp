@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tangents, arc functions and what saturates in one format of the library, LIBRARY_FORMAT, for which
-// the program of its other subjects has no room.
+// Tangents, arc functions and what saturates in one format of the library, LIBRARY_FORMAT, for
+// which the program of its other subjects has no room.
 #include <fixedpoint/arithmetic/nearest.hpp>
 #include <fixedpoint/arithmetic/saturating.hpp>
 

@@ -29,8 +29,8 @@ FIXEDPOINT_IN_PLACE Length length_of(int64_t a) {
 }
 
 // The arc tangent of height / width in units of 2^-48 degrees. Requires height <= width < 2^63 and
-// width > 0. With i / 64 nearest to the ratio, it is atan(i / 64) + atan(d), d = (height - width i /
-// 64) / (width + height i / 64), |d| < 2^-6.9, and atan(d) = d - d^3 (1/3 - d^2/5).
+// width > 0. With i / 64 nearest to the ratio, it is atan(i / 64) + atan(d), d = (height - width i
+// / 64) / (width + height i / 64), |d| < 2^-6.9, and atan(d) = d - d^3 (1/3 - d^2/5).
 FIXEDPOINT_CONSTEXPR uint64_t degrees_of_ratio(Length height, Length width) {
     while (width.high < uint32_t(1) << 23) {
         width.up();
@@ -54,14 +54,14 @@ FIXEDPOINT_CONSTEXPR uint64_t degrees_of_ratio(Length height, Length width) {
     const uint32_t upper = upper_word(sum);
     const int64_t along = static_cast<int64_t>(join_words(  // of 2^16
         upper_half(upper), upper << 16 | upper_half(static_cast<uint32_t>(sum))));
-    const int64_t d = divide<int64_t, 32>(across, along);                    // 2^-48
-    const int32_t coarse =                                                   // 2^-32
+    const int64_t d = divide<int64_t, 32>(across, along);  // 2^-48
+    const int32_t coarse =                                 // 2^-32
         static_cast<int32_t>(upper_word(static_cast<uint64_t>(d)) << 16 |
                              upper_half(static_cast<uint32_t>(d)));
-    const int32_t square = multiply<int32_t, 20>(coarse, coarse);            // 2^-44
-    const int32_t third =                                                    // 2^-32
-        1431655765 - static_cast<int32_t>(
-                         multiply_halves(upper_half(static_cast<uint32_t>(square)), 819) >> 8);
+    const int32_t square = multiply<int32_t, 20>(coarse, coarse);  // 2^-44
+    const int32_t third =                                          // 2^-32
+        1431655765 -
+        static_cast<int32_t>(multiply_halves(upper_half(static_cast<uint32_t>(square)), 819) >> 8);
     const int32_t bend = multiply<int32_t, 32>(multiply<int32_t, 28>(coarse, square), third);
     constexpr int64_t degrees_per_radian = 246083499208;  // 2^-32
     return read_program_memory(portable::AtanDegreesTable<>::angle[i]) +
@@ -70,11 +70,12 @@ FIXEDPOINT_CONSTEXPR uint64_t degrees_of_ratio(Length height, Length width) {
 
 FIXEDPOINT_CONSTEXPR int64_t atan2_degrees(int64_t y, int64_t x) {
     const Length height = length_of(y), width = length_of(x);
-    const bool steep = height.high > width.high ||
-                       (height.high == width.high && height.low > width.low);
+    const bool steep =
+        height.high > width.high || (height.high == width.high && height.low > width.low);
     if (!steep && (width.high | width.low) == 0) return 0;
     const bool left = static_cast<int32_t>(upper_word(static_cast<uint64_t>(x))) < 0;
-    const uint64_t angle = steep ? degrees_of_ratio(width, height) : degrees_of_ratio(height, width);
+    const uint64_t angle =
+        steep ? degrees_of_ratio(width, height) : degrees_of_ratio(height, width);
     uint32_t upper = upper_word(angle), lower = static_cast<uint32_t>(angle);
     if (steep != left) {
         upper = ~upper + (lower == 0 ? 1 : 0);

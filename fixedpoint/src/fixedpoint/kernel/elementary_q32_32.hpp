@@ -123,10 +123,10 @@ struct Cbrt {
 
 // Angles.
 
-// With x the distance from the nearest multiple of a quarter turn, a kernel has the tangent of x and
-// its cotangent up to 16/3. A larger one is 1/x - x p, z = x^2, p = 1/3 + z/45 + 2 z^2/945 + ...; in
-// units of 2^-40, it errs by 11, and by 22 more for x = 2^-10, since x is up to 1.4 2^-56 off. Large
-// angles and those near a pole need more digits of x.
+// With x the distance from the nearest multiple of a quarter turn, a kernel has the tangent of x
+// and its cotangent up to 16/3. A larger one is 1/x - x p, z = x^2, p = 1/3 + z/45 + 2 z^2/945 +
+// ...; in units of 2^-40, it errs by 11, and by 22 more for x = 2^-10, since x is up to 1.4 2^-56
+// off. Large angles and those near a pole need more digits of x.
 struct Tan {
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR Evaluation<int64_t> apply(int64_t a) {
@@ -178,8 +178,8 @@ struct Tan {
     // The remainder of an angle below 256 rad after subtracting whole quarter turns, in units of
     // 2^-56. Its magnitude is at most pi/4 + 2^-22.
     static FIXEDPOINT_IN_PLACE Words rest_of_short(Words positive, bool& odd) {
-        constexpr uint32_t two_over_pi = 0xa2f9836e;  // 2^-32
-        constexpr uint64_t half_pi_less_1 = 0x921fb54442d1846a;  // 2^-64
+        constexpr uint32_t two_over_pi = 0xa2f9836e;                        // 2^-32
+        constexpr uint64_t half_pi_less_1 = 0x921fb54442d1846a;             // 2^-64
         const uint32_t angle = positive.upper << 24 | positive.lower >> 8;  // 2^-24
         const uint8_t quarters = static_cast<uint8_t>(
             upper_half(upper_product<uint32_t, 0>(angle, two_over_pi) + (uint32_t(1) << 23)) >> 8);
@@ -191,12 +191,12 @@ struct Tan {
     // 1/x - x p for x from 2^-10 to 3/16, in units of 2^-56.
     static FIXEDPOINT_CONSTEXPR int64_t large_cotangent(int64_t x) {
         const int32_t x_32 = static_cast<int32_t>(x >> 24);
-        const int32_t z = multiply<int32_t, 32>(x_32, x_32);                     // 2^-32
-        const int32_t third = 145436868 + multiply<int32_t, 32>(z, 14570000);    // 2^-36
-        const int32_t second = 1527099544 + multiply<int32_t, 32>(z, third);     // 2^-36
+        const int32_t z = multiply<int32_t, 32>(x_32, x_32);                   // 2^-32
+        const int32_t third = 145436868 + multiply<int32_t, 32>(z, 14570000);  // 2^-36
+        const int32_t second = 1527099544 + multiply<int32_t, 32>(z, third);   // 2^-36
         const int64_t p = (int64_t(1) << 40) / 3 + int64_t(multiply<int32_t, 32>(z, second)) * 16;
-        const int64_t reciprocal = divide<int64_t, 32>(int64_t(1) << 62, x);     // 2^-38
-        const int64_t correction = multiply<int64_t, 32>(x >> 16, p);            // 2^-48
+        const int64_t reciprocal = divide<int64_t, 32>(int64_t(1) << 62, x);  // 2^-38
+        const int64_t correction = multiply<int64_t, 32>(x >> 16, p);         // 2^-48
         return (reciprocal * 4 - (correction >> 8) + 128) >> 8;
     }
 

@@ -150,8 +150,8 @@ FIXEDPOINT_CONSTEXPR typename Core::Phase phase_of_degrees(Raw angle) {
     return angle < 0 ? static_cast<Phase>(Phase(0) - phase) : phase;
 }
 
-// 1 / (2 pi) in units of 2^-66 and 180 / pi in units of 2^-58. An angle depends only on the ratio of
-// the raws, not on their fraction bits.
+// 1 / (2 pi) in units of 2^-66 and 180 / pi in units of 2^-58. An angle depends only on the ratio
+// of the raws, not on their fraction bits.
 constexpr uint64_t turns_per_radian = 0xa2f9836e4e44152a, degrees_per_radian = 0xe52ee0d31e0fbdc3;
 
 // The angle of (x, y) in radians of Q32.32, times factor 2^-64, rounded and saturated. The product

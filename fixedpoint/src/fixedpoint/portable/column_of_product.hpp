@@ -2,14 +2,15 @@
 // One column of a product, for kernels that omit the lowest ones.
 #pragma once
 
-#include <fixedpoint/constexpr.hpp>
 #include <stdint.h>
+
+#include <fixedpoint/constexpr.hpp>
 
 namespace fixedpoint {
 namespace portable {
 
-// The sum of a_i b_j with i + j = column, where a has six bytes and b five; or of their upper bytes,
-// if kept = 8.
+// The sum of a_i b_j with i + j = column, where a has six bytes and b five; or of their upper
+// bytes, if kept = 8.
 FIXEDPOINT_CONSTEXPR uint32_t column_of_product(uint64_t a, uint64_t b, int column, int kept = 0) {
     uint32_t sum = 0;
     for (int i = column < 4 ? 0 : column - 4; i <= column && i < 6; ++i) {

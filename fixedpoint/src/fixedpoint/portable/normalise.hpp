@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// normalise3: v / |v|, in place or elsewhere; a zero vector stays zero. Each component is within
-// 0.77 ulp in Q16.16, 0.66 ulp in Q8.8 and 0.56 ulp in the 32-bit formats with up to 24 fraction
-// bits, bit for bit as the kernels compute it; within 0.91 ulp in those with 25 to 27, and 0.97 ulp
-// in other formats if normalises_by_length; and rounded to nearest in all other formats.
+// normalise3: v / |v|, in place or elsewhere; a zero vector stays zero. Each component is, bit for
+// bit as the kernels compute it, within 0.77 ulp in Q16.16, 0.66 ulp in Q8.8, 0.6 ulp in Q32.32,
+// and in other 32-bit formats 0.56 ulp with up to 24 fraction bits and 0.91 ulp with 25 to 27;
+// within 0.97 ulp in other formats if normalises_by_length; and rounded to nearest in the rest.
 #pragma once
 
 #include <fixedpoint/portable/divide.hpp>

@@ -15,10 +15,9 @@ FIXEDPOINT_CONSTEXPR uint32_t reciprocal_root_of_sum(uint64_t sum) {
     // y 2^9 is too small by less than 2^-17.1 of it: sum y^2 = 2^84 (1 - e).
     const uint32_t y = reciprocal_root_mantissa(static_cast<uint32_t>(sum >> 8)) - 9;
     const uint64_t square = static_cast<uint64_t>(y) * y;
-    const uint32_t product = column_of_product(square, sum, 5, 8) +
-                             column_of_product(square, sum, 6) +
-                             (column_of_product(square, sum, 7) << 8) +
-                             (column_of_product(square, sum, 8) << 16);
+    const uint32_t product =
+        column_of_product(square, sum, 5, 8) + column_of_product(square, sum, 6) +
+        (column_of_product(square, sum, 7) << 8) + (column_of_product(square, sum, 8) << 16);
     const uint32_t e = ~product << 4 & 0xffffff;  // 2^-40
     const uint32_t y2 = y >> 16, y1 = y >> 8 & 0xff, e2 = e >> 16, e1 = e >> 8 & 0xff;
     const uint32_t rise = (255 + (y2 * e2 << 8) + y2 * e1 + y1 * e2) >> 8;
@@ -31,8 +30,8 @@ FIXEDPOINT_CONSTEXPR void normalise3_32(const int32_t* v, int32_t* unit) {
     uint32_t scaled[3] = {};
     uint32_t largest = 0;
     for (int i = 0; i < 3; ++i) {
-        scaled[i] = v[i] == RawLimits<int32_t>::min ? magnitude(RawLimits<int32_t>::max)
-                                                    : magnitude(v[i]);
+        scaled[i] =
+            v[i] == RawLimits<int32_t>::min ? magnitude(RawLimits<int32_t>::max) : magnitude(v[i]);
         largest |= scaled[i];
     }
     if (largest == 0) {
@@ -53,9 +52,10 @@ FIXEDPOINT_CONSTEXPR void normalise3_32(const int32_t* v, int32_t* unit) {
     for (int i = 0; i < 3; ++i) {
         const uint32_t a = scaled[i] << small;
         // In units of 2^-31. The products omitted are worth 3 on average.
-        const uint32_t component =
-            3 + column_of_product(a, reciprocal, 3, 8) + column_of_product(a, reciprocal, 4) +
-            (column_of_product(a, reciprocal, 5) << 8) + (column_of_product(a, reciprocal, 6) << 16);
+        const uint32_t component = 3 + column_of_product(a, reciprocal, 3, 8) +
+                                   column_of_product(a, reciprocal, 4) +
+                                   (column_of_product(a, reciprocal, 5) << 8) +
+                                   (column_of_product(a, reciprocal, 6) << 16);
         const int32_t rounded = static_cast<int32_t>(((component >> (30 - F)) + 1) >> 1);
         unit[i] = v[i] < 0 ? -rounded : rounded;
     }

@@ -24,10 +24,10 @@ FIXEDPOINT_CONSTEXPR uint64_t reciprocal_root_of_wide_sum(uint64_t sum) {
     uint32_t e = ~product << 5;  // 2^-49
     const uint32_t bend = (e >> 24) * (e >> 24);
     e += (bend >> 2) + (bend >> 3);
-    const uint64_t rise = ((uint64_t(column_of_product(y, e, 5)) << 16) +
-                           (uint64_t(column_of_product(y, e, 4)) << 8) +
-                           column_of_product(y, e, 3)) >>
-                          9;
+    const uint64_t rise =
+        ((uint64_t(column_of_product(y, e, 5)) << 16) +
+         (uint64_t(column_of_product(y, e, 4)) << 8) + column_of_product(y, e, 3)) >>
+        9;
     const uint64_t result = (static_cast<uint64_t>(y) << 17) + rise;
     return result >> 40 != 0 ? 0xffffffffff : result;
 }
