@@ -34,7 +34,8 @@ def magnitude(a):
 EXACT = {
     "": {
         "add_{}_default": lambda a, b, width: a + b,
-        "subtract_{}_default": lambda a, b, width: a - b,
+        "subtract_{}_default": lambda a, b, width: a - b},
+    "_angles": {
         "add_{}_saturating": lambda a, b, width: clamped(a + b, width),
         "subtract_{}_saturating": lambda a, b, width: clamped(a - b, width)},
     "_auxiliary": {
