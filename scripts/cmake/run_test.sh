@@ -7,8 +7,11 @@ passed=$1
 shift
 mkdir -p "$(dirname "$passed")"
 rm -f "$passed"
-if ! timeout 300 "$@" >"$passed.log" 2>&1; then
+status=0
+timeout 1500 "$@" >"$passed.log" 2>&1 || status=$?
+if [ $status != 0 ]; then
     cat "$passed.log"
+    [ $status != 124 ] || echo "stopped after 1,500 s"
     exit 1
 fi
 mv "$passed.log" "$passed"
