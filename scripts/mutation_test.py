@@ -481,8 +481,8 @@ class Worker:
         command = re.sub(r" --footprints \S+", "", command)
         command = command.replace(build, "\x01").replace(f"{ROOT}/", f"{self.source}/")
         for output in outputs:
-            command = re.sub(rf"(?<![\w./]){re.escape(output)}(?=\s|$|\.(?:d|gch)\b)|\x01/{re.escape(output)}"
-                             r"(?=\s|$|\.(?:d|gch)\b|\")", str(self.made / output), command)
+            command = re.sub(rf"(?<![\w./]){re.escape(output)}(?=\s|$|\.(?:d|gch|map)\b)|\x01/{re.escape(output)}"
+                             r"(?=\s|$|\.(?:d|gch|map)\b|\")", str(self.made / output), command)
         return command.replace("\x01", build)
 
 
@@ -565,6 +565,8 @@ class Tests:
 
     def notices(self, fault, worker):
         """Whether a test fails with the fault; None if the fault changes no object."""
+        if not any(is_script(check) or self.graph.affected(fault.path, self.goals(check)) for check in fault.room.checks):
+            raise Failure(f"no test of the room '{fault.room.name}' depends on {fault.path}")
         copy = worker.source / fault.path
         sound = copy.read_text(encoding="utf-8")
         lines = sound.splitlines(keepends=True)
@@ -607,8 +609,6 @@ class Tests:
         """Builds what the test runs. Returns whether an object changed."""
         edges = self.graph.affected(fault.path, self.goals(check))
         outputs = [edge.output for edge in edges]
-        if not edges:
-            raise Failure(f"{check.target} does not depend on {fault.path}")
         changed = False
         for edge in edges:
             compiles = str(ROOT / fault.path) in edge.inputs
@@ -627,7 +627,7 @@ class Tests:
             if compiles:
                 changed |= sections(worker.made / edge.output) != sections(
                     self.graph.build / edge.output)
-        return True
+        return changed
 
 
 def sections(path):

@@ -86,15 +86,16 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--output", required=True, help="the ELF to write")
     parser.add_argument("--footprints", help="the CSV of footprints to write")
+    parser.add_argument("--map", help="the map of the linker to write")
     parser.add_argument("objects", nargs="+")
     arguments = parser.parse_args()
 
     subjects, aliases = subjects_of(arguments.objects)
 
-    def link(chosen, output):
+    def link(chosen, output, *further):
         options = [option for subject in chosen for option in linked_as(subject, aliases)]
         # The relocations show which tables a kernel reads.
-        run(["avr-g++", "-mmcu=atmega328p", "-Os", "-Wl,--gc-sections,--emit-relocs", *options,
+        run(["avr-g++", "-mmcu=atmega328p", "-Os", "-Wl,--gc-sections,--emit-relocs", *options, *further,
              *arguments.objects, "-lm", "-o", output])
 
     def weigh(chosen, directory):
@@ -106,9 +107,10 @@ def main():
         text, data, bss = (int(size) for size in sizes[:3])
         return text + data, data + bss
 
+    mapped = [f"-Wl,-Map={arguments.map}"] if arguments.map else []
     with tempfile.TemporaryDirectory() as directory:
         if arguments.footprints is None:
-            link(subjects, arguments.output)
+            link(subjects, arguments.output, *mapped)
             return
         empty_flash, empty_ram = weigh([], directory)
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
@@ -120,7 +122,7 @@ def main():
             rows.writerow(["subject", "flash_bytes", "ram_bytes"])
             for subject, (flash, ram) in zip(programs, weights):
                 rows.writerow([subject, flash - empty_flash, ram - empty_ram])
-        link(subjects, arguments.output + ".partial")
+        link(subjects, arguments.output + ".partial", *mapped)
         with open(partial, encoding="ascii") as stream, \
                 open(arguments.footprints, "w", encoding="ascii") as target:
             target.write(stream.read())

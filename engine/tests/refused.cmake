@@ -1,11 +1,9 @@
 # SPDX-License-Identifier: MIT
-# cmake -DCOMPILER=... -DSOURCE=... -DINCLUDES=a;b -P refused.cmake: compiles SOURCE, which must
-# fail, and searches the errors for each sentence after `// refused: `, as often as it occurs there.
-set(flags)
-foreach(include ${INCLUDES})
-    list(APPEND flags -I${include})
-endforeach()
-execute_process(COMMAND ${COMPILER} -std=gnu++14 -fsyntax-only ${flags} ${SOURCE}
+# cmake -DCOMPILER=... -P refused.cmake: compiles refused.cpp, which must fail, and searches the
+# errors for each sentence after `// refused: `, as often as it occurs there.
+set(SOURCE ${CMAKE_CURRENT_LIST_DIR}/refused.cpp)
+execute_process(COMMAND ${COMPILER} -std=gnu++14 -fsyntax-only -I${CMAKE_CURRENT_LIST_DIR}/../src
+        -I${CMAKE_CURRENT_LIST_DIR}/../../fixedpoint/src ${SOURCE}
     RESULT_VARIABLE result ERROR_VARIABLE errors)
 if(result EQUAL 0)
     message(FATAL_ERROR "${SOURCE} compiles")

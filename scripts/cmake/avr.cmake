@@ -107,6 +107,7 @@ add_custom_command(OUTPUT ${AVR_KERNEL_ARCHIVE}
     COMMAND ${AVR_AR} rcs ${AVR_KERNEL_ARCHIVE} ${AVR_KERNEL_OBJECTS}
     DEPENDS ${AVR_KERNEL_OBJECTS} COMMENT "AVR kernels.a" VERBATIM)
 add_custom_target(avr_kernels DEPENDS ${AVR_KERNEL_OBJECTS} ${AVR_KERNEL_ARCHIVE})
+set(linked_kernels ${CMAKE_CURRENT_LIST_DIR}/linked_kernels.awk)
 
 function(avr_executable name)
     cmake_parse_arguments(ARG "KERNELS" "GROUP;HEADER" "SOURCES;OPTIONS;INCLUDES;LINK_OPTIONS;OBJECTS;ARCHIVES" ${ARGN})
@@ -114,9 +115,6 @@ function(avr_executable name)
     list(POP_BACK ARG_SOURCES last)
     avr_objects(objects ${name} SOURCES ${ARG_SOURCES} OPTIONS ${ARG_OPTIONS} INCLUDES ${ARG_INCLUDES}
                 HEADER ${ARG_HEADER})
-    if(ARG_KERNELS)
-        list(PREPEND objects ${AVR_KERNEL_OBJECTS})
-    endif()
     # The last source, usually the only one, is compiled and linked in one step.
     get_filename_component(last ${last} ABSOLUTE)
     get_filename_component(stem ${last} NAME)
@@ -128,11 +126,19 @@ function(avr_executable name)
         set(group ${name})
     endif()
     set_property(GLOBAL APPEND PROPERTY avr_programs_${group} ${elf})
-    set_property(GLOBAL APPEND PROPERTY avr_inputs_${group} ${last} ${parsed} ${objects} ${ARG_OBJECTS} ${ARG_ARCHIVES})
+    set_property(GLOBAL APPEND PROPERTY avr_inputs_${group} ${last} ${parsed} ${objects} ${ARG_OBJECTS} ${linked_kernels})
+    # The program is made again when a kernel changes that it contains, not when any does.
+    set(kernels)
+    if(ARG_KERNELS)
+        set(kernels ${AVR_KERNEL_OBJECTS})
+    endif()
+    get_property(programs GLOBAL PROPERTY avr_programs_${group})
+    list(GET programs 0 first)
     set_property(GLOBAL APPEND PROPERTY avr_commands_${group}
         COMMAND ${compile} -MMD -MF ${elf}.d -MT ${elf} -o ${object}
-        COMMAND ${AVR_GXX} -mmcu=atmega328p -Os ${ARG_OPTIONS} -Wl,--gc-sections ${ARG_LINK_OPTIONS}
-                ${objects} ${object} ${ARG_OBJECTS} ${ARG_ARCHIVES} -lm -o ${elf})
+        COMMAND ${AVR_GXX} -mmcu=atmega328p -Os ${ARG_OPTIONS} -Wl,--gc-sections,-Map=${elf}.map ${ARG_LINK_OPTIONS}
+                ${kernels} ${objects} ${object} ${ARG_OBJECTS} ${ARG_ARCHIVES} -lm -o ${elf}
+        COMMAND awk -v program=${first} -f ${linked_kernels} ${elf}.map >> ${first}.d)
     if(NOT ARG_GROUP)
         avr_group(${name})
         set_target_properties(${name} PROPERTIES ELF ${elf})
@@ -147,6 +153,6 @@ function(avr_group group)
     list(GET programs 0 first)
     add_custom_command(OUTPUT ${programs} ${commands} DEPENDS ${inputs} DEPFILE ${first}.d
         COMMENT "AVR ${group}" VERBATIM COMMAND_EXPAND_LISTS)
-    add_custom_target(${group} DEPENDS ${programs})
+    device_target(${group} ${programs})
     add_dependencies(${group} avr_kernels)
 endfunction()

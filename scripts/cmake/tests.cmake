@@ -6,12 +6,16 @@
 #   host     neither the cross compiler nor the simulated chip; runs under the sanitizers too
 #   script   as host, a command that runs no program of ours
 #   device   programs for the chip of its own
-#   slow     fixbench, the device programs of an experiment, or a project or sketch of its own
-# The target `quick_tests` builds those of the first three.
+#   slow     fixbench, the device programs of an experiment, a project or sketch of its own, a proof,
+#            or many compilations
+# The target `quick_tests` builds those of the first three, and `run_quick_tests` runs them: each only
+# if its program, the device programs that it NEEDS, or the sources that it READS have changed since
+# it last passed.
 
 set(TEST_OPTIMISATION -Og CACHE STRING "Level at which tests are compiled")
 add_custom_target(host_tests)
 add_custom_target(quick_tests)
+add_custom_target(run_quick_tests)
 add_custom_target(tests)
 add_dependencies(quick_tests host_tests)
 add_dependencies(tests quick_tests)
@@ -40,11 +44,70 @@ target_compile_options(test_headers PRIVATE ${TEST_OPTIMISATION})
 target_link_libraries(test_headers PRIVATE GTest::gtest fmt::fmt)
 target_precompile_headers(test_headers PRIVATE <gtest/gtest.h> <fmt/format.h> <filesystem> <fstream>)
 
-# test_program(TARGET LABEL SOURCES ... [LIBRARIES ...] [DEFINITIONS ...] [NEEDS ...] [NAME name]
-#              [PREFIX prefix] [MAIN library] [PROPERTIES ...]): a GoogleTest program.
+# quick_test(NAME LABEL COMMAND ... [NEEDS targets ...] [READS patterns ...]): makes a test one of
+# run_quick_tests, unless it is slow. A pattern
+# with a * is of files in that folder of the source tree and all below.
+function(quick_test name label)
+    cmake_parse_arguments(ARG "" "" "COMMAND;NEEDS;READS" ${ARGN})
+    if(label STREQUAL "slow")
+        return()
+    endif()
+    set(read)
+    foreach(path ${ARG_READS})
+        set(files ${CMAKE_SOURCE_DIR}/${path})
+        if(path MATCHES "[*]")
+            file(GLOB_RECURSE files CONFIGURE_DEPENDS ${files})
+        endif()
+        list(APPEND read ${files})
+    endforeach()
+    # A target may be defined after the test that needs it.
+    list(TRANSFORM ARG_NEEDS REPLACE "(.+)" "$<TARGET_PROPERTY:\\1,PROGRAMS>" OUTPUT_VARIABLE programs)
+    string(REPLACE "/" "_" run run_${name})
+    set(passed ${CMAKE_BINARY_DIR}/passed/${run})
+    add_custom_command(OUTPUT ${passed}
+        COMMAND ${CMAKE_SOURCE_DIR}/scripts/cmake/run_test.sh ${passed} ${ARG_COMMAND}
+        DEPENDS ${read} ${programs} ${ARG_NEEDS}
+        COMMENT "Test ${name}" VERBATIM COMMAND_EXPAND_LISTS)
+    add_custom_target(${run} DEPENDS ${passed})
+    add_dependencies(run_quick_tests ${run})
+    set_property(GLOBAL APPEND PROPERTY quick_tests_need ${ARG_NEEDS})
+endfunction()
+
+# Without its PROGRAMS, a target of device programs would not run a test again.
+function(check_quick_tests)
+    get_property(needed GLOBAL PROPERTY quick_tests_need)
+    foreach(target ${needed})
+        get_target_property(type ${target} TYPE)
+        get_target_property(programs ${target} PROGRAMS)
+        if(type STREQUAL "UTILITY" AND NOT programs)
+            message(FATAL_ERROR "${target} does not tell its PROGRAMS")
+        endif()
+    endforeach()
+endfunction()
+cmake_language(DEFER DIRECTORY ${CMAKE_SOURCE_DIR} CALL check_quick_tests)
+
+# device_target(NAME PROGRAMS ...): a target that makes programs for the chip.
+function(device_target name)
+    add_custom_target(${name} DEPENDS ${ARGN})
+    set_target_properties(${name} PROPERTIES PROGRAMS "${ARGN}")
+endfunction()
+
+# device_targets(NAME targets ...): a target for several of them.
+function(device_targets name)
+    set(programs)
+    foreach(target ${ARGN})
+        get_target_property(further ${target} PROGRAMS)
+        list(APPEND programs ${further})
+    endforeach()
+    device_target(${name} ${programs})
+    add_dependencies(${name} ${ARGN})
+endfunction()
+
+# test_program(TARGET LABEL SOURCES ... [LIBRARIES ...] [DEFINITIONS ...] [NEEDS ...] [READS ...]
+#              [NAME name] [PREFIX prefix] [MAIN library] [PROPERTIES ...]): a GoogleTest program.
 # With NAME it is one test; without, each of its cases is a test, with PREFIX before its name.
 function(test_program target label)
-    cmake_parse_arguments(ARG "" "NAME;PREFIX;MAIN" "SOURCES;LIBRARIES;DEFINITIONS;NEEDS;PROPERTIES" ${ARGN})
+    cmake_parse_arguments(ARG "" "NAME;PREFIX;MAIN" "SOURCES;LIBRARIES;DEFINITIONS;NEEDS;READS;PROPERTIES" ${ARGN})
     if(NOT ARG_MAIN)
         set(ARG_MAIN GTest::gtest_main)
     endif()
@@ -61,16 +124,23 @@ function(test_program target label)
         set_tests_properties(${ARG_NAME} PROPERTIES LABELS ${label} ${ARG_PROPERTIES})
     else()
         gtest_discover_tests(${target} TEST_PREFIX ${ARG_PREFIX} NO_PRETTY_VALUES PROPERTIES LABELS ${label} ${ARG_PROPERTIES})
+        set(ARG_NAME ${ARG_PREFIX}${target})
     endif()
+    quick_test(${ARG_NAME} ${label} COMMAND $<TARGET_FILE:${target}> --gtest_brief=1
+        NEEDS ${target} ${ARG_NEEDS} READS ${ARG_READS})
     add_labelled(${label} ${target})
 endfunction()
 
-# test_command(NAME LABEL COMMAND ... [NEEDS ...]): a test that is a command.
+# test_command(NAME LABEL COMMAND ... [NEEDS ...] [READS ...]): a test that is a command.
 function(test_command name label)
-    cmake_parse_arguments(ARG "" "" "COMMAND;NEEDS" ${ARGN})
+    cmake_parse_arguments(ARG "" "" "COMMAND;NEEDS;READS" ${ARGN})
     add_test(NAME ${name} COMMAND ${ARG_COMMAND})
     set_tests_properties(${name} PROPERTIES LABELS ${label})
     if(ARG_NEEDS)
         add_labelled(${label} ${ARG_NEEDS})
     endif()
+    if(NOT ARG_READS AND NOT label STREQUAL "slow")
+        message(FATAL_ERROR "${name} does not tell what it READS")
+    endif()
+    quick_test(${name} ${label} COMMAND ${ARG_COMMAND} NEEDS ${ARG_NEEDS} READS ${ARG_READS})
 endfunction()
