@@ -100,6 +100,7 @@ ROOMS = [
     kernels(f"{FIXED}/avr/exp2_q32_32.S {FIXED}/avr/hyperbolic_q32_32.S {FIXED}/avr/pow_q32_32.S"
             f" {FIXED}/avr/exp_64.inc {FIXED}/avr/*_fine.S", 1, "q32_32_powers",
             Check("kernels_test", "Power.*", "q32_32_powers")),
+    kernels(f"{FIXED}/avr/tan_of_rest.S {FIXED}/avr/byte_fraction.S", 1, "q32_32_angles"),
     kernels(f"{FIXED}/avr/cbrt_q32_32.S", 1, "q32_32_powers",
             Check("kernels_test", "CubeRoot.*", "q32_32_powers")),
     room("kernels", f"{FIXED}/avr/*_64.S {FIXED}/avr/septic_64.inc {FIXED}/avr/fraction_product.inc"
@@ -112,7 +113,8 @@ ROOMS = [
          Check("splits_test", "LongSplits.Angles", "splits_64_atan splits_64_atan2"),
          Check("splits_test", "LongSplits.Log", "splits_64_log")),
     room("kernels", f"{FIXED}/avr/sin_32.S {FIXED}/avr/atan2_32.S {FIXED}/avr/exp_32.S {FIXED}/avr/log_32.*"
-         f" {FIXED}/avr/reciprocal_sqrt_32.S {FIXED}/avr/cubic_32.*", 1,
+         f" {FIXED}/avr/reciprocal_sqrt_32.S {FIXED}/avr/cubic_32.* {FIXED}/avr/normalise3_32.S", 1,
+         Check("splits_test", "Splits.Normalise3", "splits_32_normalise3"),
          Check("splits_test", "Splits.Log", "splits_32_log"),
          Check("splits_test", "Splits.ReciprocalSqrt", "splits_32_reciprocal_sqrt"),
          Check("splits_test", "Splits.Exp", "splits_32_exp"),
@@ -159,6 +161,8 @@ ROOMS = [
          "engine_model_step_test", "engine_pool_test", "engine_direct_rods_test",
          "engine_warm_started_test"),
     room("engine", "engine/src/engine/continuous.hpp", 1, "engine_continuous_test"),
+    room("engine", "engine/src/engine/broad_phase/*.hpp engine/src/engine/overlap.hpp", 1, "engine_overlap_test",
+         "engine_contact_test", "engine_pool_test"),
     room("engine", "engine/src/engine/distance.hpp", 1, "engine_distance_test",
          "engine_distance_proof_test"),
     room("engine", "engine/src/engine/integrators/*.hpp engine/src/engine/forces.hpp", 1,
