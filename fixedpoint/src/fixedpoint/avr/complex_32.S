@@ -34,7 +34,7 @@
     .endif
     set                 // T: of the real part
 2:  .if is_short
-    first_product \top, 4
+    first_product \top, 0, 4
     brts 1f
     add_half \fraction, \top
     rjmp 3f
@@ -64,9 +64,11 @@
     .endm
 
     .macro kernels integer, fraction
+    .if \fraction != 24    // complex_q8_24.S
     FUNCTION fixedpoint_complex_product_q\integer\()_\fraction
     complex_product \fraction, ((\fraction - 1) / 8 + 4)
     ENDFUNC fixedpoint_complex_product_q\integer\()_\fraction
+    .endif
     .endm
 
 #include "splits_32.inc"

@@ -160,9 +160,11 @@
     transform \fraction, ((\fraction - 1) / 8 + 4)
     ENDFUNC fixedpoint_matrix_product_q\integer\()_\fraction
 
+    .if \fraction != 24    // matrix_product_2_q8_24.S
     FUNCTION fixedpoint_matrix_product_2_q\integer\()_\fraction
     product_2 \fraction, ((\fraction - 1) / 8 + 4)
     ENDFUNC fixedpoint_matrix_product_2_q\integer\()_\fraction
+    .endif
     .endm
 
 #include "splits_32.inc"
