@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // int32_t fixedpoint_biquad_q16_16(int32_t input, void* filter)
-// int32_t fixedpoint_biquad_q8_24(int32_t input, void* filter)
 // The next output of a second-order filter: the exact sum of five products and two weighted errors,
 // rounded half up and taken modulo 2^32. The rounding error becomes the next error.
 //
@@ -133,9 +132,5 @@
     FUNCTION fixedpoint_biquad_q16_16
     biquad 16, 5, 2, s1, s2, s3, s4, s5
     ENDFUNC fixedpoint_biquad_q16_16
-
-    FUNCTION fixedpoint_biquad_q8_24
-    biquad 24, 6, 4, s2, s3, s4, s5, s6
-    ENDFUNC fixedpoint_biquad_q8_24
 
 #endif

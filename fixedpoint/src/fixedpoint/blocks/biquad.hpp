@@ -131,6 +131,40 @@ class BiquadSteps<Number, true> {
     int8_t weight_[2];
     typename RoundingError<Number::fraction_bits>::Error error_[2];
 };
+// The same for the kernel of Q8.24. A sum of seven bytes is an output with its error, plus half an
+// ulp.
+template <>
+class BiquadSteps<Fixed<8, 24>, true> {
+    using Number = Fixed<8, 24>;
+
+  public:
+    explicit BiquadSteps(const BiquadCoefficients<Number>& c)
+        : b0_(c.b0),
+          coefficient_{c.b1, c.b2, -c.a2, -c.a1},
+          weight_{nearest_integer(coefficient_[3], 2), nearest_integer(coefficient_[2], 1)},
+          state_(),
+          sum_{{0, 0, 0x80}, {0, 0, 0x80}} {
+        halves_ = static_cast<int8_t>(1 - weight_[0] - weight_[1]);
+    }
+    Number take(Number input) { return FilterKernel<Number>::biquad(input, this); }
+
+  private:
+    // That of BiquadSum, in a fraction of its flash.
+    static int8_t nearest_integer(Number x, int8_t limit) {
+        const auto whole = static_cast<int8_t>(x.raw() >> 24);
+        if (whole >= limit) return limit;
+        if (whole < -limit) return static_cast<int8_t>(-limit);
+        return static_cast<int8_t>(whole + (x.raw() >> 23 & 1));
+    }
+
+    Number b0_;
+    int8_t halves_;
+    Number coefficient_[4];
+    int8_t weight_[2];
+    // x1, x2.
+    Number state_[2];
+    uint8_t sum_[2][7];
+};
 /// \endcond
 
 /// The filter y = b0 x + b1 x1 + b2 x2 - a1 y1 - a2 y2.
