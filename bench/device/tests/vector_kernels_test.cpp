@@ -660,12 +660,11 @@ struct __attribute__((packed)) Biquad {
 // output and its error as their exact sum plus half an ulp.
 struct __attribute__((packed)) BiquadOfSums {
     static constexpr int64_t half = int64_t{1} << 23;
-    int32_t b0;
-    int8_t halves;
-    int32_t b1, b2, c2, c1;
-    int8_t weight1, weight2;
-    int32_t x1, x2;
-    std::array<std::uint8_t, 7> sum2, sum1;
+    int32_t b0, halves, b1, x1, b2, x2, c2;
+    std::array<std::uint8_t, 7> sum2;
+    int32_t c1;
+    std::array<std::uint8_t, 7> sum1;
+    int8_t weight2, weight1;
 
     static int64_t sum(const std::array<std::uint8_t, 7>& bytes) {
         std::uint64_t sum = 0;
@@ -685,7 +684,7 @@ struct __attribute__((packed)) BiquadOfSums {
     void begin(Number number) {
         b0 = number(), b1 = number(), b2 = number(), c1 = number(), c2 = number();
         weight1 = nearest(c1, 2), weight2 = nearest(c2, 1);
-        halves = static_cast<int8_t>(1 - weight1 - weight2);
+        halves = (1 - weight1 - weight2) * 128;
         x1 = number(), x2 = number();
         for (auto* sum : {&sum1, &sum2})
             *sum = bytes(int64_t{number()} * 2 * half + low_bits(number(), 24));

@@ -4,17 +4,17 @@
 //
 // In       input = r25:r22, filter = r21:r20: see below
 // Out      r25:r22
-// Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
-// Stack    9 bytes and a call
+// Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
+// Stack    7 bytes and a call
 //
-// The filter consists of the coefficient of x, a number of halves n, the coefficients of x1, x2, y2 and
-// y1, the weights of the errors of y1 and y2, x1, x2, then the sums of seven bytes whose upper four are y2 and y1. A
-// sum contains the half that rounds, so its lower bytes are an error e plus a half. With the weights k1
-// and k2, n = 1 - k1 - k2 halves correct this; n is 0 in most low-pass filters.
+// The filter consists of the coefficient of x; n / 2 in units of 2^-24 ulp, in four bytes; the coefficient
+// of x1, and x1; that of x2, and x2; that of y2, and a sum of seven bytes whose upper four are y2; that
+// of y1, and the sum of y1; the weights of the errors of y2 and y1, a byte each. A sum contains the half that rounds, so its
+// lower bytes are the error e plus a half; with the weights k1 and k2, n = 1 - k1 - k2 corrects this.
 //
-// c y + k e, with the coefficient c = d + f, 0 <= f < 1, is f y + d (y + e) + (k - d) e. Here y + e is a stored
-// sum. If d is -1, 0 or 1, k - d is 0 or 1, which is the first bit of f; but the weight of the error of y2
-// is at most 1.
+// c y + k e, where c = d + f and 0 <= f < 1, is f y + d (y + e) + (k - d) e, and y + e is a stored sum.
+// Mostly k is the integer nearest to c, so k - d is the first bit of f. But the weight of the error of y2 is at
+// most 1, and that of y1 at most 2.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -33,23 +33,25 @@
 #define q1 r27
 #include "upper_sum_q8_24.inc"
 
-#define signals_at 23
+#define halves_at 4
+#define x1_at 8
+#define x2_at 16
+#define y2_at 24
+#define y1_at 35
+#define weights_at 46
 
-    .macro take_b
-    ld b0, Z+
-    ld b1, Z+
-    ld b2, Z+
-    .endm
     // Loads the next signal into a, after storing a in its place.
-    .macro exchange
-    ldd_bytes q0, Y + 0, 2
-    ldd_bytes r0, Y + 2, 2
-    st Y+, a0
-    st Y+, a1
-    st Y+, a2
-    st Y+, a3
+    .macro exchange at
+    ldd_bytes q0, Z + \at, 2
+    ldd_bytes r0, Z + \at + 2, 2
+    std_bytes Z + \at, a0, 4
     movw a0, q0
     movw a2, r0
+    .endm
+    .macro load_error at
+    ldd b0, Z + \at
+    ldd b1, Z + \at + 1
+    ldd q1, Z + \at + 2
     .endm
 
     // s = the low three bytes of a times those of b.
@@ -137,100 +139,103 @@
     SECTION fixedpoint_biquad_q8_24
     highest_products
 
-    // s += q0 halves.
-.Lhalves:
-    clr q1
-    asr q0
-    ror q1
-    mov b0, q0
-    lsl b0
-    sbc b0, b0
-    add s2, q1
-    adc u3, q0
-    adc u4, b0
-    adc u5, b0
-    adc u6, b0
-    ret
+    // s += q0 times the error.
+1:  dec q0
+    error add, adc
+.Lweigh:
+    tst q0
+    breq 3f
+    brpl 1b
+    inc q0
+    error sub, sbc
+    rjmp .Lweigh
+3:  ret
 
     ENTRY fixedpoint_biquad_q8_24
-    push_all r10, r11, r12, r13, r14, r16, r17, r28, r29
+    push_all r10, r11, r12, r13, r14, r16, r17
     movw r30, r20
-    movw r28, r20
-    adiw r28, signals_at
     movw a0, r22
     movw a2, r24
     clr zero
-    take_b
+    load_b 0
     first_rows
-    upper_highest_of_a
-    ld q0, Z+
-    upper_highest_of_b
-    ld q0, Z+
-    cpse q0, zero
-    rcall .Lhalves
-    .rept 2
-    exchange
-    take_b
+    upper_highest_bytes 0
+    ldd q0, Z + halves_at
+    add s2, q0
+    ldd q0, Z + halves_at + 1
+    adc u3, q0
+    ldd q0, Z + halves_at + 2
+    adc u4, q0
+    adc u5, q0
+    adc u6, q0
+    .irp at, x1_at, x2_at
+    exchange (\at + 4)
+    load_b \at
     rows
-    upper_highest_of_a
-    ld q0, Z+
-    upper_highest_of_b
+    upper_highest_bytes \at
     .endr
-    set                 // T: of y2
-1:  ldd_bytes a0, Y + 3, 4
-    take_b
+
+    ldd_bytes a0, Z + y2_at + 7, 4
+    load_b y2_at
     rows
     upper_highest_of_a
-    ldd b0, Y + 0
-    ldd b1, Y + 1
-    ldd q1, Y + 2
-    ld q0, Z+           // d
+    load_error (y2_at + 4)
+    ldd q0, Z + y2_at + 3
     inc q0
-    breq .Lminus
-    dec q0
-    breq 2f
-    dec q0
-    brne .Lother
-    brts .Lother
-    last_sum add, adc
-2:  sbrs b2, 7
-    rjmp 3f
+    breq 1f
+    rjmp .Lother_y2
+1:  last_sum sub, sbc   // d = -1
+.Lfraction_of_y2:
+    sbrs b2, 7
+    rjmp .Ly1
     error add, adc
-3:  brtc 4f
-    clt
-    adiw r28, 7
-    rjmp 1b
-.Lminus:
-    last_sum sub, sbc
-    rjmp 2b
-    // d - 1 is q0.
-.Lother:
-    inc q0
-    rcall .Lhighest_of_b
-    ldd b0, Y + 0
-    ldd q0, Z + 0       // the weight
-    brtc 1f
-    ldd q0, Z + 5
-1:  tst q0
-    breq 3b
-    brmi 2f
-    error add, adc
+.Ly1:
+    ldd_bytes a0, Z + y1_at + 7, 4
+    load_b y1_at
+    rows
+    upper_highest_of_a
+    load_error (y1_at + 4)
+    ldd q0, Z + y1_at + 3
     dec q0
-    rjmp 1b
-2:  error sub, sbc
-    inc q0
-    rjmp 1b
-
-4:  sbiw r28, 7
-    std Y + 0, b0
-    std Y + 1, b1
-    std Y + 2, q1
-    std_bytes Y + 3, a0, 4
-    std_bytes Y + 7, s0, 3
-    std_bytes Y + 10, u3, 4
+    brne .Lother_y1
+    last_sum add, adc   // d = 1
+4:  sbrs b2, 7
+    rjmp 5f
+    error add, adc
+5:  std Z + y2_at + 4, b0
+    std Z + y2_at + 5, b1
+    std Z + y2_at + 6, q1
+    std_bytes Z + y2_at + 7, a0, 4
+    std_bytes Z + y1_at + 4, s0, 3
+    std_bytes Z + y1_at + 7, u3, 4
     clr r1
-    pop_all r29, r28, r17, r16, r14, r13, r12, r11, r10
+    pop_all r17, r16, r14, r13, r12, r11, r10
     ret
+
+.Lother_y1:
+    subi q0, -3
+    breq 1f
+    cpi q0, 1
+    breq 2f
+    subi q0, 2
+    breq 4b
+    rcall .Lhighest_of_b
+    load_error (y1_at + 4)
+    ldd q0, Z + weights_at + 1
+    rcall .Lweigh
+    rjmp 5b
+1:  last_sum sub, sbc   // d = -2
+2:  last_sum sub, sbc   // d = -1
+    rjmp 4b
+.Lother_y2:
+    dec q0
+    brne 1f
+    rjmp .Lfraction_of_y2
+1:  rcall .Lhighest_of_b
+    load_error (y2_at + 4)
+    ldd q0, Z + weights_at
+    rcall .Lweigh
+    rjmp .Ly1
     ENDFUNC fixedpoint_biquad_q8_24
 
 #endif

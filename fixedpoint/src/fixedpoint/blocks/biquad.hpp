@@ -136,15 +136,20 @@ class BiquadSteps<Number, true> {
 template <>
 class BiquadSteps<Fixed<8, 24>, true> {
     using Number = Fixed<8, 24>;
+    using Sum = uint8_t[7];
 
   public:
     explicit BiquadSteps(const BiquadCoefficients<Number>& c)
         : b0_(c.b0),
-          coefficient_{c.b1, c.b2, -c.a2, -c.a1},
-          weight_{nearest_integer(coefficient_[3], 2), nearest_integer(coefficient_[2], 1)},
-          state_(),
-          sum_{{0, 0, 0x80}, {0, 0, 0x80}} {
-        halves_ = static_cast<int8_t>(1 - weight_[0] - weight_[1]);
+          b1_(c.b1),
+          b2_(c.b2),
+          c2_(-c.a2),
+          sum2_{0, 0, 0x80},
+          c1_(-c.a1),
+          sum1_{0, 0, 0x80},
+          weight2_(nearest_integer(c2_, 1)),
+          weight1_(nearest_integer(c1_, 2)) {
+        halves_ = (1 - weight1_ - weight2_) * 128;
     }
     Number take(Number input) { return FilterKernel<Number>::biquad(input, this); }
 
@@ -158,12 +163,12 @@ class BiquadSteps<Fixed<8, 24>, true> {
     }
 
     Number b0_;
-    int8_t halves_;
-    Number coefficient_[4];
-    int8_t weight_[2];
-    // x1, x2.
-    Number state_[2];
-    uint8_t sum_[2][7];
+    int32_t halves_;
+    Number b1_, x1_, b2_, x2_, c2_;
+    Sum sum2_;
+    Number c1_;
+    Sum sum1_;
+    int8_t weight2_, weight1_;
 };
 /// \endcond
 
