@@ -34,7 +34,7 @@ struct BiquadCoefficients {
 // The sum of the five products, for float and double.
 template <class Number>
 struct BiquadSum {
-    BiquadSum(Number, Number) {}
+    constexpr BiquadSum(Number, Number) {}
     Number of(const Number* a, const Number* b) {
         return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3] + a[4] * b[4];
     }
@@ -47,9 +47,9 @@ class BiquadSum<Fixed<IntegerBits, F, A>> {
 
   public:
     using Number = Fixed<IntegerBits, F, A>;
-    BiquadSum(Number feedback1, Number feedback2)
+    constexpr BiquadSum(Number feedback1, Number feedback2)
         : weight1_(nearest_integer(feedback1, 2)), weight2_(nearest_integer(feedback2, 1)) {}
-    static int8_t nearest_integer(Number x, int8_t limit) {
+    static constexpr int8_t nearest_integer(Number x, int8_t limit) {
         return convert<int8_t>(clamp(x, Number::from_integer(-limit), Number::from_integer(limit)));
     }
     Number of(const Number* a, const Number* b) {
@@ -94,7 +94,7 @@ class BiquadSum<Fixed<IntegerBits, F, A>> {
 template <class Number, bool in_kernel = FilterKernel<Number>::exists>
 class BiquadSteps {
   public:
-    explicit BiquadSteps(const BiquadCoefficients<Number>& c)
+    explicit constexpr BiquadSteps(const BiquadCoefficients<Number>& c)
         : coefficient_{c.b0, c.b1, c.b2, -c.a1, -c.a2}, state_(), sum_(-c.a1, -c.a2) {}
     Number take(Number input) {
         state_[2] = state_[1];
@@ -116,7 +116,7 @@ class BiquadSteps {
 template <class Number>
 class BiquadSteps<Number, true> {
   public:
-    explicit BiquadSteps(const BiquadCoefficients<Number>& c)
+    explicit constexpr BiquadSteps(const BiquadCoefficients<Number>& c)
         : coefficient_{c.b0, c.b1, c.b2, -c.a1, -c.a2},
           state_(),
           weight_{BiquadSum<Number>::nearest_integer(-c.a1, 2),
@@ -139,8 +139,9 @@ class BiquadSteps<Fixed<8, 24>, true> {
     using Sum = uint8_t[7];
 
   public:
-    explicit BiquadSteps(const BiquadCoefficients<Number>& c)
+    explicit constexpr BiquadSteps(const BiquadCoefficients<Number>& c)
         : b0_(c.b0),
+          halves_((1 - nearest_integer(-c.a1, 2) - nearest_integer(-c.a2, 1)) * 128),
           b1_(c.b1),
           b2_(c.b2),
           c2_(-c.a2),
@@ -148,18 +149,18 @@ class BiquadSteps<Fixed<8, 24>, true> {
           c1_(-c.a1),
           sum1_{0, 0, 0x80},
           weight2_(nearest_integer(c2_, 1)),
-          weight1_(nearest_integer(c1_, 2)) {
-        halves_ = (1 - weight1_ - weight2_) * 128;
-    }
+          weight1_(nearest_integer(c1_, 2)) {}
     Number take(Number input) { return FilterKernel<Number>::biquad(input, this); }
 
   private:
     // That of BiquadSum, in a fraction of its flash.
-    static int8_t nearest_integer(Number x, int8_t limit) {
-        const auto whole = static_cast<int8_t>(x.raw() >> 24);
-        if (whole >= limit) return limit;
-        if (whole < -limit) return static_cast<int8_t>(-limit);
-        return static_cast<int8_t>(whole + (x.raw() >> 23 & 1));
+    static constexpr int8_t nearest_integer(Number x, int8_t limit) {
+        return limited(static_cast<int8_t>(x.raw() >> 24), x.raw() >> 23 & 1, limit);
+    }
+    static constexpr int8_t limited(int8_t whole, bool half, int8_t limit) {
+        return static_cast<int8_t>(whole >= limit    ? limit
+                                   : whole < -limit ? -limit
+                                                    : whole + half);
     }
 
     Number b0_;
@@ -186,7 +187,7 @@ template <class Number>
 class Biquad {
   public:
     /// At rest: all previous inputs and outputs are 0.
-    explicit Biquad(const BiquadCoefficients<Number>& c) : steps_(c) {}
+    explicit constexpr Biquad(const BiquadCoefficients<Number>& c) : steps_(c) {}
 
     /// Takes the next input and returns the output.
     Number update(Number input) { return steps_.take(input); }
