@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: MIT
 // int32_t fixedpoint_biquad_q8_24(int32_t input, void* filter)
-// biquad_32.S for Q8.24.
+// That of biquad_q16_16.S for Q8.24.
 //
 // In       input = r25:r22, filter = r21:r20: see below
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
 // Stack    7 bytes and a call
 //
-// The filter consists of the coefficient of x; n / 2 in units of 2^-24 ulp, in four bytes; the coefficient
-// of x1, and x1; that of x2, and x2; that of y2, and a sum of seven bytes whose upper four are y2; that
-// of y1, and the sum of y1; the weights of the errors of y2 and y1, a byte each. A sum contains the half that rounds, so its
-// lower bytes are the error e plus a half; with the weights k1 and k2, n = 1 - k1 - k2 corrects this.
+// The filter consists of the coefficient of x; 128 n in four bytes; the coefficient of x1, and x1;
+// that of x2, and x2; that of y2, and a sum of seven bytes whose upper four are y2; that of y1, and
+// the sum of y1; the weights of the errors of y2 and y1, a byte each.
 //
-// c y + k e, where c = d + f and 0 <= f < 1, is f y + d (y + e) + (k - d) e, and y + e is a stored sum.
-// Mostly k is the integer nearest to c, so k - d is the first bit of f. But the weight of the error of y2 is at
-// most 1, and that of y1 at most 2.
+// A sum contains the half that rounds, so its lower three bytes are the error e plus a half. With the
+// weights k1 and k2, n = 1 - k1 - k2 halves correct this.
+//
+// c y + k e, with the coefficient c = d + f where 0 <= f < 1, is f y + d (y + e) + (k - d) e, and
+// y + e is a stored sum. The weight is the integer nearest to c, so k - d is the first bit of f. Only
+// where |k| would exceed 2, or 1 for y2, it is limited; such d do not take the short path.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -33,6 +35,7 @@
 #define q1 r27
 #include "upper_sum_q8_24.inc"
 
+// Where the filter has a coefficient, followed by a signal or a sum; and the rest.
 #define halves_at 4
 #define x1_at 8
 #define x2_at 16

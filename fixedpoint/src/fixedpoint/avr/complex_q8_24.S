@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // void fixedpoint_complex_product_q8_24(int32_t* result, const int32_t* a, const int32_t* b)
-// complex_32.S for Q8.24.
+// That of complex_32.S for Q8.24.
 //
 // In       result = r25:r24, a = r23:r22, b = r21:r20, in RAM; result must not be a or b
 // Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
