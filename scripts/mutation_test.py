@@ -67,7 +67,7 @@ def kernels(files, count, program, *checks):
 ROOMS = [
     kernels(f"{FIXED}/avr/*_q16_16.S {FIXED}/avr/*_q16_16.inc !*/add_scaled_q16_16.S"
             " !*/dot_difference_q16_16.S !*/multiply_short_q16_16.S"
-            " !*/short_factor_q16_16.inc !*/polynomial_q16_16.S !*/invert2_q16_16.S"
+            " !*/short_factor_q16_16.inc !*/polynomial_q16_16.S !*/invert2_q16_16.S !*/biquad_q16_16.S"
             f" {FIXED}/avr/cubic_core_32.inc {FIXED}/avr/ratio_32.inc {FIXED}/avr/exp_32.inc", 2, "q16_16",
             Check("kernels_test", "*/q16_16_auxiliary", "q16_16_auxiliary"),
             Check("kernels_test", "*/q16_16_angles", "q16_16_angles"),

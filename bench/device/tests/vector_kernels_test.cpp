@@ -35,8 +35,8 @@ int32_t difference(int32_t a, int32_t b) {
     return static_cast<int32_t>(static_cast<uint32_t>(a) - static_cast<uint32_t>(b));
 }
 
-// b such that sum + a b, with an odd a, is `wanted` modulo 2^24, and is less than 1 of Q8.24 or, with
-// `negative`, is -1 or more but negative.
+// b such that sum + a b, with an odd a, is `wanted` modulo 2^24, and is less than 1 of Q8.24 or,
+// with `negative`, is -1 or more but negative.
 int32_t completing(int64_t sum, int32_t a, int64_t wanted, bool negative) {
     auto inverse = static_cast<std::uint32_t>(a);  // by Newton's method
     for (int i = 0; i < 4; ++i) inverse *= 2 - static_cast<std::uint32_t>(a) * inverse;
@@ -45,7 +45,8 @@ int32_t completing(int64_t sum, int32_t a, int64_t wanted, bool negative) {
     return negative ? b - (1 << 24) : b;
 }
 
-// A remainder modulo 2^24: a half, and up to 2^16 more or, every other time, up to 2^19 more or less.
+// A remainder modulo 2^24: a half, and up to 2^16 more or, every other time, up to 2^19 more or
+// less.
 int64_t nearly_half(std::uint32_t random) {
     const auto bits = static_cast<int64_t>(random >> 1);
     return (1 << 23) + (random % 2 == 0 ? bits & 0xffff : (bits & 0xfffff) - 0x80000);
@@ -407,8 +408,8 @@ TEST_F(VectorPolynomials, RoundOnceAStep) {
     }
 }
 
-// Bytes that the kernel of Q8.24 leaves out decide. They are largest in products of numbers that end
-// with 0x01ff.
+// Bytes that the kernel of Q8.24 leaves out decide. They are largest in products of numbers that
+// end with 0x01ff.
 TEST_F(VectorComplexProduct, IsExactWhereItIsNearlyHalfWay) {
     using Complex = std::array<int32_t, 2>;
     const std::uint16_t at_result = chip_.allocate(8), at_a = chip_.allocate(8),
@@ -425,8 +426,8 @@ TEST_F(VectorComplexProduct, IsExactWhereItIsNearlyHalfWay) {
             b[unit] = (b[unit] & ~0xffff) | 0x1ff;
         }
         const int64_t wanted = nearly_half(random());
-        b[1 - unit] = completing(int64_t{a[0]} * b[unit], unit == 0 ? -a[1] : a[1],
-                                 wanted, i % 2 == 1);
+        b[1 - unit] =
+            completing(int64_t{a[0]} * b[unit], unit == 0 ? -a[1] : a[1], wanted, i % 2 == 1);
         write(at_a, a);
         write(at_b, b);
         multiply(at_result, at_a, at_b);

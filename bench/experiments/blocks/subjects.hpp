@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The blocks as they are measured: each takes `inputs` numbers in -1..1 per step, multiplies them by
-// `scale`, adds `offset`, and returns `outputs` numbers. The same source runs on the chip and on the host, for Fixed,
-// float and double. Constants are multiples of 2^-8, which every format holds, so that only the
-// arithmetic causes errors.
+// The blocks as they are measured: each takes `inputs` numbers in -1..1 per step, multiplies them
+// by `scale`, adds `offset`, and returns `outputs` numbers. The same source runs on the chip and on
+// the host, for Fixed, float and double. Constants are multiples of 2^-8, which every format holds,
+// so that only the arithmetic causes errors.
 #pragma once
 
 #include <fixedpoint/blocks/biquad.hpp>

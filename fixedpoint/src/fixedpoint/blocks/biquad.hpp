@@ -158,9 +158,7 @@ class BiquadSteps<Fixed<8, 24>, true> {
         return limited(static_cast<int8_t>(x.raw() >> 24), x.raw() >> 23 & 1, limit);
     }
     static constexpr int8_t limited(int8_t whole, bool half, int8_t limit) {
-        return static_cast<int8_t>(whole >= limit    ? limit
-                                   : whole < -limit ? -limit
-                                                    : whole + half);
+        return static_cast<int8_t>(whole >= limit ? limit : whole < -limit ? -limit : whole + half);
     }
 
     Number b0_;
