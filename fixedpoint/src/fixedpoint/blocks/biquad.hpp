@@ -136,23 +136,36 @@ class BiquadSteps<Number, true> {
 template <>
 class BiquadSteps<Fixed<8, 24>, true> {
     using Number = Fixed<8, 24>;
-    using Sum = uint8_t[7];
 
   public:
     explicit constexpr BiquadSteps(const BiquadCoefficients<Number>& c)
-        : b0_(c.b0),
-          halves_((1 - nearest_integer(-c.a1, 2) - nearest_integer(-c.a2, 1)) * 128),
-          b1_(c.b1),
-          b2_(c.b2),
-          c2_(-c.a2),
-          sum2_{0, 0, 0x80},
-          c1_(-c.a1),
-          sum1_{0, 0, 0x80},
-          weight2_(nearest_integer(c2_, 1)),
-          weight1_(nearest_integer(c1_, 2)) {}
-    Number take(Number input) { return FilterKernel<Number>::biquad(input, this); }
+        : state_{c.b0,
+                 (1 - nearest_integer(-c.a1, 2) - nearest_integer(-c.a2, 1)) * 128,
+                 c.b1,
+                 Number(),
+                 c.b2,
+                 Number(),
+                 -c.a2,
+                 {0, 0, 0x80},
+                 -c.a1,
+                 {0, 0, 0x80},
+                 nearest_integer(-c.a2, 1),
+                 nearest_integer(-c.a1, 2)} {}
+    Number take(Number input) { return FilterKernel<Number>::biquad(input, &state_); }
 
   private:
+    struct State {
+        Number b0;
+        int32_t halves;
+        Number b1, x1, b2, x2, c2;
+        uint8_t sum2[7];
+        Number c1;
+        uint8_t sum1[7];
+        int8_t weight2, weight1;
+    };
+    static_assert(!kernel::has_assembly || sizeof(State) == 48,
+                  "The layout must be that of avr/biquad_q8_24.S.");
+
     // That of BiquadSum, in a fraction of its flash.
     static constexpr int8_t nearest_integer(Number x, int8_t limit) {
         return limited(static_cast<int8_t>(x.raw() >> 24), x.raw() >> 23 & 1, limit);
@@ -161,13 +174,7 @@ class BiquadSteps<Fixed<8, 24>, true> {
         return static_cast<int8_t>(whole >= limit ? limit : whole < -limit ? -limit : whole + half);
     }
 
-    Number b0_;
-    int32_t halves_;
-    Number b1_, x1_, b2_, x2_, c2_;
-    Sum sum2_;
-    Number c1_;
-    Sum sum1_;
-    int8_t weight2_, weight1_;
+    State state_;
 };
 /// \endcond
 
