@@ -67,7 +67,7 @@ def kernels(files, count, program, *checks):
 ROOMS = [
     kernels(f"{FIXED}/avr/*_q16_16.S {FIXED}/avr/*_q16_16.inc !*/add_scaled_q16_16.S"
             " !*/dot_difference_q16_16.S !*/multiply_short_q16_16.S"
-            " !*/short_factor_q16_16.inc !*/polynomial_q16_16.S !*/invert2_q16_16.S"
+            " !*/short_factor_q16_16.inc !*/polynomial_q16_16.S !*/invert2_q16_16.S !*/biquad_q16_16.S"
             f" {FIXED}/avr/cubic_core_32.inc {FIXED}/avr/ratio_32.inc {FIXED}/avr/exp_32.inc", 2, "q16_16",
             Check("kernels_test", "*/q16_16_auxiliary", "q16_16_auxiliary"),
             Check("kernels_test", "*/q16_16_angles", "q16_16_angles"),
@@ -78,13 +78,14 @@ ROOMS = [
          f" {FIXED}/avr/short_factor_q16_16.inc {FIXED}/avr/add_whole_product.S", 1,
          Check("vector_kernels_test", "VectorSteps.*", "vector_steps")),
     room("kernels", f"{FIXED}/avr/transform_32.S {FIXED}/avr/cross_32.S {FIXED}/avr/polynomial_*.S"
-         f" {FIXED}/avr/amplify4_32.S {FIXED}/avr/columns_32.inc {FIXED}/avr/product_sum_32.inc", 1,
+         f" {FIXED}/avr/amplify4_32.S {FIXED}/avr/columns_32.inc {FIXED}/avr/product_sum_32.inc"
+         f" {FIXED}/avr/matrix_product_2_q8_24.S {FIXED}/avr/upper_sum_q8_24.inc", 1,
          Check("vector_kernels_test", "VectorTransform.*", "vector_transform"),
          Check("vector_kernels_test", "VectorCross.*", "vector_cross"),
          Check("vector_kernels_test", "VectorPolynomials.*", "vector_polynomials"),
          Check("vector_kernels_test", "VectorMatrixProduct2.*", "vector_matrix_product_2")),
-    room("kernels", f"{FIXED}/avr/complex_32.S {FIXED}/avr/cofactors_32.S {FIXED}/avr/one_pole_32.S"
-         f" {FIXED}/avr/biquad_32.S {FIXED}/avr/pid_32.S {FIXED}/avr/invert2_*.S {FIXED}/avr/inverse2_32.S"
+    room("kernels", f"{FIXED}/avr/complex_*.S {FIXED}/avr/cofactors_32.S {FIXED}/avr/one_pole_32.S"
+         f" {FIXED}/avr/biquad_*.S {FIXED}/avr/pid_32.S {FIXED}/avr/invert2_*.S {FIXED}/avr/inverse2_32.S"
          f" {FIXED}/avr/transposed_quotients_32.S {FIXED}/avr/quotients_32.inc", 1,
          Check("vector_kernels_test", "VectorComplexProduct.*", "vector_complex_product"),
          Check("vector_kernels_test", "VectorCofactors.*", "vector_cofactors"),

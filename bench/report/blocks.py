@@ -5,7 +5,7 @@ import style
 GOAL = 0.4  # of float's cycles
 
 # What the definition of a block takes: products and quotients.
-WORK = {"pid": (3, 0), "biquad": (5, 0), "one_pole": (1, 0), "moving_average": (0, 0), "polynomial": (5, 0),
+WORK = {"pid": (3, 0), "biquad": (5, 0), "biquad_high_pass": (5, 0), "one_pole": (1, 0), "moving_average": (0, 0), "polynomial": (5, 0),
         "interpolation": (1, 0), "complex_product": (4, 0), "matrix_vector": (9, 0), "matrix_product_2": (8, 0),
         "matrix_product_3": (27, 0), "matrix_inverse_2": (2, 4), "matrix_inverse_3": (21, 9),
         "quaternion_turn": (24, 0), "quaternion_rotate": (15, 0)}
@@ -13,6 +13,11 @@ WORK = {"pid": (3, 0), "biquad": (5, 0), "one_pole": (1, 0), "moving_average": (
 
 def float_cycles(data, row):
     return data.rows("blocks", block=row["block"], format="binary32")[0]["cycles_mean"]
+
+
+def is_wide(row):
+    """Whether the inputs, or the coefficients too, are in -4..4 or more."""
+    return row["block"].endswith("_wide")
 
 
 def share_of_work(data, row):
@@ -26,17 +31,22 @@ def share_of_work(data, row):
 
 def finding(data):
     """For each fixed-point format, how many blocks reach the goal, the most expensive of the others, and their floor."""
-    told = []
+    told, wide = [], []
     for number_format in ("q8_8", "q16_16", "q8_24"):
-        rows = data.rows("blocks", format=number_format)
-        shares = {row["block"]: row["cycles_mean"] / float_cycles(data, row) for row in rows}
+        every = data.rows("blocks", format=number_format)
+        rows = [row for row in every if not is_wide(row)]
+        shares = {row["block"]: row["cycles_mean"] / float_cycles(data, row) for row in every}
+        wide_shares = [shares[row["block"]] for row in every if is_wide(row)]
+        if wide_shares:
+            wide.append(f"{min(wide_shares):.2f} to {max(wide_shares):.2f} in {style.format_label(number_format)}")
         above = [row for row in rows if shares[row["block"]] > GOAL]
         text = f"{len(rows) - len(above)} of {len(rows)} in {style.format_label(number_format)}"
         if above:
-            worst = max(shares, key=shares.get)
+            worst = max((row["block"] for row in above), key=shares.get)
             floors = [share_of_work(data, row) for row in above]
             text += (f" (the others up to {shares[worst]:.3g}, {worst.replace('_', ' ')}; there the products "
                      f"and quotients that the definitions require take {min(floors):.2f} to {max(floors):.2f} by themselves)")
         told.append(text)
     return (f"Building blocks (controllers, filters, tables, matrices, quaternions) that take at most {GOAL} times float's "
-            f"cycles on inputs in -1..1: {'; '.join(told)}. Outside of that range, sums of products in Q8.24 take more.")
+            f"cycles on inputs in -1..1: {'; '.join(told)}. Outside of that range, sums of products in Q8.24 take more."
+            + (f" On inputs in -4..4 (rows *_wide), blocks take {', '.join(wide)}." if wide else ""))

@@ -35,6 +35,23 @@ int32_t difference(int32_t a, int32_t b) {
     return static_cast<int32_t>(static_cast<uint32_t>(a) - static_cast<uint32_t>(b));
 }
 
+// b such that sum + a b, with an odd a, is `wanted` modulo 2^24, and is less than 1 of Q8.24 or,
+// with `negative`, is -1 or more but negative.
+int32_t completing(int64_t sum, int32_t a, int64_t wanted, bool negative) {
+    auto inverse = static_cast<std::uint32_t>(a);  // by Newton's method
+    for (int i = 0; i < 4; ++i) inverse *= 2 - static_cast<std::uint32_t>(a) * inverse;
+    const auto b = static_cast<int32_t>((static_cast<std::uint32_t>(wanted - sum) * inverse) &
+                                        ((1u << 24) - 1));
+    return negative ? b - (1 << 24) : b;
+}
+
+// A remainder modulo 2^24: a half, and up to 2^16 more or, every other time, up to 2^19 more or
+// less.
+int64_t nearly_half(std::uint32_t random) {
+    const auto bits = static_cast<int64_t>(random >> 1);
+    return (1 << 23) + (random % 2 == 0 ? bits & 0xffff : (bits & 0xfffff) - 0x80000);
+}
+
 std::string folder() {
     const char* other = std::getenv("DEVICE_PROGRAMS");
     return other ? other : PROGRAM_FOLDER;
@@ -282,6 +299,38 @@ TEST_F(VectorMatrixProduct2, IsMadeOfRoundedSums) {
     }
 }
 
+TEST_F(VectorMatrixProduct2, IsExactWhereItIsNearlyHalfWay) {
+    using Matrix = std::array<std::array<int32_t, 2>, 2>;
+    const std::uint16_t at_result = chip_.allocate(16), at_a = chip_.allocate(16),
+                        at_b = chip_.allocate(16);
+    DeviceFunction multiply(chip_, "fixedpoint_matrix_product_2_q8_24", {0, {2, 2, 2}});
+    std::mt19937 random(20);
+    const auto small = [&] { return static_cast<int32_t>(random() % (1u << 25)) - (1 << 24); };
+    for (int i = 0; i < rounds; ++i) {
+        const bool large = i % 8 >= 4;  // what is left out
+        const int column = i % 2;       // of the elements that are nearly half way
+        Matrix a, b;
+        for (auto& row : b)
+            for (int32_t& x : row) x = large ? (small() & ~0xffff) | 0x1ff : small() | 1;
+        for (auto& row : a) {
+            row[0] = large ? (small() & ~0xffff) | 0x1ff : small();
+            const int64_t wanted = nearly_half(random());
+            row[1] = completing(int64_t{row[0]} * b[0][column], b[1][column], wanted, i % 4 >= 2);
+        }
+        write(at_a, a);
+        write(at_b, b);
+        multiply(at_result, at_a, at_b);
+        const auto result = read<Matrix>(at_result);
+        for (int k = 0; k < 4; ++k) {
+            const int64_t row[2] = {a[k / 2][0], a[k / 2][1]},
+                          b_column[2] = {b[0][k % 2], b[1][k % 2]};
+            ASSERT_EQ(result[k / 2][k % 2],
+                      exact::dot(row, b_column, 2, exact::Format{32, 24}).wrapped)
+                << i << " " << k;
+        }
+    }
+}
+
 // The products that make up a component: of the quaternions' parts a_p and b_q, with a sign.
 struct Product {
     int sign, p, q;
@@ -356,6 +405,38 @@ TEST_F(VectorPolynomials, RoundOnceAStep) {
             ASSERT_EQ(polynomial(x, at_c, n).as<int32_t>(), expected)
                 << split << " " << x << " " << n;
         }
+    }
+}
+
+// Bytes that the kernel of Q8.24 leaves out decide. They are largest in products of numbers that
+// end with 0x01ff.
+TEST_F(VectorComplexProduct, IsExactWhereItIsNearlyHalfWay) {
+    using Complex = std::array<int32_t, 2>;
+    const std::uint16_t at_result = chip_.allocate(8), at_a = chip_.allocate(8),
+                        at_b = chip_.allocate(8);
+    DeviceFunction multiply(chip_, "fixedpoint_complex_product_q8_24", {0, {2, 2, 2}});
+    std::mt19937 random(19);
+    const auto small = [&] { return static_cast<int32_t>(random() % (1u << 25)) - (1 << 24); };
+    for (int i = 0; i < 2 * rounds; ++i) {
+        const int unit = i % 4 < 2 ? 0 : 1;  // 0: the real part is nearly half way
+        Complex a = {small(), small() | 1}, b = {small(), small()};
+        if (i % 16 >= 8) {
+            a[0] = (a[0] & ~0xffff) | 0x1ff;
+            a[1] = (a[1] & ~0xffff) | (unit == 0 && i % 32 >= 16 ? 1 : 0x1ff);
+            b[unit] = (b[unit] & ~0xffff) | 0x1ff;
+        }
+        const int64_t wanted = nearly_half(random());
+        b[1 - unit] =
+            completing(int64_t{a[0]} * b[unit], unit == 0 ? -a[1] : a[1], wanted, i % 2 == 1);
+        write(at_a, a);
+        write(at_b, b);
+        multiply(at_result, at_a, at_b);
+        const auto result = read<Complex>(at_result);
+        const int64_t wide_a[2] = {a[0], a[1]}, b_conjugate[2] = {b[0], -int64_t{b[1]}},
+                      b_swapped[2] = {b[1], b[0]};
+        const exact::Format format{32, 24};
+        ASSERT_EQ(result[0], exact::dot(wide_a, b_conjugate, 2, format).wrapped) << i;
+        ASSERT_EQ(result[1], exact::dot(wide_a, b_swapped, 2, format).wrapped) << i;
     }
 }
 
@@ -576,6 +657,51 @@ struct __attribute__((packed)) Biquad {
     }
 };
 
+// The kernel of Q8.24 expects the weights nearest to the coefficients of y1 and y2, and keeps each
+// output and its error as their exact sum plus half an ulp.
+struct __attribute__((packed)) BiquadOfSums {
+    static constexpr int64_t half = int64_t{1} << 23;
+    int32_t b0, halves, b1, x1, b2, x2, c2;
+    std::array<std::uint8_t, 7> sum2;
+    int32_t c1;
+    std::array<std::uint8_t, 7> sum1;
+    int8_t weight2, weight1;
+
+    static int64_t sum(const std::array<std::uint8_t, 7>& bytes) {
+        std::uint64_t sum = 0;
+        std::memcpy(&sum, bytes.data(), 7);
+        return static_cast<int64_t>(sum << 8) >> 8;
+    }
+    static std::array<std::uint8_t, 7> bytes(int64_t sum) {
+        std::array<std::uint8_t, 7> bytes{};
+        std::memcpy(bytes.data(), &sum, 7);
+        return bytes;
+    }
+    static int8_t nearest(int32_t c, int64_t limit) {
+        return static_cast<int8_t>(std::clamp<int64_t>((int64_t{c} + half) >> 24, -limit, limit));
+    }
+    int32_t last() const { return static_cast<int32_t>(sum(sum1) >> 24); }
+    template <class Number>
+    void begin(Number number) {
+        b0 = number(), b1 = number(), b2 = number(), c1 = number(), c2 = number();
+        weight1 = nearest(c1, 2), weight2 = nearest(c2, 1);
+        halves = (1 - weight1 - weight2) * 128;
+        x1 = number(), x2 = number();
+        for (auto* sum : {&sum1, &sum2})
+            *sum = bytes(int64_t{number()} * 2 * half + low_bits(number(), 24));
+    }
+    void take(int32_t input) {
+        const int64_t y1 = sum(sum1) >> 24, y2 = sum(sum2) >> 24;
+        const __int128 exact = static_cast<__int128>(b0) * input + static_cast<__int128>(b1) * x1 +
+                               static_cast<__int128>(b2) * x2 + static_cast<__int128>(c1) * y1 +
+                               static_cast<__int128>(c2) * y2 +
+                               weight1 * (low_bits(sum(sum1), 24) - half) +
+                               weight2 * (low_bits(sum(sum2), 24) - half);
+        sum2 = sum1, sum1 = bytes(static_cast<int64_t>(exact + half));
+        x2 = x1, x1 = input;
+    }
+};
+
 TEST_F(VectorFilters, KeepWhatTheirSumsLose) {
     const std::uint16_t at = chip_.allocate(64);
     const auto follow = [&](auto filter, const std::string& kernel, int fraction) {
@@ -595,7 +721,7 @@ TEST_F(VectorFilters, KeepWhatTheirSumsLose) {
     follow(OnePole<16, std::uint16_t>{}, "fixedpoint_one_pole_q16_16", 16);
     follow(OnePole<24, std::uint32_t>{}, "fixedpoint_one_pole_q8_24", 24);
     follow(Biquad<16, std::int16_t>{}, "fixedpoint_biquad_q16_16", 16);
-    follow(Biquad<24, std::int32_t>{}, "fixedpoint_biquad_q8_24", 24);
+    follow(BiquadOfSums{}, "fixedpoint_biquad_q8_24", 24);
 }
 
 // Each product and each sum is clamped; the error that is carried has a half added.

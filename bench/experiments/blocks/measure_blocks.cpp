@@ -88,7 +88,7 @@ Measurement measured(const std::string& block, const std::string& format, unsign
             // A multiple of 2^-16, if the format holds that.
             constexpr int bits = std::is_same_v<Number, q8_8> ? 8 : 16;
             const long n = static_cast<long>(random() % 131073) - 65536;
-            in[i] = Constant<Number, bits>::of((n >> (16 - bits)) +
+            in[i] = Constant<Number, bits>::of((n >> (16 - bits)) * Block<Number>::scale +
                                                (Block<Number>::offset(i) * (1l << (bits - 8))));
             exact_in[i] = value(in[i]);
         }

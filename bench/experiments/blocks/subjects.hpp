@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The blocks as they are measured: each takes `inputs` numbers in -1..1 per step, adds `offset` to
-// them, and returns `outputs` numbers. The same source runs on the chip and on the host, for Fixed,
-// float and double. Constants are multiples of 2^-8, which every format holds, so that only the
-// arithmetic causes errors.
+// The blocks as they are measured: each takes `inputs` numbers in -1..1 per step, multiplies them
+// by `scale`, adds `offset`, and returns `outputs` numbers. The same source runs on the chip and on
+// the host, for Fixed, float and double. Constants are multiples of 2^-8, which every format holds,
+// so that only the arithmetic causes errors.
 #pragma once
 
 #include <fixedpoint/blocks/biquad.hpp>
@@ -58,6 +58,12 @@ template <int Inputs, int Outputs>
 struct Block {
     static constexpr int inputs = Inputs, outputs = Outputs;
     static constexpr int offset(int) { return 0; }
+    static constexpr int scale = 1;
+};
+// The same block with inputs in -4..4, which in Q8.24 need the integer byte.
+template <class Narrow>
+struct Wide : Narrow {
+    static constexpr int scale = 4;
 };
 
 template <class Number>
@@ -68,11 +74,36 @@ struct pid : Block<2, 1> {
         constant<Number>(1024)};
     void step(const Number* in, Number* out) { *out = controller.update(in[0], in[1]); }
 };
+// Also with gains up to 8.
+template <class Number>
+struct pid_wide : Wide<Block<2, 1>> {
+    fixedpoint::Pid<Number> controller{
+        {constant<Number>(1984), constant<Number>(300), constant<Number>(896)},
+        constant<Number>(-16384),
+        constant<Number>(16384)};
+    void step(const Number* in, Number* out) { *out = controller.update(in[0], in[1]); }
+};
 // A low-pass filter with a gain of 1 and poles of magnitude 0.91.
 template <class Number>
 struct biquad : Block<1, 1> {
     fixedpoint::Biquad<Number> filter{{constant<Number>(5), constant<Number>(10),
                                        constant<Number>(5), constant<Number>(-450),
+                                       constant<Number>(214)}};
+    void step(const Number* in, Number* out) { *out = filter.update(*in); }
+};
+// The high-pass filter with the opposite poles, whose a1 is positive.
+template <class Number>
+struct biquad_high_pass : Block<1, 1> {
+    fixedpoint::Biquad<Number> filter{{constant<Number>(5), constant<Number>(-10),
+                                       constant<Number>(5), constant<Number>(450),
+                                       constant<Number>(214)}};
+    void step(const Number* in, Number* out) { *out = filter.update(*in); }
+};
+// Coefficients up to 3.5.
+template <class Number>
+struct biquad_wide : Wide<Block<1, 1>> {
+    fixedpoint::Biquad<Number> filter{{constant<Number>(640), constant<Number>(-900),
+                                       constant<Number>(460), constant<Number>(-450),
                                        constant<Number>(214)}};
     void step(const Number* in, Number* out) { *out = filter.update(*in); }
 };
@@ -171,5 +202,18 @@ struct quaternion_rotate : Block<3, 3> {
                            *reinterpret_cast<Number(*)[3]>(out));
     }
 };
+
+template <class Number>
+struct one_pole_wide : Wide<one_pole<Number>> {};
+template <class Number>
+struct complex_product_wide : Wide<complex_product<Number>> {};
+template <class Number>
+struct matrix_vector_wide : Wide<matrix_vector<Number>> {};
+template <class Number>
+struct matrix_product_2_wide : Wide<matrix_product_2<Number>> {};
+template <class Number>
+struct matrix_product_3_wide : Wide<matrix_product_3<Number>> {};
+template <class Number>
+struct quaternion_rotate_wide : Wide<quaternion_rotate<Number>> {};
 
 }  // namespace blocks

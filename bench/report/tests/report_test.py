@@ -995,9 +995,13 @@ pid q16_16 404
 one_pole q16_16 200
 matrix_inverse_2 q8_24 500
 one_pole q8_24 490
+one_pole_wide q8_24 600
+pid_wide q8_24 250
 pid binary32 1000
 one_pole binary32 500
 matrix_inverse_2 binary32 1000
+one_pole_wide binary32 600
+pid_wide binary32 1000
 """, operations="""
 operation format implementation operands cycles_mean
 dot2 q16_16 default small 150
@@ -1012,7 +1016,7 @@ divide q8_24 default small 70
                          "others up to 0.404, pid; there the products and quotients that the definitions require take 0.15 to "
                          "0.15 by themselves); 0 of 2 in Q8.24 (the others up to 0.98, one pole; there the products and quotients "
                          "that the definitions require take 0.12 to 0.40 by themselves). Outside of that range, sums of products "
-                         "in Q8.24 take more.")
+                         "in Q8.24 take more. On inputs in -4..4 (rows *_wide), blocks take 0.25 to 1.00 in Q8.24.")
 
     def test_features(self):
         made = golden(features="""

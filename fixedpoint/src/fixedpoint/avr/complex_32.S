@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // void fixedpoint_complex_product_q<32 - F>_<F>(int32_t* result, const int32_t* a, const int32_t* b)
 // The product of two complex numbers, the real part first: each part is the exact sum or difference
-// of two products, divided by 2^F, rounded half up and taken modulo 2^32. For every 32-bit format.
+// of two products, divided by 2^F, rounded half up and taken modulo 2^32. For every 32-bit format but
+// Q8.24, which complex_q8_24.S multiplies.
 //
 // In       result = r25:r24, a = r23:r22, b = r21:r20, in RAM; result must not be a or b
 // Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
@@ -34,7 +35,7 @@
     .endif
     set                 // T: of the real part
 2:  .if is_short
-    first_product \top, 4
+    first_product \top, 0, 4
     brts 1f
     add_half \fraction, \top
     rjmp 3f
@@ -64,9 +65,11 @@
     .endm
 
     .macro kernels integer, fraction
+    .if \fraction != 24    // complex_q8_24.S
     FUNCTION fixedpoint_complex_product_q\integer\()_\fraction
     complex_product \fraction, ((\fraction - 1) / 8 + 4)
     ENDFUNC fixedpoint_complex_product_q\integer\()_\fraction
+    .endif
     .endm
 
 #include "splits_32.inc"

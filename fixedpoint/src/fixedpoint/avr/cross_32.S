@@ -27,10 +27,10 @@
 #define b2 r27
 #include "product_sum_32.inc"
 
-// The vectors a and b; their scalar parts precede them.
+// The quaternions a and b, or where they would begin if a vector is the rest of one.
 #define a r2
 #define b r4
-// The byte offsets of the components i, j, k in cyclic order.
+// The byte offsets of the components i, j, k in cyclic order: 4, 8 and 12.
 #define i r6
 #define j r7
 #define k r8
@@ -51,6 +51,7 @@
     rcall 9f
     .endm
 
+    // r19, r26 = how far before a and b their quaternions begin.
     .macro cross fraction, top
 1:  set_short \fraction
     push_all r2, r3, r4, r5, r6, r7, r8, r9, r28, r29
@@ -60,22 +61,23 @@
     movw b, r20
     mov options, r18
     clr zero
-    clr i
+    sub a, r19
+    sbc r3, zero
+    sub b, r26
+    sbc r5, zero
     ldi r24, 4
-    mov j, r24
-    add a, r19
-    adc r3, zero
+    mov i, r24
     ldi r24, 8
+    mov j, r24
+    ldi r24, 12
     mov k, r24
     sbrs options, 1
     rjmp 2f
-    add b, r19
-    adc r5, zero
     begin \fraction, \top, 0xff
-    add_components i, i
-    .irp place, 4, 8
+    movw r30, a
+    .irp place, 4, 8, 12
     adiw r30, 4
-    .if is_short
+    .if is_short || \place == 4
     movw r26, b
     adiw r26, \place
     .endif
@@ -84,8 +86,6 @@
     com_bytes s0, (\top + 1)
     movw r26, b
     movw r30, a
-    sbiw r26, 4
-    sbiw r30, 4
     rcall 9f
     finish \fraction
 2:  .if is_short
@@ -106,12 +106,10 @@
     add r26, i
     adc r27, zero
     movw r30, a
-    sbiw r30, 4
     rcall 9f
     sbrs options, 1
     rjmp 4f
     movw r26, b
-    sbiw r26, 4
     movw r30, a
     add r30, i
     adc r31, zero
@@ -123,10 +121,9 @@
     mov i, j
     mov j, k
     mov k, r24
-    tst i
-    breq 5f
+    sbrc i, 3           // not back at 4
     rjmp 2b
-5:  clr r1
+    clr r1
     pop_sum \top
     pop_all r29, r28, r9, r8, r7, r6, r5, r4, r3, r2
     ret
@@ -139,25 +136,29 @@
     SECTION fixedpoint_cross_q\integer\()_\fraction
     ENTRY fixedpoint_cross_q\integer\()_\fraction
     ldi r18, 0
-    ldi r19, 0
+    ldi r19, 4
+    ldi r26, 4
     rjmp 1f
     ENDFUNC fixedpoint_cross_q\integer\()_\fraction
 
     ENTRY fixedpoint_twice_cross_q\integer\()_\fraction
     ldi r18, 4
-    ldi r19, 0
+    ldi r19, 4
+    ldi r26, 4
     rjmp 1f
     ENDFUNC fixedpoint_twice_cross_q\integer\()_\fraction
 
     ENTRY fixedpoint_quaternion_times_vector_q\integer\()_\fraction
     ldi r18, 1
-    ldi r19, 4
+    ldi r19, 0
+    ldi r26, 4
     rjmp 1f
     ENDFUNC fixedpoint_quaternion_times_vector_q\integer\()_\fraction
 
     ENTRY fixedpoint_quaternion_product_q\integer\()_\fraction
     ldi r18, 3
-    ldi r19, 4
+    ldi r19, 0
+    ldi r26, 0
     cross \fraction, ((\fraction - 1) / 8 + 4)
     ENDFUNC fixedpoint_quaternion_product_q\integer\()_\fraction
     .endm

@@ -36,8 +36,8 @@
     // r30 = 2^(F mod 8), r31 = floor(F / 8)
     ENTRY fixedpoint_inverse2_32
     or_bytes r0, d0, 4
-    mov r24, r0
     brne 1f
+    mov r24, r0
     rjmp .Lreturn
 1:  movw left, r26
     movw kept, r28

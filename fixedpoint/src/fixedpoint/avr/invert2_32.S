@@ -31,13 +31,12 @@
     movw r28, r24
     movw inverse, r22
     movw r30, r24
-    adiw r30, 4
     clr zero
     ldd_bytes a0, Y + 8, 4
     negate_bytes a0, 4
-    begin_product \fraction, \top
+    begin_product \fraction, \top, 4
     ldd_bytes a0, Y + 0, 4
-    add_signed_product \fraction, \top, 0, 8    // mostly not below 1
+    add_signed_product \fraction, \top, 0, 12   // mostly not below 1
     result \fraction, take_determinant
     movw r26, r28
     adiw r26, 12

@@ -12,10 +12,9 @@
 // Stack    10 to 15 bytes and a call
 //
 // Formats with 20 to 24 fraction bits have a product of their own: the error times the low three bytes
-// of a gain, plus or minus the error if the highest byte is 1 or -1. If this, a shift or the rounding
-// overflows the 56 bits of the sum, V is set, and the result is the limit. Other gains use the kernel
-// of the saturated product. The bytes of the product below an ulp are those of the sum, or computed
-// separately modulo a power of 256.
+// of a gain, plus the error times the highest byte, which mostly needs no multiplication. If this, a
+// shift or the rounding overflows the 56 bits of the sum, the result is the limit. The bytes of the product
+// below an ulp are those of the sum, or computed separately modulo a power of 256.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -35,6 +34,9 @@
 #define low1 r27
 #define low2 r30
 #define low3 r31
+
+// The byte above the product, while it has other gains.
+#define top r28
 
 #define low_at 12
 #define high_at 16
@@ -214,16 +216,43 @@
 .Lproduct_limit_\fraction:
     limit s6, s3, s4, s5
 .Lother_gain_\fraction:
-    movw rA2, a2
-    low_product 3
-    mov s1, low1
-    push_all rB0, rA0, rA1, low2
-    XCALL fixedpoint_multiply_saturating_q\integer\()_\fraction
-    mov s3, rA0
-    mov s5, rA2
-    mov s4, rA1
-    pop_all s2, rA1, rA0, rB0
-    ret
+    push r28
+    mov top, s6
+    lsl top
+    sbc top, top
+    mulsu rB3, a0
+    sbc s5, zero
+    sbc s6, zero
+    sbc top, zero
+    add s3, r0
+    adc s4, r1
+    adc s5, zero
+    adc s6, zero
+    adc top, zero
+    mulsu rB3, a1
+    sbc s6, zero
+    sbc top, zero
+    add s4, r0
+    adc s5, r1
+    adc s6, zero
+    adc top, zero
+    mulsu rB3, a2
+    sbc top, zero
+    add s5, r0
+    adc s6, r1
+    adc top, zero
+    muls_add rB3, a3, s6, top
+    mov r0, s6
+    lsl r0
+    sbc r0, r0
+    cp r0, top          // out of range if they differ
+    mov r0, top
+    pop r28
+    brne 1f
+    rjmp 2b
+1:  mov s6, r0
+    com s6
+    rjmp .Lproduct_limit_\fraction
     .endm
 
     // Limits the output r25:r22 of the integral r21:r18, and stores the state.
@@ -322,6 +351,8 @@
     adc s5, rB2
     adc s6, rB3
     saturate_product \fraction
+    tst rA0
+    breq 3f
     mov r0, rA0
     lsl r0
     sbc r0, r0
@@ -330,7 +361,7 @@
     sbc s5, r0
     sbc s6, r0
     saturate_product \fraction
-    move_product rB0, rB1, rB2, rB3
+3:  move_product rB0, rB1, rB2, rB3
     add s3, r12
     adc s4, r13
     adc s5, r14

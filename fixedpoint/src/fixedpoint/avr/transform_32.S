@@ -12,7 +12,8 @@
 // Stack    21 bytes
 //
 // void fixedpoint_matrix_product_2_q<32 - F>_<F>(int32_t* result, const int32_t* a, const int32_t* b)
-// The same of two rows: the matrix a = r23:r22 times b = r21:r20. It takes 11 or 12 bytes of stack.
+// The same of two rows: the matrix a = r23:r22 times b = r21:r20; for Q8.24 see
+// matrix_product_2_q8_24.S. It takes 11 or 12 bytes of stack.
 //
 // The cost of the call and of saving registers is paid once, not per component or row.
 
@@ -160,9 +161,11 @@
     transform \fraction, ((\fraction - 1) / 8 + 4)
     ENDFUNC fixedpoint_matrix_product_q\integer\()_\fraction
 
+    .if \fraction != 24    // matrix_product_2_q8_24.S
     FUNCTION fixedpoint_matrix_product_2_q\integer\()_\fraction
     product_2 \fraction, ((\fraction - 1) / 8 + 4)
     ENDFUNC fixedpoint_matrix_product_2_q\integer\()_\fraction
+    .endif
     .endm
 
 #include "splits_32.inc"

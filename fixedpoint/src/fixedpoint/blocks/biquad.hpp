@@ -34,7 +34,7 @@ struct BiquadCoefficients {
 // The sum of the five products, for float and double.
 template <class Number>
 struct BiquadSum {
-    BiquadSum(Number, Number) {}
+    constexpr BiquadSum(Number, Number) {}
     Number of(const Number* a, const Number* b) {
         return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3] + a[4] * b[4];
     }
@@ -47,9 +47,9 @@ class BiquadSum<Fixed<IntegerBits, F, A>> {
 
   public:
     using Number = Fixed<IntegerBits, F, A>;
-    BiquadSum(Number feedback1, Number feedback2)
+    constexpr BiquadSum(Number feedback1, Number feedback2)
         : weight1_(nearest_integer(feedback1, 2)), weight2_(nearest_integer(feedback2, 1)) {}
-    static int8_t nearest_integer(Number x, int8_t limit) {
+    static constexpr int8_t nearest_integer(Number x, int8_t limit) {
         return convert<int8_t>(clamp(x, Number::from_integer(-limit), Number::from_integer(limit)));
     }
     Number of(const Number* a, const Number* b) {
@@ -94,7 +94,7 @@ class BiquadSum<Fixed<IntegerBits, F, A>> {
 template <class Number, bool in_kernel = FilterKernel<Number>::exists>
 class BiquadSteps {
   public:
-    explicit BiquadSteps(const BiquadCoefficients<Number>& c)
+    explicit constexpr BiquadSteps(const BiquadCoefficients<Number>& c)
         : coefficient_{c.b0, c.b1, c.b2, -c.a1, -c.a2}, state_(), sum_(-c.a1, -c.a2) {}
     Number take(Number input) {
         state_[2] = state_[1];
@@ -116,7 +116,7 @@ class BiquadSteps {
 template <class Number>
 class BiquadSteps<Number, true> {
   public:
-    explicit BiquadSteps(const BiquadCoefficients<Number>& c)
+    explicit constexpr BiquadSteps(const BiquadCoefficients<Number>& c)
         : coefficient_{c.b0, c.b1, c.b2, -c.a1, -c.a2},
           state_(),
           weight_{BiquadSum<Number>::nearest_integer(-c.a1, 2),
@@ -130,6 +130,51 @@ class BiquadSteps<Number, true> {
     Number state_[4];
     int8_t weight_[2];
     typename RoundingError<Number::fraction_bits>::Error error_[2];
+};
+// The same for the kernel of Q8.24. A sum of seven bytes is an output with its error, plus half an
+// ulp.
+template <>
+class BiquadSteps<Fixed<8, 24>, true> {
+    using Number = Fixed<8, 24>;
+
+  public:
+    explicit constexpr BiquadSteps(const BiquadCoefficients<Number>& c)
+        : state_{c.b0,
+                 (1 - nearest_integer(-c.a1, 2) - nearest_integer(-c.a2, 1)) * 128,
+                 c.b1,
+                 Number(),
+                 c.b2,
+                 Number(),
+                 -c.a2,
+                 {0, 0, 0x80},
+                 -c.a1,
+                 {0, 0, 0x80},
+                 nearest_integer(-c.a2, 1),
+                 nearest_integer(-c.a1, 2)} {}
+    Number take(Number input) { return FilterKernel<Number>::biquad(input, &state_); }
+
+  private:
+    struct State {
+        Number b0;
+        int32_t halves;
+        Number b1, x1, b2, x2, c2;
+        uint8_t sum2[7];
+        Number c1;
+        uint8_t sum1[7];
+        int8_t weight2, weight1;
+    };
+    static_assert(!kernel::has_assembly || sizeof(State) == 48,
+                  "The layout must be that of avr/biquad_q8_24.S.");
+
+    // That of BiquadSum, in a fraction of its flash.
+    static constexpr int8_t nearest_integer(Number x, int8_t limit) {
+        return limited(static_cast<int8_t>(x.raw() >> 24), x.raw() >> 23 & 1, limit);
+    }
+    static constexpr int8_t limited(int8_t whole, bool half, int8_t limit) {
+        return static_cast<int8_t>(whole >= limit ? limit : whole < -limit ? -limit : whole + half);
+    }
+
+    State state_;
 };
 /// \endcond
 
@@ -147,7 +192,7 @@ template <class Number>
 class Biquad {
   public:
     /// At rest: all previous inputs and outputs are 0.
-    explicit Biquad(const BiquadCoefficients<Number>& c) : steps_(c) {}
+    explicit constexpr Biquad(const BiquadCoefficients<Number>& c) : steps_(c) {}
 
     /// Takes the next input and returns the output.
     Number update(Number input) { return steps_.take(input); }
