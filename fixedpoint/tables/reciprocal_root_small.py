@@ -1,12 +1,12 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Proves the bounds that avr/reciprocal_root_small.S states for the reciprocal root Y of M,
+"""Proves the bounds that avr/roots_q16_16_small.S states for the reciprocal root Y of M,
 2^30 <= M < 2^32, with its coefficients: Y is below 2^16, not above 2^31 / sqrt(M), and less than
 2^-11 of it below. Y depends only on the upper half of M; every one is tried, at both ends.
 
-The coefficients were chosen among all those near the minimax polynomial: of those for which
-reciprocal_sqrt_q16_16_small.S has the smallest error, the ones whose Y is closest to the root, so
-that sqrt_q16_16_small.S tests the fewest candidates."""
+The coefficients were chosen among all those near the minimax polynomial: of those for which the
+reciprocal square root has the smallest error, the ones whose Y is closest to the root, so that the
+square root tests the fewest candidates."""
 
 from math import sqrt
 

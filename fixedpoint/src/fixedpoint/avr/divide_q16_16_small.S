@@ -42,12 +42,7 @@
 #define C0 149
 #define C2 216
 
-    SECTION fixedpoint_divide_q16_16_small
-.Lnegate:
-    negate_bytes r22, 4
-    ret
-
-    ENTRY fixedpoint_divide_q16_16_small
+    FUNCTION fixedpoint_divide_q16_16_small
     push_all r17, r28, r29
     mov r0, r25
     eor r0, r21
@@ -163,11 +158,12 @@
     subi q3, 0x80
 .Lsigned:
     movw_bytes r22, q0, 4
-    brtc .Lreturn
-    rcall .Lnegate
-.Lreturn:
     pop_all r29, r28, r17
     clr r1
+    brtc .Lreturn
+.Lnegate:
+    negate_bytes r22, 4
+.Lreturn:
     ret
     ENDFUNC fixedpoint_divide_q16_16_small
 #endif

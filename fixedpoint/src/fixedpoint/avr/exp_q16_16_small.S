@@ -5,7 +5,7 @@
 //
 // In       a = r25:r22
 // Out      r25:r22
-// Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
+// Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
 // Stack    2 bytes
 // Table    132 bytes, fixedpoint_exp_small_table
 //
@@ -175,8 +175,7 @@
     adc c3, zero
     adc c4, zero
 
-    // Twice c = (1 + c)(1 + factor / 256) - 1
-    set
+    // Twice c = (1 + c)(1 + factor / 256) - 1; the top bit of `shift` is set after the first time.
 3:  pop factor
     mul factor, c2
     movw q1, r0
@@ -190,10 +189,9 @@
     adc c3, q3
     adc c4, q4
     add c4, factor
-    brtc 4f
-    clt
-    rjmp 3b
-4:  clr r1
+    subi shift, 0x80
+    brmi 3b
+    clr r1
     movw r24, c3
     movw r22, c1
     ldi r20, 1          // e^r is below 2

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The reciprocal square root in Q16.16 without a table, bit for bit like
-// avr/reciprocal_sqrt_q16_16_small.S and avr/reciprocal_root_small.S; within 0.68 ulp.
+// The reciprocal square root in Q16.16 without a table, bit for bit like avr/roots_q16_16_small.S;
+// within 0.68 ulp.
 #pragma once
 
 #include <fixedpoint/integer.hpp>
