@@ -23,6 +23,14 @@ bool wanted(const std::vector<std::string>& names, const std::string& name) {
     return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
 }
 
+std::vector<const Subject*> subjects_for(const Case& one) {
+    std::vector<const Subject*> all;
+    for (const Subject& subject : subjects()) all.push_back(&subject);
+    if (one.loaded_chain)
+        for (const Subject& subject : chain_subjects()) all.push_back(&subject);
+    return all;
+}
+
 using records::column;
 
 // A row of stability.csv.
@@ -185,10 +193,11 @@ bool is_selection(const Options& options) {
 void check_selection(const Options& options) {
     std::vector<std::string> cases, scalars, integrators;
     for (const Case& one : all_cases()) cases.push_back(one.name);
-    for (const Subject& subject : subjects()) {
-        scalars.push_back(subject.scalar);
-        integrators.push_back(subject.integrator);
-    }
+    for (const auto* list : {&subjects(), &chain_subjects()})
+        for (const Subject& subject : *list) {
+            scalars.push_back(subject.scalar);
+            integrators.push_back(subject.integrator);
+        }
     fixbench::check_names("--case", options.cases, cases);
     fixbench::check_names("--scalar", options.scalars, scalars);
     fixbench::check_names("--integrator", options.integrators, integrators);
@@ -199,13 +208,14 @@ void measure_stability(const Options& options) {
     std::vector<std::pair<const Case*, const Subject*>> work;
     for (const Case& one : all_cases()) {
         if (!wanted(options.cases, one.name)) continue;
-        for (const Subject& subject : subjects())
-            if (wanted(options.scalars, subject.scalar) &&
-                wanted(options.integrators, subject.integrator))
-                work.emplace_back(&one, &subject);
+        for (const Subject* subject : subjects_for(one))
+            if (wanted(options.scalars, subject->scalar) &&
+                wanted(options.integrators, subject->integrator))
+                work.emplace_back(&one, subject);
     }
     if (work.empty())
-        throw std::invalid_argument("no subject has this scalar and integrator together");
+        throw std::invalid_argument(
+            "no subject of these cases has this scalar and integrator together");
     std::vector<Finding> findings(work.size());
     {
         records::Progress progress("stability", work.size());
