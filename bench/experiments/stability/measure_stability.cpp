@@ -10,6 +10,7 @@
 
 #include "bench/experiments/stability/ablations.hpp"
 #include "bench/experiments/stability/advise.hpp"
+#include "bench/experiments/stability/prediction.hpp"
 #include "bench/experiments/stability/search.hpp"
 #include "bench/lab/parallel.hpp"
 #include "bench/lab/program/names.hpp"
@@ -39,6 +40,9 @@ struct CaseRow {
     std::string first_event;
     std::optional<unsigned> step;  // of the first event
     std::string reference;
+    // Of the largest result of any operation, as fixbench advise predicts them: at the limit, and
+    // just beyond it. Plain fixed-point formats only.
+    std::optional<double> bits_at_limit, bits_beyond;
 
     static constexpr auto columns = std::tuple(
         column("case", &CaseRow::of_case), column("scalar", &CaseRow::scalar),
@@ -46,8 +50,20 @@ struct CaseRow {
         column("parameter", &CaseRow::parameter), column("limit", &CaseRow::limit),
         column("unit", &CaseRow::unit), column("verdict", &CaseRow::verdict),
         column("first_event", &CaseRow::first_event), column("step", &CaseRow::step),
-        column("reference", &CaseRow::reference));
+        column("reference", &CaseRow::reference),
+        column("bits_at_limit", &CaseRow::bits_at_limit),
+        column("bits_beyond", &CaseRow::bits_beyond));
 };
+
+// Rounded down, so that what wraps by little stays below 0.
+std::optional<double> predicted_bits(const Case& one, const Subject& subject, double parameter) {
+    const std::optional<Split> split = split_of(subject);
+    if (!split || std::isnan(parameter)) return {};
+    const auto prediction =
+        predict(one.at(parameter).description, *split, subject.integrator);
+    if (!prediction) return {};
+    return std::floor(prediction->result * 1000) / 1000;
+}
 
 CaseRow row(const Case& one, const Subject& subject, const Finding& finding) {
     std::string verdict = to_text(finding.verdict);
@@ -66,7 +82,9 @@ CaseRow row(const Case& one, const Subject& subject, const Finding& finding) {
             verdict,
             finding.first_event,
             step,
-            one.reference};
+            one.reference,
+            predicted_bits(one, subject, finding.limit),
+            predicted_bits(one, subject, finding.beyond)};
 }
 
 // The abilities of a format and a method, each shown by a case.
@@ -217,16 +235,15 @@ void measure_stability(const Options& options) {
         throw std::invalid_argument(
             "no subject of these cases has this scalar and integrator together");
     std::vector<Finding> findings(work.size());
+    std::vector<CaseRow> rows(work.size());
     {
         records::Progress progress("stability", work.size());
         operations::in_parallel(options.threads, work.size(), [&](std::size_t i) {
             findings[i] = find_limit(*work[i].first, *work[i].second, effort);
+            rows[i] = row(*work[i].first, *work[i].second, findings[i]);
             progress.advance();
         });
     }
-    std::vector<CaseRow> rows;
-    for (std::size_t i = 0; i < work.size(); ++i)
-        rows.push_back(row(*work[i].first, *work[i].second, findings[i]));
     records::table_of(rows).save(options.output / "stability.csv");
     if (is_selection(options)) return;
 

@@ -3,14 +3,15 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
 #include <scenes/all.hpp>
 #include <set>
 
-#include "bench/experiments/stability/any_format.hpp"
 #include "bench/experiments/stability/measures.hpp"
+#include "bench/experiments/stability/prediction.hpp"
 #include "bench/experiments/stability/scene_description.hpp"
 #include "bench/experiments/stability/search.hpp"
 #include "bench/experiments/stability/world_of.hpp"
@@ -410,6 +411,113 @@ TEST(AnyFormat, ComputesAsFixedDoes) {
         expect_the_same<fixedpoint::Fixed<8, 24>>(a, b, c);
         expect_the_same<fixedpoint::Q32_32>(a, b, c);
     }));
+}
+
+// Of the cases that compute no roots, at both ends and between them: the same motion, bit for bit,
+// up to where a result wraps, and the same verdict on whether one does.
+TEST(AnyFormat, MovesAsFixedDoes) {
+    unsigned compared = 0, wrapped = 0;
+    for (const Subject& fixed : subjects()) {
+        const auto split = split_of(fixed);
+        if (!split) continue;
+        for (const Case& one : all_cases()) {
+            const Description first = one.at(one.from).description;
+            if (one.endurance || !first.springs.empty() || !first.drags.empty()) continue;
+            const bool touches = one.group == "contacts" || one.group == "edges";
+            if (touches && fixed.scalar != "q16_16") continue;
+            for (const double part : {0.0, 0.3, 0.6, 0.9, 1.0}) {
+                Description made =
+                    one.at(one.from * std::pow(one.to / one.from, part)).description;
+                made.steps = std::min(made.steps, 200u);
+                std::vector<State> states;
+                const Outcome outcome = fixed.run(made, [&](const State& state, unsigned) {
+                    states.push_back(state);
+                    return true;
+                });
+                bool same = true;
+                const std::vector<Subject> any_format = subjects_of_any_format(*split);
+                const auto any = std::find_if(
+                    any_format.begin(), any_format.end(),
+                    [&](const Subject& any) { return any.integrator == fixed.integrator; });
+                ASSERT_NE(any, any_format.end());
+                const auto& failure = outcome.record.first_failure();
+                const Outcome again = any->run(made, [&](const State& state, unsigned step) {
+                    if (failure && step >= failure->step) return true;
+                    for (std::size_t i = 0; i < state.size(); ++i) {
+                        const BodyState &a = state[i], &b = states.at(step)[i];
+                        same = same && a.position.x == b.position.x &&
+                               a.position.y == b.position.y && a.velocity.x == b.velocity.x &&
+                               a.velocity.y == b.velocity.y;
+                    }
+                    return true;
+                });
+                const std::string where = one.name + " " + fixed.scalar + " " + fixed.integrator +
+                                          " " + std::to_string(part);
+                EXPECT_TRUE(same) << where;
+                EXPECT_EQ(again.unfit, outcome.unfit) << where;
+                EXPECT_EQ(again.error, outcome.error) << where;
+                EXPECT_EQ(again.record.first_failure().has_value(), failure.has_value()) << where;
+                ++compared;
+                wrapped += failure.has_value();
+            }
+        }
+    }
+    EXPECT_GT(compared, 1000u);
+    EXPECT_GT(wrapped, 50u);
+}
+
+// A row of the battery that wraps is announced: fixbench advise finds a result beyond the format.
+// And it does not cry wolf: what holds, up to the limit, has bits left.
+TEST(Prediction, AnnouncesEveryWrapAndNothingThatHolds) {
+    unsigned wraps = 0, holds = 0;
+    for (const Subject& one : subjects()) {
+        const auto split = split_of(one);
+        if (!split || one.integrator == "explicit_euler") continue;
+        for (const Case& of : all_cases()) {
+            const Finding found = find_limit(of, one, {1, 3, 2000});
+            const auto bits = [&](double parameter) {
+                const auto prediction =
+                    predict(of.at(parameter).description, *split, one.integrator);
+                EXPECT_TRUE(prediction) << of.name;
+                return prediction ? prediction->result : 0;
+            };
+            const std::string where = of.name + " " + one.scalar + " " + one.integrator;
+            if (found.verdict == Verdict::overflows &&
+                found.first_event.rfind("overflow convert", 0) != 0) {
+                EXPECT_LT(bits(found.beyond), 0) << where << ": " << cause_of(found);
+                ++wraps;
+            }
+            if (std::isnan(found.limit) || found.limit == 0) continue;
+            EXPECT_GE(bits(found.limit), 0) << where << " holds at " << found.limit;
+            ++holds;
+        }
+    }
+    EXPECT_GT(wraps, 100u);
+    EXPECT_GT(holds, 1000u);
+}
+
+TEST(Prediction, IsTheDistanceOfTheLargestResultFromTheEnd) {
+    EXPECT_DOUBLE_EQ(bits_to_overflow(8, 128), 4);
+    EXPECT_DOUBLE_EQ(bits_to_overflow(256, 128), -1);
+    EXPECT_DOUBLE_EQ(bits_to_overflow(0, 128), 7);
+    // 40 N/m times 100 m is the largest number of this scene: Q16.16 leaves 2^15 / 4000.
+    Description made;
+    made.bodies = {{.position = {101, 0}}};
+    made.springs = {{{.length = 1}, 40, 0}};
+    made.dt = TimeStep::binary(10);
+    made.steps = 1;
+    const auto left = predict(made, {16, 16}, "semi_implicit_euler");
+    ASSERT_TRUE(left);
+    EXPECT_NEAR(left->result, std::log2(32768.0 / 4000), 1e-6);
+    EXPECT_NEAR(left->position, std::log2(32768.0 / 101), 1e-3);
+    // The force of Q8.24 would wrap; a mass below an ulp is another scene.
+    EXPECT_LT(predict(made, {8, 24}, "semi_implicit_euler")->result, 0);
+    made.bodies[0].inverse_mass = 1e-9;
+    EXPECT_FALSE(predict(made, {16, 16}, "semi_implicit_euler"));
+    EXPECT_EQ(split_of(subject("q8_24", "nearest", "velocity_verlet"))->fraction_bits, 24);
+    EXPECT_EQ(split_of(subject("q32_32", "nearest", "velocity_verlet"))->integer_bits, 32);
+    EXPECT_FALSE(split_of(subject("float", "ieee", "velocity_verlet")));
+    EXPECT_FALSE(split_of(subject("q16_16", "saturating", "velocity_verlet")));
 }
 
 // Random worlds within what a format holds with room to spare.
