@@ -163,8 +163,8 @@ class Costs {
 // error.
 double reserve(const Result& result, double error) {
     const Prediction& bits = result.bits;
-    return std::min({bits.position, bits.velocity, bits.force, bits.result,
-                     std::log2(error / result.error)});
+    return std::min(
+        {bits.position, bits.velocity, bits.force, bits.result, std::log2(error / result.error)});
 }
 
 // By cycles if they were measured, otherwise by the number of bits and steps.
@@ -181,8 +181,8 @@ void print(const Result& result) {
     const std::string flash = result.flash > 0 ? fmt::format("{:.0f}", result.flash) : "-";
     const bool floating = result.choice.split.width() == 0;
     const auto bits = [&](double x) { return floating ? "-" : fmt::format("{:.1f}", x); };
-    fmt::print("{:<8} {:<26} 2^-{:<4} {:>10.3g} {:>18} {:>6} {:>9} {:>9} {:>6} {:>6}\n", result.format,
-               result.method, result.choice.exponent, result.error, cycles, flash,
+    fmt::print("{:<8} {:<26} 2^-{:<4} {:>10.3g} {:>18} {:>6} {:>9} {:>9} {:>6} {:>6}\n",
+               result.format, result.method, result.choice.exponent, result.error, cycles, flash,
                bits(result.bits.position), bits(result.bits.velocity), bits(result.bits.force),
                bits(result.bits.result));
 }
@@ -336,8 +336,8 @@ bool advise(const AdviceOptions& options) {
                options.scene, options.error,
                describe_scene(options.scene, first_exponent).steps >> first_exponent);
     fmt::print("{:<8} {:<26} {:<8} {:>8} {:>18} {:>6} {:>9} {:>9} {:>6} {:>6}\n", "format",
-               "method", "step, s", "error, m", "cycles/s", "flash", "position", "velocity", "force",
-               "result");
+               "method", "step, s", "error, m", "cycles/s", "flash", "position", "velocity",
+               "force", "result");
     fmt::print("{:>82} bits to overflow; result: of any operation\n", "");
     for (const Result& result : good) print(result);
     return true;

@@ -50,8 +50,7 @@ struct CaseRow {
         column("parameter", &CaseRow::parameter), column("limit", &CaseRow::limit),
         column("unit", &CaseRow::unit), column("verdict", &CaseRow::verdict),
         column("first_event", &CaseRow::first_event), column("step", &CaseRow::step),
-        column("reference", &CaseRow::reference),
-        column("bits_at_limit", &CaseRow::bits_at_limit),
+        column("reference", &CaseRow::reference), column("bits_at_limit", &CaseRow::bits_at_limit),
         column("bits_beyond", &CaseRow::bits_beyond));
 };
 
@@ -59,8 +58,7 @@ struct CaseRow {
 std::optional<double> predicted_bits(const Case& one, const Subject& subject, double parameter) {
     const std::optional<Split> split = split_of(subject);
     if (!split || std::isnan(parameter)) return {};
-    const auto prediction =
-        predict(one.at(parameter).description, *split, subject.integrator);
+    const auto prediction = predict(one.at(parameter).description, *split, subject.integrator);
     if (!prediction) return {};
     return std::floor(prediction->result * 1000) / 1000;
 }

@@ -23,8 +23,7 @@ std::optional<Prediction> predict(const Description& description, Split split,
                                   const std::string& integrator) {
     for (const Subject& one : subjects_of_any_format(split)) {
         if (one.integrator != integrator) continue;
-        const Outcome outcome =
-            one.run(description, [](const State&, unsigned) { return true; });
+        const Outcome outcome = one.run(description, [](const State&, unsigned) { return true; });
         if (outcome.steps == 0) return {};
         return prediction_of(outcome.record, one.largest);
     }

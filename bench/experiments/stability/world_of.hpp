@@ -220,10 +220,9 @@ class Run {
         }
     }
     static void must_have_only_rods(const Description& made) {
-        bool plain = made.springs.empty() && made.drags.empty() && made.ropes.empty() &&
-                     made.planes.empty();
-        for (const Body& body : made.bodies)
-            plain = plain && body.radius == 0 && body.damping == 1;
+        bool plain =
+            made.springs.empty() && made.drags.empty() && made.ropes.empty() && made.planes.empty();
+        for (const Body& body : made.bodies) plain = plain && body.radius == 0 && body.damping == 1;
         if (!plain) throw std::logic_error("a world of rods alone cannot hold this description");
     }
     template <class Between, class Anchored>

@@ -25,7 +25,8 @@ constexpr double link_length = 0.5, chain_gravity = 9.81;  // m, m/s^2
 // Bodies of 1 kg hanging below each other, the last with another mass, pushed sideways.
 Description hanging_chain(unsigned n, double last_inverse_mass, int exponent = 8) {
     Description made;
-    for (unsigned i = 0; i < n; ++i) made.bodies.push_back({.position = {0, -link_length * (i + 1)}});
+    for (unsigned i = 0; i < n; ++i)
+        made.bodies.push_back({.position = {0, -link_length * (i + 1)}});
     made.bodies.back().inverse_mass = last_inverse_mass;
     made.bodies.back().velocity = {0.5, 0};
     made.gravity = {0, -chain_gravity};
@@ -37,7 +38,8 @@ Description hanging_chain(unsigned n, double last_inverse_mass, int exponent = 8
 Experiment rod_chain_in_steps(unsigned n, double last_inverse_mass, int exponent) {
     Description made = hanging_chain(n, last_inverse_mass, exponent);
     for (unsigned i = 0; i < n; ++i)
-        made.rods.push_back({.a = int(i), .b = i == 0 ? no_body : int(i) - 1, .length = link_length});
+        made.rods.push_back(
+            {.a = int(i), .b = i == 0 ? no_body : int(i) - 1, .length = link_length});
     return holds(made, 0.2);
 }
 Experiment rod_chain(unsigned n, double last_inverse_mass) {
@@ -51,7 +53,8 @@ Experiment rod_chain_in_fine_steps(unsigned n, double last_inverse_mass) {
 Experiment rope_chain(unsigned n, double last_inverse_mass) {
     Description made = hanging_chain(n, last_inverse_mass);
     for (unsigned i = 0; i < n; ++i)
-        made.ropes.push_back({{.a = int(i), .b = i == 0 ? no_body : int(i) - 1, .length = link_length}, 0});
+        made.ropes.push_back(
+            {{.a = int(i), .b = i == 0 ? no_body : int(i) - 1, .length = link_length}, 0});
     return {made, ropes_hold(made, 0.2)};
 }
 

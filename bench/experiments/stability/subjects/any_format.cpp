@@ -22,9 +22,7 @@ struct RunStep<AnyFormat> {
     friend AnyFormat carried_product(AnyFormat a, RunStep dt, AnyFormat& residual) {
         return dt.binary ? AnyFormat::carried_shift(a, dt.exponent, residual) : a * dt.seconds;
     }
-    friend RunStep half(RunStep dt) {
-        return {dt.exponent + 1, half(dt.seconds), dt.binary};
-    }
+    friend RunStep half(RunStep dt) { return {dt.exponent + 1, half(dt.seconds), dt.binary}; }
 };
 template <>
 struct Rounding<AnyFormat> {

@@ -173,8 +173,8 @@ TEST(LoadedChains, BearAThousandAndAHundredThousandTimesTheirMass) {
     for (const auto& goal : goals)
         for (const unsigned links : {4u, 8u, 16u})
             for (const auto& method : methods) {
-                const Case& one = case_named("rod_chain_of_" + std::to_string(links) +
-                                             "_heavy_end" + goal.steps);
+                const Case& one =
+                    case_named("rod_chain_of_" + std::to_string(links) + "_heavy_end" + goal.steps);
                 const Description made = one.at(goal.ratio).description;
                 const double push = goal.ratio * 0.5 * 0.5 / 2;  // J
                 const Trial trial =
@@ -189,8 +189,8 @@ TEST(LoadedChains, BearAThousandAndAHundredThousandTimesTheirMass) {
 }
 
 // Ten iterations that begin anew in each step do not; and no step bears more than the theory of its
-// vibration allows: alternate links between the anchor and a weight that hardly moves oscillate with
-// omega^2 = 2 (1 + cos(pi / n)) R g / L, and a step is stable up to omega h = 2.
+// vibration allows: alternate links between the anchor and a weight that hardly moves oscillate
+// with omega^2 = 2 (1 + cos(pi / n)) R g / L, and a step is stable up to omega h = 2.
 TEST(LoadedChains, EndWhereTheStepNoLongerResolvesTheVibrationOfALink) {
     constexpr double pi = 3.14159265358979323846, g = 9.81, length = 0.5;
     for (const unsigned links : {4u, 8u, 16u})
@@ -426,8 +426,7 @@ TEST(AnyFormat, MovesAsFixedDoes) {
             const bool touches = one.group == "contacts" || one.group == "edges";
             if (touches && fixed.scalar != "q16_16") continue;
             for (const double part : {0.0, 0.3, 0.6, 0.9, 1.0}) {
-                Description made =
-                    one.at(one.from * std::pow(one.to / one.from, part)).description;
+                Description made = one.at(one.from * std::pow(one.to / one.from, part)).description;
                 made.steps = std::min(made.steps, 200u);
                 std::vector<State> states;
                 const Outcome outcome = fixed.run(made, [&](const State& state, unsigned) {
