@@ -24,7 +24,7 @@ unbounded unit variant vector verdict version view where widening with x_name y_
 """.split())
 # Numbers that a row may lack: a program that does not fit the chip has no cycles, an exact result no error.
 OPTIONAL = frozenset("""
-chip_frequency_hz count cycles cycles_max cycles_mean cycles_min cycles_per_simulated_second
+bits_at_limit bits_beyond chip_frequency_hz count cycles cycles_max cycles_mean cycles_min cycles_per_simulated_second
 cycles_per_step_max cycles_per_step_mean error error_arithmetic error_by_extent error_max error_median error_method error_min
 evaluation_error_g fall_damped_s fall_s fall_undamped_s fit_constant fit_linear fit_per_pair
 fit_worst_percent fitted flash_bytes frame_bytes_bound frame_bytes_measured hardest_hand_n_per_m

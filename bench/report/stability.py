@@ -14,8 +14,14 @@ DEFAULT = ["nearest", "ieee"]
 # The cases of the envelope that the page shows.
 ENVELOPE = ("far_from_origin", "rod_span", "rod_short", "half_space", "slow", "spring_stiffness", "spring_slow", "light_body",
             "heavy_body", "small_binary_step")
+CASES = pathlib.Path(__file__).parents[1] / "experiments" / "stability" / "cases"
+# The chains of rods that bear a load, by the step: the case's name after the number of rods, and the step's exponent.
+LOADED_CHAINS = {8: "_heavy_end", 11: "_heavy_end_fine_steps"}
+LOADED_LINKS = (4, 8, 16)
+LINK, GRAVITY = map(float, re.search(r"link_length = ([\d.]+), chain_gravity = ([\d.]+);",
+                                     (CASES / "links.cpp").read_text(encoding="utf-8")).groups())
 # The case `stiffness` fails where a spring's amplitude has grown by this factor in this many steps.
-SPRINGS = pathlib.Path(__file__).parents[1] / "experiments" / "stability" / "cases" / "springs.cpp"
+SPRINGS = CASES / "springs.cpp"
 GROWTH, STEPS = map(int, re.search(r"growth = (\d+), growth_steps = (\d+);", SPRINGS.read_text(encoding="utf-8")).groups())
 METHODS = ["explicit_euler", "semi_implicit_euler", "velocity_verlet", "implicit_springs"]
 METHOD_LABELS = {"explicit_euler": "explicit Euler (2016 design)",
@@ -57,6 +63,62 @@ def silent(rows, arithmetic):
     ended = [row for row in mine if row["verdict"] == "overflows"]
     unfit = [row for row in ended if row["first_event"].startswith("overflow convert")]
     return len(mine), len(ended) - len(unfit), len(unfit)
+
+
+def announced(rows):
+    """For plain Q16.16 in the engine's own methods: the rows that wrap and for how many of them the prediction found a
+    result beyond the format; the rows that hold up to some limit, and for how many of them it did. None if the data have
+    no predictions."""
+    mine = [row for row in rows if row["scalar"] == "q16_16" and row["arithmetic"] == "nearest"
+            and row["integrator"] != "explicit_euler"]
+    if "bits_beyond" not in rows[0]:
+        return None
+    wraps = [row for row in mine if row["verdict"] == "overflows" and not row["first_event"].startswith("overflow convert")]
+    holds = [row for row in mine if isinstance(row["limit"], (int, float)) and isinstance(row["bits_at_limit"], (int, float))]
+    return (len(wraps), sum(isinstance(row["bits_beyond"], (int, float)) and row["bits_beyond"] < 0 for row in wraps),
+            len(holds), sum(row["bits_at_limit"] < 0 for row in holds))
+
+
+def has_loaded_chains(rows):
+    return any(row["case"].endswith(LOADED_CHAINS[11]) for row in rows)
+
+
+def load_bound(links, exponent):
+    """The largest mass ratio at which a step of 2^-exponent s resolves the vibration of the links of a loaded chain.
+    Between the anchor and a weight of R links that hardly moves, n - 1 links of the length L are a string under the tension
+    R g: the highest of its frequencies is omega^2 = 2 (1 + cos(pi / n)) R g / L. Steps are stable up to omega h = 2."""
+    return 2 * LINK / (GRAVITY * 4.0**-exponent * (1 + math.cos(math.pi / links)))
+
+
+def loaded_chains(rows):
+    """The lines of the table of mass ratios: step, links, format, and the limits with ten iterations, with ten that begin
+    where the last step ended, and with all rods solved together; the bound."""
+    limits = {(row["case"], row["scalar"], row["integrator"]): row for row in rows if row["arithmetic"] in DEFAULT}
+    for exponent, ending in LOADED_CHAINS.items():
+        for links in LOADED_LINKS:
+            for scalar in ("q16_16", "q32_32", "float"):
+                found = [limits[f"rod_chain_of_{links}{ending}", scalar, method]
+                         for method in ("semi_implicit_euler", "warm_started", "direct_rods")]
+                yield exponent, links, scalar, [row["limit"] for row in found], load_bound(links, exponent)
+
+
+def chain_cost(data):
+    """What the solvers of loaded chains cost, next to ten iterations, in a sentence."""
+    def share(row):
+        return row["after_cycles"] / row["before_cycles"]
+
+    def told(name):
+        rows = {row["case"]: row for row in data.rows("ablations", ablation=name)}
+        mine = [share(rows[f"rod_chain_of_{links}_heavy_end"]) for links in LOADED_LINKS]
+        return f"{100 * min(mine):.0f} % to {100 * max(mine):.0f} %"
+    scenes = data.rows("scenes", scene="chain_of_rods", dt=2**-8)
+    cycles = {(row["scalar"], row["integrator"]): row["cycles_per_step_mean"] for row in scenes
+              if row["arithmetic"] in ("nearest", "avr-libc")}
+    others = ", ".join(f"{100 * cycles[scalar, 'direct_rods'] / cycles[scalar, 'velocity_verlet']:.0f} % in {style.format_label(scalar)}"
+                       for scalar in ("q32_32", "float"))
+    return (f"In Q16.16 a step of these chains takes {told('iterations begun where the last step ended')} of the cycles of ten "
+            f"iterations where it begins with the last step's result, and {told('rods solved together')} where the rods are solved "
+            f"together. Of the scene *chain of rods*, the latter takes {others}.")
 
 
 def points(rows, name, scalar, method, arithmetic=None):
@@ -173,9 +235,11 @@ def finding(data):
     cases = len({row["case"] for row in rows})
     plain, wraps, _ = silent(rows, "nearest")
     saturating, saturating_wraps, _ = silent(rows, "saturating")
+    told = announced(rows)
+    beforehand = f" (of which `fixbench advise` announces {told[1]} before the scene runs)" if told else ""
     return (f"{cases} cases are driven until they break. With the semi-implicit step, {held['q16_16']} of them still hold in "
             f"Q16.16 where the search ends, and {held['float']} in float. Over all methods of the engine, plain Q16.16 wraps "
-            f"silently in {wraps} of {plain} runs, saturating Q16.16 in {saturating_wraps} of {saturating}.")
+            f"silently in {wraps} of {plain} runs{beforehand}, saturating Q16.16 in {saturating_wraps} of {saturating}.")
 
 
 def chain_finding(data):

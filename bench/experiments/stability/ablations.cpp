@@ -20,6 +20,8 @@ struct Method {
     const char *arithmetic, *integrator;
 };
 constexpr Method ours{"nearest", "semi_implicit_euler"};
+constexpr Method verlet{"nearest", "velocity_verlet"};
+constexpr Method direct_rods{"nearest", "direct_rods"};
 constexpr Method implicit_springs{"nearest", "implicit_springs"};
 constexpr Method compensated_integration{"nearest", "semi_implicit_compensated"};
 constexpr Method positions_first{"nearest", "positions_first"};
@@ -53,8 +55,13 @@ constexpr struct {
     {"iterations begun where the last step ended", "stack_of_20", ours, warm_started, 1},
     {"iterations begun where the last step ended", "rod_chain_of_4_heavy_end", ours, warm_started,
      1},
+    {"iterations begun where the last step ended", "rod_chain_of_8_heavy_end", ours, warm_started,
+     1},
     {"iterations begun where the last step ended", "rod_chain_of_16_heavy_end", ours, warm_started,
      1},
+    {"rods solved together", "rod_chain_of_4_heavy_end", verlet, direct_rods, 1},
+    {"rods solved together", "rod_chain_of_8_heavy_end", verlet, direct_rods, 1},
+    {"rods solved together", "rod_chain_of_16_heavy_end", verlet, direct_rods, 1},
     {"contacts on the way of fast particles", "thin_wall", ours, continuous_contacts, 0.5},
     {"contacts on the way of fast particles", "thin_target", ours, continuous_contacts, 0.5},
     {"bounces back-dated", "bounces_under_gravity", late_bounces, ours, 1000},

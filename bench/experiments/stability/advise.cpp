@@ -15,7 +15,7 @@
 
 #include "bench/experiments/scenes/any_program.hpp"
 #include "bench/experiments/scenes/measure_scenes.hpp"
-#include "bench/experiments/stability/any_format.hpp"
+#include "bench/experiments/stability/prediction.hpp"
 #include "bench/experiments/stability/scene_description.hpp"
 #include "bench/experiments/stability/search.hpp"
 #include "bench/lab/parallel.hpp"
@@ -23,8 +23,6 @@
 #include "reference/trajectories/trajectory.hpp"
 
 namespace stability {
-
-std::vector<Subject> subjects_of_any_format(Split split);
 
 using records::column;
 
@@ -44,7 +42,7 @@ struct Result {
     std::string format, method;
     double error = std::numeric_limits<double>::infinity();  // m
     std::string fault;
-    double position_bits = 0, velocity_bits = 0, force_bits = 0;  // to overflow
+    Prediction bits;
     void cost(const Cost& cost) {
         cycles = std::ldexp(cost.cycles_per_step, choice.exponent);
         flash = cost.flash_bytes;
@@ -65,10 +63,6 @@ std::vector<Split> splits() {
     for (int i = 4; i <= 24; ++i) list.push_back({i, 32 - i});
     for (int i = 12; i <= 40; i += 4) list.push_back({i, 64 - i});
     return list;
-}
-
-double margin(double largest, double limit) {
-    return largest > 0 ? std::log2(limit / largest) : std::log2(limit);
 }
 
 Result run(const std::string& scene, const reference::Trajectory& truth, const Choice& choice) {
@@ -110,9 +104,7 @@ Result run(const std::string& scene, const reference::Trajectory& truth, const C
     } else {
         result.fault = "diverges";
     }
-    result.position_bits = margin(record.position.largest, subject.largest);
-    result.velocity_bits = margin(record.velocity.largest, subject.largest);
-    result.force_bits = margin(record.force.largest, subject.largest);
+    result.bits = prediction_of(record, subject.largest);
     return result;
 }
 
@@ -170,8 +162,9 @@ class Costs {
 // How far a run is from both limits of its split, in bits: from overflow, and from the allowed
 // error.
 double reserve(const Result& result, double error) {
-    return std::min({result.position_bits, result.velocity_bits, result.force_bits,
-                     std::log2(error / result.error)});
+    const Prediction& bits = result.bits;
+    return std::min(
+        {bits.position, bits.velocity, bits.force, bits.result, std::log2(error / result.error)});
 }
 
 // By cycles if they were measured, otherwise by the number of bits and steps.
@@ -188,9 +181,10 @@ void print(const Result& result) {
     const std::string flash = result.flash > 0 ? fmt::format("{:.0f}", result.flash) : "-";
     const bool floating = result.choice.split.width() == 0;
     const auto bits = [&](double x) { return floating ? "-" : fmt::format("{:.1f}", x); };
-    fmt::print("{:<8} {:<26} 2^-{:<4} {:>10.3g} {:>18} {:>6} {:>9} {:>9} {:>6}\n", result.format,
-               result.method, result.choice.exponent, result.error, cycles, flash,
-               bits(result.position_bits), bits(result.velocity_bits), bits(result.force_bits));
+    fmt::print("{:<8} {:<26} 2^-{:<4} {:>10.3g} {:>18} {:>6} {:>9} {:>9} {:>6} {:>6}\n",
+               result.format, result.method, result.choice.exponent, result.error, cycles, flash,
+               bits(result.bits.position), bits(result.bits.velocity), bits(result.bits.force),
+               bits(result.bits.result));
 }
 
 std::optional<reference::Trajectory> truth_of(const std::string& scene) {
@@ -341,9 +335,10 @@ bool advise(const AdviceOptions& options) {
     fmt::print("{}: within {:.3g} m of the true positions over {} s, cheapest first\n",
                options.scene, options.error,
                describe_scene(options.scene, first_exponent).steps >> first_exponent);
-    fmt::print("{:<8} {:<26} {:<8} {:>8} {:>18} {:>6} {:>9} {:>9} {:>6}\n", "format", "method",
-               "step, s", "error, m", "cycles/s", "flash", "position", "velocity", "force");
-    fmt::print("{:>82} bits to overflow\n", "");
+    fmt::print("{:<8} {:<26} {:<8} {:>8} {:>18} {:>6} {:>9} {:>9} {:>6} {:>6}\n", "format",
+               "method", "step, s", "error, m", "cycles/s", "flash", "position", "velocity",
+               "force", "result");
+    fmt::print("{:>82} bits to overflow; result: of any operation\n", "");
     for (const Result& result : good) print(result);
     return true;
 }

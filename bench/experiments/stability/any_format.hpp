@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // AnyFormat: a fixed-point number whose width and split are chosen at run time, so that one
 // instance of the engine runs in every format. Its results are those of Fixed in the default
-// arithmetic, except for lengths, which are correctly rounded here and within 1 ulp there. It
-// reports to the recorder what Checked would report.
+// arithmetic, except for roots (the lengths of springs, and the distances of touching spheres in
+// other formats than Q16.16), which are correctly rounded here and within 1 ulp there. It
+// reports to the recorder what Checked would report, and the magnitude of each result before it
+// wraps.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <engine/decimal.hpp>
+#include <engine/overlap.hpp>
 #include <engine/time_step.hpp>
 #include <engine/validity.hpp>
 
@@ -101,6 +105,30 @@ class AnyFormat {
             tell(Event::underflow, Operation::multiply_add);
         return product(exact + (Wide(c.raw_) << fraction()), false, Operation::multiply_add);
     }
+    // As engine::half, which rounds down.
+    friend AnyFormat half(AnyFormat a) { return from_raw(a.raw_ >> 1); }
+    // As engine::inverse_of: factor / 2^halvings.
+    friend engine::Inverse<AnyFormat> inverse_of(AnyFormat a) {
+        if (!(a > AnyFormat())) return {AnyFormat(), 0};
+        signed char halvings = 0;
+        for (std::int64_t left = a.raw_ >> fraction() >> 1; left != 0; left >>= 1) ++halvings;
+        const Wide divisor = a.raw_;
+        const Wide factor = ((Wide(2) << (2 * fraction() + halvings)) / divisor + 1) >> 1;
+        if (factor > limit()) return {AnyFormat(), 0};
+        if (halvings == 0 && (divisor & (divisor - 1)) == 0) {
+            halvings = -1;
+            for (Wide left = factor >> fraction(); left > 1; left >>= 1) --halvings;
+            return {from_raw(std::int64_t(1) << fraction()), halvings};
+        }
+        return {from_raw(static_cast<std::int64_t>(factor)), halvings};
+    }
+    // floor((a + residual) / 2^count) and the remainder, as engine::carried_shift.
+    static AnyFormat carried_shift(AnyFormat a, int count, AnyFormat& residual) {
+        const std::int64_t sum = saturating_sum(a, residual).raw_;
+        const bool holds = count < split().width() - 1;
+        residual = from_raw(holds ? sum & ((std::int64_t(1) << count) - 1) : 0);
+        return from_raw(sum >> std::min(count, 63));
+    }
     friend AnyFormat saturating_sum(AnyFormat a, AnyFormat b) {
         return saturated(Wide(a.raw_) + b.raw_);
     }
@@ -141,6 +169,10 @@ class AnyFormat {
                                                                        : raw));
     }
     static AnyFormat wrapped(Wide raw, Operation operation) {
+        // The most negative number fits, although its magnitude does not.
+        if (Recorder* recorder = active_recorder())
+            recorder->result.include(
+                std::ldexp(static_cast<double>(raw < 0 ? raw + 1 : raw), -fraction()));
         const AnyFormat fitting = saturated(raw);
         if (fitting.raw_ == raw) return fitting;
         tell(Event::overflow, operation);
@@ -190,5 +222,106 @@ struct NormalTolerance<stability::AnyFormat> {
                                                             : 4);
     }
 };
+
+// How Fixed measures rods, ropes and, in Q16.16, overlapping spheres: engine/distance.hpp and
+// overlap.hpp, with a split known at run time.
+
+template <>
+struct NearOne<stability::AnyFormat> {
+    static stability::AnyFormat value() {
+        const int fraction = stability::AnyFormat::split().fraction_bits;
+        return stability::AnyFormat::from_raw(
+            std::int64_t(1) << (fraction < 2 ? 0 : fraction - (fraction + 5) / 3));
+    }
+};
+
+inline stability::AnyFormat times(stability::AnyFormat a,
+                                  const Inverse<stability::AnyFormat>& inverse) {
+    signed char i = inverse.halvings;
+    if (i < 0) {
+        while (++i != 0) a += a;
+    } else {
+        a *= inverse.factor;
+        for (; i != 0; --i) a = half(a);
+    }
+    return a;
+}
+template <int N>
+void scale(Vector<stability::AnyFormat, N>& v, const Inverse<stability::AnyFormat>& inverse) {
+    for (unsigned char i = 0; i < N; ++i) v[i] = times(v[i], inverse);
+}
+
+template <int N>
+void bring_near_one(Vector<stability::AnyFormat, N>& v) {
+    using Number = stability::AnyFormat;
+    const int fraction = Number::split().fraction_bits;
+    const Number quarter = Number::from_raw(std::int64_t(1) << (fraction < 2 ? 0 : fraction - 2));
+    for (;;) {
+        Number least = Number();  // -|v_i| of the largest; |v_i| itself may not fit
+        for (unsigned char i = 0; i < N; ++i) {
+            const Number below_zero = v[i] > Number() ? -v[i] : v[i];
+            if (below_zero < least) least = below_zero;
+        }
+        if (least < -(quarter + quarter)) {
+            halve(v);
+        } else if (least < -quarter || least == Number()) {
+            return;
+        } else {
+            for (unsigned char i = 0; i < N; ++i) v[i] += v[i];
+        }
+    }
+}
+
+template <int N>
+bool measure_scaled(const Vector<stability::AnyFormat, N>& first,
+                    const Vector<stability::AnyFormat, N>& second, stability::AnyFormat length,
+                    const Inverse<stability::AnyFormat>& inverse, stability::AnyFormat e,
+                    stability::AnyFormat little, Vector<stability::AnyFormat, N>& direction,
+                    stability::AnyFormat& excess) {
+    using Number = stability::AnyFormat;
+    if (inverse.halvings <= 0 && absolute(e) < NearOne<Number>::value()) {
+        if (absolute(e) > little) e = mend_length(direction, e);
+        excess = short_product(e, length);
+        return true;
+    }
+    const Number distance = measure_by_steps(first, second, e, direction);
+    excess = distance - length;
+    return !(distance == Number());
+}
+template <bool may_be_slack, int N>
+bool measure(const Vector<stability::AnyFormat, N>& first,
+             const Vector<stability::AnyFormat, N>& second, const stability::AnyFormat& length,
+             const Inverse<stability::AnyFormat>& inverse,
+             Vector<stability::AnyFormat, N>& direction, stability::AnyFormat& excess) {
+    using Number = stability::AnyFormat;
+    direction = first - second;
+    scale(direction, inverse);
+    const Number e = excess_over_one(direction);
+    if (may_be_slack && e < -NearOne<Number>::value()) return false;
+    const Number little = Number::from_raw(Number::split().fraction_bits >= 12 ? 4 : 0);
+    return measure_scaled(first, second, length, inverse, e, little, direction, excess);
+}
+template <int N>
+stability::AnyFormat overlap(const Vector<stability::AnyFormat, N>& first,
+                             const Vector<stability::AnyFormat, N>& second,
+                             stability::AnyFormat reach, LastReach<stability::AnyFormat, true>&,
+                             Vector<stability::AnyFormat, N>& direction) {
+    using Number = stability::AnyFormat;
+    if (Number::split().integer_bits != 16 || Number::split().fraction_bits != 16) {
+        const Number distance = engine::length(direction);
+        if (!(distance < reach)) return Number();
+        direction = divided(direction, distance);
+        if (distance == Number()) direction[0] = Decimal<1, 0>();
+        return reach - distance;
+    }
+    const Inverse<Number> inverse = inverse_of(reach);
+    scale(direction, inverse);
+    const Number e = excess_over_one(direction);
+    Number excess = {};
+    if (!(e < excess)) return excess;
+    if (!measure_scaled(first, second, reach, inverse, e, Number(), direction, excess))
+        direction[0] = Decimal<1, 0>();
+    return -excess;
+}
 
 }  // namespace engine

@@ -28,6 +28,8 @@ struct Case {
     std::function<Experiment(double)> at;
     // In an endurance case the parameter is a number of steps: at most `to`, in one run.
     bool endurance = false;
+    // A chain of rods that bears a load: runs with the solvers for it, chain_subjects(), as well.
+    bool loaded_chain = false;
 };
 
 std::vector<Case> spring_cases();

@@ -10,6 +10,7 @@
 
 #include "bench/experiments/stability/ablations.hpp"
 #include "bench/experiments/stability/advise.hpp"
+#include "bench/experiments/stability/prediction.hpp"
 #include "bench/experiments/stability/search.hpp"
 #include "bench/lab/parallel.hpp"
 #include "bench/lab/program/names.hpp"
@@ -23,6 +24,14 @@ bool wanted(const std::vector<std::string>& names, const std::string& name) {
     return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
 }
 
+std::vector<const Subject*> subjects_for(const Case& one) {
+    std::vector<const Subject*> all;
+    for (const Subject& subject : subjects()) all.push_back(&subject);
+    if (one.loaded_chain)
+        for (const Subject& subject : chain_subjects()) all.push_back(&subject);
+    return all;
+}
+
 using records::column;
 
 // A row of stability.csv.
@@ -31,6 +40,9 @@ struct CaseRow {
     std::string first_event;
     std::optional<unsigned> step;  // of the first event
     std::string reference;
+    // Of the largest result of any operation, as fixbench advise predicts them: at the limit, and
+    // just beyond it. Plain fixed-point formats only.
+    std::optional<double> bits_at_limit, bits_beyond;
 
     static constexpr auto columns = std::tuple(
         column("case", &CaseRow::of_case), column("scalar", &CaseRow::scalar),
@@ -38,8 +50,18 @@ struct CaseRow {
         column("parameter", &CaseRow::parameter), column("limit", &CaseRow::limit),
         column("unit", &CaseRow::unit), column("verdict", &CaseRow::verdict),
         column("first_event", &CaseRow::first_event), column("step", &CaseRow::step),
-        column("reference", &CaseRow::reference));
+        column("reference", &CaseRow::reference), column("bits_at_limit", &CaseRow::bits_at_limit),
+        column("bits_beyond", &CaseRow::bits_beyond));
 };
+
+// Rounded down, so that what wraps by little stays below 0.
+std::optional<double> predicted_bits(const Case& one, const Subject& subject, double parameter) {
+    const std::optional<Split> split = split_of(subject);
+    if (!split || std::isnan(parameter)) return {};
+    const auto prediction = predict(one.at(parameter).description, *split, subject.integrator);
+    if (!prediction) return {};
+    return std::floor(prediction->result * 1000) / 1000;
+}
 
 CaseRow row(const Case& one, const Subject& subject, const Finding& finding) {
     std::string verdict = to_text(finding.verdict);
@@ -58,7 +80,9 @@ CaseRow row(const Case& one, const Subject& subject, const Finding& finding) {
             verdict,
             finding.first_event,
             step,
-            one.reference};
+            one.reference,
+            predicted_bits(one, subject, finding.limit),
+            predicted_bits(one, subject, finding.beyond)};
 }
 
 // The abilities of a format and a method, each shown by a case.
@@ -185,10 +209,11 @@ bool is_selection(const Options& options) {
 void check_selection(const Options& options) {
     std::vector<std::string> cases, scalars, integrators;
     for (const Case& one : all_cases()) cases.push_back(one.name);
-    for (const Subject& subject : subjects()) {
-        scalars.push_back(subject.scalar);
-        integrators.push_back(subject.integrator);
-    }
+    for (const auto* list : {&subjects(), &chain_subjects()})
+        for (const Subject& subject : *list) {
+            scalars.push_back(subject.scalar);
+            integrators.push_back(subject.integrator);
+        }
     fixbench::check_names("--case", options.cases, cases);
     fixbench::check_names("--scalar", options.scalars, scalars);
     fixbench::check_names("--integrator", options.integrators, integrators);
@@ -199,24 +224,24 @@ void measure_stability(const Options& options) {
     std::vector<std::pair<const Case*, const Subject*>> work;
     for (const Case& one : all_cases()) {
         if (!wanted(options.cases, one.name)) continue;
-        for (const Subject& subject : subjects())
-            if (wanted(options.scalars, subject.scalar) &&
-                wanted(options.integrators, subject.integrator))
-                work.emplace_back(&one, &subject);
+        for (const Subject* subject : subjects_for(one))
+            if (wanted(options.scalars, subject->scalar) &&
+                wanted(options.integrators, subject->integrator))
+                work.emplace_back(&one, subject);
     }
     if (work.empty())
-        throw std::invalid_argument("no subject has this scalar and integrator together");
+        throw std::invalid_argument(
+            "no subject of these cases has this scalar and integrator together");
     std::vector<Finding> findings(work.size());
+    std::vector<CaseRow> rows(work.size());
     {
         records::Progress progress("stability", work.size());
         operations::in_parallel(options.threads, work.size(), [&](std::size_t i) {
             findings[i] = find_limit(*work[i].first, *work[i].second, effort);
+            rows[i] = row(*work[i].first, *work[i].second, findings[i]);
             progress.advance();
         });
     }
-    std::vector<CaseRow> rows;
-    for (std::size_t i = 0; i < work.size(); ++i)
-        rows.push_back(row(*work[i].first, *work[i].second, findings[i]));
     records::table_of(rows).save(options.output / "stability.csv");
     if (is_selection(options)) return;
 

@@ -39,6 +39,7 @@ class Recorder {
   public:
     unsigned step = 0;
     Magnitudes position, velocity, force;  // of all particles, after each step: m, m/s, N
+    Magnitudes result;  // of every operation that can wrap, exact: only AnyFormat notes it
 
     void enter(const char* quantity) { quantity_ = quantity; }
     void notify(fixedpoint::Event event, fixedpoint::Operation operation) {

@@ -15,8 +15,9 @@ constexpr double runaway = 10;  // tolerances
 // Whether the method alone holds: in double, where rounding is negligible.
 bool holds_in_double(const Experiment& experiment, const Subject& subject) {
     static const std::vector<Subject> in_double = subjects_of_double();
+    static const std::vector<Subject> chains = subjects_of_chains_in_double();
     static const std::vector<Subject> ablated = subjects_of_ablated_in_double();
-    for (const auto* list : {&in_double, &ablated})
+    for (const auto* list : {&in_double, &chains, &ablated})
         for (const Subject& one : *list)
             if (one.integrator == subject.integrator) return attempt(one, experiment).held;
     return false;
@@ -24,6 +25,7 @@ bool holds_in_double(const Experiment& experiment, const Subject& subject) {
 
 // Determines what went wrong in an experiment that does not hold.
 void diagnose(const Case& one, double parameter, const Subject& subject, Finding& finding) {
+    finding.beyond = parameter;
     const auto again = [&] { return one.at(parameter); };  // a measure may remember its run
     const Experiment experiment = again();
     const Trial trial = attempt(subject, experiment, runaway);
@@ -75,6 +77,7 @@ Finding find_endurance(const Case& one, const Subject& subject, const Effort& ef
     const Experiment experiment = one.at(std::min(one.to, effort.longest_endurance));
     const Trial trial = attempt(subject, experiment);
     Finding finding;
+    finding.beyond = std::numeric_limits<double>::quiet_NaN();
     finding.last_held = trial.outcome;
     finding.limit = trial.held ? experiment.description.steps : trial.failed_step - 1;
     if (!trial.held) diagnose(one, trial.failed_step, subject, finding);
@@ -125,7 +128,7 @@ Finding find_limit(const Case& one, const Subject& subject, const Effort& effort
         std::max(4u, unsigned(std::ceil(std::abs(decades) * effort.points_per_decade)));
     const auto parameter = [&](double i) { return one.from * std::pow(10, decades * i / count); };
     Finding finding;
-    finding.limit = std::numeric_limits<double>::quiet_NaN();
+    finding.limit = finding.beyond = std::numeric_limits<double>::quiet_NaN();
     // The easiest parameter that holds, then the next that does not.
     double held = -1, failed = -1;
     for (unsigned i = 0; i <= count && failed < 0; ++i) {

@@ -20,7 +20,8 @@ std::string to_text(Verdict verdict);
 
 struct Finding {
     Verdict verdict = Verdict::stable;
-    double limit = 0;  // the last parameter that held; NaN if none did
+    double limit = 0;   // the last parameter that held; NaN if none did
+    double beyond = 0;  // the parameter just beyond it, which failed; NaN if all held
     std::string first_event;
     unsigned step = 0;  // of the failure, just beyond the limit
     double rate = 0;    // of a drift

@@ -30,7 +30,10 @@ struct Subject {
 
 // Every scalar with every method.
 const std::vector<Subject>& subjects();
-// One of them, or of the ablated ones. Throws std::runtime_error if there is none.
+// Solvers for chains of rods, in three scalars: iterations begun where the last step ended, and all
+// rods solved together. The latter's world has nothing but rods and gravity.
+const std::vector<Subject>& chain_subjects();
+// One of these, or of the ablated ones. Throws std::runtime_error if there is none.
 const Subject& subject(const std::string& scalar, const std::string& arithmetic,
                        const std::string& integrator);
 
@@ -42,10 +45,12 @@ std::vector<Subject> subjects_of_q8_24();
 std::vector<Subject> subjects_of_q16_16_published();
 std::vector<Subject> subjects_of_q16_16_saturating();
 std::vector<Subject> subjects_of_float();
+std::vector<Subject> subjects_of_chains();
 // Q16.16 with one measure of the engine left out; not in subjects().
 std::vector<Subject> subjects_of_ablated();
 // Truth by the engine itself, where rounding is negligible; not in subjects().
 std::vector<Subject> subjects_of_double();
+std::vector<Subject> subjects_of_chains_in_double();
 std::vector<Subject> subjects_of_ablated_in_double();
 
 }  // namespace stability

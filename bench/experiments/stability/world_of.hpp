@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <fixedpoint/conversion.hpp>
+#include <stdexcept>
 #include <string_view>
 #include <utility>
 
@@ -23,6 +24,14 @@ struct Everything : scenes::UsesWith<Method> {
                           custom_force = true;
     static constexpr bool compensated_integration = HasExactSteps<Method>::value;
     static constexpr bool continuous_contacts = HasContinuousContacts<Method>::value;
+    template <class World>
+    using CustomForce = ConstantForces<World>;
+};
+// DirectRods solves rods alone.
+template <>
+struct Everything<scenes::Direct> : scenes::UsesWith<scenes::Direct> {
+    static constexpr unsigned particles = 20, rods = 16, anchored_rods = 6;
+    static constexpr bool gravity = true, custom_force = true;
     template <class World>
     using CustomForce = ConstantForces<World>;
 };
@@ -152,10 +161,31 @@ class Run {
 
     void build(const Description& description) {
         world_.gravity = vector(description.gravity, "gravity");
+        for (const Body& body : description.bodies) add(body);
+        add_rods(description);
+        if constexpr (World::bounces) {
+            add_others(description);
+        } else {
+            must_have_only_rods(description);
+        }
+        const TimeStep dt = description.dt;
+        dt_ = {dt.exponent, rounded_(dt.seconds, "time_step"), !(dt.seconds > 0)};
+        outcome_.unfit = rounded_.unfit;
+        outcome_.vanished = rounded_.vanished;
+    }
+    void add_rods(const Description& description) {
+        for (const Link& rod : description.rods) {
+            add_link(
+                rod, [&](auto b, Scalar length) { world_.add_rod(handle(rod.a), b, length); },
+                [&](Vector anchor, Scalar length) {
+                    world_.add_anchored_rod(handle(rod.a), anchor, length);
+                });
+        }
+    }
+    void add_others(const Description& description) {
         world_.set_restitution(rounded_(description.restitution, "restitution"));
         world_.set_restitution_threshold(
             rounded_(description.restitution_threshold, "restitution_threshold"));
-        for (const Body& body : description.bodies) add(body);
         for (const Spring& spring : description.springs) {
             const Scalar stiffness = rounded_(spring.stiffness, "stiffness");
             const Scalar damping = rounded_(spring.damping, "spring_damping");
@@ -167,13 +197,6 @@ class Run {
                 [&](Vector anchor, Scalar length) {
                     world_.add_anchored_spring(handle(spring.a), anchor, stiffness, damping,
                                                length);
-                });
-        }
-        for (const Link& rod : description.rods) {
-            add_link(
-                rod, [&](auto b, Scalar length) { world_.add_rod(handle(rod.a), b, length); },
-                [&](Vector anchor, Scalar length) {
-                    world_.add_anchored_rod(handle(rod.a), anchor, length);
                 });
         }
         for (const Rope& rope : description.ropes) {
@@ -195,10 +218,12 @@ class Run {
             world_.add_plane(vector(plane.normal, "normal"), rounded_(plane.offset, "offset"),
                              rounded_(plane.restitution, "restitution"));
         }
-        const TimeStep dt = description.dt;
-        dt_ = {dt.exponent, rounded_(dt.seconds, "time_step"), !(dt.seconds > 0)};
-        outcome_.unfit = rounded_.unfit;
-        outcome_.vanished = rounded_.vanished;
+    }
+    static void must_have_only_rods(const Description& made) {
+        bool plain =
+            made.springs.empty() && made.drags.empty() && made.ropes.empty() && made.planes.empty();
+        for (const Body& body : made.bodies) plain = plain && body.radius == 0 && body.damping == 1;
+        if (!plain) throw std::logic_error("a world of rods alone cannot hold this description");
     }
     template <class Between, class Anchored>
     void add_link(const Link& link, Between between, Anchored anchored) {

@@ -725,6 +725,61 @@ f q8_8 nearest velocity_verlet 1 overflows overflow_add
         self.assertEqual(stability.silent(rows, "nearest"), (3, 1, 1))
         self.assertEqual(stability.silent(rows, "saturating"), (1, 0, 1))
 
+    def test_wraps_that_were_announced(self):
+        self.assertIsNone(stability.announced(self.rows().rows("stability")))
+        made = golden(stability="""
+case scalar arithmetic integrator limit verdict first_event bits_at_limit bits_beyond
+a q16_16 nearest velocity_verlet 1 overflows overflow_add 0.5 -0.001
+b q16_16 nearest velocity_verlet 1 overflows overflow_add 0 0
+c q16_16 nearest velocity_verlet none overflows overflow_add - -2
+d q16_16 nearest velocity_verlet 1 overflows overflow_add 1 -
+e q16_16 nearest velocity_verlet 1 overflows overflow_convert 1 -
+f q16_16 nearest velocity_verlet 1 drifts - -0.25 -1
+g q16_16 nearest explicit_euler 1 overflows overflow_add -1 1
+h q16_16 saturating velocity_verlet 1 saturates overflow_add - -
+i q8_8 nearest velocity_verlet 1 overflows overflow_add -1 1
+""")
+        rows = made.rows("stability")
+        for row in rows:
+            row["first_event"] = (row["first_event"] or "").replace("_", " ")
+        self.assertEqual(stability.announced(rows), (4, 2, 5, 1))
+
+    def test_loads_that_chains_bear(self):
+        rows = "case scalar arithmetic integrator limit verdict first_event\n"
+        for i, links in enumerate((4, 8, 16)):
+            for j, steps in enumerate(("", "_fine_steps")):
+                for k, scalar in enumerate(("q16_16", "q32_32", "float")):
+                    for m, method in enumerate(("semi_implicit_euler", "warm_started", "direct_rods", "velocity_verlet")):
+                        arithmetic = "ieee" if scalar == "float" else "nearest"
+                        rows += (f"rod_chain_of_{links}_heavy_end{steps} {scalar} {arithmetic} {method} "
+                                 f"{1000 * i + 100 * j + 10 * k + m} drifts -\n")
+        found = golden(stability=rows + "rod_chain_of_4_heavy_end q16_16 saturating semi_implicit_euler 7 drifts -\n").rows("stability")
+        self.assertTrue(stability.has_loaded_chains(found))
+        self.assertFalse(stability.has_loaded_chains(self.rows().rows("stability")))
+        lines = list(stability.loaded_chains(found))
+        self.assertEqual([line[:3] for line in lines[:4]],
+                         [(8, 4, "q16_16"), (8, 4, "q32_32"), (8, 4, "float"), (8, 8, "q16_16")])
+        self.assertEqual([line[3] for line in lines[:2] + lines[-1:]], [[0, 1, 2], [10, 11, 12], [2120, 2121, 2122]])
+        # One light body between two rods: the tension R g acts on it through 2 / L.
+        self.assertAlmostEqual(math.sqrt(2 * 9.81 * stability.load_bound(2, 8) / 0.5) / 2**8, 2)
+        self.assertAlmostEqual(stability.load_bound(4, 11) / stability.load_bound(4, 8), 64)
+
+    def test_what_the_solvers_of_chains_cost(self):
+        ablations = "ablation case before_cycles after_cycles\n"
+        for links, warm, direct in ((4, 50, 40), (8, 60, 45), (16, 55, 48)):
+            for name, after in (("iterations_begun_where_the_last_step_ended", warm), ("rods_solved_together", direct)):
+                ablations += f"{name} rod_chain_of_{links}_heavy_end 100 {after}\n"
+        scenes_rows = "scene scalar arithmetic integrator dt cycles_per_step_mean\n"
+        for scalar, arithmetic, direct in (("q32_32", "nearest", 44), ("float", "avr-libc", 46), ("q32_32", "saturating", 99)):
+            for method, cycles in (("velocity_verlet", 100), ("direct_rods", direct)):
+                scenes_rows += f"chain_of_rods {scalar} {arithmetic} {method} 0.00390625 {cycles}\n"
+        made = golden(ablations=ablations, scenes=scenes_rows)
+        for row in made.rows("ablations"):
+            row["ablation"] = row["ablation"].replace("_", " ")
+        self.assertEqual(stability.chain_cost(made), "In Q16.16 a step of these chains takes 50 % to 60 % of the cycles of ten "
+                         "iterations where it begins with the last step's result, and 40 % to 48 % where the rods are solved "
+                         "together. Of the scene *chain of rods*, the latter takes 44 % in Q32.32, 46 % in float.")
+
     def test_where_the_devices_float_differs(self):
         table = """
 operation operands pairs differ first_mismatch host device

@@ -32,12 +32,15 @@ typename World::Scalar mass_share(const World& world, Index a, Index b) {
     return brief_quotient(half(of_a), half(of_a) + half(of_b));  // where the sum does not fit
 }
 
-// For two particles of different mass.
+// For two particles of different mass. The share of an immovable one is 0, and takes no product.
 template <class Vector, class Scalar>
 void share_between(Vector& of_a, Vector& of_b, const Vector& direction, Scalar change,
                    Scalar share) {
-    const Scalar part = change * share;
-    if (!(part == Scalar())) of_a.add_scaled(direction, part);
+    Scalar part = Scalar();
+    if (!(share == Scalar())) {
+        part = change * share;
+        of_a.add_scaled(direction, part);
+    }
     if (!(part == change)) of_b.add_scaled(direction, part - change);
 }
 

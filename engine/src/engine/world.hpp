@@ -324,12 +324,14 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
         integrate_positions(dt, If<Uses::continuous_contacts>());
     }
 
-    /// Multiplies each velocity by its particle's damping factor.
+    /// Multiplies each velocity by its particle's damping factor, unless that is 1.
     void damp() {
         observe<Scalar>(Quantity::damping);
         only_if<Uses::damping>(*this, [](World& world) {
-            world.for_each_particle(
-                [](Particle& particle) { particle.velocity *= damping_of(particle); });
+            world.for_each_particle([](Particle& particle) {
+                const Scalar factor = damping_of(particle);
+                if (!(factor == Scalar(Decimal<1, 0>()))) particle.velocity *= factor;
+            });
         });
     }
 

@@ -8,7 +8,7 @@ template <class Scalar>
 std::vector<Subject> without_a_mend(const char* scalar, const char* arithmetic, double largest,
                                     double ulp) {
     return subjects_of_methods<Scalar, PositionsFirst, WorstContactFirst, OpposedContacts,
-                               TangentRods, LateBounces, Impulses, WarmStarted, ContinuousContacts>(
+                               TangentRods, LateBounces, Impulses, ContinuousContacts>(
         scalar, arithmetic, largest, ulp);
 }
 

@@ -19,9 +19,10 @@ struct RunStep<AnyFormat> {
     friend AnyFormat operator*(AnyFormat a, RunStep dt) {
         return dt.binary ? scaled_down(a, dt.exponent) : a * dt.seconds;
     }
-    friend RunStep half(RunStep dt) {
-        return {dt.exponent + 1, scaled_down(dt.seconds, 1), dt.binary};
+    friend AnyFormat carried_product(AnyFormat a, RunStep dt, AnyFormat& residual) {
+        return dt.binary ? AnyFormat::carried_shift(a, dt.exponent, residual) : a * dt.seconds;
     }
+    friend RunStep half(RunStep dt) { return {dt.exponent + 1, half(dt.seconds), dt.binary}; }
 };
 template <>
 struct Rounding<AnyFormat> {
