@@ -28,6 +28,7 @@ PROOFS = {(operation, number_format, implementation): proof
               (*SUMS, OURS, ("add", "subtract", "abs_diff", "copysign", "midpoint")),
               (*SUMS, "saturating", ("add", "subtract")),
               (SUMS[0], ("q8_8",), OURS, ("multiply_add", "lerp")),
+              ("bench/prove_nearest_angles", ("q16_16",), "correctly_rounded", ("atan2",)),
               (*SUMS, OURS, ("lerp",)))
           for operation in operations for number_format in formats}
 # ... or that its error is less than this, in ulp, whatever the largest known error is.

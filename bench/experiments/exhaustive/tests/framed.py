@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Compiled C++ with its data on the stack: the frame and what pointers point to, at fixed addresses."""
+import re
+
 import z3
 
 from calling import A64, Bits, Compiled, shown
@@ -9,6 +11,21 @@ STACK = 0x0800  # the stack pointer at the entry of a function
 LOW = {"X": 26, "Y": 28, "Z": 30}
 # Of libgcc, for counts in r16 below 64; `shift_of` proves them.
 SHIFTS = {"__ashldi3": lambda x, n: x << n, "__lshrdi3": z3.LShR}
+
+
+def pointed(word):
+    """The pointer of a load or store: its lower register, what is added before and after, and the offset."""
+    name, sign, offset = re.fullmatch(r"-?([XYZ])(\+?)(\d*)", word).groups()
+    return LOW[name], -(word[0] == "-"), int(sign == "+" and not offset), int(offset or 0)
+
+
+def single_bit(condition):
+    """That a bit is not 0 as that it is 1, and so on."""
+    inner, inverted = (condition.arg(0), True) if z3.is_not(condition) else (condition, False)
+    if not z3.is_eq(inner) or not z3.is_bv(inner.arg(0)) or inner.arg(0).size() != 1 or not z3.is_bv_value(inner.arg(1)):
+        return condition
+    value = inner.arg(1).as_long() ^ 1
+    return z3.Not(inner.arg(0) == value) if not inverted else inner.arg(0) == value
 
 
 def constant(number, size):
@@ -33,7 +50,7 @@ class Framed(Compiled):
     def __init__(self, called, program):
         super().__init__(called, program)
         self.shifts = {program.labels[name]: exact for name, exact in SHIFTS.items() if name in program.labels}
-        self.bytes = {}
+        self.bytes, self.decided = {}, []
 
     def copy(self):
         other = super().copy()
@@ -57,6 +74,19 @@ class Framed(Compiled):
     def loaded(self, address, size):
         demand(all(address + i in self.bytes for i in range(size)), "a byte of memory is read before it is set")
         return z3.Concat(*(self.bytes[address + i] for i in reversed(range(size))))
+
+    def branch(self, condition, target, following):
+        """What was decided before is not decided again."""
+        condition, opposite = (z3.simplify(each) for each in (condition, z3.Not(condition)))
+        if any(known.eq(condition) for known in self.decided):
+            return [(target, self)]
+        if any(known.eq(opposite) for known in self.decided):
+            return [(following, self)]
+        found = super().branch(condition, target, following)
+        if len(found) == 2:
+            for (_, machine), known in zip(found, (condition, opposite)):
+                machine.decided = [*self.decided, known, z3.simplify(single_bit(known))]
+        return found
 
     def step(self, address):
         mnemonic, _, target, following = self.program.code[address]
@@ -92,11 +122,8 @@ class Framed(Compiled):
             return advance
         if mnemonic in ("st", "std", "ld", "ldd"):
             pointer, register = (d, r) if mnemonic.startswith("st") else (r, d)
-            low = LOW[pointer.strip("+-0123456789")]
-            at = self.word(low)
-            before, after = -(pointer[0] == "-"), pointer[-1] == "+"
-            at += before
-            offset = int(pointer[2:]) if pointer[1:2] == "+" and not after else 0
+            low, before, after, offset = pointed(pointer)
+            at = self.word(low) + before
             if mnemonic.startswith("st"):
                 self.bytes[at + offset] = registers[register]
             else:
