@@ -28,6 +28,7 @@ PROOFS = {(operation, number_format, implementation): proof
               (*SUMS, OURS, ("add", "subtract", "abs_diff", "copysign", "midpoint")),
               (*SUMS, "saturating", ("add", "subtract")),
               (SUMS[0], ("q8_8",), OURS, ("multiply_add", "lerp")),
+              ("bench/prove_nearest_angles", ("q16_16",), "correctly_rounded", ("atan2",)),
               (*SUMS, OURS, ("lerp",)))
           for operation in operations for number_format in formats}
 # ... or that its error is less than this, in ulp, whatever the largest known error is.
@@ -41,6 +42,8 @@ LIMITS = {("atan2", "q16_16", OURS): (0.645, "fixedpoint/prove_angles"),
           ("log", "q8_24", OURS): (0.554, "bench/prove_cube_roots"),
           ("pow", "q8_8", OURS): (0.504, "bench/prove_powers"),
           ("pow", "q16_16", OURS): (0.81, "bench/prove_powers"),
+          ("power", "q8_8", OURS): (0.50001, "bench/prove_integer_powers"),
+          ("power", "q16_16", OURS): (0.635, "bench/prove_integer_powers"),
           ("normalise3", "q16_16", OURS): (0.77, "fixedpoint/prove_normalise"),
           ("normalise3", "q8_8", OURS): (0.66, "fixedpoint/prove_normalise")}
 # ... or that it returns what other functions return, which were run over all inputs.

@@ -171,15 +171,22 @@ TEST(CorrectRoundingByShortCores, LeavesFewOperandsInDoubt) {
 
 constexpr Real two_to_64 = Real(18446744073709551616.0);
 
+fixedpoint::kernel::WideAngle wide_angle(Real angle) {
+    const Real scaled = angle * two_to_64;
+    const auto upper = static_cast<uint64_t>(scaled);
+    return {upper, static_cast<uint32_t>((scaled - Real(upper)) * Real(uint64_t(1) << 32))};
+}
 void expect_direction(uint32_t a, uint32_t b) {
     const uint64_t scaled = fixedpoint::kernel::shorter_and_longer(a, b);
     const auto y = static_cast<uint32_t>(scaled >> 32), x = static_cast<uint32_t>(scaled);
-    const auto angle = static_cast<uint64_t>(atan2f128(y, x) * two_to_64);
-    if (angle < 8) return;
-    ASSERT_TRUE(fixedpoint::kernel::direction_reaches(y, x, angle - 8)) << y << ", " << x;
-    ASSERT_FALSE(fixedpoint::kernel::direction_reaches(y, x, angle + 9)) << y << ", " << x;
+    const Real angle = atan2f128(y, x), error = Real(1) / (Real(1 << 19) * two_to_64);
+    if (angle < error) return;
+    ASSERT_TRUE(fixedpoint::kernel::direction_exceeds(y, x, wide_angle(angle - error)))
+        << y << ", " << x;
+    ASSERT_FALSE(fixedpoint::kernel::direction_exceeds(y, x, wide_angle(angle + error)))
+        << y << ", " << x;
 }
-TEST(SideOfATie, OfDirectionsErrsByLessThan8Units) {
+TEST(SideOfATie, OfDirectionsErrsByLessThan2ToTheMinus83) {
     std::mt19937 random(7);
     for (int i = 0; i < 10'000; ++i)
         expect_direction(1 + (random() >> (1 + random() % 31)), random() >> random() % 32);
@@ -237,6 +244,16 @@ TEST(CorrectRoundingOfPairs, OfAngles) {
     for (const int32_t y : {-466434983, 1020649452, 1338799777}) {
         EXPECT_EQ((CorrectlyRounded::atan2<int32_t, 16>(y, 65536)),
                   rounded<int32_t>(atan2f128(y, 65536), 16));
+    }
+    // The pairs closest to a tie, by 2^-79.6 to 2^-75.8.
+    constexpr int32_t closest[][2] = {{910339403, -1953906981}, {515435491, -1793836970},
+                                      {516076007, 58132538},    {252695074, -1713085953},
+                                      {460672751, 935870233},   {621376082, -669620561}};
+    for (const auto& [y, x] : closest) {
+        for (const int32_t sign : {1, -1})
+            EXPECT_EQ((CorrectlyRounded::atan2<int32_t, 16>(sign * y, x)),
+                      rounded<int32_t>(atan2f128(sign * y, x), 16))
+                << sign * y << ", " << x;
     }
     std::mt19937 random(3);
     for (int i = 0; i < 50'000; ++i) {

@@ -13,13 +13,15 @@ using reference::Operation;
 __extension__ typedef __float128 Real;
 
 // In ulp of Q16.16.
-Real distance_from_a_tie(Operation operation, std::int64_t raw) {
-    const Real a = Real(raw) / 65536;
-    const Real result = 65536 * (operation == Operation::sin   ? sinf128(a)
-                                 : operation == Operation::cos ? cosf128(a)
-                                 : operation == Operation::exp ? expf128(a)
-                                 : operation == Operation::log ? logf128(a)
-                                                               : atanf128(a));
+Real distance_from_a_tie(Operation operation, const std::vector<std::int64_t>& raws) {
+    const Real a = Real(raws[0]) / 65536;
+    const Real result =
+        65536 * (operation == Operation::sin     ? sinf128(a)
+                 : operation == Operation::cos   ? cosf128(a)
+                 : operation == Operation::exp   ? expf128(a)
+                 : operation == Operation::log   ? logf128(a)
+                 : operation == Operation::atan2 ? atan2f128(a, Real(raws[1]) / 65536)
+                                                 : atanf128(a));
     const Real half = result - Real(static_cast<std::int64_t>(result));
     const Real distance = (half < 0 ? -half : half) - Real(0.5);
     return distance < 0 ? -distance : distance;
@@ -32,7 +34,7 @@ TEST(ClosestTies, AreCloserThanAnyRandomOperandMayBe) {
             closest_ties({operation, reference::q16_16, reference::Arithmetic::correctly_rounded});
         ASSERT_GE(cases.size(), 60u);
         for (const BoundaryCase& each : cases)
-            EXPECT_LT(distance_from_a_tie(operation, each.operands[0]),
+            EXPECT_LT(distance_from_a_tie(operation, each.operands),
                       operation == exp ? Real(0x1p-15) : Real(0x1p-25))
                 << each.operands[0];
     }
