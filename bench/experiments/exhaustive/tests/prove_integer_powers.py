@@ -92,7 +92,8 @@ def power(of, m):
         for negative in (False, True):
             largest = z3.BitVecVal((1 << of.width - 1) - 1 + negative, 32)
             limited = z3.Extract(of.width - 1, 0, z3.If(z3.UGT(ulps, largest), largest, ulps))
-            shown(m, z3.Implies(z3.And(x < 0, z3.Extract(0, 0, n) == 1) == negative, result == (-limited if negative else limited)))
+            shown(m, z3.Implies(z3.And(x < 0, z3.Extract(0, 0, n) == 1) == negative,
+                                result == (-limited if negative else limited)))
     return check
 
 
@@ -138,7 +139,8 @@ def long_begun(of, m):
 
     def check(m, _):
         demand(m.word(28) == LOCALS)
-        shown(m, m.number(*A32) == x, m.number(18, 2) == 32 - of.fraction, m.number(*of.count) == n, m.registers[17] == reciprocal)
+        shown(m, m.number(*A32) == x, m.number(18, 2) == 32 - of.fraction, m.number(*of.count) == n,
+              m.registers[17] == reciprocal)
     return check
 
 
@@ -363,13 +365,15 @@ def short_digit(m, left):
             if name == SQUARE:
                 shown(m, given[0] == wide, given[1] == was, inside(was))
             else:
-                shown(m, given[0] == wide, given[1] == was + kept[1], inside(was), given[2] == z3.Concat(kept[0], z3.BitVecVal(0, 16)))
+                shown(m, given[0] == wide, given[1] == was + kept[1], inside(was),
+                      given[2] == z3.Concat(kept[0], z3.BitVecVal(0, 16)))
         last = results[-1] if results else z3.Concat(exponent, power)
         shown(m, m.number(20, 6) == z3.Extract(47, 0, last), m.registers[10] == z3.Extract(55, 48, last))
         set_digit = z3.Extract(left - 1, left - 1, rest) == 1 if left else None
         if end == NEXT:
             demand(left > 0 and names in ([SQUARE], [SQUARE, TIMES]))
-            after = z3.Concat(*([z3.Extract(left - 2, 0, rest)] if left > 1 else []), z3.BitVecVal(1, 1), z3.BitVecVal(0, 16 - left))
+            after = z3.Concat(*([z3.Extract(left - 2, 0, rest)] if left > 1 else []),
+                              z3.BitVecVal(1, 1), z3.BitVecVal(0, 16 - left))
             shown(m, m.registers[27] == 0, m.number(30, 2) == after, set_digit == (len(names) == 2))
         elif names:
             # The power is out of range, and to be multiplied by x.
@@ -486,7 +490,8 @@ def main():
     folder, failed, count, needless = Path(sys.argv[1]), False, 0, []
     mp.prec = 200
     for machine, every, labels in ((Steps, 16, (SHORT, BEGUN, NEXT, DONE, ROUND)), (Products, 16, (SQUARE, TIMES))):
-        program = Program(SHORT_STRETCHES, machine, sources=("short_power", "divide_q32_32", "long_division_table"), cuts=SHORT_CUTS)
+        program = Program(SHORT_STRETCHES, machine, cuts=SHORT_CUTS,
+                          sources=("short_power", "divide_q32_32", "long_division_table"))
         failed |= program.run(every, ("ret", "rjmp"), labels)
     for of in FORMATS:
         cuts = ((NORMALISE, of.long, "mov", "r21"), (COUNT, NORMALISE, "sbiw", "r24"), (DIGIT, COUNT, "dec", f"r{of.digits}"),
