@@ -102,23 +102,34 @@ def loaded_chains(rows):
                 yield exponent, links, scalar, [row["limit"] for row in found], load_bound(links, exponent)
 
 
-def chain_cost(data):
-    """What the solvers of loaded chains cost, next to ten iterations, in a sentence."""
-    def share(row):
-        return row["after_cycles"] / row["before_cycles"]
+def costs(data, ablation):
+    """Cycles of a step of the loaded chains with a solver, in percent of ten iterations', in Q16.16."""
+    rows = {row["case"]: row for row in data.rows("ablations", ablation=ablation)}
+    mine = [rows[f"rod_chain_of_{links}_heavy_end"] for links in LOADED_LINKS]
+    shares = [100 * row["after_cycles"] / row["before_cycles"] for row in mine]
+    return f"{min(shares):.0f} to {max(shares):.0f} %"
 
-    def told(name):
-        rows = {row["case"]: row for row in data.rows("ablations", ablation=name)}
-        mine = [share(rows[f"rod_chain_of_{links}_heavy_end"]) for links in LOADED_LINKS]
-        return f"{100 * min(mine):.0f} % to {100 * max(mine):.0f} %"
-    scenes = data.rows("scenes", scene="chain_of_rods", dt=2**-8)
-    cycles = {(row["scalar"], row["integrator"]): row["cycles_per_step_mean"] for row in scenes
-              if row["arithmetic"] in ("nearest", "avr-libc")}
-    others = ", ".join(f"{100 * cycles[scalar, 'direct_rods'] / cycles[scalar, 'velocity_verlet']:.0f} % in {style.format_label(scalar)}"
-                       for scalar in ("q32_32", "float"))
-    return (f"In Q16.16 a step of these chains takes {told('iterations begun where the last step ended')} of the cycles of ten "
-            f"iterations where it begins with the last step's result, and {told('rods solved together')} where the rods are solved "
-            f"together. Of the scene *chain of rods*, the latter takes {others}.")
+
+def load_finding(data):
+    """The loads that chains bear with each solver, in one line; nothing if the data have none."""
+    rows = data.rows("stability")
+    if not has_loaded_chains(rows):
+        return ""
+    loads = {}
+    for exponent, _, scalar, limits, bound in loaded_chains(rows):
+        for name, load in zip(("iterated", "warm", "direct", "bound"), (*limits, bound)):
+            loads.setdefault((exponent, scalar, name), []).append(figure(load))
+
+    def told(*key):
+        return ", ".join(loads[key])
+    fine = "; ".join(f"in {style.format_label(scalar)} {told(11, scalar, 'warm')} and {told(11, scalar, 'direct')}"
+                     for scalar in ("q32_32", "float"))
+    return (f"Chains of 4, 8 and 16 rods of 1 kg, pushed sideways, bear a last body of {told(8, 'q16_16', 'iterated')} kg in Q16.16 with "
+            f"ten iterations in each step of 1/256 s; {told(8, 'q16_16', 'warm')} kg where these begin with the last step's result "
+            f"(`WarmStartedGaussSeidel`, {costs(data, 'iterations begun where the last step ended')} of the cycles); and "
+            f"{told(8, 'q16_16', 'direct')} kg with all rods solved together (`DirectRods`, {costs(data, 'rods solved together')}). "
+            f"The step itself allows {told(8, 'q16_16', 'bound')} kg in any format: beyond, it no longer resolves the vibration of a link "
+            f"under the weight. With steps of 1/2048 s the two solvers bear, {fine}.")
 
 
 def points(rows, name, scalar, method, arithmetic=None):
@@ -236,7 +247,8 @@ def finding(data):
     plain, wraps, _ = silent(rows, "nearest")
     saturating, saturating_wraps, _ = silent(rows, "saturating")
     told = announced(rows)
-    beforehand = f" (of which `fixbench advise` announces {told[1]} before the scene runs)" if told else ""
+    beforehand = (f" (of which `fixbench advise` announces {told[1]} before the scene runs on the chip, and {told[3]} of the "
+                  f"{told[2]} runs that hold)" if told else "")
     return (f"{cases} cases are driven until they break. With the semi-implicit step, {held['q16_16']} of them still hold in "
             f"Q16.16 where the search ends, and {held['float']} in float. Over all methods of the engine, plain Q16.16 wraps "
             f"silently in {wraps} of {plain} runs{beforehand}, saturating Q16.16 in {saturating_wraps} of {saturating}.")
