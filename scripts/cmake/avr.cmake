@@ -138,7 +138,7 @@ function(avr_executable name)
         COMMAND ${compile} -MMD -MF ${elf}.d -MT ${elf} -o ${object}
         COMMAND ${AVR_GXX} -mmcu=atmega328p -Os ${ARG_OPTIONS} -Wl,--gc-sections,-Map=${elf}.map ${ARG_LINK_OPTIONS}
                 ${kernels} ${objects} ${object} ${ARG_OBJECTS} ${ARG_ARCHIVES} -lm -o ${elf}
-        COMMAND awk -v program=${first} -f ${linked_kernels} ${elf}.map >> ${first}.d)
+        COMMAND awk -v program=${first} -v script=${linked_kernels} -f ${linked_kernels} ${elf}.map >> ${first}.d)
     if(NOT ARG_GROUP)
         avr_group(${name})
         set_target_properties(${name} PROPERTIES ELF ${elf})

@@ -30,6 +30,7 @@ constexpr Method opposed_contacts{"nearest", "rods_as_opposed_contacts"};
 constexpr Method tangent_rods{"nearest", "rods_along_tangents"};
 constexpr Method late_bounces{"nearest", "bounces_when_found"};
 constexpr Method impulses{"nearest", "velocities_by_impulses"};
+constexpr Method one_iteration{"nearest", "one_iteration"};
 constexpr Method warm_started{"nearest", "warm_started"};
 constexpr Method continuous_contacts{"nearest", "continuous_contacts"};
 constexpr Method saturating{"saturating", "semi_implicit_euler"};
@@ -58,6 +59,12 @@ constexpr struct {
     {"iterations begun where the last step ended", "rod_chain_of_8_heavy_end", ours, warm_started,
      1},
     {"iterations begun where the last step ended", "rod_chain_of_16_heavy_end", ours, warm_started,
+     1},
+    {"ten iterations in place of one", "rod_chain_of_4_heavy_end_fine_steps", one_iteration, ours,
+     1},
+    {"ten iterations in place of one", "rod_chain_of_8_heavy_end_fine_steps", one_iteration, ours,
+     1},
+    {"ten iterations in place of one", "rod_chain_of_16_heavy_end_fine_steps", one_iteration, ours,
      1},
     {"rods solved together", "rod_chain_of_4_heavy_end", verlet, direct_rods, 1},
     {"rods solved together", "rod_chain_of_8_heavy_end", verlet, direct_rods, 1},

@@ -26,6 +26,13 @@ struct WarmStarted : scenes::SemiImplicit {
     using Solver = engine::WarmStartedGaussSeidel<10>;
 };
 
+// SemiImplicit with one iteration, for small steps in place of many iterations (Macklin et al., Small
+// Steps in Physics Simulation, 2019).
+struct OneIteration : scenes::SemiImplicit {
+    static constexpr const char* name = "one_iteration";
+    using Solver = engine::ProjectedGaussSeidel<1>;
+};
+
 // SemiImplicit that finds the contacts of fast particles along their path.
 struct ContinuousContacts : scenes::SemiImplicit {
     static constexpr const char* name = "continuous_contacts";

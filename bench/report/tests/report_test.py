@@ -749,7 +749,7 @@ i q8_8 nearest velocity_verlet 1 overflows overflow_add -1 1
         for i, links in enumerate((4, 8, 16)):
             for j, steps in enumerate(("", "_fine_steps")):
                 for k, scalar in enumerate(("q16_16", "q32_32", "float")):
-                    for m, method in enumerate(("semi_implicit_euler", "warm_started", "direct_rods", "velocity_verlet")):
+                    for m, method in enumerate(("semi_implicit_euler", "warm_started", "direct_rods", "one_iteration", "velocity_verlet")):
                         arithmetic = "ieee" if scalar == "float" else "nearest"
                         rows += (f"rod_chain_of_{links}_heavy_end{steps} {scalar} {arithmetic} {method} "
                                  f"{1000 * i + 100 * j + 10 * k + m} drifts -\n")
@@ -759,7 +759,7 @@ i q8_8 nearest velocity_verlet 1 overflows overflow_add -1 1
         lines = list(stability.loaded_chains(found))
         self.assertEqual([line[:3] for line in lines[:4]],
                          [(8, 4, "q16_16"), (8, 4, "q32_32"), (8, 4, "float"), (8, 8, "q16_16")])
-        self.assertEqual([line[3] for line in lines[:2] + lines[-1:]], [[0, 1, 2], [10, 11, 12], [2120, 2121, 2122]])
+        self.assertEqual([line[3] for line in lines[:2] + lines[-1:]], [[0, 1, 2, 3], [10, 11, 12, 13], [2120, 2121, 2122, 2123]])
         # One light body between two rods: the tension R g acts on it through 2 / L.
         self.assertAlmostEqual(math.sqrt(2 * 9.81 * stability.load_bound(2, 8) / 0.5) / 2**8, 2)
         self.assertAlmostEqual(stability.load_bound(4, 11) / stability.load_bound(4, 8), 64)
@@ -770,6 +770,16 @@ i q8_8 nearest velocity_verlet 1 overflows overflow_add -1 1
         for links, direct in ((4, 40), (8, 45), (16, 48)):
             ablations += f"direct rod_chain_of_{links}_heavy_end 100 {direct}\nother rod_chain_of_{links}_heavy_end 100 1\n"
         self.assertEqual(stability.costs(golden(ablations=ablations), "direct"), "40 to 48 %")
+
+    def test_what_small_steps_of_one_iteration_cost(self):
+        ablations = "ablation case before_cycles after_cycles\n"
+        for links, whole, one in ((4, 100, 10), (8, 200, 20), (16, 400, 60)):
+            ablations += f"warm rod_chain_of_{links}_heavy_end {whole} 1\nten rod_chain_of_{links}_heavy_end_fine_steps {one} 1\n"
+        made = golden(ablations=ablations + "warm stack_of_20 7 1\n")
+        names = {"warm": "iterations begun where the last step ended", "ten": "ten iterations in place of one"}
+        for row in made.rows("ablations"):
+            row["ablation"] = names[row["ablation"]]
+        self.assertEqual(stability.cost_of_small_steps(made), "80 to 120 %")
 
     def test_where_the_devices_float_differs(self):
         table = """

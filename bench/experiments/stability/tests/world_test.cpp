@@ -185,6 +185,8 @@ INSTANTIATE_TEST_SUITE_P(
                     std::array{"rod_chain_of_4_heavy_end", "direct_rods", nearest},
                     std::array{"rod_chain_of_8_heavy_end", "direct_rods", nearest},
                     std::array{"rod_chain_of_16_heavy_end", "direct_rods", nearest},
+                    std::array{"rod_chain_of_8_heavy_end_fine_steps", "one_iteration", nearest},
+                    std::array{"rod_chain_of_8_heavy_end_fine_steps", ours, nearest},
                     std::array{"thin_wall", "continuous_contacts", nearest},
                     std::array{"thin_target", "continuous_contacts", nearest},
                     std::array{"bounces_under_gravity", "bounces_when_found", nearest},
