@@ -33,6 +33,10 @@ FIXEDPOINT_CONSTEXPR uint64_t reciprocal_root_of_wide_sum(uint64_t sum) {
 }
 
 FIXEDPOINT_CONSTEXPR void normalise3_q32_32(const int64_t* v, int64_t* unit) {
+    if ((v[0] | v[1] | v[2]) == 0) {
+        for (int i = 0; i < 3; ++i) unit[i] = 0;
+        return;
+    }
     uint64_t largest = 1;
     for (int i = 0; i < 3; ++i) largest |= static_cast<uint64_t>(v[i] < 0 ? ~v[i] : v[i]);
     int shift = 0;
