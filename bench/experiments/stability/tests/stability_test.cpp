@@ -151,7 +151,6 @@ TEST(Engine, ResidualsMoveWhatRoundingStops) {
     EXPECT_LT(carried, rounded / 100);
 }
 
-// Pools filled to their capacity, and beyond it by one, in every subject.
 // At the cost of ten iterations or less (ablations.csv), a chain bears 1,000 times its links' mass
 // in Q16.16, and 100,000 times in Q32.32 and float in steps that resolve the vibration of a link
 // under that weight. What is compared is exact: the lengths of the rods, and the energy, which may
@@ -220,6 +219,7 @@ TEST(LoadedChains, DirectRodsRefuseADescriptionWithMoreThanRods) {
                  std::logic_error);
 }
 
+// Pools filled to their capacity, and beyond it by one, in every subject.
 TEST(Engine, ReportsFullPools) {
     const Measure anything = [](const State&, unsigned) { return 0.0; };
     Description bodies;
