@@ -26,8 +26,8 @@ struct WarmStarted : scenes::SemiImplicit {
     using Solver = engine::WarmStartedGaussSeidel<10>;
 };
 
-// SemiImplicit with one iteration, for small steps in place of many iterations (Macklin et al., Small
-// Steps in Physics Simulation, 2019).
+// SemiImplicit with one iteration, for small steps in place of many iterations (Macklin et al.,
+// Small Steps in Physics Simulation, 2019).
 struct OneIteration : scenes::SemiImplicit {
     static constexpr const char* name = "one_iteration";
     using Solver = engine::ProjectedGaussSeidel<1>;
