@@ -323,6 +323,7 @@ struct Tan : Splits<16, 24> {
     static FIXEDPOINT_IN_PLACE Evaluation<Raw> apply(Raw a) {
         constexpr int32_t two_over_pi_less_1 = -1560706194;                      // 2^-32
         constexpr uint32_t half_pi_high = 0xc90fdaa2, half_pi_low = 0x2168c235;  // 2^-31, 2^-63
+        constexpr uint16_t half_pi_third = half_pi_low >> 16, half_pi_fourth = half_pi_low & 0xffff;
         constexpr int fraction = F <= 20 ? F + 8 : 28;
         const bool below_zero = a < 0;
         const int32_t turns = multiply<int32_t, 32>(a, two_over_pi_less_1) + a;
@@ -333,14 +334,16 @@ struct Tan : Splits<16, 24> {
         // faster.
         const uint32_t angle =
             (positive >> 1) << (32 - F) | ((positive & 1) != 0 ? uint32_t(1) << (31 - F) : 0);
-        const uint64_t low = uint64_t(quarters) * half_pi_low;
-        const int32_t rest = static_cast<int32_t>(angle - quarters * half_pi_high -
-                                                  static_cast<uint32_t>(low >> 32) - 1);
+        // quarters half_pi_low / 2^16. The compiler multiplies 64 bits by 64, in a call.
+        const uint32_t low = uint32_t(quarters) * half_pi_third +
+                             (uint32_t(quarters) * half_pi_fourth >> 16);
+        const int32_t rest =
+            static_cast<int32_t>(angle - quarters * half_pi_high - (low >> 16) - 1);
         const bool odd = (quarters & 1) != 0;
         if (odd && rest < Pole<F>::reach && rest >= -Pole<F>::reach) {
             const int64_t fine =
                 int64_t(rest) * (int64_t(1) << 32) +
-                static_cast<int64_t>((uint64_t(1) << 32) - static_cast<uint32_t>(low));
+                static_cast<int64_t>((uint64_t(1) << 32) - quarters * half_pi_low);
             const int64_t distance = fine < 0 ? -fine : fine;
             const int32_t series =
                 multiply<int32_t, 32>(rest < 0 ? -rest : rest, Pole<F>::series(rest));
