@@ -71,7 +71,7 @@ ROOMS = [
             f" {FIXED}/avr/cubic_core_32.inc {FIXED}/avr/ratio_32.inc {FIXED}/avr/exp_32.inc", 2, "q16_16",
             Check("kernels_test", "*/q16_16_auxiliary", "q16_16_auxiliary"),
             Check("kernels_test", "*/q16_16_angles", "q16_16_angles"),
-            Check("kernels_test", "*/q16_16_powers:PowerOfTwo.*", "q16_16_powers"),
+            Check("kernels_test", "*/q16_16_powers", "q16_16_powers"),
             Check("kernels_test", "*/correctly_rounded_angles", "correctly_rounded_angles"),
             Check("kernels_test", "*/correctly_rounded_powers", "correctly_rounded_powers")),
     room("kernels", f"{FIXED}/avr/add_scaled_q16_16.S {FIXED}/avr/dot_difference_q16_16.S {FIXED}/avr/multiply_short_q16_16.S"
@@ -100,10 +100,10 @@ ROOMS = [
     kernels(f"{FIXED}/avr/absolute_q32_32.S {FIXED}/avr/lerp_q32_32.S", 1, "q32_32_auxiliary"),
     kernels(f"{FIXED}/avr/exp2_q32_32.S {FIXED}/avr/hyperbolic_q32_32.S {FIXED}/avr/pow_q32_32.S"
             f" {FIXED}/avr/exp_64.inc {FIXED}/avr/*_fine.S", 1, "q32_32_powers",
-            Check("kernels_test", "Power.*", "q32_32_powers")),
+            Check("kernels_test", "Power/*", "q32_32_powers")),
     kernels(f"{FIXED}/avr/tan_of_rest.S {FIXED}/avr/byte_fraction.S", 1, "q32_32_angles"),
     kernels(f"{FIXED}/avr/cbrt_q32_32.S", 1, "q32_32_powers",
-            Check("kernels_test", "CubeRoot.*", "q32_32_powers")),
+            Check("kernels_test", "CubeRoot/*", "q32_32_powers")),
     room("kernels", f"{FIXED}/avr/*_64.S {FIXED}/avr/septic_64.inc {FIXED}/avr/fraction_product.inc"
          f" {FIXED}/avr/leading_one.inc !*/cubic_64.S !*/short_power_64.S", 1,
          Check("splits_test", "LongSplits.Multiply", "splits_64_multiply"),

@@ -7,7 +7,8 @@
 # that are compiled with the same options. A source must still include what it uses: if no header
 # can be precompiled, it is not included. Programs of one source change together: those of a GROUP
 # are one step of the build and one target, made by avr_group(group). Their options must not choose
-# what they include.
+# what they include. avr_grouped(group PROGRAMS ... INPUTS ... COMMANDS ...) adds programs that are made
+# otherwise; their command writes what the first of them includes to a file with .d after its name.
 
 find_program(AVR_GCC avr-gcc REQUIRED)
 find_program(AVR_GXX avr-g++ REQUIRED)
@@ -125,17 +126,16 @@ function(avr_executable name)
     if(NOT group)
         set(group ${name})
     endif()
-    set_property(GLOBAL APPEND PROPERTY avr_programs_${group} ${elf})
-    set_property(GLOBAL APPEND PROPERTY avr_inputs_${group} ${last} ${parsed} ${objects} ${ARG_OBJECTS} ${linked_kernels})
     # The program is made again when a kernel changes that it contains, not when any does.
     set(kernels)
     if(ARG_KERNELS)
         set(kernels ${AVR_KERNEL_OBJECTS})
     endif()
-    get_property(programs GLOBAL PROPERTY avr_programs_${group})
+    get_property(programs GLOBAL PROPERTY avr_PROGRAMS_${group})
+    list(APPEND programs ${elf})
     list(GET programs 0 first)
-    set_property(GLOBAL APPEND PROPERTY avr_commands_${group}
-        COMMAND ${compile} -MMD -MF ${elf}.d -MT ${elf} -o ${object}
+    avr_grouped(${group} PROGRAMS ${elf} INPUTS ${last} ${parsed} ${objects} ${ARG_OBJECTS} ${linked_kernels}
+        COMMANDS COMMAND ${compile} -MMD -MF ${elf}.d -MT ${elf} -o ${object}
         COMMAND ${AVR_GXX} -mmcu=atmega328p -Os ${ARG_OPTIONS} -Wl,--gc-sections,-Map=${elf}.map ${ARG_LINK_OPTIONS}
                 ${kernels} ${objects} ${object} ${ARG_OBJECTS} ${ARG_ARCHIVES} -lm -o ${elf}
         COMMAND awk -v program=${first} -v script=${linked_kernels} -f ${linked_kernels} ${elf}.map >> ${first}.d)
@@ -145,14 +145,21 @@ function(avr_executable name)
     endif()
 endfunction()
 
+function(avr_grouped group)
+    cmake_parse_arguments(ARG "" "" "PROGRAMS;INPUTS;COMMANDS" ${ARGN})
+    foreach(list PROGRAMS INPUTS COMMANDS)
+        set_property(GLOBAL APPEND PROPERTY avr_${list}_${group} ${ARG_${list}})
+    endforeach()
+endfunction()
+
 function(avr_group group)
-    foreach(list programs inputs commands)
+    foreach(list PROGRAMS INPUTS COMMANDS)
         get_property(${list} GLOBAL PROPERTY avr_${list}_${group})
     endforeach()
-    list(REMOVE_DUPLICATES inputs)
-    list(GET programs 0 first)
-    add_custom_command(OUTPUT ${programs} ${commands} DEPENDS ${inputs} DEPFILE ${first}.d
+    list(REMOVE_DUPLICATES INPUTS)
+    list(GET PROGRAMS 0 first)
+    add_custom_command(OUTPUT ${PROGRAMS} ${COMMANDS} DEPENDS ${INPUTS} DEPFILE ${first}.d
         COMMENT "AVR ${group}" VERBATIM COMMAND_EXPAND_LISTS)
-    device_target(${group} ${programs})
+    device_target(${group} ${PROGRAMS})
     add_dependencies(${group} avr_kernels)
 endfunction()

@@ -45,8 +45,8 @@ target_link_libraries(test_headers PRIVATE GTest::gtest fmt::fmt)
 target_precompile_headers(test_headers PRIVATE <gtest/gtest.h> <fmt/format.h> <filesystem> <fstream>)
 
 # quick_test(NAME LABEL COMMAND ... [NEEDS targets ...] [READS patterns ...]): makes a test one of
-# run_quick_tests, unless it is slow. A pattern
-# with a * is of files in that folder of the source tree and all below.
+# run_quick_tests, unless it is slow. A pattern with a * is of files in that folder of the source tree
+# and all below.
 function(quick_test name label)
     cmake_parse_arguments(ARG "" "" "COMMAND;NEEDS;READS" ${ARGN})
     if(label STREQUAL "slow")
@@ -104,10 +104,12 @@ function(device_targets name)
 endfunction()
 
 # test_program(TARGET LABEL SOURCES ... [LIBRARIES ...] [DEFINITIONS ...] [NEEDS ...] [READS ...]
-#              [NAME name] [PREFIX prefix] [MAIN library] [PROPERTIES ...]): a GoogleTest program.
-# With NAME it is one test; without, each of its cases is a test, with PREFIX before its name.
+#              [PARTS ...] [NAME name] [PREFIX prefix] [MAIN library] [PROPERTIES ...]): a GoogleTest
+# program. With NAME it is one test; without, each of its cases is a test, with PREFIX before its name.
+# PARTS are suffixes of targets `subjects_PART`, of which the cases whose names end with /PART need
+# only that one: run_quick_tests runs them apart.
 function(test_program target label)
-    cmake_parse_arguments(ARG "" "NAME;PREFIX;MAIN" "SOURCES;LIBRARIES;DEFINITIONS;NEEDS;READS;PROPERTIES" ${ARGN})
+    cmake_parse_arguments(ARG "" "NAME;PREFIX;MAIN" "SOURCES;LIBRARIES;DEFINITIONS;NEEDS;READS;PARTS;PROPERTIES" ${ARGN})
     if(NOT ARG_MAIN)
         set(ARG_MAIN GTest::gtest_main)
     endif()
@@ -126,8 +128,14 @@ function(test_program target label)
         gtest_discover_tests(${target} TEST_PREFIX ${ARG_PREFIX} NO_PRETTY_VALUES PROPERTIES LABELS ${label} ${ARG_PROPERTIES})
         set(ARG_NAME ${ARG_PREFIX}${target})
     endif()
-    quick_test(${ARG_NAME} ${label} COMMAND $<TARGET_FILE:${target}> --gtest_brief=1
-        NEEDS ${target} ${ARG_NEEDS} READS ${ARG_READS})
+    set(run $<TARGET_FILE:${target}> --gtest_brief=1)
+    foreach(part ${ARG_PARTS})
+        quick_test(${ARG_NAME}_${part} ${label} COMMAND ${run} --gtest_filter=*/${part}
+            NEEDS ${target} subjects_${part} READS ${ARG_READS})
+    endforeach()
+    if(NOT ARG_PARTS)
+        quick_test(${ARG_NAME} ${label} COMMAND ${run} NEEDS ${target} ${ARG_NEEDS} READS ${ARG_READS})
+    endif()
     add_labelled(${label} ${target})
 endfunction()
 

@@ -11,9 +11,12 @@
 #include <cmath>
 #include <cstdlib>
 #include <memory>
+#include <ostream>
 #include <random>
+#include <ranges>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bench/chip/instructions/compiled_function.hpp"
@@ -285,8 +288,14 @@ TEST_P(Kernels, AreTheHostsOverDenseOperandsWhichTakeEveryPath) {
             << "in " << calls->function().symbol();
 }
 
-// They are kernels after a test of the range, in the compiler's code.
-void expect_the_hosts(const std::string& program, const std::string& subject) {
+// A kernel after a test of the range, in the compiler's code.
+struct AfterATest {
+    std::string program, subject;
+    friend void PrintTo(const AfterATest& it, std::ostream* to) { *to << it.subject; }
+};
+class Ranged : public testing::TestWithParam<AfterATest> {};
+TEST_P(Ranged, IsTheHostsOverDenseOperands) {
+    const auto& [program, subject] = GetParam();
     const simulator::Elf elf(folder() + "/" + program + ".elf");
     const auto& hosts = host_subjects();
     const auto host =
@@ -296,27 +305,27 @@ void expect_the_hosts(const std::string& program, const std::string& subject) {
     if (subject == "pow_q32_32_default") powers_in_the_range(calls);
     ASSERT_NO_THROW(call_densely(calls, *host, 1 << 18));
 }
-TEST(PowerOfTwo, IsTheHostsOverDenseOperands) {
-    expect_the_hosts("q16_16_powers", "exp2_q16_16_default");
-}
-TEST(CubeRoot, IsTheHostsOverDenseOperands) {
-    expect_the_hosts("q32_32_powers", "cbrt_q32_32_default");
-}
-TEST(Power, IsTheHostsOverDenseOperands) {
-    expect_the_hosts("q32_32_powers", "pow_q32_32_default");
-}
 
-constexpr auto program_name = [](const auto& program) { return program.param; };
-INSTANTIATE_TEST_SUITE_P(Programs, Kernels,
-                         testing::Values("q4_4", "q8_8", "q16_16", "q8_24", "q32_32",
-                                         "q16_16_auxiliary", "q16_16_angles", "q16_16_powers",
-                                         "q32_32_auxiliary", "correctly_rounded_powers"),
-                         program_name);
-INSTANTIATE_TEST_SUITE_P(Programs, Compiled,
-                         testing::Values("q4_4_auxiliary", "q8_8_auxiliary", "q8_24_auxiliary",
-                                         "q32_32_angles", "q32_32_powers",
-                                         "correctly_rounded_angles", "roundings"),
-                         program_name);
+// The last part of a name is the program's: the build runs the tests of the programs that changed.
+std::vector<std::string> words(std::string_view list) {
+    std::vector<std::string> found;
+    for (const auto word : std::views::split(list, ','))
+        found.emplace_back(word.begin(), word.end());
+    return found;
+}
+constexpr auto name_of = [](const auto& program) { return program.param; };
+constexpr auto program_of = [](const auto& subject) { return subject.param.program; };
+INSTANTIATE_TEST_SUITE_P(Programs, Kernels, testing::ValuesIn(words(KERNEL_PROGRAMS)), name_of);
+INSTANTIATE_TEST_SUITE_P(Programs, Compiled, testing::ValuesIn(words(COMPILED_PROGRAMS)), name_of);
+INSTANTIATE_TEST_SUITE_P(PowerOfTwo, Ranged,
+                         testing::Values(AfterATest{"q16_16_powers", "exp2_q16_16_default"}),
+                         program_of);
+INSTANTIATE_TEST_SUITE_P(CubeRoot, Ranged,
+                         testing::Values(AfterATest{"q32_32_powers", "cbrt_q32_32_default"}),
+                         program_of);
+INSTANTIATE_TEST_SUITE_P(Power, Ranged,
+                         testing::Values(AfterATest{"q32_32_powers", "pow_q32_32_default"}),
+                         program_of);
 
 }  // namespace
 }  // namespace operations

@@ -335,15 +335,14 @@ struct Tan : Splits<16, 24> {
         const uint32_t angle =
             (positive >> 1) << (32 - F) | ((positive & 1) != 0 ? uint32_t(1) << (31 - F) : 0);
         // quarters half_pi_low / 2^16. The compiler multiplies 64 bits by 64, in a call.
-        const uint32_t low = uint32_t(quarters) * half_pi_third +
-                             (uint32_t(quarters) * half_pi_fourth >> 16);
+        const uint32_t low =
+            uint32_t(quarters) * half_pi_third + (uint32_t(quarters) * half_pi_fourth >> 16);
         const int32_t rest =
             static_cast<int32_t>(angle - quarters * half_pi_high - (low >> 16) - 1);
         const bool odd = (quarters & 1) != 0;
         if (odd && rest < Pole<F>::reach && rest >= -Pole<F>::reach) {
-            const int64_t fine =
-                int64_t(rest) * (int64_t(1) << 32) +
-                static_cast<int64_t>((uint64_t(1) << 32) - quarters * half_pi_low);
+            const int64_t fine = int64_t(rest) * (int64_t(1) << 32) +
+                                 static_cast<int64_t>((uint64_t(1) << 32) - quarters * half_pi_low);
             const int64_t distance = fine < 0 ? -fine : fine;
             const int32_t series =
                 multiply<int32_t, 32>(rest < 0 ? -rest : rest, Pole<F>::series(rest));
