@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The effect of each AVR instruction on registers, flags and memory. Translated code includes this
-// header and consists of calls of it; the compiler removes flags that nothing reads.
+// header and consists of calls of it; the compiler removes flags that nothing reads. Everything is
+// inlined by force: in a long translation the compiler would stop inlining, and keep every flag.
 // Source: Atmel, "AVR Instruction Set Manual" (DS40002198).
 #pragma once
 
@@ -17,12 +18,12 @@ struct Status {
 
 constexpr Word word(Byte low, Byte high) { return Word(low | high << 8); }
 
-inline void set_negative_and_sign(Byte result, Status& f) {
+[[gnu::always_inline]] inline void set_negative_and_sign(Byte result, Status& f) {
     f.n = result >> 7;
     f.s = f.n != f.v;
 }
 
-inline void add(Byte& d, Byte r, Status& f, bool carry = false) {
+[[gnu::always_inline]] inline void add(Byte& d, Byte r, Status& f, bool carry = false) {
     const unsigned sum = unsigned(d) + r + carry;
     const Byte result = Byte(sum);
     f.h = (d & 15) + (r & 15) + carry > 15;
@@ -32,9 +33,9 @@ inline void add(Byte& d, Byte r, Status& f, bool carry = false) {
     set_negative_and_sign(result, f);
     d = result;
 }
-inline void adc(Byte& d, Byte r, Status& f) { add(d, r, f, f.c); }
+[[gnu::always_inline]] inline void adc(Byte& d, Byte r, Status& f) { add(d, r, f, f.c); }
 
-inline Byte difference(Byte d, Byte r, bool borrow, Status& f) {
+[[gnu::always_inline]] inline Byte difference(Byte d, Byte r, bool borrow, Status& f) {
     const Byte result = Byte(d - r - borrow);
     f.h = (d & 15) < (r & 15) + borrow;
     f.c = d < unsigned(r) + borrow;
@@ -42,50 +43,54 @@ inline Byte difference(Byte d, Byte r, bool borrow, Status& f) {
     set_negative_and_sign(result, f);
     return result;
 }
-inline void cp(Byte d, Byte r, Status& f) { f.z = difference(d, r, false, f) == 0; }
-inline void sub(Byte& d, Byte r, Status& f) {
+[[gnu::always_inline]] inline void cp(Byte d, Byte r, Status& f) {
+    f.z = difference(d, r, false, f) == 0;
+}
+[[gnu::always_inline]] inline void sub(Byte& d, Byte r, Status& f) {
     d = difference(d, r, false, f);
     f.z = d == 0;
 }
 // Zero stays set only if the lower bytes were zero, too.
-inline void cpc(Byte d, Byte r, Status& f) { f.z &= difference(d, r, f.c, f) == 0; }
-inline void sbc(Byte& d, Byte r, Status& f) {
+[[gnu::always_inline]] inline void cpc(Byte d, Byte r, Status& f) {
+    f.z &= difference(d, r, f.c, f) == 0;
+}
+[[gnu::always_inline]] inline void sbc(Byte& d, Byte r, Status& f) {
     d = difference(d, r, f.c, f);
     f.z &= d == 0;
 }
-inline void neg(Byte& d, Status& f) {
+[[gnu::always_inline]] inline void neg(Byte& d, Status& f) {
     const Byte r = d;
     d = 0;
     sub(d, r, f);
 }
 
-inline void set_logic(Byte result, Status& f) {
+[[gnu::always_inline]] inline void set_logic(Byte result, Status& f) {
     f.v = false;
     f.z = result == 0;
     set_negative_and_sign(result, f);
 }
-inline void and_(Byte& d, Byte r, Status& f) { set_logic(d &= r, f); }
-inline void or_(Byte& d, Byte r, Status& f) { set_logic(d |= r, f); }
-inline void eor(Byte& d, Byte r, Status& f) { set_logic(d ^= r, f); }
-inline void com(Byte& d, Status& f) {
+[[gnu::always_inline]] inline void and_(Byte& d, Byte r, Status& f) { set_logic(d &= r, f); }
+[[gnu::always_inline]] inline void or_(Byte& d, Byte r, Status& f) { set_logic(d |= r, f); }
+[[gnu::always_inline]] inline void eor(Byte& d, Byte r, Status& f) { set_logic(d ^= r, f); }
+[[gnu::always_inline]] inline void com(Byte& d, Status& f) {
     set_logic(d = Byte(~d), f);
     f.c = true;
 }
 
-inline void inc(Byte& d, Status& f) {
+[[gnu::always_inline]] inline void inc(Byte& d, Status& f) {
     ++d;
     f.v = d == 0x80;
     f.z = d == 0;
     set_negative_and_sign(d, f);
 }
-inline void dec(Byte& d, Status& f) {
+[[gnu::always_inline]] inline void dec(Byte& d, Status& f) {
     --d;
     f.v = d == 0x7f;
     f.z = d == 0;
     set_negative_and_sign(d, f);
 }
 
-inline void shift_right(Byte& d, bool top, Status& f) {
+[[gnu::always_inline]] inline void shift_right(Byte& d, bool top, Status& f) {
     f.c = d & 1;
     d = Byte(d >> 1 | top << 7);
     f.n = d >> 7;
@@ -93,53 +98,54 @@ inline void shift_right(Byte& d, bool top, Status& f) {
     f.s = f.n != f.v;
     f.z = d == 0;
 }
-inline void lsr(Byte& d, Status& f) { shift_right(d, false, f); }
-inline void asr(Byte& d, Status& f) { shift_right(d, d >> 7, f); }
-inline void ror(Byte& d, Status& f) { shift_right(d, f.c, f); }
+[[gnu::always_inline]] inline void lsr(Byte& d, Status& f) { shift_right(d, false, f); }
+[[gnu::always_inline]] inline void asr(Byte& d, Status& f) { shift_right(d, d >> 7, f); }
+[[gnu::always_inline]] inline void ror(Byte& d, Status& f) { shift_right(d, f.c, f); }
 
-inline void set_product(unsigned product, Byte& r0, Byte& r1, Status& f) {
+[[gnu::always_inline]] inline void set_product(unsigned product, Byte& r0, Byte& r1, Status& f) {
     f.c = product >> 15 & 1;
     f.z = Word(product) == 0;
     r0 = Byte(product);
     r1 = Byte(product >> 8);
 }
-inline void mul(Byte d, Byte r, Byte& r0, Byte& r1, Status& f) {
+[[gnu::always_inline]] inline void mul(Byte d, Byte r, Byte& r0, Byte& r1, Status& f) {
     set_product(unsigned(d) * r, r0, r1, f);
 }
-inline void muls(Byte d, Byte r, Byte& r0, Byte& r1, Status& f) {
+[[gnu::always_inline]] inline void muls(Byte d, Byte r, Byte& r0, Byte& r1, Status& f) {
     set_product(unsigned(std::int8_t(d) * std::int8_t(r)), r0, r1, f);
 }
-inline void mulsu(Byte d, Byte r, Byte& r0, Byte& r1, Status& f) {
+[[gnu::always_inline]] inline void mulsu(Byte d, Byte r, Byte& r0, Byte& r1, Status& f) {
     set_product(unsigned(std::int8_t(d) * int(r)), r0, r1, f);
 }
 // The fractional products are shifted left by one; the carry is the bit that is lost.
-inline void set_fractional_product(unsigned product, Byte& r0, Byte& r1, Status& f) {
+[[gnu::always_inline]] inline void set_fractional_product(unsigned product, Byte& r0, Byte& r1,
+                                                          Status& f) {
     set_product(product << 1, r0, r1, f);
     f.c = product >> 15 & 1;
 }
-inline void fmul(Byte d, Byte r, Byte& r0, Byte& r1, Status& f) {
+[[gnu::always_inline]] inline void fmul(Byte d, Byte r, Byte& r0, Byte& r1, Status& f) {
     set_fractional_product(unsigned(d) * r, r0, r1, f);
 }
-inline void fmuls(Byte d, Byte r, Byte& r0, Byte& r1, Status& f) {
+[[gnu::always_inline]] inline void fmuls(Byte d, Byte r, Byte& r0, Byte& r1, Status& f) {
     set_fractional_product(unsigned(std::int8_t(d) * std::int8_t(r)), r0, r1, f);
 }
-inline void fmulsu(Byte d, Byte r, Byte& r0, Byte& r1, Status& f) {
+[[gnu::always_inline]] inline void fmulsu(Byte d, Byte r, Byte& r0, Byte& r1, Status& f) {
     set_fractional_product(unsigned(std::int8_t(d) * int(r)), r0, r1, f);
 }
 
-inline void set_word(Byte& low, Byte& high, Word after, Status& f) {
+[[gnu::always_inline]] inline void set_word(Byte& low, Byte& high, Word after, Status& f) {
     f.z = after == 0;
     low = Byte(after);
     high = Byte(after >> 8);
     set_negative_and_sign(high, f);
 }
-inline void adiw(Byte& low, Byte& high, Byte k, Status& f) {
+[[gnu::always_inline]] inline void adiw(Byte& low, Byte& high, Byte k, Status& f) {
     const Word before = word(low, high), after = Word(before + k);
     f.v = (~before & after) >> 15;
     f.c = (before & ~after) >> 15 & 1;
     set_word(low, high, after, f);
 }
-inline void sbiw(Byte& low, Byte& high, Byte k, Status& f) {
+[[gnu::always_inline]] inline void sbiw(Byte& low, Byte& high, Byte k, Status& f) {
     const Word before = word(low, high), after = Word(before - k);
     f.v = (before & ~after) >> 15 & 1;
     f.c = (~before & after) >> 15;
@@ -147,13 +153,13 @@ inline void sbiw(Byte& low, Byte& high, Byte k, Status& f) {
 }
 
 // X+, Y+, Z+ and -X, -Y, -Z: returns the address and moves the pointer.
-inline Word moved_after(Byte& low, Byte& high) {
+[[gnu::always_inline]] inline Word moved_after(Byte& low, Byte& high) {
     const Word address = word(low, high);
     low = Byte(address + 1);
     high = Byte((address + 1) >> 8);
     return address;
 }
-inline Word moved_before(Byte& low, Byte& high) {
+[[gnu::always_inline]] inline Word moved_before(Byte& low, Byte& high) {
     const Word address = Word(word(low, high) - 1);
     low = Byte(address);
     high = Byte(address >> 8);
@@ -175,37 +181,37 @@ struct Memory {
     Byte* bytes;  // ram_end bytes
     Word sp;
 
-    Byte load(unsigned address) const {
+    [[gnu::always_inline]] Byte load(unsigned address) const {
         const bool operand = address >= operands_begin && address < operands_end;
         if (!operand && !is_writable(address)) [[unlikely]]
             throw Fault{"reads outside of its operands and its stack, data address", address};
         return bytes[address];
     }
-    void store(unsigned address, Byte value) {
+    [[gnu::always_inline]] void store(unsigned address, Byte value) {
         if (!is_writable(address)) [[unlikely]]
             throw Fault{"writes outside of its results and its stack, data address", address};
         bytes[address] = value;
     }
-    bool is_writable(unsigned address) const {
+    [[gnu::always_inline]] bool is_writable(unsigned address) const {
         return (address >= results_begin && address < results_end) ||
                (address > sp && address < ram_end);
     }
-    void push(Byte value) {
+    [[gnu::always_inline]] void push(Byte value) {
         if (sp < ram_begin || sp < results_end || sp < operands_end || sp >= ram_end) [[unlikely]]
             throw Fault{"runs out of its stack, stack pointer", sp};
         bytes[sp--] = value;
     }
-    Byte pop() {
+    [[gnu::always_inline]] Byte pop() {
         if (++sp >= ram_end) [[unlikely]]
             throw Fault{"pops more than was pushed, stack pointer", sp};
         return bytes[sp];
     }
     // The high byte of a return address is at the lower address.
-    void push_address(Word word_address) {
+    [[gnu::always_inline]] void push_address(Word word_address) {
         push(Byte(word_address));
         push(Byte(word_address >> 8));
     }
-    void return_to(Word word_address) {
+    [[gnu::always_inline]] void return_to(Word word_address) {
         const Byte high = pop(), low = pop();
         if (word(low, high) != word_address) [[unlikely]]
             throw Fault{"returns to another address than it was called from, word address",
