@@ -10,6 +10,6 @@
 namespace stability {
 
 // Writes ablations.csv.
-void measure_mends(const std::filesystem::path& output, const Effort& effort, unsigned threads);
+void measure_ablations(const std::filesystem::path& output, const Effort& effort, unsigned threads);
 
 }  // namespace stability

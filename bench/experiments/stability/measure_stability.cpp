@@ -220,7 +220,7 @@ void check_selection(const Options& options) {
 }
 
 void measure_stability(const Options& options) {
-    const Effort effort = options.quick ? Effort{1, 3, 20000} : Effort{};
+    const Effort effort = options.quick ? Effort{1, 3, 4000} : Effort{};
     std::vector<std::pair<const Case*, const Subject*>> work;
     for (const Case& one : all_cases()) {
         if (!wanted(options.cases, one.name)) continue;
@@ -251,7 +251,7 @@ void measure_stability(const Options& options) {
         throw std::logic_error("no finding of " + name);
     };
     save_envelope(options, found);
-    measure_mends(options.output, effort, options.threads);
+    measure_ablations(options.output, effort, options.threads);
     save_map(options, effort);
     if (!options.quick) measure_suitability(options.output, options.threads);
 }
