@@ -167,7 +167,7 @@ ROOMS = [
     room("engine", "engine/src/engine/distance.hpp", 1, "engine_distance_test",
          "engine_distance_proof_test"),
     room("engine", "engine/src/engine/integrators/*.hpp engine/src/engine/forces.hpp", 1,
-         "engine_model_step_test"),
+         "engine_model_step_test", "engine_coupled_springs_test"),
     room("firmware", "firmware/src/firmware/frame_clock.hpp", 1, "firmware_frame_clock_test"),
     room("firmware", "firmware/src/firmware/grid.hpp", 1, "firmware_grid_test"),
     room("firmware", "firmware/src/firmware/lever.hpp", 1, "firmware_lever_test"),

@@ -16,7 +16,9 @@
 
 #include <engine/broad_phase/cached_sort_and_sweep.hpp>
 #include <engine/broad_phase/sort_and_sweep.hpp>
+#include <engine/integrators/direct_springs.hpp>
 #include <engine/integrators/explicit_euler.hpp>
+#include <engine/integrators/gauss_seidel_springs.hpp>
 #include <engine/integrators/implicit_springs.hpp>
 #include <engine/integrators/velocity_verlet.hpp>
 #include <engine/solvers/direct_rods.hpp>

@@ -94,6 +94,8 @@ int main() {
     use_all<Fixed<16, 16, fixedpoint::Published>, All<ExplicitEuler, WorstFirst<4>, BruteForce>>();
     use_all<Fixed<32, 32, fixedpoint::Small>,
             All<ImplicitSprings, WarmStartedGaussSeidel<4>, BruteForce>>();
+    use_all<Fixed<16, 16>, All<DirectSprings, ProjectedGaussSeidel<4>, BruteForce>>();
+    use_all<double, All<GaussSeidelSprings<4>, ProjectedGaussSeidel<4>, BruteForce>>();
     use_all<float, All<VelocityVerlet, ProjectedGaussSeidel<4>, SortAndSweep>>();
     use_all<double, All<ImplicitSprings, WorstFirst<4>, CachedSortAndSweep>>();
     use_chain<SaturatingFixed<16, 16>>();

@@ -46,7 +46,7 @@ struct Row {
     bool pushes_only;
     double target, restitution, penetration;
 };
-enum class Integrator { explicit_euler, semi_implicit, verlet, implicit_springs };
+enum class Integrator { explicit_euler, semi_implicit, verlet, implicit_springs, direct_springs };
 enum class Solver { gauss_seidel, worst_first };
 
 struct Model {
@@ -90,7 +90,8 @@ struct Model {
 
     void find_forces() {
         for (std::size_t i = 0; i < particles.size(); ++i) particles[i].force = custom[i];
-        if (integrator != Integrator::implicit_springs) {
+        if (integrator != Integrator::implicit_springs &&
+            integrator != Integrator::direct_springs) {
             for (const Link& s : springs) {
                 const V d = particles[s.a].x - position_of(s.b, s.anchor);
                 if (norm(d) == 0) continue;
@@ -122,6 +123,50 @@ struct Model {
                 (u - h * i * s.stiffness * x) / (1 + h * i * s.damping + h * h * i * s.stiffness);
             shift(s.a, s.b, n, after - u, &Particle::v);
         }
+    }
+    // The velocities of all particles after an implicit step of all springs, along the springs'
+    // present directions: Gauss-Jordan elimination of all components.
+    void pull_together() {
+        const std::size_t n = 2 * particles.size();
+        std::vector<std::vector<double>> m(n, std::vector<double>(n + 1));
+        for (std::size_t p = 0; p < particles.size(); ++p) {
+            m[2 * p][2 * p] = m[2 * p + 1][2 * p + 1] = 1;
+            m[2 * p][n] = particles[p].v.x;
+            m[2 * p + 1][n] = particles[p].v.y;
+        }
+        for (const Link& s : springs) {
+            const V d = particles[s.a].x - position_of(s.b, s.anchor);
+            if (norm(d) == 0) continue;
+            const double unit[] = {d.x / norm(d), d.y / norm(d)};
+            for (const int p : {s.a, s.b}) {
+                if (p == none) continue;
+                const double of_p = h * inverse(p) * (p == s.a ? 1 : -1);
+                for (int i = 0; i < 2; ++i) {
+                    auto& row = m[2 * p + i];
+                    row[n] -= of_p * unit[i] * s.stiffness * (norm(d) - s.length);
+                    for (int j = 0; j < 2; ++j) {
+                        const double slope =
+                            of_p * unit[i] * (s.damping + h * s.stiffness) * unit[j];
+                        row[2 * s.a + j] += slope;
+                        if (s.b != none) row[2 * s.b + j] -= slope;
+                    }
+                }
+            }
+        }
+        for (std::size_t c = 0; c < n; ++c) {
+            std::size_t pivot = c;
+            for (std::size_t r = c; r < n; ++r)
+                if (std::abs(m[r][c]) > std::abs(m[pivot][c])) pivot = r;
+            std::swap(m[c], m[pivot]);
+            for (std::size_t r = 0; r < n; ++r) {
+                if (r == c) continue;
+                const double factor = m[r][c] / m[c][c];
+                for (std::size_t i = c; i <= n; ++i) m[r][i] -= factor * m[c][i];
+            }
+        }
+        for (std::size_t p = 0; p < particles.size(); ++p)
+            particles[p].v = {m[2 * p][n] / m[2 * p][2 * p],
+                              m[2 * p + 1][n] / m[2 * p + 1][2 * p + 1]};
     }
     void move_positions() {
         for (Particle& p : particles)
@@ -249,9 +294,11 @@ struct Model {
                 break;
             case Integrator::semi_implicit:
             case Integrator::implicit_springs:
+            case Integrator::direct_springs:
                 find_forces();
                 move_velocities(h);
                 if (integrator == Integrator::implicit_springs) pull_implicitly();
+                if (integrator == Integrator::direct_springs) pull_together();
                 damp();
                 collect();
                 solve();
@@ -459,6 +506,10 @@ TEST(Model, VelocityVerletInOneIteration) {
 TEST(Model, ImplicitSprings) {
     expect_model<engine::ImplicitSprings, engine::ProjectedGaussSeidel<2>>(
         Integrator::implicit_springs, Solver::gauss_seidel, 2);
+}
+TEST(Model, DirectSprings) {
+    expect_model<engine::DirectSprings, engine::ProjectedGaussSeidel<2>>(Integrator::direct_springs,
+                                                                         Solver::gauss_seidel, 2);
 }
 TEST(Model, ExplicitEulerAndTheWorstContacts) {
     expect_model<engine::ExplicitEuler, engine::WorstFirst<4>>(Integrator::explicit_euler,

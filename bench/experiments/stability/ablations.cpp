@@ -23,6 +23,8 @@ constexpr Method ours{"nearest", "semi_implicit_euler"};
 constexpr Method verlet{"nearest", "velocity_verlet"};
 constexpr Method direct_rods{"nearest", "direct_rods"};
 constexpr Method implicit_springs{"nearest", "implicit_springs"};
+constexpr Method direct_springs{"nearest", "direct_springs"};
+constexpr Method gauss_seidel_springs{"nearest", "gauss_seidel_springs"};
 constexpr Method compensated_integration{"nearest", "semi_implicit_compensated"};
 constexpr Method positions_first{"nearest", "positions_first"};
 constexpr Method worst_contact_first{"nearest", "worst_contact_first"};
@@ -47,6 +49,13 @@ constexpr struct {
     {"springs solved implicitly", "spring_coarse_step", ours, implicit_springs, 0.03},
     {"springs solved implicitly", "spring_critically_damped", ours, implicit_springs, 0.01},
     {"springs solved implicitly", "spring_light_and_stiff", ours, implicit_springs, 1},
+    {"springs solved together", "spring_chain_of_4_heavy_end", implicit_springs, direct_springs, 1},
+    {"springs solved together", "spring_chain_of_16_heavy_end", implicit_springs, direct_springs,
+     1},
+    {"springs solved in ten iterations", "spring_chain_of_4_heavy_end", implicit_springs,
+     gauss_seidel_springs, 1},
+    {"springs solved in ten iterations", "spring_chain_of_16_heavy_end", implicit_springs,
+     gauss_seidel_springs, 1},
     {"a rod as one two-sided constraint", "rod_speed", opposed_contacts, tangent_rods, 0.1},
     {"a rod as one two-sided constraint", "rod_chain_of_8_heavy_end", opposed_contacts,
      tangent_rods, 1},

@@ -28,8 +28,8 @@ struct Case {
     std::function<Experiment(double)> at;
     // In an endurance case the parameter is a number of steps: at most `to`, in one run.
     bool endurance = false;
-    // A chain of rods that bears a load: runs with the solvers for it, chain_subjects(), as well.
-    bool loaded_chain = false;
+    // A chain that bears a load: the methods of chain_subjects() that it runs with as well.
+    std::vector<std::string> chain_methods{};
 };
 
 std::vector<Case> spring_cases();

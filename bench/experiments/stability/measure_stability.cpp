@@ -27,8 +27,9 @@ bool wanted(const std::vector<std::string>& names, const std::string& name) {
 std::vector<const Subject*> subjects_for(const Case& one) {
     std::vector<const Subject*> all;
     for (const Subject& subject : subjects()) all.push_back(&subject);
-    if (one.loaded_chain)
-        for (const Subject& subject : chain_subjects()) all.push_back(&subject);
+    if (one.chain_methods.empty()) return all;
+    for (const Subject& subject : chain_subjects())
+        if (wanted(one.chain_methods, subject.integrator)) all.push_back(&subject);
     return all;
 }
 

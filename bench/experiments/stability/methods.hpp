@@ -33,6 +33,18 @@ struct OneIteration : scenes::SemiImplicit {
     using Solver = engine::ProjectedGaussSeidel<1>;
 };
 
+// Implicit with all springs of a chain solved together.
+struct DirectSprings : scenes::Implicit {
+    static constexpr const char* name = "direct_springs";
+    using Integrator = engine::DirectSprings;
+};
+
+// In ten iterations over all springs.
+struct GaussSeidelSprings : scenes::Implicit {
+    static constexpr const char* name = "gauss_seidel_springs";
+    using Integrator = engine::GaussSeidelSprings<10>;
+};
+
 // SemiImplicit that finds the contacts of fast particles along their path.
 struct ContinuousContacts : scenes::SemiImplicit {
     static constexpr const char* name = "continuous_contacts";

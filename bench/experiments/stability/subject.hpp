@@ -30,8 +30,8 @@ struct Subject {
 
 // Every scalar with every method.
 const std::vector<Subject>& subjects();
-// Solvers for chains of rods, in three scalars: iterations begun where the last step ended, and all
-// rods solved together. The latter's world has nothing but rods and gravity.
+// Methods for chains, in three scalars: one iteration, iterations begun where the last step ended,
+// all rods solved together, and all springs. The world of rods has nothing but them and gravity.
 const std::vector<Subject>& chain_subjects();
 // One of these, or of the ablated ones. Throws std::runtime_error if there is none.
 const Subject& subject(const std::string& scalar, const std::string& arithmetic,

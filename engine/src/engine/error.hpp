@@ -25,7 +25,7 @@ enum class Error : unsigned char {
     bad_damping,       ///< a damping factor outside 0..1
     bad_time_step,     ///< a step of 0 s or less
     not_finite,        ///< a position, velocity, anchor, normal or offset that is NaN or infinite
-    no_chain,          ///< in a step: a rod shares particles with two rods added before it
+    no_chain,          ///< in a step: a rod or spring shares particles with two added before it
     no_such_link,      ///< a spring, rod or rope that does not belong to this world
 };
 
@@ -63,7 +63,8 @@ FIXEDPOINT_CONSTEXPR const char* describe(Error error) {
         case Error::contacts_full:
             return "more contacts in a step than the scene states";
         case Error::no_chain:
-            return "DirectRods: a rod shares particles with two rods that were added before it";
+            return "a rod of DirectRods, or a spring of DirectSprings, shares particles with two "
+                   "before it";
         case Error::no_direction:
             return "both ends of a rod are at one place, where it has no direction";
     }

@@ -25,7 +25,7 @@ const std::vector<std::string> links = {"SPRINGS", "ANCHORED_SPRINGS", "RODS", "
 
 const std::vector<std::string> constraints = {"RODS",           "ANCHORED_RODS", "ROPES",
                                               "ANCHORED_ROPES", "PLANES",        "COLLISIONS"};
-const std::string pull = "apply|ImplicitSprings::pull";
+const std::string pull = "apply|ImplicitSprings::pull|CoupledSprings<.*>::collect";
 
 std::vector<std::string> links_and(std::initializer_list<std::string> more) {
     std::vector<std::string> users = links;
@@ -59,6 +59,10 @@ const std::vector<Rule>& rules() {
         {"a third dimension", begins("engine::Vector<.*, 3>::"), {"3"}},
         {"explicit Euler", begins("engine::ExplicitEuler::"), {"ExplicitEuler"}},
         {"velocity Verlet", begins("engine::VelocityVerlet::"), {"VelocityVerlet"}},
+        {"springs solved together",
+         std::regex("engine::Elimination::solve<"),
+         {"DirectSprings"},
+         {"SPRINGS", "ANCHORED_SPRINGS"}},
         {"projected_gauss_seidel",
          std::regex("engine::ProjectedGaussSeidel<.*>::(solve<|bind<.*If<false>\\))"),
          {"ProjectedGaussSeidel<10>"},

@@ -80,7 +80,7 @@ Case chain_case(const char* name, unsigned n, Experiment (*of)(unsigned, double)
 }
 Case loaded_chain(const char* name, unsigned n, Experiment (*of)(unsigned, double)) {
     Case made = chain_case(name, n, of, 1);
-    made.loaded_chain = true;
+    made.chain_methods = {"one_iteration", "warm_started", "direct_rods"};
     return made;
 }
 

@@ -80,6 +80,61 @@ Description two_springs(double second_stiffness, double second_damping, double s
     return made;
 }
 
+// Each spring keeps the length at which it bears what hangs below it.
+Measure springs_keep(const Description& description, double tolerance) {
+    const auto lengths = [springs = description.springs](const State& state) {
+        std::vector<double> all;
+        for (const Spring& spring : springs)
+            all.push_back(length(
+                state[std::size_t(spring.a)].position -
+                (spring.b == no_body ? spring.anchor : state[std::size_t(spring.b)].position)));
+        return all;
+    };
+    State start;
+    for (const Body& body : description.bodies) start.push_back({body.position, body.velocity});
+    return [lengths, tolerance, at_start = lengths(start)](const State& state, unsigned) {
+        const std::vector<double> now = lengths(state);
+        double worst = 0;
+        for (std::size_t i = 0; i < now.size(); ++i) {
+            const double off = std::abs(now[i] / at_start[i] - 1) / tolerance;
+            if (!(off <= worst)) worst = off;  // NaN too
+        }
+        return worst;
+    };
+}
+
+// Light bodies below each other on stiff springs, the last with a mass of `ratio` of them, in
+// balance and pushed sideways.
+Experiment loaded_springs(unsigned n, double ratio) {
+    constexpr double link = 0.5, stiffness = 20000, mass = 0.01, gravity = 9.81;
+    Description made;
+    double y = 0;
+    for (unsigned i = 0; i < n; ++i) {
+        y -= link + mass * (n - 1 - i + ratio) * gravity / stiffness;
+        made.bodies.push_back({.position = {0, y}, .inverse_mass = 1 / mass});
+        made.springs.push_back(
+            {{.a = int(i), .b = i == 0 ? no_body : int(i) - 1, .length = link}, stiffness, 0});
+    }
+    made.bodies.back().inverse_mass /= ratio;
+    made.bodies.back().velocity = {0.5, 0};
+    made.gravity = {0, -gravity};
+    made.dt = TimeStep::binary(8);
+    made.steps = 400;
+    return {made, springs_keep(made, 0.2)};
+}
+Case loaded_spring_chain(const char* name, unsigned n) {
+    return {name,
+            "springs",
+            "mass ratio of the end",
+            "1",
+            1,
+            1e6,
+            "closed form: m g / k, within 20 % of the length",
+            [n](double p) { return loaded_springs(n, p); },
+            false,
+            {"direct_springs", "gauss_seidel_springs"}};
+}
+
 Experiment at_step_product(double omega_dt, TimeStep dt, unsigned steps) {
     const double omega = omega_dt / dt.value();
     return bounded(on_spring(omega * omega, 0, 1, dt, steps));
@@ -188,6 +243,8 @@ std::vector<Case> spring_cases() {
          [](double p) { return chain_experiment(4, p); }},
         {"spring_chain_of_16", "springs", "omega dt", "1", 0.03, 1e4, bound,
          [](double p) { return chain_experiment(16, p); }},
+        loaded_spring_chain("spring_chain_of_4_heavy_end", 4),
+        loaded_spring_chain("spring_chain_of_16_heavy_end", 16),
         {"spring_length", "springs", "rest length on both axes", "m", 1, 1e12, bound,
          [](double p) {
              Description made =
