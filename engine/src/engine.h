@@ -19,6 +19,7 @@
 #include <engine/integrators/direct_springs.hpp>
 #include <engine/integrators/explicit_euler.hpp>
 #include <engine/integrators/gauss_seidel_springs.hpp>
+#include <engine/integrators/implicit_midpoint.hpp>
 #include <engine/integrators/implicit_springs.hpp>
 #include <engine/integrators/velocity_verlet.hpp>
 #include <engine/solvers/direct_rods.hpp>

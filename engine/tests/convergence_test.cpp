@@ -26,6 +26,41 @@ struct SemiImplicitSolved : SemiImplicit {
     using Solver = engine::ProjectedGaussSeidel<255>;
 };
 
+struct Midpoint : Implicit {
+    static constexpr const char* name = "implicit_midpoint";
+    using Integrator = engine::ImplicitMidpoint;
+};
+
+// The largest error in m over 4 s, in steps of 2^-K s, of 1 kg on a spring that is released 1 m
+// beyond its length. Truth: the frequency omega in 1/s, and the damping zeta. The spring has the
+// stiffness k.
+template <class Method, int K>
+double spring_error(double omega, double zeta, double k) {
+    engine::World<double, SpringAndMass::Uses<Method>> world;
+    SpringAndMass::Parameters<double> with;
+    with.x = 33;
+    with.y = 0;
+    with.rest_length = 32;
+    with.stiffness = k;
+    with.damping = 2 * zeta * omega;
+    SpringAndMass::build(world, with);
+    const double damped = omega * std::sqrt(1 - zeta * zeta);
+    double largest = 0;
+    for (int step = 1; step <= 4 << K; ++step) {
+        world.step(engine::BinaryStep<K>());
+        const double t = std::ldexp(step, -K);
+        const double x = std::exp(-zeta * omega * t) *
+                         (std::cos(damped * t) + zeta * omega / damped * std::sin(damped * t));
+        largest =
+            std::max(largest, std::abs(std::as_const(world).particles()[0].position[0] - 32 - x));
+    }
+    return largest;
+}
+template <class Method, int K>
+double damped_error() {
+    return spring_error<Method, K>(5, 0.1, 25);
+}
+
 }  // namespace
 
 TEST(Convergence, VerletFallsExactly) {
@@ -69,6 +104,25 @@ TEST(Convergence, SemiImplicitEulerIsOfFirstOrder) {
 }
 
 TEST(Convergence, ImplicitSpringsAreOfFirstOrder) { expect_order<SpringAndMass, Implicit>(1); }
+
+// Damping makes Verlet a method of first order, and the midpoint rule not.
+TEST(Convergence, MidpointIsOfSecondOrderWithDamping) {
+    expect_order<SpringAndMass, Midpoint>(2);
+    const auto halved = [](auto method) {
+        using Method = decltype(method);
+        return damped_error<Method, 9>() / damped_error<Method, 10>();
+    };
+    EXPECT_NEAR(halved(Verlet()), 2, 0.2);
+    EXPECT_NEAR(halved(Midpoint()), 4, 0.2);
+}
+
+// Verlet follows an undamped spring of frequency omega without an error if it has the stiffness m
+// (2 sin(omega h / 2) / h)^2 in place of m omega^2: whatever the step, no method gains more.
+TEST(Convergence, VerletIsExactWithTheStiffnessOfItsStep) {
+    EXPECT_LT((spring_error<Verlet, 2>(5, 0, std::pow(8 * std::sin(5.0 / 8), 2))), 1e-12);
+    EXPECT_LT((spring_error<Verlet, 2>(16, 0, std::pow(8 * std::sin(16.0 / 8), 2))), 1e-12);
+    EXPECT_GT((spring_error<Verlet, 2>(5, 0, 25)), 0.5);
+}
 
 TEST(Convergence, ExplicitEulerIsOfFirstOrderWithoutRods) {
     expect_order<FreeFall, Published>(1);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// DirectSprings and GaussSeidelSprings, compared with the implicit Euler step of all particles,
-// solved by GSL; with the closed forms of a chain's frequencies and of its sag under weights that
-// are far apart; and with springs that do not form a chain.
-#include <gsl/gsl_complex_math.h>
+// DirectSprings, GaussSeidelSprings and ImplicitMidpoint, compared with the implicit step of all
+// particles, solved by GSL; with the closed forms of a chain's frequencies and of its sag under
+// weights that are far apart; and with springs that do not form a chain.
 #include <gsl/gsl_eigen.h>
 #include <gsl/gsl_linalg.h>
 
 #include <array>
+#include <complex>
 #include <memory>
 #include <numbers>
 #include <random>
@@ -236,18 +236,19 @@ TEST(GaussSeidelSprings, AreImplicitSpringsInOneIteration) {
 }
 
 // A uniform chain of n springs has the frequencies omega_j = 2 sqrt(k / m) sin((2 j - 1) pi / (4 n
-// + 2)), and the implicit Euler step multiplies each by 1 / sqrt(1 + (omega_j h)^2). The step is
-// linear along the chain, so that steps from unit vectors are its matrix.
-TEST(DirectSprings, DampsEachModeAsImplicitEuler) {
+// + 2)). A step is linear along the chain, so that steps from unit vectors are its matrix. Returns
+// the eigenvalues above the real axis, by rising angle, next to the frequencies times the step.
+template <class Integrator>
+std::vector<std::pair<std::complex<double>, double>> modes(double k) {
     constexpr unsigned n = 6;
-    constexpr double h = 1.0 / 256, k = 1e5;
+    constexpr double h = 1.0 / 256;
     std::vector<double> matrix(4 * n * n);
     for (unsigned column = 0; column < 2 * n; ++column) {
-        WorldOfSprings<double> world;
-        WorldOfSprings<double>::Handle last;
+        WorldOfSprings<double, Integrator> world;
+        typename WorldOfSprings<double, Integrator>::Handle last;
         const double unit = 0x1p-10;  // keeps the springs' directions
         for (unsigned i = 0; i < n; ++i) {
-            WorldOfSprings<double>::Body body;
+            typename WorldOfSprings<double, Integrator>::Body body;
             body.inverse_mass = 1;
             body.position = {i + 1 + (column == i ? unit : 0), 0.0};
             body.velocity = {column == n + i ? unit : 0, 0.0};
@@ -272,16 +273,34 @@ TEST(DirectSprings, DampsEachModeAsImplicitEuler) {
         gsl_vector_complex_alloc(2 * n), gsl_vector_complex_free);
     gsl_matrix_view view = gsl_matrix_view_array(matrix.data(), 2 * n, 2 * n);
     gsl_eigen_nonsymm(&view.matrix, values.get(), space.get());
-    std::vector<double> radii, expected;
+    std::vector<std::complex<double>> above;
     for (unsigned i = 0; i < 2 * n; ++i) {
-        radii.push_back(gsl_complex_abs(gsl_vector_complex_get(values.get(), i)));
-        const double omega =
-            2 * std::sqrt(k) * std::sin((2 * (i / 2) + 1) * std::numbers::pi / (4 * n + 2));
-        expected.push_back(1 / std::hypot(1, omega * h));
+        const gsl_complex value = gsl_vector_complex_get(values.get(), i);
+        if (GSL_IMAG(value) > 0) above.emplace_back(GSL_REAL(value), GSL_IMAG(value));
     }
-    std::sort(radii.begin(), radii.end());
-    std::sort(expected.begin(), expected.end());
-    for (unsigned i = 0; i < 2 * n; ++i) EXPECT_NEAR(radii[i], expected[i], 1e-8) << i;
+    EXPECT_EQ(above.size(), n);
+    std::sort(above.begin(), above.end(), [](auto a, auto b) { return std::arg(a) < std::arg(b); });
+    std::vector<std::pair<std::complex<double>, double>> found;
+    for (unsigned j = 0; j < above.size(); ++j)
+        found.emplace_back(
+            above[j],
+            2 * std::sqrt(k) * std::sin((2 * j + 1) * std::numbers::pi / (4 * n + 2)) * h);
+    return found;
+}
+
+// By 1 / (1 - i omega h), from a resolved mode to one of omega h = 10.
+TEST(DirectSprings, DampsEachModeAsImplicitEuler) {
+    for (const auto& [value, product] : modes<DirectSprings>(1.6e6)) {
+        EXPECT_NEAR(std::abs(value), 1 / std::hypot(1, product), 1e-8);
+        EXPECT_NEAR(std::arg(value), std::atan(product), 1e-8);
+    }
+}
+// By (1 + i omega h / 2) / (1 - i omega h / 2): no mode loses energy.
+TEST(ImplicitMidpoint, KeepsTheEnergyOfEachMode) {
+    for (const auto& [value, product] : modes<ImplicitMidpoint>(1.6e6)) {
+        EXPECT_NEAR(std::abs(value), 1, 1e-8);
+        EXPECT_NEAR(std::arg(value), 2 * std::atan(product / 2), 1e-8);
+    }
 }
 
 // A chain in balance stays where it is. Solved one after the other, its springs give way. In Q16.16
@@ -293,6 +312,7 @@ TEST(DirectSprings, HoldsAThousandTimesTheMassWhereItHangs) {
         EXPECT_LT((drift<Fixed<16, 16>, DirectSprings>(links, 30000, 1000)),
                   0.5 / 66 * links * 9810 / 30000);
         EXPECT_LT((drift<float, DirectSprings>(links, 30000, 1000)), 1e-3);
+        EXPECT_LT((drift<double, ImplicitMidpoint>(links, 30000, 1000)), 1e-9);
         EXPECT_LT((drift<double, GaussSeidelSprings<20>>(links, 30000, 1000)), 1e-3);
         EXPECT_GT((drift<double, ImplicitSprings>(links, 30000, 1000)), 0.1);
     }
@@ -327,6 +347,10 @@ TEST(DirectSprings, KeepsTheMomentumOfAFreeChain) {
     expect_momentum<double, DirectSprings>(1e-11);
     expect_momentum<Fixed<32, 32>, DirectSprings>(std::ldexp(2.0 * 7 * 1024, -32));
     expect_momentum<Fixed<16, 16>, DirectSprings>(std::ldexp(2.0 * 7 * 1024, -16));
+}
+TEST(ImplicitMidpoint, KeepsTheMomentumOfAFreeChain) {
+    expect_momentum<double, ImplicitMidpoint>(1e-11);
+    expect_momentum<Fixed<16, 16>, ImplicitMidpoint>(std::ldexp(2.0 * 7 * 1024, -16));
 }
 // Bodies of equal mass receive the same product.
 TEST(GaussSeidelSprings, KeepTheMomentumOfAFreeChainToTheLastBit) {

@@ -96,6 +96,7 @@ int main() {
             All<ImplicitSprings, WarmStartedGaussSeidel<4>, BruteForce>>();
     use_all<Fixed<16, 16>, All<DirectSprings, ProjectedGaussSeidel<4>, BruteForce>>();
     use_all<double, All<GaussSeidelSprings<4>, ProjectedGaussSeidel<4>, BruteForce>>();
+    use_all<Fixed<16, 16>, All<ImplicitMidpoint, ProjectedGaussSeidel<4>, BruteForce>>();
     use_all<float, All<VelocityVerlet, ProjectedGaussSeidel<4>, SortAndSweep>>();
     use_all<double, All<ImplicitSprings, WorstFirst<4>, CachedSortAndSweep>>();
     use_chain<SaturatingFixed<16, 16>>();

@@ -24,6 +24,7 @@ constexpr Method verlet{"nearest", "velocity_verlet"};
 constexpr Method direct_rods{"nearest", "direct_rods"};
 constexpr Method implicit_springs{"nearest", "implicit_springs"};
 constexpr Method direct_springs{"nearest", "direct_springs"};
+constexpr Method implicit_midpoint{"nearest", "implicit_midpoint"};
 constexpr Method gauss_seidel_springs{"nearest", "gauss_seidel_springs"};
 constexpr Method compensated_integration{"nearest", "semi_implicit_compensated"};
 constexpr Method positions_first{"nearest", "positions_first"};
@@ -56,6 +57,8 @@ constexpr struct {
      gauss_seidel_springs, 1},
     {"springs solved in ten iterations", "spring_chain_of_16_heavy_end", implicit_springs,
      gauss_seidel_springs, 1},
+    {"springs at the middle of the step", "spring_critically_damped", verlet, implicit_midpoint,
+     0.01},
     {"a rod as one two-sided constraint", "rod_speed", opposed_contacts, tangent_rods, 0.1},
     {"a rod as one two-sided constraint", "rod_chain_of_8_heavy_end", opposed_contacts,
      tangent_rods, 1},

@@ -39,6 +39,12 @@ struct DirectSprings : scenes::Implicit {
     using Integrator = engine::DirectSprings;
 };
 
+// Springs by the implicit midpoint rule.
+struct ImplicitMidpoint : scenes::Implicit {
+    static constexpr const char* name = "implicit_midpoint";
+    using Integrator = engine::ImplicitMidpoint;
+};
+
 // In ten iterations over all springs.
 struct GaussSeidelSprings : scenes::Implicit {
     static constexpr const char* name = "gauss_seidel_springs";

@@ -59,8 +59,8 @@ struct Uses {
     /// Whether CustomForce is applied.
     static constexpr bool custom_force = false;
 
-    /// ExplicitEuler, SemiImplicitEuler, VelocityVerlet, ImplicitSprings, DirectSprings or
-    /// GaussSeidelSprings with its number of iterations.
+    /// ExplicitEuler, SemiImplicitEuler, VelocityVerlet, ImplicitSprings, DirectSprings,
+    /// ImplicitMidpoint or GaussSeidelSprings with its number of iterations.
     using Integrator = SemiImplicitEuler;
     /// ProjectedGaussSeidel, WarmStartedGaussSeidel or WorstFirst, each with its number of
     /// iterations, or DirectRods.

@@ -132,7 +132,7 @@ Case loaded_spring_chain(const char* name, unsigned n) {
             "closed form: m g / k, within 20 % of the length",
             [n](double p) { return loaded_springs(n, p); },
             false,
-            {"direct_springs", "gauss_seidel_springs"}};
+            {"direct_springs", "gauss_seidel_springs", "implicit_midpoint"}};
 }
 
 Experiment at_step_product(double omega_dt, TimeStep dt, unsigned steps) {

@@ -8,7 +8,8 @@ template <class Scalar>
 std::vector<Subject> for_chains(const char* scalar, const char* arithmetic, double largest,
                                 double ulp) {
     return subjects_of_methods<Scalar, OneIteration, WarmStarted, scenes::Direct, DirectSprings,
-                               GaussSeidelSprings>(scalar, arithmetic, largest, ulp);
+                               GaussSeidelSprings, ImplicitMidpoint>(scalar, arithmetic, largest,
+                                                                     ulp);
 }
 template <int I>
 std::vector<Subject> in_format(const char* scalar) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// CoupledSprings: the implicit step of springs that share particles, which DirectSprings and
-/// GaussSeidelSprings solve.
+/// CoupledSprings: the implicit step of springs that share particles, which DirectSprings,
+/// GaussSeidelSprings and ImplicitMidpoint solve.
 ///
 /// Let x_j be the change that spring j makes to its own velocity, and c_ij x_i the change that
 /// spring i makes to it. In the notation of implicit_response.hpp, with the velocity u and the
@@ -29,10 +29,22 @@ struct SpringRow : Sharing<typename World::Scalar, World::has_pairs> {
     typename World::Vector normal;         // from b to a
     typename World::Scalar gain = {};      // g
 };
+
+// The response of a spring whose force is that at the end of the step. `slack` is -e.
+struct AtTheEnd {
+    template <class Spring, class World, class Row, class Scalar, class TimeStep>
+    static ENGINE_INLINE void respond(const Spring& spring, const World&, Row& row, Scalar mobility,
+                                      Scalar slack, TimeStep dt) {
+        const auto of = implicit_response(spring, mobility, dt);
+        const Scalar rate = of.s / of.d;
+        row.gain = (spring.damping == Scalar() ? rate : of.slowing / of.d) * dt;
+        row.change = rate * slack;
+    }
+};
 /// \endcond
 
 /// The step that DirectSprings and GaussSeidelSprings have in common.
-template <class SpringSolver>
+template <class SpringSolver, class Response = AtTheEnd>
 struct CoupledSprings {
     /// Whether the integrator applies springs itself instead of accumulating their forces.
     static constexpr bool implicit_springs = true;
@@ -51,12 +63,20 @@ struct CoupledSprings {
     static void step(World& world, TimeStep dt) {
         world.accumulate_forces();
         world.integrate_velocities(dt);
-        pull(world, dt, If<World::has_springs>());
+        pull(world, dt);
         world.damp();
         world.collect_constraints(dt);
         world.solve_constraints();
         world.integrate_positions(dt);
     }
+
+  protected:
+    /// \cond internal
+    template <class World, class TimeStep>
+    static void pull(World& world, TimeStep dt) {
+        pull(world, dt, If<World::has_springs>());
+    }
+    /// \endcond
 
   private:
     template <class World, class TimeStep>
@@ -98,10 +118,8 @@ struct CoupledSprings {
         row.b = b;
         row.normal = divided(difference, distance);
         row.set_share(mass_share(world, a, b));
-        const auto of = implicit_response(spring, inverse_mass_sum(world, a, b), dt);
-        const Scalar rate = of.s / of.d;
-        row.gain = (spring.damping == Scalar() ? rate : of.slowing / of.d) * dt;
-        row.change = rate * (spring.rest_length - distance);
+        Response::respond(spring, world, row, inverse_mass_sum(world, a, b),
+                          spring.rest_length - distance, dt);
     }
 };
 

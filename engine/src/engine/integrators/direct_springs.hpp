@@ -26,10 +26,16 @@ struct DirectSprings : CoupledSprings<DirectSprings> {
 
     template <class World, class Rows>
     static void solve(World& world, Rows& rows) {
+        solve(world, rows, If<(World::Uses::springs + World::Uses::anchored_springs > 1)>());
+    }
+    /// \endcond
+
+  private:
+    template <class World, class Rows>
+    static void solve(World& world, Rows& rows, If<true>) {
         for (auto& row : rows) {
+            alone(world, row);
             row.pivot = Decimal<1, 0>();
-            row.change = engine::multiply_add(
-                -row.gain, velocity_along(world, row.a, row.b, row.normal), row.change);
             Elimination::couple(world, rows, row);
             if (!row.has_parent()) continue;
             row.to_parent *= rows[row.parent].gain;
@@ -37,7 +43,21 @@ struct DirectSprings : CoupledSprings<DirectSprings> {
         }
         Elimination::solve(world, rows);
     }
-    /// \endcond
+    // A single spring takes neither elimination nor quotient.
+    template <class World, class Rows>
+    static void solve(World& world, Rows& rows, If<false>) {
+        rows.for_each([&](Row<World>& row) {
+            alone(world, row);
+            apply_shared(world, row.a, row.b, row.normal, row.change, row.share(),
+                         &World::Particle::velocity);
+        });
+    }
+    // The change that the spring would make if there were no others.
+    template <class World, class Row>
+    static void alone(const World& world, Row& row) {
+        row.change = engine::multiply_add(
+            -row.gain, velocity_along(world, row.a, row.b, row.normal), row.change);
+    }
 };
 
 }  // namespace engine
