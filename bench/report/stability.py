@@ -18,6 +18,7 @@ CASES = pathlib.Path(__file__).parents[1] / "experiments" / "stability" / "cases
 # The chains of rods that bear a load, by the step: the case's name after the number of rods, and the step's exponent.
 LOADED_CHAINS = {8: "_heavy_end", 11: "_heavy_end_fine_steps"}
 LOADED_LINKS = (4, 8, 16)
+LOADED_SPRINGS = (4, 16)
 LINK, GRAVITY = map(float, re.search(r"link_length = ([\d.]+), chain_gravity = ([\d.]+);",
                                      (CASES / "links.cpp").read_text(encoding="utf-8")).groups())
 # The case `stiffness` fails where a spring's amplitude has grown by this factor in this many steps.
@@ -110,10 +111,10 @@ def cost_of_small_steps(data):
     return f"{min(shares):.0f} to {max(shares):.0f} %"
 
 
-def costs(data, ablation):
-    """Cycles of a step of the loaded chains with a solver, in percent of ten iterations', in Q16.16."""
+def costs(data, ablation, chain="rod_chain", lengths=LOADED_LINKS):
+    """Cycles of a step of the loaded chains with a method, in percent of those without it, in Q16.16."""
     rows = {row["case"]: row for row in data.rows("ablations", ablation=ablation)}
-    mine = [rows[f"rod_chain_of_{links}_heavy_end"] for links in LOADED_LINKS]
+    mine = [rows[f"{chain}_of_{links}_heavy_end"] for links in lengths]
     shares = [100 * row["after_cycles"] / row["before_cycles"] for row in mine]
     return f"{min(shares):.0f} to {max(shares):.0f} %"
 
@@ -139,6 +140,25 @@ def load_finding(data):
             f"Eight steps of 1/2048 s with one iteration in each bear {told(11, 'q16_16', 'one')} kg, for {cost_of_small_steps(data)}. "
             f"The step itself allows {told(8, 'q16_16', 'bound')} kg in any format: beyond, it no longer resolves the vibration of a link "
             f"under the weight. With steps of 1/2048 s the two solvers bear, {fine}.")
+
+
+def spring_finding(data):
+    """The loads that chains of stiff springs bear with each method, in a sentence; nothing if the data have none."""
+    limits = {(row["case"], row["integrator"]): row["limit"] for row in data.rows("stability")
+              if row["scalar"] == "q16_16" and row["arithmetic"] == "nearest"}
+    if (f"spring_chain_of_{LOADED_SPRINGS[0]}_heavy_end", "direct_springs") not in limits:
+        return ""
+
+    def told(method):
+        return " and ".join(figure(limits[f"spring_chain_of_{links}_heavy_end", method]) for links in LOADED_SPRINGS)
+
+    def cost(ablation):
+        return costs(data, ablation, "spring_chain", LOADED_SPRINGS)
+    return (f" On springs too stiff for the step, chains of {' and '.join(map(str, LOADED_SPRINGS))} bodies bear a last one of "
+            f"{told('implicit_springs')} times the mass of the others in Q16.16 if the springs are solved one after the other "
+            f"(`ImplicitSprings`), {told('gauss_seidel_springs')} times in ten iterations (`GaussSeidelSprings`, "
+            f"{cost('springs solved in ten iterations')} of the cycles) and {told('direct_springs')} times together (`DirectSprings`, "
+            f"{cost('springs solved together')}).")
 
 
 def points(rows, name, scalar, method, arithmetic=None):

@@ -77,7 +77,8 @@ struct Model {
     // Equal numbers distinguish < from <= where both sides have them without rounding: on the grid,
     // in the first step, unless it has moved already.
     bool less(double a, double b) {
-        const bool is_exact = steps == 0 && integrator != Integrator::implicit_midpoint && a == b && std::floor(a * 1024) == a * 1024;
+        const bool is_exact = steps == 0 && integrator != Integrator::implicit_midpoint && a == b &&
+                              std::floor(a * 1024) == a * 1024;
         if (std::abs(a - b) < 1e-9 && !is_exact) is_close = true;
         return a < b;
     }

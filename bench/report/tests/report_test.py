@@ -771,6 +771,25 @@ i q8_8 nearest velocity_verlet 1 overflows overflow_add -1 1
             ablations += f"direct rod_chain_of_{links}_heavy_end 100 {direct}\nother rod_chain_of_{links}_heavy_end 100 1\n"
         self.assertEqual(stability.costs(golden(ablations=ablations), "direct"), "40 to 48 %")
 
+    def test_loads_that_chains_of_springs_bear(self):
+        rows = "case scalar arithmetic integrator limit verdict first_event\n"
+        ablations = "ablation case before_cycles after_cycles\n"
+        for links in (4, 16):
+            for i, method in enumerate(("implicit_springs", "gauss_seidel_springs", "direct_springs")):
+                rows += f"spring_chain_of_{links}_heavy_end q16_16 nearest {method} {100 * i + links} drifts -\n"
+            rows += f"spring_chain_of_{links}_heavy_end q16_16 saturating direct_springs 7 drifts -\n"
+            ablations += f"together spring_chain_of_{links}_heavy_end 100 {150 + links}\n"
+            ablations += f"iterated spring_chain_of_{links}_heavy_end 100 {400 + links}\n"
+        made = golden(stability=rows, ablations=ablations)
+        for row in made.rows("ablations"):
+            row["ablation"] = {"together": "springs solved together", "iterated": "springs solved in ten iterations"}[row["ablation"]]
+        self.assertEqual(stability.spring_finding(made),
+                         " On springs too stiff for the step, chains of 4 and 16 bodies bear a last one of 4 and 16 times the mass of the "
+                         "others in Q16.16 if the springs are solved one after the other (`ImplicitSprings`), 104 and 116 times in ten "
+                         "iterations (`GaussSeidelSprings`, 404 to 416 % of the cycles) and 204 and 216 times together (`DirectSprings`, "
+                         "154 to 166 %).")
+        self.assertEqual(stability.spring_finding(self.rows()), "")
+
     def test_what_small_steps_of_one_iteration_cost(self):
         ablations = "ablation case before_cycles after_cycles\n"
         for links, whole, one in ((4, 100, 10), (8, 200, 20), (16, 400, 60)):

@@ -63,7 +63,8 @@ FIXEDPOINT_CONSTEXPR const char* describe(Error error) {
         case Error::contacts_full:
             return "more contacts in a step than the scene states";
         case Error::no_chain:
-            return "a rod or spring solved directly shares particles with two that were added before it";
+            return "a rod or spring solved directly shares particles with two that were added "
+                   "before it";
         case Error::no_direction:
             return "both ends of a rod are at one place, where it has no direction";
     }

@@ -17,6 +17,7 @@
 
 namespace engine {
 
+/// \cond internal
 template <class Scalar>
 struct ImplicitResponse {
     Scalar s, slowing, d;  // slowing is i (h k + c)
@@ -41,5 +42,6 @@ ENGINE_INLINE ImplicitResponse<Scalar> implicit_response(const Spring& spring, S
     const Scalar one = Decimal<1, 0>();
     return {s, slowing, saturating_sum(one, slowing * dt)};
 }
+/// \endcond
 
 }  // namespace engine

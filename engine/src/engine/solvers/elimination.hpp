@@ -14,6 +14,7 @@
 
 namespace engine {
 
+/// \cond internal
 // The smallest pivot: below it, rounding would decide the result.
 template <class Scalar>
 struct LeastPivot {
@@ -109,5 +110,6 @@ struct Elimination {
         }
     }
 };
+/// \endcond
 
 }  // namespace engine
