@@ -209,6 +209,23 @@ TEST(LoadedChains, EndWhereTheStepNoLongerResolvesTheVibrationOfALink) {
         }
 }
 
+// Stiff springs that are solved together end there, too. Solved one after the other they give way
+// long before, and ten iterations reach most of the way.
+TEST(LoadedChains, OfSpringsEndWhereTheStepNoLongerResolvesTheVibrationOfALink) {
+    constexpr double pi = 3.14159265358979323846, g = 9.81, length = 0.5, dt = 1.0 / 256;
+    for (const unsigned links : {4u, 16u}) {
+        const double bound = 2 * length / (g * dt * dt * (1 + std::cos(pi / links)));
+        const std::string name = "spring_chain_of_" + std::to_string(links) + "_heavy_end";
+        for (const char* method : {"direct_springs", "implicit_midpoint"}) {
+            const double together = find(name, "q32_32", method).limit;
+            EXPECT_GT(together, 0.9 * bound) << name << ' ' << method;
+            EXPECT_LT(together, 1.2 * bound) << name << ' ' << method;
+        }
+        EXPECT_GT(find(name, "q32_32", "gauss_seidel_springs").limit, 0.5 * bound) << name;
+        EXPECT_LT(find(name, "q32_32", "implicit_springs").limit, 0.12 * bound) << name;
+    }
+}
+
 // Its world has nothing else, and says so instead of leaving it out.
 TEST(LoadedChains, DirectRodsRefuseADescriptionWithMoreThanRods) {
     Description made;
