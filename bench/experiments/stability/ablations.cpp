@@ -194,7 +194,8 @@ AblationRow row(std::size_t i, const Effort& effort) {
 
 }  // namespace
 
-void measure_ablations(const std::filesystem::path& output, const Effort& effort, unsigned threads) {
+void measure_ablations(const std::filesystem::path& output, const Effort& effort,
+                       unsigned threads) {
     std::vector<AblationRow> rows(std::size(ablations));
     records::Progress progress("ablations", rows.size());
     operations::in_parallel(threads, rows.size(), [&](std::size_t i) {
