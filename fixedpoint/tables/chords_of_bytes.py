@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: MIT
 """Linear interpolation for the 16-bit kernels: on an interval of 256 positions f = 0..255 a function
-is value + (slope f >> 8). The slope has 8 bits; the value is in units of 2^-5 ulp and includes half
-an ulp. The value is stored as whole ulps and remaining units: two bytes, so that the product is
-added to the second one without a carry."""
+is value + (slope f >> 8). The slope has 8 bits; the value is in units of 2^-5 ulp, unless a table
+has others, and includes half an ulp. It is stored as whole ulps and remaining units: two bytes, so
+that the product is added to the second one without a carry."""
 
 import page
 import table_header
 
-UNITS_PER_ULP = 32
+UNIT_BITS = 5
+UNITS_PER_ULP = 2**UNIT_BITS
 
 
 def chord(targets):
@@ -29,16 +30,21 @@ def of(function, intervals):
             for i in range(intervals)]
 
 
-def write(name, generator, sentence, structure, chords):
-    """Writes avr/<name>.S, in which the bytes of an interval are as far apart as there are
-    intervals, and portable/<name>.hpp with the same numbers."""
+def write(name, generator, sentence, structure, chords, unit_bits=UNIT_BITS, stride=1):
+    """Writes avr/<name>.S and portable/<name>.hpp with the same numbers. With a stride of 1, the
+    bytes of an interval are as far apart as there are intervals, otherwise next to each other."""
     # The last value may be 256 ulp, which does not fit in a byte: the units have room for more.
-    wholes = [min(value // UNITS_PER_ULP, 255) for value, _ in chords]
-    units = [value - UNITS_PER_ULP * whole for (value, _), whole in zip(chords, wholes)]
+    wholes = [min(value >> unit_bits, 255) for value, _ in chords]
+    units = [value - (whole << unit_bits) for (value, _), whole in zip(chords, wholes)]
     slopes = [slope for _, slope in chords]
     assert all(unit + slope < 256 for unit, slope in zip(units, slopes))
-    page.write_assembly(name, generator, sentence,
-                        [("slope", slopes), ("units of 2^-5 ulp", units), ("whole ulps", wholes)])
+    parts = [("slope", slopes), (f"units of 2^-{unit_bits} ulp", units), ("whole ulps", wholes)]
+    if stride > 1:
+        unused = [[0] * len(chords)] * (stride - len(parts))
+        entries = zip(*(numbers for _, numbers in parts), *unused)
+        parts = [(", ".join([title for title, _ in parts] + ["unused"] * len(unused)),
+                  [byte for entry in entries for byte in entry])]
+    page.write_assembly(name, generator, sentence, parts)
     table_header.write(name, generator, sentence, structure,
                        [("uint16_t", "value", [value for value, _ in chords], "{:4d}"),
                         ("uint8_t", "slope", slopes, "{:3d}")])

@@ -15,7 +15,7 @@ constexpr bool is_coarse_16() {
     return sizeof(Raw) == 2 && F <= 8;
 }
 
-// In units of 2^-5 ulp. The position's high byte is the interval, counted from the table's first.
+// In units of the table. The position's high byte is the interval, counted from the table's first.
 template <class Table>
 FIXEDPOINT_CONSTEXPR uint16_t chord_of_bytes(uint16_t position) {
     const uint8_t interval = static_cast<uint8_t>(position >> 8);
