@@ -43,7 +43,8 @@ struct AtTheEnd {
 };
 /// \endcond
 
-/// The step that DirectSprings and GaussSeidelSprings have in common.
+/// What DirectSprings, GaussSeidelSprings and ImplicitMidpoint have in common. SpringSolver solves
+/// the equations of all springs; Response gives the coefficients of each.
 template <class SpringSolver, class Response = AtTheEnd>
 struct CoupledSprings {
     /// Whether the integrator applies springs itself instead of accumulating their forces.
