@@ -15,6 +15,10 @@ std::string Progress::duration(double seconds) {
     return fmt::format("{}:{:02}", total / 60, total % 60);
 }
 
+std::string Progress::time_left(double elapsed, double share) {
+    return share < 0.01 ? "?" : duration(elapsed / share - elapsed);
+}
+
 Progress::Progress(std::string task, std::uint64_t total)
     : task_(std::move(task)),
       total_(total == 0 ? 1 : total),
@@ -52,8 +56,7 @@ void Progress::print(std::uint64_t done, bool last) {
         constexpr int width = 30;
         const int filled = static_cast<int>(share * width);
         fmt::print(stderr, "{}{} [{:#<{}}{:.<{}}] {:3.0f}% {} left{}", begin, task_, "", filled, "",
-                   width - filled, 100 * share,
-                   share > 0 ? duration(elapsed / share - elapsed) : "?", end);
+                   width - filled, 100 * share, time_left(elapsed, share), end);
     }
     std::fflush(stderr);
 }

@@ -24,6 +24,10 @@ class Progress {
 
     // Minutes and seconds: 62:07.
     static std::string duration(double seconds);
+    // The duration that is left after `elapsed` seconds, in which a share in 0..1 was done. "?" as
+    // long as that is below a hundredth: the first steps may include preparations, and would
+    // announce days.
+    static std::string time_left(double elapsed, double share);
 
   private:
     void print(std::uint64_t done, bool last);

@@ -7,6 +7,7 @@
 
 #include "bench/lab/records/benchmark_json.hpp"
 #include "bench/lab/records/csv.hpp"
+#include "bench/lab/records/progress.hpp"
 #include "bench/lab/records/record.hpp"
 #include "bench/lab/records/whole_file.hpp"
 
@@ -22,6 +23,14 @@ TEST(Cell, PrintsWhatAReaderExpects) {
     EXPECT_EQ(records::cell(0.5), "0.5");
     EXPECT_EQ(records::cell(1.0 / 3), "0.333333");
     EXPECT_EQ(records::cell(std::nan("")), "");
+}
+
+TEST(Progress, TellsTheTimeLeftOnceAShareIsDone) {
+    EXPECT_EQ(records::Progress::time_left(30, 0.25), "1:30");
+    EXPECT_EQ(records::Progress::time_left(5, 1), "0:00");
+    // A minute of preparation before the first of 10^7 steps says nothing about the others.
+    EXPECT_EQ(records::Progress::time_left(60, 1e-7), "?");
+    EXPECT_EQ(records::Progress::time_left(10, 0), "?");
 }
 
 struct Named {

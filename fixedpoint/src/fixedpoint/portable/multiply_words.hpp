@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The exact product of two 32-bit words, its upper word, and that of two 64-bit words. The first is
-// never inlined: the chip's compiler would extend an operand to 64 bits for all its products, and
-// multiply in full 64 bits.
+// Products of words: the exact one of two 32-bit words, its upper word, the upper word of that of
+// two 64-bit words, and a 64-bit word times a byte's fraction. The exact one is never inlined: the
+// chip's compiler would extend an operand to 64 bits for all its products, and multiply in full 64
+// bits.
 #pragma once
 
 #include <fixedpoint/integer.hpp>
@@ -19,8 +20,6 @@ FIXEDPOINT_CONSTEXPR uint32_t upper_product(uint32_t a, uint32_t b) {
     return static_cast<uint32_t>(multiply_words(a, b) >> 32);
 }
 
-// a b / 2^64, or up to 2^18 less: the product of the upper words, plus the products of the upper
-// halves of an upper and a lower word.
 // a j / 256, truncated.
 template <class, int>
 FIXEDPOINT_CONSTEXPR uint64_t byte_fraction(uint64_t a, uint8_t j) {
@@ -28,6 +27,8 @@ FIXEDPOINT_CONSTEXPR uint64_t byte_fraction(uint64_t a, uint8_t j) {
            (multiply_words(static_cast<uint32_t>(a), j) >> 8);
 }
 
+// a b / 2^64, or up to 2^18 less: the product of the upper words, plus the products of the upper
+// halves of an upper and a lower word.
 template <class, int>
 FIXEDPOINT_CONSTEXPR uint64_t multiply_upper_halves(uint64_t a, uint64_t b) {
     const uint32_t a1 = static_cast<uint32_t>(a >> 32), b1 = static_cast<uint32_t>(b >> 32);
