@@ -2,8 +2,8 @@
 // Which code runs for an operation in a format: kernel::operation<Raw, F>.
 //
 // A format with an assembly kernel of its own (table.hpp) calls that. This file says what the
-// others do: narrow formats use the kernels of Q16.16, and 64-bit formats some of Q32.32, if those
-// are accurate enough; everything else runs the portable implementation.
+// others do: narrow formats use the kernels of Q8.8 and Q16.16, and 64-bit formats some of Q32.32,
+// if those are accurate enough; everything else runs the portable implementation.
 #pragma once
 
 #include <fixedpoint/kernel/assembly.hpp>
@@ -217,9 +217,17 @@ struct FineSplit<Raw, F, true> {
     static FIXEDPOINT_CONSTEXPR Raw log(Raw a) { return log_64<Raw, 0>(a, F); }
 };
 
+// For angles of vectors in coarse formats, Q8.8 is enough, whatever the units of the operands: an
+// error of e ulp there becomes 1/2 + e 2^(F-8) ulp, at most 0.54 for F <= 4.
+template <class Raw, int F>
+constexpr bool through_q8_8() {
+    return sizeof(Raw) <= 2 && F <= 4;
+}
+
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw atan2(Raw y, Raw x) {
-    return through_q16_16<Raw, F>() && !is_q8_8<Raw, F>()
+    return through_q8_8<Raw, F>() ? portable::convert<Raw, F, int16_t, 8>(atan2<int16_t, 8>(y, x))
+           : through_q16_16<Raw, F>() && !is_q8_8<Raw, F>()
                ? from_q16_16<Raw, F>(atan2<int32_t, 16>(to_q16_16<Raw, F>(y), to_q16_16<Raw, F>(x)))
            : through_q32_32<Raw, F>() ? from_q32_32<Raw, F>(atan2<int64_t, 32>(y, x))
                                       : FineSplit<Raw, F>::atan2(y, x);
@@ -573,7 +581,7 @@ FIXEDPOINT_CONSTEXPR Raw remainder(Raw a, Raw b) {
                               : static_cast<Raw>(remainder<int8_t, 4>(static_cast<int8_t>(a),
                                                                       static_cast<int8_t>(b)));
 }
-// Neither do divrem and divmod. Up to 16 bits the compiler's division is as fast.
+// Neither do divrem and divmod. Up to 16 bits they are made of the compiler's division.
 #define FIXEDPOINT_DIVISION(operation)                                                        \
     template <class Raw>                                                                      \
     FIXEDPOINT_CONSTEXPR void raw_##operation(Raw a, Raw b, Raw* pair) {                      \
