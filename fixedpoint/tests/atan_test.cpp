@@ -18,6 +18,18 @@ TEST(Atan2, IsFaithful) {
                      }),
                      0.75});
 }
+// Formats with few fraction bits round an angle of Q8.8, of which one in 16 is a tie.
+TEST(Atan2, OfMirroredVectorsIsMirrored) {
+    for (int y = 1; y < 128; ++y)
+        for (int x = -128; x < 128; ++x) {
+            ASSERT_EQ((kernel::atan2<int8_t, 4>(int8_t(-y), int8_t(x))),
+                      (-kernel::atan2<int8_t, 4>(int8_t(y), int8_t(x))))
+                << y << ' ' << x;
+            ASSERT_EQ((kernel::atan2<int16_t, 3>(int16_t(-y), int16_t(x))),
+                      (-kernel::atan2<int16_t, 3>(int16_t(y), int16_t(x))))
+                << y << ' ' << x;
+        }
+}
 TEST(Atan, IsFaithful) {
     expect_accuracy({"atan", &arctangent,
                      subjects_of_every_split([]<class Raw, int F>(const int64_t* v) -> int64_t {
