@@ -70,7 +70,7 @@ constexpr bool is_rounded(Number d, Number q, bool x_is_negative, bool even) {
         const Number distance = d < 0 ? -d : d, other = q - distance;
         return distance < other || (distance == other && even);
     }
-    if constexpr (rounding == Rounding::nearest_upward)
+    if constexpr (rounding == Rounding::nearest_half_up)
         return d <= q / 2 && -d < q - q / 2;  // -1/2 < d / q <= 1/2
     const bool from_below = rounding == Rounding::downward || !x_is_negative;
     return from_below ? -q < d && d <= 0 : 0 <= d && d < q;
@@ -80,7 +80,7 @@ constexpr bool is_rounded(Number d, Number q, bool x_is_negative, bool even) {
 template <NumberFormat format, Rounding rounding, class Number>
 constexpr int beyond_range(Number n, Number q) {
     const Number high = Number(format.max()) * q, low = Number(format.min()) * q;
-    if constexpr (rounding == Rounding::nearest_upward || rounding == Rounding::nearest_even)
+    if constexpr (rounding == Rounding::nearest_half_up || rounding == Rounding::nearest_even)
         return n >= high + (q - q / 2) ? 1 : n < low - q / 2 ? -1 : 0;
     else if constexpr (rounding == Rounding::toward_zero)
         return n >= high + q ? 1 : n <= low - q ? -1 : 0;
@@ -136,7 +136,7 @@ Judgement judge_function(Number x, std::int64_t result) {
         if (x >= Number(format.max()) + Number(0.5)) return pinned(format.max(), result);
         if (x < Number(format.min()) - Number(0.5)) return pinned(format.min(), result);
     }
-    const bool as_defined = held_to.rounding == Rounding::nearest_upward
+    const bool as_defined = held_to.rounding == Rounding::nearest_half_up
                                 ? error > Number(-0.5) && error <= Number(0.5)
                                 : std::abs(double(error)) <= held_to.bound_ulp;
     return {.error_ulp = double(error),
@@ -168,14 +168,14 @@ Judgement judge_root(std::int64_t a, std::int64_t result, int F = subject.format
     const Number r = result;
     const bool nearest = square <= r * r + r && (r == 0 || square > r * r - r);
     const bool below = r * r <= square && square < (r + 1) * (r + 1);
-    const bool rounded = held_to.rounding == Rounding::nearest_upward ? nearest : below;
+    const bool rounded = held_to.rounding == Rounding::nearest_half_up ? nearest : below;
     // In a format whose range ends below 1, a root may round to 1.
     if (2 * F >= format.width) {
         const Number limit = Number(format.max());
-        const bool above = held_to.rounding == Rounding::nearest_upward
+        const bool above = held_to.rounding == Rounding::nearest_half_up
                                ? square > limit * limit + limit
                                : square >= (limit + 1) * (limit + 1);
-        if (above && held_to.overflow == Overflow::clamps) return pinned(format.max(), result);
+        if (above && held_to.overflow == Overflow::saturates) return pinned(format.max(), result);
     }
     const auto error = root_error<Float<format.width>>(result, square);
     const bool wraps = held_to.overflow == Overflow::wraps;
@@ -200,7 +200,7 @@ Judgement judge_length(std::span<const std::int64_t> v, std::int64_t result) {
 template <Subject subject>
 Judgement judge_unit_vector(std::span<const std::int64_t> v,
                             std::span<const std::int64_t> results) {
-    static_assert(definition(subject).rounding != Rounding::nearest_upward,
+    static_assert(definition(subject).rounding != Rounding::nearest_half_up,
                   "Double does not tell on which side of a tie a component lies.");
     constexpr NumberFormat format = subject.format;
     using Number = Float<format.width>;
@@ -357,7 +357,7 @@ Judgement judge(std::span<const std::int64_t> operands, std::span<const std::int
         if (published && operation == Operation::atan2 && exact < 0)
             exact += 2 * functions::atan2(Real(0), Real(-1));
         const Judgement judgement = judge_function<subject>(exact * one, result);
-        if constexpr (definition(subject).rounding == Rounding::nearest_upward &&
+        if constexpr (definition(subject).rounding == Rounding::nearest_half_up &&
                       !std::is_same_v<Real, Binary128>) {
             // This close to a tie, double cannot decide on which side of it the value lies.
             if (std::abs(std::abs(judgement.error_ulp) - 0.5) < std::ldexp(1.0, -14))

@@ -13,16 +13,16 @@
 namespace reference {
 
 enum class Rounding {
-    nearest_upward,  // round half up: floor(x + 1/2)
-    nearest_even,    // round half to even
-    toward_zero,     // the magnitude truncated
-    downward,        // floor(x)
-    within_bound     // any integer at most bound_ulp from x
+    nearest_half_up,  // floor(x + 1/2)
+    nearest_even,     // round half to even
+    toward_zero,      // the magnitude truncated
+    downward,         // floor(x)
+    within_bound      // any integer at most bound_ulp from x
 };
 
 enum class Overflow {
     wraps,        // modulo 2^W
-    clamps,       // saturates: the nearest representable number
+    saturates,    // the nearest representable number
     to_infinity,  // IEEE 754
     undefined     // not judged
 };
@@ -42,17 +42,17 @@ constexpr Definition definition(Operation operation, Arithmetic arithmetic) {
     const auto rounded = [&](Rounding rounding, Overflow overflow) {
         return Definition{
             operation == Operation::shift_right ? Rounding::downward : rounding, overflow,
-            rounding == Rounding::nearest_upward || rounding == Rounding::nearest_even ? 0.5 : 1};
+            rounding == Rounding::nearest_half_up || rounding == Rounding::nearest_even ? 0.5 : 1};
     };
     switch (arithmetic) {
         case Arithmetic::nearest:
         case Arithmetic::saturating:
         case Arithmetic::correctly_rounded: {
             const bool wrapping = ring && arithmetic != Arithmetic::saturating;
-            const Overflow overflow = wrapping ? Overflow::wraps : Overflow::clamps;
+            const Overflow overflow = wrapping ? Overflow::wraps : Overflow::saturates;
             if (function && arithmetic != Arithmetic::correctly_rounded)
                 return {Rounding::within_bound, overflow, bound};
-            return rounded(Rounding::nearest_upward, overflow);
+            return rounded(Rounding::nearest_half_up, overflow);
         }
         case Arithmetic::toward_zero:
         case Arithmetic::downward:
@@ -194,7 +194,7 @@ constexpr Definition definition(const Subject& subject) {
     if (subject.format.kind == FormatKind::integer)
         return {Rounding::toward_zero, Overflow::undefined, 1};
     Definition conversion = definition(subject.operation, subject.arithmetic);
-    conversion.overflow = Overflow::clamps;
+    conversion.overflow = Overflow::saturates;
     return conversion;
 }
 

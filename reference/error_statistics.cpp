@@ -16,7 +16,7 @@ nlohmann::json operands_of(const Witness& witness) {
 
 Witness witness_of(const nlohmann::json& json) {
     const auto operands = json.get<std::vector<std::int64_t>>();
-    if (operands.size() > most_operands)
+    if (operands.size() > max_operands)
         throw std::invalid_argument("a witness of error statistics has too many operands");
     return Witness(operands);
 }

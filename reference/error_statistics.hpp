@@ -31,7 +31,7 @@ class Witness {
 
   private:
     std::size_t count_ = 0;
-    std::array<std::int64_t, most_operands> operands_{};
+    std::array<std::int64_t, max_operands> operands_{};
 };
 
 class ErrorStatistics {

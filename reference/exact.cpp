@@ -27,7 +27,7 @@ Real length(std::span<const Rational> v) { return sqrt(to_real(dot(v, v))); }
 
 // The exponent of a float's last place in the binade of x.
 int last_place(const NumberFormat& format, const Rational& x) {
-    const int least = format.least_place();
+    const int least = format.min_place();
     return x == 0 ? least : std::max(binade(x) - format.significand_bits() + 1, least);
 }
 

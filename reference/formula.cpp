@@ -30,7 +30,7 @@ struct Formula::Node {
     Real value(std::span<const Real> operands) const {
         if (is_leaf()) return leaf(operands);
         // Not a vector, for speed: a formula is evaluated for millions of operands.
-        std::array<Real, most_parts> values;
+        std::array<Real, max_parts> values;
         for (std::size_t i = 0; i < parts.size(); ++i) {
             if (parts[i]->is_leaf())
                 values[i] = parts[i]->leaf(operands);
@@ -39,7 +39,7 @@ struct Formula::Node {
         }
         return function(std::span(values).first(parts.size()));
     }
-    static constexpr std::size_t most_parts = 2;
+    static constexpr std::size_t max_parts = 2;
 };
 
 namespace {

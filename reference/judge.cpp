@@ -32,7 +32,7 @@ Number rounded(const Number& x, Rounding rounding) {
             return x < 0 ? Number(-floor(Number(-x))) : floor(x);
         case Rounding::downward:
             return floor(x);
-        case Rounding::nearest_upward:
+        case Rounding::nearest_half_up:
         case Rounding::within_bound:
             break;
     }
@@ -70,7 +70,7 @@ Judgement judge_fixed(const NumberFormat& format, const Definition& definition, 
     if (above || below) {
         if (definition.overflow == Overflow::undefined)
             return {.excluded = "overflow is undefined here"};
-        if (definition.overflow == Overflow::clamps)
+        if (definition.overflow == Overflow::saturates)
             return judge_pinned(format, above ? format.max() : format.min(), result);
     }
     const bool wraps = definition.overflow == Overflow::wraps;
@@ -96,7 +96,7 @@ Judgement judge_float(const NumberFormat& format, const Definition& definition, 
                             result);
     };
     if (abs(exact) >= limit) return overflow();
-    const int least = format.least_place();
+    const int least = format.min_place();
     const int last_place =
         exact == 0 ? least : std::max(binade(exact) - (format.significand_bits() - 1), least);
     const Number x = scale(exact, -last_place);
@@ -187,7 +187,7 @@ class Judge {
     bool in_domain_of_operation() const {
         if (!subject_.operand_format.is_float())
             return in_domain(subject_.operation, operands_, raw_one(subject_.operand_format));
-        double numbers[most_operands];
+        double numbers[max_operands];
         for (std::size_t i = 0; i < operands_.size(); ++i)
             numbers[i] = to_double(subject_.operand_format, operands_[i]);
         return in_domain(subject_.operation, std::span<const double>(numbers, operands_.size()),
@@ -250,7 +250,7 @@ class Judge {
 
     template <class Float>
     Judgement special_as(Operation operation, std::int64_t result) const {
-        Float numbers[most_operands] = {};
+        Float numbers[max_operands] = {};
         for (std::size_t i = 0; i < operands_.size(); ++i)
             numbers[i] = Float(to_double(subject_.operand_format, operands_[i]));
         const Float pinned = special_case(operation, numbers);

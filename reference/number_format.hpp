@@ -29,9 +29,9 @@ struct NumberFormat {
     // the exponent of infinity; the exponent of the smallest normal number.
     constexpr int significand_bits() const { return width == 32 ? 24 : 53; }
     constexpr int infinity_exponent() const { return width == 32 ? 128 : 1024; }
-    constexpr int least_exponent() const { return 2 - infinity_exponent(); }
+    constexpr int min_exponent() const { return 2 - infinity_exponent(); }
     // The exponent of the last place of the subnormal numbers.
-    constexpr int least_place() const { return least_exponent() - significand_bits() + 1; }
+    constexpr int min_place() const { return min_exponent() - significand_bits() + 1; }
     constexpr std::int64_t infinity() const {
         return std::int64_t(2 * infinity_exponent() - 1) << (significand_bits() - 1);
     }

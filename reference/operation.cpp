@@ -10,7 +10,7 @@ namespace {
 
 constexpr bool rows_fit_their_limits() {
     for (const OperationShape& row : operations)
-        if (row.operands > most_operands || row.results > most_results) return false;
+        if (row.operands > max_operands || row.results > max_results) return false;
     return true;
 }
 static_assert(rows_fit_their_limits(), "Arrays of operands and results are of these sizes.");

@@ -56,8 +56,8 @@ struct OperationShape {
 inline constexpr std::array operations = {OPERATIONS(OPERATION_SHAPE)};
 #undef OPERATION_SHAPE
 
-inline constexpr std::size_t most_operands = 6;
-inline constexpr std::size_t most_results = 3;
+inline constexpr std::size_t max_operands = 6;
+inline constexpr std::size_t max_results = 3;
 
 constexpr const OperationShape& shape(Operation operation) {
     return operations[std::size_t(operation)];

@@ -81,7 +81,7 @@ void draw_state(Lines& lines, const Status& s) {
 }
 
 void draw_plant(Lines& lines, const Status& s) {
-    constexpr double travel = haptic::degrees(60), most_force = 10, counts = 1023;
+    constexpr double travel = haptic::degrees(60), max_force = 10, counts = 1023;
     const auto angle = [&](std::wstring_view name, double value, Ink ink) {
         lines.measure(name, fmt::format(L"{:.2f} \u00b0", value / haptic::degrees(1)),
                       value / travel, ink);
@@ -91,7 +91,7 @@ void draw_plant(Lines& lines, const Status& s) {
     lines.measure(L"pulse", fmt::format(L"{:.0f} \u00b5s", s.pulse * 1e6), (s.pulse - 1e-3) / 1e-3);
     lines.space();
     lines.line(L"hand", fmt::format(L"{:.2f} N", s.hand_force),
-               bar(bar_cells, 0.5, 0.5 + s.hand_force / most_force / 2), Ink::weight);
+               bar(bar_cells, 0.5, 0.5 + s.hand_force / max_force / 2), Ink::weight);
     for (const int sensor : {0, 1})
         lines.measure(sensor == 0 ? L"sensor A" : L"sensor B",
                       fmt::format(L"{:.0f}", s.reading[sensor]), s.reading[sensor] / counts,

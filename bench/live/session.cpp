@@ -19,7 +19,7 @@ constexpr double hand_moves = degrees(3), hand_takes = 0.06;  // rad, s
 constexpr double push_force = 2.5, push_lasts = 0.15;         // N, s
 constexpr double hand_closes = 0.05;                          // s
 constexpr double dial_turns = 0.05;
-constexpr double least_hand = degrees(-5), most_hand = degrees(65);
+constexpr double min_hand = degrees(-5), max_hand = degrees(65);
 
 constexpr double forever = std::numeric_limits<double>::infinity();
 
@@ -97,7 +97,7 @@ void Session::push(double direction) {
         // From where the last key wanted it, so that none is lost.
         const double wanted = script.hand_angle.at(now + hand_takes) + direction * hand_moves;
         script.hand_angle.from(angle).ramp(now, now + hand_takes,
-                                           std::clamp(wanted, least_hand, most_hand));
+                                           std::clamp(wanted, min_hand, max_hand));
     } else {
         script.hand_force.from(direction * push_force).step(now + push_lasts, 0);
     }

@@ -10,7 +10,7 @@ ARITHMETICS = {"published": "2016 design", "q16_16": "ours, Q16.16", "float": "o
 DAMPINGS = {"no": "without damping", "yes": "selective damping"}
 COLOURS = {"yes": style.INK, "no": "#999999"}
 THEORY = "#777777"
-STILL = 1.5  # degrees
+AT_REST = 1.5  # degrees
 
 
 def key(row):
@@ -35,21 +35,21 @@ def grid(rows, column):
     return arms, hands, shares
 
 
-def write_thrown(axes, rows, arms, hands):
-    """How many plants are still when they are thrown, if not all are."""
+def write_released(axes, rows, arms, hands):
+    """How many plants are at rest when they are released against the hand, if not all are."""
     for row in rows:
-        if row["still_thrown"] == row["plants"]:
+        if row["released_at_rest"] == row["plants"]:
             continue
         axes.text(arms.index(row["arm_m"]), hands.index(row["hand_n_per_m"]),
-                  str(row["still_thrown"]), ha="center", va="center", fontsize=6,
-                  color="white" if 2 * row["still"] < row["plants"] else "black")
+                  str(row["released_at_rest"]), ha="center", va="center", fontsize=6,
+                  color="white" if 2 * row["at_rest"] < row["plants"] else "black")
 
 
 def settled(data):
     """The levers with which every plant is at rest, grasped or released against, at each rate, arm and hand."""
     rows = data.rows("stable_region")
     levers = dict.fromkeys((row["arithmetic"], row["damping"]) for row in rows)
-    return [lever for lever in levers if all(row["still"] == row["still_thrown"] == row["plants"] for row in rows
+    return [lever for lever in levers if all(row["at_rest"] == row["released_at_rest"] == row["plants"] for row in rows
                                              if (row["arithmetic"], row["damping"]) == lever)]
 
 
@@ -65,7 +65,7 @@ def draw(data):
     rest, every = settled(data), grouped(data.rows("stable_region"))
     groups = {group: rows for group, rows in every.items() if group[:2] not in rest} or every
     columns = sorted({(clock, rate) for _, _, clock, rate in groups},
-                     key=lambda column: (column[0] != "report", column[1]))
+                     key=lambda column: (column[0] != "published", column[1]))
     lines = [(arithmetic, damping) for arithmetic in ARITHMETICS for damping in DAMPINGS
              if any(group[:2] == (arithmetic, damping) for group in groups)]
     figure, panels = plt.subplots(len(lines), len(columns), squeeze=False, sharex=True,
@@ -78,9 +78,9 @@ def draw(data):
             if rows is None:
                 axes.set_axis_off()
                 continue
-            arms, hands, measured = grid(rows, "still")
+            arms, hands, measured = grid(rows, "at_rest")
             theory = grid(rows, "linear_stable")[2]
-            write_thrown(axes, rows, arms, hands)
+            write_released(axes, rows, arms, hands)
             image = axes.imshow(measured, origin="lower", aspect="auto", vmin=0, vmax=1,
                                 cmap="cividis")
             if theory.min() < 0.5 <= theory.max():
@@ -134,7 +134,7 @@ def oscillation(data):
             above = angles > angles.mean()
             passes = int(numpy.sum(above[1:] & ~above[:-1]))
             result.append({"lever": ARITHMETICS[arithmetic], "damping": DAMPINGS[damping],
-                           "swing": float(swing), "frequency": passes if swing > STILL else None})
+                           "swing": float(swing), "frequency": passes if swing > AT_REST else None})
     return result
 
 
@@ -164,12 +164,12 @@ def summary(data):
         of_plants, seen = limits[lever], chips.get(lever, [])
         result.append({
             "lever": ARITHMETICS[arithmetic], "damping": damping,
-            "rate": f"{rate:.0f}" + (", its own clock" if clock == "report" else ""),
-            "taken_up": share(rows, "still"), "thrown": share(rows, "still_thrown"),
+            "rate": f"{rate:.0f}" + (", its own clock" if clock == "published" else ""),
+            "grasped": share(rows, "at_rest"), "released": share(rows, "released_at_rest"),
             "theory": share(rows, "linear_stable"),
             "hardest": least(row["hardest_hand_n_per_m"] for row in of_plants),
             "theory_arm": most(row["linear_shortest_arm_m"] for row in of_plants),
-            "chip": f"{sum(row['chip'] == 'still' for row in seen)} of {len(seen)}" if seen
+            "chip": f"{sum(row['chip'] == "at_rest" for row in seen)} of {len(seen)}" if seen
                     else None,
         })
     return result

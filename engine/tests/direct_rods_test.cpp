@@ -129,15 +129,15 @@ void expect_held(unsigned links, Scalar last_inverse_mass, double by) {
     WorldOfRods<Scalar> world;
     hang(world, links, last_inverse_mass);
     const double start = energy(world);
-    double largest = 0, most_energy = 0;
+    double largest = 0, max_energy = 0;
     for (int step = 0; step < 4 << K; ++step) {
         world.step(BinaryStep<K>());
         largest = std::max(largest, stretch(world));
-        most_energy = std::max(most_energy, energy(world));
+        max_energy = std::max(max_energy, energy(world));
     }
     EXPECT_EQ(world.error(), Error::none);
     EXPECT_LT(largest, by) << links << " links";
-    EXPECT_LT(most_energy, 1.1 * start) << links << " links";
+    EXPECT_LT(max_energy, 1.1 * start) << links << " links";
 }
 
 }  // namespace

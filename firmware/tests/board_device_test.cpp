@@ -295,7 +295,7 @@ struct Handler {
     const char* name;
     const char* vector;
     Task task;
-    unsigned most_cycles;
+    unsigned max_cycles;
 };
 class HandlerTest : public BoardTest, public testing::WithParamInterface<Handler> {};
 INSTANTIATE_TEST_SUITE_P(, HandlerTest,
@@ -316,7 +316,7 @@ TEST_P(HandlerTest, TakesFewCycles) {
         longest = std::max(longest, cycles);
         shortest = std::min(shortest, cycles);
     }
-    EXPECT_LE(longest, GetParam().most_cycles);
+    EXPECT_LE(longest, GetParam().max_cycles);
     std::printf("%s: %u to %u cycles\n", GetParam().name, shortest, longest);
 }
 

@@ -33,7 +33,7 @@ TEST(Calibration, RisesWithinBoundsForEveryReading) {
     for (int reading = -100; reading < 1200; ++reading) {
         const Q16_16 now = grams<Q16_16>(reading);
         EXPECT_GE(now, last) << reading;
-        EXPECT_LE(now, Q16_16::from_integer(calibration::most_grams)) << reading;
+        EXPECT_LE(now, Q16_16::from_integer(calibration::max_grams)) << reading;
         last = now;
     }
     EXPECT_GT(last, grams<Q16_16>(0));

@@ -4,10 +4,11 @@
 /// The library for C, and for every language that can call C: each operation is a function on
 /// plain integers. A number of Q16.16 is an int32_t, value = raw / 2^16; q16_16 names that type.
 ///
-/// An "ulp" is the distance between adjacent numbers. Compare numbers with the operators of C. On
-/// an AVR with a multiplier, a function that has an assembly kernel is that kernel. All other
-/// functions are in fixedpoint_c.cpp: link the library that CMake builds from it, or compile it
-/// with the program. Define FIXEDPOINT_NO_ASSEMBLY for both to turn the kernels off.
+/// An "ulp" is the distance between adjacent numbers; a "faithful" result errs by less than 0.75
+/// ulp. Compare numbers with the operators of C. On an AVR with a multiplier, a function that has
+/// an assembly kernel is that kernel. All other functions are in fixedpoint_c.cpp: link the library
+/// that CMake builds from it, or compile it with the program. Define FIXEDPOINT_NO_ASSEMBLY for
+/// both to turn the kernels off.
 #ifndef FIXEDPOINT_C_H
 #define FIXEDPOINT_C_H
 
@@ -87,76 +88,74 @@ q4_4 q4_4_shift_right(q4_4 a, uint8_t count);
 /// The square root rounded to nearest; 0 if a < 0.
 q4_4 q4_4_sqrt(q4_4 a)
     FIXEDPOINT_C_KERNEL(fixedpoint_sqrt_q4_4);
-/// 1 / sqrt(a) within 0.75 ulp, saturated to Q4_4_MAX; Q4_4_MAX if a is 0, and 0 if a < 0.
+/// 1 / sqrt(a), faithful, saturated to Q4_4_MAX; Q4_4_MAX if a is 0, and 0 if a < 0.
 q4_4 q4_4_reciprocal_sqrt(q4_4 a)
     FIXEDPOINT_C_KERNEL(fixedpoint_reciprocal_sqrt_q4_4);
-/// The sine of any angle in radians within 0.75 ulp, never outside [-1, 1].
+/// The sine of any angle in radians, faithful, never outside [-1, 1].
 q4_4 q4_4_sin(q4_4 angle)
     FIXEDPOINT_C_KERNEL(fixedpoint_sin_q4_4);
-/// The cosine of any angle in radians within 0.75 ulp, never outside [-1, 1].
+/// The cosine of any angle in radians, faithful, never outside [-1, 1].
 q4_4 q4_4_cos(q4_4 angle)
     FIXEDPOINT_C_KERNEL(fixedpoint_cos_q4_4);
 /// Writes what sin and cos return, in that order, in less time than two calls.
 void q4_4_sincos(q4_4 angle, q4_4 sine_and_cosine[2])
     FIXEDPOINT_C_KERNEL(fixedpoint_sincos_q4_4);
-/// The arc tangent in radians within 0.75 ulp.
+/// The arc tangent in radians, faithful.
 q4_4 q4_4_atan(q4_4 a)
     FIXEDPOINT_C_KERNEL(fixedpoint_atan_q4_4);
-/// The angle of the vector (x, y) in radians, in (-pi, pi], within 0.75 ulp; 0 if both are 0.
+/// The angle of the vector (x, y) in radians, in (-pi, pi], faithful; 0 if both are 0.
 q4_4 q4_4_atan2(q4_4 y, q4_4 x);
-/// e^a within 0.75 ulp, saturated to Q4_4_MAX; it may be 0 if e^a is below 0.75 ulp.
+/// e^a, faithful, saturated to Q4_4_MAX; it may be 0 if e^a is below 0.75 ulp.
 q4_4 q4_4_exp(q4_4 a)
     FIXEDPOINT_C_KERNEL(fixedpoint_exp_q4_4);
-/// The natural logarithm within 0.75 ulp; Q4_4_MIN if a <= 0.
+/// The natural logarithm, faithful; Q4_4_MIN if a <= 0.
 q4_4 q4_4_log(q4_4 a)
     FIXEDPOINT_C_KERNEL(fixedpoint_log_q4_4);
-/// The tangent of any angle in radians within 0.75 ulp, saturated near a pole.
+/// The tangent of any angle in radians, faithful, saturated near a pole.
 q4_4 q4_4_tan(q4_4 angle);
-/// The arc sine in radians within 0.75 ulp, saturated. An argument outside [-1, 1] counts as the
-/// nearer end.
+/// The arc sine in radians, faithful, saturated. An argument outside [-1, 1] counts as the nearer
+/// end.
 q4_4 q4_4_asin(q4_4 a);
-/// The arc cosine in radians within 0.75 ulp, saturated. An argument outside [-1, 1] counts as the
-/// nearer end.
+/// The arc cosine in radians, faithful, saturated. An argument outside [-1, 1] counts as the nearer
+/// end.
 q4_4 q4_4_acos(q4_4 a);
-/// 2^a within 0.75 ulp, saturated to Q4_4_MAX.
+/// 2^a, faithful, saturated to Q4_4_MAX.
 q4_4 q4_4_exp2(q4_4 a);
-/// e^a - 1 within 0.75 ulp, saturated to Q4_4_MAX.
+/// e^a - 1, faithful, saturated to Q4_4_MAX.
 q4_4 q4_4_expm1(q4_4 a);
-/// The logarithm to base 2 within 0.75 ulp, exact for powers of 2; Q4_4_MIN if a <= 0.
+/// The logarithm to base 2, faithful, exact for powers of 2; Q4_4_MIN if a <= 0.
 q4_4 q4_4_log2(q4_4 a);
-/// The logarithm to base 10 within 0.75 ulp; Q4_4_MIN if a <= 0.
+/// The logarithm to base 10, faithful; Q4_4_MIN if a <= 0.
 q4_4 q4_4_log10(q4_4 a);
-/// ln(1 + a) within 0.75 ulp; Q4_4_MIN if a <= -1.
+/// ln(1 + a), faithful; Q4_4_MIN if a <= -1.
 q4_4 q4_4_log1p(q4_4 a);
-/// The hyperbolic sine within 0.75 ulp, saturated.
+/// The hyperbolic sine, faithful, saturated.
 q4_4 q4_4_sinh(q4_4 a);
-/// The hyperbolic cosine within 0.75 ulp, saturated to Q4_4_MAX.
+/// The hyperbolic cosine, faithful, saturated to Q4_4_MAX.
 q4_4 q4_4_cosh(q4_4 a);
-/// The hyperbolic tangent within 0.75 ulp, never outside [-1, 1].
+/// The hyperbolic tangent, faithful, never outside [-1, 1].
 q4_4 q4_4_tanh(q4_4 a);
-/// The cube root within 0.75 ulp, negative if a is.
+/// The cube root, faithful, negative if a is.
 q4_4 q4_4_cbrt(q4_4 a);
-/// x^y within 0.75 ulp, saturated; 1 if y is 0. Otherwise, if x is 0: 0, or Q4_4_MAX if y < 0. If x
-/// < 0: the power of |x|, negated if y is odd, and 0 if y is not an integer.
+/// x^y, faithful, saturated; 1 if y is 0. Otherwise, if x is 0: 0, or Q4_4_MAX if y < 0. If x < 0:
+/// the power of |x|, negated if y is odd, and 0 if y is not an integer.
 q4_4 q4_4_pow(q4_4 x, q4_4 y);
-/// The sine of any angle in turns within 0.75 ulp, exact at quarter turns, never outside [-1, 1].
+/// The sine of any angle in turns, faithful, exact at quarter turns, never outside [-1, 1].
 q4_4 q4_4_sin_turns(q4_4 angle);
-/// The cosine of any angle in turns within 0.75 ulp, exact at quarter turns, never outside [-1, 1].
+/// The cosine of any angle in turns, faithful, exact at quarter turns, never outside [-1, 1].
 q4_4 q4_4_cos_turns(q4_4 angle);
 /// Writes what sin_turns and cos_turns return, in that order.
 void q4_4_sincos_turns(q4_4 angle, q4_4 sine_and_cosine[2]);
-/// The angle of the vector (x, y) in turns, from -1/2 to 1/2, within 0.75 ulp; 0 if both are 0.
+/// The angle of the vector (x, y) in turns, from -1/2 to 1/2, faithful; 0 if both are 0.
 q4_4 q4_4_atan2_turns(q4_4 y, q4_4 x);
-/// The sine of any angle in degrees within 0.75 ulp, exact at multiples of 90, never outside [-1,
-/// 1].
+/// The sine of any angle in degrees, faithful, exact at multiples of 90, never outside [-1, 1].
 q4_4 q4_4_sin_degrees(q4_4 angle);
-/// The cosine of any angle in degrees within 0.75 ulp, exact at multiples of 90, never outside [-1,
-/// 1].
+/// The cosine of any angle in degrees, faithful, exact at multiples of 90, never outside [-1, 1].
 q4_4 q4_4_cos_degrees(q4_4 angle);
 /// Writes what sin_degrees and cos_degrees return, in that order.
 void q4_4_sincos_degrees(q4_4 angle, q4_4 sine_and_cosine[2]);
-/// The angle of the vector (x, y) in degrees, from -180 to 180, within 0.75 ulp, saturated; 0 if
-/// both are 0.
+/// The angle of the vector (x, y) in degrees, from -180 to 180, faithful, saturated; 0 if both are
+/// 0.
 q4_4 q4_4_atan2_degrees(q4_4 y, q4_4 x);
 /// Writes trunc(a / b), an integer, saturated, and the exact remainder a - b trunc(a / b), which is
 /// 0 or has the sign of a. If b is 0, the quotient is Q4_4_MAX if a > 0, Q4_4_MIN if a < 0, 0 if a
@@ -179,7 +178,7 @@ int8_t q4_4_sign(q4_4 a);
 int8_t q4_4_isqrt(int8_t n);
 /// |a| with the sign of b, where 0 counts as positive; Q4_4_MIN if a is Q4_4_MIN.
 q4_4 q4_4_copysign(q4_4 a, q4_4 b);
-/// x^n within 0.75 ulp, saturated; 1 if n is 0, and Q4_4_MAX if x is 0 and n < 0.
+/// x^n, faithful, saturated; 1 if n is 0, and Q4_4_MAX if x is 0 and n < 0.
 q4_4 q4_4_power(q4_4 x, int32_t n);
 /// a[0] b[0] + a[1] b[1] rounded once, to nearest, half up, modulo 2^4.
 q4_4 q4_4_dot2(const q4_4 a[2], const q4_4 b[2])
@@ -264,77 +263,75 @@ q8_8 q8_8_shift_right(q8_8 a, uint8_t count);
 /// The square root rounded to nearest; 0 if a < 0.
 q8_8 q8_8_sqrt(q8_8 a)
     FIXEDPOINT_C_KERNEL(fixedpoint_sqrt_q8_8);
-/// 1 / sqrt(a) within 0.75 ulp, saturated to Q8_8_MAX; Q8_8_MAX if a is 0, and 0 if a < 0.
+/// 1 / sqrt(a), faithful, saturated to Q8_8_MAX; Q8_8_MAX if a is 0, and 0 if a < 0.
 q8_8 q8_8_reciprocal_sqrt(q8_8 a)
     FIXEDPOINT_C_KERNEL(fixedpoint_reciprocal_sqrt_q8_8);
-/// The sine of any angle in radians within 0.75 ulp, never outside [-1, 1].
+/// The sine of any angle in radians, faithful, never outside [-1, 1].
 q8_8 q8_8_sin(q8_8 angle)
     FIXEDPOINT_C_KERNEL(fixedpoint_sin_q8_8);
-/// The cosine of any angle in radians within 0.75 ulp, never outside [-1, 1].
+/// The cosine of any angle in radians, faithful, never outside [-1, 1].
 q8_8 q8_8_cos(q8_8 angle)
     FIXEDPOINT_C_KERNEL(fixedpoint_cos_q8_8);
 /// Writes what sin and cos return, in that order, in less time than two calls.
 void q8_8_sincos(q8_8 angle, q8_8 sine_and_cosine[2])
     FIXEDPOINT_C_KERNEL(fixedpoint_sincos_q8_8);
-/// The arc tangent in radians within 0.75 ulp.
+/// The arc tangent in radians, faithful.
 q8_8 q8_8_atan(q8_8 a)
     FIXEDPOINT_C_KERNEL(fixedpoint_atan_q8_8);
-/// The angle of the vector (x, y) in radians, in (-pi, pi], within 0.75 ulp; 0 if both are 0.
+/// The angle of the vector (x, y) in radians, in (-pi, pi], faithful; 0 if both are 0.
 q8_8 q8_8_atan2(q8_8 y, q8_8 x)
     FIXEDPOINT_C_KERNEL(fixedpoint_atan2_q8_8);
-/// e^a within 0.75 ulp, saturated to Q8_8_MAX; it may be 0 if e^a is below 0.75 ulp.
+/// e^a, faithful, saturated to Q8_8_MAX; it may be 0 if e^a is below 0.75 ulp.
 q8_8 q8_8_exp(q8_8 a)
     FIXEDPOINT_C_KERNEL(fixedpoint_exp_q8_8);
-/// The natural logarithm within 0.75 ulp; Q8_8_MIN if a <= 0.
+/// The natural logarithm, faithful; Q8_8_MIN if a <= 0.
 q8_8 q8_8_log(q8_8 a)
     FIXEDPOINT_C_KERNEL(fixedpoint_log_q8_8);
-/// The tangent of any angle in radians within 0.75 ulp, saturated near a pole.
+/// The tangent of any angle in radians, faithful, saturated near a pole.
 q8_8 q8_8_tan(q8_8 angle);
-/// The arc sine in radians within 0.75 ulp, saturated. An argument outside [-1, 1] counts as the
-/// nearer end.
+/// The arc sine in radians, faithful, saturated. An argument outside [-1, 1] counts as the nearer
+/// end.
 q8_8 q8_8_asin(q8_8 a);
-/// The arc cosine in radians within 0.75 ulp, saturated. An argument outside [-1, 1] counts as the
-/// nearer end.
+/// The arc cosine in radians, faithful, saturated. An argument outside [-1, 1] counts as the nearer
+/// end.
 q8_8 q8_8_acos(q8_8 a);
-/// 2^a within 0.75 ulp, saturated to Q8_8_MAX.
+/// 2^a, faithful, saturated to Q8_8_MAX.
 q8_8 q8_8_exp2(q8_8 a);
-/// e^a - 1 within 0.75 ulp, saturated to Q8_8_MAX.
+/// e^a - 1, faithful, saturated to Q8_8_MAX.
 q8_8 q8_8_expm1(q8_8 a);
-/// The logarithm to base 2 within 0.75 ulp, exact for powers of 2; Q8_8_MIN if a <= 0.
+/// The logarithm to base 2, faithful, exact for powers of 2; Q8_8_MIN if a <= 0.
 q8_8 q8_8_log2(q8_8 a);
-/// The logarithm to base 10 within 0.75 ulp; Q8_8_MIN if a <= 0.
+/// The logarithm to base 10, faithful; Q8_8_MIN if a <= 0.
 q8_8 q8_8_log10(q8_8 a);
-/// ln(1 + a) within 0.75 ulp; Q8_8_MIN if a <= -1.
+/// ln(1 + a), faithful; Q8_8_MIN if a <= -1.
 q8_8 q8_8_log1p(q8_8 a);
-/// The hyperbolic sine within 0.75 ulp, saturated.
+/// The hyperbolic sine, faithful, saturated.
 q8_8 q8_8_sinh(q8_8 a);
-/// The hyperbolic cosine within 0.75 ulp, saturated to Q8_8_MAX.
+/// The hyperbolic cosine, faithful, saturated to Q8_8_MAX.
 q8_8 q8_8_cosh(q8_8 a);
-/// The hyperbolic tangent within 0.75 ulp, never outside [-1, 1].
+/// The hyperbolic tangent, faithful, never outside [-1, 1].
 q8_8 q8_8_tanh(q8_8 a);
-/// The cube root within 0.75 ulp, negative if a is.
+/// The cube root, faithful, negative if a is.
 q8_8 q8_8_cbrt(q8_8 a);
-/// x^y within 0.75 ulp, saturated; 1 if y is 0. Otherwise, if x is 0: 0, or Q8_8_MAX if y < 0. If x
-/// < 0: the power of |x|, negated if y is odd, and 0 if y is not an integer.
+/// x^y, faithful, saturated; 1 if y is 0. Otherwise, if x is 0: 0, or Q8_8_MAX if y < 0. If x < 0:
+/// the power of |x|, negated if y is odd, and 0 if y is not an integer.
 q8_8 q8_8_pow(q8_8 x, q8_8 y);
-/// The sine of any angle in turns within 0.75 ulp, exact at quarter turns, never outside [-1, 1].
+/// The sine of any angle in turns, faithful, exact at quarter turns, never outside [-1, 1].
 q8_8 q8_8_sin_turns(q8_8 angle);
-/// The cosine of any angle in turns within 0.75 ulp, exact at quarter turns, never outside [-1, 1].
+/// The cosine of any angle in turns, faithful, exact at quarter turns, never outside [-1, 1].
 q8_8 q8_8_cos_turns(q8_8 angle);
 /// Writes what sin_turns and cos_turns return, in that order.
 void q8_8_sincos_turns(q8_8 angle, q8_8 sine_and_cosine[2]);
-/// The angle of the vector (x, y) in turns, from -1/2 to 1/2, within 0.75 ulp; 0 if both are 0.
+/// The angle of the vector (x, y) in turns, from -1/2 to 1/2, faithful; 0 if both are 0.
 q8_8 q8_8_atan2_turns(q8_8 y, q8_8 x);
-/// The sine of any angle in degrees within 0.75 ulp, exact at multiples of 90, never outside [-1,
-/// 1].
+/// The sine of any angle in degrees, faithful, exact at multiples of 90, never outside [-1, 1].
 q8_8 q8_8_sin_degrees(q8_8 angle);
-/// The cosine of any angle in degrees within 0.75 ulp, exact at multiples of 90, never outside [-1,
-/// 1].
+/// The cosine of any angle in degrees, faithful, exact at multiples of 90, never outside [-1, 1].
 q8_8 q8_8_cos_degrees(q8_8 angle);
 /// Writes what sin_degrees and cos_degrees return, in that order.
 void q8_8_sincos_degrees(q8_8 angle, q8_8 sine_and_cosine[2]);
-/// The angle of the vector (x, y) in degrees, from -180 to 180, within 0.75 ulp, saturated; 0 if
-/// both are 0.
+/// The angle of the vector (x, y) in degrees, from -180 to 180, faithful, saturated; 0 if both are
+/// 0.
 q8_8 q8_8_atan2_degrees(q8_8 y, q8_8 x);
 /// Writes trunc(a / b), an integer, saturated, and the exact remainder a - b trunc(a / b), which is
 /// 0 or has the sign of a. If b is 0, the quotient is Q8_8_MAX if a > 0, Q8_8_MIN if a < 0, 0 if a
@@ -357,7 +354,7 @@ int8_t q8_8_sign(q8_8 a);
 int16_t q8_8_isqrt(int16_t n);
 /// |a| with the sign of b, where 0 counts as positive; Q8_8_MIN if a is Q8_8_MIN.
 q8_8 q8_8_copysign(q8_8 a, q8_8 b);
-/// x^n within 0.75 ulp, saturated; 1 if n is 0, and Q8_8_MAX if x is 0 and n < 0.
+/// x^n, faithful, saturated; 1 if n is 0, and Q8_8_MAX if x is 0 and n < 0.
 q8_8 q8_8_power(q8_8 x, int32_t n);
 /// a[0] b[0] + a[1] b[1] rounded once, to nearest, half up, modulo 2^8.
 q8_8 q8_8_dot2(const q8_8 a[2], const q8_8 b[2])
@@ -444,80 +441,78 @@ q16_16 q16_16_shift_right(q16_16 a, uint8_t count);
 /// The square root rounded to nearest; 0 if a < 0.
 q16_16 q16_16_sqrt(q16_16 a)
     FIXEDPOINT_C_KERNEL(fixedpoint_sqrt_q16_16);
-/// 1 / sqrt(a) within 0.75 ulp, saturated to Q16_16_MAX; Q16_16_MAX if a is 0, and 0 if a < 0.
+/// 1 / sqrt(a), faithful, saturated to Q16_16_MAX; Q16_16_MAX if a is 0, and 0 if a < 0.
 q16_16 q16_16_reciprocal_sqrt(q16_16 a)
     FIXEDPOINT_C_KERNEL(fixedpoint_reciprocal_sqrt_q16_16);
-/// The sine of any angle in radians within 0.75 ulp, never outside [-1, 1].
+/// The sine of any angle in radians, faithful, never outside [-1, 1].
 q16_16 q16_16_sin(q16_16 angle)
     FIXEDPOINT_C_KERNEL(fixedpoint_sin_q16_16);
-/// The cosine of any angle in radians within 0.75 ulp, never outside [-1, 1].
+/// The cosine of any angle in radians, faithful, never outside [-1, 1].
 q16_16 q16_16_cos(q16_16 angle)
     FIXEDPOINT_C_KERNEL(fixedpoint_cos_q16_16);
 /// Writes what sin and cos return, in that order, in less time than two calls.
 void q16_16_sincos(q16_16 angle, q16_16 sine_and_cosine[2])
     FIXEDPOINT_C_KERNEL(fixedpoint_sincos_q16_16);
-/// The arc tangent in radians within 0.75 ulp.
+/// The arc tangent in radians, faithful.
 q16_16 q16_16_atan(q16_16 a)
     FIXEDPOINT_C_KERNEL(fixedpoint_atan_q16_16);
-/// The angle of the vector (x, y) in radians, in (-pi, pi], within 0.75 ulp; 0 if both are 0.
+/// The angle of the vector (x, y) in radians, in (-pi, pi], faithful; 0 if both are 0.
 q16_16 q16_16_atan2(q16_16 y, q16_16 x)
     FIXEDPOINT_C_KERNEL(fixedpoint_atan2_q16_16);
-/// e^a within 0.75 ulp, saturated to Q16_16_MAX; it may be 0 if e^a is below 0.75 ulp.
+/// e^a, faithful, saturated to Q16_16_MAX; it may be 0 if e^a is below 0.75 ulp.
 q16_16 q16_16_exp(q16_16 a)
     FIXEDPOINT_C_KERNEL(fixedpoint_exp_q16_16);
-/// The natural logarithm within 0.75 ulp; Q16_16_MIN if a <= 0.
+/// The natural logarithm, faithful; Q16_16_MIN if a <= 0.
 q16_16 q16_16_log(q16_16 a)
     FIXEDPOINT_C_KERNEL(fixedpoint_log_q16_16);
-/// The tangent of any angle in radians within 0.75 ulp, saturated near a pole.
+/// The tangent of any angle in radians, faithful, saturated near a pole.
 q16_16 q16_16_tan(q16_16 angle);
-/// The arc sine in radians within 0.75 ulp, saturated. An argument outside [-1, 1] counts as the
-/// nearer end.
+/// The arc sine in radians, faithful, saturated. An argument outside [-1, 1] counts as the nearer
+/// end.
 q16_16 q16_16_asin(q16_16 a)
     FIXEDPOINT_C_KERNEL(fixedpoint_asin_q16_16);
-/// The arc cosine in radians within 0.75 ulp, saturated. An argument outside [-1, 1] counts as the
-/// nearer end.
+/// The arc cosine in radians, faithful, saturated. An argument outside [-1, 1] counts as the nearer
+/// end.
 q16_16 q16_16_acos(q16_16 a)
     FIXEDPOINT_C_KERNEL(fixedpoint_acos_q16_16);
-/// 2^a within 0.75 ulp, saturated to Q16_16_MAX.
+/// 2^a, faithful, saturated to Q16_16_MAX.
 q16_16 q16_16_exp2(q16_16 a);
-/// e^a - 1 within 0.75 ulp, saturated to Q16_16_MAX.
+/// e^a - 1, faithful, saturated to Q16_16_MAX.
 q16_16 q16_16_expm1(q16_16 a);
-/// The logarithm to base 2 within 0.75 ulp, exact for powers of 2; Q16_16_MIN if a <= 0.
+/// The logarithm to base 2, faithful, exact for powers of 2; Q16_16_MIN if a <= 0.
 q16_16 q16_16_log2(q16_16 a)
     FIXEDPOINT_C_KERNEL(fixedpoint_log2_q16_16);
-/// The logarithm to base 10 within 0.75 ulp; Q16_16_MIN if a <= 0.
+/// The logarithm to base 10, faithful; Q16_16_MIN if a <= 0.
 q16_16 q16_16_log10(q16_16 a);
-/// ln(1 + a) within 0.75 ulp; Q16_16_MIN if a <= -1.
+/// ln(1 + a), faithful; Q16_16_MIN if a <= -1.
 q16_16 q16_16_log1p(q16_16 a);
-/// The hyperbolic sine within 0.75 ulp, saturated.
+/// The hyperbolic sine, faithful, saturated.
 q16_16 q16_16_sinh(q16_16 a);
-/// The hyperbolic cosine within 0.75 ulp, saturated to Q16_16_MAX.
+/// The hyperbolic cosine, faithful, saturated to Q16_16_MAX.
 q16_16 q16_16_cosh(q16_16 a);
-/// The hyperbolic tangent within 0.75 ulp, never outside [-1, 1].
+/// The hyperbolic tangent, faithful, never outside [-1, 1].
 q16_16 q16_16_tanh(q16_16 a);
-/// The cube root within 0.75 ulp, negative if a is.
+/// The cube root, faithful, negative if a is.
 q16_16 q16_16_cbrt(q16_16 a);
-/// x^y within 0.75 ulp, saturated; 1 if y is 0. Otherwise, if x is 0: 0, or Q16_16_MAX if y < 0. If
-/// x < 0: the power of |x|, negated if y is odd, and 0 if y is not an integer.
+/// x^y, faithful, saturated; 1 if y is 0. Otherwise, if x is 0: 0, or Q16_16_MAX if y < 0. If x <
+/// 0: the power of |x|, negated if y is odd, and 0 if y is not an integer.
 q16_16 q16_16_pow(q16_16 x, q16_16 y);
-/// The sine of any angle in turns within 0.75 ulp, exact at quarter turns, never outside [-1, 1].
+/// The sine of any angle in turns, faithful, exact at quarter turns, never outside [-1, 1].
 q16_16 q16_16_sin_turns(q16_16 angle);
-/// The cosine of any angle in turns within 0.75 ulp, exact at quarter turns, never outside [-1, 1].
+/// The cosine of any angle in turns, faithful, exact at quarter turns, never outside [-1, 1].
 q16_16 q16_16_cos_turns(q16_16 angle);
 /// Writes what sin_turns and cos_turns return, in that order.
 void q16_16_sincos_turns(q16_16 angle, q16_16 sine_and_cosine[2]);
-/// The angle of the vector (x, y) in turns, from -1/2 to 1/2, within 0.75 ulp; 0 if both are 0.
+/// The angle of the vector (x, y) in turns, from -1/2 to 1/2, faithful; 0 if both are 0.
 q16_16 q16_16_atan2_turns(q16_16 y, q16_16 x);
-/// The sine of any angle in degrees within 0.75 ulp, exact at multiples of 90, never outside [-1,
-/// 1].
+/// The sine of any angle in degrees, faithful, exact at multiples of 90, never outside [-1, 1].
 q16_16 q16_16_sin_degrees(q16_16 angle);
-/// The cosine of any angle in degrees within 0.75 ulp, exact at multiples of 90, never outside [-1,
-/// 1].
+/// The cosine of any angle in degrees, faithful, exact at multiples of 90, never outside [-1, 1].
 q16_16 q16_16_cos_degrees(q16_16 angle);
 /// Writes what sin_degrees and cos_degrees return, in that order.
 void q16_16_sincos_degrees(q16_16 angle, q16_16 sine_and_cosine[2]);
-/// The angle of the vector (x, y) in degrees, from -180 to 180, within 0.75 ulp, saturated; 0 if
-/// both are 0.
+/// The angle of the vector (x, y) in degrees, from -180 to 180, faithful, saturated; 0 if both are
+/// 0.
 q16_16 q16_16_atan2_degrees(q16_16 y, q16_16 x);
 /// Writes trunc(a / b), an integer, saturated, and the exact remainder a - b trunc(a / b), which is
 /// 0 or has the sign of a. If b is 0, the quotient is Q16_16_MAX if a > 0, Q16_16_MIN if a < 0, 0
@@ -542,7 +537,7 @@ int8_t q16_16_sign(q16_16 a);
 int32_t q16_16_isqrt(int32_t n);
 /// |a| with the sign of b, where 0 counts as positive; Q16_16_MIN if a is Q16_16_MIN.
 q16_16 q16_16_copysign(q16_16 a, q16_16 b);
-/// x^n within 0.75 ulp, saturated; 1 if n is 0, and Q16_16_MAX if x is 0 and n < 0.
+/// x^n, faithful, saturated; 1 if n is 0, and Q16_16_MAX if x is 0 and n < 0.
 q16_16 q16_16_power(q16_16 x, int32_t n);
 /// a[0] b[0] + a[1] b[1] rounded once, to nearest, half up, modulo 2^16.
 q16_16 q16_16_dot2(const q16_16 a[2], const q16_16 b[2])
@@ -629,77 +624,75 @@ q8_24 q8_24_shift_right(q8_24 a, uint8_t count);
 /// The square root rounded to nearest; 0 if a < 0.
 q8_24 q8_24_sqrt(q8_24 a)
     FIXEDPOINT_C_KERNEL(fixedpoint_sqrt_q8_24);
-/// 1 / sqrt(a) within 0.75 ulp, saturated to Q8_24_MAX; Q8_24_MAX if a is 0, and 0 if a < 0.
+/// 1 / sqrt(a), faithful, saturated to Q8_24_MAX; Q8_24_MAX if a is 0, and 0 if a < 0.
 q8_24 q8_24_reciprocal_sqrt(q8_24 a)
     FIXEDPOINT_C_KERNEL(fixedpoint_reciprocal_sqrt_q8_24);
-/// The sine of any angle in radians within 0.75 ulp, never outside [-1, 1].
+/// The sine of any angle in radians, faithful, never outside [-1, 1].
 q8_24 q8_24_sin(q8_24 angle)
     FIXEDPOINT_C_KERNEL(fixedpoint_sin_q8_24);
-/// The cosine of any angle in radians within 0.75 ulp, never outside [-1, 1].
+/// The cosine of any angle in radians, faithful, never outside [-1, 1].
 q8_24 q8_24_cos(q8_24 angle)
     FIXEDPOINT_C_KERNEL(fixedpoint_cos_q8_24);
 /// Writes what sin and cos return, in that order, in less time than two calls.
 void q8_24_sincos(q8_24 angle, q8_24 sine_and_cosine[2])
     FIXEDPOINT_C_KERNEL(fixedpoint_sincos_q8_24);
-/// The arc tangent in radians within 0.75 ulp.
+/// The arc tangent in radians, faithful.
 q8_24 q8_24_atan(q8_24 a)
     FIXEDPOINT_C_KERNEL(fixedpoint_atan_q8_24);
-/// The angle of the vector (x, y) in radians, in (-pi, pi], within 0.75 ulp; 0 if both are 0.
+/// The angle of the vector (x, y) in radians, in (-pi, pi], faithful; 0 if both are 0.
 q8_24 q8_24_atan2(q8_24 y, q8_24 x)
     FIXEDPOINT_C_KERNEL(fixedpoint_atan2_q8_24);
-/// e^a within 0.75 ulp, saturated to Q8_24_MAX; it may be 0 if e^a is below 0.75 ulp.
+/// e^a, faithful, saturated to Q8_24_MAX; it may be 0 if e^a is below 0.75 ulp.
 q8_24 q8_24_exp(q8_24 a)
     FIXEDPOINT_C_KERNEL(fixedpoint_exp_q8_24);
-/// The natural logarithm within 0.75 ulp; Q8_24_MIN if a <= 0.
+/// The natural logarithm, faithful; Q8_24_MIN if a <= 0.
 q8_24 q8_24_log(q8_24 a)
     FIXEDPOINT_C_KERNEL(fixedpoint_log_q8_24);
-/// The tangent of any angle in radians within 0.75 ulp, saturated near a pole.
+/// The tangent of any angle in radians, faithful, saturated near a pole.
 q8_24 q8_24_tan(q8_24 angle);
-/// The arc sine in radians within 0.75 ulp, saturated. An argument outside [-1, 1] counts as the
-/// nearer end.
+/// The arc sine in radians, faithful, saturated. An argument outside [-1, 1] counts as the nearer
+/// end.
 q8_24 q8_24_asin(q8_24 a);
-/// The arc cosine in radians within 0.75 ulp, saturated. An argument outside [-1, 1] counts as the
-/// nearer end.
+/// The arc cosine in radians, faithful, saturated. An argument outside [-1, 1] counts as the nearer
+/// end.
 q8_24 q8_24_acos(q8_24 a);
-/// 2^a within 0.75 ulp, saturated to Q8_24_MAX.
+/// 2^a, faithful, saturated to Q8_24_MAX.
 q8_24 q8_24_exp2(q8_24 a);
-/// e^a - 1 within 0.75 ulp, saturated to Q8_24_MAX.
+/// e^a - 1, faithful, saturated to Q8_24_MAX.
 q8_24 q8_24_expm1(q8_24 a);
-/// The logarithm to base 2 within 0.75 ulp, exact for powers of 2; Q8_24_MIN if a <= 0.
+/// The logarithm to base 2, faithful, exact for powers of 2; Q8_24_MIN if a <= 0.
 q8_24 q8_24_log2(q8_24 a);
-/// The logarithm to base 10 within 0.75 ulp; Q8_24_MIN if a <= 0.
+/// The logarithm to base 10, faithful; Q8_24_MIN if a <= 0.
 q8_24 q8_24_log10(q8_24 a);
-/// ln(1 + a) within 0.75 ulp; Q8_24_MIN if a <= -1.
+/// ln(1 + a), faithful; Q8_24_MIN if a <= -1.
 q8_24 q8_24_log1p(q8_24 a);
-/// The hyperbolic sine within 0.75 ulp, saturated.
+/// The hyperbolic sine, faithful, saturated.
 q8_24 q8_24_sinh(q8_24 a);
-/// The hyperbolic cosine within 0.75 ulp, saturated to Q8_24_MAX.
+/// The hyperbolic cosine, faithful, saturated to Q8_24_MAX.
 q8_24 q8_24_cosh(q8_24 a);
-/// The hyperbolic tangent within 0.75 ulp, never outside [-1, 1].
+/// The hyperbolic tangent, faithful, never outside [-1, 1].
 q8_24 q8_24_tanh(q8_24 a);
-/// The cube root within 0.75 ulp, negative if a is.
+/// The cube root, faithful, negative if a is.
 q8_24 q8_24_cbrt(q8_24 a);
-/// x^y within 0.75 ulp, saturated; 1 if y is 0. Otherwise, if x is 0: 0, or Q8_24_MAX if y < 0. If
-/// x < 0: the power of |x|, negated if y is odd, and 0 if y is not an integer.
+/// x^y, faithful, saturated; 1 if y is 0. Otherwise, if x is 0: 0, or Q8_24_MAX if y < 0. If x < 0:
+/// the power of |x|, negated if y is odd, and 0 if y is not an integer.
 q8_24 q8_24_pow(q8_24 x, q8_24 y);
-/// The sine of any angle in turns within 0.75 ulp, exact at quarter turns, never outside [-1, 1].
+/// The sine of any angle in turns, faithful, exact at quarter turns, never outside [-1, 1].
 q8_24 q8_24_sin_turns(q8_24 angle);
-/// The cosine of any angle in turns within 0.75 ulp, exact at quarter turns, never outside [-1, 1].
+/// The cosine of any angle in turns, faithful, exact at quarter turns, never outside [-1, 1].
 q8_24 q8_24_cos_turns(q8_24 angle);
 /// Writes what sin_turns and cos_turns return, in that order.
 void q8_24_sincos_turns(q8_24 angle, q8_24 sine_and_cosine[2]);
-/// The angle of the vector (x, y) in turns, from -1/2 to 1/2, within 0.75 ulp; 0 if both are 0.
+/// The angle of the vector (x, y) in turns, from -1/2 to 1/2, faithful; 0 if both are 0.
 q8_24 q8_24_atan2_turns(q8_24 y, q8_24 x);
-/// The sine of any angle in degrees within 0.75 ulp, exact at multiples of 90, never outside [-1,
-/// 1].
+/// The sine of any angle in degrees, faithful, exact at multiples of 90, never outside [-1, 1].
 q8_24 q8_24_sin_degrees(q8_24 angle);
-/// The cosine of any angle in degrees within 0.75 ulp, exact at multiples of 90, never outside [-1,
-/// 1].
+/// The cosine of any angle in degrees, faithful, exact at multiples of 90, never outside [-1, 1].
 q8_24 q8_24_cos_degrees(q8_24 angle);
 /// Writes what sin_degrees and cos_degrees return, in that order.
 void q8_24_sincos_degrees(q8_24 angle, q8_24 sine_and_cosine[2]);
-/// The angle of the vector (x, y) in degrees, from -180 to 180, within 0.75 ulp, saturated; 0 if
-/// both are 0.
+/// The angle of the vector (x, y) in degrees, from -180 to 180, faithful, saturated; 0 if both are
+/// 0.
 q8_24 q8_24_atan2_degrees(q8_24 y, q8_24 x);
 /// Writes trunc(a / b), an integer, saturated, and the exact remainder a - b trunc(a / b), which is
 /// 0 or has the sign of a. If b is 0, the quotient is Q8_24_MAX if a > 0, Q8_24_MIN if a < 0, 0 if
@@ -722,7 +715,7 @@ int8_t q8_24_sign(q8_24 a);
 int32_t q8_24_isqrt(int32_t n);
 /// |a| with the sign of b, where 0 counts as positive; Q8_24_MIN if a is Q8_24_MIN.
 q8_24 q8_24_copysign(q8_24 a, q8_24 b);
-/// x^n within 0.75 ulp, saturated; 1 if n is 0, and Q8_24_MAX if x is 0 and n < 0.
+/// x^n, faithful, saturated; 1 if n is 0, and Q8_24_MAX if x is 0 and n < 0.
 q8_24 q8_24_power(q8_24 x, int32_t n);
 /// a[0] b[0] + a[1] b[1] rounded once, to nearest, half up, modulo 2^8.
 q8_24 q8_24_dot2(const q8_24 a[2], const q8_24 b[2])
@@ -807,78 +800,76 @@ q32_32 q32_32_shift_right(q32_32 a, uint8_t count);
 /// The square root rounded to nearest; 0 if a < 0.
 q32_32 q32_32_sqrt(q32_32 a)
     FIXEDPOINT_C_KERNEL(fixedpoint_sqrt_q32_32);
-/// 1 / sqrt(a) within 0.75 ulp, saturated to Q32_32_MAX; Q32_32_MAX if a is 0, and 0 if a < 0.
+/// 1 / sqrt(a), faithful, saturated to Q32_32_MAX; Q32_32_MAX if a is 0, and 0 if a < 0.
 q32_32 q32_32_reciprocal_sqrt(q32_32 a)
     FIXEDPOINT_C_KERNEL(fixedpoint_reciprocal_sqrt_q32_32);
-/// The sine of any angle in radians within 0.75 ulp, never outside [-1, 1].
+/// The sine of any angle in radians, faithful, never outside [-1, 1].
 q32_32 q32_32_sin(q32_32 angle)
     FIXEDPOINT_C_KERNEL(fixedpoint_sin_q32_32);
-/// The cosine of any angle in radians within 0.75 ulp, never outside [-1, 1].
+/// The cosine of any angle in radians, faithful, never outside [-1, 1].
 q32_32 q32_32_cos(q32_32 angle)
     FIXEDPOINT_C_KERNEL(fixedpoint_cos_q32_32);
 /// Writes what sin and cos return, in that order, in less time than two calls.
 void q32_32_sincos(q32_32 angle, q32_32 sine_and_cosine[2])
     FIXEDPOINT_C_KERNEL(fixedpoint_sincos_q32_32);
-/// The arc tangent in radians within 0.75 ulp.
+/// The arc tangent in radians, faithful.
 q32_32 q32_32_atan(q32_32 a)
     FIXEDPOINT_C_KERNEL(fixedpoint_atan_q32_32);
-/// The angle of the vector (x, y) in radians, in (-pi, pi], within 0.75 ulp; 0 if both are 0.
+/// The angle of the vector (x, y) in radians, in (-pi, pi], faithful; 0 if both are 0.
 q32_32 q32_32_atan2(q32_32 y, q32_32 x)
     FIXEDPOINT_C_KERNEL(fixedpoint_atan2_q32_32);
-/// e^a within 0.75 ulp, saturated to Q32_32_MAX; it may be 0 if e^a is below 0.75 ulp.
+/// e^a, faithful, saturated to Q32_32_MAX; it may be 0 if e^a is below 0.75 ulp.
 q32_32 q32_32_exp(q32_32 a)
     FIXEDPOINT_C_KERNEL(fixedpoint_exp_q32_32);
-/// The natural logarithm within 0.75 ulp; Q32_32_MIN if a <= 0.
+/// The natural logarithm, faithful; Q32_32_MIN if a <= 0.
 q32_32 q32_32_log(q32_32 a)
     FIXEDPOINT_C_KERNEL(fixedpoint_log_q32_32);
-/// The tangent of any angle in radians within 0.75 ulp, saturated near a pole.
+/// The tangent of any angle in radians, faithful, saturated near a pole.
 q32_32 q32_32_tan(q32_32 angle);
-/// The arc sine in radians within 0.75 ulp, saturated. An argument outside [-1, 1] counts as the
-/// nearer end.
+/// The arc sine in radians, faithful, saturated. An argument outside [-1, 1] counts as the nearer
+/// end.
 q32_32 q32_32_asin(q32_32 a);
-/// The arc cosine in radians within 0.75 ulp, saturated. An argument outside [-1, 1] counts as the
-/// nearer end.
+/// The arc cosine in radians, faithful, saturated. An argument outside [-1, 1] counts as the nearer
+/// end.
 q32_32 q32_32_acos(q32_32 a);
-/// 2^a within 0.75 ulp, saturated to Q32_32_MAX.
+/// 2^a, faithful, saturated to Q32_32_MAX.
 q32_32 q32_32_exp2(q32_32 a);
-/// e^a - 1 within 0.75 ulp, saturated to Q32_32_MAX.
+/// e^a - 1, faithful, saturated to Q32_32_MAX.
 q32_32 q32_32_expm1(q32_32 a);
-/// The logarithm to base 2 within 0.75 ulp, exact for powers of 2; Q32_32_MIN if a <= 0.
+/// The logarithm to base 2, faithful, exact for powers of 2; Q32_32_MIN if a <= 0.
 q32_32 q32_32_log2(q32_32 a);
-/// The logarithm to base 10 within 0.75 ulp; Q32_32_MIN if a <= 0.
+/// The logarithm to base 10, faithful; Q32_32_MIN if a <= 0.
 q32_32 q32_32_log10(q32_32 a);
-/// ln(1 + a) within 0.75 ulp; Q32_32_MIN if a <= -1.
+/// ln(1 + a), faithful; Q32_32_MIN if a <= -1.
 q32_32 q32_32_log1p(q32_32 a);
-/// The hyperbolic sine within 0.75 ulp, saturated.
+/// The hyperbolic sine, faithful, saturated.
 q32_32 q32_32_sinh(q32_32 a);
-/// The hyperbolic cosine within 0.75 ulp, saturated to Q32_32_MAX.
+/// The hyperbolic cosine, faithful, saturated to Q32_32_MAX.
 q32_32 q32_32_cosh(q32_32 a);
-/// The hyperbolic tangent within 0.75 ulp, never outside [-1, 1].
+/// The hyperbolic tangent, faithful, never outside [-1, 1].
 q32_32 q32_32_tanh(q32_32 a);
-/// The cube root within 0.75 ulp, negative if a is.
+/// The cube root, faithful, negative if a is.
 q32_32 q32_32_cbrt(q32_32 a)
     FIXEDPOINT_C_KERNEL(fixedpoint_cbrt_q32_32);
-/// x^y within 0.75 ulp, saturated; 1 if y is 0. Otherwise, if x is 0: 0, or Q32_32_MAX if y < 0. If
-/// x < 0: the power of |x|, negated if y is odd, and 0 if y is not an integer.
+/// x^y, faithful, saturated; 1 if y is 0. Otherwise, if x is 0: 0, or Q32_32_MAX if y < 0. If x <
+/// 0: the power of |x|, negated if y is odd, and 0 if y is not an integer.
 q32_32 q32_32_pow(q32_32 x, q32_32 y);
-/// The sine of any angle in turns within 0.75 ulp, exact at quarter turns, never outside [-1, 1].
+/// The sine of any angle in turns, faithful, exact at quarter turns, never outside [-1, 1].
 q32_32 q32_32_sin_turns(q32_32 angle);
-/// The cosine of any angle in turns within 0.75 ulp, exact at quarter turns, never outside [-1, 1].
+/// The cosine of any angle in turns, faithful, exact at quarter turns, never outside [-1, 1].
 q32_32 q32_32_cos_turns(q32_32 angle);
 /// Writes what sin_turns and cos_turns return, in that order.
 void q32_32_sincos_turns(q32_32 angle, q32_32 sine_and_cosine[2]);
-/// The angle of the vector (x, y) in turns, from -1/2 to 1/2, within 0.75 ulp; 0 if both are 0.
+/// The angle of the vector (x, y) in turns, from -1/2 to 1/2, faithful; 0 if both are 0.
 q32_32 q32_32_atan2_turns(q32_32 y, q32_32 x);
-/// The sine of any angle in degrees within 0.75 ulp, exact at multiples of 90, never outside [-1,
-/// 1].
+/// The sine of any angle in degrees, faithful, exact at multiples of 90, never outside [-1, 1].
 q32_32 q32_32_sin_degrees(q32_32 angle);
-/// The cosine of any angle in degrees within 0.75 ulp, exact at multiples of 90, never outside [-1,
-/// 1].
+/// The cosine of any angle in degrees, faithful, exact at multiples of 90, never outside [-1, 1].
 q32_32 q32_32_cos_degrees(q32_32 angle);
 /// Writes what sin_degrees and cos_degrees return, in that order.
 void q32_32_sincos_degrees(q32_32 angle, q32_32 sine_and_cosine[2]);
-/// The angle of the vector (x, y) in degrees, from -180 to 180, within 0.75 ulp, saturated; 0 if
-/// both are 0.
+/// The angle of the vector (x, y) in degrees, from -180 to 180, faithful, saturated; 0 if both are
+/// 0.
 q32_32 q32_32_atan2_degrees(q32_32 y, q32_32 x);
 /// Writes trunc(a / b), an integer, saturated, and the exact remainder a - b trunc(a / b), which is
 /// 0 or has the sign of a. If b is 0, the quotient is Q32_32_MAX if a > 0, Q32_32_MIN if a < 0, 0
@@ -905,7 +896,7 @@ int64_t q32_32_isqrt(int64_t n);
 /// |a| with the sign of b, where 0 counts as positive; Q32_32_MIN if a is Q32_32_MIN.
 q32_32 q32_32_copysign(q32_32 a, q32_32 b)
     FIXEDPOINT_C_KERNEL(fixedpoint_copysign_q32_32);
-/// x^n within 0.75 ulp, saturated; 1 if n is 0, and Q32_32_MAX if x is 0 and n < 0.
+/// x^n, faithful, saturated; 1 if n is 0, and Q32_32_MAX if x is 0 and n < 0.
 q32_32 q32_32_power(q32_32 x, int32_t n);
 /// a[0] b[0] + a[1] b[1] rounded once, to nearest, half up, modulo 2^32.
 q32_32 q32_32_dot2(const q32_32 a[2], const q32_32 b[2])

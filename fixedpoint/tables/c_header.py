@@ -34,57 +34,57 @@ OPERATIONS = [
      "a / 2^count rounded downward; from count = {width} on 0, or -1 ulp if a < 0."),
     ("sqrt", "Q", "Q a", "The square root rounded to nearest; 0 if a < 0."),
     ("reciprocal_sqrt", "Q", "Q a",
-     "1 / sqrt(a) within 0.75 ulp, saturated to {Q}_MAX; {Q}_MAX if a is 0, and 0 if a < 0."),
+     "1 / sqrt(a), faithful, saturated to {Q}_MAX; {Q}_MAX if a is 0, and 0 if a < 0."),
     ("sin", "Q", "Q angle",
-     "The sine of any angle in radians within 0.75 ulp, never outside [-1, 1]."),
+     "The sine of any angle in radians, faithful, never outside [-1, 1]."),
     ("cos", "Q", "Q angle",
-     "The cosine of any angle in radians within 0.75 ulp, never outside [-1, 1]."),
+     "The cosine of any angle in radians, faithful, never outside [-1, 1]."),
     ("sincos", "void", "Q angle, Q sine_and_cosine[2]",
      "Writes what sin and cos return, in that order, in less time than two calls."),
-    ("atan", "Q", "Q a", "The arc tangent in radians within 0.75 ulp."),
+    ("atan", "Q", "Q a", "The arc tangent in radians, faithful."),
     ("atan2", "Q", "Q y, Q x",
-     "The angle of the vector (x, y) in radians, in (-pi, pi], within 0.75 ulp; 0 if both are 0."),
+     "The angle of the vector (x, y) in radians, in (-pi, pi], faithful; 0 if both are 0."),
     ("exp", "Q", "Q a",
-     "e^a within 0.75 ulp, saturated to {Q}_MAX; it may be 0 if e^a is below 0.75 ulp."),
-    ("log", "Q", "Q a", "The natural logarithm within 0.75 ulp; {Q}_MIN if a <= 0."),
+     "e^a, faithful, saturated to {Q}_MAX; it may be 0 if e^a is below 0.75 ulp."),
+    ("log", "Q", "Q a", "The natural logarithm, faithful; {Q}_MIN if a <= 0."),
     ("tan", "Q", "Q angle",
-     "The tangent of any angle in radians within 0.75 ulp, saturated near a pole."),
+     "The tangent of any angle in radians, faithful, saturated near a pole."),
     ("asin", "Q", "Q a",
-     "The arc sine in radians within 0.75 ulp, saturated. An argument outside [-1, 1] counts as the "
+     "The arc sine in radians, faithful, saturated. An argument outside [-1, 1] counts as the "
      "nearer end."),
     ("acos", "Q", "Q a",
-     "The arc cosine in radians within 0.75 ulp, saturated. An argument outside [-1, 1] counts as the "
+     "The arc cosine in radians, faithful, saturated. An argument outside [-1, 1] counts as the "
      "nearer end."),
-    ("exp2", "Q", "Q a", "2^a within 0.75 ulp, saturated to {Q}_MAX."),
-    ("expm1", "Q", "Q a", "e^a - 1 within 0.75 ulp, saturated to {Q}_MAX."),
-    ("log2", "Q", "Q a", "The logarithm to base 2 within 0.75 ulp, exact for powers of 2; {Q}_MIN if a <= 0."),
-    ("log10", "Q", "Q a", "The logarithm to base 10 within 0.75 ulp; {Q}_MIN if a <= 0."),
-    ("log1p", "Q", "Q a", "ln(1 + a) within 0.75 ulp; {Q}_MIN if a <= -1."),
-    ("sinh", "Q", "Q a", "The hyperbolic sine within 0.75 ulp, saturated."),
-    ("cosh", "Q", "Q a", "The hyperbolic cosine within 0.75 ulp, saturated to {Q}_MAX."),
-    ("tanh", "Q", "Q a", "The hyperbolic tangent within 0.75 ulp, never outside [-1, 1]."),
-    ("cbrt", "Q", "Q a", "The cube root within 0.75 ulp, negative if a is."),
+    ("exp2", "Q", "Q a", "2^a, faithful, saturated to {Q}_MAX."),
+    ("expm1", "Q", "Q a", "e^a - 1, faithful, saturated to {Q}_MAX."),
+    ("log2", "Q", "Q a", "The logarithm to base 2, faithful, exact for powers of 2; {Q}_MIN if a <= 0."),
+    ("log10", "Q", "Q a", "The logarithm to base 10, faithful; {Q}_MIN if a <= 0."),
+    ("log1p", "Q", "Q a", "ln(1 + a), faithful; {Q}_MIN if a <= -1."),
+    ("sinh", "Q", "Q a", "The hyperbolic sine, faithful, saturated."),
+    ("cosh", "Q", "Q a", "The hyperbolic cosine, faithful, saturated to {Q}_MAX."),
+    ("tanh", "Q", "Q a", "The hyperbolic tangent, faithful, never outside [-1, 1]."),
+    ("cbrt", "Q", "Q a", "The cube root, faithful, negative if a is."),
     ("pow", "Q", "Q x, Q y",
-     "x^y within 0.75 ulp, saturated; 1 if y is 0. Otherwise, if x is 0: 0, or {Q}_MAX if y < 0. If "
+     "x^y, faithful, saturated; 1 if y is 0. Otherwise, if x is 0: 0, or {Q}_MAX if y < 0. If "
      "x < 0: the power of |x|, negated if y is odd, and 0 if y is not an integer."),
     ("sin_turns", "Q", "Q angle",
-     "The sine of any angle in turns within 0.75 ulp, exact at quarter turns, never outside [-1, 1]."),
+     "The sine of any angle in turns, faithful, exact at quarter turns, never outside [-1, 1]."),
     ("cos_turns", "Q", "Q angle",
-     "The cosine of any angle in turns within 0.75 ulp, exact at quarter turns, never outside [-1, 1]."),
+     "The cosine of any angle in turns, faithful, exact at quarter turns, never outside [-1, 1]."),
     ("sincos_turns", "void", "Q angle, Q sine_and_cosine[2]",
      "Writes what sin_turns and cos_turns return, in that order."),
     ("atan2_turns", "Q", "Q y, Q x",
-     "The angle of the vector (x, y) in turns, from -1/2 to 1/2, within 0.75 ulp; 0 if both are 0."),
+     "The angle of the vector (x, y) in turns, from -1/2 to 1/2, faithful; 0 if both are 0."),
     ("sin_degrees", "Q", "Q angle",
-     "The sine of any angle in degrees within 0.75 ulp, exact at multiples of 90, never outside "
+     "The sine of any angle in degrees, faithful, exact at multiples of 90, never outside "
      "[-1, 1]."),
     ("cos_degrees", "Q", "Q angle",
-     "The cosine of any angle in degrees within 0.75 ulp, exact at multiples of 90, never outside "
+     "The cosine of any angle in degrees, faithful, exact at multiples of 90, never outside "
      "[-1, 1]."),
     ("sincos_degrees", "void", "Q angle, Q sine_and_cosine[2]",
      "Writes what sin_degrees and cos_degrees return, in that order."),
     ("atan2_degrees", "Q", "Q y, Q x",
-     "The angle of the vector (x, y) in degrees, from -180 to 180, within 0.75 ulp, saturated; 0 if "
+     "The angle of the vector (x, y) in degrees, from -180 to 180, faithful, saturated; 0 if "
      "both are 0."),
     ("divrem", "void", "Q a, Q b, Q quotient_and_remainder[2]",
      "Writes trunc(a / b), an integer, saturated, and the exact remainder a - b trunc(a / b), which is "
@@ -105,7 +105,7 @@ OPERATIONS = [
      "floor(sqrt(n)) of an integer, not of a raw number, exact; 0 if n < 0."),
     ("copysign", "Q", "Q a, Q b", "|a| with the sign of b, where 0 counts as positive; {Q}_MIN if a is {Q}_MIN."),
     ("power", "Q", "Q x, int32_t n",
-     "x^n within 0.75 ulp, saturated; 1 if n is 0, and {Q}_MAX if x is 0 and n < 0."),
+     "x^n, faithful, saturated; 1 if n is 0, and {Q}_MAX if x is 0 and n < 0."),
     ("dot2", "Q", "const Q a[2], const Q b[2]",
      "a[0] b[0] + a[1] b[1] rounded once, to nearest, half up, modulo 2^{integer}."),
     ("dot3", "Q", "const Q a[3], const Q b[3]",
@@ -147,10 +147,11 @@ HEAD = """\
 /// The library for C, and for every language that can call C: each operation is a function on
 /// plain integers. A number of Q16.16 is an int32_t, value = raw / 2^16; q16_16 names that type.
 ///
-/// An "ulp" is the distance between adjacent numbers. Compare numbers with the operators of C. On
-/// an AVR with a multiplier, a function that has an assembly kernel is that kernel. All other
-/// functions are in fixedpoint_c.cpp: link the library that CMake builds from it, or compile it
-/// with the program. Define FIXEDPOINT_NO_ASSEMBLY for both to turn the kernels off.
+/// An "ulp" is the distance between adjacent numbers; a "faithful" result errs by less than 0.75
+/// ulp. Compare numbers with the operators of C. On an AVR with a multiplier, a function that has
+/// an assembly kernel is that kernel. All other functions are in fixedpoint_c.cpp: link the library
+/// that CMake builds from it, or compile it with the program. Define FIXEDPOINT_NO_ASSEMBLY for
+/// both to turn the kernels off.
 #ifndef FIXEDPOINT_C_H
 #define FIXEDPOINT_C_H
 

@@ -32,7 +32,7 @@ template <class To, int ToF, class From, int FromF>
 constexpr Pair pair = {type<To, ToF>, type<From, FromF>,
                        [](int64_t n, int64_t* wrapped, int64_t* saturated, bool* fits) {
                            const From a = static_cast<From>(n);
-                           const auto result = portable::convert_clamped<To, ToF, From, FromF>(a);
+                           const auto result = portable::convert_saturated<To, ToF, From, FromF>(a);
                            *wrapped =
                                static_cast<int64_t>(portable::convert<To, ToF, From, FromF>(a));
                            *saturated = static_cast<int64_t>(result.number);

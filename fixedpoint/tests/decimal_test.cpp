@@ -84,7 +84,7 @@ Format format() {
 void check_parse(const Format& format, const std::string& text, const Int& n, unsigned decimals) {
     const Int expected = exact::nearest(n << format.fraction, exact::power(10, decimals));
     const Read result = format.parse(text);
-    ASSERT_EQ(result.number, exact::clamped(expected, format.width)) << text;
+    ASSERT_EQ(result.number, exact::saturated(expected, format.width)) << text;
     ASSERT_EQ(result.status,
               exact::fits(expected, format.width) ? TextStatus::ok : TextStatus::out_of_range)
         << text;

@@ -76,7 +76,7 @@ Int nearest(const Int& numerator, const Int& denominator) {
 int64_t wrapped(const Int& n, int width) {
     return static_cast<int64_t>(static_cast<uint64_t>(n) << (64 - width)) >> (64 - width);
 }
-int64_t clamped(const Int& n, int width) {
+int64_t saturated(const Int& n, int width) {
     return n < smallest(width)  ? smallest(width)
            : n > largest(width) ? largest(width)
                                 : wrapped(n, width);

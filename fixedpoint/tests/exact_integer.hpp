@@ -53,7 +53,7 @@ Int nearest(const Int& numerator, const Int& denominator);
 // n modulo 2^W, as a two's-complement number.
 int64_t wrapped(const Int& n, int width);
 // n saturated to `width` bits.
-int64_t clamped(const Int& n, int width);
+int64_t saturated(const Int& n, int width);
 inline bool fits(const Int& n, int width) { return n == wrapped(n, width); }
 
 }  // namespace exact

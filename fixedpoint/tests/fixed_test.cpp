@@ -17,10 +17,10 @@ namespace {
 using namespace fixedpoint;
 
 // The results computed from two operands in one format, one row per operation.
-constexpr int most_results = 24;
+constexpr int max_results = 24;
 struct Results {
     int count = 0;
-    int64_t values[most_results];
+    int64_t values[max_results];
     void add(int64_t value) { values[count++] = value; }
 };
 struct Operators {

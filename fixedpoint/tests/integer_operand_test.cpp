@@ -114,7 +114,7 @@ void check(const MixedSubject& subject, int64_t a, uint64_t bits) {
                                 : exact::nearest(n < 0 ? -Int(a) : Int(a), abs(n))};
     for (int i = 0; i < operations; ++i) {
         const bool fits = exact::fits(exact[i], subject.width);
-        const int64_t saturated = exact::clamped(exact[i], subject.width);
+        const int64_t saturated = exact::saturated(exact[i], subject.width);
         const int64_t expected =
             i == quotient ? saturated : exact::wrapped(exact[i], subject.width);
         const bool untold = i == quotient && (n == 0 || (exact[i] == 0 && a != 0));
@@ -241,7 +241,7 @@ TEST(Widening, ProductsAndSumsAreExact) {
 TEST(Widening, NarrowRoundsAndSaturates) {
     for (int32_t raw = -40000; raw < 40000; ++raw) {
         const auto x = Fixed<20, 12>::from_raw(raw);
-        ASSERT_EQ(narrow<Q4_4>(x).raw(), exact::clamped(exact::nearest(raw, 256), 8));
+        ASSERT_EQ(narrow<Q4_4>(x).raw(), exact::saturated(exact::nearest(raw, 256), 8));
         ASSERT_EQ(narrow<unsigned char>(x), raw < 0 ? 0 : (raw + 2048) / 4096);
     }
     EXPECT_EQ(narrow<int16_t>(Q32_32::max()), 32767);
@@ -252,7 +252,7 @@ static_assert(fixed<16, 16>(0.38).raw() == 24904);
 static_assert(fixed<16, 16>(-0.38F).raw() == -24904);
 static_assert(fixed<16, 16, Saturating>(32767.999992).raw() == RawLimits<int32_t>::max);
 static_assert(fixed<16, 16>(-32768).raw() == RawLimits<int32_t>::min);
-static_assert(fixed<4, 4>(-8.03125).raw() == -128, "a tie rounds upward, into the range");
+static_assert(fixed<4, 4>(-8.03125).raw() == -128, "a tie rounds half up, into the range");
 static_assert(fixed<4, 4>(0.03125).raw() == 1 && fixed<4, 4>(-0.03125).raw() == 0);
 static_assert(fixed<4, 4>(-0.04).raw() == -1 && fixed<4, 4>(7.96).raw() == 127);
 static_assert(fixed<64, 0>(-9223372036854775808.0).raw() == RawLimits<int64_t>::min);

@@ -17,7 +17,7 @@ static_assert((0.38_q16_16).raw() == 24904, "0.38 2^16 = 24903.68");
 static_assert((-0.38_q16_16).raw() == -24904, "the negative of the literal");
 static_assert((32767.99999_q16_16).raw() == 0x7fffffff, "rounds to the largest number");
 static_assert((7.9375_q4_4).raw() == 127, "the largest number");
-static_assert((0.03125_q4_4).raw() == 1, "a tie rounds upward");
+static_assert((0.03125_q4_4).raw() == 1, "a tie rounds half up");
 static_assert((0.031249999999999999999999_q4_4).raw() == 0,
               "which a double cannot tell from the tie");
 static_assert((12_q8_8).raw() == 0xc00, "an integer");

@@ -8,7 +8,7 @@ usage: prove_saturating_products.py
     entry        both highest bytes are 0 or -1; or one operand has three bytes and is a;
                  or both are so large that the product overflows, and r27 has its sign                  by bits
     both, small  R = floor(a b / 2^16 + 1/2) in five bytes, in two's complement                          by linear forms
-    fits, clamp  R, saturated to four bytes                                                              by bits
+    fits, saturate  R, saturated to four bytes                                                           by bits
 
 Then instructions are left out in turn, and each time the proof must fail.
 """
@@ -25,7 +25,7 @@ from stretches import Linear, equal, zeros
 
 NAME = "fixedpoint_multiply_q16_16_saturating"
 A, B = 22, 18
-BOTH, SMALL, FITS_BOTH, FITS_SMALL, CLAMP = ".Lboth", ".La_small", ".Lfits_both", ".Lfits_small", ".Lclamp"
+BOTH, SMALL, FITS_BOTH, FITS_SMALL, SATURATE = ".Lboth", ".La_small", ".Lfits_both", ".Lfits_small", ".Lsaturate"
 # The registers of R, and the largest |R| there.
 PLACES = {FITS_BOTH: ((22, 23, 24, 25, 0), 1 << 32), FITS_SMALL: ((30, 31, 25, 26, 27), 1 << 38)}
 
@@ -130,14 +130,14 @@ def fits(label, m):
     r = z3.Concat(*(m.registers[register] for register in reversed(place)))
     m.holds += [r >= -largest, r <= largest]
     low, high = (z3.BitVecVal(number, 40) for number in (-1 << 31, (1 << 31) - 1))
-    clamped = z3.Extract(31, 0, z3.If(r < low, low, z3.If(r > high, high, r)))
+    saturated = z3.Extract(31, 0, z3.If(r < low, low, z3.If(r > high, high, r)))
 
     def check(m, _):
-        demand(m.impossible(m.number(A, 4) != clamped))
+        demand(m.impossible(m.number(A, 4) != saturated))
     return check
 
 
-def clamp(m):
+def saturate(m):
     negative = m.registers[27] < 0
 
     def check(m, _):
@@ -147,23 +147,23 @@ def clamp(m):
 
 SIGNS = list(product((False, True), repeat=2))
 ANY = ((),)
-STRETCHES = [(NAME, entry, (BOTH, SMALL, CLAMP), (), ANY, (None,)),
+STRETCHES = [(NAME, entry, (BOTH, SMALL, SATURATE), (), ANY, (None,)),
              (BOTH, both, (FITS_BOTH,), (), SIGNS, (None,)),
              (SMALL, small, (FITS_SMALL,), (), SIGNS, (None,)),
              (FITS_BOTH, lambda m: fits(FITS_BOTH, m), (None,), (), ANY, (None,)),
              (FITS_SMALL, lambda m: fits(FITS_SMALL, m), (None,), (), ANY, (None,)),
-             (CLAMP, clamp, (None,), (), ANY, (None,))]
+             (SATURATE, saturate, (None,), (), ANY, (None,))]
 CUTS = ((BOTH, NAME, "eor", "r27"), (".Lupper", BOTH, "eor", "r26"),
         (FITS_BOTH, ".Lupper", "add", "r26"), (FITS_SMALL, SMALL, "mov", "r0"))
 
 
 def main():
     failed = False
-    for machine, labels in ((Bits, (NAME, CLAMP)), (Signed, (BOTH, SMALL))):
+    for machine, labels in ((Bits, (NAME, SATURATE)), (Signed, (BOTH, SMALL))):
         program = Program(STRETCHES, machine, cuts=CUTS, sources=("multiply_q16_16_saturating",))
         failed |= program.run(1, ("ret", "rjmp"), labels)
-    # The path to the return passes the clamp.
-    program = Program([each for each in STRETCHES if each[0] != CLAMP], Bits, cuts=CUTS,
+    # The path to the return passes the saturation.
+    program = Program([each for each in STRETCHES if each[0] != SATURATE], Bits, cuts=CUTS,
                       sources=("multiply_q16_16_saturating",))
     return failed | program.run(1, ("ret", "rjmp"), (FITS_BOTH, FITS_SMALL))
 

@@ -141,7 +141,7 @@ void for_each_pair(int width, size_t count, Check check) {
 
 bool as_exact(const Results& results, const Int& exact, int width) {
     return results.nearest == exact::wrapped(exact, width) && results.checked == results.nearest &&
-           results.saturating == exact::clamped(exact, width) &&
+           results.saturating == exact::saturated(exact, width) &&
            results.events == (exact::fits(exact, width) ? 0 : 1);
 }
 
@@ -203,7 +203,7 @@ TEST(Smoothstep, EveryNumberOf8And16BitsAndSomeOfWiderOnes) {
         const Int one = Int(1) << split.fraction;
         const Int u = t < 0 ? Int(0) : t > one ? one : Int(t);
         const Int exact = exact::nearest(u * u * (3 * one - 2 * u), one * one);
-        ASSERT_EQ(split.smoothstep(t), exact::clamped(exact, split.width))
+        ASSERT_EQ(split.smoothstep(t), exact::saturated(exact, split.width))
             << t << ", F = " << split.fraction;
     };
     for (const Split& split : splits_of_8_bits()) {
@@ -235,10 +235,10 @@ void expect_pair(const Split& split, int64_t a, int64_t b) {
         return;
     }
     // Int divides toward zero.
-    ASSERT_EQ(pair.truncated.quotient, exact::clamped(Int(a) / b, width)) << a << ", " << b;
+    ASSERT_EQ(pair.truncated.quotient, exact::saturated(Int(a) / b, width)) << a << ", " << b;
     ASSERT_EQ(pair.truncated.remainder, Int(a) % b);
     const Int quotient = exact::floor_of(b < 0 ? -Int(a) : Int(a), abs(Int(b)));
-    ASSERT_EQ(pair.floored.quotient, exact::clamped(quotient, width)) << a << ", " << b;
+    ASSERT_EQ(pair.floored.quotient, exact::saturated(quotient, width)) << a << ", " << b;
     ASSERT_EQ(pair.floored.remainder, a - quotient * b);
 }
 TEST(Pairs, EveryPairOf8BitsAndSomeOfWiderOnes) {
@@ -372,7 +372,7 @@ void expect_rounded(Rounding rounding, const RoundedSplit& split, int64_t a, int
     expect("dot3", got.dot3, two + nearest(Int(a) * a, one));
     expect("x / y", got.quotient,
            b == 0 ? limit_of(a, width)
-                  : exact::clamped(nearest((b < 0 ? -1 : 1) * Int(a) * one, abs(Int(b))), width));
+                  : exact::saturated(nearest((b < 0 ? -1 : 1) * Int(a) * one, abs(Int(b))), width));
     expect("scale_down by 3", got.scaled_by_3, nearest(a, 8));
     ASSERT_EQ(got.scaled_by_all, nearest(a, Int(1) << width));
     expect("convert", got.coarse, nearest(a, Int(1) << (F - F / 2)));

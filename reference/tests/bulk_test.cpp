@@ -116,7 +116,7 @@ void compare(const Subject& subject, FastJudge* fast_judge, int rounds) {
     Operands source(subject.operand_format);
     int right = 0, wrong = 0;
     for (int i = 0; i < rounds; i += round_step) {
-        std::int64_t operands[most_operands], results[most_results];
+        std::int64_t operands[max_operands], results[max_results];
         const OperationShape& of = shape(subject.operation);
         const std::span operand_span(operands, of.operands), result_span(results, of.results);
         for (std::int64_t& operand : operand_span) operand = source.next();

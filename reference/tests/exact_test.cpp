@@ -117,8 +117,8 @@ TEST(ExactNumber, ValuesAndResolution) {
 }
 
 TEST(ExactNumber, NearestRawBreaksTies) {
-    EXPECT_EQ(nearest_raw(q4_4, Rational(1, 32)), 1);   // half an ulp: upward
-    EXPECT_EQ(nearest_raw(q4_4, Rational(-1, 32)), 0);  // minus half an ulp: upward
+    EXPECT_EQ(nearest_raw(q4_4, Rational(1, 32)), 1);   // a tie: half up
+    EXPECT_EQ(nearest_raw(q4_4, Rational(-1, 32)), 0);  // a negative tie: half up
     EXPECT_EQ(nearest_raw(q4_4, 1000), 127);
     EXPECT_EQ(nearest_raw(q4_4, -1000), -128);
     EXPECT_EQ(nearest_raw(ieee_single, 16777217), raw_of_float(16777216));  // tie to even, down

@@ -88,7 +88,7 @@ INSTANTIATE_TEST_SUITE_P(
     Ring, DefinedResult,
     testing::Values(
         Row{Operation::add, "q4_4", nearest, {100, 100}, -56, 0, false, "200 wraps to -56"},
-        Row{Operation::add, "q4_4", saturating, {100, 100}, 127, 0, true, "200 clamps"},
+        Row{Operation::add, "q4_4", saturating, {100, 100}, 127, 0, true, "200 saturates"},
         Row{Operation::add, "q4_4", published, {100, 100}, -56, 0, false, "200 wraps to -56"},
         Row{Operation::subtract, "q8_8", nearest, {min16, 1}, max16, 0, false, "below MIN wraps"},
         Row{Operation::subtract,
@@ -98,12 +98,12 @@ INSTANTIATE_TEST_SUITE_P(
             min16,
             0,
             true,
-            "below MIN clamps"},
+            "below MIN saturates"},
         Row{Operation::add, "q4_4", saturating, {100, 27}, 127, 0, false, "MAX itself"},
         Row{Operation::add, "q4_4", saturating, {-100, -28}, -128, 0, false, "MIN itself"},
         Row{Operation::negate, "q16_16", nearest, {min32}, min32, 0, false, "-MIN wraps to MIN"},
         Row{Operation::abs, "q16_16", nearest, {min32}, min32, 0, false, "|MIN| wraps to MIN"},
-        Row{Operation::abs, "q16_16", saturating, {min32}, max32, 0, true, "|MIN| clamps"},
+        Row{Operation::abs, "q16_16", saturating, {min32}, max32, 0, true, "|MIN| saturates"},
         Row{Operation::multiply, "q4_4", nearest, {2, 4}, 1, 0.5, false, "0.5 ulp: up"},
         Row{Operation::multiply, "q4_4", nearest, {-2, 4}, 0, 0.5, false, "-0.5 ulp: up"},
         Row{Operation::multiply, "q4_4", nearest, {3, 3}, 1, 0.4375, false, "9/16"},
@@ -126,8 +126,8 @@ INSTANTIATE_TEST_SUITE_P(
             1.0 / 16,
             false,
             "-1008.0625 truncates to -1008 and wraps to 16"},
-        Row{Operation::multiply, "q4_4", saturating, {127, 127}, 127, 0, true, "clamps"},
-        Row{Operation::multiply, "q4_4", saturating, {-128, 127}, -128, 0, true, "clamps"},
+        Row{Operation::multiply, "q4_4", saturating, {127, 127}, 127, 0, true, "saturates"},
+        Row{Operation::multiply, "q4_4", saturating, {-128, 127}, -128, 0, true, "saturates"},
         Row{Operation::multiply, "q16_16", nearest, {min32, min32}, 0, 0, false, "2^46 wraps to 0"},
         Row{Operation::multiply,
             "q32_32",
@@ -146,7 +146,7 @@ INSTANTIATE_TEST_SUITE_P(
             false,
             "2^94 - 2^32 + 2^-32 ulp"},
         Row{Operation::shift_left, "q8_8", nearest, {0x4001, 2}, 4, 0, false, "top bits leave"},
-        Row{Operation::shift_left, "q8_8", saturating, {0x4001, 2}, max16, 0, true, "clamps"},
+        Row{Operation::shift_left, "q8_8", saturating, {0x4001, 2}, max16, 0, true, "saturates"},
         Row{Operation::shift_right, "q8_8", nearest, {-1, 3}, -1, -0.875, false, "downward"},
         Row{Operation::sign, "q16_16", nearest, {min32}, -1, 0, false, "an integer"},
         Row{Operation::sign, "q16_16", nearest, {0}, 0, 0, false, "no sign"},
@@ -192,7 +192,7 @@ INSTANTIATE_TEST_SUITE_P(
         Row{Operation::divide, "q4_4", half_to_even, {-3, 32}, -2, -0.5, false, "-1.5 ulp: even"},
         Row{Operation::divide, "q4_4", downward, {-1, 32}, -1, -0.5, false, "-0.5 ulp: down"},
         Row{Operation::divide, "q4_4", toward_zero, {-31, 32}, -15, 0.5, false, "-15.5 ulp"},
-        Row{Operation::divide, "q4_4", downward, {-100, 1}, -128, 0, true, "clamps"},
+        Row{Operation::divide, "q4_4", downward, {-100, 1}, -128, 0, true, "saturates"},
         Row{Operation::multiply, "q4_4", half_to_even, {1, 24}, 2, 0.5, false, "1.5 ulp: even"},
         Row{Operation::multiply, "q4_4", half_to_even, {5, 8}, 2, -0.5, false, "2.5 ulp: even"},
         Row{Operation::multiply, "q4_4", half_to_even, {127, 120}, -72, -0.5, false, "952.5 wraps"},
@@ -202,9 +202,9 @@ INSTANTIATE_TEST_SUITE_P(
         Row{Operation::divide, "q4_4", nearest, {1, -32}, 0, 0.5, false, "-0.5 ulp: up"},
         Row{Operation::divide, "q4_4", published, {-1, 17}, 0, 16.0 / 17, false, "toward zero"},
         Row{Operation::divide, "q4_4", published, {100, 1}, 64, 0, false, "1600 wraps to 64"},
-        Row{Operation::divide, "q4_4", nearest, {100, 1}, 127, 0, true, "1600 clamps"},
-        Row{Operation::divide, "q4_4", nearest, {-100, 1}, -128, 0, true, "clamps"},
-        Row{Operation::divide, "q4_4", nearest, {-128, -16}, 127, 0, true, "MIN / -1 clamps"},
+        Row{Operation::divide, "q4_4", nearest, {100, 1}, 127, 0, true, "1600 saturates"},
+        Row{Operation::divide, "q4_4", nearest, {-100, 1}, -128, 0, true, "saturates"},
+        Row{Operation::divide, "q4_4", nearest, {-128, -16}, 127, 0, true, "MIN / -1 saturates"},
         Row{Operation::divide, "q4_4", nearest, {1, 0}, 127, 0, true, "a > 0 by zero"},
         Row{Operation::divide, "q4_4", nearest, {-1, 0}, -128, 0, true, "a < 0 by zero"},
         Row{Operation::divide, "q4_4", nearest, {0, 0}, 0, 0, true, "0 / 0"},
@@ -242,7 +242,14 @@ INSTANTIATE_TEST_SUITE_P(
         Row{Operation::reciprocal_sqrt, "q16_16", nearest, {0}, max32, 0, true, "a = 0"},
         Row{Operation::reciprocal_sqrt, "q16_16", nearest, {-1}, 0, 0, true, "a < 0"},
         Row{Operation::reciprocal_sqrt, "q4_4", nearest, {1}, 64, 0, false, "4"},
-        Row{Operation::reciprocal_sqrt, "q1_15", nearest, {16384}, 32767, 0, true, "1.41 clamps"},
+        Row{Operation::reciprocal_sqrt,
+            "q1_15",
+            nearest,
+            {16384},
+            32767,
+            0,
+            true,
+            "1.41 saturates"},
         Row{Operation::atan2, "q16_16", nearest, {0, 0}, 0, 0, true, "the origin"},
         Row{Operation::atan2, "q16_16", nearest, {0, -1}, 205887, -0.4161, false, "pi"},
         Row{Operation::atan2, "q16_16", nearest, {-1, min32}, -205887, 0.4161, false, "nearly -pi"},
@@ -254,11 +261,18 @@ INSTANTIATE_TEST_SUITE_P(
         Row{Operation::atan, "q16_16", published, {max32}, 51471, -0.8540, false, "beyond 1: pi/4"},
         Row{Operation::sin, "q16_16", nearest, {one}, 55147, 0.3575, false, "55146.6425"},
         Row{Operation::cos, "q16_16", nearest, {0}, one, 0, false, "1"},
-        Row{Operation::cos, "q1_15", nearest, {0}, 32767, 0, true, "1 clamps"},
+        Row{Operation::cos, "q1_15", nearest, {0}, 32767, 0, true, "1 saturates"},
         Row{Operation::exp, "q16_16", nearest, {one}, 178145, -0.3179, false, "e"},
         Row{Operation::exp, "q16_16", nearest, {min32}, 0, 0, false, "underflows"},
-        Row{Operation::exp, "q16_16", nearest, {11 * one}, max32, 0, true, "clamps"},
-        Row{Operation::exp, "q32_32", nearest, {INT64_MAX}, INT64_MAX, 0, true, "e^(2^31) clamps"},
+        Row{Operation::exp, "q16_16", nearest, {11 * one}, max32, 0, true, "saturates"},
+        Row{Operation::exp,
+            "q32_32",
+            nearest,
+            {INT64_MAX},
+            INT64_MAX,
+            0,
+            true,
+            "e^(2^31) saturates"},
         Row{Operation::log, "q16_16", nearest, {one}, 0, 0, false, "0"},
         Row{Operation::log, "q16_16", nearest, {0}, min32, 0, true, "log 0"},
         Row{Operation::log, "q16_16", nearest, {-1}, min32, 0, true, "log of a negative number"},
@@ -270,7 +284,7 @@ INSTANTIATE_TEST_SUITE_P(
             max32,
             0,
             true,
-            "clamps"}));
+            "saturates"}));
 
 TEST(Judge, FunctionsMayErrWithinTheirBound) {
     // sin(1) is 55146.6425 ulp, so 55146 is off by 0.6425 and 55145 by 1.6425.
@@ -284,7 +298,7 @@ TEST(Judge, FunctionsMayErrWithinTheirBound) {
 }
 
 // Sums and products of integers, rounded by integers.
-TEST(Judge, RingOperationsWrapOrClamp) {
+TEST(Judge, RingOperationsWrapOrSaturate) {
     constexpr int F = 8;
     struct Ring {
         Operation operation;
@@ -308,14 +322,14 @@ TEST(Judge, RingOperationsWrapOrClamp) {
             for (std::int64_t& raw : operands) raw = q8_8.sign_extend(random()) >> (random() % 12);
             const std::int64_t rounded = (exact(operands.data()) + 128) >> F;
             const std::int64_t wrapped = q8_8.sign_extend(std::uint64_t(rounded));
-            const std::int64_t clamped = std::clamp(rounded, min16, max16);
+            const std::int64_t saturated = std::clamp(rounded, min16, max16);
             const auto accepts = [&](Arithmetic arithmetic, std::int64_t result) {
                 return judged(operation, "q8_8", arithmetic, operands, {result}).as_defined;
             };
             EXPECT_TRUE(accepts(nearest, wrapped)) << shape(operation).name;
-            EXPECT_EQ(accepts(nearest, clamped), clamped == wrapped) << shape(operation).name;
-            EXPECT_TRUE(accepts(saturating, clamped)) << shape(operation).name;
-            EXPECT_EQ(accepts(saturating, wrapped), clamped == wrapped) << shape(operation).name;
+            EXPECT_EQ(accepts(nearest, saturated), saturated == wrapped) << shape(operation).name;
+            EXPECT_TRUE(accepts(saturating, saturated)) << shape(operation).name;
+            EXPECT_EQ(accepts(saturating, wrapped), saturated == wrapped) << shape(operation).name;
         }
     }
 }
@@ -578,15 +592,15 @@ TEST(JudgeConversion, BetweenFormats) {
                                      Raws{raw}, format.sign_extend(std::uint64_t(result + 1)));
         return judgement.as_defined && !next.as_defined;
     };
-    EXPECT_TRUE(accepted("q16_16", "q8_8", nearest, 128, 1));     // a tie: upward
-    EXPECT_TRUE(accepted("q16_16", "q8_8", nearest, -128, 0));    // a tie: upward
+    EXPECT_TRUE(accepted("q16_16", "q8_8", nearest, 128, 1));     // a tie: half up
+    EXPECT_TRUE(accepted("q16_16", "q8_8", nearest, -128, 0));    // a tie: half up
     EXPECT_TRUE(accepted("q16_16", "q8_8", published, -255, 0));  // toward zero
     EXPECT_TRUE(accepted("q16_16", "q8_8", nearest, max32, 0));   // 32768 wraps
     EXPECT_TRUE(accepted("q16_16", "q8_8", saturating, max32, max16));
     EXPECT_TRUE(accepted("q8_8", "q32_32", nearest, -1, -(1 << 24)));
-    EXPECT_TRUE(accepted("q16_16", "int16", nearest, 98304, 2));  // 1.5: upward
+    EXPECT_TRUE(accepted("q16_16", "int16", nearest, 98304, 2));  // 1.5: half up
     EXPECT_TRUE(accepted("float", "q16_16", nearest, raw_of_float(0.1f), 6554));
-    EXPECT_TRUE(accepted("float", "q16_16", nearest, raw_of_float(1e9f), max32));  // clamps
+    EXPECT_TRUE(accepted("float", "q16_16", nearest, raw_of_float(1e9f), max32));  // saturates
     EXPECT_TRUE(accepted("float", "q16_16", nearest, raw_of_float(-INFINITY), min32));
     EXPECT_TRUE(accepted("float", "q16_16", nearest, raw_of_float(NAN), 0));
     EXPECT_TRUE(accepted("q16_16", "float", nearest, max32, raw_of_float(32768)));

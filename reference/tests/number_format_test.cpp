@@ -48,12 +48,12 @@ TEST(NumberFormat, RangeAndResolution) {
 TEST(NumberFormat, FloatsAreThoseOfC) {
     EXPECT_EQ(ieee_single.significand_bits(), FLT_MANT_DIG);
     EXPECT_EQ(ieee_single.infinity_exponent(), FLT_MAX_EXP);
-    EXPECT_EQ(std::ldexp(1, ieee_single.least_exponent()), FLT_MIN);
-    EXPECT_EQ(std::ldexp(1, ieee_single.least_place()), FLT_TRUE_MIN);
+    EXPECT_EQ(std::ldexp(1, ieee_single.min_exponent()), FLT_MIN);
+    EXPECT_EQ(std::ldexp(1, ieee_single.min_place()), FLT_TRUE_MIN);
     EXPECT_EQ(ieee_double.significand_bits(), DBL_MANT_DIG);
     EXPECT_EQ(ieee_double.infinity_exponent(), DBL_MAX_EXP);
-    EXPECT_EQ(std::ldexp(1, ieee_double.least_exponent()), DBL_MIN);
-    EXPECT_EQ(std::ldexp(1, ieee_double.least_place()), DBL_TRUE_MIN);
+    EXPECT_EQ(std::ldexp(1, ieee_double.min_exponent()), DBL_MIN);
+    EXPECT_EQ(std::ldexp(1, ieee_double.min_place()), DBL_TRUE_MIN);
     for (const NumberFormat& format : {ieee_single, ieee_double}) {
         EXPECT_EQ(to_double(format, format.infinity()), INFINITY);
         EXPECT_EQ(to_double(format, format.infinity() | format.sign()), -INFINITY);

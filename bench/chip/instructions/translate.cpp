@@ -14,7 +14,7 @@ namespace {
 // Both areas cross a 256-byte page boundary, where a pointer's low byte wraps.
 constexpr std::uint16_t operand_area = 0x01f9, result_area = 0x02fb;
 
-constexpr std::size_t deepest_call = 16, most_states = 100000;
+constexpr std::size_t deepest_call = 16, max_states = 100000;
 constexpr int budget = 1'000'000;  // cycles
 
 [[noreturn]] void fail(const simulator::Elf& elf, const Instruction& at, std::string_view why) {
@@ -113,7 +113,7 @@ class Translator {
     std::size_t label(const State& state) {
         const auto [place, fresh] = labels_.emplace(state, blocks_.size());
         if (fresh) {
-            if (blocks_.size() == most_states)
+            if (blocks_.size() == max_states)
                 throw TranslationError(fmt::format("{}: too many paths of calls to translate",
                                                    elf_.describe(state.address)));
             blocks_.push_back(state);

@@ -26,7 +26,7 @@ constexpr unsigned architecture_mask = 0x7f, device_architecture = 5;
 
 // No program for 32 KiB of flash comes close to these limits; a file that exceeds them would only
 // take time.
-constexpr std::size_t largest_file = 64 << 20, most_entries = 1 << 20, longest_name = 512;
+constexpr std::size_t largest_file = 64 << 20, max_entries = 1 << 20, longest_name = 512;
 
 std::vector<char> read_file(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);
@@ -201,7 +201,7 @@ class Elf::Reader {
                                        const char* part) const {
         Elf_Data* const data = elf_getdata(section, nullptr);
         expect(data && about.sh_entsize, part);
-        expect(data->d_size / about.sh_entsize <= most_entries, part);
+        expect(data->d_size / about.sh_entsize <= max_entries, part);
         return {data, static_cast<int>(data->d_size / about.sh_entsize)};
     }
 

@@ -17,7 +17,7 @@ using simulator::DeviceFunction;
 
 // For 32 bits: call 4, ret 4, the sum at most 14, the constant 4, and moves of operands.
 template <class Raw>
-constexpr std::uint32_t most_cycles = 10 * sizeof(Raw);
+constexpr std::uint32_t max_cycles = 10 * sizeof(Raw);
 
 std::string folder() {
     const char* other = std::getenv("DEVICE_PROGRAMS");
@@ -35,7 +35,7 @@ class SaturatingSums : public testing::Test {
         DeviceFunction function(chip_, symbol, {sizeof(Raw), {int(sizeof(operands))...}});
         const auto outcome = function(operands...);
         EXPECT_EQ(outcome.template as<Raw>(), expected) << symbol;
-        EXPECT_LE(outcome.cycles, most_cycles<Raw>) << symbol;
+        EXPECT_LE(outcome.cycles, max_cycles<Raw>) << symbol;
     }
     template <class Raw>
     void expect_all(Raw constant) {

@@ -724,31 +724,32 @@ TEST_F(VectorFilters, KeepWhatTheirSumsLose) {
     follow(BiquadOfSums{}, "fixedpoint_biquad_q8_24", 24);
 }
 
-// Each product and each sum is clamped; the error that is carried has a half added.
+// Each product and each sum is saturated; the error that is carried has a half added.
 template <class Low>
 struct __attribute__((packed)) Controller {
     int32_t gain[3], low, high, integral, measurement;
     Low error;
     std::uint8_t started;
 
-    static int64_t clamped(__int128 x) {
+    static int64_t saturated(__int128 x) {
         return static_cast<int64_t>(std::clamp<__int128>(x, INT32_MIN, INT32_MAX));
     }
     int32_t take(int32_t setpoint, int32_t measured, int fraction) {
         const int unused = static_cast<int>(8 * sizeof(Low)) - fraction;
         const __int128 half = (__int128{1} << fraction) / 2;
         const auto rounded = [&](__int128 product) {
-            return clamped((product + half) >> fraction);
+            return saturated((product + half) >> fraction);
         };
-        const int64_t off = clamped(int64_t{setpoint} - measured),
-                      change = started ? clamped(int64_t{measured} - measurement) : 0;
+        const int64_t off = saturated(int64_t{setpoint} - measured),
+                      change = started ? saturated(int64_t{measured} - measurement) : 0;
         const __int128 product = static_cast<__int128>(gain[1]) * off;
         const int64_t behind = low_bits(product, fraction), sum = (error >> unused) + behind;
         const int64_t carry = fraction == 0 ? 0 : (sum >> fraction) - (behind >> (fraction - 1));
-        const int64_t total = clamped(clamped(rounded(product) + integral) + carry);
-        const int64_t wanted = clamped(clamped(rounded(static_cast<__int128>(gain[0]) * off) -
-                                               rounded(static_cast<__int128>(gain[2]) * change)) +
-                                       total);
+        const int64_t total = saturated(saturated(rounded(product) + integral) + carry);
+        const int64_t wanted =
+            saturated(saturated(rounded(static_cast<__int128>(gain[0]) * off) -
+                                rounded(static_cast<__int128>(gain[2]) * change)) +
+                      total);
         measurement = measured;
         started = 1;
         if ((wanted > high && total > integral) ||

@@ -66,7 +66,7 @@ void measure(Candidate& candidate, const std::vector<Reading>& readings,
     candidate.device = DeviceCurve(candidate.curve, candidate.range).measure(program);
     candidate.evaluation_error =
         evaluation_error(candidate.curve, candidate.range, candidate.device->raw);
-    if (candidate.evaluation_error > most_evaluation_error)
+    if (candidate.evaluation_error > max_evaluation_error)
         candidate.rejected = "its evaluation is not exact enough";
     if (candidate.range.highest < readings.back().adc)
         candidate.rejected = "does not rise up to the last reading";
@@ -188,7 +188,7 @@ std::string header_text(const Candidate& chosen, const std::vector<Reading>& rea
         "#pragma once\n\n"
         "#include <firmware/calibration_curves.hpp>\n\n"
         "namespace firmware {{\nnamespace calibration {{\n\n"
-        "constexpr int most_grams = {:g};\n"
+        "constexpr int max_grams = {:g};\n"
         "{}\n"
         "}}  // namespace calibration\n}}  // namespace firmware\n",
         (source.is_absolute() ? source.filename() : source).string(), readings.size(),
@@ -198,9 +198,9 @@ std::string header_text(const Candidate& chosen, const std::vector<Reading>& rea
             : fmt::format(":\n// {} = {:.10g}",
                           chosen.curve.family == Family::line ? "a, b" : "a, b, c",
                           fmt::join(chosen.curve.coefficients, ", ")),
-        chosen.range.lowest, chosen.range.highest, most_grams, chosen.all.rms, chosen.all.max,
+        chosen.range.lowest, chosen.range.highest, max_grams, chosen.all.rms, chosen.all.max,
         *chosen.leave_one_out_rms, chosen.evaluation_error, device.cycles_mean, device.cycles_max,
-        most_grams, DeviceCurve(chosen.curve, chosen.range).definition());
+        max_grams, DeviceCurve(chosen.curve, chosen.range).definition());
 }
 
 }  // namespace
@@ -210,7 +210,7 @@ double evaluation_error(const Curve& curve, Range range,
     double worst = 0;
     for (int reading = 0; reading < 1024; ++reading) {
         const auto i = static_cast<std::size_t>(reading);
-        if (raw[i] < 0 || raw[i] > most_grams * 65536 || (i > 0 && raw[i] < raw[i - 1]))
+        if (raw[i] < 0 || raw[i] > max_grams * 65536 || (i > 0 && raw[i] < raw[i - 1]))
             throw std::runtime_error(fmt::format("{} of reading {} is {} g on the chip, after {} g",
                                                  name_of(curve.family), reading, raw[i] / 65536.0,
                                                  i > 0 ? raw[i - 1] / 65536.0 : 0.0));

@@ -32,7 +32,7 @@ struct Candidate {
 };
 
 // Curves whose evaluation error exceeds this, in grams, are not used.
-inline constexpr double most_evaluation_error = 0.5;
+inline constexpr double max_evaluation_error = 0.5;
 
 // The six families fitted to all readings, the published family fitted to the readings from 850,
 // and the two published functions. `fitted_to` says which.
@@ -45,7 +45,7 @@ std::vector<Candidate> candidates(const std::vector<Reading>& readings,
 std::size_t choose(const std::vector<Candidate>& candidates, std::size_t readings);
 
 // The largest difference in grams between the raws, one per reading, and exact arithmetic. Throws
-// std::runtime_error if they fall with the reading, are negative or exceed most_grams.
+// std::runtime_error if they fall with the reading, are negative or exceed max_grams.
 double evaluation_error(const Curve& curve, Range range, const std::array<std::int32_t, 1024>& raw);
 
 struct Options {

@@ -81,11 +81,11 @@ inline constexpr std::size_t parameters = 3;
 Fit fit(Family family, const std::vector<Reading>& readings);
 
 // The readings between which a curve is used: those around the calibrated ones over which it rises
-// and is between 0 and most_grams. Outside them the weight is that of the nearest end.
+// and is between 0 and max_grams. Outside them the weight is that of the nearest end.
 struct Range {
     int lowest, highest;
 };
-inline constexpr double most_grams = 2000;  // the FSR 402 is sold for 0.2 to 20 N
+inline constexpr double max_grams = 2000;  // the FSR 402 is sold for 0.2 to 20 N
 Range rising_range(const Curve& curve, const std::vector<Reading>& readings);
 
 double held_value(const Curve& curve, Range range, int reading);

@@ -261,7 +261,7 @@ Range rising_range(const Curve& curve, const std::vector<Reading>& readings) {
     const int middle = readings[readings.size() / 2].adc;
     Range range{middle, middle};
     while (range.highest < 1023 && at(range.highest + 1) >= at(range.highest) &&
-           at(range.highest + 1) <= most_grams)
+           at(range.highest + 1) <= max_grams)
         ++range.highest;
     while (range.lowest > 0 && at(range.lowest - 1) <= at(range.lowest) &&
            at(range.lowest - 1) >= 0)

@@ -106,7 +106,7 @@ Judgement Judge::judge(const Timing& timing, double end, double arm_length) {
                 fallen_ ? fmt::format("fell in {:.3f} s", judgement_.fall) : "did not fall");
     if (envelope.quiet) {
         judgement_.swing = most_ - least_;
-        violate(judgement_.swing > envelope.quiet->most_swing,
+        violate(judgement_.swing > envelope.quiet->max_swing,
                 fmt::format("swung by {:.2f} degrees", in_degrees(judgement_.swing)));
     }
     if (envelope.arm) {

@@ -30,7 +30,7 @@ struct Envelope {
     std::optional<Span> fall;
     // From this time on, the largest swing of the lever about its mean, peak to peak, in rad.
     struct Quiet {
-        double from, most_swing;
+        double from, max_swing;
     };
     std::optional<Quiet> quiet;
     // From this time on, the share of the dial that the firmware's arm length must correspond to.

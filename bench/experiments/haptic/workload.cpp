@@ -153,7 +153,7 @@ void save_pins(const std::vector<Profiled>& devices, const std::filesystem::path
 // they are resolved.
 void tell_pins(Sheet& sheet, const Profiled& of) {
     double step_time = 0, found = 0, resolved = 0, square_roots = 0, operations = 0;  // s
-    double steps = 0, most_resolved = 0;
+    double steps = 0, max_resolved = 0;
     for_each_step(of.intervals, [&](const Interval& step, const std::vector<Interval>& parts) {
         ++steps;
         step_time += step.length();
@@ -163,7 +163,7 @@ void tell_pins(Sheet& sheet, const Profiled& of) {
             if (part.pin == operation_pin) operations += part.length();
             if (part.pin != collision_pin) continue;
             (looked ? resolved : found) += part.length();
-            if (looked) most_resolved = std::max(most_resolved, part.length());
+            if (looked) max_resolved = std::max(max_resolved, part.length());
             looked = true;
         }
     });
@@ -180,7 +180,7 @@ void tell_pins(Sheet& sheet, const Profiled& of) {
             "contact_resolution", "fixed_16_16", mean_resolved, of.source,
             fmt::format("pin D4 of the running device, up to {:.1f} ms; with finding them "
                         "{:.0f}% of the step",
-                        most_resolved * 1e3, percent(found + resolved)));
+                        max_resolved * 1e3, percent(found + resolved)));
         sheet.compare("square_roots_share", "fixed_16_16", percent(square_roots), of.source,
                       "pin D5 of the running device: one root for each rod and step; where the "
                       "original takes more is not known",

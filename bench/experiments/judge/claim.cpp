@@ -139,7 +139,7 @@ class FormulaClaim : public Claim {
         return std::make_unique<Own>(operands_, operand_class, seed);
     }
     reference::Judgement judge(Raws operands, Raws results) const override {
-        std::array<reference::Real, reference::most_operands> values;
+        std::array<reference::Real, reference::max_operands> values;
         for (std::size_t i = 0; i < operands.size(); ++i)
             values[i] = value(operands_[i], operands[i]);
         reference::Real exact = formula_(std::span(values).first(operands.size()));
@@ -194,9 +194,9 @@ std::unique_ptr<const Claim> parse_formula(const std::string& text, double bound
         operands.push_back(parse_type(list.substr(begin, end - begin)));
         begin = end + 1;
     }
-    if (operands.size() > reference::most_operands)
+    if (operands.size() > reference::max_operands)
         throw std::invalid_argument(fmt::format("a formula has at most {} operands, this one {}",
-                                                reference::most_operands, operands.size()));
+                                                reference::max_operands, operands.size()));
     const Type result = parse_type(head.substr(0, open));
     return std::make_unique<FormulaClaim>(std::move(operands), result, text.substr(equals + 1),
                                           bound_ulp);

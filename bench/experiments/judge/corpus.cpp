@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 // There are tens of thousands of pairs in a table: a file contains this many of them, taken evenly,
 // in addition to all ties and the worst operands.
-constexpr std::size_t most_boundary_cases = 300;
+constexpr std::size_t max_boundary_cases = 300;
 
 // By operation and format: the operands as text, and why they are included. Of equal operands the
 // first reason is kept.
@@ -72,7 +72,7 @@ std::string corpus_of(const Subject& subject, const Worst& worst) {
     if (const auto found = worst.find(subject); found != worst.end())
         for (const auto& [operands, why] : found->second) add(operands, why);
     const auto cases = claim->boundary_cases();
-    const std::size_t count = std::min(cases.size(), most_boundary_cases);
+    const std::size_t count = std::min(cases.size(), max_boundary_cases);
     for (std::size_t i = 0; i < count; ++i) {
         const operands::BoundaryCase& each = cases[i * cases.size() / count];
         add(text_of(*claim, each.operands), each.what);

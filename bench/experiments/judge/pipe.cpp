@@ -15,7 +15,7 @@
 namespace judge {
 namespace {
 
-using Operands = std::array<std::int64_t, reference::most_operands>;
+using Operands = std::array<std::int64_t, reference::max_operands>;
 
 constexpr std::size_t calls_of_a_batch = 4096;
 constexpr std::size_t longest_line = 4096;
@@ -138,7 +138,7 @@ Piped judge_lines(const Claim& claim, std::FILE* in) {
         results.clear();
     };
     Lines lines(in);
-    std::array<std::int64_t, reference::most_operands + reference::most_results> numbers;
+    std::array<std::int64_t, reference::max_operands + reference::max_results> numbers;
     std::string_view line;
     for (std::uint64_t number = 1; lines.next(line); ++number) {
         std::size_t count = 0;

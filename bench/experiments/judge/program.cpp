@@ -20,7 +20,7 @@ namespace {
 using operations::DeviceCall;
 using operations::DeviceResult;
 using operations::Measurement;
-using Operands = std::array<std::int64_t, reference::most_operands>;
+using Operands = std::array<std::int64_t, reference::max_operands>;
 
 constexpr std::uint64_t seed = 1;
 

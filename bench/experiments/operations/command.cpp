@@ -25,7 +25,7 @@ using fixbench::Call;
 using fixbench::Mode;
 
 const std::filesystem::path device_folder = FIXBENCH_DEVICE_FOLDER;
-const auto most_samples = CLI::Range(std::uint64_t(1), std::uint64_t(1) << 40);
+const auto max_samples = CLI::Range(std::uint64_t(1), std::uint64_t(1) << 40);
 
 std::vector<std::filesystem::path> all_programs() {
     std::vector<std::filesystem::path> programs;
@@ -150,7 +150,7 @@ const fixbench::Registration cycles({
                 ->check(CLI::ExistingFile);
             command.add_option("--samples", options->samples, "operands of each random class")
                 ->capture_default_str()
-                ->check(most_samples);
+                ->check(max_samples);
             return [options, chips](const Call& call) {
                 if (!chips->empty()) {
                     OtherChipOptions others = settle_other_chips(*chips, *options);
@@ -258,7 +258,7 @@ const fixbench::Registration verify({
                 ->check(CLI::ExistingFile);
             command.add_option("--samples", options->samples, "random operands of each subject")
                 ->capture_default_str()
-                ->check(most_samples);
+                ->check(max_samples);
             return [options](const Call& call) {
                 settle_programs(options->programs);
                 known_to_host().check(options->selection);

@@ -29,7 +29,7 @@ namespace {
 using reference::ErrorStatistics;
 using reference::NumberFormat;
 
-using Operands = std::array<std::int64_t, reference::most_operands>;
+using Operands = std::array<std::int64_t, reference::max_operands>;
 
 // The quick run shows that each subject runs and is judged; the bounds come from the full run. The
 // quick run exhausts spaces of up to 2^24 inputs, the full run those of 2^32 that matter.

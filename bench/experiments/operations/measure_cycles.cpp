@@ -31,7 +31,7 @@ namespace operations {
 
 namespace {
 
-using Operands = std::array<std::int64_t, reference::most_operands>;
+using Operands = std::array<std::int64_t, reference::max_operands>;
 
 using records::column;
 

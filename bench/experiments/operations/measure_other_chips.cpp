@@ -104,7 +104,7 @@ void run(Task& task, std::uint64_t samples) {
     const reference::OperationShape& shape = reference::shape(judged.operation);
     std::uint64_t cycles_sum = 0, regular = 0, regular_cycles_sum = 0;
     const auto measure = [&](std::span<const std::int64_t> operands) {
-        std::array<std::int64_t, reference::most_results> results{};
+        std::array<std::int64_t, reference::max_results> results{};
         const std::span used(results.data(), shape.results);
         const std::uint32_t cycles = subject.call(operands, used);
         Row& row = task.row;
@@ -126,7 +126,7 @@ void run(Task& task, std::uint64_t samples) {
     } else {
         const operands::OperandClass drawn = operands::parse_class(task.row.operands);
         operands::Sampler sampler(judged.operation, judged.operand_format, drawn, 1);
-        std::array<std::int64_t, reference::most_operands> operands{};
+        std::array<std::int64_t, reference::max_operands> operands{};
         const std::span used(operands.data(), shape.operands);
         for (std::uint64_t i = operands::distinct_samples(drawn, samples); i > 0; --i) {
             sampler.next(used);

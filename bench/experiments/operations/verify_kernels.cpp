@@ -24,7 +24,7 @@ namespace operations {
 namespace {
 
 using records::column;
-using Operands = std::array<std::int64_t, reference::most_operands>;
+using Operands = std::array<std::int64_t, reference::max_operands>;
 
 // The cycles that the boundary cases of a subject may take, and as many for all its inputs or its
 // random operands: functions without a kernel cost up to half a million cycles a call.
@@ -64,7 +64,7 @@ struct Kernel {
 
 void compare(DeviceSubject& device, Comparison& comparison, Raws operands) {
     const std::size_t results = reference::shape(comparison.host->subject.operation).results;
-    std::array<std::int64_t, reference::most_results> expected{};
+    std::array<std::int64_t, reference::max_results> expected{};
     comparison.host->evaluate(operands, std::span(expected).first(results));
     const DeviceResult result = device.call(operands);
     ++comparison.compared;

@@ -26,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 using records::column;
 using reference::Operation;
-using Operands = std::array<std::int64_t, reference::most_operands>;
+using Operands = std::array<std::int64_t, reference::max_operands>;
 
 const fs::path folder = RIVALS_FOLDER;
 

@@ -151,10 +151,10 @@ Table float_table(const NumberFormat& format) {
     around(fmt::format("2^{}, above which odd integers are missing", format.significand_bits()),
            std::ldexp(1, format.significand_bits()));
     around("2^31", 0x1p31);
-    around("the root of the smallest normal", std::ldexp(1, format.least_exponent() / 2));
+    around("the root of the smallest normal", std::ldexp(1, format.min_exponent() / 2));
     around(fmt::format("the root of 2^{}", beyond), std::ldexp(1, beyond / 2));
     around("ln MAX, the border of exp", beyond * std::numbers::ln2);
-    around("ln of the smallest subnormal", format.least_place() * std::numbers::ln2);
+    around("ln of the smallest subnormal", format.min_place() * std::numbers::ln2);
     for (const int k : {1, 2, 3, 4, 5, 6, 7, 8, 16, 400})
         around(fmt::format("{} pi/4, rounded", k), k * std::numbers::pi / 4);
     for (int i = -5; i <= 5; ++i) {

@@ -44,7 +44,7 @@ double greatest_of_physics(Operation operation) {
 std::int64_t raw_of(const NumberFormat& format, std::uint64_t mantissa, int exponent) {
     if (format.is_float()) {
         const std::uint64_t stored = (mantissa << 1) >> (65 - format.significand_bits());
-        const int biased = exponent - format.least_exponent() + 1;
+        const int biased = exponent - format.min_exponent() + 1;
         return std::int64_t(biased) << (format.significand_bits() - 1) | std::int64_t(stored);
     }
     const int drop = 63 - exponent - format.fraction;  // 1..63
@@ -140,7 +140,7 @@ std::int64_t Sampler::draw_magnitude() {
 
 std::int64_t Sampler::log_uniform(double least, double greatest) {
     // The binades of the format's positive numbers (of a float, of its normal numbers).
-    const int first = format_.is_float() ? format_.least_exponent() : -format_.fraction;
+    const int first = format_.is_float() ? format_.min_exponent() : -format_.fraction;
     const int last =
         format_.is_float() ? format_.infinity_exponent() - 1 : format_.width - 2 - format_.fraction;
     const int low = std::max(first, least > 0 ? std::ilogb(least) : first);

@@ -29,7 +29,7 @@ void DeviceCall::forbid_stray_writes() {
 
 DeviceResult DeviceCall::call(std::span<const std::int64_t> operands) {
     const instructions::Pointers& pointers = calling_.pointers;
-    std::array<std::uint64_t, reference::most_operands + 1> arguments;
+    std::array<std::uint64_t, reference::max_operands + 1> arguments;
     std::size_t count = 0;
     if (pointers.vectors) {
         const auto bytes = static_cast<std::size_t>(pointers.element_size);

@@ -16,7 +16,7 @@
 namespace operations {
 
 struct DeviceResult {
-    std::array<std::int64_t, reference::most_results> raws;  // as many as the operation has results
+    std::array<std::int64_t, reference::max_results> raws;  // as many as the operation has results
     std::uint32_t cycles;
     std::uint16_t stack_bytes;
 };

@@ -32,7 +32,7 @@ int HostSubject::input_bits() const {
 }
 
 reference::Judgement HostSubject::judge_own(Raws operands) const {
-    std::array<std::int64_t, reference::most_results> results;
+    std::array<std::int64_t, reference::max_results> results;
     const std::span computed =
         std::span(results).first(reference::shape(subject.operation).results);
     evaluate(operands, computed);

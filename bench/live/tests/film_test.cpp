@@ -143,7 +143,7 @@ TEST(Pace, GivesUpWhatTheMachineCannotKeepUpWith) {
     double simulated = 0;
     for (double wall = 0; wall < 60; wall += 0.04) {
         const double due = pace.due(wall, simulated);
-        EXPECT_LE(due - simulated, Pace::most_behind + 1e-9);
+        EXPECT_LE(due - simulated, Pace::max_behind + 1e-9);
         simulated = std::min(due, simulated + 0.02);
     }
     EXPECT_NEAR(pace.factor(), 0.5, 0.02);

@@ -909,42 +909,42 @@ map x limit scalar arithmetic integrator bound
 
 
 REGION = """
-arithmetic damping clock loop_rate_hz arm_m hand_n_per_m plants still still_thrown linear_stable
+arithmetic damping clock loop_rate_hz arm_m hand_n_per_m plants at_rest released_at_rest linear_stable
 q16_16 yes fixed 1000 0.23 30 4 4 2 1
 q16_16 yes fixed 1000 0.48 30 4 3 4 2
 q16_16 yes fixed 1000 0.23 60 4 1 4 3
 q16_16 yes fixed 1000 0.48 60 4 0 0 4
-published no report 100 0.23 30 4 1 0 0
+published no published 100 0.23 30 4 1 0 0
 """
 
 
 class Region(Figures):
     def data(self):
         return golden(stable_region=REGION, stable_limits="""
-arithmetic damping clock loop_rate_hz plant still_at_shortest hardest_hand_n_per_m linear_shortest_arm_m
+arithmetic damping clock loop_rate_hz plant at_rest_at_shortest hardest_hand_n_per_m linear_shortest_arm_m
 q16_16 yes fixed 1000 1 yes 500 0.2
 q16_16 yes fixed 1000 2 no 400 0.3
-published no report 100 1 no - -
-published no report 100 2 no 100 0.1
+published no published 100 1 no - -
+published no published 100 2 no 100 0.1
 """, stable_on_chip="""
 arithmetic damping clock loop_rate_hz chip host
-q16_16 yes fixed 1000 still still
-q16_16 yes fixed 1000 still swings
+q16_16 yes fixed 1000 at_rest at_rest
+q16_16 yes fixed 1000 at_rest swings
 q16_16 yes fixed 1000 swings swings
 """)
 
     def test_grid(self):
         rows = self.data().rows("stable_region")[:4]
-        arms, hands, shares = haptic_region.grid(rows, "still")
+        arms, hands, shares = haptic_region.grid(rows, "at_rest")
         self.assertEqual((arms, hands, shares.tolist()),
                          ([0.23, 0.48], [30, 60], [[1, 0.75], [0.25, 0]]))
 
     def test_summary(self):
         ours, published = haptic_region.summary(self.data())
         self.assertEqual(ours, {"lever": "ours, Q16.16", "damping": "yes", "rate": "1000",
-                                "taken_up": 50, "thrown": 62.5, "theory": 62.5, "hardest": 400, "theory_arm": 0.3, "chip": "2 of 3"})
+                                "grasped": 50, "released": 62.5, "theory": 62.5, "hardest": 400, "theory_arm": 0.3, "chip": "2 of 3"})
         self.assertEqual(published, {"lever": "2016 design", "damping": "no",
-                                     "rate": "100, its own clock", "taken_up": 25, "thrown": 0,
+                                     "rate": "100, its own clock", "grasped": 25, "released": 0,
                                      "theory": 0, "hardest": None,
                                      "theory_arm": None, "chip": None})
 
@@ -987,7 +987,7 @@ poke_while_held published 94
 
     def test_panels_are_in_order_of_rate_after_the_published_one(self):
         rates = "".join(f"q16_16 yes {clock} {rate} 0.23 30 4 4 4 4\n"
-                        for clock, rate in (("fixed", 1000), ("report", 100), ("fixed", 50)))
+                        for clock, rate in (("fixed", 1000), ("published", 100), ("fixed", 50)))
         rows = REGION.strip().splitlines()[0] + "\n" + rates
         figure = haptic_region.draw(golden(stable_region=rows))
         self.assertEqual([axes.get_title() for axes in figure.axes[:3]],
@@ -996,9 +996,9 @@ poke_while_held published 94
     def test_numbers_can_be_read_on_their_shade(self):
         for plants, white in ((4, 2), (5, 3)):
             axes = plt.figure().add_subplot()
-            rows = [{"arm_m": arm, "hand_n_per_m": 30, "plants": plants, "still": arm,
-                     "still_thrown": 3} for arm in range(5)]
-            haptic_region.write_thrown(axes, rows, list(range(5)), [30])
+            rows = [{"arm_m": arm, "hand_n_per_m": 30, "plants": plants, "at_rest": arm,
+                     "released_at_rest": 3} for arm in range(5)]
+            haptic_region.write_released(axes, rows, list(range(5)), [30])
             self.assertEqual([text.get_color() for text in axes.texts],
                              white * ["white"] + (5 - white) * ["black"])
 

@@ -13,7 +13,7 @@ namespace firmware {
 
 /// The weight on the sensor in grams. `sum` is the sum of 2^sum_bits readings of a 10-bit
 /// converter, by default of one; sum_bits must be in 0..4. The result is between 0 and the table's
-/// `most_grams` and never falls as `sum` rises. A mean reading outside 0..1023 counts as the
+/// `max_grams` and never falls as `sum` rises. A mean reading outside 0..1023 counts as the
 /// nearest of the two.
 template <class Scalar, int sum_bits = 0>
 FIXEDPOINT_CONSTEXPR Scalar grams(int sum) {

@@ -14,7 +14,7 @@
 namespace firmware {
 namespace calibration {
 
-constexpr int most_grams = 2000;
+constexpr int max_grams = 2000;
 constexpr Held<Hyperbola> curve = {0, 961, {877285, 1031453840, 65114909}};
 
 }  // namespace calibration

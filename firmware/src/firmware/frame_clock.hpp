@@ -33,14 +33,14 @@ constexpr float seconds<float>(uint32_t ticks) {
 }
 /// \endcond
 
-/// Steps of one length, each due at its time. Up to most_behind late steps are made up for. Steps
+/// Steps of one length, each due at its time. Up to max_behind late steps are made up for. Steps
 /// later than that are given up, so that a long wait is not followed by a burst of steps. Nothing
 /// of this is silent: late steps (by a whole step or more), steps given up and the worst delay are
 /// counted.
-template <uint16_t step_length = ticks_per_millisecond, uint8_t most_behind = 10>
+template <uint16_t step_length = ticks_per_millisecond, uint8_t max_behind = 10>
 class FixedSteps {
     static_assert(step_length > 0, "step_length must be above 0.");
-    static_assert(most_behind > 0, "most_behind must be above 0, or no late step is made up for.");
+    static_assert(max_behind > 0, "max_behind must be above 0, or no late step is made up for.");
 
   public:
     /// The first step is due one step after `now`.
@@ -54,7 +54,7 @@ class FixedSteps {
             worst_delay_ = static_cast<uint32_t>(behind);
         }
         if (behind >= step_length) ++late_;
-        if (behind > int32_t{most_behind} * step_length) give_up(behind);
+        if (behind > int32_t{max_behind} * step_length) give_up(behind);
         next_ += step_length;
         return step_length;
     }
@@ -69,7 +69,7 @@ class FixedSteps {
 
   private:
     void give_up(int32_t behind) {
-        const uint32_t steps = static_cast<uint32_t>(behind) / step_length - most_behind;
+        const uint32_t steps = static_cast<uint32_t>(behind) / step_length - max_behind;
         given_up_ += steps;
         next_ += steps * step_length;
     }

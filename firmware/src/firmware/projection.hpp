@@ -27,7 +27,7 @@ namespace firmware {
 // integer of a number that fits, and the number of cells that it can count with room to spare.
 template <class Float>
 struct CellArithmetic {
-    static constexpr int16_t most_cells = farthest_cell;
+    static constexpr int16_t max_cells = farthest_cell;
     static constexpr Float from_integer(int16_t n) { return n; }
     static int16_t floor(Float x) {
         const int16_t truncated = static_cast<int16_t>(x);
@@ -38,7 +38,7 @@ struct CellArithmetic {
 template <int I, int F, class A>
 struct CellArithmetic<fixedpoint::Fixed<I, F, A>> {
     using Scalar = fixedpoint::Fixed<I, F, A>;
-    static constexpr int16_t most_cells = I >= 16 ? farthest_cell : (1 << I >> 3) - 1;
+    static constexpr int16_t max_cells = I >= 16 ? farthest_cell : (1 << I >> 3) - 1;
     static constexpr Scalar from_integer(int16_t n) { return Scalar::from_integer(n); }
     static constexpr int16_t floor(Scalar x) { return static_cast<int16_t>(x.raw() >> F); }
     static constexpr int16_t nearest(Scalar x) { return fixedpoint::convert<int16_t>(x); }
@@ -95,7 +95,7 @@ class Projection {
 
   private:
     using Cells = CellArithmetic<Scalar>;
-    static constexpr int16_t reach = Cells::most_cells / int16_t{View::cells_per_unit};  // units
+    static constexpr int16_t reach = Cells::max_cells / int16_t{View::cells_per_unit};  // units
     static_assert(reach * int32_t{View::cells_per_unit} >= Grid::columns &&
                       reach * int32_t{View::cells_per_unit} >= Grid::rows,
                   "The view's scalar is too narrow to count the cells of the grid at this scale.");

@@ -71,8 +71,8 @@ FIXEDPOINT_CONSTEXPR Converted<Target> convert_checked(Source source) {
     using To = NumberFormat<Target>;
     using From = NumberFormat<Source>;
     const auto result =
-        portable::convert_clamped<typename To::Raw, To::fraction_bits, typename From::Raw,
-                                  From::fraction_bits>(From::raw(source));
+        portable::convert_saturated<typename To::Raw, To::fraction_bits, typename From::Raw,
+                                    From::fraction_bits>(From::raw(source));
     return {To::number(result.number), result.fits};
 }
 

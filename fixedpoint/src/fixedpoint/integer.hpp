@@ -117,7 +117,7 @@ constexpr Raw with_sign(Unsigned<Raw> magnitude, bool negative) {
 
 // A number of a wider type, saturated to the range of Raw.
 template <class Raw, class Number>
-constexpr Raw clamped(Number number) {
+constexpr Raw saturated(Number number) {
     return number > RawLimits<Raw>::max   ? RawLimits<Raw>::max
            : number < RawLimits<Raw>::min ? RawLimits<Raw>::min
                                           : static_cast<Raw>(number);
@@ -125,7 +125,7 @@ constexpr Raw clamped(Number number) {
 
 // `magnitude` with the sign restored, saturated to the range of Raw.
 template <class Raw, class Magnitude>
-FIXEDPOINT_CONSTEXPR Raw clamped_with_sign(Magnitude magnitude, bool negative) {
+FIXEDPOINT_CONSTEXPR Raw saturated_with_sign(Magnitude magnitude, bool negative) {
     const Magnitude limit = static_cast<Magnitude>(RawLimits<Raw>::max);
     if (negative) {
         return magnitude > limit ? RawLimits<Raw>::min

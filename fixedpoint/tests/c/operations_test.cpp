@@ -144,8 +144,8 @@ TEST(C, EveryOperationReturnsWhatTheReferenceDefines) {
         const auto all = raws(function.subject.operand_format);
         int judged = 0;
         for (const std::int64_t first : all) {
-            std::int64_t operands[reference::most_operands] = {first},
-                         results[reference::most_results] = {};
+            std::int64_t operands[reference::max_operands] = {first},
+                         results[reference::max_results] = {};
             // Every other call has operands with the magnitude of its first one, and boundary
             // operands.
             for (std::size_t i = 1; i < shape.operands; ++i)

@@ -28,7 +28,7 @@ def wrapped(n, width=W):
     return (n - low(width)) % (1 << width) + low(width)
 
 
-def clamped(n, width=W):
+def saturated(n, width=W):
     return min(max(n, low(width)), high(width))
 
 
@@ -77,33 +77,33 @@ def pair(a, b):
     else:
         quotient, remainder = (a > 0) * high() + (a < 0) * low(), a
     ring = [a + b, a - b, product]
-    overflows = sum(1 << bit for bit, n in enumerate([*ring, quotient]) if n != clamped(n))
-    return [raw(a), raw(b), *map(raw, map(wrapped, ring)), raw(clamped(quotient)), raw(remainder),
-            *map(raw, map(clamped, ring)), str(overflows)]
+    overflows = sum(1 << bit for bit, n in enumerate([*ring, quotient]) if n != saturated(n))
+    return [raw(a), raw(b), *map(raw, map(wrapped, ring)), raw(saturated(quotient)), raw(remainder),
+            *map(raw, map(saturated, ring)), str(overflows)]
 
 
 def with_integer(a, n):
     ring = [a + n * ONE, a - n * ONE, n * ONE - a, a * n]
     quotient = nearest(Fraction(a, n)) if n else (a > 0) * high() + (a < 0) * low()
     return [raw(a), f"int32_t(0x{n & 0xffffffff:x}u)", *map(raw, map(wrapped, ring)),
-            *map(raw, map(clamped, ring)), raw(clamped(quotient)), str((a > n * ONE) - (a < n * ONE))]
+            *map(raw, map(saturated, ring)), raw(saturated(quotient)), str((a > n * ONE) - (a < n * ONE))]
 
 
 def integer_pairs():
     for n in (0, 1, -1, 2, 3, -7, 100, 127, -128, 255, 32767, -32768, 40000, -70000, 2**31 - 1, -2**31):
         for a in (0, 1, -1, low(), low() + 1, high(), high() // 3, -(ONE + ONE // 2), n * ONE, n * ONE + 1):
-            if a == clamped(a):
+            if a == saturated(a):
                 yield a, n
 
 
 def small_operations(a, b, t):
     """Operations that are exact or rounded once, on two numbers and a position t between them."""
-    truncated, floored = ([clamped(n), a - n * b] for n in (toward_zero(Fraction(a, b)), a // b)) if b else (
+    truncated, floored = ([saturated(n), a - n * b] for n in (toward_zero(Fraction(a, b)), a // b)) if b else (
         [(a > 0) * high() + (a < 0) * low(), a] for _ in range(2))
     u = min(max(Fraction(t, ONE), 0), 1)
-    numbers = [wrapped(a + nearest(Fraction(t * (b - a), ONE))), clamped(a + nearest(Fraction(t * (b - a), ONE))),
+    numbers = [wrapped(a + nearest(Fraction(t * (b - a), ONE))), saturated(a + nearest(Fraction(t * (b - a), ONE))),
                nearest(Fraction(a + b, 2)), wrapped(abs(a - b)), wrapped(abs(a) if b >= 0 else -abs(a)),
-               clamped(nearest((3 - 2 * u) * u * u * ONE)), *truncated, *floored]
+               saturated(nearest((3 - 2 * u) * u * u * ONE)), *truncated, *floored]
     return [*map(raw, (a, b, t)), *map(raw, numbers), str((a > 0) - (a < 0))]
 
 
@@ -111,11 +111,11 @@ def positions():
     for i, (a, b) in enumerate(dict.fromkeys(operand_pairs())):
         numbers = (ONE // 2, ONE, ONE // 3, 2 * ONE // 3 + 1, ONE - 1, 0, -ONE // 3, high(), low())
         t = numbers[i % len(numbers)]
-        yield a, b, clamped(t)
+        yield a, b, saturated(t)
 
 
 def shift(a, count):
-    return [raw(a), str(count), raw(wrapped(a << count)), raw(clamped(a << count)), raw(a >> count)]
+    return [raw(a), str(count), raw(wrapped(a << count)), raw(saturated(a << count)), raw(a >> count)]
 
 
 def root(a):
@@ -127,14 +127,14 @@ def root(a):
 
 def single(a):
     row = [raw(n) for n in (
-        a, wrapped(-a), clamped(-a), wrapped(abs(a)), root(a), floor(Fraction(a, ONE)) * ONE,
-        clamped(-floor(Fraction(-a, ONE)) * ONE), clamped(nearest(Fraction(a, ONE)) * ONE),
+        a, wrapped(-a), saturated(-a), wrapped(abs(a)), root(a), floor(Fraction(a, ONE)) * ONE,
+        saturated(-floor(Fraction(-a, ONE)) * ONE), saturated(nearest(Fraction(a, ONE)) * ONE),
         toward_zero(Fraction(a, ONE)) * ONE)]
     fits = 0
     for bit, (width, fraction_bits) in enumerate(TARGETS):
         n = nearest(Fraction(a * (1 << fraction_bits), ONE))
-        fits |= (n == clamped(n, width)) << bit
-        row += [raw(wrapped(n, width), width), raw(clamped(n, width), width)]
+        fits |= (n == saturated(n, width)) << bit
+        row += [raw(wrapped(n, width), width), raw(saturated(n, width), width)]
     return [*row, str(fits), f"0x{float_bits(Fraction(a, ONE)):08x}"]
 
 
@@ -155,7 +155,7 @@ def from_float(bits):
         return [f"0x{bits:08x}", raw(0), "false"]
     infinite = x in (float("inf"), float("-inf"))
     n = (1 << 200) * (1 if x > 0 else -1) if infinite else nearest(Fraction(x) * ONE)
-    return [f"0x{bits:08x}", raw(clamped(n)), boolean(n == clamped(n))]
+    return [f"0x{bits:08x}", raw(saturated(n)), boolean(n == saturated(n))]
 
 
 def floats():
@@ -170,8 +170,8 @@ def floats():
 
 def from_decimal(n, decimals):
     result = nearest(Fraction(n * ONE, 10**decimals))
-    return [f"int32_t(0x{n & 0xffffffff:x}u)", str(decimals), raw(clamped(result)),
-            boolean(result == clamped(result))]
+    return [f"int32_t(0x{n & 0xffffffff:x}u)", str(decimals), raw(saturated(result)),
+            boolean(result == saturated(result))]
 
 
 def decimals():
@@ -210,8 +210,8 @@ def parse(text, position):
     # Results outside every format need not be exact.
     exponent = min(max(int(exponent or "0"), -100), 100)
     n = nearest(Fraction(mantissa) * Fraction(10)**exponent * ONE)
-    status = "ok" if n == clamped(n) else "out_of_range"
-    return [f'"{text}"', raw(clamped(n)), f"fixedpoint::TextStatus::{status}", str(position)]
+    status = "ok" if n == saturated(n) else "out_of_range"
+    return [f'"{text}"', raw(saturated(n)), f"fixedpoint::TextStatus::{status}", str(position)]
 
 
 def with_places(x, places):

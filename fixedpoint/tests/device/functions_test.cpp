@@ -19,21 +19,21 @@ void check_single(const Single& expected) {
 }
 
 template <class Target, class TargetRaw>
-void check_format(Number a, TargetRaw wrapped, TargetRaw clamped, bool fits) {
+void check_format(Number a, TargetRaw wrapped, TargetRaw saturated, bool fits) {
     CHECK(NumberFormat<Target>::raw(convert<Target>(a)) == wrapped);
     const Converted<Target> result = convert_checked<Target>(a);
-    CHECK(NumberFormat<Target>::raw(result.number) == clamped);
+    CHECK(NumberFormat<Target>::raw(result.number) == saturated);
     CHECK(result.fits == fits);
 }
 
 void check_conversions(const Single& expected) {
     const Number a = operand(expected.a);
     const uint8_t fits = expected.fits;
-    check_format<Q4_4>(a, expected.as_q4_4, expected.clamped_q4_4, fits & 1);
-    check_format<Q8_8>(a, expected.as_q8_8, expected.clamped_q8_8, fits & 2);
-    check_format<Q16_16>(a, expected.as_q16_16, expected.clamped_q16_16, fits & 4);
-    check_format<Q32_32>(a, expected.as_q32_32, expected.clamped_q32_32, fits & 8);
-    check_format<int16_t>(a, expected.as_int16, expected.clamped_int16, fits & 16);
+    check_format<Q4_4>(a, expected.as_q4_4, expected.saturated_q4_4, fits & 1);
+    check_format<Q8_8>(a, expected.as_q8_8, expected.saturated_q8_8, fits & 2);
+    check_format<Q16_16>(a, expected.as_q16_16, expected.saturated_q16_16, fits & 4);
+    check_format<Q32_32>(a, expected.as_q32_32, expected.saturated_q32_32, fits & 8);
+    check_format<int16_t>(a, expected.as_int16, expected.saturated_int16, fits & 16);
 }
 
 uint32_t bits_of(float x) {

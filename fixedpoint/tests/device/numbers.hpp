@@ -44,11 +44,11 @@ struct Shift {
 struct Single {
     Raw a;
     Raw negated, saturated_negated, absolute, sqrt, floor, ceil, round, trunc;
-    int8_t as_q4_4, clamped_q4_4;
-    int16_t as_q8_8, clamped_q8_8;
-    int32_t as_q16_16, clamped_q16_16;
-    int64_t as_q32_32, clamped_q32_32;
-    int16_t as_int16, clamped_int16;
+    int8_t as_q4_4, saturated_q4_4;
+    int16_t as_q8_8, saturated_q8_8;
+    int32_t as_q16_16, saturated_q16_16;
+    int64_t as_q32_32, saturated_q32_32;
+    int16_t as_int16, saturated_int16;
     uint8_t fits;  // into q4_4, q8_8, q16_16, q32_32, int16: bits 0 to 4
     uint32_t float_bits;
 };

@@ -131,8 +131,8 @@ TEST(Range, EndsBeforeThePole) {
     const auto readings = published_readings();
     const Range range = rising_range(published_function_1, readings);
     EXPECT_EQ(range.lowest, 0);
-    EXPECT_LE(value<double>(published_function_1, range.highest), most_grams);
-    EXPECT_GT(value<double>(published_function_1, range.highest + 1), most_grams);
+    EXPECT_LE(value<double>(published_function_1, range.highest), max_grams);
+    EXPECT_GT(value<double>(published_function_1, range.highest + 1), max_grams);
     EXPECT_LT(value<double>(published_function_1, 1023), 0);
     EXPECT_EQ(held_value(published_function_1, range, 1023),
               value<double>(published_function_1, range.highest));

@@ -34,7 +34,7 @@ from prove_angles_32 import CUBIC, LOST, RECORD, SLOPE, T, VALUE, Core, Rows, be
 
 LOG, POW = "_ZN10fixedpoint6kernel8composed12logarithm_56ILi16EEExm", "pow_{}_default"
 NODE = "_ZN10fixedpoint8portable17LogarithmOfFactorIvE{}E"
-CONVERT = "_ZN10fixedpoint8portable15convert_clampedIiLi8ElLi16EEENS0_9ConvertedIT_EET1_"
+CONVERT = "_ZN10fixedpoint8portable17convert_saturatedIiLi8ElLi16EEENS0_9ConvertedIT_EET1_"
 LOAD = "_ZN10fixedpoint19load_program_memoryEPKy"
 EXP, TABLE, INTERVALS = "fixedpoint_exp_wide", "fixedpoint_exp_32_table", 208
 LONG_PRODUCT, SHORT_PRODUCT, WIDE_PRODUCT, FULL_PRODUCT = (

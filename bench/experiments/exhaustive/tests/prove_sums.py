@@ -21,7 +21,7 @@ from machine_code import CALL_SAVED, Program, demand  # noqa: E402
 WIDTHS = {"q16_16": 32, "q8_24": 32}
 
 
-def clamped(exact, width):
+def saturated(exact, width):
     low, high = (z3.BitVecVal(number, exact.size()) for number in (-(1 << width - 1), (1 << width - 1) - 1))
     return z3.If(exact < low, low, z3.If(exact > high, high, exact))
 
@@ -36,8 +36,8 @@ EXACT = {
         "add_{}_default": lambda a, b, width: a + b,
         "subtract_{}_default": lambda a, b, width: a - b},
     "_angles": {
-        "add_{}_saturating": lambda a, b, width: clamped(a + b, width),
-        "subtract_{}_saturating": lambda a, b, width: clamped(a - b, width)},
+        "add_{}_saturating": lambda a, b, width: saturated(a + b, width),
+        "subtract_{}_saturating": lambda a, b, width: saturated(a - b, width)},
     "_auxiliary": {
         "abs_diff_{}_default": lambda a, b, width: magnitude(a - b),
         "copysign_{}_default": lambda a, b, width: z3.If((a < 0) != (b < 0), ~a + 1, a),

@@ -21,7 +21,7 @@ from pathlib import Path
 import z3
 from mpmath import mp, mpf
 
-from prove_sums import Calling, clamped, places
+from prove_sums import Calling, saturated, places
 from machine_code import Program, demand
 from prove_angles_32 import BOUND
 
@@ -39,7 +39,7 @@ def angle(width, dropped, constant, machine):
     def check(machine, _):
         (coordinates, radians), (factors, product) = machine.all_calls()
         result = machine.number(places(width, 1)[0], width // 8)
-        wanted = clamped((z3.SignExt(2, product) + (1 << dropped - 1)) >> dropped, width)
+        wanted = saturated((z3.SignExt(2, product) + (1 << dropped - 1)) >> dropped, width)
         machine.holds += [product >= -LARGEST, product <= LARGEST]
         demand(machine.impossible(z3.Not(z3.And(coordinates[0] == y, coordinates[1] == x, factors[0] == radians,
                                                 factors[1] == constant, result == z3.Extract(width - 1, 0, wanted)))))

@@ -58,7 +58,7 @@ struct HandParameters {
     double stiffness = 300;  // N/m: assumed, of a finger pressing lightly; 100 to 1000 in studies
     double damping = 3;      // N s/m: assumed
     double mass = 0.05;      // kg moving along while the hand holds on: assumed
-    double most_force = 15;  // N: assumed
+    double max_force = 15;   // N: assumed
 };
 
 struct ElectricalParameters {

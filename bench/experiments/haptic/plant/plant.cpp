@@ -98,7 +98,7 @@ double Plant::lever_inertia() const {
 double Plant::hand_spring() const {
     const double stretch =
         (script_.hand_angle.at(time()) - lever_.angle) * parameters_.lever.length;
-    const double most = parameters_.hand.most_force / parameters_.hand.stiffness;
+    const double most = parameters_.hand.max_force / parameters_.hand.stiffness;
     return std::clamp(stretch, -most, most);
 }
 

@@ -105,7 +105,7 @@ std::vector<Device> devices() {
 std::vector<Device> changes() {
     using Flashed = firmware::LeverChoices<firmware::LeverScalar>;
     using Float = firmware::LeverChoices<float, 9>;
-    using Report = firmware::PublishedLeverChoices<PublishedScalar>;
+    using Published = firmware::PublishedLeverChoices<PublishedScalar>;
     constexpr int rate = 10;
     return {device<Flashed>("q16_16", rate, "as flashed"),
             device<LateToBelieve<Flashed>>("q16_16", rate, "a free sensor believed from 900 on"),
@@ -114,8 +114,8 @@ std::vector<Device> changes() {
             device<Undamped<Unled<Flashed>>>("q16_16", rate, "without lead and damping"),
             device<Float>("float", 9, "in float"),
             device<Undamped<Float>>("float", 9, "in float, without damping"),
-            device<Report>("published", 0, "2016 design"),
-            device<Undamped<Report>>("published", 0, "2016 design, without damping")};
+            device<Published>("published", 0, "2016 design"),
+            device<Undamped<Published>>("published", 0, "2016 design, without damping")};
 }
 
 }  // namespace haptic::region

@@ -15,16 +15,16 @@ constexpr double shortest_arm = 0.23, longest_arm = 0.48;  // m: the ends of the
 // How the hand comes to hold the lever. Either it grasps the lever at rest and moves it within a
 // second, or it holds it in the middle when the servo is switched on and throws it towards its stop
 // and back.
-enum class Start { taken_up, thrown };
+enum class Start { grasped, released_against };
 
 // Poked with 3 N for 50 ms at 2 s, observed from 4 to 5 s.
 struct Holding {
     static constexpr double begin = 4, end = 5;  // s
 
-    explicit Holding(double arm, Start start = Start::taken_up) {
+    explicit Holding(double arm, Start start = Start::grasped) {
         constexpr double middle = degrees(30);
         script.hand_grip.from(1);
-        if (start == Start::taken_up) {
+        if (start == Start::grasped) {
             script.hand_angle.from(0).ramp(0.2, 1.2, middle);
         } else {
             script.hand_angle.from(middle);
@@ -43,7 +43,7 @@ struct Swing {
 
     double size = 0;       // rad, peak to peak
     double frequency = 0;  // Hz: upward passes of the mean, if it swings
-    bool still() const { return size <= most; }
+    bool at_rest() const { return size <= most; }
 };
 
 inline Swing swing_of(const std::vector<double>& angles, double seconds) {

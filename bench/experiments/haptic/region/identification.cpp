@@ -24,10 +24,9 @@ Identification::Draw drawn(std::uint64_t seed, double step_takes) {
     Identification::Draw draw{seed, varied(published_parameters(), seed), {}, 0, false};
     draw.fall = published(false).fall(draw.plant, step_takes);
     if (!draw.fall || !reference::within_10_percent(*draw.fall / as_published)) return draw;
-    const Swing swing =
-        published(false).hold(draw.plant, shortest_arm, Start::taken_up, step_takes);
+    const Swing swing = published(false).hold(draw.plant, shortest_arm, Start::grasped, step_takes);
     draw.swing = swing.size;
-    draw.as_published = !swing.still();
+    draw.as_published = !swing.at_rest();
     return draw;
 }
 

@@ -64,10 +64,10 @@ struct Subject {
     Device device;
     double step_takes;  // s
     DeviceRow row() const {
-        return {device.arithmetic, device.damped, device.rate == 0 ? "report" : "fixed",
+        return {device.arithmetic, device.damped, device.rate == 0 ? "published" : "fixed",
                 1 / device.law.step};
     }
-    Swing hold(const Parameters& plant, double arm, Start start = Start::taken_up) const {
+    Swing hold(const Parameters& plant, double arm, Start start = Start::grasped) const {
         return device.hold(plant, arm, start, step_takes);
     }
     LinearLoop::Verdict theory(const Parameters& plant, double arm) const {
@@ -121,28 +121,28 @@ std::vector<Parameters> with_hand(std::vector<Parameters> plants, double stiffne
     return plants;
 }
 
-double frequency_of(const Swing& swing) { return swing.still() ? none : swing.frequency; }
+double frequency_of(const Swing& swing) { return swing.at_rest() ? none : swing.frequency; }
 
-// How a family of plants behaves, grasped and thrown. A plant at rest has no frequency.
+// How a family of plants behaves, grasped and released against. A plant at rest has no frequency.
 struct FamilyRow : DeviceRow {
     double arm_m;
     std::string hand_n_per_m;  // or "own"
     std::size_t plants;
-    int still = 0;
+    int at_rest = 0;
     double swing_deg = 0, frequency_hz = none;
-    int still_thrown = 0;
-    double thrown_swing_deg = 0, thrown_frequency_hz = none;
+    int released_at_rest = 0;
+    double released_swing_deg = 0, released_frequency_hz = none;
 
     static constexpr auto columns = std::tuple_cat(
         DeviceRow::columns,
         std::tuple(column("arm_m", &FamilyRow::arm_m),
                    column("hand_n_per_m", &FamilyRow::hand_n_per_m),
-                   column("plants", &FamilyRow::plants), column("still", &FamilyRow::still),
+                   column("plants", &FamilyRow::plants), column("at_rest", &FamilyRow::at_rest),
                    column("worst_swing_deg", &FamilyRow::swing_deg),
                    column("worst_frequency_hz", &FamilyRow::frequency_hz),
-                   column("still_thrown", &FamilyRow::still_thrown),
-                   column("worst_thrown_swing_deg", &FamilyRow::thrown_swing_deg),
-                   column("worst_thrown_frequency_hz", &FamilyRow::thrown_frequency_hz)));
+                   column("released_at_rest", &FamilyRow::released_at_rest),
+                   column("worst_released_swing_deg", &FamilyRow::released_swing_deg),
+                   column("worst_released_frequency_hz", &FamilyRow::released_frequency_hz)));
 
     FamilyRow(const Subject& subject, const std::vector<Parameters>& family, double arm,
               double hand)
@@ -150,16 +150,17 @@ struct FamilyRow : DeviceRow {
           arm_m(arm),
           hand_n_per_m(hand == 0 ? "own" : records::cell(hand)),
           plants(family.size()) {
-        const auto add = [](const Swing& swing, int& still, double& worst_deg, double& frequency) {
-            still += swing.still();
+        const auto add = [](const Swing& swing, int& at_rest, double& worst_deg,
+                            double& frequency) {
+            at_rest += swing.at_rest();
             if (swing.size / degrees(1) <= worst_deg) return;
             worst_deg = swing.size / degrees(1);
             frequency = frequency_of(swing);
         };
         for (const Parameters& plant : with_hand(family, hand)) {
-            add(subject.hold(plant, arm), still, swing_deg, frequency_hz);
-            add(subject.hold(plant, arm, Start::thrown), still_thrown, thrown_swing_deg,
-                thrown_frequency_hz);
+            add(subject.hold(plant, arm), at_rest, swing_deg, frequency_hz);
+            add(subject.hold(plant, arm, Start::released_against), released_at_rest,
+                released_swing_deg, released_frequency_hz);
         }
     }
     FamilyRow() = default;
@@ -209,31 +210,31 @@ void write_map(const std::vector<Subject>& subjects, const std::vector<Parameter
     records::table_of(rows).save(options.output / "stable_region.csv");
 }
 
-// The end of the range of `still` values that starts at `from`, towards `to`, within a ratio; NaN
-// if not even `from` is still.
-template <class Still>
-double limit(double from, double to, double ratio, Still&& still) {
-    if (!still(from)) return std::nan("");
-    if (still(to)) return to;
+// The end of the range of values `at_rest` that starts at `from`, towards `to`, within a ratio; NaN
+// if not even `from` is.
+template <class AtRest>
+double limit(double from, double to, double ratio, AtRest&& at_rest) {
+    if (!at_rest(from)) return std::nan("");
+    if (at_rest(to)) return to;
     while (std::max(from / to, to / from) > ratio) {
         const double middle = std::sqrt(from * to);
-        (still(middle) ? from : to) = middle;
+        (at_rest(middle) ? from : to) = middle;
     }
     return from;
 }
 
-// A row of stable_limits.csv; NaN if the plant is never still.
+// A row of stable_limits.csv; NaN if the plant is never at rest.
 struct LimitsRow : DeviceRow {
     std::size_t plant;
     double own_hand;
-    bool still_at_shortest;
+    bool at_rest_at_shortest;
     double shortest_arm, softest_hand, hardest_hand, linear_shortest_arm;
 
     static constexpr auto columns = std::tuple_cat(
         DeviceRow::columns,
         std::tuple(column("plant", &LimitsRow::plant),
                    column("own_hand_n_per_m", &LimitsRow::own_hand),
-                   column("still_at_shortest", &LimitsRow::still_at_shortest),
+                   column("at_rest_at_shortest", &LimitsRow::at_rest_at_shortest),
                    column("shortest_arm_m", &LimitsRow::shortest_arm),
                    column("softest_hand_n_per_m", &LimitsRow::softest_hand),
                    column("hardest_hand_n_per_m", &LimitsRow::hardest_hand),
@@ -249,20 +250,22 @@ void write_limits(const std::vector<Subject>& subjects, const std::vector<Parame
             const Subject& subject = subjects[i / plants.size()];
             const Parameters& plant = plants[i % plants.size()];
             const double own = plant.hand.stiffness;
-            const auto still_at_arm = [&](double arm) { return subject.hold(plant, arm).still(); };
-            const auto still_at_hand = [&](double hand) {
+            const auto at_rest_at_arm = [&](double arm) {
+                return subject.hold(plant, arm).at_rest();
+            };
+            const auto at_rest_at_hand = [&](double hand) {
                 Parameters held = plant;
                 held.hand.stiffness = hand;
-                return subject.hold(held, shortest_arm).still();
+                return subject.hold(held, shortest_arm).at_rest();
             };
             const auto stable = [&](double arm) { return subject.theory(plant, arm).stable(); };
             return LimitsRow{subject.row(),
                              i % plants.size() + 1,
                              own,
-                             still_at_hand(own),
-                             limit(longest_arm, shortest_arm, 1.02, still_at_arm),
-                             limit(own, softest, extent.bisected, still_at_hand),
-                             limit(own, hardest, extent.bisected, still_at_hand),
+                             at_rest_at_hand(own),
+                             limit(longest_arm, shortest_arm, 1.02, at_rest_at_arm),
+                             limit(own, softest, extent.bisected, at_rest_at_hand),
+                             limit(own, hardest, extent.bisected, at_rest_at_hand),
                              limit(theory_most, theory_least, 1.01, stable)};
         });
     records::table_of(rows).save(options.output / "stable_limits.csv");
@@ -318,7 +321,7 @@ void check_on_chip(const std::vector<Subject>& all, const std::vector<Parameters
             DeviceLoop loop(elf, plant, Holding(shortest_arm).script);
             const Swing chip = watch_held(loop), host = subject.hold(plant, shortest_arm);
             const auto verdict = [](const Swing& swing) {
-                return swing.still() ? "still" : "swings";
+                return swing.at_rest() ? "at_rest" : "swings";
             };
             return ChipRow{subject.row(),          shortest_arm,       i % plants.size() + 1,
                            chip.size / degrees(1), frequency_of(chip), host.size / degrees(1),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The stable region of a lever that is held still: arm length x loop rate x stiffness of the hand,
-// for each arithmetic, with and without the selective damping, over plants that behave as
+// The stable region of a lever that is held at rest: arm length x loop rate x stiffness of the
+// hand, for each arithmetic, with and without the selective damping, over plants that behave as
 // published.
 #pragma once
 
@@ -16,7 +16,7 @@ struct Options {
 
 // Determined on the host and checked on the simulated chip. Writes
 //   identification.csv  the plants that were drawn, and which of them behave as published
-//   stable_region.csv   how many plants of the family are still, over the whole region, and how
+//   stable_region.csv   how many plants of the family are at rest, over the whole region, and how
 //                       many of them the linear theory calls stable
 //   stable_limits.csv   for each plant: the shortest arm, the softest and the hardest hand
 //   stable_changes.csv  the flashed lever with each of its stabilising measures left out in turn,

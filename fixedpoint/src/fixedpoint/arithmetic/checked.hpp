@@ -91,7 +91,8 @@ struct Checked : Nearest {
     /// As Nearest; notifies of overflow.
     template <class Raw, int F, class FromRaw, int FromF>
     static FIXEDPOINT_CONSTEXPR Raw convert(FromRaw a) {
-        watch_range(portable::convert_clamped<Raw, F, FromRaw, FromF>(a).fits, Operation::convert);
+        watch_range(portable::convert_saturated<Raw, F, FromRaw, FromF>(a).fits,
+                    Operation::convert);
         return Nearest::convert<Raw, F, FromRaw, FromF>(a);
     }
     /// As Nearest; notifies of a domain error if a < 0.

@@ -70,7 +70,7 @@ struct Saturating : Nearest {
     /// a, an integer or a raw of another format, rounded to F fraction bits, saturated.
     template <class Raw, int F, class FromRaw, int FromF>
     static constexpr Raw convert(FromRaw a) {
-        return portable::convert_clamped<Raw, F, FromRaw, FromF>(a).number;
+        return portable::convert_saturated<Raw, F, FromRaw, FromF>(a).number;
     }
 };
 

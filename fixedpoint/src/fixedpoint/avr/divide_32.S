@@ -36,7 +36,7 @@
 .Lzero_divisor:
     or_bytes r0, n0, 4
     breq .Lrestore
-.Lclamp:
+.Lsaturate:
     ldi r22, 0xff
     ldi r23, 0xff
     movw r24, r22
@@ -115,7 +115,7 @@
 2:  ldi r27, 4
     cp digits, r27
     brlo 2f
-    rjmp .Lclamp
+    rjmp .Lsaturate
 2:  mov r30, d3
     mov r0, d2
     lsl r0
@@ -185,7 +185,7 @@
 1:  increment_bytes r22, 4
 2:  tst r25
     brpl 3f
-    rjmp .Lclamp
+    rjmp .Lsaturate
 3:  brtc 4f
     negate_bytes r22, 4
 4:  rjmp .Lrestore

@@ -101,7 +101,7 @@
     .endm
 
     // n >= 2^15 d, including d = 0; the result is 0 only for 0 / 0.
-.Lclamp:
+.Lsaturate:
     or_bytes r0, n0, 4
     breq 1f
     ldi r22, 0xff
@@ -132,10 +132,10 @@
     lsl r0
     rol r26
     rol r27
-    brcs .Lclamp
+    brcs .Lsaturate
     cp r26, r18
     cpc r27, r19
-    brsh .Lclamp
+    brsh .Lsaturate
     tst r19
     brne .Lshort
     mov r19, r18

@@ -20,7 +20,7 @@
 // The remainder stays below d, so its highest bytes are at most those of d; if they are equal, the
 // digit estimated is 256 and certainly too large. Finally, twice the remainder is compared with d:
 // the quotient is rounded away from zero if it is not less or, for a negative quotient, more. So
-// ties go upward.
+// ties round half up.
 //
 // Five bytes: the remainder, the rest of the dividend and the quotient are one row of bytes that is
 // shifted by a byte for each digit. Unless |a| < 2^31 |b|, the result saturates before the

@@ -14,7 +14,7 @@
 // does not matter). a R is off by less than 64 units, since |a| <= 128 and R is off by at most half
 // a unit; 64 units are added. So the error is in [0, 128) units. It must not bridge the step from
 // one possible fraction of a quotient to the next, which is 2^15 / 2 |b| >= 128 units if |b| > 16,
-// and 2^12 / 2 |b| >= 128 units otherwise. Hence ties round upward, and nothing else does.
+// and 2^12 / 2 |b| >= 128 units otherwise. Hence ties, and nothing else, round half up.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -62,7 +62,7 @@
     mov r23, r25
     subi r23, -8
     cpi r23, 16
-    brsh .Lclamp_to_sign_of_r25
+    brsh .Lsaturate_to_sign_of_r25
     andi r24, 0xf0
     andi r25, 0x0f
     or r24, r25
@@ -76,7 +76,7 @@
     brmi .Lminus_one
     subi r24, -8
     cpi r24, 16
-    brsh .Lclamp_to_sign_of_r25
+    brsh .Lsaturate_to_sign_of_r25
     subi r24, 8
     swap r24
     andi r24, 0xf0
@@ -87,7 +87,7 @@
     com r25
     subi r24, -7
     cpi r24, 16
-    brsh .Lclamp_to_sign_of_r25
+    brsh .Lsaturate_to_sign_of_r25
     subi r24, 7
     swap r24
     andi r24, 0xf0
@@ -97,7 +97,7 @@
 .Lzero:
     tst r24
     breq .Lreturn
-.Lclamp_to_sign_of_r25:
+.Lsaturate_to_sign_of_r25:
     ldi r24, 0x7f
     sbrc r25, 7
     inc r24

@@ -9,7 +9,7 @@
 // Stack:    0 bytes.
 //
 // On magnitudes; the sign is restored at the end. A negative quotient is rounded by half a divisor
-// less one unit, so that ties go upward.
+// less one unit, so that ties round half up.
 //
 // |b| < 1: b has one byte. With its leading one shifted to bit 7, it divides 2^9 |a|, shifted
 // likewise, exactly and in two digits by Moeller and Granlund's reciprocal; 2 |a| < 2^8 b unless
@@ -67,7 +67,7 @@
     rol a1
     brcs .Lsaturate_short
     cp a1, b0
-    brsh .Lclamp_short
+    brsh .Lsaturate_short
     movw d0, a0
     sbrc b0, 7
     rjmp 1f
@@ -125,8 +125,8 @@
     sbci a1, 0xff
     ret
 
-.Lclamp_short:
-    rjmp .Lclamp
+.Lsaturate_short:
+    rjmp .Lsaturate
 .Lsaturate_short:
     rjmp .Lsaturate
 
@@ -263,7 +263,7 @@
     ret
 
     // Out of range, or 0 / 0.
-.Lclamp:
+.Lsaturate:
     mov r18, a0
     or r18, a1
     breq .Lreturn

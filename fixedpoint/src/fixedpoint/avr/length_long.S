@@ -75,7 +75,7 @@
 #define f r30
 
     SECTION fixedpoint_length_long
-.Lclamp:
+.Lsaturate:
     ldi_bytes l0, 0x7fffffff, 4
 .Lrestore:
     pop_all r14, r15, r16, r17, r29, r28
@@ -88,7 +88,7 @@
     clr n6
     clr n7
     tst a3
-    brmi .Lclamp
+    brmi .Lsaturate
     // n += a^2: the squares of the bytes, 2 a3 a2, then 2 (a3:a2) (a1:a0), as 2 (a3:a2) fits in two
     // bytes, and a1 a0 twice.
 .Lsquare:
@@ -151,7 +151,7 @@
     sbci_each a1, 0xff, 3
     brmi 1f
     rjmp .Lsquare
-1:  rjmp .Lclamp
+1:  rjmp .Lsaturate
 
 .Lshort:
     mov m5, n5
@@ -317,7 +317,7 @@
 5:  brcs 6f
     increment_bytes l0, 4
     brpl 6f
-    rjmp .Lclamp
+    rjmp .Lsaturate
 6:  rjmp .Lrestore
 
     // 2^32, to be 2^32 - 1.

@@ -204,7 +204,7 @@
     sbci_each r19, 0xff, 7
     brpl 1f
     pop_all r31, r30, r26
-    XJMP .Lclamp
+    XJMP .Lsaturate
 1:  chain 14, r25, r25
     lsl r25
     chain 12, r24, r24
@@ -268,7 +268,7 @@
     FUNCTION fixedpoint_root_128
     ldi r26, 8
     cpi r17, 0x40
-    brsh .Lclamp
+    brsh .Lsaturate
     // Shifted left by a pair of bytes
 1:  mov r0, r17
     or r0, r16
@@ -280,7 +280,7 @@
     clr r19
     movw_each r20, r18, 6
     rjmp .Lrestore
-.Lclamp:
+.Lsaturate:
     ldi r18, 0xff
     ldi r19, 0xff
     movw_each r20, r18, 6
@@ -411,7 +411,7 @@
 3:  lsl r27
     adc_each r18, zero, 8
     brpl 4f
-    rjmp .Lclamp
+    rjmp .Lsaturate
 4:  rjmp .Lrestore
     ENDFUNC fixedpoint_root_128
 

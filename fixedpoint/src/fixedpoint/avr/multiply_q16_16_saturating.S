@@ -73,7 +73,7 @@
     inc r26
 1:  dec r26
     mov r27, r26
-    rjmp .Lclamp
+    rjmp .Lsaturate
 
     ENTRY fixedpoint_multiply_q16_16_saturating
     mov r26, rA3
@@ -123,7 +123,7 @@
     brne 1f
     ret
 1:  mov r27, r0
-    rjmp .Lclamp
+    rjmp .Lsaturate
 
     // Bytes 2..6: r30, r31, r25, r26, r27. An operand byte that is no longer needed takes the sign
     // of its last product.
@@ -169,13 +169,13 @@
     mov r0, r26
     lsl r0
     adc r27, r1
-    brne .Lclamp
+    brne .Lsaturate
     movw r22, r30
     mov r24, r25
     mov r25, r26
     ret
     // Saturates to the limit with the sign of r27.
-.Lclamp:
+.Lsaturate:
     cpi r27, 0x80
     sbc r22, r22
     mov r23, r22

@@ -22,7 +22,7 @@ constexpr Raw subtract_saturating(Raw a, Raw b) {
 #if defined(__AVR__) && !defined(__clang__) && !defined(FIXEDPOINT_NO_ASSEMBLY)
 // If a + b overflows, a and b both have the sign of the exact sum, and the wrapped sum has the
 // wrong one. The result is the sign of b (`bst`) on top of copies of the wrong sign.
-inline int16_t sum_clamped(int16_t a, int16_t b) {
+inline int16_t saturated_sum(int16_t a, int16_t b) {
     asm("add %A0, %A1\n\t"
         "adc %B0, %B1\n\t"
         "brvc 1f\n\t"
@@ -36,7 +36,7 @@ inline int16_t sum_clamped(int16_t a, int16_t b) {
         : "r"(b));
     return a;
 }
-inline int32_t sum_clamped(int32_t a, int32_t b) {
+inline int32_t saturated_sum(int32_t a, int32_t b) {
     asm("add %A0, %A1\n\t"
         "adc %B0, %B1\n\t"
         "adc %C0, %C1\n\t"
@@ -56,7 +56,7 @@ inline int32_t sum_clamped(int32_t a, int32_t b) {
 }
 // If a - b overflows, b has the wrong sign, that of the wrapped difference; there is a borrow if
 // that is negative.
-inline int16_t difference_clamped(int16_t a, int16_t b) {
+inline int16_t saturated_difference(int16_t a, int16_t b) {
     asm("sub %A0, %A1\n\t"
         "sbc %B0, %B1\n\t"
         "brvc 1f\n\t"
@@ -71,7 +71,7 @@ inline int16_t difference_clamped(int16_t a, int16_t b) {
         : "r"(b));
     return a;
 }
-inline int32_t difference_clamped(int32_t a, int32_t b) {
+inline int32_t saturated_difference(int32_t a, int32_t b) {
     asm("sub %A0, %A1\n\t"
         "sbc %B0, %B1\n\t"
         "sbc %C0, %C1\n\t"
@@ -95,13 +95,13 @@ inline int32_t difference_clamped(int32_t a, int32_t b) {
     template <>                                                                                    \
     FIXEDPOINT_CONSTEXPR Raw add_saturating(Raw a, Raw b) {                                        \
         return __builtin_constant_p(a) && __builtin_constant_p(b) ? portable::add_saturating(a, b) \
-                                                                  : sum_clamped(a, b);             \
+                                                                  : saturated_sum(a, b);           \
     }                                                                                              \
     template <>                                                                                    \
     FIXEDPOINT_CONSTEXPR Raw subtract_saturating(Raw a, Raw b) {                                   \
         return __builtin_constant_p(a) && __builtin_constant_p(b)                                  \
                    ? portable::subtract_saturating(a, b)                                           \
-                   : difference_clamped(a, b);                                                     \
+                   : saturated_difference(a, b);                                                   \
     }
 FIXEDPOINT_SATURATING_SUMS(int16_t)
 FIXEDPOINT_SATURATING_SUMS(int32_t)

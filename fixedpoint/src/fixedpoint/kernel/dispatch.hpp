@@ -168,7 +168,7 @@ constexpr int32_t to_q16_16(Raw a) {
 // a rounded to F fraction bits and saturated.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw from_q16_16(int32_t a) {
-    return portable::convert_clamped<Raw, F, int32_t, 16>(a).number;
+    return portable::convert_saturated<Raw, F, int32_t, 16>(a).number;
 }
 
 #define FIXEDPOINT_THROUGH_Q16_16(operation, has_own)                                  \
@@ -564,7 +564,7 @@ FIXEDPOINT_CONSTEXPR Raw wrapping_lerp(Raw a, Raw b, Raw t) {
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw divide(Raw a, Raw b) {
     return has_assembly && sizeof(Raw) <= 2
-               ? clamped<Raw>(divide<int32_t, 16>(
+               ? saturated<Raw>(divide<int32_t, 16>(
                      static_cast<int32_t>(a),
                      static_cast<int32_t>(b) * (int32_t(1) << (F < 16 ? 16 - F : 0))))
                : Split<Raw, F>::divide(a, b);
@@ -624,7 +624,7 @@ FIXEDPOINT_OF_64_BITS(abs_diff)
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw sqrt(Raw a) {
     return has_assembly && sizeof(Raw) <= 2
-               ? clamped<Raw>(
+               ? saturated<Raw>(
                      sqrt<int32_t, 0>(static_cast<int32_t>(a) * (int32_t(1) << (F < 16 ? F : 16))))
                : Split<Raw, F>::sqrt(a);
 }

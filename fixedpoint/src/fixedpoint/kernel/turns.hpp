@@ -38,7 +38,7 @@ struct SineOfPhase42 {
     using Phase = uint64_t;
     static constexpr int phase_bits = 42;
     static FIXEDPOINT_CONSTEXPR Raw sine(Phase phase) {
-        return clamped<Raw>(sine_of_quarter_turns<int32_t, F>(phase));
+        return saturated<Raw>(sine_of_quarter_turns<int32_t, F>(phase));
     }
 };
 template <int F>
@@ -161,7 +161,7 @@ FIXEDPOINT_CONSTEXPR Raw coarse_angle_of(Raw y, Raw x, uint64_t factor) {
     const int64_t angle = atan2<int64_t, 32>(static_cast<int64_t>(y), static_cast<int64_t>(x));
     const uint64_t product = static_cast<uint64_t>(multiply<int64_t, 32>(
         static_cast<int64_t>(magnitude(angle)), static_cast<int64_t>(factor)));
-    return clamped_with_sign<Raw>(upper_word(product + (uint32_t(1) << 31)), angle < 0);
+    return saturated_with_sign<Raw>(upper_word(product + (uint32_t(1) << 31)), angle < 0);
 }
 
 // angle factor 2^-Bits rounded to F fraction bits and saturated; angle has FromF fraction bits.
@@ -172,7 +172,7 @@ FIXEDPOINT_CONSTEXPR Raw scaled_angle(int64_t angle, uint64_t factor) {
     const portable::Wide128 product = portable::multiply_full(magnitude(angle), factor);
     const uint64_t rounded = shift > 0 ? ((product.high >> (shift > 0 ? shift - 1 : 0)) + 1) >> 1
                                        : product.high + (product.low >> 63);
-    return clamped_with_sign<Raw>(rounded, angle < 0);
+    return saturated_with_sign<Raw>(rounded, angle < 0);
 }
 
 // The angle of (x, y) in radians, times factor 2^-Bits.
@@ -204,7 +204,7 @@ struct AngleOfVector<Raw, F, true> {
     // angle 2^-bits, rounded to F bits.
     template <int bits>
     static FIXEDPOINT_CONSTEXPR Raw rounded(int32_t angle) {
-        return clamped<Raw>((angle + (int32_t(1) << (bits - F - 1))) >> (bits - F));
+        return saturated<Raw>((angle + (int32_t(1) << (bits - F - 1))) >> (bits - F));
     }
     static FIXEDPOINT_CONSTEXPR Raw in_turns(Raw y, Raw x) {
         constexpr int32_t per_radian = 1367130551;  // 2^-33

@@ -30,7 +30,7 @@ struct ArcTangent {
 template <>
 struct ArcTangent<int8_t, 4> {
     static FIXEDPOINT_CONSTEXPR int8_t apply(int8_t a) {
-        return convert_clamped<int8_t, 4, int32_t, 16>(
+        return convert_saturated<int8_t, 4, int32_t, 16>(
                    atan_q16_16(convert<int32_t, 16, int8_t, 4>(a)))
             .number;
     }

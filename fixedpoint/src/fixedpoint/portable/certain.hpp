@@ -90,7 +90,7 @@ FIXEDPOINT_CONSTEXPR int32_t certain_exp<int32_t, 16>(int32_t a) {
     const int32_t above_tie = static_cast<int32_t>(power >> 24 & 0xff) - 128;
     if (whole >> 31 != 0) return RawLimits<int32_t>::max;
     if (magnitude(above_tie) <= (whole >> 24) + 2) return RawLimits<int32_t>::min;
-    return clamped<int32_t>(static_cast<int64_t>(whole) + (above_tie > 0 ? 1 : 0));
+    return saturated<int32_t>(static_cast<int64_t>(whole) + (above_tie > 0 ? 1 : 0));
 }
 
 }  // namespace portable

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Conversion between fixed-point formats and integers of any width and signedness. An integer is
 // the format with F = 0, so every conversion is one shift, rounded to nearest, half up, if it drops
-// bits. convert wraps; convert_clamped saturates and reports whether it did.
+// bits. convert wraps; convert_saturated saturates and reports whether it did.
 #pragma once
 
 #include <fixedpoint/integer.hpp>
@@ -20,7 +20,7 @@ constexpr Target scale(Source n) {
 
 // The integer n 2^Shift, saturated to the range of Target.
 template <class Target, int Shift, class Source>
-FIXEDPOINT_CONSTEXPR Converted<Target> scale_clamped(Source n) {
+FIXEDPOINT_CONSTEXPR Converted<Target> scale_saturated(Source n) {
     constexpr bool target_is_signed = Target(-1) < Target(1);
     constexpr Target max =
         target_is_signed ? static_cast<Target>(RawLimits<Target>::max) : Target(-1);
@@ -59,8 +59,8 @@ constexpr ToRaw convert(FromRaw a) {
 
 // The same, saturated instead of wrapped.
 template <class ToRaw, int ToF, class FromRaw, int FromF>
-constexpr Converted<ToRaw> convert_clamped(FromRaw a) {
-    return scale_clamped<ToRaw, left_shift<FromF, ToF>()>(
+constexpr Converted<ToRaw> convert_saturated(FromRaw a) {
+    return scale_saturated<ToRaw, left_shift<FromF, ToF>()>(
         integer_round<FromRaw, right_shift<FromF, ToF>()>(a));
 }
 

@@ -43,7 +43,7 @@ FIXEDPOINT_CONSTEXPR Word cordic_coordinate(Coordinate a) {
 template <class Raw, int F, class Word>
 FIXEDPOINT_CONSTEXPR Raw round_from_cordic(Word magnitude, bool negative) {
     constexpr int surplus = cordic_bits<Word>() - 2 - F;
-    return clamped_with_sign<Raw>((magnitude + (Word(1) << (surplus - 1))) >> surplus, negative);
+    return saturated_with_sign<Raw>((magnitude + (Word(1) << (surplus - 1))) >> surplus, negative);
 }
 
 }  // namespace portable

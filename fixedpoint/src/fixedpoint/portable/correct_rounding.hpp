@@ -24,7 +24,7 @@ FIXEDPOINT_CONSTEXPR Raw correctly_rounded(int64_t wide, Operands... a) {
     static_assert(F <= 16 && RawLimits<Raw>::width - F <= 16,
                   "CorrectlyRounded needs a format whose numbers are all numbers of Q16.16.");
     constexpr uint32_t half = uint32_t(1) << (31 - F);
-    const Converted<Raw> up = convert_clamped<Raw, F, int64_t, 32>(wide);
+    const Converted<Raw> up = convert_saturated<Raw, F, int64_t, 32>(wide);
     const bool is_tie = (static_cast<uint32_t>(wide) & (2 * half - 1)) == half;
     // Results below the smallest number saturate, whichever side of the tie they are on.
     if (!is_tie || !up.fits || up.number == RawLimits<Raw>::min) return up.number;

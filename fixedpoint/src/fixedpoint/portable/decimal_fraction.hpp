@@ -63,14 +63,14 @@ template <class Raw, int F, class Word>
 FIXEDPOINT_CONSTEXPR Converted<Raw> assemble(Word integer, DecimalFraction<Word> fraction,
                                              bool negative) {
     const Word limit = static_cast<Word>(RawLimits<Raw>::max) + (negative ? 1 : 0);
-    const Converted<Raw> clamped = {negative ? RawLimits<Raw>::min : RawLimits<Raw>::max, false};
-    if (integer > (limit >> F)) return clamped;
+    const Converted<Raw> saturated = {negative ? RawLimits<Raw>::min : RawLimits<Raw>::max, false};
+    if (integer > (limit >> F)) return saturated;
     // The part below one ulp, as a fraction of an ulp.
     const DecimalFraction<Word> below = {fraction.bits << F, fraction.inexact};
     const Word magnitude =
         (integer << F) + ((fraction.bits >> (RawLimits<Word>::width - 1 - F)) >> 1);
     const Word up = below.rounds_away(negative) ? 1 : 0;
-    if (magnitude > limit - up) return clamped;
+    if (magnitude > limit - up) return saturated;
     return {with_sign<Raw>(static_cast<Unsigned<Raw>>(magnitude + up), negative), true};
 }
 

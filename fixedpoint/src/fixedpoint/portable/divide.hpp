@@ -15,41 +15,41 @@ constexpr Unsigned<Raw> magnitude_overflow() {
     return static_cast<Unsigned<Raw>>(RawLimits<Raw>::min);
 }
 
-// dividend / divisor, rounded to nearest; ties go upward or downward. From 2^(W-1) on it overflows.
+// dividend / divisor, rounded to nearest, half up or half down. From 2^(W-1) on it overflows.
 template <class Raw, class Dividend>
 FIXEDPOINT_CONSTEXPR Unsigned<Raw> rounded_quotient(Dividend dividend, Unsigned<Raw> divisor,
-                                                    bool tie_upward) {
+                                                    bool half_up) {
     const Dividend quotient = static_cast<Dividend>(dividend / divisor);
     if (quotient >> (RawLimits<Raw>::width - 1) != 0) return magnitude_overflow<Raw>();
     const Unsigned<Raw> rest = static_cast<Unsigned<Raw>>(
         static_cast<Unsigned<Raw>>(dividend) - static_cast<Unsigned<Raw>>(quotient) * divisor);
     const Unsigned<Raw> other = static_cast<Unsigned<Raw>>(divisor - rest);
-    return static_cast<Unsigned<Raw>>(quotient + (tie_upward ? rest >= other : rest > other));
+    return static_cast<Unsigned<Raw>>(quotient + (half_up ? rest >= other : rest > other));
 }
 
 // The same for a 2^F / b, with a dividend of twice the width.
 template <class Raw, int F>
 struct WideQuotient {
-    static constexpr Unsigned<Raw> rounded(Unsigned<Raw> a, Unsigned<Raw> b, bool tie_upward) {
+    static constexpr Unsigned<Raw> rounded(Unsigned<Raw> a, Unsigned<Raw> b, bool half_up) {
         using Dividend = Unsigned<Wide<Raw>>;
         return rounded_quotient<Raw>(static_cast<Dividend>(static_cast<Dividend>(a) << F), b,
-                                     tie_upward);
+                                     half_up);
     }
 };
 FIXEDPOINT_CONSTEXPR uint64_t rounded_quotient_64(uint64_t a, uint64_t b, uint8_t fraction,
-                                                  bool tie_upward) {
+                                                  bool half_up) {
     const uint64_t high = a >> 1 >> (63 - fraction);
     // The integer part takes at least 64 bits.
     if (high >= b) return magnitude_overflow<int64_t>();
     const Division128 division = divide_full(high, a << fraction, b);
     if (division.quotient >> 63 != 0) return magnitude_overflow<int64_t>();
     const uint64_t rest = division.remainder, other = b - rest;
-    return division.quotient + (tie_upward ? rest >= other : rest > other);
+    return division.quotient + (half_up ? rest >= other : rest > other);
 }
 template <int F>
 struct WideQuotient<int64_t, F> {
-    static FIXEDPOINT_CONSTEXPR uint64_t rounded(uint64_t a, uint64_t b, bool tie_upward) {
-        return rounded_quotient_64(a, b, F, tie_upward);
+    static FIXEDPOINT_CONSTEXPR uint64_t rounded(uint64_t a, uint64_t b, bool half_up) {
+        return rounded_quotient_64(a, b, F, half_up);
     }
 };
 
@@ -62,7 +62,7 @@ template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw divide(Raw a, Raw b) {
     if (b == 0) return quotient_by_zero(a);
     const bool negative = (a < 0) != (b < 0);
-    return clamped_with_sign<Raw>(
+    return saturated_with_sign<Raw>(
         WideQuotient<Raw, F>::rounded(magnitude(a), magnitude(b), !negative), negative);
 }
 

@@ -28,11 +28,11 @@ FIXEDPOINT_CONSTEXPR Raw divide_small(Raw a, Raw b) {
         }
     }
     if (!fits || quotient >> top != 0) {
-        return clamped_with_sign<Raw>(magnitude_overflow<Raw>(), negative);
+        return saturated_with_sign<Raw>(magnitude_overflow<Raw>(), negative);
     }
     const Unsigned<Raw> other = static_cast<Unsigned<Raw>>(divisor - rest);
     const bool up = negative ? rest > other : rest >= other;
-    return clamped_with_sign<Raw>(static_cast<Unsigned<Raw>>(quotient + up), negative);
+    return saturated_with_sign<Raw>(static_cast<Unsigned<Raw>>(quotient + up), negative);
 }
 
 }  // namespace portable

@@ -14,7 +14,7 @@ FIXEDPOINT_CONSTEXPR Raw divide_widening(Raw a, Raw b) {
     const bool fits = F == 0 || dividend >> (F == 0 ? 0 : RawLimits<Raw>::width - F) == 0;
     if (!fits || b == 0) return divide<Raw, F>(a, b);
     const bool negative = (a < 0) != (b < 0);
-    return clamped_with_sign<Raw>(
+    return saturated_with_sign<Raw>(
         rounded_quotient<Raw>(static_cast<Unsigned<Raw>>(dividend << F % RawLimits<Raw>::width),
                               magnitude(b), !negative),
         negative);

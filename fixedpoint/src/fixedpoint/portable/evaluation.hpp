@@ -88,7 +88,8 @@ struct Evaluated<Function, Raw, F, true> {
     static FIXEDPOINT_IN_PLACE Evaluation<Raw> apply(Operands... a) {
         const Evaluation<int32_t> wide = Function::template apply<int32_t, wide_fraction>(
             convert<int32_t, wide_fraction, Raw, F>(a)...);
-        const Converted<Raw> narrow = convert_clamped<Raw, F, int32_t, wide_fraction>(wide.number);
+        const Converted<Raw> narrow =
+            convert_saturated<Raw, F, int32_t, wide_fraction>(wide.number);
         return {narrow.number, wide.outcome == Outcome::in_range && !narrow.fits ? Outcome::overflow
                                                                                  : wide.outcome};
     }

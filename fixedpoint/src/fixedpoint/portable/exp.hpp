@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// exp: e^a within 0.75 ulp, saturated to the largest number.
+// exp: e^a, faithful (error below 0.75 ulp), saturated to the largest number.
 #pragma once
 
 #include <fixedpoint/portable/double_word.hpp>
@@ -78,7 +78,7 @@ FIXEDPOINT_CONSTEXPR Raw exp_small(Raw a) {
                                                   : k < 0 ? position + multiple
                                                           : position - multiple);
     const int surplus = bits - 3 - exponent;
-    return clamped_with_sign<Raw>((mantissa + (Word(1) << (surplus - 1))) >> surplus, false);
+    return saturated_with_sign<Raw>((mantissa + (Word(1) << (surplus - 1))) >> surplus, false);
 }
 
 template <>

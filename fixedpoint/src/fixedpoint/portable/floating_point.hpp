@@ -50,8 +50,8 @@ FIXEDPOINT_CONSTEXPR Converted<Raw> from_float(Float x) {
     const bool negative = (bits >> (RawLimits<Bits>::width - 1)) != 0;
     const int exponent = static_cast<int>(bits >> m) & exponent_mask;
     const Bits fraction = bits & ((Bits(1) << m) - 1);
-    const Converted<Raw> clamped = {negative ? RawLimits<Raw>::min : RawLimits<Raw>::max, false};
-    if (exponent == exponent_mask) return fraction != 0 ? Converted<Raw>{0, false} : clamped;
+    const Converted<Raw> saturated = {negative ? RawLimits<Raw>::min : RawLimits<Raw>::max, false};
+    if (exponent == exponent_mask) return fraction != 0 ? Converted<Raw>{0, false} : saturated;
 
     // |x| 2^F = mantissa 2^shift. Subnormals need no special case: anything below 2^-125 is far
     // less than half an ulp of any format.
@@ -59,7 +59,7 @@ FIXEDPOINT_CONSTEXPR Converted<Raw> from_float(Float x) {
     const int shift = exponent - Layout::exponent_bias - m + F;
     const Word limit = static_cast<Word>(RawLimits<Raw>::max) + (negative ? 1 : 0);
     if (shift >= 0) {
-        if (shift >= RawLimits<Raw>::width || mantissa > (limit >> shift)) return clamped;
+        if (shift >= RawLimits<Raw>::width || mantissa > (limit >> shift)) return saturated;
         mantissa <<= shift;
     } else if (-shift > m + 2) {
         mantissa = 0;
@@ -67,7 +67,7 @@ FIXEDPOINT_CONSTEXPR Converted<Raw> from_float(Float x) {
         const Word half = Word(1) << (-shift - 1);
         mantissa += negative ? half - 1 : half;
         mantissa >>= -shift;
-        if (mantissa > limit) return clamped;
+        if (mantissa > limit) return saturated;
     }
     return {with_sign<Raw>(static_cast<Unsigned<Raw>>(mantissa), negative), true};
 }

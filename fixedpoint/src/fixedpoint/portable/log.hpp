@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// log: the natural logarithm within 0.75 ulp, saturated; the smallest number if a <= 0.
+// log: the natural logarithm, faithful (error below 0.75 ulp), saturated; the smallest number if a
+// <= 0.
 #pragma once
 
 #include <fixedpoint/portable/convert.hpp>
@@ -78,7 +79,7 @@ FIXEDPOINT_CONSTEXPR Raw log_small(Raw a) {
         PseudoDivisionConstants<Word>::ln2() * magnitude(static_cast<int16_t>(exponent));
     // A number below 1 is at most 1 - 2^-F, so its logarithm stays negative.
     const Word result = exponent < 0 ? multiple - fraction : multiple + fraction;
-    return clamped_with_sign<Raw>((result + (Word(1) << (surplus - 1))) >> surplus, exponent < 0);
+    return saturated_with_sign<Raw>((result + (Word(1) << (surplus - 1))) >> surplus, exponent < 0);
 }
 
 template <>
@@ -94,7 +95,7 @@ struct Logarithm {
 template <>
 struct Logarithm<int8_t, 4, false> {
     static FIXEDPOINT_CONSTEXPR int8_t apply(int8_t a) {
-        return convert_clamped<int8_t, 4, int32_t, 16>(
+        return convert_saturated<int8_t, 4, int32_t, 16>(
                    log_q16_16(convert<int32_t, 16, int8_t, 4>(a)))
             .number;
     }

@@ -32,7 +32,7 @@ struct SaturatingMultiplication<int64_t, F> {
         if (F == 0 ? high != 0 : (high >> F) != 0)
             return negative ? RawLimits<int64_t>::min : RawLimits<int64_t>::max;
         const uint64_t rounded = F == 0 ? low : (high << (63 - (F - 1))) | (low >> F);
-        return clamped_with_sign<int64_t>(rounded, negative);
+        return saturated_with_sign<int64_t>(rounded, negative);
     }
 };
 

@@ -90,7 +90,7 @@ FIXEDPOINT_CONSTEXPR Raw divide_rounded(Raw a, Raw b) {
     const bool away =
         goes_away_from_zero(rounding, remainder_of(whole.rest, other, whole.rest == 0), negative,
                             (whole.quotient & 1) != 0);
-    return clamped_with_sign<Raw>(
+    return saturated_with_sign<Raw>(
         static_cast<Unsigned<Raw>>(whole.quotient + static_cast<Unsigned<Raw>>(away ? 1 : 0)),
         negative);
 }

@@ -25,7 +25,7 @@ template <class Raw, int>
 FIXEDPOINT_CONSTEXPR Raw divide_64(Raw a, Raw b, uint8_t fraction) {
     if (b == 0) return quotient_by_zero(a);
     const bool negative = (a < 0) != (b < 0);
-    return clamped_with_sign<Raw>(
+    return saturated_with_sign<Raw>(
         rounded_quotient_64(magnitude(a), magnitude(b), fraction, !negative), negative);
 }
 template <class Raw, int>

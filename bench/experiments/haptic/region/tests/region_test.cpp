@@ -124,7 +124,7 @@ TEST(LinearLoop, IsSteadiedByTheDampingAndTheArm) {
 }
 
 // A plant without the effects that the theory leaves out, and the firmware in float: where the
-// theory predicts growth well beyond 1 the lever swings, where it predicts decay it is still.
+// theory predicts growth well beyond 1 the lever swings, where it predicts decay it is at rest.
 TEST(LinearLoop, AgreesWithTheFirmwareOnAPlantWithoutStepsAndDeadBand) {
     Parameters p = published_parameters();
     p.servo.resolution = 1e-9;
@@ -137,8 +137,8 @@ TEST(LinearLoop, AgreesWithTheFirmwareOnAPlantWithoutStepsAndDeadBand) {
     const auto unled = LinearLoop(p, law, {0.25, step_takes}).verdict();
     EXPECT_LT(led.radius, 0.98);
     EXPECT_GT(unled.radius, 1.05);
-    HostLoop<Led> still(p, Holding(0.25).script, step_takes);
-    EXPECT_LT(watch_held(still).size, degrees(0.5));
+    HostLoop<Led> stable(p, Holding(0.25).script, step_takes);
+    EXPECT_LT(watch_held(stable).size, degrees(0.5));
     HostLoop<Unled> swings(p, Holding(0.25).script, step_takes);
     const Swing swing = watch_held(swings);
     EXPECT_GT(swing.size, degrees(1.5));
@@ -153,8 +153,8 @@ TEST(Swing, HasItsSizeAndFrequency) {
     const Swing swing = swing_of(angles, 1);
     EXPECT_NEAR(swing.size, 0.2, 1e-3);
     EXPECT_EQ(swing.frequency, 7);
-    EXPECT_FALSE(swing.still());
-    EXPECT_TRUE(swing_of(std::vector<double>(100, 0.3), 1).still());
+    EXPECT_FALSE(swing.at_rest());
+    EXPECT_TRUE(swing_of(std::vector<double>(100, 0.3), 1).at_rest());
 }
 
 TEST(Holding, PutsTheArmWhereItIsAskedFor) {
@@ -222,7 +222,7 @@ TEST(Identification, KeepsThePlantsThatFallAndSwingAsPublished) {
                                              takes);
         const double ratio = watch_fall(released).value_or(9) / published_fall();
         HostLoop<PublishedUndamped> held(draw.plant, Holding(shortest_arm).script, takes);
-        const bool as_published = ratio >= 0.9 && ratio <= 1.1 && !watch_held(held).still();
+        const bool as_published = ratio >= 0.9 && ratio <= 1.1 && !watch_held(held).at_rest();
         EXPECT_EQ(draw.as_published, as_published) << draw.seed;
         kept += as_published;
     }
@@ -237,14 +237,14 @@ TEST(Identification, KeepsThePlantsThatFallAndSwingAsPublished) {
 TEST(Region, TheShortestArmIsStillWhereAFoamLetsGo) {
     const Parameters light = varied(published_parameters(), 9);
     DeviceLoop chip(simulator::Elf(HELD_LEVER_FOLDER "/held_q16_16_10_damped.elf"), light,
-                    Holding(shortest_arm, Start::thrown).script);
-    EXPECT_TRUE(watch_held(chip).still());
+                    Holding(shortest_arm, Start::released_against).script);
+    EXPECT_TRUE(watch_held(chip).at_rest());
     for (const Device& device : changes()) {
-        const Swing swing = device.hold(light, shortest_arm, Start::thrown, step_takes);
+        const Swing swing = device.hold(light, shortest_arm, Start::released_against, step_takes);
         if (device.change == "as flashed") {
-            EXPECT_TRUE(swing.still());
+            EXPECT_TRUE(swing.at_rest());
         } else if (device.change.find("believed") != std::string::npos) {
-            EXPECT_FALSE(swing.still());
+            EXPECT_FALSE(swing.at_rest());
         }
     }
 }
