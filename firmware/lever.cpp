@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The haptic lever as it is flashed. -DSCALAR=float -DRATE=9 is the same in another arithmetic,
-// with half the rate; -DPUBLISHED is the 2016 device: its arithmetic, scene, method, clock, screen
+// The haptic lever as it is flashed. -DSCALAR=float -DRATE=9 builds the same lever in
+// float, at half the rate; -DPUBLISHED is the 2016 device: its arithmetic, scene, method, clock, screen
 // and damping.
 #include <firmware/hardware/atmega328p.hpp>
 #include <firmware/lever_program.hpp>

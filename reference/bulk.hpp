@@ -201,7 +201,7 @@ template <Subject subject>
 Judgement judge_unit_vector(std::span<const std::int64_t> v,
                             std::span<const std::int64_t> results) {
     static_assert(definition(subject).rounding != Rounding::nearest_half_up,
-                  "Double does not tell on which side of a tie a component lies.");
+                  "A double cannot show on which side of a tie a component lies.");
     constexpr NumberFormat format = subject.format;
     using Number = Float<format.width>;
     Number square = 0;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Judges the machine code of a device program over whole input spaces: functions of up to 32 bits
-// of operands over every input, the others over a long search for the largest error and the most
-// cycles. A bound is `exact` if every input was run, for the bytes that are flashed.
+// Judges the machine code of a device program. Runs a function of up to 32 operand bits on every
+// input, and searches the others for the largest error and the most cycles. A bound is `exact` if every input was run, for the bytes that are flashed.
 #pragma once
 
 #include <cstdint>
@@ -33,7 +32,7 @@ struct Options {
 // Writes exhaustive.csv, keeping the rows of other functions, or, for one shard of many,
 // exhaustive.<symbol>.<i>-of-<n>.json for each function. Returns how many results contradict their
 // definition or differ from the portable code's; the first of each function is reported on stderr.
-// During the run, exhaustive.<symbol>.<i>-of-<n>.checkpoint.json contain what is done: after an
+// During the run, exhaustive.<symbol>.<i>-of-<n>.checkpoint.json contain the parts that are done: after an
 // interruption the same call continues from there and writes the same bytes as a run without one.
 // Throws std::invalid_argument for a symbol that cannot be judged, TranslationError or
 // Misbehaviour.

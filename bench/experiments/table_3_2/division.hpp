@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The cost of the published Q16.16 division and of the toolchain's float division, by operand, and
 // the law that predicts the former: libgcc's 64-bit division skips the leading zero bytes of the
-// quotient, and spends 8 cycles on each of its one bits.
+// quotient, and spends 8 cycles on each of its set bits.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +26,7 @@ int quotient_bytes(std::int32_t a, std::int32_t b);  // without leading zero byt
 // 62 us were measured in the published engine while it ran.
 constexpr double engine_division_cycles = 62e-6 * simulator::Chip::frequency;
 
-// cycles = constant + per_byte * (bytes of the quotient) + per_one * (its one bits)
+// cycles = constant + per_byte * (bytes of the quotient) + per_one * (its set bits)
 //          + negative_a [a < 0] + negative_b [b < 0] + both [both] + zero [quotient 0],
 // by least squares.
 struct DivisionLaw {

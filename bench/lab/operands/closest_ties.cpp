@@ -9,8 +9,8 @@ namespace {
 using reference::Operation;
 
 // Of all operands above 0 (for exp, of all operands), the 60 whose results are closest to a tie,
-// the closest first. Found by evaluating all operands in double, and the closest of those with 200
-// bits.
+// the closest first. All operands were evaluated in double; the closest were then evaluated with
+// 200 bits.
 const std::map<Operation, std::vector<std::int64_t>> closest = {
     {Operation::sin,
      {1096971357, 1818983540, 2003574557, 2101406008, 813518282,  487425461,  1225650914,

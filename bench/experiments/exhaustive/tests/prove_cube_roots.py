@@ -14,7 +14,8 @@ usage: prove_cube_roots.py FOLDER    the folder of the device programs
     exp_wide        bench/prove_powers proves its error
 
 The errors are added up; that of the logarithm is largest where the root is. Then instructions are left out in turn, and bytes
-of the table changed, and each time the proof must fail; for compiled code, it may succeed without a third of them.
+of the table changed, and each time the proof must fail; in compiled code, up to a third of the
+instructions may be left out without the proof failing.
 """
 import sys
 from functools import partial

@@ -18,7 +18,8 @@ The products of libgcc are assumed to be exact.
 The errors are added up. That of a logarithm L counts relative to L, since |y ln x| <= 15 ln 2 if a power is in range; next to
 1, where it is largest, each x is looked at. That of the mantissa counts where it is largest, from 2^30.9 units on; where its
 bound is too wide, the cubic is run for every t. Then instructions are left out in turn, and bytes of the tables changed, and
-each time the proof must fail; for compiled code, it may succeed without a third of them.
+each time the proof must fail; in compiled code, up to a third of the instructions may be left out without the
+proof failing.
 """
 import sys
 from functools import partial

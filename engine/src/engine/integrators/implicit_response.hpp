@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a single spring answers in an implicit step: what the integrators that solve springs have in
-// common.
+// How a single spring responds in an implicit step: shared by the integrators that solve springs.
 //
 // Let i be the sum of the inverse masses, x the extension, u the velocity along the spring, k the
 // stiffness and c the damping. The velocity along the spring at the end of the step solves

@@ -9,8 +9,8 @@
 // Table    3349 bytes, fixedpoint_cbrt_64_table
 //
 // |a| = m 2^e, 1 <= m < 2. The core gives y, the cube root of m, within 2^-34, and one Newton step,
-// y + (m - y^3) / (3 y^2), is within 2^-47. Of m - y^3 only the bytes 2^-40 to 2^-56 are computed,
-// since those above are all zeros or all ones; 1 / (3 y^2) is the slope in the core's record. The
+// y + (m - y^3) / (3 y^2), is within 2^-47. Only the bytes of m - y^3 from 2^-40 to 2^-56 are
+// computed, since those above are all zeros or all ones; 1 / (3 y^2) is the slope in the core's record. The
 // result is multiplied by the cube root of 2^(e mod 3) and shifted into place.
 //
 // Error in ulp for the largest results: the truncated slope 0.06, the rounding 0.5.

@@ -13,7 +13,7 @@
 // Row by row: each takes one byte of all b_i and leaves one byte of the exact sum on the stack. The
 // even products of a byte are adjacent, and so are the odd ones: each set is added to the sum in
 // one carry chain. The products are unsigned: if a_i is negative, they are 2^64 b_i too large, and
-// likewise for b_i; that is subtracted from the bytes from 8 on at the end. The sum of a row is
+// likewise for b_i; at the end, this excess is subtracted from bytes 8 and up. The sum of a row is
 // below 2^80.
 //
 // The result is in nine bytes of the sum, shifted right by at most seven bits. The last bit shifted

@@ -18,9 +18,6 @@
 
 #define s3 r5
 #define s8 r10
-#define s9 r11
-#define s10 r12
-#define s11 r13
 #define a0 r14
 #define a1 r15
 #define a2 r16

@@ -33,9 +33,7 @@
 #define x1 r24
 #define x2 r23
 #define x3 r22
-#define x4 r21
 #define x5 r20
-#define x6 r19
 #define x7 r18
 #define inverse r28
 #define digits r29

@@ -12,7 +12,7 @@
 // The magnitudes are shifted left until the leading one of the largest is bit 30. S, the sum of
 // their squares in units of 2^24, has 38 to 40 bits; with less than 39, the magnitudes are doubled.
 // y, 23 bits of 2^42 / sqrt(S), is biased by -9, so that e = 1 - S y^2 / 2^84 is never below 0 and
-// below 2^-17.5. Of S y^2 only the bytes are computed in which e is. R = 2^9 y (1 + e / 2), at most
+// below 2^-17.5. Only the bytes of S y^2 that contain e are computed. R = 2^9 y (1 + e / 2), at most
 // 2^32 - 1, is the reciprocal root, and the upper 32 bits of each magnitude times R are the
 // component in units of 2^-31, which are then rounded.
 //

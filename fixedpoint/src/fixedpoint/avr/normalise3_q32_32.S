@@ -10,8 +10,8 @@
 // The magnitudes are shifted left until the leading one of the largest is bit 62 (for -2^n, bit 63),
 // and keep their upper five bytes. S, the sum of their squares in units of 2^32, has 46 to 48 bits;
 // with less than 47, the magnitudes are doubled. y, 23 bits of 2^46 / sqrt(S), is biased by -9, so
-// that e = 1 - S y^2 / 2^92 is never below 0 and below 2^-17.5. Of S y^2 only the bytes are computed
-// in which e is. R = 2^17 y (1 + e / 2 + 3 e^2 / 8), at most 2^40 - 1, is the reciprocal root, and
+// that e = 1 - S y^2 / 2^92 is never below 0 and below 2^-17.5. Only the bytes of S y^2 that
+// contain e are computed. R = 2^17 y (1 + e / 2 + 3 e^2 / 8), at most 2^40 - 1, is the reciprocal root, and
 // the upper 40 bits of each magnitude times R are the component in units of 2^-39, which are then
 // rounded.
 //

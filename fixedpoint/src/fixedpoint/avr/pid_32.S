@@ -446,13 +446,13 @@
 
     .macro kernels integer, fraction
     .if \fraction <= 8
-    pid \integer, \fraction, 1, 29, r8, r10
+    pid \integer, \fraction, 1, 29, missing_short, r10
     .elseif \fraction <= 16
-    pid \integer, \fraction, 2, 30, r8, r10, r11
+    pid \integer, \fraction, 2, 30, missing_short, r10, r11
     .elseif \fraction <= 24
-    pid \integer, \fraction, 3, 32, r8, r9, r10, r11
+    pid \integer, \fraction, 3, 32, missing_short, r9, r10, r11
     .else
-    pid \integer, \fraction, 4, 32, r16, r8, r9, r10, r11
+    pid \integer, \fraction, 4, 32, missing_long, r8, r9, r10, r11
     .endif
     .endm
 

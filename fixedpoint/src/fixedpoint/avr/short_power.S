@@ -30,7 +30,6 @@
 #define b0 r12
 #define b1 r13
 #define b2 r14
-#define b3 r15
 #define b4 r16
 #define b5 r17
 #define zero r27

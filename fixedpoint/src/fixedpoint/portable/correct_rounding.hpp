@@ -70,9 +70,6 @@ FIXEDPOINT_CONSTEXPR UnitVector<Word128> precise_unit_vector(int32_t a) {
     const Word128 sine = odd ? unit.cosine : unit.sine;
     return {beyond != odd ? negated(cosine) : cosine, beyond != (a < 0) ? negated(sine) : sine};
 }
-constexpr Word128 signed_word(int64_t a) {
-    return {a < 0 ? ~uint64_t(0) : uint64_t(0), static_cast<uint64_t>(a)};
-}
 constexpr bool is_at_least(const Word128& a, const Word128& b) { return !is_negative(a - b); }
 
 // Compares the sine with the tie times the cosine, both with 94 fraction bits.

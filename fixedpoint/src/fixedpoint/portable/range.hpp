@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Whether the exact result of a function, rounded to nearest, is in range. The functions themselves
-// saturate, so their result does not tell: the largest number is a result like any other. Each
-// answer is a comparison with the operand at which the result crosses the limit, half an ulp beyond
+// saturate, so the result alone does not show whether it fits: the largest number is a result like
+// any other. Each answer is a comparison with the operand at which the result crosses the limit, half an ulp beyond
 // the last number. Results of functions not named here are always in range.
 #pragma once
 

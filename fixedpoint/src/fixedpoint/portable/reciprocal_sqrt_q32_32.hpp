@@ -21,8 +21,8 @@ FIXEDPOINT_CONSTEXPR uint64_t quarter_less_product(uint64_t m, uint64_t s) {
         for (int j = 1; j <= 6; ++j) {
             const int weight = i + j;
             const uint64_t digits = byte_of_fraction(m, 8, i) * byte_of_fraction(s, 6, j);
-            // Of the products of the fifth byte only those above 2^-48 count, and of the others
-            // below the last byte that counts, only their upper bytes.
+            // A product of the fifth byte counts only above 2^-48. Of any other product below the
+            // last byte that counts, only the upper byte counts.
             const int last = i <= 2 ? 7 : 6;
             if (weight < 3 || weight > last + 1 || (i == 5 && weight > 6)) continue;
             product += weight > last ? digits >> 8 << 8 * (7 - last)
