@@ -54,6 +54,12 @@ TEST(Recording, SaturatingReturnsWhatSaturatingReturnsAndReportsWhatSaturated) {
     EXPECT_FALSE(recorder.first_failure());
 }
 
+TEST(Recorder, NamesEveryOperation) {
+    using fixedpoint::Event, fixedpoint::Operation;
+    EXPECT_EQ(to_text({Event::overflow, Operation::lerp, "position", 0}), "overflow lerp position");
+    EXPECT_EQ(to_text({Event::underflow, Operation::power, "rod", 0}), "underflow power rod");
+}
+
 TEST(Battery, NamesAreUniqueAndRangesPositive) {
     std::set<std::string> names;
     for (const Case& one : all_cases()) {
