@@ -169,7 +169,7 @@ def summary(data):
             "theory": share(rows, "linear_stable"),
             "hardest": least(row["hardest_hand_n_per_m"] for row in of_plants),
             "theory_arm": most(row["linear_shortest_arm_m"] for row in of_plants),
-            "chip": f"{sum(row['chip'] == "at_rest" for row in seen)} of {len(seen)}" if seen
+            "chip": f"{sum(row['chip'] == 'at_rest' for row in seen)} of {len(seen)}" if seen
                     else None,
         })
     return result

@@ -67,7 +67,7 @@
     rol a1
     brcs .Lsaturate_short
     cp a1, b0
-    brsh .Lsaturate_short
+    brsh .Lsaturate_unless_zero_short
     movw d0, a0
     sbrc b0, 7
     rjmp 1f
@@ -125,8 +125,8 @@
     sbci a1, 0xff
     ret
 
-.Lsaturate_short:
-    rjmp .Lsaturate
+.Lsaturate_unless_zero_short:
+    rjmp .Lsaturate_unless_zero
 .Lsaturate_short:
     rjmp .Lsaturate
 
@@ -263,7 +263,7 @@
     ret
 
     // Out of range, or 0 / 0.
-.Lsaturate:
+.Lsaturate_unless_zero:
     mov r18, a0
     or r18, a1
     breq .Lreturn
