@@ -95,10 +95,11 @@ FIXEDPOINT_CONSTEXPR Converted<Target> from_float_checked(Float x) {
 }
 
 /// The constant x, an integer, float or double, rounded to nearest, half up: fixed<16, 16>(0.38).
-/// The compiler must know x, and the rounded x must be in range: otherwise, and for NaN, the call
-/// does not compile; use from_float there. 0.38 is first rounded to a float or double; a literal
-/// from literals.hpp is the decimal itself. C++20 always evaluates the call at compile time;
-/// earlier standards do if it is a constant expression or the compiler optimises.
+/// The compiler must know x, and the rounded x must be in range, which NaN is not; use from_float
+/// for any other x. From C++20 on, and in constant expressions of every standard, another call does
+/// not compile. Elsewhere an optimising compiler refuses it, except where it knows no more of x
+/// than that it fits; without optimisation, an x out of range stops the program. 0.38 is first
+/// rounded to a float or double; a literal from literals.hpp is the decimal itself.
 template <int IntegerBits, int FractionBits, class Arithmetic = Nearest, class Number>
 FIXEDPOINT_CONSTEVAL Fixed<IntegerBits, FractionBits, Arithmetic> fixed(Number x) {
     return Fixed<IntegerBits, FractionBits, Arithmetic>::from_raw(

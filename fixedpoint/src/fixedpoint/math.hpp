@@ -6,6 +6,7 @@
 
 #include <fixedpoint/fixed.hpp>
 #include <fixedpoint/kernel/integer_power.hpp>
+#include <fixedpoint/kernel/smoothstep.hpp>
 #include <fixedpoint/portable/lerp.hpp>
 #include <fixedpoint/portable/round.hpp>
 
@@ -291,7 +292,7 @@ FIXEDPOINT_CONSTEXPR Fixed<IntegerBits, F, A> lerp(Fixed<IntegerBits, F, A> a,
 template <int IntegerBits, int F, class A>
 FIXEDPOINT_CONSTEXPR Fixed<IntegerBits, F, A> smoothstep(Fixed<IntegerBits, F, A> t) {
     return Fixed<IntegerBits, F, A>::from_raw(
-        portable::smoothstep<Integer<IntegerBits + F>, F>(t.raw()));
+        kernel::smoothstep<Integer<IntegerBits + F>, F>(t.raw()));
 }
 
 /// What divmod and divrem return: a = quotient b + remainder.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Numbers as Arduino Printables: Serial.println(printable(x)) or, with three decimals, printable(x,
-// 3). The vtable that this needs belongs to the wrapper: numbers stay free of one, and a program
-// that uses print(Serial, x) does not contain it.
+/// \file
+/// Numbers as Arduino Printables: Serial.println(printable(x)) or, with three decimals,
+/// printable(x, 3). The vtable that this needs belongs to the wrapper: numbers stay free of one,
+/// and a program that uses print(Serial, x) does not contain it.
 #pragma once
 
 #ifdef ARDUINO
@@ -13,15 +14,18 @@
 
 namespace fixedpoint {
 
+/// What printable returns.
 template <class Number>
 class PrintableNumber : public ::Printable {
   public:
+    /// Prints `number` with so many decimals, or shortest.
     constexpr PrintableNumber(Number number, uint8_t decimals)
         : number_(number), decimals_(decimals) {}
+    /// Prints as print(out, number, decimals) does, and returns the characters written.
     size_t printTo(::Print& out) const override {
         return decimals_ == shortest ? print(out, number_) : print(out, number_, decimals_);
     }
-    // Instead of a number of decimals: the shortest text that parse reads as the number.
+    /// Instead of a number of decimals: the shortest text that parse reads as the number.
     static constexpr uint8_t shortest = 255;
 
   private:
@@ -29,6 +33,8 @@ class PrintableNumber : public ::Printable {
     uint8_t decimals_;
 };
 
+/// x for Arduino's print and println, with so many decimals, or as the shortest text that parse
+/// reads as x.
 template <int IntegerBits, int F, class A>
 constexpr PrintableNumber<Fixed<IntegerBits, F, A>> printable(
     Fixed<IntegerBits, F, A> x,

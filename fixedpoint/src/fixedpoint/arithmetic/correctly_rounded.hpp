@@ -2,10 +2,11 @@
 /// \file
 /// CorrectlyRounded: as Nearest, but functions too return the exact result rounded to nearest, half
 /// up, so results do not depend on the algorithm. Every number of the format must be a number of
-/// Q16.16, as in Q4.4 and Q8.8. A function is first computed with a 32-bit core. If the error bound
-/// of that leaves the rounding undecided, it is computed in Q32.32, and if that result is a tie, to
-/// further digits. Sine and cosine, and the kernels of the other functions, skip Q32.32. Functions
-/// of turns and degrees and integer powers are those of Nearest.
+/// Q16.16, as in Q4.4 and Q8.8. sin, cos, atan, atan2, exp, log and the reciprocal square root are
+/// first computed with a 32-bit core. If the error bound of that leaves the rounding undecided,
+/// their kernels compute further digits; without a kernel, Q32.32 comes in between. The other
+/// functions begin in Q32.32, and go on if that result is a tie. Functions of turns and degrees and
+/// integer powers are those of Nearest.
 #pragma once
 
 #include <fixedpoint/arithmetic/nearest.hpp>

@@ -2,8 +2,9 @@
 /// \file
 /// Rounded: as Nearest, but products, quotients, conversions and divisions by a power of two are
 /// rounded toward zero, toward minus infinity or half to even. Use it to reproduce the results of
-/// another machine or of a standard. It does not have kernels, and the portable code takes several
-/// times the cycles of Nearest. Everything else is inherited from Nearest.
+/// another machine or of a standard. It does not have kernels: products take several times the
+/// cycles of Nearest, and quotients of 64 bits dozens of times. Everything else is inherited from
+/// Nearest.
 #pragma once
 
 #include <fixedpoint/arithmetic/nearest.hpp>

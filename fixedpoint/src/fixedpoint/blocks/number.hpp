@@ -32,8 +32,28 @@ struct BlockNumber {
     }
 };
 
+// The blocks' bounds and limit cycles are those of rounding to nearest, half up.
+enum class Rounding : unsigned char;
+template <Rounding rounding>
+struct Rounded;
+struct Published;
+template <class A>
+struct RoundsHalfUp {
+    static constexpr bool value = true;
+};
+template <Rounding rounding>
+struct RoundsHalfUp<Rounded<rounding>> {
+    static constexpr bool value = false;
+};
+template <>
+struct RoundsHalfUp<Published> {
+    static constexpr bool value = false;
+};
+
 template <int IntegerBits, int F, class A>
 struct BlockNumber<Fixed<IntegerBits, F, A>> {
+    static_assert(RoundsHalfUp<A>::value,
+                  "A block takes an arithmetic that rounds to nearest, half up.");
     using Number = Fixed<IntegerBits, F, A>;
     using Raw = typename Number::Raw;
     // For values that must saturate instead of changing their sign, whatever the arithmetic.
