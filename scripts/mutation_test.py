@@ -68,7 +68,11 @@ ROOMS = [
     kernels(f"{FIXED}/avr/*_q16_16.S {FIXED}/avr/*_q16_16.inc !*/add_scaled_q16_16.S"
             " !*/dot_difference_q16_16.S !*/multiply_short_q16_16.S"
             " !*/short_factor_q16_16.inc !*/polynomial_q16_16.S !*/invert2_q16_16.S !*/biquad_q16_16.S"
-            f" {FIXED}/avr/cubic_core_32.inc {FIXED}/avr/ratio_32.inc {FIXED}/avr/exp_32.inc", 2, "q16_16",
+            f" {FIXED}/avr/cubic_core_32.inc {FIXED}/avr/ratio_32.inc {FIXED}/avr/exp_32.inc"
+            f" {FIXED}/avr/*_q16_16_small.S {FIXED}/avr/sin_polynomial.inc {FIXED}/avr/multiply_q16_16_saturating.S"
+            f" {FIXED}/avr/length_long.S {FIXED}/avr/length_root.S {FIXED}/avr/sum_of_squares.inc"
+            f" {FIXED}/avr/reciprocal_root.inc {FIXED}/avr/long_division.inc {FIXED}/avr/scale_40.*"
+            f" {FIXED}/avr/exp_wide.S {FIXED}/avr/multiply_words.S {FIXED}/avr/multiply_upper_halves.S", 2, "q16_16",
             Check("kernels_test", "*/q16_16_auxiliary", "q16_16_auxiliary"),
             Check("kernels_test", "*/q16_16_angles", "q16_16_angles"),
             Check("kernels_test", "*/q16_16_powers", "q16_16_powers"),
@@ -121,7 +125,13 @@ ROOMS = [
          Check("splits_test", "Splits.Exp", "splits_32_exp"),
          Check("splits_test", "Splits.Sin:Splits.Cos:Splits.Sincos", "splits_32_sin splits_32_cos splits_32_sincos"),
          Check("splits_test", "Splits.Atan:Splits.Atan2", "splits_32_atan splits_32_atan2")),
-    room("kernels", f"{FIXED}/avr/multiply_32.S {FIXED}/avr/dot_32.S {FIXED}/avr/round_32.inc", 1,
+    room("kernels", f"{FIXED}/avr/multiply_16.S {FIXED}/avr/sin_16.S {FIXED}/avr/log_16.S", 1,
+         Check("splits_test", "ShortSplits.Multiply", "splits_16_multiply"),
+         Check("coarse_splits_test", devices="coarse_splits")),
+    room("kernels", f"{FIXED}/avr/multiply_32.S {FIXED}/avr/dot_32.S {FIXED}/avr/round_32.inc"
+         f" {FIXED}/avr/divide_32.S {FIXED}/avr/digits_32.inc {FIXED}/avr/sqrt_32.S {FIXED}/avr/long_root.inc", 1,
+         Check("splits_test", "Splits.Divide*", "splits_32_divide"),
+         Check("splits_test", "Splits.Sqrt*", "splits_32_sqrt"),
          Check("splits_test", "Splits.Multiply:Splits.MultiplyAdd", "splits_32_multiply splits_32_multiply_add"),
          Check("splits_test", "Splits.Dot2:Splits.Dot3", "splits_32_dot2 splits_32_dot3")),
     room("kernels", f"{FIXED}/avr/multiply_saturating_32.S", 1,
@@ -136,7 +146,8 @@ ROOMS = [
          f" {FIXED}/published/arc_tangent_table.hpp", 1, TABLES_TEST),
     room("portable", f"{FIXED}/portable/divide.hpp {FIXED}/portable/divide_w*.hpp", 1,
          "products_test", "small_operations_test"),
-    room("portable", f"{FIXED}/portable/remainder.hpp", 1, "small_operations_test", "products_test"),
+    room("portable", f"{FIXED}/portable/remainder.hpp {FIXED}/portable/lerp.hpp {FIXED}/kernel/smoothstep.hpp", 1,
+         "small_operations_test", "products_test"),
     room("portable", f"{FIXED}/kernel/*_q32_32.hpp", 1, "q32_32_test", "checked_test"),
     room("portable", f"{FIXED}/portable/round.hpp {FIXED}/portable/nearest_root.hpp", 1, "roots_test"),
     room("portable", f"{FIXED}/portable/decimal_*.hpp !*/decimal_literal.hpp", 1, "decimal_test"),

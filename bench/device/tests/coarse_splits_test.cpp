@@ -10,6 +10,7 @@
 #include <string>
 
 #include "bench/chip/simulator/device_function.hpp"
+#include "bench/device/tests/program_folder.hpp"
 
 namespace {
 
@@ -22,7 +23,9 @@ class CoarseSplits : public testing::Test {
   protected:
     static constexpr int F = Split::value;
 
-    CoarseSplits() : chip_(simulator::Elf(PROGRAM)) { chip_.run_until_function("main"); }
+    CoarseSplits() : chip_(simulator::Elf(program_folder() + "/coarse_splits.elf")) {
+        chip_.run_until_function("main");
+    }
 
     static std::string symbol(const char* operation) {
         return fmt::format("fixedpoint_{}_q{}_{}", operation, 16 - F, F);

@@ -2,12 +2,12 @@
 // Runs the library's own tests on the simulated chip and reports their counts.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "bench/chip/simulator/chip.hpp"
+#include "bench/device/tests/program_folder.hpp"
 
 namespace {
 
@@ -37,14 +37,8 @@ std::string text(const simulator::Chip& chip, const char* name) {
     return characters;
 }
 
-// The folder of the programs; scripts/mutation_test.py names another one, with faults in them.
-std::string folder() {
-    const char* other = std::getenv("DEVICE_PROGRAMS");
-    return other ? other : PROGRAM_FOLDER;
-}
-
 TEST_P(LibraryOnDevice, EveryCheckHolds) {
-    simulator::Chip chip(simulator::Elf(folder() + "/" + GetParam() + ".elf"));
+    simulator::Chip chip(simulator::Elf(program_folder() + "/" + GetParam() + ".elf"));
     EXPECT_LE(chip.elf().flash_bytes(), usable_flash);
     ASSERT_NO_THROW(chip.run_until_function("finished", budget));
     EXPECT_GT(counter(chip, "checks"), 0u);

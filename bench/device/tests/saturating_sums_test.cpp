@@ -4,11 +4,11 @@
 // many.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <string>
 
 #include "bench/chip/simulator/chip.hpp"
 #include "bench/chip/simulator/device_function.hpp"
+#include "bench/device/tests/program_folder.hpp"
 #include "fixedpoint/tests/exact.hpp"
 
 namespace {
@@ -19,14 +19,9 @@ using simulator::DeviceFunction;
 template <class Raw>
 constexpr std::uint32_t max_cycles = 10 * sizeof(Raw);
 
-std::string folder() {
-    const char* other = std::getenv("DEVICE_PROGRAMS");
-    return other ? other : PROGRAM_FOLDER;
-}
-
 class SaturatingSums : public testing::Test {
   protected:
-    SaturatingSums() : chip_(simulator::Elf(folder() + "/saturating_sums.elf")) {
+    SaturatingSums() : chip_(simulator::Elf(program_folder() + "/saturating_sums.elf")) {
         chip_.run_until_function("main");
     }
     template <class Raw, class... Operands>

@@ -7,7 +7,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <fixedpoint/kernel/dispatch.hpp>
 #include <fixedpoint/portable/atan.hpp>
 #include <fixedpoint/portable/divide.hpp>
@@ -27,6 +26,7 @@
 #include <vector>
 
 #include "bench/chip/simulator/device_function.hpp"
+#include "bench/device/tests/program_folder.hpp"
 #include "fixedpoint/tests/exact.hpp"
 
 namespace {
@@ -49,19 +49,14 @@ class Operands {
     std::mt19937_64 random_{32};
 };
 
-std::string folder() {
-    const char* other = std::getenv("DEVICE_PROGRAMS");
-    return other ? other : PROGRAM_FOLDER;
-}
-
 // A program of one operation, and its subject of each split.
 class Program {
   public:
     explicit Program(const std::string& operation, int bits = 32, const char* arithmetic = "")
         : operation_(operation),
           bits_(bits),
-          chip_(simulator::Elf(
-              fmt::format("{}/splits_{}_{}{}.elf", folder(), bits, operation, arithmetic))) {
+          chip_(simulator::Elf(fmt::format("{}/splits_{}_{}{}.elf", program_folder(), bits,
+                                           operation, arithmetic))) {
         chip_.run_until_function("main");
         for (std::uint16_t& address : vectors_) address = chip_.allocate(3 * sizeof(int64_t));
     }

@@ -7,13 +7,13 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "bench/chip/simulator/device_function.hpp"
+#include "bench/device/tests/program_folder.hpp"
 #include "fixedpoint/tests/exact.hpp"
 
 namespace {
@@ -52,15 +52,10 @@ int64_t nearly_half(std::uint32_t random) {
     return (1 << 23) + (random % 2 == 0 ? bits & 0xffff : (bits & 0xfffff) - 0x80000);
 }
 
-std::string folder() {
-    const char* other = std::getenv("DEVICE_PROGRAMS");
-    return other ? other : PROGRAM_FOLDER;
-}
-
 class VectorKernels : public testing::Test {
   protected:
     explicit VectorKernels(const std::string& program)
-        : chip_(simulator::Elf(folder() + "/" + program + ".elf")) {
+        : chip_(simulator::Elf(program_folder() + "/" + program + ".elf")) {
         chip_.run_until_function("main");
         for (std::uint16_t& address : addresses_) address = chip_.allocate(sizeof(Vector));
     }

@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "bench/chip/instructions/compiled_function.hpp"
+#include "bench/device/tests/program_folder.hpp"
 #include "bench/experiments/operations/verify_kernels.hpp"
 #include "bench/lab/operands/boundary.hpp"
 #include "bench/lab/operands/operand_class.hpp"
@@ -29,17 +30,11 @@
 namespace operations {
 namespace {
 
-// The folder of the programs; scripts/mutation_test.py names another one, with faults in them.
-std::string folder() {
-    const char* other = std::getenv("DEVICE_PROGRAMS");
-    return other ? other : PROGRAM_FOLDER;
-}
-
 class Kernels : public testing::TestWithParam<std::string> {};
 
 std::uint64_t differences(const std::string& program, std::uint64_t samples) {
     VerifyOptions options;
-    options.programs = {folder() + "/" + program + ".elf"};
+    options.programs = {program_folder() + "/" + program + ".elf"};
     options.output = testing::TempDir() + "kernels_test." + program;
     options.selection.implementations = {"default",           "small",       "saturating",
                                          "correctly_rounded", "toward_zero", "downward",
@@ -271,7 +266,7 @@ bool is_kernel(const simulator::Elf& elf, const std::string& subject) {
 }
 
 TEST_P(Kernels, AreTheHostsOverDenseOperandsWhichTakeEveryPath) {
-    const simulator::Elf elf(folder() + "/" + GetParam() + ".elf");
+    const simulator::Elf elf(program_folder() + "/" + GetParam() + ".elf");
     std::vector<std::unique_ptr<DenseCalls>> kernels;
     std::set<std::uint32_t> reached;
     for (const HostSubject& host : host_subjects()) {
@@ -296,7 +291,7 @@ struct AfterATest {
 class Ranged : public testing::TestWithParam<AfterATest> {};
 TEST_P(Ranged, IsTheHostsOverDenseOperands) {
     const auto& [program, subject] = GetParam();
-    const simulator::Elf elf(folder() + "/" + program + ".elf");
+    const simulator::Elf elf(program_folder() + "/" + program + ".elf");
     const auto& hosts = host_subjects();
     const auto host =
         std::ranges::find(hosts, subject, [](const HostSubject& one) { return one.name(); });
