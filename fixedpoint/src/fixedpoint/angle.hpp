@@ -13,22 +13,23 @@ namespace fixedpoint {
 template <class Number>
 using CoreOf = kernel::SineOfPhase<typename Number::Raw, Number::fraction_bits>;
 template <class Number>
-FIXEDPOINT_CONSTEXPR Number sine_of_phase(typename CoreOf<Number>::Phase phase) {
-    return Number::from_raw(CoreOf<Number>::sine(phase));
+using TurnsCoreOf = typename kernel::ShortPhase<CoreOf<Number>>::Type;
+template <class Number, class Core = CoreOf<Number>>
+FIXEDPOINT_IN_PLACE Number sine_of_phase(typename Core::Phase phase) {
+    return Number::from_raw(Core::sine(phase));
+}
+template <class Number, class Core = CoreOf<Number>>
+FIXEDPOINT_IN_PLACE Number cosine_of_phase(typename Core::Phase phase) {
+    return sine_of_phase<Number, Core>(
+        static_cast<typename Core::Phase>(phase + kernel::quarter_turn<Core>()));
+}
+template <class Number, class Core = CoreOf<Number>>
+FIXEDPOINT_CONSTEXPR SineAndCosine<Number> sine_and_cosine_of_phase(typename Core::Phase phase) {
+    return {sine_of_phase<Number, Core>(phase), cosine_of_phase<Number, Core>(phase)};
 }
 template <class Number>
-FIXEDPOINT_CONSTEXPR Number cosine_of_phase(typename CoreOf<Number>::Phase phase) {
-    return sine_of_phase<Number>(static_cast<typename CoreOf<Number>::Phase>(
-        phase + kernel::quarter_turn<CoreOf<Number>>()));
-}
-template <class Number>
-FIXEDPOINT_CONSTEXPR SineAndCosine<Number> sine_and_cosine_of_phase(
-    typename CoreOf<Number>::Phase phase) {
-    return {sine_of_phase<Number>(phase), cosine_of_phase<Number>(phase)};
-}
-template <class Number>
-constexpr typename CoreOf<Number>::Phase turns_phase(Number angle) {
-    return kernel::phase_of_turns<CoreOf<Number>, typename Number::Raw, Number::fraction_bits>(
+constexpr typename TurnsCoreOf<Number>::Phase turns_phase(Number angle) {
+    return kernel::phase_of_turns<TurnsCoreOf<Number>, typename Number::Raw, Number::fraction_bits>(
         angle.raw());
 }
 template <class Number>
@@ -44,18 +45,21 @@ using AngleOfVector = kernel::AngleOfVector<typename Number::Raw, Number::fracti
 /// multiples of a quarter turn, but saturated if the format cannot represent 1.
 template <int IntegerBits, int F, class A>
 FIXEDPOINT_CONSTEXPR Fixed<IntegerBits, F, A> sin_turns(Fixed<IntegerBits, F, A> angle) {
-    return sine_of_phase<Fixed<IntegerBits, F, A>>(turns_phase(angle));
+    using Number = Fixed<IntegerBits, F, A>;
+    return sine_of_phase<Number, TurnsCoreOf<Number>>(turns_phase(angle));
 }
 /// The cosine of any angle in turns, with the properties of sin_turns.
 template <int IntegerBits, int F, class A>
 FIXEDPOINT_CONSTEXPR Fixed<IntegerBits, F, A> cos_turns(Fixed<IntegerBits, F, A> angle) {
-    return cosine_of_phase<Fixed<IntegerBits, F, A>>(turns_phase(angle));
+    using Number = Fixed<IntegerBits, F, A>;
+    return cosine_of_phase<Number, TurnsCoreOf<Number>>(turns_phase(angle));
 }
 /// The sine and the cosine of any angle in turns: what sin_turns and cos_turns return.
 template <int IntegerBits, int F, class A>
 FIXEDPOINT_CONSTEXPR SineAndCosine<Fixed<IntegerBits, F, A>> sincos_turns(
     Fixed<IntegerBits, F, A> angle) {
-    return sine_and_cosine_of_phase<Fixed<IntegerBits, F, A>>(turns_phase(angle));
+    using Number = Fixed<IntegerBits, F, A>;
+    return sine_and_cosine_of_phase<Number, TurnsCoreOf<Number>>(turns_phase(angle));
 }
 /// The angle of the vector (x, y) in turns, from -1/2 to 1/2, faithful (error below 0.75 ulp; below
 /// 1 ulp with 63 fraction bits); exact on the axes, and 0 if both are 0.

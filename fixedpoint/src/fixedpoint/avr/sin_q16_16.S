@@ -9,7 +9,10 @@
 // int32_t fixedpoint_sine_of_phase_q16_16(int32_t phase)
 // The sine of phase / 2^32 turns; as above, but without the error of the reduction.
 //
-// In       angle = r25:r22; sine_and_cosine = r21:r20
+// int32_t fixedpoint_sine_of_turns_q16_16(int32_t turns)
+// The sine of turns / 2^16 turns, that of the phase turns 2^16.
+//
+// In       angle, phase, turns = r25:r22; sine_and_cosine = r21:r20
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
 //
@@ -111,4 +114,22 @@
     clr zero
     XJMP .Lreduced
     ENDFUNC fixedpoint_sine_of_phase_q16_16
+
+    FUNCTION fixedpoint_sine_of_turns_q16_16
+    clr quadrant
+    .rept 2
+    lsl r22
+    rol r23
+    rol quadrant
+    .endr
+    mov b5, r22
+    mov b6, r23
+    mov b4, quadrant
+    lsr b4
+    sbc b4, b4          // the complement of 0 in odd quadrants
+    eor b5, b4
+    eor b6, b4
+    clr zero
+    XJMP .Levaluate
+    ENDFUNC fixedpoint_sine_of_turns_q16_16
 #endif

@@ -79,6 +79,7 @@ FIXEDPOINT_OPERATION(UNARY, cos)
 FIXEDPOINT_OPERATION(UNARY, cos_small)
 FIXEDPOINT_OPERATION(PAIR, sincos)
 FIXEDPOINT_OPERATION(UNARY, sine_of_phase)
+FIXEDPOINT_OPERATION(UNARY, sine_of_turns)
 FIXEDPOINT_OPERATION(TURNS, sine_of_quarter_turns)
 FIXEDPOINT_OPERATION(SPLIT_UNARY, tan_of_rest)
 FIXEDPOINT_OPERATION(UNARY, atan)
@@ -444,6 +445,10 @@ FIXEDPOINT_CONSTEXPR Raw pow_unsaturated(Raw a, Raw b) {
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw sine_of_phase(Raw phase) {
     return portable::sine_of_phase<Raw, F>(phase);
+}
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR Raw sine_of_turns(Raw turns) {
+    return portable::sine_of_turns<Raw, F>(turns);
 }
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw sine_of_quarter_turns(uint64_t turns) {

@@ -201,6 +201,8 @@
     KERNEL(UNARY, sine_of_phase, int16_t, 8, fixedpoint_sine_of_phase_q8_8, sine_of_phase) \
     FIXEDPOINT_COARSE_SPLITS_16(FIXEDPOINT_KERNEL_OF_SPLIT_16, KERNEL, UNARY, sine_of_phase) \
     KERNEL(UNARY, sine_of_phase, int32_t, 16, fixedpoint_sine_of_phase_q16_16, sine_of_phase) \
+    KERNEL(UNARY, sine_of_turns, int16_t, 8, fixedpoint_sine_of_turns_q8_8, sine_of_turns) \
+    KERNEL(UNARY, sine_of_turns, int32_t, 16, fixedpoint_sine_of_turns_q16_16, sine_of_turns) \
     KERNEL(TURNS, sine_of_quarter_turns, int64_t, 32, fixedpoint_sine_of_quarter_turns_q32_32, sine_of_quarter_turns) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, TURNS, sine_of_quarter_turns) \
     KERNEL(UNARY, sin, int8_t, 4, fixedpoint_sin_q4_4, sin) \

@@ -49,6 +49,31 @@ struct SineOfPhase42<int64_t, F> {
         return from_q32_32<int64_t, F>(sine_of_quarter_turns<int64_t, 32>(phase));
     }
 };
+// A shorter phase, which is enough for an angle in turns, in Q8.8 and in the formats of
+// SineOfPhase32. What is above it is ignored.
+struct SineOfPhase8 {
+    using Phase = uint16_t;
+    static constexpr int phase_bits = 8;
+    static FIXEDPOINT_IN_PLACE int16_t sine(Phase phase) {
+        return sine_of_turns<int16_t, 8>(static_cast<int16_t>(phase));
+    }
+};
+template <class Raw, int F>
+struct ShortSineOfPhase32 {
+    using Phase = uint16_t;
+    static constexpr int phase_bits = 16;
+    static FIXEDPOINT_IN_PLACE Raw sine(Phase phase) {
+        return from_q16_16<Raw, F>(sine_of_turns<int32_t, 16>(static_cast<int32_t>(phase)));
+    }
+};
+template <>
+struct ShortSineOfPhase32<int32_t, 16> {
+    using Phase = uint32_t;
+    static constexpr int phase_bits = 16;
+    static FIXEDPOINT_IN_PLACE int32_t sine(Phase phase) {
+        return sine_of_turns<int32_t, 16>(static_cast<int32_t>(phase));
+    }
+};
 // For every format.
 template <class Raw, int F>
 struct SineOfPhase64 {
@@ -87,6 +112,20 @@ using SineOfPhase = typename Either<
                     SineOfPhase32<Raw, F>,
                     typename Either<sizeof(Raw) <= 4 || F <= 30 || F == 32, SineOfPhase42<Raw, F>,
                                     SineOfPhase64<Raw, F>>::Type>::Type>::Type;
+
+// The core for turns with F fraction bits.
+template <class Core>
+struct ShortPhase {
+    using Type = Core;
+};
+template <>
+struct ShortPhase<SineOfPhase16<int16_t, 8>> {
+    using Type = SineOfPhase8;
+};
+template <class Raw, int F>
+struct ShortPhase<SineOfPhase32<Raw, F>> {
+    using Type = ShortSineOfPhase32<Raw, F>;
+};
 
 template <class Core>
 constexpr typename Core::Phase quarter_turn() {

@@ -32,6 +32,12 @@ constexpr Raw sine_of_phase(Raw phase) {
     return SineOfPhase<Raw, F>::of(phase);
 }
 
+// In Q8.8 and in Q16.16: the sine of turns 2^-F, whose fractional part is half of a phase.
+template <class Raw, int F>
+constexpr Raw sine_of_turns(Raw turns) {
+    return sine_of_phase<Raw, F>(static_cast<Raw>(static_cast<Unsigned<Raw>>(turns) << F));
+}
+
 // In 32-bit formats and in Q32.32: the sine of quarter turns with 40 fraction bits, of which the
 // low 42 bits count.
 template <class Raw, int F>
