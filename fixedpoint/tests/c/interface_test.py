@@ -91,7 +91,7 @@ def kernels():
     return {symbol for operation, width, fraction, symbol in re.findall(
         r"(\w+) int(\d+)_t (\d+) (\w+);", rows)
         if (int(width), int(fraction)) in widths and not re.search(
-            "_(small|saturating|unsaturated|fine)$|^nearest_|^(wrapping_lerp|sine_of_(phase|quarter_turns)|tan_of_rest)$"
+            "_(small|saturating|unsaturated|fine)$|^nearest_|^(wrapping_lerp|sine_of_(phase|turns|quarter_turns)|tan_of_rest)$"
             "|^(multiply_short|(square|project|dot_difference|add_scaled|exchange)[23]|transform|matrix_product(_2)?"
             "|(twice_)?cross|cofactors|(quaternion|complex)_[a-z_]+)$",
             operation)}
