@@ -262,7 +262,7 @@ def begin_estimate(of, m, over, which):
     return h, m.registers[DIGIT] + known(over), u
 
 
-def mended(m, h, t, u, byte, rest):
+def corrected(m, h, t, u, byte, rest):
     """The digit, and what shows that u = digit h + rest, rest < h."""
     more = (m.constant(byte - t, 256) + 1) % 256 - 1
     demand(more in (-1, 0, 1))
@@ -275,7 +275,7 @@ def compare(of, m, over, which):
     same = of.same(m, *of.low, of.u[2], *of.row, of.zero, of.count)
 
     def check(m, end):
-        digit, right = mended(m, h, t, u, m.registers[DIGIT], m.number(of.u[:2]))
+        digit, right = corrected(m, h, t, u, m.registers[DIGIT], m.number(of.u[:2]))
         m.show(*right, (0, digit, 256), (0, digit - m.registers[DIGIT], 256), *same(m))
     return check
 
@@ -291,7 +291,7 @@ def exact_compare(m, over, which):
 
     def check(m, end):
         rest = m.number(of.u[1:])  # where it has moved to
-        digit, right = mended(m, h, t, u, m.registers[Q[0]], rest)
+        digit, right = corrected(m, h, t, u, m.registers[Q[0]], rest)
         if m.feasible():
             m.show(*right, equal(m.number(U), rest * (1 << 24) + low), equal(m.number(Q), row * 256 + digit), *same(m))
             counted(m, of, count, end == ".Lcompare")
