@@ -85,18 +85,6 @@
     clr q1
     movw q2, q0
     rjmp .Lfirst
-.Lskip:
-    mov_from_top x1, x0, 4
-    clr x0
-    dec behind
-    brmi .Lround
-.Lfirst:
-    cp x3, d3
-    cpc x4, q0
-    brcs .Lskip
-    cpi behind, 4
-    brlo .Ldigit
-    rjmp .Lsaturate
 .Ldigit:
     mov_from_top q1, q0, 3
     mov q0, x4
@@ -134,12 +122,21 @@
     dec q0
     add_bytes x0, d0, 4
     brcc .Ladd
-    inc x4
+    subi x4, 0xff       // clears the carry if x4 becomes 0
     brne .Ladd
+.Lnext:                 // with the carry set while digits are skipped
     mov_from_top x1, x0, 4
     clr x0
     dec behind
-    brpl .Ldigit
+    brmi .Lround
+    brcc .Ldigit
+.Lfirst:
+    cp x3, d3
+    cpc x4, q0
+    brcs .Lnext
+    cpi behind, 4
+    brlo .Ldigit
+    rjmp .Lsaturate
 
 .Lround:
     sub_bytes d0, x1, 4

@@ -15,12 +15,12 @@
 //
 // Error in ulp: squares, bracket and its product 0.2, quarter turns 0.045; rounding 0.5.
 //
-// Truncating products adds a mean of BIAS units of 2^-24 to the magnitude: the half ulp for
-// rounding is less by BIAS if the sine is positive, and more if it is negative.
+// Truncated products lower the amount below 1 by a mean of BIAS units of 2^-24, which are added to
+// the half ulp for rounding.
 //
-// The quarter turns are the product with the 40 bits a2f9836e4e / 2^40 of 2/pi, in units of 2^-24.
-// Byte products below the unit are omitted; one with f9 is computed as one with 100, and one with 4e
-// as one with 51.
+// The quarter turns are the product with 2/pi = (a3 - 7/2^8 + 836e4e/2^24) / 2^8, in units of 2^-24.
+// Byte products below the unit are omitted; one with 4e is computed as one with 51. The upper byte of
+// the angle becomes positive by adding 2^31; START subtracts the product of that.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -30,14 +30,13 @@
 #define a1 r23
 #define a2 r24
 #define a3 r25
-// 2/pi; m1 is not needed for long.
+// The digits of 2/pi, M3 being negative; m1 is not needed for long.
 #define M1 0x6e
 #define M2 0x83
-#define M3 0xf9
-#define M4 0xa2
-// 2^31 times 2/pi, and 2 units that centre the error.
-#define HALF 0x7cc1b729
-#define m r24
+#define M3 7
+#define M4 0xa3
+// Minus 2^31 times 2/pi, and 3 units that centre the error.
+#define START 0x833e48d6
 #define m1 r18
 #define m2 r19
 #define m3 r20
@@ -64,44 +63,41 @@
 #define p0 r19
 #define p1 r24
 #define p2 r25
-#define half r20
 
-    SECTION fixedpoint_sin_q16_16_small
-
-    ENTRY fixedpoint_cos_q16_16_small
-    ldi quadrant, 1
+    FUNCTION fixedpoint_cos_q16_16_small
+    ldi quadrant, hhi8(START + (1 << 24))
     rjmp .Lreduce
     ENDFUNC fixedpoint_cos_q16_16_small
 
-    ENTRY fixedpoint_sin_q16_16_small
-    ldi quadrant, 0
+    FUNCTION fixedpoint_sin_q16_16_small
+    ldi quadrant, hhi8(START)
 .Lreduce:
     ldi m1, M1
     ldi m2, M2
     ldi m3, M3
     ldi m4, M4
-    ldi x1, M4 + 1      // including M3 a0 / 2^8
-    mul a0, x1
+    subi a3, 0x80
+    // No carry out of x1: the sum is between 0x41dd and 0xb758.
+    mul a3, m1
     movw x0, r0
+    subi_bytes x0, (-START), 2
     mul a2, m1
     add x0, r1
     clr zero            // replaces m1; keeps the carry
     adc x1, zero
-    mul_add_upper a1, m2, x0, zero, x1  // x1 is at most 0xa2 + 2
-    mul_add a1, m3, x0, x1
-    clr x2
-    adc x2, zero
+    mul_add_upper a1, m2, x0, zero, x1
+    mul a1, m3
+    sub x0, r0
+    sbc x1, r1
+    // No carry out of x2: it is between START / 2^16 - 7 and START / 2^16 + 0xa5.
+    ldi x2, hlo8(START)
+    mul_add a0, m4, x0, x1, zero, x2
     mul_add a2, m2, x0, x1, zero, x2
-    mul a1, m4
-    add x1, r0
-    adc x2, r1          // at most 2 + 0xa1 + 1
-    mul_add a2, m3, x1, x2, zero, quadrant
-    mul_add a2, m4, x2, quadrant
-    tst a3
-    breq .Lreduced
-    // 256 rad or more, or negative: 2^31 times 2/pi is added and subtracted. M0 a3 / 2^8 is near half
-    // the upper byte of M4 a3.
-    subi a3, 0x80
+    mul_add a1, m4, x1, x2
+    mul a2, m3
+    sub x1, r0
+    sbc x2, r1
+    // M0 a3 / 2^8 is near half the upper byte of M4 a3.
     mul a3, m2
     movw a0, r0
     mul a3, m4
@@ -110,18 +106,11 @@
     adc x1, a0
     adc x2, a1
     adc quadrant, r0
-    ldi m, M1
-    mul a3, m
-    movw a0, r0
+    mul_add a2, m4, x2, quadrant
     mul a3, m3
-    add x0, a0
-    adc x1, a1
-    adc x2, r0
-    adc quadrant, r1
-    subi_bytes x0, HALF, 2
-    sbci x2, hlo8(HALF)
-    sbci quadrant, hhi8(HALF)
-.Lreduced:
+    sub x2, r0
+    sbc quadrant, r1
+
     bst quadrant, 1
     sbrc quadrant, 0
     rjmp .Lsquare
@@ -186,20 +175,16 @@
     adc y1, p1
     adc y2, p2
 
-    // y is 1 minus the magnitude; y - 1 is the sine in the lower half turn.
-    ldi half, 128 + BIAS
-    ldi r24, 0xff
-    brts .Lround
-    ldi half, 129 - BIAS
-    com_bytes y0, 3
-    com r24
-.Lround:
-    add y0, half
-    adc y1, zero
-    adc y2, zero
-    adc r24, zero
-    mov r25, r24        // 0 or 1, or -1
-    asr r25
+    // y is 1 minus the magnitude; rounded, y - 1 is the sine in the lower half turn.
+    subi y0, 128 - BIAS
+    sbci y1, 0xff
+    sbci y2, 0xff
+    sbc r24, r24        // 0 if y has become 1
+    mov r25, r24
+    brts .Lreturn
+    negate_bytes y1, 3
+    ldi r25, 0
+.Lreturn:
     clr r1
     ret
     ENDFUNC fixedpoint_sin_q16_16_small

@@ -9,18 +9,15 @@ namespace fixedpoint {
 namespace portable {
 
 // The angle in quarter turns, modulo 256, with 24 fraction bits, as the kernel computes it: off by
-// up to 8 units.
+// up to 7 units.
 FIXEDPOINT_CONSTEXPR uint32_t quarter_turns_small_q16_16(int32_t angle) {
-    const uint32_t a = static_cast<uint32_t>(angle);
+    const uint32_t a = static_cast<uint32_t>(angle) + (uint32_t(1) << 31);
     const uint32_t a0 = a & 0xff, a1 = a >> 8 & 0xff, a2 = a >> 16 & 0xff, a3 = a >> 24;
-    // 2/pi = 0.a2f9836e4e...
-    constexpr uint32_t m1 = 0x6e, m2 = 0x83, m3 = 0xf9, m4 = 0xa2;
-    const uint32_t turns = a0 * (m4 + 1) + (a1 * m2 >> 8) + (a2 * m1 >> 8) + a1 * m3 + a2 * m2 +
-                           ((a1 * m4 + a2 * m3) << 8) + (a2 * m4 << 16);
-    if (a3 == 0) return turns;
-    const uint32_t top = a3 ^ 0x80;
-    return turns + (top * m4 >> 9) + top * m1 + (top * m2 << 8) + (top * m3 << 16) +
-           (top * m4 << 24) - 0x7cc1b729;  // 2^31 times 2/pi, plus 2
+    // 2/pi = 0.a2f9836e4e..., and a2f9 is a300 - 7.
+    constexpr uint32_t m1 = 0x6e, m2 = 0x83, m3 = 7, m4 = 0xa3;
+    return a0 * m4 + (a1 * m2 >> 8) + (a2 * m1 >> 8) + (a3 * m4 >> 9) - a1 * m3 + a2 * m2 +
+           a3 * m1 + ((a1 * m4 - a2 * m3 + a3 * m2) << 8) + ((a2 * m4 - a3 * m3) << 16) +
+           (a3 * m4 << 24) - 0x7cc1b72a;  // 2^31 times 2/pi, plus 3
 }
 
 // With x the distance from the peak in quarter turns and y = x^2, the magnitude is
@@ -38,10 +35,10 @@ FIXEDPOINT_CONSTEXPR int32_t sine_of_quarter_turns_small_q16_16(uint32_t turns) 
     const uint32_t bracket = 61268 - (y1 * c2 >> 8) - y2 * c2 - ((y2 * c1 >> 8) + s2);
     const uint32_t b1 = bracket & 0xff, b2 = bracket >> 8;
     const uint32_t product = (s2 * b2 << 8) + (s1 * b1 >> 8) + (s0 * b2 >> 8) + s2 * b1 + s1 * b2;
-    // Truncation adds a mean of 28 units to the magnitude.
-    const int32_t missing = static_cast<int32_t>(y + (product >> 2));
-    const int32_t one = int32_t(1) << 24;
-    return lower ? (missing - one + 128 + 28) >> 8 : (one - missing + 128 - 28) >> 8;
+    // Truncation subtracts a mean of 28 units.
+    const int32_t missing = static_cast<int32_t>((y + (product >> 2) + 128 + 28) >> 8);
+    const int32_t one = int32_t(1) << 16;
+    return lower ? missing - one : one - missing;
 }
 
 FIXEDPOINT_CONSTEXPR int32_t sin_small_q16_16(int32_t angle) {
