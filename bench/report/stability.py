@@ -283,6 +283,35 @@ def finding(data):
             f"silently in {wraps} of {plain} runs{beforehand}, saturating Q16.16 in {saturating_wraps} of {saturating}.")
 
 
+def again(row):
+    """How many times the limit a value beyond it is that holds again, or its inverse where small values are hard; 1 if none
+    does."""
+    if row["holds_again"] is None:
+        return 1
+    ratio = row["holds_again"] / row["limit"]
+    return max(ratio, 1 / ratio)
+
+
+def named(row):
+    """A row of stability.csv in words: case, format and method."""
+    return (f"{row['case'].replace('_', ' ')} in {style.format_label(row['scalar'])} "
+            f"({METHOD_LABELS.get(row['integrator'], row['integrator'].replace('_', ' '))})")
+
+
+def sweep_finding(rows):
+    """Whether what breaks at one value also breaks beyond it, in two sentences."""
+    swept = [row for row in rows if row["swept"] is not None]
+    contradicted = [row for row in swept if row["contradicting"]]
+    points = [row["swept"] for row in swept]
+    told = (f"A sweep of {min(points)} to {max(points)} values from the easy end to the hard one ends at the first failure, and a bisection "
+            f"finds the limit next to it. In {len(swept)} rows the sweep then goes on to the end")
+    if not contradicted:
+        return f"{told}: nothing holds there."
+    worst = max(contradicted, key=again)
+    return (f"{told}: {len(contradicted)} are not monotone (`contradicting` counts the values), the worst {named(worst)}, which fails beyond "
+            f"{figure(worst['limit'])} {worst['unit']} and holds again up to {figure(worst['holds_again'])}.")
+
+
 def chain_finding(data):
     """Whether the format matters for the load that a chain of rods withstands, in a sentence."""
     rows = [row for row in data.rows("stability_map", map="mass_ratio")

@@ -44,6 +44,10 @@ struct CaseRow {
     // Of the largest result of any operation, as fixbench advise predicts them: at the limit, and
     // just beyond it. Plain fixed-point formats only.
     std::optional<double> bits_at_limit, bits_beyond;
+    // Of the sweep over the whole range; none for an endurance, which is one run. How many of its
+    // points contradict the limit, and the last beyond it that holds.
+    std::optional<unsigned> swept, contradicting;
+    std::optional<double> holds_again;
 
     static constexpr auto columns = std::tuple(
         column("case", &CaseRow::of_case), column("scalar", &CaseRow::scalar),
@@ -52,7 +56,9 @@ struct CaseRow {
         column("unit", &CaseRow::unit), column("verdict", &CaseRow::verdict),
         column("first_event", &CaseRow::first_event), column("step", &CaseRow::step),
         column("reference", &CaseRow::reference), column("bits_at_limit", &CaseRow::bits_at_limit),
-        column("bits_beyond", &CaseRow::bits_beyond));
+        column("bits_beyond", &CaseRow::bits_beyond), column("swept", &CaseRow::swept),
+        column("contradicting", &CaseRow::contradicting),
+        column("holds_again", &CaseRow::holds_again));
 };
 
 // Rounded down, so that what wraps by little stays below 0.
@@ -64,13 +70,16 @@ std::optional<double> predicted_bits(const Case& one, const Subject& subject, do
     return std::floor(prediction->result * 1000) / 1000;
 }
 
+template <class Number>
+std::optional<Number> if_any(bool any, Number number) {
+    return any ? std::optional(number) : std::nullopt;
+}
+
 CaseRow row(const Case& one, const Subject& subject, const Finding& finding) {
     std::string verdict = to_text(finding.verdict);
     if (finding.verdict == Verdict::drifts) verdict += fmt::format(" ({:.2g}/s)", finding.rate);
     if (finding.verdict == Verdict::diverges)
         verdict += fmt::format(" (after {} steps)", finding.step);
-    std::optional<unsigned> step;
-    if (finding.verdict != Verdict::stable) step = finding.step;
     return {one.name,
             subject.scalar,
             subject.arithmetic,
@@ -80,10 +89,13 @@ CaseRow row(const Case& one, const Subject& subject, const Finding& finding) {
             one.unit,
             verdict,
             finding.first_event,
-            step,
+            if_any(finding.verdict != Verdict::stable, finding.step),
             one.reference,
             predicted_bits(one, subject, finding.limit),
-            predicted_bits(one, subject, finding.beyond)};
+            predicted_bits(one, subject, finding.beyond),
+            if_any(finding.swept > 0, finding.swept),
+            if_any(finding.swept > 0, finding.contradicting),
+            if_any(!std::isnan(finding.holds_again), finding.holds_again)};
 }
 
 // The abilities of a format and a method, each shown by a case.
@@ -221,7 +233,9 @@ void check_selection(const Options& options) {
 }
 
 void measure_stability(const Options& options) {
-    const Effort effort = options.quick ? Effort{1, 3, 4000} : Effort{};
+    const Effort effort = options.quick ? Effort{1, 3, 4000, 1} : Effort{2, 10, 1e9, 4};
+    Effort to_the_end = effort;
+    to_the_end.to_the_end = true;
     std::vector<std::pair<const Case*, const Subject*>> work;
     for (const Case& one : all_cases()) {
         if (!wanted(options.cases, one.name)) continue;
@@ -238,7 +252,7 @@ void measure_stability(const Options& options) {
     {
         records::Progress progress("stability", work.size());
         operations::in_parallel(options.threads, work.size(), [&](std::size_t i) {
-            findings[i] = find_limit(*work[i].first, *work[i].second, effort);
+            findings[i] = find_limit(*work[i].first, *work[i].second, to_the_end);
             rows[i] = row(*work[i].first, *work[i].second, findings[i]);
             progress.advance();
         });

@@ -744,6 +744,23 @@ i q8_8 nearest velocity_verlet 1 overflows overflow_add -1 1
             row["first_event"] = (row["first_event"] or "").replace("_", " ")
         self.assertEqual(stability.announced(rows), (4, 2, 5, 1))
 
+    SWEPT = """
+case scalar integrator unit limit swept contradicting holds_again
+a q16_16 velocity_verlet m 10 25 0 -
+b_c float warm_started m 10 33 2 30
+d q8_8 implicit_springs m 8 41 1 1
+e q8_8 implicit_springs m 10 41 3 -
+f q8_8 implicit_springs m 10 - - -
+"""
+
+    def test_rows_that_are_not_monotone(self):
+        self.assertEqual(stability.sweep_finding(golden(stability=self.SWEPT).rows("stability")),
+                         "A sweep of 25 to 41 values from the easy end to the hard one ends at the first failure, and a bisection finds the "
+                         "limit next to it. In 4 rows the sweep then goes on to the end: 3 are not monotone (`contradicting` counts the "
+                         "values), the worst d in Q8.8 (springs solved implicitly), which fails beyond 8 m and holds again up to 1.")
+        flat = [row for row in golden(stability=self.SWEPT).rows("stability") if row["case"] in "af"]
+        self.assertTrue(stability.sweep_finding(flat).endswith("In 1 rows the sweep then goes on to the end: nothing holds there."))
+
     def test_loads_that_chains_bear(self):
         rows = "case scalar arithmetic integrator limit verdict first_event\n"
         for i, links in enumerate((4, 8, 16)):
