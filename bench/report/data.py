@@ -17,7 +17,7 @@ ablation as_published after_cause after_method arithmetic before_cause before_er
 broad_phase case change cheapest chip clock coefficient coefficients commit curve cycles_max_witness damping
 device edges elf_sha256 failure fault feature first_event first_mismatch
 fitted_to flags form format formats formula
-function handler hand_n_per_m host implementation inputs integrator interrupt kernel_sha256 kind lane
+function handler hand_n_per_m holds host implementation inputs integrator interrupt kernel_sha256 kind lane
 limit limited_by loop map max_ulp_witness measure measured measured_with note operands operation operations operators origin parameter pin quantity
 readings reason reference rival scalar scenario scene shift standard_errors still_at_shortest symbol system type
 unbounded unit variant vector verdict version view where widening with x_name y_name

@@ -14,6 +14,7 @@ DEFAULT = ["nearest", "ieee"]
 # The cases of the envelope that the page shows.
 ENVELOPE = ("far_from_origin", "rod_span", "rod_short", "half_space", "slow", "spring_stiffness", "spring_slow", "light_body",
             "heavy_body", "small_binary_step")
+EXAMPLE = "rod_chain_of_8_heavy_end"  # of what it means that a case holds
 CASES = pathlib.Path(__file__).parents[1] / "experiments" / "stability" / "cases"
 # The chains of rods that bear a load, by the step: the case's name after the number of rods, and the step's exponent.
 LOADED_CHAINS = {8: "_heavy_end", 11: "_heavy_end_fine_steps"}
@@ -310,6 +311,16 @@ def sweep_finding(rows):
     worst = max(contradicted, key=again)
     return (f"{told}: {len(contradicted)} are not monotone (`contradicting` counts the values), the worst {named(worst)}, which fails beyond "
             f"{figure(worst['limit'])} {worst['unit']} and holds again up to {figure(worst['holds_again'])}.")
+
+
+def horizon_finding(rows):
+    """What a case that holds does, and over which horizons, in two sentences."""
+    steps, seconds = [row["steps"] for row in rows], [row["steps"] * row["dt"] for row in rows]
+    example = next(row for row in rows if row["case"] == EXAMPLE)
+    return (f"*Stable* means within the tolerance of the case in every step until the end of its horizon: {whole(min(steps))} to "
+            f"{whole(max(steps))} steps, {figure(min(seconds))} to {figure(max(seconds))} s. Each row has both at its limit, and the "
+            f"tolerance in words: columns `dt`, `steps` and `holds`; of {EXAMPLE.replace('_', ' ')} {example['steps']} steps of "
+            f"1/{1 / example['dt']:g} s, \"{example['holds']}\".")
 
 
 def chain_finding(data):

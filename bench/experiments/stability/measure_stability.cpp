@@ -48,6 +48,11 @@ struct CaseRow {
     // points contradict the limit, and the last beyond it that holds.
     std::optional<unsigned> swept, contradicting;
     std::optional<double> holds_again;
+    // At the limit, or at the easy end if nothing holds: the step in s, how many of them are made,
+    // and what must hold in each.
+    double dt;
+    unsigned steps;
+    std::string holds;
 
     static constexpr auto columns = std::tuple(
         column("case", &CaseRow::of_case), column("scalar", &CaseRow::scalar),
@@ -58,7 +63,8 @@ struct CaseRow {
         column("reference", &CaseRow::reference), column("bits_at_limit", &CaseRow::bits_at_limit),
         column("bits_beyond", &CaseRow::bits_beyond), column("swept", &CaseRow::swept),
         column("contradicting", &CaseRow::contradicting),
-        column("holds_again", &CaseRow::holds_again));
+        column("holds_again", &CaseRow::holds_again), column("dt", &CaseRow::dt),
+        column("steps", &CaseRow::steps), column("holds", &CaseRow::holds));
 };
 
 // Rounded down, so that what wraps by little stays below 0.
@@ -75,7 +81,10 @@ std::optional<Number> if_any(bool any, Number number) {
     return any ? std::optional(number) : std::nullopt;
 }
 
-CaseRow row(const Case& one, const Subject& subject, const Finding& finding) {
+CaseRow row(const Case& one, const Subject& subject, const Finding& finding, const Effort& effort) {
+    const Experiment at_limit = one.at(one.endurance ? std::min(one.to, effort.longest_endurance)
+                                       : std::isnan(finding.limit) ? one.from
+                                                                   : finding.limit);
     std::string verdict = to_text(finding.verdict);
     if (finding.verdict == Verdict::drifts) verdict += fmt::format(" ({:.2g}/s)", finding.rate);
     if (finding.verdict == Verdict::diverges)
@@ -95,7 +104,10 @@ CaseRow row(const Case& one, const Subject& subject, const Finding& finding) {
             predicted_bits(one, subject, finding.beyond),
             if_any(finding.swept > 0, finding.swept),
             if_any(finding.swept > 0, finding.contradicting),
-            if_any(!std::isnan(finding.holds_again), finding.holds_again)};
+            if_any(!std::isnan(finding.holds_again), finding.holds_again),
+            at_limit.description.dt.value(),
+            at_limit.description.steps,
+            at_limit.measure.holds()};
 }
 
 // The abilities of a format and a method, each shown by a case.
@@ -253,7 +265,7 @@ void measure_stability(const Options& options) {
         records::Progress progress("stability", work.size());
         operations::in_parallel(options.threads, work.size(), [&](std::size_t i) {
             findings[i] = find_limit(*work[i].first, *work[i].second, to_the_end);
-            rows[i] = row(*work[i].first, *work[i].second, findings[i]);
+            rows[i] = row(*work[i].first, *work[i].second, findings[i], effort);
             progress.advance();
         });
     }

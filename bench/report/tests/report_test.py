@@ -753,6 +753,18 @@ e q8_8 implicit_springs m 10 41 3 -
 f q8_8 implicit_springs m 10 - - -
 """
 
+    def test_what_it_means_to_hold(self):
+        rows = golden(stability="""
+case dt steps holds
+a 0.5 8 rods
+rod_chain_of_8_heavy_end 0.25 2000 rods_within_20_%
+b 0.001 300 planes
+""").rows("stability")
+        self.assertEqual(stability.horizon_finding(rows),
+                         "*Stable* means within the tolerance of the case in every step until the end of its horizon: 8 to 2\u202f000 steps, "
+                         "0.3 to 500 s. Each row has both at its limit, and the tolerance in words: columns `dt`, `steps` and `holds`; of "
+                         "rod chain of 8 heavy end 2000 steps of 1/4 s, \"rods_within_20_%\".")
+
     def test_rows_that_are_not_monotone(self):
         self.assertEqual(stability.sweep_finding(golden(stability=self.SWEPT).rows("stability")),
                          "A sweep of 25 to 41 values from the easy end to the hard one ends at the first failure, and a bisection finds the "

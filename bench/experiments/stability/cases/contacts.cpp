@@ -59,10 +59,12 @@ Experiment between_walls(double steps) {
     made.restitution = 1;
     made.dt = TimeStep::binary(8);
     made.steps = unsigned(steps);
-    return {made, [](const State& state, unsigned) {
-                return std::max(std::abs(std::abs(state[0].velocity.x) / 4 - 1) / 0.1,
-                                std::abs(state[0].position.x - 0.3) / 0.2);
-            }};
+    return {made,
+            {[](const State& state, unsigned) {
+                 return std::max(std::abs(std::abs(state[0].velocity.x) / 4 - 1) / 0.1,
+                                 std::abs(state[0].position.x - 0.3) / 0.2);
+             },
+             "speed within 10 % of 4 m/s; position within 0.2 m of the middle"}};
 }
 
 // Where a ball with `reach` to its target's centre starts, so that the step before it touches ends
@@ -84,12 +86,13 @@ Experiment part(std::vector<Body> bodies) {
     made.dt = TimeStep::binary(8);
     made.steps = 200;
     return {made, all_of({from_step(100, no_overlap(made, 0.05)),
-                          [](const State& state, unsigned) {
-                              double fastest = 0;
-                              for (const BodyState& body : state)
-                                  fastest = std::max(fastest, length(body.velocity));
-                              return fastest / 0.5;
-                          },
+                          {[](const State& state, unsigned) {
+                               double fastest = 0;
+                               for (const BodyState& body : state)
+                                   fastest = std::max(fastest, length(body.velocity));
+                               return fastest / 0.5;
+                           },
+                           "speeds at most 0.5 m/s"},
                           stays_within(made, 10 * made.bodies[0].radius)})};
 }
 
@@ -146,7 +149,9 @@ std::vector<Case> contact_cases() {
              made.restitution = 0.5;
              made.steps = unsigned(std::min(4000.0, 500 + 512 / p));
              return Experiment{
-                 made, [](const State& state, unsigned) { return 1 + state[0].position.x - 0.05; }};
+                 made,
+                 {[](const State& state, unsigned) { return 1 + state[0].position.x - 0.05; },
+                  "not beyond the middle of the wall by more than its radius of 0.05 m"}};
          }},
         {"thin_target", "contacts", "speed", "m/s", 0.1, 1e7, geometry,
          [](double p) {
@@ -156,9 +161,11 @@ std::vector<Case> contact_cases() {
                             ball({0, 0}, {}, 1, 0.05)};
              made.restitution = 0.5;
              made.steps = unsigned(std::min(4000.0, 50 + 512 / p));
-             return Experiment{made, [](const State& state, unsigned) {
-                                   return 1 + state[0].position.x - state[1].position.x;
-                               }};
+             return Experiment{made,
+                               {[](const State& state, unsigned) {
+                                    return 1 + state[0].position.x - state[1].position.x;
+                                },
+                                "body 0 not beyond the middle of body 1"}};
          }},
         {"half_space", "contacts", "speed", "m/s", 0.5, 1e10, geometry,
          [](double p) {
@@ -167,10 +174,13 @@ std::vector<Case> contact_cases() {
              made.planes = {{{1, 0}, 0, 0.5}};
              made.dt = TimeStep::binary(8);
              made.steps = unsigned(std::min(1000.0, 10 + 512 / p));
-             return Experiment{made, from_step(made.steps, [](const State& state, unsigned) {
-                                   const double out = state[0].velocity.x;
-                                   return out > 0 ? (radius - state[0].position.x) / 0.05 : 2.0;
-                               })};
+             const Measure outside = {[](const State& state, unsigned) {
+                                          const double out = state[0].velocity.x;
+                                          return out > 0 ? (radius - state[0].position.x) / 0.05
+                                                         : 2.0;
+                                      },
+                                      "moves out of the plane; at most 0.05 m deep in it"};
+             return Experiment{made, from_step(made.steps, outside)};
          }},
         {"bounces_elastic", "contacts", "steps of 100000 bounces", "1", 1, 640000,
          "conserved: energy", between_walls, true},
@@ -180,14 +190,16 @@ std::vector<Case> contact_cases() {
              Description made = on_floor(9.81, TimeStep::binary(8), unsigned(steps), 1);
              made.bodies = {ball({0, 1})};
              const auto highest = std::make_shared<double>(1);
-             return Experiment{made, [highest](const State& state, unsigned step) {
-                                   constexpr unsigned window = 256;
-                                   const double y = state[0].position.y;
-                                   const double before = *highest;
-                                   *highest = step % window == 0 ? y : std::max(before, y);
-                                   if (step == 0 || step % window != 0) return (y - 1) / 0.15;
-                                   return std::abs(before - 1) / 0.15;
-                               }};
+             const Measure height = {[highest](const State& state, unsigned step) {
+                                         constexpr unsigned window = 256;
+                                         const double y = state[0].position.y;
+                                         const double before = *highest;
+                                         *highest = step % window == 0 ? y : std::max(before, y);
+                                         if (step == 0 || step % window != 0) return (y - 1) / 0.15;
+                                         return std::abs(before - 1) / 0.15;
+                                     },
+                                     "highest point of each 256 steps within 0.15 m of 1 m"};
+             return Experiment{made, height};
          },
          true},
         {"bounces_inelastic", "contacts", "steps in contact", "1", 1, 100000, "closed form: rest",

@@ -20,6 +20,13 @@ Experiment holds(const Description& made, double tolerance = 0.05) {
     return {made, rods_hold(made, tolerance)};
 }
 
+Measure keeps_speed(double speed) {
+    return {[speed](const State& state, unsigned) {
+                return std::abs(length(state[0].velocity) / speed - 1) / 0.1;
+            },
+            "speed within " + in_words(0.1 * speed, "m/s of that at the start")};
+}
+
 constexpr double link_length = 0.5, chain_gravity = 9.81;  // m, m/s^2
 
 // Bodies of 1 kg hanging below each other, the last with another mass, pushed sideways.
@@ -103,10 +110,7 @@ Case speed_at_length(double rod, int exponent) {
             [=](double p) {
                 Description made = pendulum({rod, 0}, rod, TimeStep::binary(exponent), 400);
                 made.bodies[0].velocity = {0, p};
-                return Experiment{
-                    made, all_of({rods_hold(made, 0.05), [p](const State& state, unsigned) {
-                                      return std::abs(length(state[0].velocity) / p - 1) / 0.1;
-                                  }})};
+                return Experiment{made, all_of({rods_hold(made, 0.05), keeps_speed(p)})};
             }};
 }
 
@@ -118,10 +122,7 @@ std::vector<Case> link_cases() {
          [](double p) {
              Description made = pendulum({1, 0}, 1, TimeStep::binary(10), 1000);
              made.bodies[0].velocity = {0, p};
-             return Experiment{made,
-                               all_of({rods_hold(made, 0.05), [p](const State& state, unsigned) {
-                                           return std::abs(length(state[0].velocity) / p - 1) / 0.1;
-                                       }})};
+             return Experiment{made, all_of({rods_hold(made, 0.05), keeps_speed(p)})};
          }},
         {"rod_weight", "links", "gravity", "m/s^2", 1, 1e10, held,
          [](double p) {
@@ -292,12 +293,12 @@ std::vector<Case> link_cases() {
              made.dial_length = longest;
              Description turned = made;
              turned.rods[0].length = longest;
-             return Experiment{
-                 made,
-                 from_step(24, all_of({rods_hold(turned, 0.05), [p](const State& state, unsigned) {
-                                           // In addition to what gravity and the push give it.
-                                           return length(state[0].velocity) / (p + 5);
-                                       }}))};
+             const Measure slow_enough = {[p](const State& state, unsigned) {
+                                              // In addition to what gravity and the push give it.
+                                              return length(state[0].velocity) / (p + 5);
+                                          },
+                                          "speed at most " + in_words(p + 5, "m/s")};
+             return Experiment{made, from_step(24, all_of({rods_hold(turned, 0.05), slow_enough}))};
          }},
         {"lever_push", "links", "force", "N", 0.1, 1e9, held,
          [](double p) {

@@ -64,6 +64,33 @@ TEST(Battery, NamesAreUniqueAndRangesPositive) {
     EXPECT_GE(subjects().size(), 20u);
 }
 
+// The column `holds` of stability.csv: what a measure compares with, in words.
+TEST(Battery, EveryCaseSaysWhatHolds) {
+    for (const Case& one : all_cases())
+        for (const double end : {one.from, one.to}) {
+            const Experiment experiment = one.at(end);
+            EXPECT_GT(experiment.measure.holds().size(), 10u) << one.name;
+            EXPECT_GT(experiment.description.steps, 0u) << one.name;
+            EXPECT_GT(experiment.description.dt.value(), 0) << one.name;
+        }
+    Description made;
+    made.bodies = {{}};
+    made.rods = {{.length = 2}};
+    const Measure both = from_step(7, all_of({rods_hold(made, 0.05), stays_within(made, 0.25)}));
+    EXPECT_EQ(both.holds(),
+              "from step 7: rods within 5 % of their length; all within 0.25 m of "
+              "the start");
+    // At the tolerance that it states, each is 1.
+    const State state = {{{2.1, 0}, {}}};
+    EXPECT_NEAR(rods_hold(made, 0.05)(state, 7), 1, 1e-12);
+    EXPECT_NEAR(stays_within(made, 2.1)(state, 7), 1, 1e-12);
+    EXPECT_EQ(both(state, 6), 0);
+    EXPECT_NEAR(both(state, 7), 2.1 / 0.25, 1e-12);
+    EXPECT_EQ(has_velocity(0, {3, -4}, 2.5).holds(),
+              "velocity of body 0 within 2.5 m/s of (3 -4) m/s");
+    EXPECT_NEAR(has_velocity(0, {3, -4}, 2.5)(state, 1), 2, 1e-12);
+}
+
 class OmegaTimesStep : public testing::TestWithParam<std::pair<const char*, const char*>> {};
 
 // Undamped: symplectic steps are stable up to omega dt = 2. (E. Hairer, C. Lubich, G. Wanner,
