@@ -356,6 +356,21 @@ def dynamics(data, scalar, integrator):
             "bound": band["theory"], "period": cycle["measured"]}
 
 
+def cycle_finding(data):
+    """What swings for ever on springs that are solved implicitly, in two sentences; nothing if nothing does."""
+    rows = {(row["measure"], row["scalar"]): row for row in data.rows("dynamics", integrator="implicit_springs", arithmetic="nearest")
+            if row["measure"] in ("dead_band", "limit_cycle")}
+    swinging = [scalar for measure, scalar in rows if measure == "limit_cycle" and (rows[measure, scalar]["theory"] or 1) > 1]
+    if not swinging:
+        return ""
+    row = rows["limit_cycle", swinging[0]]
+    unrounded = 2 * math.pi / (math.sqrt(row["at"]) * row["dt"])
+    return (f"With springs solved implicitly the body swings for ever in {', '.join(map(style.format_label, swinging))}: the step divides "
+            f"its velocity by so little that the quotient rounds to the same number, and nothing is damped. In "
+            f"{style.format_label(swinging[0])} it swings by {figure(rows['dead_band', swinging[0]]['measured'])} m in {row['measured']:g} "
+            f"steps; the period of rounded products is {row['theory']:.0f}, without rounding it would be {unrounded:.0f}. ")
+
+
 def divergence_finding(data, integrator="velocity_verlet"):
     """When a chaotic motion is lost to rounding, by format, and the value of a bit, in a sentence."""
     rows = [row for row in data.rows("dynamics", integrator=integrator) if row["arithmetic"] in DEFAULT]

@@ -62,7 +62,7 @@ const fixbench::Registration dynamics({
         "  reversal     distance from the start after a run there and back\n"
         "  order        distance between runs whose links were added in another order\n"
         "  dead_band    where rounding holds a damped spring\n"
-        "  limit_cycle  its period; 1 is rest\n"
+        "  limit_cycle  the period of what it does there; 1 is rest\n"
         "  divergence   when rounding separates a chaotic double pendulum from its run in double\n"
         "  divergence_rate  how fast the two then separate\n"
         "An empty `measured` is a run that does not fit the format or wraps, or does not\n"

@@ -855,6 +855,22 @@ divergence_rate q32_32 nearest velocity_verlet 0.1 1.25 1.386294361
         self.assertIn("In Q32.32 the distance grows at 1.25/s", finding)
         self.assertIn("each bit buys 0.5 s; ln 2 over that exponent is 0.5 s.", finding)
 
+    def test_what_swings_for_ever(self):
+        table = """
+measure system scalar arithmetic integrator at measured theory dt
+dead_band spring q8_8 nearest implicit_springs 4 0 0.5 0.00390625
+limit_cycle spring q8_8 nearest implicit_springs 4 1 1 0.00390625
+dead_band spring q16_16 nearest implicit_springs 4 0.002 0.003 0.00390625
+limit_cycle spring q16_16 nearest implicit_springs 4 750 {} 0.00390625
+limit_cycle spring float ieee implicit_springs 4 1 - 0.00390625
+limit_cycle spring q16_16 nearest velocity_verlet 4 1 9 0.00390625
+"""
+        self.assertEqual(stability.cycle_finding(golden(dynamics=table.format(760.2))),
+                         "With springs solved implicitly the body swings for ever in Q16.16: the step divides its velocity by so little "
+                         "that the quotient rounds to the same number, and nothing is damped. In Q16.16 it swings by 0.002 m in 750 "
+                         "steps; the period of rounded products is 760, without rounding it would be 804. ")
+        self.assertEqual(stability.cycle_finding(golden(dynamics=table.format(1))), "")
+
     def test_the_long_run_of_a_format(self):
         found = stability.dynamics(golden(dynamics="""
 measure system scalar arithmetic integrator at measured theory
