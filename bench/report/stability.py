@@ -293,31 +293,35 @@ def again(row):
     return max(ratio, 1 / ratio)
 
 
-def named(row):
+def named(row, in_format=True):
     """A row of stability.csv in words: case, format and method."""
-    return (f"{row['case'].replace('_', ' ')} in {style.format_label(row['scalar'])} "
-            f"({METHOD_LABELS.get(row['integrator'], row['integrator'].replace('_', ' '))})")
+    method = METHOD_LABELS.get(row["integrator"], row["integrator"].replace("_", " "))
+    return row["case"].replace("_", " ") + (f" in {style.format_label(row['scalar'])}" if in_format else "") + f" ({method})"
 
 
 def sweep_finding(rows):
-    """Whether what breaks at one value also breaks beyond it, in two sentences."""
+    """Whether what breaks at one value also breaks beyond it, in some sentences."""
     swept = [row for row in rows if row["swept"] is not None]
     contradicted = [row for row in swept if row["contradicting"]]
-    points = [row["swept"] for row in swept]
-    told = (f"A sweep of {min(points)} to {max(points)} values from the easy end to the hard one ends at the first failure, and a bisection "
-            f"finds the limit next to it. In {len(swept)} rows the sweep then goes on to the end")
+    values = [row["swept"] for row in swept]
+    told = (f"In {len(swept)} rows, {min(values)} to {max(values)} values from the easy end to the hard one are swept; the first that fails, "
+            f"and a bisection next to it, give the limit. ")
     if not contradicted:
-        return f"{told}: nothing holds there."
-    worst = max(contradicted, key=again)
-    return (f"{told}: {len(contradicted)} are not monotone (`contradicting` counts the values), the worst {named(worst)}, which fails beyond "
-            f"{figure(worst['limit'])} {worst['unit']} and holds again up to {figure(worst['holds_again'])}.")
+        return told + "No value of any sweep contradicts it."
+
+    def of_worst(some, in_format):
+        worst = max(some, key=lambda row: (again(row), row["integrator"] == "semi_implicit_euler"))
+        return f"{named(worst, in_format)}, which fails beyond {figure(worst['limit'])} {worst['unit']} and holds again at {figure(worst['holds_again'])}"
+    ours = [row for row in contradicted if row["scalar"] == "q16_16" and again(row) > 1]
+    return (f"{told}{len(contradicted)} of them are not monotone: values beyond the limit hold, or easier ones fail (`contradicting` counts "
+            f"them). The worst is {of_worst(contradicted, True)}" + (f"; in Q16.16 it is {of_worst(ours, False)}." if ours else "."))
 
 
 def horizon_finding(rows):
     """What a case that holds does, and over which horizons, in two sentences."""
     steps, seconds = [row["steps"] for row in rows], [row["steps"] * row["dt"] for row in rows]
     example = next(row for row in rows if row["case"] == EXAMPLE)
-    return (f"*Stable* means within the tolerance of the case in every step until the end of its horizon: {whole(min(steps))} to "
+    return (f"*Stable* means within the tolerance of the case until the end of its horizon: {whole(min(steps))} to "
             f"{whole(max(steps))} steps, {figure(min(seconds))} to {figure(max(seconds))} s. Each row has both at its limit, and the "
             f"tolerance in words: columns `dt`, `steps` and `holds`; of {EXAMPLE.replace('_', ' ')} {example['steps']} steps of "
             f"1/{1 / example['dt']:g} s, \"{example['holds']}\".")
@@ -369,6 +373,21 @@ def cycle_finding(data):
             f"its velocity by so little that the quotient rounds to the same number, and nothing is damped. In "
             f"{style.format_label(swinging[0])} it swings by {figure(rows['dead_band', swinging[0]]['measured'])} m in {row['measured']:g} "
             f"steps; the period of rounded products is {row['theory']:.0f}, without rounding it would be {unrounded:.0f}. ")
+
+
+def heap_finding(data, scalar="q16_16"):
+    """What a heap and a struck chain bear with one iteration, with ten, and with ten that begin where the last step ended, in a
+    sentence; nothing if the data have none."""
+    limits = {(row["case"], row["integrator"]): row["limit"] for row in data.rows("stability", scalar=scalar, arithmetic="nearest")}
+    methods = ("one_iteration", "semi_implicit_euler", "warm_started")
+    if ("wedge_heavy_top", methods[-1]) not in limits:
+        return ""
+
+    def told(case):
+        one, ten, warm = (figure(limits[case, method]) for method in methods)
+        return f"{ten} (with one iteration {one}, warm started {warm})"
+    return (f" Two balls of 1 kg in a V bear a third of {told('wedge_heavy_top')} kg; the end of a chain of 8 bodies of 1 kg withstands a "
+            f"blow of 10 kg at {told('impact_on_chain_of_8')} m/s.")
 
 
 def divergence_finding(data, integrator="velocity_verlet"):

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <engine/decimal.hpp>
 #include <engine/overlap.hpp>
+#include <engine/solvers/warm_started.hpp>
 #include <engine/time_step.hpp>
 #include <engine/validity.hpp>
 
@@ -220,6 +221,14 @@ struct NormalTolerance<stability::AnyFormat> {
         const int fraction = stability::AnyFormat::split().fraction_bits;
         return stability::AnyFormat::from_raw(fraction > 10 ? std::int64_t(1) << (fraction - 8)
                                                             : 4);
+    }
+};
+
+template <>
+struct RestingOverlap<stability::AnyFormat> {
+    static stability::AnyFormat value() {
+        return stability::AnyFormat::from_raw(
+            stability::AnyFormat::split().fraction_bits >= 12 ? 8 : 1);
     }
 };
 

@@ -46,8 +46,8 @@ struct Case {
     std::function<Experiment(double)> at;
     // In an endurance case the parameter is a number of steps: at most `to`, in one run.
     bool endurance = false;
-    // A chain that bears a load: the methods of chain_subjects() that it runs with as well.
-    std::vector<std::string> chain_methods{};
+    // The methods of more_subjects() that it runs with as well.
+    std::vector<std::string> more_methods{};
 };
 
 std::vector<Case> spring_cases();

@@ -24,15 +24,6 @@ bool wanted(const std::vector<std::string>& names, const std::string& name) {
     return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
 }
 
-std::vector<const Subject*> subjects_for(const Case& one) {
-    std::vector<const Subject*> all;
-    for (const Subject& subject : subjects()) all.push_back(&subject);
-    if (one.chain_methods.empty()) return all;
-    for (const Subject& subject : chain_subjects())
-        if (wanted(one.chain_methods, subject.integrator)) all.push_back(&subject);
-    return all;
-}
-
 using records::column;
 
 // A row of stability.csv.
@@ -234,7 +225,7 @@ bool is_selection(const Options& options) {
 void check_selection(const Options& options) {
     std::vector<std::string> cases, scalars, integrators;
     for (const Case& one : all_cases()) cases.push_back(one.name);
-    for (const auto* list : {&subjects(), &chain_subjects()})
+    for (const auto* list : {&subjects(), &more_subjects()})
         for (const Subject& subject : *list) {
             scalars.push_back(subject.scalar);
             integrators.push_back(subject.integrator);
@@ -251,7 +242,7 @@ void measure_stability(const Options& options) {
     std::vector<std::pair<const Case*, const Subject*>> work;
     for (const Case& one : all_cases()) {
         if (!wanted(options.cases, one.name)) continue;
-        for (const Subject* subject : subjects_for(one))
+        for (const Subject* subject : subjects_of(one))
             if (wanted(options.scalars, subject->scalar) &&
                 wanted(options.integrators, subject->integrator))
                 work.emplace_back(&one, subject);

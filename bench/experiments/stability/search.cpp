@@ -86,6 +86,15 @@ Finding find_endurance(const Case& one, const Subject& subject, const Effort& ef
 
 }  // namespace
 
+std::vector<const Subject*> subjects_of(const Case& one) {
+    std::vector<const Subject*> all;
+    for (const Subject& subject : subjects()) all.push_back(&subject);
+    for (const Subject& subject : more_subjects())
+        for (const std::string& method : one.more_methods)
+            if (subject.integrator == method) all.push_back(&subject);
+    return all;
+}
+
 std::string to_text(Verdict verdict) {
     constexpr const char* names[] = {"stable",    "drifts",     "diverges", "overflows",
                                      "saturates", "underflows", "reports"};

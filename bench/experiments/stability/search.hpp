@@ -38,6 +38,9 @@ std::string limit_of(const Finding& finding);
 // Its verdict, with the first event if there is one.
 std::string cause_of(const Finding& finding);
 
+// All that it runs with.
+std::vector<const Subject*> subjects_of(const Case& one);
+
 struct Effort {
     unsigned points_per_decade = 2;
     unsigned bisections = 10;

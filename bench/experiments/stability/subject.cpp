@@ -19,7 +19,7 @@ const std::vector<Subject>& subjects() {
     return all;
 }
 
-const std::vector<Subject>& chain_subjects() {
+const std::vector<Subject>& more_subjects() {
     static const std::vector<Subject> all = subjects_of_chains();
     return all;
 }
@@ -27,7 +27,7 @@ const std::vector<Subject>& chain_subjects() {
 const Subject& subject(const std::string& scalar, const std::string& arithmetic,
                        const std::string& integrator) {
     static const std::vector<Subject> ablated = subjects_of_ablated();
-    for (const auto* list : {&subjects(), &chain_subjects(), &ablated})
+    for (const auto* list : {&subjects(), &more_subjects(), &ablated})
         for (const Subject& one : *list)
             if (one.scalar == scalar && one.arithmetic == arithmetic &&
                 one.integrator == integrator)

@@ -744,15 +744,6 @@ i q8_8 nearest velocity_verlet 1 overflows overflow_add -1 1
             row["first_event"] = (row["first_event"] or "").replace("_", " ")
         self.assertEqual(stability.announced(rows), (4, 2, 5, 1))
 
-    SWEPT = """
-case scalar integrator unit limit swept contradicting holds_again
-a q16_16 velocity_verlet m 10 25 0 -
-b_c float warm_started m 10 33 2 30
-d q8_8 implicit_springs m 8 41 1 1
-e q8_8 implicit_springs m 10 41 3 -
-f q8_8 implicit_springs m 10 - - -
-"""
-
     def test_what_it_means_to_hold(self):
         rows = golden(stability="""
 case dt steps holds
@@ -761,17 +752,31 @@ rod_chain_of_8_heavy_end 0.25 2000 rods_within_20_%
 b 0.001 300 planes
 """).rows("stability")
         self.assertEqual(stability.horizon_finding(rows),
-                         "*Stable* means within the tolerance of the case in every step until the end of its horizon: 8 to 2\u202f000 steps, "
-                         "0.3 to 500 s. Each row has both at its limit, and the tolerance in words: columns `dt`, `steps` and `holds`; of "
-                         "rod chain of 8 heavy end 2000 steps of 1/4 s, \"rods_within_20_%\".")
+                         "*Stable* means within the tolerance of the case until the end of its horizon: 8 to 2\u202f000 steps, 0.3 to 500 s. "
+                         "Each row has both at its limit, and the tolerance in words: columns `dt`, `steps` and `holds`; of rod chain of 8 "
+                         "heavy end 2000 steps of 1/4 s, \"rods_within_20_%\".")
+
+    SWEPT = """
+case scalar integrator unit limit swept contradicting holds_again
+a q16_16 velocity_verlet m 10 25 0 -
+b_c float warm_started m 10 33 2 30
+d q8_8 velocity_verlet m 8 41 1 1
+d q8_8 semi_implicit_euler m 8 41 1 1
+e q16_16 implicit_springs m 10 41 3 -
+f q8_8 implicit_springs m 10 - - -
+"""
 
     def test_rows_that_are_not_monotone(self):
+        told = ("In 5 rows, 25 to 41 values from the easy end to the hard one are swept; the first that fails, and a bisection next to it, "
+                "give the limit. ")
         self.assertEqual(stability.sweep_finding(golden(stability=self.SWEPT).rows("stability")),
-                         "A sweep of 25 to 41 values from the easy end to the hard one ends at the first failure, and a bisection finds the "
-                         "limit next to it. In 4 rows the sweep then goes on to the end: 3 are not monotone (`contradicting` counts the "
-                         "values), the worst d in Q8.8 (springs solved implicitly), which fails beyond 8 m and holds again up to 1.")
+                         told + "4 of them are not monotone: values beyond the limit hold, or easier ones fail (`contradicting` counts them). "
+                         "The worst is d in Q8.8 (semi-implicit Euler), which fails beyond 8 m and holds again at 1.")
+        more = self.SWEPT + "g q16_16 warm_started m 2 41 1 3\n"
+        self.assertTrue(stability.sweep_finding(golden(stability=more).rows("stability")).endswith(
+            "holds again at 1; in Q16.16 it is g (warm started), which fails beyond 2 m and holds again at 3."))
         flat = [row for row in golden(stability=self.SWEPT).rows("stability") if row["case"] in "af"]
-        self.assertTrue(stability.sweep_finding(flat).endswith("In 1 rows the sweep then goes on to the end: nothing holds there."))
+        self.assertTrue(stability.sweep_finding(flat).endswith("No value of any sweep contradicts it."))
 
     def test_loads_that_chains_bear(self):
         rows = "case scalar arithmetic integrator limit verdict first_event\n"
@@ -870,6 +875,23 @@ limit_cycle spring q16_16 nearest velocity_verlet 4 1 9 0.00390625
                          "that the quotient rounds to the same number, and nothing is damped. In Q16.16 it swings by 0.002 m in 750 "
                          "steps; the period of rounded products is 760, without rounding it would be 804. ")
         self.assertEqual(stability.cycle_finding(golden(dynamics=table.format(1))), "")
+
+    def test_what_a_heap_and_a_struck_chain_bear(self):
+        table = """
+case scalar arithmetic integrator limit
+wedge_heavy_top q16_16 nearest semi_implicit_euler 20
+wedge_heavy_top q16_16 nearest one_iteration 10
+wedge_heavy_top q16_16 nearest warm_started 400
+wedge_heavy_top q16_16 saturating semi_implicit_euler 9
+impact_on_chain_of_8 q16_16 nearest semi_implicit_euler 3
+impact_on_chain_of_8 q16_16 nearest one_iteration none
+impact_on_chain_of_8 q16_16 nearest warm_started 4
+impact_on_chain_of_8 float ieee warm_started 7
+"""
+        self.assertEqual(stability.heap_finding(golden(stability=table)),
+                         " Two balls of 1 kg in a V bear a third of 20 (with one iteration 10, warm started 400) kg; the end of a chain of 8 "
+                         "bodies of 1 kg withstands a blow of 10 kg at 3 (with one iteration none, warm started 4) m/s.")
+        self.assertEqual(stability.heap_finding(golden(stability=table.replace("wedge", "stack"))), "")
 
     def test_the_long_run_of_a_format(self):
         found = stability.dynamics(golden(dynamics="""

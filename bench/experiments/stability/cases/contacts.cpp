@@ -311,6 +311,25 @@ std::vector<Case> contact_cases() {
              made.bodies = {ball({0, radius / c})};
              return Experiment{made, all_of({no_overlap(made, 0.2), stays_within(made, radius)})};
          }},
+        // Two balls of 1 kg in a V, touching each other and its walls, and a heavy one on them.
+        {"wedge_heavy_top",
+         "contacts",
+         "mass ratio",
+         "1",
+         1,
+         1e6,
+         apart,
+         [](double p) {
+             Description made = on_floor(9.81, TimeStep::binary(8), 500);
+             const double c = std::numbers::sqrt2 / 2, height = radius / c + radius;
+             made.planes = {{{c, c}, 0, 0}, {{-c, c}, 0, 0}};
+             made.bodies = {ball({-radius, height}), ball({radius, height}),
+                            ball({0, height + radius * std::numbers::sqrt3}, {}, 1 / p)};
+             return Experiment{made,
+                               all_of({no_overlap(made, 0.2), stays_within(made, 2 * radius)})};
+         },
+         false,
+         {"one_iteration", "warm_started"}},
         {"box_of_8", "contacts", "speed", "m/s", 0.1, 1e6, "conserved: energy",
          [](double p) {
              Description made;

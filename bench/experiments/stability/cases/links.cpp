@@ -87,7 +87,7 @@ Case chain_case(const char* name, unsigned n, Experiment (*of)(unsigned, double)
 }
 Case loaded_chain(const char* name, unsigned n, Experiment (*of)(unsigned, double)) {
     Case made = chain_case(name, n, of, 1);
-    made.chain_methods = {"one_iteration", "warm_started", "direct_rods"};
+    made.more_methods = {"one_iteration", "warm_started", "direct_rods"};
     return made;
 }
 
@@ -200,6 +200,32 @@ std::vector<Case> link_cases() {
         loaded_chain("rod_chain_of_4_heavy_end_fine_steps", 4, rod_chain_in_fine_steps),
         loaded_chain("rod_chain_of_8_heavy_end_fine_steps", 8, rod_chain_in_fine_steps),
         loaded_chain("rod_chain_of_16_heavy_end_fine_steps", 16, rod_chain_in_fine_steps),
+        // A ball of 10 kg hits the end of a chain of bodies of 1 kg from the side. A step ends
+        // where it overlaps the end by half of the radii, at every speed.
+        {"impact_on_chain_of_8",
+         "links",
+         "speed",
+         "m/s",
+         0.5,
+         1e6,
+         "constraint: lengths within 20 %",
+         [](double p) {
+             constexpr double radius = 0.1;
+             Description made = hanging_chain(8, 1);
+             for (unsigned i = 0; i < 8; ++i)
+                 made.rods.push_back(
+                     {.a = int(i), .b = i == 0 ? no_body : int(i) - 1, .length = link_length});
+             made.bodies.back().velocity = {};
+             made.bodies.back().radius = radius;
+             const Point end = made.bodies.back().position;
+             made.bodies.push_back({.position = end - Point{radius + 4 * p * made.dt.value(), 0},
+                                    .velocity = {p, 0},
+                                    .inverse_mass = 0.1,
+                                    .radius = radius});
+             return holds(made, 0.2);
+         },
+         false,
+         {"one_iteration", "warm_started"}},
         chain_case("rod_chain_of_2_light_end", 2, rod_chain, light),
         chain_case("rod_chain_of_8_light_end", 8, rod_chain, light),
         chain_case("rope_chain_of_4_heavy_end", 4, rope_chain, heavy),

@@ -303,6 +303,16 @@ TEST_F(Search, UnderflowsWhereHalfOfTheStepsDoAndDoubleHolds) {
     EXPECT_EQ(found(nothing, 20, 2, 1).verdict, Verdict::drifts);  // no such method in double
 }
 
+TEST(SubjectsOf, AddsTheMethodsThatTheCaseNames) {
+    Case one;
+    EXPECT_EQ(subjects_of(one).size(), subjects().size());
+    one.more_methods = {"warm_started", "direct_rods"};
+    const auto all = subjects_of(one);
+    ASSERT_EQ(all.size(), subjects().size() + 2 * 3);
+    for (std::size_t i = subjects().size(); i < all.size(); ++i)
+        EXPECT_TRUE(all[i]->integrator == "warm_started" || all[i]->integrator == "direct_rods");
+}
+
 TEST(VerdictText, IsTheDataFiles) {
     EXPECT_EQ(to_text(Verdict::stable), "stable");
     EXPECT_EQ(to_text(Verdict::drifts), "drifts");
