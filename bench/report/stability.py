@@ -390,6 +390,22 @@ def heap_finding(data, scalar="q16_16"):
             f"blow of 10 kg at {told('impact_on_chain_of_8')} m/s.")
 
 
+def tunnelling_finding(data):
+    """How fast particles of continuous contacts may be, in a sentence; nothing if the data have none."""
+    rows = [row for row in data.rows("stability", integrator="continuous_contacts") if row["case"] in ("thin_wall", "thin_target")]
+    if not rows:
+        return ""
+    passed = [row for row in rows if row["verdict"].split()[0] not in ("stable", "overflows")]
+    if passed:
+        return "With continuous contacts something passes: " + "; ".join(f"{named(row)} beyond {figure(row['limit'])} m/s" for row in passed) + "."
+    fastest = {}
+    for row in rows:
+        fastest.setdefault(row["scalar"], []).append((row["limit"], row["verdict"] == "stable"))
+    told = ", ".join(f"{figure(min(limits)[0])} m/s in {style.format_label(scalar)}{' (the end of the search)' if min(limits)[1] else ''}"
+                     for scalar, limits in sorted(fastest.items(), key=lambda item: min(item[1])[0]))
+    return f"With continuous contacts nothing passes a fixed wall or a free target at any speed that the format holds: {told}."
+
+
 def divergence_finding(data, integrator="velocity_verlet"):
     """When a chaotic motion is lost to rounding, by format, and the value of a bit, in a sentence."""
     rows = [row for row in data.rows("dynamics", integrator=integrator) if row["arithmetic"] in DEFAULT]

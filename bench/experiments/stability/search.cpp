@@ -16,8 +16,9 @@ constexpr double runaway = 10;  // tolerances
 bool holds_in_double(const Experiment& experiment, const Subject& subject) {
     static const std::vector<Subject> in_double = subjects_of_double();
     static const std::vector<Subject> chains = subjects_of_chains_in_double();
+    static const std::vector<Subject> continuous = subjects_of_continuous_contacts_in_double();
     static const std::vector<Subject> ablated = subjects_of_ablated_in_double();
-    for (const auto* list : {&in_double, &chains, &ablated})
+    for (const auto* list : {&in_double, &chains, &continuous, &ablated})
         for (const Subject& one : *list)
             if (one.integrator == subject.integrator) return attempt(one, experiment).held;
     return false;

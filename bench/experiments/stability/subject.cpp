@@ -20,7 +20,11 @@ const std::vector<Subject>& subjects() {
 }
 
 const std::vector<Subject>& more_subjects() {
-    static const std::vector<Subject> all = subjects_of_chains();
+    static const std::vector<Subject> all = [] {
+        std::vector<Subject> list = subjects_of_chains();
+        for (Subject& one : subjects_of_continuous_contacts()) list.push_back(std::move(one));
+        return list;
+    }();
     return all;
 }
 

@@ -893,6 +893,22 @@ impact_on_chain_of_8 float ieee warm_started 7
                          "bodies of 1 kg withstands a blow of 10 kg at 3 (with one iteration none, warm started 4) m/s.")
         self.assertEqual(stability.heap_finding(golden(stability=table.replace("wedge", "stack"))), "")
 
+    def test_how_fast_particles_may_be(self):
+        table = """
+case scalar integrator limit verdict
+thin_wall q16_16 continuous_contacts 20000 overflows
+thin_target q16_16 continuous_contacts 500 overflows
+thin_wall float continuous_contacts 1000000 stable
+thin_wall q16_16 velocity_verlet 7 drifts
+stack q16_16 continuous_contacts 6 drifts
+"""
+        self.assertEqual(stability.tunnelling_finding(golden(stability=table)),
+                         "With continuous contacts nothing passes a fixed wall or a free target at any speed that the format holds: 500 m/s in Q16.16, "
+                         "10<sup>6</sup> m/s in float (the end of the search).")
+        self.assertEqual(stability.tunnelling_finding(golden(stability=table.replace("500 overflows", "400 diverges"))),
+                         "With continuous contacts something passes: thin target in Q16.16 (continuous contacts) beyond 400 m/s.")
+        self.assertEqual(stability.tunnelling_finding(golden(stability=table.replace("continuous_contacts", "velocity_verlet"))), "")
+
     def test_the_long_run_of_a_format(self):
         found = stability.dynamics(golden(dynamics="""
 measure system scalar arithmetic integrator at measured theory

@@ -140,7 +140,13 @@ std::vector<Case> contact_cases() {
                  after.push_back(has_velocity(i, {i == 4 ? p : 0, 0}, 0.1 * p));
              return Experiment{made, from_step(55, all_of(after))};
          }},
-        {"thin_wall", "contacts", "speed", "m/s", 0.1, 1e7, geometry,
+        {"thin_wall",
+         "contacts",
+         "speed",
+         "m/s",
+         0.1,
+         1e7,
+         geometry,
          [](double p) {
              Description made;
              made.dt = TimeStep::binary(8);
@@ -151,9 +157,17 @@ std::vector<Case> contact_cases() {
              return Experiment{
                  made,
                  {[](const State& state, unsigned) { return 1 + state[0].position.x - 0.05; },
-                  "not beyond the middle of the wall by more than its radius of 0.05 m"}};
-         }},
-        {"thin_target", "contacts", "speed", "m/s", 0.1, 1e7, geometry,
+                  "at most 0.05 m beyond the middle of the wall"}};
+         },
+         false,
+         {"continuous_contacts"}},
+        {"thin_target",
+         "contacts",
+         "speed",
+         "m/s",
+         0.1,
+         1e7,
+         geometry,
          [](double p) {
              Description made;
              made.dt = TimeStep::binary(8);
@@ -166,7 +180,9 @@ std::vector<Case> contact_cases() {
                                     return 1 + state[0].position.x - state[1].position.x;
                                 },
                                 "body 0 not beyond the middle of body 1"}};
-         }},
+         },
+         false,
+         {"continuous_contacts"}},
         {"half_space", "contacts", "speed", "m/s", 0.5, 1e10, geometry,
          [](double p) {
              Description made;

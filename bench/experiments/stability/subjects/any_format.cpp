@@ -50,7 +50,7 @@ std::vector<Subject> subjects_of_any_format(Split split) {
 std::vector<Subject> more_subjects_of_any_format(Split split) {
     AnyFormat::split() = split;
     const double ulp = std::ldexp(1.0, -split.fraction_bits);
-    return subjects_of_methods<AnyFormat, OneIteration, WarmStarted>(
+    return subjects_of_methods<AnyFormat, OneIteration, WarmStarted, ContinuousContacts>(
         "any", "nearest", ulp * static_cast<double>(split.most()), ulp);
 }
 

@@ -513,6 +513,31 @@ TEST(AnyFormat, MovesAsFixedDoes) {
     EXPECT_GT(wrapped, 50u);
 }
 
+// At any speed that the format holds, and in any format: where the contacts of the end of a step
+// let it through at 26 m/s, in Q8.8 at 39 m/s.
+TEST(ContinuousContacts, LetNothingThrough) {
+    for (const char* name : {"thin_wall", "thin_target"}) {
+        const Case& one = case_named(name);
+        unsigned formats = 0;
+        for (const Subject* subject : subjects_of(one)) {
+            if (subject->integrator != "continuous_contacts") continue;
+            ++formats;
+            Finding found = find_limit(one, *subject, {4, 8, 20000, 1, true});
+            const std::string where = one.name + " " + subject->scalar;
+            EXPECT_GT(found.limit, 50) << where;
+            // What ends it is the format, in the description or in a result, or the search.
+            EXPECT_TRUE(found.verdict == Verdict::stable || found.verdict == Verdict::overflows)
+                << where << ": " << cause_of(found);
+            const auto with_end_contacts = find_limit(
+                one,
+                stability::subject(subject->scalar, subject->arithmetic, "semi_implicit_euler"),
+                {4, 8, 20000});
+            EXPECT_LT(with_end_contacts.limit, 40) << where;
+        }
+        EXPECT_EQ(formats, 5u);
+    }
+}
+
 // A heavy ball on two light ones, and a blow against a chain: iterations that begin where the last
 // step ended bear more than those that begin anew.
 TEST(Heaps, BearMoreWarmStarted) {
