@@ -312,9 +312,11 @@ def sweep_finding(rows):
     def of_worst(some, in_format):
         worst = max(some, key=lambda row: (again(row), row["integrator"] == "semi_implicit_euler"))
         return f"{named(worst, in_format)}, which fails beyond {figure(worst['limit'])} {worst['unit']} and holds again at {figure(worst['holds_again'])}"
-    ours = [row for row in contradicted if row["scalar"] == "q16_16" and again(row) > 1]
+    plain = [row for row in contradicted if row["arithmetic"] in DEFAULT]
+    ours = [row for row in plain if row["scalar"] == "q16_16" and again(row) > 1]
     return (f"{told}{len(contradicted)} of them are not monotone: values beyond the limit hold, or easier ones fail (`contradicting` counts "
-            f"them). The worst is {of_worst(contradicted, True)}" + (f"; in Q16.16 it is {of_worst(ours, False)}." if ours else "."))
+            f"them)." + (f" The worst is {of_worst(plain, True)}" if plain else "")
+            + (f"; in Q16.16 it is {of_worst(ours, False)}." if ours else "." if plain else ""))
 
 
 def horizon_finding(rows):
@@ -388,6 +390,30 @@ def heap_finding(data, scalar="q16_16"):
         return f"{ten} (with one iteration {one}, warm started {warm})"
     return (f" Two balls of 1 kg in a V bear a third of {told('wedge_heavy_top')} kg; the end of a chain of 8 bodies of 1 kg withstands a "
             f"blow of 10 kg at {told('impact_on_chain_of_8')} m/s.")
+
+
+def search_of_two(data, scalar, integrator):
+    """The largest omega dt that holds in the search, to four digits, next to the 2 at which the growth begins in theory; None if none does."""
+    found = [row["limit"] for row in data.rows("stability", case="spring_coarse_step", scalar=scalar, integrator=integrator)
+             if row["arithmetic"] in DEFAULT]
+    return None if found == ["none"] else f"{found[0]:.4g}"
+
+
+def orders(data, integrator):
+    """By system and format: the distance between runs that differ in the order of their links, measured and in double."""
+    return {(row["system"], row["scalar"]): (row["measured"], row["theory"])
+            for row in data.rows("dynamics", measure="order", integrator=integrator) if row["arithmetic"] in DEFAULT}
+
+
+def order_finding(data):
+    """What depends on the order in which links are added, in a sentence."""
+    rods, springs = ({scalar: apart for (of, scalar), apart in orders(data, method).items() if of == system}
+                     for system, method in (("chain of rods", "semi_implicit_euler"), ("chain of springs", "implicit_springs")))
+    sums = [apart for (system, _), (apart, _) in orders(data, "semi_implicit_euler").items() if system == "chain of springs"]
+    accumulated = ("Forces of springs are sums, and leave none in any format" if not any(sums) else
+                   f"Forces of springs leave up to {figure(max(sums))} m")
+    return (f"{figure(rods['q32_32'][1])} m in double, because the iterations end before they converge. {accumulated}; springs solved "
+            f"implicitly, one after the other, leave {figure(springs['q16_16'][0])} m in Q16.16 and {figure(springs['q16_16'][1])} m in double.")
 
 
 def tunnelling_finding(data):

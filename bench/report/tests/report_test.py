@@ -757,13 +757,13 @@ b 0.001 300 planes
                          "heavy end 2000 steps of 1/4 s, \"rods_within_20_%\".")
 
     SWEPT = """
-case scalar integrator unit limit swept contradicting holds_again
-a q16_16 velocity_verlet m 10 25 0 -
-b_c float warm_started m 10 33 2 30
-d q8_8 velocity_verlet m 8 41 1 1
-d q8_8 semi_implicit_euler m 8 41 1 1
-e q16_16 implicit_springs m 10 41 3 -
-f q8_8 implicit_springs m 10 - - -
+case scalar arithmetic integrator unit limit swept contradicting holds_again
+a q16_16 nearest velocity_verlet m 10 25 0 -
+b_c float ieee warm_started m 10 33 2 30
+d q8_8 nearest velocity_verlet m 8 41 1 1
+d q8_8 nearest semi_implicit_euler m 8 41 1 1
+e q16_16 nearest implicit_springs m 10 41 3 -
+f q8_8 nearest implicit_springs m 10 - - -
 """
 
     def test_rows_that_are_not_monotone(self):
@@ -772,9 +772,12 @@ f q8_8 implicit_springs m 10 - - -
         self.assertEqual(stability.sweep_finding(golden(stability=self.SWEPT).rows("stability")),
                          told + "4 of them are not monotone: values beyond the limit hold, or easier ones fail (`contradicting` counts them). "
                          "The worst is d in Q8.8 (semi-implicit Euler), which fails beyond 8 m and holds again at 1.")
-        more = self.SWEPT + "g q16_16 warm_started m 2 41 1 3\n"
+        more = self.SWEPT + "g q16_16 nearest warm_started m 2 41 1 3\nh q16_16 saturating warm_started m 2 41 1 999\n"
         self.assertTrue(stability.sweep_finding(golden(stability=more).rows("stability")).endswith(
             "holds again at 1; in Q16.16 it is g (warm started), which fails beyond 2 m and holds again at 3."))
+        for row in (rows := golden(stability=self.SWEPT).rows("stability")):
+            row["arithmetic"] = "saturating"  # counted, not named
+        self.assertTrue(stability.sweep_finding(rows).endswith("(`contradicting` counts them)."))
         flat = [row for row in golden(stability=self.SWEPT).rows("stability") if row["case"] in "af"]
         self.assertTrue(stability.sweep_finding(flat).endswith("No value of any sweep contradicts it."))
 
@@ -892,6 +895,38 @@ impact_on_chain_of_8 float ieee warm_started 7
                          " Two balls of 1 kg in a V bear a third of 20 (with one iteration 10, warm started 400) kg; the end of a chain of 8 "
                          "bodies of 1 kg withstands a blow of 10 kg at 3 (with one iteration none, warm started 4) m/s.")
         self.assertEqual(stability.heap_finding(golden(stability=table.replace("wedge", "stack"))), "")
+
+    def test_the_search_next_to_the_theory_of_growth(self):
+        made = golden(stability="""
+case scalar arithmetic integrator limit
+spring_coarse_step q16_16 nearest semi_implicit_euler 1.998
+spring_coarse_step q16_16 saturating semi_implicit_euler 1.5
+spring_coarse_step q8_8 nearest semi_implicit_euler none
+spring_frame_step q16_16 nearest semi_implicit_euler 1
+""")
+        self.assertEqual(stability.search_of_two(made, "q16_16", "semi_implicit_euler"), "1.998")
+        self.assertIsNone(stability.search_of_two(made, "q8_8", "semi_implicit_euler"))
+
+    def test_what_depends_on_the_order_of_links(self):
+        table = """
+measure system scalar arithmetic integrator measured theory
+order chain_of_rods q16_16 nearest semi_implicit_euler 0.25 0.5
+order chain_of_rods q16_16 saturating semi_implicit_euler 9 9
+order chain_of_rods q32_32 nearest semi_implicit_euler 0.5 0.5
+order chain_of_springs q16_16 nearest semi_implicit_euler {} 0
+order chain_of_springs q16_16 nearest implicit_springs 0.125 0.0625
+"""
+
+        def made(sums):
+            data = golden(dynamics=table.format(sums))
+            for row in data.rows("dynamics"):
+                row["system"] = row["system"].replace("_", " ")
+            return data
+        self.assertEqual(stability.orders(made(0), "semi_implicit_euler")["chain of rods", "q16_16"], (0.25, 0.5))
+        self.assertEqual(stability.order_finding(made(0)),
+                         "0.5 m in double, because the iterations end before they converge. Forces of springs are sums, and leave none in "
+                         "any format; springs solved implicitly, one after the other, leave 0.125 m in Q16.16 and 0.0625 m in double.")
+        self.assertIn("Forces of springs leave up to 0.75 m;", stability.order_finding(made(0.75)))
 
     def test_how_fast_particles_may_be(self):
         table = """
