@@ -17,19 +17,19 @@ ablation as_published after_cause after_method arithmetic before_cause before_er
 broad_phase case change cheapest chip clock coefficient coefficients commit curve cycles_max_witness damping
 device edges elf_sha256 failure fault feature first_event first_mismatch
 fitted_to flags form format formats formula
-function handler hand_n_per_m host implementation inputs integrator interrupt kernel_sha256 kind lane
+function handler hand_n_per_m holds host implementation inputs integrator interrupt kernel_sha256 kind lane
 limit limited_by loop map max_ulp_witness measure measured measured_with note operands operation operations operators origin parameter pin quantity
 readings reason reference rival scalar scenario scene shift standard_errors at_rest_at_shortest symbol system type
 unbounded unit variant vector verdict version view where widening with x_name y_name
 """.split())
 # Numbers that a row may lack: a program that does not fit the chip has no cycles, an exact result no error.
 OPTIONAL = frozenset("""
-bits_at_limit bits_beyond chip_frequency_hz count cycles cycles_max cycles_mean cycles_min cycles_per_simulated_second
+bits_at_limit bits_beyond chip_frequency_hz contradicting count cycles cycles_max cycles_mean cycles_min cycles_per_simulated_second
 cycles_per_step_max cycles_per_step_mean error error_arithmetic error_by_extent error_max error_median error_method error_min
 evaluation_error_g fall_damped_s fall_s fall_undamped_s fit_constant fit_linear fit_per_pair
-fit_worst_percent fitted flash_bytes frame_bytes_bound frame_bytes_measured hardest_hand_n_per_m
+fit_worst_percent fitted flash_bytes frame_bytes_bound frame_bytes_measured hardest_hand_n_per_m holds_again
 late_steps leave_one_out_rms_g linear_shortest_arm_m max_error max_ulp mean_ulp pairs_tested published ram_bytes
-ratio refitted rms_error rms_ulp runs runs_rejected shortest_arm_m softest_hand_n_per_m square_sum_excess stack_bytes
+ratio refitted rms_error rms_ulp runs runs_rejected shortest_arm_m softest_hand_n_per_m square_sum_excess stack_bytes swept
 stack_bytes_bound stack_bytes_measured standard_error step swing_deg swing_undamped_deg theory value worst_frequency_hz
 within_1_ulp within_8_ulp within_half_ulp worst_lateness_ms worst_released_frequency_hz
 """.split())

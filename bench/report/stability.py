@@ -14,6 +14,7 @@ DEFAULT = ["nearest", "ieee"]
 # The cases of the envelope that the page shows.
 ENVELOPE = ("far_from_origin", "rod_span", "rod_short", "half_space", "slow", "spring_stiffness", "spring_slow", "light_body",
             "heavy_body", "small_binary_step")
+EXAMPLE = "rod_chain_of_8_heavy_end"  # of what it means that a case holds
 CASES = pathlib.Path(__file__).parents[1] / "experiments" / "stability" / "cases"
 # The chains of rods that bear a load, by the step: the case's name after the number of rods, and the step's exponent.
 LOADED_CHAINS = {8: "_heavy_end", 11: "_heavy_end_fine_steps"}
@@ -283,6 +284,51 @@ def finding(data):
             f"silently in {wraps} of {plain} runs{beforehand}, saturating Q16.16 in {saturating_wraps} of {saturating}.")
 
 
+def again(row):
+    """How many times the limit a value beyond it is that holds again, or its inverse where small values are hard; 1 if none
+    does."""
+    if row["holds_again"] is None:
+        return 1
+    ratio = row["holds_again"] / row["limit"]
+    return max(ratio, 1 / ratio)
+
+
+def named(row, in_format=True):
+    """A row of stability.csv in words: case, format and method."""
+    method = METHOD_LABELS.get(row["integrator"], row["integrator"].replace("_", " "))
+    return row["case"].replace("_", " ") + (f" in {style.format_label(row['scalar'])}" if in_format else "") + f" ({method})"
+
+
+def sweep_finding(rows):
+    """Whether what breaks at one value also breaks beyond it, in some sentences."""
+    swept = [row for row in rows if row["swept"] is not None]
+    contradicted = [row for row in swept if row["contradicting"]]
+    values = [row["swept"] for row in swept]
+    told = (f"In {len(swept)} rows, {min(values)} to {max(values)} values from the easy end to the hard one are swept; the first that fails, "
+            f"and a bisection next to it, give the limit. ")
+    if not contradicted:
+        return told + "No value of any sweep contradicts it."
+
+    def of_worst(some, in_format):
+        worst = max(some, key=lambda row: (again(row), row["integrator"] == "semi_implicit_euler"))
+        return f"{named(worst, in_format)}, which fails beyond {figure(worst['limit'])} {worst['unit']} and holds again at {figure(worst['holds_again'])}"
+    plain = [row for row in contradicted if row["arithmetic"] in DEFAULT]
+    ours = [row for row in plain if row["scalar"] == "q16_16" and again(row) > 1]
+    return (f"{told}{len(contradicted)} of them are not monotone: values beyond the limit hold, or easier ones fail (`contradicting` counts "
+            f"them)." + (f" The worst is {of_worst(plain, True)}" if plain else "")
+            + (f"; in Q16.16 it is {of_worst(ours, False)}." if ours else "." if plain else ""))
+
+
+def horizon_finding(rows):
+    """What a case that holds does, and over which horizons, in two sentences."""
+    steps, seconds = [row["steps"] for row in rows], [row["steps"] * row["dt"] for row in rows]
+    example = next(row for row in rows if row["case"] == EXAMPLE)
+    return (f"*Stable* means within the tolerance of the case until the end of its horizon: {whole(min(steps))} to "
+            f"{whole(max(steps))} steps, {figure(min(seconds))} to {figure(max(seconds))} s. Each row has both at its limit, and the "
+            f"tolerance in words: columns `dt`, `steps` and `holds`; of {EXAMPLE.replace('_', ' ')} {example['steps']} steps of "
+            f"1/{1 / example['dt']:g} s, \"{example['holds']}\".")
+
+
 def chain_finding(data):
     """Whether the format matters for the load that a chain of rods withstands, in a sentence."""
     rows = [row for row in data.rows("stability_map", map="mass_ratio")
@@ -314,6 +360,76 @@ def dynamics(data, scalar, integrator):
     return {"growth": max(growth, default=None), "energy": energy,
             "reversal": of("reversal", "orbit")[0]["measured"], "band": band["measured"],
             "bound": band["theory"], "period": cycle["measured"]}
+
+
+def cycle_finding(data):
+    """What swings for ever on springs that are solved implicitly, in two sentences; nothing if nothing does."""
+    rows = {(row["measure"], row["scalar"]): row for row in data.rows("dynamics", integrator="implicit_springs", arithmetic="nearest")
+            if row["measure"] in ("dead_band", "limit_cycle")}
+    swinging = [scalar for measure, scalar in rows if measure == "limit_cycle" and (rows[measure, scalar]["theory"] or 1) > 1]
+    if not swinging:
+        return ""
+    row = rows["limit_cycle", swinging[0]]
+    unrounded = 2 * math.pi / (math.sqrt(row["at"]) * row["dt"])
+    return (f"With springs solved implicitly the body swings for ever in {', '.join(map(style.format_label, swinging))}: the step divides "
+            f"its velocity by so little that the quotient rounds to the same number, and nothing is damped. In "
+            f"{style.format_label(swinging[0])} it swings by {figure(rows['dead_band', swinging[0]]['measured'])} m in {row['measured']:g} "
+            f"steps; the period of rounded products is {row['theory']:.0f}, without rounding it would be {unrounded:.0f}. ")
+
+
+def heap_finding(data, scalar="q16_16"):
+    """What a heap and a struck chain bear with one iteration, with ten, and with ten that begin where the last step ended, in a
+    sentence; nothing if the data have none."""
+    limits = {(row["case"], row["integrator"]): row["limit"] for row in data.rows("stability", scalar=scalar, arithmetic="nearest")}
+    methods = ("one_iteration", "semi_implicit_euler", "warm_started")
+    if ("wedge_heavy_top", methods[-1]) not in limits:
+        return ""
+
+    def told(case):
+        one, ten, warm = (figure(limits[case, method]) for method in methods)
+        return f"{ten} (with one iteration {one}, warm started {warm})"
+    return (f" Two balls of 1 kg in a V bear a third of {told('wedge_heavy_top')} kg; the end of a chain of 8 bodies of 1 kg withstands a "
+            f"blow of 10 kg at {told('impact_on_chain_of_8')} m/s.")
+
+
+def search_of_two(data, scalar, integrator):
+    """The largest omega dt that holds in the search, to four digits, next to the 2 at which the growth begins in theory; None if none does."""
+    found = [row["limit"] for row in data.rows("stability", case="spring_coarse_step", scalar=scalar, integrator=integrator)
+             if row["arithmetic"] in DEFAULT]
+    return None if found == ["none"] else f"{found[0]:.4g}"
+
+
+def orders(data, integrator):
+    """By system and format: the distance between runs that differ in the order of their links, measured and in double."""
+    return {(row["system"], row["scalar"]): (row["measured"], row["theory"])
+            for row in data.rows("dynamics", measure="order", integrator=integrator) if row["arithmetic"] in DEFAULT}
+
+
+def order_finding(data):
+    """What depends on the order in which links are added, in a sentence."""
+    rods, springs = ({scalar: apart for (of, scalar), apart in orders(data, method).items() if of == system}
+                     for system, method in (("chain of rods", "semi_implicit_euler"), ("chain of springs", "implicit_springs")))
+    sums = [apart for (system, _), (apart, _) in orders(data, "semi_implicit_euler").items() if system == "chain of springs"]
+    accumulated = ("Forces of springs are sums, and leave none in any format" if not any(sums) else
+                   f"Forces of springs leave up to {figure(max(sums))} m")
+    return (f"{figure(rods['q32_32'][1])} m in double, because the iterations end before they converge. {accumulated}; springs solved "
+            f"implicitly, one after the other, leave {figure(springs['q16_16'][0])} m in Q16.16 and {figure(springs['q16_16'][1])} m in double.")
+
+
+def tunnelling_finding(data):
+    """How fast particles of continuous contacts may be, in a sentence; nothing if the data have none."""
+    rows = [row for row in data.rows("stability", integrator="continuous_contacts") if row["case"] in ("thin_wall", "thin_target")]
+    if not rows:
+        return ""
+    passed = [row for row in rows if row["verdict"].split()[0] not in ("stable", "overflows")]
+    if passed:
+        return "With continuous contacts something passes: " + "; ".join(f"{named(row)} beyond {figure(row['limit'])} m/s" for row in passed) + "."
+    fastest = {}
+    for row in rows:
+        fastest.setdefault(row["scalar"], []).append((row["limit"], row["verdict"] == "stable"))
+    told = ", ".join(f"{figure(min(limits)[0])} m/s in {style.format_label(scalar)}{' (the end of the search)' if min(limits)[1] else ''}"
+                     for scalar, limits in sorted(fastest.items(), key=lambda item: min(item[1])[0]))
+    return f"With continuous contacts nothing passes a fixed wall or a free target at any speed that the format holds: {told}."
 
 
 def divergence_finding(data, integrator="velocity_verlet"):

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <engine/decimal.hpp>
 #include <engine/overlap.hpp>
+#include <engine/solvers/warm_started.hpp>
 #include <engine/time_step.hpp>
 #include <engine/validity.hpp>
 
@@ -99,6 +100,12 @@ class AnyFormat {
         if (root > limit()) tell(Event::overflow, Operation::length);
         return saturated(root);
     }
+    friend AnyFormat sqrt(AnyFormat a) {
+        if (a.raw_ < 0) tell(Event::domain_error, Operation::sqrt);
+        if (a.raw_ <= 0) return AnyFormat();
+        return from_raw(static_cast<std::int64_t>(
+            rounded_root(static_cast<unsigned __int128>(a.raw_) << fraction())));
+    }
     static AnyFormat multiply_add(AnyFormat a, AnyFormat b, AnyFormat c) {
         const Wide exact = Wide(a.raw_) * b.raw_;
         if (a.raw_ != 0 && b.raw_ != 0 && rounded(exact, fraction()) == 0)
@@ -140,6 +147,12 @@ class AnyFormat {
         const AnyFormat result = from_raw(static_cast<std::int64_t>(rounded(a.raw_, count)));
         if (result.raw_ == 0 && a.raw_ != 0) tell(Event::underflow, Operation::scale_down);
         return result;
+    }
+
+    // As the product of Fixed: the step in seconds is a quotient whose divisor may not fit.
+    template <int K>
+    friend AnyFormat operator*(AnyFormat a, engine::BinaryStep<K>) {
+        return scaled_down(a, K);
     }
 
     // x rounded half up, and whether it fits.
@@ -220,6 +233,14 @@ struct NormalTolerance<stability::AnyFormat> {
         const int fraction = stability::AnyFormat::split().fraction_bits;
         return stability::AnyFormat::from_raw(fraction > 10 ? std::int64_t(1) << (fraction - 8)
                                                             : 4);
+    }
+};
+
+template <>
+struct RestingOverlap<stability::AnyFormat> {
+    static stability::AnyFormat value() {
+        return stability::AnyFormat::from_raw(
+            stability::AnyFormat::split().fraction_bits >= 12 ? 8 : 1);
     }
 };
 

@@ -5,6 +5,8 @@
 
 #include <functional>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "bench/experiments/stability/description.hpp"
@@ -12,7 +14,23 @@
 namespace stability {
 
 // How far the state after a step is from what the case allows: it holds up to 1, and not for NaN.
-using Measure = std::function<double(const State& state, unsigned step)>;
+class Measure {
+  public:
+    Measure() = default;
+    // `holds` says what is allowed, with the numbers and units that the function compares with.
+    template <class Function, class = std::enable_if_t<
+                                  std::is_invocable_r_v<double, Function, const State&, unsigned> &&
+                                  !std::is_same_v<std::decay_t<Function>, Measure>>>
+    Measure(Function function, std::string holds = {})
+        : function_(std::move(function)), holds_(std::move(holds)) {}
+
+    double operator()(const State& state, unsigned step) const { return function_(state, step); }
+    const std::string& holds() const { return holds_; }
+
+  private:
+    std::function<double(const State& state, unsigned step)> function_;
+    std::string holds_;
+};
 
 struct Experiment {
     Description description;
@@ -28,8 +46,8 @@ struct Case {
     std::function<Experiment(double)> at;
     // In an endurance case the parameter is a number of steps: at most `to`, in one run.
     bool endurance = false;
-    // A chain that bears a load: the methods of chain_subjects() that it runs with as well.
-    std::vector<std::string> chain_methods{};
+    // The methods of more_subjects() that it runs with as well.
+    std::vector<std::string> more_methods{};
 };
 
 std::vector<Case> spring_cases();

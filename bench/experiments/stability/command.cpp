@@ -16,8 +16,9 @@ using fixbench::Call;
 const fixbench::Registration measure({
     .name = "stability",
     .description =
-        "Stiff and extreme cases, each driven until it breaks: the limit, by bisection, and\n"
-        "what went wrong first, for every scalar and method of the engine. Files: stability.csv\n"
+        "Stiff and extreme cases, each driven until it breaks: the limit, by a sweep and\n"
+        "bisection, and what went wrong first, for every scalar and method of the engine;\n"
+        "`contradicting` counts the values of the sweep that contradict it. Files: stability.csv\n"
         "and, unless cases or subjects are selected, envelope.csv, stability_map.csv,\n"
         "ablations.csv and suitability.csv (the smallest error of each width in each scene; not\n"
         "with --quick).\n\n"
@@ -26,7 +27,8 @@ const fixbench::Registration measure({
     .add =
         [](CLI::App& command) {
             const auto options = std::make_shared<Options>();
-            command.add_flag("--quick", options->quick, "fewer bisections and shorter endurance");
+            command.add_flag("--quick", options->quick,
+                             "fewer bisections, a coarser sweep and shorter endurance");
             fixbench::add_selection(command, "--case", options->cases, "only these cases");
             fixbench::add_selection(command, "--scalar", options->scalars,
                                     "only these scalars, e.g. q16_16,float");
@@ -60,7 +62,7 @@ const fixbench::Registration dynamics({
         "  reversal     distance from the start after a run there and back\n"
         "  order        distance between runs whose links were added in another order\n"
         "  dead_band    where rounding holds a damped spring\n"
-        "  limit_cycle  its period; 1 is rest\n"
+        "  limit_cycle  the period of what it does there; 1 is rest\n"
         "  divergence   when rounding separates a chaotic double pendulum from its run in double\n"
         "  divergence_rate  how fast the two then separate\n"
         "An empty `measured` is a run that does not fit the format or wraps, or does not\n"

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <numbers>
 #include <random>
@@ -336,6 +337,39 @@ static double dead_band_bound(const std::string& integrator, double ulp, double 
     return ulp / 2 * ((kicks + c) / h + 1 + k) / k;
 }
 
+// The largest velocity, in ulps, that an implicit step does not damp: divided by d it changes by
+// less than half an ulp. NaN if d is 1 in the format.
+static double fastest_undamped(double ulp, double k, double c, double h) {
+    const double d = 1 + ulp * std::round(h * (h * k + c) / ulp);
+    return d > 1 ? std::ceil(0.5 / (1 - 1 / d)) - 1 : std::numeric_limits<double>::quiet_NaN();
+}
+
+double rounded_period(double k, double h, double fastest) {
+    // A quarter of it, from the middle. Both products are constant up to the next place where one
+    // rounds to another integer.
+    double x = 0, v = fastest, steps = 0;
+    double way = std::ceil(h * v - 0.5), pull = 0;  // h v and h k x, rounded
+    while (v > 0) {
+        if (way <= 0 && pull <= 0) return 1;
+        const double slower = std::max(0.0, (way - 0.5) / h), farther = (pull + 0.5) / (h * k);
+        constexpr double never = std::numeric_limits<double>::infinity();
+        const double until_slower = pull > 0 ? (v - slower) / pull : never;
+        const double until_farther = way > 0 ? (farther - x) / way : never;
+        if (until_slower <= until_farther) {
+            steps += until_slower;
+            x += way * until_slower;
+            v = slower;
+            way -= 1;
+        } else {
+            steps += until_farther;
+            v -= pull * until_farther;
+            x = farther;
+            pull += 1;
+        }
+    }
+    return 4 * steps;
+}
+
 std::vector<DynamicsRow> dead_band_of(const Subject& subject) {
     constexpr double k = 4, c = 0.5;
     constexpr unsigned window = 4096, steps = 60000;  // by exp(-c t / 2) over 234 s: 4e-26
@@ -358,9 +392,15 @@ std::vector<DynamicsRow> dead_band_of(const Subject& subject) {
             if (std::equal(last.begin() + std::ptrdiff_t(p), last.end(), last.begin()))
                 period.measured = double(p);
     }
-    if (subject.ulp > 0) {
-        band.theory = dead_band_bound(subject.integrator, subject.ulp, k, c, dt.value());
-        period.theory = 1;  // at rest
+    // Both theories are those of rounding to nearest.
+    if (subject.ulp > 0 && subject.arithmetic != "published") {
+        const double h = dt.value();
+        band.theory = dead_band_bound(subject.integrator, subject.ulp, k, c, h);
+        if (subject.integrator != "implicit_springs") {
+            period.theory = 1;  // at rest
+        } else if (const double v = fastest_undamped(subject.ulp, k, c, h); !std::isnan(v)) {
+            period.theory = rounded_period(k, h, v);
+        }
     }
     return {band, period};
 }

@@ -8,8 +8,8 @@
 // velocities; the theory is the method itself, in double;
 // - order: the distance between runs that differ in the order in which rods or springs were added;
 // - dead_band: where a damped spring comes to rest, compared with the bound within which
-// round-to-nearest stops it; limit_cycle: the period of the motion that remains, if it does not
-// come to rest;
+// round-to-nearest stops it; limit_cycle: the period of the motion that remains, compared with
+// that of rounded products where rounding undoes the damping, and 1 where the motion comes to rest;
 // - divergence: when a chaotic double pendulum has left the same method's run in double by a given
 // distance, as a mean over starts drawn from seeds (empty if one of them does not leave it within
 // 40 s). The theory is when one ulp (for floats, that of 1 m) has grown to that distance by the
@@ -65,6 +65,15 @@ std::vector<double> step_map(const std::string& integrator, double omega, double
 // The least-squares map from each state to the next, with n numbers per state. Empty if the states
 // lie on a line, so that more than one map would fit.
 std::vector<double> fitted_map(const std::vector<std::vector<double>>& states);
+
+// The period, in steps of h, of a body that swings undamped on a spring of k, 1/s^2, where each
+// step adds the product of h and the velocity to the position and subtracts that of h, k and the
+// position from the velocity, both rounded to nearest: near the middle and near the turning points
+// they round to 0, and the body goes on evenly or waits. `fastest` is its largest velocity, in
+// ulps; the result is 1 if it is too slow to move. (L. B. Jackson, An analysis of limit cycles due
+// to multiplication rounding in recursive digital filters, 1969, takes rounded products by what
+// they do within a cycle, too.)
+double rounded_period(double k, double h, double fastest);
 
 std::vector<DynamicsRow> growth_of(const Subject& subject);
 std::vector<DynamicsRow> energy_of(const Subject& subject, unsigned longest);

@@ -24,15 +24,6 @@ bool wanted(const std::vector<std::string>& names, const std::string& name) {
     return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
 }
 
-std::vector<const Subject*> subjects_for(const Case& one) {
-    std::vector<const Subject*> all;
-    for (const Subject& subject : subjects()) all.push_back(&subject);
-    if (one.chain_methods.empty()) return all;
-    for (const Subject& subject : chain_subjects())
-        if (wanted(one.chain_methods, subject.integrator)) all.push_back(&subject);
-    return all;
-}
-
 using records::column;
 
 // A row of stability.csv.
@@ -44,6 +35,15 @@ struct CaseRow {
     // Of the largest result of any operation, as fixbench advise predicts them: at the limit, and
     // just beyond it. Plain fixed-point formats only.
     std::optional<double> bits_at_limit, bits_beyond;
+    // Of the sweep over the whole range; none for an endurance, which is one run. How many of its
+    // points contradict the limit, and the last beyond it that holds.
+    std::optional<unsigned> swept, contradicting;
+    std::optional<double> holds_again;
+    // At the limit, or at the easy end if nothing holds: the step in s, how many of them are made,
+    // and what must hold in each.
+    double dt;
+    unsigned steps;
+    std::string holds;
 
     static constexpr auto columns = std::tuple(
         column("case", &CaseRow::of_case), column("scalar", &CaseRow::scalar),
@@ -52,7 +52,10 @@ struct CaseRow {
         column("unit", &CaseRow::unit), column("verdict", &CaseRow::verdict),
         column("first_event", &CaseRow::first_event), column("step", &CaseRow::step),
         column("reference", &CaseRow::reference), column("bits_at_limit", &CaseRow::bits_at_limit),
-        column("bits_beyond", &CaseRow::bits_beyond));
+        column("bits_beyond", &CaseRow::bits_beyond), column("swept", &CaseRow::swept),
+        column("contradicting", &CaseRow::contradicting),
+        column("holds_again", &CaseRow::holds_again), column("dt", &CaseRow::dt),
+        column("steps", &CaseRow::steps), column("holds", &CaseRow::holds));
 };
 
 // Rounded down, so that what wraps by little stays below 0.
@@ -64,13 +67,19 @@ std::optional<double> predicted_bits(const Case& one, const Subject& subject, do
     return std::floor(prediction->result * 1000) / 1000;
 }
 
-CaseRow row(const Case& one, const Subject& subject, const Finding& finding) {
+template <class Number>
+std::optional<Number> if_any(bool any, Number number) {
+    return any ? std::optional(number) : std::nullopt;
+}
+
+CaseRow row(const Case& one, const Subject& subject, const Finding& finding, const Effort& effort) {
+    const Experiment at_limit = one.at(one.endurance ? std::min(one.to, effort.longest_endurance)
+                                       : std::isnan(finding.limit) ? one.from
+                                                                   : finding.limit);
     std::string verdict = to_text(finding.verdict);
     if (finding.verdict == Verdict::drifts) verdict += fmt::format(" ({:.2g}/s)", finding.rate);
     if (finding.verdict == Verdict::diverges)
         verdict += fmt::format(" (after {} steps)", finding.step);
-    std::optional<unsigned> step;
-    if (finding.verdict != Verdict::stable) step = finding.step;
     return {one.name,
             subject.scalar,
             subject.arithmetic,
@@ -80,10 +89,16 @@ CaseRow row(const Case& one, const Subject& subject, const Finding& finding) {
             one.unit,
             verdict,
             finding.first_event,
-            step,
+            if_any(finding.verdict != Verdict::stable, finding.step),
             one.reference,
             predicted_bits(one, subject, finding.limit),
-            predicted_bits(one, subject, finding.beyond)};
+            predicted_bits(one, subject, finding.beyond),
+            if_any(finding.swept > 0, finding.swept),
+            if_any(finding.swept > 0, finding.contradicting),
+            if_any(!std::isnan(finding.holds_again), finding.holds_again),
+            at_limit.description.dt.value(),
+            at_limit.description.steps,
+            at_limit.measure.holds()};
 }
 
 // The abilities of a format and a method, each shown by a case.
@@ -210,7 +225,7 @@ bool is_selection(const Options& options) {
 void check_selection(const Options& options) {
     std::vector<std::string> cases, scalars, integrators;
     for (const Case& one : all_cases()) cases.push_back(one.name);
-    for (const auto* list : {&subjects(), &chain_subjects()})
+    for (const auto* list : {&subjects(), &more_subjects()})
         for (const Subject& subject : *list) {
             scalars.push_back(subject.scalar);
             integrators.push_back(subject.integrator);
@@ -221,11 +236,13 @@ void check_selection(const Options& options) {
 }
 
 void measure_stability(const Options& options) {
-    const Effort effort = options.quick ? Effort{1, 3, 4000} : Effort{};
+    const Effort effort = options.quick ? Effort{1, 3, 4000, 1} : Effort{2, 10, 1e9, 4};
+    Effort to_the_end = effort;
+    to_the_end.to_the_end = true;
     std::vector<std::pair<const Case*, const Subject*>> work;
     for (const Case& one : all_cases()) {
         if (!wanted(options.cases, one.name)) continue;
-        for (const Subject* subject : subjects_for(one))
+        for (const Subject* subject : subjects_of(one))
             if (wanted(options.scalars, subject->scalar) &&
                 wanted(options.integrators, subject->integrator))
                 work.emplace_back(&one, subject);
@@ -238,8 +255,8 @@ void measure_stability(const Options& options) {
     {
         records::Progress progress("stability", work.size());
         operations::in_parallel(options.threads, work.size(), [&](std::size_t i) {
-            findings[i] = find_limit(*work[i].first, *work[i].second, effort);
-            rows[i] = row(*work[i].first, *work[i].second, findings[i]);
+            findings[i] = find_limit(*work[i].first, *work[i].second, to_the_end);
+            rows[i] = row(*work[i].first, *work[i].second, findings[i], effort);
             progress.advance();
         });
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bench/experiments/stability/measures.hpp"
 
+#include <fmt/format.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
 
@@ -11,6 +12,10 @@
 #include <stdexcept>
 
 namespace stability {
+
+std::string in_words(double number, const char* unit) {
+    return fmt::format("{:.3g} {}", number, unit);
+}
 
 Point operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
 Point operator+(Point a, Point b) { return {a.x + b.x, a.y + b.y}; }
@@ -120,51 +125,59 @@ void report_no_errors() {
 }  // namespace
 
 Measure all_of(std::vector<Measure> measures) {
-    return [measures = std::move(measures)](const State& state, unsigned step) {
-        double most = 0;
-        for (const Measure& measure : measures) most = larger(most, measure(state, step));
-        return most;
-    };
+    std::string holds;
+    for (const Measure& measure : measures) holds += (holds.empty() ? "" : "; ") + measure.holds();
+    return {[measures = std::move(measures)](const State& state, unsigned step) {
+                double most = 0;
+                for (const Measure& measure : measures) most = larger(most, measure(state, step));
+                return most;
+            },
+            holds};
 }
 
 Measure from_step(unsigned first, Measure measure) {
-    return [first, measure = std::move(measure)](const State& state, unsigned step) {
-        return step < first ? 0 : measure(state, step);
-    };
+    const std::string holds = fmt::format("from step {}: {}", first, measure.holds());
+    return {[first, measure = std::move(measure)](const State& state, unsigned step) {
+                return step < first ? 0 : measure(state, step);
+            },
+            holds};
 }
 
 Measure stays_within(const Description& description, double most) {
-    return [bodies = description.bodies, most](const State& state, unsigned) {
-        double worst = 0;
-        for (std::size_t i = 0; i < state.size(); ++i)
-            worst = larger(worst, length(state[i].position - bodies[i].position) / most);
-        return worst;
-    };
+    return {[bodies = description.bodies, most](const State& state, unsigned) {
+                double worst = 0;
+                for (std::size_t i = 0; i < state.size(); ++i)
+                    worst = larger(worst, length(state[i].position - bodies[i].position) / most);
+                return worst;
+            },
+            "all within " + in_words(most, "m of the start")};
 }
 
 Measure rods_hold(const Description& description, double tolerance) {
-    return [rods = description.rods, tolerance](const State& state, unsigned) {
-        double worst = 0;
-        for (const Link& rod : rods)
-            worst = larger(worst, std::abs(length(difference(rod, state)) - rod.length) /
-                                      (rod.length * tolerance));
-        return worst;
-    };
+    return {[rods = description.rods, tolerance](const State& state, unsigned) {
+                double worst = 0;
+                for (const Link& rod : rods)
+                    worst = larger(worst, std::abs(length(difference(rod, state)) - rod.length) /
+                                              (rod.length * tolerance));
+                return worst;
+            },
+            "rods within " + in_words(100 * tolerance, "% of their length")};
 }
 
 Measure ropes_hold(const Description& description, double tolerance) {
-    return [ropes = description.ropes, tolerance](const State& state, unsigned) {
-        double worst = 0;
-        for (const Rope& rope : ropes)
-            worst = larger(
-                worst, (length(difference(rope, state)) - rope.length) / (rope.length * tolerance));
-        return worst;
-    };
+    return {[ropes = description.ropes, tolerance](const State& state, unsigned) {
+                double worst = 0;
+                for (const Rope& rope : ropes)
+                    worst = larger(worst, (length(difference(rope, state)) - rope.length) /
+                                              (rope.length * tolerance));
+                return worst;
+            },
+            "ropes at most " + in_words(100 * tolerance, "% too long")};
 }
 
 Measure no_overlap(const Description& description, double tolerance) {
-    return [bodies = description.bodies, planes = description.planes, tolerance](const State& state,
-                                                                                 unsigned) {
+    const auto overlap = [bodies = description.bodies, planes = description.planes, tolerance](
+                             const State& state, unsigned) {
         double worst = 0;
         for (std::size_t i = 0; i < state.size(); ++i) {
             const double radius = bodies[i].radius;
@@ -181,6 +194,7 @@ Measure no_overlap(const Description& description, double tolerance) {
         }
         return worst;
     };
+    return {overlap, "overlap at most " + in_words(100 * tolerance, "% of the radii")};
 }
 
 double energy(const Description& description, const State& state) {
@@ -204,9 +218,10 @@ Measure energy_does_not_grow(const Description& description, double tolerance, d
     State start;
     for (const Body& body : description.bodies) start.push_back({body.position, body.velocity});
     const double before = energy(description, start);
-    return [description, tolerance, scale, before](const State& state, unsigned) {
-        return (energy(description, state) - before) / (tolerance * scale);
-    };
+    return {[description, tolerance, scale, before](const State& state, unsigned) {
+                return (energy(description, state) - before) / (tolerance * scale);
+            },
+            "energy grows by at most " + in_words(tolerance * scale, "J")};
 }
 
 Measure centre_of_mass_keeps(const Description& description, double tolerance) {
@@ -224,24 +239,28 @@ Measure centre_of_mass_keeps(const Description& description, double tolerance) {
         start.push_back({body.position, body.velocity});
         moved.push_back({body.velocity, {}});
     }
-    return [centre, at_start = centre(start), velocity = centre(moved), dt = description.dt.value(),
-            tolerance](const State& state, unsigned step) {
-        return length(centre(state) - at_start - velocity * (step * dt)) / tolerance;
-    };
+    return {[centre, at_start = centre(start), velocity = centre(moved),
+             dt = description.dt.value(), tolerance](const State& state, unsigned step) {
+                return length(centre(state) - at_start - velocity * (step * dt)) / tolerance;
+            },
+            "centre of mass within " + in_words(tolerance, "m of its path")};
 }
 
 Measure follows(const Description& description, unsigned body, std::function<Point(double)> truth,
                 double tolerance) {
-    return [dt = description.dt.value(), body, truth = std::move(truth), tolerance](
-               const State& state, unsigned step) {
-        return length(state[body].position - truth(step * dt)) / tolerance;
-    };
+    return {[dt = description.dt.value(), body, truth = std::move(truth), tolerance](
+                const State& state, unsigned step) {
+                return length(state[body].position - truth(step * dt)) / tolerance;
+            },
+            fmt::format("body {} within {:.3g} m of its path", body, tolerance)};
 }
 
 Measure has_velocity(unsigned body, Point velocity, double tolerance) {
-    return [=](const State& state, unsigned) {
-        return length(state[body].velocity - velocity) / tolerance;
-    };
+    return {[=](const State& state, unsigned) {
+                return length(state[body].velocity - velocity) / tolerance;
+            },
+            fmt::format("velocity of body {} within {:.3g} m/s of ({:.3g} {:.3g}) m/s", body,
+                        tolerance, velocity.x, velocity.y)};
 }
 
 Measure follows_solver(const Description& description, Solver solver, double tolerance) {
@@ -273,7 +292,8 @@ Measure follows_solver(const Description& description, Solver solver, double tol
     const double dt = description.dt.value();
     for (unsigned check = 1; check <= checks; ++check)
         truth.push_back(equation.at(check * between * dt));
-    return [truth = std::move(truth), between, n, tolerance](const State& state, unsigned step) {
+    const auto distance = [truth = std::move(truth), between, n, tolerance](const State& state,
+                                                                            unsigned step) {
         double worst = 0;
         for (std::size_t i = 0; i < n; ++i)  // a runaway is reported immediately
             worst = larger(worst, std::isfinite(state[i].position.x + state[i].position.y)
@@ -286,6 +306,8 @@ Measure follows_solver(const Description& description, Solver solver, double tol
                            length(state[i].position - Point{y[4 * i], y[4 * i + 1]}) / tolerance);
         return worst;
     };
+    return {distance,
+            fmt::format("all within {:.3g} m of the solver's path at {} times", tolerance, checks)};
 }
 
 std::function<double(double)> pendulum_angle(double start, double gravity, double length) {

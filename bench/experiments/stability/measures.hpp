@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Measures of cases. Each is 1 at its tolerance, and is computed in double from a state.
+// Measures of cases. Each is 1 at its tolerance, is computed in double from a state, and says in
+// words what it allows.
 #pragma once
 
 #include "bench/experiments/stability/cases.hpp"
 
 namespace stability {
+
+// A number and its unit, as in the words of a measure.
+std::string in_words(double number, const char* unit);
 
 double length(Point p);
 Point operator-(Point a, Point b);

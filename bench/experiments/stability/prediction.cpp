@@ -21,12 +21,14 @@ Prediction prediction_of(const Recorder& record, double limit) {
 
 std::optional<Prediction> predict(const Description& description, Split split,
                                   const std::string& integrator) {
-    for (const Subject& one : subjects_of_any_format(split)) {
-        if (one.integrator != integrator) continue;
-        const Outcome outcome = one.run(description, [](const State&, unsigned) { return true; });
-        if (outcome.steps == 0) return {};
-        return prediction_of(outcome.record, one.largest);
-    }
+    for (const auto& list : {subjects_of_any_format(split), more_subjects_of_any_format(split)})
+        for (const Subject& one : list) {
+            if (one.integrator != integrator) continue;
+            const Outcome outcome =
+                one.run(description, [](const State&, unsigned) { return true; });
+            if (outcome.steps == 0) return {};
+            return prediction_of(outcome.record, one.largest);
+        }
     return {};
 }
 

@@ -29,6 +29,8 @@ Prediction prediction_of(const Recorder& record, double limit);
 
 // AnyFormat in each of the engine's methods.
 std::vector<Subject> subjects_of_any_format(Split split);
+// In those of more_subjects() that solve contacts.
+std::vector<Subject> more_subjects_of_any_format(Split split);
 // The split of a subject in a plain fixed-point format; none for every other.
 std::optional<Split> split_of(const Subject& subject);
 

@@ -16,8 +16,9 @@ constexpr double runaway = 10;  // tolerances
 bool holds_in_double(const Experiment& experiment, const Subject& subject) {
     static const std::vector<Subject> in_double = subjects_of_double();
     static const std::vector<Subject> chains = subjects_of_chains_in_double();
+    static const std::vector<Subject> continuous = subjects_of_continuous_contacts_in_double();
     static const std::vector<Subject> ablated = subjects_of_ablated_in_double();
-    for (const auto* list : {&in_double, &chains, &ablated})
+    for (const auto* list : {&in_double, &chains, &continuous, &ablated})
         for (const Subject& one : *list)
             if (one.integrator == subject.integrator) return attempt(one, experiment).held;
     return false;
@@ -77,7 +78,7 @@ Finding find_endurance(const Case& one, const Subject& subject, const Effort& ef
     const Experiment experiment = one.at(std::min(one.to, effort.longest_endurance));
     const Trial trial = attempt(subject, experiment);
     Finding finding;
-    finding.beyond = std::numeric_limits<double>::quiet_NaN();
+    finding.beyond = finding.holds_again = std::numeric_limits<double>::quiet_NaN();
     finding.last_held = trial.outcome;
     finding.limit = trial.held ? experiment.description.steps : trial.failed_step - 1;
     if (!trial.held) diagnose(one, trial.failed_step, subject, finding);
@@ -85,6 +86,15 @@ Finding find_endurance(const Case& one, const Subject& subject, const Effort& ef
 }
 
 }  // namespace
+
+std::vector<const Subject*> subjects_of(const Case& one) {
+    std::vector<const Subject*> all;
+    for (const Subject& subject : subjects()) all.push_back(&subject);
+    for (const Subject& subject : more_subjects())
+        for (const std::string& method : one.more_methods)
+            if (subject.integrator == method) all.push_back(&subject);
+    return all;
+}
 
 std::string to_text(Verdict verdict) {
     constexpr const char* names[] = {"stable",    "drifts",     "diverges", "overflows",
@@ -101,7 +111,11 @@ std::string cause_of(const Finding& finding) {
     return finding.first_event.empty() ? verdict : verdict + ": " + finding.first_event;
 }
 
-Trial attempt(const Subject& subject, const Experiment& experiment, double stop) {
+namespace {
+
+// Runs until the measure passes `stop` or, if `ends_at_wrap`, a result wraps.
+Trial attempt_until(const Subject& subject, const Experiment& experiment, double stop,
+                    bool ends_at_wrap) {
     Trial trial;
     trial.outcome = subject.run(experiment.description, [&](const State& state, unsigned step) {
         const double measure = experiment.measure(state, step);
@@ -109,6 +123,8 @@ Trial attempt(const Subject& subject, const Experiment& experiment, double stop)
         if (!within && trial.failed_step == 0) trial.failed_step = std::max(step, 1u);
         trial.worst = std::isnan(measure) ? std::numeric_limits<double>::infinity()
                                           : std::max(trial.worst, measure);
+        const Recorder* const record = ends_at_wrap ? active_recorder() : nullptr;
+        if (record != nullptr && record->first_failure()) return false;
         return within || trial.worst < stop;
     });
     const Outcome& outcome = trial.outcome;
@@ -121,6 +137,17 @@ Trial attempt(const Subject& subject, const Experiment& experiment, double stop)
     return trial;
 }
 
+// Only whether it holds: a run that has wrapped does not.
+Trial attempt_short(const Subject& subject, const Experiment& experiment) {
+    return attempt_until(subject, experiment, 1, true);
+}
+
+}  // namespace
+
+Trial attempt(const Subject& subject, const Experiment& experiment, double stop) {
+    return attempt_until(subject, experiment, stop, false);
+}
+
 Finding find_limit(const Case& one, const Subject& subject, const Effort& effort) {
     if (one.endurance) return find_endurance(one, subject, effort);
     const double decades = std::log10(one.to / one.from);
@@ -128,26 +155,36 @@ Finding find_limit(const Case& one, const Subject& subject, const Effort& effort
         std::max(4u, unsigned(std::ceil(std::abs(decades) * effort.points_per_decade)));
     const auto parameter = [&](double i) { return one.from * std::pow(10, decades * i / count); };
     Finding finding;
-    finding.limit = finding.beyond = std::numeric_limits<double>::quiet_NaN();
+    finding.limit = finding.beyond = finding.holds_again = std::numeric_limits<double>::quiet_NaN();
     // The easiest parameter that holds, then the next that does not.
     double held = -1, failed = -1;
-    for (unsigned i = 0; i <= count && failed < 0; ++i) {
-        Trial trial = attempt(subject, one.at(parameter(i)));
-        if (trial.held) {
-            held = i;
+    for (unsigned i = 0; i <= count * effort.closer && (failed < 0 || effort.to_the_end); ++i) {
+        const double at = double(i) / effort.closer;
+        Trial trial = attempt_short(subject, one.at(parameter(at)));
+        ++finding.swept;
+        if (failed >= 0) {
+            if (!trial.held) continue;
+            ++finding.contradicting;
+            finding.holds_again = parameter(at);
+        } else if (trial.held) {
+            held = at;
             finding.last_held = std::move(trial.outcome);
         } else if (held >= 0) {
-            failed = i;
+            failed = at;
+        } else {
+            ++finding.contradicting;
         }
     }
     if (held < 0) {
+        finding.contradicting = 0;
         diagnose(one, one.from, subject, finding);
         return finding;
     }
     if (failed >= 0) {
-        for (unsigned i = 0; i < effort.bisections; ++i) {
+        for (double apart = 1.0 / effort.closer; apart > std::ldexp(1, -int(effort.bisections));
+             apart /= 2) {
             const double middle = (held + failed) / 2;
-            Trial trial = attempt(subject, one.at(parameter(middle)));
+            Trial trial = attempt_short(subject, one.at(parameter(middle)));
             (trial.held ? held : failed) = middle;
             if (trial.held) finding.last_held = std::move(trial.outcome);
         }

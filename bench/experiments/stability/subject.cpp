@@ -19,15 +19,19 @@ const std::vector<Subject>& subjects() {
     return all;
 }
 
-const std::vector<Subject>& chain_subjects() {
-    static const std::vector<Subject> all = subjects_of_chains();
+const std::vector<Subject>& more_subjects() {
+    static const std::vector<Subject> all = [] {
+        std::vector<Subject> list = subjects_of_chains();
+        for (Subject& one : subjects_of_continuous_contacts()) list.push_back(std::move(one));
+        return list;
+    }();
     return all;
 }
 
 const Subject& subject(const std::string& scalar, const std::string& arithmetic,
                        const std::string& integrator) {
     static const std::vector<Subject> ablated = subjects_of_ablated();
-    for (const auto* list : {&subjects(), &chain_subjects(), &ablated})
+    for (const auto* list : {&subjects(), &more_subjects(), &ablated})
         for (const Subject& one : *list)
             if (one.scalar == scalar && one.arithmetic == arithmetic &&
                 one.integrator == integrator)

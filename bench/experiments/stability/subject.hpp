@@ -30,9 +30,10 @@ struct Subject {
 
 // Every scalar with every method.
 const std::vector<Subject>& subjects();
-// Methods for chains, in three scalars: one iteration, iterations begun where the last step ended,
-// all rods solved together, and all springs. The world of rods has nothing but them and gravity.
-const std::vector<Subject>& chain_subjects();
+// Methods that only some cases run with. For chains and heaps, in three scalars: one iteration,
+// iterations begun where the last step ended, all rods solved together, and all springs; the world
+// of rods has nothing but them and gravity. For fast particles: continuous contacts.
+const std::vector<Subject>& more_subjects();
 // One of these, or of the ablated ones. Throws std::runtime_error if there is none.
 const Subject& subject(const std::string& scalar, const std::string& arithmetic,
                        const std::string& integrator);
@@ -46,11 +47,13 @@ std::vector<Subject> subjects_of_q16_16_published();
 std::vector<Subject> subjects_of_q16_16_saturating();
 std::vector<Subject> subjects_of_float();
 std::vector<Subject> subjects_of_chains();
+std::vector<Subject> subjects_of_continuous_contacts();
 // Q16.16 with one measure of the engine left out; not in subjects().
 std::vector<Subject> subjects_of_ablated();
 // Truth by the engine itself, where rounding is negligible; not in subjects().
 std::vector<Subject> subjects_of_double();
 std::vector<Subject> subjects_of_chains_in_double();
+std::vector<Subject> subjects_of_continuous_contacts_in_double();
 std::vector<Subject> subjects_of_ablated_in_double();
 
 }  // namespace stability

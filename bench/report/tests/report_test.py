@@ -744,6 +744,43 @@ i q8_8 nearest velocity_verlet 1 overflows overflow_add -1 1
             row["first_event"] = (row["first_event"] or "").replace("_", " ")
         self.assertEqual(stability.announced(rows), (4, 2, 5, 1))
 
+    def test_what_it_means_to_hold(self):
+        rows = golden(stability="""
+case dt steps holds
+a 0.5 8 rods
+rod_chain_of_8_heavy_end 0.25 2000 rods_within_20_%
+b 0.001 300 planes
+""").rows("stability")
+        self.assertEqual(stability.horizon_finding(rows),
+                         "*Stable* means within the tolerance of the case until the end of its horizon: 8 to 2\u202f000 steps, 0.3 to 500 s. "
+                         "Each row has both at its limit, and the tolerance in words: columns `dt`, `steps` and `holds`; of rod chain of 8 "
+                         "heavy end 2000 steps of 1/4 s, \"rods_within_20_%\".")
+
+    SWEPT = """
+case scalar arithmetic integrator unit limit swept contradicting holds_again
+a q16_16 nearest velocity_verlet m 10 25 0 -
+b_c float ieee warm_started m 10 33 2 30
+d q8_8 nearest velocity_verlet m 8 41 1 1
+d q8_8 nearest semi_implicit_euler m 8 41 1 1
+e q16_16 nearest implicit_springs m 10 41 3 -
+f q8_8 nearest implicit_springs m 10 - - -
+"""
+
+    def test_rows_that_are_not_monotone(self):
+        told = ("In 5 rows, 25 to 41 values from the easy end to the hard one are swept; the first that fails, and a bisection next to it, "
+                "give the limit. ")
+        self.assertEqual(stability.sweep_finding(golden(stability=self.SWEPT).rows("stability")),
+                         told + "4 of them are not monotone: values beyond the limit hold, or easier ones fail (`contradicting` counts them). "
+                         "The worst is d in Q8.8 (semi-implicit Euler), which fails beyond 8 m and holds again at 1.")
+        more = self.SWEPT + "g q16_16 nearest warm_started m 2 41 1 3\nh q16_16 saturating warm_started m 2 41 1 999\n"
+        self.assertTrue(stability.sweep_finding(golden(stability=more).rows("stability")).endswith(
+            "holds again at 1; in Q16.16 it is g (warm started), which fails beyond 2 m and holds again at 3."))
+        for row in (rows := golden(stability=self.SWEPT).rows("stability")):
+            row["arithmetic"] = "saturating"  # counted, not named
+        self.assertTrue(stability.sweep_finding(rows).endswith("(`contradicting` counts them)."))
+        flat = [row for row in golden(stability=self.SWEPT).rows("stability") if row["case"] in "af"]
+        self.assertTrue(stability.sweep_finding(flat).endswith("No value of any sweep contradicts it."))
+
     def test_loads_that_chains_bear(self):
         rows = "case scalar arithmetic integrator limit verdict first_event\n"
         for i, links in enumerate((4, 8, 16)):
@@ -825,6 +862,87 @@ divergence_rate q32_32 nearest velocity_verlet 0.1 1.25 1.386294361
         self.assertIn("by 0.1 m from the same method's run in double after 4 s in Q16.16, 12 s in Q32.32 (", finding)
         self.assertIn("In Q32.32 the distance grows at 1.25/s", finding)
         self.assertIn("each bit buys 0.5 s; ln 2 over that exponent is 0.5 s.", finding)
+
+    def test_what_swings_for_ever(self):
+        table = """
+measure system scalar arithmetic integrator at measured theory dt
+dead_band spring q8_8 nearest implicit_springs 4 0 0.5 0.00390625
+limit_cycle spring q8_8 nearest implicit_springs 4 1 1 0.00390625
+dead_band spring q16_16 nearest implicit_springs 4 0.002 0.003 0.00390625
+limit_cycle spring q16_16 nearest implicit_springs 4 750 {} 0.00390625
+limit_cycle spring float ieee implicit_springs 4 1 - 0.00390625
+limit_cycle spring q16_16 nearest velocity_verlet 4 1 9 0.00390625
+"""
+        self.assertEqual(stability.cycle_finding(golden(dynamics=table.format(760.2))),
+                         "With springs solved implicitly the body swings for ever in Q16.16: the step divides its velocity by so little "
+                         "that the quotient rounds to the same number, and nothing is damped. In Q16.16 it swings by 0.002 m in 750 "
+                         "steps; the period of rounded products is 760, without rounding it would be 804. ")
+        self.assertEqual(stability.cycle_finding(golden(dynamics=table.format(1))), "")
+
+    def test_what_a_heap_and_a_struck_chain_bear(self):
+        table = """
+case scalar arithmetic integrator limit
+wedge_heavy_top q16_16 nearest semi_implicit_euler 20
+wedge_heavy_top q16_16 nearest one_iteration 10
+wedge_heavy_top q16_16 nearest warm_started 400
+wedge_heavy_top q16_16 saturating semi_implicit_euler 9
+impact_on_chain_of_8 q16_16 nearest semi_implicit_euler 3
+impact_on_chain_of_8 q16_16 nearest one_iteration none
+impact_on_chain_of_8 q16_16 nearest warm_started 4
+impact_on_chain_of_8 float ieee warm_started 7
+"""
+        self.assertEqual(stability.heap_finding(golden(stability=table)),
+                         " Two balls of 1 kg in a V bear a third of 20 (with one iteration 10, warm started 400) kg; the end of a chain of 8 "
+                         "bodies of 1 kg withstands a blow of 10 kg at 3 (with one iteration none, warm started 4) m/s.")
+        self.assertEqual(stability.heap_finding(golden(stability=table.replace("wedge", "stack"))), "")
+
+    def test_the_search_next_to_the_theory_of_growth(self):
+        made = golden(stability="""
+case scalar arithmetic integrator limit
+spring_coarse_step q16_16 nearest semi_implicit_euler 1.998
+spring_coarse_step q16_16 saturating semi_implicit_euler 1.5
+spring_coarse_step q8_8 nearest semi_implicit_euler none
+spring_frame_step q16_16 nearest semi_implicit_euler 1
+""")
+        self.assertEqual(stability.search_of_two(made, "q16_16", "semi_implicit_euler"), "1.998")
+        self.assertIsNone(stability.search_of_two(made, "q8_8", "semi_implicit_euler"))
+
+    def test_what_depends_on_the_order_of_links(self):
+        table = """
+measure system scalar arithmetic integrator measured theory
+order chain_of_rods q16_16 nearest semi_implicit_euler 0.25 0.5
+order chain_of_rods q16_16 saturating semi_implicit_euler 9 9
+order chain_of_rods q32_32 nearest semi_implicit_euler 0.5 0.5
+order chain_of_springs q16_16 nearest semi_implicit_euler {} 0
+order chain_of_springs q16_16 nearest implicit_springs 0.125 0.0625
+"""
+
+        def made(sums):
+            data = golden(dynamics=table.format(sums))
+            for row in data.rows("dynamics"):
+                row["system"] = row["system"].replace("_", " ")
+            return data
+        self.assertEqual(stability.orders(made(0), "semi_implicit_euler")["chain of rods", "q16_16"], (0.25, 0.5))
+        self.assertEqual(stability.order_finding(made(0)),
+                         "0.5 m in double, because the iterations end before they converge. Forces of springs are sums, and leave none in "
+                         "any format; springs solved implicitly, one after the other, leave 0.125 m in Q16.16 and 0.0625 m in double.")
+        self.assertIn("Forces of springs leave up to 0.75 m;", stability.order_finding(made(0.75)))
+
+    def test_how_fast_particles_may_be(self):
+        table = """
+case scalar integrator limit verdict
+thin_wall q16_16 continuous_contacts 20000 overflows
+thin_target q16_16 continuous_contacts 500 overflows
+thin_wall float continuous_contacts 1000000 stable
+thin_wall q16_16 velocity_verlet 7 drifts
+stack q16_16 continuous_contacts 6 drifts
+"""
+        self.assertEqual(stability.tunnelling_finding(golden(stability=table)),
+                         "With continuous contacts nothing passes a fixed wall or a free target at any speed that the format holds: 500 m/s in Q16.16, "
+                         "10<sup>6</sup> m/s in float (the end of the search).")
+        self.assertEqual(stability.tunnelling_finding(golden(stability=table.replace("500 overflows", "400 diverges"))),
+                         "With continuous contacts something passes: thin target in Q16.16 (continuous contacts) beyond 400 m/s.")
+        self.assertEqual(stability.tunnelling_finding(golden(stability=table.replace("continuous_contacts", "velocity_verlet"))), "")
 
     def test_the_long_run_of_a_format(self):
         found = stability.dynamics(golden(dynamics="""

@@ -59,10 +59,12 @@ Experiment between_walls(double steps) {
     made.restitution = 1;
     made.dt = TimeStep::binary(8);
     made.steps = unsigned(steps);
-    return {made, [](const State& state, unsigned) {
-                return std::max(std::abs(std::abs(state[0].velocity.x) / 4 - 1) / 0.1,
-                                std::abs(state[0].position.x - 0.3) / 0.2);
-            }};
+    return {made,
+            {[](const State& state, unsigned) {
+                 return std::max(std::abs(std::abs(state[0].velocity.x) / 4 - 1) / 0.1,
+                                 std::abs(state[0].position.x - 0.3) / 0.2);
+             },
+             "speed within 10 % of 4 m/s; position within 0.2 m of the middle"}};
 }
 
 // Where a ball with `reach` to its target's centre starts, so that the step before it touches ends
@@ -84,12 +86,13 @@ Experiment part(std::vector<Body> bodies) {
     made.dt = TimeStep::binary(8);
     made.steps = 200;
     return {made, all_of({from_step(100, no_overlap(made, 0.05)),
-                          [](const State& state, unsigned) {
-                              double fastest = 0;
-                              for (const BodyState& body : state)
-                                  fastest = std::max(fastest, length(body.velocity));
-                              return fastest / 0.5;
-                          },
+                          {[](const State& state, unsigned) {
+                               double fastest = 0;
+                               for (const BodyState& body : state)
+                                   fastest = std::max(fastest, length(body.velocity));
+                               return fastest / 0.5;
+                           },
+                           "speeds at most 0.5 m/s"},
                           stays_within(made, 10 * made.bodies[0].radius)})};
 }
 
@@ -137,7 +140,13 @@ std::vector<Case> contact_cases() {
                  after.push_back(has_velocity(i, {i == 4 ? p : 0, 0}, 0.1 * p));
              return Experiment{made, from_step(55, all_of(after))};
          }},
-        {"thin_wall", "contacts", "speed", "m/s", 0.1, 1e7, geometry,
+        {"thin_wall",
+         "contacts",
+         "speed",
+         "m/s",
+         0.1,
+         1e7,
+         geometry,
          [](double p) {
              Description made;
              made.dt = TimeStep::binary(8);
@@ -146,9 +155,19 @@ std::vector<Case> contact_cases() {
              made.restitution = 0.5;
              made.steps = unsigned(std::min(4000.0, 500 + 512 / p));
              return Experiment{
-                 made, [](const State& state, unsigned) { return 1 + state[0].position.x - 0.05; }};
-         }},
-        {"thin_target", "contacts", "speed", "m/s", 0.1, 1e7, geometry,
+                 made,
+                 {[](const State& state, unsigned) { return 1 + state[0].position.x - 0.05; },
+                  "at most 0.05 m beyond the middle of the wall"}};
+         },
+         false,
+         {"continuous_contacts"}},
+        {"thin_target",
+         "contacts",
+         "speed",
+         "m/s",
+         0.1,
+         1e7,
+         geometry,
          [](double p) {
              Description made;
              made.dt = TimeStep::binary(8);
@@ -156,10 +175,14 @@ std::vector<Case> contact_cases() {
                             ball({0, 0}, {}, 1, 0.05)};
              made.restitution = 0.5;
              made.steps = unsigned(std::min(4000.0, 50 + 512 / p));
-             return Experiment{made, [](const State& state, unsigned) {
-                                   return 1 + state[0].position.x - state[1].position.x;
-                               }};
-         }},
+             return Experiment{made,
+                               {[](const State& state, unsigned) {
+                                    return 1 + state[0].position.x - state[1].position.x;
+                                },
+                                "body 0 not beyond the middle of body 1"}};
+         },
+         false,
+         {"continuous_contacts"}},
         {"half_space", "contacts", "speed", "m/s", 0.5, 1e10, geometry,
          [](double p) {
              Description made;
@@ -167,10 +190,13 @@ std::vector<Case> contact_cases() {
              made.planes = {{{1, 0}, 0, 0.5}};
              made.dt = TimeStep::binary(8);
              made.steps = unsigned(std::min(1000.0, 10 + 512 / p));
-             return Experiment{made, from_step(made.steps, [](const State& state, unsigned) {
-                                   const double out = state[0].velocity.x;
-                                   return out > 0 ? (radius - state[0].position.x) / 0.05 : 2.0;
-                               })};
+             const Measure outside = {[](const State& state, unsigned) {
+                                          const double out = state[0].velocity.x;
+                                          return out > 0 ? (radius - state[0].position.x) / 0.05
+                                                         : 2.0;
+                                      },
+                                      "moves out of the plane; at most 0.05 m deep in it"};
+             return Experiment{made, from_step(made.steps, outside)};
          }},
         {"bounces_elastic", "contacts", "steps of 100000 bounces", "1", 1, 640000,
          "conserved: energy", between_walls, true},
@@ -180,14 +206,16 @@ std::vector<Case> contact_cases() {
              Description made = on_floor(9.81, TimeStep::binary(8), unsigned(steps), 1);
              made.bodies = {ball({0, 1})};
              const auto highest = std::make_shared<double>(1);
-             return Experiment{made, [highest](const State& state, unsigned step) {
-                                   constexpr unsigned window = 256;
-                                   const double y = state[0].position.y;
-                                   const double before = *highest;
-                                   *highest = step % window == 0 ? y : std::max(before, y);
-                                   if (step == 0 || step % window != 0) return (y - 1) / 0.15;
-                                   return std::abs(before - 1) / 0.15;
-                               }};
+             const Measure height = {[highest](const State& state, unsigned step) {
+                                         constexpr unsigned window = 256;
+                                         const double y = state[0].position.y;
+                                         const double before = *highest;
+                                         *highest = step % window == 0 ? y : std::max(before, y);
+                                         if (step == 0 || step % window != 0) return (y - 1) / 0.15;
+                                         return std::abs(before - 1) / 0.15;
+                                     },
+                                     "highest point of each 256 steps within 0.15 m of 1 m"};
+             return Experiment{made, height};
          },
          true},
         {"bounces_inelastic", "contacts", "steps in contact", "1", 1, 100000, "closed form: rest",
@@ -299,6 +327,25 @@ std::vector<Case> contact_cases() {
              made.bodies = {ball({0, radius / c})};
              return Experiment{made, all_of({no_overlap(made, 0.2), stays_within(made, radius)})};
          }},
+        // Two balls of 1 kg in a V, touching each other and its walls, and a heavy one on them.
+        {"wedge_heavy_top",
+         "contacts",
+         "mass ratio",
+         "1",
+         1,
+         1e6,
+         apart,
+         [](double p) {
+             Description made = on_floor(9.81, TimeStep::binary(8), 500);
+             const double c = std::numbers::sqrt2 / 2, height = radius / c + radius;
+             made.planes = {{{c, c}, 0, 0}, {{-c, c}, 0, 0}};
+             made.bodies = {ball({-radius, height}), ball({radius, height}),
+                            ball({0, height + radius * std::numbers::sqrt3}, {}, 1 / p)};
+             return Experiment{made,
+                               all_of({no_overlap(made, 0.2), stays_within(made, 2 * radius)})};
+         },
+         false,
+         {"one_iteration", "warm_started"}},
         {"box_of_8", "contacts", "speed", "m/s", 0.1, 1e6, "conserved: energy",
          [](double p) {
              Description made;

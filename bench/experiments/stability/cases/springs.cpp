@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Springs and drag. Lengths are many times the amplitude, so that oscillations are harmonic, and
 // fit the narrowest format.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -31,14 +33,17 @@ Description on_spring(double stiffness, double damping, double inverse_mass, Tim
 // amplitude; and has moved half an amplitude by the end.
 Measure oscillates(const Description& description, double extension, double most) {
     const auto lowest = std::make_shared<double>(extension);
-    return [spring = description.springs[0], steps = description.steps, extension, most, lowest](
-               const State& state, unsigned step) {
+    const auto swing = [spring = description.springs[0], steps = description.steps, extension, most,
+                        lowest](const State& state, unsigned step) {
         const double now = length(state[0].position - spring.anchor) - spring.length;
         *lowest = step == 0 ? now : std::min(*lowest, now);
         if (step == 0 && !(std::abs(now - extension) <= extension / 2)) return 2.0;
         if (step == steps && !(*lowest < extension / 2)) return 2.0;
         return std::abs(now) / (most * extension);
     };
+    return {swing, fmt::format("extension at most {:.3g} m; starts within {:.3g} m of {:.3g} m and "
+                               "has passed half of it by the end",
+                               most * extension, extension / 2, extension)};
 }
 
 Experiment bounded(const Description& description, double extension = amplitude,
@@ -92,7 +97,7 @@ Measure springs_keep(const Description& description, double tolerance) {
     };
     State start;
     for (const Body& body : description.bodies) start.push_back({body.position, body.velocity});
-    return [lengths, tolerance, at_start = lengths(start)](const State& state, unsigned) {
+    const auto off = [lengths, tolerance, at_start = lengths(start)](const State& state, unsigned) {
         const std::vector<double> now = lengths(state);
         double worst = 0;
         for (std::size_t i = 0; i < now.size(); ++i) {
@@ -101,6 +106,7 @@ Measure springs_keep(const Description& description, double tolerance) {
         }
         return worst;
     };
+    return {off, "springs within " + in_words(100 * tolerance, "% of their lengths at the start")};
 }
 
 // Light bodies below each other on stiff springs, the last with a mass of `ratio` of them, in

@@ -8,8 +8,8 @@ template <class Scalar>
 std::vector<Subject> without_a_mend(const char* scalar, const char* arithmetic, double largest,
                                     double ulp) {
     return subjects_of_methods<Scalar, PositionsFirst, WorstContactFirst, OpposedContacts,
-                               TangentRods, LateBounces, Impulses, ContinuousContacts>(
-        scalar, arithmetic, largest, ulp);
+                               TangentRods, LateBounces, Impulses>(scalar, arithmetic, largest,
+                                                                   ulp);
 }
 
 }  // namespace

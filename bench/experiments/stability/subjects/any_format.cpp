@@ -47,4 +47,11 @@ std::vector<Subject> subjects_of_any_format(Split split) {
     return subjects_with<AnyFormat>("any", "nearest", ulp * static_cast<double>(split.most()), ulp);
 }
 
+std::vector<Subject> more_subjects_of_any_format(Split split) {
+    AnyFormat::split() = split;
+    const double ulp = std::ldexp(1.0, -split.fraction_bits);
+    return subjects_of_methods<AnyFormat, OneIteration, WarmStarted, ContinuousContacts>(
+        "any", "nearest", ulp * static_cast<double>(split.most()), ulp);
+}
+
 }  // namespace stability

@@ -92,6 +92,66 @@ TEST_F(Search, NothingHolds) {
     EXPECT_EQ(finding.step, 7u);
 }
 
+// Points that are closer find the limit of a monotone case where the others do.
+TEST_F(Search, CloserPointsMoveNoMonotoneLimit) {
+    for (const double limit : {1.4, 7.3, 29.0, 430.0})
+        for (const unsigned closer : {1u, 2u, 4u, 8u}) {
+            const Case one = breaking(1, 1000, limit);
+            const Finding finding = find_limit(one, nothing, {2, 10, 1e9, closer, true});
+            EXPECT_DOUBLE_EQ(finding.limit, find_limit(one, nothing, {2, 10}).limit);
+            EXPECT_EQ(finding.swept, 6 * closer + 1);
+            EXPECT_EQ(finding.contradicting, 0u);
+            EXPECT_TRUE(std::isnan(finding.holds_again));
+        }
+}
+
+// A case that holds from 2 to 18 and from 24 to 150, with ten points a decade: it is not monotone,
+// and its limit is where it fails first.
+TEST_F(Search, FindsTheFirstFailureOfACaseThatHoldsAgain) {
+    Case one = breaking(1, 1000, 1000);
+    one.at = [](double parameter) {
+        Experiment experiment;
+        experiment.description.steps = 100;
+        const bool holds = (parameter > 2 && parameter < 18) || (parameter > 24 && parameter < 150);
+        experiment.measure = [=](const State&, unsigned) { return holds ? 0 : 20; };
+        return experiment;
+    };
+    const Finding finding = find_limit(one, nothing, {5, 10, 1e9, 2, true});
+    EXPECT_NEAR(finding.limit, 18, 0.02);
+    EXPECT_NEAR(finding.beyond, 18, 0.02);
+    EXPECT_EQ(finding.swept, 31u);
+    // 1, 1.26, 1.58 and 1.995 fail; 25.1, 31.6, ... 126 hold.
+    EXPECT_EQ(finding.contradicting, 4u + 8u);
+    EXPECT_NEAR(finding.holds_again, 125.9, 0.1);
+    // To the first failure only; and by points too far apart to meet it.
+    const Finding brief = find_limit(one, nothing, {5, 10, 1e9, 2, false});
+    EXPECT_EQ(brief.limit, finding.limit);
+    EXPECT_EQ(brief.swept, 14u);
+    EXPECT_EQ(brief.contradicting, 4u);
+    EXPECT_NEAR(find_limit(one, nothing, {5, 10}).limit, 150, 0.2);
+}
+
+// Only the diagnosis runs on after a wrap, to see what the measure makes of it.
+TEST_F(Search, AWrapEndsATrial) {
+    static std::vector<unsigned> lengths;  // of the runs
+    lengths.clear();
+    const auto run_recorded = [](const Description& description, const Watch& watch) {
+        Outcome outcome;
+        const Recorded recorded(outcome.record);
+        for (unsigned step = 0; step <= description.steps; ++step) {
+            outcome.steps = outcome.record.step = step;
+            if (step == 5) outcome.record.notify(Event::overflow, Operation::multiply);
+            if (!watch({}, step)) break;
+        }
+        lengths.push_back(outcome.steps);
+        return outcome;
+    };
+    const Subject wrapping{"none", "exact", "no_such_method", 128, 0.125, run_recorded};
+    find_limit(breaking(1, 1000, 1000.5), wrapping, {2, 3});
+    EXPECT_EQ(lengths, (std::vector<unsigned>{5, 5, 5, 5, 5, 5, 5, 100}));
+    EXPECT_EQ(attempt(wrapping, breaking(1, 1000, 1000.5).at(1)).outcome.steps, 100u);
+}
+
 // Ten tolerances are a divergence, less is a drift by that many tolerances per second.
 TEST_F(Search, TellsDriftFromDivergence) {
     const auto found = [&](double measure, unsigned from) {
@@ -241,6 +301,16 @@ TEST_F(Search, UnderflowsWhereHalfOfTheStepsDoAndDoubleHolds) {
     EXPECT_EQ(found(like_euler, 20, 2, 2).verdict, Verdict::drifts);  // the method itself fails
     EXPECT_EQ(found(like_euler, 20, 20, 1).verdict, Verdict::diverges);
     EXPECT_EQ(found(nothing, 20, 2, 1).verdict, Verdict::drifts);  // no such method in double
+}
+
+TEST(SubjectsOf, AddsTheMethodsThatTheCaseNames) {
+    Case one;
+    EXPECT_EQ(subjects_of(one).size(), subjects().size());
+    one.more_methods = {"warm_started", "direct_rods"};
+    const auto all = subjects_of(one);
+    ASSERT_EQ(all.size(), subjects().size() + 2 * 3);
+    for (std::size_t i = subjects().size(); i < all.size(); ++i)
+        EXPECT_TRUE(all[i]->integrator == "warm_started" || all[i]->integrator == "direct_rods");
 }
 
 TEST(VerdictText, IsTheDataFiles) {
