@@ -30,12 +30,12 @@ using simulator::DeviceFunction;
 using simulator::Elf;
 
 constexpr unsigned steps_run = 400;  // 2 s of 5 ms
-constexpr unsigned most_rounds = 10;
+constexpr unsigned max_rounds = 10;
 constexpr simulator::Cycle longest_step = 10'000'000;
 constexpr std::array flags = {"Os", "O2", "O3"};
 // A round takes more cycles than this; other differences between programs with different limits are
 // smaller.
-constexpr std::uint32_t least_round = 200;
+constexpr std::uint32_t min_round = 200;
 constexpr const char* rounds_flag = "O2";
 
 struct Arithmetic {
@@ -119,14 +119,14 @@ Steps take_apart(const std::filesystem::path& program) {
 // different limits of rounds, 0 to 10, from the same state. The number of rounds is the first limit
 // beyond which the cycles stay the same.
 struct Rounds {
-    std::array<Cost, most_rounds + 1> cost;         // by rounds, over the steps that make as many
-    std::array<unsigned, most_rounds + 1> steps{};  // the number of steps that make as many
+    std::array<Cost, max_rounds + 1> cost;         // by rounds, over the steps that make as many
+    std::array<unsigned, max_rounds + 1> steps{};  // the number of steps that make as many
 };
 
 Rounds count_rounds(const std::filesystem::path& folder, const std::string& arithmetic) {
     std::vector<std::unique_ptr<Chip>> chips;
     std::vector<DeviceFunction> step;
-    for (unsigned rounds = 0; rounds <= most_rounds; ++rounds) {
+    for (unsigned rounds = 0; rounds <= max_rounds; ++rounds) {
         chips.push_back(
             std::make_unique<Chip>(Elf(folder / fmt::format("published_lever.{}.{}.{}.elf",
                                                             arithmetic, rounds_flag, rounds))));
@@ -140,18 +140,17 @@ Rounds count_rounds(const std::filesystem::path& folder, const std::string& arit
     };
     Rounds result;
     for (unsigned i = 0; i < steps_run; ++i) {
-        const std::vector<std::uint8_t> before(world(most_rounds).begin(),
-                                               world(most_rounds).end());
-        std::array<std::uint32_t, most_rounds + 1> cycles;
-        for (unsigned rounds = 0; rounds <= most_rounds; ++rounds) {
+        const std::vector<std::uint8_t> before(world(max_rounds).begin(), world(max_rounds).end());
+        std::array<std::uint32_t, max_rounds + 1> cycles;
+        for (unsigned rounds = 0; rounds <= max_rounds; ++rounds) {
             if (world(rounds).size() != before.size())
                 throw std::runtime_error(
                     "the workload's programs differ in the size of their world");
             std::copy(before.begin(), before.end(), world(rounds).begin());
             cycles[rounds] = step[rounds]().cycles;
         }
-        unsigned gone = most_rounds;
-        while (gone > 0 && cycles[gone] < cycles[gone - 1] + least_round) --gone;
+        unsigned gone = max_rounds;
+        while (gone > 0 && cycles[gone] < cycles[gone - 1] + min_round) --gone;
         ++result.steps[gone];
         for (unsigned rounds = 0; rounds <= gone; ++rounds) result.cost[rounds].add(cycles[rounds]);
     }
@@ -206,7 +205,7 @@ void compare_published(Sheet& sheet, const Runs& runs, const Rounds& rounds) {
     const Steps& floats = run_of(runs, "published_lever", "float", flag);
     const char* const who = "fixed_16_16";
     std::string distribution;
-    for (unsigned n = 0; n <= most_rounds; ++n)
+    for (unsigned n = 0; n <= max_rounds; ++n)
         if (rounds.steps[n] > 0)
             distribution +=
                 fmt::format("; {} of {} steps go through {} rounds at {:.2f} ms", rounds.steps[n],
@@ -306,7 +305,7 @@ void save_rounds(const std::map<std::string, Rounds>& rounds, const std::filesys
     std::vector<RoundsRow> rows;
     for (const Arithmetic& arithmetic : arithmetics) {
         const Rounds& of = rounds.at(arithmetic.program);
-        for (unsigned n = 0; n <= most_rounds; ++n)
+        for (unsigned n = 0; n <= max_rounds; ++n)
             if (of.cost[n].calls > 0)
                 rows.push_back({arithmetic.recorded, n, of.cost[n].mean(), of.steps[n]});
     }

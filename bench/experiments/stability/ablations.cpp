@@ -63,8 +63,8 @@ constexpr struct {
     {"a rod as one two-sided constraint", "rod_chain_of_8_heavy_end", opposed_contacts,
      tangent_rods, 1},
     {"rods along the chord of the arc", "rod_speed", tangent_rods, ours, 0.1},
-    {"sweeps over all contacts", "stack_of_5", worst_contact_first, ours, 1},
-    {"sweeps over all contacts", "stack_of_10", worst_contact_first, ours, 1},
+    {"iterations over all contacts", "stack_of_5", worst_contact_first, ours, 1},
+    {"iterations over all contacts", "stack_of_10", worst_contact_first, ours, 1},
     {"iterations begun where the last step ended", "stack_of_20", ours, warm_started, 1},
     {"iterations begun where the last step ended", "rod_chain_of_4_heavy_end", ours, warm_started,
      1},
@@ -89,8 +89,8 @@ constexpr struct {
     {"residuals of products with the step", "small_binary_step", ours, compensated_integration,
      0x1p-8},
     {"residuals of products with the step", "weak_gravity", ours, compensated_integration, 10},
-    {"sums and products that clamp", "spring_extension", ours, saturating, 0.1},
-    {"sums and products that clamp", "drag_quadratic", ours, saturating, 1},
+    {"sums and products that saturate", "spring_extension", ours, saturating, 0.1},
+    {"sums and products that saturate", "drag_quadratic", ours, saturating, 1},
 };
 
 const Subject& subject_of(Method method) {
@@ -107,7 +107,7 @@ struct Cycles {
 };
 // Of a step of the program that contains only the case.
 Cycles cycles_of(const Case& one, Method method, double parameter) {
-    constexpr unsigned most_steps = 1000;
+    constexpr unsigned max_steps = 1000;
     const Description description = one.at(parameter).description;
     const std::filesystem::path program =
         std::filesystem::path(ABLATION_PROGRAMS) /
@@ -115,7 +115,7 @@ Cycles cycles_of(const Case& one, Method method, double parameter) {
     ChipWorld world(program, description);
     std::uint64_t sum = 0;
     std::uint32_t most = 0;
-    const unsigned steps = std::min(description.steps, most_steps);
+    const unsigned steps = std::min(description.steps, max_steps);
     for (unsigned step = 0; step < steps; ++step) {
         const std::uint32_t cycles = world.step();
         sum += cycles;

@@ -333,8 +333,8 @@ static double dead_band_bound(const std::string& integrator, double ulp, double 
         const double d = 1 + h * (h * k + c);
         return ulp * (0.5 / (1 - 1 / d) / std::sqrt(k) + 2);
     }
-    const double kicks = integrator == "velocity_verlet" ? 2 : 1;
-    return ulp / 2 * ((kicks + c) / h + 1 + k) / k;
+    const double changes = integrator == "velocity_verlet" ? 2 : 1;
+    return ulp / 2 * ((changes + c) / h + 1 + k) / k;
 }
 
 // The largest velocity, in ulps, that an implicit step does not damp: divided by d it changes by

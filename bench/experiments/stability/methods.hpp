@@ -12,11 +12,11 @@ struct CompensatedIntegration : scenes::SemiImplicit {
     static constexpr const char* name = "semi_implicit_compensated";
 };
 template <class Method>
-struct HasExactSteps {
+struct IsCompensated {
     static constexpr bool value = false;
 };
 template <>
-struct HasExactSteps<CompensatedIntegration> {
+struct IsCompensated<CompensatedIntegration> {
     static constexpr bool value = true;
 };
 
@@ -76,12 +76,12 @@ struct WorstContactFirst : scenes::SemiImplicit {
     using Solver = engine::WorstFirst<10>;
 };
 
-using PlainSweeps = engine::ProjectedGaussSeidel<10>;
+using PlainIterations = engine::ProjectedGaussSeidel<10>;
 
 // A rod is two opposed contacts where its length is off.
 struct OpposedContacts : scenes::SemiImplicit {
     static constexpr const char* name = "rods_as_opposed_contacts";
-    struct Solver : PlainSweeps {
+    struct Solver : PlainIterations {
         static constexpr unsigned rows_per_rod = 2;
 
         template <class World, class Index, class Vector, class Scalar, class TimeStep>
@@ -97,7 +97,7 @@ struct OpposedContacts : scenes::SemiImplicit {
 // A rod's end moves along the tangent of its arc.
 struct TangentRods : scenes::SemiImplicit {
     static constexpr const char* name = "rods_along_tangents";
-    struct Solver : PlainSweeps {
+    struct Solver : PlainIterations {
         template <class World, class Index, class Vector, class Scalar, class TimeStep>
         static void rod(World& world, Index a, Index b, const Vector& direction, Scalar excess,
                         const engine::Inverse<Scalar>&, TimeStep) {
@@ -109,7 +109,7 @@ struct TangentRods : scenes::SemiImplicit {
 // A bounce starts where it is found.
 struct LateBounces : scenes::SemiImplicit {
     static constexpr const char* name = "bounces_when_found";
-    struct Solver : PlainSweeps {
+    struct Solver : PlainIterations {
         template <class World, class Index, class Vector, class Scalar, class TimeStep>
         static void contact(World& world, Index a, Index b, const Vector& normal,
                             Scalar penetration, Scalar restitution, TimeStep) {
@@ -121,7 +121,7 @@ struct LateBounces : scenes::SemiImplicit {
 // Velocities by impulses, change / (sum of inverse masses), instead of shares.
 struct Impulses : scenes::SemiImplicit {
     static constexpr const char* name = "velocities_by_impulses";
-    struct Solver : PlainSweeps {
+    struct Solver : PlainIterations {
         template <class World>
         static void solve(World& world) {
             for (unsigned char sweep = 0; sweep < 10; ++sweep) {

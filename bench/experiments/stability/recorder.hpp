@@ -50,30 +50,31 @@ class Recorder {
         } else if (event == fixedpoint::Event::overflow &&
                    (operation == fixedpoint::Operation::divide ||
                     operation == fixedpoint::Operation::length)) {
-            ++clamped_;
+            ++saturations_;
         } else if (!first_failure_) {
             first_failure_ = {event, operation, quantity_, step};
         }
     }
 
     // In an arithmetic that saturates everything.
-    void clamp(fixedpoint::Operation operation) {
-        ++clamped_;
-        if (!first_clamp_) first_clamp_ = {fixedpoint::Event::overflow, operation, quantity_, step};
+    void saturate(fixedpoint::Operation operation) {
+        ++saturations_;
+        if (!first_saturation_)
+            first_saturation_ = {fixedpoint::Event::overflow, operation, quantity_, step};
     }
 
     // The first wrap, division by zero or domain error. Quotients and lengths beyond the range
     // saturate, as documented, and are only counted.
     const std::optional<Occurrence>& first_failure() const { return first_failure_; }
-    const std::optional<Occurrence>& first_clamp() const { return first_clamp_; }
+    const std::optional<Occurrence>& first_saturation() const { return first_saturation_; }
     const std::optional<Occurrence>& first_underflow() const { return first_underflow_; }
     unsigned steps_with_underflow() const { return steps_with_underflow_; }
-    unsigned clamped() const { return clamped_; }
+    unsigned saturations() const { return saturations_; }
 
   private:
     const char* quantity_ = "description";
-    std::optional<Occurrence> first_failure_, first_clamp_, first_underflow_;
-    unsigned steps_with_underflow_ = 0, last_underflow_step_ = 0, clamped_ = 0;
+    std::optional<Occurrence> first_failure_, first_saturation_, first_underflow_;
+    unsigned steps_with_underflow_ = 0, last_underflow_step_ = 0, saturations_ = 0;
 };
 
 // The recorder of this thread's run, or null.
@@ -102,19 +103,19 @@ struct Recording : fixedpoint::Checked<Hook> {
 };
 
 // The saturating arithmetic, each product and sum separately.
-struct ClampHook {
+struct SaturationHook {
     static void notify(fixedpoint::Event event, fixedpoint::Operation operation) {
         Recorder* const recorder = active_recorder();
         if (recorder == nullptr) return;
         if (event == fixedpoint::Event::overflow) {
-            recorder->clamp(operation);
+            recorder->saturate(operation);
         } else {
             recorder->notify(event, operation);
         }
     }
 };
-struct RecordingSaturating : fixedpoint::Checked<ClampHook> {
-    using Watched = fixedpoint::Checked<ClampHook>;
+struct RecordingSaturating : fixedpoint::Checked<SaturationHook> {
+    using Watched = fixedpoint::Checked<SaturationHook>;
     using Saturating = fixedpoint::Saturating;
     static void enter(engine::Quantity quantity) { Recording::enter(quantity); }
 

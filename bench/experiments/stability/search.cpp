@@ -49,17 +49,17 @@ void diagnose(const Case& one, double parameter, const Subject& subject, Finding
         return;
     }
     const auto& failure = outcome.record.first_failure();
-    const auto& clamp = outcome.record.first_clamp();
+    const auto& saturation = outcome.record.first_saturation();
     const auto& underflow = outcome.record.first_underflow();
     const bool ran_away = !(trial.worst < runaway);
     if (failure && failure->step <= trial.failed_step) {
         finding.verdict = Verdict::overflows;
         finding.first_event = to_text(*failure);
         finding.step = failure->step;
-    } else if (clamp && clamp->step <= trial.failed_step) {
+    } else if (saturation && saturation->step <= trial.failed_step) {
         finding.verdict = Verdict::saturates;
-        finding.first_event = to_text(*clamp);
-        finding.step = clamp->step;
+        finding.first_event = to_text(*saturation);
+        finding.step = saturation->step;
     } else if (!ran_away && underflow &&
                outcome.record.steps_with_underflow() >= trial.failed_step / 2 &&
                holds_in_double(again(), subject)) {

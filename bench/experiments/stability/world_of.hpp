@@ -22,7 +22,7 @@ struct Everything : scenes::UsesWith<Method> {
                               planes = 4, contacts = 48;
     static constexpr bool gravity = true, damping = true, collisions = true, radii = true,
                           custom_force = true;
-    static constexpr bool compensated_integration = HasExactSteps<Method>::value;
+    static constexpr bool compensated_integration = IsCompensated<Method>::value;
     static constexpr bool continuous_contacts = HasContinuousContacts<Method>::value;
     template <class World>
     using CustomForce = ConstantForces<World>;

@@ -24,7 +24,7 @@ using records::column;
 
 struct Options {
     bool host = false;
-    unsigned most = most_discs;
+    unsigned most = max_discs;
     std::filesystem::path output;
 };
 
@@ -145,7 +145,7 @@ const fixbench::Registration registration({
             const auto options = std::make_shared<Options>();
             command.add_flag("--host", options->host, "time this machine instead");
             command.add_option("--most", options->most, "particles on the host")
-                ->check(CLI::Range(144u, most_discs))
+                ->check(CLI::Range(144u, max_discs))
                 ->capture_default_str();
             return [options](const fixbench::Call& call) {
                 options->output = call.output;

@@ -46,12 +46,12 @@ constexpr Disc disc(unsigned i, unsigned n) {
 
 // One program for every number of discs: if each had its own, the layout of the loops by the
 // compiler would change the time of a test by up to a quarter from one to the next.
-constexpr unsigned most_discs = 16384;
+constexpr unsigned max_discs = 16384;
 
 template <class Search>
 struct DiscUses : scenes::UsesWith<scenes::SemiImplicit> {
     static constexpr unsigned char dimensions = 2;
-    static constexpr unsigned particles = most_discs, planes = 4, contacts = 2 * most_discs;
+    static constexpr unsigned particles = max_discs, planes = 4, contacts = 2 * max_discs;
     static constexpr bool radii = true, collisions = true;
     using BroadPhase = Search;
 };

@@ -60,9 +60,9 @@ constexpr Kind kinds[] = {
     // With more, every pair takes too long.
     {"brute_force", 4096, in_the_engine<engine::BruteForce>,
      pairs_in_the_engine<engine::BruteForce>},
-    {"sort_and_sweep", most_discs, in_the_engine<engine::CachedSortAndSweep>,
+    {"sort_and_sweep", max_discs, in_the_engine<engine::CachedSortAndSweep>,
      pairs_in_the_engine<engine::CachedSortAndSweep>},
-    {"box2d", most_discs, in_box2d, nullptr},
+    {"box2d", max_discs, in_box2d, nullptr},
 };
 
 }  // namespace

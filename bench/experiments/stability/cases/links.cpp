@@ -260,7 +260,7 @@ std::vector<Case> link_cases() {
              made.steps = 1000;
              return Experiment{made, ropes_hold(made, 0.1)};
          }},
-        {"rope_jerk", "links", "speed", "m/s", 0.5, 1e8, "constraint: length within 20 %",
+        {"rope_pulled_taut", "links", "speed", "m/s", 0.5, 1e8, "constraint: length within 20 %",
          [](double p) {
              Description made;
              made.bodies = {{.position = {0, -0.5}, .velocity = {0, -p}}};

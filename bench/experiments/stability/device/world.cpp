@@ -19,7 +19,7 @@ struct Scene : scenes::UsesWith<METHOD> {
     static constexpr unsigned contacts = CONTACTS + (METHOD::Solver::rows_per_rod > 1);
     static constexpr bool gravity = GRAVITY, damping = DAMPING, collisions = COLLISIONS,
                           radii = COLLISIONS || PLANES, custom_force = FORCES,
-                          compensated_integration = stability::HasExactSteps<METHOD>::value,
+                          compensated_integration = stability::IsCompensated<METHOD>::value,
                           continuous_contacts = stability::HasContinuousContacts<METHOD>::value;
 #if FORCES
     template <class World>

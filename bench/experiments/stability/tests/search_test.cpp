@@ -246,11 +246,11 @@ TEST_F(Search, ACauseIsNoLaterThanItsEffect) {
             };
         return experiment;
     };
-    const auto found = [&](unsigned when, bool clamps) {
+    const auto found = [&](unsigned when, bool saturates) {
         incident = [=](Outcome& outcome, unsigned step) {
             if (step != when) return;
-            if (clamps) {
-                outcome.record.clamp(Operation::add);
+            if (saturates) {
+                outcome.record.saturate(Operation::add);
             } else {
                 outcome.record.notify(Event::overflow, Operation::add);
             }
@@ -262,13 +262,13 @@ TEST_F(Search, ACauseIsNoLaterThanItsEffect) {
         broken.from = 1000, broken.to = 2000;
         return find_limit(broken, nothing, {2, 3});
     };
-    for (const bool clamps : {false, true}) {
-        const Verdict verdict = clamps ? Verdict::saturates : Verdict::overflows;
-        EXPECT_EQ(found(6, clamps).verdict, verdict);
-        EXPECT_EQ(found(7, clamps).verdict, verdict);
-        EXPECT_EQ(found(7, clamps).step, 7u);
-        EXPECT_EQ(found(6, clamps).step, 6u);
-        EXPECT_EQ(found(8, clamps).verdict, Verdict::diverges);
+    for (const bool saturates : {false, true}) {
+        const Verdict verdict = saturates ? Verdict::saturates : Verdict::overflows;
+        EXPECT_EQ(found(6, saturates).verdict, verdict);
+        EXPECT_EQ(found(7, saturates).verdict, verdict);
+        EXPECT_EQ(found(7, saturates).step, 7u);
+        EXPECT_EQ(found(6, saturates).step, 6u);
+        EXPECT_EQ(found(8, saturates).verdict, Verdict::diverges);
     }
 }
 

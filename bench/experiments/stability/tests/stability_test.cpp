@@ -49,8 +49,8 @@ TEST(Recording, SaturatingReturnsWhatSaturatingReturnsAndReportsWhatSaturated) {
     const Recorded recorded(recorder);
     const std::int16_t most[2] = {32767, 32767};
     EXPECT_EQ((R::dot2<std::int16_t, 8>(most, most)), 32767);
-    ASSERT_TRUE(recorder.first_clamp());
-    EXPECT_EQ(recorder.first_clamp()->operation, fixedpoint::Operation::multiply);
+    ASSERT_TRUE(recorder.first_saturation());
+    EXPECT_EQ(recorder.first_saturation()->operation, fixedpoint::Operation::multiply);
     EXPECT_FALSE(recorder.first_failure());
 }
 
