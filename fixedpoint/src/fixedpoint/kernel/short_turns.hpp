@@ -123,32 +123,53 @@ FIXEDPOINT_IN_PLACE bool direction_exceeds(uint32_t y, uint32_t x, const WideAng
     return (upper_word(at_angle - turned_y) >> 31) != 0;
 }
 
+}  // namespace kernel
+
+namespace portable {
+// Whether the magnitude of the angle of (x, y) reaches a tie, which is given in units of 2^-32,
+// modulo 1. Requires that the two differ by at most 2^-26.
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR __attribute__((noinline)) bool angle_reaches(Raw y, Raw x, uint32_t tie) {
+    using kernel::join_words;
+    // Modulo 1, in words.
+    constexpr uint32_t pi[3] = {0x13198a2e, 0x85a308d3, 0x243f6a88};
+    constexpr uint32_t half_pi[3] = {0x898cc517, 0x42d18469, 0x921fb544};
+    const uint32_t height = magnitude(y), width = magnitude(x);
+    const bool left = x < 0;
+    const bool steep = height > width;
+    const uint64_t coordinates = kernel::shorter_and_longer(height, width);
+    // tie, pi - tie, half_pi - tie or tie - half_pi: -half_pi is the complement of the upper words,
+    // as the lowest one is not 0.
+    const uint32_t upper =
+        steep ? (left ? tie + ~half_pi[2] : half_pi[2] - tie) : (left ? pi[2] - tie : tie);
+    const uint32_t middle = steep ? (left ? ~half_pi[1] : half_pi[1]) : (left ? pi[1] : 0);
+    const uint32_t lower = steep ? (left ? 0 - half_pi[0] : half_pi[0]) : (left ? pi[0] : 0);
+    const bool exceeded = kernel::direction_exceeds(kernel::upper_word(coordinates),
+                                                    static_cast<uint32_t>(coordinates),
+                                                    {join_words(upper, middle), lower});
+    // Measuring from the y axis or from the left swaps the sides.
+    return (exceeded != steep) != left;
+}
+}  // namespace portable
+
+namespace kernel {
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR bool angle_reaches(Raw y, Raw x, uint32_t tie) {
+    return portable::angle_reaches<Raw, F>(y, x, tie);
+}
+}  // namespace kernel
+}  // namespace fixedpoint
+
+FIXEDPOINT_SIDE_KERNELS(FIXEDPOINT_DISPATCH)
+
+namespace fixedpoint {
+namespace kernel {
+
 struct AngleSide {
     static FIXEDPOINT_CONSTEXPR bool reaches(int64_t tie, int32_t y, int32_t x) {
         const uint32_t low_word = static_cast<uint32_t>(tie);
         // The tie has the sign of y. Mirroring at the x axis swaps the sides.
-        return is_reached(y < 0 ? 0 - low_word : low_word, y, x) != (y < 0);
-    }
-    // Whether the magnitude of the angle reaches that of the tie, which is given modulo 1.
-    static FIXEDPOINT_IN_PLACE bool is_reached(uint32_t tie, int32_t y, int32_t x) {
-        // Modulo 1, in words.
-        constexpr uint32_t pi[3] = {0x13198a2e, 0x85a308d3, 0x243f6a88};
-        constexpr uint32_t half_pi[3] = {0x898cc517, 0x42d18469, 0x921fb544};
-        const uint32_t height = magnitude(y), width = magnitude(x);
-        const bool left = x < 0;
-        const bool steep = height > width;
-        const uint64_t coordinates = shorter_and_longer(height, width);
-        // tie, pi - tie, half_pi - tie or tie - half_pi: -half_pi is the complement of the upper
-        // words, as the lowest one is not 0.
-        const uint32_t upper =
-            steep ? (left ? tie + ~half_pi[2] : half_pi[2] - tie) : (left ? pi[2] - tie : tie);
-        const uint32_t middle = steep ? (left ? ~half_pi[1] : half_pi[1]) : (left ? pi[1] : 0);
-        const uint32_t lower = steep ? (left ? 0 - half_pi[0] : half_pi[0]) : (left ? pi[0] : 0);
-        const bool exceeded =
-            direction_exceeds(upper_word(coordinates), static_cast<uint32_t>(coordinates),
-                              {join_words(upper, middle), lower});
-        // Measuring from the y axis or from the left swaps the sides.
-        return (exceeded != steep) != left;
+        return angle_reaches<int32_t, 16>(y, x, y < 0 ? 0 - low_word : low_word) != (y < 0);
     }
 };
 struct ArcTangentSide {
