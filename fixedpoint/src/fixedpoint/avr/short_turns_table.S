@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // DO NOT EDIT: written by python3 fixedpoint/tables/short_turns.py
-// Angles in units of 2^-88, modulo 1, of 11 bytes each.
+// The arcs of tangents i / 16, i / 256, i / 4096, i / 65536, pi / 2 and pi modulo 1,
+// in units of 2^-88, of 11 bytes each.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
