@@ -4,6 +4,7 @@
 // and the error bound of the code that decides them is checked on both sides of the tie.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fixedpoint/arithmetic/correctly_rounded.hpp>
@@ -171,22 +172,23 @@ TEST(CorrectRoundingByShortCores, LeavesFewOperandsInDoubt) {
 
 constexpr Real two_to_64 = Real(18446744073709551616.0);
 
-fixedpoint::kernel::WideAngle wide_angle(Real angle) {
-    const Real scaled = angle * two_to_64;
+// In units of 2^-88.
+fixedpoint::portable::Word128 wide_angle(Real angle) {
+    const Real scaled = angle * Real(1 << 24);
     const auto upper = static_cast<uint64_t>(scaled);
-    return {upper, static_cast<uint32_t>((scaled - Real(upper)) * Real(uint64_t(1) << 32))};
+    return {upper, static_cast<uint64_t>((scaled - Real(upper)) * two_to_64)};
 }
 void expect_direction(uint32_t a, uint32_t b) {
-    const uint64_t scaled = fixedpoint::kernel::shorter_and_longer(a, b);
-    const auto y = static_cast<uint32_t>(scaled >> 32), x = static_cast<uint32_t>(scaled);
-    const Real angle = atan2f128(y, x), error = Real(1) / (Real(1 << 19) * two_to_64);
+    uint32_t y = std::min(a, b), x = std::max(a, b);
+    for (; x >> 31 == 0; x <<= 1) y <<= 1;
+    const Real angle = atan2f128(y, x), error = Real(1) / (Real(1 << 18) * two_to_64);
     if (angle < error) return;
-    ASSERT_TRUE(fixedpoint::kernel::direction_exceeds(y, x, wide_angle(angle - error)))
+    ASSERT_TRUE(fixedpoint::portable::direction_exceeds(y, x, wide_angle(angle - error)))
         << y << ", " << x;
-    ASSERT_FALSE(fixedpoint::kernel::direction_exceeds(y, x, wide_angle(angle + error)))
+    ASSERT_FALSE(fixedpoint::portable::direction_exceeds(y, x, wide_angle(angle + error)))
         << y << ", " << x;
 }
-TEST(SideOfATie, OfDirectionsErrsByLessThan2ToTheMinus83) {
+TEST(SideOfATie, OfDirectionsErrsByLessThan2ToTheMinus82) {
     std::mt19937 random(7);
     for (int i = 0; i < 10'000; ++i)
         expect_direction(1 + (random() >> (1 + random() % 31)), random() >> random() % 32);
@@ -195,6 +197,16 @@ TEST(SideOfATie, OfDirectionsErrsByLessThan2ToTheMinus83) {
     for (int i = 0; i <= 8 * 201; ++i) {
         const auto y = static_cast<uint32_t>(Real(x) * tanf128(Real(i) / 2048));
         for (uint32_t n = y - (i > 0 ? 2 : 0); n <= y + 2; ++n) expect_direction(n, x);
+    }
+}
+
+// The digits of the angle then turn the direction beyond 0.
+TEST(SideOfATie, OfDirectionsBelowAnAngleWithHardlyARest) {
+    const uint32_t x = uint32_t(1) << 31;
+    for (uint32_t i = 1; i <= 15; ++i) {
+        const fixedpoint::portable::Word128 angle = wide_angle(Real(i) / 65536 + 1 / two_to_64);
+        ASSERT_FALSE(fixedpoint::portable::direction_exceeds((i << 15) - 1, x, angle)) << i;
+        ASSERT_TRUE(fixedpoint::portable::direction_exceeds((i << 15) + 1, x, angle)) << i;
     }
 }
 

@@ -24,10 +24,13 @@ struct CorrectlyRounded : Nearest {
     }
     FIXEDPOINT_CORRECTLY_ROUNDED(sin, decided_sine)
     FIXEDPOINT_CORRECTLY_ROUNDED(cos, decided_sine)
-    FIXEDPOINT_CORRECTLY_ROUNDED(atan, decided_atan2)
     FIXEDPOINT_CORRECTLY_ROUNDED(exp, rounded_power)
     FIXEDPOINT_CORRECTLY_ROUNDED(log, decided_log)
 #undef FIXEDPOINT_CORRECTLY_ROUNDED
+    template <class Raw, int F>
+    static constexpr Raw atan(Raw a) {
+        return kernel::nearest_atan<Raw, F>(a);
+    }
     template <class Raw, int F>
     static constexpr Raw reciprocal_sqrt(Raw a) {
         return kernel::nearest_reciprocal_sqrt<Raw, F>(a);
@@ -59,8 +62,7 @@ struct CorrectlyRounded : Nearest {
     /// The angle of (x, y) in (-pi, pi], correctly rounded, saturated; 0 if both are 0.
     template <class Raw, int F>
     static constexpr Raw atan2(Raw y, Raw x) {
-        return kernel::is_kept(kernel::decided_atan2<Raw, F>) ? kernel::nearest_atan2<Raw, F>(y, x)
-                                                              : y;
+        return kernel::nearest_atan2<Raw, F>(y, x);
     }
     /// The sine and the cosine of an angle in radians, in that order, correctly rounded.
     template <class Raw, int F>

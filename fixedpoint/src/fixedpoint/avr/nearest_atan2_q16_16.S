@@ -6,11 +6,11 @@
 // In       y = r25:r22, x = r21:r18; a = r25:r22
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31, T; r1 is 0 again at return
-// Stack    15 bytes, of atan 11; in close cases 4 and those of the compiled code
+// Stack    15 bytes, of atan 11; 59 in close cases
 // Tables   3072 bytes, fixedpoint_atan_32_table; 512 bytes, fixedpoint_reciprocal_table
 //
-// As in atan2_32.S; a below 1 is the ratio. The operands are kept on the stack for the code that
-// decides close cases.
+// As in atan2_32.S; a below 1 is the ratio. The operands are kept on the stack for
+// angle_reaches_q16_16.S, which decides close cases.
 //
 // Error in units of 2^-31: the 32-bit core (cubic_core_32.inc), the ratio -1.0, pi 0.3.
 
@@ -20,9 +20,6 @@
 #include "cubic_32.inc"
 #include "cubic_core_32.inc"
 #include "ratio_32.inc"
-
-// The function of kernel/nearest.hpp that decides close cases, under its mangled name.
-#define DECIDED_ATAN2 _ZN10fixedpoint6kernel13decided_atan2IlLi16EEET_S2_S2_S2_
 
 // y is n0, later the shorter coordinate, x is d0, later the longer one.
 #define octant r30
@@ -125,28 +122,41 @@
     sbrc r20, ONE_OPERAND
     rjmp 1f
     pop_all r0, r0, r0, r0
-1:  brts 2f
+1:  brts .Lnegative
     ret
-2:  negate_bytes r22, 3
+.Lnegative:
+    negate_bytes r22, 3
     sbc r25, r25
     ret
 
 .Lalmost_a_tie:
     cpi r22, 2 * FIXEDPOINT_DOUBT
     brsh .Lcertain
+    // r26:r30 = the number below the tie
     movw r30, r24
+    sbiw r30, 1
+    sbc r26, r1
     pop_all r25, r24, r23, r22
     sbrs r20, ONE_OPERAND
     rjmp 1f
     ldi_bytes r18, 0x10000, 4
     rjmp 2f
 1:  pop_all r21, r20, r19, r18
-2:  push_all r14, r15, r16, r17
-    movw r14, r30
-    mov r16, r26
-    clr r17
-    XCALL DECIDED_ATAN2
-    pop_all r17, r16, r15, r14
+2:  push_all r14, r15, r16, r17, r30, r31, r26, r25
+    movw r16, r30
+    clr r14
+    ldi r31, 0x80
+    mov r15, r31
+    XCALL fixedpoint_angle_reaches_q16_16
+    pop r0
+    bst r0, 7
+    mov r0, r24
+    pop_all r24, r23, r22, r17, r16, r15, r14
+    ldi r25, 0
+    add r22, r0
+    adc r23, r1
+    adc r24, r1
+    brts .Lnegative
     ret
     ENDFUNC fixedpoint_atan2_q16_16_correctly_rounded
 #endif

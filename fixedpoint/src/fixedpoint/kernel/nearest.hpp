@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The functions of CorrectlyRounded that are computed with 32-bit cores: kernel::nearest_sin<Raw,
-// F> and so on. Those of Q16.16 have kernels, which call the code here if the core leaves the
-// rounding undecided.
+// F> and so on. Those of Q16.16 have kernels, which, except those of angles, call the code here if
+// the core leaves the rounding undecided.
 #pragma once
 
 #include <fixedpoint/kernel/power_side.hpp>
@@ -41,13 +41,6 @@ FIXEDPOINT_CONSTEXPR FIXEDPOINT_CALLED_BY_KERNEL Raw decided_log(Raw a, Raw abov
     const int64_t tie = static_cast<int64_t>(above) * 65536 - 32768;
     return NaturalLogarithmSide::reaches(tie, a) ? above : static_cast<Raw>(above - 1);
 }
-// `above` and `above` - 1 are the numbers adjacent to the magnitude of the angle.
-template <class Raw, int F>
-FIXEDPOINT_CONSTEXPR FIXEDPOINT_CALLED_BY_KERNEL Raw decided_atan2(Raw y, Raw x, Raw above) {
-    const uint32_t tie = (static_cast<uint32_t>(above) << 16) - (uint32_t(1) << 15);
-    const Raw nearest = AngleSide::is_reached(tie, y, x) ? above : static_cast<Raw>(above - 1);
-    return y < 0 ? static_cast<Raw>(-nearest) : nearest;
-}
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR FIXEDPOINT_CALLED_BY_KERNEL Raw decided_sine(Raw a, uint8_t turned) {
     return static_cast<Raw>(nearest_sine(a, turned));
@@ -82,3 +75,4 @@ FIXEDPOINT_NEAREST(BINARY, atan2)
 }  // namespace fixedpoint
 
 FIXEDPOINT_ROUNDED_KERNELS(FIXEDPOINT_DISPATCH)
+FIXEDPOINT_ROUNDED_ANGLE_KERNELS(FIXEDPOINT_DISPATCH)

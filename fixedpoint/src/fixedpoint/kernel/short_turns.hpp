@@ -1,154 +1,118 @@
 // SPDX-License-Identifier: MIT
-// Compares angles with directions to 83 bits. No direction of Q16.16 is closer to a tie than
+// Compares angles with directions to 82 bits. No direction of Q16.16 is closer to a tie than
 // 2^-79.6, unless it is one. Rotations whose tangents are short fractions reduce an angle to nearly
 // 0, and they map vectors of integers to vectors of integers: nothing is rounded before the last
 // rotation, by less than 2^-10.
 #pragma once
 
 #include <fixedpoint/kernel/dispatch.hpp>
-#include <fixedpoint/kernel/words.hpp>
-#include <fixedpoint/portable/correct_rounding_table.hpp>
+#include <fixedpoint/portable/short_turns_table.hpp>
+#include <fixedpoint/portable/word128.hpp>
+
+namespace fixedpoint {
+namespace portable {
+
+// An angle of ShortTurnsTable.
+FIXEDPOINT_CONSTEXPR Word128 short_turn(uint8_t entry) {
+    using Table = ShortTurnsTable<>;
+    return (Word128(read_program_memory(Table::upper[entry])) << 24) +
+           Word128(read_program_memory(Table::lower[entry]));
+}
+// floor(a b / 2^40).
+FIXEDPOINT_CONSTEXPR uint64_t fraction_product(uint64_t a, uint64_t b) {
+    return static_cast<uint64_t>((Word128(a) * b) >> 40);
+}
+
+// A vector in units of 2^-80.
+struct Direction {
+    Word128 along;
+    Word128 across;
+};
+// Turned by the angle whose tangent is digit / 2^bits, and scaled. `across` may be negative if the
+// digit is 0.
+FIXEDPOINT_CONSTEXPR Direction turned_back(const Direction& v, uint8_t digit, int bits) {
+    return {v.along + ((v.across * digit) >> bits), v.across - ((v.along * digit) >> bits)};
+}
+
+// Whether the direction of (x, y) is above an angle in units of 2^-88, with an error below 2^-82.
+// Requires x >= 2^31, y <= x, an angle in [0, pi/4 + 2^-14], and that the two differ by at most
+// 2^-26. The direction is compared exactly with one that depends only on the angle.
+FIXEDPOINT_CONSTEXPR bool direction_exceeds(uint32_t y, uint32_t x, const Word128& angle) {
+    Word128 rest = angle;
+    // Half of the coordinates, as a coordinate reaches the sum of the two.
+    Direction v = {Word128(x) << 47, Word128(y) << 47};
+    uint8_t entry = 0;
+    for (uint8_t stage = 0; stage < 4; ++stage) {
+        using Table = ShortTurnsTable<>;
+        const uint8_t upper = static_cast<uint8_t>(rest.high >> 16);
+        const uint8_t lower = static_cast<uint8_t>(rest.high >> 8);
+        uint8_t digit = stage == 1 ? upper : lower;
+        if (stage == 0) {
+            // tan t >= t + t^3 / 3
+            const uint8_t square = static_cast<uint8_t>(static_cast<uint16_t>(upper) * upper >> 8);
+            const uint8_t cube = static_cast<uint8_t>(static_cast<uint16_t>(square) * upper >> 8);
+            digit = static_cast<uint8_t>(upper + (static_cast<uint16_t>(cube) * 85 >> 8)) & 0xf0;
+        } else if (stage == 2) {
+            digit = upper != 0 ? 0xf0 : digit & 0xf0;
+        }
+        v = turned_back(v, digit, stage < 2 ? 8 : 16);
+        const uint8_t step = static_cast<uint8_t>((stage & 1) == 0 ? digit >> 4 : digit);
+        rest = rest - short_turn(static_cast<uint8_t>(entry + step));
+        entry = static_cast<uint8_t>(entry + read_program_memory(Table::entries[stage]));
+    }
+    // The tangent is t + t^3 / 3: the upper 40 bits of t in units of 2^-56.
+    const uint64_t t = static_cast<uint64_t>(rest >> 32);
+    const uint64_t cube = fraction_product(fraction_product(t, t), t);
+    const Word128 tangent = rest + Word128(fraction_product(cube, 0x5555555555u));
+    // v.across >= v.along tangent / 2^88, to 2^-136; v.across is below 2^65, or negative.
+    const Word128 at_angle = v.along * static_cast<uint64_t>(tangent >> 32) +
+                             ((v.along * static_cast<uint32_t>(tangent.low)) >> 32);
+    return v.across.high >> 63 == 0 && (v.across << 56) >= at_angle;
+}
+
+// Whether the magnitude of the angle of (x, y) reaches a tie, which is given in units of 2^-32,
+// modulo 1. Requires that the two differ by at most 2^-26.
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR __attribute__((noinline)) bool angle_reaches(Raw y, Raw x, uint32_t tie) {
+    using Table = ShortTurnsTable<>;
+    const uint32_t height = magnitude(y), width = magnitude(x);
+    const bool left = x < 0;
+    const bool steep = height > width;
+    uint32_t shorter = steep ? width : height, longer = steep ? height : width;
+    while (static_cast<int32_t>(longer) >= 0) {
+        longer <<= 1;
+        shorter <<= 1;
+    }
+    // tie, pi - tie, pi/2 - tie or tie - pi/2, modulo 1.
+    constexpr uint8_t pi = sizeof(Table::upper) / sizeof(Table::upper[0]) - 1, half_pi = pi - 1;
+    const Word128 constant = short_turn(steep ? half_pi : left ? pi : 0);
+    const Word128 whole = Word128(tie) << 56;
+    const Word128 angle = steep != left ? constant - whole : whole - constant;
+    const bool exceeded =
+        direction_exceeds(shorter, longer, Word128(angle.high & 0xffffff, angle.low));
+    // Measuring from the y axis or from the left swaps the sides.
+    return (exceeded != steep) != left;
+}
+}  // namespace portable
+
+namespace kernel {
+template <class Raw, int F>
+FIXEDPOINT_CONSTEXPR bool angle_reaches(Raw y, Raw x, uint32_t tie) {
+    return portable::angle_reaches<Raw, F>(y, x, tie);
+}
+}  // namespace kernel
+}  // namespace fixedpoint
+
+FIXEDPOINT_SIDE_KERNELS(FIXEDPOINT_DISPATCH)
 
 namespace fixedpoint {
 namespace kernel {
-
-// In units of 2^-64 and 2^-96.
-struct WideAngle {
-    uint64_t upper;
-    uint32_t lower;
-};
-
-// An angle is atan(coarse / 32) + atan(fine / 2048) + rest; `tangent` is that of the rest.
-struct ShortTurns {
-    uint8_t coarse;
-    uint8_t fine;
-    WideAngle tangent;
-};
-
-// floor(a b / 2^64).
-FIXEDPOINT_CONSTEXPR __attribute__((noinline)) uint64_t exact_upper_product(uint64_t a,
-                                                                            uint64_t b) {
-    const uint32_t a1 = upper_word(a), a0 = static_cast<uint32_t>(a);
-    const uint32_t b1 = upper_word(b), b0 = static_cast<uint32_t>(b);
-    const uint64_t one = multiply_words(a1, b0) + upper_product<uint32_t, 0>(a0, b0);
-    const uint64_t other = multiply_words(a0, b1) + static_cast<uint32_t>(one);
-    return multiply_words(a1, b1) + upper_word(one) + upper_word(other);
-}
-
-FIXEDPOINT_IN_PLACE void reduce(WideAngle* angle, const uint64_t* upper, const uint32_t* lower) {
-    const uint32_t part = read_program_memory(lower[0]);
-    angle->upper -= read_program_memory(upper[0]);
-    if (angle->lower < part) --angle->upper;
-    angle->lower -= part;
-}
-
-// Requires an angle in [0, pi/4 + 2^-14]. The tangent is within 2^-83, and below 2^-10.9.
-FIXEDPOINT_IN_PLACE ShortTurns short_turns(WideAngle angle) {
-    using Table = portable::CorrectRoundingTable<>;
-    // tan x >= x + x^3 (1/3 + 2/15 x^2): for every x the rest is in 0..68.5 2^-11.
-    const uint8_t x = static_cast<uint8_t>(upper_word(angle.upper) >> 24);
-    const uint8_t x2 = static_cast<uint8_t>(static_cast<uint16_t>(x) * x >> 8);
-    const uint8_t x3 = static_cast<uint8_t>(x * x2 >> 8);
-    const uint8_t coarse = static_cast<uint8_t>(
-        static_cast<uint8_t>(x + (x3 * static_cast<uint8_t>(85 + (x2 * 34 >> 8)) >> 8)) >> 3);
-    reduce(&angle, &Table::coarse[coarse], &Table::coarse_below[coarse]);
-    const uint8_t fine = static_cast<uint8_t>(upper_half(upper_word(angle.upper)) >> 5);
-    reduce(&angle, &Table::fine[fine], &Table::fine_below[fine]);
-    // t + t^3 (1/3 + t^2 (2/15 + 17/315 t^2)): t in units of 2^-72, its square in units of 2^-80
-    // and its cube in units of 2^-88.
-    const uint32_t rest1 = upper_word(angle.upper), rest0 = static_cast<uint32_t>(angle.upper);
-    const uint64_t t =
-        join_words(word_from_byte_3(rest1, rest0), word_from_byte_3(rest0, angle.lower));
-    const uint64_t square = exact_upper_product(t, t);
-    const uint32_t square1 = upper_word(square);
-    const uint64_t bend = multiply_words(
-        square1, 0x22222222 + (static_cast<uint16_t>(upper_half(square1) * 14) >> 8));
-    const uint32_t bend1 = upper_word(bend);
-    const uint64_t factor =
-        0x5555555555555555u +
-        join_words(upper_half(bend1), bend1 << 16 | upper_half(static_cast<uint32_t>(bend)));
-    const uint64_t rise = exact_upper_product(exact_upper_product(t, square), factor);
-    const uint32_t rise0 = static_cast<uint32_t>(rise);
-    const uint32_t lower = angle.lower + (rise0 << 8);
-    angle.upper += word_from_byte_3(upper_word(rise), rise0);
-    if (lower < angle.lower) ++angle.upper;
-    angle.lower = lower;
-    return {coarse, fine, angle};
-}
-
-// The smaller operand in the upper word and the larger one in the lower word, both scaled until the
-// larger one has 32 bits. They must not both be 0.
-FIXEDPOINT_CONSTEXPR __attribute__((noinline)) uint64_t shorter_and_longer(uint32_t a, uint32_t b) {
-    if (a > b) {
-        const uint32_t longer = a;
-        a = b;
-        b = longer;
-    }
-    while (static_cast<uint8_t>(b >> 24) == 0) {
-        b <<= 8;
-        a <<= 8;
-    }
-    while (static_cast<int32_t>(b) >= 0) {
-        b <<= 1;
-        a <<= 1;
-    }
-    return join_words(a, b);
-}
-
-// Whether the direction of (x, y) is above `angle`, with an error below 2^-83. Requires x >= 2^31,
-// y <= x, an angle that short_turns accepts, and that the two differ by at most 2^-26. The
-// direction is compared exactly with one that depends only on the angle: the results are right for
-// all directions if they are right for the two next to the angle, of all that there are.
-FIXEDPOINT_IN_PLACE bool direction_exceeds(uint32_t y, uint32_t x, const WideAngle& angle) {
-    // The direction of the angle without its rest, in units of 2^-28: (1 - c f / 2^16, c / 32 + f /
-    // 2048).
-    const ShortTurns turns = short_turns(angle);
-    const uint32_t along =
-        (uint32_t(1) << 28) -
-        (static_cast<uint32_t>(static_cast<uint16_t>(turns.coarse * turns.fine << 4)) << 8);
-    const uint32_t across =
-        static_cast<uint32_t>(static_cast<uint16_t>((turns.coarse << 7) + (turns.fine << 1))) << 16;
-    const uint64_t turned_x = multiply_words(x, along) + multiply_words(y, across);
-    const uint64_t turned_y = multiply_words(y, along) - multiply_words(x, across);
-    // floor(turned_x tangent / 2^96). As turned_x is below 2^61 and the tangent below 2^85.1, no
-    // sum exceeds 64 bits.
-    const uint32_t slope = upper_word(turns.tangent.upper);
-    const uint64_t at_angle =
-        multiply_words(upper_word(turned_x), slope) +
-        upper_word(
-            multiply_words(static_cast<uint32_t>(turned_x), slope) +
-            exact_upper_product(turned_x, join_words(static_cast<uint32_t>(turns.tangent.upper),
-                                                     turns.tangent.lower)));
-    // turned_y > at_angle.
-    return (upper_word(at_angle - turned_y) >> 31) != 0;
-}
 
 struct AngleSide {
     static FIXEDPOINT_CONSTEXPR bool reaches(int64_t tie, int32_t y, int32_t x) {
         const uint32_t low_word = static_cast<uint32_t>(tie);
         // The tie has the sign of y. Mirroring at the x axis swaps the sides.
-        return is_reached(y < 0 ? 0 - low_word : low_word, y, x) != (y < 0);
-    }
-    // Whether the magnitude of the angle reaches that of the tie, which is given modulo 1.
-    static FIXEDPOINT_IN_PLACE bool is_reached(uint32_t tie, int32_t y, int32_t x) {
-        // Modulo 1, in words.
-        constexpr uint32_t pi[3] = {0x13198a2e, 0x85a308d3, 0x243f6a88};
-        constexpr uint32_t half_pi[3] = {0x898cc517, 0x42d18469, 0x921fb544};
-        const uint32_t height = magnitude(y), width = magnitude(x);
-        const bool left = x < 0;
-        const bool steep = height > width;
-        const uint64_t coordinates = shorter_and_longer(height, width);
-        // tie, pi - tie, half_pi - tie or tie - half_pi: -half_pi is the complement of the upper
-        // words, as the lowest one is not 0.
-        const uint32_t upper =
-            steep ? (left ? tie + ~half_pi[2] : half_pi[2] - tie) : (left ? pi[2] - tie : tie);
-        const uint32_t middle = steep ? (left ? ~half_pi[1] : half_pi[1]) : (left ? pi[1] : 0);
-        const uint32_t lower = steep ? (left ? 0 - half_pi[0] : half_pi[0]) : (left ? pi[0] : 0);
-        const bool exceeded =
-            direction_exceeds(upper_word(coordinates), static_cast<uint32_t>(coordinates),
-                              {join_words(upper, middle), lower});
-        // Measuring from the y axis or from the left swaps the sides.
-        return (exceeded != steep) != left;
+        return angle_reaches<int32_t, 16>(y, x, y < 0 ? 0 - low_word : low_word) != (y < 0);
     }
 };
 struct ArcTangentSide {

@@ -81,6 +81,10 @@
 #define FIXEDPOINT_RESULT_POWER(Raw) ::fixedpoint::Unsigned<Raw>
 #define FIXEDPOINT_PARAMETERS_POWER(Raw) (::fixedpoint::Unsigned<Raw> a, uint16_t n, int8_t exponent, bool reciprocal)
 #define FIXEDPOINT_ARGUMENTS_POWER (a, n, exponent, reciprocal)
+// On which side of a tie an angle lies.
+#define FIXEDPOINT_RESULT_SIDE(Raw) bool
+#define FIXEDPOINT_PARAMETERS_SIDE(Raw) (Raw y, Raw x, uint32_t tie)
+#define FIXEDPOINT_ARGUMENTS_SIDE (y, x, tie)
 
 // ROW(KERNEL, shape, operation, integer bits, fraction bits) for every split, that is division into
 // integer and fraction bits, of 16 bits except Q8.8 and of 32 bits except Q16.16, which have
@@ -326,8 +330,12 @@
 #define FIXEDPOINT_ROUNDED_KERNELS(KERNEL) \
     KERNEL(UNARY, nearest_sin, int32_t, 16, fixedpoint_sin_q16_16_correctly_rounded, nearest_sin) \
     KERNEL(UNARY, nearest_cos, int32_t, 16, fixedpoint_cos_q16_16_correctly_rounded, nearest_cos) \
-    KERNEL(UNARY, nearest_atan, int32_t, 16, fixedpoint_atan_q16_16_correctly_rounded, nearest_atan) \
     KERNEL(UNARY, nearest_exp, int32_t, 16, fixedpoint_exp_q16_16_correctly_rounded, nearest_exp) \
-    KERNEL(UNARY, nearest_log, int32_t, 16, fixedpoint_log_q16_16_correctly_rounded, nearest_log) \
+    KERNEL(UNARY, nearest_log, int32_t, 16, fixedpoint_log_q16_16_correctly_rounded, nearest_log)
+// Those of angles call the kernel that compares an angle with a tie.
+#define FIXEDPOINT_ROUNDED_ANGLE_KERNELS(KERNEL) \
+    KERNEL(UNARY, nearest_atan, int32_t, 16, fixedpoint_atan_q16_16_correctly_rounded, nearest_atan) \
     KERNEL(BINARY, nearest_atan2, int32_t, 16, fixedpoint_atan2_q16_16_correctly_rounded, nearest_atan2)
+#define FIXEDPOINT_SIDE_KERNELS(KERNEL) \
+    KERNEL(SIDE, angle_reaches, int32_t, 16, fixedpoint_angle_reaches_q16_16, angle_reaches)
 // clang-format on
