@@ -290,7 +290,7 @@ def turning(data):
         rows = sorted((row for row in measured(data, scene) if row["scalar"] == "q16_16"
                        and row["arithmetic"] == "nearest" and row["integrator"] == "velocity_verlet"),
                       key=lambda row: row["dt"])
-        if rows and size(rows[0]) > min(map(size, rows)):
+        if size(rows[0]) > min(map(size, rows)):
             worse.append(title(scene))
     return (f"In {len(worse)} of {len(judged(data))} scenes the shortest step that was run on the chip is "
             "not the best one for Q16.16 with velocity Verlet: the arithmetic's error, which grows with "

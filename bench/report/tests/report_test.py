@@ -458,12 +458,12 @@ lever broad_phase=BruteForce yes 5438
 lever broad_phase=SortAndSweep yes 5562
 """
         made = golden(growth=GROWTH, features=phases)
-        for row in made.rows("features"):
-            row["feature"] = row["feature"].replace("broad_", "broad ")
         self.assertEqual(growth.finding(made), "In this box sort and sweep is cheaper from 4 particles upwards "
                          "on the chip. A step costs a + b N + c times the pairs tested: on the chip within 3.8% (every pair) "
-                         "and 1.6% (sort and sweep). In the lever's scene, where few particles meet, sort and sweep takes 5562 "
+                         "and 1.6% (sort and sweep). With the two particles of the lever's scene, sort and sweep takes 5562 "
                          "cycles a step and every pair 5438.")
+        with self.assertRaisesRegex(DataError, "no row with scene = lever, feature = broad_phase=SortAndSweep"):
+            growth.finding(golden(growth=GROWTH, features=phases.replace("SortAndSweep", "SweepAndSort")))
 
     def test_the_plane_is_held_against_box2d(self):
         self.assertEqual(growth.beside_box2d(golden(growth_host=PLANE).rows("growth_host")),
@@ -678,6 +678,17 @@ lever_flash float 3348 -O2
                          [("Q16.16", "features", 2335, 6690), ("Q16.16", "scenes", 2681, 6798),
                           ("float", "scenes", 7657, 3212), ("Q16.16", "workload", 2676, 6850),
                           ("float", "workload", 7760, 3348)])
+
+    def test_a_step_of_the_lever_without_a_row_is_not_passed_over(self):
+        feature = "scene feature with cycles_per_step_mean flash_bytes\nlever arithmetic=Nearest yes 2335 6690"
+        scene = "scene scalar arithmetic integrator dt cycles_per_step_mean flash_bytes\n"
+        step = "lever {} semi_implicit_euler 0.00390625 2681 6798\n"
+        with self.assertRaisesRegex(DataError, "scenes.csv: there is no row with scene = lever, scalar = float"):
+            scenes_workload.lever_steps(golden(features=feature, scenes=scene + step.format("q16_16 nearest")))
+        both = scene + step.format("q16_16 nearest") + step.format("float avr-libc")
+        with self.assertRaisesRegex(DataError, "workload.csv: there is no row with arithmetic = q16_16, quantity = lever_step"):
+            scenes_workload.lever_steps(golden(features=feature, scenes=both, workload="quantity arithmetic measured reason\n"
+                                                                                        "lever_flash q16_16 6850 -O2"))
 
     def test_rounds(self):
         axes = scenes_workload.draw_rounds(golden(workload_rounds="""
@@ -1113,6 +1124,20 @@ lever by_hand yes 1500 2000
                          "cycles a step, -10 bytes of flash). Written by hand, with bit-identical results, the lever's "
                          "step takes 1500 cycles and 2000 bytes. The engine, which also runs other scenes, takes 1.40 times the "
                          "cycles and 1.95 times the flash.")
+
+    def test_a_feature_without_a_row_is_not_passed_over(self):
+        rows = """
+scene feature with cycles_per_step_mean flash_bytes
+lever gravity no 100 1000
+lever gravity yes 110 990
+lever drag no 100 1000
+lever drag yes 400 1500
+lever arithmetic=Nearest yes 2100 3900
+"""
+        with self.assertRaisesRegex(DataError, "features.csv: there is no row with scene = lever, feature = by_hand"):
+            features.finding(golden(features=rows))
+        with self.assertRaisesRegex(DataError, "no row with .*feature = arithmetic=Nearest, with = yes"):
+            scenes_workload.lever_steps(golden(features=rows.replace("Nearest yes", "Nearest no")))
 
     def test_fast_or_small(self):
         made = golden(features="""
