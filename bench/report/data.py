@@ -114,6 +114,14 @@ class Data:
         return [row for row in self._loaded[name]
                 if all(row[key] == value for key, value in wanted.items())]
 
+    def some(self, name, **wanted):
+        """Those rows, which must exist: where a look-up finds nothing, a finding would be missing without a word."""
+        found = self.rows(name, **wanted)
+        if not found:
+            what = ", ".join(f"{key} = {value}" for key, value in wanted.items())
+            raise DataError(f"{name}.csv: there is no row with {what}")
+        return found
+
     def json(self, name):
         path = self._path(name, ".json")
         try:

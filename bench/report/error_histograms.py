@@ -14,13 +14,11 @@ def draw(data):
     figure, grid = plt.subplots(1, len(PANELS), figsize=(11, 2.8), sharex=True)
     for axes, (operation, number_format) in zip(grid, PANELS):
         for implementation in ("published", "default"):
-            rows = data.rows("error_histograms", operation=operation, format=number_format,
+            rows = data.some("error_histograms", operation=operation, format=number_format,
                              implementation=implementation)
             inside = [row for row in rows
                       if row["low_ulp"] != float("-inf") and row["high_ulp"] != float("inf")]
             total = sum(row["count"] for row in rows)
-            if not total:
-                continue
             # A bin that contains nothing has no row.
             edges = sorted({row[edge] for row in inside for edge in ("low_ulp", "high_ulp")})
             share = {row["low_ulp"]: row["count"] / total for row in inside}

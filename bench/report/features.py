@@ -16,15 +16,13 @@ def finding(data):
     by_cycles = sorted(cost, key=cost.get)
     text = (f"Of {len(cost)} features the most expensive are {told(by_cycles[-1])} and {told(by_cycles[-2])}; "
             f"the cheapest is {told(by_cycles[0])}.")
-    return f"{text} {by_hand(rows)}".rstrip()
+    return f"{text} {by_hand(data)}"
 
 
-def by_hand(rows):
+def by_hand(data):
     """What the engine's generality costs the lever."""
-    hand = next((row for row in rows if row["feature"] == "by_hand"), None)
-    if hand is None:
-        return ""
-    engine, = (row for row in rows if (row["feature"], row["with"]) == ("arithmetic=Nearest", "yes"))
+    hand, = data.some("features", scene="lever", feature="by_hand")
+    engine, = data.some("features", scene="lever", feature="arithmetic=Nearest", **{"with": "yes"})
     cycles, flash = ((engine[name], hand[name]) for name in ("cycles_per_step_mean", "flash_bytes"))
     return (f"Written by hand, with bit-identical results, the lever's step takes {cycles[1]:.0f} cycles and "
             f"{flash[1]} bytes. The engine, which also runs other scenes, takes {cycles[0] / cycles[1]:.2f} times the cycles and "

@@ -86,10 +86,8 @@ def finding(data):
                  "(`CachedSortAndSweep`)")
     text += "."
     if data.has("features"):
-        cost = {row["feature"]: row["cycles_per_step_mean"] for row in data.rows("features", scene="lever")
-                if row["feature"].startswith("broad phase=") and row["with"] == "yes"}
-        brute, sweep = (cost.get(f"broad phase={name}") for name in ("BruteForce", "SortAndSweep"))
-        if brute and sweep:
-            text += (f" In the lever's scene, where few particles meet, sort and sweep takes {sweep:.0f} cycles a step "
-                     f"and every pair {brute:.0f}.")
+        brute, sweep = (row["cycles_per_step_mean"] for search in ("BruteForce", "SortAndSweep") for row in
+                        data.some("features", scene="lever", feature=f"broad_phase={search}", **{"with": "yes"}))
+        text += (f" With the two particles of the lever's scene, sort and sweep takes {sweep:.0f} cycles a step and every pair "
+                 f"{brute:.0f}.")
     return text

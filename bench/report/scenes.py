@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Error against run time of each scene: one point per scalar, method and time step; the Pareto front."""
+import math
+import statistics
+
 import matplotlib.pyplot as plt
 from matplotlib.lines import Line2D
 
@@ -12,6 +15,8 @@ SCALARS = {
     ("q16_16", "nearest"): ("q16_16", "default"),
     ("q16_16", "saturating"): ("q16_16", "saturating"),
     ("q32_32", "nearest"): ("q32_32", "default"),
+    ("q8_8", "compensated"): ("q8_8", "compensated"),
+    ("q16_16", "compensated"): ("q16_16", "compensated"),
     ("float", "avr-libc"): ("float", "libc"),
     ("q16_16", "published"): ("q16_16", "published"),
 }
@@ -48,12 +53,12 @@ def scalar(row):
 
 def size(row):
     """The error that runs are ranked by: the larger of the method's and the arithmetic's. Their sum can be smaller than
-    either if the two happen to cancel, which would not happen from another start."""
+    either if the two happen to cancel."""
     return max(row["error_method"], row["error_arithmetic"])
 
 
 def ours(row):
-    return row["arithmetic"] in ("nearest", "saturating")
+    return row["arithmetic"] in ("nearest", "saturating", "compensated")
 
 
 def method(row):
@@ -132,6 +137,43 @@ def reason(row, rival, match):
         return cause + "; none of ours reaches float's error"
     return (f"{cause}; ours reaches float's error as {scalar(match)}, {method(match)}, at "
             f"{match['cycles_per_simulated_second'] / 1e6:.3g} million cycles")
+
+
+def total_leads(data):
+    """For each scene in which float leads by the total error: the row of float that leads most, the best of ours at no
+    higher cost, and the medians of both over the initial states, ours being the best of any run at no higher cost."""
+    def run(row):
+        return row["scene"], row["scalar"], row["arithmetic"].replace("ieee", "avr-libc"), row["integrator"], row["dt"]
+    medians = {run(row): row["error_median"] for row in data.rows("initial_states") if row["held"] == row["states"]}
+
+    def median(row):
+        return medians.get(run(row), math.inf)
+
+    found = []
+    for scene in judged(data):
+        rows = measured(data, scene)
+        leads = []
+        for row in rows:
+            rivals = [rival for rival in rows if ours(rival)
+                      and rival["cycles_per_simulated_second"] <= row["cycles_per_simulated_second"]]
+            if row["scalar"] == "float" and rivals:
+                best = min(rivals, key=lambda rival: rival["error"])
+                if row["error"] < (1 - SAME) * best["error"]:
+                    leads.append({"row": row, "rival": best, "median": median(row), "rival_median": min(map(median, rivals))})
+        if leads:
+            found.append(min(leads, key=lambda lead: lead["row"]["error"] / lead["rival"]["error"]))
+    return found
+
+
+def total_finding(data):
+    """Where float would lead by the total error, and that it does not from other starts, in a sentence."""
+    leads = total_leads(data)
+    if not leads:
+        return "By their sum float would lead in no scene either."
+    told = [f"{title(lead['row']['scene'])} ({method(lead['row'])}, {step(lead['row'])}: {lead['row']['error']:.1e} m, ours "
+            f"{lead['rival']['error']:.1e} m; over the initial states below its median is {lead['median']:.1e} m, that of ours at no "
+            f"higher cost {lead['rival_median']:.1e} m)" for lead in leads]
+    return f"By their sum float would lead from the scene's own start in {' and '.join(told)}."
 
 
 def spread_finding(data):
@@ -283,6 +325,25 @@ def splits_finding(data):
                      f"front in {len(on_front)} of {len(judged(data))} scenes.")
 
 
+def compensated_finding(data):
+    """What compensated integration costs, gains, and on how many fronts it is, in a sentence; empty if none was run."""
+    rows = [row for row in measured(data) if row["arithmetic"] == "compensated"]
+    if not rows:
+        return ""
+
+    def told(name):
+        mine = [row for row in rows if row["scalar"] == name]
+        pairs = [(row, twin) for row in mine for twin in data.some("scenes", **{
+            key: row[key] for key in ("scene", "scalar", "integrator", "dt")}, arithmetic="nearest")]
+        cycles = [row["cycles_per_step_mean"] / twin["cycles_per_step_mean"] for row, twin in pairs]
+        errors = statistics.median(twin["error_arithmetic"] / row["error_arithmetic"] for row, twin in pairs)
+        on_front = {row["scene"] for row in mine if row in front(measured(data, row["scene"]))}
+        return (f"in {style.format_label(name)} it takes {min(cycles):.2f} to {max(cycles):.2f} times the cycles, the arithmetic's "
+                f"error is {errors:.2g} times smaller (median), and it is on {len(on_front)} fronts")
+    names = dict.fromkeys(row["scalar"] for row in rows)
+    return f"With compensated integration: {'; '.join(map(told, names))}."
+
+
 def turning(data):
     """In how many scenes a shorter step makes Q16.16's velocity Verlet worse, in a sentence."""
     worse = []
@@ -290,7 +351,7 @@ def turning(data):
         rows = sorted((row for row in measured(data, scene) if row["scalar"] == "q16_16"
                        and row["arithmetic"] == "nearest" and row["integrator"] == "velocity_verlet"),
                       key=lambda row: row["dt"])
-        if rows and size(rows[0]) > min(map(size, rows)):
+        if size(rows[0]) > min(map(size, rows)):
             worse.append(title(scene))
     return (f"In {len(worse)} of {len(judged(data))} scenes the shortest step that was run on the chip is "
             "not the best one for Q16.16 with velocity Verlet: the arithmetic's error, which grows with "

@@ -58,19 +58,19 @@ def lever_steps(data):
     """A step of the lever in Q16.16 and float in each program that contains it: number format, source of the figure,
     what distinguishes the program, mean cycles, flash."""
     table = []
-    for row in data.rows("features", scene="lever", feature="arithmetic=Nearest", **{"with": "yes"}):
+    for row in data.some("features", scene="lever", feature="arithmetic=Nearest", **{"with": "yes"}):
         table.append(("Q16.16", "features", "-O2; a particle on an anchored rod, pushed in each step",
                       row["cycles_per_step_mean"], row["flash_bytes"]))
-    for row in data.rows("scenes", scene="lever", integrator="semi_implicit_euler", dt=1 / 256):
-        if (row["scalar"], row["arithmetic"]) in (("q16_16", "nearest"), ("float", "avr-libc")):
+    for scalar, arithmetic in (("q16_16", "nearest"), ("float", "avr-libc")):
+        for row in data.some("scenes", scene="lever", scalar=scalar, arithmetic=arithmetic, integrator="semi_implicit_euler",
+                             dt=1 / 256):
             table.append((style.format_label(row["scalar"]), "scenes",
                           "-O2; steps of 1/256 s, positions sent as they are reached",
                           row["cycles_per_step_mean"], row["flash_bytes"]))
     for number_format in ("q16_16", "float"):
-        rows = data.rows("workload", arithmetic=number_format)
-        flash = {row["reason"]: row["measured"] for row in rows if row["quantity"] == "lever_flash"}
+        flash = {row["reason"]: row["measured"] for row in data.rows("workload", arithmetic=number_format, quantity="lever_flash")}
         table += [(style.format_label(number_format), "workload",
                    f"{row['reason']}; parts of the step are separate functions, so that they can be traced",
                    row["measured"], flash[row["reason"]])
-                  for row in rows if row["quantity"] == "lever_step"]
+                  for row in data.some("workload", arithmetic=number_format, quantity="lever_step")]
     return table

@@ -76,7 +76,9 @@ def marker(number_format, implementation="default"):
 
 
 def face(number_format, implementation="default"):
-    """The marker's inside: empty for a variant of a format that is not its default."""
+    """The marker's inside: pale with compensated integration, empty for another variant of a format that is not its default."""
+    if implementation == "compensated":
+        return PALE
     plain = implementation in ("default", "libc", "accum", "native", "published")
     return colour(number_format, implementation) if plain else "white"
 

@@ -180,6 +180,36 @@ TEST(Contact, RopeIsNeverLongerThanAStepMakesIt) {
     EXPECT_LT((largest_misfit<RopeSwing, Number, Verlet>(2, true)), 0.011);
 }
 
+// A rope that were slack in every other step would let its end fall in these, and swing too slowly.
+template <class Number, class Method, int K>
+void expect_a_taut_rope_to_act_in_every_step(double tolerance) {
+    unsigned first = 0, step = 0, idle = 0;
+    const auto made = runs::run<RopeSwing, Method, Number, K>([&](const auto& world) {
+        ++step;
+        const bool acts = world.rows().size() == 1;
+        if (acts && first == 0) first = step;
+        if (!acts && first != 0) ++idle;
+    });
+    EXPECT_LE(idle, (step - first) / 40) << "of " << step - first;
+    const auto truth = reference::trajectory("rope_swing", runs::observed_times<RopeSwing>());
+    double largest = 0;
+    for (std::size_t i = 0; i < made.size(); ++i)
+        largest = std::max(largest, apart(made[i][0], truth->at(i)[0]));
+    EXPECT_LT(largest, tolerance);
+}
+TEST(Contact, ATautRopeActsInEveryStep) {
+    expect_a_taut_rope_to_act_in_every_step<double, Verlet, 6>(0.04);
+    expect_a_taut_rope_to_act_in_every_step<double, Verlet, 8>(0.015);
+    expect_a_taut_rope_to_act_in_every_step<double, Verlet, 10>(0.001);
+    expect_a_taut_rope_to_act_in_every_step<double, SemiImplicit, 8>(0.012);
+    expect_a_taut_rope_to_act_in_every_step<float, Verlet, 10>(0.001);
+    expect_a_taut_rope_to_act_in_every_step<Number, Verlet, 6>(0.04);
+    expect_a_taut_rope_to_act_in_every_step<Number, Verlet, 8>(0.015);
+    expect_a_taut_rope_to_act_in_every_step<Number, Verlet, 10>(0.002);
+    expect_a_taut_rope_to_act_in_every_step<Fixed<8, 24>, Verlet, 8>(0.015);
+    expect_a_taut_rope_to_act_in_every_step<Fixed<32, 32>, Verlet, 10>(0.001);
+}
+
 TEST(Contact, RodsKeepTheirLength) {
     EXPECT_LT((largest_misfit<Pendulum, double, SemiImplicit>(1, false)), 1e-4);
     EXPECT_LT((largest_misfit<Pendulum, Number, SemiImplicit>(1, false)), 1e-4);

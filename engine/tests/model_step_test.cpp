@@ -227,9 +227,10 @@ struct Model {
         }
         for (const Link& r : ropes) {
             const V d = particles[r.a].x - position_of(r.b, r.anchor);
-            if (less(norm(d), r.length)) continue;
             const V n = d * (-1 / norm(d)), w = velocity_between(r.a, r.b);
-            const double excess = norm(d) - r.length;
+            const double slack = r.length - norm(d), apart = -dot(w, n) * h;
+            if (less(1e-5, slack) && !less(slack, apart / 16)) continue;
+            const double excess = std::max(0.0, -slack);
             add_row({r.a, r.b, n, true, h * dot(w, w) / (2 * r.length), r.restitution, excess},
                     excess);
         }

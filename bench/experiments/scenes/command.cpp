@@ -22,7 +22,8 @@ const fixbench::Registration scenes({
         "File: scenes.csv.\n\n"
         "`error` is the distance from the truth, `error_method` that of the same method in 50\n"
         "digits, `error_arithmetic` the distance from that method. Each is the largest over all\n"
-        "particles and quarters of a second, in metres. Rows without cycles ran on the host,\n"
+        "particles and quarters of a second, in metres. The arithmetic `compensated` is the\n"
+        "default one with compensated integration. Rows without cycles ran on the host,\n"
         "whose results equal the chip's bit for bit. A failed run is a row with its reason.\n\n"
         "Example: fixbench scenes --scene pendulum --scalar q16_16,float",
     .prints = {"scenes.csv"},

@@ -62,8 +62,10 @@ bool contains(const std::vector<int>& exponents, int exponent) {
     return std::find(exponents.begin(), exponents.end(), exponent) != exponents.end();
 }
 
-// Arithmetics at the end of the names of fixed-point scalars: q16_16_published.
-constexpr std::array<std::string_view, 2> named_arithmetics = {"published", "saturating"};
+// Arithmetics at the end of the names of fixed-point scalars: q16_16_published. `compensated` is
+// the default one with compensated integration.
+constexpr std::array<std::string_view, 3> named_arithmetics = {"published", "saturating",
+                                                               "compensated"};
 
 std::string arithmetic_of(std::string_view scalar) {
     if (scalar == "float") return "avr-libc";

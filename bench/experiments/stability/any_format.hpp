@@ -256,6 +256,14 @@ struct NearOne<stability::AnyFormat> {
     }
 };
 
+template <>
+struct RestingGap<stability::AnyFormat> {
+    static stability::AnyFormat value() {
+        return stability::AnyFormat::from_raw(
+            stability::AnyFormat::split().fraction_bits >= 12 ? 8 : 1);
+    }
+};
+
 inline stability::AnyFormat times(stability::AnyFormat a,
                                   const Inverse<stability::AnyFormat>& inverse) {
     signed char i = inverse.halvings;

@@ -227,6 +227,34 @@ class Claims(unittest.TestCase):
             self.assertEqual("pays for" in why, not by_arithmetic, scene)
             self.assertLess(float(error), float(ours))
 
+    def test_the_share_by_mass_costs_what_the_engine_says(self):
+        quotient, = rows("operations", operation="divide", format="q16_16", implementation="small", operands="physics")
+        step, = rows("features", scene="chain", feature="solver=ProjectedGaussSeidel<10>")
+        cycles = float(quotient["cycles_mean"])
+        readme = " ".join((RESULTS.parent / "engine/README.md").read_text(encoding="utf-8").split())
+        self.assertIn(f"{cycles:.0f} cycles in Q16.16 (results/data/operations.csv), "
+                      f"{100 * cycles / float(step['cycles_per_step_mean']):.0f}% of a step of two rods (features.csv)", readme)
+
+    def test_the_broad_phases_of_the_levers_scene_are_told(self):
+        cost = {row["feature"]: float(row["cycles_per_step_mean"]) for row in rows("features", scene="lever")
+                if row["feature"].startswith("broad_phase=")}
+        self.says("engine.md", f"sort and sweep takes {cost['broad_phase=SortAndSweep']:.0f} cycles a step and every pair "
+                               f"{cost['broad_phase=BruteForce']:.0f}")
+
+    def test_compensated_integration_is_on_the_fronts_that_the_page_counts(self):
+        front = {}
+        for row in rows("scenes", verdict="held"):
+            if row["error"] and row["cycles_per_simulated_second"]:
+                front.setdefault(row["scene"], []).append(
+                    (float(row["cycles_per_simulated_second"]), max(float(row["error_method"]), float(row["error_arithmetic"])),
+                     row["scalar"], row["arithmetic"]))
+        for scalar, name in (("q8_8", "Q8.8"), ("q16_16", "Q16.16")):
+            on = sum(any((of, arithmetic) == (scalar, "compensated") and not any(
+                paid <= cost and reached <= error and (paid, reached) != (cost, error) for paid, reached, *_ in runs)
+                for cost, error, of, arithmetic in runs) for runs in front.values())
+            told = re.search(rf"in {re.escape(name)} it takes .*?it is on (\d+) fronts", self.words["engine.md"])
+            self.assertEqual(int(told.group(1)), on, name)
+
     def test_sort_and_sweep_is_cheaper_from_there_on(self):
         cost = {(row["broad_phase"], int(row["particles"])): float(row["cost_per_step"]) for row in rows("growth")}
         first = int(re.search(r"sort and sweep is cheaper from (\d+) particles upwards on the chip", self.words["engine.md"]).group(1))

@@ -243,6 +243,17 @@ ENGINE_INLINE typename OnlyIf<RoundsOnce<A>::value, bool>::Type measure(
     return measure_scaled(first, second, length, inverse, e, little, direction, excess);
 }
 
+// The overlap of a contact or the slack of a rope, in m, that counts as rest: more than rounding
+// moves a particle.
+template <class Scalar>
+struct RestingGap {
+    static constexpr Scalar value() { return Decimal<1, 5>(); }
+};
+template <int I, int F, class A>
+struct RestingGap<Fixed<I, F, A>> {
+    static constexpr Fixed<I, F, A> value() { return Fixed<I, F, A>::from_raw(F >= 12 ? 8 : 1); }
+};
+
 /// \endcond
 
 }  // namespace engine

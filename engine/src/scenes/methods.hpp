@@ -35,10 +35,18 @@ struct Direct {
     using Solver = engine::DirectRods;
 };
 
+// The same method with compensated integration.
+template <class Method>
+struct Compensated : Method {};
+
 template <class Method>
 struct UsesWith : engine::Uses {
     using Integrator = typename Method::Integrator;
     using Solver = typename Method::Solver;
+};
+template <class Method>
+struct UsesWith<Compensated<Method>> : UsesWith<Method> {
+    static constexpr bool compensated_integration = true;
 };
 
 // Builds the scene with its default parameters. (A default argument would do the same, but avr-gcc

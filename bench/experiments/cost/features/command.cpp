@@ -106,15 +106,16 @@ const fixbench::Registration registration({
     .description =
         "What each feature of the engine costs: flash and RAM above those of an empty program,\n"
         "and cycles a step, in Q16.16 at -O2; for the lever's scene and for a scene with\n"
-        "everything, with and without the feature; and for the lever written by hand, without\n"
-        "the engine. Fails if a program contains code or a table that it does not use.\n"
+        "everything, with and without the feature; for a chain of two rods with each solver; and\n"
+        "for the lever written by hand, without the engine. Fails if a program contains code or a "
+        "table that it does not use.\n"
         "File: features.csv.\n\n"
         "Example: fixbench features --scene lever",
     .prints = {"features.csv"},
     .add =
         [](CLI::App& command) {
             const auto scenes = std::make_shared<std::vector<std::string>>();
-            fixbench::add_selection(command, "--scene", *scenes, "only lever or everything");
+            fixbench::add_selection(command, "--scene", *scenes, "only lever, everything or chain");
             return [scenes](const fixbench::Call& call) { return run(*scenes, call.output); };
         },
     .steps = {{.name = "features",

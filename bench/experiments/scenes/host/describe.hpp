@@ -10,6 +10,7 @@
 #include <fixedpoint/conversion.hpp>
 #include <scenes/all.hpp>
 #include <string>
+#include <type_traits>
 
 #include "bench/experiments/scenes/host/ranged.hpp"
 #include "bench/experiments/scenes/host/time_step.hpp"
@@ -124,13 +125,29 @@ void add_runs(std::vector<HostSubject>& subjects) {
     add("fifty_digits", run_on_host<SceneType, reference::FiftyDigits, Method>);
 }
 
-// The best split runs with one method, the one with the smallest error, and reports overflow.
+template <class SceneType>
+std::string split_name() {
+    constexpr int I = integer_bits<SceneType>;
+    return "q" + std::to_string(I) + "_" + std::to_string(32 - I);
+}
+
+// The best split runs with one method and reports overflow.
 template <class SceneType, class Method>
 void add_split(Scene& scene) {
     constexpr int I = integer_bits<SceneType>;
     using Split = fixedpoint::Fixed<I, 32 - I, fixedpoint::Checked<Overflow>>;
-    scene.split = "q" + std::to_string(I) + "_" + std::to_string(32 - I);
+    scene.split = split_name<SceneType>();
     scene.subjects.push_back({scene.split, Method::name, run_on_host<SceneType, Split, Method>});
+}
+
+// Two formats also run with compensated integration, with the same method as the best split.
+template <class SceneType, class Method>
+void add_compensated(std::vector<HostSubject>& subjects) {
+    using Compensated = scenes::Compensated<Method>;
+    subjects.push_back(
+        {"q8_8_compensated", Method::name, run_on_host<SceneType, scalars::q8_8, Compensated>});
+    subjects.push_back(
+        {"q16_16_compensated", Method::name, run_on_host<SceneType, scalars::q16_16, Compensated>});
 }
 
 // Whether the method for stiff springs differs from SemiImplicit.
@@ -146,6 +163,10 @@ constexpr bool is_of_rods() {
     using Uses = typename SceneType::template Uses<scenes::SemiImplicit>;
     return Uses::rods > 0 && !engine::may_bounce<Uses>();
 }
+
+// The method with the smallest error: that of the best split and of compensated integration.
+template <class SceneType>
+using BestMethod = std::conditional_t<is_of_rods<SceneType>(), scenes::Direct, scenes::Verlet>;
 
 template <class SceneType>
 Scene describe() {
@@ -168,12 +189,10 @@ Scene describe() {
     add_runs<SceneType, scenes::SemiImplicit>(scene.subjects);
     add_runs<SceneType, scenes::Verlet>(scene.subjects);
     if constexpr (has_springs<SceneType>()) add_runs<SceneType, scenes::Implicit>(scene.subjects);
-    if constexpr (is_of_rods<SceneType>()) {
-        add_runs<SceneType, scenes::Direct>(scene.subjects);
-        add_split<SceneType, scenes::Direct>(scene);
-    } else {
-        add_split<SceneType, scenes::Verlet>(scene);
-    }
+    if constexpr (is_of_rods<SceneType>()) add_runs<SceneType, scenes::Direct>(scene.subjects);
+    using Best = BestMethod<SceneType>;
+    add_split<SceneType, Best>(scene);
+    add_compensated<SceneType, Best>(scene.subjects);
     return scene;
 }
 

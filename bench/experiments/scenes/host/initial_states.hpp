@@ -182,6 +182,17 @@ SceneStates states_of() {
     add_all(scenes::Verlet());
     if constexpr (has_springs<SceneType>()) add_all(scenes::Implicit());
     if constexpr (is_of_rods<SceneType>()) add_all(scenes::Direct());
+    // As on the chip: the best split and compensated integration run with one method.
+    using Best = BestMethod<SceneType>;
+    using Compensated = scenes::Compensated<Best>;
+    constexpr int I = integer_bits<SceneType>;
+    const auto add = [&](std::string scalar, const char* arithmetic, auto error) {
+        of.subjects.push_back({std::move(scalar), arithmetic, Best::name, error});
+    };
+    add(split_name<SceneType>(), "nearest",
+        error_from<SceneType, fixedpoint::Fixed<I, 32 - I>, Best>);
+    add("q8_8", "compensated", error_from<SceneType, scalars::q8_8, Compensated>);
+    add("q16_16", "compensated", error_from<SceneType, scalars::q16_16, Compensated>);
     return of;
 }
 

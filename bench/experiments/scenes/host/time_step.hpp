@@ -44,6 +44,13 @@ fixedpoint::Fixed<I, F, A> operator*(fixedpoint::Fixed<I, F, A> a, PowerOfTwoSte
         static_cast<Raw>((static_cast<std::int64_t>(doubled >> 1)) + (doubled & 1)));
 }
 
+// With compensated integration, as for BinaryStep.
+template <int I, int F, class A>
+fixedpoint::Fixed<I, F, A> carried_product(fixedpoint::Fixed<I, F, A> a, PowerOfTwoStep dt,
+                                           fixedpoint::Fixed<I, F, A>& residual) {
+    return engine::carried_shift(a, static_cast<unsigned char>(dt.exponent), residual);
+}
+
 template <int I, int F, class A>
 fixedpoint::Fixed<I, F, A> PowerOfTwoStep::seconds(const fixedpoint::Fixed<I, F, A>*) const {
     return fixedpoint::Fixed<I, F, A>::from_raw(typename fixedpoint::Fixed<I, F, A>::Raw(1) << F) *

@@ -103,6 +103,32 @@ TEST(FreeFall, ByHandOnTheChip) {
     }
 }
 
+// With compensated integration the sum of all products with the step is rounded down once, whatever
+// their number: velocity Verlet adds half a step's gravity twice a step, and moves in between.
+TEST(FreeFall, CompensatedByHand) {
+    const HostSubject* const subject =
+        scene_named("free_fall").find("q16_16_compensated", "velocity_verlet");
+    ASSERT_NE(subject, nullptr);
+    for (const int exponent : {6, 8, 10}) {
+        const scene_bench::Run run = subject->run(exponent, Hashes::no);
+        ASSERT_EQ(run.trajectory.size(), 9u);
+        std::int64_t velocities = 0;  // their sum
+        for (std::int64_t step = 1; step <= 2 << exponent; ++step) {
+            velocities += (4 << 16) + ((-642908 * (2 * step - 1)) >> (exponent + 1));
+            if (step % ((1 << exponent) / 4) != 0) continue;
+            const ParticleState& point =
+                run.trajectory[static_cast<std::size_t>(step / ((1 << exponent) / 4))].at(0);
+            EXPECT_EQ(point.position[1],
+                      std::ldexp(static_cast<double>((20 << 16) + (velocities >> exponent)), -16));
+            EXPECT_EQ(
+                point.velocity[1],
+                std::ldexp(static_cast<double>((4 << 16) + ((-642908 * step) >> exponent)), -16));
+        }
+        // 4 - 2 g / 2 + 20 m, of which the conversion of g takes at most 2^-16.
+        EXPECT_NEAR(run.trajectory[8].at(0).position[1], 20 + 2 * 4 - 9.81 * 2, 0x1p-15);
+    }
+}
+
 Scene overfull_scene() {
     Scene scene = scene_named("free_fall");
     scene.name = scenes::Overfull::name;

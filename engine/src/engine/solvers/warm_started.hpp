@@ -15,21 +15,10 @@
 /// and two indices of RAM.
 #pragma once
 
+#include <engine/distance.hpp>
 #include <engine/solvers/projected_gauss_seidel.hpp>
 
 namespace engine {
-
-/// \cond internal
-// The overlap that is left, in m: more than rounding moves a particle at rest.
-template <class Scalar>
-struct RestingOverlap {
-    static constexpr Scalar value() { return Decimal<1, 5>(); }
-};
-template <int I, int F, class A>
-struct RestingOverlap<Fixed<I, F, A>> {
-    static constexpr Fixed<I, F, A> value() { return Fixed<I, F, A>::from_raw(F >= 12 ? 8 : 1); }
-};
-/// \endcond
 
 /// The solver of tall stacks and heavy chains: at most max_iterations iterations in a step, which
 /// start where the previous step ended.
@@ -47,7 +36,7 @@ struct WarmStartedGaussSeidel : ProjectedGaussSeidel<max_iterations> {
     template <class World, class Index, class Vector, class Scalar, class TimeStep>
     static void contact(World& world, Index a, Index b, const Vector& normal, Scalar penetration,
                         Scalar restitution, TimeStep dt) {
-        const Scalar stays = RestingOverlap<Scalar>::value();
+        const Scalar stays = RestingGap<Scalar>::value();
         Cold::contact(world, a, b, normal, penetration > stays ? penetration - stays : Scalar(),
                       restitution, dt);
     }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A scene whose features come from the command line: -DGRAVITY=1 -DSPRINGS=0 ... -DDIMENSIONS=2
-// -DINTEGRATOR=SemiImplicitEuler -DSOLVER=ProjectedGaussSeidel<10> -DCONTACTS=DiscreteContacts
-// -DBROAD_PHASE=BruteForce -DARITHMETIC=Nearest. Every feature that is in acts in every step. The
-// first particle is the lever's end; features that need two particles have another next to it.
+// -DINTEGRATOR=SemiImplicitEuler -DINTEGRATION=RoundedIntegration -DSOLVER=ProjectedGaussSeidel<10>
+// -DCONTACTS=DiscreteContacts -DBROAD_PHASE=BruteForce -DARITHMETIC=Nearest. Every feature that is
+// in acts in every step. The first particle is the lever's end; features that need two particles
+// have another next to it.
 #include <engine.h>
 
 #include <fixedpoint/arithmetic/small.hpp>
@@ -12,6 +13,7 @@ using namespace engine::literals;
 using Q16_16 = fixedpoint::Fixed<16, 16, fixedpoint::ARITHMETIC>;
 
 constexpr bool DiscreteContacts = false, ContinuousContacts = true;
+constexpr bool RoundedIntegration = false, CompensatedIntegration = true;
 constexpr bool two = SPRINGS || RODS || ROPES || COLLISIONS;
 
 template <class World>
@@ -29,7 +31,7 @@ struct Scene : Uses {
                               contacts = 2 * PLANES + COLLISIONS;
     static constexpr bool gravity = GRAVITY, damping = DAMPING, collisions = COLLISIONS,
                           radii = COLLISIONS || PLANES, custom_force = CUSTOM_FORCE,
-                          continuous_contacts = CONTACTS;
+                          continuous_contacts = CONTACTS, compensated_integration = INTEGRATION;
 #if CUSTOM_FORCE
     template <class World>
     using CustomForce = Push<World>;

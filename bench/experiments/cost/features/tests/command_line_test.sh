@@ -20,6 +20,13 @@ awk -F, 'NR > 1 && $2 !~ /=/ { flash[$1 "," $2 "," $3] = $4 }
             if (!(flash[with] > flash[key])) { print key, "takes no flash"; exit 1 }
         }
     }' "$folder/features.csv"
+# Every method that the engine's README lists has a row.
+readme=$(dirname "$0")/../../../../../engine/README.md
+methods=$(sed -n '/^## Which method/,/^There is/s/^| \([^|]*\) |.*/\1/p' "$readme" | grep -o '[A-Z][A-Za-z]*')
+[ "$(wc -w <<<"$methods")" -ge 14 ] || fail "the README lists too few methods: $methods"
+for method in $methods CompensatedIntegration ContinuousContacts; do
+    grep -q "=${method}[<,]" "$folder/features.csv" || fail "no row of $method"
+done
 # One line and no file where there is no such folder.
 status=0
 "$fixbench" features --output "$folder/features.csv/none" >/dev/null 2>"$folder/err" || status=$?

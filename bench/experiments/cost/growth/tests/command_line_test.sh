@@ -24,6 +24,9 @@ awk -F, 'NR > 1 {
 awk -F, 'NR > 1 && ($2 == "box2d" ? $6 $11 != "" : !($6 > 0 && $11 > 0 &&
         ($2 != "brute_force" || $6 == $3 * ($3 - 1) / 2))) { exit 1 }' \
     "$folder/growth_host.csv" || fail "growth_host.csv has not what was counted"
+# What the help says of the exit status.
+"$fixbench" growth --help | tr '\n' ' ' | grep -q 'with 1 where a cost on the chip .*; with --host that is reported only' ||
+    fail "the help does not say where a miss is reported only"
 status=0
 "$fixbench" growth --host --most 16385 >/dev/null 2>"$folder/err" || status=$?
 [ "$status" -ne 0 ] || fail "accepted 16385 particles"
