@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Whether the exact result of a function, rounded to nearest, is in range. The functions themselves
 // saturate, so the result alone does not show whether it fits: the largest number is a result like
-// any other. Each answer is a comparison with the operand at which the result crosses the limit, half an ulp beyond
-// the last number. Results of functions not named here are always in range.
+// any other. Each answer is a comparison with the operand at which the result crosses the limit,
+// half an ulp beyond the last number. Results of functions not named here are always in range.
 #pragma once
 
 #include <fixedpoint/portable/double_word.hpp>
