@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where a test finds its programs for the chip: in the build folder, PROGRAM_FOLDER, or in the one
-// that the environment variable DEVICE_PROGRAMS names, where scripts/mutation_test.py builds faults.
+// that the environment variable DEVICE_PROGRAMS names, where scripts/mutation_test.py builds
+// faults.
 #pragma once
 
 #include <cstdlib>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Judges the machine code of a device program. Runs a function of up to 32 operand bits on every
-// input, and searches the others for the largest error and the most cycles. A bound is `exact` if every input was run, for the bytes that are flashed.
+// input, and searches the others for the largest error and the most cycles. A bound is `exact` if
+// every input was run, for the bytes that are flashed.
 #pragma once
 
 #include <cstdint>
@@ -32,9 +33,9 @@ struct Options {
 // Writes exhaustive.csv, keeping the rows of other functions, or, for one shard of many,
 // exhaustive.<symbol>.<i>-of-<n>.json for each function. Returns how many results contradict their
 // definition or differ from the portable code's; the first of each function is reported on stderr.
-// During the run, exhaustive.<symbol>.<i>-of-<n>.checkpoint.json contain the parts that are done: after an
-// interruption the same call continues from there and writes the same bytes as a run without one.
-// Throws std::invalid_argument for a symbol that cannot be judged, TranslationError or
+// During the run, exhaustive.<symbol>.<i>-of-<n>.checkpoint.json contain the parts that are done:
+// after an interruption the same call continues from there and writes the same bytes as a run
+// without one. Throws std::invalid_argument for a symbol that cannot be judged, TranslationError or
 // Misbehaviour.
 std::uint64_t run_exhaustive(const Options& options);
 
