@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The haptic lever as it is flashed. -DSCALAR=float -DRATE=9 builds the same lever in
-// float, at half the rate; -DPUBLISHED is the 2016 device: its arithmetic, scene, method, clock, screen
-// and damping.
+// float, at half the rate; -DPUBLISHED is the 2016 device: its arithmetic, scene, method, clock,
+// screen and damping.
 #include <firmware/hardware/atmega328p.hpp>
 #include <firmware/lever_program.hpp>
 #include <fixedpoint/arithmetic/published.hpp>

@@ -236,14 +236,6 @@ struct NormalTolerance<stability::AnyFormat> {
     }
 };
 
-template <>
-struct RestingOverlap<stability::AnyFormat> {
-    static stability::AnyFormat value() {
-        return stability::AnyFormat::from_raw(
-            stability::AnyFormat::split().fraction_bits >= 12 ? 8 : 1);
-    }
-};
-
 // How Fixed measures rods, ropes and, in Q16.16, overlapping spheres: engine/distance.hpp and
 // overlap.hpp, with a split known at run time.
 
