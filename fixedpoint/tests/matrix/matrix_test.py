@@ -147,11 +147,12 @@ def kernels(name, standard, chip, *options):
 
 def everything(name, standard, chip):
     """Every kernel of the formats used is called through the public functions too, without a
-    warning from their headers, except the steps of a solver, which the engine calls."""
+    warning from their headers, except the steps of a solver, which the engine calls, and what decides ties, which
+    a kernel calls."""
     called = undefined([compiled(EVERYTHING["fixedpoint"], name, standard, chip)])
     expected = set() if chip in PLAIN else {
         symbol for symbol in SYMBOLS if re.search(rf"_({KERNEL_FORMATS})(_|$)", symbol)
-        and not re.search(r"_(multiply_short|(square|project|dot_difference|add_scaled|exchange)[23]|transform|matrix_product(_2)?"
+        and not re.search(r"_(angle_reaches|multiply_short|(square|project|dot_difference|add_scaled|exchange)[23]|transform|matrix_product(_2)?"
                           r"|(twice_)?cross|cofactors|(quaternion|complex)_\w+)_", symbol)}
     if not expected <= called or (not expected and called):
         raise Failure(f"kernels not called: {sorted(expected - called)}; "

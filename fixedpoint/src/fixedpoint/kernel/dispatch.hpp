@@ -233,7 +233,8 @@ constexpr Raw from_q8_8(int16_t a) {
 
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw atan2(Raw y, Raw x) {
-    return through_q8_8<Raw, F>() ? from_q8_8<Raw, F>(atan2<int16_t, 8>(y, x))
+    return through_q8_8<Raw, F>() ? from_q8_8<Raw, F>(atan2<int16_t, 8>(static_cast<int16_t>(y),
+                                                                        static_cast<int16_t>(x)))
            : through_q16_16<Raw, F>() && !is_q8_8<Raw, F>()
                ? from_q16_16<Raw, F>(atan2<int32_t, 16>(to_q16_16<Raw, F>(y), to_q16_16<Raw, F>(x)))
            : through_q32_32<Raw, F>() ? from_q32_32<Raw, F>(atan2<int64_t, 32>(y, x))
