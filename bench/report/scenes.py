@@ -333,10 +333,10 @@ def compensated_finding(data):
 
     def told(name):
         mine = [row for row in rows if row["scalar"] == name]
-        pairs = [(row, twin) for row in mine for twin in data.some("scenes", **{
+        pairs = [(row, plain) for row in mine for plain in data.some("scenes", **{
             key: row[key] for key in ("scene", "scalar", "integrator", "dt")}, arithmetic="nearest")]
-        cycles = [row["cycles_per_step_mean"] / twin["cycles_per_step_mean"] for row, twin in pairs]
-        errors = statistics.median(twin["error_arithmetic"] / row["error_arithmetic"] for row, twin in pairs)
+        cycles = [row["cycles_per_step_mean"] / plain["cycles_per_step_mean"] for row, plain in pairs]
+        errors = statistics.median(plain["error_arithmetic"] / row["error_arithmetic"] for row, plain in pairs)
         on_front = {row["scene"] for row in mine if row in front(measured(data, row["scene"]))}
         return (f"in {style.format_label(name)} it takes {min(cycles):.2f} to {max(cycles):.2f} times the cycles, the arithmetic's "
                 f"error is {errors:.2g} times smaller (median), and it is on {len(on_front)} fronts")

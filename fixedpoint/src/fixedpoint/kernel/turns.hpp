@@ -66,6 +66,7 @@ struct ShortSineOfPhase32 {
         return from_q16_16<Raw, F>(sine_of_turns<int32_t, 16>(static_cast<int32_t>(phase)));
     }
 };
+// By itself, since the chip's compiler does not inline a conversion that changes nothing.
 template <>
 struct ShortSineOfPhase32<int32_t, 16> {
     using Phase = uint32_t;
