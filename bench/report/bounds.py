@@ -2,11 +2,9 @@
 """The largest cycles and the largest error of an operation in any run, whether sampled, searched or over
 all inputs, and what kind of maximum each is."""
 import csv
-import functools
 import io
-import pathlib
-import re
 
+import catalogue
 from data import DataError
 
 OURS = "default"
@@ -51,16 +49,6 @@ CALLS = {("sincos", "q16_16", implementation): (("sin", "cos"), "bench/prove_sin
          for implementation in ("small", "correctly_rounded")}
 # Runs over all inputs are judged in double, to this fraction of an ulp (reference/bulk.hpp).
 JUDGED_TO = 2**-14
-BENCH = pathlib.Path(__file__).resolve().parents[1]
-
-
-@functools.cache
-def implementations():
-    """Provenance, label, and whether its results are the default's, of each implementation."""
-    rows = re.findall(r'^ *X\((\w+), \w+, (\w+), (\w+), [^"]*"(.*)"\)$',
-                      (BENCH / "lab/catalogue/subjects.h").read_text(encoding="utf-8"), re.MULTILINE)
-    return {name: {"provenance": provenance, "label": label, "as_default": host == "as_default"}
-            for name, provenance, host, label in rows}
 
 
 def largest(named, runs, column, slack):
@@ -91,7 +79,7 @@ def known(data, operation, number_format, implementation=OURS):
             raise DataError(f"exhaustive.csv and operations.csv measure different machine code of "
                             f"{named}: `fixbench exhaustive --symbol {named}` runs it again")
     # The portable code gives the same bits; some implementations have no results of their own.
-    as_default = implementations().get(implementation, {}).get("as_default")
+    as_default = catalogue.IMPLEMENTATIONS.get(implementation, {}).get("as_default")
     judged = data.rows("accuracy", **what | ({"implementation": OURS} if as_default else {})) if data.has("accuracy") else []
     runs = [(file, row) for file, rows in (("operations", sampled), ("exhaustive", whole), ("accuracy", judged))
             for row in rows]

@@ -2,15 +2,14 @@
 """From the two numbers that a user knows, the largest value and the smallest step, to a type of the
 library, its limits and its cost."""
 import math
+import re
 
 import bounds
+import catalogue
 import operations
 from data import DataError
 
 WIDTHS = (8, 16, 32, 64)
-# The formats in which all operations are measured, by their names in the library.
-MEASURED = {"q4_4": "`Q4_4`", "q8_8": "`Q8_8`", "q16_16": "`Q16_16`", "q8_24": "`Fixed<8, 24>`",
-            "q32_32": "`Q32_32`", "float": "float"}
 
 
 def integer_bits(largest):
@@ -48,7 +47,7 @@ class Format:
     def measured(self):
         """Its name among the measured formats, or None."""
         name = f"q{self.integer}_{self.fraction}"
-        return name if name in MEASURED else None
+        return name if name in catalogue.FORMATS else None
 
     @property
     def square_overflows_from(self):
@@ -62,6 +61,10 @@ class Format:
     def stands_still_below(self, rate):
         """The speed, in units per second, whose step at that rate is half an ulp."""
         return rate * 2.0**-(self.fraction + 1)
+
+
+# The formats in which all operations are measured, by their names in the library.
+MEASURED = {name: f"`{Format(*map(int, re.findall('[0-9]+', name))).name}`" for name in catalogue.FORMATS} | {"float": "float"}
 
 
 def choose(largest, step):

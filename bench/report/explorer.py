@@ -12,6 +12,7 @@ import sys
 import tempfile
 
 import bounds
+import catalogue
 import rivals
 import scenes
 import style
@@ -34,8 +35,6 @@ LISTED = ("kernels", "table_3_2", "workload", "workload_firmware", "features", "
 # A marker of matplotlib as the library's symbol and as a letter.
 SYMBOLS = {"o": ("circle", "●"), "s": ("square", "■"), "^": ("triangle", "▲"), "D": ("diamond2", "◆"),
            "*": ("star", "★"), "P": ("cross", "✚"), "X": ("saltire", "✖"), "1": ("wye", "⅄")}
-# The implementation of an arithmetic of scenes and cases, if its name differs.
-IMPLEMENTATION = {"nearest": "default", "avr-libc": "libc", "ieee": "libc"}
 
 # How a case ends: its letter, the level of its shade (the louder the end, the darker), and its meaning.
 VERDICTS = {
@@ -48,7 +47,8 @@ VERDICTS = {
     "diverges": ("X", 7, "growth without bound"),
 }
 
-# The largest magnitude of a result whose operands have magnitudes in [least, greatest].
+# The largest magnitude of a result whose operands have magnitudes in [least, greatest], of the operations whose errors
+# are compared across formats. Of all others nothing is known: tan, for one, is unbounded next to a pole.
 LARGEST = {
     "add": lambda least, greatest: 2 * greatest,
     "subtract": lambda least, greatest: 2 * greatest,
@@ -64,8 +64,6 @@ LARGEST = {
     "sincos": lambda least, greatest: 1,
     "exp": lambda least, greatest: math.exp(greatest),
     "log": lambda least, greatest: max(abs(math.log(least)), abs(math.log(greatest))),
-    # Unbounded next to a pole.
-    "tan": lambda least, greatest: math.inf,
     "asin": lambda least, greatest: math.pi / 2,
     "acos": lambda least, greatest: math.pi,
     "exp2": lambda least, greatest: 2 ** greatest,
@@ -161,11 +159,10 @@ def number_format(name, data):
 def compared(formats, names):
     """For each operation the formats that hold every operand and every result of the class physics: these share their
     domain, and their errors can be compared. The plain integers round their operands."""
-    require_known("operations", "operation", names, LARGEST)
     held = {}
     for name in names:
         least, greatest = physics_operands(name)
-        largest = max(greatest, LARGEST[name](least, greatest))
+        largest = max(greatest, LARGEST[name](least, greatest)) if name in LARGEST else math.inf
         held[name] = [each for each, facts in formats.items()
                       if facts["fraction"] != 0 and facts["maximum"] > largest]
     return held
@@ -213,7 +210,7 @@ def gather(data):
     names += [name for name in LISTED if data.has(name)]
     measured = data.rows("operations")
     context = data.json("operations")["context"]
-    known = dict(bounds.implementations())
+    known = dict(catalogue.IMPLEMENTATIONS)
     require_known("operations", "implementation", (row["implementation"] for row in measured), known)
     kinds = {(name, "default"): None for name in style.FORMATS}
     kinds |= {(row["format"], row["implementation"]): None for row in measured}
@@ -246,7 +243,7 @@ def gather(data):
         "formats": formats,
         "implementations": known,
         "subjects": {"/".join(kind): subject(*kind) for kind in [*kinds, *others]},
-        "scalars": {f"{scalar}/{arithmetic}": subject(scalar, IMPLEMENTATION.get(arithmetic, arithmetic))
+        "scalars": {f"{scalar}/{arithmetic}": subject(scalar, scenes.IMPLEMENTATION.get(arithmetic, arithmetic))
                     | ({"label": "float"} if scalar == "float" else {})
                     for scalar, arithmetic in scalars},
         "physics": physics_operands(),

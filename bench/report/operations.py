@@ -3,24 +3,20 @@
 import math
 
 import bounds
+import catalogue
 import style
 
 OURS = bounds.OURS
-FORMATS = ("q4_4", "q8_8", "q16_16", "q8_24", "q32_32")
 FLOAT = ("float", "libc")
 PUBLISHED = ("q16_16", "published")
 BASIC = ("add", "multiply", "divide", "sqrt", "sin", "atan2")
 # Functions that most formats make from the cores of others: fixedpoint/portable/elementary.hpp. They are reported
 # separately, since a mean over both kinds would describe neither.
-ELEMENTARY = ("tan", "asin", "acos", "exp2", "expm1", "log2", "log10", "log1p", "sinh", "cosh", "tanh",
-              "cbrt", "pow")
-# AUXILIARY_OPERATIONS of reference/operation_table.h. They are in no mean: float has expressions in their place.
-AUXILIARY = ("sin_turns", "cos_turns", "sincos_turns", "atan2_turns", "sin_degrees", "cos_degrees", "sincos_degrees",
-             "atan2_degrees", "divrem", "divmod", "lerp", "smoothstep", "midpoint", "abs_diff", "copysign",
-             "power", "sign", "isqrt")
+ELEMENTARY = catalogue.operations("ELEMENTARY_OPERATIONS")
+# They are in no mean: float has expressions in their place.
+AUXILIARY = catalogue.operations("AUXILIARY_OPERATIONS")
 # The implementations whose square roots the first page compares.
-ROOTS = (("q4_4", OURS), ("q8_8", OURS), ("q16_16", OURS), ("q16_16", "small"), ("q8_24", OURS),
-         ("q32_32", OURS), FLOAT, PUBLISHED)
+ROOTS = (*((name, implementation) for name in catalogue.FORMATS for implementation in (OURS, "small")), FLOAT, PUBLISHED)
 
 # ulp of a float that amount to half its value: no digit is right.
 LOST = 2**23
@@ -69,7 +65,7 @@ def geometric_mean(values):
 def elementary_finding(data):
     """The cost of the functions beyond those of the front pages, in a sentence; empty if they were not measured."""
     ranges = []
-    for number_format in FORMATS:
+    for number_format in catalogue.FORMATS:
         ratios = ratios_to_float(data, number_format, elementary=True)
         if ratios:
             slowest = max(ratios, key=ratios.get)
@@ -95,7 +91,7 @@ def flash_together(data, number_format, implementation=OURS):
 def cheapest_format(data, largest, step):
     """Among the formats of the library that hold +-largest in steps no longer than `step`: the one with the fewest
     bits, then with the fewest cycles of a product."""
-    fit = [each for each in data.rows("table_3_1") if each["format"] in FORMATS
+    fit = [each for each in data.rows("table_3_1") if each["format"] in catalogue.FORMATS
            and each["maximum"] >= largest and each["resolution"] <= step]
     return min(fit, key=lambda each: (each["bits"], mean(data, "multiply", each["format"])))
 
@@ -130,7 +126,7 @@ def format_table(data):
     limits = {row["format"]: row for row in data.rows("table_3_1")}
     ratios = every_ratio_to_float(data, "q16_16").values()
     table = []
-    for kind in [(name, OURS) for name in FORMATS] + [FLOAT, PUBLISHED]:
+    for kind in [(name, OURS) for name in catalogue.FORMATS] + [FLOAT, PUBLISHED]:
         shown = names(data, *kind)
         if not shown:
             continue

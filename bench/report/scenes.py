@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Error against run time of each scene: one point per scalar, method and time step; the Pareto front."""
 import math
+import re
 import statistics
 
 import matplotlib.pyplot as plt
@@ -8,18 +9,8 @@ from matplotlib.lines import Line2D
 
 import style
 
-# Format and implementation of the scalars, as in `style`.
-SCALARS = {
-    ("q8_8", "nearest"): ("q8_8", "default"),
-    ("q8_24", "nearest"): ("q8_24", "default"),
-    ("q16_16", "nearest"): ("q16_16", "default"),
-    ("q16_16", "saturating"): ("q16_16", "saturating"),
-    ("q32_32", "nearest"): ("q32_32", "default"),
-    ("q8_8", "compensated"): ("q8_8", "compensated"),
-    ("q16_16", "compensated"): ("q16_16", "compensated"),
-    ("float", "avr-libc"): ("float", "libc"),
-    ("q16_16", "published"): ("q16_16", "published"),
-}
+# The implementation of an arithmetic, as in `style`, if its name differs.
+IMPLEMENTATION = {"nearest": "default", "avr-libc": "libc", "ieee": "libc"}
 METHODS = {
     "explicit_euler": ("explicit Euler, as published", "X"),
     "semi_implicit_euler": ("semi-implicit Euler", "o"),
@@ -44,7 +35,17 @@ def is_split(row):
 
 
 def kind(row):
-    return (row["scalar"], "default") if is_split(row) else SCALARS[row["scalar"], row["arithmetic"]]
+    """Its format and implementation, as in `style`."""
+    return row["scalar"], IMPLEMENTATION.get(row["arithmetic"], row["arithmetic"])
+
+
+def kinds(rows):
+    """Those of the rows in a format that has a style, ours first, each by its range."""
+    def place(of):
+        number_format, implementation = of
+        return (implementation == "published", number_format == "float", implementation == "compensated",
+                [int(bits) for bits in re.findall(r"\d+", number_format)], implementation)
+    return sorted({kind(row) for row in rows if row["scalar"] in style.FORMATS}, key=place)
 
 
 def scalar(row):
@@ -260,12 +261,13 @@ def draw(data):
         axes.set_axis_off()
     figure.supxlabel("cycles per simulated second (dotted: the chip's 16 million)")
     figure.supylabel("the larger of the method's and the arithmetic's error, m")
+    drawn = kinds(measured(data))
     handles = [Line2D([], [], linestyle="", marker="o", markeredgecolor=style.colour(*of),
-                      markerfacecolor=style.face(*of)) for of in SCALARS.values()]
+                      markerfacecolor=style.face(*of)) for of in drawn]
     handles.append(Line2D([], [], linestyle="", marker="o", color=style.OTHER[0]))
     handles += [Line2D([], [], linestyle="", marker=marker, color="#666666")
                 for _, marker in METHODS.values()]
-    labels = [style.label(*of) for of in SCALARS.values()] + ["best split of 32 bits"]
+    labels = [style.label(*of) for of in drawn] + ["best split of 32 bits"]
     labels += [name for name, _ in METHODS.values()]
     style.legend_above(figure, handles, labels, 5)
     return figure
@@ -273,7 +275,7 @@ def draw(data):
 
 def draw_time_steps(data):
     """The errors of the method and of the arithmetic, against the time step."""
-    scenes, drawn = judged(data), set()
+    scenes, drawn = judged(data), []
     columns = 3
     lines = -(-len(scenes) // columns)
     figure, grid = plt.subplots(lines, columns, figsize=(11, 2.5 * lines + 0.9), squeeze=False,
@@ -284,11 +286,9 @@ def draw_time_steps(data):
         wide = [row for row in rows if row["scalar"] == "fifty_digits"]
         axes.plot([row["dt"] for row in wide], [max(row["error"], FLOOR) for row in wide],
                   color=style.INK, linewidth=1.2)
-        for key, of in SCALARS.items():
-            points = [row for row in rows if (row["scalar"], row["arithmetic"]) == key]
-            if not points:
-                continue
-            drawn.add(of)
+        for of in kinds(rows):
+            points = [row for row in rows if kind(row) == of]
+            drawn += points
             axes.plot([row["dt"] for row in points],
                       [max(row["error_arithmetic"], FLOOR) for row in points],
                       color=style.colour(*of), markerfacecolor=style.face(*of),
@@ -298,7 +298,7 @@ def draw_time_steps(data):
         axes.set_axis_off()
     figure.supxlabel("time step, s")
     figure.supylabel("error, m")
-    shown = [of for of in SCALARS.values() if of in drawn]
+    shown = kinds(drawn)
     handles = [Line2D([], [], color=style.INK)]
     handles += [Line2D([], [], marker=style.marker(*of), color=style.colour(*of),
                        markerfacecolor=style.face(*of)) for of in shown]

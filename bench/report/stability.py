@@ -8,7 +8,6 @@ import matplotlib.pyplot as plt
 
 import style
 
-FORMATS = ["q8_8", "q8_24", "q16_16", "q32_32", "float"]
 # The default arithmetic of a format.
 DEFAULT = ["nearest", "ieee"]
 # The cases of the envelope that the page shows.
@@ -30,6 +29,12 @@ METHOD_LABELS = {"explicit_euler": "explicit Euler (2016 design)",
                  "semi_implicit_euler": "semi-implicit Euler",
                  "velocity_verlet": "velocity Verlet",
                  "implicit_springs": "springs solved implicitly"}
+
+
+def formats(rows):
+    """The formats of the rows, by their range."""
+    return sorted({row["scalar"] for row in rows},
+                  key=lambda name: [int(bits) for bits in re.findall(r"\d+", name)] or [math.inf])
 
 
 def number(cell):
@@ -207,15 +212,16 @@ def finish(figure, grid):
 def draw_stiffness(data):
     """The band of stiffness in which a spring of 1 kg oscillates, against the step."""
     rows = data.rows("stability_map")
+    shown = formats(rows)
     figure, grid = panels(METHODS, "step, s", "stiffness, N/m")
     for axes, method in zip(grid.flat, METHODS):
-        for scalar in FORMATS:
+        for scalar in shown:
             x, high = points(rows, "stiffness_upper", scalar, method)
             low = points(rows, "stiffness_lower", scalar, method)[1]
             colour = style.colour(scalar)
             # Markers below others are drawn larger, since formats with the same limit cover each other.
             look = {"color": colour, "marker": style.marker(scalar), "markersize": 3,
-                    "linewidth": 1 + 0.6 * (len(FORMATS) - 1 - FORMATS.index(scalar))}
+                    "linewidth": 1 + 0.6 * (len(shown) - 1 - shown.index(scalar))}
             axes.plot(x, high, label=style.format_label(scalar), **look)
             axes.plot(x, low, linestyle=":", **look)
             axes.fill_between(x, low, high, color=colour, alpha=0.06, linewidth=0)
@@ -228,12 +234,13 @@ def draw_speed(data):
     """The speed on a rod that keeps its length, against that length. All methods but explicit Euler share a panel: see
     speed_finding."""
     rows = data.rows("stability_map")
+    shown = formats(rows)
     figure, grid = panels(METHODS[:2], "radius, m", "largest speed, m/s")
     for axes, method in zip(grid.flat, METHODS):
-        for scalar in FORMATS:
+        for scalar in shown:
             x, y = points(rows, "speed", scalar, method)
             axes.plot(x, y, color=style.colour(scalar), marker=style.marker(scalar), markersize=4,
-                      linewidth=1 + 0.6 * (len(FORMATS) - 1 - FORMATS.index(scalar)), label=style.format_label(scalar))
+                      linewidth=1 + 0.6 * (len(shown) - 1 - shown.index(scalar)), label=style.format_label(scalar))
         axes.plot(*bound(rows, "speed"), color="black", linewidth=1, linestyle="--",
                   label="v dt = r")
     return finish(figure, grid)
@@ -244,7 +251,7 @@ def speed_finding(data):
     rows = data.rows("stability_map")
     drawn, others = METHODS[1], METHODS[2:]
     apart = 0.0
-    for scalar in FORMATS:
+    for scalar in formats(rows):
         limits = dict(zip(*points(rows, "speed", scalar, drawn)))
         for method in others:
             alike = dict(zip(*points(rows, "speed", scalar, method)))

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The style of every figure, and how it is saved: the same data give the same bytes."""
-import pathlib
 import re
 
 import matplotlib
+
+import catalogue
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
@@ -37,11 +38,6 @@ OTHER = ("#000000", "*")
 INK = "#222222"
 PALE = "#bbbbbb"
 
-CATALOGUE = pathlib.Path(__file__).parents[1] / "lab" / "catalogue" / "subjects.h"
-# The rows X(implementation, ..., "label").
-IMPLEMENTATIONS = dict(re.findall(r'^ *X\((\w+), .*"(.*)"\)$',
-                                  CATALOGUE.read_text(encoding="utf-8"), re.M))
-
 
 def format_label(number_format):
     """"Q8.24" for "q8_24"."""
@@ -59,7 +55,8 @@ def label(number_format, implementation="default"):
         return "avr-libc float"
     if implementation in ("default", "accum", "native"):
         return plain
-    return f"{plain}, {IMPLEMENTATIONS.get(implementation, implementation).removeprefix('ours, ')}"
+    known = catalogue.IMPLEMENTATIONS.get(implementation, {"label": implementation})
+    return f"{plain}, {known['label'].removeprefix('ours, ')}"
 
 
 def colour(number_format, implementation="default"):

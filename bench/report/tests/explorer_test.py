@@ -122,11 +122,14 @@ class Damage(unittest.TestCase):
     def test_what_the_page_does_not_know_fails_the_report(self):
         for name, column, value, message in (
                 ("operations", "format", "q1_1", r"operations.csv, column format: .* know q1_1"),
-                ("operations", "operation", "cube", "column operation: .* know cube"),
                 ("operations", "implementation", "mine", "column implementation: .* know mine"),
                 ("stability", "verdict", "explodes (at once)", "column verdict: .* know explodes"),
                 ("stability_map", "scalar", "q1_1", "stability_map.csv, column scalar: .* know q1_1")):
             self.refused(changed(name, lambda row: row | {column: value}), message)
+
+    def test_an_operation_of_unknown_range_is_not_compared(self):
+        formats = {name: explorer.number_format(name, COMMITTED) for name in explorer.style.FORMATS}
+        self.assertEqual(explorer.compared(formats, ["cube"]), {"cube": []})
 
     def test_a_missing_file_fails_the_report(self):
         data = changed("operations", lambda row: row)

@@ -549,8 +549,6 @@ class Scenes(Figures):
         self.assertIn("(Q5.27, Q6.26). It is on the front in 1 of 1 scenes.", scenes.splits_finding(data))
         self.assertFalse(scenes.splits_finding(self.data))
         self.assertFalse(any(map(scenes.is_split, self.data.rows("scenes"))))
-        with self.assertRaises(KeyError):
-            scenes.kind({"scalar": "q5_27", "arithmetic": "saturating"})
         scenes.draw(data)
 
     def test_compensated_integration_is_ours_and_beside_its_twin(self):

@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The catalogue of the bench, read from its tables: groups of operations, formats of the library, and implementations."""
+import pathlib
+import re
+
+BENCH = pathlib.Path(__file__).resolve().parents[1]
+_OPERATIONS = (BENCH.parent / "reference" / "operation_table.h").read_text(encoding="utf-8")
+_SUBJECTS = (BENCH / "lab" / "catalogue" / "subjects.h").read_text(encoding="utf-8")
+
+# The formats of the library: "q4_4", ...
+FORMATS = tuple(re.findall(r"^#define FORMAT_(\w+)\(", _SUBJECTS, re.MULTILINE))
+# Provenance, label, and whether its results are the default's, of each implementation.
+IMPLEMENTATIONS = {
+    name: {"provenance": provenance, "label": label, "as_default": host == "as_default"}
+    for name, provenance, host, label in re.findall(r'^ *X\((\w+), \w+, (\w+), (\w+), [^"]*"(.*)"\)$', _SUBJECTS, re.MULTILINE)}
+
+
+def operations(group):
+    """The operations of a group, such as ANGLE_OPERATIONS, in the order of the table."""
+    rows = re.search(rf"^#define {group}\(X, \.\.\.\)((?:.*\\\n)*.*)", _OPERATIONS, re.MULTILINE)[1]
+    return tuple(name for within, one in re.findall(r"(\w+_OPERATIONS)\(|OPERATION_(\w+)\(", rows)
+                 for name in (operations(within) if within else [one]))
