@@ -6,6 +6,7 @@
 
 #include "bench/chip/simulator/elf.hpp"
 #include "bench/experiments/exhaustive/exhaustive.hpp"
+#include "bench/lab/catalogue/catalogue.hpp"
 #include "bench/lab/program/build.hpp"
 #include "bench/lab/program/experiment.hpp"
 #include "bench/lab/program/names.hpp"
@@ -22,18 +23,16 @@ int held(std::uint64_t violations) {
     return fixbench::check_failed;
 }
 
-std::filesystem::path program_of(const char* name) {
-    return std::filesystem::path(FIXBENCH_DEVICE_FOLDER) / (std::string(name) + ".elf");
+std::filesystem::path program_of(const std::string& name) {
+    return std::filesystem::path(FIXBENCH_DEVICE_FOLDER) / (name + ".elf");
 }
 
 // The programs of a full run.
-constexpr const char* exhausted[] = {"q4_4",
-                                     "q8_8",
-                                     "q16_16",
-                                     "q8_24",
-                                     "q32_32",
-                                     "correctly_rounded_angles",
-                                     "correctly_rounded_powers"};
+std::vector<std::string> exhausted() {
+    std::vector<std::string> names = catalogue::formats();
+    names.insert(names.end(), {"correctly_rounded_angles", "correctly_rounded_powers"});
+    return names;
+}
 
 const fixbench::Registration exhaustive({
     .name = "exhaustive",
@@ -106,7 +105,7 @@ const fixbench::Registration exhaustive({
           .arguments =
               [](const fixbench::Mode& mode) {
                   std::vector<std::string> arguments = {"exhaustive", "--output", mode.data};
-                  for (const char* name : exhausted)
+                  for (const std::string& name : exhausted())
                       arguments.insert(arguments.end(), {"--program", program_of(name).string()});
                   if (mode.quick)
                       arguments.insert(arguments.end(), {"--search-operands", "1000000"});

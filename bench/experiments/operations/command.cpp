@@ -73,7 +73,7 @@ void settle_programs(std::vector<std::filesystem::path>& programs) {
     programs = all_programs();
 }
 
-// FIXBENCH_OTHER_CHIPS and the formats are lists written by CMake, separated by commas.
+// FIXBENCH_OTHER_CHIPS is a list written by CMake, separated by commas.
 std::vector<std::string> listed(std::string_view names) {
     std::vector<std::string> list;
     for (std::size_t end; !names.empty(); names.remove_prefix(std::min(end + 1, names.size()))) {
@@ -89,7 +89,7 @@ OtherChipOptions settle_other_chips(const std::vector<std::string>& chips, Cycle
         throw std::invalid_argument("--mcu builds its programs, and takes no --program");
     fixbench::check_names("--mcu", chips, listed(FIXBENCH_OTHER_CHIPS));
     Known known = known_to_host();
-    known.formats = listed(FIXBENCH_FORMATS);
+    known.formats = catalogue::formats();
     known.check(cycles.selection);
     fixbench::check_names("--operands", cycles.selection.operands, other_chip_operands);
     if (cycles.selection.formats.empty()) cycles.selection.formats = known.formats;
@@ -120,8 +120,8 @@ const fixbench::Registration cycles({
         "operations.json (Google Benchmark's schema). Means are over the operands whose result\n"
         "is rounded: neither pinned by definition nor below half an ulp.\n\n"
         "A subject is an extern \"C\" function <operation>_<format>_<implementation> of a\n"
-        "device program. The default programs are q4_4.elf, q8_8.elf, q16_16.elf, q8_24.elf and\n"
-        "q32_32.elf, each also with _angles, _powers and _auxiliary,\n"
+        "device program. The default programs are those of each format, such as q16_16.elf,\n"
+        "q16_16_angles.elf, q16_16_powers.elf and q16_16_auxiliary.elf,\n"
         "correctly_rounded_angles.elf, correctly_rounded_powers.elf, roundings.elf and\n"
         "rivals.elf, in\n"
         "  " FIXBENCH_DEVICE_FOLDER "\n"

@@ -11,6 +11,7 @@
 #include <numeric>
 
 #include "bench/experiments/table_3_2/division.hpp"
+#include "bench/lab/catalogue/subjects.h"
 #include "bench/lab/records/progress.hpp"
 #include "bench/lab/records/record.hpp"
 #include "reference/published.hpp"
@@ -239,11 +240,9 @@ records::Table table_3_1() {
                         static_cast<int>(std::floor(fraction_bits * std::log10(2.0))),
                         static_cast<double>(resolution / 2)});
     };
-    fixed("q4_4", 8, 4);
-    fixed("q8_8", 16, 8);
-    fixed("q16_16", 32, 16);
-    fixed("q8_24", 32, 24);
-    fixed("q32_32", 64, 32);
+#define FORMAT_ROW(format, Raw, F, ...) fixed(#format, 8 * sizeof(Raw), F);
+    LIBRARY_FORMATS(FORMAT_ROW)
+#undef FORMAT_ROW
     using Float = std::numeric_limits<float>;
     rows.push_back({"float", 32, fmt::format("{:.9g}", Float::lowest()),
                     fmt::format("{:.9g}", Float::max()), Float::denorm_min(), Float::digits10,

@@ -32,6 +32,13 @@ inline bool is_held_to_its_definition(const reference::NamedSubject& named) {
     return named.subject.format.kind == reference::FormatKind::fixed;
 }
 
+// The formats of the library.
+inline std::vector<std::string> formats() {
+#define FORMAT_NAME(format, ...) #format,
+    return {LIBRARY_FORMATS(FORMAT_NAME)};
+#undef FORMAT_NAME
+}
+
 // The device programs without their suffix: four for each format of the library, two for the
 // correctly rounded arithmetic, one for the roundings, and the rivals'.
 inline std::vector<std::string> programs() {
