@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The library's building blocks compared with float."""
+import catalogue
 import style
 
 GOAL = 0.4  # of float's cycles
@@ -32,7 +33,7 @@ def share_of_work(data, row):
 def finding(data):
     """For each fixed-point format, how many blocks reach the goal, the most expensive of the others, and their floor."""
     told, wide = [], []
-    for number_format in ("q8_8", "q16_16", "q8_24"):
+    for number_format in dict.fromkeys(row["format"] for row in data.rows("blocks") if row["format"] in catalogue.FORMATS):
         every = data.rows("blocks", format=number_format)
         rows = [row for row in every if not is_wide(row)]
         shares = {row["block"]: row["cycles_mean"] / float_cycles(data, row) for row in every}

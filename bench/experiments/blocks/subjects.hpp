@@ -17,6 +17,7 @@
 
 namespace blocks {
 
+// The formats that are measured: CMakeLists.txt reads these lines.
 using q8_8 = fixedpoint::Fixed<8, 8>;
 using q16_16 = fixedpoint::Fixed<16, 16>;
 using q8_24 = fixedpoint::Fixed<8, 24>;

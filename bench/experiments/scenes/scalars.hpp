@@ -7,12 +7,21 @@
 #include <fixedpoint/arithmetic/saturating.hpp>
 #include <fixedpoint/fixed.hpp>
 
+// X(name, integer bits, fraction bits): the formats in which each scene runs with every method.
+// CMakeLists.txt reads these lines.
+// clang-format off
+#define SCENE_FORMATS(X) \
+    X(q8_8, 8, 8)        \
+    X(q8_24, 8, 24)      \
+    X(q16_16, 16, 16)    \
+    X(q32_32, 32, 32)
+// clang-format on
+
 namespace scalars {
 
-using q8_8 = fixedpoint::Q8_8;
-using q8_24 = fixedpoint::Fixed<8, 24>;
-using q16_16 = fixedpoint::Q16_16;
-using q32_32 = fixedpoint::Q32_32;
+#define FORMAT_TYPE(name, I, F) using name = fixedpoint::Fixed<I, F>;
+SCENE_FORMATS(FORMAT_TYPE)
+#undef FORMAT_TYPE
 using q16_16_saturating = fixedpoint::Fixed<16, 16, fixedpoint::Saturating>;
 using q16_16_published = fixedpoint::Fixed<16, 16, fixedpoint::Published>;
 

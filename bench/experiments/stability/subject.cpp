@@ -10,9 +10,10 @@ namespace stability {
 const std::vector<Subject>& subjects() {
     static const std::vector<Subject> all = [] {
         std::vector<Subject> list;
-        for (const auto part :
-             {subjects_of_q8_8, subjects_of_q16_16, subjects_of_q32_32, subjects_of_q8_24,
-              subjects_of_float, subjects_of_q16_16_published, subjects_of_q16_16_saturating})
+#define SUBJECTS_OF(format, I, F) subjects_of_##format,
+        for (const auto part : {STABILITY_FORMATS(SUBJECTS_OF) subjects_of_float,
+                                subjects_of_q16_16_published, subjects_of_q16_16_saturating})
+#undef SUBJECTS_OF
             for (Subject& one : part()) list.push_back(std::move(one));
         return list;
     }();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bench/experiments/stability/description.hpp"
+#include "bench/experiments/stability/formats.hpp"
 #include "bench/experiments/stability/recorder.hpp"
 
 namespace stability {
@@ -39,10 +40,9 @@ const Subject& subject(const std::string& scalar, const std::string& arithmetic,
                        const std::string& integrator);
 
 // The parts of subjects(), each compiled separately.
-std::vector<Subject> subjects_of_q8_8();
-std::vector<Subject> subjects_of_q16_16();
-std::vector<Subject> subjects_of_q32_32();
-std::vector<Subject> subjects_of_q8_24();
+#define SUBJECTS_OF(format, I, F) std::vector<Subject> subjects_of_##format();
+STABILITY_FORMATS(SUBJECTS_OF)
+#undef SUBJECTS_OF
 std::vector<Subject> subjects_of_q16_16_published();
 std::vector<Subject> subjects_of_q16_16_saturating();
 std::vector<Subject> subjects_of_float();

@@ -1,6 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# CATALOGUE_FORMATS: the formats of the library in the catalogue, q4_4;q8_8;...
-set(catalogue ${CMAKE_CURRENT_LIST_DIR}/subjects.h)
-set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${catalogue})
-file(STRINGS ${catalogue} CATALOGUE_FORMATS REGEX "^#define FORMAT_q")
-list(TRANSFORM CATALOGUE_FORMATS REPLACE "^#define FORMAT_([a-z0-9_]+).*" "\\1")
+# catalogue_names(OUT FILE PATTERN): sets OUT to what the first group of the pattern matches, wherever
+# it occurs in the file, and configures again when the file changes.
+function(catalogue_names out file pattern)
+    get_filename_component(file ${file} ABSOLUTE)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+    file(READ ${file} text)
+    string(REGEX MATCHALL "${pattern}" names "${text}")
+    list(TRANSFORM names REPLACE "${pattern}" "\\1")
+    set(${out} ${names} PARENT_SCOPE)
+endfunction()
+
+# The formats of the library in the catalogue, q4_4;q8_8;...
+catalogue_names(CATALOGUE_FORMATS ${CMAKE_CURRENT_LIST_DIR}/subjects.h "#define FORMAT_([a-z0-9_]+)")

@@ -117,10 +117,9 @@ void add_runs(std::vector<HostSubject>& subjects) {
     const auto add = [&](const char* scalar, auto run) {
         subjects.push_back({scalar, Method::name, run});
     };
-    add("q8_8", run_on_host<SceneType, scalars::q8_8, Method>);
-    add("q8_24", run_on_host<SceneType, scalars::q8_24, Method>);
-    add("q16_16", run_on_host<SceneType, scalars::q16_16, Method>);
-    add("q32_32", run_on_host<SceneType, scalars::q32_32, Method>);
+#define ADD_FORMAT(name, I, F) add(#name, run_on_host<SceneType, scalars::name, Method>);
+    SCENE_FORMATS(ADD_FORMAT)
+#undef ADD_FORMAT
     add("double", run_on_host<SceneType, Ranged, Method>);
     add("fifty_digits", run_on_host<SceneType, reference::FiftyDigits, Method>);
 }

@@ -171,10 +171,9 @@ SceneStates states_of() {
         const auto add = [&](const char* scalar, const char* arithmetic, auto error) {
             of.subjects.push_back({scalar, arithmetic, Method::name, error});
         };
-        add("q8_8", "nearest", error_from<SceneType, scalars::q8_8, Method>);
-        add("q8_24", "nearest", error_from<SceneType, scalars::q8_24, Method>);
-        add("q16_16", "nearest", error_from<SceneType, scalars::q16_16, Method>);
-        add("q32_32", "nearest", error_from<SceneType, scalars::q32_32, Method>);
+#define ADD_FORMAT(name, I, F) add(#name, "nearest", error_from<SceneType, scalars::name, Method>);
+        SCENE_FORMATS(ADD_FORMAT)
+#undef ADD_FORMAT
         add("float", "ieee", error_from<SceneType, float, Method>);
     };
     add_all(scenes::Published());

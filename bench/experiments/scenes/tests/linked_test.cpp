@@ -9,6 +9,7 @@
 
 #include "bench/chip/simulator/quotients.hpp"
 #include "bench/experiments/scenes/chip_run.hpp"
+#include "bench/experiments/scenes/tests/pinned_hashes.hpp"
 
 namespace scene_bench {
 namespace {
@@ -20,7 +21,7 @@ std::vector<std::string> quotients_of(const char* scene, const char* scalar) {
 
 // Its rod is measured by products, and the reciprocal of the length is folded.
 TEST(LinkedQuotients, LeversHaveNone) {
-    for (const char* scalar : {"q8_8", "q8_24", "q16_16", "q16_16_saturating", "q32_32"})
+    for (const char* scalar : pinned_scalars)
         EXPECT_THAT(quotients_of("lever", scalar), testing::IsEmpty()) << scalar;
 }
 // Masses share by the small quotient. It is listed, which shows that the search finds one.

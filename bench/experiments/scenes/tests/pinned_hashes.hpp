@@ -7,12 +7,15 @@
 
 #include <array>
 
+#include "bench/experiments/scenes/scalars.hpp"
 #include "bench/experiments/scenes/scene.hpp"
 #include "bench/lab/records/csv.hpp"
 
 namespace scene_bench {
 
-constexpr std::array pinned_scalars = {"q8_8", "q8_24", "q16_16", "q16_16_saturating", "q32_32"};
+#define FORMAT_NAME(name, I, F) #name,
+constexpr std::array pinned_scalars = {SCENE_FORMATS(FORMAT_NAME) "q16_16_saturating"};
+#undef FORMAT_NAME
 constexpr const char* pinned_method = "semi_implicit_euler";
 constexpr int pinned_exponent = 8;
 

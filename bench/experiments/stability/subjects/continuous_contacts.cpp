@@ -27,8 +27,9 @@ Subject floating(const char* scalar) {
 }  // namespace
 
 std::vector<Subject> subjects_of_continuous_contacts() {
-    return {in_format<8, 8>("q8_8"), in_format<16, 16>("q16_16"), in_format<32, 32>("q32_32"),
-            in_format<8, 24>("q8_24"), floating<float>("float")};
+#define IN_FORMAT(format, I, F) in_format<I, F>(#format),
+    return {STABILITY_FORMATS(IN_FORMAT) floating<float>("float")};
+#undef IN_FORMAT
 }
 
 std::vector<Subject> subjects_of_continuous_contacts_in_double() {
