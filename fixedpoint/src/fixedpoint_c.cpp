@@ -3,6 +3,7 @@
 // kernel are here too, under the names by which languages other than C call them.
 #define FIXEDPOINT_C_KERNEL(symbol)
 #include <fixedpoint.h>
+#include <fixedpoint/c_functions.h>
 #include <fixedpoint_c.h>
 
 using namespace fixedpoint;
@@ -47,157 +48,104 @@ struct Decimals {
     }
 };
 
+#define NUMBER(q, Q, I, F)          \
+    using number_##q = Fixed<I, F>; \
+    static_assert(Q##_TEXT_CAPACITY == text_capacity<number_##q>() + 1, "and a zero");
+FIXEDPOINT_C_FORMATS(NUMBER)
+
+// The operators by the names of their functions.
+#define OPERATOR(name, symbol)        \
+    template <class Number>           \
+    Number name(Number a, Number b) { \
+        return a symbol b;            \
+    }
+OPERATOR(add, +)
+OPERATOR(subtract, -)
+OPERATOR(multiply, *)
+OPERATOR(divide, /)
+OPERATOR(remainder, %)
 template <class Number>
-Number number(typename Number::Raw raw) {
-    return Number::from_raw(raw);
+Number negate(Number a) {
+    return -a;
+}
+template <class Number>
+Number shift_left(Number a, uint8_t count) {
+    return a << count;
+}
+template <class Number>
+Number shift_right(Number a, uint8_t count) {
+    return a >> count;
 }
 
 }  // namespace
 
-#define UNARY(q, Number, name) \
-    q q##_##name(q a) { return name(number<Number>(a)).raw(); }
-#define BINARY(q, Number, name) \
-    q q##_##name(q a, q b) { return name(number<Number>(a), number<Number>(b)).raw(); }
-#define SINE_AND_COSINE(q, Number, name)               \
-    void q##_##name(q angle, q* sine_and_cosine) {     \
-        const auto both = name(number<Number>(angle)); \
-        sine_and_cosine[0] = both.sine.raw();          \
-        sine_and_cosine[1] = both.cosine.raw();        \
+#define FROM(q, raw) number_##q::from_raw(raw)
+#define DEFINE_unary(q, name) \
+    q q##_##name(q a) { return name(FROM(q, a)).raw(); }
+#define DEFINE_binary(q, name) \
+    q q##_##name(q a, q b) { return name(FROM(q, a), FROM(q, b)).raw(); }
+#define DEFINE_ternary(q, name) \
+    q q##_##name(q a, q b, q c) { return name(FROM(q, a), FROM(q, b), FROM(q, c)).raw(); }
+#define DEFINE_shift(q, name) \
+    q q##_##name(q a, uint8_t count) { return name(FROM(q, a), count).raw(); }
+#define DEFINE_power(q, name) \
+    q q##_##name(q x, int32_t n) { return name(FROM(q, x), n).raw(); }
+#define DEFINE_sign(q, name) \
+    int8_t q##_##name(q a) { return static_cast<int8_t>(name(FROM(q, a))); }
+#define DEFINE_integer(q, name) \
+    q q##_##name(q n) { return name(n); }
+#define DEFINE_pair(q, name)                       \
+    void q##_##name(q angle, q* sine_and_cosine) { \
+        const auto both = name(FROM(q, angle));    \
+        sine_and_cosine[0] = both.sine.raw();      \
+        sine_and_cosine[1] = both.cosine.raw();    \
     }
-#define QUOTIENT_AND_REMAINDER(q, Number, name)                       \
-    void q##_##name(q a, q b, q* quotient_and_remainder) {            \
-        const auto both = name(number<Number>(a), number<Number>(b)); \
-        quotient_and_remainder[0] = both.quotient;                    \
-        quotient_and_remainder[1] = both.remainder.raw();             \
+#define DEFINE_direct_pair(q, name)                                          \
+    void q##_##name(q angle, q* sine_and_cosine) {                           \
+        Nearest::name<q, number_##q::fraction_bits>(angle, sine_and_cosine); \
     }
-#define OPERATOR(q, Number, name, symbol) \
-    q q##_##name(q a, q b) { return (number<Number>(a) symbol number<Number>(b)).raw(); }
-#define SHIFT(q, Number, name, symbol) \
-    q q##_##name(q a, uint8_t count) { return (number<Number>(a) symbol count).raw(); }
-#define OF_VECTOR(q, Number, name) \
-    q q##_##name(const q* v) { return Nearest::name<q, Number::fraction_bits>(v); }
-#define OF_VECTORS(q, Number, name) \
-    q q##_##name(const q* a, const q* b) { return Nearest::name<q, Number::fraction_bits>(a, b); }
+#define DEFINE_binary_pair(q, name)                        \
+    void q##_##name(q a, q b, q* quotient_and_remainder) { \
+        const auto both = name(FROM(q, a), FROM(q, b));    \
+        quotient_and_remainder[0] = both.quotient;         \
+        quotient_and_remainder[1] = both.remainder.raw();  \
+    }
+#define DEFINE_dot(q, name)                                       \
+    q q##_##name(const q* a, const q* b) {                        \
+        return Nearest::name<q, number_##q::fraction_bits>(a, b); \
+    }
+#define DEFINE_length(q, name) \
+    q q##_##name(const q* v) { return Nearest::name<q, number_##q::fraction_bits>(v); }
+#define DEFINE_direction(q, name) \
+    void q##_##name(const q* v, q* unit) { Nearest::name<q, number_##q::fraction_bits>(v, unit); }
+#define DEFINE(name, shape, q) DEFINE_##shape(q, name)
+#define FUNCTIONS(q, ...) FIXEDPOINT_C_FUNCTIONS(DEFINE, q)
+FIXEDPOINT_C_FORMATS(FUNCTIONS)
 
-#define FORMAT(q, Number)                                                                   \
-    OPERATOR(q, Number, add, +)                                                             \
-    OPERATOR(q, Number, subtract, -)                                                        \
-    OPERATOR(q, Number, multiply, *)                                                        \
-    OPERATOR(q, Number, divide, /)                                                          \
-    OPERATOR(q, Number, remainder, %)                                                       \
-    SHIFT(q, Number, shift_left, <<)                                                        \
-    SHIFT(q, Number, shift_right, >>)                                                       \
-    q q##_negate(q a) { return (-number<Number>(a)).raw(); }                                \
-    UNARY(q, Number, abs)                                                                   \
-    UNARY(q, Number, sqrt)                                                                  \
-    UNARY(q, Number, reciprocal_sqrt)                                                       \
-    UNARY(q, Number, sin)                                                                   \
-    UNARY(q, Number, cos)                                                                   \
-    UNARY(q, Number, atan)                                                                  \
-    UNARY(q, Number, exp)                                                                   \
-    UNARY(q, Number, log)                                                                   \
-    UNARY(q, Number, tan)                                                                   \
-    UNARY(q, Number, asin)                                                                  \
-    UNARY(q, Number, acos)                                                                  \
-    UNARY(q, Number, exp2)                                                                  \
-    UNARY(q, Number, expm1)                                                                 \
-    UNARY(q, Number, log2)                                                                  \
-    UNARY(q, Number, log10)                                                                 \
-    UNARY(q, Number, log1p)                                                                 \
-    UNARY(q, Number, sinh)                                                                  \
-    UNARY(q, Number, cosh)                                                                  \
-    UNARY(q, Number, tanh)                                                                  \
-    UNARY(q, Number, cbrt)                                                                  \
-    q q##_pow(q x, q y) { return pow(number<Number>(x), number<Number>(y)).raw(); }         \
-    q q##_atan2(q y, q x) { return atan2(number<Number>(y), number<Number>(x)).raw(); }     \
-    UNARY(q, Number, sin_turns)                                                             \
-    UNARY(q, Number, cos_turns)                                                             \
-    SINE_AND_COSINE(q, Number, sincos_turns)                                                \
-    BINARY(q, Number, atan2_turns)                                                          \
-    UNARY(q, Number, sin_degrees)                                                           \
-    UNARY(q, Number, cos_degrees)                                                           \
-    SINE_AND_COSINE(q, Number, sincos_degrees)                                              \
-    BINARY(q, Number, atan2_degrees)                                                        \
-    QUOTIENT_AND_REMAINDER(q, Number, divrem)                                               \
-    QUOTIENT_AND_REMAINDER(q, Number, divmod)                                               \
-    q q##_lerp(q a, q b, q t) {                                                             \
-        return lerp(number<Number>(a), number<Number>(b), number<Number>(t)).raw();         \
-    }                                                                                       \
-    UNARY(q, Number, smoothstep)                                                            \
-    BINARY(q, Number, midpoint)                                                             \
-    BINARY(q, Number, abs_diff)                                                             \
-    BINARY(q, Number, copysign)                                                             \
-    int8_t q##_sign(q a) { return static_cast<int8_t>(sign(number<Number>(a))); }           \
-    q q##_isqrt(q n) { return isqrt(n); }                                                   \
-    q q##_power(q x, int32_t n) { return power(number<Number>(x), n).raw(); }               \
-    q q##_multiply_add(q a, q b, q c) {                                                     \
-        return multiply_add(number<Number>(a), number<Number>(b), number<Number>(c)).raw(); \
-    }                                                                                       \
-    void q##_sincos(q angle, q* sine_and_cosine) {                                          \
-        Nearest::sincos<q, Number::fraction_bits>(angle, sine_and_cosine);                  \
-    }                                                                                       \
-    OF_VECTORS(q, Number, dot2)                                                             \
-    OF_VECTORS(q, Number, dot3)                                                             \
-    OF_VECTOR(q, Number, length2)                                                           \
-    OF_VECTOR(q, Number, length3)                                                           \
-    void q##_normalise3(const q* v, q* unit) {                                              \
-        Nearest::normalise3<q, Number::fraction_bits>(v, unit);                             \
-    }                                                                                       \
-    q q##_from_int32(int32_t n) { return Number::from_integer(n).raw(); }                   \
-    int32_t q##_to_int32(q a) { return convert<int32_t>(number<Number>(a)); }               \
-    q q##_from_float(float x) { return from_float<Number>(x).raw(); }                       \
-    float q##_to_float(q a) { return to_float<float>(number<Number>(a)); }                  \
-    fixedpoint_text_status q##_parse(const char* text, q* number) {                         \
-        return parse_text<Number>(text, number);                                            \
-    }                                                                                       \
-    size_t q##_print(q a, char* text, size_t capacity) {                                    \
-        return terminated(Shortest<Number>{number<Number>(a)}, text, capacity);             \
-    }                                                                                       \
-    size_t q##_print_decimals(q a, uint8_t decimals, char* text, size_t capacity) {         \
-        return terminated(Decimals<Number>{number<Number>(a), decimals}, text, capacity);   \
-    }                                                                                       \
-    static_assert(Number##_TEXT_CAPACITY == text_capacity<Number>() + 1, "and a zero");
+#define CONVERSION(from, to) \
+    to to##_from_##from(from a) { return convert<number_##to>(FROM(from, a)).raw(); }
+#define CONVERSIONS(q, ...)                                                            \
+    FIXEDPOINT_C_BESIDE_##q(CONVERSION, q) q q##_from_int32(int32_t n) {               \
+        return number_##q::from_integer(n).raw();                                      \
+    }                                                                                  \
+    int32_t q##_to_int32(q a) { return convert<int32_t>(FROM(q, a)); }                 \
+    q q##_from_float(float x) { return from_float<number_##q>(x).raw(); }              \
+    float q##_to_float(q a) { return to_float<float>(FROM(q, a)); }                    \
+    fixedpoint_text_status q##_parse(const char* text, q* number) {                    \
+        return parse_text<number_##q>(text, number);                                   \
+    }                                                                                  \
+    size_t q##_print(q a, char* text, size_t capacity) {                               \
+        return terminated(Shortest<number_##q>{FROM(q, a)}, text, capacity);           \
+    }                                                                                  \
+    size_t q##_print_decimals(q a, uint8_t decimals, char* text, size_t capacity) {    \
+        return terminated(Decimals<number_##q>{FROM(q, a), decimals}, text, capacity); \
+    }
+FIXEDPOINT_C_FORMATS(CONVERSIONS)
 
 // On the AVR a double is a float.
-#ifdef __AVR__
-#define FORMAT_DOUBLE(q, Number)
-#else
-#define FORMAT_DOUBLE(q, Number)                                        \
-    q q##_from_double(double x) { return from_float<Number>(x).raw(); } \
-    double q##_to_double(q a) { return to_float<double>(number<Number>(a)); }
+#ifndef __AVR__
+#define DOUBLE_CONVERSIONS(q, ...)                                          \
+    q q##_from_double(double x) { return from_float<number_##q>(x).raw(); } \
+    double q##_to_double(q a) { return to_float<double>(FROM(q, a)); }
+FIXEDPOINT_C_FORMATS(DOUBLE_CONVERSIONS)
 #endif
-
-#define CONVERSION(to, To, from, From) \
-    to to##_from_##from(from a) { return convert<To>(number<From>(a)).raw(); }
-
-using Q8_24 = Fixed<8, 24>;
-FORMAT(q4_4, Q4_4)
-FORMAT(q8_8, Q8_8)
-FORMAT(q16_16, Q16_16)
-FORMAT(q8_24, Q8_24)
-FORMAT(q32_32, Q32_32)
-FORMAT_DOUBLE(q4_4, Q4_4)
-FORMAT_DOUBLE(q8_8, Q8_8)
-FORMAT_DOUBLE(q16_16, Q16_16)
-FORMAT_DOUBLE(q8_24, Q8_24)
-FORMAT_DOUBLE(q32_32, Q32_32)
-CONVERSION(q4_4, Q4_4, q8_8, Q8_8)
-CONVERSION(q4_4, Q4_4, q16_16, Q16_16)
-CONVERSION(q4_4, Q4_4, q8_24, Q8_24)
-CONVERSION(q4_4, Q4_4, q32_32, Q32_32)
-CONVERSION(q8_8, Q8_8, q4_4, Q4_4)
-CONVERSION(q8_8, Q8_8, q16_16, Q16_16)
-CONVERSION(q8_8, Q8_8, q8_24, Q8_24)
-CONVERSION(q8_8, Q8_8, q32_32, Q32_32)
-CONVERSION(q16_16, Q16_16, q4_4, Q4_4)
-CONVERSION(q16_16, Q16_16, q8_8, Q8_8)
-CONVERSION(q16_16, Q16_16, q8_24, Q8_24)
-CONVERSION(q16_16, Q16_16, q32_32, Q32_32)
-CONVERSION(q8_24, Q8_24, q4_4, Q4_4)
-CONVERSION(q8_24, Q8_24, q8_8, Q8_8)
-CONVERSION(q8_24, Q8_24, q16_16, Q16_16)
-CONVERSION(q8_24, Q8_24, q32_32, Q32_32)
-CONVERSION(q32_32, Q32_32, q4_4, Q4_4)
-CONVERSION(q32_32, Q32_32, q8_8, Q8_8)
-CONVERSION(q32_32, Q32_32, q16_16, Q16_16)
-CONVERSION(q32_32, Q32_32, q8_24, Q8_24)

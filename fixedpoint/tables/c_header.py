@@ -1,8 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
 """Writes src/fixedpoint_c.h: every operation, in every format with a name in C, as a plain C
-function. On the AVR a function with a kernel in kernel/table.hpp is that kernel."""
+function. On the AVR a function with a kernel in kernel/table.hpp is that kernel. Writes
+src/fixedpoint/c_functions.h, too: the list by which fixedpoint_c.cpp defines them, and tests call
+them."""
 
+import re
 import subprocess
 import textwrap
 
@@ -140,6 +143,18 @@ HOST_OPERATIONS = [
     ("to_double", "double", "Q a", "The double nearest to a, half to even."),
 ]
 
+# What a function takes and returns, as fixedpoint_c.cpp names it. It defines all others, which are
+# conversions and text, by hand.
+SHAPES = {
+    "Q(Q)": "unary", "Q(Q, Q)": "binary", "Q(Q, Q, Q)": "ternary", "Q(Q, uint8_t)": "shift",
+    "Q(Q, int32_t)": "power", "void(Q, Q[2])": "pair", "void(Q, Q, Q[2])": "binary_pair",
+    "Q(const Q[2], const Q[2])": "dot", "Q(const Q[3], const Q[3])": "dot", "Q(const Q[2])": "length",
+    "Q(const Q[3])": "length", "void(const Q[3], Q[3])": "direction", "int8_t(Q)": "sign",
+    "int{width}_t(int{width}_t)": "integer",
+    # Without the structure that the others of this kind return.
+    "sincos": "direct_pair",
+}
+
 HEAD = """\
 /* SPDX-License-Identifier: MIT
  * DO NOT EDIT: written by python3 fixedpoint/tables/c_header.py */
@@ -268,6 +283,50 @@ def conversion(source, target):
             f"{from_fraction}(q{from_integer}_{from_fraction} a);"]
 
 
+LIST_HEAD = """\
+/* SPDX-License-Identifier: MIT
+ * DO NOT EDIT: written by python3 fixedpoint/tables/c_header.py
+ * What fixedpoint_c.h declares, for fixedpoint_c.cpp and the tests. */
+#ifndef FIXEDPOINT_C_FUNCTIONS_H
+#define FIXEDPOINT_C_FUNCTIONS_H
+
+/* clang-format off */
+"""
+LIST_TAIL = """\
+
+/* clang-format on */
+#endif
+"""
+
+
+def macro(comment, name, parameters, rows):
+    """A macro that passes each row to its first parameter, X, with any further arguments."""
+    further = ", __VA_ARGS__" if "..." in parameters else ""
+    calls = [f"    X({', '.join(map(str, row))}{further})" for row in rows]
+    return [f"/* {comment} */", f"#define {name}({parameters}) \\", " \\\n".join(calls)]
+
+
+def functions():
+    """The lines of c_functions.h."""
+    names = [(f"q{integer}_{fraction}", f"Q{integer}_{fraction}", integer, fraction)
+             for integer, fraction in FORMATS]
+    lines = macro("X(format, its constants' prefix, integer bits, fraction bits)",
+                  "FIXEDPOINT_C_FORMATS", "X", names)
+    for q, *_ in names:
+        lines += macro(f"X(each other format than {q}, ...)", f"FIXEDPOINT_C_BESIDE_{q}", "X, ...",
+                       [(other,) for other, *_ in names if other != q])
+    rows = []
+    for name, result, parameters, _ in OPERATIONS:
+        types = [re.sub(r"\w+(\[\d\])?$", r"\1", each).replace(" [", "[").strip()
+                 for each in parameters.split(", ")]
+        signature = f"{result}({', '.join(types)})"
+        shape = SHAPES.get(name, SHAPES.get(signature))
+        if shape:
+            rows.append((name, shape))
+    return lines + macro("X(function, what it takes and returns, ...)", "FIXEDPOINT_C_FUNCTIONS",
+                         "X, ...", rows)
+
+
 if __name__ == "__main__":
     known = kernels()
     lines = []
@@ -279,3 +338,4 @@ if __name__ == "__main__":
             if origin != to:
                 lines += conversion(origin, to)
     (page.SOURCE.parent / "fixedpoint_c.h").write_text(HEAD + "\n".join(lines) + "\n" + TAIL)
+    (page.SOURCE / "c_functions.h").write_text(LIST_HEAD + "\n".join(functions()) + "\n" + LIST_TAIL)

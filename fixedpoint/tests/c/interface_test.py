@@ -9,7 +9,6 @@
 
 Usage: interface_test.py SCRATCH_FOLDER
 """
-import itertools
 import re
 import shutil
 import subprocess
@@ -68,12 +67,12 @@ def check_standards(scratch):
 
 
 def called(compiler, scratch, *options):
-    """The functions that program.c calls, over all formats and parts."""
+    """The functions that program.c calls, over all formats."""
     symbols = set()
-    for q, part in itertools.product(FORMATS, ("operations", "turns", "auxiliary")):
+    for q in FORMATS:
         target = scratch / "program.o"
         must([*compiler, "-std=c99", "-Os", *WARNINGS, *options, f"-I{source}", f"-DFORMAT={q}",
-              f"-DIS_{q}", f"-DPART={part}", "-c", here / "program.c", "-o", target])
+              "-c", here / "program.c", "-o", target])
         symbols |= set(re.findall(r"U (\w+)", must(["nm", "-u", target])))
     return symbols
 

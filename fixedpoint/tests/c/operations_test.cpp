@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every operation of the reference's table is a function of fixedpoint_c.h in every format, and
 // returns what the reference defines. The other functions of C are compared with exact values.
+#include <fixedpoint/c_functions.h>
 #include <fixedpoint_c.h>
 #include <gtest/gtest.h>
 
@@ -99,29 +100,21 @@ std::int64_t to_raw(T number) {
     return static_cast<std::int64_t>(number);
 }
 
-constexpr NumberFormat format_q4_4 = reference::q4_4, format_q8_8 = reference::q8_8,
-                       format_q16_16 = reference::q16_16, format_q32_32 = reference::q32_32,
-                       format_q8_24 = reference::fixed_format(8, 24),
-                       format_int32 = {reference::FormatKind::integer, 32, 0},
+#define FORMAT(q, Q, integer, fraction) \
+    constexpr NumberFormat format_##q = reference::fixed_format(integer, fraction);
+FIXEDPOINT_C_FORMATS(FORMAT)
+constexpr NumberFormat format_int32 = {reference::FormatKind::integer, 32, 0},
                        format_float = reference::ieee_single;
-#define FROM(to, from) CONVERSION(to##_from_##from, to, format_##to, from, format_##from)
+#define FROM(from, to) CONVERSION(to##_from_##from, to, format_##to, from, format_##from)
 #define BUILT_IN(q)                                                       \
     CONVERSION(q##_from_int32, q, format_##q, std::int32_t, format_int32) \
     CONVERSION(q##_to_int32, std::int32_t, format_int32, q, format_##q)   \
     CONVERSION(q##_from_float, q, format_##q, float, format_float)        \
     CONVERSION(q##_to_float, float, format_float, q, format_##q)
-#define FROM_4(to, a, b, c, d) BUILT_IN(to) FROM(to, a) FROM(to, b) FROM(to, c) FROM(to, d)
+#define FUNCTIONS(q, Q, integer, fraction) \
+    OPERATIONS(FUNCTION, q, integer, fraction) BUILT_IN(q) FIXEDPOINT_C_BESIDE_##q(FROM, q)
 
-const std::vector<Function> functions = {OPERATIONS(FUNCTION, q4_4, 4, 4)           //
-                                         OPERATIONS(FUNCTION, q8_8, 8, 8)           //
-                                         OPERATIONS(FUNCTION, q16_16, 16, 16)       //
-                                         OPERATIONS(FUNCTION, q8_24, 8, 24)         //
-                                         OPERATIONS(FUNCTION, q32_32, 32, 32)       //
-                                         FROM_4(q4_4, q8_8, q16_16, q8_24, q32_32)  //
-                                         FROM_4(q8_8, q4_4, q16_16, q8_24, q32_32)  //
-                                         FROM_4(q16_16, q4_4, q8_8, q8_24, q32_32)  //
-                                         FROM_4(q8_24, q4_4, q8_8, q16_16, q32_32)  //
-                                         FROM_4(q32_32, q4_4, q8_8, q16_16, q8_24)};
+const std::vector<Function> functions = {FIXEDPOINT_C_FORMATS(FUNCTIONS)};
 
 // Boundary and random raws of the operand's format.
 std::vector<std::int64_t> raws(const NumberFormat& format) {
@@ -239,20 +232,14 @@ void check_text(const Text<Raw>& c) {
     EXPECT_EQ(c.from_double(-INFINITY), min);
 }
 
-#define TEXT(q, Q, fraction)                                                                  \
+#define TEXT(q, Q, integer, fraction)                                                         \
     check_text<q>({#q, fraction, Q##_TEXT_CAPACITY, q##_parse, q##_print, q##_print_decimals, \
                    q##_to_double, q##_from_double, Q##_RATIO(-1, 3)});                        \
     static_assert(Q##_ONE == Q##_RATIO(7, 7));                                                \
     static_assert(Q##_MIN == std::numeric_limits<q>::min());                                  \
-    static_assert(Q##_MAX == std::numeric_limits<q>::max())
+    static_assert(Q##_MAX == std::numeric_limits<q>::max());
 
-TEST(C, TextIsExact) {
-    TEXT(q4_4, Q4_4, 4);
-    TEXT(q8_8, Q8_8, 8);
-    TEXT(q16_16, Q16_16, 16);
-    TEXT(q8_24, Q8_24, 24);
-    TEXT(q32_32, Q32_32, 32);
-}
+TEST(C, TextIsExact){FIXEDPOINT_C_FORMATS(TEXT)}
 
 TEST(C, ConstantsAreRoundedHalfUp) {
     static_assert(Q16_16_RATIO(38, 100) == 24904);  // 24903.68

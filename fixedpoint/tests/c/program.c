@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT
  * Calls every function of fixedpoint_c.h in one FORMAT, with boundary and random operands, and
- * leaves a hash of each function's results: the same on the host and on the chip. There, a PART of
- * the functions fits: operations, functions, angles, turns, powers, auxiliary or conversions. */
+ * leaves a hash of each function's results: the same on the host and on the chip. There, only one
+ * PART of the functions fits. */
 #include "program.h"
 
+#include <fixedpoint/c_functions.h>
 #include <fixedpoint_c.h>
 #include <string.h>
 
@@ -69,13 +70,13 @@ static void add(const void* bytes, size_t size) {
     for (uint8_t i = 0; i < operands; ++i) \
         for (uint8_t j = i % boundaries; j < boundaries; ++j)
 
-#define UNARY(function)                                \
+#define CALL_unary(function)                           \
     begin(#function);                                  \
     FOR_EACH {                                         \
         const number result = F(function)(operand[i]); \
         add(&result, sizeof result);                   \
     }
-#define BINARY(function)                                            \
+#define CALL_binary(function)                                       \
     begin(#function);                                               \
     FOR_EACH_PAIR {                                                 \
         const number result = F(function)(operand[i], operand[j]);  \
@@ -83,38 +84,61 @@ static void add(const void* bytes, size_t size) {
         add(&result, sizeof result);                                \
         add(&swapped, sizeof swapped);                              \
     }
-#define TWO_OF_UNARY(function)         \
+#define CALL_pair(function)            \
     begin(#function);                  \
     FOR_EACH {                         \
         number both[2];                \
         F(function)(operand[i], both); \
         add(both, sizeof both);        \
     }
-#define TWO_OF_BINARY(function)                    \
+#define CALL_binary_pair(function)                 \
     begin(#function);                              \
     FOR_EACH_PAIR {                                \
         number both[2];                            \
         F(function)(operand[i], operand[j], both); \
         add(both, sizeof both);                    \
     }
-#define SHIFT(function)                                                          \
+#define CALL_shift(function)                                                     \
     begin(#function);                                                            \
     FOR_EACH for (uint8_t count = 0; count < 70; count = (uint8_t)(count + 3)) { \
         const number result = F(function)(operand[i], count);                    \
         add(&result, sizeof result);                                             \
     }
-#define OF_VECTORS(function)                                                                \
+#define CALL_dot(function)                                                                  \
     begin(#function);                                                                       \
     for (uint8_t i = 0; i + 3 < operands; ++i) {                                            \
         const number result = F(function)(operand + i, operand + (5 * i) % (operands - 3)); \
         add(&result, sizeof result);                                                        \
     }
-#define OF_VECTOR(function)                             \
+#define CALL_length(function)                           \
     begin(#function);                                   \
     for (uint8_t i = 0; i + 3 < operands; ++i) {        \
         const number result = F(function)(operand + i); \
         add(&result, sizeof result);                    \
     }
+#define CALL_ternary(function)                                                                \
+    begin(#function);                                                                         \
+    FOR_EACH_PAIR {                                                                           \
+        const number result = F(function)(operand[i], operand[j], operand[operands - 1 - i]); \
+        add(&result, sizeof result);                                                          \
+    }
+#define CALL_direction(function)                 \
+    begin(#function);                            \
+    for (uint8_t i = 0; i + 3 < operands; ++i) { \
+        number unit[3];                          \
+        F(function)(operand + i, unit);          \
+        add(unit, sizeof unit);                  \
+    }
+#define CALL_power(function)                                                 \
+    begin(#function);                                                        \
+    FOR_EACH {                                                               \
+        const number result = F(function)(operand[i], (int32_t)(i % 9) - 4); \
+        add(&result, sizeof result);                                         \
+    }
+#define CALL_direct_pair CALL_pair
+#define CALL_sign CALL_unary
+#define CALL_integer CALL_unary
+
 #define CONVERSION(type, to, from)         \
     begin(#from);                          \
     FOR_EACH {                             \
@@ -123,8 +147,7 @@ static void add(const void* bytes, size_t size) {
         add(&other, sizeof other);         \
         add(&result, sizeof result);       \
     }
-/* Through another format; FORMAT itself has no conversion to itself. */
-#define THROUGH(other) CONVERSION(other, JOIN(other##_from, FORMAT), JOIN(F(from), other))
+#define THROUGH(other, ...) CONVERSION(other, JOIN(other##_from, FORMAT), JOIN(F(from), other))
 
 static void test_text(void) {
     static const char* const texts[] = {"", "-", "1x", "1e9", "-1e9", "-0.5", ".5", "5.", "+15e-1"};
@@ -148,115 +171,9 @@ static void test_text(void) {
     }
 }
 
-static void start(void) {
-    F(results).count = 0;
-    make_operands();
-}
-
-void F(operations)(void) {
-    start();
-    BINARY(add)
-    BINARY(subtract)
-    BINARY(multiply)
-    BINARY(divide)
-    BINARY(remainder)
-    UNARY(negate)
-    UNARY(abs)
-    UNARY(sqrt)
-    SHIFT(shift_left)
-    SHIFT(shift_right)
-    OF_VECTORS(dot2)
-    OF_VECTORS(dot3)
-    OF_VECTOR(length2)
-    OF_VECTOR(length3)
-    begin("multiply_add");
-    FOR_EACH_PAIR {
-        const number result = F(multiply_add)(operand[i], operand[j], operand[operands - 1 - i]);
-        add(&result, sizeof result);
-    }
-    begin("normalise3");
-    for (uint8_t i = 0; i + 3 < operands; ++i) {
-        number unit[3];
-        F(normalise3)(operand + i, unit);
-        add(unit, sizeof unit);
-    }
-}
-
-void F(functions)(void) {
-    start();
-    BINARY(atan2)
-    UNARY(reciprocal_sqrt)
-    UNARY(sin)
-    UNARY(cos)
-    UNARY(atan)
-    UNARY(exp)
-    UNARY(log)
-    TWO_OF_UNARY(sincos)
-}
-
-void F(angles)(void) {
-    start();
-    UNARY(tan)
-    UNARY(asin)
-    UNARY(acos)
-}
-
-void F(powers)(void) {
-    start();
-    UNARY(exp2)
-    UNARY(expm1)
-    UNARY(log2)
-    UNARY(log10)
-    UNARY(log1p)
-    UNARY(sinh)
-    UNARY(cosh)
-    UNARY(tanh)
-    UNARY(cbrt)
-    begin("pow");
-    FOR_EACH {
-        const number result = F(pow)(operand[i], operand[(7 * i + 5) % operands]);
-        add(&result, sizeof result);
-    }
-}
-
-void F(turns)(void) {
-    start();
-    UNARY(sin_turns)
-    UNARY(cos_turns)
-    TWO_OF_UNARY(sincos_turns)
-    BINARY(atan2_turns)
-    UNARY(sin_degrees)
-    UNARY(cos_degrees)
-    TWO_OF_UNARY(sincos_degrees)
-    BINARY(atan2_degrees)
-}
-
-void F(auxiliary)(void) {
-    start();
-    TWO_OF_BINARY(divrem)
-    TWO_OF_BINARY(divmod)
-    BINARY(midpoint)
-    BINARY(abs_diff)
-    BINARY(copysign)
-    UNARY(smoothstep)
-    UNARY(sign)
-    UNARY(isqrt)
-    begin("lerp");
-    FOR_EACH_PAIR {
-        const number result = F(lerp)(operand[i], operand[j], operand[operands - 1 - i]);
-        add(&result, sizeof result);
-    }
-    begin("power");
-    FOR_EACH {
-        const number result = F(power)(operand[i], (int32_t)(i % 9) - 4);
-        add(&result, sizeof result);
-    }
-}
-
-void F(conversions)(void) {
+static void test_conversions(void) {
     const float zero = (float)strlen("");
     const float special[] = {zero / zero, 1e30f, -1e30f, 1e-30f};
-    start();
     CONVERSION(int32_t, F(to_int32), F(from_int32))
     CONVERSION(float, F(to_float), F(from_float))
     begin("from_float out of range");
@@ -264,32 +181,33 @@ void F(conversions)(void) {
         const number result = F(from_float)(special[i]);
         add(&result, sizeof result);
     }
-#ifndef IS_q4_4
-    THROUGH(q4_4)
-#endif
-#ifndef IS_q8_8
-    THROUGH(q8_8)
-#endif
-#ifndef IS_q16_16
-    THROUGH(q16_16)
-#endif
-#ifndef IS_q8_24
-    THROUGH(q8_24)
-#endif
-#ifndef IS_q32_32
-    THROUGH(q32_32)
-#endif
-    test_text();
+    JOIN(FIXEDPOINT_C_BESIDE, FORMAT)(THROUGH, ) test_text();
 }
 
-#ifdef __AVR__
+/* The functions in their order, in parts of equal numbers; the last part is the conversions. */
+#define INDEX(name, shape, ...) index_##name,
+enum { FIXEDPOINT_C_FUNCTIONS(INDEX, ) functions };
+#define CALL(name, shape, ...)                              \
+    if (index_##name * (C_PARTS - 1) / functions == part) { \
+        CALL_##shape(name)                                  \
+    }
+static inline void run(uint8_t part) {
+    F(results).count = 0;
+    make_operands();
+    FIXEDPOINT_C_FUNCTIONS(CALL, )
+    if (part == C_PARTS - 1) test_conversions();
+}
+
+#ifdef PART
 __attribute__((noinline, used)) void finished(void) {
     for (;;) {
     }
 }
 
 int main(void) {
-    F(PART)();
+    run(PART);
     finished();
 }
+#else
+void F(run)(uint8_t part) { run(part); }
 #endif
