@@ -15,11 +15,13 @@ find_program(AVR_GXX avr-g++ REQUIRED)
 find_program(AVR_AR avr-ar REQUIRED)
 find_program(AVR_OBJCOPY avr-objcopy REQUIRED)
 
+set(AVR_MCU atmega328p)
+set(AVR_FREQUENCY 16000000UL)
+include(${CMAKE_CURRENT_LIST_DIR}/avr_options.cmake)
 # With stabs, which is what -g means to this compiler, it does not precompile a header.
-set(AVR_COMMON_OPTIONS -mmcu=atmega328p -DF_CPU=16000000UL -Os -gdwarf-2 -Wall -Wextra -Werror
-    -ffunction-sections -fdata-sections -fshort-enums)
+set(AVR_COMMON_OPTIONS ${AVR_CHIP_OPTIONS} -gdwarf-2 -Wall -Wextra -Werror ${AVR_SECTIONS} -fshort-enums)
 set(AVR_C_OPTIONS -std=gnu11)
-set(AVR_CXX_OPTIONS -std=gnu++14 -fno-exceptions -fno-rtti -fno-threadsafe-statics)
+set(AVR_CXX_OPTIONS -std=gnu++14 ${AVR_WITHOUT_RUNTIME})
 set(AVR_LIBRARIES -I${CMAKE_SOURCE_DIR}/fixedpoint/src -I${CMAKE_SOURCE_DIR}/engine/src)
 
 # avr_parse(HEADER OPTIONS ...): sets `parsed` to a header that includes it, with its precompiled
@@ -136,7 +138,7 @@ function(avr_executable name)
     list(GET programs 0 first)
     avr_grouped(${group} PROGRAMS ${elf} INPUTS ${last} ${parsed} ${objects} ${ARG_OBJECTS} ${linked_kernels}
         COMMANDS COMMAND ${compile} -MMD -MF ${elf}.d -MT ${elf} -o ${object}
-        COMMAND ${AVR_GXX} -mmcu=atmega328p -Os ${ARG_OPTIONS} -Wl,--gc-sections,-Map=${elf}.map ${ARG_LINK_OPTIONS}
+        COMMAND ${AVR_GXX} -mmcu=${AVR_MCU} -Os ${ARG_OPTIONS} -Wl,--gc-sections,-Map=${elf}.map ${ARG_LINK_OPTIONS}
                 ${kernels} ${objects} ${object} ${ARG_OBJECTS} ${ARG_ARCHIVES} -lm -o ${elf}
         COMMAND awk -v program=${first} -v script=${linked_kernels} -f ${linked_kernels} ${elf}.map >> ${first}.d)
     if(NOT ARG_GROUP)
