@@ -4,7 +4,7 @@
 # (pyflakes), and the public headers (clang-tidy, .clang-tidy). Exit status 1 if one complains.
 #
 # Usage: scripts/lint.sh [--fix | --all]
-#   --fix  formats the sources instead
+#   --fix  formats the sources instead, and adds what keywords.txt lacks
 #   --all  also runs clang-tidy on every source of the host; needs a configured build/release and
 #          half an hour
 set -euo pipefail
@@ -30,6 +30,9 @@ readarray -t python < <(git ls-files '*.py')
 
 if [ -n "$fix" ]; then
     clang-format -i "${cpp[@]}"
+    for library in fixedpoint engine firmware; do
+        /usr/bin/python3 fixedpoint/tests/consumer/manifests_test.py $library --fix
+    done
     exit 0
 fi
 

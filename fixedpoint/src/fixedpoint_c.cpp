@@ -84,6 +84,8 @@ Number shift_right(Number a, uint8_t count) {
     q q##_##name(q a) { return name(FROM(q, a)).raw(); }
 #define DEFINE_binary(q, name) \
     q q##_##name(q a, q b) { return name(FROM(q, a), FROM(q, b)).raw(); }
+#define DEFINE_negation DEFINE_unary
+#define DEFINE_operator DEFINE_binary
 #define DEFINE_ternary(q, name) \
     q q##_##name(q a, q b, q c) { return name(FROM(q, a), FROM(q, b), FROM(q, c)).raw(); }
 #define DEFINE_shift(q, name) \

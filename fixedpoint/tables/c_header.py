@@ -153,6 +153,9 @@ SHAPES = {
     "int{width}_t(int{width}_t)": "integer",
     # Without the structure that the others of this kind return.
     "sincos": "direct_pair",
+    # Operators in C++.
+    "add": "operator", "subtract": "operator", "multiply": "operator", "divide": "operator",
+    "remainder": "operator", "negate": "negation",
 }
 
 HEAD = """\

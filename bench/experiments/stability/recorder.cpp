@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <stdexcept>
-
 namespace stability {
 
 Recorder*& active_recorder() {
@@ -19,54 +17,11 @@ const char* name_of(engine::Quantity quantity) {
     return names[static_cast<unsigned>(quantity)];
 }
 
-// The compiler names a case that is missing.
 const char* name_of(fixedpoint::Operation operation) {
-    using fixedpoint::Operation;
-#define FIXBENCH_NAME(name) \
-    case Operation::name:   \
-        return #name
-    switch (operation) {
-        FIXBENCH_NAME(add);
-        FIXBENCH_NAME(subtract);
-        FIXBENCH_NAME(negate);
-        FIXBENCH_NAME(multiply);
-        FIXBENCH_NAME(divide);
-        FIXBENCH_NAME(remainder);
-        FIXBENCH_NAME(shift_left);
-        FIXBENCH_NAME(convert);
-        FIXBENCH_NAME(sqrt);
-        FIXBENCH_NAME(reciprocal_sqrt);
-        FIXBENCH_NAME(log);
-        FIXBENCH_NAME(multiply_add);
-        FIXBENCH_NAME(dot);
-        FIXBENCH_NAME(length);
-        FIXBENCH_NAME(scale_down);
-        FIXBENCH_NAME(cos);
-        FIXBENCH_NAME(atan2);
-        FIXBENCH_NAME(exp);
-        FIXBENCH_NAME(normalise);
-        FIXBENCH_NAME(ceil);
-        FIXBENCH_NAME(round);
-        FIXBENCH_NAME(from_float);
-        FIXBENCH_NAME(from_decimal);
-        FIXBENCH_NAME(tan);
-        FIXBENCH_NAME(asin);
-        FIXBENCH_NAME(acos);
-        FIXBENCH_NAME(exp2);
-        FIXBENCH_NAME(expm1);
-        FIXBENCH_NAME(log2);
-        FIXBENCH_NAME(log10);
-        FIXBENCH_NAME(log1p);
-        FIXBENCH_NAME(sinh);
-        FIXBENCH_NAME(cosh);
-        FIXBENCH_NAME(tanh);
-        FIXBENCH_NAME(cbrt);
-        FIXBENCH_NAME(pow);
-        FIXBENCH_NAME(lerp);
-        FIXBENCH_NAME(power);
-    }
-#undef FIXBENCH_NAME
-    throw std::logic_error("an event of no operation");
+#define OPERATION_NAME(name, ...) #name,
+    constexpr const char* names[] = {FIXEDPOINT_REPORTED_OPERATIONS(OPERATION_NAME)};
+#undef OPERATION_NAME
+    return names[static_cast<unsigned>(operation)];
 }
 
 std::string to_text(const Occurrence& occurrence) {

@@ -44,14 +44,14 @@
     X(q8_24, __VA_ARGS__)
 /* X(function, what it takes and returns, ...) */
 #define FIXEDPOINT_C_FUNCTIONS(X, ...) \
-    X(add, binary, __VA_ARGS__) \
-    X(subtract, binary, __VA_ARGS__) \
-    X(negate, unary, __VA_ARGS__) \
+    X(add, operator, __VA_ARGS__) \
+    X(subtract, operator, __VA_ARGS__) \
+    X(negate, negation, __VA_ARGS__) \
     X(abs, unary, __VA_ARGS__) \
-    X(multiply, binary, __VA_ARGS__) \
+    X(multiply, operator, __VA_ARGS__) \
     X(multiply_add, ternary, __VA_ARGS__) \
-    X(divide, binary, __VA_ARGS__) \
-    X(remainder, binary, __VA_ARGS__) \
+    X(divide, operator, __VA_ARGS__) \
+    X(remainder, operator, __VA_ARGS__) \
     X(shift_left, shift, __VA_ARGS__) \
     X(shift_right, shift, __VA_ARGS__) \
     X(sqrt, unary, __VA_ARGS__) \

@@ -78,8 +78,8 @@ def called(compiler, scratch, *options):
 
 
 def kernels():
-    """The kernels of the formats in the header, except those of other variants, parts of functions
-    and steps of a solver, which the header does not have."""
+    """The kernels of the functions and formats in the header. Others are of variants, and parts of
+    functions."""
     rows = must(["g++", "-E", "-P", "-xc++", "-"],
                 input=f'#include "{source}/fixedpoint/kernel/table.hpp"\n'
                       "#define ROW(shape, operation, Raw, F, symbol, same) operation Raw F symbol;\n"
@@ -87,13 +87,10 @@ def kernels():
     widths = {(int(width), int(fraction))
               for width, fraction in re.findall(r"^typedef int(\d+)_t q\d+_(\d+);", header,
                                                 re.MULTILINE)}
+    functions = set(re.findall(rf"\b{FORMATS[0]}_(\w+)\(", header))
     return {symbol for operation, width, fraction, symbol in re.findall(
         r"(\w+) int(\d+)_t (\d+) (\w+);", rows)
-        if (int(width), int(fraction)) in widths and not re.search(
-            "_(small|saturating|unsaturated|fine)$|^nearest_|^(wrapping_lerp|sine_of_(phase|turns|quarter_turns)|tan_of_rest)$"
-            "|^(multiply_short|(square|project|dot_difference|add_scaled|exchange)[23]|transform|matrix_product(_2)?"
-            "|(twice_)?cross|cofactors|(quaternion|complex)_[a-z_]+)$",
-            operation)}
+        if (int(width), int(fraction)) in widths and operation in functions}
 
 
 def check_calls(scratch):

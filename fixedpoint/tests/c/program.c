@@ -136,6 +136,8 @@ static void add(const void* bytes, size_t size) {
         add(&result, sizeof result);                                         \
     }
 #define CALL_direct_pair CALL_pair
+#define CALL_negation CALL_unary
+#define CALL_operator CALL_binary
 #define CALL_sign CALL_unary
 #define CALL_integer CALL_unary
 

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: MIT
 """The files that Arduino and PlatformIO read conform to their documentation, and are true.
 
-Usage: manifests_test.py LIBRARY_FOLDER
+Usage: manifests_test.py LIBRARY_FOLDER [--fix]
+  --fix  adds the words to keywords.txt that it lacks
 """
 import json
 import re
@@ -162,7 +163,12 @@ if library.name == "engine":
     world = (library / "src/engine/world.hpp").read_text()
     world = world[world.index("    /// Adds a particle"):world.index("    // The parts of a step, for")]
     callable_words |= set(re.findall(r"^    (?:const )?(?:[\w:<>,]+[&]? )+(\w+)\(", world, re.M))
-expect(callable_words <= coloured, f"keywords.txt: lacks {sorted(callable_words - coloured)}")
+lacking = sorted(callable_words - coloured)
+if sys.argv[2:] == ["--fix"]:
+    with (library / "keywords.txt").open("a") as words:
+        words.writelines(f"{word}\tKEYWORD{1 if word[0].isupper() else 2}\n" for word in lacking)
+else:
+    expect(not lacking, f"keywords.txt: lacks {lacking}")
 
 for failure in failures:
     print(f"{library.name}/{failure}")

@@ -2,6 +2,7 @@
 // Everything that the library offers, in every format of the tables and in every arithmetic, so
 // that a compiler reports any warning about a header here. Compiled, but not run.
 #include <fixedpoint.h>
+#include <fixedpoint/c_functions.h>
 
 #include <fixedpoint/arithmetic/checked.hpp>
 #include <fixedpoint/arithmetic/correctly_rounded.hpp>
@@ -105,8 +106,6 @@ void widening(Fixed<I, F, A>& a) {
 }
 template <class Number>
 void angles(Number& a) {
-    a = sin_turns(a) + cos_turns(a) + sincos_turns(a).sine + atan2_turns(a, a);
-    a += sin_degrees(a) + cos_degrees(a) + sincos_degrees(a).sine + atan2_degrees(a, a);
     Turn<16> coarse = Turn<16>::from_turns(a);
     Turn<32> fine = Turn<32>::from_turns(a);
     coarse += -coarse * 2 - coarse + 3u * coarse;
@@ -115,22 +114,27 @@ void angles(Number& a) {
     a += sin<Number>(coarse) + cos<Number>(fine) + sincos<Number>(fine).sine;
 }
 
+// The functions of C, which are all of C++ beside hypot and the operators.
+#define CALL(name, shape, ...) CALL_##shape(name)
+#define CALL_operator(name)
+#define CALL_negation(name)
+#define CALL_shift(name)
+#define CALL_unary(name) a[0] += name(a[1]);
+#define CALL_binary(name) a[0] += name(a[0], a[1]);
+#define CALL_ternary(name) a[0] += name(a[0], a[1], a[2]);
+#define CALL_power(name) a[0] += name(a[0], 3) + name(a[1], -2ll);
+#define CALL_sign(name) a[0] = a[1] * name(a[0]);
+#define CALL_integer(name) a[0] = a[1] * name(a[0].raw());
+#define CALL_pair(name) a[0] += name(a[1]).sine + name(a[0]).cosine;
+#define CALL_direct_pair CALL_pair
+#define CALL_binary_pair(name) a[0] = name(a[0], a[1]).remainder;
+#define CALL_dot(name) a[0] += name(a, a);
+#define CALL_length(name) a[0] += name(a);
+#define CALL_direction(name) name(a, a);
 template <class Number>
 void functions(Number* a) {
-    a[0] = reciprocal_sqrt(a[1]) + atan(a[0]) + atan2(a[0], a[1]) + sin(a[0]) + cos(a[1]);
-    a[0] += exp(a[1]) + log(a[0]);
-    a[0] +=
-        tan(a[0]) + asin(a[0]) + acos(a[1]) + exp2(a[0]) + expm1(a[1]) + log2(a[0]) + log10(a[1]);
-    a[1] += log1p(a[0]) + sinh(a[0]) + cosh(a[1]) + tanh(a[0]) + cbrt(a[1]) + pow(a[0], a[1]) +
-            power(a[0], 3) + power(a[1], -2ll);
-    a[0] += hypot(a[0], a[1]) + hypot(a[0], a[1], a[0]);
-    a[0] = lerp(copysign(a[0], a[1]), midpoint(a[0], a[1]), smoothstep(abs_diff(a[0], a[1])));
-    a[0] = divmod(a[0], a[1]).remainder + divrem(a[0], a[1]).remainder +
-           isqrt(a[0].raw()) * sign(a[1]);
-    const auto both = sincos(a[1]);
-    a[1] = multiply_add(both.sine, both.cosine, a[1]);
-    a[1] += dot2(a, a + 1) + dot3(a, a) + length2(a) + length3(a);
-    normalise3(a, a);
+    FIXEDPOINT_C_FUNCTIONS(CALL, )
+    a[0] += hypot(a[0], a[1]) + hypot(a[0], a[1], a[2]);
 }
 
 template <class Number>
