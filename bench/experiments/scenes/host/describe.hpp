@@ -53,7 +53,8 @@ struct Overflow {
     }
 };
 
-// The integer bits of the scene's best split, from CMakeLists.txt.
+// The best split of 32 bits: the fewest integer bits that hold every number of the scene. Stated in
+// initial_states.hpp; a test compares them with the largest number of the run in double.
 template <class SceneType>
 constexpr int integer_bits = 0;
 

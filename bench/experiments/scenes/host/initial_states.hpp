@@ -28,28 +28,40 @@ class Draw {
     std::mt19937 bits_;
 };
 
+// For each scene: the integer bits of its best split, which CMakeLists.txt reads, and how its start
+// is drawn.
 template <class SceneType>
 using Numbers = typename SceneType::template Parameters<double>;
 
+template <>
+inline constexpr int integer_bits<scenes::FreeFall> = 6;
 inline void draw(Numbers<scenes::FreeFall>& of, Draw& any) {
     of.height = any.between(15, 25);
     of.velocity_x = any.between(-4, 4);
     of.velocity_y = any.between(-5, 5);
 }
+template <>
+inline constexpr int integer_bits<scenes::BouncingBall> = 5;
 inline void draw(Numbers<scenes::BouncingBall>& of, Draw& any) {
     of.height = any.between(1, 3);
     of.velocity_x = any.between(-1, 1);
 }
+template <>
+inline constexpr int integer_bits<scenes::SpringAndMass> = 6;
 inline void draw(Numbers<scenes::SpringAndMass>& of, Draw& any) {
     const double angle = any.degrees(0, 360), length = of.rest_length + any.between(0.2, 0.6);
     of.x = length * std::cos(angle);
     of.y = length * std::sin(angle);
 }
+template <>
+inline constexpr int integer_bits<scenes::Pendulum> = 5;
 inline void draw(Numbers<scenes::Pendulum>& of, Draw& any) {
     const double angle = any.degrees(15, 60);
     of.x = of.length * std::sin(angle);
     of.y = -of.length * std::cos(angle);
 }
+template <>
+inline constexpr int integer_bits<scenes::DoublePendulum> = 5;
 inline void draw(Numbers<scenes::DoublePendulum>& of, Draw& any) {
     const double upper = any.degrees(20, 50), lower = any.degrees(30, 60);
     of.x = of.length * std::sin(upper);
@@ -57,39 +69,57 @@ inline void draw(Numbers<scenes::DoublePendulum>& of, Draw& any) {
     of.lower_x = of.x + of.length * std::sin(lower);
     of.lower_y = of.y - of.length * std::cos(lower);
 }
+template <>
+inline constexpr int integer_bits<scenes::RopeSwing> = 5;
 inline void draw(Numbers<scenes::RopeSwing>& of, Draw& any) {
     of.x = any.between(0.9, 1.4);
     of.y = any.between(-0.3, 0);
 }
+template <>
+inline constexpr int integer_bits<scenes::TwoBodyCollision> = 3;
 inline void draw(Numbers<scenes::TwoBodyCollision>& of, Draw& any) {
     of.velocity = any.between(1.5, 2.5);
     of.other_velocity = any.between(-1.5, -0.5);
     of.other_y = any.between(0.05, 0.4);
 }
+template <>
+inline constexpr int integer_bits<scenes::NewtonsCradle> = 5;
 inline void draw(Numbers<scenes::NewtonsCradle>& of, Draw& any) {
     const double angle = any.degrees(20, 50);
     of.x = -of.length * std::sin(angle);
     of.y = -of.length * std::cos(angle);
 }
+template <>
+inline constexpr int integer_bits<scenes::ChainOfRods> = 5;
 inline void draw(Numbers<scenes::ChainOfRods>& of, Draw& any) {
     const double angle = any.degrees(20, 50);
     of.x = of.length * std::sin(angle);
     of.y = -of.length * std::cos(angle);
 }
+template <>
+inline constexpr int integer_bits<scenes::Stack> = 5;
 inline void draw(Numbers<scenes::Stack>& of, Draw& any) { of.gap = any.between(0.05, 0.2); }
+template <>
+inline constexpr int integer_bits<scenes::BoxOfParticles> = 3;
 // Exact in every format: otherwise chaos would make the rounding of the start the whole error.
 inline void draw(Numbers<scenes::BoxOfParticles>& of, Draw& any) {
     of.velocity = std::round(any.between(0.15, 0.35) * 256) / 256;
 }
+template <>
+inline constexpr int integer_bits<scenes::ProjectileWithDrag> = 6;
 inline void draw(Numbers<scenes::ProjectileWithDrag>& of, Draw& any) {
     of.velocity_x = any.between(8, 16);
     of.velocity_y = any.between(10, 18);
 }
+template <>
+inline constexpr int integer_bits<scenes::Lever> = 5;
 inline void draw(Numbers<scenes::Lever>& of, Draw& any) {
     const double angle = any.degrees(170, 230);
     of.end_x = of.pivot_x + of.length * std::cos(angle);
     of.end_y = of.pivot_y + of.length * std::sin(angle);
 }
+template <>
+inline constexpr int integer_bits<scenes::PublishedLever> = 5;
 // The end starts where it is, and the first step puts it onto its arm: the arm's length determines
 // the start.
 inline void draw(Numbers<scenes::PublishedLever>& of, Draw& any) {

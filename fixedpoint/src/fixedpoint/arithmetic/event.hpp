@@ -11,23 +11,8 @@ namespace fixedpoint {
 /// outside the domain, or a product or quotient other than 0 was rounded to 0.
 enum class Event : unsigned char { overflow, division_by_zero, domain_error, underflow };
 
-/// \cond internal
-// X(operation, ...): the operations that Checked reports.
-// clang-format off
-#define FIXEDPOINT_REPORTED_OPERATIONS(X)                                                    \
-    X(add, ) X(subtract, ) X(negate, ) X(multiply, ) X(divide, ) X(remainder, )              \
-    X(shift_left, ) X(convert, ) X(sqrt, ) X(reciprocal_sqrt, ) X(log, ) X(multiply_add, )   \
-    X(dot, ) X(length, ) X(scale_down, ) X(cos, ) X(atan2, ) X(exp, ) X(normalise, )         \
-    X(ceil, ) X(round, ) X(from_float, ) X(from_decimal, )                                   \
-    FIXEDPOINT_ELEMENTARY_FUNCTIONS(X)                                                       \
-    X(lerp, ) X(power, )
-// clang-format on
-#define FIXEDPOINT_ENUMERATOR(name, ...) name,
-/// \endcond
-
 /// The operation in which an event happened. dot stands for dot2 and dot3, length for length2,
 /// length3 and hypot.
 enum class Operation : unsigned char { FIXEDPOINT_REPORTED_OPERATIONS(FIXEDPOINT_ENUMERATOR) };
-#undef FIXEDPOINT_ENUMERATOR
 
 }  // namespace fixedpoint
