@@ -475,7 +475,7 @@ KERNELS = [Kernel(operation, *split)
 # The number of instructions that are left out, spread evenly over a kernel: all of them in short
 # kernels. The macros of the others contain instructions that some splits do not need.
 MUTATIONS = {"multiply_q8_8": 99, "multiply_q16_16": 99, "multiply_q8_24": 12, "multiply_q32_32": 8,
-             "multiply_add_q16_16": 99, "dot3_q16_16": 30, "dot3_q8_24": 8, "dot3_q32_32": 8}
+             "multiply_add_q16_16": 99, "dot2_q16_16": 99, "dot3_q16_16": 3, "dot3_q8_24": 8, "dot3_q32_32": 8}
 
 
 # What chooses the shorter of two ways: the longer one returns the same.
