@@ -12,13 +12,13 @@ The statements about the registers at each label; v is the vector, at address 0:
     root        S of all of them, N from here on; r1 is 0 where it is                            by bits
     table       the upper 24 bits of N 4^k, which is 2^46 at least                               by running it
     back        R <= sqrt(N 4^k) < R + 12                                                        by bits
-    near        r = floor(R / 2^k)                                                               by linear forms
+    near        r = floor(R / 2^k + 1/2)                                                         by linear forms
     step        n = N - r (r + 1) - 1 modulo 2^32, not negative                                  by linear forms
-    done        likewise, negative                                                               by linear forms
+    done        likewise, negative; or r as at `near`, the same for R + 12                       by linear forms
 
-At `near`, 0 <= sqrt(N) - r < 13, so n is between -2^25 and 2^29 and its four bytes have its sign;
-from there on r (r - 1) < N or r = 0, and n decreases. At `done`, N <= r (r + 1): r is nearest,
-since a root is never an integer plus one half.
+At `near`, -1/2 <= sqrt(N) - r < 13, so n is between -2^26 and 2^29 and its four bytes have its
+sign; from there on r (r - 1) < N or r = 0, and n decreases. At `done`, r is nearest, since a root is
+never an integer plus one half: either N <= r (r + 1), or r - 1/2 <= sqrt(N) < r + 1/2.
 
 From the first component of 2^23 or more on:
 
@@ -59,7 +59,12 @@ from machine_code import Program, demand
 from stretches import Bounded, equal
 
 S, X, UPPER, POINTER = (18, 19, 20, 21, 22, 23), (24, 25, 26), 27, (30, 31)
-TOP, K, R, N = (25, 26, 30), 22, (31, 23, 27), (18, 19, 20, 21)
+TOP, R, N, ROUNDED = (25, 26, 30), (31, 22, 23), (18, 19, 20, 21), (22, 23, 24)
+SHIFT = 27
+# 2^(8 - k mod 8) modulo 2^8, plus 1 outside of the third row; whether T is set; the lower bound of N
+SHIFTS = [*((k, (1 << 8 - k) % 256 + 1, True, 40) for k in range(4)),
+          *((k, 1 << 8 - k, None, 32) for k in range(4, 8)),
+          *((k, (1 << 8 - k % 8) % 256 + 1, False, 40 - 8 * (k // 4)) for k in range(8, 24))]
 ROOT, LONG = "fixedpoint_length_root", "fixedpoint_length_long"
 CHUNK = 1 << 18
 A, SUM, COUNT, ZERO, BACK = (24, 25, 26, 27), (18, 19, 20, 21, 22, 23, 16, 17), 28, 29, 17
@@ -120,14 +125,15 @@ def normalised(m):
     unchanged = same(m, N)
 
     def check(m, end):
-        if end is None:
-            demand(m.impossible(z3.Or(n != 0, joined(m, (22, 23, 24, 25)) != 0)))
+        if end == ".Ldone":
+            demand(m.impossible(z3.Or(n != 0, joined(m, ROUNDED) != 0)))
             return
         unchanged(m)
-        k = constant(m, K)
-        wide = n << 2 * k
-        demand(k < 24 and m.impossible(z3.Or(z3.LShR(wide, 2 * k) != n, z3.Extract(47, 24, wide) != joined(m, TOP),
-                                             z3.ULT(m.registers[TOP[2]], 64))))
+        back, larger = constant(m, SHIFT), m.flags.get("T")
+        rows = [row for row in SHIFTS if row[1] == back and (row[2] is None or larger is not None and row[2] == z3.is_true(larger))]
+        fits = [z3.And(z3.UGE(n, 1 << low), z3.LShR(wide := n << 2 * k, 2 * k) == n, z3.Extract(47, 24, wide) == joined(m, TOP),
+                       z3.UGE(m.registers[TOP[2]], 64)) for k, _, _, low in rows]
+        demand(m.impossible(z3.Not(z3.Or(*fits))))
     return check
 
 
@@ -136,32 +142,35 @@ def estimate(m, first):
     m.place(m.given["top"], TOP)
 
     def check(m, _):
-        demand(all(map(m.untouched, (*N, K))))
+        demand(all(map(m.untouched, (*N, SHIFT))))
         top, root = m.given["top"], numpy.asarray(m.number(R), dtype=numpy.int64)
         demand((root >= 0).all() and (root < 1 << 24).all())
         demand((root * root <= top << 24).all() and ((root + 12) ** 2 >= top + 1 << 24).all())
     return check
 
 
-def back(m, k):
+def back(m, k, shift, larger, low):
     forget_product(m)
-    root = joined(m, R)
-    m.registers[K] = z3.BitVecVal(k, 8)
+    root = z3.ZeroExt(1, joined(m, R))
+    m.registers[SHIFT] = z3.BitVecVal(shift, 8)
+    if larger is not None:
+        m.flags["T"] = z3.BoolVal(larger)
+    if larger is False:
+        m.holds += [z3.UGE(joined(m, N), 1 << low), z3.ULT(joined(m, N), 1 << low + 8 if low < 24 else 0xffffffff)]
     unchanged = same(m, N)
+    half = root + (1 << k >> 1)
 
     def check(m, end):
         unchanged(m)
-        if end == ".Lback":
-            demand(m.impossible(z3.Or(joined(m, R) != z3.LShR(root, 8), m.registers[K] != k - 8)))
-        else:
-            demand(m.impossible(z3.Or(joined(m, R) != z3.LShR(root, k), z3.Not(m.flag("C")))))
+        demand(m.impossible(z3.ZeroExt(1, joined(m, ROUNDED)) != z3.LShR(half, k)))
+        if end == ".Ldone":
+            demand(m.impossible(z3.LShR(half + 12 - 1, k) != z3.LShR(half, k)))
     return check
 
 
 def near(m):
-    r, n = m.number(R), m.number(N)
-    m.carry = known(1)
-    unchanged = same(m, R)
+    r, n = m.number(ROUNDED), m.number(N)
+    unchanged = same(m, ROUNDED)
 
     def check(m, end):
         unchanged(m)
@@ -176,19 +185,19 @@ def falls(m, end):
 
 
 def step(m):
-    r, n = m.number(R), m.number(N)
+    r, n = m.number(ROUNDED), m.number(N)
     m.hold(0, r, (1 << 24) - 2)
 
     def check(m, end):
         m.possible([])
-        m.same(m.number(R), r + known(1), 1 << 24)
+        m.same(m.number(ROUNDED), r + known(1), 1 << 24)
         demand(m.constant(m.number(N) - n + r * 2 + known(2), 1 << 32) == 0)
         falls(m, end)
     return check
 
 
 def done(m):
-    r = m.number(R)
+    r = m.number(ROUNDED)
 
     def check(m, _):
         m.show(equal(m.number((22, 23, 24, 25)), r))
@@ -419,9 +428,9 @@ def of(count):
     return name, stretches, cuts
 
 
-SHARED = [(ROOT, normalised, (".Ltable", None), (), *ANY),
+SHARED = [(ROOT, normalised, (".Ltable", ".Ldone"), (), *ANY),
           (".Ltable", estimate, (".Lback",), (), [(i,) for i in range(1 << 22, 1 << 24, CHUNK)], (None,)),
-          (".Lback", back, (".Lback", ".Lnear"), (), [(k,) for k in range(24)], (None,)),
+          (".Lback", back, (".Lnear", ".Ldone"), (), SHIFTS, (None,)),
           (".Lnear", near, (".Lstep", ".Ldone"), (), *ANY),
           (".Lstep", step, (".Lstep", ".Ldone"), (), *ANY),
           (".Ldone", done, (None,), (), *ANY)]
@@ -443,13 +452,11 @@ LONG_CUTS = [(".Lnext", ".Lsquare", "ld", "r24"), (".Lthird", ".Lnormalised", "m
              (".Lturn", ".Leighth", "mulsu", "r16"),
              (".Lfine", ".Lturn", "sbrc", "r1"), (".Lshift", ".Lfine", "mul", "r28"),
              (".Lhalf", ".Lshift", "sbc", "r18"), (".Lsigned", ".Lhalf", "add", "r21")]
-CUTS = [*LONG_CUTS, (".Ltable", ROOT, "ldi", "r31"), (".Lback", ".Ltable", "cpi", "r22"), (".Lnear", ".Lback", "sbc", "r18"),
-        (".Lstep", ".Lnear", "subi", "r31"), (".Ldone", ".Lstep", "mov", "r22")]
+CUTS = [*LONG_CUTS, (".Lstep", ".Lnear", "subi", "r22")]
 
 
 def main():
     failed = False
-    # fixedpoint_length_root clears what is 0, too, where N is.
     needless = {Bits: ("ret", "rjmp", "jmp", "eor"), Arrays: ("rjmp",), Bounded: ("ret", "rjmp", "jmp")}
     by_bits = (ROOT, ".Lback", LONG, ".Lnext", ".Lsum", ".Leighth", ".Lfine", ".Lshift", ".Lsigned")
     for count in (3, 2):

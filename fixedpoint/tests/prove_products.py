@@ -65,7 +65,8 @@ class Machine:
             if self.is_top((operand, int(index))):
                 self.answers[operand] = number > 127
         self.ranges = {}
-        self.facts = {}       # of a variable: (low, form, high) that defines it
+        # Of a variable: (low, form, high) that defines it.
+        self.facts = {byte: (number, Form({byte: 1}), number) for byte, number in self.equal.items()}
         self.shifted = {}     # of a bit that a shift has moved out: the form that is the same
         self.read_carries = set()
         self.products = {}
@@ -328,6 +329,8 @@ class Machine:
                 raise Unprovable(f"r{n} is not kept")
         rest = self.kernel.exact_sum(self)
         rest = rest - self.kernel.result(self) * (1 << self.kernel.fraction)
+        for byte, number in self.equal.items():
+            rest += (known(number) - Form({byte: 1})) * rest.get(byte, 0)
         modulus = 1 << self.kernel.fraction + 8 * self.kernel.size
         half = modulus // 2
         rest = Form({name: (factor + half) % modulus - half for name, factor in rest.items()
@@ -430,13 +433,17 @@ class Kernel:
                 total += Form({f"c0.{i}": 1 << self.fraction + 8 * i})
         return total
 
-    def product_by_known(self, machine, factor, other):
-        """Where the highest byte of b is known to be 0 or -1."""
-        number = machine.equal.get("{}.{}".format(*other)) if machine.is_top(other) else None
-        if number == 255:
-            negative = machine.fresh(f"{factor[0]} negative", 1) * 256 if machine.is_top(factor) else Form()
-            return negative - Form({"{}.{}".format(*factor): 1})
-        return known(0) if number == 0 else None
+    def product_by_known(self, machine, *factors):
+        """Where a byte is known: of a highest one, 255 is -1."""
+        for (operand, index), other in (factors, factors[::-1]):
+            number = machine.equal.get(f"{operand}.{index}")
+            if number is not None:
+                signed = number - 256 if machine.is_top((operand, index)) and number > 127 else number
+                byte = Form({"{}.{}".format(*other): 1})
+                if machine.is_top(other):
+                    byte -= machine.variable(f"{other[0]} negative", 1) * 256
+                return byte * signed
+        return None
 
     def result(self, machine):
         first = 26 - max(self.size, 2)
@@ -468,7 +475,11 @@ KERNELS = [Kernel(operation, *split)
 # The number of instructions that are left out, spread evenly over a kernel: all of them in short
 # kernels. The macros of the others contain instructions that some splits do not need.
 MUTATIONS = {"multiply_q8_8": 99, "multiply_q16_16": 99, "multiply_q8_24": 12, "multiply_q32_32": 8,
-             "multiply_add_q16_16": 99, "dot3_q16_16": 30, "dot3_q8_24": 8, "dot3_q32_32": 8}
+             "multiply_add_q16_16": 99, "dot2_q16_16": 99, "dot3_q16_16": 3, "dot3_q8_24": 8, "dot3_q32_32": 8}
+
+
+# What chooses the shorter of two ways: the longer one returns the same.
+CHOICES = ("breq", "cpi", "rjmp")
 
 
 def assembled(folder):
@@ -482,7 +493,7 @@ def assembled(folder):
 
 def survivors(kernel, code, count):
     """The instructions without which the proof still succeeds, among `count` that are left out."""
-    addresses = sorted(a for a in kernel.visited if code[a][0] != "ret")
+    addresses = sorted(a for a in kernel.visited if code[a][0] not in ("ret", *CHOICES))
     found = []
     for address in addresses[::-(-len(addresses) // count)]:
         mutated = dict(code)

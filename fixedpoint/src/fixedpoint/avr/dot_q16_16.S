@@ -6,14 +6,14 @@
 // In       a = r25:r24, b = r23:r22, in RAM
 // Out      r25:r22
 // Changes  r0, r18..r27, r30, r31; r1 is 0 again at return
-// Stack    6 bytes
+// Stack    7 bytes
 //
-// Bytes 0..5 of the exact sum are formed, since 2^48 is beyond the result: component by component,
-// and byte by byte of b, so that only one byte of b is in a register. The even products of a byte
-// of b are adjacent, and so are the odd ones: each set is added to the sum in one carry chain.
-// `mulsu` sets the carry to the sign of its product, which is subtracted from the bytes above the
-// product. Rounding adds 2^15, which carries into byte 2 exactly when byte 1 has its top bit set:
-// in the last component `lsl` of it is the carry of the first chain that begins at byte 2.
+// Bytes 0..5 of the exact sum are formed, since 2^48 is beyond the result. As in
+// multiply_q16_16.inc, the lower two bytes of a component of a and the lower three of b begin, and
+// of the upper bytes, which are mostly the sign only, 0 adds nothing and -1 subtracts the other
+// operand. Two products whose bytes do not overlap are added in one carry chain. Rounding adds 2^15,
+// which carries into byte 2 exactly when byte 1 has its top bit set: in the last component `lsl` of
+// it is the carry of the first chain that begins at byte 2.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -21,109 +21,64 @@
 #define a0 r18
 #define a1 r19
 #define a2 r20
-#define a3 r21
-#define digit r22
-#define zero r23
+#define b0 r16
+#define b1 r17
+#define b2 r13
+// The highest byte of an operand; it is zero in between.
+#define top r21
+#define zero r21
 #define s0 r14
 #define s1 r15
-#define s2 r16
-#define s3 r17
+#define s2 r22
+#define s3 r23
 #define s4 r24
 #define s5 r25
 #define q0 r28
 #define q1 r29
 
-    // a1 b0 and a3 b0
-    .macro add_odd_row_0
-    mulsu a3, digit
-    sbc s5, zero
-    movw q0, r0
-    mul a1, digit
-    add s1, r0
-    adc s2, r1
-    adc s3, q0
-    adc s4, q1
-    adc s5, zero
+    .macro load_component
+    ld_each a0, X+, 3
+    ld b0, Z+
+    ld b1, Z+
+    ld b2, Z+
     .endm
 
-    .macro add_row_1 offset
-    ldd digit, Z + 4 * \offset + 1
-    mul a2, digit
-    movw q0, r0
-    mul a0, digit
-    add s1, r0
-    adc s2, r1
-    adc s3, q0
-    adc s4, q1
-    adc s5, zero
-    mulsu a3, digit
-    movw q0, r0
-    mul a1, digit
-    add s2, r0
-    adc s3, r1
-    adc s4, q0
-    adc s5, q1
-    .endm
-
-    // a1 b2 and the low byte of a3 b2
-    .macro add_odd_row_2
-    mul a3, digit
-    mov q0, r0
-    mul a1, digit
-    add s3, r0
-    adc s4, r1
-    adc s5, q0
-    .endm
-
-    .macro add_row_3 offset
-    ldd digit, Z + 4 * \offset + 3
-    mul a2, digit
-    mov q0, r0
-    mulsu digit, a0
-    sbc s5, zero
-    add s3, r0
-    adc s4, r1
-    adc s5, q0
-    mulsu_add digit, a1, s4, s5
-    .endm
-
-    // s = a_0 b_0
-    .macro first_product
-    ld_each a0, X+, 4
-    ldd digit, Z + 2
-    mul a0, digit
-    movw s2, r0
-    mul a2, digit
-    movw s4, r0
-    add_odd_row_2
-    ld digit, Z
-    mul a0, digit
+    // s5:s0 = (a1:a0) (b2:b0). a1 b1 absorbs the carries of the columns below it, and the product
+    // has five bytes.
+    .macro first_lower_products
+    mul a0, b0
     movw s0, r0
-    mul_add a2, digit, s2, s3, zero, s4, s5
-    add_odd_row_0
-    add_row_1 0
-    add_row_3 0
+    mul a1, b1
+    movw s2, r0
+    clr s4
+    clr s5
+    mul_add a0, b1, s1, s2, s5, s3
+    mul_add a1, b0, s1, s2, s5, s3
+    mul_add a0, b2, s2, s3, s5, s4
+    mul_add a1, b2, s3, s4
     .endm
 
-    // s += a_i b_i; the last component rounds.
-    .macro add_product offset, last
-    ld_each a0, X+, 4
-    ldd digit, Z + 4 * \offset
-    mul a2, digit
+    // s5:s0 += (a1:a0) (b2:b0), and 2^15 if `last`.
+    .macro add_lower_products last
+    mul a1, b1
     movw q0, r0
-    mul a0, digit
+    mul a0, b0
     add s0, r0
     adc s1, r1
     adc s2, q0
     adc s3, q1
     adc s4, zero
     adc s5, zero
-    add_odd_row_0
-    add_row_1 \offset
-    ldd digit, Z + 4 * \offset + 2
-    mul a2, digit
+    mul a1, b2
     movw q0, r0
-    mul a0, digit
+    mul a0, b1
+    add s1, r0
+    adc s2, r1
+    adc s3, q0
+    adc s4, q1
+    adc s5, zero
+    mul_add a1, b0, s1, s2, zero, s3, s4, s5
+    mul a0, b2
     .if \last
     lsl s1
     adc s2, r0
@@ -131,10 +86,67 @@
     add s2, r0
     .endif
     adc s3, r1
+    adc s4, zero
+    adc s5, zero
+    .endm
+
+    // s5:s0 += the other products.
+    .macro add_upper_products
+    ld top, Z+          // of b
+    tst top
+    breq 2f
+    cpi top, 0xff
+    brne 1f
+    sub s3, a0
+    sbc s4, a1
+    sbc s5, a2
+    rjmp 2f
+1:  mulsu top, a0
+    sbc s5, q0          // the sign; q0 is added again with the carry
+    add s3, r0
+    adc s4, r1
+    adc s5, q0
+    mulsu_add top, a1, s4, s5
+    mul top, a2
+    add s5, r0
+2:  ld top, X+          // of a
+    tst top
+    breq 5f
+    cpi top, 0xff
+    brne 3f
+    clr zero
+    cpi a2, 0xff
+    breq 4f
+    sub s3, b0
+    sbc s4, b1
+    sbc s5, b2
+    rjmp 6f
+3:  mulsu top, b0
+    sbc s5, q0
+    add s3, r0
+    adc s4, r1
+    adc s5, q0
+    mulsu_add top, b1, s4, s5
+    mul top, b2
+    add s5, r0
+    clr zero
+    rjmp 6f
+4:  sub s2, b0          // -2^16 b
+    sbc s3, b1
+    sbc s4, b2
+    sbc s5, zero
+    rjmp 7f
+5:  tst a2
+    breq 7f
+6:  mul a2, b2
+    movw q0, r0
+    mul a2, b0
+    add s2, r0
+    adc s3, r1
     adc s4, q0
     adc s5, q1
-    add_odd_row_2
-    add_row_3 \offset
+    mul_add a2, b1, s3, s4, zero, s5
+7:
     .endm
 
     SECTION fixedpoint_dot_q16_16
@@ -145,20 +157,21 @@
 
     ENTRY fixedpoint_dot3_q16_16
     set
-1:  push_all s0, s1, s2, s3, q0, q1
+1:  push_all b2, s0, s1, b0, b1, q0, q1
     movw r26, r24
     movw r30, r22
-    clr zero
-    first_product
-    brts 2f
-    sbiw r30, 4
-    rjmp 3f
-2:  add_product 1, 0
-3:  add_product 2, 1
-    pop q1
-    pop q0
-    movw r22, s2
-    pop_all s3, s2, s1, s0
+    load_component
+    first_lower_products
+    add_upper_products
+    brts 8f
+    rjmp 9f
+8:  load_component
+    add_lower_products 0
+    add_upper_products
+9:  load_component
+    add_lower_products 1
+    add_upper_products
+    pop_all q1, q0, b1, b0, s1, s0, b2
     clr r1
     ret
     ENDFUNC fixedpoint_dot3_q16_16

@@ -7,9 +7,13 @@
 //
 // Technique. As in sqrt_q16_16.S: N is shifted left by 2 k bits, and a 16-bit root from tables gets
 // eight more bits by the slope of the table. Here the fourth byte is dropped, so the 24-bit root is
-// less than 6 above and less than 5.1 below sqrt(N 4^k). Minus 6 and shifted back by k, it is not
-// above sqrt(N), and N - r (r + 1) - 1 says how often it is incremented: once or twice, but up to
-// 12 times if k is 0.
+// less than 6 above and less than 5.1 below sqrt(N 4^k). Minus 6, it is R, less than 12 below it.
+// R / 2^k, rounded, is not above r, and it is r unless its fraction and 12 / 2^k carry. If they do,
+// or if k <= 3, N - r (r + 1) - 1 says how often it is incremented: once or twice, but up to 12
+// times if k is 0.
+//
+// From 2^32 to 2^40 N takes the shortest way. Other numbers have bit 0 set in `back`, and T if they
+// are larger.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -18,56 +22,153 @@
 #define n1 r19
 #define n2 r20
 #define n3 r21
-#define k r22
-#define s0 r31
-#define s1 r23
-#define s2 r27
-#define slope r24
-#define m1 r25
+#define n4 r22
+#define n5 r23
+// N 4^k, its upper three bytes, and what moves it there.
+#define m3 r30
 #define m2 r26
+#define m1 r25
+#define m0 r24
+#define power r22
+#define power_of_five r24
+// 2^(8 - k mod 8) modulo 2^8.
+#define back r27
+#define s0 r31
+#define s1 r22
+#define s2 r23
+#define slope r24
+// The result, and the byte below it.
+#define c0 r22
+#define c1 r23
+#define c2 r24
+#define fraction r31
 
-    FUNCTION fixedpoint_length_root
-    // k: 4 for each leading zero byte.
-    movw r26, r22
-    movw r24, n2
-    movw r30, n0
-    clr k
-1:  tst r27
-    brne 2f
-    mov_from_top r25, r24, 3
-    mov r24, r31
-    mov r31, r30
-    clr r30
-    subi k, -4
-    cpi k, 24
-    brne 1b
-    rjmp .Lzero
-2:  ldi r23, 1
-    cpi r27, 64
-    brsh 3f
-    inc k
-    ldi r23, 4
-    cpi r27, 16
-    brsh 3f
-    inc k
-    ldi r23, 16
-    cpi r27, 4
-    brsh 3f
-    inc k
-    ldi r23, 64
-3:  mul r27, r23
-    mov r30, r0
-    mul_or r26, r23, m2, r30
-    mul_or r25, r23, m1, m2
-    mul r24, r23
+    // c2:c1:c0:fraction = R back
+    .macro shift_back
+    mul s2, back
+    mov c2, r1
+    mov c1, r0
+    mul_or s1, back, c0, c1
+    mul_or s0, back, fraction, c0
+    .endm
+    // c2:c1:c0 is rounded; the fraction counts from -1/2 then.
+    .macro round
+    subi fraction, 128
+    sbci c0, 0xff
+    sbci c1, 0xff
+    sbci c2, 0xff
+    .endm
+
+    SECTION fixedpoint_length_root
+.Lthree_bytes:
+    clr m0
+    mov m1, n0
+    mov m2, n1
+    mov m3, n2
+    tst m3
+    brne .Lodd
+    mov m3, m2
+    mov m2, m1
+    clr m1
+    tst m3
+    brne .Leven
+    mov m3, m2
+    clr m2
+    tst m3
+    brne .Lodd
+    clr c0
+    clr c1
+    rjmp .Ldone         // c2 is m0
+.Lodd:
+    ldi power, 64
+    ldi back, 3
+    cpi m3, 4
+    brlo .Lscale
+    ldi power, 16
+    ldi back, 5
+    cpi m3, 16
+    brlo .Lscale
+    ldi power, 4
+    ldi back, 9
+    cpi m3, 64
+    brlo .Lscale
+    ldi power, 1
+    ldi back, 17
+    rjmp .Lscale
+.Lfour_bytes:
+    clt
+    tst n3
+    breq .Lthree_bytes
+    mov m3, n3
+    mov m2, n2
+    movw m0, n0
+.Leven:
+    ldi power, 64
+    ldi back, 33
+    cpi m3, 4
+    brlo .Lscale
+    ldi power, 16
+    ldi back, 65
+    cpi m3, 16
+    brlo .Lscale
+    ldi power, 4
+    ldi back, 129
+    cpi m3, 64
+    brlo .Lscale
+    ldi power, 1
+    ldi back, 1
+.Lscale:
+    mul m3, power
+    mov m3, r0
+    mul_or m2, power, m2, m3
+    mul_or m1, power, m1, m2
+    mul m0, power
     or m1, r1
+    rjmp .Ltable
+.Lsix_bytes:
+    set
+    mov m3, n5
+    mov m2, n4
+    movw m0, n2
+    rjmp .Leven
+.Lunscaled:
+    mov m3, n4
+    mov m2, n3
+    mov m1, n2
+    rjmp .Ltable
+
+    ENTRY fixedpoint_length_root
+    tst n5
+    brne .Lsix_bytes
+    tst n4
+    breq .Lfour_bytes
+    ldi back, 16
+    cpi n4, 64
+    brsh .Lunscaled
+    ldi power_of_five, 4
+    ldi back, 8
+    cpi n4, 16
+    brsh 1f
+    ldi power_of_five, 16
+    ldi back, 4
+    cpi n4, 4
+    brsh 1f
+    ldi power_of_five, 64
+    ldi back, 2
+1:  mul n4, power_of_five
+    mov m3, r0
+    mul_or n3, power_of_five, m2, m3
+    mul_or n2, power_of_five, m1, m2
+    mul n1, power_of_five
+    or m1, r1
+.Ltable:
     ldi r31, hi8(fixedpoint_sqrt_table)
     lpm_pages s1, s2, slope
     mul slope, m2
     add s1, r1
-    brcc 4f
+    brcc 1f
     inc s2
-4:  mul s1, s1
+1:  mul s1, s1
     sub m1, r1
     sbci m2, 0
     mul s2, s2
@@ -82,86 +183,92 @@
     mul m2, slope
     add s0, r0
     adc s1, r1
-    brcc 5f
+    brcc 1f
     inc s2
-5:  subi s0, 6
+1:  subi s0, 6
     sbci s1, 0
     sbci s2, 0
-6:  cpi k, 8
-    brlo 7f
-    mov s0, s1
-    mov s1, s2
-    clr s2
-    subi k, 8
-    rjmp 6b
-    // Four bits by a product.
-7:  cpi k, 4
-    brlo 10f
-    ldi r30, 16
-    mul s0, r30
-    mov s0, r1
-    mul s1, r30
-    or s0, r0
-    mov s1, r1
-    mul s2, r30
-    or s1, r0
-    mov s2, r1
-    subi k, 4
-    rjmp 10f
-9:  lsr s2
-    ror s1
-    ror s0
-10: dec k
-    brpl 9b
+.Lback:
+    sbrc back, 0
+    rjmp .Lother
+    shift_back
+    round
+    ldi r30, 12
+    mul back, r30
+    add fraction, r0
+    brcs .Lnear
+.Ldone:
+    clr r25
+    clr r1
+    ret
+
+.Lother:
+    andi back, 0xfe
+    breq 1f
+    shift_back
+    rjmp 2f
+1:  mov c2, s2
+    mov c1, s1
+    mov c0, s0
+    clr fraction
+2:  brts 4f
+    mov fraction, c0
+    mov c0, c1
+    mov c1, c2
+    clr c2
+    mov r0, n2
+    or r0, n3
+    brne 3f
+    mov fraction, c0
+    mov c0, c1
+    clr c1
+3:  round
+    cpi fraction, 256 - 12
+    brlo .Ldone
+    rjmp .Lnear
+4:  round
+
     // N - r (r + 1) - 1 modulo 2^32
+.Lnear:
     sec
-    sbc n0, s0
-    sbc n1, s1
-    sbc n2, s2
+    sbc n0, c0
+    sbc n1, c1
+    sbc n2, c2
     sbci n3, 0
-    mul s0, s0
+    mul c0, c0
     sub n0, r0
     sbc n1, r1
     sbci n2, 0
     sbci n3, 0
-    mul s0, s1
+    mul c0, c1
     sub n1, r0
     sbc n2, r1
     sbci n3, 0
     sub n1, r0
     sbc n2, r1
     sbci n3, 0
-    mul s0, s2
+    mul c0, c2
     sub n2, r0
     sbc n3, r1
     sub n2, r0
     sbc n3, r1
-    mul s1, s2
+    mul c1, c2
     sub n3, r0
     sub n3, r0
-    mul s1, s1
+    mul c1, c1
     sub n2, r0
     sbc n3, r1
-    brmi 12f
-11: subi s0, 0xff
-    sbci s1, 0xff
-    sbci s2, 0xff
-    sub n0, s0
-    sbc n1, s1
-    sbc n2, s2
+    brmi 2f
+1:  increment_bytes c0, 3
+    sub n0, c0
+    sbc n1, c1
+    sbc n2, c2
     sbci n3, 0
-    sub n0, s0
-    sbc n1, s1
-    sbc n2, s2
+    sub n0, c0
+    sbc n1, c1
+    sbc n2, c2
     sbci n3, 0
-    brpl 11b
-12: mov r22, s0
-    mov r24, s2
-    clr r25
-    clr r1
-    ret
-.Lzero:
-    clr_bytes r22, 4
-    ret
+    brpl 1b
+2:  rjmp .Ldone
     ENDFUNC fixedpoint_length_root
 #endif

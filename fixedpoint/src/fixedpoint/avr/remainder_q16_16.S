@@ -10,14 +10,20 @@
 //
 // The fraction bits cancel: the same for every 32-bit format.
 //
-// Restoring division of the magnitudes: the divisor is shifted left, by whole bytes first and then
+// A remainder with |a| < |b| is a. Otherwise, if |a| < 2^24 and |b| >= 2^8, the bytes of the quotient
+// are estimated: both magnitudes are multiplied by the power of two that moves the leading one of
+// |b| to the top of its highest byte, and v = floor((2^16 - 1) / D) - 2^8, D being that byte plus 1.
+// With h:l the bytes of the dividend above and at its place, h + floor((h v + l) / 2^8) is not above
+// the quotient. |b| is subtracted as often as that is too small.
+//
+// In all other cases, restoring division of the magnitudes: the divisor is shifted left, by whole bytes first and then
 // by bits, until it exceeds the dividend, and then right again bit by bit. The cost is proportional
 // to the length of the quotient. If the quotient is requested, the carry of each comparison, the
 // complement of a quotient bit, is shifted into ones.
 //
 // In:        r25:r22 a, r21:r18 b, r17:r16 the results' address
 // Out:       r25:r22, the remainder
-// Clobbers:  r18..r21, r26, T; with a quotient r0, r27, r30, r31 too, and r1 is 0 again at return
+// Clobbers:  r0, r18..r21, r26, r27, r30, r31, T; r1 is 0 again at return
 //   r25:r22  the dividend's magnitude, finally the remainder
 //   r21:r18  the divisor's magnitude, shifted left
 //   r26      bits by which the divisor has been shifted left, finally 0
@@ -28,15 +34,131 @@
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
 
+#define power r26
+#define reciprocal r27
+#define digit r21
+
+    // power and reciprocal for a divisor with the bytes high:low, of which high is not 0.
+    .macro find_reciprocal high, low
+    mov r30, \high
+    ldi r31, hi8(fixedpoint_long_division_table)
+    lpm power, Z
+    sbrc \high, 7
+    ldi power, 1
+    mul \high, power
+    mov r30, r0
+    mul \low, power
+    or r30, r1
+    inc r30
+    lpm reciprocal, Z
+    .endm
+    // digit = h + floor((h v + l) / 2^8), h:l = r31:r30.
+    .macro estimate_digit
+    mul r31, reciprocal
+    add r0, r30
+    adc r1, r31
+    mov digit, r1
+    .endm
+    // The same for h:l from the product of r24:r23 and the power.
+    .macro estimate_upper_digit
+    mul r24, power
+    movw r30, r0
+    mul r23, power
+    or r30, r1
+    estimate_digit
+    .endm
+
+    .macro both_negative
+.Lboth_negative:
+    cp_bytes r18, r22, 4
+    brsh 1f
+    ret
+1:  negate_bytes r22, 4
+    negate_bytes r18, 4
+    set
+    rjmp .Lmagnitudes
+.Ltwo_digits:
+    estimate_upper_digit
+    mul digit, r18
+    sub r23, r0
+    sbc r24, r1
+    mul digit, r19
+    sub r24, r0
+1:  sub_bytes r23, r18, 2
+    brcc 1b
+    add_bytes r23, r18, 2
+    rjmp .Lone_digit
+    .endm
+
+    // Returns the remainder, or goes on with the magnitudes and the sign of a in T.
+    .macro short_remainder
+    mov r26, r25
+    eor r26, r21
+    brpl 1f
+    negate_bytes r18, 4  // b has the sign of a
+1:  tst r25
+    brmi .Lboth_negative
+    cp_bytes r22, r18, 4
+    brsh 2f
+    ret
+2:  clt
+.Lmagnitudes:
+    tst r25
+    brne .Lto_restoring
+    tst r20
+    brne .Lthree_bytes
+    tst r19
+    breq .Lto_restoring
+    find_reciprocal r19, r18
+    cp_bytes r23, r18, 2
+    brsh .Ltwo_digits
+.Lone_digit:
+    mul r24, power
+    mov r31, r0
+    mul r23, power
+    or r31, r1
+    mov r30, r0
+    estimate_digit
+.Lsubtract:
+    mul digit, r18
+    sub r22, r0
+    sbc r23, r1
+    sbci r24, 0
+    mul digit, r19
+    sub r23, r0
+    sbc r24, r1
+3:  sub_bytes r22, r18, 3
+    brcc 3b
+    add_bytes r22, r18, 3
+    clr r1
+    brts 4f
+    ret
+4:  negate_bytes r22, 3
+    sbc r25, r25
+    ret
+.Lto_restoring:
+    rjmp .Lrestoring
+.Lthree_bytes:
+    find_reciprocal r20, r19
+    estimate_upper_digit
+    mul digit, r20
+    sub r24, r0
+    rjmp .Lsubtract
+.Lrestoring:
+    .endm
+
     .macro kernel name, quotient, floored
-    FUNCTION fixedpoint_\name\()_q16_16
+    SECTION fixedpoint_\name\()_q16_16
+    .if !\quotient
+    both_negative
+    .endif
+    ENTRY fixedpoint_\name\()_q16_16
     .if \quotient
     mov r27, r25
     eor r27, r21
     ldi r30, 0xff
     ldi r31, 0xff
     movw r0, r30
-    .endif
     bst r25, 7
     brtc .Ldividend_positive_\name
     negate_bytes r22, 4
@@ -45,6 +167,9 @@
     brpl .Ldivisor_positive_\name
     negate_bytes r18, 4
 .Ldivisor_positive_\name\():
+    .else
+    short_remainder
+    .endif
     clr r26
 
     // By bytes, while the top byte of the divisor is free and 256 times the divisor does not exceed
