@@ -558,7 +558,7 @@ struct Split<uint32_t, F, false> {
     }
     static FIXEDPOINT_CONSTEXPR uint32_t sqrt(uint32_t a) {
         return !has_assembly ? portable::sqrt<uint32_t, F>(a)
-               : static_cast<int32_t>(a) >= 0
+               : a < uint32_t(1) << (F < 32 ? 31 : 30)
                    ? static_cast<uint32_t>(kernel::sqrt<int32_t, F>(static_cast<int32_t>(a)))
                    : static_cast<uint32_t>(sqrt_64<int64_t, 0>(static_cast<int64_t>(a), F));
     }
