@@ -119,7 +119,7 @@ constexpr Judgement judge_quotient(Number n, Number q, std::int64_t result) {
 // The error modulo 2^W that is nearest to 0.
 template <NumberFormat format, class Number>
 Number wrapped(Number error) {
-    constexpr Number turn = Number(2) * -Number(format.min());
+    constexpr Number turn = Number(2) * -Number(format.sign());
     if ((error < 0 ? -error : error) < turn / 2) return error;
     return error - turn * functions::floor(error / turn + Number(0.5));
 }

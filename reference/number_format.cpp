@@ -36,6 +36,16 @@ std::optional<NumberFormat> parse_split(FormatKind kind, int sign_bits, std::str
     return NumberFormat{kind, width, *fraction_bits};
 }
 
+std::optional<NumberFormat> parse_unsigned(std::string_view split) {
+    for (const int width : {8, 16, 32}) {
+        for (int fraction = 0; fraction <= width; ++fraction) {
+            const NumberFormat format = unsigned_format(width - fraction, fraction);
+            if (format_name(format).substr(1) == split) return format;
+        }
+    }
+    return std::nullopt;
+}
+
 std::optional<NumberFormat> try_parse(std::string_view name) {
     if (name == "float") return ieee_single;
     if (name == "float64") return ieee_double;
@@ -45,6 +55,7 @@ std::optional<NumberFormat> try_parse(std::string_view name) {
         return NumberFormat{FormatKind::integer, *width, 0};
     }
     if (name.starts_with("q")) return parse_split(FormatKind::fixed, 0, name.substr(1));
+    if (name.starts_with("u")) return parse_unsigned(name.substr(1));
     if (name.starts_with("s")) return parse_split(FormatKind::accum, 1, name.substr(1));
     return std::nullopt;
 }
@@ -56,8 +67,8 @@ NumberFormat parse_format(std::string_view name) {
     throw std::invalid_argument(
         fmt::format("unknown number format '{}': allowed are q<integer bits>_<fraction bits> and "
                     "s<integer bits>_<fraction bits> (GCC's _Accum, its sign not counted) of 8, "
-                    "16, 32 or 64 bits "
-                    "in all, int8, int16, int32, int64, float and float64",
+                    "16, 32 or 64 bits in all, u<integer bits>_<fraction bits> (without a sign) "
+                    "of 8, 16 or 32 bits, int8, int16, int32, int64, float and float64",
                     name));
 }
 
@@ -65,7 +76,8 @@ std::string format_name(const NumberFormat& format) {
     const int integer_bits = format.width - format.fraction;
     switch (format.kind) {
         case FormatKind::fixed:
-            return fmt::format("q{}_{}", integer_bits, format.fraction);
+            return fmt::format("{}{}_{}", format.is_unsigned ? 'u' : 'q', integer_bits,
+                               format.fraction);
         case FormatKind::accum:
             return fmt::format("s{}_{}", integer_bits - 1, format.fraction);
         case FormatKind::integer:

@@ -21,7 +21,7 @@ import subprocess
 import sys
 import tempfile
 
-FORMAT = r"(?:q\d+_\d+|s\d+_\d+|float(?:64)?|int\d+)"
+FORMAT = r"(?:[qu]\d+_\d+|s\d+_\d+|float(?:64)?|int\d+)"
 TOGETHER = ("add", "subtract", "multiply", "divide", "sqrt", "sin", "atan2", "exp", "log")
 SUBJECT = re.compile(rf"^([a-z]\w*?)_({FORMAT})_([a-z_]+)$")
 KERNEL = re.compile(rf"^fixedpoint_([a-z]\w*?)_({FORMAT})(?:_([a-z_]+))?$")

@@ -22,5 +22,6 @@
 #include <fixedpoint/printable.hpp>
 #include <fixedpoint/serial.hpp>
 #include <fixedpoint/text.hpp>
+#include <fixedpoint/unsigned.hpp>
 #include <fixedpoint/vector.hpp>
 #include <fixedpoint/widening.hpp>

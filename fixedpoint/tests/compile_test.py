@@ -38,6 +38,10 @@ REFUSED = [
     ("(void)(z < x)", CONVERT),
     ("(void)(x == s)", CONVERT),
     ("x -= z", CONVERT),
+    ("(void)(x + 1_u8_8)", CONVERT),
+    ("(void)(z < 1_u8_8)", CONVERT),
+    ("(void)(0.5 * 1_u8_8)", LITERAL),
+    ("U8_8 u = 1", "conversion from 'int' to non-scalar type"),
     ("stream << x", "include_fixedpoint_host_stream_hpp"),
     ("stream >> x", "include_fixedpoint_host_stream_hpp"),
 ]
@@ -55,6 +59,10 @@ ASSERTED = [
     ("constexpr Q16_16 y = fixed<16, 16>(32768.0)", "the_format_does_not_hold_this_constant"),
     ("constexpr Q16_16 y = fixed<16, 16>(-40000)", "the_format_does_not_hold_this_constant"),
     ("(void)fixed<16, 16>('a')", "takes an integer, float or double"),
+    ("(void)exp(1_u8_8)", "This function is for numbers with a sign"),
+    ("(void)256_u8_8", "outside the range"),
+    ("constexpr U8_8 y = ufixed<8, 8>(-1)", "the_format_does_not_hold_this_constant"),
+    ("(void)sizeof(BlockNumber<U8_8>)", "A block takes a number with a sign"),
     ("(void)sizeof(BlockNumber<Fixed<8, 8, HalfToEven>>)", "rounds to nearest, half up"),
     ("(void)sizeof(BlockNumber<Fixed<8, 8, Published>>)", "rounds to nearest, half up"),
 ]

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Operators on a number and an integer of any type, in every arithmetic, against exact integers:
+// Operators on a number, with or without a sign, and an integer of any type, in every arithmetic,
+// against exact integers:
 // all pairs of 8 bits, boundary and random pairs of wider ones; widening products and sums; and
 // narrow.
 #include <gtest/gtest.h>
@@ -8,6 +9,7 @@
 #include <fixedpoint/arithmetic/published.hpp>
 #include <fixedpoint/arithmetic/saturating.hpp>
 #include <fixedpoint/constants.hpp>
+#include <fixedpoint/unsigned.hpp>
 #include <fixedpoint/widening.hpp>
 #include <utility>
 
@@ -54,21 +56,27 @@ Number apply(int operation, Number x, Integral n, bool& consistent) {
     return result;
 }
 
+template <class Raw, int F, class Arithmetic>
+using NumberOf =
+    Fixed<RawLimits<Raw>::width - F, F,
+          std::conditional_t<std::is_signed_v<Raw>, Arithmetic, UnsignedArithmetic<Arithmetic>>>;
+
+// Raws without a sign are passed and returned as the numbers with a sign of the same bits.
 template <class Raw, int F, class Integral>
 Results compute(int64_t a, uint64_t bits) {
-    constexpr int I = RawLimits<Raw>::width - F;
     const auto n = static_cast<Integral>(bits);
     const auto raw = static_cast<Raw>(a);
-    const auto x = Fixed<I, F>::from_raw(raw);
+    const auto x = NumberOf<Raw, F, Nearest>::from_raw(raw);
     Results results = {};
     bool& consistent = results.consistent = true;
     for (int i = 0; i < operations; ++i) {
-        results.nearest[i] = apply(i, x, n, consistent).raw();
-        results.saturating[i] =
-            apply(i, Fixed<I, F, Saturating>::from_raw(raw), n, consistent).raw();
+        const auto bits_of = [&]<class Number>(Number number) {
+            return std::make_signed_t<Raw>(apply(i, number, n, consistent).raw());
+        };
+        results.nearest[i] = bits_of(x);
+        results.saturating[i] = bits_of(NumberOf<Raw, F, Saturating>::from_raw(raw));
         events = 0;
-        results.checked[i] =
-            apply(i, Fixed<I, F, Checked<Hook>>::from_raw(raw), n, consistent).raw();
+        results.checked[i] = bits_of(NumberOf<Raw, F, Checked<Hook>>::from_raw(raw));
         results.overflow[i] = events != 0 && event == Event::overflow;
         results.other[i] = events != 0 && event != Event::overflow;
     }
@@ -84,13 +92,14 @@ Results compute(int64_t a, uint64_t bits) {
 
 struct MixedSubject {
     int width, fraction, integer_width;
-    bool is_signed;
+    bool is_signed, raw_is_signed;
     Results (*compute)(int64_t a, uint64_t n);
 };
 template <class Raw, int F, class... Integrals>
 void add_integrals(std::vector<MixedSubject>& all) {
     (all.push_back({RawLimits<Raw>::width, F, RawLimits<Integrals>::width,
-                    std::is_signed_v<Integrals>, compute<Raw, F, Integrals>}),
+                    std::is_signed_v<Integrals>, std::is_signed_v<Raw>,
+                    compute<Raw, F, Integrals>}),
      ...);
 }
 template <class Raw, int... F>
@@ -102,19 +111,26 @@ std::vector<MixedSubject> mixed_subjects(std::integer_sequence<int, F...>) {
     return all;
 }
 
-void check(const MixedSubject& subject, int64_t a, uint64_t bits) {
+void check(const MixedSubject& subject, int64_t raw, uint64_t bits) {
     const Int n = subject.is_signed ? Int(static_cast<int64_t>(bits)) : Int(bits);
+    const Int turn = Int(1) << static_cast<unsigned>(subject.width);
+    const Int a = raw < 0 && !subject.raw_is_signed ? raw + turn : Int(raw);
+    const Int largest = subject.raw_is_signed ? Int(exact::largest(subject.width)) : turn - 1;
+    const Int smallest = subject.raw_is_signed ? Int(exact::smallest(subject.width)) : Int(0);
     const Int scaled = n << subject.fraction;
-    const Results results = subject.compute(a, bits);
+    const Results results = subject.compute(raw, bits);
     ASSERT_TRUE(results.consistent) << a << " and " << n;
     const Int exact[] = {a + scaled, a - scaled, scaled - a, a * n,
-                         n == 0 ? Int(a == 0  ? 0
-                                      : a < 0 ? exact::smallest(subject.width)
-                                              : exact::largest(subject.width))
-                                : exact::nearest(n < 0 ? -Int(a) : Int(a), abs(n))};
+                         n == 0 ? a == 0  ? Int(0)
+                                  : a < 0 ? smallest
+                                          : largest
+                                : exact::nearest(n < 0 ? -a : a, abs(n))};
     for (int i = 0; i < operations; ++i) {
-        const bool fits = exact::fits(exact[i], subject.width);
-        const int64_t saturated = exact::saturated(exact[i], subject.width);
+        const bool fits = exact[i] >= smallest && exact[i] <= largest;
+        const int64_t saturated = exact::wrapped(exact[i] < smallest  ? smallest
+                                                 : exact[i] > largest ? largest
+                                                                      : exact[i],
+                                                 subject.width);
         const int64_t expected =
             i == quotient ? saturated : exact::wrapped(exact[i], subject.width);
         const bool untold = i == quotient && (n == 0 || (exact[i] == 0 && a != 0));
@@ -198,6 +214,13 @@ TEST(IntegerOperand, Of32Bits) {
 }
 TEST(IntegerOperand, Of64Bits) {
     check_all(mixed_subjects<int64_t>(std::integer_sequence<int, 0, 32, 63>()));
+}
+
+TEST(IntegerOperand, WithoutSign) {
+    check_all(mixed_subjects<uint8_t>(std::make_integer_sequence<int, 9>()));
+    check_all(mixed_subjects<uint16_t>(std::integer_sequence<int, 0, 8, 16>()));
+    check_all(mixed_subjects<uint32_t>(std::integer_sequence<int, 0, 16, 32>()));
+    check_all(mixed_subjects<uint64_t>(std::integer_sequence<int, 1, 32, 63>()));
 }
 
 TEST(IntegerOperand, PublishedDividesTowardZero) {

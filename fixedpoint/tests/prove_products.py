@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
 """Proves that kernels of products return the exact sum of products rounded to nearest, modulo 2^W,
-for all operands: multiply, multiply_add, dot2 and dot3 of every split in KERNELS.
+for all operands: multiply, multiply_add, dot2 and dot3 of every split in KERNELS, and multiply of
+numbers without a sign.
 
 usage: prove_products.py [--kernel NAME]
 
@@ -115,7 +116,8 @@ class Machine:
         return operand, int(index)
 
     def is_top(self, byte):
-        return byte[1] == self.kernel.size - 1
+        """Whether the byte has a sign."""
+        return self.kernel.is_signed and byte[1] == self.kernel.size - 1
 
     def multiply(self, d, r, signed):
         """signed: how many of the two are."""
@@ -387,12 +389,13 @@ class Undecided(Exception):
 
 
 class Kernel:
-    """operation_q<integer>_<fraction> of numbers of `size` bytes."""
+    """operation_q<integer>_<fraction> of numbers of `size` bytes, or operation_u... of those without a
+    sign."""
 
-    def __init__(self, operation, integer, fraction):
-        self.operation, self.fraction = operation, fraction
+    def __init__(self, operation, integer, fraction, letter="q"):
+        self.operation, self.fraction, self.is_signed = operation, fraction, letter == "q"
         self.size = (integer + fraction) // 8
-        self.name = f"{operation}_q{integer}_{fraction}"
+        self.name = f"{operation}_{letter}{integer}_{fraction}"
         self.components = {"dot2": 2, "dot3": 3}.get(operation, 1)
         self.in_memory = operation.startswith("dot")
         first = 26 - max(self.size, 2)  # arguments take an even number of registers
@@ -471,10 +474,12 @@ KERNELS = [Kernel(operation, *split)
                ("dot2", [(8, 8), (16, 16), (8, 24), (32, 32)]),
                ("dot3", [(8, 8), (16, 16), (8, 24), (32, 32)])]
            for split in splits if split[1] % 8 != 3]
+KERNELS += [Kernel("multiply", *split, "u") for split in [*SPLITS_16, *SPLITS_32] if split[1] % 8 != 3]
 
 # The number of instructions that are left out, spread evenly over a kernel: all of them in short
 # kernels. The macros of the others contain instructions that some splits do not need.
-MUTATIONS = {"multiply_q8_8": 99, "multiply_q16_16": 99, "multiply_q8_24": 12, "multiply_q32_32": 8,
+MUTATIONS = {"multiply_q8_8": 99, "multiply_q16_16": 99, "multiply_u8_8": 99,
+             "multiply_u16_16": 99, "multiply_u8_24": 8, "multiply_q8_24": 12, "multiply_q32_32": 8,
              "multiply_add_q16_16": 99, "dot2_q16_16": 99, "dot3_q16_16": 3, "dot3_q8_24": 8, "dot3_q32_32": 8}
 
 

@@ -37,10 +37,10 @@ class Operands {
             case 0:
                 return boundary_[(pattern >> 8) % boundary_.size()];
             case 1:
-                return format_.sign_extend(random_());
+                return format_.extend(random_());
             // Uniform in length, so that small raws are drawn, too.
             default:
-                return format_.sign_extend(random_()) >> ((pattern >> 8) % format_.width);
+                return format_.extend(random_()) >> ((pattern >> 8) % format_.width);
         }
     }
 
@@ -94,10 +94,10 @@ std::int64_t plausible(const Subject& subject, std::span<const std::int64_t> ope
     for (int round = 0; round < 3; ++round) {
         const Judgement judgement = judge(subject, operands, result);
         if (judgement.excluded) break;
-        result = subject.format.sign_extend(
-            std::uint64_t(result) - std::uint64_t(__int128(std::floor(judgement.error_ulp))));
+        result = subject.format.extend(std::uint64_t(result) -
+                                       std::uint64_t(__int128(std::floor(judgement.error_ulp))));
     }
-    return subject.format.sign_extend(std::uint64_t(result) + std::uint64_t(step));
+    return subject.format.extend(std::uint64_t(result) + std::uint64_t(step));
 }
 
 // A sanitizer checks paths and not results, so fewer operands suffice. The step is odd, so that
@@ -121,7 +121,7 @@ void compare(const Subject& subject, FastJudge* fast_judge, int rounds) {
         const std::span operand_span(operands, of.operands), result_span(results, of.results);
         for (std::int64_t& operand : operand_span) operand = source.next();
         for (std::size_t k = 0; k < of.results; ++k)
-            results[k] = i % 8 == 7 ? subject.format.sign_extend(std::uint64_t(source.next()))
+            results[k] = i % 8 == 7 ? subject.format.extend(std::uint64_t(source.next()))
                                     : plausible(subject, operand_span, k, i % 4 - 1);
         const Judgement expected = judge(subject, operand_span, result_span);
         const Judgement got = fast_judge(operand_span, result_span);

@@ -70,7 +70,7 @@ TEST_P(DefinedResult, AloneIsAccepted) {
     const NumberFormat format = parse_format(row.format);
     for (const std::int64_t step : {-1, 1}) {
         const std::int64_t neighbour =
-            format.sign_extend(std::uint64_t(row.result) + std::uint64_t(step));
+            format.extend(std::uint64_t(row.result) + std::uint64_t(step));
         const Judgement wrong =
             judged(row.operation, row.format, row.arithmetic, row.operands, {neighbour});
         EXPECT_FALSE(wrong.as_defined) << "neighbour " << neighbour;
@@ -319,9 +319,9 @@ TEST(Judge, RingOperationsWrapOrSaturate) {
     for (const auto& [operation, exact] : rings) {
         for (int i = 0; i < 300; ++i) {
             Raws operands(shape(operation).operands);
-            for (std::int64_t& raw : operands) raw = q8_8.sign_extend(random()) >> (random() % 12);
+            for (std::int64_t& raw : operands) raw = q8_8.extend(random()) >> (random() % 12);
             const std::int64_t rounded = (exact(operands.data()) + 128) >> F;
-            const std::int64_t wrapped = q8_8.sign_extend(std::uint64_t(rounded));
+            const std::int64_t wrapped = q8_8.extend(std::uint64_t(rounded));
             const std::int64_t saturated = std::clamp(rounded, min16, max16);
             const auto accepts = [&](Arithmetic arithmetic, std::int64_t result) {
                 return judged(operation, "q8_8", arithmetic, operands, {result}).as_defined;
@@ -589,7 +589,7 @@ TEST(JudgeConversion, BetweenFormats) {
         const Judgement judgement =
             judge({Operation::convert, format, arithmetic, parse_format(from)}, Raws{raw}, result);
         const Judgement next = judge({Operation::convert, format, arithmetic, parse_format(from)},
-                                     Raws{raw}, format.sign_extend(std::uint64_t(result + 1)));
+                                     Raws{raw}, format.extend(std::uint64_t(result + 1)));
         return judgement.as_defined && !next.as_defined;
     };
     EXPECT_TRUE(accepted("q16_16", "q8_8", nearest, 128, 1));     // a tie: half up

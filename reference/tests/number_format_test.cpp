@@ -37,7 +37,7 @@ TEST(NumberFormat, RangeAndResolution) {
     EXPECT_EQ(q4_4.max(), 127);
     EXPECT_EQ(q32_32.min(), std::numeric_limits<std::int64_t>::min());
     EXPECT_EQ(q32_32.max(), std::numeric_limits<std::int64_t>::max());
-    EXPECT_EQ(q8_8.sign_extend(0x1ffff), -1);
+    EXPECT_EQ(q8_8.extend(0x1ffff), -1);
     EXPECT_EQ(to_double(ieee_single, ieee_single.max()), FLT_MAX);
     EXPECT_EQ(to_double(ieee_single, ieee_single.min()), -FLT_MAX);
     EXPECT_EQ(to_double(ieee_double, ieee_double.max()), DBL_MAX);

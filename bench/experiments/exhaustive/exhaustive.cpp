@@ -56,7 +56,7 @@ class Worker {
         for (std::uint64_t i = first; i < last; ++i)
             add(part, [&](std::span<std::int64_t> raws) {
                 for (std::size_t k = 0; k < raws.size(); ++k)
-                    raws[k] = format.sign_extend(i >> (int(k) * format.width));
+                    raws[k] = format.extend(i >> (int(k) * format.width));
             });
         run_batch(part);
         return part;
@@ -86,7 +86,7 @@ class Worker {
         std::mt19937_64 random(seed);
         for (std::uint64_t i = 0; i < budget / 2 / kinds; ++i)
             add(part, [&](std::span<std::int64_t> raws) {
-                for (std::int64_t& raw : raws) raw = operand_format.sign_extend(random());
+                for (std::int64_t& raw : raws) raw = operand_format.extend(random());
             });
         run_batch(part);
 

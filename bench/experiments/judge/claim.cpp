@@ -237,7 +237,7 @@ int Claim::input_bits() const {
 
 void Claim::input(std::uint64_t i, std::span<std::int64_t> operands) const {
     for (std::size_t k = 0; k < operands.size(); ++k) {
-        operands[k] = operands_[k].format.sign_extend(i);
+        operands[k] = operands_[k].format.extend(i);
         i >>= operands_[k].format.width;
     }
 }

@@ -156,7 +156,7 @@ Piped judge_lines(const Claim& claim, std::FILE* in) {
             if (numbers[i] < type.least() || numbers[i] > type.greatest())
                 refuse(
                     fmt::format("{} is not in {}..{}", numbers[i], type.least(), type.greatest()));
-            const std::int64_t raw = type.format.sign_extend(std::uint64_t(numbers[i]));
+            const std::int64_t raw = type.format.extend(std::uint64_t(numbers[i]));
             (i < arity ? operands : results).push_back(raw);
         }
         if (++piped.calls % calls_of_a_batch == 0) judge_batch();

@@ -111,7 +111,7 @@ void run_all_inputs(DeviceSubject& subject, Row& row) {
     const std::span used(operands.data(), subject.arity());
     for (std::uint64_t i = 0; i < count; ++i) {
         for (std::size_t k = 0; k < used.size(); ++k) {
-            used[k] = row.named.subject.operand_format.sign_extend(i >> (k * width));
+            used[k] = row.named.subject.operand_format.extend(i >> (k * width));
         }
         row.add(used, subject.call(used));
     }

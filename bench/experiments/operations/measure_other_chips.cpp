@@ -79,7 +79,7 @@ class Subject {
             std::uint64_t pattern = outcome.result;
             if (pointers.results)
                 std::memcpy(&pattern, chip_.data() + results_ + i * result_size(), result_size());
-            results[i] = subject_.format.sign_extend(pattern);
+            results[i] = subject_.format.extend(pattern);
         }
         return outcome.cycles;
     }

@@ -102,8 +102,7 @@ void run(Comparison& comparison, std::uint64_t samples) {
     if (comparison.all) {
         for (std::uint64_t i = 0; i < std::uint64_t(1) << bits; ++i) {
             for (std::size_t k = 0; k < used.size(); ++k) {
-                used[k] =
-                    subject.operand_format.sign_extend(i >> (k * subject.operand_format.width));
+                used[k] = subject.operand_format.extend(i >> (k * subject.operand_format.width));
             }
             compare(device, comparison, used);
         }

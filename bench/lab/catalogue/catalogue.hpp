@@ -40,12 +40,13 @@ inline std::vector<std::string> formats() {
 }
 
 // The device programs without their suffix: four for each format of the library, two for the
-// correctly rounded arithmetic, one for the roundings, and the rivals'.
+// correctly rounded arithmetic, one for numbers without a sign, one for the roundings, and the
+// rivals'.
 inline std::vector<std::string> programs() {
 #define PROGRAM_NAME(format, ...) \
 #format, #format "_angles", #format "_powers", #format "_auxiliary",
     return {LIBRARY_FORMATS(PROGRAM_NAME) "correctly_rounded_angles", "correctly_rounded_powers",
-            "roundings", "rivals"};
+            "unsigned", "roundings", "rivals"};
 #undef PROGRAM_NAME
 }
 

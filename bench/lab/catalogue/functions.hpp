@@ -7,13 +7,23 @@
 #include <fixedpoint/arithmetic/nearest.hpp>
 #include <fixedpoint/integer_root.hpp>
 #include <fixedpoint/math.hpp>
+#include <fixedpoint/unsigned.hpp>
 
 namespace catalogue {
 
+template <class Raw, int F, bool is_signed = fixedpoint::RawLimits<Raw>::is_signed>
+struct NumberOf {
+    using Type = fixedpoint::Fixed<fixedpoint::RawLimits<Raw>::width - F, F>;
+};
+template <class Raw, int F>
+struct NumberOf<Raw, F, false> {
+    using Type = fixedpoint::UFixed<fixedpoint::RawLimits<Raw>::width - F, F>;
+};
+
 struct Functions {
     template <class Raw, int F>
-    static constexpr fixedpoint::Fixed<fixedpoint::RawLimits<Raw>::width - F, F> of(Raw raw) {
-        return fixedpoint::Fixed<fixedpoint::RawLimits<Raw>::width - F, F>::from_raw(raw);
+    static constexpr typename NumberOf<Raw, F>::Type of(Raw raw) {
+        return NumberOf<Raw, F>::Type::from_raw(raw);
     }
 
 #define UNARY_FUNCTION(name)                          \

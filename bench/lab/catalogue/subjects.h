@@ -15,8 +15,12 @@
 #define FORMAT_q16_16(X, ...) X(q16_16, int32_t, 16, __VA_ARGS__)
 #define FORMAT_q8_24(X, ...)  X(q8_24, int32_t, 24, __VA_ARGS__)
 #define FORMAT_q32_32(X, ...) X(q32_32, int64_t, 32, __VA_ARGS__)
+/* Without a sign: their operations are in one program. */
+#define FORMAT_u8_8(X, ...)   X(u8_8, uint16_t, 8, __VA_ARGS__)
+#define FORMAT_u16_16(X, ...) X(u16_16, uint32_t, 16, __VA_ARGS__)
 /* clang-format on */
 
+#define UNSIGNED_FORMATS(X, ...) FORMAT_u8_8(X, __VA_ARGS__) FORMAT_u16_16(X, __VA_ARGS__)
 #define SQUARE_FORMATS(X, ...)                                                            \
     FORMAT_q4_4(X, __VA_ARGS__) FORMAT_q8_8(X, __VA_ARGS__) FORMAT_q16_16(X, __VA_ARGS__) \
         FORMAT_q32_32(X, __VA_ARGS__)
@@ -45,6 +49,12 @@
 #define INTEGER_OPERATORS(X, ...) \
     OPERATORS(X, __VA_ARGS__)     \
     OPERATION_remainder(X, __VA_ARGS__)
+#define UNSIGNED_OPERATIONS(X, ...)   \
+    INTEGER_OPERATORS(X, __VA_ARGS__) \
+    OPERATION_sqrt(X, __VA_ARGS__) OPERATION_multiply_add(X, __VA_ARGS__)
+#define UNSIGNED_AUXILIARY_OPERATIONS(X, ...)                                         \
+    OPERATION_divrem(X, __VA_ARGS__) OPERATION_divmod(X, __VA_ARGS__) OPERATION_lerp( \
+        X, __VA_ARGS__) OPERATION_midpoint(X, __VA_ARGS__) OPERATION_abs_diff(X, __VA_ARGS__)
 #define PORTABLE_OPERATIONS(X, ...)                                     \
     OPERATION_multiply(X, __VA_ARGS__) OPERATION_divide(X, __VA_ARGS__) \
         OPERATION_sqrt(X, __VA_ARGS__)
@@ -83,6 +93,10 @@
     X(default, Nearest, ours, own, LIBRARY_FORMATS, POWER_OPERATIONS, "ours, default")
 #define IMPLEMENTATION_auxiliary(X) \
     X(default, Functions, ours, own, LIBRARY_FORMATS, AUXILIARY_OPERATIONS, "ours, default")
+#define IMPLEMENTATION_unsigned(X) \
+    X(default, Nearest, ours, own, UNSIGNED_FORMATS, UNSIGNED_OPERATIONS, "ours, default")
+#define IMPLEMENTATION_unsigned_auxiliary(X) \
+    X(default, Functions, ours, own, UNSIGNED_FORMATS, UNSIGNED_AUXILIARY_OPERATIONS, "ours, default")
 #define IMPLEMENTATION_portable(X) \
     X(portable, Portable, ours, as_default, SQUARE_FORMATS, PORTABLE_OPERATIONS, "ours, portable C++")
 #define IMPLEMENTATION_published(X) \
@@ -115,15 +129,18 @@
     X(native, Native, rival, none, INTEGERS, INTEGER_OPERATORS, "plain integer")
 /* clang-format on */
 
-#define IMPLEMENTATIONS(X)                                                                   \
-    IMPLEMENTATION_default(X) IMPLEMENTATION_angles(X) IMPLEMENTATION_powers(X)              \
-        IMPLEMENTATION_auxiliary(X) IMPLEMENTATION_portable(X) IMPLEMENTATION_published(X)   \
-            IMPLEMENTATION_saturating(X) IMPLEMENTATION_widening(X) IMPLEMENTATION_small(X)  \
-                IMPLEMENTATION_correctly_rounded_angles(X)                                   \
-                    IMPLEMENTATION_correctly_rounded_powers(X) IMPLEMENTATION_toward_zero(X) \
-                        IMPLEMENTATION_downward(X) IMPLEMENTATION_half_to_even(X)            \
-                            IMPLEMENTATION_libc(X) IMPLEMENTATION_libc_elementary(X)         \
-                                IMPLEMENTATION_libc_auxiliary(X) IMPLEMENTATION_accum(X)     \
-                                    IMPLEMENTATION_native(X)
+#define IMPLEMENTATIONS(X)                                                                \
+    IMPLEMENTATION_default(X) IMPLEMENTATION_angles(X) IMPLEMENTATION_powers(X)           \
+        IMPLEMENTATION_auxiliary(X) IMPLEMENTATION_unsigned(X)                            \
+            IMPLEMENTATION_unsigned_auxiliary(X) IMPLEMENTATION_portable(X)               \
+                IMPLEMENTATION_published(X) IMPLEMENTATION_saturating(X)                  \
+                    IMPLEMENTATION_widening(X) IMPLEMENTATION_small(X)                    \
+                        IMPLEMENTATION_correctly_rounded_angles(X)                        \
+                            IMPLEMENTATION_correctly_rounded_powers(X)                    \
+                                IMPLEMENTATION_toward_zero(X) IMPLEMENTATION_downward(X)  \
+                                    IMPLEMENTATION_half_to_even(X) IMPLEMENTATION_libc(X) \
+                                        IMPLEMENTATION_libc_elementary(X)                 \
+                                            IMPLEMENTATION_libc_auxiliary(X)              \
+                                                IMPLEMENTATION_accum(X) IMPLEMENTATION_native(X)
 
 #endif

@@ -46,7 +46,7 @@ class FixedTable {
         angles();
         function_borders();
         patterns();
-        for (int bit = 0; bit < format.width - 1; ++bit) {
+        for (int bit = 0; bit < format.width - (format.is_unsigned ? 0 : 1); ++bit) {
             around(fmt::format("2^{}", bit - F_), Integer(1) << bit);
             around(fmt::format("-2^{}", bit - F_), -(Integer(1) << bit));
         }
@@ -109,7 +109,7 @@ class FixedTable {
         for (const std::uint64_t pattern :
              {0x5555555555555555u, 0xaaaaaaaaaaaaaaaau, 0x00ff00ff00ff00ffu, 0xff00ff00ff00ff00u,
               0x7f7f7f7f7f7f7f7fu, 0x8080808080808080u}) {
-            const std::int64_t raw = format_.sign_extend(pattern);
+            const std::int64_t raw = format_.extend(pattern);
             const std::uint64_t bits =
                 std::uint64_t(raw) << (64 - format_.width) >> (64 - format_.width);
             add(fmt::format("the pattern 0x{:0{}x}", bits, format_.width / 4), raw);
@@ -207,7 +207,12 @@ std::vector<BoundaryOperand> few(const NumberFormat& format, std::size_t count) 
         {format.max(), "MAX"}, {format.min(), "MIN"}, {nearest(-1), "-1"}, {1, "1 ulp"},
         {nearest(0), "0"},     {nearest(1), "1"},     {-1, "-1 ulp"},      {nearest(3), "3"},
     };
-    return {by_weight.begin(), by_weight.begin() + std::min(count, by_weight.size())};
+    std::vector<BoundaryOperand> held;
+    for (const BoundaryOperand& operand : by_weight) {
+        if (held.size() < count && !(format.is_unsigned && operand.raw < 0))
+            held.push_back(operand);
+    }
+    return held;
 }
 
 std::vector<BoundaryCase> combinations(const std::vector<BoundaryOperand>& operands,

@@ -94,7 +94,7 @@ void Sampler::next(std::span<std::int64_t> operands) {
         if (class_ == OperandClass::published) {
             operands[i] = format_.is_float()
                               ? reference::raw_of_double(format_, published_floats[i % 2])
-                              : format_.sign_extend(std::uint64_t(published_raws[i % 2]));
+                              : format_.extend(std::uint64_t(published_raws[i % 2]));
         } else {
             operands[i] = draw();
         }
@@ -107,16 +107,17 @@ std::int64_t Sampler::draw() {
     const bool positive = takes_positive_operands(operation_);
     if (class_ == OperandClass::uniform) return draw_uniform(positive);
     const std::int64_t magnitude = draw_magnitude();
-    const bool negative = !positive && (random_() >> 63) != 0;
+    const bool negative = !positive && !format_.is_unsigned && (random_() >> 63) != 0;
     if (!negative) return magnitude;
     return format_.is_float() ? magnitude | format_.sign() : -magnitude;
 }
 
 std::int64_t Sampler::draw_uniform(bool positive) {
     for (;;) {
-        const std::uint64_t sign_bit = std::uint64_t(1) << (format_.width - 1);
+        const std::uint64_t sign_bit =
+            format_.is_unsigned ? 0 : std::uint64_t(1) << (format_.width - 1);
         const std::uint64_t pattern = random_() >> (64 - format_.width);
-        const std::int64_t raw = format_.sign_extend(positive ? pattern & ~sign_bit : pattern);
+        const std::int64_t raw = format_.extend(positive ? pattern & ~sign_bit : pattern);
         if (reference::is_finite(format_, raw)) return raw;
     }
 }
@@ -141,8 +142,9 @@ std::int64_t Sampler::draw_magnitude() {
 std::int64_t Sampler::log_uniform(double least, double greatest) {
     // The binades of the format's positive numbers (of a float, of its normal numbers).
     const int first = format_.is_float() ? format_.min_exponent() : -format_.fraction;
-    const int last =
-        format_.is_float() ? format_.infinity_exponent() - 1 : format_.width - 2 - format_.fraction;
+    const int last = format_.is_float()
+                         ? format_.infinity_exponent() - 1
+                         : format_.width - (format_.is_unsigned ? 1 : 2) - format_.fraction;
     const int low = std::max(first, least > 0 ? std::ilogb(least) : first);
     const int high = std::min(last, std::isfinite(greatest) ? std::ilogb(greatest) : last);
     // In a format without fraction bits, 0.01..1 contains only 1, which no draw below would hit.

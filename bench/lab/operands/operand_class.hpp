@@ -15,8 +15,8 @@ namespace operands {
 // The range of a class is clipped to the magnitudes that the format holds. Only `uniform` draws 0
 // and MIN, which the boundary tables contain. Signs are drawn with equal probability, except that
 // sqrt, reciprocal_sqrt and log get positive operands only: outside their domain there is no work
-// worth measuring. In every class the count of a shift is uniform in 0..W-1, and the integer
-// exponent of power in -8..8.
+// worth measuring, and formats without a sign have no others. In every class the count of a shift
+// is uniform in 0..W-1, and the integer exponent of power in -8..8.
 enum class OperandClass {
     // Uniform over the numbers with 0 < |x| < 1 (a float: over the multiples of 2^-p, where p is
     // the number of bits of its significand; integers: +-1, since they have no others).

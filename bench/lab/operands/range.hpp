@@ -23,7 +23,7 @@ constexpr Range every_raw(const reference::NumberFormat& format) {
     if (format.width > 32)
         throw std::invalid_argument("a 64-bit format has too many raws to visit them all");
     const std::int64_t half = std::int64_t(1) << (format.width - 1);
-    return {-half, half - 1};
+    return format.is_unsigned ? Range{0, format.max()} : Range{-half, half - 1};
 }
 
 // Part `index` (from 0) of `count` nearly equal parts that together make up the range, in order.

@@ -69,7 +69,7 @@ Worst search_worst(reference::Operation operation, const reference::NumberFormat
             default:
                 pattern = below(2) ? pattern << 1 : std::uint64_t(operand >> 1);
         }
-        operand = format.sign_extend(pattern);
+        operand = format.extend(pattern);
     };
 
     Worst worst;

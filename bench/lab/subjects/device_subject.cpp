@@ -56,7 +56,7 @@ DeviceResult DeviceCall::call(std::span<const std::int64_t> operands) {
     }();
     DeviceResult result{{}, outcome.cycles, outcome.stack_bytes};
     if (!result_size_) {
-        result.raws[0] = result_format_.sign_extend(outcome.result);
+        result.raws[0] = result_format_.extend(outcome.result);
         return result;
     }
     const auto bytes = static_cast<std::size_t>(pointers.result_size);
@@ -64,7 +64,7 @@ DeviceResult DeviceCall::call(std::span<const std::int64_t> operands) {
         std::uint64_t pattern = 0;
         chip_.read(static_cast<std::uint16_t>(result_address_ + i * bytes),
                    {reinterpret_cast<std::uint8_t*>(&pattern), bytes});
-        result.raws[i] = result_format_.sign_extend(pattern);
+        result.raws[i] = result_format_.extend(pattern);
     }
     return result;
 }

@@ -35,7 +35,8 @@ LIBRARY_FORMAT(OF_FORMAT)
 template <Operation operation, class Raw, int F, class Policy>
 void add(std::vector<HostSubject>& subjects, const char* implementation, bool same_as_default) {
     if constexpr (std::is_same_v<Raw, ThisRaw> && F == this_fraction) {
-        constexpr reference::NumberFormat format{reference::FormatKind::fixed, 8 * sizeof(Raw), F};
+        constexpr reference::NumberFormat format{reference::FormatKind::fixed, 8 * sizeof(Raw), F,
+                                                 !fixedpoint::RawLimits<Raw>::is_signed};
         constexpr auto arithmetic =
             std::is_same_v<Policy, Published>          ? reference::Arithmetic::published
             : std::is_same_v<Policy, Saturating>       ? reference::Arithmetic::saturating

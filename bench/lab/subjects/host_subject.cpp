@@ -13,6 +13,7 @@ namespace operations {
 // Each is defined in its own translation unit.
 #define DECLARE_ADDER(format, ...) void add_##format(std::vector<HostSubject>& subjects);
 LIBRARY_FORMATS(DECLARE_ADDER)
+UNSIGNED_FORMATS(DECLARE_ADDER)
 void add_conversions(std::vector<HostSubject>& subjects);
 
 std::string operation_name(const reference::Subject& subject) {
@@ -53,8 +54,7 @@ reference::ErrorStatistics HostSubject::exhaust(std::uint64_t part) const {
         auto operand = operands.begin();
         for (; first < last; ++first)
             for (std::size_t k = 0; k < shape.operands; ++k)
-                *operand++ =
-                    subject.operand_format.sign_extend(first >> (static_cast<int>(k) * width));
+                *operand++ = subject.operand_format.extend(first >> (static_cast<int>(k) * width));
         evaluate(operands, results);
         judge_all(operands, results, statistics, {});
     }
@@ -66,6 +66,7 @@ const std::vector<HostSubject>& host_subjects() {
         std::vector<HostSubject> subjects;
 #define ADD_FORMAT(format, ...) add_##format(subjects);
         LIBRARY_FORMATS(ADD_FORMAT)
+        UNSIGNED_FORMATS(ADD_FORMAT)
         add_conversions(subjects);
         return subjects;
     }();

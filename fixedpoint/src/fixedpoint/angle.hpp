@@ -11,7 +11,8 @@ namespace fixedpoint {
 
 /// \cond internal
 template <class Number>
-using CoreOf = kernel::SineOfPhase<typename Number::Raw, Number::fraction_bits>;
+using CoreOf =
+    kernel::SineOfPhase<typename Signed<typename Number::Raw>::Type, Number::fraction_bits>;
 template <class Number>
 using TurnsCoreOf = typename kernel::ShortPhase<CoreOf<Number>>::Type;
 template <class Number, class Core = CoreOf<Number>>
@@ -38,7 +39,8 @@ constexpr typename CoreOf<Number>::Phase degrees_phase(Number angle) {
         angle.raw());
 }
 template <class Number>
-using AngleOfVector = kernel::AngleOfVector<typename Number::Raw, Number::fraction_bits>;
+using AngleOfVector =
+    kernel::AngleOfVector<typename Signed<typename Number::Raw>::Type, Number::fraction_bits>;
 /// \endcond
 
 /// The sine of any angle in turns, faithful (error below 0.75 ulp), never outside [-1, 1]; exact at
@@ -118,7 +120,7 @@ class Turn {
     /// The angle of that many turns, rounded to nearest, half up, less its whole turns.
     template <int IntegerBits, int F, class A>
     static constexpr Turn from_turns(Fixed<IntegerBits, F, A> turns) {
-        return Turn(portable::convert<Raw, Bits, Integer<IntegerBits + F>, F>(turns.raw()));
+        return Turn(portable::convert<Raw, Bits, RawOf<IntegerBits + F, A>, F>(turns.raw()));
     }
     /// The angle in turns, in [-1/2, 1/2), converted to Number by its arithmetic (Nearest: rounded
     /// to nearest, half up).

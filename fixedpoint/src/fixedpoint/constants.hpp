@@ -17,18 +17,18 @@ namespace constants {
 // since C++11 does not accept it as a template argument, and that function is a single return
 // statement.
 template <class Number>
-constexpr portable::DecimalWord<typename Number::Raw> magnitude(const char* digits, int count) {
+constexpr portable::Converted<typename Number::Raw> parsed(const char* digits, int count) {
     return portable::parse_literal<typename Number::Raw, Number::fraction_bits>(digits,
                                                                                 digits + count);
 }
-template <class Number, portable::DecimalWord<typename Number::Raw> magnitude>
+template <class Number, typename Number::Raw raw, bool fits>
 constexpr Number checked() {
-    static_assert(magnitude <= static_cast<portable::DecimalWord<typename Number::Raw>>(
-                                   RawLimits<typename Number::Raw>::max),
-                  "This constant lies outside the range of its fixed-point format.");
-    return Number::from_raw(static_cast<typename Number::Raw>(magnitude));
+    static_assert(fits, "This constant lies outside the range of its fixed-point format.");
+    return Number::from_raw(raw);
 }
-#define FIXEDPOINT_CONSTANT(text) checked<Number, magnitude<Number>(text, sizeof text - 1)>()
+#define FIXEDPOINT_CONSTANT(text)                                 \
+    checked<Number, parsed<Number>(text, sizeof text - 1).number, \
+            parsed<Number>(text, sizeof text - 1).fits>()
 /// \endcond
 
 /// The circumference of a circle over its diameter.

@@ -41,7 +41,7 @@ struct NumberFormat {
 };
 template <int IntegerBits, int F, class A>
 struct NumberFormat<Fixed<IntegerBits, F, A>> {
-    using Raw = Integer<IntegerBits + F>;
+    using Raw = RawOf<IntegerBits + F, A>;
     template <class Default>
     using ArithmeticOr = A;
     static constexpr int fraction_bits = F;
@@ -103,14 +103,14 @@ FIXEDPOINT_CONSTEXPR Converted<Target> from_float_checked(Float x) {
 template <int IntegerBits, int FractionBits, class Arithmetic = Nearest, class Number>
 FIXEDPOINT_CONSTEVAL Fixed<IntegerBits, FractionBits, Arithmetic> fixed(Number x) {
     return Fixed<IntegerBits, FractionBits, Arithmetic>::from_raw(
-        portable::Constant<Integer<IntegerBits + FractionBits>, FractionBits,
+        portable::Constant<RawOf<IntegerBits + FractionBits, Arithmetic>, FractionBits,
                            BuiltinNumber<Number>::kind>::raw(x));
 }
 
 /// The float or double nearest to x, half to even. Every format is within the range of float.
 template <class Float, int IntegerBits, int F, class A>
 constexpr Float to_float(Fixed<IntegerBits, F, A> x) {
-    return portable::to_float<Float, Integer<IntegerBits + F>, F>(x.raw());
+    return portable::to_float<Float, RawOf<IntegerBits + F, A>, F>(x.raw());
 }
 
 /// n / 10^decimals for a signed integer n, rounded to nearest, half up, and saturated:

@@ -2,8 +2,9 @@
 /// \file
 /// Fixed<IntegerBits, FractionBits, Arithmetic>: a signed fixed-point number, value = raw / 2^F, in
 /// a two's-complement integer of IntegerBits + FractionBits = 8, 16, 32 or 64 bits. The sign counts
-/// as an integer bit. Arithmetic decides how results are rounded and what happens to those out of
-/// range; arithmetic/nearest.hpp states the rule that the default follows for every input.
+/// as an integer bit; unsigned.hpp has numbers without one. Arithmetic decides how results are
+/// rounded and what happens to those out of range; arithmetic/nearest.hpp states the rule that the
+/// default follows for every input.
 ///
 /// Both operands of an operator must have the same format and arithmetic, or one must be an
 /// integer. An integer keeps its exact value even if the format cannot represent it; only the
@@ -26,18 +27,28 @@ struct convert_one_operand_to_the_format_of_the_other;
 /// README.md lists what each operation returns for every input.
 template <int IntegerBits, int FractionBits, class ArithmeticPolicy = Nearest>
 class Fixed {
-    static_assert(IntegerBits >= 1,
+    static_assert(IntegerBits >= 1 ||
+                      !RawTypeOf<IntegerBits + FractionBits, ArithmeticPolicy>::is_signed,
                   "IntegerBits counts the sign and must be at least 1: choose a smaller unit, so "
                   "that the binary point is inside the integer.");
+    static_assert(
+        IntegerBits >= 0,
+        "IntegerBits must not be negative: choose a smaller unit, so that the binary point "
+        "is inside the integer.");
     static_assert(
         FractionBits >= 0,
         "FractionBits must not be negative: choose a larger unit, so that the binary point "
         "is inside the integer.");
+    static_assert(
+        RawTypeOf<IntegerBits + FractionBits, ArithmeticPolicy>::is_signed ||
+            IntegerBits + FractionBits < 64 || (IntegerBits > 0 && FractionBits > 0),
+        "An unsigned number of 64 bits has 1 to 63 fraction bits: decimal text needs a bit "
+        "more than the number.");
 
   public:
-    /// The two's-complement integer of IntegerBits + FractionBits bits: int8_t, int16_t, int32_t or
-    /// int64_t.
-    using Raw = Integer<IntegerBits + FractionBits>;
+    /// The integer of IntegerBits + FractionBits bits: int8_t, int16_t, int32_t or int64_t, in
+    /// two's complement; of a UFixed, uint8_t, uint16_t, uint32_t or uint64_t.
+    using Raw = RawOf<IntegerBits + FractionBits, ArithmeticPolicy>;
     /// The arithmetic, which rounds results and decides what happens to those out of range.
     using Arithmetic = ArithmeticPolicy;
     /// The bits before the binary point, including the sign.
@@ -115,7 +126,10 @@ class Fixed {
     friend FIXEDPOINT_CONSTEXPR Fixed operator>>(Fixed a, Count count) {
         constexpr unsigned char last = RawLimits<Raw>::width - 1;
         return from_raw(
-            static_cast<Raw>(a.raw_ >> (shift_count(count) < last ? shift_count(count) : last)));
+            !RawLimits<Raw>::is_signed && shift_count(count) > last
+                ? Raw(0)
+                : static_cast<Raw>(a.raw_ >>
+                                   (shift_count(count) < last ? shift_count(count) : last)));
     }
 
     /// The exact sum. If it is out of range, the arithmetic decides (Nearest: modulo 2^W).
@@ -142,10 +156,11 @@ class Fixed {
     }
     template <class Int>
     friend constexpr typename BesideInteger<Int, Fixed>::Type operator-(Int n, Fixed a) {
-        return from_raw(
-            Arithmetic::settle(wrapping_subtract(portable::scale<Raw, FractionBits>(n), a.raw_),
-                               portable::difference_from_fits<Raw, FractionBits>(a.raw_, n),
-                               !portable::is_negative_integer(n), Operation::subtract));
+        return from_raw(Arithmetic::settle(
+            wrapping_subtract(portable::scale<Raw, FractionBits>(n), a.raw_),
+            portable::DifferenceFrom<Raw, FractionBits, Int>::fits(a.raw_, n),
+            portable::DifferenceFrom<Raw, FractionBits, Int>::is_above(a.raw_, n),
+            Operation::subtract));
     }
     /// @}
     /// The exact product. If it is out of range, the arithmetic decides (Nearest: modulo 2^W).

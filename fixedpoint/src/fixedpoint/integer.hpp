@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The two's-complement integers behind fixed-point numbers: Integer<Bits>, their unsigned
-// counterparts, the integer of twice the width, and the few wrapping operations that C++ leaves
-// undefined for signed types. Includes only <stdint.h>, so that it compiles for the chip.
+// The integers behind fixed-point numbers: the two's-complement Integer<Bits>, their unsigned
+// counterparts, the integer of twice the width, and the few wrapping operations and shifts that C++
+// leaves undefined. A Raw has a sign or none; what depends on that asks RawLimits. Includes only
+// <stdint.h>, so that it compiles for the chip.
 #pragma once
 
 #include <stdint.h>
@@ -50,15 +51,19 @@ using Integer = typename IntegerOf<Bits>::Signed;
 template <int Bits>
 using UnsignedInteger = typename IntegerOf<Bits>::Unsigned;
 
-// The bits of a Raw, and its largest and smallest value.
+// The bits of a Raw, whether it has a sign, and its largest and smallest value.
 template <class Raw>
 struct RawLimits {
     static constexpr int width = static_cast<int>(8 * sizeof(Raw));
-    static constexpr Raw max = static_cast<Raw>((UnsignedInteger<width>(1) << (width - 1)) - 1);
-    static constexpr Raw min = static_cast<Raw>(-max - 1);
+    static constexpr bool is_signed = static_cast<Raw>(-1) < static_cast<Raw>(1);
+    static constexpr Raw max =
+        static_cast<Raw>(static_cast<UnsignedInteger<width>>(-1) >> (is_signed ? 1 : 0));
+    static constexpr Raw min = static_cast<Raw>(is_signed ? -max - 1 : 0);
 };
 template <class Raw>
 constexpr int RawLimits<Raw>::width;
+template <class Raw>
+constexpr bool RawLimits<Raw>::is_signed;
 template <class Raw>
 constexpr Raw RawLimits<Raw>::max;
 template <class Raw>
@@ -66,8 +71,52 @@ constexpr Raw RawLimits<Raw>::min;
 
 template <class Raw>
 using Unsigned = UnsignedInteger<RawLimits<Raw>::width>;
+
+template <int Bits, bool is_signed>
+struct IntegerWithSign {
+    using Type = Integer<Bits>;
+};
+template <int Bits>
+struct IntegerWithSign<Bits, false> {
+    using Type = UnsignedInteger<Bits>;
+};
 template <class Raw>
-using Wide = Integer<2 * RawLimits<Raw>::width>;
+using Wide = typename IntegerWithSign<2 * RawLimits<Raw>::width, RawLimits<Raw>::is_signed>::Type;
+
+// a 2^count modulo 2^W, and a / 2^count rounded downward, for a constant count from 0 to W. C++
+// leaves a shift by W undefined.
+template <int count, class Raw>
+constexpr Raw shift_up(Raw a) {
+    return count >= RawLimits<Raw>::width
+               ? Raw(0)
+               : static_cast<Raw>(static_cast<Unsigned<Raw>>(a)
+                                  << (count < RawLimits<Raw>::width ? count : 0));
+}
+template <int count, class Raw>
+constexpr Raw shift_down(Raw a) {
+    return count >= RawLimits<Raw>::width
+               ? static_cast<Raw>(a < Raw(1) && a != Raw(0) ? -1 : 0)
+               : static_cast<Raw>(a >> (count < RawLimits<Raw>::width ? count : 0));
+}
+
+// The raw of a number of that many bits in an arithmetic, which may say that it has no sign.
+template <int Bits, class Arithmetic>
+struct RawTypeOf {
+    static constexpr bool is_signed = true;
+    using Type = Integer<Bits>;
+};
+template <int Bits, class Arithmetic>
+using RawOf = typename RawTypeOf<Bits, Arithmetic>::Type;
+// The same for functions that need a sign.
+template <class Raw, bool is_signed = RawLimits<Raw>::is_signed>
+struct Signed {
+    static_assert(is_signed,
+                  "This function is for numbers with a sign: convert the argument first, as in "
+                  "sin(convert<Q16_16>(x)).");
+    using Type = Raw;
+};
+template <int Bits, class Arithmetic>
+using SignedRawOf = typename Signed<RawOf<Bits, Arithmetic>>::Type;
 
 // a + b, a - b, -a modulo 2^W.
 template <class Raw>
@@ -104,8 +153,23 @@ constexpr Unsigned<Raw> magnitude(Raw a) {
 // the chip would compare all of them.
 template <class Raw>
 constexpr bool signs_differ(Raw a, Raw b) {
-    return static_cast<int8_t>(static_cast<int8_t>(a >> (RawLimits<Raw>::width - 8)) ^
+    return RawLimits<Raw>::is_signed &&
+           static_cast<int8_t>(static_cast<int8_t>(a >> (RawLimits<Raw>::width - 8)) ^
                                static_cast<int8_t>(b >> (RawLimits<Raw>::width - 8))) < 0;
+}
+
+// Whether a is -1, with which the smallest number has no quotient.
+template <class Raw>
+constexpr bool is_minus_one(Raw a) {
+    return RawLimits<Raw>::is_signed && a == static_cast<Raw>(-1);
+}
+
+// The largest magnitude of a Raw of that sign.
+template <class Word, class Raw>
+constexpr Word largest_magnitude(bool negative) {
+    return RawLimits<Raw>::is_signed
+               ? static_cast<Word>(static_cast<Word>(RawLimits<Raw>::max) + (negative ? 1 : 0))
+               : static_cast<Word>(negative ? 0 : RawLimits<Raw>::max);
 }
 
 // `magnitude` with the sign restored, modulo 2^W.
@@ -118,9 +182,9 @@ constexpr Raw with_sign(Unsigned<Raw> magnitude, bool negative) {
 // A number of a wider type, saturated to the range of Raw.
 template <class Raw, class Number>
 constexpr Raw saturated(Number number) {
-    return number > RawLimits<Raw>::max   ? RawLimits<Raw>::max
-           : number < RawLimits<Raw>::min ? RawLimits<Raw>::min
-                                          : static_cast<Raw>(number);
+    return number > static_cast<Number>(RawLimits<Raw>::max)   ? RawLimits<Raw>::max
+           : number < static_cast<Number>(RawLimits<Raw>::min) ? RawLimits<Raw>::min
+                                                               : static_cast<Raw>(number);
 }
 
 // `magnitude` with the sign restored, saturated to the range of Raw.

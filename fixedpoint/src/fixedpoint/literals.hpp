@@ -22,7 +22,7 @@ struct LiteralText {
     static constexpr char text[] = {Text...};
     static constexpr bool is_decimal = portable::is_decimal_literal(text, text + sizeof...(Text));
     template <class Raw, int F>
-    static constexpr portable::DecimalWord<Raw> magnitude() {
+    static constexpr portable::Converted<Raw> number() {
         return portable::parse_literal<Raw, F>(text, text + sizeof...(Text));
     }
 };
@@ -32,11 +32,10 @@ constexpr char LiteralText<Text...>::text[];
 // The raw of a literal: a static member, so that it is always a constant.
 template <class Raw, int F, char... Text>
 struct LiteralRaw {
-    static constexpr portable::DecimalWord<Raw> magnitude =
-        LiteralText<Text...>::template magnitude<Raw, F>();
-    static_assert(magnitude <= static_cast<portable::DecimalWord<Raw>>(RawLimits<Raw>::max),
-                  "This literal lies outside the range of its fixed-point format.");
-    static constexpr Raw value = static_cast<Raw>(magnitude);
+    static constexpr portable::Converted<Raw> parsed =
+        LiteralText<Text...>::template number<Raw, F>();
+    static_assert(parsed.fits, "This literal lies outside the range of its fixed-point format.");
+    static constexpr Raw value = parsed.number;
 };
 /// \endcond
 

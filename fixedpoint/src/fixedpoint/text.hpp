@@ -39,7 +39,7 @@ FIXEDPOINT_CONSTEXPR Parsed<Number> parse(const char* text) {
 /// unspecified.
 template <int IntegerBits, int F, class A>
 constexpr size_t print(Fixed<IntegerBits, F, A> x, char* buffer, size_t capacity) {
-    return portable::print_decimal<Integer<IntegerBits + F>, F>(x.raw(), buffer, capacity);
+    return portable::print_decimal<RawOf<IntegerBits + F, A>, F>(x.raw(), buffer, capacity);
 }
 
 /// Writes x with that many decimals, rounded to nearest, half up; from F decimals on the text is
@@ -47,8 +47,8 @@ constexpr size_t print(Fixed<IntegerBits, F, A> x, char* buffer, size_t capacity
 template <int IntegerBits, int F, class A>
 constexpr size_t print(Fixed<IntegerBits, F, A> x, uint8_t decimals, char* buffer,
                        size_t capacity) {
-    return portable::print_decimal<Integer<IntegerBits + F>, F>(x.raw(), decimals, buffer,
-                                                                capacity);
+    return portable::print_decimal<RawOf<IntegerBits + F, A>, F>(x.raw(), decimals, buffer,
+                                                                 capacity);
 }
 
 /// What to_chars and from_chars report, as the standard's functions do by std::errc; TextError() is

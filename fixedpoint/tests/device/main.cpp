@@ -32,6 +32,7 @@ __attribute__((weak)) void test_angles();
 __attribute__((weak)) void test_shifts();
 __attribute__((weak)) void test_checked();
 __attribute__((weak)) void test_functions();
+__attribute__((weak)) void test_unsigned();
 __attribute__((weak)) void test_text();
 __attribute__((weak)) void test_constants();
 __attribute__((weak)) void test_constant_functions();
@@ -51,6 +52,7 @@ int main() {
     run("shifts_test", test_shifts);
     run("checked_test", test_checked);
     run("functions_test", test_functions);
+    run("unsigned_test", test_unsigned);
     run("text_test", test_text);
     run("constants_test", test_constants);
     run("constant_functions_test", test_constant_functions);

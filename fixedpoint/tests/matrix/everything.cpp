@@ -74,7 +74,7 @@ void ring(Number& a, Number b) {
     if (a == b || a != b || a < b || a > b || a <= b || a >= b) a = Number::ulp();
     a = clamp(max(min(abs(a), b), b), Number::min(), Number::max());
     a = floor(ceil(round(trunc(a))));
-    a = scale_down<3>(a) + sqrt(a) + atan2(a, b);
+    a = scale_down<3>(a) + sqrt(a);
 }
 
 template <class Number, class Int>
@@ -187,6 +187,26 @@ void blocks() {
     rotate(renormalised(q * conjugate(q)), a, a);
 }
 
+template <class Number>
+void without_sign(Number (&a)[3]) {
+    ring(a[0], a[1]);
+    beside_integers(a[0]);
+    conversions(a[0]);
+    a[0] = lerp(a[0], midpoint(a[0], a[1]), abs_diff(a[0], a[1]));
+    a[0] = multiply_add(divmod(a[0], a[1]).remainder, divrem(a[0], a[1]).remainder, a[1]);
+    a[0] += Number::from_raw(Number::max().raw() / 2);
+}
+template <int I, int F>
+void every_unsigned_arithmetic() {
+    UFixed<I, F> nearest[3];
+    without_sign(nearest);
+    nearest[0] += ufixed<I, F>(0.5);
+    UFixed<I, F, Saturating> saturating[3];
+    without_sign(saturating);
+    UFixed<I, F, Checked<Hook>> checked[3];
+    without_sign(checked);
+}
+
 template <int I, int F>
 void every_arithmetic() {
     Fixed<I, F> nearest[3];
@@ -206,6 +226,7 @@ void every_arithmetic() {
     conversions(saturating[0]);
     Fixed<I, F, HalfToEven> rounded[3];
     ring(rounded[0], rounded[1]);
+    rounded[0] += atan2(rounded[0], rounded[1]);
     beside_integers(rounded[0]);
     conversions(rounded[0]);
     Fixed<I, F, Checked<Hook>> checked[3];
@@ -224,6 +245,12 @@ void everything() {
     every_arithmetic<32, 32>();
     every_arithmetic<8, 24>();
     every_arithmetic<1, 15>();
+    every_unsigned_arithmetic<4, 4>();
+    every_unsigned_arithmetic<8, 8>();
+    every_unsigned_arithmetic<0, 16>();
+    every_unsigned_arithmetic<16, 16>();
+    every_unsigned_arithmetic<0, 32>();
+    every_unsigned_arithmetic<32, 32>();
     Fixed<16, 16, CorrectlyRounded> correctly_rounded[3];
     functions(correctly_rounded);
     blocks<Q4_4, Q8_8>();
@@ -242,6 +269,8 @@ void everything() {
     widening(a);
     widening(b);
     widening(c);
+    U8_8 d = 0.5_u8_8;
+    widening(d);
     Fixed<16, 16, Published> published = Fixed<16, 16, Published>::from_integer(3);
     published = published * published / sqrt(published) + atan2(published, published);
 }

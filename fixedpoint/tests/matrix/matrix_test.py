@@ -35,7 +35,7 @@ STANDARDS = [11, 14, 17, 20, 23]
 MULTIPLYING = ["atmega328p", "atmega32u4", "atmega1284p", "atmega2560"]
 PLAIN = ["attiny85", "attiny1634"]
 NEVER_RUN = ["atxmega128a1", "avrxmega3", "avrxmega4"]  # the last two: the cores of AVR-0/1 and -Dx
-KERNEL_FORMATS = "q4_4|q8_8|q16_16|q32_32|q8_24|q1_15"
+KERNEL_FORMATS = "q4_4|q8_8|q16_16|q32_32|q8_24|q1_15|u4_4|u8_8|u0_16|u16_16|u0_32"
 HOST_AS_AVR = ["-D__AVR__", "-D__AVR_HAVE_MUL__", f"-I{here / 'host_avr'}"]
 # avr-libc's <stdint.h> defines its limits for C++ only on request.
 CLANG_AVR = ["clang++-19", "--target=avr", "-nostdlibinc", "-isystem", "/usr/lib/avr/include",
@@ -283,6 +283,14 @@ REFUSED = [
     ("Fixed<64, 64> x; (void)x;", "has 8, 16, 32 or 64 bits"),
     ("Fixed<0, 16> x; (void)x;", "IntegerBits counts the sign"),
     ("Fixed<17, -1> x; (void)x;", "FractionBits must not be negative"),
+    ("UFixed<12, 12> x; (void)x;", "has 8, 16, 32 or 64 bits"),
+    ("UFixed<-1, 17> x; (void)x;", "IntegerBits must not be negative"),
+    ("UFixed<0, 64> x; (void)x;", "An unsigned number of 64 bits has 1 to 63 fraction bits"),
+    ("UFixed<8, 8, Small> x; (void)x;", "Unsigned numbers have the arithmetics"),
+    ("sin(1_u8_8);", "This function is for numbers with a sign"),
+    ("sin_turns(1_u8_8);", "This function is for numbers with a sign"),
+    ("power(1_u8_8, 2);", "This function is for numbers with a sign"),
+    ("256_u8_8;", "outside the range of its fixed-point format"),
     ("8_q4_4;", "outside the range of its fixed-point format"),
     ("0x10_q16_16;", "A fixed-point literal is a decimal number"),
     ("0b1_q16_16;", "A fixed-point literal is a decimal number"),

@@ -26,16 +26,16 @@ std::int64_t near(const reference::Subject& subject, std::span<const std::int64_
         if (judgement.excluded || !std::isfinite(judgement.error_ulp)) break;
         const double nearer = double(result) - judgement.error_ulp;
         if (std::abs(nearer) > std::ldexp(1.0, 62)) break;
-        result = subject.format.sign_extend(std::uint64_t(std::llround(nearer)));
+        result = subject.format.extend(std::uint64_t(std::llround(nearer)));
     }
-    return subject.format.sign_extend(std::uint64_t(result) + random() % 3 - 1);
+    return subject.format.extend(std::uint64_t(result) + random() % 3 - 1);
 }
 
 void compare(const reference::Subject& subject, std::span<const std::int64_t> operands,
              std::mt19937_64& random) {
     const SplitJudge fast = split_judge(subject);
     for (const std::int64_t result :
-         {near(subject, operands, random), subject.format.sign_extend(random())}) {
+         {near(subject, operands, random), subject.format.extend(random())}) {
         const Judgement exact = reference::judge(subject, operands, std::span(&result, 1)),
                         judged = fast(subject.format, operands, std::span(&result, 1));
         const std::string where =
@@ -78,7 +78,7 @@ TEST(SplitJudge, AgreesWithTheExactOne) {
                     compare(subject, cases[random() % cases.size()].operands, random);
                 for (int k = 0; k < 30; ++k) {
                     for (std::int64_t& raw : operands)  // of all magnitudes
-                        raw = format.sign_extend(random()) >> random() % unsigned(width);
+                        raw = format.extend(random()) >> random() % unsigned(width);
                     compare(subject, operands, random);
                 }
                 if (testing::Test::HasFatalFailure()) return;

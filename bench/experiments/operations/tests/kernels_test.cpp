@@ -127,7 +127,7 @@ void all_of_the_only_operand(DenseCalls& calls, const reference::NumberFormat& f
 // Long runs of equal bits make long carries, which random bits seldom do.
 std::int64_t runs_of_bits(const reference::NumberFormat& format, std::mt19937_64& random) {
     const auto power = [&] { return std::uint64_t(1) << random() % unsigned(format.width); };
-    return format.sign_extend((power() - power()) ^ (power() - power()));
+    return format.extend((power() - power()) ^ (power() - power()));
 }
 
 // Vectors whose length is half an ulp from the limit of the format, on both sides of it.
@@ -159,7 +159,7 @@ void beside_limits_of_tables(DenseCalls& calls, const reference::NumberFormat& f
                              std::size_t arity) {
     std::mt19937_64 random(7);
     const auto near = [&](double raw) {
-        return format.sign_extend(static_cast<std::uint64_t>(std::int64_t(raw)) + random() % 5 - 2);
+        return format.extend(static_cast<std::uint64_t>(std::int64_t(raw)) + random() % 5 - 2);
     };
     for (int i = 0; i < 1 << 16; ++i) {
         const int index = static_cast<int>(random() % 2048),

@@ -73,7 +73,7 @@ TEST(Boundary, IsSortedAndWithinEveryFormat) {
         const auto operands = boundary_operands(format);
         EXPECT_GE(operands.size(), 40u) << name;
         for (std::size_t i = 0; i < operands.size(); ++i) {
-            EXPECT_EQ(operands[i].raw, format.sign_extend(std::uint64_t(operands[i].raw)));
+            EXPECT_EQ(operands[i].raw, format.extend(std::uint64_t(operands[i].raw)));
             EXPECT_FALSE(operands[i].what.empty());
             if (i > 0) {
                 EXPECT_LT(operands[i - 1].raw, operands[i].raw) << name;

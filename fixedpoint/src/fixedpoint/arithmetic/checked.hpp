@@ -79,7 +79,7 @@ struct Checked : Nearest {
     template <class Raw>
     static FIXEDPOINT_CONSTEXPR Raw settle_quotient(Raw quotient, Raw a, Raw b) {
         if (b == 0) Hook::notify(Event::division_by_zero, Operation::divide);
-        watch_range(a != RawLimits<Raw>::min || b != -1, Operation::divide);
+        watch_range(a != RawLimits<Raw>::min || !is_minus_one(b), Operation::divide);
         return quotient;
     }
     /// a 2^count mod 2^W; notifies of overflow.
@@ -273,11 +273,12 @@ struct Checked : Nearest {
             Hook::notify(Event::overflow, operation);
         }
     }
-    // floor(a / 4) of a two's-complement number of 2W bits.
+    // floor(a / 4) of a number of 2W bits, in two's complement if Raw is.
     template <class Raw>
     static FIXEDPOINT_CONSTEXPR portable::DoubleWord<Raw> quarter(portable::DoubleWord<Raw> a) {
         using Sum = portable::DoubleWord<Raw>;
-        const Sum bias = static_cast<Sum>(Sum(uint8_t(1)) << (2 * RawLimits<Raw>::width - 1));
+        const Sum bias = static_cast<Sum>(Sum(uint8_t(RawLimits<Raw>::is_signed ? 1 : 0))
+                                          << (2 * RawLimits<Raw>::width - 1));
         return static_cast<Sum>(static_cast<Sum>(static_cast<Sum>(a + bias) >> 2) -
                                 static_cast<Sum>(bias >> 2));
     }
@@ -324,20 +325,19 @@ struct Checked : Nearest {
     static FIXEDPOINT_CONSTEXPR bool product_exceeds(Raw a, Raw b, Raw limit) {
         // Compares |a b| with |limit| 2^F; half an ulp is 2^(F-1).
         if (F == 0) {
-            return beyond(portable::multiply_full(magnitude<int64_t>(a), magnitude<int64_t>(b)),
-                          shifted(magnitude<int64_t>(limit), 0), 0, false);
+            return beyond(portable::multiply_full(magnitude(a), magnitude(b)),
+                          shifted(magnitude(limit), 0), 0, false);
         }
-        return beyond(portable::multiply_full(magnitude<int64_t>(a), magnitude<int64_t>(b)),
-                      shifted(magnitude<int64_t>(limit), F), (uint64_t(1) << F) >> 1, limit > 0);
+        return beyond(portable::multiply_full(magnitude(a), magnitude(b)),
+                      shifted(magnitude(limit), F), (uint64_t(1) << F) >> 1, limit > 0);
     }
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR bool quotient_exceeds(Raw a, Raw b, Raw limit) {
         // Compares |a| 2^F with |limit b|; half an ulp is |b| / 2, and a tie is possible only if b
         // is even.
-        const uint64_t divisor = magnitude<int64_t>(b);
-        return beyond(shifted(magnitude<int64_t>(a), F),
-                      portable::multiply_full(magnitude<int64_t>(limit), divisor),
-                      (divisor + 1) >> 1, limit > 0 || (divisor & 1) != 0);
+        const uint64_t divisor = magnitude(b);
+        return beyond(shifted(magnitude(a), F), portable::multiply_full(magnitude(limit), divisor),
+                      (divisor >> 1) + (divisor & 1), limit > 0 || (divisor & 1) != 0);
     }
 };
 

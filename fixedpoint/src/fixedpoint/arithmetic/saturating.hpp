@@ -27,10 +27,12 @@ struct Saturating : Nearest {
     static constexpr Raw subtract(Raw a, Raw b) {
         return kernel::subtract_saturating(a, b);
     }
-    /// -a; the negative of the smallest number is the largest.
+    /// -a; the negative of the smallest number is the largest. Without a sign, 0.
     template <class Raw, int F>
     static constexpr Raw negate(Raw a) {
-        return a == RawLimits<Raw>::min ? RawLimits<Raw>::max : static_cast<Raw>(-a);
+        return !RawLimits<Raw>::is_signed ? Raw(0)
+               : a == RawLimits<Raw>::min ? RawLimits<Raw>::max
+                                          : static_cast<Raw>(-a);
     }
     /// a b rounded, saturated.
     template <class Raw, int F>

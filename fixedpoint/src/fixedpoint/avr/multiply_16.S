@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // int16_t fixedpoint_multiply_q<16 - F>_<F>(int16_t a, int16_t b)
+// uint16_t fixedpoint_multiply_u<16 - F>_<F>(uint16_t a, uint16_t b)
 // floor(a b / 2^F + 1/2) modulo 2^16: the product rounded to nearest, half up, of every 16-bit
-// format except Q8.8, which has a faster kernel of its own.
+// format except Q8.8 and U8.8, which have faster kernels of their own.
 //
 // In       a = r25:r24, b = r23:r22
 // Out      r25:r24
@@ -43,6 +44,18 @@
     clr r1
     .endm
 
+    .macro unsigned_product
+    movw a0, r24
+    clr zero
+    mul a1, b1
+    movw p2, r0
+    mul a0, b0
+    movw p0, r0
+    mul_add a1, b0, p1, p2, zero, p3
+    mul_add b1, a0, p1, p2, zero, p3
+    clr r1
+    .endm
+
     // high:middle:low / 2^(8 - left), rounded, of which the lower two bytes count.
     .macro round_bytes left, low, middle, high
     .if \left < 5
@@ -73,16 +86,20 @@
     .endif
     .endm
 
-    .macro kernels integer, fraction
-    FUNCTION fixedpoint_multiply_q\integer\()_\fraction
-    product
+    .macro kernel name, product, fraction
+    FUNCTION \name
+    \product
     .if (\fraction - 1) / 8 == 0
     round_bytes (8 - \fraction), p0, p1, p2
     .else
     round_bytes (16 - \fraction), p1, p2, p3
     .endif
     ret
-    ENDFUNC fixedpoint_multiply_q\integer\()_\fraction
+    ENDFUNC \name
+    .endm
+    .macro kernels integer, fraction
+    kernel fixedpoint_multiply_q\integer\()_\fraction, product, \fraction
+    kernel fixedpoint_multiply_u\integer\()_\fraction, unsigned_product, \fraction
     .endm
 
 #include "splits_16.inc"

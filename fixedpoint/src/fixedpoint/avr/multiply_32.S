@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // int32_t fixedpoint_multiply_q<32 - F>_<F>(int32_t a, int32_t b)
 // int32_t fixedpoint_multiply_add_q<32 - F>_<F>(int32_t a, int32_t b, int32_t c)
+// uint32_t fixedpoint_multiply_u<32 - F>_<F>(uint32_t a, uint32_t b)
 // floor(a b / 2^F + 1/2) modulo 2^32, plus c: the product rounded to nearest, half up, of every
-// 32-bit format except Q16.16, which has a faster kernel of its own.
+// 32-bit format except Q16.16 and U16.16, which have faster kernels of their own.
 //
 // In       a = r25:r22, b = r21:r18, c = r17:r14
 // Out      r25:r22
@@ -42,6 +43,13 @@
     add_bytes r22, r14, 4
     ret
     ENDFUNC fixedpoint_multiply_add_q\integer\()_\fraction
+
+    FUNCTION fixedpoint_multiply_u\integer\()_\fraction
+    .set .Lis_signed, 0
+    multiply \fraction
+    .set .Lis_signed, 1
+    ret
+    ENDFUNC fixedpoint_multiply_u\integer\()_\fraction
     .endm
 
 #include "splits_32.inc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // int8_t fixedpoint_multiply_q4_4(int8_t a, int8_t b)
+// uint8_t fixedpoint_multiply_u4_4(uint8_t a, uint8_t b)
 // floor(a b / 2^4 + 1/2) modulo 2^8.
 //
 // In:       a r24, b r22
@@ -13,8 +14,9 @@
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
 
-    FUNCTION fixedpoint_multiply_q4_4
-    muls r24, r22
+    .macro kernel name, multiplication
+    FUNCTION \name
+    \multiplication r24, r22
     mov r24, r0
     eor r24, r1
     andi r24, 0xf0
@@ -24,6 +26,9 @@
     inc r24
     clr r1
     ret
-    ENDFUNC fixedpoint_multiply_q4_4
+    ENDFUNC \name
+    .endm
+    kernel fixedpoint_multiply_q4_4, muls
+    kernel fixedpoint_multiply_u4_4, mul
 
 #endif

@@ -56,6 +56,7 @@ struct BlockNumber<Fixed<IntegerBits, F, A>> {
                   "A block takes an arithmetic that rounds to nearest, half up.");
     using Number = Fixed<IntegerBits, F, A>;
     using Raw = typename Number::Raw;
+    static_assert(RawLimits<Raw>::is_signed, "A block takes a number with a sign.");
     // For values that must saturate instead of changing their sign, whatever the arithmetic.
     using Saturated = Fixed<IntegerBits, F, Saturating>;
     static constexpr Saturated saturated(Number a) { return Saturated::from_raw(a.raw()); }

@@ -14,7 +14,7 @@ class std::numeric_limits<fixedpoint::Fixed<IntegerBits, F, A>> {
 
   public:
     static constexpr bool is_specialized = true;
-    static constexpr bool is_signed = true;
+    static constexpr bool is_signed = fixedpoint::RawLimits<Raw>::is_signed;
     static constexpr bool is_integer = F == 0;
     static constexpr bool is_exact = true;
     static constexpr bool is_bounded = true;
@@ -30,10 +30,10 @@ class std::numeric_limits<fixedpoint::Fixed<IntegerBits, F, A>> {
     static constexpr std::float_round_style round_style = std::round_to_nearest;
 
     static constexpr int radix = 2;
-    static constexpr int digits = IntegerBits + F - 1;
+    static constexpr int digits = IntegerBits + F - (is_signed ? 1 : 0);
     /// The decimal digits before and after the point that survive a round trip; floor(n
     /// log10(2)) = floor(3 n / 10) for n < 64.
-    static constexpr int digits10 = (IntegerBits - 1) * 3 / 10 + F * 3 / 10;
+    static constexpr int digits10 = (IntegerBits - (is_signed ? 1 : 0)) * 3 / 10 + F * 3 / 10;
     static constexpr int max_digits10 = 0;
     /// There is no exponent.
     static constexpr int min_exponent = 0;

@@ -506,12 +506,16 @@ FIXEDPOINT_CONSTEXPR Raw dot_64(const Raw* a, const Raw* b, uint8_t n, uint8_t f
     return portable::dot_64<Raw, F>(a, b, n, fraction);
 }
 // The portable code if there are no kernels.
-template <class Raw, int F, bool by_kernels = has_assembly && sizeof(Raw) == 8>
+template <class Raw, int F,
+          bool by_kernels = has_assembly && sizeof(Raw) == 8 && RawLimits<Raw>::is_signed>
 struct Split {
     static FIXEDPOINT_CONSTEXPR Raw multiply(Raw a, Raw b) {
         return portable::multiply<Raw, F>(a, b);
     }
     static FIXEDPOINT_CONSTEXPR Raw divide(Raw a, Raw b) { return portable::divide<Raw, F>(a, b); }
+    static FIXEDPOINT_CONSTEXPR Raw remainder(Raw a, Raw b) {
+        return portable::remainder<Raw, F>(a, b);
+    }
     static FIXEDPOINT_CONSTEXPR Raw sqrt(Raw a) { return portable::sqrt<Raw, F>(a); }
     static FIXEDPOINT_CONSTEXPR Raw exp(Raw a) { return portable::exp<Raw, F>(a); }
     static FIXEDPOINT_CONSTEXPR Raw dot(const Raw* a, const Raw* b, uint8_t n) {
@@ -527,6 +531,55 @@ struct Split<Raw, F, true> {
     static FIXEDPOINT_CONSTEXPR Raw dot(const Raw* a, const Raw* b, uint8_t n) {
         return dot_64<Raw, 0>(a, b, n, F);
     }
+};
+// Without a sign, numbers of 32 bits use the kernels with one wherever these are exact: below 2^31,
+// for results below the largest number, and otherwise those of 64 bits. A product of 64 bits is the
+// one of the same bits with a sign, and 2^(W-F) times each factor whose partner is then negative.
+template <int F>
+struct Split<uint32_t, F, false> {
+    static FIXEDPOINT_CONSTEXPR uint32_t multiply(uint32_t a, uint32_t b) {
+        return portable::multiply<uint32_t, F>(a, b);
+    }
+    static FIXEDPOINT_CONSTEXPR uint32_t divide(uint32_t a, uint32_t b) {
+        if (!has_assembly) return portable::divide<uint32_t, F>(a, b);
+        if (static_cast<int32_t>(a | b) >= 0) {
+            const int32_t quotient =
+                kernel::divide<int32_t, F>(static_cast<int32_t>(a), static_cast<int32_t>(b));
+            if (quotient != RawLimits<int32_t>::max) return static_cast<uint32_t>(quotient);
+        }
+        return saturated<uint32_t>(
+            divide_64<int64_t, 0>(static_cast<int64_t>(a), static_cast<int64_t>(b), F));
+    }
+    static FIXEDPOINT_CONSTEXPR uint32_t remainder(uint32_t a, uint32_t b) {
+        return has_assembly && static_cast<int32_t>(a | b) >= 0
+                   ? static_cast<uint32_t>(kernel::remainder<int32_t, 16>(static_cast<int32_t>(a),
+                                                                          static_cast<int32_t>(b)))
+                   : portable::remainder<uint32_t, F>(a, b);
+    }
+    static FIXEDPOINT_CONSTEXPR uint32_t sqrt(uint32_t a) {
+        return !has_assembly ? portable::sqrt<uint32_t, F>(a)
+               : a < uint32_t(1) << (F < 32 ? 31 : 30)
+                   ? static_cast<uint32_t>(kernel::sqrt<int32_t, F>(static_cast<int32_t>(a)))
+                   : static_cast<uint32_t>(sqrt_64<int64_t, 0>(static_cast<int64_t>(a), F));
+    }
+};
+template <int F>
+struct Split<uint64_t, F, false> {
+    static FIXEDPOINT_CONSTEXPR uint64_t multiply(uint64_t a, uint64_t b) {
+        if (!has_assembly) return portable::multiply<uint64_t, F>(a, b);
+        uint64_t product = static_cast<uint64_t>(
+            kernel::multiply<int64_t, F>(static_cast<int64_t>(a), static_cast<int64_t>(b)));
+        if (static_cast<int64_t>(a) < 0) product += shift_up<64 - F>(b);
+        if (static_cast<int64_t>(b) < 0) product += shift_up<64 - F>(a);
+        return product;
+    }
+    static FIXEDPOINT_CONSTEXPR uint64_t divide(uint64_t a, uint64_t b) {
+        return portable::divide<uint64_t, F>(a, b);
+    }
+    static FIXEDPOINT_CONSTEXPR uint64_t remainder(uint64_t a, uint64_t b) {
+        return portable::remainder<uint64_t, F>(a, b);
+    }
+    static FIXEDPOINT_CONSTEXPR uint64_t sqrt(uint64_t a) { return portable::sqrt<uint64_t, F>(a); }
 };
 
 template <class Raw, int F>
@@ -559,17 +612,20 @@ template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw wrapping_lerp(Raw a, Raw b, Raw t) {
     const Raw difference = wrapping_subtract(b, a);
     Raw start = a;
-    if (signs_differ(a, b) && signs_differ(b, difference)) {
+    if (RawLimits<Raw>::is_signed ? signs_differ(a, b) && signs_differ(b, difference) : b < a) {
         const Raw missing = wrapping_shift_left(t, RawLimits<Raw>::width - F);
-        start = b < 0 ? wrapping_subtract(a, missing) : wrapping_add(a, missing);
+        start = !RawLimits<Raw>::is_signed || b < 0 ? wrapping_subtract(a, missing)
+                                                    : wrapping_add(a, missing);
     }
     return multiply_add<Raw, F>(t, difference, start);
 }
 
 // In formats of 8 and 16 bits, the quotient is that of a and b 2^(16 - F) in Q16.16, rounded once.
+// Without a sign, b 2^16 does not fit.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw divide(Raw a, Raw b) {
-    return has_assembly && sizeof(Raw) <= 2
+    return has_assembly && sizeof(Raw) <= 2 &&
+                   (RawLimits<Raw>::is_signed || sizeof(Raw) == 1 || F > 0)
                ? saturated<Raw>(divide<int32_t, 16>(
                      static_cast<int32_t>(a),
                      static_cast<int32_t>(b) * (int32_t(1) << (F < 16 ? 16 - F : 0))))
@@ -583,7 +639,7 @@ FIXEDPOINT_CONSTEXPR __attribute__((noinline)) Raw divide_small(Raw a, Raw b) {
 // The remainder does not depend on the fraction bits.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw remainder(Raw a, Raw b) {
-    return !has_assembly      ? portable::remainder<Raw, F>(a, b)
+    return !has_assembly || !RawLimits<Raw>::is_signed ? Split<Raw, F>::remainder(a, b)
            : sizeof(Raw) == 8 ? static_cast<Raw>(remainder<int64_t, 32>(static_cast<int64_t>(a),
                                                                         static_cast<int64_t>(b)))
            : sizeof(Raw) == 4 ? static_cast<Raw>(remainder<int32_t, 16>(static_cast<int32_t>(a),
@@ -617,7 +673,7 @@ FIXEDPOINT_DIVISION(divmod)
 #define FIXEDPOINT_OF_64_BITS(operation)                                                           \
     template <class Raw, int F>                                                                    \
     FIXEDPOINT_CONSTEXPR Raw operation(Raw a, Raw b) {                                             \
-        return has_assembly && sizeof(Raw) == 8                                                    \
+        return has_assembly && sizeof(Raw) == 8 && RawLimits<Raw>::is_signed                       \
                    ? static_cast<Raw>(                                                             \
                          operation<int64_t, 32>(static_cast<int64_t>(a), static_cast<int64_t>(b))) \
                    : portable::operation<Raw, F>(a, b);                                            \
@@ -626,12 +682,15 @@ FIXEDPOINT_OF_64_BITS(copysign)
 FIXEDPOINT_OF_64_BITS(abs_diff)
 #undef FIXEDPOINT_OF_64_BITS
 
-// In formats of 8 and 16 bits, the root is that of the integer a 2^F, rounded once.
+// In formats of 8 and 16 bits, the root is that of the integer a 2^F, rounded once, and with 16
+// fraction bits that of Q16.16.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw sqrt(Raw a) {
     return has_assembly && sizeof(Raw) <= 2
-               ? saturated<Raw>(
-                     sqrt<int32_t, 0>(static_cast<int32_t>(a) * (int32_t(1) << (F < 16 ? F : 16))))
+               ? saturated<Raw>(sqrt < int32_t, F == 16 && !RawLimits<Raw>::is_signed
+                                                    ? 16
+                                                    : 0 > (static_cast<int32_t>(a) *
+                                                           (int32_t(1) << (F < 16 ? F : 0))))
                : Split<Raw, F>::sqrt(a);
 }
 template <class Raw, int F>

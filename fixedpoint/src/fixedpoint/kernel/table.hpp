@@ -151,6 +151,12 @@
 #define FIXEDPOINT_KERNEL_OF_SPLIT_32(KERNEL, shape, operation, I, F) \
     KERNEL(shape, operation, int32_t, F, fixedpoint_##operation##_q##I##_##F, operation)
 
+// The same for numbers without a sign.
+#define FIXEDPOINT_KERNEL_OF_UNSIGNED_SPLIT_16(KERNEL, shape, operation, I, F) \
+    KERNEL(shape, operation, uint16_t, F, fixedpoint_##operation##_u##I##_##F, operation)
+#define FIXEDPOINT_KERNEL_OF_UNSIGNED_SPLIT_32(KERNEL, shape, operation, I, F) \
+    KERNEL(shape, operation, uint32_t, F, fixedpoint_##operation##_u##I##_##F, operation)
+
 #define FIXEDPOINT_KERNELS(KERNEL) \
     KERNEL(BINARY, multiply, int8_t, 4, fixedpoint_multiply_q4_4, multiply) \
     KERNEL(BINARY, multiply, int16_t, 8, fixedpoint_multiply_q8_8, multiply) \
@@ -158,6 +164,11 @@
     KERNEL(BINARY, multiply, int64_t, 32, fixedpoint_multiply_q32_32, multiply) \
     FIXEDPOINT_SPLITS_16(FIXEDPOINT_KERNEL_OF_SPLIT_16, KERNEL, BINARY, multiply) \
     FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_SPLIT_32, KERNEL, BINARY, multiply) \
+    KERNEL(BINARY, multiply, uint8_t, 4, fixedpoint_multiply_u4_4, multiply) \
+    KERNEL(BINARY, multiply, uint16_t, 8, fixedpoint_multiply_u8_8, multiply) \
+    KERNEL(BINARY, multiply, uint32_t, 16, fixedpoint_multiply_u16_16, multiply) \
+    FIXEDPOINT_SPLITS_16(FIXEDPOINT_KERNEL_OF_UNSIGNED_SPLIT_16, KERNEL, BINARY, multiply) \
+    FIXEDPOINT_SPLITS_32(FIXEDPOINT_KERNEL_OF_UNSIGNED_SPLIT_32, KERNEL, BINARY, multiply) \
     KERNEL(WORDS, multiply_words, uint32_t, 0, fixedpoint_multiply_words, multiply_words) \
     KERNEL(BINARY, upper_product, uint32_t, 0, fixedpoint_upper_product, upper_product) \
     KERNEL(WORDS, multiply_upper_halves, uint64_t, 0, fixedpoint_multiply_upper_halves, multiply_upper_halves) \

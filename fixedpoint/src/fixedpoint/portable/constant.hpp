@@ -36,23 +36,26 @@ struct Constant<Raw, F, BuiltinKind::integer> {
     // leave the error function in.
     template <class Int>
     static FIXEDPOINT_CONSTEVAL Raw raw(Int n) {
-        return (n < Int(1)
-                    ? static_cast<int64_t>(n) >= (RawLimits<Raw>::min >> F)
-                    : static_cast<uint64_t>(n) <= static_cast<uint64_t>(RawLimits<Raw>::max >> F))
+        return (n < Int(1) ? static_cast<int64_t>(n) >=
+                                 static_cast<int64_t>(shift_down<F>(RawLimits<Raw>::min))
+                           : static_cast<uint64_t>(n) <=
+                                 static_cast<uint64_t>(shift_down<F>(RawLimits<Raw>::max)))
                    ? scale<Raw, F>(n)
                    : static_cast<Raw>(the_format_does_not_hold_this_constant());
     }
 };
 template <class Raw, int F>
 struct Constant<Raw, F, BuiltinKind::floating_point> {
+    using Whole = typename IntegerWithSign<64, RawLimits<Raw>::is_signed>::Type;
     // 2^bits
     template <class Float>
     static FIXEDPOINT_CONSTEVAL Float power(int bits) {
-        return static_cast<Float>(uint64_t(1) << bits);
+        return static_cast<Float>(uint64_t(1) << (bits / 2)) *
+               static_cast<Float>(uint64_t(1) << (bits - bits / 2));
     }
     // floor(ulps + 1/2), given `whole`, which is ulps truncated.
     template <class Float>
-    static FIXEDPOINT_CONSTEVAL int64_t rounded(Float ulps, int64_t whole) {
+    static FIXEDPOINT_CONSTEVAL Whole rounded(Float ulps, Whole whole) {
         return ulps - static_cast<Float>(whole) >= Float(0.5)   ? whole + 1
                : ulps - static_cast<Float>(whole) < -Float(0.5) ? whole - 1
                                                                 : whole;
@@ -61,9 +64,12 @@ struct Constant<Raw, F, BuiltinKind::floating_point> {
     // number between the two. Every comparison with NaN is false.
     template <class Float>
     static FIXEDPOINT_CONSTEVAL Raw raw_of_ulps(Float ulps) {
-        return ulps < power<Float>(RawLimits<Raw>::width - 1) - Float(0.5) &&
-                       ulps >= -power<Float>(RawLimits<Raw>::width - 1) - Float(0.5)
-                   ? static_cast<Raw>(rounded(ulps, static_cast<int64_t>(ulps)))
+        return ulps < power<Float>(RawLimits<Raw>::width - RawLimits<Raw>::is_signed) -
+                               Float(0.5) &&
+                       ulps >= (RawLimits<Raw>::is_signed ? -power<Float>(RawLimits<Raw>::width - 1)
+                                                          : Float(0)) -
+                                   Float(0.5)
+                   ? static_cast<Raw>(rounded(ulps, static_cast<Whole>(ulps)))
                    : static_cast<Raw>(the_format_does_not_hold_this_constant());
     }
     // Scaling x by a power of two is exact.

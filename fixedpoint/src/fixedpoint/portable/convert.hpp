@@ -14,27 +14,22 @@ namespace portable {
 // The integer n 2^Shift mod 2^W, where W is the width of Target.
 template <class Target, int Shift, class Source>
 constexpr Target scale(Source n) {
-    return static_cast<Target>(
-        static_cast<Unsigned<Target>>(static_cast<Unsigned<Target>>(n) << Shift));
+    return static_cast<Target>(shift_up<Shift>(static_cast<Unsigned<Target>>(n)));
 }
 
 // The integer n 2^Shift, saturated to the range of Target.
 template <class Target, int Shift, class Source>
 FIXEDPOINT_CONSTEXPR Converted<Target> scale_saturated(Source n) {
-    constexpr bool target_is_signed = Target(-1) < Target(1);
-    constexpr Target max =
-        target_is_signed ? static_cast<Target>(RawLimits<Target>::max) : Target(-1);
-    constexpr Target min =
-        target_is_signed ? static_cast<Target>(RawLimits<Target>::min) : Target(0);
+    constexpr Target max = RawLimits<Target>::max, min = RawLimits<Target>::min;
     // Zero and negative sources are compared as signed numbers and positive ones as unsigned
     // numbers, so that no comparison mixes the two or tests an unsigned number for being negative.
     if (n < Source(1)) {
         const bool fits = static_cast<Integer<RawLimits<Source>::width>>(n) >=
-                          static_cast<Integer<RawLimits<Target>::width>>(min >> Shift);
+                          static_cast<Integer<RawLimits<Target>::width>>(shift_down<Shift>(min));
         if (!fits) return {min, false};
     } else {
-        const bool fits =
-            static_cast<Unsigned<Source>>(n) <= static_cast<Unsigned<Target>>(max >> Shift);
+        const bool fits = static_cast<Unsigned<Source>>(n) <=
+                          static_cast<Unsigned<Target>>(shift_down<Shift>(max));
         if (!fits) return {max, false};
     }
     return {scale<Target, Shift>(n), true};

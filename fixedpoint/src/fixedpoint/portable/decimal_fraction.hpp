@@ -10,9 +10,15 @@ namespace fixedpoint {
 namespace portable {
 
 // The word in which a Raw is converted from and to decimal digits: at least 32 bits, so that the
-// narrow formats share their code and no operand is promoted to a signed int.
-template <class Raw>
-using DecimalWord = UnsignedInteger<(RawLimits<Raw>::width > 32) ? 64 : 32>;
+// narrow formats share their code and no operand is promoted to a signed int. It has more than F
+// bits, since the bit after the last one rounds, and a value above every integer, which digits
+// saturate to.
+template <class Raw, int F>
+using DecimalWord =
+    UnsignedInteger<(RawLimits<Raw>::width > 32 || F == 32 ||
+                     (RawLimits<Raw>::width == 32 && !RawLimits<Raw>::is_signed && F == 0))
+                        ? 64
+                        : 32>;
 
 // A number in [0, 1): bits / 2^P, where P is the width of Word, plus less than one unit if
 // `inexact`.
@@ -62,7 +68,7 @@ constexpr DecimalFraction<Word> fraction_of(Word magnitude) {
 template <class Raw, int F, class Word>
 FIXEDPOINT_CONSTEXPR Converted<Raw> assemble(Word integer, DecimalFraction<Word> fraction,
                                              bool negative) {
-    const Word limit = static_cast<Word>(RawLimits<Raw>::max) + (negative ? 1 : 0);
+    const Word limit = largest_magnitude<Word, Raw>(negative);
     const Converted<Raw> saturated = {negative ? RawLimits<Raw>::min : RawLimits<Raw>::max, false};
     if (integer > (limit >> F)) return saturated;
     // The part below one ulp, as a fraction of an ulp.
@@ -70,7 +76,7 @@ FIXEDPOINT_CONSTEXPR Converted<Raw> assemble(Word integer, DecimalFraction<Word>
     const Word magnitude =
         (integer << F) + ((fraction.bits >> (RawLimits<Word>::width - 1 - F)) >> 1);
     const Word up = below.rounds_away(negative) ? 1 : 0;
-    if (magnitude > limit - up) return saturated;
+    if (magnitude > limit || up > limit - magnitude) return saturated;
     return {with_sign<Raw>(static_cast<Unsigned<Raw>>(magnitude + up), negative), true};
 }
 

@@ -10,6 +10,7 @@
 #include <limits.h>
 
 #include <fixedpoint/integer.hpp>
+#include <fixedpoint/portable/converted.hpp>
 #include <fixedpoint/portable/decimal_fraction.hpp>
 
 namespace fixedpoint {
@@ -106,26 +107,30 @@ constexpr Word with_zeros(Word integer, long zeros) {
                : with_zeros(appended(integer, 0), zeros - 1);
 }
 
-// (integer + fraction / 2^P) 2^F rounded to nearest, half up; the largest Word if integer is out of
-// range.
+// (integer + fraction / 2^P) 2^F rounded to nearest, half up, and whether that is in range.
+template <class Raw, class Word>
+constexpr Converted<Raw> rounded_up(Word magnitude, Word up) {
+    return {static_cast<Raw>(magnitude + up),
+            magnitude <= static_cast<Word>(static_cast<Word>(RawLimits<Raw>::max) - up)};
+}
 template <class Raw, int F, class Word>
-constexpr Word rounded_literal(Word integer, Word fraction) {
+constexpr Converted<Raw> rounded_literal(Word integer, Word fraction) {
     return integer > static_cast<Word>(RawLimits<Raw>::max) >> F
-               ? static_cast<Word>(-1)
-               : static_cast<Word>((integer << F) +
-                                   (fraction >> (RawLimits<Word>::width - 1 - F) >> 1) +
-                                   (fraction >> (RawLimits<Word>::width - 1 - F) & 1));
+               ? Converted<Raw>{0, false}
+               : rounded_up<Raw, Word>(
+                     (integer << F) + (fraction >> (RawLimits<Word>::width - 1 - F) >> 1),
+                     fraction >> (RawLimits<Word>::width - 1 - F) & 1);
 }
 template <class Raw, int F>
-constexpr DecimalWord<Raw> parse_mantissa(const char* first, const char* last, long decimals) {
-    return rounded_literal<Raw, F, DecimalWord<Raw>>(
-        with_zeros(literal_digits<DecimalWord<Raw>>(first, point_of(first, last, decimals), 0),
+constexpr Converted<Raw> parse_mantissa(const char* first, const char* last, long decimals) {
+    return rounded_literal<Raw, F, DecimalWord<Raw, F>>(
+        with_zeros(literal_digits<DecimalWord<Raw, F>>(first, point_of(first, last, decimals), 0),
                    -decimals),
-        literal_fraction<DecimalWord<Raw>>(first, last, decimals, 0));
+        literal_fraction<DecimalWord<Raw, F>>(first, last, decimals, 0));
 }
-// The number that a decimal literal denotes; more than the largest Raw if it is out of range.
+// The number that a decimal literal denotes, and whether it is in range.
 template <class Raw, int F>
-constexpr DecimalWord<Raw> parse_literal(const char* first, const char* end) {
+constexpr Converted<Raw> parse_literal(const char* first, const char* end) {
     return parse_mantissa<Raw, F>(first, mantissa_end(first, end),
                                   count_decimals(first, mantissa_end(first, end), false) -
                                       literal_exponent(mantissa_end(first, end), end));

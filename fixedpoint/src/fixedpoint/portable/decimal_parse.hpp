@@ -110,7 +110,7 @@ FIXEDPOINT_CONSTEXPR Word append_digit(Word integer, uint8_t digit) {
 // 0 for empty or malformed text. Reads only text[0] to text[length - 1].
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Parsed<Raw> parse_decimal(const char* text, size_t length) {
-    using Word = DecimalWord<Raw>;
+    using Word = DecimalWord<Raw, F>;
     const DecimalText source = scan_decimal(text, length);
     if (source.status != TextStatus::ok) return {0, source.status, source.position};
 

@@ -58,7 +58,7 @@ FIXEDPOINT_CONSTEXPR size_t align_right(char* text, size_t length, size_t capaci
 // it.
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR size_t print_decimal(Raw raw, char* buffer, size_t capacity) {
-    using Word = DecimalWord<Raw>;
+    using Word = DecimalWord<Raw, F>;
     constexpr Word max = static_cast<Word>(-1);
     const bool negative = raw < 0;
     const Word number = magnitude(raw);
@@ -92,7 +92,7 @@ FIXEDPOINT_CONSTEXPR size_t print_decimal(Raw raw, char* buffer, size_t capacity
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR size_t print_decimal(Raw raw, uint8_t decimals, char* buffer,
                                           size_t capacity) {
-    using Word = DecimalWord<Raw>;
+    using Word = DecimalWord<Raw, F>;
     const Word number = magnitude(raw);
     const Word integer = number >> F;
 

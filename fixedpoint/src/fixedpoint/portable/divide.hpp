@@ -9,18 +9,24 @@
 namespace fixedpoint {
 namespace portable {
 
-// A magnitude above every Raw: it saturates.
+// A magnitude that saturates: above every Raw with a sign, and the largest Raw without one.
 template <class Raw>
 constexpr Unsigned<Raw> magnitude_overflow() {
-    return static_cast<Unsigned<Raw>>(RawLimits<Raw>::min);
+    return static_cast<Unsigned<Raw>>(RawLimits<Raw>::is_signed ? RawLimits<Raw>::min
+                                                                : RawLimits<Raw>::max);
+}
+template <class Raw, class Magnitude>
+constexpr bool overflows(Magnitude magnitude) {
+    return RawLimits<Raw>::is_signed ? magnitude >> (RawLimits<Raw>::width - 1) != 0
+                                     : magnitude >= magnitude_overflow<Raw>();
 }
 
-// dividend / divisor, rounded to nearest, half up or half down. From 2^(W-1) on it overflows.
+// dividend / divisor, rounded to nearest, half up or half down.
 template <class Raw, class Dividend>
 FIXEDPOINT_CONSTEXPR Unsigned<Raw> rounded_quotient(Dividend dividend, Unsigned<Raw> divisor,
                                                     bool half_up) {
     const Dividend quotient = static_cast<Dividend>(dividend / divisor);
-    if (quotient >> (RawLimits<Raw>::width - 1) != 0) return magnitude_overflow<Raw>();
+    if (overflows<Raw>(quotient)) return magnitude_overflow<Raw>();
     const Unsigned<Raw> rest = static_cast<Unsigned<Raw>>(
         static_cast<Unsigned<Raw>>(dividend) - static_cast<Unsigned<Raw>>(quotient) * divisor);
     const Unsigned<Raw> other = static_cast<Unsigned<Raw>>(divisor - rest);
@@ -36,13 +42,14 @@ struct WideQuotient {
                                      half_up);
     }
 };
+template <class Raw = int64_t>
 FIXEDPOINT_CONSTEXPR uint64_t rounded_quotient_64(uint64_t a, uint64_t b, uint8_t fraction,
                                                   bool half_up) {
     const uint64_t high = a >> 1 >> (63 - fraction);
     // The integer part takes at least 64 bits.
-    if (high >= b) return magnitude_overflow<int64_t>();
+    if (high >= b) return magnitude_overflow<Raw>();
     const Division128 division = divide_full(high, a << fraction, b);
-    if (division.quotient >> 63 != 0) return magnitude_overflow<int64_t>();
+    if (overflows<Raw>(division.quotient)) return magnitude_overflow<Raw>();
     const uint64_t rest = division.remainder, other = b - rest;
     return division.quotient + (half_up ? rest >= other : rest > other);
 }
@@ -50,6 +57,12 @@ template <int F>
 struct WideQuotient<int64_t, F> {
     static FIXEDPOINT_CONSTEXPR uint64_t rounded(uint64_t a, uint64_t b, bool half_up) {
         return rounded_quotient_64(a, b, F, half_up);
+    }
+};
+template <int F>
+struct WideQuotient<uint64_t, F> {
+    static FIXEDPOINT_CONSTEXPR uint64_t rounded(uint64_t a, uint64_t b, bool half_up) {
+        return rounded_quotient_64<uint64_t>(a, b, F, half_up);
     }
 };
 

@@ -22,8 +22,7 @@ struct DoubleWordOf {
     }
 };
 
-template <>
-struct DoubleWordOf<int64_t> {
+struct DoubleWordOf64 {
     using Type = Word128;
     static constexpr uint64_t high(Type a) { return a.high; }
     static constexpr uint64_t low(Type a) { return a.low; }
@@ -32,6 +31,10 @@ struct DoubleWordOf<int64_t> {
         return {product.high, product.low};
     }
 };
+template <>
+struct DoubleWordOf<int64_t> : DoubleWordOf64 {};
+template <>
+struct DoubleWordOf<uint64_t> : DoubleWordOf64 {};
 
 template <class Raw>
 using DoubleWord = typename DoubleWordOf<Raw>::Type;

@@ -57,7 +57,7 @@ FIXEDPOINT_CONSTEXPR Converted<Raw> from_float(Float x) {
     // less than half an ulp of any format.
     Word mantissa = fraction | (Bits(1) << m);
     const int shift = exponent - Layout::exponent_bias - m + F;
-    const Word limit = static_cast<Word>(RawLimits<Raw>::max) + (negative ? 1 : 0);
+    const Word limit = largest_magnitude<Word, Raw>(negative);
     if (shift >= 0) {
         if (shift >= RawLimits<Raw>::width || mantissa > (limit >> shift)) return saturated;
         mantissa <<= shift;

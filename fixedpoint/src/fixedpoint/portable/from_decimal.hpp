@@ -14,7 +14,7 @@ template <class Raw, int F, class Int>
 FIXEDPOINT_CONSTEXPR Converted<Raw> from_decimal(Int n, uint8_t decimals) {
     static_assert(Int(-1) < Int(1), "from_decimal takes a signed integer.");
     using Word =
-        UnsignedInteger<(RawLimits<Raw>::width > 32 || RawLimits<Int>::width > 32) ? 64 : 32>;
+        UnsignedInteger<(sizeof(DecimalWord<Raw, F>) > 4 || RawLimits<Int>::width > 32) ? 64 : 32>;
     Word integer = magnitude<Integer<RawLimits<Int>::width>>(n);
     DecimalFraction<Word> fraction = {0, false};
     for (; decimals > 0; --decimals) {

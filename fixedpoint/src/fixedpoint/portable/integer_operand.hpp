@@ -3,6 +3,7 @@
 // 2^W, and whether it is the exact one. No step narrows n.
 #pragma once
 
+#include <fixedpoint/arithmetic/event.hpp>
 #include <fixedpoint/integer.hpp>
 #include <fixedpoint/portable/convert.hpp>
 
@@ -40,10 +41,8 @@ constexpr Raw multiply_integer(Raw a, Int n) {
 // floor((to - from) / 2^F) for raws. Requires to >= from.
 template <class Raw, int F, class Int>
 constexpr MagnitudeOf<Raw, Int> whole_distance(Raw from, Raw to) {
-    return static_cast<MagnitudeOf<Raw, Int>>(
-        static_cast<Unsigned<Raw>>(static_cast<Unsigned<Raw>>(to) -
-                                   static_cast<Unsigned<Raw>>(from)) >>
-        F);
+    return static_cast<MagnitudeOf<Raw, Int>>(shift_down<F>(static_cast<Unsigned<Raw>>(
+        static_cast<Unsigned<Raw>>(to) - static_cast<Unsigned<Raw>>(from))));
 }
 
 // a + n is in range if |n| is at most the distance from a to the limit in the direction of n.
@@ -58,28 +57,47 @@ template <class Raw, int F, class Int>
 constexpr bool difference_fits(Raw a, Int n) {
     return sum_fits<Raw, F>(static_cast<Raw>(~a), n);
 }
-// n - a is in [min, max] if n 2^F is in [a + min, a + max]. For n >= 0 only the upper bound
-// matters, for n < 0 only the lower one, which is written as |n| - 1 <= (max - a - (2^F - 1)) /
-// 2^F, since 2^F may be out of range.
-template <class Raw, int F, class Int>
-constexpr bool difference_from_fits(Raw a, Int n) {
+// n - a is in [min, max] if n 2^F is in [a + min, a + max]. With a sign, only the upper bound
+// matters for n >= 0, and only the lower one for n < 0, which is written as |n| - 1 <= (max - a -
+// (2^F - 1)) / 2^F, since 2^F may be out of range.
+template <class Raw, int F, class Int, bool is_signed = RawLimits<Raw>::is_signed>
+struct DifferenceFrom {
     using Magnitude = MagnitudeOf<Raw, Int>;
-    return !is_negative_integer(n)
-               ? a != RawLimits<Raw>::min &&
-                     integer_magnitude<Magnitude>(n) <=
-                         whole_distance<Raw, F, Int>(static_cast<Raw>(-a), RawLimits<Raw>::max)
-               : a <= RawLimits<Raw>::max - fraction_mask<Raw, F>() &&
-                     static_cast<Magnitude>(integer_magnitude<Magnitude>(n) - 1) <=
-                         whole_distance<Raw, F, Int>(
-                             a, static_cast<Raw>(RawLimits<Raw>::max - fraction_mask<Raw, F>()));
-}
+    static constexpr bool fits(Raw a, Int n) {
+        return !is_negative_integer(n)
+                   ? a != RawLimits<Raw>::min &&
+                         integer_magnitude<Magnitude>(n) <=
+                             whole_distance<Raw, F, Int>(static_cast<Raw>(-a), RawLimits<Raw>::max)
+                   : a <= RawLimits<Raw>::max - fraction_mask<Raw, F>() &&
+                         static_cast<Magnitude>(integer_magnitude<Magnitude>(n) - 1) <=
+                             whole_distance<Raw, F, Int>(
+                                 a,
+                                 static_cast<Raw>(RawLimits<Raw>::max - fraction_mask<Raw, F>()));
+    }
+    // Whether n - a is above the range, if it is out of range.
+    static constexpr bool is_above(Raw, Int n) { return !is_negative_integer(n); }
+};
+// Without a sign, n - a is the sum of the integer n - ceil(a) and the fraction ceil(a) - a.
+template <class Raw, int F, class Int>
+struct DifferenceFrom<Raw, F, Int, false> {
+    using Magnitude = MagnitudeOf<Raw, Int>;
+    static constexpr bool fits(Raw a, Int n) {
+        return is_above(a, n) &&
+               static_cast<Magnitude>(static_cast<Magnitude>(n) -
+                                      static_cast<Magnitude>(integer_ceil<Raw, F>(a))) <=
+                   whole_distance<Raw, F, Int>(fraction<Raw, F>(wrapping_negate(a)),
+                                               RawLimits<Raw>::max);
+    }
+    static constexpr bool is_above(Raw a, Int n) {
+        return !is_negative_integer(n) && static_cast<Magnitude>(n) >= integer_ceil<Raw, F>(a);
+    }
+};
 // |a| <= limit / |n|: if n is a constant, so is the quotient.
 template <class Raw, class Int>
 constexpr bool product_fits(Raw a, Int n) {
     using Magnitude = MagnitudeOf<Raw, Int>;
     return n == Int(0) ||
-           magnitude(a) <= static_cast<Magnitude>(static_cast<Magnitude>(RawLimits<Raw>::max) +
-                                                  ((a < 0) != is_negative_integer(n) ? 1u : 0u)) /
+           magnitude(a) <= largest_magnitude<Magnitude, Raw>((a < 0) != is_negative_integer(n)) /
                                integer_magnitude<Magnitude>(n);
 }
 
@@ -109,7 +127,7 @@ constexpr Raw divide_ratio(Ratio<Raw> ratio) {
     return Arithmetic::template divide<Raw, 0>(ratio.numerator, ratio.denominator);
 }
 template <class Arithmetic, class Raw, class Int>
-constexpr Raw divide_integer(Raw a, Int n) {
+constexpr Raw divide_integer_with_sign(Raw a, Int n) {
     return divide_ratio<Arithmetic>(
         integer_fits<Raw, 0>(n)
             ? Ratio<Raw>{a, static_cast<Raw>(n)}
@@ -118,6 +136,16 @@ constexpr Raw divide_integer(Raw a, Int n) {
                          static_cast<Raw>(a == 0                              ? 0
                                           : (a < 0) == is_negative_integer(n) ? 1
                                                                               : -1)));
+}
+// Without a sign, a / n is 0 for every n < 0, and out of range where it does not round to 0.
+template <class Arithmetic, class Raw, class Int>
+constexpr Raw divide_integer(Raw a, Int n) {
+    return RawLimits<Raw>::is_signed || !is_negative_integer(n)
+               ? divide_integer_with_sign<Arithmetic>(a, n)
+           : static_cast<MagnitudeOf<Raw, Int>>(a) <=
+                   integer_magnitude<MagnitudeOf<Raw, Int>>(n) / 2
+               ? divide_ratio<Arithmetic>(Ratio<Raw>{static_cast<Raw>(a != 0), 3})
+               : Arithmetic::settle(Raw(0), false, false, Operation::divide);
 }
 
 }  // namespace portable

@@ -24,7 +24,7 @@ FIXEDPOINT_CONSTEXPR Settled<Raw> lerp(Raw a, Raw b, Raw t) {
     const bool negative = (b < a) != (t < 0);
     const Word distance = static_cast<Word>(b < a ? static_cast<Word>(a) - static_cast<Word>(b)
                                                   : static_cast<Word>(b) - static_cast<Word>(a));
-    // At most 2^(W-1) (2^W - 1); half an ulp more is still below 2^(2W).
+    // At most (2^W - 1)^2; half an ulp more is still below 2^(2W).
     const uint8_t tie_is_lower = negative && F > 0;
     const Product half = static_cast<Product>(Product(uint8_t(F != 0)) << (F == 0 ? 0 : F - 1));
     const Product product =

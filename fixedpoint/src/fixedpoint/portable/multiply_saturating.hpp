@@ -19,9 +19,9 @@ struct SaturatingMultiplication {
     }
 };
 
-template <int F>
-struct SaturatingMultiplication<int64_t, F> {
-    static FIXEDPOINT_CONSTEXPR int64_t apply(int64_t a, int64_t b) {
+template <class Raw, int F>
+struct SaturatingMultiplication64 {
+    static FIXEDPOINT_CONSTEXPR Raw apply(Raw a, Raw b) {
         const bool negative = (a < 0) != (b < 0);
         const Wide128 product = multiply_full(magnitude(a), magnitude(b));
         // Half an ulp, less one unit if the result is negative: a tie then goes towards zero.
@@ -30,11 +30,15 @@ struct SaturatingMultiplication<int64_t, F> {
         const uint64_t low = product.low + bias;
         const uint64_t high = product.high + (low < bias ? 1 : 0);
         if (F == 0 ? high != 0 : (high >> F) != 0)
-            return negative ? RawLimits<int64_t>::min : RawLimits<int64_t>::max;
+            return negative ? RawLimits<Raw>::min : RawLimits<Raw>::max;
         const uint64_t rounded = F == 0 ? low : (high << (63 - (F - 1))) | (low >> F);
-        return saturated_with_sign<int64_t>(rounded, negative);
+        return saturated_with_sign<Raw>(rounded, negative);
     }
 };
+template <int F>
+struct SaturatingMultiplication<int64_t, F> : SaturatingMultiplication64<int64_t, F> {};
+template <int F>
+struct SaturatingMultiplication<uint64_t, F> : SaturatingMultiplication64<uint64_t, F> {};
 
 template <class Raw, int F>
 constexpr Raw multiply_saturating(Raw a, Raw b) {

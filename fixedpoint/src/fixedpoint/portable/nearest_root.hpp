@@ -9,16 +9,19 @@ namespace fixedpoint {
 namespace portable {
 
 // sqrt(high 2^W + low) rounded to nearest, never a tie; at most `limit`. Digit by digit: two bits
-// of the radicand give one bit of the root. A limit of 2^(W-1) is returned as the smallest number,
-// which is its negative.
+// of the radicand give one bit of the root. A limit of 2^(W-1) is returned as the smallest number
+// with a sign, which is its negative.
 template <class Raw, Unsigned<Raw> limit = static_cast<Unsigned<Raw>>(RawLimits<Raw>::max)>
 FIXEDPOINT_CONSTEXPR Raw nearest_root(Unsigned<Raw> high, Unsigned<Raw> low) {
     using Word = Unsigned<Raw>;
     constexpr int W = RawLimits<Raw>::width;
     constexpr Word quarter = static_cast<Word>(Word(1) << (W - 2));
-    if (high >= quarter) return static_cast<Raw>(limit);
+    if (RawLimits<Raw>::is_signed && high >= quarter) return static_cast<Raw>(limit);
     Word root = 0, remainder = 0, digits = high;
     int pair = 0;
+    // The part of the remainder above W bits: only after the last pair, and only without a sign,
+    // it is not 0.
+    uint8_t above = 0;
     // Leading zeros do not give digits.
     for (; pair < W / 2 && digits < quarter; ++pair) digits = static_cast<Word>(digits << 2);
     for (; pair < W; ++pair) {
@@ -26,6 +29,7 @@ FIXEDPOINT_CONSTEXPR Raw nearest_root(Unsigned<Raw> high, Unsigned<Raw> low) {
         // 4 remainder + digit >= 4 root + 1, without overflow. The new remainder is at most twice
         // the new root and fits.
         const bool one = static_cast<Word>(remainder + (digits >= quarter ? 1 : 0)) > root;
+        if (!RawLimits<Raw>::is_signed) above = static_cast<uint8_t>(remainder >> (W - 2));
         // One bit at a time: the device does not have a shift by 30.
         remainder = static_cast<Word>((remainder << 1) | (digits >> (W - 1)));
         digits = static_cast<Word>(digits << 1);
@@ -34,11 +38,16 @@ FIXEDPOINT_CONSTEXPR Raw nearest_root(Unsigned<Raw> high, Unsigned<Raw> low) {
         root = static_cast<Word>(root << 1);
         // Without a branch: on the host its misprediction would cost more than the iteration.
         const Word mask = static_cast<Word>(-static_cast<int>(one));
-        remainder = static_cast<Word>(remainder - (static_cast<Word>((root << 1) | 1) & mask));
+        const Word subtrahend = static_cast<Word>(static_cast<Word>((root << 1) | 1) & mask);
+        if (!RawLimits<Raw>::is_signed) {
+            above = static_cast<uint8_t>(above - ((root & mask) >> (W - 1)) -
+                                         (remainder < subtrahend ? 1 : 0));
+        }
+        remainder = static_cast<Word>(remainder - subtrahend);
         root = static_cast<Word>(root | (mask & 1));
     }
     // remainder > root: the radicand exceeds (root + 1/2)^2 = root^2 + root + 1/4.
-    const Word rounded = static_cast<Word>(root + (remainder > root ? 1 : 0));
+    const Word rounded = static_cast<Word>(root + (above != 0 || remainder > root ? 1 : 0));
     return rounded > limit ? static_cast<Raw>(limit) : static_cast<Raw>(rounded);
 }
 

@@ -21,6 +21,10 @@ FIXEDPOINT_CONSTEXPR Word128 exact_product<int64_t>(int64_t a, int64_t b) {
                 (b < 0 ? static_cast<uint64_t>(a) : 0),
             product.low};
 }
+template <>
+FIXEDPOINT_CONSTEXPR Word128 exact_product<uint64_t>(uint64_t a, uint64_t b) {
+    return DoubleWordOf<uint64_t>::multiply(a, b);
+}
 
 // floor(sum / 2^F + 1/2) modulo 2^W. The carry out of 2W bits is above the result, since F <= W.
 template <class Raw, int F>

@@ -12,17 +12,19 @@ namespace portable {
 template <class Raw, int F>
 constexpr Raw remainder(Raw a, Raw b) {
     // A divisor of -1 is a special case: the quotient of the smallest number would overflow.
-    return b == 0 ? a : b == -1 ? Raw(0) : static_cast<Raw>(a % b);
+    return b == 0 ? a : is_minus_one(b) ? Raw(0) : static_cast<Raw>(a % b);
 }
 
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR void divrem(Raw a, Raw b, Raw* quotient_and_remainder) {
     const Raw quotient = b == 0                     ? (a == 0 ? Raw(0) : limit_by_sign(a))
-                         : b != -1                  ? static_cast<Raw>(a / b)
+                         : !is_minus_one(b)         ? static_cast<Raw>(a / b)
                          : a == RawLimits<Raw>::min ? RawLimits<Raw>::max
                                                     : static_cast<Raw>(-a);
     quotient_and_remainder[0] = quotient;
-    quotient_and_remainder[1] = b == 0 ? a : b == -1 ? Raw(0) : static_cast<Raw>(a - quotient * b);
+    quotient_and_remainder[1] = b == 0            ? a
+                                : is_minus_one(b) ? Raw(0)
+                                                  : static_cast<Raw>(a - quotient * b);
 }
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR void divmod(Raw a, Raw b, Raw* quotient_and_remainder) {

@@ -11,7 +11,7 @@ namespace portable {
 // The fraction bits of a Raw.
 template <class Raw, int F>
 constexpr Raw fraction_mask() {
-    return static_cast<Raw>((Unsigned<Raw>(1) << F) - 1);
+    return static_cast<Raw>(shift_up<F>(Unsigned<Raw>(1)) - 1);
 }
 
 // a - floor(a): the fraction, in [0, 1) for negative a too.
@@ -23,20 +23,20 @@ constexpr Raw fraction(Raw a) {
 // The largest integer <= a / 2^F.
 template <class Raw, int F>
 constexpr Raw integer_floor(Raw a) {
-    return static_cast<Raw>(a >> F);
+    return shift_down<F>(a);
 }
 
 // The smallest integer >= a / 2^F.
 template <class Raw, int F>
 constexpr Raw integer_ceil(Raw a) {
-    return static_cast<Raw>((a >> F) + (fraction<Raw, F>(a) != 0 ? 1 : 0));
+    return static_cast<Raw>(shift_down<F>(a) + (fraction<Raw, F>(a) != 0 ? 1 : 0));
 }
 
 // The integer nearest to a / 2^F, half up: floor(a / 2^F + 1/2).
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw integer_round(Raw a) {
     // The sum a + 2^(F-1) could overflow; the first fraction bit decides just as well.
-    constexpr Raw half = static_cast<Raw>((Unsigned<Raw>(1) << F) >> 1);
+    constexpr Raw half = F == 0 ? Raw(0) : shift_up<(F == 0 ? 0 : F - 1)>(Raw(1));
     Raw rounded = integer_floor<Raw, F>(a);
     if ((a & half) != 0) rounded = static_cast<Raw>(rounded + 1);
     return rounded;
@@ -45,15 +45,13 @@ FIXEDPOINT_CONSTEXPR Raw integer_round(Raw a) {
 // Whether the integer n is in range. n must not be below it.
 template <class Raw, int F>
 constexpr bool integral_fits(Raw n) {
-    return n <= (RawLimits<Raw>::max >> F);
+    return n <= shift_down<F>(RawLimits<Raw>::max);
 }
 
 // The number n, or the largest number if n exceeds it.
 template <class Raw, int F>
 constexpr Raw integral_saturated_above(Raw n) {
-    return !integral_fits<Raw, F>(n)
-               ? RawLimits<Raw>::max
-               : static_cast<Raw>(static_cast<Unsigned<Raw>>(static_cast<Unsigned<Raw>>(n) << F));
+    return !integral_fits<Raw, F>(n) ? RawLimits<Raw>::max : shift_up<F>(n);
 }
 
 // The largest integral number <= a; always representable.

@@ -68,7 +68,8 @@ inline Raw scale_down_by_bytes(Raw a) {
 }
 template <int K, class Raw>
 constexpr Raw scale_down(Raw a) {
-    return K == 0 || K >= RawLimits<Raw>::width || __builtin_constant_p(a)
+    return K == 0 || K >= RawLimits<Raw>::width || !RawLimits<Raw>::is_signed ||
+                   __builtin_constant_p(a)
                ? scale_down_plain<K>(a)
                : scale_down_by_bytes<(K == 0 || K >= RawLimits<Raw>::width ? 1 : K)>(a);
 }
