@@ -7,6 +7,7 @@
 #include <stdint.h>
 
 #include <fixedpoint/constexpr.hpp>
+#include <fixedpoint/int24.hpp>
 
 // Macros of the Arduino core and of Windows that would break every function of these names,
 // including the library's. Integers and floats keep abs and round from <stdlib.h> and <math.h>.
@@ -20,8 +21,8 @@ namespace fixedpoint {
 template <int Bits>
 struct IntegerOf {
     static_assert(
-        Bits == 8 || Bits == 16 || Bits == 32 || Bits == 64,
-        "A fixed-point number has 8, 16, 32 or 64 bits: choose IntegerBits + FractionBits "
+        Bits == 8 || Bits == 16 || Bits == 24 || Bits == 32 || Bits == 64,
+        "A fixed-point number has 8, 16, 24, 32 or 64 bits: choose IntegerBits + FractionBits "
         "accordingly.");
 };
 template <>
@@ -33,6 +34,11 @@ template <>
 struct IntegerOf<16> {
     using Signed = int16_t;
     using Unsigned = uint16_t;
+};
+template <>
+struct IntegerOf<24> {
+    using Signed = Int24;
+    using Unsigned = UnsignedInt24;
 };
 template <>
 struct IntegerOf<32> {
@@ -66,8 +72,9 @@ constexpr Raw RawLimits<Raw>::min;
 
 template <class Raw>
 using Unsigned = UnsignedInteger<RawLimits<Raw>::width>;
+// The narrowest integer of at least twice the width.
 template <class Raw>
-using Wide = Integer<2 * RawLimits<Raw>::width>;
+using Wide = Integer<RawLimits<Raw>::width == 24 ? 64 : 2 * RawLimits<Raw>::width>;
 
 // a + b, a - b, -a modulo 2^W.
 template <class Raw>
@@ -111,8 +118,8 @@ constexpr bool signs_differ(Raw a, Raw b) {
 // `magnitude` with the sign restored, modulo 2^W.
 template <class Raw>
 constexpr Raw with_sign(Unsigned<Raw> magnitude, bool negative) {
-    return static_cast<Raw>(
-        static_cast<Unsigned<Raw>>(negative ? Unsigned<Raw>(0) - magnitude : magnitude));
+    return static_cast<Raw>(negative ? static_cast<Unsigned<Raw>>(Unsigned<Raw>(0) - magnitude)
+                                     : magnitude);
 }
 
 // A number of a wider type, saturated to the range of Raw.

@@ -273,11 +273,11 @@ struct Checked : Nearest {
             Hook::notify(Event::overflow, operation);
         }
     }
-    // floor(a / 4) of a two's-complement number of 2W bits.
+    // floor(a / 4) of a two's-complement number of as many bits as a Sum.
     template <class Raw>
     static FIXEDPOINT_CONSTEXPR portable::DoubleWord<Raw> quarter(portable::DoubleWord<Raw> a) {
         using Sum = portable::DoubleWord<Raw>;
-        const Sum bias = static_cast<Sum>(Sum(uint8_t(1)) << (2 * RawLimits<Raw>::width - 1));
+        const Sum bias = static_cast<Sum>(Sum(uint8_t(1)) << (8 * sizeof(Sum) - 1));
         return static_cast<Sum>(static_cast<Sum>(static_cast<Sum>(a + bias) >> 2) -
                                 static_cast<Sum>(bias >> 2));
     }
