@@ -58,8 +58,8 @@ class Operands {
             return;
         }
         // Exact values for 64 bits cost a thousand times as much.
-        const int samples = width == 32 ? 2000 : 25;
-        for (int bit = 0; bit < width - 1; bit += width == 32 ? 1 : 5) {
+        const int samples = width == 64 ? 25 : 2000;
+        for (int bit = 0; bit < width - 1; bit += width == 64 ? 5 : 1) {
             for (int64_t offset = -1; offset <= 1; ++offset) {
                 add((int64_t(1) << bit) + offset);
                 add(-(int64_t(1) << bit) - offset);

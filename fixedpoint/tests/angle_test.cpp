@@ -76,6 +76,7 @@ std::vector<AngleSubject> angle_subjects() {
     std::vector<AngleSubject> all;
     add_angles<int8_t>(all, std::make_integer_sequence<int, 8>());
     add_angles<int16_t>(all, std::make_integer_sequence<int, 16>());
+    add_angles<Int24>(all, std::integer_sequence<int, 0, 2, 8, 12, 15, 16, 17, 23>());
     add_angles<int32_t>(all,
                         std::integer_sequence<int, 0, 1, 2, 8, 15, 16, 17, 23, 24, 25, 30, 31>());
     add_angles<int64_t>(
@@ -161,6 +162,7 @@ TEST(Angle, OfAVectorIsFaithfulAndExactOnTheAxes) {
     std::vector<VectorSubject> all;
     add_vectors<int8_t>(all, std::make_integer_sequence<int, 8>());
     add_vectors<int16_t>(all, std::integer_sequence<int, 0, 2, 8, 13, 14, 15>());
+    add_vectors<Int24>(all, std::integer_sequence<int, 0, 12, 16, 17, 23>());
     add_vectors<int32_t>(all, std::integer_sequence<int, 0, 2, 16, 23, 24, 25, 30, 31>());
     add_vectors<int64_t>(all, std::integer_sequence<int, 0, 2, 24, 25, 32, 54, 55, 62, 63>());
     for (const VectorSubject& subject : all) {

@@ -27,7 +27,7 @@ struct Pair {
     void (*compute)(int64_t a, int64_t* wrapped, int64_t* saturated, bool* fits);
 };
 template <class Raw, int F>
-constexpr Type type = {8 * static_cast<int>(sizeof(Raw)), F, std::is_signed_v<Raw>};
+constexpr Type type = {8 * static_cast<int>(sizeof(Raw)), F, Raw(-1) < Raw(1)};
 template <class To, int ToF, class From, int FromF>
 constexpr Pair pair = {type<To, ToF>, type<From, FromF>,
                        [](int64_t n, int64_t* wrapped, int64_t* saturated, bool* fits) {
@@ -46,6 +46,7 @@ void add_pairs(std::vector<Pair>& pairs) {
                                pair<Raw, F, int8_t, 4>,
                                pair<Raw, F, int8_t, 7>,
                                pair<Raw, F, int16_t, 8>,
+                               pair<Raw, F, Int24, 16>,
                                pair<Raw, F, int32_t, 16>,
                                pair<Raw, F, int32_t, 31>,
                                pair<Raw, F, int64_t, 32>,
@@ -72,6 +73,10 @@ TEST(Conversion, BetweenFormatsAndIntegersIsTheNearestNumber) {
     add_pairs<int8_t, 7>(pairs);
     add_pairs<int16_t, 8>(pairs);
     add_pairs<int16_t, 15>(pairs);
+    add_pairs<Int24, 0>(pairs);
+    add_pairs<Int24, 12>(pairs);
+    add_pairs<Int24, 23>(pairs);
+    add_pairs<UnsignedInt24, 0>(pairs);
     add_pairs<int32_t, 0>(pairs);
     add_pairs<int32_t, 16>(pairs);
     add_pairs<int32_t, 31>(pairs);
@@ -163,6 +168,9 @@ void check_floating_point_of_formats() {
     check_floating_point<int8_t, 7, Float>();
     check_floating_point<int16_t, 8, Float>();
     check_floating_point<int16_t, 15, Float>();
+    check_floating_point<Int24, 0, Float>();
+    check_floating_point<Int24, 16, Float>();
+    check_floating_point<Int24, 23, Float>();
     check_floating_point<int32_t, 0, Float>();
     check_floating_point<int32_t, 16, Float>();
     check_floating_point<int32_t, 31, Float>();
@@ -190,6 +198,9 @@ void check_decimals(int stride) {
 TEST(Conversion, FromIntegersWithDecimals) {
     check_decimals<int8_t, 4, int16_t>(17);
     check_decimals<int16_t, 8, int16_t>(17);
+    check_decimals<Int24, 16, int16_t>(17);
+    check_decimals<Int24, 12, Int24>(1);
+    check_decimals<Int24, 23, int64_t>(1);
     check_decimals<int32_t, 16, int16_t>(17);
     check_decimals<int32_t, 16, int64_t>(1);
     check_decimals<int32_t, 31, int32_t>(1);

@@ -17,6 +17,7 @@
 namespace {
 
 using fixedpoint::CorrectlyRounded;
+using fixedpoint::Int24;
 using fixedpoint::Nearest;
 using fixedpoint::RawLimits;
 __extension__ typedef __float128 Real;
@@ -53,7 +54,7 @@ Raw rounded(Real value, int fraction) {
     const Real nearest = floorf128(value * Real(uint64_t(1) << fraction) + Real(0.5));
     return nearest > Real(RawLimits<Raw>::max)   ? RawLimits<Raw>::max
            : nearest < Real(RawLimits<Raw>::min) ? RawLimits<Raw>::min
-                                                 : static_cast<Raw>(nearest);
+                                                 : static_cast<Raw>(static_cast<int64_t>(nearest));
 }
 
 struct Function {
@@ -61,6 +62,8 @@ struct Function {
     bool (*has_result)(Real a);
     Real (*exact)(Real a);
     int32_t (*q16_16)(int32_t a);
+    Int24 (*q8_16)(Int24 a);
+    Int24 (*q12_12)(Int24 a);
     int16_t (*q8_8)(int16_t a);
     int8_t (*q4_4)(int8_t a);
     int64_t (*wide)(int64_t a);
@@ -80,6 +83,8 @@ Real reciprocal_sqrtf128(Real a) { return 1 / sqrtf128(a); }
     Function {                                                                                   \
 #name, has_result,                                                                       \
             [](Real a) -> Real { return name##f128(a); }, CorrectlyRounded::name < int32_t, 16>, \
+                                                       CorrectlyRounded::name < Int24, 16>,      \
+                                                       CorrectlyRounded::name < Int24, 12>,      \
                                                        CorrectlyRounded::name < int16_t, 8>,     \
                                                        CorrectlyRounded::name < int8_t, 4>,      \
                                                        Nearest::name < int64_t, 32>, {           \
@@ -127,6 +132,17 @@ TEST_P(CorrectRounding, OfEveryNumberOf8And16Bits) {
         check<int8_t, 4>(int8_t(a), function_.q4_4(int8_t(a)));
     for (int a = INT16_MIN; a <= INT16_MAX; ++a)
         check<int16_t, 8>(int16_t(a), function_.q8_8(int16_t(a)));
+}
+
+TEST_P(CorrectRounding, OfNumbersOf24Bits) {
+    std::mt19937 random(7);
+    for (int i = 0; i < 3000; ++i) {
+        const Int24 a = static_cast<int32_t>(random()) >> (8 + random() % 24);
+        check<Int24, 16>(a, function_.q8_16(a));
+        check<Int24, 12>(a, function_.q12_12(a));
+    }
+    for (const int32_t a : function_.hardest)
+        if (Int24(a) == a) check<Int24, 16>(a, function_.q8_16(a));
 }
 
 TEST_P(CorrectRounding, OfNumbersOf32Bits) {

@@ -101,9 +101,10 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(format<int8_t, 0>(), format<int8_t, 1>(), format<int8_t, 2>(),
                     format<int8_t, 4>(), format<int8_t, 7>(), format<int16_t, 0>(),
                     format<int16_t, 1>(), format<int16_t, 8>(), format<int16_t, 15>(),
-                    format<int32_t, 0>(), format<int32_t, 16>(), format<int32_t, 24>(),
-                    format<int32_t, 31>(), format<int64_t, 0>(), format<int64_t, 32>(),
-                    format<int64_t, 62>(), format<int64_t, 63>()),
+                    format<Int24, 0>(), format<Int24, 12>(), format<Int24, 16>(),
+                    format<Int24, 23>(), format<int32_t, 0>(), format<int32_t, 16>(),
+                    format<int32_t, 24>(), format<int32_t, 31>(), format<int64_t, 0>(),
+                    format<int64_t, 32>(), format<int64_t, 62>(), format<int64_t, 63>()),
     [](const auto& info) {
         return "Of" + std::to_string(info.param.width) + "BitsWithFraction" +
                std::to_string(info.param.fraction);

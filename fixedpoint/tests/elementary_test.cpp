@@ -29,6 +29,7 @@ constexpr bool is_pow(reference::Operation operation) {
 template <class Wrap>
 std::vector<Subject> subjects_of_compositions(Wrap wrap) {
     std::vector<Subject> all = subjects(wrap);
+    add_subjects<Int24>(all, wrap, std::integer_sequence<int, 9, 13, 20>());
     add_subjects<int32_t>(all, wrap, std::integer_sequence<int, 9, 15, 17, 20, 21, 25>());
     return all;
 }

@@ -44,10 +44,11 @@ std::vector<Operators> operators_of(Wrap) {
 }
 template <class Arithmetic, class Wrap>
 std::vector<Operators> operators_in(Wrap wrap) {
-    return operators_of<Wrap, Fixed<4, 4, Arithmetic>, Fixed<1, 7, Arithmetic>,
-                        Fixed<8, 8, Arithmetic>, Fixed<16, 16, Arithmetic>,
-                        Fixed<8, 24, Arithmetic>, Fixed<32, 32, Arithmetic>,
-                        Fixed<1, 63, Arithmetic>, Fixed<64, 0, Arithmetic>>(wrap);
+    return operators_of<
+        Wrap, Fixed<4, 4, Arithmetic>, Fixed<1, 7, Arithmetic>, Fixed<8, 8, Arithmetic>,
+        Fixed<8, 16, Arithmetic>, Fixed<12, 12, Arithmetic>, Fixed<1, 23, Arithmetic>,
+        Fixed<24, 0, Arithmetic>, Fixed<16, 16, Arithmetic>, Fixed<8, 24, Arithmetic>,
+        Fixed<32, 32, Arithmetic>, Fixed<1, 63, Arithmetic>, Fixed<64, 0, Arithmetic>>(wrap);
 }
 
 template <class Expected>

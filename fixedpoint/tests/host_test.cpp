@@ -144,6 +144,8 @@ TEST(Hash, TellsNumbersApart) {
     const std::unordered_set<Q16_16> numbers = {1.5_q16_16, 1.5_q16_16, -1.5_q16_16};
     EXPECT_EQ(numbers.size(), 2u);
     EXPECT_TRUE(numbers.contains(1.5_q16_16));
+    const std::unordered_set<Q8_16> of_24_bits = {1.5_q8_16, 1.5_q8_16, -1.5_q8_16};
+    EXPECT_EQ(of_24_bits.size(), 2u);
 }
 
 TEST(Text, IsReadFromStrings) {
@@ -166,6 +168,8 @@ struct Silent {
 static_assert(is_modulo_as_it_says<Nearest>() && is_modulo_as_it_says<Small>(), "");
 static_assert(is_modulo_as_it_says<Saturating>() && is_modulo_as_it_says<Published>(), "");
 static_assert(is_modulo_as_it_says<Checked<Silent>>(), "");
+static_assert(std::numeric_limits<Q8_16>::round_error() == 0.5_q8_16, "");
+static_assert(std::numeric_limits<Q12_12>::lowest() == -2048, "");
 
 using Limits = std::numeric_limits<Q16_16>;
 static_assert(Limits::is_exact && Limits::is_bounded && Limits::radix == 2, "");

@@ -209,6 +209,9 @@ TEST(IntegerOperand, EverySplitOf8Bits) {
 TEST(IntegerOperand, Of16Bits) {
     check_all(mixed_subjects<int16_t>(std::integer_sequence<int, 0, 8, 15>()));
 }
+TEST(IntegerOperand, Of24Bits) {
+    check_all(mixed_subjects<Int24>(std::integer_sequence<int, 0, 12, 16, 23>()));
+}
 TEST(IntegerOperand, Of32Bits) {
     check_all(mixed_subjects<int32_t>(std::integer_sequence<int, 0, 1, 16, 31>()));
 }

@@ -24,6 +24,8 @@ static_assert((12_q8_8).raw() == 0xc00, "an integer");
 static_assert((017_q8_8).raw() == 0x1100, "always decimal");
 static_assert((1'000.5_q16_16).raw() == 0x3e88000, "digit separators");
 static_assert((1e-3_q16_16).raw() == 66, "an exponent");
+static_assert((127.99999_q8_16).raw() == 0x7fffff, "the largest number of 24 bits");
+static_assert((-0.38_q12_12).raw() == -1556, "0.38 2^12 = 1556.48");
 static_assert((.5_q8_8).raw() == 0x80, "no digit in front of the point");
 static_assert((2147483647.9999999998_q32_32).raw() == INT64_MAX, "20 digits");
 static_assert((3.14159265358979323846_q32_32).raw() == 13493037705, "pi 2^32 = 13493037704.52");

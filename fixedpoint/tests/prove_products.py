@@ -43,6 +43,7 @@ KEEP_FLAGS = {"mov", "movw", "ldi", "ld", "ldd", "push", "pop", "nop", "clt", "s
               "brpl", "brmi", "breq", "brne", "sbrs", "sbrc"}
 
 SPLITS_16 = [(16 - f, f) for f in range(17)]
+SPLITS_24 = [(24 - f, f) for f in range(24)]
 SPLITS_32 = [(32 - f, f) for f in range(33)]
 
 
@@ -398,7 +399,7 @@ class Kernel:
         self.name = f"{operation}_{letter}{integer}_{fraction}"
         self.components = {"dot2": 2, "dot3": 3}.get(operation, 1)
         self.in_memory = operation.startswith("dot")
-        first = 26 - max(self.size, 2)  # arguments take an even number of registers
+        first = self.first = 26 - (self.size + 1) // 2 * 2  # arguments take an even number of registers
         self.a, self.b = range(first, first + self.size), range(2 * first - 26, 2 * first - 26 + self.size)
         self.c = range(3 * first - 52, 3 * first - 52 + self.size)
         self.entry = None
@@ -449,10 +450,9 @@ class Kernel:
         return None
 
     def result(self, machine):
-        first = 26 - max(self.size, 2)
         total = Form()
         for i in range(self.size):
-            total += machine.number(first + i) * (1 << 8 * i)
+            total += machine.number(self.first + i) * (1 << 8 * i)
         return total
 
     def prove(self, code, answers=()):
@@ -469,18 +469,19 @@ class Kernel:
 # For three right shifts, the rationals are too weak.
 KERNELS = [Kernel(operation, *split)
            for operation, splits in [
-               ("multiply", [*SPLITS_16, *SPLITS_32, (32, 32)]),
-               ("multiply_add", [(16, 16), (8, 24)]),
-               ("dot2", [(8, 8), (16, 16), (8, 24), (32, 32)]),
-               ("dot3", [(8, 8), (16, 16), (8, 24), (32, 32)])]
+               ("multiply", [*SPLITS_16, *SPLITS_24, *SPLITS_32, (32, 32)]),
+               ("multiply_add", [(8, 16), (12, 12), (16, 16), (8, 24)]),
+               ("dot2", [(8, 8), (8, 16), (12, 12), (16, 16), (8, 24), (32, 32)]),
+               ("dot3", [(8, 8), (8, 16), (12, 12), (16, 16), (8, 24), (32, 32)])]
            for split in splits if split[1] % 8 != 3]
 KERNELS += [Kernel("multiply", *split, "u") for split in [*SPLITS_16, *SPLITS_32] if split[1] % 8 != 3]
 
 # The number of instructions that are left out, spread evenly over a kernel: all of them in short
 # kernels. The macros of the others contain instructions that some splits do not need.
-MUTATIONS = {"multiply_q8_8": 99, "multiply_q16_16": 99, "multiply_u8_8": 99,
-             "multiply_u16_16": 99, "multiply_u8_24": 8, "multiply_q8_24": 12, "multiply_q32_32": 8,
-             "multiply_add_q16_16": 99, "dot2_q16_16": 99, "dot3_q16_16": 3, "dot3_q8_24": 8, "dot3_q32_32": 8}
+MUTATIONS = {"multiply_q8_8": 99, "multiply_q8_16": 99, "multiply_q12_12": 12, "multiply_q16_16": 99,
+             "multiply_u8_8": 99, "multiply_u16_16": 99, "multiply_u8_24": 8, "multiply_q8_24": 12,
+             "multiply_q32_32": 8, "multiply_add_q16_16": 99, "dot2_q16_16": 99, "dot3_q8_16": 30,
+             "dot3_q16_16": 3, "dot3_q8_24": 8, "dot3_q32_32": 8}
 
 
 # What chooses the shorter of two ways: the longer one returns the same.
@@ -489,7 +490,7 @@ CHOICES = ("breq", "cpi", "rjmp")
 
 def assembled(folder):
     sources = sorted({*(SOURCE / "fixedpoint/avr").glob("multiply*.S"),
-                      *(SOURCE / "fixedpoint/avr").glob("dot_[3q]*.S")})
+                      *(SOURCE / "fixedpoint/avr").glob("dot_[23q]*.S")})
     elf = f"{folder}/products.elf"
     subprocess.run(["avr-gcc", "-mmcu=atmega2560", "-nostartfiles", "-nostdlib", "-I", SOURCE, "-o", elf,
                     "-Wl,--no-gc-sections", *sources], check=True)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whether a result is in range, in every split of 16, 32 and 64 bits: operands on both sides of the
-// limit against exact arithmetic. For 8 bits checked_test.cpp covers every operand.
+// Whether a result is in range, in every split of 16, 24, 32 and 64 bits: operands on both sides of
+// the limit against exact arithmetic. For 8 bits checked_test.cpp covers every operand.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -45,6 +45,7 @@ class Range : public testing::TestWithParam<int> {
   protected:
     static std::vector<Ranges> splits() {
         if (GetParam() == 16) return every_split<int16_t>(std::make_integer_sequence<int, 16>{});
+        if (GetParam() == 24) return every_split<Int24>(std::make_integer_sequence<int, 24>{});
         if (GetParam() == 32) return every_split<int32_t>(std::make_integer_sequence<int, 32>{});
         return every_split<int64_t>(std::make_integer_sequence<int, 64>{});
     }
@@ -132,6 +133,6 @@ TEST_P(Range, NormaliseOnBothSidesOfTheLimit) {
     EXPECT_TRUE(split.normalised_fits(least));
 }
 
-INSTANTIATE_TEST_SUITE_P(Widths, Range, testing::Values(16, 32, 64));
+INSTANTIATE_TEST_SUITE_P(Widths, Range, testing::Values(16, 24, 32, 64));
 
 }  // namespace

@@ -107,6 +107,7 @@ std::vector<Split> splits_of_8_bits() {
 std::vector<Split> wider_splits() {
     std::vector<Split> all;
     add_splits<16>(all, std::integer_sequence<int, 0, 1, 8, 15>());
+    add_splits<24>(all, std::integer_sequence<int, 0, 10, 12, 16, 23>());
     add_splits<32>(all, std::integer_sequence<int, 0, 1, 10, 11, 16, 21, 22, 30, 31>());
     add_splits<64>(all, std::integer_sequence<int, 0, 1, 21, 22, 31, 32, 33, 48, 62, 63>());
     return all;
@@ -272,7 +273,7 @@ void expect_root(const Int& n, const Int& root, const Int& of_kernel) {
 template <class Integral>
 void expect_roots(const std::vector<Integral>& numbers) {
     for (const Integral n : numbers) {
-        expect_root(n, isqrt(n), kernel::integer_root(n));
+        expect_root(+n, +isqrt(n), +kernel::integer_root(n));
         if (testing::Test::HasFatalFailure()) return;
     }
 }
@@ -286,10 +287,12 @@ std::vector<Integral> raws() {
 TEST(IntegerRoot, IsTheLargestIntegerWhoseSquareIsNotLarger) {
     expect_roots(raws<int8_t>());
     expect_roots(raws<int16_t>());
+    expect_roots(raws<Int24>());
     expect_roots(raws<int32_t>());
     expect_roots(raws<int64_t>());
     expect_roots(raws<uint8_t>());
     expect_roots(raws<uint16_t>());
+    expect_roots(raws<UnsignedInt24>());
     expect_roots(raws<uint32_t>());
     expect_roots(raws<uint64_t>());
     std::vector<uint8_t> all_of_8_bits(256);

@@ -39,18 +39,20 @@ std::vector<Subject> subjects(Wrap wrap) {
     std::vector<Subject> all;
     add_subjects<int8_t>(all, wrap, std::make_integer_sequence<int, 8>());
     add_subjects<int16_t>(all, wrap, std::integer_sequence<int, 0, 5, 8, 13, 14, 15>());
+    add_subjects<fixedpoint::Int24>(all, wrap, std::integer_sequence<int, 0, 7, 12, 16, 22, 23>());
     add_subjects<int32_t>(all, wrap, std::integer_sequence<int, 0, 1, 8, 13, 16, 24, 27, 28, 31>());
     add_subjects<int64_t>(all, wrap,
                           std::integer_sequence<int, 0, 1, 16, 32, 47, 59, 60, 62, 63>());
     return all;
 }
 
-// All splits of 8, 16 and 32 bits; of 64 bits those at which an algorithm changes its words.
+// All splits of 8, 16, 24 and 32 bits; of 64 bits those at which an algorithm changes its words.
 template <class Wrap>
 std::vector<Subject> subjects_of_every_split(Wrap wrap) {
     std::vector<Subject> all;
     add_subjects<int8_t>(all, wrap, std::make_integer_sequence<int, 8>());
     add_subjects<int16_t>(all, wrap, std::make_integer_sequence<int, 16>());
+    add_subjects<fixedpoint::Int24>(all, wrap, std::make_integer_sequence<int, 24>());
     add_subjects<int32_t>(all, wrap, std::make_integer_sequence<int, 32>());
     add_subjects<int64_t>(all, wrap,
                           std::integer_sequence<int, 0, 1, 2, 6, 15, 18, 19, 31, 32, 33, 47, 50, 51,

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 /// \file
 /// Fixed<IntegerBits, FractionBits, Arithmetic>: a signed fixed-point number, value = raw / 2^F, in
-/// a two's-complement integer of IntegerBits + FractionBits = 8, 16, 32 or 64 bits. The sign counts
-/// as an integer bit; unsigned.hpp has numbers without one. Arithmetic decides how results are
-/// rounded and what happens to those out of range; arithmetic/nearest.hpp states the rule that the
-/// default follows for every input.
+/// a two's-complement integer of IntegerBits + FractionBits = 8, 16, 24, 32 or 64 bits. The sign
+/// counts as an integer bit; unsigned.hpp has numbers without one. Arithmetic decides how results
+/// are rounded and what happens to those out of range; arithmetic/nearest.hpp states the rule that
+/// the default follows for every input.
 ///
 /// Both operands of an operator must have the same format and arithmetic, or one must be an
 /// integer. An integer keeps its exact value even if the format cannot represent it; only the
@@ -46,8 +46,8 @@ class Fixed {
         "more than the number.");
 
   public:
-    /// The integer of IntegerBits + FractionBits bits: int8_t, int16_t, int32_t or int64_t, in
-    /// two's complement; of a UFixed, uint8_t, uint16_t, uint32_t or uint64_t.
+    /// The integer of IntegerBits + FractionBits bits: int8_t, int16_t, Int24, int32_t or int64_t,
+    /// in two's complement; of a UFixed, uint8_t, uint16_t, uint32_t or uint64_t.
     using Raw = RawOf<IntegerBits + FractionBits, ArithmeticPolicy>;
     /// The arithmetic, which rounds results and decides what happens to those out of range.
     using Arithmetic = ArithmeticPolicy;
@@ -365,12 +365,17 @@ void operator>>(include_fixedpoint_host_stream_hpp,
                 Fixed<IntegerBits, FractionBits, Arithmetic>&) = delete;
 /// \endcond
 
-// For each width, the format with as many integer bits as fraction bits, in the default arithmetic.
+// For each width, the format with as many integer bits as fraction bits, in the default arithmetic;
+// and that of 24 bits with the fraction bits of Q16.16.
 
 /// 8 bits: -8 to 7.9375 in steps of 0.0625.
 using Q4_4 = Fixed<4, 4>;
 /// 16 bits: -128 to 127.996 in steps of 0.0039.
 using Q8_8 = Fixed<8, 8>;
+/// 24 bits: -128 to 127.99998 in steps of 0.000015.
+using Q8_16 = Fixed<8, 16>;
+/// 24 bits: -2048 to 2047.9998 in steps of 0.00024.
+using Q12_12 = Fixed<12, 12>;
 /// 32 bits: -32768 to 32767.99998 in steps of 0.000015.
 using Q16_16 = Fixed<16, 16>;
 /// 64 bits: -2^31 to 2^31 in steps of 2.3e-10.

@@ -8,6 +8,7 @@
 #include <stdint.h>
 
 #include <fixedpoint/constexpr.hpp>
+#include <fixedpoint/int24.hpp>
 
 // Macros of the Arduino core and of Windows that would break every function of these names,
 // including the library's. Integers and floats keep abs and round from <stdlib.h> and <math.h>.
@@ -21,8 +22,8 @@ namespace fixedpoint {
 template <int Bits>
 struct IntegerOf {
     static_assert(
-        Bits == 8 || Bits == 16 || Bits == 32 || Bits == 64,
-        "A fixed-point number has 8, 16, 32 or 64 bits: choose IntegerBits + FractionBits "
+        Bits == 8 || Bits == 16 || Bits == 24 || Bits == 32 || Bits == 64,
+        "A fixed-point number has 8, 16, 24, 32 or 64 bits: choose IntegerBits + FractionBits "
         "accordingly.");
 };
 template <>
@@ -34,6 +35,11 @@ template <>
 struct IntegerOf<16> {
     using Signed = int16_t;
     using Unsigned = uint16_t;
+};
+template <>
+struct IntegerOf<24> {
+    using Signed = Int24;
+    using Unsigned = UnsignedInt24;
 };
 template <>
 struct IntegerOf<32> {
@@ -80,8 +86,10 @@ template <int Bits>
 struct IntegerWithSign<Bits, false> {
     using Type = UnsignedInteger<Bits>;
 };
+// The narrowest integer of at least twice the width, with a sign if Raw has one.
 template <class Raw>
-using Wide = typename IntegerWithSign<2 * RawLimits<Raw>::width, RawLimits<Raw>::is_signed>::Type;
+using Wide = typename IntegerWithSign<RawLimits<Raw>::width == 24 ? 64 : 2 * RawLimits<Raw>::width,
+                                      RawLimits<Raw>::is_signed>::Type;
 
 // a 2^count modulo 2^W, and a / 2^count rounded downward, for a constant count from 0 to W. C++
 // leaves a shift by W undefined.
@@ -175,8 +183,8 @@ constexpr Word largest_magnitude(bool negative) {
 // `magnitude` with the sign restored, modulo 2^W.
 template <class Raw>
 constexpr Raw with_sign(Unsigned<Raw> magnitude, bool negative) {
-    return static_cast<Raw>(
-        static_cast<Unsigned<Raw>>(negative ? Unsigned<Raw>(0) - magnitude : magnitude));
+    return static_cast<Raw>(negative ? static_cast<Unsigned<Raw>>(Unsigned<Raw>(0) - magnitude)
+                                     : magnitude);
 }
 
 // A number of a wider type, saturated to the range of Raw.

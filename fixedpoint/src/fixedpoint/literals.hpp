@@ -61,6 +61,18 @@ template <char... Text>
 constexpr Q8_8 operator""_q8_8() {
     return literal<Q8_8, Text...>();
 }
+/// The number rounded to nearest, half up. Anything but a decimal number in the range of Q8_16 does
+/// not compile.
+template <char... Text>
+constexpr Q8_16 operator""_q8_16() {
+    return literal<Q8_16, Text...>();
+}
+/// The number rounded to nearest, half up. Anything but a decimal number in the range of Q12_12
+/// does not compile.
+template <char... Text>
+constexpr Q12_12 operator""_q12_12() {
+    return literal<Q12_12, Text...>();
+}
 /// The number rounded to nearest, half up. Anything but a decimal number in the range of Q16_16
 /// does not compile.
 template <char... Text>

@@ -52,6 +52,7 @@ struct UnsignedArithmetic : Policy {
 /// \cond internal
 template <int Bits, class Policy>
 struct RawTypeOf<Bits, UnsignedArithmetic<Policy>> {
+    static_assert(Bits != 24, "A number without a sign has 8, 16, 32 or 64 bits.");
     static constexpr bool is_signed = false;
     using Type = UnsignedInteger<Bits>;
 };

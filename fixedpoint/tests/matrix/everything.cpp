@@ -37,6 +37,7 @@ using namespace fixedpoint::literals;
 static_assert((0.38_q16_16).raw() == 24904, "0.38 2^16 = 24903.68");
 static_assert((7.9375_q4_4).raw() == 127, "the largest number");
 static_assert((1e-3_q8_8).raw() == 0, "an exponent");
+static_assert((-0.38_q8_16).raw() == -24904 && (0.38_q12_12).raw() == 1556, "of 24 bits");
 static_assert((3.14159265358979323846_q32_32).raw() == 13493037705, "pi 2^32 = 13493037704.52");
 static_assert((1 - 0.5_q16_16 * 3).raw() == -32768 && 1_q16_16 < 2 && 2u > 1_q16_16, "integers");
 static_assert(fixed<16, 16>(-0.38).raw() == -24904, "a checked constant");
@@ -241,6 +242,8 @@ void everything();
 void everything() {
     every_arithmetic<4, 4>();
     every_arithmetic<8, 8>();
+    every_arithmetic<8, 16>();
+    every_arithmetic<12, 12>();
     every_arithmetic<16, 16>();
     every_arithmetic<32, 32>();
     every_arithmetic<8, 24>();
@@ -253,6 +256,8 @@ void everything() {
     every_unsigned_arithmetic<32, 32>();
     Fixed<16, 16, CorrectlyRounded> correctly_rounded[3];
     functions(correctly_rounded);
+    Fixed<8, 16, CorrectlyRounded> of_24_bits[3];
+    functions(of_24_bits);
     blocks<Q4_4, Q8_8>();
     blocks<Q8_8, Q16_16>();
     blocks<Q16_16, Fixed<8, 24>>();
@@ -271,6 +276,8 @@ void everything() {
     widening(c);
     U8_8 d = 0.5_u8_8;
     widening(d);
+    Q12_12 e;
+    widening(e);
     Fixed<16, 16, Published> published = Fixed<16, 16, Published>::from_integer(3);
     published = published * published / sqrt(published) + atan2(published, published);
 }

@@ -273,12 +273,12 @@ struct Checked : Nearest {
             Hook::notify(Event::overflow, operation);
         }
     }
-    // floor(a / 4) of a number of 2W bits, in two's complement if Raw is.
+    // floor(a / 4) of a number of as many bits as a Sum, in two's complement if Raw is.
     template <class Raw>
     static FIXEDPOINT_CONSTEXPR portable::DoubleWord<Raw> quarter(portable::DoubleWord<Raw> a) {
         using Sum = portable::DoubleWord<Raw>;
         const Sum bias = static_cast<Sum>(Sum(uint8_t(RawLimits<Raw>::is_signed ? 1 : 0))
-                                          << (2 * RawLimits<Raw>::width - 1));
+                                          << (8 * sizeof(Sum) - 1));
         return static_cast<Sum>(static_cast<Sum>(static_cast<Sum>(a + bias) >> 2) -
                                 static_cast<Sum>(bias >> 2));
     }

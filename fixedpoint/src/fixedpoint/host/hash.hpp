@@ -9,6 +9,6 @@
 template <int IntegerBits, int F, class A>
 struct std::hash<fixedpoint::Fixed<IntegerBits, F, A>> {
     std::size_t operator()(fixedpoint::Fixed<IntegerBits, F, A> number) const noexcept {
-        return std::hash<fixedpoint::RawOf<IntegerBits + F, A>>()(number.raw());
+        return std::hash<decltype(+number.raw())>()(number.raw());
     }
 };

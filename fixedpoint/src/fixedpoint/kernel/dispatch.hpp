@@ -3,7 +3,8 @@
 //
 // A format with an assembly kernel of its own (table.hpp) calls that. This file says what the
 // others do: narrow formats use the kernels of Q8.8 and Q16.16, and 64-bit formats some of Q32.32,
-// if those are accurate enough; everything else runs the portable implementation.
+// if those are accurate enough; formats of 24 bits use those of 32 bits (through_32_bits.hpp);
+// everything else runs the portable implementation.
 #pragma once
 
 #include <fixedpoint/kernel/assembly.hpp>
@@ -138,6 +139,8 @@ template <class = uint32_t, int = 0>
 FIXEDPOINT_CONSTEXPR uint64_t multiply_words(uint32_t a, uint32_t b);
 }  // namespace kernel
 }  // namespace fixedpoint
+
+#include <fixedpoint/kernel/through_32_bits.hpp>
 
 FIXEDPOINT_KERNELS(FIXEDPOINT_DISPATCH)
 

@@ -12,11 +12,11 @@ namespace kernel {
 // square wraps to 0.
 template <class Word>
 FIXEDPOINT_CONSTEXPR __attribute__((noinline)) Word root_not_above(Word root, Word n) {
-    using Half = UnsignedInteger<static_cast<int>(sizeof(Word) > 1 ? 4 * sizeof(Word) : 8)>;
+    using Half = UnsignedInteger<(sizeof(Word) > 4 ? 32 : sizeof(Word) > 2 ? 16 : 8)>;
     if (root == 0) return 0;
     const Half half = static_cast<Half>(root);
     const Word square = static_cast<Word>(static_cast<Word>(half) * half);
-    return static_cast<Word>(static_cast<Word>(square - 1) >= n ? root - 1 : root);
+    return static_cast<Word>(square - 1) >= n ? static_cast<Word>(root - 1) : root;
 }
 
 // floor(sqrt(n)); 0 if n < 0. The format with equal integer and fraction bits gives the root in

@@ -38,7 +38,7 @@ template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR FIXEDPOINT_CALLED_BY_KERNEL Raw rounded_power(Raw a, Raw floor) {
     const bool is_below =
         reaches_power(static_cast<uint32_t>(floor) * 2 + 1, static_cast<int64_t>(a) * 65536);
-    return static_cast<Raw>(is_below ? floor : floor + 1);
+    return is_below ? floor : static_cast<Raw>(floor + 1);
 }
 struct NaturalLogarithmSide {
     static FIXEDPOINT_CONSTEXPR bool reaches(int64_t tie, int32_t a) {

@@ -87,8 +87,8 @@
 #define FIXEDPOINT_ARGUMENTS_SIDE (y, x, tie)
 
 // ROW(KERNEL, shape, operation, integer bits, fraction bits) for every split, that is division into
-// integer and fraction bits, of 16 bits except Q8.8 and of 32 bits except Q16.16, which have
-// kernels of their own. Coarse splits have fewer fraction bits than Q8.8.
+// integer and fraction bits, of 16 bits except Q8.8, of 24 bits, and of 32 bits except Q16.16; the
+// two have kernels of their own. Coarse splits have fewer fraction bits than Q8.8.
 #define FIXEDPOINT_COARSE_SPLITS_16(ROW, KERNEL, shape, operation) \
     ROW(KERNEL, shape, operation, 16, 0) \
     ROW(KERNEL, shape, operation, 15, 1) \
@@ -108,6 +108,32 @@
     ROW(KERNEL, shape, operation, 2, 14) \
     ROW(KERNEL, shape, operation, 1, 15) \
     ROW(KERNEL, shape, operation, 0, 16)
+
+#define FIXEDPOINT_SPLITS_24(ROW, KERNEL, shape, operation) \
+    ROW(KERNEL, shape, operation, 24, 0) \
+    ROW(KERNEL, shape, operation, 23, 1) \
+    ROW(KERNEL, shape, operation, 22, 2) \
+    ROW(KERNEL, shape, operation, 21, 3) \
+    ROW(KERNEL, shape, operation, 20, 4) \
+    ROW(KERNEL, shape, operation, 19, 5) \
+    ROW(KERNEL, shape, operation, 18, 6) \
+    ROW(KERNEL, shape, operation, 17, 7) \
+    ROW(KERNEL, shape, operation, 16, 8) \
+    ROW(KERNEL, shape, operation, 15, 9) \
+    ROW(KERNEL, shape, operation, 14, 10) \
+    ROW(KERNEL, shape, operation, 13, 11) \
+    ROW(KERNEL, shape, operation, 12, 12) \
+    ROW(KERNEL, shape, operation, 11, 13) \
+    ROW(KERNEL, shape, operation, 10, 14) \
+    ROW(KERNEL, shape, operation, 9, 15) \
+    ROW(KERNEL, shape, operation, 8, 16) \
+    ROW(KERNEL, shape, operation, 7, 17) \
+    ROW(KERNEL, shape, operation, 6, 18) \
+    ROW(KERNEL, shape, operation, 5, 19) \
+    ROW(KERNEL, shape, operation, 4, 20) \
+    ROW(KERNEL, shape, operation, 3, 21) \
+    ROW(KERNEL, shape, operation, 2, 22) \
+    ROW(KERNEL, shape, operation, 1, 23)
 
 #define FIXEDPOINT_COARSE_SPLITS_32(ROW, KERNEL, shape, operation) \
     ROW(KERNEL, shape, operation, 32, 0) \
@@ -148,6 +174,8 @@
 
 #define FIXEDPOINT_KERNEL_OF_SPLIT_16(KERNEL, shape, operation, I, F) \
     KERNEL(shape, operation, int16_t, F, fixedpoint_##operation##_q##I##_##F, operation)
+#define FIXEDPOINT_KERNEL_OF_SPLIT_24(KERNEL, shape, operation, I, F) \
+    KERNEL(shape, operation, ::fixedpoint::Int24, F, fixedpoint_##operation##_q##I##_##F, operation)
 #define FIXEDPOINT_KERNEL_OF_SPLIT_32(KERNEL, shape, operation, I, F) \
     KERNEL(shape, operation, int32_t, F, fixedpoint_##operation##_q##I##_##F, operation)
 
@@ -156,8 +184,21 @@
     KERNEL(shape, operation, uint16_t, F, fixedpoint_##operation##_u##I##_##F, operation)
 #define FIXEDPOINT_KERNEL_OF_UNSIGNED_SPLIT_32(KERNEL, shape, operation, I, F) \
     KERNEL(shape, operation, uint32_t, F, fixedpoint_##operation##_u##I##_##F, operation)
+// Those of 24 bits take and return three bytes, which only the compiler that has __int24 passes in
+// registers as they expect.
+#ifdef __INT24_MAX__
+#define FIXEDPOINT_KERNELS_24(KERNEL) \
+    FIXEDPOINT_SPLITS_24(FIXEDPOINT_KERNEL_OF_SPLIT_24, KERNEL, BINARY, multiply) \
+    FIXEDPOINT_SPLITS_24(FIXEDPOINT_KERNEL_OF_SPLIT_24, KERNEL, BINARY, multiply_saturating) \
+    FIXEDPOINT_SPLITS_24(FIXEDPOINT_KERNEL_OF_SPLIT_24, KERNEL, TERNARY, multiply_add) \
+    FIXEDPOINT_SPLITS_24(FIXEDPOINT_KERNEL_OF_SPLIT_24, KERNEL, VECTORS, dot2) \
+    FIXEDPOINT_SPLITS_24(FIXEDPOINT_KERNEL_OF_SPLIT_24, KERNEL, VECTORS, dot3)
+#else
+#define FIXEDPOINT_KERNELS_24(KERNEL)
+#endif
 
 #define FIXEDPOINT_KERNELS(KERNEL) \
+    FIXEDPOINT_KERNELS_24(KERNEL) \
     KERNEL(BINARY, multiply, int8_t, 4, fixedpoint_multiply_q4_4, multiply) \
     KERNEL(BINARY, multiply, int16_t, 8, fixedpoint_multiply_q8_8, multiply) \
     KERNEL(BINARY, multiply, int32_t, 16, fixedpoint_multiply_q16_16, multiply) \

@@ -31,7 +31,7 @@ struct SineOfPhase32 {
         return from_q16_16<Raw, F>(sine_of_phase<int32_t, 16>(static_cast<int32_t>(phase)));
     }
 };
-// Formats of 8 and 16 bits for which Q16.16 is too coarse use the sine of the 32-bit format with as
+// Formats of up to 24 bits for which Q16.16 is too coarse use the sine of the 32-bit format with as
 // many fraction bits.
 template <class Raw, int F>
 struct SineOfPhase42 {
@@ -109,7 +109,8 @@ struct Either<false, Then, Else> {
 template <class Raw, int F>
 using SineOfPhase = typename Either<
     portable::is_coarse_16<Raw, F>(), SineOfPhase16<Raw, F>,
-    typename Either<(sizeof(Raw) <= 2 && F <= 13) || (sizeof(Raw) == 4 && F == 16),
+    typename Either<(sizeof(Raw) <= 2 && F <= 13) ||
+                        (sizeof(Raw) > 2 && sizeof(Raw) <= 4 && F == 16),
                     SineOfPhase32<Raw, F>,
                     typename Either<sizeof(Raw) <= 4 || F <= 30 || F == 32, SineOfPhase42<Raw, F>,
                                     SineOfPhase64<Raw, F>>::Type>::Type>::Type;

@@ -24,7 +24,7 @@ FIXEDPOINT_CONSTEXPR Raw divide_small(Raw a, Raw b) {
         quotient = static_cast<Unsigned<Raw>>(quotient << 1);
         if (rest >= divisor) {
             rest = static_cast<Unsigned<Raw>>(rest - divisor);
-            quotient |= 1;
+            quotient = static_cast<Unsigned<Raw>>(quotient | 1);
         }
     }
     if (!fits || quotient >> top != 0) {

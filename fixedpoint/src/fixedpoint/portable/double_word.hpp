@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Unsigned integers of twice the width of a Raw: a native one up to 64 bits, Word128 above. Square
-// roots of sums of squares and of ratios need them.
+// Unsigned integers of at least twice the width of a Raw: a native one up to 64 bits, Word128
+// above. Square roots of sums of squares and of ratios need them.
 #pragma once
 
 #include <fixedpoint/integer.hpp>
@@ -12,7 +12,7 @@ namespace portable {
 
 template <class Raw>
 struct DoubleWordOf {
-    using Type = UnsignedInteger<2 * RawLimits<Raw>::width>;
+    using Type = Unsigned<Wide<Raw>>;
     static constexpr Unsigned<Raw> high(Type a) {
         return static_cast<Unsigned<Raw>>(a >> RawLimits<Raw>::width);
     }

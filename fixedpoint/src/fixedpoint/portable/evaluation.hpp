@@ -2,7 +2,8 @@
 // What the elementary functions without a kernel have in common: they compute in a word of twice
 // the width of a 32- or 64-bit number, far finer than an ulp, and round once. Numbers of 8 and 16
 // bits go through Q16.16, as they do with kernels, which adds at most 2^-3 of its error; with more
-// than 13 fraction bits they go through 32 bits with as many, rounded once.
+// than 13 fraction bits, and in formats of 24 bits, they go through 32 bits with as many, rounded
+// once.
 #pragma once
 
 #include <fixedpoint/portable/convert.hpp>
@@ -83,7 +84,7 @@ struct Evaluated {
 };
 template <class Function, class Raw, int F>
 struct Evaluated<Function, Raw, F, true> {
-    static constexpr int wide_fraction = F <= 13 ? 16 : F;
+    static constexpr int wide_fraction = sizeof(Raw) < 3 && F <= 13 ? 16 : F;
     template <class... Operands>
     static FIXEDPOINT_IN_PLACE Evaluation<Raw> apply(Operands... a) {
         const Evaluation<int32_t> wide = Function::template apply<int32_t, wide_fraction>(

@@ -22,8 +22,8 @@ constexpr bool is_negative_integer(Int n) {
 }
 template <class Word, class Int>
 constexpr Word integer_magnitude(Int n) {
-    return static_cast<Word>(is_negative_integer(n) ? Word(0) - static_cast<Word>(n)
-                                                    : static_cast<Word>(n));
+    return is_negative_integer(n) ? static_cast<Word>(Word(0) - static_cast<Word>(n))
+                                  : static_cast<Word>(n);
 }
 
 // The raw of a + n modulo 2^W, for which W bits of n are enough.

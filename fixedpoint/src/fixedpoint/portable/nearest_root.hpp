@@ -11,7 +11,7 @@ namespace portable {
 // sqrt(high 2^W + low) rounded to nearest, never a tie; at most `limit`. Digit by digit: two bits
 // of the radicand give one bit of the root. A limit of 2^(W-1) is returned as the smallest number
 // with a sign, which is its negative.
-template <class Raw, Unsigned<Raw> limit = static_cast<Unsigned<Raw>>(RawLimits<Raw>::max)>
+template <class Raw, uint64_t limit = static_cast<Unsigned<Raw>>(RawLimits<Raw>::max)>
 FIXEDPOINT_CONSTEXPR Raw nearest_root(Unsigned<Raw> high, Unsigned<Raw> low) {
     using Word = Unsigned<Raw>;
     constexpr int W = RawLimits<Raw>::width;
@@ -48,7 +48,8 @@ FIXEDPOINT_CONSTEXPR Raw nearest_root(Unsigned<Raw> high, Unsigned<Raw> low) {
     }
     // remainder > root: the radicand exceeds (root + 1/2)^2 = root^2 + root + 1/4.
     const Word rounded = static_cast<Word>(root + (above != 0 || remainder > root ? 1 : 0));
-    return rounded > limit ? static_cast<Raw>(limit) : static_cast<Raw>(rounded);
+    return static_cast<Raw>(rounded > static_cast<Word>(limit) ? static_cast<Word>(limit)
+                                                               : rounded);
 }
 
 template <class Raw>
@@ -58,8 +59,7 @@ FIXEDPOINT_CONSTEXPR Raw nearest_root(DoubleWord<Raw> radicand) {
 
 // sqrt(numerator 2^doublings / denominator) rounded to nearest, half up; at most `limit`, as above.
 // Requires numerator < 2 denominator. Number may be any unsigned integer that can represent both.
-template <class Raw, class Number,
-          Unsigned<Raw> limit = static_cast<Unsigned<Raw>>(RawLimits<Raw>::max)>
+template <class Raw, class Number, uint64_t limit = static_cast<Unsigned<Raw>>(RawLimits<Raw>::max)>
 FIXEDPOINT_CONSTEXPR Raw nearest_root_of_ratio(Number numerator, Number denominator,
                                                int doublings) {
     using Word = Unsigned<Raw>;

@@ -74,8 +74,7 @@ struct Normalisation<Raw, F, false> {
             if (v[i] < 0) {
                 unit[i] = wrapping_negate(
                     nearest_root_of_ratio<Raw, DoubleWord<Raw>,
-                                          Unsigned<Raw>(Unsigned<Raw>(1)
-                                                        << (RawLimits<Raw>::width - 1))>(
+                                          uint64_t(1) << (RawLimits<Raw>::width - 1)>(
                         square(v[i]), length_squared, 2 * F));
             } else {
                 unit[i] = v[i] == 0
