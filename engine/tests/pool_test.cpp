@@ -53,7 +53,7 @@ TEST(Particle, HoldsOnlyWhatItsSceneStates) {
     EXPECT_EQ(numbers_of_a_particle<Spheres>, 6u);      // the radius
     EXPECT_EQ(numbers_of_a_particle<Damped>, 6u);       // the factor
     EXPECT_EQ(numbers_of_a_particle<Compensated>, 9u);  // two residuals
-    EXPECT_EQ(numbers_of_a_particle<Sorted>, 7u);       // the displacement
+    EXPECT_EQ(numbers_of_a_particle<Sorted>, 7u);       // the way back
 }
 
 // N particles that fall from rest, side by side.

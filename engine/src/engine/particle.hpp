@@ -32,10 +32,10 @@ struct Damping<Scalar, true> {
 };
 
 template <class Vector, bool used>
-struct Displacement {};
+struct WayBack {};
 template <class Vector>
-struct Displacement<Vector, true> {
-    Vector displacement;  // m, the way that the solver moved it in this step
+struct WayBack<Vector, true> {
+    Vector way_back;  // m, to where it was before the solver moved it in this step
 };
 
 // Members that a particle may not have. These overloads are only declared then, since nothing calls
@@ -69,12 +69,13 @@ const Scalar& radius_of(const Radius<Scalar, false>&);
 template <class Vector, bool exact>
 struct Residuals {
     template <class TimeStep>
-    static ENGINE_INLINE void move(Vector& position, Vector velocity, TimeStep dt) {
-        position += velocity *= dt;
+    static ENGINE_INLINE void move(Vector& position, const Vector& velocity, TimeStep dt) {
+        position.add_scaled(velocity, dt);
     }
     template <class TimeStep>
-    static ENGINE_INLINE void accelerate(Vector& velocity, Vector acceleration, TimeStep dt) {
-        velocity += acceleration *= dt;
+    static ENGINE_INLINE void accelerate(Vector& velocity, const Vector& acceleration,
+                                         TimeStep dt) {
+        velocity.add_scaled(acceleration, dt);
     }
 };
 template <class Vector>
@@ -111,13 +112,13 @@ struct Body {
     Scalar damping = Decimal<1, 0>();  ///< factor of the velocity in each step
 };
 
-/// A particle of a world. It has the members `force`, `radius`, `damping` and `displacement` if the
+/// A particle of a world. It has the members `force`, `radius`, `damping` and `way_back` if the
 /// scene uses them.
-template <class Scalar, class Uses, bool forces, bool displacement>
+template <class Scalar, class Uses, bool forces, bool way_back>
 struct Particle : Force<Vector<Scalar, Uses::dimensions>, forces>,
                   Radius<Scalar, Uses::radii>,
                   Damping<Scalar, Uses::damping>,
-                  Displacement<Vector<Scalar, Uses::dimensions>, displacement>,
+                  WayBack<Vector<Scalar, Uses::dimensions>, way_back>,
                   Residuals<Vector<Scalar, Uses::dimensions>, Uses::compensated_integration> {
     Vector<Scalar, Uses::dimensions> position;  ///< m
     Vector<Scalar, Uses::dimensions> velocity;  ///< m/s

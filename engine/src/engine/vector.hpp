@@ -89,6 +89,11 @@ struct Vector {
         engine::add_scaled<N>(component, b.component, factor);
         return *this;
     }
+    /// Adds the product of b and a time step, which is rounded.
+    template <class TimeStep>
+    ENGINE_INLINE Vector& add_scaled(Vector b, TimeStep dt) {
+        return *this += b *= dt;
+    }
 
     /// The sum, component by component.
     ENGINE_INLINE friend Vector operator+(const Vector& a, const Vector& b) {

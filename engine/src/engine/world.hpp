@@ -114,7 +114,7 @@ class World : public Gravity<Vector<ScalarType, SceneUses::dimensions>, SceneUse
     /// What add_particle returns.
     using Handle = ParticleHandle<World, Index>;
     /// What the world stores for a particle.
-    using Particle = engine::Particle<Scalar, Uses, has_forces, Solver::needs_displacement>;
+    using Particle = engine::Particle<Scalar, Uses, has_forces, Solver::keeps_way_back>;
     /// \cond internal
     using Particles = Pool<Particle, Uses::particles>;
     using Ends = Between<Vector, Index>;

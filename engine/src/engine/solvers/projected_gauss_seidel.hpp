@@ -98,7 +98,7 @@ constexpr bool keeps_rows_of(const ProjectedGaussSeidel<max_iterations>*, bool i
 template <unsigned char max_iterations>
 struct ProjectedGaussSeidel {
     /// \cond internal
-    static constexpr bool needs_displacement = false;
+    static constexpr bool keeps_way_back = false;
     static constexpr unsigned rows_per_rod = 1;
 
     template <class World>

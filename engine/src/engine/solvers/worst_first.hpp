@@ -19,7 +19,7 @@ namespace engine {
 template <unsigned char max_iterations>
 struct WorstFirst {
     /// \cond internal
-    static constexpr bool needs_displacement = true;
+    static constexpr bool keeps_way_back = true;
     static constexpr unsigned rows_per_rod = 2;
 
     template <class World>
@@ -58,15 +58,15 @@ struct WorstFirst {
         const Scalar closing_epsilon = Decimal<1, 2>();  // m/s
         const Scalar slop = Decimal<1, 4>();             // m
         if (world.rows().size() == 0) return;
-        for (auto& particle : world.step_particles()) particle.displacement = {};
+        for (auto& particle : world.step_particles()) particle.way_back = {};
         for (unsigned char i = 0; i < max_iterations; ++i) {
             const Row<World>* worst = nullptr;
             Scalar worst_velocity = Scalar();
             Scalar worst_penetration = Scalar();
             for (const auto& row : world.rows()) {
                 const Scalar velocity = velocity_along(world, row.a, row.b, row.normal);
-                const Scalar penetration =
-                    row.penetration - dot(displacement(world, row.a, row.b), row.normal);
+                Scalar penetration = row.penetration;
+                if (i > 0) penetration -= moved_along(world, row.a, row.b, row.normal);
                 if (!(velocity < -closing_epsilon) && !(penetration > slop)) continue;
                 if (worst == nullptr || velocity < worst_velocity) {
                     worst = &row;
@@ -81,6 +81,15 @@ struct WorstFirst {
     /// \endcond
 
   private:
+    // How far a has moved away from b along a direction.
+    template <class World, class Index, class Vector>
+    static ENGINE_INLINE typename World::Scalar moved_along(const World& world, Index a, Index b,
+                                                            const Vector& direction) {
+        const Vector& way_back = world.particles()[a].way_back;
+        if (!is_particle(world, b)) return dot(direction, -way_back);
+        return dot_difference(direction, world.particles()[b].way_back, way_back);
+    }
+
     template <class World, class Index, class Vector, class Scalar>
     static void append(World& world, Index a, Index b, const Vector& normal, Scalar penetration,
                        Scalar restitution) {
@@ -93,13 +102,6 @@ struct WorstFirst {
         });
     }
 
-    template <class World, class Index>
-    static typename World::Vector displacement(const World& world, Index a, Index b) {
-        auto moved = world.particles()[a].displacement;
-        if (is_particle(world, b)) moved -= world.particles()[b].displacement;
-        return moved;
-    }
-
     template <class World, class Scalar>
     static void push(World& world, const Row<World>& row, Scalar velocity, Scalar penetration) {
         auto& a = world.step_particles()[row.a];
@@ -108,20 +110,16 @@ struct WorstFirst {
         if (!(total > Scalar())) return;
         if (velocity < Scalar()) {
             const Scalar impulse = (-row.restitution * velocity - velocity) / total;
-            a.velocity += row.normal * (impulse * a.inverse_mass);
+            a.velocity.add_scaled(row.normal, impulse * a.inverse_mass);
             if (b != nullptr) b->velocity -= row.normal * (impulse * b->inverse_mass);
         }
         if (penetration > Scalar()) {
             const Scalar part = penetration / total;
-            move(a, row.normal * (part * a.inverse_mass));
-            if (b != nullptr) move(*b, -(row.normal * (part * b->inverse_mass)));
+            exchange(a.position, a.way_back, row.normal, part * a.inverse_mass);
+            if (b != nullptr) {
+                exchange(b->way_back, b->position, row.normal, part * b->inverse_mass);
+            }
         }
-    }
-
-    template <class Particle, class Vector>
-    static void move(Particle& particle, const Vector& by) {
-        particle.position += by;
-        particle.displacement += by;
     }
 };
 
