@@ -7,8 +7,8 @@ BENCH = pathlib.Path(__file__).resolve().parents[1]
 _OPERATIONS = (BENCH.parent / "reference" / "operation_table.h").read_text(encoding="utf-8")
 _SUBJECTS = (BENCH / "lab" / "catalogue" / "subjects.h").read_text(encoding="utf-8")
 
-# The formats of the library: "q4_4", ...
-FORMATS = tuple(re.findall(r"^#define FORMAT_(\w+)\(", _SUBJECTS, re.MULTILINE))
+# The formats of the library with a sign, in which all operations are measured: "q4_4", ...
+FORMATS = tuple(re.findall(r"^#define FORMAT_(q\w+)\(", _SUBJECTS, re.MULTILINE))
 # Provenance, label, and whether its results are the default's, of each implementation.
 IMPLEMENTATIONS = {
     name: {"provenance": provenance, "label": label, "as_default": host == "as_default"}

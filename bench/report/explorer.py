@@ -147,11 +147,11 @@ def number_format(name, data):
         row, = data.rows("table_3_1", format="float")
         return drawn | {"fraction": None, "maximum": row["maximum"], "resolution": None,
                         "relative": row["relative_error_at_1"]}
-    family, whole, fraction = re.fullmatch(r"([qs]|int)(\d+)(?:_(\d+))?", name).groups()
+    family, whole, fraction = re.fullmatch(r"([qsu]|int)(\d+)(?:_(\d+))?", name).groups()
     fraction = int(fraction or 0)
     resolution = 2.0 ** -fraction
-    # The sign counts as a bit in a Q format and in an integer, not in an _Accum.
-    maximum = 2.0 ** (int(whole) - (family != "s")) - resolution
+    # The sign counts as a bit in a Q format and in an integer, not in an _Accum, and U formats have none.
+    maximum = 2.0 ** (int(whole) - (family not in ("s", "u"))) - resolution
     return drawn | {"fraction": fraction, "maximum": maximum, "resolution": resolution,
                     "relative": None}
 
@@ -212,14 +212,16 @@ def gather(data):
     context = data.json("operations")["context"]
     known = dict(catalogue.IMPLEMENTATIONS)
     require_known("operations", "implementation", (row["implementation"] for row in measured), known)
-    kinds = {(name, "default"): None for name in style.FORMATS}
+    drawn = {row["format"] for row in measured}
+    drawn = {name: look for name, look in style.FORMATS.items() if name in drawn}
+    kinds = {(name, "default"): None for name in drawn}
     kinds |= {(row["format"], row["implementation"]): None for row in measured}
     require_known("operations", "format", (name for name, _ in kinds), style.FORMATS)
     others = {(row["format"], row["variant"]): None for row in rivals.comparable(data)}
     known |= {name: {"provenance": "rival", "label": text, "as_default": False}
               for name, text in rivals.NAMES.items() if name in {each for _, each in others}}
     formats = {name: number_format(name, data)
-               for name in [*style.FORMATS, *(name for name, _ in others)]}
+               for name in [*drawn, *(name for name, _ in others)]}
     scalars = {}
     if "scenes" in views:
         shown = [row for row in data.rows("scenes") if row["cycles_per_simulated_second"] is not None]
@@ -238,7 +240,7 @@ def gather(data):
         "styles": {name: dict(zip(("label", "colour", "symbol", "letter"),
                                   (label, colour, *SYMBOLS[marker])))
                    for name, (label, colour, marker) in
-                   (style.FORMATS | {"published": style.PUBLISHED, "rival": style.RIVAL,
+                   (drawn | {"published": style.PUBLISHED, "rival": style.RIVAL,
                                      "other": ("best split of 32 bits", *style.OTHER)}).items()},
         "formats": formats,
         "implementations": known,

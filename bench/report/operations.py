@@ -10,7 +10,7 @@ OURS = bounds.OURS
 FLOAT = ("float", "libc")
 PUBLISHED = ("q16_16", "published")
 BASIC = ("add", "multiply", "divide", "sqrt", "sin", "atan2")
-# Functions that most formats make from the cores of others: fixedpoint/portable/elementary.hpp. They are reported
+# Functions that most formats make from the cores of others: fixedpoint/portable/elementary_functions.hpp. They are reported
 # separately, since a mean over both kinds would describe neither.
 ELEMENTARY = catalogue.operations("ELEMENTARY_OPERATIONS")
 # They are in no mean: float has expressions in their place.

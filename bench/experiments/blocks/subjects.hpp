@@ -15,12 +15,13 @@
 #include <fixedpoint/blocks/polynomial.hpp>
 #include <fixedpoint/blocks/quaternion.hpp>
 
+#include "bench/lab/catalogue/formats.h"
+
 namespace blocks {
 
-// The formats that are measured: CMakeLists.txt reads these lines.
-using q8_8 = fixedpoint::Fixed<8, 8>;
-using q16_16 = fixedpoint::Fixed<16, 16>;
-using q8_24 = fixedpoint::Fixed<8, 24>;
+#define FORMAT_TYPE(name, I, F) using name = fixedpoint::Fixed<I, F>;
+BLOCK_FORMATS(FORMAT_TYPE)
+#undef FORMAT_TYPE
 using binary32 = float;
 
 // n / 2^Bits.

@@ -7,15 +7,7 @@
 #include <fixedpoint/arithmetic/saturating.hpp>
 #include <fixedpoint/fixed.hpp>
 
-// X(name, integer bits, fraction bits): the formats in which each scene runs with every method.
-// CMakeLists.txt reads these lines.
-// clang-format off
-#define SCENE_FORMATS(X) \
-    X(q8_8, 8, 8)        \
-    X(q8_24, 8, 24)      \
-    X(q16_16, 16, 16)    \
-    X(q32_32, 32, 32)
-// clang-format on
+#include "bench/lab/catalogue/formats.h"
 
 namespace scalars {
 

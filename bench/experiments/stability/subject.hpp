@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "bench/experiments/stability/description.hpp"
-#include "bench/experiments/stability/formats.hpp"
 #include "bench/experiments/stability/recorder.hpp"
+#include "bench/lab/catalogue/formats.h"
 
 namespace stability {
 

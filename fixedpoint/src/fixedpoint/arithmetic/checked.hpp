@@ -142,7 +142,8 @@ struct Checked : Nearest {
         watch_range(portable::cos_fits<Raw, F>(angle), Operation::cos);
         Nearest::sincos<Raw, F>(angle, sine_and_cosine);
     }
-    /// \cond internal The functions of portable/elementary.hpp; their evaluation reports events.
+    /// \cond internal The functions of portable/elementary_functions.hpp; their evaluation reports
+    /// events.
 #define FIXEDPOINT_ELEMENTARY_FUNCTION(name, Function)                                    \
     template <class Raw, int F, class... Operands>                                        \
     static FIXEDPOINT_CONSTEXPR Raw name(Operands... operands) {                          \

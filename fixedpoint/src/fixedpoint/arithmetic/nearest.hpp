@@ -84,7 +84,7 @@ struct Nearest : Wrapping {
     static constexpr Raw log(Raw a) {
         return kernel::log<Raw, F>(a);
     }
-    /// \cond internal The functions of portable/elementary.hpp.
+    /// \cond internal The functions of portable/elementary_functions.hpp.
 #define FIXEDPOINT_ELEMENTARY_FUNCTION(name, Function)                                   \
     template <class Raw, int F, class... Operands>                                       \
     static constexpr Raw name(Operands... operands) {                                    \

@@ -58,7 +58,7 @@ struct Small : Nearest {
     static constexpr Raw log(Raw a) {
         return kernel::log_small<Raw, F>(a);
     }
-    /// \cond internal The functions of portable/elementary.hpp, without kernels.
+    /// \cond internal The functions of portable/elementary_functions.hpp, without kernels.
 #define FIXEDPOINT_ELEMENTARY_FUNCTION(name, Function)                                     \
     template <class Raw, int F, class... Operands>                                         \
     static constexpr Raw name(Operands... operands) {                                      \
