@@ -36,10 +36,10 @@ BOUNDS = {"q8_8": 0.66, "q16_16": 0.77}  # ulp
 SHORT, LONG = "fixedpoint_normalise3_q8_8", "fixedpoint_normalise3_q16_16"
 # The components of each: before they are scaled and after, the lowest byte first.
 SHORT_VECTOR = ((18, 19), (20, 21), (22, 23))
-WIDE_VECTOR, LONG_VECTOR = ((4, 5, 6, 7), (8, 9, 10, 11), (24, 25, 26, 27)), ((5, 6, 7), (9, 10, 11), (12, 13, 14))
-SHORT_SIGNS, LONG_SIGNS, POINTER = 27, 15, (28, 29)
+WIDE_VECTOR, LONG_VECTOR = ((18, 5, 6, 7), (19, 9, 10, 11), (24, 25, 26, 27)), ((5, 6, 7), (9, 10, 11), (12, 13, 14))
+SHORT_SIGNS, LONG_SIGNS, POINTER = 27, 23, (28, 29)
 SHORT_SUM, SHORT_ROOT, LONG_SUM, LONG_ROOT = (24, 25, 26), (24, 26), (18, 19, 20, 21), (18, 19, 20)
-SHORT_SAVED, LONG_SAVED = (28, 29), (*range(4, 16), 28, 29)
+SHORT_SAVED, LONG_SAVED = (28, 29), (5, 6, 7, *range(9, 15), 28, 29)
 # Of |X|^2 what the sums of squares drop, and of x R what the product drops.
 SHORT_DROPPED, LONG_DROPPED = 3 * 255, 3 * 255 * 255 * 513
 SHORT_LOST, LONG_LOST = 255 * 255, 255 * 255 * 513
@@ -282,10 +282,10 @@ LONG_STRETCHES = [
       for i in range(3)),
     (".Lzero", zero, (None,), LONG_SAVED, ANY, (None,))]
 SHORT_CUTS = ((".Lscaled", ".Lbits", "eor", "r31"), (".Lroot", ".Lscaled", "lsr", "r26"), (".Lsign", ".Lcomponent", "add", "r27"))
-LONG_CUTS = ((".Lbytes", LONG, "ldi", "r21"), (".Lscaled", ".Lbytes", "eor", "r25"), (".Lroot", ".Lscaled", "mov", "r30"),
-             (".Lcomponent0", ".Lroot", "mul", "r7"), (".Lsign0", ".Lcomponent0", "sbrs", "r15"),
-             (".Lcomponent1", ".Lsign0", "mul", "r11"), (".Lsign1", ".Lcomponent1", "sbrs", "r15"),
-             (".Lcomponent2", ".Lsign1", "mul", "r14"), (".Lsign2", ".Lcomponent2", "sbrs", "r15"))
+LONG_CUTS = ((".Lbytes", LONG, "ldi", "r21"), (".Lroot", ".Lscaled", "mov", "r30"),
+             (".Lcomponent0", ".Lroot", "mul", "r7"), (".Lsign0", ".Lcomponent0", "sbrs", "r23"),
+             (".Lcomponent1", ".Lsign0", "mul", "r11"), (".Lsign1", ".Lcomponent1", "sbrs", "r23"),
+             (".Lcomponent2", ".Lsign1", "mul", "r14"), (".Lsign2", ".Lcomponent2", "sbrs", "r23"))
 # By bits, by running it; the others by linear forms.
 DOMAINS = {SHORT: Stores, LONG: Stores, ".Lbits": Stores, ".Lbytes": Stores, ".Lsign": Stores, ".Lzero": Stores,
            **{f".Lsign{i}": Stores for i in range(3)}, ".Lroot": Arrays}

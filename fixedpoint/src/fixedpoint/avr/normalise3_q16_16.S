@@ -24,16 +24,15 @@
 #include <fixedpoint/avr/reciprocal_root.inc>
 
 #define zero r25
-#define signs r15
+#define signs r23
 
 // r27:r26:r25:r24 = |next component|, at most 2^31 - 1; its sign becomes the low bit of `signs`.
     .macro load_magnitude
     ld_each r24, Z+, 4
-    mov r0, r27
-    lsl r0
-    rol signs
+    lsl signs
     tst r27
     brpl 1f
+    inc signs
     com_bytes r25, 3
     neg r24
     sbci_each r25, 0xff, 3
@@ -50,6 +49,31 @@
     mul_or \x1, r22, \low, \middle
     mul \x0, r22
     or \low, r1
+    .endm
+
+// The same from x2:x1:x0, for a product below 2^24.
+    .macro scale_three_bytes high, middle, low, x2, x1, x0
+    mul \x2, r22
+    mov \high, r0
+    mul_or \x1, r22, \middle, \high
+    mul_or \x0, r22, \low, \middle
+    .endm
+
+// r22 = the power of two that moves the leading one of \byte, which is below 128, to bit 6.
+    .macro find_power byte
+    ldi r22, 1
+    cpi \byte, 8
+    brsh 1f
+    ldi r22, 16
+    swap \byte
+1:  cpi \byte, 32
+    brsh 1f
+    .rept 2
+    lsl r22
+    lsl \byte
+    .endr
+1:  sbrs \byte, 6
+    lsl r22
     .endm
 
 // r21:r20:r19:r18 += (high:middle)^2 + 2 high low. high must be below 128.
@@ -69,22 +93,28 @@
     mul \high, r20
     movw r24, r0
     mul \middle, r19
-    movw r22, r0
+    movw r30, r0
     clr r27
-    mul_add \high, r19, r23, r24, r27, r25
-    mul_add \middle, r20, r23, r24, r27, r25
-    mul_add \high, r18, r22, r23, r27, r24, r25
-    mul_add \low, r20, r22, r23, r27, r24, r25
+    mul_add \high, r19, r31, r24, r27, r25
+    mul_add \middle, r20, r31, r24, r27, r25
+    mul_add \high, r18, r30, r31, r27, r24, r25
+    mul_add \low, r20, r30, r31, r27, r24, r25
     clr r26
-    lsl_bytes r23, 4
-    lsl_bytes r23, 4
-    lsl r23
+    lsl r31             // the product has 31 bits
+    rol r24
+    rol r25
+    lsl r31
+    rol_bytes r24, 3
+    lsl r31
     adc_each r24, r27, 3
     sbrs signs, \sign
     rjmp 1f
-    com_bytes r25, 3
+    com r25
+    com r26
     neg r24
-    sbci_each r25, 0xff, 3
+    sbci r25, 0xff
+    sbci r26, 0xff
+    sbc r27, r27
 1:  st Y+, r24
     st Y+, r25
     st Y+, r26
@@ -92,54 +122,56 @@
     .endm
 
     FUNCTION fixedpoint_normalise3_q16_16
-    push_all r4, r5, r6, r7, r8, r9, r10, r11, r12, r13, r14, r15, r28, r29
+    push_all r5, r6, r7, r9, r10, r11, r12, r13, r14, r28, r29
     movw r30, r24
     movw r28, r22
     clr signs
     load_magnitude
-    movw r4, r24
+    mov r18, r24
+    mov r5, r25
     movw r6, r26
     load_magnitude
-    movw r8, r24
+    mov r19, r24
+    mov r9, r25
     movw r10, r26
     load_magnitude
 
-    // Shifted left by whole bytes, until the top bit would be among the upper nine bits.
+    // Most vectors have components below 2^23 and one from 2^16 on.
     ldi r21, 4
-1:  mov r23, r7
-    or r23, r11
-    or r23, r27
+6:  mov r30, r7
+    or r30, r11
+    or r30, r27
     brne 2f
-    mov r22, r6
-    or r22, r10
-    or r22, r26
-    brmi 3f
-    mov_from_top r5, r4, 3
-    clr r4
-    mov_from_top r9, r8, 3
-    clr r8
-    mov_from_top r25, r24, 3
+    mov r30, r6
+    or r30, r10
+    or r30, r26
+    breq 3f
+    brmi 4f
+    find_power r30
+    scale_three_bytes r7, r6, r5, r6, r5, r18
+    scale_three_bytes r11, r10, r9, r10, r9, r19
+    scale_three_bytes r14, r13, r12, r26, r25, r24
+    rjmp .Lscaled
+    // Shifted left by whole bytes, until the top bit would be among the upper nine bits.
+3:  mov r6, r5
+    mov r5, r18
+    clr r18
+    mov r10, r9
+    mov r9, r19
+    clr r19
+    mov r26, r25
+    mov r25, r24
     clr r24
     dec r21
-    brne 1b
+    brne 6b
     rjmp .Lzero
-    // r22 = the power of two that moves the top bit to bit 30
-3:  ldi r22, 128
-    rjmp 6f
-2:  ldi r22, 1
-    cpi r23, 8
-    brsh 4f
-    ldi r22, 16
-    swap r23
-4:  cpi r23, 64
-    brsh 6f
-5:  lsl r22
-    lsl r23
-    sbrs r23, 6
-    rjmp 5b
-6:  scale r7, r6, r5, r7, r6, r5, r4
-    scale r11, r10, r9, r11, r10, r9, r8
+4:  ldi r22, 128
+    rjmp 5f
+2:  find_power r30
+5:  scale r7, r6, r5, r7, r6, r5, r18
+    scale r11, r10, r9, r11, r10, r9, r19
     scale r14, r13, r12, r27, r26, r25, r24
+.Lscaled:
     clr zero
     clr r18
     clr r19
@@ -167,7 +199,7 @@
     store_component r14, r13, r12, 0
     clr r1
 .Lrestore:
-    pop_all r29, r28, r15, r14, r13, r12, r11, r10, r9, r8, r7, r6, r5, r4
+    pop_all r29, r28, r14, r13, r12, r11, r10, r9, r7, r6, r5
     ret
 .Lzero:
     ldi r24, 12
