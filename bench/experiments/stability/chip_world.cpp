@@ -28,21 +28,24 @@ ChipWorld::ChipWorld(const std::filesystem::path& program, const Description& de
                                              program.string(), of_program));
 
     const Description& d = description;
-    call("set_world", {d.gravity.x, d.gravity.y, d.restitution, d.restitution_threshold});
+    call("set_world",
+         {d.gravity.x, d.gravity.y, d.gravity.z, d.restitution, d.restitution_threshold});
     for (const Body& body : d.bodies)
-        call("add_particle",
-             {body.position.x, body.position.y, body.velocity.x, body.velocity.y, body.inverse_mass,
-              body.radius, body.damping, body.force.x, body.force.y});
+        call("add_particle", {body.position.x, body.position.y, body.position.z, body.velocity.x,
+                              body.velocity.y, body.velocity.z, body.inverse_mass, body.radius,
+                              body.damping, body.force.x, body.force.y, body.force.z});
     for (const Spring& it : d.springs)
-        call("add_spring", {it.length, it.anchor.x, it.anchor.y, it.stiffness, it.damping}, it.a,
+        call("add_spring",
+             {it.length, it.anchor.x, it.anchor.y, it.anchor.z, it.stiffness, it.damping}, it.a,
              it.b);
     for (const Link& it : d.rods)
-        call("add_rod", {it.length, it.anchor.x, it.anchor.y}, it.a, it.b);
+        call("add_rod", {it.length, it.anchor.x, it.anchor.y, it.anchor.z}, it.a, it.b);
     for (const Rope& it : d.ropes)
-        call("add_rope", {it.length, it.anchor.x, it.anchor.y, it.restitution}, it.a, it.b);
+        call("add_rope", {it.length, it.anchor.x, it.anchor.y, it.anchor.z, it.restitution}, it.a,
+             it.b);
     for (const Drag& it : d.drags) call("add_drag", {it.linear, it.quadratic}, it.a);
     for (const Plane& it : d.planes)
-        call("add_plane", {it.normal.x, it.normal.y, it.offset, it.restitution});
+        call("add_plane", {it.normal.x, it.normal.y, it.normal.z, it.offset, it.restitution});
 }
 
 void ChipWorld::call(const char* function, std::initializer_list<double> numbers, int a, int b) {

@@ -8,7 +8,7 @@
 namespace stability {
 
 struct Point {
-    double x = 0, y = 0;
+    double x = 0, y = 0, z = 0;  // z in three dimensions only
 };
 
 struct Body {

@@ -64,6 +64,37 @@ struct HasContinuousContacts<ContinuousContacts> {
     static constexpr bool value = true;
 };
 
+// SemiImplicit with a broad phase that sorts, and in three dimensions.
+struct SortedPairs : scenes::SemiImplicit {
+    static constexpr const char* name = "sort_and_sweep";
+};
+struct CachedSortedPairs : scenes::SemiImplicit {
+    static constexpr const char* name = "cached_sort_and_sweep";
+};
+struct ThreeDimensions : scenes::SemiImplicit {
+    static constexpr const char* name = "three_dimensions";
+};
+template <class Method>
+struct BroadPhaseOf {
+    using Type = engine::BruteForce;
+};
+template <>
+struct BroadPhaseOf<SortedPairs> {
+    using Type = engine::SortAndSweep;
+};
+template <>
+struct BroadPhaseOf<CachedSortedPairs> {
+    using Type = engine::CachedSortAndSweep;
+};
+template <class Method>
+struct DimensionsOf {
+    static constexpr unsigned char value = 2;
+};
+template <>
+struct DimensionsOf<ThreeDimensions> {
+    static constexpr unsigned char value = 3;
+};
+
 // Positions use the velocities before the step.
 struct PositionsFirst : scenes::SemiImplicit {
     static constexpr const char* name = "positions_first";

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <engine/observe.hpp>
+#include <engine/overlap.hpp>
 #include <fixedpoint/arithmetic/checked.hpp>
 #include <fixedpoint/arithmetic/published.hpp>
 #include <limits>
@@ -157,6 +158,33 @@ struct RecordingSaturating : fixedpoint::Checked<SaturationHook> {
         return Saturating::shift_left<Raw, F>(a, count);
     }
 };
+
+}  // namespace stability
+
+template <>
+struct engine::LastReach<fixedpoint::Fixed<16, 16, stability::RecordingSaturating>, true>
+    : engine::LastReach<engine::SaturatingFixed<16, 16>, true> {};
+
+namespace stability {
+
+// Overlapping spheres are so close that nothing leaves the range, and the engine measures them in
+// its default arithmetic.
+using RecordingSaturatingQ16_16 = fixedpoint::Fixed<16, 16, RecordingSaturating>;
+template <int N>
+RecordingSaturatingQ16_16 overlap(const engine::Vector<RecordingSaturatingQ16_16, N>& first,
+                                  const engine::Vector<RecordingSaturatingQ16_16, N>& second,
+                                  RecordingSaturatingQ16_16 reach,
+                                  engine::LastReach<RecordingSaturatingQ16_16, true>& last,
+                                  engine::Vector<RecordingSaturatingQ16_16, N>& direction) {
+    using Plain = engine::SaturatingFixed<16, 16>;
+    engine::LastReach<Plain, true>& of_plain = last;
+    auto unit = engine::in_arithmetic_of<Plain>(direction);
+    const Plain depth = engine::overlap(engine::in_arithmetic_of<Plain>(first),
+                                        engine::in_arithmetic_of<Plain>(second),
+                                        Plain::from_raw(reach.raw()), of_plain, unit);
+    direction = engine::in_arithmetic_of<RecordingSaturatingQ16_16>(unit);
+    return RecordingSaturatingQ16_16::from_raw(depth.raw());
+}
 
 // The published results. An exact result beyond the range differs from the returned one by more
 // than the truncation.

@@ -32,7 +32,8 @@ const std::vector<Subject>& more_subjects() {
 const Subject& subject(const std::string& scalar, const std::string& arithmetic,
                        const std::string& integrator) {
     static const std::vector<Subject> ablated = subjects_of_ablated();
-    for (const auto* list : {&subjects(), &more_subjects(), &ablated})
+    static const std::vector<Subject> of_features = subjects_of_features();
+    for (const auto* list : {&subjects(), &more_subjects(), &ablated, &of_features})
         for (const Subject& one : *list)
             if (one.scalar == scalar && one.arithmetic == arithmetic &&
                 one.integrator == integrator)

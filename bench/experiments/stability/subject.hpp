@@ -35,7 +35,8 @@ const std::vector<Subject>& subjects();
 // iterations begun where the last step ended, all rods solved together, and all springs; the world
 // of rods has nothing but them and gravity. For fast particles: continuous contacts.
 const std::vector<Subject>& more_subjects();
-// One of these, or of the ablated ones. Throws std::runtime_error if there is none.
+// One of these, of the ablated ones, or of those with features that no case needs. Throws
+// std::runtime_error if there is none.
 const Subject& subject(const std::string& scalar, const std::string& arithmetic,
                        const std::string& integrator);
 
@@ -50,6 +51,8 @@ std::vector<Subject> subjects_of_chains();
 std::vector<Subject> subjects_of_continuous_contacts();
 // Q16.16 with one measure of the engine left out; not in subjects().
 std::vector<Subject> subjects_of_ablated();
+// Q16.16 with features of the engine that no case needs; not in subjects().
+std::vector<Subject> subjects_of_features();
 // Truth by the engine itself, where rounding is negligible; not in subjects().
 std::vector<Subject> subjects_of_double();
 std::vector<Subject> subjects_of_chains_in_double();

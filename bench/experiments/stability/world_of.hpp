@@ -17,6 +17,7 @@ namespace stability {
 
 template <class Method>
 struct Everything : scenes::UsesWith<Method> {
+    static constexpr unsigned char dimensions = DimensionsOf<Method>::value;
     static constexpr unsigned particles = 20, springs = 17, anchored_springs = 2, drags = 2,
                               rods = 16, anchored_rods = 6, ropes = 16, anchored_ropes = 2,
                               planes = 4, contacts = 48;
@@ -24,6 +25,7 @@ struct Everything : scenes::UsesWith<Method> {
                           custom_force = true;
     static constexpr bool compensated_integration = IsCompensated<Method>::value;
     static constexpr bool continuous_contacts = HasContinuousContacts<Method>::value;
+    using BroadPhase = typename BroadPhaseOf<Method>::Type;
     template <class World>
     using CustomForce = ConstantForces<World>;
 };
@@ -154,7 +156,13 @@ class Run {
     Outcome outcome_;
     State state_;
 
-    Vector vector(Point p, const char* name) { return {rounded_(p.x, name), rounded_(p.y, name)}; }
+    Vector vector(Point p, const char* name) {
+        Vector v;
+        v[0] = rounded_(p.x, name);
+        v[1] = rounded_(p.y, name);
+        if constexpr (World::dimensions == 3) v[2] = rounded_(p.z, name);
+        return v;
+    }
     static typename World::Handle handle(int body) {
         return {static_cast<typename World::Index>(body)};
     }
@@ -286,10 +294,15 @@ class Run {
             include(record.force, force);
         }
     }
-    static Point point(const Vector& v) { return {to_double(v[0]), to_double(v[1])}; }
+    static Point point(const Vector& v) {
+        Point p{to_double(v[0]), to_double(v[1])};
+        if constexpr (World::dimensions == 3) p.z = to_double(v[2]);
+        return p;
+    }
     static void include(Magnitudes& magnitudes, Point p) {
         magnitudes.include(p.x);
         magnitudes.include(p.y);
+        magnitudes.include(p.z);
     }
 };
 

@@ -11,12 +11,14 @@
 using Scalar = fixedpoint::Fixed<16, 16, ARITHMETIC>;
 
 struct Scene : scenes::UsesWith<METHOD> {
+    static constexpr unsigned char dimensions = stability::DimensionsOf<METHOD>::value;
     static constexpr unsigned particles = PARTICLES, springs = SPRINGS,
                               anchored_springs = ANCHORED_SPRINGS, drags = DRAGS, rods = RODS,
                               anchored_rods = ANCHORED_RODS, ropes = ROPES,
                               anchored_ropes = ANCHORED_ROPES, planes = PLANES;
     // Rods that are contacts take contact rows.
     static constexpr unsigned contacts = CONTACTS + (METHOD::Solver::rows_per_rod > 1);
+    using BroadPhase = typename stability::BroadPhaseOf<METHOD>::Type;
     static constexpr bool gravity = GRAVITY, damping = DAMPING, collisions = COLLISIONS,
                           radii = COLLISIONS || PLANES, custom_force = FORCES,
                           compensated_integration = stability::IsCompensated<METHOD>::value,
@@ -33,16 +35,20 @@ using engine::only_if;
 
 extern "C" {
 
-// The arguments of the next call: numbers in SI units, and the particles at both ends; the second
-// may be none.
-Scalar numbers[9];
+// The arguments of the next call: numbers in SI units, three for a vector, and the particles at
+// both ends; the second may be none.
+Scalar numbers[12];
 struct {
     uint8_t a, b;
 } ends;
 }
 
 constexpr uint8_t none = 255;
-World::Vector vector(uint8_t i) { return {numbers[i], numbers[i + 1]}; }
+World::Vector vector(uint8_t i) {
+    World::Vector v;
+    for (uint8_t axis = 0; axis < World::dimensions; ++axis) v[axis] = numbers[i + axis];
+    return v;
+}
 World::Handle handle(uint8_t i) { return {static_cast<World::Index>(i)}; }
 
 #define FROM_OUTSIDE extern "C" __attribute__((noinline))
@@ -54,21 +60,21 @@ FROM_OUTSIDE void set_world() {
     keep();
     only_if<GRAVITY>(world, [](auto& w) { w.gravity = vector(0); });
     only_if<World::bounces>(world, [](auto& w) {
-        w.set_restitution(numbers[2]);
-        w.set_restitution_threshold(numbers[3]);
+        w.set_restitution(numbers[3]);
+        w.set_restitution_threshold(numbers[4]);
     });
 }
 // Position, velocity, inverse mass, radius, damping, force.
 FROM_OUTSIDE void add_particle() {
     World::Body body;
     body.position = vector(0);
-    body.velocity = vector(2);
-    body.inverse_mass = numbers[4];
-    body.radius = numbers[5];
-    body.damping = numbers[6];
+    body.velocity = vector(3);
+    body.inverse_mass = numbers[6];
+    body.radius = numbers[7];
+    body.damping = numbers[8];
     const auto added = world.add_particle(body);
     only_if<FORCES>(world, [&](auto& w) {
-        if (added) w.custom_force().force[added.index] = vector(7);
+        if (added) w.custom_force().force[added.index] = vector(9);
     });
 }
 // Length, anchor, stiffness, damping.
@@ -76,12 +82,12 @@ FROM_OUTSIDE void add_spring() {
     keep();
     only_if<(ANCHORED_SPRINGS > 0)>(world, [](auto& w) {
         if (ends.b == none) {
-            w.add_anchored_spring(handle(ends.a), vector(1), numbers[3], numbers[4], numbers[0]);
+            w.add_anchored_spring(handle(ends.a), vector(1), numbers[4], numbers[5], numbers[0]);
         }
     });
     only_if<(SPRINGS > 0)>(world, [](auto& w) {
         if (ends.b != none) {
-            w.add_spring(handle(ends.a), handle(ends.b), numbers[3], numbers[4], numbers[0]);
+            w.add_spring(handle(ends.a), handle(ends.b), numbers[4], numbers[5], numbers[0]);
         }
     });
 }
@@ -99,10 +105,10 @@ FROM_OUTSIDE void add_rod() {
 FROM_OUTSIDE void add_rope() {
     keep();
     only_if<(ANCHORED_ROPES > 0)>(world, [](auto& w) {
-        if (ends.b == none) w.add_anchored_rope(handle(ends.a), vector(1), numbers[0], numbers[3]);
+        if (ends.b == none) w.add_anchored_rope(handle(ends.a), vector(1), numbers[0], numbers[4]);
     });
     only_if<(ROPES > 0)>(world, [](auto& w) {
-        if (ends.b != none) w.add_rope(handle(ends.a), handle(ends.b), numbers[0], numbers[3]);
+        if (ends.b != none) w.add_rope(handle(ends.a), handle(ends.b), numbers[0], numbers[4]);
     });
 }
 // Linear, quadratic.
@@ -114,7 +120,7 @@ FROM_OUTSIDE void add_drag() {
 // Normal, offset, restitution.
 FROM_OUTSIDE void add_plane() {
     keep();
-    only_if<(PLANES > 0)>(world, [](auto& w) { w.add_plane(vector(0), numbers[2], numbers[3]); });
+    only_if<(PLANES > 0)>(world, [](auto& w) { w.add_plane(vector(0), numbers[3], numbers[4]); });
 }
 
 FROM_OUTSIDE void step() { world.step(engine::BinaryStep<EXPONENT>()); }

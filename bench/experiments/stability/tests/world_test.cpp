@@ -5,13 +5,16 @@
 #include <rapidcheck.h>
 
 #include <array>
+#include <cmath>
 #include <engine/hash.hpp>
 #include <engine/vector.hpp>
 #include <fixedpoint/conversion.hpp>
 #include <optional>
+#include <string_view>
 
 #include "bench/experiments/stability/cases.hpp"
 #include "bench/experiments/stability/chip_world.hpp"
+#include "bench/experiments/stability/methods.hpp"
 #include "bench/experiments/stability/subject.hpp"
 
 namespace stability {
@@ -21,11 +24,14 @@ std::filesystem::path program(const std::string& name) {
     return std::filesystem::path(WORLD_PROGRAMS) / (name + ".elf");
 }
 
+template <int dimensions>
 std::uint32_t hash_of(const State& state) {
     const auto exact = [](Point p) {
-        using fixedpoint::Q16_16;
-        return engine::Vector<Q16_16, 2>(fixedpoint::from_float<Q16_16>(p.x),
-                                         fixedpoint::from_float<Q16_16>(p.y));
+        engine::Vector<fixedpoint::Q16_16, dimensions> v;
+        const double components[] = {p.x, p.y, p.z};
+        for (unsigned char i = 0; i < dimensions; ++i)
+            v[i] = fixedpoint::from_float<fixedpoint::Q16_16>(components[i]);
+        return v;
     };
     std::uint32_t hash = 2166136261u;
     for (const BodyState& body : state) {
@@ -46,10 +52,11 @@ Comparison compare(const Subject& on_host, const std::filesystem::path& on_chip,
                    const Description& description) {
     Comparison result;
     ChipWorld chip(on_chip, description);
+    const auto hash = on_host.integrator == ThreeDimensions::name ? hash_of<3> : hash_of<2>;
     const Outcome host = on_host.run(description, [&](const State& state, unsigned step) {
         if (step > 0) chip.step();
         result.steps = step;
-        if (hash_of(state) != chip.hash()) result.differs_at = step;
+        if (hash(state) != chip.hash()) result.differs_at = step;
         return !result.differs_at;
     });
     result.error = host.error;
@@ -62,79 +69,100 @@ Comparison compare(const Subject& on_host, const std::filesystem::path& on_chip,
 }
 
 double random_number(int most, double unit) { return unit * *rc::gen::inRange(-most, most + 1); }
-Point random_point(int most, double unit) {
-    const double x = random_number(most, unit);
-    return {x, random_number(most, unit)};
+Point random_point(int most, double unit, bool in_space) {
+    const double x = random_number(most, unit), y = random_number(most, unit);
+    return {x, y, in_space ? random_number(most, unit) : 0};
 }
 
-// Four bodies within a few metres, which overlap, pull and hold each other.
-Description random_world() {
+// A method with its program on the chip.
+struct Kind {
+    const char *integrator, *program, *arithmetic = "nearest";
+
+    bool in_space() const { return integrator == std::string_view(ThreeDimensions::name); }
+    bool only_rods() const { return integrator == std::string_view(scenes::Direct::name); }
+    // Whether nothing wraps, so that worlds may leave the range.
+    bool saturates() const { return arithmetic == std::string_view("saturating"); }
+};
+
+// Four bodies within a few metres, which overlap, pull and hold each other. Where nothing wraps, up
+// to the ends of the range and fast.
+Description random_world(const Kind& kind) {
     Description made;
+    const double wide = kind.saturates() ? std::exp2(*rc::gen::inRange(0, 13)) : 1;
+    const auto point = [&](int most, double unit) {
+        return random_point(most, unit, kind.in_space());
+    };
     const int n = *rc::gen::inRange(1, 5);
-    for (int i = 0; i < n; ++i)
-        made.bodies.push_back({.position = random_point(300, 0x1p-7),
-                               .velocity = random_point(2000, 0x1p-8),
+    for (int i = 0; i < n; ++i) {
+        made.bodies.push_back({.position = point(300, 0x1p-7 * wide),
+                               .velocity = point(2000, 0x1p-8 * wide),
                                .inverse_mass = *rc::gen::inRange(0, 40) / 8.0,
-                               .radius = *rc::gen::inRange(0, 100) / 128.0,
-                               .force = random_point(50, 0.3),
-                               .damping = 1 - *rc::gen::inRange(0, 4) / 1024.0});
+                               .force = point(50, 0.3)});
+        if (kind.only_rods()) continue;
+        made.bodies.back().radius = *rc::gen::inRange(0, 100) / 128.0;
+        made.bodies.back().damping = 1 - *rc::gen::inRange(0, 4) / 1024.0;
+    }
+    made.gravity = point(100, 0.1);
+    made.dt = TimeStep::binary(8);
+    made.steps = 64;
     const auto body = [n] { return *rc::gen::inRange(0, n); };
     const auto ends = [&] {
-        Link link{.a = body(), .anchor = random_point(300, 0x1p-7)};
-        link.length = *rc::gen::inRange(1, 500) / 128.0;
+        Link link{.a = body(), .anchor = point(300, 0x1p-7 * wide)};
+        link.length = wide * *rc::gen::inRange(1, 500) / 128.0;
         if (n > 1 && *rc::gen::arbitrary<bool>()) link.b = (link.a + *rc::gen::inRange(1, n)) % n;
         return link;
     };
     // There is room for two of each kind.
+    for (int i = *rc::gen::inRange(0, 3); i > 0; --i) made.rods.push_back(ends());
+    if (kind.only_rods()) return made;
     for (int i = *rc::gen::inRange(0, 3); i > 0; --i)
         made.springs.push_back(
             {ends(), *rc::gen::inRange(0, 4000) / 16.0, *rc::gen::inRange(0, 40) / 16.0});
-    for (int i = *rc::gen::inRange(0, 3); i > 0; --i) made.rods.push_back(ends());
     for (int i = *rc::gen::inRange(0, 3); i > 0; --i)
         made.ropes.push_back({ends(), *rc::gen::inRange(0, 9) / 8.0});
     for (int i = *rc::gen::inRange(0, 3); i > 0; --i)
         made.drags.push_back(
             {body(), *rc::gen::inRange(0, 20) / 16.0, *rc::gen::inRange(0, 20) / 64.0});
-    const Point normals[] = {{0, 1}, {0.6, 0.8}, {-0.8, 0.6}, {1, 0}};
+    const std::array<Point, 4> in_the_plane = {{{0, 1}, {0.6, 0.8}, {-0.8, 0.6}, {1, 0}}};
+    const std::array<Point, 4> in_space = {{{0, 0, 1}, {0.6, 0, 0.8}, {0.48, -0.6, 0.64}, {1, 0}}};
     for (int i = *rc::gen::inRange(0, 3); i > 0; --i)
-        made.planes.push_back({normals[*rc::gen::inRange(0, 4)], random_number(100, 0x1p-6),
-                               *rc::gen::inRange(0, 9) / 8.0});
-    made.gravity = random_point(100, 0.1);
+        made.planes.push_back(
+            {(kind.in_space() ? in_space : in_the_plane)[*rc::gen::inRange<std::size_t>(0, 4)],
+             random_number(100, 0x1p-6), *rc::gen::inRange(0, 9) / 8.0});
     made.restitution = *rc::gen::inRange(0, 9) / 8.0;
     made.restitution_threshold = *rc::gen::inRange(0, 3) / 4.0;
-    made.dt = TimeStep::binary(8);
-    made.steps = 64;
     return made;
 }
 
-class RandomWorlds : public testing::TestWithParam<std::pair<const char*, const char*>> {};
+class RandomWorlds : public testing::TestWithParam<Kind> {};
 
 TEST_P(RandomWorlds, MoveOnTheChipAsOnTheHost) {
-    const auto [integrator, name] = GetParam();
-    const Subject& on_host = subject("q16_16", "nearest", integrator);
-    const auto on_chip = program(std::string("random_") + name);
+    const Kind kind = GetParam();
+    const Subject& on_host = subject("q16_16", kind.arithmetic, kind.integrator);
+    const auto on_chip = program(std::string("random_") + kind.program);
     unsigned long steps = 0;
     EXPECT_TRUE(rc::check([&] {
-        const Description made = random_world();
+        const Description made = random_world(kind);
         const Comparison result = compare(on_host, on_chip, made);
         steps += result.steps;
         RC_ASSERT(!result.differs_at);
     }));
     EXPECT_GT(steps, 1000u);
 }
-INSTANTIATE_TEST_SUITE_P(Methods, RandomWorlds,
-                         testing::Values(std::pair{"explicit_euler", "Published"},
-                                         std::pair{"semi_implicit_euler", "SemiImplicit"},
-                                         std::pair{"velocity_verlet", "Verlet"},
-                                         std::pair{"implicit_springs", "Implicit"},
-                                         std::pair{"direct_springs", "DirectSprings"},
-                                         std::pair{"gauss_seidel_springs", "GaussSeidelSprings"},
-                                         std::pair{"implicit_midpoint", "ImplicitMidpoint"},
-                                         std::pair{"semi_implicit_compensated",
-                                                   "CompensatedIntegration"},
-                                         std::pair{"warm_started", "WarmStarted"},
-                                         std::pair{"continuous_contacts", "ContinuousContacts"}),
-                         [](const auto& info) { return info.param.second; });
+INSTANTIATE_TEST_SUITE_P(
+    Methods, RandomWorlds,
+    testing::Values(
+        Kind{"explicit_euler", "Published"}, Kind{"semi_implicit_euler", "SemiImplicit"},
+        Kind{"semi_implicit_euler", "Saturating", "saturating"}, Kind{"velocity_verlet", "Verlet"},
+        Kind{"implicit_springs", "Implicit"}, Kind{"direct_springs", "DirectSprings"},
+        Kind{"gauss_seidel_springs", "GaussSeidelSprings"},
+        Kind{"implicit_midpoint", "ImplicitMidpoint"},
+        Kind{"semi_implicit_compensated", "CompensatedIntegration"},
+        Kind{"warm_started", "WarmStarted"}, Kind{"continuous_contacts", "ContinuousContacts"},
+        Kind{"direct_rods", "Direct"}, Kind{"sort_and_sweep", "SortedPairs"},
+        Kind{"cached_sort_and_sweep", "CachedSortedPairs"},
+        Kind{"three_dimensions", "ThreeDimensions"}),
+    [](const auto& info) { return info.param.program; });
 
 // A chip with another world differs: the comparison can fail.
 TEST(Comparison, DetectsAnotherMethodAndAnotherNumber) {
