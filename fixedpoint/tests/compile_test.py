@@ -59,6 +59,7 @@ ASSERTED = [
     ("constexpr Q16_16 y = fixed<16, 16>(32768.0)", "the_format_does_not_hold_this_constant"),
     ("constexpr Q16_16 y = fixed<16, 16>(-40000)", "the_format_does_not_hold_this_constant"),
     ("(void)fixed<16, 16>('a')", "takes an integer, float or double"),
+    ("(void)UFixed<8, 8, Published>()", "Unsigned numbers have the arithmetics"),
     ("(void)exp(1_u8_8)", "This function is for numbers with a sign"),
     ("(void)256_u8_8", "outside the range"),
     ("constexpr U8_8 y = ufixed<8, 8>(-1)", "the_format_does_not_hold_this_constant"),

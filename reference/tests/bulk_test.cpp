@@ -24,6 +24,7 @@ std::vector<std::int64_t> boundary(const NumberFormat& format) {
             raws.push_back(-(std::int64_t(1) << bit) + step);
         }
     }
+    for (std::int64_t& raw : raws) raw = format.extend(std::uint64_t(raw));
     return raws;
 }
 
@@ -201,6 +202,21 @@ TEST(Bulk, AgreesInQ16_0) { compare_arithmetics<fixed_format(16, 0)>(1000); }
 TEST(Bulk, AgreesInQ1_15) { compare_arithmetics<fixed_format(1, 15)>(1000); }
 TEST(Bulk, AgreesInQ8_24) { compare_arithmetics<fixed_format(8, 24)>(1000); }
 #endif
+
+template <NumberFormat format>
+void compare_without_sign(int rounds) {
+    using enum Operation;
+    compare_all<format, Arithmetic::nearest, add, subtract, multiply, divide, remainder, negate,
+                multiply_add, Operation::sqrt, divrem, divmod, Operation::lerp, Operation::midpoint,
+                abs_diff>(rounds);
+    compare_all<format, Arithmetic::saturating, add, subtract, multiply, multiply_add, divide>(
+        rounds);
+}
+TEST(Bulk, AgreesWithoutSign) {
+    compare_without_sign<unsigned_format(8, 8)>(1000);
+    compare_without_sign<unsigned_format(16, 16)>(1000);
+    compare_without_sign<unsigned_format(0, 16)>(1000);
+}
 
 // The exact value lies 2^-28 ulp below a tie; in double it is the tie.
 TEST(Bulk, DecidesTheSideOfATie) {

@@ -14,20 +14,22 @@ namespace reference {
 namespace {
 
 TEST(NumberFormat, NamesAreReadAndPrinted) {
-    for (const char* name :
-         {"q4_4", "q8_8", "q16_16", "q32_32", "q8_24", "q1_15", "q16_0", "s8_7", "s0_7", "s16_15",
-          "s32_31", "s16_47", "int8", "int16", "int32", "int64", "float"}) {
+    for (const char* name : {"u8_8",   "u16_16", "u0_16", "u32_0", "q4_4",  "q8_8",  "q16_16",
+                             "q32_32", "q8_24",  "q1_15", "q16_0", "s8_7",  "s0_7",  "s16_15",
+                             "s32_31", "s16_47", "int8",  "int16", "int32", "int64", "float"}) {
         EXPECT_EQ(format_name(parse_format(name)), name);
     }
     EXPECT_EQ(parse_format("float64"), ieee_double);
     EXPECT_EQ(parse_format("s16_15"), (NumberFormat{FormatKind::accum, 32, 15}));
     EXPECT_EQ(parse_format("q8_24"), (NumberFormat{FormatKind::fixed, 32, 24}));
+    EXPECT_EQ(parse_format("u0_16"), unsigned_format(0, 16));
 }
 
 TEST(NumberFormat, UnknownNamesAreRejected) {
     for (const char* name :
-         {"", "q", "q16", "q16_", "q_16", "q16_17", "q0_16", "q-1_17", "q016_16", "int", "int24",
-          "int-8", "double", "s16_16", "q4_4_", "q99999999999_1", "Q16_16", "q16_16 "}) {
+         {"",      "u",     "u8",     "u8_9",   "u-1_17", "u08_8",          "u32_32",  "q",
+          "q16",   "q16_",  "q_16",   "q16_17", "q0_16",  "q-1_17",         "q016_16", "int",
+          "int24", "int-8", "double", "s16_16", "q4_4_",  "q99999999999_1", "Q16_16",  "q16_16 "}) {
         EXPECT_THROW(parse_format(name), std::invalid_argument) << name;
     }
 }
@@ -38,6 +40,10 @@ TEST(NumberFormat, RangeAndResolution) {
     EXPECT_EQ(q32_32.min(), std::numeric_limits<std::int64_t>::min());
     EXPECT_EQ(q32_32.max(), std::numeric_limits<std::int64_t>::max());
     EXPECT_EQ(q8_8.extend(0x1ffff), -1);
+    EXPECT_EQ(unsigned_format(8, 8).min(), 0);
+    EXPECT_EQ(unsigned_format(8, 8).max(), 65535);
+    EXPECT_EQ(unsigned_format(0, 32).max(), 4294967295);
+    EXPECT_EQ(unsigned_format(8, 8).extend(0x1fffe), 65534);
     EXPECT_EQ(to_double(ieee_single, ieee_single.max()), FLT_MAX);
     EXPECT_EQ(to_double(ieee_single, ieee_single.min()), -FLT_MAX);
     EXPECT_EQ(to_double(ieee_double, ieee_double.max()), DBL_MAX);

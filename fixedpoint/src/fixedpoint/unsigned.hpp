@@ -44,15 +44,14 @@ struct HasUnsigned<Checked<Hook>> {
 
 /// The arithmetic Policy on numbers without a sign.
 template <class Policy>
-struct UnsignedArithmetic : Policy {
-    static_assert(HasUnsigned<Policy>::value,
-                  "Unsigned numbers have the arithmetics Nearest, Saturating and Checked.");
-};
+struct UnsignedArithmetic : Policy {};
 
 /// \cond internal
 template <int Bits, class Policy>
 struct RawTypeOf<Bits, UnsignedArithmetic<Policy>> {
     static_assert(Bits != 24, "A number without a sign has 8, 16, 32 or 64 bits.");
+    static_assert(HasUnsigned<Policy>::value,
+                  "Unsigned numbers have the arithmetics Nearest, Saturating and Checked.");
     static constexpr bool is_signed = false;
     using Type = UnsignedInteger<Bits>;
 };

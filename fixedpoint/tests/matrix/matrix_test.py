@@ -286,7 +286,6 @@ REFUSED = [
     ("UFixed<12, 12> x; (void)x;", "has 8, 16, 32 or 64 bits"),
     ("UFixed<-1, 17> x; (void)x;", "IntegerBits must not be negative"),
     ("UFixed<0, 64> x; (void)x;", "An unsigned number of 64 bits has 1 to 63 fraction bits"),
-    ("UFixed<8, 8, Small> x; (void)x;", "Unsigned numbers have the arithmetics"),
     ("sin(1_u8_8);", "This function is for numbers with a sign"),
     ("sin_turns(1_u8_8);", "This function is for numbers with a sign"),
     ("power(1_u8_8, 2);", "This function is for numbers with a sign"),
