@@ -33,7 +33,12 @@ constexpr const char* exhausted[] = {"q4_4",
                                      "q8_24",
                                      "q32_32",
                                      "correctly_rounded_angles",
-                                     "correctly_rounded_powers"};
+                                     "correctly_rounded_arcs",
+                                     "correctly_rounded_powers",
+                                     "correctly_rounded_exponentials",
+                                     "correctly_rounded_lengths_and_pow",
+                                     "correctly_rounded_q8_24_angles",
+                                     "correctly_rounded_q8_24_powers"};
 
 const fixbench::Registration exhaustive({
     .name = "exhaustive",

@@ -32,13 +32,20 @@ inline bool is_held_to_its_definition(const reference::NamedSubject& named) {
     return named.subject.format.kind == reference::FormatKind::fixed;
 }
 
-// The device programs without their suffix: four for each format of the library, two for the
+// The device programs without their suffix: four for each format of the library, seven for the
 // correctly rounded arithmetic, one for the roundings, and the rivals'.
 inline std::vector<std::string> programs() {
 #define PROGRAM_NAME(format, ...) \
 #format, #format "_angles", #format "_powers", #format "_auxiliary",
-    return {LIBRARY_FORMATS(PROGRAM_NAME) "correctly_rounded_angles", "correctly_rounded_powers",
-            "roundings", "rivals"};
+    return {LIBRARY_FORMATS(PROGRAM_NAME) "correctly_rounded_angles",
+            "correctly_rounded_arcs",
+            "correctly_rounded_powers",
+            "correctly_rounded_exponentials",
+            "correctly_rounded_lengths_and_pow",
+            "correctly_rounded_q8_24_angles",
+            "correctly_rounded_q8_24_powers",
+            "roundings",
+            "rivals"};
 #undef PROGRAM_NAME
 }
 
