@@ -214,12 +214,13 @@
  * measured on the device, in programs of their own, since the others leave no room in flash. */
 #define ANGLE_OPERATIONS(X, ...) \
     OPERATION_tan(X, __VA_ARGS__) OPERATION_asin(X, __VA_ARGS__) OPERATION_acos(X, __VA_ARGS__)
-#define POWER_OPERATIONS(X, ...)                                                                  \
+#define UNARY_POWER_OPERATIONS(X, ...)                                                            \
     OPERATION_exp2(X, __VA_ARGS__) OPERATION_expm1(X, __VA_ARGS__) OPERATION_log2(X, __VA_ARGS__) \
         OPERATION_log10(X, __VA_ARGS__) OPERATION_log1p(X, __VA_ARGS__)                           \
             OPERATION_sinh(X, __VA_ARGS__) OPERATION_cosh(X, __VA_ARGS__)                         \
-                OPERATION_tanh(X, __VA_ARGS__) OPERATION_cbrt(X, __VA_ARGS__)                     \
-                    OPERATION_pow(X, __VA_ARGS__)
+                OPERATION_tanh(X, __VA_ARGS__) OPERATION_cbrt(X, __VA_ARGS__)
+#define POWER_OPERATIONS(X, ...) \
+    UNARY_POWER_OPERATIONS(X, __VA_ARGS__) OPERATION_pow(X, __VA_ARGS__)
 #define ELEMENTARY_OPERATIONS(X, ...) \
     ANGLE_OPERATIONS(X, __VA_ARGS__) POWER_OPERATIONS(X, __VA_ARGS__)
 

@@ -95,7 +95,8 @@ ROOMS = [
          Check("vector_kernels_test", "VectorCofactors.*", "vector_cofactors"),
          Check("vector_kernels_test", "VectorInverses.*", "vector_inverses"),
          Check("vector_kernels_test", "VectorFilters.*", "vector_filters")),
-    kernels(f"{FIXED}/avr/*_q8_8.S {FIXED}/avr/*_q8_8.inc", 1, "q8_8"),
+    kernels(f"{FIXED}/avr/*_q8_8.S {FIXED}/avr/*_q8_8.inc", 1, "q8_8",
+            Check("kernels_test", "*/q8_8_auxiliary", "q8_8_auxiliary")),
     kernels(f"{FIXED}/avr/*_q4_4.S", 1, "q4_4"),
     kernels(f"{FIXED}/avr/*_q32_32.S {FIXED}/avr/cubic_64.* !*/absolute_q32_32.S !*/lerp_q32_32.S"
             " !*/exp2_q32_32.S !*/hyperbolic_q32_32.S !*/pow_q32_32.S !*/cbrt_q32_32.S",
@@ -156,8 +157,8 @@ ROOMS = [
     room("arithmetic", f"{FIXED}/arithmetic/rounded.hpp", 1, "small_operations_test"),
     room("arithmetic", f"{FIXED}/arithmetic/correctly_rounded.hpp {FIXED}/portable/correct_rounding.hpp"
          f" {FIXED}/portable/certain.hpp {FIXED}/kernel/short_turns.hpp {FIXED}/kernel/precise_sine.hpp"
-         f" {FIXED}/kernel/power_side.hpp {FIXED}/kernel/nearest.hpp",
-         1, "correctly_rounded_test"),
+         f" {FIXED}/kernel/power_side.hpp {FIXED}/kernel/nearest.hpp {FIXED}/portable/side_of_tie.hpp",
+         1, "correctly_rounded_test", "correctly_rounded_splits_test"),
     room("arithmetic", f"{FIXED}/arithmetic/checked.hpp", 1, "checked_test"),
     room("arithmetic", f"{FIXED}/arithmetic/published.hpp {FIXED}/published/*.hpp !*_table.hpp", 1,
          "published_test"),

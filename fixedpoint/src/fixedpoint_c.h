@@ -336,10 +336,12 @@ q8_8 q8_8_atan2_degrees(q8_8 y, q8_8 x);
 /// Writes trunc(a / b), an integer, saturated, and the exact remainder a - b trunc(a / b), which is
 /// 0 or has the sign of a. If b is 0, the quotient is Q8_8_MAX if a > 0, Q8_8_MIN if a < 0, 0 if a
 /// is 0, and the remainder is a.
-void q8_8_divrem(q8_8 a, q8_8 b, q8_8 quotient_and_remainder[2]);
+void q8_8_divrem(q8_8 a, q8_8 b, q8_8 quotient_and_remainder[2])
+    FIXEDPOINT_C_KERNEL(fixedpoint_divrem_q8_8);
 /// Writes floor(a / b), an integer, saturated, and the exact remainder a - b floor(a / b), which is
 /// 0 or has the sign of b. If b is 0, the results are those of divrem.
-void q8_8_divmod(q8_8 a, q8_8 b, q8_8 quotient_and_remainder[2]);
+void q8_8_divmod(q8_8 a, q8_8 b, q8_8 quotient_and_remainder[2])
+    FIXEDPOINT_C_KERNEL(fixedpoint_divmod_q8_8);
 /// a + t (b - a) rounded once, to nearest, half up, modulo 2^8; for t in [0, 1] between a and b.
 q8_8 q8_8_lerp(q8_8 a, q8_8 b, q8_8 t);
 /// 3 t^2 - 2 t^3 rounded to nearest, half up; 0 if t < 0, and 1 if t > 1.

@@ -14,48 +14,14 @@
 #include <utility>
 #include <vector>
 
+#include "float128.hpp"
+
 namespace {
 
 using fixedpoint::CorrectlyRounded;
 using fixedpoint::Int24;
 using fixedpoint::Nearest;
 using fixedpoint::RawLimits;
-__extension__ typedef __float128 Real;
-
-extern "C" {
-#define REAL_FUNCTION(name) Real name##f128(Real) noexcept;
-REAL_FUNCTION(fabs)
-REAL_FUNCTION(floor)
-REAL_FUNCTION(sqrt)
-REAL_FUNCTION(sin)
-REAL_FUNCTION(cos)
-REAL_FUNCTION(tan)
-REAL_FUNCTION(asin)
-REAL_FUNCTION(acos)
-REAL_FUNCTION(atan)
-REAL_FUNCTION(exp)
-REAL_FUNCTION(exp2)
-REAL_FUNCTION(expm1)
-REAL_FUNCTION(log)
-REAL_FUNCTION(log2)
-REAL_FUNCTION(log10)
-REAL_FUNCTION(log1p)
-REAL_FUNCTION(sinh)
-REAL_FUNCTION(cosh)
-REAL_FUNCTION(tanh)
-REAL_FUNCTION(cbrt)
-#undef REAL_FUNCTION
-Real atan2f128(Real, Real) noexcept;
-Real powf128(Real, Real) noexcept;
-}
-
-template <class Raw>
-Raw rounded(Real value, int fraction) {
-    const Real nearest = floorf128(value * Real(uint64_t(1) << fraction) + Real(0.5));
-    return nearest > Real(RawLimits<Raw>::max)   ? RawLimits<Raw>::max
-           : nearest < Real(RawLimits<Raw>::min) ? RawLimits<Raw>::min
-                                                 : static_cast<Raw>(static_cast<int64_t>(nearest));
-}
 
 struct Function {
     const char* name;
@@ -72,12 +38,7 @@ struct Function {
     std::vector<int32_t> hardest;
 };
 
-bool anywhere(Real) { return true; }
-bool above_zero(Real a) { return a > 0; }
-bool above_minus_one(Real a) { return a > -1; }
-bool to_one(Real a) { return a >= -1 && a <= 1; }
 bool not_far(Real a) { return a >= -20 && a <= 20; }
-Real reciprocal_sqrtf128(Real a) { return 1 / sqrtf128(a); }
 
 #define FUNCTION(name, has_result, ...)                                                          \
     Function {                                                                                   \

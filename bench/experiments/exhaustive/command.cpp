@@ -30,7 +30,7 @@ std::filesystem::path program_of(const std::string& name) {
 // The programs of a full run.
 std::vector<std::string> exhausted() {
     std::vector<std::string> names = catalogue::formats();
-    names.insert(names.end(), {"correctly_rounded_angles", "correctly_rounded_powers"});
+    for (const std::string& name : catalogue::correctly_rounded_programs()) names.push_back(name);
     return names;
 }
 

@@ -39,14 +39,24 @@ inline std::vector<std::string> formats() {
 #undef FORMAT_NAME
 }
 
-// The device programs without their suffix: four for each format of the library, two for the
+// The device programs of the correctly rounded arithmetic.
+inline std::vector<std::string> correctly_rounded_programs() {
+    return {"correctly_rounded_angles",          "correctly_rounded_arcs",
+            "correctly_rounded_powers",          "correctly_rounded_exponentials",
+            "correctly_rounded_lengths_and_pow", "correctly_rounded_q8_24_angles",
+            "correctly_rounded_q8_24_powers"};
+}
+
+// The device programs without their suffix: four for each format of the library, those of the
 // correctly rounded arithmetic, one for numbers without a sign, one for the roundings, and the
 // rivals'.
 inline std::vector<std::string> programs() {
 #define PROGRAM_NAME(format, ...) \
 #format, #format "_angles", #format "_powers", #format "_auxiliary",
-    return {LIBRARY_FORMATS(PROGRAM_NAME) "correctly_rounded_angles", "correctly_rounded_powers",
-            "unsigned", "roundings", "rivals"};
+    std::vector<std::string> names = {LIBRARY_FORMATS(PROGRAM_NAME) "unsigned", "roundings",
+                                      "rivals"};
+    for (const std::string& name : correctly_rounded_programs()) names.push_back(name);
+    return names;
 #undef PROGRAM_NAME
 }
 

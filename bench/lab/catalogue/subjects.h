@@ -69,12 +69,23 @@
                     OPERATION_log(X, __VA_ARGS__)
 #define PRODUCTS_AND_QUOTIENTS(X, ...) \
     OPERATION_multiply(X, __VA_ARGS__) OPERATION_divide(X, __VA_ARGS__)
-#define CORRECTLY_ROUNDED_ANGLES(X, ...)                                                         \
-    OPERATION_atan(X, __VA_ARGS__) OPERATION_atan2(X, __VA_ARGS__) OPERATION_sin(X, __VA_ARGS__) \
-        OPERATION_cos(X, __VA_ARGS__) OPERATION_sincos(X, __VA_ARGS__)
+/* Those of CorrectlyRounded that are not the default's. In Q8.24 it does not have atan2 and pow. */
+#define CORRECTLY_ROUNDED_UNARY_ANGLES(X, ...)                                                 \
+    OPERATION_atan(X, __VA_ARGS__) OPERATION_sin(X, __VA_ARGS__) OPERATION_cos(X, __VA_ARGS__) \
+        OPERATION_sincos(X, __VA_ARGS__)
+#define CORRECTLY_ROUNDED_ANGLES(X, ...)           \
+    CORRECTLY_ROUNDED_UNARY_ANGLES(X, __VA_ARGS__) \
+    OPERATION_atan2(X, __VA_ARGS__)
 #define CORRECTLY_ROUNDED_POWERS(X, ...)                                    \
     OPERATION_reciprocal_sqrt(X, __VA_ARGS__) OPERATION_exp(X, __VA_ARGS__) \
         OPERATION_log(X, __VA_ARGS__)
+#define CORRECTLY_ROUNDED_LENGTHS_AND_POW(X, ...)                       \
+    OPERATION_length2(X, __VA_ARGS__) OPERATION_length3(X, __VA_ARGS__) \
+        OPERATION_normalise3(X, __VA_ARGS__) OPERATION_pow(X, __VA_ARGS__)
+#define EVERY_UNARY_ANGLE(X, ...) \
+    CORRECTLY_ROUNDED_UNARY_ANGLES(X, __VA_ARGS__) ANGLE_OPERATIONS(X, __VA_ARGS__)
+#define EVERY_UNARY_POWER(X, ...) \
+    CORRECTLY_ROUNDED_POWERS(X, __VA_ARGS__) UNARY_POWER_OPERATIONS(X, __VA_ARGS__)
 
 /* X(implementation, policy, provenance, on the host, formats, operations, label)
  *
@@ -109,8 +120,18 @@
     X(small, Small, ours, own, FORMAT_q16_16, SMALL_OPERATIONS, "ours, small tables")
 #define IMPLEMENTATION_correctly_rounded_angles(X) \
     X(correctly_rounded, CorrectlyRounded, ours, own, FORMAT_q16_16, CORRECTLY_ROUNDED_ANGLES, "ours, correctly rounded")
+#define IMPLEMENTATION_correctly_rounded_arcs(X) \
+    X(correctly_rounded, CorrectlyRounded, ours, own, FORMAT_q16_16, ANGLE_OPERATIONS, "ours, correctly rounded")
 #define IMPLEMENTATION_correctly_rounded_powers(X) \
     X(correctly_rounded, CorrectlyRounded, ours, own, FORMAT_q16_16, CORRECTLY_ROUNDED_POWERS, "ours, correctly rounded")
+#define IMPLEMENTATION_correctly_rounded_exponentials(X) \
+    X(correctly_rounded, CorrectlyRounded, ours, own, FORMAT_q16_16, UNARY_POWER_OPERATIONS, "ours, correctly rounded")
+#define IMPLEMENTATION_correctly_rounded_lengths_and_pow(X) \
+    X(correctly_rounded, CorrectlyRounded, ours, own, FORMAT_q16_16, CORRECTLY_ROUNDED_LENGTHS_AND_POW, "ours, correctly rounded")
+#define IMPLEMENTATION_correctly_rounded_q8_24_angles(X) \
+    X(correctly_rounded, CorrectlyRounded, ours, own, FORMAT_q8_24, EVERY_UNARY_ANGLE, "ours, correctly rounded")
+#define IMPLEMENTATION_correctly_rounded_q8_24_powers(X) \
+    X(correctly_rounded, CorrectlyRounded, ours, own, FORMAT_q8_24, EVERY_UNARY_POWER, "ours, correctly rounded")
 #define IMPLEMENTATION_toward_zero(X) \
     X(toward_zero, TowardZero, ours, own, LIBRARY_FORMATS, PRODUCTS_AND_QUOTIENTS, "ours, toward zero")
 #define IMPLEMENTATION_downward(X) \
@@ -129,18 +150,22 @@
     X(native, Native, rival, none, INTEGERS, INTEGER_OPERATORS, "plain integer")
 /* clang-format on */
 
-#define IMPLEMENTATIONS(X)                                                                \
-    IMPLEMENTATION_default(X) IMPLEMENTATION_angles(X) IMPLEMENTATION_powers(X)           \
-        IMPLEMENTATION_auxiliary(X) IMPLEMENTATION_unsigned(X)                            \
-            IMPLEMENTATION_unsigned_auxiliary(X) IMPLEMENTATION_portable(X)               \
-                IMPLEMENTATION_published(X) IMPLEMENTATION_saturating(X)                  \
-                    IMPLEMENTATION_widening(X) IMPLEMENTATION_small(X)                    \
-                        IMPLEMENTATION_correctly_rounded_angles(X)                        \
-                            IMPLEMENTATION_correctly_rounded_powers(X)                    \
-                                IMPLEMENTATION_toward_zero(X) IMPLEMENTATION_downward(X)  \
-                                    IMPLEMENTATION_half_to_even(X) IMPLEMENTATION_libc(X) \
-                                        IMPLEMENTATION_libc_elementary(X)                 \
-                                            IMPLEMENTATION_libc_auxiliary(X)              \
-                                                IMPLEMENTATION_accum(X) IMPLEMENTATION_native(X)
+#define IMPLEMENTATIONS(X)                                                                        \
+    IMPLEMENTATION_default(X) IMPLEMENTATION_angles(X) IMPLEMENTATION_powers(                     \
+        X) IMPLEMENTATION_auxiliary(X) IMPLEMENTATION_unsigned(X)                                 \
+        IMPLEMENTATION_unsigned_auxiliary(X) IMPLEMENTATION_portable(X) IMPLEMENTATION_published( \
+            X) IMPLEMENTATION_saturating(X) IMPLEMENTATION_widening(X) IMPLEMENTATION_small(X)    \
+            IMPLEMENTATION_correctly_rounded_angles(X) IMPLEMENTATION_correctly_rounded_arcs(X)   \
+                IMPLEMENTATION_correctly_rounded_powers(X)                                        \
+                    IMPLEMENTATION_correctly_rounded_exponentials(X)                              \
+                        IMPLEMENTATION_correctly_rounded_lengths_and_pow(X)                       \
+                            IMPLEMENTATION_correctly_rounded_q8_24_angles(X)                      \
+                                IMPLEMENTATION_correctly_rounded_q8_24_powers(X)                  \
+                                    IMPLEMENTATION_toward_zero(X) IMPLEMENTATION_downward(X)      \
+                                        IMPLEMENTATION_half_to_even(X) IMPLEMENTATION_libc(X)     \
+                                            IMPLEMENTATION_libc_elementary(X)                     \
+                                                IMPLEMENTATION_libc_auxiliary(X)                  \
+                                                    IMPLEMENTATION_accum(X)                       \
+                                                        IMPLEMENTATION_native(X)
 
 #endif

@@ -652,11 +652,16 @@ FIXEDPOINT_CONSTEXPR Raw remainder(Raw a, Raw b) {
                               : static_cast<Raw>(remainder<int8_t, 4>(static_cast<int8_t>(a),
                                                                       static_cast<int8_t>(b)));
 }
-// Neither do divrem and divmod. Up to 16 bits they are made of the compiler's division.
+// Neither do divrem and divmod. Of all quotients of 8 bits, only -128 / -1 is out of range.
 #define FIXEDPOINT_DIVISION(operation)                                                        \
-    template <class Raw>                                                                      \
-    FIXEDPOINT_CONSTEXPR void raw_##operation(Raw a, Raw b, Raw* pair) {                      \
-        portable::operation<Raw, 0>(a, b, pair);                                              \
+    FIXEDPOINT_CONSTEXPR void raw_##operation(int16_t a, int16_t b, int16_t* pair) {          \
+        operation<int16_t, 8>(a, b, pair);                                                    \
+    }                                                                                         \
+    FIXEDPOINT_CONSTEXPR void raw_##operation(int8_t a, int8_t b, int8_t* pair) {             \
+        int16_t wide[2] = {};                                                                 \
+        raw_##operation(static_cast<int16_t>(a), static_cast<int16_t>(b), wide);              \
+        pair[0] = saturated<int8_t>(wide[0]);                                                 \
+        pair[1] = static_cast<int8_t>(wide[1]);                                               \
     }                                                                                         \
     FIXEDPOINT_CONSTEXPR void raw_##operation(int32_t a, int32_t b, int32_t* pair) {          \
         operation<int32_t, 16>(a, b, pair);                                                   \

@@ -45,11 +45,6 @@ struct NaturalLogarithmSide {
         return reaches_power(static_cast<uint32_t>(a), tie);
     }
 };
-struct Log1pSide {
-    static FIXEDPOINT_CONSTEXPR bool reaches(int64_t tie, int32_t a) {
-        return reaches_power(static_cast<uint32_t>(a) + (uint32_t(1) << 16), tie);
-    }
-};
 
 }  // namespace kernel
 }  // namespace fixedpoint

@@ -101,16 +101,5 @@ FIXEDPOINT_CONSTEXPR int32_t nearest_sine(int32_t a, uint8_t turned) {
     return with_sign<int32_t>(rounded, (sine & 1) != 0);
 }
 
-// The exact result has the sign of the tie closest to it.
-template <uint8_t turned>
-struct CircularSide {
-    static FIXEDPOINT_CONSTEXPR bool reaches(int64_t tie, int32_t a) {
-        const uint32_t positive = static_cast<uint32_t>(magnitude(tie));
-        return (precise_sine(a, turned) >= positive) != (tie < 0);
-    }
-};
-using SineSide = CircularSide<0>;
-using CosineSide = CircularSide<1>;
-
 }  // namespace kernel
 }  // namespace fixedpoint

@@ -233,8 +233,10 @@
     KERNEL(BINARY, remainder, int16_t, 8, fixedpoint_remainder_q8_8, remainder) \
     KERNEL(BINARY, remainder, int32_t, 16, fixedpoint_remainder_q16_16, remainder) \
     KERNEL(BINARY, remainder, int64_t, 32, fixedpoint_remainder_q32_32, remainder) \
+    KERNEL(DIVISION, divrem, int16_t, 8, fixedpoint_divrem_q8_8, divrem) \
     KERNEL(DIVISION, divrem, int32_t, 16, fixedpoint_divrem_q16_16, divrem) \
     KERNEL(DIVISION, divrem, int64_t, 32, fixedpoint_divrem_q32_32, divrem) \
+    KERNEL(DIVISION, divmod, int16_t, 8, fixedpoint_divmod_q8_8, divmod) \
     KERNEL(DIVISION, divmod, int32_t, 16, fixedpoint_divmod_q16_16, divmod) \
     KERNEL(DIVISION, divmod, int64_t, 32, fixedpoint_divmod_q32_32, divmod) \
     KERNEL(BINARY, copysign, int64_t, 32, fixedpoint_copysign_q32_32, copysign) \

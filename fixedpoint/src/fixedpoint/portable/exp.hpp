@@ -8,7 +8,7 @@
 #include <fixedpoint/portable/exp_q32_32.hpp>
 #include <fixedpoint/portable/exp_q8_8.hpp>
 #include <fixedpoint/portable/exp_small_q16_16.hpp>
-#include <fixedpoint/portable/pseudo_division_table.hpp>
+#include <fixedpoint/portable/pseudo_division.hpp>
 
 namespace fixedpoint {
 namespace portable {
@@ -26,14 +26,13 @@ using ExponentialWord =
 // from 1 + remainder by less than 2^-(W + 2).
 template <int W, class Word>
 FIXEDPOINT_CONSTEXPR Word exponential_mantissa(Word rest) {
-    using Constants = PseudoDivisionConstants<Word>;
     constexpr int bits = static_cast<int>(8 * sizeof(Word));
     constexpr int steps = (W + 2) / 2;
     constexpr int factor_bits = W + 5;
 
     Word result = Word(1) << (bits - 3);
     for (int i = 1; i <= steps; ++i) {
-        const Word logarithm = read_program_memory(Constants::logarithm[i - 1]);
+        const Word logarithm = logarithm_of_factor<Word, steps>(i);
         if (rest >= logarithm) {
             rest = rest - logarithm;
             result = result + (result >> i);

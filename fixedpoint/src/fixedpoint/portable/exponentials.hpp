@@ -19,9 +19,9 @@ struct Power {
 // 2^-66.
 constexpr int largest_exponent = 46;
 
-// e^x or e^-x with a relative error of 2^-(W + 3). x has Bits - 6 fraction bits; above 46 it counts
+// e^x or e^-x with a relative error of 2^-(P + 1). x has Bits - 6 fraction bits; above 46 it counts
 // as 46.
-template <class Raw>
+template <class Raw, int P = RawLimits<Raw>::width + 2>
 FIXEDPOINT_CONSTEXPR Power<DoubleWord<Raw>> exponential(DoubleWord<Raw> x, bool negative) {
     using Word = DoubleWord<Raw>;
     constexpr int bits = word_bits<Raw>();
@@ -34,7 +34,7 @@ FIXEDPOINT_CONSTEXPR Power<DoubleWord<Raw>> exponential(DoubleWord<Raw> x, bool 
     const int k = static_cast<int>((floored * 1477 - 1000) >> 16);
     const Word multiple = ln2 * magnitude(static_cast<int16_t>(k));
     const Word rest = negative ? multiple - x : k < 0 ? x + multiple : x - multiple;
-    return {exponential_mantissa<RawLimits<Raw>::width + 2>(rest), k};
+    return {exponential_mantissa<P>(rest), k};
 }
 
 // The power in units of 2^-unit, saturated to 2^limit of them. Requires limit < Bits - 3.
