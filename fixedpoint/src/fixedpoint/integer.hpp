@@ -177,7 +177,7 @@ template <class Word, class Raw>
 constexpr Word largest_magnitude(bool negative) {
     return RawLimits<Raw>::is_signed
                ? static_cast<Word>(static_cast<Word>(RawLimits<Raw>::max) + (negative ? 1 : 0))
-               : static_cast<Word>(negative ? 0 : RawLimits<Raw>::max);
+               : static_cast<Word>(negative ? Raw(0) : RawLimits<Raw>::max);
 }
 
 // `magnitude` with the sign restored, modulo 2^W.
