@@ -76,6 +76,25 @@ using Unsigned = UnsignedInteger<RawLimits<Raw>::width>;
 template <class Raw>
 using Wide = Integer<RawLimits<Raw>::width == 24 ? 64 : 2 * RawLimits<Raw>::width>;
 
+// a 2^count modulo 2^W. Requires count < W.
+template <class Word>
+constexpr Word shifted_left(Word a, unsigned char count) {
+    return static_cast<Word>(a << count);
+}
+#ifdef FIXEDPOINT_HAS_INT24
+// avr-gcc 5.4 shifts by 16 bits into other registers wrongly: it reads the lowest byte of the
+// result in place of that of the operand.
+inline UnsignedInt24 shifted_left_16(UnsignedInt24 a) {
+    asm("mov %C0, %A0\n\tclr %B0\n\tclr %A0" : "+r"(a));
+    return a;
+}
+template <>
+constexpr UnsignedInt24 shifted_left(UnsignedInt24 a, unsigned char count) {
+    return count == 16 && !__builtin_constant_p(a) ? shifted_left_16(a)
+                                                   : static_cast<UnsignedInt24>(a << count);
+}
+#endif
+
 // a + b, a - b, -a modulo 2^W.
 template <class Raw>
 constexpr Raw wrapping_add(Raw a, Raw b) {
@@ -95,9 +114,9 @@ constexpr Raw wrapping_negate(Raw a) {
 // a 2^count modulo 2^W; 0 from count = W on.
 template <class Raw>
 constexpr Raw wrapping_shift_left(Raw a, unsigned char count) {
-    return count >= RawLimits<Raw>::width ? Raw(0)
-                                          : static_cast<Raw>(static_cast<Unsigned<Raw>>(
-                                                static_cast<Unsigned<Raw>>(a) << count));
+    return count >= RawLimits<Raw>::width
+               ? Raw(0)
+               : static_cast<Raw>(shifted_left(static_cast<Unsigned<Raw>>(a), count));
 }
 
 // |a| as an unsigned number, exact even for the smallest value.

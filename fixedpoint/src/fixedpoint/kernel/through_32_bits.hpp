@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The operations of 24-bit formats without a kernel of their own: those of the 32-bit format with as
-// many fraction bits, which holds every operand. Its result is the exact one, rounded once, and then
-// saturated to 24 bits; the definitions and the bounds of the errors are the same.
+// The operations of 24-bit formats without a kernel of their own: those of the 32-bit format with
+// as many fraction bits, which holds every operand. Its result is the exact one, rounded once, and
+// then saturated to 24 bits; the definitions and the bounds of the errors are the same.
 //
 // Each is an overload of kernel::operation<Raw, F> for operands of type Int24. Included by
 // dispatch.hpp, after the declarations of all operations.
@@ -35,32 +35,32 @@ struct Widened {
 };
 
 // FIXEDPOINT_THROUGH_32_BITS(shape, operation, integer bits of its results)
-#define FIXEDPOINT_THROUGH_32_BITS(shape, operation, bits)                      \
-    template <class Raw, int F, class = typename OfInt24<Raw>::Type>            \
-    FIXEDPOINT_CONSTEXPR FIXEDPOINT_RESULT_##shape(Int24)                       \
-        operation FIXEDPOINT_PARAMETERS_##shape(Int24) {                        \
-        FIXEDPOINT_THROUGH_32_BITS_##shape(operation, bits)                     \
+#define FIXEDPOINT_THROUGH_32_BITS(shape, operation, bits)           \
+    template <class Raw, int F, class = typename OfInt24<Raw>::Type> \
+    FIXEDPOINT_CONSTEXPR FIXEDPOINT_RESULT_##shape(Int24)            \
+        operation FIXEDPOINT_PARAMETERS_##shape(Int24) {             \
+        FIXEDPOINT_THROUGH_32_BITS_##shape(operation, bits)          \
     }
 #define FIXEDPOINT_THROUGH_32_BITS_UNARY(operation, bits) \
     return narrowed<F, bits>(operation<int32_t, F>(static_cast<int32_t>(a)));
 #define FIXEDPOINT_THROUGH_32_BITS_BINARY(operation, bits) \
     return narrowed<F, bits>(                              \
         operation<int32_t, F>(static_cast<int32_t>(a), static_cast<int32_t>(b)));
-#define FIXEDPOINT_THROUGH_32_BITS_PAIR(operation, bits)     \
-    int32_t wide[2] = {};                                    \
-    operation<int32_t, F>(static_cast<int32_t>(a), wide);    \
-    pair[0] = narrowed<F, bits>(wide[0]);                    \
+#define FIXEDPOINT_THROUGH_32_BITS_PAIR(operation, bits)  \
+    int32_t wide[2] = {};                                 \
+    operation<int32_t, F>(static_cast<int32_t>(a), wide); \
+    pair[0] = narrowed<F, bits>(wide[0]);                 \
     pair[1] = narrowed<F, bits>(wide[1]);
-#define FIXEDPOINT_THROUGH_32_BITS_DIVISION(operation, bits)                          \
-    int32_t wide[2] = {};                                                             \
-    operation<int32_t, F>(static_cast<int32_t>(a), static_cast<int32_t>(b), wide);    \
-    pair[0] = narrowed<F, bits>(wide[0]);                                             \
+#define FIXEDPOINT_THROUGH_32_BITS_DIVISION(operation, bits)                       \
+    int32_t wide[2] = {};                                                          \
+    operation<int32_t, F>(static_cast<int32_t>(a), static_cast<int32_t>(b), wide); \
+    pair[0] = narrowed<F, bits>(wide[0]);                                          \
     pair[1] = static_cast<Int24>(wide[1]);
 #define FIXEDPOINT_THROUGH_32_BITS_VECTOR(operation, count) \
     return saturated<Int24>(operation<int32_t, F>(Widened<count>(v).numbers));
-#define FIXEDPOINT_THROUGH_32_BITS_TERNARY(operation, bits)                                \
-    return narrowed<F, bits>(operation<int32_t, F>(static_cast<int32_t>(a), static_cast<int32_t>(b), \
-                                                   static_cast<int32_t>(c)));
+#define FIXEDPOINT_THROUGH_32_BITS_TERNARY(operation, bits) \
+    return narrowed<F, bits>(operation<int32_t, F>(         \
+        static_cast<int32_t>(a), static_cast<int32_t>(b), static_cast<int32_t>(c)));
 #define FIXEDPOINT_THROUGH_32_BITS_VECTORS(operation, count) \
     return static_cast<Int24>(                               \
         operation<int32_t, F>(Widened<count>(a).numbers, Widened<count>(b).numbers));

@@ -14,8 +14,7 @@ namespace portable {
 // The integer n 2^Shift mod 2^W, where W is the width of Target.
 template <class Target, int Shift, class Source>
 constexpr Target scale(Source n) {
-    return static_cast<Target>(
-        static_cast<Unsigned<Target>>(static_cast<Unsigned<Target>>(n) << Shift));
+    return static_cast<Target>(shifted_left(static_cast<Unsigned<Target>>(n), Shift));
 }
 
 // The integer n 2^Shift, saturated to the range of Target.

@@ -53,7 +53,7 @@ template <class Raw, int F>
 constexpr Raw integral_saturated_above(Raw n) {
     return !integral_fits<Raw, F>(n)
                ? RawLimits<Raw>::max
-               : static_cast<Raw>(static_cast<Unsigned<Raw>>(static_cast<Unsigned<Raw>>(n) << F));
+               : static_cast<Raw>(shifted_left(static_cast<Unsigned<Raw>>(n), F));
 }
 
 // The largest integral number <= a; always representable.
