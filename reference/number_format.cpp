@@ -22,7 +22,9 @@ std::optional<int> parse_number(std::string_view digits) {
     return number;
 }
 
-bool is_width(int bits) { return bits == 8 || bits == 16 || bits == 32 || bits == 64; }
+bool is_width(int bits) {
+    return bits == 8 || bits == 16 || bits == 24 || bits == 32 || bits == 64;
+}
 
 std::optional<NumberFormat> parse_split(FormatKind kind, int sign_bits, std::string_view split) {
     const size_t underscore = split.find('_');
@@ -32,7 +34,9 @@ std::optional<NumberFormat> parse_split(FormatKind kind, int sign_bits, std::str
     if (!integer_bits || !fraction_bits || *integer_bits > 64 || *fraction_bits > 63)
         return std::nullopt;
     const int width = sign_bits + *integer_bits + *fraction_bits;
-    if (!is_width(width) || sign_bits + *integer_bits < 1) return std::nullopt;
+    if (!is_width(width) || (width == 24 && kind != FormatKind::fixed) ||
+        sign_bits + *integer_bits < 1)
+        return std::nullopt;
     return NumberFormat{kind, width, *fraction_bits};
 }
 
@@ -51,7 +55,7 @@ std::optional<NumberFormat> try_parse(std::string_view name) {
     if (name == "float64") return ieee_double;
     if (name.starts_with("int")) {
         const auto width = parse_number(name.substr(3));
-        if (!width || !is_width(*width)) return std::nullopt;
+        if (!width || !is_width(*width) || *width == 24) return std::nullopt;
         return NumberFormat{FormatKind::integer, *width, 0};
     }
     if (name.starts_with("q")) return parse_split(FormatKind::fixed, 0, name.substr(1));
@@ -64,12 +68,12 @@ std::optional<NumberFormat> try_parse(std::string_view name) {
 
 NumberFormat parse_format(std::string_view name) {
     if (const auto format = try_parse(name)) return *format;
-    throw std::invalid_argument(
-        fmt::format("unknown number format '{}': allowed are q<integer bits>_<fraction bits> and "
-                    "s<integer bits>_<fraction bits> (GCC's _Accum, its sign not counted) of 8, "
-                    "16, 32 or 64 bits in all, u<integer bits>_<fraction bits> (without a sign) "
-                    "of 8, 16 or 32 bits, int8, int16, int32, int64, float and float64",
-                    name));
+    throw std::invalid_argument(fmt::format(
+        "unknown number format '{}': allowed are q<integer bits>_<fraction bits> of 8, 16, 24, 32 "
+        "or 64 bits, s<integer bits>_<fraction bits> (GCC's _Accum, its sign not counted) of 8, "
+        "16, 32 or 64 bits in all, u<integer bits>_<fraction bits> (without a sign) of 8, 16 or 32 "
+        "bits, int8, int16, int32, int64, float and float64",
+        name));
 }
 
 std::string format_name(const NumberFormat& format) {

@@ -19,7 +19,7 @@ enum class FormatKind {
 
 struct NumberFormat {
     FormatKind kind = FormatKind::fixed;
-    int width = 32;     // W: 8, 16, 32 or 64
+    int width = 32;     // W: 8, 16, 24, 32 or 64
     int fraction = 16;  // F: bits after the binary point; 0 for integers and floats
     // Of fixed-point formats of at most 32 bits: raws from 0 to 2^W - 1.
     bool is_unsigned = false;

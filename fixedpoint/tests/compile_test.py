@@ -51,7 +51,7 @@ ASSERTED = [
     ("(void)from_float<Q16_16>(1)", "from_float takes a float or double"),
     ("(void)convert<Q16_16>(0.5)", "use from_float and to_float"),
     ("(void)(x << 0.5)", "A shift takes an integer count"),
-    ("(void)Fixed<8, 7>()", "8, 16, 32 or 64 bits"),
+    ("(void)Fixed<8, 7>()", "8, 16, 24, 32 or 64 bits"),
     ("(void)123456_q16_16", "outside the range"),
     ("(void)constants::pi<Fixed<1, 15>>()", "lies outside the range"),
     ("(void)widening_multiply(1_q32_32, x)", "No format holds"),

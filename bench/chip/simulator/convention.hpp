@@ -9,7 +9,7 @@
 
 namespace simulator {
 
-// Sizes in bytes: 1, 2 (also pointers), 4 or 8. A result of 0 bytes means that there is none.
+// Sizes in bytes: 1, 2 (also pointers), 3, 4 or 8. A result of 0 bytes means that there is none.
 struct Signature {
     int result;
     std::vector<int> operands;

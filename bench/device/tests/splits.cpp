@@ -18,6 +18,8 @@ using Arithmetic = fixedpoint::SPLIT_ARITHMETIC;
 #define SPLIT(kernel, shape, operation, I, F) SPLIT_OF(operation, I, F)
 #if SPLIT_BITS == 16
 #define SPLITS FIXEDPOINT_SPLITS_16
+#elif SPLIT_BITS == 24
+#define SPLITS FIXEDPOINT_SPLITS_24
 #elif SPLIT_BITS == 64
 // One kernel serves all splits: here where the shifts start and end, and some between. Sines,
 // angles and logarithms of the finest ones are portable code.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The kernels of every split of 16 and 32 bits, and of some of 64, on the simulated chip, compared
-// bit for bit with the portable code: the split is their parameter, and only some splits are in
-// programs of the bench. Includes operands whose rounding is decided narrowly.
+// The kernels of every split of 16, 24 and 32 bits, and of some of 64, on the simulated chip,
+// compared bit for bit with the portable code: the split is their parameter, and only some splits
+// are in programs of the bench. Includes operands whose rounding is decided narrowly.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -196,6 +196,62 @@ TEST(ShortSplits, Sqrt) {
         expect_short_pairs(program.subject(F, {2, {2}}), 1, F, [](int16_t a, int16_t) {
             return portable::sqrt<int16_t, decltype(F)::value>(a);
         });
+    });
+}
+
+// Of 24 bits, every split, compared with exact arithmetic: the portable code has no other kernels.
+using Numbers = std::array<fixedpoint::Int24, 3>;
+template <class Expected>
+void expect_of_24_bits(const char* operation, const Signature& signature, Expected expected,
+                       const char* arithmetic = "") {
+    Program program(operation, 24, arithmetic);
+    const bool in_memory = signature.operands[0] == simulator::pointer_size;
+    std::vector<std::int64_t> numbers = exact::raws(24);
+    std::mt19937_64 random(24);
+    for (int F = 0; F < 24; ++F) {
+        DeviceFunction function = program.subject(F, signature);
+        for (int i = 0; i < pairs / 2; ++i) {
+            int64_t v[6];
+            for (int64_t& n : v)
+                n = numbers[random() % numbers.size()] >> (i & 1 ? random() % 24 : 0);
+            const Numbers a = {v[0], v[1], v[2]}, b = {v[3], v[4], v[5]};
+            std::uint64_t values[3];
+            for (int k = 0; k < 3; ++k)
+                values[k] = in_memory ? (k == 0 ? program.put(0, a) : program.put(1, b))
+                                      : static_cast<std::uint64_t>(v[k]);
+            const auto result = static_cast<fixedpoint::Int24>(
+                function.call({values, signature.operands.size()}).result);
+            ASSERT_EQ(result, expected(v, exact::Format{24, F}))
+                << F << " fraction bits: " << testing::PrintToString(v);
+        }
+    }
+}
+TEST(SplitsOf24Bits, Multiply) {
+    expect_of_24_bits("multiply", {3, {3, 3}}, [](const int64_t* v, exact::Format format) {
+        return exact::multiply_add(v[0], v[1], 0, format).wrapped;
+    });
+}
+TEST(SplitsOf24Bits, MultiplyAdd) {
+    expect_of_24_bits("multiply_add", {3, {3, 3, 3}}, [](const int64_t* v, exact::Format format) {
+        return exact::multiply_add(v[0], v[1], v[2], format).wrapped;
+    });
+}
+TEST(SplitsOf24Bits, MultiplySaturating) {
+    expect_of_24_bits(
+        "multiply", {3, {3, 3}},
+        [](const int64_t* v, exact::Format format) {
+            return exact::multiply_add(v[0], v[1], 0, format).saturated;
+        },
+        "_saturating");
+}
+TEST(SplitsOf24Bits, Dot2) {
+    expect_of_24_bits("dot2", {3, {2, 2}}, [](const int64_t* v, exact::Format format) {
+        return exact::dot(v, v + 3, 2, format).wrapped;
+    });
+}
+TEST(SplitsOf24Bits, Dot3) {
+    expect_of_24_bits("dot3", {3, {2, 2}}, [](const int64_t* v, exact::Format format) {
+        return exact::dot(v, v + 3, 3, format).wrapped;
     });
 }
 

@@ -29,8 +29,8 @@ std::filesystem::path program_of(const std::string& name) {
 
 // The programs of a full run.
 std::vector<std::string> exhausted() {
-    std::vector<std::string> names = catalogue::formats();
-    for (const std::string& name : catalogue::correctly_rounded_programs()) names.push_back(name);
+    std::vector<std::string> names = catalogue::programs();
+    std::erase(names, "rivals");
     return names;
 }
 

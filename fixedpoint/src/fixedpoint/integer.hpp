@@ -91,14 +91,33 @@ template <class Raw>
 using Wide = typename IntegerWithSign<RawLimits<Raw>::width == 24 ? 64 : 2 * RawLimits<Raw>::width,
                                       RawLimits<Raw>::is_signed>::Type;
 
+// a 2^count modulo 2^W. Requires count < W.
+template <class Word>
+constexpr Word shifted_left(Word a, unsigned char count) {
+    return static_cast<Word>(a << count);
+}
+#ifdef FIXEDPOINT_HAS_INT24
+// avr-gcc 5.4 shifts by 16 bits into other registers wrongly: it reads the lowest byte of the
+// result in place of that of the operand.
+inline UnsignedInt24 shifted_left_16(UnsignedInt24 a) {
+    asm("mov %C0, %A0\n\tclr %B0\n\tclr %A0" : "+r"(a));
+    return a;
+}
+template <>
+constexpr UnsignedInt24 shifted_left(UnsignedInt24 a, unsigned char count) {
+    return count == 16 && !__builtin_constant_p(a) ? shifted_left_16(a)
+                                                   : static_cast<UnsignedInt24>(a << count);
+}
+#endif
+
 // a 2^count modulo 2^W, and a / 2^count rounded downward, for a constant count from 0 to W. C++
 // leaves a shift by W undefined.
 template <int count, class Raw>
 constexpr Raw shift_up(Raw a) {
     return count >= RawLimits<Raw>::width
                ? Raw(0)
-               : static_cast<Raw>(static_cast<Unsigned<Raw>>(a)
-                                  << (count < RawLimits<Raw>::width ? count : 0));
+               : static_cast<Raw>(shifted_left(static_cast<Unsigned<Raw>>(a),
+                                               count < RawLimits<Raw>::width ? count : 0));
 }
 template <int count, class Raw>
 constexpr Raw shift_down(Raw a) {
@@ -145,9 +164,9 @@ constexpr Raw wrapping_negate(Raw a) {
 // a 2^count modulo 2^W; 0 from count = W on.
 template <class Raw>
 constexpr Raw wrapping_shift_left(Raw a, unsigned char count) {
-    return count >= RawLimits<Raw>::width ? Raw(0)
-                                          : static_cast<Raw>(static_cast<Unsigned<Raw>>(
-                                                static_cast<Unsigned<Raw>>(a) << count));
+    return count >= RawLimits<Raw>::width
+               ? Raw(0)
+               : static_cast<Raw>(shifted_left(static_cast<Unsigned<Raw>>(a), count));
 }
 
 // |a| as an unsigned number, exact even for the smallest value.

@@ -237,7 +237,8 @@ def prints():
 
 
 def raw(n, width=W):
-    return f"int{width}_t(0x{n & (1 << width) - 1:x}u{'ll' if width == 64 else ''})"
+    name = "fixedpoint::Int24" if width == 24 else f"int{width}_t"
+    return f"{name}(0x{n & (1 << width) - 1:x}u{'ll' if width == 64 else ''})"
 
 
 def boolean(condition):

@@ -279,8 +279,8 @@ def refuses(name, chip, statement, reason, *options):
 
 
 REFUSED = [
-    ("Fixed<12, 12> x; (void)x;", "has 8, 16, 32 or 64 bits"),
-    ("Fixed<64, 64> x; (void)x;", "has 8, 16, 32 or 64 bits"),
+    ("Fixed<12, 13> x; (void)x;", "has 8, 16, 24, 32 or 64 bits"),
+    ("Fixed<64, 64> x; (void)x;", "has 8, 16, 24, 32 or 64 bits"),
     ("Fixed<0, 16> x; (void)x;", "IntegerBits counts the sign"),
     ("Fixed<17, -1> x; (void)x;", "FractionBits must not be negative"),
     ("UFixed<12, 12> x; (void)x;", "has 8, 16, 32 or 64 bits"),

@@ -652,8 +652,13 @@ FIXEDPOINT_CONSTEXPR Raw remainder(Raw a, Raw b) {
                               : static_cast<Raw>(remainder<int8_t, 4>(static_cast<int8_t>(a),
                                                                       static_cast<int8_t>(b)));
 }
-// Neither do divrem and divmod. Of all quotients of 8 bits, only -128 / -1 is out of range.
+// Neither do divrem and divmod. Of all quotients of 8 bits, only -128 / -1 is out of range. Numbers
+// without a sign have no kernel.
 #define FIXEDPOINT_DIVISION(operation)                                                        \
+    template <class Raw>                                                                      \
+    FIXEDPOINT_CONSTEXPR void raw_##operation(Raw a, Raw b, Raw* pair) {                      \
+        portable::operation<Raw, 0>(a, b, pair);                                              \
+    }                                                                                         \
     FIXEDPOINT_CONSTEXPR void raw_##operation(int16_t a, int16_t b, int16_t* pair) {          \
         operation<int16_t, 8>(a, b, pair);                                                    \
     }                                                                                         \
@@ -693,12 +698,14 @@ FIXEDPOINT_OF_64_BITS(abs_diff)
 // In formats of 8 and 16 bits, the root is that of the integer a 2^F, rounded once, and with 16
 // fraction bits that of Q16.16.
 template <class Raw, int F>
+constexpr int fraction_of_root() {
+    return F == 16 && !RawLimits<Raw>::is_signed ? 16 : 0;
+}
+template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw sqrt(Raw a) {
     return has_assembly && sizeof(Raw) <= 2
-               ? saturated<Raw>(sqrt < int32_t, F == 16 && !RawLimits<Raw>::is_signed
-                                                    ? 16
-                                                    : 0 > (static_cast<int32_t>(a) *
-                                                           (int32_t(1) << (F < 16 ? F : 0))))
+               ? saturated<Raw>(sqrt<int32_t, fraction_of_root<Raw, F>()>(
+                     static_cast<int32_t>(a) * (int32_t(1) << (F < 16 ? F : 0))))
                : Split<Raw, F>::sqrt(a);
 }
 template <class Raw, int F>
