@@ -21,13 +21,15 @@ constexpr portable::Converted<typename Number::Raw> parsed(const char* digits, i
     return portable::parse_literal<typename Number::Raw, Number::fraction_bits>(digits,
                                                                                 digits + count);
 }
-template <class Number, typename Number::Raw raw, bool fits>
+// The raw is passed as the integer that the compiler computes it in, since one of 24 bits may be a
+// class.
+template <class Number, decltype(+typename Number::Raw()) raw, bool fits>
 constexpr Number checked() {
     static_assert(fits, "This constant lies outside the range of its fixed-point format.");
-    return Number::from_raw(raw);
+    return Number::from_raw(static_cast<typename Number::Raw>(raw));
 }
-#define FIXEDPOINT_CONSTANT(text)                                 \
-    checked<Number, parsed<Number>(text, sizeof text - 1).number, \
+#define FIXEDPOINT_CONSTANT(text)                                  \
+    checked<Number, +parsed<Number>(text, sizeof text - 1).number, \
             parsed<Number>(text, sizeof text - 1).fits>()
 /// \endcond
 
