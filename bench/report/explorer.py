@@ -149,11 +149,11 @@ def number_format(name, data):
         row, = data.rows("table_3_1", format="float")
         return drawn | {"fraction": None, "maximum": row["maximum"], "resolution": None,
                         "relative": row["relative_error_at_1"]}
-    family, whole, fraction = re.fullmatch(r"([qs]|int)(\d+)(?:_(\d+))?", name).groups()
+    family, whole, fraction = re.fullmatch(r"([qsu]|int)(\d+)(?:_(\d+))?", name).groups()
     fraction = int(fraction or 0)
     resolution = 2.0 ** -fraction
-    # The sign counts as a bit in a Q format and in an integer, not in an _Accum.
-    maximum = 2.0 ** (int(whole) - (family != "s")) - resolution
+    # The sign counts as a bit in a Q format and in an integer, not in an _Accum; a U format has none.
+    maximum = 2.0 ** (int(whole) - (family not in ("s", "u"))) - resolution
     return drawn | {"fraction": fraction, "maximum": maximum, "resolution": resolution,
                     "relative": None}
 
