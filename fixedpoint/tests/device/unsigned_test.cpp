@@ -53,8 +53,8 @@ __attribute__((noinline)) void check_pair(Word x, Word y, Word z) {
     CHECK((s - t).raw() == portable::subtract_saturating(x, y));
     CHECK((s * t).raw() == (portable::multiply_saturating<Word, F>(x, y)));
     const auto division = divrem(a, b);
-    CHECK(division.quotient == (y == 0 ? (x == 0 ? Word(0) : Number::max().raw())
-                                       : static_cast<Word>(x / y)));
+    CHECK(division.quotient ==
+          (y == 0 ? (x == 0 ? Word(0) : Number::max().raw()) : static_cast<Word>(x / y)));
     CHECK(division.remainder == a % b);
 }
 template <int F>
