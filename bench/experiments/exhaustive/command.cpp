@@ -32,6 +32,7 @@ constexpr const char* exhausted[] = {"q4_4",
                                      "q16_16",
                                      "q8_24",
                                      "q32_32",
+                                     "unsigned",
                                      "correctly_rounded_angles",
                                      "correctly_rounded_powers"};
 
