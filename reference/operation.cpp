@@ -30,7 +30,7 @@ const OperationShape* leading_operation(std::string_view symbol) {
 
 // Removes the format that `rest` starts with, and the underscore after it, and returns the format.
 NumberFormat take_format(std::string_view& rest) {
-    const bool split = rest.starts_with("q") || rest.starts_with("s");
+    const bool split = rest.starts_with("q") || rest.starts_with("s") || rest.starts_with("u");
     const std::size_t first = rest.find('_');
     const std::size_t end = split && first != rest.npos ? rest.find('_', first + 1) : first;
     const NumberFormat format = parse_format(rest.substr(0, end));

@@ -14,6 +14,7 @@ PROOFS = {(operation, number_format, implementation): proof
           for proof, formats, implementation, operations in (
               ("fixedpoint/prove_products", ("q8_16", "q12_12", "q16_16", "q8_24"), OURS,
                ("multiply", "multiply_add", "dot2", "dot3")),
+              ("fixedpoint/prove_products", ("u8_8", "u16_16"), OURS, ("multiply",)),
               ("fixedpoint/prove_products", ("q32_32",), OURS, ("multiply", "dot2", "dot3")),
               ("fixedpoint/prove_products", ("q8_8",), OURS, ("dot2", "dot3")),
               ("fixedpoint/prove_saturating_products", ("q16_16",), "saturating", ("multiply",)),

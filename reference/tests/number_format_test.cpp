@@ -96,6 +96,8 @@ TEST(Symbol, NamesTheSubject) {
               Arithmetic::toward_zero);
     EXPECT_EQ(parse_symbol("multiply_add_int16_native").subject,
               (Subject{Operation::multiply_add, parse_format("int16"), Arithmetic::integer}));
+    EXPECT_EQ(parse_symbol("divide_u8_8_default").subject,
+              (Subject{Operation::divide, unsigned_format(8, 8), Arithmetic::nearest}));
     EXPECT_EQ(parse_symbol("atan2_float_libc").subject,
               (Subject{Operation::atan2, ieee_single, Arithmetic::ieee}));
     EXPECT_EQ(parse_symbol("divide_s16_15_accum").subject.arithmetic, Arithmetic::accum);

@@ -67,8 +67,9 @@ TEST(Boundary, HoldsTheEdgesOfFloats) {
 }
 
 TEST(Boundary, IsSortedAndWithinEveryFormat) {
-    for (const char* name : {"q4_4", "q8_8", "q16_16", "q32_32", "q1_15", "q1_63", "q8_24", "q64_0",
-                             "int8", "int64", "s8_7", "s16_47", "float", "float64"}) {
+    for (const char* name :
+         {"q4_4", "q8_8", "q16_16", "q32_32", "q1_15", "q1_63", "q8_24", "q64_0", "u8_8", "u0_32",
+          "int8", "int64", "s8_7", "s16_47", "float", "float64"}) {
         const NumberFormat format = reference::parse_format(name);
         const auto operands = boundary_operands(format);
         EXPECT_GE(operands.size(), 40u) << name;

@@ -76,7 +76,9 @@ FIXEDPOINT_CONSTEXPR Converted<Raw> assemble(Word integer, DecimalFraction<Word>
     const Word magnitude =
         (integer << F) + ((fraction.bits >> (RawLimits<Word>::width - 1 - F)) >> 1);
     const Word up = below.rounds_away(negative) ? 1 : 0;
-    if (magnitude > limit || up > limit - magnitude) return saturated;
+    const bool fits =
+        RawLimits<Raw>::is_signed || !negative ? magnitude <= limit - up : magnitude + up == 0;
+    if (!fits) return saturated;
     return {with_sign<Raw>(static_cast<Unsigned<Raw>>(magnitude + up), negative), true};
 }
 
