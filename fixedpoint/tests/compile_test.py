@@ -55,11 +55,14 @@ ASSERTED = [
     ("constexpr Q16_16 y = fixed<16, 16>(32768.0)", "the_format_does_not_hold_this_constant"),
     ("constexpr Q16_16 y = fixed<16, 16>(-40000)", "the_format_does_not_hold_this_constant"),
     ("(void)fixed<16, 16>('a')", "takes an integer, float or double"),
+    ("(void)cosh(Fixed<48, 16, CorrectlyRounded>())", "needs a format of at most 32 bits"),
+    ("(void)pow(Fixed<8, 24, CorrectlyRounded>(), Fixed<8, 24, CorrectlyRounded>())", "numbers of Q16.16"),
     ("(void)sizeof(BlockNumber<Fixed<8, 8, HalfToEven>>)", "rounds to nearest, half up"),
     ("(void)sizeof(BlockNumber<Fixed<8, 8, Published>>)", "rounds to nearest, half up"),
 ]
 PRELUDE = """
 #include <fixedpoint.h>
+#include <fixedpoint/arithmetic/correctly_rounded.hpp>
 #include <fixedpoint/arithmetic/published.hpp>
 #include <fixedpoint/arithmetic/rounded.hpp>
 #include <fixedpoint/arithmetic/saturating.hpp>
