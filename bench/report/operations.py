@@ -144,17 +144,23 @@ def format_table(data):
 
 
 def correctly_rounded_finding(data):
-    """What functions that round correctly cost compared with the default's, in a sentence; empty if none was measured."""
-    kind = "q16_16", "correctly_rounded"
-    known = {name: bounds.known(data, name, *kind) for name in names(data, *kind)}
-    if not known:
-        return ""
-    ratios = sorted((mean(data, name, *kind) / mean(data, name, "q16_16"), name) for name in known)
-    kinds = [each["bound"] for each in known.values()]
-    told = ", ".join(f"{bound} in {kinds.count(bound)}" for bound in sorted(set(kinds)))
-    return (f"If you need correct rounding, `CorrectlyRounded` errs by at most {max(each['max_ulp'] for each in known.values()):.3g} ulp in "
-            f"{len(known)} functions of Q16.16 (bound: {told}). It takes {ratios[0][0]:.2g} ({ratios[0][1]}) to {ratios[-1][0]:.2g} "
-            f"({ratios[-1][1]}) times the default's mean cycles, and up to {max(each['cycles_max'] for each in known.values())} cycles near a tie.")
+    """What functions that round correctly cost compared with the default's, in a sentence for each format; empty if none
+    was measured."""
+    sentences = []
+    for number_format in FORMATS:
+        kind = number_format, "correctly_rounded"
+        known = {name: bounds.known(data, name, *kind) for name in names(data, *kind)}
+        if not known:
+            continue
+        ratios = sorted((mean(data, name, *kind) / mean(data, name, number_format), name) for name in known)
+        kinds = [each["bound"] for each in known.values()]
+        told = ", ".join(f"{bound} in {kinds.count(bound)}" for bound in sorted(set(kinds)))
+        sentences.append(
+            f"{'In' if sentences else 'If you need correct rounding, in'} {style.format_label(number_format)} `CorrectlyRounded` errs by "
+            f"at most {max(each['max_ulp'] for each in known.values()):.3g} ulp in {len(known)} functions (bound: {told}). It takes "
+            f"{ratios[0][0]:.2g} ({ratios[0][1]}) to {ratios[-1][0]:.3g} ({ratios[-1][1]}) times the default's mean cycles, and up to "
+            f"{max(each['cycles_max'] for each in known.values())} cycles near a tie.")
+    return " ".join(sentences)
 
 
 def least_flash(data):

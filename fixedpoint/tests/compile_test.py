@@ -64,11 +64,14 @@ ASSERTED = [
     ("(void)256_u8_8", "outside the range"),
     ("constexpr U8_8 y = ufixed<8, 8>(-1)", "the_format_does_not_hold_this_constant"),
     ("(void)sizeof(BlockNumber<U8_8>)", "A block takes a number with a sign"),
+    ("(void)cosh(Fixed<48, 16, CorrectlyRounded>())", "needs a format of at most 32 bits"),
+    ("(void)pow(Fixed<8, 24, CorrectlyRounded>(), Fixed<8, 24, CorrectlyRounded>())", "numbers of Q16.16"),
     ("(void)sizeof(BlockNumber<Fixed<8, 8, HalfToEven>>)", "rounds to nearest, half up"),
     ("(void)sizeof(BlockNumber<Fixed<8, 8, Published>>)", "rounds to nearest, half up"),
 ]
 PRELUDE = """
 #include <fixedpoint.h>
+#include <fixedpoint/arithmetic/correctly_rounded.hpp>
 #include <fixedpoint/arithmetic/published.hpp>
 #include <fixedpoint/arithmetic/rounded.hpp>
 #include <fixedpoint/arithmetic/saturating.hpp>

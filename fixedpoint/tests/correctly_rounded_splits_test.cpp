@@ -179,6 +179,31 @@ TEST(CorrectRoundingInSplits, OfReciprocalRoots) {
     expect_reciprocal_roots(std::make_integer_sequence<int, 32>());
 }
 
+template <int F>
+void expect_unit_vectors_and_lengths() {
+    std::mt19937 random(F);
+    for (int i = 0; i < 3000; ++i) {
+        int32_t v[3], unit[3];
+        Real sum = 0;
+        for (int32_t& component : v) {
+            component = static_cast<int32_t>(random()) >> random() % 32;
+            sum += Real(component) * Real(component);
+        }
+        CorrectlyRounded::normalise3<int32_t, F>(v, unit);
+        for (int k = 0; k < 3 && sum > 0; ++k)
+            ASSERT_EQ(unit[k], rounded<int32_t>(Real(v[k]) / sqrtf128(sum), F)) << v[k];
+        ASSERT_EQ((CorrectlyRounded::length3<int32_t, F>(v)), rounded<int32_t>(sqrtf128(sum), 0));
+    }
+}
+TEST(CorrectRoundingInSplits, OfUnitVectorsAndLengths) {
+    expect_unit_vectors_and_lengths<0>();
+    expect_unit_vectors_and_lengths<8>();
+    expect_unit_vectors_and_lengths<15>();
+    expect_unit_vectors_and_lengths<24>();
+    expect_unit_vectors_and_lengths<28>();
+    expect_unit_vectors_and_lengths<31>();
+}
+
 // 2^-(F+1) is the only tie of exp2, and 1 / sqrt(2^(2F+2)) of the reciprocal root.
 template <int F>
 void expect_ties_up() {

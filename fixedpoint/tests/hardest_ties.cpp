@@ -85,7 +85,7 @@ int main(int arguments, char** argument) {
     SEARCH(acos, -1, 1)
     SEARCH(atan, -most, most)
     SEARCH(exp, lowest, log)
-    SEARCH(exp2, -(fraction + 2), 31 - fraction)
+    SEARCH(exp2, -(fraction + 2.0), 31.0 - fraction)
     SEARCH(expm1, lowest, std::log1p(most))
     SEARCH(log, ulp, most)
     SEARCH(log2, ulp, most)

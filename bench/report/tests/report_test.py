@@ -282,7 +282,7 @@ sqrt q16_16 correctly_rounded physics 9 9 750 999 1 0.49 1 0.001 50 ll
 add q16_16 correctly_rounded physics 9 9 15 2000 1 0.5 1 0.001 50 mm
 """)
         self.assertEqual(operations.correctly_rounded_finding(made),
-                         "If you need correct rounding, `CorrectlyRounded` errs by at most 0.5 ulp in 2 functions of Q16.16 (bound: "
+                         "If you need correct rounding, in Q16.16 `CorrectlyRounded` errs by at most 0.5 ulp in 2 functions (bound: "
                          "lower bound in 2). It takes 1.5 (add) to 2.5 (sqrt) times the default's mean cycles, and up to 2000 "
                          "cycles near a tie.")
 

@@ -64,7 +64,7 @@ FIXEDPOINT_CONSTEXPR Power<Word128> power_of_10(int64_t n) {
 // Whether a power is at least n 2^-f. The two must differ by a factor below 2.
 template <int f>
 FIXEDPOINT_CONSTEXPR bool is_at_least(const Power<Word128>& power, uint64_t n) {
-    return power.mantissa >= Word128(n) << (125 - f - power.exponent);
+    return power.mantissa >= (Word128(n) << (125 - f - power.exponent));
 }
 
 struct Exp {
@@ -122,7 +122,7 @@ struct Sinh {
         const int64_t positive = magnitude(a);
         const Word128 twice = in_units_of_hyperbolic(power_of_e<F>(positive)) -
                               in_units_of_hyperbolic(power_of_e<F>(-positive));
-        return (twice >= Word128(magnitude(n)) << (92 - F)) == (a > 0);
+        return (twice >= (Word128(magnitude(n)) << (92 - F))) == (a > 0);
     }
 };
 struct Cosh {
@@ -131,7 +131,7 @@ struct Cosh {
         const int64_t positive = magnitude(a);
         const Word128 twice = in_units_of_hyperbolic(power_of_e<F>(positive)) +
                               in_units_of_hyperbolic(power_of_e<F>(-positive));
-        return twice >= Word128(magnitude(n)) << (92 - F);
+        return twice >= (Word128(magnitude(n)) << (92 - F));
     }
 };
 // (1 - p) / (1 + p) >= t, with p = e^-2|a|, if 1 - t >= p (1 + t).
@@ -140,7 +140,7 @@ struct Tanh {
     static FIXEDPOINT_CONSTEXPR bool reaches(int64_t n, int32_t a) {
         constexpr uint64_t one = uint64_t(2) << F;
         const Word128 power = in_units_of_hyperbolic(power_of_e<F>(-2 * int64_t(magnitude(a))));
-        return (Word128(one - magnitude(n)) << 92 >= power * (one + magnitude(n))) == (a > 0);
+        return ((Word128(one - magnitude(n)) << 92) >= power * (one + magnitude(n))) == (a > 0);
     }
 };
 
@@ -198,7 +198,8 @@ struct Tan {
     template <int F>
     static FIXEDPOINT_CONSTEXPR bool reaches(int64_t n, int32_t a) {
         const UnitVector<Word128> unit = unit_vector_at<F>(a);
-        return (absolute(unit.sine) << 1 >= (absolute(unit.cosine) >> F) * magnitude(n)) == (n > 0);
+        return ((absolute(unit.sine) << 1) >= (absolute(unit.cosine) >> F) * magnitude(n)) ==
+               (n > 0);
     }
 };
 // A tie may be beyond the largest angle, in the direction in which the other coordinate is
