@@ -20,7 +20,7 @@
     load_magnitude .Llong_first
     first_square
     load_magnitude .Llong_second
-    add_square
+    add_square last
     XJMP fixedpoint_length_root
 .Llong_first:
     push r28

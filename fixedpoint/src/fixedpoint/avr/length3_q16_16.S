@@ -22,7 +22,7 @@
     load_magnitude .Llong_second
     add_square
     load_magnitude .Llong_third
-    add_square
+    add_square last
     XJMP fixedpoint_length_root
 .Llong_first:
     push r28

@@ -10,16 +10,16 @@
 //
 // The fraction bits cancel: the same for every 32-bit format.
 //
-// A remainder with |a| < |b| is a. Otherwise, if |a| < 2^24 and |b| >= 2^8, the bytes of the quotient
+// A remainder with |a| < |b| is a. Otherwise, if |a| < 2^24 and |b| >= 2^8, the bytes of its quotient
 // are estimated: both magnitudes are multiplied by the power of two that moves the leading one of
-// |b| to the top of its highest byte, and v = floor((2^16 - 1) / D) - 2^8, D being that byte plus 1.
-// With h:l the bytes of the dividend above and at its place, h + floor((h v + l) / 2^8) is not above
-// the quotient. |b| is subtracted as often as that is too small.
+// |b| to the top of its highest byte, and v = floor(2^16 / D) - 2^8, at most 255, D being that byte
+// plus 1. With h:l the bytes of the dividend above and at its place, h + floor((h v + l) / 2^8) is
+// not above the quotient. |b| is subtracted as often as that is too small.
 //
-// In all other cases, restoring division of the magnitudes: the divisor is shifted left, by whole bytes first and then
-// by bits, until it exceeds the dividend, and then right again bit by bit. The cost is proportional
-// to the length of the quotient. If the quotient is requested, the carry of each comparison, the
-// complement of a quotient bit, is shifted into ones.
+// In all other cases, and if the quotient is requested, restoring division of the magnitudes: the
+// divisor is shifted left, by whole bytes first and then by bits, until it exceeds the dividend, and
+// then right again bit by bit. The cost is proportional to the length of the quotient. The carry of
+// each comparison, the complement of a quotient bit, is shifted into ones.
 //
 // In:        r25:r22 a, r21:r18 b, r17:r16 the results' address
 // Out:       r25:r22, the remainder
@@ -28,7 +28,8 @@
 //   r21:r18  the divisor's magnitude, shifted left
 //   r26      bits by which the divisor has been shifted left, finally 0
 //   T        the sign of a
-//   r31:r30:r1:r0  the complement of the quotient's magnitude
+// If the quotient is requested:
+//   r31:r30:r1:r0  the complement of its magnitude
 //   r27      its sign
 
 #ifdef __AVR_HAVE_MUL__
