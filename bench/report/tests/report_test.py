@@ -845,6 +845,8 @@ f q8_8 nearest implicit_springs m 10 - - -
         # One light body between two rods: the tension R g acts on it through 2 / L.
         self.assertAlmostEqual(math.sqrt(2 * 9.81 * stability.load_bound(2, 8) / 0.5) / 2**8, 2)
         self.assertAlmostEqual(stability.load_bound(4, 11) / stability.load_bound(4, 8), 64)
+        # omega h = 2 for that body under 10^5 times its mass.
+        self.assertAlmostEqual(math.sqrt(2 * 9.81 * 1e5 / 0.5) / stability.steps_for_load(2), 2)
         self.assertEqual(stability.load_finding(self.rows()), "")
 
     def test_what_the_solvers_of_chains_cost(self):
@@ -1056,6 +1058,26 @@ map x limit scalar arithmetic integrator bound
         made = golden(stability_map=self.MAP.format("speed", "mass_ratio"))
         shown = [line for line in curves(stability.draw_speed(made).axes[0]) if line[0]]
         self.assertEqual(shown, [([0.25, 0.5], [10, 20]), ([0.25, 0.5], [64, 16])])
+
+    def test_the_energy_that_a_motion_gains(self):
+        made = golden(stability_map=self.MAP.format("speed", "mass_ratio"), dynamics="""
+measure system scalar arithmetic integrator at measured theory
+energy spring q16_16 nearest velocity_verlet 100 -0.5 0
+energy spring q16_16 nearest velocity_verlet 10 0.25 0
+energy spring q16_16 published velocity_verlet 10 9 9
+energy spring q16_16 nearest explicit_euler 10 2 -3
+energy spring q16_16 nearest explicit_euler 100 - 30
+order spring q16_16 nearest velocity_verlet 10 7 7
+energy orbit q16_16 nearest velocity_verlet 10 7 7
+""")
+        rows = made.rows("dynamics")
+        steps, gained, theory = stability.energy_gained(rows, "spring", "q16_16", "velocity_verlet")
+        self.assertEqual((steps, gained), ([10, 100], [0.25, 0.5]))
+        self.assertTrue(all(map(math.isnan, theory)))
+        steps, gained, theory = stability.energy_gained(rows, "spring", "q16_16", "explicit_euler")
+        self.assertEqual((steps, gained[0], theory), ([10, 100], 2, [3, 30]))
+        self.assertTrue(math.isnan(gained[1]))
+        self.assertEqual([axes.get_title() for axes in stability.draw_speed(made).axes[2:]], ["spring", "orbit", "pendulum"])
 
     def test_the_speed_of_methods_that_are_not_drawn(self):
         rows = [f"speed {radius} {limit} q16_16 nearest {method} 9" for method, limits in
