@@ -147,7 +147,7 @@ def correctly_rounded_finding(data):
     """What functions that round correctly cost compared with the default's, in a sentence for each format; empty if none
     was measured."""
     sentences = []
-    for number_format in FORMATS:
+    for number_format in catalogue.FORMATS:
         kind = number_format, "correctly_rounded"
         known = {name: bounds.known(data, name, *kind) for name in names(data, *kind)}
         if not known:

@@ -57,9 +57,9 @@ Number apply(int operation, Number x, Integral n, bool& consistent) {
 }
 
 template <class Raw, int F, class Arithmetic>
-using NumberOf =
-    Fixed<RawLimits<Raw>::width - F, F,
-          std::conditional_t<std::is_signed_v<Raw>, Arithmetic, UnsignedArithmetic<Arithmetic>>>;
+using NumberOf = Fixed<
+    RawLimits<Raw>::width - F, F,
+    std::conditional_t<RawLimits<Raw>::is_signed, Arithmetic, UnsignedArithmetic<Arithmetic>>>;
 
 // Raws without a sign are passed and returned as the numbers with a sign of the same bits.
 template <class Raw, int F, class Integral>
@@ -71,7 +71,8 @@ Results compute(int64_t a, uint64_t bits) {
     bool& consistent = results.consistent = true;
     for (int i = 0; i < operations; ++i) {
         const auto bits_of = [&]<class Number>(Number number) {
-            return std::make_signed_t<Raw>(apply(i, number, n, consistent).raw());
+            return fixedpoint::Integer<RawLimits<Raw>::width>(
+                apply(i, number, n, consistent).raw());
         };
         results.nearest[i] = bits_of(x);
         results.saturating[i] = bits_of(NumberOf<Raw, F, Saturating>::from_raw(raw));
@@ -98,7 +99,7 @@ struct MixedSubject {
 template <class Raw, int F, class... Integrals>
 void add_integrals(std::vector<MixedSubject>& all) {
     (all.push_back({RawLimits<Raw>::width, F, RawLimits<Integrals>::width,
-                    std::is_signed_v<Integrals>, std::is_signed_v<Raw>,
+                    std::is_signed_v<Integrals>, RawLimits<Raw>::is_signed,
                     compute<Raw, F, Integrals>}),
      ...);
 }
