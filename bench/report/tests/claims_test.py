@@ -81,6 +81,16 @@ class Claims(unittest.TestCase):
         self.assertEqual({row["violations"] for row in rows("exhaustive")}, {"0"})
         self.assertEqual({row["mismatches"] for row in rows("kernels")}, {"0"})
 
+    def test_the_library_says_what_three_bytes_cost(self):
+        readme = (RESULTS.parent / "fixedpoint" / "README.md").read_text(encoding="utf-8")
+        names = ("add", "multiply", "dot3", "divide", "sqrt", "sin", "atan2")
+        self.assertIn(f"| | {' | '.join(names)} |", readme)
+        for label, number_format, implementation in (("Q8.16", "q8_16", "default"), ("Q12.12", "q12_12", "default"),
+                                                     ("Q16.16", "q16_16", "default"), ("avr-libc float", "float", "libc")):
+            mean = {row["operation"]: f"{float(row['cycles_mean']):.0f}" for row in rows(
+                "operations", format=number_format, implementation=implementation, operands="physics")}
+            self.assertIn(f"| {label} | {' | '.join(mean.get(name, '–') for name in names)} |", readme)
+
     def test_table_3_2_names_its_hypothesis_and_the_baseline(self):
         hypotheses = rows("table_3_2_hypotheses")
         used, = (row for row in hypotheses if row["measured_with"] == "yes")

@@ -109,6 +109,26 @@ constexpr UnsignedInt24 shifted_left(UnsignedInt24 a, unsigned char count) {
                                                    : static_cast<UnsignedInt24>(a << count);
 }
 #endif
+// a b modulo 2^W.
+template <class Word>
+constexpr Word wrapping_product(Word a, Word b) {
+    // The factor 1u keeps 16 bits from being multiplied as a signed int.
+    return static_cast<Word>(1u * a * b);
+}
+#ifdef FIXEDPOINT_HAS_INT24
+// A product with a constant 2^16 would become that shift.
+constexpr UnsignedInt24 product_in_parts(UnsignedInt24 a, UnsignedInt24 constant) {
+    return static_cast<UnsignedInt24>(
+        a * static_cast<uint16_t>(constant) +
+        shifted_left(static_cast<UnsignedInt24>(a * static_cast<uint8_t>(constant >> 16)), 16));
+}
+template <>
+constexpr UnsignedInt24 wrapping_product(UnsignedInt24 a, UnsignedInt24 b) {
+    return __builtin_constant_p(a) == __builtin_constant_p(b) ? static_cast<UnsignedInt24>(a * b)
+           : __builtin_constant_p(b)                          ? product_in_parts(a, b)
+                                                              : product_in_parts(b, a);
+}
+#endif
 
 // a 2^count modulo 2^W, and a / 2^count rounded downward, for a constant count from 0 to W. C++
 // leaves a shift by W undefined.

@@ -63,9 +63,18 @@ void check_widening(const Pair& expected) {
     Widening<sizeof(Raw) <= 4, Number>::check(operand(expected.a), operand(expected.b), expected);
 }
 
+// Compilers turn a product with this constant into a shift; that with a variable is checked above.
+void check_constant_factor(const WithInteger& expected) {
+    const volatile int32_t hidden = 65536;
+    const Number a = operand(expected.a);
+    const int32_t factor = hidden;
+    CHECK((a * int32_t(65536)).raw() == (a * factor).raw());
+}
+
 }  // namespace
 
 void test_integers() {
+    for_each(with_integers, check_constant_factor);
     for_each(with_integers, check_types);
     for_each(pairs, check_widening);
 }

@@ -33,9 +33,8 @@ constexpr Raw add_integer(Raw a, Int n) {
 }
 template <class Raw, class Int>
 constexpr Raw multiply_integer(Raw a, Int n) {
-    // The factor 1u keeps 16 bits from being multiplied as a signed int.
-    return static_cast<Raw>(static_cast<Unsigned<Raw>>(1u * static_cast<Unsigned<Raw>>(a) *
-                                                       static_cast<Unsigned<Raw>>(n)));
+    return static_cast<Raw>(
+        wrapping_product(static_cast<Unsigned<Raw>>(a), static_cast<Unsigned<Raw>>(n)));
 }
 
 // floor((to - from) / 2^F) for raws. Requires to >= from.
