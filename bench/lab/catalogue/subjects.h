@@ -85,6 +85,8 @@
 #define CORRECTLY_ROUNDED_LENGTHS_AND_POW(X, ...)                       \
     OPERATION_length2(X, __VA_ARGS__) OPERATION_length3(X, __VA_ARGS__) \
         OPERATION_pow(X, __VA_ARGS__)
+#define EVERY_UNARY_POWER(X, ...) \
+    CORRECTLY_ROUNDED_POWERS(X, __VA_ARGS__) UNARY_POWER_OPERATIONS(X, __VA_ARGS__)
 /* The others take 10^5 cycles and more in Q8.24, too many to measure. */
 #define CORRECTLY_ROUNDED_BY_KERNELS(X, ...) \
     CORRECTLY_ROUNDED_UNARY_ANGLES(X, __VA_ARGS__) CORRECTLY_ROUNDED_POWERS(X, __VA_ARGS__)
