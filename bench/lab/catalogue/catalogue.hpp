@@ -43,7 +43,8 @@ inline std::vector<std::string> formats() {
 inline std::vector<std::string> correctly_rounded_programs() {
     return {"correctly_rounded_angles",          "correctly_rounded_arcs",
             "correctly_rounded_powers",          "correctly_rounded_exponentials",
-            "correctly_rounded_lengths_and_pow", "correctly_rounded_q8_24"};
+            "correctly_rounded_lengths_and_pow", "correctly_rounded_q8_24_angles",
+            "correctly_rounded_q8_24_powers"};
 }
 
 // The device programs without their suffix: four for each format of the library, those of the

@@ -87,9 +87,6 @@
         OPERATION_pow(X, __VA_ARGS__)
 #define EVERY_UNARY_POWER(X, ...) \
     CORRECTLY_ROUNDED_POWERS(X, __VA_ARGS__) UNARY_POWER_OPERATIONS(X, __VA_ARGS__)
-/* The others take 10^5 cycles and more in Q8.24, too many to measure. */
-#define CORRECTLY_ROUNDED_BY_KERNELS(X, ...) \
-    CORRECTLY_ROUNDED_UNARY_ANGLES(X, __VA_ARGS__) CORRECTLY_ROUNDED_POWERS(X, __VA_ARGS__)
 
 /* X(implementation, policy, provenance, on the host, formats, operations, label)
  *
@@ -132,8 +129,11 @@
     X(correctly_rounded, CorrectlyRounded, ours, own, FORMAT_q16_16, UNARY_POWER_OPERATIONS, "ours, correctly rounded")
 #define IMPLEMENTATION_correctly_rounded_lengths_and_pow(X) \
     X(correctly_rounded, CorrectlyRounded, ours, own, FORMAT_q16_16, CORRECTLY_ROUNDED_LENGTHS_AND_POW, "ours, correctly rounded")
-#define IMPLEMENTATION_correctly_rounded_q8_24(X) \
-    X(correctly_rounded, CorrectlyRounded, ours, own, FORMAT_q8_24, CORRECTLY_ROUNDED_BY_KERNELS, "ours, correctly rounded")
+/* The others take 10^5 cycles and more in Q8.24, too many to measure. */
+#define IMPLEMENTATION_correctly_rounded_q8_24_angles(X) \
+    X(correctly_rounded, CorrectlyRounded, ours, own, FORMAT_q8_24, CORRECTLY_ROUNDED_UNARY_ANGLES, "ours, correctly rounded")
+#define IMPLEMENTATION_correctly_rounded_q8_24_powers(X) \
+    X(correctly_rounded, CorrectlyRounded, ours, own, FORMAT_q8_24, CORRECTLY_ROUNDED_POWERS, "ours, correctly rounded")
 #define IMPLEMENTATION_toward_zero(X) \
     X(toward_zero, TowardZero, ours, own, LIBRARY_FORMATS, PRODUCTS_AND_QUOTIENTS, "ours, toward zero")
 #define IMPLEMENTATION_downward(X) \
@@ -152,22 +152,22 @@
     X(native, Native, rival, none, INTEGERS, INTEGER_OPERATORS, "plain integer")
 /* clang-format on */
 
-#define IMPLEMENTATIONS(X)                                                                         \
-    IMPLEMENTATION_default(X) IMPLEMENTATION_angles(X) IMPLEMENTATION_powers(X)                    \
-        IMPLEMENTATION_auxiliary(X) IMPLEMENTATION_unsigned(X) IMPLEMENTATION_unsigned_auxiliary(  \
-            X) IMPLEMENTATION_portable(X) IMPLEMENTATION_published(X) IMPLEMENTATION_saturating(X) \
-            IMPLEMENTATION_widening(X) IMPLEMENTATION_small(X)                                     \
-                IMPLEMENTATION_correctly_rounded_angles(X)                                         \
-                    IMPLEMENTATION_correctly_rounded_arcs(X)                                       \
-                        IMPLEMENTATION_correctly_rounded_powers(X)                                 \
-                            IMPLEMENTATION_correctly_rounded_exponentials(X)                       \
-                                IMPLEMENTATION_correctly_rounded_lengths_and_pow(X)                \
-                                    IMPLEMENTATION_correctly_rounded_q8_24(X)                      \
-                                        IMPLEMENTATION_toward_zero(X) IMPLEMENTATION_downward(X)   \
-                                            IMPLEMENTATION_half_to_even(X) IMPLEMENTATION_libc(X)  \
-                                                IMPLEMENTATION_libc_elementary(X)                  \
-                                                    IMPLEMENTATION_libc_auxiliary(X)               \
-                                                        IMPLEMENTATION_accum(X)                    \
-                                                            IMPLEMENTATION_native(X)
+#define IMPLEMENTATIONS(X)                                                                        \
+    IMPLEMENTATION_default(X) IMPLEMENTATION_angles(X) IMPLEMENTATION_powers(                     \
+        X) IMPLEMENTATION_auxiliary(X) IMPLEMENTATION_unsigned(X)                                 \
+        IMPLEMENTATION_unsigned_auxiliary(X) IMPLEMENTATION_portable(X) IMPLEMENTATION_published( \
+            X) IMPLEMENTATION_saturating(X) IMPLEMENTATION_widening(X) IMPLEMENTATION_small(X)    \
+            IMPLEMENTATION_correctly_rounded_angles(X) IMPLEMENTATION_correctly_rounded_arcs(X)   \
+                IMPLEMENTATION_correctly_rounded_powers(X)                                        \
+                    IMPLEMENTATION_correctly_rounded_exponentials(X)                              \
+                        IMPLEMENTATION_correctly_rounded_lengths_and_pow(X)                       \
+                            IMPLEMENTATION_correctly_rounded_q8_24_angles(X)                      \
+                                IMPLEMENTATION_correctly_rounded_q8_24_powers(X)                  \
+                                    IMPLEMENTATION_toward_zero(X) IMPLEMENTATION_downward(X)      \
+                                        IMPLEMENTATION_half_to_even(X) IMPLEMENTATION_libc(X)     \
+                                            IMPLEMENTATION_libc_elementary(X)                     \
+                                                IMPLEMENTATION_libc_auxiliary(X)                  \
+                                                    IMPLEMENTATION_accum(X)                       \
+                                                        IMPLEMENTATION_native(X)
 
 #endif
