@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fixedpoint/integer.hpp>
 #include <limits>
 #include <map>
 #include <memory>
