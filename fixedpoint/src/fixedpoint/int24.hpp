@@ -12,9 +12,12 @@ namespace fixedpoint {
 
 #ifdef __INT24_MAX__
 #define FIXEDPOINT_HAS_INT24
+/// The two's-complement integer of 24 bits.
 __extension__ typedef __int24 Int24;
+/// The unsigned integer of 24 bits.
 __extension__ typedef __uint24 UnsignedInt24;
 #else
+/// \cond internal
 template <bool>
 struct IfInteger {};
 template <>
@@ -44,7 +47,10 @@ class Integer24 {
 
     uint8_t low_, middle_, high_;
 };
+/// \endcond
+/// The two's-complement integer of 24 bits.
 using Int24 = Integer24<int32_t>;
+/// The unsigned integer of 24 bits.
 using UnsignedInt24 = Integer24<uint32_t>;
 #endif
 

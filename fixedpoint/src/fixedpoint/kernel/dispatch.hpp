@@ -697,14 +697,14 @@ FIXEDPOINT_OF_64_BITS(abs_diff)
 
 // In formats of 8 and 16 bits, the root is that of the integer a 2^F, rounded once, and with 16
 // fraction bits that of Q16.16.
-template <class Raw, int F>
+template <int F>
 constexpr int fraction_of_root() {
-    return F == 16 && !RawLimits<Raw>::is_signed ? 16 : 0;
+    return F == 16 ? 16 : 0;
 }
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw sqrt(Raw a) {
     return has_assembly && sizeof(Raw) <= 2
-               ? saturated<Raw>(sqrt<int32_t, fraction_of_root<Raw, F>()>(
+               ? saturated<Raw>(sqrt<int32_t, fraction_of_root<F>()>(
                      static_cast<int32_t>(a) * (int32_t(1) << (F < 16 ? F : 0))))
                : Split<Raw, F>::sqrt(a);
 }
