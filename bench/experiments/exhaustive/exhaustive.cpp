@@ -125,6 +125,10 @@ class Worker {
             std::span(results_).first(count_ * (results_.size() / calls_of_a_batch));
         const std::span cycles = std::span(cycles_).first(count_);
         session_.run(raws, computed, cycles);
+        // Registers hold a pattern; a raw without a sign is extended otherwise.
+        const reference::NumberFormat& format = oracle_.subject.format;
+        if (format.is_unsigned)
+            for (std::int64_t& raw : computed) raw = format.extend(std::uint64_t(raw));
         const std::span regular = std::span(regular_).first(count_);
         oracle_.judge_all(raws, computed, part.errors, regular);
         if (oracle_.portable) oracle_.compare_all(raws, computed, part.differences);

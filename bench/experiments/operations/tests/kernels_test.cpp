@@ -90,7 +90,7 @@ class DenseCalls {
         session_.run(operands_, results_, cycles_);
         host_.evaluate(operands_, expected_);
         for (std::size_t i = 0; i < results_.size(); ++i) {
-            if (results_[i] == expected_[i]) continue;
+            if (host_.subject.format.extend(std::uint64_t(results_[i])) == expected_[i]) continue;
             if (mismatches_++ == 0) {
                 const auto first = operands_.begin() + std::ptrdiff_t(i / results * arity);
                 first_ = fmt::format("{}", fmt::join(first, first + std::ptrdiff_t(arity), " "));
