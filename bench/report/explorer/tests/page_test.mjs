@@ -324,7 +324,7 @@ test("a table is filtered, sorted and saved as it stands", async () => {
 
 test("the overview says which formats hold a need, and the mean and largest cycles", async () => {
   await go("view=overview&range=20&resolution=0.0001");
-  assert.equal(await page.locator("p[role=status]").textContent(), "Q16.16, Q8.24, Q32.32, float fit.");
+  assert.equal(await page.locator("p[role=status]").textContent(), "Q8.16, Q16.16, Q8.24, Q32.32, float fit.");
   const cells = await page.locator("[data-subject='q16_16/default'] td.number").evaluateAll((all) => all.map((cell) => cell.innerText.split("\n")));
   ["add", "multiply", "divide", "sqrt", "sin", "atan2"].forEach((operation, index) => {
     const mine = (row) => row.operation === operation && row.format === "q16_16" && row.implementation === "default";
