@@ -129,7 +129,7 @@
     X(correctly_rounded, CorrectlyRounded, ours, own, FORMAT_q16_16, UNARY_POWER_OPERATIONS, "ours, correctly rounded")
 #define IMPLEMENTATION_correctly_rounded_lengths_and_pow(X) \
     X(correctly_rounded, CorrectlyRounded, ours, own, FORMAT_q16_16, CORRECTLY_ROUNDED_LENGTHS_AND_POW, "ours, correctly rounded")
-/* Without the functions that no kernel decides: in Q8.24 their simulation would take hours. */
+/* Without the functions that no kernel decides: in Q8.24 their simulation takes too long. */
 #define IMPLEMENTATION_correctly_rounded_q8_24_angles(X) \
     X(correctly_rounded, CorrectlyRounded, ours, own, FORMAT_q8_24, CORRECTLY_ROUNDED_UNARY_ANGLES, "ours, correctly rounded")
 #define IMPLEMENTATION_correctly_rounded_q8_24_powers(X) \
