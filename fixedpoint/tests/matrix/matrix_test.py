@@ -210,12 +210,15 @@ def linked(chip, language, program, *options):
 
 
 def links_in_c(chip):
-    """Programs in C have no compiled code to which a kernel could jump. All kernels fill three chips."""
+    """Programs in C have no compiled code to which a kernel could jump. All kernels fill more than one chip;
+    neighbours by name share objects."""
     jumping = must(["g++", "-E", "-P", f"-I{source}", "-xc++", "-"],
                    input="#include <fixedpoint/kernel/table.hpp>\n#define NAME(shape, operation, Raw, F, symbol, same) symbol\n"
                          "FIXEDPOINT_ROUNDED_KERNELS(NAME)\n").split()
     kernels = sorted(SYMBOLS - set(jumping))
-    for names in [kernels[::3], kernels[1::3], kernels[2::3], *([name] for name in jumping)]:
+    quarter = -(-len(kernels) // 4)
+    for names in [*(kernels[start:start + quarter] for start in range(0, len(kernels), quarter)),
+                  *([name] for name in jumping)]:
         result = linked(chip, "c", "".join(f"void {name}(void);\n" for name in names) +
                         f"int main(void) {{ {'(), '.join(names)}(); }}\n", "-std=c11")
         if names[0] in jumping and MISSING not in result.stderr:
