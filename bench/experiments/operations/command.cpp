@@ -210,7 +210,7 @@ const fixbench::Registration accuracy({
             add_filters(command, options->selection);
             CLI::Option* const quick = command.add_flag(
                 "--quick", options->quick,
-                "sample input spaces of more than 2^24 points instead of exhausting them");
+                "sample input spaces of more than 2^16 points instead of exhausting them");
             command
                 .add_option("--keep", options->kept,
                             "folder of an earlier run, from which rows of 2^32 points are "

@@ -13,7 +13,7 @@ namespace operations {
 struct AccuracyOptions {
     std::filesystem::path output;  // folder for accuracy.csv and its companions
     Selection selection;
-    bool quick = false;  // sample the spaces of more than 2^24 inputs
+    bool quick = false;  // sample the spaces of more than 2^16 inputs
     // The folder of the three files of an earlier run. If it is named, the spaces of more than 2^24
     // inputs are not exhausted again: their rows are kept after they have been checked against the
     // witness of the largest error and against samples.

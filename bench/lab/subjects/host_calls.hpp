@@ -73,7 +73,7 @@ void judge_all(Raws operands, Raws results, reference::ErrorStatistics& statisti
     constexpr int bits = subject.operand_format.width *
                          static_cast<int>(reference::shape(subject.operation).operands);
     using Fast = reference::bulk::FunctionFloat<subject.format.width>;
-    using Real = std::conditional_t<(bits <= 24), reference::Binary128, Fast>;
+    using Real = std::conditional_t<(bits <= 16), reference::Binary128, Fast>;
     bool* next = regular.empty() ? nullptr : regular.data();
     for_each_call<subject.operation>(operands, results, [&](Raws each, Raws computed) {
         const reference::Judgement judgement = judge<subject, Real>(each, computed);
