@@ -51,3 +51,13 @@ def finding(data):
     return (f"Building blocks (controllers, filters, tables, matrices, quaternions) that take at most {GOAL} times float's "
             f"cycles on inputs in -1..1: {'; '.join(told)}. Outside of that range, sums of products in Q8.24 take more."
             + (f" On inputs in -4..4 (rows *_wide), blocks take {', '.join(wide)}." if wide else ""))
+
+
+def limit_cycle_finding(data):
+    """What filters with error feedback leave without input, and what they would leave without feedback."""
+    rows = {feedback: data.rows("limit_cycles", error_feedback=feedback) for feedback in ("yes", "no")}
+    held = max(row["largest_ulp"] for row in rows["yes"])
+    worst = max(rows["no"], key=lambda row: row["largest_ulp"])
+    return (f"Without input, the filters' outputs come to {held} ulp at most, within their bound; without error feedback, "
+            f"sums rounded once stop at up to {worst['largest_ulp']} ulp ({worst['filter']} with a period of "
+            f"{worst['time_constant_steps']} steps in {style.format_label(worst['format'])}).")

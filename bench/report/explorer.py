@@ -30,7 +30,7 @@ DRAWN = {
     "stability": ("stability", "stability_map"),
 }
 LISTED = ("kernels", "table_3_2", "workload", "workload_firmware", "features", "growth", "envelope",
-          "blocks", "suitability", "ablations", "haptic", "calibration_candidates", "stable_limits")
+          "blocks", "limit_cycles", "suitability", "ablations", "haptic", "calibration_candidates", "stable_limits")
 
 # A marker of matplotlib as the library's symbol and as a letter.
 SYMBOLS = {"o": ("circle", "●"), "s": ("square", "■"), "^": ("triangle", "▲"), "D": ("diamond2", "◆"),

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "bench/experiments/blocks/limit_cycles.hpp"
 #include "bench/experiments/blocks/measure_blocks.hpp"
 #include "bench/lab/program/build.hpp"
 #include "bench/lab/program/experiment.hpp"
@@ -50,7 +51,16 @@ int run(const std::filesystem::path& output) {
             held = false;
         }
     }
+    const std::vector<LimitCycle> cycles = limit_cycles();
+    for (const LimitCycle& cycle : cycles) {
+        if (cycle.bound_ulp && static_cast<double>(cycle.largest_ulp) > *cycle.bound_ulp) {
+            fmt::print(stderr, "{} {}: a limit cycle of {} ulp, and the bound is {}\n",
+                       cycle.filter, cycle.format, cycle.largest_ulp, *cycle.bound_ulp);
+            held = false;
+        }
+    }
     records::table_of(rows).save(output / "blocks.csv");
+    records::table_of(cycles).save(output / "limit_cycles.csv");
     return held ? fixbench::held : fixbench::check_failed;
 }
 
@@ -60,12 +70,14 @@ const fixbench::Registration registration({
         "What the library's building blocks (PID, filters, tables, polynomials, complex\n"
         "numbers, matrices, quaternions) cost on the chip in fixed point and in float: cycles a\n"
         "step, flash above that of an empty program, and the error against a run in double.\n"
-        "Fails if a fixed-point result differs from the host's. File: blocks.csv.\n\n"
+        "What filters leave without input, with their error feedback and without. Fails if a\n"
+        "fixed-point result differs from the host's, or a bound does not hold.\n"
+        "Files: blocks.csv, limit_cycles.csv.\n\n"
         "Example: fixbench blocks",
-    .prints = {"blocks.csv"},
+    .prints = {"blocks.csv", "limit_cycles.csv"},
     .add = [](CLI::App&) { return [](const fixbench::Call& call) { return run(call.output); }; },
     .steps = {{.name = "blocks",
-               .writes = {"blocks.csv"},
+               .writes = {"blocks.csv", "limit_cycles.csv"},
                .targets = {"block_programs"},
                .reads = {BLOCK_PROGRAM_FOLDER},
                .full_seconds = 4,
