@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fixbench, the command line of the bench: the registered experiments as sub-commands.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -8,15 +9,42 @@
 #include <exception>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "bench/experiments/judge/corpus.hpp"
 #include "bench/lab/program/experiment.hpp"
+#include "bench/lab/records/record.hpp"
 #include "bench/sequence/sequence.hpp"
 
 namespace {
+
+// The columns of each kind of data file and what they hold, as JSON: bench/report/data.py reads the
+// files by it. Throws std::logic_error if equal names hold different things.
+std::string columns_json() {
+    std::map<std::vector<std::string>, records::Header> by_names;
+    for (const auto header_of : records::headers()) {
+        const records::Header header = header_of();
+        std::vector<std::string> names;
+        for (const auto& [name, held] : header) names.push_back(name);
+        if (by_names.try_emplace(names, header).first->second != header)
+            throw std::logic_error(
+                fmt::format("two records of the columns {} differ in what these "
+                            "hold",
+                            fmt::join(names, ", ")));
+    }
+    nlohmann::ordered_json list = nlohmann::json::array();
+    for (const auto& [names, header] : by_names) {
+        nlohmann::ordered_json columns;
+        for (const auto& [name, held] : header) columns[name] = held;
+        list.push_back(std::move(columns));
+    }
+    return list.dump();
+}
 
 const fixbench::Registration report({
     .name = "report",
@@ -42,10 +70,10 @@ const fixbench::Registration report({
                 const std::filesystem::path folder = *results;
                 if (!*check && std::filesystem::exists(folder / "data" / "operations.csv"))
                     judge::write_corpora(folder / "data", folder / "corpus");
-                const std::string experiments = sequence::json_list();
-                std::vector<const char*> call{FIXBENCH_PYTHON, FIXBENCH_REPORT,
-                                              "--results",     results->c_str(),
-                                              "--experiments", experiments.c_str()};
+                const std::string experiments = sequence::json_list(), columns = columns_json();
+                std::vector<const char*> call{
+                    FIXBENCH_PYTHON, FIXBENCH_REPORT,     "--results", results->c_str(),
+                    "--experiments", experiments.c_str(), "--columns", columns.c_str()};
                 if (*check) call.push_back("--check");
                 if (*here) call.push_back("--measured-here");
                 call.push_back(nullptr);

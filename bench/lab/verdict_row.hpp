@@ -2,7 +2,7 @@
 // A measured figure next to the published one, with a verdict.
 #pragma once
 
-#include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -13,9 +13,10 @@ namespace lab {
 
 struct VerdictRow {
     std::string quantity, arithmetic;
-    double published, measured;  // NaN if nothing was published
+    std::optional<double> published;  // if anything was
+    double measured;
     std::string unit;
-    double ratio;
+    std::optional<double> ratio;
     std::string verdict, reason;
 
     static constexpr auto columns = std::tuple(
@@ -47,8 +48,7 @@ inline VerdictRow compared(const std::string& quantity, const std::string& arith
 // A row without a published figure.
 inline VerdictRow told(const std::string& quantity, const std::string& arithmetic, double measured,
                        const std::string& unit, const std::string& reason) {
-    constexpr double none = std::numeric_limits<double>::quiet_NaN();
-    return {quantity, arithmetic, none, measured, unit, none, "measured", reason};
+    return {quantity, arithmetic, std::nullopt, measured, unit, std::nullopt, "measured", reason};
 }
 
 }  // namespace lab

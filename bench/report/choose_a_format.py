@@ -9,7 +9,6 @@ import catalogue
 import operations
 from data import DataError
 
-WIDTHS = (8, 16, 32, 64)
 
 
 def integer_bits(largest):
@@ -40,14 +39,13 @@ class Format:
 
     @property
     def name(self):
-        halves = self.integer == self.fraction
-        return f"Q{self.integer}_{self.fraction}" if halves else f"Fixed<{self.integer}, {self.fraction}>"
+        return catalogue.TYPES.get((self.integer, self.fraction), f"Fixed<{self.integer}, {self.fraction}>")
 
     @property
     def measured(self):
         """Its name among the measured formats, or None."""
         name = f"q{self.integer}_{self.fraction}"
-        return name if name in catalogue.FORMATS else None
+        return name if name in MEASURED else None
 
     @property
     def square_overflows_from(self):
@@ -63,20 +61,28 @@ class Format:
         return rate * 2.0**-(self.fraction + 1)
 
 
-# The formats in which all operations are measured, by their names in the library.
-MEASURED = {name: f"`{Format(*map(int, re.findall('[0-9]+', name))).name}`" for name in catalogue.FORMATS} | {"float": "float"}
+# The formats in which all operations are measured, by their names there.
+MEASURED = {name: Format(*map(int, re.findall("[0-9]+", name))) for name in catalogue.FORMATS}
+COMPARED = (*MEASURED, "float")
+WIDTHS = sorted({each.width for each in MEASURED.values()})
+# Those that have a name in the library.
+NAMED = [Format(*bits) for bits in catalogue.TYPES]
+
+
+def names():
+    """The names of types in the library, in Markdown."""
+    return [f"`{each.name}`" for each in NAMED]
 
 
 def choose(largest, step):
-    """The narrowest format with that range and that resolution, with equal halves if these suffice. Bits that are left
-    over make the steps finer."""
+    """The narrowest format with that range and that resolution, with a name in the library if one suffices. Bits that
+    are left over make the steps finer."""
     integer, fraction = integer_bits(largest), fraction_bits(step)
     for width in WIDTHS:
         if integer + fraction <= width:
-            halves = width // 2
-            if integer <= halves and fraction <= halves:
-                return Format(halves, halves)
-            return Format(integer, width - integer)
+            named = [each for each in NAMED
+                     if each.width == width and integer <= each.integer and fraction <= each.fraction]
+            return max(named, key=lambda each: each.fraction, default=Format(integer, width - integer))
     raise DataError(f"no format has {integer} integer bits and {fraction} fraction bits")
 
 

@@ -200,8 +200,15 @@ def write_pages(results, data):
                 write_whole(results / name, page(environment, template, names))
 
 
-def write(results, experiments=()):
-    """Everything: the figures, then the pages that show them."""
+def write_columns(folder, headers):
+    """columns.json: what the columns of the data files hold, a line for each kind of file."""
+    write_whole(folder / "columns.json", "[\n" + ",\n".join(map(json.dumps, headers)) + "\n]\n")
+
+
+def write(results, experiments=(), headers=None):
+    """Everything: what the columns hold, if that is given; the figures; then the pages that show them."""
+    if headers is not None:
+        write_columns(results / "data", headers)
     data = Data(results / "data", experiments)
     draw_all(data, results / "figures")
     write_pages(results, data)
@@ -216,14 +223,14 @@ def write(results, experiments=()):
             explorer.write(results / "index.html", environment, data, write_whole)
 
 
-def differences(results, experiments):
-    """The pages and figures of a folder that do not follow from its data."""
+def differences(results, experiments=(), headers=None):
+    """The pages and figures of a folder that do not follow from its data, and columns.json if not from the headers."""
     with tempfile.TemporaryDirectory() as scratch:
         made = pathlib.Path(scratch)
         (made / "data").mkdir()
         for path in (results / "data").iterdir():
             (made / "data" / path.name).symlink_to(path.resolve())
-        write(made, experiments)
+        write(made, experiments, headers)
         files = [path.relative_to(made) for folder in (made, made / "figures", made / "data")
                  for path in sorted(folder.iterdir()) if path.is_file() and not path.is_symlink()]
         return [file for file in files if not (results / file).is_file()
@@ -236,6 +243,8 @@ def main():
                         help="folder that has data/ and gets figures/ and the pages")
     parser.add_argument("--experiments", type=json.loads, default=[],
                         help="output of `fixbench --list --json`: which command makes which file")
+    parser.add_argument("--columns", type=json.loads,
+                        help="the columns of each kind of data file and what they hold, instead of data/columns.json")
     parser.add_argument("--measured-here", action="store_true",
                         help="the data were measured on this machine today: note its tools and the date")
     parser.add_argument("--check", action="store_true",
@@ -245,13 +254,13 @@ def main():
     try:
         with telling(str(results)):
             if arguments.check:
-                wrong = differences(results, arguments.experiments)
+                wrong = differences(results, arguments.experiments, arguments.columns)
                 for file in wrong:
                     print(f"report: {results / file} does not follow from the data", file=sys.stderr)
                 return 1 if wrong else 0
             if arguments.measured_here:
                 note_tools(results / "data")
-            write(results, arguments.experiments)
+            write(results, arguments.experiments, arguments.columns)
     except (DataError, OSError) as error:
         print("\nreport: " + " ".join(str(error).removeprefix(f"{results}: ").split()),
               file=sys.stderr)

@@ -10,14 +10,14 @@ failures=0
 fail() { echo "FAILED: $*"; failures=$((failures + 1)); }
 
 # The list is one: all data files that are committed have a maker, and one only. The report's are
-# bounds.csv and, after a full run, tools.json: with what the others were measured.
+# bounds.csv, columns.json and, after a full run, tools.json: with what the others were measured.
 "$fixbench" --list --json >"$scratch/list.json" || fail "--list --json"
 /usr/bin/python3 - "$scratch/list.json" "$(dirname "$0")/../../results/data" <<'PYTHON' || fail "the list of experiments"
 import collections, json, os, sys
 experiments = json.load(open(sys.argv[1]))
 made = collections.Counter(file for each in experiments for file in each["writes"] + each["full_only"])
 twice = [file for file, count in made.items() if count > 1]
-orphans = [file for file in os.listdir(sys.argv[2]) if file not in {*made, "bounds.csv", "tools.json"}]
+orphans = [file for file in os.listdir(sys.argv[2]) if file not in {*made, "bounds.csv", "columns.json", "tools.json"}]
 sys.exit(f"made twice: {twice}; made by nobody: {orphans}" if twice or orphans else 0)
 PYTHON
 "$fixbench" --list | grep -q "^growth_host .*growth_host.csv" || fail "--list names what each writes"

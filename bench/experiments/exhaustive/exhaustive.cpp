@@ -34,6 +34,7 @@ namespace machine_code {
 namespace {
 
 using instructions::CompiledFunction;
+using records::column;
 
 constexpr int exhaustive_bits = 32;
 constexpr std::size_t calls_of_a_batch = 512;  // whose raws and cycles fit the first-level cache
@@ -300,35 +301,56 @@ Measurement run_of(const simulator::Elf& elf, const Job& job, const Options& opt
             .unreached = {}};
 }
 
-records::Table empty_table() {
-    return records::Table({"operation", "format", "implementation", "operands", "inputs", "max_ulp",
-                           "max_ulp_witness", "rms_ulp", "mean_ulp", "cycles_min", "cycles_mean",
-                           "cycles_max", "cycles_max_witness", "unreached_instructions",
-                           "violations", "portable_differences", "kernel_sha256"});
-}
+// A row of exhaustive.csv. A search has no means, since these would describe the search.
+struct Row {
+    std::string operation, format, implementation, operands;
+    std::uint64_t inputs;
+    double max_ulp;
+    std::string max_ulp_witness;
+    std::optional<double> rms_ulp, mean_ulp;
+    std::uint64_t cycles_min;
+    std::optional<double> cycles_mean;
+    std::uint64_t cycles_max;
+    std::string cycles_max_witness;
+    std::uint64_t unreached_instructions, violations;
+    std::optional<std::uint64_t> portable_differences;  // if there is portable code
+    std::string kernel_sha256;
 
-std::vector<std::string> row_of(const Measurement& measurement, const Part& total) {
+    static constexpr auto columns = std::tuple(
+        column("operation", &Row::operation), column("format", &Row::format),
+        column("implementation", &Row::implementation), column("operands", &Row::operands),
+        column("inputs", &Row::inputs), column("max_ulp", &Row::max_ulp),
+        column("max_ulp_witness", &Row::max_ulp_witness), column("rms_ulp", &Row::rms_ulp),
+        column("mean_ulp", &Row::mean_ulp), column("cycles_min", &Row::cycles_min),
+        column("cycles_mean", &Row::cycles_mean), column("cycles_max", &Row::cycles_max),
+        column("cycles_max_witness", &Row::cycles_max_witness),
+        column("unreached_instructions", &Row::unreached_instructions),
+        column("violations", &Row::violations),
+        column("portable_differences", &Row::portable_differences),
+        column("kernel_sha256", &Row::kernel_sha256));
+};
+
+Row row_of(const Measurement& measurement, const Part& total) {
     const reference::NamedSubject named = reference::parse_symbol(measurement.symbol);
-    // Means over the operands of a search would describe the search.
     const auto mean = [&](std::optional<double> value) {
-        return measurement.every_input ? records::cell(value) : std::string();
+        return measurement.every_input ? value : std::nullopt;
     };
     return {std::string(reference::shape(named.subject.operation).name),
             reference::format_name(named.subject.format),
             named.implementation,
             measurement.every_input ? "all" : "search",
-            fmt::to_string(total.cycles.calls),
-            records::cell(total.errors.max_ulp()),
+            total.cycles.calls,
+            total.errors.max_ulp(),
             operations::text_of(total.errors.max_witness()),
             mean(total.errors.rms_ulp()),
             mean(total.errors.mean_ulp()),
-            fmt::to_string(total.cycles.min),
+            total.cycles.min,
             mean(total.cycles.mean()),
-            fmt::to_string(total.cycles.max),
+            total.cycles.max,
             operations::text_of(total.cycles.max_witness),
-            fmt::to_string(measurement.unreached.size()),
-            fmt::to_string(total.errors.wrong()),
-            measurement.has_portable ? fmt::to_string(total.differences.count) : "",
+            measurement.unreached.size(),
+            total.errors.wrong(),
+            measurement.has_portable ? std::optional(total.differences.count) : std::nullopt,
             measurement.kernel_sha256};
 }
 
@@ -351,24 +373,26 @@ std::uint64_t save(const std::vector<Measurement>& measurements,
                    const std::filesystem::path& output) {
     const std::filesystem::path path = output / "exhaustive.csv";
     std::map<std::vector<std::string>, std::vector<std::string>> rows;
-    const auto add = [&](const std::vector<std::string>& row) {
-        rows[{row.begin(), row.begin() + 3}] = row;
+    const auto add = [&](const records::Table& of) {
+        for (const auto& row : of.rows()) rows[{row.begin(), row.begin() + 3}] = row;
     };
-    records::Table table = empty_table();
+    records::Table table = records::table_of(std::vector<Row>());
     if (std::filesystem::exists(path)) {
         const records::Table old = records::Table::load(path);
         if (old.columns() != table.columns())
             throw std::runtime_error(
                 fmt::format("{}: its columns are not those of this version", path.string()));
-        for (const auto& row : old.rows()) add(row);
+        add(old);
     }
+    std::vector<Row> measured;
     std::uint64_t violations = 0;
     for (const Measurement& measurement : measurements) {
         const Part total = measurement.total();
-        add(row_of(measurement, total));
+        measured.push_back(row_of(measurement, total));
         report(measurement, total);
         violations += total.errors.wrong() + total.differences.count;
     }
+    add(records::table_of(measured));
     for (auto& [key, row] : rows) table.add(std::move(row));
     table.save(path);
     return violations;

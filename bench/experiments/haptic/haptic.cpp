@@ -47,8 +47,10 @@ struct Row {
     std::string scenario, arithmetic;
     double seconds, loop_rate, step_mean_ms, step_max_ms;
     std::optional<std::uint64_t> late_steps;  // if the device has steps of constant length
-    double worst_lateness_ms, cpu_percent, render_percent, frames_per_s;
-    double servo_min_us, servo_max_us, fall, swing_deg;
+    std::optional<double> worst_lateness_ms;
+    double cpu_percent, render_percent, frames_per_s;
+    double servo_min_us, servo_max_us;
+    std::optional<double> fall, swing_deg;
     unsigned stack_bytes;
     std::uint64_t bytes_sent;
     std::string verdict, reason, elf_sha256;

@@ -21,6 +21,7 @@
 #include "bench/lab/records/record.hpp"
 #include "bench/lab/records/whole_file.hpp"
 #include "bench/lab/subjects/device_subject.hpp"
+#include "bench/lab/subjects/footprint.hpp"
 #include "bench/lab/subjects/host_subject.hpp"
 #include "bench/lab/subjects/measurement.hpp"
 #include "bench/lab/subjects/witness.hpp"
@@ -35,11 +36,6 @@ using Operands = std::array<std::int64_t, reference::max_operands>;
 
 using records::column;
 
-struct Footprint {
-    std::string flash_bytes;
-    std::string ram_bytes;
-};
-
 // A row of operations.csv.
 struct Figures {
     std::string operation, format, implementation, operands;
@@ -52,10 +48,10 @@ struct Figures {
     std::optional<double> max_ulp;
     std::string max_ulp_witness;
     std::optional<double> rms_ulp;
-    std::string flash_bytes;  // empty if the program's footprints are not known
+    std::optional<int> flash_bytes;  // if the program's footprints are known
     std::uint16_t stack_bytes;
     std::optional<double> mean_ulp;
-    std::string ram_bytes;
+    std::optional<int> ram_bytes;
     std::uint64_t violations;
     std::optional<double> max_error, rms_error;
     std::string kernel_sha256;  // empty if the linker did not keep relocations
@@ -181,16 +177,15 @@ using Footprints = std::map<std::string, Footprint>;
 void load_footprints(Footprints& footprints, std::filesystem::path program) {
     const std::filesystem::path path = program.replace_extension(".footprints.csv");
     if (!std::filesystem::exists(path)) return;
-    const records::Table table = records::Table::load(path);
-    const std::size_t subject = table.column("subject"), flash = table.column("flash_bytes"),
-                      ram = table.column("ram_bytes");
-    for (const auto& row : table.rows()) footprints[row[subject]] = {row[flash], row[ram]};
+    for (Footprint& each : records::rows_of<Footprint>(records::Table::load(path)))
+        footprints[each.subject] = std::move(each);
 }
 
 // A row of flash.csv: the flash of a program that uses several operations of the format in the
 // implementation. `operations` is "nine" or "own", as in bench/device/link_subjects.py.
 struct Flash {
-    std::string operations, format, implementation, flash_bytes, ram_bytes;
+    std::string operations, format, implementation;
+    int flash_bytes, ram_bytes;
 
     static constexpr auto columns = std::tuple(
         column("operations", &Flash::operations), column("format", &Flash::format),
@@ -233,7 +228,10 @@ std::vector<Figures> figures_of(const std::vector<Row>& rows, const Footprints& 
     std::vector<Figures> figures;
     for (const Row& row : rows) {
         const auto footprint = footprints.find(row.subject);
-        const Footprint weight = footprint == footprints.end() ? Footprint{} : footprint->second;
+        const auto bytes = [&](int Footprint::*kind) {
+            return footprint == footprints.end() ? std::nullopt
+                                                 : std::optional(footprint->second.*kind);
+        };
         const auto judged = [&](double error) {
             return row.errors.count() > 0 ? std::optional(error) : std::nullopt;
         };
@@ -255,10 +253,10 @@ std::vector<Figures> figures_of(const std::vector<Row>& rows, const Footprints& 
                            judged(row.errors.max_ulp()),
                            text_of(row.errors.max_witness()),
                            judged(row.errors.rms_ulp()),
-                           weight.flash_bytes,
+                           bytes(&Footprint::flash_bytes),
                            row.stack_bytes,
                            judged(row.errors.mean_ulp()),
-                           weight.ram_bytes,
+                           bytes(&Footprint::ram_bytes),
                            row.errors.wrong(),
                            regular(row.max_error),
                            regular(row.rms_error()),

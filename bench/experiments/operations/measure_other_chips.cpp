@@ -32,7 +32,7 @@ struct Row {
     std::uint32_t cycles_min = std::numeric_limits<std::uint32_t>::max();
     double cycles_mean = 0;  // over the regular operands, or over all if none is regular
     std::uint32_t cycles_max = 0;
-    std::string flash_bytes;  // the growth of a program that uses only this function
+    int flash_bytes = 0;  // the growth of a program that uses only this function
     std::uint64_t violations = 0;
 
     static constexpr auto columns =
@@ -42,6 +42,15 @@ struct Row {
                    column("cycles_min", &Row::cycles_min), column("cycles_mean", &Row::cycles_mean),
                    column("cycles_max", &Row::cycles_max), column("flash_bytes", &Row::flash_bytes),
                    column("violations", &Row::violations));
+};
+
+// A row of programs.csv: a program that uses only one subject.
+struct Program {
+    std::string subject;
+    std::optional<int> flash_bytes;  // if it fits the chip
+
+    static constexpr auto columns = std::tuple(column("subject", &Program::subject),
+                                               column("flash_bytes", &Program::flash_bytes));
 };
 
 struct Task {
@@ -140,24 +149,23 @@ void run(Task& task, std::uint64_t samples) {
 
 void add_tasks(std::vector<Task>& tasks, const std::string& chip,
                const std::filesystem::path& folder, const Selection& selection) {
-    const records::Table table = records::Table::load(folder / "programs.csv");
-    const std::size_t subject = table.column("subject"), flash = table.column("flash_bytes");
-    for (const auto& program : table.rows()) {
-        const reference::NamedSubject named = reference::parse_symbol(program[subject]);
+    for (const Program& program :
+         records::rows_of<Program>(records::Table::load(folder / "programs.csv"))) {
+        const reference::NamedSubject named = reference::parse_symbol(program.subject);
         if (!selection.selects(named.subject, named.implementation)) continue;
-        if (program[flash].empty()) {
-            fmt::print(stderr, "{}: does not fit the {}\n", program[subject], chip);
+        if (!program.flash_bytes) {
+            fmt::print(stderr, "{}: does not fit the {}\n", program.subject, chip);
             continue;
         }
         for (const std::string& operands : other_chip_operands) {
             if (!selection.selects_operands(operands)) continue;
-            Task task{folder / (program[subject] + ".elf"), named, {}};
+            Task task{folder / (program.subject + ".elf"), named, {}};
             task.row.chip = chip;
             task.row.operation = operation_name(named.subject);
             task.row.format = reference::format_name(named.subject.format);
             task.row.implementation = named.implementation;
             task.row.operands = operands;
-            task.row.flash_bytes = program[flash];
+            task.row.flash_bytes = *program.flash_bytes;
             tasks.push_back(std::move(task));
         }
     }

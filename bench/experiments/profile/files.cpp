@@ -24,12 +24,12 @@ using records::column;
 // Minimum, mean and maximum; empty if there are none.
 struct Cells {
     std::optional<Cycle> min, max;
-    std::string mean;
+    std::optional<double> mean;
 
     explicit Cells(const Spread& spread) {
         if (!spread.count) return;
         min = spread.min;
-        mean = fmt::format("{:.3f}", spread.mean());
+        mean = spread.mean();
         max = spread.max;
     }
 };
@@ -42,7 +42,7 @@ struct FunctionRow {
     std::uint64_t inclusive_cycles;
     double inclusive_share;
     std::optional<Cycle> cycles_min;
-    std::string cycles_mean;
+    std::optional<double> cycles_mean;
     std::optional<Cycle> cycles_max;
 
     static constexpr auto columns = std::tuple(
@@ -52,7 +52,7 @@ struct FunctionRow {
         column("inclusive_cycles", &FunctionRow::inclusive_cycles),
         column("inclusive_share", &FunctionRow::inclusive_share, "{:.6f}"),
         column("cycles_min", &FunctionRow::cycles_min),
-        column("cycles_mean", &FunctionRow::cycles_mean),
+        column("cycles_mean", &FunctionRow::cycles_mean, "{:.3f}"),
         column("cycles_max", &FunctionRow::cycles_max));
 };
 
@@ -74,19 +74,19 @@ struct InterruptRow {
     std::string interrupt, handler;
     std::uint64_t count;
     std::optional<Cycle> latency_min;
-    std::string latency_mean;
+    std::optional<double> latency_mean;
     std::optional<Cycle> latency_max, duration_min;
-    std::string duration_mean;
+    std::optional<double> duration_mean;
     std::optional<Cycle> duration_max;
 
     static constexpr auto columns = std::tuple(
         column("vector", &InterruptRow::vector), column("interrupt", &InterruptRow::interrupt),
         column("handler", &InterruptRow::handler), column("count", &InterruptRow::count),
         column("latency_min", &InterruptRow::latency_min),
-        column("latency_mean", &InterruptRow::latency_mean),
+        column("latency_mean", &InterruptRow::latency_mean, "{:.3f}"),
         column("latency_max", &InterruptRow::latency_max),
         column("duration_min", &InterruptRow::duration_min),
-        column("duration_mean", &InterruptRow::duration_mean),
+        column("duration_mean", &InterruptRow::duration_mean, "{:.3f}"),
         column("duration_max", &InterruptRow::duration_max));
 };
 

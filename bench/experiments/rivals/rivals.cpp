@@ -16,6 +16,7 @@
 #include "bench/lab/program/run.hpp"
 #include "bench/lab/records/progress.hpp"
 #include "bench/lab/records/record.hpp"
+#include "bench/lab/subjects/footprint.hpp"
 #include "bench/lab/subjects/measurement.hpp"
 #include "bench/lab/subjects/witness.hpp"
 #include "reference/judge.hpp"
@@ -44,7 +45,7 @@ struct Figures {
     std::optional<double> max_error, rms_error;  // in the unit of the result
     // Shares of the results that are this close to the exact value.
     std::optional<double> within_half_ulp, within_1_ulp, within_8_ulp;
-    std::string flash_bytes, ram_bytes;
+    std::optional<int> flash_bytes, ram_bytes;
     std::optional<std::uint16_t> stack_bytes;
     std::string edges;    // the results for edge cases
     std::string failure;  // why it could not be measured completely
@@ -251,13 +252,11 @@ Figures measure(const Subject& subject, operands::OperandClass operand_class,
     return figures;
 }
 
-std::map<std::string, std::pair<std::string, std::string>> footprints_of(const fs::path& program) {
-    const records::Table table =
-        records::Table::load(fs::path(program).replace_extension(".footprints.csv"));
-    std::map<std::string, std::pair<std::string, std::string>> footprints;
-    for (const auto& row : table.rows())
-        footprints[row[table.column("subject")]] = {row[table.column("flash_bytes")],
-                                                    row[table.column("ram_bytes")]};
+std::map<std::string, operations::Footprint> footprints_of(fs::path program) {
+    const auto table = records::Table::load(program.replace_extension(".footprints.csv"));
+    std::map<std::string, operations::Footprint> footprints;
+    for (operations::Footprint& each : records::rows_of<operations::Footprint>(table))
+        footprints[each.subject] = std::move(each);
     return footprints;
 }
 
@@ -334,8 +333,10 @@ void measure_rivals(const Options& options) {
                 known.measured = options.date;
                 known.operation = reference::shape(named.subject.operation).name;
                 known.format = reference::format_name(named.subject.format);
-                if (const auto weight = footprints.find(symbol); weight != footprints.end())
-                    std::tie(known.flash_bytes, known.ram_bytes) = weight->second;
+                if (const auto weight = footprints.find(symbol); weight != footprints.end()) {
+                    known.flash_bytes = weight->second.flash_bytes;
+                    known.ram_bytes = weight->second.ram_bytes;
+                }
                 subjects.push_back({&programs.back(), symbol, known});
             }
         }

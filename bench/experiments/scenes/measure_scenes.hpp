@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,16 +11,17 @@
 
 namespace scene_bench {
 
-// A row of scenes.csv. What is not known or not measured is NaN: cycles and bytes of runs on the
-// host, and errors if no true motion is known.
+// A row of scenes.csv. Runs on the host have no cycles and bytes, and where no true motion is known
+// there are no errors.
 struct SceneRow {
     std::string scene, scalar, arithmetic, integrator;
     double dt;
     std::uint64_t steps;
-    double cycles_per_step_mean, cycles_per_step_max, cycles_per_simulated_second;
-    double error, error_method, error_arithmetic;
+    std::optional<double> cycles_per_step_mean, cycles_per_step_max, cycles_per_simulated_second;
+    std::optional<double> error, error_method, error_arithmetic;
     std::string unit;
-    double energy_drift, flash_bytes, ram_bytes, stack_bytes;
+    double energy_drift;
+    std::optional<double> flash_bytes, ram_bytes, stack_bytes;
     std::string verdict;
 
     static constexpr auto columns = std::tuple(

@@ -124,11 +124,10 @@ class Costs {
         }
         using scene_bench::SceneRow;
         for (const SceneRow& row : records::rows_of<SceneRow>(records::Table::load(file))) {
-            if (row.scene != scene || std::isnan(row.cycles_per_step_mean)) continue;
+            if (row.scene != scene || !row.cycles_per_step_mean) continue;
             if (row.arithmetic != "nearest" && row.scalar != "float") continue;
             Known& known = measured_[{row.scalar, row.integrator}];
-            known.cost = {row.cycles_per_step_mean,
-                          std::isnan(row.flash_bytes) ? 0 : row.flash_bytes};
+            known.cost = {*row.cycles_per_step_mean, row.flash_bytes.value_or(0)};
             known.exponents.insert(static_cast<int>(-std::log2(row.dt)));
         }
     }

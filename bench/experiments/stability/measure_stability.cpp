@@ -178,7 +178,7 @@ struct MapRow {
     std::string map, x_name;
     double x;
     std::string y_name, unit, scalar, arithmetic, integrator, limit, limited_by;
-    double bound;  // NaN if there is none
+    std::optional<double> bound;
 
     static constexpr auto columns = std::tuple(
         column("map", &MapRow::map), column("x_name", &MapRow::x_name), column("x", &MapRow::x),

@@ -153,7 +153,7 @@ std::vector<HypothesisRow> rows_of(const std::vector<Fit>& fits, const Fit& chos
 struct FormatRow {
     std::string format;
     int bits;
-    std::string minimum, maximum;  // in full
+    records::Digits minimum, maximum;
     double resolution;
     int decimal_digits;
     double relative_error_at_1;
@@ -235,8 +235,10 @@ records::Table table_3_1() {
     const auto fixed = [&](const char* name, int bits, int fraction_bits) {
         const long double resolution = std::ldexp(1.0L, -fraction_bits);  // 63 bits for q32_32
         const long double limit = std::ldexp(1.0L, bits - 1 - fraction_bits);
-        rows.push_back({name, bits, fmt::format("{:.0f}", -limit),
-                        fmt::format("{:.{}f}", limit - resolution, fraction_bits),
+        rows.push_back({name,
+                        bits,
+                        {fmt::format("{:.0f}", -limit)},
+                        {fmt::format("{:.{}f}", limit - resolution, fraction_bits)},
                         static_cast<double>(resolution),
                         static_cast<int>(std::floor(fraction_bits * std::log10(2.0))),
                         static_cast<double>(resolution / 2)});
@@ -245,8 +247,12 @@ records::Table table_3_1() {
     LIBRARY_FORMATS(FORMAT_ROW)
 #undef FORMAT_ROW
     using Float = std::numeric_limits<float>;
-    rows.push_back({"float", 32, fmt::format("{:.9g}", Float::lowest()),
-                    fmt::format("{:.9g}", Float::max()), Float::denorm_min(), Float::digits10,
+    rows.push_back({"float",
+                    32,
+                    {fmt::format("{:.9g}", Float::lowest())},
+                    {fmt::format("{:.9g}", Float::max())},
+                    Float::denorm_min(),
+                    Float::digits10,
                     Float::epsilon() / 2});
     return records::table_of(rows);
 }

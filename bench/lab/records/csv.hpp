@@ -10,7 +10,7 @@
 namespace records {
 
 // A number as a cell: up to six significant digits, integers in full, no trailing zeros. Empty for
-// NaN, which means "not measured".
+// NaN, which means "not measured"; the member of a row that may be NaN is a std::optional.
 std::string cell(double value);
 
 class Table {

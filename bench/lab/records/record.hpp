@@ -12,8 +12,9 @@
 //     records::table_of(readings).save(path);
 //     records::rows_of<Reading>(records::Table::load(path));
 //
-// Columns that several files share are listed in a base class of their rows, joined by
-// std::tuple_cat.
+// The type of a member tells readers in other languages what its column holds (headers()): a number
+// is in every row, unless it is a std::optional. Columns that several files share are listed in a
+// base class of their rows, joined by std::tuple_cat.
 #pragma once
 
 #include <fmt/format.h>
@@ -24,8 +25,10 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "bench/lab/records/csv.hpp"
@@ -68,7 +71,25 @@ constexpr Column<Row, Member> column(const char* name, Member Row::*member, cons
     return {name, member, format};
 }
 
+// A number with more digits than a double has.
+struct Digits {
+    std::string text;
+};
+
+// What the cells of a column hold: "text", "number", or "optional", a number that a row may lack.
+template <class Value>
+constexpr const char* holds = is_number<Value> ? "number" : "text";
+template <>
+inline constexpr const char* holds<bool> = "text";
+template <>
+inline constexpr const char* holds<Digits> = "number";
+template <class Value>
+constexpr const char* holds<std::optional<Value>> = holds<Value> == std::string_view("text")
+                                                        ? "text"
+                                                        : "optional";
+
 inline std::string cell(const std::string& text) { return text; }
+inline std::string cell(const Digits& number) { return number.text; }
 template <std::integral Number>
 std::string cell(Number number) {
     if constexpr (std::same_as<Number, bool>)
@@ -115,15 +136,37 @@ bool read(const std::string& text, std::optional<Value>& value) {
     return text.empty() || read(text, value.emplace());
 }
 
+// The columns of a file in their order: the name of each, and what it holds.
+using Header = std::vector<std::pair<std::string, std::string>>;
+
+template <class Row, class Member>
+void add_to(Header& header, const Column<Row, Member>& one) {
+    header.emplace_back(one.name, holds<Member>);
+}
+template <class Row, class Value>
+void add_to(Header& header, const Columns<Row, Value>& several) {
+    for (const std::string& name : several.names()) header.emplace_back(name, holds<Value>);
+}
+template <class Row>
+Header header_of() {
+    Header header;
+    std::apply([&](const auto&... columns) { (add_to(header, columns), ...); }, Row::columns);
+    return header;
+}
+
+// The headers of all rows of which some part of the program makes tables, whether or not it runs.
+inline std::vector<Header (*)()>& headers() {
+    static std::vector<Header (*)()> all;
+    return all;
+}
+template <class Row>
+inline const bool is_known = (headers().push_back(&header_of<Row>), true);
+
 template <class Row>
 Table table_of(const std::vector<Row>& rows) {
+    [[maybe_unused]] const bool& known = is_known<Row>;  // makes the program register the row
     std::vector<std::string> names, cells;
-    const auto add_names = [&](const auto& of) {
-        if constexpr (requires { of.member; })
-            names.push_back(of.name);
-        else
-            for (const std::string& name : of.names()) names.push_back(name);
-    };
+    for (auto& [name, held] : header_of<Row>()) names.push_back(std::move(name));
     const auto add_cells = [&](const Row& row, const auto& of) {
         if constexpr (requires { of.member; })
             cells.push_back(cell(row.*of.member, of.format));
@@ -132,7 +175,6 @@ Table table_of(const std::vector<Row>& rows) {
     };
     return std::apply(
         [&](const auto&... columns) {
-            (add_names(columns), ...);
             Table table(names);
             for (const Row& row : rows) {
                 (add_cells(row, columns), ...);

@@ -57,6 +57,20 @@ class Claims(unittest.TestCase):
         return [[cell.strip() for cell in line.strip("|").split("|")]
                 for line in lines[:next(k for k, line in enumerate(lines) if not line.startswith("|"))]]
 
+    def test_every_file_has_the_columns_of_a_record(self):
+        data = Data(RESULTS / "data")
+        for path in (RESULTS / "data").glob("*.csv"):
+            if path.name != "bounds.csv":  # the report's own
+                self.assertEqual(len(data.rows(path.stem)), len(table(path.stem)))
+
+    def test_the_rows_of_a_table_are_as_long_as_its_heading(self):
+        for page, text in self.pages.items():
+            heading = None
+            for line in text.splitlines():
+                cells = len(re.findall(r"(?<!\\)\|", line)) if line.startswith("|") else None
+                self.assertTrue(None in (heading, cells) or cells == heading, f"{page}: {line}")
+                heading = cells
+
     def test_the_pages_are_short(self):
         self.assertEqual(len(self.pages), len(report.PAGES))
         self.assertLessEqual(sum(len(text.splitlines()) for text in self.pages.values()), 500)

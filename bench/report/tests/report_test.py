@@ -50,7 +50,7 @@ def golden(**files):
     for name, text in files.items():
         columns, *lines = [line.split() for line in text.strip().splitlines()]
         made._loaded[name] = [
-            data_module.Row(name, {column: data_module._typed("" if cell == "-" else cell, column, name)
+            data_module.Row(name, {column: data_module.typed("" if cell == "-" else cell, "text", name)
                                    for column, cell in zip(columns, line)}) for line in lines]
         if any(len(line) != len(columns) for line in lines):
             raise ValueError(f"{name}: a row of another length than its columns")
@@ -1564,12 +1564,23 @@ class ChooseAFormat(unittest.TestCase):
 
     def test_the_narrowest_type_that_holds_both(self):
         for largest, step, name in ((7.9, 1 / 16, "Q4_4"), (8, 1 / 16, "Q8_8"), (100, 1 / 256, "Q8_8"),
-                                    (1, 0.0001, "Fixed<2, 14>"), (200, 0.004, "Q16_16"),
-                                    (100, 1e-7, "Fixed<8, 24>"), (1e5, 0.001, "Fixed<18, 14>"),
+                                    (1, 0.0001, "Fixed<2, 14>"), (200, 0.004, "Q12_12"),
+                                    (127, 2**-16, "Q8_16"), (128, 2**-12, "Q12_12"), (100, 2**-12, "Q8_16"),
+                                    (200, 2**-13, "Fixed<9, 15>"), (2000, 2**-14, "Q16_16"), (100, 1e-7, "Fixed<8, 24>"), (1e5, 0.001, "Fixed<18, 14>"),
                                     (2e9, 1, "Fixed<32, 0>"), (3e7, 1e-6, "Q32_32")):
             self.assertEqual(choose_a_format.choose(largest, step).name, name)
+        self.assertEqual(choose_a_format.choose(127, 2**-16).measured, "q8_16")
+        self.assertIsNone(choose_a_format.choose(200, 2**-13).measured)
         with self.assertRaisesRegex(DataError, "35 integer bits and 34 fraction bits"):
             choose_a_format.choose(1e10, 1e-10)
+
+    def test_the_types_are_those_of_the_library(self):
+        self.assertEqual([each.name for each in choose_a_format.MEASURED.values()],
+                         ["Q4_4", "Q8_8", "Q8_16", "Q12_12", "Q16_16", "Fixed<8, 24>", "Q32_32"])
+        self.assertEqual(choose_a_format.WIDTHS, [8, 16, 24, 32, 64])
+        # Each width that is measured has a type of its name, and each of these types is measured.
+        self.assertEqual({each.width for each in choose_a_format.NAMED}, set(choose_a_format.WIDTHS))
+        self.assertNotIn(None, [each.measured for each in choose_a_format.NAMED])
 
     def test_limits(self):
         q8_8 = choose_a_format.Format(8, 8)
@@ -1605,12 +1616,16 @@ class Damage(Figures):
     """What is wrong with a file is told in a line, with exit status 1."""
 
     GOOD = "operation,format,cycles_max,loops\nadd,q8_8,9,1\nadd,q16_16,,2\n"
+    HEADERS = [{"loops": "text"},
+               {"operation": "text", "format": "text", "cycles_max": "optional", "loops": "number"}]
 
-    def told(self, content):
+    def told(self, content, headers=HEADERS):
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder) / "data"
             path.mkdir()
             (path / "operations.csv").write_bytes(content)
+            if headers is not None:
+                report.write_columns(path, headers)
             errors = io.StringIO()
             arguments, sys.argv = sys.argv, ["report.py", "--results", folder]
             try:
@@ -1627,6 +1642,7 @@ class Damage(Figures):
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder) / "operations.csv"
             path.write_text(self.GOOD, encoding="utf-8")
+            report.write_columns(pathlib.Path(folder), self.HEADERS)
             rows = Data(folder).rows("operations")
             self.assertEqual([dict(row) for row in rows],
                              [{"operation": "add", "format": "q8_8", "cycles_max": 9, "loops": 1},
@@ -1644,12 +1660,34 @@ class Damage(Figures):
                 (good + b"add,q8_8,1,2,3\n", "operations.csv, row 4: 5 cells under 4 columns"),
                 (good.replace(b",9,1", b",9,"), "row 2, column loops: the number is missing"),
                 (good.replace(b",9,1", b",nan,1"), "row 2, column cycles_max: 'nan' is not a number"),
+                (good.replace(b",9,1", b",9,nan"), "row 2, column loops: 'nan' is not a number"),
+                (good.replace(b",9,1", b",9,1_0"), "row 2, column loops: '1_0' is not a number"),
+                (good.replace(b",9,1", b",9, 1"), "row 2, column loops: ' 1' is not a number"),
+                (good.replace(b",9,1", b",9,one"), "row 2, column loops: 'one' is not a number"),
+                (good.replace(b"cycles_max,loops", b"loops,cycles_max"), "operations.csv: its columns are not those of"),
+                (good.replace(b"loops", b"turns"), "operations.csv: its columns are not those of a record in columns.json"),
                 (good.replace(b",9,1", b",9 1,1"), "row 2, column cycles_max: '9 1' is not a number"),
                 (good.replace(b"add,q8", b"\xff\xfe"), "operations.csv: 'utf-8' codec"),
                 (good, "operations.csv: there is no column 'implementation'")):
             told = self.told(content)
             self.assertTrue(told.startswith("report: "), told)
             self.assertIn(message, told)
+
+    def test_without_columns_nothing_is_read(self):
+        self.assertIn("columns.json is missing; `fixbench report` writes it", self.told(self.GOOD.encode(), headers=None))
+
+    def test_columns_follow_from_the_headers_of_the_program(self):
+        with tempfile.TemporaryDirectory() as folder, unittest.mock.patch("report.figures", return_value={}), \
+                unittest.mock.patch("report.PAGES", {}):
+            results = pathlib.Path(folder)
+            (results / "data").mkdir()
+            (results / "data" / "tools.json").write_text("{}", encoding="utf-8")
+            report.write(results, headers=self.HEADERS)
+            self.assertEqual(Data(results / "data").headers, self.HEADERS)
+            self.assertEqual(report.differences(results, headers=self.HEADERS), [])
+            self.assertEqual(report.differences(results, headers=self.HEADERS[:1]), [pathlib.Path("data/columns.json")])
+            # Without those of the program, the pages are checked alone.
+            self.assertEqual(report.differences(results), [])
 
     def test_a_missing_file_names_the_command(self):
         experiments = [{"command": "fixbench scenes", "writes": ["scenes.csv"], "full_only": []}]

@@ -129,9 +129,11 @@ struct FamilyRow : DeviceRow {
     std::string hand_n_per_m;  // or "own"
     std::size_t plants;
     int at_rest = 0;
-    double swing_deg = 0, frequency_hz = none;
+    double swing_deg = 0;
+    std::optional<double> frequency_hz;
     int released_at_rest = 0;
-    double released_swing_deg = 0, released_frequency_hz = none;
+    double released_swing_deg = 0;
+    std::optional<double> released_frequency_hz;
 
     static constexpr auto columns = std::tuple_cat(
         DeviceRow::columns,
@@ -151,7 +153,7 @@ struct FamilyRow : DeviceRow {
           hand_n_per_m(hand == 0 ? "own" : records::cell(hand)),
           plants(family.size()) {
         const auto add = [](const Swing& swing, int& at_rest, double& worst_deg,
-                            double& frequency) {
+                            std::optional<double>& frequency) {
             at_rest += swing.at_rest();
             if (swing.size / degrees(1) <= worst_deg) return;
             worst_deg = swing.size / degrees(1);
@@ -223,12 +225,12 @@ double limit(double from, double to, double ratio, AtRest&& at_rest) {
     return from;
 }
 
-// A row of stable_limits.csv; NaN if the plant is never at rest.
+// A row of stable_limits.csv. A plant that is never at rest has no limits.
 struct LimitsRow : DeviceRow {
     std::size_t plant;
     double own_hand;
     bool at_rest_at_shortest;
-    double shortest_arm, softest_hand, hardest_hand, linear_shortest_arm;
+    std::optional<double> shortest_arm, softest_hand, hardest_hand, linear_shortest_arm;
 
     static constexpr auto columns = std::tuple_cat(
         DeviceRow::columns,
@@ -295,7 +297,9 @@ void write_changes(const std::vector<Subject>& subjects, const std::vector<Param
 struct ChipRow : DeviceRow {
     double arm_m;
     std::size_t plant;
-    double chip_swing_deg, chip_frequency_hz, host_swing_deg;
+    double chip_swing_deg;
+    std::optional<double> chip_frequency_hz;
+    double host_swing_deg;
     std::string chip, host, elf_sha256;
 
     static constexpr auto columns = std::tuple_cat(

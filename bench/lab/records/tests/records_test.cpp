@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -63,6 +64,20 @@ TEST(Record, ColumnsFollowFromTheStruct) {
     const std::vector<Reading> readings = {{{"a, b"}, 3, 1.0 / 3, 0.25, 0.125, true, {0.5, -1}},
                                            {{"c"}, -1, std::nan(""), {}, 1e6, false, {0, 2}}};
     EXPECT_EQ(records::table_of(readings).to_csv(), readings_file);
+}
+
+TEST(Record, TellsWhatItsColumnsHold) {
+    const records::Header expected = {{"name", "text"},      {"count", "number"}, {"mean", "number"},
+                                      {"error", "optional"}, {"grams", "number"}, {"held", "text"},
+                                      {"low", "number"},     {"high", "number"}};
+    EXPECT_EQ(records::header_of<Reading>(), expected);
+    EXPECT_STREQ(records::holds<records::Digits>, "number");
+    EXPECT_STREQ(records::holds<std::optional<std::string>>, "text");
+    EXPECT_STREQ(records::holds<std::optional<bool>>, "text");
+    // Known from the start, since this program makes tables of it, and not of the other.
+    const auto& known = records::headers();
+    EXPECT_EQ(std::count(known.begin(), known.end(), &records::header_of<Reading>), 1);
+    EXPECT_EQ(std::count(known.begin(), known.end(), &records::header_of<Named>), 0);
 }
 
 TEST(Record, IsReadAsItWasWritten) {
