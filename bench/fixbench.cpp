@@ -20,6 +20,7 @@
 #include "bench/lab/program/experiment.hpp"
 #include "bench/lab/records/record.hpp"
 #include "bench/sequence/sequence.hpp"
+#include "this_build.hpp"
 
 namespace {
 
@@ -70,15 +71,17 @@ const fixbench::Registration report({
                 const std::filesystem::path folder = *results;
                 if (!*check && std::filesystem::exists(folder / "data" / "operations.csv"))
                     judge::write_corpora(folder / "data", folder / "corpus");
-                const std::string experiments = sequence::json_list(), columns = columns_json();
-                std::vector<const char*> call{
-                    FIXBENCH_PYTHON, FIXBENCH_REPORT,     "--results", results->c_str(),
-                    "--experiments", experiments.c_str(), "--columns", columns.c_str()};
+                const std::string script = source_folder() / "bench/report/report.py",
+                                  experiments = sequence::json_list(), columns = columns_json();
+                std::vector<const char*> call{python(),        script.c_str(),
+                                              "--results",     results->c_str(),
+                                              "--experiments", experiments.c_str(),
+                                              "--columns",     columns.c_str()};
                 if (*check) call.push_back("--check");
                 if (*here) call.push_back("--measured-here");
                 call.push_back(nullptr);
-                execv(FIXBENCH_PYTHON, const_cast<char* const*>(call.data()));
-                throw std::runtime_error(fmt::format("cannot run {}", FIXBENCH_PYTHON));
+                execv(python(), const_cast<char* const*>(call.data()));
+                throw std::runtime_error(fmt::format("cannot run {}", python()));
             };
         },
 });

@@ -9,6 +9,8 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "this_build.hpp"
+
 namespace reference {
 namespace {
 
@@ -85,7 +87,7 @@ std::vector<Row> read_rows(const std::filesystem::path& file,
 }  // namespace
 
 const std::filesystem::path& published_folder() {
-    static const std::filesystem::path folder = REFERENCE_PUBLISHED_FOLDER;
+    static const std::filesystem::path folder = source_folder() / "reference/published";
     return folder;
 }
 

@@ -5,6 +5,7 @@
 #include "bench/lab/program/build.hpp"
 #include "bench/lab/program/experiment.hpp"
 #include "bench/live/lever.hpp"
+#include "this_build.hpp"
 
 namespace live {
 namespace {
@@ -26,7 +27,7 @@ const fixbench::Registration registration({
     .add =
         [](CLI::App& command) {
             const auto options = std::make_shared<Options>();
-            options->firmware = HAPTIC_FIRMWARE_FOLDER;
+            options->firmware = build_folder() / "firmware";
             command.add_option("--arithmetic", options->arithmetic, "q16_16, published or float")
                 ->capture_default_str()
                 ->check(CLI::IsMember({"q16_16", "published", "float"}));
@@ -55,7 +56,7 @@ const fixbench::Registration registration({
                },
                .writes = {"lever.cast", "lever.svg", "replay.json"},
                .targets = {"lever"},
-               .reads = {HAPTIC_FIRMWARE_FOLDER "/lever.elf"},
+               .reads = {build_folder() / "firmware/lever.elf"},
                .full_seconds = 2,
                .quick_seconds = 2}},
 });

@@ -24,6 +24,7 @@
 #include "bench/sequence/comparison.hpp"
 #include "bench/sequence/process.hpp"
 #include "bench/sequence/times.hpp"
+#include "this_build.hpp"
 
 namespace sequence {
 namespace {
@@ -32,11 +33,10 @@ namespace fs = std::filesystem;
 using fixbench::Mode;
 using fixbench::Step;
 
-const fs::path source_folder = FIXBENCH_SOURCE_FOLDER;
-const fs::path state_folder = FIXBENCH_STATE_FOLDER;
-const fs::path committed_results = source_folder / "results";
+const fs::path state_folder = build_folder() / "bench/sequence";
+const fs::path committed_results = source_folder() / "results";
 const fs::path committed_header =
-    source_folder / "firmware" / "src" / "firmware" / "calibration_table.hpp";
+    source_folder() / "firmware" / "src" / "firmware" / "calibration_table.hpp";
 const fs::path this_program = fs::read_symlink("/proc/self/exe");
 
 volatile std::sig_atomic_t caught = 0;
@@ -80,8 +80,8 @@ class Sequence {
         results_ = options.results;
         if (results_.empty())
             results_ = options.kind == Kind::full    ? committed_results
-                       : options.kind == Kind::quick ? source_folder / "build" / "quick"
-                                                     : source_folder / "build" / "check";
+                       : options.kind == Kind::quick ? source_folder() / "build" / "quick"
+                                                     : source_folder() / "build" / "check";
         for (const Step& step : chosen_steps(options)) jobs_.push_back(job_of(step));
         for (Job& job : jobs_) total_ += job.expected = expected(job.step);
         std::stable_sort(jobs_.begin(), jobs_.end(), [](const Job& a, const Job& b) {
@@ -210,7 +210,7 @@ class Sequence {
             fs::create_directories(folder);
         job.state = Job::running;
         running_.push_back(
-            {&job, Process(job.command, source_folder, job.folder / "log", &pool_), elapsed()});
+            {&job, Process(job.command, source_folder(), job.folder / "log", &pool_), elapsed()});
     }
 
     // Starts as many jobs as there are cores. A job that times this machine goes first and alone.
@@ -428,7 +428,7 @@ class Sequence {
         const fs::path log = state_folder / "report.log";
         Process report(
             {this_program.string(), "report", "--measured-here", "--results", results_.string()},
-            source_folder, log, nullptr);
+            source_folder(), log, nullptr);
         std::optional<int> status;
         while (!(status = report.ended())) usleep(50'000);
         if (*status != 0) {

@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "bench/chip/simulator/chip.hpp"
+#include "this_build.hpp"
 
 class DeviceProgram {
   public:
     explicit DeviceProgram(const std::string& name)
-        : chip(simulator::Elf(std::string(TEST_PROGRAM_DIRECTORY) + "/firmware_" + name + ".elf")) {
-    }
+        : chip(simulator::Elf(build_folder() / "firmware" / ("firmware_" + name + ".elf"))) {}
 
     // The address of a variable by its name; of a static member, by a part of its mangled name.
     std::uint16_t address_of(const std::string& name) const {

@@ -11,6 +11,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "this_build.hpp"
+
 namespace firmware {
 namespace {
 
@@ -197,7 +199,7 @@ TEST(Lever, SurvivesAnyReadings) {
 
 // The table, compared with the published one, reference/published/table_d_2.csv.
 TEST(FrameCorrection, IsThePublishedTable) {
-    std::ifstream file(PUBLISHED_FOLDER "/table_d_2.csv");
+    std::ifstream file(source_folder() / "reference/published/table_d_2.csv");
     std::string line;
     std::getline(file, line);
     int rows = 0;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bench/chip/simulator/quotients.hpp"
+#include "this_build.hpp"
 
 namespace {
 
@@ -15,8 +16,7 @@ using testing::Contains;
 using testing::IsSubsetOf;
 
 std::vector<std::string> quotients_of(const std::string& program) {
-    return simulator::quotients(
-        simulator::Elf(std::filesystem::path(HAPTIC_FIRMWARE_FOLDER) / (program + ".elf")));
+    return simulator::quotients(simulator::Elf(build_folder() / "firmware" / (program + ".elf")));
 }
 
 // 16-bit and 32-bit ones, and one kernel.

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "bench/experiments/haptic/haptic.hpp"
+#include "this_build.hpp"
 
 namespace {
 
@@ -20,8 +21,7 @@ struct Use {
     std::map<int, double> high;
 };
 Use use_of(const char* program) {
-    DeviceLoop loop(simulator::Elf(std::filesystem::path(HAPTIC_FIRMWARE_FOLDER) /
-                                   (program + std::string(".elf"))),
+    DeviceLoop loop(simulator::Elf(build_folder() / "firmware" / (program + std::string(".elf"))),
                     published_parameters(), scenario("push_and_hold").script);
     loop.run_until(0.5);
     std::vector<PinEdge> edges;

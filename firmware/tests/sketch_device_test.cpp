@@ -6,13 +6,14 @@
 #include <algorithm>
 
 #include "bench/experiments/haptic/haptic.hpp"
+#include "this_build.hpp"
 
 namespace {
 
 using namespace haptic;
 
 const Firmware& bare() {
-    static const Firmware firmware = firmwares(HAPTIC_FIRMWARE_FOLDER).front();
+    static const Firmware firmware = firmwares(build_folder() / "firmware").front();
     return firmware;
 }
 Firmware sketch() {

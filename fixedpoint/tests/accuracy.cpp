@@ -8,6 +8,8 @@
 #include <map>
 #include <sstream>
 
+#include "this_build.hpp"
+
 namespace {
 
 std::string key(const Measured& measured, exact::Format format) {
@@ -18,7 +20,7 @@ std::string key(const Measured& measured, exact::Format format) {
 std::string pinned(const std::string& key) {
     static const auto table = [] {
         std::map<std::string, std::string> lines;
-        std::ifstream file(ACCURACY_FILE);
+        std::ifstream file(source_folder() / "fixedpoint/tests/accuracy.txt");
         for (std::string line; std::getline(file, line);) {
             const std::size_t figures = line.find(" : ");
             if (figures != std::string::npos)

@@ -9,6 +9,7 @@
 #include <exception>
 
 #include "bench/chip/bootloader/board.hpp"
+#include "this_build.hpp"
 
 namespace {
 volatile std::sig_atomic_t interrupted = 0;
@@ -21,7 +22,9 @@ int main(int argc, char** argv) {
     app.footer("Example: virtual_board & scripts/flash.sh --port PORT");
     CLI11_PARSE(app, argc, argv);
     try {
-        bootloader::Board board(old ? ATMEGABOOT_ELF : OPTIBOOT_ELF, false);
+        bootloader::Board board(
+            build_folder() / "bench/chip/bootloader" / (old ? "atmegaboot.elf" : "optiboot.elf"),
+            false);
         for (const int signal : {SIGINT, SIGTERM})
             std::signal(signal, [](int) { interrupted = 1; });
         fmt::print("{}\n", board.port());

@@ -13,6 +13,7 @@
 #include <sstream>
 
 #include "bench/chip/simulator/chip.hpp"
+#include "this_build.hpp"
 
 extern char** environ;
 
@@ -42,7 +43,7 @@ class ScratchFolder {
 
 void compile(const fs::path& source, const fs::path& output, const fs::path& messages,
              const Compilation& compilation) {
-    std::vector<std::string> words = {INSTRUCTIONS_COMPILER,
+    std::vector<std::string> words = {cxx_compiler(),
                                       "-std=c++20",
                                       "-shared",
                                       "-fPIC",

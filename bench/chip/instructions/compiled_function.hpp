@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "bench/chip/instructions/translate.hpp"
+#include "this_build.hpp"
 
 namespace instructions {
 
@@ -23,8 +24,7 @@ class Misbehaviour : public std::runtime_error {
 // How the source is compiled.
 struct Compilation {
     std::string options = "-O3 -march=native";
-    std::filesystem::path include_folder =
-        INSTRUCTIONS_INCLUDE_FOLDER;  // contains bench/chip/instructions
+    std::filesystem::path include_folder = source_folder();  // contains bench/chip/instructions
 };
 
 // A shared object compiled from C++ source, unloaded by the destructor. Throws std::runtime_error

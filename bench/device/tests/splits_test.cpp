@@ -28,6 +28,7 @@
 #include "bench/chip/simulator/device_function.hpp"
 #include "bench/device/tests/program_folder.hpp"
 #include "fixedpoint/tests/exact.hpp"
+#include "this_build.hpp"
 
 namespace {
 
@@ -138,7 +139,7 @@ TEST(Splits, SqrtBesideHalves) {
 // r^2 + r, the largest sum of squares below (r + 1/2)^2, belongs to (m^2, m, 0), and r^2 + r + 1,
 // the next, to (m^2 - 1, m, 0).
 TEST(LengthQ32_32, RoundsBesideHalves) {
-    Chip chip(simulator::Elf(PROGRAM_FOLDER "/q32_32.elf"));
+    Chip chip(simulator::Elf(build_folder() / "bench/device/q32_32.elf"));
     chip.run_until_function("main");
     const std::uint16_t address = chip.allocate(3 * sizeof(int64_t));
     DeviceFunction length(chip, "length3_q32_32_default", {8, {2}});

@@ -11,6 +11,7 @@
 #include "bench/experiments/scenes/chip_run.hpp"
 #include "bench/experiments/stability/advise.hpp"
 #include "bench/lab/program/experiment.hpp"
+#include "this_build.hpp"
 
 namespace advise {
 namespace {
@@ -56,7 +57,7 @@ const fixbench::Registration command({
                 double error = 0, unit = 1;
             };
             const auto asked = std::make_shared<Asked>();
-            asked->scene.data = FIXBENCH_SOURCE_FOLDER "/results/data";
+            asked->scene.data = source_folder() / "results/data";
             CLI::Option* const program =
                 command.add_option("--program", asked->program.program, "your C++ file")
                     ->check(CLI::ExistingFile);

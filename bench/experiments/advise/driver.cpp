@@ -6,14 +6,14 @@
 #include <algorithm>
 
 #include "bench/lab/program/run.hpp"
+#include "this_build.hpp"
 
 namespace advise {
 namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path source_folder = ADVISE_SOURCE_FOLDER;
-const fs::path driver_folder = source_folder / "bench/experiments/advise/driver";
+const fs::path driver_folder = source_folder() / "bench/experiments/advise/driver";
 
 // The compiler's first error, or else its first line. Without colours, since it does not write to a
 // terminal.
@@ -34,11 +34,12 @@ std::string first_error(const std::string& text) {
 // Compiles a file of the driver with the user's program.
 void compile(std::vector<std::string> command, const fs::path& program, const char* driver,
              const fs::path& output) {
-    command.insert(command.end(),
-                   {"-I", source_folder, "-I", source_folder / "fixedpoint/src", "-I",
-                    source_folder / "engine/src", fmt::format("-DPROGRAM=\"{}\"", program.string()),
-                    driver_folder / driver, "-o", output});
-    if (std::string(driver) == "chip.cpp") command.insert(command.end(), {ADVISE_KERNELS, "-lm"});
+    command.insert(command.end(), {"-I", source_folder(), "-I", source_folder() / "fixedpoint/src",
+                                   "-I", source_folder() / "engine/src",
+                                   fmt::format("-DPROGRAM=\"{}\"", program.string()),
+                                   driver_folder / driver, "-o", output});
+    if (std::string(driver) == "chip.cpp")
+        command.insert(command.end(), {build_folder() / "kernels.a", "-lm"});
     const fixbench::Ran ran = fixbench::run(command);
     if (!ran.succeeded)
         throw Failure(
@@ -49,7 +50,7 @@ void compile(std::vector<std::string> command, const fs::path& program, const ch
 
 void compile_for_host(const fs::path& program, const char* driver,
                       const std::vector<std::string>& options, const fs::path& output) {
-    std::vector<std::string> command = {ADVISE_CXX, "-std=c++20", "-O1", "-w"};
+    std::vector<std::string> command = {cxx_compiler(), "-std=c++20", "-O1", "-w"};
     command.insert(command.end(), options.begin(), options.end());
     compile(command, program, driver, output);
 }

@@ -9,12 +9,12 @@
 #include <stdexcept>
 
 #include "bench/experiments/advise/driver.hpp"
+#include "this_build.hpp"
 
 namespace advise {
 namespace {
 
 namespace fs = std::filesystem;
-const fs::path source_folder = ADVISE_SOURCE_FOLDER;
 
 std::string source_line(const fs::path& file, int number) {
     std::ifstream stream(file);
@@ -59,7 +59,7 @@ Recorded record(const Options& options, const Data& data, const fs::path& record
             if (row.kind == "input") row.name = data.names[std::stoul(words[1]) - 1];
             if (row.kind == "line") {
                 const fs::path file = words[1];
-                const fs::path below = fs::proximate(file, source_folder);
+                const fs::path below = fs::proximate(file, source_folder());
                 row.name = fmt::format("{}:{}",
                                        file == options.program  ? file.filename().string()
                                        : *below.begin() == ".." ? file.string()

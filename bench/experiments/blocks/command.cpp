@@ -9,6 +9,7 @@
 #include "bench/lab/program/build.hpp"
 #include "bench/lab/program/experiment.hpp"
 #include "bench/lab/records/record.hpp"
+#include "this_build.hpp"
 
 namespace blocks {
 namespace {
@@ -79,7 +80,7 @@ const fixbench::Registration registration({
     .steps = {{.name = "blocks",
                .writes = {"blocks.csv", "limit_cycles.csv"},
                .targets = {"block_programs"},
-               .reads = {BLOCK_PROGRAM_FOLDER},
+               .reads = {build_folder() / "bench/experiments/blocks"},
                .full_seconds = 4,
                .quick_seconds = 4}},
 });

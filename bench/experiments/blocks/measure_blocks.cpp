@@ -12,12 +12,15 @@
 #include "bench/chip/simulator/device_function.hpp"
 #include "bench/experiments/blocks/subjects.hpp"
 #include "bench/lab/records/progress.hpp"
+#include "this_build.hpp"
 
 namespace blocks {
 namespace {
 
 using simulator::Chip;
 using simulator::Elf;
+
+const std::filesystem::path folder = build_folder() / "bench/experiments/blocks";
 
 double value(float x) { return x; }
 template <int I, int F>
@@ -30,9 +33,7 @@ template <class Number>
 class Device {
   public:
     Device(const std::string& name, unsigned outputs)
-        : elf_(std::filesystem::path(BLOCK_PROGRAM_FOLDER) / (name + ".elf")),
-          chip_(elf_),
-          outputs_(outputs) {
+        : elf_(folder / (name + ".elf")), chip_(elf_), outputs_(outputs) {
         chip_.run_until_function("main");
         step_.emplace(chip_, "step", simulator::Signature{.result = 0, .operands = {}});
     }
@@ -71,17 +72,15 @@ Measurement measured(const std::string& block, const std::string& format, unsign
     Block<double> exact;
     std::vector<Number> in(inputs), out(outputs), host_out(outputs);
     std::vector<double> exact_in(inputs), exact_out(outputs);
-    Measurement m{
-        block,
-        format,
-        0,
-        0,
-        device.flash_bytes() -
-            Elf(std::filesystem::path(BLOCK_PROGRAM_FOLDER) / "blocks_empty.elf").flash_bytes(),
-        0,
-        0,
-        steps * outputs,
-        0};
+    Measurement m{block,
+                  format,
+                  0,
+                  0,
+                  device.flash_bytes() - Elf(folder / "blocks_empty.elf").flash_bytes(),
+                  0,
+                  0,
+                  steps * outputs,
+                  0};
     std::mt19937 random(1);  // the same inputs for every format
     for (unsigned k = 0; k < steps; ++k) {
         for (unsigned i = 0; i < inputs; ++i) {

@@ -27,7 +27,6 @@ const fixbench::Registration registration({
     .add =
         [](CLI::App& command) {
             const auto options = std::make_shared<Options>();
-            options->program = {CALIBRATION_ELF, CALIBRATION_FOOTPRINTS};
             command.add_option("readings", options->readings, "the readings")
                 ->required()
                 ->check(CLI::ExistingFile);
@@ -50,7 +49,7 @@ const fixbench::Registration registration({
                .writes = {"calibration.csv", "calibration_candidates.csv",
                           "calibration_verdicts.csv"},
                .targets = {"calibration_curves"},
-               .reads = {CALIBRATION_ELF},
+               .reads = {DeviceProgram().elf},
                .full_seconds = 5,
                .quick_seconds = 5,
                .writes_header = true}},

@@ -12,11 +12,15 @@
 #include <vector>
 
 #include "bench/experiments/calibration/curve.hpp"
+#include "this_build.hpp"
 
 namespace calibration {
 
 struct DeviceProgram {
-    std::filesystem::path elf, footprints;  // written by this folder's CMakeLists.txt
+    std::filesystem::path elf =
+        build_folder() / "bench/experiments/calibration/calibration_curves.elf";
+    std::filesystem::path footprints =
+        std::filesystem::path(elf).replace_extension("footprints.csv");
 };
 
 // Over all 1024 readings, on the simulated chip.

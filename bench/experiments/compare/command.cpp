@@ -7,6 +7,7 @@
 
 #include "bench/experiments/compare/compare.hpp"
 #include "bench/lab/program/experiment.hpp"
+#include "this_build.hpp"
 
 namespace compare {
 namespace {
@@ -32,8 +33,8 @@ const fixbench::Registration command({
                 ->required();
             command.add_option("new", asked->after, "the same for the later run")->required();
             return [asked](const fixbench::Call& call) {
-                const records::Table before = operations_of(asked->before, FIXBENCH_SOURCE_FOLDER),
-                                     after = operations_of(asked->after, FIXBENCH_SOURCE_FOLDER);
+                const records::Table before = operations_of(asked->before, source_folder()),
+                                     after = operations_of(asked->after, source_folder());
                 std::vector<Change> rows = changes(before, after);
                 const auto worse = std::count_if(rows.begin(), rows.end(), [](const Change& each) {
                     return each.verdict == "worse" || each.verdict == "gone";

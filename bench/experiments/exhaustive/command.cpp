@@ -11,6 +11,7 @@
 #include "bench/lab/program/experiment.hpp"
 #include "bench/lab/program/names.hpp"
 #include "bench/lab/subjects/device_subject.hpp"
+#include "this_build.hpp"
 
 namespace machine_code {
 namespace {
@@ -23,9 +24,9 @@ int held(std::uint64_t violations) {
     return fixbench::check_failed;
 }
 
-std::filesystem::path program_of(const std::string& name) {
-    return std::filesystem::path(FIXBENCH_DEVICE_FOLDER) / (name + ".elf");
-}
+const std::filesystem::path folder = build_folder() / "bench/device";
+
+std::filesystem::path program_of(const std::string& name) { return folder / (name + ".elf"); }
 
 // The programs of a full run.
 std::vector<std::string> exhausted() {
@@ -113,7 +114,7 @@ const fixbench::Registration exhaustive({
               },
           .writes = {"exhaustive.csv"},
           .targets = {"subjects"},
-          .reads = {FIXBENCH_DEVICE_FOLDER},
+          .reads = {folder},
           .full_seconds = 10800,
           .quick_seconds = 3600,
           .only_exhaustive = true}},

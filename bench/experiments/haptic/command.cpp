@@ -9,6 +9,7 @@
 #include "bench/lab/program/build.hpp"
 #include "bench/lab/program/experiment.hpp"
 #include "bench/lab/program/output.hpp"
+#include "this_build.hpp"
 
 namespace haptic {
 namespace {
@@ -32,7 +33,7 @@ const fixbench::Registration registration({
     .add =
         [](CLI::App& command) {
             const auto options = std::make_shared<Options>();
-            options->firmware = HAPTIC_FIRMWARE_FOLDER;
+            options->firmware = build_folder() / "firmware";
             fixbench::add_selection(command, "--scenario", options->scenarios,
                                     "only these scenarios");
             fixbench::add_selection(command, "--arithmetic", options->arithmetics,
@@ -69,7 +70,7 @@ const fixbench::Registration registration({
                    },
                .writes = {"haptic.csv", "haptic_pins.csv", "workload_firmware.csv"},
                .targets = programs,
-               .reads = {HAPTIC_FIRMWARE_FOLDER},
+               .reads = {build_folder() / "firmware"},
                .full_seconds = 1500,
                .quick_seconds = 60}},
 });

@@ -17,6 +17,7 @@
 #include "bench/lab/program/names.hpp"
 #include "bench/lab/subjects/device_subject.hpp"
 #include "bench/lab/subjects/host_subject.hpp"
+#include "this_build.hpp"
 
 namespace operations {
 namespace {
@@ -24,7 +25,7 @@ namespace {
 using fixbench::Call;
 using fixbench::Mode;
 
-const std::filesystem::path device_folder = FIXBENCH_DEVICE_FOLDER;
+const std::filesystem::path device_folder = build_folder() / "bench/device";
 const auto max_samples = CLI::Range(std::uint64_t(1), std::uint64_t(1) << 40);
 
 std::vector<std::filesystem::path> all_programs() {
@@ -123,7 +124,9 @@ const fixbench::Registration cycles({
         "device program. The default programs are those of each format, such as q16_16.elf,\n"
         "q16_16_angles.elf, q16_16_powers.elf and q16_16_auxiliary.elf,\n"
         "correctly_rounded_*.elf, unsigned.elf, roundings.elf and rivals.elf, in\n"
-        "  " FIXBENCH_DEVICE_FOLDER "\n"
+        "  " +
+        device_folder.string() +
+        "\n"
         "(avr-nm lists their functions). They follow avr-gcc's calling convention, so any other\n"
         "tool can call them too. Cycles include call (4) and ret (4), but not the loading of\n"
         "operands.\n\n"

@@ -19,6 +19,7 @@
 #include "bench/lab/program/experiment.hpp"
 #include "bench/lab/program/output.hpp"
 #include "bench/lab/records/progress.hpp"
+#include "this_build.hpp"
 
 namespace profile {
 namespace {
@@ -108,7 +109,7 @@ int run(const Options& options) {
     return EXIT_SUCCESS;
 }
 
-const std::filesystem::path lever = PROFILE_LEVER;
+const std::filesystem::path lever = build_folder() / "firmware/lever.elf";
 
 const fixbench::Registration registration({
     .name = "profile",

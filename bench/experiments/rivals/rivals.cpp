@@ -20,6 +20,7 @@
 #include "bench/lab/subjects/measurement.hpp"
 #include "bench/lab/subjects/witness.hpp"
 #include "reference/judge.hpp"
+#include "this_build.hpp"
 
 namespace rivals {
 namespace {
@@ -29,7 +30,7 @@ using records::column;
 using reference::Operation;
 using Operands = std::array<std::int64_t, reference::max_operands>;
 
-const fs::path folder = RIVALS_FOLDER;
+const fs::path folder = source_folder() / "bench/experiments/rivals";
 
 // A row of rivals.csv: a function of a rival on a class of operands.
 struct Figures {

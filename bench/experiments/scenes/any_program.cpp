@@ -13,11 +13,14 @@
 #include "bench/experiments/scenes/chip_run.hpp"
 #include "bench/lab/program/build.hpp"
 #include "bench/lab/program/run.hpp"
+#include "this_build.hpp"
 
 namespace scene_bench {
 namespace {
 
 namespace fs = std::filesystem;
+
+const fs::path kernels = build_folder() / "kernels.a";
 
 // The arguments of a command that CMake joined.
 std::vector<std::string> split(std::string_view text) {
@@ -63,7 +66,7 @@ bool up_to_date(const fs::path& program, const fs::path& list) {
     std::ifstream stream(list);
     if (!fs::exists(program) || !stream) return false;
     const auto made = fs::last_write_time(program);
-    if (fs::last_write_time(SCENE_KERNELS) > made) return false;
+    if (fs::last_write_time(kernels) > made) return false;
     std::string word;
     stream >> word;  // the name of the target
     while (stream >> word)
@@ -86,7 +89,7 @@ void run_compiler(const std::vector<std::string>& command, std::string_view what
 
 fs::path any_program(std::string_view scene, std::string_view scalar, std::string_view method,
                      int exponent) {
-    const fs::path built = SCENE_PROGRAMS, folder = built.parent_path() / "programs_on_demand";
+    const fs::path built = scene_programs(), folder = built.parent_path() / "programs_on_demand";
     fs::create_directories(folder);
     const fs::path program = program_path(folder, scene, scalar, method, std::to_string(exponent));
     const fs::path list = fs::path(program).replace_extension(".d");
@@ -104,8 +107,8 @@ fs::path any_program(std::string_view scene, std::string_view scalar, std::strin
                     "-o", object});
     run_compiler(compile, what);
     std::vector<std::string> link = split(SCENE_LINK);
-    link.insert(link.end(), {fmt::format("-Wl,--undefined=step_{}", exponent), object,
-                             SCENE_KERNELS, "-lm", "-o", program});
+    link.insert(link.end(), {fmt::format("-Wl,--undefined=step_{}", exponent), object, kernels,
+                             "-lm", "-o", program});
     run_compiler(link, what);
     return program;
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bench/experiments/scenes/scene.hpp"
+#include "this_build.hpp"
 
 namespace scene_bench {
 
@@ -22,6 +23,11 @@ struct Layout {
 };
 // For a scalar by its name: float, or q<I>_<F>, optionally followed by an arithmetic.
 Layout layout_of(std::string_view scalar);
+
+// The folder of the build's programs.
+inline std::filesystem::path scene_programs() {
+    return build_folder() / "bench/experiments/scenes/programs";
+}
 
 // <scene>.<scalar>.<method>.<exponent>.elf in the folder. With the exponent `hash`, the program
 // that can report hashes.

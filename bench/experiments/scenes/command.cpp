@@ -30,7 +30,7 @@ const fixbench::Registration scenes({
     .add =
         [](CLI::App& command) {
             const auto options = std::make_shared<SceneOptions>();
-            options->programs = SCENE_PROGRAMS;
+            options->programs = scene_programs();
             fixbench::add_selection(command, "--scene", options->scenes,
                                     "only these scenes, e.g. pendulum,lever");
             fixbench::add_selection(command, "--scalar", options->scalars,
@@ -53,7 +53,7 @@ const fixbench::Registration scenes({
                .writes = {"scenes.csv"},
                .targets = {"scene_programs"},
                .quick_targets = {"scene_quick_programs"},
-               .reads = {SCENE_PROGRAMS},
+               .reads = {scene_programs()},
                .full_seconds = 240,
                .quick_seconds = 60}},
 });
@@ -100,14 +100,14 @@ const fixbench::Registration workload({
         [](CLI::App&) {
             return [](const Call& call) {
                 fixbench::build({"workload_programs"});
-                measure_workload({WORKLOAD_PROGRAMS, call.output, call.threads});
+                measure_workload({workload_programs(), call.output, call.threads});
                 return fixbench::held;
             };
         },
     .steps = {{.name = "workload",
                .writes = {"workload.csv", "workload_rounds.csv", "workload_trace.csv"},
                .targets = {"workload_programs"},
-               .reads = {WORKLOAD_PROGRAMS},
+               .reads = {workload_programs()},
                .full_seconds = 15,
                .quick_seconds = 15}},
 });

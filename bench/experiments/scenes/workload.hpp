@@ -4,7 +4,14 @@
 
 #include <filesystem>
 
+#include "this_build.hpp"
+
 namespace scene_bench {
+
+// The folder of the build's programs.
+inline std::filesystem::path workload_programs() {
+    return build_folder() / "bench/experiments/scenes/workload";
+}
 
 struct WorkloadOptions {
     std::filesystem::path programs;  // folder of the device programs

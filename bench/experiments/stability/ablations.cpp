@@ -11,6 +11,7 @@
 #include "bench/lab/parallel.hpp"
 #include "bench/lab/records/progress.hpp"
 #include "bench/lab/records/record.hpp"
+#include "this_build.hpp"
 
 namespace stability {
 namespace {
@@ -110,7 +111,7 @@ Cycles cycles_of(const Case& one, Method method, double parameter) {
     constexpr unsigned max_steps = 1000;
     const Description description = one.at(parameter).description;
     const std::filesystem::path program =
-        std::filesystem::path(ABLATION_PROGRAMS) /
+        build_folder() / "bench/experiments/stability" /
         fmt::format("ablation_{}_{}.elf", one.name, name_of(method));
     ChipWorld world(program, description);
     std::uint64_t sum = 0;

@@ -7,6 +7,7 @@
 #include "bench/experiments/stability/measure_stability.hpp"
 #include "bench/lab/program/build.hpp"
 #include "bench/lab/program/experiment.hpp"
+#include "this_build.hpp"
 
 namespace stability {
 namespace {
@@ -48,7 +49,7 @@ const fixbench::Registration measure({
                .writes = {"stability.csv", "envelope.csv", "stability_map.csv", "ablations.csv"},
                .full_only = {"suitability.csv"},
                .targets = {"world_programs"},
-               .reads = {ABLATION_PROGRAMS},
+               .reads = {build_folder() / "bench/experiments/stability"},
                .full_seconds = 400,
                .quick_seconds = 30}},
 });
@@ -108,7 +109,7 @@ const fixbench::Registration extremes({
     .steps = {{.name = "float_extremes",
                .writes = {"float_extremes.csv"},
                .targets = {"float_operations"},
-               .reads = {FLOAT_PROGRAM},
+               .reads = {float_program()},
                .full_seconds = 2,
                .quick_seconds = 2}},
 });

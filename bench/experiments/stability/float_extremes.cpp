@@ -104,8 +104,8 @@ std::string class_of(float a, float b, float result) {
     return result == 0 ? "result is zero" : "normal";
 }
 
-std::vector<FloatRow> compare_floats(const std::filesystem::path& program) {
-    simulator::Chip chip{simulator::Elf(program)};
+std::vector<FloatRow> compare_floats() {
+    simulator::Chip chip{simulator::Elf(float_program())};
     chip.run_until_function("main");
     std::vector<FloatRow> rows;
     for (const Operation& operation : operations) {
@@ -135,7 +135,7 @@ std::vector<FloatRow> compare_floats(const std::filesystem::path& program) {
 }
 
 void measure_float_extremes(const std::filesystem::path& output) {
-    records::table_of(compare_floats(FLOAT_PROGRAM)).save(output / "float_extremes.csv");
+    records::table_of(compare_floats()).save(output / "float_extremes.csv");
 }
 
 }  // namespace stability

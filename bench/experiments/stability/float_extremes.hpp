@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bench/lab/records/record.hpp"
+#include "this_build.hpp"
 
 namespace stability {
 
@@ -32,8 +33,13 @@ struct FloatRow {
 // normal. The results of comparisons do not belong to a class.
 std::string class_of(float a, float b, float result);
 
-// By the program device/float_operations.cpp.
-std::vector<FloatRow> compare_floats(const std::filesystem::path& program);
+// Of the chip: device/float_operations.cpp.
+inline std::filesystem::path float_program() {
+    return build_folder() / "bench/experiments/stability/float_operations.elf";
+}
+
+// By that program.
+std::vector<FloatRow> compare_floats();
 
 // Writes float_extremes.csv.
 void measure_float_extremes(const std::filesystem::path& output);

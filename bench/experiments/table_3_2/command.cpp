@@ -6,9 +6,12 @@
 #include "bench/lab/program/build.hpp"
 #include "bench/lab/program/experiment.hpp"
 #include "reference/published.hpp"
+#include "this_build.hpp"
 
 namespace table_3_2 {
 namespace {
+
+const std::filesystem::path folder = build_folder() / "bench/experiments/table_3_2";
 
 const fixbench::Registration table({
     .name = "table",
@@ -24,8 +27,8 @@ const fixbench::Registration table({
             command.add_flag("--quick", *quick, "without the search over hypotheses");
             return [quick](const fixbench::Call& call) {
                 fixbench::build({*quick ? "table_3_2_usual_programs" : "table_3_2_programs"});
-                measure_table_3_2({.programs_csv = TABLE_3_2_FOLDER "/programs.csv",
-                                   .division_elf = TABLE_3_2_FOLDER "/table_3_2_division.elf",
+                measure_table_3_2({.programs_csv = folder / "programs.csv",
+                                   .division_elf = folder / "table_3_2_division.elf",
                                    .data = call.output,
                                    .search = !*quick});
                 return fixbench::held;
@@ -37,7 +40,7 @@ const fixbench::Registration table({
                .full_only = {"table_3_2_hypotheses.csv"},
                .targets = {"table_3_2_programs"},
                .quick_targets = {"table_3_2_usual_programs"},
-               .reads = {TABLE_3_2_FOLDER, reference::published_folder()},
+               .reads = {folder, reference::published_folder()},
                .full_seconds = 60,
                .quick_seconds = 10}},
 });

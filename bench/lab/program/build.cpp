@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "bench/lab/pool.hpp"
+#include "this_build.hpp"
 
 namespace fixbench {
 namespace {
@@ -20,9 +21,10 @@ namespace {
 class Lock {
   public:
     Lock()
-        : file_(open(FIXBENCH_BUILD_FOLDER "/.fixbench.lock", O_CREAT | O_RDWR | O_CLOEXEC, 0666)) {
+        : file_(open((build_folder() / ".fixbench.lock").c_str(), O_CREAT | O_RDWR | O_CLOEXEC,
+                     0666)) {
         if (file_ < 0 || flock(file_, LOCK_EX) != 0)
-            throw std::runtime_error("cannot lock the build folder " FIXBENCH_BUILD_FOLDER);
+            throw std::runtime_error("cannot lock the build folder " + build_folder().string());
     }
     ~Lock() { close(file_); }
     Lock(const Lock&) = delete;
@@ -68,15 +70,16 @@ void build(const std::vector<std::string>& targets) {
     std::string list;
     for (const std::string& target : targets) {
         // Ninja names files by their path in the build folder.
-        const auto path = std::filesystem::path(target).lexically_relative(FIXBENCH_BUILD_FOLDER);
+        const auto path = std::filesystem::path(target).lexically_relative(build_folder());
         const bool below = std::filesystem::path(target).is_absolute() && !path.empty();
         list += fmt::format(" '{}'", below ? path.string() : target);
     }
-    const auto [text, built] = run("ninja -C '" FIXBENCH_BUILD_FOLDER "'" + list + " 2>&1", [&] {
-        fmt::print(
-            stderr, "fixbench: building {}, out of date\n",
-            targets.size() == 1 ? targets.front() : fmt::format("{} targets", targets.size()));
-    });
+    const auto [text, built] =
+        run("ninja -C '" + build_folder().string() + "'" + list + " 2>&1", [&] {
+            fmt::print(
+                stderr, "fixbench: building {}, out of date\n",
+                targets.size() == 1 ? targets.front() : fmt::format("{} targets", targets.size()));
+        });
     if (!built) {
         fmt::print(stderr, "{}", text);
         throw std::runtime_error("the device programs do not build");

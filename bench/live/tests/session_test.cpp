@@ -8,6 +8,7 @@
 #include "bench/live/lever.hpp"
 #include "bench/live/panel.hpp"
 #include "bench/live/replay.hpp"
+#include "this_build.hpp"
 
 namespace live {
 namespace {
@@ -22,7 +23,9 @@ haptic::Scenario nobody() {
 
 class Played : public testing::Test {
   protected:
-    Played() : session(haptic::firmwares(HAPTIC_FIRMWARE_FOLDER).front(), nobody()) { run(0.4); }
+    Played() : session(haptic::firmwares(build_folder() / "firmware").front(), nobody()) {
+        run(0.4);
+    }
     void run(double seconds) {
         const double end = session.time() + seconds;
         while (session.time() < end) session.run_until(session.time() + Replay::sample);
@@ -145,7 +148,7 @@ TEST_F(Played, ThePanelShowsTheScreenAndTheFigures) {
 
 // The page's data compared with the session that they belong to.
 TEST(Replay, IsWhatTheSessionDid) {
-    Session session(haptic::firmwares(HAPTIC_FIRMWARE_FOLDER).front(), demonstration());
+    Session session(haptic::firmwares(build_folder() / "firmware").front(), demonstration());
     Replay replay(session);
     std::vector<Status> seen;
     for (int k = 1; k <= 750; ++k) {

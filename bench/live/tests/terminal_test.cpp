@@ -20,10 +20,14 @@
 #include <string>
 #include <vector>
 
+#include "this_build.hpp"
+
 namespace {
 
 using testing::HasSubstr;
 using testing::Not;
+
+const std::string fixbench = build_folder() / "bench/fixbench";
 
 std::string content(const std::filesystem::path& path) {
     std::ifstream stream(path, std::ios::binary);
@@ -54,11 +58,12 @@ class Window {
             close(master_);
             login_tty(slave);
             setenv("TERM", type, 1);
-            std::vector<char*> list{const_cast<char*>(FIXBENCH), const_cast<char*>("lever")};
+            std::vector<char*> list{const_cast<char*>(fixbench.c_str()),
+                                    const_cast<char*>("lever")};
             for (const std::string& argument : arguments)
                 list.push_back(const_cast<char*>(argument.c_str()));
             list.push_back(nullptr);
-            execv(FIXBENCH, list.data());
+            execv(fixbench.c_str(), list.data());
             _exit(127);
         }
         // The slave stays open here, so that its settings can be examined after the child has
@@ -253,7 +258,7 @@ struct Result {
     std::string text;
 };
 Result run(const std::string& arguments) {
-    FILE* const pipe = popen((FIXBENCH " lever " + arguments + " 2>&1 </dev/null").c_str(), "r");
+    FILE* const pipe = popen((fixbench + " lever " + arguments + " 2>&1 </dev/null").c_str(), "r");
     Result result{};
     for (int c = fgetc(pipe); c != EOF; c = fgetc(pipe)) result.text += static_cast<char>(c);
     result.status = WEXITSTATUS(pclose(pipe));

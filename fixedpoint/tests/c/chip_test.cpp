@@ -9,6 +9,8 @@
 #include <string>
 #include <tuple>
 
+#include "this_build.hpp"
+
 extern "C" {
 #include "program.h"
 }
@@ -37,8 +39,8 @@ std::string name_of(const std::tuple<Format, int>& program) {
 
 TEST_P(CProgram, HasTheHostsResultsOnTheChip) {
     const auto& [format, part] = GetParam();
-    simulator::Chip chip(
-        simulator::Elf(PROGRAM_FOLDER "/c_program_" + name_of(GetParam()) + ".elf"));
+    simulator::Chip chip(simulator::Elf(build_folder() / "fixedpoint" /
+                                        ("c_program_" + name_of(GetParam()) + ".elf")));
     ASSERT_NO_THROW(chip.run_until_function("finished", 10ull * simulator::Chip::frequency));
     const std::uint16_t address = chip.elf().object(format.name + std::string("_results")).address;
     const auto bytes = [&](int offset, int size) {

@@ -16,6 +16,7 @@
 #include <span>
 
 #include "bench/chip/bootloader/board.hpp"
+#include "this_build.hpp"
 
 namespace {
 
@@ -26,7 +27,7 @@ using testing::HasSubstr;
 using testing::Not;
 namespace fs = std::filesystem;
 
-const fs::path programs = PROGRAMS;
+const fs::path programs = build_folder() / "bench/chip/bootloader";
 const fs::path application = programs / "bootloader_test_application.elf";
 
 struct Outcome {
@@ -43,7 +44,7 @@ class FlashTest : public testing::Test {
         project_ = name;
         for (const char* folder : {"scripts", "dev/serial/by-id", "results/data"})
             fs::create_directories(project_ / folder);
-        fs::copy(FLASH_SH, project_ / "scripts");
+        fs::copy(source_folder() / "scripts/flash.sh", project_ / "scripts");
     }
     void TearDown() override { fs::remove_all(project_); }
 

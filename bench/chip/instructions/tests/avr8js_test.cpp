@@ -17,6 +17,7 @@
 #include "bench/chip/instructions/instruction.hpp"
 #include "bench/chip/instructions/tests/programs.hpp"
 #include "bench/chip/simulator/chip.hpp"
+#include "this_build.hpp"
 
 namespace instructions {
 namespace {
@@ -24,6 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 using simulator::Chip;
 
+const fs::path avr8js = build_folder() / "bench/chip/simulator/avr8js";
 constexpr std::uint32_t here = 0x4000;  // the address of the instruction
 constexpr int gpior0 = 0x1e, gpior0_address = 0x3e;
 constexpr int words_of_a_row = 6, states_of_a_word = 40;
@@ -62,7 +64,7 @@ class Avr8jsStepTest : public testing::Test {
             core_->flash[i] = std::uint8_t(random_());
     }
     void SetUp() override {
-        if (!fs::exists(fs::path(AVR8JS_DIRECTORY) / "node_modules"))
+        if (!fs::exists(avr8js / "node_modules"))
             GTEST_SKIP() << "avr8js is not installed: see the test Avr8jsTest.install";
     }
 
@@ -130,20 +132,19 @@ class Avr8jsStepTest : public testing::Test {
     }
 
     std::vector<std::string> in_avr8js(const std::vector<Step>& steps) {
-        const fs::path folder = AVR8JS_DIRECTORY;
-        std::ofstream(folder / "step.bin", std::ios::binary)
+        std::ofstream(avr8js / "step.bin", std::ios::binary)
             .write(reinterpret_cast<const char*>(core_->flash), simulator::Elf::flash_size);
-        std::ofstream list(folder / "steps");
+        std::ofstream list(avr8js / "steps");
         for (const Step& step : steps)
             list << fmt::format("{:x} {:x} {:x} {:x} {:02x}\n", step.instruction.opcode,
                                 step.second_word, step.flags, step.sp,
                                 fmt::join(step.registers, ""));
         list.close();
         const std::string command = fmt::format(
-            "cd '{}' && node step.mjs step.bin {:x} < steps > stepped", folder.string(), here);
+            "cd '{}' && node step.mjs step.bin {:x} < steps > stepped", avr8js.string(), here);
         if (std::system(command.c_str())) return {};
         std::vector<std::string> lines;
-        std::ifstream answers(folder / "stepped");
+        std::ifstream answers(avr8js / "stepped");
         for (std::string line; std::getline(answers, line);) lines.push_back(line);
         return lines;
     }

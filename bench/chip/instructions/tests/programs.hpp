@@ -5,11 +5,12 @@
 #include <string>
 
 #include "bench/chip/simulator/elf.hpp"
+#include "this_build.hpp"
 
 namespace instructions {
 
 inline std::string test_program(const std::string& name) {
-    return std::string(TEST_PROGRAM_FOLDER) + "/instructions_test_" + name + ".elf";
+    return build_folder() / "bench/chip/instructions" / ("instructions_test_" + name + ".elf");
 }
 
 }  // namespace instructions

@@ -5,11 +5,13 @@
 #include <string>
 
 #include "bench/chip/simulator/elf.hpp"
+#include "this_build.hpp"
 
 namespace profile {
 
 inline simulator::Elf test_program(const std::string& name) {
-    return simulator::Elf(TEST_PROGRAM_FOLDER "/profile_test_" + name + ".elf");
+    return simulator::Elf(build_folder() / "bench/chip/profile" /
+                          ("profile_test_" + name + ".elf"));
 }
 
 }  // namespace profile

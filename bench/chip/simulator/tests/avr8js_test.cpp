@@ -11,9 +11,12 @@
 
 #include "bench/chip/simulator/device_function.hpp"
 #include "programs.hpp"
+#include "this_build.hpp"
 
 namespace simulator {
 namespace {
+
+const std::filesystem::path avr8js = build_folder() / "bench/chip/simulator/avr8js";
 
 struct Call {
     std::string function;
@@ -22,8 +25,7 @@ struct Call {
 };
 
 std::vector<std::string> run_in_avr8js(const Elf& elf, const std::vector<Call>& calls) {
-    const std::filesystem::path directory = AVR8JS_DIRECTORY;
-    const std::string base = directory / elf.path().stem();
+    const std::string base = avr8js / elf.path().stem();
     std::ofstream(base + ".bin", std::ios::binary)
         .write(reinterpret_cast<const char*>(elf.flash().data()), elf.flash().size());
     std::ofstream list(base + ".calls");
@@ -36,7 +38,7 @@ std::vector<std::string> run_in_avr8js(const Elf& elf, const std::vector<Call>& 
     list.close();
     const std::string command =
         fmt::format("cd '{}' && node call.mjs '{}.bin' {:x} < '{}.calls' > '{}.out'",
-                    directory.string(), base, elf.function("main").address, base, base);
+                    avr8js.string(), base, elf.function("main").address, base, base);
     if (std::system(command.c_str())) return {};
     std::vector<std::string> lines;
     std::ifstream answers(base + ".out");
@@ -60,7 +62,7 @@ void compare(const Elf& elf, const std::vector<Call>& calls) {
 class Avr8jsTest : public testing::Test {
   protected:
     void SetUp() override {
-        if (!std::filesystem::exists(std::filesystem::path(AVR8JS_DIRECTORY) / "node_modules"))
+        if (!std::filesystem::exists(avr8js / "node_modules"))
             GTEST_SKIP() << "avr8js is not installed: see the test Avr8jsTest.install";
     }
 };

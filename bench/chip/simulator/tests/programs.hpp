@@ -5,11 +5,12 @@
 #include <string>
 
 #include "bench/chip/simulator/chip.hpp"
+#include "this_build.hpp"
 
 namespace simulator {
 
 inline Elf test_program(const std::string& name) {
-    return Elf(std::string(TEST_PROGRAM_DIRECTORY) + "/simulator_test_" + name + ".elf");
+    return Elf(build_folder() / "bench/chip/simulator" / ("simulator_test_" + name + ".elf"));
 }
 
 }  // namespace simulator

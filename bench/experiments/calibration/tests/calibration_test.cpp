@@ -17,7 +17,7 @@ namespace {
 
 using testing::HasSubstr;
 
-const DeviceProgram program{CALIBRATION_ELF, CALIBRATION_FOOTPRINTS};
+const DeviceProgram program;
 
 std::filesystem::path scratch() {
     const auto folder = std::filesystem::path(testing::TempDir()) / "calibration_test";

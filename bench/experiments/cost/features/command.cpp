@@ -16,6 +16,7 @@
 #include "bench/lab/program/names.hpp"
 #include "bench/lab/records/progress.hpp"
 #include "bench/lab/records/record.hpp"
+#include "this_build.hpp"
 
 namespace features {
 namespace {
@@ -25,6 +26,7 @@ using simulator::Chip;
 using simulator::DeviceFunction;
 using simulator::Elf;
 
+const std::filesystem::path folder = build_folder() / "bench/experiments/cost/features";
 constexpr unsigned steps = 256;  // of 2^-10 s
 
 // A row of features.csv: what the program takes in addition to an empty one.
@@ -68,7 +70,6 @@ Cost cost_of(const Program& program, const Elf& empty) {
 }
 
 int run(const std::vector<std::string>& scenes, const std::filesystem::path& output) {
-    const std::filesystem::path folder = FEATURE_PROGRAM_FOLDER;
     auto programs = load_programs(folder);
     // The lever without the engine shows the price of the engine's generality.
     programs.push_back(
@@ -121,7 +122,7 @@ const fixbench::Registration registration({
     .steps = {{.name = "features",
                .writes = {"features.csv"},
                .targets = {"feature_programs"},
-               .reads = {FEATURE_PROGRAM_FOLDER},
+               .reads = {folder},
                .full_seconds = 8,
                .quick_seconds = 8}},
 });

@@ -12,6 +12,7 @@
 #include "bench/experiments/cost/growth/cost.hpp"
 #include "bench/experiments/cost/growth/counted.hpp"
 #include "bench/lab/records/progress.hpp"
+#include "this_build.hpp"
 
 namespace growth {
 namespace {
@@ -39,7 +40,7 @@ Motion motion() {
 
 Cost measured(const std::string& search, const std::string& program, unsigned particles,
               const Motion& on_host) {
-    const Elf elf(std::filesystem::path(GROWTH_PROGRAM_FOLDER) /
+    const Elf elf(build_folder() / "bench/experiments/cost/growth" /
                   fmt::format("growth_{}_{}.elf", program, particles));
     Chip chip(elf);
     chip.run_until_function("main");

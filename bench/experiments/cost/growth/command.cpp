@@ -16,6 +16,7 @@
 #include "bench/lab/program/build.hpp"
 #include "bench/lab/program/experiment.hpp"
 #include "bench/lab/records/record.hpp"
+#include "this_build.hpp"
 
 namespace growth {
 namespace {
@@ -156,7 +157,7 @@ const fixbench::Registration registration({
     .steps = {{.name = "growth",
                .writes = {"growth.csv"},
                .targets = {"growth_programs"},
-               .reads = {GROWTH_PROGRAM_FOLDER},
+               .reads = {build_folder() / "bench/experiments/cost/growth"},
                .full_seconds = 2,
                .quick_seconds = 2},
               {.name = "growth_host",

@@ -5,6 +5,7 @@
 #include "bench/chip/instructions/compiled_function.hpp"
 #include "bench/lab/operands/operand_class.hpp"
 #include "bench/lab/subjects/device_subject.hpp"
+#include "this_build.hpp"
 
 namespace instructions {
 namespace {
@@ -21,7 +22,7 @@ bool is_kernel(const Elf& elf, const std::string& subject) {
 }
 
 TEST(TranslatedSubjectsTest, CallTheKernelsAsTheSimulatorDoes) {
-    const Elf library(DEVICE_PROGRAM);
+    const Elf library(build_folder() / "bench/device/q16_16.elf");
     Chip chip(library);
     chip.run_until_function("main");
     int subjects = 0;

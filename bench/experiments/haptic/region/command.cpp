@@ -5,6 +5,7 @@
 #include "bench/experiments/haptic/region/region.hpp"
 #include "bench/lab/program/build.hpp"
 #include "bench/lab/program/experiment.hpp"
+#include "this_build.hpp"
 
 namespace haptic::region {
 namespace {
@@ -39,7 +40,7 @@ const fixbench::Registration registration({
                .writes = {"identification.csv", "stable_region.csv", "stable_limits.csv",
                           "stable_changes.csv", "stable_on_chip.csv", "oscillation.csv"},
                .targets = {"held_levers"},
-               .reads = {HELD_LEVER_FOLDER},
+               .reads = {build_folder() / "bench/experiments/haptic/region"},
                .full_seconds = 1500,
                .quick_seconds = 25}},
 });

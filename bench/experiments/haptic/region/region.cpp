@@ -19,6 +19,7 @@
 #include "bench/lab/parallel.hpp"
 #include "bench/lab/records/progress.hpp"
 #include "bench/lab/records/record.hpp"
+#include "this_build.hpp"
 
 namespace haptic::region {
 namespace {
@@ -76,7 +77,8 @@ struct Subject {
 };
 
 std::filesystem::path program_of(const Device& device) {
-    return fmt::format(HELD_LEVER_FOLDER "/held_{}_{}_{}.elf", device.arithmetic, device.rate,
+    return build_folder() / "bench/experiments/haptic/region" /
+           fmt::format("held_{}_{}_{}.elf", device.arithmetic, device.rate,
                        device.damped ? "damped" : "undamped");
 }
 

@@ -4,12 +4,13 @@
 #include <gtest/gtest.h>
 
 #include "bench/experiments/haptic/haptic.hpp"
+#include "this_build.hpp"
 
 namespace haptic {
 namespace {
 
 const Firmware& ours() {
-    static const Firmware firmware = firmwares(HAPTIC_FIRMWARE_FOLDER).front();
+    static const Firmware firmware = firmwares(build_folder() / "firmware").front();
     return firmware;
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "bench/lab/records/csv.hpp"
+#include "this_build.hpp"
 
 namespace haptic {
 namespace {
@@ -32,7 +33,7 @@ class Workload : public testing::Test {
   protected:
     static void SetUpTestSuite() {
         Options options;
-        options.firmware = HAPTIC_FIRMWARE_FOLDER;
+        options.firmware = build_folder() / "firmware";
         options.output = testing::TempDir() + "haptic_workload_test";
         write_workload(options);
         workload_ = rows_of(options.output / "workload_firmware.csv");

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "bench/lab/records/csv.hpp"
+#include "this_build.hpp"
 
 namespace operations {
 namespace {
@@ -39,7 +40,7 @@ constexpr Fault faults[] = {
 
 TEST(MeasureCycles, ABadSubjectIsNamedWithItsOperandsAndLeavesTheOthersMeasured) {
     CycleOptions options;
-    options.programs = {MISBEHAVING};
+    options.programs = {build_folder() / "bench/experiments/operations/misbehaving.elf"};
     options.output = testing::TempDir() + "measure_cycles_test";
     options.selection.operands = {"boundary"};
     options.threads = 2;

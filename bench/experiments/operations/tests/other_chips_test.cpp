@@ -9,6 +9,7 @@
 #include "bench/chip/simulator/other_chip.hpp"
 #include "bench/experiments/operations/measure_other_chips.hpp"
 #include "bench/lab/records/csv.hpp"
+#include "this_build.hpp"
 
 namespace operations {
 namespace {
@@ -17,7 +18,11 @@ using simulator::OtherChip;
 using simulator::Signature;
 using simulator::SimulationError;
 
-const std::string atmega328p = OTHER_CHIPS_SAME;
+std::string program_of(const std::string& chip) {
+    return build_folder() / "bench/experiments/operations" / ("other_chips_" + chip + ".elf");
+}
+
+const std::string atmega328p = program_of("atmega328p");
 const Signature unary{.result = 4, .operands = {4}}, binary{.result = 4, .operands = {4, 4}},
     wide{.result = 8, .operands = {8, 8, 8}};  // the third operand is on the stack
 
@@ -41,15 +46,16 @@ TEST(OtherChip, CountsWhatTheSimulatedAtmega328pCounts) {
 
 TEST(OtherChip, PaysForItsOwnCallAndReturn) {
     const std::uint64_t operands[] = {3, 4};
-    const auto cycles = [&](const char* name, const char* program) {
-        const OtherChip::Outcome outcome = OtherChip(name, program).call("sum", binary, operands);
+    const auto cycles = [&](const char* name) {
+        const OtherChip::Outcome outcome =
+            OtherChip(name, program_of(name)).call("sum", binary, operands);
         EXPECT_EQ(outcome.result, 7u) << name;
         return outcome.cycles;
     };
     // add, adc, adc, adc, ret; data sheets, "Instruction Set Summary".
-    EXPECT_EQ(cycles("atmega328p", OTHER_CHIPS_SAME), 4 + 4 + 4u);
-    EXPECT_EQ(cycles("atmega2560", OTHER_CHIPS_LARGE), 5 + 4 + 5u);
-    EXPECT_EQ(cycles("attiny85", OTHER_CHIPS_SMALL), 3 + 4 + 4u);
+    EXPECT_EQ(cycles("atmega328p"), 4 + 4 + 4u);
+    EXPECT_EQ(cycles("atmega2560"), 5 + 4 + 5u);
+    EXPECT_EQ(cycles("attiny85"), 3 + 4 + 4u);
 }
 
 TEST(OtherChip, RefusesWhatItCannotRun) {
@@ -64,7 +70,8 @@ TEST(OtherChip, RefusesWhatItCannotRun) {
 
 // A wrong sum is reported: the program claims to add and multiply.
 TEST(OtherChips, ReportsResultsThatContradictTheDefinition) {
-    const std::filesystem::path folder = OTHER_CHIPS_SCRATCH;
+    const std::filesystem::path folder =
+        build_folder() / "bench/experiments/operations/other_chips";
     std::filesystem::create_directories(folder / "atmega328p/q16_16");
     std::filesystem::create_directories(folder / "out");
     for (const char* subject : {"add_q16_16_default", "subtract_q16_16_default"})

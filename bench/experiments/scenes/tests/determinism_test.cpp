@@ -7,6 +7,7 @@
 #include "bench/experiments/scenes/chip_run.hpp"
 #include "bench/experiments/scenes/host/describe.hpp"
 #include "bench/experiments/scenes/tests/pinned_hashes.hpp"
+#include "this_build.hpp"
 
 namespace scene_bench {
 namespace {
@@ -23,6 +24,9 @@ std::vector<Subject> subjects() {
     return all;
 }
 
+const std::filesystem::path pinned_hashes =
+    source_folder() / "bench/experiments/scenes/tests/pinned_hashes.csv";
+
 class Determinism : public testing::TestWithParam<Subject> {};
 
 TEST_P(Determinism, HostChipAndPinnedHashesAreEqual) {
@@ -30,14 +34,14 @@ TEST_P(Determinism, HostChipAndPinnedHashesAreEqual) {
     const scene_bench::Run on_host =
         scene->find(scalar, pinned_method)->run(pinned_exponent, Hashes::of_each_step);
     const ChipRun on_chip =
-        run_on_chip(program_path(SCENE_PROGRAMS, scene->name, scalar, pinned_method, "hash"),
+        run_on_chip(program_path(scene_programs(), scene->name, scalar, pinned_method, "hash"),
                     *scene, scalar, pinned_exponent, Hashes::of_each_step);
     ASSERT_EQ(on_host.hashes.size(), scene->duration << pinned_exponent) << on_host.failure;
     ASSERT_EQ(on_chip.hashes.size(), on_host.hashes.size()) << on_chip.failure;
     for (std::size_t step = 0; step < on_host.hashes.size(); ++step)
         ASSERT_EQ(on_chip.hashes[step], on_host.hashes[step]) << "after step " << step + 1;
 
-    const records::Table pinned = records::Table::load(PINNED_HASHES);
+    const records::Table pinned = records::Table::load(pinned_hashes);
     std::string last;
     for (const auto& row : pinned.rows())
         if (row.at(0) == scene->name && row.at(1) == scalar) last = row.at(2);
@@ -50,7 +54,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Determinism, testing::ValuesIn(subjects()), [](
 });
 
 TEST(PinnedHashes, AreThoseOfAllScenesAndNoMore) {
-    EXPECT_EQ(records::Table::load(PINNED_HASHES).rows().size(),
+    EXPECT_EQ(records::Table::load(pinned_hashes).rows().size(),
               all_scenes().size() * pinned_scalars.size());
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 std::vector<std::string> quotients_of(const char* scene, const char* scalar) {
     return simulator::quotients(
-        simulator::Elf(program_path(SCENE_PROGRAMS, scene, scalar, "semi_implicit_euler", "8")));
+        simulator::Elf(program_path(scene_programs(), scene, scalar, "semi_implicit_euler", "8")));
 }
 
 // Its rod is measured by products, and the reciprocal of the length is folded.

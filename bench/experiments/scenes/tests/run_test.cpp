@@ -13,7 +13,7 @@
 namespace scene_bench {
 namespace {
 
-const std::filesystem::path programs = SCENE_PROGRAMS;
+const std::filesystem::path programs = scene_programs();
 
 const Scene& scene_named(std::string_view name) {
     for (const Scene& scene : all_scenes())

@@ -87,7 +87,7 @@ std::string soaked(unsigned long steps, std::uint32_t seed, records::Progress& p
     using Raw = std::int32_t;
     World world;
     scenes::build<SceneType>(world);
-    simulator::Chip chip{simulator::Elf(program_path(SCENE_PROGRAMS, SceneType::name, "q16_16",
+    simulator::Chip chip{simulator::Elf(program_path(scene_programs(), SceneType::name, "q16_16",
                                                      scenes::SemiImplicit::name, "hash"))};
     chip.run_until_function("main");
     simulator::DeviceFunction build(chip, "build", {.result = 0, .operands = {}}),

@@ -8,6 +8,7 @@
 #include "bench/chip/profile/profiler.hpp"
 #include "bench/chip/simulator/device_function.hpp"
 #include "bench/experiments/scenes/call_trace.hpp"
+#include "bench/experiments/scenes/workload.hpp"
 
 namespace scene_bench {
 namespace {
@@ -15,8 +16,7 @@ namespace {
 using simulator::Chip;
 using simulator::Elf;
 
-const std::filesystem::path program =
-    std::filesystem::path(WORKLOAD_PROGRAMS) / "published_lever.nearest.O2.elf";
+const std::filesystem::path program = workload_programs() / "published_lever.nearest.O2.elf";
 
 TEST(CallTrace, CountsWhatTheProfilerCounts) {
     Chip traced{Elf(program)}, profiled{Elf(program)}, called{Elf(program)};

@@ -16,12 +16,13 @@
 #include "bench/experiments/stability/chip_world.hpp"
 #include "bench/experiments/stability/methods.hpp"
 #include "bench/experiments/stability/subject.hpp"
+#include "this_build.hpp"
 
 namespace stability {
 namespace {
 
 std::filesystem::path program(const std::string& name) {
-    return std::filesystem::path(WORLD_PROGRAMS) / (name + ".elf");
+    return build_folder() / "bench/experiments/stability" / (name + ".elf");
 }
 
 template <int dimensions>

@@ -6,13 +6,15 @@
 #include <bit>
 
 #include "bench/experiments/table_3_2/division.hpp"
+#include "this_build.hpp"
 
 namespace table_3_2 {
 namespace {
 
+const std::filesystem::path folder = build_folder() / "bench/experiments/table_3_2";
 const Operands seven_by_three{{7, 3}, {3.75, 1.25}, false};
 
-std::vector<Program> programs() { return load_programs(PROGRAMS_CSV); }
+std::vector<Program> programs() { return load_programs(folder / "programs.csv"); }
 
 Program plain_program() {
     for (const Program& program : programs()) {
@@ -175,7 +177,8 @@ TEST(Division, QuotientBytesAreCountedWithoutLeadingZeros) {
 
 // The law is exact: not a cycle is unexplained for any operands.
 TEST(Division, TheDevicesDivisionFollowsTheLaw) {
-    const DivisionStudy study = study_division(DIVISION_ELF, seven_by_three, 500);
+    const DivisionStudy study =
+        study_division(folder / "table_3_2_division.elf", seven_by_three, 500);
     EXPECT_LT(study.law.max_residual, 1e-6);
     EXPECT_NEAR(study.law.per_byte, 205, 1e-6);
     EXPECT_NEAR(study.law.per_one, 8, 1e-6);

@@ -11,6 +11,7 @@
 #include "bench/chip/simulator/elf.hpp"
 #include "bench/lab/subjects/device_subject.hpp"
 #include "bench/lab/subjects/host_subject.hpp"
+#include "this_build.hpp"
 
 namespace operations {
 namespace {
@@ -19,7 +20,7 @@ std::set<std::string> on_the_chip() {
     std::set<std::string> names;
     for (const std::string& program : catalogue::programs())
         for (const std::string& name :
-             subjects_of(simulator::Elf(std::string(DEVICE_FOLDER) + "/" + program + ".elf")))
+             subjects_of(simulator::Elf(build_folder() / "bench/device" / (program + ".elf"))))
             EXPECT_TRUE(names.insert(name).second) << name << " is in two programs";
     return names;
 }

@@ -10,6 +10,7 @@
 #include <scenes/lever.hpp>
 
 #include "bench/chip/simulator/device_function.hpp"
+#include "this_build.hpp"
 
 namespace {
 
@@ -23,7 +24,7 @@ TEST(ByHand, MovesAsTheEngine) {
     ASSERT_EQ(world.error(), engine::Error::none);
 
     simulator::Chip chip(
-        simulator::Elf(std::filesystem::path(FEATURE_PROGRAM_FOLDER) / "features_by_hand.elf"));
+        simulator::Elf(build_folder() / "bench/experiments/cost/features/features_by_hand.elf"));
     chip.run_until_function("main");
     simulator::DeviceFunction build(chip, "build", {.result = 1, .operands = {}});
     simulator::DeviceFunction step(chip, "step", {.result = 0, .operands = {}});

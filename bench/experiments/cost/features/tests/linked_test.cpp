@@ -6,6 +6,8 @@
 
 #include <cctype>
 
+#include "this_build.hpp"
+
 namespace features {
 
 void PrintTo(const Program& program, std::ostream* out) {
@@ -19,7 +21,7 @@ using testing::Contains;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-const std::filesystem::path folder = FEATURE_PROGRAM_FOLDER;
+const std::filesystem::path folder = build_folder() / "bench/experiments/cost/features";
 const Uses lever = {"GRAVITY",           "ANCHORED_RODS",
                     "CUSTOM_FORCE",      "2",
                     "SemiImplicitEuler", "ProjectedGaussSeidel<10>",

@@ -13,12 +13,16 @@
 #include "bench/experiments/haptic/region/devices.hpp"
 #include "bench/experiments/haptic/region/identification.hpp"
 #include "bench/experiments/haptic/region/linear_loop.hpp"
+#include "this_build.hpp"
 
 namespace haptic::region {
 namespace {
 
 constexpr double step_takes = 0.36e-3;
 const Law one_kilohertz{std::ldexp(1, -10), 0.02, 0, false};
+
+const std::filesystem::path damped =
+    build_folder() / "bench/experiments/haptic/region/held_q16_16_10_damped.elf";
 
 struct Unled : firmware::LeverChoices<float> {
     static constexpr bool selective_damping = false;
@@ -171,7 +175,7 @@ TEST(Holding, PutsTheArmWhereItIsAskedFor) {
 TEST(HostLoop, AgreesWithTheChip) {
     const Parameters p = published_parameters();
     const Script script = Holding(0.3).script;
-    DeviceLoop chip(simulator::Elf(HELD_LEVER_FOLDER "/held_q16_16_10_damped.elf"), p, script);
+    DeviceLoop chip(simulator::Elf(damped), p, script);
     HostLoop<firmware::LeverChoices<firmware::LeverScalar>> host(p, script, step_takes);
     double furthest = 0;
     for (double now = 0.001; now < 1; now += 0.001) {
@@ -236,7 +240,7 @@ TEST(Identification, KeepsThePlantsThatFallAndSwingAsPublished) {
 // the chip, and on the host with the threshold that took this for an unplugged sensor.
 TEST(Region, TheShortestArmIsStillWhereAFoamLetsGo) {
     const Parameters light = varied(published_parameters(), 9);
-    DeviceLoop chip(simulator::Elf(HELD_LEVER_FOLDER "/held_q16_16_10_damped.elf"), light,
+    DeviceLoop chip(simulator::Elf(damped), light,
                     Holding(shortest_arm, Start::released_against).script);
     EXPECT_TRUE(watch_held(chip).at_rest());
     for (const Device& device : changes()) {
