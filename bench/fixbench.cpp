@@ -73,10 +73,9 @@ const fixbench::Registration report({
                     judge::write_corpora(folder / "data", folder / "corpus");
                 const std::string script = source_folder() / "bench/report/report.py",
                                   experiments = sequence::json_list(), columns = columns_json();
-                std::vector<const char*> call{python(),        script.c_str(),
-                                              "--results",     results->c_str(),
-                                              "--experiments", experiments.c_str(),
-                                              "--columns",     columns.c_str()};
+                std::vector<const char*> call{
+                    python(),        script.c_str(),      "--results", results->c_str(),
+                    "--experiments", experiments.c_str(), "--columns", columns.c_str()};
                 if (*check) call.push_back("--check");
                 if (*here) call.push_back("--measured-here");
                 call.push_back(nullptr);

@@ -14,7 +14,7 @@ namespace lab {
 struct VerdictRow {
     std::string quantity, arithmetic;
     std::optional<double> published;  // if anything was
-    double measured;
+    std::optional<double> measured;   // if it occurs: the mean of no calls is NaN
     std::string unit;
     std::optional<double> ratio;
     std::string verdict, reason;

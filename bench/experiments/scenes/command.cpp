@@ -2,6 +2,7 @@
 // fixbench scenes, initial_states and workload.
 #include <memory>
 
+#include "bench/experiments/scenes/chip_run.hpp"
 #include "bench/experiments/scenes/initial_states.hpp"
 #include "bench/experiments/scenes/measure_scenes.hpp"
 #include "bench/experiments/scenes/workload.hpp"

@@ -1216,7 +1216,7 @@ poke_while_held published 94
 
 class Check(unittest.TestCase):
     def test_what_does_not_follow_from_the_data_is_named(self):
-        def made(folder, _):
+        def made(folder, *_):
             (folder / "figures").mkdir(exist_ok=True)
             (folder / "README.md").write_text((folder / "data" / "x.csv").read_text())
             (folder / "figures" / "a.svg").write_text("a")
