@@ -67,9 +67,9 @@ TEST(Record, ColumnsFollowFromTheStruct) {
 }
 
 TEST(Record, TellsWhatItsColumnsHold) {
-    const records::Header expected = {{"name", "text"},      {"count", "number"}, {"mean", "number"},
-                                      {"error", "optional"}, {"grams", "number"}, {"held", "text"},
-                                      {"low", "number"},     {"high", "number"}};
+    const records::Header expected = {
+        {"name", "text"},    {"count", "number"}, {"mean", "number"}, {"error", "optional"},
+        {"grams", "number"}, {"held", "text"},    {"low", "number"},  {"high", "number"}};
     EXPECT_EQ(records::header_of<Reading>(), expected);
     EXPECT_STREQ(records::holds<records::Digits>, "number");
     EXPECT_STREQ(records::holds<std::optional<std::string>>, "text");
