@@ -206,8 +206,9 @@ def write_columns(folder, headers):
 
 
 def write(results, experiments=(), headers=None):
-    """Everything: what the columns hold, if that is given; the figures; then the pages that show them."""
-    if headers is not None:
+    """Everything: what the columns hold, if that is given and there are data; the figures; then the pages that show
+    them."""
+    if headers is not None and (results / "data").is_dir():
         write_columns(results / "data", headers)
     data = Data(results / "data", experiments)
     draw_all(data, results / "figures")
