@@ -34,8 +34,7 @@ std::string columns_json() {
         for (const auto& [name, held] : header) names.push_back(name);
         if (by_names.try_emplace(names, header).first->second != header)
             throw std::logic_error(
-                fmt::format("two records of the columns {} differ in what these "
-                            "hold",
+                fmt::format("two records have the columns {} and differ in what these hold",
                             fmt::join(names, ", ")));
     }
     nlohmann::ordered_json list = nlohmann::json::array();

@@ -10,7 +10,6 @@ import operations
 from data import DataError
 
 
-
 def integer_bits(largest):
     """The smallest I for which the range -2^(I-1) .. 2^(I-1), without the upper end, contains +-largest."""
     bits = 1
@@ -61,11 +60,12 @@ class Format:
         return rate * 2.0**-(self.fraction + 1)
 
 
-# The formats in which all operations are measured, by their names there.
+# The formats in which all operations are measured, by their names in the data.
 MEASURED = {name: Format(*map(int, re.findall("[0-9]+", name))) for name in catalogue.FORMATS}
+# Those, and what they are compared with.
 COMPARED = (*MEASURED, "float")
 WIDTHS = sorted({each.width for each in MEASURED.values()})
-# Those that have a name in the library.
+# The types that have a name in the library.
 NAMED = [Format(*bits) for bits in catalogue.TYPES]
 
 

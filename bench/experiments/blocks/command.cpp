@@ -81,8 +81,8 @@ const fixbench::Registration registration({
                .writes = {"blocks.csv", "limit_cycles.csv"},
                .targets = {"block_programs"},
                .reads = {build_folder() / "bench/experiments/blocks"},
-               .full_seconds = 4,
-               .quick_seconds = 4}},
+               .full_seconds = 8,
+               .quick_seconds = 8}},
 });
 
 }  // namespace

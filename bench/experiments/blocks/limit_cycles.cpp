@@ -112,8 +112,7 @@ double value(Number x) {
 }
 
 template <class Number, class Filter>
-LimitCycle first_order(const std::string& format, int steps, const std::string& feedback,
-                       std::uint64_t bound) {
+LimitCycle first_order(const std::string& format, int steps, bool feedback, std::uint64_t bound) {
     LimitCycle row{"one pole", format, steps, feedback, starts, 0, bound, 1};
     const Number k = nearest<Number>(-std::expm1(-1.0 / steps));
     std::mt19937_64 random(1);
@@ -152,7 +151,7 @@ std::optional<double> bound(const fixedpoint::BiquadCoefficients<Number>& c) {
 }
 
 template <class Number, class Filter>
-LimitCycle second_order(const std::string& format, int steps, const std::string& feedback,
+LimitCycle second_order(const std::string& format, int steps, bool feedback,
                         std::optional<double> bound) {
     LimitCycle row{"biquad", format, steps, feedback, starts, 0, bound, 1};
     std::mt19937_64 random(2);
@@ -171,17 +170,17 @@ void add(std::vector<LimitCycle>& rows, const std::string& format) {
     for (const int steps : {10, 100, 1000}) {
         const std::int64_t k = nearest<Number>(-std::expm1(-1.0 / steps)).raw();
         if (k == 0) continue;
-        rows.push_back(first_order<Number, WithFeedback1<Number>>(format, steps, "yes", 0));
-        // The largest distance d with k d < 1/2.
+        rows.push_back(first_order<Number, WithFeedback1<Number>>(format, steps, true, 0));
+        // The largest distance d with k d <= 1/2: the tie below 0 rounds to 0.
         const std::int64_t half = std::int64_t(1) << (Number::fraction_bits - 1);
         rows.push_back(first_order<Number, WithoutFeedback1<Number>>(
-            format, steps, "no", static_cast<std::uint64_t>((half - 1) / k)));
+            format, steps, false, static_cast<std::uint64_t>(half / k)));
     }
     for (const int steps : {10, 100, 1000}) {
         const auto held = bound(low_pass<Number>(steps));
         if (!held) continue;
-        rows.push_back(second_order<Number, WithFeedback2<Number>>(format, steps, "yes", held));
-        rows.push_back(second_order<Number, WithoutFeedback2<Number>>(format, steps, "no", {}));
+        rows.push_back(second_order<Number, WithFeedback2<Number>>(format, steps, true, held));
+        rows.push_back(second_order<Number, WithoutFeedback2<Number>>(format, steps, false, {}));
     }
 }
 

@@ -21,8 +21,8 @@ namespace blocks {
 // A row of limit_cycles.csv.
 struct LimitCycle {
     std::string filter, format;
-    int time_constant;     // steps; of Biquad, those of a period of its cut-off frequency
-    std::string feedback;  // of errors: "yes" or "no"
+    int time_constant;  // steps; of Biquad, those of a period of its cut-off frequency
+    bool feedback;      // of errors
     unsigned starts;
     // The largest magnitude of an output in a limit cycle, over all starts.
     std::uint64_t largest_ulp;

@@ -34,7 +34,7 @@ using Operands = std::array<std::int64_t, reference::max_operands>;
 // The quick run shows that each subject runs and is judged; the bounds come from the full run. The
 // quick run exhausts spaces of up to 2^16 inputs, the full run those of 2^24, and those of 2^32
 // that matter, which an earlier run may have done.
-constexpr int quick_exhaustive_bits = 16, soon_exhausted_bits = 24;
+constexpr int quick_exhaustive_bits = 16, full_exhaustive_bits = 24;
 
 constexpr std::uint64_t random_samples = 200'000, quick_random_samples = 2'000;
 constexpr std::uint64_t search_evaluations = 400'000, quick_search_evaluations = 4'000;
@@ -86,7 +86,7 @@ bool is_exhaustive(const HostSubject& job, bool quick) {
     if (job.input_bits() > exhaustive_bits) return false;
     if (job.input_bits() <= quick_exhaustive_bits) return true;
     if (quick) return false;
-    if (job.input_bits() <= soon_exhausted_bits) return true;
+    if (job.input_bits() <= full_exhaustive_bits) return true;
     // 2^32 inputs: for the default's operations, and for the published product and quotient. Not
     // for lengths, which are bounded by construction; nor sincos, which is sin and cos; nor the
     // functions of a split with unequal parts, which use Q16.16's; nor 2^32 floats, which would
@@ -315,7 +315,7 @@ std::uint64_t measure_accuracy(const AccuracyOptions& options) {
     std::vector<std::size_t> sampled, exhausted;
     for (std::size_t i = 0; i < jobs.size(); ++i) {
         const bool exhaustive = is_exhaustive(jobs[i], options.quick);
-        const bool long_one = jobs[i].input_bits() > soon_exhausted_bits;
+        const bool long_one = jobs[i].input_bits() > full_exhaustive_bits;
         (exhaustive && !(kept && long_one) ? exhausted : sampled).push_back(i);
         if (kept && exhaustive && long_one && kept->row(jobs[i]) == nullptr)
             fmt::print(stderr,

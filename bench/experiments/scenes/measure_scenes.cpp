@@ -194,7 +194,9 @@ SceneRow row(const Subject& subject, const ChipRun& run, const ReferenceRuns& re
         verdict({scene, run, has_truth ? error : error_arithmetic, error_method, extent(held_to),
                  range, reference_runs.needed_range});
     const double steps_a_second = std::ldexp(1.0, subject.exponent);
-    const auto on_chip = [&](double value) { return subject.on_chip ? value : none; };
+    const auto on_chip = [&](double value) {
+        return subject.on_chip ? std::optional(value) : std::nullopt;
+    };
     return {scene.name,
             format_of(subject.scalar),
             arithmetic_of(subject.scalar),

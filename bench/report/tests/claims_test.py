@@ -92,7 +92,7 @@ class Claims(unittest.TestCase):
             mean = {row["operation"]: f"{float(row['cycles_mean']):.0f}" for row in rows(
                 "operations", format=number_format, implementation=implementation, operands="physics")}
             tells(f"| {label} | {' | '.join(mean.get(name, '–') for name in names)} |")
-        tells(f"{sum(row['operands'] == 'all' for row in rows('exhaustive'))} kernels ran over all of their inputs")
+        tells(f"{sum(row['operands'] == 'all' for row in rows('exhaustive'))} functions ran over all of their inputs")
         self.assertEqual({row["violations"] for row in rows("exhaustive")}, {"0"})
         self.assertEqual({row["mismatches"] for row in rows("kernels")}, {"0"})
 
@@ -143,7 +143,7 @@ class Claims(unittest.TestCase):
     def test_what_ran_over_all_inputs(self):
         exact = [int(row["inputs"]) for row in rows("exhaustive", operands="all")]
         self.assertLessEqual(set(exact), {2**16, 2**24, 2**32})
-        self.says("README.md", f"{len(exact)} kernels ran over all their inputs as translated machine code, {exact.count(2**32)} of "
+        self.says("README.md", f"{len(exact)} functions ran over all their inputs as translated machine code, {exact.count(2**32)} of "
                                "them over 2^32")
 
     def test_the_division_has_its_costs_by_operands(self):

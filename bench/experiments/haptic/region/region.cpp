@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -25,7 +25,6 @@ namespace haptic::region {
 namespace {
 
 using records::column;
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 // The extent of the study: everything, or enough of it to see that it works.
 struct Extent {
@@ -123,7 +122,9 @@ std::vector<Parameters> with_hand(std::vector<Parameters> plants, double stiffne
     return plants;
 }
 
-double frequency_of(const Swing& swing) { return swing.at_rest() ? none : swing.frequency; }
+std::optional<double> frequency_of(const Swing& swing) {
+    return swing.at_rest() ? std::nullopt : std::optional(swing.frequency);
+}
 
 // How a family of plants behaves, grasped and released against. A plant at rest has no frequency.
 struct FamilyRow : DeviceRow {
@@ -214,11 +215,11 @@ void write_map(const std::vector<Subject>& subjects, const std::vector<Parameter
     records::table_of(rows).save(options.output / "stable_region.csv");
 }
 
-// The end of the range of values `at_rest` that starts at `from`, towards `to`, within a ratio; NaN
-// if not even `from` is.
+// The end of the range of values `at_rest` that starts at `from`, towards `to`, within a ratio;
+// none if not even `from` is.
 template <class AtRest>
-double limit(double from, double to, double ratio, AtRest&& at_rest) {
-    if (!at_rest(from)) return std::nan("");
+std::optional<double> limit(double from, double to, double ratio, AtRest&& at_rest) {
+    if (!at_rest(from)) return std::nullopt;
     if (at_rest(to)) return to;
     while (std::max(from / to, to / from) > ratio) {
         const double middle = std::sqrt(from * to);
