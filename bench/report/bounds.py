@@ -18,6 +18,7 @@ PROOFS = {(operation, number_format, implementation): proof
               ("fixedpoint/prove_products", ("q32_32",), OURS, ("multiply", "dot2", "dot3")),
               ("fixedpoint/prove_products", ("q8_8",), OURS, ("dot2", "dot3")),
               ("fixedpoint/prove_saturating_products", ("q16_16",), "saturating", ("multiply",)),
+              ("fixedpoint/prove_split_products", ("q8_16", "q12_12", "q8_24"), "saturating", ("multiply",)),
               ("fixedpoint/prove_quotients", ("q16_16",), OURS, ("divide",)),
               ("fixedpoint/prove_small_quotients", ("q16_16",), "small", ("divide",)),
               ("fixedpoint/prove_remainders", ("q16_16",), OURS, ("remainder", "divrem", "divmod")),

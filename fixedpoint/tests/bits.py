@@ -151,8 +151,8 @@ class Bits(Machine):
         if mnemonic == "swap":
             registers[d] = z3.RotateLeft(registers[d], 4)
             return [(following, self)]
-        if mnemonic in ("sec", "clt", "set"):
-            self.flags["C" if mnemonic == "sec" else "T"] = z3.BoolVal(mnemonic != "clt")
+        if mnemonic in ("clc", "sec", "clt", "set"):
+            self.flags["C" if mnemonic.endswith("c") else "T"] = z3.BoolVal(mnemonic.startswith("se"))
             return [(following, self)]
         x, y = registers[d], registers[r] if isinstance(r, int) else z3.BitVecVal(int(r or "0", 0), 8)
         carry = z3.If(self.flag("C"), z3.BitVecVal(1, 10), NONE) if mnemonic in CHAINED else NONE

@@ -74,7 +74,7 @@ class Machine:
         self.products = {}
         self.stack = []
         self.carry = self.transfer = self.tested = None
-        self.registers = {n: self.variable(f"saved{n}", 255) for n in CALL_SAVED}
+        self.registers = {n: self.variable(f"r{n}", 255) for n in range(32)}
         self.registers[1] = known(0)
         kernel.place_operands(self)
         self.before = dict(self.registers)
@@ -466,7 +466,7 @@ class Kernel:
         machine.conclude()
 
 
-# For three right shifts, the rationals are too weak.
+# For three right shifts, the rationals are too weak: prove_split_products has those of multiply.
 KERNELS = [Kernel(operation, *split)
            for operation, splits in [
                ("multiply", [*SPLITS_16, *SPLITS_24, *SPLITS_32, (32, 32)]),

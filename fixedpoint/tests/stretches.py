@@ -425,6 +425,47 @@ class Bounded(Linear):
             self.registers[register] = self.tested
 
 
+class Signed(Linear):
+    """Knows the signs of the highest bytes, by their names."""
+
+    def __init__(self, program):
+        super().__init__(program)
+        self.negative = {}
+
+    def as_signed(self, form):
+        """The number that a byte represents."""
+        name = next(iter(form), None)
+        demand(name in self.negative, "the sign of a byte is asked for that has none")
+        return form - known(256 * self.negative[name])
+
+    def compute(self, mnemonic, d, r, target, following):
+        registers = self.registers
+        if mnemonic in ("mulsu", "muls"):
+            x, y = self.as_signed(self.byte(d)), self.byte(r)
+            if mnemonic == "muls":
+                y = self.as_signed(y)
+            value = self.times(x, y)
+            # The sign is the carry.
+            self.carry = self.variable("carry", 1) if min(x.get(1, 0), y.get(1, 0)) < 0 else known(0)
+            high, value = self.variable("high"), value + self.carry * (1 << 16)
+            self.hold(0, value - high * 256, 255)
+            registers[0], registers[1] = value - high * 256, high
+        elif mnemonic == "sbc" and d == r:
+            registers[d] = self.carry * 255
+        elif mnemonic == "and" and not set(registers[r]) - {1}:
+            demand(registers[r].constant() in (0, 255))
+            registers[d] = registers[d] if registers[r] else known(0)
+        else:
+            return super().compute(mnemonic, d, r, target, following)
+        return [(following, self)]
+
+
+def give_signs(m, places, negative):
+    for register, is_negative in zip(places, negative):
+        m.negative[next(iter(m.registers[register]))] = is_negative
+        m.hold(128 * is_negative, m.registers[register], 127 + 128 * is_negative)
+
+
 def equal(form, other):
     return 0, form - other, 0
 

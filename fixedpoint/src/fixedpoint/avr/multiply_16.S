@@ -18,41 +18,51 @@
 #define a1 r21
 #define b0 r22
 #define b1 r23
+#define any r19
 #define zero r19
 #define p0 r24
 #define p1 r25
 #define p2 r26
 #define p3 r27
 
-    .macro product
+    // p1:p0 and p2, and p3 if `has_top`. Adding a carry to p3 needs no zero: what `any` holds has been
+    // subtracted before.
+    .macro product has_top
     movw a0, r24
-    clr zero
     muls a1, b1
     movw p2, r0
     mul a0, b0
     movw p0, r0
-    mulsu a1, b0
-    sbc p3, zero
-    add p1, r0
-    adc p2, r1
-    adc p3, zero
-    mulsu b1, a0
-    sbc p3, zero
-    add p1, r0
-    adc p2, r1
-    adc p3, zero
+    add_signed_product a1, b0, \has_top
+    add_signed_product b1, a0, \has_top
     clr r1
     .endm
+    .macro add_signed_product p, q, has_top
+    mulsu \p, \q
+    .if \has_top
+    sbc p3, any
+    .endif
+    add p1, r0
+    adc p2, r1
+    .if \has_top
+    adc p3, any
+    .endif
+    .endm
 
-    .macro unsigned_product
+    .macro unsigned_product has_top
     movw a0, r24
-    clr zero
     mul a1, b1
     movw p2, r0
     mul a0, b0
     movw p0, r0
+    .if \has_top
+    clr zero
     mul_add a1, b0, p1, p2, zero, p3
     mul_add b1, a0, p1, p2, zero, p3
+    .else
+    mul_add a1, b0, p1, p2
+    mul_add b1, a0, p1, p2
+    .endif
     clr r1
     .endm
 
@@ -88,7 +98,7 @@
 
     .macro kernel name, product, fraction
     FUNCTION \name
-    \product
+    \product ((\fraction - 1) / 8)
     .if (\fraction - 1) / 8 == 0
     round_bytes (8 - \fraction), p0, p1, p2
     .else

@@ -9,7 +9,8 @@
 //
 // The product is formed up to its last byte. From byte floor((F - 1) / 8) on, it is shifted to whole
 // bytes by at most four bits in either direction, to the left into a byte of its sign; the bit that
-// leaves to the right rounds. The result is in range if all bytes above it are its sign extension.
+// leaves to the right rounds. The result is in range if that byte and all bytes above it are its sign
+// extension, whether these are shifted or not.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -29,16 +30,16 @@
     cp \byte, r0
     brne 8f
     .endm
-    // The result from byte `low` on; `above` bytes up to s5 are above it.
-    .macro result low, above
-    mov r0, .L\low + 2
+    // r0 = the sign of the result whose top byte that is.
+    .macro sign_of byte
+    mov r0, \byte
     lsl r0
     sbc r0, r0
-    falling 0, \above, other_than_sign, .Lr31 - \n
-    mov_bytes r22, \low, 3
     .endm
 
-    // The bytes from p = s<first> on; `next` is the one above it.
+    // The bytes from p = s<first> on; `next` is the one above it. What leaves the result to the left goes
+    // into s6. The bytes above it are not shifted. If there are none, the first bit that leaves is another
+    // sign of the product, which s6 has already.
     .macro round_saturating left, first, p, next
     .set is_wide, (\left > 0) && (\left < 5)
     .if is_wide
@@ -47,28 +48,35 @@
     sbc s6, s6
     .endif
     .if \left < 5
+    .set is_needless, \first == 2
     .rept \left
-    lsl_bytes \p, (6 - \first)
+    lsl_bytes \p, 4
+    .if !is_needless
     rol s6
+    .endif
+    .set is_needless, 0
     .endr
     lsl \p
     adc_each \next, r1, (5 - \first)
     .if is_wide
     adc s6, r1
-    mov r0, .L\next + 2
-    lsl r0
-    sbc r0, r0
+    .endif
+    sign_of .L\next + 2
+    .if is_wide
     other_than_sign s6
     .endif
-    result \next, (2 - \first)
+    falling 0, (2 - \first), other_than_sign, .Lr31 - \n
+    mov_bytes r22, \next, 3
     .else
     .rept 8 - \left
-    asr_bytes \p, (6 - \first)
+    asr_bytes \p, 4
     .endr
     .if \left < 8
     adc_each \p, r1, (6 - \first)
     .endif
-    result \p, (3 - \first)
+    sign_of .L\p + 2
+    falling 0, (3 - \first), other_than_sign, .Lr31 - \n
+    mov_bytes r22, \p, 3
     .endif
     .endm
 

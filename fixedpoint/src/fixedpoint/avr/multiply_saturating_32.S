@@ -10,8 +10,9 @@
 //
 // The columns are those of multiply_32.S, up to byte 7, which is taken modulo 2^8. From byte
 // f = floor((F - 1) / 8) on, the sum is shifted to whole bytes by at most four bits in either
-// direction, with one more byte above it for the bits shifted out to the left; the last bit shifted
-// out to the right rounds. The result is in range if all bytes above it are its sign extension.
+// direction, to the left into a byte of its sign; the last bit shifted out to the right rounds. The
+// result is in range if that byte and all bytes above it are its sign extension, whether these are
+// shifted or not.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -128,8 +129,11 @@
     cp \byte, r0
     brne 8f
     .endm
+    // The register that is next, unless the byte is there.
     .macro take byte
+    .if .L\byte - 22 - target
     mov 22 + target, \byte
+    .endif
     .set target, target + 1
     .endm
     // r0 = the sign of the result.
@@ -144,29 +148,40 @@
     .if \rounds
     up add_carry, (\from), \top
     .endif
+    .if \from + 4 <= \top
     up sign_of, (\from + 3), (\from + 3)
     up other_than_sign, (\from + 4), \top
+    .endif
     .set target, 0
     up take, (\from), (\from + 3)
     .endm
 
+    // What leaves the result to the left goes into s8. If it is the top of the product, the first bit that
+    // leaves is another sign, which s8 has already. A bit that is shifted in never reaches the one that
+    // rounds.
     .macro round_saturating first, left
-    .if \left < 5
+    .set is_wide, (\left > 0) && (\left < 5)
+    .if is_wide
     mov s8, s7
     lsl s8
     sbc s8, s8
+    .set is_needless, \first == 3
     .rept \left
-    clc
-    up rol, (\first), 8
+    up rol, (\first), (\first + 4)
+    .if !is_needless
+    rol s8
+    .endif
+    .set is_needless, 0
     .endr
+    .endif
+    .if \left < 5
     up lsl, (\first), (\first)
-    result (\first + 1), 8, 1
+    result (\first + 1), (7 + is_wide), 1
     .else
     .rept 8 - \left
-    down asr, 7, 7
-    down ror, (\first), 6
+    down asr, (\first + 4), (\first + 4)
+    down ror, (\first), (\first + 3)
     .endr
-    mov s8, s7
     result (\first), 7, (\left < 8)
     .endif
     .endm
@@ -178,8 +193,13 @@
     round_saturating ((\fraction - 1) / 8), (((\fraction - 1) / 8) * 8 + 8 - \fraction)
 9:  pop_all r29, r28, r17, r16, r15
     ret
-    // Saturates to the limit with the sign of s8.
-8:  lsl s8
+    // Saturates to the limit with the sign of the product.
+8:
+    .if is_wide
+    lsl s8
+    .else
+    lsl s7
+    .endif
     sbc r22, r22
     com r22
     mov r23, r22
