@@ -7,10 +7,11 @@ import re
 BENCH = pathlib.Path(__file__).resolve().parents[1]
 _OPERATIONS = (BENCH.parent / "reference" / "operation_table.h").read_text(encoding="utf-8")
 _LIBRARY = (BENCH.parent / "fixedpoint" / "src" / "fixedpoint" / "fixed.hpp").read_text(encoding="utf-8")
+_FORMATS = (BENCH / "lab" / "catalogue" / "formats.h").read_text(encoding="utf-8")
 _SUBJECTS = (BENCH / "lab" / "catalogue" / "subjects.h").read_text(encoding="utf-8")
 
 # The formats of the library with a sign, in which all operations are measured: "q4_4", ...
-FORMATS = tuple(re.findall(r"^#define FORMAT_(q\w+)\(", _SUBJECTS, re.MULTILINE))
+FORMATS = tuple(re.findall(r"^#define FORMAT_(q\w+)\(", _FORMATS, re.MULTILINE))
 # The types that have a name in the library, by their integer and fraction bits: "Q4_4", ...
 TYPES = {(int(integer), int(fraction)): name
          for name, integer, fraction in re.findall(r"^using (Q\w+) = Fixed<(\d+), (\d+)>;$", _LIBRARY, re.MULTILINE)}

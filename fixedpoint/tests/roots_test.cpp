@@ -135,13 +135,14 @@ int64_t component(const int64_t* v) {
 TEST(Normalise, RoundsToNearestOrStaysWithinItsBound) {
     for (const Subject& subject : subjects(
              []<class Raw, int F>(const int64_t* v) -> int64_t { return component<Raw, F>(v); })) {
-        // Those of 24 bits go through 32 bits.
-        const int F = subject.format.fraction,
-                  width = subject.format.width == 24 ? 32 : subject.format.width;
+        // Those of 24 bits go through 32 bits, Q16.16 if it holds them with three bits more.
+        const int F = subject.format.fraction;
+        const bool through_q16_16 =
+            subject.format.width < 24 ? F <= 13 : subject.format.width == 24 && F >= 8 && F <= 13;
+        const int width = subject.format.width == 24 ? 32 : subject.format.width;
         SCOPED_TRACE(name(subject.format));
         const bool is_nearest = width >= 32 ? F > width - 5 : F > 13;
         const bool is_q8_8 = width == 16 && F == 8;
-        const bool through_q16_16 = !is_nearest && width < 32;
         // 0.9 ulp of Q16.16 in addition to half an ulp of a narrow format.
         const double bound = is_nearest               ? 0.5
                              : is_q8_8                ? 0.75

@@ -22,5 +22,5 @@ function(catalogue_names out file pattern)
 endfunction()
 
 # The formats of the library in the catalogue, q4_4;q8_8;..., and those without a sign.
-catalogue_names(CATALOGUE_FORMATS ${CMAKE_CURRENT_LIST_DIR}/subjects.h "#define FORMAT_(q[a-z0-9_]+)")
-catalogue_names(UNSIGNED_FORMATS ${CMAKE_CURRENT_LIST_DIR}/subjects.h "#define FORMAT_(u[a-z0-9_]+)")
+catalogue_names(CATALOGUE_FORMATS ${CATALOGUE_LISTS} "#define FORMAT_(q[a-z0-9_]+)")
+catalogue_names(UNSIGNED_FORMATS ${CATALOGUE_LISTS} "#define FORMAT_(u[a-z0-9_]+)")

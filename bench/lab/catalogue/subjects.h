@@ -5,31 +5,10 @@
 #ifndef BENCH_LAB_CATALOGUE_SUBJECTS_H
 #define BENCH_LAB_CATALOGUE_SUBJECTS_H
 
+#include "bench/lab/catalogue/formats.h"
 #include "reference/operation_table.h"
 
-/* X(format, raw type, fraction bits, ...). Each FORMAT_q is a format of the library and has a
- * device program of its own. */
-/* clang-format off */
-#define FORMAT_q4_4(X, ...)   X(q4_4, int8_t, 4, __VA_ARGS__)
-#define FORMAT_q8_8(X, ...)   X(q8_8, int16_t, 8, __VA_ARGS__)
-#define FORMAT_q8_16(X, ...)  X(q8_16, ::fixedpoint::Int24, 16, __VA_ARGS__)
-#define FORMAT_q12_12(X, ...) X(q12_12, ::fixedpoint::Int24, 12, __VA_ARGS__)
-#define FORMAT_q16_16(X, ...) X(q16_16, int32_t, 16, __VA_ARGS__)
-#define FORMAT_q8_24(X, ...)  X(q8_24, int32_t, 24, __VA_ARGS__)
-#define FORMAT_q32_32(X, ...) X(q32_32, int64_t, 32, __VA_ARGS__)
-/* Without a sign: their operations are in one program. */
-#define FORMAT_u8_8(X, ...)   X(u8_8, uint16_t, 8, __VA_ARGS__)
-#define FORMAT_u16_16(X, ...) X(u16_16, uint32_t, 16, __VA_ARGS__)
-/* clang-format on */
-
-#define UNSIGNED_FORMATS(X, ...) FORMAT_u8_8(X, __VA_ARGS__) FORMAT_u16_16(X, __VA_ARGS__)
-#define SQUARE_FORMATS(X, ...)                                                            \
-    FORMAT_q4_4(X, __VA_ARGS__) FORMAT_q8_8(X, __VA_ARGS__) FORMAT_q16_16(X, __VA_ARGS__) \
-        FORMAT_q32_32(X, __VA_ARGS__)
-#define LIBRARY_FORMATS(X, ...)                                                                  \
-    FORMAT_q4_4(X, __VA_ARGS__) FORMAT_q8_8(X, __VA_ARGS__) FORMAT_q8_16(X, __VA_ARGS__)         \
-        FORMAT_q12_12(X, __VA_ARGS__) FORMAT_q16_16(X, __VA_ARGS__) FORMAT_q8_24(X, __VA_ARGS__) \
-            FORMAT_q32_32(X, __VA_ARGS__)
+/* Formats of others, as X(format, raw type, fraction bits, ...). */
 #define SINGLE(X, ...) X(float, float, 0, __VA_ARGS__)
 #define INTEGERS(X, ...)              \
     X(int8, int8_t, 0, __VA_ARGS__)   \

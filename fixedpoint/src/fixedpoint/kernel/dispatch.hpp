@@ -147,14 +147,9 @@ FIXEDPOINT_KERNELS(FIXEDPOINT_DISPATCH)
 namespace fixedpoint {
 namespace kernel {
 
-// Functions of 8- and 16-bit formats go through Q16.16, which represents all their numbers: its
-// kernels are many times faster than the portable code of a narrow format, and accurate enough. An
-// error of e ulp in Q16.16 becomes 1/2 + e 2^(F-16) ulp after the rounding to F fraction bits: at
-// most 0.6 ulp for e < 0.8 and F <= 13.
-template <class Raw, int F>
-constexpr bool through_q16_16() {
-    return sizeof(Raw) <= 2 && F <= 13;
-}
+// Functions of narrow formats go through Q16.16, whose kernels are many times faster than portable
+// code.
+using portable::through_q16_16;
 
 // The functions of Q8.8 have kernels of their own, except the small variants. So have sine, cosine
 // and logarithm in the coarser 16-bit formats.

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // What the elementary functions without a kernel have in common: they compute in a word of twice
-// the width of a 32- or 64-bit number, far finer than an ulp, and round once. Numbers of 8 and 16
-// bits go through Q16.16, as they do with kernels, which adds at most 2^-3 of its error; with more
-// than 13 fraction bits, and in formats of 24 bits, they go through 32 bits with as many, rounded
-// once.
+// the width of a 32- or 64-bit number, far finer than an ulp, and round once. Narrower numbers go
+// through Q16.16 (through_q16_16.hpp), as they do with kernels, or else through 32 bits with as
+// many fraction bits, rounded once.
 #pragma once
 
 #include <fixedpoint/portable/convert.hpp>
 #include <fixedpoint/portable/double_word.hpp>
+#include <fixedpoint/portable/through_q16_16.hpp>
 
 namespace fixedpoint {
 namespace portable {
@@ -84,7 +84,7 @@ struct Evaluated {
 };
 template <class Function, class Raw, int F>
 struct Evaluated<Function, Raw, F, true> {
-    static constexpr int wide_fraction = sizeof(Raw) < 3 && F <= 13 ? 16 : F;
+    static constexpr int wide_fraction = through_q16_16<Raw, F>() ? 16 : F;
     template <class... Operands>
     static FIXEDPOINT_IN_PLACE Evaluation<Raw> apply(Operands... a) {
         const Evaluation<int32_t> wide = Function::template apply<int32_t, wide_fraction>(
