@@ -599,6 +599,27 @@ template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw multiply_saturating(Raw a, Raw b) {
     return portable::multiply_saturating<Raw, F>(a, b);
 }
+// In Q32.32 the product of the whole parts says whether the wrapped product can be trusted. If it
+// is below 2^31, whole parts x and y, of which neither exceeds 2^31, have x y + x + y + 1 <= 2^32:
+// the exact product is less than 2^64 ulp off zero, and out of range if its sign is lost.
+constexpr uint32_t whole_part_of_magnitude(uint32_t whole, uint32_t fraction) {
+    return whole >> 31 == 0 ? whole : ~whole + (fraction == 0 ? 1 : 0);
+}
+template <>
+FIXEDPOINT_CONSTEXPR int64_t multiply_saturating<int64_t, 32>(int64_t a, int64_t b) {
+    const uint32_t upper_a = upper_word(static_cast<uint64_t>(a)),
+                   upper_b = upper_word(static_cast<uint64_t>(b));
+    const uint64_t whole =
+        multiply_words(whole_part_of_magnitude(upper_a, static_cast<uint32_t>(a)),
+                       whole_part_of_magnitude(upper_b, static_cast<uint32_t>(b)));
+    const bool negative = (upper_a ^ upper_b) >> 31 != 0;
+    if (upper_word(whole) == 0 && static_cast<uint32_t>(whole) >> 31 == 0) {
+        const int64_t wrapped = multiply<int64_t, 32>(a, b);
+        const bool is_below = upper_word(static_cast<uint64_t>(wrapped)) >> 31 != 0;
+        if (is_below == negative || wrapped == 0) return wrapped;
+    }
+    return negative ? RawLimits<int64_t>::min : RawLimits<int64_t>::max;
+}
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw multiply_add(Raw a, Raw b, Raw c) {
     return wrapping_add(multiply<Raw, F>(a, b), c);
