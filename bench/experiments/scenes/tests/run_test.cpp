@@ -71,6 +71,27 @@ TEST(AnyProgram, IsMadeOnceAndInAnySplit) {
     EXPECT_NEAR(run.trajectory.at(4).at(0).position[1], 24 - 9.81 / 2, 1e-5);
 }
 
+// Of 24 bits: by hand, and a rod and springs like those in the 32 bits with the same last bit.
+TEST(AnyProgram, OfThreeBytesMovesAsByHandAndAsThoseOfFour) {
+    const auto run = [](const char* scene, const char* scalar) {
+        return run_on_chip(any_program(scene, scalar, "semi_implicit_euler", 8), scene_named(scene),
+                           scalar, 8, Hashes::no);
+    };
+    expect_free_fall(run("free_fall", "q8_16"), 8);
+    for (const char* scene : {"pendulum", "spring_and_mass", "lever"}) {
+        const ChipRun narrow = run(scene, "q8_16"), wide = run(scene, "q16_16");
+        EXPECT_EQ(narrow.failure, "") << scene;
+        EXPECT_LT(narrow.ram_bytes, wide.ram_bytes) << scene;
+        ASSERT_EQ(narrow.trajectory.size(), wide.trajectory.size()) << scene;
+        for (std::size_t i = 0; i < wide.trajectory.size(); ++i)
+            for (const int axis : {0, 1}) {
+                const ParticleState &a = narrow.trajectory[i].at(0), &b = wide.trajectory[i].at(0);
+                EXPECT_EQ(a.position[axis], b.position[axis]) << scene << " " << i;
+                EXPECT_EQ(a.velocity[axis], b.velocity[axis]) << scene << " " << i;
+            }
+    }
+}
+
 TEST(AnyProgram, ReportsAFormatThatCannotHoldTheScene) {
     EXPECT_THROW(any_program("free_fall", "q2_14", "velocity_verlet", 7), std::runtime_error);
 }
