@@ -1575,6 +1575,17 @@ class ChooseAFormat(unittest.TestCase):
         with self.assertRaisesRegex(DataError, "35 integer bits and 34 fraction bits"):
             choose_a_format.choose(1e10, 1e-10)
 
+    def test_the_lever_of_the_firmware(self):
+        """Its type is read from the firmware; the weights have to explain it."""
+        self.assertEqual(choose_a_format.choose(*choose_a_format.ARM).name, "Q8_16")
+        self.assertEqual(choose_a_format.why_the_firmware_differs(golden(calibration="adc_reading device_g\n0 76.7\n950 1458.1\n1 2\n")),
+                         "The firmware's lever has this arm in `Q16_16`, not in `Q8_16`, because its one number type also holds the "
+                         "weights on the force sensors. On the chip they reach 1458 g, which takes 12 integer bits and, with the 15 "
+                         "fraction bits of the arm, more than 24 bits.")
+        for grams in (255, 40000):  # 9 + 15 fit 24 bits; 17 + 15 have no name
+            with self.assertRaisesRegex(DataError, f"up to {grams} g do not explain why the firmware uses Q16_16, not Q8_16"):
+                choose_a_format.why_the_firmware_differs(golden(calibration=f"adc_reading device_g\n950 {grams}\n"))
+
     def test_the_types_are_those_of_the_library(self):
         self.assertEqual([each.name for each in choose_a_format.MEASURED.values()],
                          ["Q4_4", "Q8_8", "Q8_16", "Q12_12", "Q16_16", "Fixed<8, 24>", "Q32_32"])
