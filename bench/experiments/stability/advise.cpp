@@ -156,9 +156,12 @@ class Costs {
         const std::string own = scalar_of(split);
         result.named = is_in_catalogue(split);
         for (const std::string& scalar : scalars_like(split)) {
-            // Without springs the implicit method is the semi-implicit one.
+            // Without springs the implicit method is the semi-implicit one. Compensated integration
+            // is nearly that one, too.
             for (const std::string& method : {result.method, std::string("semi_implicit_euler")}) {
-                if (method != result.method && result.method != "implicit_springs") break;
+                if (method != result.method && result.method != "implicit_springs" &&
+                    result.method != "semi_implicit_compensated")
+                    break;
                 const auto found = measured_.find({scalar, method});
                 if (found == measured_.end()) continue;
                 result.cost(found->second.cost);
