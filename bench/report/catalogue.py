@@ -15,6 +15,9 @@ FORMATS = tuple(re.findall(r"^#define FORMAT_(q\w+)\(", _FORMATS, re.MULTILINE))
 # The types that have a name in the library, by their integer and fraction bits: "Q4_4", ...
 TYPES = {(int(integer), int(fraction)): name
          for name, integer, fraction in re.findall(r"^using (Q\w+) = Fixed<(\d+), (\d+)>;$", _LIBRARY, re.MULTILINE)}
+# The integer and fraction bits of the lever that is flashed.
+_LEVER = (BENCH.parent / "firmware" / "src" / "firmware" / "lever_geometry.hpp").read_text(encoding="utf-8")
+FLASHED = tuple(map(int, re.search(r"^using LeverScalar = fixedpoint::Fixed<(\d+), (\d+)[,>]", _LEVER, re.MULTILINE).groups()))
 # Provenance, label, and whether its results are the default's, of each implementation.
 IMPLEMENTATIONS = {
     name: {"provenance": provenance, "label": label, "as_default": host == "as_default"}

@@ -86,6 +86,21 @@ def choose(largest, step):
     raise DataError(f"no format has {integer} integer bits and {fraction} fraction bits")
 
 
+# The example of the lever's arm: the largest value and the smallest step.
+ARM = (100, 0.00005)
+
+
+def why_the_firmware_differs(data):
+    """Why the arm of the lever in the firmware has a wider type than it needs alone, in sentences."""
+    arm, flashed = choose(*ARM), Format(*catalogue.FLASHED)
+    grams = max(row["device_g"] for row in data.some("calibration"))
+    if arm.name == flashed.name or choose(grams, ARM[1]).name != flashed.name:
+        raise DataError(f"calibration.csv: up to {grams} g do not explain why the firmware uses {flashed.name}, not {arm.name}")
+    return (f"The firmware's lever has this arm in `{flashed.name}`, not in `{arm.name}`, because its one number type also holds the "
+            f"weights on the force sensors. On the chip they reach {grams:.0f} g, which takes {integer_bits(grams)} integer bits and, with "
+            f"the {fraction_bits(ARM[1])} fraction bits of the arm, more than {arm.width} bits.")
+
+
 def kind(number_format, implementation=operations.OURS):
     return operations.FLOAT if number_format == "float" else (number_format, implementation)
 

@@ -48,8 +48,37 @@ def typed(cell, holds, place):
     return cell
 
 
-def load(path, headers):
-    """All rows of a CSV file, whose columns are those of one of the headers."""
+HELD = ("text", "number", "optional")
+
+
+def nearest(columns, headers):
+    """Of several headers the one that shares most columns with a list of them, or None if none shares any."""
+    best = max(headers, key=lambda header: len(set(header) & set(columns)), default=())
+    return best if set(best) & set(columns) else None
+
+
+def listed(columns):
+    return ("column" if len(columns) == 1 else "columns") + " " + ", ".join(f"'{column}'" for column in columns)
+
+
+def disagreement(file, columns, headers):
+    """How the columns of a file differ from those of the record in columns.json that is most like them."""
+    header = nearest(columns, headers)
+    if header is None:
+        return f"columns.json has no record with {listed(columns)}"
+    header = list(header)
+    lacks = [(other, [column for column in there if column not in here])
+             for other, here, there in (("columns.json", header, columns), (file, columns, header))]
+    told = [f"{other} lacks {listed(missing)}" for other, missing in lacks if missing]
+    if not told:  # the same ones, but not one after the other
+        number = next((i for i, (a, b) in enumerate(zip(columns, header)) if a != b), min(len(columns), len(header)))
+        a, b = (f"'{names[number]}'" if number < len(names) else "none" for names in (columns, header))
+        told = [f"column {number + 1} is {a} in {file} and {b} in columns.json"]
+    return ", ".join(told)
+
+
+def load(path, headers, maker=None):
+    """All rows of a CSV file, whose columns are those of one of the headers. `maker` is the command that makes it."""
     try:
         with open(path, newline="", encoding="utf-8") as stream:
             lines = list(csv.reader(stream, strict=True))
@@ -62,8 +91,9 @@ def load(path, headers):
         raise DataError(f"{path}: has no rows below the names of its columns")
     header = next((each for each in headers if list(each) == columns), None)
     if header is None:
-        raise DataError(f"{path}: its columns are not those of a record in columns.json: measure it again, and `fixbench "
-                        "report` writes columns.json")
+        name = pathlib.Path(path).name
+        raise DataError(f"{path} and columns.json disagree: {disagreement(name, columns, headers)}; "
+                        + (f"`{maker}` writes {name}, " if maker else "") + "`fixbench report` writes columns.json")
     rows = []
     for number, row in enumerate(cells, 2):
         place = f"{path}, row {number}"
@@ -88,7 +118,18 @@ class Data:
     @functools.cached_property
     def headers(self):
         """Of each kind of data file what its columns hold, in their order."""
-        return self.json("columns")
+        headers = self.json("columns")
+        fault = None
+        if not isinstance(headers, list) or not all(isinstance(header, dict) for header in headers):
+            fault = "is not a list of records, each of which has for every column what it holds"
+        else:
+            for header in headers:
+                for column, holds in header.items():
+                    if holds not in HELD:
+                        fault = f"column '{column}' holds '{holds}', and allowed are {', '.join(HELD)}"
+        if fault:
+            raise DataError(f"{self.folder / 'columns.json'}: {fault}; `{self.made_by['columns.json']}` writes it")
+        return headers
 
     def _path(self, name, suffix):
         path = self.folder / (name + suffix)
@@ -104,7 +145,7 @@ class Data:
     def rows(self, name, **wanted):
         """The rows of <name>.csv whose cells equal `wanted`, as dictionaries."""
         if name not in self._loaded:
-            self._loaded[name] = load(self._path(name, ".csv"), self.headers)
+            self._loaded[name] = load(self._path(name, ".csv"), self.headers, self.made_by.get(name + ".csv"))
         return [row for row in self._loaded[name]
                 if all(row[key] == value for key, value in wanted.items())]
 
@@ -122,4 +163,5 @@ class Data:
             with open(path, encoding="utf-8") as stream:
                 return json.load(stream)
         except (OSError, ValueError) as error:
-            raise DataError(f"{path}: {error}") from None
+            maker = self.made_by.get(path.name)
+            raise DataError(f"{path}: {error}" + (f"; `{maker}` writes it" if maker else "")) from None

@@ -4,6 +4,7 @@
 import argparse
 import concurrent.futures
 import contextlib
+import csv
 import datetime
 import filecmp
 import json
@@ -40,7 +41,7 @@ import scenes_workload
 import stability
 import style
 import table_3_2
-from data import Data, DataError
+from data import Data, DataError, listed, nearest
 
 HERE = pathlib.Path(__file__).resolve().parent
 
@@ -238,6 +239,52 @@ def differences(results, experiments=(), headers=None):
                 or not filecmp.cmp(made / file, results / file, shallow=False)]
 
 
+def columns_fault(data, headers):
+    """The first difference of columns.json from the headers of the program, in words that name the column."""
+    stored = data.headers
+    names = {tuple(row): path.name for path in sorted(data.folder.glob("*.csv"))
+             if (row := next(csv.reader(path.read_text(encoding="utf-8").splitlines()[:1]), None))}
+
+    def of(*alike):
+        return next((f"of {names[tuple(header)]}, " for header in alike if tuple(header) in names), "")
+
+    def same(a, b):
+        return list(a.items()) == list(b.items())
+    missing = [header for header in headers if not any(same(header, each) for each in stored)]
+    further = [header for header in stored if not any(same(header, each) for each in headers)]
+    for header in missing:
+        alike = nearest(header, further)
+        if alike is None:
+            return f"{of(header)}the record of fixbench with {listed(list(header))} is missing"
+        place = of(header, alike)
+        for column, holds in header.items():
+            if column not in alike:
+                return f"{place}column '{column}' of fixbench is missing"
+            if alike[column] != holds:
+                return f"{place}column '{column}' holds {alike[column]}, and {holds} in fixbench"
+        for column in alike:
+            if column not in header:
+                return f"{place}column '{column}' is not in fixbench"
+        number, (a, b) = next((i, pair) for i, pair in enumerate(zip(alike, header), 1) if pair[0] != pair[1])
+        return f"{place}column {number} is '{a}', and '{b}' in fixbench"
+    if further:
+        return f"no record of fixbench has the columns {', '.join(further[0])}"
+    return "is not in the order of fixbench"
+
+
+def fault(file, results, experiments, headers):
+    """What is wrong with a file that differs from what would be written, in a line."""
+    path = results / file
+    if file != pathlib.Path("data/columns.json"):
+        return f"{path} does not follow from the data"
+    # It follows from the program, not from the data.
+    data = Data(results / "data", experiments)
+    try:
+        return f"{path}: {columns_fault(data, headers)}; `{data.made_by[path.name]}` writes it"
+    except DataError as error:
+        return str(error)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--results", required=True,
@@ -257,7 +304,7 @@ def main():
             if arguments.check:
                 wrong = differences(results, arguments.experiments, arguments.columns)
                 for file in wrong:
-                    print(f"report: {results / file} does not follow from the data", file=sys.stderr)
+                    print("report: " + fault(file, results, arguments.experiments, arguments.columns), file=sys.stderr)
                 return 1 if wrong else 0
             if arguments.measured_here:
                 note_tools(results / "data")

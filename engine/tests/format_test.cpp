@@ -14,11 +14,14 @@ double distance_to_double() {
 }
 
 // The bounds in m: what an error of one last bit per step amounts to over the scene's duration.
+// Every scene fits Q8.16, which has the last bit of Q16.16.
 template <class Scene>
 void expect_near_double(double q16_16, double q8_24) {
     const double coarse = distance_to_double<Scene, Fixed<16, 16>>();
+    const double narrow = distance_to_double<Scene, Fixed<8, 16>>();
     const double fine = distance_to_double<Scene, Fixed<8, 24>>();
     EXPECT_LT(coarse, q16_16) << Scene::name << " in Q16.16";
+    EXPECT_LT(narrow, q16_16) << Scene::name << " in Q8.16";
     EXPECT_LT(fine, q8_24) << Scene::name << " in Q8.24";
 }
 

@@ -45,7 +45,7 @@ class Estimates {
         auto known = cycles_.find(format.name());
         if (known == cycles_.end()) {
             static const std::map<int, const char*> alike = {
-                {8, "q4_4"}, {16, "q8_8"}, {32, "q8_24"}};
+                {8, "q4_4"}, {16, "q8_8"}, {24, "q12_12"}, {32, "q8_24"}};
             const auto like = alike.find(format.width());
             if (like != alike.end()) known = cycles_.find(like->second);
         }
@@ -87,7 +87,9 @@ bool advise_program(const Options& given) {
     const auto measure = [&](bool wide) {
         operations::in_parallel(options.threads, all.size(), [&](std::size_t i) {
             if ((all[i].format.width() == 64) != wide) return;
-            all[i].advice.cycles_estimated = estimate(all[i].format, all[i].operations);
+            // What does not compile has run no operation.
+            if (all[i].advice.failure.empty())
+                all[i].advice.cycles_estimated = estimate(all[i].format, all[i].operations);
             if (all[i].advice.meets)
                 measure_on_chip(options, data, scratch.folder(), recorded.outputs, all[i]);
             progress.advance();

@@ -49,10 +49,10 @@ std::vector<Format> candidates(int integer_bits) {
             }))
             formats.push_back({bits, width - bits});
     };
-    for (const int width : {8, 16, 32, 64}) {
+    for (const int width : {8, 16, 24, 32, 64}) {
         add(integer_bits, width);
         add(integer_bits + 1, width);
-        if (width == 32) add(8, width);
+        if (width == 24 || width == 32) add(8, width);
         add(width / 2, width);
     }
     return formats;

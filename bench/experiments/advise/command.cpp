@@ -43,9 +43,9 @@ const fixbench::Registration command({
         "from double. Files: advice.csv, ranges.csv (the values of every line and of every\n"
         "variable that fixedpoint::watch names; printed with --ranges).\n\n"
         "--scene NAME: a scene of the engine against its true motion, in all splits Q2.14 to\n"
-        "Q12.4, Q4.28 to Q24.8 and Q12.52 to Q40.24, and float, with every method and step. A\n"
-        "program whose cycles are not in the data is built and run on the simulated chip, and\n"
-        "stays in the build folder.\n\n"
+        "Q12.4, Q3.21 to Q16.8, Q4.28 to Q24.8 and Q12.52 to Q40.24, and float, with every\n"
+        "method and step. A program whose cycles are not in the data is built and run on the\n"
+        "simulated chip, and stays in the build folder.\n\n"
         "Example: fixbench advise --program my_filter.cpp --inputs my_data.csv --error 0.001\n"
         "         fixbench advise --scene pendulum --error 5 --unit mm",
     .prints = {"advice.csv", "ranges.csv"},

@@ -49,6 +49,7 @@ std::string type_of(std::string_view scene) {
 const std::map<std::string_view, const char*> types_of_methods = {
     {"explicit_euler", "Published"},
     {"semi_implicit_euler", "SemiImplicit"},
+    {"semi_implicit_compensated", "Compensated<scenes::SemiImplicit>"},
     {"velocity_verlet", "Verlet"},
     {"implicit_springs", "Implicit"},
     {"direct_rods", "Direct"}};

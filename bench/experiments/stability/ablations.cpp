@@ -8,9 +8,9 @@
 #include <stdexcept>
 
 #include "bench/experiments/stability/chip_world.hpp"
+#include "bench/experiments/stability/search.hpp"
 #include "bench/lab/parallel.hpp"
 #include "bench/lab/records/progress.hpp"
-#include "bench/lab/records/record.hpp"
 #include "this_build.hpp"
 
 namespace stability {
@@ -134,38 +134,18 @@ double beyond(const Case& one, double limit) {
     return limit * (one.to > one.from ? 1.5 : 1 / 1.5);
 }
 
-// The measure of the case, in tolerances, or the engine's error.
-std::string error_text(const Case& one, Method method, double parameter) {
+// The measure of the case, in tolerances. None if the engine reports an error, or the format does
+// not hold the case.
+std::optional<double> error_of(const Case& one, Method method, double parameter) {
     const Trial trial = attempt(subject_of(method), one.at(parameter), 1e9);
-    if (!trial.outcome.error.empty()) return "stops";
-    return trial.outcome.steps > 0 ? fmt::format("{:.4g}", trial.worst) : "does not fit";
+    if (!trial.outcome.error.empty() || trial.outcome.steps == 0) return {};
+    return trial.worst;
 }
 
-using records::column;
-
-// A row of ablations.csv: limits, or none; errors in tolerances at a parameter that the method
-// before does not withstand, or why there are none.
-struct AblationRow {
-    std::string ablation, of_case, parameter, unit, before_method, after_method;
-    std::string before, after, before_error, after_error;
-    double before_cycles, after_cycles;
-    std::uint64_t before_cycles_max, after_cycles_max;
-    std::string before_cause, after_cause;
-
-    static constexpr auto columns = std::tuple(
-        column("ablation", &AblationRow::ablation), column("case", &AblationRow::of_case),
-        column("parameter", &AblationRow::parameter), column("unit", &AblationRow::unit),
-        column("before_method", &AblationRow::before_method),
-        column("after_method", &AblationRow::after_method), column("before", &AblationRow::before),
-        column("after", &AblationRow::after), column("before_error", &AblationRow::before_error),
-        column("after_error", &AblationRow::after_error),
-        column("before_cycles", &AblationRow::before_cycles, "{:.0f}"),
-        column("after_cycles", &AblationRow::after_cycles, "{:.0f}"),
-        column("before_cycles_max", &AblationRow::before_cycles_max),
-        column("after_cycles_max", &AblationRow::after_cycles_max),
-        column("before_cause", &AblationRow::before_cause),
-        column("after_cause", &AblationRow::after_cause));
-};
+std::optional<double> limit_or_none(const Finding& finding) {
+    if (std::isnan(finding.limit)) return {};
+    return finding.limit;
+}
 
 AblationRow row(std::size_t i, const Effort& effort) {
     const auto& ablation = ablations[i];
@@ -181,10 +161,10 @@ AblationRow row(std::size_t i, const Effort& effort) {
             one.unit,
             name_of(ablation.before),
             name_of(ablation.after),
-            limit_of(was),
-            limit_of(is),
-            error_text(one, ablation.before, broken),
-            error_text(one, ablation.after, broken),
+            limit_or_none(was),
+            limit_or_none(is),
+            error_of(one, ablation.before, broken),
+            error_of(one, ablation.after, broken),
             before.mean,
             after.mean,
             before.most,

@@ -18,6 +18,7 @@
 #include "bench/experiments/stability/prediction.hpp"
 #include "bench/experiments/stability/scene_description.hpp"
 #include "bench/experiments/stability/search.hpp"
+#include "bench/lab/catalogue/subjects.h"
 #include "bench/lab/parallel.hpp"
 #include "bench/lab/records/progress.hpp"
 #include "reference/trajectories/trajectory.hpp"
@@ -48,8 +49,11 @@ struct Result {
         flash = cost.flash_bytes;
     }
     double cycles = 0, flash = 0;  // per simulated second, bytes; 0 if not known
-    bool estimated = false;        // from another split of the same width, method or step
-    bool named = false;            // the data contain the format by name
+    bool estimated = false;        // from another split, method or step
+    bool too_large = false;        // for the flash
+    bool named = false;            // by the library or the data
+    // Whether its cost on the chip is known.
+    bool is_measured() const { return too_large || (cycles != 0 && !estimated); }
 };
 
 std::string scalar_of(const Split& split) {
@@ -57,9 +61,25 @@ std::string scalar_of(const Split& split) {
                               : fmt::format("q{}_{}", split.integer_bits, split.fraction_bits);
 }
 
+// Whether the library has kernels for this split in particular.
+bool is_in_catalogue(const Split& split) {
+#define IS_SPLIT(name, Raw, F, ...) \
+    || (split.width() == 8 * sizeof(Raw) && split.fraction_bits == F)
+    return false LIBRARY_FORMATS(IS_SPLIT);
+#undef IS_SPLIT
+}
+
+// The measured scalars whose cost stands for that of a split until it is measured itself. No scene
+// is among the data in 24 bits: numbers of three bytes cost about as much as those of four.
+std::vector<std::string> scalars_like(const Split& split) {
+    return {scalar_of(split),
+            fmt::format("q{0}_{0}", split.width() == 24 ? 16 : split.width() / 2)};
+}
+
 std::vector<Split> splits() {
     std::vector<Split> list = {{0, 0}};
     for (int i = 2; i <= 12; ++i) list.push_back({i, 16 - i});
+    for (int i = 3; i <= 16; ++i) list.push_back({i, 24 - i});
     for (int i = 4; i <= 24; ++i) list.push_back({i, 32 - i});
     for (int i = 12; i <= 40; i += 4) list.push_back({i, 64 - i});
     return list;
@@ -109,7 +129,7 @@ Result run(const std::string& scene, const reference::Trajectory& truth, const C
 }
 
 // Cycles and flash as measured for this scene and method. Otherwise an estimate: those of another
-// split of the same width, or of any step.
+// split, or of any step.
 class Costs {
   public:
     Costs(const std::filesystem::path& data, const std::string& scene) {
@@ -134,14 +154,18 @@ class Costs {
     void add_to(Result& result) const {
         const Split split = result.choice.split;
         const std::string own = scalar_of(split);
-        for (const std::string& scalar : {own, fmt::format("q{0}_{0}", split.width() / 2)}) {
-            // Without springs the implicit method is the semi-implicit one.
+        result.named = is_in_catalogue(split);
+        for (const std::string& scalar : scalars_like(split)) {
+            // Without springs the implicit method is the semi-implicit one. Compensated integration
+            // is nearly that one, too.
             for (const std::string& method : {result.method, std::string("semi_implicit_euler")}) {
-                if (method != result.method && result.method != "implicit_springs") break;
+                if (method != result.method && result.method != "implicit_springs" &&
+                    result.method != "semi_implicit_compensated")
+                    break;
                 const auto found = measured_.find({scalar, method});
                 if (found == measured_.end()) continue;
                 result.cost(found->second.cost);
-                result.named = scalar == own;
+                result.named |= scalar == own;
                 result.estimated = (split.width() != 0 && scalar != own) ||
                                    method != result.method ||
                                    !found->second.exponents.contains(result.choice.exponent);
@@ -219,23 +243,37 @@ double extent(const reference::Trajectory& truth) {
     return std::hypot(high.x - low.x, high.y - low.y);
 }
 
-// Measures the lines whose cycles are in no file on the chip.
-void measure(const AdviceOptions& options, std::vector<Result>& lines) {
-    std::vector<Result*> unknown;
-    for (Result& line : lines)
-        if (line.cycles == 0 || line.estimated) unknown.push_back(&line);
+// Measures these lines on the chip.
+void measure(const AdviceOptions& options, const std::vector<Result*>& unknown) {
     records::Progress progress("advise", unknown.size());
     operations::in_parallel(options.threads, unknown.size(), [&](std::size_t i) {
         Result& line = *unknown[i];
         try {
             line.cost(options.measure(options.scene, scalar_of(line.choice.split), line.method,
                                       line.choice.exponent));
+            line.estimated = false;
         } catch (const scene_bench::TooLarge& error) {
             line.fault = error.what();
             line.cycles = line.flash = 0;
+            line.too_large = true;
         }
         progress.advance();
     });
+}
+
+// Sorts the lines by price and keeps as many as are wanted, none of which is an estimate: what is
+// measured and turns out to be dearer makes room for the next.
+void keep_cheapest(const AdviceOptions& options, std::vector<Result>& lines) {
+    for (;;) {
+        std::stable_sort(lines.begin(), lines.end(),
+                         [](const Result& a, const Result& b) { return price(a) < price(b); });
+        std::vector<Result*> unknown;
+        for (std::size_t i = 0; i < std::min<std::size_t>(lines.size(), options.most); ++i)
+            if (!lines[i].is_measured()) unknown.push_back(&lines[i]);
+        if (unknown.empty()) break;
+        measure(options, unknown);
+    }
+    lines.resize(std::min<std::size_t>(lines.size(), options.most));
 }
 
 }  // namespace
@@ -262,6 +300,7 @@ void measure_suitability(const std::filesystem::path& output, unsigned threads) 
     const std::pair<const char*, std::function<bool(const Result&)>> groups[] = {
         {"Q8.8", [](const Result& r) { return r.format == "Q8.8"; }},
         {"16 bits", [](const Result& r) { return r.choice.split.width() == 16; }},
+        {"24 bits", [](const Result& r) { return r.choice.split.width() == 24; }},
         {"Q16.16", [](const Result& r) { return r.format == "Q16.16"; }},
         {"32 bits", [](const Result& r) { return r.choice.split.width() == 32; }},
         {"64 bits", [](const Result& r) { return r.choice.split.width() == 64; }},
@@ -316,11 +355,7 @@ bool advise(const AdviceOptions& options) {
             place->second = result;
     }
     for (const auto& [key, result] : best) good.push_back(result);
-    const auto by_price = [](const Result& a, const Result& b) { return price(a) < price(b); };
-    std::stable_sort(good.begin(), good.end(), by_price);
-    good.resize(std::min<std::size_t>(good.size(), options.most));
-    measure(options, good);
-    std::stable_sort(good.begin(), good.end(), by_price);
+    keep_cheapest(options, good);
     if (good.empty()) {
         const Result& nearest =
             *std::min_element(results.begin(), results.end(),

@@ -6,6 +6,7 @@ each computation of the pages, and what is told of damaged data."""
 import contextlib
 import csv
 import io
+import json
 import math
 import pathlib
 import re
@@ -1574,6 +1575,17 @@ class ChooseAFormat(unittest.TestCase):
         with self.assertRaisesRegex(DataError, "35 integer bits and 34 fraction bits"):
             choose_a_format.choose(1e10, 1e-10)
 
+    def test_the_lever_of_the_firmware(self):
+        """Its type is read from the firmware; the weights have to explain it."""
+        self.assertEqual(choose_a_format.choose(*choose_a_format.ARM).name, "Q8_16")
+        self.assertEqual(choose_a_format.why_the_firmware_differs(golden(calibration="adc_reading device_g\n0 76.7\n950 1458.1\n1 2\n")),
+                         "The firmware's lever has this arm in `Q16_16`, not in `Q8_16`, because its one number type also holds the "
+                         "weights on the force sensors. On the chip they reach 1458 g, which takes 12 integer bits and, with the 15 "
+                         "fraction bits of the arm, more than 24 bits.")
+        for grams in (255, 40000):  # 9 + 15 fit 24 bits; 17 + 15 have no name
+            with self.assertRaisesRegex(DataError, f"up to {grams} g do not explain why the firmware uses Q16_16, not Q8_16"):
+                choose_a_format.why_the_firmware_differs(golden(calibration=f"adc_reading device_g\n950 {grams}\n"))
+
     def test_the_types_are_those_of_the_library(self):
         self.assertEqual([each.name for each in choose_a_format.MEASURED.values()],
                          ["Q4_4", "Q8_8", "Q8_16", "Q12_12", "Q16_16", "Fixed<8, 24>", "Q32_32"])
@@ -1664,14 +1676,77 @@ class Damage(Figures):
                 (good.replace(b",9,1", b",9,1_0"), "row 2, column loops: '1_0' is not a number"),
                 (good.replace(b",9,1", b",9, 1"), "row 2, column loops: ' 1' is not a number"),
                 (good.replace(b",9,1", b",9,one"), "row 2, column loops: 'one' is not a number"),
-                (good.replace(b"cycles_max,loops", b"loops,cycles_max"), "operations.csv: its columns are not those of"),
-                (good.replace(b"loops", b"turns"), "operations.csv: its columns are not those of a record in columns.json"),
+                (good.replace(b"cycles_max,loops", b"loops,cycles_max"),
+                 "operations.csv and columns.json disagree: column 3 is 'loops' in operations.csv and 'cycles_max' in columns.json"),
+                (good.replace(b"loops", b"turns"), "operations.csv and columns.json disagree: columns.json lacks column 'turns', "
+                 "operations.csv lacks column 'loops'; `fixbench report` writes columns.json"),
+                (b"cost\n1\n", "operations.csv and columns.json disagree: columns.json has no record with column 'cost'"),
                 (good.replace(b",9,1", b",9 1,1"), "row 2, column cycles_max: '9 1' is not a number"),
                 (good.replace(b"add,q8", b"\xff\xfe"), "operations.csv: 'utf-8' codec"),
                 (good, "operations.csv: there is no column 'implementation'")):
             told = self.told(content)
             self.assertTrue(told.startswith("report: "), told)
             self.assertIn(message, told)
+
+    def test_a_fault_of_columns_json_names_the_column_and_both_commands(self):
+        """Whichever of the two files is wrong."""
+        lacking = [self.HEADERS[0], {key: self.HEADERS[1][key] for key in ("operation", "format", "cycles_max")}]
+        self.assertIn("operations.csv and columns.json disagree: columns.json lacks column 'loops'",
+                      self.told(self.GOOD.encode(), headers=lacking))
+        experiments = [{"command": "fixbench cycles", "writes": ["operations.csv"], "full_only": []}]
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / "operations.csv").write_text(self.GOOD, encoding="utf-8")
+            report.write_columns(pathlib.Path(folder), lacking)
+            with self.assertRaisesRegex(DataError, "`fixbench cycles` writes operations.csv, `fixbench report` writes columns.json"):
+                Data(folder, experiments).rows("operations")
+        for wrong, message in (
+                ([{"loops": "numbr"}], "columns.json: column 'loops' holds 'numbr', and allowed are text, number, optional"),
+                ([["loops"]], "columns.json: is not a list of records, each of which has for every column what it holds"),
+                ({"loops": "text"}, "columns.json: is not a list of records")):
+            with tempfile.TemporaryDirectory() as folder:
+                (pathlib.Path(folder) / "columns.json").write_text(json.dumps(wrong), encoding="utf-8")
+                with self.assertRaises(DataError) as raised:
+                    self.assertIsNone(Data(folder).headers)
+                self.assertIn(message, str(raised.exception))
+                self.assertIn("`fixbench report` writes it", str(raised.exception))
+
+    def checked(self, stored):
+        """What --check says of a columns.json with this text, next to operations.csv and nothing else."""
+        with tempfile.TemporaryDirectory() as folder, unittest.mock.patch("report.figures", return_value={}), \
+                unittest.mock.patch("report.PAGES", {}):
+            data = pathlib.Path(folder) / "data"
+            data.mkdir()
+            (data / "tools.json").write_text("{}", encoding="utf-8")
+            (data / "loops.csv").write_text("operation,format,cycles_max,loops\nadd,q8_8,9,1\n", encoding="utf-8")
+            if stored is not None:
+                (data / "columns.json").write_text(stored, encoding="utf-8")
+            with unittest.mock.patch("sys.argv", ["report.py", "--results", folder, "--check", "--columns", json.dumps(self.HEADERS)]), \
+                    contextlib.redirect_stderr(io.StringIO()) as told:
+                status = report.main()
+            lines = [line for line in told.getvalue().splitlines() if line.startswith("report: ")]  # not the progress
+            self.assertEqual((status, len(lines)), (1, 1) if lines else (0, 0))
+            return "".join(lines).replace(folder + "/", "")
+
+    def test_the_check_names_the_column_that_differs_from_the_programs(self):
+        def text(*headers):
+            return "[\n" + ",\n".join(map(json.dumps, headers)) + "\n]\n"
+        first, second = self.HEADERS
+        self.assertEqual(self.checked(text(first, second)), "")
+        for stored, message in (
+                (text(first, {**second, "loops": "text"}), "of loops.csv, column 'loops' holds text, and number in fixbench"),
+                (text(first, dict(list(second.items())[:-1])), "of loops.csv, column 'loops' of fixbench is missing"),
+                (text(first, {**second, "turns": "text"}), "of loops.csv, column 'turns' is not in fixbench"),
+                (text(first, dict(reversed(second.items()))), "of loops.csv, column 1 is 'loops', and 'operation' in fixbench"),
+                (text(second), "the record of fixbench with column 'loops' is missing"),
+                (text(first, second, {"a": "text", "b": "text"}), "no record of fixbench has the columns a, b"),
+                (text(second, first), "is not in the order of fixbench"),
+                ("[", "data/columns.json: Expecting value"),
+                (None, "data/columns.json is missing")):
+            told = self.checked(stored)
+            self.assertTrue(told.startswith("report: data/columns.json"), told)
+            self.assertIn(message, told)
+            self.assertTrue(told.endswith("; `fixbench report` writes it"), told)
+            self.assertNotIn("from the data", told)
 
     def test_without_columns_nothing_is_read(self):
         self.assertIn("columns.json is missing; `fixbench report` writes it", self.told(self.GOOD.encode(), headers=None))

@@ -60,12 +60,12 @@ __attribute__((noinline, cold)) Inverse<Fixed<I, F, A>> inverse_by_digits(Fixed<
         quotient = static_cast<Digits>(2 * quotient);
         if (rest >= divisor) {
             rest = static_cast<Digits>(rest - divisor);
-            ++quotient;
+            quotient = static_cast<Digits>(quotient + 1);
         }
         if (digits == 0) break;
         rest = static_cast<Digits>(2 * rest);
     }
-    if (rest >= divisor - rest) ++quotient;
+    if (rest >= divisor - rest) quotient = static_cast<Digits>(quotient + 1);
     if (static_cast<Raw>(quotient) < 0) return {Number(), 0};
     if (halvings == 0 && (divisor & (divisor - 1)) == 0) {
         halvings = -1;

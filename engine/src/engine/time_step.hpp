@@ -48,7 +48,8 @@ struct Seconds<Fixed<I, F, A>> {
         static_assert(I > 1 || K > 0, "A step of 1 s does not fit a format of one integer bit.");
         using Raw = typename Number::Raw;
         // Half an ulp rounds up to one ulp, less to 0.
-        return Number::from_raw(F >= K ? Raw(1) << (F >= K ? F - K : 0) : Raw(F + 1 == K));
+        return Number::from_raw(F >= K ? static_cast<Raw>(Raw(1) << (F >= K ? F - K : 0))
+                                       : Raw(F + 1 == K));
     }
     static constexpr Number of(Number dt) { return dt; }
 };

@@ -31,7 +31,8 @@ template <int I, int F, class A>
 struct NormalTolerance<Fixed<I, F, A>> {
     static constexpr Fixed<I, F, A> value() {
         using Raw = typename Fixed<I, F, A>::Raw;
-        return Fixed<I, F, A>::from_raw(F > 10 ? Raw(1) << (F > 10 ? F - 8 : 0) : Raw(4));
+        return Fixed<I, F, A>::from_raw(F > 10 ? static_cast<Raw>(Raw(1) << (F > 10 ? F - 8 : 0))
+                                               : Raw(4));
     }
 };
 

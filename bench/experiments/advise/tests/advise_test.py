@@ -236,6 +236,34 @@ def ranges():
     check("return fixedpoint::watch(x" in rows["line"]["source"], f"twice: {rows['line']}")
 
 
+def three_bytes():
+    """Products up to 100 in steps of 2^-16 fit Q8.16, whose results integers tell: round half up of a b / 2^16."""
+    noise = random.Random(1)
+    path = program("product.cpp", "Number step(Number x, Number y) { return x * y; }")
+
+    def advice(name, rows, error):
+        folder = os.path.join(SCRATCH, name)
+        done = advise("--program", path, "--inputs", write_csv(f"{name}.csv", ["x", "y"], rows), "--error", repr(error),
+                      "--threads", "1", "--output", folder)
+        check(done.returncode == 0, f"{name}: {done.stderr}")
+        return {row["format"]: row for row in read_csv(folder, "advice.csv")}
+
+    raws = [(noise.randint(-100 * 2**16, 100 * 2**16), noise.randint(-2**16, 2**16)) for _ in range(100)]
+    rows = advice("products", [(a / 2**16, b / 2**16) for a, b in raws], 2**-17)
+    pick = rows[next(iter(rows))]
+    check(pick["format"] == "q8_16" and pick["meets"] == "yes" and not pick["failure"], f"products: {rows}")
+    worst = max(abs((a * b + 2**15 >> 16 << 16) - a * b) for a, b in raws) / 2**32
+    check(math.isclose(float(pick["max_error"]), worst, rel_tol=1e-4), f"products: {worst} and {pick}")
+    check(pick["chip_steps"] == "100" and pick["bits_left"] == "0", f"products: {pick}")
+    check(float(pick["cycles_mean"]) < min(float(rows[name]["cycles_mean"]) for name in ("q16_16", "q8_24")),
+          f"products: {rows}")
+    # Exactly, this is just below 128; Q8.16 rounds it to 128, which wraps. Q9.15 holds it.
+    edge = next((a, (2**39 - 1) // a) for a in range(2**19, 2**20) if (2**39 - 1) % a < 2**15)
+    rows = advice("edge", [[x / 2**16 for x in edge]], 0.01)
+    check((rows["q8_16"]["meets"], rows["q8_16"]["overflows"]) == ("no", "1"), f"edge: {rows['q8_16']}")
+    check((rows["q9_15"]["meets"], rows["q9_15"]["overflows"]) == ("yes", "0"), f"edge: {rows['q9_15']}")
+
+
 def refusals():
     data = write_csv("one.csv", ["x"], [(1,), (2,)])
     plain = program("plain.cpp", "Number step(Number x) { return x + x; }")
@@ -270,8 +298,9 @@ def refusals():
     thousand = write_csv("thousand.csv", ["x"], [(1000,)])
     done = advise("--program", rare, "--inputs", thousand, "--error", "0.1", "--output", folder)
     rows = {row["format"]: row for row in read_csv(folder, "advice.csv")}
-    check(done.returncode == 0 and "outside the range" in rows["q12_20"]["failure"] and rows["q16_16"]["meets"] == "yes",
-          f"rare: {done.stderr} {rows}")
+    for name in ("q12_12", "q12_20"):
+        check("outside the range" in rows[name]["failure"] and not rows[name]["cycles_estimated"], f"rare: {rows[name]}")
+    check(done.returncode == 0 and rows["q16_16"]["meets"] == "yes", f"rare: {done.stderr} {rows}")
 
 
 def scene():
@@ -289,11 +318,28 @@ def scene():
         check(100 < each / 2**int(line[2].removeprefix("2^-")) < 10000, f"scene: {line}")
 
 
+def scene_in_three_bytes():
+    """The lever fits Q8.16: the motion of Q16.16, which has the same last bit, 8 bits closer to overflow."""
+    done = advise("--scene", "lever", "--error", "1", "--unit", "mm", "--lines", "6")
+    lines = [line.split() for line in done.stdout.splitlines() if " 2^-" in line]
+    narrow, wide = (next((line for line in lines if line[0] == name), None) for name in ("Q8.16", "Q16.16"))
+    check(done.returncode == 0 and narrow and wide, f"three bytes: {done.stdout} {done.stderr}")
+    if not (narrow and wide):
+        return
+    check(narrow[:4] == ["Q8.16", *wide[1:4]], f"three bytes: {narrow} {wide}")
+    check(all(abs(float(b) - float(a) - 8) < 0.11 for a, b in zip(narrow[6:], wide[6:])), f"three bytes: {narrow} {wide}")
+    check(int(narrow[4]) < int(wide[4]) and int(narrow[5]) < int(wide[5]), f"three bytes: {narrow} {wide}")
+    # What was chosen by an estimate is measured, and what turns out to be dearer makes room.
+    cheapest = advise("--scene", "lever", "--error", "1", "--unit", "mm", "--lines", "1").stdout.splitlines()[-1].split()
+    check(cheapest == lines[0], f"three bytes: {cheapest} {lines[0]}")
+
+
 def main():
     shutil.rmtree(SCRATCH, ignore_errors=True)
     os.makedirs(SCRATCH)
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        for task in [pool.submit(example, case) for case in CASES] + [pool.submit(ranges), pool.submit(refusals), pool.submit(scene)]:
+        others = (ranges, three_bytes, refusals, scene, scene_in_three_bytes)
+        for task in [pool.submit(example, case) for case in CASES] + [pool.submit(each) for each in others]:
             task.result()
     for text in failures:
         print("FAILED:", text)

@@ -71,6 +71,49 @@ TEST(AnyProgram, IsMadeOnceAndInAnySplit) {
     EXPECT_NEAR(run.trajectory.at(4).at(0).position[1], 24 - 9.81 / 2, 1e-5);
 }
 
+// Of 24 bits: by hand, and a rod and springs like those in the 32 bits with the same last bit.
+TEST(AnyProgram, OfThreeBytesMovesAsByHandAndAsThoseOfFour) {
+    const auto run = [](const char* scene, const char* scalar) {
+        return run_on_chip(any_program(scene, scalar, "semi_implicit_euler", 8), scene_named(scene),
+                           scalar, 8, Hashes::no);
+    };
+    expect_free_fall(run("free_fall", "q8_16"), 8);
+    for (const char* scene : {"pendulum", "spring_and_mass", "lever"}) {
+        const ChipRun narrow = run(scene, "q8_16"), wide = run(scene, "q16_16");
+        EXPECT_EQ(narrow.failure, "") << scene;
+        EXPECT_LT(narrow.ram_bytes, wide.ram_bytes) << scene;
+        ASSERT_EQ(narrow.trajectory.size(), wide.trajectory.size()) << scene;
+        for (std::size_t i = 0; i < wide.trajectory.size(); ++i)
+            for (const int axis : {0, 1}) {
+                const ParticleState &a = narrow.trajectory[i].at(0), &b = wide.trajectory[i].at(0);
+                EXPECT_EQ(a.position[axis], b.position[axis]) << scene << " " << i;
+                EXPECT_EQ(a.velocity[axis], b.velocity[axis]) << scene << " " << i;
+            }
+    }
+}
+
+// Nothing is lost in compensated integration: each sum of products with the step is the floor of
+// the exact one.
+TEST(AnyProgram, WithCompensatedIntegrationMovesAsByHand) {
+    for (const char* scalar : {"q8_16", "q16_16"}) {
+        const ChipRun run =
+            run_on_chip(any_program("free_fall", scalar, "semi_implicit_compensated", 8),
+                        scene_named("free_fall"), scalar, 8, Hashes::no);
+        ASSERT_EQ(run.trajectory.size(), 9u) << scalar;
+        std::int64_t sum = 0;  // of the velocities
+        for (int step = 1; step <= 2 << 8; ++step) {
+            const std::int64_t vertical = (4 << 16) + ((-642908 * std::int64_t(step)) >> 8);
+            sum += vertical;
+            if (step % 64 != 0) continue;
+            const ParticleState& point = run.trajectory[step / 64].at(0);
+            EXPECT_EQ(point.velocity[1], std::ldexp(static_cast<double>(vertical), -16)) << step;
+            EXPECT_EQ(point.position[1],
+                      std::ldexp(static_cast<double>((20 << 16) + (sum >> 8)), -16))
+                << step;
+        }
+    }
+}
+
 TEST(AnyProgram, ReportsAFormatThatCannotHoldTheScene) {
     EXPECT_THROW(any_program("free_fall", "q2_14", "velocity_verlet", 7), std::runtime_error);
 }

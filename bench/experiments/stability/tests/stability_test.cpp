@@ -14,6 +14,7 @@
 #include "bench/experiments/stability/prediction.hpp"
 #include "bench/experiments/stability/scene_description.hpp"
 #include "bench/experiments/stability/search.hpp"
+#include "bench/experiments/stability/tests/three_bytes.hpp"
 #include "bench/experiments/stability/world_of.hpp"
 
 namespace stability {
@@ -457,6 +458,9 @@ TEST(AnyFormat, ComputesAsFixedDoes) {
         b >>= shift / 5 % 64;
         c >>= shift / 7 % 64;
         expect_the_same<fixedpoint::Q8_8>(a, b, c);
+        expect_the_same<fixedpoint::Q8_16>(a, b, c);
+        expect_the_same<fixedpoint::Q12_12>(a, b, c);
+        expect_the_same<fixedpoint::Fixed<3, 21>>(a, b, c);
         expect_the_same<fixedpoint::Q16_16>(a, b, c);
         expect_the_same<fixedpoint::Fixed<8, 24>>(a, b, c);
         expect_the_same<fixedpoint::Q32_32>(a, b, c);
@@ -466,9 +470,12 @@ TEST(AnyFormat, ComputesAsFixedDoes) {
 // Of the cases that compute no roots, at both ends and between them: the same motion, bit for bit,
 // up to where a result wraps, and the same verdict on whether one does.
 TEST(AnyFormat, MovesAsFixedDoes) {
-    unsigned compared = 0, wrapped = 0;
+    unsigned compared = 0, wrapped = 0, wrapped_in_three_bytes = 0;
+    const std::vector<Subject> of_three_bytes = subjects_of_three_bytes();
     for (const Case& one : all_cases()) {
-        for (const Subject* each : subjects_of(one)) {
+        std::vector<const Subject*> in_fixed = subjects_of(one);
+        for (const Subject& subject : of_three_bytes) in_fixed.push_back(&subject);
+        for (const Subject* each : in_fixed) {
             const Subject& fixed = *each;
             const auto split = split_of(fixed);
             if (!split) continue;
@@ -512,11 +519,13 @@ TEST(AnyFormat, MovesAsFixedDoes) {
                 EXPECT_EQ(again.record.first_failure().has_value(), failure.has_value()) << where;
                 ++compared;
                 wrapped += failure.has_value();
+                wrapped_in_three_bytes += failure && split->width() == 24;
             }
         }
     }
     EXPECT_GT(compared, 1000u);
     EXPECT_GT(wrapped, 50u);
+    EXPECT_GT(wrapped_in_three_bytes, 10u);
 }
 
 // At any speed that the format holds, and in any format: where the contacts of the end of a step
