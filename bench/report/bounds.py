@@ -9,7 +9,7 @@ from data import DataError
 
 OURS = "default"
 # Proofs for every operand, tests of the library and of `exhaustive`: that a result is correctly rounded ...
-SUMS = "bench/prove_sums", ("q16_16", "q8_24")
+SUMS = "bench/prove_sums", ("q16_16", "q8_24", "q8_16", "q12_12")
 PROOFS = {(operation, number_format, implementation): proof
           for proof, formats, implementation, operations in (
               ("fixedpoint/prove_products", ("q8_16", "q12_12", "q16_16", "q8_24"), OURS,
@@ -27,9 +27,11 @@ PROOFS = {(operation, number_format, implementation): proof
               ("fixedpoint/prove_lengths", ("q16_16",), OURS, ("length2", "length3")),
               ("fixedpoint/prove_short_lengths", ("q8_8",), OURS, ("length3",)),
               (*SUMS, OURS, ("add", "subtract", "abs_diff", "copysign", "midpoint")),
+              (SUMS[0], ("q32_32",), OURS, ("add", "subtract", "abs_diff", "copysign", "midpoint")),
               (*SUMS, "saturating", ("add", "subtract")),
               (SUMS[0], ("q8_8",), OURS, ("multiply_add", "lerp")),
               ("bench/prove_nearest_angles", ("q16_16",), "correctly_rounded", ("atan2",)),
+              (SUMS[0], ("q8_16", "q12_12"), OURS, ("divide", "remainder")),
               (*SUMS, OURS, ("lerp",)))
           for operation in operations for number_format in formats}
 # ... or that its error is less than this, in ulp, whatever the largest known error is.

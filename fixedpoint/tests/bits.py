@@ -141,12 +141,12 @@ class Bits(Machine):
             demand(r == "Z", "lpm moves the pointer")
             registers[d] = self.look_up()
             return [(following, self)]
-        if mnemonic == "adiw":
-            carry = NONE
+        if mnemonic in ("adiw", "sbiw"):
+            change, carry, zero = self.sum if mnemonic == "adiw" else self.difference, NONE, True
             for register, y in ((d, z3.BitVecVal(int(r, 0), 8)), (d + 1, z3.BitVecVal(0, 8))):
-                registers[register] = self.sum(registers[register], y, carry)
+                registers[register] = change(registers[register], y, carry)
                 carry = z3.If(self.flags["C"], z3.BitVecVal(1, 10), NONE)
-            self.flags["Z"] = None
+                zero = self.flags["Z"] = z3.And(zero, self.flags["Z"])
             return [(following, self)]
         if mnemonic == "swap":
             registers[d] = z3.RotateLeft(registers[d], 4)

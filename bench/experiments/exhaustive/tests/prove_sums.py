@@ -2,12 +2,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Proves for all operands that sums and similar operations are exact: z3 examines the machine code of the device
 programs, with every register a vector of bits. multiply_add and lerp call a product kernel that
-fixedpoint/prove_products proves: here its result may be any number, but its factors must be right.
+fixedpoint/prove_products proves, and quotients and remainders of 24 bits call those of Q16.16, proven by
+fixedpoint/prove_quotients and prove_remainders: here the kernel's result may be any number, but its operands must be
+right.
 
 usage: prove_sums.py FOLDER    the folder of the device programs
 
-Then instructions are left out in turn, and each time the proof must fail; for multiply_add and lerp, whose compiled
-code contains instructions that change nothing, it may succeed without a third of them, which are printed."""
+Then instructions of 32-bit functions are left out in turn, and each time the proof must fail; for multiply_add and lerp,
+whose compiled code contains instructions that change nothing, it may succeed without a third of them, which are
+printed."""
 import sys
 from functools import partial
 from pathlib import Path
@@ -18,7 +21,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[4] / "fixedpoint/tests")
 from bits import Bits  # noqa: E402
 from machine_code import CALL_SAVED, Program, demand  # noqa: E402
 
-WIDTHS = {"q16_16": 32, "q8_24": 32}
+WIDTHS = {"q16_16": 32, "q8_24": 32, "q8_16": 24, "q12_12": 24, "q32_32": 64}
 
 
 def saturated(exact, width):
@@ -72,8 +75,8 @@ class Calling(Bits):
         self.flags = {}
         self.calls.append((operands, result))
         total = result + sum(operands[2:])
-        for i, register in enumerate(range(places(width, 1)[0], 26)):
-            self.registers[register] = z3.Extract(8 * i + 7, 8 * i, total)
+        for i in range(width // 8):
+            self.registers[places(width, 1)[0] + i] = z3.Extract(8 * i + 7, 8 * i, total)
         return [(following, self)]
 
     def all_calls(self):
@@ -82,8 +85,8 @@ class Calling(Bits):
 
 
 def places(width, count):
-    """The lowest registers of operands."""
-    return [26 - width // 8 * (i + 1) for i in range(count)]
+    """The lowest registers of operands, each of which takes an even number."""
+    return [26 - (width + 8) // 16 * 2 * (i + 1) for i in range(count)]
 
 
 def multiply_add(width, _, machine):
@@ -112,18 +115,49 @@ def lerp(width, fraction, machine):
     return check
 
 
+def quotient(_, fraction, machine):
+    """Of 24 bits: that of a and b 2^(16-F) in Q16.16, saturated."""
+    a, b = (z3.SignExt(8, machine.number(low, 3)) for low in places(24, 2))
+
+    def check(machine, end):
+        (operands, result), = machine.all_calls()
+        demand(machine.impossible(z3.Not(z3.And(
+            operands[0] == a, operands[1] == b << 16 - fraction,
+            machine.number(places(24, 1)[0], 3) == z3.Extract(23, 0, saturated(result, 24))))))
+    return check
+
+
+def remainder(_, fraction, machine):
+    """Of 24 bits: that of 32 bits, which is smaller than b or is a."""
+    numbers = [z3.SignExt(8, machine.number(low, 3)) for low in places(24, 2)]
+
+    def check(machine, end):
+        (operands, result), = machine.all_calls()
+        demand(machine.impossible(z3.Not(z3.And(
+            *(number == operand for number, operand in zip(numbers, operands)),
+            machine.number(places(24, 1)[0], 3) == z3.Extract(23, 0, result)))))
+    return check
+
+
 EVERY = 3
+FIRST_ONLY = 1 << 20  # instruction
 # (program, function, check, called kernel, fraction bits)
 OF_PRODUCTS = [("q8_8", "multiply_add_q8_8_default", multiply_add, ("fixedpoint_multiply_q8_8", 2, 16), 8),
                ("q8_8_auxiliary", "lerp_q8_8_default", lerp, ("fixedpoint_multiply_q8_8", 2, 16), 8),
                ("q16_16_auxiliary", "lerp_q16_16_default", lerp, ("fixedpoint_multiply_add_q16_16", 3, 32), 16),
-               ("q8_24_auxiliary", "lerp_q8_24_default", lerp, ("fixedpoint_multiply_add_q8_24", 3, 32), 24)]
+               ("q8_24_auxiliary", "lerp_q8_24_default", lerp, ("fixedpoint_multiply_add_q8_24", 3, 32), 24),
+               ("q8_16_auxiliary", "lerp_q8_16_default", lerp, ("fixedpoint_multiply_add_q8_16", 3, 24), 16),
+               ("q12_12_auxiliary", "lerp_q12_12_default", lerp, ("fixedpoint_multiply_add_q12_12", 3, 24), 12),
+               *((name, f"{operation}_{name}_default", function,
+                  (f"fixedpoint_{operation}_q16_16", 2, 32), fraction)
+                 for name, fraction in (("q8_16", 16), ("q12_12", 12))
+                 for operation, function in (("divide", quotient), ("remainder", remainder)))]
 
 
 def operands(exact, width, machine):
     size = width // 8
-    first = 26 - max(size, 2)
-    a, b = (z3.SignExt(2, machine.number(low, size)) for low in (first, 2 * first - 26))
+    first, second = places(width, 2)
+    a, b = (z3.SignExt(2, machine.number(low, size)) for low in (first, second))
     wanted = z3.Extract(width - 1, 0, exact(a, b, width))
 
     def check(machine, end):
@@ -135,10 +169,12 @@ def main():
     failed = False
     for number_format, width in WIDTHS.items():
         for suffix, functions in EXACT.items():
+            if width == 64 and suffix == "_angles":
+                continue  # These sums are in memory.
             stretches = [(name.format(number_format), partial(operands, exact, width), (None,), (), ((),), (None,))
                          for name, exact in functions.items()]
             program = Program(stretches, Bits, elf=Path(sys.argv[1]) / f"{number_format}{suffix}.elf")
-            failed |= program.run(1, ("ret",))
+            failed |= program.run(1 if width == 32 else FIRST_ONLY, ("ret",))
     for program, name, exact, called, fraction in OF_PRODUCTS:
         stretch = name, partial(exact, called[2], fraction), (None,), (), ((),), (None,)
         program = Program([stretch], partial(Calling, [called]), elf=Path(sys.argv[1]) / f"{program}.elf")
