@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The dispatch of add_saturating and subtract_saturating. On the device, those of 16 and 32 bits
+// The dispatch of add_saturating and subtract_saturating. On the device, those of 16 to 32 bits
 // test the processor's overflow flag inline; the compiler's code for the portable test takes
 // several times as long.
 #pragma once
@@ -31,6 +31,22 @@ inline int16_t saturated_sum(int16_t a, int16_t b) {
         "sbc %B0, %B0\n\t"
         "mov %A0, %B0\n\t"
         "bld %B0, 7\n"
+        "1:"
+        : "+&r"(a)
+        : "r"(b));
+    return a;
+}
+inline Int24 saturated_sum(Int24 a, Int24 b) {
+    asm("add %A0, %A1\n\t"
+        "adc %B0, %B1\n\t"
+        "adc %C0, %C1\n\t"
+        "brvc 1f\n\t"
+        "bst %C1, 7\n\t"
+        "lsl %C0\n\t"
+        "sbc %C0, %C0\n\t"
+        "mov %A0, %C0\n\t"
+        "mov %B0, %C0\n\t"
+        "bld %C0, 7\n"
         "1:"
         : "+&r"(a)
         : "r"(b));
@@ -71,6 +87,23 @@ inline int16_t saturated_difference(int16_t a, int16_t b) {
         : "r"(b));
     return a;
 }
+inline Int24 saturated_difference(Int24 a, Int24 b) {
+    asm("sub %A0, %A1\n\t"
+        "sbc %B0, %B1\n\t"
+        "sbc %C0, %C1\n\t"
+        "brvc 1f\n\t"
+        "bst %C1, 7\n\t"
+        "sbc %A0, %A0\n\t"
+        "mov %B0, %A0\n\t"
+        "mov %C0, %A0\n\t"
+        "com %C0\n\t"
+        "bld %C0, 7\n\t"
+        "com %C0\n"
+        "1:"
+        : "+&r"(a)
+        : "r"(b));
+    return a;
+}
 inline int32_t saturated_difference(int32_t a, int32_t b) {
     asm("sub %A0, %A1\n\t"
         "sbc %B0, %B1\n\t"
@@ -104,6 +137,7 @@ inline int32_t saturated_difference(int32_t a, int32_t b) {
                    : saturated_difference(a, b);                                                   \
     }
 FIXEDPOINT_SATURATING_SUMS(int16_t)
+FIXEDPOINT_SATURATING_SUMS(Int24)
 FIXEDPOINT_SATURATING_SUMS(int32_t)
 #undef FIXEDPOINT_SATURATING_SUMS
 #endif
