@@ -81,7 +81,7 @@ const fixbench::Registration registration({
                .writes = {"blocks.csv", "limit_cycles.csv"},
                .targets = {"block_programs"},
                .reads = {build_folder() / "bench/experiments/blocks"},
-               .full_seconds = 8,
+               .full_seconds = 5,
                .quick_seconds = 8}},
 });
 

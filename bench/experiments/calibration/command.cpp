@@ -50,7 +50,7 @@ const fixbench::Registration registration({
                           "calibration_verdicts.csv"},
                .targets = {"calibration_curves"},
                .reads = {DeviceProgram().elf},
-               .full_seconds = 5,
+               .full_seconds = 1,
                .quick_seconds = 5,
                .writes_header = true}},
 });

@@ -71,7 +71,7 @@ const fixbench::Registration registration({
                .writes = {"haptic.csv", "haptic_pins.csv", "workload_firmware.csv"},
                .targets = programs,
                .reads = {build_folder() / "firmware"},
-               .full_seconds = 1500,
+               .full_seconds = 400,
                .quick_seconds = 60}},
 });
 

@@ -194,7 +194,7 @@ const fixbench::Registration cycles({
                .writes = {"operations.csv", "flash.csv", "operations.json"},
                .targets = {"subjects"},
                .reads = {device_folder},
-               .full_seconds = 400,
+               .full_seconds = 450,
                .quick_seconds = 60}},
 });
 
@@ -238,7 +238,7 @@ const fixbench::Registration accuracy({
                        return arguments;
                    },
                .writes = {"accuracy.csv", "error_histograms.csv", "error_along_input.csv"},
-               .full_seconds = 600,
+               .full_seconds = 200,
                .quick_seconds = 25}},
 });
 
@@ -280,7 +280,7 @@ const fixbench::Registration verify({
           .writes = {"kernels.csv"},
           .targets = {"subjects"},
           .reads = {device_folder},
-          .full_seconds = 1200,
+          .full_seconds = 300,
           .quick_seconds = 30}},
 });
 
@@ -306,7 +306,7 @@ const fixbench::Registration throughput({
                            mode.data};
                },
                .writes = {"host_throughput.json"},
-               .full_seconds = 30,
+               .full_seconds = 20,
                .quick_seconds = 5,
                .times_host = true}},
 });

@@ -151,8 +151,8 @@ const fixbench::Registration registration({
                .figures = {"lever_flame.svg"},
                .targets = {"lever"},
                .reads = {lever},
-               .full_seconds = 10,
-               .quick_seconds = 10}},
+               .full_seconds = 1,
+               .quick_seconds = 1}},
 });
 
 }  // namespace

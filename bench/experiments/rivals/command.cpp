@@ -70,8 +70,8 @@ const fixbench::Registration command({
                            mode.data};
                },
                .writes = {"rivals.csv"},
-               .full_seconds = 30,
-               .quick_seconds = 10}},
+               .full_seconds = 3,
+               .quick_seconds = 3}},
 });
 
 }  // namespace

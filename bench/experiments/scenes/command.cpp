@@ -55,7 +55,7 @@ const fixbench::Registration scenes({
                .targets = {"scene_programs"},
                .quick_targets = {"scene_quick_programs"},
                .reads = {scene_programs()},
-               .full_seconds = 240,
+               .full_seconds = 100,
                .quick_seconds = 60}},
 });
 
@@ -84,8 +84,8 @@ const fixbench::Registration states({
         },
     .steps = {{.name = "initial_states",
                .writes = {"initial_states.csv"},
-               .full_seconds = 30,
-               .quick_seconds = 30}},
+               .full_seconds = 2,
+               .quick_seconds = 2}},
 });
 
 const fixbench::Registration workload({
@@ -109,8 +109,8 @@ const fixbench::Registration workload({
                .writes = {"workload.csv", "workload_rounds.csv", "workload_trace.csv"},
                .targets = {"workload_programs"},
                .reads = {workload_programs()},
-               .full_seconds = 15,
-               .quick_seconds = 15}},
+               .full_seconds = 3,
+               .quick_seconds = 3}},
 });
 
 }  // namespace

@@ -50,7 +50,7 @@ const fixbench::Registration measure({
                .full_only = {"suitability.csv"},
                .targets = {"world_programs"},
                .reads = {build_folder() / "bench/experiments/stability"},
-               .full_seconds = 400,
+               .full_seconds = 170,
                .quick_seconds = 30}},
 });
 
@@ -84,7 +84,7 @@ const fixbench::Registration dynamics({
     .steps = {{.name = "dynamics",
                .passes_quick = true,
                .writes = {"dynamics.csv"},
-               .full_seconds = 130,
+               .full_seconds = 20,
                .quick_seconds = 30}},
 });
 

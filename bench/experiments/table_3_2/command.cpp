@@ -41,7 +41,7 @@ const fixbench::Registration table({
                .targets = {"table_3_2_programs"},
                .quick_targets = {"table_3_2_usual_programs"},
                .reads = {folder, reference::published_folder()},
-               .full_seconds = 60,
+               .full_seconds = 15,
                .quick_seconds = 10}},
 });
 

@@ -123,7 +123,7 @@ const fixbench::Registration registration({
                .writes = {"features.csv"},
                .targets = {"feature_programs"},
                .reads = {folder},
-               .full_seconds = 8,
+               .full_seconds = 3,
                .quick_seconds = 8}},
 });
 

@@ -166,7 +166,7 @@ const fixbench::Registration registration({
                            "--output", mode.data};
                },
                .writes = {"growth_host.csv"},
-               .full_seconds = 150,
+               .full_seconds = 130,
                .quick_seconds = 4,
                .times_host = true}},
 });

@@ -41,7 +41,7 @@ const fixbench::Registration registration({
                           "stable_changes.csv", "stable_on_chip.csv", "oscillation.csv"},
                .targets = {"held_levers"},
                .reads = {build_folder() / "bench/experiments/haptic/region"},
-               .full_seconds = 1500,
+               .full_seconds = 500,
                .quick_seconds = 25}},
 });
 
