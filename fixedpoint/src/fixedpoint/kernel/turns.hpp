@@ -109,8 +109,7 @@ struct Either<false, Then, Else> {
 template <class Raw, int F>
 using SineOfPhase = typename Either<
     portable::is_coarse_16<Raw, F>(), SineOfPhase16<Raw, F>,
-    typename Either<(sizeof(Raw) <= 2 && F <= 13) ||
-                        (sizeof(Raw) > 2 && sizeof(Raw) <= 4 && F == 16),
+    typename Either<through_q16_16<Raw, F>() || (sizeof(Raw) > 2 && sizeof(Raw) <= 4 && F == 16),
                     SineOfPhase32<Raw, F>,
                     typename Either<sizeof(Raw) <= 4 || F <= 30 || F == 32, SineOfPhase42<Raw, F>,
                                     SineOfPhase64<Raw, F>>::Type>::Type>::Type;
