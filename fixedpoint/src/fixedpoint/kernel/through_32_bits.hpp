@@ -89,7 +89,7 @@ struct Widened {
 #define FIXEDPOINT_EXACT_3(operation, reach)         \
     return narrowed<F, reach>(operation<int32_t, F>( \
         static_cast<int32_t>(a), static_cast<int32_t>(b), static_cast<int32_t>(c)));
-// The quotient of the raw numbers, rounded, depends on F only.
+// a 2^F / b is a 2^16 / (b 2^(16 - F)), rounded once in either format.
 #define FIXEDPOINT_QUOTIENT(operation, reach) \
     return narrowed<F, reach>(                \
         operation<int32_t, WideFormat<F>::fraction>(static_cast<int32_t>(a), widened<F>(b)));
