@@ -8,11 +8,13 @@
 #   device   programs for the chip of its own
 #   slow     fixbench, the device programs of an experiment, a project or sketch of its own, a proof,
 #            or many compilations
+# Slow tests run first: one that began last would keep the other cores waiting.
 # The target `quick_tests` builds those of the first three, and `run_quick_tests` runs them: each only
 # if its program, the device programs that it NEEDS, or the sources that it READS have changed since
 # it last passed.
 
 set(TEST_OPTIMISATION -Og CACHE STRING "Level at which tests are compiled")
+set(order_of_slow COST 1000)
 add_custom_target(host_tests)
 add_custom_target(quick_tests)
 add_custom_target(run_quick_tests)
@@ -123,7 +125,7 @@ function(test_program target label)
     endif()
     if(ARG_NAME)
         add_test(NAME ${ARG_NAME} COMMAND ${target} --gtest_brief=1)
-        set_tests_properties(${ARG_NAME} PROPERTIES LABELS ${label} ${ARG_PROPERTIES})
+        set_tests_properties(${ARG_NAME} PROPERTIES LABELS ${label} ${order_of_${label}} ${ARG_PROPERTIES})
     else()
         gtest_discover_tests(${target} TEST_PREFIX ${ARG_PREFIX} NO_PRETTY_VALUES PROPERTIES LABELS ${label} ${ARG_PROPERTIES})
         set(ARG_NAME ${ARG_PREFIX}${target})
@@ -143,7 +145,7 @@ endfunction()
 function(test_command name label)
     cmake_parse_arguments(ARG "" "" "COMMAND;NEEDS;READS" ${ARGN})
     add_test(NAME ${name} COMMAND ${ARG_COMMAND})
-    set_tests_properties(${name} PROPERTIES LABELS ${label})
+    set_tests_properties(${name} PROPERTIES LABELS ${label} ${order_of_${label}})
     if(ARG_NEEDS)
         add_labelled(${label} ${ARG_NEEDS})
     endif()
