@@ -20,7 +20,7 @@ packages=(
     python3 python3-matplotlib python3-jinja2 python3-tqdm python3-z3 python3-jsonschema
     nodejs npm
 )
-for_tests=(clang-format clang-tidy clang-19 libclang-rt-19-dev libc++-19-dev shellcheck python3-pyflakes python3-numpy python3-mpmath
+for_tests=(clang-format clang-19 clang-tidy-19 libclang-rt-19-dev libc++-19-dev shellcheck python3-pyflakes python3-numpy python3-mpmath
     chromium gdb doxygen parallel)
 for_fuzzing=(clang-19 libclang-rt-19-dev)
 for_printing=(chromium python3-markdown)

@@ -65,8 +65,8 @@ TEST(Saturating, ForcesAndAccelerationsBeyondTheRangePullTheRightWay) {
     left.world.add_anchored_spring(left.body, {0_d, 0_d}, 100_d, 0_d, 0_d);
     right.world.step(BinaryStep<4>());
     left.world.step(BinaryStep<4>());
-    EXPECT_NEAR(right.velocity(), least / 16, 1);
-    EXPECT_NEAR(left.velocity(), most / 16, 1);
+    EXPECT_NEAR(right.velocity(), least / 16., 1);
+    EXPECT_NEAR(left.velocity(), most / 16., 1);
 }
 
 struct Rolling : engine::Uses {

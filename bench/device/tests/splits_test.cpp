@@ -613,7 +613,7 @@ TEST(LongSplits, Sqrt) {
 }
 
 template <class Expected>
-void expect_long_vectors(const char* operation, Signature signature, Expected expected) {
+void expect_long_vectors(const char* operation, const Signature& signature, Expected expected) {
     Program program(operation, 64);
     for_each_long_split([&](auto F) {
         DeviceFunction function = program.subject(F, signature);

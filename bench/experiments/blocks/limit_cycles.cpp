@@ -38,6 +38,7 @@ Cycle cycle_of(Filter filter) {
         for (steps = 0; steps < next && !cycle.period;) {
             filter.step(0);
             ++steps;
+            // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison)
             if (std::memcmp(&former, &filter, sizeof filter) == 0) cycle.period = steps;
         }
     }

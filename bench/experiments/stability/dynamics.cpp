@@ -237,9 +237,10 @@ std::vector<DynamicsRow> energy_of(const Subject& subject, unsigned longest) {
                 const double log_radius = std::log(
                     spectral_radius(step_map(subject.integrator, of_linear, 0, dt.value()), 2));
                 const double of_window = std::abs(log_radius) < 1e-12 ? 0 : 2 * log_radius * window;
+                const unsigned windows = at / window;
                 row.theory = of_window == 0 ? 0
                                             : std::expm1(of_window) / of_window *
-                                                  std::expm1(of_window * (at / window - 1));
+                                                  std::expm1(of_window * (windows - 1));
             } else if (!implicit && subject.integrator != "explicit_euler") {
                 row.theory = 0;
             }

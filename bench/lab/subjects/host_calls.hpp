@@ -78,7 +78,7 @@ void judge_all(Raws operands, Raws results, reference::ErrorStatistics& statisti
     for_each_call<subject.operation>(operands, results, [&](Raws each, Raws computed) {
         const reference::Judgement judgement = judge<subject, Real>(each, computed);
         statistics.add(judgement, each);
-        if (next) *next++ = judgement.regular();
+        if (next != nullptr) *next++ = judgement.regular();
     });
 }
 

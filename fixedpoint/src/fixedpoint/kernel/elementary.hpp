@@ -74,7 +74,8 @@ struct Exp2 : Splits<9, 24> {
         const Raw whole = a >> F;
         if (whole > 32) return {RawLimits<Raw>::max, Outcome::overflow};
         if (whole < -32) return {0, Outcome::in_range};
-        const int64_t x = multiply<int64_t, 32>(int64_t(a * (int32_t(1) << (24 - F))), ln2_48);
+        const int32_t scaled = a * (int32_t(1) << (24 - F));  // at most 33 2^24
+        const int64_t x = multiply<int64_t, 32>(scaled, ln2_48);
         return rounded_power(exp_wide<int64_t, 40>(x, F), false);
     }
 };

@@ -123,7 +123,7 @@ TEST(Pairs, AreAllOfThemOrThoseThatOverlapAlongTheFirstAxis) {
     // For uniformly distributed discs: two are within a diameter d of each other along an axis of
     // width w with probability 2 d / w - (d / w)^2.
     const double way = 2 * disc_radius / (2 * half_edge(1024) - 2 * disc_radius);
-    const double expected = 1024 * 1023 / 2 * (2 * way - way * way);
+    const double expected = 1024 * 1023 / 2. * (2 * way - way * way);
     EXPECT_NEAR(pairs_of_a_moment<SortAndSweep>(1024), expected, expected / 20);
 }
 TEST(Pairs, OfDiscsThatAreStillAreThoseOnTheirLattice) {

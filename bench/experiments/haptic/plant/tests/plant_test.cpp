@@ -263,7 +263,8 @@ Plant busy(double step, int calls) {
     for (int frame = 0; frame < 25; ++frame) {
         const double at = 0.02 * frame;
         for (int call = 0; call < calls; ++call) plant.advance_to(at * call / calls);
-        plant.servo_pulse(width_for(p, degrees(30 + frame / 5)), at);
+        const int target = 30 + frame / 5;  // degrees
+        plant.servo_pulse(width_for(p, degrees(target)), at);
     }
     plant.advance_to(0.5);
     return plant;
