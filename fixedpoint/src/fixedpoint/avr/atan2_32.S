@@ -10,14 +10,14 @@
 // Stack    12 bytes
 // Tables   3072 bytes, fixedpoint_atan_32_table; 512 bytes, fixedpoint_reciprocal_table
 //
-// The ratio of the shorter coordinate to the longer one, rounded downward to 32 fraction bits, is
-// the position in the arc tangent table; it is 2^32 - 1 if both are equal. Beyond F = 24 the upper
-// byte of the remainder is interpolated with the slope there. The angle is then unfolded from the
-// first octant. The four base-256 digits of the ratio are those of divide_32.S without signs,
-// rounding and limits.
+// The ratio of the shorter coordinate to the longer one, to 32 fraction bits, is the position in the
+// arc tangent table; it is 2^32 - 1 if both are equal. Its base-256 digits are those of divide_32.S
+// without signs, rounding and limits. Beyond F = 24 there are four, and the upper byte of the
+// remainder is interpolated with the slope there. Up to F = 24 there are three, and that byte is the
+// fourth: it is up to 2 less. The angle is then unfolded from the first octant.
 //
-// Error in units of 2^-31: up to F = 24 the 32-bit core (cubic_core_32.inc) and the ratio 0.5;
-// beyond, the 40-bit core 0.2.
+// Error in units of 2^-31: up to F = 24 the 32-bit core (cubic_core_32.inc), the ratio -1.0, and 2 that
+// are added; beyond, the 40-bit core 0.2.
 
 #ifdef __AVR_HAVE_MUL__
 #include "prelude.inc"
@@ -31,6 +31,12 @@
     ratio_32
     ret
     ENDFUNC fixedpoint_ratio_32
+
+    // The same, or up to 2 less, without a remainder.
+    FUNCTION fixedpoint_rough_ratio_32
+    ratio_32 rough
+    ret
+    ENDFUNC fixedpoint_rough_ratio_32
 
 #define STEEP 0
 #define LEFT 1
@@ -53,7 +59,7 @@
     .else
     .set half_pi, 3373259426
     .set pi, 6746518852
-    .set cut, 1
+    .set cut, 2
     .endif
     SECTION fixedpoint_atan2_q\integer\()_\fraction
 .Lequal_\fraction:
@@ -62,7 +68,9 @@
     ldi r22, 0xff
     ldi r23, 0xff
     movw r24, r22
+    .if \fraction > 24
     ldi r26, 0xff
+    .endif
 .Lratio_is_known_\fraction:
     push r30
     rjmp .Llook_up_\fraction
@@ -99,7 +107,11 @@
     exchange_coordinates
     ori r30, 1 << STEEP
 2:  push r30
+    .if \fraction > 24
     XCALL fixedpoint_ratio_32
+    .else
+    XCALL fixedpoint_rough_ratio_32
+    .endif
 .Llook_up_\fraction:
     mov r30, r25
     mov_from_top r18, r22, 3

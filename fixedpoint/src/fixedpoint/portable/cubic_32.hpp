@@ -38,6 +38,21 @@ FIXEDPOINT_CONSTEXPR uint32_t cubic_32(uint32_t position) {
            multiply_high_24(slope, static_cast<uint32_t>(t));
 }
 
+// slope t / 2^24, without the parts below the unit, as the products of bytes that are added.
+FIXEDPOINT_CONSTEXPR uint32_t rise_40(uint32_t slope, uint32_t t) {
+    const uint32_t t0 = t & 0xff, t1 = t >> 8 & 0xff, t2 = t >> 16;
+    const uint32_t s0 = slope & 0xff, s1 = slope >> 8 & 0xff, s2 = slope >> 16 & 0xff,
+                   s3 = slope >> 24;
+    return (s3 * t2 << 16) + ((s3 * t1 + s2 * t2) << 8) + s3 * t0 + s2 * t1 + s1 * t2 +
+           (s2 * t0 >> 8) + (s1 * t1 >> 8) + (s0 * t2 >> 8);
+}
+
+template <class Table>
+FIXEDPOINT_CONSTEXPR uint64_t value_of(uint8_t interval) {
+    return static_cast<uint64_t>(read_program_memory(Table::value[interval])) << 8 |
+           read_program_memory(Table::value_low[interval]);
+}
+
 // In units of 2^-39, modulo 2^40, within 57 units, 2^-33.1, and the upper byte of the slope.
 struct Cubic40 {
     uint64_t value;
@@ -46,20 +61,14 @@ struct Cubic40 {
 template <class Table>
 FIXEDPOINT_CONSTEXPR Cubic40 cubic_40(uint32_t position) {
     const uint8_t interval = static_cast<uint8_t>(position >> 24);
-    const uint32_t t = position & 0xffffff, t0 = t & 0xff, t1 = t >> 8 & 0xff, t2 = t >> 16;
+    const uint32_t t = position & 0xffffff, t2 = t >> 16;
     const uint32_t bent =
         static_cast<uint32_t>(
             (static_cast<int32_t>(read_program_memory(Table::bend[interval])) << 8) +
             twist_of<Table>(interval) * static_cast<int32_t>(t2)) &
         0xffffff;
     const uint32_t slope = read_program_memory(Table::slope[interval]) - multiply_high_24(bent, t);
-    const uint32_t s0 = slope & 0xff, s1 = slope >> 8 & 0xff, s2 = slope >> 16 & 0xff,
-                   s3 = slope >> 24;
-    const uint32_t rise = (s3 * t2 << 16) + ((s3 * t1 + s2 * t2) << 8) + s3 * t0 + s2 * t1 +
-                          s1 * t2 + (s2 * t0 >> 8) + (s1 * t1 >> 8) + (s0 * t2 >> 8);
-    const uint64_t value = static_cast<uint64_t>(read_program_memory(Table::value[interval])) << 8 |
-                           read_program_memory(Table::value_low[interval]);
-    return {(value + rise) & 0xffffffffff, s3};
+    return {(value_of<Table>(interval) + rise_40(slope, t)) & 0xffffffffff, slope >> 24};
 }
 
 }  // namespace portable

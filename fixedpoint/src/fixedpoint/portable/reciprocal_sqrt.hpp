@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // reciprocal_sqrt: 2^F sqrt(2^F / a), saturated; the largest number if a = 0, and 0 if a < 0. Bit
 // for bit as the kernels compute it in Q8.8 (within 0.5164 ulp), in Q16.16 (0.66 ulp), in the other
-// 32-bit formats (0.75 ulp) and in Q32.32 (0.65 ulp); rounded to nearest in all other formats.
+// 32-bit formats (0.62 ulp) and in Q32.32 (0.65 ulp); rounded to nearest in all other formats.
 #pragma once
 
 #include <fixedpoint/portable/nearest_root.hpp>

@@ -10,20 +10,17 @@
 namespace fixedpoint {
 namespace portable {
 
-// mantissa / sqrt(2), or up to 4 units less: byte by byte, without the bytes below the result.
-FIXEDPOINT_CONSTEXPR uint64_t over_root_of_two_40(uint64_t mantissa) {
-    constexpr uint32_t factor = 0xb504f334;  // 2^-32
-    uint64_t result = 0;
-    for (int i = 0; i < 5; ++i) {
-        for (int j = 0; j < 4; ++j) {
-            const uint32_t product =
-                static_cast<uint32_t>(mantissa >> 8 * i & 0xff) * (factor >> 8 * j & 0xff);
-            if (i + j == 3) result += product >> 8;
-            if (i + j > 3)
-                result += static_cast<uint64_t>(product) << 8 * (i + j > 3 ? i + j - 4 : 0);
-        }
-    }
-    return result;
+// sqrt(1/m) in units of 2^-39, within 30 of them: for m from 2 to 4 in the lower half of all
+// positions and from 1 to 2 in the upper half.
+FIXEDPOINT_CONSTEXPR uint64_t reciprocal_root_40(uint32_t position) {
+    using Table = ReciprocalSqrt32Table<>;
+    const uint8_t interval = static_cast<uint8_t>(position >> 24);
+    const uint32_t t = position & 0xffffff, t1 = t >> 8 & 0xff, t2 = t >> 16;
+    const uint32_t twist = read_program_memory(Table::twist[interval]);
+    const uint32_t bent = (static_cast<uint32_t>(read_program_memory(Table::bend[interval])) << 8) -
+                          2 * (twist * t2 + (twist * t1 >> 8));
+    const uint32_t slope = read_program_memory(Table::slope[interval]) - multiply_high_24(bent, t);
+    return value_of<Table>(interval) - rise_40(slope, t);
 }
 
 template <int F>
@@ -35,13 +32,13 @@ FIXEDPOINT_CONSTEXPR int32_t reciprocal_sqrt_32(int32_t a) {
         normalised <<= 1;
         --exponent;
     }
-    // The result is the mantissa 2^(twice - 19) / 2.
+    // The result is the mantissa 2^(twice / 2 - 9), with twice / 2 rounded down. The parity takes
+    // the place of the leading one.
     const int twice = 3 * F + 19 - exponent;
     if (twice > 81) return RawLimits<int32_t>::max;
     if (twice < 14) return 0;
-    const uint64_t core = cubic_40<ReciprocalSqrt32Table<>>(normalised << 1).value;
-    const uint64_t mantissa = ((uint64_t(1) << 39) - 1 - core) & 0xffffffffff;
-    return scale_40(twice % 2 == 0 ? over_root_of_two_40(mantissa) : mantissa, twice / 2);
+    const uint32_t parity = static_cast<uint32_t>(twice % 2) << 31;
+    return scale_40(reciprocal_root_40((normalised & 0x7fffffff) | parity), twice / 2);
 }
 
 }  // namespace portable
