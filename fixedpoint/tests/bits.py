@@ -5,6 +5,9 @@ import z3
 
 from machine_code import Machine, Unprovable, demand
 
+# For this code, quicker than what z3 chooses itself.
+DECIDE = z3.Then("simplify", "solve-eqs", "bit-blast", "sat")
+ANSWERED = z3.AstMap()  # questions; kernels and paths have many in common
 NONE = z3.BitVecVal(0, 10)
 POINTERS = {"X": 26, "X+": 26, "Y+": 28, "Z+": 30}
 CHAINED = ("adc", "sbc", "sbci", "cpc", "ror")
@@ -49,9 +52,12 @@ class Bits(Machine):
         return self.impossible(self.registers[register] != 0)
 
     def impossible(self, condition):
-        solver = z3.SolverFor("QF_BV")
-        solver.add(*self.holds, condition)
-        return solver.check() == z3.unsat
+        question = z3.And(*self.holds, condition)
+        if question not in ANSWERED:
+            solver = DECIDE.solver()
+            solver.add(question)
+            ANSWERED[question] = z3.BoolVal(solver.check() == z3.unsat)
+        return z3.is_true(ANSWERED[question])
 
     def possible(self, given):
         return not self.impossible(z3.And(*given))

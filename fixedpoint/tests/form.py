@@ -10,9 +10,10 @@ class Form(dict):
     def __add__(self, other):
         total = Form(self)
         for name, factor in other.items():
-            total[name] = total.get(name, 0) + factor
-            if not total[name]:
-                del total[name]
+            if value := total.get(name, 0) + factor:
+                total[name] = value
+            else:
+                total.pop(name, None)
         return total
 
     def __sub__(self, other):

@@ -28,13 +28,15 @@ import subprocess
 import sys
 import tempfile
 from collections import Counter
+from functools import cache
 from math import gcd
 from pathlib import Path
 
 import z3
 
 from form import Form, known
-from machine_code import CALL_SAVED, Unprovable, disassemble
+from machine_code import CALL_SAVED, Unprovable, disassemble, operand
+from stretches import at_least, at_most, real
 
 SOURCE = Path(__file__).parent.parent / "src"
 STEPS = 3000  # more steps than any kernel takes
@@ -52,6 +54,13 @@ class Pointer:
 
     def __init__(self, operand, offset=0):
         self.operand, self.offset = operand, offset
+
+
+@cache
+def named_byte(name):
+    """(operand and component, index) of a variable that is a byte of an operand."""
+    byte = re.fullmatch(r"([ab]\d)\.(\d)", str(name))
+    return byte and (byte[1], int(byte[2]))
 
 
 class Machine:
@@ -78,14 +87,14 @@ class Machine:
         self.registers[1] = known(0)
         kernel.place_operands(self)
         self.before = dict(self.registers)
-        self.place = ""  # where the path is: an address, and for which time
+        self.address, self.visits = None, Counter()  # where the path is, and how often it was at each address
 
     def variable(self, name, high):
         self.ranges[name] = high
         return Form({name: 1})
 
     def fresh(self, kind, high):
-        return self.variable(f"{kind}@{self.place}", high)
+        return self.variable(f"{kind}@{self.address:x}.{self.visits[self.address]}", high)
 
     def byte_of(self, operand, component, index):
         return self.variable(f"{operand}{component}.{index}", 255)
@@ -111,10 +120,10 @@ class Machine:
     def operand_byte(form):
         """(operand and component, index)"""
         names = list(form)
-        if len(names) != 1 or form[names[0]] != 1 or not re.fullmatch(r"[ab]\d\.\d", str(names[0])):
+        byte = named_byte(names[0]) if len(names) == 1 and form[names[0]] == 1 else None
+        if byte is None:
             raise Unprovable("what ought to be a byte of an operand is not")
-        operand, index = names[0].split(".")
-        return operand, int(index)
+        return byte
 
     def is_top(self, byte):
         """Whether the byte has a sign."""
@@ -216,11 +225,11 @@ class Machine:
         self.registers[d] = self.byte_of(pointer.operand, component, index)
 
     def run(self):
-        address, visits = self.kernel.entry, Counter()
+        address = self.kernel.entry
         for _ in range(STEPS):
+            self.address = address
+            self.visits[address] += 1
             self.kernel.visited.add(address)
-            visits[address] += 1
-            self.place = f"{address:x}.{visits[address]}"
             mnemonic, operands, target, following = self.code[address]
             if mnemonic == "ret":
                 return
@@ -230,7 +239,7 @@ class Machine:
         raise Unprovable("the code does not return")
 
     def step(self, mnemonic, text, target, following):
-        operands = [int(word[1:]) if re.fullmatch(r"r\d+", word) else word for word in text]
+        operands = [operand(word) for word in text]
         d, r = (operands + operands + [None, None])[:2]
         read = self.number
         if mnemonic not in KEEP_FLAGS:
@@ -341,7 +350,6 @@ class Machine:
         self.decide(rest)
 
     def decide(self, rest):
-
         largest = 256 << -(-self.kernel.fraction // 8) * 8
         if any(abs(factor) > largest for name, factor in rest.items()
                if name != 1 and self.ranges[name] == 255):
@@ -352,16 +360,8 @@ class Machine:
         if question in self.kernel.answered:
             return
         solver = z3.SolverFor("QF_LRA")
-        names = {name: z3.Real(name) for name in needed}
-
-        def term(form):
-            return z3.Sum([z3.RealVal(value) * (1 if name == 1 else names[name])
-                           for name, value in form.items()] + [z3.RealVal(0)])
-
-        for name in needed:
-            solver.add(names[name] >= 0, names[name] <= self.ranges[name])
-        for low, form, high in facts:
-            solver.add(term(form) >= low, term(form) <= high)
+        for low, form, high in (*((0, {name: 1}, self.ranges[name]) for name in needed), *facts):
+            solver.add(at_least(low, tuple(form.items())), at_most(high, tuple(form.items())))
 
         def impossible(statement):
             solver.push()
@@ -375,12 +375,13 @@ class Machine:
         for name in [name for name in self.ranges if name in needed]:
             counts = self.ranges[name] == 1 and abs(rest.get(name, 0)) > largest
             if counts or name.startswith("carry") and name not in self.read_carries:
-                if impossible(names[name] >= 1):
-                    solver.add(names[name] == 0)
+                if impossible(at_least(1, ((name, 1),))):
+                    solver.add(real(name) == 0)
                 elif counts:
                     raise Unprovable(f"{name} counts")
         # An integer; over the rationals, these limits are the weaker ones.
-        if not (impossible(term(rest) <= -1) and impossible(term(rest) >= 1 << self.kernel.fraction)):
+        items = tuple(rest.items())
+        if not (impossible(at_most(-1, items)) and impossible(at_least(1 << self.kernel.fraction, items))):
             raise Unprovable("a result that is not the nearest number is not excluded")
         self.kernel.answered.add(question)
 

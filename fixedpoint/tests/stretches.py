@@ -9,8 +9,9 @@ which must be 1.
 """
 
 import copy
+import random
 from functools import cache
-from itertools import product
+from itertools import islice, product
 from math import gcd, prod
 
 import z3
@@ -39,15 +40,45 @@ def at_most(high, items):
     return term(items) <= high
 
 
+TRIES, ENOUGH = 40, 4  # of random operands, for witnesses
+
+
+class Values(dict):
+    """The values of variables and of their products, from a random one for each that is not computed from others."""
+
+    def __init__(self, machine, seed):
+        super().__init__({1: 1})
+        self.machine, self.random = machine, random.Random(seed)
+
+    def __missing__(self, name):
+        if "*" in name:
+            value = prod(self[part] for part in name.split("*"))
+        elif compute := self.machine.computed.get(name):
+            value = compute(self.of)
+        else:
+            high = self.machine.ranges[name]
+            value = self.random.choice((0, high, self.random.randint(0, high)))
+        self[name] = value
+        return value
+
+    def of(self, form):
+        return sum(factor * self[name] for name, factor in form.items())
+
+    def satisfy(self, low, form, high):
+        return (low is None or self.of(form) >= low) and (high is None or self.of(form) <= high)
+
+
 class Linear(Machine):
     """Of linear forms."""
 
     def __init__(self, program):
         self.names = 0
         self.ranges = {}  # variable: its largest value
+        self.computed = {}  # variable: its value by those of forms, for what is computed from others
         self.facts = []   # (low, form, high), either may be None
         self.named = {}   # form: the variable that represents it
-        self.solver, self.fixed = None, {}
+        self.solver, self.fixed, self.given = None, {}, ()
+        self.witnessed = 0, []
         self.unequal = None  # what holds the exclusive or of `differing`
         self.memory = []     # bytes from address 0 on
         self.carry = self.tested = self.sign = self.signs = None
@@ -55,8 +86,8 @@ class Linear(Machine):
 
     def copy(self):
         other = super().copy()
-        other.solver, other.fixed = None, {}
-        for name in ("ranges", "facts", "named"):
+        other.solver, other.fixed, other.given, other.witnessed = None, {}, (), (0, [])
+        for name in ("ranges", "computed", "facts", "named"):
             setattr(other, name, copy.copy(getattr(self, name)))
         return other
 
@@ -65,10 +96,10 @@ class Linear(Machine):
     def is_zero(self, register):
         return self.registers[register] == known(0)
 
-    def variable(self, kind, high=255):
+    def variable(self, kind, high=255, value=None):
         self.names += 1
         name = f"{kind}.{self.names}"
-        self.ranges[name] = high
+        self.ranges[name], self.computed[name] = high, value
         self.hold(0, Form({name: 1}), high)
         return Form({name: 1})
 
@@ -133,7 +164,7 @@ class Linear(Machine):
             return form
         key = frozenset(form.items())
         if key not in self.named:
-            self.named[key] = self.variable("byte")
+            self.named[key] = self.variable("byte", value=lambda of: of(form))
             self.hold(0, self.named[key] - form, 0)
         self.registers[register] = self.named[key]
         return self.named[key]
@@ -141,7 +172,7 @@ class Linear(Machine):
     def keep(self, register, total, sign):
         """The byte of a sum that leaves a carry, or of a difference that leaves a borrow."""
         if set(total) - {1}:
-            self.carry = self.variable("carry", 1)
+            self.carry = self.variable("carry", 1, lambda of: int(not 0 <= of(total) < 256))
             form = total - self.carry * (256 * sign)
             # A multiple of 2^i is at most 256 - 2^i: over the rationals, that says more.
             self.hold(0, form, 256 - gcd(256, *form.values()))
@@ -160,7 +191,7 @@ class Linear(Machine):
             self.registers[0], self.registers[1], self.carry = known(low), known(high), None
             return
         largest = sum(factor * (1 if name == 1 else self.most(name)) for name, factor in value.items())
-        high = self.variable("high", largest >> 8)
+        high = self.variable("high", largest >> 8, lambda of: of(value) >> 8)
         # A multiple of 2^i is at most 256 - 2^i.
         self.hold(0, value - high * 256, 256 - gcd(256, *value.values()))
         self.registers[0], self.registers[1], self.carry = value - high * 256, high, None
@@ -205,7 +236,8 @@ class Linear(Machine):
             self.keep(d + 1, registers[d + 1] + self.carry, 1)
             self.tested = None
         elif mnemonic in ("lsr", "ror"):
-            form, half = registers[d], self.variable("half", 127)
+            form = registers[d]
+            half = self.variable("half", 127, lambda of: of(form) >> 1)
             if not set(form) - {1}:
                 half = known(form.get(1, 0) >> 1)
             self.hold(0, form - half * 2, 1)
@@ -228,7 +260,8 @@ class Linear(Machine):
             registers[d] = self.tested = self.sign = known(0)
         elif mnemonic == "eor":
             self.differing = registers[d], registers[r]
-            registers[d] = self.unequal = self.variable("differing")
+            one, other = self.differing
+            registers[d] = self.unequal = self.variable("differing", value=lambda of: of(one) ^ of(other))
             self.tested = self.sign = None
         elif mnemonic == "bst" and r == "7" and registers[d] is self.unequal:
             return [self.of_signs(following, self.differing, signs) for signs in product((False, True), repeat=2)]
@@ -237,14 +270,16 @@ class Linear(Machine):
         elif mnemonic == "or" and (self.apart(d, r) or self.apart(r, d)):
             registers[d] = self.tested = self.sign = registers[d] + registers[r]
         elif mnemonic == "or":
-            whole = self.variable("or")
-            for form in (registers[d], registers[r]):
+            one, other = registers[d], registers[r]
+            whole = self.variable("or", value=lambda of: of(one) | of(other))
+            for form in (one, other):
                 self.hold(0, whole - form)
             self.hold(0, registers[d] + registers[r] - whole)
             registers[d] = self.tested = self.sign = whole
         elif mnemonic == "and":
-            whole = self.variable("and")
-            for form in (registers[d], registers[r]):
+            one, other = registers[d], registers[r]
+            whole = self.variable("and", value=lambda of: of(one) & of(other))
+            for form in (one, other):
                 self.hold(0, form - whole)
             self.hold(-255, whole - registers[d] - registers[r])
             registers[d], self.tested, self.sign = whole, whole, whole
@@ -309,6 +344,7 @@ class Linear(Machine):
         """Whether the path is feasible under the given conditions, which are assumed from then
         on."""
         self.solver, self.told = z3.SolverFor("QF_LRA"), {}
+        self.given, self.witnessed = given, (0, [])
         self.fixed = {}  # carries that are known
         for low, form, high in (*self.facts, *given):
             if low == high and len(form) == 1 and form[name := next(iter(form))] == 1:
@@ -340,22 +376,36 @@ class Linear(Machine):
         self.solver.pop()
         return answer == z3.unsat
 
+    def witnesses(self):
+        """Values of all variables that satisfy everything that is known: what does not hold for them, z3 cannot show."""
+        known = (*self.facts, *self.given)
+        if len(known) != self.witnessed[0]:
+            tried = (Values(self, seed) for seed in range(TRIES))
+            self.witnessed = len(known), list(islice((
+                values for values in tried if all(values.satisfy(*fact) for fact in known)), ENOUGH))
+        return self.witnessed[1]
+
     def settle(self):
         """Which carries, in the order in which they arose, cannot be 1, or cannot be 0."""
         if not self.solver:
             self.possible([])
+        witnesses = self.witnesses()
         carries = [name for name in self.told if name != 1 and name.startswith(("carry", "high")) and "*" not in name]
         for name in sorted(carries, key=lambda name: int(name.split(".")[1])):
             carry = real(name)
-            if name not in self.fixed and self.impossible(carry >= 1):
+            found = {min(values[name], 1) for values in witnesses}
+            if name not in self.fixed and 1 not in found and self.impossible(carry >= 1):
                 self.fixed[name] = 0
-            elif name not in self.fixed and name.startswith("carry") and self.impossible(carry <= 0):
+            elif name not in self.fixed and 0 not in found and name.startswith("carry") and self.impossible(carry <= 0):
                 self.fixed[name] = 1
             if name in self.fixed:
                 self.solver.add(carry == self.fixed[name])
 
     def show(self, *statements):
         """Each statement is (low, form, high)."""
+        for values in self.witnesses():
+            for statement in statements:
+                demand(values.satisfy(*statement), f"not shown: {statement}")
         if not self.solver and any(set(form) - {1} for _, form, _ in statements):
             self.possible([])
 
@@ -446,8 +496,9 @@ class Signed(Linear):
                 y = self.as_signed(y)
             value = self.times(x, y)
             # The sign is the carry.
-            self.carry = self.variable("carry", 1) if min(x.get(1, 0), y.get(1, 0)) < 0 else known(0)
-            high, value = self.variable("high"), value + self.carry * (1 << 16)
+            product = value
+            self.carry = self.variable("carry", 1, lambda of: of(product) < 0) if min(x.get(1, 0), y.get(1, 0)) < 0 else known(0)
+            high, value = self.variable("high", 255, lambda of: of(product) >> 8 & 255), value + self.carry * (1 << 16)
             self.hold(0, value - high * 256, 255)
             registers[0], registers[1] = value - high * 256, high
         elif mnemonic == "sbc" and d == r:
