@@ -35,7 +35,7 @@ from pathlib import Path
 import z3
 
 from form import Form, known
-from machine_code import CALL_SAVED, Unprovable, disassemble, operand
+from machine_code import CALL_SAVED, Unprovable, disassemble, operand as decoded
 from stretches import at_least, at_most, real
 
 SOURCE = Path(__file__).parent.parent / "src"
@@ -239,7 +239,7 @@ class Machine:
         raise Unprovable("the code does not return")
 
     def step(self, mnemonic, text, target, following):
-        operands = [operand(word) for word in text]
+        operands = [decoded(word) for word in text]
         d, r = (operands + operands + [None, None])[:2]
         read = self.number
         if mnemonic not in KEEP_FLAGS:
